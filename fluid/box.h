@@ -1,0 +1,41 @@
+// The box of cells that the solver works on: its size and its sides.
+//
+// Cell (i, j, k) has its centre at ((i, j, k) + 1/2) h from the box's low corner. Fields are arrays of cells.x * cells.y *
+// cells.z values, x fastest, then y, then z: index = (k * cells.y + j) * cells.x + i.
+#pragma once
+
+#include "fluid/result.h"
+#include "fluid/sides.h"
+
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+
+namespace windrow {
+
+/// Largest number of cells along an axis: the direct solve holds an n x n table an axis.
+inline constexpr int k_max_axis_cells = 2048;
+/// Largest number of cells of a box (about 7 GB of state and scratch).
+inline constexpr std::size_t k_max_cells = std::size_t{1} << 26;
+
+struct Box {
+    /// Cells along x, y, z, each 1 to k_max_axis_cells; odd sizes too. Default 32 x 16 x 32: wind is mostly level.
+    glm::ivec3 cells{32, 16, 32};
+    /// [m] Edge of a cell, 1e-6 to 1e6. Default 1.
+    float cell_size = 1.0f;
+    Sides sides{};
+
+    [[nodiscard]] std::size_t cell_count() const {
+        return static_cast<std::size_t>(cells.x) * static_cast<std::size_t>(cells.y) * static_cast<std::size_t>(cells.z);
+    }
+    [[nodiscard]] std::size_t index(int i, int j, int k) const {
+        return (static_cast<std::size_t>(k) * static_cast<std::size_t>(cells.y) + static_cast<std::size_t>(j)) *
+                   static_cast<std::size_t>(cells.x) +
+               static_cast<std::size_t>(i);
+    }
+};
+
+/// Every reason why the box cannot be used, a line each.
+[[nodiscard]] Result<void> validate(const Box& box);
+
+} // namespace windrow

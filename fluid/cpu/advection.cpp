@@ -1,0 +1,69 @@
+// Semi-Lagrangian advection of the velocity: gather with halo, then trace and interpolate. pieces.h states the method.
+#include "fluid/cpu/workspace.h"
+
+#include <cassert>
+
+namespace windrow {
+namespace {
+
+// Wraps handle any distance; this keeps index arithmetic within 32 bits for winds that no clamp has met.
+constexpr float k_farthest_wrap = 65536.0f;
+
+} // namespace
+
+// An open side lets a trajectory end one cell beyond the outermost centre, where everything read is ambient; a wall stops it
+// at the face; a periodic axis wraps.
+cpu::AdvectTask Workspace::State::advect_task() const {
+    cpu::AdvectTask task{};
+    for (int axis = 0; axis < 3; ++axis) {
+        const int cells = box.cells[axis];
+        task.cells[axis] = cells;
+        if (box.sides.periodic(axis)) {
+            task.low[axis] = -k_farthest_wrap;
+            task.high[axis] = k_farthest_wrap;
+            task.period[axis] = static_cast<float>(cells);
+            task.inverse_period[axis] = 1.0f / static_cast<float>(cells);
+            continue;
+        }
+        task.low[axis] = box.sides.at(axis, 0).kind == SideKind::open ? -1.0f : -0.5f;
+        task.high[axis] = static_cast<float>(cells) - (box.sides.at(axis, 1).kind == SideKind::open ? 0.0f : 0.5f);
+    }
+    return task;
+}
+
+void advect(Workspace& work, const Transport& transport, std::span<glm::vec4> result) {
+    Workspace::State& state = work.state();
+    assert(transport.carried.size() == state.box.cell_count() && transport.velocity.size() == state.box.cell_count());
+    assert(result.size() == state.box.cell_count() && result.data() != transport.velocity.data());
+
+    const bool own_trace = !transport.velocity_old.empty() || !transport.history.empty() || transport.settling != 1.0f ||
+                           transport.carried.data() != transport.velocity.data();
+    cpu::PadTask pad{};
+    for (int axis = 0; axis < 3; ++axis) {
+        pad.cells[axis] = state.box.cells[axis];
+        pad.rules[axis] = state.rules[axis].data();
+        pad.ambient[axis] = state.ambient[axis];
+    }
+    pad.carried = cpu::floats(transport.carried);
+    pad.history = cpu::floats(transport.history);
+    pad.history_scale = transport.history_scale;
+    pad.settling = transport.settling;
+    pad.velocity = cpu::floats(transport.velocity);
+    pad.velocity_old = cpu::floats(transport.velocity_old);
+    pad.extrapolation = transport.extrapolation;
+    pad.padded_carried = state.padded_carried.data();
+    pad.padded_trace = own_trace ? state.padded_trace.data() : nullptr;
+    state.parallel_for(state.box.cells.z + cpu::k_halo, [&](int plane) { state.kernels->pad_plane(pad, plane); });
+
+    cpu::AdvectTask task = state.advect_task();
+    task.velocity = pad.velocity;
+    task.padded_carried = pad.padded_carried;
+    task.padded_trace = own_trace ? pad.padded_trace : pad.padded_carried;
+    task.result = cpu::floats(result);
+    task.cells_per_speed = transport.dt / state.box.cell_size;
+    const auto advect_plane =
+        transport.interpolation == Interpolation::cubic ? state.kernels->advect_plane_cubic : state.kernels->advect_plane_linear;
+    state.parallel_for(state.box.cells.z, [&](int plane) { advect_plane(task, plane); });
+}
+
+} // namespace windrow

@@ -1,0 +1,95 @@
+// Diffusion of the velocity, du/dt = nu L u, by the ratio r = nu dt / h^2. First order in time, second in space.
+//
+//   r < 1e-4            nothing: below the round-off of an advection
+//   r <= 1/12           u + r L u: at 1/6 the shortest wave's factor would already be -1
+//   above               backward Euler, (1 - r L) u' = u: one direct solve a component, about the ambient wind, so that a
+//                       uniform wind stays as it is; (L - 1/r) v' = -v/r - b with v = u - ambient and b what ghosts add
+//
+// Crank-Nicolson would be second order, but does not damp the shortest waves at r = 1e4.
+#include "fluid/cpu/workspace.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace windrow {
+namespace {
+
+constexpr float k_least_ratio = 1e-4f;
+constexpr float k_most_explicit_ratio = 1.0f / 12.0f;
+
+void diffuse_once(Workspace::State& state, std::span<const glm::vec4> field, float ratio, std::span<glm::vec4> result) {
+    cpu::DiffuseTask task{};
+    for (int axis = 0; axis < 3; ++axis) {
+        task.cells[axis] = state.box.cells[axis];
+        task.rules[axis] = state.rules[axis].data();
+        task.ambient[axis] = state.ambient[axis];
+    }
+    task.field = cpu::floats(field);
+    task.ratio = ratio;
+    task.result = cpu::floats(result);
+    state.parallel_for(state.box.cells.z, [&](int plane) { state.kernels->diffuse_plane(task, plane); });
+}
+
+// What the ghost beyond one side adds to L v at its outermost cell: the part that does not depend on v.
+float wall_share(const Side& side, int component, float ambient) {
+    return side.kind == SideKind::no_slip ? 2.0f * (side.wall_velocity[component] - ambient) : 0.0f;
+}
+
+void diffuse_component(Workspace::State& state, int component, std::span<const glm::vec4> field, float ratio, std::span<glm::vec4> result) {
+    cpu::SeparableSolver& solver = (*state.diffusion)[component];
+    solver.set_shift(1.0 / ratio, state.parallel_for);
+    const Box& box = state.box;
+    const float ambient = state.ambient[component];
+    float shares[3][2];
+    for (int axis = 0; axis < 3; ++axis)
+        for (int end = 0; end < 2; ++end)
+            shares[axis][end] = axis == component ? 0.0f : wall_share(box.sides.at(axis, end), component, ambient);
+    const auto edge = [&](int axis, int index) {
+        return (index == 0 ? shares[axis][0] : 0.0f) + (index == box.cells[axis] - 1 ? shares[axis][1] : 0.0f);
+    };
+    // Along its own axis a wall's ghost mirrors u with its sign turned; about ambient that is -v - 2 ambient, and ambient is 0 there.
+    float* const data = state.potential.data();
+    const auto row_of = [&](int j, int k) { return data + (static_cast<std::size_t>(k) * box.cells.y + j) * solver.pitch(); };
+    state.parallel_for(box.cells.z, [&](int k) {
+        for (int j = 0; j < box.cells.y; ++j) {
+            float* const row = row_of(j, k);
+            const float across = edge(1, j) + edge(2, k);
+            for (int i = 0; i < box.cells.x; ++i)
+                row[i] = -(field[box.index(i, j, k)][component] - ambient) / ratio - across - edge(0, i);
+        }
+    });
+    solver.solve(data, state.scratch.data(), state.parallel_for);
+    state.parallel_for(box.cells.z, [&](int k) {
+        for (int j = 0; j < box.cells.y; ++j)
+            for (int i = 0; i < box.cells.x; ++i)
+                result[box.index(i, j, k)][component] = row_of(j, k)[i] + ambient;
+    });
+}
+
+} // namespace
+
+DiffusionMethod diffusion_method(float viscosity, float dt, float cell_size) {
+    const float ratio = viscosity * dt / (cell_size * cell_size);
+    if (!(ratio >= k_least_ratio))
+        return DiffusionMethod::none;
+    return ratio <= k_most_explicit_ratio ? DiffusionMethod::one_pass : DiffusionMethod::implicit;
+}
+
+DiffusionMethod diffuse(Workspace& work, std::span<const glm::vec4> field, float viscosity, float dt, std::span<glm::vec4> result) {
+    Workspace::State& state = work.state();
+    assert(field.size() == state.box.cell_count() && result.size() == field.size() && field.data() != result.data());
+    const float ratio = viscosity * dt / (state.box.cell_size * state.box.cell_size);
+    const DiffusionMethod method = diffusion_method(viscosity, dt, state.box.cell_size);
+    if (method == DiffusionMethod::none) {
+        std::copy(field.begin(), field.end(), result.begin());
+    } else if (method == DiffusionMethod::one_pass) {
+        diffuse_once(state, field, ratio, result);
+    } else {
+        state.reserve_diffusion();
+        for (int component = 0; component < 3; ++component)
+            diffuse_component(state, component, field, ratio, result);
+    }
+    return method;
+}
+
+} // namespace windrow

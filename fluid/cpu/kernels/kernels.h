@@ -1,0 +1,156 @@
+// The hot loops as a table of function pointers, one table per SIMD level.
+//
+// The same text (level.inl and what it includes) is compiled once per level and chosen at run time. Everything
+// here is plain data: a level's file is compiled for instructions that the machine may lack, so it must not emit inline
+// functions of the standard library or GLM that the linker could hand to the rest of the program.
+//
+// A velocity is four floats a cell (x, y, z, 0). "Planes" are planes of constant k, the unit of work for threads.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace windrow::cpu {
+
+/// Halo of a padded field: cells below 0 and above n - 1 that a cubic read at a legal position can touch.
+inline constexpr int k_halo_low = 2;
+inline constexpr int k_halo_high = 3;
+inline constexpr int k_halo = k_halo_low + k_halo_high;
+
+/// Lanes of the blocks that the direct solve works in: one AVX-512 register, two of AVX2, four of SSE.
+inline constexpr int k_lanes = 16;
+
+/// Where a padded index takes its value from: value = scale * source + offset, or the ambient wind.
+struct HaloRule {
+    int source = 0;          ///< cell index along the axis, always inside
+    bool ambient = false;    ///< beyond an open side
+    bool identity = true;    ///< inside or periodic: the source's value as it is
+    float scale[4] = {1, 1, 1, 1};
+    float offset[4] = {0, 0, 0, 0};
+    float history_scale[4] = {1, 1, 1, 1}; ///< for the second-order history: odd along the normal, even else
+};
+
+/// Gathers `carried - s q` and `(1 + a) u - a u_old` into padded fields.
+struct PadTask {
+    int cells[3];
+    const HaloRule* rules[3]; ///< rules[axis][padded index], padded index = cell + k_halo_low
+    const float* carried;
+    const float* history; ///< null: none
+    float history_scale;
+    float settling; ///< 1: none
+    float ambient[4];
+    const float* velocity;
+    const float* velocity_old; ///< null: none
+    float extrapolation;
+    float* padded_carried;
+    float* padded_trace; ///< null: the trace reads padded_carried
+};
+
+/// Semi-Lagrangian advection of a padded field.
+struct AdvectTask {
+    int cells[3];
+    const float* velocity; ///< at the start, one value a cell
+    const float* padded_trace;
+    const float* padded_carried; ///< four floats a cell, or one for scalars
+    float* result;
+    float cells_per_speed; ///< dt / h
+    float low[4], high[4]; ///< legal positions in cell indices, w unused
+    float period[4], inverse_period[4]; ///< 0 where the axis is not periodic
+    bool clamped; ///< scalars only
+};
+
+/// One end of an axis for a stencil: the ghost beyond it is scale * u[source] + offset.
+struct NormalGhost {
+    int source;
+    float scale;
+    float offset;
+};
+
+struct DivergenceTask {
+    int cells[3];
+    int pitch; ///< floats from row to row of `result`
+    const float* velocity;
+    NormalGhost ghosts[3][2];
+    float scale; ///< result = scale * (sum of central differences over two cells)
+    float* result;
+};
+
+struct GradientTask {
+    int cells[3];
+    int pitch;
+    const float* potential;
+    NormalGhost ghosts[3][2]; ///< offset is 0
+    float scale;
+    float* velocity; ///< velocity -= scale * differences
+    float* gradient; ///< null: not wanted
+};
+
+struct DiffuseTask {
+    int cells[3];
+    const HaloRule* rules[3];
+    float ambient[4];
+    const float* field;
+    float ratio; ///< r = viscosity dt / h^2
+    float* result;
+};
+
+/// What one plane holds.
+struct PlaneSurvey {
+    float largest_component; ///< of the finite cells
+    std::int64_t broken_cells; ///< cells with NaN or infinity
+    double squares; ///< sum of |u|^2 of the finite cells
+};
+
+/// Matrix product C[rows x columns] = A[rows x depth] B[depth x columns], row-major with strides in floats; columns a multiple of k_lanes.
+struct Product {
+    const float* a;
+    std::ptrdiff_t a_stride;
+    const float* b;
+    std::ptrdiff_t b_stride;
+    float* c;
+    std::ptrdiff_t c_stride;
+    int rows, columns, depth;
+};
+
+/// Tridiagonal systems of one block: for each mode m and lane, x[j-1] + b[j] x[j] + x[j+1] = d[j] in place, j = 0..rows-1.
+struct TridiagonalTask {
+    float* data;         ///< [modes][rows][k_lanes]
+    const float* pivots; ///< the same shape: 1 / (b[j] - pivot[j-1])
+    const float* cyclic; ///< null, or the same shape: Sherman-Morrison vector of the periodic system
+    const float* cyclic_factors; ///< [modes][2][k_lanes]: factors on the first and the last row
+    int modes, rows;
+};
+
+struct Kernels {
+    const char* name;
+    void (*pad_plane)(const PadTask&, int padded_plane);
+    void (*advect_plane_linear)(const AdvectTask&, int plane);
+    void (*advect_plane_cubic)(const AdvectTask&, int plane);
+    void (*advect_scalar_plane_linear)(const AdvectTask&, int plane);
+    void (*advect_scalar_plane_cubic)(const AdvectTask&, int plane);
+    void (*divergence_plane)(const DivergenceTask&, int plane);
+    void (*gradient_plane)(const GradientTask&, int plane);
+    void (*diffuse_plane)(const DiffuseTask&, int plane);
+    void (*multiply)(const Product&);
+    void (*tridiagonal)(const TridiagonalTask&);
+    /// Rows `low` + i and `high` - i become their sum and difference, i < pairs; each row `lanes` floats (a multiple of k_lanes).
+    void (*butterfly)(float* low, float* high, std::ptrdiff_t stride, int pairs, int lanes);
+    PlaneSurvey (*survey)(const float* velocity, std::size_t cells);
+};
+
+/// The best level that this machine runs.
+[[nodiscard]] const Kernels& best_kernels();
+
+namespace baseline {
+extern const Kernels k_kernels;
+}
+#if defined(WINDROW_X86_LEVELS)
+namespace avx2 {
+extern const Kernels k_kernels;
+}
+namespace avx512 {
+extern const Kernels k_kernels;
+}
+#endif
+
+} // namespace windrow::cpu

@@ -1,0 +1,37 @@
+// One SIMD level: every kernel compiled into the namespace of its level, and the table that names them.
+#include "fluid/cpu/kernels/kernels.h"
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+namespace windrow::cpu::WINDROW_LEVEL {
+namespace {
+#include "fluid/cpu/kernels/lanes.inl"
+
+#include "fluid/cpu/kernels/advect.inl"
+#include "fluid/cpu/kernels/advect_scalar.inl"
+#include "fluid/cpu/kernels/pad.inl"
+#include "fluid/cpu/kernels/product.inl"
+#include "fluid/cpu/kernels/stencils.inl"
+#include "fluid/cpu/kernels/survey.inl"
+#include "fluid/cpu/kernels/tridiagonal.inl"
+} // namespace
+
+const Kernels k_kernels = {
+    WINDROW_LEVEL_NAME,
+    pad_plane,
+    advect_plane<Linear>,
+    advect_plane<Cubic>,
+    advect_scalar_plane<Linear>,
+    advect_scalar_plane<Cubic>,
+    divergence_plane,
+    gradient_plane,
+    diffuse_plane,
+    multiply,
+    tridiagonal,
+    butterfly,
+    survey,
+};
+
+} // namespace windrow::cpu::WINDROW_LEVEL

@@ -1,0 +1,106 @@
+// Projection onto divergence-free fields, collocated: L phi = div u, u -= grad phi.
+//
+// Divergence and gradient are central over two cells, L is the compact 7-point Laplacian: an approximate projection. What
+// is left is (L - div grad) phi, which falls as h^2. Everything is dimensionless (phi / h), so no h appears.
+#include "fluid/cpu/workspace.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace windrow {
+
+void Workspace::State::divergence_to_potential(const float* velocity, float scale) {
+    cpu::DivergenceTask task{};
+    for (int axis = 0; axis < 3; ++axis)
+        task.cells[axis] = box.cells[axis];
+    task.pitch = pressure->pitch();
+    task.velocity = velocity;
+    std::copy(&velocity_ghosts[0][0], &velocity_ghosts[0][0] + 6, &task.ghosts[0][0]);
+    task.scale = scale;
+    task.result = potential.data();
+    parallel_for(box.cells.z, [&](int plane) { kernels->divergence_plane(task, plane); });
+}
+
+double Workspace::State::divergence_rms(const float* velocity) {
+    divergence_to_potential(velocity, 0.5f / box.cell_size);
+    parallel_for(box.cells.z, [&](int k) {
+        double squares = 0.0;
+        for (int j = 0; j < box.cells.y; ++j) {
+            const float* const row = potential.data() + (static_cast<std::size_t>(k) * box.cells.y + j) * pressure->pitch();
+            float row_squares = 0.0f;
+            for (int i = 0; i < box.cells.x; ++i)
+                row_squares += row[i] * row[i];
+            squares += row_squares;
+        }
+        surveys[k].squares = squares;
+    });
+    double squares = 0.0;
+    for (int k = 0; k < box.cells.z; ++k)
+        squares += surveys[k].squares;
+    return std::sqrt(squares / static_cast<double>(box.cell_count()));
+}
+
+namespace {
+
+// Copies between a caller's dense field and the solver's padded rows, times a factor.
+template <class From, class To>
+void copy_rows(const Workspace::State& state, const From& from, const To& to, float factor) {
+    const glm::ivec3 cells = state.box.cells;
+    state.parallel_for(cells.z, [&](int k) {
+        for (int j = 0; j < cells.y; ++j) {
+            const auto* const source = from(j, k);
+            auto* const target = to(j, k);
+            for (int i = 0; i < cells.x; ++i)
+                target[i] = factor * source[i];
+        }
+    });
+}
+
+auto padded_rows(Workspace::State& state) {
+    return [&state](int j, int k) {
+        return state.potential.data() + (static_cast<std::size_t>(k) * state.box.cells.y + j) * state.pressure->pitch();
+    };
+}
+
+template <class T>
+auto dense_rows(const Workspace::State& state, std::span<T> field) {
+    return [&state, field](int j, int k) { return field.data() + state.box.index(0, j, k); };
+}
+
+} // namespace
+
+void divergence(Workspace& work, std::span<const glm::vec4> velocity, std::span<float> result) {
+    Workspace::State& state = work.state();
+    assert(velocity.size() == state.box.cell_count() && result.size() == velocity.size());
+    state.divergence_to_potential(cpu::floats(velocity), 0.5f / state.box.cell_size);
+    copy_rows(state, padded_rows(state), dense_rows(state, result), 1.0f);
+}
+
+void solve_poisson(Workspace& work, std::span<float> rhs_then_phi) {
+    Workspace::State& state = work.state();
+    assert(rhs_then_phi.size() == state.box.cell_count());
+    copy_rows(state, dense_rows(state, rhs_then_phi), padded_rows(state), state.box.cell_size * state.box.cell_size);
+    state.pressure->solve(state.potential.data(), state.scratch.data(), state.parallel_for);
+    copy_rows(state, padded_rows(state), dense_rows(state, rhs_then_phi), 1.0f);
+}
+
+void project(Workspace& work, std::span<glm::vec4> velocity, std::span<glm::vec4> gradient) {
+    Workspace::State& state = work.state();
+    assert(velocity.size() == state.box.cell_count() && (gradient.empty() || gradient.size() == velocity.size()));
+    state.divergence_to_potential(cpu::floats(velocity), 0.5f);
+    state.pressure->solve(state.potential.data(), state.scratch.data(), state.parallel_for);
+
+    cpu::GradientTask task{};
+    for (int axis = 0; axis < 3; ++axis)
+        task.cells[axis] = state.box.cells[axis];
+    task.pitch = state.pressure->pitch();
+    task.potential = state.potential.data();
+    std::copy(&state.potential_ghosts[0][0], &state.potential_ghosts[0][0] + 6, &task.ghosts[0][0]);
+    task.scale = 0.5f;
+    task.velocity = cpu::floats(velocity);
+    task.gradient = cpu::floats(gradient);
+    state.parallel_for(state.box.cells.z, [&](int plane) { state.kernels->gradient_plane(task, plane); });
+}
+
+} // namespace windrow

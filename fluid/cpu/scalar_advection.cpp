@@ -1,0 +1,49 @@
+// A scalar on the wind's trajectories. Walls mirror it, open sides hold the caller's outside value.
+#include "fluid/cpu/workspace.h"
+
+#include <cassert>
+
+namespace windrow {
+
+void advect(Workspace& work, const ScalarTransport& transport, std::span<float> result) {
+    Workspace::State& state = work.state();
+    const Box& box = state.box;
+    assert(transport.carried.size() == box.cell_count() && transport.velocity.size() == box.cell_count() && result.size() == box.cell_count());
+    if (state.padded_scalar.empty())
+        state.padded_scalar = cpu::Buffer<float>(state.padded_cells());
+
+    // The trace reads the padded wind, so the wind is gathered as an advection of itself would.
+    cpu::PadTask pad{};
+    for (int axis = 0; axis < 3; ++axis) {
+        pad.cells[axis] = box.cells[axis];
+        pad.rules[axis] = state.rules[axis].data();
+        pad.ambient[axis] = state.ambient[axis];
+    }
+    pad.carried = pad.velocity = cpu::floats(transport.velocity);
+    pad.settling = 1.0f;
+    pad.padded_carried = state.padded_carried.data();
+    const glm::ivec3 padded = box.cells + cpu::k_halo;
+    state.parallel_for(padded.z, [&](int plane) {
+        state.kernels->pad_plane(pad, plane);
+        const cpu::HaloRule& z = state.rules[2][plane];
+        float* to = state.padded_scalar.data() + static_cast<std::size_t>(plane) * padded.x * padded.y;
+        for (int row = 0; row < padded.y; ++row) {
+            const cpu::HaloRule& y = state.rules[1][row];
+            for (const cpu::HaloRule& x : state.rules[0])
+                *to++ = x.ambient || y.ambient || z.ambient ? transport.outside : transport.carried[box.index(x.source, y.source, z.source)];
+        }
+    });
+
+    cpu::AdvectTask task = state.advect_task();
+    task.velocity = pad.velocity;
+    task.padded_trace = pad.padded_carried;
+    task.padded_carried = state.padded_scalar.data();
+    task.result = result.data();
+    task.cells_per_speed = transport.dt / box.cell_size;
+    task.clamped = transport.clamped;
+    const auto advect_plane = transport.interpolation == Interpolation::cubic ? state.kernels->advect_scalar_plane_cubic
+                                                                              : state.kernels->advect_scalar_plane_linear;
+    state.parallel_for(box.cells.z, [&](int plane) { advect_plane(task, plane); });
+}
+
+} // namespace windrow

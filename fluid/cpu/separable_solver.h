@@ -1,0 +1,80 @@
+// Direct solution of (L - shift) x = d on a box by fast diagonalisation.
+//
+// L is the dimensionless 7-point Laplacian (sum of second differences, h = 1) with a closed-form basis along x and z
+// (basis.h). Transform along x, transform along z, one tridiagonal system in y for each pair of modes, transform back:
+//   1 (planes)  X: rows times the x basis
+//   2 (blocks)  Z, tridiagonal, Z back on k_lanes columns at a time, all in one task's cache
+//   3 (planes)  X back
+// Three parallel loops; about 4 n floating operations a cell and axis (half of it where the ends of an axis are alike). Where L is
+// singular (no end fixes the value) the mean of d is dropped and x has mean 0.
+//
+// Based on: Lynch, Rice & Thomas 1964, "Direct solution of partial difference equations by tensor product methods",
+// Numerische Mathematik 6; Sherman & Morrison 1950 for periodic y.
+//
+// Memory of `data` and of the scratch, in floats (x fastest):
+//   data     [cells.z][cells.y][pitch]                        rows padded to k_lanes; modes in place of cells after stage 1
+//   scratch  [pitch / k_lanes][cells.z][cells.y][k_lanes]     blocks of modes; the folded rows of a plane in stages 1 and 3
+#pragma once
+
+#include "fluid/cpu/aligned.h"
+#include "fluid/cpu/basis.h"
+#include "fluid/cpu/kernels/kernels.h"
+#include "fluid/parallel.h"
+
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cstddef>
+
+namespace windrow::cpu {
+
+class SeparableSolver {
+  public:
+    using Ends = std::array<std::array<EndRule, 2>, 3>;
+
+    SeparableSolver(glm::ivec3 cells, const Ends& ends, const Kernels& kernels);
+
+    /// Floats from row to row of `data`.
+    [[nodiscard]] int pitch() const { return pitch_; }
+    /// Floats that `data` and the scratch must hold.
+    [[nodiscard]] std::size_t buffer_size() const;
+    /// True where L has no inverse.
+    [[nodiscard]] bool singular() const { return singular_; }
+
+    /// Recomputes the pivots for another shift >= 0; no-op for the same one. Allocates nothing.
+    void set_shift(double shift, const ParallelFor& parallel_for);
+    /// Solves in place; values beyond a row's cells are ignored and overwritten.
+    void solve(float* data, float* scratch, const ParallelFor& parallel_for) const;
+
+    [[nodiscard]] std::size_t memory_bytes() const;
+
+  private:
+    /// One axis' basis as the products read it: [mode][cell] and transposed, each row padded to k_lanes.
+    struct Matrix {
+        Matrix(const std::vector<double>& values, int size);
+        Buffer<float> forward, backward; ///< forward [cell][mode] for rows, backward [mode][cell]
+        int size = 0, stride = 0;
+    };
+
+    void factor_block(int block);
+    void solve_block(int block, float* data, float* scratch) const;
+    void rows_to_modes(int plane, float* data, float* scratch) const;
+    void modes_to_rows(int plane, float* data, float* scratch) const;
+    [[nodiscard]] double eigenvalue_x(int lane) const;
+
+    glm::ivec3 cells_;
+    Ends ends_;
+    const Kernels* kernels_;
+    AxisBasis basis_x_, basis_z_;
+    Matrix x_even_, x_odd_, z_even_, z_odd_;
+    int odd_offset_ = 0; ///< lane of the first odd mode of x
+    int pitch_ = 0;
+    bool cyclic_ = false; ///< periodic y
+    bool singular_ = false;
+    double shift_ = -1.0;
+    Buffer<float> pivots_;         ///< laid out as the scratch
+    Buffer<float> cyclic_vectors_; ///< the same; periodic y only
+    Buffer<float> cyclic_factors_; ///< [blocks][cells.z][2][k_lanes]
+};
+
+} // namespace windrow::cpu

@@ -1,0 +1,235 @@
+#include "fluid/cpu/workspace.h"
+
+#include "fluid/message.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace windrow {
+namespace {
+
+using cpu::EndRule;
+using cpu::HaloRule;
+
+EndRule pressure_end(const Side& side) {
+    switch (side.kind) {
+    case SideKind::open:
+        return EndRule::zero_at_face;
+    case SideKind::periodic:
+        return EndRule::periodic;
+    default:
+        return EndRule::even_at_face;
+    }
+}
+
+EndRule velocity_end(const Side& side, bool normal) {
+    switch (side.kind) {
+    case SideKind::open:
+        return EndRule::zero_at_ghost;
+    case SideKind::periodic:
+        return EndRule::periodic;
+    case SideKind::no_slip:
+        return EndRule::zero_at_face;
+    default:
+        return normal ? EndRule::zero_at_face : EndRule::even_at_face;
+    }
+}
+
+// Applies one wall's mirror to a rule.
+void mirror(HaloRule& rule, const Side& side, int axis) {
+    for (int component = 0; component < 3; ++component) {
+        const bool normal = component == axis;
+        const bool odd = normal || side.kind == SideKind::no_slip;
+        if (odd) {
+            rule.scale[component] = -rule.scale[component];
+            rule.offset[component] = 2.0f * side.wall_velocity[component] - rule.offset[component];
+        }
+        if (normal)
+            rule.history_scale[component] = -rule.history_scale[component];
+    }
+    rule.identity = false;
+}
+
+// Follows an index outside [0, count) through mirrors and wraps until it is inside, or beyond an open side.
+HaloRule rule_at(const Sides& sides, int axis, int index, int count) {
+    // The mirrors nearest to the ghost act last on the value: gather them outermost first, then apply in reverse.
+    const Side* passed[16];
+    int passes = 0;
+    HaloRule rule;
+    while (index < 0 || index >= count) {
+        const Side& side = sides.at(axis, index < 0 ? 0 : 1);
+        if (side.kind == SideKind::open) {
+            rule.ambient = true;
+            rule.identity = false;
+            index = index < 0 ? 0 : count - 1;
+            break;
+        }
+        if (side.kind == SideKind::periodic) {
+            index += index < 0 ? count : -count;
+            continue;
+        }
+        assert(passes < 16);
+        passed[passes++] = &side;
+        index = index < 0 ? -1 - index : 2 * count - 1 - index;
+    }
+    rule.source = index;
+    while (!rule.ambient && passes > 0)
+        mirror(rule, *passed[--passes], axis);
+    return rule;
+}
+
+bool same_kinds(const Sides& a, const Sides& b) {
+    for (int axis = 0; axis < 3; ++axis)
+        for (int end = 0; end < 2; ++end)
+            if (a.at(axis, end).kind != b.at(axis, end).kind)
+                return false;
+    return true;
+}
+
+} // namespace
+
+Workspace::State::State(const Settings& settings, const cpu::Kernels& table)
+    : box(settings.box), requested_ambient(settings.ambient), ambient(admissible_ambient(settings.box.sides, settings.ambient)), parallel_for(settings.parallel_for), kernels(&table),
+      padded_carried(4 * padded_cells()), padded_trace(4 * padded_cells()), surveys(static_cast<std::size_t>(box.cells.z)) {
+    build_rules();
+    build_ghosts();
+    build_pressure();
+}
+
+std::size_t Workspace::State::padded_cells() const {
+    const glm::ivec3 padded = box.cells + cpu::k_halo;
+    return static_cast<std::size_t>(padded.x) * static_cast<std::size_t>(padded.y) * static_cast<std::size_t>(padded.z);
+}
+
+void Workspace::State::build_rules() {
+    for (int axis = 0; axis < 3; ++axis) {
+        rules[axis].resize(static_cast<std::size_t>(box.cells[axis] + cpu::k_halo));
+        for (int padded = 0; padded < box.cells[axis] + cpu::k_halo; ++padded)
+            rules[axis][padded] = rule_at(box.sides, axis, padded - cpu::k_halo_low, box.cells[axis]);
+    }
+}
+
+void Workspace::State::build_ghosts() {
+    for (int axis = 0; axis < 3; ++axis)
+        for (int end = 0; end < 2; ++end) {
+            const Side& side = box.sides.at(axis, end);
+            const int last = box.cells[axis] - 1;
+            const int edge = end == 0 ? 0 : last;
+            if (side.kind == SideKind::periodic) {
+                velocity_ghosts[axis][end] = potential_ghosts[axis][end] = {last - edge, 1.0f, 0.0f};
+            } else if (side.kind == SideKind::open) {
+                velocity_ghosts[axis][end] = {edge, 0.0f, ambient[axis]};
+                potential_ghosts[axis][end] = {edge, -1.0f, 0.0f};
+            } else {
+                velocity_ghosts[axis][end] = {edge, -1.0f, 0.0f};
+                potential_ghosts[axis][end] = {edge, 1.0f, 0.0f};
+            }
+        }
+}
+
+void Workspace::State::build_pressure() {
+    cpu::SeparableSolver::Ends ends;
+    for (int axis = 0; axis < 3; ++axis)
+        for (int end = 0; end < 2; ++end)
+            ends[axis][end] = pressure_end(box.sides.at(axis, end));
+    pressure.emplace(box.cells, ends, *kernels);
+    pressure->set_shift(0.0, parallel_for);
+    grow_solver_buffers(pressure->buffer_size());
+}
+
+void Workspace::State::grow_solver_buffers(std::size_t size) {
+    if (potential.size() < size) {
+        potential = cpu::Buffer<float>(size);
+        scratch = cpu::Buffer<float>(size);
+    }
+}
+
+void Workspace::State::reserve_diffusion() {
+    if (diffusion)
+        return;
+    const auto solver = [&](int component) {
+        cpu::SeparableSolver::Ends ends;
+        for (int axis = 0; axis < 3; ++axis)
+            for (int end = 0; end < 2; ++end)
+                ends[axis][end] = velocity_end(box.sides.at(axis, end), axis == component);
+        return cpu::SeparableSolver(box.cells, ends, *kernels);
+    };
+    diffusion.emplace(std::array{solver(0), solver(1), solver(2)});
+    for (const auto& component : *diffusion)
+        grow_solver_buffers(component.buffer_size());
+}
+
+void Workspace::State::set_sides(const Sides& sides) {
+    const bool kinds_changed = !same_kinds(box.sides, sides);
+    box.sides = sides;
+    build_rules();
+    set_ambient(requested_ambient);
+    if (!kinds_changed)
+        return;
+    build_pressure();
+    if (diffusion) {
+        diffusion.reset();
+        reserve_diffusion();
+    }
+}
+
+void Workspace::State::set_ambient(glm::vec3 wind) {
+    requested_ambient = wind;
+    ambient = admissible_ambient(box.sides, wind);
+    build_ghosts();
+}
+
+std::size_t Workspace::State::memory_bytes() const {
+    std::size_t bytes = sizeof(State) + padded_carried.bytes() + padded_trace.bytes() + padded_scalar.bytes() + potential.bytes() +
+                        scratch.bytes() + surveys.bytes() + pressure->memory_bytes();
+    for (const auto& axis : rules)
+        bytes += axis.capacity() * sizeof(HaloRule);
+    if (diffusion)
+        for (const auto& component : *diffusion)
+            bytes += component.memory_bytes();
+    return bytes;
+}
+
+cpu::PlaneSurvey Workspace::State::survey(const float* velocity) {
+    const std::size_t plane_cells = static_cast<std::size_t>(box.cells.x) * static_cast<std::size_t>(box.cells.y);
+    parallel_for(box.cells.z, [&](int plane) { surveys[plane] = kernels->survey(velocity + 4 * plane_cells * plane, plane_cells); });
+    cpu::PlaneSurvey whole{0.0f, 0, 0.0};
+    for (int plane = 0; plane < box.cells.z; ++plane) {
+        whole.largest_component = std::max(whole.largest_component, surveys[plane].largest_component);
+        whole.broken_cells += surveys[plane].broken_cells;
+        whole.squares += surveys[plane].squares;
+    }
+    return whole;
+}
+
+Workspace::Workspace(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Workspace::Workspace(Workspace&&) noexcept = default;
+Workspace& Workspace::operator=(Workspace&&) noexcept = default;
+Workspace::~Workspace() = default;
+
+Result<Workspace> Workspace::create(const Settings& settings) {
+    detail::Reasons reasons;
+    if (auto box = validate(settings.box); !box)
+        reasons.add(box.error());
+    if (!(std::isfinite(settings.ambient.x) && std::isfinite(settings.ambient.y) && std::isfinite(settings.ambient.z)))
+        reasons.add("ambient is ", settings.ambient, " m/s: give finite numbers.");
+    if (!reasons.empty())
+        return Error{reasons.take()};
+    return Workspace(std::make_unique<State>(settings, cpu::best_kernels()));
+}
+
+Result<void> Workspace::set_sides(const Sides& sides) {
+    if (auto valid = validate(sides); !valid)
+        return valid;
+    state_->set_sides(sides);
+    return {};
+}
+
+void Workspace::set_ambient(glm::vec3 ambient) { state_->set_ambient(ambient); }
+const Box& Workspace::box() const { return state_->box; }
+glm::vec3 Workspace::ambient() const { return state_->ambient; }
+std::size_t Workspace::memory_bytes() const { return state_->memory_bytes(); }
+void reserve_diffusion(Workspace& work) { work.state().reserve_diffusion(); }
+
+} // namespace windrow

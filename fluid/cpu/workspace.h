@@ -1,0 +1,67 @@
+// What a Workspace holds: the tables of one box and the scratch of its passes.
+#pragma once
+
+#include "fluid/cpu/aligned.h"
+#include "fluid/cpu/kernels/kernels.h"
+#include "fluid/cpu/separable_solver.h"
+#include "fluid/pieces.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace windrow {
+
+struct Workspace::State {
+    State(const Settings& settings, const cpu::Kernels& kernels);
+
+    Box box;
+    glm::vec3 requested_ambient; ///< as the caller gave it
+    glm::vec3 ambient;           ///< what the open sides carry: without components that a wall closes
+    ParallelFor parallel_for;
+    const cpu::Kernels* kernels;
+
+    /// rules[axis][cell + k_halo_low]: where a padded velocity comes from.
+    std::array<std::vector<cpu::HaloRule>, 3> rules;
+    cpu::NormalGhost velocity_ghosts[3][2];
+    cpu::NormalGhost potential_ghosts[3][2];
+
+    cpu::Buffer<float> padded_carried; ///< four floats a padded cell
+    cpu::Buffer<float> padded_trace;
+    cpu::Buffer<float> padded_scalar; ///< one float a padded cell; made by the first scalar
+
+    std::optional<cpu::SeparableSolver> pressure;
+    std::optional<std::array<cpu::SeparableSolver, 3>> diffusion; ///< one a component, made by reserve_diffusion
+    cpu::Buffer<float> potential;                                 ///< data of the direct solves
+    cpu::Buffer<float> scratch;                                   ///< scratch of the direct solves
+    cpu::Buffer<cpu::PlaneSurvey> surveys;                        ///< one a plane
+
+    void set_sides(const Sides& sides);
+    void set_ambient(glm::vec3 wind);
+    void reserve_diffusion();
+    [[nodiscard]] std::size_t padded_cells() const;
+    [[nodiscard]] std::size_t memory_bytes() const;
+
+    /// An AdvectTask with the legal positions of this box; fields and step are the caller's to fill.
+    [[nodiscard]] cpu::AdvectTask advect_task() const;
+    /// Central divergence into `potential`, times `scale`.
+    void divergence_to_potential(const float* velocity, float scale);
+    /// [1/s] Root mean square of the central divergence; uses `potential`.
+    [[nodiscard]] double divergence_rms(const float* velocity);
+    /// Sum of the planes' surveys, in order of the planes.
+    [[nodiscard]] cpu::PlaneSurvey survey(const float* velocity);
+
+  private:
+    void build_rules();
+    void build_ghosts();
+    void build_pressure();
+    void grow_solver_buffers(std::size_t floats);
+};
+
+namespace cpu {
+/// The cells as floats, four each.
+[[nodiscard]] inline const float* floats(std::span<const glm::vec4> field) { return field.empty() ? nullptr : &field.data()->x; }
+[[nodiscard]] inline float* floats(std::span<glm::vec4> field) { return field.empty() ? nullptr : &field.data()->x; }
+} // namespace cpu
+
+} // namespace windrow

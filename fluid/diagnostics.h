@@ -1,0 +1,40 @@
+// What every step reports: nothing that the solver does to the air beyond its equations is silent.
+#pragma once
+
+#include "fluid/pieces.h"
+
+#include <cstdint>
+
+namespace windrow {
+
+/// Wall-clock time of one step by stage. [ms]
+struct StageTimes {
+    double sources = 0.0;   ///< Motors, NaN guard, speed limit.
+    double diffusion = 0.0;
+    double advection = 0.0; ///< Gathering the carried field included.
+    double projection = 0.0;
+    double report = 0.0; ///< Energy, largest speed, divergence.
+    double total = 0.0;
+};
+
+struct Diagnostics {
+    bool stepped = false; ///< false: dt was 0, negative or not finite, and nothing was done.
+    /// [m/s] Largest component of the velocity after the step.
+    float max_speed = 0.0f;
+    /// Largest component * dt / h after the sources, before sub-steps and limit: how many cells the air would cross at once.
+    float cfl = 0.0f;
+    int substeps = 0;             ///< Parts that the step was cut into: ceil(cfl / Config::max_cfl), at most Config::max_substeps.
+    bool substeps_capped = false; ///< More parts were needed than allowed: speeds were limited.
+    std::int64_t limited_cells = 0;  ///< Cells whose speed was scaled down to what the capped sub-steps carry.
+    std::int64_t repaired_cells = 0; ///< Cells that held NaN or infinity and were set to ambient.
+    int motors_in_reach = 0;         ///< Motors whose region meets the box and that acted.
+    DiffusionMethod diffusion = DiffusionMethod::none;
+    /// [1/s] Root mean square of the central divergence that the collocated projection leaves.
+    double divergence_rms = 0.0;
+    /// [m^5/s^2] Kinetic energy of the box per unit of density: sum of |u|^2 / 2 h^3.
+    double energy = 0.0;
+    bool asleep = false; ///< The air had settled and nothing acted: the step did nothing.
+    StageTimes times_ms;
+};
+
+} // namespace windrow

@@ -1,0 +1,15 @@
+// The shared formulas of shaders/numerics as C++: the same text that the shaders include.
+#pragma once
+
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#define WINDROW_FN inline
+namespace windrow::numerics {
+using namespace glm;
+#include "shaders/numerics/motors.glsl"
+#include "shaders/numerics/window.glsl"
+} // namespace windrow::numerics
+#undef WINDROW_FN

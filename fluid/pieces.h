@@ -1,0 +1,129 @@
+// The pieces that a step is made of, as functions on the caller's own fields.
+//
+// `Wind::step` calls these and nothing else for the air, so that an analyst tests what runs, and others reuse it: a
+// scalar for smoke or seeds carried by the same wind, a projection of their own field. Fields are laid out as box.h
+// says; a velocity is a glm::vec4 a cell, xyz in m/s and w = 0 (one aligned load brings a whole cell).
+//
+//     auto work = windrow::Workspace::create({.box = {.cells = {64, 64, 1}, .cell_size = 0.1f}});
+//     windrow::project(*work, velocity);
+#pragma once
+
+#include "fluid/box.h"
+#include "fluid/parallel.h"
+#include "fluid/result.h"
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <cstddef>
+#include <memory>
+#include <span>
+
+namespace windrow {
+
+/// Tables and scratch for one box. Move-only; holds no field. Calls that share a workspace must not overlap in time.
+class Workspace {
+  public:
+    struct Settings {
+        Box box{};
+        /// [m/s] The wind beyond open sides. Components along axes that a wall closes are dropped.
+        glm::vec3 ambient{0.0f};
+        /// Threads of the host; default serial.
+        ParallelFor parallel_for{};
+    };
+
+    [[nodiscard]] static Result<Workspace> create(const Settings& settings);
+
+    /// Changes kinds or wall velocities; rebuilds the tables (and allocates) only when a kind changed.
+    [[nodiscard]] Result<void> set_sides(const Sides& sides);
+    void set_ambient(glm::vec3 ambient);
+
+    [[nodiscard]] const Box& box() const;
+    [[nodiscard]] glm::vec3 ambient() const;
+    /// Bytes that this workspace has allocated.
+    [[nodiscard]] std::size_t memory_bytes() const;
+
+    Workspace(Workspace&&) noexcept;
+    Workspace& operator=(Workspace&&) noexcept;
+    ~Workspace();
+
+    struct State; // fluid/cpu/workspace.h
+    [[nodiscard]] State& state() { return *state_; }
+
+  private:
+    explicit Workspace(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+enum class Interpolation : std::uint8_t {
+    linear, ///< Trilinear, 2x2x2: never overshoots, damps short waves by sqrt(1 - 4 a (1 - a) sin^2(kh/2)) a step and axis.
+    cubic,  ///< Lagrange, 4x4x4: third order, overshoots by at most 1.25 an axis. The default.
+};
+
+/// What `advect` moves and by which wind. All spans hold one value a cell.
+struct Transport {
+    /// [m/s] The velocity to move; beyond open sides it is the ambient wind.
+    std::span<const glm::vec4> carried{};
+    /// [m/s] Wind at the start of the step.
+    std::span<const glm::vec4> velocity{};
+    /// [m/s] Wind one step earlier; empty: the wind is taken as steady over the step (second order in a steady wind).
+    std::span<const glm::vec4> velocity_old{};
+    /// min(1, dt / previous dt): how far `velocity_old` is extrapolated. 0 where velocity_old is empty.
+    float extrapolation = 1.0f;
+    /// [s] Step, >= 0.
+    float dt = 0.0f;
+    Interpolation interpolation = Interpolation::cubic;
+
+    /// [m/s] Second-order history (see numerics in step.cpp): `history_scale * history` is subtracted from `carried` as it is read. Empty: none.
+    std::span<const glm::vec4> history{};
+    float history_scale = 0.0f;
+    /// Factor on carried - ambient as it is read, 1 / (1 + dt / settling time); 1: none.
+    float settling = 1.0f;
+};
+
+/// result(x) = carried(xd), xd = x - dt/2 (u(x) + (1 + a) u(x0) - a u_old(x0)), x0 = x - dt u(x)   (SETTLS).
+/// Second order in the trajectory, third in space with cubic weights. `result` may be any span but `velocity`; it may be `velocity_old`.
+/// Based on: Hortal 2002, ECMWF Technical Memorandum 292; Staniforth & Cote 1991, Monthly Weather Review 119.
+void advect(Workspace& work, const Transport& transport, std::span<glm::vec4> result);
+
+/// A scalar on the same wind: smoke, seeds, a tracer.
+struct ScalarTransport {
+    std::span<const float> carried{};
+    std::span<const glm::vec4> velocity{}; ///< [m/s]
+    float dt = 0.0f;                     ///< [s]
+    Interpolation interpolation = Interpolation::cubic;
+    /// Value beyond open sides; walls mirror the scalar.
+    float outside = 0.0f;
+    /// Keeps each result within the eight values around its departure point: no overshoot, order 2.6 instead of 3.
+    bool clamped = false;
+};
+void advect(Workspace& work, const ScalarTransport& transport, std::span<float> result);
+
+/// Which method a viscosity asks for, by r = viscosity * dt / h^2.
+enum class DiffusionMethod : std::uint8_t {
+    none,      ///< r < 1e-4: less than round-off of the advection; nothing is done.
+    one_pass,  ///< r <= 1/12: u + r L u, factor 1 - 4 r sum sin^2(kh/2) a mode.
+    implicit,  ///< above: backward Euler solved directly, factor 1 / (1 + 4 r sum sin^2(kh/2)); stable for any r.
+};
+[[nodiscard]] DiffusionMethod diffusion_method(float viscosity, float dt, float cell_size);
+
+/// result = field after dt of diffusion with `viscosity` [m^2/s], walls and open sides as sides.h says. First order in time,
+/// second in space. `result` must not overlap `field`; with DiffusionMethod::none it is a copy. Allocates once at the first
+/// implicit call (see reserve_diffusion).
+DiffusionMethod diffuse(Workspace& work, std::span<const glm::vec4> field, float viscosity, float dt, std::span<glm::vec4> result);
+/// Allocates what implicit diffusion needs, so that no later call allocates.
+void reserve_diffusion(Workspace& work);
+
+/// [1/s] Central divergence at cell centres, walls and open sides by their ghosts.
+void divergence(Workspace& work, std::span<const glm::vec4> velocity, std::span<float> result);
+
+/// Solves L phi = rhs in place, L the 7-point Laplacian [1/m^2] with phi = 0 on open faces and d phi/dn = 0 on walls: direct, by fast
+/// diagonalisation. In a box without an open side the mean of rhs is dropped and phi has mean 0.
+/// Based on: Lynch, Rice & Thomas 1964, Numerische Mathematik 6.
+void solve_poisson(Workspace& work, std::span<float> rhs_then_phi);
+
+/// velocity -= grad phi with L phi = div velocity. Collocated, so approximate: what is left of the divergence falls as h^2.
+/// `gradient`, where not empty, receives grad phi [m/s].
+void project(Workspace& work, std::span<glm::vec4> velocity, std::span<glm::vec4> gradient = {});
+
+} // namespace windrow

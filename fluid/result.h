@@ -1,0 +1,55 @@
+// What a call that can fail returns: the value, or one sentence that names the field, its value and the fix.
+// No exception crosses the API.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace windrow {
+
+/// Why a call was refused. `message` is one sentence (or several, one a line) written for the person who must mend it.
+struct Error {
+    std::string message;
+};
+
+/// A value or an Error. `if (result)` asks whether it holds a value; `*result` and `result->` reach it (undefined without one).
+template <class T>
+class [[nodiscard]] Result {
+  public:
+    Result(T value) : content_(std::in_place_index<0>, std::move(value)) {}
+    Result(Error error) : content_(std::in_place_index<1>, std::move(error)) {}
+
+    [[nodiscard]] bool has_value() const noexcept { return content_.index() == 0; }
+    explicit operator bool() const noexcept { return has_value(); }
+
+    T& operator*() & { return *std::get_if<0>(&content_); }
+    const T& operator*() const& { return *std::get_if<0>(&content_); }
+    T&& operator*() && { return std::move(*std::get_if<0>(&content_)); }
+    T* operator->() { return std::get_if<0>(&content_); }
+    const T* operator->() const { return std::get_if<0>(&content_); }
+
+    /// The sentence; only where has_value() is false.
+    [[nodiscard]] const std::string& error() const { return std::get_if<1>(&content_)->message; }
+
+  private:
+    std::variant<T, Error> content_;
+};
+
+/// Success, or an Error.
+template <>
+class [[nodiscard]] Result<void> {
+  public:
+    Result() = default;
+    Result(Error error) : error_(std::move(error.message)), failed_(true) {}
+
+    [[nodiscard]] bool has_value() const noexcept { return !failed_; }
+    explicit operator bool() const noexcept { return !failed_; }
+    [[nodiscard]] const std::string& error() const { return error_; }
+
+  private:
+    std::string error_;
+    bool failed_ = false;
+};
+
+} // namespace windrow

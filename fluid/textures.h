@@ -1,0 +1,37 @@
+// What the vertex stage samples: one scalar 3D texture an axis, and the block that says where in the world they lie.
+//
+// Texel (i, j, k) of a texture is the velocity component of cell (i, j, k) at its centre, x fastest, then y, then z.
+#pragma once
+
+#include "fluid/result.h"
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <cstdint>
+#include <span>
+
+namespace windrow {
+
+/// Where the three textures lie, as a uniform block of std140 layout (six vec4). Positions are relative to an
+/// anchor that the host chooses near its camera, so that a shader in float is as exact 10^6 m away as at the origin.
+struct WindowBlock {
+    glm::vec4 origin_and_cell_size{0.0f};     ///< xyz [m] low corner of the box minus the anchor, w [m] edge of a cell
+    glm::vec4 cells_and_factor{0.0f};         ///< xyz cells an axis, w interpolation factor between the last tick and this one (1 without ticks)
+    glm::vec4 previous_origin{0.0f};          ///< xyz [m] low corner in the step before the last one, minus the anchor: for motion vectors, with `follow` called before `step`
+    glm::vec4 ambient{0.0f};                  ///< xyz [m/s] wind outside the box
+    glm::vec4 low_sides{0.0f};  ///< kind of the low side of x, y, z: 0 open, 1 wall, 2 periodic
+    glm::vec4 high_sides{0.0f}; ///< kind of the high sides
+};
+static_assert(sizeof(WindowBlock) == 96);
+
+/// Nearest half (IEEE binary16) of a float, ties to even; beyond 65504 it is 65504 with the sign, NaN is 0: a texture never holds infinity.
+[[nodiscard]] std::uint16_t to_half(float value);
+/// The float that a half stands for.
+[[nodiscard]] float from_half(std::uint16_t half);
+
+/// Copies one component of a field (0 x, 1 y, 2 z) into the caller's memory; sizes must agree.
+void extract_axis(std::span<const glm::vec4> field, int axis, std::span<float> texels);
+void extract_axis(std::span<const glm::vec4> field, int axis, std::span<std::uint16_t> half_texels);
+
+} // namespace windrow

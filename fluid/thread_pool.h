@@ -1,0 +1,34 @@
+// A small pool of threads for hosts without a job system of their own.
+//
+//     windrow::ThreadPool pool(4);
+//     auto wind = windrow::Wind::create({.parallel_for = pool.parallel_for()});
+//
+// The calling thread works too. Waiting threads look for work for at most 20 microseconds, then sleep: a loop that finds
+// the cores busy with another program gets its share of them and burns none of it.
+#pragma once
+
+#include "fluid/parallel.h"
+
+#include <memory>
+
+namespace windrow {
+
+class ThreadPool {
+  public:
+    /// `threads` in all, the caller's included; 0 takes one a core. One starts no thread.
+    explicit ThreadPool(int threads = 0);
+    ~ThreadPool();
+    ThreadPool(const ThreadPool&) = delete;
+    ThreadPool& operator=(const ThreadPool&) = delete;
+
+    /// Threads in all.
+    [[nodiscard]] int size() const;
+    /// The loop to hand to a Config. The pool must outlive what holds it; loops from several threads take turns.
+    [[nodiscard]] ParallelFor parallel_for();
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace windrow

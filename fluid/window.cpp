@@ -1,0 +1,50 @@
+#include "fluid/window.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace windrow {
+
+glm::dvec3 Window::local_rounded(glm::dvec3 position) const { return glm::floor(local(position) * 65536.0 + 0.5) / 65536.0; }
+
+CellIndex Window::centred_on(glm::dvec3 point) const {
+    const glm::dvec3 corner = point / static_cast<double>(cell_size) - 0.5 * glm::dvec3(cells);
+    return CellIndex(glm::floor(corner + 0.5));
+}
+
+// Rows move as a whole. Walking against the shift, no row is overwritten before it has been read.
+void shift_field(std::span<glm::vec4> field, glm::ivec3 cells, CellIndex shift, glm::vec4 fresh) {
+    const auto beyond = [&](int axis) { return std::abs(shift[axis]) >= cells[axis]; };
+    if (beyond(0) || beyond(1) || beyond(2)) {
+        std::fill(field.begin(), field.end(), fresh);
+        return;
+    }
+    const glm::ivec3 by(shift);
+    const std::ptrdiff_t nx = cells.x;
+    const auto row = [&](int j, int k) { return field.begin() + (static_cast<std::ptrdiff_t>(k) * cells.y + j) * nx; };
+    for (int kk = 0; kk < cells.z; ++kk) {
+        const int k = by.z >= 0 ? kk : cells.z - 1 - kk;
+        for (int jj = 0; jj < cells.y; ++jj) {
+            const int j = by.y >= 0 ? jj : cells.y - 1 - jj;
+            const int source_j = j + by.y, source_k = k + by.z;
+            const auto to = row(j, k);
+            if (source_j < 0 || source_j >= cells.y || source_k < 0 || source_k >= cells.z) {
+                std::fill(to, to + nx, fresh);
+                continue;
+            }
+            const auto from = row(source_j, source_k);
+            if (by.x >= 0) {
+                std::copy(from + by.x, from + nx, to);
+                std::fill(to + (nx - by.x), to + nx, fresh);
+            } else {
+                std::copy_backward(from, from + nx + by.x, to + nx);
+                std::fill(to, to - by.x, fresh);
+            }
+        }
+    }
+}
+
+} // namespace windrow

@@ -1,0 +1,26 @@
+// Where a world point lies in the box, and how far the box's wind reaches there.
+//
+// `local` is the position in cells from the box's low corner: (world - origin) / cell size; cell (i, j, k) has its centre
+// at (i, j, k) + 1/2. Side kinds come as numbers: 0 open, 1 closed by a wall, 2 periodic.
+#ifndef WINDROW_WINDOW_GLSL
+#define WINDROW_WINDOW_GLSL
+
+#ifndef WINDROW_FN
+#define WINDROW_FN
+#endif
+
+// Share of the box's wind on one axis: 1 inside, falling to 0 over one cell beyond an open side; 1 beyond a wall.
+WINDROW_FN float windrow_axis_share(float local, float cells, float low_kind, float high_kind) {
+    float low = low_kind == 0.0f ? clamp(1.0f + local, 0.0f, 1.0f) : 1.0f;
+    float high = high_kind == 0.0f ? clamp(1.0f + cells - local, 0.0f, 1.0f) : 1.0f;
+    return low * high;
+}
+
+// Position on one axis to sample at, in cells: wrapped on a periodic axis, else kept between the outermost centres.
+WINDROW_FN float windrow_axis_sample(float local, float cells, float low_kind) {
+    if (low_kind == 2.0f)
+        return local - cells * floor(local / cells);
+    return clamp(local, 0.5f, cells - 0.5f);
+}
+
+#endif
