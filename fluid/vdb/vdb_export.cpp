@@ -1,0 +1,264 @@
+// The only file of the library that includes OpenVDB.
+//
+// Where values live: cell (i, j, k) is voxel (i, j, k) and both have their centre at origin + ((i, j, k) + 1/2) h, so that
+// OpenVDB's map is a scale h and a translation origin + h/2, held in double. With z up, the world is turned a quarter about x,
+// (x, y, z) -> (x, -z, y), and the voxels are counted from the turned box's own low corner: voxel (a, b, c) shows cell
+// (a, c, cells.z - 1 - b), and the scale stays positive.
+//
+// Every voxel is written in a leaf, none as a tile: an active tile would say the same in fewer bytes, but readers that walk
+// leaves only (points, renderers) would see holes where the wind is uniform.
+
+#include "fluid/vdb/vdb_export.h"
+
+#include "fluid/message.h"
+#include "fluid/vdb/new_file.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <glm/common.hpp>
+#include <new>
+#include <openvdb/openvdb.h>
+#include <ostream>
+#include <string_view>
+#include <system_error>
+
+namespace windrow::vdb {
+
+namespace {
+
+using detail::message;
+
+constexpr float k_largest_half = 65504.0f;
+
+// --- What is refused -------------------------------------------------------------------------------------------------
+
+bool is_plain_name(const std::string& name) {
+    return std::none_of(name.begin(), name.end(),
+                        [](char letter) { return letter == '/' || static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f; });
+}
+
+bool is_finite(const glm::dvec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+void check_field(const VelocityGrid& grid, const Options& options, detail::Reasons& reasons) {
+    std::size_t not_finite = 0;
+    std::size_t first = 0;
+    float largest = std::max({std::abs(grid.outside.x), std::abs(grid.outside.y), std::abs(grid.outside.z)});
+    for (std::size_t index = 0; index < grid.field.size(); ++index) {
+        const glm::vec3 value(grid.field[index]);
+        if (is_finite(value))
+            largest = std::max({largest, std::abs(value.x), std::abs(value.y), std::abs(value.z)});
+        else if (not_finite++ == 0)
+            first = index;
+    }
+    if (not_finite != 0) {
+        const std::size_t row = static_cast<std::size_t>(grid.cells.x);
+        const std::size_t slice = row * static_cast<std::size_t>(grid.cells.y);
+        const glm::ivec3 cell(first % row, first % slice / row, first / slice);
+        reasons.add("field holds NaN or infinity in ", not_finite, " cells, the first ", cell,
+                    ": give finite values (Wind::step sets such cells to ambient).");
+    }
+    if (options.precision == Precision::half && largest > k_largest_half)
+        reasons.add("precision is half and the wind reaches ", largest, " m/s: half ends at ", k_largest_half,
+                    ", write it with Precision::full.");
+}
+
+Result<void> check(const VelocityGrid& grid, const std::filesystem::path& file, const Options& options) {
+    detail::Reasons reasons;
+    if (!file.has_filename())
+        reasons.add("file is \"", file.string(), "\": end it in a file name, such as wind.vdb.");
+    if (options.name.empty() || !is_plain_name(options.name))
+        reasons.add("name is \"", options.name, "\": name the grid, without '/' and control characters, such as vel.");
+    if (!std::isfinite(options.time))
+        reasons.add("time is ", options.time, " s: give a finite time.");
+    if (!is_finite(grid.origin))
+        reasons.add("origin is ", grid.origin, " m: give a finite place.");
+    if (!is_finite(grid.outside))
+        reasons.add("outside is ", grid.outside, " m/s: give a finite wind, such as the ambient.");
+    const Box box{.cells = grid.cells, .cell_size = grid.cell_size, .sides = {}};
+    if (auto valid = validate(box); !valid)
+        reasons.add(valid.error());
+    else if (grid.field.size() != box.cell_count())
+        reasons.add("field holds ", grid.field.size(), " values and cells is ", grid.cells, ", ", box.cell_count(),
+                    " in all: give one value a cell.");
+    else
+        check_field(grid, options, reasons);
+    if (!reasons.empty())
+        return Error{reasons.take()};
+    return {};
+}
+
+// --- From cells to voxels --------------------------------------------------------------------------------------------
+
+/// 0 - z: still air stays 0 and does not become -0.
+template <class Vector>
+Vector turned(const Vector& v, UpAxis up) {
+    return up == UpAxis::y ? v : Vector(v.x, typename Vector::value_type(0) - v.z, v.y);
+}
+
+glm::ivec3 voxels_of(const glm::ivec3& cells, UpAxis up) {
+    return up == UpAxis::y ? cells : glm::ivec3(cells.x, cells.z, cells.y);
+}
+
+glm::ivec3 cell_at(const glm::ivec3& voxel, const glm::ivec3& cells, UpAxis up) {
+    return up == UpAxis::y ? voxel : glm::ivec3(voxel.x, voxel.z, cells.z - 1 - voxel.y);
+}
+
+openvdb::math::Transform::Ptr transform_of(const VelocityGrid& grid, UpAxis up) {
+    const double h = grid.cell_size;
+    const glm::dvec3 low_cell = glm::dvec3(cell_at(glm::ivec3(0), grid.cells, up));
+    const glm::dvec3 centre = turned(grid.origin + (low_cell + 0.5) * h, up);
+    auto transform = openvdb::math::Transform::createLinearTransform(h);
+    transform->postTranslate({centre.x, centre.y, centre.z});
+    return transform;
+}
+
+/// `value_of` makes a voxel's value out of a velocity that is already turned.
+template <class GridType, class ValueOf>
+openvdb::GridBase::Ptr dense_grid(const VelocityGrid& source, const Options& options, ValueOf value_of) {
+    auto grid = GridType::create(value_of(turned(source.outside, options.up)));
+    grid->setTransform(transform_of(source, options.up));
+
+    using Leaf = typename GridType::TreeType::LeafNodeType;
+    constexpr int size = static_cast<int>(Leaf::DIM);
+    const Box box{.cells = source.cells, .cell_size = source.cell_size, .sides = {}};
+    const glm::ivec3 voxels = voxels_of(source.cells, options.up);
+    for (int a = 0; a < voxels.x; a += size)
+        for (int b = 0; b < voxels.y; b += size)
+            for (int c = 0; c < voxels.z; c += size) {
+                Leaf& leaf = *grid->tree().touchLeaf({a, b, c});
+                const glm::ivec3 end = glm::min(voxels, glm::ivec3(a, b, c) + size);
+                for (int x = a; x < end.x; ++x)
+                    for (int y = b; y < end.y; ++y)
+                        for (int z = c; z < end.z; ++z) {
+                            const glm::ivec3 cell = cell_at({x, y, z}, source.cells, options.up);
+                            const glm::vec3 velocity(source.field[box.index(cell.x, cell.y, cell.z)]);
+                            leaf.setValueOn(Leaf::coordToOffset({x, y, z}), value_of(turned(velocity, options.up)));
+                        }
+            }
+    return grid;
+}
+
+openvdb::GridPtrVec grids_of(const VelocityGrid& source, const Options& options) {
+    openvdb::GridPtrVec grids;
+    if (options.form == Form::one_vector) {
+        grids.push_back(
+            dense_grid<openvdb::Vec3SGrid>(source, options, [](const glm::vec3& v) { return openvdb::Vec3s(v.x, v.y, v.z); }));
+        // A velocity turns with the object that it belongs to, and does not move with it.
+        grids.back()->setVectorType(openvdb::VEC_CONTRAVARIANT_RELATIVE);
+        grids.back()->setName(options.name);
+    } else {
+        for (int axis = 0; axis < 3; ++axis) {
+            grids.push_back(dense_grid<openvdb::FloatGrid>(source, options, [axis](const glm::vec3& v) { return v[axis]; }));
+            grids.back()->setName(options.name + '.' + "xyz"[axis]);
+        }
+    }
+    for (const auto& grid : grids) {
+        grid->setCreator("windrow " WINDROW_VERSION);
+        grid->setSaveFloatAsHalf(options.precision == Precision::half);
+        grid->insertMeta("windrow_time", openvdb::DoubleMetadata(options.time));
+        grid->insertMeta("windrow_frame", openvdb::Int32Metadata(options.frame));
+        grid->insertMeta("windrow_units", openvdb::StringMetadata("velocity m/s, length m, time s"));
+        grid->insertMeta("windrow_up_axis", openvdb::StringMetadata(options.up == UpAxis::y ? "y" : "z"));
+    }
+    return grids;
+}
+
+/// io::File cannot tell a full disk, and io::Stream leaves out the table of grids, so that readers load a file whole to list it.
+/// This writes what io::File writes to a stream that can seek.
+class SeekableArchive : public openvdb::io::Archive {
+  public:
+    using openvdb::io::Archive::write;
+};
+
+// --- What went wrong -------------------------------------------------------------------------------------------------
+
+WriteResult failure(const std::filesystem::path& file, int error) {
+    Problem problem = Problem::cannot_write;
+    std::string_view fix = "name a file in a folder that you may write to";
+    switch (error) {
+    case ENOSPC:
+    case EDQUOT:
+    case EFBIG:
+        problem = Problem::disk_full;
+        fix = "free some space or name another folder";
+        break;
+    case ENOENT:
+    case ENOTDIR:
+        fix = "create that folder first";
+        break;
+    case EISDIR:
+    case EEXIST:
+        fix = "it is a folder or a device, name a file";
+        break;
+    case ENAMETOOLONG:
+        fix = "shorten it";
+        break;
+    case EIO:
+        fix = "name a folder on another disk";
+        break;
+    default:
+        break;
+    }
+    const std::string reason = std::generic_category().message(error);
+    return {problem, message(file.string(), ": ", reason, ": ", fix, "; nothing was changed.")};
+}
+
+} // namespace
+
+WriteResult write(const VelocityGrid& grid, const std::filesystem::path& file, const Options& options) {
+    try {
+        if (auto valid = check(grid, file, options); !valid)
+            return {Problem::refused, valid.error()};
+        NewFile out(file);
+        if (out.error() != 0)
+            return failure(file, out.error());
+        try {
+            openvdb::initialize();
+            std::ostream stream(&out);
+            stream.exceptions(std::ios::failbit | std::ios::badbit);
+            SeekableArchive().write(stream, grids_of(grid, options), true);
+        } catch (const std::bad_alloc&) {
+            throw;
+        } catch (const std::exception& exception) {
+            // A stream's own words name no reason; the file knows it.
+            if (out.error() == 0)
+                return {Problem::cannot_write,
+                        message(file.string(), ": OpenVDB could not write it: ", exception.what(), "; nothing was changed.")};
+        }
+        if (out.error() != 0 || !out.publish())
+            return failure(file, out.error());
+        return {};
+    } catch (const std::exception&) {
+        return {Problem::out_of_memory, message(file.string(), ": the memory for ", grid.cells,
+                                                " cells could not be had: free some or write fewer cells; nothing was changed.")};
+    }
+}
+
+std::filesystem::path Sequence::path(int frame) const {
+    std::string number = std::to_string(frame);
+    const auto width = static_cast<std::size_t>(std::max(digits, 1));
+    if (number.size() < width)
+        number.insert(0, width - number.size(), '0');
+    return folder / (prefix + number + ".vdb");
+}
+
+WriteResult Sequence::write(const VelocityGrid& grid, int frame, double time) const {
+    detail::Reasons reasons;
+    if (frame < 0)
+        reasons.add("frame is ", frame, ": number the frames from 0 or more.");
+    if (digits < 1 || digits > 9)
+        reasons.add("digits is ", digits, ": give 1 to 9.");
+    if (!is_plain_name(prefix) || (!prefix.empty() && prefix.back() >= '0' && prefix.back() <= '9'))
+        reasons.add("prefix is \"", prefix, "\": leave out '/' and control characters and end it in no digit, such as wind_.");
+    if (!reasons.empty())
+        return {Problem::refused, reasons.take()};
+    Options frame_options = options;
+    frame_options.time = time;
+    frame_options.frame = frame;
+    return vdb::write(grid, path(frame), frame_options);
+}
+
+} // namespace windrow::vdb

@@ -1,0 +1,122 @@
+// Wind as OpenVDB files, for Blender, Houdini and every other reader of .vdb.
+//
+//     auto written = windrow::vdb::write(windrow::vdb::grid_of(wind), "wind.vdb", {.time = 1.5});
+//     if (!written)
+//         std::cerr << written.error() << '\n';
+//
+// A file is written beside its name as `<file>.tmp`, checked, and renamed: a full disk leaves the file of that name as it
+// was and nothing else behind. Files of the same wind differ in 36 bytes, a unique name that OpenVDB gives each file.
+// Different files may be written by different threads at once.
+#pragma once
+
+#include "fluid/box.h"
+#include "fluid/result.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+#include <string>
+#include <utility>
+
+namespace windrow::vdb {
+
+/// What is written: a box of cells with its wind. Looks at memory that the caller keeps while it is written.
+struct VelocityGrid {
+    /// Cells along x, y, z; the limits of Box::cells.
+    glm::ivec3 cells{0};
+    /// [m] Edge of a cell; the limits of Box::cell_size.
+    float cell_size = 1.0f;
+    /// [m] World position of the low corner of the box, finite. Stored in double: exact 10^6 m away.
+    glm::dvec3 origin{0.0};
+    /// [m/s] One value a cell at its centre, x fastest, then y, then z; w is ignored. Refused unless it is cells.x * cells.y *
+    /// cells.z values, all finite: one NaN would spread through a reader's filters without a word.
+    std::span<const glm::vec4> field{};
+    /// [m/s] What readers see beyond the cells, and fade to within half a cell of the rim. Default 0; grid_of gives ambient.
+    glm::vec3 outside{0.0f};
+};
+
+/// The air of a Wind, or of anything that has box(), origin(), field() and ambient(). Good until its next step.
+template <class Source>
+[[nodiscard]] VelocityGrid grid_of(const Source& wind) {
+    return {.cells = wind.box().cells,
+            .cell_size = wind.box().cell_size,
+            .origin = wind.origin(),
+            .field = wind.field(),
+            .outside = wind.ambient()};
+}
+
+enum class Form : std::uint8_t {
+    one_vector,    ///< One grid of vectors, `name`: what Blender, Houdini and renderers look for first. The default.
+    three_scalars, ///< Three grids of floats, `name`.x, `name`.y, `name`.z, for readers that know no vectors.
+};
+
+enum class Precision : std::uint8_t {
+    full, ///< 32 bits: the solver's values to the bit. The default.
+    half, ///< 16 bits, half the disk: within 2^-11 of the value above 6.1e-5 m/s, within 3e-8 m/s below; refused above 65504 m/s.
+};
+
+enum class UpAxis : std::uint8_t {
+    y, ///< As in Windrow and in Houdini. The default.
+    z, ///< As in Blender: places and velocities (x, y, z) become (x, -z, y), a turn that keeps right-handed things right-handed.
+};
+
+struct Options {
+    /// Name of the grid, not empty, without '/' and control characters. Default "vel": Blender 3.4 takes velocity, vel and v for
+    /// the velocity of a volume, Houdini's fluids call it vel.
+    std::string name = "vel";
+    Form form = Form::one_vector;
+    Precision precision = Precision::full;
+    UpAxis up = UpAxis::y;
+    /// [s] Time of the wind, finite; stored as windrow_time. Default 0.
+    double time = 0.0;
+    /// Number of the frame, any; stored as windrow_frame. Default 0.
+    int frame = 0;
+};
+
+enum class Problem : std::uint8_t {
+    none,          ///< It is written.
+    refused,       ///< A field of the grid, the options or the sequence cannot be used.
+    cannot_write,  ///< The file cannot be made there: no such folder, no permission, a folder in its place, a broken device.
+    disk_full,     ///< The file does not fit: disk full, quota or file size limit reached.
+    out_of_memory, ///< The grid needs about as much memory again as the field, and there was none.
+};
+
+/// Result<void> that also says which kind of trouble it was, for a caller that answers each in its own way.
+class [[nodiscard]] WriteResult : public Result<void> {
+  public:
+    WriteResult() = default;
+    WriteResult(Problem problem, std::string message) : Result<void>(Error{std::move(message)}), problem_(problem) {}
+
+    [[nodiscard]] Problem problem() const noexcept { return problem_; }
+
+  private:
+    Problem problem_ = Problem::none;
+};
+
+/// Writes one file, all cells active, also where the wind is uniform. Cell (0, 0, 0) is voxel (0, 0, 0), its centre where the
+/// voxel's is; with UpAxis::z cell (i, j, k) is voxel (i, cells.z - 1 - k, j). Folders are not made. Tells every reason for a
+/// refusal, a line each.
+WriteResult write(const VelocityGrid& grid, const std::filesystem::path& file, const Options& options = {});
+
+/// Names the frames of a sequence: folder / prefix 0001 .vdb, as Blender and Houdini ($F4) number theirs.
+///
+///     const windrow::vdb::Sequence sequence{.folder = "out", .options = {.up = windrow::vdb::UpAxis::z}};
+///     sequence.write(windrow::vdb::grid_of(wind), frame, time);
+struct Sequence {
+    /// Where the files go; must exist. Default: the current folder.
+    std::filesystem::path folder{};
+    /// Begins each file's name. Without '/' and control characters, and not ending in a digit, which would run into the number.
+    std::string prefix = "wind_";
+    /// Digits that the number is padded to with zeros, 1 to 9. Default 4; a longer number is not cut, but sorts elsewhere.
+    int digits = 4;
+    /// For every file; `time` and `frame` are set by write.
+    Options options{};
+
+    [[nodiscard]] std::filesystem::path path(int frame) const;
+    /// Writes one frame; refuses a negative number, and what vdb::write refuses.
+    WriteResult write(const VelocityGrid& grid, int frame, double time) const;
+};
+
+} // namespace windrow::vdb

@@ -1,0 +1,168 @@
+// What the export does when the disk is full, the folder is wrong or others write: nothing is lost and nothing is left behind.
+
+#include "fluid/vdb/vdb_export.h"
+#include "tests/unit/vdb_fixture.h"
+
+#include <array>
+#include <csignal>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <sched.h>
+#include <string>
+#include <sys/mount.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <thread>
+#include <unistd.h>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace windrow;
+using namespace windrow::vdb_test;
+using vdb::Problem;
+
+/// The largest file that this process may write, until the end of the scope.
+class FileSizeLimit {
+  public:
+    explicit FileSizeLimit(rlim_t bytes) {
+        ::getrlimit(RLIMIT_FSIZE, &before_);
+        handler_ = std::signal(SIGXFSZ, SIG_IGN);
+        const rlimit limit{bytes, before_.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~FileSizeLimit() {
+        ::setrlimit(RLIMIT_FSIZE, &before_);
+        std::signal(SIGXFSZ, handler_);
+    }
+    FileSizeLimit(const FileSizeLimit&) = delete;
+    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+  private:
+    rlimit before_{};
+    void (*handler_)(int) = nullptr;
+};
+
+TEST(VdbDisk, WhereverTheDiskEndsTheOldFileStays) {
+    const Folder folder;
+    const fs::path file = folder / "wind.vdb";
+    std::ofstream(file) << "precious";
+    const Air air = random_air({32, 16, 24});
+    ASSERT_TRUE(vdb::write(air.grid(), folder / "whole.vdb"));
+    const std::uintmax_t whole = fs::file_size(folder / "whole.vdb");
+    ASSERT_GT(whole, 100'000u); // Several flushes of the buffer.
+
+    // Every 1009th byte, and the last one, which only the flush before the rename meets.
+    int failures = 0;
+    for (std::uintmax_t bytes = 0; bytes < whole; bytes = bytes + 1009 < whole || bytes == whole - 1 ? bytes + 1009 : whole - 1) {
+        vdb::WriteResult written;
+        {
+            const FileSizeLimit limit(bytes);
+            written = vdb::write(air.grid(), file);
+        }
+        ++failures;
+        ASSERT_EQ(written.problem(), Problem::disk_full) << bytes << ": " << written.error();
+        ASSERT_NE(written.error().find("wind.vdb: File too large"), std::string::npos) << written.error();
+        ASSERT_EQ(bytes_of(file), "precious") << bytes;
+        ASSERT_EQ(folder.entries(), 2) << bytes;
+    }
+    EXPECT_GT(failures, 100);
+
+    const FileSizeLimit limit(whole);
+    EXPECT_TRUE(vdb::write(air.grid(), file));
+    EXPECT_EQ(fs::file_size(file), whole);
+}
+
+TEST(VdbDisk, AFullDiskSaysSo) {
+    const Air air = random_air({32, 16, 32});
+    bool mounted = false;
+    // A thread of its own may see a small disk that nobody else sees and that ends with it.
+    std::thread([&] {
+        const Folder folder;
+        if (::unshare(CLONE_FS | CLONE_NEWNS) != 0 || ::mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0 ||
+            ::mount("tmpfs", folder.path().c_str(), "tmpfs", 0, "size=64k") != 0)
+            return;
+        mounted = true;
+        std::ofstream(folder / "wind.vdb") << "precious";
+        const vdb::WriteResult written = vdb::write(air.grid(), folder / "wind.vdb");
+        EXPECT_EQ(written.problem(), Problem::disk_full);
+        EXPECT_NE(written.error().find("wind.vdb: No space left on device"), std::string::npos) << written.error();
+        EXPECT_EQ(bytes_of(folder / "wind.vdb"), "precious");
+        EXPECT_EQ(folder.entries(), 1);
+        EXPECT_TRUE(vdb::write(uniform_air({4, 4, 4}, glm::vec3(1.0f)).grid(), folder / "wind.vdb"));
+        ::umount(folder.path().c_str());
+    }).join();
+    if (!mounted)
+        GTEST_SKIP() << "this user may not mount a small disk; the file size limit stands in for it above";
+}
+
+TEST(VdbDisk, AFolderThatCannotBeWrittenSaysWhy) {
+    const Folder folder;
+    const Air air = uniform_air({4, 4, 4}, glm::vec3(1.0f));
+    const auto expect = [&](const fs::path& file, const char* reason) {
+        const vdb::WriteResult written = vdb::write(air.grid(), file);
+        EXPECT_EQ(written.problem(), Problem::cannot_write);
+        EXPECT_EQ(written.error().find(file.string() + ": " + reason), 0u) << written.error();
+    };
+    std::ofstream(folder / "plain") << "file";
+    fs::create_directory(folder / "folder.vdb");
+    ::mkfifo((folder / "pipe.vdb").c_str(), 0600);
+    expect(folder / "missing" / "a.vdb", "No such file or directory: create that folder first");
+    expect(folder / "plain" / "a.vdb", "Not a directory: create that folder first");
+    expect(folder / "folder.vdb", "Is a directory: it is a folder or a device, name a file");
+    expect(folder / "pipe.vdb", "File exists: it is a folder or a device, name a file");
+    expect("/dev/full", "File exists: it is a folder or a device, name a file");
+    expect(folder / std::string(300, 'a'), "File name too long: shorten it");
+    EXPECT_EQ(folder.entries(), 3);
+
+    // The superuser writes anywhere: become nobody for a moment.
+    ::chmod(folder.path().c_str(), 0555);
+    const bool super = ::geteuid() == 0;
+    ASSERT_TRUE(!super || ::seteuid(65534) == 0);
+    expect(folder / "a.vdb", "Permission denied: name a file in a folder that you may write to");
+    ASSERT_TRUE(!super || ::seteuid(0) == 0);
+    ::chmod(folder.path().c_str(), 0755);
+    EXPECT_EQ(folder.entries(), 3);
+}
+
+/// Without the unique name that OpenVDB gives each file: 36 bytes after 21 of the header.
+std::string nameless_bytes_of(const fs::path& file) {
+    std::string bytes = bytes_of(file);
+    return bytes.size() < 57 ? bytes : bytes.replace(21, 36, 36, '-');
+}
+
+TEST(VdbDisk, ANewFileReplacesTheOldAndWhatACrashLeft) {
+    const Folder folder;
+    std::ofstream(folder / "a.vdb") << "old";
+    std::ofstream(folder / "a.vdb.tmp") << std::string(100'000, 'x');
+    const Air air = random_air({8, 8, 8});
+    ASSERT_TRUE(vdb::write(air.grid(), folder / "a.vdb"));
+    EXPECT_EQ(folder.entries(), 1);
+    ASSERT_TRUE(vdb::write(air.grid(), folder / "b.vdb"));
+    EXPECT_EQ(nameless_bytes_of(folder / "a.vdb"), nameless_bytes_of(folder / "b.vdb"));
+}
+
+TEST(VdbDisk, EightThreadsWriteTheSameBytes) {
+    const Folder folder;
+    const Air air = random_air({16, 9, 12});
+    std::array<vdb::WriteResult, 8> written;
+    std::array<std::string, 8> bytes;
+    std::vector<std::thread> threads;
+    for (std::size_t n = 0; n < written.size(); ++n)
+        threads.emplace_back([&, n] {
+            const fs::path file = folder / (std::to_string(n) + ".vdb");
+            written[n] = vdb::write(air.grid(), file);
+            bytes[n] = nameless_bytes_of(file);
+        });
+    for (std::thread& thread : threads)
+        thread.join();
+    for (std::size_t n = 0; n < written.size(); ++n) {
+        ASSERT_TRUE(written[n]) << written[n].error();
+        EXPECT_EQ(bytes[n], bytes[0]);
+    }
+}
+
+} // namespace
