@@ -40,77 +40,75 @@ bool spin_until(const Ready& ready) {
 
 } // namespace
 
+// One loop at a time. Its fields change only under the mutex and while no worker is inside, and a worker enters and
+// copies them under the same mutex: a worker that wakes late can take nothing of a loop that it did not enter.
 struct ThreadPool::State {
-    // One loop at a time. `ticket` packs the loop's number (high half) with the next index to take (low half), so that a worker
-    // that wakes late cannot take an index of a loop that it did not see.
-    std::atomic<std::uint64_t> ticket{0};
-    std::atomic<int> done{0};
-    int count = 0;
-    void (*task)(void*, int) = nullptr;
-    void* argument = nullptr;
+    struct Loop {
+        int count = 0;
+        void (*task)(void*, int) = nullptr;
+        void* argument = nullptr;
+    };
 
-    std::mutex loop_mutex; ///< held by the thread whose loop runs
+    std::mutex turn; ///< held by the thread whose loop runs
     std::mutex mutex;
     std::condition_variable start, finish;
-    std::atomic<std::uint32_t> loop{0};
-    std::atomic<int> inside{0}; ///< workers that may read the fields above
+    Loop loop;
+    std::atomic<std::uint32_t> number{0}; ///< of the loop
+    std::atomic<int> next{0};             ///< first index that nobody has taken
+    std::atomic<int> done{0};
+    std::atomic<int> inside{0}; ///< workers that hold a copy of the loop
     std::atomic<bool> stop{false};
     std::vector<std::thread> workers;
 
-    void take_indices(std::uint32_t number) {
-        std::uint64_t seen = ticket.load(std::memory_order_acquire);
+    void take_indices(const Loop& entered) {
         for (;;) {
-            if (static_cast<std::uint32_t>(seen >> 32) != number)
+            const int index = next.fetch_add(1, std::memory_order_relaxed);
+            if (index >= entered.count)
                 return;
-            const auto index = static_cast<int>(seen & 0xffffffffu);
-            if (index >= count)
-                return;
-            if (!ticket.compare_exchange_weak(seen, seen + 1, std::memory_order_acq_rel))
-                continue;
-            task(argument, index);
-            if (done.fetch_add(1, std::memory_order_acq_rel) + 1 == count) {
-                const std::lock_guard lock(mutex);
-                finish.notify_all();
-            }
-            seen = ticket.load(std::memory_order_acquire);
+            entered.task(entered.argument, index);
+            done.fetch_add(1, std::memory_order_acq_rel);
         }
     }
 
     void work() {
         std::uint32_t seen = 0;
+        const auto ready = [&] { return stop.load(std::memory_order_acquire) || number.load(std::memory_order_acquire) != seen; };
         for (;;) {
-            const auto ready = [&] { return stop.load(std::memory_order_acquire) || loop.load(std::memory_order_acquire) != seen; };
-            if (!spin_until(ready)) {
+            spin_until(ready);
+            Loop entered;
+            {
                 std::unique_lock lock(mutex);
                 start.wait(lock, ready);
+                if (stop.load(std::memory_order_relaxed))
+                    return;
+                seen = number.load(std::memory_order_relaxed);
+                entered = loop;
+                inside.fetch_add(1, std::memory_order_relaxed);
             }
-            if (stop.load(std::memory_order_acquire))
-                return;
-            inside.fetch_add(1, std::memory_order_acq_rel);
-            seen = loop.load(std::memory_order_acquire);
-            take_indices(seen);
-            inside.fetch_sub(1, std::memory_order_acq_rel);
+            take_indices(entered);
+            if (inside.fetch_sub(1, std::memory_order_acq_rel) == 1) {
+                const std::lock_guard lock(mutex);
+                finish.notify_all();
+            }
         }
     }
 
-    void run(int indices, void (*body)(void*, int), void* body_argument) {
-        const std::lock_guard turn(loop_mutex);
-        // A late worker of the last loop may still be looking at its fields.
-        while (inside.load(std::memory_order_acquire) != 0)
-            relax();
-        const std::uint32_t number = loop.load(std::memory_order_relaxed) + 1;
-        count = indices;
-        task = body;
-        argument = body_argument;
-        done.store(0, std::memory_order_relaxed);
-        ticket.store(static_cast<std::uint64_t>(number) << 32, std::memory_order_release);
+    void run(const Loop& wanted) {
+        const std::lock_guard my_turn(turn);
+        const auto nobody_inside = [&] { return inside.load(std::memory_order_acquire) == 0; };
+        spin_until(nobody_inside);
         {
-            const std::lock_guard lock(mutex);
-            loop.store(number, std::memory_order_release);
+            std::unique_lock lock(mutex);
+            finish.wait(lock, nobody_inside);
+            loop = wanted;
+            next.store(0, std::memory_order_relaxed);
+            done.store(0, std::memory_order_relaxed);
+            number.fetch_add(1, std::memory_order_release);
         }
         start.notify_all();
-        take_indices(number);
-        const auto finished = [&] { return done.load(std::memory_order_acquire) == indices; };
+        take_indices(wanted);
+        // What is left is in the hands of workers inside; the last one to leave says so.
+        const auto finished = [&] { return done.load(std::memory_order_acquire) == wanted.count; };
         if (!spin_until(finished)) {
             std::unique_lock lock(mutex);
             finish.wait(lock, finished);
@@ -139,7 +137,7 @@ int ThreadPool::size() const { return static_cast<int>(state_->workers.size()) +
 ParallelFor ThreadPool::parallel_for() {
     if (state_->workers.empty())
         return {};
-    return {[](void* context, int count, void (*task)(void*, int), void* argument) { static_cast<State*>(context)->run(count, task, argument); },
+    return {[](void* context, int count, void (*task)(void*, int), void* argument) { static_cast<State*>(context)->run({count, task, argument}); },
             state_.get()};
 }
 
