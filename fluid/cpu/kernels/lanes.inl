@@ -1,7 +1,7 @@
 // Small vectors: Cell (four floats, one cell's velocity) and Block (sixteen floats: four cells, or k_lanes columns).
 //
 // Written with the compiler's vector types, so one text serves SSE, AVX2, AVX-512 and NEON; intrinsics only where the
-// language has no word: fused multiply-add, floor, and a maximum that sends NaN to its second argument.
+// language has no word: the fused multiply-add.
 
 #if defined(__AVX512F__)
 constexpr int k_native_lanes = 16;
@@ -48,26 +48,6 @@ inline Native multiply_add(Native a, Native b, Native c) {
     return reinterpret_cast<Native>(_mm256_fmadd_ps(reinterpret_cast<__m256>(a), reinterpret_cast<__m256>(b), reinterpret_cast<__m256>(c)));
 }
 #endif
-
-inline Cell floor_of(Cell value) {
-#if defined(__SSE4_1__)
-    return reinterpret_cast<Cell>(_mm_floor_ps(reinterpret_cast<__m128>(value)));
-#else
-    const Cell whole = __builtin_convertvector(__builtin_convertvector(value, CellInt), Cell);
-    return whole - reinterpret_cast<Cell>((whole > value) & reinterpret_cast<CellInt>(splat(1.0f)));
-#endif
-}
-
-// min(max(value, low), high) in which NaN becomes low: an address made from it stays legal.
-inline Cell clamp_to(Cell value, Cell low, Cell high) {
-#if defined(__SSE2__)
-    const __m128 raised = _mm_max_ps(reinterpret_cast<__m128>(value), reinterpret_cast<__m128>(low));
-    return reinterpret_cast<Cell>(_mm_min_ps(raised, reinterpret_cast<__m128>(high)));
-#else
-    const Cell raised = value > low ? value : low;
-    return raised < high ? raised : high;
-#endif
-}
 
 struct Block {
     Native part[k_parts];

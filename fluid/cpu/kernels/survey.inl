@@ -1,35 +1,54 @@
 // Largest component, broken cells and sum of squares in one read. Finite is asked of the bits: an exponent of all
-// ones is infinity or NaN, whatever the arithmetic around it does.
+// ones is infinity or NaN, whatever the arithmetic around it does. Magnitudes compare as integers, as floats of one sign do.
 
 PlaneSurvey survey(const float* velocity, std::size_t cells) {
-    const CellInt exponent = {0x7f800000, 0x7f800000, 0x7f800000, 0x7f800000};
-    const CellInt magnitude = {0x7fffffff, 0x7fffffff, 0x7fffffff, 0x7fffffff};
+    typedef std::int32_t Bits __attribute__((vector_size(k_native_lanes * 4)));
+    const Bits magnitude = Bits{} + 0x7fffffff, largest_finite = Bits{} + 0x7f7fffff;
+    constexpr std::size_t k_run = 1024; // squares are summed in float over a run only, then in double
     PlaneSurvey found = {0.0f, 0, 0.0};
-    Cell largest = splat(0.0f);
-    constexpr std::size_t k_run = 64; // squares are summed in float over a run only, then in double
-    for (std::size_t start = 0; start < cells; start += k_run) {
-        const std::size_t end = start + k_run < cells ? start + k_run : cells;
-        Cell squares = splat(0.0f);
-        CellInt broken = {0, 0, 0, 0};
-        for (std::size_t n = start; n < end; ++n) {
-            const Cell value = load_cell(velocity + 4 * n);
-            const CellInt bits = reinterpret_cast<CellInt>(value);
-            const CellInt bad = (bits & exponent) == exponent;
-            const Cell sound = reinterpret_cast<Cell>(bits & ~bad);
-            const Cell size = reinterpret_cast<Cell>(reinterpret_cast<CellInt>(sound) & magnitude);
+    Bits largest = {};
+    const std::size_t floats = 4 * cells;
+    for (std::size_t start = 0; start < floats; start += k_run) {
+        const std::size_t end = start + k_run < floats ? start + k_run : floats;
+        Native squares = {};
+        Bits broken = {};
+        const auto take = [&](Native values) {
+            const Bits bits = reinterpret_cast<Bits>(values);
+            const Bits size = bits & magnitude;
+            const Bits bad = size > largest_finite;
+            const Bits sound = size & ~bad;
             broken |= bad;
-            largest = size > largest ? size : largest;
-            squares += sound * sound;
+            largest = sound > largest ? sound : largest;
+            const Native value = reinterpret_cast<Native>(sound);
+            squares += value * value;
+        };
+        std::size_t n = start;
+        for (; n + k_native_lanes <= end; n += k_native_lanes)
+            take(load_native(velocity + n));
+        if (n < end) {
+            float rest[k_native_lanes] = {};
+            for (std::size_t lane = 0; n + lane < end; ++lane)
+                rest[lane] = velocity[n + lane];
+            take(load_native(rest));
         }
-        if ((broken[0] | broken[1] | broken[2] | broken[3]) != 0)
-            for (std::size_t n = start; n < end; ++n) {
-                const CellInt bits = reinterpret_cast<CellInt>(load_cell(velocity + 4 * n));
-                const CellInt bad = (bits & exponent) == exponent;
-                found.broken_cells += (bad[0] | bad[1] | bad[2] | bad[3]) != 0 ? 1 : 0;
+        std::int32_t any_broken = 0;
+        for (int lane = 0; lane < k_native_lanes; ++lane) {
+            any_broken |= broken[lane];
+            found.squares += static_cast<double>(squares[lane]);
+        }
+        for (n = start; any_broken != 0 && n < end; n += 4) {
+            std::int32_t bad = 0;
+            for (std::size_t axis = 0; axis < 4; ++axis) {
+                std::int32_t bits = 0;
+                __builtin_memcpy(&bits, velocity + n + axis, sizeof bits);
+                bad |= (bits & 0x7fffffff) > 0x7f7fffff ? 1 : 0;
             }
-        found.squares += double(squares[0]) + double(squares[1]) + double(squares[2]) + double(squares[3]);
+            found.broken_cells += bad;
+        }
     }
-    for (int axis = 0; axis < 4; ++axis)
-        found.largest_component = largest[axis] > found.largest_component ? largest[axis] : found.largest_component;
+    std::int32_t most = 0;
+    for (int lane = 0; lane < k_native_lanes; ++lane)
+        most = largest[lane] > most ? largest[lane] : most;
+    __builtin_memcpy(&found.largest_component, &most, sizeof most);
     return found;
 }
