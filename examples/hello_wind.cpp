@@ -23,8 +23,10 @@ int main() {
         std::fprintf(stderr, "%s\n", wind.error().c_str()); // says which field is wrong, and the fix
         return 2;
     }
-    const auto fan = wind->motors().add(windrow::DirectionalMotor{
-        .position = {0.0, 0.0, 0.0}, .direction = {0.0f, 0.0f, 1.0f}, .region = windrow::Sphere{2.0f}, .law = windrow::Drive{8.0f, 4.0f}});
+    const auto fan = wind->motors().add(windrow::DirectionalMotor{.position = {0.0, 0.0, 0.0},
+                                                                  .direction = {0.0f, 0.0f, 1.0f},
+                                                                  .region = windrow::Sphere{2.0f},
+                                                                  .law = windrow::Drive{8.0f, 4.0f}});
     if (!fan)
         return 2;
 

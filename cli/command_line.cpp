@@ -1,0 +1,150 @@
+#include "cli/command_line.h"
+
+#include "cli/exit_code.h"
+#include "cli/info_command.h"
+#include "cli/interrupt.h"
+#include "cli/nearest_word.h"
+#include "cli/number_text.h"
+#include "cli/run_command.h"
+#include "cli/scene.h"
+#include "fluid/message.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace windrow::cli {
+namespace {
+
+using detail::message;
+
+/// A flag's whole number; CLI11's own sentences do not tell what would be right.
+std::optional<std::int64_t> read_count(const std::string& text, const char* flag, std::int64_t most, const Console& console) {
+    const auto number = parse_whole_number(text);
+    if (number && *number >= 1 && *number <= most)
+        return *number;
+    console.complain(message(flag, " is ", text.empty() ? "empty" : text, ": give a whole number from 1 to ", most, "."));
+    return std::nullopt;
+}
+
+std::vector<std::string> words_of(const CLI::App& app) {
+    std::vector<std::string> words;
+    for (const CLI::Option* option : app.get_options())
+        for (const std::string& name : option->get_lnames())
+            words.push_back("--" + name);
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+        words.push_back(command->get_name());
+    return words;
+}
+
+/// The first word that stands where a command should and is none; empty where there is no such word.
+std::string unknown_command(int count, const char* const* arguments) {
+    for (int i = 1; i < count; ++i)
+        if (arguments[i][0] != '-')
+            return arguments[i];
+    return {};
+}
+
+/// CLI11's fault as one sentence of ours.
+std::string sentence_of(const CLI::ParseError& fault, const CLI::App& app, int count, const char* const* arguments) {
+    const auto chosen = app.get_subcommands();
+    const CLI::App& asked = chosen.empty() ? app : *chosen.front();
+    const std::string help = message("see windrow ", chosen.empty() ? "" : asked.get_name() + " ", "--help.");
+    const auto unknown = [&](const std::string& word, const char* what) {
+        const std::string near = nearest_word(word, words_of(asked));
+        return message(word, what, near.empty() ? "" : " (did you mean " + near + "?)", ": ", help);
+    };
+    const auto extras = app.remaining(true);
+    if (dynamic_cast<const CLI::ExtrasError*>(&fault) != nullptr && !extras.empty()) {
+        // A flag that is not known leaves its value over too: the flag is the one to name.
+        const auto flag =
+            std::find_if(extras.begin(), extras.end(), [](const std::string& word) { return word.starts_with('-'); });
+        return unknown(flag != extras.end() ? *flag : extras.front(),
+                       flag != extras.end() ? " is no flag" : " is one word too many");
+    }
+    if (chosen.empty()) {
+        const std::string word = unknown_command(count, arguments);
+        if (!word.empty())
+            return unknown(word, " is no command");
+        if (count > 1)
+            return unknown(arguments[1], " is no flag");
+        return message("name a command, run or info: ", help);
+    }
+    std::string words = fault.what();
+    for (char& letter : words)
+        if (letter == '\n')
+            letter = ' ';
+    return message(words, ": ", help);
+}
+
+struct RunFlags {
+    std::string scene, frames, out, threads;
+    bool vdb = false, images = false, csv = false;
+};
+
+void add_run(CLI::App& app, RunFlags& flags) {
+    CLI::App* const run = app.add_subcommand("run", "Play a scene; keep pictures, VDB files and timings of it");
+    run->add_option("SCENE.json", flags.scene, "Scene file; docs/scenes.md tells its keys")->required()->type_name("");
+    run->add_option("--frames", flags.frames, "Frames to make, from time 0, whatever the scene's duration")->type_name("N");
+    run->add_option("--out", flags.out, "Folder for what is kept; default out/<scene name>")->type_name("DIR");
+    run->add_option("--threads", flags.threads, "Threads; default one a core; results do not depend on it")->type_name("N");
+    run->add_flag("--images", flags.images, "Keep frame_0000.png ... and contact_sheet.png");
+    run->add_flag("--vdb", flags.vdb, "Keep vel_0000.vdb ... for Blender and Houdini");
+    run->add_flag("--csv", flags.csv, "Keep timings.csv: a row a step with every figure it reports");
+}
+
+int start_run(const RunFlags& flags, const CLI::App& run, const Console& console) {
+    RunRequest request{.scene = flags.scene, .frames = {}, .out = {}, .vdb = flags.vdb, .images = flags.images, .csv = flags.csv};
+    if (run.count("--frames") > 0) {
+        request.frames = read_count(flags.frames, "--frames", k_most_frames, console);
+        if (!request.frames)
+            return k_exit_wrong_use;
+    }
+    if (run.count("--threads") > 0) {
+        const auto threads = read_count(flags.threads, "--threads", k_most_threads, console);
+        if (!threads)
+            return k_exit_wrong_use;
+        request.threads = static_cast<int>(*threads);
+    }
+    if (run.count("--out") > 0) {
+        if (flags.out.empty()) {
+            console.complain("--out is empty: name a folder.");
+            return k_exit_wrong_use;
+        }
+        request.out = flags.out;
+    }
+    if (flags.scene.empty()) {
+        console.complain("SCENE.json is empty: name a scene file.");
+        return k_exit_wrong_use;
+    }
+    const InterruptGuard guard;
+    return run_scene(request, console, &InterruptGuard::signal);
+}
+
+} // namespace
+
+int run_command_line(int count, const char* const* arguments, const Console& console) {
+    CLI::App app("Windrow: the wind around a player, as a voxel fluid.", "windrow");
+    app.set_version_flag("--version", version_line());
+    app.require_subcommand(1);
+    app.footer("Exit codes: 0 well, 1 a result out of bounds, 2 wrong use or bad input, 3 the machine lacks something.");
+    RunFlags flags;
+    add_run(app, flags);
+    app.add_subcommand("info", "Tell version, compiler, SIMD level, cores and what is built in");
+    try {
+        app.parse(count, arguments);
+    } catch (const CLI::Success& wish) {
+        app.exit(wish, console.out, console.err); // --help and --version
+        return k_exit_well;
+    } catch (const CLI::ParseError& fault) {
+        console.complain(sentence_of(fault, app, count, arguments));
+        return k_exit_wrong_use;
+    }
+    if (const CLI::App* run = app.get_subcommand("run"); run->parsed())
+        return start_run(flags, *run, console);
+    return tell_info(console);
+}
+
+} // namespace windrow::cli

@@ -1,0 +1,108 @@
+#include "cli/drawing/frame.h"
+
+#include "cli/drawing/axes.h"
+#include "cli/drawing/canvas.h"
+#include "cli/drawing/layout.h"
+#include "cli/drawing/legend.h"
+#include "cli/drawing/overlay.h"
+#include "cli/drawing/palette.h"
+#include "cli/drawing/text.h"
+#include "fluid/message.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace windrow::cli {
+namespace {
+
+constexpr std::string_view k_times = " \xc3\x97 ";
+
+void draw_header(Canvas& canvas, const Layout& layout, const Air& air, double time, const std::string& title) {
+    const Rect& header = layout.header;
+    const std::string clock = time_text(time);
+    const double clock_width = canvas.width_of(clock, 26.0, true);
+    canvas.words(clock, {header.right(), 46.0}, {.size = 26.0, .colour = k_ink, .bold = true, .align = Align::right});
+
+    const double room = header.width - clock_width - 40.0;
+    const std::string shown = printable(title.empty() ? "Windrow" : title);
+    canvas.words(canvas.fitted(shown, 26.0, room, true), {header.x, 46.0}, {.size = 26.0, .colour = k_ink, .bold = true});
+    const glm::ivec3 cells = air.box.cells;
+    std::string grid = std::to_string(cells.x);
+    grid += k_times;
+    grid += std::to_string(cells.y);
+    grid += k_times;
+    grid += std::to_string(cells.z) + " cells of " + brief(air.box.cell_size, 4) + " m";
+    canvas.words(canvas.fitted(grid, 15.0, header.width), {header.x, 69.0}, {.size = 15.0, .colour = k_dim_ink});
+}
+
+/// "Level slice  y = 1.0 m, looking down", as many of the words as there is room for.
+void draw_caption(Canvas& canvas, const Panel& panel, double cell_size) {
+    const bool level = panel.plane.normal == Normal::y;
+    const std::string name = level ? "Level slice" : "Upright slice";
+    const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(cell_size))), 0, 6);
+    std::string place = "  " + std::string(1, "xyz"[panel.plane.across()]) + " = " + fixed(panel.plane.position, decimals) + " m";
+    const double stretch = panel.scale.y / panel.scale.x;
+    std::string more = level ? ", looking down" : ", looking along \xe2\x88\x92z";
+    if (stretch > 1.02 || stretch < 0.98)
+        more = ", not to scale: " + std::string(1, "xyz"[panel.plane.along_height()]) + std::string(k_times) + brief(stretch, 2);
+    const double base = panel.rect.y - 11.0;
+    const double width = canvas.width_of(name, 16.0, true);
+    canvas.words(name, {panel.rect.x, base}, {.size = 16.0, .colour = k_ink, .bold = true});
+    const double room = panel.caption_width - width;
+    if (canvas.width_of(place + more, 15.0) <= room)
+        place += more;
+    canvas.words(canvas.fitted(place, 15.0, room), {panel.rect.x + width, base}, {.size = 15.0, .colour = k_dim_ink});
+}
+
+/// A thin line where the other slice cuts this one, with a mark at its ends outside the panel's frame.
+void draw_cut(Canvas& canvas, const Panel& panel, const Plane& other) {
+    const double y = panel.to_page({panel.low.x, other.position}).y;
+    const Rect& r = panel.rect;
+    canvas.stroke(std::array{glm::dvec2(r.x, y), glm::dvec2(r.right(), y)}, {.colour = hex(0xFFFFFF, 0.7),
+                                                                             .width = 0.9,
+                                                                             .dash = 9.0,
+                                                                             .gap = 6.0,
+                                                                             .casing = k_casing.faded(0.5),
+                                                                             .casing_width = 0.7});
+    const double x = r.right() + 5.0;
+    canvas.fill(std::array{glm::dvec2(x, y), glm::dvec2(x + 8.0, y - 5.0), glm::dvec2(x + 8.0, y + 5.0)}, k_ink);
+}
+
+} // namespace
+
+std::string time_text(double time) {
+    return "t = " + fixed(time, 2) + " s";
+}
+
+Result<Image> compose_frame(const Air& air, double time, std::span<const Trail> trails, std::span<const NamedMotor> motors,
+                            const PictureSettings& settings) {
+    if (settings.width < k_smallest_width || settings.width > k_largest_width)
+        return Error{detail::message("picture width ", settings.width, " px is outside ", k_smallest_width, " to ",
+                                     k_largest_width, "; choose one within, for example 1600")};
+    const float scale =
+        std::isfinite(settings.speed_scale) && settings.speed_scale > 0.0f ? settings.speed_scale : PictureSettings{}.speed_scale;
+    const Layout layout = lay_out(air, settings.slice_point, settings.width);
+    Canvas canvas(layout.width_px, layout.height_px, layout.unit, k_paper);
+
+    float largest = 0.0f;
+    bool broken = false;
+    const std::array panels{&layout.level, &layout.upright};
+    for (std::size_t index = 0; index < panels.size(); ++index) {
+        const Panel& panel = *panels[index];
+        const SlicePicture slice = render_slice(air, panel.plane, Quantity::speed, scale, panel.width_px, panel.height_px);
+        largest = std::max(largest, slice.largest);
+        broken = broken || slice.broken_pixels > 0;
+        canvas.image(slice.image, {panel.rect.x, panel.rect.y});
+        draw_arrows(canvas, panel, air, slice.image, scale);
+        draw_cut(canvas, panel, panels[1 - index]->plane);
+        draw_axes(canvas, panel, air.box.sides);
+        draw_things(canvas, panel, trails, motors); // over the frame: a mark may stand on the floor's line
+        draw_caption(canvas, panel, air.box.cell_size);
+    }
+    draw_header(canvas, layout, air, time, settings.title);
+    draw_legend(canvas, {air, layout, trails, motors, scale, largest, broken});
+    return canvas.finish();
+}
+
+} // namespace windrow::cli

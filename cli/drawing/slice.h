@@ -1,0 +1,83 @@
+// A plane through the box: the picture of the air on it and the arrows on that picture.
+//
+// A picture reads the air through the same function as a plant does, so that it shows what plants see, not what cells hold.
+// On the page: level (normal y), seen from above: x to the right, z down. Upright (normal z), seen from high z: x to the right,
+// y up. Sideways (normal x), seen from low x: z to the right, y up.
+#pragma once
+
+#include "cli/drawing/image.h"
+#include "fluid/box.h"
+
+#include <cstdint>
+#include <functional>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+namespace windrow::cli {
+
+/// The air as a picture reads it: a Wind, or a formula in a test.
+struct Air {
+    Box box;
+    glm::dvec3 origin{0.0};  ///< [m] world, low corner of the box
+    glm::vec3 ambient{0.0f}; ///< [m/s]
+    /// [m/s] Wind at world points; both spans have one length.
+    std::function<void(std::span<const glm::dvec3> positions, std::span<glm::vec3> velocities)> velocity;
+
+    /// [m] Edge lengths of the box.
+    [[nodiscard]] glm::dvec3 extent() const { return glm::dvec3(box.cells) * static_cast<double>(box.cell_size); }
+};
+
+/// The axis across a plane: x sideways, y level, z upright.
+enum class Normal : std::uint8_t { x, y, z };
+
+struct Plane {
+    Normal normal = Normal::y;
+    double position = 0.0; ///< [m] world, along the normal
+
+    /// World axis (0 x, 1 y, 2 z) that runs to the right of the page, along its height, and across it.
+    [[nodiscard]] int right() const { return normal == Normal::x ? 2 : 0; }
+    [[nodiscard]] int along_height() const { return normal == Normal::y ? 2 : 1; }
+    [[nodiscard]] int across() const { return static_cast<int>(normal); }
+    /// True where the axis along the height grows toward the top of the page.
+    [[nodiscard]] bool grows_upward() const { return normal != Normal::y; }
+
+    /// The two coordinates of a world point in the plane: (right, along the height).
+    template <class Vector>
+    [[nodiscard]] auto in_plane(const Vector& world) const {
+        return glm::vec<2, typename Vector::value_type>(world[right()], world[along_height()]);
+    }
+    [[nodiscard]] glm::dvec3 to_world(glm::dvec2 in_plane_position) const;
+};
+
+/// The plane moved into the box where it lies beyond it; through the middle where its position is no number.
+[[nodiscard]] Plane held_inside(Plane plane, const Air& air);
+
+enum class Quantity : std::uint8_t { speed, x, y, z };
+
+struct SlicePicture {
+    Image image;
+    float largest = 0.0f;           ///< [m/s] largest speed, or largest size of the component, of any pixel
+    std::int64_t broken_pixels = 0; ///< pixels whose wind is no number, drawn in k_broken_colour
+};
+
+/// The plane as width x height pixels and nothing else, over the whole box: pixel (c, r) shows the wind at its own centre.
+/// Speed is coloured by speed_colour(value / scale), a component by signed_colour(value / scale); scale [m/s] > 0.
+[[nodiscard]] SlicePicture render_slice(const Air& air, const Plane& plane, Quantity quantity, float scale, int width,
+                                        int height);
+
+struct WindArrow {
+    glm::dvec2 middle{0.0};    ///< [m] in the plane's coordinates
+    glm::dvec2 direction{0.0}; ///< of length 1, or 0 where the air stands still in the plane
+    float share = 0.0f;        ///< in-plane speed over the scale, at most 1
+};
+
+/// [m] Spacing of arrows: a power of two of the cell's edge, so that they keep their cells, at least `smallest` metres apart.
+[[nodiscard]] double arrow_spacing(float cell_size, double smallest);
+
+/// In-plane velocity on a lattice that is fixed to the world, so that arrows stand still as the box moves over them. Points
+/// whose wind is no number are left out. A box too thin for the lattice gets its middle line.
+[[nodiscard]] std::vector<WindArrow> slice_arrows(const Air& air, const Plane& plane, double spacing, float scale);
+
+} // namespace windrow::cli

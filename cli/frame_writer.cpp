@@ -1,0 +1,174 @@
+#include "cli/frame_writer.h"
+
+#include "cli/number_text.h"
+#include "fluid/message.h"
+
+#if WINDROW_WITH_IMAGES
+#include "cli/pictures.h"
+#endif
+#if WINDROW_WITH_VDB
+#include "fluid/vdb/vdb_export.h"
+#endif
+
+#include <algorithm>
+#include <chrono>
+#include <string_view>
+
+namespace windrow::cli {
+namespace {
+
+using detail::message;
+using Clock = std::chrono::steady_clock;
+
+[[maybe_unused]] double seconds_since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+#if WINDROW_WITH_IMAGES
+/// A path as the pictures draw it; a recording of an hour is thinned to what a picture can show.
+Trail trail_of(const std::string& name, const ScenePath& path, double time) {
+    constexpr std::size_t k_most_drawn = 2000;
+    const auto& points = path.path.points();
+    const std::size_t stride = points.size() / k_most_drawn + 1;
+    Trail trail{.name = name, .points = {}, .now = path.path.at(time), .followed = false};
+    for (std::size_t i = 0; i < points.size(); i += stride)
+        trail.points.push_back(points[i].position);
+    if (!points.empty())
+        trail.points.push_back(points.back().position);
+    return trail;
+}
+
+WriteFault fault_of(const Result<void>& drawn) {
+    const std::string& sentence = drawn.error();
+    const bool machine = sentence.starts_with(k_disk_fault);
+    return {machine ? sentence.substr(k_disk_fault.size()) : sentence, machine};
+}
+#endif
+
+} // namespace
+
+bool built_with_vdb() {
+    return WINDROW_WITH_VDB != 0;
+}
+bool built_with_images() {
+    return WINDROW_WITH_IMAGES != 0;
+}
+
+FrameWriter::FrameWriter(const Scene& scene, std::filesystem::path folder, bool images, bool vdb, std::int64_t frames)
+    : scene_(&scene), folder_(std::move(folder)), images_(images), vdb_(vdb), frames_(frames), digits_(4) {
+    for (std::int64_t limit = 10'000; limit < frames; limit *= 10)
+        ++digits_;
+}
+
+WriteFault FrameWriter::write(const Playback& playback, std::int64_t frame) {
+    if (images_)
+        if (auto fault = write_picture(playback, frame))
+            return fault;
+    if (vdb_)
+        return write_vdb(playback, frame);
+    return {};
+}
+
+WriteFault FrameWriter::write_picture([[maybe_unused]] const Playback& playback, [[maybe_unused]] std::int64_t frame) {
+#if WINDROW_WITH_IMAGES
+    const auto begin = Clock::now();
+    const double time = playback.time();
+    std::vector<Trail> trails;
+    for (std::size_t i = 0; i < scene_->paths.size(); ++i) {
+        // A trail that bears a wake's name is drawn as that body.
+        std::string name = scene_->paths[i].name;
+        for (const SceneMotor& motor : scene_->motors)
+            if (motor.path == i && std::holds_alternative<WakeMotor>(motor.motor))
+                name = motor.name;
+        trails.push_back(trail_of(name, scene_->paths[i], time));
+    }
+    if (const auto* followed = std::get_if<std::size_t>(&scene_->follow))
+        trails[*followed].followed = true;
+    std::vector<NamedMotor> motors;
+    for (const Playback::Acting& acting : playback.acting())
+        motors.push_back({acting.motor->name, acting.now});
+    PictureSettings settings;
+    settings.title = scene_->name;
+    settings.speed_scale = scene_->pictures.speed_scale;
+    settings.slice_point = scene_->followed_point(time);
+    settings.slice_point.y =
+        (scene_->has_floor() ? scene_->floor_height(time) : settings.slice_point.y) + scene_->pictures.slice_height;
+    const std::filesystem::path file = folder_ / numbered("frame_", frame, ".png");
+    const auto drawn = draw_frame(playback.wind(), time, trails, motors, settings, file);
+    picture_seconds_ += seconds_since(begin);
+    if (!drawn)
+        return fault_of(drawn);
+    pictures_.push_back(file);
+#endif
+    return {};
+}
+
+WriteFault FrameWriter::write_vdb([[maybe_unused]] const Playback& playback, [[maybe_unused]] std::int64_t frame) {
+#if WINDROW_WITH_VDB
+    const auto begin = Clock::now();
+    const VdbSetting& setting = scene_->vdb;
+    const vdb::Sequence sequence{
+        .folder = folder_,
+        .prefix = "vel_",
+        .digits = digits_,
+        .options = {.name = setting.name,
+                    .form = setting.three_scalars ? vdb::Form::three_scalars : vdb::Form::one_vector,
+                    .precision = setting.precision == VdbPrecision::half ? vdb::Precision::half : vdb::Precision::full,
+                    .up = setting.up == VdbUp::z ? vdb::UpAxis::z : vdb::UpAxis::y}};
+    const auto written = sequence.write(vdb::grid_of(playback.wind()), static_cast<int>(frame), playback.time());
+    vdb_seconds_ += seconds_since(begin);
+    if (!written)
+        return {written.error(),
+                written.problem() == vdb::Problem::disk_full || written.problem() == vdb::Problem::out_of_memory};
+    ++vdbs_;
+#endif
+    return {};
+}
+
+WriteFault FrameWriter::write_contact_sheet() {
+#if WINDROW_WITH_IMAGES
+    if (pictures_.empty())
+        return {};
+    const auto begin = Clock::now();
+    constexpr std::size_t k_most_on_sheet = 12;
+    const std::size_t count = std::min(k_most_on_sheet, pictures_.size());
+    std::vector<std::filesystem::path> chosen;
+    for (std::size_t i = 0; i < count; ++i)
+        chosen.push_back(pictures_[count == 1 ? 0 : i * (pictures_.size() - 1) / (count - 1)]);
+    const std::filesystem::path file = folder_ / "contact_sheet.png";
+    const auto drawn = draw_contact_sheet(chosen, file);
+    picture_seconds_ += seconds_since(begin);
+    if (!drawn)
+        return fault_of(drawn);
+    contact_sheet_ = true;
+#endif
+    return {};
+}
+
+std::size_t FrameWriter::older_files() const {
+    std::size_t count = 0;
+    std::error_code fault;
+    for (auto entry = std::filesystem::directory_iterator(folder_, fault);
+         !fault && entry != std::filesystem::directory_iterator(); entry.increment(fault)) {
+        const std::string name = entry->path().filename().string();
+        for (const auto& [kept, prefix, suffix] : {std::tuple{images_, "frame_", ".png"}, std::tuple{vdb_, "vel_", ".vdb"}}) {
+            if (!kept || !name.starts_with(prefix) || !name.ends_with(suffix))
+                continue;
+            const std::size_t begin = std::string_view(prefix).size();
+            const auto number =
+                parse_whole_number(std::string_view(name).substr(begin, name.size() - begin - std::string_view(suffix).size()));
+            if (number && (*number >= frames_ || name != numbered(prefix, *number, suffix)))
+                ++count;
+        }
+    }
+    return count;
+}
+
+std::string FrameWriter::numbered(const char* prefix, std::int64_t frame, const char* suffix) const {
+    std::string digits = message(frame);
+    digits.insert(0, digits.size() < static_cast<std::size_t>(digits_) ? static_cast<std::size_t>(digits_) - digits.size() : 0,
+                  '0');
+    return message(prefix, digits, suffix);
+}
+
+} // namespace windrow::cli

@@ -1,0 +1,56 @@
+// Keeps frames of a run: a picture, a VDB, both.
+#pragma once
+
+#include "cli/output_file.h"
+#include "cli/playback.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace windrow::cli {
+
+/// Whether the command was built with these parts (CMake options WINDROW_VDB and WINDROW_IMAGES).
+[[nodiscard]] bool built_with_vdb();
+[[nodiscard]] bool built_with_images();
+
+class FrameWriter {
+  public:
+    /// `folder` stands. `frames` is how many there will be: their numbers get as many digits as the last needs, at least four.
+    FrameWriter(const Scene& scene, std::filesystem::path folder, bool images, bool vdb, std::int64_t frames);
+
+    /// Writes frame_0000.png and vel_0000.vdb, whole or not at all.
+    [[nodiscard]] WriteFault write(const Playback& playback, std::int64_t frame);
+    /// Writes contact_sheet.png of the pictures so far, twelve at most, evenly spread.
+    [[nodiscard]] WriteFault write_contact_sheet();
+
+    /// [s] Wall-clock time that each took.
+    [[nodiscard]] double picture_seconds() const { return picture_seconds_; }
+    [[nodiscard]] double vdb_seconds() const { return vdb_seconds_; }
+    /// Pictures and VDB files so far.
+    [[nodiscard]] std::size_t pictures() const { return pictures_.size(); }
+    [[nodiscard]] std::size_t vdbs() const { return vdbs_; }
+    [[nodiscard]] bool has_contact_sheet() const { return contact_sheet_; }
+    /// Files in the folder that bear names of ours but lie beyond this run's frames: left from another run.
+    [[nodiscard]] std::size_t older_files() const;
+
+  private:
+    [[nodiscard]] WriteFault write_picture(const Playback& playback, std::int64_t frame);
+    [[nodiscard]] WriteFault write_vdb(const Playback& playback, std::int64_t frame);
+    [[nodiscard]] std::string numbered(const char* prefix, std::int64_t frame, const char* suffix) const;
+
+    const Scene* scene_;
+    std::filesystem::path folder_;
+    bool images_;
+    bool vdb_;
+    std::int64_t frames_;
+    int digits_;
+    std::vector<std::filesystem::path> pictures_;
+    std::size_t vdbs_ = 0;
+    bool contact_sheet_ = false;
+    double picture_seconds_ = 0.0;
+    double vdb_seconds_ = 0.0;
+};
+
+} // namespace windrow::cli

@@ -1,0 +1,37 @@
+#include "cli/command_line.h"
+#include "cli/exit_code.h"
+
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <new>
+
+namespace {
+
+int run(int count, char** arguments, const windrow::cli::Console& console) {
+    using namespace windrow::cli;
+    try {
+        const int code = run_command_line(count, arguments, console);
+        console.out.flush();
+        if (console.out.good() || code != k_exit_well)
+            return code;
+        console.complain("the output could not be written: is the disk full, or the pipe closed?");
+        return k_exit_machine;
+    } catch (const std::bad_alloc&) {
+        console.complain("the memory ran out: give fewer air.cells, or close other programs.");
+    } catch (const std::exception& fault) {
+        console.complain(fault.what());
+    }
+    return k_exit_machine;
+}
+
+} // namespace
+
+int main(int count, char** arguments) {
+    // A closed pipe and a file size limit shall come back as errors of the write that met them, not end the process in the midst
+    // of a file.
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
+    return run(count, arguments, {.out = std::cout, .err = std::cerr, .progress = stderr});
+}

@@ -1,0 +1,108 @@
+#include "cli/output_file.h"
+
+#include "fluid/message.h"
+
+#include <cerrno>
+#include <system_error>
+#include <unistd.h>
+
+namespace windrow::cli {
+
+using detail::message;
+
+WriteFault write_fault(const std::filesystem::path& file, int reason) {
+    const std::string name = file.string();
+    switch (reason) {
+    case 0:
+        return {};
+    case ENOSPC:
+    case EDQUOT:
+        return {message(name, ": does not fit on the disk: free some space, or give a folder on another disk with --out."), true};
+    case EFBIG:
+        return {message(name, ": is larger than the system allows a file to be: raise the limit (ulimit -f)."), true};
+    case EACCES:
+    case EPERM:
+        return {message(name, ": may not be written: give yourself the right, or another folder with --out.")};
+    case EROFS:
+        return {message(name, ": lies on a file system that is read-only: give another folder with --out.")};
+    case EISDIR:
+        return {message(name, ": a folder stands where the file should go: remove it, or give another folder with --out.")};
+    case ENOTDIR:
+    case EEXIST:
+        return {message(name, ": a file stands where a folder is needed: remove it, or give another folder with --out.")};
+    case ENAMETOOLONG:
+        return {message(name, ": the name is too long for the system: give a shorter one with --out.")};
+    default:
+        return {
+            message(name, ": cannot be written (", std::generic_category().message(reason), "): give another folder with --out."),
+            reason == EIO || reason == ENOMEM || reason == EMFILE || reason == ENFILE};
+    }
+}
+
+WriteFault prepare_folder(const std::filesystem::path& folder) {
+    std::error_code fault;
+    std::filesystem::create_directories(folder, fault);
+    if (fault)
+        return write_fault(folder, fault.value());
+    if (!std::filesystem::is_directory(folder, fault))
+        return write_fault(folder, ENOTDIR);
+    // Rights alone do not tell: a full disk lets a file be made and refuses its first byte.
+    const std::filesystem::path trial = folder / message(".windrow-", ::getpid(), ".tmp");
+    std::FILE* const stream = std::fopen(trial.c_str(), "wb");
+    int reason = stream == nullptr ? errno : 0;
+    if (stream != nullptr) {
+        const char block[4096] = {};
+        if (std::fwrite(block, 1, sizeof block, stream) != sizeof block || std::fflush(stream) != 0)
+            reason = errno;
+        if (std::fclose(stream) != 0 && reason == 0)
+            reason = errno;
+        std::filesystem::remove(trial, fault);
+    }
+    return write_fault(folder, reason);
+}
+
+OutputFile::OutputFile(std::filesystem::path file) : file_(std::move(file)), part_(file_) {
+    part_ += ".tmp";
+    stream_ = std::fopen(part_.c_str(), "wb");
+    if (stream_ == nullptr)
+        reason_ = errno;
+}
+
+OutputFile::~OutputFile() {
+    if (stream_ == nullptr)
+        return;
+    std::fclose(stream_);
+    std::error_code ignored;
+    std::filesystem::remove(part_, ignored);
+}
+
+void OutputFile::write(std::string_view text) {
+    if (stream_ != nullptr && reason_ == 0 && std::fwrite(text.data(), 1, text.size(), stream_) != text.size())
+        reason_ = errno;
+}
+
+WriteFault OutputFile::publish() {
+    if (stream_ == nullptr)
+        return write_fault(file_, reason_);
+    if (reason_ == 0 && std::fflush(stream_) != 0)
+        reason_ = errno;
+    // Some file systems cannot confirm; that is no failure of the file.
+    if (reason_ == 0 && ::fsync(::fileno(stream_)) != 0 && errno != EINVAL && errno != ENOTSUP)
+        reason_ = errno;
+    if (reason_ != 0)
+        return write_fault(file_, reason_);
+    std::FILE* const stream = stream_;
+    stream_ = nullptr;
+    std::error_code fault;
+    if (std::fclose(stream) != 0)
+        reason_ = errno;
+    else {
+        std::filesystem::rename(part_, file_, fault);
+        reason_ = fault.value();
+    }
+    if (reason_ != 0)
+        std::filesystem::remove(part_, fault);
+    return write_fault(file_, reason_);
+}
+
+} // namespace windrow::cli

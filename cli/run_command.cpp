@@ -1,0 +1,187 @@
+#include "cli/run_command.h"
+
+#include "cli/exit_code.h"
+#include "cli/frame_writer.h"
+#include "cli/machine.h"
+#include "cli/output_file.h"
+#include "cli/playback.h"
+#include "cli/progress.h"
+#include "cli/run_report.h"
+#include "cli/scene_reader.h"
+#include "cli/timings.h"
+#include "cli/timings_csv.h"
+#include "fluid/message.h"
+#include "fluid/thread_pool.h"
+
+#include <chrono>
+#include <cmath>
+#include <memory>
+
+namespace windrow::cli {
+namespace {
+
+using detail::message;
+
+int complain_of(const WriteFault& fault, const Console& console) {
+    console.complain(fault.sentence);
+    return fault.machine ? k_exit_machine : k_exit_wrong_use;
+}
+
+/// Refuses a flag whose part was not built in, before anything else is done.
+bool check_parts(const RunRequest& request, const Console& console) {
+    bool good = true;
+    const auto lacks = [&](bool wanted, bool built, const char* flag, const char* what, const char* option,
+                           const char* packages) {
+        if (!wanted || built)
+            return;
+        good = false;
+        console.complain(message(flag, ": this windrow was built without ", what, ": install ", packages,
+                                 " and configure with -D", option, "=ON."));
+    };
+    lacks(request.vdb, built_with_vdb(), "--vdb", "OpenVDB", "WINDROW_VDB", "libopenvdb-dev");
+    lacks(request.images, built_with_images(), "--images", "pictures", "WINDROW_IMAGES", "libopenimageio-dev and libcairo2-dev");
+    return good;
+}
+
+/// A box that does not fit would otherwise end with the system killing some process, maybe not this one.
+bool check_memory(const Scene& scene, const Console& console) {
+    constexpr std::uint64_t k_bytes_a_cell = 112; // state, scratch, one frame on its way out
+    const glm::ivec3 cells = scene.air.cells;
+    const std::uint64_t needed = k_bytes_a_cell * static_cast<std::uint64_t>(cells.x) * static_cast<std::uint64_t>(cells.y) *
+                                 static_cast<std::uint64_t>(cells.z);
+    const auto available = available_memory();
+    if (!available || needed <= *available)
+        return true;
+    console.complain(message(scene.file.string(), ": $.air.cells is ", cells, ", which takes about ", needed >> 20, " MiB, and ",
+                             *available >> 20, " MiB are free: give fewer cells."));
+    return false;
+}
+
+/// What lasts through a run.
+struct Run {
+    const Scene& scene;
+    const RunRequest& request;
+    const Console& console;
+    std::filesystem::path folder;
+    std::int64_t frames;
+    FrameWriter writer;
+    std::unique_ptr<OutputFile> csv;
+    Timings timings;
+
+    /// Ticks until a frame is due. Returns an exit code, k_exit_well to go on.
+    int advance_to_frame(Playback& playback, std::int64_t frame) {
+        const std::int64_t due = scene.tick_of_frame(frame);
+        while (playback.ticks() < due) {
+            const auto diagnostics = playback.tick();
+            if (!diagnostics) {
+                console.complain(diagnostics.error());
+                return k_exit_wrong_use;
+            }
+            timings.add(playback.time(), *diagnostics);
+            if (csv)
+                csv->write(timings_row(playback.ticks(), playback.time(), *diagnostics));
+            if (!std::isfinite(diagnostics->energy) || !std::isfinite(diagnostics->max_speed) ||
+                !std::isfinite(diagnostics->divergence_rms)) {
+                console.complain(message(scene.file.string(), ": at ", playback.time(), " s (step ", playback.ticks(),
+                                         ") the air is no longer finite (largest speed ", diagnostics->max_speed,
+                                         " m/s): this is a fault of windrow, report it with the scene."));
+                return k_exit_out_of_bounds;
+            }
+        }
+        return k_exit_well;
+    }
+};
+
+} // namespace
+
+int run_scene(const RunRequest& request, const Console& console, const std::function<int()>& stop_signal) {
+    if (!check_parts(request, console))
+        return k_exit_wrong_use;
+    const auto scene = read_scene(request.scene);
+    if (!scene) {
+        console.complain(scene.error());
+        return k_exit_wrong_use;
+    }
+    if (!check_memory(*scene, console))
+        return k_exit_machine;
+    const std::int64_t frames = request.frames.value_or(scene->frame_count());
+    if (scene->tick_of_frame(frames - 1) > k_most_ticks) {
+        console.complain(message("--frames is ", frames, ", ", scene->tick_of_frame(frames - 1),
+                                 " ticks of the scene: give at most ", k_most_ticks, " ticks."));
+        return k_exit_wrong_use;
+    }
+    const bool keeps = request.vdb || request.images || request.csv;
+    const std::filesystem::path folder = request.out.value_or(std::filesystem::path("out") / scene->name);
+    if (keeps)
+        if (const auto fault = prepare_folder(folder))
+            return complain_of(fault, console);
+
+    const auto begin = std::chrono::steady_clock::now();
+    const int threads = request.threads > 0 ? request.threads : usable_cores();
+    ThreadPool pool(threads);
+    auto playback = Playback::create(*scene, pool.parallel_for());
+    if (!playback) {
+        console.complain(playback.error());
+        return k_exit_wrong_use;
+    }
+
+    Run run{.scene = *scene,
+            .request = request,
+            .console = console,
+            .folder = folder,
+            .frames = frames,
+            .writer = FrameWriter(*scene, folder, request.images, request.vdb, frames),
+            .csv = request.csv ? std::make_unique<OutputFile>(folder / "timings.csv") : nullptr,
+            .timings = {}};
+    if (run.csv)
+        run.csv->write(timings_header());
+    if (const std::size_t older = keeps ? run.writer.older_files() : 0; older > 0)
+        console.warn(message(folder.string(), " holds ", older, older == 1 ? " frame" : " frames",
+                             " of a longer run that this one does not write: remove what you do not want in a sequence."));
+
+    int code = k_exit_well;
+    std::int64_t done = 0;
+    {
+        Progress progress(console.progress, frames);
+        while (done < frames && code == k_exit_well && stop_signal() == 0) {
+            progress.update(done);
+            code = run.advance_to_frame(*playback, done);
+            if (code != k_exit_well)
+                break;
+            if (const auto fault = run.writer.write(*playback, done)) {
+                progress.clear();
+                return complain_of(fault, console);
+            }
+            ++done;
+        }
+        progress.update(done);
+    }
+    const int signal = stop_signal();
+    // A sheet takes seconds: who pressed Ctrl-C does not want to wait for it.
+    if (signal == 0)
+        if (const auto fault = run.writer.write_contact_sheet())
+            return complain_of(fault, console);
+    if (run.csv)
+        if (const auto fault = run.csv->publish())
+            return complain_of(fault, console);
+
+    const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    report_run({.scene = *scene,
+                .folder = folder,
+                .writer = run.writer,
+                .timings = run.timings,
+                .air_seconds = playback->time(),
+                .wall_seconds = wall,
+                .threads = threads,
+                .frames_done = done,
+                .csv = request.csv},
+               console);
+    if (signal != 0 && done < frames) {
+        console.complain(message("stopped by ", signal == 2 ? "Ctrl-C" : "a signal", " after ", done, " of ", frames,
+                                 " frames: what was written is whole."));
+        return k_exit_signal + signal;
+    }
+    return code;
+}
+
+} // namespace windrow::cli

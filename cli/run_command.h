@@ -1,0 +1,29 @@
+// `windrow run`: plays a scene, keeps what was asked for, and tells what it cost.
+#pragma once
+
+#include "cli/console.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+
+namespace windrow::cli {
+
+/// Most threads that a run takes; more than cores only makes them wait for each other.
+inline constexpr int k_most_threads = 256;
+
+struct RunRequest {
+    std::filesystem::path scene;
+    std::optional<std::int64_t> frames;       ///< default: the scene's
+    std::optional<std::filesystem::path> out; ///< default: out/<scene name>
+    bool vdb = false;
+    bool images = false;
+    bool csv = false;
+    int threads = 0; ///< 0: one a core
+};
+
+/// Returns the exit code. `stop_signal` is asked after every frame; anything but 0 ends the run there, with whole files.
+[[nodiscard]] int run_scene(const RunRequest& request, const Console& console, const std::function<int()>& stop_signal);
+
+} // namespace windrow::cli

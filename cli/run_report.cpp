@@ -1,0 +1,86 @@
+#include "cli/run_report.h"
+
+#include "cli/machine.h"
+#include "fluid/message.h"
+
+#include <string>
+
+namespace windrow::cli {
+namespace {
+
+using detail::message;
+
+std::string plural(std::int64_t count, const char* noun) {
+    return message(count, " ", noun, count == 1 ? "" : "s");
+}
+
+/// "20.0 s of air in 0.31 s: 65 times real time"
+std::string real_time(const RunReport& report) {
+    const double solver = report.timings.solver_seconds();
+    std::string text = message(to_fixed(report.air_seconds, 2), " s of air solved in ", to_fixed(solver, 2), " s");
+    if (solver > 0.0)
+        text +=
+            message(", ", to_fixed(report.air_seconds / solver, report.air_seconds < 100.0 * solver ? 1 : 0), " times real time");
+    return text;
+}
+
+void warn_of_cells(const RunReport& report, const Console& console) {
+    const Timings& timings = report.timings;
+    if (timings.limited_cells() > 0)
+        console.warn(message("in ", timings.limited_steps(), " of ", plural(timings.steps(), "step"),
+                             " the air was too fast for ", plural(report.scene.air.max_substeps, "sub-step"), " (largest CFL ",
+                             to_fixed(timings.largest_cfl(), 1), "): speeds were limited in ",
+                             plural(timings.limited_cells(), "cell"),
+                             ", counted in each step; raise tick_hz or air.max_substeps."));
+    if (timings.repaired_cells() > 0)
+        console.warn(message(plural(timings.repaired_cells(), "cell"), " held NaN or infinity and ",
+                             timings.repaired_cells() == 1 ? "was" : "were", " set to ambient, first at ",
+                             timings.first_repair_time(), " s."));
+}
+
+std::string list_files(const RunReport& report) {
+    std::string text;
+    const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
+    if (report.writer.pictures() > 0)
+        add(plural(static_cast<std::int64_t>(report.writer.pictures()), "picture") +
+            (report.writer.has_contact_sheet() ? " (frame_*.png, contact_sheet.png)" : " (frame_*.png)"));
+    if (report.writer.vdbs() > 0)
+        add(plural(static_cast<std::int64_t>(report.writer.vdbs()), "VDB file") + " (vel_*.vdb)");
+    if (report.csv)
+        add("timings.csv");
+    return text;
+}
+
+} // namespace
+
+void report_run(const RunReport& report, const Console& console) {
+    const Timings& timings = report.timings;
+    const Config& air = report.scene.air;
+    const std::int64_t cells =
+        static_cast<std::int64_t>(air.cells.x) * static_cast<std::int64_t>(air.cells.y) * static_cast<std::int64_t>(air.cells.z);
+    console.out << report.scene.name << ": " << plural(report.frames_done, "frame") << ", " << plural(timings.steps(), "step")
+                << " of 1/" << message(report.scene.tick_hz) << " s, " << plural(report.threads, "thread") << " (" << simd_level()
+                << ")\n"
+                << timings.table();
+    console.out << "  cells          "
+                << message(air.cells.x, " x ", air.cells.y, " x ", air.cells.z, " of ", air.cell_size, " m (", cells, ")\n");
+    console.out << "  sub-steps      " << timings.substeps() << " in all, largest CFL " << to_fixed(timings.largest_cfl(), 2)
+                << ", largest speed " << to_fixed(timings.largest_speed(), 2) << " m/s\n";
+    console.out << "  limited cells  " << timings.limited_cells() << ", repaired cells " << timings.repaired_cells();
+    if (timings.steps_asleep() > 0)
+        console.out << ", steps asleep " << timings.steps_asleep();
+    console.out << "\n  time           " << real_time(report) << "; " << to_fixed(report.wall_seconds, 2) << " s in all";
+    if (report.writer.pictures() > 0)
+        console.out << ", pictures " << to_fixed(report.writer.picture_seconds(), 2) << " s";
+    if (report.writer.vdbs() > 0)
+        console.out << ", VDB " << to_fixed(report.writer.vdb_seconds(), 2) << " s";
+    console.out << "\n";
+    warn_of_cells(report, console);
+    if (const std::string files = list_files(report); !files.empty())
+        console.out << "In " << report.folder.string() << ": " << files << ".\n";
+    else
+        console.out << "Nothing was kept: add --images, --vdb or --csv.\n";
+    console.out.flush();
+}
+
+} // namespace windrow::cli

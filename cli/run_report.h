@@ -1,0 +1,28 @@
+// What a run tells at its end: what it cost, what it met, what lies where.
+#pragma once
+
+#include "cli/console.h"
+#include "cli/frame_writer.h"
+#include "cli/scene.h"
+#include "cli/timings.h"
+
+#include <cstdint>
+#include <filesystem>
+
+namespace windrow::cli {
+
+struct RunReport {
+    const Scene& scene;
+    const std::filesystem::path& folder;
+    const FrameWriter& writer;
+    const Timings& timings;
+    double air_seconds = 0.0;  ///< simulated
+    double wall_seconds = 0.0; ///< passed on the clock, pictures and files included
+    int threads = 1;
+    std::int64_t frames_done = 0;
+    bool csv = false;
+};
+
+void report_run(const RunReport& report, const Console& console);
+
+} // namespace windrow::cli

@@ -1,0 +1,80 @@
+#include "cli/timings.h"
+
+#include "fluid/message.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+#include <string_view>
+
+namespace windrow::cli {
+namespace {
+
+std::string right(std::string_view text, std::size_t width) {
+    return std::string(text.size() < width ? width - text.size() : 0, ' ') + std::string(text);
+}
+
+double sum(const std::vector<float>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+std::string row(const std::string& name, const std::vector<float>& values, double whole) {
+    const double share = whole > 0.0 ? 100.0 * sum(values) / whole : 0.0;
+    return detail::message("  ", name, std::string(name.size() < 14 ? 14 - name.size() : 0, ' '),
+                           right(to_fixed(quantile(values, 0.0), 3), 10), right(to_fixed(quantile(values, 0.5), 3), 10),
+                           right(to_fixed(quantile(values, 0.99), 3), 10), right(to_fixed(share, 0) + " %", 9), "\n");
+}
+
+} // namespace
+
+void Timings::add(double time, const Diagnostics& diagnostics) {
+    for (std::size_t i = 0; i < k_stages.size(); ++i)
+        stage_ms_[i].push_back(static_cast<float>(diagnostics.times_ms.*k_stages[i].value));
+    substeps_ += diagnostics.substeps;
+    steps_asleep_ += diagnostics.asleep ? 1 : 0;
+    largest_cfl_ = std::max(largest_cfl_, diagnostics.cfl);
+    largest_speed_ = std::max(largest_speed_, diagnostics.max_speed);
+    limited_cells_ += diagnostics.limited_cells;
+    limited_steps_ += diagnostics.limited_cells > 0 ? 1 : 0;
+    repaired_cells_ += diagnostics.repaired_cells;
+    if (diagnostics.repaired_cells > 0 && !first_repair_time_)
+        first_repair_time_ = time;
+}
+
+double Timings::solver_seconds() const {
+    return sum(stage_ms_.back()) / 1000.0;
+}
+
+std::string Timings::table() const {
+    const double whole = sum(stage_ms_.back());
+    std::string text = detail::message("  stage         ", right("min ms", 10), right("median ms", 10), right("99 % ms", 10),
+                                       right("share", 9), "\n");
+    std::vector<float> rest = stage_ms_.back();
+    for (std::size_t i = 0; i + 1 < k_stages.size(); ++i) {
+        text += row(k_stages[i].name, stage_ms_[i], whole);
+        for (std::size_t k = 0; k < rest.size(); ++k)
+            rest[k] -= stage_ms_[i][k];
+    }
+    // What no stage claims (a moved box, for one) must not hide.
+    if (sum(rest) > 0.005 * whole)
+        text += row("rest", rest, whole);
+    return text + row("whole step", stage_ms_.back(), whole);
+}
+
+float quantile(std::vector<float> values, double q) {
+    if (values.empty())
+        return 0.0f;
+    const double rank = std::ceil(q * static_cast<double>(values.size())) - 1.0;
+    const auto nth = values.begin() + static_cast<std::ptrdiff_t>(std::clamp(rank, 0.0, static_cast<double>(values.size() - 1)));
+    std::nth_element(values.begin(), nth, values.end());
+    return *nth;
+}
+
+std::string to_fixed(double value, int digits) {
+    char text[400];
+    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, digits).ptr;
+    return std::string(text, end);
+}
+
+} // namespace windrow::cli

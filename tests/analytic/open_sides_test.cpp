@@ -1,0 +1,103 @@
+// Open sides: what blows out is gone, what blows in is the ambient wind, and still air gains nothing.
+//
+// A puff in a wind U crosses a box of length L in L / U; after three crossings less than 2 % of its peak may remain. In still air
+// the energy about the ambient wind may never exceed 1.001 of the start, without force and whatever the flow through the sides.
+#include "figures.h"
+#include "flows.h"
+
+namespace windrow {
+namespace {
+
+using namespace flows;
+using figures::expect_at_least;
+using figures::expect_at_most;
+
+double largest_off(std::span<const glm::vec4> field, glm::vec3 ambient) {
+    double largest = 0.0;
+    for (const glm::vec4& u : field)
+        largest = std::max(largest, static_cast<double>(glm::length(glm::vec3(u) - ambient)));
+    return largest;
+}
+
+TEST(OpenSides, AScalarPuffLeaves) {
+    const Box box{.cells = {32, 16, 32}, .sides = Sides::open_over_floor()};
+    const glm::vec3 ambient(4.0f, 0.0f, 1.5f);
+    Workspace work = workspace(box, ambient);
+    const Field wind(box.cell_count(), glm::vec4(ambient, 0.0f));
+    for (const Interpolation interpolation : {Interpolation::linear, Interpolation::cubic}) {
+        auto smoke = sample_scalar(box, [](glm::dvec3 x) { return std::exp(-glm::dot(x - glm::dvec3(16, 5, 16), x - glm::dvec3(16, 5, 16)) / 18.0); }), next = smoke;
+        double at_one = 0.0;
+        for (int step = 1; step <= 240; ++step) {
+            advect(work, ScalarTransport{.carried = smoke, .velocity = wind, .dt = 0.1f, .interpolation = interpolation}, next);
+            std::swap(smoke, next);
+            if (step == 20) // half a crossing: the middle of the puff is at the side
+                at_one = *std::max_element(smoke.begin(), smoke.end());
+        }
+        const std::string name = std::string("open_sides.smoke_") + (interpolation == Interpolation::linear ? "linear" : "cubic");
+        expect_at_least(name + ".at_half_a_crossing", at_one, 0.2);
+        expect_at_most(name + ".after_three_crossings", *std::max_element(smoke.begin(), smoke.end()), 0.02);
+    }
+}
+
+// Two puffs of wind: a ring that turns on itself, and a gust along the mean wind with a pressure of its own.
+TEST(OpenSides, APuffOfWindLeaves) {
+    for (const Sides& sides : {Sides::all(SideKind::open), Sides::open_over_floor()})
+        for (const Scheme scheme : {Scheme::second_order, Scheme::stable_fluids})
+            for (const int kind : {0, 1}) {
+                Config config{.sides = sides, .ambient = {4.0f, 0.0f, 1.0f}, .settling_time = 0.0f, .scheme = scheme};
+                Wind wind = *Wind::create(config);
+                wind.set_velocity([&](glm::dvec3 x) {
+                    const double bump = std::exp(-glm::dot(x, x) / 18.0);
+                    return config.ambient + glm::vec3(bump * (kind == 0 ? glm::dvec3(-x.z, 0.5 * x.z, x.x - 0.5 * x.y) : glm::dvec3(2.0, 0.3, -1.0)));
+                });
+                const double peak = largest_off(wind.field(), config.ambient);
+                for (int step = 0; step < 240; ++step)
+                    wind.step(0.1);
+                expect_at_most(std::string("open_sides.puff_after_three_crossings.") + (sides.y_low.solid() ? "floor." : "open.") + (scheme == Scheme::second_order ? "second_order." : "stable_fluids.") + (kind == 0 ? "ring" : "gust"),
+                               largest_off(wind.field(), config.ambient) / peak, 0.02);
+            }
+}
+
+TEST(OpenSides, AirWithoutForceGainsNoEnergy) {
+    const std::pair<const char*, Sides> boxes[] = {{"open", Sides::all(SideKind::open)}, {"over_floor", Sides::open_over_floor()}};
+    for (const auto& [name, sides] : boxes)
+        for (const glm::vec3 ambient : {glm::vec3(0.0f), glm::vec3(2.0f, 0.0f, 1.0f)})
+            for (const bool noise : {false, true}) {
+                Config config{.sides = sides, .ambient = ambient, .settling_time = 0.0f};
+                Wind wind = *Wind::create(config);
+                Random random(3);
+                wind.set_velocity([&](glm::dvec3 x) {
+                    return ambient + glm::vec3(noise ? glm::dvec3(random.uniform(), random.uniform(), random.uniform())
+                                                     : glm::dvec3(std::sin(0.4 * x.y + 0.3 * x.z), std::sin(0.5 * x.x + 0.2 * x.z), std::cos(0.3 * x.x + 0.6 * x.y)));
+                });
+                const auto energy = [&] {
+                    double sum = 0.0;
+                    for (const glm::vec4& u : wind.field())
+                        sum += glm::dot(glm::dvec3(u) - glm::dvec3(ambient), glm::dvec3(u) - glm::dvec3(ambient));
+                    return sum;
+                };
+                const double first = energy();
+                double largest = 0.0;
+                for (int step = 0; step < 1800; ++step) {
+                    wind.step(1.0 / 60.0);
+                    if (step < 300 || step % 20 == 0)
+                        largest = std::max(largest, energy());
+                }
+                expect_at_most(std::string("open_sides.largest_energy.") + name + (ambient.x > 0.0f ? ".wind" : ".still") + (noise ? ".noise" : ".smooth"), largest / first, 1.001);
+            }
+}
+
+// A new ambient wind reaches the whole box within the time that it needs to cross it.
+TEST(OpenSides, ANewAmbientWindBlowsIn) {
+    Config config{.settling_time = 0.0f};
+    Wind wind = *Wind::create(config);
+    const glm::vec3 ambient(3.0f, 0.0f, 1.0f);
+    EXPECT_TRUE(wind.set_ambient(ambient));
+    wind.set_velocity([](glm::dvec3) { return glm::vec3(1.5f, 0.0f, 0.5f); });
+    for (int step = 0; step < 1200; ++step)
+        wind.step(1.0 / 30.0);
+    expect_at_most("open_sides.off_new_ambient_after_40_s", largest_off(wind.field(), ambient) / static_cast<double>(glm::length(ambient)), 0.02);
+}
+
+} // namespace
+} // namespace windrow

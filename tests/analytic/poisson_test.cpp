@@ -1,0 +1,222 @@
+// The direct pressure solve, L phi = b, against an independent 7-point stencil in double.
+//
+// Residual |b - L phi| / |b| (b without its mean where no side is open). Rounding phi to float alone leaves up to
+// 12 eps |phi| / |b| with eps = 6e-8 and |phi| / |b| as large as 1 / lambda_1. Where the lowest mode of a long or closed box carries
+// much of b that is more than 1e-5; so larger boxes are held to 5e-7 of |b| + 12 |phi|, and in the error of phi and of grad phi against a
+// conjugate gradient in double.
+#include "figures.h"
+#include "flows.h"
+#include "stencil_reference.h"
+
+#include <array>
+
+namespace windrow {
+namespace {
+
+using namespace flows;
+using figures::expect_at_least;
+using figures::expect_at_most;
+using reference::Stencil;
+using reference::Values;
+
+constexpr SideKind k_open = SideKind::open, k_slip = SideKind::free_slip, k_rough = SideKind::no_slip, k_periodic = SideKind::periodic;
+// Every pair of ends that an axis may have; the first five differ for the pressure, to which both walls are one.
+constexpr SideKind k_pairs[10][2] = {{k_open, k_open}, {k_slip, k_slip},  {k_open, k_slip},   {k_slip, k_open},  {k_periodic, k_periodic},
+                                     {k_slip, k_rough}, {k_rough, k_slip}, {k_rough, k_rough}, {k_open, k_rough}, {k_rough, k_open}};
+constexpr std::array k_tiny = {glm::ivec3(1, 1, 1), glm::ivec3(1, 5, 7), glm::ivec3(2, 2, 2), glm::ivec3(3, 1, 4)};
+constexpr std::array k_sizes = {glm::ivec3(17, 9, 23), glm::ivec3(20, 6, 40), glm::ivec3(48, 5, 33), glm::ivec3(64, 1, 64)};
+
+Sides mix(int x, int y, int z) {
+    return axis_sides({{k_pairs[x][0], k_pairs[x][1]}, {k_pairs[y][0], k_pairs[y][1]}, {k_pairs[z][0], k_pairs[z][1]}});
+}
+
+struct Solved {
+    double residual = 0.0; ///< |b - L phi| / |b|
+    double scaled = 0.0;   ///< |b - L phi| / (|b| + 12 |phi|)
+    Values phi, left;
+    Stencil stencil;
+};
+
+// Solves with h = 1 for random b.
+Solved solve_noise(const Box& box, Random& random) {
+    Workspace work = workspace(box);
+    Solved solved{.phi = {}, .left = {}, .stencil = Stencil::pressure(box)};
+    auto values = sample_scalar(box, [&](glm::dvec3) { return random.uniform(); });
+    Values b(values.begin(), values.end());
+    if (solved.stencil.singular())
+        Stencil::remove_mean(b);
+    solve_poisson(work, values);
+    solved.phi.assign(values.begin(), values.end());
+    solved.left = solved.stencil.laplacian(solved.phi);
+    for (std::size_t n = 0; n < b.size(); ++n)
+        solved.left[n] = b[n] - solved.left[n];
+    const double size = Stencil::norm(b), residual = Stencil::norm(solved.left);
+    // A single cell without an open side has nothing to solve: b is its mean, phi is 0.
+    solved.residual = size > 0.0 ? residual / size : residual + Stencil::norm(solved.phi);
+    solved.scaled = residual / (size + 12.0 * Stencil::norm(solved.phi) + 1e-300);
+    return solved;
+}
+
+TEST(Poisson, EveryMixOfSidesOfATinyBoxIsSolved) {
+    Random random(1);
+    double worst = 0.0;
+    int count = 0;
+    for (const glm::ivec3 cells : k_tiny)
+        for (int n = 0; n < 1000; ++n, ++count)
+            worst = std::max(worst, solve_noise({.cells = cells, .sides = mix(n % 10, n / 10 % 10, n / 100)}, random).residual);
+    figures::report("poisson.tiny_boxes", count);
+    expect_at_most("poisson.tiny_residual", worst, 1e-5);
+}
+
+TEST(Poisson, EveryMixOfSidesOfALargerBoxIsSolved) {
+    Random random(2);
+    for (const glm::ivec3 cells : k_sizes) {
+        double worst = 0.0, worst_scaled = 0.0;
+        for (int n = 0; n < 125; ++n) {
+            const Solved solved = solve_noise({.cells = cells, .sides = mix(n % 5, n / 5 % 5, n / 25)}, random);
+            worst = std::max(worst, solved.residual);
+            worst_scaled = std::max(worst_scaled, solved.scaled);
+        }
+        const std::string name = std::to_string(cells.x) + "x" + std::to_string(cells.y) + "x" + std::to_string(cells.z);
+        figures::report("poisson.residual." + name, worst);
+        expect_at_most("poisson.residual_scaled." + name, worst_scaled, 5e-7);
+    }
+}
+
+// What the residual stands for: L e = left over. The gradient is the difference to each neighbour, all of them in the energy e . L e.
+// In the two slender boxes a single lowest mode may hold nearly all of phi; there the gradient of the error is held against
+// the error that rounding the exact phi to float would make.
+TEST(Poisson, PhiAndItsGradientAgreeWithADoubleSolve) {
+    Random random(3);
+    double worst_phi = 0.0, worst_gradient = 0.0, worst_slender = 0.0, worst_over_rounding = 0.0;
+    for (const glm::ivec3 cells : k_sizes)
+        for (int n = 0; n < 125; ++n) {
+            const Solved solved = solve_noise({.cells = cells, .sides = mix(n % 5, n / 5 % 5, n / 25)}, random);
+            const Stencil& stencil = solved.stencil;
+            const Values error = stencil.solve(0.0, solved.left, 1e-3);
+            Values rounding(error.size());
+            for (std::size_t m = 0; m < error.size(); ++m) {
+                const double exact = solved.phi[m] - error[m];
+                rounding[m] = static_cast<double>(static_cast<float>(exact)) - exact;
+            }
+            const auto slope = [&](const Values& v) { return std::sqrt(std::abs(Stencil::dot(v, stencil.laplacian(v)))); };
+            worst_phi = std::max(worst_phi, Stencil::norm(error) / Stencil::norm(solved.phi));
+            double& worst = cells.x >= 48 ? worst_slender : worst_gradient;
+            worst = std::max(worst, slope(error) / slope(solved.phi));
+            worst_over_rounding = std::max(worst_over_rounding, slope(error) / slope(rounding));
+        }
+    expect_at_most("poisson.phi_error", worst_phi, 2e-6);
+    expect_at_most("poisson.gradient_error", worst_gradient, 1e-5);
+    figures::report("poisson.gradient_error_slender", worst_slender);
+    expect_at_most("poisson.gradient_error_over_rounding", worst_over_rounding, 20.0);
+}
+
+TEST(Poisson, ABoxWithoutAnOpenSideGivesMeanZero) {
+    Random random(4);
+    double worst = 0.0;
+    for (const int y : {1, 4})
+        for (const int x : {1, 4, 7})
+            for (const glm::ivec3 cells : k_sizes) {
+                const Box box{.cells = cells, .sides = mix(x, y, x)};
+                Workspace work = workspace(box);
+                // A large mean: it must leave no trace in phi.
+                auto values = sample_scalar(box, [&](glm::dvec3) { return 10.0 + random.uniform(); });
+                solve_poisson(work, values);
+                double mean = 0.0;
+                for (const float v : values)
+                    mean += v / static_cast<double>(values.size());
+                worst = std::max(worst, std::abs(mean) / rms(std::span<const float>(values)));
+            }
+    expect_at_most("poisson.mean_over_rms", worst, 1e-4);
+}
+
+// A function of one axis that obeys a pair of ends on [0, 1], with its second derivative.
+struct AxisFunction {
+    double value, second;
+};
+AxisFunction axis_function(int pair, double x) {
+    const auto sum = [&](bool sine, double first, double next) {
+        const auto wave = [&](double k) { return sine ? std::sin(k * x) : std::cos(k * x); };
+        return AxisFunction{wave(first) + 0.4 * wave(next), -first * first * wave(first) - 0.4 * next * next * wave(next)};
+    };
+    switch (pair) {
+    case 0: // open, open
+        return sum(true, k_pi, 2.0 * k_pi);
+    case 1: // wall, wall
+        return sum(false, k_pi, 2.0 * k_pi);
+    case 2: // open, wall
+        return sum(true, 0.5 * k_pi, 1.5 * k_pi);
+    case 3: // wall, open
+        return sum(false, 0.5 * k_pi, 1.5 * k_pi);
+    default: { // periodic
+        const AxisFunction a = sum(true, 2.0 * k_pi, 4.0 * k_pi), b = sum(false, 2.0 * k_pi, 4.0 * k_pi);
+        return {a.value + b.value, a.second + b.second};
+    }
+    }
+}
+
+double manufactured_error(int cells, int x, int y, int z) {
+    const Box box{.cells = {cells, cells / 2, cells}, .cell_size = static_cast<float>(1.0 / cells), .sides = mix(x, y, z)};
+    Workspace work = workspace(box);
+    const auto axes = [&](glm::dvec3 p) { return std::array{axis_function(x, p.x), axis_function(y, 2.0 * p.y), axis_function(z, p.z)}; };
+    auto values = sample_scalar(box, [&](glm::dvec3 p) {
+        const auto f = axes(p); // y spans half a metre
+        return f[0].second * f[1].value * f[2].value + 4.0 * f[0].value * f[1].second * f[2].value + f[0].value * f[1].value * f[2].second;
+    });
+    solve_poisson(work, values);
+    double error = 0.0, size = 0.0;
+    for_each_cell(box, [&](std::size_t n, glm::dvec3 p) {
+        const auto f = axes(p);
+        const double exact = f[0].value * f[1].value * f[2].value;
+        error += (values[n] - exact) * (values[n] - exact);
+        size += exact * exact;
+    });
+    return std::sqrt(error / size);
+}
+
+TEST(Poisson, AManufacturedSolutionIsSecondOrder) {
+    double least = 10.0, worst = 0.0;
+    for (int n = 0; n < 125; n += 4) {
+        const int x = n % 5, y = n / 5 % 5, z = n / 25;
+        const double e16 = manufactured_error(16, x, y, z), e32 = manufactured_error(32, x, y, z), e64 = manufactured_error(64, x, y, z);
+        least = std::min({least, figures::order(e16, e32), figures::order(e32, e64)});
+        worst = std::max(worst, e64);
+    }
+    expect_at_least("poisson.manufactured_least_order", least, 1.9);
+    expect_at_most("poisson.manufactured_error_64", worst, 1e-2);
+}
+
+// Six Gaussian jets over a floor, the other sides and the top open; b is the divergence of their wind. Box 32 x 16 x 32 m; the jets, 1.5 m
+// wide, point along +x, -x, +z, -z, up and down, and stand off the middle so that nothing cancels.
+Field six_jets(const Box& box) {
+    struct Jet {
+        glm::dvec3 place, wind;
+    };
+    const Jet jets[6] = {{{9, 6, 10}, {8, 0, 0}},  {{22, 5, 21}, {-6, 0, 0}}, {{12, 9, 23}, {0, 0, 7}},
+                         {{20, 10, 8}, {0, 0, -9}}, {{7, 4, 19}, {0, 5, 0}},   {{25, 11, 14}, {0, -4, 0}}};
+    return sample(box, [&](glm::dvec3 x) {
+        glm::dvec3 wind(0.0);
+        for (const Jet& jet : jets)
+            wind += std::exp(-0.5 * glm::dot(x - jet.place, x - jet.place) / (1.5 * 1.5)) * jet.wind;
+        return wind;
+    });
+}
+
+TEST(Poisson, SixJetsOverAFloor) {
+    for (const auto& [cells, bound] : {std::pair(32, 1e-5), std::pair(64, 3e-5), std::pair(128, 2e-4)}) {
+        const Box box{.cells = {cells, cells / 2, cells}, .cell_size = 32.0f / static_cast<float>(cells), .sides = Sides::open_over_floor()};
+        Workspace work = workspace(box);
+        std::vector<float> values(box.cell_count());
+        divergence(work, six_jets(box), values);
+        const double h = box.cell_size;
+        const Values b(values.begin(), values.end());
+        solve_poisson(work, values);
+        Values left = Stencil::pressure(box).laplacian(Values(values.begin(), values.end()));
+        for (std::size_t n = 0; n < b.size(); ++n)
+            left[n] = b[n] - left[n] / (h * h);
+        expect_at_most("poisson.six_jets_residual_" + std::to_string(cells), Stencil::norm(left) / Stencil::norm(b), bound);
+    }
+}
+
+} // namespace
+} // namespace windrow

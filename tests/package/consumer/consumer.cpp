@@ -1,0 +1,20 @@
+// An outside program: the package's own promise of ten lines.
+#include "fluid/wind.h"
+#ifdef WITH_VDB
+#include "fluid/vdb/vdb_export.h"
+#endif
+#include <cstdio>
+
+int main() {
+    auto wind = windrow::Wind::create({.cells = {8, 8, 8}, .ambient = {3.0f, 0.0f, 0.0f}});
+    if (!wind)
+        return std::fprintf(stderr, "%s\n", wind.error().c_str()), 1;
+    if (auto fan = wind->motors().add(windrow::DirectionalMotor{.direction = {0.0f, 1.0f, 0.0f}}); !fan)
+        return std::fprintf(stderr, "%s\n", fan.error().c_str()), 1;
+    wind->step(1.0 / 60.0);
+#ifdef WITH_VDB
+    if (auto written = windrow::vdb::write(windrow::vdb::grid_of(*wind), "wind.vdb"); !written)
+        return std::fprintf(stderr, "%s\n", written.error().c_str()), 1;
+#endif
+    return wind->velocity({0.0, 0.0, 0.0}).y > 0.0f ? 0 : 1;
+}

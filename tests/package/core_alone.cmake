@@ -1,0 +1,30 @@
+# Takes Windrow in as a subdirectory of an outside project, as shared libraries, with none of the optional parts, on a machine
+# where none of their libraries can be found; then reads from the files which libraries the core asks for.
+include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
+
+file(REMOVE_RECURSE ${WORK})
+run("Configuring" ${CMAKE_COMMAND} -G ${GENERATOR} -S ${SOURCE} -B ${WORK} -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_BUILD_TYPE=Release
+  -D BUILD_SHARED_LIBS=ON -D WINDROW=${WINDROW} -D WINDROW_VDB=OFF -D WINDROW_IMAGES=OFF
+  -D CMAKE_DISABLE_FIND_PACKAGE_OpenVDB=ON -D CMAKE_DISABLE_FIND_PACKAGE_OpenImageIO=ON
+  -D CMAKE_DISABLE_FIND_PACKAGE_GTest=ON -D CMAKE_DISABLE_FIND_PACKAGE_CLI11=ON)
+run("Building" ${CMAKE_COMMAND} --build ${WORK})
+run("Running" ${WORK}/core)
+
+file(GLOB_RECURSE libraries ${WORK}/libwindrow_*.so)
+if(NOT libraries MATCHES "^[^;]*/libwindrow_fluid\\.so$")
+  message(FATAL_ERROR "The core alone should be libwindrow_fluid.so, but there is: ${libraries}")
+endif()
+foreach(file IN ITEMS ${libraries} ${WORK}/core)
+  run("Reading ${file}" readelf --dynamic --wide ${file})
+  string(REGEX MATCHALL "\\(NEEDED\\)[^\n]*" needed "${output}")
+  if(NOT needed)
+    message(FATAL_ERROR "readelf names no library for ${file}:\n${output}")
+  endif()
+  list(TRANSFORM needed REPLACE ".*\\[(.*)\\].*" "\\1")
+  message(STATUS "  needs ${needed}")
+  foreach(library IN LISTS needed)
+    if(NOT library MATCHES "^(libwindrow_fluid|libstdc\\+\\+|libm|libgcc_s|libc|libpthread|ld-linux-.*)\\.so")
+      message(FATAL_ERROR "${file} needs ${library}; the core may need nothing beyond the language's own libraries")
+    endif()
+  endforeach()
+endforeach()

@@ -1,0 +1,47 @@
+# Installs this build into an empty prefix, moves the prefix, and builds and runs an outside program against it.
+include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
+
+file(REMOVE_RECURSE ${WORK})
+run("Installing" ${CMAKE_COMMAND} --install ${BUILD} --config ${CONFIG} --prefix ${WORK}/first)
+# A package that holds the path of its prefix works only where it was made.
+file(RENAME ${WORK}/first ${WORK}/prefix)
+
+file(GLOB_RECURSE headers RELATIVE ${WORK}/prefix/include/windrow ${WORK}/prefix/include/windrow/*)
+if(NOT "fluid/wind.h" IN_LIST headers)
+  message(FATAL_ERROR "fluid/wind.h is not installed")
+endif()
+# The README's program, word for word.
+file(READ ${README} text)
+string(FIND "${text}" "```cpp\n" begin)
+if(begin EQUAL -1)
+  message(FATAL_ERROR "${README} shows no program to embed")
+endif()
+math(EXPR begin "${begin} + 7")
+string(SUBSTRING "${text}" ${begin} -1 text)
+string(FIND "${text}" "\n```" end)
+string(SUBSTRING "${text}" 0 ${end} text)
+file(WRITE ${WORK}/readme.cpp "${text}\n")
+
+set(components fluid)
+if(VDB)
+  list(APPEND components vdb)
+endif()
+set(configure ${CMAKE_COMMAND} -G ${GENERATOR} -S ${SOURCE} -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_BUILD_TYPE=${CONFIG}
+              -D CMAKE_PREFIX_PATH=${WORK}/prefix)
+
+# Lists travel with commas, since a semicolon would part them on the way.
+list(JOIN components "," components)
+list(JOIN headers "," headers)
+run("Configuring a consumer" ${configure} -B ${WORK}/build -D VERSION=${VERSION} -D COMPONENTS=${components} -D HEADERS=${headers}
+  -D README=${WORK}/readme.cpp)
+run("Building it" ${CMAKE_COMMAND} --build ${WORK}/build)
+run("Running it" ${CMAKE_COMMAND} -E chdir ${WORK} ${WORK}/build/consumer)
+run("Running the README's program" ${WORK}/build/readme)
+if(VDB AND NOT EXISTS ${WORK}/wind.vdb)
+  message(FATAL_ERROR "The consumer wrote no wind.vdb:\n${output}")
+endif()
+
+run_expecting_failure("A component that there is not" "windrow has no component 'ocean'; it has fluid"
+  ${configure} -B ${WORK}/refused -D VERSION=${VERSION} -D COMPONENTS=fluid,ocean)
+run_expecting_failure("Another minor version" "version \"0\\.9\""
+  ${configure} -B ${WORK}/refused -D VERSION=0.9 -D COMPONENTS=fluid)

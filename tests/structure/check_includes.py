@@ -1,0 +1,115 @@
+#!/usr/bin/env python3
+"""check_includes.py ROOT: who may include whom, and how long a file may be.
+
+Prints each breach as `file:line: sentence` and exits with 1 if there is one. Rules are about includes as they are written:
+a rule that holds for each file holds for the whole tree.
+"""
+import fnmatch
+import pathlib
+import re
+import sys
+
+LONGEST_FILE = 500
+FOLDERS = ("fluid", "coupling", "shaders", "examples", "cli", "tests", "cmake")
+SOURCES = (".h", ".cpp", ".inl", ".glsl", ".comp", ".vert", ".frag", ".py", ".cmake", ".txt")
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+
+VULKAN = ("vulkan/*", "vulkan.h", "vulkan_core.h", "volk.h", "*/volk.h")
+OPENVDB = ("openvdb/*", "nanovdb/*")
+OPENIMAGEIO = ("OpenImageIO/*",)
+
+
+def matches(name, patterns):
+    return any(fnmatch.fnmatchcase(name, pattern) for pattern in patterns)
+
+
+def includes(text):
+    """Line number and name of each include."""
+    for number, line in enumerate(text.splitlines(), 1):
+        found = INCLUDE.match(line)
+        if found:
+            yield number, found.group(2)
+
+
+def within_root(root, file, name):
+    """The included file's path from the root, where it is one of ours; else None."""
+    for folder in (file.parent, root, root / "shaders"):
+        path = (folder / name).resolve()
+        if path.is_file() and path.is_relative_to(root):
+            return path.relative_to(root).as_posix()
+    return None
+
+
+def breaches_of_include(root, file, name, public):
+    """Why this file may not include this name: sentences."""
+    here = file.relative_to(root).as_posix()
+    folders = here.split("/")[:-1]
+    top = folders[0]
+    target = within_root(root, file, name)
+    # A file that does not exist (yet) is judged by its name.
+    target_folders = (target or name).split("/")[:-1]
+    target_top = target_folders[0] if target_folders else None
+
+    if folders[:2] == ["shaders", "numerics"] and target_folders[:2] != ["shaders", "numerics"]:
+        yield "shaders/numerics is text for two languages and includes nothing outside itself"
+    if top == "fluid" and target_top in ("coupling", "cli", "examples", "tests"):
+        yield f"fluid is the lowest layer and does not know {target_top}"
+    if top == "coupling" and target_top in ("cli", "examples", "tests"):
+        yield f"coupling is a library and does not know {target_top}"
+    if matches(name, VULKAN) and "vulkan" not in folders and top not in ("examples", "tests"):
+        yield "Vulkan's headers belong in folders named vulkan, in examples and in tests"
+    if matches(name, OPENVDB) and top != "tests" and not (folders == ["fluid", "vdb"] and file.suffix == ".cpp"):
+        yield "OpenVDB's headers belong in one .cpp of fluid/vdb, and in tests"
+    if matches(name, OPENIMAGEIO) and top not in ("cli", "examples", "tests"):
+        yield "OpenImageIO's headers belong in cli, examples and tests: it brings 261 libraries"
+    if top == "examples" and (target_top in ("cli", "tests") or (target_top in ("fluid", "coupling") and target not in public)):
+        yield "examples show what a user can do: public headers only (cmake/public_headers.txt)"
+    if here in public and target_top in ("fluid", "coupling") and target not in public:
+        yield "a public header may only include public ones (cmake/public_headers.txt)"
+
+
+def public_headers(root):
+    lines = (root / "cmake" / "public_headers.txt").read_text(encoding="utf-8").splitlines()
+    return {line for line in lines if line and not line.startswith("#")}
+
+
+def check(root):
+    root = pathlib.Path(root).resolve()
+    public = public_headers(root)
+    files = [path for folder in FOLDERS if (root / folder).is_dir() for path in sorted((root / folder).rglob("*"))
+             if path.is_file() and path.suffix in SOURCES]
+    found = []
+    openvdb_files = []
+    for file in files:
+        here = file.relative_to(root).as_posix()
+        text = file.read_text(encoding="utf-8")
+        lines = len(text.splitlines())
+        if lines > LONGEST_FILE:
+            found.append(f"{here}:{lines}: {lines} lines; {LONGEST_FILE} are the most. Does it hold one concept?")
+        if file.suffix in (".py", ".cmake", ".txt"):
+            continue
+        for number, name in includes(text):
+            found += [f"{here}:{number}: includes {name}: {why}" for why in breaches_of_include(root, file, name, public)]
+            if matches(name, OPENVDB) and file.match("fluid/vdb/*.cpp") and here not in openvdb_files:
+                openvdb_files.append(here)
+    for here in sorted(public):
+        if not (root / here).is_file():
+            found.append(f"cmake/public_headers.txt:1: {here} does not exist")
+    for here in openvdb_files[1:]:
+        found.append(f"{here}:1: OpenVDB belongs in one translation unit of the library, which is {openvdb_files[0]}")
+    return len(files), found
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    count, found = check(sys.argv[1])
+    if count == 0:
+        sys.exit(f"{sys.argv[1]} holds no source file: is it the project's root?")
+    print(f"{count} files, {len(found)} breaches")
+    print("\n".join(found), end="\n" if found else "")
+    sys.exit(1 if found else 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,75 @@
+#!/usr/bin/env python3
+"""Plants faults in a small tree and asks check_includes.py to find each of them, and nothing in the tree without them."""
+import pathlib
+import tempfile
+import unittest
+
+import check_includes
+
+CLEAN = {
+    "shaders/numerics/base.glsl": "float f(float x) { return x; }\n",
+    "shaders/numerics/motors.glsl": '#include "base.glsl"\n',
+    "fluid/wind.h": "#include <glm/vec3.hpp>\n",
+    "fluid/message.h": "",
+    "fluid/cpu/step.cpp": '#include "fluid/wind.h"\n#include "fluid/message.h"\n#include "shaders/numerics/motors.glsl"\n',
+    "fluid/vdb/vdb_export.cpp": "#include <openvdb/openvdb.h>\n",
+    "fluid/vulkan/device.h": "#include <vulkan/vulkan.h>\n",
+    "coupling/blade.h": '#include "fluid/wind.h"\n',
+    "cli/pictures.cpp": "#include <OpenImageIO/imageio.h>\n",
+    "examples/walk.cpp": '#include "fluid/wind.h"\n#include <vulkan/vulkan.h>\n',
+    "tests/unit/step_test.cpp": '#include "fluid/cpu/step.h"\n#include <openvdb/openvdb.h>\n',
+    "cmake/public_headers.txt": "# comment\nfluid/wind.h\ncoupling/blade.h\n",
+}
+
+FAULTS = {
+    "numerics includes a C++ header": ("shaders/numerics/base.glsl", "#include <glm/glm.hpp>\n"),
+    "numerics includes another folder": ("shaders/numerics/base.glsl", '#include "../fluid/advect.glsl"\n'),
+    "numerics includes the library": ("shaders/numerics/base.glsl", '#include "fluid/wind.h"\n'),
+    "fluid includes coupling": ("fluid/cpu/step.cpp", '#include "coupling/blade.h"\n'),
+    "fluid includes coupling by a relative path": ("fluid/cpu/step.cpp", '#include "../../coupling/blade.h"\n'),
+    "fluid includes cli": ("fluid/wind.h", '#include "cli/scene.h"\n'),
+    "fluid includes examples": ("fluid/wind.h", '  #  include "examples/walk.h"\n'),
+    "Vulkan in the core": ("fluid/wind.h", "#include <vulkan/vulkan.h>\n"),
+    "Vulkan in the command": ("cli/pictures.cpp", "#include <vulkan/vulkan_core.h>\n"),
+    "OpenVDB in the core": ("fluid/cpu/step.cpp", "#include <openvdb/Grid.h>\n"),
+    "OpenVDB in a header": ("fluid/vdb/vdb_export.h", "#include <openvdb/Types.h>\n"),
+    "OpenVDB in the command": ("cli/pictures.cpp", "#include <openvdb/openvdb.h>\n"),
+    "OpenVDB in a second translation unit": ("fluid/vdb/vdb_import.cpp", "#include <openvdb/openvdb.h>\n"),
+    "OpenImageIO in the library": ("coupling/blade.h", "#include <OpenImageIO/imageio.h>\n"),
+    "an example looks inside": ("examples/walk.cpp", '#include "fluid/cpu/step.h"\n'),
+    "an example uses a private header": ("examples/walk.cpp", '#include "fluid/message.h"\n'),
+    "an example uses the command": ("examples/walk.cpp", '#include "cli/scene.h"\n'),
+    "a public header includes a private one": ("fluid/wind.h", '#include "fluid/message.h"\n'),
+    "a public header that there is not": ("cmake/public_headers.txt", "fluid/ocean.h\n"),
+    "a file of 501 lines": ("fluid/wind.h", "\n" * 501),
+}
+
+
+class CheckIncludes(unittest.TestCase):
+    def breaches(self, extra=None):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            for name, text in CLEAN.items():
+                (root / name).parent.mkdir(parents=True, exist_ok=True)
+                (root / name).write_text(text)
+            if extra:
+                name, text = extra
+                with open(root / name, "a", encoding="utf-8") as file:
+                    file.write(text)
+            count, found = check_includes.check(root)
+            self.assertGreater(count, 0)
+            return found
+
+    def test_a_clean_tree_has_none(self):
+        self.assertEqual(self.breaches(), [])
+
+    def test_each_planted_fault_is_found_once_and_named(self):
+        for what, fault in FAULTS.items():
+            with self.subTest(what):
+                found = self.breaches(fault)
+                self.assertEqual(len(found), 1, found)
+                self.assertTrue(found[0].startswith(fault[0] + ":"), found)
+
+
+if __name__ == "__main__":
+    unittest.main()

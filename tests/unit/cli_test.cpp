@@ -1,0 +1,359 @@
+// The command as a user meets it: exit codes, sentences, files.
+#include "cli/command_line.h"
+#include "cli/exit_code.h"
+#include "cli/frame_writer.h"
+#include "cli/interrupt.h"
+#include "cli/output_file.h"
+#include "cli/progress.h"
+#include "cli/run_command.h"
+#include "cli/timings.h"
+#include "cli/timings_csv.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <sstream>
+#include <string>
+#include <sys/resource.h>
+#include <unistd.h>
+#include <vector>
+
+namespace windrow::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+    int code;
+    std::string out;
+    std::string err;
+};
+
+Outcome run(std::vector<const char*> arguments) {
+    arguments.insert(arguments.begin(), "windrow");
+    std::ostringstream out;
+    std::ostringstream err;
+    const int code =
+        run_command_line(static_cast<int>(arguments.size()), arguments.data(), {.out = out, .err = err, .progress = nullptr});
+    return {code, out.str(), err.str()};
+}
+
+void expect_refusal(std::vector<const char*> arguments, const std::string& sentence) {
+    const Outcome outcome = run(std::move(arguments));
+    EXPECT_EQ(outcome.code, k_exit_wrong_use);
+    EXPECT_EQ(outcome.err, "windrow: " + sentence + "\n");
+    EXPECT_EQ(outcome.out, "");
+}
+
+/// A folder of its own for each test, removed at its end.
+class Command : public testing::Test {
+  protected:
+    Command() {
+        folder = fs::path(testing::TempDir()) / ("windrow_cli_test_" + std::to_string(::getpid()));
+        fs::create_directories(folder);
+        scene =
+            write("breeze.json", R"({"duration": 0.5, "frames_per_second": 10, "air": {"cells": [8, 8, 8], "ambient": [2, 0, 0]},
+            "motors": [{"kind": "directional", "law": {"drive": {"speed": 5}}}]})");
+    }
+    ~Command() override {
+        std::error_code ignored;
+        fs::permissions(folder, fs::perms::owner_all, ignored);
+        fs::remove_all(folder, ignored);
+    }
+
+    std::string write(const std::string& name, const std::string& text) {
+        std::ofstream(folder / name) << text;
+        return (folder / name).string();
+    }
+    [[nodiscard]] std::string in(const std::string& name) const { return (folder / name).string(); }
+    /// Names in a folder, sorted, with a space behind each.
+    [[nodiscard]] static std::string list(const fs::path& of) {
+        std::vector<std::string> names;
+        for (const auto& entry : fs::directory_iterator(of))
+            names.push_back(entry.path().filename().string());
+        std::sort(names.begin(), names.end());
+        std::string text;
+        for (const std::string& name : names)
+            text += name + " ";
+        return text;
+    }
+
+    fs::path folder;
+    std::string scene;
+};
+
+// --- Flags -----------------------------------------------------------------------------------------------------------
+
+TEST_F(Command, HelpVersionAndInfoAreAnswered) {
+    EXPECT_EQ(run({"--version"}).code, k_exit_well);
+    EXPECT_TRUE(run({"--version"}).out.starts_with("windrow 0."));
+    EXPECT_NE(run({"--help"}).out.find("Exit codes"), std::string::npos);
+    EXPECT_NE(run({"run", "--help"}).out.find("--threads"), std::string::npos);
+    const Outcome info = run({"info"});
+    EXPECT_EQ(info.code, k_exit_well);
+    for (const char* word : {"windrow 0.", "compiler", "SIMD level", "cores", "OpenVDB", "pictures"})
+        EXPECT_NE(info.out.find(word), std::string::npos) << word;
+}
+
+TEST_F(Command, WrongFlagsAreNamed) {
+    expect_refusal({}, "name a command, run or info: see windrow --help.");
+    expect_refusal({"runn", "x"}, "runn is no command (did you mean run?): see windrow --help.");
+    expect_refusal({"--verion"}, "--verion is no flag (did you mean --version?): see windrow --help.");
+    expect_refusal({"run"}, "SCENE.json is required: see windrow run --help.");
+    expect_refusal({"run", "x.json", "--frame", "3"}, "--frame is no flag (did you mean --frames?): see windrow run --help.");
+    expect_refusal({"run", "x.json", "y.json"}, "y.json is one word too many: see windrow run --help.");
+    expect_refusal({"run", "x.json", "--frames"}, "--frames: 1 required N missing: see windrow run --help.");
+    expect_refusal({"run", "x.json", "--frames", "0"}, "--frames is 0: give a whole number from 1 to 100000.");
+    expect_refusal({"run", "x.json", "--frames", "1000000000"}, "--frames is 1000000000: give a whole number from 1 to 100000.");
+    expect_refusal({"run", "x.json", "--frames", "ten"}, "--frames is ten: give a whole number from 1 to 100000.");
+    expect_refusal({"run", "x.json", "--frames=-5"}, "--frames is -5: give a whole number from 1 to 100000.");
+    expect_refusal({"run", "x.json", "--threads", "0"}, "--threads is 0: give a whole number from 1 to 256.");
+    expect_refusal({"run", "x.json", "--out", ""}, "--out is empty: name a folder.");
+    expect_refusal({"run", ""}, "SCENE.json is empty: name a scene file.");
+}
+
+TEST_F(Command, BadScenesEndWithTheirSentence) {
+    const std::string none = in("none.json");
+    expect_refusal({"run", none.c_str()}, none + ": there is no such file: check the name and the folder that you run from.");
+    const std::string bad = write("bad.json", R"({"duration": -1, "tick_hz": "x"})");
+    expect_refusal({"run", bad.c_str()}, bad + ": $.duration is -1 s: give a number above 0, at most 1e6 s.\nwindrow: " + bad +
+                                             ": $.tick_hz is \"x\": give a number.");
+    const std::string table = write("lines.csv", "0,0,0,0\n1,0,0\n");
+    const std::string walk = write("walk.json", R"({"paths": {"p": {"file": "lines.csv"}}})");
+    expect_refusal({"run", walk.c_str()}, table + ":2: has 3 fields: give four, t,x,y,z, with commas between them.");
+}
+
+// --- Runs ------------------------------------------------------------------------------------------------------------
+
+TEST_F(Command, RunKeepsWhatWasAskedFor) {
+    const std::string out = in("kept");
+    const Outcome outcome = run({"run", scene.c_str(), "--out", out.c_str(), "--csv"});
+    EXPECT_EQ(outcome.code, k_exit_well) << outcome.err;
+    EXPECT_EQ(list(out), "timings.csv ");
+    EXPECT_NE(outcome.out.find("In " + out + ": timings.csv."), std::string::npos) << outcome.out;
+    for (const char* word : {"breeze: 6 frames, 30 steps of 1/60 s", "median", "99 %", "advection", "whole step",
+                             "8 x 8 x 8 of 1 m (512)", "largest CFL", "limited cells  0, repaired cells 0", "times real time"})
+        EXPECT_NE(outcome.out.find(word), std::string::npos) << word << "\n" << outcome.out;
+
+    std::ifstream table(fs::path(out) / "timings.csv");
+    std::string line;
+    std::getline(table, line);
+    EXPECT_EQ(line + "\n", timings_header());
+    const auto columns = std::count(line.begin(), line.end(), ',');
+    int rows = 0;
+    for (; std::getline(table, line); ++rows)
+        EXPECT_EQ(std::count(line.begin(), line.end(), ','), columns) << line;
+    EXPECT_EQ(rows, 30) << "a row a step";
+}
+
+TEST_F(Command, RunWithoutOutputsMakesNoFolder) {
+    const std::string out = in("nothing");
+    const Outcome outcome = run({"run", scene.c_str(), "--out", out.c_str()});
+    EXPECT_EQ(outcome.code, k_exit_well);
+    EXPECT_FALSE(fs::exists(out));
+    EXPECT_NE(outcome.out.find("Nothing was kept: add --images, --vdb or --csv."), std::string::npos);
+}
+
+TEST_F(Command, FramesMayBeFewerOrMoreThanTheScenes) {
+    EXPECT_NE(run({"run", scene.c_str(), "--frames", "2"}).out.find("breeze: 2 frames, 6 steps"), std::string::npos);
+    EXPECT_NE(run({"run", scene.c_str(), "--frames", "1"}).out.find("breeze: 1 frame, 0 steps"), std::string::npos);
+    EXPECT_NE(run({"run", scene.c_str(), "--frames", "11"}).out.find("breeze: 11 frames, 60 steps"), std::string::npos);
+}
+
+TEST_F(Command, FramesAreWrittenWhereBuiltInAndExplainedWhereNot) {
+    const std::string out = in("frames");
+    const Outcome vdb = run({"run", scene.c_str(), "--out", out.c_str(), "--vdb", "--frames", "2"});
+    if (built_with_vdb()) {
+        EXPECT_EQ(vdb.code, k_exit_well) << vdb.err;
+        EXPECT_EQ(list(out), "vel_0000.vdb vel_0001.vdb ");
+    } else {
+        EXPECT_EQ(vdb.code, k_exit_wrong_use);
+        EXPECT_EQ(vdb.err, "windrow: --vdb: this windrow was built without OpenVDB: install libopenvdb-dev and configure with "
+                           "-DWINDROW_VDB=ON.\n");
+    }
+    fs::remove_all(out);
+    const Outcome images = run({"run", scene.c_str(), "--out", out.c_str(), "--images", "--frames", "2"});
+    if (built_with_images()) {
+        EXPECT_EQ(images.code, k_exit_well) << images.err;
+        EXPECT_EQ(list(out), "contact_sheet.png frame_0000.png frame_0001.png ");
+    } else {
+        EXPECT_EQ(images.code, k_exit_wrong_use);
+        EXPECT_EQ(images.err,
+                  "windrow: --images: this windrow was built without pictures: install libopenimageio-dev and libcairo2-dev and "
+                  "configure with -DWINDROW_IMAGES=ON.\n");
+    }
+}
+
+TEST_F(Command, FramesOfALongerRunAreMentioned) {
+    if (!built_with_vdb())
+        GTEST_SKIP() << "needs --vdb";
+    const std::string out = in("old");
+    ASSERT_EQ(run({"run", scene.c_str(), "--out", out.c_str(), "--vdb"}).code, k_exit_well);
+    const Outcome again = run({"run", scene.c_str(), "--out", out.c_str(), "--vdb", "--frames", "4"});
+    EXPECT_EQ(again.code, k_exit_well);
+    EXPECT_EQ(again.err, "windrow: warning: " + out +
+                             " holds 2 frames of a longer run that this one does not write: remove what you do not want in "
+                             "a sequence.\n");
+}
+
+TEST_F(Command, LimitedCellsAreSaid) {
+    const std::string fast = write("fast.json", R"({"duration": 0.1, "tick_hz": 10, "frames_per_second": 10,
+        "air": {"cells": [8, 8, 8], "cell_size": 0.1, "ambient": [100, 0, 0], "max_substeps": 2}})");
+    const Outcome outcome = run({"run", fast.c_str()});
+    EXPECT_EQ(outcome.code, k_exit_well);
+    EXPECT_EQ(
+        outcome.err,
+        "windrow: warning: in 1 of 1 step the air was too fast for 2 sub-steps (largest CFL 100.0): speeds were limited in 512 "
+        "cells, counted in each step; raise tick_hz or air.max_substeps.\n");
+}
+
+TEST_F(Command, StopsAfterTheFrameWithWholeFiles) {
+    const std::string out = in("stopped");
+    std::ostringstream text;
+    std::ostringstream err;
+    int asked = 0;
+    const RunRequest request{.scene = scene, .frames = {}, .out = out, .csv = true};
+    const int code = run_scene(request, {.out = text, .err = err, .progress = nullptr}, [&] { return ++asked > 3 ? SIGINT : 0; });
+    EXPECT_EQ(code, 128 + SIGINT);
+    EXPECT_EQ(err.str(), "windrow: stopped by Ctrl-C after 3 of 6 frames: what was written is whole.\n");
+    EXPECT_EQ(list(out), "timings.csv ");
+    EXPECT_NE(text.str().find("breeze: 3 frames, 12 steps"), std::string::npos) << text.str();
+}
+
+TEST_F(Command, SignalsAreNoted) {
+    {
+        const InterruptGuard guard;
+        EXPECT_EQ(InterruptGuard::signal(), 0);
+        std::raise(SIGINT);
+        EXPECT_EQ(InterruptGuard::signal(), SIGINT);
+    }
+    const InterruptGuard guard;
+    EXPECT_EQ(InterruptGuard::signal(), 0) << "a new guard begins anew";
+}
+
+// --- Folders and disks -----------------------------------------------------------------------------------------------
+
+TEST_F(Command, FoldersThatCannotBeWritten) {
+    const std::string below = scene + "/out"; // a file stands where a folder is needed
+    expect_refusal({"run", scene.c_str(), "--csv", "--out", below.c_str()},
+                   below + ": a file stands where a folder is needed: remove it, or give another folder with --out.");
+    expect_refusal({"run", scene.c_str(), "--csv", "--out", scene.c_str()},
+                   scene + ": a file stands where a folder is needed: remove it, or give another folder with --out.");
+    const std::string name(300, 'n');
+    const std::string lengthy = in(name);
+    expect_refusal({"run", scene.c_str(), "--csv", "--out", lengthy.c_str()},
+                   lengthy + ": the name is too long for the system: give a shorter one with --out.");
+    if (::geteuid() == 0)
+        return; // rights do not bind root
+    const std::string closed = in("closed");
+    fs::create_directory(closed);
+    fs::permissions(closed, fs::perms::owner_read | fs::perms::owner_exec);
+    expect_refusal({"run", scene.c_str(), "--csv", "--out", closed.c_str()},
+                   closed + ": may not be written: give yourself the right, or another folder with --out.");
+}
+
+/// While it lives, no file may grow beyond some bytes: a full disk without a disk.
+class FileLimit {
+  public:
+    explicit FileLimit(rlim_t bytes) {
+        handler_ = std::signal(SIGXFSZ, SIG_IGN);
+        ::getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit limit{bytes, before_.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~FileLimit() {
+        ::setrlimit(RLIMIT_FSIZE, &before_);
+        std::signal(SIGXFSZ, handler_);
+    }
+    FileLimit(const FileLimit&) = delete;
+    FileLimit& operator=(const FileLimit&) = delete;
+
+  private:
+    rlimit before_{};
+    void (*handler_)(int) = nullptr;
+};
+
+TEST_F(Command, DiskThatTakesNothingIsFoundBeforeTheRun) {
+    const std::string out = in("full");
+    Outcome outcome;
+    {
+        const FileLimit limit(100);
+        outcome = run({"run", scene.c_str(), "--csv", "--out", out.c_str()});
+    }
+    EXPECT_EQ(outcome.code, k_exit_machine);
+    EXPECT_EQ(outcome.err, "windrow: " + out + ": is larger than the system allows a file to be: raise the limit (ulimit -f).\n");
+    EXPECT_EQ(list(out), "") << "nothing half-written is left";
+}
+
+TEST_F(Command, DiskThatFillsUpLeavesWholeFilesOnly) {
+    const std::string out = in("filling");
+    Outcome outcome;
+    {
+        const FileLimit limit(6000);
+        outcome = run({"run", scene.c_str(), "--csv", "--frames", "100", "--out", out.c_str()});
+    }
+    EXPECT_EQ(outcome.code, k_exit_machine);
+    EXPECT_EQ(outcome.err,
+              "windrow: " + out + "/timings.csv: is larger than the system allows a file to be: raise the limit (ulimit -f).\n");
+    EXPECT_EQ(list(out), "");
+}
+
+TEST_F(Command, ExistingFileStaysWhenTheNewOneDoesNotFit) {
+    const std::string name = write("kept.txt", "old");
+    {
+        const FileLimit limit(100);
+        OutputFile file(name);
+        file.write(std::string(10'000, 'x'));
+        EXPECT_TRUE(file.publish().machine);
+    }
+    std::ifstream kept(name);
+    std::string text;
+    kept >> text;
+    EXPECT_EQ(text, "old");
+    EXPECT_EQ(list(folder), "breeze.json kept.txt ");
+    EXPECT_EQ(write_fault("x", ENOSPC).machine, true);
+    EXPECT_EQ(write_fault("x", EACCES).machine, false);
+}
+
+// --- What is told ----------------------------------------------------------------------------------------------------
+
+TEST(Progress, LineFitsTheWidth) {
+    for (int width = 2; width < 200; ++width)
+        EXPECT_LT(progress_line(57, 201, 14.0, width).size(), static_cast<std::size_t>(width));
+    EXPECT_EQ(progress_line(50, 100, 75.0, 60), "frame 50 of 100 [#########---------] 50 %, 1 min 15 s to go");
+    EXPECT_EQ(progress_line(100, 100, 0.0, 40), "frame 100 of 100 [##############] 100 %");
+}
+
+TEST(Progress, DurationsForPeople) {
+    EXPECT_EQ(describe_duration(0.4), "0 s");
+    EXPECT_EQ(describe_duration(59.0), "59 s");
+    EXPECT_EQ(describe_duration(125.0), "2 min 05 s");
+    EXPECT_EQ(describe_duration(4321.0), "1 h 12 min");
+}
+
+TEST(Timings, QuantilesAreNearestRanks) {
+    std::vector<float> values;
+    for (int i = 100; i >= 1; --i)
+        values.push_back(static_cast<float>(i));
+    EXPECT_EQ(quantile(values, 0.0), 1.0f);
+    EXPECT_EQ(quantile(values, 0.5), 50.0f);
+    EXPECT_EQ(quantile(values, 0.99), 99.0f);
+    EXPECT_EQ(quantile({}, 0.5), 0.0f);
+}
+
+TEST(Timings, TimeThatNoStageClaimsIsShown) {
+    Timings timings;
+    Diagnostics step;
+    step.times_ms = {.sources = 0.1, .diffusion = 0.0, .advection = 0.5, .projection = 0.2, .report = 0.0, .total = 1.0};
+    timings.add(0.0, step);
+    EXPECT_NE(timings.table().find("  rest               0.200     0.200     0.200     20 %"), std::string::npos)
+        << timings.table();
+    EXPECT_NE(timings.table().find("  whole step         1.000     1.000     1.000    100 %"), std::string::npos)
+        << timings.table();
+}
+
+} // namespace
+} // namespace windrow::cli

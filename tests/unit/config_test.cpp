@@ -1,0 +1,194 @@
+// What a Config is refused for: each reason by itself, with the field, its value and the fix, and all of them at once.
+
+#include "fluid/wind.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace windrow;
+
+constexpr float k_nan = std::numeric_limits<float>::quiet_NaN();
+constexpr float k_infinity = std::numeric_limits<float>::infinity();
+
+struct Fault {
+    const char* field;                    ///< how the sentence begins
+    const char* value;                    ///< what it says of the value
+    const char* fix;                      ///< what it asks for
+    std::function<void(Config&)> make;
+};
+
+void PrintTo(const Fault& fault, std::ostream* stream) { *stream << fault.field << fault.value; }
+
+std::vector<Fault> every_fault() {
+    std::vector<Fault> faults;
+    const auto add = [&](const char* field, const char* value, const char* fix, std::function<void(Config&)> make) {
+        faults.push_back({field, value, fix, std::move(make)});
+    };
+    add("cells", " is (0, 16, 32)", "1 to 2048", [](Config& c) { c.cells.x = 0; });
+    add("cells", " is (32, -4, 32)", "1 to 2048", [](Config& c) { c.cells.y = -4; });
+    add("cells", " is (32, 16, 2049)", "1 to 2048", [](Config& c) { c.cells.z = 2049; });
+    add("cells", " is (-2147483648, 16, 32)", "1 to 2048", [](Config& c) { c.cells.x = std::numeric_limits<int>::min(); });
+    add("cells", " is (32, 16, 2147483647)", "1 to 2048", [](Config& c) { c.cells.z = std::numeric_limits<int>::max(); });
+    add("cells", " is (2048, 2048, 17), 71303168 in all", "at most 67108864", [](Config& c) { c.cells = {2048, 2048, 17}; });
+    add("cell_size", " is 0 m", "1e-6 to 1e6", [](Config& c) { c.cell_size = 0.0f; });
+    add("cell_size", " is -1 m", "1e-6 to 1e6", [](Config& c) { c.cell_size = -1.0f; });
+    add("cell_size", " is 2e+06 m", "1e-6 to 1e6", [](Config& c) { c.cell_size = 2e6f; });
+    add("cell_size", " is 1e-07 m", "1e-6 to 1e6", [](Config& c) { c.cell_size = 1e-7f; });
+    add("cell_size", " is nan m", "1e-6 to 1e6", [](Config& c) { c.cell_size = k_nan; });
+    add("cell_size", " is inf m", "1e-6 to 1e6", [](Config& c) { c.cell_size = k_infinity; });
+    add("sides.x_high", " is not periodic", "both sides", [](Config& c) { c.sides.x_low.kind = SideKind::periodic; });
+    add("sides.z_low", " is not periodic", "both sides", [](Config& c) { c.sides.z_high.kind = SideKind::periodic; });
+    add("sides.y_low.wall_velocity", " is (nan, 0, 0) m/s", "finite",
+        [](Config& c) { c.sides.y_low = {SideKind::no_slip, {k_nan, 0.0f, 0.0f}}; });
+    add("sides.y_low.wall_velocity", " is (0, 2, 0) m/s", "normal to 0",
+        [](Config& c) { c.sides.y_low = {SideKind::no_slip, {0.0f, 2.0f, 0.0f}}; });
+    add("sides.y_low.wall_velocity", " is (1, 0, 0) m/s", "no_slip",
+        [](Config& c) { c.sides.y_low = {SideKind::free_slip, {1.0f, 0.0f, 0.0f}}; });
+    add("centre", " is (nan, 0, 0) m", "1e12 cells", [](Config& c) { c.centre.x = std::numeric_limits<double>::quiet_NaN(); });
+    add("centre", " is (0, -inf, 0) m", "1e12 cells", [](Config& c) { c.centre.y = -std::numeric_limits<double>::infinity(); });
+    add("centre", " is (0, 0, 1e+13) m", "1e12 cells", [](Config& c) { c.centre.z = 1e13; });
+    add("follow_axes", " asks the box to follow along x, where a side is solid", "open both sides", [](Config& c) {
+        c.sides.x_high.kind = SideKind::free_slip;
+        c.follow_axes = glm::bvec3(true, false, false);
+    });
+    add("follow_axes", " asks the box to follow along y, where a side is solid", "set_floor", [](Config& c) {
+        c.sides = Sides::open_over_floor();
+        c.follow_axes = glm::bvec3(true);
+    });
+    add("follow_axes", " asks the box to follow along z, where a side is periodic", "open both sides", [](Config& c) {
+        c.sides.z_low.kind = c.sides.z_high.kind = SideKind::periodic;
+        c.follow_axes = glm::bvec3(true);
+    });
+    add("ambient", " is (0, nan, 0) m/s", "1e4 m/s", [](Config& c) { c.ambient.y = k_nan; });
+    add("ambient", " is (0, 0, -inf) m/s", "1e4 m/s", [](Config& c) { c.ambient.z = -k_infinity; });
+    add("ambient", " is (20000, 0, 0) m/s", "1e4 m/s", [](Config& c) { c.ambient.x = 2e4f; });
+    add("viscosity", " is -0.1 m2/s", "0 to 1e9", [](Config& c) { c.viscosity = -0.1f; });
+    add("viscosity", " is nan m2/s", "0 to 1e9", [](Config& c) { c.viscosity = k_nan; });
+    add("viscosity", " is 2e+09 m2/s", "0 to 1e9", [](Config& c) { c.viscosity = 2e9f; });
+    add("settling_time", " is -1 s", "0 (never) to 1e9", [](Config& c) { c.settling_time = -1.0f; });
+    add("settling_time", " is nan s", "0 (never) to 1e9", [](Config& c) { c.settling_time = k_nan; });
+    add("settling_time", " is inf s", "0 (never) to 1e9", [](Config& c) { c.settling_time = k_infinity; });
+    add("max_cfl", " is 0", "above 0", [](Config& c) { c.max_cfl = 0.0f; });
+    add("max_cfl", " is -2", "above 0", [](Config& c) { c.max_cfl = -2.0f; });
+    add("max_cfl", " is nan", "above 0", [](Config& c) { c.max_cfl = k_nan; });
+    add("max_cfl", " is inf", "at most 1e6", [](Config& c) { c.max_cfl = k_infinity; });
+    add("max_substeps", " is 0", "1 to 64", [](Config& c) { c.max_substeps = 0; });
+    add("max_substeps", " is 65", "1 to 64", [](Config& c) { c.max_substeps = 65; });
+    return faults;
+}
+
+class ConfigFault : public testing::TestWithParam<Fault> {};
+
+TEST_P(ConfigFault, IsNamedAloneWithValueAndFix) {
+    const Fault& fault = GetParam();
+    Config config;
+    fault.make(config);
+    const Result<void> valid = validate(config);
+    ASSERT_FALSE(valid);
+    const std::string& sentence = valid.error();
+    EXPECT_EQ(sentence.find(std::string(fault.field) + fault.value), 0u) << sentence;
+    EXPECT_NE(sentence.find(fault.fix), std::string::npos) << sentence;
+    EXPECT_EQ(std::count(sentence.begin(), sentence.end(), '\n'), 0) << "one fault, one sentence, but: " << sentence;
+    EXPECT_EQ(sentence.back(), '.') << sentence;
+    const auto wind = Wind::create(config);
+    ASSERT_FALSE(wind);
+    EXPECT_EQ(wind.error(), sentence);
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, ConfigFault, testing::ValuesIn(every_fault()));
+
+TEST(Config, AllReasonsComeAtOnce) {
+    Config config;
+    config.cells = {0, 16, 32};
+    config.cell_size = -1.0f;
+    config.sides.x_low.kind = SideKind::periodic;
+    config.sides.y_low = {SideKind::no_slip, {0.0f, 1.0f, 0.0f}};
+    config.centre.x = std::numeric_limits<double>::quiet_NaN();
+    config.follow_axes = glm::bvec3(true);
+    config.ambient.x = k_nan;
+    config.viscosity = -1.0f;
+    config.settling_time = -1.0f;
+    config.max_cfl = 0.0f;
+    config.max_substeps = 0;
+    const std::string sentences = validate(config).error();
+    for (const char* field : {"cells is", "cell_size is", "sides.x_high is", "sides.y_low.wall_velocity is", "centre is", "along x",
+                              "along y", "ambient is", "viscosity is", "settling_time is", "max_cfl is", "max_substeps is"})
+        EXPECT_NE(sentences.find(field), std::string::npos) << field << " is missing from:\n" << sentences;
+    EXPECT_EQ(std::count(sentences.begin(), sentences.end(), '\n'), 11) << sentences;
+}
+
+TEST(Config, LimitsThemselvesAreAccepted) {
+    const auto accepted = [](auto change) {
+        Config config;
+        change(config);
+        const Result<void> valid = validate(config);
+        EXPECT_TRUE(valid) << valid.error();
+    };
+    accepted([](Config&) {});
+    accepted([](Config& c) { c.cells = {1, 1, 1}; });
+    accepted([](Config& c) { c.cells = {2048, 1, 1}; });
+    accepted([](Config& c) { c.cells = {2048, 2048, 16}; });
+    accepted([](Config& c) { c.cell_size = 1e-6f; });
+    accepted([](Config& c) { c.cell_size = 1e6f; });
+    accepted([](Config& c) { c.centre = {1e12, -1e12, 0.0}; });
+    accepted([](Config& c) { c.ambient = {1e4f, -1e4f, 0.0f}; });
+    accepted([](Config& c) { c.viscosity = 0.0f; });
+    accepted([](Config& c) { c.viscosity = 1e9f; });
+    accepted([](Config& c) { c.settling_time = 0.0f; });
+    accepted([](Config& c) { c.settling_time = 1e9f; });
+    accepted([](Config& c) { c.max_cfl = 1e-30f; });
+    accepted([](Config& c) { c.max_cfl = 1e6f; });
+    accepted([](Config& c) { c.max_substeps = 1; });
+    accepted([](Config& c) { c.max_substeps = 64; });
+    accepted([](Config& c) { c.follow_axes = glm::bvec3(false); });
+    accepted([](Config& c) {
+        c.sides = Sides::open_over_floor();
+        c.follow_axes = glm::bvec3(true, false, true);
+    });
+}
+
+TEST(Config, IsCopiedOnCreation) {
+    const Config config{.cells = {5, 6, 7}, .cell_size = 0.25f, .ambient = {1.0f, 2.0f, 3.0f}, .viscosity = 0.5f, .max_substeps = 3};
+    auto wind = Wind::create(config);
+    ASSERT_TRUE(wind);
+    EXPECT_EQ(wind->config().cells, config.cells);
+    EXPECT_EQ(wind->config().cell_size, config.cell_size);
+    EXPECT_EQ(wind->config().ambient, config.ambient);
+    EXPECT_EQ(wind->config().viscosity, config.viscosity);
+    EXPECT_EQ(wind->config().max_substeps, config.max_substeps);
+    EXPECT_EQ(wind->box().cells, config.cells);
+    EXPECT_EQ(wind->field().size(), 5u * 6u * 7u);
+}
+
+TEST(Config, RefusedChangesLeaveEverythingAsItWas) {
+    auto wind = Wind::create({.follow_axes = glm::bvec3(true, false, true), .ambient = {1.0f, 0.0f, 2.0f}});
+    ASSERT_TRUE(wind);
+    Sides broken;
+    broken.x_low.kind = SideKind::periodic;
+    Sides wall_across;
+    wall_across.z_low.kind = SideKind::no_slip;
+    wall_across.y_low.kind = SideKind::periodic;
+    EXPECT_FALSE(wind->set_ambient({k_nan, 0.0f, 0.0f}));
+    EXPECT_FALSE(wind->set_ambient({0.0f, 2e4f, 0.0f}));
+    EXPECT_FALSE(wind->set_sides(broken));
+    const auto refused = wind->set_sides(wall_across);
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().find("sides.y_high is not periodic"), std::string::npos) << refused.error();
+    EXPECT_NE(refused.error().find("along z"), std::string::npos) << refused.error();
+    EXPECT_EQ(wind->ambient(), glm::vec3(1.0f, 0.0f, 2.0f));
+    EXPECT_EQ(wind->config().sides, Sides{});
+    EXPECT_EQ(wind->box().sides, Sides{});
+
+    EXPECT_TRUE(wind->set_sides(Sides::open_over_floor()));
+    EXPECT_EQ(wind->box().sides, Sides::open_over_floor());
+    EXPECT_EQ(wind->config().sides, Sides::open_over_floor());
+}
+
+} // namespace

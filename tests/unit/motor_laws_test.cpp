@@ -1,0 +1,299 @@
+// What a directional motor does to the air, asked of the sources stage alone: the closed forms of its two laws and three
+// regions, in double, and the impulse that a widened region keeps.
+
+#include "fluid/wind.h"
+#include "tests/fields.h"
+#include "tests/figure.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace windrow;
+using namespace windrow::test;
+
+constexpr Stages k_sources_only{.sources = true, .settling = false, .diffusion = false, .advection = false, .projection = false};
+
+Wind sources_only(glm::ivec3 cells, float cell_size = 1.0f, glm::vec3 ambient = glm::vec3(0.0f)) {
+    auto wind = Wind::create({.cells = cells, .cell_size = cell_size, .ambient = ambient, .stages = k_sources_only});
+    EXPECT_TRUE(wind) << wind.error();
+    return *std::move(wind);
+}
+
+MotorId added(Wind& wind, const Motor& motor) {
+    const auto id = wind.motors().add(motor);
+    EXPECT_TRUE(id) << id.error();
+    return id ? *id : MotorId{};
+}
+
+// --- Regions, from the text of motors.h, in double -------------------------------------------------------------------
+
+double biweight(double squared) { return squared < 1.0 ? (1.0 - squared) * (1.0 - squared) : 0.0; }
+
+double weight_of(const Sphere& sphere, glm::dvec3 p) { return biweight(glm::dot(p, p) / (double(sphere.radius) * sphere.radius)); }
+double weight_of(const Capsule& capsule, glm::dvec3 p) {
+    const glm::dvec3 axis(capsule.half_axis);
+    const double squared = glm::dot(axis, axis);
+    const double along = squared > 0.0 ? std::clamp(glm::dot(p, axis) / squared, -1.0, 1.0) : 0.0;
+    const glm::dvec3 off = p - along * axis;
+    return biweight(glm::dot(off, off) / (double(capsule.radius) * capsule.radius));
+}
+double weight_of(const AlignedBox& box, glm::dvec3 p) {
+    const glm::dvec3 s = p / glm::dvec3(box.half_size);
+    return biweight(s.x * s.x) * biweight(s.y * s.y) * biweight(s.z * s.z);
+}
+double weight_of(const Region& region, glm::dvec3 p) {
+    return std::visit([&](const auto& kind) { return weight_of(kind, p); }, region);
+}
+
+glm::dvec3 centre_of(const Wind& wind, int i, int j, int k) {
+    return wind.origin() + (glm::dvec3(i, j, k) + 0.5) * double(wind.box().cell_size);
+}
+
+glm::vec4 air_at(const Wind& wind, glm::dvec3 position) {
+    const glm::ivec3 cell(glm::floor((position - wind.origin()) / double(wind.box().cell_size)));
+    return wind.field()[wind.box().index(cell.x, cell.y, cell.z)];
+}
+
+template <class Body>
+void for_each_cell(const Wind& wind, const Body& body) {
+    const Box& box = wind.box();
+    for (int k = 0; k < box.cells.z; ++k)
+        for (int j = 0; j < box.cells.y; ++j)
+            for (int i = 0; i < box.cells.x; ++i)
+                body(centre_of(wind, i, j, k), wind.field()[box.index(i, j, k)]);
+}
+
+std::vector<Region> some_regions(Random& random) {
+    return {Sphere{random.uniform(1.6f, 5.0f)}, Capsule{.half_axis = random.vector(4.0f), .radius = random.uniform(1.6f, 4.0f)},
+            AlignedBox{{random.uniform(1.6f, 5.0f), random.uniform(1.6f, 5.0f), random.uniform(1.6f, 5.0f)}}};
+}
+
+// --- W4: f dt, then nothing --------------------------------------------------------------------------------------------
+
+TEST(MotorLaws, AUniformForceAddsUpAndThenNothing) {
+    for (const bool dyadic : {true, false}) {
+        Wind wind = sources_only({9, 6, 7});
+        const double dt = dyadic ? 1.0 / 64.0 : 1.0 / 60.0;
+        const float force = dyadic ? 0.5f : 0.7f;
+        const MotorId id = added(wind, DirectionalMotor{.region = AlignedBox{glm::vec3(1e6f)}, .law = Force{force}});
+        for (int n = 0; n < 1000; ++n)
+            wind.step(dt);
+        const double expected = 1000.0 * dt * double(force);
+        double worst = 0.0;
+        for (const glm::vec4& u : wind.field()) {
+            worst = std::max(worst, std::abs(double(u.x) - expected) / expected);
+            ASSERT_EQ(u.y, 0.0f);
+            ASSERT_EQ(u.z, 0.0f);
+        }
+        WINDROW_EXPECT_FIGURE(dyadic ? "uniform_force_dyadic" : "uniform_force", worst, dyadic ? 0.0 : 1e-4);
+
+        ASSERT_TRUE(wind.motors().remove(id));
+        const Field before = copy(wind.field());
+        EXPECT_EQ(wind.step(dt).motors_in_reach, 0);
+        EXPECT_EQ(cells_that_differ(before, wind.field()), 0u) << "without a motor the next step adds exactly 0";
+    }
+}
+
+// --- W11: the force at the centre, outside, its direction, its place -------------------------------------------------
+
+TEST(MotorLaws, AtTheCentreAForceAddsItsAccelerationTimesTime) {
+    double worst = 0.0;
+    Random random(3);
+    for (const Region& region : some_regions(random)) {
+        Wind wind = sources_only({15, 15, 15});
+        const float force = random.uniform(1.0f, 50.0f);
+        added(wind, DirectionalMotor{.position = {0.5, 0.5, 0.5}, .direction = {0.0f, 0.0f, 1.0f}, .region = region, .law = Force{force}});
+        for (int n = 0; n < 10; ++n)
+            wind.step(1.0 / 60.0);
+        const double expected = 10.0 / 60.0 * force;
+        worst = std::max(worst, std::abs(air_at(wind, glm::dvec3(0.5)).z - expected) / expected);
+    }
+    WINDROW_EXPECT_FIGURE("force_at_centre", worst, 1e-6);
+}
+
+TEST(MotorLaws, AForceFollowsItsRegionAndIsExactlyZeroOutside) {
+    Random random(4);
+    double worst = 0.0;
+    int outside = 0, inside = 0;
+    for (int trial = 0; trial < 20; ++trial)
+        for (const Region& region : some_regions(random)) {
+            Wind wind = sources_only({18, 12, 15}, 1.0f);
+            const glm::dvec3 place = random.point(6.0);
+            added(wind, DirectionalMotor{.position = place, .direction = {0.0f, 1.0f, 0.0f}, .region = region, .law = Force{2.0f}});
+            wind.step(0.5);
+            for_each_cell(wind, [&](glm::dvec3 centre, const glm::vec4& u) {
+                const double weight = weight_of(region, centre - place);
+                worst = std::max(worst, std::abs(double(u.y) - weight));
+                if (weight == 0.0 && weight_of(region, (centre - place) * 0.9999) == 0.0) { // clear of the rounding of positions
+                    ASSERT_EQ(u, glm::vec4(0.0f));
+                    ++outside;
+                } else if (weight > 1e-6) {
+                    ASSERT_GT(u.y, 0.0f);
+                    ++inside;
+                }
+            });
+        }
+    EXPECT_GT(outside, 10000);
+    EXPECT_GT(inside, 10000);
+    WINDROW_EXPECT_FIGURE("force_weight_error", worst, 4e-5); // positions are kept to 1/65536 of a cell
+}
+
+TEST(MotorLaws, AForcePointsWhereItIsTold) {
+    Random random(5);
+    double worst = 0.0;
+    for (int trial = 0; trial < 100; ++trial) {
+        const glm::dvec3 direction = random.direction();
+        Wind wind = sources_only({8, 8, 8});
+        added(wind, DirectionalMotor{.direction = glm::vec3(direction * random.spread(1e-3, 1e3)), .region = Sphere{3.5f}, .law = Force{7.0f}});
+        wind.step(1.0 / 60.0);
+        for_each_cell(wind, [&](glm::dvec3, const glm::vec4& u) {
+            const glm::dvec3 pushed(u);
+            if (const double size = glm::length(pushed); size > 0.0)
+                worst = std::max(worst, std::atan2(glm::length(glm::cross(pushed, direction)), glm::dot(pushed, direction)));
+        });
+    }
+    WINDROW_EXPECT_FIGURE("force_direction_deg", worst * 180.0 / std::numbers::pi, 0.1);
+}
+
+TEST(MotorLaws, TheSameAirWhereverTheWindowLies) {
+    for (const float h : {1.0f, 0.37f}) {
+        const glm::dvec3 place = glm::dvec3(10.123456789, -3.3, 1234.56789) * double(h);
+        const auto blown = [&](glm::dvec3 centre) {
+            Wind wind = sources_only({24, 16, 20}, h);
+            EXPECT_TRUE(wind.follow(centre));
+            added(wind, DirectionalMotor{.position = place, .direction = {1.0f, 2.0f, 3.0f}, .region = Sphere{3.1f * h}, .law = Force{5.0f}});
+            added(wind, DirectionalMotor{.position = place, .region = Capsule{{h, h, 0.0f}, 2.0f * h}, .law = Drive{}});
+            wind.step(0.1);
+            return wind;
+        };
+        const Wind first = blown(place);
+        Random random(16);
+        double worst = 0.0;
+        int compared = 0;
+        for (int n = 0; n < 10; ++n) {
+            const Wind other = blown(place + random.point(4.0) * double(h));
+            const glm::ivec3 offset(glm::round((first.origin() - other.origin()) / double(h)));
+            const glm::ivec3 cells = first.box().cells;
+            for (int k = 0; k < cells.z; ++k)
+                for (int j = 0; j < cells.y; ++j)
+                    for (int i = 0; i < cells.x; ++i) {
+                        const glm::ivec3 there = glm::ivec3(i, j, k) + offset;
+                        if (glm::any(glm::lessThan(there, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(there, cells)))
+                            continue;
+                        const glm::vec4 a = first.field()[first.box().index(i, j, k)];
+                        const glm::vec4 b = other.field()[other.box().index(there.x, there.y, there.z)];
+                        worst = std::max(worst, glm::length(glm::dvec3(a) - glm::dvec3(b)));
+                        compared += a.x != 0.0f;
+                    }
+        }
+        EXPECT_GT(compared, 1000);
+        WINDROW_EXPECT_FIGURE(h == 1.0f ? "ten_windows_1m" : "ten_windows_0.37m", worst, h == 1.0f ? 0.0 : 1e-5);
+    }
+}
+
+// --- Drives ----------------------------------------------------------------------------------------------------------
+
+TEST(MotorLaws, ADriveFollowsItsExponential) {
+    Random random(7);
+    double worst = 0.0;
+    for (int trial = 0; trial < 20; ++trial)
+        for (const Region& region : some_regions(random)) {
+            const glm::vec3 ambient = random.vector(5.0f);
+            Wind wind = sources_only({14, 12, 13}, 1.0f, ambient);
+            const Drive law{.speed = random.uniform(-9.0f, 9.0f), .rate = static_cast<float>(random.spread(0.01, 100.0))};
+            const glm::dvec3 direction = random.direction(), place = random.point(4.0);
+            added(wind, DirectionalMotor{.position = place, .direction = glm::vec3(direction), .region = region, .law = law});
+            const double dt = random.spread(1e-3, 1.0);
+            const int steps = random.integer(1, 8);
+            for (int n = 0; n < steps; ++n)
+                wind.step(dt);
+            for_each_cell(wind, [&](glm::dvec3 centre, const glm::vec4& u) {
+                // Steps compose: n steps of dt are one of n dt.
+                const double share = -std::expm1(-double(law.rate) * weight_of(region, centre - place) * dt * steps);
+                const glm::dvec3 expected = glm::dvec3(ambient) + share * (double(law.speed) * direction - glm::dvec3(ambient));
+                worst = std::max(worst, glm::length(glm::dvec3(u) - expected));
+            });
+        }
+    WINDROW_EXPECT_FIGURE("drive_error", worst, 4e-4); // [m/s]; the place is kept to 1/65536 m, and the wind rises by up to 14 m/s within a metre
+}
+
+TEST(MotorLaws, DrivesThatOverlapAddTheirExponents) {
+    Wind wind = sources_only({7, 7, 7});
+    const glm::dvec3 place(0.5);
+    added(wind, DirectionalMotor{.position = place, .direction = {1.0f, 0.0f, 0.0f}, .region = Sphere{2.0f}, .law = Drive{.speed = 6.0f, .rate = 3.0f}});
+    added(wind, DirectionalMotor{.position = place, .direction = {0.0f, 1.0f, 0.0f}, .region = Sphere{2.0f}, .law = Drive{.speed = 4.0f, .rate = 1.0f}});
+    wind.step(0.25);
+    const glm::vec4 u = air_at(wind, place);
+    const double share = -std::expm1(-1.0); // E = (3 + 1) * 0.25
+    EXPECT_NEAR(u.x, share * 6.0 * 0.75, 2e-6);
+    EXPECT_NEAR(u.y, share * 4.0 * 0.25, 2e-6);
+}
+
+TEST(MotorLaws, ADriveNeverOvershoots) {
+    Random random(8);
+    double worst = 0.0;
+    for (int trial = 0; trial < 2000; ++trial) {
+        const float start = random.uniform(-20.0f, 20.0f), speed = static_cast<float>(random.spread(1e-3, 1e4));
+        Wind wind = sources_only({3, 3, 3}, 1.0f, {start, 0.0f, 0.0f});
+        added(wind, DirectionalMotor{.position = {0.5, 0.5, 0.5}, .region = Sphere{2.0f},
+                                     .law = Drive{.speed = speed, .rate = static_cast<float>(random.spread(1e-6, 1e6))}});
+        wind.step(random.spread(1e-6, 1e3));
+        for (const glm::vec4& u : wind.field()) {
+            const double low = std::min(start, speed), high = std::max(start, speed);
+            worst = std::max({worst, (low - u.x) / std::max(std::abs(low), high), (u.x - high) / std::max(std::abs(low), high)});
+        }
+    }
+    WINDROW_EXPECT_FIGURE("drive_overshoot", worst, 1.8e-7); // U - u rounds at up to twice the speed, the sum once more
+}
+
+// --- Thin regions ------------------------------------------------------------------------------------------------------
+
+double volume_of(const Region& region) {
+    const double pi = std::numbers::pi;
+    if (const auto* sphere = std::get_if<Sphere>(&region))
+        return 32.0 * pi / 105.0 * std::pow(double(sphere->radius), 3);
+    if (const auto* capsule = std::get_if<Capsule>(&region)) {
+        const double radius = capsule->radius, length = 2.0 * glm::length(glm::dvec3(capsule->half_axis));
+        return 32.0 * pi / 105.0 * std::pow(radius, 3) + pi / 3.0 * radius * radius * length;
+    }
+    const glm::dvec3 half(std::get<AlignedBox>(region).half_size);
+    return std::pow(16.0 / 15.0, 3) * half.x * half.y * half.z;
+}
+
+// Sampled at cell centres, a region of 1.5 cells gives a few per cent more or less as it lies; over all places the mean is right.
+TEST(MotorLaws, WideningKeepsTheTotalImpulse) {
+    Random random(9);
+    const auto check = [&](const std::string& name, const auto& region_of, double bound, double mean_bound) {
+        double worst = 0.0, mean = 0.0;
+        const int trials = 400;
+        for (int trial = 0; trial < trials; ++trial) {
+            const float h = static_cast<float>(random.spread(0.1, 10.0));
+            Wind wind = sources_only({16, 16, 16}, h);
+            const Region region = region_of(h);
+            added(wind, DirectionalMotor{.position = random.point(1.0) * double(h), .region = region, .law = Force{10.0f}});
+            wind.step(0.1);
+            double impulse = 0.0;
+            for (const glm::vec4& u : wind.field())
+                impulse += u.x;
+            const double ratio = impulse * std::pow(double(h), 3) / volume_of(region);
+            worst = std::max(worst, std::abs(ratio - 1.0));
+            mean += ratio / trials;
+        }
+        WINDROW_EXPECT_FIGURE("widened_" + name, worst, bound);
+        WINDROW_EXPECT_FIGURE("widened_" + name + "_mean", std::abs(mean - 1.0), mean_bound);
+    };
+    const auto thin = [&](float h) { return h * static_cast<float>(random.spread(0.02, 1.5)); };
+    check("sphere", [&](float h) { return Region(Sphere{thin(h)}); }, 0.1, 0.005);
+    check("capsule", [&](float h) { return Region(Capsule{.half_axis = random.vector(3.0f * h), .radius = thin(h)}); }, 0.04, 0.005);
+    check("box", [&](float h) { return Region(AlignedBox{{thin(h), thin(h), thin(h)}}); }, 0.04, 0.005);
+    check("flat_box", [&](float h) { return Region(AlignedBox{{4.0f * h, thin(h), 4.0f * h}}); }, 0.02, 0.005);
+}
+
+} // namespace

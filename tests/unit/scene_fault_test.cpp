@@ -1,0 +1,204 @@
+// Scenes that are refused, and the sentence that each gets: file, place, value, fix.
+#include "cli/nearest_word.h"
+#include "cli/path_csv.h"
+#include "cli/scene_reader.h"
+
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <string>
+
+namespace windrow::cli {
+namespace {
+
+/// The sentences with which a text is refused; empty where it is taken.
+std::string refusal(const std::string& text) {
+    const auto scene = read_scene_text(text, "a.json");
+    return scene ? std::string() : scene.error();
+}
+
+void expect_refusal(const std::string& text, const std::string& sentence) {
+    EXPECT_EQ(refusal(text), sentence) << text;
+}
+
+TEST(SceneFault, TextThatIsNoJson) {
+    expect_refusal(R"({"name": "x",)",
+                   "a.json:1:14: the file ends in the middle of the JSON: was it cut short, or is a closing bracket missing?");
+    expect_refusal("{\n  \"duration\": NaN\n}", "a.json:2:15: NaN is no number in JSON: give a finite one.");
+    expect_refusal("{\"duration\": -Infinity}", "a.json:1:15: -Infinity is no number in JSON: give a finite one.");
+    expect_refusal("{\"duration\": 1e999}",
+                   "a.json:1:18: the number 1e999 is too large: give one that fits a double (up to 1.8e308).");
+    expect_refusal("{\n  \"duration\": 3,\n}", "a.json:3:1: a comma stands before '}': remove it.");
+    expect_refusal("{\n// fast\n}", "a.json:2:1: JSON has no comments: remove it, or write it in \"description\".");
+    expect_refusal("{'a': 1}", "a.json:1:2: JSON takes double quotes only: write \" instead of '.");
+    EXPECT_TRUE(refusal("{\"a\" 1}").starts_with("a.json:1:6: is not JSON: ")) << refusal("{\"a\" 1}");
+    EXPECT_TRUE(refusal("{} {}").starts_with("a.json:1:4: is not JSON: ")) << refusal("{} {}");
+    expect_refusal("[]", "a.json: $ is []: give an object, {...}.");
+}
+
+TEST(SceneFault, EveryBeginningOfASceneIsRefusedWithItsPlace) {
+    std::ifstream file(std::filesystem::path(WINDROW_SOURCE_DIR) / "examples" / "scenes" / "walk.json");
+    const std::string whole((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    const std::size_t end = whole.find_last_of('}');
+    ASSERT_GT(end, 1000u);
+    for (std::size_t size = 0; size < end; ++size)
+        EXPECT_TRUE(refusal(whole.substr(0, size)).starts_with("a.json:")) << size;
+}
+
+TEST(SceneFault, KeyThatStandsTwice) {
+    expect_refusal(R"({"motors": [{"kind": "wake"}, {"law": {"force": {}, "force": {}}}]})",
+                   "a.json: $.motors[1].law.force stands twice in its object: keep one of the two.");
+    expect_refusal(R"({"paths": {"a b": {"points": []}, "a b": {}}})",
+                   "a.json: $.paths[\"a b\"] stands twice in its object: keep one of the two.");
+}
+
+TEST(SceneFault, NestingWithoutEnd) {
+    const std::string deep = R"({"air": )" + std::string(100'000, '[');
+    EXPECT_TRUE(refusal(deep).ends_with("is nested deeper than 32 levels: a scene needs no more than 8.")) << refusal(deep);
+}
+
+TEST(SceneFault, WrongTypes) {
+    expect_refusal(R"({"duration": "20"})", "a.json: $.duration is \"20\": give a number.");
+    expect_refusal(R"({"name": 3})", "a.json: $.name is 3: give a text in double quotes.");
+    expect_refusal(R"({"air": [1]})", "a.json: $.air is [1]: give an object, {...}.");
+    expect_refusal(R"({"air": null})", "a.json: $.air is null: give an object, {...}.");
+    expect_refusal(R"({"motors": {}})", "a.json: $.motors is {}: give a list, [...].");
+    expect_refusal(R"({"air": {"ambient": [1, 2]}})", "a.json: $.air.ambient is [1,2]: give three numbers, [x, y, z].");
+    expect_refusal(R"({"air": {"ambient": [1, 2, true]}})", "a.json: $.air.ambient[2] is true: give a number.");
+    expect_refusal(R"({"air": {"follow_axes": [1, 0, 1]}})",
+                   "a.json: $.air.follow_axes is [1,0,1]: give true or false for each axis, [x, y, z].");
+    expect_refusal(R"({"air": {"scheme": "stam"}})",
+                   "a.json: $.air.scheme is \"stam\": give one of \"second_order\", \"stable_fluids\".");
+    expect_refusal(R"({"vdb": {"three_scalars": 1}})", "a.json: $.vdb.three_scalars is 1: give true or false.");
+    expect_refusal(R"({"air": {"cells": [32, 16.5, 32]}})", "a.json: $.air.cells[1] is 16.5: give a whole number.");
+}
+
+TEST(SceneFault, Ranges) {
+    expect_refusal(R"({"air": {"cells": [0, 16, 32]}})", "a.json: $.air.cells[0] is 0: give 1 to 2048.");
+    expect_refusal(R"({"air": {"cells": [32, 16, 500000]}})", "a.json: $.air.cells[2] is 500000: give 1 to 2048.");
+    expect_refusal(R"({"air": {"cells": [2048, 2048, 2048]}})",
+                   "a.json: $.air.cells is (2048, 2048, 2048), 8589934592 in all: a box holds at most 67108864.");
+    expect_refusal(R"({"air": {"cell_size": 1e308}})", "a.json: $.air.cell_size is 1e308 m: give 1e-6 to 1e6 m.");
+    expect_refusal(R"({"air": {"ambient": [1e308, 0, 0]}})", "a.json: $.air.ambient[0] is 1e308 m/s: give -10000 to 10000 m/s.");
+    expect_refusal(R"({"tick_hz": 0})", "a.json: $.tick_hz is 0 Hz: give 1 to 10000 Hz.");
+    expect_refusal(R"({"frames_per_second": 100})",
+                   "a.json: $.frames_per_second is 100 1/s, more than tick_hz, 60 Hz: give at most that, or raise tick_hz.");
+    expect_refusal(R"({"duration": 1e6, "tick_hz": 1000, "frames_per_second": 1000})",
+                   "a.json: $.duration is 1e6 s, 1000000001 frames: give at most 100000 frames, by a shorter duration or fewer "
+                   "frames_per_second.");
+    expect_refusal(
+        R"({"duration": 1e6, "tick_hz": 1000, "frames_per_second": 0.01})",
+        "a.json: $.duration is 1e6 s, 1000000000 ticks: give at most 10000000 ticks, by a shorter duration or a lower tick_hz.");
+    expect_refusal(R"({"motors": [{"kind": "directional", "region": {"sphere": {"radius": -1}}}]})",
+                   "a.json: $.motors[0].region.sphere.radius is -1 m: give a number above 0, at most 1e6 m.");
+    expect_refusal(R"({"motors": [{"kind": "directional", "direction": [0, 0, 0]}]})",
+                   "a.json: $.motors[0].direction is [0, 0, 0]: give a vector of any length but 0.");
+    // Small enough for each number alone, too long together: the library's own words with the scene's place.
+    expect_refusal(
+        R"({"motors": [{"kind": "directional", "region": {"capsule": {"half_axis": [1e6, 1e6, 0]}}}]})",
+        "a.json: $.motors[0].region.capsule.half_axis is (1e+06, 1e+06, 0) m: give finite numbers, at most 1e6 m long.");
+}
+
+TEST(SceneFault, KeysThatNobodyKnows) {
+    expect_refusal(R"({"durration": 3})",
+                   "a.json: $.durration is not a known key (did you mean `duration`?): rename or remove it.");
+    expect_refusal(R"({"air": {"cell_sise": 3}})",
+                   "a.json: $.air.cell_sise is not a known key (did you mean `cell_size`?): rename or remove it.");
+    EXPECT_TRUE(
+        refusal(R"({"pictures": {"zebra": 3}})")
+            .starts_with("a.json: $.pictures.zebra is not a known key (known: slice_height, speed_scale): rename or remove it."));
+    expect_refusal(R"({"motors": [{"kind": "wake", "path": "p", "raduis": 1}], "paths": {"p": {"points": [[0, 0, 0, 0]]}}})",
+                   "a.json: $.motors[0].raduis is not a known key (did you mean `radius`?): rename or remove it.");
+}
+
+TEST(SceneFault, AllFaultsAreTold) {
+    expect_refusal(R"({"duration": 0, "air": {"cell_size": 0, "viscosity": -1}, "frame": 2})",
+                   "a.json: $.duration is 0 s: give a number above 0, at most 1e6 s.\n"
+                   "a.json: $.air.cell_size is 0 m: give 1e-6 to 1e6 m.\n"
+                   "a.json: $.air.viscosity is -1 m^2/s: give 0 to 1e9 m^2/s.\n"
+                   "a.json: $.frame is not a known key (did you mean `frames_per_second`?): rename or remove it.");
+}
+
+TEST(SceneFault, WhatDoesNotFitTogether) {
+    expect_refusal(
+        R"({"follow": "plyer", "paths": {"player": {"points": [[0, 0, 0, 0]]}}})",
+        "a.json: $.follow is \"plyer\", which names none of $.paths (did you mean `player`?): add it there or name another.");
+    expect_refusal(
+        R"({"floor": 1})",
+        "a.json: $.floor is given, but the box has none: set air.sides.y_low to \"free_slip\" or \"no_slip\", or remove it.");
+    expect_refusal(R"({"motors": [{"kind": "wake"}]})", "a.json: $.motors[0] has no \"path\": add it.");
+    expect_refusal(R"({"motors": [{}]})", "a.json: $.motors[0] has no \"kind\": add it.");
+    expect_refusal(R"({"motors": [{"kind": "vortex"}]})",
+                   "a.json: $.motors[0].kind is \"vortex\": give one of \"directional\", \"wake\".");
+    expect_refusal(R"({"motors": [{"kind": "directional", "law": {"force": {}, "drive": {}}}]})",
+                   "a.json: $.motors[0].law holds more than one of \"force\" or \"drive\": keep one of them.");
+    expect_refusal(R"({"motors": [{"kind": "directional", "from": 3, "until": 2}]})",
+                   "a.json: $.motors[0].until is 2 s but the motor begins at 3 s: give a later time.");
+    expect_refusal(R"({"paths": {"p": {"points": [[0, 0, 0, 0], [2, 0, 0, 0], [1, 0, 0, 0]]}}})",
+                   "a.json: $.paths.p.points[2] has t = 1 s after 2 s: times must increase from point to point.");
+    expect_refusal(R"({"paths": {"p": {"points": []}}})",
+                   "a.json: $.paths.p.points is empty: give at least one point, [t, x, y, z].");
+    expect_refusal(R"({"paths": {"p": {}}})", "a.json: $.paths.p holds neither \"points\" or \"file\": give one of them.");
+    expect_refusal(
+        R"({"air": {"sides": {"x_low": "periodic"}}})",
+        "a.json: $.air.sides.x_high is not periodic but its partner is: make both sides of the axis periodic, or neither.");
+}
+
+TEST(SceneFault, TablesOutsideTheFolder) {
+    for (const char* file : {"/etc/passwd", "../player.csv", "a/../../player.csv", ".", ""})
+        EXPECT_EQ(refusal(std::string(R"({"paths": {"p": {"file": ")") + file + "\"}}}"),
+                  std::string("a.json: $.paths.p.file is \"") + file +
+                      "\": name a file in the scene's folder, relative to it, so that the folder can be handed on as a whole.");
+    expect_refusal(R"({"paths": {"p": {"file": "none.csv"}}})",
+                   "none.csv: there is no such file: check the name and the folder that you run from.");
+}
+
+TEST(SceneFault, FilesThatCannotBeRead) {
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "windrow_scene_test";
+    std::filesystem::create_directories(folder);
+    const auto fault = [&](const std::string& name) {
+        const auto scene = read_scene(folder / name);
+        return scene ? std::string("taken") : scene.error().substr(folder.string().size() + 1);
+    };
+    EXPECT_EQ(fault("none.json"), "none.json: there is no such file: check the name and the folder that you run from.");
+    EXPECT_EQ(read_scene(folder).error(), folder.string() + ": is a folder: name a file in it.");
+    std::ofstream(folder / "empty.json") << "\n  \n";
+    EXPECT_EQ(fault("empty.json"), "empty.json: is empty: name the right file, or write something in it.");
+    std::ofstream(folder / "latin1.json") << "{\n\"name\": \"Wiese b\xe4uerlich\"}";
+    EXPECT_EQ(fault("latin1.json"),
+              "latin1.json:2: byte 19 (value 228) is not UTF-8 text: save the file as UTF-8, or name the right file.");
+    std::ofstream(folder / "mark.json") << "\xef\xbb\xbf{\"name\": \"Wiese b\xc3\xa4uerlich\"}";
+    EXPECT_EQ(fault("mark.json"), "taken") << "a byte-order mark is no fault";
+    std::ofstream(folder / "large.json") << std::string(17 << 20, ' ') << "{}";
+    EXPECT_EQ(fault("large.json"), "large.json: is larger than 16 MiB, the most that is read: give a smaller file.");
+    std::filesystem::remove_all(folder);
+}
+
+TEST(PathCsv, NamesTheLineOfAFault) {
+    const auto fault = [](const std::string& text) {
+        const auto path = parse_path_csv(text, "p.csv");
+        return path ? std::string() : path.error();
+    };
+    EXPECT_EQ(fault("t,x,y,z\n0,0,0,0\n1,2,3\n"), "p.csv:3: has 3 fields: give four, t,x,y,z, with commas between them.");
+    EXPECT_EQ(fault("0;0;0;0\n"), "p.csv:1: has 1 field: give four, t,x,y,z, with commas between them.");
+    EXPECT_EQ(fault("0,0,0,0\n1,a,0,0\n"), "p.csv:2: x is \"a\": give a finite number.");
+    EXPECT_EQ(fault("0,0,nan,0\n"), "p.csv:1: y is \"nan\": give a finite number.");
+    EXPECT_EQ(fault("0,0,1e308,0\n"), "p.csv:1: y is 1e308: give -1e9 to 1e9.");
+    EXPECT_EQ(fault("0,0,1e999,0\n"), "p.csv:1: y is \"1e999\": give a finite number.");
+    EXPECT_EQ(fault("# c\n0,0,0,0\n2,0,0,0\n1,0,0,0\n"), "p.csv:4: t is 1 s after 2 s: times must increase from line to line.");
+    EXPECT_EQ(fault("x,y,z,t\n0,0,0,0\n"), "p.csv:1: the names of the columns are \"x,y,z,t\": put the columns in the order "
+                                           "t,x,y,z and name them so, or leave the names out.");
+    EXPECT_EQ(fault("t,x,y,z\n"), "p.csv: holds no point: give at least one line t,x,y,z.");
+}
+
+TEST(NearestWord, FindsSlipsAndNothingElse) {
+    const std::vector<std::string> known = {"radius", "region", "law"};
+    EXPECT_EQ(nearest_word("raduis", known), "radius");
+    EXPECT_EQ(nearest_word("rad", known), "radius");
+    EXPECT_EQ(nearest_word("lwa", known), "law");
+    EXPECT_EQ(nearest_word("zebra", known), "");
+    EXPECT_EQ(nearest_word(std::string(1 << 20, 'r'), known), "");
+}
+
+} // namespace
+} // namespace windrow::cli

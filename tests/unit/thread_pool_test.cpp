@@ -1,0 +1,124 @@
+// The pool runs each index once, returns when all have run, and ends cleanly, whoever asks and however often.
+
+#include "fluid/thread_pool.h"
+#include "tests/fields.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <numeric>
+#include <thread>
+#include <vector>
+
+namespace {
+
+using namespace windrow;
+
+int loops(int wanted) {
+#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
+    return wanted / 10; // each is ten times as slow there, and races are found by reasoning, not by luck
+#else
+    return wanted;
+#endif
+}
+
+TEST(ThreadPool, RunsEachIndexOnceInLoopsOfAnySize) {
+    for (const int threads : {2, 3, 8}) { // more threads than cores: workers that come late
+        ThreadPool pool(threads);
+        ASSERT_EQ(pool.size(), threads);
+        const ParallelFor parallel_for = pool.parallel_for();
+        test::Random random(91);
+        std::vector<int> calls(300); // not atomic: a race is for the sanitizer to see
+        int wrong = 0;
+        for (int n = 0; n < loops(20'000); ++n) {
+            // Small after large and large after small: an index left over from the last loop would show in either.
+            const int count = n % 2 == 0 ? random.integer(0, 4) : random.integer(0, 300);
+            std::fill(calls.begin(), calls.end(), 0);
+            parallel_for(count, [&](int index) { ++calls[static_cast<std::size_t>(index)]; });
+            for (int index = 0; index < 300; ++index)
+                wrong += calls[static_cast<std::size_t>(index)] != (index < count ? 1 : 0);
+        }
+        EXPECT_EQ(wrong, 0) << threads << " threads";
+    }
+}
+
+TEST(ThreadPool, WhatTheTasksWroteIsThereWhenTheLoopReturns) {
+    ThreadPool pool(4);
+    const ParallelFor parallel_for = pool.parallel_for();
+    std::vector<std::uint64_t> values(64, 1);
+    for (int n = 0; n < loops(5'000); ++n) {
+        // Each loop reads what the last one wrote in other threads.
+        std::vector<std::uint64_t> next(64);
+        parallel_for(64, [&](int i) { next[i] = values[i] + 3 * values[(i + 1) % 64] + values[(i + 63) % 64]; });
+        values = next;
+    }
+    EXPECT_TRUE(std::all_of(values.begin(), values.end(), [&](std::uint64_t value) { return value == values[0]; }));
+}
+
+TEST(ThreadPool, SeveralHostThreadsTakeTurns) {
+    ThreadPool pool(3);
+    const ParallelFor parallel_for = pool.parallel_for();
+    std::atomic<int> wrong{0};
+    std::vector<std::thread> hosts;
+    for (int host = 0; host < 4; ++host)
+        hosts.emplace_back([&, host] {
+            for (int n = 0; n < loops(2'000); ++n) {
+                const int count = 2 + (n * 7 + host * 13) % 40;
+                std::vector<int> calls(static_cast<std::size_t>(count), 0);
+                parallel_for(count, [&](int index) { calls[static_cast<std::size_t>(index)] += host + 1; });
+                wrong += std::accumulate(calls.begin(), calls.end(), 0) != count * (host + 1);
+            }
+        });
+    for (std::thread& host : hosts)
+        host.join();
+    EXPECT_EQ(wrong.load(), 0);
+}
+
+TEST(ThreadPool, OnePoolMayWorkInsideAnother) {
+    ThreadPool outer(3), inner(2);
+    const ParallelFor outside = outer.parallel_for(), inside = inner.parallel_for();
+    std::vector<int> calls(6 * 50, 0);
+    for (int n = 0; n < loops(200); ++n)
+        outside(6, [&](int i) { inside(50, [&, i](int j) { ++calls[static_cast<std::size_t>(i * 50 + j)]; }); });
+    EXPECT_TRUE(std::all_of(calls.begin(), calls.end(), [](int count) { return count == loops(200); }));
+}
+
+TEST(ThreadPool, EndsAtOnce) {
+    for (int n = 0; n < loops(300); ++n) {
+        ThreadPool unused(1 + n % 8);
+        ThreadPool used(1 + n % 8);
+        std::atomic<int> sum{0};
+        used.parallel_for()(5, [&](int index) { sum += index; });
+        EXPECT_EQ(sum.load(), 10);
+    }
+}
+
+TEST(ThreadPool, WithOneThreadItIsThePlainLoop) {
+    ThreadPool one(1);
+    EXPECT_EQ(one.size(), 1);
+    EXPECT_EQ(one.parallel_for().run, nullptr);
+    EXPECT_GE(ThreadPool(0).size(), 1);
+    std::vector<int> order;
+    one.parallel_for()(5, [&](int index) { order.push_back(index); });
+    EXPECT_EQ(order, (std::vector<int>{0, 1, 2, 3, 4}));
+    one.parallel_for()(0, [&](int) { ADD_FAILURE(); });
+    one.parallel_for()(-3, [&](int) { ADD_FAILURE(); });
+}
+
+TEST(ThreadPool, AWorkloadOfUnevenTasksEnds) {
+    ThreadPool pool(4);
+    std::atomic<std::uint64_t> sum{0};
+    for (int n = 0; n < loops(200); ++n)
+        pool.parallel_for()(16, [&](int index) {
+            std::uint64_t value = 1;
+            for (int turn = 0; turn < (index % 5 == 0 ? 20'000 : 1); ++turn)
+                value = value * 6364136223846793005u + 1442695040888963407u;
+            sum += value != 0;
+        });
+    EXPECT_EQ(sum.load(), 16u * loops(200));
+}
+
+} // namespace

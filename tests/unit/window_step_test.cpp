@@ -1,0 +1,193 @@
+// A step of a box that has followed equals copy, then step, to the bit: the copy made by hand, with the history that the
+// second-order step carries, and the step put together from the public pieces.
+
+#include "fluid/cpu/sources.h"
+#include "fluid/wind.h"
+#include "tests/fields.h"
+#include "tests/figure.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+namespace {
+
+using namespace windrow;
+using namespace windrow::test;
+
+/// The air on arrays of the test's own. Each step is that of cpu/step.cpp in one part.
+class AirByHand {
+  public:
+    AirByHand(const Config& config, glm::dvec3 origin)
+        : config_(config), work_(Workspace::create({.box = {config.cells, config.cell_size, config.sides}, .ambient = config.ambient})),
+          window_{config.cells, config.cell_size, CellIndex(glm::round(origin / double(config.cell_size)))}, forces_(config.cells),
+          ambient_(work_->ambient(), 0.0f), u_(cell_count(config.cells), ambient_), old_(u_), history_(u_.size(), glm::vec4(0.0f)), diffused_(u_) {}
+
+    [[nodiscard]] Motors& motors() { return motors_; }
+    [[nodiscard]] const Field& field() const { return u_; }
+    void set(const Field& field) {
+        u_ = field;
+        fresh_ = true;
+    }
+
+    void step(float dt) {
+        cpu::apply_motors(motors_, window_, dt, u_, forces_, {});
+        const bool spreads = diffuse(*work_, u_, config_.viscosity, dt, diffused_) != DiffusionMethod::none;
+        Transport transport{.carried = spreads ? diffused_ : u_, .velocity = u_, .dt = dt, .interpolation = config_.interpolation};
+        if (config_.settling_time > 0.0f)
+            transport.settling = 1.0f / (1.0f + dt / config_.settling_time);
+        if (!fresh_) {
+            transport.velocity_old = old_;
+            transport.extrapolation = std::min(1.0f, dt / dt_old_);
+            transport.history = history_;
+            transport.history_scale = std::min(2.0f, dt / dt_old_);
+        }
+        Field arrived(u_.size());
+        advect(*work_, transport, arrived);
+        forces_.add_to(arrived, 0.5f * dt, {});
+        project(*work_, arrived, history_);
+        forces_.add_to(history_, -0.5f * dt, {});
+        old_ = u_;
+        u_ = arrived;
+        fresh_ = false;
+        dt_old_ = dt;
+    }
+
+    void copy_to(glm::dvec3 origin) {
+        const CellIndex place(glm::round(origin / double(config_.cell_size)));
+        const CellIndex shift = place - window_.origin_cells;
+        window_.origin_cells = place;
+        u_ = copied(u_, shift, ambient_);
+        // A cell that is new has no past: its last wind is its wind, its history 0.
+        old_ = copied(old_, shift, ambient_);
+        history_ = copied(history_, shift, glm::vec4(0.0f));
+    }
+
+  private:
+    [[nodiscard]] Field copied(const Field& from, CellIndex shift, glm::vec4 outside) const {
+        Field to(from.size(), outside);
+        const glm::ivec3 cells = config_.cells;
+        const Box& box = work_->box();
+        for (int k = 0; k < cells.z; ++k)
+            for (int j = 0; j < cells.y; ++j)
+                for (int i = 0; i < cells.x; ++i) {
+                    const CellIndex source = CellIndex(i, j, k) + shift;
+                    if (glm::all(glm::greaterThanEqual(source, CellIndex(0))) && glm::all(glm::lessThan(source, CellIndex(cells))))
+                        to[box.index(i, j, k)] = from[box.index(int(source.x), int(source.y), int(source.z))];
+                }
+        return to;
+    }
+
+    Config config_;
+    Result<Workspace> work_;
+    Window window_;
+    Motors motors_;
+    cpu::ForceField forces_;
+    glm::vec4 ambient_;
+    Field u_, old_, history_, diffused_;
+    bool fresh_ = true;
+    float dt_old_ = 0.0f;
+};
+
+struct Case {
+    const char* name;
+    Config config;
+};
+
+std::vector<Case> cases() {
+    const Config base{.cells = {17, 9, 14}, .ambient = {2.0f, 0.5f, -1.0f}, .viscosity = 0.0f, .settling_time = 0.0f, .max_cfl = 1e6f};
+    std::vector<Case> list;
+    list.push_back({"inviscid", base});
+    list.push_back({"settling", base});
+    list.back().config.settling_time = 5.0f;
+    list.push_back({"one_pass", base});
+    list.back().config.viscosity = 1.0f;
+    list.push_back({"implicit", base});
+    list.back().config.viscosity = 40.0f;
+    list.push_back({"linear", base});
+    list.back().config.interpolation = Interpolation::linear;
+    list.push_back({"floor", base});
+    list.back().config.sides = Sides::open_over_floor();
+    list.push_back({"mixed", base});
+    list.back().config.sides.y_low = {SideKind::no_slip, {0.5f, 0.0f, 0.25f}};
+    list.back().config.sides.z_low.kind = list.back().config.sides.z_high.kind = SideKind::periodic;
+    list.back().config.viscosity = 1.0f;
+    list.push_back({"half_metre", base});
+    list.back().config.cell_size = 0.5f;
+    return list;
+}
+
+TEST(WindowStep, AShiftedStepEqualsCopyThenStep) {
+    for (const Case& each : cases()) {
+        auto wind = Wind::create(each.config);
+        ASSERT_TRUE(wind) << wind.error();
+        AirByHand by_hand(each.config, wind->origin());
+        const Field start = white_noise(each.config.cells, 3.0f, 51);
+        ASSERT_TRUE(wind->set_velocity(start));
+        by_hand.set(start);
+        std::optional<MotorId> body;
+        for (Motors* motors : {&wind->motors(), &by_hand.motors()}) {
+            ASSERT_TRUE(motors->add(DirectionalMotor{.position = {0.3, -0.2, 0.9}, .region = Sphere{3.0f}, .law = Force{30.0f}}));
+            ASSERT_TRUE(motors->add(DirectionalMotor{.position = {-2.3, 0.7, 0.1}, .direction = {0.0f, 1.0f, 1.0f}, .region = AlignedBox{}}));
+            const auto id = motors->add(WakeMotor{.radius = 1.2f, .law = WakeForce{}});
+            ASSERT_TRUE(id);
+            body = *id;
+        }
+        Random random(52);
+        std::size_t differing = 0;
+        const double h = each.config.cell_size;
+        for (int n = 0; n < 40; ++n) {
+            if (n > 2) { // the first steps build a history that the shifts must carry
+                const glm::dvec3 centre = wind->origin() + 0.5 * h * glm::dvec3(each.config.cells);
+                ASSERT_TRUE(wind->follow(centre + h * glm::round(random.point(3.0))));
+                if (each.config.sides.y_low.solid()) {
+                    ASSERT_TRUE(wind->set_floor(h * random.integer(-4, 1)));
+                }
+                by_hand.copy_to(wind->origin());
+            }
+            for (Motors* motors : {&wind->motors(), &by_hand.motors()})
+                ASSERT_TRUE(motors->move(*body, {0.1 * n, 0.0, 0.3 * n}));
+            const double dt = n % 7 == 6 ? 0.01 : 0.05;
+            ASSERT_EQ(wind->step(dt).substeps, 1);
+            by_hand.step(static_cast<float>(dt));
+            differing += cells_that_differ(wind->field(), by_hand.field());
+        }
+        ASSERT_TRUE(all_finite(wind->field()));
+        EXPECT_GT(largest_speed(wind->field()), 0.5);
+        WINDROW_EXPECT_FIGURE(std::string("shifted_step_cells_that_differ_") + each.name, double(differing), 0.0);
+    }
+}
+
+// W14: when the motors are gone, the air goes on as air that never met one would from the same state.
+TEST(WindowStep, SixtyFourMotorsComeAndGo) {
+    const Config config{.cells = {16, 12, 14}, .ambient = {1.0f, 0.0f, 0.0f}, .max_cfl = 1e6f};
+    auto wind = Wind::create(config);
+    ASSERT_TRUE(wind);
+    AirByHand by_hand(config, wind->origin());
+    Random random(53);
+    std::vector<MotorId> ids;
+    for (int n = 0; n < 64; ++n) {
+        const DirectionalMotor motor{.position = random.point(5.0),
+                                     .direction = random.vector(1.0f),
+                                     .region = Sphere{random.uniform(1.0f, 3.0f)},
+                                     .law = n % 2 == 0 ? decltype(DirectionalMotor::law)(Force{20.0f}) : Drive{}};
+        ids.push_back(*wind->motors().add(motor));
+        ASSERT_TRUE(by_hand.motors().add(motor));
+        wind->step(0.02);
+        by_hand.step(0.02f);
+    }
+    ASSERT_EQ(cells_that_differ(wind->field(), by_hand.field()), 0u);
+    EXPECT_GT(largest_speed(wind->field()), 1.5);
+    for (const MotorId id : ids)
+        ASSERT_TRUE(wind->motors().remove(id));
+    by_hand.motors() = Motors{};
+    for (int n = 0; n < 20; ++n) {
+        EXPECT_EQ(wind->step(0.02).motors_in_reach, 0);
+        by_hand.step(0.02f);
+        ASSERT_EQ(cells_that_differ(wind->field(), by_hand.field()), 0u) << "step " << n;
+    }
+}
+
+} // namespace
