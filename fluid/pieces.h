@@ -114,7 +114,8 @@ DiffusionMethod diffuse(Workspace& work, std::span<const glm::vec4> field, float
 /// Allocates what implicit diffusion needs, so that no later call allocates.
 void reserve_diffusion(Workspace& work);
 
-/// [1/s] Central divergence at cell centres, walls and open sides by their ghosts.
+/// [1/s] Central divergence at cell centres. Beyond a wall the normal velocity turns its sign; beyond an open side it is that of the
+/// cell inside, so that divergence and gradient are adjoint where p = 0.
 void divergence(Workspace& work, std::span<const glm::vec4> velocity, std::span<float> result);
 
 /// Solves L phi = rhs in place, L the 7-point Laplacian [1/m^2] with phi = 0 on open faces and d phi/dn = 0 on walls: direct, by fast

@@ -1,7 +1,8 @@
 // The six sides of the box: what the air meets there.
 //
 // With u the velocity, n the side's normal and p the pressure, beyond a side lies
-//   open       the ambient wind: every read beyond it returns ambient, and p = 0 at the face;
+//   open       the ambient wind: every read beyond it returns ambient, and p = 0 at the face (the divergence sees the cell itself
+//              there, the negative adjoint of the gradient);
 //   free_slip  a wall that holds no air back: u.n mirrored with its sign turned, the rest mirrored, dp/dn = 0;
 //   no_slip    a wall that carries the air along: u mirrored about the wall's velocity, dp/dn = 0;
 //   periodic   the far side of the box.

@@ -4,16 +4,15 @@
 #include "fluid/box.h"
 #include "fluid/pieces.h"
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <numbers>
 #include <random>
 #include <span>
@@ -31,7 +30,8 @@ class Random {
     std::uint32_t bits() { return static_cast<std::uint32_t>(engine_()); }
     /// In [low, high), 53 bits.
     double real(double low, double high) {
-        const double unit = (static_cast<double>(engine_() >> 5) * 67108864.0 + static_cast<double>(engine_() >> 6)) / 9007199254740992.0;
+        const double unit =
+            (static_cast<double>(engine_() >> 5) * 67108864.0 + static_cast<double>(engine_() >> 6)) / 9007199254740992.0;
         return low + (high - low) * unit;
     }
     float uniform(float low, float high) { return static_cast<float>(real(low, high)); }
@@ -167,6 +167,8 @@ class Random {
     return count;
 }
 
-[[nodiscard]] inline Field copy(std::span<const glm::vec4> field) { return {field.begin(), field.end()}; }
+[[nodiscard]] inline Field copy(std::span<const glm::vec4> field) {
+    return {field.begin(), field.end()};
+}
 
 } // namespace windrow::test

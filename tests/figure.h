@@ -1,9 +1,8 @@
 // A figure that a test measured, beside its bound: printed, and kept in the report of the run.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <cstdio>
+#include <gtest/gtest.h>
 #include <string>
 
 namespace windrow::test {

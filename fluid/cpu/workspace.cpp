@@ -110,6 +110,9 @@ void Workspace::State::build_rules() {
     }
 }
 
+// Beyond an open side the divergence takes the cell itself: with p = 0 at the face, that makes it the negative adjoint of the gradient,
+// so that the projection adds no energy there. Ambient ghosts here would leave out the cell's own velocity and feed
+// cell-to-cell waves at the rim (twice the error against a larger box).
 void Workspace::State::build_ghosts() {
     for (int axis = 0; axis < 3; ++axis)
         for (int end = 0; end < 2; ++end) {
@@ -117,13 +120,10 @@ void Workspace::State::build_ghosts() {
             const int last = box.cells[axis] - 1;
             const int edge = end == 0 ? 0 : last;
             if (side.kind == SideKind::periodic) {
-                velocity_ghosts[axis][end] = potential_ghosts[axis][end] = {last - edge, 1.0f, 0.0f};
-            } else if (side.kind == SideKind::open) {
-                velocity_ghosts[axis][end] = {edge, 0.0f, ambient[axis]};
-                potential_ghosts[axis][end] = {edge, -1.0f, 0.0f};
+                velocity_ghosts[axis][end] = potential_ghosts[axis][end] = {last - edge, 1.0f};
             } else {
-                velocity_ghosts[axis][end] = {edge, -1.0f, 0.0f};
-                potential_ghosts[axis][end] = {edge, 1.0f, 0.0f};
+                velocity_ghosts[axis][end] = {edge, side.kind == SideKind::open ? 1.0f : -1.0f};
+                potential_ghosts[axis][end] = {edge, side.kind == SideKind::open ? -1.0f : 1.0f};
             }
         }
 }
@@ -167,6 +167,7 @@ void Workspace::State::set_sides(const Sides& sides) {
     set_ambient(requested_ambient);
     if (!kinds_changed)
         return;
+    build_ghosts();
     build_pressure();
     if (diffusion) {
         diffusion.reset();
@@ -177,7 +178,6 @@ void Workspace::State::set_sides(const Sides& sides) {
 void Workspace::State::set_ambient(glm::vec3 wind) {
     requested_ambient = wind;
     ambient = admissible_ambient(box.sides, wind);
-    build_ghosts();
 }
 
 std::size_t Workspace::State::memory_bytes() const {

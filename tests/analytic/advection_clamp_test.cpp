@@ -28,7 +28,13 @@ double round_trip_error(int cells, Interpolation interpolation, bool clamped, do
     auto values = start;
     std::vector<float> next(values.size());
     for (int step = 0; step < steps; ++step) {
-        advect(work, ScalarTransport{.carried = values, .velocity = wind, .dt = static_cast<float>(2.0 / steps), .interpolation = interpolation, .clamped = clamped}, next);
+        advect(work,
+               ScalarTransport{.carried = values,
+                               .velocity = wind,
+                               .dt = static_cast<float>(2.0 / steps),
+                               .interpolation = interpolation,
+                               .clamped = clamped},
+               next);
         std::swap(values, next);
     }
     std::vector<float> off(values.size());
@@ -49,10 +55,12 @@ TEST(AdvectionClamp, KeepsItsOrderOnASmoothField) {
 }
 
 TEST(AdvectionClamp, UnclampedCubicAndLinearForComparison) {
-    const double c64 = round_trip_error(64, Interpolation::cubic, false, 0.1), c128 = round_trip_error(128, Interpolation::cubic, false, 0.1);
+    const double c64 = round_trip_error(64, Interpolation::cubic, false, 0.1),
+                 c128 = round_trip_error(128, Interpolation::cubic, false, 0.1);
     expect_at_most("advection_clamp.unclamped_error_128", c128, 0.0015);
     expect_at_least("advection_clamp.unclamped_order_64_128", figures::order(c64, c128), 2.6);
-    const double l64 = round_trip_error(64, Interpolation::linear, false, 0.1), l128 = round_trip_error(128, Interpolation::linear, false, 0.1);
+    const double l64 = round_trip_error(64, Interpolation::linear, false, 0.1),
+                 l128 = round_trip_error(128, Interpolation::linear, false, 0.1);
     figures::report("advection_clamp.linear_error_128", l128);
     figures::report("advection_clamp.linear_order_64_128", figures::order(l64, l128));
 }
@@ -64,9 +72,11 @@ TEST(AdvectionClamp, NeverLeavesTheRangeOfTheField) {
     const glm::dvec3 size(box.cells);
     const Field wind = sample(box, [&](glm::dvec3 x) {
         const glm::dvec3 phase = 2.0 * k_pi * x / size;
-        return 1.5 * glm::dvec3(std::sin(phase.y) + std::cos(phase.z), std::sin(phase.z) + std::cos(phase.x), std::sin(phase.x) + std::cos(phase.y));
+        return 1.5 * glm::dvec3(std::sin(phase.y) + std::cos(phase.z), std::sin(phase.z) + std::cos(phase.x),
+                                std::sin(phase.x) + std::cos(phase.y));
     });
-    const auto block = sample_scalar(box, [&](glm::dvec3 x) { return std::abs(x.x - 20) < 7 && std::abs(x.y - 12) < 5 && std::abs(x.z - 6) < 3 ? 3.0 : 1.0; });
+    const auto block = sample_scalar(
+        box, [&](glm::dvec3 x) { return std::abs(x.x - 20) < 7 && std::abs(x.y - 12) < 5 && std::abs(x.z - 6) < 3 ? 3.0 : 1.0; });
     float low = 1.0f, high = 3.0f, loose_high = 3.0f;
     auto values = block, loose = block, next = block;
     for (int step = 0; step < 60; ++step) {
@@ -88,7 +98,8 @@ TEST(AdvectionClamp, EachValueLiesWithinItsEightNeighbours) {
     Random random(31);
     const SideKind periodic = SideKind::periodic, open = SideKind::open, slip = SideKind::free_slip, rough = SideKind::no_slip;
     int outside = 0, checked = 0, at_bound = 0;
-    for (const Sides& sides : {Sides::all(periodic), Sides::all(open), Sides::all(slip), axis_sides({{open, slip}, {rough, rough}, {periodic, periodic}})})
+    for (const Sides& sides : {Sides::all(periodic), Sides::all(open), Sides::all(slip),
+                               axis_sides({{open, slip}, {rough, rough}, {periodic, periodic}})})
         for (const glm::ivec3 cells : {glm::ivec3(17, 9, 11), glm::ivec3(5, 1, 8), glm::ivec3(2, 70, 3)}) {
             const Box box{.cells = cells, .sides = sides};
             Workspace work = workspace(box, {0.4f, 0.2f, 0.1f});
@@ -96,7 +107,8 @@ TEST(AdvectionClamp, EachValueLiesWithinItsEightNeighbours) {
             const auto values = sample_scalar(box, [&](glm::dvec3) { return random.uniform(); });
             const float dt = 0.9f, beyond_value = 0.25f;
             std::vector<float> moved(values.size());
-            advect(work, ScalarTransport{.carried = values, .velocity = wind, .dt = dt, .outside = beyond_value, .clamped = true}, moved);
+            advect(work, ScalarTransport{.carried = values, .velocity = wind, .dt = dt, .outside = beyond_value, .clamped = true},
+                   moved);
             const Transport trace{.carried = wind, .velocity = wind, .dt = dt};
             for (int k = 0; k < cells.z; ++k)
                 for (int j = 0; j < cells.y; ++j)

@@ -17,19 +17,12 @@ using figures::expect_at_most;
 constexpr std::array k_sizes = {glm::ivec3(1, 1, 1), glm::ivec3(1, 5, 7),  glm::ivec3(2, 2, 2),
                                 glm::ivec3(3, 1, 4), glm::ivec3(17, 9, 5), glm::ivec3(8, 4, 70)};
 
+// Where two moving walls meet, the order of their mirrors would be a matter of convention: only y's walls move.
 Sides random_sides(Random& random) {
-    Sides sides;
-    Side* const ordered[3][2] = {{&sides.x_low, &sides.x_high}, {&sides.y_low, &sides.y_high}, {&sides.z_low, &sides.z_high}};
-    for (int axis = 0; axis < 3; ++axis) {
-        const bool periodic = random.below(4) == 0;
-        for (int end = 0; end < 2; ++end) {
-            Side& side = *ordered[axis][end];
-            side.kind = periodic ? SideKind::periodic : static_cast<SideKind>(random.below(3));
-            // Where two moving walls meet, the order of their mirrors would be a matter of convention: only y's walls move.
-            if (side.kind == SideKind::no_slip && axis == 1)
-                side.wall_velocity = {random.uniform(), 0.0, random.uniform()};
-        }
-    }
+    Sides sides = random.sides();
+    for (int end = 0; end < 2; ++end)
+        if (Side& side = side_of(sides, 1, end); side.kind == SideKind::no_slip)
+            side.wall_velocity = glm::vec3(random.vector()) * glm::vec3(1.0f, 0.0f, 1.0f);
     return sides;
 }
 
@@ -38,7 +31,7 @@ double worst_difference(Interpolation interpolation, bool with_history) {
     double worst = 0.0;
     for (int trial = 0; trial < 120; ++trial) {
         const Box box{.cells = k_sizes[trial % k_sizes.size()], .cell_size = 0.5f, .sides = random_sides(random)};
-        Workspace work = workspace(box, {random.uniform(), random.uniform(), random.uniform()});
+        Workspace work = workspace(box, glm::vec3(random.vector()));
         const Field carried = random.field(box), wind = random.field(box), old = random.field(box), history = random.field(box);
         Transport transport{.carried = carried, .velocity = wind, .interpolation = interpolation};
         transport.dt = static_cast<float>(random.uniform(0.1, 1.0));
@@ -78,12 +71,15 @@ TEST(AdvectionSides, AScalarEqualsItsDefinition) {
         double worst = 0.0;
         for (int trial = 0; trial < 120; ++trial) {
             const Box box{.cells = k_sizes[trial % k_sizes.size()], .cell_size = 2.0f, .sides = random_sides(random)};
-            Workspace work = workspace(box, {random.uniform(), random.uniform(), random.uniform()});
+            Workspace work = workspace(box, glm::vec3(random.vector()));
             const Field wind = random.field(box);
             const auto values = sample_scalar(box, [&](glm::dvec3) { return random.uniform(); });
             const float dt = static_cast<float>(random.uniform(0.5, 4.0)), outside = static_cast<float>(random.uniform());
             std::vector<float> moved(values.size());
-            advect(work, ScalarTransport{.carried = values, .velocity = wind, .dt = dt, .interpolation = interpolation, .outside = outside}, moved);
+            advect(work,
+                   ScalarTransport{
+                       .carried = values, .velocity = wind, .dt = dt, .interpolation = interpolation, .outside = outside},
+                   moved);
             const Transport trace{.carried = wind, .velocity = wind, .dt = dt};
             for (int k = 0; k < box.cells.z; ++k)
                 for (int j = 0; j < box.cells.y; ++j)
@@ -95,7 +91,8 @@ TEST(AdvectionSides, AScalarEqualsItsDefinition) {
                         worst = std::max(worst, std::abs(moved[box.index(i, j, k)] - exact));
                     }
         }
-        expect_at_most(std::string("advection_sides.scalar.") + (interpolation == Interpolation::linear ? "linear" : "cubic"), worst, 2e-5);
+        expect_at_most(std::string("advection_sides.scalar.") + (interpolation == Interpolation::linear ? "linear" : "cubic"),
+                       worst, 2e-5);
     }
 }
 

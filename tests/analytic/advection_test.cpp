@@ -38,7 +38,9 @@ std::vector<float> carry(Workspace& work, Form form, std::span<const float> valu
     return result;
 }
 
-Field uniform_wind(const Box& box, glm::vec3 wind) { return Field(box.cell_count(), glm::vec4(wind, 0.0f)); }
+Field uniform_wind(const Box& box, glm::vec3 wind) {
+    return Field(box.cell_count(), glm::vec4(wind, 0.0f));
+}
 
 // sum_j w_j(a) exp(-i j theta) after whole cells; `cells` is how far the air moved.
 std::complex<double> mode_factor(Interpolation interpolation, double cells, double theta) {
@@ -67,7 +69,9 @@ std::complex<double> measured_factor(Workspace& work, Form form, Interpolation i
     return factor / static_cast<double>(box.cell_count());
 }
 
-const char* name_of(Interpolation interpolation) { return interpolation == Interpolation::linear ? "linear" : "cubic"; }
+const char* name_of(Interpolation interpolation) {
+    return interpolation == Interpolation::linear ? "linear" : "cubic";
+}
 
 class UniformWind : public ::testing::TestWithParam<Interpolation> {};
 
@@ -87,7 +91,8 @@ TEST_P(UniformWind, EachModeOfEachAxisHasItsFactor) {
                     worst = std::max(worst, std::abs(factor - mode_factor(GetParam(), shift, 2.0 * k_pi * k / k_cells)));
                     if (GetParam() == Interpolation::linear) {
                         const double a = shift - std::floor(shift), s = std::sin(k_pi * k / k_cells);
-                        worst_size = std::max(worst_size, std::abs(std::abs(factor) - std::sqrt(std::max(0.0, 1.0 - 4.0 * a * (1.0 - a) * s * s))));
+                        worst_size = std::max(
+                            worst_size, std::abs(std::abs(factor) - std::sqrt(std::max(0.0, 1.0 - 4.0 * a * (1.0 - a) * s * s))));
                     }
                 }
     }
@@ -104,7 +109,7 @@ TEST_P(UniformWind, AnObliqueModeHasTheProductOfItsFactors) {
     double worst = 0.0;
     for (int trial = 0; trial < 24; ++trial) {
         const glm::ivec3 k(random.below(16), random.below(8), random.below(10));
-        const glm::vec3 wind(random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3));
+        const glm::vec3 wind(random.vector(3.0));
         const glm::dvec3 theta = 2.0 * k_pi * glm::dvec3(k) / glm::dvec3(box.cells);
         std::complex<double> factor = 1.0;
         for (int axis = 0; axis < 3; ++axis)
@@ -133,7 +138,7 @@ TEST_P(UniformWind, AGaussianSpreadsByTheVarianceOfItsWeights) {
             glm::vec3 wind(0.0f);
             wind[axis] = shift;
             const double middle = shift > 0.0f ? k_from : k_cells - k_from;
-                const auto gaussian = [&](glm::dvec3 x) {
+            const auto gaussian = [&](glm::dvec3 x) {
                 const double off = std::remainder(x[axis] - middle, k_cells);
                 return std::exp(-0.5 * off * off / k_start);
             };
@@ -190,7 +195,8 @@ TEST(Advection, LinearNeverGrowsAtAnyCfl) {
     Random random(11);
     double worst = 0.0;
     const SideKind periodic = SideKind::periodic, open = SideKind::open, wall = SideKind::free_slip, rough = SideKind::no_slip;
-    for (const Sides& sides : {Sides::all(periodic), Sides::all(open), Sides::all(wall), axis_sides({{open, wall}, {rough, open}, {periodic, periodic}})})
+    for (const Sides& sides : {Sides::all(periodic), Sides::all(open), Sides::all(wall),
+                               axis_sides({{open, wall}, {rough, open}, {periodic, periodic}})})
         for (const float cfl : {0.1f, 0.5f, 1.0f, 3.0f, 10.0f, 100.0f}) {
             const Box box{.cells = {19, 8, 12}, .sides = sides};
             Workspace work = workspace(box);
@@ -228,7 +234,8 @@ TEST(Advection, CubicOvershootsByAQuarterAnAxisAtMost) {
         for (const Form form : {Form::vector_y, Form::scalar}) {
             const auto moved = carry(work, form, start, uniform_wind(box, wind), 1.0f, Interpolation::cubic);
             const double largest = *std::max_element(moved.begin(), moved.end());
-            expect_at_most("advection.cubic_worst_overshoot_error." + std::to_string(axes) + (form == Form::scalar ? ".scalar" : ".vector"),
+            expect_at_most("advection.cubic_worst_overshoot_error." + std::to_string(axes) +
+                               (form == Form::scalar ? ".scalar" : ".vector"),
                            std::abs(largest - std::pow(1.25, axes)), 1e-5);
         }
     }

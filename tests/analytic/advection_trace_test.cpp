@@ -26,7 +26,9 @@ struct Turn {
 // |value - start| / |start| of a Gaussian after one turn about the middle of a 2 m square.
 double turn_error(int cells, int steps, Trace trace, const Turn& turn) {
     const SideKind open = SideKind::open, periodic = SideKind::periodic;
-    const Box box{.cells = {cells, cells, 1}, .cell_size = static_cast<float>(2.0 / cells), .sides = axis_sides({{open, open}, {open, open}, {periodic, periodic}})};
+    const Box box{.cells = {cells, cells, 1},
+                  .cell_size = static_cast<float>(2.0 / cells),
+                  .sides = axis_sides({{open, open}, {open, open}, {periodic, periodic}})};
     Workspace work = workspace(box);
     const auto wind_at = [&](double t) {
         return sample(box, [&](glm::dvec3 x) { return turn.rate(t) * glm::dvec3(1.0 - x.y, x.x - 1.0, 0.0); });
@@ -65,7 +67,8 @@ double turn_error(int cells, int steps, Trace trace, const Turn& turn) {
 TEST(AdvectionTrace, SteadyRotationIsSecondOrderInTheStep) {
     for (const Trace trace : {Trace::scalar, Trace::vector}) {
         const std::string name = trace == Trace::scalar ? "trace.steady.scalar." : "trace.steady.vector.";
-        const double e48 = turn_error(128, 48, trace, {}), e96 = turn_error(128, 96, trace, {}), e192 = turn_error(256, 192, trace, {});
+        const double e48 = turn_error(128, 48, trace, {}), e96 = turn_error(128, 96, trace, {}),
+                     e192 = turn_error(256, 192, trace, {});
         figures::report(name + "error_48_steps", e48);
         figures::report(name + "error_96_steps", e96);
         figures::report(name + "error_192_steps", e192);
@@ -75,7 +78,8 @@ TEST(AdvectionTrace, SteadyRotationIsSecondOrderInTheStep) {
 }
 
 TEST(AdvectionTrace, SteadyRotationIsSecondOrderAtFixedCfl) {
-    const double e64 = turn_error(64, 64, Trace::vector, {}), e128 = turn_error(128, 128, Trace::vector, {}), e256 = turn_error(256, 256, Trace::vector, {});
+    const double e64 = turn_error(64, 64, Trace::vector, {}), e128 = turn_error(128, 128, Trace::vector, {}),
+                 e256 = turn_error(256, 256, Trace::vector, {});
     figures::report("trace.fixed_cfl.error_64", e64);
     figures::report("trace.fixed_cfl.error_128", e128);
     figures::report("trace.fixed_cfl.error_256", e256);
@@ -85,7 +89,8 @@ TEST(AdvectionTrace, SteadyRotationIsSecondOrderAtFixedCfl) {
 
 TEST(AdvectionTrace, UnsteadyRotationIsSecondOrderWithTheLastWind) {
     const Turn turn{.unsteadiness = 0.3};
-    const double e64 = turn_error(128, 64, Trace::settls, turn), e128 = turn_error(128, 128, Trace::settls, turn), e256 = turn_error(256, 256, Trace::settls, turn);
+    const double e64 = turn_error(128, 64, Trace::settls, turn), e128 = turn_error(128, 128, Trace::settls, turn),
+                 e256 = turn_error(256, 256, Trace::settls, turn);
     figures::report("trace.unsteady.error_64_steps", e64);
     figures::report("trace.unsteady.error_128_steps", e128);
     figures::report("trace.unsteady.error_256_steps", e256);

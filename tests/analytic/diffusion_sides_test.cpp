@@ -18,22 +18,18 @@ using figures::expect_at_most;
 using reference::Stencil;
 using reference::Values;
 
-constexpr std::array k_sizes = {glm::ivec3(1, 1, 1), glm::ivec3(1, 2, 3),   glm::ivec3(2, 1, 1), glm::ivec3(3, 3, 2), glm::ivec3(1, 5, 7),
-                                glm::ivec3(3, 1, 4), glm::ivec3(17, 9, 23), glm::ivec3(6, 12, 1), glm::ivec3(16, 8, 16)};
+constexpr std::array k_sizes = {glm::ivec3(1, 1, 1),   glm::ivec3(1, 2, 3),  glm::ivec3(2, 1, 1),
+                                glm::ivec3(3, 3, 2),   glm::ivec3(1, 5, 7),  glm::ivec3(3, 1, 4),
+                                glm::ivec3(17, 9, 23), glm::ivec3(6, 12, 1), glm::ivec3(16, 8, 16)};
 
 Sides random_sides(Random& random) {
-    Sides sides;
-    Side* const ordered[3][2] = {{&sides.x_low, &sides.x_high}, {&sides.y_low, &sides.y_high}, {&sides.z_low, &sides.z_high}};
-    for (int axis = 0; axis < 3; ++axis) {
-        const bool periodic = random.below(4) == 0;
-        for (int end = 0; end < 2; ++end) {
-            Side& side = *ordered[axis][end];
-            side.kind = periodic ? SideKind::periodic : static_cast<SideKind>(random.below(3));
-            if (side.kind == SideKind::no_slip)
-                for (int c = 0; c < 3; ++c)
-                    side.wall_velocity[c] = c == axis ? 0.0f : static_cast<float>(random.uniform());
-        }
-    }
+    Sides sides = random.sides();
+    for (int axis = 0; axis < 3; ++axis)
+        for (int end = 0; end < 2; ++end)
+            if (Side& side = side_of(sides, axis, end); side.kind == SideKind::no_slip) {
+                side.wall_velocity = glm::vec3(random.vector());
+                side.wall_velocity[axis] = 0.0f;
+            }
     return sides;
 }
 
@@ -44,15 +40,16 @@ Values component_of(const Field& field, int c) {
     return values;
 }
 
-// Air, walls and ambient wind are all of size 1 m/s, and so is what an error is held against. Rounding of u' alone is amplified by
-// up to 1 + 12 r in the equation: beyond r = 5 the residual itself is held against that too. (1 - r L)^-1 of it is the error of u'.
+// Air, walls and ambient wind are all of size 1 m/s, and so is what an error is held against. Rounding of u' alone is amplified
+// by up to 1 + 12 r in the equation: beyond r = 5 the residual itself is held against that too. (1 - r L)^-1 of it is the error
+// of u'.
 TEST(DiffusionSides, EveryMixOfSidesSolvesItsEquations) {
     Random random(91);
     double worst_one_pass = 0.0, worst_implicit = 0.0, worst_scaled = 0.0, worst_error = 0.0;
     int trials[2] = {};
     for (int trial = 0; trial < 900; ++trial) {
         const Box box{.cells = k_sizes[trial % k_sizes.size()], .cell_size = 0.5f, .sides = random_sides(random)};
-        const glm::vec3 ambient = admissible_ambient(box.sides, {random.uniform(), random.uniform(), random.uniform()});
+        const glm::vec3 ambient = admissible_ambient(box.sides, glm::vec3(random.vector()));
         Workspace work = workspace(box, ambient);
         // h^2 / dt = 1: the viscosity is the ratio.
         const auto viscosity = static_cast<float>(std::pow(10.0, random.uniform(-3.5, 4.0)));
@@ -96,12 +93,13 @@ TEST(DiffusionSides, CouetteFlowReachesItsLine) {
     const glm::vec3 low(-0.5f, 0.0f, 0.25f), high(2.0f, 0.0f, -1.0f);
     for (const int axis : {0, 1, 2}) {
         // The walls' velocities lie in the plane across `axis`.
-        const auto along_walls = [&](glm::vec3 v) { return axis == 0 ? glm::vec3(0.0f, v.x, v.z) : axis == 1 ? v : glm::vec3(v.x, v.z, 0.0f); };
+        const auto along_walls = [&](glm::vec3 v) {
+            return axis == 0 ? glm::vec3(0.0f, v.x, v.z) : axis == 1 ? v : glm::vec3(v.x, v.z, 0.0f);
+        };
         for (const int cells : {16, 17}) {
             Sides sides = Sides::all(SideKind::periodic);
-            Side* const ends[3][2] = {{&sides.x_low, &sides.x_high}, {&sides.y_low, &sides.y_high}, {&sides.z_low, &sides.z_high}};
-            *ends[axis][0] = {SideKind::no_slip, along_walls(low)};
-            *ends[axis][1] = {SideKind::no_slip, along_walls(high)};
+            side_of(sides, axis, 0) = {SideKind::no_slip, along_walls(low)};
+            side_of(sides, axis, 1) = {SideKind::no_slip, along_walls(high)};
             Box box{.cells = {4, 4, 4}, .sides = sides};
             box.cells[axis] = cells;
             for (const double r : {1.0 / 12.0, 40.0}) {
@@ -114,11 +112,13 @@ TEST(DiffusionSides, CouetteFlowReachesItsLine) {
                 }
                 double worst = 0.0;
                 for_each_cell(box, [&](std::size_t n, glm::dvec3 x) {
-                    const glm::dvec3 line = glm::dvec3(along_walls(low)) + glm::dvec3(along_walls(high - low)) * (x[axis] / cells);
+                    const glm::dvec3 line =
+                        glm::dvec3(along_walls(low)) + glm::dvec3(along_walls(high - low)) * (x[axis] / cells);
                     for (int c = 0; c < 3; ++c)
                         worst = std::max(worst, std::abs(field[n][c] - line[c]));
                 });
-                expect_at_most("diffusion_sides.couette_axis_" + std::to_string(axis) + "_cells_" + std::to_string(cells) + (r < 1.0 ? ".one_pass" : ".implicit"),
+                expect_at_most("diffusion_sides.couette_axis_" + std::to_string(axis) + "_cells_" + std::to_string(cells) +
+                                   (r < 1.0 ? ".one_pass" : ".implicit"),
                                worst / 2.0, r < 1.0 ? 2e-5 : 1e-5);
             }
         }
@@ -136,7 +136,9 @@ double stokes_error(int cells, double r) {
     sides.y_high.kind = SideKind::free_slip;
     const Box box{.cells = {1, cells, 1}, .cell_size = static_cast<float>(h), .sides = sides};
     Workspace work = workspace(box);
-    const auto exact = [&](glm::dvec3 x, double t) { return glm::dvec3(std::exp(-x.y) * std::cos(k_frequency * t - x.y), 0.0, 0.0); };
+    const auto exact = [&](glm::dvec3 x, double t) {
+        return glm::dvec3(std::exp(-x.y) * std::cos(k_frequency * t - x.y), 0.0, 0.0);
+    };
     Field field = sample(box, [&](glm::dvec3 x) { return exact(x, 0.0); }), next = field;
     for (int step = 0; step < steps; ++step) {
         // The wall as it is at the time whose neighbours the method reads: the old one in one pass, the new one implicitly.

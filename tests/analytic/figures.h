@@ -5,10 +5,9 @@
 // A claim that is only measured has no bound and says "reported".
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <cstdio>
+#include <gtest/gtest.h>
 #include <string>
 
 namespace windrow::figures {
@@ -26,7 +25,9 @@ inline std::string number_text(double value) {
     return text;
 }
 
-inline void report(const std::string& name, double value) { record(name, value, "reported", ""); }
+inline void report(const std::string& name, double value) {
+    record(name, value, "reported", "");
+}
 
 // NaN fails both.
 inline void expect_at_most(const std::string& name, double value, double bound) {
@@ -40,6 +41,8 @@ inline void expect_at_least(const std::string& name, double value, double bound)
 }
 
 /// Observed order between two errors whose grids differ by a factor 2.
-inline double order(double coarse, double fine) { return std::log2(coarse / fine); }
+inline double order(double coarse, double fine) {
+    return std::log2(coarse / fine);
+}
 
 } // namespace windrow::figures

@@ -1,7 +1,9 @@
 // No two-step flicker: the history q carries half of the pressure and of the force from one step to the next. If it carried too
-// much or too little, the next step would answer with the opposite sign, and the air would flicker at half the rate of the steps, undamped.
+// much or too little, the next step would answer with the opposite sign, and the air would flicker at half the rate of the steps,
+// undamped.
 //
-// Measured by the fourth difference over five steps, which leaves 16 times an alternating part and almost nothing of a smooth one:
+// Measured by the fourth difference over five steps, which leaves 16 times an alternating part and almost nothing of a smooth
+// one:
 //     alternating = |u(n+2) - 4 u(n+1) + 6 u(n) - 4 u(n-1) + u(n-2)| / 16
 // Bound: 1e-3 of the blast ten steps after it.
 #include "figures.h"
@@ -13,7 +15,9 @@ namespace {
 using namespace flows;
 using figures::expect_at_most;
 
-Field copy_of(const Wind& wind) { return {wind.field().begin(), wind.field().end()}; }
+Field copy_of(const Wind& wind) {
+    return {wind.field().begin(), wind.field().end()};
+}
 
 // Largest alternating part of any component about the `step`-th step from now.
 double alternating_part(Wind& wind, double dt, int step) {
@@ -52,8 +56,8 @@ double blast_flicker(const Sides& sides, glm::vec3 ambient, int calm_steps, floa
         wind.set_velocity([&](glm::dvec3) { return wind.ambient(); });
     for (int step = 0; step < calm_steps; ++step)
         wind.step(dt);
-    const MotorId motor = *wind.motors().add(
-        DirectionalMotor{.position = {0.5, 0.25, -0.5}, .direction = {1.0f, 0.5f, 0.2f}, .region = Sphere{4.0f}, .law = Force{acceleration}});
+    const MotorId motor = *wind.motors().add(DirectionalMotor{
+        .position = {0.5, 0.25, -0.5}, .direction = {1.0f, 0.5f, 0.2f}, .region = Sphere{4.0f}, .law = Force{acceleration}});
     for (int step = 0; step < 5; ++step)
         wind.step(dt);
     EXPECT_TRUE(wind.motors().remove(motor));
@@ -63,11 +67,15 @@ double blast_flicker(const Sides& sides, glm::vec3 ambient, int calm_steps, floa
 }
 
 TEST(Flicker, NoneTenStepsAfterABlast) {
-    const std::pair<const char*, Sides> boxes[] = {{"periodic", Sides::all(SideKind::periodic)}, {"open", {}}, {"over_floor", Sides::open_over_floor()}, {"closed", Sides::all(SideKind::free_slip)}};
+    const std::pair<const char*, Sides> boxes[] = {{"periodic", Sides::all(SideKind::periodic)},
+                                                   {"open", {}},
+                                                   {"over_floor", Sides::open_over_floor()},
+                                                   {"closed", Sides::all(SideKind::free_slip)}};
     for (const auto& [name, sides] : boxes)
         for (const float acceleration : {60.0f, 600.0f})
             for (const int calm_steps : {0, 20}) {
-                const std::string label = std::string("flicker.blast.") + name + "." + figures::number_text(acceleration) + (calm_steps == 0 ? ".from_start" : ".into_history");
+                const std::string label = std::string("flicker.blast.") + name + "." + figures::number_text(acceleration) +
+                                          (calm_steps == 0 ? ".from_start" : ".into_history");
                 expect_at_most(label + ".still", blast_flicker(sides, glm::vec3(0.0f), calm_steps, acceleration), 1e-3);
                 expect_at_most(label + ".wind", blast_flicker(sides, {3.0f, 0.0f, 1.0f}, calm_steps, acceleration), 1e-3);
             }
@@ -81,7 +89,8 @@ TEST(Flicker, NoneAfterAStartInTheMiddleOfAFlow) {
         const TaylorGreen2D flow;
         EXPECT_TRUE(wind.set_velocity(sample(box, [&](glm::dvec3 x) { return flow(x, 0.0); })));
         // The flow's largest speed is 1 m/s.
-        expect_at_most("flicker.start.cfl_1." + std::to_string(cells), alternating_part(wind, static_cast<double>(box.cell_size), 10), 1e-3);
+        expect_at_most("flicker.start.cfl_1." + std::to_string(cells),
+                       alternating_part(wind, static_cast<double>(box.cell_size), 10), 1e-3);
     }
 }
 

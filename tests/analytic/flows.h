@@ -6,12 +6,11 @@
 #include "fluid/pieces.h"
 #include "fluid/wind.h"
 
-#include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <numbers>
 #include <random>
 #include <span>
@@ -33,12 +32,17 @@ inline Box periodic_box(glm::ivec3 cells, double cell_size = 1.0) {
     return {.cells = cells, .cell_size = static_cast<float>(cell_size), .sides = Sides::all(SideKind::periodic)};
 }
 
+/// One side of a Sides, to write to.
+inline Side& side_of(Sides& sides, int axis, int end) {
+    Side* const ordered[6] = {&sides.x_low, &sides.x_high, &sides.y_low, &sides.y_high, &sides.z_low, &sides.z_high};
+    return *ordered[2 * axis + end];
+}
+
 inline Sides axis_sides(const SideKind (&kinds)[3][2]) {
     Sides sides;
-    Side* const ordered[3][2] = {{&sides.x_low, &sides.x_high}, {&sides.y_low, &sides.y_high}, {&sides.z_low, &sides.z_high}};
     for (int axis = 0; axis < 3; ++axis)
         for (int end = 0; end < 2; ++end)
-            ordered[axis][end]->kind = kinds[axis][end];
+            side_of(sides, axis, end).kind = kinds[axis][end];
     return sides;
 }
 
@@ -74,13 +78,30 @@ class Random {
   public:
     explicit Random(std::uint32_t seed) : engine_(seed) {}
     /// [low, high)
-    double uniform(double low = -1.0, double high = 1.0) { return low + (high - low) * (static_cast<double>(engine_()) / 4294967296.0); }
+    double uniform(double low = -1.0, double high = 1.0) {
+        return low + (high - low) * (static_cast<double>(engine_()) / 4294967296.0);
+    }
     int below(int count) { return static_cast<int>(engine_() % static_cast<std::uint32_t>(count)); }
+    glm::dvec3 vector(double size = 1.0) {
+        glm::dvec3 result;
+        for (int axis = 0; axis < 3; ++axis)
+            result[axis] = uniform(-size, size);
+        return result;
+    }
+    /// Any mix of kinds, a quarter of the axes periodic.
+    Sides sides() {
+        Sides result;
+        for (int axis = 0; axis < 3; ++axis) {
+            const bool periodic = below(4) == 0;
+            for (int end = 0; end < 2; ++end)
+                side_of(result, axis, end).kind = periodic ? SideKind::periodic : static_cast<SideKind>(below(3));
+        }
+        return result;
+    }
     Field field(const Box& box, double size = 1.0) {
         Field result(box.cell_count());
         for (glm::vec4& u : result)
-            for (int axis = 0; axis < 3; ++axis)
-                u[axis] = static_cast<float>(uniform(-size, size));
+            u = glm::vec4(glm::vec3(vector(size)), 0.0f);
         return result;
     }
 

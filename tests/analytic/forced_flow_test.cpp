@@ -2,11 +2,11 @@
 //
 // A periodic slab of 2 pi; vortices carried by a mean wind (1, 0.5) cross a motor that moves, turns on and off:
 //     du/dt + u . grad u = -grad p + nu L u + a(t) w(x - c(t)) d,   a = A sin^2(pi t / T),  c(t) = c0 + V t,  T = pi, dt = h / 2
-// w is the region's own weight, prod (1 - s^2)^2, wide (1.4 m) because it is only once differentiable. A step from t to t + dt needs
-// the force at t + dt: the motor is set to it first. Reference: spectral_reference.h with the same force, 128^2.
+// w is the region's own weight, prod (1 - s^2)^2, wide (1.4 m) because it is only once differentiable. A step from t to t + dt
+// needs the force at t + dt: the motor is set to it first. Reference: spectral_reference.h with the same force, 128^2.
 //
-// A force that is at full strength from t = 0 acts half in its first step (its departure half needs a step before): the flow then lags
-// by half a step, first order. That is reported, not bounded: impulses are complete one step after the motor.
+// A force that is at full strength from t = 0 acts half in its first step (its departure half needs a step before): the flow then
+// lags by half a step, first order. That is reported, not bounded: impulses are complete one step after the motor.
 #include "figures.h"
 #include "flows.h"
 #include "spectral_reference.h"
@@ -25,7 +25,9 @@ enum class Switch { smooth, at_once };
 
 struct Gust {
     Switch kind = Switch::smooth;
-    double strength(double t) const { return kind == Switch::smooth ? k_acceleration * std::pow(std::sin(k_pi * t / k_end), 2) : 0.5 * k_acceleration; }
+    double strength(double t) const {
+        return kind == Switch::smooth ? k_acceleration * std::pow(std::sin(k_pi * t / k_end), 2) : 0.5 * k_acceleration;
+    }
     glm::dvec3 centre(double t) const { return {2.4 + 0.5 * t, 3.4 - 0.3 * t, 0.0}; }
     static glm::dvec3 direction() { return {0.6, 0.8, 0.0}; }
     double weight(glm::dvec3 x, double t) const {
@@ -35,7 +37,9 @@ struct Gust {
     }
 };
 
-glm::dvec3 start(glm::dvec3 x) { return TaylorGreen2D{.mean = {1.0, 0.5}}(x, 0.0); }
+glm::dvec3 start(glm::dvec3 x) {
+    return TaylorGreen2D{.mean = {1.0, 0.5}}(x, 0.0);
+}
 
 // The reference's velocity at the end, at the centres of `cells`.
 std::vector<glm::dvec3> exact_end(const Gust& gust, int points, int steps, int cells) {
@@ -84,7 +88,8 @@ double difference(const std::vector<glm::dvec3>& a, const std::vector<glm::dvec3
 TEST(ForcedFlow, AMovingMotorIsSecondOrderAtFixedCfl) {
     const Gust gust;
     double errors[3], split[3];
-    expect_at_most("forced.reference_change_from_96_to_128", difference(exact_end(gust, 96, 150, 64), exact_end(gust, 128, 200, 64)), 2e-4);
+    expect_at_most("forced.reference_change_from_96_to_128",
+                   difference(exact_end(gust, 96, 150, 64), exact_end(gust, 128, 200, 64)), 2e-4);
     for (int level = 0; level < 3; ++level) {
         const int cells = 32 << level;
         const auto exact = exact_end(gust, 128, 200, cells);
@@ -117,7 +122,8 @@ TEST(ForcedFlow, TheWholeImpulseArrivesOneStepAfterTheMotor) {
     double worst = 0.0, half_missing = 0.0;
     for (const Scheme scheme : {Scheme::second_order, Scheme::stable_fluids}) {
         Wind wind = raw_wind(box, 0.0, scheme, Interpolation::cubic);
-        const DirectionalMotor fan{.position = {6.0, 4.0, 5.0}, .direction = {0.0f, 0.6f, 0.8f}, .region = Sphere{2.5f}, .law = Force{4.0f}};
+        const DirectionalMotor fan{
+            .position = {6.0, 4.0, 5.0}, .direction = {0.0f, 0.6f, 0.8f}, .region = Sphere{2.5f}, .law = Force{4.0f}};
         const MotorId motor = *wind.motors().add(fan);
         double weights = 0.0;
         for_each_cell(box, [&](std::size_t, glm::dvec3 x) {

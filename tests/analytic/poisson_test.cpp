@@ -1,9 +1,9 @@
 // The direct pressure solve, L phi = b, against an independent 7-point stencil in double.
 //
 // Residual |b - L phi| / |b| (b without its mean where no side is open). Rounding phi to float alone leaves up to
-// 12 eps |phi| / |b| with eps = 6e-8 and |phi| / |b| as large as 1 / lambda_1. Where the lowest mode of a long or closed box carries
-// much of b that is more than 1e-5; so larger boxes are held to 5e-7 of |b| + 12 |phi|, and in the error of phi and of grad phi against a
-// conjugate gradient in double.
+// 12 eps |phi| / |b| with eps = 6e-8 and |phi| / |b| as large as 1 / lambda_1. Where the lowest mode of a long or closed box
+// carries much of b that is more than 1e-5; so larger boxes are held to 5e-7 of |b| + 12 |phi|, and in the error of phi and of
+// grad phi against a conjugate gradient in double.
 #include "figures.h"
 #include "flows.h"
 #include "stencil_reference.h"
@@ -19,10 +19,12 @@ using figures::expect_at_most;
 using reference::Stencil;
 using reference::Values;
 
-constexpr SideKind k_open = SideKind::open, k_slip = SideKind::free_slip, k_rough = SideKind::no_slip, k_periodic = SideKind::periodic;
+constexpr SideKind k_open = SideKind::open, k_slip = SideKind::free_slip, k_rough = SideKind::no_slip,
+                   k_periodic = SideKind::periodic;
 // Every pair of ends that an axis may have; the first five differ for the pressure, to which both walls are one.
-constexpr SideKind k_pairs[10][2] = {{k_open, k_open}, {k_slip, k_slip},  {k_open, k_slip},   {k_slip, k_open},  {k_periodic, k_periodic},
-                                     {k_slip, k_rough}, {k_rough, k_slip}, {k_rough, k_rough}, {k_open, k_rough}, {k_rough, k_open}};
+constexpr SideKind k_pairs[10][2] = {{k_open, k_open},         {k_slip, k_slip},  {k_open, k_slip},  {k_slip, k_open},
+                                     {k_periodic, k_periodic}, {k_slip, k_rough}, {k_rough, k_slip}, {k_rough, k_rough},
+                                     {k_open, k_rough},        {k_rough, k_open}};
 constexpr std::array k_tiny = {glm::ivec3(1, 1, 1), glm::ivec3(1, 5, 7), glm::ivec3(2, 2, 2), glm::ivec3(3, 1, 4)};
 constexpr std::array k_sizes = {glm::ivec3(17, 9, 23), glm::ivec3(20, 6, 40), glm::ivec3(48, 5, 33), glm::ivec3(64, 1, 64)};
 
@@ -83,8 +85,8 @@ TEST(Poisson, EveryMixOfSidesOfALargerBoxIsSolved) {
     }
 }
 
-// What the residual stands for: L e = left over. The gradient is the difference to each neighbour, all of them in the energy e . L e.
-// In the two slender boxes a single lowest mode may hold nearly all of phi; there the gradient of the error is held against
+// What the residual stands for: L e = left over. The gradient is the difference to each neighbour, all of them in the energy e .
+// L e. In the two slender boxes a single lowest mode may hold nearly all of phi; there the gradient of the error is held against
 // the error that rounding the exact phi to float would make.
 TEST(Poisson, PhiAndItsGradientAgreeWithADoubleSolve) {
     Random random(3);
@@ -158,10 +160,13 @@ AxisFunction axis_function(int pair, double x) {
 double manufactured_error(int cells, int x, int y, int z) {
     const Box box{.cells = {cells, cells / 2, cells}, .cell_size = static_cast<float>(1.0 / cells), .sides = mix(x, y, z)};
     Workspace work = workspace(box);
-    const auto axes = [&](glm::dvec3 p) { return std::array{axis_function(x, p.x), axis_function(y, 2.0 * p.y), axis_function(z, p.z)}; };
+    const auto axes = [&](glm::dvec3 p) {
+        return std::array{axis_function(x, p.x), axis_function(y, 2.0 * p.y), axis_function(z, p.z)};
+    };
     auto values = sample_scalar(box, [&](glm::dvec3 p) {
         const auto f = axes(p); // y spans half a metre
-        return f[0].second * f[1].value * f[2].value + 4.0 * f[0].value * f[1].second * f[2].value + f[0].value * f[1].value * f[2].second;
+        return f[0].second * f[1].value * f[2].value + 4.0 * f[0].value * f[1].second * f[2].value +
+               f[0].value * f[1].value * f[2].second;
     });
     solve_poisson(work, values);
     double error = 0.0, size = 0.0;
@@ -178,7 +183,8 @@ TEST(Poisson, AManufacturedSolutionIsSecondOrder) {
     double least = 10.0, worst = 0.0;
     for (int n = 0; n < 125; n += 4) {
         const int x = n % 5, y = n / 5 % 5, z = n / 25;
-        const double e16 = manufactured_error(16, x, y, z), e32 = manufactured_error(32, x, y, z), e64 = manufactured_error(64, x, y, z);
+        const double e16 = manufactured_error(16, x, y, z), e32 = manufactured_error(32, x, y, z),
+                     e64 = manufactured_error(64, x, y, z);
         least = std::min({least, figures::order(e16, e32), figures::order(e32, e64)});
         worst = std::max(worst, e64);
     }
@@ -186,13 +192,13 @@ TEST(Poisson, AManufacturedSolutionIsSecondOrder) {
     expect_at_most("poisson.manufactured_error_64", worst, 1e-2);
 }
 
-// Six Gaussian jets over a floor, the other sides and the top open; b is the divergence of their wind. Box 32 x 16 x 32 m; the jets, 1.5 m
-// wide, point along +x, -x, +z, -z, up and down, and stand off the middle so that nothing cancels.
+// Six Gaussian jets over a floor, the other sides and the top open; b is the divergence of their wind. Box 32 x 16 x 32 m; the
+// jets, 1.5 m wide, point along +x, -x, +z, -z, up and down, and stand off the middle so that nothing cancels.
 Field six_jets(const Box& box) {
     struct Jet {
         glm::dvec3 place, wind;
     };
-    const Jet jets[6] = {{{9, 6, 10}, {8, 0, 0}},  {{22, 5, 21}, {-6, 0, 0}}, {{12, 9, 23}, {0, 0, 7}},
+    const Jet jets[6] = {{{9, 6, 10}, {8, 0, 0}},   {{22, 5, 21}, {-6, 0, 0}}, {{12, 9, 23}, {0, 0, 7}},
                          {{20, 10, 8}, {0, 0, -9}}, {{7, 4, 19}, {0, 5, 0}},   {{25, 11, 14}, {0, -4, 0}}};
     return sample(box, [&](glm::dvec3 x) {
         glm::dvec3 wind(0.0);
@@ -204,7 +210,9 @@ Field six_jets(const Box& box) {
 
 TEST(Poisson, SixJetsOverAFloor) {
     for (const auto& [cells, bound] : {std::pair(32, 1e-5), std::pair(64, 3e-5), std::pair(128, 2e-4)}) {
-        const Box box{.cells = {cells, cells / 2, cells}, .cell_size = 32.0f / static_cast<float>(cells), .sides = Sides::open_over_floor()};
+        const Box box{.cells = {cells, cells / 2, cells},
+                      .cell_size = 32.0f / static_cast<float>(cells),
+                      .sides = Sides::open_over_floor()};
         Workspace work = workspace(box);
         std::vector<float> values(box.cell_count());
         divergence(work, six_jets(box), values);

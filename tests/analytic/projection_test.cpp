@@ -2,7 +2,8 @@
 //
 // Divergence and gradient span two cells, L one: D G acts on a mode as sin^2(theta), L as 4 sin^2(theta / 2). So a gradient is
 // removed, a solenoidal field kept and the divergence brought to zero up to h^2, and these slopes are what is asked here.
-// In Fourier's space and in one dimension the part of a gradient that stays is 1 - sin^2(theta) / (4 sin^2(theta / 2)) = sin^2(theta / 2).
+// In Fourier's space and in one dimension the part of a gradient that stays is 1 - sin^2(theta) / (4 sin^2(theta / 2)) =
+// sin^2(theta / 2).
 #include "figures.h"
 #include "flows.h"
 
@@ -29,13 +30,14 @@ TEST(Projection, TaylorAndGreensFieldIsKept) {
     Workspace work = workspace(cube(64));
     const TaylorGreen2D flow;
     // Its central divergence is zero to rounding, not only to h^2.
-    expect_at_most("projection.change_of_taylor_green_64", change(work, sample(work.box(), [&](glm::dvec3 x) { return flow(x, 0.0); })), 1e-5);
+    expect_at_most("projection.change_of_taylor_green_64",
+                   change(work, sample(work.box(), [&](glm::dvec3 x) { return flow(x, 0.0); })), 1e-5);
 }
 
 // Solenoidal, with unlike waves along its axes, so that the central divergence is not zero but of order h^2.
 glm::dvec3 solenoidal(glm::dvec3 x) {
-    return {2.0 * std::sin(x.x) * std::cos(2.0 * x.y) + std::cos(3.0 * x.z), -std::cos(x.x) * std::sin(2.0 * x.y) + std::sin(2.0 * x.x) * std::cos(x.z),
-            2.0 * std::cos(2.0 * x.x + x.y)};
+    return {2.0 * std::sin(x.x) * std::cos(2.0 * x.y) + std::cos(3.0 * x.z),
+            -std::cos(x.x) * std::sin(2.0 * x.y) + std::sin(2.0 * x.x) * std::cos(x.z), 2.0 * std::cos(2.0 * x.x + x.y)};
 }
 
 // grad sin(x + 1) cos(2 y) sin(z + y)
@@ -101,9 +103,10 @@ TEST(Projection, TheGradientHandedOutIsWhatWasTaken) {
 // Left over after one projection of a smooth field that is half gradient: h div u / rms(u), and the fall of div u itself.
 TEST(Projection, TheDivergenceFloorFallsWithTheCell) {
     const SideKind open = SideKind::open, wall = SideKind::free_slip, periodic = SideKind::periodic;
-    const std::pair<const char*, Sides> boxes[] = {{"periodic", Sides::all(periodic)},
-                                                   {"channel", axis_sides({{periodic, periodic}, {wall, wall}, {periodic, periodic}})},
-                                                   {"open", Sides::all(open)}};
+    const std::pair<const char*, Sides> boxes[] = {
+        {"periodic", Sides::all(periodic)},
+        {"channel", axis_sides({{periodic, periodic}, {wall, wall}, {periodic, periodic}})},
+        {"open", Sides::all(open)}};
     for (const auto& [name, sides] : boxes) {
         double floors[3];
         for (int level = 0; level < 3; ++level) {
@@ -119,7 +122,8 @@ TEST(Projection, TheDivergenceFloorFallsWithTheCell) {
             std::vector<float> left(box.cell_count());
             divergence(work, field, left);
             floors[level] = rms(std::span<const float>(left)) * static_cast<double>(box.cell_size) / rms(field);
-            figures::report(std::string("projection.floor_h_div_over_rms.") + name + "." + std::to_string(24 << level), floors[level]);
+            figures::report(std::string("projection.floor_h_div_over_rms.") + name + "." + std::to_string(24 << level),
+                            floors[level]);
         }
         // div falls as h^2, h div as h^3.
         figures::report(std::string("projection.floor_div_order_24_48.") + name, figures::order(floors[0], floors[1]) - 1.0);
@@ -132,8 +136,9 @@ TEST(Projection, TheDivergenceFloorFallsWithTheCell) {
 // has one side only, to first.
 TEST(Projection, OpenSidesLetTheAirThroughToSecondOrder) {
     const SideKind open = SideKind::open, wall = SideKind::free_slip, periodic = SideKind::periodic;
-    const std::pair<const char*, Sides> boxes[] = {{"open", axis_sides({{open, open}, {open, open}, {periodic, periodic}})},
-                                                   {"over_floor", axis_sides({{open, open}, {wall, open}, {periodic, periodic}})}};
+    const std::pair<const char*, Sides> boxes[] = {
+        {"open", axis_sides({{open, open}, {open, open}, {periodic, periodic}})},
+        {"over_floor", axis_sides({{open, open}, {wall, open}, {periodic, periodic}})}};
     for (const auto& [name, sides] : boxes) {
         double inner[3], edge[3];
         for (int level = 0; level < 3; ++level) {
@@ -142,13 +147,15 @@ TEST(Projection, OpenSidesLetTheAirThroughToSecondOrder) {
             Workspace work = workspace(box);
             const bool floor = sides.y_low.solid();
             const auto through = [&](glm::dvec3 x) { // solenoidal; over a floor its v is 0 at y = 0
-                return floor ? glm::dvec3(std::sin(2.0 * x.x + 1.0) * std::cos(2.0 * x.y), -std::cos(2.0 * x.x + 1.0) * std::sin(2.0 * x.y), 0.0)
+                return floor ? glm::dvec3(std::sin(2.0 * x.x + 1.0) * std::cos(2.0 * x.y),
+                                          -std::cos(2.0 * x.x + 1.0) * std::sin(2.0 * x.y), 0.0)
                              : glm::dvec3(std::sin(2.0 * x.y + 1.0), std::cos(3.0 * x.x), 0.0);
             };
             const double ky = floor ? 0.5 * k_pi : k_pi; // phi = sin(pi x) sin(pi y), or sin(pi x) cos(pi y / 2) over a floor
             Field field = sample(box, [&](glm::dvec3 x) {
                 const double sx = std::sin(k_pi * x.x), cx = std::cos(k_pi * x.x);
-                const double fy = floor ? std::cos(ky * x.y) : std::sin(ky * x.y), dy = floor ? -std::sin(ky * x.y) : std::cos(ky * x.y);
+                const double fy = floor ? std::cos(ky * x.y) : std::sin(ky * x.y),
+                             dy = floor ? -std::sin(ky * x.y) : std::cos(ky * x.y);
                 return through(x) + glm::dvec3(cx * fy, ky / k_pi * sx * dy, 0.0);
             });
             project(work, field);
@@ -185,7 +192,8 @@ TEST(Projection, NoSideAddsEnergy) {
         Workspace work = workspace(box);
         for (int trial = 0; trial < 6; ++trial) {
             // Noise, and long waves across each component, which have no divergence inside and blow through the sides.
-            const glm::dvec2 k[3] = {{random.uniform(), random.uniform()}, {random.uniform(), random.uniform()}, {random.uniform(), random.uniform()}};
+            const glm::dvec2 k[3] = {
+                {random.uniform(), random.uniform()}, {random.uniform(), random.uniform()}, {random.uniform(), random.uniform()}};
             const double phase = random.uniform(-3.0, 3.0);
             Field field = trial == 0 ? random.field(box) : sample(box, [&](glm::dvec3 p) {
                 return glm::dvec3(std::sin(k[0].x * p.y + k[0].y * p.z + phase), std::sin(k[1].x * p.x + k[1].y * p.z - phase),
@@ -202,7 +210,10 @@ TEST(Projection, NoSideAddsEnergy) {
 // In a closed box no air comes or goes: the divergence of any field whatever sums to nothing.
 TEST(Projection, NoAirPassesAWall) {
     Random random(14);
-    for (const Sides& sides : {Sides::all(SideKind::free_slip), Sides::all(SideKind::no_slip), axis_sides({{SideKind::periodic, SideKind::periodic}, {SideKind::no_slip, SideKind::free_slip}, {SideKind::free_slip, SideKind::free_slip}})}) {
+    for (const Sides& sides : {Sides::all(SideKind::free_slip), Sides::all(SideKind::no_slip),
+                               axis_sides({{SideKind::periodic, SideKind::periodic},
+                                           {SideKind::no_slip, SideKind::free_slip},
+                                           {SideKind::free_slip, SideKind::free_slip}})}) {
         const Box box{.cells = {17, 9, 23}, .sides = sides};
         Workspace work = workspace(box);
         std::vector<float> values(box.cell_count());

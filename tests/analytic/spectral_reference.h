@@ -3,21 +3,21 @@
 //     du/dt = P(u x curl u + f) - nu k^2 u          (rotational form; P removes the gradient, pressure and |u|^2 / 2 in it)
 //
 // Fourier modes of a real field on nx x ny x nz points (FFTW's half space along x, the fastest axis), products in real space with
-// modes beyond 2/3 of each axis removed, classic fourth-order Runge-Kutta with the viscous term in an integrating factor: spectral in
-// space, order 4 in time. The solver's own points lie at (i, j, k) * 2 pi / n; cell centres are had by shifting phases.
-// Based on: Canuto, Hussaini, Quarteroni & Zang 1988, "Spectral methods in fluid dynamics", chapter 7; Orszag 1971 for the 2/3 rule.
+// modes beyond 2/3 of each axis removed, classic fourth-order Runge-Kutta with the viscous term in an integrating factor:
+// spectral in space, order 4 in time. The solver's own points lie at (i, j, k) * 2 pi / n; cell centres are had by shifting
+// phases. Based on: Canuto, Hussaini, Quarteroni & Zang 1988, "Spectral methods in fluid dynamics", chapter 7; Orszag 1971 for
+// the 2/3 rule.
 #pragma once
-
-#include <fftw3.h>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
+#include <fftw3.h>
 #include <functional>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 #include <numbers>
 #include <vector>
 
@@ -84,12 +84,14 @@ class SpectralFlow {
             step((end - time_) / (steps - n));
     }
 
-    /// Velocity at the points (i + 1/2, j + 1/2, k + 1/2) * 2 pi / cells, x fastest; any number of cells. The series is evaluated there
-    /// exactly: a wave that the cells are too coarse for looks like a longer one on their centres, and is added to that one.
+    /// Velocity at the points (i + 1/2, j + 1/2, k + 1/2) * 2 pi / cells, x fastest; any number of cells. The series is evaluated
+    /// there exactly: a wave that the cells are too coarse for looks like a longer one on their centres, and is added to that
+    /// one.
     [[nodiscard]] std::vector<glm::dvec3> at_cell_centres(glm::ivec3 cells) const {
         const std::size_t total = static_cast<std::size_t>(cells.x) * cells.y * cells.z;
         std::vector<std::complex<double>> folded(total);
-        const fftw_plan plan = fftw_plan_dft_3d(cells.z, cells.y, cells.x, as_fftw(folded), as_fftw(folded), FFTW_BACKWARD, FFTW_ESTIMATE);
+        const fftw_plan plan =
+            fftw_plan_dft_3d(cells.z, cells.y, cells.x, as_fftw(folded), as_fftw(folded), FFTW_BACKWARD, FFTW_ESTIMATE);
         const glm::dvec3 shift = glm::dvec3(std::numbers::pi) / glm::dvec3(cells);
         const auto place = [&](glm::ivec3 k) {
             k = (k % cells + cells) % cells;
@@ -128,7 +130,9 @@ class SpectralFlow {
   private:
     [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(points_.x) * points_.y * points_.z; }
     [[nodiscard]] std::size_t mode_count() const { return static_cast<std::size_t>(half_) * points_.y * points_.z; }
-    static fftw_complex* as_fftw(std::vector<std::complex<double>>& values) { return reinterpret_cast<fftw_complex*>(values.data()); }
+    static fftw_complex* as_fftw(std::vector<std::complex<double>>& values) {
+        return reinterpret_cast<fftw_complex*>(values.data());
+    }
 
     /// visit(place, wave vector, whether the 2/3 rule keeps it)
     template <class Visit>

@@ -12,9 +12,8 @@
 
 #include "fluid/pieces.h"
 
-#include <glm/vec3.hpp>
-
 #include <cmath>
+#include <glm/vec3.hpp>
 #include <numeric>
 #include <vector>
 
@@ -75,7 +74,8 @@ class Stencil {
                             else if (box_.sides.periodic(axis))
                                 sum += v[n + (end == 0 ? last : -last) * strides[axis]];
                             else
-                                sum += ghosts_[axis][end].scale * v[n] + (offsets == Offsets::with ? ghosts_[axis][end].offset : 0.0);
+                                sum += ghosts_[axis][end].scale * v[n] +
+                                       (offsets == Offsets::with ? ghosts_[axis][end].offset : 0.0);
                             sum -= v[n];
                         }
                     }

@@ -1,8 +1,9 @@
-// Taylor and Green's vortices in three dimensions: box 2 pi, u = sin x cos y cos z, v = -cos x sin y cos z, w = 0, nu = 1/200, up to T = 3,
-// where the vortices have stretched into sheets but the flow is still smooth. dt = T / ceil(T / h): CFL 1 at most.
+// Taylor and Green's vortices in three dimensions: box 2 pi, u = sin x cos y cos z, v = -cos x sin y cos z, w = 0, nu = 1/200, up
+// to T = 3, where the vortices have stretched into sheets but the flow is still smooth. dt = T / ceil(T / h): CFL 1 at most.
 //
-// Reference: pseudo-spectral, spectral_reference.h, at the cell centres. Error = |u - u_ref|_2 / |u_ref|_2, order 2 and more. 64^3
-// points are themselves 0.003 from converged, so the bounds are held against 80^3 and the error against 64^3 is reported beside it.
+// Reference: pseudo-spectral, spectral_reference.h, at the cell centres. Error = |u - u_ref|_2 / |u_ref|_2, order 2 and more.
+// 64^3 points are themselves 0.003 from converged, so the bounds are held against 80^3 and the error against 64^3 is reported
+// beside it.
 #include "figures.h"
 #include "flows.h"
 #include "spectral_reference.h"
@@ -19,7 +20,9 @@ using reference::SpectralFlow;
 
 constexpr double k_viscosity = 1.0 / 200.0, k_end = 3.0;
 
-glm::dvec3 vortices(glm::dvec3 x) { return {std::sin(x.x) * std::cos(x.y) * std::cos(x.z), -std::cos(x.x) * std::sin(x.y) * std::cos(x.z), 0.0}; }
+glm::dvec3 vortices(glm::dvec3 x) {
+    return {std::sin(x.x) * std::cos(x.y) * std::cos(x.z), -std::cos(x.x) * std::sin(x.y) * std::cos(x.z), 0.0};
+}
 
 SpectralFlow& solved(int points, int steps) {
     // Kept over the tests of this file: a run costs seconds.
@@ -59,7 +62,8 @@ TEST(SpectralReference, KeepsAbcFlowExactly) {
     for (int k = 0; k < 8; ++k)
         for (int j = 0; j < 16; ++j)
             for (int i = 0; i < 8; ++i) {
-                const glm::dvec3 off = computed[n++] - abc(2.0 * k_pi * glm::dvec3((i + 0.5) / 8.0, (j + 0.5) / 16.0, (k + 0.5) / 8.0), 1.0);
+                const glm::dvec3 off =
+                    computed[n++] - abc(2.0 * k_pi * glm::dvec3((i + 0.5) / 8.0, (j + 0.5) / 16.0, (k + 0.5) / 8.0), 1.0);
                 worst = std::max(worst, glm::length(off));
             }
     expect_at_most("spectral.abc_error", worst, 1e-10);
@@ -76,7 +80,8 @@ TEST(SpectralReference, CarriesTaylorGreenAtFourthOrder) {
         double squares = 0.0;
         for (int j = 0; j < 24; ++j)
             for (int i = 0; i < 12; ++i) {
-                const glm::dvec3 off = computed[j * 12 + i] - exact(2.0 * k_pi * glm::dvec3((i + 0.5) / 12.0, (j + 0.5) / 24.0, 0.0), 2.0);
+                const glm::dvec3 off =
+                    computed[j * 12 + i] - exact(2.0 * k_pi * glm::dvec3((i + 0.5) / 12.0, (j + 0.5) / 24.0, 0.0), 2.0);
                 squares += glm::dot(off, off);
             }
         errors[level] = std::sqrt(squares / (12 * 24));
@@ -87,7 +92,8 @@ TEST(SpectralReference, CarriesTaylorGreenAtFourthOrder) {
 
 TEST(SpectralReference, HasConvergedAtTheEnd) {
     const glm::ivec3 cells(32);
-    expect_at_most("spectral.tg3d_change_at_half_as_many_steps", difference(solved(48, 30).at_cell_centres(cells), solved(48, 60).at_cell_centres(cells)), 1e-4);
+    expect_at_most("spectral.tg3d_change_at_half_as_many_steps",
+                   difference(solved(48, 30).at_cell_centres(cells), solved(48, 60).at_cell_centres(cells)), 1e-4);
     // 96^3 and 108^3 move the reference by less than a tenth of this once more.
     const auto u = solved(80, 30).at_cell_centres(cells);
     expect_at_most("spectral.tg3d_change_from_64_to_80_cubed", difference(solved(64, 30).at_cell_centres(cells), u), 4e-3);
@@ -98,7 +104,8 @@ TEST(SpectralReference, HasConvergedAtTheEnd) {
         for (int j = 0; j < 32; ++j)
             for (int i = 0; i < 32; ++i) {
                 const glm::dvec3 here = at(i, j, k), across = at(31 - i, j, k), below = at(i, j, 31 - k);
-                worst = std::max({worst, glm::length(here - glm::dvec3(-across.x, across.y, across.z)), glm::length(here - glm::dvec3(below.x, below.y, -below.z))});
+                worst = std::max({worst, glm::length(here - glm::dvec3(-across.x, across.y, across.z)),
+                                  glm::length(here - glm::dvec3(below.x, below.y, -below.z))});
             }
     expect_at_most("spectral.tg3d_asymmetry", worst, 1e-9);
 }
@@ -116,17 +123,21 @@ double tg3d_error(int cells, const char* scheme_name, Scheme scheme) {
     for (const glm::vec4& v : wind.field())
         u.emplace_back(v);
     const std::string name = std::string("tg3d.") + scheme_name;
-    figures::report(name + ".h_div_over_rms_" + std::to_string(cells), last.divergence_rms * static_cast<double>(box.cell_size) / rms(wind.field()));
-    figures::report(name + ".error_against_64_cubed_" + std::to_string(cells), difference(u, solved(64, 30).at_cell_centres(glm::ivec3(cells))));
+    figures::report(name + ".h_div_over_rms_" + std::to_string(cells),
+                    last.divergence_rms * static_cast<double>(box.cell_size) / rms(wind.field()));
+    figures::report(name + ".error_against_64_cubed_" + std::to_string(cells),
+                    difference(u, solved(64, 30).at_cell_centres(glm::ivec3(cells))));
     return difference(u, solved(80, 30).at_cell_centres(glm::ivec3(cells)));
 }
 
 TEST(TaylorGreen3D, ErrorAgainstTheSpectralReference) {
-    const double e32 = tg3d_error(32, "second_order", Scheme::second_order), e64 = tg3d_error(64, "second_order", Scheme::second_order);
+    const double e32 = tg3d_error(32, "second_order", Scheme::second_order),
+                 e64 = tg3d_error(64, "second_order", Scheme::second_order);
     expect_at_most("tg3d.second_order.error_32", e32, 0.033);
     expect_at_most("tg3d.second_order.error_64", e64, 0.0075);
     expect_at_least("tg3d.second_order.order_32_64", figures::order(e32, e64), 1.9);
-    const double s32 = tg3d_error(32, "stable_fluids", Scheme::stable_fluids), s64 = tg3d_error(64, "stable_fluids", Scheme::stable_fluids);
+    const double s32 = tg3d_error(32, "stable_fluids", Scheme::stable_fluids),
+                 s64 = tg3d_error(64, "stable_fluids", Scheme::stable_fluids);
     figures::report("tg3d.stable_fluids.error_32", s32);
     expect_at_most("tg3d.stable_fluids.error_64", s64, 0.05);
     expect_at_least("tg3d.stable_fluids.order_32_64", figures::order(s32, s64), 0.9);

@@ -5,7 +5,8 @@
 //   Taylor-Green, at rest   the same with U0 = V0 = 0: only the amplitude changes
 //   ABC                     curl u = u in three dimensions, so that u . grad u is a gradient: amplitude exp(-nu t)
 //
-// Error = |u - exact|_2 / |exact - mean|_2 over the cell centres. Order 2 at fixed CFL; stable fluids order 1, held back by its split in time.
+// Error = |u - exact|_2 / |exact - mean|_2 over the cell centres. Order 2 at fixed CFL; stable fluids order 1, held back by its
+// split in time.
 #include "figures.h"
 #include "flows.h"
 
@@ -44,12 +45,15 @@ Outcome run(const Box& box, const Method& method, const Flow& flow, glm::dvec3 m
         product += glm::dot(glm::dvec3(field[n]) - mean, exact);
         square += glm::dot(exact, exact);
     });
-    return {relative_error(box, field, [&](glm::dvec3 x) { return flow(x, end); }, mean), std::abs(product / square - 1.0)};
+    return {relative_error(
+                box, field, [&](glm::dvec3 x) { return flow(x, end); }, mean),
+            std::abs(product / square - 1.0)};
 }
 
 Outcome carried_vortices(int cells, double cfl, const Method& method) {
     const Box box = periodic_box({cells, cells, 1}, 2.0 * k_pi / cells);
-    return run(box, method, TaylorGreen2D{.mean = {1.0, 0.5}, .viscosity = 0.01}, {1.0, 0.5, 0.0}, k_pi, static_cast<int>(std::lround(cells / cfl)));
+    return run(box, method, TaylorGreen2D{.mean = {1.0, 0.5}, .viscosity = 0.01}, {1.0, 0.5, 0.0}, k_pi,
+               static_cast<int>(std::lround(cells / cfl)));
 }
 
 TEST(TaylorGreen, CarriedVorticesAreSecondOrderAtFixedCfl) {
@@ -82,24 +86,26 @@ TEST(TaylorGreen, CarriedVorticesWithTheClassicSplit) {
     }
 }
 
-// Errors of a flow over three grids at one CFL, reported and held against the least order that the method owes. The number of steps is
-// even on each: after an odd one a first step without history shows differently (flicker_test.cpp).
+// Errors of a flow over three grids at one CFL, reported and held against the least order that the method owes. The number of
+// steps is even on each: after an odd one a first step without history shows differently (flicker_test.cpp).
 enum class Claim { bounded, reported };
 template <class Flow>
-void expect_orders(const std::string& flow_name, const Method& method, const Flow& flow, glm::bvec3 long_axes, int coarsest, double end, int coarsest_steps,
-                   Claim claim) {
+void expect_orders(const std::string& flow_name, const Method& method, const Flow& flow, glm::bvec3 long_axes, int coarsest,
+                   double end, int coarsest_steps, Claim claim) {
     const std::string name = flow_name + "." + method.name;
     Outcome outcomes[3];
     for (int level = 0; level < 3; ++level) {
         const int cells = coarsest << level;
-        const Box box = periodic_box({long_axes.x ? cells : 1, long_axes.y ? cells : 1, long_axes.z ? cells : 1}, 2.0 * k_pi / cells);
+        const Box box =
+            periodic_box({long_axes.x ? cells : 1, long_axes.y ? cells : 1, long_axes.z ? cells : 1}, 2.0 * k_pi / cells);
         outcomes[level] = run(box, method, flow, glm::dvec3(0.0), end, coarsest_steps << level);
         figures::report(name + ".error_" + std::to_string(cells), outcomes[level].error);
         figures::report(name + ".amplitude_error_" + std::to_string(cells), outcomes[level].amplitude_error);
     }
     const double least = method.scheme == Scheme::second_order ? 1.9 : method.interpolation == Interpolation::cubic ? 0.9 : 0.7;
     for (int level = 0; level < 2; ++level) {
-        const std::string label = name + ".order_" + std::to_string(coarsest << level) + "_" + std::to_string(coarsest << (level + 1));
+        const std::string label =
+            name + ".order_" + std::to_string(coarsest << level) + "_" + std::to_string(coarsest << (level + 1));
         const double order = figures::order(outcomes[level].error, outcomes[level + 1].error);
         if (claim == Claim::bounded)
             expect_at_least(label, order, least);
@@ -122,8 +128,10 @@ TEST(TaylorGreen, AmplitudeOfAbcFlow) {
 
 // Viscosity alone is first order in time (pieces.h). Where it is strong that shows on fine grids, in any scheme.
 TEST(TaylorGreen, StrongViscosityShowsItsFirstOrder) {
-    expect_orders("tg2d.viscosity_0.05", k_second_order, TaylorGreen2D{.viscosity = 0.05}, k_slab, 32, 0.625 * k_pi, 10, Claim::reported);
-    expect_orders("abc.viscosity_0.05", k_second_order, ArnoldBeltramiChildress{.viscosity = 0.05}, k_cube, 16, 0.375 * k_pi, 6, Claim::reported);
+    expect_orders("tg2d.viscosity_0.05", k_second_order, TaylorGreen2D{.viscosity = 0.05}, k_slab, 32, 0.625 * k_pi, 10,
+                  Claim::reported);
+    expect_orders("abc.viscosity_0.05", k_second_order, ArnoldBeltramiChildress{.viscosity = 0.05}, k_cube, 16, 0.375 * k_pi, 6,
+                  Claim::reported);
 }
 
 } // namespace

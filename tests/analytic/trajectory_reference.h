@@ -9,11 +9,10 @@
 
 #include "fluid/pieces.h"
 
-#include <glm/common.hpp>
-#include <glm/vec3.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
 #include <span>
 
 namespace windrow::reference {
@@ -113,7 +112,8 @@ inline glm::dvec3 arrival(const Box& box, glm::dvec3 ambient, const Transport& t
         if (from.open)
             return ambient;
         const std::size_t n = box.index(from.inside.x, from.inside.y, from.inside.z);
-        const glm::dvec3 settled = ambient + static_cast<double>(transport.settling) * (glm::dvec3(transport.carried[n]) - ambient);
+        const glm::dvec3 settled =
+            ambient + static_cast<double>(transport.settling) * (glm::dvec3(transport.carried[n]) - ambient);
         const glm::dvec3 value = from.scale * settled + from.offset;
         if (transport.history.empty())
             return value;

@@ -1,7 +1,11 @@
-// A uniform wind is a solution of every stage, and stays what it is to the bit: no weight that fails to sum to 1, no ghost that is not
-// its neighbour, no mode of the pressure that rounding feeds. 600 steps, steps of two lengths so that every factor of the history differs from 1.
+// A uniform wind is a solution of every stage, and stays what it is to the bit: no weight that fails to sum to 1, no ghost that
+// is not its neighbour, no mode of the pressure that rounding feeds. 600 steps, steps of two lengths so that every factor of the
+// history differs from 1.
 #include "figures.h"
 #include "flows.h"
+
+#include <cstdint>
+#include <ostream>
 
 namespace windrow {
 namespace {
@@ -23,7 +27,9 @@ struct Case {
     float settling_time = 0.0f;
 };
 
-void PrintTo(const Case& value, std::ostream* out) { *out << value.name; }
+void PrintTo(const Case& value, std::ostream* out) {
+    *out << value.name;
+}
 
 // Cells that are not exactly the wind.
 std::int64_t changed_cells(const Case& setting, glm::ivec3 cells, Scheme scheme, Interpolation interpolation, float viscosity) {
@@ -64,12 +70,18 @@ TEST_P(UniformWindStays, ToTheBitWithViscosity) {
 
 INSTANTIATE_TEST_SUITE_P(
     Boxes, UniformWindStays,
-    ::testing::Values(Case{"open", Sides::all(k_open), {3.3f, 0.7f, -1.9f}}, Case{"open_settling", Sides::all(k_open), {3.3f, 0.7f, -1.9f}, Surroundings::same, 20.0f},
-                      Case{"over_floor", Sides::open_over_floor(), {-2.7f, 0.0f, 1.1f}}, Case{"over_floor_settling", Sides::open_over_floor(), {-2.7f, 0.0f, 1.1f}, Surroundings::same, 20.0f},
-                      Case{"periodic", Sides::all(k_periodic), {0.1f, -4.3f, 2.2f}, Surroundings::still},
-                      Case{"free_slip_channel", axis_sides({{k_periodic, k_periodic}, {k_slip, k_slip}, {k_slip, k_slip}}), {3.3f, 0.0f, 0.0f}, Surroundings::still},
-                      Case{"free_slip_duct_open_ends", axis_sides({{k_slip, k_slip}, {k_slip, k_slip}, {k_open, k_open}}), {0.0f, 0.0f, 5.7f}},
-                      Case{"between_plates", axis_sides({{k_open, k_open}, {k_slip, k_slip}, {k_periodic, k_periodic}}), {1.3f, 0.0f, -0.9f}}),
+    ::testing::Values(
+        Case{"open", Sides::all(k_open), {3.3f, 0.7f, -1.9f}},
+        Case{"open_settling", Sides::all(k_open), {3.3f, 0.7f, -1.9f}, Surroundings::same, 20.0f},
+        Case{"over_floor", Sides::open_over_floor(), {-2.7f, 0.0f, 1.1f}},
+        Case{"over_floor_settling", Sides::open_over_floor(), {-2.7f, 0.0f, 1.1f}, Surroundings::same, 20.0f},
+        Case{"periodic", Sides::all(k_periodic), {0.1f, -4.3f, 2.2f}, Surroundings::still},
+        Case{"free_slip_channel",
+             axis_sides({{k_periodic, k_periodic}, {k_slip, k_slip}, {k_slip, k_slip}}),
+             {3.3f, 0.0f, 0.0f},
+             Surroundings::still},
+        Case{"free_slip_duct_open_ends", axis_sides({{k_slip, k_slip}, {k_slip, k_slip}, {k_open, k_open}}), {0.0f, 0.0f, 5.7f}},
+        Case{"between_plates", axis_sides({{k_open, k_open}, {k_slip, k_slip}, {k_periodic, k_periodic}}), {1.3f, 0.0f, -0.9f}}),
     [](const auto& suite) { return suite.param.name; });
 
 } // namespace

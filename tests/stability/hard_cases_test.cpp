@@ -8,11 +8,13 @@
 #include "tests/fields.h"
 #include "tests/figure.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <functional>
+#include <gtest/gtest.h>
 #include <string>
+#include <utility>
 
 namespace {
 
@@ -34,7 +36,8 @@ struct Growth {
 };
 
 // Largest energy and speed of all steps, relative to the start's.
-Growth growth(const Start& start, int steps, const std::function<double(int step)>& cells_per_step, Scheme scheme = Scheme::second_order) {
+Growth growth(const Start& start, int steps, const std::function<double(int step)>& cells_per_step,
+              Scheme scheme = Scheme::second_order, std::uint32_t seed = 7) {
     auto wind = Wind::create({.cells = k_cells,
                               .sides = Sides::all(SideKind::periodic),
                               .viscosity = 0.0f,
@@ -43,7 +46,7 @@ Growth growth(const Start& start, int steps, const std::function<double(int step
                               .max_cfl = 1e6f,
                               .max_substeps = 1});
     EXPECT_TRUE(wind) << wind.error();
-    EXPECT_TRUE(wind->set_velocity(projected(start.field(k_cells, 1.0f, 7), wind->box())));
+    EXPECT_TRUE(wind->set_velocity(projected(start.field(k_cells, 1.0f, seed), wind->box())));
     const double energy = energy_of(wind->field()), speed = largest_speed(wind->field());
     float component = 0.0f;
     for (const glm::vec4& u : wind->field())
@@ -103,12 +106,35 @@ TEST(HardCases, StepsOfAnyLengthMixed) {
     }
 }
 
+// Other ripples on the shear layer. At CFL 2, as far as a part of a step goes by default, the energy's bound holds for all of
+// them; beyond it the raw step passes 1.001 and 1.5 for some (CFL 5: 1.08 and 1.76 were seen), so these bounds are wider.
+TEST(HardCases, ShearLayersOfEverySort) {
+    for (const auto& [cfl, energy_bound] : {std::pair{2.0, 1.001}, {5.0, 1.15}, {10.0, 1.15}, {50.0, 1.15}}) {
+        Growth worst;
+        for (std::uint32_t seed = 1; seed <= 8; ++seed) {
+            const Growth found = growth(
+                k_starts[2], 300, [cells = cfl](int) { return cells; }, Scheme::second_order, seed);
+            worst.energy = std::max(worst.energy, found.energy);
+            worst.speed = std::max(worst.speed, found.speed);
+        }
+        const std::string name = "shear_layers_cfl_" + std::to_string(static_cast<int>(cfl));
+        WINDROW_EXPECT_FIGURE(name + "_energy", worst.energy, energy_bound);
+        WINDROW_EXPECT_FIGURE(name + "_speed", worst.speed, 2.0);
+    }
+}
+
 // The energy's bounds hold for the classic split as well; its speeds have none of their own but that of a shear layer.
 TEST(HardCases, TheClassicSplitIsBoundedToo) {
     for (Start start : k_starts) {
         start.speed_bound = 1.5;
-        expect_bounded("stable_fluids_cfl_2", start, growth(start, 2'000, [](int) { return 2.0; }, Scheme::stable_fluids), 1.001);
-        expect_bounded("stable_fluids_cfl_50", start, growth(start, 500, [](int) { return 50.0; }, Scheme::stable_fluids), 1.1);
+        expect_bounded("stable_fluids_cfl_2", start,
+                       growth(
+                           start, 2'000, [](int) { return 2.0; }, Scheme::stable_fluids),
+                       1.001);
+        expect_bounded("stable_fluids_cfl_50", start,
+                       growth(
+                           start, 500, [](int) { return 50.0; }, Scheme::stable_fluids),
+                       1.1);
     }
 }
 

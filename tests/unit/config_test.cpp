@@ -2,10 +2,9 @@
 
 #include "fluid/wind.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <functional>
+#include <gtest/gtest.h>
 #include <limits>
 #include <string>
 #include <vector>
@@ -18,13 +17,15 @@ constexpr float k_nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float k_infinity = std::numeric_limits<float>::infinity();
 
 struct Fault {
-    const char* field;                    ///< how the sentence begins
-    const char* value;                    ///< what it says of the value
-    const char* fix;                      ///< what it asks for
+    const char* field; ///< how the sentence begins
+    const char* value; ///< what it says of the value
+    const char* fix;   ///< what it asks for
     std::function<void(Config&)> make;
 };
 
-void PrintTo(const Fault& fault, std::ostream* stream) { *stream << fault.field << fault.value; }
+void PrintTo(const Fault& fault, std::ostream* stream) {
+    *stream << fault.field << fault.value;
+}
 
 std::vector<Fault> every_fault() {
     std::vector<Fault> faults;
@@ -45,12 +46,15 @@ std::vector<Fault> every_fault() {
     add("cell_size", " is inf m", "1e-6 to 1e6", [](Config& c) { c.cell_size = k_infinity; });
     add("sides.x_high", " is not periodic", "both sides", [](Config& c) { c.sides.x_low.kind = SideKind::periodic; });
     add("sides.z_low", " is not periodic", "both sides", [](Config& c) { c.sides.z_high.kind = SideKind::periodic; });
-    add("sides.y_low.wall_velocity", " is (nan, 0, 0) m/s", "finite",
-        [](Config& c) { c.sides.y_low = {SideKind::no_slip, {k_nan, 0.0f, 0.0f}}; });
-    add("sides.y_low.wall_velocity", " is (0, 2, 0) m/s", "normal to 0",
-        [](Config& c) { c.sides.y_low = {SideKind::no_slip, {0.0f, 2.0f, 0.0f}}; });
-    add("sides.y_low.wall_velocity", " is (1, 0, 0) m/s", "no_slip",
-        [](Config& c) { c.sides.y_low = {SideKind::free_slip, {1.0f, 0.0f, 0.0f}}; });
+    add("sides.y_low.wall_velocity", " is (nan, 0, 0) m/s", "finite", [](Config& c) {
+        c.sides.y_low = {SideKind::no_slip, {k_nan, 0.0f, 0.0f}};
+    });
+    add("sides.y_low.wall_velocity", " is (0, 2, 0) m/s", "normal to 0", [](Config& c) {
+        c.sides.y_low = {SideKind::no_slip, {0.0f, 2.0f, 0.0f}};
+    });
+    add("sides.y_low.wall_velocity", " is (1, 0, 0) m/s", "no_slip", [](Config& c) {
+        c.sides.y_low = {SideKind::free_slip, {1.0f, 0.0f, 0.0f}};
+    });
     add("centre", " is (nan, 0, 0) m", "1e12 cells", [](Config& c) { c.centre.x = std::numeric_limits<double>::quiet_NaN(); });
     add("centre", " is (0, -inf, 0) m", "1e12 cells", [](Config& c) { c.centre.y = -std::numeric_limits<double>::infinity(); });
     add("centre", " is (0, 0, 1e+13) m", "1e12 cells", [](Config& c) { c.centre.z = 1e13; });
@@ -118,8 +122,9 @@ TEST(Config, AllReasonsComeAtOnce) {
     config.max_cfl = 0.0f;
     config.max_substeps = 0;
     const std::string sentences = validate(config).error();
-    for (const char* field : {"cells is", "cell_size is", "sides.x_high is", "sides.y_low.wall_velocity is", "centre is", "along x",
-                              "along y", "ambient is", "viscosity is", "settling_time is", "max_cfl is", "max_substeps is"})
+    for (const char* field :
+         {"cells is", "cell_size is", "sides.x_high is", "sides.y_low.wall_velocity is", "centre is", "along x", "along y",
+          "ambient is", "viscosity is", "settling_time is", "max_cfl is", "max_substeps is"})
         EXPECT_NE(sentences.find(field), std::string::npos) << field << " is missing from:\n" << sentences;
     EXPECT_EQ(std::count(sentences.begin(), sentences.end(), '\n'), 11) << sentences;
 }
@@ -155,7 +160,8 @@ TEST(Config, LimitsThemselvesAreAccepted) {
 }
 
 TEST(Config, IsCopiedOnCreation) {
-    const Config config{.cells = {5, 6, 7}, .cell_size = 0.25f, .ambient = {1.0f, 2.0f, 3.0f}, .viscosity = 0.5f, .max_substeps = 3};
+    const Config config{
+        .cells = {5, 6, 7}, .cell_size = 0.25f, .ambient = {1.0f, 2.0f, 3.0f}, .viscosity = 0.5f, .max_substeps = 3};
     auto wind = Wind::create(config);
     ASSERT_TRUE(wind);
     EXPECT_EQ(wind->config().cells, config.cells);

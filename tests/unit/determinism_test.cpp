@@ -4,9 +4,8 @@
 #include "fluid/wind.h"
 #include "tests/fields.h"
 
-#include <gtest/gtest.h>
-
 #include <functional>
+#include <gtest/gtest.h>
 #include <string>
 #include <thread>
 #include <vector>
@@ -21,7 +20,9 @@ struct Scene {
     Config config;
 };
 
-void PrintTo(const Scene& scene, std::ostream* stream) { *stream << scene.name; }
+void PrintTo(const Scene& scene, std::ostream* stream) {
+    *stream << scene.name;
+}
 
 std::vector<Scene> scenes() {
     std::vector<Scene> list;
@@ -113,7 +114,8 @@ TEST_P(ParallelSame, AHundredStepsWithAnyNumberOfThreads) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, ParallelSame, testing::ValuesIn(scenes()), [](const auto& instance) { return instance.param.name; });
+INSTANTIATE_TEST_SUITE_P(Scenes, ParallelSame, testing::ValuesIn(scenes()),
+                         [](const auto& instance) { return instance.param.name; });
 
 TEST(ParallelWinds, TwoWindsShareNothing) {
     const Config config = scenes()[1].config;

@@ -4,10 +4,9 @@
 #include "tests/fields.h"
 #include "tests/figure.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <limits>
 #include <string>
 #include <vector>
@@ -35,7 +34,8 @@ TEST(Diagnostics, SubstepsAreTheCflOverWhatOneMayCross) {
         const double dt = random.spread(1e-4, 30.0) * h / speed;
         glm::vec3 wind_speed(0.3f * speed);
         wind_speed[trial % 3] = trial % 2 == 0 ? speed : -speed;
-        Wind wind = made({.cells = {4, 3, 5}, .cell_size = h, .ambient = wind_speed, .max_cfl = max_cfl, .max_substeps = max_substeps});
+        Wind wind =
+            made({.cells = {4, 3, 5}, .cell_size = h, .ambient = wind_speed, .max_cfl = max_cfl, .max_substeps = max_substeps});
         const Diagnostics report = wind.step(dt);
         const double cfl = double(speed) * double(float(dt)) / double(h);
         ASSERT_NEAR(report.cfl, cfl, 1e-6 * cfl);
@@ -58,8 +58,12 @@ TEST(Diagnostics, ForcesCountIntoTheCfl) {
 
 TEST(Diagnostics, CappedSpeedsAreCountedAndLimited) {
     // All stages that could change a speed after the limit are off, and the limited air is uniform along its own way.
-    Wind wind = made({.cells = {8, 8, 8}, .sides = Sides::all(SideKind::periodic), .viscosity = 0.0f, .settling_time = 0.0f,
-                      .stages = {.sources = true, .settling = false, .diffusion = false, .advection = true, .projection = false}});
+    Wind wind =
+        made({.cells = {8, 8, 8},
+              .sides = Sides::all(SideKind::periodic),
+              .viscosity = 0.0f,
+              .settling_time = 0.0f,
+              .stages = {.sources = true, .settling = false, .diffusion = false, .advection = true, .projection = false}});
     Field field(512, glm::vec4(0.0f));
     for (int i = 0; i < 8; ++i) // rows of their own speed, along x
         for (int row = 0; row < 64; ++row)
@@ -71,14 +75,22 @@ TEST(Diagnostics, CappedSpeedsAreCountedAndLimited) {
     EXPECT_EQ(report.limited_cells, 160);
     EXPECT_NEAR(report.cfl, 40.0, 1e-4);
     for (int row = 0; row < 64; ++row)
-        ASSERT_NEAR(wind.field()[static_cast<std::size_t>(row * 8 + 3)].x, row < 10 ? 16.0 : row < 20 ? -16.0 : 1.0, 1e-5) << "2 cells * 8 parts / 1 s";
+        ASSERT_NEAR(wind.field()[static_cast<std::size_t>(row * 8 + 3)].x,
+                    row < 10   ? 16.0
+                    : row < 20 ? -16.0
+                               : 1.0,
+                    1e-5)
+            << "2 cells * 8 parts / 1 s";
 }
 
 TEST(Diagnostics, BrokenCellsAreCountedAndMended) {
     const glm::vec3 ambient(1.0f, -2.0f, 0.5f);
     Random random(122);
     for (int trial = 0; trial < 20; ++trial) {
-        Wind wind = made({.cells = {13, 7, 9}, .ambient = ambient, .stages = {.sources = false, .settling = false, .diffusion = false, .advection = false, .projection = false}});
+        Wind wind =
+            made({.cells = {13, 7, 9},
+                  .ambient = ambient,
+                  .stages = {.sources = false, .settling = false, .diffusion = false, .advection = false, .projection = false}});
         Field field = white_noise({13, 7, 9}, 2.0f, random.bits());
         std::vector<bool> broken(field.size(), false);
         const int count = random.integer(0, 60);
@@ -144,7 +156,8 @@ TEST(Diagnostics, EnergySpeedAndDivergenceAreThoseOfTheCells) {
                 const double by_hand = energy_of(wind.field()) * std::pow(double(config.cell_size), 3);
                 energy = std::max(energy, std::abs(report.energy - by_hand) / by_hand);
                 speed = std::max(speed, double(std::abs(report.max_speed - largest)));
-                divergence = std::max(divergence, std::abs(report.divergence_rms - divergence_rms(wind)) * double(config.cell_size) / largest);
+                divergence = std::max(divergence, std::abs(report.divergence_rms - divergence_rms(wind)) *
+                                                      double(config.cell_size) / largest);
             }
         }
     WINDROW_EXPECT_FIGURE("report_energy_error", energy, 1e-6);
@@ -162,7 +175,8 @@ TEST(Diagnostics, ADtThatIsNoneDoesNothing) {
     ASSERT_TRUE(wind.motors().move(*body, {2.0, 0.0, 0.0}));
     const Field before = copy(wind.field());
     const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
-    for (const double dt : {0.0, -0.0, -1.0, nan, -nan, infinity, -infinity, 1e300, 1e-300, 5e-324}) { // what a float cannot hold is none either
+    for (const double dt :
+         {0.0, -0.0, -1.0, nan, -nan, infinity, -infinity, 1e300, 1e-300, 5e-324}) { // what a float cannot hold is none either
         const Diagnostics report = wind.step(dt);
         EXPECT_FALSE(report.stepped) << dt;
         EXPECT_EQ(report.substeps, 0) << dt;
@@ -194,7 +208,11 @@ TEST(Diagnostics, EveryFieldIsFilled) {
     for (const double stage : {times.sources, times.diffusion, times.advection, times.projection, times.report})
         EXPECT_GE(stage, 0.0);
     EXPECT_GE(times.total * 1.0001, times.sources + times.diffusion + times.advection + times.projection + times.report);
-    for (const auto& [viscosity, method] : {std::pair{0.0f, DiffusionMethod::none}, {5e-3f, DiffusionMethod::none}, {0.02f, DiffusionMethod::one_pass}, {4.9f, DiffusionMethod::one_pass}, {5.1f, DiffusionMethod::implicit}})
+    for (const auto& [viscosity, method] : {std::pair{0.0f, DiffusionMethod::none},
+                                            {5e-3f, DiffusionMethod::none},
+                                            {0.02f, DiffusionMethod::one_pass},
+                                            {4.9f, DiffusionMethod::one_pass},
+                                            {5.1f, DiffusionMethod::implicit}})
         EXPECT_EQ(made({.cells = {4, 4, 4}, .viscosity = viscosity}).step(1.0 / 60.0).diffusion, method) << viscosity;
 }
 

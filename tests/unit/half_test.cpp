@@ -4,12 +4,11 @@
 #include "tests/fields.h"
 #include "tests/figure.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <gtest/gtest.h>
 #include <limits>
 
 namespace {
@@ -34,7 +33,9 @@ double nearest(float value) {
     return std::ldexp(std::nearbyint(std::ldexp(double(value), 10 - exponent)), exponent - 10);
 }
 
-bool same(double a, double b) { return a == b && std::signbit(a) == std::signbit(b); }
+bool same(double a, double b) {
+    return a == b && std::signbit(a) == std::signbit(b);
+}
 
 TEST(Half, EveryHalfIsItsValueAndComesBack) {
     for (std::uint32_t bits = 0; bits < 65536; ++bits) {
@@ -44,7 +45,8 @@ TEST(Half, EveryHalfIsItsValueAndComesBack) {
             EXPECT_TRUE(std::isnan(from_half(half)));
             EXPECT_EQ(to_half(from_half(half)), 0);
         } else if (special) {
-            EXPECT_EQ(from_half(half), std::copysign(std::numeric_limits<float>::infinity(), (half & 0x8000) != 0 ? -1.0f : 1.0f));
+            EXPECT_EQ(from_half(half),
+                      std::copysign(std::numeric_limits<float>::infinity(), (half & 0x8000) != 0 ? -1.0f : 1.0f));
             EXPECT_EQ(to_half(from_half(half)), (half & 0x8000) | 0x7bff) << "a texture never holds infinity";
         } else {
             ASSERT_TRUE(same(from_half(half), value_of(half))) << bits;
@@ -78,12 +80,13 @@ TEST(Half, AMillionFloatsRoundToTheNearest) {
             relative = std::max(relative, std::abs(rounded - double(value)) / size);
     };
     for (int n = 0; n < 500'000; ++n) {
-        check(std::bit_cast<float>(random.bits()));                          // any bits: denormals, infinities, NaN
+        check(std::bit_cast<float>(random.bits()));                             // any bits: denormals, infinities, NaN
         check(static_cast<float>(random.spread(1e-9, 2e5)) * (n % 2 ? 1 : -1)); // the range of halves and around it
     }
-    for (const float value : {0.0f, -0.0f, 65504.0f, 65519.996f, 65520.0f, 1e30f, -1e30f, 0x1p-24f, 0x1p-25f, -0x1.8p-25f, 0x1.ffffp-15f,
-                              std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN(), -std::numeric_limits<float>::quiet_NaN(),
-                              std::numeric_limits<float>::denorm_min(), std::numeric_limits<float>::max()})
+    for (const float value :
+         {0.0f, -0.0f, 65504.0f, 65519.996f, 65520.0f, 1e30f, -1e30f, 0x1p-24f, 0x1p-25f, -0x1.8p-25f, 0x1.ffffp-15f,
+          std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN(),
+          -std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::denorm_min(), std::numeric_limits<float>::max()})
         check(value);
     WINDROW_EXPECT_FIGURE("half_not_nearest", double(differing), 0.0);
     WINDROW_EXPECT_FIGURE("half_relative_error", relative, 0x1p-11);

@@ -6,13 +6,12 @@
 #include "tests/fields.h"
 #include "tests/figure.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <gtest/gtest.h>
 #include <new>
 #include <optional>
 #include <string>
@@ -58,26 +57,66 @@ void release(void* block) noexcept {
 
 } // namespace
 
-void* operator new(std::size_t size) { return allocate_or_throw(size, 0); }
-void* operator new[](std::size_t size) { return allocate_or_throw(size, 0); }
-void* operator new(std::size_t size, std::align_val_t at) { return allocate_or_throw(size, static_cast<std::size_t>(at)); }
-void* operator new[](std::size_t size, std::align_val_t at) { return allocate_or_throw(size, static_cast<std::size_t>(at)); }
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return allocate(size, 0); }
-void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return allocate(size, 0); }
-void* operator new(std::size_t size, std::align_val_t at, const std::nothrow_t&) noexcept { return allocate(size, static_cast<std::size_t>(at)); }
-void* operator new[](std::size_t size, std::align_val_t at, const std::nothrow_t&) noexcept { return allocate(size, static_cast<std::size_t>(at)); }
-void operator delete(void* block) noexcept { release(block); }
-void operator delete[](void* block) noexcept { release(block); }
-void operator delete(void* block, std::size_t) noexcept { release(block); }
-void operator delete[](void* block, std::size_t) noexcept { release(block); }
-void operator delete(void* block, std::align_val_t) noexcept { release(block); }
-void operator delete[](void* block, std::align_val_t) noexcept { release(block); }
-void operator delete(void* block, std::size_t, std::align_val_t) noexcept { release(block); }
-void operator delete[](void* block, std::size_t, std::align_val_t) noexcept { release(block); }
-void operator delete(void* block, const std::nothrow_t&) noexcept { release(block); }
-void operator delete[](void* block, const std::nothrow_t&) noexcept { release(block); }
-void operator delete(void* block, std::align_val_t, const std::nothrow_t&) noexcept { release(block); }
-void operator delete[](void* block, std::align_val_t, const std::nothrow_t&) noexcept { release(block); }
+void* operator new(std::size_t size) {
+    return allocate_or_throw(size, 0);
+}
+void* operator new[](std::size_t size) {
+    return allocate_or_throw(size, 0);
+}
+void* operator new(std::size_t size, std::align_val_t at) {
+    return allocate_or_throw(size, static_cast<std::size_t>(at));
+}
+void* operator new[](std::size_t size, std::align_val_t at) {
+    return allocate_or_throw(size, static_cast<std::size_t>(at));
+}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+    return allocate(size, 0);
+}
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
+    return allocate(size, 0);
+}
+void* operator new(std::size_t size, std::align_val_t at, const std::nothrow_t&) noexcept {
+    return allocate(size, static_cast<std::size_t>(at));
+}
+void* operator new[](std::size_t size, std::align_val_t at, const std::nothrow_t&) noexcept {
+    return allocate(size, static_cast<std::size_t>(at));
+}
+void operator delete(void* block) noexcept {
+    release(block);
+}
+void operator delete[](void* block) noexcept {
+    release(block);
+}
+void operator delete(void* block, std::size_t) noexcept {
+    release(block);
+}
+void operator delete[](void* block, std::size_t) noexcept {
+    release(block);
+}
+void operator delete(void* block, std::align_val_t) noexcept {
+    release(block);
+}
+void operator delete[](void* block, std::align_val_t) noexcept {
+    release(block);
+}
+void operator delete(void* block, std::size_t, std::align_val_t) noexcept {
+    release(block);
+}
+void operator delete[](void* block, std::size_t, std::align_val_t) noexcept {
+    release(block);
+}
+void operator delete(void* block, const std::nothrow_t&) noexcept {
+    release(block);
+}
+void operator delete[](void* block, const std::nothrow_t&) noexcept {
+    release(block);
+}
+void operator delete(void* block, std::align_val_t, const std::nothrow_t&) noexcept {
+    release(block);
+}
+void operator delete[](void* block, std::align_val_t, const std::nothrow_t&) noexcept {
+    release(block);
+}
 
 namespace {
 
@@ -95,7 +134,9 @@ std::vector<Scene> scenes() {
     list.push_back({"16x16x16", {.cells = {16, 16, 16}}});
     list.push_back({"64x32x64", {.cells = {64, 32, 64}}});
     list.push_back({"odd", {.cells = {17, 9, 23}}});
-    list.push_back({"unlike_ends", {.cells = {32, 16, 20}, .sides = {.x_low = {SideKind::no_slip}, .y_low = {SideKind::free_slip}, .z_high = {SideKind::no_slip}}}});
+    list.push_back({"unlike_ends",
+                    {.cells = {32, 16, 20},
+                     .sides = {.x_low = {SideKind::no_slip}, .y_low = {SideKind::free_slip}, .z_high = {SideKind::no_slip}}}});
     list.push_back({"periodic", {.cells = {20, 10, 12}, .sides = Sides::all(SideKind::periodic)}});
     list.push_back({"one_pass", {.viscosity = 0.5f}});
     list.push_back({"implicit", {.viscosity = 50.0f}});

@@ -3,9 +3,8 @@
 #include "fluid/wind.h"
 #include "tests/fields.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
+#include <gtest/gtest.h>
 #include <limits>
 #include <string>
 #include <variant>
@@ -66,7 +65,8 @@ TEST(Motors, AStaleHandleIsRefusedAndMovesNoStranger) {
     for (const MotorId id : {first, MotorId{}, unknown}) {
         const auto refused = motors.move(id, {0.0, 0.0, 0.0});
         ASSERT_FALSE(refused);
-        EXPECT_NE(refused.error().find("motor " + std::to_string(id.slot) + " of generation " + std::to_string(id.generation)), std::string::npos)
+        EXPECT_NE(refused.error().find("motor " + std::to_string(id.slot) + " of generation " + std::to_string(id.generation)),
+                  std::string::npos)
             << refused.error();
         EXPECT_NE(refused.error().find("add()"), std::string::npos) << refused.error();
         EXPECT_FALSE(motors.set(id, DirectionalMotor{}));
@@ -158,7 +158,8 @@ std::vector<Refusal> every_refusal() {
     directional("motor.direction is (0, 0, 0)", {.direction = glm::vec3(0.0f)});
     directional("motor.direction is (0, nan, 1)", {.direction = {0.0f, k_nan, 1.0f}});
     directional("motor.direction is (inf, 0, 0)", {.direction = {k_infinity, 0.0f, 0.0f}});
-    for (const auto& [text, radius] : {std::pair{" is 0:", 0.0f}, {" is -1:", -1.0f}, {" is nan:", k_nan}, {" is inf:", k_infinity}, {" is 2e+06:", 2e6f}}) {
+    for (const auto& [text, radius] :
+         {std::pair{" is 0:", 0.0f}, {" is -1:", -1.0f}, {" is nan:", k_nan}, {" is inf:", k_infinity}, {" is 2e+06:", 2e6f}}) {
         static std::vector<std::string> kept(64); // The list keeps pointers.
         static std::size_t used = 0;
         const auto field = [&](const char* name) { return (kept[used++ % kept.size()] = std::string(name) + text).c_str(); };
@@ -234,14 +235,15 @@ TEST(Motors, AllReasonsComeAtOnce) {
 }
 
 TEST(Motors, LimitsThemselvesAreAccepted) {
-    for (const Motor& motor : std::vector<Motor>{
-             DirectionalMotor{.position = {1e12, 0.0, 0.0}, .region = Sphere{1e6f}, .law = Force{1e6f}},
-             DirectionalMotor{.region = Sphere{std::numeric_limits<float>::denorm_min()}, .law = Force{-1e6f}},
-             DirectionalMotor{.region = Capsule{.half_axis = glm::vec3(0.0f), .radius = 1e6f}, .law = Drive{.speed = -1e4f, .rate = 1e6f}},
-             DirectionalMotor{.region = AlignedBox{glm::vec3(1e6f)}, .law = Drive{.speed = 1e4f, .rate = 0.0f}},
-             WakeMotor{.radius = 1e6f, .law = WakeForce{1e4f}},
-             WakeMotor{.law = WakeDrive{.per_metre = 1e4f, .entrainment = 2.0f}},
-             WakeMotor{.law = WakeDrive{.per_metre = 0.0f, .entrainment = 0.0f}}}) {
+    for (const Motor& motor :
+         std::vector<Motor>{DirectionalMotor{.position = {1e12, 0.0, 0.0}, .region = Sphere{1e6f}, .law = Force{1e6f}},
+                            DirectionalMotor{.region = Sphere{std::numeric_limits<float>::denorm_min()}, .law = Force{-1e6f}},
+                            DirectionalMotor{.region = Capsule{.half_axis = glm::vec3(0.0f), .radius = 1e6f},
+                            .law = Drive{.speed = -1e4f, .rate = 1e6f}},
+                            DirectionalMotor{.region = AlignedBox{glm::vec3(1e6f)}, .law = Drive{.speed = 1e4f, .rate = 0.0f}},
+                            WakeMotor{.radius = 1e6f, .law = WakeForce{1e4f}},
+                            WakeMotor{.law = WakeDrive{.per_metre = 1e4f, .entrainment = 2.0f}},
+                            WakeMotor{.law = WakeDrive{.per_metre = 0.0f, .entrainment = 0.0f}}}) {
         const auto valid = validate(motor);
         EXPECT_TRUE(valid) << valid.error();
     }

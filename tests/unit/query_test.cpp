@@ -5,12 +5,11 @@
 #include "tests/fields.h"
 #include "tests/figure.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <gtest/gtest.h>
 #include <limits>
 #include <string>
 #include <vector>
@@ -35,7 +34,10 @@ struct Scene {
 std::vector<Scene> scenes() {
     const Config base{.cells = {13, 9, 17}, .cell_size = 0.75f, .centre = {3.0, -2.0, 1.0}, .ambient = {4.0f, -1.0f, 2.0f}};
     std::vector<Scene> list;
-    for (const auto& [name, kind] : {std::pair{"open", SideKind::open}, {"free_slip", SideKind::free_slip}, {"no_slip", SideKind::no_slip}, {"periodic", SideKind::periodic}}) {
+    for (const auto& [name, kind] : {std::pair{"open", SideKind::open},
+                                     {"free_slip", SideKind::free_slip},
+                                     {"no_slip", SideKind::no_slip},
+                                     {"periodic", SideKind::periodic}}) {
         list.push_back({name, base});
         list.back().config.sides = Sides::all(kind);
     }
@@ -68,7 +70,8 @@ struct Textures {
     }
 
     [[nodiscard]] glm::dvec3 sample(glm::dvec3 position) const {
-        const glm::dvec3 local = (position - anchor - glm::dvec3(block.origin_and_cell_size)) / double(block.origin_and_cell_size.w);
+        const glm::dvec3 local =
+            (position - anchor - glm::dvec3(block.origin_and_cell_size)) / double(block.origin_and_cell_size.w);
         double share = 1.0, t[3];
         int low[3], high[3];
         for (int a = 0; a < 3; ++a) {
@@ -93,7 +96,8 @@ struct Textures {
             double sum = 0.0;
             for (int corner = 0; corner < 8; ++corner) {
                 const int cell[3] = {corner & 1 ? high[0] : low[0], corner & 2 ? high[1] : low[1], corner & 4 ? high[2] : low[2]};
-                sum += (corner & 1 ? t[0] : 1 - t[0]) * (corner & 2 ? t[1] : 1 - t[1]) * (corner & 4 ? t[2] : 1 - t[2]) * texel(component, cell);
+                sum += (corner & 1 ? t[0] : 1 - t[0]) * (corner & 2 ? t[1] : 1 - t[1]) * (corner & 4 ? t[2] : 1 - t[2]) *
+                       texel(component, cell);
             }
             result[component] = share * sum + (1.0 - share) * double(block.ambient[component]);
         }
@@ -101,7 +105,9 @@ struct Textures {
     }
 };
 
-glm::dvec3 extent_of(const Wind& wind) { return glm::dvec3(wind.box().cells) * double(wind.box().cell_size); }
+glm::dvec3 extent_of(const Wind& wind) {
+    return glm::dvec3(wind.box().cells) * double(wind.box().cell_size);
+}
 
 TEST(Query, EqualsATrilinearSampleOfTheTextures) {
     for (const Scene& scene : scenes()) {
@@ -112,9 +118,11 @@ TEST(Query, EqualsATrilinearSampleOfTheTextures) {
         for (int n = 0; n < 10'000; ++n) {
             const double margin = n % 3 == 0 ? 3.0 : 0.1; // beyond the rim, and inside
             const glm::dvec3 extent = extent_of(wind);
-            const double x = random.real(-margin, extent.x + margin), y = random.real(-margin, extent.y + margin), z = random.real(-margin, extent.z + margin);
+            const double x = random.real(-margin, extent.x + margin), y = random.real(-margin, extent.y + margin),
+                         z = random.real(-margin, extent.z + margin);
             const glm::dvec3 position = wind.origin() + glm::dvec3(x, y, z);
-            worst = std::max(worst, glm::length(glm::dvec3(wind.velocity(position)) - textures.sample(position)) / largest_speed(wind.field()));
+            worst = std::max(worst, glm::length(glm::dvec3(wind.velocity(position)) - textures.sample(position)) /
+                                        largest_speed(wind.field()));
         }
         WINDROW_EXPECT_FIGURE("query_" + scene.name, worst, 1e-5);
     }
@@ -129,7 +137,8 @@ TEST(Query, CellCentresAreTheCells) {
             for (int j = 0; j < cells.y; ++j)
                 for (int i = 0; i < cells.x; ++i) {
                     const glm::dvec3 centre = wind.origin() + (glm::dvec3(i, j, k) + 0.5) * double(wind.box().cell_size);
-                    worst = std::max(worst, double(glm::length(wind.velocity(centre) - glm::vec3(wind.field()[wind.box().index(i, j, k)]))));
+                    worst = std::max(
+                        worst, double(glm::length(wind.velocity(centre) - glm::vec3(wind.field()[wind.box().index(i, j, k)]))));
                 }
         WINDROW_EXPECT_FIGURE("query_centres_" + scene.name, worst, 1e-6 * largest_speed(wind.field()));
     }
@@ -140,7 +149,8 @@ TEST(Query, IsContinuousAcrossTheRim) {
         const Wind wind = made(scene.config);
         const double h = wind.box().cell_size, stride = 1e-3 * h;
         // Along an axis the wind changes by at most twice its size a cell, and beyond an open side by all that ambient differs.
-        const double speed = largest_speed(wind.field()), steepest = std::sqrt(3.0) * (3.0 * speed + glm::length(glm::dvec3(wind.ambient())));
+        const double speed = largest_speed(wind.field()),
+                     steepest = std::sqrt(3.0) * (3.0 * speed + glm::length(glm::dvec3(wind.ambient())));
         Random random(83);
         double worst = 0.0;
         for (int line = 0; line < 60; ++line) {
@@ -175,7 +185,8 @@ TEST(Query, OutsideIsAmbientWallOrTheOtherSide) {
         face[axis] = edge;
         turn[axis] += extent[axis] * random.integer(-5, 5);
         ASSERT_EQ(open.velocity(beyond), open.ambient()) << "beyond one cell";
-        worst = std::max({worst, double(glm::length(walls.velocity(beyond) - walls.velocity(face))), double(glm::length(ring.velocity(turn) - ring.velocity(inside)))});
+        worst = std::max({worst, double(glm::length(walls.velocity(beyond) - walls.velocity(face))),
+                          double(glm::length(ring.velocity(turn) - ring.velocity(inside)))});
     }
     WINDROW_EXPECT_FIGURE("query_beyond", worst / 5.0, 1e-5);
 }

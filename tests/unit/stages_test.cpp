@@ -4,11 +4,10 @@
 #include "tests/fields.h"
 #include "tests/figure.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <gtest/gtest.h>
 
 namespace {
 
@@ -67,8 +66,11 @@ TEST(Stages, OffEqualsItsParameterOff) {
                 }));
             };
             const auto as_it_is = [](Config&) {};
-            EXPECT_EQ(difference(base([](Config& c) { c.stages.settling = false; }), base([](Config& c) { c.settling_time = 0.0f; })), 0u);
-            EXPECT_EQ(difference(base([](Config& c) { c.stages.diffusion = false; }), base([](Config& c) { c.viscosity = 0.0f; })), 0u);
+            EXPECT_EQ(
+                difference(base([](Config& c) { c.stages.settling = false; }), base([](Config& c) { c.settling_time = 0.0f; })),
+                0u);
+            EXPECT_EQ(
+                difference(base([](Config& c) { c.stages.diffusion = false; }), base([](Config& c) { c.viscosity = 0.0f; })), 0u);
             Wind off = base([](Config& c) { c.stages.sources = false; });
             blow(off);
             EXPECT_EQ(difference(std::move(off), base(as_it_is)), 0u);
@@ -99,7 +101,8 @@ TEST(Stages, WithoutAdvectionNothingIsCarried) {
     EXPECT_EQ(wind.field()[0], before[0]);
 
     // With it the force is centred: half now, half at the next departure.
-    auto centred = Wind::create({.cells = {16, 16, 16}, .sides = Sides::all(SideKind::periodic), .viscosity = 0.0f, .settling_time = 0.0f});
+    auto centred =
+        Wind::create({.cells = {16, 16, 16}, .sides = Sides::all(SideKind::periodic), .viscosity = 0.0f, .settling_time = 0.0f});
     ASSERT_TRUE(centred);
     const auto id = centred->motors().add(DirectionalMotor{.region = AlignedBox{glm::vec3(1e6f)}, .law = Force{1.0f}});
     ASSERT_TRUE(id);

@@ -3,11 +3,10 @@
 #include "fluid/thread_pool.h"
 #include "tests/fields.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <gtest/gtest.h>
 #include <memory>
 #include <numeric>
 #include <thread>

@@ -4,10 +4,9 @@
 #include "tests/fields.h"
 #include "tests/figure.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <limits>
 
 namespace {
@@ -15,13 +14,16 @@ namespace {
 using namespace windrow::numerics;
 using windrow::test::Random;
 
-double biweight(double squared) { return squared < 1.0 ? (1.0 - squared) * (1.0 - squared) : 0.0; }
+double biweight(double squared) {
+    return squared < 1.0 ? (1.0 - squared) * (1.0 - squared) : 0.0;
+}
 
 // Gauss-Legendre with five points a panel: exact for the polynomial of degree four inside the ball, so the panels only have to
 // meet its rim, where the integrand has a kink in its second derivative.
 double path_integral(glm::dvec3 p, glm::dvec3 start, glm::dvec3 end, double radius) {
     constexpr double k_node[5] = {-0.9061798459386640, -0.5384693101056831, 0.0, 0.5384693101056831, 0.9061798459386640};
-    constexpr double k_weight[5] = {0.2369268850561891, 0.4786286704993665, 0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
+    constexpr double k_weight[5] = {0.2369268850561891, 0.4786286704993665, 0.5688888888888889, 0.4786286704993665,
+                                    0.2369268850561891};
     const double length = glm::length(end - start);
     const int panels = 2000;
     double sum = 0.0;
@@ -72,17 +74,20 @@ TEST(WakePath, IsZeroWhereNothingPasses) {
     for (int trial = 0; trial < 1000; ++trial) {
         EXPECT_EQ(windrow_wake_path(start + random.vector(0.5f), start, start, 1.0f), 0.0f) << "a path of no length";
         const vec3 away = start + 2.001f * glm::vec3(random.direction());
-        EXPECT_EQ(windrow_wake_path(away, start, start + random.vector(0.5f), 1.0f), 0.0f) << "farther than radius and path together";
+        EXPECT_EQ(windrow_wake_path(away, start, start + random.vector(0.5f), 1.0f), 0.0f)
+            << "farther than radius and path together";
     }
     // Through the middle of the ball, from before it to behind it: the integral of (1 - t^2)^2 over [-1, 1] is 16/15.
-    EXPECT_NEAR(windrow_wake_path(vec3(0.0f), vec3(-9.0f, 0.0f, 0.0f), vec3(9.0f, 0.0f, 0.0f), 2.0f), 2.0f * 16.0f / 15.0f, 1e-6f);
+    EXPECT_NEAR(windrow_wake_path(vec3(0.0f), vec3(-9.0f, 0.0f, 0.0f), vec3(9.0f, 0.0f, 0.0f), 2.0f), 2.0f * 16.0f / 15.0f,
+                1e-6f);
     EXPECT_NEAR(windrow_wake_path(vec3(0.0f), vec3(0.0f), vec3(0.0f, 0.0f, 9.0f), 2.0f), 16.0f / 15.0f, 1e-6f) << "half of it";
 }
 
 TEST(WakePath, StaysFiniteForAnyBody) {
     Random random(24);
     for (int trial = 0; trial < 20000; ++trial) {
-        const vec3 start = vec3(random.direction() * random.spread(1e-6, 1e12)), end = vec3(random.direction() * random.spread(1e-6, 1e12));
+        const vec3 start = vec3(random.direction() * random.spread(1e-6, 1e12)),
+                   end = vec3(random.direction() * random.spread(1e-6, 1e12));
         const float radius = static_cast<float>(random.spread(1e-5, 1e6));
         const float path = windrow_wake_path(random.vector(100.0f), start, end, radius);
         ASSERT_TRUE(std::isfinite(path));

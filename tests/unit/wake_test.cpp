@@ -6,11 +6,10 @@
 #include "tests/fields.h"
 #include "tests/figure.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <gtest/gtest.h>
 #include <numbers>
 #include <string>
 
@@ -47,11 +46,14 @@ void pass(Wind& wind, WakeMotor body, const std::function<glm::dvec3(double)>& p
     ASSERT_TRUE(wind.motors().remove(*id));
 }
 
-double volume_of_ball_weight(double radius) { return 32.0 * std::numbers::pi / 105.0 * std::pow(radius, 3); }
+double volume_of_ball_weight(double radius) {
+    return 32.0 * std::numbers::pi / 105.0 * std::pow(radius, 3);
+}
 
 TEST(Wake, ABodyThatStandsAddsExactlyNothing) {
     const glm::vec3 ambient(1.0f, 2.0f, 3.0f);
-    for (const WakeMotor& body : {WakeMotor{.radius = 3.0f, .law = WakeForce{1e4f}}, WakeMotor{.radius = 3.0f, .law = WakeDrive{.per_metre = 1e4f}}}) {
+    for (const WakeMotor& body :
+         {WakeMotor{.radius = 3.0f, .law = WakeForce{1e4f}}, WakeMotor{.radius = 3.0f, .law = WakeDrive{.per_metre = 1e4f}}}) {
         Wind wind = sources_only({8, 8, 8}, 1.0f, ambient);
         const auto id = wind.motors().add(body);
         ASSERT_TRUE(id);
@@ -78,7 +80,9 @@ TEST(Wake, ImpulseASecondIsLinearInTheSpeed) {
         Wind wind = sources_only({72, 12, 12});
         const double seconds = 1.0;
         // The start is that of the centre of a cell for every speed; short paths feel where in the cell they lie.
-        pass(wind, {.radius = 3.0f, .law = WakeForce{0.7f}}, [&](double t) { return glm::dvec3(-25.5 + speed * t, 0.2, -0.3); }, seconds, 60.0);
+        pass(
+            wind, {.radius = 3.0f, .law = WakeForce{0.7f}}, [&](double t) { return glm::dvec3(-25.5 + speed * t, 0.2, -0.3); },
+            seconds, 60.0);
         const double each = impulse_of(wind).x / (speed * seconds);
         low = std::min(low, each);
         high = std::max(high, each);
@@ -118,7 +122,8 @@ TEST(Wake, TheWholeStepGivesTheSameImpulseOneStepLater) {
     glm::dvec3 mean(0.0);
     std::vector<glm::dvec3> impulses;
     for (const double rate : {30.0, 45.0, 60.0, 72.0, 120.0, 144.0, 240.0}) {
-        auto wind = Wind::create({.cells = {24, 12, 24}, .sides = Sides::all(SideKind::periodic), .viscosity = 0.0f, .settling_time = 0.0f});
+        auto wind = Wind::create(
+            {.cells = {24, 12, 24}, .sides = Sides::all(SideKind::periodic), .viscosity = 0.0f, .settling_time = 0.0f});
         ASSERT_TRUE(wind);
         pass(*wind, {.radius = 2.0f, .law = WakeForce{float(strength)}}, circle, 1.0, rate);
         const glm::dvec3 early = impulse_of(*wind);
@@ -135,8 +140,10 @@ TEST(Wake, TheWholeStepGivesTheSameImpulseOneStepLater) {
     // The chord of the path times strength and volume: what the sources gave.
     const double given = strength * volume_of_ball_weight(2.0) * glm::length(circle(1.0) - circle(0.0));
     WINDROW_EXPECT_FIGURE("wake_whole_step_30_to_240_hz", worst, 0.02);
-    WINDROW_EXPECT_FIGURE("wake_whole_step_against_given", std::max(std::abs(largest / given - 1.0), std::abs(smallest / given - 1.0)), 0.02);
-    EXPECT_GT(figure("wake_missing_before_last_half", largest_missing), 0.005) << "or the last step says nothing about the second half";
+    WINDROW_EXPECT_FIGURE("wake_whole_step_against_given",
+                          std::max(std::abs(largest / given - 1.0), std::abs(smallest / given - 1.0)), 0.02);
+    EXPECT_GT(figure("wake_missing_before_last_half", largest_missing), 0.005)
+        << "or the last step says nothing about the second half";
 }
 
 TEST(Wake, ADriveFollowsItsClosedFormAndPiecesOfThePathAddUp) {
@@ -144,27 +151,32 @@ TEST(Wake, ADriveFollowsItsClosedFormAndPiecesOfThePathAddUp) {
     double worst = 0.0;
     for (int trial = 0; trial < 30; ++trial) {
         const glm::vec3 ambient = random.vector(4.0f);
-        const WakeDrive law{.per_metre = static_cast<float>(random.spread(0.05, 20.0)), .entrainment = random.uniform(0.0f, 2.0f)};
+        const WakeDrive law{.per_metre = static_cast<float>(random.spread(0.05, 20.0)),
+                            .entrainment = random.uniform(0.0f, 2.0f)};
         const float radius = random.uniform(1.5f, 3.0f);
         const glm::dvec3 start = random.point(4.0), velocity = random.direction() * random.spread(0.5, 30.0);
         const double seconds = 0.5;
         for (const int pieces : {1, 2, 7, 60}) {
             Wind wind = sources_only({16, 14, 15}, 1.0f, ambient);
-            pass(wind, {.radius = radius, .law = law}, [&](double t) { return start + velocity * t; }, seconds, pieces / seconds);
+            pass(
+                wind, {.radius = radius, .law = law}, [&](double t) { return start + velocity * t; }, seconds, pieces / seconds);
             const Box& box = wind.box();
             for (int k = 0; k < box.cells.z; ++k)
                 for (int j = 0; j < box.cells.y; ++j)
                     for (int i = 0; i < box.cells.x; ++i) {
                         const glm::vec3 p(wind.origin() + (glm::dvec3(i, j, k) + 0.5));
-                        const double path = numerics::windrow_wake_path(p, glm::vec3(start), glm::vec3(start + velocity * seconds), radius);
+                        const double path =
+                            numerics::windrow_wake_path(p, glm::vec3(start), glm::vec3(start + velocity * seconds), radius);
                         const double share = -std::expm1(-double(law.per_metre) * path);
-                        const glm::dvec3 expected = glm::dvec3(ambient) + share * (double(law.entrainment) * velocity - glm::dvec3(ambient));
+                        const glm::dvec3 expected =
+                            glm::dvec3(ambient) + share * (double(law.entrainment) * velocity - glm::dvec3(ambient));
                         const glm::vec4 u = wind.field()[box.index(i, j, k)];
                         worst = std::max(worst, glm::length(glm::dvec3(u) - expected) / (1.0 + glm::length(velocity)));
                     }
         }
     }
-    WINDROW_EXPECT_FIGURE("wake_drive_error", worst, 2e-4); // relative to the body's speed; positions are kept to 1/65536 of a cell
+    WINDROW_EXPECT_FIGURE("wake_drive_error", worst,
+                          2e-4); // relative to the body's speed; positions are kept to 1/65536 of a cell
 }
 
 TEST(Wake, AFastBodyLeavesNoGap) {
@@ -172,7 +184,9 @@ TEST(Wake, AFastBodyLeavesNoGap) {
     Random random(32);
     for (const float radius : {0.5f, 1.5f, 3.0f}) {
         Wind straight = sources_only({64, 8, 8});
-        pass(straight, {.radius = radius, .law = WakeForce{}}, [](double t) { return glm::dvec3(-25.0 + 50.0 * t, 0.5, 0.5); }, 1.0, 30.0);
+        pass(
+            straight, {.radius = radius, .law = WakeForce{}}, [](double t) { return glm::dvec3(-25.0 + 50.0 * t, 0.5, 0.5); },
+            1.0, 30.0);
         float least = 1e30f, most = 0.0f;
         for (double x = -20.5; x <= 20.5; x += 1.0) {
             const float u = straight.velocity({x, 0.5, 0.5}).x;
@@ -185,10 +199,13 @@ TEST(Wake, AFastBodyLeavesNoGap) {
         double worst = 1.0;
         for (int trial = 0; trial < 8; ++trial) {
             glm::dvec3 direction = random.direction() * glm::dvec3(1.0, 0.5, 0.5);
-            direction = glm::normalize(glm::dvec3(std::copysign(std::max(std::abs(direction.x), 0.75), direction.x), direction.y, direction.z));
+            direction = glm::normalize(
+                glm::dvec3(std::copysign(std::max(std::abs(direction.x), 0.75), direction.x), direction.y, direction.z));
             const glm::dvec3 through = random.point(1.0);
             Wind wind = sources_only({64, 64, 64});
-            pass(wind, {.radius = radius, .law = WakeForce{}}, [&](double t) { return through + direction * (50.0 * t - 25.0); }, 1.0, 30.0);
+            pass(
+                wind, {.radius = radius, .law = WakeForce{}}, [&](double t) { return through + direction * (50.0 * t - 25.0); },
+                1.0, 30.0);
             double low = 1e30, high = 0.0;
             for (int i = 18; i < 46; ++i) {
                 double sum = 0.0;
@@ -212,7 +229,8 @@ TEST(Wake, AThinBodyIsWidenedAndKeepsItsImpulse) {
         const float h = static_cast<float>(random.spread(0.1, 4.0)), radius = h * static_cast<float>(random.spread(0.02, 1.5));
         Wind wind = sources_only({32, 32, 32}, h);
         const glm::dvec3 start = random.point(1.0) * double(h), velocity = random.direction() * 12.0 * double(h);
-        pass(wind, {.radius = radius, .law = WakeForce{3.0f}}, [&](double t) { return start + velocity * (t - 0.5); }, 1.0, 60.0);
+        pass(
+            wind, {.radius = radius, .law = WakeForce{3.0f}}, [&](double t) { return start + velocity * (t - 0.5); }, 1.0, 60.0);
         const double given = 3.0 * volume_of_ball_weight(radius) * glm::length(velocity);
         const double ratio = glm::dot(impulse_of(wind), glm::normalize(velocity)) / given;
         worst = std::max(worst, std::abs(ratio - 1.0));

@@ -5,10 +5,9 @@
 #include "tests/fields.h"
 #include "tests/figure.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <string>
 #include <vector>
 
@@ -25,11 +24,15 @@ Wind made(const Config& config) {
     return *std::move(wind);
 }
 
-glm::ivec3 origin_cells(const Wind& wind) { return glm::ivec3(glm::round(wind.origin())); }
+glm::ivec3 origin_cells(const Wind& wind) {
+    return glm::ivec3(glm::round(wind.origin()));
+}
 
 void stir(Wind& wind) {
-    EXPECT_TRUE(wind.motors().add(DirectionalMotor{.position = {-2.0, 1.0, 3.0}, .direction = {1.0f, 0.3f, 0.0f}, .region = Sphere{3.0f}, .law = Force{6.0f}}));
-    EXPECT_TRUE(wind.motors().add(DirectionalMotor{.position = {5.0, -2.0, -4.0}, .direction = {0.0f, 0.0f, 1.0f}, .region = Capsule{}, .law = Drive{.speed = 3.0f}}));
+    EXPECT_TRUE(wind.motors().add(DirectionalMotor{
+        .position = {-2.0, 1.0, 3.0}, .direction = {1.0f, 0.3f, 0.0f}, .region = Sphere{3.0f}, .law = Force{6.0f}}));
+    EXPECT_TRUE(wind.motors().add(DirectionalMotor{
+        .position = {5.0, -2.0, -4.0}, .direction = {0.0f, 0.0f, 1.0f}, .region = Capsule{}, .law = Drive{.speed = 3.0f}}));
 }
 
 /// Compares the window's cells with the large box's cells at the same place.
@@ -61,7 +64,10 @@ void compare_beyond_reach(const std::string& name, double dt, glm::dvec3 walk, i
     for (glm::vec4& u : start)
         u += glm::vec4(ambient, 0.0f);
     ASSERT_TRUE(large.set_velocity(start));
-    window.set_velocity([&](glm::dvec3 centre) { return glm::vec3(start[large.box().index(int(std::floor(centre.x)) + 64, int(std::floor(centre.y)) + 8, int(std::floor(centre.z)) + 64)]); });
+    window.set_velocity([&](glm::dvec3 centre) {
+        return glm::vec3(start[large.box().index(int(std::floor(centre.x)) + 64, int(std::floor(centre.y)) + 8,
+                                                 int(std::floor(centre.z)) + 64)]);
+    });
     stir(large);
     stir(window);
 
@@ -135,7 +141,8 @@ TEST(WindowLarge, WithPressureTheErrorFallsAwayFromTheRim) {
         });
     }
     for (const int distance : {0, 1, 2, 4, 8, 12, 15})
-        figure("large_grid_pressure_rms_error_mps_at_" + std::to_string(distance), std::sqrt(errors[distance] / counts[distance]));
+        figure("large_grid_pressure_rms_error_mps_at_" + std::to_string(distance),
+               std::sqrt(errors[distance] / counts[distance]));
     WINDROW_EXPECT_FIGURE("large_grid_pressure_inner_half", std::sqrt(inner / inner_all), 0.005);
     EXPECT_LT(errors[15] / counts[15], errors[0] / counts[0]);
 }

@@ -6,9 +6,8 @@
 #include "tests/fields.h"
 #include "tests/figure.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
+#include <gtest/gtest.h>
 #include <optional>
 #include <string>
 
@@ -21,9 +20,11 @@ using namespace windrow::test;
 class AirByHand {
   public:
     AirByHand(const Config& config, glm::dvec3 origin)
-        : config_(config), work_(Workspace::create({.box = {config.cells, config.cell_size, config.sides}, .ambient = config.ambient})),
-          window_{config.cells, config.cell_size, CellIndex(glm::round(origin / double(config.cell_size)))}, forces_(config.cells),
-          ambient_(work_->ambient(), 0.0f), u_(cell_count(config.cells), ambient_), old_(u_), history_(u_.size(), glm::vec4(0.0f)), diffused_(u_) {}
+        : config_(config),
+          work_(Workspace::create({.box = {config.cells, config.cell_size, config.sides}, .ambient = config.ambient})),
+          window_{config.cells, config.cell_size, CellIndex(glm::round(origin / double(config.cell_size)))},
+          forces_(config.cells), ambient_(work_->ambient(), 0.0f), u_(cell_count(config.cells), ambient_), old_(u_),
+          history_(u_.size(), glm::vec4(0.0f)), diffused_(u_) {}
 
     [[nodiscard]] Motors& motors() { return motors_; }
     [[nodiscard]] const Field& field() const { return u_; }
@@ -35,7 +36,8 @@ class AirByHand {
     void step(float dt) {
         cpu::apply_motors(motors_, window_, dt, u_, forces_, {});
         const bool spreads = diffuse(*work_, u_, config_.viscosity, dt, diffused_) != DiffusionMethod::none;
-        Transport transport{.carried = spreads ? diffused_ : u_, .velocity = u_, .dt = dt, .interpolation = config_.interpolation};
+        Transport transport{
+            .carried = spreads ? diffused_ : u_, .velocity = u_, .dt = dt, .interpolation = config_.interpolation};
         if (config_.settling_time > 0.0f)
             transport.settling = 1.0f / (1.0f + dt / config_.settling_time);
         if (!fresh_) {
@@ -74,7 +76,8 @@ class AirByHand {
             for (int j = 0; j < cells.y; ++j)
                 for (int i = 0; i < cells.x; ++i) {
                     const CellIndex source = CellIndex(i, j, k) + shift;
-                    if (glm::all(glm::greaterThanEqual(source, CellIndex(0))) && glm::all(glm::lessThan(source, CellIndex(cells))))
+                    if (glm::all(glm::greaterThanEqual(source, CellIndex(0))) &&
+                        glm::all(glm::lessThan(source, CellIndex(cells))))
                         to[box.index(i, j, k)] = from[box.index(int(source.x), int(source.y), int(source.z))];
                 }
         return to;
@@ -97,7 +100,8 @@ struct Case {
 };
 
 std::vector<Case> cases() {
-    const Config base{.cells = {17, 9, 14}, .ambient = {2.0f, 0.5f, -1.0f}, .viscosity = 0.0f, .settling_time = 0.0f, .max_cfl = 1e6f};
+    const Config base{
+        .cells = {17, 9, 14}, .ambient = {2.0f, 0.5f, -1.0f}, .viscosity = 0.0f, .settling_time = 0.0f, .max_cfl = 1e6f};
     std::vector<Case> list;
     list.push_back({"inviscid", base});
     list.push_back({"settling", base});
@@ -130,7 +134,8 @@ TEST(WindowStep, AShiftedStepEqualsCopyThenStep) {
         std::optional<MotorId> body;
         for (Motors* motors : {&wind->motors(), &by_hand.motors()}) {
             ASSERT_TRUE(motors->add(DirectionalMotor{.position = {0.3, -0.2, 0.9}, .region = Sphere{3.0f}, .law = Force{30.0f}}));
-            ASSERT_TRUE(motors->add(DirectionalMotor{.position = {-2.3, 0.7, 0.1}, .direction = {0.0f, 1.0f, 1.0f}, .region = AlignedBox{}}));
+            ASSERT_TRUE(motors->add(
+                DirectionalMotor{.position = {-2.3, 0.7, 0.1}, .direction = {0.0f, 1.0f, 1.0f}, .region = AlignedBox{}}));
             const auto id = motors->add(WakeMotor{.radius = 1.2f, .law = WakeForce{}});
             ASSERT_TRUE(id);
             body = *id;

@@ -4,10 +4,9 @@
 #include "tests/fields.h"
 #include "tests/figure.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <limits>
 #include <vector>
 
@@ -22,7 +21,9 @@ Wind made(const Config& config) {
     return *std::move(wind);
 }
 
-glm::dvec3 origin_cells(const Wind& wind) { return glm::round(wind.origin() / double(wind.box().cell_size)); }
+glm::dvec3 origin_cells(const Wind& wind) {
+    return glm::round(wind.origin() / double(wind.box().cell_size));
+}
 
 /// The air with its place, as a world would remember it.
 struct Memory {
@@ -40,13 +41,16 @@ std::size_t cells_not_as_expected(const Wind& wind, const Memory& before) {
         for (int j = 0; j < box.cells.y; ++j)
             for (int i = 0; i < box.cells.x; ++i) {
                 const glm::dvec3 there = glm::dvec3(i, j, k) + moved;
-                if (glm::all(glm::greaterThanEqual(there, glm::dvec3(0.0))) && glm::all(glm::lessThan(there, glm::dvec3(box.cells))))
+                if (glm::all(glm::greaterThanEqual(there, glm::dvec3(0.0))) &&
+                    glm::all(glm::lessThan(there, glm::dvec3(box.cells))))
                     expected[box.index(i, j, k)] = before.field[box.index(int(there.x), int(there.y), int(there.z))];
             }
     return cells_that_differ(wind.field(), expected);
 }
 
-glm::dvec3 middle(const Wind& wind) { return wind.origin() + 0.5 * glm::dvec3(wind.box().cells) * double(wind.box().cell_size); }
+glm::dvec3 middle(const Wind& wind) {
+    return wind.origin() + 0.5 * glm::dvec3(wind.box().cells) * double(wind.box().cell_size);
+}
 
 // --- W15: without a step ---------------------------------------------------------------------------------------------
 
@@ -87,7 +91,8 @@ TEST(Window, APointInsideFeelsNoShift) {
     }
     const double speed = largest_speed(wind.field());
     double worst = 0.0;
-    for (const glm::dvec3 to : {glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(0.0, -2.0, 1.0), glm::dvec3(-3.0, 1.0, 3.0), glm::dvec3(2.2, 0.4, -0.7)}) {
+    for (const glm::dvec3 to :
+         {glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(0.0, -2.0, 1.0), glm::dvec3(-3.0, 1.0, 3.0), glm::dvec3(2.2, 0.4, -0.7)}) {
         std::vector<glm::vec3> before(points.size()), after(points.size());
         wind.velocity(points, before);
         ASSERT_TRUE(wind.follow(to));
@@ -113,7 +118,8 @@ TEST(Window, OnlyTheAxesThatFollowMove) {
 
 TEST(Window, AJumpBeyondItStartsAfresh) {
     const Config config{.cells = {12, 8, 10}, .ambient = {1.0f, 2.0f, 3.0f}};
-    for (const glm::dvec3 jump : {glm::dvec3(12.0, 0.0, 0.0), glm::dvec3(0.0, -8.0, 0.0), glm::dvec3(1e9, 0.0, 0.0), glm::dvec3(0.0, 0.0, 1e12)}) {
+    for (const glm::dvec3 jump :
+         {glm::dvec3(12.0, 0.0, 0.0), glm::dvec3(0.0, -8.0, 0.0), glm::dvec3(1e9, 0.0, 0.0), glm::dvec3(0.0, 0.0, 1e12)}) {
         Wind wind = made(config);
         ASSERT_TRUE(wind.set_velocity(white_noise(config.cells, 3.0f, 44)));
         for (int n = 0; n < 3; ++n)
@@ -140,7 +146,8 @@ TEST(Window, APointThatIsNoneIsRefused) {
     Wind wind = made({.cells = {8, 8, 8}, .cell_size = 0.5f});
     ASSERT_TRUE(wind.set_velocity(white_noise({8, 8, 8}, 3.0f, 45)));
     const Memory before(wind);
-    for (const glm::dvec3 point : {glm::dvec3(nan, 0.0, 0.0), glm::dvec3(0.0, infinity, 0.0), glm::dvec3(0.0, 0.0, -infinity), glm::dvec3(6e11, 0.0, 0.0)}) {
+    for (const glm::dvec3 point : {glm::dvec3(nan, 0.0, 0.0), glm::dvec3(0.0, infinity, 0.0), glm::dvec3(0.0, 0.0, -infinity),
+                                   glm::dvec3(6e11, 0.0, 0.0)}) {
         const auto refused = wind.follow(point);
         ASSERT_FALSE(refused);
         EXPECT_EQ(refused.error().find("follow point is ("), 0u) << refused.error();
@@ -164,7 +171,8 @@ TEST(Window, ZeroIsAPlaceLikeAnyOther) {
                 shifts[axis] += moved[axis] == 1.0;
             }
             last = wind.origin();
-            ASSERT_LE(glm::length(middle(wind) / h - glm::dvec3(-10.0 + 0.01 * n)), 0.5 * std::sqrt(3.0) + 1e-9) << "centred to half a cell";
+            ASSERT_LE(glm::length(middle(wind) / h - glm::dvec3(-10.0 + 0.01 * n)), 0.5 * std::sqrt(3.0) + 1e-9)
+                << "centred to half a cell";
         }
         EXPECT_EQ(shifts, glm::ivec3(20));
     }
@@ -173,7 +181,8 @@ TEST(Window, ZeroIsAPlaceLikeAnyOther) {
 TEST(Window, TheFloorFollowsItsHeight) {
     Wind wind = made({.cells = {8, 10, 8}, .cell_size = 0.5f, .sides = Sides::open_over_floor(), .ambient = {2.0f, 0.0f, 0.0f}});
     ASSERT_TRUE(wind.set_velocity(white_noise({8, 10, 8}, 3.0f, 46)));
-    for (const auto& [height, low] : {std::pair{3.1, 3.0}, {3.3, 3.5}, {-0.2, 0.0}, {-7.6, -7.5}, {-5.0, -5.0}, {1e6 + 0.1, 1e6}}) {
+    for (const auto& [height, low] :
+         {std::pair{3.1, 3.0}, {3.3, 3.5}, {-0.2, 0.0}, {-7.6, -7.5}, {-5.0, -5.0}, {1e6 + 0.1, 1e6}}) {
         const Memory before(wind);
         ASSERT_TRUE(wind.set_floor(height));
         EXPECT_EQ(wind.origin().y, low);
@@ -193,16 +202,20 @@ TEST(Window, TheFloorFollowsItsHeight) {
 
 // Walks, blows and stirs around `place`, and gives the air at the end.
 Field walk(glm::dvec3 place, float cell_size) {
-    Wind wind = made({.cells = {24, 12, 20}, .cell_size = cell_size, .centre = place, .ambient = {2.0f, 0.1f, -1.0f}, .viscosity = 0.02f});
+    Wind wind = made(
+        {.cells = {24, 12, 20}, .cell_size = cell_size, .centre = place, .ambient = {2.0f, 0.1f, -1.0f}, .viscosity = 0.02f});
     const double h = cell_size;
     Random random(47);
     for (int n = 0; n < 12; ++n) {
         const glm::dvec3 at = place + h * random.point(8.0);
         const float radius = cell_size * random.uniform(0.5f, 4.0f);
-        EXPECT_TRUE(wind.motors().add(DirectionalMotor{.position = at, .direction = random.vector(1.0f), .region = Sphere{radius}, .law = Force{30.0f}}));
-        EXPECT_TRUE(wind.motors().add(DirectionalMotor{.position = at, .direction = random.vector(1.0f), .region = Capsule{random.vector(cell_size), radius}}));
+        EXPECT_TRUE(wind.motors().add(
+            DirectionalMotor{.position = at, .direction = random.vector(1.0f), .region = Sphere{radius}, .law = Force{30.0f}}));
+        EXPECT_TRUE(wind.motors().add(DirectionalMotor{
+            .position = at, .direction = random.vector(1.0f), .region = Capsule{random.vector(cell_size), radius}}));
     }
-    const auto body = wind.motors().add(WakeMotor{.position = place + h * glm::dvec3(-6.3, 0.7, 0.1), .radius = 1.1f * cell_size});
+    const auto body =
+        wind.motors().add(WakeMotor{.position = place + h * glm::dvec3(-6.3, 0.7, 0.1), .radius = 1.1f * cell_size});
     EXPECT_TRUE(body);
     for (int n = 1; n <= 50; ++n) {
         EXPECT_TRUE(wind.motors().move(*body, place + h * glm::dvec3(-6.3 + 0.231 * n, 0.7, 0.1 + 0.05 * n)));
@@ -219,7 +232,8 @@ TEST(Window, AMillionMetresAwayEqualsTheOrigin) {
         // Whole cells away, whatever a cell measures.
         const double far_off = std::round(1e6 / double(h)) * double(h);
         std::size_t differing = 0;
-        for (const glm::dvec3 place : {glm::dvec3(far_off, 0.0, far_off), glm::dvec3(-far_off, 0.0, far_off), glm::dvec3(0.0, -far_off, 0.0)})
+        for (const glm::dvec3 place :
+             {glm::dvec3(far_off, 0.0, far_off), glm::dvec3(-far_off, 0.0, far_off), glm::dvec3(0.0, -far_off, 0.0)})
             differing += cells_that_differ(walk(place, h), here);
         WINDROW_EXPECT_FIGURE("far_away_cells_that_differ_h_" + std::to_string(h).substr(0, 3), double(differing), 0.0);
     }

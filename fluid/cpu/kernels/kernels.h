@@ -59,11 +59,10 @@ struct AdvectTask {
     bool clamped; ///< scalars only
 };
 
-/// One end of an axis for a stencil: the ghost beyond it is scale * u[source] + offset.
+/// One end of an axis for a stencil: the ghost beyond it is scale * value[source].
 struct NormalGhost {
     int source;
     float scale;
-    float offset;
 };
 
 struct DivergenceTask {
@@ -79,7 +78,7 @@ struct GradientTask {
     int cells[3];
     int pitch;
     const float* potential;
-    NormalGhost ghosts[3][2]; ///< offset is 0
+    NormalGhost ghosts[3][2];
     float scale;
     float* velocity; ///< velocity -= scale * differences
     float* gradient; ///< null: not wanted

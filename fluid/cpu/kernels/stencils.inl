@@ -1,18 +1,18 @@
-// Stencils on unpadded fields: divergence, gradient, seven-point diffusion. A neighbour beyond a side is an affine
-// image of a cell inside (NormalGhost, HaloRule), so a row's loop is the same inside and at a side.
+// Stencils on unpadded fields: divergence, gradient, seven-point diffusion. A neighbour beyond a side is an image
+// of a cell inside (NormalGhost, HaloRule), so a row's loop is the same inside and at a side.
 
 // A neighbouring row with the rule that makes its values.
 struct ScalarRow {
     const float* values;
-    float scale, offset;
+    float scale;
 };
 
 inline ScalarRow neighbour_row(const float* field, std::size_t row_floats, std::size_t axis_stride, std::size_t row, int index, int count,
                                int side, const NormalGhost& ghost) {
     const int neighbour = index + side;
     if (neighbour >= 0 && neighbour < count)
-        return {field + (row + side * static_cast<std::ptrdiff_t>(axis_stride)) * row_floats, 1.0f, 0.0f};
-    return {field + (row + (ghost.source - index) * static_cast<std::ptrdiff_t>(axis_stride)) * row_floats, ghost.scale, ghost.offset};
+        return {field + (row + side * static_cast<std::ptrdiff_t>(axis_stride)) * row_floats, 1.0f};
+    return {field + (row + (ghost.source - index) * static_cast<std::ptrdiff_t>(axis_stride)) * row_floats, ghost.scale};
 }
 
 void divergence_plane(const DivergenceTask& task, int plane) {
@@ -27,14 +27,14 @@ void divergence_plane(const DivergenceTask& task, int plane) {
         const ScalarRow z1 = neighbour_row(task.velocity, row_floats, ny, row, plane, nz, +1, task.ghosts[2][1]);
         float* const result = task.result + row * task.pitch;
         const auto across = [&](int i) {
-            const float dy = (y1.scale * y1.values[4 * i + 1] + y1.offset) - (y0.scale * y0.values[4 * i + 1] + y0.offset);
-            const float dz = (z1.scale * z1.values[4 * i + 2] + z1.offset) - (z0.scale * z0.values[4 * i + 2] + z0.offset);
+            const float dy = y1.scale * y1.values[4 * i + 1] - y0.scale * y0.values[4 * i + 1];
+            const float dz = z1.scale * z1.values[4 * i + 2] - z0.scale * z0.values[4 * i + 2];
             return dy + dz;
         };
         const NormalGhost& x0 = task.ghosts[0][0];
         const NormalGhost& x1 = task.ghosts[0][1];
-        const float low = x0.scale * here[4 * x0.source] + x0.offset;
-        const float high = x1.scale * here[4 * x1.source] + x1.offset;
+        const float low = x0.scale * here[4 * x0.source];
+        const float high = x1.scale * here[4 * x1.source];
         for (int i = 1; i < nx - 1; ++i)
             result[i] = task.scale * ((here[4 * (i + 1)] - here[4 * (i - 1)]) + across(i));
         result[0] = task.scale * (((nx > 1 ? here[4] : high) - low) + across(0));
