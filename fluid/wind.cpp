@@ -12,6 +12,7 @@ namespace {
 
 constexpr double k_farthest_cells = 1e12;
 constexpr float k_most_wind = 1e4f;
+constexpr float k_longest_prepared = 1.0f; // [s]
 constexpr const char* k_axis_names[3] = {"x", "y", "z"};
 
 template <class Vector>
@@ -50,7 +51,7 @@ Result<void> validate(const Config& config) {
     detail::Reasons reasons;
     if (auto box = validate(Box{config.cells, config.cell_size, config.sides}); !box)
         reasons.add(box.error());
-    if (!in_range(config, config.centre))
+    if (!finite(config.centre) || (config.cell_size > 0.0f && !in_range(config, config.centre)))
         reasons.add("centre is ", config.centre, " m: give finite numbers within 1e12 cells of the origin.");
     check_follow(reasons, config.follow_axes, config.sides);
     check_ambient(reasons, config.ambient);
@@ -73,8 +74,8 @@ Wind::State::State(const Config& settings, Workspace workspace)
     window.origin_cells = window.centred_on(config.centre);
     previous_origin_cells = stepped_origin_cells = window.origin_cells;
     fill_with_ambient();
-    // A step of up to 0.1 s allocates nothing: what its viscosity needs is made here.
-    const DiffusionMethod method = diffusion_method(config.viscosity, 0.1f, config.cell_size);
+    // A step of up to k_longest_prepared allocates nothing: what its viscosity needs is made here.
+    const DiffusionMethod method = diffusion_method(config.viscosity, k_longest_prepared, config.cell_size);
     if (method != DiffusionMethod::none)
         diffused = cpu::Buffer<glm::vec4>(air.velocity.size());
     if (method == DiffusionMethod::implicit)
@@ -101,6 +102,17 @@ void Wind::State::shift_to(CellIndex origin_cells) {
         shift_field(air.velocity_old, window.cells, shift, ambient());
         shift_field(air.history, window.cells, shift, glm::vec4(0.0f));
     }
+}
+
+void Wind::State::change_ambient(glm::vec3 wind) {
+    const glm::vec4 before = ambient();
+    work.set_ambient(wind);
+    const glm::vec4 change = ambient() - before;
+    for (glm::vec4& u : std::span<glm::vec4>(air.velocity))
+        u += change;
+    if (!air.fresh)
+        for (glm::vec4& u : std::span<glm::vec4>(air.velocity_old))
+            u += change;
 }
 
 Wind::Wind(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -133,7 +145,7 @@ Result<void> Wind::set_ambient(glm::vec3 ambient) {
     if (!reasons.empty())
         return Error{reasons.take()};
     state_->config.ambient = ambient;
-    state_->work.set_ambient(ambient);
+    state_->change_ambient(ambient);
     return {};
 }
 
@@ -185,10 +197,14 @@ const Box& Wind::box() const { return state_->box(); }
 
 glm::vec3 Wind::velocity(glm::dvec3 position) const {
     const glm::vec3 ambient = state_->work.ambient();
-    if (!finite(position))
-        return ambient;
     const Box& box = state_->box();
-    const glm::vec3 local(state_->window.local(position));
+    glm::dvec3 exact = state_->window.local(position);
+    if (!finite(exact))
+        return ambient;
+    for (int axis = 0; axis < 3; ++axis) // wrapped in double: a float far away holds no share of a cell
+        if (box.sides.periodic(axis))
+            exact[axis] = std::fmod(exact[axis], static_cast<double>(box.cells[axis]));
+    const glm::vec3 local(exact);
     float share = 1.0f;
     glm::ivec3 low(0), high(0);
     glm::vec3 between(0.0f);

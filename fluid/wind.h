@@ -81,14 +81,15 @@ class Wind {
     [[nodiscard]] static Result<Wind> create(const Config& config);
 
     /// Advances the air by dt [s]. 0 is a pause: nothing changes. A dt that is negative or not finite does nothing and says so
-    /// (Diagnostics::stepped). Does not allocate.
+    /// (Diagnostics::stepped). Does not allocate; only a step above 1 s that asks more of the viscosity than shorter ones does so, once.
     Diagnostics step(double dt);
 
     // --- What acts on the air -----------------------------------------------------------------------------------------
     [[nodiscard]] Motors& motors();
     [[nodiscard]] const Motors& motors() const;
-    /// Changes the mean wind [m/s]; it enters through the open sides from the next step on. Components along axes that a wall
-    /// closes are dropped. Refuses what is not finite or above 1e4 m/s.
+    /// Changes the mean wind [m/s]. All air of the box changes by the difference at once, as under a pressure gradient that is far wider than
+    /// the box; entering through the sides alone, a new wind would never reach still air. Ramp it for a gust. Components along
+    /// axes that a wall closes are dropped. Refuses what is not finite or above 1e4 m/s.
     [[nodiscard]] Result<void> set_ambient(glm::vec3 ambient);
     [[nodiscard]] glm::vec3 ambient() const;
     /// Changes kinds or wall velocities between steps. A changed kind starts the second-order history anew. Refuses what

@@ -39,6 +39,7 @@ struct Wind::State {
     [[nodiscard]] glm::vec4 ambient() const { return {work.ambient(), 0.0f}; }
     void shift_to(CellIndex origin_cells);
     void fill_with_ambient();
+    void change_ambient(glm::vec3 wind);
 
     Diagnostics step(float dt);
 

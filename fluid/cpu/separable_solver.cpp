@@ -50,6 +50,10 @@ SeparableSolver::SeparableSolver(glm::ivec3 cells, const Ends& ends, const Kerne
     : cells_(cells), ends_(ends), kernels_(&kernels), basis_x_(cells.x, ends[0][0], ends[0][1]), basis_z_(cells.z, ends[2][0], ends[2][1]),
       x_even_(basis_x_.even, basis_x_.even_size), x_odd_(basis_x_.odd, basis_x_.odd_size), z_even_(basis_z_.even, basis_z_.even_size),
       z_odd_(basis_z_.odd, basis_z_.odd_size) {
+    for (AxisBasis* const basis : {&basis_x_, &basis_z_}) { // the matrices hold them now
+        basis->even = std::vector<double>();
+        basis->odd = std::vector<double>();
+    }
     odd_offset_ = round_up(basis_x_.even_size);
     pitch_ = std::max(round_up(cells.x), odd_offset_ + round_up(basis_x_.odd_size));
     // A ring of one cell is its own neighbour on both sides: its second difference is 0, as between two walls.
@@ -73,6 +77,8 @@ std::size_t SeparableSolver::memory_bytes() const {
     std::size_t bytes = pivots_.bytes() + cyclic_vectors_.bytes() + cyclic_factors_.bytes();
     for (const Matrix* matrix : {&x_even_, &x_odd_, &z_even_, &z_odd_})
         bytes += matrix->forward.bytes() + matrix->backward.bytes();
+    for (const AxisBasis* basis : {&basis_x_, &basis_z_})
+        bytes += basis->eigenvalues.capacity() * sizeof(double);
     return bytes;
 }
 

@@ -206,7 +206,7 @@ TEST(Storms, AShiftInEveryStep) {
 
 TEST(Storms, ViscosityFromNothingToTenThousand) {
     for (int kind = 0; kind < 4; ++kind)
-        for (const double ratio : {0.0, 1e-4, 1e-3, 0.08, 0.0833, 0.084, 1.0, 100.0, 1e4}) {
+        for (const double ratio : {0.0, 1e-4, 1e-3, 0.08, 0.0833, 0.084, 0.17, 0.24, 1.0, 100.0, 1e4}) {
             const double dt = 0.1;
             Wind wind = made({.cells = {16, 12, 20},
                               .sides = Sides::all(k_kinds[kind]),
