@@ -2,6 +2,9 @@
 
 #include "fluid/message.h"
 
+#include <cstdint>
+#include <limits>
+#include <optional>
 #include <string_view>
 
 namespace windrow::cli {
@@ -41,6 +44,24 @@ Sides read_sides(JsonObject sides) {
     return read;
 }
 
+std::optional<LogProfile> read_profile(JsonObject profile, bool given) {
+    LogProfile read;
+    read.roughness_length = profile.real("roughness_length", read.roughness_length, {.least = 1e-6, .most = 100.0, .unit = "m"});
+    read.reference_height = profile.real("reference_height", read.reference_height, {.least = 0.01, .most = 1e4, .unit = "m"});
+    profile.finish();
+    return given ? std::optional(read) : std::nullopt;
+}
+
+Gusts read_gusts(JsonObject gusts) {
+    Gusts read;
+    read.intensity = gusts.real("intensity", read.intensity, {.least = 0.0, .most = 1.0});
+    read.length = gusts.real("length", read.length, {.least = 0.01, .most = 1e6, .unit = "m"});
+    read.seed = static_cast<std::uint32_t>(
+        gusts.integer("seed", static_cast<int>(read.seed), {.least = 0.0, .most = std::numeric_limits<int>::max()}));
+    gusts.finish();
+    return read;
+}
+
 } // namespace
 
 ReadAir read_air(JsonObject& air) {
@@ -56,8 +77,12 @@ ReadAir read_air(JsonObject& air) {
     }
     config.follow_axes = air.optional_flags("follow_axes");
     config.ambient = glm::vec3(air.vector("ambient", glm::dvec3(config.ambient), k_velocity_rule));
+    config.profile = read_profile(air.object("profile"), air.value().contains("profile"));
+    config.gusts = read_gusts(air.object("gusts"));
+    config.rim = air.real("rim", config.rim, {.least = 0.0, .most = 64.0});
     config.viscosity = air.real("viscosity", config.viscosity, {.least = 0.0, .most = 1e9, .unit = "m^2/s"});
     config.settling_time = air.real("settling_time", config.settling_time, {.least = 0.0, .most = 1e9, .unit = "s"});
+    config.sleep_speed = air.real("sleep_speed", config.sleep_speed, {.least = 0.0, .most = 1e4, .unit = "m/s"});
     config.scheme =
         air.word("scheme", config.scheme, {{"second_order", Scheme::second_order}, {"stable_fluids", Scheme::stable_fluids}});
     config.interpolation =

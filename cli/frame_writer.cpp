@@ -3,9 +3,6 @@
 #include "cli/number_text.h"
 #include "fluid/message.h"
 
-#if WINDROW_WITH_IMAGES
-#include "cli/pictures.h"
-#endif
 #if WINDROW_WITH_VDB
 #include "fluid/vdb/vdb_export.h"
 #endif
@@ -25,6 +22,20 @@ using Clock = std::chrono::steady_clock;
 }
 
 #if WINDROW_WITH_IMAGES
+/// More paths than this would fill the picture: then a body draws its last second only, and none before and after it acts.
+constexpr std::size_t k_most_whole_paths = 8;
+
+/// The part of a path that its body has just passed.
+Trail fresh_trail_of(const std::string& name, const ScenePath& path, double time) {
+    const double begin = time - 1.0;
+    Trail trail{.name = name, .points = {path.path.at(begin)}, .now = path.path.at(time), .followed = false};
+    for (const PathPoint& point : path.path.points())
+        if (point.time > begin && point.time < time)
+            trail.points.push_back(point.position);
+    trail.points.push_back(trail.now);
+    return trail;
+}
+
 /// A path as the pictures draw it; a recording of an hour is thinned to what a picture can show.
 Trail trail_of(const std::string& name, const ScenePath& path, double time) {
     constexpr std::size_t k_most_drawn = 2000;
@@ -73,26 +84,36 @@ WriteFault FrameWriter::write_picture([[maybe_unused]] const Playback& playback,
 #if WINDROW_WITH_IMAGES
     const auto begin = Clock::now();
     const double time = playback.time();
+    const std::vector<Playback::Acting> acting = playback.acting();
+    const bool many = scene_->paths.size() > k_most_whole_paths;
     std::vector<Trail> trails;
     for (std::size_t i = 0; i < scene_->paths.size(); ++i) {
+        const auto* followed = std::get_if<std::size_t>(&scene_->follow);
+        const bool leads = followed != nullptr && *followed == i;
+        const bool acts = std::any_of(acting.begin(), acting.end(), [&](const auto& body) { return body.motor->path == i; });
+        if (many && !leads && !acts)
+            continue;
         // A trail that bears a wake's name is drawn as that body.
         std::string name = scene_->paths[i].name;
         for (const SceneMotor& motor : scene_->motors)
             if (motor.path == i && std::holds_alternative<WakeMotor>(motor.motor))
                 name = motor.name;
-        trails.push_back(trail_of(name, scene_->paths[i], time));
+        trails.push_back((many && !leads ? fresh_trail_of : trail_of)(name, scene_->paths[i], time));
+        trails.back().followed = leads;
     }
-    if (const auto* followed = std::get_if<std::size_t>(&scene_->follow))
-        trails[*followed].followed = true;
     std::vector<NamedMotor> motors;
-    for (const Playback::Acting& acting : playback.acting())
-        motors.push_back({acting.motor->name, acting.now});
+    for (const Playback::Acting& body : acting)
+        motors.push_back({body.motor->name, body.now, body.strength});
     PictureSettings settings;
     settings.title = scene_->name;
+    settings.width = scene_->pictures.width;
     settings.speed_scale = scene_->pictures.speed_scale;
     settings.slice_point = scene_->followed_point(time);
     settings.slice_point.y =
         (scene_->has_floor() ? scene_->floor_height(time) : settings.slice_point.y) + scene_->pictures.slice_height;
+    for (const SceneMotor& motor : scene_->motors)
+        ++settings.motors_of_scene[motor.motor.index()];
+    parts_ = frame_parts(playback.wind(), settings);
     const std::filesystem::path file = folder_ / numbered("frame_", frame, ".png");
     const auto drawn = draw_frame(playback.wind(), time, trails, motors, settings, file);
     picture_seconds_ += seconds_since(begin);
@@ -136,7 +157,7 @@ WriteFault FrameWriter::write_contact_sheet() {
     for (std::size_t i = 0; i < count; ++i)
         chosen.push_back(pictures_[count == 1 ? 0 : i * (pictures_.size() - 1) / (count - 1)]);
     const std::filesystem::path file = folder_ / "contact_sheet.png";
-    const auto drawn = draw_contact_sheet(chosen, file);
+    const auto drawn = draw_contact_sheet(chosen, file, parts_);
     picture_seconds_ += seconds_since(begin);
     if (!drawn)
         return fault_of(drawn);

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "cli/output_file.h"
+#include "cli/pictures.h"
 #include "cli/playback.h"
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,6 +49,7 @@ class FrameWriter {
     std::int64_t frames_;
     int digits_;
     std::vector<std::filesystem::path> pictures_;
+    std::optional<FrameParts> parts_; ///< of the pictures
     std::size_t vdbs_ = 0;
     bool contact_sheet_ = false;
     double picture_seconds_ = 0.0;

@@ -2,6 +2,7 @@
 
 #include "cli/air_reader.h"
 #include "cli/json_document.h"
+#include "cli/motor_parts_reader.h"
 #include "fluid/message.h"
 
 #include <algorithm>
@@ -13,108 +14,26 @@ namespace {
 using detail::message;
 using nlohmann::json;
 
-constexpr NumberRule k_radius_rule{.least = 0.0, .most = 1e6, .above_least = true, .unit = "m"};
 constexpr NumberRule k_time_rule{.least = -MotionPath::k_farthest, .most = MotionPath::k_farthest, .unit = "s"};
-
-Region read_region(JsonObject region) {
-    Region read = Sphere{};
-    switch (region.one_of({"sphere", "capsule", "box"}, "sphere")) {
-    case 0: {
-        JsonObject shape = region.object("sphere");
-        read = Sphere{.radius = shape.real("radius", Sphere{}.radius, k_radius_rule)};
-        shape.finish();
-        break;
-    }
-    case 1: {
-        JsonObject shape = region.object("capsule");
-        const Capsule fallback;
-        Capsule capsule;
-        capsule.half_axis =
-            glm::vec3(shape.vector("half_axis", glm::dvec3(fallback.half_axis), {.least = -1e6, .most = 1e6, .unit = "m"}));
-        capsule.radius = shape.real("radius", fallback.radius, k_radius_rule);
-        read = capsule;
-        shape.finish();
-        break;
-    }
-    case 2: {
-        JsonObject shape = region.object("box");
-        read = AlignedBox{.half_size = glm::vec3(shape.vector("half_size", glm::dvec3(AlignedBox{}.half_size), k_radius_rule))};
-        shape.finish();
-        break;
-    }
-    default:
-        break;
-    }
-    region.finish();
-    return read;
-}
-
-std::variant<Force, Drive> read_directional_law(JsonObject law) {
-    std::variant<Force, Drive> read = Drive{};
-    switch (law.one_of({"force", "drive"}, "drive")) {
-    case 0: {
-        JsonObject force = law.object("force");
-        read = Force{.acceleration =
-                         force.real("acceleration", Force{}.acceleration, {.least = -1e6, .most = 1e6, .unit = "m/s^2"})};
-        force.finish();
-        break;
-    }
-    case 1: {
-        JsonObject drive = law.object("drive");
-        Drive values;
-        values.speed = drive.real("speed", values.speed, {.least = -1e4, .most = 1e4, .unit = "m/s"});
-        values.rate = drive.real("rate", values.rate, {.least = 0.0, .most = 1e6, .unit = "1/s"});
-        read = values;
-        drive.finish();
-        break;
-    }
-    default:
-        break;
-    }
-    law.finish();
-    return read;
-}
-
-std::variant<WakeForce, WakeDrive> read_wake_law(JsonObject law) {
-    std::variant<WakeForce, WakeDrive> read = WakeDrive{};
-    switch (law.one_of({"force", "drive"}, "drive")) {
-    case 0: {
-        JsonObject force = law.object("force");
-        read = WakeForce{.strength = force.real("strength", WakeForce{}.strength, {.least = 0.0, .most = 1e4, .unit = "1/s"})};
-        force.finish();
-        break;
-    }
-    case 1: {
-        JsonObject drive = law.object("drive");
-        WakeDrive values;
-        values.per_metre = drive.real("per_metre", values.per_metre, {.least = 0.0, .most = 1e4, .unit = "1/m"});
-        values.entrainment = drive.real("entrainment", values.entrainment, {.least = 0.0, .most = 2.0});
-        read = values;
-        drive.finish();
-        break;
-    }
-    default:
-        break;
-    }
-    law.finish();
-    return read;
-}
 
 // --- Kinds -----------------------------------------------------------------------------------------------------------
 
-void read_directional(JsonObject& object, const MotorContext& context, SceneMotor& motor) {
-    DirectionalMotor read;
+/// The place of a motor that need not move; a path says where instead.
+glm::dvec3 read_place(JsonObject& object, const MotorContext& context, SceneMotor& motor) {
     const auto position = object.optional_vector("position", k_place_rule);
     motor.path = object.name("path", context.path_names, "paths");
     if (position && motor.path)
         object.refuse("holds both \"position\" and \"path\": keep one of them.");
-    read.position = position.value_or(read.position);
-    const glm::dvec3 direction = object.vector("direction", glm::dvec3(read.direction), {.least = -1e6, .most = 1e6});
-    read.direction = glm::vec3(direction);
-    if (direction == glm::dvec3(0.0))
-        object.refuse("direction", "is [0, 0, 0]: give a vector of any length but 0.");
+    return position.value_or(glm::dvec3(0.0));
+}
+
+void read_directional(JsonObject& object, const MotorContext& context, SceneMotor& motor) {
+    DirectionalMotor read;
+    read.position = read_place(object, context, motor);
+    read.direction = read_direction(object, "direction", read.direction);
     read.region = read_region(object.object("region"));
-    read.law = read_directional_law(object.object("law"));
+    read.law = read_law(object.object("law"), std::get<Drive>(read.law));
+    read.envelope = read_envelope(object.object("envelope"));
     motor.motor = read;
 }
 
@@ -122,12 +41,56 @@ void read_wake(JsonObject& object, const MotorContext& context, SceneMotor& moto
     WakeMotor read;
     // Without a path a wake would never move, and so never act.
     motor.path = object.name("path", context.path_names, "paths", true);
-    read.radius = object.real("radius", read.radius, k_radius_rule);
+    read.radius = object.real("radius", read.radius, k_size_rule);
     read.law = read_wake_law(object.object("law"));
+    read.envelope = read_envelope(object.object("envelope"));
     motor.motor = read;
 }
 
-constexpr MotorKind k_kinds[] = {{"directional", &read_directional}, {"wake", &read_wake}};
+void read_jet(JsonObject& object, const MotorContext& context, SceneMotor& motor) {
+    JetMotor read;
+    read.position = read_place(object, context, motor);
+    read.direction = read_direction(object, "direction", read.direction);
+    read.length = object.real("length", read.length, k_size_rule);
+    read.start_radius = object.real("start_radius", read.start_radius, k_size_rule);
+    read.end_radius = object.real("end_radius", read.end_radius, k_size_rule);
+    read.law = read_law(object.object("law"), std::get<Drive>(read.law));
+    read.envelope = read_envelope(object.object("envelope"));
+    motor.motor = read;
+}
+
+void read_vortex(JsonObject& object, const MotorContext& context, SceneMotor& motor) {
+    VortexMotor read;
+    read.position = read_place(object, context, motor);
+    read.axis = read_direction(object, "axis", read.axis);
+    read.radius = object.real("radius", read.radius, k_size_rule);
+    read.half_length = object.real("half_length", read.half_length, k_size_rule);
+    read.lift = object.real("lift", read.lift, {.least = -10.0, .most = 10.0});
+    read.law = read_law(object.object("law"), std::get<Drive>(read.law));
+    read.envelope = read_envelope(object.object("envelope"));
+    motor.motor = read;
+}
+
+void read_omni(JsonObject& object, const MotorContext& context, SceneMotor& motor) {
+    OmniMotor read;
+    read.position = read_place(object, context, motor);
+    read.radius = object.real("radius", read.radius, k_size_rule);
+    read.speed = object.real("speed", read.speed, k_speed_rule);
+    read.envelope = read_envelope(object.object("envelope"));
+    motor.motor = read;
+}
+
+void read_pressure(JsonObject& object, const MotorContext& context, SceneMotor& motor) {
+    PressureMotor read;
+    read.position = read_place(object, context, motor);
+    read.radius = object.real("radius", read.radius, k_size_rule);
+    read.speed = object.real("speed", read.speed, k_speed_rule);
+    read.duration = object.real("duration", read.duration, {.least = 0.0, .most = 1e9, .above_least = true, .unit = "s"});
+    motor.motor = read;
+}
+
+constexpr MotorKind k_kinds[] = {{"directional", &read_directional}, {"wake", &read_wake}, {"jet", &read_jet},
+                                 {"vortex", &read_vortex},           {"omni", &read_omni}, {"pressure", &read_pressure}};
 
 /// Notes what windrow::validate says of a motor whose single values were found good.
 void check_motor(const Motor& motor, JsonObject& object) {

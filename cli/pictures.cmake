@@ -15,6 +15,8 @@ target_sources(windrow_cli_support PRIVATE
   drawing/frame.cpp
   drawing/layout.cpp
   drawing/legend.cpp
+  drawing/motor_marks.cpp
+  drawing/motor_style.cpp
   drawing/names.cpp
   drawing/outline.cpp
   drawing/overlay.cpp

@@ -5,11 +5,14 @@
 #include "fluid/result.h"
 #include "fluid/wind.h"
 
+#include <array>
 #include <filesystem>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace windrow::cli {
@@ -25,7 +28,11 @@ struct Trail {
 struct NamedMotor {
     std::string name;
     Motor motor;
+    double strength = 1.0; ///< share of its full strength now; below 0: the other way round, as a burst that draws back
 };
+
+/// How many of each kind, in the order of windrow::Motor.
+using MotorCounts = std::array<int, std::variant_size_v<Motor>>;
 
 struct PictureSettings {
     std::string title;
@@ -37,7 +44,20 @@ struct PictureSettings {
     /// [m] World point that both slices pass through: its y is the level slice's height, its z the upright one's place. Held
     /// inside the box; what is no number becomes the box's middle.
     glm::dvec3 slice_point{0.0};
+    /// Motors of the whole scene: the legend names the kinds among them and says how many act.
+    MotorCounts motors_of_scene{};
 };
+
+/// [pixels] A part of a picture.
+struct PixelRect {
+    int x = 0, y = 0, width = 0, height = 0;
+};
+/// Where the parts of a frame lie: both slices with their captions and axes, and the legend.
+struct FrameParts {
+    PixelRect level, upright, legend;
+};
+/// The same for all frames of a run: it depends on the box's shape and the picture's width alone.
+[[nodiscard]] FrameParts frame_parts(const Wind& wind, const PictureSettings& settings);
 
 /// An error of the functions below begins with this where the disk is to blame: it is full, or a quota or size limit is reached.
 inline constexpr std::string_view k_disk_fault = "disk fault: ";
@@ -48,7 +68,9 @@ inline constexpr std::string_view k_disk_fault = "disk fault: ";
                                       std::span<const NamedMotor> motors, const PictureSettings& settings,
                                       const std::filesystem::path& file);
 
-/// One PNG with 1 to 64 frames in order, up to four beside each other, each under its time.
-[[nodiscard]] Result<void> draw_contact_sheet(std::span<const std::filesystem::path> frames, const std::filesystem::path& file);
+/// One PNG with 1 to 64 frames in order, up to four beside each other, each under its time. With `parts` a tile holds the slices
+/// alone, and the legend of the last frame stands once, at the foot.
+[[nodiscard]] Result<void> draw_contact_sheet(std::span<const std::filesystem::path> frames, const std::filesystem::path& file,
+                                              const std::optional<FrameParts>& parts = {});
 
 } // namespace windrow::cli

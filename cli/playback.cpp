@@ -13,6 +13,18 @@ Motor moved(const Motor& motor, glm::dvec3 position) {
     return result;
 }
 
+/// Mean strength between two ages [s].
+double strength_of(const Motor& motor, double from, double to) {
+    return std::visit(
+        [&](const auto& kind) {
+            if constexpr (requires { kind.envelope; })
+                return kind.envelope.mean(from, to);
+            else
+                return kind.mean(from, to);
+        },
+        motor);
+}
+
 } // namespace
 
 Result<Playback> Playback::create(const Scene& scene, ParallelFor threads) {
@@ -25,6 +37,8 @@ Result<Playback> Playback::create(const Scene& scene, ParallelFor threads) {
     // The first frame is taken before any step: the box already lies where it will be needed.
     if (const auto placed = playback.place_box(0.0); !placed)
         return Error{placed.error()};
+    // Air that was filled in before the floor stood where it belongs has the wind of other heights.
+    playback.wind_.reset();
     return playback;
 }
 
@@ -43,9 +57,15 @@ Result<Diagnostics> Playback::tick() {
 std::vector<Playback::Acting> Playback::acting() const {
     std::vector<Acting> result;
     const double now = time();
-    for (const SceneMotor& motor : scene_->motors)
-        if (motor.from <= now && now < motor.until)
-            result.push_back({&motor, motor.path ? moved(motor.motor, scene_->paths[*motor.path].path.at(now)) : motor.motor});
+    for (std::size_t i = 0; i < scene_->motors.size(); ++i) {
+        const SceneMotor& motor = scene_->motors[i];
+        const Part& part = parts_[i];
+        if (now < motor.from || now >= motor.until || (part.begun && !stands(part)))
+            continue;
+        const double age = part.begun ? now - part.since : 0.0;
+        result.push_back({&motor, motor.path ? moved(motor.motor, scene_->paths[*motor.path].path.at(now)) : motor.motor,
+                          strength_of(motor.motor, age, age + 1.0 / scene_->tick_hz)});
+    }
     return result;
 }
 
@@ -61,32 +81,28 @@ Result<void> Playback::place_box(double time) {
 }
 
 Result<void> Playback::place_motors(double start, double end) {
-    const double middle = 0.5 * (start + end);
-    Motors& motors = wind_.motors();
-    for (std::size_t i = 0; i < scene_->motors.size(); ++i) {
-        const SceneMotor& motor = scene_->motors[i];
-        MotorId& id = ids_[i];
-        const bool acts = motor.from <= middle && middle < motor.until;
-        const bool stands = id.generation != 0;
-        Result<void> done;
-        if (acts && !stands) {
-            // A wake begins its path where the body is at the tick's start, then is moved like any other.
-            const auto added =
-                motors.add(motor.path ? moved(motor.motor, scene_->paths[*motor.path].path.at(start)) : motor.motor);
-            if (added)
-                id = *added;
-            else
-                done = Error{added.error()};
-        } else if (!acts && stands) {
-            done = motors.remove(id);
-            id = {};
-        }
-        if (done && id.generation != 0 && motor.path)
-            done = motors.move(id, scene_->paths[*motor.path].path.at(end));
-        if (!done)
-            return Error{message(scene_->file.string(), ": $.motors[", i, "]: ", done.error())};
-    }
+    for (std::size_t i = 0; i < scene_->motors.size(); ++i)
+        if (const auto placed = place_motor(scene_->motors[i], parts_[i], start, end); !placed)
+            return Error{message(scene_->file.string(), ": $.motors[", i, "]: ", placed.error())};
     return {};
+}
+
+Result<void> Playback::place_motor(const SceneMotor& motor, Part& part, double start, double end) {
+    const double middle = 0.5 * (start + end);
+    const bool acts = motor.from <= middle && middle < motor.until;
+    Motors& motors = wind_.motors();
+    if (acts && !part.begun) {
+        // A wake begins its path where the body is at the tick's start, then is moved like any other.
+        const auto added = motors.add(motor.path ? moved(motor.motor, scene_->paths[*motor.path].path.at(start)) : motor.motor);
+        if (!added)
+            return Error{added.error()};
+        part = {.id = *added, .begun = true, .since = start};
+    }
+    if (!stands(part))
+        return {};
+    if (!acts)
+        return motors.remove(part.id);
+    return motor.path ? motors.move(part.id, scene_->paths[*motor.path].path.at(end)) : Result<void>{};
 }
 
 } // namespace windrow::cli

@@ -28,19 +28,31 @@ class Playback {
     struct Acting {
         const SceneMotor* motor;
         Motor now;
+        /// Share of its full strength in the coming tick: its envelope's, or a burst's form, which is below 0 while it draws
+        /// back.
+        double strength = 1.0;
     };
-    /// Those that act at this time, in the scene's order.
+    /// Those that act at this time, in the scene's order; not those that have ended by themselves.
     [[nodiscard]] std::vector<Acting> acting() const;
 
   private:
-    Playback(const Scene& scene, Wind wind) : scene_(&scene), wind_(std::move(wind)), ids_(scene.motors.size()) {}
+    Playback(const Scene& scene, Wind wind) : scene_(&scene), wind_(std::move(wind)), parts_(scene.motors.size()) {}
+
+    /// A motor of the scene in the air. Its handle turns stale when the motor ends by itself; it does not begin again.
+    struct Part {
+        MotorId id;
+        bool begun = false;
+        double since = 0.0; ///< [s] of the scene's time, when it was added
+    };
 
     [[nodiscard]] Result<void> place_box(double time);
     [[nodiscard]] Result<void> place_motors(double start, double end);
+    [[nodiscard]] Result<void> place_motor(const SceneMotor& motor, Part& part, double start, double end);
+    [[nodiscard]] bool stands(const Part& part) const { return wind_.motors().find(part.id) != nullptr; }
 
     const Scene* scene_;
     Wind wind_;
-    std::vector<MotorId> ids_; ///< of the scene's motors; a default one while a motor does not act
+    std::vector<Part> parts_; ///< one for each of the scene's motors
     std::int64_t ticks_ = 0;
 };
 

@@ -45,7 +45,7 @@ bool check_parts(const RunRequest& request, const Console& console) {
 
 /// A box that does not fit would otherwise end with the system killing some process, maybe not this one.
 bool check_memory(const Scene& scene, const Console& console) {
-    constexpr std::uint64_t k_bytes_a_cell = 112; // state, scratch, one frame on its way out
+    constexpr std::uint64_t k_bytes_a_cell = 192; // state, scratch, gusts, sources, one frame on its way out
     const glm::ivec3 cells = scene.air.cells;
     const std::uint64_t needed = k_bytes_a_cell * static_cast<std::uint64_t>(cells.x) * static_cast<std::uint64_t>(cells.y) *
                                  static_cast<std::uint64_t>(cells.z);

@@ -24,6 +24,15 @@ std::string real_time(const RunReport& report) {
     return text;
 }
 
+/// "412 of 600 steps; a step took 0.4 us asleep, 0.51 ms awake (medians)"
+std::string slept(const Timings& timings) {
+    std::string text = message(timings.steps_asleep(), " of ", plural(timings.steps(), "step"), "; a step took ",
+                               to_fixed(1000.0 * timings.asleep_ms(), 2), " us asleep");
+    if (timings.steps_asleep() < timings.steps())
+        text += message(", ", to_fixed(timings.awake_ms(), 3), " ms awake");
+    return text + " (medians)";
+}
+
 void warn_of_cells(const RunReport& report, const Console& console) {
     const Timings& timings = report.timings;
     if (timings.limited_cells() > 0)
@@ -68,7 +77,7 @@ void report_run(const RunReport& report, const Console& console) {
                 << ", largest speed " << to_fixed(timings.largest_speed(), 2) << " m/s\n";
     console.out << "  limited cells  " << timings.limited_cells() << ", repaired cells " << timings.repaired_cells();
     if (timings.steps_asleep() > 0)
-        console.out << ", steps asleep " << timings.steps_asleep();
+        console.out << "\n  asleep         " << slept(timings);
     console.out << "\n  time           " << real_time(report) << "; " << to_fixed(report.wall_seconds, 2) << " s in all";
     if (report.writer.pictures() > 0)
         console.out << ", pictures " << to_fixed(report.writer.picture_seconds(), 2) << " s";

@@ -37,6 +37,8 @@ struct PicturesSetting {
     double slice_height = 1.0;
     /// [m/s] Speed at the top of the colour bar.
     float speed_scale = 10.0f;
+    /// [pixels] The height follows from the box's shape.
+    int width = 1600;
 };
 
 enum class VdbPrecision : std::uint8_t { full, half };

@@ -123,6 +123,7 @@ void read_outputs(JsonObject& object, Scene& scene) {
     scene.pictures.slice_height = pictures.number("slice_height", scene.pictures.slice_height, k_place_rule);
     scene.pictures.speed_scale =
         pictures.real("speed_scale", scene.pictures.speed_scale, {.least = 0.001, .most = 1e4, .unit = "m/s"});
+    scene.pictures.width = pictures.integer("width", scene.pictures.width, {.least = 640, .most = 8000, .unit = "pixels"});
     pictures.finish();
 
     JsonObject vdb = object.object("vdb");
@@ -175,6 +176,9 @@ Result<Scene> read_scene_text(std::string_view text, const std::filesystem::path
 
     if (log.faults() > 0)
         return log.error();
+    // A box that follows nothing stands, and has no rim to fade over.
+    if (std::holds_alternative<std::monostate>(scene.follow) && !scene.air.follow_axes)
+        scene.air.follow_axes = glm::bvec3(false);
     if (!read.has_centre)
         scene.air.centre = scene.followed_point(0.0);
     return scene;

@@ -29,10 +29,12 @@ std::string row(const std::string& name, const std::vector<float>& values, doubl
 } // namespace
 
 void Timings::add(double time, const Diagnostics& diagnostics) {
-    for (std::size_t i = 0; i < k_stages.size(); ++i)
+    // A step asleep has no stages, and its microseconds among the others would make a step look cheaper than it is.
+    if (diagnostics.asleep)
+        asleep_ms_.push_back(static_cast<float>(diagnostics.times_ms.total));
+    for (std::size_t i = 0; i < k_stages.size() && !diagnostics.asleep; ++i)
         stage_ms_[i].push_back(static_cast<float>(diagnostics.times_ms.*k_stages[i].value));
     substeps_ += diagnostics.substeps;
-    steps_asleep_ += diagnostics.asleep ? 1 : 0;
     largest_cfl_ = std::max(largest_cfl_, diagnostics.cfl);
     largest_speed_ = std::max(largest_speed_, diagnostics.max_speed);
     limited_cells_ += diagnostics.limited_cells;
@@ -43,11 +45,18 @@ void Timings::add(double time, const Diagnostics& diagnostics) {
 }
 
 double Timings::solver_seconds() const {
-    return sum(stage_ms_.back()) / 1000.0;
+    return (sum(stage_ms_.back()) + sum(asleep_ms_)) / 1000.0;
+}
+
+float Timings::awake_ms() const {
+    return quantile(stage_ms_.back(), 0.5);
+}
+float Timings::asleep_ms() const {
+    return quantile(asleep_ms_, 0.5);
 }
 
 std::string Timings::table() const {
-    const double whole = sum(stage_ms_.back());
+    const double whole = sum(stage_ms_.back()) + sum(asleep_ms_);
     std::string text = detail::message("  stage         ", right("min ms", 10), right("median ms", 10), right("99 % ms", 10),
                                        right("share", 9), "\n");
     std::vector<float> rest = stage_ms_.back();
@@ -59,7 +68,8 @@ std::string Timings::table() const {
     // What no stage claims (a moved box, for one) must not hide.
     if (sum(rest) > 0.005 * whole)
         text += row("rest", rest, whole);
-    return text + row("whole step", stage_ms_.back(), whole);
+    text += row("whole step", stage_ms_.back(), whole);
+    return asleep_ms_.empty() ? text : text + row("step asleep", asleep_ms_, whole);
 }
 
 float quantile(std::vector<float> values, double q) {

@@ -17,18 +17,22 @@ struct StageColumn {
     double StageTimes::*value;
 };
 inline constexpr std::array k_stages = {
-    StageColumn{"sources", &StageTimes::sources},     StageColumn{"diffusion", &StageTimes::diffusion},
-    StageColumn{"advection", &StageTimes::advection}, StageColumn{"projection", &StageTimes::projection},
-    StageColumn{"report", &StageTimes::report},       StageColumn{"total", &StageTimes::total},
+    StageColumn{"sources", &StageTimes::sources},       StageColumn{"ambient", &StageTimes::ambient},
+    StageColumn{"diffusion", &StageTimes::diffusion},   StageColumn{"advection", &StageTimes::advection},
+    StageColumn{"projection", &StageTimes::projection}, StageColumn{"report", &StageTimes::report},
+    StageColumn{"total", &StageTimes::total},
 };
 
 class Timings {
   public:
     void add(double time, const Diagnostics& diagnostics);
 
-    [[nodiscard]] std::int64_t steps() const { return static_cast<std::int64_t>(stage_ms_.back().size()); }
+    [[nodiscard]] std::int64_t steps() const { return static_cast<std::int64_t>(stage_ms_.back().size() + asleep_ms_.size()); }
     [[nodiscard]] std::int64_t substeps() const { return substeps_; }
-    [[nodiscard]] std::int64_t steps_asleep() const { return steps_asleep_; }
+    [[nodiscard]] std::int64_t steps_asleep() const { return static_cast<std::int64_t>(asleep_ms_.size()); }
+    /// [ms] Median of what a step cost awake and asleep; 0 without such steps.
+    [[nodiscard]] float awake_ms() const;
+    [[nodiscard]] float asleep_ms() const;
     [[nodiscard]] float largest_cfl() const { return largest_cfl_; }
     [[nodiscard]] float largest_speed() const { return largest_speed_; } ///< [m/s]
     [[nodiscard]] std::int64_t limited_cells() const { return limited_cells_; }
@@ -38,13 +42,14 @@ class Timings {
     /// [s] Wall-clock time of all steps.
     [[nodiscard]] double solver_seconds() const;
 
-    /// Smallest, median, 99 % quantile [ms] and share of every stage, a line each.
+    /// Smallest, median, 99 % quantile [ms] and share of every stage, a line each: of the steps that were awake, and one line for
+    /// those asleep.
     [[nodiscard]] std::string table() const;
 
   private:
-    std::array<std::vector<float>, k_stages.size()> stage_ms_;
+    std::array<std::vector<float>, k_stages.size()> stage_ms_; ///< of steps that were awake
+    std::vector<float> asleep_ms_;                             ///< whole steps
     std::int64_t substeps_ = 0;
-    std::int64_t steps_asleep_ = 0;
     float largest_cfl_ = 0.0f;
     float largest_speed_ = 0.0f;
     std::int64_t limited_cells_ = 0;

@@ -10,6 +10,7 @@ namespace windrow {
 /// Wall-clock time of one step by stage. [ms]
 struct StageTimes {
     double sources = 0.0;   ///< Motors, NaN guard, speed limit.
+    double ambient = 0.0;   ///< The ambient wind cell by cell; 0 without gusts.
     double diffusion = 0.0;
     double advection = 0.0; ///< Gathering the carried field included.
     double projection = 0.0;
@@ -27,7 +28,7 @@ struct Diagnostics {
     bool substeps_capped = false; ///< More parts were needed than allowed: speeds were limited.
     std::int64_t limited_cells = 0;  ///< Cells whose speed was scaled down to what the capped sub-steps carry.
     std::int64_t repaired_cells = 0; ///< Cells that held NaN or infinity and were set to ambient.
-    int motors_in_reach = 0;         ///< Motors whose region meets the box and that acted.
+    int motors_in_reach = 0;         ///< Motors whose region meets the box and that acted; a wake counts once a piece of its path.
     DiffusionMethod diffusion = DiffusionMethod::none;
     /// [1/s] Root mean square of the central divergence that the collocated projection leaves.
     double divergence_rms = 0.0;

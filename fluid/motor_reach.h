@@ -1,25 +1,42 @@
 // One motor as the sources stage evaluates it: plain data, relative to the box, with the cells that it can touch.
 #pragma once
 
+#include "fluid/motor.h"
+#include "fluid/track.h"
+#include "fluid/window.h"
+
 #include <glm/vec3.hpp>
 
 #include <cstdint>
+#include <span>
 
 namespace windrow::detail {
 
 struct MotorReach {
-    enum class Shape : std::uint8_t { sphere, capsule, box, path };
+    enum class Shape : std::uint32_t { sphere, capsule, box, cone, jet, vortex, path };
+    enum class Law : std::uint32_t { force, drive, source };
 
     Shape shape = Shape::sphere;
-    bool drives = false;
-    glm::vec3 centre{0.0f}; ///< [m] from the box's low corner; start of a path
-    glm::vec3 extent{0.0f}; ///< [m] half axis of a capsule, half size of a box, end of a path
+    Law law = Law::force;
+    glm::vec3 centre{0.0f}; ///< [m] from the box's low corner; first end of a cone, start of a path
+    glm::vec3 extent{0.0f}; ///< [m] half axis of a capsule or vortex, half size of a box, axis of a cone or jet, end of a path
     float radius = 0.0f;    ///< [m] widened to what the cells can hold
-    /// Force: added to f per unit of weight. Drive: the velocity U drawn toward. [m/s^2 or m/s]
+    float end_radius = 0.0f; ///< [m] of cones and jets
+    float lift = 0.0f;      ///< of vortices
+    /// Force: added to f per unit of weight. Drive: the velocity U drawn toward. [m/s^2 or m/s] Jets and vortices: its size in x.
     glm::vec3 push{0.0f};
-    /// Drive: exponent per unit of weight.
-    float exponent = 0.0f;
+    /// Drive: exponent per unit of weight. Source: S0 [1/s].
+    float amount = 0.0f;
     glm::ivec3 low{0}, high{0}; ///< cells low <= index < high
 };
+static_assert(sizeof(MotorReach) == 4 * (2 + 3 + 3 + 3 + 3 + 1 + 6), "no padding: compared as bytes");
+
+/// Prepares one motor for a tick of `duration` [s] that it begins at `age` [s], having moved along `path`. Writes at most
+/// Track::k_most_pieces entries to `reach`; returns how many.
+int prepare(const Motor& motor, const Track& track, std::span<const Track::Piece> path, double age, double duration, const Window& window,
+            std::span<MotorReach> reach);
+
+/// A total order by content: equal only where all is equal.
+[[nodiscard]] bool before(const MotorReach& a, const MotorReach& b);
 
 } // namespace windrow::detail

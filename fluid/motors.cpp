@@ -1,123 +1,46 @@
 #include "fluid/motors.h"
 
+#include "fluid/event_log.h"
 #include "fluid/message.h"
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
-#include <string_view>
 
 namespace windrow {
 namespace {
 
-constexpr double k_farthest = 1e12;    // [m] beyond it a double no longer tells millimetres apart
-constexpr float k_most_acceleration = 1e6f;
-constexpr float k_most_speed = 1e4f;
-constexpr float k_most_rate = 1e6f;
-constexpr float k_most_wake = 1e4f;
-constexpr float k_most_size = 1e6f;
-
-template <class Vector>
-bool finite(const Vector& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-// Refuses NaN too, which fails every comparison.
-void require(detail::Reasons& reasons, bool valid, std::string_view field, float value, std::string_view fix) {
-    if (!valid)
-        reasons.add(field, " is ", value, ": ", fix);
-}
-
-void check_position(detail::Reasons& reasons, const glm::dvec3& position) {
-    if (!finite(position) || glm::length(position) > k_farthest)
-        reasons.add("motor.position is ", position, " m: give finite numbers within 1e12 m of the origin.");
-}
-
-void check_radius(detail::Reasons& reasons, std::string_view field, float radius) {
-    require(reasons, radius > 0.0f && radius <= k_most_size, field, radius, "give a radius above 0 m, at most 1e6 m.");
-}
-
-struct RegionCheck {
-    detail::Reasons& reasons;
-    void operator()(const Sphere& sphere) const { check_radius(reasons, "motor.region.sphere.radius", sphere.radius); }
-    void operator()(const Capsule& capsule) const {
-        check_radius(reasons, "motor.region.capsule.radius", capsule.radius);
-        if (!finite(capsule.half_axis) || glm::length(capsule.half_axis) > k_most_size)
-            reasons.add("motor.region.capsule.half_axis is ", capsule.half_axis, " m: give finite numbers, at most 1e6 m long.");
-    }
-    void operator()(const AlignedBox& box) const {
-        for (int axis = 0; axis < 3; ++axis)
-            if (!(box.half_size[axis] > 0.0f && box.half_size[axis] <= k_most_size)) {
-                reasons.add("motor.region.box.half_size is ", box.half_size, " m: give each axis above 0 m, at most 1e6 m.");
-                return;
-            }
-    }
-};
-
-struct LawCheck {
-    detail::Reasons& reasons;
-    void operator()(const Force& law) const {
-        require(reasons, std::abs(law.acceleration) <= k_most_acceleration, "motor.law.force.acceleration", law.acceleration,
-                "give at most 1e6 m/s2 in size.");
-    }
-    void operator()(const Drive& law) const {
-        require(reasons, std::abs(law.speed) <= k_most_speed, "motor.law.drive.speed", law.speed, "give at most 1e4 m/s in size.");
-        require(reasons, law.rate >= 0.0f && law.rate <= k_most_rate, "motor.law.drive.rate", law.rate, "give 0 to 1e6 per second.");
-    }
-    void operator()(const WakeForce& law) const {
-        require(reasons, law.strength >= 0.0f && law.strength <= k_most_wake, "motor.law.force.strength", law.strength,
-                "give 0 to 1e4 per second.");
-    }
-    void operator()(const WakeDrive& law) const {
-        require(reasons, law.per_metre >= 0.0f && law.per_metre <= k_most_wake, "motor.law.drive.per_metre", law.per_metre,
-                "give 0 to 1e4 per metre.");
-        require(reasons, law.entrainment >= 0.0f && law.entrainment <= 2.0f, "motor.law.drive.entrainment", law.entrainment, "give 0 to 2.");
-    }
-};
-
-struct MotorCheck {
-    detail::Reasons& reasons;
-    void operator()(const DirectionalMotor& motor) const {
-        check_position(reasons, motor.position);
-        if (!finite(motor.direction) || motor.direction == glm::vec3(0.0f))
-            reasons.add("motor.direction is ", motor.direction, ": give a finite vector that is not 0.");
-        std::visit(RegionCheck{reasons}, motor.region);
-        std::visit(LawCheck{reasons}, motor.law);
-    }
-    void operator()(const WakeMotor& motor) const {
-        check_position(reasons, motor.position);
-        check_radius(reasons, "motor.radius", motor.radius);
-        std::visit(LawCheck{reasons}, motor.law);
-    }
-};
-
 // In double, so that the direction of the longest and of the shortest float vector survives.
-glm::vec3 normalised(glm::vec3 direction) { return glm::vec3(glm::normalize(glm::dvec3(direction))); }
+void normalise(glm::vec3& direction) { direction = glm::vec3(glm::normalize(glm::dvec3(direction))); }
 
 Motor prepared(Motor motor) {
     if (auto* directional = std::get_if<DirectionalMotor>(&motor))
-        directional->direction = normalised(directional->direction);
+        normalise(directional->direction);
+    else if (auto* jet = std::get_if<JetMotor>(&motor))
+        normalise(jet->direction);
+    else if (auto* vortex = std::get_if<VortexMotor>(&motor))
+        normalise(vortex->axis);
     return motor;
 }
 
-glm::dvec3 position_of(const Motor& motor) {
-    return std::visit([](const auto& kind) { return kind.position; }, motor);
+double end_of(const Motor& motor) {
+    return std::visit(
+        [](const auto& kind) {
+            if constexpr (requires { kind.envelope; })
+                return kind.envelope.end();
+            else
+                return kind.end();
+        },
+        motor);
 }
 
 Error stale(MotorId id) {
     return Error{detail::message("motor ", id.slot, " of generation ", id.generation,
-                                 " does not exist (removed, or never added): use the handle that add() returned.")};
+                                 " does not exist (removed, ended, or never added): use the handle that add() returned.")};
 }
 
 } // namespace
-
-Result<void> validate(const Motor& motor) {
-    detail::Reasons reasons;
-    std::visit(MotorCheck{reasons}, motor);
-    if (!reasons.empty())
-        return Error{reasons.take()};
-    return {};
-}
 
 Result<MotorId> Motors::add(const Motor& motor) {
     if (auto valid = validate(motor); !valid)
@@ -131,15 +54,20 @@ Result<MotorId> Motors::add(const Motor& motor) {
     } else {
         index = static_cast<std::uint32_t>(slots_.size());
         slots_.emplace_back();
-        reach_.emplace_back();
+        free_.reserve(slots_.capacity()); // a motor that ends in a step goes back there without allocating
     }
     Slot& slot = slots_[index];
     slot.motor = prepared(motor);
-    slot.path_start = position_of(motor);
+    slot.track = Track(position_of(motor));
+    slot.age = 0.0;
     slot.used = true;
     ++slot.generation;
     ++count_;
-    return MotorId{index, slot.generation};
+    reserve_reach();
+    const MotorId id{index, slot.generation};
+    if (log_ != nullptr)
+        log_->note(MotorAdded{id, motor});
+    return id;
 }
 
 Motors::Slot* Motors::slot_of(MotorId id) {
@@ -155,7 +83,11 @@ Result<void> Motors::set(MotorId id, const Motor& motor) {
     if (auto valid = validate(motor); !valid)
         return valid;
     slot->motor = prepared(motor);
-    slot->path_start = position_of(motor);
+    slot->track = Track(position_of(motor));
+    slot->age = 0.0;
+    reserve_reach();
+    if (log_ != nullptr)
+        log_->note(MotorSet{id, motor});
     return {};
 }
 
@@ -163,22 +95,37 @@ Result<void> Motors::move(MotorId id, glm::dvec3 position) {
     Slot* const slot = slot_of(id);
     if (slot == nullptr)
         return stale(id);
-    detail::Reasons reasons;
-    check_position(reasons, position);
-    if (!reasons.empty())
-        return Error{reasons.take()};
+    if (auto valid = detail::validate_motor_position(position); !valid)
+        return valid;
     std::visit([&](auto& kind) { kind.position = position; }, slot->motor);
+    slot->track.move_to(position);
+    if (log_ != nullptr)
+        log_->note(MotorMoved{id, position});
     return {};
 }
 
 Result<void> Motors::remove(MotorId id) {
-    Slot* const slot = slot_of(id);
-    if (slot == nullptr)
+    if (slot_of(id) == nullptr)
         return stale(id);
-    slot->used = false;
-    free_.push_back(id.slot);
-    --count_;
+    release(id.slot);
+    if (log_ != nullptr)
+        log_->note(MotorRemoved{id});
     return {};
+}
+
+void Motors::release(std::uint32_t index) {
+    slots_[index].used = false;
+    free_.push_back(index);
+    --count_;
+}
+
+// Called where a motor comes or changes kind, so that a step allocates nothing: a wake may reach the box with several pieces of its path.
+void Motors::reserve_reach() {
+    std::size_t most = 0;
+    for (const Slot& slot : slots_)
+        most += slot.used && std::holds_alternative<WakeMotor>(slot.motor) ? std::size_t{Track::k_most_pieces} : 1;
+    if (reach_.size() < most)
+        reach_.resize(most + most / 2);
 }
 
 const Motor* Motors::find(MotorId id) const {
@@ -186,10 +133,28 @@ const Motor* Motors::find(MotorId id) const {
     return slot != nullptr ? &slot->motor : nullptr;
 }
 
-void Motors::finish_paths() {
+void Motors::begin_frame(double lead, double duration) {
     for (Slot& slot : slots_)
         if (slot.used)
-            slot.path_start = position_of(slot.motor);
+            slot.track.begin_frame(lead, duration);
+}
+
+std::span<const detail::MotorReach> Motors::tick(double duration, const Window& window) {
+    std::size_t count = 0;
+    for (std::uint32_t index = 0; index < slots_.size(); ++index) {
+        Slot& slot = slots_[index];
+        if (!slot.used)
+            continue;
+        const auto path = slot.track.tick(duration);
+        count += static_cast<std::size_t>(
+            detail::prepare(slot.motor, slot.track, path, slot.age, duration, window, std::span(reach_).subspan(count)));
+        slot.age += duration;
+        if (slot.age >= end_of(slot.motor))
+            release(index);
+    }
+    const std::span<detail::MotorReach> reached = std::span(reach_).first(count);
+    std::sort(reached.begin(), reached.end(), detail::before);
+    return reached;
 }
 
 std::size_t Motors::memory_bytes() const {

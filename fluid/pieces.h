@@ -123,8 +123,9 @@ void divergence(Workspace& work, std::span<const glm::vec4> velocity, std::span<
 /// Based on: Lynch, Rice & Thomas 1964, Numerische Mathematik 6.
 void solve_poisson(Workspace& work, std::span<float> rhs_then_phi);
 
-/// velocity -= grad phi with L phi = div velocity. Collocated, so approximate: what is left of the divergence falls as h^2.
-/// `gradient`, where not empty, receives grad phi [m/s].
-void project(Workspace& work, std::span<glm::vec4> velocity, std::span<glm::vec4> gradient = {});
+/// velocity -= grad phi with L phi = div velocity - expansion. Collocated, so approximate: what is left of the divergence falls as h^2.
+/// `gradient`, where not empty, receives grad phi [m/s]. `expansion`, where not empty, is the divergence wanted [1/s]: air that comes out (> 0)
+/// or vanishes; in a box without an open side its mean is dropped.
+void project(Workspace& work, std::span<glm::vec4> velocity, std::span<glm::vec4> gradient = {}, std::span<const float> expansion = {});
 
 } // namespace windrow

@@ -1,7 +1,9 @@
 #include "fluid/wind_state.h"
 
+#include "fluid/cpu/workspace.h"
 #include "fluid/message.h"
-#include "fluid/numerics.h"
+
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +13,7 @@ namespace windrow {
 namespace {
 
 constexpr double k_farthest_cells = 1e12;
-constexpr float k_most_wind = 1e4f;
+constexpr double k_most_wind = 1e4;
 constexpr float k_longest_prepared = 1.0f; // [s]
 constexpr const char* k_axis_names[3] = {"x", "y", "z"};
 
@@ -23,8 +25,8 @@ bool finite(const Vector& v) {
 bool can_follow(const Sides& sides, int axis) { return !sides.periodic(axis) && !sides.has_solid(axis); }
 
 void check_ambient(detail::Reasons& reasons, glm::vec3 ambient) {
-    if (!finite(ambient) || std::max({std::abs(ambient.x), std::abs(ambient.y), std::abs(ambient.z)}) > k_most_wind)
-        reasons.add("ambient is ", ambient, " m/s: give finite numbers, at most 1e4 m/s in size.");
+    if (!finite(ambient) || glm::length(glm::dvec3(ambient)) > k_most_wind)
+        reasons.add("ambient is ", ambient, " m/s: give finite numbers, at most 1e4 m/s in length.");
 }
 
 void check_follow(detail::Reasons& reasons, const std::optional<glm::bvec3>& follow, const Sides& sides) {
@@ -43,7 +45,22 @@ bool in_range(const Config& config, glm::dvec3 point) {
     return finite(point) && std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)}) <= k_farthest_cells * static_cast<double>(config.cell_size);
 }
 
-float side_number(const Side& side) { return side.kind == SideKind::open ? 0.0f : side.kind == SideKind::periodic ? 2.0f : 1.0f; }
+// Gusts have no component along an axis that a wall closes; the ground alone is their mirror, which they already respect.
+glm::vec3 gust_axes(const Sides& sides) {
+    return {sides.has_solid(0) ? 0.0f : 1.0f, sides.y_high.solid() ? 0.0f : 1.0f, sides.has_solid(2) ? 0.0f : 1.0f};
+}
+
+// Visits the cells that a shift exposes: those whose value would come from outside.
+template <class Visit>
+void for_each_exposed(glm::ivec3 cells, CellIndex shift, const Visit& visit) {
+    const auto outside = [&](int axis, int index) { return index + shift[axis] < 0 || index + shift[axis] >= cells[axis]; };
+    std::size_t n = 0;
+    for (int k = 0; k < cells.z; ++k)
+        for (int j = 0; j < cells.y; ++j)
+            for (int i = 0; i < cells.x; ++i, ++n)
+                if (outside(2, k) || outside(1, j) || outside(0, i))
+                    visit(n, i, j, k);
+}
 
 } // namespace
 
@@ -55,6 +72,19 @@ Result<void> validate(const Config& config) {
         reasons.add("centre is ", config.centre, " m: give finite numbers within 1e12 cells of the origin.");
     check_follow(reasons, config.follow_axes, config.sides);
     check_ambient(reasons, config.ambient);
+    if (config.profile)
+        if (auto profile = validate(*config.profile); !profile)
+            reasons.add(profile.error());
+    if (auto gusts = validate(config.gusts); !gusts)
+        reasons.add(gusts.error());
+    if (!(config.rim >= 0.0f && config.rim <= 64.0f))
+        reasons.add("rim is ", config.rim, " cells: give 0 (none) to 64.");
+    if (!(config.sleep_speed >= 0.0f && config.sleep_speed <= k_most_wind))
+        reasons.add("sleep_speed is ", config.sleep_speed, " m/s: give 0 (never) to 1e4.");
+    if (!(config.ticks.hz >= 1.0 && config.ticks.hz <= 1e4))
+        reasons.add("ticks.hz is ", config.ticks.hz, ": give 1 to 10000.");
+    if (config.ticks.most < 1 || config.ticks.most > 1000)
+        reasons.add("ticks.most is ", config.ticks.most, ": give 1 to 1000.");
     if (!(config.viscosity >= 0.0f && config.viscosity <= 1e9f))
         reasons.add("viscosity is ", config.viscosity, " m2/s: give 0 to 1e9.");
     if (!(config.settling_time >= 0.0f && config.settling_time <= 1e9f))
@@ -68,11 +98,13 @@ Result<void> validate(const Config& config) {
     return {};
 }
 
-Wind::State::State(const Config& settings, Workspace workspace)
+Wind::State::State(const Config& settings, Workspace workspace, const AmbientWind& wind_around)
     : config(settings), follow_axes(axes_that_follow(settings.follow_axes, settings.sides)), work(std::move(workspace)),
-      window{settings.cells, settings.cell_size, {}}, air(work.box().cell_count()), forces(settings.cells) {
+      window{settings.cells, settings.cell_size, {}}, follow_point(settings.centre), ambient(wind_around), air(work.box().cell_count()),
+      sources(settings.cells) {
     window.origin_cells = window.centred_on(config.centre);
     previous_origin_cells = stepped_origin_cells = window.origin_cells;
+    renew_ambient();
     fill_with_ambient();
     // A step of up to k_longest_prepared allocates nothing: what its viscosity needs is made here.
     const DiffusionMethod method = diffusion_method(config.viscosity, k_longest_prepared, config.cell_size);
@@ -82,9 +114,123 @@ Wind::State::State(const Config& settings, Workspace workspace)
         reserve_diffusion(work);
 }
 
+// --- The wind around the box ---------------------------------------------------------------------------------------------
+
+void Wind::State::renew_ambient() {
+    ambient.set_gust_axes(gust_axes(config.sides));
+    (void)ambient.set_mean(work.ambient());
+    (void)ambient.set_ground(config.sides.y_low.solid() ? window.origin().y : 0.0);
+    Workspace::State& around = work.state();
+    around.mean_cells = around.ambient_cells = nullptr;
+    const auto renew = [&](cpu::AmbientField& field, const AmbientWind& wind) {
+        if (field.cells() != window.cells)
+            field = cpu::AmbientField(window.cells);
+        field.fill(wind, window, config.parallel_for);
+        return field.data();
+    };
+    if (config.profile)
+        around.ambient_cells = around.mean_cells = renew(mean_field, ambient.without_gusts());
+    if (config.gusts.intensity > 0.0f)
+        around.ambient_cells = renew(ambient_field, ambient);
+}
+
+namespace {
+
+// The first of the four floats of a cell in a padded field.
+std::size_t padded_index(glm::ivec3 cells, int i, int j, int k) {
+    const glm::ivec3 padded = cells + cpu::k_halo, at = glm::ivec3(i, j, k) + cpu::k_halo_low;
+    return 4 * ((static_cast<std::size_t>(at.z) * padded.y + at.y) * padded.x + at.x);
+}
+
+glm::vec4 cell_at(const float* cell) { return {cell[0], cell[1], cell[2], 0.0f}; }
+
+} // namespace
+
+glm::vec4 Wind::State::ambient_at(int i, int j, int k) const {
+    if (config.gusts.intensity > 0.0f)
+        return cell_at(ambient_field.data() + padded_index(window.cells, i, j, k));
+    return mean_at(i, j, k);
+}
+
+glm::vec4 Wind::State::mean_at(int i, int j, int k) const {
+    return config.profile ? cell_at(mean_field.data() + padded_index(window.cells, i, j, k)) : glm::vec4(work.ambient(), 0.0f);
+}
+
+void Wind::State::add_ambient(std::span<glm::vec4> field, float factor) const {
+    const glm::ivec3 cells = window.cells;
+    config.parallel_for(cells.z, [&](int k) {
+        for (int j = 0; j < cells.y; ++j) {
+            const float* const around = ambient_field.data() + padded_index(cells, 0, j, k);
+            glm::vec4* const row = field.data() + box().index(0, j, k);
+            for (int i = 0; i < cells.x; ++i)
+                row[i] += factor * cell_at(around + 4 * i);
+        }
+    });
+}
+
+void Wind::State::fill(std::span<glm::vec4> field) const {
+    if (ambient.uniform())
+        std::fill(field.begin(), field.end(), ambient_at(0, 0, 0));
+    else
+        for_each_exposed(window.cells, CellIndex(window.cells), [&](std::size_t n, int i, int j, int k) { field[n] = ambient_at(i, j, k); });
+}
+
+void Wind::State::fill_exposed(std::span<glm::vec4> field, CellIndex shift) const {
+    for_each_exposed(window.cells, shift, [&](std::size_t n, int i, int j, int k) { field[n] = ambient_at(i, j, k); });
+}
+
 void Wind::State::fill_with_ambient() {
-    std::fill_n(air.velocity.data(), air.velocity.size(), ambient());
+    fill(air.velocity);
     air.fresh = true;
+    std::fill_n(source_flow.data(), source_flow.size(), glm::vec4(0.0f));
+    sources_of_air = 0;
+}
+
+void Wind::State::change_ambient(glm::vec3 wind) {
+    const glm::vec3 before = work.ambient();
+    work.set_ambient(wind);
+    const glm::vec3 change = work.ambient() - before;
+    renew_ambient();
+    const auto add_change = [&](std::span<glm::vec4> field) {
+        for (std::size_t row = 0, n = 0; n < field.size(); ++row) {
+            const int j = static_cast<int>(row % static_cast<std::size_t>(window.cells.y));
+            const glm::vec4 here(ambient.profile_at(window.centre(0, j, 0).y) * change, 0.0f);
+            for (int i = 0; i < window.cells.x; ++i, ++n)
+                field[n] += here;
+        }
+    };
+    if (frames)
+        add_change(frames->before);
+    if (asleep) { // still ambient, and to the bit
+        fill_with_ambient();
+        asleep = false;
+        return;
+    }
+    add_change(air.velocity);
+    if (!air.fresh)
+        add_change(air.velocity_old);
+}
+
+// --- Where the box lies -----------------------------------------------------------------------------------------------------
+
+Rim Wind::State::rim(glm::dvec3 point) const {
+    Rim rim{.point = point, .reach = glm::vec3(0.0f), .width = config.rim};
+    const float inset = frames ? 2.0f : 1.0f; // between ticks, the point is up to a tick behind the box
+    for (int axis = 0; axis < 3; ++axis) {
+        const float reach = 0.5f * static_cast<float>(window.cells[axis]) - inset;
+        if (config.rim > 0.0f && follow_axes[axis] && reach >= config.rim + 1.0f)
+            rim.reach[axis] = reach;
+    }
+    return rim;
+}
+
+void Wind::State::follow(glm::dvec3 point) {
+    CellIndex origin = window.centred_on(point);
+    for (int axis = 0; axis < 3; ++axis)
+        if (!follow_axes[axis])
+            origin[axis] = window.origin_cells[axis];
+    follow_point = point;
+    shift_to(origin);
 }
 
 void Wind::State::shift_to(CellIndex origin_cells) {
@@ -92,27 +238,31 @@ void Wind::State::shift_to(CellIndex origin_cells) {
     if (shift == CellIndex(0))
         return;
     window.origin_cells = origin_cells;
+    if (!ambient.uniform())
+        renew_ambient();
+    else if (asleep)
+        return; // ambient everywhere, wherever it lies
     const bool beyond = std::abs(shift.x) >= window.cells.x || std::abs(shift.y) >= window.cells.y || std::abs(shift.z) >= window.cells.z;
-    if (beyond) {
+    if (beyond || asleep) {
         fill_with_ambient();
+        if (frames)
+            fill(frames->before);
         return;
     }
-    shift_field(air.velocity, window.cells, shift, ambient());
+    const auto shift_air = [&](std::span<glm::vec4> field) {
+        shift_field(field, window.cells, shift, ambient_at(0, 0, 0));
+        if (!ambient.uniform())
+            fill_exposed(field, shift);
+    };
+    shift_air(air.velocity);
+    if (sources_of_air != 0)
+        shift_field(source_flow, window.cells, shift, glm::vec4(0.0f));
+    if (frames)
+        shift_air(frames->before);
     if (!air.fresh) {
-        shift_field(air.velocity_old, window.cells, shift, ambient());
+        shift_air(air.velocity_old);
         shift_field(air.history, window.cells, shift, glm::vec4(0.0f));
     }
-}
-
-void Wind::State::change_ambient(glm::vec3 wind) {
-    const glm::vec4 before = ambient();
-    work.set_ambient(wind);
-    const glm::vec4 change = ambient() - before;
-    for (glm::vec4& u : std::span<glm::vec4>(air.velocity))
-        u += change;
-    if (!air.fresh)
-        for (glm::vec4& u : std::span<glm::vec4>(air.velocity_old))
-            u += change;
 }
 
 Wind::Wind(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -127,13 +277,33 @@ Result<Wind> Wind::create(const Config& config) {
         {.box = {config.cells, config.cell_size, config.sides}, .ambient = config.ambient, .parallel_for = config.parallel_for});
     if (!workspace)
         return Error{workspace.error()};
-    return Wind(std::make_unique<State>(config, *std::move(workspace)));
+    auto ambient = AmbientWind::create({.mean = workspace->ambient(), .profile = config.profile, .gusts = config.gusts});
+    if (!ambient)
+        return Error{ambient.error()};
+    return Wind(std::make_unique<State>(config, *std::move(workspace), *ambient));
 }
 
 Diagnostics Wind::step(double dt) {
     if (!(dt > 0.0) || !std::isfinite(static_cast<float>(dt)) || static_cast<float>(dt) == 0.0f)
         return {};
-    return state_->step(static_cast<float>(dt));
+    if (state_->frames) {
+        state_->follow(state_->frames->follow.target());
+        state_->frames.reset();
+    }
+    state_->motors.begin_frame(0.0, dt);
+    const Diagnostics report = state_->step(dt);
+    if (state_->log != nullptr)
+        state_->log->note(Stepped{dt});
+    return report;
+}
+
+Advance Wind::advance(double dt) {
+    if (!(dt >= 0.0) || !std::isfinite(dt))
+        return {};
+    const Advance done = state_->advance(dt);
+    if (state_->log != nullptr)
+        state_->log->note(Advanced{dt});
+    return done;
 }
 
 Motors& Wind::motors() { return state_->motors; }
@@ -146,6 +316,26 @@ Result<void> Wind::set_ambient(glm::vec3 ambient) {
         return Error{reasons.take()};
     state_->config.ambient = ambient;
     state_->change_ambient(ambient);
+    if (state_->log != nullptr)
+        state_->log->note(AmbientSet{ambient});
+    return {};
+}
+
+Result<void> Wind::set_gusts(const Gusts& gusts) {
+    State& state = *state_;
+    Gusts wanted = gusts;
+    if (!wanted.tile && state.ambient.tile() && state.ambient.tile()->seed() == gusts.seed)
+        wanted.tile = state.ambient.tile();
+    auto renewed = AmbientWind::create({.mean = state.work.ambient(), .profile = state.config.profile, .gusts = wanted});
+    if (!renewed)
+        return Error{renewed.error()};
+    renewed->set_phase(state.ambient.phase());
+    state.config.gusts = gusts;
+    state.ambient = *std::move(renewed);
+    state.renew_ambient();
+    state.asleep = false;
+    if (state.log != nullptr)
+        state.log->note(GustsSet{gusts.intensity, gusts.length, gusts.tile ? gusts.tile->seed() : gusts.seed});
     return {};
 }
 
@@ -166,17 +356,24 @@ Result<void> Wind::set_sides(const Sides& sides) {
         state_->air.fresh = true;
     state_->config.sides = sides;
     state_->follow_axes = axes_that_follow(state_->config.follow_axes, sides);
-    return state_->work.set_sides(sides);
+    if (auto set = state_->work.set_sides(sides); !set)
+        return set;
+    state_->renew_ambient();
+    state_->asleep = false;
+    if (state_->log != nullptr)
+        state_->log->note(SidesSet{sides});
+    return {};
 }
 
 Result<void> Wind::follow(glm::dvec3 point) {
     if (!in_range(state_->config, point))
         return Error{detail::message("follow point is ", point, " m: give finite numbers within 1e12 cells of the origin.")};
-    CellIndex origin = state_->window.centred_on(point);
-    for (int axis = 0; axis < 3; ++axis)
-        if (!state_->follow_axes[axis])
-            origin[axis] = state_->window.origin_cells[axis];
-    state_->shift_to(origin);
+    if (state_->frames)
+        state_->frames->follow.move_to(point);
+    else
+        state_->follow(point);
+    if (state_->log != nullptr)
+        state_->log->note(Followed{point});
     return {};
 }
 
@@ -189,89 +386,42 @@ Result<void> Wind::set_floor(double height) {
     CellIndex origin = state_->window.origin_cells;
     origin.y = static_cast<std::int64_t>(std::floor(height / static_cast<double>(state_->config.cell_size) + 0.5));
     state_->shift_to(origin);
+    if (state_->log != nullptr)
+        state_->log->note(FloorSet{height});
     return {};
 }
 
 glm::dvec3 Wind::origin() const { return state_->window.origin(); }
 const Box& Wind::box() const { return state_->box(); }
 
-glm::vec3 Wind::velocity(glm::dvec3 position) const {
-    const glm::vec3 ambient = state_->work.ambient();
-    const Box& box = state_->box();
-    glm::dvec3 exact = state_->window.local(position);
-    if (!finite(exact))
-        return ambient;
-    for (int axis = 0; axis < 3; ++axis) // wrapped in double: a float far away holds no share of a cell
-        if (box.sides.periodic(axis))
-            exact[axis] = std::fmod(exact[axis], static_cast<double>(box.cells[axis]));
-    const glm::vec3 local(exact);
-    float share = 1.0f;
-    glm::ivec3 low(0), high(0);
-    glm::vec3 between(0.0f);
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto cells = static_cast<float>(box.cells[axis]);
-        const float low_kind = side_number(box.sides.at(axis, 0)), high_kind = side_number(box.sides.at(axis, 1));
-        share *= numerics::windrow_axis_share(local[axis], cells, low_kind, high_kind);
-        const float sample = numerics::windrow_axis_sample(local[axis], cells, low_kind) - 0.5f;
-        const float below = std::floor(sample);
-        between[axis] = sample - below;
-        low[axis] = static_cast<int>(below);
-        high[axis] = low[axis] + 1;
-        if (low_kind == 2.0f) {
-            low[axis] = (low[axis] + box.cells[axis]) % box.cells[axis];
-            high[axis] = high[axis] % box.cells[axis];
-        }
-        low[axis] = std::clamp(low[axis], 0, box.cells[axis] - 1);
-        high[axis] = std::clamp(high[axis], 0, box.cells[axis] - 1);
-    }
-    if (share <= 0.0f)
-        return ambient;
-    const auto cell = [&](int i, int j, int k) { return glm::vec3(state_->air.velocity[box.index(i, j, k)]); };
-    const auto line = [&](int j, int k) { return glm::mix(cell(low.x, j, k), cell(high.x, j, k), between.x); };
-    const auto plane = [&](int k) { return glm::mix(line(low.y, k), line(high.y, k), between.y); };
-    return glm::mix(ambient, glm::mix(plane(low.z), plane(high.z), between.z), share);
+WindView Wind::view() const {
+    if (!state_->frames)
+        return state_->air_view();
+    const Frame& frame = state_->frames->shown;
+    return {state_->box(), frame.window, state_->rim(frame.rim_point), frame.ambient, frame.field};
 }
 
-void Wind::velocity(std::span<const glm::dvec3> positions, std::span<glm::vec3> velocities) const {
-    const std::size_t count = std::min(positions.size(), velocities.size());
-    for (std::size_t n = 0; n < count; ++n)
-        velocities[n] = velocity(positions[n]);
+WindView Wind::previous_view() const {
+    if (!state_->frames)
+        return state_->air_view();
+    const Frame& frame = state_->frames->shown_before;
+    return {state_->box(), frame.window, state_->rim(frame.rim_point), frame.ambient, frame.field};
 }
+
+WindView Wind::State::air_view() const { return {work.box(), window, rim(follow_point), ambient, air.velocity}; }
 
 std::span<const glm::vec4> Wind::field() const { return std::as_const(state_->air.velocity); }
 
-namespace {
-
-template <class Texel>
-Result<void> write_texels(std::span<const glm::vec4> field, std::span<Texel> x, std::span<Texel> y, std::span<Texel> z) {
-    for (const auto& texels : {x, y, z})
-        if (texels.size() != field.size())
-            return Error{detail::message("write_axes got room for ", texels.size(), " texels, but the box has ", field.size(),
-                                         " cells: give three arrays of box().cell_count().")};
-    extract_axis(field, 0, x);
-    extract_axis(field, 1, y);
-    extract_axis(field, 2, z);
-    return {};
-}
-
-} // namespace
-
-Result<void> Wind::write_axes(std::span<float> x, std::span<float> y, std::span<float> z) const { return write_texels(field(), x, y, z); }
-Result<void> Wind::write_axes(std::span<std::uint16_t> x, std::span<std::uint16_t> y, std::span<std::uint16_t> z) const {
-    return write_texels(field(), x, y, z);
-}
-
 WindowBlock Wind::window_block(glm::dvec3 anchor) const {
-    const Box& box = state_->box();
-    const double h = box.cell_size;
-    WindowBlock block;
-    block.origin_and_cell_size = {glm::vec3(state_->window.origin() - anchor), box.cell_size};
-    block.cells_and_factor = {glm::vec3(box.cells), 1.0f};
-    block.previous_origin = {glm::vec3(glm::dvec3(state_->previous_origin_cells) * h - anchor), 0.0f};
-    block.ambient = {ambient(), 0.0f};
-    for (int axis = 0; axis < 3; ++axis) {
-        block.low_sides[axis] = side_number(box.sides.at(axis, 0));
-        block.high_sides[axis] = side_number(box.sides.at(axis, 1));
+    WindowBlock block = view().block(anchor);
+    if (state_->frames) {
+        const WindowBlock before = previous_view().block(anchor);
+        block.cells_and_factor.w = static_cast<float>(state_->frames->lead * state_->config.ticks.hz);
+        block.previous_origin = glm::vec4(glm::vec3(before.origin_and_cell_size), 0.0f);
+        block.previous_rim_point = glm::vec4(glm::vec3(before.rim_point), 0.0f);
+    } else {
+        const double h = state_->box().cell_size;
+        block.previous_origin = {glm::vec3(glm::dvec3(state_->previous_origin_cells) * h - anchor), 0.0f};
     }
     return block;
 }
@@ -283,6 +433,9 @@ void Wind::set_velocity(const std::function<glm::vec3(glm::dvec3)>& velocity_at)
             for (int i = 0; i < box.cells.x; ++i)
                 state_->air.velocity[box.index(i, j, k)] = glm::vec4(velocity_at(state_->window.centre(i, j, k)), 0.0f);
     state_->air.fresh = true;
+    state_->asleep = false;
+    if (state_->log != nullptr)
+        state_->log->note(VelocitySet{{field().begin(), field().end()}});
 }
 
 Result<void> Wind::set_velocity(std::span<const glm::vec4> field) {
@@ -291,16 +444,31 @@ Result<void> Wind::set_velocity(std::span<const glm::vec4> field) {
         return Error{detail::message("set_velocity got ", field.size(), " cells, but the box has ", velocity.size(), ": give box().cell_count().")};
     std::transform(field.begin(), field.end(), velocity.data(), [](glm::vec4 u) { return glm::vec4(u.x, u.y, u.z, 0.0f); });
     state_->air.fresh = true;
+    state_->asleep = false;
+    if (state_->log != nullptr)
+        state_->log->note(VelocitySet{{field.begin(), field.end()}});
     return {};
 }
 
-void Wind::reset() { state_->fill_with_ambient(); }
+void Wind::reset() {
+    state_->fill_with_ambient();
+    if (state_->log != nullptr)
+        state_->log->note(WindReset{});
+}
+
+void Wind::record_to(EventLog* log) {
+    state_->log = log;
+    state_->motors.record_to(log);
+}
 
 const Config& Wind::config() const { return state_->config; }
 
 std::size_t Wind::memory_bytes() const {
     return sizeof(State) + state_->work.memory_bytes() + state_->air.memory_bytes() + state_->diffused.bytes() + state_->motors.memory_bytes() +
-           state_->forces.memory_bytes();
+           state_->sources.memory_bytes() + state_->mean_field.memory_bytes() +
+           state_->ambient_field.memory_bytes() + state_->source_flow.bytes() +
+           state_->solved.bytes() + (state_->frames ? state_->frames->memory_bytes() : 0) +
+           (state_->ambient.tile() && !state_->config.gusts.tile ? state_->ambient.tile()->memory_bytes() : 0);
 }
 
 } // namespace windrow

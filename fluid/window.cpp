@@ -8,11 +8,18 @@
 
 namespace windrow {
 
-glm::dvec3 Window::local_rounded(glm::dvec3 position) const { return glm::floor(local(position) * 65536.0 + 0.5) / 65536.0; }
+namespace {
+
+glm::dvec3 rounded(glm::dvec3 cells) { return glm::floor(cells * 65536.0 + 0.5) / 65536.0; }
+
+} // namespace
+
+glm::dvec3 Window::local_rounded(glm::dvec3 position) const { return rounded(local(position)); }
 
 CellIndex Window::centred_on(glm::dvec3 point) const {
     const glm::dvec3 corner = point / static_cast<double>(cell_size) - 0.5 * glm::dvec3(cells);
-    return CellIndex(glm::floor(corner + 0.5));
+    // Rounded first, so that a walk whose steps sum up a hair short of half a cell moves the box in the same step.
+    return CellIndex(glm::floor(rounded(corner) + 0.5));
 }
 
 // Rows move as a whole. Walking against the shift, no row is overwritten before it has been read.

@@ -12,11 +12,12 @@ namespace windrow::cli {
 namespace {
 
 constexpr std::size_t k_most_frames = 64;
-constexpr int k_tile_width = 800; // [px] letters of a frame of 1600 px can just be read
+constexpr int k_tile = 800; // [px] longest of a tile: letters of a frame of 1600 px can just be read
 constexpr int k_gap = 28;
 constexpr int k_margin = 48;
-constexpr int k_title = 64;   // above the tiles
-constexpr int k_caption = 44; // above each tile
+constexpr int k_narrowest = 640; // room for the title
+constexpr int k_title = 64;      // above the tiles
+constexpr int k_caption = 44;    // above each tile
 
 int columns_of(std::size_t frames) {
     if (frames <= 3)
@@ -24,9 +25,42 @@ int columns_of(std::size_t frames) {
     return frames == 4 ? 2 : frames <= 9 ? 3 : 4;
 }
 
+/// The part of an image that lies in it.
+Image cropped(const Image& image, const PixelRect& part) {
+    const int left = std::clamp(part.x, 0, image.width - 1), top = std::clamp(part.y, 0, image.height - 1);
+    Image result(std::clamp(part.width, 1, image.width - left), std::clamp(part.height, 1, image.height - top));
+    for (int row = 0; row < result.height; ++row)
+        std::copy_n(image.pixels.begin() + static_cast<std::ptrdiff_t>(image.offset(left, top + row)), 3 * result.width,
+                    result.pixels.begin() + static_cast<std::ptrdiff_t>(result.offset(0, row)));
+    return result;
+}
+
+void paste(const Image& image, Image& onto, int left, int top) {
+    for (int row = 0; row < image.height; ++row)
+        std::copy_n(image.pixels.begin() + static_cast<std::ptrdiff_t>(image.offset(0, row)), 3 * image.width,
+                    onto.pixels.begin() + static_cast<std::ptrdiff_t>(onto.offset(left, top + row)));
+}
+
+/// Both slices of a frame, the upright one below or beside the level one, whichever comes nearer to a square.
+Image slices_of(const Image& frame, const FrameParts& parts) {
+    const Image level = cropped(frame, parts.level), upright = cropped(frame, parts.upright);
+    const int wide = level.width + upright.width, widest = std::max(level.width, upright.width);
+    const int tall = level.height + upright.height, tallest = std::max(level.height, upright.height);
+    const bool stacked =
+        std::abs(std::log(static_cast<double>(widest) / tall)) < std::abs(std::log(static_cast<double>(wide) / tallest));
+    Image both(stacked ? widest : wide, stacked ? tall : tallest);
+    // The frame's own paper: its first pixel.
+    for (std::size_t index = 0; index < both.pixels.size(); ++index)
+        both.pixels[index] = frame.pixels[index % 3];
+    paste(level, both, 0, 0);
+    paste(upright, both, stacked ? 0 : level.width, stacked ? level.height : 0);
+    return both;
+}
+
 } // namespace
 
-Result<void> draw_contact_sheet(std::span<const std::filesystem::path> frames, const std::filesystem::path& file) {
+Result<void> draw_contact_sheet(std::span<const std::filesystem::path> frames, const std::filesystem::path& file,
+                                const std::optional<FrameParts>& parts) {
     using detail::message;
     if (frames.empty())
         return Error{message("contact sheet ", file.string(), " has no frames; give at least one")};
@@ -38,18 +72,27 @@ Result<void> draw_contact_sheet(std::span<const std::filesystem::path> frames, c
     std::vector<Image> tiles;
     std::vector<std::string> captions;
     std::string title;
-    int tile_height = 1;
+    Image legend;
+    int tile_width = 1, tile_height = 1;
     for (const std::filesystem::path& frame : frames) {
         PngWords words;
         const auto full = read_png(frame, &words);
         if (!full)
             return Error{full.error()};
-        const double shrink = std::min(1.0, static_cast<double>(k_tile_width) / full->width);
-        const int width = std::max(1, static_cast<int>(std::lround(full->width * shrink)));
-        const int height = std::max(1, static_cast<int>(std::lround(full->height * shrink)));
-        auto tile = shrink < 1.0 ? resized(*full, width, height) : full;
+        const Image& whole = *full;
+        const Image slices = parts ? slices_of(whole, *parts) : Image();
+        const Image& shown = parts ? slices : whole;
+        if (parts && tiles.size() + 1 == frames.size())
+            legend = cropped(whole, parts->legend);
+        // A whole frame is as wide as a tile may be, however tall its box makes it.
+        const double shrink =
+            std::min(1.0, static_cast<double>(k_tile) / (parts ? std::max(shown.width, shown.height) : shown.width));
+        const int width = std::max(1, static_cast<int>(std::lround(shown.width * shrink)));
+        const int height = std::max(1, static_cast<int>(std::lround(shown.height * shrink)));
+        auto tile = shrink < 1.0 ? resized(shown, width, height) : Result<Image>(shown);
         if (!tile)
             return Error{tile.error()};
+        tile_width = std::max(tile_width, width);
         tile_height = std::max(tile_height, height);
         tiles.push_back(*std::move(tile));
         captions.push_back(printable(words.description.empty() ? frame.stem().string() : words.description));
@@ -59,8 +102,9 @@ Result<void> draw_contact_sheet(std::span<const std::filesystem::path> frames, c
 
     const int columns = columns_of(tiles.size());
     const int rows = (static_cast<int>(tiles.size()) + columns - 1) / columns;
-    const int width = 2 * k_margin + columns * k_tile_width + (columns - 1) * k_gap;
-    const int height = k_margin + k_title + rows * (k_caption + tile_height) + (rows - 1) * k_gap + k_margin;
+    const int width = 2 * k_margin + std::max(columns * tile_width + (columns - 1) * k_gap, std::max(legend.width, k_narrowest));
+    const int tiles_end = k_margin + k_title + rows * (k_caption + tile_height) + (rows - 1) * k_gap;
+    const int height = tiles_end + (parts ? k_gap + k_caption + legend.height : 0) + k_margin;
     Canvas canvas(width, height, 1.0, k_paper);
     const std::string count = std::to_string(tiles.size()) + (tiles.size() == 1 ? " frame" : " frames");
     canvas.words(canvas.fitted(title.empty() ? file.stem().string() : title, 34.0, width - 2.0 * k_margin - 240.0, true),
@@ -68,13 +112,18 @@ Result<void> draw_contact_sheet(std::span<const std::filesystem::path> frames, c
     canvas.words(count, {width - k_margin, k_margin + 28.0}, {.size = 24.0, .colour = k_dim_ink, .align = Align::right});
     for (std::size_t index = 0; index < tiles.size(); ++index) {
         const int column = static_cast<int>(index) % columns, row = static_cast<int>(index) / columns;
-        const double x = k_margin + column * (k_tile_width + k_gap);
+        const double x = k_margin + column * (tile_width + k_gap);
         const double y = k_margin + k_title + row * (k_caption + tile_height + k_gap);
-        canvas.words(canvas.fitted(captions[index], 26.0, k_tile_width, true), {x, y + 30.0},
+        canvas.words(canvas.fitted(captions[index], 26.0, tile_width, true), {x, y + 30.0},
                      {.size = 26.0, .colour = k_ink, .bold = true});
         canvas.image(tiles[index], {x, y + k_caption});
         canvas.stroke(Rect{x - 0.5, y + k_caption - 0.5, tiles[index].width + 1.0, tiles[index].height + 1.0},
                       {.colour = k_hairline, .width = 1.0});
+    }
+    if (parts) {
+        canvas.words("All frames; what is counted, at " + captions.back(), {k_margin, tiles_end + k_gap + 24.0},
+                     {.size = 20.0, .colour = k_dim_ink});
+        canvas.image(legend, {k_margin, static_cast<double>(tiles_end + k_gap + k_caption)});
     }
     const auto sheet = canvas.finish();
     if (!sheet)

@@ -101,7 +101,7 @@ Result<Image> compose_frame(const Air& air, double time, std::span<const Trail> 
         draw_caption(canvas, panel, air.box.cell_size);
     }
     draw_header(canvas, layout, air, time, settings.title);
-    draw_legend(canvas, {air, layout, trails, motors, scale, largest, broken});
+    draw_legend(canvas, {air, layout, trails, motors, settings.motors_of_scene, scale, largest, broken});
     return canvas.finish();
 }
 

@@ -13,6 +13,7 @@
 #include "cli/drawing/canvas.h"
 #include "cli/drawing/slice.h"
 
+#include <algorithm>
 #include <glm/vec2.hpp>
 
 namespace windrow::cli {
@@ -26,6 +27,11 @@ struct Panel {
     glm::dvec2 extent{1.0};     ///< [m]
     glm::dvec2 scale{1.0};      ///< page units a metre, right and along the height; differ only where a thin box was stretched
     double caption_width = 0.0; ///< room for the words above the panel
+
+    /// With its caption, ticks and titles.
+    [[nodiscard]] Rect whole() const {
+        return {rect.x - 62.0, rect.y - 28.0, std::max(rect.width, caption_width) + 80.0, rect.height + 28.0 + 54.0};
+    }
 
     [[nodiscard]] glm::dvec2 to_page(glm::dvec2 in_plane) const;
     [[nodiscard]] glm::dvec2 to_page(const glm::dvec3& world) const { return to_page(plane.in_plane(world)); }

@@ -3,6 +3,8 @@
 #include "cli/drawing/axes.h"
 #include "cli/drawing/colour_bar.h"
 #include "cli/drawing/colour_map.h"
+#include "cli/drawing/motor_marks.h"
+#include "cli/drawing/motor_style.h"
 #include "cli/drawing/overlay.h"
 #include "cli/drawing/palette.h"
 #include "cli/drawing/text.h"
@@ -17,10 +19,10 @@
 namespace windrow::cli {
 namespace {
 
-constexpr double k_row_height = 172.0;
+constexpr double k_row_height = 204.0;
 constexpr double k_row_gap = 14.0;
-constexpr double k_block_gap = 22.0;
-constexpr std::array k_block_widths{138.0, 150.0, 178.0, 168.0}; // ambient, sizes, signs, map
+constexpr double k_block_gap = 18.0;
+constexpr std::array k_block_widths{130.0, 132.0, 178.0, 116.0}; // ambient, sizes, signs, map
 
 struct Places {
     Rect bar;
@@ -88,6 +90,16 @@ void draw_ambient(Canvas& canvas, const Rect& place, const LegendInput& input) {
     if (std::abs(ambient.y) > 1e-3)
         text += std::string(ambient.y > 0.0 ? ", up " : ", down ") + brief(std::abs(ambient.y));
     canvas.words(text, {middle.x, place.y + 160.0}, {.size = 14.0, .colour = k_ink, .align = Align::centre});
+    double base = place.y + 180.0;
+    const auto note = [&](const std::string& words) {
+        canvas.words(canvas.fitted(words, 13.0, place.width), {middle.x, base},
+                     {.size = 13.0, .colour = k_dim_ink, .align = Align::centre});
+        base += 18.0;
+    };
+    if (input.air.profile_height > 0.0f)
+        note(brief(input.air.profile_height) + " m above ground");
+    if (input.air.gust_intensity > 0.0f)
+        note("gusts of " + brief(100.0 * static_cast<double>(input.air.gust_intensity)) + " %");
 }
 
 /// A length of 1, 2 or 5 times a power of ten that is at most `most`.
@@ -129,52 +141,93 @@ void draw_sizes(Canvas& canvas, const Rect& place, const LegendInput& input) {
     }
 }
 
+/// A small picture of each kind, as it looks on a slice.
+void draw_kind(Canvas& canvas, const Rect& sample, std::size_t kind) {
+    const Colour colour = k_motor_styles[kind].colour;
+    const glm::dvec2 m = sample.middle();
+    const Line line = on_air(colour, 1.6);
+    const auto arrow = [&](double from, double to) {
+        canvas.stroke(std::array{glm::dvec2(m.x + from, m.y), glm::dvec2(m.x + to - 4.0, m.y)}, {.colour = colour, .width = 2.2});
+        canvas.fill(
+            std::array{glm::dvec2(m.x + to, m.y), glm::dvec2(m.x + to - 6.0, m.y - 4.0), glm::dvec2(m.x + to - 6.0, m.y + 4.0)},
+            colour);
+    };
+    switch (kind) {
+    case 0:
+        canvas.stroke(Rect{m.x - 13.0, m.y - 7.0, 26.0, 14.0}, line, 7.0);
+        arrow(-8.0, 9.0);
+        break;
+    case 1:
+        canvas.fill_circle(m, 6.5, colour.faded(0.28));
+        canvas.stroke_circle(m, 6.5, line);
+        break;
+    case 2:
+        canvas.stroke(std::array{m + glm::dvec2(-13, -3), m + glm::dvec2(13, -8), m + glm::dvec2(13, 8), m + glm::dvec2(-13, 3)},
+                      line, true);
+        arrow(-9.0, 10.0);
+        break;
+    case 3:
+        draw_turning_arrows(canvas, m, 5.5, false, colour);
+        break;
+    case 4:
+        draw_radial_arrows(canvas, m, 9.0, true, colour);
+        break;
+    default:
+        canvas.stroke(star(m, 8.0), line, true);
+        break;
+    }
+}
+
 void draw_signs(Canvas& canvas, const Rect& place, const LegendInput& input) {
     draw_heading(canvas, place, "signs");
-    double y = place.y + 42.0;
-    const auto row = [&](std::string_view text, auto&& draw) {
+    double y = place.y + 41.0;
+    const auto row = [&](const std::string& text, const std::string& more, auto&& draw) {
         if (y > place.bottom())
             return;
-        const Rect sample{place.x, y - 11.0, 36.0, 22.0};
+        const Rect sample{place.x, y - 10.0, 36.0, 20.0};
         canvas.fill(sample, to_colour(speed_colour(0.3f)), 3.0);
+        canvas.clip(sample);
         draw(sample);
-        canvas.words(text, {place.x + 45.0, y + 4.8}, {.size = 13.0, .colour = k_ink});
-        y += 26.0;
+        canvas.unclip();
+        const double left = place.x + 44.0;
+        const std::string fitted = canvas.fitted(text, 13.0, place.right() - left);
+        canvas.words(fitted, {left, y + 4.8}, {.size = 13.0, .colour = k_ink});
+        const double end = left + canvas.width_of(fitted, 13.0);
+        if (end + canvas.width_of(more, 12.0) <= place.right())
+            canvas.words(more, {end, y + 4.8}, {.size = 12.0, .colour = k_dim_ink});
+        y += 20.5;
     };
     const auto line_of = [](Colour colour, double dash) {
         return Line{.colour = colour, .width = 2.0, .dash = dash, .gap = 4.0, .casing = k_casing, .casing_width = 1.2};
     };
-    const bool any_followed =
-        std::any_of(input.trails.begin(), input.trails.end(), [](const Trail& trail) { return trail.followed; });
-    const auto holds = [&]<class Kind>(Kind) {
-        return std::any_of(input.motors.begin(), input.motors.end(),
-                           [](const NamedMotor& motor) { return std::holds_alternative<Kind>(motor.motor); });
-    };
-    if (any_followed)
-        row("the box follows it", [&](const Rect& s) {
-            canvas.clip(s);
-            draw_player(canvas, s.middle());
-            canvas.unclip();
-        });
+    if (input.broken_air) // first: nothing else counts then
+        row("air is no number", "", [&](const Rect& s) { canvas.fill(s, to_colour(k_broken_colour), 3.0); });
+    if (std::any_of(input.trails.begin(), input.trails.end(), [](const Trail& trail) { return trail.followed; }))
+        row("the box follows it", "", [&](const Rect& s) { draw_player(canvas, s.middle()); });
     if (!input.trails.empty())
-        row("path: past, to come", [&](const Rect& s) {
+        row("path: past, to come", "", [&](const Rect& s) {
             const double mid = s.middle().y;
             canvas.stroke(std::array{glm::dvec2(s.x + 3.0, mid), glm::dvec2(s.middle().x - 1.0, mid)}, line_of(k_player, 0.0));
             canvas.stroke(std::array{glm::dvec2(s.middle().x + 2.0, mid), glm::dvec2(s.right() - 2.0, mid)},
                           line_of(k_player, 4.0));
         });
-    if (holds(WakeMotor{}))
-        row("body with a wake", [&](const Rect& s) {
-            canvas.fill_circle(s.middle(), 7.0, k_wake.faded(0.28));
-            canvas.stroke_circle(s.middle(), 7.0, line_of(k_wake, 0.0));
-        });
-    if (holds(DirectionalMotor{})) {
-        row("motor in the slice", [&](const Rect& s) { canvas.stroke(s.grown(-4.5), line_of(k_motor, 0.0), 4.0); });
-        row("motor off the slice", [&](const Rect& s) { canvas.stroke(s.grown(-4.5), line_of(k_motor, 5.0), 4.0); });
+    MotorCounts acting{};
+    for (const NamedMotor& motor : input.motors)
+        ++acting[motor.motor.index()];
+    bool any = false;
+    for (std::size_t kind = 0; kind < acting.size(); ++kind) {
+        const int all = std::max(acting[kind], input.motors_of_scene[kind]);
+        if (all == 0)
+            continue;
+        any = true;
+        // Many of a kind are one row: how many act now, of how many in the scene.
+        row(k_motor_styles[kind].name, all > 1 ? "  " + std::to_string(acting[kind]) + "/" + std::to_string(all) : "",
+            [&](const Rect& s) { draw_kind(canvas, s, kind); });
     }
-    if (input.broken_air)
-        row("air is no number", [&](const Rect& s) { canvas.fill(s, to_colour(k_broken_colour), 3.0); });
-    if (input.trails.empty() && input.motors.empty())
+    if (any)
+        row("dashed: off the slice", "",
+            [&](const Rect& s) { canvas.stroke(s.grown(-4.5), line_of(k_motor_styles[0].colour, 5.0), 4.0); });
+    if (input.trails.empty() && !any)
         canvas.words("no motors, no paths", {place.x, y + 4.8}, {.size = 13.0, .colour = k_dim_ink});
 }
 
@@ -192,7 +245,7 @@ void draw_legend(Canvas& canvas, const LegendInput& input) {
     draw_signs(canvas, places.blocks[2], input);
     draw_heading(canvas, places.blocks[3], "where the box is");
     const Rect& block = places.blocks[3];
-    draw_world_map(canvas, {block.x, block.y + 30.0, block.width, block.height - 30.0}, input.air, input.trails, input.motors);
+    draw_world_map(canvas, {block.x, block.y + 30.0, block.width, 142.0}, input.air, input.trails, input.motors);
 }
 
 } // namespace windrow::cli

@@ -15,6 +15,7 @@ struct LegendInput {
     const Layout& layout;
     std::span<const Trail> trails;
     std::span<const NamedMotor> motors;
+    MotorCounts motors_of_scene{};
     float scale = 10.0f;     ///< [m/s] top of the colour bar
     float largest = 0.0f;    ///< [m/s] largest speed that both slices show
     bool broken_air = false; ///< a slice holds wind that is no number

@@ -53,7 +53,55 @@ void add_arc(std::vector<glm::dvec2>& points, glm::dvec2 centre, double radius, 
     }
 }
 
+/// The convex hull, in order (Andrew 1979); points that are no numbers are left out.
+std::vector<glm::dvec2> hull(std::vector<glm::dvec2> points) {
+    std::erase_if(points, [](glm::dvec2 point) { return !finite(point); });
+    std::sort(points.begin(), points.end(), [](glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+    std::vector<glm::dvec2> corners;
+    const auto add = [&](glm::dvec2 point, std::size_t kept) {
+        const auto bends = [&] {
+            const glm::dvec2 a = corners[corners.size() - 1] - corners[corners.size() - 2], b = point - corners.back();
+            return a.x * b.y - a.y * b.x > 0.0;
+        };
+        while (corners.size() > kept && !bends())
+            corners.pop_back();
+        corners.push_back(point);
+    };
+    for (const glm::dvec2 point : points)
+        add(point, 1);
+    const std::size_t lower = corners.size();
+    for (auto point = points.rbegin(); point != points.rend(); ++point)
+        if (*point != corners.back())
+            add(*point, lower);
+    if (corners.size() > 1)
+        corners.pop_back(); // the first again
+    return corners;
+}
+
+/// A cone's two end rings; what they span is the cone as it looks.
+std::vector<glm::dvec2> rings_of(const Cone& cone, const glm::dvec3& start, const Panel& panel) {
+    const glm::dvec3 axis(cone.axis);
+    const auto [a, b] = frame_across(axis);
+    std::vector<glm::dvec2> points;
+    constexpr int k_corners = 96;
+    for (int index = 0; index < k_corners; ++index) {
+        const double angle = 2.0 * std::numbers::pi * index / k_corners;
+        const glm::dvec3 out = std::cos(angle) * a + std::sin(angle) * b;
+        points.push_back(panel.to_page(start + static_cast<double>(cone.start_radius) * out));
+        points.push_back(panel.to_page(start + axis + static_cast<double>(cone.end_radius) * out));
+    }
+    return points;
+}
+
 } // namespace
+
+std::pair<glm::dvec3, glm::dvec3> frame_across(const glm::dvec3& axis) {
+    const double length = glm::length(axis);
+    const glm::dvec3 way = length > 0.0 ? axis / length : glm::dvec3(0.0, 1.0, 0.0);
+    const glm::dvec3 other = std::abs(way.y) < 0.9 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0);
+    const glm::dvec3 a = glm::normalize(glm::cross(other, way));
+    return {a, glm::cross(way, a)};
+}
 
 Runs cut(std::span<const glm::dvec2> points, const Rect& rect) {
     Runs runs;
@@ -102,6 +150,8 @@ std::vector<glm::dvec2> outline_of(const Region& region, const glm::dvec3& centr
         const glm::dvec2 half = panel.plane.in_plane(glm::dvec3(box->half_size));
         for (const glm::dvec2 corner : {glm::dvec2(-1, -1), glm::dvec2(1, -1), glm::dvec2(1, 1), glm::dvec2(-1, 1)})
             points.push_back(panel.to_page(middle + corner * half));
+    } else if (const auto* cone = std::get_if<Cone>(&region)) {
+        points = hull(rings_of(*cone, centre, panel));
     }
     if (!points.empty())
         points.push_back(points.front());
@@ -111,6 +161,14 @@ std::vector<glm::dvec2> outline_of(const Region& region, const glm::dvec3& centr
 bool cuts(const Panel& panel, const Region& region, const glm::dvec3& centre) {
     const int across = panel.plane.across();
     double reach = 0.0;
+    if (const auto* cone = std::get_if<Cone>(&region)) {
+        const glm::dvec3 axis(cone->axis);
+        const double share = glm::length(axis) > 0.0 ? axis[across] / glm::length(axis) : 0.0;
+        const double tilt = std::sqrt(std::max(1.0 - share * share, 0.0)); // how far a ring reaches across the plane
+        const double start = centre[across], end = start + axis[across];
+        return panel.plane.position > std::min(start - tilt * cone->start_radius, end - tilt * cone->end_radius) &&
+               panel.plane.position < std::max(start + tilt * cone->start_radius, end + tilt * cone->end_radius);
+    }
     if (const auto* sphere = std::get_if<Sphere>(&region))
         reach = sphere->radius;
     else if (const auto* capsule = std::get_if<Capsule>(&region))

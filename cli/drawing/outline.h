@@ -8,6 +8,7 @@
 
 #include <glm/vec2.hpp>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace windrow::cli {
@@ -20,6 +21,9 @@ using Runs = std::vector<std::vector<glm::dvec2>>;
 
 /// The smallest rectangle around the runs that lies within `rect`; of no size where there are none.
 [[nodiscard]] Rect bounds_of(const Runs& runs, const Rect& rect);
+
+/// Two vectors of length 1 across an axis, so that a, b and the axis are right-handed.
+[[nodiscard]] std::pair<glm::dvec3, glm::dvec3> frame_across(const glm::dvec3& axis);
 
 /// A motor's region as it looks along the plane's normal, closed, in page units; beyond the panel too.
 [[nodiscard]] std::vector<glm::dvec2> outline_of(const Region& region, const glm::dvec3& centre, const Panel& panel);

@@ -20,10 +20,6 @@ void draw_wind_arrow(Canvas& canvas, glm::dvec2 middle, glm::dvec2 direction, do
 /// Arrows on the slice's own picture.
 void draw_arrows(Canvas& canvas, const Panel& panel, const Air& air, const Image& slice, float scale);
 
-/// A motor's thick arrow along a direction of the world: a ring with a dot where it points at the reader, with a cross where
-/// away.
-void draw_motor_arrow(Canvas& canvas, const Panel& panel, glm::dvec2 middle, glm::vec3 direction, double length);
-
 /// The mark of the one that the box follows.
 void draw_player(Canvas& canvas, glm::dvec2 at);
 

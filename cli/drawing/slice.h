@@ -22,6 +22,9 @@ struct Air {
     Box box;
     glm::dvec3 origin{0.0};  ///< [m] world, low corner of the box
     glm::vec3 ambient{0.0f}; ///< [m/s]
+    /// [m] Height at which the ambient wind is that, 0 where it is the same at all heights.
+    float profile_height = 0.0f;
+    float gust_intensity = 0.0f; ///< standard deviation over the mean speed; 0: no gusts
     /// [m/s] Wind at world points; both spans have one length.
     std::function<void(std::span<const glm::dvec3> positions, std::span<glm::vec3> velocities)> velocity;
 

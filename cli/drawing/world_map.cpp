@@ -1,6 +1,7 @@
 #include "cli/drawing/world_map.h"
 
 #include "cli/drawing/axes.h"
+#include "cli/drawing/motor_style.h"
 #include "cli/drawing/outline.h"
 #include "cli/drawing/palette.h"
 #include "cli/drawing/text.h"
@@ -43,27 +44,26 @@ void draw_world_map(Canvas& canvas, const Rect& place, const Air& air, std::span
                 points.push_back(at);
         }
         for (const auto& run : cut(points, land))
-            canvas.stroke(run, {.colour = trail.followed ? k_ink : k_wake, .width = trail.followed ? 1.4 : 1.1});
+            canvas.stroke(run, {.colour = trail.followed ? k_ink : k_body, .width = trail.followed ? 1.4 : 1.1});
     }
     const glm::dvec2 from = to_page(corner), to = to_page(corner + extent);
     canvas.unclip();
     const Rect box{from.x, from.y, to.x - from.x, to.y - from.y};
     canvas.fill(box, hex(0x2B5C9E, 0.16));
     canvas.stroke(box, {.colour = hex(0x2B5C9E), .width = 1.6});
+    const double dot = motors.size() > 40 ? 1.6 : 2.6;
     for (const NamedMotor& motor : motors) {
-        const auto* directional = std::get_if<DirectionalMotor>(&motor.motor);
-        if (directional == nullptr)
-            continue;
-        const glm::dvec2 at = to_page({directional->position.x, directional->position.z});
+        const glm::dvec3 position = position_of(motor.motor);
+        const glm::dvec2 at = to_page({position.x, position.z});
         if (land.contains(at))
-            canvas.fill_circle(at, 2.6, k_motor);
+            canvas.fill_circle(at, dot, style_of(motor.motor).colour);
     }
     for (const Trail& trail : trails) {
         const glm::dvec2 at = to_page({trail.now.x, trail.now.z});
         if (!land.contains(at))
             continue;
         canvas.fill_circle(at, 3.6, k_paper);
-        canvas.fill_circle(at, 2.6, trail.followed ? k_ink : k_wake);
+        canvas.fill_circle(at, 2.6, trail.followed ? k_ink : k_body);
     }
     canvas.stroke(land, {.colour = k_hairline, .width = 1.0});
 }

@@ -44,6 +44,8 @@ void advect(Workspace& work, const Transport& transport, std::span<glm::vec4> re
         pad.rules[axis] = state.rules[axis].data();
         pad.ambient[axis] = state.ambient[axis];
     }
+    pad.ambient_cells = state.mean_cells;
+    pad.trace_ambient_cells = state.ambient_cells;
     pad.carried = cpu::floats(transport.carried);
     pad.history = cpu::floats(transport.history);
     pad.history_scale = transport.history_scale;

@@ -1,4 +1,4 @@
-// Projection onto divergence-free fields, collocated: L phi = div u, u -= grad phi.
+// Projection onto divergence-free fields, collocated: L phi = div u - S, u -= grad phi; S is the divergence wanted, 0 but where air comes out.
 //
 // Divergence and gradient are central over two cells, L is the compact 7-point Laplacian: an approximate projection. What
 // is left is (L - div grad) phi, which falls as h^2. Everything is dimensionless (phi / h), so no h appears.
@@ -22,8 +22,21 @@ void Workspace::State::divergence_to_potential(const float* velocity, float scal
     parallel_for(box.cells.z, [&](int plane) { kernels->divergence_plane(task, plane); });
 }
 
-double Workspace::State::divergence_rms(const float* velocity) {
+void Workspace::State::subtract_from_potential(std::span<const float> field, float factor) {
+    parallel_for(box.cells.z, [&](int k) {
+        for (int j = 0; j < box.cells.y; ++j) {
+            float* const row = potential.data() + (static_cast<std::size_t>(k) * box.cells.y + j) * pressure->pitch();
+            const float* const wanted = field.data() + box.index(0, j, k);
+            for (int i = 0; i < box.cells.x; ++i)
+                row[i] -= factor * wanted[i];
+        }
+    });
+}
+
+double Workspace::State::divergence_rms(const float* velocity, std::span<const float> expansion) {
     divergence_to_potential(velocity, 0.5f / box.cell_size);
+    if (!expansion.empty())
+        subtract_from_potential(expansion, 1.0f);
     parallel_for(box.cells.z, [&](int k) {
         double squares = 0.0;
         for (int j = 0; j < box.cells.y; ++j) {
@@ -85,10 +98,13 @@ void solve_poisson(Workspace& work, std::span<float> rhs_then_phi) {
     copy_rows(state, padded_rows(state), dense_rows(state, rhs_then_phi), 1.0f);
 }
 
-void project(Workspace& work, std::span<glm::vec4> velocity, std::span<glm::vec4> gradient) {
+void project(Workspace& work, std::span<glm::vec4> velocity, std::span<glm::vec4> gradient, std::span<const float> expansion) {
     Workspace::State& state = work.state();
     assert(velocity.size() == state.box.cell_count() && (gradient.empty() || gradient.size() == velocity.size()));
+    assert(expansion.empty() || expansion.size() == velocity.size());
     state.divergence_to_potential(cpu::floats(velocity), 0.5f);
+    if (!expansion.empty())
+        state.subtract_from_potential(expansion, state.box.cell_size);
     state.pressure->solve(state.potential.data(), state.scratch.data(), state.parallel_for);
 
     cpu::GradientTask task{};

@@ -4,211 +4,168 @@
 #include "fluid/numerics.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <variant>
 
 namespace windrow::cpu {
-namespace {
 
 using detail::MotorReach;
 
-// The cells whose centres lie within `low`..`high` [m from the box's corner]; false if there are none.
-bool cover(MotorReach& reach, glm::vec3 low, glm::vec3 high, const Window& window) {
-    const float h = window.cell_size;
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto cells = static_cast<float>(window.cells[axis]);
-        reach.low[axis] = static_cast<int>(std::clamp(std::floor(low[axis] / h - 0.5f), 0.0f, cells));
-        reach.high[axis] = static_cast<int>(std::clamp(std::ceil(high[axis] / h + 0.5f), 0.0f, cells));
-        if (reach.low[axis] >= reach.high[axis])
-            return false;
-    }
-    return true;
-}
+namespace {
 
-glm::vec3 metres(const Window& window, glm::dvec3 position) {
-    return glm::vec3(window.local_rounded(position) * static_cast<double>(window.cell_size));
-}
-
-struct RegionReach {
-    MotorReach& reach;
-    const Window& window;
-
-    /// Share of its strength that a widened region keeps, so that its impulse stays.
-    float operator()(const Sphere& sphere) const {
-        reach.shape = MotorReach::Shape::sphere;
-        reach.radius = numerics::windrow_widened(sphere.radius, window.cell_size);
-        const float share = sphere.radius / reach.radius;
-        return share * share * share;
-    }
-    float operator()(const Capsule& capsule) const {
-        reach.shape = MotorReach::Shape::capsule;
-        reach.extent = capsule.half_axis;
-        reach.radius = numerics::windrow_widened(capsule.radius, window.cell_size);
-        // Volume of the weight: a ball's 32 pi R^3 / 105 and pi R^2 / 3 for each metre of axis.
-        const float length = 2.0f * glm::length(capsule.half_axis);
-        const auto volume = [&](float radius) { return radius * radius * (32.0f / 105.0f * radius + length / 3.0f); };
-        return volume(capsule.radius) / volume(reach.radius);
-    }
-    float operator()(const AlignedBox& box) const {
-        reach.shape = MotorReach::Shape::box;
-        float share = 1.0f;
-        for (int axis = 0; axis < 3; ++axis) {
-            reach.extent[axis] = numerics::windrow_widened(box.half_size[axis], window.cell_size);
-            share *= box.half_size[axis] / reach.extent[axis];
-        }
-        return share;
-    }
+// What a motor does at a point: its weight, and the direction and size of its push there.
+struct Push {
+    float weight;
+    glm::vec3 push;
 };
 
-bool prepare(const DirectionalMotor& motor, const Motors::Slot&, float dt, const Window& window, MotorReach& reach) {
-    const float share = std::visit(RegionReach{reach, window}, motor.region);
-    if (const auto* force = std::get_if<Force>(&motor.law)) {
-        reach.drives = false;
-        reach.push = share * force->acceleration * motor.direction;
-    } else {
-        const auto& drive = std::get<Drive>(motor.law);
-        reach.drives = true;
-        reach.push = drive.speed * motor.direction;
-        reach.exponent = share * drive.rate * dt;
-    }
-    reach.centre = metres(window, motor.position);
-    const glm::vec3 half = reach.shape == MotorReach::Shape::box ? reach.extent
-                           : reach.shape == MotorReach::Shape::capsule
-                               ? glm::abs(reach.extent) + reach.radius
-                               : glm::vec3(reach.radius);
-    return cover(reach, reach.centre - half, reach.centre + half, window);
-}
-
-bool prepare(const WakeMotor& motor, const Motors::Slot& slot, float dt, const Window& window, MotorReach& reach) {
-    if (motor.position == slot.path_start)
-        return false;
-    reach.shape = MotorReach::Shape::path;
-    reach.radius = numerics::windrow_widened(motor.radius, window.cell_size);
-    reach.centre = metres(window, slot.path_start);
-    reach.extent = metres(window, motor.position);
-    const glm::vec3 path = reach.extent - reach.centre;
-    const float length = glm::length(path);
-    if (!(length > 0.0f))
-        return false;
-    const float thin = motor.radius / reach.radius;
-    const float share = thin * thin * thin;
-    if (const auto* force = std::get_if<WakeForce>(&motor.law)) {
-        reach.drives = false;
-        reach.push = (share * force->strength / (dt * length)) * path;
-    } else {
-        const auto& drive = std::get<WakeDrive>(motor.law);
-        reach.drives = true;
-        reach.push = (drive.entrainment / dt) * path;
-        reach.exponent = share * drive.per_metre;
-    }
-    return cover(reach, glm::min(reach.centre, reach.extent) - reach.radius, glm::max(reach.centre, reach.extent) + reach.radius, window);
-}
-
-float weight(const MotorReach& reach, glm::vec3 p) {
-    switch (reach.shape) {
+// Calls visit(i, push) for the cells of one row that the motor reaches. The kind is chosen once a row.
+template <class Visit>
+void for_each_cell(const MotorReach& motor, glm::vec3 first_centre, float cell_size, const Visit& visit) {
+    using namespace numerics;
+    const auto along = [&](const auto& evaluate) {
+        for (int i = motor.low.x; i < motor.high.x; ++i) {
+            const glm::vec3 p(first_centre.x + cell_size * static_cast<float>(i), first_centre.y, first_centre.z);
+            const Push at = evaluate(p);
+            if (at.weight > 0.0f)
+                visit(i, at);
+        }
+    };
+    switch (motor.shape) {
     case MotorReach::Shape::sphere:
-        return numerics::windrow_sphere_weight(p - reach.centre, reach.radius);
+        return along([&](glm::vec3 p) { return Push{windrow_sphere_weight(p - motor.centre, motor.radius), motor.push}; });
     case MotorReach::Shape::capsule:
-        return numerics::windrow_capsule_weight(p - reach.centre, reach.extent, reach.radius);
+        return along([&](glm::vec3 p) { return Push{windrow_capsule_weight(p - motor.centre, motor.extent, motor.radius), motor.push}; });
     case MotorReach::Shape::box:
-        return numerics::windrow_box_weight(p - reach.centre, reach.extent);
-    default:
-        return numerics::windrow_wake_path(p, reach.centre, reach.extent, reach.radius);
+        return along([&](glm::vec3 p) { return Push{windrow_box_weight(p - motor.centre, motor.extent), motor.push}; });
+    case MotorReach::Shape::cone:
+        return along([&](glm::vec3 p) {
+            return Push{windrow_cone_weight(p - motor.centre, motor.extent, motor.radius, motor.end_radius), motor.push};
+        });
+    case MotorReach::Shape::jet:
+        return along([&](glm::vec3 p) {
+            const glm::vec3 from = p - motor.centre;
+            return Push{windrow_cone_weight(from, motor.extent, motor.radius, motor.end_radius),
+                        motor.push.x * windrow_jet_velocity(from, motor.extent, motor.radius, motor.end_radius)};
+        });
+    case MotorReach::Shape::vortex:
+        return along([&](glm::vec3 p) {
+            const glm::vec3 from = p - motor.centre;
+            // The swirl has its own falloff across the axis; a drive's rate needs one as well.
+            const float weight = motor.law == MotorReach::Law::force ? windrow_axial_weight(from, motor.extent)
+                                                                     : windrow_whirl_weight(from, motor.extent, motor.radius);
+            return Push{weight,
+                        motor.push.x * windrow_swirl_velocity(from, motor.extent, motor.radius, motor.lift)};
+        });
+    case MotorReach::Shape::path:
+        return along([&](glm::vec3 p) { return Push{windrow_wake_path(p, motor.centre, motor.extent, motor.radius), motor.push}; });
     }
 }
+
+float largest_component(const glm::vec4& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 } // namespace
 
-ForceField::ForceField(glm::ivec3 cells)
-    : cells_(cells), values_(static_cast<std::size_t>(cells.x) * cells.y * cells.z), row_holds_(static_cast<std::size_t>(cells.y) * cells.z),
-      plane_largest_(static_cast<std::size_t>(cells.z)) {}
+SourceField::SourceField(glm::ivec3 cells)
+    : cells_(cells), force_(static_cast<std::size_t>(cells.x) * cells.y * cells.z),
+      row_holds_force_(static_cast<std::size_t>(cells.y) * cells.z), plane_largest_(static_cast<std::size_t>(cells.z)),
+      expansion_(force_.size()) {}
 
-void ForceField::add_to(std::span<glm::vec4> velocity, float factor, const ParallelFor& parallel_for) const {
-    if (!any_)
+std::size_t SourceField::memory_bytes() const {
+    return force_.bytes() + row_holds_force_.bytes() + plane_largest_.bytes() + expansion_.bytes();
+}
+
+std::span<const float> SourceField::expansion() const {
+    return any_expansion_ ? std::span<const float>(expansion_) : std::span<const float>();
+}
+
+void SourceField::add_force_to(std::span<glm::vec4> velocity, float factor, const ParallelFor& parallel_for) const {
+    if (!any_force_)
         return;
     parallel_for(cells_.z, [&](int k) {
         for (int j = 0; j < cells_.y; ++j) {
             const std::size_t row = static_cast<std::size_t>(k) * cells_.y + j;
-            if (row_holds_[row] == 0)
+            if (row_holds_force_[row] == 0)
                 continue;
             for (std::size_t n = row * cells_.x; n < (row + 1) * cells_.x; ++n)
-                velocity[n] += factor * values_[n];
+                velocity[n] += factor * force_[n];
         }
     });
 }
 
-int apply_motors(Motors& motors, const Window& window, float dt, std::span<glm::vec4> velocity, ForceField& forces, const ParallelFor& parallel_for) {
-    int reached = 0;
-    const std::span<MotorReach> list = motors.reach();
-    for (const Motors::Slot& slot : motors.slots()) {
-        if (!slot.used)
-            continue;
-        MotorReach& reach = list[reached];
-        if (std::visit([&](const auto& kind) { return prepare(kind, slot, dt, window, reach); }, slot.motor))
-            ++reached;
-    }
-    motors.finish_paths();
-    const bool held_any = forces.any_;
-    forces.any_ = false;
-    forces.largest_ = 0.0f;
-    if (reached == 0 && !held_any)
-        return 0;
+void SourceField::gather(std::span<const MotorReach> motors, float cell_size, std::span<glm::vec4> velocity, const ParallelFor& parallel_for) {
+    const auto any = [&](MotorReach::Law law) { return std::any_of(motors.begin(), motors.end(), [&](const MotorReach& m) { return m.law == law; }); };
+    any_force_ = any(MotorReach::Law::force);
+    any_expansion_ = any(MotorReach::Law::source);
+    largest_force_ = 0.0f;
+    if (motors.empty())
+        return;
+    parallel_for(cells_.z, [&](int plane) { gather_plane(motors, cell_size, velocity, plane); });
+    for (int k = 0; any_force_ && k < cells_.z; ++k)
+        largest_force_ = std::max(largest_force_, plane_largest_[k]);
+}
 
-    const glm::ivec3 cells = window.cells;
-    parallel_for(cells.z, [&](int k) {
-        glm::vec4 drives[k_max_axis_cells]; // sum of E U, and of E in w
-        forces.plane_largest_[k] = 0.0f;
-        for (int j = 0; j < cells.y; ++j) {
-            const std::size_t row = static_cast<std::size_t>(k) * cells.y + j;
-            glm::vec4* const force_row = forces.values_.data() + row * cells.x;
-            bool any_force = false;
-            int drive_low = cells.x, drive_high = 0;
-            for (int n = 0; n < reached; ++n) {
-                const MotorReach& reach = list[n];
-                if (k < reach.low.z || k >= reach.high.z || j < reach.low.y || j >= reach.high.y)
-                    continue;
-                if (!reach.drives && !any_force) {
-                    std::fill(force_row, force_row + cells.x, glm::vec4(0.0f));
-                    any_force = true;
-                }
-                if (reach.drives && drive_low > drive_high)
-                    std::fill(drives, drives + cells.x, glm::vec4(0.0f));
-                if (reach.drives) {
-                    drive_low = std::min(drive_low, reach.low.x);
-                    drive_high = std::max(drive_high, reach.high.x);
-                }
-                for (int i = reach.low.x; i < reach.high.x; ++i) {
-                    const glm::vec3 centre = window.cell_size * (glm::vec3(i, j, k) + 0.5f);
-                    const float w = weight(reach, centre);
-                    if (w == 0.0f)
-                        continue;
-                    if (reach.drives) {
-                        const float exponent = w * reach.exponent;
-                        drives[i] += glm::vec4(exponent * reach.push, exponent);
-                    } else {
-                        force_row[i] += glm::vec4(w * reach.push, 0.0f);
-                    }
-                }
-            }
-            forces.row_holds_[row] = any_force ? 1 : 0;
-            if (any_force)
-                for (int i = 0; i < cells.x; ++i)
-                    for (int axis = 0; axis < 3; ++axis)
-                        forces.plane_largest_[k] = std::max(forces.plane_largest_[k], std::abs(force_row[i][axis]));
-            for (int i = drive_low; i < drive_high; ++i) {
-                const float exponent = drives[i].w;
-                if (exponent > 0.0f) {
-                    glm::vec4& u = velocity[row * cells.x + i];
-                    u = glm::vec4(numerics::windrow_drive(glm::vec3(u), glm::vec3(drives[i]) / exponent, exponent), 0.0f);
-                }
+void SourceField::gather_plane(std::span<const MotorReach> motors, float cell_size, std::span<glm::vec4> velocity, int k) {
+    // Hundreds of motors reach a box, a few of them a plane. More than fit here are looked up again in every row: slower, not wrong.
+    std::array<std::uint16_t, 512> near;
+    std::size_t near_count = 0;
+    bool listed = true;
+    for (std::size_t n = 0; n < motors.size() && listed; ++n)
+        if (motors[n].low.z <= k && k < motors[n].high.z) {
+            listed = near_count < near.size() && n <= 0xffff;
+            if (listed)
+                near[near_count++] = static_cast<std::uint16_t>(n);
+        }
+    const std::size_t candidates = listed ? near_count : motors.size();
+
+    glm::vec4 drives[k_max_axis_cells]; // sum of E U, and of E in w
+    plane_largest_[k] = 0.0f;
+    for (int j = 0; j < cells_.y; ++j) {
+        const std::size_t row = static_cast<std::size_t>(k) * cells_.y + j;
+        glm::vec4* const force_row = force_.data() + row * cells_.x;
+        float* const expansion_row = expansion_.data() + row * cells_.x;
+        const glm::vec3 first_centre = cell_size * (glm::vec3(0, j, k) + 0.5f);
+        bool holds_force = false;
+        int drive_low = cells_.x, drive_high = 0;
+        if (any_expansion_)
+            std::fill_n(expansion_row, cells_.x, 0.0f);
+        for (std::size_t n = 0; n < candidates; ++n) {
+            const MotorReach& motor = motors[listed ? near[n] : n];
+            if (k < motor.low.z || k >= motor.high.z || j < motor.low.y || j >= motor.high.y)
+                continue;
+            switch (motor.law) {
+            case MotorReach::Law::force:
+                if (!holds_force)
+                    std::fill_n(force_row, cells_.x, glm::vec4(0.0f));
+                holds_force = true;
+                for_each_cell(motor, first_centre, cell_size, [&](int i, const Push& at) { force_row[i] += glm::vec4(at.weight * at.push, 0.0f); });
+                break;
+            case MotorReach::Law::drive:
+                if (drive_low > drive_high)
+                    std::fill_n(drives, cells_.x, glm::vec4(0.0f));
+                drive_low = std::min(drive_low, motor.low.x);
+                drive_high = std::max(drive_high, motor.high.x);
+                for_each_cell(motor, first_centre, cell_size, [&](int i, const Push& at) {
+                    const float exponent = at.weight * motor.amount;
+                    drives[i] += glm::vec4(exponent * at.push, exponent);
+                });
+                break;
+            case MotorReach::Law::source:
+                for_each_cell(motor, first_centre, cell_size, [&](int i, const Push& at) { expansion_row[i] += at.weight * motor.amount; });
+                break;
             }
         }
-    });
-    for (int k = 0; k < cells.z; ++k)
-        forces.largest_ = std::max(forces.largest_, forces.plane_largest_[k]);
-    for (std::size_t row = 0; row < forces.row_holds_.size() && !forces.any_; ++row)
-        forces.any_ = forces.row_holds_[row] != 0;
-    return reached;
+        row_holds_force_[row] = holds_force ? 1 : 0;
+        for (int i = 0; holds_force && i < cells_.x; ++i)
+            plane_largest_[k] = std::max(plane_largest_[k], largest_component(force_row[i]));
+        for (int i = drive_low; i < drive_high; ++i) {
+            const float exponent = drives[i].w;
+            if (exponent > 0.0f) {
+                glm::vec4& u = velocity[row * cells_.x + i];
+                u = glm::vec4(numerics::windrow_drive(glm::vec3(u), glm::vec3(drives[i]) / exponent, exponent), 0.0f);
+            }
+        }
+    }
 }
 
 } // namespace windrow::cpu

@@ -2,9 +2,8 @@
 #pragma once
 
 #include "fluid/cpu/aligned.h"
-#include "fluid/motors.h"
+#include "fluid/motor_reach.h"
 #include "fluid/parallel.h"
-#include "fluid/window.h"
 
 #include <glm/vec4.hpp>
 
@@ -13,31 +12,34 @@
 
 namespace windrow::cpu {
 
-/// The acceleration field of the motors that push by force. Rows that no such motor reaches hold nothing and are never read.
-class ForceField {
+/// What motors leave for the step: the acceleration f of those that push, the divergence S of those that let air in.
+/// Rows that no motor reaches hold nothing and are never read.
+class SourceField {
   public:
-    explicit ForceField(glm::ivec3 cells);
+    explicit SourceField(glm::ivec3 cells);
+
+    /// Drives act on `velocity`; f and S are gathered. A cell sums its motors in the order of `motors`.
+    void gather(std::span<const detail::MotorReach> motors, float cell_size, std::span<glm::vec4> velocity, const ParallelFor& parallel_for);
 
     /// velocity += factor * f, on the rows that hold a force.
-    void add_to(std::span<glm::vec4> velocity, float factor, const ParallelFor& parallel_for) const;
-    [[nodiscard]] bool empty() const { return !any_; }
-    /// [m/s^2] Largest component.
-    [[nodiscard]] float largest() const { return largest_; }
-    [[nodiscard]] std::size_t memory_bytes() const { return values_.bytes() + row_holds_.bytes() + plane_largest_.bytes(); }
+    void add_force_to(std::span<glm::vec4> velocity, float factor, const ParallelFor& parallel_for) const;
+    /// [m/s^2] Largest component of f.
+    [[nodiscard]] float largest_force() const { return largest_force_; }
+    /// [1/s] S at every cell; empty where no motor lets air in or out.
+    [[nodiscard]] std::span<const float> expansion() const;
+    [[nodiscard]] std::size_t memory_bytes() const;
 
   private:
-    friend int apply_motors(Motors&, const Window&, float, std::span<glm::vec4>, ForceField&, const ParallelFor&);
+    void gather_plane(std::span<const detail::MotorReach> motors, float cell_size, std::span<glm::vec4> velocity, int plane);
 
     glm::ivec3 cells_;
-    Buffer<glm::vec4> values_;
-    Buffer<std::uint8_t> row_holds_; ///< one a row of x
+    Buffer<glm::vec4> force_;
+    Buffer<std::uint8_t> row_holds_force_; ///< one a row of x
     Buffer<float> plane_largest_;
-    bool any_ = false;
-    float largest_ = 0.0f;
+    Buffer<float> expansion_;
+    bool any_force_ = false;
+    bool any_expansion_ = false;
+    float largest_force_ = 0.0f;
 };
-
-/// Drives act on `velocity`; forces are left in `forces`. Paths of wakes end. Returns how many motors reached the box.
-/// Each cell sums its motors in the order of their slots, whatever the threads.
-int apply_motors(Motors& motors, const Window& window, float dt, std::span<glm::vec4> velocity, ForceField& forces, const ParallelFor& parallel_for);
 
 } // namespace windrow::cpu

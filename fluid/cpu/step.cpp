@@ -11,6 +11,16 @@
 // All values at cell centres. Order 2 in time at fixed CFL with one cubic interpolation and one projection a step. Viscosity acts on u before R is
 // formed: added after the advection it feeds an instability at CFL 1. A drive acts whole on u before the step, in its exact form.
 //
+// Two parts of u may be given, not solved; the step then carries and projects the rest, v = u - u_S - A, along the whole wind u:
+//
+//   dv/dt + u . grad v = -grad p + nu L v + f
+//
+// u_S, the flow of sources of air (blasts, vents, suction), which prescribe div u = S: the potential flow u_S = grad psi, L psi = S, projected by itself when S
+// changes; it stands at once. What is left out, v . grad u_S, is a gradient wherever v has no vorticity (a vent in a steady wind comes out exact), else the
+// straining of v's vorticity by the source. Carried with the rest, u_S feeds on its errors: jets grow out of its middle within a second.
+// A, the ambient wind while it gusts: a frozen pattern, free of divergence, that the mean wind carries through the box as it does outside. Solved, it would evolve
+// inside but not outside, and each shift of the box would be felt as a jolt (0.07 m/s in a wind of 2 m/s). Left out: v . grad A.
+//
 // Stable fluids, the classic split: u' = P(A(D(u + dt f))): every stage whole and one after the other, order 1.
 //
 // Based on: Temperton & Staniforth 1987, Quarterly Journal 113; Hortal 2002, ECMWF Technical Memorandum 292; Stam 1999, SIGGRAPH.
@@ -41,17 +51,71 @@ class Stopwatch {
 
 bool finite(const glm::vec4& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w); }
 
+// Names the sources of air among the motors, and where the box lies: the same name, the same S.
+std::uint64_t name_of_sources(std::span<const detail::MotorReach> reached, CellIndex origin) {
+    constexpr std::uint64_t k_prime = 0x100000001b3;
+    std::uint64_t name = 0xcbf29ce484222325; // FNV-1a
+    bool any = false;
+    const auto mix = [&](const auto& value) {
+        for (const std::byte byte : std::as_bytes(std::span(&value, 1)))
+            name = (name ^ static_cast<std::uint64_t>(byte)) * k_prime;
+    };
+    for (const detail::MotorReach& motor : reached)
+        if (motor.law == detail::MotorReach::Law::source) {
+            any = true;
+            mix(motor);
+        }
+    if (!any)
+        return 0;
+    for (int axis = 0; axis < 3; ++axis)
+        mix(origin[axis]);
+    return name | 1;
+}
+
+void add_scaled(std::span<glm::vec4> field, std::span<const glm::vec4> other, float factor) {
+    for (std::size_t n = 0; n < field.size(); ++n)
+        field[n] += factor * other[n];
+}
+
+template <class Visit>
+void for_each_cell(const Box& box, const Visit& visit) {
+    std::size_t n = 0;
+    for (int k = 0; k < box.cells.z; ++k)
+        for (int j = 0; j < box.cells.y; ++j)
+            for (int i = 0; i < box.cells.x; ++i, ++n)
+                visit(n, i, j, k);
+}
+
 float settling_factor(const Config& config, float dt) {
     return config.stages.settling && config.settling_time > 0.0f ? 1.0f / (1.0f + dt / config.settling_time) : 1.0f;
 }
 
 } // namespace
 
-Diagnostics Wind::State::step(float dt) {
+Diagnostics Wind::State::step(double duration) {
     Diagnostics report;
+    double milliseconds = 0.0;
+    {
+        Stopwatch total(milliseconds);
+        step(duration, report);
+    }
+    report.times_ms.total = milliseconds;
+    return report;
+}
+
+void Wind::State::step(double duration, Diagnostics& report) {
+    const auto dt = static_cast<float>(duration);
+    std::span<const detail::MotorReach> reached;
+    if (config.stages.sources)
+        reached = motors.tick(duration, window);
+    previous_origin_cells = std::exchange(stepped_origin_cells, window.origin_cells);
+    if (asleep && reached.empty() && !ambient.gusting()) {
+        report = at_rest;
+        return;
+    }
+    asleep = false;
     report.stepped = true;
-    Stopwatch total(report.times_ms.total);
-    add_sources(dt, report);
+    add_sources(reached, report);
     limit_speeds(dt, report);
     for (int part = 0; part < report.substeps; ++part) {
         const float part_dt = dt / static_cast<float>(report.substeps);
@@ -63,13 +127,35 @@ Diagnostics Wind::State::step(float dt) {
             advance_stable_fluids(part_dt, report);
     }
     measure(report);
-    previous_origin_cells = std::exchange(stepped_origin_cells, window.origin_cells);
-    return report;
+    fall_asleep_if_settled(report);
 }
 
+// While the wind gusts, what is solved is still air beyond the open sides; trajectories alone meet the whole ambient wind there.
+class Wind::State::Solving {
+  public:
+    explicit Solving(State& state) : around_(state.work.state()), ambient_(around_.ambient), mean_cells_(around_.mean_cells) {
+        if (!state.ambient.gusting())
+            return;
+        around_.ambient = glm::vec3(0.0f);
+        around_.mean_cells = nullptr;
+    }
+    ~Solving() {
+        around_.ambient = ambient_;
+        around_.mean_cells = mean_cells_;
+    }
+    Solving(const Solving&) = delete;
+    Solving& operator=(const Solving&) = delete;
+
+  private:
+    Workspace::State& around_;
+    glm::vec3 ambient_;
+    const float* mean_cells_;
+};
+
 void Wind::State::advance_second_order(float dt, Diagnostics& report) {
+    const Solving solving(*this);
     const ParallelFor& parallel_for = config.parallel_for;
-    const std::span<const glm::vec4> carried = diffuse(dt, report);
+    const std::span<const glm::vec4> carried = diffuse(without_given_flow(), dt, report);
     Transport transport{.carried = carried, .velocity = air.velocity, .dt = dt, .interpolation = config.interpolation};
     transport.settling = settling_factor(config, dt);
     if (!air.fresh) {
@@ -82,22 +168,25 @@ void Wind::State::advance_second_order(float dt, Diagnostics& report) {
     {
         Stopwatch watch(report.times_ms.advection);
         advect(work, transport, arrived);
-        forces.add_to(arrived, 0.5f * dt, parallel_for);
+        sources.add_force_to(arrived, 0.5f * dt, parallel_for);
     }
     Stopwatch watch(report.times_ms.projection);
     if (config.stages.projection)
         project(work, arrived, air.history);
     else
         std::fill_n(air.history.data(), air.history.size(), glm::vec4(0.0f));
-    forces.add_to(air.history, -0.5f * dt, parallel_for);
+    sources.add_force_to(air.history, -0.5f * dt, parallel_for);
+    carry_gusts(dt, report);
+    add_given_flow(arrived, 1.0f);
     std::swap(air.velocity, air.velocity_old);
     air.fresh = false;
     air.dt_old = dt;
 }
 
 void Wind::State::advance_stable_fluids(float dt, Diagnostics& report) {
-    forces.add_to(air.velocity, dt, config.parallel_for);
-    const std::span<const glm::vec4> carried = diffuse(dt, report);
+    const Solving solving(*this);
+    sources.add_force_to(air.velocity, dt, config.parallel_for);
+    const std::span<const glm::vec4> carried = diffuse(without_given_flow(), dt, report);
     Transport transport{.carried = carried, .velocity = air.velocity, .extrapolation = 0.0f, .dt = dt, .interpolation = config.interpolation};
     transport.settling = settling_factor(config, dt);
     {
@@ -107,28 +196,84 @@ void Wind::State::advance_stable_fluids(float dt, Diagnostics& report) {
     Stopwatch watch(report.times_ms.projection);
     if (config.stages.projection)
         project(work, air.velocity_old);
+    carry_gusts(dt, report);
+    add_given_flow(air.velocity_old, 1.0f);
     std::swap(air.velocity, air.velocity_old);
 }
 
 // Without transport there is no trajectory to centre anything on: each stage acts whole on u.
 void Wind::State::advance_in_place(float dt, Diagnostics& report) {
+    const Solving solving(*this);
     const ParallelFor& parallel_for = config.parallel_for;
-    forces.add_to(air.velocity, dt, parallel_for);
+    sources.add_force_to(air.velocity, dt, parallel_for);
+    add_given_flow(air.velocity, -1.0f);
     if (const float factor = settling_factor(config, dt); factor != 1.0f)
-        for (glm::vec4& u : std::span<glm::vec4>(air.velocity))
-            u = ambient() + factor * (u - ambient());
-    if (const auto carried = diffuse(dt, report); carried.data() != air.velocity.data())
+        for_each_cell(box(), [&](std::size_t n, int i, int j, int k) {
+            const glm::vec4 rest = ambient.gusting() ? glm::vec4(0.0f) : mean_at(i, j, k);
+            air.velocity[n] = rest + factor * (air.velocity[n] - rest);
+        });
+    if (const auto carried = diffuse(air.velocity, dt, report); carried.data() != air.velocity.data())
         std::copy(carried.begin(), carried.end(), air.velocity.data());
     Stopwatch watch(report.times_ms.projection);
     if (config.stages.projection)
         project(work, air.velocity);
+    carry_gusts(dt, report);
+    add_given_flow(air.velocity, 1.0f);
     air.fresh = true;
 }
 
-void Wind::State::add_sources(float dt, Diagnostics& report) {
+void Wind::State::add_sources(std::span<const detail::MotorReach> reached, Diagnostics& report) {
     Stopwatch watch(report.times_ms.sources);
-    if (config.stages.sources)
-        report.motors_in_reach = cpu::apply_motors(motors, window, dt, air.velocity, forces, config.parallel_for);
+    report.motors_in_reach = static_cast<int>(reached.size());
+    sources.gather(reached, box().cell_size, air.velocity, config.parallel_for);
+    if (config.stages.projection)
+        let_air_in(reached);
+}
+
+void Wind::State::carry_gusts(float dt, Diagnostics& report) {
+    ambient.advance(static_cast<double>(dt));
+    if (!ambient.gusting())
+        return;
+    Stopwatch watch(report.times_ms.ambient);
+    ambient_field.fill(ambient, window, config.parallel_for);
+}
+
+// Brings the flow of the sources up to date. u_old takes the same change: the trajectories extrapolate u - u_old, which must not see a jump.
+void Wind::State::let_air_in(std::span<const detail::MotorReach> reached) {
+    const std::uint64_t name = name_of_sources(reached, window.origin_cells);
+    if (std::exchange(sources_of_air, name) == name)
+        return;
+    if (source_flow.empty())
+        source_flow = cpu::Buffer<glm::vec4>(air.velocity.size());
+    const auto add_to_air = [&](float factor) {
+        add_scaled(air.velocity, source_flow, factor);
+        if (!air.fresh)
+            add_scaled(air.velocity_old, source_flow, factor);
+    };
+    add_to_air(-1.0f);
+    std::fill_n(source_flow.data(), source_flow.size(), glm::vec4(0.0f));
+    if (name == 0)
+        return;
+    project(work, source_flow, {}, sources.expansion());
+    add_to_air(1.0f);
+}
+
+// v; the velocity itself where nothing is given.
+std::span<const glm::vec4> Wind::State::without_given_flow() {
+    if (sources_of_air == 0 && !ambient.gusting())
+        return air.velocity;
+    if (solved.empty())
+        solved = cpu::Buffer<glm::vec4>(air.velocity.size());
+    std::copy_n(air.velocity.data(), air.velocity.size(), solved.data());
+    add_given_flow(solved, -1.0f);
+    return solved;
+}
+
+void Wind::State::add_given_flow(std::span<glm::vec4> field, float factor) const {
+    if (sources_of_air != 0)
+        add_scaled(field, source_flow, factor);
+    if (ambient.gusting())
+        add_ambient(field, factor);
 }
 
 // The guard reads every cell before anything spreads it; the CFL number is taken after the sources, in the largest component.
@@ -141,7 +286,7 @@ void Wind::State::limit_speeds(float dt, Diagnostics& report) {
         found = work.state().survey(&air.velocity[0].x);
     }
     report.substeps = 1;
-    report.cfl = (found.largest_component + dt * forces.largest()) * dt / box().cell_size;
+    report.cfl = (found.largest_component + dt * sources.largest_force()) * dt / box().cell_size;
     if (!config.stages.advection || report.cfl <= config.max_cfl)
         return;
     const float wanted = std::ceil(report.cfl / config.max_cfl);
@@ -160,24 +305,24 @@ void Wind::State::limit_speeds(float dt, Diagnostics& report) {
 }
 
 void Wind::State::repair_broken_cells() {
-    for (std::size_t n = 0; n < air.velocity.size(); ++n)
-        if (!finite(air.velocity[n])) {
-            air.velocity[n] = ambient();
-            air.velocity_old[n] = ambient();
-            air.history[n] = glm::vec4(0.0f);
-        }
+    for_each_cell(box(), [&](std::size_t n, int i, int j, int k) {
+        if (finite(air.velocity[n]))
+            return;
+        air.velocity[n] = air.velocity_old[n] = ambient_at(i, j, k);
+        air.history[n] = glm::vec4(0.0f);
+    });
 }
 
 // The velocity after diffusion: itself where viscosity asks for nothing.
-std::span<const glm::vec4> Wind::State::diffuse(float dt, Diagnostics& report) {
+std::span<const glm::vec4> Wind::State::diffuse(std::span<const glm::vec4> field, float dt, Diagnostics& report) {
     const DiffusionMethod method = config.stages.diffusion ? diffusion_method(config.viscosity, dt, box().cell_size) : DiffusionMethod::none;
     report.diffusion = method;
     if (method == DiffusionMethod::none)
-        return air.velocity;
+        return field;
     Stopwatch watch(report.times_ms.diffusion);
     if (diffused.empty())
         diffused = cpu::Buffer<glm::vec4>(air.velocity.size());
-    windrow::diffuse(work, air.velocity, config.viscosity, dt, diffused);
+    windrow::diffuse(work, field, config.viscosity, dt, diffused);
     return diffused;
 }
 
@@ -189,7 +334,35 @@ void Wind::State::measure(Diagnostics& report) {
     report.max_speed = found.largest_component;
     report.energy = 0.5 * found.squares * h * h * h;
     if (config.stages.projection)
-        report.divergence_rms = state.divergence_rms(&air.velocity[0].x);
+        report.divergence_rms = state.divergence_rms(&air.velocity[0].x, sources.expansion());
+}
+
+// Looks no further than the first cell that still moves: it costs next to nothing until the air has settled.
+bool Wind::State::at_ambient() const {
+    const glm::ivec3 cells = window.cells;
+    std::size_t n = 0;
+    for (int k = 0; k < cells.z; ++k)
+        for (int j = 0; j < cells.y; ++j)
+            for (int i = 0; i < cells.x; ++i, ++n) {
+                const glm::vec4 apart = air.velocity[n] - ambient_at(i, j, k);
+                if (!(std::abs(apart.x) < config.sleep_speed && std::abs(apart.y) < config.sleep_speed && std::abs(apart.z) < config.sleep_speed))
+                    return false;
+            }
+    return true;
+}
+
+void Wind::State::fall_asleep_if_settled(Diagnostics& report) {
+    const bool may = config.stages.settling && config.settling_time > 0.0f && config.sleep_speed > 0.0f && report.motors_in_reach == 0 &&
+                     sources_of_air == 0 && report.diffusion == DiffusionMethod::none && !ambient.gusting();
+    if (!may || !at_ambient())
+        return;
+    fill_with_ambient();
+    asleep = true;
+    at_rest = {};
+    measure(at_rest);
+    at_rest.times_ms = {};
+    at_rest.stepped = at_rest.asleep = true;
+    report.asleep = true;
 }
 
 } // namespace windrow

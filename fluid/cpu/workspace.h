@@ -18,6 +18,10 @@ struct Workspace::State {
     Box box;
     glm::vec3 requested_ambient; ///< as the caller gave it
     glm::vec3 ambient;           ///< what the open sides carry: without components that a wall closes
+    /// The mean wind of each padded cell, four floats each, where it is not the same everywhere; null: `ambient`.
+    const float* mean_cells = nullptr;
+    /// The same with gusts: what trajectories meet beyond an open side.
+    const float* ambient_cells = nullptr;
     ParallelFor parallel_for;
     const cpu::Kernels* kernels;
 
@@ -46,8 +50,10 @@ struct Workspace::State {
     [[nodiscard]] cpu::AdvectTask advect_task() const;
     /// Central divergence into `potential`, times `scale`.
     void divergence_to_potential(const float* velocity, float scale);
-    /// [1/s] Root mean square of the central divergence; uses `potential`.
-    [[nodiscard]] double divergence_rms(const float* velocity);
+    /// potential -= factor * field.
+    void subtract_from_potential(std::span<const float> field, float factor);
+    /// [1/s] Root mean square of the central divergence, less the one wanted where `expansion` is not empty; uses `potential`.
+    [[nodiscard]] double divergence_rms(const float* velocity, std::span<const float> expansion);
     /// Sum of the planes' surveys, in order of the planes.
     [[nodiscard]] cpu::PlaneSurvey survey(const float* velocity);
 

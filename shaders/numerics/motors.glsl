@@ -4,6 +4,7 @@
 //   force                u += dt w f
 //   drive                u += (1 - exp(-E)) (U - u),  E = k w dt;  several: E and E U add up before they act
 //   wake                 the same with the path integral of w in place of w dt
+//   source of air        div u = S,  S = S0 w with the volume of w times S0 the air that comes out [m^3/s]
 //
 // The kernel (1 - s^2)^2 is 1 at the centre, has slope 0 there and at the rim, is a polynomial in the squared distance (no
 // root) and so has a path integral in closed form. Volume of a sphere's weight: 32 pi R^3 / 105.
@@ -38,6 +39,52 @@ WINDROW_FN float windrow_capsule_weight(vec3 p, vec3 half_axis, float radius) {
 WINDROW_FN float windrow_box_weight(vec3 p, vec3 half_size) {
     vec3 s = p / half_size;
     return windrow_falloff(s.x * s.x) * windrow_falloff(s.y * s.y) * windrow_falloff(s.z * s.z);
+}
+
+// Round column about `axis` [m], from the narrow end at 0 to the wide one at `axis`; its radius grows evenly from `start_radius` to
+// `end_radius`. 1 halfway on the axis, 0 at both ends and at the mantle. Equal radii: a cylinder. Volume of the weight:
+// 8 pi L / 45 * (a^2 + b^2 / 7) with a, b half the sum and half the difference of the radii.
+WINDROW_FN float windrow_cone_weight(vec3 p, vec3 axis, float start_radius, float end_radius) {
+    float along = dot(p, axis) / dot(axis, axis);
+    vec3 off = p - along * axis;
+    float radius = mix(start_radius, end_radius, clamp(along, 0.0f, 1.0f));
+    float half_lengths = 2.0f * along - 1.0f;
+    return windrow_falloff(half_lengths * half_lengths) * windrow_falloff(dot(off, off) / (radius * radius));
+}
+
+// What blows out of a nozzle at 0 along `axis`, 1 there: rays from the cone's tip, slower as the section grows so that each
+// section passes the same momentum, u^2 r^2, as a free round jet does (Pope 2000, Turbulent Flows, section 5.1).
+WINDROW_FN vec3 windrow_jet_velocity(vec3 p, vec3 axis, float start_radius, float end_radius) {
+    float axis_length = length(axis);
+    vec3 direction = axis / axis_length;
+    float along = dot(p, direction);
+    vec3 off = p - along * direction;
+    float radius = mix(start_radius, end_radius, clamp(along / axis_length, 0.0f, 1.0f));
+    vec3 ray = direction + ((end_radius - start_radius) / (axis_length * radius)) * off;
+    return (start_radius / radius) * ray;
+}
+
+// Weight along an axis alone: 1 in the middle, 0 at both ends.
+WINDROW_FN float windrow_axial_weight(vec3 p, vec3 half_axis) {
+    float along = dot(p, half_axis) / dot(half_axis, half_axis);
+    return windrow_falloff(along * along);
+}
+
+// Weight of a whirl's drive: as along the axis, and (1 - s^4)^2 across it, 0.92 where the swirl is fastest, so that the core is driven nearly as hard as the middle.
+WINDROW_FN float windrow_whirl_weight(vec3 p, vec3 half_axis, float radius) {
+    float along = dot(p, half_axis) / dot(half_axis, half_axis);
+    vec3 off = p - along * half_axis;
+    float s2 = dot(off, off) / (radius * radius);
+    return windrow_falloff(along * along) * windrow_falloff(s2 * s2);
+}
+
+// Swirl about `half_axis`, right-handed: 25 sqrt(5)/16 s (1 - s^2)^2, which is 1 where it is largest, at s = 1/sqrt(5) = 0.447 of the radius, turns
+// like a rigid body in the middle and is 0 with slope 0 at the rim; and `lift` (1 - s^2)^2 along the axis. Free of divergence without lift.
+WINDROW_FN vec3 windrow_swirl_velocity(vec3 p, vec3 half_axis, float radius, float lift) {
+    vec3 direction = half_axis / length(half_axis);
+    vec3 off = p - dot(p, direction) * direction;
+    float falloff = windrow_falloff(dot(off, off) / (radius * radius));
+    return falloff * ((3.4938562f / radius) * cross(direction, off) + lift * direction);
 }
 
 // Integral of (a - t^2)^2 from 0 to t.

@@ -210,6 +210,19 @@ TEST_F(Command, LimitedCellsAreSaid) {
         "cells, counted in each step; raise tick_hz or air.max_substeps.\n");
 }
 
+TEST_F(Command, SleepIsReported) {
+    const std::string calm = write("calm.json", R"({"duration": 1, "air": {"cells": [8, 8, 8]},
+        "motors": [{"kind": "jet", "from": 0.5, "envelope": {"hold": 0.1}}]})");
+    const std::string out = in("calm");
+    const Outcome outcome = run({"run", calm.c_str(), "--csv", "--out", out.c_str()});
+    EXPECT_EQ(outcome.code, k_exit_well) << outcome.err;
+    EXPECT_NE(outcome.out.find(" of 60 steps; a step took "), std::string::npos) << outcome.out;
+    std::ifstream table(fs::path(out) / "timings.csv");
+    const std::string text((std::istreambuf_iterator<char>(table)), std::istreambuf_iterator<char>());
+    EXPECT_NE(text.find(",asleep,"), std::string::npos);
+    EXPECT_NE(text.find(",ambient_ms,"), std::string::npos);
+}
+
 TEST_F(Command, StopsAfterTheFrameWithWholeFiles) {
     const std::string out = in("stopped");
     std::ostringstream text;
@@ -342,6 +355,23 @@ TEST(Timings, QuantilesAreNearestRanks) {
     EXPECT_EQ(quantile(values, 0.5), 50.0f);
     EXPECT_EQ(quantile(values, 0.99), 99.0f);
     EXPECT_EQ(quantile({}, 0.5), 0.0f);
+}
+
+TEST(Timings, StepsAsleepStandApart) {
+    Timings timings;
+    Diagnostics step;
+    step.times_ms.total = 1.0;
+    timings.add(0.0, step);
+    step.asleep = true;
+    step.times_ms.total = 0.0005;
+    for (int i = 0; i < 3; ++i)
+        timings.add(0.0, step);
+    EXPECT_EQ(timings.steps(), 4);
+    EXPECT_EQ(timings.steps_asleep(), 3);
+    EXPECT_EQ(timings.awake_ms(), 1.0f) << "steps asleep do not make a step look cheap";
+    EXPECT_EQ(timings.asleep_ms(), 0.0005f);
+    EXPECT_NE(timings.table().find("  step asleep "), std::string::npos) << timings.table();
+    EXPECT_NEAR(timings.solver_seconds(), 0.0010015, 1e-9);
 }
 
 TEST(Timings, TimeThatNoStageClaimsIsShown) {

@@ -24,10 +24,6 @@ MotorId added(Motors& motors, const Motor& motor) {
     return id ? *id : MotorId{};
 }
 
-glm::dvec3 position_of(const Motor& motor) {
-    return std::visit([](const auto& kind) { return kind.position; }, motor);
-}
-
 // --- Handles ---------------------------------------------------------------------------------------------------------
 
 TEST(Motors, AHandleNamesItsMotorUntilItIsRemoved) {

@@ -142,6 +142,15 @@ TEST(Outline, RegionsLookAsTheyAre) {
     EXPECT_NEAR(size(Capsule{{2.0f, 9.0f, 0.0f}, 1.0f}).x, 6.0, 0.02);
     EXPECT_NEAR(size(Capsule{{2.0f, 9.0f, 0.0f}, 1.0f}).y, 2.0, 0.02);
     EXPECT_NEAR(size(AlignedBox{{1.0f, 2.0f, 3.0f}}).y, 6.0, 0.02);
+    // From the middle 6 m along x, 1 m to 3 m in radius; seen along its axis a ring.
+    EXPECT_NEAR(size(Cone{{6.0f, 0.0f, 0.0f}, 1.0f, 3.0f}).x, 6.0, 0.02);
+    EXPECT_NEAR(size(Cone{{6.0f, 0.0f, 0.0f}, 1.0f, 3.0f}).y, 6.0, 0.02);
+    EXPECT_NEAR(size(Cone{{0.0f, 6.0f, 0.0f}, 2.0f, 2.0f}).x, 4.0, 0.02);
+    EXPECT_NEAR(size(Cone{{0.0f, 6.0f, 0.0f}, 2.0f, 2.0f}).y, 4.0, 0.02);
+    EXPECT_TRUE(cuts(layout.level, Cone{{0.0f, -4.5f, 0.0f}, 1.0f, 1.0f}, centre)) << "from above into the slice";
+    EXPECT_FALSE(cuts(layout.level, Cone{{0.0f, 4.5f, 0.0f}, 9.0f, 9.0f}, centre)) << "upward, away from it";
+    EXPECT_TRUE(cuts(layout.level, Cone{{5.0f, 0.0f, 0.0f}, 1.0f, 4.1f}, centre));
+    EXPECT_FALSE(cuts(layout.level, Cone{{5.0f, 0.0f, 0.0f}, 1.0f, 3.9f}, centre));
     EXPECT_TRUE(cuts(layout.level, Sphere{4.1f}, centre)); // the slice lies 4 m below the centre
     EXPECT_FALSE(cuts(layout.level, Sphere{3.9f}, centre));
     EXPECT_TRUE(cuts(layout.level, Capsule{{0.0f, -3.5f, 0.0f}, 1.0f}, centre));

@@ -3,6 +3,7 @@
 #include "cli/drawing/colour_map.h"
 #include "cli/drawing/frame.h"
 #include "cli/drawing/layout.h"
+#include "cli/drawing/motor_style.h"
 #include "cli/drawing/png.h"
 #include "cli/drawing/slice.h"
 #include "cli/pictures.h"
@@ -71,7 +72,8 @@ Rgb8 colour_of(glm::vec3 velocity, Quantity quantity, float scale) {
 // --- W30: the PNG slice of each axis equals the data -----------------------------------------------------------------
 
 TEST_F(PicturesTest, SliceOfEachAxisEqualsTheCells) {
-    auto wind = Wind::create({.cells = {13, 7, 10}, .cell_size = 0.5f, .centre = {40.0, 3.0, -9.0}});
+    // Without a rim: over it the cells fade to the ambient wind.
+    auto wind = Wind::create({.cells = {13, 7, 10}, .cell_size = 0.5f, .centre = {40.0, 3.0, -9.0}, .rim = 0.0f});
     ASSERT_TRUE(wind);
     wind->set_velocity(known_wind);
     const Air air{.box = wind->box(),
@@ -234,6 +236,16 @@ TEST(Frame, DrawsWhateverItIsGiven) {
         {std::string(5000, 'n'), DirectionalMotor{.direction = {0.0f, 1.0f, 0.0f}, .region = Sphere{1e7f}}},
         {"box", DirectionalMotor{.direction = {0.0f, 0.0f, 0.0f}, .region = AlignedBox{{1e-6f, 5.0f, 5.0f}}, .law = Force{}}},
         {"capsule", DirectionalMotor{.region = Capsule{{k_nan, 0.0f, 0.0f}, 1.0f}}},
+        {"cone", DirectionalMotor{.region = Cone{{k_nan, 0.0f, 0.0f}, 1.0f, 2.0f}}},
+        {"jet", JetMotor{.position = {1e9, 0.0, 0.0}}},
+        {"jet", JetMotor{.direction = {0.0f, 0.0f, 0.0f}, .length = 1e6f, .end_radius = 1e6f}},
+        {"vortex", VortexMotor{.axis = {0.0f, 0.0f, 0.0f}}},
+        {"vortex", VortexMotor{.axis = {k_nan, 0.0f, 0.0f}, .radius = 1e6f}},
+        {"vortex", VortexMotor{.radius = 1e-6f, .half_length = 1e6f, .law = Force{-1.0f}}},
+        {"omni", OmniMotor{.radius = 1e6f, .speed = -1.0f}},
+        {"omni", OmniMotor{.radius = 1e-6f}, k_nan},
+        {"pressure", PressureMotor{.radius = 1e6f}, -0.1},
+        {"pressure", PressureMotor{.position = {k_nan, 0.0, 0.0}}},
         {"wake", WakeMotor{.radius = 1e6f}},
         {"wake", WakeMotor{.position = {k_nan, 0.0, 0.0}}}};
     const auto wind = [](glm::dvec3 p) { return p.x > 3.0 ? glm::vec3(k_nan) : glm::vec3(1e38f, 1e38f, -1.0f); };
@@ -249,6 +261,76 @@ TEST(Frame, DrawsWhateverItIsGiven) {
             EXPECT_EQ(image->height % 2, 0);
         }
     }
+}
+
+/// Pixels that differ on a panel.
+int changed(const Image& a, const Image& b, const Rect& rect, double unit) {
+    int count = 0;
+    for (int row = static_cast<int>(rect.y * unit); row < static_cast<int>(rect.bottom() * unit); ++row)
+        for (int column = static_cast<int>(rect.x * unit); column < static_cast<int>(rect.right() * unit); ++column)
+            count += a.at(column, row) != b.at(column, row) ? 1 : 0;
+    return count;
+}
+
+TEST(Frame, ShowsEachKindOfMotorInItsColour) {
+    const Air air = air_of({32, 16, 32}, 1.0f, {0.0, 0.0, 0.0}, [](glm::dvec3) { return glm::vec3(0.0f); });
+    const PictureSettings settings{.title = "", .slice_point = {16.0, 8.0, 16.0}};
+    const glm::dvec3 middle(16.0, 8.0, 16.0);
+    const Layout layout = lay_out(air, settings.slice_point, settings.width);
+    for (const Motor& kind : {Motor(DirectionalMotor{}), Motor(WakeMotor{.radius = 2.0f}), Motor(JetMotor{}),
+                              Motor(VortexMotor{}), Motor(OmniMotor{}), Motor(PressureMotor{})}) {
+        Motor motor = kind;
+        std::visit([&](auto& any) { any.position = middle; }, motor);
+        const auto with = compose_frame(air, 0.0, {}, std::vector<NamedMotor>{{"it", motor}}, settings);
+        ASSERT_TRUE(with);
+        const Colour colour = style_of(motor).colour;
+        for (const Panel* panel : {&layout.level, &layout.upright}) {
+            int hits = 0;
+            for (int row = 0; row < panel->height_px; ++row)
+                for (int column = 0; column < panel->width_px; ++column) {
+                    const Rgb8 seen = with->at(static_cast<int>(panel->rect.x * layout.unit) + column,
+                                               static_cast<int>(panel->rect.y * layout.unit) + row);
+                    hits += std::abs(seen[0] - 255 * colour.red) < 3 && std::abs(seen[1] - 255 * colour.green) < 3 &&
+                                    std::abs(seen[2] - 255 * colour.blue) < 3
+                                ? 1
+                                : 0;
+                }
+            EXPECT_GT(hits, 100) << style_of(motor).name;
+        }
+    }
+}
+
+TEST(Frame, LeavesOutMotorsThatDoNothingNow) {
+    const Air air = air_of({32, 16, 32}, 1.0f, {0.0, 0.0, 0.0}, [](glm::dvec3) { return glm::vec3(0.0f); });
+    const PictureSettings settings{.title = "", .slice_point = {16.0, 8.0, 16.0}};
+    const Layout layout = lay_out(air, settings.slice_point, settings.width);
+    const auto draw = [&](double strength) {
+        return *compose_frame(
+            air, 0.0, {}, std::vector<NamedMotor>{{"burst", PressureMotor{.position = {16.0, 8.0, 16.0}}, strength}}, settings);
+    };
+    const Image none = *compose_frame(air, 0.0, {}, {}, settings);
+    EXPECT_EQ(changed(none, draw(0.001), layout.level.rect, layout.unit), 0);
+    EXPECT_GT(changed(none, draw(-0.1), layout.level.rect, layout.unit), 500);
+    EXPECT_GT(changed(draw(-1.0), draw(1.0), layout.level.rect, layout.unit), 100) << "its arrows point the other way";
+}
+
+TEST(Frame, ManyMotorsLeaveTheAirInSight) {
+    const Air air = air_of({32, 16, 32}, 1.0f, {0.0, 0.0, 0.0}, [](glm::dvec3) { return glm::vec3(0.0f); });
+    const PictureSettings settings{.title = "", .slice_point = {16.0, 2.0, 16.0}};
+    const Layout layout = lay_out(air, settings.slice_point, settings.width);
+    std::vector<NamedMotor> motors;
+    for (int i = 0; i < 300; ++i) {
+        Motor motor = i % 3 == 0 ? Motor(JetMotor{}) : i % 3 == 1 ? Motor(VortexMotor{.radius = 2.0f}) : Motor(OmniMotor{});
+        const glm::dvec3 at(1.0 + 3.1 * (i % 10), 0.5 + 0.5 * static_cast<double>(i % 31), 1.0 + static_cast<double>(i / 10));
+        std::visit([&](auto& any) { any.position = at; }, motor);
+        motors.push_back({"motor " + std::to_string(i), motor});
+    }
+    const Image none = *compose_frame(air, 0.0, {}, {}, settings);
+    const Image many = *compose_frame(air, 0.0, {}, motors, settings);
+    const int pixels = layout.level.width_px * layout.level.height_px;
+    EXPECT_LT(changed(none, many, layout.level.rect, layout.unit), pixels / 2);
+    // Plates of names would be dark boxes by the hundred; the legend says each kind once, with how many.
+    EXPECT_EQ(none.height, many.height);
 }
 
 TEST(Frame, IsTheSameEveryTime) {
@@ -351,6 +433,37 @@ TEST_F(PicturesTest, ContactSheetHasTheFramesInOrder) {
     EXPECT_EQ(read_png(folder_ / "one.png")->width, 2 * 48 + 800);
     ASSERT_TRUE(draw_contact_sheet(std::span(frames).first(4), folder_ / "four.png"));
     EXPECT_EQ(read_png(folder_ / "four.png")->width, 2 * 48 + 2 * 800 + 28);
+}
+
+TEST_F(PicturesTest, ContactSheetOfARunHasTheLegendOnce) {
+    auto wind = Wind::create({.ambient = {3.0f, 0.0f, 0.0f}});
+    ASSERT_TRUE(wind);
+    const PictureSettings settings{.title = "run"};
+    std::vector<std::filesystem::path> frames;
+    for (int frame = 0; frame < 4; ++frame) {
+        frames.push_back(folder_ / (std::to_string(frame) + ".png"));
+        ASSERT_TRUE(draw_frame(*wind, frame, {}, {}, settings, frames.back()));
+    }
+    const FrameParts parts = frame_parts(*wind, settings);
+    const auto page = read_png(frames.front());
+    ASSERT_TRUE(page);
+    for (const PixelRect& part : {parts.level, parts.upright, parts.legend}) {
+        EXPECT_GE(part.x, 0);
+        EXPECT_GE(part.y, 0);
+        EXPECT_LE(part.x + part.width, page->width);
+        EXPECT_LE(part.y + part.height, page->height);
+    }
+    ASSERT_TRUE(draw_contact_sheet(frames, folder_ / "sheet.png", parts));
+    const auto sheet = read_png(folder_ / "sheet.png");
+    ASSERT_TRUE(sheet);
+    // Two by two tiles of both slices, 800 px at most, with one legend at the foot.
+    const double tall = parts.level.height + parts.upright.height;
+    const int tile_width = static_cast<int>(std::lround(std::max(parts.level.width, parts.upright.width) * 800.0 / tall));
+    EXPECT_EQ(sheet->width, 2 * 48 + std::max(2 * tile_width + 28, parts.legend.width));
+    EXPECT_EQ(sheet->height, 2 * 48 + 64 + 2 * (44 + 800) + 28 + 28 + 44 + parts.legend.height);
+    // Parts that do not fit the pictures at hand are held inside them.
+    ASSERT_TRUE(write_png(Image(30, 20), {}, folder_ / "small.png"));
+    EXPECT_TRUE(draw_contact_sheet(std::vector{folder_ / "small.png"}, folder_ / "sheet.png", parts));
 }
 
 TEST_F(PicturesTest, ContactSheetRefusesWhatItCannotRead) {

@@ -99,6 +99,47 @@ TEST(SceneFault, Ranges) {
         "a.json: $.motors[0].region.capsule.half_axis is (1e+06, 1e+06, 0) m: give finite numbers, at most 1e6 m long.");
 }
 
+TEST(SceneFault, MotorsOfEachKind) {
+    const auto motor = [](const std::string& keys) { return R"({"motors": [{)" + keys + "}]}"; };
+    expect_refusal(motor(R"("kind": "jet", "start_radius": 0, "length": -1)"),
+                   "a.json: $.motors[0].length is -1 m: give a number above 0, at most 1e6 m.\n"
+                   "a.json: $.motors[0].start_radius is 0 m: give a number above 0, at most 1e6 m.");
+    expect_refusal(motor(R"("kind": "vortex", "axis": [0, 0, 0], "lift": 11)"),
+                   "a.json: $.motors[0].axis is [0, 0, 0]: give a vector of any length but 0.\n"
+                   "a.json: $.motors[0].lift is 11: give -10 to 10.");
+    expect_refusal(motor(R"("kind": "omni", "speed": 1e5)"),
+                   "a.json: $.motors[0].speed is 100000 m/s: give -10000 to 10000 m/s.");
+    expect_refusal(motor(R"("kind": "omni", "law": {})"),
+                   "a.json: $.motors[0].law is not a known key (known: kind, name, from, until, position, path, radius, speed, "
+                   "envelope): rename or remove it.");
+    expect_refusal(motor(R"("kind": "pressure", "duration": 0)"),
+                   "a.json: $.motors[0].duration is 0 s: give a number above 0, at most 1e9 s.");
+    expect_refusal(
+        motor(R"("kind": "pressure", "envelope": {})"),
+        "a.json: $.motors[0].envelope is not a known key (known: kind, name, from, until, position, path, radius, speed, "
+        "duration): rename or remove it.");
+    expect_refusal(motor(R"("kind": "directional", "region": {"cone": {"axis": [0, 0, 0]}})"),
+                   "a.json: $.motors[0].region.cone.axis is [0, 0, 0]: give a vector of any length but 0.");
+}
+
+TEST(SceneFault, Envelopes) {
+    const auto envelope = [](const std::string& keys) { return R"({"motors": [{"kind": "jet", "envelope": {)" + keys + "}}]}"; };
+    expect_refusal(envelope(R"("decay": 2)"),
+                   "a.json: $.motors[0].envelope.decay never begins without a \"hold\": say how long the motor acts before it.");
+    expect_refusal(envelope(R"("hold": 0)"), "a.json: $.motors[0].envelope lasts 0 s: give attack, hold or decay a time.");
+    expect_refusal(envelope(R"("attack": -1)"), "a.json: $.motors[0].envelope.attack is -1 s: give 0 to 1e9 s.");
+}
+
+TEST(SceneFault, AmbientWind) {
+    expect_refusal(R"({"air": {"profile": {"roughness_length": 0}}})",
+                   "a.json: $.air.profile.roughness_length is 0 m: give 1e-6 to 100 m.");
+    expect_refusal(R"({"air": {"gusts": {"intensity": 2, "seed": 1.5}}})",
+                   "a.json: $.air.gusts.intensity is 2: give 0 to 1.\n"
+                   "a.json: $.air.gusts.seed is 1.5: give a whole number.");
+    expect_refusal(R"({"air": {"rim": -1, "sleep_speed": -1}})", "a.json: $.air.rim is -1: give 0 to 64.\n"
+                                                                 "a.json: $.air.sleep_speed is -1 m/s: give 0 to 10000 m/s.");
+}
+
 TEST(SceneFault, KeysThatNobodyKnows) {
     expect_refusal(R"({"durration": 3})",
                    "a.json: $.durration is not a known key (did you mean `duration`?): rename or remove it.");
@@ -106,7 +147,8 @@ TEST(SceneFault, KeysThatNobodyKnows) {
                    "a.json: $.air.cell_sise is not a known key (did you mean `cell_size`?): rename or remove it.");
     EXPECT_TRUE(
         refusal(R"({"pictures": {"zebra": 3}})")
-            .starts_with("a.json: $.pictures.zebra is not a known key (known: slice_height, speed_scale): rename or remove it."));
+            .starts_with(
+                "a.json: $.pictures.zebra is not a known key (known: slice_height, speed_scale, width): rename or remove it."));
     expect_refusal(R"({"motors": [{"kind": "wake", "path": "p", "raduis": 1}], "paths": {"p": {"points": [[0, 0, 0, 0]]}}})",
                    "a.json: $.motors[0].raduis is not a known key (did you mean `radius`?): rename or remove it.");
 }
@@ -128,8 +170,9 @@ TEST(SceneFault, WhatDoesNotFitTogether) {
         "a.json: $.floor is given, but the box has none: set air.sides.y_low to \"free_slip\" or \"no_slip\", or remove it.");
     expect_refusal(R"({"motors": [{"kind": "wake"}]})", "a.json: $.motors[0] has no \"path\": add it.");
     expect_refusal(R"({"motors": [{}]})", "a.json: $.motors[0] has no \"kind\": add it.");
-    expect_refusal(R"({"motors": [{"kind": "vortex"}]})",
-                   "a.json: $.motors[0].kind is \"vortex\": give one of \"directional\", \"wake\".");
+    expect_refusal(R"({"motors": [{"kind": "whirl"}]})",
+                   "a.json: $.motors[0].kind is \"whirl\": give one of \"directional\", \"wake\", \"jet\", \"vortex\", \"omni\", "
+                   "\"pressure\".");
     expect_refusal(R"({"motors": [{"kind": "directional", "law": {"force": {}, "drive": {}}}]})",
                    "a.json: $.motors[0].law holds more than one of \"force\" or \"drive\": keep one of them.");
     expect_refusal(R"({"motors": [{"kind": "directional", "from": 3, "until": 2}]})",

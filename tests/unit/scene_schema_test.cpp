@@ -31,14 +31,21 @@ using Keys = std::map<std::string, Said>;
 
 /// One of each kind of thing, so that each key is asked for.
 constexpr const char* k_specimen = R"({
-    "air": {"sides": {"x_low": {"kind": "open"}, "x_high": {}, "y_low": {"kind": "free_slip"}, "y_high": {}, "z_low": {}, "z_high": {}}},
+    "air": {"sides": {"x_low": {"kind": "open"}, "x_high": {}, "y_low": {"kind": "free_slip"}, "y_high": {}, "z_low": {}, "z_high": {}}, "profile": {}, "gusts": {}},
     "paths": {"a": {"points": [[0, 0, 0, 0]]}, "b": {"file": "walk_player.csv"}},
     "motors": [
         {"kind": "directional", "region": {"sphere": {}}, "law": {"force": {}}},
         {"kind": "directional", "region": {"capsule": {}}, "law": {"drive": {}}},
         {"kind": "directional", "region": {"box": {}}},
-        {"kind": "wake", "path": "a", "law": {"force": {}}},
-        {"kind": "wake", "path": "a", "law": {"drive": {}}}
+        {"kind": "directional", "region": {"cone": {}}, "envelope": {"attack": 1, "hold": 1, "decay": 1}},
+        {"kind": "wake", "path": "a", "law": {"force": {}}, "envelope": {}},
+        {"kind": "wake", "path": "a", "law": {"drive": {}}},
+        {"kind": "jet", "law": {"force": {}}, "envelope": {}},
+        {"kind": "jet", "law": {"drive": {}}},
+        {"kind": "vortex", "law": {"force": {}}, "envelope": {}},
+        {"kind": "vortex", "law": {"drive": {}}},
+        {"kind": "omni", "envelope": {}},
+        {"kind": "pressure"}
     ]})";
 
 Keys keys_of_reader() {
@@ -135,6 +142,15 @@ class SchemaWalk {
     Keys keys_;
 };
 
+/// Every scene that comes with the project.
+std::vector<std::filesystem::path> scenes() {
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(k_scenes))
+        if (entry.path().extension() == ".json" && entry.path().filename() != "scene.schema.json")
+            files.push_back(entry.path());
+    return files;
+}
+
 json load_schema() {
     std::ifstream file(k_scenes / "scene.schema.json");
     return json::parse(file);
@@ -207,6 +223,14 @@ TEST(Schema, EveryObjectRefusesUnknownKeys) {
     }
 }
 
+TEST(Schema, ReaderTakesEveryScene) {
+    EXPECT_GE(scenes().size(), 11u);
+    for (const std::filesystem::path& file : scenes()) {
+        const auto scene = read_scene(file);
+        EXPECT_TRUE(scene) << scene.error();
+    }
+}
+
 TEST(Schema, ScenesKeepTheSchema) {
     if (std::system("python3 -c 'import jsonschema' 2>/dev/null") != 0)
         GTEST_SKIP() << "python3-jsonschema is not installed";
@@ -222,9 +246,8 @@ TEST(Schema, ScenesKeepTheSchema) {
     std::ofstream(folder / "specimen.json") << k_specimen;
     std::string command = "python3 '" + (folder / "check.py").string() + "' '" + (k_scenes / "scene.schema.json").string() +
                           "' '" + (folder / "specimen.json").string() + "'";
-    for (const auto& entry : std::filesystem::directory_iterator(k_scenes))
-        if (entry.path().extension() == ".json" && entry.path().filename() != "scene.schema.json")
-            command += " '" + entry.path().string() + "'";
+    for (const std::filesystem::path& scene : scenes())
+        command += " '" + scene.string() + "'";
     EXPECT_EQ(std::system(command.c_str()), 0);
     std::filesystem::remove_all(folder);
 }

@@ -34,7 +34,8 @@ class AirByHand {
     }
 
     void step(float dt) {
-        cpu::apply_motors(motors_, window_, dt, u_, forces_, {});
+        motors_.begin_frame(0.0, dt);
+        forces_.gather(motors_.tick(dt, window_), window_.cell_size, u_, {});
         const bool spreads = diffuse(*work_, u_, config_.viscosity, dt, diffused_) != DiffusionMethod::none;
         Transport transport{
             .carried = spreads ? diffused_ : u_, .velocity = u_, .dt = dt, .interpolation = config_.interpolation};
@@ -48,9 +49,9 @@ class AirByHand {
         }
         Field arrived(u_.size());
         advect(*work_, transport, arrived);
-        forces_.add_to(arrived, 0.5f * dt, {});
+        forces_.add_force_to(arrived, 0.5f * dt, {});
         project(*work_, arrived, history_);
-        forces_.add_to(history_, -0.5f * dt, {});
+        forces_.add_force_to(history_, -0.5f * dt, {});
         old_ = u_;
         u_ = arrived;
         fresh_ = false;
@@ -87,7 +88,7 @@ class AirByHand {
     Result<Workspace> work_;
     Window window_;
     Motors motors_;
-    cpu::ForceField forces_;
+    cpu::SourceField forces_;
     glm::vec4 ambient_;
     Field u_, old_, history_, diffused_;
     bool fresh_ = true;
@@ -101,7 +102,7 @@ struct Case {
 
 std::vector<Case> cases() {
     const Config base{
-        .cells = {17, 9, 14}, .ambient = {2.0f, 0.5f, -1.0f}, .viscosity = 0.0f, .settling_time = 0.0f, .max_cfl = 1e6f};
+        .cells = {17, 9, 14}, .ambient = {2.0f, 0.5f, -1.0f}, .viscosity = 0.0f, .settling_time = 0.0f, .sleep_speed = 0.0f, .max_cfl = 1e6f};
     std::vector<Case> list;
     list.push_back({"inviscid", base});
     list.push_back({"settling", base});

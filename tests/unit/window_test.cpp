@@ -79,7 +79,7 @@ TEST(Window, AThousandShiftsKeepTheOverlapToTheBit) {
 }
 
 TEST(Window, APointInsideFeelsNoShift) {
-    Wind wind = made({.ambient = {2.0f, 0.0f, -1.0f}, .viscosity = 0.0f, .settling_time = 0.0f});
+    Wind wind = made({.ambient = {2.0f, 0.0f, -1.0f}, .rim = 0.0f, .viscosity = 0.0f, .settling_time = 0.0f});
     ASSERT_TRUE(wind.set_velocity(smooth_noise(wind.box().cells, 4.0f, 42)));
     for (int n = 0; n < 5; ++n)
         wind.step(1.0 / 60.0);

@@ -39,6 +39,8 @@ struct PadTask {
     float history_scale;
     float settling; ///< 1: none
     float ambient[4];
+    const float* ambient_cells; ///< four floats a padded cell, for `carried`; null: `ambient` everywhere
+    const float* trace_ambient_cells; ///< the same for the trace
     const float* velocity;
     const float* velocity_old; ///< null: none
     float extrapolation;

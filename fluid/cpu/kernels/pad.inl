@@ -21,10 +21,11 @@ struct CombinedRule {
     }
 };
 
-inline Cell gather_carried(const PadTask& task, std::size_t cell, const CombinedRule& rule) {
+// `padded` is the padded index of the cell itself, for its ambient wind.
+inline Cell gather_carried(const PadTask& task, std::size_t cell, std::ptrdiff_t padded, const CombinedRule& rule) {
     Cell value = load_cell(task.carried + 4 * cell);
     if (task.settling != 1.0f) {
-        const Cell ambient = load_cell(task.ambient);
+        const Cell ambient = load_cell(task.ambient_cells != nullptr ? task.ambient_cells + 4 * padded : task.ambient);
         value = ambient + splat(task.settling) * (value - ambient);
     }
     if (!rule.identity)
@@ -48,7 +49,6 @@ inline Cell gather_trace(const PadTask& task, std::size_t cell, const CombinedRu
 void pad_plane(const PadTask& task, int padded_plane) {
     const PaddedStrides strides = padded_strides(task.cells);
     const HaloRule& plane_rule = task.rules[2][padded_plane];
-    const Cell ambient = load_cell(task.ambient);
     for (int row = 0; row < task.cells[1] + k_halo; ++row) {
         const HaloRule& row_rule = task.rules[1][row];
         const std::ptrdiff_t target = padded_plane * strides.plane + row * strides.row;
@@ -57,17 +57,20 @@ void pad_plane(const PadTask& task, int padded_plane) {
         const bool row_ambient = plane_rule.ambient || row_rule.ambient;
         const CombinedRule outer = CombinedRule{}.then(row_rule).then(plane_rule);
         const std::size_t source = (static_cast<std::size_t>(plane_rule.source) * task.cells[1] + row_rule.source) * task.cells[0];
+        const std::ptrdiff_t padded_source =
+            (plane_rule.source + k_halo_low) * strides.plane + (row_rule.source + k_halo_low) * strides.row + k_halo_low;
 
         const auto put = [&](int column) {
             const HaloRule& rule = task.rules[0][column];
             if (row_ambient || rule.ambient) {
-                store_cell(carried + 4 * column, ambient);
+                const auto ambient = [&](const float* cells) { return load_cell(cells != nullptr ? cells + 4 * (target + column) : task.ambient); };
+                store_cell(carried + 4 * column, ambient(task.ambient_cells));
                 if (trace != nullptr)
-                    store_cell(trace + 4 * column, ambient);
+                    store_cell(trace + 4 * column, ambient(task.trace_ambient_cells));
                 return;
             }
             const CombinedRule whole = CombinedRule{}.then(rule).then(row_rule).then(plane_rule);
-            store_cell(carried + 4 * column, gather_carried(task, source + rule.source, whole));
+            store_cell(carried + 4 * column, gather_carried(task, source + rule.source, padded_source + rule.source, whole));
             if (trace != nullptr)
                 store_cell(trace + 4 * column, gather_trace(task, source + rule.source, whole));
         };
@@ -78,7 +81,7 @@ void pad_plane(const PadTask& task, int padded_plane) {
                 put(column);
         } else {
             for (int i = 0; i < task.cells[0]; ++i)
-                store_cell(carried + 4 * (i + k_halo_low), gather_carried(task, source + i, outer));
+                store_cell(carried + 4 * (i + k_halo_low), gather_carried(task, source + i, padded_source + i, outer));
             if (trace != nullptr)
                 for (int i = 0; i < task.cells[0]; ++i)
                     store_cell(trace + 4 * (i + k_halo_low), gather_trace(task, source + i, outer));

@@ -1,0 +1,221 @@
+#include "fluid/ambient.h"
+
+#include "fluid/ambient_numerics.h"
+#include "fluid/message.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <string_view>
+
+namespace windrow {
+namespace {
+
+constexpr float k_most_speed = 1e4f;
+constexpr double k_farthest = 1e12; // [m] beyond it a double no longer tells millimetres apart
+
+// Refuses NaN too, which fails every comparison.
+void require(detail::Reasons& reasons, std::string_view field, float value, float low, float high, std::string_view unit,
+             std::string_view fix) {
+    if (!(value >= low && value <= high))
+        reasons.add(field, " is ", value, unit, ": ", fix);
+}
+
+Result<void> outcome(detail::Reasons& reasons) {
+    if (!reasons.empty())
+        return Error{reasons.take()};
+    return {};
+}
+
+template <class Vector>
+bool finite(const Vector& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+void check_mean(detail::Reasons& reasons, glm::vec3 mean) {
+    if (!finite(mean) || glm::length(mean) > k_most_speed)
+        reasons.add("mean is ", mean, " m/s: give finite numbers, at most 1e4 m/s in all.");
+}
+
+void check_ground(detail::Reasons& reasons, double height) {
+    if (!(std::abs(height) <= k_farthest))
+        reasons.add("ground is ", height, " m: give a finite height within 1e12 m.");
+}
+
+// Exact: fmod rounds nothing, so a place a whole number of periods away gives the same bits.
+double wrapped(double value, double period) {
+    const double rest = std::fmod(value, period);
+    return rest < 0.0 ? rest + period : rest;
+}
+
+numerics::TileView view(const std::shared_ptr<const GustTile>& tile) {
+    return {tile ? tile->texels().data() : nullptr};
+}
+
+numerics::WindrowAmbient shared(const AmbientBlock& block) {
+    static_assert(sizeof(numerics::WindrowAmbient) == sizeof(AmbientBlock));
+    return std::bit_cast<numerics::WindrowAmbient>(block);
+}
+
+} // namespace
+
+Result<void> validate(const LogProfile& profile) {
+    detail::Reasons reasons;
+    require(reasons, "profile.roughness_length", profile.roughness_length, 1e-6f, 100.0f, " m",
+            "give 1e-6 to 100 m, about a tenth of what stands on the ground.");
+    require(reasons, "profile.reference_height", profile.reference_height, 0.01f, 1e4f, " m", "give 0.01 to 1e4 m.");
+    return outcome(reasons);
+}
+
+Result<void> validate(const Gusts& gusts) {
+    detail::Reasons reasons;
+    require(reasons, "gusts.intensity", gusts.intensity, 0.0f, 1.0f, "",
+            "give 0 (none) to 1, the standard deviation over the mean speed.");
+    require(reasons, "gusts.length", gusts.length, 0.01f, 1e6f, " m", "give 0.01 to 1e6 m from gust to gust.");
+    return outcome(reasons);
+}
+
+Result<void> validate(const Sampling& sampling) {
+    detail::Reasons reasons;
+    require(reasons, "sampling.strength", sampling.strength, 0.0f, 1000.0f, "", "give 0 to 1000.");
+    require(reasons, "sampling.limit", sampling.limit, 0.0f, 1e6f, " m/s", "give 0 to 1e6 m/s.");
+    require(reasons, "sampling.detail", sampling.detail, 0.0f, 1.0f, "", "give 0 (none) to 1, a share of the local speed.");
+    require(reasons, "sampling.detail_length", sampling.detail_length, 1e-3f, 1e6f, " m",
+            "give 1e-3 to 1e6 m from ripple to ripple.");
+    return outcome(reasons);
+}
+
+glm::vec3 UniformGust::velocity(double time) const {
+    if (!(period > 0.0f) || !std::isfinite(time))
+        return mean * direction;
+    const double reduced = wrapped(time, static_cast<double>(period));
+    return numerics::windrow_uniform_gust(static_cast<float>(reduced), mean, amplitude, period) * direction;
+}
+
+Result<AmbientWind> AmbientWind::create(const Settings& settings) {
+    detail::Reasons reasons;
+    check_mean(reasons, settings.mean);
+    if (settings.profile)
+        if (auto profile = validate(*settings.profile); !profile)
+            reasons.add(profile.error());
+    if (auto gusts = validate(settings.gusts); !gusts)
+        reasons.add(gusts.error());
+    check_ground(reasons, settings.ground);
+    if (!reasons.empty())
+        return Error{reasons.take()};
+    AmbientWind wind(settings);
+    if (settings.gusts.intensity > 0.0f && settings.gusts.tile == nullptr)
+        wind.settings_.gusts.tile = GustTile::bake(settings.gusts.seed);
+    return wind;
+}
+
+// The anchor is the point itself, so the place in the tile is found in double and the shared text adds nothing to it.
+glm::vec3 AmbientWind::velocity(glm::dvec3 position) const {
+    if (uniform() || !finite(position))
+        return settings_.mean;
+    return numerics::windrow_ambient(view(tile()), shared(block(position)), glm::vec3(0.0f));
+}
+
+glm::vec3 AmbientWind::felt(glm::vec3 velocity, glm::dvec3 position, const Sampling& sampling) const {
+    if (!(sampling.detail > 0.0f) || !finite(position))
+        return numerics::windrow_limited(velocity, sampling.strength, sampling.limit);
+    return numerics::windrow_felt(view(tile()), shared(block(position, sampling)), velocity, glm::vec3(0.0f));
+}
+
+AmbientBlock AmbientWind::block(glm::dvec3 anchor, const Sampling& sampling) const {
+    AmbientBlock block;
+    block.mean = glm::vec4(settings_.mean, gust_strength());
+    if (settings_.profile) {
+        block.profile.x = settings_.profile->roughness_length;
+        block.profile.y = settings_.profile->reference_height;
+    }
+    block.profile.z = static_cast<float>(anchor.y - settings_.ground);
+    block.profile.w = sampling.strength;
+    block.gust_texel.w = static_cast<float>(1.0 / texel());
+    block.gust_fraction.w = tile() ? tile()->bound() : 1.0f;
+    block.gust_axes = glm::vec4(gust_axes_, sampling.limit);
+    // A whole number of tiles of detail fits the gusts' tile, so the wrapped phase of the one is also a phase of the other.
+    const double fit = std::round(static_cast<double>(settings_.gusts.length) / static_cast<double>(sampling.detail_length));
+    const int repeats = static_cast<int>(std::clamp(fit, 1.0, 1e9)); // NaN becomes 1
+    block.detail_texel.w = static_cast<float>(repeats / texel());
+    block.detail_fraction.w = tile() ? sampling.detail : 0.0f;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Place gust = gusting() ? gust_place(axis, anchor[axis]) : Place{};
+        block.gust_texel[axis] = static_cast<float>(gust.texel);
+        block.gust_fraction[axis] = gust.fraction;
+        const Place ripple = block.detail_fraction.w > 0.0f ? place(axis, anchor[axis], repeats) : Place{};
+        block.detail_texel[axis] = static_cast<float>(ripple.texel);
+        block.detail_fraction[axis] = ripple.fraction;
+    }
+    return block;
+}
+
+// The coordinate is wrapped before it meets the phase, so their difference keeps its digits; and at the gusts' period whatever
+// repeats within it, so that places a whole number of tiles apart share their detail to the bit.
+AmbientWind::Place AmbientWind::place(int axis, double coordinate, int repeats) const {
+    const int texels = axis == 1 ? 2 * GustTile::k_height : GustTile::k_side;
+    const double origin = axis == 1 ? settings_.ground : 0.0;
+    const double along = wrapped(coordinate - origin, texels * texel()) - phase_[axis];
+    const double in_texels = wrapped(along / texel() * repeats, texels) - 0.5;
+    const double whole = std::floor(in_texels);
+    return {std::min(static_cast<int>(whole), texels - 1), static_cast<float>(in_texels - whole)};
+}
+
+AmbientWind AmbientWind::without_gusts() const {
+    AmbientWind calm = *this;
+    calm.settings_.gusts.intensity = 0.0f;
+    return calm;
+}
+
+void AmbientWind::advance(double dt) {
+    if (std::isfinite(dt))
+        set_phase(phase_ + glm::dvec3(settings_.mean.x, 0.0, settings_.mean.z) * dt);
+}
+
+Result<void> AmbientWind::set_mean(glm::vec3 mean) {
+    detail::Reasons reasons;
+    check_mean(reasons, mean);
+    if (reasons.empty())
+        settings_.mean = mean;
+    return outcome(reasons);
+}
+
+Result<void> AmbientWind::set_ground(double height) {
+    detail::Reasons reasons;
+    check_ground(reasons, height);
+    if (reasons.empty())
+        settings_.ground = height;
+    return outcome(reasons);
+}
+
+void AmbientWind::set_phase(glm::dvec3 phase) {
+    for (int axis = 0; axis < 3; ++axis)
+        phase_[axis] = std::isfinite(phase[axis]) ? wrapped(phase[axis], period()) : 0.0;
+}
+
+double AmbientWind::period() const {
+    return GustTile::k_side * texel();
+}
+
+glm::dvec3 AmbientWind::between(glm::dvec3 a, glm::dvec3 b, double factor, double period) {
+    glm::dvec3 phase;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double way = std::remainder(b[axis] - a[axis], period); // within half a period
+        phase[axis] = wrapped(a[axis] + factor * way, period);
+    }
+    return phase;
+}
+
+float AmbientWind::gust_strength() const {
+    const glm::vec3 mean = settings_.mean;
+    return settings_.gusts.intensity * std::sqrt(mean.x * mean.x + mean.z * mean.z);
+}
+
+float AmbientWind::profile_at(double height) const {
+    if (!settings_.profile)
+        return 1.0f;
+    return numerics::windrow_profile(static_cast<float>(height - settings_.ground), settings_.profile->roughness_length,
+                                     settings_.profile->reference_height);
+}
+
+} // namespace windrow

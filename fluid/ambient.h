@@ -1,0 +1,182 @@
+// The ambient wind: the mean wind, how it grows with height, and its gusts, as a function of place and time.
+//
+// It blows where no fluid is computed, and enters the box of a Wind through its open sides. By itself it is the cheapest wind
+// that this library has:
+//
+//     auto wind = windrow::AmbientWind::create({.mean = {6.0f, 0.0f, 0.0f}, .gusts = {.intensity = 0.3f}});
+//     wind->advance(1.0 / 60.0);
+//     glm::vec3 at_leaf = wind->velocity(leaf_position);          // [m/s]
+//     windrow::AmbientBlock block = wind->block(camera_position); // the same on the GPU, by the same text
+//
+// Gusts are a frozen pattern (gust_tile.h) that the level part of the mean wind carries along; u(x, t) = u(x - V d, t - d). How
+// far it has been carried is the phase: in double, wrapped at the tile, so that neither time nor distance costs digits.
+// The formulas stand in shaders/numerics/ambient.glsl, one text for C++ and GLSL.
+#pragma once
+
+#include "fluid/gust_tile.h"
+#include "fluid/result.h"
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <memory>
+#include <optional>
+
+namespace windrow {
+
+/// Wind over open ground: log((z + z0) / z0), 0 at the ground and below, the mean wind at the reference height, more above.
+struct LogProfile {
+    /// [m] z0, 1e-6 to 100. About a tenth of what stands on the ground. Default 0.03: short grass (0.0002 water, 1 wood).
+    float roughness_length = 0.03f;
+    /// [m] Height at which the wind is the mean, 0.01 to 1e4. Default 10: where weather services measure.
+    float reference_height = 10.0f;
+};
+
+struct Gusts {
+    /// Standard deviation of each level component over the mean level speed, 0 to 1. Default 0: none, and they cost nothing. 0.15
+    /// is open country, 0.3 a gusty day. Over a profile they fade to 0 at the ground with the mean and do not grow above the
+    /// reference height.
+    float intensity = 0.0f;
+    /// [m] From one gust to the next, 0.01 to 1e6; a texel is a twelfth, the pattern repeats after 128 texels. Default 24: a
+    /// texel of 2 m, which cells of 1 m resolve, and 256 m until it repeats.
+    float length = 24.0f;
+    /// Which pattern. Default 1; any value.
+    std::uint32_t seed = 1;
+    /// The pattern itself, to share one among many winds (4 MiB each). Default empty: made from `seed` if intensity is above 0.
+    std::shared_ptr<const GustTile> tile{};
+};
+
+/// How a plant feels the wind, whether from the fluid or from here.
+struct Sampling {
+    /// Factor on the wind, 0 to 1000. Default 1; 0 stills everything.
+    float strength = 1.0f;
+    /// [m/s] Speed that is never exceeded, after the strength; 0 to 1e6. Default 60: no storm is stronger, a fault may be.
+    float limit = 60.0f;
+    /// Small-scale detail as a share of the local speed, 0 to 1; a bound, typical detail is a quarter of it. Default 0: none.
+    /// Needs a tile (AmbientWind::tile): without gusts, give Gusts::tile.
+    float detail = 0.0f;
+    /// [m] From one ripple to the next, 1e-3 to 1e6, rounded so that a whole number of ripples fits a gust (at most its length):
+    /// then one phase moves both. Default 1: what cells of 1 m leave out.
+    float detail_length = 1.0f;
+};
+
+/// Every reason why they cannot be used, a line each.
+[[nodiscard]] Result<void> validate(const LogProfile& profile);
+[[nodiscard]] Result<void> validate(const Gusts& gusts);
+[[nodiscard]] Result<void> validate(const Sampling& sampling);
+
+/// All that a shader needs beside the tile, as a uniform block of std140 layout (seven vec4): WindrowAmbient of
+/// shaders/numerics/ambient.glsl. Positions are relative to an anchor that the host chooses near its camera.
+struct AmbientBlock {
+    /// xyz [m/s] mean wind at the reference height, w [m/s] standard deviation of the gusts; 0: none.
+    glm::vec4 mean{0.0f};
+    /// x [m] roughness length, 0: no profile; y [m] reference height; z [m] height of the anchor over the ground; w strength.
+    glm::vec4 profile{0.0f};
+    /// xyz texel below the anchor, whole numbers; w [1/m] texels a metre.
+    glm::vec4 gust_texel{0.0f};
+    /// xyz distance of the anchor from that texel's centre in texels, 0 to 1; w longest vector of the tile (1 without a tile).
+    glm::vec4 gust_fraction{0.0f};
+    /// xyz 1, or 0 where gusts have no such component; w [m/s] limit.
+    glm::vec4 gust_axes{1.0f};
+    /// As gust_texel, for the detail.
+    glm::vec4 detail_texel{0.0f};
+    /// xyz as gust_fraction, for the detail; w detail as a share of the local speed, 0 without a tile.
+    glm::vec4 detail_fraction{0.0f};
+};
+static_assert(sizeof(AmbientBlock) == 112);
+
+/// A gust that is the same everywhere, from a closed curve: what a scene needs that wants movement and no fluid.
+struct UniformGust {
+    /// [m/s] Mean over a period, exactly. Default 4: leaves move.
+    float mean = 4.0f;
+    /// [m/s] Peak over the mean; the lull is 0.58 of it below. Default 2: never calm, never a storm.
+    float amplitude = 2.0f;
+    /// [s] From peak to peak, above 0; otherwise the mean blows. Default 8: as trees sway.
+    float period = 8.0f;
+    /// Multiplies the speed; normally of length 1. Default along x.
+    glm::vec3 direction{1.0f, 0.0f, 0.0f};
+
+    /// [m/s] At a time [s], reduced to the period in double; at a time that is not finite, the mean.
+    [[nodiscard]] glm::vec3 velocity(double time) const;
+};
+
+class AmbientWind {
+  public:
+    struct Settings {
+        /// [m/s] Mean wind, at the reference height if there is a profile. Default 0: still air, which has no gusts either. At
+        /// most 1e4.
+        glm::vec3 mean{0.0f};
+        /// Default none: the same wind at all heights.
+        std::optional<LogProfile> profile{};
+        Gusts gusts{};
+        /// [m] World height of the ground: where the profile begins and gusts are mirrored. Default 0.
+        double ground = 0.0;
+    };
+
+    /// Refuses what `validate` refuses, and a mean or a ground that is not finite or far too large. Bakes a tile if gusts need
+    /// one (5 ms).
+    [[nodiscard]] static Result<AmbientWind> create(const Settings& settings);
+
+    /// [m/s] Wind at a world point. A point that is not finite gets the mean.
+    [[nodiscard]] glm::vec3 velocity(glm::dvec3 position) const;
+    /// [m/s] What a plant at a world point feels of a wind, from here or from the fluid: detail added, scaled, limited. 0 for a
+    /// wind that is not finite; no detail at a point that is not finite.
+    [[nodiscard]] glm::vec3 felt(glm::vec3 velocity, glm::dvec3 position, const Sampling& sampling = {}) const;
+    /// What shaders need for the same two, relative to `anchor` [m], which must be finite.
+    [[nodiscard]] AmbientBlock block(glm::dvec3 anchor, const Sampling& sampling = {}) const;
+
+    /// The same wind with no gusts.
+    [[nodiscard]] AmbientWind without_gusts() const;
+
+    /// Carries the gusts along for dt [s]; a negative dt runs back. A dt that is not finite does nothing.
+    void advance(double dt);
+    /// Refuses what is not finite or above 1e4 m/s. Gusts stay where they are, with the strength that the new wind gives them.
+    Result<void> set_mean(glm::vec3 mean);
+    /// Refuses what is not finite or beyond 1e12 m.
+    Result<void> set_ground(double height);
+    /// A factor on each component of the gusts: 0 drops it, where a wall closes the axis.
+    void set_gust_axes(glm::vec3 axes) { gust_axes_ = axes; }
+
+    /// [m] How far the gusts have been carried, each component in [0, period()): with the settings, the whole state.
+    [[nodiscard]] glm::dvec3 phase() const { return phase_; }
+    /// Wraps; a component that is not finite counts as 0.
+    void set_phase(glm::dvec3 phase);
+    /// [m] After which the gusts repeat along x and z: 128 texels.
+    [[nodiscard]] double period() const;
+    /// The phase between two ticks, the short way round: a at factor 0, b at 1.
+    [[nodiscard]] static glm::dvec3 between(glm::dvec3 a, glm::dvec3 b, double factor, double period);
+
+    /// Neither profile nor gusts were asked for: the wind is the mean everywhere, to the bit.
+    [[nodiscard]] bool uniform() const { return !settings_.profile && settings_.gusts.intensity == 0.0f; }
+    /// Gusts were asked for and a level mean wind carries them: the wind changes in time.
+    [[nodiscard]] bool gusting() const { return gust_strength() > 0.0f; }
+    [[nodiscard]] glm::vec3 mean() const { return settings_.mean; }
+    [[nodiscard]] double ground() const { return settings_.ground; }
+    [[nodiscard]] const Settings& settings() const { return settings_; }
+    /// [m/s] Standard deviation of each level component of the gusts: intensity times the level mean speed.
+    [[nodiscard]] float gust_strength() const;
+    [[nodiscard]] glm::vec3 gust_axes() const { return gust_axes_; }
+    /// Factor of the mean wind at a world height [m]; 1 without a profile.
+    [[nodiscard]] float profile_at(double height) const;
+    /// Shared by all copies; empty where nothing needs it. For a 3D texture of 128 x 16 x 128.
+    [[nodiscard]] const std::shared_ptr<const GustTile>& tile() const { return settings_.gusts.tile; }
+
+    /// Where a world coordinate [m] lies in the tile along one axis: the texel below, wrapped (-1 to 127; along y to 31, a whole
+    /// period), and the distance from its centre, 0 to 1.
+    struct Place {
+        int texel = 0;
+        float fraction = 0.0f;
+    };
+    [[nodiscard]] Place gust_place(int axis, double coordinate) const { return place(axis, coordinate, 1); }
+
+  private:
+    explicit AmbientWind(const Settings& settings) : settings_(settings) {}
+    [[nodiscard]] Place place(int axis, double coordinate, int repeats) const;
+    [[nodiscard]] double texel() const { return static_cast<double>(settings_.gusts.length) / GustTile::k_gust_texels; }
+
+    Settings settings_;
+    glm::vec3 gust_axes_{1.0f};
+    glm::dvec3 phase_{0.0};
+};
+
+} // namespace windrow

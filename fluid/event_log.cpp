@@ -1,0 +1,179 @@
+#include "fluid/event_log.h"
+
+#include "fluid/archive.h"
+#include "fluid/wind.h"
+
+#include <cmath>
+
+namespace windrow {
+namespace detail {
+
+void fields(auto& archive, Like<MotorId> auto& id) {
+    auto& [slot, generation] = id;
+    archive(slot, generation);
+}
+
+void fields(auto& archive, Like<MotorAdded> auto& event) {
+    auto& [id, motor] = event;
+    archive(id, motor);
+}
+
+void fields(auto& archive, Like<MotorSet> auto& event) {
+    auto& [id, motor] = event;
+    archive(id, motor);
+}
+
+void fields(auto& archive, Like<MotorMoved> auto& event) {
+    auto& [id, position] = event;
+    archive(id, position);
+}
+
+void fields(auto& archive, Like<MotorRemoved> auto& event) {
+    auto& [id] = event;
+    archive(id);
+}
+
+void fields(auto& archive, Like<Followed> auto& event) {
+    auto& [point] = event;
+    archive(point);
+}
+
+void fields(auto& archive, Like<FloorSet> auto& event) {
+    auto& [height] = event;
+    archive(height);
+}
+
+void fields(auto& archive, Like<AmbientSet> auto& event) {
+    auto& [ambient] = event;
+    archive(ambient);
+}
+
+void fields(auto& archive, Like<GustsSet> auto& event) {
+    auto& [intensity, length, seed] = event;
+    archive(intensity, length, seed);
+}
+
+void fields(auto& archive, Like<SidesSet> auto& event) {
+    auto& [sides] = event;
+    archive(sides);
+}
+
+void fields(auto& archive, Like<VelocitySet> auto& event) {
+    auto& [field] = event;
+    auto count = static_cast<std::uint64_t>(field.size());
+    archive(count);
+    if constexpr (Reading<decltype(archive)>) {
+        if (!archive.can_hold(count, sizeof(glm::vec4)))
+            return;
+        field.resize(count);
+    }
+    archive.cells(field);
+}
+
+void fields(auto&, Like<WindReset> auto&) {}
+
+void fields(auto& archive, Like<Stepped> auto& event) {
+    auto& [dt] = event;
+    archive(dt);
+}
+
+void fields(auto& archive, Like<Advanced> auto& event) {
+    auto& [dt] = event;
+    archive(dt);
+}
+
+} // namespace detail
+
+namespace {
+
+constexpr detail::Format k_format{"WINDLOGS", 1, "event log", "EventLog::to_bytes"};
+
+const char* name_of(const Event& event) {
+    constexpr const char* k_names[] = {"add",       "set",       "move",         "remove", "follow", "set_floor", "set_ambient",
+                                       "set_gusts", "set_sides", "set_velocity", "reset",  "step",   "advance"};
+    static_assert(std::size(k_names) == std::variant_size_v<Event>);
+    return k_names[event.index()];
+}
+
+/// Makes one call again.
+struct Repeat {
+    Wind& wind;
+
+    Result<void> operator()(const MotorAdded& event) const {
+        const auto id = wind.motors().add(event.motor);
+        if (!id)
+            return Error{id.error()};
+        if (*id != event.id)
+            return Error{
+                detail::message("the motor came out in slot ", id->slot, " of generation ", id->generation, ", not in slot ",
+                                event.id.slot, " of generation ", event.id.generation,
+                                ", so the wind was not in the state in which the log began: load the snapshot taken there.")};
+        return {};
+    }
+    Result<void> operator()(const MotorSet& event) const { return wind.motors().set(event.id, event.motor); }
+    Result<void> operator()(const MotorMoved& event) const { return wind.motors().move(event.id, event.position); }
+    Result<void> operator()(const MotorRemoved& event) const { return wind.motors().remove(event.id); }
+    Result<void> operator()(const Followed& event) const { return wind.follow(event.point); }
+    Result<void> operator()(const FloorSet& event) const { return wind.set_floor(event.height); }
+    Result<void> operator()(const AmbientSet& event) const { return wind.set_ambient(event.ambient); }
+    Result<void> operator()(const GustsSet& event) const {
+        return wind.set_gusts({.intensity = event.intensity, .length = event.length, .seed = event.seed});
+    }
+    Result<void> operator()(const SidesSet& event) const { return wind.set_sides(event.sides); }
+    Result<void> operator()(const VelocitySet& event) const { return wind.set_velocity(event.field); }
+    Result<void> operator()(const WindReset&) const {
+        wind.reset();
+        return {};
+    }
+    Result<void> operator()(const Stepped& event) const {
+        if (wind.step(event.dt).stepped)
+            return {};
+        return Error{detail::message("dt is ", event.dt, " s: a step takes a finite time above 0.")};
+    }
+    Result<void> operator()(const Advanced& event) const {
+        if (!(event.dt >= 0.0 && std::isfinite(event.dt)))
+            return Error{detail::message("dt is ", event.dt, " s: a frame takes a finite time, 0 or more.")};
+        (void)wind.advance(event.dt);
+        return {};
+    }
+};
+
+} // namespace
+
+std::vector<std::byte> EventLog::to_bytes() const {
+    detail::Writer writer(64 * events_.size());
+    writer(static_cast<std::uint64_t>(events_.size()));
+    for (const Event& event : events_)
+        writer(event);
+    return std::move(writer).finish(k_format);
+}
+
+Result<EventLog> EventLog::from_bytes(std::span<const std::byte> bytes) {
+    const auto content = detail::unseal(bytes, k_format);
+    if (!content)
+        return Error{content.error()};
+    detail::Reader reader(*content);
+    std::uint64_t count = 0;
+    reader(count);
+    EventLog log;
+    if (reader.can_hold(count, 1)) // memory grows with what has been read
+        for (std::uint64_t n = 0; n < count && !reader.refused(); ++n)
+            reader(log.events_.emplace_back());
+    reader.end();
+    if (reader.refused())
+        return Error{detail::message("event log cannot be used: ", reader.reason())};
+    return log;
+}
+
+// Each event is copied: the wind may be recording into this very log, which then grows.
+Result<void> replay(const EventLog& log, Wind& wind) {
+    const std::size_t count = log.events().size();
+    for (std::size_t n = 0; n < count; ++n) {
+        const Event event = log.events()[n];
+        if (auto done = std::visit(Repeat{wind}, event); !done)
+            return Error{detail::message("event ", n, " (", name_of(event), "): ", done.error())};
+    }
+    return {};
+}
+
+} // namespace windrow

@@ -1,0 +1,95 @@
+// What a host did to a wind, call by call, and how to do it again: so that a bug or a match can be reproduced.
+//
+//     windrow::EventLog log;
+//     const auto start = wind->save();             // bytes of the whole state
+//     wind->record_to(&log);                       // every accepted call that changes the wind is noted from here on
+//     ...
+//     auto again = windrow::Wind::load(start);     // elsewhere, later
+//     auto done = windrow::replay(log, *again);    // the same bits, for any number of threads on the same SIMD level
+#pragma once
+
+#include "fluid/motors.h"
+#include "fluid/result.h"
+#include "fluid/sides.h"
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace windrow {
+
+class Wind;
+
+// One struct a call, named by what was done.
+struct MotorAdded {
+    MotorId id; ///< what add() returned; a replay must get the same
+    Motor motor;
+};
+struct MotorSet {
+    MotorId id;
+    Motor motor;
+};
+struct MotorMoved {
+    MotorId id;
+    glm::dvec3 position;
+};
+struct MotorRemoved {
+    MotorId id;
+};
+struct Followed {
+    glm::dvec3 point;
+};
+struct FloorSet {
+    double height;
+};
+struct AmbientSet {
+    glm::vec3 ambient;
+};
+struct GustsSet {
+    float intensity;
+    float length;
+    std::uint32_t seed;
+};
+struct SidesSet {
+    Sides sides;
+};
+struct VelocitySet {
+    std::vector<glm::vec4> field;
+};
+struct WindReset {};
+struct Stepped {
+    double dt;
+};
+struct Advanced {
+    double dt;
+};
+
+using Event = std::variant<MotorAdded, MotorSet, MotorMoved, MotorRemoved, Followed, FloorSet, AmbientSet, GustsSet, SidesSet, VelocitySet, WindReset,
+                           Stepped, Advanced>;
+
+class EventLog {
+  public:
+    void note(Event event) { events_.push_back(std::move(event)); }
+    [[nodiscard]] std::span<const Event> events() const { return events_; }
+    void clear() { events_.clear(); }
+
+    /// The log as bytes, little-endian, with a version and a checksum.
+    [[nodiscard]] std::vector<std::byte> to_bytes() const;
+    /// Refuses bytes that are truncated, changed, or of another version.
+    [[nodiscard]] static Result<EventLog> from_bytes(std::span<const std::byte> bytes);
+
+  private:
+    std::vector<Event> events_;
+};
+
+/// Does everything again, in order. `wind` must be in the state in which the log began (Wind::save, Wind::load). Stops at the first call that
+/// is refused or whose handle comes out otherwise, and says which.
+[[nodiscard]] Result<void> replay(const EventLog& log, Wind& wind);
+
+} // namespace windrow

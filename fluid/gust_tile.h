@@ -1,0 +1,64 @@
+// A block of turbulence that repeats: baked once, read by every gust and every ripple of detail.
+//
+// A sum of waves on the tile's own lattice, so that no seam exists. Each wave is free of divergence as it stands: a part that
+// turns about the vertical, and a part that rises and sinks. The ground is a mirror: level components are even about it, the
+// vertical one is odd, so the tile stores half a period along y and no gust blows through the ground.
+//
+//     z 128 texels     index = (z * 16 + y) * 128 + x, four floats a texel (x, y, z, 0): 4 MiB
+//     y  16 texels     texel i lies at i + 1/2; x and z wrap at 128, y is mirrored at 0 and at 16
+//     x 128 texels
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace windrow {
+
+/// Never changes once it is made: any number of winds and threads share one.
+class GustTile {
+  public:
+    static constexpr int k_side = 128;  ///< texels along x and z, a whole period
+    static constexpr int k_height = 16; ///< texels along y, half a period
+    /// Texels from one gust to the next: the wavelength that carries most. Trilinear blending resolves it.
+    static constexpr int k_gust_texels = 12;
+
+    /// Makes a tile: some 5 ms. The same seed gives the same bits on every machine.
+    [[nodiscard]] static std::shared_ptr<const GustTile> bake(std::uint32_t seed);
+
+    /// All texels. Blended, each level component has standard deviation 1 over the tile (about 1.2 at the ground, where mirror
+    /// images add up), the vertical one 0.5 (0 at the ground). w is 0.
+    [[nodiscard]] std::span<const glm::vec4> texels() const { return texels_; }
+    /// Length that no texel exceeds, hence no blend of texels.
+    [[nodiscard]] float bound() const { return bound_; }
+    /// The tile at a place counted in texels, as a plant's shader blends it. Any finite place.
+    [[nodiscard]] glm::vec3 sample(glm::dvec3 place) const;
+    /// The waves themselves at a place counted in texels, summed one by one: what the texels stand for. Slow (tens of
+    /// microseconds).
+    [[nodiscard]] glm::vec3 procedural(glm::dvec3 place) const;
+    [[nodiscard]] std::uint32_t seed() const { return seed_; }
+    /// Bytes that this object has allocated.
+    [[nodiscard]] std::size_t memory_bytes() const;
+
+  private:
+    /// One wave: level components Re(c exp(i 2 pi (a x + c z) / 128)) cos(pi b y / 16), the vertical one with sin instead of cos.
+    struct Mode {
+        int a = 0, b = 0, c = 0;
+        glm::dvec3 real{0.0}, imaginary{0.0};
+    };
+
+    explicit GustTile(std::uint32_t seed);
+    void make_modes();
+    void bake_texels();
+
+    std::uint32_t seed_;
+    std::vector<Mode> modes_;
+    std::vector<glm::vec4> texels_;
+    float bound_ = 0.0f;
+};
+
+} // namespace windrow

@@ -1,0 +1,213 @@
+#include "fluid/motor_reach.h"
+
+#include "fluid/numerics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace windrow::detail {
+namespace {
+
+constexpr float k_pi = 3.14159265f;
+
+// The cells whose centres lie within `low`..`high` [m from the box's corner]; false if there are none.
+bool cover(MotorReach& reach, glm::vec3 low, glm::vec3 high, const Window& window) {
+    const float h = window.cell_size;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto cells = static_cast<float>(window.cells[axis]);
+        reach.low[axis] = static_cast<int>(std::clamp(std::floor(low[axis] / h - 0.5f), 0.0f, cells));
+        reach.high[axis] = static_cast<int>(std::clamp(std::ceil(high[axis] / h + 0.5f), 0.0f, cells));
+        if (reach.low[axis] >= reach.high[axis])
+            return false;
+    }
+    return true;
+}
+
+glm::vec3 metres(const Window& window, glm::dvec3 position) {
+    return glm::vec3(window.local_rounded(position) * static_cast<double>(window.cell_size));
+}
+
+float widened(float radius, const Window& window) { return numerics::windrow_widened(radius, window.cell_size); }
+
+float cubed(float x) { return x * x * x; }
+
+// The smallest box around a cone's two end discs, taken as balls.
+bool cover_cone(MotorReach& reach, const Window& window) {
+    const glm::vec3 start = reach.centre, end = reach.centre + reach.extent;
+    return cover(reach, glm::min(start - reach.radius, end - reach.end_radius), glm::max(start + reach.radius, end + reach.end_radius), window);
+}
+
+// A column's axis and radii, widened; returns the share of its strength that it keeps.
+float shape_cone(MotorReach& reach, glm::vec3 axis, float start_radius, float end_radius, const Window& window) {
+    const float length = glm::length(axis);
+    // Shorter than three cells it could fall between them too. It grows about its middle.
+    const float wide_length = 2.0f * widened(0.5f * length, window);
+    const glm::vec3 direction = axis / length;
+    reach.centre -= 0.5f * (wide_length - length) * direction;
+    reach.extent = wide_length * direction;
+    reach.radius = widened(start_radius, window);
+    reach.end_radius = widened(end_radius, window);
+    const auto volume = [](float column, float start, float end) {
+        const float sum = 0.5f * (start + end), difference = 0.5f * (end - start);
+        return column * (sum * sum + difference * difference / 7.0f);
+    };
+    return volume(length, start_radius, end_radius) / volume(wide_length, reach.radius, reach.end_radius);
+}
+
+// Shape, size and cells of a region about `reach.centre`; returns the share of its strength that a widened one keeps, so that its
+// impulse stays; 0 if it meets no cell.
+struct RegionReach {
+    MotorReach& reach;
+    const Window& window;
+
+    float operator()(const Sphere& sphere) const {
+        reach.shape = MotorReach::Shape::sphere;
+        reach.radius = widened(sphere.radius, window);
+        return within(glm::vec3(reach.radius)) ? cubed(sphere.radius / reach.radius) : 0.0f;
+    }
+    float operator()(const Capsule& capsule) const {
+        reach.shape = MotorReach::Shape::capsule;
+        reach.extent = capsule.half_axis;
+        reach.radius = widened(capsule.radius, window);
+        // Volume of the weight: a ball's 32 pi R^3 / 105 and pi R^2 / 3 for each metre of axis.
+        const float length = 2.0f * glm::length(capsule.half_axis);
+        const auto volume = [&](float radius) { return radius * radius * (32.0f / 105.0f * radius + length / 3.0f); };
+        return within(glm::abs(reach.extent) + reach.radius) ? volume(capsule.radius) / volume(reach.radius) : 0.0f;
+    }
+    float operator()(const AlignedBox& box) const {
+        reach.shape = MotorReach::Shape::box;
+        float share = 1.0f;
+        for (int axis = 0; axis < 3; ++axis) {
+            reach.extent[axis] = widened(box.half_size[axis], window);
+            share *= box.half_size[axis] / reach.extent[axis];
+        }
+        return within(reach.extent) ? share : 0.0f;
+    }
+    float operator()(const Cone& cone) const {
+        reach.shape = MotorReach::Shape::cone;
+        const float share = shape_cone(reach, cone.axis, cone.start_radius, cone.end_radius, window);
+        return cover_cone(reach, window) ? share : 0.0f;
+    }
+
+    [[nodiscard]] bool within(glm::vec3 half) const { return cover(reach, reach.centre - half, reach.centre + half, window); }
+};
+
+// What a law asks for at full weight; `share` is what widening and envelope leave of it.
+void apply_law(MotorReach& reach, const std::variant<Force, Drive>& law, glm::vec3 direction, float share, double duration) {
+    if (const auto* force = std::get_if<Force>(&law)) {
+        reach.law = MotorReach::Law::force;
+        reach.push = share * force->acceleration * direction;
+    } else {
+        const auto& drive = std::get<Drive>(law);
+        reach.law = MotorReach::Law::drive;
+        reach.push = drive.speed * direction;
+        reach.amount = share * drive.rate * static_cast<float>(duration);
+    }
+}
+
+// S0 of a ball from which 4 pi R^2 v cubic metres of air come out a second: that over the volume of its weight, 32 pi r^3 / 105.
+bool shape_source(MotorReach& reach, float radius, float speed, float strength, const Window& window) {
+    reach.law = MotorReach::Law::source;
+    const float share = RegionReach{reach, window}(Sphere{radius});
+    const float flow = 4.0f * k_pi * radius * radius * speed;
+    reach.amount = strength * flow / (32.0f * k_pi / 105.0f * cubed(reach.radius));
+    return share > 0.0f && reach.amount != 0.0f;
+}
+
+struct Preparation {
+    const Track& track;
+    std::span<const Track::Piece> path;
+    double age, duration;
+    const Window& window;
+    std::span<MotorReach> reach;
+
+    int operator()(const DirectionalMotor& motor) const {
+        const auto strength = static_cast<float>(motor.envelope.mean(age, age + duration));
+        reach[0].centre = metres(window, track.here());
+        const float share = std::visit(RegionReach{reach[0], window}, motor.region);
+        apply_law(reach[0], motor.law, motor.direction, strength * share, duration);
+        return strength * share > 0.0f ? 1 : 0;
+    }
+    int operator()(const JetMotor& motor) const {
+        const auto strength = static_cast<float>(motor.envelope.mean(age, age + duration));
+        reach[0].centre = metres(window, track.here());
+        shape_cone(reach[0], motor.length * motor.direction, motor.start_radius, motor.end_radius, window);
+        reach[0].shape = MotorReach::Shape::jet;
+        // Weight times velocity r0 / r over a section is r0 r: over the length that makes L r0 (r0 + r1) / 2.
+        const auto impulse = [](float length, float start, float end) { return length * start * (start + end); };
+        const float share = impulse(motor.length, motor.start_radius, motor.end_radius) /
+                            impulse(glm::length(reach[0].extent), reach[0].radius, reach[0].end_radius);
+        apply_law(reach[0], motor.law, {1.0f, 0.0f, 0.0f}, strength * share, duration);
+        return cover_cone(reach[0], window) && strength * share > 0.0f ? 1 : 0;
+    }
+    int operator()(const VortexMotor& motor) const {
+        const auto strength = static_cast<float>(motor.envelope.mean(age, age + duration));
+        MotorReach& whirl = reach[0];
+        whirl.centre = metres(window, track.here());
+        whirl.shape = MotorReach::Shape::vortex;
+        whirl.radius = widened(motor.radius, window);
+        const float half_length = widened(motor.half_length, window);
+        whirl.extent = half_length * motor.axis;
+        whirl.lift = motor.lift;
+        // Its angular impulse stays: arm times volume.
+        const float share = cubed(motor.radius / whirl.radius) * (motor.half_length / half_length);
+        apply_law(whirl, motor.law, {1.0f, 0.0f, 0.0f}, strength * share, duration);
+        const glm::vec3 half = glm::abs(whirl.extent) + whirl.radius;
+        return cover(whirl, whirl.centre - half, whirl.centre + half, window) && strength * share > 0.0f ? 1 : 0;
+    }
+    int operator()(const OmniMotor& motor) const {
+        reach[0].centre = metres(window, track.here());
+        const auto strength = static_cast<float>(motor.envelope.mean(age, age + duration));
+        return shape_source(reach[0], motor.radius, motor.speed, strength, window) ? 1 : 0;
+    }
+    int operator()(const PressureMotor& motor) const {
+        reach[0].centre = metres(window, track.here());
+        const auto strength = static_cast<float>(motor.mean(age, age + duration));
+        return shape_source(reach[0], motor.radius, motor.speed, strength, window) ? 1 : 0;
+    }
+
+    // A piece of the path each. The force law shares the tick's impulse out by length; the drive's target is the body's velocity on the piece.
+    int operator()(const WakeMotor& motor) const {
+        const auto strength = static_cast<float>(motor.envelope.mean(age, age + duration));
+        const float radius = widened(motor.radius, window);
+        const float share = strength * cubed(motor.radius / radius);
+        int count = 0;
+        for (const Track::Piece& piece : path) {
+            MotorReach& swept = reach[static_cast<std::size_t>(count)];
+            swept = {};
+            swept.shape = MotorReach::Shape::path;
+            swept.radius = radius;
+            swept.centre = metres(window, piece.start);
+            swept.extent = metres(window, piece.end);
+            const glm::vec3 way = swept.extent - swept.centre;
+            const float length = glm::length(way);
+            if (!(length > 0.0f) || !(share > 0.0f))
+                continue;
+            if (const auto* force = std::get_if<WakeForce>(&motor.law)) {
+                swept.law = MotorReach::Law::force;
+                swept.push = (share * force->strength / (static_cast<float>(duration) * length)) * way;
+            } else {
+                const auto& drive = std::get<WakeDrive>(motor.law);
+                swept.law = MotorReach::Law::drive;
+                swept.push = (drive.entrainment / static_cast<float>(piece.duration)) * way;
+                swept.amount = share * drive.per_metre;
+            }
+            if (cover(swept, glm::min(swept.centre, swept.extent) - radius, glm::max(swept.centre, swept.extent) + radius, window))
+                ++count;
+        }
+        return count;
+    }
+};
+
+} // namespace
+
+int prepare(const Motor& motor, const Track& track, std::span<const Track::Piece> path, double age, double duration, const Window& window,
+            std::span<MotorReach> reach) {
+    reach[0] = {};
+    return std::visit(Preparation{track, path, age, duration, window, reach}, motor);
+}
+
+bool before(const MotorReach& a, const MotorReach& b) { return std::memcmp(&a, &b, sizeof a) < 0; }
+
+} // namespace windrow::detail

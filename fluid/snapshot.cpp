@@ -1,0 +1,293 @@
+// The whole state of a wind as bytes, and back.
+//
+// Kept is what the future depends on. Scratch is not (workspace, gathered sources, diffused and own velocity, pieces of a path),
+// nor what follows from the rest: tables, axes that follow, the ambient wind cell by cell, gust tiles (from their seeds). Equal
+// states give equal bytes, so fields that hold nothing now (the second-order history of fresh air, what a sleeper reports while
+// awake) are left out.
+#include "fluid/ambient_record.h"
+#include "fluid/archive.h"
+#include "fluid/cpu/workspace.h"
+#include "fluid/message.h"
+#include "fluid/wind_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace windrow {
+namespace {
+
+constexpr detail::Format k_format{"WINDSNAP", 1, "snapshot", "Wind::save"};
+constexpr double k_farthest_cells = 1e12;
+
+bool in_range(glm::dvec3 point, double most) {
+    return std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)}) <= most;
+}
+
+bool in_range(CellIndex origin) {
+    return in_range(glm::dvec3(origin), k_farthest_cells + k_max_axis_cells);
+}
+
+} // namespace
+
+// --- Fields -----------------------------------------------------------------------------------------------------------------
+
+namespace detail {
+
+template <>
+inline constexpr std::uint8_t k_values_of<Scheme> = 2;
+template <>
+inline constexpr std::uint8_t k_values_of<Interpolation> = 2;
+template <>
+inline constexpr std::uint8_t k_values_of<DiffusionMethod> = 3;
+
+void fields(auto& archive, Like<LogProfile> auto& profile) {
+    auto& [roughness_length, reference_height] = profile;
+    archive(roughness_length, reference_height);
+}
+
+void fields(auto& archive, Like<Gusts> auto& gusts) { // a tile goes by its seed, see Wind::save
+    auto& [intensity, length, seed, tile] = gusts;
+    archive(intensity, length, seed);
+}
+
+void fields(auto& archive, Like<Stages> auto& stages) {
+    auto& [sources, settling, diffusion, advection, projection] = stages;
+    archive(sources, settling, diffusion, advection, projection);
+}
+
+void fields(auto& archive, Like<Ticks> auto& ticks) {
+    auto& [hz, most] = ticks;
+    archive(hz, most);
+}
+
+void fields(auto& archive, Like<Config> auto& config) { // threads are the host's
+    auto& [cells, cell_size, sides, centre, follow_axes, ambient, profile, gusts, rim, viscosity, settling_time, sleep_speed,
+           scheme, interpolation, max_cfl, max_substeps, stages, ticks, parallel_for] = config;
+    archive(cells, cell_size, sides, centre, follow_axes, ambient, profile, gusts, rim, viscosity, settling_time, sleep_speed,
+            scheme, interpolation, max_cfl, max_substeps, stages, ticks);
+}
+
+void fields(auto& archive, Like<Diagnostics> auto& report) { // of a sleeper, whose times are 0
+    auto& [stepped, max_speed, cfl, substeps, substeps_capped, limited_cells, repaired_cells, motors_in_reach, diffusion,
+           divergence_rms, energy, asleep, times_ms] = report;
+    archive(stepped, max_speed, cfl, substeps, substeps_capped, limited_cells, repaired_cells, motors_in_reach, diffusion,
+            divergence_rms, energy, asleep);
+}
+
+} // namespace detail
+
+using detail::AmbientRecord, detail::Like, detail::Reading, detail::Tiles;
+
+/// What keeps its members to itself.
+struct StateFields {
+    static constexpr std::size_t k_least_slot_bytes = 5;
+
+    static void track(auto& archive, Like<Track> auto& track) {
+        auto& [here, target, points, count, timed, moves, pieces] = track;
+        archive(here, target, count, timed, moves);
+        if constexpr (Reading<decltype(archive)>) {
+            archive.require(timed >= 0 && timed <= count && count <= Track::k_most_pieces && moves >= count - timed && moves <= 1'000'000,
+                            "a path has an impossible number of points.");
+            if (archive.refused())
+                count = timed = 0; // whoever looks at it yet finds it whole
+        }
+        for (int n = 0; n < count; ++n) {
+            auto& [time, position] = points[static_cast<std::size_t>(n)];
+            archive(position, time);
+            if constexpr (Reading<decltype(archive)>)
+                archive.require(time >= 0.0, "a point of a path has a time below 0.");
+        }
+    }
+
+    /// The places that a track holds, for a check.
+    static bool lies_within(const Track& track, double most) {
+        return in_range(track.here(), most) && in_range(track.target(), most) &&
+               std::all_of(track.points_.begin(), track.points_.begin() + track.count_,
+                           [&](const auto& point) { return in_range(point.position, most); });
+    }
+
+    static void slot(auto& archive, Like<Motors::Slot> auto& slot) {
+        auto& [motor, track, age, generation, used] = slot;
+        archive(used, generation);
+        if (!used)
+            return;
+        archive(motor, age);
+        StateFields::track(archive, track);
+    }
+
+    static void motors(auto& archive, Like<Motors> auto& motors) {
+        auto& [slots, reach, free, count, log] = motors;
+        auto size = static_cast<std::uint32_t>(slots.size());
+        archive(size);
+        if constexpr (Reading<decltype(archive)>) {
+            archive.require(size <= Motors::k_capacity, "it has more motors than fit.");
+            if (!archive.can_hold(size, k_least_slot_bytes))
+                return;
+            slots.resize(size);
+        }
+        for (auto& slot : slots)
+            StateFields::slot(archive, slot);
+        if constexpr (Reading<decltype(archive)>)
+            make_room(archive, motors);
+        for (auto& index : free)
+            archive(index);
+        if constexpr (Reading<decltype(archive)>)
+            check(archive, motors);
+    }
+
+    static void make_room(detail::Reader& reader, Motors& motors) {
+        motors.count_ = static_cast<int>(
+            std::count_if(motors.slots_.begin(), motors.slots_.end(), [](const auto& slot) { return slot.used; }));
+        motors.free_.reserve(motors.slots_.capacity());
+        motors.free_.resize(motors.slots_.size() - static_cast<std::size_t>(motors.count_));
+        motors.reserve_reach();
+        if (!reader.can_hold(motors.free_.size(), sizeof(std::uint32_t)))
+            motors.free_.clear();
+    }
+
+    static void check(detail::Reader& reader, const Motors& motors) {
+        for (std::size_t n = 0; n < motors.slots_.size() && !reader.refused(); ++n) {
+            const Motors::Slot& slot = motors.slots_[n];
+            reader.require(slot.generation > 0, "a motor has no generation.");
+            if (!slot.used)
+                continue;
+            if (auto valid = validate(slot.motor); !valid)
+                reader.refuse("motor ", n, " cannot be used: ", valid.error());
+            reader.require(slot.age >= 0.0 && lies_within(slot.track, k_farthest_cells),
+                           "a motor's age or path is out of range.");
+        }
+        std::vector<bool> listed(motors.slots_.size());
+        for (const std::uint32_t index : motors.free_) {
+            if (reader.refused() || index >= listed.size() || listed[index] || motors.slots_[index].used)
+                return reader.refuse("its list of free motors does not match its motors.");
+            listed[index] = true;
+        }
+    }
+
+    static void ambient(auto& archive, Like<AmbientWind> auto& wind, const Config& config, Tiles& tiles) {
+        if constexpr (Reading<decltype(archive)>) {
+            AmbientRecord record;
+            archive(record);
+            detail::restore(wind, record, config.profile, tiles, archive);
+        } else {
+            archive(detail::record_of(wind));
+        }
+    }
+
+    static void air(auto& archive, Like<Air> auto& air) {
+        auto& [velocity, velocity_old, history, fresh, dt_old] = air;
+        archive(fresh);
+        archive.cells(velocity);
+        if (fresh)
+            return;
+        archive(dt_old);
+        archive.cells(velocity_old);
+        archive.cells(history);
+        if constexpr (Reading<decltype(archive)>)
+            archive.require(dt_old > 0.0f, "its last step took no time.");
+    }
+
+    static void frame(auto& archive, Like<Frame> auto& frame, const Config& config, Tiles& tiles) {
+        auto& [field, window, rim_point, ambient, still] = frame;
+        archive(window.origin_cells, rim_point, still); // its cells are the box's
+        StateFields::ambient(archive, ambient, config, tiles);
+        archive.cells(field);
+        if constexpr (Reading<decltype(archive)>)
+            archive.require(in_range(window.origin_cells), "a frame lies out of range.");
+    }
+
+    static void frames(auto& archive, Like<Frames> auto& frames, const Config& config, Tiles& tiles) {
+        auto& [before, before_still, rim_point_before, gust_phase_before, lead, shown, shown_before, follow] = frames;
+        archive(before_still, rim_point_before, gust_phase_before, lead);
+        archive.cells(before);
+        frame(archive, shown, config, tiles);
+        frame(archive, shown_before, config, tiles);
+        track(archive, follow);
+        if constexpr (Reading<decltype(archive)>)
+            archive.require(lead >= 0.0 && lies_within(follow, k_farthest_cells * static_cast<double>(config.cell_size)),
+                            "its frame, or the point that it follows, is out of range.");
+    }
+
+    static Frames empty_frames(const Wind::State& state) {
+        const std::size_t cells = state.air.velocity.size();
+        const auto empty = [&] { return Frame{cpu::Buffer<glm::vec4>(cells), state.window, {}, state.ambient}; };
+        return Frames{.before = cpu::Buffer<glm::vec4>(cells), .shown = empty(), .shown_before = empty(), .follow = {}};
+    }
+
+    /// All but the config, which comes first: a wind is made of it.
+    static void state(auto& archive, Like<Wind::State> auto& state) {
+        auto& [config, follow_axes, work, window, follow_point, stepped_origin_cells, previous_origin_cells, ambient, mean_field,
+               ambient_field, air, diffused, motors, sources, sources_of_air, source_flow, solved, asleep, at_rest, frames, log] =
+            state;
+        Tiles tiles;
+        tiles.add(ambient.tile());
+        archive(window.origin_cells, follow_point, stepped_origin_cells, previous_origin_cells, sources_of_air, asleep);
+        StateFields::ambient(archive, ambient, config, tiles);
+        if constexpr (Reading<decltype(archive)>) {
+            const Gusts& gusts = ambient.settings().gusts;
+            archive.require(gusts.intensity == config.gusts.intensity && gusts.length == config.gusts.length,
+                            "its gusts are not those of its config.");
+        }
+        if (asleep)
+            archive(at_rest);
+        StateFields::air(archive, air);
+        if constexpr (Reading<decltype(archive)>)
+            if (sources_of_air != 0 && archive.can_hold(air.velocity.size(), sizeof(glm::vec4)))
+                source_flow = cpu::Buffer<glm::vec4>(air.velocity.size());
+        if (sources_of_air != 0)
+            archive.cells(source_flow);
+        StateFields::motors(archive, motors);
+        bool ticking = frames.has_value();
+        archive(ticking);
+        if constexpr (Reading<decltype(archive)>) {
+            archive.require(in_range(window.origin_cells) && in_range(stepped_origin_cells) && in_range(previous_origin_cells) &&
+                                in_range(follow_point, k_farthest_cells * static_cast<double>(config.cell_size)),
+                            "its box lies out of range.");
+            if (ticking && archive.can_hold(3 * air.velocity.size(), sizeof(glm::vec4)))
+                frames.emplace(empty_frames(state));
+        }
+        if (frames)
+            StateFields::frames(archive, *frames, config, tiles);
+    }
+};
+
+std::vector<std::byte> Wind::save() const {
+    const State& state = *state_;
+    const std::size_t fields = 1 + (state.air.fresh ? 0 : 2) + (state.sources_of_air != 0 ? 1 : 0) + (state.frames ? 3 : 0);
+    detail::Writer writer(fields * state.air.velocity.size() * sizeof(glm::vec4) + 2048 + state.motors.slots().size() * 256);
+    Config config = state.config;
+    if (config.gusts.tile)
+        config.gusts.seed = config.gusts.tile->seed();
+    writer(config);
+    StateFields::state(writer, state);
+    return std::move(writer).finish(k_format);
+}
+
+Result<Wind> Wind::load(std::span<const std::byte> bytes, ParallelFor parallel_for) {
+    const auto content = detail::unseal(bytes, k_format);
+    if (!content)
+        return Error{content.error()};
+    const auto refused = [](std::string_view reason) { return Error{detail::message("snapshot cannot be used: ", reason)}; };
+    detail::Reader reader(*content);
+    Config config;
+    reader(config);
+    if (reader.refused())
+        return refused(reader.reason());
+    if (auto valid = validate(config); !valid)
+        return refused(valid.error());
+    if (!reader.can_hold(Box{.cells = config.cells}.cell_count(), sizeof(glm::vec4)))
+        return refused(reader.reason());
+    config.parallel_for = parallel_for;
+    auto wind = create(config);
+    if (!wind)
+        return refused(wind.error());
+    StateFields::state(reader, wind->state());
+    reader.end();
+    if (reader.refused())
+        return refused(reader.reason());
+    wind->state().renew_ambient();
+    return wind;
+}
+
+} // namespace windrow

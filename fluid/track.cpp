@@ -1,0 +1,107 @@
+#include "fluid/track.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace windrow {
+namespace {
+
+constexpr double k_rounding = 1e-9; // of a tick: sums of frame times meet tick times only so nearly
+
+// Whether a piece that ends at `end` after `duration` keeps the velocity of the one before it, but for rounding of positions.
+bool goes_on(const Track::Piece& before, glm::dvec3 end, double duration) {
+    const double share = before.duration / (before.duration + duration);
+    const glm::dvec3 bend = before.end - (before.start + share * (end - before.start));
+    return glm::length(bend) <= 1e-6 * glm::length(end - before.start);
+}
+
+} // namespace
+
+void Track::move_to(glm::dvec3 position) {
+    target_ = position;
+    push({static_cast<double>(++moves_), position});
+}
+
+// When full, the point goes whose absence bends the path least; the newest stays, for it is the target.
+void Track::push(Point point) {
+    if (count_ == k_most_pieces) {
+        int spare = 0;
+        double least = std::numeric_limits<double>::infinity();
+        for (int n = 0; n < count_; ++n) {
+            const glm::dvec3 before = n > 0 ? points_[n - 1].position : here_;
+            const glm::dvec3 after = n + 1 < count_ ? points_[n + 1].position : point.position;
+            const glm::dvec3 along = after - before, from = points_[n].position - before;
+            const double squared = glm::dot(along, along);
+            const glm::dvec3 bend = from - (squared > 0.0 ? std::clamp(glm::dot(from, along) / squared, 0.0, 1.0) : 0.0) * along;
+            if (const double size = glm::dot(bend, bend); size < least) {
+                least = size;
+                spare = n;
+            }
+        }
+        std::copy(points_.begin() + spare + 1, points_.end(), points_.begin() + spare);
+        timed_ -= spare < timed_ ? 1 : 0;
+        --count_;
+    }
+    points_[count_++] = point;
+}
+
+void Track::begin_frame(double lead, double duration) {
+    if (count_ == timed_)
+        return;
+    // It rested until this frame began.
+    const double last = timed_ > 0 ? points_[timed_ - 1].time : 0.0;
+    if (last < lead - 1e-9 * duration && count_ < k_most_pieces) {
+        const glm::dvec3 resting = timed_ > 0 ? points_[timed_ - 1].position : here_;
+        std::copy_backward(points_.begin() + timed_, points_.begin() + count_, points_.begin() + count_ + 1);
+        points_[timed_++] = {lead, resting};
+        ++count_;
+    }
+    for (int n = timed_; n < count_; ++n)
+        points_[n].time = lead + duration * points_[n].time / static_cast<double>(moves_);
+    timed_ = count_;
+    moves_ = 0;
+}
+
+std::span<const Track::Piece> Track::tick(double duration) {
+    int pieces = 0, taken = 0;
+    double time = 0.0;
+    glm::dvec3 place = here_;
+    // A piece that goes on as the last one did is one with it: an even motion makes one piece a tick, the same at any frame rate.
+    const auto add = [&](double end_time, glm::dvec3 end) {
+        if (std::abs(end_time - duration) <= k_rounding * duration)
+            end_time = duration;
+        const double length = end_time - time;
+        if (end != place && length > 0.0) {
+            if (pieces > 0 && pieces_[pieces - 1].end == place && goes_on(pieces_[pieces - 1], end, length)) {
+                pieces_[pieces - 1].end = end;
+                pieces_[pieces - 1].duration += length;
+            } else if (pieces < k_most_pieces) {
+                pieces_[pieces++] = {place, end, length};
+            }
+        }
+        place = end;
+        time = end_time;
+    };
+    while (taken < timed_ && points_[taken].time <= duration * (1.0 + k_rounding)) {
+        add(points_[taken].time, points_[taken].position);
+        ++taken;
+    }
+    if (taken < timed_ && time < duration) {
+        const Point& next = points_[taken];
+        add(duration, place + (duration - time) / (next.time - time) * (next.position - place));
+    }
+    std::copy(points_.begin() + taken, points_.begin() + count_, points_.begin());
+    count_ -= taken;
+    timed_ -= taken;
+    for (int n = 0; n < timed_; ++n)
+        points_[n].time -= duration;
+    here_ = place;
+    if (pieces == 1 && std::abs(pieces_[0].duration - duration) <= k_rounding * duration)
+        pieces_[0].duration = duration;
+    return {pieces_.data(), static_cast<std::size_t>(pieces)};
+}
+
+} // namespace windrow

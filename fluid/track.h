@@ -1,0 +1,58 @@
+// Where something moves in the time between two ticks: the positions that a host gave, frame by frame, as straight pieces in time.
+//
+// A position counts for the end of the frame in which it was given; several in one frame are spread evenly over it. A tick
+// takes the pieces up to its own time, whatever the frame rate: so a body that moves evenly makes the same path at 30 and at 144 Hz.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <span>
+
+namespace windrow {
+
+class Track {
+  public:
+    /// Pieces that a tick may take; more positions are thinned, those that lie nearest to the straight line first.
+    static constexpr int k_most_pieces = 8;
+
+    struct Piece {
+        glm::dvec3 start, end; ///< [m]
+        double duration;       ///< [s] > 0
+    };
+
+    Track() = default;
+    explicit Track(glm::dvec3 position) : here_(position), target_(position) {}
+
+    /// Notes where it is at the end of the coming frame.
+    void move_to(glm::dvec3 position);
+    /// A frame of `duration` [s] begins `lead` [s] after the last tick: positions noted since the last frame get their times.
+    void begin_frame(double lead, double duration);
+    /// Advances by a tick of `duration` [s] and returns the pieces that lie in it, none if it stood still. They last until the next call.
+    std::span<const Piece> tick(double duration);
+
+    /// [m] Where it was at the last tick.
+    [[nodiscard]] glm::dvec3 here() const { return here_; }
+    /// [m] Where it was told to be.
+    [[nodiscard]] glm::dvec3 target() const { return target_; }
+
+  private:
+    friend struct StateFields; // snapshot.cpp: bytes and back
+
+    struct Point {
+        double time; ///< [s] after the last tick; from `timed_` on, which of the frame's moves it was
+        glm::dvec3 position;
+    };
+
+    void push(Point point);
+
+    glm::dvec3 here_{0.0};
+    glm::dvec3 target_{0.0};
+    std::array<Point, k_most_pieces> points_{};
+    int count_ = 0;
+    int timed_ = 0; ///< points that have a time
+    int moves_ = 0; ///< since the last frame began
+    std::array<Piece, k_most_pieces> pieces_{};
+};
+
+} // namespace windrow

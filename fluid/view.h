@@ -1,0 +1,65 @@
+// The wind at one moment, as renderers sample it: the box's cells, where they lie, and the ambient wind around them.
+//
+// Inside the box the wind is trilinear between cell centres. Near an open side along which the box follows a point it fades to the ambient
+// wind over the rim: by the distance from the point itself, which moves smoothly, while the box jumps by cells; so a jump moves
+// nothing. Other open sides fade over the one cell beyond them; beyond a wall it is the wind at the wall.
+#pragma once
+
+#include "fluid/ambient.h"
+#include "fluid/box.h"
+#include "fluid/textures.h"
+#include "fluid/window.h"
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <cstdint>
+#include <span>
+
+namespace windrow {
+
+/// How the wind of a box fades to the ambient wind.
+struct Rim {
+    glm::dvec3 point{0.0}; ///< [m] world; what the box follows
+    glm::vec3 reach{0.0f}; ///< [cells] from the point, where the box's wind has faded; 0: no rim on that axis
+    float width = 1.0f;    ///< [cells]
+};
+
+/// A view of a Wind's own memory: cheap to copy, good until the wind next changes.
+class WindView {
+  public:
+    WindView(const Box& box, const Window& window, const Rim& rim, const AmbientWind& ambient, std::span<const glm::vec4> field)
+        : box_(&box), window_(window), rim_(rim), ambient_(&ambient), field_(field) {}
+
+    /// [m/s] Wind at a world point. A point that is not finite gets the mean wind.
+    [[nodiscard]] glm::vec3 velocity(glm::dvec3 position) const;
+    /// The same for many points; `velocities` holds as many.
+    void velocity(std::span<const glm::dvec3> positions, std::span<glm::vec3> velocities) const;
+    /// [m/s] What a plant there feels: scaled, limited, with small-scale detail; see Sampling.
+    [[nodiscard]] glm::vec3 felt(glm::dvec3 position, const Sampling& sampling) const;
+    /// [m/s] The cells themselves, laid out as box.h says; w = 0.
+    [[nodiscard]] std::span<const glm::vec4> field() const { return field_; }
+    /// Three textures, one an axis, as float or half; each span holds box().cell_count() texels or the call is refused.
+    Result<void> write_axes(std::span<float> x, std::span<float> y, std::span<float> z) const;
+    Result<void> write_axes(std::span<std::uint16_t> x, std::span<std::uint16_t> y, std::span<std::uint16_t> z) const;
+    /// [m] World position of the box's low corner.
+    [[nodiscard]] glm::dvec3 origin() const { return window_.origin(); }
+    [[nodiscard]] Window window() const { return window_; }
+    [[nodiscard]] const Box& box() const { return *box_; }
+    [[nodiscard]] Rim rim() const { return rim_; }
+    /// The wind around the box at this moment.
+    [[nodiscard]] const AmbientWind& ambient() const { return *ambient_; }
+    /// Where the textures lie, relative to `anchor` [m]; the fields of the frame before are those of this one.
+    [[nodiscard]] WindowBlock block(glm::dvec3 anchor) const;
+
+  private:
+    [[nodiscard]] float rim_share(glm::dvec3 position) const;
+
+    const Box* box_;
+    Window window_;
+    Rim rim_;
+    const AmbientWind* ambient_;
+    std::span<const glm::vec4> field_;
+};
+
+} // namespace windrow

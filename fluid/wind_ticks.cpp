@@ -1,0 +1,102 @@
+// Frames in fixed ticks: the air lives at Ticks::hz, the renderer at its own pace.
+//
+// `lead` is the time of the frame after the last tick, 0 <= lead < one tick. A frame shows
+//   u = u_before + lead * hz (u_now - u_before)
+// of the last two ticks in the box of today: continuous in time, at most a tick old. What moves (motors, the point that the box follows) is
+// told per frame and seen by each tick at its own time (track.h), so the air's states are the same for any frame rate.
+#include "fluid/wind_state.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace windrow {
+namespace {
+
+// Sums of frame times meet tick times only so nearly; a tick that is due but for rounding is due.
+constexpr double k_rounding = 1e-9; // of a tick
+
+void blend(std::span<const glm::vec4> before, std::span<const glm::vec4> now, float factor, std::span<glm::vec4> shown) {
+    for (std::size_t n = 0; n < shown.size(); ++n)
+        shown[n] = before[n] + factor * (now[n] - before[n]);
+}
+
+} // namespace
+
+Advance Wind::State::advance(double dt) {
+    if (!frames)
+        begin_ticks();
+    const double duration = 1.0 / config.ticks.hz;
+    motors.begin_frame(frames->lead, dt);
+    frames->follow.begin_frame(frames->lead, dt);
+    frames->lead += dt;
+
+    Advance done;
+    const double due = std::floor(frames->lead * config.ticks.hz + k_rounding);
+    if (const double spare = due - config.ticks.most; spare > 0.0) {
+        done.dropped = spare * duration;
+        drop_ticks(done.dropped);
+    }
+    done.ticks = static_cast<int>(std::min(due, static_cast<double>(config.ticks.most)));
+    for (int n = 0; n < done.ticks; ++n)
+        tick(duration, done.last);
+    frames->lead = std::max(0.0, frames->lead);
+    done.factor = static_cast<float>(frames->lead * config.ticks.hz);
+    show_frame();
+    return done;
+}
+
+void Wind::State::begin_ticks() {
+    const std::size_t cells = air.velocity.size();
+    const auto frame = [&] { return Frame{cpu::Buffer<glm::vec4>(cells), window, follow_point, ambient}; };
+    frames.emplace(Frames{.before = cpu::Buffer<glm::vec4>(cells), .shown = frame(), .shown_before = frame(), .follow = Track(follow_point)});
+    frames->rim_point_before = follow_point;
+    frames->gust_phase_before = ambient.phase();
+    for (cpu::Buffer<glm::vec4>* field : {&frames->before, &frames->shown.field, &frames->shown_before.field})
+        std::copy_n(air.velocity.data(), cells, field->data());
+}
+
+// Nothing acts on the air in dropped time, but the world went on: bodies are where they are, gusts have passed.
+void Wind::State::drop_ticks(double seconds) {
+    (void)motors.tick(seconds, window);
+    (void)frames->follow.tick(seconds);
+    ambient.advance(seconds);
+    frames->lead -= seconds;
+}
+
+void Wind::State::tick(double duration, Diagnostics& report) {
+    if (!(asleep && frames->before_still))
+        std::copy_n(air.velocity.data(), air.velocity.size(), frames->before.data());
+    frames->before_still = asleep;
+    frames->rim_point_before = follow_point;
+    frames->gust_phase_before = ambient.phase();
+    (void)frames->follow.tick(duration);
+    follow(frames->follow.here());
+    report = step(duration);
+    frames->lead -= duration;
+}
+
+void Wind::State::show_frame() {
+    std::swap(frames->shown, frames->shown_before);
+    Frame& frame = frames->shown;
+    const auto factor = static_cast<float>(std::min(1.0, frames->lead * config.ticks.hz));
+    const bool still = asleep && frames->before_still && ambient.uniform();
+    if (!(still && frame.still && frame.ambient.mean() == ambient.mean())) {
+        const std::size_t row_plane = static_cast<std::size_t>(window.cells.x) * static_cast<std::size_t>(window.cells.y);
+        const std::span<const glm::vec4> before = frames->before, now = air.velocity;
+        const std::span<glm::vec4> shown = frame.field;
+        config.parallel_for(window.cells.z, [&](int plane) {
+            const std::size_t first = row_plane * static_cast<std::size_t>(plane);
+            blend(before.subspan(first, row_plane), now.subspan(first, row_plane), factor, shown.subspan(first, row_plane));
+        });
+    }
+    frame.still = still;
+    frame.window = window;
+    frame.rim_point = glm::mix(frames->rim_point_before, follow_point, static_cast<double>(factor));
+    frame.ambient = ambient;
+    frame.ambient.set_phase(AmbientWind::between(frames->gust_phase_before, ambient.phase(), static_cast<double>(factor), ambient.period()));
+}
+
+} // namespace windrow

@@ -1,0 +1,126 @@
+// A gust that comes with the wind: through the rim and the open sides of the box, while the box moves, as if there were no box.
+
+#include "fluid/wind.h"
+#include "tests/fields.h"
+#include "tests/figure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace windrow;
+using namespace windrow::test;
+
+Wind made(const Config& config) {
+    auto wind = Wind::create(config);
+    EXPECT_TRUE(wind) << wind.error();
+    return *std::move(wind);
+}
+
+/// The wind along the line of the mean wind, through both rims and 8 m beyond.
+std::vector<glm::vec3> along_line(const Wind& wind, double spacing) {
+    std::vector<glm::vec3> line;
+    for (double x = -24.0; x <= 24.0; x += spacing)
+        line.push_back(wind.velocity({x, 0.3, 0.2}));
+    return line;
+}
+
+double largest_kink(const std::vector<glm::vec3>& line) {
+    double largest = 0.0;
+    for (std::size_t n = 2; n < line.size(); ++n)
+        largest = std::max(largest, double(glm::length(line[n] - 2.0f * line[n - 1] + line[n - 2])));
+    return largest;
+}
+
+TEST(GustFront, PassesTheRimWithoutAKinkBeforeAtAndAfterAShift) {
+    Wind wind = made({.ambient = {4.0f, 0.0f, 0.0f}, .gusts = {.intensity = 0.3f}});
+    for (int n = 0; n < 240; ++n)
+        wind.step(1.0 / 60.0);
+    // What the same line shows of the ambient wind alone, without any box.
+    const auto kink_of_gusts = [&] {
+        std::vector<glm::vec3> line;
+        for (double x = -24.0; x <= 24.0; x += 0.25)
+            line.push_back(wind.view().ambient().velocity({x, 0.3, 0.2}));
+        return largest_kink(line);
+    };
+    ASSERT_TRUE(wind.follow({0.4999, 0.0, 0.0}));
+    const auto before = along_line(wind, 0.25);
+    figure("gust_front_kink_of_the_gusts_alone_m_per_s", kink_of_gusts());
+    WINDROW_EXPECT_FIGURE("gust_front_kink_before_over_gusts", largest_kink(before) / kink_of_gusts(), 1.6);
+    ASSERT_TRUE(wind.follow({0.5001, 0.0, 0.0}));
+    const auto at = along_line(wind, 0.25);
+    double jump = 0.0, swing = 0.0;
+    for (std::size_t n = 0; n < at.size(); ++n) {
+        jump = std::max(jump, double(glm::length(at[n] - before[n])));
+        swing = std::max(swing, double(glm::length(at[n] - glm::vec3(4.0f, 0.0f, 0.0f))));
+    }
+    EXPECT_GT(swing, 1.0) << "no gust on this line";
+    // The rim itself moved by 0.2 mm; beyond that nothing may.
+    WINDROW_EXPECT_FIGURE("gust_front_change_at_a_shift_m_per_s", jump, 1e-4);
+    wind.step(1.0 / 60.0);
+    const auto after = along_line(wind, 0.25);
+    WINDROW_EXPECT_FIGURE("gust_front_kink_after_over_gusts", largest_kink(after) / kink_of_gusts(), 1.6);
+    if (testing::Test::HasFailure())
+        return;
+    std::printf("    x [m]   u before, at and after a shift [m/s]; the rim is at -15 to -13 and 13 to 15\n");
+    for (int x = -20; x <= 20; ++x) {
+        const auto n = std::size_t((x + 24) * 4);
+        std::printf("    %5d   %7.4f %7.4f %7.4f\n", x, double(before[n].x), double(at[n].x), double(after[n].x));
+    }
+}
+
+// Without a motor the box adds nothing: inside blows what would blow there without a fluid, for as long as one looks.
+TEST(GustFront, TheBoxCarriesTheGustsAsTheyAreOutside) {
+    for (const auto& [name, config] :
+         {std::pair<std::string, Config>{"open", {.ambient = {3.0f, 0.0f, -1.0f}, .gusts = {.intensity = 0.3f}}},
+          {"profile_over_floor",
+           {.sides = Sides::open_over_floor(), .ambient = {5.0f, 0.0f, 1.0f}, .profile = LogProfile{}, .gusts = {.intensity = 0.25f}}},
+          {"stable_fluids", {.ambient = {3.0f, 0.0f, -1.0f}, .gusts = {.intensity = 0.3f}, .scheme = Scheme::stable_fluids}}}) {
+        Wind wind = made(config);
+        double worst = 0.0;
+        for (int n = 1; n <= 600; ++n) {
+            ASSERT_TRUE(wind.follow({0.05 * n, 0.0, -0.03 * n}));
+            wind.step(1.0 / 60.0);
+            if (n % 60 != 0)
+                continue;
+            const Window window = wind.view().window();
+            const glm::ivec3 cells = window.cells;
+            for (int k = 0; k < cells.z; ++k)
+                for (int j = 0; j < cells.y; ++j)
+                    for (int i = 0; i < cells.x; ++i) {
+                        const glm::vec3 outside = wind.view().ambient().velocity(window.centre(i, j, k));
+                        const glm::vec3 inside(wind.field()[wind.box().index(i, j, k)]);
+                        worst = std::max(worst, double(glm::length(inside - outside)));
+                    }
+        }
+        WINDROW_EXPECT_FIGURE("gusts_in_the_box_off_those_outside_m_per_s_" + name, worst, 1e-4);
+    }
+}
+
+// A fan in gusts still blows: the air of motors rides on the gusts and reaches as far as without them.
+TEST(GustFront, MotorsBlowInGusts) {
+    double reach[2] = {};
+    for (int gusty = 0; gusty < 2; ++gusty) {
+        Wind wind = made({.ambient = {3.0f, 0.0f, 0.0f}, .gusts = {.intensity = 0.2f * static_cast<float>(gusty)}});
+        ASSERT_TRUE(wind.motors().add(DirectionalMotor{.position = {-6.0, 0.0, 0.0}, .law = Drive{10.0f, 6.0f}}));
+        double sum = 0.0;
+        for (int n = 0; n < 900; ++n) {
+            wind.step(1.0 / 60.0);
+            if (n >= 300)
+                sum += double(wind.velocity({4.0, 0.0, 0.0}).x) / 600.0;
+        }
+        reach[gusty] = sum;
+    }
+    figure("fan_10_m_downwind_calm_m_per_s", reach[0]);
+    figure("fan_10_m_downwind_gusty_m_per_s", reach[1]);
+    EXPECT_GT(reach[1], 4.0);
+}
+
+} // namespace

@@ -1,0 +1,196 @@
+// W16: the wind of the box fades to the ambient wind by the distance from the point that it follows, so that a shift of the box moves
+// nothing that is seen.
+
+#include "fluid/wind.h"
+#include "tests/fields.h"
+#include "tests/figure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace windrow;
+using namespace windrow::test;
+
+Wind made(const Config& config) {
+    auto wind = Wind::create(config);
+    EXPECT_TRUE(wind) << wind.error();
+    return *std::move(wind);
+}
+
+/// Air in strong motion to the very edge, so that anything that jumps there shows.
+Wind stormy(Config config) {
+    config.ambient = {2.0f, 0.0f, -1.0f};
+    Wind wind = made(config);
+    EXPECT_TRUE(wind.set_velocity(smooth_noise(wind.box().cells, 8.0f, 42)));
+    for (int n = 0; n < 3; ++n)
+        wind.step(1.0 / 60.0);
+    return wind;
+}
+
+TEST(Rim, AShiftMovesNothing) {
+    Wind wind = stormy({});
+    Random random(43);
+    std::vector<glm::dvec3> points;
+    for (int n = 0; n < 4000; ++n)
+        points.push_back(random.point(20.0) * glm::dvec3(1.0, 0.6, 1.0));
+    const double speed = largest_speed(wind.field());
+    std::vector<glm::vec3> before(points.size()), after(points.size());
+    double worst = 0.0;
+    int shifts = 0;
+    constexpr double k_rounding = 0.5 / 65536.0; // places are rounded to 1/65536 of a cell
+    glm::dvec3 at(0.0);
+    for (int n = 0; n < 40; ++n) {
+        // To just this side of where the box jumps, and just beyond it.
+        const glm::dvec3 toward = glm::dvec3(n % 4 == 0, n % 4 == 1, n % 4 == 2 || n % 4 == 3) * (n % 8 < 4 ? 1.0 : -1.0);
+        const glm::dvec3 edge = glm::floor(at + 1e-4) + 0.5 - k_rounding;
+        glm::dvec3 near = at;
+        for (int axis = 0; axis < 3; ++axis)
+            if (toward[axis] != 0.0)
+                near[axis] = edge[axis];
+        ASSERT_TRUE(wind.follow(near - 1e-7 * toward));
+        wind.velocity(points, before);
+        const glm::dvec3 origin = wind.origin();
+        ASSERT_TRUE(wind.follow(near + 1e-7 * toward));
+        shifts += wind.origin() != origin;
+        wind.velocity(points, after);
+        for (std::size_t i = 0; i < points.size(); ++i)
+            worst = std::max(worst, double(glm::length(after[i] - before[i])) / speed);
+        at = near + 1e-7 * toward;
+    }
+    EXPECT_GE(shifts, 30);
+    WINDROW_EXPECT_FIGURE("w16_change_at_a_shift_of_max_speed", worst, 1e-6);
+}
+
+TEST(Rim, WithoutItAShiftShows) {
+    Wind wind = stormy({.rim = 0.0f});
+    ASSERT_TRUE(wind.follow({0.4999, 0.0, 0.0}));
+    const glm::vec3 before = wind.velocity({15.8, 0.0, 0.0});
+    ASSERT_TRUE(wind.follow({0.5001, 0.0, 0.0}));
+    figure("w16_change_at_a_shift_without_rim_m_per_s", double(glm::length(wind.velocity({15.8, 0.0, 0.0}) - before)));
+    EXPECT_GT(glm::length(wind.velocity({15.8, 0.0, 0.0}) - before), 0.01f) << "this test would not see a jump";
+}
+
+TEST(Rim, FadesFromTheBoxToAmbient) {
+    Wind wind = made({.ambient = {1.0f, 0.0f, 0.0f}, .rim = 4.0f});
+    wind.set_velocity([](glm::dvec3) { return glm::vec3(5.0f, 0.0f, 0.0f); });
+    // Half of 32 cells less one is where it has faded, four cells before that it begins.
+    for (const auto& [x, expected] : {std::pair{0.0, 5.0f}, {10.9, 5.0f}, {13.0, 3.0f}, {15.0, 1.0f}, {15.9, 1.0f}, {40.0, 1.0f}}) {
+        EXPECT_NEAR(wind.velocity({x, 0.0, 0.0}).x, expected, 1e-5) << x;
+        EXPECT_NEAR(wind.velocity({-x, 0.0, 0.0}).x, expected, 1e-5) << -x;
+        EXPECT_NEAR(wind.velocity({0.0, 0.0, x}).x, expected, 1e-5) << x;
+    }
+    float last = 5.0f;
+    for (double x = 10.0; x < 17.0; x += 0.01) {
+        const float u = wind.velocity({x, 0.0, 0.0}).x;
+        EXPECT_LE(u, last + 1e-6f);
+        EXPECT_GE(u, last - 4.0f * 0.01f * 1.5f / 4.0f - 1e-4f) << "steeper than a smooth step over four cells";
+        last = u;
+    }
+}
+
+TEST(Rim, SmallBoxesAndAxesThatStayHaveNone) {
+    for (const auto& [config, axis] : {std::pair{Config{.cells = {6, 6, 6}}, 0}, {Config{.cells = {32, 16, 1}}, 2},
+                                       {Config{.sides = Sides::open_over_floor()}, 1}}) {
+        Wind wind = made(config);
+        wind.set_velocity([](glm::dvec3) { return glm::vec3(5.0f, 0.0f, 0.0f); });
+        glm::dvec3 edge = wind.origin() + 0.5 * glm::dvec3(wind.box().cells) * double(wind.box().cell_size);
+        edge[axis] = wind.origin()[axis] + double(wind.box().cells[axis]) - 1e-3;
+        EXPECT_NEAR(wind.velocity(edge).x, 5.0f, 1e-5);
+        EXPECT_EQ(wind.window_block({}).rim_reach[axis], 0.0f);
+    }
+}
+
+TEST(Rim, TheBlockSaysWhatTheQueryDoes) {
+    Wind wind = stormy({.cells = {32, 16, 24}, .cell_size = 0.5f});
+    ASSERT_TRUE(wind.follow({1e6 + 0.3, -0.2, 7.1}));
+    const glm::dvec3 anchor(1e6, 0.0, 5.0);
+    const WindowBlock block = wind.window_block(anchor);
+    EXPECT_NEAR(block.rim_point.x, 0.3f, 1e-6);
+    EXPECT_NEAR(block.rim_point.z, 2.1f, 1e-6);
+    EXPECT_FLOAT_EQ(block.rim_point.w, 1.0f);
+    EXPECT_FLOAT_EQ(block.rim_reach.x, 7.5f);
+    EXPECT_FLOAT_EQ(block.rim_reach.y, 3.5f);
+    EXPECT_FLOAT_EQ(block.rim_reach.z, 5.5f);
+    const glm::dvec3 beyond = anchor + glm::dvec3(block.rim_point) + glm::dvec3(block.rim_reach.x + 1e-3, 0.0, 0.0);
+    EXPECT_EQ(wind.velocity(beyond), wind.ambient());
+}
+
+/// Second differences in time of the wind at fixed points along the way of someone who walks at an even speed, frame by frame: the
+/// root mean square over the points, apart for frames near a shift of the box.
+struct Jolts {
+    std::vector<double> calm, at_shift;
+    double max_speed = 0.0;
+};
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+double largest(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
+
+Jolts walk(Wind& wind) {
+    constexpr double k_dt = 1.0 / 60.0, k_speed = 1.4;
+    for (int n = 0; n < 300; ++n) // what blows stands
+        wind.step(k_dt);
+    std::vector<glm::dvec3> points;
+    Random random(44);
+    for (int n = 0; n < 200; ++n)
+        points.push_back(random.point(14.0) * glm::dvec3(1.0, 0.4, 1.0));
+    std::vector<std::vector<glm::vec3>> seen;
+    std::vector<bool> shifted;
+    Jolts jolts;
+    for (int n = 1; n <= 300; ++n) {
+        const glm::dvec3 origin = wind.origin();
+        EXPECT_TRUE(wind.follow({k_speed * k_dt * n, 0.0, 0.0}));
+        jolts.max_speed = double(wind.step(k_dt).max_speed);
+        shifted.push_back(wind.origin() != origin);
+        seen.emplace_back(points.size());
+        wind.velocity(points, seen.back());
+    }
+    for (std::size_t n = 2; n < seen.size(); ++n) {
+        double squares = 0.0;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const glm::vec3 second = seen[n][i] - 2.0f * seen[n - 1][i] + seen[n - 2][i];
+            squares += double(glm::dot(second, second));
+        }
+        (shifted[n] || shifted[n - 1] ? jolts.at_shift : jolts.calm).push_back(std::sqrt(squares / double(points.size())));
+    }
+    EXPECT_GE(jolts.at_shift.size(), 10u);
+    return jolts;
+}
+
+TEST(Rim, AWalkThroughGustsFeelsNoShift) {
+    Wind wind = made({.ambient = {2.0f, 0.0f, 0.5f}, .gusts = {.intensity = 0.3f}});
+    const Jolts jolts = walk(wind);
+    figure("w16_gusts_second_difference_median_m_per_s", median(jolts.calm));
+    WINDROW_EXPECT_FIGURE("w16_gusts_at_shifts_over_median", median(jolts.at_shift) / median(jolts.calm), 1.5);
+    WINDROW_EXPECT_FIGURE("w16_gusts_worst_at_shifts_over_worst_else", largest(jolts.at_shift) / largest(jolts.calm), 1.5);
+}
+
+// What a motor blows reaches the open sides, and where they move the pressure in the whole box does: that is felt, if only just.
+TEST(Rim, AWalkPastAFanFeelsAThousandthAtMost) {
+    Wind wind = made({.ambient = {2.0f, 0.0f, 0.5f}});
+    ASSERT_TRUE(wind.motors().add(DirectionalMotor{.position = {4.0, 0.0, 1.0}, .direction = {-1.0f, 0.0f, 1.0f}}));
+    const Jolts jolts = walk(wind);
+    figure("w16_fan_at_shifts_over_median", largest(jolts.at_shift) / median(jolts.calm));
+    WINDROW_EXPECT_FIGURE("w16_fan_at_shifts_of_max_speed", largest(jolts.at_shift) / jolts.max_speed, 1e-3);
+}
+
+TEST(Rim, IsRefusedOutOfRange) {
+    for (const float rim : {-1.0f, 65.0f, std::nanf("")}) {
+        const auto refused = Wind::create({.rim = rim});
+        ASSERT_FALSE(refused);
+        EXPECT_NE(refused.error().find("rim is "), std::string::npos) << refused.error();
+    }
+}
+
+} // namespace

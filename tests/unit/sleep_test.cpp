@@ -1,0 +1,169 @@
+// Air that has settled and on which nothing acts sleeps: a step costs microseconds, and waking is, to the bit, what a fresh solver does.
+
+#include "fluid/thread_pool.h"
+#include "fluid/wind.h"
+#include "tests/fields.h"
+#include "tests/figure.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace windrow;
+using namespace windrow::test;
+
+Wind made(const Config& config) {
+    auto wind = Wind::create(config);
+    EXPECT_TRUE(wind) << wind.error();
+    return *std::move(wind);
+}
+
+/// Stirs the air for half a second, then lets it settle; returns the steps until it sleeps.
+int stir_until_asleep(Wind& wind, int most = 20'000) {
+    const auto fan = wind.motors().add(DirectionalMotor{.position = wind.config().centre, .law = Drive{6.0f, 8.0f}});
+    EXPECT_TRUE(fan);
+    for (int n = 0; n < 30; ++n)
+        EXPECT_FALSE(wind.step(1.0 / 60.0).asleep);
+    EXPECT_TRUE(wind.motors().remove(*fan));
+    for (int n = 1; n <= most; ++n)
+        if (wind.step(1.0 / 60.0).asleep)
+            return n;
+    ADD_FAILURE() << "never slept";
+    return most;
+}
+
+std::vector<std::pair<std::string, Config>> places() {
+    return {{"still_air", {.settling_time = 2.0f}},
+            {"mean_wind", {.cells = {16, 8, 16}, .ambient = {3.0f, 0.0f, 1.0f}, .settling_time = 2.0f}},
+            {"over_floor", {.cells = {16, 8, 16}, .sides = Sides::open_over_floor(), .ambient = {2.0f, 0.0f, 0.0f}, .settling_time = 2.0f}},
+            {"profile",
+             {.cells = {16, 8, 16}, .sides = Sides::open_over_floor(), .ambient = {4.0f, 0.0f, 0.0f}, .profile = LogProfile{}, .settling_time = 2.0f}},
+            {"stable_fluids", {.cells = {16, 8, 16}, .settling_time = 1.0f, .scheme = Scheme::stable_fluids}}};
+}
+
+TEST(Sleep, WakingEqualsAFreshSolverToTheBit) {
+    for (const auto& [name, config] : places()) {
+        Wind slept = made(config);
+        stir_until_asleep(slept);
+        for (int n = 0; n < 100; ++n)
+            ASSERT_TRUE(slept.step(1.0 / 60.0).asleep) << name;
+        Wind fresh = made(config);
+        EXPECT_EQ(cells_that_differ(slept.field(), fresh.field()), 0u) << name;
+        std::size_t differing = 0;
+        for (Wind* wind : {&slept, &fresh})
+            ASSERT_TRUE(wind->motors().add(VortexMotor{.position = {1.0, 0.0, -0.5}}));
+        for (int n = 0; n < 60; ++n) {
+            ASSERT_FALSE(slept.step(1.0 / 60.0).asleep);
+            fresh.step(1.0 / 60.0);
+            differing += cells_that_differ(slept.field(), fresh.field());
+        }
+        WINDROW_EXPECT_FIGURE("sleep_cells_that_differ_on_waking_" + name, double(differing), 0.0);
+    }
+}
+
+TEST(Sleep, FollowsAndIsSampledInItsSleep) {
+    for (const auto& [name, config] : places()) {
+        Wind wind = made(config);
+        stir_until_asleep(wind);
+        for (int n = 1; n < 50; ++n) {
+            ASSERT_TRUE(wind.follow({1.3 * n, 0.7 * n, -2.1 * n}));
+            ASSERT_TRUE(wind.step(1.0 / 60.0).asleep) << name;
+        }
+        Config there = config;
+        there.centre = {1.3 * 49, config.sides.y_low.solid() ? 0.0 : 0.7 * 49, -2.1 * 49};
+        EXPECT_EQ(wind.origin(), made(there).origin()) << name;
+        EXPECT_EQ(cells_that_differ(wind.field(), made(there).field()), 0u) << name;
+    }
+}
+
+TEST(Sleep, WhatActsWakesIt) {
+    const Config config{.cells = {16, 8, 16}, .ambient = {1.0f, 0.0f, 0.0f}, .settling_time = 1.0f};
+    const auto asleep = [&](const Config& each) {
+        Wind wind = made(each);
+        stir_until_asleep(wind);
+        return wind;
+    };
+    Wind moved = asleep(config);
+    const auto body = moved.motors().add(WakeMotor{});
+    ASSERT_TRUE(body);
+    EXPECT_TRUE(moved.step(0.02).asleep) << "a body that stands does nothing";
+    ASSERT_TRUE(moved.motors().move(*body, {1.0, 0.0, 0.0}));
+    EXPECT_FALSE(moved.step(0.02).asleep);
+
+    Wind gusty = asleep(config);
+    ASSERT_TRUE(gusty.set_gusts({.intensity = 0.2f}));
+    EXPECT_FALSE(gusty.step(0.02).asleep);
+
+    Wind set = asleep(config);
+    set.set_velocity([](glm::dvec3) { return glm::vec3(0.0f, 1.0f, 0.0f); });
+    EXPECT_FALSE(set.step(0.02).asleep);
+
+    Wind new_wind = asleep(config);
+    ASSERT_TRUE(new_wind.set_ambient({2.0f, 0.0f, 0.0f}));
+    for (const glm::vec4& u : new_wind.field())
+        ASSERT_EQ(u, glm::vec4(2.0f, 0.0f, 0.0f, 0.0f));
+    EXPECT_EQ(new_wind.step(0.02).max_speed, 2.0f);
+
+    Wind blast = asleep(config);
+    ASSERT_TRUE(blast.motors().add(PressureMotor{}));
+    EXPECT_FALSE(blast.step(0.02).asleep);
+}
+
+TEST(Sleep, StaysAwakeWhereItMust) {
+    for (const auto& [name, config] :
+         {std::pair<std::string, Config>{"gusts", {.cells = {16, 8, 16}, .ambient = {2.0f, 0.0f, 0.0f}, .gusts = {.intensity = 0.1f}}},
+          {"never_settles", {.cells = {16, 8, 16}, .settling_time = 0.0f}},
+          {"switched_off", {.cells = {16, 8, 16}, .sleep_speed = 0.0f}},
+          {"viscous", {.cells = {16, 8, 16}, .viscosity = 1.0f}}}) {
+        Wind wind = made(config);
+        for (int n = 0; n < 50; ++n)
+            EXPECT_FALSE(wind.step(1.0 / 60.0).asleep) << name;
+    }
+    // Slow air is not settled air while it is faster than the bound.
+    Wind slow = made({.cells = {16, 8, 16}});
+    slow.set_velocity([](glm::dvec3 p) { return glm::vec3(0.0f, 0.0f, 0.01f * float(std::sin(p.x))); });
+    EXPECT_FALSE(slow.step(1.0 / 60.0).asleep);
+}
+
+TEST(Sleep, NothingThatIsSeenJumpsAsItFallsAsleep) {
+    Wind wind = made({.settling_time = 2.0f});
+    const auto fan = wind.motors().add(DirectionalMotor{});
+    ASSERT_TRUE(fan);
+    for (int n = 0; n < 30; ++n)
+        wind.step(1.0 / 60.0);
+    ASSERT_TRUE(wind.motors().remove(*fan));
+    Field before;
+    do
+        before = copy(wind.field());
+    while (!wind.step(1.0 / 60.0).asleep);
+    double largest = 0.0;
+    for (std::size_t n = 0; n < before.size(); ++n)
+        largest = std::max(largest, double(glm::length(glm::vec3(wind.field()[n]) - glm::vec3(before[n]))));
+    WINDROW_EXPECT_FIGURE("sleep_jump_m_per_s", largest, 2e-3);
+}
+
+/// Not a timing test: the work that a sleeping step does is counted by what it may not touch, the field. The ratio is stated.
+TEST(Sleep, CostsNextToNothing) {
+    Wind wind = made({.settling_time = 2.0f});
+    stir_until_asleep(wind);
+    double asleep = 1e9, awake = 1e9;
+    for (int n = 0; n < 200; ++n) {
+        const auto start = std::chrono::steady_clock::now();
+        wind.step(1.0 / 60.0);
+        asleep = std::min(asleep, std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count());
+    }
+    Wind busy = made({.sleep_speed = 0.0f});
+    for (int n = 0; n < 50; ++n)
+        awake = std::min(awake, 1e3 * busy.step(1.0 / 60.0).times_ms.total);
+    figure("sleep_step_us", asleep);
+    figure("sleep_awake_step_us", awake);
+    figure("sleep_awake_over_asleep", awake / asleep);
+}
+
+} // namespace

@@ -1,0 +1,227 @@
+// A snapshot holds every field, and little else.
+
+#include "fluid/wind_state.h"
+#include "tests/figure.h"
+#include "tests/unit/snapshot_session.h"
+
+#include <functional>
+#include <gtest/gtest.h>
+#include <vector>
+
+namespace {
+
+using namespace windrow;
+using namespace windrow::test;
+
+// A field that is left out leaves the bytes as they are; one that is read wrongly comes out otherwise when saved again.
+template <class T>
+void each_counts(const T& start, const std::vector<std::function<void(T&)>>& changes,
+                 const std::function<Bytes(const T&)>& bytes_of) {
+    std::vector<Bytes> seen{bytes_of(start)};
+    for (std::size_t n = 0; n < changes.size(); ++n) {
+        T value = start;
+        changes[n](value);
+        const Bytes bytes = bytes_of(value);
+        for (const Bytes& other : seen)
+            EXPECT_NE(bytes, other) << "change " << n;
+        EXPECT_EQ(loaded(bytes).save(), bytes) << "change " << n;
+        seen.push_back(bytes);
+    }
+}
+
+TEST(SnapshotFields, EachOfTheConfigCounts) {
+    Config start{.cells = {3, 4, 5}};
+    start.sides.x_low.kind = start.sides.x_high.kind = start.sides.y_low.kind = SideKind::no_slip;
+    start.sides.y_high.kind = SideKind::no_slip;
+    start.profile = LogProfile{};
+    start.gusts.intensity = 0.25f;
+    using Change = std::function<void(Config&)>;
+    const std::vector<Change> changes{
+        [](Config& c) { c.cells.x = 6; },
+        [](Config& c) { c.cells.y = 6; },
+        [](Config& c) { c.cells.z = 6; },
+        [](Config& c) { c.cell_size = 0.5f; },
+        [](Config& c) { c.sides.x_low.kind = SideKind::free_slip; },
+        [](Config& c) { c.sides.x_high.wall_velocity.y = 1.0f; },
+        [](Config& c) { c.sides.x_high.wall_velocity.z = 1.0f; },
+        [](Config& c) { c.sides.y_low.kind = SideKind::free_slip; },
+        [](Config& c) { c.sides.y_high.wall_velocity.x = 2.0f; },
+        [](Config& c) { c.sides.z_low.kind = SideKind::free_slip; },
+        [](Config& c) { c.sides.z_high.kind = SideKind::free_slip; },
+        [](Config& c) { c.sides.z_low.kind = c.sides.z_high.kind = SideKind::periodic; },
+        [](Config& c) { c.centre.x = 0.25; },
+        [](Config& c) { c.centre.y = 0.25; },
+        [](Config& c) { c.centre.z = 0.25; },
+        [](Config& c) { c.follow_axes = glm::bvec3(false); },
+        [](Config& c) { c.follow_axes = glm::bvec3(false, false, true); },
+        [](Config& c) { c.ambient.x = 2.0f; },
+        [](Config& c) { c.ambient.y = 2.0f; },
+        [](Config& c) { c.ambient.z = 2.0f; },
+        [](Config& c) { c.profile.reset(); },
+        [](Config& c) { c.profile->roughness_length = 0.1f; },
+        [](Config& c) { c.profile->reference_height = 3.0f; },
+        [](Config& c) { c.gusts.intensity = 0.5f; },
+        [](Config& c) { c.gusts.length = 6.0f; },
+        [](Config& c) { c.gusts.seed = 77; },
+        [](Config& c) { c.rim = 1.0f; },
+        [](Config& c) { c.viscosity = 0.5f; },
+        [](Config& c) { c.settling_time = 3.0f; },
+        [](Config& c) { c.sleep_speed = 0.5f; },
+        [](Config& c) { c.scheme = Scheme::stable_fluids; },
+        [](Config& c) { c.interpolation = Interpolation::linear; },
+        [](Config& c) { c.max_cfl = 1.0f; },
+        [](Config& c) { c.max_substeps = 2; },
+        [](Config& c) { c.stages.sources = false; },
+        [](Config& c) { c.stages.settling = false; },
+        [](Config& c) { c.stages.diffusion = false; },
+        [](Config& c) { c.stages.advection = false; },
+        [](Config& c) { c.stages.projection = false; },
+        [](Config& c) { c.ticks.hz = 50.0; },
+        [](Config& c) { c.ticks.most = 7; },
+    };
+    each_counts<Config>(start, changes, [](const Config& config) { return made(config).save(); });
+}
+
+template <class Kind>
+void each_of_a_motor_counts(const std::vector<std::function<void(Kind&)>>& changes) {
+    each_counts<Kind>({}, changes, [](const Kind& motor) {
+        Wind wind = made({.cells = {2, 2, 2}});
+        EXPECT_TRUE(wind.motors().add(motor));
+        return wind.save();
+    });
+}
+
+template <class Kind>
+std::vector<std::function<void(Kind&)>> changes_of_place() {
+    return {[](Kind& m) { m.position.x = 1.5; }, [](Kind& m) { m.position.y = 1.5; }, [](Kind& m) { m.position.z = 1.5; }};
+}
+
+template <class Kind>
+std::vector<std::function<void(Kind&)>> changes_of_envelope() {
+    auto list = changes_of_place<Kind>();
+    list.insert(list.end(), {[](Kind& m) { m.envelope.attack = 0.5f; }, [](Kind& m) { m.envelope.hold = 0.5f; },
+                             [](Kind& m) { m.envelope.decay = 0.5f; }});
+    return list;
+}
+
+template <class Kind>
+std::vector<std::function<void(Kind&)>> changes_of_law() {
+    auto list = changes_of_envelope<Kind>();
+    list.insert(list.end(), {[](Kind& m) { m.law = Force{}; }, [](Kind& m) { m.law = Force{0.5f}; },
+                             [](Kind& m) { m.law = Drive{.speed = 0.5f}; }, [](Kind& m) { m.law = Drive{.rate = 0.5f}; }});
+    return list;
+}
+
+TEST(SnapshotFields, EachOfAMotorCounts) {
+    auto directional = changes_of_law<DirectionalMotor>();
+    directional.insert(directional.end(),
+                       {[](DirectionalMotor& m) {
+                            m.direction = {0.0f, 1.0f, 0.0f};
+                        },
+                        [](DirectionalMotor& m) {
+                            m.direction = {0.0f, 0.0f, 1.0f};
+                        },
+                        [](DirectionalMotor& m) { m.region = Sphere{0.5f}; }, [](DirectionalMotor& m) { m.region = Capsule{}; },
+                        [](DirectionalMotor& m) {
+                            m.region = Capsule{.half_axis = {0.0f, 1.0f, 0.0f}};
+                        },
+                        [](DirectionalMotor& m) { m.region = Capsule{.radius = 0.5f}; },
+                        [](DirectionalMotor& m) { m.region = AlignedBox{}; },
+                        [](DirectionalMotor& m) {
+                            m.region = AlignedBox{{1.0f, 2.0f, 2.0f}};
+                        },
+                        [](DirectionalMotor& m) {
+                            m.region = AlignedBox{{2.0f, 1.0f, 2.0f}};
+                        },
+                        [](DirectionalMotor& m) {
+                            m.region = AlignedBox{{2.0f, 2.0f, 1.0f}};
+                        },
+                        [](DirectionalMotor& m) { m.region = Cone{}; },
+                        [](DirectionalMotor& m) {
+                            m.region = Cone{.axis = {0.0f, 1.0f, 0.0f}};
+                        },
+                        [](DirectionalMotor& m) { m.region = Cone{.start_radius = 0.25f}; },
+                        [](DirectionalMotor& m) { m.region = Cone{.end_radius = 0.25f}; }});
+    each_of_a_motor_counts<DirectionalMotor>(directional);
+
+    auto wake = changes_of_envelope<WakeMotor>();
+    wake.insert(wake.end(),
+                {[](WakeMotor& m) { m.radius = 0.25f; }, [](WakeMotor& m) { m.law = WakeForce{}; },
+                 [](WakeMotor& m) { m.law = WakeForce{0.25f}; }, [](WakeMotor& m) { m.law = WakeDrive{.per_metre = 0.25f}; },
+                 [](WakeMotor& m) { m.law = WakeDrive{.entrainment = 0.25f}; }});
+    each_of_a_motor_counts<WakeMotor>(wake);
+
+    auto jet = changes_of_law<JetMotor>();
+    jet.insert(jet.end(), {[](JetMotor& m) {
+                               m.direction = {0.0f, 1.0f, 0.0f};
+                           },
+                           [](JetMotor& m) { m.length = 0.25f; }, [](JetMotor& m) { m.start_radius = 0.25f; },
+                           [](JetMotor& m) { m.end_radius = 0.25f; }});
+    each_of_a_motor_counts<JetMotor>(jet);
+
+    auto vortex = changes_of_law<VortexMotor>();
+    vortex.insert(vortex.end(), {[](VortexMotor& m) {
+                                     m.axis = {1.0f, 0.0f, 0.0f};
+                                 },
+                                 [](VortexMotor& m) { m.radius = 0.25f; }, [](VortexMotor& m) { m.half_length = 0.25f; },
+                                 [](VortexMotor& m) { m.lift = 0.25f; }});
+    each_of_a_motor_counts<VortexMotor>(vortex);
+
+    auto omni = changes_of_envelope<OmniMotor>();
+    omni.insert(omni.end(), {[](OmniMotor& m) { m.radius = 0.25f; }, [](OmniMotor& m) { m.speed = 0.25f; }});
+    each_of_a_motor_counts<OmniMotor>(omni);
+
+    auto pressure = changes_of_place<PressureMotor>();
+    pressure.insert(pressure.end(), {[](PressureMotor& m) { m.radius = 0.25f; }, [](PressureMotor& m) { m.speed = 0.25f; },
+                                     [](PressureMotor& m) { m.duration = 0.25f; }});
+    each_of_a_motor_counts<PressureMotor>(pressure);
+}
+
+// A report while asleep is the one thing that no later step makes anew.
+TEST(SnapshotFields, ASleeperReportsTheSame) {
+    Wind wind = made({.cells = {4, 4, 4}, .ambient = {3.0f, 1.0f, 0.0f}});
+    (void)wind.step(0.1);
+    Wind again = loaded(wind.save());
+    const Diagnostics a = wind.step(0.1), b = again.step(0.1);
+    EXPECT_TRUE(b.asleep && b.stepped);
+    EXPECT_EQ(a.max_speed, b.max_speed);
+    EXPECT_EQ(a.energy, b.energy);
+    EXPECT_EQ(a.divergence_rms, b.divergence_rms);
+}
+
+TEST(SnapshotFields, HandlesGoOnWithTheirGenerations) {
+    Session session{made({.cells = {4, 4, 4}}), {}};
+    session.add_all_kinds();
+    Wind again = loaded(session.wind.save());
+    EXPECT_EQ(again.motors().find(session.motors[0]), nullptr);
+    EXPECT_NE(again.motors().find(session.motors[1]), nullptr);
+    for (int n = 0; n < 4; ++n) {
+        const auto here = session.wind.motors().add(OmniMotor{}), there = again.motors().add(OmniMotor{});
+        ASSERT_TRUE(here && there);
+        EXPECT_EQ(*here, *there);
+    }
+}
+
+TEST(SnapshotFields, ATileThatWasHandedInGoesByItsSeed) {
+    Wind wind = made(
+        {.cells = {4, 4, 4}, .ambient = {5.0f, 0.0f, 0.0f}, .gusts = {.intensity = 0.3f, .seed = 3, .tile = GustTile::bake(9)}});
+    EXPECT_EQ(loaded(wind.save()).config().gusts.seed, 9u);
+}
+
+TEST(SnapshotFields, TakesSoManyBytesACell) {
+    const auto per_cell = [](const Wind& wind) {
+        return static_cast<double>(wind.save().size()) / static_cast<double>(wind.box().cell_count());
+    };
+    Wind wind = made({});
+    WINDROW_EXPECT_FIGURE("snapshot_bytes_per_cell_fresh", per_cell(wind), 16.1);
+    ASSERT_TRUE(wind.motors().add(DirectionalMotor{}));
+    (void)wind.step(0.02);
+    WINDROW_EXPECT_FIGURE("snapshot_bytes_per_cell_stepped", per_cell(wind), 48.1);
+    ASSERT_TRUE(wind.motors().add(OmniMotor{}));
+    (void)wind.step(0.02);
+    WINDROW_EXPECT_FIGURE("snapshot_bytes_per_cell_with_sources_of_air", per_cell(wind), 64.1);
+    (void)wind.advance(0.05);
+    WINDROW_EXPECT_FIGURE("snapshot_bytes_per_cell_with_all", per_cell(wind), 112.1);
+}
+
+} // namespace

@@ -1,0 +1,135 @@
+// Nothing but a whole, unchanged snapshot loads, and no bytes do harm.
+
+#include "fluid/bytes.h"
+#include "fluid/wind_state.h"
+#include "tests/figure.h"
+#include "tests/unit/snapshot_session.h"
+
+#include <gtest/gtest.h>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace windrow;
+using namespace windrow::test;
+
+constexpr detail::Format k_format{"WINDSNAP", 1, "snapshot", "Wind::save"};
+
+std::string refusal(std::span<const std::byte> bytes) {
+    const auto wind = Wind::load(bytes);
+    EXPECT_FALSE(wind);
+    return wind ? std::string() : wind.error();
+}
+
+// As a file whose checksum is right whatever it holds.
+Bytes sealed(std::span<const std::byte> content, detail::Format format = k_format) {
+    Bytes bytes = detail::begin_bytes(content.size());
+    bytes.insert(bytes.end(), content.begin(), content.end());
+    detail::seal(bytes, format);
+    return bytes;
+}
+
+std::span<const std::byte> content_of(const Bytes& bytes) {
+    return std::span(bytes).subspan(detail::k_header_bytes, bytes.size() - detail::k_header_bytes - detail::k_checksum_bytes);
+}
+
+Bytes small_snapshot(float gust_intensity = 0.0f) {
+    const Gusts gusts{.intensity = gust_intensity};
+    Session session{made({.cells = {2, 2, 3}, .ambient = {2.0f, 0.0f, 1.0f}, .profile = LogProfile{}, .gusts = gusts}), {}};
+    session.add_all_kinds();
+    for (int n = 0; n < 7; ++n) {
+        session.act(n);
+        (void)session.wind.advance(1.0 / 80.0);
+    }
+    session.act(1);
+    return session.wind.save();
+}
+
+TEST(SnapshotRefusal, SaysWhatIsWrong) {
+    const Bytes bytes = small_snapshot();
+    EXPECT_EQ(refusal({}), "these bytes are not a Windrow snapshot: give what Wind::save returned.");
+    const std::string_view words = "A letter to somebody, long enough for a header.";
+    EXPECT_EQ(refusal(std::as_bytes(std::span(words))), "these bytes are not a Windrow snapshot: give what Wind::save returned.");
+    EXPECT_EQ(refusal(sealed(content_of(bytes), {"WINDSNAP", 2, "", ""})),
+              "snapshot is of format version 2, this library reads version 1: use the release that wrote it.");
+    EXPECT_NE(refusal(std::span(bytes).first(bytes.size() - 1)).find("snapshot is truncated: it holds "), std::string::npos);
+    Bytes longer = bytes;
+    longer.push_back(std::byte{0});
+    EXPECT_NE(refusal(longer).find("has changed since it was written: its length"), std::string::npos);
+    Bytes changed = bytes;
+    changed[bytes.size() / 2] ^= std::byte{1};
+    EXPECT_EQ(refusal(changed), "snapshot has changed since it was written: its checksum does not match; take another copy.");
+    Bytes content(content_of(bytes).begin(), content_of(bytes).end());
+    content.push_back(std::byte{0});
+    EXPECT_EQ(refusal(sealed(content)), "snapshot cannot be used: bytes follow its last field.");
+}
+
+TEST(SnapshotRefusal, MeetsWhatValidateRefuses) {
+    Wind wind = made({.cells = {4, 4, 4}});
+    const MotorId id = *wind.motors().add(JetMotor{});
+    wind.state().config.rim = -1.0f;
+    wind.state().config.max_substeps = 99;
+    const std::string config = refusal(wind.save());
+    EXPECT_NE(config.find("rim is -1"), std::string::npos) << config;
+    EXPECT_NE(config.find("max_substeps is 99"), std::string::npos) << config;
+    wind = made({.cells = {4, 4, 4}});
+    ASSERT_EQ(*wind.motors().add(JetMotor{}), id);
+    std::get<JetMotor>(const_cast<Motor&>(*wind.motors().find(id))).length = std::numeric_limits<float>::quiet_NaN();
+    const std::string motor = refusal(wind.save());
+    EXPECT_NE(motor.find("motor 0 cannot be used: motor.length is nan"), std::string::npos) << motor;
+}
+
+TEST(SnapshotRefusal, BelievesNoPromiseOfCells) {
+    Wind wind = made({.cells = {2, 2, 2}});
+    wind.state().config.cells = {2048, 2048, 16}; // 2^26 cells, 1 GiB a field
+    const std::string reason = refusal(wind.save());
+    EXPECT_NE(reason.find("it promises 67108864 items of 16 bytes or more, but only "), std::string::npos) << reason;
+}
+
+TEST(SnapshotRefusal, EveryTruncation) {
+    const Bytes bytes = small_snapshot();
+    for (std::size_t size = 0; size < bytes.size(); ++size)
+        ASSERT_FALSE(Wind::load(std::span(bytes).first(size))) << size;
+    for (std::size_t size = 0; size < content_of(bytes).size(); ++size)
+        ASSERT_FALSE(Wind::load(sealed(content_of(bytes).first(size)))) << size << ", sealed anew";
+}
+
+TEST(SnapshotRefusal, EveryChangedByte) {
+    const Bytes bytes = small_snapshot();
+    Random random(31);
+    for (int n = 0; n < 2000; ++n) {
+        Bytes changed = bytes;
+        const auto at = static_cast<std::size_t>(random.integer(0, static_cast<int>(bytes.size()) - 1));
+        changed[at] ^= static_cast<std::byte>(random.integer(1, 255));
+        ASSERT_FALSE(Wind::load(changed)) << at;
+    }
+}
+
+// Nobody but a forger makes these: they load or are refused, and what loads can be used.
+TEST(SnapshotRefusal, ForgedBytesDoNoHarm) {
+    const Bytes calm = small_snapshot(), gusty = small_snapshot(0.2f);
+    Random random(32);
+    int usable = 0;
+    for (int n = 0; n < 3000; ++n) {
+        const Bytes& bytes = n % 10 == 0 ? gusty : calm; // a load makes its tile: 5 ms
+        Bytes content(content_of(bytes).begin(), content_of(bytes).end());
+        for (int changes = random.integer(1, 3); changes > 0; --changes)
+            content[static_cast<std::size_t>(random.integer(0, static_cast<int>(content.size()) - 1))] =
+                static_cast<std::byte>(random.bits());
+        auto wind = Wind::load(sealed(content));
+        if (!wind)
+            continue;
+        ++usable;
+        (void)wind->velocity(glm::dvec3(0.5));
+        (void)wind->advance(0.03);
+        (void)wind->follow(glm::dvec3(3.0));
+        (void)wind->step(0.02);
+        EXPECT_FALSE(wind->save().empty());
+    }
+    figure("snapshot_forged_and_usable", usable);
+    EXPECT_GT(usable, 100);
+}
+
+} // namespace
