@@ -218,11 +218,11 @@ struct StateFields {
     /// All but the config, which comes first: a wind is made of it.
     static void state(auto& archive, Like<Wind::State> auto& state) {
         auto& [config, follow_axes, work, window, follow_point, stepped_origin_cells, previous_origin_cells, ambient, mean_field,
-               ambient_field, air, diffused, motors, sources, sources_of_air, source_flow, solved, asleep, at_rest, frames, log] =
+               ambient_field, air, diffused, motors, sources, sources_of_air, source_flow, solved, calm, asleep, at_rest, frames, log] =
             state;
         Tiles tiles;
         tiles.add(ambient.tile());
-        archive(window.origin_cells, follow_point, stepped_origin_cells, previous_origin_cells, sources_of_air, asleep);
+        archive(window.origin_cells, follow_point, stepped_origin_cells, previous_origin_cells, sources_of_air, calm, asleep);
         StateFields::ambient(archive, ambient, config, tiles);
         if constexpr (Reading<decltype(archive)>) {
             const Gusts& gusts = ambient.settings().gusts;

@@ -3,8 +3,6 @@
 #include "fluid/cpu/workspace.h"
 #include "fluid/message.h"
 
-#include <glm/geometric.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -13,7 +11,7 @@ namespace windrow {
 namespace {
 
 constexpr double k_farthest_cells = 1e12;
-constexpr double k_most_wind = 1e4;
+constexpr float k_most_wind = 1e4f;
 constexpr float k_longest_prepared = 1.0f; // [s]
 constexpr const char* k_axis_names[3] = {"x", "y", "z"};
 
@@ -25,8 +23,8 @@ bool finite(const Vector& v) {
 bool can_follow(const Sides& sides, int axis) { return !sides.periodic(axis) && !sides.has_solid(axis); }
 
 void check_ambient(detail::Reasons& reasons, glm::vec3 ambient) {
-    if (!finite(ambient) || glm::length(glm::dvec3(ambient)) > k_most_wind)
-        reasons.add("ambient is ", ambient, " m/s: give finite numbers, at most 1e4 m/s in length.");
+    if (!finite(ambient) || std::max({std::abs(ambient.x), std::abs(ambient.y), std::abs(ambient.z)}) > k_most_wind)
+        reasons.add("ambient is ", ambient, " m/s: give finite numbers, at most 1e4 m/s in size.");
 }
 
 void check_follow(detail::Reasons& reasons, const std::optional<glm::bvec3>& follow, const Sides& sides) {
@@ -184,6 +182,7 @@ void Wind::State::fill_with_ambient() {
     air.fresh = true;
     std::fill_n(source_flow.data(), source_flow.size(), glm::vec4(0.0f));
     sources_of_air = 0;
+    calm = true;
 }
 
 void Wind::State::change_ambient(glm::vec3 wind) {
@@ -201,9 +200,9 @@ void Wind::State::change_ambient(glm::vec3 wind) {
     };
     if (frames)
         add_change(frames->before);
-    if (asleep) { // still ambient, and to the bit
+    asleep = false;
+    if (calm) { // still ambient, and to the bit
         fill_with_ambient();
-        asleep = false;
         return;
     }
     add_change(air.velocity);
@@ -240,12 +239,11 @@ void Wind::State::shift_to(CellIndex origin_cells) {
     window.origin_cells = origin_cells;
     if (!ambient.uniform())
         renew_ambient();
-    else if (asleep)
-        return; // ambient everywhere, wherever it lies
     const bool beyond = std::abs(shift.x) >= window.cells.x || std::abs(shift.y) >= window.cells.y || std::abs(shift.z) >= window.cells.z;
-    if (beyond || asleep) {
-        fill_with_ambient();
-        if (frames)
+    if (beyond || calm) {
+        if (beyond || !ambient.uniform())
+            fill_with_ambient();
+        if (frames && !(frames->before_still && ambient.uniform()))
             fill(frames->before);
         return;
     }
@@ -333,7 +331,7 @@ Result<void> Wind::set_gusts(const Gusts& gusts) {
     state.config.gusts = gusts;
     state.ambient = *std::move(renewed);
     state.renew_ambient();
-    state.asleep = false;
+    state.asleep = state.calm = false;
     if (state.log != nullptr)
         state.log->note(GustsSet{gusts.intensity, gusts.length, gusts.tile ? gusts.tile->seed() : gusts.seed});
     return {};
@@ -359,7 +357,7 @@ Result<void> Wind::set_sides(const Sides& sides) {
     if (auto set = state_->work.set_sides(sides); !set)
         return set;
     state_->renew_ambient();
-    state_->asleep = false;
+    state_->asleep = state_->calm = false;
     if (state_->log != nullptr)
         state_->log->note(SidesSet{sides});
     return {};
@@ -433,7 +431,7 @@ void Wind::set_velocity(const std::function<glm::vec3(glm::dvec3)>& velocity_at)
             for (int i = 0; i < box.cells.x; ++i)
                 state_->air.velocity[box.index(i, j, k)] = glm::vec4(velocity_at(state_->window.centre(i, j, k)), 0.0f);
     state_->air.fresh = true;
-    state_->asleep = false;
+    state_->asleep = state_->calm = false;
     if (state_->log != nullptr)
         state_->log->note(VelocitySet{{field().begin(), field().end()}});
 }
@@ -444,7 +442,7 @@ Result<void> Wind::set_velocity(std::span<const glm::vec4> field) {
         return Error{detail::message("set_velocity got ", field.size(), " cells, but the box has ", velocity.size(), ": give box().cell_count().")};
     std::transform(field.begin(), field.end(), velocity.data(), [](glm::vec4 u) { return glm::vec4(u.x, u.y, u.z, 0.0f); });
     state_->air.fresh = true;
-    state_->asleep = false;
+    state_->asleep = state_->calm = false;
     if (state_->log != nullptr)
         state_->log->note(VelocitySet{{field.begin(), field.end()}});
     return {};

@@ -68,7 +68,8 @@ struct Wind::State {
     std::uint64_t sources_of_air = 0; ///< names the sources of air whose flow is in the velocity; 0: none
     cpu::Buffer<glm::vec4> source_flow; ///< u_S [m/s], part of the velocity; empty until air first comes in, 0 while none does
     cpu::Buffer<glm::vec4> solved;      ///< scratch for u less its given part; empty until something is given
-    bool asleep = false;              ///< every cell is ambient, nothing acts
+    bool calm = false;                ///< every cell is ambient to the bit, history included: filled so, and not stepped since
+    bool asleep = false;              ///< calm, and nothing acts: a step does nothing
     Diagnostics at_rest;              ///< what a step reports while asleep
     std::optional<Frames> frames;     ///< with `advance`
     EventLog* log = nullptr;

@@ -113,7 +113,7 @@ void Wind::State::step(double duration, Diagnostics& report) {
         report = at_rest;
         return;
     }
-    asleep = false;
+    asleep = calm = false;
     report.stepped = true;
     add_sources(reached, report);
     limit_speeds(dt, report);
