@@ -1,31 +1,37 @@
-// Tutorial: a player runs through a gusty meadow, and the box of wind runs along. Everything that a game does with the wind in a frame.
+// Tutorial: a player runs through a gusty meadow, and the box of wind runs along. Everything that a game does with the wind in a
+// frame.
 //
 //     follow_player       prints what three leaves feel, eight times a second
 //
-// 1. Make a wind over ground: a mean wind of 3 m/s at 10 m height that a log profile slows near the ground, with gusts that it carries.
-// 2. Give the player a wake. Tell where he is each frame; several positions in a frame make a curve. The wake acts while he moves.
+// 1. Make a wind over ground: a mean wind of 3 m/s at 10 m height that a log profile slows near the ground, with gusts that it
+// carries.
+// 2. Give the player a wake. Tell where he is each frame; several positions in a frame make a curve. The wake acts while he
+// moves.
 // 3. Tell the box what to follow. It moves in whole cells and keeps the air; sampled wind fades to ambient around the player
 //    himself, not around the box, so that nothing jumps when the box does.
-// 4. advance() with the frame's time. The air lives in fixed ticks (30 a second here), the renderer at its own pace: here 144 frames
-//    a second, with a hitch now and then. The air is the same to the bit at any frame rate; what is sampled is blended between ticks.
+// 4. advance() with the frame's time. The air lives in fixed ticks (30 a second here), the renderer at its own pace: here 144
+// frames
+//    a second, with a hitch now and then. The air is the same to the bit at any frame rate; what is sampled is blended between
+//    ticks.
 // 5. Fire and forget: a burst is added and removes itself. So does a motor whose envelope ends.
 // 6. Ask for the wind. velocity() is the air; felt() adds the small-scale detail that cells of 1 m leave out, and limits it.
 //    previous_view() is the wind of the last frame: motion vectors of anything that the wind bends need it.
 //
-// What to see: the leaf far away feels gusts alone. The leaf by the path is pulled along as the player passes at 1.3 s. The leaf by the burst
-// leans out at 2.25 s, as it goes off, and is drawn back a quarter of a second later.
+// What to see: the leaf far away feels gusts alone. The leaf by the path is pulled along as the player passes at 1.3 s. The leaf
+// by the burst leans out at 2.25 s, as it goes off, and is drawn back a quarter of a second later.
 
 #include "fluid/wind.h"
 
-#include <glm/geometric.hpp>
-
 #include <cmath>
 #include <cstdio>
+#include <glm/geometric.hpp>
 
 namespace {
 
 // An S-shaped run at 6 m/s.
-glm::dvec3 player_at(double time) { return {6.0 * time - 8.0, 0.9, 3.0 * std::sin(0.8 * time)}; }
+glm::dvec3 player_at(double time) {
+    return {6.0 * time - 8.0, 0.9, 3.0 * std::sin(0.8 * time)};
+}
 
 } // namespace
 
@@ -67,7 +73,9 @@ int main() {
         (void)wind->motors().move(*player, player_at(time));
         (void)wind->follow(player_at(time));
         if (!burst && time >= 2.2)
-            burst = wind->motors().add(windrow::PressureMotor{.position = {7.0, 1.0, -3.0}, .speed = 15.0f, .duration = 0.25f}).has_value();
+            burst = wind->motors()
+                        .add(windrow::PressureMotor{.position = {7.0, 1.0, -3.0}, .speed = 15.0f, .duration = 0.25f})
+                        .has_value();
 
         const windrow::Advance done = wind->advance(frame_seconds);
         if (time < next_line)
@@ -76,7 +84,8 @@ int main() {
         std::printf("%5.2f s   %d/%.2f", time, done.ticks, static_cast<double>(done.factor));
         for (const Leaf& leaf : leaves) {
             const glm::vec3 felt = wind->felt(leaf.place, leaf_sampling);
-            std::printf("   (%5.2f,%5.2f,%5.2f)", static_cast<double>(felt.x), static_cast<double>(felt.y), static_cast<double>(felt.z));
+            std::printf("   (%5.2f,%5.2f,%5.2f)", static_cast<double>(felt.x), static_cast<double>(felt.y),
+                        static_cast<double>(felt.z));
         }
         std::printf(" m/s\n");
     }

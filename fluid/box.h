@@ -7,9 +7,8 @@
 #include "fluid/result.h"
 #include "fluid/sides.h"
 
-#include <glm/vec3.hpp>
-
 #include <cstddef>
+#include <glm/vec3.hpp>
 
 namespace windrow {
 

@@ -9,8 +9,8 @@ namespace windrow {
 
 /// Wall-clock time of one step by stage. [ms]
 struct StageTimes {
-    double sources = 0.0;   ///< Motors, NaN guard, speed limit.
-    double ambient = 0.0;   ///< The ambient wind cell by cell; 0 without gusts.
+    double sources = 0.0; ///< Motors, NaN guard, speed limit.
+    double ambient = 0.0; ///< The ambient wind cell by cell; 0 without gusts.
     double diffusion = 0.0;
     double advection = 0.0; ///< Gathering the carried field included.
     double projection = 0.0;
@@ -24,11 +24,11 @@ struct Diagnostics {
     float max_speed = 0.0f;
     /// Largest component * dt / h after the sources, before sub-steps and limit: how many cells the air would cross at once.
     float cfl = 0.0f;
-    int substeps = 0;             ///< Parts that the step was cut into: ceil(cfl / Config::max_cfl), at most Config::max_substeps.
-    bool substeps_capped = false; ///< More parts were needed than allowed: speeds were limited.
+    int substeps = 0; ///< Parts that the step was cut into: ceil(cfl / Config::max_cfl), at most Config::max_substeps.
+    bool substeps_capped = false;    ///< More parts were needed than allowed: speeds were limited.
     std::int64_t limited_cells = 0;  ///< Cells whose speed was scaled down to what the capped sub-steps carry.
     std::int64_t repaired_cells = 0; ///< Cells that held NaN or infinity and were set to ambient.
-    int motors_in_reach = 0;         ///< Motors whose region meets the box and that acted; a wake counts once a piece of its path.
+    int motors_in_reach = 0; ///< Motors whose region meets the box and that acted; a wake counts once a piece of its path.
     DiffusionMethod diffusion = DiffusionMethod::none;
     /// [1/s] Root mean square of the central divergence that the collocated projection leaves.
     double divergence_rms = 0.0;

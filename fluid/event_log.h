@@ -12,11 +12,10 @@
 #include "fluid/result.h"
 #include "fluid/sides.h"
 
-#include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
-
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <span>
 #include <utility>
 #include <variant>
@@ -70,8 +69,8 @@ struct Advanced {
     double dt;
 };
 
-using Event = std::variant<MotorAdded, MotorSet, MotorMoved, MotorRemoved, Followed, FloorSet, AmbientSet, GustsSet, SidesSet, VelocitySet, WindReset,
-                           Stepped, Advanced>;
+using Event = std::variant<MotorAdded, MotorSet, MotorMoved, MotorRemoved, Followed, FloorSet, AmbientSet, GustsSet, SidesSet,
+                           VelocitySet, WindReset, Stepped, Advanced>;
 
 class EventLog {
   public:
@@ -88,8 +87,8 @@ class EventLog {
     std::vector<Event> events_;
 };
 
-/// Does everything again, in order. `wind` must be in the state in which the log began (Wind::save, Wind::load). Stops at the first call that
-/// is refused or whose handle comes out otherwise, and says which.
+/// Does everything again, in order. `wind` must be in the state in which the log began (Wind::save, Wind::load). Stops at the
+/// first call that is refused or whose handle comes out otherwise, and says which.
 [[nodiscard]] Result<void> replay(const EventLog& log, Wind& wind);
 
 } // namespace windrow

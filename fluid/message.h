@@ -1,19 +1,20 @@
 // One sentence out of words and figures; figures in their shortest exact form, whatever the locale.
 #pragma once
 
-#include <glm/vec3.hpp>
-
 #include <charconv>
 #include <concepts>
+#include <glm/vec3.hpp>
 #include <string>
 #include <string_view>
 
 namespace windrow::detail {
 
-inline void append(std::string& text, std::string_view part) { text += part; }
+inline void append(std::string& text, std::string_view part) {
+    text += part;
+}
 
 template <class Number>
-    requires std::integral<Number> || std::floating_point<Number>
+requires std::integral<Number> || std::floating_point<Number>
 void append(std::string& text, Number value) {
     char digits[64];
     const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;

@@ -2,22 +2,21 @@
 
 #include "fluid/message.h"
 
-#include <glm/geometric.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <string_view>
 
 namespace windrow {
 namespace {
 
-constexpr double k_farthest = 1e12;    // [m] beyond it a double no longer tells millimetres apart
+constexpr double k_farthest = 1e12; // [m] beyond it a double no longer tells millimetres apart
 constexpr float k_most_acceleration = 1e6f;
 constexpr float k_most_speed = 1e4f;
 constexpr float k_most_rate = 1e6f;
 constexpr float k_most_wake = 1e4f;
 constexpr float k_most_size = 1e6f;
-constexpr double k_least_axis = 1e-6;  // [m] shorter ones have no direction in float arithmetic
+constexpr double k_least_axis = 1e-6; // [m] shorter ones have no direction in float arithmetic
 constexpr float k_most_seconds = 1e9f;
 
 template <class Vector>
@@ -65,7 +64,8 @@ struct RegionCheck {
             }
     }
     void operator()(const Cone& cone) const {
-        if (!finite(cone.axis) || !(glm::length(glm::dvec3(cone.axis)) >= k_least_axis) || glm::length(glm::dvec3(cone.axis)) > k_most_size)
+        if (!finite(cone.axis) || !(glm::length(glm::dvec3(cone.axis)) >= k_least_axis) ||
+            glm::length(glm::dvec3(cone.axis)) > k_most_size)
             reasons.add("motor.region.cone.axis is ", cone.axis, " m: give finite numbers, 1e-6 to 1e6 m long.");
         check_radius(reasons, "motor.region.cone.start_radius", cone.start_radius);
         check_radius(reasons, "motor.region.cone.end_radius", cone.end_radius);
@@ -79,8 +79,10 @@ struct LawCheck {
                 "give at most 1e6 m/s2 in size.");
     }
     void operator()(const Drive& law) const {
-        require(reasons, std::abs(law.speed) <= k_most_speed, "motor.law.drive.speed", law.speed, "give at most 1e4 m/s in size.");
-        require(reasons, law.rate >= 0.0f && law.rate <= k_most_rate, "motor.law.drive.rate", law.rate, "give 0 to 1e6 per second.");
+        require(reasons, std::abs(law.speed) <= k_most_speed, "motor.law.drive.speed", law.speed,
+                "give at most 1e4 m/s in size.");
+        require(reasons, law.rate >= 0.0f && law.rate <= k_most_rate, "motor.law.drive.rate", law.rate,
+                "give 0 to 1e6 per second.");
     }
     void operator()(const WakeForce& law) const {
         require(reasons, law.strength >= 0.0f && law.strength <= k_most_wake, "motor.law.force.strength", law.strength,
@@ -89,14 +91,18 @@ struct LawCheck {
     void operator()(const WakeDrive& law) const {
         require(reasons, law.per_metre >= 0.0f && law.per_metre <= k_most_wake, "motor.law.drive.per_metre", law.per_metre,
                 "give 0 to 1e4 per metre.");
-        require(reasons, law.entrainment >= 0.0f && law.entrainment <= 2.0f, "motor.law.drive.entrainment", law.entrainment, "give 0 to 2.");
+        require(reasons, law.entrainment >= 0.0f && law.entrainment <= 2.0f, "motor.law.drive.entrainment", law.entrainment,
+                "give 0 to 2.");
     }
 };
 
 void check_envelope(detail::Reasons& reasons, const Envelope& envelope) {
-    require(reasons, envelope.attack >= 0.0f && envelope.attack <= k_most_seconds, "motor.envelope.attack", envelope.attack, "give 0 to 1e9 s.");
-    require(reasons, envelope.hold >= 0.0f, "motor.envelope.hold", envelope.hold, "give 0 s or more; infinity holds until it is removed.");
-    require(reasons, envelope.decay >= 0.0f && envelope.decay <= k_most_seconds, "motor.envelope.decay", envelope.decay, "give 0 to 1e9 s.");
+    require(reasons, envelope.attack >= 0.0f && envelope.attack <= k_most_seconds, "motor.envelope.attack", envelope.attack,
+            "give 0 to 1e9 s.");
+    require(reasons, envelope.hold >= 0.0f, "motor.envelope.hold", envelope.hold,
+            "give 0 s or more; infinity holds until it is removed.");
+    require(reasons, envelope.decay >= 0.0f && envelope.decay <= k_most_seconds, "motor.envelope.decay", envelope.decay,
+            "give 0 to 1e9 s.");
     if (envelope.attack == 0.0f && envelope.hold == 0.0f && envelope.decay == 0.0f)
         reasons.add("motor.envelope lasts 0 s: give attack, hold or decay a time.");
 }
@@ -157,7 +163,9 @@ double rise_integral(double part) {
 
 } // namespace
 
-double Envelope::end() const { return static_cast<double>(attack) + static_cast<double>(hold) + static_cast<double>(decay); }
+double Envelope::end() const {
+    return static_cast<double>(attack) + static_cast<double>(hold) + static_cast<double>(decay);
+}
 
 // The three parts of the time between two ages, each integrated in closed form.
 double Envelope::mean(double from, double to) const {

@@ -6,13 +6,13 @@
 //   a source   lets air come out of a ball or vanish in it: div u = S0 w(x),
 // with the weight w(x) of its region: 1 in its middle, falling as (1 - s^2)^2 to exactly 0 at the rim (s = distance over
 // radius), smooth there. The formulas stand in shaders/numerics/motors.glsl, one text for C++ and GLSL.
-// A region thinner than 1.5 cells in radius would fall between the cells; it is widened to that and weakened so that its impulse stays.
+// A region thinner than 1.5 cells in radius would fall between the cells; it is widened to that and weakened so that its impulse
+// stays.
 #pragma once
 
 #include "fluid/result.h"
 
 #include <glm/vec3.hpp>
-
 #include <limits>
 #include <variant>
 
@@ -36,8 +36,8 @@ struct AlignedBox {
     glm::vec3 half_size{2.0f}; ///< [m] each > 0
 };
 
-/// Cone or cylinder that begins at the motor's position: w = (1 - (2 z/L - 1)^2)^2 (1 - d^2/r(z)^2)^2, z along the axis of length L
-/// and r(z) growing evenly. Equal radii make a cylinder.
+/// Cone or cylinder that begins at the motor's position: w = (1 - (2 z/L - 1)^2)^2 (1 - d^2/r(z)^2)^2, z along the axis of length
+/// L and r(z) growing evenly. Equal radii make a cylinder.
 struct Cone {
     glm::vec3 axis{6.0f, 0.0f, 0.0f}; ///< [m] from the first end to the second; any finite vector but 0
     float start_radius = 0.5f;        ///< [m] > 0, at the motor's position
@@ -74,13 +74,13 @@ struct WakeDrive {
 
 // --- Time ------------------------------------------------------------------------------------------------------------
 
-/// Strength over time, from the moment at which the motor is added: a smooth rise, full strength, a smooth fall (3 s^2 - 2 s^3 each).
-/// Steps take its mean over the step, so an impulse does not depend on the frame rate. When it has ended the motor is removed by
-/// itself and its handle is stale: a gust needs no keeper.
+/// Strength over time, from the moment at which the motor is added: a smooth rise, full strength, a smooth fall (3 s^2 - 2 s^3
+/// each). Steps take its mean over the step, so an impulse does not depend on the frame rate. When it has ended the motor is
+/// removed by itself and its handle is stale: a gust needs no keeper.
 struct Envelope {
-    float attack = 0.0f;                                    ///< [s] >= 0
-    float hold = std::numeric_limits<float>::infinity();    ///< [s] >= 0; infinity, the default: until it is removed
-    float decay = 0.0f;                                     ///< [s] >= 0
+    float attack = 0.0f;                                 ///< [s] >= 0
+    float hold = std::numeric_limits<float>::infinity(); ///< [s] >= 0; infinity, the default: until it is removed
+    float decay = 0.0f;                                  ///< [s] >= 0
 
     /// Mean strength between two ages [s], 0 to 1.
     [[nodiscard]] double mean(double from, double to) const;
@@ -92,15 +92,15 @@ struct Envelope {
 
 /// A fan, a gust, a draught: pushes along one direction within a region.
 struct DirectionalMotor {
-    glm::dvec3 position{0.0};               ///< [m] world; centre of the region (first end of a cone)
-    glm::vec3 direction{1.0f, 0.0f, 0.0f};  ///< any length but 0; normalised on creation
+    glm::dvec3 position{0.0};              ///< [m] world; centre of the region (first end of a cone)
+    glm::vec3 direction{1.0f, 0.0f, 0.0f}; ///< any length but 0; normalised on creation
     Region region = Sphere{};
     std::variant<Force, Drive> law = Drive{};
     Envelope envelope{};
 };
 
-/// A moving body: acts only while it moves, along the path through all positions that `Motors::move` gave since the last step. Several
-/// moves between two steps make a curved path.
+/// A moving body: acts only while it moves, along the path through all positions that `Motors::move` gave since the last step.
+/// Several moves between two steps make a curved path.
 struct WakeMotor {
     glm::dvec3 position{0.0}; ///< [m] world; where the path begins
     float radius = 0.5f;      ///< [m] > 0
@@ -108,8 +108,8 @@ struct WakeMotor {
     Envelope envelope{};
 };
 
-/// A nozzle: blows along a cone or cylinder whose rays spread from the cone's tip and slow as it widens, so that each section passes the same
-/// momentum. `speed` and `acceleration` hold at the nozzle.
+/// A nozzle: blows along a cone or cylinder whose rays spread from the cone's tip and slow as it widens, so that each section
+/// passes the same momentum. `speed` and `acceleration` hold at the nozzle.
 struct JetMotor {
     glm::dvec3 position{0.0};              ///< [m] world; the nozzle
     glm::vec3 direction{1.0f, 0.0f, 0.0f}; ///< any length but 0; normalised on creation
@@ -120,19 +120,22 @@ struct JetMotor {
     Envelope envelope{};
 };
 
-/// A whirl: turns the air right-handed about an axis, fastest at 0.447 of the radius. A negative speed or acceleration turns it the other way.
+/// A whirl: turns the air right-handed about an axis, fastest at 0.447 of the radius. A negative speed or acceleration turns it
+/// the other way.
 struct VortexMotor {
     glm::dvec3 position{0.0};         ///< [m] world; the middle
     glm::vec3 axis{0.0f, 1.0f, 0.0f}; ///< any length but 0; normalised on creation
-    float radius = 4.0f;              ///< [m] > 0; beyond it nothing acts. Circulation comes out within 5 % where the fastest ring, at 0.447 of it, is 3.5 cells or wider.
-    float half_length = 4.0f;         ///< [m] > 0; along the axis, to each end
-    float lift = 0.0f;                ///< push along the axis in the middle, as a share of the swirl; -10 to 10. A dust devil has about 0.5.
+    float radius = 4.0f; ///< [m] > 0; beyond it nothing acts. Circulation comes out within 5 % where the fastest ring, at 0.447
+                         ///< of it, is 3.5 cells or wider.
+    float half_length = 4.0f; ///< [m] > 0; along the axis, to each end
+    float lift = 0.0f; ///< push along the axis in the middle, as a share of the swirl; -10 to 10. A dust devil has about 0.5.
     std::variant<Force, Drive> law = Drive{.speed = 8.0f, .rate = 8.0f};
     Envelope envelope{};
 };
 
-/// Air that comes out of a ball (a blast, a vent) or vanishes in it (suction). In incompressible air a radial push is a pure gradient, which the
-/// pressure takes back whole; only a source can blow outward. In free air the speed is `speed` at the ball's radius and falls as 1/distance^2 beyond.
+/// Air that comes out of a ball (a blast, a vent) or vanishes in it (suction). In incompressible air a radial push is a pure
+/// gradient, which the pressure takes back whole; only a source can blow outward. In free air the speed is `speed` at the ball's
+/// radius and falls as 1/distance^2 beyond.
 struct OmniMotor {
     glm::dvec3 position{0.0}; ///< [m] world
     float radius = 2.0f;      ///< [m] > 0
@@ -140,9 +143,9 @@ struct OmniMotor {
     Envelope envelope{};
 };
 
-/// A burst of pressure: air is thrown out, then drawn back, as behind a blast wave: outflow (1 - t/T) exp(-t/T) times its start, which leaves no air over.
-/// It begins when it is added, and removes itself 12 durations later, when 1e-4 of it is left.
-/// Based on: Friedlander 1946, Proceedings of the Royal Society A 186 (the wave's form in time).
+/// A burst of pressure: air is thrown out, then drawn back, as behind a blast wave: outflow (1 - t/T) exp(-t/T) times its start,
+/// which leaves no air over. It begins when it is added, and removes itself 12 durations later, when 1e-4 of it is left. Based
+/// on: Friedlander 1946, Proceedings of the Royal Society A 186 (the wave's form in time).
 struct PressureMotor {
     glm::dvec3 position{0.0}; ///< [m] world
     float radius = 2.0f;      ///< [m] > 0

@@ -28,14 +28,19 @@ glm::vec3 metres(const Window& window, glm::dvec3 position) {
     return glm::vec3(window.local_rounded(position) * static_cast<double>(window.cell_size));
 }
 
-float widened(float radius, const Window& window) { return numerics::windrow_widened(radius, window.cell_size); }
+float widened(float radius, const Window& window) {
+    return numerics::windrow_widened(radius, window.cell_size);
+}
 
-float cubed(float x) { return x * x * x; }
+float cubed(float x) {
+    return x * x * x;
+}
 
 // The smallest box around a cone's two end discs, taken as balls.
 bool cover_cone(MotorReach& reach, const Window& window) {
     const glm::vec3 start = reach.centre, end = reach.centre + reach.extent;
-    return cover(reach, glm::min(start - reach.radius, end - reach.end_radius), glm::max(start + reach.radius, end + reach.end_radius), window);
+    return cover(reach, glm::min(start - reach.radius, end - reach.end_radius),
+                 glm::max(start + reach.radius, end + reach.end_radius), window);
 }
 
 // A column's axis and radii, widened; returns the share of its strength that it keeps.
@@ -167,7 +172,8 @@ struct Preparation {
         return shape_source(reach[0], motor.radius, motor.speed, strength, window) ? 1 : 0;
     }
 
-    // A piece of the path each. The force law shares the tick's impulse out by length; the drive's target is the body's velocity on the piece.
+    // A piece of the path each. The force law shares the tick's impulse out by length; the drive's target is the body's velocity
+    // on the piece.
     int operator()(const WakeMotor& motor) const {
         const auto strength = static_cast<float>(motor.envelope.mean(age, age + duration));
         const float radius = widened(motor.radius, window);
@@ -193,7 +199,8 @@ struct Preparation {
                 swept.push = (drive.entrainment / static_cast<float>(piece.duration)) * way;
                 swept.amount = share * drive.per_metre;
             }
-            if (cover(swept, glm::min(swept.centre, swept.extent) - radius, glm::max(swept.centre, swept.extent) + radius, window))
+            if (cover(swept, glm::min(swept.centre, swept.extent) - radius, glm::max(swept.centre, swept.extent) + radius,
+                      window))
                 ++count;
         }
         return count;
@@ -202,12 +209,14 @@ struct Preparation {
 
 } // namespace
 
-int prepare(const Motor& motor, const Track& track, std::span<const Track::Piece> path, double age, double duration, const Window& window,
-            std::span<MotorReach> reach) {
+int prepare(const Motor& motor, const Track& track, std::span<const Track::Piece> path, double age, double duration,
+            const Window& window, std::span<MotorReach> reach) {
     reach[0] = {};
     return std::visit(Preparation{track, path, age, duration, window, reach}, motor);
 }
 
-bool before(const MotorReach& a, const MotorReach& b) { return std::memcmp(&a, &b, sizeof a) < 0; }
+bool before(const MotorReach& a, const MotorReach& b) {
+    return std::memcmp(&a, &b, sizeof a) < 0;
+}
 
 } // namespace windrow::detail

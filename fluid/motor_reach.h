@@ -5,9 +5,8 @@
 #include "fluid/track.h"
 #include "fluid/window.h"
 
-#include <glm/vec3.hpp>
-
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <span>
 
 namespace windrow::detail {
@@ -18,11 +17,11 @@ struct MotorReach {
 
     Shape shape = Shape::sphere;
     Law law = Law::force;
-    glm::vec3 centre{0.0f}; ///< [m] from the box's low corner; first end of a cone, start of a path
-    glm::vec3 extent{0.0f}; ///< [m] half axis of a capsule or vortex, half size of a box, axis of a cone or jet, end of a path
-    float radius = 0.0f;    ///< [m] widened to what the cells can hold
+    glm::vec3 centre{0.0f};  ///< [m] from the box's low corner; first end of a cone, start of a path
+    glm::vec3 extent{0.0f};  ///< [m] half axis of a capsule or vortex, half size of a box, axis of a cone or jet, end of a path
+    float radius = 0.0f;     ///< [m] widened to what the cells can hold
     float end_radius = 0.0f; ///< [m] of cones and jets
-    float lift = 0.0f;      ///< of vortices
+    float lift = 0.0f;       ///< of vortices
     /// Force: added to f per unit of weight. Drive: the velocity U drawn toward. [m/s^2 or m/s] Jets and vortices: its size in x.
     glm::vec3 push{0.0f};
     /// Drive: exponent per unit of weight. Source: S0 [1/s].
@@ -33,8 +32,8 @@ static_assert(sizeof(MotorReach) == 4 * (2 + 3 + 3 + 3 + 3 + 1 + 6), "no padding
 
 /// Prepares one motor for a tick of `duration` [s] that it begins at `age` [s], having moved along `path`. Writes at most
 /// Track::k_most_pieces entries to `reach`; returns how many.
-int prepare(const Motor& motor, const Track& track, std::span<const Track::Piece> path, double age, double duration, const Window& window,
-            std::span<MotorReach> reach);
+int prepare(const Motor& motor, const Track& track, std::span<const Track::Piece> path, double age, double duration,
+            const Window& window, std::span<MotorReach> reach);
 
 /// A total order by content: equal only where all is equal.
 [[nodiscard]] bool before(const MotorReach& a, const MotorReach& b);

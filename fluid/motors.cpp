@@ -3,16 +3,17 @@
 #include "fluid/event_log.h"
 #include "fluid/message.h"
 
-#include <glm/geometric.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 namespace windrow {
 namespace {
 
 // In double, so that the direction of the longest and of the shortest float vector survives.
-void normalise(glm::vec3& direction) { direction = glm::vec3(glm::normalize(glm::dvec3(direction))); }
+void normalise(glm::vec3& direction) {
+    direction = glm::vec3(glm::normalize(glm::dvec3(direction)));
+}
 
 Motor prepared(Motor motor) {
     if (auto* directional = std::get_if<DirectionalMotor>(&motor))
@@ -119,7 +120,8 @@ void Motors::release(std::uint32_t index) {
     --count_;
 }
 
-// Called where a motor comes or changes kind, so that a step allocates nothing: a wake may reach the box with several pieces of its path.
+// Called where a motor comes or changes kind, so that a step allocates nothing: a wake may reach the box with several pieces of
+// its path.
 void Motors::reserve_reach() {
     std::size_t most = 0;
     for (const Slot& slot : slots_)
@@ -158,7 +160,8 @@ std::span<const detail::MotorReach> Motors::tick(double duration, const Window& 
 }
 
 std::size_t Motors::memory_bytes() const {
-    return slots_.capacity() * sizeof(Slot) + reach_.capacity() * sizeof(detail::MotorReach) + free_.capacity() * sizeof(std::uint32_t);
+    return slots_.capacity() * sizeof(Slot) + reach_.capacity() * sizeof(detail::MotorReach) +
+           free_.capacity() * sizeof(std::uint32_t);
 }
 
 } // namespace windrow

@@ -32,10 +32,11 @@ class Motors {
 
     /// Adds a motor; refuses what `validate` refuses and a full list.
     [[nodiscard]] Result<MotorId> add(const Motor& motor);
-    /// Replaces a motor whole, its position and its age too; a wake starts a new path there and sweeps nothing in between. The kind may change.
+    /// Replaces a motor whole, its position and its age too; a wake starts a new path there and sweeps nothing in between. The
+    /// kind may change.
     [[nodiscard]] Result<void> set(MotorId id, const Motor& motor);
-    /// Moves a motor to where it is at the end of the coming step (or frame, with Wind::advance). A wake sweeps the path through all
-    /// positions given since the last one.
+    /// Moves a motor to where it is at the end of the coming step (or frame, with Wind::advance). A wake sweeps the path through
+    /// all positions given since the last one.
     [[nodiscard]] Result<void> move(MotorId id, glm::dvec3 position);
     /// Removes a motor; a stale handle is refused.
     Result<void> remove(MotorId id);
@@ -57,8 +58,8 @@ class Motors {
     // --- Called by Wind -----------------------------------------------------------------------------------------------
     /// A frame of `duration` [s] begins `lead` [s] after the last tick; see track.h.
     void begin_frame(double lead, double duration);
-    /// Advances every motor by a tick, ends those whose time is over, and returns what reaches the box, in an order that does not depend
-    /// on the list's. Does not allocate. The span lasts until the next call.
+    /// Advances every motor by a tick, ends those whose time is over, and returns what reaches the box, in an order that does not
+    /// depend on the list's. Does not allocate. The span lasts until the next call.
     [[nodiscard]] std::span<const detail::MotorReach> tick(double duration, const Window& window);
     [[nodiscard]] std::span<const Slot> slots() const { return slots_; }
     /// Every change is noted in `log` from now on; null: no longer.

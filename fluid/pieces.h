@@ -12,10 +12,9 @@
 #include "fluid/parallel.h"
 #include "fluid/result.h"
 
+#include <cstddef>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
-
-#include <cstddef>
 #include <memory>
 #include <span>
 
@@ -74,7 +73,8 @@ struct Transport {
     float dt = 0.0f;
     Interpolation interpolation = Interpolation::cubic;
 
-    /// [m/s] Second-order history (see numerics in step.cpp): `history_scale * history` is subtracted from `carried` as it is read. Empty: none.
+    /// [m/s] Second-order history (see numerics in step.cpp): `history_scale * history` is subtracted from `carried` as it is
+    /// read. Empty: none.
     std::span<const glm::vec4> history{};
     float history_scale = 0.0f;
     /// Factor on carried - ambient as it is read, 1 / (1 + dt / settling time); 1: none.
@@ -82,15 +82,15 @@ struct Transport {
 };
 
 /// result(x) = carried(xd), xd = x - dt/2 (u(x) + (1 + a) u(x0) - a u_old(x0)), x0 = x - dt u(x)   (SETTLS).
-/// Second order in the trajectory, third in space with cubic weights. `result` may be any span but `velocity`; it may be `velocity_old`.
-/// Based on: Hortal 2002, ECMWF Technical Memorandum 292; Staniforth & Cote 1991, Monthly Weather Review 119.
+/// Second order in the trajectory, third in space with cubic weights. `result` may be any span but `velocity`; it may be
+/// `velocity_old`. Based on: Hortal 2002, ECMWF Technical Memorandum 292; Staniforth & Cote 1991, Monthly Weather Review 119.
 void advect(Workspace& work, const Transport& transport, std::span<glm::vec4> result);
 
 /// A scalar on the same wind: smoke, seeds, a tracer.
 struct ScalarTransport {
     std::span<const float> carried{};
     std::span<const glm::vec4> velocity{}; ///< [m/s]
-    float dt = 0.0f;                     ///< [s]
+    float dt = 0.0f;                       ///< [s]
     Interpolation interpolation = Interpolation::cubic;
     /// Value beyond open sides; walls mirror the scalar.
     float outside = 0.0f;
@@ -101,31 +101,33 @@ void advect(Workspace& work, const ScalarTransport& transport, std::span<float> 
 
 /// Which method a viscosity asks for, by r = viscosity * dt / h^2.
 enum class DiffusionMethod : std::uint8_t {
-    none,      ///< r < 1e-4: less than round-off of the advection; nothing is done.
-    one_pass,  ///< r <= 1/12: u + r L u, factor 1 - 4 r sum sin^2(kh/2) a mode.
-    implicit,  ///< above: backward Euler solved directly, factor 1 / (1 + 4 r sum sin^2(kh/2)); stable for any r.
+    none,     ///< r < 1e-4: less than round-off of the advection; nothing is done.
+    one_pass, ///< r <= 1/12: u + r L u, factor 1 - 4 r sum sin^2(kh/2) a mode.
+    implicit, ///< above: backward Euler solved directly, factor 1 / (1 + 4 r sum sin^2(kh/2)); stable for any r.
 };
 [[nodiscard]] DiffusionMethod diffusion_method(float viscosity, float dt, float cell_size);
 
 /// result = field after dt of diffusion with `viscosity` [m^2/s], walls and open sides as sides.h says. First order in time,
 /// second in space. `result` must not overlap `field`; with DiffusionMethod::none it is a copy. Allocates once at the first
 /// implicit call (see reserve_diffusion).
-DiffusionMethod diffuse(Workspace& work, std::span<const glm::vec4> field, float viscosity, float dt, std::span<glm::vec4> result);
+DiffusionMethod diffuse(Workspace& work, std::span<const glm::vec4> field, float viscosity, float dt,
+                        std::span<glm::vec4> result);
 /// Allocates what implicit diffusion needs, so that no later call allocates.
 void reserve_diffusion(Workspace& work);
 
-/// [1/s] Central divergence at cell centres. Beyond a wall the normal velocity turns its sign; beyond an open side it is that of the
-/// cell inside, so that divergence and gradient are adjoint where p = 0.
+/// [1/s] Central divergence at cell centres. Beyond a wall the normal velocity turns its sign; beyond an open side it is that of
+/// the cell inside, so that divergence and gradient are adjoint where p = 0.
 void divergence(Workspace& work, std::span<const glm::vec4> velocity, std::span<float> result);
 
-/// Solves L phi = rhs in place, L the 7-point Laplacian [1/m^2] with phi = 0 on open faces and d phi/dn = 0 on walls: direct, by fast
-/// diagonalisation. In a box without an open side the mean of rhs is dropped and phi has mean 0.
-/// Based on: Lynch, Rice & Thomas 1964, Numerische Mathematik 6.
+/// Solves L phi = rhs in place, L the 7-point Laplacian [1/m^2] with phi = 0 on open faces and d phi/dn = 0 on walls: direct, by
+/// fast diagonalisation. In a box without an open side the mean of rhs is dropped and phi has mean 0. Based on: Lynch, Rice &
+/// Thomas 1964, Numerische Mathematik 6.
 void solve_poisson(Workspace& work, std::span<float> rhs_then_phi);
 
-/// velocity -= grad phi with L phi = div velocity - expansion. Collocated, so approximate: what is left of the divergence falls as h^2.
-/// `gradient`, where not empty, receives grad phi [m/s]. `expansion`, where not empty, is the divergence wanted [1/s]: air that comes out (> 0)
-/// or vanishes; in a box without an open side its mean is dropped.
-void project(Workspace& work, std::span<glm::vec4> velocity, std::span<glm::vec4> gradient = {}, std::span<const float> expansion = {});
+/// velocity -= grad phi with L phi = div velocity - expansion. Collocated, so approximate: what is left of the divergence falls
+/// as h^2. `gradient`, where not empty, receives grad phi [m/s]. `expansion`, where not empty, is the divergence wanted [1/s]:
+/// air that comes out (> 0) or vanishes; in a box without an open side its mean is dropped.
+void project(Workspace& work, std::span<glm::vec4> velocity, std::span<glm::vec4> gradient = {},
+             std::span<const float> expansion = {});
 
 } // namespace windrow

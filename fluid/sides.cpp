@@ -7,9 +7,12 @@
 namespace windrow {
 namespace {
 
-constexpr const char* k_side_names[3][2] = {{"sides.x_low", "sides.x_high"}, {"sides.y_low", "sides.y_high"}, {"sides.z_low", "sides.z_high"}};
+constexpr const char* k_side_names[3][2] = {
+    {"sides.x_low", "sides.x_high"}, {"sides.y_low", "sides.y_high"}, {"sides.z_low", "sides.z_high"}};
 
-bool finite(glm::vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool finite(glm::vec3 v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 } // namespace
 
@@ -18,7 +21,9 @@ const Side& Sides::at(int axis, int end) const {
     return *ordered[2 * axis + end];
 }
 
-bool Sides::has_open(int axis) const { return at(axis, 0).kind == SideKind::open || at(axis, 1).kind == SideKind::open; }
+bool Sides::has_open(int axis) const {
+    return at(axis, 0).kind == SideKind::open || at(axis, 1).kind == SideKind::open;
+}
 
 Sides Sides::all(SideKind kind) {
     const Side side{.kind = kind};
@@ -37,16 +42,19 @@ Result<void> validate(const Sides& sides) {
         const bool low = sides.at(axis, 0).kind == SideKind::periodic;
         const bool high = sides.at(axis, 1).kind == SideKind::periodic;
         if (low != high)
-            reasons.add(k_side_names[axis][low ? 1 : 0], " is not periodic but its partner is: make both sides of the axis periodic, or neither.");
+            reasons.add(k_side_names[axis][low ? 1 : 0],
+                        " is not periodic but its partner is: make both sides of the axis periodic, or neither.");
         for (int end = 0; end < 2; ++end) {
             const Side& side = sides.at(axis, end);
             const char* const name = k_side_names[axis][end];
             if (!finite(side.wall_velocity))
                 reasons.add(name, ".wall_velocity is ", side.wall_velocity, " m/s: give finite numbers.");
             else if (side.kind != SideKind::no_slip && side.wall_velocity != glm::vec3(0.0f))
-                reasons.add(name, ".wall_velocity is ", side.wall_velocity, " m/s but only a no-slip wall drags the air: make the side no_slip or the velocity 0.");
+                reasons.add(name, ".wall_velocity is ", side.wall_velocity,
+                            " m/s but only a no-slip wall drags the air: make the side no_slip or the velocity 0.");
             else if (side.wall_velocity[axis] != 0.0f)
-                reasons.add(name, ".wall_velocity is ", side.wall_velocity, " m/s and leaves the wall's plane: set its component along the normal to 0.");
+                reasons.add(name, ".wall_velocity is ", side.wall_velocity,
+                            " m/s and leaves the wall's plane: set its component along the normal to 0.");
         }
     }
     if (!reasons.empty())

@@ -11,10 +11,9 @@
 
 #include "fluid/result.h"
 
-#include <glm/vec3.hpp>
-
 #include <array>
 #include <cstdint>
+#include <glm/vec3.hpp>
 
 namespace windrow {
 

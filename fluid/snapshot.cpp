@@ -87,7 +87,8 @@ struct StateFields {
         auto& [here, target, points, count, timed, moves, pieces] = track;
         archive(here, target, count, timed, moves);
         if constexpr (Reading<decltype(archive)>) {
-            archive.require(timed >= 0 && timed <= count && count <= Track::k_most_pieces && moves >= count - timed && moves <= 1'000'000,
+            archive.require(timed >= 0 && timed <= count && count <= Track::k_most_pieces && moves >= count - timed &&
+                                moves <= 1'000'000,
                             "a path has an impossible number of points.");
             if (archive.refused())
                 count = timed = 0; // whoever looks at it yet finds it whole
@@ -218,8 +219,8 @@ struct StateFields {
     /// All but the config, which comes first: a wind is made of it.
     static void state(auto& archive, Like<Wind::State> auto& state) {
         auto& [config, follow_axes, work, window, follow_point, stepped_origin_cells, previous_origin_cells, ambient, mean_field,
-               ambient_field, air, diffused, motors, sources, sources_of_air, source_flow, solved, calm, asleep, at_rest, frames, log] =
-            state;
+               ambient_field, air, diffused, motors, sources, sources_of_air, source_flow, solved, calm, asleep, at_rest, frames,
+               log] = state;
         Tiles tiles;
         tiles.add(ambient.tile());
         archive(window.origin_cells, follow_point, stepped_origin_cells, previous_origin_cells, sources_of_air, calm, asleep);

@@ -132,12 +132,16 @@ ThreadPool::~ThreadPool() {
         worker.join();
 }
 
-int ThreadPool::size() const { return static_cast<int>(state_->workers.size()) + 1; }
+int ThreadPool::size() const {
+    return static_cast<int>(state_->workers.size()) + 1;
+}
 
 ParallelFor ThreadPool::parallel_for() {
     if (state_->workers.empty())
         return {};
-    return {[](void* context, int count, void (*task)(void*, int), void* argument) { static_cast<State*>(context)->run({count, task, argument}); },
+    return {[](void* context, int count, void (*task)(void*, int), void* argument) {
+                static_cast<State*>(context)->run({count, task, argument});
+            },
             state_.get()};
 }
 

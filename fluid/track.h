@@ -1,12 +1,13 @@
-// Where something moves in the time between two ticks: the positions that a host gave, frame by frame, as straight pieces in time.
+// Where something moves in the time between two ticks: the positions that a host gave, frame by frame, as straight pieces in
+// time.
 //
 // A position counts for the end of the frame in which it was given; several in one frame are spread evenly over it. A tick
-// takes the pieces up to its own time, whatever the frame rate: so a body that moves evenly makes the same path at 30 and at 144 Hz.
+// takes the pieces up to its own time, whatever the frame rate: so a body that moves evenly makes the same path at 30 and at 144
+// Hz.
 #pragma once
 
-#include <glm/vec3.hpp>
-
 #include <array>
+#include <glm/vec3.hpp>
 #include <span>
 
 namespace windrow {
@@ -28,7 +29,8 @@ class Track {
     void move_to(glm::dvec3 position);
     /// A frame of `duration` [s] begins `lead` [s] after the last tick: positions noted since the last frame get their times.
     void begin_frame(double lead, double duration);
-    /// Advances by a tick of `duration` [s] and returns the pieces that lie in it, none if it stood still. They last until the next call.
+    /// Advances by a tick of `duration` [s] and returns the pieces that lie in it, none if it stood still. They last until the
+    /// next call.
     std::span<const Piece> tick(double duration);
 
     /// [m] Where it was at the last tick.

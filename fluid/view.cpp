@@ -9,7 +9,9 @@
 namespace windrow {
 namespace {
 
-float side_number(const Side& side) { return side.kind == SideKind::open ? 0.0f : side.kind == SideKind::periodic ? 2.0f : 1.0f; }
+float side_number(const Side& side) {
+    return side.kind == SideKind::open ? 0.0f : side.kind == SideKind::periodic ? 2.0f : 1.0f;
+}
 
 template <class Texel>
 Result<void> write_texels(std::span<const glm::vec4> field, std::span<Texel> x, std::span<Texel> y, std::span<Texel> z) {
@@ -81,7 +83,9 @@ glm::vec3 WindView::felt(glm::dvec3 position, const Sampling& sampling) const {
     return ambient_->felt(velocity(position), position, sampling);
 }
 
-Result<void> WindView::write_axes(std::span<float> x, std::span<float> y, std::span<float> z) const { return write_texels(field_, x, y, z); }
+Result<void> WindView::write_axes(std::span<float> x, std::span<float> y, std::span<float> z) const {
+    return write_texels(field_, x, y, z);
+}
 Result<void> WindView::write_axes(std::span<std::uint16_t> x, std::span<std::uint16_t> y, std::span<std::uint16_t> z) const {
     return write_texels(field_, x, y, z);
 }

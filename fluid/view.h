@@ -1,8 +1,8 @@
 // The wind at one moment, as renderers sample it: the box's cells, where they lie, and the ambient wind around them.
 //
-// Inside the box the wind is trilinear between cell centres. Near an open side along which the box follows a point it fades to the ambient
-// wind over the rim: by the distance from the point itself, which moves smoothly, while the box jumps by cells; so a jump moves
-// nothing. Other open sides fade over the one cell beyond them; beyond a wall it is the wind at the wall.
+// Inside the box the wind is trilinear between cell centres. Near an open side along which the box follows a point it fades to
+// the ambient wind over the rim: by the distance from the point itself, which moves smoothly, while the box jumps by cells; so a
+// jump moves nothing. Other open sides fade over the one cell beyond them; beyond a wall it is the wind at the wall.
 #pragma once
 
 #include "fluid/ambient.h"
@@ -10,10 +10,9 @@
 #include "fluid/textures.h"
 #include "fluid/window.h"
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
-
-#include <cstdint>
 #include <span>
 
 namespace windrow {

@@ -1,7 +1,6 @@
-#include "fluid/wind_state.h"
-
 #include "fluid/cpu/workspace.h"
 #include "fluid/message.h"
+#include "fluid/wind_state.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +19,9 @@ bool finite(const Vector& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-bool can_follow(const Sides& sides, int axis) { return !sides.periodic(axis) && !sides.has_solid(axis); }
+bool can_follow(const Sides& sides, int axis) {
+    return !sides.periodic(axis) && !sides.has_solid(axis);
+}
 
 void check_ambient(detail::Reasons& reasons, glm::vec3 ambient) {
     if (!finite(ambient) || std::max({std::abs(ambient.x), std::abs(ambient.y), std::abs(ambient.z)}) > k_most_wind)
@@ -40,7 +41,8 @@ glm::bvec3 axes_that_follow(const std::optional<glm::bvec3>& follow, const Sides
 }
 
 bool in_range(const Config& config, glm::dvec3 point) {
-    return finite(point) && std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)}) <= k_farthest_cells * static_cast<double>(config.cell_size);
+    return finite(point) && std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)}) <=
+                                k_farthest_cells * static_cast<double>(config.cell_size);
 }
 
 // Gusts have no component along an axis that a wall closes; the ground alone is their mirror, which they already respect.
@@ -97,9 +99,9 @@ Result<void> validate(const Config& config) {
 }
 
 Wind::State::State(const Config& settings, Workspace workspace, const AmbientWind& wind_around)
-    : config(settings), follow_axes(axes_that_follow(settings.follow_axes, settings.sides)), work(std::move(workspace)),
-      window{settings.cells, settings.cell_size, {}}, follow_point(settings.centre), ambient(wind_around), air(work.box().cell_count()),
-      sources(settings.cells) {
+    : config(settings), follow_axes(axes_that_follow(settings.follow_axes, settings.sides)),
+      work(std::move(workspace)), window{settings.cells, settings.cell_size, {}}, follow_point(settings.centre),
+      ambient(wind_around), air(work.box().cell_count()), sources(settings.cells) {
     window.origin_cells = window.centred_on(config.centre);
     previous_origin_cells = stepped_origin_cells = window.origin_cells;
     renew_ambient();
@@ -140,7 +142,9 @@ std::size_t padded_index(glm::ivec3 cells, int i, int j, int k) {
     return 4 * ((static_cast<std::size_t>(at.z) * padded.y + at.y) * padded.x + at.x);
 }
 
-glm::vec4 cell_at(const float* cell) { return {cell[0], cell[1], cell[2], 0.0f}; }
+glm::vec4 cell_at(const float* cell) {
+    return {cell[0], cell[1], cell[2], 0.0f};
+}
 
 } // namespace
 
@@ -170,7 +174,8 @@ void Wind::State::fill(std::span<glm::vec4> field) const {
     if (ambient.uniform())
         std::fill(field.begin(), field.end(), ambient_at(0, 0, 0));
     else
-        for_each_exposed(window.cells, CellIndex(window.cells), [&](std::size_t n, int i, int j, int k) { field[n] = ambient_at(i, j, k); });
+        for_each_exposed(window.cells, CellIndex(window.cells),
+                         [&](std::size_t n, int i, int j, int k) { field[n] = ambient_at(i, j, k); });
 }
 
 void Wind::State::fill_exposed(std::span<glm::vec4> field, CellIndex shift) const {
@@ -239,7 +244,8 @@ void Wind::State::shift_to(CellIndex origin_cells) {
     window.origin_cells = origin_cells;
     if (!ambient.uniform())
         renew_ambient();
-    const bool beyond = std::abs(shift.x) >= window.cells.x || std::abs(shift.y) >= window.cells.y || std::abs(shift.z) >= window.cells.z;
+    const bool beyond =
+        std::abs(shift.x) >= window.cells.x || std::abs(shift.y) >= window.cells.y || std::abs(shift.z) >= window.cells.z;
     if (beyond || calm) {
         if (beyond || !ambient.uniform())
             fill_with_ambient();
@@ -304,8 +310,12 @@ Advance Wind::advance(double dt) {
     return done;
 }
 
-Motors& Wind::motors() { return state_->motors; }
-const Motors& Wind::motors() const { return state_->motors; }
+Motors& Wind::motors() {
+    return state_->motors;
+}
+const Motors& Wind::motors() const {
+    return state_->motors;
+}
 
 Result<void> Wind::set_ambient(glm::vec3 ambient) {
     detail::Reasons reasons;
@@ -337,7 +347,9 @@ Result<void> Wind::set_gusts(const Gusts& gusts) {
     return {};
 }
 
-glm::vec3 Wind::ambient() const { return state_->work.ambient(); }
+glm::vec3 Wind::ambient() const {
+    return state_->work.ambient();
+}
 
 Result<void> Wind::set_sides(const Sides& sides) {
     detail::Reasons reasons;
@@ -389,8 +401,12 @@ Result<void> Wind::set_floor(double height) {
     return {};
 }
 
-glm::dvec3 Wind::origin() const { return state_->window.origin(); }
-const Box& Wind::box() const { return state_->box(); }
+glm::dvec3 Wind::origin() const {
+    return state_->window.origin();
+}
+const Box& Wind::box() const {
+    return state_->box();
+}
 
 WindView Wind::view() const {
     if (!state_->frames)
@@ -406,9 +422,13 @@ WindView Wind::previous_view() const {
     return {state_->box(), frame.window, state_->rim(frame.rim_point), frame.ambient, frame.field};
 }
 
-WindView Wind::State::air_view() const { return {work.box(), window, rim(follow_point), ambient, air.velocity}; }
+WindView Wind::State::air_view() const {
+    return {work.box(), window, rim(follow_point), ambient, air.velocity};
+}
 
-std::span<const glm::vec4> Wind::field() const { return std::as_const(state_->air.velocity); }
+std::span<const glm::vec4> Wind::field() const {
+    return std::as_const(state_->air.velocity);
+}
 
 WindowBlock Wind::window_block(glm::dvec3 anchor) const {
     WindowBlock block = view().block(anchor);
@@ -439,7 +459,8 @@ void Wind::set_velocity(const std::function<glm::vec3(glm::dvec3)>& velocity_at)
 Result<void> Wind::set_velocity(std::span<const glm::vec4> field) {
     auto& velocity = state_->air.velocity;
     if (field.size() != velocity.size())
-        return Error{detail::message("set_velocity got ", field.size(), " cells, but the box has ", velocity.size(), ": give box().cell_count().")};
+        return Error{detail::message("set_velocity got ", field.size(), " cells, but the box has ", velocity.size(),
+                                     ": give box().cell_count().")};
     std::transform(field.begin(), field.end(), velocity.data(), [](glm::vec4 u) { return glm::vec4(u.x, u.y, u.z, 0.0f); });
     state_->air.fresh = true;
     state_->asleep = state_->calm = false;
@@ -459,13 +480,15 @@ void Wind::record_to(EventLog* log) {
     state_->motors.record_to(log);
 }
 
-const Config& Wind::config() const { return state_->config; }
+const Config& Wind::config() const {
+    return state_->config;
+}
 
 std::size_t Wind::memory_bytes() const {
-    return sizeof(State) + state_->work.memory_bytes() + state_->air.memory_bytes() + state_->diffused.bytes() + state_->motors.memory_bytes() +
-           state_->sources.memory_bytes() + state_->mean_field.memory_bytes() +
-           state_->ambient_field.memory_bytes() + state_->source_flow.bytes() +
-           state_->solved.bytes() + (state_->frames ? state_->frames->memory_bytes() : 0) +
+    return sizeof(State) + state_->work.memory_bytes() + state_->air.memory_bytes() + state_->diffused.bytes() +
+           state_->motors.memory_bytes() + state_->sources.memory_bytes() + state_->mean_field.memory_bytes() +
+           state_->ambient_field.memory_bytes() + state_->source_flow.bytes() + state_->solved.bytes() +
+           (state_->frames ? state_->frames->memory_bytes() : 0) +
            (state_->ambient.tile() && !state_->config.gusts.tile ? state_->ambient.tile()->memory_bytes() : 0);
 }
 

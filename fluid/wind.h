@@ -20,12 +20,11 @@
 #include "fluid/textures.h"
 #include "fluid/view.h"
 
-#include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
-
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <memory>
 #include <optional>
 #include <span>
@@ -52,7 +51,8 @@ struct Stages {
 struct Ticks {
     /// Ticks a second, 1 to 10000. Default 30: blended between ticks, no leaf tells it from 144, at a fifth of the cost.
     double hz = 30.0;
-    /// Most ticks in one call, 1 to 1000. Default 4. Time beyond them is dropped and reported: a slow machine gets a slower wind, not an ever longer frame.
+    /// Most ticks in one call, 1 to 1000. Default 4. Time beyond them is dropped and reported: a slow machine gets a slower wind,
+    /// not an ever longer frame.
     int most = 4;
 };
 
@@ -63,31 +63,36 @@ struct Config {
     float cell_size = 1.0f;
     /// Default open on all sides; Sides::open_over_floor() adds ground.
     Sides sides{};
-    /// [m] World position that the box is centred on at the start, to whole cells. On axes that do not follow, the centre for good.
+    /// [m] World position that the box is centred on at the start, to whole cells. On axes that do not follow, the centre for
+    /// good.
     glm::dvec3 centre{0.0};
     /// Axes that `follow` moves. Default: every axis with two open sides. Asking it of another axis is refused.
     std::optional<glm::bvec3> follow_axes{};
     /// [m/s] Mean wind: the start, what enters through open sides, what new cells get.
     glm::vec3 ambient{0.0f};
-    /// Default none: the mean wind is the same at all heights. With one it is `ambient` at the reference height and 0 at the ground: the
-    /// box's floor, or height 0 without one.
+    /// Default none: the mean wind is the same at all heights. With one it is `ambient` at the reference height and 0 at the
+    /// ground: the box's floor, or height 0 without one.
     std::optional<LogProfile> profile{};
     /// Default none. With gusts the mean wind carries a pattern of them, outside the box and into it.
     Gusts gusts{};
-    /// [cells] Width over which sampled wind fades to ambient at the rim of a box that follows, 0 to 64. Default 2. It ends one cell before the
-    /// box does (two with ticks), so that a shift of the box moves nothing. 0: no rim, as axes of fewer than 8 cells (10 with ticks) have none.
+    /// [cells] Width over which sampled wind fades to ambient at the rim of a box that follows, 0 to 64. Default 2. It ends one
+    /// cell before the box does (two with ticks), so that a shift of the box moves nothing. 0: no rim, as axes of fewer than 8
+    /// cells (10 with ticks) have none.
     float rim = 2.0f;
-    /// [m^2/s] Kinematic viscosity, >= 0. Default that of air, which at 1 m cells is below what the solver resolves and costs nothing.
+    /// [m^2/s] Kinematic viscosity, >= 0. Default that of air, which at 1 m cells is below what the solver resolves and costs
+    /// nothing.
     float viscosity = 1.5e-5f;
-    /// [s] Time in which air left alone comes back to ambient; 0: never (analytic cases). Default 20: no collocated solver damps the
-    /// checkerboard in still air by itself.
+    /// [s] Time in which air left alone comes back to ambient; 0: never (analytic cases). Default 20: no collocated solver damps
+    /// the checkerboard in still air by itself.
     float settling_time = 20.0f;
-    /// [m/s] Air that differs from ambient by less everywhere, with no motor in reach and no gusts, sleeps: it becomes ambient and a step costs
-    /// microseconds until something acts. Default 1e-3; 0: never. Nor does it sleep without a settling time or while viscosity acts.
+    /// [m/s] Air that differs from ambient by less everywhere, with no motor in reach and no gusts, sleeps: it becomes ambient
+    /// and a step costs microseconds until something acts. Default 1e-3; 0: never. Nor does it sleep without a settling time or
+    /// while viscosity acts.
     float sleep_speed = 1e-3f;
     Scheme scheme = Scheme::second_order;
     Interpolation interpolation = Interpolation::cubic;
-    /// Cells that the air may cross in one sub-step, > 0. Above 2 the backtrace swallows thin motors; raise it to see the raw step.
+    /// Cells that the air may cross in one sub-step, > 0. Above 2 the backtrace swallows thin motors; raise it to see the raw
+    /// step.
     float max_cfl = 2.0f;
     /// Most sub-steps in a step, 1 to 64. Beyond max_cfl * max_substeps cells a step, speeds are limited (and counted).
     int max_substeps = 8;
@@ -102,10 +107,10 @@ struct Config {
 
 /// What a call of `advance` did.
 struct Advance {
-    int ticks = 0;          ///< ticks that ran
-    double dropped = 0.0;   ///< [s] time beyond Ticks::most that the air did not live through
-    float factor = 0.0f;    ///< where this frame lies between the last two ticks, 0 to 1
-    Diagnostics last{};     ///< of the last tick that ran; stepped = false if none did
+    int ticks = 0;        ///< ticks that ran
+    double dropped = 0.0; ///< [s] time beyond Ticks::most that the air did not live through
+    float factor = 0.0f;  ///< where this frame lies between the last two ticks, 0 to 1
+    Diagnostics last{};   ///< of the last tick that ran; stepped = false if none did
 };
 
 class Wind {
@@ -113,21 +118,21 @@ class Wind {
     [[nodiscard]] static Result<Wind> create(const Config& config);
 
     /// Advances the air by dt [s]. 0 is a pause: nothing changes. A dt that is negative or not finite does nothing and says so
-    /// (Diagnostics::stepped). Does not allocate; only the first step in which a motor lets air in, and a step above 1 s that asks more of the viscosity than
-    /// shorter ones, do so, once.
+    /// (Diagnostics::stepped). Does not allocate; only the first step in which a motor lets air in, and a step above 1 s that
+    /// asks more of the viscosity than shorter ones, do so, once.
     Diagnostics step(double dt);
-    /// Advances by a frame of dt [s] in fixed ticks (Config::ticks), so that the air does not depend on the frame rate: `follow` and
-    /// `Motors::move` tell where things are at the end of this frame, and each tick sees them at its own time on the way. What is sampled
-    /// afterwards is the wind blended between the last two ticks, up to a tick old. The first call allocates three fields; later ones
-    /// nothing. A dt that is negative or not finite does nothing. Mixing with `step` ends the blending.
+    /// Advances by a frame of dt [s] in fixed ticks (Config::ticks), so that the air does not depend on the frame rate: `follow`
+    /// and `Motors::move` tell where things are at the end of this frame, and each tick sees them at its own time on the way.
+    /// What is sampled afterwards is the wind blended between the last two ticks, up to a tick old. The first call allocates
+    /// three fields; later ones nothing. A dt that is negative or not finite does nothing. Mixing with `step` ends the blending.
     Advance advance(double dt);
 
     // --- What acts on the air -----------------------------------------------------------------------------------------
     [[nodiscard]] Motors& motors();
     [[nodiscard]] const Motors& motors() const;
-    /// Changes the mean wind [m/s]. All air of the box changes by the difference at once, as under a pressure gradient that is far wider than
-    /// the box; entering through the sides alone, a new wind would never reach still air. Ramp it for a gust. Components along
-    /// axes that a wall closes are dropped. Refuses what is not finite or above 1e4 m/s.
+    /// Changes the mean wind [m/s]. All air of the box changes by the difference at once, as under a pressure gradient that is
+    /// far wider than the box; entering through the sides alone, a new wind would never reach still air. Ramp it for a gust.
+    /// Components along axes that a wall closes are dropped. Refuses what is not finite or above 1e4 m/s.
     [[nodiscard]] Result<void> set_ambient(glm::vec3 ambient);
     [[nodiscard]] glm::vec3 ambient() const;
     /// Changes the gusts; they enter with the wind. Refuses what `validate` refuses. Allocates when gusts begin.
@@ -137,9 +142,9 @@ class Wind {
     [[nodiscard]] Result<void> set_sides(const Sides& sides);
 
     // --- Where the box lies -------------------------------------------------------------------------------------------
-    /// Centres the box on a point, to whole cells, on the axes that follow. Air that stays inside keeps its values to the bit; new
-    /// cells hold the ambient wind. A jump beyond the box starts afresh. Refuses a point that is not finite or beyond 1e12 cells.
-    /// With `advance` the box moves in its ticks, with `step` at once.
+    /// Centres the box on a point, to whole cells, on the axes that follow. Air that stays inside keeps its values to the bit;
+    /// new cells hold the ambient wind. A jump beyond the box starts afresh. Refuses a point that is not finite or beyond 1e12
+    /// cells. With `advance` the box moves in its ticks, with `step` at once.
     Result<void> follow(glm::dvec3 point);
     /// Puts the box's low y side at a height [m], to whole cells: the ground under a player. For boxes whose low y side is solid.
     Result<void> set_floor(double height);
@@ -148,22 +153,26 @@ class Wind {
     [[nodiscard]] const Box& box() const;
 
     // --- Reading the air: of this frame with `advance`, of the last step with `step` ----------------------------------------
-    /// [m/s] Wind at a world point: trilinear between cell centres, as a vertex stage samples the textures; it fades to ambient over the rim
-    /// (view.h). A point that is not finite gets the mean wind.
+    /// [m/s] Wind at a world point: trilinear between cell centres, as a vertex stage samples the textures; it fades to ambient
+    /// over the rim (view.h). A point that is not finite gets the mean wind.
     [[nodiscard]] glm::vec3 velocity(glm::dvec3 position) const { return view().velocity(position); }
     /// The same for many points; `velocities` holds as many.
-    void velocity(std::span<const glm::dvec3> positions, std::span<glm::vec3> velocities) const { view().velocity(positions, velocities); }
+    void velocity(std::span<const glm::dvec3> positions, std::span<glm::vec3> velocities) const {
+        view().velocity(positions, velocities);
+    }
     /// [m/s] What a plant there feels: scaled, limited, with small-scale detail.
     [[nodiscard]] glm::vec3 felt(glm::dvec3 position, const Sampling& sampling) const { return view().felt(position, sampling); }
     /// Three textures, one an axis, as float or half; each span holds box().cell_count() texels or the call is refused.
-    Result<void> write_axes(std::span<float> x, std::span<float> y, std::span<float> z) const { return view().write_axes(x, y, z); }
+    Result<void> write_axes(std::span<float> x, std::span<float> y, std::span<float> z) const {
+        return view().write_axes(x, y, z);
+    }
     Result<void> write_axes(std::span<std::uint16_t> x, std::span<std::uint16_t> y, std::span<std::uint16_t> z) const {
         return view().write_axes(x, y, z);
     }
     /// Where the textures lie, relative to `anchor` [m], and where they lay in the frame before.
     [[nodiscard]] WindowBlock window_block(glm::dvec3 anchor) const;
-    /// All of the above of this moment, and of the frame before, for motion vectors. Without `advance` both are the last step: a host that steps
-    /// by itself keeps the textures of its last frame.
+    /// All of the above of this moment, and of the frame before, for motion vectors. Without `advance` both are the last step: a
+    /// host that steps by itself keeps the textures of its last frame.
     [[nodiscard]] WindView view() const;
     [[nodiscard]] WindView previous_view() const;
     /// [m/s] The cells after the last step or tick, laid out as box.h says; w = 0.
@@ -181,7 +190,8 @@ class Wind {
     // --- Keeping it ---------------------------------------------------------------------------------------------------
     /// The whole state as bytes: config, air, motors, gusts, ticks. Little-endian, with a version and a checksum.
     [[nodiscard]] std::vector<std::byte> save() const;
-    /// A wind that goes on from there to the same bits (on the same SIMD level). Refuses bytes that are truncated, changed, or of another version.
+    /// A wind that goes on from there to the same bits (on the same SIMD level). Refuses bytes that are truncated, changed, or of
+    /// another version.
     [[nodiscard]] static Result<Wind> load(std::span<const std::byte> bytes, ParallelFor parallel_for = {});
     /// Notes every accepted call that changes the wind in `log` from now on; null: no longer. See event_log.h.
     void record_to(EventLog* log);

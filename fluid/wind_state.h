@@ -37,8 +37,8 @@ struct Frame {
 
 /// What `advance` keeps beside the air.
 struct Frames {
-    cpu::Buffer<glm::vec4> before;  ///< [m/s] air at the tick before the last one, in the window of today
-    bool before_still = false;      ///< it slept
+    cpu::Buffer<glm::vec4> before; ///< [m/s] air at the tick before the last one, in the window of today
+    bool before_still = false;     ///< it slept
     glm::dvec3 rim_point_before{0.0};
     glm::dvec3 gust_phase_before{0.0};
     double lead = 0.0; ///< [s] time of the frame after the last tick
@@ -65,13 +65,13 @@ struct Wind::State {
     cpu::Buffer<glm::vec4> diffused; ///< the velocity after diffusion; empty while viscosity asks for none
     Motors motors;
     cpu::SourceField sources;
-    std::uint64_t sources_of_air = 0; ///< names the sources of air whose flow is in the velocity; 0: none
+    std::uint64_t sources_of_air = 0;   ///< names the sources of air whose flow is in the velocity; 0: none
     cpu::Buffer<glm::vec4> source_flow; ///< u_S [m/s], part of the velocity; empty until air first comes in, 0 while none does
     cpu::Buffer<glm::vec4> solved;      ///< scratch for u less its given part; empty until something is given
-    bool calm = false;                ///< every cell is ambient to the bit, history included: filled so, and not stepped since
-    bool asleep = false;              ///< calm, and nothing acts: a step does nothing
-    Diagnostics at_rest;              ///< what a step reports while asleep
-    std::optional<Frames> frames;     ///< with `advance`
+    bool calm = false;                  ///< every cell is ambient to the bit, history included: filled so, and not stepped since
+    bool asleep = false;                ///< calm, and nothing acts: a step does nothing
+    Diagnostics at_rest;                ///< what a step reports while asleep
+    std::optional<Frames> frames;       ///< with `advance`
     EventLog* log = nullptr;
 
     [[nodiscard]] const Box& box() const { return work.box(); }
@@ -82,7 +82,8 @@ struct Wind::State {
     void shift_to(CellIndex origin_cells);
     void fill_with_ambient();
     void change_ambient(glm::vec3 wind);
-    /// After a change of sides, mean wind, gusts or place: what blows around the box, and in every cell where it is not the same everywhere.
+    /// After a change of sides, mean wind, gusts or place: what blows around the box, and in every cell where it is not the same
+    /// everywhere.
     void renew_ambient();
 
     Diagnostics step(double duration);

@@ -2,14 +2,14 @@
 //
 // `lead` is the time of the frame after the last tick, 0 <= lead < one tick. A frame shows
 //   u = u_before + lead * hz (u_now - u_before)
-// of the last two ticks in the box of today: continuous in time, at most a tick old. What moves (motors, the point that the box follows) is
-// told per frame and seen by each tick at its own time (track.h), so the air's states are the same for any frame rate.
+// of the last two ticks in the box of today: continuous in time, at most a tick old. What moves (motors, the point that the box
+// follows) is told per frame and seen by each tick at its own time (track.h), so the air's states are the same for any frame
+// rate.
 #include "fluid/wind_state.h"
-
-#include <glm/common.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <utility>
 
 namespace windrow {
@@ -51,7 +51,8 @@ Advance Wind::State::advance(double dt) {
 void Wind::State::begin_ticks() {
     const std::size_t cells = air.velocity.size();
     const auto frame = [&] { return Frame{cpu::Buffer<glm::vec4>(cells), window, follow_point, ambient}; };
-    frames.emplace(Frames{.before = cpu::Buffer<glm::vec4>(cells), .shown = frame(), .shown_before = frame(), .follow = Track(follow_point)});
+    frames.emplace(Frames{
+        .before = cpu::Buffer<glm::vec4>(cells), .shown = frame(), .shown_before = frame(), .follow = Track(follow_point)});
     frames->rim_point_before = follow_point;
     frames->gust_phase_before = ambient.phase();
     for (cpu::Buffer<glm::vec4>* field : {&frames->before, &frames->shown.field, &frames->shown_before.field})
@@ -96,7 +97,8 @@ void Wind::State::show_frame() {
     frame.window = window;
     frame.rim_point = glm::mix(frames->rim_point_before, follow_point, static_cast<double>(factor));
     frame.ambient = ambient;
-    frame.ambient.set_phase(AmbientWind::between(frames->gust_phase_before, ambient.phase(), static_cast<double>(factor), ambient.period()));
+    frame.ambient.set_phase(
+        AmbientWind::between(frames->gust_phase_before, ambient.phase(), static_cast<double>(factor), ambient.period()));
 }
 
 } // namespace windrow

@@ -1,20 +1,23 @@
 #include "fluid/window.h"
 
-#include <glm/common.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <glm/common.hpp>
 
 namespace windrow {
 
 namespace {
 
-glm::dvec3 rounded(glm::dvec3 cells) { return glm::floor(cells * 65536.0 + 0.5) / 65536.0; }
+glm::dvec3 rounded(glm::dvec3 cells) {
+    return glm::floor(cells * 65536.0 + 0.5) / 65536.0;
+}
 
 } // namespace
 
-glm::dvec3 Window::local_rounded(glm::dvec3 position) const { return rounded(local(position)); }
+glm::dvec3 Window::local_rounded(glm::dvec3 position) const {
+    return rounded(local(position));
+}
 
 CellIndex Window::centred_on(glm::dvec3 point) const {
     const glm::dvec3 corner = point / static_cast<double>(cell_size) - 0.5 * glm::dvec3(cells);

@@ -1,10 +1,9 @@
 // The box's place in the world: whole cells, counted in 64 bits, so that following loses nothing and distance costs nothing.
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
-
-#include <cstdint>
 #include <span>
 
 namespace windrow {
@@ -20,12 +19,16 @@ struct Window {
     /// [m] World position of the low corner.
     [[nodiscard]] glm::dvec3 origin() const { return glm::dvec3(origin_cells) * static_cast<double>(cell_size); }
     /// A world position in cells from the low corner, in double.
-    [[nodiscard]] glm::dvec3 local(glm::dvec3 position) const { return position / static_cast<double>(cell_size) - glm::dvec3(origin_cells); }
+    [[nodiscard]] glm::dvec3 local(glm::dvec3 position) const {
+        return position / static_cast<double>(cell_size) - glm::dvec3(origin_cells);
+    }
     /// The same, rounded to 1/65536 of a cell: the digits that a position 10^6 m away still has. So one scene gives the same
     /// bits wherever it stands.
     [[nodiscard]] glm::dvec3 local_rounded(glm::dvec3 position) const;
     /// [m] World position of a cell's centre.
-    [[nodiscard]] glm::dvec3 centre(int i, int j, int k) const { return (glm::dvec3(origin_cells) + glm::dvec3(i + 0.5, j + 0.5, k + 0.5)) * static_cast<double>(cell_size); }
+    [[nodiscard]] glm::dvec3 centre(int i, int j, int k) const {
+        return (glm::dvec3(origin_cells) + glm::dvec3(i + 0.5, j + 0.5, k + 0.5)) * static_cast<double>(cell_size);
+    }
     /// Where the origin must lie for `point` to be the box's centre, to the nearest whole cell.
     [[nodiscard]] CellIndex centred_on(glm::dvec3 point) const;
 };

@@ -35,7 +35,8 @@ float wall_share(const Side& side, int component, float ambient) {
     return side.kind == SideKind::no_slip ? 2.0f * (side.wall_velocity[component] - ambient) : 0.0f;
 }
 
-void diffuse_component(Workspace::State& state, int component, std::span<const glm::vec4> field, float ratio, std::span<glm::vec4> result) {
+void diffuse_component(Workspace::State& state, int component, std::span<const glm::vec4> field, float ratio,
+                       std::span<glm::vec4> result) {
     cpu::SeparableSolver& solver = (*state.diffusion)[component];
     solver.set_shift(1.0 / ratio, state.parallel_for);
     const Box& box = state.box;
@@ -47,7 +48,8 @@ void diffuse_component(Workspace::State& state, int component, std::span<const g
     const auto edge = [&](int axis, int index) {
         return (index == 0 ? shares[axis][0] : 0.0f) + (index == box.cells[axis] - 1 ? shares[axis][1] : 0.0f);
     };
-    // Along its own axis a wall's ghost mirrors u with its sign turned; about ambient that is -v - 2 ambient, and ambient is 0 there.
+    // Along its own axis a wall's ghost mirrors u with its sign turned; about ambient that is -v - 2 ambient, and ambient is 0
+    // there.
     float* const data = state.potential.data();
     const auto row_of = [&](int j, int k) { return data + (static_cast<std::size_t>(k) * box.cells.y + j) * solver.pitch(); };
     state.parallel_for(box.cells.z, [&](int k) {
@@ -75,7 +77,8 @@ DiffusionMethod diffusion_method(float viscosity, float dt, float cell_size) {
     return ratio <= k_most_explicit_ratio ? DiffusionMethod::one_pass : DiffusionMethod::implicit;
 }
 
-DiffusionMethod diffuse(Workspace& work, std::span<const glm::vec4> field, float viscosity, float dt, std::span<glm::vec4> result) {
+DiffusionMethod diffuse(Workspace& work, std::span<const glm::vec4> field, float viscosity, float dt,
+                        std::span<glm::vec4> result) {
     Workspace::State& state = work.state();
     assert(field.size() == state.box.cell_count() && result.size() == field.size() && field.data() != result.data());
     const float ratio = viscosity * dt / (state.box.cell_size * state.box.cell_size);

@@ -8,7 +8,8 @@ namespace windrow {
 void advect(Workspace& work, const ScalarTransport& transport, std::span<float> result) {
     Workspace::State& state = work.state();
     const Box& box = state.box;
-    assert(transport.carried.size() == box.cell_count() && transport.velocity.size() == box.cell_count() && result.size() == box.cell_count());
+    assert(transport.carried.size() == box.cell_count() && transport.velocity.size() == box.cell_count() &&
+           result.size() == box.cell_count());
     if (state.padded_scalar.empty())
         state.padded_scalar = cpu::Buffer<float>(state.padded_cells());
 
@@ -30,7 +31,8 @@ void advect(Workspace& work, const ScalarTransport& transport, std::span<float> 
         for (int row = 0; row < padded.y; ++row) {
             const cpu::HaloRule& y = state.rules[1][row];
             for (const cpu::HaloRule& x : state.rules[0])
-                *to++ = x.ambient || y.ambient || z.ambient ? transport.outside : transport.carried[box.index(x.source, y.source, z.source)];
+                *to++ = x.ambient || y.ambient || z.ambient ? transport.outside
+                                                            : transport.carried[box.index(x.source, y.source, z.source)];
         }
     });
 

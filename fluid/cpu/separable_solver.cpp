@@ -7,7 +7,9 @@
 namespace windrow::cpu {
 namespace {
 
-constexpr int round_up(int value) { return (value + k_lanes - 1) / k_lanes * k_lanes; }
+constexpr int round_up(int value) {
+    return (value + k_lanes - 1) / k_lanes * k_lanes;
+}
 
 // The one column of a singular box whose tridiagonal system has no inverse: solved in double for mean 0.
 // x[j+1] - x[j] = flux + d[0] + .. + d[j]; walls give flux 0, a periodic axis the flux that closes the ring.
@@ -37,7 +39,8 @@ void solve_singular_column(const double* d, int rows, bool periodic, float* colu
 } // namespace
 
 SeparableSolver::Matrix::Matrix(const std::vector<double>& values, int n)
-    : forward(static_cast<std::size_t>(n) * round_up(n)), backward(static_cast<std::size_t>(n) * round_up(n)), size(n), stride(round_up(n)) {
+    : forward(static_cast<std::size_t>(n) * round_up(n)), backward(static_cast<std::size_t>(n) * round_up(n)), size(n),
+      stride(round_up(n)) {
     for (int mode = 0; mode < n; ++mode)
         for (int cell = 0; cell < n; ++cell) {
             const auto value = static_cast<float>(values[static_cast<std::size_t>(mode) * n + cell]);
@@ -47,8 +50,9 @@ SeparableSolver::Matrix::Matrix(const std::vector<double>& values, int n)
 }
 
 SeparableSolver::SeparableSolver(glm::ivec3 cells, const Ends& ends, const Kernels& kernels)
-    : cells_(cells), ends_(ends), kernels_(&kernels), basis_x_(cells.x, ends[0][0], ends[0][1]), basis_z_(cells.z, ends[2][0], ends[2][1]),
-      x_even_(basis_x_.even, basis_x_.even_size), x_odd_(basis_x_.odd, basis_x_.odd_size), z_even_(basis_z_.even, basis_z_.even_size),
+    : cells_(cells), ends_(ends), kernels_(&kernels), basis_x_(cells.x, ends[0][0], ends[0][1]),
+      basis_z_(cells.z, ends[2][0], ends[2][1]), x_even_(basis_x_.even, basis_x_.even_size),
+      x_odd_(basis_x_.odd, basis_x_.odd_size), z_even_(basis_z_.even, basis_z_.even_size),
       z_odd_(basis_z_.odd, basis_z_.odd_size) {
     for (AxisBasis* const basis : {&basis_x_, &basis_z_}) { // the matrices hold them now
         basis->even = std::vector<double>();
@@ -147,7 +151,8 @@ void SeparableSolver::factor_block(int block) {
             const double scale = 1.0 / (1.0 + vector[0] + vector[rows - 1] / gamma);
             for (int j = 0; j < rows; ++j)
                 cyclic_vectors_[at + j * k_lanes] = static_cast<float>(vector[j]);
-            float* const factors = cyclic_factors_.data() + (static_cast<std::size_t>(block) * cells_.z + mode) * 2 * k_lanes + lane;
+            float* const factors =
+                cyclic_factors_.data() + (static_cast<std::size_t>(block) * cells_.z + mode) * 2 * k_lanes + lane;
             factors[0] = static_cast<float>(scale);
             factors[k_lanes] = static_cast<float>(scale / gamma);
         }
@@ -170,7 +175,8 @@ void SeparableSolver::rows_to_modes(int plane, float* data, float* scratch) cons
     }
     kernels_->multiply({folded, pitch, x_even_.forward.data(), x_even_.stride, rows, pitch, cells_.y, x_even_.stride, even});
     if (odd > 0)
-        kernels_->multiply({folded + odd_offset_, pitch, x_odd_.forward.data(), x_odd_.stride, rows + odd_offset_, pitch, cells_.y, x_odd_.stride, odd});
+        kernels_->multiply({folded + odd_offset_, pitch, x_odd_.forward.data(), x_odd_.stride, rows + odd_offset_, pitch,
+                            cells_.y, x_odd_.stride, odd});
 }
 
 void SeparableSolver::modes_to_rows(int plane, float* data, float* scratch) const {
@@ -180,8 +186,8 @@ void SeparableSolver::modes_to_rows(int plane, float* data, float* scratch) cons
     const int even = basis_x_.even_size, odd = basis_x_.odd_size, last = cells_.x - 1;
     kernels_->multiply({rows, pitch, x_even_.backward.data(), x_even_.stride, folded, pitch, cells_.y, x_even_.stride, even});
     if (odd > 0)
-        kernels_->multiply(
-            {rows + odd_offset_, pitch, x_odd_.backward.data(), x_odd_.stride, folded + odd_offset_, pitch, cells_.y, x_odd_.stride, odd});
+        kernels_->multiply({rows + odd_offset_, pitch, x_odd_.backward.data(), x_odd_.stride, folded + odd_offset_, pitch,
+                            cells_.y, x_odd_.stride, odd});
     for (int j = 0; j < cells_.y; ++j) {
         const float* const from = folded + j * pitch;
         float* const row = rows + j * pitch;
@@ -207,7 +213,8 @@ void SeparableSolver::solve_block(int block, float* data, float* scratch) const 
         kernels_->butterfly(low, high, plane, odd, k_lanes);
         kernels_->multiply({z_even_.backward.data(), z_even_.stride, low, plane, out, mode_stride, even, k_lanes, even});
         if (odd > 0)
-            kernels_->multiply({z_odd_.backward.data(), z_odd_.stride, high, -plane, out + even * mode_stride, mode_stride, odd, k_lanes, odd});
+            kernels_->multiply(
+                {z_odd_.backward.data(), z_odd_.stride, high, -plane, out + even * mode_stride, mode_stride, odd, k_lanes, odd});
     }
     const bool holds_singular = singular_ && shift_ == 0.0 && basis_x_.zero_mode / k_lanes == block;
     float* const column = work + basis_z_.zero_mode * mode_stride + basis_x_.zero_mode % k_lanes;
@@ -217,7 +224,8 @@ void SeparableSolver::solve_block(int block, float* data, float* scratch) const 
             saved[j] = column[j * k_lanes];
     kernels_->tridiagonal({work, pivots_.data() + block * mode_stride * modes,
                            cyclic_ ? cyclic_vectors_.data() + block * mode_stride * modes : nullptr,
-                           cyclic_ ? cyclic_factors_.data() + static_cast<std::ptrdiff_t>(block) * modes * 2 * k_lanes : nullptr, modes, rows});
+                           cyclic_ ? cyclic_factors_.data() + static_cast<std::ptrdiff_t>(block) * modes * 2 * k_lanes : nullptr,
+                           modes, rows});
     if (holds_singular)
         solve_singular_column(saved, rows, ends_[1][0] == EndRule::periodic, column);
     for (int j = 0; j < rows; ++j) {
@@ -226,7 +234,8 @@ void SeparableSolver::solve_block(int block, float* data, float* scratch) const 
         const float* const in = work + j * k_lanes;
         kernels_->multiply({z_even_.forward.data(), z_even_.stride, in, mode_stride, low, plane, even, k_lanes, even});
         if (odd > 0)
-            kernels_->multiply({z_odd_.forward.data(), z_odd_.stride, in + even * mode_stride, mode_stride, high, -plane, odd, k_lanes, odd});
+            kernels_->multiply(
+                {z_odd_.forward.data(), z_odd_.stride, in + even * mode_stride, mode_stride, high, -plane, odd, k_lanes, odd});
         kernels_->butterfly(low, high, plane, odd, k_lanes);
     }
 }

@@ -5,8 +5,8 @@
 //   1 (planes)  X: rows times the x basis
 //   2 (blocks)  Z, tridiagonal, Z back on k_lanes columns at a time, all in one task's cache
 //   3 (planes)  X back
-// Three parallel loops; about 4 n floating operations a cell and axis (half of it where the ends of an axis are alike). Where L is
-// singular (no end fixes the value) the mean of d is dropped and x has mean 0.
+// Three parallel loops; about 4 n floating operations a cell and axis (half of it where the ends of an axis are alike). Where L
+// is singular (no end fixes the value) the mean of d is dropped and x has mean 0.
 //
 // Based on: Lynch, Rice & Thomas 1964, "Direct solution of partial difference equations by tensor product methods",
 // Numerische Mathematik 6; Sherman & Morrison 1950 for periodic y.
@@ -21,10 +21,9 @@
 #include "fluid/cpu/kernels/kernels.h"
 #include "fluid/parallel.h"
 
-#include <glm/vec3.hpp>
-
 #include <array>
 #include <cstddef>
+#include <glm/vec3.hpp>
 
 namespace windrow::cpu {
 

@@ -35,7 +35,9 @@ void for_each_cell(const MotorReach& motor, glm::vec3 first_centre, float cell_s
     case MotorReach::Shape::sphere:
         return along([&](glm::vec3 p) { return Push{windrow_sphere_weight(p - motor.centre, motor.radius), motor.push}; });
     case MotorReach::Shape::capsule:
-        return along([&](glm::vec3 p) { return Push{windrow_capsule_weight(p - motor.centre, motor.extent, motor.radius), motor.push}; });
+        return along([&](glm::vec3 p) {
+            return Push{windrow_capsule_weight(p - motor.centre, motor.extent, motor.radius), motor.push};
+        });
     case MotorReach::Shape::box:
         return along([&](glm::vec3 p) { return Push{windrow_box_weight(p - motor.centre, motor.extent), motor.push}; });
     case MotorReach::Shape::cone:
@@ -54,15 +56,18 @@ void for_each_cell(const MotorReach& motor, glm::vec3 first_centre, float cell_s
             // The swirl has its own falloff across the axis; a drive's rate needs one as well.
             const float weight = motor.law == MotorReach::Law::force ? windrow_axial_weight(from, motor.extent)
                                                                      : windrow_whirl_weight(from, motor.extent, motor.radius);
-            return Push{weight,
-                        motor.push.x * windrow_swirl_velocity(from, motor.extent, motor.radius, motor.lift)};
+            return Push{weight, motor.push.x * windrow_swirl_velocity(from, motor.extent, motor.radius, motor.lift)};
         });
     case MotorReach::Shape::path:
-        return along([&](glm::vec3 p) { return Push{windrow_wake_path(p, motor.centre, motor.extent, motor.radius), motor.push}; });
+        return along([&](glm::vec3 p) {
+            return Push{windrow_wake_path(p, motor.centre, motor.extent, motor.radius), motor.push};
+        });
     }
 }
 
-float largest_component(const glm::vec4& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+float largest_component(const glm::vec4& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
 
 } // namespace
 
@@ -93,8 +98,11 @@ void SourceField::add_force_to(std::span<glm::vec4> velocity, float factor, cons
     });
 }
 
-void SourceField::gather(std::span<const MotorReach> motors, float cell_size, std::span<glm::vec4> velocity, const ParallelFor& parallel_for) {
-    const auto any = [&](MotorReach::Law law) { return std::any_of(motors.begin(), motors.end(), [&](const MotorReach& m) { return m.law == law; }); };
+void SourceField::gather(std::span<const MotorReach> motors, float cell_size, std::span<glm::vec4> velocity,
+                         const ParallelFor& parallel_for) {
+    const auto any = [&](MotorReach::Law law) {
+        return std::any_of(motors.begin(), motors.end(), [&](const MotorReach& m) { return m.law == law; });
+    };
     any_force_ = any(MotorReach::Law::force);
     any_expansion_ = any(MotorReach::Law::source);
     largest_force_ = 0.0f;
@@ -106,7 +114,8 @@ void SourceField::gather(std::span<const MotorReach> motors, float cell_size, st
 }
 
 void SourceField::gather_plane(std::span<const MotorReach> motors, float cell_size, std::span<glm::vec4> velocity, int k) {
-    // Hundreds of motors reach a box, a few of them a plane. More than fit here are looked up again in every row: slower, not wrong.
+    // Hundreds of motors reach a box, a few of them a plane. More than fit here are looked up again in every row: slower, not
+    // wrong.
     std::array<std::uint16_t, 512> near;
     std::size_t near_count = 0;
     bool listed = true;
@@ -138,7 +147,8 @@ void SourceField::gather_plane(std::span<const MotorReach> motors, float cell_si
                 if (!holds_force)
                     std::fill_n(force_row, cells_.x, glm::vec4(0.0f));
                 holds_force = true;
-                for_each_cell(motor, first_centre, cell_size, [&](int i, const Push& at) { force_row[i] += glm::vec4(at.weight * at.push, 0.0f); });
+                for_each_cell(motor, first_centre, cell_size,
+                              [&](int i, const Push& at) { force_row[i] += glm::vec4(at.weight * at.push, 0.0f); });
                 break;
             case MotorReach::Law::drive:
                 if (drive_low > drive_high)
@@ -151,7 +161,8 @@ void SourceField::gather_plane(std::span<const MotorReach> motors, float cell_si
                 });
                 break;
             case MotorReach::Law::source:
-                for_each_cell(motor, first_centre, cell_size, [&](int i, const Push& at) { expansion_row[i] += at.weight * motor.amount; });
+                for_each_cell(motor, first_centre, cell_size,
+                              [&](int i, const Push& at) { expansion_row[i] += at.weight * motor.amount; });
                 break;
             }
         }

@@ -5,9 +5,8 @@
 #include "fluid/motor_reach.h"
 #include "fluid/parallel.h"
 
-#include <glm/vec4.hpp>
-
 #include <cstdint>
+#include <glm/vec4.hpp>
 #include <span>
 
 namespace windrow::cpu {
@@ -19,7 +18,8 @@ class SourceField {
     explicit SourceField(glm::ivec3 cells);
 
     /// Drives act on `velocity`; f and S are gathered. A cell sums its motors in the order of `motors`.
-    void gather(std::span<const detail::MotorReach> motors, float cell_size, std::span<glm::vec4> velocity, const ParallelFor& parallel_for);
+    void gather(std::span<const detail::MotorReach> motors, float cell_size, std::span<glm::vec4> velocity,
+                const ParallelFor& parallel_for);
 
     /// velocity += factor * f, on the rows that hold a force.
     void add_force_to(std::span<glm::vec4> velocity, float factor, const ParallelFor& parallel_for) const;

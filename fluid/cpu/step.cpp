@@ -8,25 +8,26 @@
 //   u' = w - grad phi,  L phi = div w          project()
 //   q' = grad phi - (dt/2) f                   = (dt/2) (grad p - f)
 //
-// All values at cell centres. Order 2 in time at fixed CFL with one cubic interpolation and one projection a step. Viscosity acts on u before R is
-// formed: added after the advection it feeds an instability at CFL 1. A drive acts whole on u before the step, in its exact form.
+// All values at cell centres. Order 2 in time at fixed CFL with one cubic interpolation and one projection a step. Viscosity acts
+// on u before R is formed: added after the advection it feeds an instability at CFL 1. A drive acts whole on u before the step,
+// in its exact form.
 //
 // Two parts of u may be given, not solved; the step then carries and projects the rest, v = u - u_S - A, along the whole wind u:
 //
 //   dv/dt + u . grad v = -grad p + nu L v + f
 //
-// u_S, the flow of sources of air (blasts, vents, suction), which prescribe div u = S: the potential flow u_S = grad psi, L psi = S, projected by itself when S
-// changes; it stands at once. What is left out, v . grad u_S, is a gradient wherever v has no vorticity (a vent in a steady wind comes out exact), else the
-// straining of v's vorticity by the source. Carried with the rest, u_S feeds on its errors: jets grow out of its middle within a second.
-// A, the ambient wind while it gusts: a frozen pattern, free of divergence, that the mean wind carries through the box as it does outside. Solved, it would evolve
-// inside but not outside, and each shift of the box would be felt as a jolt (0.07 m/s in a wind of 2 m/s). Left out: v . grad A.
+// u_S, the flow of sources of air (blasts, vents, suction), which prescribe div u = S: the potential flow u_S = grad psi, L psi =
+// S, projected by itself when S changes; it stands at once. What is left out, v . grad u_S, is a gradient wherever v has no
+// vorticity (a vent in a steady wind comes out exact), else the straining of v's vorticity by the source. Carried with the rest,
+// u_S feeds on its errors: jets grow out of its middle within a second. A, the ambient wind while it gusts: a frozen pattern,
+// free of divergence, that the mean wind carries through the box as it does outside. Solved, it would evolve inside but not
+// outside, and each shift of the box would be felt as a jolt (0.07 m/s in a wind of 2 m/s). Left out: v . grad A.
 //
 // Stable fluids, the classic split: u' = P(A(D(u + dt f))): every stage whole and one after the other, order 1.
 //
 // Based on: Temperton & Staniforth 1987, Quarterly Journal 113; Hortal 2002, ECMWF Technical Memorandum 292; Stam 1999, SIGGRAPH.
-#include "fluid/wind_state.h"
-
 #include "fluid/cpu/workspace.h"
+#include "fluid/wind_state.h"
 
 #include <algorithm>
 #include <chrono>
@@ -40,7 +41,9 @@ namespace {
 class Stopwatch {
   public:
     explicit Stopwatch(double& milliseconds) : milliseconds_(milliseconds), start_(std::chrono::steady_clock::now()) {}
-    ~Stopwatch() { milliseconds_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count(); }
+    ~Stopwatch() {
+        milliseconds_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+    }
     Stopwatch(const Stopwatch&) = delete;
     Stopwatch& operator=(const Stopwatch&) = delete;
 
@@ -49,7 +52,9 @@ class Stopwatch {
     std::chrono::steady_clock::time_point start_;
 };
 
-bool finite(const glm::vec4& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w); }
+bool finite(const glm::vec4& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
+}
 
 // Names the sources of air among the motors, and where the box lies: the same name, the same S.
 std::uint64_t name_of_sources(std::span<const detail::MotorReach> reached, CellIndex origin) {
@@ -170,12 +175,14 @@ void Wind::State::advance_second_order(float dt, Diagnostics& report) {
         advect(work, transport, arrived);
         sources.add_force_to(arrived, 0.5f * dt, parallel_for);
     }
-    Stopwatch watch(report.times_ms.projection);
-    if (config.stages.projection)
-        project(work, arrived, air.history);
-    else
-        std::fill_n(air.history.data(), air.history.size(), glm::vec4(0.0f));
-    sources.add_force_to(air.history, -0.5f * dt, parallel_for);
+    {
+        Stopwatch watch(report.times_ms.projection);
+        if (config.stages.projection)
+            project(work, arrived, air.history);
+        else
+            std::fill_n(air.history.data(), air.history.size(), glm::vec4(0.0f));
+        sources.add_force_to(air.history, -0.5f * dt, parallel_for);
+    }
     carry_gusts(dt, report);
     add_given_flow(arrived, 1.0f);
     std::swap(air.velocity, air.velocity_old);
@@ -187,15 +194,17 @@ void Wind::State::advance_stable_fluids(float dt, Diagnostics& report) {
     const Solving solving(*this);
     sources.add_force_to(air.velocity, dt, config.parallel_for);
     const std::span<const glm::vec4> carried = diffuse(without_given_flow(), dt, report);
-    Transport transport{.carried = carried, .velocity = air.velocity, .extrapolation = 0.0f, .dt = dt, .interpolation = config.interpolation};
+    Transport transport{
+        .carried = carried, .velocity = air.velocity, .extrapolation = 0.0f, .dt = dt, .interpolation = config.interpolation};
     transport.settling = settling_factor(config, dt);
     {
         Stopwatch watch(report.times_ms.advection);
         advect(work, transport, air.velocity_old);
     }
-    Stopwatch watch(report.times_ms.projection);
-    if (config.stages.projection)
+    if (config.stages.projection) {
+        Stopwatch watch(report.times_ms.projection);
         project(work, air.velocity_old);
+    }
     carry_gusts(dt, report);
     add_given_flow(air.velocity_old, 1.0f);
     std::swap(air.velocity, air.velocity_old);
@@ -214,9 +223,10 @@ void Wind::State::advance_in_place(float dt, Diagnostics& report) {
         });
     if (const auto carried = diffuse(air.velocity, dt, report); carried.data() != air.velocity.data())
         std::copy(carried.begin(), carried.end(), air.velocity.data());
-    Stopwatch watch(report.times_ms.projection);
-    if (config.stages.projection)
+    if (config.stages.projection) {
+        Stopwatch watch(report.times_ms.projection);
         project(work, air.velocity);
+    }
     carry_gusts(dt, report);
     add_given_flow(air.velocity, 1.0f);
     air.fresh = true;
@@ -238,7 +248,8 @@ void Wind::State::carry_gusts(float dt, Diagnostics& report) {
     ambient_field.fill(ambient, window, config.parallel_for);
 }
 
-// Brings the flow of the sources up to date. u_old takes the same change: the trajectories extrapolate u - u_old, which must not see a jump.
+// Brings the flow of the sources up to date. u_old takes the same change: the trajectories extrapolate u - u_old, which must not
+// see a jump.
 void Wind::State::let_air_in(std::span<const detail::MotorReach> reached) {
     const std::uint64_t name = name_of_sources(reached, window.origin_cells);
     if (std::exchange(sources_of_air, name) == name)
@@ -315,7 +326,8 @@ void Wind::State::repair_broken_cells() {
 
 // The velocity after diffusion: itself where viscosity asks for nothing.
 std::span<const glm::vec4> Wind::State::diffuse(std::span<const glm::vec4> field, float dt, Diagnostics& report) {
-    const DiffusionMethod method = config.stages.diffusion ? diffusion_method(config.viscosity, dt, box().cell_size) : DiffusionMethod::none;
+    const DiffusionMethod method =
+        config.stages.diffusion ? diffusion_method(config.viscosity, dt, box().cell_size) : DiffusionMethod::none;
     report.diffusion = method;
     if (method == DiffusionMethod::none)
         return field;
@@ -345,15 +357,17 @@ bool Wind::State::at_ambient() const {
         for (int j = 0; j < cells.y; ++j)
             for (int i = 0; i < cells.x; ++i, ++n) {
                 const glm::vec4 apart = air.velocity[n] - ambient_at(i, j, k);
-                if (!(std::abs(apart.x) < config.sleep_speed && std::abs(apart.y) < config.sleep_speed && std::abs(apart.z) < config.sleep_speed))
+                if (!(std::abs(apart.x) < config.sleep_speed && std::abs(apart.y) < config.sleep_speed &&
+                      std::abs(apart.z) < config.sleep_speed))
                     return false;
             }
     return true;
 }
 
 void Wind::State::fall_asleep_if_settled(Diagnostics& report) {
-    const bool may = config.stages.settling && config.settling_time > 0.0f && config.sleep_speed > 0.0f && report.motors_in_reach == 0 &&
-                     sources_of_air == 0 && report.diffusion == DiffusionMethod::none && !ambient.gusting();
+    const bool may = config.stages.settling && config.settling_time > 0.0f && config.sleep_speed > 0.0f &&
+                     report.motors_in_reach == 0 && sources_of_air == 0 && report.diffusion == DiffusionMethod::none &&
+                     !ambient.gusting();
     if (!may || !at_ambient())
         return;
     fill_with_ambient();

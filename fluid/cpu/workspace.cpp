@@ -90,8 +90,9 @@ bool same_kinds(const Sides& a, const Sides& b) {
 } // namespace
 
 Workspace::State::State(const Settings& settings, const cpu::Kernels& table)
-    : box(settings.box), requested_ambient(settings.ambient), ambient(admissible_ambient(settings.box.sides, settings.ambient)), parallel_for(settings.parallel_for), kernels(&table),
-      padded_carried(4 * padded_cells()), padded_trace(4 * padded_cells()), surveys(static_cast<std::size_t>(box.cells.z)) {
+    : box(settings.box), requested_ambient(settings.ambient), ambient(admissible_ambient(settings.box.sides, settings.ambient)),
+      parallel_for(settings.parallel_for), kernels(&table), padded_carried(4 * padded_cells()), padded_trace(4 * padded_cells()),
+      surveys(static_cast<std::size_t>(box.cells.z)) {
     build_rules();
     build_ghosts();
     build_pressure();
@@ -110,8 +111,8 @@ void Workspace::State::build_rules() {
     }
 }
 
-// Beyond an open side the divergence takes the cell itself: with p = 0 at the face, that makes it the negative adjoint of the gradient,
-// so that the projection adds no energy there. Ambient ghosts here would leave out the cell's own velocity and feed
+// Beyond an open side the divergence takes the cell itself: with p = 0 at the face, that makes it the negative adjoint of the
+// gradient, so that the projection adds no energy there. Ambient ghosts here would leave out the cell's own velocity and feed
 // cell-to-cell waves at the rim (twice the error against a larger box).
 void Workspace::State::build_ghosts() {
     for (int axis = 0; axis < 3; ++axis)
@@ -181,8 +182,8 @@ void Workspace::State::set_ambient(glm::vec3 wind) {
 }
 
 std::size_t Workspace::State::memory_bytes() const {
-    std::size_t bytes = sizeof(State) + padded_carried.bytes() + padded_trace.bytes() + padded_scalar.bytes() + potential.bytes() +
-                        scratch.bytes() + surveys.bytes() + pressure->memory_bytes();
+    std::size_t bytes = sizeof(State) + padded_carried.bytes() + padded_trace.bytes() + padded_scalar.bytes() +
+                        potential.bytes() + scratch.bytes() + surveys.bytes() + pressure->memory_bytes();
     for (const auto& axis : rules)
         bytes += axis.capacity() * sizeof(HaloRule);
     if (diffusion)
@@ -193,7 +194,8 @@ std::size_t Workspace::State::memory_bytes() const {
 
 cpu::PlaneSurvey Workspace::State::survey(const float* velocity) {
     const std::size_t plane_cells = static_cast<std::size_t>(box.cells.x) * static_cast<std::size_t>(box.cells.y);
-    parallel_for(box.cells.z, [&](int plane) { surveys[plane] = kernels->survey(velocity + 4 * plane_cells * plane, plane_cells); });
+    parallel_for(box.cells.z,
+                 [&](int plane) { surveys[plane] = kernels->survey(velocity + 4 * plane_cells * plane, plane_cells); });
     cpu::PlaneSurvey whole{0.0f, 0, 0.0};
     for (int plane = 0; plane < box.cells.z; ++plane) {
         whole.largest_component = std::max(whole.largest_component, surveys[plane].largest_component);
@@ -226,10 +228,20 @@ Result<void> Workspace::set_sides(const Sides& sides) {
     return {};
 }
 
-void Workspace::set_ambient(glm::vec3 ambient) { state_->set_ambient(ambient); }
-const Box& Workspace::box() const { return state_->box; }
-glm::vec3 Workspace::ambient() const { return state_->ambient; }
-std::size_t Workspace::memory_bytes() const { return state_->memory_bytes(); }
-void reserve_diffusion(Workspace& work) { work.state().reserve_diffusion(); }
+void Workspace::set_ambient(glm::vec3 ambient) {
+    state_->set_ambient(ambient);
+}
+const Box& Workspace::box() const {
+    return state_->box;
+}
+glm::vec3 Workspace::ambient() const {
+    return state_->ambient;
+}
+std::size_t Workspace::memory_bytes() const {
+    return state_->memory_bytes();
+}
+void reserve_diffusion(Workspace& work) {
+    work.state().reserve_diffusion();
+}
 
 } // namespace windrow

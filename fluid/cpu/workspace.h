@@ -66,8 +66,12 @@ struct Workspace::State {
 
 namespace cpu {
 /// The cells as floats, four each.
-[[nodiscard]] inline const float* floats(std::span<const glm::vec4> field) { return field.empty() ? nullptr : &field.data()->x; }
-[[nodiscard]] inline float* floats(std::span<glm::vec4> field) { return field.empty() ? nullptr : &field.data()->x; }
+[[nodiscard]] inline const float* floats(std::span<const glm::vec4> field) {
+    return field.empty() ? nullptr : &field.data()->x;
+}
+[[nodiscard]] inline float* floats(std::span<glm::vec4> field) {
+    return field.empty() ? nullptr : &field.data()->x;
+}
 } // namespace cpu
 
 } // namespace windrow

@@ -81,7 +81,10 @@ TEST(GustFront, TheBoxCarriesTheGustsAsTheyAreOutside) {
     for (const auto& [name, config] :
          {std::pair<std::string, Config>{"open", {.ambient = {3.0f, 0.0f, -1.0f}, .gusts = {.intensity = 0.3f}}},
           {"profile_over_floor",
-           {.sides = Sides::open_over_floor(), .ambient = {5.0f, 0.0f, 1.0f}, .profile = LogProfile{}, .gusts = {.intensity = 0.25f}}},
+           {.sides = Sides::open_over_floor(),
+           .ambient = {5.0f, 0.0f, 1.0f},
+           .profile = LogProfile{},
+           .gusts = {.intensity = 0.25f}}},
           {"stable_fluids", {.ambient = {3.0f, 0.0f, -1.0f}, .gusts = {.intensity = 0.3f}, .scheme = Scheme::stable_fluids}}}) {
         Wind wind = made(config);
         double worst = 0.0;

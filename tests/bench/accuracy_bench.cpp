@@ -3,7 +3,8 @@
 //     windrow_accuracy_bench [threads]
 //
 // Flow: Taylor-Green vortices carried by a mean wind through a periodic box of 2 pi x 2 pi x pi on N x N x N/2 cells,
-//   u = 1 + F sin(x - t) cos(y - t/2),  v = 1/2 - F cos(x - t) sin(y - t/2),  w = 0,  F = exp(-2 nu t),  nu = 0.01, to t = pi, CFL 1.
+//   u = 1 + F sin(x - t) cos(y - t/2),  v = 1/2 - F cos(x - t) sin(y - t/2),  w = 0,  F = exp(-2 nu t),  nu = 0.01, to t = pi,
+//   CFL 1.
 // Error: |u - exact|_2 / |exact - mean|_2 over the cell centres at the end. The schemes' runs alternate; times are the least of
 // three runs a step, and cost is relative to the classic split with linear interpolation on the same grid.
 #include "fluid/thread_pool.h"
@@ -36,7 +37,8 @@ constexpr Method k_methods[] = {
 
 glm::dvec3 exact(glm::dvec3 p, double t) {
     const double amplitude = std::exp(-2.0 * k_viscosity * t);
-    return {1.0 + amplitude * std::sin(p.x - t) * std::cos(p.y - 0.5 * t), 0.5 - amplitude * std::cos(p.x - t) * std::sin(p.y - 0.5 * t), 0.0};
+    return {1.0 + amplitude * std::sin(p.x - t) * std::cos(p.y - 0.5 * t),
+            0.5 - amplitude * std::cos(p.x - t) * std::sin(p.y - 0.5 * t), 0.0};
 }
 
 struct Outcome {
@@ -63,7 +65,8 @@ void run(const Method& method, int cells, const windrow::ParallelFor& parallel_f
     for (int step = 0; step < outcome.steps; ++step) {
         const auto start = std::chrono::steady_clock::now();
         wind->step(dt);
-        outcome.step_ms = std::min(outcome.step_ms, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+        outcome.step_ms = std::min(outcome.step_ms,
+                                   std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
     }
     double wrong = 0.0, whole = 0.0;
     const windrow::Box& box = wind->box();
@@ -90,8 +93,8 @@ int main(int argc, char** argv) {
             for (std::size_t n = 0; n < std::size(k_methods); ++n)
                 run(k_methods[n], cells, pool.parallel_for(), outcomes[n]);
         for (std::size_t n = 0; n < std::size(k_methods); ++n)
-            std::printf("%3dx%3dx%3d    %-22s %6d %10.3f %8.2f %12.1f %10.5f\n", cells, cells, cells / 2, k_methods[n].name, outcomes[n].steps,
-                        outcomes[n].step_ms, outcomes[n].step_ms / outcomes[0].step_ms, outcomes[n].step_ms * outcomes[n].steps,
-                        outcomes[n].error);
+            std::printf("%3dx%3dx%3d    %-22s %6d %10.3f %8.2f %12.1f %10.5f\n", cells, cells, cells / 2, k_methods[n].name,
+                        outcomes[n].steps, outcomes[n].step_ms, outcomes[n].step_ms / outcomes[0].step_ms,
+                        outcomes[n].step_ms * outcomes[n].steps, outcomes[n].error);
     }
 }

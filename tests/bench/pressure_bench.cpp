@@ -2,20 +2,19 @@
 //
 //     windrow_pressure_bench [threads]
 //
-// Problem: six jets of Gaussian cross-section blow into the box, sides and top open (p = 0 at the face), floor solid; b = div u. Runs of the two
-// solvers alternate; a time is the least of the runs, a ratio the median of the pairs. The error of an iteration is not its
-// residual: beside it stands the error of grad p against the direct solve.
-#include "fluid/thread_pool.h"
+// Problem: six jets of Gaussian cross-section blow into the box, sides and top open (p = 0 at the face), floor solid; b = div u.
+// Runs of the two solvers alternate; a time is the least of the runs, a ratio the median of the pairs. The error of an iteration
+// is not its residual: beside it stands the error of grad p against the direct solve.
 #include "fluid/pieces.h"
+#include "fluid/thread_pool.h"
 #include "tests/bench/reference/jacobi.h"
-
-#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <glm/geometric.hpp>
 #include <vector>
 
 namespace {
@@ -27,8 +26,9 @@ struct Jet {
 };
 
 constexpr Jet k_jets[6] = {
-    {{0.25f, 0.30f, 0.30f}, {1.0f, 0.0f, 0.0f}},  {{0.70f, 0.55f, 0.25f}, {0.0f, 0.3f, 1.0f}},  {{0.45f, 0.75f, 0.70f}, {-0.7f, -0.5f, 0.3f}},
-    {{0.80f, 0.20f, 0.75f}, {-0.2f, 1.0f, 0.0f}}, {{0.15f, 0.65f, 0.85f}, {0.5f, -0.2f, -1.0f}}, {{0.55f, 0.40f, 0.50f}, {0.6f, 0.6f, -0.4f}},
+    {{0.25f, 0.30f, 0.30f}, {1.0f, 0.0f, 0.0f}},   {{0.70f, 0.55f, 0.25f}, {0.0f, 0.3f, 1.0f}},
+    {{0.45f, 0.75f, 0.70f}, {-0.7f, -0.5f, 0.3f}}, {{0.80f, 0.20f, 0.75f}, {-0.2f, 1.0f, 0.0f}},
+    {{0.15f, 0.65f, 0.85f}, {0.5f, -0.2f, -1.0f}}, {{0.55f, 0.40f, 0.50f}, {0.6f, 0.6f, -0.4f}},
 };
 
 std::vector<glm::vec4> jets(const Box& box) {
@@ -105,7 +105,8 @@ void measure(glm::ivec3 cells, const windrow::ParallelFor& parallel_for) {
                     gradient += slope * slope;
                 }
             }
-    std::printf("%3dx%3dx%3d  direct: %8.3f ms  residual %.1e   40 Jacobi: %8.3f ms  residual %.2f  error of dp/dx %.2f   direct / Jacobi: %.3f "
+    std::printf("%3dx%3dx%3d  direct: %8.3f ms  residual %.1e   40 Jacobi: %8.3f ms  residual %.2f  error of dp/dx %.2f   direct "
+                "/ Jacobi: %.3f "
                 "(median of %d pairs), %.3f (of least times)\n",
                 cells.x, cells.y, cells.z, direct, std::sqrt(left / whole), sweeps, std::sqrt(jacobi_left / whole),
                 std::sqrt(gradient_error / gradient), ratios[runs / 2], runs, direct / sweeps);

@@ -128,7 +128,7 @@ double divergence_rms(const Wind& wind) {
                         } else if (kind == SideKind::periodic) {
                             cell[axis] = end == 0 ? n - 1 : 0;
                         } else if (kind != SideKind::open) { // beyond an open side lies the cell itself
-                            sign = -sign; // mirrored with its sign turned
+                            sign = -sign;                    // mirrored with its sign turned
                         }
                         sum += sign * double(wind.field()[box.index(cell.x, cell.y, cell.z)][axis]);
                     }

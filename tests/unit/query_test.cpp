@@ -32,7 +32,8 @@ struct Scene {
 };
 
 std::vector<Scene> scenes() {
-    const Config base{.cells = {13, 9, 17}, .cell_size = 0.75f, .centre = {3.0, -2.0, 1.0}, .ambient = {4.0f, -1.0f, 2.0f}, .rim = 0.0f};
+    const Config base{
+        .cells = {13, 9, 17}, .cell_size = 0.75f, .centre = {3.0, -2.0, 1.0}, .ambient = {4.0f, -1.0f, 2.0f}, .rim = 0.0f};
     std::vector<Scene> list;
     for (const auto& [name, kind] : {std::pair{"open", SideKind::open},
                                      {"free_slip", SideKind::free_slip},

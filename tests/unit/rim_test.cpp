@@ -1,5 +1,5 @@
-// W16: the wind of the box fades to the ambient wind by the distance from the point that it follows, so that a shift of the box moves
-// nothing that is seen.
+// W16: the wind of the box fades to the ambient wind by the distance from the point that it follows, so that a shift of the box
+// moves nothing that is seen.
 
 #include "fluid/wind.h"
 #include "tests/fields.h"
@@ -81,7 +81,8 @@ TEST(Rim, FadesFromTheBoxToAmbient) {
     Wind wind = made({.ambient = {1.0f, 0.0f, 0.0f}, .rim = 4.0f});
     wind.set_velocity([](glm::dvec3) { return glm::vec3(5.0f, 0.0f, 0.0f); });
     // Half of 32 cells less one is where it has faded, four cells before that it begins.
-    for (const auto& [x, expected] : {std::pair{0.0, 5.0f}, {10.9, 5.0f}, {13.0, 3.0f}, {15.0, 1.0f}, {15.9, 1.0f}, {40.0, 1.0f}}) {
+    for (const auto& [x, expected] :
+         {std::pair{0.0, 5.0f}, {10.9, 5.0f}, {13.0, 3.0f}, {15.0, 1.0f}, {15.9, 1.0f}, {40.0, 1.0f}}) {
         EXPECT_NEAR(wind.velocity({x, 0.0, 0.0}).x, expected, 1e-5) << x;
         EXPECT_NEAR(wind.velocity({-x, 0.0, 0.0}).x, expected, 1e-5) << -x;
         EXPECT_NEAR(wind.velocity({0.0, 0.0, x}).x, expected, 1e-5) << x;
@@ -96,7 +97,8 @@ TEST(Rim, FadesFromTheBoxToAmbient) {
 }
 
 TEST(Rim, SmallBoxesAndAxesThatStayHaveNone) {
-    for (const auto& [config, axis] : {std::pair{Config{.cells = {6, 6, 6}}, 0}, {Config{.cells = {32, 16, 1}}, 2},
+    for (const auto& [config, axis] : {std::pair{Config{.cells = {6, 6, 6}}, 0},
+                                       {Config{.cells = {32, 16, 1}}, 2},
                                        {Config{.sides = Sides::open_over_floor()}, 1}}) {
         Wind wind = made(config);
         wind.set_velocity([](glm::dvec3) { return glm::vec3(5.0f, 0.0f, 0.0f); });
@@ -122,8 +124,8 @@ TEST(Rim, TheBlockSaysWhatTheQueryDoes) {
     EXPECT_EQ(wind.velocity(beyond), wind.ambient());
 }
 
-/// Second differences in time of the wind at fixed points along the way of someone who walks at an even speed, frame by frame: the
-/// root mean square over the points, apart for frames near a shift of the box.
+/// Second differences in time of the wind at fixed points along the way of someone who walks at an even speed, frame by frame:
+/// the root mean square over the points, apart for frames near a shift of the box.
 struct Jolts {
     std::vector<double> calm, at_shift;
     double max_speed = 0.0;
@@ -135,7 +137,9 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
-double largest(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
+double largest(const std::vector<double>& values) {
+    return *std::max_element(values.begin(), values.end());
+}
 
 Jolts walk(Wind& wind) {
     constexpr double k_dt = 1.0 / 60.0, k_speed = 1.4;

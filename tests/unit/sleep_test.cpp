@@ -1,4 +1,5 @@
-// Air that has settled and on which nothing acts sleeps: a step costs microseconds, and waking is, to the bit, what a fresh solver does.
+// Air that has settled and on which nothing acts sleeps: a step costs microseconds, and waking is, to the bit, what a fresh
+// solver does.
 
 #include "fluid/thread_pool.h"
 #include "fluid/wind.h"
@@ -41,9 +42,14 @@ int stir_until_asleep(Wind& wind, int most = 20'000) {
 std::vector<std::pair<std::string, Config>> places() {
     return {{"still_air", {.settling_time = 2.0f}},
             {"mean_wind", {.cells = {16, 8, 16}, .ambient = {3.0f, 0.0f, 1.0f}, .settling_time = 2.0f}},
-            {"over_floor", {.cells = {16, 8, 16}, .sides = Sides::open_over_floor(), .ambient = {2.0f, 0.0f, 0.0f}, .settling_time = 2.0f}},
+            {"over_floor",
+             {.cells = {16, 8, 16}, .sides = Sides::open_over_floor(), .ambient = {2.0f, 0.0f, 0.0f}, .settling_time = 2.0f}},
             {"profile",
-             {.cells = {16, 8, 16}, .sides = Sides::open_over_floor(), .ambient = {4.0f, 0.0f, 0.0f}, .profile = LogProfile{}, .settling_time = 2.0f}},
+             {.cells = {16, 8, 16},
+              .sides = Sides::open_over_floor(),
+              .ambient = {4.0f, 0.0f, 0.0f},
+              .profile = LogProfile{},
+              .settling_time = 2.0f}},
             {"stable_fluids", {.cells = {16, 8, 16}, .settling_time = 1.0f, .scheme = Scheme::stable_fluids}}};
 }
 
@@ -117,7 +123,8 @@ TEST(Sleep, WhatActsWakesIt) {
 
 TEST(Sleep, StaysAwakeWhereItMust) {
     for (const auto& [name, config] :
-         {std::pair<std::string, Config>{"gusts", {.cells = {16, 8, 16}, .ambient = {2.0f, 0.0f, 0.0f}, .gusts = {.intensity = 0.1f}}},
+         {std::pair<std::string, Config>{"gusts",
+                                         {.cells = {16, 8, 16}, .ambient = {2.0f, 0.0f, 0.0f}, .gusts = {.intensity = 0.1f}}},
           {"never_settles", {.cells = {16, 8, 16}, .settling_time = 0.0f}},
           {"switched_off", {.cells = {16, 8, 16}, .sleep_speed = 0.0f}},
           {"viscous", {.cells = {16, 8, 16}, .viscosity = 1.0f}}}) {

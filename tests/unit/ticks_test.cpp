@@ -27,9 +27,11 @@ Wind made(const Config& config) {
 
 using FrameTime = std::function<double(int frame)>; // [s]
 
-/// A second and a half of a windy scene in which all that a host can move moves evenly: the air after each tick that ended a frame.
+/// A second and a half of a windy scene in which all that a host can move moves evenly: the air after each tick that ended a
+/// frame.
 std::map<int, Field> states(const FrameTime& frame_time, double seconds = 1.5) {
-    Wind wind = made({.cells = {24, 12, 24}, .ambient = {3.0f, 0.0f, 1.0f}, .gusts = {.intensity = 0.3f}, .ticks = {.hz = 30.0, .most = 100}});
+    Wind wind = made(
+        {.cells = {24, 12, 24}, .ambient = {3.0f, 0.0f, 1.0f}, .gusts = {.intensity = 0.3f}, .ticks = {.hz = 30.0, .most = 100}});
     EXPECT_TRUE(wind.motors().add(DirectionalMotor{.position = {5.0, 0.0, 2.0}, .direction = {0.0f, 0.0f, 1.0f}}));
     EXPECT_TRUE(wind.motors().add(PressureMotor{.position = {0.0, 0.0, -4.0}, .speed = 8.0f}));
     EXPECT_TRUE(wind.motors().add(VortexMotor{.envelope = {.attack = 0.2f, .hold = 0.3f, .decay = 0.4f}}));
@@ -196,9 +198,11 @@ TEST(Ticks, AStepEndsTheBlending) {
 }
 
 TEST(Ticks, TheTicksAreRefusedOutOfRange) {
-    for (const auto& [ticks, word] : {std::pair{Ticks{.hz = 0.0}, "ticks.hz is 0"}, {Ticks{.hz = -1.0}, "ticks.hz is -1"},
+    for (const auto& [ticks, word] : {std::pair{Ticks{.hz = 0.0}, "ticks.hz is 0"},
+                                      {Ticks{.hz = -1.0}, "ticks.hz is -1"},
                                       {Ticks{.hz = std::numeric_limits<double>::quiet_NaN()}, "ticks.hz is nan"},
-                                      {Ticks{.hz = 1e5}, "ticks.hz is 1"}, {Ticks{.most = 0}, "ticks.most is 0"}}) {
+                                      {Ticks{.hz = 1e5}, "ticks.hz is 1"},
+                                      {Ticks{.most = 0}, "ticks.most is 0"}}) {
         const auto refused = Wind::create({.ticks = ticks});
         ASSERT_FALSE(refused);
         EXPECT_NE(refused.error().find(word), std::string::npos) << refused.error();

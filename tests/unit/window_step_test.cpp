@@ -101,8 +101,12 @@ struct Case {
 };
 
 std::vector<Case> cases() {
-    const Config base{
-        .cells = {17, 9, 14}, .ambient = {2.0f, 0.5f, -1.0f}, .viscosity = 0.0f, .settling_time = 0.0f, .sleep_speed = 0.0f, .max_cfl = 1e6f};
+    const Config base{.cells = {17, 9, 14},
+                      .ambient = {2.0f, 0.5f, -1.0f},
+                      .viscosity = 0.0f,
+                      .settling_time = 0.0f,
+                      .sleep_speed = 0.0f,
+                      .max_cfl = 1e6f};
     std::vector<Case> list;
     list.push_back({"inviscid", base});
     list.push_back({"settling", base});

@@ -22,9 +22,9 @@ inline constexpr int k_lanes = 16;
 
 /// Where a padded index takes its value from: value = scale * source + offset, or the ambient wind.
 struct HaloRule {
-    int source = 0;          ///< cell index along the axis, always inside
-    bool ambient = false;    ///< beyond an open side
-    bool identity = true;    ///< inside or periodic: the source's value as it is
+    int source = 0;       ///< cell index along the axis, always inside
+    bool ambient = false; ///< beyond an open side
+    bool identity = true; ///< inside or periodic: the source's value as it is
     float scale[4] = {1, 1, 1, 1};
     float offset[4] = {0, 0, 0, 0};
     float history_scale[4] = {1, 1, 1, 1}; ///< for the second-order history: odd along the normal, even else
@@ -39,7 +39,7 @@ struct PadTask {
     float history_scale;
     float settling; ///< 1: none
     float ambient[4];
-    const float* ambient_cells; ///< four floats a padded cell, for `carried`; null: `ambient` everywhere
+    const float* ambient_cells;       ///< four floats a padded cell, for `carried`; null: `ambient` everywhere
     const float* trace_ambient_cells; ///< the same for the trace
     const float* velocity;
     const float* velocity_old; ///< null: none
@@ -55,10 +55,10 @@ struct AdvectTask {
     const float* padded_trace;
     const float* padded_carried; ///< four floats a cell, or one for scalars
     float* result;
-    float cells_per_speed; ///< dt / h
-    float low[4], high[4]; ///< legal positions in cell indices, w unused
+    float cells_per_speed;              ///< dt / h
+    float low[4], high[4];              ///< legal positions in cell indices, w unused
     float period[4], inverse_period[4]; ///< 0 where the axis is not periodic
-    bool clamped; ///< scalars only
+    bool clamped;                       ///< scalars only
 };
 
 /// One end of an axis for a stencil: the ghost beyond it is scale * value[source].
@@ -97,12 +97,13 @@ struct DiffuseTask {
 
 /// What one plane holds.
 struct PlaneSurvey {
-    float largest_component; ///< of the finite cells
+    float largest_component;   ///< of the finite cells
     std::int64_t broken_cells; ///< cells with NaN or infinity
-    double squares; ///< sum of |u|^2 of the finite cells
+    double squares;            ///< sum of |u|^2 of the finite cells
 };
 
-/// Matrix product C[rows x columns] = A[rows x depth] B[depth x columns], row-major with strides in floats; columns a multiple of k_lanes.
+/// Matrix product C[rows x columns] = A[rows x depth] B[depth x columns], row-major with strides in floats; columns a multiple of
+/// k_lanes.
 struct Product {
     const float* a;
     std::ptrdiff_t a_stride;
@@ -115,9 +116,9 @@ struct Product {
 
 /// Tridiagonal systems of one block: for each mode m and lane, x[j-1] + b[j] x[j] + x[j+1] = d[j] in place, j = 0..rows-1.
 struct TridiagonalTask {
-    float* data;         ///< [modes][rows][k_lanes]
-    const float* pivots; ///< the same shape: 1 / (b[j] - pivot[j-1])
-    const float* cyclic; ///< null, or the same shape: Sherman-Morrison vector of the periodic system
+    float* data;                 ///< [modes][rows][k_lanes]
+    const float* pivots;         ///< the same shape: 1 / (b[j] - pivot[j-1])
+    const float* cyclic;         ///< null, or the same shape: Sherman-Morrison vector of the periodic system
     const float* cyclic_factors; ///< [modes][2][k_lanes]: factors on the first and the last row
     int modes, rows;
 };

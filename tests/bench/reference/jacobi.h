@@ -5,10 +5,9 @@
 
 #include "fluid/parallel.h"
 
-#include <glm/vec3.hpp>
-
-#include <cstddef>
 #include <algorithm>
+#include <cstddef>
+#include <glm/vec3.hpp>
 #include <vector>
 
 namespace windrow::bench {
@@ -20,13 +19,17 @@ class Jacobi {
 
     /// phi after `sweeps` from zero; `rhs` dense and in units of h = 1. x fastest. Row j, k of the result starts at row(j, k).
     void solve(const std::vector<float>& rhs, int sweeps, const ParallelFor& parallel_for) {
-        parallel_for(cells_.z, [&](int k) { std::fill(&now_[pitch_ * cells_.y * k], &now_[pitch_ * cells_.y * k] + pitch_ * cells_.y, 0.0f); });
+        parallel_for(cells_.z, [&](int k) {
+            std::fill(&now_[pitch_ * cells_.y * k], &now_[pitch_ * cells_.y * k] + pitch_ * cells_.y, 0.0f);
+        });
         for (int n = 0; n < sweeps; ++n) {
             parallel_for(cells_.z, [&](int k) { sweep_plane(rhs.data(), k); });
             now_.swap(next_);
         }
     }
-    [[nodiscard]] const float* row(int j, int k) const { return &now_[(static_cast<std::size_t>(k) * cells_.y + j) * pitch_ + 1]; }
+    [[nodiscard]] const float* row(int j, int k) const {
+        return &now_[(static_cast<std::size_t>(k) * cells_.y + j) * pitch_ + 1];
+    }
 
   private:
     struct Neighbour {
