@@ -226,7 +226,7 @@ glm::vec3 GustTile::procedural(glm::dvec3 place) const {
 }
 
 std::size_t GustTile::memory_bytes() const {
-    return modes_.capacity() * sizeof(Mode) + texels_.capacity() * sizeof(glm::vec4);
+    return sizeof(GustTile) + modes_.capacity() * sizeof(Mode) + texels_.capacity() * sizeof(glm::vec4);
 }
 
 } // namespace windrow

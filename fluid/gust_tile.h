@@ -41,7 +41,7 @@ class GustTile {
     /// microseconds).
     [[nodiscard]] glm::vec3 procedural(glm::dvec3 place) const;
     [[nodiscard]] std::uint32_t seed() const { return seed_; }
-    /// Bytes that this object has allocated.
+    /// Bytes of this object and of what it has allocated.
     [[nodiscard]] std::size_t memory_bytes() const;
 
   private:

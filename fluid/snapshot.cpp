@@ -235,7 +235,8 @@ struct StateFields {
         StateFields::air(archive, air);
         if constexpr (Reading<decltype(archive)>)
             if (sources_of_air != 0 && archive.can_hold(air.velocity.size(), sizeof(glm::vec4)))
-                source_flow = cpu::Buffer<glm::vec4>(air.velocity.size());
+                for (auto* field : {&source_flow, &solved})
+                    *field = cpu::Buffer<glm::vec4>(air.velocity.size());
         if (sources_of_air != 0)
             archive.cells(source_flow);
         StateFields::motors(archive, motors);

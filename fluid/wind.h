@@ -73,7 +73,8 @@ struct Config {
     /// Default none: the mean wind is the same at all heights. With one it is `ambient` at the reference height and 0 at the
     /// ground: the box's floor, or height 0 without one.
     std::optional<LogProfile> profile{};
-    /// Default none. With gusts the mean wind carries a pattern of them, outside the box and into it.
+    /// Default none. With gusts the mean wind carries a pattern of them, outside the box and through it. The pattern does not know periodic
+    /// sides: it is torn where they meet.
     Gusts gusts{};
     /// [cells] Width over which sampled wind fades to ambient at the rim of a box that follows, 0 to 64. Default 2. It ends one
     /// cell before the box does (two with ticks), so that a shift of the box moves nothing. 0: no rim, as axes of fewer than 8

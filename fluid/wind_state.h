@@ -105,6 +105,7 @@ struct Wind::State {
     void carry_gusts(float dt, Diagnostics& report);
     /// The given part of the wind is out of it, in it again: around what a step solves.
     class Solving;
+    void reserve_solved();
     [[nodiscard]] std::span<const glm::vec4> without_given_flow();
     void add_given_flow(std::span<glm::vec4> field, float factor) const;
     [[nodiscard]] std::span<const glm::vec4> diffuse(std::span<const glm::vec4> field, float dt, Diagnostics& report);

@@ -256,6 +256,7 @@ void Wind::State::let_air_in(std::span<const detail::MotorReach> reached) {
         return;
     if (source_flow.empty())
         source_flow = cpu::Buffer<glm::vec4>(air.velocity.size());
+    reserve_solved();
     const auto add_to_air = [&](float factor) {
         add_scaled(air.velocity, source_flow, factor);
         if (!air.fresh)
@@ -269,12 +270,15 @@ void Wind::State::let_air_in(std::span<const detail::MotorReach> reached) {
     add_to_air(1.0f);
 }
 
+void Wind::State::reserve_solved() {
+    if (solved.empty())
+        solved = cpu::Buffer<glm::vec4>(air.velocity.size());
+}
+
 // v; the velocity itself where nothing is given.
 std::span<const glm::vec4> Wind::State::without_given_flow() {
     if (sources_of_air == 0 && !ambient.gusting())
         return air.velocity;
-    if (solved.empty())
-        solved = cpu::Buffer<glm::vec4>(air.velocity.size());
     std::copy_n(air.velocity.data(), air.velocity.size(), solved.data());
     add_given_flow(solved, -1.0f);
     return solved;

@@ -126,6 +126,8 @@ using namespace windrow::test;
 struct Scene {
     std::string name;
     Config config;
+    /// [bytes] A tile of gusts is shared, and its count of owners is the standard library's.
+    double unsaid = 0.0;
 };
 
 std::vector<Scene> scenes() {
@@ -140,6 +142,12 @@ std::vector<Scene> scenes() {
     list.push_back({"periodic", {.cells = {20, 10, 12}, .sides = Sides::all(SideKind::periodic)}});
     list.push_back({"one_pass", {.viscosity = 0.5f}});
     list.push_back({"implicit", {.viscosity = 50.0f}});
+    list.push_back({"gusty",
+                    {.sides = Sides::open_over_floor(),
+                     .ambient = {3.0f, 0.0f, 1.0f},
+                     .profile = LogProfile{},
+                     .gusts = {.intensity = 0.3f}},
+                    32.0});
     list.push_back({"one_cell", {.cells = {1, 1, 1}}});
     return list;
 }
@@ -189,9 +197,9 @@ TEST(Memory, AWindSaysWhatItHasAllocated) {
         }
         EXPECT_EQ(live_bytes, before) << "all of it is given back";
         figure("memory_bytes_a_cell_" + scene.name, bytes_a_cell);
-        WINDROW_EXPECT_FIGURE("memory_unsaid_" + scene.name, created, 0.0);
-        WINDROW_EXPECT_FIGURE("memory_unsaid_with_motors_" + scene.name, with_motors, 0.0);
-        WINDROW_EXPECT_FIGURE("memory_unsaid_other_sides_" + scene.name, with_other_sides, 0.0);
+        WINDROW_EXPECT_FIGURE("memory_unsaid_" + scene.name, created, scene.unsaid);
+        WINDROW_EXPECT_FIGURE("memory_unsaid_with_motors_" + scene.name, with_motors, scene.unsaid);
+        WINDROW_EXPECT_FIGURE("memory_unsaid_other_sides_" + scene.name, with_other_sides, scene.unsaid);
     }
 }
 
@@ -245,6 +253,41 @@ TEST(Memory, AFrameAllocatesNothing) {
         WINDROW_EXPECT_FIGURE("allocations_in_100_steps_" + scene.name, double(in_steps), 0.0);
         WINDROW_EXPECT_FIGURE("allocations_in_100_frames_" + scene.name, double(in_frames), 0.0);
     }
+}
+
+// The first frame makes what blending needs, the first source of air what its flow needs; after that nothing is made.
+TEST(Memory, AFrameInTicksAllocatesNothing) {
+    const std::int64_t before = live_bytes;
+    std::optional<Wind> wind;
+    if (auto result = Wind::create({.ambient = {2.0f, 0.0f, 0.0f}, .gusts = {.intensity = 0.2f}}))
+        wind.emplace(*std::move(result));
+    ASSERT_TRUE(wind);
+    Random random(113);
+    bool accepted = true;
+    for (int n = 0; n < 10; ++n) {
+        const Envelope brief{.attack = 0.1f, .hold = 0.05f * static_cast<float>(n), .decay = 0.2f};
+        for (const Motor& motor : {Motor(JetMotor{.position = random.point(8.0), .envelope = brief}), Motor(VortexMotor{}),
+                                   Motor(OmniMotor{.position = random.point(8.0), .envelope = brief}), Motor(PressureMotor{})})
+            accepted = wind->motors().add(motor).has_value() && accepted;
+    }
+    const auto body = wind->motors().add(WakeMotor{});
+    ASSERT_TRUE(accepted && body);
+    wind->advance(0.1);
+    const std::int64_t made = allocations;
+    for (int n = 0; n < 300; ++n) {
+        for (int move = 0; move < 20; ++move)
+            accepted = wind->motors().move(*body, random.point(8.0)).has_value() && accepted;
+        accepted = wind->follow(random.point(10.0)).has_value() && accepted;
+        wind->advance(0.007);
+        accepted = std::isfinite(wind->felt(random.point(10.0), {.detail = 0.3f}).x) && accepted;
+        accepted = std::isfinite(wind->previous_view().velocity(random.point(10.0)).x) && accepted;
+    }
+    const std::int64_t in_frames = allocations - made;
+    const double unsaid_bytes = unsaid(*wind, before);
+    EXPECT_TRUE(accepted);
+    EXPECT_LT(wind->motors().count(), 41) << "motors ended on the way";
+    WINDROW_EXPECT_FIGURE("allocations_in_300_frames_in_ticks", double(in_frames), 0.0);
+    WINDROW_EXPECT_FIGURE("memory_unsaid_with_ticks", unsaid_bytes, 32.0);
 }
 
 TEST(Memory, AStepOfUpToASecondAllocatesNothing) {
