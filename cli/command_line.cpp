@@ -8,11 +8,13 @@
 #include "cli/run_command.h"
 #include "cli/scene.h"
 #include "fluid/message.h"
+#include "fluid/simd.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace windrow::cli {
@@ -26,6 +28,21 @@ std::optional<std::int64_t> read_count(const std::string& text, const char* flag
     if (number && *number >= 1 && *number <= most)
         return *number;
     console.complain(message(flag, " is ", text.empty() ? "empty" : text, ": give a whole number from 1 to ", most, "."));
+    return std::nullopt;
+}
+
+std::optional<Simd> read_simd(const std::string& text, const Console& console) {
+    constexpr std::pair<const char*, Simd> k_levels[] = {
+        {"best", Simd::best}, {"baseline", Simd::baseline}, {"avx2", Simd::avx2}, {"avx512", Simd::avx512}};
+    for (const auto& [name, level] : k_levels) {
+        if (text != name)
+            continue;
+        if (runs(level))
+            return level;
+        console.complain(message("--simd is ", name, ", which this machine does not run: give best or baseline."));
+        return std::nullopt;
+    }
+    console.complain(message("--simd is ", text.empty() ? "empty" : text, ": give best, baseline, avx2 or avx512."));
     return std::nullopt;
 }
 
@@ -80,7 +97,7 @@ std::string sentence_of(const CLI::ParseError& fault, const CLI::App& app, int c
 }
 
 struct RunFlags {
-    std::string scene, frames, out, threads;
+    std::string scene, frames, out, threads, simd;
     bool vdb = false, images = false, csv = false;
 };
 
@@ -90,6 +107,8 @@ void add_run(CLI::App& app, RunFlags& flags) {
     run->add_option("--frames", flags.frames, "Frames to make, from time 0, whatever the scene's duration")->type_name("N");
     run->add_option("--out", flags.out, "Folder for what is kept; default out/<scene name>")->type_name("DIR");
     run->add_option("--threads", flags.threads, "Threads; default one a core; results do not depend on it")->type_name("N");
+    run->add_option("--simd", flags.simd, "Instructions: best, baseline, avx2 or avx512; levels differ by rounding")
+        ->type_name("LEVEL");
     run->add_flag("--images", flags.images, "Keep frame_0000.png ... and contact_sheet.png");
     run->add_flag("--vdb", flags.vdb, "Keep vel_0000.vdb ... for Blender and Houdini");
     run->add_flag("--csv", flags.csv, "Keep timings.csv: a row a step with every figure it reports");
@@ -107,6 +126,12 @@ int start_run(const RunFlags& flags, const CLI::App& run, const Console& console
         if (!threads)
             return k_exit_wrong_use;
         request.threads = static_cast<int>(*threads);
+    }
+    if (run.count("--simd") > 0) {
+        const auto level = read_simd(flags.simd, console);
+        if (!level)
+            return k_exit_wrong_use;
+        request.simd = *level;
     }
     if (run.count("--out") > 0) {
         if (flags.out.empty()) {

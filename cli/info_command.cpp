@@ -4,6 +4,7 @@
 #include "cli/frame_writer.h"
 #include "cli/machine.h"
 #include "fluid/message.h"
+#include "fluid/simd.h"
 
 namespace windrow::cli {
 namespace {
@@ -31,7 +32,7 @@ std::string version_line() {
 int tell_info(const Console& console) {
     console.out << version_line() << "\n"
                 << "  compiler    " << compiler() << ", " << WINDROW_BUILD_TYPE << "\n"
-                << "  SIMD level  " << simd_level() << "\n"
+                << "  SIMD level  " << name_of(Simd::best) << "\n"
                 << "  cores       " << usable_cores() << "\n"
                 << "  OpenVDB     " << yes(built_with_vdb()) << "\n"
                 << "  pictures    " << yes(built_with_images()) << "\n";

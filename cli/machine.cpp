@@ -1,7 +1,5 @@
 #include "cli/machine.h"
 
-#include "fluid/cpu/kernels/kernels.h"
-
 #include <algorithm>
 #include <fstream>
 #include <thread>
@@ -10,10 +8,6 @@ namespace windrow::cli {
 
 int usable_cores() {
     return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-}
-
-std::string simd_level() {
-    return cpu::best_kernels().name;
 }
 
 std::optional<std::uint64_t> available_memory() {

@@ -3,14 +3,11 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 
 namespace windrow::cli {
 
 /// Cores that this process may use, at least 1.
 [[nodiscard]] int usable_cores();
-/// The SIMD level that the solver chose on this machine.
-[[nodiscard]] std::string simd_level();
 /// Memory that can be had without swapping; nothing where the system does not tell. [bytes]
 [[nodiscard]] std::optional<std::uint64_t> available_memory();
 

@@ -97,11 +97,12 @@ struct Run {
 int run_scene(const RunRequest& request, const Console& console, const std::function<int()>& stop_signal) {
     if (!check_parts(request, console))
         return k_exit_wrong_use;
-    const auto scene = read_scene(request.scene);
+    auto scene = read_scene(request.scene);
     if (!scene) {
         console.complain(scene.error());
         return k_exit_wrong_use;
     }
+    scene->air.simd = request.simd;
     if (!check_memory(*scene, console))
         return k_exit_machine;
     const std::int64_t frames = request.frames.value_or(scene->frame_count());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/console.h"
+#include "fluid/simd.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -21,6 +22,7 @@ struct RunRequest {
     bool images = false;
     bool csv = false;
     int threads = 0; ///< 0: one a core
+    Simd simd = Simd::best;
 };
 
 /// Returns the exit code. `stop_signal` is asked after every frame; anything but 0 ends the run there, with whole files.

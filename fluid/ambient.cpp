@@ -129,14 +129,14 @@ AmbientBlock AmbientWind::block(glm::dvec3 anchor, const Sampling& sampling) con
         block.profile.x = settings_.profile->roughness_length;
         block.profile.y = settings_.profile->reference_height;
     }
-    block.profile.z = static_cast<float>(anchor.y - settings_.ground);
+    block.profile.z = static_cast<float>(std::clamp(anchor.y - settings_.ground, -k_farthest, k_farthest));
     block.profile.w = sampling.strength;
     block.gust_texel.w = static_cast<float>(1.0 / texel());
     block.gust_fraction.w = tile() ? tile()->bound() : 1.0f;
     block.gust_axes = glm::vec4(gust_axes_, sampling.limit);
     // A whole number of tiles of detail fits the gusts' tile, so the wrapped phase of the one is also a phase of the other.
     const double fit = std::round(static_cast<double>(settings_.gusts.length) / static_cast<double>(sampling.detail_length));
-    const int repeats = static_cast<int>(std::clamp(fit, 1.0, 1e9)); // NaN becomes 1
+    const int repeats = fit >= 1.0 ? static_cast<int>(std::min(fit, 1e9)) : 1; // NaN too
     block.detail_texel.w = static_cast<float>(repeats / texel());
     block.detail_fraction.w = tile() ? sampling.detail : 0.0f;
     for (int axis = 0; axis < 3; ++axis) {
@@ -214,8 +214,8 @@ float AmbientWind::gust_strength() const {
 float AmbientWind::profile_at(double height) const {
     if (!settings_.profile)
         return 1.0f;
-    return numerics::windrow_profile(static_cast<float>(height - settings_.ground), settings_.profile->roughness_length,
-                                     settings_.profile->reference_height);
+    return numerics::windrow_profile(static_cast<float>(std::clamp(height - settings_.ground, -k_farthest, k_farthest)),
+                                     settings_.profile->roughness_length, settings_.profile->reference_height);
 }
 
 } // namespace windrow

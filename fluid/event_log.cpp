@@ -49,8 +49,8 @@ void fields(auto& archive, Like<AmbientSet> auto& event) {
 }
 
 void fields(auto& archive, Like<GustsSet> auto& event) {
-    auto& [intensity, length, seed] = event;
-    archive(intensity, length, seed);
+    auto& [intensity, length, seed, tile] = event;
+    archive(intensity, length, seed, tile);
 }
 
 void fields(auto& archive, Like<SidesSet> auto& event) {
@@ -117,7 +117,10 @@ struct Repeat {
     Result<void> operator()(const FloorSet& event) const { return wind.set_floor(event.height); }
     Result<void> operator()(const AmbientSet& event) const { return wind.set_ambient(event.ambient); }
     Result<void> operator()(const GustsSet& event) const {
-        return wind.set_gusts({.intensity = event.intensity, .length = event.length, .seed = event.seed});
+        return wind.set_gusts({.intensity = event.intensity,
+                               .length = event.length,
+                               .seed = event.seed,
+                               .tile = event.tile ? GustTile::bake(event.seed) : nullptr});
     }
     Result<void> operator()(const SidesSet& event) const { return wind.set_sides(event.sides); }
     Result<void> operator()(const VelocitySet& event) const { return wind.set_velocity(event.field); }

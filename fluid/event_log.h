@@ -54,6 +54,7 @@ struct GustsSet {
     float intensity;
     float length;
     std::uint32_t seed;
+    bool tile; ///< a tile was handed in, which stands without gusts too
 };
 struct SidesSet {
     Sides sides;

@@ -141,6 +141,12 @@ void Motors::begin_frame(double lead, double duration) {
             slot.track.begin_frame(lead, duration);
 }
 
+void Motors::squeeze(double factor) {
+    for (Slot& slot : slots_)
+        if (slot.used)
+            slot.track.squeeze(factor);
+}
+
 std::span<const detail::MotorReach> Motors::tick(double duration, const Window& window) {
     std::size_t count = 0;
     for (std::uint32_t index = 0; index < slots_.size(); ++index) {

@@ -58,6 +58,8 @@ class Motors {
     // --- Called by Wind -----------------------------------------------------------------------------------------------
     /// A frame of `duration` [s] begins `lead` [s] after the last tick; see track.h.
     void begin_frame(double lead, double duration);
+    /// What was told happens in `factor` of the time.
+    void squeeze(double factor);
     /// Advances every motor by a tick, ends those whose time is over, and returns what reaches the box, in an order that does not
     /// depend on the list's. Does not allocate. The span lasts until the next call.
     [[nodiscard]] std::span<const detail::MotorReach> tick(double duration, const Window& window);

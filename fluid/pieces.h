@@ -11,6 +11,7 @@
 #include "fluid/box.h"
 #include "fluid/parallel.h"
 #include "fluid/result.h"
+#include "fluid/simd.h"
 
 #include <cstddef>
 #include <glm/vec3.hpp>
@@ -27,6 +28,8 @@ class Workspace {
         Box box{};
         /// [m/s] The wind beyond open sides. Components along axes that a wall closes are dropped.
         glm::vec3 ambient{0.0f};
+        /// Instructions of the hot loops. Default the best that this machine runs.
+        Simd simd = Simd::best;
         /// Threads of the host; default serial.
         ParallelFor parallel_for{};
     };

@@ -5,6 +5,7 @@
 //              there, the negative adjoint of the gradient);
 //   free_slip  a wall that holds no air back: u.n mirrored with its sign turned, the rest mirrored, dp/dn = 0;
 //   no_slip    a wall that carries the air along: u mirrored about the wall's velocity, dp/dn = 0;
+//              (while gusts blow, of the air that motors move alone: gusts slip along every wall)
 //   periodic   the far side of the box.
 // Mirrored ghosts put the wall on the face, half a cell beyond the last centre: second order.
 #pragma once

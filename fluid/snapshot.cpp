@@ -37,6 +37,8 @@ namespace detail {
 template <>
 inline constexpr std::uint8_t k_values_of<Scheme> = 2;
 template <>
+inline constexpr std::uint8_t k_values_of<Simd> = 4;
+template <>
 inline constexpr std::uint8_t k_values_of<Interpolation> = 2;
 template <>
 inline constexpr std::uint8_t k_values_of<DiffusionMethod> = 3;
@@ -63,9 +65,9 @@ void fields(auto& archive, Like<Ticks> auto& ticks) {
 
 void fields(auto& archive, Like<Config> auto& config) { // threads are the host's
     auto& [cells, cell_size, sides, centre, follow_axes, ambient, profile, gusts, rim, viscosity, settling_time, sleep_speed,
-           scheme, interpolation, max_cfl, max_substeps, stages, ticks, parallel_for] = config;
+           scheme, interpolation, max_cfl, max_substeps, stages, ticks, simd, parallel_for] = config;
     archive(cells, cell_size, sides, centre, follow_axes, ambient, profile, gusts, rim, viscosity, settling_time, sleep_speed,
-            scheme, interpolation, max_cfl, max_substeps, stages, ticks);
+            scheme, interpolation, max_cfl, max_substeps, stages, ticks, simd);
 }
 
 void fields(auto& archive, Like<Diagnostics> auto& report) { // of a sleeper, whose times are 0
@@ -218,9 +220,9 @@ struct StateFields {
 
     /// All but the config, which comes first: a wind is made of it.
     static void state(auto& archive, Like<Wind::State> auto& state) {
-        auto& [config, follow_axes, work, window, follow_point, stepped_origin_cells, previous_origin_cells, ambient, mean_field,
-               ambient_field, air, diffused, motors, sources, sources_of_air, source_flow, solved, calm, asleep, at_rest, frames,
-               log] = state;
+        auto& [config, follow_axes, work, window, follow_point, stepped_point, previous_point, stepped_origin_cells,
+               previous_origin_cells, ambient, mean_field, ambient_field, air, diffused, motors, sources, sources_of_air,
+               source_flow, solved, calm, asleep, at_rest, frames, log] = state;
         Tiles tiles;
         tiles.add(ambient.tile());
         archive(window.origin_cells, follow_point, stepped_origin_cells, previous_origin_cells, sources_of_air, calm, asleep);

@@ -64,6 +64,11 @@ void Track::begin_frame(double lead, double duration) {
     moves_ = 0;
 }
 
+void Track::squeeze(double factor) {
+    for (int n = 0; n < timed_; ++n)
+        points_[n].time *= factor;
+}
+
 std::span<const Track::Piece> Track::tick(double duration) {
     int pieces = 0, taken = 0;
     double time = 0.0;

@@ -29,6 +29,8 @@ class Track {
     void move_to(glm::dvec3 position);
     /// A frame of `duration` [s] begins `lead` [s] after the last tick: positions noted since the last frame get their times.
     void begin_frame(double lead, double duration);
+    /// Everything told so far happens in `factor` of the time.
+    void squeeze(double factor);
     /// Advances by a tick of `duration` [s] and returns the pieces that lie in it, none if it stood still. They last until the
     /// next call.
     std::span<const Piece> tick(double duration);

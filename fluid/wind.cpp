@@ -75,6 +75,8 @@ Result<void> validate(const Config& config) {
         reasons.add("max_cfl is ", config.max_cfl, ": give a number above 0, at most 1e6; 2 is accurate.");
     if (config.max_substeps < 1 || config.max_substeps > 64)
         reasons.add("max_substeps is ", config.max_substeps, ": give 1 to 64.");
+    if (!runs(config.simd))
+        reasons.add("simd is ", name_of(config.simd), ", which this machine does not run: give best or baseline.");
     if (!reasons.empty())
         return Error{reasons.take()};
     return {};
@@ -86,6 +88,7 @@ Wind::State::State(const Config& settings, Workspace workspace, const AmbientWin
       ambient(wind_around), air(work.box().cell_count()), sources(settings.cells) {
     window.origin_cells = window.centred_on(config.centre);
     previous_origin_cells = stepped_origin_cells = window.origin_cells;
+    previous_point = stepped_point = follow_point;
     renew_ambient();
     fill_with_ambient();
     // A step of up to k_longest_prepared allocates nothing: what its viscosity needs is made here.
@@ -104,8 +107,10 @@ Wind::~Wind() = default;
 Result<Wind> Wind::create(const Config& config) {
     if (auto valid = validate(config); !valid)
         return Error{valid.error()};
-    auto workspace = Workspace::create(
-        {.box = {config.cells, config.cell_size, config.sides}, .ambient = config.ambient, .parallel_for = config.parallel_for});
+    auto workspace = Workspace::create({.box = {config.cells, config.cell_size, config.sides},
+                                        .ambient = config.ambient,
+                                        .simd = config.simd,
+                                        .parallel_for = config.parallel_for});
     if (!workspace)
         return Error{workspace.error()};
     auto ambient = AmbientWind::create({.mean = workspace->ambient(), .profile = config.profile, .gusts = config.gusts});
@@ -117,11 +122,15 @@ Result<Wind> Wind::create(const Config& config) {
 Diagnostics Wind::step(double dt) {
     if (!(dt > 0.0) || !std::isfinite(static_cast<float>(dt)) || static_cast<float>(dt) == 0.0f)
         return {};
+    double lead = 0.0;
     if (state_->frames) {
+        lead = state_->frames->lead;
         state_->follow(state_->frames->follow.target());
         state_->frames.reset();
     }
-    state_->motors.begin_frame(0.0, dt);
+    state_->motors.begin_frame(lead, dt);
+    if (lead > 0.0) // what was told since the last tick happens in this step too
+        state_->motors.squeeze(dt / (lead + dt));
     const Diagnostics report = state_->step(dt);
     if (state_->log != nullptr)
         state_->log->note(Stepped{dt});
@@ -165,12 +174,13 @@ Result<void> Wind::set_gusts(const Gusts& gusts) {
     if (!renewed)
         return Error{renewed.error()};
     renewed->set_phase(state.ambient.phase());
-    state.config.gusts = gusts;
-    state.ambient = *std::move(renewed);
-    state.renew_ambient();
-    state.asleep = state.calm = false;
+    state.exchange_ambient([&] {
+        state.config.gusts = gusts;
+        state.ambient = *std::move(renewed);
+    });
     if (state.log != nullptr)
-        state.log->note(GustsSet{gusts.intensity, gusts.length, gusts.tile ? gusts.tile->seed() : gusts.seed});
+        state.log->note(
+            GustsSet{gusts.intensity, gusts.length, gusts.tile ? gusts.tile->seed() : gusts.seed, gusts.tile != nullptr});
     return {};
 }
 
@@ -189,8 +199,11 @@ Result<void> Wind::set_sides(const Sides& sides) {
     for (int axis = 0; axis < 3; ++axis)
         for (int end = 0; end < 2; ++end)
             same_kinds = same_kinds && sides.at(axis, end).kind == state_->config.sides.at(axis, end).kind;
-    if (!same_kinds)
+    if (!same_kinds) {
         state_->air.fresh = true;
+        if (state_->sources_of_air != 0)
+            state_->sources_of_air = 2; // names no set of sources: their flow is made anew
+    }
     state_->config.sides = sides;
     state_->follow_axes = axes_that_follow(state_->config.follow_axes, sides);
     if (auto set = state_->work.set_sides(sides); !set)
@@ -223,6 +236,7 @@ Result<void> Wind::set_floor(double height) {
     CellIndex origin = state_->window.origin_cells;
     origin.y = static_cast<std::int64_t>(std::floor(height / static_cast<double>(state_->config.cell_size) + 0.5));
     state_->shift_to(origin);
+    state_->follow_point.y = height + 0.5 * static_cast<double>(state_->config.cell_size) * state_->window.cells.y;
     if (state_->log != nullptr)
         state_->log->note(FloorSet{height});
     return {};
@@ -267,6 +281,7 @@ WindowBlock Wind::window_block(glm::dvec3 anchor) const {
     } else {
         const double h = state_->box().cell_size;
         block.previous_origin = {glm::vec3(glm::dvec3(state_->previous_origin_cells) * h - anchor), 0.0f};
+        block.previous_rim_point = {glm::vec3(state_->previous_point - anchor), 0.0f};
     }
     return block;
 }
@@ -298,6 +313,9 @@ Result<void> Wind::set_velocity(std::span<const glm::vec4> field) {
 
 void Wind::reset() {
     state_->fill_with_ambient();
+    if (state_->frames)
+        for (auto* field : {&state_->frames->before, &state_->frames->shown.field, &state_->frames->shown_before.field})
+            std::copy_n(state_->air.velocity.data(), field->size(), field->data());
     if (state_->log != nullptr)
         state_->log->note(WindReset{});
 }

@@ -17,6 +17,7 @@
 #include "fluid/parallel.h"
 #include "fluid/pieces.h"
 #include "fluid/result.h"
+#include "fluid/simd.h"
 #include "fluid/textures.h"
 #include "fluid/view.h"
 
@@ -73,8 +74,8 @@ struct Config {
     /// Default none: the mean wind is the same at all heights. With one it is `ambient` at the reference height and 0 at the
     /// ground: the box's floor, or height 0 without one.
     std::optional<LogProfile> profile{};
-    /// Default none. With gusts the mean wind carries a pattern of them, outside the box and through it. The pattern does not know periodic
-    /// sides: it is torn where they meet.
+    /// Default none. With gusts the mean wind carries a pattern of them, outside the box and through it. The pattern does not
+    /// know periodic sides: it is torn where they meet.
     Gusts gusts{};
     /// [cells] Width over which sampled wind fades to ambient at the rim of a box that follows, 0 to 64. Default 2. It ends one
     /// cell before the box does (two with ticks), so that a shift of the box moves nothing. 0: no rim, as axes of fewer than 8
@@ -99,6 +100,9 @@ struct Config {
     int max_substeps = 8;
     Stages stages{};
     Ticks ticks{};
+    /// Instructions of the hot loops. Default the best that this machine runs; each level gives one result, `baseline` the same
+    /// on all machines.
+    Simd simd = Simd::best;
     /// Threads of the host; default serial. Results do not depend on it.
     ParallelFor parallel_for{};
 };
@@ -125,7 +129,8 @@ class Wind {
     /// Advances by a frame of dt [s] in fixed ticks (Config::ticks), so that the air does not depend on the frame rate: `follow`
     /// and `Motors::move` tell where things are at the end of this frame, and each tick sees them at its own time on the way.
     /// What is sampled afterwards is the wind blended between the last two ticks, up to a tick old. The first call allocates
-    /// three fields; later ones nothing. A dt that is negative or not finite does nothing. Mixing with `step` ends the blending.
+    /// three fields; later ones nothing beyond what `step` may. A dt that is negative or not finite does nothing. Mixing with
+    /// `step` ends the blending.
     Advance advance(double dt);
 
     // --- What acts on the air -----------------------------------------------------------------------------------------
@@ -136,7 +141,8 @@ class Wind {
     /// Components along axes that a wall closes are dropped. Refuses what is not finite or above 1e4 m/s.
     [[nodiscard]] Result<void> set_ambient(glm::vec3 ambient);
     [[nodiscard]] glm::vec3 ambient() const;
-    /// Changes the gusts; they enter with the wind. Refuses what `validate` refuses. Allocates when gusts begin.
+    /// Changes the gusts; the air of the box changes with them at once, so ramp the intensity. Refuses what `validate` refuses.
+    /// Allocates when gusts begin.
     [[nodiscard]] Result<void> set_gusts(const Gusts& gusts);
     /// Changes kinds or wall velocities between steps. A changed kind starts the second-order history anew. Refuses what
     /// `validate` refuses and a wall across an axis that follows.

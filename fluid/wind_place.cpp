@@ -109,7 +109,23 @@ void Wind::State::fill_with_ambient() {
     calm = true;
 }
 
+void Wind::State::add_ambient_to_air(float factor) {
+    const auto add = [&](std::span<glm::vec4> field) {
+        for_each_exposed(window.cells, CellIndex(window.cells),
+                         [&](std::size_t n, int i, int j, int k) { field[n] += factor * ambient_at(i, j, k); });
+    };
+    add(air.velocity);
+    if (!air.fresh)
+        add(air.velocity_old);
+    if (frames)
+        add(frames->before);
+}
+
 void Wind::State::change_ambient(glm::vec3 wind) {
+    if (config.gusts.intensity > 0.0f) { // gusts are as strong as the mean wind: all of it changes
+        exchange_ambient([&] { work.set_ambient(wind); });
+        return;
+    }
     const glm::vec3 before = work.ambient();
     work.set_ambient(wind);
     const glm::vec3 change = work.ambient() - before;
@@ -160,9 +176,14 @@ void Wind::State::shift_to(CellIndex origin_cells) {
     const CellIndex shift = origin_cells - window.origin_cells;
     if (shift == CellIndex(0))
         return;
+    if (shift.y != 0 && asleep && !ambient.uniform())
+        asleep = false; // at another height, another wind to report
+    // Gusts stand on the ground: where it moves, so do they, and what the air holds of them with it.
+    const bool gusts_move = shift.y != 0 && config.sides.y_low.solid() && config.gusts.intensity > 0.0f && !calm;
+    if (gusts_move)
+        add_ambient_to_air(-1.0f);
     window.origin_cells = origin_cells;
-    if (!ambient.uniform())
-        renew_ambient();
+    renew_ambient();
     const bool beyond =
         std::abs(shift.x) >= window.cells.x || std::abs(shift.y) >= window.cells.y || std::abs(shift.z) >= window.cells.z;
     if (beyond || calm) {
@@ -173,8 +194,8 @@ void Wind::State::shift_to(CellIndex origin_cells) {
         return;
     }
     const auto shift_air = [&](std::span<glm::vec4> field) {
-        shift_field(field, window.cells, shift, ambient_at(0, 0, 0));
-        if (!ambient.uniform())
+        shift_field(field, window.cells, shift, gusts_move ? glm::vec4(0.0f) : ambient_at(0, 0, 0));
+        if (!ambient.uniform() && !gusts_move)
             fill_exposed(field, shift);
     };
     shift_air(air.velocity);
@@ -186,6 +207,8 @@ void Wind::State::shift_to(CellIndex origin_cells) {
         shift_air(air.velocity_old);
         shift_field(air.history, window.cells, shift, glm::vec4(0.0f));
     }
+    if (gusts_move)
+        add_ambient_to_air(1.0f);
 }
 
 } // namespace windrow

@@ -56,6 +56,8 @@ struct Wind::State {
     Workspace work;
     Window window;
     glm::dvec3 follow_point{0.0};    ///< [m] what the box is centred on, to whole cells
+    glm::dvec3 stepped_point{0.0};   ///< [m] the same in the last step
+    glm::dvec3 previous_point{0.0};  ///< [m] and in the step before that
     CellIndex stepped_origin_cells;  ///< where the box lay in the last step
     CellIndex previous_origin_cells; ///< where it lay in the step before that
     AmbientWind ambient;
@@ -82,6 +84,23 @@ struct Wind::State {
     void shift_to(CellIndex origin_cells);
     void fill_with_ambient();
     void change_ambient(glm::vec3 wind);
+    /// Changes the wind around the box and, by the same, all air of the box; `change` changes it.
+    template <class Change>
+    void exchange_ambient(const Change& change) {
+        if (calm) {
+            change();
+            renew_ambient();
+            fill_with_ambient();
+            if (frames)
+                fill(frames->before);
+        } else {
+            add_ambient_to_air(-1.0f);
+            change();
+            renew_ambient();
+            add_ambient_to_air(1.0f);
+        }
+        asleep = false;
+    }
     /// After a change of sides, mean wind, gusts or place: what blows around the box, and in every cell where it is not the same
     /// everywhere.
     void renew_ambient();
@@ -95,6 +114,7 @@ struct Wind::State {
     [[nodiscard]] glm::vec4 ambient_at(int i, int j, int k) const;
     [[nodiscard]] glm::vec4 mean_at(int i, int j, int k) const;
     void fill(std::span<glm::vec4> field) const;
+    void add_ambient_to_air(float factor);
     void add_ambient(std::span<glm::vec4> field, float factor) const;
     void fill_exposed(std::span<glm::vec4> field, CellIndex shift) const;
 

@@ -16,7 +16,8 @@ namespace windrow {
 namespace {
 
 // Sums of frame times meet tick times only so nearly; a tick that is due but for rounding is due.
-constexpr double k_rounding = 1e-9; // of a tick
+constexpr double k_rounding = 1e-9;     // of a tick
+constexpr double k_longest_frame = 1e9; // [s] beyond it nothing is told apart
 
 void blend(std::span<const glm::vec4> before, std::span<const glm::vec4> now, float factor, std::span<glm::vec4> shown) {
     for (std::size_t n = 0; n < shown.size(); ++n)
@@ -28,6 +29,7 @@ void blend(std::span<const glm::vec4> before, std::span<const glm::vec4> now, fl
 Advance Wind::State::advance(double dt) {
     if (!frames)
         begin_ticks();
+    dt = std::min(dt, k_longest_frame);
     const double duration = 1.0 / config.ticks.hz;
     motors.begin_frame(frames->lead, dt);
     frames->follow.begin_frame(frames->lead, dt);
@@ -63,7 +65,10 @@ void Wind::State::begin_ticks() {
 void Wind::State::drop_ticks(double seconds) {
     (void)motors.tick(seconds, window);
     (void)frames->follow.tick(seconds);
-    ambient.advance(seconds);
+    if (ambient.gusting())
+        exchange_ambient([&] { ambient.advance(seconds); });
+    else
+        ambient.advance(seconds);
     frames->lead -= seconds;
 }
 
@@ -76,6 +81,8 @@ void Wind::State::tick(double duration, Diagnostics& report) {
     (void)frames->follow.tick(duration);
     follow(frames->follow.here());
     report = step(duration);
+    if (report.repaired_cells > 0) // what was no number shows nowhere
+        std::copy_n(air.velocity.data(), air.velocity.size(), frames->before.data());
     frames->lead -= duration;
 }
 

@@ -20,8 +20,9 @@
 // S, projected by itself when S changes; it stands at once. What is left out, v . grad u_S, is a gradient wherever v has no
 // vorticity (a vent in a steady wind comes out exact), else the straining of v's vorticity by the source. Carried with the rest,
 // u_S feeds on its errors: jets grow out of its middle within a second. A, the ambient wind while it gusts: a frozen pattern,
-// free of divergence, that the mean wind carries through the box as it does outside. Solved, it would evolve inside but not
-// outside, and each shift of the box would be felt as a jolt (0.07 m/s in a wind of 2 m/s). Left out: v . grad A.
+// free of divergence but for what a wall drops of it, that the mean wind carries through the box as it does outside. Walls hold
+// back v, not A. Solved, A would evolve inside but not outside, and each shift of the box would be felt as a jolt (0.07 m/s in a
+// wind of 2 m/s). Left out: v . grad A.
 //
 // Stable fluids, the classic split: u' = P(A(D(u + dt f))): every stage whole and one after the other, order 1.
 //
@@ -114,7 +115,9 @@ void Wind::State::step(double duration, Diagnostics& report) {
     if (config.stages.sources)
         reached = motors.tick(duration, window);
     previous_origin_cells = std::exchange(stepped_origin_cells, window.origin_cells);
+    previous_point = std::exchange(stepped_point, follow_point);
     if (asleep && reached.empty() && !ambient.gusting()) {
+        ambient.advance(duration); // small-scale detail is carried on
         report = at_rest;
         return;
     }
@@ -309,13 +312,18 @@ void Wind::State::limit_speeds(float dt, Diagnostics& report) {
     report.substeps = report.substeps_capped ? config.max_substeps : static_cast<int>(wanted);
     if (!report.substeps_capped)
         return;
+    // What is cut off a source's flow is cut off that, not made a wind of its own that stays.
     const float most = config.max_cfl * static_cast<float>(report.substeps) * box().cell_size / dt;
-    for (glm::vec4& u : std::span<glm::vec4>(air.velocity)) {
+    for (std::size_t n = 0; n < air.velocity.size(); ++n) {
+        glm::vec4& u = air.velocity[n];
         const float largest = std::max({std::abs(u.x), std::abs(u.y), std::abs(u.z)});
-        if (largest > most) {
-            u *= most / largest;
-            ++report.limited_cells;
-        }
+        if (largest <= most)
+            continue;
+        const glm::vec4 limited = (most / largest) * u;
+        if (sources_of_air != 0)
+            source_flow[n] += limited - u;
+        u = limited;
+        ++report.limited_cells;
     }
 }
 

@@ -216,9 +216,12 @@ Result<Workspace> Workspace::create(const Settings& settings) {
         reasons.add(box.error());
     if (!(std::isfinite(settings.ambient.x) && std::isfinite(settings.ambient.y) && std::isfinite(settings.ambient.z)))
         reasons.add("ambient is ", settings.ambient, " m/s: give finite numbers.");
+    const cpu::Kernels* const kernels = cpu::kernels_for(settings.simd);
+    if (kernels == nullptr)
+        reasons.add("simd is ", name_of(settings.simd), ", which this machine does not run: give best or baseline.");
     if (!reasons.empty())
         return Error{reasons.take()};
-    return Workspace(std::make_unique<State>(settings, cpu::best_kernels()));
+    return Workspace(std::make_unique<State>(settings, *kernels));
 }
 
 Result<void> Workspace::set_sides(const Sides& sides) {

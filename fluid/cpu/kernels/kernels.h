@@ -7,6 +7,8 @@
 // A velocity is four floats a cell (x, y, z, 0). "Planes" are planes of constant k, the unit of work for threads.
 #pragma once
 
+#include "fluid/simd.h"
+
 #include <cstddef>
 #include <cstdint>
 
@@ -140,8 +142,8 @@ struct Kernels {
     PlaneSurvey (*survey)(const float* velocity, std::size_t cells);
 };
 
-/// The best level that this machine runs.
-[[nodiscard]] const Kernels& best_kernels();
+/// Null where this machine does not run the level.
+[[nodiscard]] const Kernels* kernels_for(Simd level);
 
 namespace baseline {
 extern const Kernels k_kernels;

@@ -1,0 +1,22 @@
+// Which instructions the hot loops use. The same text is compiled for each level and chosen at run time; each level gives one
+// result, whatever the number of threads, and levels differ by rounding.
+#pragma once
+
+#include <cstdint>
+
+namespace windrow {
+
+enum class Simd : std::uint8_t {
+    best,     ///< The best that this machine runs. The default.
+    baseline, ///< What every machine of this architecture has (SSE2 on x86): the same bits everywhere, for replays across
+              ///< machines.
+    avx2,     ///< AVX2 with FMA.
+    avx512,   ///< AVX-512 F, VL, DQ.
+};
+
+/// Whether this machine runs a level; `best` always.
+[[nodiscard]] bool runs(Simd level);
+/// "baseline", "avx2", "avx512"; for `best` the level that it stands for here.
+[[nodiscard]] const char* name_of(Simd level);
+
+} // namespace windrow

@@ -1,0 +1,87 @@
+// The hot loops exist once a SIMD level: each gives one result for any number of threads, and they differ by rounding alone.
+
+#include "fluid/simd.h"
+#include "fluid/thread_pool.h"
+#include "fluid/wind.h"
+#include "tests/fields.h"
+#include "tests/figure.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace windrow;
+using namespace windrow::test;
+
+std::vector<Simd> levels() {
+    std::vector<Simd> found;
+    for (const Simd level : {Simd::baseline, Simd::avx2, Simd::avx512})
+        if (runs(level))
+            found.push_back(level);
+    return found;
+}
+
+Field storm(Simd level, ParallelFor parallel_for, int steps) {
+    auto wind = Wind::create({.cells = {21, 12, 18},
+                              .ambient = {2.0f, 0.0f, 1.0f},
+                              .gusts = {.intensity = 0.3f},
+                              .simd = level,
+                              .parallel_for = parallel_for});
+    EXPECT_TRUE(wind) << wind.error();
+    EXPECT_TRUE(wind->set_velocity(smooth_noise({21, 12, 18}, 4.0f, 201)));
+    EXPECT_TRUE(wind->motors().add(VortexMotor{}));
+    EXPECT_TRUE(wind->motors().add(JetMotor{.position = {-6.0, 0.0, 0.0}}));
+    EXPECT_TRUE(wind->motors().add(PressureMotor{.position = {3.0, 0.0, 3.0}, .speed = 6.0f}));
+    for (int n = 0; n < steps; ++n) {
+        EXPECT_TRUE(wind->follow({0.07 * n, 0.0, 0.0}));
+        wind->step(1.0 / 60.0);
+    }
+    return copy(wind->field());
+}
+
+TEST(SimdLevels, EachGivesOneResultForAnyNumberOfThreads) {
+    for (const Simd level : levels()) {
+        const Field serial = storm(level, {}, 20);
+        for (const int threads : {2, 3, 5}) {
+            ThreadPool pool(threads);
+            EXPECT_EQ(cells_that_differ(serial, storm(level, pool.parallel_for(), 20)), 0u)
+                << name_of(level) << ", " << threads << " threads";
+        }
+    }
+}
+
+TEST(SimdLevels, DifferByRoundingAlone) {
+    const Field reference = storm(Simd::baseline, {}, 1);
+    const double speed = largest_speed(reference);
+    for (const Simd level : levels()) {
+        const Field field = storm(level, {}, 1);
+        double worst = 0.0;
+        for (std::size_t n = 0; n < field.size(); ++n)
+            worst = std::max(worst, double(glm::length(field[n] - reference[n])) / speed);
+        WINDROW_EXPECT_FIGURE(std::string("simd_one_step_off_baseline_") + name_of(level), worst, 1e-5);
+    }
+}
+
+TEST(SimdLevels, TheBestIsOneOfThem) {
+    EXPECT_TRUE(runs(Simd::best));
+    EXPECT_TRUE(runs(Simd::baseline));
+    EXPECT_EQ(cells_that_differ(storm(Simd::best, {}, 5), storm(levels().back(), {}, 5)), 0u);
+    EXPECT_STREQ(name_of(Simd::best), name_of(levels().back()));
+}
+
+TEST(SimdLevels, OneThatTheMachineLacksIsRefused) {
+    for (const Simd level : {Simd::avx2, Simd::avx512}) {
+        if (runs(level))
+            continue;
+        const auto refused = Wind::create({.simd = level});
+        ASSERT_FALSE(refused);
+        EXPECT_NE(refused.error().find("which this machine does not run"), std::string::npos) << refused.error();
+    }
+}
+
+} // namespace

@@ -1,0 +1,226 @@
+// What changes while the wind blows (mean wind, gusts, sides, ground, frame times) changes the air with it and leaves nothing
+// behind.
+
+#include "fluid/event_log.h"
+#include "fluid/wind.h"
+#include "tests/fields.h"
+#include "tests/figure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace {
+
+using namespace windrow;
+using namespace windrow::test;
+
+Wind made(const Config& config) {
+    auto wind = Wind::create(config);
+    EXPECT_TRUE(wind) << wind.error();
+    return *std::move(wind);
+}
+
+/// Largest difference of the box's air from the ambient wind.
+double off_ambient(const Wind& wind) {
+    const Window window = wind.view().window();
+    double worst = 0.0;
+    for (int k = 0; k < window.cells.z; ++k)
+        for (int j = 0; j < window.cells.y; ++j)
+            for (int i = 0; i < window.cells.x; ++i) {
+                const glm::vec3 inside(wind.view().field()[wind.box().index(i, j, k)]);
+                worst = std::max(worst, double(glm::length(inside - wind.view().ambient().velocity(window.centre(i, j, k)))));
+            }
+    return worst;
+}
+
+const Config k_gusty{.cells = {16, 8, 16}, .ambient = {3.0f, 0.0f, 1.0f}, .gusts = {.intensity = 0.3f}};
+
+TEST(WindChanges, GustsChangeWithTheMeanWind) {
+    for (const glm::vec3 to : {glm::vec3(0.0f), glm::vec3(8.0f, 0.0f, 0.0f), glm::vec3(-3.0f, 0.0f, 1.0f)}) {
+        Wind wind = made(k_gusty);
+        for (int n = 0; n < 30; ++n)
+            wind.step(1.0 / 60.0);
+        ASSERT_TRUE(wind.set_ambient(to));
+        EXPECT_LE(off_ambient(wind), 1e-5);
+        for (int n = 0; n < 30; ++n)
+            wind.step(1.0 / 60.0);
+        EXPECT_LE(off_ambient(wind), 1e-4);
+    }
+}
+
+TEST(WindChanges, GustsBeginAndEndEverywhereAtOnce) {
+    Wind wind = made({.cells = {16, 8, 16}, .ambient = {3.0f, 0.0f, 1.0f}});
+    wind.step(1.0 / 60.0);
+    for (const float intensity : {0.2f, 0.5f, 0.0f, 0.3f}) {
+        ASSERT_TRUE(wind.set_gusts({.intensity = intensity}));
+        EXPECT_LE(off_ambient(wind), 1e-5) << intensity;
+        wind.step(1.0 / 60.0);
+        EXPECT_LE(off_ambient(wind), 1e-4) << intensity;
+    }
+}
+
+TEST(WindChanges, AHitchWhileThePlayerRunsLeavesNoFalseGusts) {
+    Wind wind = made({.cells = {24, 12, 24}, .ambient = {3.0f, 0.0f, 0.0f}, .gusts = {.intensity = 0.3f}});
+    double time = 0.0;
+    for (int n = 0; n < 120; ++n) {
+        const double dt = n == 60 ? 0.6 : 1.0 / 60.0;
+        time += dt;
+        ASSERT_TRUE(wind.follow({6.0 * time, 0.0, 0.0}));
+        wind.advance(dt);
+    }
+    wind.step(1e-9); // ends the blending
+    WINDROW_EXPECT_FIGURE("gusts_off_ambient_after_a_hitch_m_per_s", off_ambient(wind), 1e-3);
+}
+
+TEST(WindChanges, GustsStandOnTheGroundThatMoves) {
+    for (const bool profile : {false, true}) {
+        Config config = k_gusty;
+        config.sides = Sides::open_over_floor();
+        if (profile)
+            config.profile = LogProfile{};
+        Wind wind = made(config);
+        for (int n = 1; n <= 8; ++n) {
+            ASSERT_TRUE(wind.set_floor(0.5 * n));
+            wind.step(1.0 / 60.0);
+        }
+        EXPECT_LE(off_ambient(wind), 1e-4) << (profile ? "profile" : "uniform");
+    }
+}
+
+TEST(WindChanges, AFloorSetAtOnceStandsInTheProfile) {
+    Wind wind =
+        made({.cells = {8, 16, 8}, .sides = Sides::open_over_floor(), .ambient = {5.0f, 0.0f, 0.0f}, .profile = LogProfile{}});
+    ASSERT_TRUE(wind.set_floor(0.0));
+    EXPECT_LE(off_ambient(wind), 1e-6);
+    EXPECT_EQ(wind.view().ambient().ground(), 0.0);
+}
+
+TEST(WindChanges, AVentMeetsANewWall) {
+    const auto outflow = [](const Wind& wind) {
+        const glm::ivec3 cells = wind.box().cells;
+        double flow = 0.0;
+        for (int j = 0; j < cells.y; ++j)
+            for (int i = 0; i < cells.x; ++i)
+                flow += double(wind.field()[wind.box().index(i, j, cells.z - 1)].z);
+        return flow;
+    };
+    Config walled{.cells = {24, 12, 24}};
+    walled.sides.z_high.kind = SideKind::free_slip;
+    Wind from_start = made(walled), changed = made({.cells = {24, 12, 24}});
+    for (Wind* wind : {&from_start, &changed})
+        ASSERT_TRUE(wind->motors().add(OmniMotor{.position = {0.0, 0.0, 8.0}}));
+    for (int n = 0; n < 60; ++n) {
+        if (n == 30) {
+            ASSERT_TRUE(changed.set_sides(walled.sides));
+        }
+        from_start.step(1.0 / 60.0);
+        changed.step(1.0 / 60.0);
+    }
+    EXPECT_NEAR(outflow(changed), outflow(from_start), 0.05 * std::abs(outflow(from_start)) + 1e-3);
+}
+
+TEST(WindChanges, AVentThatIsTooStrongLeavesNothingBehind) {
+    for (const float speed : {300.0f, 1000.0f, 5000.0f}) {
+        Wind wind = made({.settling_time = 0.0f});
+        const auto vent = wind.motors().add(OmniMotor{.speed = speed});
+        ASSERT_TRUE(vent);
+        for (int n = 0; n < 10; ++n)
+            wind.step(1.0 / 60.0);
+        ASSERT_TRUE(wind.motors().remove(*vent));
+        wind.step(1.0 / 60.0);
+        WINDROW_EXPECT_FIGURE("vent_left_behind_m_per_s_of_" + std::to_string(int(speed)), largest_speed(wind.field()),
+                              1e-2 * double(speed));
+    }
+}
+
+TEST(WindChanges, WhatIsNoNumberIsNeverShown) {
+    Wind wind = made({.cells = {8, 8, 8}, .ambient = {1.0f, 0.0f, 0.0f}});
+    wind.advance(0.1);
+    wind.set_velocity([](glm::dvec3) { return glm::vec3(std::numeric_limits<float>::quiet_NaN()); });
+    const Advance done = wind.advance(0.04);
+    EXPECT_GT(done.last.repaired_cells, 0);
+    EXPECT_TRUE(all_finite(wind.view().field()));
+}
+
+TEST(WindChanges, AStepAfterFramesTakesUpWhatTheyTold) {
+    Wind wind = made({.cells = {16, 8, 16}});
+    const auto body = wind.motors().add(WakeMotor{});
+    ASSERT_TRUE(body);
+    for (int n = 1; n <= 3; ++n) { // less than a tick
+        ASSERT_TRUE(wind.motors().move(*body, {0.1 * n, 0.0, 0.0}));
+        ASSERT_EQ(wind.advance(1.0 / 144.0).ticks, 0);
+    }
+    ASSERT_TRUE(wind.motors().move(*body, {0.4, 0.0, 0.0}));
+    wind.step(1.0 / 144.0);
+    EXPECT_TRUE(Wind::load(wind.save())) << Wind::load(wind.save()).error();
+    EXPECT_EQ(wind.motors().slots()[0].track.here(), glm::dvec3(0.4, 0.0, 0.0));
+    EXPECT_EQ(wind.step(0.01).motors_in_reach, 0) << "it has arrived";
+}
+
+TEST(WindChanges, DetailMovesOverSleepingAir) {
+    Config config{.cells = {16, 8, 16}, .ambient = {3.0f, 0.0f, 0.0f}};
+    config.gusts.tile = GustTile::bake(1);
+    Wind wind = made(config);
+    for (int n = 0; n < 3; ++n)
+        wind.step(1.0 / 60.0);
+    ASSERT_TRUE(wind.step(1.0 / 60.0).asleep);
+    const glm::vec3 before = wind.felt({0.3, 0.2, 0.1}, {.detail = 0.5f});
+    wind.step(1.0 / 60.0);
+    EXPECT_NE(before, wind.felt({0.3, 0.2, 0.1}, {.detail = 0.5f}));
+}
+
+TEST(WindChanges, TheLastFramesRimIsTold) {
+    Wind wind = made({});
+    wind.step(0.01);
+    ASSERT_TRUE(wind.follow({3.0, 0.0, 0.0}));
+    wind.step(0.01);
+    EXPECT_EQ(wind.window_block({}).rim_point.x, 3.0f);
+    EXPECT_EQ(wind.window_block({}).previous_rim_point.x, 0.0f);
+    EXPECT_EQ(wind.window_block({}).previous_origin.x, -16.0f);
+}
+
+TEST(WindChanges, FarPlacesAndEndlessFramesAreFinite) {
+    Wind wind =
+        made({.cells = {16, 8, 16}, .ambient = {3.0f, 0.0f, 1.0f}, .profile = LogProfile{}, .gusts = {.intensity = 0.2f}});
+    for (const double far : {1e38, 1e300, -1e300, 1e15})
+        for (const glm::dvec3 at : {glm::dvec3(far, 0.0, 0.0), glm::dvec3(0.0, far, 0.0), glm::dvec3(0.0, 1.0, far)}) {
+            const glm::vec3 u = wind.velocity(at);
+            EXPECT_TRUE(std::isfinite(u.x) && std::isfinite(u.y) && std::isfinite(u.z)) << far;
+        }
+    const auto fan = wind.motors().add(DirectionalMotor{});
+    ASSERT_TRUE(fan);
+    const Advance endless = wind.advance(1.7e308);
+    EXPECT_TRUE(std::isfinite(endless.dropped));
+    EXPECT_NE(wind.motors().find(*fan), nullptr) << "it holds for good";
+}
+
+TEST(WindChanges, AResetIsSeenAtOnce) {
+    Wind wind = made({.cells = {8, 8, 8}, .ambient = {1.0f, 0.0f, 0.0f}});
+    ASSERT_TRUE(wind.set_velocity(white_noise({8, 8, 8}, 3.0f, 5)));
+    wind.advance(0.05);
+    wind.reset();
+    EXPECT_LE(off_ambient(wind), 0.0);
+    wind.advance(0.001);
+    EXPECT_LE(off_ambient(wind), 0.0);
+}
+
+TEST(WindChanges, AReplayKnowsATileWithoutGusts) {
+    Wind wind = made({.cells = {8, 8, 8}, .ambient = {2.0f, 0.0f, 0.0f}});
+    const auto start = wind.save();
+    EventLog log;
+    wind.record_to(&log);
+    ASSERT_TRUE(wind.set_gusts({.intensity = 0.0f, .tile = GustTile::bake(7)}));
+    wind.step(0.02);
+    auto again = Wind::load(start);
+    ASSERT_TRUE(again);
+    ASSERT_TRUE(replay(log, *again));
+    EXPECT_EQ(again->felt({0.3, 0.2, 0.1}, {.detail = 0.5f}), wind.felt({0.3, 0.2, 0.1}, {.detail = 0.5f}));
+    EXPECT_EQ(again->save(), wind.save());
+}
+
+} // namespace
