@@ -17,6 +17,7 @@ namespace windrow {
 namespace {
 
 constexpr auto k_spin = std::chrono::microseconds(20);
+constexpr std::size_t k_cache_line = 64;
 
 void relax() {
 #if defined(__x86_64__)
@@ -38,88 +39,146 @@ bool spin_until(const Ready& ready) {
     return ready();
 }
 
+// A thread's share of a loop, in one word: which loop, the first block that nobody has taken, and where the share ends. Whoever
+// wakes late and takes from a loop that has ended fails: its share is used up, or the word is another.
+struct Share {
+    std::uint32_t loop = 0;
+    std::uint16_t next = 0, end = 0;
+
+    Share() = default;
+    explicit Share(std::uint64_t word)
+        : loop(static_cast<std::uint32_t>(word >> 32)), next(static_cast<std::uint16_t>(word >> 16)),
+          end(static_cast<std::uint16_t>(word)) {}
+    [[nodiscard]] std::uint64_t word() const {
+        return (static_cast<std::uint64_t>(loop) << 32) | (static_cast<std::uint64_t>(next) << 16) | end;
+    }
+};
+constexpr int k_most_blocks = 0xffff; ///< of a loop
+
+struct alignas(k_cache_line) ShareWord {
+    std::atomic<std::uint64_t> word{0};
+};
+
 } // namespace
 
-// One loop at a time. Its fields change only under the mutex and while no worker is inside, and a worker enters and
-// copies them under the same mutex: a worker that wakes late can take nothing of a loop that it did not enter.
+// One loop at a time. Each thread has the same share of every loop, so that what it wrote in the last one is still in its cache,
+// and takes from the others' shares when its own is used up: long runs first and single blocks at the end, so that a thread
+// whose core is taken away holds up little. Whoever waits spins for a moment, then sleeps.
+//
+// A loop is written before its shares open, and the next one when all of them are used up: who takes from a share has read the
+// loop that it belongs to.
 struct ThreadPool::State {
-    struct Loop {
-        int count = 0;
-        void (*task)(void*, int) = nullptr;
-        void* argument = nullptr;
-    };
+    using Task = void (*)(void*, int);
 
     std::mutex turn; ///< held by the thread whose loop runs
-    std::mutex mutex;
-    std::condition_variable start, finish;
-    Loop loop;
-    std::atomic<std::uint32_t> number{0}; ///< of the loop
-    std::atomic<int> next{0};             ///< first index that nobody has taken
-    std::atomic<int> done{0};
-    std::atomic<int> inside{0}; ///< workers that hold a copy of the loop
+    std::atomic<Task> task{nullptr};
+    std::atomic<void*> argument{nullptr};
+    std::atomic<int> count{0};
+    std::atomic<int> block{1}; ///< indices that are taken together: 1, but for loops of more than k_most_blocks
     std::atomic<bool> stop{false};
+    alignas(k_cache_line) std::atomic<int> left{0}; ///< blocks whose tasks have not returned
+
+    alignas(k_cache_line) std::mutex mutex; ///< for sleeping only
+    std::condition_variable start, finish;
+    std::atomic<int> asleep{0}; ///< workers that a new loop must wake
+    std::atomic<bool> caller_asleep{false};
+
+    std::uint32_t loops = 0;             ///< so far; under `turn`
+    std::unique_ptr<ShareWord[]> shares; ///< one a thread, the caller's first
     std::vector<std::thread> workers;
 
-    void take_indices(const Loop& entered) {
+    [[nodiscard]] int threads() const { return static_cast<int>(workers.size()) + 1; }
+
+    // Runs blocks of a share until none is left, and tells how many.
+    int take_from(std::atomic<std::uint64_t>& share, std::uint32_t loop) {
+        int taken = 0;
+        std::uint64_t word = share.load(std::memory_order_acquire);
+        const Task run_one = task.load(std::memory_order_acquire);
+        void* const context = argument.load(std::memory_order_acquire);
+        const std::int64_t end = count.load(std::memory_order_acquire), size = block.load(std::memory_order_acquire);
         for (;;) {
-            const int index = next.fetch_add(1, std::memory_order_relaxed);
-            if (index >= entered.count)
-                return;
-            entered.task(entered.argument, index);
-            done.fetch_add(1, std::memory_order_acq_rel);
+            Share rest(word);
+            if (rest.loop != loop || rest.next >= rest.end)
+                return taken;
+            const int first = rest.next, blocks = std::max(1, (rest.end - first) / 3);
+            rest.next = static_cast<std::uint16_t>(first + blocks);
+            if (!share.compare_exchange_weak(word, rest.word(), std::memory_order_acq_rel, std::memory_order_acquire))
+                continue;
+            word = rest.word();
+            for (std::int64_t index = first * size; index < std::min(end, rest.next * size); ++index)
+                run_one(context, static_cast<int>(index));
+            taken += blocks;
         }
     }
 
-    void work() {
+    // The own share, then the others'. True if this thread ended the loop.
+    bool take(int own, std::uint32_t loop) {
+        int taken = 0;
+        for (int n = 0; n < threads(); ++n)
+            taken += take_from(shares[static_cast<std::size_t>((own + n) % threads())].word, loop);
+        return taken > 0 && left.fetch_sub(taken, std::memory_order_seq_cst) == taken;
+    }
+
+    void work(int own) {
         std::uint32_t seen = 0;
-        const auto ready = [&] { return stop.load(std::memory_order_acquire) || number.load(std::memory_order_acquire) != seen; };
+        const std::atomic<std::uint64_t>& share = shares[static_cast<std::size_t>(own)].word;
+        const auto ready = [&] {
+            return stop.load(std::memory_order_acquire) || Share(share.load(std::memory_order_seq_cst)).loop != seen;
+        };
         for (;;) {
-            spin_until(ready);
-            Loop entered;
-            {
+            if (!spin_until(ready)) {
                 std::unique_lock lock(mutex);
+                asleep.fetch_add(1, std::memory_order_seq_cst);
                 start.wait(lock, ready);
-                if (stop.load(std::memory_order_relaxed))
-                    return;
-                seen = number.load(std::memory_order_relaxed);
-                entered = loop;
-                inside.fetch_add(1, std::memory_order_relaxed);
+                asleep.fetch_sub(1, std::memory_order_seq_cst);
             }
-            take_indices(entered);
-            if (inside.fetch_sub(1, std::memory_order_acq_rel) == 1) {
-                const std::lock_guard lock(mutex);
-                finish.notify_all();
+            if (stop.load(std::memory_order_acquire))
+                return;
+            seen = Share(share.load(std::memory_order_acquire)).loop;
+            if (take(own, seen) && caller_asleep.load(std::memory_order_seq_cst)) {
+                const std::lock_guard lock(mutex); // not between the caller's look and its sleep
+                finish.notify_one();
             }
         }
     }
 
-    void run(const Loop& wanted) {
+    void run(int wanted, Task wanted_task, void* wanted_argument) {
         const std::lock_guard my_turn(turn);
-        const auto nobody_inside = [&] { return inside.load(std::memory_order_acquire) == 0; };
-        spin_until(nobody_inside);
-        {
-            std::unique_lock lock(mutex);
-            finish.wait(lock, nobody_inside);
-            loop = wanted;
-            next.store(0, std::memory_order_relaxed);
-            done.store(0, std::memory_order_relaxed);
-            number.fetch_add(1, std::memory_order_release);
+        const int size = (wanted - 1) / k_most_blocks + 1, blocks = (wanted - 1) / size + 1;
+        task.store(wanted_task, std::memory_order_release);
+        argument.store(wanted_argument, std::memory_order_release);
+        count.store(wanted, std::memory_order_release);
+        block.store(size, std::memory_order_release);
+        left.store(blocks, std::memory_order_relaxed);
+        ++loops;
+        for (int n = threads() - 1; n >= 0; --n) { // the workers first: they have further to go
+            Share share;
+            share.loop = loops;
+            share.next = static_cast<std::uint16_t>(static_cast<std::int64_t>(blocks) * n / threads());
+            share.end = static_cast<std::uint16_t>(static_cast<std::int64_t>(blocks) * (n + 1) / threads());
+            shares[static_cast<std::size_t>(n)].word.store(share.word(), std::memory_order_seq_cst);
         }
-        start.notify_all();
-        take_indices(wanted);
-        // What is left is in the hands of workers inside; the last one to leave says so.
-        const auto finished = [&] { return done.load(std::memory_order_acquire) == wanted.count; };
+        if (asleep.load(std::memory_order_seq_cst) > 0) {
+            { const std::lock_guard lock(mutex); } // not between a worker's look and its sleep
+            start.notify_all();
+        }
+        take(0, loops);
+        const auto finished = [&] { return left.load(std::memory_order_seq_cst) == 0; };
         if (!spin_until(finished)) {
             std::unique_lock lock(mutex);
+            caller_asleep.store(true, std::memory_order_seq_cst);
             finish.wait(lock, finished);
+            caller_asleep.store(false, std::memory_order_relaxed);
         }
     }
 };
 
 ThreadPool::ThreadPool(int threads) : state_(std::make_unique<State>()) {
     const int wanted = threads > 0 ? threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    state_->shares = std::make_unique<ShareWord[]>(static_cast<std::size_t>(wanted));
+    state_->workers.reserve(static_cast<std::size_t>(wanted) - 1);
     for (int n = 1; n < wanted; ++n)
-        state_->workers.emplace_back([state = state_.get()] { state->work(); });
+        state_->workers.emplace_back([state = state_.get(), n] { state->work(n); });
 }
 
 ThreadPool::~ThreadPool() {
@@ -140,7 +199,7 @@ ParallelFor ThreadPool::parallel_for() {
     if (state_->workers.empty())
         return {};
     return {[](void* context, int count, void (*task)(void*, int), void* argument) {
-                static_cast<State*>(context)->run({count, task, argument});
+                static_cast<State*>(context)->run(count, task, argument);
             },
             state_.get()};
 }

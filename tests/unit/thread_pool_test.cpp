@@ -44,6 +44,15 @@ TEST(ThreadPool, RunsEachIndexOnceInLoopsOfAnySize) {
     }
 }
 
+TEST(ThreadPool, RunsEachIndexOnceInLoopsOfMillions) {
+    ThreadPool pool(3);
+    for (const int count : {65'535, 65'536, 131'071, 3'000'001}) {
+        std::vector<std::uint8_t> calls(static_cast<std::size_t>(count));
+        pool.parallel_for()(count, [&](int index) { ++calls[static_cast<std::size_t>(index)]; });
+        EXPECT_EQ(std::count(calls.begin(), calls.end(), 1), count);
+    }
+}
+
 TEST(ThreadPool, WhatTheTasksWroteIsThereWhenTheLoopReturns) {
     ThreadPool pool(4);
     const ParallelFor parallel_for = pool.parallel_for();
