@@ -17,6 +17,8 @@ inline PaddedStrides padded_strides(const int cells[3]) {
 constexpr int k_row_chunk = 64;
 
 // Points to sample at, for a run of cells along x: the padded cell below each, and the distance from its centre in [0, 1] by axis.
+// Arrays of a run are filled in whole groups of k_lanes, so that the loops over a group have no remainder; what lies beyond the
+// run's cells is legal to read at, and not used.
 struct Points {
     alignas(64) std::int32_t offset[k_row_chunk];
     alignas(64) float fraction[3][k_row_chunk];
@@ -34,72 +36,81 @@ inline float floor_small(float value) {
 
 // One axis of `locate`: cell n of the run has index first + n * advance. A comparison with NaN is false, so that a broken position
 // becomes the low end and its address stays legal.
-inline void locate_axis(const AdvectTask& task, int axis, float first, float advance, std::int32_t stride, int count,
-                        const float* displacement, Points& points) {
-    const float low = task.low[axis], high = task.high[axis], period = task.period[axis], inverse_period = task.inverse_period[axis];
-    float* const fraction = points.fraction[axis];
-    std::int32_t* const offset = points.offset;
-    for (int n = 0; n < count; ++n) {
-        const float cell = first + advance * static_cast<float>(n);
-        const float least = low - cell, most = high - cell;
-        float legal = displacement[n] > least ? displacement[n] : least;
-        legal = legal < most ? legal : most;
-        const float whole = floor_small(legal);
-        fraction[n] = legal - whole;
-        float base = cell + whole;
-        base -= period * floor_small(base * inverse_period);
-        offset[n] += (static_cast<std::int32_t>(base) + k_halo_low) * stride;
-    }
+template <int Axis>
+inline void locate_axis(const AdvectTask& task, float first, float advance, std::int32_t stride, int count, const Displacements& displacements,
+                        Points& points) {
+    const float low = task.low[Axis], high = task.high[Axis], period = task.period[Axis], inverse_period = task.inverse_period[Axis];
+    for (int group = 0; group < count; group += k_lanes)
+        for (int lane = 0; lane < k_lanes; ++lane) {
+            const int n = group + lane;
+            const float cell = first + advance * static_cast<float>(n);
+            const float least = low - cell, most = high - cell;
+            float legal = displacements.axis[Axis][n] > least ? displacements.axis[Axis][n] : least;
+            legal = legal < most ? legal : most;
+            const float whole = floor_small(legal);
+            points.fraction[Axis][n] = legal - whole;
+            float base = cell + whole;
+            base -= period * floor_small(base * inverse_period);
+            const std::int32_t offset = (static_cast<std::int32_t>(base) + k_halo_low) * stride;
+            points.offset[n] = Axis == 0 ? offset : points.offset[n] + offset;
+        }
 }
 
 inline void locate(const AdvectTask& task, const PaddedStrides& strides, int i0, int j, int k, int count, const Displacements& displacements,
                    Points& points) {
-    for (int n = 0; n < count; ++n)
-        points.offset[n] = 0;
-    locate_axis(task, 0, static_cast<float>(i0), 1.0f, 1, count, displacements.axis[0], points);
-    locate_axis(task, 1, static_cast<float>(j), 0.0f, static_cast<std::int32_t>(strides.row), count, displacements.axis[1], points);
-    locate_axis(task, 2, static_cast<float>(k), 0.0f, static_cast<std::int32_t>(strides.plane), count, displacements.axis[2], points);
+    locate_axis<0>(task, static_cast<float>(i0), 1.0f, 1, count, displacements, points);
+    locate_axis<1>(task, static_cast<float>(j), 0.0f, static_cast<std::int32_t>(strides.row), count, displacements, points);
+    locate_axis<2>(task, static_cast<float>(k), 0.0f, static_cast<std::int32_t>(strides.plane), count, displacements, points);
 }
 
-inline Cell lerp(Cell a, Cell b, Cell t) { return multiply_add(t, b - a, a); }
-
 struct Linear {
+    using Line = Pair;
+
     struct Weights {
         const float *x, *y, *z;
         Weights(const Points& points, int) : x(points.fraction[0]), y(points.fraction[1]), z(points.fraction[2]) {}
     };
 
-    static Cell sample(const float* at, const PaddedStrides& strides, const Weights& w, int n) {
-        const Cell tx = splat(w.x[n]), ty = splat(w.y[n]), tz = splat(w.z[n]);
+    // Both x-neighbours of a point, interpolated along y and z.
+    static Pair sample_line(const float* at, const PaddedStrides& strides, const Weights& w, int n) {
         const float* const up = at + 4 * strides.plane;
-        const float* const over = at + 4 * strides.row;
-        const float* const both = up + 4 * strides.row;
-        const Cell left = lerp(lerp(load_cell(at), load_cell(up), tz), lerp(load_cell(over), load_cell(both), tz), ty);
-        const Cell right = lerp(lerp(load_cell(at + 4), load_cell(up + 4), tz), lerp(load_cell(over + 4), load_cell(both + 4), tz), ty);
-        return lerp(left, right, tx);
+        const Pair near = lerp(load_pair(at), load_pair(up), w.z[n]);
+        const Pair over = lerp(load_pair(at + 4 * strides.row), load_pair(up + 4 * strides.row), w.z[n]);
+        return lerp(near, over, w.y[n]);
+    }
+
+    static Native sample_x(const Pair (&lines)[k_native_cells], const Weights& w, int n) {
+        const Ends ends = transpose(lines);
+        return multiply_add(spread(w.x + n), ends.after - ends.here, ends.here);
     }
 };
 
 struct Cubic {
+    using Line = Block;
+
     // Lagrange weights of the nodes -1, 1, 2 by axis; node 0 takes what is left of 1.
     struct Weights {
         alignas(64) float before[3][k_row_chunk], after[3][k_row_chunk], beyond[3][k_row_chunk];
 
         Weights(const Points& points, int count) {
             for (int axis = 0; axis < 3; ++axis)
-                for (int n = 0; n < count; ++n) {
-                    const float t = points.fraction[axis][n];
-                    const float a = t - 1.0f, b = t - 2.0f, c = t + 1.0f;
-                    before[axis][n] = t * a * b * (-1.0f / 6.0f);
-                    after[axis][n] = c * t * b * -0.5f;
-                    beyond[axis][n] = c * t * a * (1.0f / 6.0f);
-                }
+                for (int group = 0; group < count; group += k_lanes)
+                    for (int lane = 0; lane < k_lanes; ++lane) {
+                        const int n = group + lane;
+                        const float t = points.fraction[axis][n];
+                        const float a = t - 1.0f, b = t - 2.0f, c = t + 1.0f;
+                        before[axis][n] = t * a * b * (-1.0f / 6.0f);
+                        after[axis][n] = c * t * b * -0.5f;
+                        beyond[axis][n] = c * t * a * (1.0f / 6.0f);
+                    }
         }
     };
 
-    static Cell sample(const float* at, const PaddedStrides& strides, const Weights& w, int n) {
+    // The four columns around a point, interpolated along y and z: nodes -1, 0, 1, 2 of x.
+    static Block sample_line(const float* at, const PaddedStrides& strides, const Weights& w, int n) {
         Block planes[4];
         const float* const corner = at - 4 * (1 + strides.row + strides.plane);
+#pragma GCC unroll 4
         for (int k = 0; k < 4; ++k) {
             const float* const p = corner + 4 * k * strides.plane;
             const Block centre = load_block(p + 4 * strides.row);
@@ -109,31 +120,75 @@ struct Cubic {
         }
         Block line = multiply_add(planes[0] - planes[1], w.before[2][n], planes[1]);
         line = multiply_add(planes[2] - planes[1], w.after[2][n], line);
-        line = multiply_add(planes[3] - planes[1], w.beyond[2][n], line);
-        const Cell here = cell_of<1>(line);
-        Cell sum = multiply_add(cell_of<0>(line) - here, splat(w.before[0][n]), here);
-        sum = multiply_add(cell_of<2>(line) - here, splat(w.after[0][n]), sum);
-        return multiply_add(cell_of<3>(line) - here, splat(w.beyond[0][n]), sum);
+        return multiply_add(planes[3] - planes[1], w.beyond[2][n], line);
+    }
+
+    static Native sample_x(const Block (&lines)[k_native_cells], const Weights& w, int n) {
+        const Nodes nodes = transpose(lines);
+        Native sum = multiply_add(nodes.before - nodes.here, spread(w.before[0] + n), nodes.here);
+        sum = multiply_add(nodes.after - nodes.here, spread(w.after[0] + n), sum);
+        return multiply_add(nodes.beyond - nodes.here, spread(w.beyond[0] + n), sum);
     }
 };
+
+// As many cells as a register holds, from cell n of the run: their lines side by side, so that x is done for all at once.
+template <class Interpolant>
+inline Native sample(const float* field, const Points& points, const PaddedStrides& strides, const typename Interpolant::Weights& w, int n) {
+    typename Interpolant::Line lines[k_native_cells];
+#pragma GCC unroll 4 // a loop would index the lines, and so put them in memory
+    for (int cell = 0; cell < k_native_cells; ++cell)
+        lines[cell] = Interpolant::sample_line(field + 4 * static_cast<std::ptrdiff_t>(points.offset[n + cell]), strides, w, n + cell);
+    return Interpolant::sample_x(lines, w, n);
+}
+
+// `count` cells of a run.
+template <class Interpolant>
+inline void sample_run(const float* field, const Points& points, const PaddedStrides& strides, int count, float* result) {
+    const typename Interpolant::Weights weights(points, count);
+    int n = 0;
+    for (; n + k_native_cells <= count; n += k_native_cells)
+        store_native(result + 4 * n, sample<Interpolant>(field, points, strides, weights, n));
+    if (n < count) {
+        float rest[k_native_lanes];
+        store_native(rest, sample<Interpolant>(field, points, strides, weights, n));
+        for (int lane = 0; lane < 4 * (count - n); ++lane)
+            result[4 * n + lane] = rest[lane];
+    }
+}
+
+// A row's cells by component, in whole groups: zeros beyond the last cell.
+inline void split_components(const float* cells, int count, Displacements& components) {
+    for (int group = 0; group < count; group += k_lanes) {
+        alignas(64) float rest[4 * k_lanes];
+        const float* from = cells + 4 * group;
+        if (group + k_lanes > count) {
+            for (int n = 0; n < 4 * k_lanes; ++n)
+                rest[n] = n < 4 * (count - group) ? from[n] : 0.0f;
+            from = rest;
+        }
+        for (int lane = 0; lane < k_lanes; ++lane)
+            for (int axis = 0; axis < 3; ++axis)
+                components.axis[axis][group + lane] = from[4 * lane + axis];
+    }
+}
 
 // Departure points of `count` cells from (i0, j, k).
 inline void trace_row(const AdvectTask& task, const PaddedStrides& strides, int i0, int j, int k, int count, Points& points) {
     const std::size_t first = (static_cast<std::size_t>(k) * task.cells[1] + j) * task.cells[0] + i0;
-    const float* const velocity = task.velocity + 4 * first;
-    Displacements displacements;
-    for (int n = 0; n < count; ++n)
-        for (int axis = 0; axis < 3; ++axis)
-            displacements.axis[axis][n] = -task.cells_per_speed * velocity[4 * n + axis];
+    Displacements velocity, displacements, traced;
+    split_components(task.velocity + 4 * first, count, velocity);
+    const int floats = (count + k_lanes - 1) / k_lanes * k_lanes;
+    for (int axis = 0; axis < 3; ++axis)
+        for (int n = 0; n < floats; ++n)
+            displacements.axis[axis][n] = -task.cells_per_speed * velocity.axis[axis][n];
     locate(task, strides, i0, j, k, count, displacements, points);
 
-    alignas(64) float traced[4 * k_row_chunk];
-    const Linear::Weights weights(points, count);
-    for (int n = 0; n < count; ++n)
-        store_cell(traced + 4 * n, Linear::sample(task.padded_trace + 4 * static_cast<std::ptrdiff_t>(points.offset[n]), strides, weights, n));
-    for (int n = 0; n < count; ++n)
-        for (int axis = 0; axis < 3; ++axis)
-            displacements.axis[axis][n] = -0.5f * task.cells_per_speed * (velocity[4 * n + axis] + traced[4 * n + axis]);
+    alignas(64) float samples[4 * k_row_chunk];
+    sample_run<Linear>(task.padded_trace, points, strides, count, samples);
+    split_components(samples, count, traced);
+    for (int axis = 0; axis < 3; ++axis)
+        for (int n = 0; n < floats; ++n)
+            displacements.axis[axis][n] = -0.5f * task.cells_per_speed * (velocity.axis[axis][n] + traced.axis[axis][n]);
     locate(task, strides, i0, j, k, count, displacements, points);
 }
 
@@ -154,11 +209,6 @@ inline void for_each_run(const AdvectTask& task, int plane, const Row& row) {
 template <class Interpolant>
 void advect_plane(const AdvectTask& task, int plane) {
     for_each_run(task, plane, [&](const PaddedStrides& strides, const Points& points, std::size_t first, int count) {
-        const typename Interpolant::Weights weights(points, count);
-        float* const result = task.result + 4 * first;
-        for (int n = 0; n < count; ++n) {
-            const float* const at = task.padded_carried + 4 * static_cast<std::ptrdiff_t>(points.offset[n]);
-            store_cell(result + 4 * n, Interpolant::sample(at, strides, weights, n));
-        }
+        sample_run<Interpolant>(task.padded_carried, points, strides, count, task.result + 4 * first);
     });
 }

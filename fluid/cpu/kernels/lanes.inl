@@ -11,6 +11,7 @@ constexpr int k_native_lanes = 8;
 constexpr int k_native_lanes = 4;
 #endif
 constexpr int k_parts = k_lanes / k_native_lanes;
+constexpr int k_native_cells = k_native_lanes / 4; // in a register
 
 typedef float Cell __attribute__((vector_size(16)));
 typedef float CellUnaligned __attribute__((vector_size(16), aligned(4), may_alias));
@@ -23,6 +24,28 @@ inline void store_cell(float* p, Cell value) { *reinterpret_cast<CellUnaligned*>
 inline Native load_native(const float* p) { return *reinterpret_cast<const NativeUnaligned*>(p); }
 inline void store_native(float* p, Native value) { *reinterpret_cast<NativeUnaligned*>(p) = value; }
 inline Cell splat(float value) { return Cell{value, value, value, value}; }
+
+// A register of either width, for loops that do whole registers first and single cells at the end.
+template <class V>
+inline V load(const float* p);
+template <>
+inline Cell load<Cell>(const float* p) { return load_cell(p); }
+// The cell again and again.
+template <class V>
+inline V repeat(Cell cell);
+template <>
+inline Cell repeat<Cell>(Cell cell) { return cell; }
+#if defined(__AVX512F__)
+template <>
+inline Native load<Native>(const float* p) { return load_native(p); }
+template <>
+inline Native repeat<Native>(Cell cell) { return reinterpret_cast<Native>(_mm512_maskz_broadcast_f32x4(0xffff, reinterpret_cast<__m128>(cell))); }
+#elif defined(__AVX__)
+template <>
+inline Native load<Native>(const float* p) { return load_native(p); }
+template <>
+inline Native repeat<Native>(Cell cell) { return __builtin_shufflevector(cell, cell, 0, 1, 2, 3, 0, 1, 2, 3); }
+#endif
 
 // a * b + c, fused where the level has the instruction.
 inline Cell multiply_add(Cell a, Cell b, Cell c) {
@@ -47,6 +70,26 @@ inline Native multiply_add(Native a, Native b, Native c) {
 inline Native multiply_add(Native a, Native b, Native c) {
     return reinterpret_cast<Native>(_mm256_fmadd_ps(reinterpret_cast<__m256>(a), reinterpret_cast<__m256>(b), reinterpret_cast<__m256>(c)));
 }
+#endif
+
+// a + t (b - a)
+inline Cell lerp(Cell a, Cell b, float t) { return multiply_add(splat(t), b - a, a); }
+
+// Two cells side by side.
+#if defined(__AVX__)
+typedef float Pair __attribute__((vector_size(32)));
+typedef float PairUnaligned __attribute__((vector_size(32), aligned(4), may_alias));
+inline Pair load_pair(const float* p) { return *reinterpret_cast<const PairUnaligned*>(p); }
+inline Pair lerp(Pair a, Pair b, float t) {
+    const Pair difference = b - a;
+    return reinterpret_cast<Pair>(_mm256_fmadd_ps(_mm256_set1_ps(t), reinterpret_cast<__m256>(difference), reinterpret_cast<__m256>(a)));
+}
+#else
+struct Pair {
+    Cell low, high;
+};
+inline Pair load_pair(const float* p) { return {load_cell(p), load_cell(p + 4)}; }
+inline Pair lerp(Pair a, Pair b, float t) { return {lerp(a.low, b.low, t), lerp(a.high, b.high, t)}; }
 #endif
 
 struct Block {
@@ -90,15 +133,58 @@ inline Block subtract_product(const Block& a, const Block& b, Block c) {
     return c;
 }
 
-// Cell n of a block: by shuffles, since a pointer into the block would send it through memory.
-template <int N>
-inline Cell cell_of(const Block& block) {
+// The four cells of each of some blocks, the first ones of all blocks side by side, and so on. By shuffles, since a pointer into a
+// block would send it through memory.
+struct Nodes {
+    Native before, here, after, beyond;
+};
+inline Nodes transpose(const Block (&blocks)[k_native_cells]) {
 #if defined(__AVX512F__)
-    return __builtin_shufflevector(block.part[0], block.part[0], 4 * N, 4 * N + 1, 4 * N + 2, 4 * N + 3);
+    const Native a = blocks[0].part[0], b = blocks[1].part[0], c = blocks[2].part[0], d = blocks[3].part[0];
+    const Native ab_low = __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7, 16, 17, 18, 19, 20, 21, 22, 23);
+    const Native cd_low = __builtin_shufflevector(c, d, 0, 1, 2, 3, 4, 5, 6, 7, 16, 17, 18, 19, 20, 21, 22, 23);
+    const Native ab_high = __builtin_shufflevector(a, b, 8, 9, 10, 11, 12, 13, 14, 15, 24, 25, 26, 27, 28, 29, 30, 31);
+    const Native cd_high = __builtin_shufflevector(c, d, 8, 9, 10, 11, 12, 13, 14, 15, 24, 25, 26, 27, 28, 29, 30, 31);
+    return {__builtin_shufflevector(ab_low, cd_low, 0, 1, 2, 3, 8, 9, 10, 11, 16, 17, 18, 19, 24, 25, 26, 27),
+            __builtin_shufflevector(ab_low, cd_low, 4, 5, 6, 7, 12, 13, 14, 15, 20, 21, 22, 23, 28, 29, 30, 31),
+            __builtin_shufflevector(ab_high, cd_high, 0, 1, 2, 3, 8, 9, 10, 11, 16, 17, 18, 19, 24, 25, 26, 27),
+            __builtin_shufflevector(ab_high, cd_high, 4, 5, 6, 7, 12, 13, 14, 15, 20, 21, 22, 23, 28, 29, 30, 31)};
 #elif defined(__AVX__)
-    constexpr int k_first = 4 * (N % 2);
-    return __builtin_shufflevector(block.part[N / 2], block.part[N / 2], k_first, k_first + 1, k_first + 2, k_first + 3);
+    const Native a_low = blocks[0].part[0], a_high = blocks[0].part[1], b_low = blocks[1].part[0], b_high = blocks[1].part[1];
+    return {__builtin_shufflevector(a_low, b_low, 0, 1, 2, 3, 8, 9, 10, 11), __builtin_shufflevector(a_low, b_low, 4, 5, 6, 7, 12, 13, 14, 15),
+            __builtin_shufflevector(a_high, b_high, 0, 1, 2, 3, 8, 9, 10, 11), __builtin_shufflevector(a_high, b_high, 4, 5, 6, 7, 12, 13, 14, 15)};
 #else
-    return block.part[N];
+    return {blocks[0].part[0], blocks[0].part[1], blocks[0].part[2], blocks[0].part[3]};
+#endif
+}
+
+// The same for pairs of cells.
+struct Ends {
+    Native here, after;
+};
+inline Ends transpose(const Pair (&pairs)[k_native_cells]) {
+#if defined(__AVX512F__)
+    const Native ab = __builtin_shufflevector(pairs[0], pairs[1], 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+    const Native cd = __builtin_shufflevector(pairs[2], pairs[3], 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+    return {__builtin_shufflevector(ab, cd, 0, 1, 2, 3, 8, 9, 10, 11, 16, 17, 18, 19, 24, 25, 26, 27),
+            __builtin_shufflevector(ab, cd, 4, 5, 6, 7, 12, 13, 14, 15, 20, 21, 22, 23, 28, 29, 30, 31)};
+#elif defined(__AVX__)
+    return {__builtin_shufflevector(pairs[0], pairs[1], 0, 1, 2, 3, 8, 9, 10, 11),
+            __builtin_shufflevector(pairs[0], pairs[1], 4, 5, 6, 7, 12, 13, 14, 15)};
+#else
+    return {pairs[0].low, pairs[0].high};
+#endif
+}
+
+// One float a cell, each four times.
+inline Native spread(const float* p) {
+#if defined(__AVX512F__)
+    // Widened by hand: the compiler would send it through memory.
+    const __m512i lanes = _mm512_set_epi32(3, 3, 3, 3, 2, 2, 2, 2, 1, 1, 1, 1, 0, 0, 0, 0);
+    return reinterpret_cast<Native>(_mm512_maskz_permutexvar_ps(0xffff, lanes, _mm512_castps128_ps512(_mm_loadu_ps(p))));
+#elif defined(__AVX__)
+    return Native{p[0], p[0], p[0], p[0], p[1], p[1], p[1], p[1]};
+#else
+    return splat(*p);
 #endif
 }

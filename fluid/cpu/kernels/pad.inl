@@ -21,72 +21,137 @@ struct CombinedRule {
     }
 };
 
-// `padded` is the padded index of the cell itself, for its ambient wind.
-inline Cell gather_carried(const PadTask& task, std::size_t cell, std::ptrdiff_t padded, const CombinedRule& rule) {
-    Cell value = load_cell(task.carried + 4 * cell);
-    if (task.settling != 1.0f) {
-        const Cell ambient = load_cell(task.ambient_cells != nullptr ? task.ambient_cells + 4 * padded : task.ambient);
-        value = ambient + splat(task.settling) * (value - ambient);
+// A run of cells along x, `values` and its companions pointing at the first of them; V is Cell or Native. What is the same for
+// the whole run stands in locals: the stores are to floats, as the task's members are, and would have them read again each time.
+template <class V>
+struct CarriedRun {
+    const float *values, *history, *ambient_cells;
+    V ambient, settling, history_scale, scale, offset, rule_history_scale;
+    bool settles, remembers, identity;
+
+    V at(std::ptrdiff_t n) const {
+        V value = load<V>(values + n);
+        if (settles) {
+            const V around = ambient_cells != nullptr ? load<V>(ambient_cells + n) : ambient;
+            value = around + settling * (value - around);
+        }
+        if (!identity)
+            value = scale * value + offset;
+        if (remembers) {
+            V past = load<V>(history + n);
+            if (!identity)
+                past *= rule_history_scale;
+            value -= history_scale * past;
+        }
+        return value;
     }
-    if (!rule.identity)
-        value = rule.scale * value + rule.offset;
-    if (task.history != nullptr) {
-        Cell history = load_cell(task.history + 4 * cell);
-        if (!rule.identity)
-            history *= rule.history_scale;
-        value -= splat(task.history_scale) * history;
+};
+
+template <class V>
+struct TraceRun {
+    const float *values, *old_values;
+    V extrapolation, scale, offset;
+    bool extrapolates, identity;
+
+    V at(std::ptrdiff_t n) const {
+        V value = load<V>(values + n);
+        if (extrapolates)
+            value += extrapolation * (value - load<V>(old_values + n));
+        return identity ? value : scale * value + offset;
     }
-    return value;
+};
+
+// `cell` and `padded` are the unpadded and the padded index of the cell that the run starts from.
+template <class V>
+CarriedRun<V> carried_run(const PadTask& task, std::size_t cell, std::ptrdiff_t padded, const CombinedRule& rule) {
+    CarriedRun<V> run;
+    run.values = task.carried + 4 * cell;
+    run.remembers = task.history != nullptr;
+    run.history = run.remembers ? task.history + 4 * cell : nullptr;
+    run.settles = task.settling != 1.0f;
+    run.ambient_cells = task.ambient_cells != nullptr ? task.ambient_cells + 4 * padded : nullptr;
+    run.ambient = repeat<V>(load_cell(task.ambient));
+    run.settling = repeat<V>(splat(task.settling));
+    run.history_scale = repeat<V>(splat(task.history_scale));
+    run.identity = rule.identity;
+    run.scale = repeat<V>(rule.scale);
+    run.offset = repeat<V>(rule.offset);
+    run.rule_history_scale = repeat<V>(rule.history_scale);
+    return run;
 }
 
-inline Cell gather_trace(const PadTask& task, std::size_t cell, const CombinedRule& rule) {
-    Cell value = load_cell(task.velocity + 4 * cell);
-    if (task.velocity_old != nullptr)
-        value += splat(task.extrapolation) * (value - load_cell(task.velocity_old + 4 * cell));
-    return rule.identity ? value : rule.scale * value + rule.offset;
+template <class V>
+TraceRun<V> trace_run(const PadTask& task, std::size_t cell, const CombinedRule& rule) {
+    TraceRun<V> run;
+    run.values = task.velocity + 4 * cell;
+    run.extrapolates = task.velocity_old != nullptr;
+    run.old_values = run.extrapolates ? task.velocity_old + 4 * cell : nullptr;
+    run.extrapolation = repeat<V>(splat(task.extrapolation));
+    run.identity = rule.identity;
+    run.scale = repeat<V>(rule.scale);
+    run.offset = repeat<V>(rule.offset);
+    return run;
+}
+
+// Writes run.at(n) for each of `floats` floats: whole registers, then cells.
+template <class WideRun, class CellRun>
+inline void write_run(const WideRun& wide, const CellRun& cells, int floats, float* to) {
+    int n = 0;
+    for (; n + k_native_lanes <= floats; n += k_native_lanes)
+        store_native(to + n, wide.at(n));
+    for (; n < floats; n += 4)
+        store_cell(to + n, cells.at(n));
 }
 
 void pad_plane(const PadTask& task, int padded_plane) {
     const PaddedStrides strides = padded_strides(task.cells);
     const HaloRule& plane_rule = task.rules[2][padded_plane];
+    const int columns = task.cells[0] + k_halo;
     for (int row = 0; row < task.cells[1] + k_halo; ++row) {
         const HaloRule& row_rule = task.rules[1][row];
         const std::ptrdiff_t target = padded_plane * strides.plane + row * strides.row;
         float* const carried = task.padded_carried + 4 * target;
         float* const trace = task.padded_trace != nullptr ? task.padded_trace + 4 * target : nullptr;
-        const bool row_ambient = plane_rule.ambient || row_rule.ambient;
-        const CombinedRule outer = CombinedRule{}.then(row_rule).then(plane_rule);
+
+        const auto put_ambient = [&](float* to, const float* cells, int first, int last) {
+            const Cell everywhere = load_cell(task.ambient);
+            for (int column = first; column < last; ++column)
+                store_cell(to + 4 * column, cells != nullptr ? load_cell(cells + 4 * (target + column)) : everywhere);
+        };
+        const auto put_ambient_both = [&](int first, int last) {
+            put_ambient(carried, task.ambient_cells, first, last);
+            if (trace != nullptr)
+                put_ambient(trace, task.trace_ambient_cells, first, last);
+        };
+        if (plane_rule.ambient || row_rule.ambient) {
+            put_ambient_both(0, columns);
+            continue;
+        }
+
         const std::size_t source = (static_cast<std::size_t>(plane_rule.source) * task.cells[1] + row_rule.source) * task.cells[0];
         const std::ptrdiff_t padded_source =
             (plane_rule.source + k_halo_low) * strides.plane + (row_rule.source + k_halo_low) * strides.row + k_halo_low;
+        const CombinedRule outer = CombinedRule{}.then(row_rule).then(plane_rule);
+        const int floats = 4 * task.cells[0];
+        write_run(carried_run<Native>(task, source, padded_source, outer), carried_run<Cell>(task, source, padded_source, outer), floats,
+                  carried + 4 * k_halo_low);
+        if (trace != nullptr)
+            write_run(trace_run<Native>(task, source, outer), trace_run<Cell>(task, source, outer), floats, trace + 4 * k_halo_low);
 
         const auto put = [&](int column) {
             const HaloRule& rule = task.rules[0][column];
-            if (row_ambient || rule.ambient) {
-                const auto ambient = [&](const float* cells) { return load_cell(cells != nullptr ? cells + 4 * (target + column) : task.ambient); };
-                store_cell(carried + 4 * column, ambient(task.ambient_cells));
-                if (trace != nullptr)
-                    store_cell(trace + 4 * column, ambient(task.trace_ambient_cells));
+            if (rule.ambient) {
+                put_ambient_both(column, column + 1);
                 return;
             }
             const CombinedRule whole = CombinedRule{}.then(rule).then(row_rule).then(plane_rule);
-            store_cell(carried + 4 * column, gather_carried(task, source + rule.source, padded_source + rule.source, whole));
+            store_cell(carried + 4 * column, carried_run<Cell>(task, source + rule.source, padded_source + rule.source, whole).at(0));
             if (trace != nullptr)
-                store_cell(trace + 4 * column, gather_trace(task, source + rule.source, whole));
+                store_cell(trace + 4 * column, trace_run<Cell>(task, source + rule.source, whole).at(0));
         };
         for (int column = 0; column < k_halo_low; ++column)
             put(column);
-        if (row_ambient || !outer.identity) {
-            for (int column = k_halo_low; column < k_halo_low + task.cells[0]; ++column)
-                put(column);
-        } else {
-            for (int i = 0; i < task.cells[0]; ++i)
-                store_cell(carried + 4 * (i + k_halo_low), gather_carried(task, source + i, padded_source + i, outer));
-            if (trace != nullptr)
-                for (int i = 0; i < task.cells[0]; ++i)
-                    store_cell(trace + 4 * (i + k_halo_low), gather_trace(task, source + i, outer));
-        }
-        for (int column = k_halo_low + task.cells[0]; column < task.cells[0] + k_halo; ++column)
+        for (int column = k_halo_low + task.cells[0]; column < columns; ++column)
             put(column);
     }
 }
