@@ -77,6 +77,19 @@ std::size_t SeparableSolver::buffer_size() const {
     return static_cast<std::size_t>(pitch_) * static_cast<std::size_t>(cells_.y) * static_cast<std::size_t>(cells_.z);
 }
 
+// One line more than the rows, so that the modes' lines of a row do not meet in the same sets of a cache.
+std::ptrdiff_t SeparableSolver::mode_stride() const {
+    return (static_cast<std::ptrdiff_t>(cells_.y) + 1) * k_lanes;
+}
+
+std::ptrdiff_t SeparableSolver::block_size() const {
+    return (mode_stride() + k_lanes) * cells_.z;
+}
+
+std::size_t SeparableSolver::scratch_size() const {
+    return static_cast<std::size_t>(block_size()) * static_cast<std::size_t>(pitch_ / k_lanes);
+}
+
 std::size_t SeparableSolver::memory_bytes() const {
     std::size_t bytes = pivots_.bytes() + cyclic_vectors_.bytes() + cyclic_factors_.bytes();
     for (const Matrix* matrix : {&x_even_, &x_odd_, &z_even_, &z_odd_})
@@ -162,17 +175,9 @@ void SeparableSolver::rows_to_modes(int plane, float* data, float* scratch) cons
     const std::ptrdiff_t pitch = pitch_;
     float* const rows = data + plane * cells_.y * pitch;
     float* const folded = scratch + plane * cells_.y * pitch;
-    const int even = basis_x_.even_size, odd = basis_x_.odd_size, last = cells_.x - 1;
-    for (int j = 0; j < cells_.y; ++j) {
-        const float* const row = rows + j * pitch;
-        float* const to = folded + j * pitch;
-        for (int i = 0; i < odd; ++i) {
-            to[i] = row[i] + row[last - i];
-            to[odd_offset_ + i] = row[i] - row[last - i];
-        }
-        for (int i = odd; i < even; ++i)
-            to[i] = row[i];
-    }
+    const int even = basis_x_.even_size, odd = basis_x_.odd_size;
+    for (int j = 0; j < cells_.y; ++j)
+        kernels_->fold_row({cells_.x, odd}, rows + j * pitch, odd_offset_, folded + j * pitch);
     kernels_->multiply({folded, pitch, x_even_.forward.data(), x_even_.stride, rows, pitch, cells_.y, x_even_.stride, even});
     if (odd > 0)
         kernels_->multiply({folded + odd_offset_, pitch, x_odd_.forward.data(), x_odd_.stride, rows + odd_offset_, pitch,
@@ -183,60 +188,50 @@ void SeparableSolver::modes_to_rows(int plane, float* data, float* scratch) cons
     const std::ptrdiff_t pitch = pitch_;
     float* const rows = data + plane * cells_.y * pitch;
     float* const folded = scratch + plane * cells_.y * pitch;
-    const int even = basis_x_.even_size, odd = basis_x_.odd_size, last = cells_.x - 1;
+    const int even = basis_x_.even_size, odd = basis_x_.odd_size;
     kernels_->multiply({rows, pitch, x_even_.backward.data(), x_even_.stride, folded, pitch, cells_.y, x_even_.stride, even});
     if (odd > 0)
         kernels_->multiply({rows + odd_offset_, pitch, x_odd_.backward.data(), x_odd_.stride, folded + odd_offset_, pitch,
                             cells_.y, x_odd_.stride, odd});
-    for (int j = 0; j < cells_.y; ++j) {
-        const float* const from = folded + j * pitch;
-        float* const row = rows + j * pitch;
-        for (int i = 0; i < odd; ++i) {
-            row[i] = from[i] + from[odd_offset_ + i];
-            row[last - i] = from[i] - from[odd_offset_ + i];
-        }
-        for (int i = odd; i < even; ++i)
-            row[i] = from[i];
-    }
+    for (int j = 0; j < cells_.y; ++j)
+        kernels_->unfold_row({cells_.x, odd}, folded + j * pitch, odd_offset_, rows + j * pitch);
 }
 
+// A column's lines lie a plane apart, a power of two in the usual boxes, so that they meet in the same few sets of a cache: each
+// is read once and written once, and worked on in a dense copy.
 void SeparableSolver::solve_block(int block, float* data, float* scratch) const {
     const int rows = cells_.y, modes = cells_.z, even = basis_z_.even_size, odd = basis_z_.odd_size;
     const std::ptrdiff_t plane = static_cast<std::ptrdiff_t>(pitch_) * rows;
-    const std::ptrdiff_t mode_stride = static_cast<std::ptrdiff_t>(rows) * k_lanes;
+    const std::ptrdiff_t stride = mode_stride(), pivots = static_cast<std::ptrdiff_t>(rows) * modes * k_lanes;
     float* const columns = data + block * k_lanes;
-    float* const work = scratch + block * mode_stride * modes;
+    float* const work = scratch + block * block_size();
+    float* const line = work + stride * modes; // [modes][k_lanes]
+    float* const line_odd = line + even * k_lanes;
+    const Fold fold{modes, odd};
     for (int j = 0; j < rows; ++j) {
-        float* const low = columns + static_cast<std::ptrdiff_t>(j) * pitch_;
-        float* const high = low + (modes - 1) * plane;
         float* const out = work + j * k_lanes;
-        kernels_->butterfly(low, high, plane, odd, k_lanes);
-        kernels_->multiply({z_even_.backward.data(), z_even_.stride, low, plane, out, mode_stride, even, k_lanes, even});
+        kernels_->fold_lines(fold, columns + static_cast<std::ptrdiff_t>(j) * pitch_, plane, line);
+        kernels_->multiply({z_even_.backward.data(), z_even_.stride, line, k_lanes, out, stride, even, k_lanes, even});
         if (odd > 0)
-            kernels_->multiply(
-                {z_odd_.backward.data(), z_odd_.stride, high, -plane, out + even * mode_stride, mode_stride, odd, k_lanes, odd});
+            kernels_->multiply({z_odd_.backward.data(), z_odd_.stride, line_odd, k_lanes, out + even * stride, stride, odd, k_lanes, odd});
     }
     const bool holds_singular = singular_ && shift_ == 0.0 && basis_x_.zero_mode / k_lanes == block;
-    float* const column = work + basis_z_.zero_mode * mode_stride + basis_x_.zero_mode % k_lanes;
+    float* const column = work + basis_z_.zero_mode * stride + basis_x_.zero_mode % k_lanes;
     double saved[k_max_axis_cells];
     if (holds_singular)
         for (int j = 0; j < rows; ++j)
             saved[j] = column[j * k_lanes];
-    kernels_->tridiagonal({work, pivots_.data() + block * mode_stride * modes,
-                           cyclic_ ? cyclic_vectors_.data() + block * mode_stride * modes : nullptr,
+    kernels_->tridiagonal({work, stride, pivots_.data() + block * pivots, cyclic_ ? cyclic_vectors_.data() + block * pivots : nullptr,
                            cyclic_ ? cyclic_factors_.data() + static_cast<std::ptrdiff_t>(block) * modes * 2 * k_lanes : nullptr,
                            modes, rows});
     if (holds_singular)
         solve_singular_column(saved, rows, ends_[1][0] == EndRule::periodic, column);
     for (int j = 0; j < rows; ++j) {
-        float* const low = columns + static_cast<std::ptrdiff_t>(j) * pitch_;
-        float* const high = low + (modes - 1) * plane;
         const float* const in = work + j * k_lanes;
-        kernels_->multiply({z_even_.forward.data(), z_even_.stride, in, mode_stride, low, plane, even, k_lanes, even});
+        kernels_->multiply({z_even_.forward.data(), z_even_.stride, in, stride, line, k_lanes, even, k_lanes, even});
         if (odd > 0)
-            kernels_->multiply(
-                {z_odd_.forward.data(), z_odd_.stride, in + even * mode_stride, mode_stride, high, -plane, odd, k_lanes, odd});
-        kernels_->butterfly(low, high, plane, odd, k_lanes);
+            kernels_->multiply({z_odd_.forward.data(), z_odd_.stride, in + even * stride, stride, line_odd, k_lanes, odd, k_lanes, odd});
+        kernels_->unfold_lines(fold, line, columns + static_cast<std::ptrdiff_t>(j) * pitch_, plane);
     }
 }
 

@@ -13,7 +13,8 @@
 //
 // Memory of `data` and of the scratch, in floats (x fastest):
 //   data     [cells.z][cells.y][pitch]                        rows padded to k_lanes; modes in place of cells after stage 1
-//   scratch  [pitch / k_lanes][cells.z][cells.y][k_lanes]     blocks of modes; the folded rows of a plane in stages 1 and 3
+//   scratch  [pitch / k_lanes][block_size]                    blocks of modes; the folded rows of a plane in stages 1 and 3
+//   block    [cells.z][cells.y + 1][k_lanes], then one line of each mode: [cells.z][k_lanes]
 #pragma once
 
 #include "fluid/cpu/aligned.h"
@@ -35,8 +36,10 @@ class SeparableSolver {
 
     /// Floats from row to row of `data`.
     [[nodiscard]] int pitch() const { return pitch_; }
-    /// Floats that `data` and the scratch must hold.
+    /// Floats that `data` must hold.
     [[nodiscard]] std::size_t buffer_size() const;
+    /// Floats that the scratch must hold; more than buffer_size().
+    [[nodiscard]] std::size_t scratch_size() const;
     /// True where L has no inverse.
     [[nodiscard]] bool singular() const { return singular_; }
 
@@ -55,6 +58,8 @@ class SeparableSolver {
         int size = 0, stride = 0;
     };
 
+    [[nodiscard]] std::ptrdiff_t mode_stride() const; ///< floats from mode to mode of a block
+    [[nodiscard]] std::ptrdiff_t block_size() const;
     void factor_block(int block);
     void solve_block(int block, float* data, float* scratch) const;
     void rows_to_modes(int plane, float* data, float* scratch) const;
@@ -71,7 +76,7 @@ class SeparableSolver {
     bool cyclic_ = false; ///< periodic y
     bool singular_ = false;
     double shift_ = -1.0;
-    Buffer<float> pivots_;         ///< laid out as the scratch
+    Buffer<float> pivots_;         ///< [pitch / k_lanes][cells.z][cells.y][k_lanes]
     Buffer<float> cyclic_vectors_; ///< the same; periodic y only
     Buffer<float> cyclic_factors_; ///< [blocks][cells.z][2][k_lanes]
 };

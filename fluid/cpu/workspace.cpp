@@ -136,14 +136,14 @@ void Workspace::State::build_pressure() {
             ends[axis][end] = pressure_end(box.sides.at(axis, end));
     pressure.emplace(box.cells, ends, *kernels);
     pressure->set_shift(0.0, parallel_for);
-    grow_solver_buffers(pressure->buffer_size());
+    grow_solver_buffers(*pressure);
 }
 
-void Workspace::State::grow_solver_buffers(std::size_t size) {
-    if (potential.size() < size) {
-        potential = cpu::Buffer<float>(size);
-        scratch = cpu::Buffer<float>(size);
-    }
+void Workspace::State::grow_solver_buffers(const cpu::SeparableSolver& solver) {
+    if (potential.size() < solver.buffer_size())
+        potential = cpu::Buffer<float>(solver.buffer_size());
+    if (scratch.size() < solver.scratch_size())
+        scratch = cpu::Buffer<float>(solver.scratch_size());
 }
 
 void Workspace::State::reserve_diffusion() {
@@ -158,7 +158,7 @@ void Workspace::State::reserve_diffusion() {
     };
     diffusion.emplace(std::array{solver(0), solver(1), solver(2)});
     for (const auto& component : *diffusion)
-        grow_solver_buffers(component.buffer_size());
+        grow_solver_buffers(component);
 }
 
 void Workspace::State::set_sides(const Sides& sides) {

@@ -61,7 +61,7 @@ struct Workspace::State {
     void build_rules();
     void build_ghosts();
     void build_pressure();
-    void grow_solver_buffers(std::size_t floats);
+    void grow_solver_buffers(const cpu::SeparableSolver& solver);
 };
 
 namespace cpu {

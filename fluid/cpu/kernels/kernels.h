@@ -116,10 +116,16 @@ struct Product {
     int rows, columns, depth;
 };
 
+/// Values of an axis as `pairs` sums, those without a partner, and `pairs` differences; both arrays apart.
+struct Fold {
+    int count, pairs;
+};
+
 /// Tridiagonal systems of one block: for each mode m and lane, x[j-1] + b[j] x[j] + x[j+1] = d[j] in place, j = 0..rows-1.
 struct TridiagonalTask {
-    float* data;                 ///< [modes][rows][k_lanes]
-    const float* pivots;         ///< the same shape: 1 / (b[j] - pivot[j-1])
+    float* data;                 ///< [modes][rows][k_lanes], modes `stride` floats apart
+    std::ptrdiff_t stride;
+    const float* pivots;         ///< [modes][rows][k_lanes]: 1 / (b[j] - pivot[j-1])
     const float* cyclic;         ///< null, or the same shape: Sherman-Morrison vector of the periodic system
     const float* cyclic_factors; ///< [modes][2][k_lanes]: factors on the first and the last row
     int modes, rows;
@@ -137,8 +143,10 @@ struct Kernels {
     void (*diffuse_plane)(const DiffuseTask&, int plane);
     void (*multiply)(const Product&);
     void (*tridiagonal)(const TridiagonalTask&);
-    /// Rows `low` + i and `high` - i become their sum and difference, i < pairs; each row `lanes` floats (a multiple of k_lanes).
-    void (*butterfly)(float* low, float* high, std::ptrdiff_t stride, int pairs, int lanes);
+    void (*fold_lines)(const Fold&, const float* lines, std::ptrdiff_t stride, float* folded);
+    void (*unfold_lines)(const Fold&, const float* folded, float* lines, std::ptrdiff_t stride);
+    void (*fold_row)(const Fold&, const float* row, int odd_offset, float* folded);
+    void (*unfold_row)(const Fold&, const float* folded, int odd_offset, float* row);
     PlaneSurvey (*survey)(const float* velocity, std::size_t cells);
 };
 

@@ -11,6 +11,7 @@ namespace {
 
 #include "fluid/cpu/kernels/advect.inl"
 #include "fluid/cpu/kernels/advect_scalar.inl"
+#include "fluid/cpu/kernels/fold.inl"
 #include "fluid/cpu/kernels/pad.inl"
 #include "fluid/cpu/kernels/product.inl"
 #include "fluid/cpu/kernels/stencils.inl"
@@ -30,7 +31,10 @@ const Kernels k_kernels = {
     diffuse_plane,
     multiply,
     tridiagonal,
-    butterfly,
+    fold_lines,
+    unfold_lines,
+    fold_row,
+    unfold_row,
     survey,
 };
 

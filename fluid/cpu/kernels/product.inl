@@ -39,15 +39,3 @@ void multiply(const Product& p) {
             multiply_tile<1>(p.a + row * p.a_stride, p.a_stride, p.b + column, p.b_stride, p.c + row * p.c_stride + column, p.c_stride, p.depth);
     }
 }
-
-void butterfly(float* low, float* high, std::ptrdiff_t stride, int pairs, int lanes) {
-    for (int n = 0; n < pairs; ++n) {
-        float* const a = low + n * stride;
-        float* const b = high - n * stride;
-        for (int lane = 0; lane < lanes; lane += k_lanes) {
-            const Block x = load_block(a + lane), y = load_block(b + lane);
-            store_block(a + lane, x + y);
-            store_block(b + lane, x - y);
-        }
-    }
-}
