@@ -1,50 +1,25 @@
 #include "cli/command_line.h"
 
+#include "cli/bench/bench_command.h"
+#include "cli/bench/bench_flags.h"
 #include "cli/exit_code.h"
+#include "cli/flags.h"
 #include "cli/info_command.h"
 #include "cli/interrupt.h"
 #include "cli/nearest_word.h"
-#include "cli/number_text.h"
 #include "cli/run_command.h"
 #include "cli/scene.h"
 #include "fluid/message.h"
-#include "fluid/simd.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace windrow::cli {
 namespace {
 
 using detail::message;
-
-/// A flag's whole number; CLI11's own sentences do not tell what would be right.
-std::optional<std::int64_t> read_count(const std::string& text, const char* flag, std::int64_t most, const Console& console) {
-    const auto number = parse_whole_number(text);
-    if (number && *number >= 1 && *number <= most)
-        return *number;
-    console.complain(message(flag, " is ", text.empty() ? "empty" : text, ": give a whole number from 1 to ", most, "."));
-    return std::nullopt;
-}
-
-std::optional<Simd> read_simd(const std::string& text, const Console& console) {
-    constexpr std::pair<const char*, Simd> k_levels[] = {
-        {"best", Simd::best}, {"baseline", Simd::baseline}, {"avx2", Simd::avx2}, {"avx512", Simd::avx512}};
-    for (const auto& [name, level] : k_levels) {
-        if (text != name)
-            continue;
-        if (runs(level))
-            return level;
-        console.complain(message("--simd is ", name, ", which this machine does not run: give best or baseline."));
-        return std::nullopt;
-    }
-    console.complain(message("--simd is ", text.empty() ? "empty" : text, ": give best, baseline, avx2 or avx512."));
-    return std::nullopt;
-}
 
 std::vector<std::string> words_of(const CLI::App& app) {
     std::vector<std::string> words;
@@ -87,7 +62,7 @@ std::string sentence_of(const CLI::ParseError& fault, const CLI::App& app, int c
             return unknown(word, " is no command");
         if (count > 1)
             return unknown(arguments[1], " is no flag");
-        return message("name a command, run or info: ", help);
+        return message("name a command, run, bench or info: ", help);
     }
     std::string words = fault.what();
     for (char& letter : words)
@@ -157,6 +132,8 @@ int run_command_line(int count, const char* const* arguments, const Console& con
     app.footer("Exit codes: 0 well, 1 a result out of bounds, 2 wrong use or bad input, 3 the machine lacks something.");
     RunFlags flags;
     add_run(app, flags);
+    BenchFlags bench_flags;
+    add_bench(app, bench_flags);
     app.add_subcommand("info", "Tell version, compiler, SIMD level, cores and what is built in");
     try {
         app.parse(count, arguments);
@@ -169,6 +146,13 @@ int run_command_line(int count, const char* const* arguments, const Console& con
     }
     if (const CLI::App* run = app.get_subcommand("run"); run->parsed())
         return start_run(flags, *run, console);
+    if (const CLI::App* bench = app.get_subcommand("bench"); bench->parsed()) {
+        const auto request = read_bench(bench_flags, *bench, console);
+        if (!request)
+            return k_exit_wrong_use;
+        const InterruptGuard guard;
+        return run_bench(*request, console, &InterruptGuard::signal);
+    }
     return tell_info(console);
 }
 

@@ -1,7 +1,10 @@
 #include "cli/machine.h"
 
+#include "fluid/message.h"
+
 #include <algorithm>
 #include <fstream>
+#include <string>
 #include <thread>
 
 namespace windrow::cli {
@@ -21,6 +24,20 @@ std::optional<std::uint64_t> available_memory() {
         std::getline(table, unit);
     }
     return std::nullopt;
+}
+
+std::string device_name() {
+    std::ifstream table("/proc/cpuinfo");
+    std::string model = "unknown CPU";
+    for (std::string line; std::getline(table, line);) {
+        const std::size_t colon = line.find(": ");
+        if (!line.starts_with("model name") || colon == std::string::npos || colon + 2 >= line.size())
+            continue;
+        model = line.substr(colon + 2);
+        break;
+    }
+    const int cores = usable_cores();
+    return detail::message(model, ", ", cores, cores == 1 ? " core" : " cores");
 }
 
 } // namespace windrow::cli

@@ -10,32 +10,37 @@ namespace windrow::cli {
 
 using detail::message;
 
-WriteFault write_fault(const std::filesystem::path& file, int reason) {
+WriteFault write_fault(const std::filesystem::path& file, int reason, std::string_view flag) {
     const std::string name = file.string();
+    const char* const place = flag == "--out" ? "folder" : "file";
     switch (reason) {
     case 0:
         return {};
     case ENOSPC:
     case EDQUOT:
-        return {message(name, ": does not fit on the disk: free some space, or give a folder on another disk with --out."), true};
+        return {
+            message(name, ": does not fit on the disk: free some space, or give a ", place, " on another disk with ", flag, "."),
+            true};
     case EFBIG:
         return {message(name, ": is larger than the system allows a file to be: raise the limit (ulimit -f)."), true};
     case EACCES:
     case EPERM:
-        return {message(name, ": may not be written: give yourself the right, or another folder with --out.")};
+        return {message(name, ": may not be written: give yourself the right, or another ", place, " with ", flag, ".")};
     case EROFS:
-        return {message(name, ": lies on a file system that is read-only: give another folder with --out.")};
+        return {message(name, ": lies on a file system that is read-only: give another ", place, " with ", flag, ".")};
     case EISDIR:
-        return {message(name, ": a folder stands where the file should go: remove it, or give another folder with --out.")};
+        return {
+            message(name, ": a folder stands where the file should go: remove it, or give another ", place, " with ", flag, ".")};
     case ENOTDIR:
     case EEXIST:
-        return {message(name, ": a file stands where a folder is needed: remove it, or give another folder with --out.")};
-    case ENAMETOOLONG:
-        return {message(name, ": the name is too long for the system: give a shorter one with --out.")};
-    default:
         return {
-            message(name, ": cannot be written (", std::generic_category().message(reason), "): give another folder with --out."),
-            reason == EIO || reason == ENOMEM || reason == EMFILE || reason == ENFILE};
+            message(name, ": a file stands where a folder is needed: remove it, or give another ", place, " with ", flag, ".")};
+    case ENAMETOOLONG:
+        return {message(name, ": the name is too long for the system: give a shorter one with ", flag, ".")};
+    default:
+        return {message(name, ": cannot be written (", std::generic_category().message(reason), "): give another ", place,
+                        " with ", flag, "."),
+                reason == EIO || reason == ENOMEM || reason == EMFILE || reason == ENFILE};
     }
 }
 
@@ -61,11 +66,14 @@ WriteFault prepare_folder(const std::filesystem::path& folder) {
     return write_fault(folder, reason);
 }
 
-OutputFile::OutputFile(std::filesystem::path file) : file_(std::move(file)), part_(file_) {
+OutputFile::OutputFile(std::filesystem::path file, const char* flag) : file_(std::move(file)), part_(file_), flag_(flag) {
     part_ += ".tmp";
     stream_ = std::fopen(part_.c_str(), "wb");
     if (stream_ == nullptr)
         reason_ = errno;
+    std::error_code ignored;
+    if (stream_ != nullptr && std::filesystem::is_directory(file_, ignored))
+        reason_ = EISDIR; // the rename would only tell at the end
 }
 
 OutputFile::~OutputFile() {
@@ -76,6 +84,10 @@ OutputFile::~OutputFile() {
     std::filesystem::remove(part_, ignored);
 }
 
+WriteFault OutputFile::fault() const {
+    return write_fault(file_, reason_, flag_);
+}
+
 void OutputFile::write(std::string_view text) {
     if (stream_ != nullptr && reason_ == 0 && std::fwrite(text.data(), 1, text.size(), stream_) != text.size())
         reason_ = errno;
@@ -83,14 +95,14 @@ void OutputFile::write(std::string_view text) {
 
 WriteFault OutputFile::publish() {
     if (stream_ == nullptr)
-        return write_fault(file_, reason_);
+        return write_fault(file_, reason_, flag_);
     if (reason_ == 0 && std::fflush(stream_) != 0)
         reason_ = errno;
     // Some file systems cannot confirm; that is no failure of the file.
     if (reason_ == 0 && ::fsync(::fileno(stream_)) != 0 && errno != EINVAL && errno != ENOTSUP)
         reason_ = errno;
     if (reason_ != 0)
-        return write_fault(file_, reason_);
+        return write_fault(file_, reason_, flag_);
     std::FILE* const stream = stream_;
     stream_ = nullptr;
     std::error_code fault;
@@ -102,7 +114,7 @@ WriteFault OutputFile::publish() {
     }
     if (reason_ != 0)
         std::filesystem::remove(part_, fault);
-    return write_fault(file_, reason_);
+    return write_fault(file_, reason_, flag_);
 }
 
 } // namespace windrow::cli

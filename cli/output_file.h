@@ -17,8 +17,8 @@ struct WriteFault {
     [[nodiscard]] explicit operator bool() const { return !sentence.empty(); }
 };
 
-/// The fault behind an errno.
-[[nodiscard]] WriteFault write_fault(const std::filesystem::path& file, int reason);
+/// The fault behind an errno. `flag` names the place: a folder with --out, a file with any other.
+[[nodiscard]] WriteFault write_fault(const std::filesystem::path& file, int reason, std::string_view flag = "--out");
 
 /// Makes the folder where it is missing and tries it with a small file, before a long run ends in a folder that takes nothing.
 [[nodiscard]] WriteFault prepare_folder(const std::filesystem::path& folder);
@@ -26,11 +26,13 @@ struct WriteFault {
 /// A text file that is written to `<name>.tmp` beside its name and renamed when it is whole. Dropped, it leaves nothing.
 class OutputFile {
   public:
-    explicit OutputFile(std::filesystem::path file);
+    explicit OutputFile(std::filesystem::path file, const char* flag = "--out");
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
 
+    /// The first fault so far, before long work ends in a file that takes nothing.
+    [[nodiscard]] WriteFault fault() const;
     /// Appends; after a failure it does nothing more.
     void write(std::string_view text);
     /// Flushes, has the disk confirm, closes and renames; tells the first fault of all that was written.
@@ -39,6 +41,7 @@ class OutputFile {
   private:
     std::filesystem::path file_;
     std::filesystem::path part_;
+    const char* flag_;
     std::FILE* stream_ = nullptr;
     int reason_ = 0;
 };

@@ -18,6 +18,7 @@ namespace {
 
 constexpr auto k_spin = std::chrono::microseconds(20);
 constexpr std::size_t k_cache_line = 64;
+constexpr int k_patience = 48; ///< pauses, about a microsecond: what another core's planes cost to fetch
 
 void relax() {
 #if defined(__x86_64__)
@@ -62,7 +63,7 @@ struct alignas(k_cache_line) ShareWord {
 } // namespace
 
 // One loop at a time. Each thread has the same share of every loop, so that what it wrote in the last one is still in its cache,
-// and takes from the others' shares when its own is used up: long runs first and single blocks at the end, so that a thread
+// and takes from the others' shares when they are late: long runs first and single blocks at the end, so that a thread
 // whose core is taken away holds up little. Whoever waits spins for a moment, then sleeps.
 //
 // A loop is written before its shares open, and the next one when all of them are used up: who takes from a share has read the
@@ -111,12 +112,23 @@ struct ThreadPool::State {
         }
     }
 
-    // The own share, then the others'. True if this thread ended the loop.
+    // The own share; then, if the others are not done with theirs in a moment, what is left of them. True if this thread ended
+    // the loop.
     bool take(int own, std::uint32_t loop) {
+        const auto ends_with = [this](int taken) {
+            return taken > 0 && left.fetch_sub(taken, std::memory_order_seq_cst) == taken;
+        };
+        if (ends_with(take_from(shares[static_cast<std::size_t>(own)].word, loop)))
+            return true;
+        for (int n = 0; n < k_patience; ++n) {
+            if (left.load(std::memory_order_acquire) == 0)
+                return false;
+            relax();
+        }
         int taken = 0;
-        for (int n = 0; n < threads(); ++n)
+        for (int n = 1; n < threads(); ++n)
             taken += take_from(shares[static_cast<std::size_t>((own + n) % threads())].word, loop);
-        return taken > 0 && left.fetch_sub(taken, std::memory_order_seq_cst) == taken;
+        return ends_with(taken);
     }
 
     void work(int own) {

@@ -213,7 +213,8 @@ void SeparableSolver::solve_block(int block, float* data, float* scratch) const 
         kernels_->fold_lines(fold, columns + static_cast<std::ptrdiff_t>(j) * pitch_, plane, line);
         kernels_->multiply({z_even_.backward.data(), z_even_.stride, line, k_lanes, out, stride, even, k_lanes, even});
         if (odd > 0)
-            kernels_->multiply({z_odd_.backward.data(), z_odd_.stride, line_odd, k_lanes, out + even * stride, stride, odd, k_lanes, odd});
+            kernels_->multiply(
+                {z_odd_.backward.data(), z_odd_.stride, line_odd, k_lanes, out + even * stride, stride, odd, k_lanes, odd});
     }
     const bool holds_singular = singular_ && shift_ == 0.0 && basis_x_.zero_mode / k_lanes == block;
     float* const column = work + basis_z_.zero_mode * stride + basis_x_.zero_mode % k_lanes;
@@ -221,16 +222,17 @@ void SeparableSolver::solve_block(int block, float* data, float* scratch) const 
     if (holds_singular)
         for (int j = 0; j < rows; ++j)
             saved[j] = column[j * k_lanes];
-    kernels_->tridiagonal({work, stride, pivots_.data() + block * pivots, cyclic_ ? cyclic_vectors_.data() + block * pivots : nullptr,
-                           cyclic_ ? cyclic_factors_.data() + static_cast<std::ptrdiff_t>(block) * modes * 2 * k_lanes : nullptr,
-                           modes, rows});
+    kernels_->tridiagonal(
+        {work, stride, pivots_.data() + block * pivots, cyclic_ ? cyclic_vectors_.data() + block * pivots : nullptr,
+         cyclic_ ? cyclic_factors_.data() + static_cast<std::ptrdiff_t>(block) * modes * 2 * k_lanes : nullptr, modes, rows});
     if (holds_singular)
         solve_singular_column(saved, rows, ends_[1][0] == EndRule::periodic, column);
     for (int j = 0; j < rows; ++j) {
         const float* const in = work + j * k_lanes;
         kernels_->multiply({z_even_.forward.data(), z_even_.stride, in, stride, line, k_lanes, even, k_lanes, even});
         if (odd > 0)
-            kernels_->multiply({z_odd_.forward.data(), z_odd_.stride, in + even * stride, stride, line_odd, k_lanes, odd, k_lanes, odd});
+            kernels_->multiply(
+                {z_odd_.forward.data(), z_odd_.stride, in + even * stride, stride, line_odd, k_lanes, odd, k_lanes, odd});
         kernels_->unfold_lines(fold, line, columns + static_cast<std::ptrdiff_t>(j) * pitch_, plane);
     }
 }

@@ -123,7 +123,7 @@ struct Fold {
 
 /// Tridiagonal systems of one block: for each mode m and lane, x[j-1] + b[j] x[j] + x[j+1] = d[j] in place, j = 0..rows-1.
 struct TridiagonalTask {
-    float* data;                 ///< [modes][rows][k_lanes], modes `stride` floats apart
+    float* data; ///< [modes][rows][k_lanes], modes `stride` floats apart
     std::ptrdiff_t stride;
     const float* pivots;         ///< [modes][rows][k_lanes]: 1 / (b[j] - pivot[j-1])
     const float* cyclic;         ///< null, or the same shape: Sherman-Morrison vector of the periodic system

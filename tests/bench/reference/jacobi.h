@@ -1,66 +1,65 @@
 // Jacobi sweeps for L phi = rhs on a box with open sides and a solid floor: what game solvers run 20 to 80 times a step, and so
-// the yardstick of the direct solve. Written as carefully as the solver: rows in unit stride, two arrays, threads by planes,
-// sides by an affine image of the row inside, so that the loop has no branch.
+// the yardstick of the direct solve. Written as carefully as the solver: rows in unit stride, two arrays, threads by planes, the
+// solver's SIMD levels.
 #pragma once
 
+#include "fluid/cpu/aligned.h"
 #include "fluid/parallel.h"
+#include "fluid/simd.h"
+#include "tests/bench/reference/kernels.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <glm/vec3.hpp>
-#include <vector>
+#include <span>
+#include <utility>
 
 namespace windrow::bench {
 
 class Jacobi {
   public:
-    explicit Jacobi(glm::ivec3 cells)
-        : cells_(cells), pitch_(static_cast<std::size_t>(cells.x) + 2), now_(pitch_ * cells.y * cells.z), next_(now_.size()) {}
+    explicit Jacobi(glm::ivec3 cells, Simd simd = Simd::best)
+        : kernels_(kernels_for(simd)), cells_(cells), pitch_(pitch_of(cells)), now_(k_first + pitch_ * cells.y * cells.z),
+          next_(now_.size()) {}
 
     /// phi after `sweeps` from zero; `rhs` dense and in units of h = 1. x fastest. Row j, k of the result starts at row(j, k).
-    void solve(const std::vector<float>& rhs, int sweeps, const ParallelFor& parallel_for) {
+    void solve(std::span<const float> rhs, int sweeps, const ParallelFor& parallel_for) {
         parallel_for(cells_.z, [&](int k) {
-            std::fill(&now_[pitch_ * cells_.y * k], &now_[pitch_ * cells_.y * k] + pitch_ * cells_.y, 0.0f);
+            const std::size_t plane = pitch_ * cells_.y; // from a row's low ghost to the next plane's
+            std::fill_n(now_.data() + k_first - 1 + plane * k, plane, 0.0f);
         });
         for (int n = 0; n < sweeps; ++n) {
-            parallel_for(cells_.z, [&](int k) { sweep_plane(rhs.data(), k); });
-            now_.swap(next_);
+            const JacobiTask task{.cells = {cells_.x, cells_.y, cells_.z},
+                                  .pitch = pitch_,
+                                  .source = rhs.data(),
+                                  .now = now_.data() + k_first,
+                                  .next = next_.data() + k_first};
+            parallel_for(cells_.z, [&](int k) { kernels_.jacobi_plane(task, k); });
+            std::swap(now_, next_);
         }
     }
     [[nodiscard]] const float* row(int j, int k) const {
-        return &now_[(static_cast<std::size_t>(k) * cells_.y + j) * pitch_ + 1];
+        return now_.data() + k_first + (static_cast<std::size_t>(k) * cells_.y + j) * pitch_;
     }
+    /// [floats] From one row to the next.
+    [[nodiscard]] std::size_t pitch() const { return pitch_; }
+    [[nodiscard]] std::size_t memory_bytes() const { return now_.bytes() + next_.bytes(); }
 
   private:
-    struct Neighbour {
-        const float* values;
-        float scale;
-    };
-
-    void sweep_plane(const float* rhs, int k) {
-        const auto at = [&](int j, int plane) { return &now_[(static_cast<std::size_t>(plane) * cells_.y + j) * pitch_ + 1]; };
-        for (int j = 0; j < cells_.y; ++j) {
-            const float* const here = at(j, k);
-            // p = 0 at an open face: the ghost is minus the cell inside; a floor mirrors it.
-            const Neighbour below = j > 0 ? Neighbour{at(j - 1, k), 1.0f} : Neighbour{here, 1.0f};
-            const Neighbour above = j + 1 < cells_.y ? Neighbour{at(j + 1, k), 1.0f} : Neighbour{here, -1.0f};
-            const Neighbour back = k > 0 ? Neighbour{at(j, k - 1), 1.0f} : Neighbour{here, -1.0f};
-            const Neighbour front = k + 1 < cells_.z ? Neighbour{at(j, k + 1), 1.0f} : Neighbour{here, -1.0f};
-            const float* const source = rhs + (static_cast<std::size_t>(k) * cells_.y + j) * cells_.x;
-            float* const result = &next_[(static_cast<std::size_t>(k) * cells_.y + j) * pitch_ + 1];
-            const int count = cells_.x;
-#pragma GCC ivdep
-            for (int i = 0; i < count; ++i)
-                result[i] = (1.0f / 6.0f) * ((here[i - 1] + here[i + 1]) + (below.values[i] + above.scale * above.values[i]) +
-                                             (back.scale * back.values[i] + front.scale * front.values[i]) - source[i]);
-            result[-1] = -result[0];
-            result[count] = -result[count - 1];
-        }
+    // Rows with a ghost at each end. While the arrays fit in a cache near the core, each row starts on a cache line, so that of a
+    // cell's reads only those of its x-neighbours straddle two; beyond, the padding would cost more bandwidth than that saves.
+    static constexpr std::size_t k_line = 16;      ///< [floats]
+    static constexpr std::size_t k_first = k_line; ///< cell (0, 0, 0)
+    static std::size_t pitch_of(glm::ivec3 cells) {
+        const std::size_t tight = static_cast<std::size_t>(cells.x) + 2;
+        const std::size_t padded = (tight + k_line - 1) / k_line * k_line;
+        return padded * static_cast<std::size_t>(cells.y) * static_cast<std::size_t>(cells.z) <= (1u << 18) ? padded : tight;
     }
 
+    const Kernels& kernels_;
     glm::ivec3 cells_;
     std::size_t pitch_;
-    std::vector<float> now_, next_;
+    cpu::Buffer<float> now_, next_;
 };
 
 } // namespace windrow::bench

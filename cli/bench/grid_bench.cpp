@@ -1,0 +1,161 @@
+#include "cli/bench/grid_bench.h"
+
+#include "cli/bench/jets.h"
+#include "cli/bench/residual.h"
+#include "cli/bench/vdb_bench.h"
+#include "cli/bench/wind_contestant.h"
+#include "fluid/pieces.h"
+#include "tests/bench/reference/copy.h"
+#include "tests/bench/reference/jacobi.h"
+#include "tests/bench/reference/stam.h"
+#if WINDROW_BENCH_FFTW
+#include "tests/bench/reference/fftw_projection.h"
+#endif
+
+#include <algorithm>
+#include <memory>
+
+namespace windrow::cli {
+namespace {
+
+constexpr int k_sweeps = 40;
+
+/// A solve in place: the right-hand side is laid in before each run, which therefore cannot be repeated.
+class DirectContestant {
+  public:
+    DirectContestant(Workspace work, std::span<const float> rhs) : work_(std::move(work)), rhs_(rhs), phi_(rhs.size()) {}
+
+    [[nodiscard]] Contestant contestant() {
+        return {.run = [this] { solve_poisson(work_, phi_); },
+                .prepare = [this] { std::copy(rhs_.begin(), rhs_.end(), phi_.begin()); },
+                .note = [] {},
+                .repeats = false};
+    }
+    [[nodiscard]] std::span<const float> phi() const { return phi_; }
+    [[nodiscard]] Workspace& work() { return work_; }
+
+  private:
+    Workspace work_;
+    std::span<const float> rhs_;
+    std::vector<float> phi_;
+};
+
+PressureAt dense(const Box& box, std::span<const float> phi) {
+    return [&box, phi](int i, int j, int k) { return static_cast<double>(phi[box.index(i, j, k)]); };
+}
+
+} // namespace
+
+std::uint64_t grid_bench_bytes(glm::ivec3 cells) {
+    // Two winds, Stam's arrays, what is copied, FFTW's arrays; OpenVDB's matrix, which takes the most, on small grids only.
+    constexpr std::uint64_t k_bytes_a_cell = 640;
+    return k_bytes_a_cell * Box{.cells = cells}.cell_count();
+}
+
+Result<std::optional<GridResult>> measure_grid(glm::ivec3 cells, const BenchRequest& request, int threads,
+                                               const ParallelFor& parallel_for, const std::function<bool()>& stopped) {
+    const Box box = bench_box(cells);
+    const std::vector<glm::vec4> flow = jets(box);
+    // One thread needs no loop of a pool.
+    const ParallelFor loop = threads > 1 ? parallel_for : ParallelFor{};
+
+    Contest contest;
+    struct Own {
+        const char* name;
+        int loops;
+        std::unique_ptr<WindContestant> wind;
+        std::size_t number;
+    };
+    std::vector<Own> own;
+    for (const auto& [name, scheme] :
+         {std::pair("second_order", Scheme::second_order), std::pair("stable_fluids", Scheme::stable_fluids)}) {
+        const Config config = bench_config(cells, scheme, request.simd, loop);
+        const int loops = count_loops(config, flow);
+        auto wind = Wind::create(config);
+        if (!wind)
+            return Error{wind.error()};
+        auto contestant = std::make_unique<WindContestant>(std::move(*wind), flow);
+        const std::size_t number = contest.add(contestant->contestant());
+        own.push_back({name, loops, std::move(contestant), number});
+    }
+
+    std::vector<glm::vec4> copied(flow.size());
+    const std::size_t copy = contest.add({.run = [&] { bench::copy_cells(cells, flow, copied, loop); }});
+
+    bench::StamStep stam(cells, box.cell_size, k_sweeps, loop, request.simd);
+    stam.set_ambient(k_bench_ambient);
+    int stam_age = 0;
+    const std::size_t stam_number = contest.add({.run =
+                                                     [&] {
+                                                         stam.step(static_cast<float>(k_bench_dt));
+                                                         ++stam_age;
+                                                     },
+                                                 .prepare =
+                                                     [&] {
+                                                         if (stam_age % 60 != 0)
+                                                             return;
+                                                         std::copy(flow.begin(), flow.end(), stam.velocity().begin());
+                                                         stam.step(static_cast<float>(k_bench_dt)); // packs the field
+                                                         stam_age = 1;
+                                                     }});
+
+    auto work = Workspace::create({.box = box, .ambient = k_bench_ambient, .simd = request.simd, .parallel_for = loop});
+    if (!work)
+        return Error{work.error()};
+    std::vector<float> rhs(box.cell_count());
+    divergence(*work, flow, rhs);
+    bench::Jacobi jacobi(cells, request.simd);
+    const std::size_t jacobi_number = contest.add({.run = [&] { jacobi.solve(rhs, k_sweeps, loop); }});
+    DirectContestant direct(std::move(*work), rhs);
+    const std::size_t direct_number = contest.add(direct.contestant());
+
+    GridResult result{.cells = cells};
+#if WINDROW_BENCH_FFTW
+    auto serial_work = Workspace::create({.box = box, .ambient = k_bench_ambient, .simd = request.simd});
+    if (!serial_work)
+        return Error{serial_work.error()};
+    DirectContestant serial(std::move(*serial_work), rhs);
+    const std::size_t serial_number = contest.add(serial.contestant());
+    bench::FftwProjection fftw(cells, box.cell_size);
+    const std::size_t fftw_number = contest.add({.run = [&] { fftw.solve(); },
+                                                 .prepare = [&] { std::copy(rhs.begin(), rhs.end(), fftw.values().begin()); },
+                                                 .note = [] {},
+                                                 .repeats = false});
+#else
+    result.left_out += "FFTW was not found when this windrow was built. ";
+#endif
+
+    if (!contest.hold(request.seconds, stopped))
+        return std::optional<GridResult>();
+
+    result.rounds = contest.rounds();
+    for (const Own& one : own) {
+        SchemeResult scheme = one.wind->result(one.name);
+        scheme.step_ms = contest.milliseconds(one.number);
+        scheme.loops = one.loops;
+        scheme.vs_copy16 = contest.ratio(one.number, copy);
+        scheme.vs_stam40 = contest.ratio(one.number, stam_number);
+        result.schemes.push_back(scheme);
+    }
+    result.copy16_ms = contest.milliseconds(copy);
+    result.stam40_ms = contest.milliseconds(stam_number);
+
+    const PressureAt exact = dense(box, direct.phi());
+    const PressureAt iterated = [&](int i, int j, int k) { return static_cast<double>(jacobi.row(j, k)[i]); };
+    result.direct = {contest.milliseconds(direct_number), relative_residual(box, rhs, exact)};
+    result.jacobi40 = {contest.milliseconds(jacobi_number), relative_residual(box, rhs, iterated)};
+    result.jacobi40_gradient_error = relative_gradient_error(box, iterated, exact);
+    result.direct_vs_jacobi40 = contest.ratio(direct_number, jacobi_number);
+#if WINDROW_BENCH_FFTW
+    result.direct_one_thread =
+        SolverResult{contest.milliseconds(serial_number), relative_residual(box, rhs, dense(box, serial.phi()))};
+    result.fftw = SolverResult{contest.milliseconds(fftw_number), relative_residual(box, rhs, dense(box, fftw.values()))};
+    result.direct_vs_fftw = contest.ratio(serial_number, fftw_number);
+#endif
+    result.vdb = measure_vdb(box, rhs, threads, request.seconds, stopped, result.left_out);
+    if (stopped())
+        return std::optional<GridResult>();
+    return std::optional(std::move(result));
+}
+
+} // namespace windrow::cli

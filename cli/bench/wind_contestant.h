@@ -1,0 +1,48 @@
+// The library's own step as a contestant: keeps its flow alive and gathers what its steps report.
+#pragma once
+
+#include "cli/bench/bench_result.h"
+#include "cli/bench/contest.h"
+#include "fluid/wind.h"
+
+#include <array>
+#include <glm/vec4.hpp>
+#include <span>
+#include <vector>
+
+namespace windrow::cli {
+
+/// The config of all measurements: a default wind, but for box, mean wind and scheme.
+[[nodiscard]] Config bench_config(glm::ivec3 cells, Scheme scheme, Simd simd, const ParallelFor& parallel_for);
+
+class WindContestant {
+  public:
+    /// `flow` outlives the contestant.
+    WindContestant(Wind wind, std::span<const glm::vec4> flow);
+
+    /// Steps this object, which then stays where it is.
+    [[nodiscard]] Contestant contestant();
+    /// All but the times of whole steps and the ratios, which the contest knows, and the loops.
+    [[nodiscard]] SchemeResult result(const char* name) const;
+
+    /// Sets the flow anew where it has lived for long enough. A first step has no history and costs less, so one is made.
+    void refresh();
+    void step();
+
+  private:
+    void note();
+
+    Wind wind_;
+    std::span<const glm::vec4> flow_;
+    int age_; ///< steps since the flow was set
+    Diagnostics last_;
+    std::array<std::vector<float>, k_stages.size() - 1> stage_ms_;
+    float largest_cfl_ = 0.0f;
+    int most_substeps_ = 0;
+    bool slept_ = false;
+};
+
+/// Parallel loops in one step.
+[[nodiscard]] int count_loops(const Config& config, std::span<const glm::vec4> flow);
+
+} // namespace windrow::cli

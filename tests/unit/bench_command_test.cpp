@@ -1,0 +1,210 @@
+// `windrow bench` as a user meets it: sentences, table, file. Nothing here asks how fast anything is.
+#include "cli/bench/bench_json.h"
+#include "cli/bench/contest.h"
+#include "cli/command_line.h"
+#include "cli/exit_code.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+namespace windrow::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+    int code;
+    std::string out;
+    std::string err;
+};
+
+Outcome bench(std::vector<const char*> arguments) {
+    arguments.insert(arguments.begin(), {"windrow", "bench"});
+    std::ostringstream out;
+    std::ostringstream err;
+    const int code =
+        run_command_line(static_cast<int>(arguments.size()), arguments.data(), {.out = out, .err = err, .progress = nullptr});
+    return {code, out.str(), err.str()};
+}
+
+void expect_refusal(std::vector<const char*> arguments, const std::string& sentence) {
+    const Outcome outcome = bench(std::move(arguments));
+    EXPECT_EQ(outcome.code, k_exit_wrong_use);
+    EXPECT_EQ(outcome.err, "windrow: " + sentence + "\n");
+    EXPECT_EQ(outcome.out, "");
+}
+
+class BenchCommand : public testing::Test {
+  protected:
+    BenchCommand() {
+        folder = fs::path(testing::TempDir()) / ("windrow_bench_test_" + std::to_string(::getpid()));
+        fs::create_directories(folder);
+    }
+    ~BenchCommand() override {
+        std::error_code ignored;
+        fs::remove_all(folder, ignored);
+    }
+    [[nodiscard]] std::string in(const char* name) const { return (folder / name).string(); }
+
+    fs::path folder;
+};
+
+void expect_positive(const nlohmann::json& json, const char* key) {
+    ASSERT_TRUE(json.contains(key)) << key << " in " << json.dump();
+    ASSERT_TRUE(json[key].is_number()) << key;
+    const double value = json[key];
+    EXPECT_TRUE(std::isfinite(value) && value > 0.0) << key << " is " << value;
+}
+
+void expect_spread(const nlohmann::json& json, const char* key, bool positive = true) {
+    ASSERT_TRUE(json.contains(key)) << key << " in " << json.dump();
+    const nlohmann::json& spread = json[key];
+    for (const char* name : {"min", "median", "p99", "samples"}) {
+        if (positive)
+            expect_positive(spread, name);
+        else
+            ASSERT_TRUE(spread.contains(name) && spread[name].is_number() && spread[name] >= 0.0) << key;
+    }
+    EXPECT_LE(spread["min"], spread["median"]);
+    EXPECT_LE(spread["median"], spread["p99"]);
+}
+
+// --- Flags -----------------------------------------------------------------------------------------------------------
+
+TEST_F(BenchCommand, WrongFlagsAreNamed) {
+    const std::string grid = ": give three whole numbers such as 64x32x64, each from 1 to 2048.";
+    for (const std::string text : {"64x32", "64x32x64x2", "0x1x1", "64x32x-3", "64x32x2049", "axbxc", "64", "64xx64", "64x32x"})
+        expect_refusal({"--grid", text.c_str()}, "--grid is " + text + grid);
+    expect_refusal({"--grid", ""}, "--grid is empty" + grid);
+    expect_refusal({"--grid", "8x8x8", "--grid", "9"}, "--grid is 9" + grid);
+    expect_refusal({"--grid", "2048x2048x2048"}, "--grid is 2048x2048x2048, 8589934592 cells: give at most 67108864 cells.");
+    expect_refusal({"--threads", "0"}, "--threads is 0: give a whole number from 1 to 256.");
+    expect_refusal({"--simd", "sse"}, "--simd is sse: give best, baseline, avx2 or avx512.");
+    expect_refusal({"--volumes", "16", "none"}, "--volumes is none: give a whole number from 1 to 65536.");
+    expect_refusal({"--seconds", "0"}, "--seconds is 0: give a number above 0, at most 3600 s.");
+    expect_refusal({"--seconds", "nan"}, "--seconds is nan: give a number above 0, at most 3600 s.");
+    expect_refusal({"--json", ""}, "--json is empty: name a file.");
+    expect_refusal({"--gird", "8x8x8"}, "--gird is no flag (did you mean --grid?): see windrow bench --help.");
+}
+
+TEST_F(BenchCommand, AFileThatCannotBeWrittenIsRefusedBeforeAnythingIsMeasured) {
+    expect_refusal({"--json", folder.c_str()},
+                   folder.string() + ": a folder stands where the file should go: remove it, or give another file with --json.");
+    const std::string lost = in("none/bench.json");
+    const Outcome outcome = bench({"--json", lost.c_str()});
+    EXPECT_EQ(outcome.code, k_exit_wrong_use);
+    EXPECT_NE(outcome.err.find("give another file with --json."), std::string::npos) << outcome.err;
+    EXPECT_TRUE(fs::is_empty(folder));
+}
+
+// --- Results ---------------------------------------------------------------------------------------------------------
+
+TEST_F(BenchCommand, FiguresAreToldAndKept) {
+    const std::string file = in("bench.json");
+    const Outcome outcome = bench({"--grid", "8x6x10", "--threads", "2", "--seconds", "0.05", "--json", file.c_str()});
+    ASSERT_EQ(outcome.code, k_exit_well) << outcome.err;
+    for (const char* word : {"8 x 6 x 10", "2 threads", "second_order", "stable_fluids", "barriers", "Stam, 40 sweeps", "copy",
+                             "advection", "projection", "direct", "40 Jacobi sweeps", "residual"})
+        EXPECT_NE(outcome.out.find(word), std::string::npos) << word << "\n" << outcome.out;
+
+    const nlohmann::json json = nlohmann::json::parse(std::ifstream(file));
+    for (const char* key : {"device", "compiler", "commit", "simd"})
+        EXPECT_TRUE(json.contains(key) && json[key].is_string() && !json[key].get<std::string>().empty()) << key;
+    EXPECT_EQ(json["threads"], 2);
+    ASSERT_EQ(json["entries"].size(), 2);
+    for (const nlohmann::json& entry : json["entries"]) {
+        EXPECT_EQ(entry["grid"], "8x6x10");
+        EXPECT_EQ(entry["backend"], "cpu");
+        expect_spread(entry, "step_ms");
+        for (const char* stage : {"sources", "ambient", "diffusion", "advection", "projection", "report"})
+            expect_spread(entry["stages_ms"], stage, false);
+        for (const char* key :
+             {"dispatches", "barriers", "vs_copy16", "vs_stam40", "cells_per_s", "bytes_per_cell", "largest_cfl", "samples"})
+            expect_positive(entry, key);
+    }
+    EXPECT_EQ(json["entries"][0]["scheme"], "second_order");
+    EXPECT_EQ(json["entries"][1]["scheme"], "stable_fluids");
+    ASSERT_EQ(json["references"].size(), 1);
+    const nlohmann::json& reference = json["references"][0];
+    EXPECT_EQ(reference["grid"], "8x6x10");
+    for (const char* key : {"copy16_ms", "stam40_ms", "jacobi40_ms", "direct_ms"})
+        expect_spread(reference, key);
+    for (const char* key : {"jacobi40_residual", "jacobi40_gradient_error", "direct_residual", "direct_vs_jacobi40"})
+        expect_positive(reference, key);
+    if (WINDROW_BENCH_FFTW) {
+        expect_spread(reference, "fftw_ms");
+        expect_spread(reference, "direct_one_thread_ms");
+        expect_positive(reference, "fftw_residual");
+        expect_positive(reference, "direct_vs_fftw");
+    }
+    if (WINDROW_BENCH_OPENVDB) {
+        expect_spread(reference, "vdb_ms");
+        expect_positive(reference, "vdb_residual");
+    }
+    EXPECT_TRUE(json["volumes"].empty());
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1) << "nothing but the file is left";
+}
+
+TEST_F(BenchCommand, TheSmallestGridIsMeasuredToo) {
+    EXPECT_EQ(bench({"--grid", "1x1x1", "--threads", "1", "--seconds", "0.01"}).code, k_exit_well);
+}
+
+TEST_F(BenchCommand, VolumesAloneAreMeasuredWhereNoGridIsGiven) {
+    const std::string file = in("volumes.json");
+    const Outcome outcome =
+        bench({"--volumes", "1", "3", "--threads", "2", "--simd", "baseline", "--seconds", "0.02", "--json", file.c_str()});
+    ASSERT_EQ(outcome.code, k_exit_well) << outcome.err;
+    const nlohmann::json json = nlohmann::json::parse(std::ifstream(file));
+    EXPECT_EQ(json["simd"], "baseline");
+    EXPECT_TRUE(json["entries"].empty());
+    EXPECT_TRUE(json["references"].empty());
+    ASSERT_EQ(json["volumes"].size(), 2);
+    EXPECT_EQ(json["volumes"][1]["volumes"], 3);
+    for (const nlohmann::json& volumes : json["volumes"]) {
+        expect_spread(volumes, "round_ms");
+        for (const char* key : {"volumes_per_s", "volumes_per_s_core", "bytes_per_volume"})
+            expect_positive(volumes, key);
+    }
+}
+
+// --- Contest ---------------------------------------------------------------------------------------------------------
+
+TEST(Contest, EachContestantHasItsTurnAndEnoughSamples) {
+    int prepared = 0, ran = 0, noted = 0;
+    Contest contest;
+    const std::size_t one =
+        contest.add({.run = [&] { ++ran; }, .prepare = [&] { ++prepared; }, .note = [&] { ++noted; }, .repeats = false});
+    const std::size_t other = contest.add({.run = [] {}});
+    EXPECT_TRUE(contest.hold(0.001, [] { return false; }));
+    EXPECT_EQ(prepared, ran);
+    EXPECT_EQ(static_cast<std::size_t>(noted), contest.milliseconds(one).samples);
+    EXPECT_GT(contest.milliseconds(other).samples, 0u);
+    EXPECT_GT(contest.rounds(), 0u);
+}
+
+TEST(Contest, StopsWhenAsked) {
+    Contest contest;
+    contest.add({.run = [] {}});
+    EXPECT_FALSE(contest.hold(1000.0, [] { return true; }));
+}
+
+TEST(Contest, SpreadIsNearestRanks) {
+    std::vector<float> values;
+    for (int n = 1; n <= 200; ++n)
+        values.push_back(static_cast<float>(n));
+    const Spread spread = spread_of(values);
+    EXPECT_EQ(spread.min, 1.0);
+    EXPECT_EQ(spread.median, 100.0);
+    EXPECT_EQ(spread.p99, 198.0);
+    EXPECT_EQ(spread.samples, 200u);
+}
+
+} // namespace
+} // namespace windrow::cli
