@@ -7,18 +7,22 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 
 namespace windrow {
 
-void Workspace::State::divergence_to_potential(const float* velocity, float scale) {
+cpu::DivergenceTask Workspace::State::divergence_task(const float* velocity, float scale) const {
     cpu::DivergenceTask task{};
     for (int axis = 0; axis < 3; ++axis)
         task.cells[axis] = box.cells[axis];
-    task.pitch = pressure->pitch();
     task.velocity = velocity;
     std::copy(&velocity_ghosts[0][0], &velocity_ghosts[0][0] + 6, &task.ghosts[0][0]);
     task.scale = scale;
+    return task;
+}
+
+void Workspace::State::divergence_to_potential(const float* velocity, float scale) {
+    cpu::DivergenceTask task = divergence_task(velocity, scale);
+    task.pitch = pressure->pitch();
     task.result = potential.data();
     parallel_for(box.cells.z, [&](int plane) { kernels->divergence_plane(task, plane); });
 }
@@ -32,27 +36,6 @@ void Workspace::State::subtract_from_potential(std::span<const float> field, flo
                 row[i] -= factor * wanted[i];
         }
     });
-}
-
-double Workspace::State::divergence_rms(const float* velocity, std::span<const float> expansion) {
-    divergence_to_potential(velocity, 0.5f / box.cell_size);
-    if (!expansion.empty())
-        subtract_from_potential(expansion, 1.0f);
-    parallel_for(box.cells.z, [&](int k) {
-        double squares = 0.0;
-        for (int j = 0; j < box.cells.y; ++j) {
-            const float* const row = potential.data() + (static_cast<std::size_t>(k) * box.cells.y + j) * pressure->pitch();
-            float row_squares = 0.0f;
-            for (int i = 0; i < box.cells.x; ++i)
-                row_squares += row[i] * row[i];
-            squares += row_squares;
-        }
-        surveys[k].squares = squares;
-    });
-    double squares = 0.0;
-    for (int k = 0; k < box.cells.z; ++k)
-        squares += surveys[k].squares;
-    return std::sqrt(squares / static_cast<double>(box.cell_count()));
 }
 
 namespace {

@@ -354,11 +354,12 @@ void Wind::State::measure(Diagnostics& report) {
     Stopwatch watch(report.times_ms.report);
     Workspace::State& state = work.state();
     const float h = box().cell_size;
-    const cpu::PlaneSurvey found = state.survey(&air.velocity[0].x);
+    const float* const velocity = &air.velocity[0].x;
+    const cpu::PlaneSurvey found =
+        config.stages.projection ? state.survey_with_divergence(velocity, sources.expansion()) : state.survey(velocity);
     report.max_speed = found.largest_component;
     report.energy = 0.5 * found.squares * h * h * h;
-    if (config.stages.projection)
-        report.divergence_rms = state.divergence_rms(&air.velocity[0].x, sources.expansion());
+    report.divergence_rms = std::sqrt(found.divergence_squares / static_cast<double>(box().cell_count()));
 }
 
 // Looks no further than the first cell that still moves: it costs next to nothing until the air has settled.

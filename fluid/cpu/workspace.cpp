@@ -192,17 +192,40 @@ std::size_t Workspace::State::memory_bytes() const {
     return bytes;
 }
 
+namespace {
+
+cpu::PlaneSurvey sum_of(const cpu::Buffer<cpu::PlaneSurvey>& planes) {
+    cpu::PlaneSurvey whole{};
+    for (std::size_t n = 0; n < planes.size(); ++n)
+        add(planes[n], whole);
+    return whole;
+}
+
+} // namespace
+
 cpu::PlaneSurvey Workspace::State::survey(const float* velocity) {
     const std::size_t plane_cells = static_cast<std::size_t>(box.cells.x) * static_cast<std::size_t>(box.cells.y);
     parallel_for(box.cells.z,
                  [&](int plane) { surveys[plane] = kernels->survey(velocity + 4 * plane_cells * plane, plane_cells); });
-    cpu::PlaneSurvey whole{0.0f, 0, 0.0};
-    for (int plane = 0; plane < box.cells.z; ++plane) {
-        whole.largest_component = std::max(whole.largest_component, surveys[plane].largest_component);
-        whole.broken_cells += surveys[plane].broken_cells;
-        whole.squares += surveys[plane].squares;
-    }
-    return whole;
+    return sum_of(surveys);
+}
+
+// A few rows at a time, so that the survey reads what the divergence has just brought into cache.
+cpu::PlaneSurvey Workspace::State::survey_with_divergence(const float* velocity, std::span<const float> expansion) {
+    constexpr int k_cells_at_once = 256;
+    const int rows_at_once = std::max(1, k_cells_at_once / box.cells.x);
+    const cpu::DivergenceTask task = divergence_task(velocity, 0.5f / box.cell_size);
+    const float* const wanted = expansion.empty() ? nullptr : expansion.data();
+    parallel_for(box.cells.z, [&](int plane) {
+        cpu::PlaneSurvey found{};
+        for (int row = 0; row < box.cells.y; row += rows_at_once) {
+            const int end = std::min(row + rows_at_once, box.cells.y);
+            found.divergence_squares += kernels->divergence_squares(task, wanted, plane, row, end);
+            add(kernels->survey(velocity + 4 * box.index(0, row, plane), static_cast<std::size_t>(end - row) * box.cells.x), found);
+        }
+        surveys[plane] = found;
+    });
+    return sum_of(surveys);
 }
 
 Workspace::Workspace(std::unique_ptr<State> state) : state_(std::move(state)) {}

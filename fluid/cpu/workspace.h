@@ -48,14 +48,16 @@ struct Workspace::State {
 
     /// An AdvectTask with the legal positions of this box; fields and step are the caller's to fill.
     [[nodiscard]] cpu::AdvectTask advect_task() const;
+    /// A DivergenceTask with this box's sides; the result is the caller's to name.
+    [[nodiscard]] cpu::DivergenceTask divergence_task(const float* velocity, float scale) const;
     /// Central divergence into `potential`, times `scale`.
     void divergence_to_potential(const float* velocity, float scale);
     /// potential -= factor * field.
     void subtract_from_potential(std::span<const float> field, float factor);
-    /// [1/s] Root mean square of the central divergence, less the one wanted where `expansion` is not empty; uses `potential`.
-    [[nodiscard]] double divergence_rms(const float* velocity, std::span<const float> expansion);
     /// Sum of the planes' surveys, in order of the planes.
     [[nodiscard]] cpu::PlaneSurvey survey(const float* velocity);
+    /// The same, and the central divergence [1/s], less the one wanted where `expansion` is not empty.
+    [[nodiscard]] cpu::PlaneSurvey survey_with_divergence(const float* velocity, std::span<const float> expansion);
 
   private:
     void build_rules();

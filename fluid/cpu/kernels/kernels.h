@@ -22,6 +22,9 @@ inline constexpr int k_halo = k_halo_low + k_halo_high;
 /// Lanes of the blocks that the direct solve works in: one AVX-512 register, two of AVX2, four of SSE.
 inline constexpr int k_lanes = 16;
 
+/// Most cells of a row, as k_max_axis_cells of fluid/box.h, which a level's file must not include.
+inline constexpr int k_max_row = 2048;
+
 /// Where a padded index takes its value from: value = scale * source + offset, or the ambient wind.
 struct HaloRule {
     int source = 0;       ///< cell index along the axis, always inside
@@ -97,12 +100,19 @@ struct DiffuseTask {
     float* result;
 };
 
-/// What one plane holds.
+/// What one plane holds, or a part of it.
 struct PlaneSurvey {
     float largest_component;   ///< of the finite cells
     std::int64_t broken_cells; ///< cells with NaN or infinity
     double squares;            ///< sum of |u|^2 of the finite cells
+    double divergence_squares; ///< 0 where nobody asked
 };
+inline void add(const PlaneSurvey& part, PlaneSurvey& whole) {
+    whole.largest_component = part.largest_component > whole.largest_component ? part.largest_component : whole.largest_component;
+    whole.broken_cells += part.broken_cells;
+    whole.squares += part.squares;
+    whole.divergence_squares += part.divergence_squares;
+}
 
 /// Matrix product C[rows x columns] = A[rows x depth] B[depth x columns], row-major with strides in floats; columns a multiple of
 /// k_lanes.
@@ -139,6 +149,8 @@ struct Kernels {
     void (*advect_scalar_plane_linear)(const AdvectTask&, int plane);
     void (*advect_scalar_plane_cubic)(const AdvectTask&, int plane);
     void (*divergence_plane)(const DivergenceTask&, int plane);
+    /// Sum over some rows of (divergence - wanted)^2; `wanted` one float a cell, null for 0. task.result is not touched.
+    double (*divergence_squares)(const DivergenceTask&, const float* wanted, int plane, int first_row, int last_row);
     void (*gradient_plane)(const GradientTask&, int plane);
     void (*diffuse_plane)(const DiffuseTask&, int plane);
     void (*multiply)(const Product&);

@@ -188,3 +188,60 @@ inline Native spread(const float* p) {
     return splat(*p);
 #endif
 }
+
+// Between cells and components: four registers of cells against a register for each component. Done within the quarters of
+// registers, where shuffles are cheap: `deal` puts a row of floats into the order that this asks for, `undeal` back.
+#if defined(__AVX512F__)
+inline Native join_low(Native a, Native b) { return __builtin_shufflevector(a, b, 0, 16, 1, 17, 4, 20, 5, 21, 8, 24, 9, 25, 12, 28, 13, 29); }
+inline Native join_high(Native a, Native b) { return __builtin_shufflevector(a, b, 2, 18, 3, 19, 6, 22, 7, 23, 10, 26, 11, 27, 14, 30, 15, 31); }
+inline Native pairs_low(Native a, Native b) { return __builtin_shufflevector(a, b, 0, 1, 16, 17, 4, 5, 20, 21, 8, 9, 24, 25, 12, 13, 28, 29); }
+inline Native pairs_high(Native a, Native b) { return __builtin_shufflevector(a, b, 2, 3, 18, 19, 6, 7, 22, 23, 10, 11, 26, 27, 14, 15, 30, 31); }
+inline Native deal(Native a) { return __builtin_shufflevector(a, a, 0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15); }
+inline Native undeal(Native a) { return __builtin_shufflevector(a, a, 0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15); }
+#elif defined(__AVX__)
+inline Native join_low(Native a, Native b) { return __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13); }
+inline Native join_high(Native a, Native b) { return __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15); }
+inline Native pairs_low(Native a, Native b) { return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13); }
+inline Native pairs_high(Native a, Native b) { return __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15); }
+inline Native deal(Native a) { return __builtin_shufflevector(a, a, 0, 2, 4, 6, 1, 3, 5, 7); }
+inline Native undeal(Native a) { return __builtin_shufflevector(a, a, 0, 4, 1, 5, 2, 6, 3, 7); }
+#else
+inline Native join_low(Native a, Native b) { return __builtin_shufflevector(a, b, 0, 4, 1, 5); }
+inline Native join_high(Native a, Native b) { return __builtin_shufflevector(a, b, 2, 6, 3, 7); }
+inline Native pairs_low(Native a, Native b) { return __builtin_shufflevector(a, b, 0, 1, 4, 5); }
+inline Native pairs_high(Native a, Native b) { return __builtin_shufflevector(a, b, 2, 3, 6, 7); }
+inline Native deal(Native a) { return a; }
+inline Native undeal(Native a) { return a; }
+#endif
+
+// Which lanes hold the x and the y of cells.
+typedef std::int32_t NativeBits __attribute__((vector_size(k_native_lanes * 4)));
+#if defined(__AVX512F__)
+constexpr NativeBits k_is_x = {-1, 0, 0, 0, -1, 0, 0, 0, -1, 0, 0, 0, -1, 0, 0, 0};
+constexpr NativeBits k_is_y = {0, -1, 0, 0, 0, -1, 0, 0, 0, -1, 0, 0, 0, -1, 0, 0};
+#elif defined(__AVX__)
+constexpr NativeBits k_is_x = {-1, 0, 0, 0, -1, 0, 0, 0};
+constexpr NativeBits k_is_y = {0, -1, 0, 0, 0, -1, 0, 0};
+#else
+constexpr NativeBits k_is_x = {-1, 0, 0, 0};
+constexpr NativeBits k_is_y = {0, -1, 0, 0};
+#endif
+
+struct CellRegisters {
+    Native part[4];
+};
+struct Components {
+    Native x, y, z;
+};
+inline CellRegisters cells_of(const Components& u) {
+    const Native x = deal(u.x), y = deal(u.y), z = deal(u.z), none = {};
+    const Native xy_low = join_low(x, y), xy_high = join_high(x, y), z_low = join_low(z, none), z_high = join_high(z, none);
+    return {{pairs_low(xy_low, z_low), pairs_high(xy_low, z_low), pairs_low(xy_high, z_high), pairs_high(xy_high, z_high)}};
+}
+// In the order of `deal`.
+inline Components dealt_components_of(const CellRegisters& cells) {
+    const Native *const c = cells.part;
+    const Native xy_low = join_low(c[0], c[1]), xy_high = join_low(c[2], c[3]);
+    const Native z_low = join_high(c[0], c[1]), z_high = join_high(c[2], c[3]);
+    return {pairs_low(xy_low, xy_high), pairs_high(xy_low, xy_high), pairs_low(z_low, z_high)};
+}

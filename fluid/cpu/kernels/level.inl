@@ -27,6 +27,7 @@ const Kernels k_kernels = {
     advect_scalar_plane<Linear>,
     advect_scalar_plane<Cubic>,
     divergence_plane,
+    divergence_squares,
     gradient_plane,
     diffuse_plane,
     multiply,

@@ -15,38 +15,113 @@ inline ScalarRow neighbour_row(const float* field, std::size_t row_floats, std::
     return {field + (row + (ghost.source - index) * static_cast<std::ptrdiff_t>(axis_stride)) * row_floats, ghost.scale};
 }
 
-void divergence_plane(const DivergenceTask& task, int plane) {
-    const int nx = task.cells[0], ny = task.cells[1], nz = task.cells[2];
-    const std::size_t row_floats = 4 * static_cast<std::size_t>(nx);
-    for (int j = 0; j < ny; ++j) {
-        const std::size_t row = static_cast<std::size_t>(plane) * ny + j;
-        const float* const here = task.velocity + row * row_floats;
-        const ScalarRow y0 = neighbour_row(task.velocity, row_floats, 1, row, j, ny, -1, task.ghosts[1][0]);
-        const ScalarRow y1 = neighbour_row(task.velocity, row_floats, 1, row, j, ny, +1, task.ghosts[1][1]);
-        const ScalarRow z0 = neighbour_row(task.velocity, row_floats, ny, row, plane, nz, -1, task.ghosts[2][0]);
-        const ScalarRow z1 = neighbour_row(task.velocity, row_floats, ny, row, plane, nz, +1, task.ghosts[2][1]);
-        float* const result = task.result + row * task.pitch;
-        const auto across = [&](int i) {
-            const float dy = y1.scale * y1.values[4 * i + 1] - y0.scale * y0.values[4 * i + 1];
-            const float dz = z1.scale * z1.values[4 * i + 2] - z0.scale * z0.values[4 * i + 2];
-            return dy + dz;
-        };
-        const NormalGhost& x0 = task.ghosts[0][0];
-        const NormalGhost& x1 = task.ghosts[0][1];
-        const float low = x0.scale * here[4 * x0.source];
-        const float high = x1.scale * here[4 * x1.source];
-        for (int i = 1; i < nx - 1; ++i)
-            result[i] = task.scale * ((here[4 * (i + 1)] - here[4 * (i - 1)]) + across(i));
-        result[0] = task.scale * (((nx > 1 ? here[4] : high) - low) + across(0));
-        if (nx > 1)
-            result[nx - 1] = task.scale * ((high - here[4 * (nx - 2)]) + across(nx - 1));
+// Sums of differences over two cells, a row at a time: (x1 - x0) + ((y1 - y0) + (z1 - z0)).
+class DivergenceRow {
+  public:
+    DivergenceRow(const DivergenceTask& task, int plane, int j)
+        : cells_(task.cells[0]), here_(task.velocity + 4 * (static_cast<std::size_t>(plane) * task.cells[1] + j) * task.cells[0]) {
+        const int ny = task.cells[1], nz = task.cells[2];
+        const std::size_t row = static_cast<std::size_t>(plane) * ny + j, row_floats = 4 * static_cast<std::size_t>(cells_);
+        y_[0] = neighbour_row(task.velocity, row_floats, 1, row, j, ny, -1, task.ghosts[1][0]);
+        y_[1] = neighbour_row(task.velocity, row_floats, 1, row, j, ny, +1, task.ghosts[1][1]);
+        z_[0] = neighbour_row(task.velocity, row_floats, ny, row, plane, nz, -1, task.ghosts[2][0]);
+        z_[1] = neighbour_row(task.velocity, row_floats, ny, row, plane, nz, +1, task.ghosts[2][1]);
+        low_ = task.ghosts[0][0].scale * here_[4 * task.ghosts[0][0].source];
+        high_ = task.ghosts[0][1].scale * here_[4 * task.ghosts[0][1].source];
+        if (cells_ < k_native_lanes)
+            return;
+        // The neighbours of the row's outermost registers, with what lies beyond the row.
+        first_[0] = low_;
+        last_[4 * (k_native_cells - 1)] = high_;
+        for (int cell = 1; cell < k_native_cells; ++cell) {
+            first_[4 * cell] = here_[4 * (cell - 1)];
+            last_[4 * (cell - 1)] = here_[4 * (cells_ - k_native_cells + cell)];
+        }
     }
+
+    float at(int i) const {
+        const float dy = y_[1].scale * y_[1].values[4 * i + 1] - y_[0].scale * y_[0].values[4 * i + 1];
+        const float dz = z_[1].scale * z_[1].values[4 * i + 2] - z_[0].scale * z_[0].values[4 * i + 2];
+        const float left = i > 0 ? here_[4 * (i - 1)] : low_;
+        const float right = i < cells_ - 1 ? here_[4 * (i + 1)] : high_;
+        return (right - left) + (dy + dz);
+    }
+
+    // Cells i to i + k_native_lanes - 1, all inside the row, i a multiple of k_native_lanes.
+    Native block_at(int i) const {
+        CellRegisters differences;
+#pragma GCC unroll 4
+        for (int part = 0; part < 4; ++part) {
+            const int cell = i + part * k_native_cells;
+            const float* const left = cell > 0 ? here_ + 4 * (cell - 1) : first_;
+            const float* const right = cell + k_native_cells < cells_ ? here_ + 4 * (cell + 1) : last_;
+            differences.part[part] = by_axis(right, y_[1], z_[1], cell) - by_axis(left, y_[0], z_[0], cell);
+        }
+        const Components d = dealt_components_of(differences);
+        return undeal(d.x + (d.y + d.z));
+    }
+
+  private:
+    static Native by_axis(const float* x, const ScalarRow& y, const ScalarRow& z, int cell) {
+        const Native along_y = y.scale * load_native(y.values + 4 * cell), along_z = z.scale * load_native(z.values + 4 * cell);
+        return k_is_x ? load_native(x) : k_is_y ? along_y : along_z;
+    }
+
+    int cells_;
+    const float* here_;
+    ScalarRow y_[2], z_[2];
+    float low_, high_; ///< beyond the row's ends
+    alignas(64) float first_[k_native_lanes] = {};
+    alignas(64) float last_[k_native_lanes] = {};
+};
+
+// A row of task.scale times the divergence.
+inline void divergence_row(const DivergenceTask& task, int plane, int j, float* result) {
+    const DivergenceRow row(task, plane, j);
+    const Native scale = task.scale - Native{};
+    int i = 0;
+    for (; i + k_native_lanes <= task.cells[0]; i += k_native_lanes)
+        store_native(result + i, scale * row.block_at(i));
+    for (; i < task.cells[0]; ++i)
+        result[i] = task.scale * row.at(i);
+}
+
+void divergence_plane(const DivergenceTask& task, int plane) {
+    for (int j = 0; j < task.cells[1]; ++j)
+        divergence_row(task, plane, j, task.result + (static_cast<std::size_t>(plane) * task.cells[1] + j) * task.pitch);
+}
+
+double divergence_squares(const DivergenceTask& task, const float* wanted, int plane, int first_row, int last_row) {
+    const int nx = task.cells[0];
+    const Native scale = task.scale - Native{};
+    Native squares = {};
+    float rest = 0.0f;
+    for (int j = first_row; j < last_row; ++j) {
+        const DivergenceRow row(task, plane, j);
+        const float* const row_wanted = wanted != nullptr ? wanted + (static_cast<std::size_t>(plane) * task.cells[1] + j) * nx : nullptr;
+        int i = 0;
+        for (; i + k_native_lanes <= nx; i += k_native_lanes) {
+            Native left = scale * row.block_at(i);
+            if (row_wanted != nullptr)
+                left -= load_native(row_wanted + i);
+            squares += left * left;
+        }
+        for (; i < nx; ++i) {
+            const float left = task.scale * row.at(i) - (row_wanted != nullptr ? row_wanted[i] : 0.0f);
+            rest += left * left;
+        }
+    }
+    double sum = static_cast<double>(rest);
+    for (int lane = 0; lane < k_native_lanes; ++lane)
+        sum += static_cast<double>(squares[lane]);
+    return sum;
 }
 
 void gradient_plane(const GradientTask& task, int plane) {
     const int nx = task.cells[0], ny = task.cells[1], nz = task.cells[2];
     const std::size_t row_floats = task.pitch;
-    const Cell scale = splat(task.scale);
+    const Native scale = task.scale - Native{};
+    alignas(64) float line[k_max_row + 2]; // the row and what lies beyond its ends
     for (int j = 0; j < ny; ++j) {
         const std::size_t row = static_cast<std::size_t>(plane) * ny + j;
         const float* const here = task.potential + row * row_floats;
@@ -56,20 +131,30 @@ void gradient_plane(const GradientTask& task, int plane) {
         const ScalarRow z1 = neighbour_row(task.potential, row_floats, ny, row, plane, nz, +1, task.ghosts[2][1]);
         float* const velocity = task.velocity + 4 * row * nx;
         float* const gradient = task.gradient != nullptr ? task.gradient + 4 * row * nx : nullptr;
-        const auto put = [&](int i, float left, float right) {
-            const Cell slope = scale * Cell{right - left, y1.scale * y1.values[i] - y0.scale * y0.values[i],
-                                            z1.scale * z1.values[i] - z0.scale * z0.values[i], 0.0f};
+        line[0] = task.ghosts[0][0].scale * here[task.ghosts[0][0].source];
+        line[nx + 1] = task.ghosts[0][1].scale * here[task.ghosts[0][1].source];
+        __builtin_memcpy(line + 1, here, sizeof(float) * static_cast<std::size_t>(nx));
+        int i = 0;
+        for (; i + k_native_lanes <= nx; i += k_native_lanes) {
+            const CellRegisters slopes =
+                cells_of({scale * (load_native(line + i + 2) - load_native(line + i)),
+                          scale * (y1.scale * load_native(y1.values + i) - y0.scale * load_native(y0.values + i)),
+                          scale * (z1.scale * load_native(z1.values + i) - z0.scale * load_native(z0.values + i))});
+#pragma GCC unroll 4
+            for (int part = 0; part < 4; ++part) {
+                const std::ptrdiff_t at = 4 * i + part * k_native_lanes;
+                store_native(velocity + at, load_native(velocity + at) - slopes.part[part]);
+                if (gradient != nullptr)
+                    store_native(gradient + at, slopes.part[part]);
+            }
+        }
+        for (; i < nx; ++i) {
+            const Cell slope = splat(task.scale) * Cell{line[i + 2] - line[i], y1.scale * y1.values[i] - y0.scale * y0.values[i],
+                                                        z1.scale * z1.values[i] - z0.scale * z0.values[i], 0.0f};
             store_cell(velocity + 4 * i, load_cell(velocity + 4 * i) - slope);
             if (gradient != nullptr)
                 store_cell(gradient + 4 * i, slope);
-        };
-        const float low = task.ghosts[0][0].scale * here[task.ghosts[0][0].source];
-        const float high = task.ghosts[0][1].scale * here[task.ghosts[0][1].source];
-        put(0, low, nx > 1 ? here[1] : high);
-        for (int i = 1; i < nx - 1; ++i)
-            put(i, here[i - 1], here[i + 1]);
-        if (nx > 1)
-            put(nx - 1, here[nx - 2], high);
+        }
     }
 }
 

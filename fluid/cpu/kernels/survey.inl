@@ -5,7 +5,7 @@ PlaneSurvey survey(const float* velocity, std::size_t cells) {
     typedef std::int32_t Bits __attribute__((vector_size(k_native_lanes * 4)));
     const Bits magnitude = Bits{} + 0x7fffffff, largest_finite = Bits{} + 0x7f7fffff;
     constexpr std::size_t k_run = 1024; // squares are summed in float over a run only, then in double
-    PlaneSurvey found = {0.0f, 0, 0.0};
+    PlaneSurvey found = {};
     Bits largest = {};
     const std::size_t floats = 4 * cells;
     for (std::size_t start = 0; start < floats; start += k_run) {
