@@ -1,13 +1,15 @@
-// Owned arrays that start on a cache line and are zero at first.
+// Owned arrays that start on a cache line, large ones on a huge page, and are zero at first.
 #pragma once
 
 #include <cstddef>
 #include <cstring>
 #include <memory>
-#include <new>
 #include <span>
 
 namespace windrow::cpu {
+
+[[nodiscard]] void* allocate_aligned(std::size_t bytes);
+void release_aligned(void* memory, std::size_t bytes);
 
 /// A fixed-size zeroed array on a 64-byte boundary. Move-only.
 template <class T>
@@ -17,7 +19,7 @@ class Buffer {
     explicit Buffer(std::size_t size) : size_(size) {
         if (size == 0)
             return;
-        data_.reset(static_cast<T*>(::operator new[](size * sizeof(T), k_alignment)));
+        data_ = std::unique_ptr<T[], Release>(static_cast<T*>(allocate_aligned(size * sizeof(T))), Release{size * sizeof(T)});
         std::memset(static_cast<void*>(data_.get()), 0, size * sizeof(T));
     }
 
@@ -32,9 +34,9 @@ class Buffer {
     operator std::span<const T>() const { return {data_.get(), size_}; }
 
   private:
-    static constexpr std::align_val_t k_alignment{64};
     struct Release {
-        void operator()(T* data) const { ::operator delete[](data, k_alignment); }
+        std::size_t bytes = 0;
+        void operator()(T* data) const { release_aligned(data, bytes); }
     };
     std::unique_ptr<T[], Release> data_;
     std::size_t size_ = 0;

@@ -221,7 +221,8 @@ cpu::PlaneSurvey Workspace::State::survey_with_divergence(const float* velocity,
         for (int row = 0; row < box.cells.y; row += rows_at_once) {
             const int end = std::min(row + rows_at_once, box.cells.y);
             found.divergence_squares += kernels->divergence_squares(task, wanted, plane, row, end);
-            add(kernels->survey(velocity + 4 * box.index(0, row, plane), static_cast<std::size_t>(end - row) * box.cells.x), found);
+            add(kernels->survey(velocity + 4 * box.index(0, row, plane), static_cast<std::size_t>(end - row) * box.cells.x),
+                found);
         }
         surveys[plane] = found;
     });
