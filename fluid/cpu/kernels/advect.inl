@@ -14,6 +14,16 @@ inline PaddedStrides padded_strides(const int cells[3]) {
     return {row, row * (cells[1] + k_halo)};
 }
 
+inline std::ptrdiff_t padded_index(const PaddedStrides& strides, int i, int j, int k) {
+    return (k + k_halo_low) * strides.plane + (j + k_halo_low) * strides.row + i + k_halo_low;
+}
+
+// A run of cells along x, from cell (i, j, k).
+struct Run {
+    int i, j, k, count;
+    std::size_t first; ///< index of the first cell
+};
+
 constexpr int k_row_chunk = 64;
 
 // Points to sample at, for a run of cells along x: the padded cell below each, and the distance from its centre in [0, 1] by axis.
@@ -56,11 +66,10 @@ inline void locate_axis(const AdvectTask& task, float first, float advance, std:
         }
 }
 
-inline void locate(const AdvectTask& task, const PaddedStrides& strides, int i0, int j, int k, int count, const Displacements& displacements,
-                   Points& points) {
-    locate_axis<0>(task, static_cast<float>(i0), 1.0f, 1, count, displacements, points);
-    locate_axis<1>(task, static_cast<float>(j), 0.0f, static_cast<std::int32_t>(strides.row), count, displacements, points);
-    locate_axis<2>(task, static_cast<float>(k), 0.0f, static_cast<std::int32_t>(strides.plane), count, displacements, points);
+inline void locate(const AdvectTask& task, const PaddedStrides& strides, const Run& run, const Displacements& displacements, Points& points) {
+    locate_axis<0>(task, static_cast<float>(run.i), 1.0f, 1, run.count, displacements, points);
+    locate_axis<1>(task, static_cast<float>(run.j), 0.0f, static_cast<std::int32_t>(strides.row), run.count, displacements, points);
+    locate_axis<2>(task, static_cast<float>(run.k), 0.0f, static_cast<std::int32_t>(strides.plane), run.count, displacements, points);
 }
 
 struct Linear {
@@ -141,13 +150,26 @@ inline Native sample(const float* field, const Points& points, const PaddedStrid
     return Interpolant::sample_x(lines, w, n);
 }
 
+// Runs of cells that will be wanted soon. They are asked for while others are sampled, a cache line at a time: a core keeps track of
+// a few misses only, and asking for a row at once has it wait as if it had not asked. The machine's own prefetching stops at the
+// end of each row, and rows are short.
+struct Ahead {
+    const float *first, *second;
+};
+constexpr int k_cells_of_a_line = 4;
+
 // `count` cells of a run.
 template <class Interpolant>
-inline void sample_run(const float* field, const Points& points, const PaddedStrides& strides, int count, float* result) {
+inline void sample_run(const float* field, const Points& points, const PaddedStrides& strides, int count, const Ahead& ahead, float* result) {
     const typename Interpolant::Weights weights(points, count);
     int n = 0;
-    for (; n + k_native_cells <= count; n += k_native_cells)
+    for (; n + k_native_cells <= count; n += k_native_cells) {
+        if (n % k_cells_of_a_line == 0) {
+            __builtin_prefetch(ahead.first + 4 * n);
+            __builtin_prefetch(ahead.second + 4 * n);
+        }
         store_native(result + 4 * n, sample<Interpolant>(field, points, strides, weights, n));
+    }
     if (n < count) {
         float rest[k_native_lanes];
         store_native(rest, sample<Interpolant>(field, points, strides, weights, n));
@@ -172,43 +194,54 @@ inline void split_components(const float* cells, int count, Displacements& compo
     }
 }
 
-// Departure points of `count` cells from (i0, j, k).
-inline void trace_row(const AdvectTask& task, const PaddedStrides& strides, int i0, int j, int k, int count, Points& points) {
-    const std::size_t first = (static_cast<std::size_t>(k) * task.cells[1] + j) * task.cells[0] + i0;
+// The cell that is read or written a few rows after this one, inside the field.
+inline std::size_t soon(const AdvectTask& task, std::size_t cell) {
+    constexpr std::size_t k_cells_ahead = 128;
+    const std::size_t later = cell + k_cells_ahead;
+    return later < static_cast<std::size_t>(task.cells[0]) * task.cells[1] * task.cells[2] ? later : cell;
+}
+
+// Departure points of a run.
+inline void trace_departures(const AdvectTask& task, const PaddedStrides& strides, const Run& run, Points& points) {
     Displacements velocity, displacements, traced;
-    split_components(task.velocity + 4 * first, count, velocity);
-    const int floats = (count + k_lanes - 1) / k_lanes * k_lanes;
+    split_components(task.velocity + 4 * run.first, run.count, velocity);
+    const int floats = (run.count + k_lanes - 1) / k_lanes * k_lanes;
     for (int axis = 0; axis < 3; ++axis)
         for (int n = 0; n < floats; ++n)
             displacements.axis[axis][n] = -task.cells_per_speed * velocity.axis[axis][n];
-    locate(task, strides, i0, j, k, count, displacements, points);
+    locate(task, strides, run, displacements, points);
 
     alignas(64) float samples[4 * k_row_chunk];
-    sample_run<Linear>(task.padded_trace, points, strides, count, samples);
-    split_components(samples, count, traced);
+    // At Courant numbers up to 1 the next plane's cells reach two planes beyond this one.
+    const Ahead ahead = {task.padded_trace + 4 * padded_index(strides, run.i, run.j, run.k + 2), task.velocity + 4 * soon(task, run.first)};
+    sample_run<Linear>(task.padded_trace, points, strides, run.count, ahead, samples);
+    split_components(samples, run.count, traced);
     for (int axis = 0; axis < 3; ++axis)
         for (int n = 0; n < floats; ++n)
             displacements.axis[axis][n] = -0.5f * task.cells_per_speed * (velocity.axis[axis][n] + traced.axis[axis][n]);
-    locate(task, strides, i0, j, k, count, displacements, points);
+    locate(task, strides, run, displacements, points);
 }
 
-// Calls row(points, first cell of the result, count) for each run of cells of a plane.
-template <class Row>
-inline void for_each_run(const AdvectTask& task, int plane, const Row& row) {
+// Calls body(strides, points, run) for each run of cells of a plane.
+template <class Body>
+inline void for_each_run(const AdvectTask& task, int plane, const Body& body) {
     const PaddedStrides strides = padded_strides(task.cells);
     Points points;
     for (int j = 0; j < task.cells[1]; ++j)
-        for (int i0 = 0; i0 < task.cells[0]; i0 += k_row_chunk) {
-            const int left = task.cells[0] - i0;
-            const int count = left < k_row_chunk ? left : k_row_chunk;
-            trace_row(task, strides, i0, j, plane, count, points);
-            row(strides, points, (static_cast<std::size_t>(plane) * task.cells[1] + j) * task.cells[0] + i0, count);
+        for (int i = 0; i < task.cells[0]; i += k_row_chunk) {
+            const int left = task.cells[0] - i;
+            const Run run = {i, j, plane, left < k_row_chunk ? left : k_row_chunk,
+                             (static_cast<std::size_t>(plane) * task.cells[1] + j) * task.cells[0] + i};
+            trace_departures(task, strides, run, points);
+            body(strides, points, run);
         }
 }
 
 template <class Interpolant>
 void advect_plane(const AdvectTask& task, int plane) {
-    for_each_run(task, plane, [&](const PaddedStrides& strides, const Points& points, std::size_t first, int count) {
-        sample_run<Interpolant>(task.padded_carried, points, strides, count, task.result + 4 * first);
+    for_each_run(task, plane, [&](const PaddedStrides& strides, const Points& points, const Run& run) {
+        // And three, with the nodes of a cubic.
+        const Ahead ahead = {task.padded_carried + 4 * padded_index(strides, run.i, run.j, run.k + 3), task.result + 4 * soon(task, run.first)};
+        sample_run<Interpolant>(task.padded_carried, points, strides, run.count, ahead, task.result + 4 * run.first);
     });
 }

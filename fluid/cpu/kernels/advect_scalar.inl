@@ -43,12 +43,12 @@ inline float clamp_to_corners(float value, const float* at, const PaddedStrides&
 
 template <class Interpolant>
 void advect_scalar_plane(const AdvectTask& task, int plane) {
-    for_each_run(task, plane, [&](const PaddedStrides& strides, const Points& points, std::size_t first, int count) {
-        const typename Interpolant::Weights weights(points, count);
-        for (int n = 0; n < count; ++n) {
+    for_each_run(task, plane, [&](const PaddedStrides& strides, const Points& points, const Run& run) {
+        const typename Interpolant::Weights weights(points, run.count);
+        for (int n = 0; n < run.count; ++n) {
             const float* const at = task.padded_carried + points.offset[n];
             const float value = sample_scalar(at, strides, weights, n);
-            task.result[first + n] = task.clamped ? clamp_to_corners(value, at, strides) : value;
+            task.result[run.first + n] = task.clamped ? clamp_to_corners(value, at, strides) : value;
         }
     });
 }
