@@ -35,6 +35,8 @@ WriteFault write_fault(const std::filesystem::path& file, int reason, std::strin
     case EEXIST:
         return {
             message(name, ": a file stands where a folder is needed: remove it, or give another ", place, " with ", flag, ".")};
+    case ENXIO:
+        return {message(name, ": is no ordinary file: give another ", place, " with ", flag, ".")};
     case ENAMETOOLONG:
         return {message(name, ": the name is too long for the system: give a shorter one with ", flag, ".")};
     default:
@@ -66,14 +68,24 @@ WriteFault prepare_folder(const std::filesystem::path& folder) {
     return write_fault(folder, reason);
 }
 
-OutputFile::OutputFile(std::filesystem::path file, const char* flag) : file_(std::move(file)), part_(file_), flag_(flag) {
-    part_ += ".tmp";
-    stream_ = std::fopen(part_.c_str(), "wb");
+OutputFile::OutputFile(std::filesystem::path file, const char* flag) : file_(std::move(file)), flag_(flag) {
+    std::error_code fault;
+    // A link stays one, and what it leads to is written.
+    if (std::filesystem::is_symlink(file_, fault))
+        if (const auto target = std::filesystem::weakly_canonical(file_, fault); !fault)
+            file_ = target;
+    // The rename at the end would tell of a folder too late, and put a file in the place of a pipe or a device.
+    if (std::filesystem::is_directory(file_, fault))
+        reason_ = EISDIR;
+    else if (std::filesystem::exists(file_, fault) && !std::filesystem::is_regular_file(file_, fault))
+        reason_ = ENXIO;
+    if (reason_ != 0)
+        return;
+    part_ = file_;
+    part_ += message(".", ::getpid(), ".tmp"); // nobody else's
+    stream_ = std::fopen(part_.c_str(), "wbx");
     if (stream_ == nullptr)
         reason_ = errno;
-    std::error_code ignored;
-    if (stream_ != nullptr && std::filesystem::is_directory(file_, ignored))
-        reason_ = EISDIR; // the rename would only tell at the end
 }
 
 OutputFile::~OutputFile() {

@@ -23,7 +23,8 @@ struct WriteFault {
 /// Makes the folder where it is missing and tries it with a small file, before a long run ends in a folder that takes nothing.
 [[nodiscard]] WriteFault prepare_folder(const std::filesystem::path& folder);
 
-/// A text file that is written to `<name>.tmp` beside its name and renamed when it is whole. Dropped, it leaves nothing.
+/// A text file that is written to `<name>.<process>.tmp` beside its name and renamed when it is whole. Dropped, it leaves
+/// nothing.
 class OutputFile {
   public:
     explicit OutputFile(std::filesystem::path file, const char* flag = "--out");

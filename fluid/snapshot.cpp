@@ -225,7 +225,8 @@ struct StateFields {
                source_flow, solved, calm, asleep, at_rest, frames, log] = state;
         Tiles tiles;
         tiles.add(ambient.tile());
-        archive(window.origin_cells, follow_point, stepped_origin_cells, previous_origin_cells, sources_of_air, calm, asleep);
+        archive(window.origin_cells, follow_point, stepped_point, previous_point, stepped_origin_cells, previous_origin_cells,
+                sources_of_air, calm, asleep);
         StateFields::ambient(archive, ambient, config, tiles);
         if constexpr (Reading<decltype(archive)>) {
             const Gusts& gusts = ambient.settings().gusts;
@@ -245,8 +246,10 @@ struct StateFields {
         bool ticking = frames.has_value();
         archive(ticking);
         if constexpr (Reading<decltype(archive)>) {
+            const double farthest = k_farthest_cells * static_cast<double>(config.cell_size);
             archive.require(in_range(window.origin_cells) && in_range(stepped_origin_cells) && in_range(previous_origin_cells) &&
-                                in_range(follow_point, k_farthest_cells * static_cast<double>(config.cell_size)),
+                                in_range(follow_point, farthest) && in_range(stepped_point, farthest) &&
+                                in_range(previous_point, farthest),
                             "its box lies out of range.");
             if (ticking && archive.can_hold(3 * air.velocity.size(), sizeof(glm::vec4)))
                 frames.emplace(empty_frames(state));

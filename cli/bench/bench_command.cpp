@@ -61,6 +61,9 @@ int run_bench(const BenchRequest& request, const Console& console, const std::fu
             return complain_of(fault, console);
 
     const int threads = request.threads > 0 ? request.threads : usable_cores();
+    if (threads > usable_cores())
+        console.complain(message("--threads is ", threads, ", more than the ", usable_cores(),
+                                 " cores: the threads wait for each other, and ratios tell of that."));
     ThreadPool pool(threads);
     const std::function<bool()> stopped = [&] { return stop_signal() != 0; };
     BenchResult result{.device = device_name(),

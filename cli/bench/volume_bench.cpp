@@ -4,6 +4,7 @@
 #include "cli/bench/contest.h"
 #include "cli/bench/jets.h"
 #include "cli/bench/wind_contestant.h"
+#include "cli/machine.h"
 
 #include <algorithm>
 #include <utility>
@@ -42,7 +43,7 @@ Result<std::optional<VolumesResult>> measure_volumes(const VolumesRequest& reque
 
     VolumesResult result{.volumes = request.volumes, .round_ms = contest.milliseconds(all), .bytes_per_volume = bytes};
     result.volumes_per_s = 1000.0 * request.volumes / result.round_ms.median;
-    result.volumes_per_s_core = result.volumes_per_s / std::min(request.threads, request.volumes);
+    result.volumes_per_s_core = result.volumes_per_s / std::min({request.threads, request.volumes, usable_cores()});
     return std::optional(result);
 }
 

@@ -8,8 +8,6 @@
 namespace windrow::cli {
 namespace {
 
-constexpr int k_steps_of_flow = 60; // a second: until then the jets have not left the box
-
 // Stands in for a pool and counts what it is asked for.
 struct LoopCounter {
     int loops = 0;

@@ -312,17 +312,16 @@ void Wind::State::limit_speeds(float dt, Diagnostics& report) {
     report.substeps = report.substeps_capped ? config.max_substeps : static_cast<int>(wanted);
     if (!report.substeps_capped)
         return;
-    // What is cut off a source's flow is cut off that, not made a wind of its own that stays.
+    // The source's flow is cut by the same share as the wind that it is part of: what is left of either is of its own kind.
     const float most = config.max_cfl * static_cast<float>(report.substeps) * box().cell_size / dt;
     for (std::size_t n = 0; n < air.velocity.size(); ++n) {
         glm::vec4& u = air.velocity[n];
         const float largest = std::max({std::abs(u.x), std::abs(u.y), std::abs(u.z)});
         if (largest <= most)
             continue;
-        const glm::vec4 limited = (most / largest) * u;
+        u *= most / largest;
         if (sources_of_air != 0)
-            source_flow[n] += limited - u;
-        u = limited;
+            source_flow[n] *= most / largest;
         ++report.limited_cells;
     }
 }

@@ -4,6 +4,7 @@
 #include "cli/command_line.h"
 #include "cli/exit_code.h"
 
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -11,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <vector>
 
@@ -102,6 +104,22 @@ TEST_F(BenchCommand, AFileThatCannotBeWrittenIsRefusedBeforeAnythingIsMeasured) 
     EXPECT_EQ(outcome.code, k_exit_wrong_use);
     EXPECT_NE(outcome.err.find("give another file with --json."), std::string::npos) << outcome.err;
     EXPECT_TRUE(fs::is_empty(folder));
+    for (const auto& entry : fs::directory_iterator(folder.parent_path()))
+        EXPECT_FALSE(entry.path().string().starts_with(folder.string() + ".")) << entry.path();
+}
+
+TEST_F(BenchCommand, WhatIsNoOrdinaryFileStaysAndALinkIsFollowed) {
+    const std::string pipe = in("pipe");
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    expect_refusal({"--json", pipe.c_str()}, pipe + ": is no ordinary file: give another file with --json.");
+    EXPECT_TRUE(fs::is_fifo(pipe));
+
+    const std::string target = in("target.json"), link = in("link.json");
+    std::ofstream(target) << "old";
+    fs::create_symlink(target, link);
+    ASSERT_EQ(bench({"--grid", "4x4x4", "--seconds", "0.01", "--json", link.c_str()}).code, k_exit_well);
+    EXPECT_TRUE(fs::is_symlink(link));
+    EXPECT_TRUE(nlohmann::json::parse(std::ifstream(target)).contains("entries"));
 }
 
 // --- Results ---------------------------------------------------------------------------------------------------------
@@ -182,11 +200,26 @@ TEST(Contest, EachContestantHasItsTurnAndEnoughSamples) {
     const std::size_t one =
         contest.add({.run = [&] { ++ran; }, .prepare = [&] { ++prepared; }, .note = [&] { ++noted; }, .repeats = false});
     const std::size_t other = contest.add({.run = [] {}});
-    EXPECT_TRUE(contest.hold(0.001, [] { return false; }));
+    EXPECT_TRUE(contest.hold(0.5, [] { return false; }));
     EXPECT_EQ(prepared, ran);
     EXPECT_EQ(static_cast<std::size_t>(noted), contest.milliseconds(one).samples);
-    EXPECT_GT(contest.milliseconds(other).samples, 0u);
+    EXPECT_GE(contest.milliseconds(one).samples, k_enough_samples);
+    EXPECT_GE(contest.milliseconds(other).samples, k_enough_samples);
     EXPECT_GT(contest.rounds(), 0u);
+}
+
+TEST(Contest, ARatioIsTheFirstOverTheSecond) {
+    const auto busy = [](double milliseconds) {
+        const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double, std::milli>(milliseconds);
+        while (std::chrono::steady_clock::now() < end) {
+        }
+    };
+    Contest contest;
+    const std::size_t quick = contest.add({.run = [&] { busy(0.2); }});
+    const std::size_t slow = contest.add({.run = [&] { busy(2.0); }});
+    ASSERT_TRUE(contest.hold(0.2, [] { return false; }));
+    EXPECT_GT(contest.ratio(slow, quick), 2.0);
+    EXPECT_LT(contest.ratio(quick, slow), 0.5);
 }
 
 TEST(Contest, StopsWhenAsked) {

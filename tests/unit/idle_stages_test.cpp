@@ -1,5 +1,5 @@
-// Only what a scene needs: a stage that has nothing to do runs no code. Told by the parallel loops that a step asks for, since
-// every pass over the cells is one, and by the stage's time, which is 0 to the bit where it did not begin.
+// Only what a scene needs: a stage that has nothing to do runs no code. Told by the parallel loops that a step asks for, and by
+// the stage's time, which is 0 to the bit where it did not begin.
 
 #include "fluid/wind.h"
 #include "tests/fields.h"
@@ -70,7 +70,6 @@ TEST(IdleStages, WhatIsTurnedOffRunsNothing) {
     const Outcome still = third_step({.stages = {.advection = false}});
     EXPECT_EQ(still.loops, k_step - k_advection);
     EXPECT_EQ(still.step.times_ms.advection, 0.0);
-    EXPECT_EQ(third_step({.stages = {.settling = false}}).loops, k_step);
     EXPECT_EQ(third_step({.stages = {.sources = false}}, [](Wind& wind) { EXPECT_TRUE(wind.motors().add(VortexMotor{})); }).loops,
               k_step);
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <memory>
@@ -101,6 +102,20 @@ TEST(ThreadPool, EndsAtOnce) {
         std::atomic<int> sum{0};
         used.parallel_for()(5, [&](int index) { sum += index; });
         EXPECT_EQ(sum.load(), 10);
+    }
+}
+
+// Long after the last loop the workers sleep: a loop wakes them, and so does the end.
+TEST(ThreadPool, WakesThoseWhoSleep) {
+    for (int n = 0; n < 20; ++n) {
+        ThreadPool pool(2 + n % 3);
+        for (int loop = 0; loop < 3; ++loop) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            std::atomic<int> sum{0};
+            pool.parallel_for()(100, [&](int index) { sum += index; });
+            EXPECT_EQ(sum.load(), 4950);
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
 }
 

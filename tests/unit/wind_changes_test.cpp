@@ -138,6 +138,27 @@ TEST(WindChanges, AVentThatIsTooStrongLeavesNothingBehind) {
     }
 }
 
+// A hitch of half a second cuts a fast wind far from a vent. Nothing of the cut may stay in the vent's own flow, which never
+// ends.
+TEST(WindChanges, AWindThatIsCutBesideAVentEnds) {
+    const auto after_a_hitch = [](bool vent) {
+        Wind wind = made({.settling_time = 0.0f});
+        if (vent) {
+            EXPECT_TRUE(wind.motors().add(OmniMotor{.position = {-12.0, 0.0, -12.0}, .speed = 2.0f}));
+        }
+        wind.set_velocity([](glm::dvec3 x) {
+            const glm::dvec3 away = x - glm::dvec3(10.0, 0.0, 10.0);
+            return glm::vec3(glm::dot(away, away) < 9.0 ? 80.0f : 0.0f, 0.0f, 0.0f);
+        });
+        wind.step(0.5);
+        for (int n = 0; n < 600; ++n)
+            wind.step(1.0 / 60.0);
+        return static_cast<double>(glm::length(wind.velocity({10.0, 0.0, 10.0})));
+    };
+    WINDROW_EXPECT_FIGURE("cut_wind_left_m_per_s", after_a_hitch(false), 0.1);
+    WINDROW_EXPECT_FIGURE("cut_wind_left_beside_a_vent_m_per_s", after_a_hitch(true), 0.1);
+}
+
 TEST(WindChanges, WhatIsNoNumberIsNeverShown) {
     Wind wind = made({.cells = {8, 8, 8}, .ambient = {1.0f, 0.0f, 0.0f}});
     wind.advance(0.1);
