@@ -9,6 +9,8 @@
 #include "cli/nearest_word.h"
 #include "cli/run_command.h"
 #include "cli/scene.h"
+#include "cli/verify/verify_command.h"
+#include "cli/verify/verify_flags.h"
 #include "fluid/message.h"
 
 #include <CLI/CLI.hpp>
@@ -62,7 +64,7 @@ std::string sentence_of(const CLI::ParseError& fault, const CLI::App& app, int c
             return unknown(word, " is no command");
         if (count > 1)
             return unknown(arguments[1], " is no flag");
-        return message("name a command, run, bench or info: ", help);
+        return message("name a command, run, bench, verify or info: ", help);
     }
     std::string words = fault.what();
     for (char& letter : words)
@@ -134,6 +136,8 @@ int run_command_line(int count, const char* const* arguments, const Console& con
     add_run(app, flags);
     BenchFlags bench_flags;
     add_bench(app, bench_flags);
+    VerifyFlags verify_flags;
+    add_verify(app, verify_flags);
     app.add_subcommand("info", "Tell version, compiler, SIMD level, cores and what is built in");
     try {
         app.parse(count, arguments);
@@ -152,6 +156,13 @@ int run_command_line(int count, const char* const* arguments, const Console& con
             return k_exit_wrong_use;
         const InterruptGuard guard;
         return run_bench(*request, console, &InterruptGuard::signal);
+    }
+    if (const CLI::App* verify = app.get_subcommand("verify"); verify->parsed()) {
+        const auto request = read_verify(verify_flags, *verify, verify_cases(), console);
+        if (!request)
+            return k_exit_wrong_use;
+        const InterruptGuard guard;
+        return run_verify(*request, console, &InterruptGuard::signal);
     }
     return tell_info(console);
 }

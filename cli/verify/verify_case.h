@@ -1,0 +1,51 @@
+// A case of `windrow verify`: a flow whose truth is known, run at several resolutions.
+#pragma once
+
+#include "fluid/parallel.h"
+#include "fluid/simd.h"
+
+#include <functional>
+#include <glm/vec3.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace windrow::cli {
+
+/// How the library is to run; no error depends on the threads.
+struct VerifySetting {
+    Simd simd = Simd::best;
+    ParallelFor parallel_for{};
+};
+
+/// What one resolution gave.
+struct VerifyRow {
+    glm::ivec3 cells{0};
+    double cfl = 0.0;   ///< largest component of the wind * dt / h; 0 where nothing is carried
+    double error = 0.0; ///< as the case's `what` defines it
+    double bound = 0.0; ///< the largest error admitted
+};
+
+struct VerifyCase {
+    std::string name;
+    std::string what;         ///< the flow and how its error is taken, in a sentence
+    std::string source;       ///< where the flow and its truth are from
+    std::string reason;       ///< why these bounds
+    double least_order = 0.0; ///< between neighbouring resolutions; 0: none is asked, since the error is rounding
+    std::vector<int> sizes{}; ///< resolutions, coarse to fine: the cell is as 1 / size
+    std::function<VerifyRow(const VerifySetting& setting, int size)> run{};
+};
+
+/// All cases, in the order in which they run.
+[[nodiscard]] std::span<const VerifyCase> verify_cases();
+
+// The families; each in a file of its own.
+[[nodiscard]] std::vector<VerifyCase> flow_cases();
+[[nodiscard]] std::vector<VerifyCase> wave_cases();
+[[nodiscard]] std::vector<VerifyCase> tracer_cases();
+[[nodiscard]] std::vector<VerifyCase> diffusion_cases();
+[[nodiscard]] std::vector<VerifyCase> wall_cases();
+[[nodiscard]] std::vector<VerifyCase> poisson_cases();
+[[nodiscard]] std::vector<VerifyCase> projection_cases();
+
+} // namespace windrow::cli

@@ -1,0 +1,20 @@
+#include "cli/verify/verify_case.h"
+
+#include <iterator>
+
+namespace windrow::cli {
+
+std::span<const VerifyCase> verify_cases() {
+    static const std::vector<VerifyCase> k_cases = [] {
+        std::vector<VerifyCase> cases;
+        for (const auto family :
+             {flow_cases, wave_cases, tracer_cases, diffusion_cases, wall_cases, poisson_cases, projection_cases}) {
+            std::vector<VerifyCase> more = family();
+            cases.insert(cases.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+        }
+        return cases;
+    }();
+    return k_cases;
+}
+
+} // namespace windrow::cli

@@ -1,0 +1,59 @@
+#include "cli/verify/verify_command.h"
+
+#include "cli/exit_code.h"
+#include "cli/machine.h"
+#include "cli/output_file.h"
+#include "cli/verify/verify_json.h"
+#include "cli/verify/verify_report.h"
+#include "fluid/thread_pool.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace windrow::cli {
+namespace {
+
+int complain_of(const WriteFault& fault, const Console& console) {
+    console.complain(fault.sentence);
+    return fault.machine ? k_exit_machine : k_exit_wrong_use;
+}
+
+} // namespace
+
+int run_verify(const VerifyRequest& request, const Console& console, const std::function<int()>& stop_signal) {
+    if (request.list) {
+        report_list(request.cases, console);
+        return k_exit_well;
+    }
+    const auto file = request.json ? std::make_unique<OutputFile>(*request.json, "--json") : nullptr;
+    if (file)
+        if (const auto fault = file->fault())
+            return complain_of(fault, console);
+
+    ThreadPool pool(request.threads > 0 ? request.threads : usable_cores());
+    const VerifySetting setting{.simd = request.simd, .parallel_for = pool.parallel_for()};
+    report_setting(pool.size(), request.simd, console);
+    std::vector<VerifiedCase> verified;
+    for (const VerifyCase& one : request.cases) {
+        report_case(one, console);
+        verified.push_back({.name = one.name});
+        for (std::size_t level = 0; level < one.sizes.size(); ++level) {
+            if (const int signal = stop_signal(); signal != 0)
+                return k_exit_signal + signal;
+            const VerifiedRow row = judge(one, verified.back(), level, one.run(setting, one.sizes[level]));
+            report_row(one, row, console);
+            verified.back().rows.push_back(row);
+        }
+    }
+    report_end(verified, console);
+    if (file) {
+        file->write(verify_json(request.cases, verified));
+        if (const auto fault = file->publish())
+            return complain_of(fault, console);
+        console.out << "In " << request.json->string() << ": all errors and bounds.\n";
+    }
+    const bool well = std::all_of(verified.begin(), verified.end(), [](const VerifiedCase& one) { return one.pass(); });
+    return well ? k_exit_well : k_exit_out_of_bounds;
+}
+
+} // namespace windrow::cli

@@ -1,0 +1,86 @@
+#include "cli/verify/verify_flags.h"
+
+#include "cli/flags.h"
+#include "cli/nearest_word.h"
+#include "cli/run_command.h"
+#include "fluid/message.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+namespace windrow::cli {
+namespace {
+
+using detail::message;
+
+const VerifyCase* find_case(std::span<const VerifyCase> cases, const std::string& name) {
+    const auto found = std::find_if(cases.begin(), cases.end(), [&](const VerifyCase& one) { return one.name == name; });
+    return found == cases.end() ? nullptr : &*found;
+}
+
+void complain_of_case(const std::string& name, std::span<const VerifyCase> known, const Console& console) {
+    if (name.empty()) {
+        console.complain("--case is empty: see windrow verify --list.");
+        return;
+    }
+    std::vector<std::string> names;
+    for (const VerifyCase& one : known)
+        names.push_back(one.name);
+    const std::string near = nearest_word(name, names);
+    console.complain(message("--case is ", name, ", which is no case", near.empty() ? "" : " (did you mean " + near + "?)",
+                             ": see windrow verify --list."));
+}
+
+} // namespace
+
+void add_verify(CLI::App& app, VerifyFlags& flags) {
+    CLI::App* const verify = app.add_subcommand("verify", "Hold the solver against known solutions; exit 1 where one is missed");
+    verify->add_option("--case", flags.cases, "Cases to run; default all")->type_name("NAME");
+    verify->add_flag("--list", flags.list, "Tell the cases and run none");
+    verify->add_option("--threads", flags.threads, "Threads; default one a core; errors do not depend on it")->type_name("N");
+    verify->add_option("--simd", flags.simd, "Instructions: best, baseline, avx2 or avx512; levels differ by rounding")
+        ->type_name("LEVEL");
+    verify->add_option("--json", flags.json, "File for all errors and bounds; written whole or not at all")->type_name("FILE");
+}
+
+std::optional<VerifyRequest> read_verify(const VerifyFlags& flags, const CLI::App& verify, std::span<const VerifyCase> known,
+                                         const Console& console) {
+    VerifyRequest request{.list = flags.list};
+    for (const std::string& name : flags.cases) {
+        const VerifyCase* const found = find_case(known, name);
+        if (found == nullptr) {
+            complain_of_case(name, known, console);
+            return std::nullopt;
+        }
+        if (find_case(request.cases, name) == nullptr)
+            request.cases.push_back(*found);
+    }
+    if (request.cases.empty())
+        request.cases.assign(known.begin(), known.end());
+    if (verify.count("--threads") > 0) {
+        const auto threads = read_count(flags.threads, "--threads", k_most_threads, console);
+        if (!threads)
+            return std::nullopt;
+        request.threads = static_cast<int>(*threads);
+    }
+    if (verify.count("--simd") > 0) {
+        const auto level = read_simd(flags.simd, console);
+        if (!level)
+            return std::nullopt;
+        request.simd = *level;
+    }
+    if (verify.count("--json") > 0) {
+        if (flags.json.empty()) {
+            console.complain("--json is empty: name a file.");
+            return std::nullopt;
+        }
+        if (flags.list) {
+            console.complain("--json is given with --list, which runs nothing: drop one of them.");
+            return std::nullopt;
+        }
+        request.json = flags.json;
+    }
+    return request;
+}
+
+} // namespace windrow::cli

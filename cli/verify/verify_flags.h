@@ -1,0 +1,29 @@
+// The flags of `windrow verify`.
+#pragma once
+
+#include "cli/console.h"
+#include "cli/verify/verify_request.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace windrow::cli {
+
+struct VerifyFlags {
+    std::vector<std::string> cases;
+    std::string threads, simd, json;
+    bool list = false;
+};
+
+void add_verify(CLI::App& app, VerifyFlags& flags);
+/// Nothing after a complaint. `known` are the cases to choose from, all of them where none is named.
+[[nodiscard]] std::optional<VerifyRequest> read_verify(const VerifyFlags& flags, const CLI::App& verify,
+                                                       std::span<const VerifyCase> known, const Console& console);
+
+} // namespace windrow::cli

@@ -1,0 +1,28 @@
+#include "cli/verify/verify_json.h"
+
+#include "fluid/message.h"
+
+#include <nlohmann/json.hpp>
+
+namespace windrow::cli {
+
+std::string verify_json(std::span<const VerifyCase> cases, std::span<const VerifiedCase> verified) {
+    using Json = nlohmann::ordered_json;
+    Json entries = Json::array();
+    for (std::size_t n = 0; n < verified.size(); ++n)
+        for (const VerifiedRow& one : verified[n].rows) {
+            const bool ordered = one.order && cases[n].least_order > 0.0;
+            entries.push_back({{"name", verified[n].name},
+                               {"backend", "cpu"},
+                               {"grid", detail::message(one.row.cells.x, "x", one.row.cells.y, "x", one.row.cells.z)},
+                               {"cfl", one.row.cfl},
+                               {"error", one.row.error}, // what is not finite becomes null
+                               {"order", one.order ? Json(*one.order) : Json()},
+                               {"bound", one.row.bound},
+                               {"least_order", ordered ? Json(cases[n].least_order) : Json()},
+                               {"pass", one.pass}});
+        }
+    return Json{{"cases", entries}}.dump(2) + "\n";
+}
+
+} // namespace windrow::cli

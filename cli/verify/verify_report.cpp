@@ -1,0 +1,102 @@
+#include "cli/verify/verify_report.h"
+
+#include "cli/timings.h"
+#include "fluid/message.h"
+
+#include <algorithm>
+#include <charconv>
+#include <string>
+#include <string_view>
+
+namespace windrow::cli {
+namespace {
+
+using detail::message;
+
+constexpr std::size_t k_grid_width = 13, k_width = 10;
+
+std::string right(std::string_view text, std::size_t width) {
+    return std::string(text.size() < width ? width - text.size() : 1, ' ') + std::string(text);
+}
+
+std::string line(std::string_view grid, std::string_view cfl, std::string_view error, std::string_view bound,
+                 std::string_view order, std::string_view least, std::string_view verdict) {
+    return right(grid, k_grid_width) + right(cfl, k_width - 2) + right(error, k_width) + right(bound, k_width) +
+           right(order, k_width) + right(least, k_width) + (verdict.empty() ? "" : "   ") + std::string(verdict) + "\n";
+}
+
+// Words behind a label, wrapped; further lines stand under the first word.
+std::string wrapped(std::string_view label, std::string_view words) {
+    constexpr std::size_t k_line = 100;
+    std::string text = "  " + std::string(label);
+    const std::string indent(text.size(), ' ');
+    std::size_t column = text.size();
+    while (!words.empty()) {
+        const std::size_t end = std::min(words.find(' '), words.size());
+        if (column + 1 + end > k_line && column > indent.size()) {
+            text += "\n" + indent;
+            column = indent.size();
+        } else if (column > indent.size()) {
+            text += ' ';
+            ++column;
+        }
+        text += words.substr(0, end);
+        column += end;
+        words.remove_prefix(std::min(end + 1, words.size()));
+    }
+    return text + "\n";
+}
+
+std::string scientific(double value) {
+    char text[32];
+    return std::string(text, std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, 2).ptr);
+}
+
+} // namespace
+
+void report_list(std::span<const VerifyCase> cases, const Console& console) {
+    for (const VerifyCase& one : cases)
+        console.out << one.name << "\n" << wrapped("", one.what);
+    console.out.flush();
+}
+
+void report_setting(int threads, Simd simd, const Console& console) {
+    console.out << message("Errors against known solutions, ", threads, threads == 1 ? " thread" : " threads", " (",
+                           name_of(simd), "). An order is that of the error between a line and the one above.\n");
+    console.out.flush();
+}
+
+void report_case(const VerifyCase& one, const Console& console) {
+    console.out << "\n"
+                << one.name << "\n"
+                << wrapped("", one.what) << wrapped("truth: ", one.source) << wrapped("bound: ", one.reason)
+                << line("grid", "CFL", "error", "at most", "order", "at least", "");
+    console.out.flush();
+}
+
+void report_row(const VerifyCase& one, const VerifiedRow& verified, const Console& console) {
+    const VerifyRow& row = verified.row;
+    const bool ordered = one.least_order > 0.0 && verified.order; // of rounding an order tells nothing
+    console.out << line(message(row.cells.x, "x", row.cells.y, "x", row.cells.z), row.cfl > 0.0 ? to_fixed(row.cfl, 2) : "-",
+                        scientific(row.error), scientific(row.bound), ordered ? to_fixed(*verified.order, 2) : "-",
+                        ordered ? to_fixed(one.least_order, 2) : "-", verified.pass ? "pass" : "FAIL");
+    console.out.flush();
+}
+
+void report_end(std::span<const VerifiedCase> cases, const Console& console) {
+    std::string failed;
+    std::size_t count = 0;
+    for (const VerifiedCase& one : cases)
+        if (!one.pass()) {
+            failed += (count == 0 ? "" : ", ") + one.name;
+            ++count;
+        }
+    const std::string all = message(cases.size(), cases.size() == 1 ? " case" : " cases");
+    if (count == 0)
+        console.out << "\n" << all << ": each within its bounds.\n";
+    else
+        console.complain(message(count, " of ", all, count == 1 ? " is" : " are", " out of bounds: ", failed, "."));
+    console.out.flush();
+}
+
+} // namespace windrow::cli

@@ -1,0 +1,225 @@
+// `windrow verify` as a user meets it: sentences, table, file, exit codes. That the errors are right is what the command itself
+// asks; here a quick case stands for all, and made-up cases show that a miss is told.
+#include "cli/command_line.h"
+#include "cli/exit_code.h"
+#include "cli/verify/verify_command.h"
+#include "cli/verify/verify_result.h"
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+namespace windrow::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* k_quick = "couette_steady";
+
+struct Outcome {
+    int code;
+    std::string out;
+    std::string err;
+};
+
+Outcome verify(std::vector<const char*> arguments) {
+    arguments.insert(arguments.begin(), {"windrow", "verify"});
+    std::ostringstream out, err;
+    const int code =
+        run_command_line(static_cast<int>(arguments.size()), arguments.data(), {.out = out, .err = err, .progress = nullptr});
+    return {code, out.str(), err.str()};
+}
+
+Outcome verify(const VerifyRequest& request, int signal = 0) {
+    std::ostringstream out, err;
+    const int code = run_verify(request, {.out = out, .err = err, .progress = nullptr}, [=] { return signal; });
+    return {code, out.str(), err.str()};
+}
+
+void expect_refusal(std::vector<const char*> arguments, const std::string& sentence) {
+    const Outcome outcome = verify(std::move(arguments));
+    EXPECT_EQ(outcome.code, k_exit_wrong_use);
+    EXPECT_EQ(outcome.err, "windrow: " + sentence + "\n");
+    EXPECT_EQ(outcome.out, "");
+}
+
+/// A case whose errors are given.
+VerifyCase made_up(std::vector<double> errors, double bound, double least_order) {
+    VerifyCase one{.name = "made_up", .what = "Errors as given.", .source = "none", .reason = "none", .least_order = least_order};
+    for (std::size_t n = 0; n < errors.size(); ++n)
+        one.sizes.push_back(1 << n);
+    one.run = [=](const VerifySetting&, int size) {
+        std::size_t level = 0;
+        while (1 << level != size)
+            ++level;
+        return VerifyRow{.cells = glm::ivec3(size), .cfl = 0.5, .error = errors[level], .bound = bound};
+    };
+    return one;
+}
+
+class VerifyCommand : public testing::Test {
+  protected:
+    VerifyCommand() {
+        folder = fs::path(testing::TempDir()) / ("windrow_verify_test_" + std::to_string(::getpid()));
+        fs::create_directories(folder);
+    }
+    ~VerifyCommand() override {
+        std::error_code ignored;
+        fs::remove_all(folder, ignored);
+    }
+    [[nodiscard]] std::string in(const char* name) const { return (folder / name).string(); }
+
+    fs::path folder;
+};
+
+// --- Flags -----------------------------------------------------------------------------------------------------------
+
+TEST_F(VerifyCommand, WrongFlagsAreNamed) {
+    expect_refusal({"--threads", "0"}, "--threads is 0: give a whole number from 1 to 256.");
+    expect_refusal({"--simd", "sse"}, "--simd is sse: give best, baseline, avx2 or avx512.");
+    expect_refusal({"--json", ""}, "--json is empty: name a file.");
+    expect_refusal({"--case", ""}, "--case is empty: see windrow verify --list.");
+    expect_refusal({"--list", "--json", "x.json"}, "--json is given with --list, which runs nothing: drop one of them.");
+    expect_refusal({"--csae", "abc_flow"}, "--csae is no flag (did you mean --case?): see windrow verify --help.");
+}
+
+TEST_F(VerifyCommand, AnUnknownCaseIsRefusedWithTheNearestName) {
+    expect_refusal({"--case", "taylor_gren_2d"},
+                   "--case is taylor_gren_2d, which is no case (did you mean taylor_green_2d?): see windrow verify --list.");
+    expect_refusal({"--case", k_quick, "--case", "qqqqqq"}, "--case is qqqqqq, which is no case: see windrow verify --list.");
+}
+
+TEST_F(VerifyCommand, AFileThatCannotBeWrittenIsRefusedBeforeAnythingRuns) {
+    expect_refusal({"--json", folder.c_str()},
+                   folder.string() + ": a folder stands where the file should go: remove it, or give another file with --json.");
+}
+
+TEST_F(VerifyCommand, TheListNamesEachCase) {
+    const Outcome outcome = verify({"--list"});
+    EXPECT_EQ(outcome.code, k_exit_well);
+    EXPECT_EQ(outcome.err, "");
+    for (const VerifyCase& one : verify_cases())
+        EXPECT_NE(outcome.out.find(one.name + "\n  "), std::string::npos) << one.name;
+}
+
+TEST_F(VerifyCommand, EachCaseIsWhole) {
+    std::set<std::string> names;
+    for (const VerifyCase& one : verify_cases()) {
+        EXPECT_TRUE(names.insert(one.name).second) << one.name << " is there twice";
+        EXPECT_FALSE(one.what.empty() || one.source.empty() || one.reason.empty() || !one.run) << one.name;
+        EXPECT_GE(one.sizes.size(), 3u) << one.name;
+        EXPECT_TRUE(std::is_sorted(one.sizes.begin(), one.sizes.end())) << one.name;
+    }
+    EXPECT_GE(names.size(), 20u);
+}
+
+// --- Results ---------------------------------------------------------------------------------------------------------
+
+TEST_F(VerifyCommand, AQuickCasePassesAndIsKept) {
+    const std::string file = in("verify.json");
+    const Outcome outcome = verify({"--case", k_quick, "--case", "fourier_transit", "--threads", "2", "--json", file.c_str()});
+    ASSERT_EQ(outcome.code, k_exit_well) << outcome.out << outcome.err;
+    for (const char* word : {k_quick, "grid", "CFL", "error", "at most", "order", "at least", "truth: ", "bound: ", "pass",
+                             "2 cases: each within its bounds."})
+        EXPECT_NE(outcome.out.find(word), std::string::npos) << word << "\n" << outcome.out;
+    EXPECT_EQ(outcome.out.find("FAIL"), std::string::npos);
+
+    const nlohmann::json json = nlohmann::json::parse(std::ifstream(file));
+    ASSERT_EQ(json["cases"].size(), 6u);
+    for (std::size_t n = 0; n < 6; ++n) {
+        const nlohmann::json& entry = json["cases"][n];
+        EXPECT_EQ(entry["name"], n < 3 ? k_quick : "fourier_transit");
+        EXPECT_EQ(entry["backend"], "cpu");
+        EXPECT_TRUE(entry["grid"].is_string());
+        for (const char* key : {"cfl", "error", "bound"})
+            EXPECT_TRUE(entry[key].is_number()) << key;
+        EXPECT_EQ(entry["order"].is_null(), n % 3 == 0) << entry.dump();
+        EXPECT_EQ(entry["least_order"].is_number(), n > 3) << entry.dump();
+        EXPECT_EQ(entry["pass"], true);
+        EXPECT_LE(entry["error"], entry["bound"]);
+    }
+    EXPECT_EQ(json["cases"][4]["grid"], "80x2x4");
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1) << "nothing but the file is left";
+}
+
+TEST_F(VerifyCommand, ErrorsDoNotDependOnTheThreads) {
+    const std::string one = in("one.json"), three = in("three.json");
+    ASSERT_EQ(verify({"--case", "poisson_mixed", "--threads", "1", "--json", one.c_str()}).code, k_exit_well);
+    ASSERT_EQ(verify({"--case", "poisson_mixed", "--threads", "3", "--json", three.c_str()}).code, k_exit_well);
+    EXPECT_EQ(nlohmann::json::parse(std::ifstream(one)), nlohmann::json::parse(std::ifstream(three)));
+}
+
+TEST_F(VerifyCommand, AMissedBoundOrOrderIsToldAndKept) {
+    struct Miss {
+        std::vector<double> errors;
+        double bound, least_order;
+        std::vector<bool> passes;
+    };
+    const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
+    const Miss misses[] = {{{0.4, 0.1, 0.025}, 0.3, 1.9, {false, true, true}},  // a bound
+                           {{0.4, 0.1, 0.05}, 1.0, 1.9, {true, true, false}},   // an order
+                           {{0.4, 0.5, 0.6}, 1.0, 0.5, {true, false, false}},   // an error that grows
+                           {{0.4, nan, 0.025}, 1.0, 1.9, {true, false, false}}, // neither an error nor an order
+                           {{infinite, 0.1, 0.025}, 1.0, 0.0, {false, true, true}},
+                           {{0.0, 0.1, 0.025}, 1.0, 1.9, {true, false, true}}};
+    for (const Miss& miss : misses) {
+        const std::string file = in("miss.json");
+        const Outcome outcome =
+            verify({.cases = {made_up({0.4, 0.1, 0.025}, 1.0, 1.9), made_up(miss.errors, miss.bound, miss.least_order)},
+                    .threads = 1,
+                    .json = file});
+        EXPECT_EQ(outcome.code, k_exit_out_of_bounds);
+        EXPECT_EQ(outcome.err, "windrow: 1 of 2 cases is out of bounds: made_up.\n");
+        EXPECT_NE(outcome.out.find("FAIL"), std::string::npos) << outcome.out;
+        const nlohmann::json json = nlohmann::json::parse(std::ifstream(file));
+        for (std::size_t n = 0; n < 3; ++n) {
+            EXPECT_EQ(json["cases"][n]["pass"], true);
+            EXPECT_EQ(json["cases"][3 + n]["pass"], miss.passes[n]) << n << "\n" << outcome.out;
+            EXPECT_EQ(json["cases"][3 + n]["error"].is_null(), !std::isfinite(miss.errors[n]));
+        }
+    }
+}
+
+TEST_F(VerifyCommand, AWrongExpectationOfARealCaseFails) {
+    VerifyCase wrong = verify_cases().front();
+    for (const VerifyCase& one : verify_cases())
+        if (one.name == "fourier_transit")
+            wrong = one;
+    wrong.least_order = 4.0; // it is of order 3
+    EXPECT_EQ(verify({.cases = {wrong}, .threads = 1}).code, k_exit_out_of_bounds);
+}
+
+TEST_F(VerifyCommand, AStoppedRunLeavesNoFile) {
+    const Outcome outcome =
+        verify({.cases = {made_up({0.4, 0.1, 0.025}, 1.0, 1.9)}, .threads = 1, .json = in("stopped.json")}, SIGINT);
+    EXPECT_EQ(outcome.code, k_exit_signal + SIGINT);
+    EXPECT_TRUE(fs::is_empty(folder));
+}
+
+TEST(VerifyJudge, AnOrderTakesTheRefinementIntoAccount) {
+    VerifyCase one = made_up({0.9, 0.1}, 1.0, 1.9);
+    one.sizes = {1, 3};
+    VerifiedCase verified{.name = one.name};
+    verified.rows.push_back(judge(one, verified, 0, {.error = 0.9, .bound = 1.0}));
+    EXPECT_FALSE(verified.rows[0].order);
+    const VerifiedRow second = judge(one, verified, 1, {.error = 0.1, .bound = 1.0});
+    ASSERT_TRUE(second.order);
+    EXPECT_NEAR(*second.order, 2.0, 1e-12);
+    EXPECT_TRUE(second.pass);
+    const VerifiedRow exact = judge(one, verified, 1, {.error = 0.0, .bound = 1.0});
+    EXPECT_FALSE(exact.order);
+    EXPECT_TRUE(exact.pass);
+}
+
+} // namespace
+} // namespace windrow::cli
