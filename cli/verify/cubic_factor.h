@@ -7,16 +7,24 @@
 // Staniforth & Cote 1991, Monthly Weather Review 119 (stability and dispersion of semi-Lagrangian schemes).
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <complex>
 
 namespace windrow::cli {
 
+/// Lagrange's weights of the values at -1, 0, 1, 2 for a point t between 0 and 1.
+[[nodiscard]] inline std::array<double, 4> cubic_weights(double t) {
+    return {-t * (t - 1) * (t - 2) / 6, (t + 1) * (t - 1) * (t - 2) / 2, -(t + 1) * t * (t - 2) / 2, (t + 1) * t * (t - 1) / 6};
+}
+
 [[nodiscard]] inline std::complex<double> cubic_factor(double carried_cells, double theta) {
-    const double low = std::floor(-carried_cells), t = -carried_cells - low;
-    const auto wave = [&](double cell) { return std::polar(1.0, cell * theta); };
-    return -t * (t - 1) * (t - 2) / 6 * wave(low - 1) + (t + 1) * (t - 1) * (t - 2) / 2 * wave(low) -
-           (t + 1) * t * (t - 2) / 2 * wave(low + 1) + (t + 1) * t * (t - 1) / 6 * wave(low + 2);
+    const double low = std::floor(-carried_cells);
+    const std::array<double, 4> weights = cubic_weights(-carried_cells - low);
+    std::complex<double> sum = 0.0;
+    for (int j = 0; j < 4; ++j)
+        sum += weights[static_cast<std::size_t>(j)] * std::polar(1.0, (low + j - 1) * theta);
+    return sum;
 }
 
 } // namespace windrow::cli

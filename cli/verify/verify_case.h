@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace windrow::cli {
@@ -18,12 +19,23 @@ struct VerifySetting {
     ParallelFor parallel_for{};
 };
 
-/// What one resolution gave.
+/// One error and its bound.
 struct VerifyRow {
     glm::ivec3 cells{0};
     double cfl = 0.0;   ///< largest component of the wind * dt / h; 0 where nothing is carried
     double error = 0.0; ///< as the case's `what` defines it
     double bound = 0.0; ///< the largest error admitted
+    /// What tells this row from others of the same resolution: a time step, a distance. Orders are taken between rows of one
+    /// label. Empty where a resolution gives one row.
+    std::string label{};
+};
+
+/// What one resolution gave: a row, or one under each of some labels.
+struct VerifyRows {
+    std::vector<VerifyRow> rows;
+
+    VerifyRows(VerifyRow row) : rows{std::move(row)} {}
+    VerifyRows(std::vector<VerifyRow> all) : rows(std::move(all)) {}
 };
 
 struct VerifyCase {
@@ -33,7 +45,7 @@ struct VerifyCase {
     std::string reason;       ///< why these bounds
     double least_order = 0.0; ///< between neighbouring resolutions; 0: none is asked, since the error is rounding
     std::vector<int> sizes{}; ///< resolutions, coarse to fine: the cell is as 1 / size
-    std::function<VerifyRow(const VerifySetting& setting, int size)> run{};
+    std::function<VerifyRows(const VerifySetting& setting, int size)> run{};
 };
 
 /// All cases, in the order in which they run.
@@ -41,6 +53,12 @@ struct VerifyCase {
 
 // The families; each in a file of its own.
 [[nodiscard]] std::vector<VerifyCase> flow_cases();
+[[nodiscard]] std::vector<VerifyCase> spectral_cases(); ///< none where FFTW is not built in
+[[nodiscard]] std::vector<VerifyCase> transition_cases();
+[[nodiscard]] std::vector<VerifyCase> cavity_cases();
+[[nodiscard]] std::vector<VerifyCase> window_cases();
+[[nodiscard]] std::vector<VerifyCase> motor_cases();
+[[nodiscard]] std::vector<VerifyCase> jet_cases();
 [[nodiscard]] std::vector<VerifyCase> wave_cases();
 [[nodiscard]] std::vector<VerifyCase> tracer_cases();
 [[nodiscard]] std::vector<VerifyCase> diffusion_cases();

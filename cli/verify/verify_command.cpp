@@ -40,14 +40,16 @@ int run_verify(const VerifyRequest& request, const Console& console, const std::
         for (std::size_t level = 0; level < one.sizes.size(); ++level) {
             if (const int signal = stop_signal(); signal != 0)
                 return k_exit_signal + signal;
-            const VerifiedRow row = judge(one, verified.back(), level, one.run(setting, one.sizes[level]));
-            report_row(one, row, console);
-            verified.back().rows.push_back(row);
+            const VerifyRows found = one.run(setting, one.sizes[level]);
+            for (const VerifyRow& row : found.rows) {
+                verified.back().rows.push_back(judge(one, verified.back(), level, row));
+                report_row(one, verified.back().rows.back(), console);
+            }
         }
     }
     report_end(verified, console);
     if (file) {
-        file->write(verify_json(request.cases, verified));
+        file->write(verify_json(request, verified));
         if (const auto fault = file->publish())
             return complain_of(fault, console);
         console.out << "In " << request.json->string() << ": all errors and bounds.\n";

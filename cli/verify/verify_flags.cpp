@@ -37,6 +37,8 @@ void add_verify(CLI::App& app, VerifyFlags& flags) {
     CLI::App* const verify = app.add_subcommand("verify", "Hold the solver against known solutions; exit 1 where one is missed");
     verify->add_option("--case", flags.cases, "Cases to run; default all")->type_name("NAME");
     verify->add_flag("--list", flags.list, "Tell the cases and run none");
+    verify->add_option("--backend", flags.backend, "What runs the air: cpu, the default, and so far the only one")
+        ->type_name("B");
     verify->add_option("--threads", flags.threads, "Threads; default one a core; errors do not depend on it")->type_name("N");
     verify->add_option("--simd", flags.simd, "Instructions: best, baseline, avx2 or avx512; levels differ by rounding")
         ->type_name("LEVEL");
@@ -57,6 +59,13 @@ std::optional<VerifyRequest> read_verify(const VerifyFlags& flags, const CLI::Ap
     }
     if (request.cases.empty())
         request.cases.assign(known.begin(), known.end());
+    if (verify.count("--backend") > 0) {
+        if (flags.backend != request.backend) {
+            console.complain(message("--backend is ", flags.backend.empty() ? "empty" : flags.backend, ": give ", request.backend,
+                                     ", the only one that is built in."));
+            return std::nullopt;
+        }
+    }
     if (verify.count("--threads") > 0) {
         const auto threads = read_count(flags.threads, "--threads", k_most_threads, console);
         if (!threads)

@@ -17,7 +17,7 @@ namespace windrow::cli {
 
 struct VerifyFlags {
     std::vector<std::string> cases;
-    std::string threads, simd, json;
+    std::string backend, threads, simd, json;
     bool list = false;
 };
 

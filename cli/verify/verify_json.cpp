@@ -6,20 +6,21 @@
 
 namespace windrow::cli {
 
-std::string verify_json(std::span<const VerifyCase> cases, std::span<const VerifiedCase> verified) {
+std::string verify_json(const VerifyRequest& request, std::span<const VerifiedCase> verified) {
     using Json = nlohmann::ordered_json;
     Json entries = Json::array();
     for (std::size_t n = 0; n < verified.size(); ++n)
         for (const VerifiedRow& one : verified[n].rows) {
-            const bool ordered = one.order && cases[n].least_order > 0.0;
+            const double least_order = request.cases[n].least_order;
             entries.push_back({{"name", verified[n].name},
-                               {"backend", "cpu"},
+                               {"label", one.row.label.empty() ? Json() : Json(one.row.label)},
+                               {"backend", request.backend},
                                {"grid", detail::message(one.row.cells.x, "x", one.row.cells.y, "x", one.row.cells.z)},
                                {"cfl", one.row.cfl},
                                {"error", one.row.error}, // what is not finite becomes null
                                {"order", one.order ? Json(*one.order) : Json()},
                                {"bound", one.row.bound},
-                               {"least_order", ordered ? Json(cases[n].least_order) : Json()},
+                               {"least_order", one.order && least_order > 0.0 ? Json(least_order) : Json()},
                                {"pass", one.pass}});
         }
     return Json{{"cases", entries}}.dump(2) + "\n";

@@ -20,9 +20,10 @@ std::string right(std::string_view text, std::size_t width) {
 }
 
 std::string line(std::string_view grid, std::string_view cfl, std::string_view error, std::string_view bound,
-                 std::string_view order, std::string_view least, std::string_view verdict) {
+                 std::string_view order, std::string_view least, std::string_view verdict, std::string_view label) {
     return right(grid, k_grid_width) + right(cfl, k_width - 2) + right(error, k_width) + right(bound, k_width) +
-           right(order, k_width) + right(least, k_width) + (verdict.empty() ? "" : "   ") + std::string(verdict) + "\n";
+           right(order, k_width) + right(least, k_width) + (verdict.empty() ? "" : "   ") + std::string(verdict) +
+           (label.empty() ? "" : "  ") + std::string(label) + "\n";
 }
 
 // Words behind a label, wrapped; further lines stand under the first word.
@@ -62,7 +63,7 @@ void report_list(std::span<const VerifyCase> cases, const Console& console) {
 
 void report_setting(int threads, Simd simd, const Console& console) {
     console.out << message("Errors against known solutions, ", threads, threads == 1 ? " thread" : " threads", " (",
-                           name_of(simd), "). An order is that of the error between a line and the one above.\n");
+                           name_of(simd), "). An order is that of the error between a line and the coarser one above.\n");
     console.out.flush();
 }
 
@@ -70,7 +71,7 @@ void report_case(const VerifyCase& one, const Console& console) {
     console.out << "\n"
                 << one.name << "\n"
                 << wrapped("", one.what) << wrapped("truth: ", one.source) << wrapped("bound: ", one.reason)
-                << line("grid", "CFL", "error", "at most", "order", "at least", "");
+                << line("grid", "CFL", "error", "at most", "order", "at least", "", "");
     console.out.flush();
 }
 
@@ -79,7 +80,7 @@ void report_row(const VerifyCase& one, const VerifiedRow& verified, const Consol
     const bool ordered = one.least_order > 0.0 && verified.order; // of rounding an order tells nothing
     console.out << line(message(row.cells.x, "x", row.cells.y, "x", row.cells.z), row.cfl > 0.0 ? to_fixed(row.cfl, 2) : "-",
                         scientific(row.error), scientific(row.bound), ordered ? to_fixed(*verified.order, 2) : "-",
-                        ordered ? to_fixed(one.least_order, 2) : "-", verified.pass ? "pass" : "FAIL");
+                        ordered ? to_fixed(one.least_order, 2) : "-", verified.pass ? "pass" : "FAIL", row.label);
     console.out.flush();
 }
 

@@ -3,6 +3,7 @@
 
 #include "cli/verify/verify_case.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,7 +12,9 @@ namespace windrow::cli {
 
 struct VerifiedRow {
     VerifyRow row;
-    std::optional<double> order{}; ///< from the resolution before; nothing at the first, nor where an error is 0 or not finite
+    std::size_t level = 0; ///< place of its resolution in the case's sizes
+    /// From the last resolution before that has a row of this label; nothing at the first, nor where an error is 0 or not finite.
+    std::optional<double> order{};
     bool pass = false;
 };
 
@@ -22,8 +25,8 @@ struct VerifiedCase {
     [[nodiscard]] bool pass() const;
 };
 
-/// Judges what `one` gave at its resolution `level`, behind those in `verified`. An error within its bound passes where its order
-/// from the resolution before is not below the least; an error of 0 has no order and passes.
+/// Judges a row that `one` gave at its resolution `level`, behind those in `verified`. An error within its bound passes where its
+/// order from the resolution before, in the row of the same label, is not below the least; an error of 0 has no order and passes.
 [[nodiscard]] VerifiedRow judge(const VerifyCase& one, const VerifiedCase& verified, std::size_t level, const VerifyRow& row);
 
 } // namespace windrow::cli

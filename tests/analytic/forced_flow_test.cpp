@@ -3,13 +3,13 @@
 // A periodic slab of 2 pi; vortices carried by a mean wind (1, 0.5) cross a motor that moves, turns on and off:
 //     du/dt + u . grad u = -grad p + nu L u + a(t) w(x - c(t)) d,   a = A sin^2(pi t / T),  c(t) = c0 + V t,  T = pi, dt = h / 2
 // w is the region's own weight, prod (1 - s^2)^2, wide (1.4 m) because it is only once differentiable. A step from t to t + dt
-// needs the force at t + dt: the motor is set to it first. Reference: spectral_reference.h with the same force, 128^2.
+// needs the force at t + dt: the motor is set to it first. Reference: spectral_flow.h with the same force, 128^2.
 //
 // A force that is at full strength from t = 0 acts half in its first step (its departure half needs a step before): the flow then
 // lags by half a step, first order. That is reported, not bounded: impulses are complete one step after the motor.
 #include "figures.h"
 #include "flows.h"
-#include "spectral_reference.h"
+#include "tests/bench/reference/spectral_flow.h"
 
 namespace windrow {
 namespace {

@@ -1,12 +1,12 @@
 // Taylor and Green's vortices in three dimensions: box 2 pi, u = sin x cos y cos z, v = -cos x sin y cos z, w = 0, nu = 1/200, up
 // to T = 3, where the vortices have stretched into sheets but the flow is still smooth. dt = T / ceil(T / h): CFL 1 at most.
 //
-// Reference: pseudo-spectral, spectral_reference.h, at the cell centres. Error = |u - u_ref|_2 / |u_ref|_2, order 2 and more.
+// Reference: pseudo-spectral, spectral_flow.h, at the cell centres. Error = |u - u_ref|_2 / |u_ref|_2, order 2 and more.
 // 64^3 points are themselves 0.003 from converged, so the bounds are held against 80^3 and the error against 64^3 is reported
 // beside it.
 #include "figures.h"
 #include "flows.h"
-#include "spectral_reference.h"
+#include "tests/bench/reference/spectral_flow.h"
 
 #include <memory>
 

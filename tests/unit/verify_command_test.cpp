@@ -85,6 +85,8 @@ class VerifyCommand : public testing::Test {
 // --- Flags -----------------------------------------------------------------------------------------------------------
 
 TEST_F(VerifyCommand, WrongFlagsAreNamed) {
+    expect_refusal({"--backend", "vulkan"}, "--backend is vulkan: give cpu, the only one that is built in.");
+    expect_refusal({"--backend", ""}, "--backend is empty: give cpu, the only one that is built in.");
     expect_refusal({"--threads", "0"}, "--threads is 0: give a whole number from 1 to 256.");
     expect_refusal({"--simd", "sse"}, "--simd is sse: give best, baseline, avx2 or avx512.");
     expect_refusal({"--json", ""}, "--json is empty: name a file.");
@@ -117,17 +119,18 @@ TEST_F(VerifyCommand, EachCaseIsWhole) {
     for (const VerifyCase& one : verify_cases()) {
         EXPECT_TRUE(names.insert(one.name).second) << one.name << " is there twice";
         EXPECT_FALSE(one.what.empty() || one.source.empty() || one.reason.empty() || !one.run) << one.name;
-        EXPECT_GE(one.sizes.size(), 3u) << one.name;
+        EXPECT_GE(one.sizes.size(), one.least_order > 0.0 ? 3u : 1u) << one.name << ": a slope needs three resolutions";
         EXPECT_TRUE(std::is_sorted(one.sizes.begin(), one.sizes.end())) << one.name;
     }
-    EXPECT_GE(names.size(), 20u);
+    EXPECT_GE(names.size(), 30u);
 }
 
 // --- Results ---------------------------------------------------------------------------------------------------------
 
 TEST_F(VerifyCommand, AQuickCasePassesAndIsKept) {
     const std::string file = in("verify.json");
-    const Outcome outcome = verify({"--case", k_quick, "--case", "fourier_transit", "--threads", "2", "--json", file.c_str()});
+    const Outcome outcome =
+        verify({"--case", k_quick, "--case", "fourier_transit", "--backend", "cpu", "--threads", "2", "--json", file.c_str()});
     ASSERT_EQ(outcome.code, k_exit_well) << outcome.out << outcome.err;
     for (const char* word : {k_quick, "grid", "CFL", "error", "at most", "order", "at least", "truth: ", "bound: ", "pass",
                              "2 cases: each within its bounds."})
@@ -140,6 +143,7 @@ TEST_F(VerifyCommand, AQuickCasePassesAndIsKept) {
         const nlohmann::json& entry = json["cases"][n];
         EXPECT_EQ(entry["name"], n < 3 ? k_quick : "fourier_transit");
         EXPECT_EQ(entry["backend"], "cpu");
+        EXPECT_TRUE(entry["label"].is_null());
         EXPECT_TRUE(entry["grid"].is_string());
         for (const char* key : {"cfl", "error", "bound"})
             EXPECT_TRUE(entry[key].is_number()) << key;
@@ -188,6 +192,39 @@ TEST_F(VerifyCommand, AMissedBoundOrOrderIsToldAndKept) {
             EXPECT_EQ(json["cases"][3 + n]["error"].is_null(), !std::isfinite(miss.errors[n]));
         }
     }
+}
+
+/// A case whose resolutions give a row under each of two labels, of order 2 and of an order as given.
+VerifyCase made_up_of_two(double second_order) {
+    VerifyCase one = made_up({0.4, 0.1, 0.025}, 1.0, 1.9);
+    one.run = [=](const VerifySetting&, int size) {
+        const auto row = [&](const char* label, double order) {
+            return VerifyRow{.cells = glm::ivec3(size), .error = 0.4 * std::pow(size, -order), .bound = 1.0, .label = label};
+        };
+        return std::vector{row("near", 2.0), row("far", second_order)};
+    };
+    return one;
+}
+
+TEST_F(VerifyCommand, RowsAreJudgedByTheirLabel) {
+    const std::string file = in("labels.json");
+    const Outcome good = verify({.cases = {made_up_of_two(3.0)}, .threads = 1, .json = file});
+    EXPECT_EQ(good.code, k_exit_well) << good.out;
+    EXPECT_NE(good.out.find("pass  far\n"), std::string::npos) << good.out;
+    const nlohmann::json json = nlohmann::json::parse(std::ifstream(file));
+    ASSERT_EQ(json["cases"].size(), 6u);
+    for (std::size_t n = 0; n < 6; ++n) {
+        const nlohmann::json& entry = json["cases"][n];
+        EXPECT_EQ(entry["label"], n % 2 == 0 ? "near" : "far");
+        EXPECT_EQ(entry["order"].is_null(), n < 2);
+        if (n >= 2) {
+            EXPECT_NEAR(entry["order"].get<double>(), n % 2 == 0 ? 2.0 : 3.0, 1e-9);
+        }
+    }
+    const Outcome bad = verify({.cases = {made_up_of_two(1.0)}, .threads = 1});
+    EXPECT_EQ(bad.code, k_exit_out_of_bounds);
+    EXPECT_NE(bad.out.find("FAIL  far\n"), std::string::npos) << bad.out;
+    EXPECT_EQ(bad.out.find("FAIL  near\n"), std::string::npos) << bad.out;
 }
 
 TEST_F(VerifyCommand, AWrongExpectationOfARealCaseFails) {
