@@ -7,6 +7,8 @@
 #include "cli/info_command.h"
 #include "cli/interrupt.h"
 #include "cli/nearest_word.h"
+#include "cli/pareto/pareto_command.h"
+#include "cli/pareto/pareto_flags.h"
 #include "cli/run_command.h"
 #include "cli/scene.h"
 #include "cli/verify/verify_command.h"
@@ -64,7 +66,7 @@ std::string sentence_of(const CLI::ParseError& fault, const CLI::App& app, int c
             return unknown(word, " is no command");
         if (count > 1)
             return unknown(arguments[1], " is no flag");
-        return message("name a command, run, bench, verify or info: ", help);
+        return message("name a command, run, bench, verify, pareto or info: ", help);
     }
     std::string words = fault.what();
     for (char& letter : words)
@@ -138,6 +140,8 @@ int run_command_line(int count, const char* const* arguments, const Console& con
     add_bench(app, bench_flags);
     VerifyFlags verify_flags;
     add_verify(app, verify_flags);
+    ParetoFlags pareto_flags;
+    add_pareto(app, pareto_flags);
     app.add_subcommand("info", "Tell version, compiler, SIMD level, cores and what is built in");
     try {
         app.parse(count, arguments);
@@ -163,6 +167,13 @@ int run_command_line(int count, const char* const* arguments, const Console& con
             return k_exit_wrong_use;
         const InterruptGuard guard;
         return run_verify(*request, console, &InterruptGuard::signal);
+    }
+    if (const CLI::App* pareto = app.get_subcommand("pareto"); pareto->parsed()) {
+        const auto request = read_pareto(pareto_flags, *pareto, console);
+        if (!request)
+            return k_exit_wrong_use;
+        const InterruptGuard guard;
+        return run_pareto(*request, console, &InterruptGuard::signal);
     }
     return tell_info(console);
 }

@@ -23,5 +23,6 @@ target_sources(windrow_cli_support PRIVATE
   drawing/png.cpp
   drawing/slice.cpp
   drawing/text.cpp
-  drawing/world_map.cpp)
+  drawing/world_map.cpp
+  pareto/plot_image.cpp)
 target_link_libraries(windrow_cli_support PRIVATE PkgConfig::cairo PkgConfig::openimageio)

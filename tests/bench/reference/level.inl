@@ -4,6 +4,8 @@
 namespace windrow::bench::WINDROW_LEVEL {
 namespace {
 #include "tests/bench/reference/jacobi_plane.inl"
+#include "tests/bench/reference/jacobi_sides.inl"
+#include "tests/bench/reference/multigrid_planes.inl"
 #include "tests/bench/reference/stam_planes.inl"
 
 void multiply(float* values, const float* factors, std::size_t count) {
@@ -12,6 +14,8 @@ void multiply(float* values, const float* factors, std::size_t count) {
 }
 } // namespace
 
-const Kernels k_kernels = {jacobi_plane, advect_plane, divergence_plane, gradient_plane, mirror_floor, multiply};
+const Kernels k_kernels = {jacobi_plane,      jacobi_plane_any_sides, multigrid_smooth, multigrid_restrict,
+                           multigrid_prolong, advect_plane,           divergence_plane, gradient_plane,
+                           mirror_floor,      multiply};
 
 } // namespace windrow::bench::WINDROW_LEVEL

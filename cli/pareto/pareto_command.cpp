@@ -1,0 +1,118 @@
+#include "cli/pareto/pareto_command.h"
+
+#include "cli/exit_code.h"
+#include "cli/machine.h"
+#include "cli/output_file.h"
+#include "cli/pareto/flow_run.h"
+#include "cli/pareto/pareto_csv.h"
+#include "cli/pareto/pareto_plot.h"
+#include "cli/pareto/pareto_report.h"
+#include "cli/pareto/svg.h"
+#include "fluid/message.h"
+#include "fluid/thread_pool.h"
+#if WINDROW_WITH_IMAGES
+#include "cli/pareto/plot_image.h"
+#include "cli/pictures.h"
+#endif
+
+#include <cmath>
+#include <string>
+
+namespace windrow::cli {
+namespace {
+
+using detail::message;
+
+bool check_memory(const ParetoRequest& request, const Console& console) {
+    const auto available = available_memory();
+    for (const ParetoFlow& flow : request.flows) {
+        const std::uint64_t needed = flow_run_bytes(flow);
+        if (available && needed > *available) {
+            console.complain(message(flow.name, " takes about ", needed >> 20, " MiB, and ", *available >> 20,
+                                     " MiB are free: give --quick, or free some memory."));
+            return false;
+        }
+    }
+    return true;
+}
+
+int complain_of(const WriteFault& fault, const Console& console) {
+    console.complain(fault.sentence);
+    return fault.machine ? k_exit_machine : k_exit_wrong_use;
+}
+
+WriteFault keep(const std::filesystem::path& file, const std::string& text) {
+    OutputFile output(file);
+    output.write(text);
+    return output.publish();
+}
+
+int keep_all(const ParetoResult& result, const std::filesystem::path& out, const Console& console) {
+    const Plot plot = pareto_plot(result);
+    if (const WriteFault fault = keep(out / "pareto.csv", pareto_csv(result)))
+        return complain_of(fault, console);
+    if (const WriteFault fault = keep(out / "pareto.svg", svg(plot)))
+        return complain_of(fault, console);
+#if WINDROW_WITH_IMAGES
+    if (const auto kept = write_plot(plot, out / "pareto.png"); !kept) {
+        const bool disk = kept.error().starts_with(k_disk_fault);
+        console.complain(disk ? kept.error().substr(k_disk_fault.size()) : kept.error());
+        return disk ? k_exit_machine : k_exit_wrong_use;
+    }
+    console.out << "\nIn " << out.string() << ": pareto.csv with all figures, pareto.svg and pareto.png with the fronts.\n";
+#else
+    console.out << "\nIn " << out.string() << ": pareto.csv with all figures, pareto.svg with the fronts.\n";
+#endif
+    return k_exit_well;
+}
+
+/// Flows on which the default method broke.
+std::string broken(const ParetoResult& result) {
+    std::string names;
+    for (const FlowResult& flow : result.flows)
+        for (const ParetoRow& row : flow.rows)
+            if (row.method == k_default_method && !std::isfinite(row.error)) {
+                names += (names.empty() ? "" : ", ") + flow.name;
+                break;
+            }
+    return names;
+}
+
+} // namespace
+
+int run_pareto(const ParetoRequest& request, const Console& console, const std::function<int()>& stop_signal) {
+    if (!check_memory(request, console))
+        return k_exit_machine;
+    if (const WriteFault fault = prepare_folder(request.out))
+        return complain_of(fault, console);
+    const int threads = request.threads > 0 ? request.threads : usable_cores();
+    if (threads > usable_cores())
+        console.complain(message("--threads is ", threads, ", more than the ", usable_cores(),
+                                 " cores: the threads wait for each other, and times tell of that."));
+    ThreadPool pool(threads);
+    const std::function<bool()> stopped = [&] { return stop_signal() != 0; };
+    ParetoResult result{.device = device_name(), .simd = name_of(request.simd), .threads = threads, .flows = {}};
+    report_pareto_start(result, console);
+    for (const ParetoFlow& flow : request.flows) {
+        console.out << "\n" << flow.name << ": " << flow.what << "\n";
+        console.out.flush();
+        auto found = run_flow(flow, request, threads, pool.parallel_for(), console, stopped);
+        if (!found) {
+            console.complain(found.error());
+            return k_exit_wrong_use;
+        }
+        if (!*found)
+            return k_exit_signal + stop_signal();
+        report_front(**found, threads, console);
+        result.flows.push_back(std::move(**found));
+    }
+    if (const int code = keep_all(result, request.out, console); code != k_exit_well)
+        return code;
+    if (const std::string names = broken(result); !names.empty()) {
+        console.complain(message("the default method broke on ", names, ": its error is not finite."));
+        return k_exit_out_of_bounds;
+    }
+    return k_exit_well;
+}
+
+} // namespace windrow::cli

@@ -1,0 +1,50 @@
+#include "cli/pareto/pareto_method.h"
+
+#include "fluid/message.h"
+
+namespace windrow::cli {
+
+using detail::message;
+
+std::array<Method, k_method_count> pareto_methods() {
+    std::array<Method, k_method_count> methods;
+    std::size_t n = 0;
+    for (const Scheme scheme : k_schemes)
+        for (const Interpolation advection : k_advections)
+            for (const Pressure pressure : k_pressures)
+                methods[n++] = {scheme, advection, pressure};
+    return methods;
+}
+
+const char* name_of(Scheme scheme) {
+    return scheme == Scheme::second_order ? "second_order" : "stable_fluids";
+}
+
+const char* name_of(Interpolation advection) {
+    return advection == Interpolation::cubic ? "cubic" : "linear";
+}
+
+const char* name_of(Pressure pressure) {
+    switch (pressure) {
+    case Pressure::direct:
+        return "direct";
+    case Pressure::multigrid:
+        return "multigrid";
+    case Pressure::jacobi80:
+        return "jacobi80";
+    case Pressure::jacobi40:
+        return "jacobi40";
+    default:
+        return "jacobi20";
+    }
+}
+
+std::string name_of(const Method& method) {
+    return message(name_of(method.scheme), " ", name_of(method.interpolation), " ", name_of(method.pressure));
+}
+
+std::string grid_name(glm::ivec3 cells) {
+    return message(cells.x, "x", cells.y, "x", cells.z);
+}
+
+} // namespace windrow::cli

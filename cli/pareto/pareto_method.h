@@ -1,0 +1,33 @@
+// The methods that `windrow pareto` compares: each time scheme with each interpolation and each pressure solve.
+#pragma once
+
+#include "tests/bench/reference/composed_step.h"
+
+#include <array>
+#include <string>
+
+namespace windrow::cli {
+
+using bench::Pressure;
+using Method = bench::StepMethod;
+
+inline constexpr std::array k_schemes = {Scheme::second_order, Scheme::stable_fluids};
+inline constexpr std::array k_advections = {Interpolation::cubic, Interpolation::linear};
+inline constexpr std::array k_pressures = {Pressure::direct, Pressure::multigrid, Pressure::jacobi80, Pressure::jacobi40,
+                                           Pressure::jacobi20};
+inline constexpr std::size_t k_method_count = k_schemes.size() * k_advections.size() * k_pressures.size();
+
+/// What a Wind does by default.
+inline constexpr Method k_default_method{Scheme::second_order, Interpolation::cubic, Pressure::direct}; // as Config says: tested
+
+[[nodiscard]] std::array<Method, k_method_count> pareto_methods();
+
+[[nodiscard]] const char* name_of(Scheme scheme);
+[[nodiscard]] const char* name_of(Interpolation advection);
+[[nodiscard]] const char* name_of(Pressure pressure);
+/// "second_order cubic direct"
+[[nodiscard]] std::string name_of(const Method& method);
+/// "64x32x64"
+[[nodiscard]] std::string grid_name(glm::ivec3 cells);
+
+} // namespace windrow::cli

@@ -1,0 +1,326 @@
+// `windrow pareto` as a user meets it: sentences, table, CSV, plot. Small flows stand for the large ones; nothing here asks how
+// fast anything is.
+#include "cli/command_line.h"
+#include "cli/exit_code.h"
+#include "cli/pareto/flow_truth.h"
+#include "cli/pareto/label_places.h"
+#include "cli/pareto/pareto_command.h"
+#include "cli/pareto/pareto_method.h"
+#include "cli/pareto/svg.h"
+#include "cli/verify/cell_values.h"
+
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <limits>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+namespace windrow::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* k_header = "backend,scheme,advection,pressure,grid,cfl,case,error,order,step_ms,cost_vs_stam40,threads";
+
+struct Outcome {
+    int code;
+    std::string out;
+    std::string err;
+};
+
+Outcome pareto(std::vector<const char*> arguments) {
+    arguments.insert(arguments.begin(), {"windrow", "pareto"});
+    std::ostringstream out, err;
+    const int code =
+        run_command_line(static_cast<int>(arguments.size()), arguments.data(), {.out = out, .err = err, .progress = nullptr});
+    return {code, out.str(), err.str()};
+}
+
+Outcome pareto(const ParetoRequest& request, int signal = 0) {
+    std::ostringstream out, err;
+    const int code = run_pareto(request, {.out = out, .err = err, .progress = nullptr}, [=] { return signal; });
+    return {code, out.str(), err.str()};
+}
+
+void expect_refusal(std::vector<const char*> arguments, const std::string& sentence) {
+    const Outcome outcome = pareto(std::move(arguments));
+    EXPECT_EQ(outcome.code, k_exit_wrong_use);
+    EXPECT_EQ(outcome.err, "windrow: " + sentence + "\n");
+    EXPECT_EQ(outcome.out, "");
+}
+
+std::string text_of(const fs::path& file) {
+    std::ifstream stream(file);
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+std::vector<std::vector<std::string>> rows_of(const fs::path& file) {
+    std::vector<std::vector<std::string>> rows;
+    std::istringstream text(text_of(file));
+    for (std::string line; std::getline(text, line);) {
+        rows.emplace_back();
+        std::istringstream cells(line + ",");
+        for (std::string cell; std::getline(cells, cell, ',');)
+            rows.back().push_back(cell);
+    }
+    return rows;
+}
+
+/// Two flows of the command, the exact one and the motor's, on grids that take no time.
+std::vector<ParetoFlow> small_flows() {
+    std::vector<ParetoFlow> flows;
+    for (ParetoFlow& flow : pareto_flows(false)) {
+        if (flow.name == "taylor_green_2d")
+            flow.grids = {{8, 1, 8}, {16, 1, 16}};
+        else if (flow.name == "jet") {
+            flow.grids = {{6, 3, 6}, {12, 6, 12}};
+            flow.reference = {16, 8, 16};
+        } else
+            continue;
+        flows.push_back(std::move(flow));
+    }
+    return flows;
+}
+
+class ParetoCommand : public testing::Test {
+  protected:
+    ParetoCommand() {
+        folder = fs::path(testing::TempDir()) / ("windrow_pareto_test_" + std::to_string(::getpid()));
+        fs::create_directories(folder);
+    }
+    ~ParetoCommand() override {
+        std::error_code ignored;
+        fs::remove_all(folder, ignored);
+    }
+    [[nodiscard]] ParetoRequest small(const char* out, int threads = 2) const {
+        return {.flows = small_flows(), .cfls = {1.0, 2.0}, .seconds = 0.001, .threads = threads, .out = folder / out};
+    }
+
+    fs::path folder;
+};
+
+// --- Flags -----------------------------------------------------------------------------------------------------------
+
+TEST_F(ParetoCommand, WrongFlagsAreNamed) {
+    expect_refusal({"--threads", "0"}, "--threads is 0: give a whole number from 1 to 256.");
+    expect_refusal({"--simd", "sse"}, "--simd is sse: give best, baseline, avx2 or avx512.");
+    expect_refusal({"--out", ""}, "--out is empty: name a folder.");
+    expect_refusal({"--qick"}, "--qick is no flag (did you mean --quick?): see windrow pareto --help.");
+}
+
+TEST_F(ParetoCommand, AFolderThatCannotBeWrittenIsRefusedBeforeAnythingRuns) {
+    const std::string file = (folder / "file").string();
+    std::ofstream(file) << "x";
+    expect_refusal({"--out", file.c_str()},
+                   file + ": a file stands where a folder is needed: remove it, or give another folder with --out.");
+}
+
+// --- What is compared ------------------------------------------------------------------------------------------------
+
+TEST(ParetoMethods, AreAllOfThemAndTheDefaultIsWhatAWindDoes) {
+    std::set<std::string> names;
+    for (const Method& method : pareto_methods())
+        names.insert(name_of(method));
+    EXPECT_EQ(names.size(), 20u);
+    EXPECT_EQ(k_default_method.scheme, Config{}.scheme);
+    EXPECT_EQ(k_default_method.interpolation, Config{}.interpolation);
+    EXPECT_TRUE(names.contains(name_of(k_default_method)));
+}
+
+TEST(ParetoFlows, AreWhole) {
+    for (const bool quick : {false, true}) {
+        int in_three_dimensions = 0;
+        std::set<std::string> names;
+        for (const ParetoFlow& flow : pareto_flows(quick)) {
+            names.insert(flow.name);
+            in_three_dimensions += flow.grids.front().y > 1 ? 1 : 0;
+            EXPECT_GE(flow.grids.size(), 2u) << flow.name;
+            EXPECT_FALSE(flow.title.empty() || flow.what.empty() || !flow.start) << flow.name;
+            for (const glm::ivec3 cells : flow.grids) {
+                EXPECT_TRUE(validate(box_of(flow, cells))) << flow.name;
+                for (const double cfl : {0.5, 1.0, 4.0}) {
+                    const int steps = steps_of(flow, cells, cfl);
+                    const double crossed = flow.top_speed * flow.end / steps / box_of(flow, cells).cell_size;
+                    EXPECT_EQ(steps % 2, 0);
+                    EXPECT_LE(crossed, 1.0001 * cfl) << flow.name;
+                }
+            }
+            if (flow.exact)
+                continue;
+            // Finer by as much along each axis.
+            EXPECT_EQ(flow.reference.x % flow.grids.back().x, 0) << flow.name;
+            EXPECT_GE(flow.reference.x, 2 * flow.grids.back().x) << flow.name;
+            if (flow.grids.back().y > 1) {
+                EXPECT_EQ(flow.reference.y * flow.grids.back().x, flow.reference.x * flow.grids.back().y) << flow.name;
+            }
+        }
+        EXPECT_EQ(names.size(), quick ? 3u : 4u);
+        EXPECT_GE(in_three_dimensions, 2);
+    }
+}
+
+TEST(ParetoFlows, AnExactFlowBeginsWhereItShould) {
+    for (ParetoFlow flow : pareto_flows(false)) {
+        if (!flow.exact)
+            continue;
+        // At a time of 0 the start is the end; nothing of that is built into the flow, so the error of a short run tells.
+        const glm::ivec3 cells = flow.grids.front();
+        const Box box = box_of(flow, cells);
+        auto step = bench::ComposedStep::create({.box = box, .ambient = glm::vec3(flow.mean)});
+        ASSERT_TRUE(step);
+        ASSERT_TRUE(step->start(velocities_of(box, flow.start)));
+        const auto truth = FlowTruth::find(flow, Simd::best, {}, [] { return false; });
+        ASSERT_TRUE(truth && *truth);
+        const auto end = (*truth)->at_centres(cells);
+        EXPECT_GT(flow_error(flow, step->velocity(), end), 0.3) << flow.name << " moves";
+        const int steps = steps_of(flow, cells, 1.0);
+        for (int n = 0; n < steps; ++n)
+            step->step(k_default_method, flow.end / steps);
+        EXPECT_LT(flow_error(flow, step->velocity(), end), 0.03) << flow.name;
+    }
+}
+
+TEST(ParetoFlows, AReferenceIsReadWhereItLies) {
+    ParetoFlow flow = small_flows().back();
+    const auto never = [] { return false; };
+    const auto truth = FlowTruth::find(flow, Simd::best, {}, never);
+    ASSERT_TRUE(truth && *truth);
+    const Box box = box_of(flow, flow.reference);
+    auto step = bench::ComposedStep::create({.box = box, .ambient = glm::vec3(flow.mean), .motors = flow.motors});
+    ASSERT_TRUE(step);
+    ASSERT_TRUE(step->start(velocities_of(box, flow.start)));
+    const int steps = steps_of(flow, flow.reference, 1.0);
+    for (int n = 0; n < steps; ++n)
+        step->step(k_default_method, flow.end / steps);
+    EXPECT_LT(flow_error(flow, step->velocity(), (*truth)->at_centres(flow.reference)), 1e-6);
+    EXPECT_FALSE(*FlowTruth::find(flow, Simd::best, {}, [] { return true; }));
+}
+
+// --- Results ---------------------------------------------------------------------------------------------------------
+
+TEST_F(ParetoCommand, FiguresAreToldAndKept) {
+    const Outcome outcome = pareto(small("run"));
+    ASSERT_EQ(outcome.code, k_exit_well) << outcome.out << outcome.err;
+    for (const char* word :
+         {"taylor_green_2d", "jet", "ms/s of flow", "front of 80 runs", "the default, second_order cubic direct",
+          "on the front on 8x1x8: ", "on the front on 12x6x12: ", "pareto.csv"})
+        EXPECT_NE(outcome.out.find(word), std::string::npos) << word << "\n" << outcome.out;
+
+    const fs::path out = folder / "run";
+    const auto rows = rows_of(out / "pareto.csv");
+    ASSERT_EQ(rows.size(), 1u + 2u * 2u * 20u * 2u * 2u); // flows, grids, methods, CFLs, threads
+    EXPECT_EQ(text_of(out / "pareto.csv").substr(0, std::string(k_header).size() + 1), std::string(k_header) + "\n");
+    std::set<std::string> keys;
+    std::map<std::string, std::string> errors; // by all but the threads
+    for (std::size_t n = 1; n < rows.size(); ++n) {
+        const auto& row = rows[n];
+        ASSERT_EQ(row.size(), 12u);
+        EXPECT_EQ(row[0], "cpu");
+        std::string key;
+        for (int column = 1; column < 7; ++column)
+            key += row[column] + " ";
+        EXPECT_TRUE(keys.insert(key + row[11]).second) << key;
+        EXPECT_EQ(errors.emplace(key, row[7]).first->second, row[7]) << "errors do not depend on the threads";
+        EXPECT_GT(std::stod(row[7]), 0.0) << key;
+        const bool coarsest = row[4] == "8x1x8" || row[4] == "6x3x6";
+        EXPECT_EQ(row[8].empty(), coarsest) << key;
+        EXPECT_GT(std::stod(row[9]), 0.0) << key;
+        EXPECT_GT(std::stod(row[10]), 0.0) << key;
+        EXPECT_TRUE(row[11] == "1" || row[11] == "2");
+    }
+    // An order is that of the errors beside it.
+    const auto error_at = [&](const std::string& grid) {
+        return std::stod(errors.at("second_order cubic direct " + grid + " 1 taylor_green_2d "));
+    };
+    std::size_t orders = 0;
+    for (const auto& row : rows) {
+        if (row[1] != "second_order" || row[2] != "cubic" || row[3] != "direct" || row[4] != "16x1x16" || row[5] != "1")
+            continue;
+        EXPECT_NEAR(std::stod(row[8]), std::log2(error_at("8x1x8") / error_at("16x1x16")), 1e-4);
+        ++orders;
+    }
+    EXPECT_EQ(orders, 2u);
+
+    const std::string drawn = text_of(out / "pareto.svg");
+    EXPECT_TRUE(drawn.starts_with("<?xml"));
+    EXPECT_TRUE(drawn.ends_with("</svg>\n"));
+    for (const char* word : {"computing time for one second of flow (2 threads)", "error of the velocity at the end", "CFL 1",
+                             "second-order step, cubic advection", "multigrid, 2 cycles"})
+        EXPECT_NE(drawn.find(word), std::string::npos) << word;
+    std::set<std::string> files;
+    for (const auto& entry : fs::directory_iterator(out))
+        files.insert(entry.path().filename().string());
+    EXPECT_TRUE(files == std::set<std::string>({"pareto.csv", "pareto.svg", "pareto.png"}) ||
+                files == std::set<std::string>({"pareto.csv", "pareto.svg"})); // without pictures
+}
+
+TEST_F(ParetoCommand, OneThreadIsMeasuredOnce) {
+    ParetoRequest request = small("one", 1);
+    request.flows.pop_back();
+    ASSERT_EQ(pareto(request).code, k_exit_well);
+    EXPECT_EQ(rows_of(folder / "one" / "pareto.csv").size(), 1u + 2u * 20u * 2u);
+}
+
+TEST_F(ParetoCommand, ABrokenFlowIsTold) {
+    ParetoRequest request = small("broken", 1);
+    request.flows.pop_back();
+    request.flows.front().start = [](glm::dvec3) { return glm::dvec3(std::numeric_limits<double>::quiet_NaN()); };
+    const Outcome outcome = pareto(request);
+    EXPECT_EQ(outcome.code, k_exit_out_of_bounds);
+    EXPECT_EQ(outcome.err, "windrow: the default method broke on taylor_green_2d: its error is not finite.\n");
+    const auto rows = rows_of(folder / "broken" / "pareto.csv");
+    ASSERT_GT(rows.size(), 1u);
+    EXPECT_FALSE(std::isfinite(std::stod(rows[1][7])));
+    EXPECT_EQ(rows.back()[8], "") << "no order between what is not finite";
+}
+
+TEST_F(ParetoCommand, AStoppedRunLeavesNoFile) {
+    EXPECT_EQ(pareto(small("stopped"), SIGINT).code, k_exit_signal + SIGINT);
+    EXPECT_TRUE(fs::is_empty(folder / "stopped"));
+}
+
+// --- Plot ------------------------------------------------------------------------------------------------------------
+
+TEST(ParetoPlot, SvgHoldsEachMarkAndNoForeignMarkup) {
+    Plot plot{.width = 100.0, .height = 50.0, .paper = hex(0xFFFFFF), .title = "a < b & c"};
+    plot.marks.emplace_back(PlotLine{{{0.0, 0.0}, {1.0, 2.5}}, {.colour = hex(0x102030), .width = 2.0}});
+    plot.marks.emplace_back(PlotPolygon{{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}}, hex(0xFF0000, 0.5)});
+    plot.marks.emplace_back(PlotCircle{{3.0, 4.0}, 5.0, k_nothing, {.colour = hex(0x000000), .width = 1.0}});
+    plot.marks.emplace_back(PlotWords{"x > \"y\"", {7.0, 8.0}, {.size = 12.0, .colour = hex(0x0000FF), .upward = true}});
+    const std::string text = svg(plot);
+    for (const char* part : {"<title>a &lt; b &amp; c</title>", "<polyline points=\"0,0 1,2.5\"", "stroke=\"rgb(16,32,48)\"",
+                             "<polygon points=\"0,0 1,0 1,1\" fill=\"rgb(255,0,0)\" fill-opacity=\"0.5\"/>",
+                             "<circle cx=\"3\" cy=\"4\" r=\"5\" fill=\"none\" stroke=\"rgb(0,0,0)\"",
+                             "<text transform=\"translate(7 8) rotate(-90)\"", ">x &gt; &quot;y&quot;</text>"})
+        EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+}
+
+TEST(ParetoPlot, LabelsStayInTheirRoomAndApart) {
+    const Rect room{0.0, 0.0, 600.0, 400.0};
+    LabelPlaces places(room);
+    std::vector<Rect> taken;
+    for (int n = 0; n < 12; ++n) { // a crowded front, to the corner of the room
+        const LabelPlaces::Place place = places.find("64x32x64, CFL 1", 13.0, {150.0 + 36.0 * n, 80.0 + 25.0 * n});
+        const double width = width_about("64x32x64, CFL 1", 13.0);
+        const double left = place.align == Align::left     ? place.at.x
+                            : place.align == Align::centre ? place.at.x - 0.5 * width
+                                                           : place.at.x - width;
+        const Rect rect{left, place.at.y - 9.0, width, 11.0};
+        EXPECT_TRUE(room.contains({rect.x, rect.y}) && room.contains({rect.right(), rect.bottom()})) << n;
+        for (const Rect& other : taken)
+            EXPECT_TRUE(rect.right() <= other.x || other.right() <= rect.x || rect.bottom() <= other.y ||
+                        other.bottom() <= rect.y)
+                << n;
+        taken.push_back(rect);
+    }
+}
+
+} // namespace
+} // namespace windrow::cli
