@@ -212,17 +212,19 @@ struct StateFields {
                             "its frame, or the point that it follows, is out of range.");
     }
 
-    static Frames empty_frames(const Wind::State& state) {
-        const std::size_t cells = state.air.velocity.size();
+    static Frames empty_frames(const WindHost& state, std::size_t cells) {
         const auto empty = [&] { return Frame{cpu::Buffer<glm::vec4>(cells), state.window, {}, state.ambient}; };
         return Frames{.before = cpu::Buffer<glm::vec4>(cells), .shown = empty(), .shown_before = empty(), .follow = {}};
     }
 
+    static WindHost& host_of(WindHost& host) { return host; }
+    static const WindHost& host_of(const WindHost& host) { return host; }
+
     /// All but the config, which comes first: a wind is made of it.
     static void state(auto& archive, Like<Wind::State> auto& state) {
-        auto& [config, follow_axes, work, window, follow_point, stepped_point, previous_point, stepped_origin_cells,
-               previous_origin_cells, ambient, mean_field, ambient_field, air, diffused, motors, sources, sources_of_air,
-               source_flow, solved, calm, asleep, at_rest, frames, log] = state;
+        auto& [config, follow_axes, window, follow_point, stepped_point, previous_point, stepped_origin_cells,
+               previous_origin_cells, ambient, motors, sources_of_air, calm, asleep, at_rest, frames, log] = host_of(state);
+        auto& air = state.air;
         Tiles tiles;
         tiles.add(ambient.tile());
         archive(window.origin_cells, follow_point, stepped_point, previous_point, stepped_origin_cells, previous_origin_cells,
@@ -238,10 +240,10 @@ struct StateFields {
         StateFields::air(archive, air);
         if constexpr (Reading<decltype(archive)>)
             if (sources_of_air != 0 && archive.can_hold(air.velocity.size(), sizeof(glm::vec4)))
-                for (auto* field : {&source_flow, &solved})
+                for (auto* field : {&state.source_flow, &state.solved})
                     *field = cpu::Buffer<glm::vec4>(air.velocity.size());
         if (sources_of_air != 0)
-            archive.cells(source_flow);
+            archive.cells(state.source_flow);
         StateFields::motors(archive, motors);
         bool ticking = frames.has_value();
         archive(ticking);
@@ -252,7 +254,7 @@ struct StateFields {
                                 in_range(previous_point, farthest),
                             "its box lies out of range.");
             if (ticking && archive.can_hold(3 * air.velocity.size(), sizeof(glm::vec4)))
-                frames.emplace(empty_frames(state));
+                frames.emplace(empty_frames(state, air.velocity.size()));
         }
         if (frames)
             StateFields::frames(archive, *frames, config, tiles);

@@ -5,7 +5,7 @@
 // of the last two ticks in the box of today: continuous in time, at most a tick old. What moves (motors, the point that the box
 // follows) is told per frame and seen by each tick at its own time (track.h), so the air's states are the same for any frame
 // rate.
-#include "fluid/wind_state.h"
+#include "fluid/wind_host.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,14 +19,9 @@ namespace {
 constexpr double k_rounding = 1e-9;     // of a tick
 constexpr double k_longest_frame = 1e9; // [s] beyond it nothing is told apart
 
-void blend(std::span<const glm::vec4> before, std::span<const glm::vec4> now, float factor, std::span<glm::vec4> shown) {
-    for (std::size_t n = 0; n < shown.size(); ++n)
-        shown[n] = before[n] + factor * (now[n] - before[n]);
-}
-
 } // namespace
 
-Advance Wind::State::advance(double dt) {
+Advance WindHost::run_ticks(double dt) {
     if (!frames)
         begin_ticks();
     dt = std::min(dt, k_longest_frame);
@@ -50,19 +45,16 @@ Advance Wind::State::advance(double dt) {
     return done;
 }
 
-void Wind::State::begin_ticks() {
-    const std::size_t cells = air.velocity.size();
-    const auto frame = [&] { return Frame{cpu::Buffer<glm::vec4>(cells), window, follow_point, ambient}; };
-    frames.emplace(Frames{
-        .before = cpu::Buffer<glm::vec4>(cells), .shown = frame(), .shown_before = frame(), .follow = Track(follow_point)});
+void WindHost::begin_ticks() {
+    const auto frame = [&] { return Frame{{}, window, follow_point, ambient}; };
+    frames.emplace(Frames{.before = {}, .shown = frame(), .shown_before = frame(), .follow = Track(follow_point)});
     frames->rim_point_before = follow_point;
     frames->gust_phase_before = ambient.phase();
-    for (cpu::Buffer<glm::vec4>* field : {&frames->before, &frames->shown.field, &frames->shown_before.field})
-        std::copy_n(air.velocity.data(), cells, field->data());
+    begin_keeping();
 }
 
 // Nothing acts on the air in dropped time, but the world went on: bodies are where they are, gusts have passed.
-void Wind::State::drop_ticks(double seconds) {
+void WindHost::drop_ticks(double seconds) {
     (void)motors.tick(seconds, window);
     (void)frames->follow.tick(seconds);
     if (ambient.gusting())
@@ -72,34 +64,27 @@ void Wind::State::drop_ticks(double seconds) {
     frames->lead -= seconds;
 }
 
-void Wind::State::tick(double duration, Diagnostics& report) {
+void WindHost::tick(double duration, Diagnostics& report) {
     if (!(asleep && frames->before_still))
-        std::copy_n(air.velocity.data(), air.velocity.size(), frames->before.data());
+        keep_before();
     frames->before_still = asleep;
     frames->rim_point_before = follow_point;
     frames->gust_phase_before = ambient.phase();
     (void)frames->follow.tick(duration);
-    follow(frames->follow.here());
-    report = step(duration);
+    follow_now(frames->follow.here());
+    report = tick_air(duration);
     if (report.repaired_cells > 0) // what was no number shows nowhere
-        std::copy_n(air.velocity.data(), air.velocity.size(), frames->before.data());
+        keep_before();
     frames->lead -= duration;
 }
 
-void Wind::State::show_frame() {
+void WindHost::show_frame() {
     std::swap(frames->shown, frames->shown_before);
     Frame& frame = frames->shown;
     const auto factor = static_cast<float>(std::min(1.0, frames->lead * config.ticks.hz));
     const bool still = asleep && frames->before_still && ambient.uniform();
-    if (!(still && frame.still && frame.ambient.mean() == ambient.mean())) {
-        const std::size_t row_plane = static_cast<std::size_t>(window.cells.x) * static_cast<std::size_t>(window.cells.y);
-        const std::span<const glm::vec4> before = frames->before, now = air.velocity;
-        const std::span<glm::vec4> shown = frame.field;
-        config.parallel_for(window.cells.z, [&](int plane) {
-            const std::size_t first = row_plane * static_cast<std::size_t>(plane);
-            blend(before.subspan(first, row_plane), now.subspan(first, row_plane), factor, shown.subspan(first, row_plane));
-        });
-    }
+    if (!(still && frame.still && frame.ambient.mean() == ambient.mean()))
+        blend(factor);
     frame.still = still;
     frame.window = window;
     frame.rim_point = glm::mix(frames->rim_point_before, follow_point, static_cast<double>(factor));

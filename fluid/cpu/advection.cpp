@@ -1,32 +1,19 @@
 // Semi-Lagrangian advection of the velocity: gather with halo, then trace and interpolate. pieces.h states the method.
+#include "fluid/cpu/box_rules.h"
 #include "fluid/cpu/workspace.h"
 
 #include <cassert>
 
 namespace windrow {
-namespace {
-
-// Wraps handle any distance; this keeps index arithmetic within 32 bits for winds that no clamp has met.
-constexpr float k_farthest_wrap = 65536.0f;
-
-} // namespace
-
-// An open side lets a trajectory end one cell beyond the outermost centre, where everything read is ambient; a wall stops it
-// at the face; a periodic axis wraps.
 cpu::AdvectTask Workspace::State::advect_task() const {
     cpu::AdvectTask task{};
     for (int axis = 0; axis < 3; ++axis) {
-        const int cells = box.cells[axis];
-        task.cells[axis] = cells;
-        if (box.sides.periodic(axis)) {
-            task.low[axis] = -k_farthest_wrap;
-            task.high[axis] = k_farthest_wrap;
-            task.period[axis] = static_cast<float>(cells);
-            task.inverse_period[axis] = 1.0f / static_cast<float>(cells);
-            continue;
-        }
-        task.low[axis] = box.sides.at(axis, 0).kind == SideKind::open ? -1.0f : -0.5f;
-        task.high[axis] = static_cast<float>(cells) - (box.sides.at(axis, 1).kind == SideKind::open ? 0.0f : 0.5f);
+        const cpu::LegalPlaces legal = cpu::legal_places(box, axis);
+        task.cells[axis] = box.cells[axis];
+        task.low[axis] = legal.low;
+        task.high[axis] = legal.high;
+        task.period[axis] = legal.period;
+        task.inverse_period[axis] = legal.inverse_period;
     }
     return task;
 }

@@ -1,6 +1,7 @@
 #include "fluid/cpu/separable_solver.h"
 
 #include "fluid/box.h"
+#include "fluid/cpu/column_factors.h"
 
 #include <algorithm>
 
@@ -60,8 +61,7 @@ SeparableSolver::SeparableSolver(glm::ivec3 cells, const Ends& ends, const Kerne
     }
     odd_offset_ = round_up(basis_x_.even_size);
     pitch_ = std::max(round_up(cells.x), odd_offset_ + round_up(basis_x_.odd_size));
-    // A ring of one cell is its own neighbour on both sides: its second difference is 0, as between two walls.
-    cyclic_ = ends[1][0] == EndRule::periodic && cells.y > 1;
+    cyclic_ = is_cyclic(ends[1], cells.y);
     singular_ = true;
     for (const auto& axis : ends)
         for (const EndRule rule : axis)
@@ -134,40 +134,19 @@ void SeparableSolver::factor_block(int block) {
                         cyclic_vectors_[at + j * k_lanes] = 0.0f;
                 continue;
             }
-            const auto diagonal = [&](int j) {
-                if (rows == 1 && ends_[1][0] == EndRule::periodic)
-                    return base + 2.0;
-                double value = base;
-                if (!cyclic_) {
-                    value += j == 0 ? diagonal_correction(ends_[1][0]) : 0.0;
-                    value += j == rows - 1 ? diagonal_correction(ends_[1][1]) : 0.0;
-                } else if (j == 0) {
-                    value += base; // minus gamma = -b[0]
-                } else if (j == rows - 1) {
-                    value += 1.0 / base; // minus 1 / gamma
-                }
-                return value;
-            };
-            for (int j = 0; j < rows; ++j) {
-                pivot[j] = 1.0 / (diagonal(j) - (j > 0 ? pivot[j - 1] : 0.0));
+            std::array<double, 2> factors{};
+            factor_column(base, ends_[1], {pivot, static_cast<std::size_t>(rows)}, {vector, static_cast<std::size_t>(rows)},
+                          factors);
+            for (int j = 0; j < rows; ++j)
                 pivots_[at + j * k_lanes] = static_cast<float>(pivot[j]);
-            }
             if (!cyclic_)
                 continue;
-            const double gamma = -base;
-            for (int j = 0; j < rows; ++j) {
-                const double d = (j == 0 ? gamma : 0.0) + (j == rows - 1 ? 1.0 : 0.0);
-                vector[j] = (d - (j > 0 ? vector[j - 1] : 0.0)) * pivot[j];
-            }
-            for (int j = rows - 2; j >= 0; --j)
-                vector[j] -= pivot[j] * vector[j + 1];
-            const double scale = 1.0 / (1.0 + vector[0] + vector[rows - 1] / gamma);
             for (int j = 0; j < rows; ++j)
                 cyclic_vectors_[at + j * k_lanes] = static_cast<float>(vector[j]);
-            float* const factors =
+            float* const stored =
                 cyclic_factors_.data() + (static_cast<std::size_t>(block) * cells_.z + mode) * 2 * k_lanes + lane;
-            factors[0] = static_cast<float>(scale);
-            factors[k_lanes] = static_cast<float>(scale / gamma);
+            stored[0] = static_cast<float>(factors[0]);
+            stored[k_lanes] = static_cast<float>(factors[1]);
         }
 }
 

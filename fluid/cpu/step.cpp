@@ -98,31 +98,8 @@ float settling_factor(const Config& config, float dt) {
 
 } // namespace
 
-Diagnostics Wind::State::step(double duration) {
-    Diagnostics report;
-    double milliseconds = 0.0;
-    {
-        Stopwatch total(milliseconds);
-        step(duration, report);
-    }
-    report.times_ms.total = milliseconds;
-    return report;
-}
-
-void Wind::State::step(double duration, Diagnostics& report) {
+void Wind::State::step_cells(double duration, std::span<const detail::MotorReach> reached, Diagnostics& report) {
     const auto dt = static_cast<float>(duration);
-    std::span<const detail::MotorReach> reached;
-    if (config.stages.sources)
-        reached = motors.tick(duration, window);
-    previous_origin_cells = std::exchange(stepped_origin_cells, window.origin_cells);
-    previous_point = std::exchange(stepped_point, follow_point);
-    if (asleep && reached.empty() && !ambient.gusting()) {
-        ambient.advance(duration); // small-scale detail is carried on
-        report = at_rest;
-        return;
-    }
-    asleep = calm = false;
-    report.stepped = true;
     add_sources(reached, report);
     limit_speeds(dt, report);
     for (int part = 0; part < report.substeps; ++part) {
@@ -135,7 +112,6 @@ void Wind::State::step(double duration, Diagnostics& report) {
             advance_stable_fluids(part_dt, report);
     }
     measure(report);
-    fall_asleep_if_settled(report);
 }
 
 // While the wind gusts, what is solved is still air beyond the open sides; trajectories alone meet the whole ambient wind there.
@@ -237,7 +213,6 @@ void Wind::State::advance_in_place(float dt, Diagnostics& report) {
 
 void Wind::State::add_sources(std::span<const detail::MotorReach> reached, Diagnostics& report) {
     Stopwatch watch(report.times_ms.sources);
-    report.motors_in_reach = static_cast<int>(reached.size());
     sources.gather(reached, box().cell_size, air.velocity, config.parallel_for);
     if (config.stages.projection)
         let_air_in(reached);
@@ -374,21 +349,6 @@ bool Wind::State::at_ambient() const {
                     return false;
             }
     return true;
-}
-
-void Wind::State::fall_asleep_if_settled(Diagnostics& report) {
-    const bool may = config.stages.settling && config.settling_time > 0.0f && config.sleep_speed > 0.0f &&
-                     report.motors_in_reach == 0 && sources_of_air == 0 && report.diffusion == DiffusionMethod::none &&
-                     !ambient.gusting();
-    if (!may || !at_ambient())
-        return;
-    fill_with_ambient();
-    asleep = true;
-    at_rest = {};
-    measure(at_rest);
-    at_rest.times_ms = {};
-    at_rest.stepped = at_rest.asleep = true;
-    report.asleep = true;
 }
 
 } // namespace windrow

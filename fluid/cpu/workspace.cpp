@@ -1,83 +1,13 @@
 #include "fluid/cpu/workspace.h"
 
+#include "fluid/cpu/box_rules.h"
 #include "fluid/message.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 namespace windrow {
 namespace {
-
-using cpu::EndRule;
-using cpu::HaloRule;
-
-EndRule pressure_end(const Side& side) {
-    switch (side.kind) {
-    case SideKind::open:
-        return EndRule::zero_at_face;
-    case SideKind::periodic:
-        return EndRule::periodic;
-    default:
-        return EndRule::even_at_face;
-    }
-}
-
-EndRule velocity_end(const Side& side, bool normal) {
-    switch (side.kind) {
-    case SideKind::open:
-        return EndRule::zero_at_ghost;
-    case SideKind::periodic:
-        return EndRule::periodic;
-    case SideKind::no_slip:
-        return EndRule::zero_at_face;
-    default:
-        return normal ? EndRule::zero_at_face : EndRule::even_at_face;
-    }
-}
-
-// Applies one wall's mirror to a rule.
-void mirror(HaloRule& rule, const Side& side, int axis) {
-    for (int component = 0; component < 3; ++component) {
-        const bool normal = component == axis;
-        const bool odd = normal || side.kind == SideKind::no_slip;
-        if (odd) {
-            rule.scale[component] = -rule.scale[component];
-            rule.offset[component] = 2.0f * side.wall_velocity[component] - rule.offset[component];
-        }
-        if (normal)
-            rule.history_scale[component] = -rule.history_scale[component];
-    }
-    rule.identity = false;
-}
-
-// Follows an index outside [0, count) through mirrors and wraps until it is inside, or beyond an open side.
-HaloRule rule_at(const Sides& sides, int axis, int index, int count) {
-    // The mirrors nearest to the ghost act last on the value: gather them outermost first, then apply in reverse.
-    const Side* passed[16];
-    int passes = 0;
-    HaloRule rule;
-    while (index < 0 || index >= count) {
-        const Side& side = sides.at(axis, index < 0 ? 0 : 1);
-        if (side.kind == SideKind::open) {
-            rule.ambient = true;
-            rule.identity = false;
-            index = index < 0 ? 0 : count - 1;
-            break;
-        }
-        if (side.kind == SideKind::periodic) {
-            index += index < 0 ? count : -count;
-            continue;
-        }
-        assert(passes < 16);
-        passed[passes++] = &side;
-        index = index < 0 ? -1 - index : 2 * count - 1 - index;
-    }
-    rule.source = index;
-    while (!rule.ambient && passes > 0)
-        mirror(rule, *passed[--passes], axis);
-    return rule;
-}
 
 bool same_kinds(const Sides& a, const Sides& b) {
     for (int axis = 0; axis < 3; ++axis)
@@ -104,37 +34,20 @@ std::size_t Workspace::State::padded_cells() const {
 }
 
 void Workspace::State::build_rules() {
-    for (int axis = 0; axis < 3; ++axis) {
-        rules[axis].resize(static_cast<std::size_t>(box.cells[axis] + cpu::k_halo));
-        for (int padded = 0; padded < box.cells[axis] + cpu::k_halo; ++padded)
-            rules[axis][padded] = rule_at(box.sides, axis, padded - cpu::k_halo_low, box.cells[axis]);
-    }
+    for (int axis = 0; axis < 3; ++axis)
+        rules[axis] = cpu::halo_rules(box, axis);
 }
 
-// Beyond an open side the divergence takes the cell itself: with p = 0 at the face, that makes it the negative adjoint of the
-// gradient, so that the projection adds no energy there. Ambient ghosts here would leave out the cell's own velocity and feed
-// cell-to-cell waves at the rim (twice the error against a larger box).
 void Workspace::State::build_ghosts() {
     for (int axis = 0; axis < 3; ++axis)
         for (int end = 0; end < 2; ++end) {
-            const Side& side = box.sides.at(axis, end);
-            const int last = box.cells[axis] - 1;
-            const int edge = end == 0 ? 0 : last;
-            if (side.kind == SideKind::periodic) {
-                velocity_ghosts[axis][end] = potential_ghosts[axis][end] = {last - edge, 1.0f};
-            } else {
-                velocity_ghosts[axis][end] = {edge, side.kind == SideKind::open ? 1.0f : -1.0f};
-                potential_ghosts[axis][end] = {edge, side.kind == SideKind::open ? -1.0f : 1.0f};
-            }
+            velocity_ghosts[axis][end] = cpu::velocity_ghost(box, axis, end);
+            potential_ghosts[axis][end] = cpu::potential_ghost(box, axis, end);
         }
 }
 
 void Workspace::State::build_pressure() {
-    cpu::SeparableSolver::Ends ends;
-    for (int axis = 0; axis < 3; ++axis)
-        for (int end = 0; end < 2; ++end)
-            ends[axis][end] = pressure_end(box.sides.at(axis, end));
-    pressure.emplace(box.cells, ends, *kernels);
+    pressure.emplace(box.cells, cpu::pressure_ends(box.sides), *kernels);
     pressure->set_shift(0.0, parallel_for);
     grow_solver_buffers(*pressure);
 }
@@ -153,7 +66,7 @@ void Workspace::State::reserve_diffusion() {
         cpu::SeparableSolver::Ends ends;
         for (int axis = 0; axis < 3; ++axis)
             for (int end = 0; end < 2; ++end)
-                ends[axis][end] = velocity_end(box.sides.at(axis, end), axis == component);
+                ends[axis][end] = cpu::velocity_end(box.sides.at(axis, end), axis == component);
         return cpu::SeparableSolver(box.cells, ends, *kernels);
     };
     diffusion.emplace(std::array{solver(0), solver(1), solver(2)});
@@ -185,7 +98,7 @@ std::size_t Workspace::State::memory_bytes() const {
     std::size_t bytes = sizeof(State) + padded_carried.bytes() + padded_trace.bytes() + padded_scalar.bytes() +
                         potential.bytes() + scratch.bytes() + surveys.bytes() + pressure->memory_bytes();
     for (const auto& axis : rules)
-        bytes += axis.capacity() * sizeof(HaloRule);
+        bytes += axis.capacity() * sizeof(cpu::HaloRule);
     if (diffusion)
         for (const auto& component : *diffusion)
             bytes += component.memory_bytes();

@@ -1,0 +1,123 @@
+#include "fluid/cpu/box_rules.h"
+
+#include <cassert>
+
+namespace windrow::cpu {
+namespace {
+
+// Wraps handle any distance; this keeps index arithmetic within 32 bits for winds that no clamp has met.
+constexpr float k_farthest_wrap = 65536.0f;
+
+// Applies one wall's mirror to a rule.
+void mirror(HaloRule& rule, const Side& side, int axis) {
+    for (int component = 0; component < 3; ++component) {
+        const bool normal = component == axis;
+        const bool odd = normal || side.kind == SideKind::no_slip;
+        if (odd) {
+            rule.scale[component] = -rule.scale[component];
+            rule.offset[component] = 2.0f * side.wall_velocity[component] - rule.offset[component];
+        }
+        if (normal)
+            rule.history_scale[component] = -rule.history_scale[component];
+    }
+    rule.identity = false;
+}
+
+// Follows an index outside [0, count) through mirrors and wraps until it is inside, or beyond an open side.
+HaloRule rule_at(const Sides& sides, int axis, int index, int count) {
+    // The mirrors nearest to the ghost act last on the value: gather them outermost first, then apply in reverse.
+    const Side* passed[16];
+    int passes = 0;
+    HaloRule rule;
+    while (index < 0 || index >= count) {
+        const Side& side = sides.at(axis, index < 0 ? 0 : 1);
+        if (side.kind == SideKind::open) {
+            rule.ambient = true;
+            rule.identity = false;
+            index = index < 0 ? 0 : count - 1;
+            break;
+        }
+        if (side.kind == SideKind::periodic) {
+            index += index < 0 ? count : -count;
+            continue;
+        }
+        assert(passes < 16);
+        passed[passes++] = &side;
+        index = index < 0 ? -1 - index : 2 * count - 1 - index;
+    }
+    rule.source = index;
+    while (!rule.ambient && passes > 0)
+        mirror(rule, *passed[--passes], axis);
+    return rule;
+}
+
+} // namespace
+
+EndRule pressure_end(const Side& side) {
+    switch (side.kind) {
+    case SideKind::open:
+        return EndRule::zero_at_face;
+    case SideKind::periodic:
+        return EndRule::periodic;
+    default:
+        return EndRule::even_at_face;
+    }
+}
+
+EndRule velocity_end(const Side& side, bool normal) {
+    switch (side.kind) {
+    case SideKind::open:
+        return EndRule::zero_at_ghost;
+    case SideKind::periodic:
+        return EndRule::periodic;
+    case SideKind::no_slip:
+        return EndRule::zero_at_face;
+    default:
+        return normal ? EndRule::zero_at_face : EndRule::even_at_face;
+    }
+}
+
+std::array<std::array<EndRule, 2>, 3> pressure_ends(const Sides& sides) {
+    std::array<std::array<EndRule, 2>, 3> ends{};
+    for (int axis = 0; axis < 3; ++axis)
+        for (int end = 0; end < 2; ++end)
+            ends[axis][end] = pressure_end(sides.at(axis, end));
+    return ends;
+}
+
+std::vector<HaloRule> halo_rules(const Box& box, int axis) {
+    std::vector<HaloRule> rules(static_cast<std::size_t>(box.cells[axis] + k_halo));
+    for (int padded = 0; padded < box.cells[axis] + k_halo; ++padded)
+        rules[padded] = rule_at(box.sides, axis, padded - k_halo_low, box.cells[axis]);
+    return rules;
+}
+
+namespace {
+
+NormalGhost ghost(const Box& box, int axis, int end, float open, float wall) {
+    const Side& side = box.sides.at(axis, end);
+    const int last = box.cells[axis] - 1, edge = end == 0 ? 0 : last;
+    if (side.kind == SideKind::periodic)
+        return {last - edge, 1.0f};
+    return {edge, side.kind == SideKind::open ? open : wall};
+}
+
+} // namespace
+
+NormalGhost velocity_ghost(const Box& box, int axis, int end) {
+    return ghost(box, axis, end, 1.0f, -1.0f);
+}
+
+NormalGhost potential_ghost(const Box& box, int axis, int end) {
+    return ghost(box, axis, end, -1.0f, 1.0f);
+}
+
+LegalPlaces legal_places(const Box& box, int axis) {
+    const auto cells = static_cast<float>(box.cells[axis]);
+    if (box.sides.periodic(axis))
+        return {-k_farthest_wrap, k_farthest_wrap, cells, 1.0f / cells};
+    return {box.sides.at(axis, 0).kind == SideKind::open ? -1.0f : -0.5f,
+            cells - (box.sides.at(axis, 1).kind == SideKind::open ? 0.0f : 0.5f), 0.0f, 0.0f};
+}
+
+} // namespace windrow::cpu

@@ -1,0 +1,37 @@
+// What a box's sides mean for each stage: where values beyond a side come from, and where trajectories may end. One text for the
+// kernels of the CPU and for the tables of the GPU.
+#pragma once
+
+#include "fluid/box.h"
+#include "fluid/cpu/basis.h"
+#include "fluid/cpu/kernels/kernels.h"
+
+#include <array>
+#include <vector>
+
+namespace windrow::cpu {
+
+/// What lies beyond a side, for the pressure and for a component of the velocity.
+[[nodiscard]] EndRule pressure_end(const Side& side);
+[[nodiscard]] EndRule velocity_end(const Side& side, bool normal);
+/// The same for all sides of the pressure.
+[[nodiscard]] std::array<std::array<EndRule, 2>, 3> pressure_ends(const Sides& sides);
+
+/// An axis' rules, one a padded index: [cell + k_halo_low].
+[[nodiscard]] std::vector<HaloRule> halo_rules(const Box& box, int axis);
+
+/// What a stencil takes beyond one end of an axis. Beyond an open side the divergence takes the cell itself: with p = 0 at the
+/// face, that makes it the negative adjoint of the gradient, so that the projection adds no energy there. Ambient ghosts would
+/// leave out the cell's own velocity and feed cell-to-cell waves at the rim (twice the error against a larger box).
+[[nodiscard]] NormalGhost velocity_ghost(const Box& box, int axis, int end);
+[[nodiscard]] NormalGhost potential_ghost(const Box& box, int axis, int end);
+
+/// Where a trajectory may end on an axis, in cells from the first centre. An open side lets it end one cell beyond the outermost
+/// centre, where everything read is ambient; a wall stops it at the face; a periodic axis wraps.
+struct LegalPlaces {
+    float low = 0.0f, high = 0.0f;
+    float period = 0.0f, inverse_period = 0.0f; ///< 0 where the axis is not periodic
+};
+[[nodiscard]] LegalPlaces legal_places(const Box& box, int axis);
+
+} // namespace windrow::cpu

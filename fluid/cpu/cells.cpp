@@ -1,0 +1,180 @@
+// The cells of a wind on the CPU under what its host does to them: they become ambient, move with the box, blend for a frame. The
+// ambient wind lies cell by cell, halo included, where it is not the same everywhere.
+#include "fluid/cpu/workspace.h"
+#include "fluid/wind_state.h"
+
+#include <algorithm>
+
+namespace windrow {
+namespace {
+
+// Visits the cells that a shift exposes: those whose value would come from outside.
+template <class Visit>
+void for_each_exposed(glm::ivec3 cells, CellIndex shift, const Visit& visit) {
+    const auto outside = [&](int axis, int index) { return index + shift[axis] < 0 || index + shift[axis] >= cells[axis]; };
+    std::size_t n = 0;
+    for (int k = 0; k < cells.z; ++k)
+        for (int j = 0; j < cells.y; ++j)
+            for (int i = 0; i < cells.x; ++i, ++n)
+                if (outside(2, k) || outside(1, j) || outside(0, i))
+                    visit(n, i, j, k);
+}
+
+} // namespace
+
+// --- The wind around the box ---------------------------------------------------------------------------------------------
+
+void Wind::State::around_changed() {
+    work.set_ambient(config.ambient);
+    Workspace::State& around = work.state();
+    around.mean_cells = around.ambient_cells = nullptr;
+    const auto renew = [&](cpu::AmbientField& field, const AmbientWind& wind) {
+        if (field.cells() != window.cells)
+            field = cpu::AmbientField(window.cells);
+        field.fill(wind, window, config.parallel_for);
+        return field.data();
+    };
+    if (config.profile)
+        around.ambient_cells = around.mean_cells = renew(mean_field, ambient.without_gusts());
+    if (config.gusts.intensity > 0.0f) {
+        around.ambient_cells = renew(ambient_field, ambient);
+        reserve_solved();
+    }
+}
+
+namespace {
+
+// The first of the four floats of a cell in a padded field.
+std::size_t padded_index(glm::ivec3 cells, int i, int j, int k) {
+    const glm::ivec3 padded = cells + cpu::k_halo, at = glm::ivec3(i, j, k) + cpu::k_halo_low;
+    return 4 * ((static_cast<std::size_t>(at.z) * padded.y + at.y) * padded.x + at.x);
+}
+
+glm::vec4 cell_at(const float* cell) {
+    return {cell[0], cell[1], cell[2], 0.0f};
+}
+
+} // namespace
+
+glm::vec4 Wind::State::ambient_at(int i, int j, int k) const {
+    if (config.gusts.intensity > 0.0f)
+        return cell_at(ambient_field.data() + padded_index(window.cells, i, j, k));
+    return mean_at(i, j, k);
+}
+
+glm::vec4 Wind::State::mean_at(int i, int j, int k) const {
+    return config.profile ? cell_at(mean_field.data() + padded_index(window.cells, i, j, k)) : glm::vec4(work.ambient(), 0.0f);
+}
+
+void Wind::State::add_ambient(std::span<glm::vec4> field, float factor) const {
+    const glm::ivec3 cells = window.cells;
+    config.parallel_for(cells.z, [&](int k) {
+        for (int j = 0; j < cells.y; ++j) {
+            const float* const around = ambient_field.data() + padded_index(cells, 0, j, k);
+            glm::vec4* const row = field.data() + box().index(0, j, k);
+            for (int i = 0; i < cells.x; ++i)
+                row[i] += factor * cell_at(around + 4 * i);
+        }
+    });
+}
+
+void Wind::State::fill(std::span<glm::vec4> field) const {
+    if (ambient.uniform())
+        std::fill(field.begin(), field.end(), ambient_at(0, 0, 0));
+    else
+        for_each_exposed(window.cells, CellIndex(window.cells),
+                         [&](std::size_t n, int i, int j, int k) { field[n] = ambient_at(i, j, k); });
+}
+
+void Wind::State::fill_exposed(std::span<glm::vec4> field, CellIndex shift) const {
+    for_each_exposed(window.cells, shift, [&](std::size_t n, int i, int j, int k) { field[n] = ambient_at(i, j, k); });
+}
+
+void Wind::State::fill_cells() {
+    fill(air.velocity);
+    air.fresh = true;
+    std::fill_n(source_flow.data(), source_flow.size(), glm::vec4(0.0f));
+}
+
+void Wind::State::fill_before() {
+    fill(frames->before);
+}
+
+void Wind::State::add_ambient_to_cells(float factor) {
+    const auto add = [&](std::span<glm::vec4> field) {
+        for_each_exposed(window.cells, CellIndex(window.cells),
+                         [&](std::size_t n, int i, int j, int k) { field[n] += factor * ambient_at(i, j, k); });
+    };
+    add(air.velocity);
+    if (!air.fresh)
+        add(air.velocity_old);
+    if (frames)
+        add(frames->before);
+}
+
+void Wind::State::add_change_to_cells(glm::vec3 change, bool before_only) {
+    const auto add_change = [&](std::span<glm::vec4> field) {
+        for (std::size_t row = 0, n = 0; n < field.size(); ++row) {
+            const int j = static_cast<int>(row % static_cast<std::size_t>(window.cells.y));
+            const glm::vec4 here(ambient.profile_at(window.centre(0, j, 0).y) * change, 0.0f);
+            for (int i = 0; i < window.cells.x; ++i, ++n)
+                field[n] += here;
+        }
+    };
+    if (frames)
+        add_change(frames->before);
+    if (before_only)
+        return;
+    add_change(air.velocity);
+    if (!air.fresh)
+        add_change(air.velocity_old);
+}
+
+// --- Where the box lies -----------------------------------------------------------------------------------------------------
+
+Result<void> Wind::State::sides_changed(bool kinds) {
+    air.fresh = air.fresh || kinds;
+    return work.set_sides(config.sides);
+}
+
+void Wind::State::shift_cells(CellIndex by, bool exposed_hold_ambient) {
+    const auto shift_air = [&](std::span<glm::vec4> field) {
+        shift_field(field, window.cells, by, exposed_hold_ambient ? ambient_at(0, 0, 0) : glm::vec4(0.0f));
+        if (!ambient.uniform() && exposed_hold_ambient)
+            fill_exposed(field, by);
+    };
+    shift_air(air.velocity);
+    if (sources_of_air != 0)
+        shift_field(source_flow, window.cells, by, glm::vec4(0.0f));
+    if (frames)
+        shift_air(frames->before);
+    if (!air.fresh) {
+        shift_air(air.velocity_old);
+        shift_field(air.history, window.cells, by, glm::vec4(0.0f));
+    }
+}
+
+// --- Between two ticks ------------------------------------------------------------------------------------------------------
+
+void Wind::State::begin_keeping() {
+    const std::size_t cells = air.velocity.size();
+    for (cpu::Buffer<glm::vec4>* field : {&frames->before, &frames->shown.field, &frames->shown_before.field}) {
+        *field = cpu::Buffer<glm::vec4>(cells);
+        std::copy_n(air.velocity.data(), cells, field->data());
+    }
+}
+
+void Wind::State::keep_before() {
+    std::copy_n(air.velocity.data(), air.velocity.size(), frames->before.data());
+}
+
+void Wind::State::blend(float factor) {
+    const std::size_t row_plane = static_cast<std::size_t>(window.cells.x) * static_cast<std::size_t>(window.cells.y);
+    config.parallel_for(window.cells.z, [&](int plane) {
+        const std::size_t first = row_plane * static_cast<std::size_t>(plane);
+        for (std::size_t n = first; n < first + row_plane; ++n)
+            frames->shown.field[n] = frames->before[n] + factor * (air.velocity[n] - frames->before[n]);
+    });
+}
+
+} // namespace windrow
