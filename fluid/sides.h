@@ -4,7 +4,8 @@
 //   open       the ambient wind: every read beyond it returns ambient, and p = 0 at the face (the divergence sees the cell itself
 //              there, the negative adjoint of the gradient);
 //   free_slip  a wall that holds no air back: u.n mirrored with its sign turned, the rest mirrored, dp/dn = 0;
-//   no_slip    a wall that carries the air along: u mirrored about the wall's velocity, dp/dn = 0;
+//   no_slip    a wall that carries the air along: for viscosity u mirrored about the wall's velocity, dp/dn = 0; transport slips
+//              along it as along free_slip, so that where viscosity acts on nothing neither does the wall's velocity
 //              (while gusts blow, of the air that motors move alone: gusts slip along every wall)
 //   periodic   the far side of the box.
 // Mirrored ghosts put the wall on the face, half a cell beyond the last centre: second order.

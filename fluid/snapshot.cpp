@@ -179,8 +179,11 @@ struct StateFields {
     }
 
     static void air(auto& archive, Like<Air> auto& air) {
-        auto& [velocity, velocity_old, history, fresh, dt_old] = air;
-        archive(fresh);
+        auto& [velocity, velocity_old, history, fresh, dt_old, owed_diffusion] = air;
+        archive(fresh, owed_diffusion);
+        if constexpr (Reading<decltype(archive)>)
+            archive.require(owed_diffusion >= 0.0f && owed_diffusion < 1e30f,
+                            "the time in which viscosity has not acted is out of range.");
         archive.cells(velocity);
         if (fresh)
             return;

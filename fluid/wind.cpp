@@ -6,7 +6,6 @@
 
 namespace windrow {
 namespace {
-constexpr float k_longest_prepared = 1.0f; // [s]
 constexpr float k_most_wind = 1e4f;
 } // namespace
 
@@ -138,6 +137,10 @@ WindowBlock Wind::window_block(glm::dvec3 anchor) const {
     return state_->window_block(anchor, view(), previous_view());
 }
 
+FrameBlock Wind::frame_block(glm::dvec3 anchor, const Sampling& sampling) const {
+    return state_->frame_block(anchor, sampling, view(), previous_view());
+}
+
 std::span<const glm::vec4> Wind::field() const {
     return std::as_const(state_->air.velocity);
 }
@@ -149,6 +152,7 @@ void Wind::set_velocity(const std::function<glm::vec3(glm::dvec3)>& velocity_at)
             for (int i = 0; i < box.cells.x; ++i)
                 state_->air.velocity[box.index(i, j, k)] = glm::vec4(velocity_at(state_->window.centre(i, j, k)), 0.0f);
     state_->air.fresh = true;
+    state_->air.owed_diffusion = 0.0f;
     state_->asleep = state_->calm = false;
     if (state_->log != nullptr)
         state_->log->note(VelocitySet{{field().begin(), field().end()}});
@@ -161,6 +165,7 @@ Result<void> Wind::set_velocity(std::span<const glm::vec4> field) {
                                      ": give box().cell_count().")};
     std::transform(field.begin(), field.end(), velocity.data(), [](glm::vec4 u) { return glm::vec4(u.x, u.y, u.z, 0.0f); });
     state_->air.fresh = true;
+    state_->air.owed_diffusion = 0.0f;
     state_->asleep = state_->calm = false;
     if (state_->log != nullptr)
         state_->log->note(VelocitySet{{field.begin(), field.end()}});

@@ -13,6 +13,7 @@
 #include "fluid/ambient.h"
 #include "fluid/box.h"
 #include "fluid/diagnostics.h"
+#include "fluid/frame_block.h"
 #include "fluid/motors.h"
 #include "fluid/parallel.h"
 #include "fluid/pieces.h"
@@ -178,6 +179,8 @@ class Wind {
     }
     /// Where the textures lie, relative to `anchor` [m], and where they lay in the frame before.
     [[nodiscard]] WindowBlock window_block(glm::dvec3 anchor) const;
+    /// The same with what blows around the box: all that shaders/coupling/windrow_wind.glsl wants beside the textures.
+    [[nodiscard]] FrameBlock frame_block(glm::dvec3 anchor, const Sampling& sampling = {}) const;
     /// All of the above of this moment, and of the frame before, for motion vectors. Without `advance` both are the last step: a
     /// host that steps by itself keeps the textures of its last frame.
     [[nodiscard]] WindView view() const;

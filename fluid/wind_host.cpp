@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace windrow {
@@ -25,6 +26,27 @@ bool can_follow(const Sides& sides, int axis) {
 
 glm::bvec3 axes_that_follow(const std::optional<glm::bvec3>& follow, const Sides& sides) {
     return follow ? *follow : glm::bvec3(can_follow(sides, 0), can_follow(sides, 1), can_follow(sides, 2));
+}
+
+// Names the sources of air among the motors, and where the box lies: the same name, the same S.
+std::uint64_t name_of_sources(std::span<const detail::MotorReach> reached, CellIndex origin) {
+    constexpr std::uint64_t k_prime = 0x100000001b3;
+    std::uint64_t name = 0xcbf29ce484222325; // FNV-1a
+    bool any = false;
+    const auto mix = [&](const auto& value) {
+        for (const std::byte byte : std::as_bytes(std::span(&value, 1)))
+            name = (name ^ static_cast<std::uint64_t>(byte)) * k_prime;
+    };
+    for (const detail::MotorReach& motor : reached)
+        if (motor.law == detail::MotorReach::Law::source) {
+            any = true;
+            mix(motor);
+        }
+    if (!any)
+        return 0;
+    for (int axis = 0; axis < 3; ++axis)
+        mix(origin[axis]);
+    return name | 1;
 }
 
 } // namespace
@@ -191,6 +213,13 @@ WindowBlock WindHost::window_block(glm::dvec3 anchor, const WindView& view, cons
     return block;
 }
 
+FrameBlock WindHost::frame_block(glm::dvec3 anchor, const Sampling& sampling, const WindView& view,
+                                 const WindView& previous_view) const {
+    return {.window = window_block(anchor, view, previous_view),
+            .ambient = view.ambient().block(anchor, sampling),
+            .previous_ambient = previous_view.ambient().block(anchor, sampling)};
+}
+
 // --- A step, but for its cells ---------------------------------------------------------------------------------------------
 
 Diagnostics WindHost::tick_air(double duration) {
@@ -219,10 +248,19 @@ void WindHost::run_step(double duration, Diagnostics& report) {
     fall_asleep_if_settled(report);
 }
 
+bool WindHost::viscous(float dt) const {
+    const float longest = std::max(dt, k_longest_prepared);
+    return config.stages.diffusion && diffusion_method(config.viscosity, longest, config.cell_size) != DiffusionMethod::none;
+}
+
+bool WindHost::renew_sources(std::span<const detail::MotorReach> reached) {
+    const std::uint64_t name = name_of_sources(reached, window.origin_cells);
+    return std::exchange(sources_of_air, name) != name;
+}
+
 void WindHost::fall_asleep_if_settled(Diagnostics& report) {
     const bool may = config.stages.settling && config.settling_time > 0.0f && config.sleep_speed > 0.0f &&
-                     report.motors_in_reach == 0 && sources_of_air == 0 && report.diffusion == DiffusionMethod::none &&
-                     !ambient.gusting();
+                     report.motors_in_reach == 0 && sources_of_air == 0 && !viscous() && !ambient.gusting();
     if (!may || !at_ambient())
         return;
     fill_with_ambient();

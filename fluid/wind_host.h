@@ -42,6 +42,8 @@ struct WindHost {
     WindHost(const WindHost&) = delete;
     WindHost& operator=(const WindHost&) = delete;
 
+    static constexpr float k_longest_prepared = 1.0f; ///< [s] step that allocates nothing
+
     Config config;
     glm::bvec3 follow_axes;
     Window window;
@@ -62,8 +64,13 @@ struct WindHost {
     [[nodiscard]] Box box() const { return {config.cells, config.cell_size, config.sides}; }
     /// [m/s] Mean wind that the open sides carry.
     [[nodiscard]] glm::vec3 mean_wind() const { return admissible_ambient(config.sides, config.ambient); }
+    /// Viscosity does something that floats hold within a second, or within `dt` [s]; else it is left out.
+    [[nodiscard]] bool viscous(float dt = k_longest_prepared) const;
     [[nodiscard]] Rim rim(glm::dvec3 point) const;
     [[nodiscard]] WindowBlock window_block(glm::dvec3 anchor, const WindView& view, const WindView& previous_view) const;
+
+    [[nodiscard]] FrameBlock frame_block(glm::dvec3 anchor, const Sampling& sampling, const WindView& view,
+                                         const WindView& previous_view) const;
 
     // What the calls of Wind do; see there.
     Diagnostics step(double dt);
@@ -101,6 +108,8 @@ struct WindHost {
     virtual void begin_keeping() = 0;
     /// The air of now becomes the air of the tick before.
     virtual void keep_before() = 0;
+    /// The tick repaired cells: what is kept of them shows nowhere.
+    virtual void hide_broken_cells() = 0;
     /// Makes the wind of this frame, `factor` of the way from the tick before to now.
     virtual void blend(float factor) = 0;
     /// A step of the air: `dt` [s] with what the motors do in it.
@@ -109,6 +118,9 @@ struct WindHost {
     [[nodiscard]] virtual bool at_ambient() const = 0;
     /// What the air reports now.
     virtual void measure(Diagnostics& report) = 0;
+
+    /// Takes note of the sources of air among the motors: true where they, or the box under them, are not what they were.
+    bool renew_sources(std::span<const detail::MotorReach> reached);
 
   private:
     Diagnostics tick_air(double duration);

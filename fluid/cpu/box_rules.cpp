@@ -85,11 +85,28 @@ std::array<std::array<EndRule, 2>, 3> pressure_ends(const Sides& sides) {
     return ends;
 }
 
+std::array<std::array<EndRule, 2>, 3> velocity_ends(const Sides& sides, int component) {
+    std::array<std::array<EndRule, 2>, 3> ends{};
+    for (int axis = 0; axis < 3; ++axis)
+        for (int end = 0; end < 2; ++end)
+            ends[axis][end] = velocity_end(sides.at(axis, end), axis == component);
+    return ends;
+}
+
 std::vector<HaloRule> halo_rules(const Box& box, int axis) {
     std::vector<HaloRule> rules(static_cast<std::size_t>(box.cells[axis] + k_halo));
     for (int padded = 0; padded < box.cells[axis] + k_halo; ++padded)
         rules[padded] = rule_at(box.sides, axis, padded - k_halo_low, box.cells[axis]);
     return rules;
+}
+
+std::vector<HaloRule> carried_rules(const Box& box, int axis) {
+    Box slip = box;
+    for (Side* side :
+         {&slip.sides.x_low, &slip.sides.x_high, &slip.sides.y_low, &slip.sides.y_high, &slip.sides.z_low, &slip.sides.z_high})
+        if (side->solid())
+            *side = Side{SideKind::free_slip};
+    return halo_rules(slip, axis);
 }
 
 namespace {

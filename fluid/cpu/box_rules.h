@@ -14,11 +14,17 @@ namespace windrow::cpu {
 /// What lies beyond a side, for the pressure and for a component of the velocity.
 [[nodiscard]] EndRule pressure_end(const Side& side);
 [[nodiscard]] EndRule velocity_end(const Side& side, bool normal);
-/// The same for all sides of the pressure.
+/// The same for all sides, of the pressure and of a component of the velocity.
 [[nodiscard]] std::array<std::array<EndRule, 2>, 3> pressure_ends(const Sides& sides);
+[[nodiscard]] std::array<std::array<EndRule, 2>, 3> velocity_ends(const Sides& sides, int component);
 
-/// An axis' rules, one a padded index: [cell + k_halo_low].
+/// An axis' rules, one a padded index: [cell + k_halo_low], as viscosity sees the sides.
 [[nodiscard]] std::vector<HaloRule> halo_rules(const Box& box, int axis);
+/// The same as transport sees them: along every wall the air slips. What a no-slip wall holds back is a layer that viscosity
+/// makes, thinner than a cell in all but the stiffest air. A ghost of the other sign puts that layer between the outermost cell
+/// and the one beyond it, where a cubic read takes it for a slope and feeds on it: two cells between such walls grew to 100 times
+/// the speed of what drove them. So carried air slips, and viscosity alone holds it back.
+[[nodiscard]] std::vector<HaloRule> carried_rules(const Box& box, int axis);
 
 /// What a stencil takes beyond one end of an axis. Beyond an open side the divergence takes the cell itself: with p = 0 at the
 /// face, that makes it the negative adjoint of the gradient, so that the projection adds no energy there. Ambient ghosts would

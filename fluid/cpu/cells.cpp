@@ -93,6 +93,7 @@ void Wind::State::fill_exposed(std::span<glm::vec4> field, CellIndex shift) cons
 void Wind::State::fill_cells() {
     fill(air.velocity);
     air.fresh = true;
+    air.owed_diffusion = 0.0f;
     std::fill_n(source_flow.data(), source_flow.size(), glm::vec4(0.0f));
 }
 

@@ -17,7 +17,7 @@ void advect(Workspace& work, const ScalarTransport& transport, std::span<float> 
     cpu::PadTask pad{};
     for (int axis = 0; axis < 3; ++axis) {
         pad.cells[axis] = box.cells[axis];
-        pad.rules[axis] = state.rules[axis].data();
+        pad.rules[axis] = state.carried_rules[axis].data();
         pad.ambient[axis] = state.ambient[axis];
     }
     pad.carried = pad.velocity = cpu::floats(transport.velocity);

@@ -57,27 +57,6 @@ bool finite(const glm::vec4& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
 }
 
-// Names the sources of air among the motors, and where the box lies: the same name, the same S.
-std::uint64_t name_of_sources(std::span<const detail::MotorReach> reached, CellIndex origin) {
-    constexpr std::uint64_t k_prime = 0x100000001b3;
-    std::uint64_t name = 0xcbf29ce484222325; // FNV-1a
-    bool any = false;
-    const auto mix = [&](const auto& value) {
-        for (const std::byte byte : std::as_bytes(std::span(&value, 1)))
-            name = (name ^ static_cast<std::uint64_t>(byte)) * k_prime;
-    };
-    for (const detail::MotorReach& motor : reached)
-        if (motor.law == detail::MotorReach::Law::source) {
-            any = true;
-            mix(motor);
-        }
-    if (!any)
-        return 0;
-    for (int axis = 0; axis < 3; ++axis)
-        mix(origin[axis]);
-    return name | 1;
-}
-
 void add_scaled(std::span<glm::vec4> field, std::span<const glm::vec4> other, float factor) {
     for (std::size_t n = 0; n < field.size(); ++n)
         field[n] += factor * other[n];
@@ -229,8 +208,7 @@ void Wind::State::carry_gusts(float dt, Diagnostics& report) {
 // Brings the flow of the sources up to date. u_old takes the same change: the trajectories extrapolate u - u_old, which must not
 // see a jump.
 void Wind::State::let_air_in(std::span<const detail::MotorReach> reached) {
-    const std::uint64_t name = name_of_sources(reached, window.origin_cells);
-    if (std::exchange(sources_of_air, name) == name)
+    if (!renew_sources(reached))
         return;
     if (source_flow.empty())
         source_flow = cpu::Buffer<glm::vec4>(air.velocity.size());
@@ -242,7 +220,7 @@ void Wind::State::let_air_in(std::span<const detail::MotorReach> reached) {
     };
     add_to_air(-1.0f);
     std::fill_n(source_flow.data(), source_flow.size(), glm::vec4(0.0f));
-    if (name == 0)
+    if (sources_of_air == 0)
         return;
     project(work, source_flow, {}, sources.expansion());
     add_to_air(1.0f);
@@ -310,17 +288,20 @@ void Wind::State::repair_broken_cells() {
     });
 }
 
-// The velocity after diffusion: itself where viscosity asks for nothing.
+// The velocity after diffusion: itself where viscosity asks for nothing. What a sub-step is too short for is owed: left out, it
+// would be left out for good, however many sub-steps follow.
 std::span<const glm::vec4> Wind::State::diffuse(std::span<const glm::vec4> field, float dt, Diagnostics& report) {
-    const DiffusionMethod method =
-        config.stages.diffusion ? diffusion_method(config.viscosity, dt, box().cell_size) : DiffusionMethod::none;
+    if (!viscous(dt))
+        return field;
+    air.owed_diffusion += dt;
+    const DiffusionMethod method = diffusion_method(config.viscosity, air.owed_diffusion, box().cell_size);
     report.diffusion = method;
     if (method == DiffusionMethod::none)
         return field;
     Stopwatch watch(report.times_ms.diffusion);
     if (diffused.empty())
         diffused = cpu::Buffer<glm::vec4>(air.velocity.size());
-    windrow::diffuse(work, field, config.viscosity, dt, diffused);
+    windrow::diffuse(work, field, config.viscosity, std::exchange(air.owed_diffusion, 0.0f), diffused);
     return diffused;
 }
 

@@ -34,8 +34,10 @@ std::size_t Workspace::State::padded_cells() const {
 }
 
 void Workspace::State::build_rules() {
-    for (int axis = 0; axis < 3; ++axis)
+    for (int axis = 0; axis < 3; ++axis) {
         rules[axis] = cpu::halo_rules(box, axis);
+        carried_rules[axis] = cpu::carried_rules(box, axis);
+    }
 }
 
 void Workspace::State::build_ghosts() {
@@ -63,11 +65,7 @@ void Workspace::State::reserve_diffusion() {
     if (diffusion)
         return;
     const auto solver = [&](int component) {
-        cpu::SeparableSolver::Ends ends;
-        for (int axis = 0; axis < 3; ++axis)
-            for (int end = 0; end < 2; ++end)
-                ends[axis][end] = cpu::velocity_end(box.sides.at(axis, end), axis == component);
-        return cpu::SeparableSolver(box.cells, ends, *kernels);
+        return cpu::SeparableSolver(box.cells, cpu::velocity_ends(box.sides, component), *kernels);
     };
     diffusion.emplace(std::array{solver(0), solver(1), solver(2)});
     for (const auto& component : *diffusion)
@@ -97,8 +95,9 @@ void Workspace::State::set_ambient(glm::vec3 wind) {
 std::size_t Workspace::State::memory_bytes() const {
     std::size_t bytes = sizeof(State) + padded_carried.bytes() + padded_trace.bytes() + padded_scalar.bytes() +
                         potential.bytes() + scratch.bytes() + surveys.bytes() + pressure->memory_bytes();
-    for (const auto& axis : rules)
-        bytes += axis.capacity() * sizeof(cpu::HaloRule);
+    for (const auto* each : {&rules, &carried_rules})
+        for (const auto& axis : *each)
+            bytes += axis.capacity() * sizeof(cpu::HaloRule);
     if (diffusion)
         for (const auto& component : *diffusion)
             bytes += component.memory_bytes();

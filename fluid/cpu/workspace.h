@@ -25,8 +25,10 @@ struct Workspace::State {
     ParallelFor parallel_for;
     const cpu::Kernels* kernels;
 
-    /// rules[axis][cell + k_halo_low]: where a padded velocity comes from.
+    /// rules[axis][cell + k_halo_low]: where a padded velocity comes from, as viscosity sees it.
     std::array<std::vector<cpu::HaloRule>, 3> rules;
+    /// The same as transport sees it: along every wall the air slips.
+    std::array<std::vector<cpu::HaloRule>, 3> carried_rules;
     cpu::NormalGhost velocity_ghosts[3][2];
     cpu::NormalGhost potential_ghosts[3][2];
 

@@ -21,7 +21,7 @@ namespace windrow::reference {
 struct Beyond {
     glm::ivec3 inside{0};
     bool open = false; ///< beyond an open side: nothing inside is read
-    glm::dvec3 scale{1.0}, offset{0.0};
+    glm::dvec3 scale{1.0};
     glm::dvec3 history_scale{1.0};
 };
 
@@ -40,11 +40,7 @@ inline Beyond beyond(const Box& box, glm::ivec3 index) {
                 continue;
             }
             index[axis] = (index[axis] < 0 ? -1 : 2 * count - 1) - index[axis];
-            for (int c = 0; c < 3; ++c)
-                if (c == axis || side.kind == SideKind::no_slip) {
-                    result.offset[c] += result.scale[c] * 2.0 * static_cast<double>(side.wall_velocity[c]);
-                    result.scale[c] = -result.scale[c];
-                }
+            result.scale[axis] = -result.scale[axis]; // carried air slips along every wall (sides.h)
             result.history_scale[axis] = -result.history_scale[axis];
         }
     }
@@ -97,7 +93,7 @@ inline glm::dvec3 departure(const Box& box, glm::dvec3 ambient, const Transport&
             return ambient;
         const std::size_t n = box.index(from.inside.x, from.inside.y, from.inside.z);
         const glm::dvec3 now(transport.velocity[n]);
-        return from.scale * (steady ? now : (1.0 + a) * now - a * glm::dvec3(transport.velocity_old[n])) + from.offset;
+        return from.scale * (steady ? now : (1.0 + a) * now - a * glm::dvec3(transport.velocity_old[n]));
     };
     const glm::dvec3 here(transport.velocity[box.index(cell.x, cell.y, cell.z)]);
     const glm::dvec3 guess = legal(box, glm::dvec3(cell) - cells_per_speed * here);
@@ -114,7 +110,7 @@ inline glm::dvec3 arrival(const Box& box, glm::dvec3 ambient, const Transport& t
         const std::size_t n = box.index(from.inside.x, from.inside.y, from.inside.z);
         const glm::dvec3 settled =
             ambient + static_cast<double>(transport.settling) * (glm::dvec3(transport.carried[n]) - ambient);
-        const glm::dvec3 value = from.scale * settled + from.offset;
+        const glm::dvec3 value = from.scale * settled;
         if (transport.history.empty())
             return value;
         return value - static_cast<double>(transport.history_scale) * from.history_scale * glm::dvec3(transport.history[n]);

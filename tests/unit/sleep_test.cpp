@@ -53,6 +53,25 @@ std::vector<std::pair<std::string, Config>> places() {
             {"stable_fluids", {.cells = {16, 8, 16}, .settling_time = 1.0f, .scheme = Scheme::stable_fluids}}};
 }
 
+TEST(Sleep, TheStepThatFallsAsleepReportsTheAirThatIsLeft) {
+    for (const auto& [name, config] : places()) {
+        Wind wind = made(config);
+        const auto fan = wind.motors().add(DirectionalMotor{.law = Drive{6.0f, 8.0f}});
+        ASSERT_TRUE(fan);
+        wind.step(0.1);
+        ASSERT_TRUE(wind.motors().remove(*fan));
+        Diagnostics falls;
+        for (int n = 0; n < 20'000 && !falls.asleep; ++n)
+            falls = wind.step(1.0 / 60.0);
+        ASSERT_TRUE(falls.asleep) << name;
+        const Diagnostics sleeps = wind.step(1.0 / 60.0);
+        EXPECT_EQ(falls.max_speed, sleeps.max_speed) << name;
+        EXPECT_EQ(falls.energy, sleeps.energy) << name;
+        EXPECT_EQ(falls.divergence_rms, sleeps.divergence_rms) << name;
+        EXPECT_GT(falls.substeps, 0) << name; // it was a step all the same
+    }
+}
+
 TEST(Sleep, WakingEqualsAFreshSolverToTheBit) {
     for (const auto& [name, config] : places()) {
         Wind slept = made(config);

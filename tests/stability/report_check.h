@@ -1,0 +1,92 @@
+// Whether a step reports what it did: Diagnostics against the cells.
+#pragma once
+
+#include "fluid/wind.h"
+#include "tests/fields.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <sstream>
+#include <string>
+
+namespace windrow::test {
+
+/// What the test knows of the step.
+struct StepTaken {
+    double dt = 0.0;         ///< [s]
+    std::int64_t broken = 0; ///< cells that held no number before it
+    bool was_asleep = false;
+    bool moved = false; ///< the box may have moved in it, and left broken cells behind
+};
+
+/// Cells of which a component is NaN or infinite.
+[[nodiscard]] inline std::int64_t broken_cells(std::span<const glm::vec4> field) {
+    return std::count_if(field.begin(), field.end(), [](const glm::vec4& u) {
+        return !(std::isfinite(u.x) && std::isfinite(u.y) && std::isfinite(u.z) && std::isfinite(u.w));
+    });
+}
+
+/// The first thing in which report and cells disagree; empty where there is none.
+[[nodiscard]] inline std::string disagreement(const Wind& wind, const Diagnostics& report, const StepTaken& step) {
+    std::ostringstream text;
+    const auto differs = [&](const char* what, auto reported, auto found) {
+        text << what << " is reported as " << reported << ", but is " << found;
+        return text.str();
+    };
+    const Config& config = wind.config();
+    const double h = config.cell_size;
+    if (!report.stepped)
+        return differs("stepped", false, true);
+    const std::span<const glm::vec4> field = wind.field();
+    float largest = 0.0f;
+    for (const glm::vec4& u : field) {
+        largest = std::max({largest, std::abs(u.x), std::abs(u.y), std::abs(u.z)});
+        if (u.w != 0.0f)
+            return differs("the fourth component", 0.0f, u.w);
+    }
+    if (report.max_speed != largest)
+        return differs("max_speed", report.max_speed, largest);
+    // Runs of 1024 floats are summed in float, to 256 a lane, each sum off by half a rounding at most; squares too small for a
+    // float are off by half of its smallest number.
+    const double energy = energy_of(field) * h * h * h;
+    const double smallest = 1.5 * static_cast<double>(field.size()) * std::numeric_limits<float>::denorm_min() * h * h * h;
+    if (!(std::abs(report.energy - energy) <= 256.0 * 6e-8 * energy + smallest))
+        return differs("energy", report.energy, energy);
+    if (!(report.divergence_rms >= 0.0 && std::isfinite(report.divergence_rms)))
+        return differs("divergence_rms", report.divergence_rms, "a size");
+    if (report.repaired_cells > step.broken || (!step.moved && report.repaired_cells < step.broken))
+        return differs("repaired_cells", report.repaired_cells, step.broken);
+    if (step.was_asleep && report.asleep)
+        return {}; // it did nothing, and tells what it found when it fell asleep
+
+    if (!(report.cfl >= 0.0f && std::isfinite(report.cfl)))
+        return differs("cfl", report.cfl, "a number of cells");
+    const float wanted = config.stages.advection ? std::max(1.0f, std::ceil(report.cfl / config.max_cfl)) : 1.0f;
+    const bool capped = wanted > static_cast<float>(config.max_substeps);
+    if (report.substeps_capped != capped)
+        return differs("substeps_capped", report.substeps_capped, capped);
+    if (const int substeps = capped ? config.max_substeps : static_cast<int>(wanted); report.substeps != substeps)
+        return differs("substeps", report.substeps, substeps);
+    if (report.limited_cells != 0 && !capped)
+        return differs("limited_cells", report.limited_cells, "none: the step was not capped");
+    const DiffusionMethod method =
+        config.stages.diffusion
+            ? diffusion_method(config.viscosity, static_cast<float>(step.dt) / static_cast<float>(report.substeps),
+                               config.cell_size)
+            : DiffusionMethod::none;
+    // What short steps owe is paid by one of them, in one pass.
+    const bool pays = method == DiffusionMethod::none && report.diffusion == DiffusionMethod::one_pass &&
+                      config.stages.diffusion &&
+                      diffusion_method(config.viscosity, 1.0f, config.cell_size) != DiffusionMethod::none;
+    if (report.diffusion != method && !pays)
+        return differs("diffusion", static_cast<int>(report.diffusion), static_cast<int>(method));
+    const StageTimes& times = report.times_ms;
+    const double stages = times.sources + times.ambient + times.diffusion + times.advection + times.projection + times.report;
+    if (!(stages <= times.total * (1.0 + 1e-9)))
+        return differs("the time of all stages", stages, times.total);
+    return {};
+}
+
+} // namespace windrow::test

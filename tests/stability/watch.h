@@ -1,0 +1,134 @@
+// What each case of this suite watches in every step: that every cell holds a number, the energy, the largest speed, and that
+// the step reports what it did. At the end it prints and judges two figures a case:
+//
+//     [figure] stability/<case>/<steps>_steps/energy <largest energy over the measure> <bound>
+//     [figure] stability/<case>/<steps>_steps/max    <largest |u| over the measure> <bound>
+//
+// The measure is the start, where nothing acts, or what was put in (input.h). A cell without a number makes both infinite.
+#pragma once
+
+#include "fluid/wind.h"
+#include "tests/fields.h"
+#include "tests/figure.h"
+#include "tests/stability/input.h"
+#include "tests/stability/report_check.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <limits>
+#include <string>
+
+namespace windrow::test {
+
+/// A sanitizer runs the same steps fifteen times slower, and finds in the first of them what it looks for.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool k_sanitized = true;
+#else
+inline constexpr bool k_sanitized = false;
+#endif
+
+/// Steps that a run takes: a twentieth under a sanitizer, 20 at least.
+[[nodiscard]] constexpr int shortened(int steps) {
+    return k_sanitized ? std::max(std::min(steps, 20), steps / 20) : steps;
+}
+
+[[nodiscard]] inline Wind made(const Config& config) {
+    auto wind = Wind::create(config);
+    EXPECT_TRUE(wind) << wind.error();
+    return *std::move(wind);
+}
+
+inline constexpr SideKind k_kinds[] = {SideKind::open, SideKind::free_slip, SideKind::no_slip, SideKind::periodic};
+inline constexpr const char* k_kind_names[] = {"open", "free_slip", "no_slip", "periodic"};
+
+inline MotorId add(Wind& wind, const Motor& motor) {
+    const auto id = wind.motors().add(motor);
+    EXPECT_TRUE(id) << id.error();
+    return id ? *id : MotorId{};
+}
+
+/// A fan as hard as a fan can be: its cells hold its speed after a millisecond.
+inline MotorId drive(Wind& wind, glm::dvec3 position, glm::vec3 direction, float speed, float radius = 2.0f, float rate = 1e6f) {
+    return add(wind, DirectionalMotor{
+                         .position = position, .direction = direction, .region = Sphere{radius}, .law = Drive{speed, rate}});
+}
+
+struct Bounds {
+    double energy;
+    double max;
+};
+
+class Watch {
+  public:
+    /// Measures by the wind's air as it is now.
+    explicit Watch(Wind& wind) : wind_(&wind), energy_(energy_of(wind.field())), speed_(largest_speed(wind.field())) {}
+    /// Measures by all of the box's air at `speed` [m/s].
+    Watch(Wind& wind, double speed)
+        : wind_(&wind), energy_(0.5 * speed * speed * static_cast<double>(wind.field().size())), speed_(speed) {}
+
+    Diagnostics step(double dt, std::int64_t broken = 0) {
+        const Diagnostics report = wind_->step(dt);
+        ++steps_;
+        const std::span<const glm::vec4> field = wind_->field();
+        ratio_ = broken_cells(field) == 0 ? energy_of(field) / energy_ : std::numeric_limits<double>::infinity();
+        largest_energy_ = std::max(largest_energy_, ratio_);
+        const double speed = std::isfinite(ratio_) ? largest_speed(field) / speed_ : ratio_;
+        largest_speed_ = std::max(largest_speed_, speed);
+        if (complaint_.empty() && std::isfinite(ratio_))
+            if (const std::string found = disagreement(*wind_, report, {dt, broken, was_asleep_}); !found.empty())
+                complaint_ = "step " + std::to_string(steps_) + ": " + found;
+        was_asleep_ = report.asleep;
+        most_substeps_ = std::max(most_substeps_, report.substeps);
+        capped_ += report.substeps_capped ? 1 : 0;
+        return report;
+    }
+
+    [[nodiscard]] double energy() const { return ratio_; }                  ///< after the last step, over the measure
+    [[nodiscard]] double largest_energy() const { return largest_energy_; } ///< of all steps
+    [[nodiscard]] double largest_max() const { return largest_speed_; }
+    [[nodiscard]] int steps() const { return steps_; }
+    [[nodiscard]] int most_substeps() const { return most_substeps_; }
+    [[nodiscard]] int capped_steps() const { return capped_; }
+    [[nodiscard]] const std::string& complaint() const { return complaint_; }
+
+    void judge(const std::string& name, Bounds bounds) const;
+
+  private:
+    Wind* wind_;
+    double energy_, speed_;
+    double ratio_ = 1.0, largest_energy_ = 0.0, largest_speed_ = 0.0;
+    int steps_ = 0, most_substeps_ = 0, capped_ = 0;
+    bool was_asleep_ = false;
+    std::string complaint_;
+};
+
+/// The worst of several runs that one case is made of.
+class Worst {
+  public:
+    void meet(const Watch& watch) {
+        energy_ = std::max(energy_, watch.largest_energy());
+        max_ = std::max(max_, watch.largest_max());
+        steps_ += watch.steps();
+        EXPECT_EQ(watch.complaint(), "");
+    }
+    [[nodiscard]] double energy() const { return energy_; }
+    [[nodiscard]] double max() const { return max_; }
+
+    void judge(const std::string& name, Bounds bounds) const {
+        const std::string full = "stability/" + name + '/' + std::to_string(steps_) + "_steps/";
+        WINDROW_EXPECT_FIGURE(full + "energy", energy_, bounds.energy);
+        WINDROW_EXPECT_FIGURE(full + "max", max_, bounds.max);
+    }
+
+  private:
+    double energy_ = 0.0, max_ = 0.0;
+    int steps_ = 0;
+};
+
+inline void Watch::judge(const std::string& name, Bounds bounds) const {
+    Worst worst;
+    worst.meet(*this);
+    worst.judge(name, bounds);
+}
+
+} // namespace windrow::test
