@@ -142,7 +142,7 @@ int run_command_line(int count, const char* const* arguments, const Console& con
     add_verify(app, verify_flags);
     ParetoFlags pareto_flags;
     add_pareto(app, pareto_flags);
-    app.add_subcommand("info", "Tell version, compiler, SIMD level, cores and what is built in");
+    app.add_subcommand("info", "Tell version, compiler, SIMD level, cores, Vulkan devices and what is built in");
     try {
         app.parse(count, arguments);
     } catch (const CLI::Success& wish) {

@@ -4,6 +4,7 @@
 #include "cli/exit_code.h"
 #include "cli/frame_writer.h"
 #include "cli/machine.h"
+#include "cli/vulkan_facts.h"
 #include "fluid/simd.h"
 
 namespace windrow::cli {
@@ -26,6 +27,11 @@ int tell_info(const Console& console) {
                 << "  cores       " << usable_cores() << "\n"
                 << "  OpenVDB     " << yes(built_with_vdb()) << "\n"
                 << "  pictures    " << yes(built_with_images()) << "\n";
+    const char* head = "  Vulkan      ";
+    for (const std::string& line : vulkan_lines()) {
+        console.out << head << line << "\n";
+        head = "              ";
+    }
     return k_exit_well;
 }
 

@@ -1,9 +1,10 @@
-# What `cmake --install` lays down, for find_package(windrow 0.1 COMPONENTS fluid vdb):
+# What `cmake --install` lays down, for find_package(windrow 0.1 COMPONENTS fluid vdb vulkan):
 #
 #   include/windrow/fluid/...        public headers: consumers write #include "fluid/wind.h", as inside the project
 #   lib/libwindrow_*                 one library and one export set a component
 #   lib/cmake/windrow/               the package files
 #   share/windrow/shaders/numerics   the formulas as text, for GLSL
+#   share/windrow/shaders/coupling   what a host's shaders include
 #   bin/windrow                      the command, where it is built
 option(WINDROW_INSTALL "Make install rules" ${PROJECT_IS_TOP_LEVEL})
 if(NOT WINDROW_INSTALL)
@@ -38,11 +39,19 @@ if(TARGET windrow_vdb)
   list(APPEND components vdb)
 endif()
 
+if(TARGET windrow_vulkan)
+  windrow_install_headers(fluid/vulkan)
+  install(TARGETS windrow_vulkan EXPORT windrow_vulkan)
+  set_target_properties(windrow_vulkan PROPERTIES INSTALL_RPATH "$ORIGIN")
+  list(APPEND components vulkan)
+endif()
+
 foreach(component IN LISTS components)
   install(EXPORT windrow_${component} NAMESPACE windrow:: FILE windrow-${component}.cmake DESTINATION ${package_dir})
 endforeach()
 
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/shaders/numerics DESTINATION ${shader_dir} FILES_MATCHING PATTERN "*.glsl")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/shaders/numerics ${PROJECT_SOURCE_DIR}/shaders/coupling DESTINATION ${shader_dir}
+        FILES_MATCHING PATTERN "*.glsl")
 
 if(TARGET windrow_cli)
   install(TARGETS windrow_cli)
@@ -59,6 +68,6 @@ configure_package_config_file(
 # Until 1.0 a new minor version may change the API.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/windrowConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/windrowConfig.cmake ${PROJECT_BINARY_DIR}/windrowConfigVersion.cmake
-              ${CMAKE_CURRENT_LIST_DIR}/WindrowOpenVDB.cmake
+              ${CMAKE_CURRENT_LIST_DIR}/WindrowOpenVDB.cmake ${CMAKE_CURRENT_LIST_DIR}/WindrowVulkanHeaders.cmake
         DESTINATION ${package_dir})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -26,6 +26,9 @@ set(components fluid)
 if(VDB)
   list(APPEND components vdb)
 endif()
+if(VULKAN)
+  list(APPEND components vulkan)
+endif()
 set(configure ${CMAKE_COMMAND} -G ${GENERATOR} -S ${SOURCE} -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_BUILD_TYPE=${CONFIG}
               -D CMAKE_PREFIX_PATH=${WORK}/prefix)
 

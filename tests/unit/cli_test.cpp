@@ -94,7 +94,7 @@ TEST_F(Command, HelpVersionAndInfoAreAnswered) {
     EXPECT_NE(run({"run", "--help"}).out.find("--threads"), std::string::npos);
     const Outcome info = run({"info"});
     EXPECT_EQ(info.code, k_exit_well);
-    for (const char* word : {"windrow 0.", "compiler", "SIMD level", "cores", "OpenVDB", "pictures"})
+    for (const char* word : {"windrow 0.", "compiler", "SIMD level", "cores", "OpenVDB", "pictures", "Vulkan"})
         EXPECT_NE(info.out.find(word), std::string::npos) << word;
 }
 

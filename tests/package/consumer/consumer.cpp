@@ -3,6 +3,9 @@
 #ifdef WITH_VDB
 #include "fluid/vdb/vdb_export.h"
 #endif
+#ifdef WITH_VULKAN
+#include "fluid/vulkan/own_device.h"
+#endif
 #include <cstdio>
 
 int main() {
@@ -15,6 +18,11 @@ int main() {
 #ifdef WITH_VDB
     if (auto written = windrow::vdb::write(windrow::vdb::grid_of(*wind), "wind.vdb"); !written)
         return std::fprintf(stderr, "%s\n", written.error().c_str()), 1;
+#endif
+#ifdef WITH_VULKAN
+    // The loader is looked for now and not before: where there is none the program runs, and is told.
+    if (const auto devices = windrow::vulkan::list_devices(); !devices)
+        std::printf("%s\n", devices.error().c_str());
 #endif
     return wind->velocity({0.0, 0.0, 0.0}).y > 0.0f ? 0 : 1;
 }

@@ -1,0 +1,12 @@
+// What `windrow info` says of the machine's Vulkan devices.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace windrow::cli {
+
+/// A line a device, in the order that --device counts; or one that says why there is none.
+[[nodiscard]] std::vector<std::string> vulkan_lines();
+
+} // namespace windrow::cli

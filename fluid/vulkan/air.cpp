@@ -1,0 +1,435 @@
+#include "fluid/vulkan/air.h"
+
+#include "fluid/cpu/box_rules.h"
+#include "fluid/message.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace windrow::vulkan {
+namespace {
+
+constexpr VkPipelineStageFlags k_compute = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, k_transfer = VK_PIPELINE_STAGE_TRANSFER_BIT,
+                               k_indirect = VK_PIPELINE_STAGE_DRAW_INDIRECT_BIT;
+constexpr VkDeviceSize k_most_update = 65536; // of vkCmdUpdateBuffer
+constexpr double k_longest_prepared = 1.0;    // [s] a step's viscosity
+
+VkAccessFlags reads_of(VkPipelineStageFlags stages) {
+    VkAccessFlags access = 0;
+    if ((stages & k_compute) != 0)
+        access |= VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT;
+    if ((stages & k_transfer) != 0)
+        access |= VK_ACCESS_TRANSFER_READ_BIT | VK_ACCESS_TRANSFER_WRITE_BIT;
+    if ((stages & k_indirect) != 0)
+        access |= VK_ACCESS_INDIRECT_COMMAND_READ_BIT;
+    if ((stages & VK_PIPELINE_STAGE_HOST_BIT) != 0)
+        access |= VK_ACCESS_HOST_READ_BIT;
+    return access;
+}
+
+VkAccessFlags writes_of(VkPipelineStageFlags stages) {
+    return ((stages & k_compute) != 0 ? VK_ACCESS_SHADER_WRITE_BIT : 0) |
+           ((stages & k_transfer) != 0 ? VK_ACCESS_TRANSFER_WRITE_BIT : 0);
+}
+
+constexpr int k_air = 1, k_before = 2; // Pass::adjust
+
+std::int32_t bits_of(float value) {
+    std::int32_t bits = 0;
+    std::memcpy(&bits, &value, sizeof(bits));
+    return bits;
+}
+
+template <class T>
+std::span<const std::byte> bytes_of(const std::vector<T>& values) {
+    return std::as_bytes(std::span(values));
+}
+
+// What a step asks for in one sub-step, the longest.
+DiffusionMethod method_of(const Config& config, double duration) {
+    return config.stages.diffusion ? diffusion_method(config.viscosity, static_cast<float>(duration), config.cell_size)
+                                   : DiffusionMethod::none;
+}
+
+} // namespace
+
+Result<std::unique_ptr<Air>> Air::create(const Host& host, const Config& config, const Settings& settings) {
+    auto device = Device::create(host);
+    if (!device)
+        return Error{device.error()};
+    return create(*std::move(device), config, settings);
+}
+
+Result<std::unique_ptr<Air>> Air::create(std::unique_ptr<Device> device, const Config& config, const Settings& settings) {
+    if (auto valid = validate(config); !valid)
+        return Error{valid.error()};
+    std::unique_ptr<Air> air(new Air(std::move(device), config, settings));
+    if (auto made = air->make(); !made)
+        return Error{made.error()};
+    return air;
+}
+
+Result<void> Air::make() {
+    prepared_ = method_of(config_, k_longest_prepared);
+    make_tables();
+    auto fields = Fields::create(*device_, {.cells = config_.cells,
+                                            .table_floats = static_cast<std::uint32_t>(
+                                                SolveTables::most_floats(config_.cells, prepared_ == DiffusionMethod::implicit)),
+                                            .commands = Passes::commands(config_.max_substeps),
+                                            .sums = Passes::sums(*device_, config_.cells),
+                                            .diffuses = prepared_ != DiffusionMethod::none,
+                                            .gusts = settings_.gusts,
+                                            .texel = settings_.half ? VK_FORMAT_R16_SFLOAT : VK_FORMAT_R32_SFLOAT});
+    if (!fields)
+        return Error{fields.error()};
+    fields_ = *std::move(fields);
+    auto passes = Passes::create(*device_, fields_,
+                                 {.cells = config_.cells, .projects = config_.stages.projection, .half = settings_.half});
+    if (!passes)
+        return Error{passes.error()};
+    passes_ = *std::move(passes);
+    passes_.set_tables(*tables_);
+    return {};
+}
+
+void Air::make_tables() {
+    tables_.emplace(config_.cells, cpu::pressure_ends(config_.sides));
+    if (prepared_ == DiffusionMethod::implicit)
+        tables_->add_diffusion(config_.cells, {cpu::velocity_ends(config_.sides, 0), cpu::velocity_ends(config_.sides, 1),
+                                               cpu::velocity_ends(config_.sides, 2)});
+}
+
+// --- What the host tells
+// -----------------------------------------------------------------------------------------------------------
+
+// What a sub-step may come to, with what is owed from before it; no more than was prepared for.
+DiffusionMethod Air::diffusion_of(double duration) const {
+    if (prepared_ == DiffusionMethod::none)
+        return prepared_;
+    const DiffusionMethod alone = method_of(config_, duration);
+    return alone == DiffusionMethod::implicit ? prepared_ : DiffusionMethod::one_pass;
+}
+
+WindrowStep Air::step_of(const AirTick& tick) const {
+    const Box air = box();
+    const glm::vec3 ambient = admissible_ambient(air.sides, config_.ambient);
+    WindrowStep step{};
+    const auto any = [&](detail::MotorReach::Law law) {
+        return std::any_of(tick.motors.begin(), tick.motors.end(), [&](const auto& motor) { return motor.law == law; });
+    };
+    const auto bit = [](bool on, int value) { return on ? value : 0; };
+    const bool classic = config_.scheme == Scheme::stable_fluids || !config_.stages.advection;
+    step.cells = {air.cells, static_cast<int>(air.cell_count())};
+    step.shape.x = static_cast<int>(tick.motors.size());
+    step.shape.y = config_.max_substeps;
+    step.shape.z = bit(fresh_, WINDROW_FRESH) | bit(classic, WINDROW_STABLE_FLUIDS) |
+                   bit(config_.interpolation == Interpolation::linear, WINDROW_LINEAR) |
+                   bit(config_.stages.advection, WINDROW_ADVECTS) | bit(config_.stages.projection, WINDROW_PROJECTS) |
+                   bit(config_.stages.settling && config_.settling_time > 0.0f, WINDROW_SETTLES) |
+                   bit(tick.ambient->gusting(), WINDROW_GUSTS) | bit(config_.profile.has_value(), WINDROW_PROFILE) |
+                   bit(tick.lets_air_in, WINDROW_LETS_AIR_IN) | bit(tick.renews_sources, WINDROW_RENEWS_AIR) |
+                   bit(diffusion_of(tick.duration) != DiffusionMethod::none, WINDROW_DIFFUSES) |
+                   bit(any(detail::MotorReach::Law::force), WINDROW_PUSHES) |
+                   bit(any(detail::MotorReach::Law::source), WINDROW_EXPANDS) | bit(owes_nothing_, WINDROW_OWES_NOTHING);
+    step.shape.w = tick.substeps;
+    step.time = {static_cast<float>(tick.duration), air.cell_size, config_.settling_time, config_.max_cfl};
+    step.ambient = {ambient, config_.viscosity};
+    for (int axis = 0; axis < 3; ++axis) {
+        const cpu::LegalPlaces legal = cpu::legal_places(air, axis);
+        step.low[axis] = legal.low;
+        step.high[axis] = legal.high;
+        step.period[axis] = legal.period;
+        step.inverse_period[axis] = legal.inverse_period;
+        const cpu::NormalGhost u_low = cpu::velocity_ghost(air, axis, 0), u_high = cpu::velocity_ghost(air, axis, 1);
+        const cpu::NormalGhost p_low = cpu::potential_ghost(air, axis, 0), p_high = cpu::potential_ghost(air, axis, 1);
+        step.low_source[axis] = u_low.source;
+        step.high_source[axis] = u_high.source;
+        step.velocity_low[axis] = u_low.scale;
+        step.velocity_high[axis] = u_high.scale;
+        step.potential_low[axis] = p_low.scale;
+        step.potential_high[axis] = p_high.scale;
+    }
+    const AmbientBlock wind = tick.ambient->block(tick.window->origin());
+    static_assert(sizeof(wind) == sizeof(step.wind));
+    std::memcpy(&step.wind, &wind, sizeof(wind));
+    const glm::vec3 mean = tick.ambient->mean(); // the level part carries the gusts
+    step.carried = wind.gust_texel.w * static_cast<float>(tick.duration) * glm::vec4(mean.x, 0.0f, mean.z, 0.0f);
+    return step;
+}
+
+void Air::write(VkCommandBuffer commands, const Buffer& to, std::span<const std::byte> bytes) {
+    for (std::size_t at = 0; at < bytes.size(); at += k_most_update)
+        device_->functions().vkCmdUpdateBuffer(commands, to.handle(), at,
+                                               std::min<VkDeviceSize>(k_most_update, bytes.size() - at), bytes.data() + at);
+}
+
+// What does not change from tick to tick, told once.
+void Air::write_tables(VkCommandBuffer commands) {
+    if (std::exchange(tables_written_, true))
+        return;
+    barrier(commands, k_compute | k_transfer, k_transfer);
+    write(commands, fields_.tables, bytes_of(tables_->values));
+    std::vector<WindrowRule> rules;
+    for (const auto rules_of : {cpu::halo_rules, cpu::carried_rules})
+        for (int axis = 0; axis < 3; ++axis)
+            for (const cpu::HaloRule& from : rules_of(box(), axis)) {
+                WindrowRule rule{};
+                rule.source = {from.source, from.ambient ? 1 : 0, from.identity ? 1 : 0, 0};
+                for (int n = 0; n < 3; ++n) {
+                    rule.scale[n] = from.scale[n];
+                    rule.offset[n] = from.offset[n];
+                    rule.history_scale[n] = from.history_scale[n];
+                }
+                rules.push_back(rule);
+            }
+    write(commands, fields_.rules, bytes_of(rules));
+    shapes_.reset();
+    if (std::exchange(cleared_, true))
+        return;
+    // Read where nothing was written yet, and times 0: numbers, not what the memory held.
+    for (const Buffer* field : {&fields_.velocity_old, &fields_.history, &fields_.force, &fields_.source_flow, &fields_.expansion,
+                                &fields_.potential, &fields_.control})
+        device_->functions().vkCmdFillBuffer(commands, field->handle(), 0, VK_WHOLE_SIZE, 0);
+}
+
+void Air::tell(VkCommandBuffer commands, const WindrowStep& step, const AmbientWind& ambient) {
+    write_tables(commands);
+    barrier(commands, k_compute, k_transfer);
+    if (ambient.gusting() && std::exchange(tile_, ambient.tile()) != ambient.tile())
+        write(commands, fields_.tile, std::as_bytes(ambient.tile()->texels()));
+    write(commands, fields_.step, std::as_bytes(std::span(&step, 1)));
+}
+
+// --- Recording
+// ------------------------------------------------------------------------------------------------------------------
+
+void Air::barrier(VkCommandBuffer commands, VkPipelineStageFlags from, VkPipelineStageFlags to) {
+    const VkMemoryBarrier memory{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER,
+                                 .pNext = nullptr,
+                                 .srcAccessMask = writes_of(from),
+                                 .dstAccessMask = reads_of(to)};
+    device_->functions().vkCmdPipelineBarrier(commands, from, to, 0, 1, &memory, 0, nullptr, 0, nullptr);
+    ++barriers_;
+}
+
+void Air::dispatch(VkCommandBuffer commands, Pass pass, const Push& push, int frame) {
+    passes_.record(commands, pass, push, frame);
+    ++dispatches_;
+}
+
+void Air::place(VkCommandBuffer commands, const Buffer& field, const Push& push) {
+    const auto copy = [&](const Buffer& from, const Buffer& to) {
+        const VkBufferCopy region{.srcOffset = 0, .dstOffset = 0, .size = field.bytes()};
+        device_->functions().vkCmdCopyBuffer(commands, from.handle(), to.handle(), 1, &region);
+    };
+    barrier(commands, k_compute | k_transfer, k_transfer);
+    copy(field, fields_.arrived);
+    barrier(commands, k_transfer, k_compute);
+    dispatch(commands, Pass::place, push);
+    barrier(commands, k_compute, k_transfer);
+    copy(fields_.padded, field);
+    barrier(commands, k_transfer, k_compute | k_transfer);
+}
+
+void Air::fill(VkCommandBuffer commands, const AmbientWind& ambient, const Window& window) {
+    tell(commands, step_of({.ambient = &ambient, .window = &window}), ambient);
+    place(commands, fields_.velocity, everything());
+    device_->functions().vkCmdFillBuffer(commands, fields_.source_flow.handle(), 0, VK_WHOLE_SIZE, 0);
+    barrier(commands, k_transfer, k_compute | k_transfer);
+    fresh_ = owes_nothing_ = true;
+}
+
+void Air::fill_before(VkCommandBuffer commands, const AmbientWind& ambient, const Window& window) {
+    tell(commands, step_of({.ambient = &ambient, .window = &window}), ambient);
+    place(commands, fields_.before, everything());
+}
+
+void Air::shift(VkCommandBuffer commands, CellIndex by, bool exposed_hold_ambient, const AmbientWind& ambient,
+                const Window& window) {
+    tell(commands, step_of({.ambient = &ambient, .window = &window}), ambient);
+    const auto push = [&](int ambient_in_new_cells) {
+        return Push{static_cast<int>(by.x), static_cast<int>(by.y), static_cast<int>(by.z), ambient_in_new_cells};
+    };
+    const int exposed = exposed_hold_ambient ? 1 : 0;
+    place(commands, fields_.velocity, push(exposed));
+    place(commands, fields_.before, push(exposed));
+    place(commands, fields_.source_flow, push(0));
+    if (!fresh_) {
+        place(commands, fields_.velocity_old, push(exposed));
+        place(commands, fields_.history, push(0));
+    }
+}
+
+void Air::add_wind(VkCommandBuffer commands, float factor, bool to_before, const AmbientWind& ambient, const Window& window) {
+    tell(commands, step_of({.ambient = &ambient, .window = &window}), ambient);
+    adjust(commands, factor, 0, to_before ? k_air | k_before : k_air);
+}
+
+void Air::add_change(VkCommandBuffer commands, glm::vec3 change, bool to_air, bool to_before, const AmbientWind& ambient,
+                     const Window& window) {
+    WindrowStep step = step_of({.ambient = &ambient, .window = &window});
+    step.carried = {change, 0.0f};
+    tell(commands, step, ambient);
+    adjust(commands, 1.0f, 1, (to_air ? k_air : 0) | (to_before ? k_before : 0));
+}
+
+void Air::adjust(VkCommandBuffer commands, float factor, int by_change, int which) {
+    barrier(commands, k_transfer | k_compute, k_compute);
+    dispatch(commands, Pass::adjust, {bits_of(factor), by_change, which, 0});
+    barrier(commands, k_compute, k_compute | k_transfer);
+}
+
+void Air::set_sides(const Sides& sides, bool kinds) {
+    config_.sides = sides;
+    tables_written_ = false;
+    if (!kinds)
+        return;
+    make_tables();
+    passes_.set_tables(*tables_);
+    fresh_ = true;
+}
+
+void Air::upload(VkCommandBuffer commands, const Buffer& staging) {
+    write_tables(commands);
+    barrier(commands, k_compute | k_transfer, k_transfer);
+    const VkBufferCopy region{.srcOffset = 0, .dstOffset = 0, .size = fields_.velocity.bytes()};
+    for (const Buffer* field : {&fields_.velocity, &fields_.before})
+        device_->functions().vkCmdCopyBuffer(commands, staging.handle(), field->handle(), 1, &region);
+    barrier(commands, k_transfer, k_compute | k_transfer);
+    fresh_ = owes_nothing_ = true;
+}
+
+void Air::keep_before(VkCommandBuffer commands) {
+    barrier(commands, k_compute | k_transfer, k_transfer);
+    const VkBufferCopy region{.srcOffset = 0, .dstOffset = 0, .size = fields_.velocity.bytes()};
+    device_->functions().vkCmdCopyBuffer(commands, fields_.velocity.handle(), fields_.before.handle(), 1, &region);
+    barrier(commands, k_transfer, k_compute | k_transfer);
+}
+
+void Air::step(VkCommandBuffer commands, const AirTick& tick) {
+    const WindrowStep told = step_of(tick);
+    tell(commands, told, *tick.ambient);
+    const DiffusionMethod diffusion = diffusion_of(tick.duration);
+    if (std::exchange(shapes_, diffusion) != diffusion)
+        write(commands, fields_.shapes, bytes_of(passes_.shapes(diffusion)));
+    if (!tick.motors.empty())
+        write(commands, fields_.motors,
+              std::as_bytes(tick.motors.first(std::min<std::size_t>(tick.motors.size(), k_most_motors))));
+    // What a tick counts begins at 0; the duration of the last sub-step stays.
+    device_->functions().vkCmdFillBuffer(commands, fields_.control.handle(), 0, sizeof(uvec4), 0);
+    device_->functions().vkCmdFillBuffer(commands, fields_.control.handle(), offsetof(WindrowControl, measured), sizeof(uvec4),
+                                         0);
+    barrier(commands, k_transfer, k_compute);
+    dispatch(commands, Pass::sources, {});
+    barrier(commands, k_compute, k_compute);
+    if (tick.renews_sources) {
+        for (const Passes::Stage& stage : passes_.source_solve()) {
+            dispatch(commands, stage.pass, stage.push);
+            barrier(commands, k_compute, k_compute);
+        }
+        dispatch(commands, Pass::source_flow, {});
+        barrier(commands, k_compute, k_compute);
+    }
+    dispatch(commands, Pass::plan, {});
+    barrier(commands, k_compute, k_compute | k_indirect);
+    std::uint32_t n = 0;
+    const auto command = [&](Pass pass, const Push& push) {
+        passes_.record_indirect(commands, pass, push, n++);
+        ++dispatches_;
+        barrier(commands, k_compute, k_compute);
+    };
+    command(Pass::limit, {});
+    const int most = tick.substeps > 0 ? tick.substeps : config_.stages.advection ? config_.max_substeps : 1;
+    for (int substep = 0; substep < most; ++substep)
+        for (const Passes::Stage& stage : passes_.substep(diffusion))
+            command(stage.pass, {substep, stage.push.y, stage.push.z, stage.push.w});
+    fresh_ = (told.shape.z & WINDROW_STABLE_FLUIDS) != 0;
+    owes_nothing_ = false;
+}
+
+void Air::show(VkCommandBuffer commands, float factor, int frame, bool reports) {
+    VkImageMemoryBarrier images[3] = {};
+    for (int axis = 0; axis < 3; ++axis)
+        images[axis] = {.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER,
+                        .pNext = nullptr,
+                        .srcAccessMask = 0,
+                        .dstAccessMask = VK_ACCESS_SHADER_WRITE_BIT,
+                        .oldLayout = VK_IMAGE_LAYOUT_UNDEFINED, // written whole
+                        .newLayout = VK_IMAGE_LAYOUT_GENERAL,
+                        .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                        .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                        .image = fields_.axes[frame][axis].handle(),
+                        .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1}};
+    const Functions& call = device_->functions();
+    // Whoever sampled them two frames ago is done first.
+    call.vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, k_compute, 0, 0, nullptr, 0, nullptr, 3, images);
+    barrier(commands, k_compute | k_transfer, k_compute);
+    dispatch(commands, Pass::show, {bits_of(factor), reports ? 1 : 0, 0, 0}, frame);
+    for (VkImageMemoryBarrier& image : images) {
+        image.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
+        image.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;
+        image.oldLayout = VK_IMAGE_LAYOUT_GENERAL;
+        image.newLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+    }
+    // With the images goes the gust tile: the host's shaders read it too.
+    const VkMemoryBarrier tile{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER,
+                               .pNext = nullptr,
+                               .srcAccessMask = writes_of(k_compute | k_transfer),
+                               .dstAccessMask = VK_ACCESS_SHADER_READ_BIT};
+    call.vkCmdPipelineBarrier(commands, k_compute | k_transfer, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 1, &tile, 0, nullptr, 3,
+                              images);
+    barriers_ += 2;
+}
+
+// A slot: the control, the sums of the work groups, the shown cells.
+VkDeviceSize Air::slot_bytes() const {
+    return fields_.control.bytes() + fields_.sums.bytes() + fields_.shown.bytes();
+}
+
+void Air::read_back(VkCommandBuffer commands, const Buffer& slot) {
+    barrier(commands, k_compute | k_transfer, k_transfer);
+    VkDeviceSize at = 0;
+    for (const Buffer* from : {&fields_.control, &fields_.sums, &fields_.shown}) {
+        const VkBufferCopy region{.srcOffset = 0, .dstOffset = at, .size = from->bytes()};
+        device_->functions().vkCmdCopyBuffer(commands, from->handle(), slot.handle(), 1, &region);
+        at += from->bytes();
+    }
+    barrier(commands, k_transfer, VK_PIPELINE_STAGE_HOST_BIT | k_compute | k_transfer);
+}
+
+// --- Reading
+// ----------------------------------------------------------------------------------------------------------------------
+
+AirReport Air::report(const Buffer& slot) const {
+    WindrowControl control{};
+    std::memcpy(&control, slot.mapped(), sizeof(control));
+    AirReport report;
+    const auto number = [](std::uint32_t bits) {
+        float value = 0.0f;
+        std::memcpy(&value, &bits, sizeof(value));
+        return value;
+    };
+    report.largest_component = number(control.measured.x);
+    report.apart = number(control.measured.y);
+    report.cfl = control.substep.w;
+    report.substeps = control.plan.x;
+    report.substeps_capped = control.plan.y != 0;
+    report.repaired_cells = static_cast<int>(control.found.z);
+    report.limited_cells = static_cast<int>(control.found.w);
+    const auto groups = fields_.sums.bytes() / sizeof(glm::vec2);
+    for (std::size_t n = 0; n < groups; ++n) {
+        glm::vec2 sums;
+        std::memcpy(&sums, slot.mapped() + fields_.control.bytes() + n * sizeof(sums), sizeof(sums));
+        report.squares += static_cast<double>(sums.x);
+        report.divergence_squares += static_cast<double>(sums.y);
+    }
+    return report;
+}
+
+std::span<const glm::vec4> Air::shown(const Buffer& slot) const {
+    const auto* const cells = reinterpret_cast<const glm::vec4*>(slot.mapped() + fields_.control.bytes() + fields_.sums.bytes());
+    return {cells, box().cell_count()};
+}
+
+} // namespace windrow::vulkan

@@ -1,0 +1,139 @@
+// The air on the device: the step of fluid/cpu/step.cpp as compute passes, recorded into the host's command buffer.
+//
+//   place      fields move with the box                              only when it moves
+//   sources    motors, guard, survey: u, f, S                        once a tick
+//   plan       n sub-steps, from the largest speed                   once a tick; sub-steps that do not run get no work groups
+//   pad        R = ambient + g (u - ambient) - s q, V                each sub-step, in at most eight dispatches
+//   advect     w = R(xd) + (dt/2) f
+//   solve      L phi = div w - S: modes of x and z, columns of y, back
+//   gradient   u' = w - grad phi, q' = grad phi - (dt/2) f
+//   show       textures of this frame, report                        once a frame
+//
+// Sub-steps are chosen on the device, so all that may be are recorded. What the host tells a tick travels inside the command
+// buffer (vkCmdUpdateBuffer): frames in flight share nothing that the host writes.
+#pragma once
+
+#include "fluid/ambient.h"
+#include "fluid/motor_reach.h"
+#include "fluid/vulkan/blocks.h"
+#include "fluid/vulkan/passes.h"
+#include "fluid/wind.h"
+#include "fluid/window.h"
+
+#include <memory>
+#include <span>
+
+namespace windrow::vulkan {
+
+/// What acts in a tick.
+struct AirTick {
+    double duration = 0.0; ///< [s]
+    std::span<const detail::MotorReach> motors{};
+    /// As it blows at the tick's start; `Air` does not keep it.
+    const AmbientWind* ambient = nullptr;
+    const Window* window = nullptr;
+    bool renews_sources = false; ///< the sources of air are not those of the last tick
+    bool lets_air_in = false;    ///< the velocity holds a flow of sources, after this tick's change
+    int substeps = 0;            ///< forced; 0: the device chooses
+};
+
+/// What the device found in a tick.
+struct AirReport {
+    float largest_component = 0.0f; ///< [m/s] after the tick
+    float cfl = 0.0f;
+    int substeps = 0;
+    bool substeps_capped = false;
+    int repaired_cells = 0;
+    int limited_cells = 0;
+    float apart = 0.0f;   ///< [m/s] largest difference from ambient, in a component
+    double squares = 0.0; ///< sum of |u|^2
+    double divergence_squares = 0.0;
+};
+
+class Air {
+  public:
+    /// Refuses what the device cannot hold or run. The fields hold nothing yet: `fill` first.
+    struct Settings {
+        bool half = true;  ///< R16F textures, else R32F
+        bool gusts = true; ///< there is room for a tile of gusts
+    };
+    [[nodiscard]] static Result<std::unique_ptr<Air>> create(const Host& host, const Config& config, const Settings& settings);
+    /// With calls given, as a test does that has one fail.
+    [[nodiscard]] static Result<std::unique_ptr<Air>> create(std::unique_ptr<Device> device, const Config& config,
+                                                             const Settings& settings);
+
+    // --- Recording. Each begins and ends with the barriers that the others need. -----------------------------------------------
+    /// All cells become ambient; no past.
+    void fill(VkCommandBuffer commands, const AmbientWind& ambient, const Window& window);
+    /// The air stays where it is while the box moves by whole cells; `ambient` and `window` as they are after the move.
+    void shift(VkCommandBuffer commands, CellIndex by, bool exposed_hold_ambient, const AmbientWind& ambient,
+               const Window& window);
+    /// What is kept of the air becomes ambient.
+    void fill_before(VkCommandBuffer commands, const AmbientWind& ambient, const Window& window);
+    /// Adds `factor` times the ambient wind to the air; to what is kept of it too if `to_before`.
+    void add_wind(VkCommandBuffer commands, float factor, bool to_before, const AmbientWind& ambient, const Window& window);
+    /// Adds a change of the mean wind, by its profile.
+    void add_change(VkCommandBuffer commands, glm::vec3 change, bool to_air, bool to_before, const AmbientWind& ambient,
+                    const Window& window);
+    /// The field becomes what lies in `staging`, 16 bytes a cell; no past.
+    void upload(VkCommandBuffer commands, const Buffer& staging);
+    /// Keeps the air as it is for blending.
+    void keep_before(VkCommandBuffer commands);
+    void step(VkCommandBuffer commands, const AirTick& tick);
+    /// Writes the textures of set `frame` (0 or 1) from the last tick's air and the kept one, `factor` of the way; ends with a
+    /// barrier to all shaders that sample them. Before it, they may be in any layout; after it, SHADER_READ_ONLY_OPTIMAL.
+    void show(VkCommandBuffer commands, float factor, int frame, bool reports);
+    /// Copies report and shown cells for the host; `slot` is read once the host knows that these commands are done.
+    void read_back(VkCommandBuffer commands, const Buffer& slot);
+
+    // --- Reading
+    // -----------------------------------------------------------------------------------------------------------------
+    /// Bytes of a read-back slot.
+    [[nodiscard]] VkDeviceSize slot_bytes() const;
+    [[nodiscard]] AirReport report(const Buffer& slot) const;
+    [[nodiscard]] std::span<const glm::vec4> shown(const Buffer& slot) const;
+
+    [[nodiscard]] Device& device() { return *device_; }
+    [[nodiscard]] const Fields& fields() const { return fields_; }
+    /// Dispatches and barriers recorded so far.
+    [[nodiscard]] int dispatches() const { return dispatches_; }
+    [[nodiscard]] int barriers() const { return barriers_; }
+    [[nodiscard]] bool holds_gusts() const { return settings_.gusts; }
+    /// Before the next recording. Another kind of side leaves the air without a past.
+    void set_sides(const Sides& sides, bool kinds);
+    void set_ambient(glm::vec3 ambient) { config_.ambient = ambient; }
+
+  private:
+    Air(std::unique_ptr<Device> device, const Config& config, const Settings& settings)
+        : device_(std::move(device)), config_(config), settings_(settings) {}
+    [[nodiscard]] Result<void> make();
+    [[nodiscard]] Box box() const { return {config_.cells, config_.cell_size, config_.sides}; }
+    void make_tables();
+    [[nodiscard]] DiffusionMethod diffusion_of(double duration) const;
+    [[nodiscard]] WindrowStep step_of(const AirTick& tick) const;
+    void tell(VkCommandBuffer commands, const WindrowStep& step, const AmbientWind& ambient);
+    void write(VkCommandBuffer commands, const Buffer& to, std::span<const std::byte> bytes);
+    void barrier(VkCommandBuffer commands, VkPipelineStageFlags from, VkPipelineStageFlags to);
+    void dispatch(VkCommandBuffer commands, Pass pass, const Push& push, int frame = 0);
+    void place(VkCommandBuffer commands, const Buffer& field, const Push& push);
+    void write_tables(VkCommandBuffer commands);
+    void adjust(VkCommandBuffer commands, float factor, int by_change, int which);
+    [[nodiscard]] Push everything() const { return {config_.cells.x, config_.cells.y, config_.cells.z, 1}; }
+
+    std::unique_ptr<Device> device_; // before what is made from it
+    Config config_;
+    Settings settings_;
+    std::optional<SolveTables> tables_;
+    DiffusionMethod prepared_ = DiffusionMethod::none; ///< the most that any step may ask of the viscosity
+    std::optional<DiffusionMethod> shapes_;            ///< whose sub-steps Fields::shapes describes
+    Fields fields_;
+    Passes passes_;
+    std::shared_ptr<const GustTile> tile_; ///< what Fields::tile holds
+    bool tables_written_ = false;
+    bool fresh_ = true;
+    bool owes_nothing_ = true; ///< viscosity has acted for all time so far
+    bool cleared_ = false;
+    int dispatches_ = 0, barriers_ = 0;
+};
+
+} // namespace windrow::vulkan

@@ -1,0 +1,47 @@
+// A storage buffer and its memory.
+#pragma once
+
+#include "fluid/vulkan/handle.h"
+#include "fluid/vulkan/memory.h"
+
+#include <cstddef>
+
+namespace windrow::vulkan {
+
+class Device;
+
+/// Where a buffer's memory lies.
+enum class Place {
+    device,   ///< on the device; written by copies and shaders alone
+    upload,   ///< host-visible and coherent, on the device where that exists: written by the host, read by the device
+    readback, ///< host-visible and cached: written by the device, read by the host
+};
+
+/// Move-only. A storage buffer that copies can read and write; indirect dispatches too.
+class Buffer {
+  public:
+    /// Empty.
+    Buffer() = default;
+    /// `bytes` from 1 to maxStorageBufferRange, since shaders see the whole. The error names the size, the call and its VkResult.
+    [[nodiscard]] static Result<Buffer> create(Device& device, VkDeviceSize bytes, Place place,
+                                               VkBufferUsageFlags more_usage = 0);
+    [[nodiscard]] VkBuffer handle() const { return buffer_.get(); }
+    [[nodiscard]] VkDeviceSize bytes() const { return bytes_; }
+    /// Null for Place::device.
+    [[nodiscard]] std::byte* mapped() const { return static_cast<std::byte*>(piece_.get().mapped); }
+    /// Makes the device's writes visible to the host where memory is not coherent (readback), or the other way (upload). For
+    /// buffers that are mapped.
+    [[nodiscard]] VkResult invalidate() const;
+    [[nodiscard]] VkResult flush() const;
+
+  private:
+    [[nodiscard]] VkMappedMemoryRange range() const;
+
+    const Device* device_ = nullptr;
+    OwnedPiece piece_; // above what is bound to it, which goes first
+    Handle<VkBuffer, &Functions::vkDestroyBuffer> buffer_;
+    VkDeviceSize bytes_ = 0;
+    VkDeviceSize piece_bytes_ = 0;
+};
+
+} // namespace windrow::vulkan

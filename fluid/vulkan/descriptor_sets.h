@@ -1,0 +1,42 @@
+// What the passes read and write, bound once.
+#pragma once
+
+#include "fluid/vulkan/handle.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace windrow::vulkan {
+
+class Device;
+class Pipeline;
+
+/// What a descriptor set holds, in the order of its bindings.
+struct Binding {
+    VkDescriptorType type;
+    VkBuffer buffer = VK_NULL_HANDLE;  ///< whole
+    VkImageView view = VK_NULL_HANDLE; ///< in VK_IMAGE_LAYOUT_GENERAL (storage) or SHADER_READ_ONLY_OPTIMAL (sampled)
+    VkSampler sampler = VK_NULL_HANDLE;
+};
+
+/// Move-only. Descriptor sets, all made at once and never changed: ordinary ones, since GPU-assisted validation takes push
+/// descriptors amiss.
+class Sets {
+  public:
+    /// Empty.
+    Sets() = default;
+    /// One set for each entry of `contents`, with the layout of the pipeline named beside it.
+    struct Content {
+        const Pipeline* pipeline;
+        std::vector<Binding> bindings;
+    };
+    [[nodiscard]] static Result<Sets> create(Device& device, std::span<const Content> contents);
+    [[nodiscard]] VkDescriptorSet at(std::size_t n) const { return sets_[n]; }
+
+  private:
+    Handle<VkDescriptorPool, &Functions::vkDestroyDescriptorPool> pool_; // its sets go with it
+    std::vector<VkDescriptorSet> sets_;
+};
+
+} // namespace windrow::vulkan

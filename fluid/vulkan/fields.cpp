@@ -1,0 +1,68 @@
+#include "fluid/vulkan/fields.h"
+
+#include "fluid/message.h"
+#include "fluid/vulkan/blocks.h"
+
+#include <string>
+
+namespace windrow::vulkan {
+
+Result<Fields> Fields::create(Device& device, const Sizes& sizes) {
+    Fields fields;
+    std::string trouble;
+    const auto make = [&](Buffer& buffer, const char* name, VkDeviceSize bytes, VkBufferUsageFlags more = 0) {
+        if (!trouble.empty())
+            return;
+        auto made = Buffer::create(device, bytes, Place::device, more);
+        if (made)
+            buffer = *std::move(made);
+        else
+            trouble = detail::message("The field ", name, " of ", sizes.cells.x, " x ", sizes.cells.y, " x ", sizes.cells.z,
+                                      " cells was not made: ", made.error());
+    };
+    const auto count = [](glm::ivec3 cells) {
+        return static_cast<VkDeviceSize>(cells.x) * static_cast<VkDeviceSize>(cells.y) * static_cast<VkDeviceSize>(cells.z);
+    };
+    const VkDeviceSize cells = count(sizes.cells), padded = count(sizes.cells + WINDROW_HALO);
+    const auto axes = static_cast<VkDeviceSize>(sizes.cells.x + sizes.cells.y + sizes.cells.z + 3 * WINDROW_HALO);
+
+    make(fields.step, "step", sizeof(WindrowStep));
+    make(fields.control, "control", sizeof(WindrowControl));
+    make(fields.shapes, "shapes", 4 * (1 + 3 * (1 + 24)));
+    make(fields.commands, "commands", sizes.commands * sizeof(VkDispatchIndirectCommand), VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
+    make(fields.rules, "rules", 2 * axes * sizeof(WindrowRule)); // as viscosity and as transport see the sides
+    make(fields.motors, "motors", k_most_motors * sizeof(WindrowMotor));
+    make(fields.tables, "tables", sizes.table_floats * sizeof(float));
+    make(fields.tile, "tile", sizes.gusts ? VkDeviceSize{128} * 16 * 128 * sizeof(vec4) : sizeof(vec4));
+    make(fields.velocity, "velocity", cells * sizeof(vec4));
+    make(fields.velocity_old, "velocity_old", cells * sizeof(vec4));
+    make(fields.history, "history", cells * sizeof(vec4));
+    make(fields.force, "force", cells * sizeof(vec4));
+    make(fields.source_flow, "source_flow", cells * sizeof(vec4));
+    make(fields.arrived, "arrived", cells * sizeof(vec4));
+    make(fields.diffused, "diffused", sizes.diffuses ? cells * sizeof(vec4) : sizeof(vec4));
+    make(fields.before, "before", cells * sizeof(vec4));
+    make(fields.shown, "shown", cells * sizeof(vec4));
+    make(fields.padded, "padded", 2 * padded * sizeof(vec4));
+    make(fields.expansion, "expansion", cells * sizeof(float));
+    make(fields.hat, "hat", cells * sizeof(float));
+    make(fields.potential, "potential", cells * sizeof(float));
+    make(fields.sums, "sums", sizes.sums * sizeof(glm::vec2));
+    const VkExtent3D extent = {static_cast<std::uint32_t>(sizes.cells.x), static_cast<std::uint32_t>(sizes.cells.y),
+                               static_cast<std::uint32_t>(sizes.cells.z)};
+    for (auto& frame : fields.axes)
+        for (Image3D& axis : frame) {
+            if (!trouble.empty())
+                break;
+            auto made = Image3D::create(device, extent, sizes.texel);
+            if (made)
+                axis = *std::move(made);
+            else
+                trouble = made.error();
+        }
+    if (!trouble.empty())
+        return Error{trouble};
+    return fields;
+}
+
+} // namespace windrow::vulkan

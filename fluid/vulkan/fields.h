@@ -1,0 +1,42 @@
+// The memory of one wind on the device: its fields, its tables, and what the host and the passes tell each other.
+//
+// A field of cells holds four floats a cell, laid out as box.h says. With N cells and P padded cells (five more an axis), in
+// bytes:
+//   velocity, velocity_old, history, force, source_flow, arrived, diffused, before, shown    16 N each
+//   padded                                                                                    32 P
+//   expansion, hat, potential                                                                 4 N each
+#pragma once
+
+#include "fluid/box.h"
+#include "fluid/vulkan/device.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace windrow::vulkan {
+
+struct Fields {
+    /// Throws nothing, refuses what the device cannot hold. `motors` and `sums` count entries; `commands` counts dispatches of a
+    /// tick.
+    struct Sizes {
+        glm::ivec3 cells{0};
+        std::uint32_t table_floats = 1;
+        std::uint32_t commands = 1;
+        std::uint32_t sums = 1;
+        bool diffuses = false; ///< else `diffused` is a stand-in
+        bool gusts = false;    ///< else `tile` is one
+        VkFormat texel = VK_FORMAT_R16_SFLOAT;
+    };
+    [[nodiscard]] static Result<Fields> create(Device& device, const Sizes& sizes);
+
+    Buffer step, control, shapes, commands, rules, motors, tables, tile;
+    Buffer velocity, velocity_old, history, force, source_flow, arrived, diffused, before, shown;
+    Buffer padded, expansion, hat, potential, sums;
+    /// [0] and [1]: of this frame and of the last, in turns; x, y, z.
+    Image3D axes[2][3];
+};
+
+/// Most motors of a tick: what Motors can hold, wakes in pieces.
+inline constexpr std::uint32_t k_most_motors = 8192;
+
+} // namespace windrow::vulkan

@@ -1,0 +1,77 @@
+// The Vulkan calls that Windrow makes, as pointers of its own: no loader symbols and no globals, and a test can put its own in
+// place.
+#pragma once
+
+#include "fluid/result.h"
+#include "fluid/vulkan/host.h"
+
+namespace windrow::vulkan {
+
+// One name a line, so that the struct and its filling cannot differ.
+// clang-format off
+#define WINDROW_INSTANCE_FUNCTIONS(each) \
+    each(vkGetDeviceProcAddr) \
+    each(vkGetPhysicalDeviceProperties) \
+    each(vkGetPhysicalDeviceProperties2) \
+    each(vkGetPhysicalDeviceQueueFamilyProperties) \
+    each(vkGetPhysicalDeviceMemoryProperties) \
+    each(vkGetPhysicalDeviceImageFormatProperties)
+#define WINDROW_DEVICE_FUNCTIONS(each) \
+    each(vkAllocateMemory) \
+    each(vkFreeMemory) \
+    each(vkMapMemory) \
+    each(vkFlushMappedMemoryRanges) \
+    each(vkInvalidateMappedMemoryRanges) \
+    each(vkCreateBuffer) \
+    each(vkDestroyBuffer) \
+    each(vkGetBufferMemoryRequirements) \
+    each(vkBindBufferMemory) \
+    each(vkCreateImage) \
+    each(vkDestroyImage) \
+    each(vkGetImageMemoryRequirements) \
+    each(vkBindImageMemory) \
+    each(vkCreateImageView) \
+    each(vkDestroyImageView) \
+    each(vkCreateSampler) \
+    each(vkDestroySampler) \
+    each(vkCreateShaderModule) \
+    each(vkDestroyShaderModule) \
+    each(vkCreateDescriptorSetLayout) \
+    each(vkDestroyDescriptorSetLayout) \
+    each(vkCreatePipelineLayout) \
+    each(vkDestroyPipelineLayout) \
+    each(vkCreateComputePipelines) \
+    each(vkDestroyPipeline) \
+    each(vkCreateDescriptorPool) \
+    each(vkDestroyDescriptorPool) \
+    each(vkAllocateDescriptorSets) \
+    each(vkUpdateDescriptorSets) \
+    each(vkCmdBindPipeline) \
+    each(vkCmdBindDescriptorSets) \
+    each(vkCmdPushConstants) \
+    each(vkCmdDispatch) \
+    each(vkCmdDispatchIndirect) \
+    each(vkCmdPipelineBarrier) \
+    each(vkCmdCopyBuffer) \
+    each(vkCmdCopyBufferToImage) \
+    each(vkCmdCopyImageToBuffer) \
+    each(vkCmdFillBuffer) \
+    each(vkCmdUpdateBuffer) \
+    each(vkCmdWriteTimestamp) \
+    each(vkCmdResetQueryPool) \
+    each(vkCreateQueryPool) \
+    each(vkDestroyQueryPool) \
+    each(vkGetQueryPoolResults)
+// clang-format on
+
+struct Functions {
+#define WINDROW_DECLARE(name) PFN_##name name = nullptr;
+    WINDROW_INSTANCE_FUNCTIONS(WINDROW_DECLARE)
+    WINDROW_DEVICE_FUNCTIONS(WINDROW_DECLARE)
+#undef WINDROW_DECLARE
+};
+
+/// Fills the table for a device; names every function that is missing.
+[[nodiscard]] Result<Functions> load_functions(const Host& host);
+
+} // namespace windrow::vulkan

@@ -1,0 +1,68 @@
+// What the host lends: its Vulkan device. Windrow makes no instance, device, queue or command buffer of its own, submits nothing
+// and waits for nothing; it calls no symbol of the loader, only what the host's vkGetInstanceProcAddr gives.
+#pragma once
+
+#include "fluid/result.h"
+
+#include <cstdint>
+#include <functional>
+#include <vulkan/vulkan_core.h>
+
+namespace windrow::vulkan {
+
+/// A piece of device memory that the host's own allocator gives.
+struct MemoryPiece {
+    VkDeviceMemory memory = VK_NULL_HANDLE;
+    VkDeviceSize offset = 0; ///< [bytes] aligned as asked
+    void* mapped = nullptr;  ///< address of the piece where host-visible memory was asked for
+    std::uint64_t user = 0;  ///< the host's own; given back with the piece
+};
+
+/// The host's allocator in place of ours (memory.h). Both or neither. Called from `create` and from destruction only.
+struct MemoryCallbacks {
+    /// Memory of the type `type_index` that fits `requirements`; host-visible memory comes mapped. Size and alignment already
+    /// hold what nonCoherentAtomSize and bufferImageGranularity ask, so that pieces may lie side by side. A result other than
+    /// VK_SUCCESS is told to the caller of `create`.
+    std::function<VkResult(const VkMemoryRequirements& requirements, std::uint32_t type_index, MemoryPiece& piece)> allocate;
+    std::function<void(const MemoryPiece& piece)> release;
+};
+
+/// The host's device. All of it outlives what is made from it.
+struct Host {
+    VkInstance instance = VK_NULL_HANDLE;
+    VkPhysicalDevice physical_device = VK_NULL_HANDLE;
+    VkDevice device = VK_NULL_HANDLE;
+    /// Family of the queue that will run the command buffers; it can compute.
+    std::uint32_t queue_family = 0;
+    PFN_vkGetInstanceProcAddr get_instance_proc_addr = nullptr;
+    /// Handed to every vkCreate and vkDestroy; null: the driver's own.
+    const VkAllocationCallbacks* allocation_callbacks = nullptr;
+    MemoryCallbacks memory{};
+};
+
+/// What a device must offer, told before it is made. No extension is needed.
+struct Requirements {
+    std::uint32_t api_version = VK_API_VERSION_1_2;
+    /// To be enabled when the device is made. One: shaderStorageImageExtendedFormats, without which no shader writes an R16F
+    /// image.
+    VkPhysicalDeviceFeatures features{};
+    std::uint32_t shared_bytes = 16384; ///< maxComputeSharedMemorySize
+    std::uint32_t invocations = 128;    ///< maxComputeWorkGroupInvocations
+    std::uint32_t storage_buffers = 8;  ///< maxPerStageDescriptorStorageBuffers
+    std::uint32_t storage_images = 4;   ///< maxPerStageDescriptorStorageImages
+};
+[[nodiscard]] Requirements requirements();
+
+/// What the images of the wind are used for, and their formats must allow.
+inline constexpr VkImageUsageFlags k_image_usage =
+    VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+
+/// Every reason why a physical device cannot run the wind, a line each: version, limits, features,
+/// formats. `get_instance_proc_addr` as in Host.
+[[nodiscard]] Result<void> check(VkInstance instance, VkPhysicalDevice physical_device,
+                                 PFN_vkGetInstanceProcAddr get_instance_proc_addr);
+
+/// What a VkResult is called, for sentences.
+[[nodiscard]] const char* name_of(VkResult result);
+
+} // namespace windrow::vulkan

@@ -1,0 +1,27 @@
+// A 3D image, its view and its memory.
+#pragma once
+
+#include "fluid/vulkan/handle.h"
+#include "fluid/vulkan/memory.h"
+
+namespace windrow::vulkan {
+
+class Device;
+
+/// Move-only. A 3D image with its view: storage, sampled, copied from and to.
+class Image3D {
+  public:
+    /// Empty.
+    Image3D() = default;
+    /// Refuses an extent that is 0 or beyond the device's limits, and a format that cannot do all of k_image_usage.
+    [[nodiscard]] static Result<Image3D> create(Device& device, VkExtent3D extent, VkFormat format);
+    [[nodiscard]] VkImage handle() const { return image_.get(); }
+    [[nodiscard]] VkImageView view() const { return view_.get(); }
+
+  private:
+    OwnedPiece piece_; // above what is bound to it, which goes first
+    Handle<VkImage, &Functions::vkDestroyImage> image_;
+    Handle<VkImageView, &Functions::vkDestroyImageView> view_;
+};
+
+} // namespace windrow::vulkan

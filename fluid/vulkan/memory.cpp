@@ -1,0 +1,264 @@
+#include "fluid/vulkan/memory.h"
+
+#include "fluid/message.h"
+#include "fluid/vulkan/call_error.h"
+#include "fluid/vulkan/free_ranges.h"
+#include "fluid/vulkan/handle.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace windrow::vulkan {
+namespace {
+
+/// [bytes] Holds all of the default window, and is little beside what a device has.
+constexpr VkDeviceSize k_block_bytes = VkDeviceSize{16} << 20;
+
+/// Memory that needs a feature to be enabled, or that is for other uses.
+constexpr VkMemoryPropertyFlags k_unfit = VK_MEMORY_PROPERTY_LAZILY_ALLOCATED_BIT | VK_MEMORY_PROPERTY_PROTECTED_BIT |
+                                          VK_MEMORY_PROPERTY_DEVICE_COHERENT_BIT_AMD |
+                                          VK_MEMORY_PROPERTY_DEVICE_UNCACHED_BIT_AMD | VK_MEMORY_PROPERTY_RDMA_CAPABLE_BIT_NV;
+
+struct Block {
+    Handle<VkDeviceMemory, &Functions::vkFreeMemory> memory;
+    FreeRanges ranges;
+    VkDeviceSize bytes;
+    std::uint32_t type;
+    bool linear;
+    std::uint64_t id;
+    std::byte* mapped = nullptr;
+};
+
+/// A range of a block that has just become a piece.
+struct Taken {
+    Block* block = nullptr;
+    VkDeviceSize offset = 0;
+};
+
+struct HostPiece {
+    MemoryPiece piece;
+    VkDeviceSize bytes;
+};
+
+VkDeviceSize rounded_up(VkDeviceSize size, VkDeviceSize multiple) {
+    return (size + multiple - 1) / multiple * multiple;
+}
+
+std::string kind_of(VkMemoryPropertyFlags wanted) {
+    return (wanted & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT) != 0 ? "host-visible memory" : "device memory";
+}
+
+} // namespace
+
+struct Memory::State {
+    Host host;
+    Functions functions;
+    VkPhysicalDeviceMemoryProperties properties{};
+    VkDeviceSize largest_allocation = 0;
+    VkDeviceSize atom = 1;        ///< nonCoherentAtomSize
+    VkDeviceSize granularity = 1; ///< bufferImageGranularity
+    std::vector<Block> blocks{};
+    std::vector<HostPiece> host_pieces{};
+    std::uint64_t last_id = 0;
+    VkDeviceSize given = 0;
+
+    /// Types that fit, those with the most of the preferred properties first. Of equals the first: drivers list the better
+    /// before.
+    [[nodiscard]] std::vector<std::uint32_t> types_for(std::uint32_t allowed, VkMemoryPropertyFlags wanted,
+                                                       VkMemoryPropertyFlags preferred) const {
+        std::vector<std::uint32_t> types;
+        for (std::uint32_t type = 0; type < properties.memoryTypeCount; ++type) {
+            const VkMemoryPropertyFlags has = properties.memoryTypes[type].propertyFlags;
+            if ((allowed >> type & 1u) != 0 && (has & wanted) == wanted && (has & k_unfit) == 0)
+                types.push_back(type);
+        }
+        const auto score = [&](std::uint32_t type) {
+            return std::popcount(properties.memoryTypes[type].propertyFlags & preferred);
+        };
+        std::stable_sort(types.begin(), types.end(), [&](std::uint32_t a, std::uint32_t b) { return score(a) > score(b); });
+        return types;
+    }
+
+    [[nodiscard]] VkDeviceSize heap_bytes(std::uint32_t type) const {
+        return properties.memoryHeaps[properties.memoryTypes[type].heapIndex].size;
+    }
+    /// Bytes of the heap of `type` that our blocks do not hold. Asked by us, since a software driver grants what it has not.
+    [[nodiscard]] VkDeviceSize heap_left(std::uint32_t type) const {
+        VkDeviceSize left = heap_bytes(type);
+        for (const Block& block : blocks)
+            if (properties.memoryTypes[block.type].heapIndex == properties.memoryTypes[type].heapIndex)
+                left -= std::min(left, block.bytes);
+        return left;
+    }
+
+    [[nodiscard]] VkResult map(Block& block) {
+        if (block.mapped != nullptr)
+            return VK_SUCCESS;
+        void* address = nullptr;
+        const VkResult result = functions.vkMapMemory(host.device, block.memory.get(), 0, VK_WHOLE_SIZE, 0, &address);
+        if (result == VK_SUCCESS)
+            block.mapped = static_cast<std::byte*>(address);
+        return result;
+    }
+
+    /// One more block, the last of `blocks`.
+    [[nodiscard]] VkResult add_block(std::uint32_t type, bool linear, VkDeviceSize piece_bytes) {
+        VkDeviceSize bytes = std::max(piece_bytes, std::min(k_block_bytes, rounded_up(heap_bytes(type) / 8, atom)));
+        if (bytes > heap_left(type) || bytes > largest_allocation)
+            bytes = piece_bytes;
+        if (bytes > heap_left(type))
+            return VK_ERROR_OUT_OF_DEVICE_MEMORY;
+        const VkMemoryAllocateInfo info{
+            .sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, .pNext = nullptr, .allocationSize = bytes, .memoryTypeIndex = type};
+        Handle<VkDeviceMemory, &Functions::vkFreeMemory> memory;
+        const VkResult result = make(functions, host, functions.vkAllocateMemory, info, memory);
+        if (result == VK_SUCCESS)
+            blocks.push_back({.memory = std::move(memory),
+                              .ranges = FreeRanges(bytes),
+                              .bytes = bytes,
+                              .type = type,
+                              .linear = linear,
+                              .id = ++last_id});
+        return result;
+    }
+
+    /// From a block of this type and use that has room, else from a new one.
+    [[nodiscard]] VkResult take(const VkMemoryRequirements& asked, std::uint32_t type, bool linear, Taken& taken) {
+        for (Block& block : blocks)
+            if (block.type == type && block.linear == linear)
+                if (const auto offset = block.ranges.take(asked.size, asked.alignment)) {
+                    taken = {&block, *offset};
+                    return VK_SUCCESS;
+                }
+        const VkResult result = add_block(type, linear, asked.size);
+        if (result == VK_SUCCESS)
+            taken = {&blocks.back(), *blocks.back().ranges.take(asked.size, asked.alignment)};
+        return result;
+    }
+};
+
+Memory::Memory(const Host& host, const Functions& functions)
+    : state_(std::make_unique<State>(State{.host = host, .functions = functions})) {
+    functions.vkGetPhysicalDeviceMemoryProperties(host.physical_device, &state_->properties);
+    VkPhysicalDeviceMaintenance3Properties maintenance{};
+    maintenance.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES;
+    VkPhysicalDeviceProperties2 properties{};
+    properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
+    properties.pNext = &maintenance;
+    functions.vkGetPhysicalDeviceProperties2(host.physical_device, &properties);
+    state_->largest_allocation = maintenance.maxMemoryAllocationSize;
+    state_->atom = properties.properties.limits.nonCoherentAtomSize;
+    state_->granularity = properties.properties.limits.bufferImageGranularity;
+}
+
+Memory::~Memory() {
+    for (const HostPiece& left : state_->host_pieces)
+        state_->host.memory.release(left.piece);
+}
+
+Result<MemoryPiece> Memory::allocate(const VkMemoryRequirements& requirements, VkMemoryPropertyFlags wanted,
+                                     VkMemoryPropertyFlags preferred, bool linear) {
+    State& state = *state_;
+    const bool visible = (wanted & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT) != 0;
+    const std::string what = detail::message(requirements.size, " bytes of ", kind_of(wanted));
+    if (requirements.size > state.largest_allocation)
+        return Error{detail::message(what, " are more than the device grants at once (", state.largest_allocation,
+                                     ", maxMemoryAllocationSize): use a smaller box.")};
+    const std::vector<std::uint32_t> types = state.types_for(requirements.memoryTypeBits, wanted, preferred);
+    if (types.empty())
+        return Error{detail::message(what, " are asked for and the device has no such type: use another device.")};
+
+    // Whole atoms, so that flushing one piece never touches its neighbour.
+    VkMemoryRequirements asked = requirements;
+    if (visible) {
+        asked.alignment = std::max(asked.alignment, state.atom);
+        asked.size = rounded_up(asked.size, state.atom);
+    }
+    VkResult result = VK_ERROR_OUT_OF_DEVICE_MEMORY;
+    if (state.host.memory.allocate) {
+        asked.alignment = std::max(asked.alignment, state.granularity);
+        asked.size = rounded_up(asked.size, state.granularity);
+        for (const std::uint32_t type : types) {
+            MemoryPiece piece;
+            result = state.host.memory.allocate(asked, type, piece);
+            if (result == VK_SUCCESS) {
+                state.host_pieces.push_back({piece, asked.size});
+                state.given += asked.size;
+                return piece;
+            }
+            if (result != VK_ERROR_OUT_OF_DEVICE_MEMORY)
+                break;
+        }
+        return call_error("Host::memory.allocate", what, result);
+    }
+
+    for (const std::uint32_t type : types) {
+        Taken taken;
+        result = state.take(asked, type, linear, taken);
+        if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY)
+            continue; // a full heap may have a neighbour that is not
+        if (result != VK_SUCCESS)
+            break;
+        state.given += asked.size;
+        MemoryPiece piece{
+            .memory = taken.block->memory.get(), .offset = taken.offset, .mapped = nullptr, .user = taken.block->id};
+        if (!visible)
+            return piece;
+        if (result = state.map(*taken.block); result != VK_SUCCESS) {
+            release(piece);
+            return call_error("vkMapMemory", what, result);
+        }
+        piece.mapped = taken.block->mapped + taken.offset;
+        return piece;
+    }
+    const auto is_full = [&](std::uint32_t type) { return state.heap_left(type) < asked.size; };
+    if (std::all_of(types.begin(), types.end(), is_full))
+        return Error{what +
+                     " do not fit beside the wind's other memory into the device's: free device memory or use a smaller box."};
+    return call_error("vkAllocateMemory", what, result);
+}
+
+void Memory::release(const MemoryPiece& piece) {
+    if (piece.memory == VK_NULL_HANDLE)
+        return;
+    State& state = *state_;
+    if (state.host.memory.allocate) {
+        const auto held = std::find_if(state.host_pieces.begin(), state.host_pieces.end(), [&](const HostPiece& other) {
+            return other.piece.memory == piece.memory && other.piece.offset == piece.offset;
+        });
+        assert(held != state.host_pieces.end());
+        state.given -= held->bytes;
+        state.host.memory.release(held->piece);
+        state.host_pieces.erase(held);
+        return;
+    }
+    const auto block =
+        std::find_if(state.blocks.begin(), state.blocks.end(), [&](const Block& other) { return other.id == piece.user; });
+    assert(block != state.blocks.end());
+    state.given -= block->ranges.give_back(piece.offset);
+    if (block->ranges.all_free())
+        state.blocks.erase(block);
+}
+
+VkDeviceSize Memory::taken() const {
+    VkDeviceSize bytes = 0;
+    for (const Block& block : state_->blocks)
+        bytes += block.bytes;
+    for (const HostPiece& held : state_->host_pieces)
+        bytes += held.bytes;
+    return bytes;
+}
+
+VkDeviceSize Memory::given() const {
+    return state_->given;
+}
+
+int Memory::blocks() const {
+    return static_cast<int>(state_->blocks.size());
+}
+
+} // namespace windrow::vulkan

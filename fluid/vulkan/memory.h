@@ -1,0 +1,64 @@
+// Device memory in a few large blocks, cut into pieces: a driver grants some thousand allocations at most.
+#pragma once
+
+#include "fluid/result.h"
+#include "fluid/vulkan/functions.h"
+
+#include <memory>
+#include <utility>
+
+namespace windrow::vulkan {
+
+/// Gives memory and takes it back; through the host's callbacks where it has them. All of it is freed on destruction.
+class Memory {
+  public:
+    Memory(const Host& host, const Functions& functions);
+    ~Memory();
+    Memory(const Memory&) = delete;
+    Memory& operator=(const Memory&) = delete;
+
+    /// Memory with the `wanted` properties, and the `preferred` ones where a type has them. `linear`: buffers, not images (kept
+    /// apart, bufferImageGranularity). The error names size, kind and VkResult.
+    [[nodiscard]] Result<MemoryPiece> allocate(const VkMemoryRequirements& requirements, VkMemoryPropertyFlags wanted,
+                                               VkMemoryPropertyFlags preferred, bool linear);
+    void release(const MemoryPiece& piece);
+
+    /// [bytes] Taken from the driver, and given out.
+    [[nodiscard]] VkDeviceSize taken() const;
+    [[nodiscard]] VkDeviceSize given() const;
+    /// Allocations from the driver that live.
+    [[nodiscard]] int blocks() const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// Move-only. A piece that goes back by itself. The memory outlives it.
+class OwnedPiece {
+  public:
+    OwnedPiece() = default;
+    OwnedPiece(Memory& memory, const MemoryPiece& piece) : memory_(&memory), piece_(piece) {}
+    OwnedPiece(OwnedPiece&& other) noexcept { swap(other); }
+    OwnedPiece& operator=(OwnedPiece&& other) noexcept {
+        OwnedPiece(std::move(other)).swap(*this);
+        return *this;
+    }
+    ~OwnedPiece() {
+        if (memory_ != nullptr)
+            memory_->release(piece_);
+    }
+
+    [[nodiscard]] const MemoryPiece& get() const { return piece_; }
+
+  private:
+    void swap(OwnedPiece& other) noexcept {
+        std::swap(memory_, other.memory_);
+        std::swap(piece_, other.piece_);
+    }
+
+    Memory* memory_ = nullptr;
+    MemoryPiece piece_{};
+};
+
+} // namespace windrow::vulkan

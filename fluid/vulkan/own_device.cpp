@@ -1,0 +1,248 @@
+#include "fluid/vulkan/own_device.h"
+
+#include "fluid/message.h"
+#include "fluid/vulkan/call_error.h"
+#include "fluid/vulkan/device_list.h"
+#include "fluid/vulkan/instance.h"
+
+#include <utility>
+
+namespace windrow::vulkan {
+namespace {
+
+// What our own host calls, beside the table of functions.h, which holds only what Windrow calls on the device of any host.
+// clang-format off
+#define WINDROW_OWN_FUNCTIONS(each) \
+    each(vkDestroyDevice) \
+    each(vkDeviceWaitIdle) \
+    each(vkGetDeviceQueue) \
+    each(vkCreateCommandPool) \
+    each(vkDestroyCommandPool) \
+    each(vkResetCommandPool) \
+    each(vkAllocateCommandBuffers) \
+    each(vkBeginCommandBuffer) \
+    each(vkEndCommandBuffer) \
+    each(vkCreateFence) \
+    each(vkDestroyFence) \
+    each(vkResetFences) \
+    each(vkWaitForFences) \
+    each(vkQueueSubmit)
+// clang-format on
+
+struct OwnFunctions {
+#define WINDROW_DECLARE(name) PFN_##name name = nullptr;
+    WINDROW_OWN_FUNCTIONS(WINDROW_DECLARE)
+#undef WINDROW_DECLARE
+};
+
+/// The first that is no software and can run the wind, else the first that can; the place asked for where one is.
+Result<FoundDevice> choose(const std::vector<FoundDevice>& found, int place) {
+    if (place >= 0) {
+        if (static_cast<std::size_t>(place) >= found.size())
+            return Error{detail::message("device is ", place, " and there are ", found.size(), ": give one from 0 to ",
+                                         found.size() - 1, ".")};
+        const FoundDevice& asked = found[static_cast<std::size_t>(place)];
+        if (!asked.facts.trouble.empty())
+            return Error{detail::message("device ", place, " (", asked.facts.name, "): ", asked.facts.trouble)};
+        return asked;
+    }
+    if (place != -1)
+        return Error{detail::message("device is ", place, ": give a place in the list from 0, or -1 for the best.")};
+    for (const bool software : {false, true})
+        for (const FoundDevice& device : found)
+            if (device.facts.software == software && device.facts.trouble.empty())
+                return device;
+    return Error{detail::message(found.front().facts.name, ": ", found.front().facts.trouble)};
+}
+
+/// The first queue family that computes.
+Result<std::uint32_t> choose_family(const Instance& instance, const FoundDevice& chosen) {
+    const auto query = instance.load<PFN_vkGetPhysicalDeviceQueueFamilyProperties>("vkGetPhysicalDeviceQueueFamilyProperties");
+    std::uint32_t count = 0;
+    query(chosen.physical_device, &count, nullptr);
+    std::vector<VkQueueFamilyProperties> families(count);
+    query(chosen.physical_device, &count, families.data());
+    for (std::uint32_t family = 0; family < count; ++family)
+        if ((families[family].queueFlags & VK_QUEUE_COMPUTE_BIT) != 0)
+            return family;
+    return Error{chosen.facts.name + " has no queue that computes: use another device."};
+}
+
+VkPhysicalDeviceFeatures features_for(const Instance& instance, VkPhysicalDevice physical_device, bool gpu_validation) {
+    VkPhysicalDeviceFeatures enabled = requirements().features;
+    if (gpu_validation) {
+        // The layer's own shader code writes from the stages of graphics too.
+        VkPhysicalDeviceFeatures has{};
+        instance.load<PFN_vkGetPhysicalDeviceFeatures>("vkGetPhysicalDeviceFeatures")(physical_device, &has);
+        enabled.fragmentStoresAndAtomics = has.fragmentStoresAndAtomics;
+        enabled.vertexPipelineStoresAndAtomics = has.vertexPipelineStoresAndAtomics;
+    }
+    return enabled;
+}
+
+} // namespace
+
+struct OwnDevice::State {
+    std::unique_ptr<Instance> instance{}; // ends last
+    FoundDevice chosen{};
+    std::uint32_t family = 0;
+    VkDevice device = VK_NULL_HANDLE;
+    OwnFunctions functions{};
+    VkQueue queue = VK_NULL_HANDLE;
+    VkCommandPool pool = VK_NULL_HANDLE;
+    VkCommandBuffer commands = VK_NULL_HANDLE;
+    VkFence fence = VK_NULL_HANDLE;
+
+    State() = default;
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+    ~State() {
+        if (device == VK_NULL_HANDLE || functions.vkDestroyDevice == nullptr)
+            return;
+        if (fence != VK_NULL_HANDLE)
+            functions.vkDestroyFence(device, fence, nullptr);
+        if (pool != VK_NULL_HANDLE)
+            functions.vkDestroyCommandPool(device, pool, nullptr);
+        functions.vkDestroyDevice(device, nullptr);
+    }
+
+    [[nodiscard]] Result<void> make_device(bool gpu_validation) {
+        const float priority = 1.0f;
+        const VkPhysicalDeviceFeatures features = features_for(*instance, chosen.physical_device, gpu_validation);
+        VkDeviceQueueCreateInfo queue_info{};
+        queue_info.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
+        queue_info.queueFamilyIndex = family;
+        queue_info.queueCount = 1;
+        queue_info.pQueuePriorities = &priority;
+        VkDeviceCreateInfo info{};
+        info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
+        info.queueCreateInfoCount = 1;
+        info.pQueueCreateInfos = &queue_info;
+        info.pEnabledFeatures = &features;
+        const VkResult result =
+            instance->load<PFN_vkCreateDevice>("vkCreateDevice")(chosen.physical_device, &info, nullptr, &device);
+        if (result != VK_SUCCESS) {
+            device = VK_NULL_HANDLE;
+            return call_error("vkCreateDevice", chosen.facts.name, result);
+        }
+        const auto load = instance->load<PFN_vkGetDeviceProcAddr>("vkGetDeviceProcAddr");
+        bool complete = true;
+#define WINDROW_LOAD(name)                                                                                                       \
+    functions.name = reinterpret_cast<PFN_##name>(load(device, #name));                                                          \
+    complete = complete && functions.name != nullptr;
+        WINDROW_OWN_FUNCTIONS(WINDROW_LOAD)
+#undef WINDROW_LOAD
+        if (!complete)
+            return Error{chosen.facts.name + " lacks calls of Vulkan 1.0: update its driver."};
+        return {};
+    }
+
+    [[nodiscard]] Result<void> make_queue() {
+        functions.vkGetDeviceQueue(device, family, 0, &queue);
+        VkCommandPoolCreateInfo pool_info{};
+        pool_info.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
+        pool_info.queueFamilyIndex = family;
+        VkResult result = functions.vkCreateCommandPool(device, &pool_info, nullptr, &pool);
+        if (result != VK_SUCCESS) {
+            pool = VK_NULL_HANDLE;
+            return call_error("vkCreateCommandPool", chosen.facts.name, result);
+        }
+        VkCommandBufferAllocateInfo commands_info{};
+        commands_info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
+        commands_info.commandPool = pool;
+        commands_info.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
+        commands_info.commandBufferCount = 1;
+        result = functions.vkAllocateCommandBuffers(device, &commands_info, &commands);
+        if (result != VK_SUCCESS)
+            return call_error("vkAllocateCommandBuffers", chosen.facts.name, result);
+        VkFenceCreateInfo fence_info{};
+        fence_info.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO;
+        result = functions.vkCreateFence(device, &fence_info, nullptr, &fence);
+        if (result != VK_SUCCESS) {
+            fence = VK_NULL_HANDLE;
+            return call_error("vkCreateFence", chosen.facts.name, result);
+        }
+        return {};
+    }
+};
+
+OwnDevice::OwnDevice(std::unique_ptr<State> state) : state_(std::move(state)) {}
+OwnDevice::~OwnDevice() = default;
+
+Result<std::unique_ptr<OwnDevice>> OwnDevice::create(const Settings& settings) {
+    auto state = std::make_unique<State>();
+    const bool validation = settings.validation || settings.gpu_validation;
+    auto instance = Instance::create({.validation = validation, .gpu_validation = settings.gpu_validation}, settings.on_message);
+    if (!instance)
+        return Error{instance.error()};
+    state->instance = *std::move(instance);
+    auto found = find_devices(*state->instance);
+    if (!found)
+        return Error{found.error()};
+    auto chosen = choose(*found, settings.device);
+    if (!chosen)
+        return Error{chosen.error()};
+    state->chosen = *std::move(chosen);
+    auto family = choose_family(*state->instance, state->chosen);
+    if (!family)
+        return Error{family.error()};
+    state->family = *family;
+    if (auto made = state->make_device(settings.gpu_validation); !made)
+        return Error{made.error()};
+    if (auto made = state->make_queue(); !made)
+        return Error{made.error()};
+    return std::unique_ptr<OwnDevice>(new OwnDevice(std::move(state)));
+}
+
+Host OwnDevice::host() const {
+    Host host;
+    host.instance = state_->instance->handle();
+    host.physical_device = state_->chosen.physical_device;
+    host.device = state_->device;
+    host.queue_family = state_->family;
+    host.get_instance_proc_addr = state_->instance->get_instance_proc_addr();
+    return host;
+}
+
+const DeviceFacts& OwnDevice::facts() const {
+    return state_->chosen.facts;
+}
+
+int OwnDevice::messages() const {
+    return state_->instance->messages();
+}
+
+Result<void> OwnDevice::run(const std::function<void(VkCommandBuffer)>& record) {
+    const OwnFunctions& functions = state_->functions;
+    const VkDevice device = state_->device;
+    const auto failed = [this](const char* function, VkResult result) {
+        // Nothing of what was submitted may still run when the caller frees what it used.
+        (void)state_->functions.vkDeviceWaitIdle(state_->device);
+        return call_error(function, state_->chosen.facts.name, result);
+    };
+
+    if (const VkResult result = functions.vkResetCommandPool(device, state_->pool, 0); result != VK_SUCCESS)
+        return failed("vkResetCommandPool", result);
+    VkCommandBufferBeginInfo begin{};
+    begin.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
+    begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+    if (const VkResult result = functions.vkBeginCommandBuffer(state_->commands, &begin); result != VK_SUCCESS)
+        return failed("vkBeginCommandBuffer", result);
+    record(state_->commands);
+    if (const VkResult result = functions.vkEndCommandBuffer(state_->commands); result != VK_SUCCESS)
+        return failed("vkEndCommandBuffer", result);
+    if (const VkResult result = functions.vkResetFences(device, 1, &state_->fence); result != VK_SUCCESS)
+        return failed("vkResetFences", result);
+    // A fence: with timeline semaphores each wait takes 10 s under GPU-assisted validation (layer 1.3.239).
+    VkSubmitInfo submit{};
+    submit.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO;
+    submit.commandBufferCount = 1;
+    submit.pCommandBuffers = &state_->commands;
+    if (const VkResult result = functions.vkQueueSubmit(state_->queue, 1, &submit, state_->fence); result != VK_SUCCESS)
+        return failed("vkQueueSubmit", result);
+    if (const VkResult result = functions.vkWaitForFences(device, 1, &state_->fence, VK_TRUE, UINT64_MAX); result != VK_SUCCESS)
+        return failed("vkWaitForFences", result);
+    return {};
+}
+
+} // namespace windrow::vulkan

@@ -1,0 +1,55 @@
+// A device of our own, for the command and the tests: a host in small. An engine brings its own (host.h).
+//
+// The loader (libvulkan.so.1) is opened at run time, so that a program starts, and says so, where there is none.
+#pragma once
+
+#include "fluid/result.h"
+#include "fluid/vulkan/host.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace windrow::vulkan {
+
+struct DeviceFacts {
+    std::string name;
+    std::string driver;      ///< name and version
+    std::string api_version; ///< "1.3.230"
+    bool software = false;   ///< VK_PHYSICAL_DEVICE_TYPE_CPU
+    std::string trouble;     ///< why it cannot run the wind; empty: it can
+};
+
+/// The devices of this machine, in the driver's order; an error where there is no loader, no driver or no device.
+[[nodiscard]] Result<std::vector<DeviceFacts>> list_devices();
+
+class OwnDevice {
+  public:
+    struct Settings {
+        int device = -1;         ///< place in list_devices(); -1: the first that is no software, else the first
+        bool validation = false; ///< core and synchronisation checks of VK_LAYER_KHRONOS_validation, refused where it is absent
+        bool gpu_validation = false; ///< and GPU-assisted ones
+        /// Called for each message of the layer (warnings and errors). Default: counted alone.
+        std::function<void(const std::string& text)> on_message{};
+    };
+    [[nodiscard]] static Result<std::unique_ptr<OwnDevice>> create(const Settings& settings);
+    ~OwnDevice();
+    OwnDevice(const OwnDevice&) = delete;
+    OwnDevice& operator=(const OwnDevice&) = delete;
+
+    [[nodiscard]] Host host() const;
+    [[nodiscard]] const DeviceFacts& facts() const;
+    /// Messages of the validation layer so far.
+    [[nodiscard]] int messages() const;
+
+    /// Records with `record`, submits, and waits: for tools. A result other than VK_SUCCESS is told.
+    [[nodiscard]] Result<void> run(const std::function<void(VkCommandBuffer)>& record);
+
+  private:
+    struct State;
+    explicit OwnDevice(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+} // namespace windrow::vulkan

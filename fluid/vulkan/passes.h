@@ -1,0 +1,91 @@
+// The passes of a tick as pipelines, each with what it reads and writes and how many work groups it takes.
+#pragma once
+
+#include "fluid/pieces.h"
+#include "fluid/vulkan/fields.h"
+#include "fluid/vulkan/tables.h"
+
+#include <array>
+#include <vector>
+
+namespace windrow::vulkan {
+
+enum class Pass : std::uint8_t {
+    place,           ///< moves a field with the box, or fills it with ambient
+    sources,         ///< motors, guard, survey
+    source_flow,     ///< what a solve for the sources of air gave
+    adjust,          ///< adds a wind to the air
+    plan,            ///< chooses the sub-steps
+    limit,           ///< cuts speeds
+    diffuse,         ///< viscosity, one explicit pass, ...
+    diffuse_forward, ///< ... or a direct solve a component
+    diffuse_columns,
+    diffuse_back,
+    pad,           ///< gathers what the advection reads
+    advect,        ///< trajectories and interpolation
+    modes_forward, ///< the direct solve: right-hand side to modes, ...
+    modes_between, ///< ... the second axis where a plane does not fit in shared memory, ...
+    columns,       ///< ... the systems along y, ...
+    modes_back,    ///< ... and back to cells
+    gradient,      ///< what a sub-step ends with
+    show,          ///< textures and report
+    count
+};
+/// Most dispatches of a sub-step: three solves of diffusion, one of pressure, each in five, and four more.
+inline constexpr std::uint32_t k_most_stages = 24;
+inline constexpr std::size_t k_passes = static_cast<std::size_t>(Pass::count);
+
+/// What a pass is told at the moment it is recorded.
+struct Push {
+    std::int32_t x = 0, y = 0, z = 0, w = 0;
+};
+
+class Passes {
+  public:
+    struct Settings {
+        glm::ivec3 cells{0};
+        bool projects = true;
+        bool half = true; ///< R16F textures, else R32F
+    };
+    [[nodiscard]] static Result<Passes> create(Device& device, const Fields& fields, const Settings& settings);
+    /// Where the direct solve finds its tables; before a sub-step is asked for.
+    void set_tables(const SolveTables& tables);
+    /// How many work groups of cells there are: the entries of Fields::sums.
+    [[nodiscard]] static std::uint32_t sums(const Device& device, glm::ivec3 cells);
+    /// Most dispatches that the plan commands in a tick of `substeps`.
+    [[nodiscard]] static std::uint32_t commands(int substeps) { return 1 + k_most_stages * static_cast<std::uint32_t>(substeps); }
+
+    using Groups = std::array<std::uint32_t, 3>;
+    [[nodiscard]] Groups groups(Pass pass) const { return groups_[static_cast<std::size_t>(pass)]; }
+    /// What Fields::shapes holds: how many passes a sub-step has, and the work groups of each, those of Pass::limit before them.
+    [[nodiscard]] std::vector<std::uint32_t> shapes(DiffusionMethod most) const;
+    /// One dispatch of a sub-step: the pass and what it is told beside the sub-step's number.
+    struct Stage {
+        Pass pass;
+        Push push;
+    };
+    /// A sub-step, in order, with as much diffusion as it may come to.
+    [[nodiscard]] std::span<const Stage> substep(DiffusionMethod most) const { return substeps_[static_cast<std::size_t>(most)]; }
+    /// The direct solve for the sources of air, in order.
+    [[nodiscard]] std::span<const Stage> source_solve() const { return source_solve_; }
+
+    /// Records a pass; barriers are the caller's. `show_frame` 0 or 1 for Pass::show.
+    void record(VkCommandBuffer commands, Pass pass, const Push& push, int show_frame = 0) const;
+    /// The same with work groups from Fields::commands, entry `n`.
+    void record_indirect(VkCommandBuffer commands, Pass pass, const Push& push, std::uint32_t n) const;
+
+  private:
+    void bind(VkCommandBuffer commands, Pass pass, const Push& push, int show_frame) const;
+
+    const Functions* functions_ = nullptr;
+    VkBuffer commands_ = VK_NULL_HANDLE;
+    std::array<Pipeline, k_passes> pipelines_;
+    std::array<std::size_t, k_passes> first_set_{};
+    std::array<Groups, k_passes> groups_{};
+    Sets sets_;
+    Settings settings_;
+    bool whole_planes_ = true;
+    std::vector<Stage> substeps_[3], source_solve_;
+};
+
+} // namespace windrow::vulkan

@@ -1,0 +1,184 @@
+#include "fluid/vulkan/wind.h"
+
+#include "fluid/message.h"
+#include "fluid/vulkan/wind_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+namespace windrow::vulkan {
+
+Wind::State::State(std::unique_ptr<Air> cells, const Config& wanted, const Settings& how, const AmbientWind& wind_around)
+    : WindHost(wanted, wind_around), air(std::move(cells)), settings(how), queried_box(box()) {
+    renew_ambient();
+    fill_with_ambient();
+}
+
+Wind::Wind(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Wind::Wind(Wind&&) noexcept = default;
+Wind& Wind::operator=(Wind&&) noexcept = default;
+Wind::~Wind() = default;
+
+Result<Wind> Wind::create(const Host& host, const Config& config, const Settings& settings) {
+    detail::Reasons reasons;
+    if (auto valid = validate(config); !valid)
+        reasons.add(valid.error());
+    if (settings.frames_in_flight < 1 || settings.frames_in_flight > 8)
+        reasons.add("frames_in_flight is ", settings.frames_in_flight, ": give 1 to 8, as many as the host has.");
+    if (!reasons.empty())
+        return Error{reasons.take()};
+    const glm::vec3 mean = admissible_ambient(config.sides, config.ambient);
+    auto ambient = AmbientWind::create({.mean = mean, .profile = config.profile, .gusts = config.gusts});
+    if (!ambient)
+        return Error{ambient.error()};
+    const bool gusts = settings.gusts || config.gusts.intensity > 0.0f;
+    auto air = Air::create(host, config, {.half = settings.texel == Texel::half, .gusts = gusts});
+    if (!air)
+        return Error{air.error()};
+    auto state = std::make_unique<State>(*std::move(air), config, settings, *ambient);
+    for (int n = 0; n < settings.frames_in_flight; ++n) {
+        auto buffer = Buffer::create(state->air->device(), state->air->slot_bytes(), Place::readback);
+        if (!buffer)
+            return Error{buffer.error()};
+        state->slots.push_back({.buffer = *std::move(buffer), .frame = state->frame_now()});
+    }
+    return Wind(std::move(state));
+}
+
+Advance Wind::record(VkCommandBuffer commands, const Frame& frame) {
+    return state_->record(commands, frame);
+}
+Diagnostics Wind::record_step(VkCommandBuffer commands, const Frame& frame) {
+    return state_->record_step(commands, frame);
+}
+
+// --- As of windrow::Wind -------------------------------------------------------------------------------------------------------
+
+Motors& Wind::motors() {
+    return state_->motors;
+}
+const Motors& Wind::motors() const {
+    return state_->motors;
+}
+Result<void> Wind::set_ambient(glm::vec3 ambient) {
+    return state_->set_ambient(ambient);
+}
+glm::vec3 Wind::ambient() const {
+    return state_->mean_wind();
+}
+Result<void> Wind::set_gusts(const Gusts& gusts) {
+    if (gusts.intensity > 0.0f && !state_->air->holds_gusts())
+        return Error{"This wind was made without room for gusts: set Settings::gusts, or give the config gusts."};
+    return state_->set_gusts(gusts);
+}
+Result<void> Wind::set_sides(const Sides& sides) {
+    return state_->set_sides(sides);
+}
+Result<void> Wind::follow(glm::dvec3 point) {
+    return state_->follow(point);
+}
+Result<void> Wind::set_floor(double height) {
+    return state_->set_floor(height);
+}
+glm::dvec3 Wind::origin() const {
+    return state_->window.origin();
+}
+const Config& Wind::config() const {
+    return state_->config;
+}
+Result<void> Wind::set_velocity(std::span<const glm::vec4> field) {
+    return state_->set_velocity(field);
+}
+void Wind::reset() {
+    state_->fill_with_ambient();
+}
+
+// --- For shaders
+// ------------------------------------------------------------------------------------------------------------------
+
+namespace {
+
+Textures textures_of(const Fields& fields, int set) {
+    Textures textures;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        textures.images[axis] = fields.axes[set][axis].handle();
+        textures.views[axis] = fields.axes[set][axis].view();
+    }
+    return textures;
+}
+
+} // namespace
+
+Textures Wind::textures() const {
+    return textures_of(state_->air->fields(), state_->set);
+}
+Textures Wind::previous_textures() const {
+    return textures_of(state_->air->fields(), state_->set ^ 1);
+}
+
+namespace {
+
+// Calls use(view of the frame last recorded, view of the one before), which live no longer than the call. They hold no cells.
+template <class Use>
+auto with_views(const Wind::State& state, const Use& use) {
+    const Box box = state.box();
+    const auto view = [&](const windrow::Frame& frame) {
+        return WindView(box, frame.window, state.rim(frame.rim_point), frame.ambient, {});
+    };
+    const windrow::Frame now = state.frame_now();
+    return state.frames ? use(view(state.frames->shown), view(state.frames->shown_before)) : use(view(now), view(now));
+}
+
+} // namespace
+
+WindowBlock Wind::window_block(glm::dvec3 anchor) const {
+    return with_views(*state_,
+                      [&](const WindView& now, const WindView& before) { return state_->window_block(anchor, now, before); });
+}
+
+FrameBlock Wind::frame_block(glm::dvec3 anchor, const Sampling& sampling) const {
+    return with_views(
+        *state_, [&](const WindView& now, const WindView& before) { return state_->frame_block(anchor, sampling, now, before); });
+}
+
+VkBuffer Wind::gust_buffer() const {
+    return state_->air->fields().tile.handle();
+}
+
+const AmbientWind& Wind::ambient_wind() const {
+    return state_->frames ? state_->frames->shown.ambient : state_->ambient;
+}
+
+// --- For the host
+// -------------------------------------------------------------------------------------------------------------------
+
+std::optional<WindView> Wind::queried() const {
+    const State& state = *state_;
+    if (!state.queried_frame)
+        return std::nullopt;
+    const windrow::Frame& frame = *state.queried_frame;
+    return WindView(state.queried_box, frame.window, state.rim(frame.rim_point), frame.ambient, state.queried_cells);
+}
+
+double Wind::query_age() const {
+    return state_->queried_frame ? state_->time - state_->queried_time : 0.0;
+}
+
+glm::vec3 Wind::velocity(glm::dvec3 position) const {
+    const auto view = queried();
+    return view ? view->velocity(position) : ambient_wind().velocity(position);
+}
+
+int Wind::dispatches() const {
+    return state_->dispatches;
+}
+int Wind::barriers() const {
+    return state_->barriers;
+}
+std::uint64_t Wind::memory_bytes() const {
+    return state_->air->device().memory().given();
+}
+
+} // namespace windrow::vulkan

@@ -1,0 +1,131 @@
+// The wind around a player on the GPU, inside the host's renderer.
+//
+//     auto wind = windrow::vulkan::Wind::create(host, {.ambient = {3.0f, 0.0f, 0.0f}});    // host.h: your device
+//     auto fan  = wind->motors().add(windrow::DirectionalMotor{.position = {4.0, 1.0, 0.0}});
+//     wind->follow(player_position);
+//     wind->record(command_buffer, {.dt = frame_seconds, .slot = frame_in_flight});        // before what samples it
+//     bind(wind->textures(), wind->previous_textures(), wind->frame_block(camera_position)); //
+//     shaders/coupling/windrow_wind.glsl
+//
+// The same config, motors, gusts, ticks and sides as windrow::Wind (fluid/wind.h, which says more of each call), the same step,
+// and the same velocities to rounding. Nothing is submitted and nothing waited for: all work goes into the host's command buffer,
+// to run on one queue in the order of recording. What the host asks for between two frames is recorded with the next.
+#pragma once
+
+#include "fluid/vulkan/host.h"
+#include "fluid/wind.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+namespace windrow::vulkan {
+
+/// How the textures are stored.
+enum class Texel : std::uint8_t {
+    half,  ///< R16F: 11 bits, more than any plant shows. The default.
+    single ///< R32F
+};
+
+struct Settings {
+    Texel texel = Texel::half;
+    /// Frames that the host keeps in flight, 1 to 8: as many read-backs wait for their turn. Default 2.
+    int frames_in_flight = 2;
+    /// Room for gusts that begin later than the wind itself (4 MiB). Default: only where the config has gusts.
+    bool gusts = false;
+};
+
+/// A frame to record.
+struct Frame {
+    /// [s] Its duration, as of `windrow::Wind::advance`.
+    double dt = 0.0;
+    /// Which of the frames in flight it is, 0 to frames_in_flight - 1. The host knows that what was recorded for this slot before
+    /// is done: its read-back is taken now.
+    int slot = 0;
+};
+
+/// The three textures of a frame, x, y, z, in VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL for every shader stage that comes after
+/// the recording in submission order.
+struct Textures {
+    std::array<VkImage, 3> images{};
+    std::array<VkImageView, 3> views{};
+};
+
+class Wind {
+  public:
+    /// Makes all buffers, images and pipelines. Refuses what `windrow::validate` refuses, a device that lacks something, and a
+    /// box that it cannot hold, each with the reason. The host's device outlives the wind.
+    [[nodiscard]] static Result<Wind> create(const Host& host, const Config& config, const Settings& settings = {});
+
+    /// Records a frame outside of a render pass: the ticks that are due, the textures, the read-back. Compute and transfer
+    /// commands alone. A dt that is negative or not finite, and a slot out of range, record nothing. Advance::last tells of the
+    /// last tick that was read back, frames_in_flight frames ago.
+    Advance record(VkCommandBuffer commands, const Frame& frame);
+    /// Records one step of frame.dt instead of ticks; see windrow::Wind::step.
+    Diagnostics record_step(VkCommandBuffer commands, const Frame& frame);
+
+    // --- As of windrow::Wind
+    // -----------------------------------------------------------------------------------------------------
+    [[nodiscard]] Motors& motors();
+    [[nodiscard]] const Motors& motors() const;
+    [[nodiscard]] Result<void> set_ambient(glm::vec3 ambient);
+    [[nodiscard]] glm::vec3 ambient() const;
+    /// Gusts that begin after a wind without any need Settings::gusts.
+    [[nodiscard]] Result<void> set_gusts(const Gusts& gusts);
+    [[nodiscard]] Result<void> set_sides(const Sides& sides);
+    Result<void> follow(glm::dvec3 point);
+    Result<void> set_floor(double height);
+    [[nodiscard]] glm::dvec3 origin() const;
+    [[nodiscard]] const Config& config() const;
+    /// Sets every cell, as laid out in box.h, with the next recording; allocates the memory to bring them over, once. Refuses
+    /// another size.
+    Result<void> set_velocity(std::span<const glm::vec4> field);
+    /// Back to ambient everywhere.
+    void reset();
+
+    // --- For shaders: shaders/coupling/windrow_wind.glsl
+    // ---------------------------------------------------------------------------
+    /// Of the frame last recorded, and of the one before.
+    [[nodiscard]] Textures textures() const;
+    [[nodiscard]] Textures previous_textures() const;
+    /// Where they lie, relative to `anchor` [m].
+    [[nodiscard]] WindowBlock window_block(glm::dvec3 anchor) const;
+    /// The same with what blows around the box: the uniform buffer that the include wants.
+    [[nodiscard]] FrameBlock frame_block(glm::dvec3 anchor, const Sampling& sampling = {}) const;
+    /// The storage buffer of the gust tile that the include wants; 16 bytes where there is no room for gusts.
+    [[nodiscard]] VkBuffer gust_buffer() const;
+    /// What blows around the box in this frame.
+    [[nodiscard]] const AmbientWind& ambient_wind() const;
+
+    // --- For the host: what was read back
+    // ----------------------------------------------------------------------------------------
+    /// The wind of the last frame whose read-back is in, to sample on the CPU; nothing before the first. Good until the next
+    /// recording.
+    [[nodiscard]] std::optional<WindView> queried() const;
+    /// [s] How old that is.
+    [[nodiscard]] double query_age() const;
+    /// [m/s] Wind at a world point as of `queried`; the ambient wind before the first.
+    [[nodiscard]] glm::vec3 velocity(glm::dvec3 position) const;
+
+    /// Dispatches and pipeline barriers of the last recording. Sub-steps that the device leaves out are counted: their dispatches
+    /// have no work groups.
+    [[nodiscard]] int dispatches() const;
+    [[nodiscard]] int barriers() const;
+    /// [bytes] Device memory in use.
+    [[nodiscard]] std::uint64_t memory_bytes() const;
+
+    Wind(Wind&&) noexcept;
+    Wind& operator=(Wind&&) noexcept;
+    /// No recording of it is in flight.
+    ~Wind();
+
+    struct State; // wind_state.h
+    [[nodiscard]] State& state() { return *state_; }
+
+  private:
+    explicit Wind(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+} // namespace windrow::vulkan

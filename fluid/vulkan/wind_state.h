@@ -1,0 +1,79 @@
+// A wind whose cells lie on a device, for the files that implement it.
+#pragma once
+
+#include "fluid/vulkan/air.h"
+#include "fluid/vulkan/wind.h"
+#include "fluid/wind_host.h"
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace windrow::vulkan {
+
+/// What one frame in flight reads back.
+struct ReadBack {
+    Buffer buffer;
+    bool pending = false;   ///< recorded, and not taken yet
+    double time = 0.0;      ///< [s] of the wind's own clock
+    std::uint64_t tick = 0; ///< the last one in it
+    windrow::Frame frame;   ///< where its cells lie
+};
+
+struct Wind::State : WindHost {
+    State(std::unique_ptr<Air> air, const Config& config, const Settings& settings, const AmbientWind& ambient);
+
+    std::unique_ptr<Air> air;
+    Settings settings;
+    std::vector<ReadBack> slots;
+    std::vector<glm::vec4> queried_cells;        ///< [m/s] of the last read-back that was taken
+    std::optional<windrow::Frame> queried_frame; ///< where they lie
+    double queried_time = 0.0;
+    double time = 0.0; ///< [s] that the wind has lived through
+    AirReport report;  ///< of the last read-back
+    int set = 0;       ///< of textures, of the frame last recorded
+    int dispatches = 0, barriers = 0;
+    Box queried_box; ///< its address is the view's
+
+    Advance record(VkCommandBuffer commands, const Frame& frame);
+    Diagnostics record_step(VkCommandBuffer commands, const Frame& frame);
+    Result<void> set_velocity(std::span<const glm::vec4> field);
+    [[nodiscard]] windrow::Frame frame_now() const;
+
+  protected:
+    void around_changed() override;
+    [[nodiscard]] Result<void> sides_changed(bool kinds) override;
+    void fill_cells() override;
+    void fill_before() override;
+    void add_ambient_to_cells(float factor) override;
+    void add_change_to_cells(glm::vec3 change, bool before_only) override;
+    void shift_cells(CellIndex by, bool exposed_hold_ambient) override;
+    void begin_keeping() override;
+    void keep_before() override;
+    void hide_broken_cells() override {} // the device knows in time, the host does not (Pass::show)
+    void blend(float factor) override;
+    void step_cells(double dt, std::span<const detail::MotorReach> reached, Diagnostics& report) override;
+    [[nodiscard]] bool at_ambient() const override;
+    void measure(Diagnostics& report) override;
+
+  private:
+    using Work = std::function<void(VkCommandBuffer)>;
+    /// Records now, or with the next frame.
+    void do_or_queue(Work work);
+    [[nodiscard]] bool begin(VkCommandBuffer commands, const Frame& frame);
+    void end(const Frame& frame);
+    void take(ReadBack& slot);
+    void tell(Diagnostics& diagnostics) const;
+
+    VkCommandBuffer commands_ = VK_NULL_HANDLE; ///< while a frame is recorded
+    std::vector<Work> queue_;
+    Buffer staging_; ///< for set_velocity
+    std::uint64_t tick_ = 0;
+    std::uint64_t disturbed_tick_ = 0; ///< the last one in which something acted
+    std::uint64_t report_tick_ = 0;    ///< the one that `report` tells of
+    std::optional<float> blend_;       ///< the textures of this frame are to be written, so far between the ticks
+    bool ticked_ = false;              ///< in this recording
+    int written_sets_ = 0;             ///< of textures that hold a frame: as many need writing before sleep may leave them
+};
+
+} // namespace windrow::vulkan

@@ -1,0 +1,135 @@
+// The wind in a shader: what the box holds, faded over its rim to what blows around it. For any stage.
+//
+//     #define WINDROW_SET 2                          // yours; default 0
+//     #include "coupling/windrow_wind.glsl"
+//     vec3 u = windrow_velocity(p);                  // [m/s] at p [m] from the anchor
+//     vec3 before = windrow_velocity_previous(p);    // a frame ago, for motion vectors
+//     vec3 felt = windrow_apparent(u, p, v);         // what a thing feels that moves at v [m/s]
+//
+// Set WINDROW_SET (0 unless defined), bindings from WINDROW_BINDING (0 unless defined):
+//   + 0        uniform buffer    windrow::FrameBlock (fluid/frame_block.h)
+//   + 1, 2, 3  sampler3D         textures of this frame: x, y, z
+//   + 4, 5, 6  sampler3D         textures of the frame before
+//   + 7        storage buffer    the gust tile, 128 x 16 x 128 vec4 (GustTile::texels); any buffer of 16 bytes where there are no gusts
+// Any sampler does: texels are fetched and blended by hand, since texture units weigh with 8 fractional bits.
+#ifndef WINDROW_WIND_GLSL
+#define WINDROW_WIND_GLSL
+
+#ifndef WINDROW_SET
+#define WINDROW_SET 0
+#endif
+#ifndef WINDROW_BINDING
+#define WINDROW_BINDING 0
+#endif
+
+layout(std430, set = WINDROW_SET, binding = WINDROW_BINDING + 7) readonly buffer WindrowTile { vec4 windrow_tile_texels[]; };
+#define WINDROW_TILE int
+vec3 windrow_tile_texel(int tile, ivec3 texel) {
+    return windrow_tile_texels[(texel.z * 16 + texel.y) * 128 + texel.x].xyz;
+}
+
+#include "../numerics/ambient.glsl"
+#include "../numerics/window.glsl"
+
+// The same layout as windrow::WindowBlock (fluid/textures.h), which says more of each field.
+struct WindrowWindow {
+    vec4 origin_and_cell_size;
+    vec4 cells_and_factor;
+    vec4 previous_origin;
+    vec4 ambient;
+    vec4 low_sides;
+    vec4 high_sides;
+    vec4 rim_point;
+    vec4 rim_reach;
+    vec4 previous_rim_point;
+};
+
+layout(std140, set = WINDROW_SET, binding = WINDROW_BINDING) uniform WindrowFrame {
+    WindrowWindow windrow_window;
+    WindrowAmbient windrow_ambient_now;
+    WindrowAmbient windrow_ambient_before;
+};
+layout(set = WINDROW_SET, binding = WINDROW_BINDING + 1) uniform sampler3D windrow_x;
+layout(set = WINDROW_SET, binding = WINDROW_BINDING + 2) uniform sampler3D windrow_y;
+layout(set = WINDROW_SET, binding = WINDROW_BINDING + 3) uniform sampler3D windrow_z;
+layout(set = WINDROW_SET, binding = WINDROW_BINDING + 4) uniform sampler3D windrow_x_before;
+layout(set = WINDROW_SET, binding = WINDROW_BINDING + 5) uniform sampler3D windrow_y_before;
+layout(set = WINDROW_SET, binding = WINDROW_BINDING + 6) uniform sampler3D windrow_z_before;
+
+// Share of the box's wind at p, with the box's corner and the point that its rim follows, all [m] from the anchor.
+float windrow_box_share(vec3 p, vec3 origin, vec3 rim_point) {
+    vec3 local = (p - origin) / windrow_window.origin_and_cell_size.w;
+    float share = 1.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (windrow_window.rim_reach[axis] > 0.0)
+            share *= windrow_rim_share(p[axis] - rim_point[axis], windrow_window.rim_reach[axis], windrow_window.rim_point.w);
+        share *= windrow_axis_share(local[axis], windrow_window.cells_and_factor[axis], windrow_window.low_sides[axis],
+                                    windrow_window.high_sides[axis]);
+    }
+    return share;
+}
+
+// The texels around p: the low and the high one of each axis, and how far between them it lies.
+void windrow_texels_around(vec3 p, vec3 origin, out ivec3 low, out ivec3 high, out vec3 between) {
+    vec3 local = (p - origin) / windrow_window.origin_and_cell_size.w;
+    for (int axis = 0; axis < 3; ++axis) {
+        float cells = windrow_window.cells_and_factor[axis];
+        bool wraps = windrow_window.low_sides[axis] == 2.0;
+        float at = windrow_axis_sample(local[axis], cells, windrow_window.low_sides[axis]) - 0.5;
+        float below = floor(at);
+        between[axis] = at - below;
+        int last = int(cells) - 1;
+        low[axis] = int(below);
+        high[axis] = low[axis] + 1;
+        if (wraps) {
+            low[axis] = low[axis] < 0 ? last : low[axis];
+            high[axis] = high[axis] > last ? 0 : high[axis];
+        }
+        low[axis] = clamp(low[axis], 0, last);
+        high[axis] = clamp(high[axis], 0, last);
+    }
+}
+
+// One component, trilinear.
+float windrow_component(sampler3D texels, ivec3 low, ivec3 high, vec3 between) {
+    float ll = mix(texelFetch(texels, low, 0).x, texelFetch(texels, ivec3(high.x, low.y, low.z), 0).x, between.x);
+    float hl = mix(texelFetch(texels, ivec3(low.x, high.y, low.z), 0).x, texelFetch(texels, ivec3(high.x, high.y, low.z), 0).x, between.x);
+    float lh = mix(texelFetch(texels, ivec3(low.x, low.y, high.z), 0).x, texelFetch(texels, ivec3(high.x, low.y, high.z), 0).x, between.x);
+    float hh = mix(texelFetch(texels, ivec3(low.x, high.y, high.z), 0).x, texelFetch(texels, high, 0).x, between.x);
+    return mix(mix(ll, hl, between.y), mix(lh, hh, between.y), between.z);
+}
+
+// [m/s] The wind at p [m] from the anchor.
+vec3 windrow_velocity(vec3 p) {
+    vec3 origin = windrow_window.origin_and_cell_size.xyz;
+    float share = windrow_box_share(p, origin, windrow_window.rim_point.xyz);
+    if (!(share > 0.0))
+        return windrow_ambient(0, windrow_ambient_now, p);
+    ivec3 low, high;
+    vec3 between;
+    windrow_texels_around(p, origin, low, high, between);
+    vec3 inside = vec3(windrow_component(windrow_x, low, high, between), windrow_component(windrow_y, low, high, between),
+                       windrow_component(windrow_z, low, high, between));
+    return share < 1.0 ? mix(windrow_ambient(0, windrow_ambient_now, p), inside, share) : inside;
+}
+
+// [m/s] The same a frame ago, at the same place.
+vec3 windrow_velocity_previous(vec3 p) {
+    vec3 origin = windrow_window.previous_origin.xyz;
+    float share = windrow_box_share(p, origin, windrow_window.previous_rim_point.xyz);
+    if (!(share > 0.0))
+        return windrow_ambient(0, windrow_ambient_before, p);
+    ivec3 low, high;
+    vec3 between;
+    windrow_texels_around(p, origin, low, high, between);
+    vec3 inside = vec3(windrow_component(windrow_x_before, low, high, between), windrow_component(windrow_y_before, low, high, between),
+                       windrow_component(windrow_z_before, low, high, between));
+    return share < 1.0 ? mix(windrow_ambient(0, windrow_ambient_before, p), inside, share) : inside;
+}
+
+// [m/s] What a thing at p that moves at `velocity` [m/s] feels of a wind u: with detail, strength and limit as FrameBlock says.
+vec3 windrow_apparent(vec3 u, vec3 p, vec3 velocity) {
+    return windrow_felt(0, windrow_ambient_now, u - velocity, p);
+}
+
+#endif

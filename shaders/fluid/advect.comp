@@ -1,0 +1,96 @@
+// Carries the air along its trajectories, and adds the half of the forces that acts at arrival:
+//
+//   x0 = x - dt u(x),  xd = x - dt/2 (u(x) + V(x0)),  w(x) = R(xd) + (dt/2) f
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "fluid/pass.glsl"
+#include "numerics/transport.glsl"
+
+layout(std430, set = 0, binding = 2) readonly buffer Velocity { vec4 velocity[]; };
+layout(std430, set = 0, binding = 3) readonly buffer Padded { vec4 padded[]; }; // R of all cells, then V
+layout(std430, set = 0, binding = 4) readonly buffer Force { vec4 force[]; };
+layout(std430, set = 0, binding = 5) writeonly buffer Arrived { vec4 arrived[]; };
+
+ivec3 strides() {
+    const int row = tick.cells.x + WINDROW_HALO;
+    return ivec3(1, row, row * (tick.cells.y + WINDROW_HALO));
+}
+
+// The padded cell below a displaced one, and the distance from its centre.
+int locate(ivec3 cell, vec3 displacement, ivec3 stride, out vec3 fraction) {
+    int offset = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const WindrowPlace place = windrow_place(float(cell[axis]), displacement[axis], tick.low[axis], tick.high[axis],
+                                                 tick.period[axis], tick.inverse_period[axis]);
+        fraction[axis] = place.fraction;
+        offset += (int(place.base) + WINDROW_HALO_LOW) * stride[axis];
+    }
+    return offset;
+}
+
+vec3 lerp(vec3 a, vec3 b, float t) {
+    return a + t * (b - a);
+}
+
+vec3 read(int at) {
+    return padded[at].xyz;
+}
+
+vec3 sample_linear(int at, vec3 t, ivec3 s) {
+    vec3 ends[2];
+    for (int i = 0; i < 2; ++i) {
+        const int line = at + i;
+        const vec3 near = lerp(read(line), read(line + s.z), t.z);
+        const vec3 over = lerp(read(line + s.y), read(line + s.y + s.z), t.z);
+        ends[i] = lerp(near, over, t.y);
+    }
+    return lerp(ends[0], ends[1], t.x);
+}
+
+vec3 sum_nodes(vec3 before, vec3 here, vec3 after, vec3 beyond, vec3 w) {
+    return here + w.x * (before - here) + w.y * (after - here) + w.z * (beyond - here);
+}
+
+vec3 sample_cubic(int at, vec3 t, ivec3 s) {
+    const vec3 wx = windrow_cubic_weights(t.x), wy = windrow_cubic_weights(t.y), wz = windrow_cubic_weights(t.z);
+    const int corner = at - s.x - s.y - s.z;
+    vec3 planes[4];
+    for (int k = 0; k < 4; ++k) {
+        vec3 rows[4];
+        for (int j = 0; j < 4; ++j) {
+            const int row = corner + j * s.y + k * s.z;
+            rows[j] = sum_nodes(read(row), read(row + 1), read(row + 2), read(row + 3), wx);
+        }
+        planes[k] = sum_nodes(rows[0], rows[1], rows[2], rows[3], wy);
+    }
+    return sum_nodes(planes[0], planes[1], planes[2], planes[3], wz);
+}
+
+void main() {
+    const ivec3 cell = ivec3(gl_GlobalInvocationID);
+    if (!inside(cell, tick.cells.xyz))
+        return;
+    const int at = cell_index(cell);
+    const ivec3 stride = strides();
+    const float dt = control.substep.x;
+    const bool classic = is_on(WINDROW_STABLE_FLUIDS);
+    vec3 result;
+    if (is_on(WINDROW_ADVECTS)) {
+        vec3 u = velocity[at].xyz;
+        if (classic && is_on(WINDROW_PUSHES))
+            u += dt * force[at].xyz;
+        const float cells_per_speed = dt / tick.time.y;
+        const int traces = stride.z * (tick.cells.z + WINDROW_HALO);
+        vec3 t;
+        int from = locate(cell, -cells_per_speed * u, stride, t);
+        const vec3 traced = sample_linear(traces + from, t, stride);
+        from = locate(cell, -0.5f * cells_per_speed * (u + traced), stride, t);
+        result = is_on(WINDROW_LINEAR) ? sample_linear(from, t, stride) : sample_cubic(from, t, stride);
+    } else {
+        const ivec3 place = cell + WINDROW_HALO_LOW;
+        result = read(place.x + stride.y * place.y + stride.z * place.z);
+    }
+    if (!classic && is_on(WINDROW_PUSHES))
+        result += 0.5f * dt * force[at].xyz;
+    arrived[at] = vec4(result, 0.0f);
+}

@@ -1,0 +1,37 @@
+// Implicit diffusion of one component (push.w), (L - 1/r) v' = -v/r - what no-slip walls add, with v taken about the ambient wind:
+// first stage, right-hand side to modes. Method and order: fluid/cpu/diffusion.cpp.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "fluid/pass.glsl"
+#include "fluid/hat.glsl"
+#include "fluid/viscosity.glsl"
+
+layout(std430, set = 0, binding = 2) readonly buffer Tables { float tables[]; };
+layout(std430, set = 0, binding = 3) readonly buffer Diffused { vec4 diffused[]; };
+layout(std430, set = 0, binding = 4) readonly buffer Rules { WindrowRule rules[]; };
+layout(std430, set = 0, binding = 5) writeonly buffer Hat { float hat[]; };
+
+// What the ghost beyond a side adds at an outermost cell: the part that does not depend on v.
+float wall_share(int axis, int place) {
+    const ivec3 first = ivec3(0, tick.cells.x + WINDROW_HALO, tick.cells.x + tick.cells.y + 2 * WINDROW_HALO);
+    const WindrowRule rule = rules[first[axis] + place + WINDROW_HALO_LOW];
+    const bool carries = axis != push.w && rule.source.y == 0 && rule.scale[push.w] < 0.0f;
+    return carries ? rule.offset[push.w] - 2.0f * still_wind()[push.w] : 0.0f;
+}
+
+float load(ivec3 cell) {
+    float rhs = -(diffused[cell_index(cell)][push.w] - still_wind()[push.w]) / diffusion_ratio();
+    for (int axis = 0; axis < 3; ++axis) {
+        if (cell[axis] == 0)
+            rhs -= wall_share(axis, -1);
+        if (cell[axis] == tick.cells[axis] - 1)
+            rhs -= wall_share(axis, tick.cells[axis]);
+    }
+    return rhs;
+}
+
+void store(ivec3 mode, float value) {
+    hat[hat_index(mode)] = value;
+}
+
+#include "fluid/modes.glsl"

@@ -1,0 +1,44 @@
+// What a sub-step ends with:
+//
+//   u' = w - grad phi + what is given,   q' = grad phi - (dt/2) f,   u_old = u
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define WINDROW_READS_TILE 9
+#include "fluid/pass.glsl"
+#include "fluid/stencil.glsl"
+
+layout(std430, set = 0, binding = 2) readonly buffer Potential { float potential[]; };
+layout(std430, set = 0, binding = 3) readonly buffer Arrived { vec4 arrived[]; };
+layout(std430, set = 0, binding = 4) readonly buffer Force { vec4 force[]; };
+layout(std430, set = 0, binding = 5) readonly buffer SourceFlow { vec4 source_flow[]; };
+layout(std430, set = 0, binding = 6) buffer Velocity { vec4 velocity[]; };
+layout(std430, set = 0, binding = 7) writeonly buffer VelocityOld { vec4 velocity_old[]; };
+layout(std430, set = 0, binding = 8) writeonly buffer History { vec4 history[]; };
+
+void main() {
+    const ivec3 cell = ivec3(gl_GlobalInvocationID);
+    if (!inside(cell, tick.cells.xyz))
+        return;
+    const int at = cell_index(cell);
+    vec3 slope = vec3(0.0f);
+    if (is_on(WINDROW_PROJECTS))
+        for (int axis = 0; axis < 3; ++axis) {
+            float below, above;
+            const int low = cell_index(neighbour(cell, axis, -1, tick.potential_low, tick.potential_high, below));
+            const int high = cell_index(neighbour(cell, axis, 1, tick.potential_low, tick.potential_high, above));
+            slope[axis] = 0.5f * (above * potential[high] - below * potential[low]);
+        }
+    vec3 u = arrived[at].xyz - slope;
+    if (!is_on(WINDROW_STABLE_FLUIDS)) {
+        vec3 q = slope;
+        if (is_on(WINDROW_PUSHES))
+            q -= 0.5f * control.substep.x * force[at].xyz;
+        history[at] = vec4(q, 0.0f);
+        velocity_old[at] = velocity[at];
+    }
+    if (is_on(WINDROW_LETS_AIR_IN))
+        u += source_flow[at].xyz;
+    if (is_on(WINDROW_GUSTS))
+        u += wind_at(cell, elapsed() + control.substep.x, true);
+    velocity[at] = vec4(u, 0.0f);
+}

@@ -1,0 +1,71 @@
+// Gathers the fields that an advection reads, with their halo:
+//
+//   R = ambient + g (carried - ambient) - s q      V = (1 + a) u - a u_old
+//
+// A halo cell takes the value of a cell inside, mirrored or wrapped by the product of its axes' rules, or the ambient wind.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define WINDROW_READS_TILE 10
+#include "fluid/pass.glsl"
+
+layout(std430, set = 0, binding = 2) readonly buffer Velocity { vec4 velocity[]; };
+layout(std430, set = 0, binding = 3) readonly buffer VelocityOld { vec4 velocity_old[]; };
+layout(std430, set = 0, binding = 4) readonly buffer History { vec4 history[]; };
+layout(std430, set = 0, binding = 5) readonly buffer Force { vec4 force[]; };
+layout(std430, set = 0, binding = 6) readonly buffer SourceFlow { vec4 source_flow[]; };
+layout(std430, set = 0, binding = 7) readonly buffer Diffused { vec4 diffused[]; };
+layout(std430, set = 0, binding = 8) readonly buffer Rules { WindrowRule rules[]; };
+layout(std430, set = 0, binding = 9) writeonly buffer Padded { vec4 padded[]; }; // R of all cells, then V
+#include "fluid/given.glsl"
+
+void main() {
+    const ivec3 size = tick.cells.xyz + WINDROW_HALO;
+    const ivec3 place = ivec3(gl_GlobalInvocationID);
+    if (!inside(place, size))
+        return;
+    const int at = (place.z * size.y + place.y) * size.x + place.x;
+    const int trace_at = at + size.x * size.y * size.z;
+    // Where each axis' rules begin: those of transport stand behind those of viscosity.
+    const ivec3 first = ivec3(0, size.x, size.x + size.y) + (size.x + size.y + size.z);
+    ivec3 cell;
+    vec3 scale = vec3(1.0f), offset = vec3(0.0f), history_scale = vec3(1.0f);
+    bool ambient = false, identity = true;
+    for (int axis = 0; axis < 3; ++axis) {
+        const WindrowRule rule = rules[first[axis] + place[axis]];
+        cell[axis] = rule.source.x;
+        ambient = ambient || rule.source.y != 0;
+        if (rule.source.z != 0)
+            continue;
+        identity = false;
+        scale = rule.scale.xyz * scale;
+        offset = rule.scale.xyz * offset + rule.offset.xyz;
+        history_scale = rule.history_scale.xyz * history_scale;
+    }
+    if (ambient) {
+        const ivec3 here = place - WINDROW_HALO_LOW;
+        padded[at] = vec4(solved_ambient(here), 0.0f);
+        padded[trace_at] = vec4(wind_at(here, elapsed(), is_on(WINDROW_GUSTS)), 0.0f);
+        return;
+    }
+    const int source = cell_index(cell);
+    vec3 carried = is_on(WINDROW_DIFFUSES) ? diffused[source].xyz : solved_part(cell, source);
+    if (is_on(WINDROW_SETTLES)) {
+        const vec3 around = solved_ambient(cell);
+        carried = around + (1.0f / (1.0f + control.substep.x / tick.time.z)) * (carried - around);
+    }
+    vec3 u = velocity[source].xyz;
+    if (is_on(WINDROW_STABLE_FLUIDS)) {
+        if (is_on(WINDROW_PUSHES))
+            u += control.substep.x * force[source].xyz;
+    } else if (!is_fresh()) {
+        u += min(1.0f, duration_ratio()) * (u - velocity_old[source].xyz);
+    }
+    if (!identity) {
+        carried = scale * carried + offset;
+        u = scale * u + offset;
+    }
+    if (!is_on(WINDROW_STABLE_FLUIDS) && !is_fresh())
+        carried -= min(2.0f, duration_ratio()) * (history_scale * history[source].xyz);
+    padded[at] = vec4(carried, 0.0f);
+    padded[trace_at] = vec4(u, 0.0f);
+}

@@ -1,0 +1,45 @@
+// Chooses the sub-steps: as many as keep the Courant number below its limit, or all that are allowed, with speeds cut to what these can
+// carry. The passes of a sub-step that does not run get no work groups.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "fluid/pass.glsl"
+
+// Work groups of each pass, and how many passes a sub-step has; then what each of them is to run, sub-step by sub-step.
+layout(std430, set = 0, binding = 2) readonly buffer Shapes { uint passes; uint groups[]; };
+layout(std430, set = 0, binding = 3) writeonly buffer Commands { uint commands[]; };
+
+void main() {
+    const float dt = tick.time.x, h = tick.time.y, max_cfl = tick.time.w;
+    const float fastest = uintBitsToFloat(control.found.x) + dt * uintBitsToFloat(control.found.y);
+    const float cfl = fastest * dt / h;
+    int substeps = 1, most = tick.shape.y;
+    bool capped = false;
+    if (is_on(WINDROW_ADVECTS) && cfl > max_cfl) {
+        const float wanted = ceil(cfl / max_cfl);
+        capped = wanted > float(most);
+        substeps = capped ? most : int(wanted);
+    }
+    if (tick.shape.w > 0)
+        substeps = tick.shape.w;
+    if (gl_GlobalInvocationID.x == 0) {
+        const float part = dt / float(substeps);
+        float owed = is_on(WINDROW_OWES_NOTHING) ? 0.0f : intBitsToFloat(control.plan.z);
+        if (is_on(WINDROW_DIFFUSES))
+            for (int n = 0; n < substeps; ++n) {
+                owed += part;
+                const bool acts = tick.ambient.w * owed / (h * h) >= 1e-4f;
+                control.diffused[n / 4][n % 4] = acts ? owed : 0.0f;
+                owed = acts ? 0.0f : owed;
+            }
+        control.plan = ivec4(substeps, capped ? 1 : 0, floatBitsToInt(owed), 0);
+        control.substep = vec4(part, control.substep.x, max_cfl * float(substeps) * h / dt, cfl);
+    }
+    // The first pass of all is the cut of speeds, which runs only when more sub-steps were wanted.
+    const uint entries = 1u + uint(most) * passes;
+    for (uint n = gl_LocalInvocationIndex; n < entries; n += gl_WorkGroupSize.x) {
+        const uint pass = n == 0u ? 0u : 1u + (n - 1u) % passes;
+        const bool runs = n == 0u ? capped : (n - 1u) / passes < uint(substeps);
+        for (uint axis = 0u; axis < 3u; ++axis)
+            commands[3u * n + axis] = runs ? groups[3u * pass + axis] : 0u;
+    }
+}

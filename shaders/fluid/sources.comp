@@ -1,0 +1,107 @@
+// Sources, guard and survey: what the motors do to a cell, gathered from those that reach it; cells that are no number become ambient;
+// the largest speed and force decide the sub-steps.
+//
+//   drives   u += (1 - exp(-E)) (U - u), E and E U summed over the motors        force   f = sum w f_m        source of air   S = sum w S0
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define WINDROW_READS_TILE 8
+#include "fluid/pass.glsl"
+#include "numerics/motors.glsl"
+
+layout(std430, set = 0, binding = 2) buffer Velocity { vec4 velocity[]; };
+layout(std430, set = 0, binding = 3) buffer VelocityOld { vec4 velocity_old[]; };
+layout(std430, set = 0, binding = 4) buffer History { vec4 history[]; };
+layout(std430, set = 0, binding = 5) writeonly buffer Force { vec4 force[]; };
+layout(std430, set = 0, binding = 6) writeonly buffer Expansion { float expansion[]; };
+layout(std430, set = 0, binding = 7) readonly buffer Motors { WindrowMotor motors[]; };
+
+shared uint group_largest;
+shared uint group_force;
+
+// As windrow::detail::MotorReach numbers them.
+const uint k_sphere = 0, k_capsule = 1, k_box = 2, k_cone = 3, k_jet = 4, k_vortex = 5;
+const uint k_force = 0, k_drive = 1;
+
+vec3 from(float v[3]) {
+    return vec3(v[0], v[1], v[2]);
+}
+
+// xyz the push, w the weight of a motor at a place [m from the box's low corner].
+vec4 push_at(int n, vec3 p) {
+    const uint shape = motors[n].shape;
+    const vec3 centre = from(motors[n].centre), extent = from(motors[n].extent), push = from(motors[n].push);
+    const float radius = motors[n].radius;
+    if (shape == k_sphere)
+        return vec4(push, windrow_sphere_weight(p - centre, radius));
+    if (shape == k_capsule)
+        return vec4(push, windrow_capsule_weight(p - centre, extent, radius));
+    if (shape == k_box)
+        return vec4(push, windrow_box_weight(p - centre, extent));
+    if (shape == k_cone)
+        return vec4(push, windrow_cone_weight(p - centre, extent, radius, motors[n].end_radius));
+    if (shape == k_jet)
+        return vec4(push.x * windrow_jet_velocity(p - centre, extent, radius, motors[n].end_radius),
+                    windrow_cone_weight(p - centre, extent, radius, motors[n].end_radius));
+    if (shape == k_vortex) {
+        const float weight = motors[n].law == k_force ? windrow_axial_weight(p - centre, extent)
+                                                      : windrow_whirl_weight(p - centre, extent, radius);
+        return vec4(push.x * windrow_swirl_velocity(p - centre, extent, radius, motors[n].lift), weight);
+    }
+    return vec4(push, windrow_wake_path(p, centre, extent, radius));
+}
+
+void main() {
+    const ivec3 cell = ivec3(gl_GlobalInvocationID);
+    if (gl_LocalInvocationIndex == 0) {
+        group_largest = 0;
+        group_force = 0;
+    }
+    barrier();
+    if (inside(cell, tick.cells.xyz)) {
+        const int at = cell_index(cell);
+        const vec3 p = tick.time.y * (vec3(cell) + 0.5f);
+        vec3 pushed = vec3(0.0f);
+        vec4 drives = vec4(0.0f);
+        float let_in = 0.0f;
+        for (int n = 0; n < tick.shape.x; ++n) {
+            if (any(lessThan(cell, ivec3(motors[n].low[0], motors[n].low[1], motors[n].low[2]))) ||
+                any(greaterThanEqual(cell, ivec3(motors[n].high[0], motors[n].high[1], motors[n].high[2]))))
+                continue;
+            const vec4 motor = push_at(n, p);
+            if (!(motor.w > 0.0f))
+                continue;
+            if (motors[n].law == k_force) {
+                pushed += motor.w * motor.xyz;
+            } else if (motors[n].law == k_drive) {
+                const float exponent = motor.w * motors[n].amount;
+                drives += vec4(exponent * motor.xyz, exponent);
+            } else {
+                let_in += motor.w * motors[n].amount;
+            }
+        }
+        vec4 u = velocity[at];
+        if (drives.w > 0.0f)
+            u = vec4(windrow_drive(u.xyz, drives.xyz / drives.w, drives.w), 0.0f);
+        const bool repaired = broken(u);
+        if (repaired) {
+            u = vec4(wind_at(cell, 0.0f, is_on(WINDROW_GUSTS)), 0.0f);
+            velocity_old[at] = u;
+            history[at] = vec4(0.0f);
+            atomicAdd(control.found.z, 1u);
+        }
+        if (repaired || drives.w > 0.0f)
+            velocity[at] = u;
+        if (is_on(WINDROW_PUSHES))
+            force[at] = vec4(pushed, 0.0f);
+        if (is_on(WINDROW_EXPANDS))
+            expansion[at] = let_in;
+        atomicMax(group_largest, floatBitsToUint(largest_component(u.xyz)));
+        atomicMax(group_force, floatBitsToUint(largest_component(pushed)));
+    }
+    barrier();
+    if (gl_LocalInvocationIndex == 0) {
+        if (!is_on(WINDROW_RENEWS_AIR)) // else it is taken once their flow is in the velocity
+            atomicMax(control.found.x, group_largest);
+        atomicMax(control.found.y, group_force);
+    }
+}

@@ -1,0 +1,213 @@
+// The air on the device against the air on the CPU: the same start, the same motors, tick by tick.
+#include "fluid/vulkan/air.h"
+#include "fluid/wind_state.h"
+#include "tests/figure.h"
+#include "tests/parity/gpu.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <gtest/gtest.h>
+#include <random>
+
+namespace windrow::vulkan {
+namespace {
+
+// One wind twice. What the host's side of a Wind does is taken from the CPU's: its motors, its box, its ambient wind.
+class Twin {
+  public:
+    Twin(OwnDevice& gpu, const Config& config) : gpu_(gpu), wind_(*Wind::create(config)), motors_() {
+        auto air = Air::create(gpu.host(), config, {});
+        EXPECT_TRUE(air) << air.error();
+        air_ = *std::move(air);
+        slot_ = *Buffer::create(air_->device(), air_->slot_bytes(), Place::readback);
+        const auto& window = wind_.state().window;
+        run([&](VkCommandBuffer commands) { air_->fill(commands, wind_.state().ambient, window); });
+    }
+
+    Wind& wind() { return wind_; }
+
+    void set_velocity(std::span<const glm::vec4> field) {
+        ASSERT_TRUE(wind_.set_velocity(field));
+        Buffer staging = *Buffer::create(air_->device(), field.size_bytes(), Place::upload);
+        std::memcpy(staging.mapped(), field.data(), field.size_bytes());
+        ASSERT_EQ(staging.flush(), VK_SUCCESS);
+        run([&](VkCommandBuffer commands) { air_->upload(commands, staging); });
+    }
+
+    void add(const Motor& motor) {
+        ASSERT_TRUE(wind_.motors().add(motor));
+        ASSERT_TRUE(motors_.add(motor));
+    }
+
+    // Both by a step; the device by as many sub-steps as the CPU chose, unless it shall choose itself.
+    void step(double dt, bool forced = true) {
+        const AmbientWind ambient = wind_.state().ambient; // as it is at the start
+        const std::uint64_t sources_before = wind_.state().sources_of_air;
+        diagnostics_ = wind_.step(dt);
+        const std::uint64_t sources = wind_.state().sources_of_air;
+        motors_.begin_frame(0.0, dt);
+        const Window window = wind_.state().window;
+        const auto reached = motors_.tick(dt, window);
+        run([&](VkCommandBuffer commands) {
+            air_->step(commands, {.duration = dt,
+                                  .motors = reached,
+                                  .ambient = &ambient,
+                                  .window = &window,
+                                  .renews_sources = sources != sources_before,
+                                  .lets_air_in = sources != 0,
+                                  .substeps = forced ? diagnostics_.substeps : 0});
+            air_->show(commands, 1.0f, frame_ ^= 1, true);
+            air_->read_back(commands, slot_);
+        });
+        ASSERT_EQ(slot_.invalidate(), VK_SUCCESS);
+    }
+
+    // Largest difference in a component over the largest component of the CPU's.
+    [[nodiscard]] double difference() const {
+        const auto cpu = wind_.field(), device = air_->shown(slot_);
+        double worst = 0.0, largest = 1e-30;
+        for (std::size_t n = 0; n < cpu.size(); ++n)
+            for (int axis = 0; axis < 3; ++axis) {
+                const double apart = std::abs(static_cast<double>(cpu[n][axis]) - static_cast<double>(device[n][axis]));
+                worst = std::isnan(apart) ? apart : std::max(worst, apart);
+                largest = std::max(largest, std::abs(static_cast<double>(cpu[n][axis])));
+                if (std::isnan(worst))
+                    return worst;
+            }
+        return worst / largest;
+    }
+    [[nodiscard]] AirReport report() const { return air_->report(slot_); }
+    [[nodiscard]] const Diagnostics& diagnostics() const { return diagnostics_; }
+    [[nodiscard]] const Air& air() const { return *air_; }
+
+    void run(const std::function<void(VkCommandBuffer)>& record) {
+        const auto ran = gpu_.run(record);
+        ASSERT_TRUE(ran) << ran.error();
+    }
+
+  private:
+    OwnDevice& gpu_;
+    Wind wind_;
+    Motors motors_;
+    std::unique_ptr<Air> air_;
+    Buffer slot_;
+    Diagnostics diagnostics_;
+    int frame_ = 0;
+};
+
+std::vector<glm::vec4> smooth_start(const Config& config) {
+    const Box box{config.cells, config.cell_size, config.sides};
+    std::vector<glm::vec4> field(box.cell_count());
+    for (int k = 0; k < config.cells.z; ++k)
+        for (int j = 0; j < config.cells.y; ++j)
+            for (int i = 0; i < config.cells.x; ++i) {
+                const glm::vec3 p = 6.2831853f * (glm::vec3(i, j, k) + 0.5f) / glm::vec3(config.cells);
+                field[box.index(i, j, k)] =
+                    glm::vec4(config.ambient, 0.0f) + glm::vec4(std::sin(p.y + 1.0f) * std::cos(p.z), 0.7f * std::sin(p.z - p.x),
+                                                                0.8f * std::cos(p.x + 0.5f) * std::sin(2.0f * p.y), 0.0f);
+            }
+    return field;
+}
+
+struct Setting {
+    const char* name;
+    Config config;
+};
+
+Config with(Config config, const std::function<void(Config&)>& change) {
+    change(config);
+    return config;
+}
+
+std::vector<Setting> settings() {
+    const Config plain{.cells = {16, 16, 16}, .ambient = {2.0f, 0.0f, 1.0f}};
+    return {
+        {"open", plain},
+        {"default", {.ambient = {3.0f, 0.2f, 1.0f}}},
+        {"odd", {.cells = {17, 9, 23}, .sides = Sides::open_over_floor(), .ambient = {2.0f, 0.0f, -1.0f}}},
+        {"periodic", with(plain, [](Config& c) { c.sides = Sides::all(SideKind::periodic); })},
+        {"walls", with(plain,
+                       [](Config& c) {
+                           c.sides = Sides::all(SideKind::no_slip);
+                           c.ambient = {};
+                       })},
+        {"slip", with(plain,
+                      [](Config& c) {
+                          c.sides = Sides::all(SideKind::free_slip);
+                          c.ambient = {};
+                      })},
+        {"mixed", with(plain,
+                       [](Config& c) {
+                           c.cells = {12, 10, 14};
+                           c.sides.x_low.kind = SideKind::free_slip;
+                           c.sides.y_low.kind = c.sides.y_high.kind = SideKind::periodic;
+                           c.sides.z_high = {SideKind::no_slip, {1.0f, 0.0f, 0.0f}};
+                           c.ambient = {0.0f, 1.0f, 0.0f};
+                       })},
+        {"linear", with(plain, [](Config& c) { c.interpolation = Interpolation::linear; })},
+        {"classic", with(plain, [](Config& c) { c.scheme = Scheme::stable_fluids; })},
+        {"viscous", with(plain,
+                         [](Config& c) {
+                             c.viscosity = 1.0f;
+                             c.sides = Sides::all(SideKind::no_slip);
+                             c.ambient = {};
+                         })},
+        {"owing", with(plain, [](Config& c) { c.viscosity = 1e-3f; })},
+        {"syrup", with(plain,
+                       [](Config& c) {
+                           c.viscosity = 200.0f;
+                           c.cells = {12, 10, 14};
+                           c.sides.x_low.kind = SideKind::free_slip;
+                           c.sides.y_low.kind = c.sides.y_high.kind = SideKind::periodic;
+                           c.sides.z_high = {SideKind::no_slip, {1.0f, 0.0f, 0.0f}};
+                           c.ambient = {0.0f, 1.0f, 0.0f};
+                       })},
+        {"syrup_walls", with(plain,
+                             [](Config& c) {
+                                 c.viscosity = 20.0f;
+                                 c.sides = Sides::all(SideKind::no_slip);
+                                 c.sides.y_high.wall_velocity = {3.0f, 0.0f, 0.0f};
+                                 c.ambient = {};
+                             })},
+        {"profile", with(plain,
+                         [](Config& c) {
+                             c.sides = Sides::open_over_floor();
+                             c.profile = LogProfile{};
+                         })},
+        {"gusts", with(plain,
+                       [](Config& c) {
+                           c.sides = Sides::open_over_floor();
+                           c.gusts = {.intensity = 0.3f};
+                       })},
+    };
+}
+
+void add_motors(Twin& twin, const Config& config) {
+    const auto h = static_cast<double>(config.cell_size);
+    const glm::dvec3 centre = twin.wind().origin() + 0.5 * h * glm::dvec3(config.cells);
+    twin.add(DirectionalMotor{.position = centre + glm::dvec3(1.0, 0.5, 0.0), .direction = {0.0f, 0.0f, 1.0f}});
+    twin.add(VortexMotor{.position = centre - glm::dvec3(2.0, 0.0, 1.0)});
+    twin.add(JetMotor{.position = centre + glm::dvec3(-3.0, 0.0, 2.0), .direction = {1.0f, 0.3f, 0.0f}});
+}
+
+using AirParity = Gpu;
+
+TEST_F(AirParity, EveryKindOfBoxAgreesAfterOneStepAndAfterAHundred) {
+    for (const Setting& setting : settings()) {
+        SCOPED_TRACE(setting.name);
+        Twin twin(*own, setting.config);
+        twin.set_velocity(smooth_start(setting.config));
+        add_motors(twin, setting.config);
+        twin.step(1.0 / 30.0);
+        const double one = twin.difference();
+        for (int n = 1; n < 100; ++n)
+            twin.step(1.0 / 30.0);
+        const double hundred = twin.difference();
+        WINDROW_EXPECT_FIGURE(std::string("parity.one_step.") + setting.name, one, 1e-5);
+        WINDROW_EXPECT_FIGURE(std::string("parity.hundred_steps.") + setting.name, hundred, 1e-4);
+    }
+}
+
+} // namespace
+} // namespace windrow::vulkan

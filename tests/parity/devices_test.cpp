@@ -1,0 +1,146 @@
+// What the machine's devices are told to be, and what is refused before anything is made.
+#include "fluid/vulkan/functions.h"
+#include "tests/parity/gpu.h"
+
+namespace windrow::vulkan {
+namespace {
+
+void expect_refusal(const Result<std::unique_ptr<Device>>& result, const std::string& words) {
+    ASSERT_FALSE(result);
+    EXPECT_NE(result.error().find(words), std::string::npos) << result.error();
+}
+
+TEST(Devices, AreListedWithTheirDrivers) {
+    const auto devices = list_devices();
+    ASSERT_TRUE(devices) << devices.error() << "\nA software driver will do (Debian: mesa-vulkan-drivers).";
+    ASSERT_FALSE(devices->empty());
+    for (const DeviceFacts& facts : *devices) {
+        EXPECT_FALSE(facts.name.empty());
+        EXPECT_FALSE(facts.driver.empty());
+        EXPECT_TRUE(facts.api_version.starts_with("1.")) << facts.api_version;
+        std::printf("%s, %s, Vulkan %s%s%s\n", facts.name.c_str(), facts.driver.c_str(), facts.api_version.c_str(),
+                    facts.software ? ", software" : "", facts.trouble.c_str());
+    }
+}
+
+TEST(Devices, APlaceThatThereIsNotIsRefused) {
+    const auto devices = list_devices();
+    ASSERT_TRUE(devices) << devices.error();
+    const auto beyond = OwnDevice::create({.device = static_cast<int>(devices->size())});
+    ASSERT_FALSE(beyond);
+    EXPECT_NE(beyond.error().find("give one from 0 to "), std::string::npos) << beyond.error();
+    const auto negative = OwnDevice::create({.device = -2});
+    ASSERT_FALSE(negative);
+    EXPECT_NE(negative.error().find("device is -2"), std::string::npos) << negative.error();
+}
+
+TEST(Devices, TheDefaultIsOneThatCanRunTheWind) {
+    const auto own = OwnDevice::create({});
+    ASSERT_TRUE(own) << own.error();
+    EXPECT_EQ((*own)->facts().trouble, "");
+    const auto devices = list_devices();
+    ASSERT_TRUE(devices) << devices.error();
+    bool hardware = false;
+    for (const DeviceFacts& facts : *devices)
+        hardware = hardware || (!facts.software && facts.trouble.empty());
+    EXPECT_EQ((*own)->facts().software, !hardware);
+}
+
+class AHost : public Gpu {};
+
+TEST_F(AHost, ThatIsNotWholeIsRefused) {
+    Host host = own->host();
+    host.device = VK_NULL_HANDLE;
+    expect_refusal(Device::create(host), "device is null");
+    host = own->host();
+    host.physical_device = VK_NULL_HANDLE;
+    expect_refusal(Device::create(host), "physical_device is null");
+    host = own->host();
+    host.get_instance_proc_addr = nullptr;
+    expect_refusal(Device::create(host), "get_instance_proc_addr is null");
+    host = own->host();
+    host.queue_family = 1000;
+    expect_refusal(Device::create(host), "queue_family is 1000");
+    host = own->host();
+    host.memory.release = [](const MemoryPiece&) {};
+    expect_refusal(Device::create(host), "give both or neither");
+}
+
+PFN_vkVoidFunction VKAPI_CALL only_of_the_instance(VkInstance, const char* name) {
+    return std::string(name) == "vkGetDeviceProcAddr"
+               ? reinterpret_cast<PFN_vkVoidFunction>(+[](VkDevice, const char*) { return PFN_vkVoidFunction{}; })
+               : nullptr;
+}
+
+TEST_F(AHost, WithoutCallsIsToldEachThatIsMissing) {
+    Host host = own->host();
+    host.get_instance_proc_addr = &only_of_the_instance;
+    const auto functions = load_functions(host);
+    ASSERT_FALSE(functions);
+#define WINDROW_EXPECT(name)                                                                                                     \
+    EXPECT_EQ(functions.error().find(#name ",") != std::string::npos || functions.error().find(#name ":") != std::string::npos,  \
+              std::string(#name) != "vkGetDeviceProcAddr")                                                                       \
+        << #name;
+    WINDROW_INSTANCE_FUNCTIONS(WINDROW_EXPECT)
+    WINDROW_DEVICE_FUNCTIONS(WINDROW_EXPECT)
+#undef WINDROW_EXPECT
+}
+
+// --- Limits, which a software driver does not ask ----------------------------------------------------------------------
+
+class Limits : public Gpu {};
+
+TEST_F(Limits, OfBuffersAreAsked) {
+    const VkDeviceSize largest = device->limits().maxStorageBufferRange;
+    const auto beyond = Buffer::create(*device, largest + 1, Place::device);
+    ASSERT_FALSE(beyond);
+    EXPECT_NE(beyond.error().find("maxStorageBufferRange"), std::string::npos) << beyond.error();
+    EXPECT_FALSE(Buffer::create(*device, 0, Place::device));
+    const auto block = Buffer::create(*device, device->limits().maxUniformBufferRange + VkDeviceSize{1}, Place::upload,
+                                      VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+    // Refused by one limit or the other where they are equal.
+    ASSERT_FALSE(block);
+    EXPECT_NE(block.error().find("BufferRange"), std::string::npos) << block.error();
+}
+
+TEST_F(Limits, OfImagesAreAsked) {
+    const std::uint32_t most = device->limits().maxImageDimension3D;
+    for (const VkExtent3D extent : {VkExtent3D{most + 1, 1, 1}, VkExtent3D{1, most + 1, 1}, VkExtent3D{1, 1, most + 1}}) {
+        const auto beyond = Image3D::create(*device, extent, VK_FORMAT_R16_SFLOAT);
+        ASSERT_FALSE(beyond);
+        EXPECT_NE(beyond.error().find("maxImageDimension3D"), std::string::npos) << beyond.error();
+    }
+    EXPECT_FALSE(Image3D::create(*device, {0, 4, 4}, VK_FORMAT_R32_SFLOAT));
+    EXPECT_FALSE(Image3D::create(*device, {4, 4, 0}, VK_FORMAT_R32_SFLOAT));
+    const auto no_format = Image3D::create(*device, {4, 4, 4}, VK_FORMAT_D16_UNORM); // depth has no third dimension
+    ASSERT_FALSE(no_format);
+    EXPECT_NE(no_format.error().find("VK_ERROR_FORMAT_NOT_SUPPORTED"), std::string::npos) << no_format.error();
+}
+
+TEST_F(Limits, OfDispatchesAreAsked) {
+    const VkPhysicalDeviceLimits& limits = device->limits();
+    EXPECT_TRUE(device->check({.groups = {1, 1, 1}, .local_size = {64, 1, 1}, .shared_bytes = 1024, .name = "a"}));
+    const auto refused = device->check({.groups = {1, 1, limits.maxComputeWorkGroupCount[2] + 1},
+                                        .local_size = {limits.maxComputeWorkGroupInvocations, 2, 1},
+                                        .shared_bytes = limits.maxComputeSharedMemorySize + 4,
+                                        .name = "advection"});
+    const bool expressible = limits.maxComputeWorkGroupCount[2] != UINT32_MAX;
+    ASSERT_FALSE(refused);
+    for (const char* limit : {"maxComputeWorkGroupInvocations", "maxComputeSharedMemorySize", "the pass advection"})
+        EXPECT_NE(refused.error().find(limit), std::string::npos) << refused.error();
+    EXPECT_EQ(refused.error().find("maxComputeWorkGroupCount") != std::string::npos, expressible) << refused.error();
+}
+
+TEST_F(Limits, OfPipelinesAreAsked) {
+    const std::uint32_t code[] = {0}; // refused before it is read
+    const auto refused = Pipeline::create(*device, {.code = code,
+                                                    .bindings = {},
+                                                    .constants = {},
+                                                    .push_bytes = device->limits().maxPushConstantsSize + 4,
+                                                    .name = "advection"});
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().find("the pass advection pushes"), std::string::npos) << refused.error();
+}
+
+} // namespace
+} // namespace windrow::vulkan

@@ -1,0 +1,81 @@
+// A device with the validation layer's core and synchronisation checks on, which must stay silent to the end of each test.
+#pragma once
+
+#include "fluid/vulkan/device.h"
+#include "fluid/vulkan/own_device.h"
+
+#include <cstddef>
+#include <functional>
+#include <gtest/gtest.h>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace windrow::vulkan {
+
+class Gpu : public testing::Test {
+  protected:
+    void SetUp() override { make_own({.validation = true}); }
+
+    /// A test without a device fails: a machine that cannot run these must not pass for one that has.
+    void make_own(OwnDevice::Settings settings) {
+        settings.on_message = [this](const std::string& text) { messages.push_back(text); };
+        auto made = OwnDevice::create(settings);
+        ASSERT_TRUE(made) << made.error()
+                          << "\nThe tests of the Vulkan backend need a driver and the validation layer; a software "
+                             "one will do (Debian: mesa-vulkan-drivers, vulkan-validationlayers).";
+        own = *std::move(made);
+        auto lent = Device::create(own->host());
+        ASSERT_TRUE(lent) << lent.error();
+        device = *std::move(lent);
+    }
+
+    void TearDown() override {
+        device.reset();
+        own.reset(); // the layer tells what was never destroyed when the device ends
+        for (const std::string& message : messages)
+            ADD_FAILURE() << "the validation layer says: " << message;
+    }
+
+    void run(const std::function<void(VkCommandBuffer)>& record) {
+        const auto done = own->run(record);
+        ASSERT_TRUE(done) << done.error();
+    }
+
+    /// What was written so far is seen by what follows.
+    void barrier(VkCommandBuffer commands) const {
+        const VkMemoryBarrier all{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER,
+                                  .pNext = nullptr,
+                                  .srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_TRANSFER_WRITE_BIT,
+                                  .dstAccessMask = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT |
+                                                   VK_ACCESS_TRANSFER_READ_BIT | VK_ACCESS_TRANSFER_WRITE_BIT |
+                                                   VK_ACCESS_HOST_READ_BIT};
+        constexpr VkPipelineStageFlags work = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_TRANSFER_BIT;
+        device->functions().vkCmdPipelineBarrier(commands, work, work | VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &all, 0, nullptr, 0,
+                                                 nullptr);
+    }
+
+    [[nodiscard]] Buffer buffer(VkDeviceSize bytes, Place place) {
+        auto made = Buffer::create(*device, bytes, place);
+        if (!made) {
+            ADD_FAILURE() << made.error();
+            return {};
+        }
+        return *std::move(made);
+    }
+
+    /// The first `count` values of a readback buffer.
+    template <class Value>
+    [[nodiscard]] std::vector<Value> read(const Buffer& from, std::size_t count) const {
+        EXPECT_EQ(from.invalidate(), VK_SUCCESS);
+        const auto* values = reinterpret_cast<const Value*>(from.mapped());
+        return {values, values + count};
+    }
+
+    std::vector<std::string> messages;
+    std::unique_ptr<OwnDevice> own;
+    std::unique_ptr<Device> device;
+};
+
+} // namespace windrow::vulkan

@@ -1,0 +1,41 @@
+// What AddressSanitizer needs to live with Mesa's software driver and Vulkan's validation layer. Part of each program that may
+// load them, so that it holds however the program is run, by CTest or by hand. Empty in a build without the sanitizer.
+#if defined(__SANITIZE_ADDRESS__) // GCC
+#define WINDROW_ASAN 1
+#elif defined(__has_feature) // Clang
+#if __has_feature(address_sanitizer)
+#define WINDROW_ASAN 1
+#endif
+#endif
+
+#ifdef WINDROW_ASAN
+#include <dlfcn.h>
+#include <initializer_list>
+
+// The driver allocates and frees a block for each group that it runs; the default quarantine keeps them all, up to 24 GB.
+extern "C" const char* __asan_default_options() {
+    return "quarantine_size_mb=4:thread_local_quarantine_size_kb=16";
+}
+
+// The validation layer (1.3.239) leaks its own notes of a device, a few thousand bytes. What of ours is not destroyed, it tells.
+extern "C" const char* __lsan_default_suppressions() {
+    return "leak:libVkLayer_khronos_validation.so\n";
+}
+
+// Quiet: a child process's output is compared with what it should print.
+extern "C" const char* __lsan_default_options() {
+    return "print_suppressions=0";
+}
+
+namespace {
+
+// The driver holds some bytes for good in its own globals. They count as leaked once the loader has unloaded it, and no
+// suppression can name a module that is gone, the layer neither: so both stay, where they are installed.
+[[maybe_unused]] const bool modules_stay = [] {
+    for (const char* module : {"libvulkan_lvp.so", "libVkLayer_khronos_validation.so"})
+        (void)dlopen(module, RTLD_LAZY | RTLD_NODELETE);
+    return true;
+}();
+
+} // namespace
+#endif
