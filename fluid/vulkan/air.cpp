@@ -72,6 +72,15 @@ Result<std::unique_ptr<Air>> Air::create(std::unique_ptr<Device> device, const C
 
 Result<void> Air::make() {
     prepared_ = method_of(config_, k_longest_prepared);
+    // Before anything of that size is made, here or there: the padded fields, and the tables of the direct solves.
+    const glm::dvec3 padded = glm::dvec3(config_.cells + WINDROW_HALO);
+    const double floats =
+        std::max(8.0 * padded.x * padded.y * padded.z,
+                 static_cast<double>(SolveTables::most_floats(config_.cells, prepared_ == DiffusionMethod::implicit)));
+    if (4.0 * floats > static_cast<double>(device_->limits().maxStorageBufferRange))
+        return Error{detail::message("A box of ", config_.cells.x, " x ", config_.cells.y, " x ", config_.cells.z,
+                                     " cells takes a buffer of ", 4.0 * floats, " bytes, but the device allows ",
+                                     device_->limits().maxStorageBufferRange, ": give fewer cells, or use the CPU.")};
     make_tables();
     auto fields = Fields::create(*device_, {.cells = config_.cells,
                                             .table_floats = static_cast<std::uint32_t>(
@@ -113,7 +122,6 @@ DiffusionMethod Air::diffusion_of(double duration) const {
 
 WindrowStep Air::step_of(const AirTick& tick) const {
     const Box air = box();
-    const glm::vec3 ambient = admissible_ambient(air.sides, config_.ambient);
     WindrowStep step{};
     const auto any = [&](detail::MotorReach::Law law) {
         return std::any_of(tick.motors.begin(), tick.motors.end(), [&](const auto& motor) { return motor.law == law; });
@@ -121,7 +129,7 @@ WindrowStep Air::step_of(const AirTick& tick) const {
     const auto bit = [](bool on, int value) { return on ? value : 0; };
     const bool classic = config_.scheme == Scheme::stable_fluids || !config_.stages.advection;
     step.cells = {air.cells, static_cast<int>(air.cell_count())};
-    step.shape.x = static_cast<int>(tick.motors.size());
+    step.shape.x = static_cast<int>(std::min<std::size_t>(tick.motors.size(), k_most_motors));
     step.shape.y = config_.max_substeps;
     step.shape.z = bit(fresh_, WINDROW_FRESH) | bit(classic, WINDROW_STABLE_FLUIDS) |
                    bit(config_.interpolation == Interpolation::linear, WINDROW_LINEAR) |
@@ -134,7 +142,7 @@ WindrowStep Air::step_of(const AirTick& tick) const {
                    bit(any(detail::MotorReach::Law::source), WINDROW_EXPANDS) | bit(owes_nothing_, WINDROW_OWES_NOTHING);
     step.shape.w = tick.substeps;
     step.time = {static_cast<float>(tick.duration), air.cell_size, config_.settling_time, config_.max_cfl};
-    step.ambient = {ambient, config_.viscosity};
+    step.ambient = {tick.ambient->mean(), config_.viscosity};
     for (int axis = 0; axis < 3; ++axis) {
         const cpu::LegalPlaces legal = cpu::legal_places(air, axis);
         step.low[axis] = legal.low;
@@ -154,7 +162,7 @@ WindrowStep Air::step_of(const AirTick& tick) const {
     static_assert(sizeof(wind) == sizeof(step.wind));
     std::memcpy(&step.wind, &wind, sizeof(wind));
     const glm::vec3 mean = tick.ambient->mean(); // the level part carries the gusts
-    step.carried = wind.gust_texel.w * static_cast<float>(tick.duration) * glm::vec4(mean.x, 0.0f, mean.z, 0.0f);
+    step.carried = wind.gust_texel.w * glm::vec4(mean.x, 0.0f, mean.z, 0.0f);
     return step;
 }
 
@@ -195,8 +203,10 @@ void Air::write_tables(VkCommandBuffer commands) {
 
 void Air::tell(VkCommandBuffer commands, const WindrowStep& step, const AmbientWind& ambient) {
     write_tables(commands);
-    barrier(commands, k_compute, k_transfer);
-    if (ambient.gusting() && std::exchange(tile_, ambient.tile()) != ambient.tile())
+    const bool new_tile = settings_.gusts && ambient.tile() && std::exchange(tile_, ambient.tile()) != ambient.tile();
+    // The host's shaders read the tile too: those of earlier frames are done with it before it changes.
+    barrier(commands, new_tile ? VK_PIPELINE_STAGE_ALL_COMMANDS_BIT | k_compute | k_transfer : k_compute, k_transfer);
+    if (new_tile)
         write(commands, fields_.tile, std::as_bytes(ambient.tile()->texels()));
     write(commands, fields_.step, std::as_bytes(std::span(&step, 1)));
 }
@@ -290,12 +300,11 @@ void Air::set_sides(const Sides& sides, bool kinds) {
     fresh_ = true;
 }
 
-void Air::upload(VkCommandBuffer commands, const Buffer& staging) {
+void Air::upload(VkCommandBuffer commands, std::span<const glm::vec4> cells) {
     write_tables(commands);
     barrier(commands, k_compute | k_transfer, k_transfer);
-    const VkBufferCopy region{.srcOffset = 0, .dstOffset = 0, .size = fields_.velocity.bytes()};
     for (const Buffer* field : {&fields_.velocity, &fields_.before})
-        device_->functions().vkCmdCopyBuffer(commands, staging.handle(), field->handle(), 1, &region);
+        write(commands, *field, std::as_bytes(cells));
     barrier(commands, k_transfer, k_compute | k_transfer);
     fresh_ = owes_nothing_ = true;
 }

@@ -75,8 +75,8 @@ class Air {
     /// Adds a change of the mean wind, by its profile.
     void add_change(VkCommandBuffer commands, glm::vec3 change, bool to_air, bool to_before, const AmbientWind& ambient,
                     const Window& window);
-    /// The field becomes what lies in `staging`, 16 bytes a cell; no past.
-    void upload(VkCommandBuffer commands, const Buffer& staging);
+    /// The field becomes `cells`, which travel inside the command buffer; no past.
+    void upload(VkCommandBuffer commands, std::span<const glm::vec4> cells);
     /// Keeps the air as it is for blending.
     void keep_before(VkCommandBuffer commands);
     void step(VkCommandBuffer commands, const AirTick& tick);
@@ -101,7 +101,6 @@ class Air {
     [[nodiscard]] bool holds_gusts() const { return settings_.gusts; }
     /// Before the next recording. Another kind of side leaves the air without a past.
     void set_sides(const Sides& sides, bool kinds);
-    void set_ambient(glm::vec3 ambient) { config_.ambient = ambient; }
 
   private:
     Air(std::unique_ptr<Device> device, const Config& config, const Settings& settings)

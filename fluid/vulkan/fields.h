@@ -8,6 +8,7 @@
 #pragma once
 
 #include "fluid/box.h"
+#include "fluid/motors.h"
 #include "fluid/vulkan/device.h"
 
 #include <cstdint>
@@ -37,6 +38,6 @@ struct Fields {
 };
 
 /// Most motors of a tick: what Motors can hold, wakes in pieces.
-inline constexpr std::uint32_t k_most_motors = 8192;
+inline constexpr std::uint32_t k_most_motors = Motors::k_capacity * std::uint32_t{Track::k_most_pieces};
 
 } // namespace windrow::vulkan

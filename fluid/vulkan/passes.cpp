@@ -41,7 +41,8 @@ std::uint32_t blocks(std::uint32_t count, std::uint32_t size) {
 Groups cell_group(glm::ivec3 cells) {
     const auto x = std::min(32u, std::bit_ceil(static_cast<std::uint32_t>(cells.x)));
     const auto y = std::min(k_cell_group / x, std::bit_ceil(static_cast<std::uint32_t>(cells.y)));
-    return {x, y, k_cell_group / x / y};
+    // 64: as long as a group may be along z everywhere.
+    return {x, y, std::min(64u, k_cell_group / x / y)};
 }
 
 Groups groups_over(glm::ivec3 cells, const Groups& size) {
@@ -88,7 +89,8 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
     const Groups cell = cell_group(cells), over_cells = groups_over(cells, cell);
     const Groups over_padded = groups_over(cells + WINDROW_HALO, cell);
     const Tiles tiles = tiles_of(device, cells);
-    const std::uint32_t solve = std::min(k_solve_group, device.limits().maxComputeWorkGroupInvocations);
+    const std::uint32_t solve =
+        std::min({k_solve_group, device.limits().maxComputeWorkGroupInvocations, device.limits().maxComputeWorkGroupSize[0]});
     const auto nx = static_cast<std::uint32_t>(cells.x), ny = static_cast<std::uint32_t>(cells.y),
                nz = static_cast<std::uint32_t>(cells.z);
     const Groups line{solve, 1, 1};

@@ -33,7 +33,7 @@ Result<Wind> Wind::create(const Host& host, const Config& config, const Settings
     auto ambient = AmbientWind::create({.mean = mean, .profile = config.profile, .gusts = config.gusts});
     if (!ambient)
         return Error{ambient.error()};
-    const bool gusts = settings.gusts || config.gusts.intensity > 0.0f;
+    const bool gusts = settings.gusts || config.gusts.intensity > 0.0f || config.gusts.tile; // detail needs the tile alone
     auto air = Air::create(host, config, {.half = settings.texel == Texel::half, .gusts = gusts});
     if (!air)
         return Error{air.error()};
@@ -69,7 +69,7 @@ glm::vec3 Wind::ambient() const {
     return state_->mean_wind();
 }
 Result<void> Wind::set_gusts(const Gusts& gusts) {
-    if (gusts.intensity > 0.0f && !state_->air->holds_gusts())
+    if ((gusts.intensity > 0.0f || gusts.tile) && !state_->air->holds_gusts())
         return Error{"This wind was made without room for gusts: set Settings::gusts, or give the config gusts."};
     return state_->set_gusts(gusts);
 }
@@ -92,7 +92,7 @@ Result<void> Wind::set_velocity(std::span<const glm::vec4> field) {
     return state_->set_velocity(field);
 }
 void Wind::reset() {
-    state_->fill_with_ambient();
+    state_->reset();
 }
 
 // --- For shaders
@@ -127,8 +127,12 @@ auto with_views(const Wind::State& state, const Use& use) {
     const auto view = [&](const windrow::Frame& frame) {
         return WindView(box, frame.window, state.rim(frame.rim_point), frame.ambient, {});
     };
-    const windrow::Frame now = state.frame_now();
-    return state.frames ? use(view(state.frames->shown), view(state.frames->shown_before)) : use(view(now), view(now));
+    if (state.frames)
+        return use(view(state.frames->shown), view(state.frames->shown_before));
+    const windrow::Frame unrecorded = state.frame_now();
+    const windrow::Frame& now = state.recorded ? *state.recorded : unrecorded;
+    const windrow::Frame& before = state.recorded_before ? *state.recorded_before : now;
+    return use(view(now), view(before));
 }
 
 } // namespace

@@ -32,7 +32,8 @@ struct Settings {
     Texel texel = Texel::half;
     /// Frames that the host keeps in flight, 1 to 8: as many read-backs wait for their turn. Default 2.
     int frames_in_flight = 2;
-    /// Room for gusts that begin later than the wind itself (4 MiB). Default: only where the config has gusts.
+    /// Room for gusts, or for detail (Gusts::tile), that begin later than the wind itself (4 MiB). Default: only where the config
+    /// has them.
     bool gusts = false;
 };
 
@@ -60,7 +61,8 @@ class Wind {
 
     /// Records a frame outside of a render pass: the ticks that are due, the textures, the read-back. Compute and transfer
     /// commands alone. A dt that is negative or not finite, and a slot out of range, record nothing. Advance::last tells of the
-    /// last tick that was read back, frames_in_flight frames ago.
+    /// last tick that was read back, frames_in_flight frames ago. What is recorded must be submitted: the next frame goes on from
+    /// it.
     Advance record(VkCommandBuffer commands, const Frame& frame);
     /// Records one step of frame.dt instead of ticks; see windrow::Wind::step.
     Diagnostics record_step(VkCommandBuffer commands, const Frame& frame);
@@ -78,8 +80,7 @@ class Wind {
     Result<void> set_floor(double height);
     [[nodiscard]] glm::dvec3 origin() const;
     [[nodiscard]] const Config& config() const;
-    /// Sets every cell, as laid out in box.h, with the next recording; allocates the memory to bring them over, once. Refuses
-    /// another size.
+    /// Sets every cell, as laid out in box.h; the cells travel inside the next recording. Refuses another size.
     Result<void> set_velocity(std::span<const glm::vec4> field);
     /// Back to ambient everywhere.
     void reset();

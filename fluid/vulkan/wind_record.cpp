@@ -52,6 +52,8 @@ void Wind::State::end(const Frame& frame) {
         slot.tick = tick_;
         slot.frame = frame_now();
     }
+    recorded_before = std::move(recorded);
+    recorded.emplace(frame_now());
     dispatches += air->dispatches();
     barriers += air->barriers();
     commands_ = VK_NULL_HANDLE;
@@ -84,11 +86,16 @@ Advance Wind::State::record(VkCommandBuffer commands, const Frame& frame) {
 }
 
 Diagnostics Wind::State::record_step(VkCommandBuffer commands, const Frame& frame) {
-    if (!begin(commands, frame))
+    if (!(frame.dt > 0.0) || !std::isfinite(frame.dt) || !begin(commands, frame))
         return {};
+    const bool slept = asleep;
     const Diagnostics done = step(frame.dt);
-    if (!asleep || !done.asleep)
+    if (!slept || !asleep)
+        unshown_ = 2;
+    if (unshown_ > 0) { // asleep: until both sets of textures hold the air as it sleeps
+        --unshown_;
         blend_ = 1.0f;
+    }
     end(frame);
     return done;
 }
@@ -98,30 +105,28 @@ Result<void> Wind::State::set_velocity(std::span<const glm::vec4> field) {
     if (field.size_bytes() != bytes)
         return Error{windrow::detail::message("set_velocity got ", field.size(), " cells, but the box has ", box().cell_count(),
                                               ": give box().cell_count().")};
-    if (staging_.bytes() == 0) {
-        auto made = Buffer::create(air->device(), bytes, Place::upload);
-        if (!made)
-            return Error{made.error()};
-        staging_ = *std::move(made);
-    }
-    auto* const to = reinterpret_cast<glm::vec4*>(staging_.mapped());
-    std::transform(field.begin(), field.end(), to, [](glm::vec4 u) { return glm::vec4(u.x, u.y, u.z, 0.0f); });
-    if (staging_.flush() != VK_SUCCESS)
-        return Error{"set_velocity could not bring the cells to the device."};
-    do_or_queue([this](VkCommandBuffer commands) { air->upload(commands, staging_); });
+    std::vector<glm::vec4> cells(field.size());
+    std::transform(field.begin(), field.end(), cells.begin(), [](glm::vec4 u) { return glm::vec4(u.x, u.y, u.z, 0.0f); });
+    do_or_queue([this, cells = std::move(cells)](VkCommandBuffer commands) { air->upload(commands, cells); });
     asleep = calm = false;
     disturbed_tick_ = tick_ + 1;
     return {};
 }
 
+void Wind::State::reset() {
+    fill_with_ambient();
+    if (frames)
+        fill_before();
+    written_sets_ = 0; // the frame before the next is ambient too
+}
+
 // --- The cells
 // ------------------------------------------------------------------------------------------------------------------
 
-void Wind::State::around_changed() {
-    air->set_ambient(config.ambient);
-}
+void Wind::State::around_changed() {} // each work brings the ambient wind of its moment
 
 Result<void> Wind::State::sides_changed(bool kinds) {
+    disturbed_tick_ = tick_ + 1;
     do_or_queue([this, kinds, sides = config.sides](VkCommandBuffer) { air->set_sides(sides, kinds); });
     return {};
 }

@@ -38,7 +38,10 @@ struct Wind::State : WindHost {
     Advance record(VkCommandBuffer commands, const Frame& frame);
     Diagnostics record_step(VkCommandBuffer commands, const Frame& frame);
     Result<void> set_velocity(std::span<const glm::vec4> field);
+    void reset();
     [[nodiscard]] windrow::Frame frame_now() const;
+    /// Where the textures of the last recording lie, and of the one before it.
+    std::optional<windrow::Frame> recorded, recorded_before;
 
   protected:
     void around_changed() override;
@@ -67,13 +70,13 @@ struct Wind::State : WindHost {
 
     VkCommandBuffer commands_ = VK_NULL_HANDLE; ///< while a frame is recorded
     std::vector<Work> queue_;
-    Buffer staging_; ///< for set_velocity
     std::uint64_t tick_ = 0;
     std::uint64_t disturbed_tick_ = 0; ///< the last one in which something acted
     std::uint64_t report_tick_ = 0;    ///< the one that `report` tells of
     std::optional<float> blend_;       ///< the textures of this frame are to be written, so far between the ticks
     bool ticked_ = false;              ///< in this recording
     int written_sets_ = 0;             ///< of textures that hold a frame: as many need writing before sleep may leave them
+    int unshown_ = 2;                  ///< of the two sets, how many do not hold the sleeping air yet
 };
 
 } // namespace windrow::vulkan

@@ -37,7 +37,7 @@ struct WindrowStep {
     ivec4 high_source;    // and beyond the high side
     vec4 velocity_low, velocity_high;   // xyz factor there on the velocity along the axis
     vec4 potential_low, potential_high; // and on the potential
-    vec4 carried;         // xyz [texels] that gusts are carried in the tick
+    vec4 carried;         // xyz [texels/s] speed at which gusts are carried
     WindrowAmbient wind;  // at the tick's start; local positions are from the box's low corner
 };
 

@@ -55,7 +55,7 @@ vec3 wind_at(ivec3 cell, float elapsed, bool gusts) {
     if (!gusts)
         wind.mean.w = 0.0f;
     else
-        wind.gust_fraction.xyz -= tick.carried.xyz * (elapsed / tick.time.x);
+        wind.gust_fraction.xyz -= elapsed * tick.carried.xyz;
     if (!is_on(WINDROW_PROFILE) && !gusts)
         return tick.ambient.xyz;
     return windrow_ambient(0, wind, tick.time.y * (vec3(cell) + 0.5f));

@@ -29,10 +29,7 @@ class Twin {
 
     void set_velocity(std::span<const glm::vec4> field) {
         ASSERT_TRUE(wind_.set_velocity(field));
-        Buffer staging = *Buffer::create(air_->device(), field.size_bytes(), Place::upload);
-        std::memcpy(staging.mapped(), field.data(), field.size_bytes());
-        ASSERT_EQ(staging.flush(), VK_SUCCESS);
-        run([&](VkCommandBuffer commands) { air_->upload(commands, staging); });
+        run([&](VkCommandBuffer commands) { air_->upload(commands, field); });
     }
 
     void add(const Motor& motor) {

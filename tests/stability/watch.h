@@ -10,6 +10,7 @@
 #include "fluid/wind.h"
 #include "tests/fields.h"
 #include "tests/figure.h"
+#include "tests/sanitized.h"
 #include "tests/stability/input.h"
 #include "tests/stability/report_check.h"
 
@@ -19,13 +20,6 @@
 #include <string>
 
 namespace windrow::test {
-
-/// A sanitizer runs the same steps fifteen times slower, and finds in the first of them what it looks for.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-inline constexpr bool k_sanitized = true;
-#else
-inline constexpr bool k_sanitized = false;
-#endif
 
 /// Steps that a run takes: a twentieth under a sanitizer, 20 at least.
 [[nodiscard]] constexpr int shortened(int steps) {

@@ -1,0 +1,130 @@
+// A whole life of a wind in which each call that can fail does so once, with each code: the failure is told by name, nothing is
+// left behind, and the host goes on with the CPU from the last field that it has.
+#include "fluid/vulkan/wind.h"
+#include "tests/figure.h"
+#include "tests/parity/counted_functions.h"
+#include "tests/parity/gpu.h"
+#include "tests/sanitized.h"
+
+#include <cstring>
+#include <glm/geometric.hpp>
+
+namespace windrow::vulkan {
+namespace {
+
+Functions g_table; // what the host below hands out; Vulkan's calls carry no pointer of ours
+
+// A host's own vkGetInstanceProcAddr, which puts the counted calls in place of the device's.
+PFN_vkVoidFunction VKAPI_CALL counted_device_call(VkDevice device, const char* name) {
+#define WINDROW_GIVE(call)                                                                                                       \
+    if (std::strcmp(name, #call) == 0)                                                                                           \
+        return reinterpret_cast<PFN_vkVoidFunction>(g_table.call);
+    WINDROW_DEVICE_FUNCTIONS(WINDROW_GIVE)
+#undef WINDROW_GIVE
+    return counted_calls().real.vkGetDeviceProcAddr(device, name);
+}
+
+PFN_vkGetInstanceProcAddr g_real_proc_addr = nullptr;
+
+PFN_vkVoidFunction VKAPI_CALL counted_instance_call(VkInstance instance, const char* name) {
+    if (std::strcmp(name, "vkGetDeviceProcAddr") == 0)
+        return reinterpret_cast<PFN_vkVoidFunction>(&counted_device_call);
+    return g_real_proc_addr(instance, name);
+}
+
+class WindFaults : public Gpu {
+  protected:
+    // Without the layer, whose watch over hundreds of lives takes minutes; it watches the same calls in the other tests.
+    void SetUp() override { make_own({}); }
+
+    static constexpr glm::ivec3 k_cells{8, 6, 8};
+
+    // Made, given a wind, recorded for some frames; the error of the first thing that failed.
+    Result<void> live(const Host& host, int& frames) {
+        frames = 0;
+        auto wind = Wind::create(host, {.cells = k_cells, .ambient = {2.0f, 0.0f, 0.0f}, .viscosity = 1.0f}, {.gusts = true});
+        if (!wind)
+            return Error{wind.error()};
+        const std::vector<glm::vec4> start(static_cast<std::size_t>(k_cells.x * k_cells.y * k_cells.z),
+                                           glm::vec4(1.0f, 0.5f, 0.0f, 0.0f));
+        if (auto set = wind->set_velocity(start); !set)
+            return set;
+        if (!wind->motors().add(DirectionalMotor{}) || !wind->motors().add(OmniMotor{.position = {1.0, 0.0, 1.0}}))
+            return Error{"a motor was refused"};
+        for (; frames < 4; ++frames) {
+            (void)wind->follow({0.7 * frames, 0.0, 0.0});
+            run([&](VkCommandBuffer commands) { (void)wind->record(commands, {.dt = 1.0 / 30.0, .slot = frames % 2}); });
+        }
+        if (!wind->queried())
+            return Error{"nothing was read back"};
+        return {};
+    }
+
+    static void expect_none_lives() {
+        for (const auto& [kind, count] : counted_calls().live)
+            EXPECT_EQ(count, 0) << kind << " after " << counted_calls().failed << " failed";
+    }
+};
+
+TEST_F(WindFaults, AtEachCallOfALifeAreToldAndLeaveNothingBehind) {
+    Host host = own->host();
+    const auto real = load_functions(host);
+    ASSERT_TRUE(real) << real.error();
+    g_real_proc_addr = host.get_instance_proc_addr;
+    host.get_instance_proc_addr = &counted_instance_call;
+
+    int frames = 0;
+    g_table = counted(*real);
+    const auto well = live(host, frames);
+    ASSERT_TRUE(well) << well.error();
+    ASSERT_EQ(frames, 4);
+    expect_none_lives();
+    const int calls = counted_calls().made;
+    ASSERT_GT(calls, 100);
+
+    int points = 0, survived = 0;
+    for (const VkResult code : {VK_ERROR_OUT_OF_HOST_MEMORY, VK_ERROR_OUT_OF_DEVICE_MEMORY, VK_ERROR_DEVICE_LOST})
+        for (int n = 0; n < calls; n += test::k_sanitized ? 7 : 1) {
+            g_table = counted(*real);
+            counted_calls().fail_at = n;
+            counted_calls().code = code;
+            const auto lived = live(host, frames);
+            const std::string failed = counted_calls().failed;
+            ASSERT_FALSE(failed.empty()) << n;
+            ++points;
+            expect_none_lives();
+            if (lived) { // another heap served, or a frame that was not read back: told as an older one
+                ++survived;
+                continue;
+            }
+            EXPECT_NE(lived.error().find(failed), std::string::npos) << lived.error();
+            EXPECT_NE(lived.error().find(name_of(code)), std::string::npos) << lived.error();
+        }
+    test::figure("faults tried in a life of a wind", points);
+    test::figure("of which the wind outlived", survived);
+    counted_calls() = {};
+}
+
+// The device is gone: what was read back last goes on on the CPU.
+TEST_F(WindFaults, TheHostGoesOnWithTheCpu) {
+    const Config config{.cells = k_cells, .ambient = {2.0f, 0.0f, 0.0f}};
+    auto wind = Wind::create(own->host(), config);
+    ASSERT_TRUE(wind) << wind.error();
+    ASSERT_TRUE(wind->motors().add(DirectionalMotor{}));
+    for (int frame = 0; frame < 12; ++frame)
+        run([&](VkCommandBuffer commands) { (void)wind->record(commands, {.dt = 1.0 / 30.0, .slot = frame % 2}); });
+    const auto last = wind->queried();
+    ASSERT_TRUE(last);
+    auto rescue = windrow::Wind::create(config);
+    ASSERT_TRUE(rescue);
+    (void)rescue->follow(last->rim().point);
+    ASSERT_TRUE(rescue->set_velocity(last->field()));
+    for (const MotorId motor : {*rescue->motors().add(DirectionalMotor{})})
+        EXPECT_NE(rescue->motors().find(motor), nullptr);
+    const glm::dvec3 place(0.3, 0.2, -0.4);
+    EXPECT_LE(glm::length(rescue->velocity(place) - last->velocity(place)), 1e-6f);
+    EXPECT_TRUE(rescue->advance(1.0 / 30.0).last.stepped);
+}
+
+} // namespace
+} // namespace windrow::vulkan
