@@ -99,32 +99,28 @@ float windrow_component(sampler3D texels, ivec3 low, ivec3 high, vec3 between) {
     return mix(mix(ll, hl, between.y), mix(lh, hh, between.y), between.z);
 }
 
-// [m/s] The wind at p [m] from the anchor.
-vec3 windrow_velocity(vec3 p) {
-    vec3 origin = windrow_window.origin_and_cell_size.xyz;
-    float share = windrow_box_share(p, origin, windrow_window.rim_point.xyz);
+// One frame's wind at p: its textures within its box, its ambient wind around it.
+vec3 windrow_frame_velocity(sampler3D x, sampler3D y, sampler3D z, WindrowAmbient ambient, vec3 origin, vec3 rim_point, vec3 p) {
+    float share = windrow_box_share(p, origin, rim_point);
     if (!(share > 0.0))
-        return windrow_ambient(0, windrow_ambient_now, p);
+        return windrow_ambient(0, ambient, p);
     ivec3 low, high;
     vec3 between;
     windrow_texels_around(p, origin, low, high, between);
-    vec3 inside = vec3(windrow_component(windrow_x, low, high, between), windrow_component(windrow_y, low, high, between),
-                       windrow_component(windrow_z, low, high, between));
-    return share < 1.0 ? mix(windrow_ambient(0, windrow_ambient_now, p), inside, share) : inside;
+    vec3 inside = vec3(windrow_component(x, low, high, between), windrow_component(y, low, high, between), windrow_component(z, low, high, between));
+    return share < 1.0 ? mix(windrow_ambient(0, ambient, p), inside, share) : inside;
+}
+
+// [m/s] The wind at p [m] from the anchor.
+vec3 windrow_velocity(vec3 p) {
+    return windrow_frame_velocity(windrow_x, windrow_y, windrow_z, windrow_ambient_now, windrow_window.origin_and_cell_size.xyz,
+                                  windrow_window.rim_point.xyz, p);
 }
 
 // [m/s] The same a frame ago, at the same place.
 vec3 windrow_velocity_previous(vec3 p) {
-    vec3 origin = windrow_window.previous_origin.xyz;
-    float share = windrow_box_share(p, origin, windrow_window.previous_rim_point.xyz);
-    if (!(share > 0.0))
-        return windrow_ambient(0, windrow_ambient_before, p);
-    ivec3 low, high;
-    vec3 between;
-    windrow_texels_around(p, origin, low, high, between);
-    vec3 inside = vec3(windrow_component(windrow_x_before, low, high, between), windrow_component(windrow_y_before, low, high, between),
-                       windrow_component(windrow_z_before, low, high, between));
-    return share < 1.0 ? mix(windrow_ambient(0, windrow_ambient_before, p), inside, share) : inside;
+    return windrow_frame_velocity(windrow_x_before, windrow_y_before, windrow_z_before, windrow_ambient_before,
+                                  windrow_window.previous_origin.xyz, windrow_window.previous_rim_point.xyz, p);
 }
 
 // [m/s] What a thing at p that moves at `velocity` [m/s] feels of a wind u: with detail, strength and limit as FrameBlock says.
