@@ -1,5 +1,6 @@
 #include "cli/command_line.h"
 
+#include "cli/backend/backend_flags.h"
 #include "cli/bench/bench_command.h"
 #include "cli/bench/bench_flags.h"
 #include "cli/exit_code.h"
@@ -77,6 +78,7 @@ std::string sentence_of(const CLI::ParseError& fault, const CLI::App& app, int c
 
 struct RunFlags {
     std::string scene, frames, out, threads, simd;
+    BackendFlags backend;
     bool vdb = false, images = false, csv = false;
 };
 
@@ -88,6 +90,7 @@ void add_run(CLI::App& app, RunFlags& flags) {
     run->add_option("--threads", flags.threads, "Threads; default one a core; results do not depend on it")->type_name("N");
     run->add_option("--simd", flags.simd, "Instructions: best, baseline, avx2 or avx512; levels differ by rounding")
         ->type_name("LEVEL");
+    add_backend(*run, flags.backend);
     run->add_flag("--images", flags.images, "Keep frame_0000.png ... and contact_sheet.png");
     run->add_flag("--vdb", flags.vdb, "Keep vel_0000.vdb ... for Blender and Houdini");
     run->add_flag("--csv", flags.csv, "Keep timings.csv: a row a step with every figure it reports");
@@ -95,6 +98,10 @@ void add_run(CLI::App& app, RunFlags& flags) {
 
 int start_run(const RunFlags& flags, const CLI::App& run, const Console& console) {
     RunRequest request{.scene = flags.scene, .frames = {}, .out = {}, .vdb = flags.vdb, .images = flags.images, .csv = flags.csv};
+    const auto backend = read_backend(flags.backend, run, console);
+    if (!backend)
+        return k_exit_wrong_use;
+    request.backend = *backend;
     if (run.count("--frames") > 0) {
         request.frames = read_count(flags.frames, "--frames", k_most_frames, console);
         if (!request.frames)

@@ -49,7 +49,7 @@ Trail trail_of(const std::string& name, const ScenePath& path, double time) {
     return trail;
 }
 
-WriteFault fault_of(const Result<void>& drawn) {
+Fault fault_of(const Result<void>& drawn) {
     const std::string& sentence = drawn.error();
     const bool machine = sentence.starts_with(k_disk_fault);
     return {machine ? sentence.substr(k_disk_fault.size()) : sentence, machine};
@@ -71,7 +71,7 @@ FrameWriter::FrameWriter(const Scene& scene, std::filesystem::path folder, bool 
         ++digits_;
 }
 
-WriteFault FrameWriter::write(const Playback& playback, std::int64_t frame) {
+Fault FrameWriter::write(const Playback& playback, std::int64_t frame) {
     if (images_)
         if (auto fault = write_picture(playback, frame))
             return fault;
@@ -80,7 +80,7 @@ WriteFault FrameWriter::write(const Playback& playback, std::int64_t frame) {
     return {};
 }
 
-WriteFault FrameWriter::write_picture([[maybe_unused]] const Playback& playback, [[maybe_unused]] std::int64_t frame) {
+Fault FrameWriter::write_picture([[maybe_unused]] const Playback& playback, [[maybe_unused]] std::int64_t frame) {
 #if WINDROW_WITH_IMAGES
     const auto begin = Clock::now();
     const double time = playback.time();
@@ -124,7 +124,7 @@ WriteFault FrameWriter::write_picture([[maybe_unused]] const Playback& playback,
     return {};
 }
 
-WriteFault FrameWriter::write_vdb([[maybe_unused]] const Playback& playback, [[maybe_unused]] std::int64_t frame) {
+Fault FrameWriter::write_vdb([[maybe_unused]] const Playback& playback, [[maybe_unused]] std::int64_t frame) {
 #if WINDROW_WITH_VDB
     const auto begin = Clock::now();
     const VdbSetting& setting = scene_->vdb;
@@ -146,7 +146,7 @@ WriteFault FrameWriter::write_vdb([[maybe_unused]] const Playback& playback, [[m
     return {};
 }
 
-WriteFault FrameWriter::write_contact_sheet() {
+Fault FrameWriter::write_contact_sheet() {
 #if WINDROW_WITH_IMAGES
     if (pictures_.empty())
         return {};

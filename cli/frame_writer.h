@@ -23,9 +23,9 @@ class FrameWriter {
     FrameWriter(const Scene& scene, std::filesystem::path folder, bool images, bool vdb, std::int64_t frames);
 
     /// Writes frame_0000.png and vel_0000.vdb, whole or not at all.
-    [[nodiscard]] WriteFault write(const Playback& playback, std::int64_t frame);
+    [[nodiscard]] Fault write(const Playback& playback, std::int64_t frame);
     /// Writes contact_sheet.png of the pictures so far, twelve at most, evenly spread.
-    [[nodiscard]] WriteFault write_contact_sheet();
+    [[nodiscard]] Fault write_contact_sheet();
 
     /// [s] Wall-clock time that each took.
     [[nodiscard]] double picture_seconds() const { return picture_seconds_; }
@@ -38,8 +38,8 @@ class FrameWriter {
     [[nodiscard]] std::size_t older_files() const;
 
   private:
-    [[nodiscard]] WriteFault write_picture(const Playback& playback, std::int64_t frame);
-    [[nodiscard]] WriteFault write_vdb(const Playback& playback, std::int64_t frame);
+    [[nodiscard]] Fault write_picture(const Playback& playback, std::int64_t frame);
+    [[nodiscard]] Fault write_vdb(const Playback& playback, std::int64_t frame);
     [[nodiscard]] std::string numbered(const char* prefix, std::int64_t frame, const char* suffix) const;
 
     const Scene* scene_;

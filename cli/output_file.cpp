@@ -10,7 +10,7 @@ namespace windrow::cli {
 
 using detail::message;
 
-WriteFault write_fault(const std::filesystem::path& file, int reason, std::string_view flag) {
+Fault write_fault(const std::filesystem::path& file, int reason, std::string_view flag) {
     const std::string name = file.string();
     const char* const place = flag == "--out" ? "folder" : "file";
     switch (reason) {
@@ -46,7 +46,7 @@ WriteFault write_fault(const std::filesystem::path& file, int reason, std::strin
     }
 }
 
-WriteFault prepare_folder(const std::filesystem::path& folder) {
+Fault prepare_folder(const std::filesystem::path& folder) {
     std::error_code fault;
     std::filesystem::create_directories(folder, fault);
     if (fault)
@@ -96,7 +96,7 @@ OutputFile::~OutputFile() {
     std::filesystem::remove(part_, ignored);
 }
 
-WriteFault OutputFile::fault() const {
+Fault OutputFile::fault() const {
     return write_fault(file_, reason_, flag_);
 }
 
@@ -105,7 +105,7 @@ void OutputFile::write(std::string_view text) {
         reason_ = errno;
 }
 
-WriteFault OutputFile::publish() {
+Fault OutputFile::publish() {
     if (stream_ == nullptr)
         return write_fault(file_, reason_, flag_);
     if (reason_ == 0 && std::fflush(stream_) != 0)

@@ -1,6 +1,8 @@
 // Files that appear under their name only when they are whole, and the folder that they lie in.
 #pragma once
 
+#include "cli/fault.h"
+
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -9,19 +11,11 @@
 
 namespace windrow::cli {
 
-/// Why a file or folder cannot be written, and whose fault it is: the shell is told by the exit code.
-struct WriteFault {
-    std::string sentence; ///< empty: no fault
-    bool machine = false; ///< the disk is full, a quota or a size limit is reached; else the name or the rights are wrong
-
-    [[nodiscard]] explicit operator bool() const { return !sentence.empty(); }
-};
-
 /// The fault behind an errno. `flag` names the place: a folder with --out, a file with any other.
-[[nodiscard]] WriteFault write_fault(const std::filesystem::path& file, int reason, std::string_view flag = "--out");
+[[nodiscard]] Fault write_fault(const std::filesystem::path& file, int reason, std::string_view flag = "--out");
 
 /// Makes the folder where it is missing and tries it with a small file, before a long run ends in a folder that takes nothing.
-[[nodiscard]] WriteFault prepare_folder(const std::filesystem::path& folder);
+[[nodiscard]] Fault prepare_folder(const std::filesystem::path& folder);
 
 /// A text file that is written to `<name>.<process>.tmp` beside its name and renamed when it is whole. Dropped, it leaves
 /// nothing.
@@ -33,11 +27,11 @@ class OutputFile {
     OutputFile& operator=(const OutputFile&) = delete;
 
     /// The first fault so far, before long work ends in a file that takes nothing.
-    [[nodiscard]] WriteFault fault() const;
+    [[nodiscard]] Fault fault() const;
     /// Appends; after a failure it does nothing more.
     void write(std::string_view text);
     /// Flushes, has the disk confirm, closes and renames; tells the first fault of all that was written.
-    [[nodiscard]] WriteFault publish();
+    [[nodiscard]] Fault publish();
 
   private:
     std::filesystem::path file_;

@@ -13,7 +13,7 @@ namespace windrow::cli {
 namespace {
 
 // The batch query is what a plant reads; the picture shows nothing else.
-Air air_of(const Wind& wind) {
+Air air_of(const CommandWind& wind) {
     const Config& config = wind.config();
     return {.box = wind.box(),
             .origin = wind.origin(),
@@ -32,13 +32,13 @@ PixelRect to_pixels(const Rect& rect, double unit) {
 
 } // namespace
 
-FrameParts frame_parts(const Wind& wind, const PictureSettings& settings) {
+FrameParts frame_parts(const CommandWind& wind, const PictureSettings& settings) {
     const Layout layout = lay_out(air_of(wind), settings.slice_point, settings.width);
     return {to_pixels(layout.level.whole(), layout.unit), to_pixels(layout.upright.whole(), layout.unit),
             to_pixels(layout.legend.grown(14.0), layout.unit)};
 }
 
-Result<void> draw_frame(const Wind& wind, double time, std::span<const Trail> trails, std::span<const NamedMotor> motors,
+Result<void> draw_frame(const CommandWind& wind, double time, std::span<const Trail> trails, std::span<const NamedMotor> motors,
                         const PictureSettings& settings, const std::filesystem::path& file) {
     const auto image = compose_frame(air_of(wind), time, trails, motors, settings);
     if (!image)

@@ -27,18 +27,18 @@ double strength_of(const Motor& motor, double from, double to) {
 
 } // namespace
 
-Result<Playback> Playback::create(const Scene& scene, ParallelFor threads) {
+Result<Playback> Playback::create(const Scene& scene, ParallelFor threads, const Backend& backend) {
     Config config = scene.air;
     config.parallel_for = threads;
-    auto wind = Wind::create(config);
+    auto wind = CommandWind::create(config, backend);
     if (!wind)
         return Error{message(scene.file.string(), ": $.air: ", wind.error())};
-    Playback playback(scene, std::move(*wind));
+    Playback playback(scene, *std::move(wind));
     // The first frame is taken before any step: the box already lies where it will be needed.
     if (const auto placed = playback.place_box(0.0); !placed)
         return Error{placed.error()};
     // Air that was filled in before the floor stood where it belongs has the wind of other heights.
-    playback.wind_.reset();
+    playback.wind_->reset();
     return playback;
 }
 
@@ -49,7 +49,7 @@ Result<Diagnostics> Playback::tick() {
         return Error{placed.error()};
     if (const auto placed = place_motors(start, end); !placed)
         return Error{placed.error()};
-    const Diagnostics diagnostics = wind_.step(1.0 / scene_->tick_hz);
+    const Diagnostics diagnostics = wind_->step(1.0 / scene_->tick_hz);
     ++ticks_;
     return diagnostics;
 }
@@ -72,10 +72,10 @@ std::vector<Playback::Acting> Playback::acting() const {
 Result<void> Playback::place_box(double time) {
     const std::string file = scene_->file.string();
     if (!std::holds_alternative<std::monostate>(scene_->follow))
-        if (const auto followed = wind_.follow(scene_->followed_point(time)); !followed)
+        if (const auto followed = wind_->follow(scene_->followed_point(time)); !followed)
             return Error{message(file, ": $.follow at ", time, " s: ", followed.error())};
     if (scene_->has_floor())
-        if (const auto placed = wind_.set_floor(scene_->floor_height(time)); !placed)
+        if (const auto placed = wind_->set_floor(scene_->floor_height(time)); !placed)
             return Error{message(file, ": $.floor at ", time, " s: ", placed.error())};
     return {};
 }
@@ -90,7 +90,7 @@ Result<void> Playback::place_motors(double start, double end) {
 Result<void> Playback::place_motor(const SceneMotor& motor, Part& part, double start, double end) {
     const double middle = 0.5 * (start + end);
     const bool acts = motor.from <= middle && middle < motor.until;
-    Motors& motors = wind_.motors();
+    Motors& motors = wind_->motors();
     if (acts && !part.begun) {
         // A wake begins its path where the body is at the tick's start, then is moved like any other.
         const auto added = motors.add(motor.path ? moved(motor.motor, scene_->paths[*motor.path].path.at(start)) : motor.motor);

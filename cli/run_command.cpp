@@ -22,11 +22,6 @@ namespace {
 
 using detail::message;
 
-int complain_of(const WriteFault& fault, const Console& console) {
-    console.complain(fault.sentence);
-    return fault.machine ? k_exit_machine : k_exit_wrong_use;
-}
-
 /// Refuses a flag whose part was not built in, before anything else is done.
 bool check_parts(const RunRequest& request, const Console& console) {
     bool good = true;
@@ -69,7 +64,7 @@ struct Run {
     Timings timings;
 
     /// Ticks until a frame is due. Returns an exit code, k_exit_well to go on.
-    int advance_to_frame(Playback& playback, std::int64_t frame) {
+    int advance_to_frame(Playback& playback, const Backend& backend, std::int64_t frame) {
         const std::int64_t due = scene.tick_of_frame(frame);
         while (playback.ticks() < due) {
             const auto diagnostics = playback.tick();
@@ -77,6 +72,8 @@ struct Run {
                 console.complain(diagnostics.error());
                 return k_exit_wrong_use;
             }
+            if (!backend.fault().empty())
+                return complain_of(Fault{.sentence = backend.fault(), .machine = true}, console);
             timings.add(playback.time(), *diagnostics);
             if (csv)
                 csv->write(timings_row(playback.ticks(), playback.time(), *diagnostics));
@@ -111,6 +108,9 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
                                  " ticks of the scene: give at most ", k_most_ticks, " ticks."));
         return k_exit_wrong_use;
     }
+    Backend backend;
+    if (const auto fault = backend.open(request.backend))
+        return complain_of(fault, console);
     const bool keeps = request.vdb || request.images || request.csv;
     const std::filesystem::path folder = request.out.value_or(std::filesystem::path("out") / scene->name);
     if (keeps)
@@ -120,7 +120,7 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
     const auto begin = std::chrono::steady_clock::now();
     const int threads = request.threads > 0 ? request.threads : usable_cores();
     ThreadPool pool(threads);
-    auto playback = Playback::create(*scene, pool.parallel_for());
+    auto playback = Playback::create(*scene, pool.parallel_for(), backend);
     if (!playback) {
         console.complain(playback.error());
         return k_exit_wrong_use;
@@ -146,10 +146,13 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
         Progress progress(console.progress, frames);
         while (done < frames && code == k_exit_well && stop_signal() == 0) {
             progress.update(done);
-            code = run.advance_to_frame(*playback, done);
+            code = run.advance_to_frame(*playback, backend, done);
             if (code != k_exit_well)
                 break;
-            if (const auto fault = run.writer.write(*playback, done)) {
+            auto fault = run.writer.write(*playback, done);
+            if (!backend.fault().empty()) // a frame asks the device too
+                fault = {.sentence = backend.fault(), .machine = true};
+            if (fault) {
                 progress.clear();
                 return complain_of(fault, console);
             }
@@ -174,6 +177,7 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
                 .air_seconds = playback->time(),
                 .wall_seconds = wall,
                 .threads = threads,
+                .device = backend.device_words(),
                 .frames_done = done,
                 .csv = request.csv},
                console);

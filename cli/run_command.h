@@ -1,6 +1,7 @@
 // `windrow run`: plays a scene, keeps what was asked for, and tells what it cost.
 #pragma once
 
+#include "cli/backend/backend_request.h"
 #include "cli/console.h"
 #include "fluid/simd.h"
 
@@ -21,6 +22,7 @@ struct RunRequest {
     bool vdb = false;
     bool images = false;
     bool csv = false;
+    BackendRequest backend{};
     int threads = 0; ///< 0: one a core
     Simd simd = Simd::best;
 };

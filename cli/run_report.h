@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 
 namespace windrow::cli {
 
@@ -19,6 +20,7 @@ struct RunReport {
     double air_seconds = 0.0;  ///< simulated
     double wall_seconds = 0.0; ///< passed on the clock, pictures and files included
     int threads = 1;
+    const std::string& device; ///< empty: the CPU
     std::int64_t frames_done = 0;
     bool csv = false;
 };

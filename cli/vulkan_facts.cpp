@@ -12,6 +12,11 @@ namespace windrow::cli {
 
 #if WINDROW_WITH_VULKAN
 
+std::string words_of(const vulkan::DeviceFacts& facts) {
+    return detail::message(facts.name, ", driver ", facts.driver, ", Vulkan ", facts.api_version,
+                           facts.software ? ", software" : "");
+}
+
 std::vector<std::string> vulkan_lines() {
     const auto devices = vulkan::list_devices();
     if (!devices)
@@ -19,8 +24,7 @@ std::vector<std::string> vulkan_lines() {
     std::vector<std::string> lines;
     for (std::size_t place = 0; place < devices->size(); ++place) {
         const vulkan::DeviceFacts& facts = (*devices)[place];
-        std::string line = detail::message(place, ": ", facts.name, ", driver ", facts.driver, ", Vulkan ", facts.api_version,
-                                           facts.software ? ", software" : "");
+        std::string line = detail::message(place, ": ", words_of(facts));
         if (!facts.trouble.empty()) {
             std::string trouble = facts.trouble;
             std::replace(trouble.begin(), trouble.end(), '\n', ' ');

@@ -40,11 +40,6 @@ bool check_memory(const BenchRequest& request, const Console& console) {
     return true;
 }
 
-int complain_of(const WriteFault& fault, const Console& console) {
-    console.complain(fault.sentence);
-    return fault.machine ? k_exit_machine : k_exit_wrong_use;
-}
-
 int refuse(const std::string& sentence, const Console& console) {
     console.complain(sentence);
     return k_exit_wrong_use;

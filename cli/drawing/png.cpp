@@ -50,7 +50,7 @@ Result<void> write_png(const Image& image, const PngWords& words, const std::fil
         return Error{bytes.error()};
     OutputFile output(file);
     output.write({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
-    if (const WriteFault fault = output.publish())
+    if (const Fault fault = output.publish())
         return Error{(fault.machine ? std::string(k_disk_fault) : std::string()) + fault.sentence};
     return {};
 }

@@ -36,12 +36,7 @@ bool check_memory(const ParetoRequest& request, const Console& console) {
     return true;
 }
 
-int complain_of(const WriteFault& fault, const Console& console) {
-    console.complain(fault.sentence);
-    return fault.machine ? k_exit_machine : k_exit_wrong_use;
-}
-
-WriteFault keep(const std::filesystem::path& file, const std::string& text) {
+Fault keep(const std::filesystem::path& file, const std::string& text) {
     OutputFile output(file);
     output.write(text);
     return output.publish();
@@ -49,9 +44,9 @@ WriteFault keep(const std::filesystem::path& file, const std::string& text) {
 
 int keep_all(const ParetoResult& result, const std::filesystem::path& out, const Console& console) {
     const Plot plot = pareto_plot(result);
-    if (const WriteFault fault = keep(out / "pareto.csv", pareto_csv(result)))
+    if (const Fault fault = keep(out / "pareto.csv", pareto_csv(result)))
         return complain_of(fault, console);
-    if (const WriteFault fault = keep(out / "pareto.svg", svg(plot)))
+    if (const Fault fault = keep(out / "pareto.svg", svg(plot)))
         return complain_of(fault, console);
 #if WINDROW_WITH_IMAGES
     if (const auto kept = write_plot(plot, out / "pareto.png"); !kept) {
@@ -83,7 +78,7 @@ std::string broken(const ParetoResult& result) {
 int run_pareto(const ParetoRequest& request, const Console& console, const std::function<int()>& stop_signal) {
     if (!check_memory(request, console))
         return k_exit_machine;
-    if (const WriteFault fault = prepare_folder(request.out))
+    if (const Fault fault = prepare_folder(request.out))
         return complain_of(fault, console);
     const int threads = request.threads > 0 ? request.threads : usable_cores();
     if (threads > usable_cores())

@@ -21,25 +21,27 @@ namespace {
 constexpr double k_steady = 1e-5;     ///< [1/s] change of a speed, the lid's being 1
 constexpr double k_most_time = 200.0; ///< [s] Re 1000 needs 75
 
-Wind cavity_of(const VerifySetting& setting, int size, double reynolds) {
+std::unique_ptr<CommandWind> cavity_of(const VerifySetting& setting, int size, double reynolds) {
     Box box = periodic_box({size, size, 1}, 1.0 / size);
     for (Side* const side : {&box.sides.x_low, &box.sides.x_high, &box.sides.y_low, &box.sides.y_high})
         side->kind = SideKind::no_slip;
     box.sides.y_high.wall_velocity = {1.0f, 0.0f, 0.0f};
-    return wind_of(raw_config(box, 1.0 / reynolds, setting));
+    return wind_of(raw_config(box, 1.0 / reynolds, setting), setting);
 }
 
 // Steps until the air is steady; returns the largest CFL number, or a NaN where it never becomes so.
-double settle(Wind& wind, int steps_a_second) {
+double settle(CommandWind& wind, int steps_a_second) {
     double cfl = 0.0, change = std::numeric_limits<double>::infinity();
     for (double time = 0.0; time < k_most_time && change > k_steady; time += 1.0) {
-        const CellVelocities before(wind.field().begin(), wind.field().end());
+        const std::span<const glm::vec4> start = wind.field();
+        const CellVelocities before(start.begin(), start.end());
         for (int step = 0; step < steps_a_second; ++step)
             cfl = std::max(cfl, static_cast<double>(wind.step(1.0 / steps_a_second).cfl));
         change = 0.0;
+        const std::span<const glm::vec4> now = wind.field();
         for (std::size_t n = 0; n < before.size(); ++n)
             for (int axis = 0; axis < 3; ++axis)
-                change = worse(change, std::abs(static_cast<double>(wind.field()[n][axis]) - before[n][axis]));
+                change = worse(change, std::abs(static_cast<double>(now[n][axis]) - before[n][axis]));
     }
     return change <= k_steady ? cfl : std::numeric_limits<double>::quiet_NaN();
 }
@@ -62,17 +64,18 @@ double between(const std::vector<double>& line, double low, double high, double 
 }
 
 // The largest error of both centre lines.
-double centre_line_error(const Wind& wind, const CavityTable& table) {
-    const Box& box = wind.box();
+double centre_line_error(const CommandWind& wind, const CavityTable& table) {
+    const WindView view = wind.view();
+    const Box& box = view.box();
     const int size = box.cells.x;
     std::vector<double> across(static_cast<std::size_t>(size)), vertical(across.size()), horizontal(across.size());
     for (int n = 0; n < size; ++n) {
         const auto place = static_cast<std::size_t>(n);
         for (int m = 0; m < size; ++m)
-            across[static_cast<std::size_t>(m)] = wind.field()[box.index(m, n, 0)].x;
+            across[static_cast<std::size_t>(m)] = view.field()[box.index(m, n, 0)].x;
         vertical[place] = between(across, 0.0, 0.0, 0.5);
         for (int m = 0; m < size; ++m)
-            across[static_cast<std::size_t>(m)] = wind.field()[box.index(n, m, 0)].y;
+            across[static_cast<std::size_t>(m)] = view.field()[box.index(n, m, 0)].y;
         horizontal[place] = between(across, 0.0, 0.0, 0.5);
     }
     double worst = 0.0;
@@ -91,15 +94,15 @@ struct Cavity {
 };
 
 VerifyRows run_cavity(const VerifySetting& setting, int size, const Cavity& cavity) {
-    Wind wind = cavity_of(setting, size, cavity.reynolds);
+    const auto wind = cavity_of(setting, size, cavity.reynolds);
     std::vector<VerifyRow> rows;
     for (const int part : {1, 2, 4}) {
-        const double cfl = settle(wind, part * size);
+        const double cfl = settle(*wind, part * size);
         for (const CavityTable& table : {cavity.common, cavity.precise})
             rows.push_back(
-                {.cells = wind.box().cells,
+                {.cells = wind->box().cells,
                  .cfl = cfl,
-                 .error = std::isnan(cfl) ? cfl : centre_line_error(wind, table),
+                 .error = std::isnan(cfl) ? cfl : centre_line_error(*wind, table),
                  .bound = falling_bound(cavity.bound_at_64, 64, 1.5, size),
                  .label = detail::message("dt = h", part > 1 ? detail::message(" / ", part) : "", ", ", table.author)});
     }

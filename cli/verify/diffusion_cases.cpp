@@ -4,7 +4,7 @@
 //               S = sum over the axes of sin^2(theta / 2)
 //   Gaussian    of variance s^2 has s^2 + 2 nu t later, its peak lower as the third power of s. Its waves have the factors above
 //               where the truth has exp(-nu k^2 dt): order 2 in h at a fixed r
-#include "cli/verify/cell_values.h"
+#include "cli/verify/one_stage.h"
 
 namespace windrow::cli {
 namespace {
@@ -17,14 +17,14 @@ double mode_factor(double ratio, double s, DiffusionMethod method) {
 VerifyRow diffusion_modes(const VerifySetting& setting, int size) {
     constexpr double k_ratios[] = {1e-3, 1e-2, 0.08, 0.09, 1.0, 30.0, 1e3, 1e4};
     const Box box = periodic_box({size, size / 2 + 1, size + 2}); // one odd axis
-    Workspace work = workspace_of(box, setting);
     VerifyRow row{.cells = box.cells, .bound = 2e-6};
     const glm::ivec3 half = box.cells / 2;
     const glm::ivec3 modes[][3] = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
                                    {{0, 0, 1}, {1, 1, 1}, {2, 3, 1}},
                                    {{half.x, 0, 0}, {0, half.y, 0}, {0, 0, half.z}},
                                    {half, {half.x, 1, half.z}, {half.x / 2, half.y / 2, half.z / 2}}};
-    for (const double r : k_ratios)
+    for (const double r : k_ratios) {
+        OneStage diffusion = OneStage::diffusion(box, r, setting);
         for (const auto& mode : modes) { // one a component
             glm::dvec3 theta[3], factor;
             for (int c = 0; c < 3; ++c) {
@@ -37,13 +37,14 @@ VerifyRow diffusion_modes(const VerifySetting& setting, int size) {
                 return glm::dvec3(std::cos(glm::dot(theta[0], x - 0.5)), std::cos(glm::dot(theta[1], x - 0.5)),
                                   std::cos(glm::dot(theta[2], x - 0.5)));
             };
-            CellVelocities after(box.cell_count());
-            diffuse(work, velocities_of(box, wave), static_cast<float>(r), 1.0f, after);
+            CellVelocities after = velocities_of(box, wave);
+            diffusion.run(after, 1.0f);
             visit_cells(box, [&](std::size_t n, glm::dvec3 x) {
                 const glm::dvec3 off = glm::abs(glm::dvec3(after[n]) - factor * wave(x));
                 row.error = worse(row.error, worse(off.x, worse(off.y, off.z)));
             });
         }
+    }
     return row;
 }
 
@@ -77,7 +78,7 @@ VerifyRow gaussian_spreading(const VerifySetting& setting, int size, double rati
     const double h = k_width / size;
     const int steps = spreading_steps(size, ratio);
     const Box box = periodic_box(glm::ivec3(size), h);
-    Workspace work = workspace_of(box, setting);
+    OneStage diffusion = OneStage::diffusion(box, k_viscosity, setting);
     const auto ball = [&](glm::dvec3 x, double t) {
         const double variance = k_variance + 2.0 * k_viscosity * t;
         const glm::dvec3 off = x - glm::dvec3(4.0, 4.1, 3.9);
@@ -90,11 +91,9 @@ VerifyRow gaussian_spreading(const VerifySetting& setting, int size, double rati
         }
         return value * glm::dvec3(1.0, -2.0, 0.5);
     };
-    CellVelocities now = velocities_of(box, [&](glm::dvec3 x) { return ball(x, 0.0); }), next(now.size());
-    for (int step = 0; step < steps; ++step) {
-        diffuse(work, now, static_cast<float>(k_viscosity), static_cast<float>(k_time / steps), next);
-        std::swap(now, next);
-    }
+    CellVelocities now = velocities_of(box, [&](glm::dvec3 x) { return ball(x, 0.0); });
+    for (int step = 0; step < steps; ++step)
+        diffusion.run(now, static_cast<float>(k_time / steps));
     return {.cells = box.cells,
             .error = velocity_error(box, now, [&](glm::dvec3 x) { return ball(x, k_time); }),
             .bound = 1.01 * spreading_closed_form(size, ratio, method) + 1e-6};

@@ -25,13 +25,13 @@ struct Course {
 
 template <class Flow>
 VerifyRow run_flow(const VerifySetting& setting, const Box& box, const Course& course, Flow&& flow) {
-    Wind wind = wind_of(raw_config(box, course.viscosity, setting));
-    wind.set_velocity([&](glm::dvec3 x) { return glm::vec3(flow(x, 0.0)); });
+    const auto wind = wind_of(raw_config(box, course.viscosity, setting), setting);
+    wind->set_velocity([&](glm::dvec3 x) { return glm::vec3(flow(x, 0.0)); });
     VerifyRow row{.cells = box.cells};
     for (int step = 0; step < course.steps; ++step)
-        row.cfl = std::max(row.cfl, static_cast<double>(wind.step(course.end / course.steps).cfl));
+        row.cfl = std::max(row.cfl, static_cast<double>(wind->step(course.end / course.steps).cfl));
     row.error = velocity_error(
-        box, wind.field(), [&](glm::dvec3 x) { return flow(x, course.end); }, course.mean);
+        box, wind->field(), [&](glm::dvec3 x) { return flow(x, course.end); }, course.mean);
     return row;
 }
 

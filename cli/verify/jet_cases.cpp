@@ -24,15 +24,19 @@ struct MeanJet {
 };
 
 // The last ten seconds of thirty, when the front has long left the box.
-MeanJet mean_of_jet(Wind& wind) {
+MeanJet mean_of_jet(CommandWind& wind) {
     constexpr double k_seconds = 30.0, k_counted = 10.0;
     const double dt = static_cast<double>(wind.box().cell_size) / 30.0;
     const int steps = static_cast<int>(std::lround(k_seconds / dt)), counted = static_cast<int>(std::lround(k_counted / dt));
-    MeanJet mean{.u = std::vector<double>(wind.box().cell_count()), .u_squared = std::vector<double>(wind.box().cell_count())};
+    const std::size_t cells = wind.box().cell_count();
+    MeanJet mean{.u = std::vector<double>(cells), .u_squared = std::vector<double>(cells)};
     for (int step = 0; step < steps; ++step) {
         mean.cfl = worse(mean.cfl, wind.step(dt).cfl);
-        for (std::size_t n = 0; n < mean.u.size() && step >= steps - counted; ++n) {
-            const double u = wind.field()[n].x;
+        if (step < steps - counted)
+            continue;
+        const std::span<const glm::vec4> field = wind.field();
+        for (std::size_t n = 0; n < cells; ++n) {
+            const double u = field[n].x;
             mean.u[n] += u / counted;
             mean.u_squared[n] += u * u / counted;
         }
@@ -83,9 +87,10 @@ VerifyRows jet_spreading(const VerifySetting& setting, int size) {
     const Box box{.cells = {size, size / 2, size / 2}, .cell_size = static_cast<float>(k_length / size)};
     Config config = raw_config(box, 0.0, setting);
     config.max_cfl = Config{}.max_cfl; // a jet's first steps
-    Wind wind = wind_of(config);
-    static_cast<void>(wind.motors().add(JetMotor{.position = k_nozzle})); // legal
-    const MeanJet mean = mean_of_jet(wind);
+    config.max_substeps = Config{}.max_substeps;
+    const auto wind = wind_of(config, setting);
+    static_cast<void>(wind->motors().add(JetMotor{.position = k_nozzle})); // legal
+    const MeanJet mean = mean_of_jet(*wind);
     // The line of least squares through the half-widths.
     double count = 0.0, sum_x = 0.0, sum_w = 0.0, sum_xx = 0.0, sum_xw = 0.0, least = std::numeric_limits<double>::infinity(),
            most = 0.0;

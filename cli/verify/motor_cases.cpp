@@ -54,16 +54,16 @@ VerifyRows force_momentum(const VerifySetting& setting, int size) {
     for (const Push& push : pushes())
         for (const float acceleration : {0.25f, 4.0f}) {
             const Box box = periodic_box({size, size, size}, 24.0 / size);
-            Wind wind = wind_of(air_of(box, setting));
-            const MotorId motor = *wind.motors().add(
+            const auto wind = wind_of(air_of(box, setting), setting);
+            const MotorId motor = *wind->motors().add(
                 DirectionalMotor{.position = push.position, .direction = way, .region = push.region, .law = Force{acceleration}});
             VerifyRow row{.cells = box.cells, .bound = falling_bound(3.9e-3, 24, 2.0, size)};
             for (int step = 0; step < k_steps; ++step)
-                row.cfl = worse(row.cfl, wind.step(k_dt).cfl);
-            static_cast<void>(wind.motors().remove(motor)); // it is there
-            wind.step(k_dt);                                // half of a force acts one step later
+                row.cfl = worse(row.cfl, wind->step(k_dt).cfl);
+            static_cast<void>(wind->motors().remove(motor)); // it is there
+            wind->step(k_dt);                                // half of a force acts one step later
             glm::dvec3 momentum(0.0);
-            for (const glm::vec4& u : wind.field())
+            for (const glm::vec4& u : wind->field())
                 momentum += glm::dvec3(u);
             momentum *= std::pow(static_cast<double>(box.cell_size), 3.0);
             const glm::dvec3 given = acceleration * k_steps * k_dt * push.volume * glm::dvec3(way);
@@ -77,25 +77,26 @@ VerifyRows force_momentum(const VerifySetting& setting, int size) {
 // --- Sources -----------------------------------------------------------------------------------------------------------
 
 // Mean outward speed on a sphere about the origin, from points spread evenly over it (Fibonacci).
-double radial_speed(const Wind& wind, double radius) {
+double radial_speed(const CommandWind& wind, double radius) {
     constexpr int k_points = 2000;
+    const WindView view = wind.view();
     double sum = 0.0;
     for (int n = 0; n < k_points; ++n) {
         const double y = 1.0 - 2.0 * (n + 0.5) / k_points, across = std::sqrt(1.0 - y * y),
                      turn = n * k_pi * (3.0 - std::sqrt(5.0));
         const glm::dvec3 out(across * std::cos(turn), y, across * std::sin(turn));
-        sum += glm::dot(glm::dvec3(wind.velocity(radius * out)), out);
+        sum += glm::dot(glm::dvec3(view.velocity(radius * out)), out);
     }
     return sum / k_points;
 }
 
 VerifyRows source_flux(const VerifySetting& setting, int size) {
     Box box{.cells = glm::ivec3(size), .cell_size = 48.0f / static_cast<float>(size)};
-    Wind wind = wind_of(air_of(box, setting));
-    static_cast<void>(wind.motors().add(OmniMotor{.radius = 4.0f, .speed = 5.0f})); // legal
-    VerifyRow row{.cells = box.cells, .cfl = wind.step(k_dt).cfl, .bound = falling_bound(5.5e-3, 24, 1.0, size)};
+    const auto wind = wind_of(air_of(box, setting), setting);
+    static_cast<void>(wind->motors().add(OmniMotor{.radius = 4.0f, .speed = 5.0f})); // legal
+    VerifyRow row{.cells = box.cells, .cfl = wind->step(k_dt).cfl, .bound = falling_bound(5.5e-3, 24, 1.0, size)};
     for (const double radius : {6.0, 9.0, 14.0})
-        row.error = worse(row.error, std::abs(radial_speed(wind, radius) * radius * radius / (5.0 * 16.0) - 1.0));
+        row.error = worse(row.error, std::abs(radial_speed(*wind, radius) * radius * radius / (5.0 * 16.0) - 1.0));
     return row;
 }
 
@@ -103,19 +104,19 @@ VerifyRows source_flux(const VerifySetting& setting, int size) {
 
 VerifyRows whirl_circulation(const VerifySetting& setting, int size) {
     Box box{.cells = {size, size / 2, size}, .cell_size = 48.0f / static_cast<float>(size)};
-    Wind wind = wind_of(air_of(box, setting));
-    static_cast<void>(wind.motors().add(
+    const auto wind = wind_of(air_of(box, setting), setting);
+    static_cast<void>(wind->motors().add(
         VortexMotor{.radius = 13.5f, .half_length = 10.0f, .law = Drive{.speed = 6.0f, .rate = 8.0f}})); // legal
     VerifyRow row{.cells = box.cells, .bound = falling_bound(0.052, 24, 1.0, size)};
     for (int step = 0; step < 30; ++step)
-        row.cfl = worse(row.cfl, wind.step(k_dt).cfl);
+        row.cfl = worse(row.cfl, wind->step(k_dt).cfl);
     constexpr int k_points = 720;
     const double radius = 13.5 / std::sqrt(5.0);
     double mean = 0.0;
     for (int n = 0; n < k_points; ++n) {
         const double turn = 2.0 * k_pi * n / k_points; // right-handed about y: z turns to x
         const glm::dvec3 way(std::cos(turn), 0.0, -std::sin(turn));
-        mean += glm::dot(glm::dvec3(wind.velocity(radius * glm::dvec3(std::sin(turn), 0.0, std::cos(turn)))), way) / k_points;
+        mean += glm::dot(glm::dvec3(wind->velocity(radius * glm::dvec3(std::sin(turn), 0.0, std::cos(turn)))), way) / k_points;
     }
     row.error = std::abs(mean / 6.0 - 1.0);
     return row;

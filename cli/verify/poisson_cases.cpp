@@ -138,6 +138,7 @@ std::vector<VerifyCase> poisson_cases() {
                          .source = "a product of waves that obey the sides: manufactured as in Roache 2002, J. Fluids Eng. 124",
                          .reason = "the error that the waves' closed form gives, and a thousandth more; of order 2",
                          .least_order = 1.9,
+                         .runs_on = RunsOn::cpu,
                          .sizes = {1, 3, 9},
                          .run = [mix](const VerifySetting& setting, int size) { return manufactured(setting, mix, size); }});
     cases.push_back({.name = "poisson_on_grid",
@@ -146,6 +147,7 @@ std::vector<VerifyCase> poisson_cases() {
                      .source = "k^2 / sum (2 / h sin(k h / 2))^2 times each wave, written out",
                      .reason = "a direct solve is exact but for rounding, which the longest waves amplify: measured to 2.2e-6, "
                                "twice as much is admitted",
+                     .runs_on = RunsOn::cpu,
                      .sizes = {1, 3, 9},
                      .run = on_grid});
     return cases;

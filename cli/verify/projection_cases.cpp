@@ -5,7 +5,7 @@
 //     s (s . c) / (4 sum sin^2(theta / 2))
 // is taken: all of a gradient c = k, nothing of a c across k, both but for h^2. Waves do not mix, so that a sum of them has a
 // closed form. Based on: Almgren, Bell & Szymczak 1996, SIAM Journal on Scientific Computing 17 (approximate projections).
-#include "cli/verify/cell_values.h"
+#include "cli/verify/one_stage.h"
 
 #include <array>
 
@@ -62,9 +62,8 @@ Box box_of(int size) {
 // rms of (projected waves - truth) over rms of the waves.
 double projection_error(const VerifySetting& setting, int size, const Waves& waves, const Waves& truth) {
     const Box box = box_of(size);
-    Workspace work = workspace_of(box, setting);
     CellVelocities u = velocities_of(box, [&](glm::dvec3 x) { return sum_at(waves, x); });
-    project(work, u);
+    OneStage::projection(box, setting).run(u);
     double off = 0.0, all = 0.0;
     visit_cells(box, [&](std::size_t n, glm::dvec3 x) {
         const glm::dvec3 wrong = glm::dvec3(u[n]) - sum_at(truth, x), start = sum_at(waves, x);

@@ -55,15 +55,15 @@ glm::dvec3 vortices(glm::dvec3 x) {
 VerifyRow taylor_green_3d(const VerifySetting& setting, int size) {
     constexpr double k_end = 3.0, k_viscosity = 1.0 / 200.0;
     const Box box = periodic_box(glm::ivec3(size), 2.0 * k_pi / size);
-    Wind wind = wind_of(raw_config(box, k_viscosity, setting));
-    wind.set_velocity([](glm::dvec3 x) { return glm::vec3(vortices(x)); });
+    const auto wind = wind_of(raw_config(box, k_viscosity, setting), setting);
+    wind->set_velocity([](glm::dvec3 x) { return glm::vec3(vortices(x)); });
     VerifyRow row{.cells = box.cells};
     const int steps = static_cast<int>(std::ceil(k_end / static_cast<double>(box.cell_size)));
     for (int step = 0; step < steps; ++step)
-        row.cfl = worse(row.cfl, wind.step(k_end / steps).cfl);
+        row.cfl = worse(row.cfl, wind->step(k_end / steps).cfl);
     // Solved once for all resolutions: it takes longer than they do.
     static const auto flow = solved(glm::ivec3(80), k_viscosity, vortices, {}, k_end, 30);
-    row.error = error_to(wind.field(), flow->at_cell_centres(box.cells), glm::dvec3(0.0));
+    row.error = error_to(wind->field(), flow->at_cell_centres(box.cells), glm::dvec3(0.0));
     row.bound = size == 16 ? 0.197 : size == 32 ? 0.033 : 0.0075;
     return row;
 }
@@ -95,17 +95,17 @@ VerifyRow forced_flow(const VerifySetting& setting, int size) {
     };
     const Box box = periodic_box({size, size, 1}, 2.0 * k_pi / size);
     const double height = 0.5 * static_cast<double>(box.cell_size);
-    Wind wind = wind_of(raw_config(box, k_viscosity, setting));
-    wind.set_velocity([&](glm::dvec3 x) { return glm::vec3(start(x)); });
-    const MotorId motor = *wind.motors().add(gust(0.0, height));
+    const auto wind = wind_of(raw_config(box, k_viscosity, setting), setting);
+    wind->set_velocity([&](glm::dvec3 x) { return glm::vec3(start(x)); });
+    const MotorId motor = *wind->motors().add(gust(0.0, height));
     VerifyRow row{.cells = box.cells};
     for (int step = 0; step < size; ++step) {
         // A motor that was accepted once is accepted elsewhere: nothing to refuse.
-        static_cast<void>(wind.motors().set(motor, gust(k_forced_end * (step + 1) / size, height)));
-        row.cfl = worse(row.cfl, wind.step(k_forced_end / size).cfl);
+        static_cast<void>(wind->motors().set(motor, gust(k_forced_end * (step + 1) / size, height)));
+        row.cfl = worse(row.cfl, wind->step(k_forced_end / size).cfl);
     }
     static const auto flow = solved({128, 128, 1}, k_viscosity, start, gust_force, k_forced_end, 200);
-    row.error = error_to(wind.field(), flow->at_cell_centres(box.cells), k_forced_mean);
+    row.error = error_to(wind->field(), flow->at_cell_centres(box.cells), k_forced_mean);
     row.bound = falling_bound(2.45e-2, 32, 2.0, size);
     return row;
 }

@@ -153,6 +153,7 @@ std::vector<VerifyCase> tracer_cases() {
          .source = "uniform translation: the truth is the start",
          .reason = "the error that the closed form gives for its waves, and a hundredth more; of order 3, as the weights are",
          .least_order = 2.9,
+         .runs_on = RunsOn::cpu,
          .sizes = {64, 128, 256},
          .run = [](const VerifySetting& setting, int size) { return gaussian_in(setting, size, gaussian_steps(size)); }},
         {.name = "gaussian_fixed_dt",
@@ -162,6 +163,7 @@ std::vector<VerifyCase> tracer_cases() {
          .reason = "the error that the closed form gives for its waves, and a hundredth more and 1e-6 for rounding; of order 4, "
                    "since the steps do not grow in number",
          .least_order = 3.9,
+         .runs_on = RunsOn::cpu,
          .sizes = {64, 128, 256},
          .run = [](const VerifySetting& setting, int size) { return gaussian_in(setting, size, 192); }},
         {.name = "gaussian_small_dt",
@@ -171,6 +173,7 @@ std::vector<VerifyCase> tracer_cases() {
          .reason = "the error that the closed form gives for its waves, and a hundredth more and 1e-6 for rounding; of order 3, "
                    "since what a step takes off falls with the part of a cell that it carries",
          .least_order = 2.9,
+         .runs_on = RunsOn::cpu,
          .sizes = {64, 128, 256},
          .run = [](const VerifySetting& setting, int size) { return gaussian_in(setting, size, 2048); }},
         {.name = "gaussian_clamped",
@@ -179,6 +182,7 @@ std::vector<VerifyCase> tracer_cases() {
          .reason = "the clamp cuts the crest, which costs some of the order 3; measured are 1.13e-2 at 64 cells, of which a "
                    "fifth more is admitted, falling as h^2.5",
          .least_order = 2.5,
+         .runs_on = RunsOn::cpu,
          .sizes = {64, 128, 256},
          .run = bounded([](const VerifySetting& setting,
                            int size) { return gaussian(setting, size, gaussian_steps(size), Limiter::clamped); },
@@ -189,6 +193,7 @@ std::vector<VerifyCase> tracer_cases() {
          .reason = "9/8 is the order of a kink (Brenner, Thomee & Wahlbin 1975); measured are 0.070 at 64 cells, of which a "
                    "fifth more is admitted, falling as h^1.1",
          .least_order = 1.1,
+         .runs_on = RunsOn::cpu,
          .sizes = {64, 128, 256},
          .run = bounded(rotating_cone, 0.084, 64, 1.1)},
         {.name = "slotted_disc",
@@ -198,6 +203,7 @@ std::vector<VerifyCase> tracer_cases() {
                    "edges wide make it 0.6 to 0.74, measured to 640 cells; 0.56 at 64 cells, of which a fifth more is admitted, "
                    "falling as h^0.6",
          .least_order = 0.6,
+         .runs_on = RunsOn::cpu,
          .sizes = {64, 128, 256},
          .run = bounded(slotted_disc, 0.67, 64, 0.6)},
         {.name = "reversed_deformation",
@@ -206,6 +212,7 @@ std::vector<VerifyCase> tracer_cases() {
          .reason = "15/8 is the order of the hump, whose curvature jumps at its rim (Brenner, Thomee & Wahlbin 1975); measured "
                    "are 0.113 at 64 cells, of which a fifth more is admitted, falling as h^1.85",
          .least_order = 1.85,
+         .runs_on = RunsOn::cpu,
          .sizes = {64, 128, 256},
          .run = bounded(deformation, 0.136, 64, 1.85)},
     };

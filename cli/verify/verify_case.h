@@ -1,9 +1,11 @@
 // A case of `windrow verify`: a flow whose truth is known, run at several resolutions.
 #pragma once
 
+#include "cli/backend/backend.h"
 #include "fluid/parallel.h"
 #include "fluid/simd.h"
 
+#include <cstdint>
 #include <functional>
 #include <glm/vec3.hpp>
 #include <span>
@@ -17,6 +19,14 @@ namespace windrow::cli {
 struct VerifySetting {
     Simd simd = Simd::best;
     ParallelFor parallel_for{};
+    Backend backend{};
+};
+
+/// Which backends can run a case.
+enum class RunsOn : std::uint8_t {
+    all,   ///< it asks for whole steps, or for one stage of them
+    cpu,   ///< it asks for pieces that a device runs only inside a step
+    device ///< it compares a device with the CPU
 };
 
 /// One error and its bound.
@@ -44,6 +54,7 @@ struct VerifyCase {
     std::string source;       ///< where the flow and its truth are from
     std::string reason;       ///< why these bounds
     double least_order = 0.0; ///< between neighbouring resolutions; 0: none is asked, since the error is rounding
+    RunsOn runs_on = RunsOn::all;
     std::vector<int> sizes{}; ///< resolutions, coarse to fine: the cell is as 1 / size
     std::function<VerifyRows(const VerifySetting& setting, int size)> run{};
 };

@@ -11,14 +11,6 @@
 #include <memory>
 
 namespace windrow::cli {
-namespace {
-
-int complain_of(const WriteFault& fault, const Console& console) {
-    console.complain(fault.sentence);
-    return fault.machine ? k_exit_machine : k_exit_wrong_use;
-}
-
-} // namespace
 
 int run_verify(const VerifyRequest& request, const Console& console, const std::function<int()>& stop_signal) {
     if (request.list) {
@@ -30,9 +22,12 @@ int run_verify(const VerifyRequest& request, const Console& console, const std::
         if (const auto fault = file->fault())
             return complain_of(fault, console);
 
+    Backend backend;
+    if (const auto fault = backend.open(request.backend))
+        return complain_of(fault, console);
     ThreadPool pool(request.threads > 0 ? request.threads : usable_cores());
-    const VerifySetting setting{.simd = request.simd, .parallel_for = pool.parallel_for()};
-    report_setting(pool.size(), request.simd, console);
+    const VerifySetting setting{.simd = request.simd, .parallel_for = pool.parallel_for(), .backend = backend};
+    report_setting(pool.size(), request.simd, backend.device_words(), console);
     std::vector<VerifiedCase> verified;
     for (const VerifyCase& one : request.cases) {
         report_case(one, console);
@@ -41,15 +36,17 @@ int run_verify(const VerifyRequest& request, const Console& console, const std::
             if (const int signal = stop_signal(); signal != 0)
                 return k_exit_signal + signal;
             const VerifyRows found = one.run(setting, one.sizes[level]);
+            if (!backend.fault().empty())
+                return complain_of(Fault{.sentence = one.name + ": " + backend.fault(), .machine = true}, console);
             for (const VerifyRow& row : found.rows) {
                 verified.back().rows.push_back(judge(one, verified.back(), level, row));
                 report_row(one, verified.back().rows.back(), console);
             }
         }
     }
-    report_end(verified, console);
+    report_end(verified, request.left_out, console);
     if (file) {
-        file->write(verify_json(request, verified));
+        file->write(verify_json(request, backend.device_words(), verified));
         if (const auto fault = file->publish())
             return complain_of(fault, console);
         console.out << "In " << request.json->string() << ": all errors and bounds.\n";

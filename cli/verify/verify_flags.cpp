@@ -31,14 +31,25 @@ void complain_of_case(const std::string& name, std::span<const VerifyCase> known
                              ": see windrow verify --list."));
 }
 
+bool runs(const VerifyCase& one, BackendKind backend) {
+    return one.runs_on == RunsOn::all || (one.runs_on == RunsOn::cpu) == (backend == BackendKind::cpu);
+}
+
+void complain_of_backend(const VerifyCase& one, const Console& console) {
+    if (one.runs_on == RunsOn::cpu)
+        console.complain(message("--case is ", one.name,
+                                 ", which asks for pieces that a device runs only inside a step: drop --backend vulkan."));
+    else
+        console.complain(message("--case is ", one.name, ", which compares a device with the CPU: add --backend vulkan."));
+}
+
 } // namespace
 
 void add_verify(CLI::App& app, VerifyFlags& flags) {
     CLI::App* const verify = app.add_subcommand("verify", "Hold the solver against known solutions; exit 1 where one is missed");
     verify->add_option("--case", flags.cases, "Cases to run; default all")->type_name("NAME");
     verify->add_flag("--list", flags.list, "Tell the cases and run none");
-    verify->add_option("--backend", flags.backend, "What runs the air: cpu, the default, and so far the only one")
-        ->type_name("B");
+    add_backend(*verify, flags.backend);
     verify->add_option("--threads", flags.threads, "Threads; default one a core; errors do not depend on it")->type_name("N");
     verify->add_option("--simd", flags.simd, "Instructions: best, baseline, avx2 or avx512; levels differ by rounding")
         ->type_name("LEVEL");
@@ -48,24 +59,30 @@ void add_verify(CLI::App& app, VerifyFlags& flags) {
 std::optional<VerifyRequest> read_verify(const VerifyFlags& flags, const CLI::App& verify, std::span<const VerifyCase> known,
                                          const Console& console) {
     VerifyRequest request{.list = flags.list};
+    const auto backend = read_backend(flags.backend, verify, console);
+    if (!backend)
+        return std::nullopt;
+    request.backend = *backend;
     for (const std::string& name : flags.cases) {
         const VerifyCase* const found = find_case(known, name);
         if (found == nullptr) {
             complain_of_case(name, known, console);
             return std::nullopt;
         }
+        if (!runs(*found, backend->kind)) {
+            complain_of_backend(*found, console);
+            return std::nullopt;
+        }
         if (find_case(request.cases, name) == nullptr)
             request.cases.push_back(*found);
     }
     if (request.cases.empty())
-        request.cases.assign(known.begin(), known.end());
-    if (verify.count("--backend") > 0) {
-        if (flags.backend != request.backend) {
-            console.complain(message("--backend is ", flags.backend.empty() ? "empty" : flags.backend, ": give ", request.backend,
-                                     ", the only one that is built in."));
-            return std::nullopt;
+        for (const VerifyCase& one : known) {
+            if (flags.list || runs(one, backend->kind))
+                request.cases.push_back(one);
+            else if (one.runs_on == RunsOn::cpu)
+                request.left_out.push_back(one.name);
         }
-    }
     if (verify.count("--threads") > 0) {
         const auto threads = read_count(flags.threads, "--threads", k_most_threads, console);
         if (!threads)

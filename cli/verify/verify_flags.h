@@ -1,6 +1,7 @@
 // The flags of `windrow verify`.
 #pragma once
 
+#include "cli/backend/backend_flags.h"
 #include "cli/console.h"
 #include "cli/verify/verify_request.h"
 
@@ -17,12 +18,13 @@ namespace windrow::cli {
 
 struct VerifyFlags {
     std::vector<std::string> cases;
-    std::string backend, threads, simd, json;
+    BackendFlags backend;
+    std::string threads, simd, json;
     bool list = false;
 };
 
 void add_verify(CLI::App& app, VerifyFlags& flags);
-/// Nothing after a complaint. `known` are the cases to choose from, all of them where none is named.
+/// Nothing after a complaint. `known` are the cases to choose from; where none is named, all that the backend can run.
 [[nodiscard]] std::optional<VerifyRequest> read_verify(const VerifyFlags& flags, const CLI::App& verify,
                                                        std::span<const VerifyCase> known, const Console& console);
 

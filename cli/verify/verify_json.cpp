@@ -6,7 +6,7 @@
 
 namespace windrow::cli {
 
-std::string verify_json(const VerifyRequest& request, std::span<const VerifiedCase> verified) {
+std::string verify_json(const VerifyRequest& request, const std::string& device, std::span<const VerifiedCase> verified) {
     using Json = nlohmann::ordered_json;
     Json entries = Json::array();
     for (std::size_t n = 0; n < verified.size(); ++n)
@@ -14,7 +14,8 @@ std::string verify_json(const VerifyRequest& request, std::span<const VerifiedCa
             const double least_order = request.cases[n].least_order;
             entries.push_back({{"name", verified[n].name},
                                {"label", one.row.label.empty() ? Json() : Json(one.row.label)},
-                               {"backend", request.backend},
+                               {"backend", request.backend.kind == BackendKind::cpu ? "cpu" : "vulkan"},
+                               {"device", device.empty() ? Json() : Json(device)},
                                {"grid", detail::message(one.row.cells.x, "x", one.row.cells.y, "x", one.row.cells.z)},
                                {"cfl", one.row.cfl},
                                {"error", one.row.error}, // what is not finite becomes null

@@ -9,9 +9,10 @@
 
 namespace windrow::cli {
 
-/// {"cases": [{name, label, backend, grid, cfl, error, order, bound, least_order, pass}, ...]}: an entry a row. `label` tells
-/// rows of one resolution apart and is null where there is one; `bound` is the largest error admitted; `order` is null at the
-/// first resolution, `least_order` also where no order is asked.
-[[nodiscard]] std::string verify_json(const VerifyRequest& request, std::span<const VerifiedCase> verified);
+/// {"cases": [{name, label, backend, device, grid, cfl, error, order, bound, least_order, pass}, ...]}: an entry a row. `device`
+/// is null on the CPU. `label` tells rows of one resolution apart and is null where there is one; `bound` is the largest error
+/// admitted; `order` is null at the first resolution, `least_order` also where no order is asked.
+[[nodiscard]] std::string verify_json(const VerifyRequest& request, const std::string& device,
+                                      std::span<const VerifiedCase> verified);
 
 } // namespace windrow::cli

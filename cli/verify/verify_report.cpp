@@ -61,9 +61,10 @@ void report_list(std::span<const VerifyCase> cases, const Console& console) {
     console.out.flush();
 }
 
-void report_setting(int threads, Simd simd, const Console& console) {
-    console.out << message("Errors against known solutions, ", threads, threads == 1 ? " thread" : " threads", " (",
-                           name_of(simd), "). An order is that of the error between a line and the coarser one above.\n");
+void report_setting(int threads, Simd simd, const std::string& device, const Console& console) {
+    const std::string cpu = message(threads, threads == 1 ? " thread" : " threads", " (", name_of(simd), ")");
+    console.out << message("Errors against known solutions, ", device.empty() ? cpu : device,
+                           ". An order is that of the error between a line and the coarser one above.\n");
     console.out.flush();
 }
 
@@ -84,7 +85,7 @@ void report_row(const VerifyCase& one, const VerifiedRow& verified, const Consol
     console.out.flush();
 }
 
-void report_end(std::span<const VerifiedCase> cases, const Console& console) {
+void report_end(std::span<const VerifiedCase> cases, std::span<const std::string> left_out, const Console& console) {
     std::string failed;
     std::size_t count = 0;
     for (const VerifiedCase& one : cases)
@@ -92,6 +93,13 @@ void report_end(std::span<const VerifiedCase> cases, const Console& console) {
             failed += (count == 0 ? "" : ", ") + one.name;
             ++count;
         }
+    if (!left_out.empty()) {
+        std::string names;
+        for (const std::string& name : left_out)
+            names += (names.empty() ? "" : ", ") + name;
+        console.out << "\n"
+                    << wrapped("left out:", message(names, ", which ask for pieces that a device runs only inside a step."));
+    }
     const std::string all = message(cases.size(), cases.size() == 1 ? " case" : " cases");
     if (count == 0)
         console.out << "\n" << all << ": each within its bounds.\n";

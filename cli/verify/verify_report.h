@@ -10,11 +10,13 @@ namespace windrow::cli {
 
 /// Name and flow of each case.
 void report_list(std::span<const VerifyCase> cases, const Console& console);
-void report_setting(int threads, Simd simd, const Console& console);
+/// `device` is empty on the CPU.
+void report_setting(int threads, Simd simd, const std::string& device, const Console& console);
 /// What a case is, and the head of its table.
 void report_case(const VerifyCase& one, const Console& console);
 /// One line of it.
 void report_row(const VerifyCase& one, const VerifiedRow& row, const Console& console);
-void report_end(std::span<const VerifiedCase> cases, const Console& console);
+/// `left_out` are cases that the backend cannot run.
+void report_end(std::span<const VerifiedCase> cases, std::span<const std::string> left_out, const Console& console);
 
 } // namespace windrow::cli

@@ -1,6 +1,7 @@
 // What `windrow verify` is asked for.
 #pragma once
 
+#include "cli/backend/backend_request.h"
 #include "cli/verify/verify_case.h"
 #include "fluid/simd.h"
 
@@ -13,9 +14,10 @@ namespace windrow::cli {
 
 struct VerifyRequest {
     std::vector<VerifyCase> cases{};
-    bool list = false;           ///< tell the cases, run none
-    std::string backend = "cpu"; ///< what runs the air; there is no other yet
-    int threads = 0;             ///< 0: one a core
+    std::vector<std::string> left_out{}; ///< cases that the backend cannot run
+    bool list = false;                   ///< tell the cases, run none
+    BackendRequest backend{};
+    int threads = 0; ///< 0: one a core
     Simd simd = Simd::best;
     std::optional<std::filesystem::path> json{};
 };

@@ -10,7 +10,7 @@
 //
 // At a fixed r = nu dt / h^2 the step falls as h^2: order 2.
 // Based on: Schlichting & Gersten 2017, Boundary-Layer Theory (unsteady Couette flow; Stokes' second problem).
-#include "cli/verify/cell_values.h"
+#include "cli/verify/one_stage.h"
 
 #include <complex>
 
@@ -85,12 +85,10 @@ VerifyRow couette(const VerifySetting& setting, int size, double ratio, double e
     for (int across = 0; across < 3; ++across) {
         Channel channel = channel_of(size, 1.0, across, SideKind::no_slip);
         channel.box.sides = sides_sliding(channel, 0.0, 1.0);
-        Workspace work = workspace_of(channel.box, setting);
-        CellVelocities now(channel.box.cell_count(), glm::vec4(0.0f)), next = now;
-        for (int step = 0; step < steps; ++step) {
-            diffuse(work, now, 1.0f, static_cast<float>(end / steps), next);
-            std::swap(now, next);
-        }
+        OneStage diffusion = OneStage::diffusion(channel.box, 1.0, setting);
+        CellVelocities now(channel.box.cell_count(), glm::vec4(0.0f));
+        for (int step = 0; step < steps; ++step)
+            diffusion.run(now, static_cast<float>(end / steps));
         visit_cells(channel.box, [&](std::size_t n, glm::dvec3 x) {
             glm::dvec3 off(now[n]);
             off[channel.along] -= couette_at(x[across], end);
@@ -135,20 +133,18 @@ VerifyRow stokes(const VerifySetting& setting, int size, double ratio, Diffusion
     int count = 0;
     for (int across = 0; across < 3; ++across) {
         const Channel channel = channel_of(size, k_width, across, SideKind::free_slip);
-        Workspace work = workspace_of(channel.box, setting);
+        OneStage diffusion = OneStage::diffusion(channel.box, k_viscosity, setting);
         const auto exact = [&](glm::dvec3 x, double t) {
             glm::dvec3 u(0.0);
             u[channel.along] = std::exp(-x[across]) * std::cos(k_frequency * t - x[across]);
             return u;
         };
-        CellVelocities now = velocities_of(channel.box, [&](glm::dvec3 x) { return exact(x, 0.0); }), next = now;
+        CellVelocities now = velocities_of(channel.box, [&](glm::dvec3 x) { return exact(x, 0.0); });
         for (int step = 0; step < steps; ++step) {
             // The wall as it is at the time whose neighbours the method reads: the old one in one pass, the new one implicitly.
             const double t = (method == DiffusionMethod::one_pass ? step : step + 1) * dt;
-            // Legal sides of the same kinds: nothing to refuse.
-            static_cast<void>(work.set_sides(sides_sliding(channel, std::cos(k_frequency * t), 0.0)));
-            diffuse(work, now, static_cast<float>(k_viscosity), static_cast<float>(dt), next);
-            std::swap(now, next);
+            diffusion.set_sides(sides_sliding(channel, std::cos(k_frequency * t), 0.0));
+            diffusion.run(now, static_cast<float>(dt));
         }
         visit_cells(channel.box, [&](std::size_t n, glm::dvec3 x) {
             if (x[across] > 0.5 * k_width)

@@ -114,6 +114,7 @@ std::vector<VerifyCase> wave_cases() {
          .source = "Staniforth & Cote 1991, Mon. Weather Rev. 119; the factor of the weights, written out",
          .reason = "the closed form is what is computed; rounding alone is left, four units in a float's last place in each of "
                    "eight steps",
+         .runs_on = RunsOn::cpu,
          .sizes = {16, 32, 64},
          .run = fourier_modes},
         {.name = "fourier_transit",
@@ -121,6 +122,7 @@ std::vector<VerifyCase> wave_cases() {
          .source = "Staniforth & Cote 1991, Mon. Weather Rev. 119; the truth is the wave at its start",
          .reason = "the error that the closed form gives, and a hundredth more; of order 3, as the weights are",
          .least_order = 2.9,
+         .runs_on = RunsOn::cpu,
          .sizes = {40, 80, 160},
          .run = fourier_transit},
     };

@@ -1,8 +1,10 @@
 // The whole step as the cases take it: raw, with nothing on top of the method.
 #pragma once
 
+#include "cli/backend/command_wind.h"
 #include "cli/verify/cell_values.h"
-#include "fluid/wind.h"
+
+#include <memory>
 
 namespace windrow::cli {
 
@@ -13,14 +15,20 @@ inline Config raw_config(const Box& box, double viscosity, const VerifySetting& 
     config.viscosity = static_cast<float>(viscosity);
     config.settling_time = 0.0f;
     config.max_cfl = 1e5f;
+    config.max_substeps = 1;
     config.simd = setting.simd;
     config.parallel_for = setting.parallel_for;
     return config;
 }
 
-/// A wind of a config that is known to be legal.
-inline Wind wind_of(const Config& config) {
-    return *Wind::create(config);
+/// A wind of a config that is known to be legal. Where the device has no room for it, the backend is told, which ends the command
+/// after the case; until then the CPU stands in.
+inline std::unique_ptr<CommandWind> wind_of(const Config& config, const VerifySetting& setting) {
+    auto wind = CommandWind::create(config, setting.backend);
+    if (wind)
+        return *std::move(wind);
+    setting.backend.note_fault(wind.error());
+    return *CommandWind::create(config);
 }
 
 } // namespace windrow::cli

@@ -23,7 +23,7 @@ namespace {
 
 enum class Stir { fans, vent };
 
-void stir(Wind& wind, Stir kind) {
+void stir(CommandWind& wind, Stir kind) {
     // Motors that are known to be legal: nothing to refuse.
     if (kind == Stir::vent) {
         static_cast<void>(wind.motors().add(OmniMotor{.position = {0.0, 1.0, 2.0}, .radius = 2.0f, .speed = 5.0f}));
@@ -64,33 +64,34 @@ VerifyRows window_in_large_grid(const VerifySetting& setting, int size) {
         config.settling_time = 0.0f;
         config.simd = setting.simd;
         config.parallel_for = setting.parallel_for;
-        Wind window = wind_of(config);
+        const auto window = wind_of(config, setting);
         config.cells = 3 * config.cells;
-        Wind large = wind_of(config);
-        stir(window, kind);
-        stir(large, kind);
+        const auto large = wind_of(config, setting);
+        stir(*window, kind);
+        stir(*large, kind);
         double cfl = 0.0, squares[std::size(k_zones)] = {}, own[std::size(k_zones)] = {};
         for (int step = 1; step <= k_steps; ++step) {
-            static_cast<void>(window.follow(glm::dvec3(1.3, 0.0, 0.5) * (step * k_dt))); // finite and near
-            cfl = worse(cfl, large.step(k_dt).cfl);
-            window.step(k_dt);
+            static_cast<void>(window->follow(glm::dvec3(1.3, 0.0, 0.5) * (step * k_dt))); // finite and near
+            cfl = worse(cfl, large->step(k_dt).cfl);
+            window->step(k_dt);
             if (step <= k_compared_from)
                 continue;
-            const glm::ivec3 offset = glm::ivec3(glm::round(window.origin() - large.origin()));
-            visit_cells(window.box(), [&](std::size_t n, glm::dvec3 x) {
+            const glm::ivec3 offset = glm::ivec3(glm::round(window->origin() - large->origin()));
+            const WindView inner = window->view(), outer = large->view();
+            visit_cells(inner.box(), [&](std::size_t n, glm::dvec3 x) {
                 const glm::ivec3 cell(x); // cells of 1 m
                 const glm::ivec3 there = cell + offset;
-                const glm::dvec3 truth(large.field()[large.box().index(there.x, there.y, there.z)]);
-                const glm::dvec3 off = glm::dvec3(window.field()[n]) - truth, air = truth - glm::dvec3(config.ambient);
+                const glm::dvec3 truth(outer.field()[outer.box().index(there.x, there.y, there.z)]);
+                const glm::dvec3 off = glm::dvec3(inner.field()[n]) - truth, air = truth - glm::dvec3(config.ambient);
                 for (std::size_t zone = 0; zone < std::size(k_zones); ++zone)
-                    if (lies_in(k_zones[zone], cell, window.box().cells)) {
+                    if (lies_in(k_zones[zone], cell, inner.box().cells)) {
                         squares[zone] += glm::dot(off, off);
                         own[zone] += glm::dot(air, air);
                     }
             });
         }
         for (std::size_t zone = 0; zone < std::size(k_zones); ++zone)
-            rows.push_back({.cells = window.box().cells,
+            rows.push_back({.cells = window->box().cells,
                             .cfl = cfl,
                             .error = std::sqrt(squares[zone] / own[zone]),
                             .bound = kind == Stir::fans ? k_zones[zone].bound_fans : k_zones[zone].bound_vent,
@@ -110,16 +111,16 @@ VerifyRows vortex_leaves(const VerifySetting& setting, int size) {
                              {SideKind::periodic, SideKind::periodic});
         Config config = raw_config(box, 0.0, setting);
         config.ambient = {static_cast<float>(k_speed), 0.0f, 0.0f};
-        Wind wind = wind_of(config);
+        const auto wind = wind_of(config, setting);
         const double turn = share * k_speed * std::exp(0.5) / k_radius; // fastest at the radius: share of the wind
-        wind.set_velocity([&](glm::dvec3 x) {
+        wind->set_velocity([&](glm::dvec3 x) {
             const glm::dvec2 r = glm::dvec2(x) - 0.5 * k_width;
             const double swirl = turn * std::exp(-0.5 * glm::dot(r, r) / (k_radius * k_radius));
             return config.ambient + glm::vec3(-swirl * r.y, swirl * r.x, 0.0);
         });
         const auto energy = [&] {
             double sum = 0.0;
-            for (const glm::vec4& u : wind.field()) {
+            for (const glm::vec4& u : wind->field()) {
                 const glm::dvec3 off = glm::dvec3(u) - glm::dvec3(config.ambient);
                 sum += glm::dot(off, off);
             }
@@ -130,7 +131,7 @@ VerifyRows vortex_leaves(const VerifySetting& setting, int size) {
             .cells = box.cells, .bound = share < 1.0 ? 4.7e-4 : 1.15e-2, .label = share < 1.0 ? "swirl of W / 4" : "swirl of W"};
         const double dt = 0.5 * static_cast<double>(box.cell_size) / k_speed;
         for (double time = 0.0; time * k_speed < 0.5 * k_width + 8.0 * k_radius; time += dt)
-            row.cfl = worse(row.cfl, wind.step(dt).cfl);
+            row.cfl = worse(row.cfl, wind->step(dt).cfl);
         row.error = energy() / first;
         rows.push_back(row);
     }

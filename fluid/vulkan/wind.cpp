@@ -53,6 +53,9 @@ Advance Wind::record(VkCommandBuffer commands, const Frame& frame) {
 Diagnostics Wind::record_step(VkCommandBuffer commands, const Frame& frame) {
     return state_->record_step(commands, frame);
 }
+bool Wind::collect(int slot) {
+    return state_->collect(slot);
+}
 
 // --- As of windrow::Wind -------------------------------------------------------------------------------------------------------
 
@@ -87,6 +90,18 @@ glm::dvec3 Wind::origin() const {
 }
 const Config& Wind::config() const {
     return state_->config;
+}
+Box Wind::box() const {
+    return state_->box();
+}
+void Wind::set_velocity(const std::function<glm::vec3(glm::dvec3)>& velocity_at) {
+    const Box box = this->box();
+    std::vector<glm::vec4> cells(box.cell_count());
+    for (int k = 0; k < box.cells.z; ++k)
+        for (int j = 0; j < box.cells.y; ++j)
+            for (int i = 0; i < box.cells.x; ++i)
+                cells[box.index(i, j, k)] = glm::vec4(velocity_at(state_->window.centre(i, j, k)), 0.0f);
+    static_cast<void>(state_->set_velocity(cells)); // of the box's size
 }
 Result<void> Wind::set_velocity(std::span<const glm::vec4> field) {
     return state_->set_velocity(field);
@@ -168,6 +183,10 @@ std::optional<WindView> Wind::queried() const {
 
 double Wind::query_age() const {
     return state_->queried_frame ? state_->time - state_->queried_time : 0.0;
+}
+
+Diagnostics Wind::reported() const {
+    return state_->reported();
 }
 
 glm::vec3 Wind::velocity(glm::dvec3 position) const {

@@ -17,6 +17,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -64,8 +65,12 @@ class Wind {
     /// last tick that was read back, frames_in_flight frames ago. What is recorded must be submitted: the next frame goes on from
     /// it.
     Advance record(VkCommandBuffer commands, const Frame& frame);
-    /// Records one step of frame.dt instead of ticks; see windrow::Wind::step.
+    /// Records one step of frame.dt instead of ticks; see windrow::Wind::step. A dt of 0 is a pause: what was asked for since the
+    /// last frame is recorded, and the textures show it.
     Diagnostics record_step(VkCommandBuffer commands, const Frame& frame);
+    /// Takes the read-back of a slot before its turn comes: for a host that has waited for what it recorded there, as tools do.
+    /// False where there is none to take.
+    bool collect(int slot);
 
     // --- As of windrow::Wind
     // -----------------------------------------------------------------------------------------------------
@@ -79,8 +84,11 @@ class Wind {
     Result<void> follow(glm::dvec3 point);
     Result<void> set_floor(double height);
     [[nodiscard]] glm::dvec3 origin() const;
+    [[nodiscard]] Box box() const;
     [[nodiscard]] const Config& config() const;
-    /// Sets every cell, as laid out in box.h; the cells travel inside the next recording. Refuses another size.
+    /// Sets every cell from a function of its centre's world position; the cells travel inside the next recording.
+    void set_velocity(const std::function<glm::vec3(glm::dvec3 centre)>& velocity_at);
+    /// The same from an array laid out as box.h says; refuses another size.
     Result<void> set_velocity(std::span<const glm::vec4> field);
     /// Back to ambient everywhere.
     void reset();
@@ -106,6 +114,8 @@ class Wind {
     [[nodiscard]] std::optional<WindView> queried() const;
     /// [s] How old that is.
     [[nodiscard]] double query_age() const;
+    /// What the last tick in `queried` reported; stepped = false before the first.
+    [[nodiscard]] Diagnostics reported() const;
     /// [m/s] Wind at a world point as of `queried`; the ambient wind before the first.
     [[nodiscard]] glm::vec3 velocity(glm::dvec3 position) const;
 

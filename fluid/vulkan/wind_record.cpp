@@ -65,9 +65,9 @@ windrow::Frame Wind::State::frame_now() const {
     return {{}, window, follow_point, ambient, asleep};
 }
 
-void Wind::State::take(ReadBack& slot) {
+bool Wind::State::take(ReadBack& slot) {
     if (!std::exchange(slot.pending, false) || slot.buffer.invalidate() != VK_SUCCESS)
-        return;
+        return false;
     const auto cells = air->shown(slot.buffer);
     queried_cells.assign(cells.begin(), cells.end());
     queried_frame.emplace(windrow::Frame{{}, slot.frame.window, slot.frame.rim_point, slot.frame.ambient, slot.frame.still});
@@ -75,6 +75,18 @@ void Wind::State::take(ReadBack& slot) {
     queried_time = slot.time;
     report = air->report(slot.buffer);
     report_tick_ = slot.tick;
+    return true;
+}
+
+bool Wind::State::collect(int slot) {
+    return slot >= 0 && slot < settings.frames_in_flight && take(slots[static_cast<std::size_t>(slot)]);
+}
+
+Diagnostics Wind::State::reported() const {
+    Diagnostics diagnostics;
+    diagnostics.stepped = report_tick_ > 0;
+    tell(diagnostics);
+    return diagnostics;
 }
 
 Advance Wind::State::record(VkCommandBuffer commands, const Frame& frame) {
@@ -86,11 +98,11 @@ Advance Wind::State::record(VkCommandBuffer commands, const Frame& frame) {
 }
 
 Diagnostics Wind::State::record_step(VkCommandBuffer commands, const Frame& frame) {
-    if (!(frame.dt > 0.0) || !std::isfinite(frame.dt) || !begin(commands, frame))
+    if (!(frame.dt >= 0.0) || !std::isfinite(frame.dt) || !begin(commands, frame))
         return {};
     const bool slept = asleep;
     const Diagnostics done = step(frame.dt);
-    if (!slept || !asleep)
+    if (!slept || !asleep || frame.dt == 0.0) // a pause shows what changed without a step
         unshown_ = 2;
     if (unshown_ > 0) { // asleep: until both sets of textures hold the air as it sleeps
         --unshown_;

@@ -39,6 +39,8 @@ struct Wind::State : WindHost {
     Diagnostics record_step(VkCommandBuffer commands, const Frame& frame);
     Result<void> set_velocity(std::span<const glm::vec4> field);
     void reset();
+    bool collect(int slot);
+    [[nodiscard]] Diagnostics reported() const;
     [[nodiscard]] windrow::Frame frame_now() const;
     /// Where the textures of the last recording lie, and of the one before it.
     std::optional<windrow::Frame> recorded, recorded_before;
@@ -65,7 +67,7 @@ struct Wind::State : WindHost {
     void do_or_queue(Work work);
     [[nodiscard]] bool begin(VkCommandBuffer commands, const Frame& frame);
     void end(const Frame& frame);
-    void take(ReadBack& slot);
+    bool take(ReadBack& slot);
     void tell(Diagnostics& diagnostics) const;
 
     VkCommandBuffer commands_ = VK_NULL_HANDLE; ///< while a frame is recorded

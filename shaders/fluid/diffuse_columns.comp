@@ -1,5 +1,11 @@
 // Implicit diffusion of one component: second stage, the tridiagonal systems along y. Their pivots depend on the sub-step, which the
-// device chose, so they are found here; the systems are as diagonally dominant as 1/r, which floats carry.
+// device chose, so they are found here.
+//
+// Rows are (1, -2 - s, 1), s = 1/r less the eigenvalues of x and z: for large r so close to singular that -2 - s in floats has
+// forgotten s. So a pivot is -1 / (1 + e), e_j = s + e_(j-1) / (1 + e_(j-1)): sums of positive numbers alone. Periodic columns by
+// Sherman and Morrison, A = A' + u w^T with u = (g, 0 .., 1), w = (1, 0 .., 1/g), g = 2 + s: what they divide by, 1 + w.v with
+// A' v = u, vanishes with s too. Since A takes a column of ones to -s of them, it is -s (w.o) / (1 + 1/g) with A' o = 1.
+// Based on: Alfa, Xue & Ye 2002, Mathematics of Computation 71 (diagonally dominant M-matrices entry by entry).
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "fluid/pass.glsl"
@@ -17,36 +23,40 @@ void main() {
         return;
     // push.y: eigenvalues of x, then of z, then what the low and the high end of y add to the diagonal, then 1 where y is periodic.
     const int facts = push.y + tick.cells.x + tick.cells.z;
-    const float base = -2.0f + tables[push.y + at % tick.cells.x] + tables[push.y + tick.cells.x + at / tick.cells.x] -
-                       1.0f / diffusion_ratio();
+    const float s = 1.0f / diffusion_ratio() - tables[push.y + at % tick.cells.x] - tables[push.y + tick.cells.x + at / tick.cells.x];
     const bool periodic = tables[facts + 2] != 0.0f, cyclic = periodic && rows > 1;
-    const float gamma = -base;
-    float pivot = 0.0f, carry = 0.0f, vector = 0.0f;
+    const float gamma = 2.0f + s;
+    float e = 0.0f, pivot = 0.0f, carry = 0.0f;
+    vec2 sides = vec2(0.0f); // v, o
     for (int j = 0; j < rows; ++j) {
-        float diagonal = base;
+        const bool first = j == 0, last = j == rows - 1;
+        float end = first ? 1.0f : 0.0f; // no row above
         if (cyclic)
-            diagonal += j == 0 ? base : j == rows - 1 ? 1.0f / base : 0.0f;
+            end += first ? gamma : last ? 1.0f / gamma : 0.0f;
         else if (periodic)
-            diagonal += 2.0f;
+            end -= 2.0f;
         else
-            diagonal += (j == 0 ? tables[facts] : 0.0f) + (j == rows - 1 ? tables[facts + 1] : 0.0f);
-        pivot = 1.0f / (diagonal - pivot);
+            end -= (first ? tables[facts] : 0.0f) + (last ? tables[facts + 1] : 0.0f);
+        const float rest = s + e / (1.0f + e);
+        e = end + rest;
+        pivot = -1.0f / ((1.0f + end) + rest);
         carry = (hat[at + j * plane] - carry) * pivot;
-        vector = ((j == 0 ? gamma : 0.0f) + (j == rows - 1 ? 1.0f : 0.0f) - vector) * pivot;
+        sides = (vec2((first ? gamma : 0.0f) + (last ? 1.0f : 0.0f), 1.0f) - sides) * pivot;
         pivots[at + j * plane] = pivot;
         hat[at + j * plane] = carry;
-        vectors[at + j * plane].x = vector;
+        vectors[at + j * plane].xy = sides;
     }
     for (int j = rows - 2; j >= 0; --j) {
         carry = hat[at + j * plane] - pivots[at + j * plane] * carry;
-        vector = vectors[at + j * plane].x - pivots[at + j * plane] * vector;
+        sides = vectors[at + j * plane].xy - pivots[at + j * plane] * sides;
         hat[at + j * plane] = carry;
-        vectors[at + j * plane].x = vector;
+        vectors[at + j * plane].xy = sides;
     }
     if (!cyclic)
         return;
-    const float scale = 1.0f / (1.0f + vectors[at].x + vectors[at + (rows - 1) * plane].x / gamma);
-    const float share = scale * (hat[at] + hat[at + (rows - 1) * plane] / gamma);
+    const int low = at, high = at + (rows - 1) * plane;
+    const float scale = -(1.0f + 1.0f / gamma) / (s * (vectors[low].y + vectors[high].y / gamma));
+    const float share = scale * (hat[low] + hat[high] / gamma);
     for (int j = 0; j < rows; ++j)
         hat[at + j * plane] -= share * vectors[at + j * plane].x;
 }

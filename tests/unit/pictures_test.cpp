@@ -343,10 +343,10 @@ TEST(Frame, IsTheSameEveryTime) {
 }
 
 TEST_F(PicturesTest, WidthOutsideTheBoundsIsRefusedByName) {
-    auto wind = Wind::create({.cells = {4, 4, 4}});
+    auto wind = CommandWind::create({.cells = {4, 4, 4}});
     ASSERT_TRUE(wind);
     for (const int width : {1, 639, 8001, 10000, -5}) {
-        const auto drawn = draw_frame(*wind, 0.0, {}, {}, {.title = "", .width = width}, folder_ / "frame.png");
+        const auto drawn = draw_frame(**wind, 0.0, {}, {}, {.title = "", .width = width}, folder_ / "frame.png");
         ASSERT_FALSE(drawn);
         EXPECT_NE(drawn.error().find("width " + std::to_string(width)), std::string::npos) << drawn.error();
         EXPECT_NE(drawn.error().find("frame.png"), std::string::npos) << drawn.error();
@@ -355,9 +355,9 @@ TEST_F(PicturesTest, WidthOutsideTheBoundsIsRefusedByName) {
 }
 
 TEST_F(PicturesTest, FrameOfAWindIsOneFileThatKnowsItsTime) {
-    auto wind = Wind::create({.cells = {8, 4, 8}, .sides = Sides::open_over_floor(), .ambient = {3.0f, 0.0f, 0.0f}});
+    auto wind = CommandWind::create({.cells = {8, 4, 8}, .sides = Sides::open_over_floor(), .ambient = {3.0f, 0.0f, 0.0f}});
     ASSERT_TRUE(wind);
-    ASSERT_TRUE(draw_frame(*wind, 3.4, {}, {}, {.title = "meadow", .width = 800}, folder_ / "frame.png"));
+    ASSERT_TRUE(draw_frame(**wind, 3.4, {}, {}, {.title = "meadow", .width = 800}, folder_ / "frame.png"));
     EXPECT_EQ(files(), 1u);
     PngWords words;
     const auto png = read_png(folder_ / "frame.png", &words);
@@ -436,15 +436,15 @@ TEST_F(PicturesTest, ContactSheetHasTheFramesInOrder) {
 }
 
 TEST_F(PicturesTest, ContactSheetOfARunHasTheLegendOnce) {
-    auto wind = Wind::create({.ambient = {3.0f, 0.0f, 0.0f}});
+    auto wind = CommandWind::create({.ambient = {3.0f, 0.0f, 0.0f}});
     ASSERT_TRUE(wind);
     const PictureSettings settings{.title = "run"};
     std::vector<std::filesystem::path> frames;
     for (int frame = 0; frame < 4; ++frame) {
         frames.push_back(folder_ / (std::to_string(frame) + ".png"));
-        ASSERT_TRUE(draw_frame(*wind, frame, {}, {}, settings, frames.back()));
+        ASSERT_TRUE(draw_frame(**wind, frame, {}, {}, settings, frames.back()));
     }
-    const FrameParts parts = frame_parts(*wind, settings);
+    const FrameParts parts = frame_parts(**wind, settings);
     const auto page = read_png(frames.front());
     ASSERT_TRUE(page);
     for (const PixelRect& part : {parts.level, parts.upright, parts.legend}) {

@@ -85,8 +85,14 @@ class VerifyCommand : public testing::Test {
 // --- Flags -----------------------------------------------------------------------------------------------------------
 
 TEST_F(VerifyCommand, WrongFlagsAreNamed) {
-    expect_refusal({"--backend", "vulkan"}, "--backend is vulkan: give cpu, the only one that is built in.");
-    expect_refusal({"--backend", ""}, "--backend is empty: give cpu, the only one that is built in.");
+    expect_refusal({"--backend", "gpu"}, "--backend is gpu: give cpu or vulkan.");
+    expect_refusal({"--backend", ""}, "--backend is empty: give cpu or vulkan.");
+    expect_refusal({"--device", "0"}, "--device is 0 for a run on the CPU: add --backend vulkan, or drop it.");
+    expect_refusal({"--backend", "vulkan", "--device", "-1"}, "--device is -1: give a number that windrow info tells, from 0.");
+    expect_refusal({"--backend", "vulkan", "--device", ""}, "--device is empty: give a number that windrow info tells, from 0.");
+    expect_refusal(
+        {"--backend", "vulkan", "--case", "fourier_modes"},
+        "--case is fourier_modes, which asks for pieces that a device runs only inside a step: drop --backend vulkan.");
     expect_refusal({"--threads", "0"}, "--threads is 0: give a whole number from 1 to 256.");
     expect_refusal({"--simd", "sse"}, "--simd is sse: give best, baseline, avx2 or avx512.");
     expect_refusal({"--json", ""}, "--json is empty: name a file.");

@@ -1,0 +1,18 @@
+// What a command is asked to run the air on.
+#pragma once
+
+#include <cstdint>
+
+namespace windrow::cli {
+
+enum class BackendKind : std::uint8_t {
+    cpu,   ///< the default
+    vulkan ///< a Vulkan device
+};
+
+struct BackendRequest {
+    BackendKind kind = BackendKind::cpu;
+    int device = -1; ///< place in the list that `windrow info` tells; -1: the first that is no software, else the first
+};
+
+} // namespace windrow::cli
