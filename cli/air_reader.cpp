@@ -52,6 +52,14 @@ std::optional<LogProfile> read_profile(JsonObject profile, bool given) {
     return given ? std::optional(read) : std::nullopt;
 }
 
+std::optional<Canopy> read_canopy(JsonObject canopy, bool given) {
+    Canopy read;
+    read.height = canopy.real("height", read.height, {.least = 0.0, .most = 1000.0, .unit = "m"});
+    read.drag = canopy.real("drag", read.drag, {.least = 0.0, .most = 1000.0, .unit = "1/m"});
+    canopy.finish();
+    return given ? std::optional(read) : std::nullopt;
+}
+
 Gusts read_gusts(JsonObject gusts) {
     Gusts read;
     read.intensity = gusts.real("intensity", read.intensity, {.least = 0.0, .most = 1.0});
@@ -79,6 +87,7 @@ ReadAir read_air(JsonObject& air) {
     config.ambient = glm::vec3(air.vector("ambient", glm::dvec3(config.ambient), k_velocity_rule));
     config.profile = read_profile(air.object("profile"), air.value().contains("profile"));
     config.gusts = read_gusts(air.object("gusts"));
+    config.canopy = read_canopy(air.object("canopy"), air.value().contains("canopy"));
     config.rim = air.real("rim", config.rim, {.least = 0.0, .most = 64.0});
     config.viscosity = air.real("viscosity", config.viscosity, {.least = 0.0, .most = 1e9, .unit = "m^2/s"});
     config.settling_time = air.real("settling_time", config.settling_time, {.least = 0.0, .most = 1e9, .unit = "s"});

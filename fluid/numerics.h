@@ -9,6 +9,7 @@
 #define WINDROW_FN inline
 namespace windrow::numerics {
 using namespace glm;
+#include "shaders/numerics/canopy.glsl"
 #include "shaders/numerics/motors.glsl"
 #include "shaders/numerics/window.glsl"
 } // namespace windrow::numerics

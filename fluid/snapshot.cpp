@@ -53,6 +53,11 @@ void fields(auto& archive, Like<Gusts> auto& gusts) { // a tile goes by its seed
     archive(intensity, length, seed);
 }
 
+void fields(auto& archive, Like<Canopy> auto& canopy) {
+    auto& [height, drag] = canopy;
+    archive(height, drag);
+}
+
 void fields(auto& archive, Like<Stages> auto& stages) {
     auto& [sources, settling, diffusion, advection, projection] = stages;
     archive(sources, settling, diffusion, advection, projection);
@@ -64,10 +69,10 @@ void fields(auto& archive, Like<Ticks> auto& ticks) {
 }
 
 void fields(auto& archive, Like<Config> auto& config) { // threads are the host's
-    auto& [cells, cell_size, sides, centre, follow_axes, ambient, profile, gusts, rim, viscosity, settling_time, sleep_speed,
-           scheme, interpolation, max_cfl, max_substeps, stages, ticks, simd, parallel_for] = config;
-    archive(cells, cell_size, sides, centre, follow_axes, ambient, profile, gusts, rim, viscosity, settling_time, sleep_speed,
-            scheme, interpolation, max_cfl, max_substeps, stages, ticks, simd);
+    auto& [cells, cell_size, sides, centre, follow_axes, ambient, profile, gusts, canopy, rim, viscosity, settling_time,
+           sleep_speed, scheme, interpolation, max_cfl, max_substeps, stages, ticks, simd, parallel_for] = config;
+    archive(cells, cell_size, sides, centre, follow_axes, ambient, profile, gusts, canopy, rim, viscosity, settling_time,
+            sleep_speed, scheme, interpolation, max_cfl, max_substeps, stages, ticks, simd);
 }
 
 void fields(auto& archive, Like<Diagnostics> auto& report) { // of a sleeper, whose times are 0

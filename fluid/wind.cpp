@@ -22,6 +22,9 @@ Result<void> validate(const Config& config) {
             reasons.add(profile.error());
     if (auto gusts = validate(config.gusts); !gusts)
         reasons.add(gusts.error());
+    if (config.canopy)
+        if (auto canopy = validate(*config.canopy); !canopy)
+            reasons.add(canopy.error());
     if (!(config.rim >= 0.0f && config.rim <= 64.0f))
         reasons.add("rim is ", config.rim, " cells: give 0 (none) to 64.");
     if (!(config.sleep_speed >= 0.0f && config.sleep_speed <= k_most_wind))

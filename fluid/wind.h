@@ -12,6 +12,7 @@
 
 #include "fluid/ambient.h"
 #include "fluid/box.h"
+#include "fluid/canopy.h"
 #include "fluid/diagnostics.h"
 #include "fluid/frame_block.h"
 #include "fluid/motors.h"
@@ -78,6 +79,9 @@ struct Config {
     /// Default none. With gusts the mean wind carries a pattern of them, outside the box and through it. The pattern does not
     /// know periodic sides: it is torn where they meet.
     Gusts gusts{};
+    /// Default none: plants bend, but the wind does not feel them. With one it is slowed among them; what comes in through the
+    /// sides, and what settling returns to, is still the ambient wind. Off it costs nothing.
+    std::optional<Canopy> canopy{};
     /// [cells] Width over which sampled wind fades to ambient at the rim of a box that follows, 0 to 64. Default 2. It ends one
     /// cell before the box does (two with ticks), so that a shift of the box moves nothing. 0: no rim, as axes of fewer than 8
     /// cells (10 with ticks) have none.

@@ -253,6 +253,20 @@ bool WindHost::viscous(float dt) const {
     return config.stages.diffusion && diffusion_method(config.viscosity, longest, config.cell_size) != DiffusionMethod::none;
 }
 
+std::optional<WindHost::CanopyRows> WindHost::canopy_rows() const {
+    if (!config.canopy || !config.stages.sources || config.canopy->height <= 0.0f || config.canopy->drag <= 0.0f)
+        return std::nullopt;
+    const double h = config.cell_size;
+    const double ground = (ambient.ground() - window.origin().y) / h,
+                 top = ground + static_cast<double>(config.canopy->height) / h;
+    if (top <= 0.0 || ground >= config.cells.y)
+        return std::nullopt;
+    const double farthest = 2.0 * k_max_axis_cells; // beyond the box it matters no more, and floats hold it
+    return CanopyRows{.drag = config.canopy->drag,
+                      .ground = static_cast<float>(std::max(ground, -farthest)),
+                      .top = static_cast<float>(std::min(top, farthest))};
+}
+
 bool WindHost::renew_sources(std::span<const detail::MotorReach> reached) {
     const std::uint64_t name = name_of_sources(reached, window.origin_cells);
     return std::exchange(sources_of_air, name) != name;
@@ -260,7 +274,8 @@ bool WindHost::renew_sources(std::span<const detail::MotorReach> reached) {
 
 void WindHost::fall_asleep_if_settled(Diagnostics& report) {
     const bool may = config.stages.settling && config.settling_time > 0.0f && config.sleep_speed > 0.0f &&
-                     report.motors_in_reach == 0 && sources_of_air == 0 && !viscous() && !ambient.gusting();
+                     report.motors_in_reach == 0 && sources_of_air == 0 && !viscous() && !ambient.gusting() &&
+                     !(canopy_rows() && mean_wind() != glm::vec3(0.0f)); // a wind among plants does not come to rest
     if (!may || !at_ambient())
         return;
     fill_with_ambient();

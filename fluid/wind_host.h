@@ -66,6 +66,13 @@ struct WindHost {
     [[nodiscard]] glm::vec3 mean_wind() const { return admissible_ambient(config.sides, config.ambient); }
     /// Viscosity does something that floats hold within a second, or within `dt` [s]; else it is left out.
     [[nodiscard]] bool viscous(float dt = k_longest_prepared) const;
+    /// Drag per metre of a canopy that acts, and where its ground and top lie in cells above the box's low side. Nothing where
+    /// none reaches the box.
+    struct CanopyRows {
+        float drag = 0.0f; ///< [1/m]
+        float ground = 0.0f, top = 0.0f;
+    };
+    [[nodiscard]] std::optional<CanopyRows> canopy_rows() const;
     [[nodiscard]] Rim rim(glm::dvec3 point) const;
     [[nodiscard]] WindowBlock window_block(glm::dvec3 anchor, const WindView& view, const WindView& previous_view) const;
 

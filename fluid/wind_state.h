@@ -61,7 +61,8 @@ struct Wind::State : WindHost {
     void add_ambient(std::span<glm::vec4> field, float factor) const;
     void fill_exposed(std::span<glm::vec4> field, CellIndex shift) const;
 
-    void add_sources(std::span<const detail::MotorReach> reached, Diagnostics& report);
+    void add_sources(float dt, std::span<const detail::MotorReach> reached, Diagnostics& report);
+    void slow_in_canopy(float dt);
     void let_air_in(std::span<const detail::MotorReach> reached);
     void limit_speeds(float dt, Diagnostics& report);
     void repair_broken_cells();

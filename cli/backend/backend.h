@@ -19,6 +19,7 @@ class Backend {
     [[nodiscard]] Fault open(const BackendRequest& request);
 
     [[nodiscard]] bool is_cpu() const { return device_ == nullptr; }
+    [[nodiscard]] BackendKind kind() const { return is_cpu() ? BackendKind::cpu : BackendKind::vulkan; }
     /// Null: the CPU.
     [[nodiscard]] vulkan::OwnDevice* device() const { return device_.get(); }
     /// The device's name, driver and version; empty: the CPU.

@@ -1,6 +1,7 @@
 #include "cli/pareto/flow_run.h"
 
 #include "cli/pareto/flow_truth.h"
+#include "cli/pareto/flow_wind.h"
 #include "cli/pareto/step_times.h"
 #include "cli/timings.h"
 #include "cli/verify/cell_values.h"
@@ -16,9 +17,9 @@ namespace {
 using detail::message;
 
 /// Errors of one grid, by step and then method.
-using GridErrors = std::vector<std::array<double, k_method_count>>;
+using GridErrors = std::vector<std::vector<double>>;
 
-/// Runs the flow to its end with one method; not finite where a cell broke on the way.
+/// The flow run to its end with one method; not finite where a cell broke on the way.
 double error_of(const ParetoFlow& flow, bench::ComposedStep& step, const Method& method, std::span<const glm::vec4> start,
                 int steps, std::span<const glm::dvec3> truth) {
     static_cast<void>(step.start(start)); // accepted before
@@ -27,8 +28,20 @@ double error_of(const ParetoFlow& flow, bench::ComposedStep& step, const Method&
     return flow_error(flow, step.velocity(), truth);
 }
 
+/// The same on a device.
+Result<double> error_on(const Backend& backend, const ParetoFlow& flow, glm::ivec3 cells, const Method& method,
+                        std::span<const glm::vec4> start, int steps, std::span<const glm::dvec3> truth) {
+    auto wind = flow_wind(flow, cells, method, Simd::best, {}, backend);
+    if (!wind)
+        return Error{wind.error()};
+    static_cast<void>((*wind)->set_velocity(start)); // of the box's size
+    for (int n = 0; n < steps; ++n)
+        (*wind)->step(flow.end / steps);
+    return flow_error(flow, (*wind)->field(), truth);
+}
+
 Result<std::optional<GridErrors>> find_errors(const ParetoFlow& flow, glm::ivec3 cells, const ParetoRequest& request,
-                                              const FlowTruth& truth, const ParallelFor& parallel_for,
+                                              const FlowTruth& truth, const ParallelFor& parallel_for, const Backend& backend,
                                               const std::function<bool()>& stopped) {
     const Box box = box_of(flow, cells);
     auto step = bench::ComposedStep::create(
@@ -39,13 +52,17 @@ Result<std::optional<GridErrors>> find_errors(const ParetoFlow& flow, glm::ivec3
     if (const auto fits = step->start(start); !fits)
         return Error{fits.error()};
     const std::vector<glm::dvec3> end = truth.at_centres(cells);
-    const auto methods = pareto_methods();
     GridErrors errors(request.cfls.size());
     for (std::size_t c = 0; c < errors.size(); ++c)
-        for (std::size_t m = 0; m < methods.size(); ++m) {
+        for (const Method& method : pareto_methods(backend.kind())) {
             if (stopped())
                 return std::optional<GridErrors>();
-            errors[c][m] = error_of(flow, *step, methods[m], start, steps_of(flow, cells, request.cfls[c]), end);
+            const int steps = steps_of(flow, cells, request.cfls[c]);
+            const auto error = backend.is_cpu() ? Result<double>(error_of(flow, *step, method, start, steps, end))
+                                                : error_on(backend, flow, cells, method, start, steps, end);
+            if (!error)
+                return Error{error.error()};
+            errors[c].push_back(*error);
         }
     return std::optional(std::move(errors));
 }
@@ -68,7 +85,7 @@ std::uint64_t flow_run_bytes(const ParetoFlow& flow) {
 }
 
 Result<std::optional<FlowResult>> run_flow(const ParetoFlow& flow, const ParetoRequest& request, int threads,
-                                           const ParallelFor& parallel_for, const Console& console,
+                                           const ParallelFor& parallel_for, const Backend& backend, const Console& console,
                                            const std::function<bool()>& stopped) {
     const ParallelFor loop = threads > 1 ? parallel_for : ParallelFor{}; // one thread needs no loop of a pool
     const auto truth = FlowTruth::find(flow, request.simd, loop, stopped);
@@ -80,18 +97,19 @@ Result<std::optional<FlowResult>> run_flow(const ParetoFlow& flow, const ParetoR
     FlowResult result{.name = flow.name, .title = flow.title, .rows = {}};
     std::optional<GridErrors> coarser;
     glm::ivec3 coarser_cells(0);
-    const auto methods = pareto_methods();
+    const auto methods = pareto_methods(backend.kind());
     for (const glm::ivec3 cells : flow.grids) {
-        auto errors = find_errors(flow, cells, request, **truth, loop, stopped);
+        auto errors = find_errors(flow, cells, request, **truth, loop, backend, stopped);
         if (!errors)
             return Error{errors.error()};
         if (!*errors)
             return std::optional<FlowResult>();
         for (const int count : {1, threads}) {
-            if (count == 1 && threads > 1 && !request.one_thread_too)
+            // A device's time does not depend on the threads.
+            if (count == 1 && threads > 1 && (!request.one_thread_too || !backend.is_cpu()))
                 continue;
             const auto times =
-                measure_steps(flow, cells, request.seconds, request.simd, count > 1 ? loop : ParallelFor{}, stopped);
+                measure_steps(flow, cells, request.seconds, request.simd, count > 1 ? loop : ParallelFor{}, backend, stopped);
             if (!times)
                 return Error{times.error()};
             if (!*times)
@@ -111,8 +129,9 @@ Result<std::optional<FlowResult>> run_flow(const ParetoFlow& flow, const ParetoR
                 }
             console.out << "  " << grid_name(cells)
                         << message(", ", count, count == 1 ? " thread: " : " threads: ", (*times)->rounds)
-                        << " rounds, Stam's step " << to_fixed((*times)->stam_ms, 3) << " ms, Wind's own step "
-                        << to_fixed((*times)->wind_vs_composed, 2) << " of the composed one\n";
+                        << " rounds, Stam's step " << to_fixed((*times)->stam_ms, 3) << " ms, "
+                        << (backend.is_cpu() ? "Wind's own step " : "the CPU's step ") << to_fixed((*times)->wind_vs_method, 2)
+                        << (backend.is_cpu() ? " of the composed one\n" : " of the device's\n");
             console.out.flush();
             if (threads == 1)
                 break;

@@ -80,22 +80,31 @@ int run_pareto(const ParetoRequest& request, const Console& console, const std::
         return k_exit_machine;
     if (const Fault fault = prepare_folder(request.out))
         return complain_of(fault, console);
+    Backend backend;
+    if (const Fault fault = backend.open(request.backend))
+        return complain_of(fault, console);
     const int threads = request.threads > 0 ? request.threads : usable_cores();
     if (threads > usable_cores())
         console.complain(message("--threads is ", threads, ", more than the ", usable_cores(),
                                  " cores: the threads wait for each other, and times tell of that."));
     ThreadPool pool(threads);
     const std::function<bool()> stopped = [&] { return stop_signal() != 0; };
-    ParetoResult result{.device = device_name(), .simd = name_of(request.simd), .threads = threads, .flows = {}};
+    ParetoResult result{.device = backend.is_cpu() ? device_name() : backend.device_words(),
+                        .simd = name_of(request.simd),
+                        .backend = backend.kind(),
+                        .threads = threads,
+                        .flows = {}};
     report_pareto_start(result, console);
     for (const ParetoFlow& flow : request.flows) {
         console.out << "\n" << flow.name << ": " << flow.what << "\n";
         console.out.flush();
-        auto found = run_flow(flow, request, threads, pool.parallel_for(), console, stopped);
+        auto found = run_flow(flow, request, threads, pool.parallel_for(), backend, console, stopped);
         if (!found) {
             console.complain(found.error());
             return k_exit_wrong_use;
         }
+        if (!backend.fault().empty())
+            return complain_of(Fault{.sentence = flow.name + ": " + backend.fault(), .machine = true}, console);
         if (!*found)
             return k_exit_signal + stop_signal();
         report_front(**found, threads, console);

@@ -19,10 +19,11 @@ std::string pareto_csv(const ParetoResult& result) {
     std::string text = "backend,scheme,advection,pressure,grid,cfl,case,error,order,step_ms,cost_vs_stam40,threads\n";
     for (const FlowResult& flow : result.flows)
         for (const ParetoRow& row : flow.rows)
-            text += detail::message("cpu,", name_of(row.method.scheme), ",", name_of(row.method.interpolation), ",",
-                                    name_of(row.method.pressure), ",", grid_name(row.cells), ",", rounded(row.cfl), ",",
-                                    flow.name, ",", rounded(row.error), ",", row.order ? rounded(*row.order) : "", ",",
-                                    rounded(row.step_ms), ",", rounded(row.vs_stam40), ",", row.threads, "\n");
+            text += detail::message(result.backend == BackendKind::cpu ? "cpu," : "vulkan,", name_of(row.method.scheme), ",",
+                                    name_of(row.method.interpolation), ",", name_of(row.method.pressure), ",",
+                                    grid_name(row.cells), ",", rounded(row.cfl), ",", flow.name, ",", rounded(row.error), ",",
+                                    row.order ? rounded(*row.order) : "", ",", rounded(row.step_ms), ",", rounded(row.vs_stam40),
+                                    ",", row.threads, "\n");
     return text;
 }
 

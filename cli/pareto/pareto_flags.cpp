@@ -12,6 +12,7 @@ void add_pareto(CLI::App& app, ParetoFlags& flags) {
         app.add_subcommand("pareto", "Find the least error for the time: methods, grids, steps; table, CSV, plot");
     pareto->add_flag("--quick", flags.quick, "Fewer flows, grids and steps: below a minute on two cores instead of ten");
     pareto->add_option("--out", flags.out, "Folder for pareto.csv, .svg and .png; default out/pareto")->type_name("DIR");
+    add_backend(*pareto, flags.backend);
     pareto->add_option("--threads", flags.threads, "Most threads; default one a core; errors do not depend on it")
         ->type_name("N");
     pareto->add_option("--simd", flags.simd, "Instructions: best, baseline, avx2 or avx512; all methods run on them")
@@ -20,6 +21,10 @@ void add_pareto(CLI::App& app, ParetoFlags& flags) {
 
 std::optional<ParetoRequest> read_pareto(const ParetoFlags& flags, const CLI::App& pareto, const Console& console) {
     ParetoRequest request{.flows = pareto_flows(flags.quick), .out = std::filesystem::path("out") / "pareto"};
+    const auto backend = read_backend(flags.backend, pareto, console);
+    if (!backend)
+        return std::nullopt;
+    request.backend = *backend;
     if (flags.quick) {
         request.cfls = {1.0, 2.0};
         request.one_thread_too = false;

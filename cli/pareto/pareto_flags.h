@@ -1,6 +1,7 @@
 // The flags of `windrow pareto`.
 #pragma once
 
+#include "cli/backend/backend_flags.h"
 #include "cli/console.h"
 #include "cli/pareto/pareto_request.h"
 
@@ -14,6 +15,7 @@ class App;
 namespace windrow::cli {
 
 struct ParetoFlags {
+    BackendFlags backend;
     std::string out, threads, simd;
     bool quick = false;
 };

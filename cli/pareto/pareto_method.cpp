@@ -6,13 +6,13 @@ namespace windrow::cli {
 
 using detail::message;
 
-std::array<Method, k_method_count> pareto_methods() {
-    std::array<Method, k_method_count> methods;
-    std::size_t n = 0;
+std::vector<Method> pareto_methods(BackendKind backend) {
+    std::vector<Method> methods;
     for (const Scheme scheme : k_schemes)
         for (const Interpolation advection : k_advections)
             for (const Pressure pressure : k_pressures)
-                methods[n++] = {scheme, advection, pressure};
+                if (backend == BackendKind::cpu || pressure == Pressure::direct)
+                    methods.push_back({scheme, advection, pressure});
     return methods;
 }
 

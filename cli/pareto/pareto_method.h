@@ -1,10 +1,12 @@
 // The methods that `windrow pareto` compares: each time scheme with each interpolation and each pressure solve.
 #pragma once
 
+#include "cli/backend/backend_request.h"
 #include "tests/bench/reference/composed_step.h"
 
 #include <array>
 #include <string>
+#include <vector>
 
 namespace windrow::cli {
 
@@ -15,12 +17,12 @@ inline constexpr std::array k_schemes = {Scheme::second_order, Scheme::stable_fl
 inline constexpr std::array k_advections = {Interpolation::cubic, Interpolation::linear};
 inline constexpr std::array k_pressures = {Pressure::direct, Pressure::multigrid, Pressure::jacobi80, Pressure::jacobi40,
                                            Pressure::jacobi20};
-inline constexpr std::size_t k_method_count = k_schemes.size() * k_advections.size() * k_pressures.size();
 
 /// What a Wind does by default.
 inline constexpr Method k_default_method{Scheme::second_order, Interpolation::cubic, Pressure::direct}; // as Config says: tested
 
-[[nodiscard]] std::array<Method, k_method_count> pareto_methods();
+/// All methods; on a device those of a wind, which solves directly.
+[[nodiscard]] std::vector<Method> pareto_methods(BackendKind backend = BackendKind::cpu);
 
 [[nodiscard]] const char* name_of(Scheme scheme);
 [[nodiscard]] const char* name_of(Interpolation advection);

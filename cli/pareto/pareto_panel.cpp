@@ -57,7 +57,7 @@ class Panel {
         error_ = axis_around(errors, 2.2, 1.5, frame.bottom(), frame.y);
     }
 
-    void add_axes(const std::string& title, int threads) {
+    void add_axes(const std::string& title, const std::string& runner) {
         const Line grid{.colour = k_hairline, .width = 1.0};
         words(title, {frame_.x, frame_.y - 14.0}, {.size = 17.0, .colour = k_ink, .bold = true});
         for (const double value : cost_.ticks()) {
@@ -76,8 +76,8 @@ class Panel {
             {{frame_.x, frame_.y}, {frame_.right(), frame_.y}, {frame_.right(), frame_.bottom()}, {frame_.x, frame_.bottom()}},
             k_nothing,
             {.colour = k_dim_ink, .width = 1.0}});
-        words(message("computing time for one second of flow (", threads, threads == 1 ? " thread)" : " threads)"),
-              {frame_.middle().x, frame_.bottom() + 40.0}, {.size = 14.0, .colour = k_ink, .align = Align::centre});
+        words(message("computing time for one second of flow (", runner, ")"), {frame_.middle().x, frame_.bottom() + 40.0},
+              {.size = 14.0, .colour = k_ink, .align = Align::centre});
         words("error of the velocity at the end", {frame_.x - 66.0, frame_.middle().y},
               {.size = 14.0, .colour = k_ink, .align = Align::centre, .upward = true});
     }
@@ -155,9 +155,9 @@ class Panel {
 
 } // namespace
 
-void add_panel(Plot& plot, const FlowResult& flow, int threads, const Rect& frame) {
+void add_panel(Plot& plot, const FlowResult& flow, int threads, const std::string& runner, const Rect& frame) {
     Panel panel(plot, flow, threads, frame);
-    panel.add_axes(flow.title, threads);
+    panel.add_axes(flow.title, runner);
     panel.add_runs();
 }
 

@@ -69,9 +69,12 @@ Plot pareto_plot(const ParetoResult& result) {
               message("Each point is one method on one grid with one time step. Lower is more exact, further left is quicker. ",
                       result.device, ", ", result.simd, "."),
               {k_left - 66.0, 70.0}, 15.0, false, k_dim_ink);
+    const std::string runner = result.backend == BackendKind::vulkan
+                                   ? "the device, to the end of each step"
+                                   : message(result.threads, result.threads == 1 ? " thread" : " threads");
     const double width = count == 1 ? k_width - k_left - k_right : 0.5 * (k_width - k_left - k_between - k_right);
     for (std::size_t n = 0; n < count; ++n)
-        add_panel(plot, result.flows[n], result.threads,
+        add_panel(plot, result.flows[n], result.threads, runner,
                   {k_left + static_cast<double>(n % 2) * (width + k_between),
                    k_header + static_cast<double>(n / 2) * k_row_height, width, k_panel_height});
     add_legend(plot, k_header + static_cast<double>(rows) * k_row_height + 8.0);

@@ -57,7 +57,8 @@ std::string standing(const std::vector<ParetoRow>& rows, const std::vector<CostE
 
 void report_pareto_start(const ParetoResult& result, const Console& console) {
     console.out
-        << result.device << "; " << message(result.threads, result.threads == 1 ? " thread" : " threads", " (", result.simd, ")")
+        << result.device << (result.backend == BackendKind::vulkan ? "; Stam's step on " : "; ")
+        << message(result.threads, result.threads == 1 ? " thread" : " threads", " (", result.simd, ")")
         << "\nErrors at the end of a flow against the time for a second of it; all methods of a grid are timed in turns.\n";
     console.out.flush();
 }

@@ -38,8 +38,10 @@ struct FlowResult {
 };
 
 struct ParetoResult {
-    std::string device, simd;
-    int threads = 1; ///< most; fronts are of these
+    std::string device; ///< what runs the methods: the processor, or a Vulkan device
+    std::string simd;
+    BackendKind backend = BackendKind::cpu;
+    int threads = 1; ///< most; fronts are of these; on a device the threads of Stam's step
     std::vector<FlowResult> flows;
 };
 

@@ -1,10 +1,12 @@
 #include "cli/pareto/step_times.h"
 
 #include "cli/bench/contest.h"
+#include "cli/pareto/flow_wind.h"
 #include "cli/verify/cell_values.h"
 #include "tests/bench/reference/stam.h"
 
 #include <algorithm>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -41,28 +43,11 @@ class Stepper {
     std::function<void()> lay_in_;
 };
 
-Result<Wind> default_wind(const ParetoFlow& flow, const Box& box, Simd simd, const ParallelFor& parallel_for) {
-    auto wind = Wind::create({.cells = box.cells,
-                              .cell_size = box.cell_size,
-                              .sides = box.sides,
-                              .centre = 0.5 * static_cast<double>(box.cell_size) * glm::dvec3(box.cells),
-                              .ambient = glm::vec3(flow.mean),
-                              .viscosity = 0.0f,
-                              .settling_time = 0.0f,
-                              .max_cfl = 1e5f, // the raw step
-                              .simd = simd,
-                              .parallel_for = parallel_for});
-    for (const Motor& motor : flow.motors)
-        if (wind)
-            if (const auto added = wind->motors().add(motor); !added)
-                return Error{added.error()};
-    return wind;
-}
-
 } // namespace
 
 Result<std::optional<GridTimes>> measure_steps(const ParetoFlow& flow, glm::ivec3 cells, double seconds, Simd simd,
-                                               const ParallelFor& parallel_for, const std::function<bool()>& stopped) {
+                                               const ParallelFor& parallel_for, const Backend& backend,
+                                               const std::function<bool()>& stopped) {
     const Box box = box_of(flow, cells);
     const int steps = steps_of(flow, cells, 1.0), most_age = std::min(steps, k_most_age);
     const double dt = flow.end / steps;
@@ -71,35 +56,48 @@ Result<std::optional<GridTimes>> measure_steps(const ParetoFlow& flow, glm::ivec
         {.box = box, .ambient = glm::vec3(flow.mean), .motors = flow.motors, .simd = simd, .parallel_for = parallel_for});
     if (!composed)
         return Error{composed.error()};
-    auto wind = default_wind(flow, box, simd, parallel_for);
+    if (const auto fits = composed->start(start); !fits)
+        return Error{fits.error()};
+    auto wind = flow_wind(flow, cells, k_default_method, simd, parallel_for, {});
     if (!wind)
         return Error{wind.error()};
     bench::StamStep stam(cells, box.cell_size, k_sweeps, parallel_for, simd);
     stam.set_ambient(glm::vec3(flow.mean));
 
     Contest contest;
-    Stepper composed_stepper(most_age, [&] { static_cast<void>(composed->start(start)); }); // the motors were accepted
-    Stepper wind_stepper(most_age, [&] { static_cast<void>(wind->set_velocity(start)); });  // of the box's size
+    Stepper composed_stepper(most_age, [&] { static_cast<void>(composed->start(start)); });   // the motors were accepted
+    Stepper wind_stepper(most_age, [&] { static_cast<void>((*wind)->set_velocity(start)); }); // of the box's size
     Stepper stam_stepper(most_age, [&] { std::copy(start.begin(), start.end(), stam.velocity().begin()); });
-    const auto methods = pareto_methods();
-    std::array<std::size_t, k_method_count> numbers{};
-    for (std::size_t n = 0; n < methods.size(); ++n)
-        numbers[n] = contest.add(composed_stepper.contestant([&, method = methods[n]] { composed->step(method, dt); }));
-    const std::size_t wind_number = contest.add(wind_stepper.contestant([&] { wind->step(dt); }));
+    const auto methods = pareto_methods(backend.kind());
+    std::vector<std::unique_ptr<CommandWind>> device_winds;
+    std::vector<Stepper> device_steppers;
+    device_steppers.reserve(methods.size()); // contestants point to them
+    std::vector<std::size_t> numbers;
+    for (const Method& method : methods) {
+        if (backend.is_cpu()) {
+            numbers.push_back(contest.add(composed_stepper.contestant([&, method] { composed->step(method, dt); })));
+            continue;
+        }
+        auto made = flow_wind(flow, cells, method, simd, parallel_for, backend);
+        if (!made)
+            return Error{made.error()};
+        CommandWind& device_wind = *device_winds.emplace_back(*std::move(made));
+        device_steppers.emplace_back(most_age, [&device_wind, &start] { static_cast<void>(device_wind.set_velocity(start)); });
+        numbers.push_back(contest.add(device_steppers.back().contestant([&device_wind, dt] { device_wind.step(dt); })));
+    }
+    const std::size_t wind_number = contest.add(wind_stepper.contestant([&] { (*wind)->step(dt); }));
     const std::size_t stam_number = contest.add(stam_stepper.contestant([&] { stam.step(static_cast<float>(dt)); }));
-    if (const auto fits = composed->start(start); !fits)
-        return Error{fits.error()};
     if (!contest.hold(seconds, stopped))
         return std::optional<GridTimes>();
 
     GridTimes times{.stam_ms = contest.milliseconds(stam_number).min, .rounds = contest.rounds()};
     for (std::size_t n = 0; n < methods.size(); ++n) {
         const double ratio = contest.ratio(numbers[n], stam_number);
-        times.methods[n] = {.vs_stam40 = ratio, .step_ms = ratio * times.stam_ms};
+        times.methods.push_back({.vs_stam40 = ratio, .step_ms = ratio * times.stam_ms});
         if (methods[n] == k_default_method)
-            times.wind_vs_composed = contest.ratio(wind_number, numbers[n]);
+            times.wind_vs_method = contest.ratio(wind_number, numbers[n]);
     }
-    return std::optional(times);
+    return std::optional(std::move(times));
 }
 
 } // namespace windrow::cli

@@ -1,13 +1,14 @@
 // What a step of each method takes on one grid, beside the tuned step of Stam in the same run.
 #pragma once
 
+#include "cli/backend/backend.h"
 #include "cli/pareto/pareto_flow.h"
 #include "cli/pareto/pareto_method.h"
 #include "fluid/parallel.h"
 
-#include <array>
 #include <functional>
 #include <optional>
+#include <vector>
 
 namespace windrow::cli {
 
@@ -17,9 +18,11 @@ struct StepTime {
 };
 
 struct GridTimes {
-    std::array<StepTime, k_method_count> methods{}; ///< in the order of pareto_methods()
-    double stam_ms = 0.0;                           ///< least
-    double wind_vs_composed = 0.0; ///< the library's own step over the composed one of the same method: both do the same
+    std::vector<StepTime> methods{}; ///< in the order of pareto_methods()
+    double stam_ms = 0.0;            ///< least
+    /// On the CPU the library's own step over the composed one of the same method, which does the same. On a device the CPU's
+    /// step over the device's.
+    double wind_vs_method = 0.0;
     std::size_t rounds = 0;
 };
 
@@ -27,7 +30,7 @@ struct GridTimes {
 /// more than a twentieth, on the CFL number from 0.5 to 4. Nothing inside where
 /// `stopped` said so.
 [[nodiscard]] Result<std::optional<GridTimes>> measure_steps(const ParetoFlow& flow, glm::ivec3 cells, double seconds, Simd simd,
-                                                             const ParallelFor& parallel_for,
+                                                             const ParallelFor& parallel_for, const Backend& backend,
                                                              const std::function<bool()>& stopped);
 
 } // namespace windrow::cli

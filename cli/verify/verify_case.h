@@ -76,5 +76,6 @@ struct VerifyCase {
 [[nodiscard]] std::vector<VerifyCase> wall_cases();
 [[nodiscard]] std::vector<VerifyCase> poisson_cases();
 [[nodiscard]] std::vector<VerifyCase> projection_cases();
+[[nodiscard]] std::vector<VerifyCase> canopy_cases();
 
 } // namespace windrow::cli

@@ -28,6 +28,7 @@
 //
 // Based on: Temperton & Staniforth 1987, Quarterly Journal 113; Hortal 2002, ECMWF Technical Memorandum 292; Stam 1999, SIGGRAPH.
 #include "fluid/cpu/workspace.h"
+#include "fluid/numerics.h"
 #include "fluid/wind_state.h"
 
 #include <algorithm>
@@ -79,7 +80,7 @@ float settling_factor(const Config& config, float dt) {
 
 void Wind::State::step_cells(double duration, std::span<const detail::MotorReach> reached, Diagnostics& report) {
     const auto dt = static_cast<float>(duration);
-    add_sources(reached, report);
+    add_sources(dt, reached, report);
     limit_speeds(dt, report);
     for (int part = 0; part < report.substeps; ++part) {
         const float part_dt = dt / static_cast<float>(report.substeps);
@@ -190,11 +191,29 @@ void Wind::State::advance_in_place(float dt, Diagnostics& report) {
     air.fresh = true;
 }
 
-void Wind::State::add_sources(std::span<const detail::MotorReach> reached, Diagnostics& report) {
+void Wind::State::add_sources(float dt, std::span<const detail::MotorReach> reached, Diagnostics& report) {
     Stopwatch watch(report.times_ms.sources);
     sources.gather(reached, box().cell_size, air.velocity, config.parallel_for);
+    slow_in_canopy(dt);
     if (config.stages.projection)
         let_air_in(reached);
+}
+
+void Wind::State::slow_in_canopy(float dt) {
+    const auto rows = canopy_rows();
+    if (!rows)
+        return;
+    const glm::ivec3 cells = box().cells;
+    const int first = std::clamp(static_cast<int>(std::floor(rows->ground)), 0, cells.y),
+              end = std::clamp(static_cast<int>(std::ceil(rows->top)), 0, cells.y);
+    config.parallel_for(cells.z, [&](int k) {
+        for (int j = first; j < end; ++j) {
+            const float way = dt * rows->drag * numerics::windrow_canopy_share(static_cast<float>(j), rows->ground, rows->top);
+            glm::vec4* const row = &air.velocity[box().index(0, j, k)];
+            for (int i = 0; i < cells.x; ++i)
+                row[i] = glm::vec4(numerics::windrow_canopy_slowed(glm::vec3(row[i]), way), 0.0f);
+        }
+    });
 }
 
 void Wind::State::carry_gusts(float dt, Diagnostics& report) {
