@@ -3,6 +3,10 @@
 #include "cli/backend/backend_flags.h"
 #include "cli/bench/bench_command.h"
 #include "cli/bench/bench_flags.h"
+#if WINDROW_WITH_VULKAN
+#include "cli/check/check_command.h"
+#endif
+#include "cli/check/check_flags.h"
 #include "cli/exit_code.h"
 #include "cli/flags.h"
 #include "cli/info_command.h"
@@ -10,6 +14,7 @@
 #include "cli/nearest_word.h"
 #include "cli/pareto/pareto_command.h"
 #include "cli/pareto/pareto_flags.h"
+#include "cli/plants/plants_command.h"
 #include "cli/run_command.h"
 #include "cli/scene.h"
 #include "cli/verify/verify_command.h"
@@ -67,7 +72,7 @@ std::string sentence_of(const CLI::ParseError& fault, const CLI::App& app, int c
             return unknown(word, " is no command");
         if (count > 1)
             return unknown(arguments[1], " is no flag");
-        return message("name a command, run, bench, verify, pareto or info: ", help);
+        return message("name a command, run, bench, verify, pareto, plants, check or info: ", help);
     }
     std::string words = fault.what();
     for (char& letter : words)
@@ -134,6 +139,18 @@ int start_run(const RunFlags& flags, const CLI::App& run, const Console& console
     return run_scene(request, console, &InterruptGuard::signal);
 }
 
+int start_check(const CheckFlags& flags, const CLI::App& check, const Console& console) {
+    const auto request = read_check(flags, check, console);
+    if (!request)
+        return k_exit_wrong_use;
+#if WINDROW_WITH_VULKAN
+    const InterruptGuard guard;
+    return run_check(*request, console, &InterruptGuard::signal);
+#else
+    return k_exit_wrong_use; // read_check has said so
+#endif
+}
+
 } // namespace
 
 int run_command_line(int count, const char* const* arguments, const Console& console) {
@@ -149,6 +166,12 @@ int run_command_line(int count, const char* const* arguments, const Console& con
     add_verify(app, verify_flags);
     ParetoFlags pareto_flags;
     add_pareto(app, pareto_flags);
+    CheckFlags check_flags;
+    add_check(app, check_flags);
+    std::string plants_out;
+    CLI::App* const plants =
+        app.add_subcommand("plants", "Tell how far plants bend in which wind, and how they move; table and plots");
+    plants->add_option("--out", plants_out, "Folder for the plots, .svg; default out/plants")->type_name("DIR");
     app.add_subcommand("info", "Tell version, compiler, SIMD level, cores, Vulkan devices and what is built in");
     try {
         app.parse(count, arguments);
@@ -181,6 +204,16 @@ int run_command_line(int count, const char* const* arguments, const Console& con
             return k_exit_wrong_use;
         const InterruptGuard guard;
         return run_pareto(*request, console, &InterruptGuard::signal);
+    }
+    if (const CLI::App* check = app.get_subcommand("check"); check->parsed())
+        return start_check(check_flags, *check, console);
+    if (plants->parsed()) {
+        if (plants->count("--out") > 0 && plants_out.empty()) {
+            console.complain("--out is empty: name a folder.");
+            return k_exit_wrong_use;
+        }
+        return run_plants(plants_out.empty() ? std::filesystem::path("out") / "plants" : std::filesystem::path(plants_out),
+                          console);
     }
     return tell_info(console);
 }

@@ -32,4 +32,13 @@ std::optional<Simd> read_simd(const std::string& text, const Console& console) {
     return std::nullopt;
 }
 
+std::optional<double> read_seconds(const std::string& text, const Console& console) {
+    const auto seconds = parse_number(text);
+    if (seconds && *seconds > 0.0 && *seconds <= k_most_seconds)
+        return seconds;
+    console.complain(message("--seconds is ", text.empty() ? "empty" : text, ": give a number above 0, at most ",
+                             figure(k_most_seconds), " s."));
+    return std::nullopt;
+}
+
 } // namespace windrow::cli

@@ -1,4 +1,4 @@
-# What `cmake --install` lays down, for find_package(windrow 0.1 COMPONENTS fluid vdb vulkan):
+# What `cmake --install` lays down, for find_package(windrow 0.1 COMPONENTS fluid coupling vdb vulkan coupling_vulkan):
 #
 #   include/windrow/fluid/...        public headers: consumers write #include "fluid/wind.h", as inside the project
 #   lib/libwindrow_*                 one library and one export set a component
@@ -31,6 +31,13 @@ windrow_install_headers(fluid)
 install(TARGETS windrow_fluid EXPORT windrow_fluid)
 set(components fluid)
 
+if(TARGET windrow_coupling)
+  windrow_install_headers(coupling)
+  install(TARGETS windrow_coupling EXPORT windrow_coupling)
+  set_target_properties(windrow_coupling PROPERTIES INSTALL_RPATH "$ORIGIN") # a shared one finds windrow::fluid beside it
+  list(APPEND components coupling)
+endif()
+
 if(TARGET windrow_vdb)
   windrow_install_headers(fluid/vdb)
   install(TARGETS windrow_vdb EXPORT windrow_vdb)
@@ -44,6 +51,13 @@ if(TARGET windrow_vulkan)
   install(TARGETS windrow_vulkan EXPORT windrow_vulkan)
   set_target_properties(windrow_vulkan PROPERTIES INSTALL_RPATH "$ORIGIN")
   list(APPEND components vulkan)
+endif()
+
+if(TARGET windrow_coupling_vulkan)
+  windrow_install_headers(coupling/vulkan)
+  install(TARGETS windrow_coupling_vulkan EXPORT windrow_coupling_vulkan)
+  set_target_properties(windrow_coupling_vulkan PROPERTIES INSTALL_RPATH "$ORIGIN")
+  list(APPEND components coupling_vulkan)
 endif()
 
 foreach(component IN LISTS components)

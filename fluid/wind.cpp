@@ -154,9 +154,7 @@ void Wind::set_velocity(const std::function<glm::vec3(glm::dvec3)>& velocity_at)
         for (int j = 0; j < box.cells.y; ++j)
             for (int i = 0; i < box.cells.x; ++i)
                 state_->air.velocity[box.index(i, j, k)] = glm::vec4(velocity_at(state_->window.centre(i, j, k)), 0.0f);
-    state_->air.fresh = true;
-    state_->air.owed_diffusion = 0.0f;
-    state_->asleep = state_->calm = false;
+    state_->begin_anew();
     if (state_->log != nullptr)
         state_->log->note(VelocitySet{{field().begin(), field().end()}});
 }
@@ -167,12 +165,21 @@ Result<void> Wind::set_velocity(std::span<const glm::vec4> field) {
         return Error{detail::message("set_velocity got ", field.size(), " cells, but the box has ", velocity.size(),
                                      ": give box().cell_count().")};
     std::transform(field.begin(), field.end(), velocity.data(), [](glm::vec4 u) { return glm::vec4(u.x, u.y, u.z, 0.0f); });
-    state_->air.fresh = true;
-    state_->air.owed_diffusion = 0.0f;
-    state_->asleep = state_->calm = false;
+    state_->begin_anew();
     if (state_->log != nullptr)
         state_->log->note(VelocitySet{{field.begin(), field.end()}});
     return {};
+}
+
+// The cells were set from outside: they have no past, and show at once.
+void Wind::State::begin_anew() {
+    air.fresh = true;
+    air.owed_diffusion = 0.0f;
+    asleep = calm = false;
+    if (!frames)
+        return;
+    frames->before_still = false;
+    std::copy_n(air.velocity.data(), frames->before.size(), frames->before.data());
 }
 
 void Wind::reset() {

@@ -193,8 +193,9 @@ class Wind {
     [[nodiscard]] std::span<const glm::vec4> field() const;
 
     // --- Setting the air ----------------------------------------------------------------------------------------------
-    /// Sets every cell from a function of its centre's world position; the second-order history starts anew. Values that are not
-    /// finite are caught by the next step.
+    /// Sets every cell from a function of its centre's world position; the second-order history starts anew, and with `advance`
+    /// the next frame shows these cells alone, not blended with what was before. Values that are not finite are caught by the
+    /// next step.
     void set_velocity(const std::function<glm::vec3(glm::dvec3 centre)>& velocity_at);
     /// The same from an array laid out as box.h says; refuses another size.
     Result<void> set_velocity(std::span<const glm::vec4> field);

@@ -36,6 +36,7 @@ struct Wind::State : WindHost {
 
     [[nodiscard]] const Box& box() const { return work.box(); }
     [[nodiscard]] WindView air_view() const;
+    void begin_anew();
 
   protected:
     void around_changed() override;

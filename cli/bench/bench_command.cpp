@@ -4,6 +4,9 @@
 #include "cli/bench/bench_report.h"
 #include "cli/bench/grid_bench.h"
 #include "cli/bench/volume_bench.h"
+#if WINDROW_WITH_VULKAN
+#include "cli/bench/vulkan/device_bench.h"
+#endif
 #include "cli/build_facts.h"
 #include "cli/exit_code.h"
 #include "cli/machine.h"
@@ -48,6 +51,10 @@ int refuse(const std::string& sentence, const Console& console) {
 } // namespace
 
 int run_bench(const BenchRequest& request, const Console& console, const std::function<int()>& stop_signal) {
+#if WINDROW_WITH_VULKAN
+    if (request.backend.kind == BackendKind::vulkan)
+        return run_device_bench(request, console, stop_signal);
+#endif
     if (!check_memory(request, console))
         return k_exit_machine;
     const auto file = request.json ? std::make_unique<OutputFile>(*request.json, "--json") : nullptr;

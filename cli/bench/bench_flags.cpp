@@ -40,20 +40,12 @@ std::optional<glm::ivec3> read_grid(const std::string& text, const Console& cons
     return cells;
 }
 
-std::optional<double> read_seconds(const std::string& text, const Console& console) {
-    const auto seconds = parse_number(text);
-    if (seconds && *seconds > 0.0 && *seconds <= k_most_bench_seconds)
-        return seconds;
-    console.complain(message("--seconds is ", text.empty() ? "empty" : text, ": give a number above 0, at most ",
-                             figure(k_most_bench_seconds), " s."));
-    return std::nullopt;
-}
-
 } // namespace
 
 void add_bench(CLI::App& app, BenchFlags& flags) {
     CLI::App* const bench = app.add_subcommand("bench", "Measure the step and its parts beside other methods, in turns");
     bench->add_option("--grid", flags.grids, "Cells along x, y, z; default 32x16x32 64x32x64 128x64x128")->type_name("NxNxN");
+    add_backend(*bench, flags.backend);
     bench->add_option("--threads", flags.threads, "Threads; default one a core")->type_name("N");
     bench->add_option("--simd", flags.simd, "Instructions: best, baseline, avx2 or avx512; all methods of ours run on them")
         ->type_name("LEVEL");
@@ -61,13 +53,21 @@ void add_bench(CLI::App& app, BenchFlags& flags) {
         ->type_name("N");
     bench
         ->add_option("--seconds", flags.seconds,
-                     "Time a grid, default 5; up to ten times as long where 100 samples of a step take it")
+                     "Time a grid, default 5; longer where 100 samples of a step take it, on a GPU 1000")
         ->type_name("S");
     bench->add_option("--json", flags.json, "File for all figures; written whole or not at all")->type_name("FILE");
 }
 
 std::optional<BenchRequest> read_bench(const BenchFlags& flags, const CLI::App& bench, const Console& console) {
     BenchRequest request;
+    const auto backend = read_backend(flags.backend, bench, console);
+    if (!backend)
+        return std::nullopt;
+    request.backend = *backend;
+    if (backend->kind == BackendKind::vulkan && !flags.volumes.empty()) {
+        console.complain("--volumes is given with --backend vulkan, which measures grids: drop one of them.");
+        return std::nullopt;
+    }
     for (const std::string& text : flags.grids) {
         const auto cells = read_grid(text, console);
         if (!cells)

@@ -1,6 +1,7 @@
 // The flags of `windrow bench`.
 #pragma once
 
+#include "cli/backend/backend_flags.h"
 #include "cli/bench/bench_request.h"
 #include "cli/console.h"
 
@@ -16,6 +17,7 @@ namespace windrow::cli {
 
 struct BenchFlags {
     std::vector<std::string> grids, volumes;
+    BackendFlags backend;
     std::string threads, simd, seconds, json;
 };
 

@@ -1,6 +1,7 @@
 // What `windrow bench` is asked for.
 #pragma once
 
+#include "cli/backend/backend_request.h"
 #include "fluid/simd.h"
 
 #include <filesystem>
@@ -17,11 +18,11 @@ inline constexpr glm::ivec3 k_volume_cells{32, 16, 32};
 inline constexpr int k_most_volumes = 65536;
 /// [s] A grid, or a number of volumes, is measured at least so long by default.
 inline constexpr double k_bench_seconds = 5.0;
-inline constexpr double k_most_bench_seconds = 3600.0;
 
 struct BenchRequest {
     std::vector<glm::ivec3> grids; ///< none: only volumes are measured
     std::vector<int> volumes;
+    BackendRequest backend{};
     int threads = 0; ///< 0: one a core
     Simd simd = Simd::best;
     double seconds = k_bench_seconds;

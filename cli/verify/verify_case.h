@@ -77,5 +77,6 @@ struct VerifyCase {
 [[nodiscard]] std::vector<VerifyCase> poisson_cases();
 [[nodiscard]] std::vector<VerifyCase> projection_cases();
 [[nodiscard]] std::vector<VerifyCase> canopy_cases();
+[[nodiscard]] std::vector<VerifyCase> parity_cases(); ///< where Vulkan is built in
 
 } // namespace windrow::cli

@@ -175,13 +175,13 @@ void Wind::State::advance_in_place(float dt, Diagnostics& report) {
     const ParallelFor& parallel_for = config.parallel_for;
     sources.add_force_to(air.velocity, dt, parallel_for);
     add_given_flow(air.velocity, -1.0f);
+    if (const auto carried = diffuse(air.velocity, dt, report); carried.data() != air.velocity.data())
+        std::copy(carried.begin(), carried.end(), air.velocity.data());
     if (const float factor = settling_factor(config, dt); factor != 1.0f)
         for_each_cell(box(), [&](std::size_t n, int i, int j, int k) {
             const glm::vec4 rest = ambient.gusting() ? glm::vec4(0.0f) : mean_at(i, j, k);
             air.velocity[n] = rest + factor * (air.velocity[n] - rest);
         });
-    if (const auto carried = diffuse(air.velocity, dt, report); carried.data() != air.velocity.data())
-        std::copy(carried.begin(), carried.end(), air.velocity.data());
     if (config.stages.projection) {
         Stopwatch watch(report.times_ms.projection);
         project(work, air.velocity);

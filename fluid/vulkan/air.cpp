@@ -2,6 +2,7 @@
 
 #include "fluid/cpu/box_rules.h"
 #include "fluid/message.h"
+#include "fluid/vulkan/pipeline_stages.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +11,8 @@
 namespace windrow::vulkan {
 namespace {
 
-constexpr VkPipelineStageFlags k_compute = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, k_transfer = VK_PIPELINE_STAGE_TRANSFER_BIT,
-                               k_indirect = VK_PIPELINE_STAGE_DRAW_INDIRECT_BIT;
-constexpr VkDeviceSize k_most_update = 65536; // of vkCmdUpdateBuffer
-constexpr double k_longest_prepared = 1.0;    // [s] a step's viscosity
+constexpr double k_longest_prepared = 1.0; // [s] a step's viscosity
+constexpr double k_least_ratio = 1e-4;     // of a diffusion that floats hold: fluid/cpu/diffusion.cpp
 
 VkAccessFlags reads_of(VkPipelineStageFlags stages) {
     VkAccessFlags access = 0;
@@ -81,7 +80,11 @@ Result<void> Air::make() {
         return Error{detail::message("A box of ", config_.cells.x, " x ", config_.cells.y, " x ", config_.cells.z,
                                      " cells takes a buffer of ", 4.0 * floats, " bytes, but the device allows ",
                                      device_->limits().maxStorageBufferRange, ": give fewer cells, or use the CPU.")};
-    make_tables();
+    tables_.emplace(tables_of(config_.sides));
+    auto piece = piece_of(*tables_);
+    if (!piece)
+        return Error{piece.error()};
+    piece_ = *std::move(piece);
     auto fields = Fields::create(*device_, {.cells = config_.cells,
                                             .table_floats = static_cast<std::uint32_t>(
                                                 SolveTables::most_floats(config_.cells, prepared_ == DiffusionMethod::implicit)),
@@ -102,22 +105,16 @@ Result<void> Air::make() {
     return {};
 }
 
-void Air::make_tables() {
-    tables_.emplace(config_.cells, cpu::pressure_ends(config_.sides));
-    if (prepared_ == DiffusionMethod::implicit)
-        tables_->add_diffusion(config_.cells, {cpu::velocity_ends(config_.sides, 0), cpu::velocity_ends(config_.sides, 1),
-                                               cpu::velocity_ends(config_.sides, 2)});
-}
-
 // --- What the host tells
 // -----------------------------------------------------------------------------------------------------------
 
-// What a sub-step may come to, with what is owed from before it; no more than was prepared for.
+// What a sub-step may come to, with what is owed from before it (a ratio below k_least_ratio); no more than was prepared for.
 DiffusionMethod Air::diffusion_of(double duration) const {
     if (prepared_ == DiffusionMethod::none)
         return prepared_;
-    const DiffusionMethod alone = method_of(config_, duration);
-    return alone == DiffusionMethod::implicit ? prepared_ : DiffusionMethod::one_pass;
+    const double h = config_.cell_size, owed = k_least_ratio * h * h / static_cast<double>(config_.viscosity);
+    const DiffusionMethod most = method_of(config_, duration + owed);
+    return most == DiffusionMethod::implicit ? prepared_ : DiffusionMethod::one_pass;
 }
 
 WindrowStep Air::step_of(const AirTick& tick) const {
@@ -139,10 +136,12 @@ WindrowStep Air::step_of(const AirTick& tick) const {
                    bit(tick.lets_air_in, WINDROW_LETS_AIR_IN) | bit(tick.renews_sources, WINDROW_RENEWS_AIR) |
                    bit(diffusion_of(tick.duration) != DiffusionMethod::none, WINDROW_DIFFUSES) |
                    bit(any(detail::MotorReach::Law::force), WINDROW_PUSHES) |
-                   bit(any(detail::MotorReach::Law::source), WINDROW_EXPANDS) | bit(owes_nothing_, WINDROW_OWES_NOTHING);
+                   bit(any(detail::MotorReach::Law::source), WINDROW_EXPANDS) | bit(owes_nothing_, WINDROW_OWES_NOTHING) |
+                   bit(diffusion_of(tick.duration) == DiffusionMethod::one_pass, WINDROW_ONE_PASS);
     step.shape.w = tick.substeps;
     step.time = {static_cast<float>(tick.duration), air.cell_size, config_.settling_time, config_.max_cfl};
     step.ambient = {tick.ambient->mean(), config_.viscosity};
+    step.canopy = {tick.canopy, 0.0f};
     for (int axis = 0; axis < 3; ++axis) {
         const cpu::LegalPlaces legal = cpu::legal_places(air, axis);
         step.low[axis] = legal.low;
@@ -167,45 +166,17 @@ WindrowStep Air::step_of(const AirTick& tick) const {
 }
 
 void Air::write(VkCommandBuffer commands, const Buffer& to, std::span<const std::byte> bytes) {
+    wait(commands);
     for (std::size_t at = 0; at < bytes.size(); at += k_most_update)
         device_->functions().vkCmdUpdateBuffer(commands, to.handle(), at,
                                                std::min<VkDeviceSize>(k_most_update, bytes.size() - at), bytes.data() + at);
 }
 
-// What does not change from tick to tick, told once.
-void Air::write_tables(VkCommandBuffer commands) {
-    if (std::exchange(tables_written_, true))
-        return;
-    barrier(commands, k_compute | k_transfer, k_transfer);
-    write(commands, fields_.tables, bytes_of(tables_->values));
-    std::vector<WindrowRule> rules;
-    for (const auto rules_of : {cpu::halo_rules, cpu::carried_rules})
-        for (int axis = 0; axis < 3; ++axis)
-            for (const cpu::HaloRule& from : rules_of(box(), axis)) {
-                WindrowRule rule{};
-                rule.source = {from.source, from.ambient ? 1 : 0, from.identity ? 1 : 0, 0};
-                for (int n = 0; n < 3; ++n) {
-                    rule.scale[n] = from.scale[n];
-                    rule.offset[n] = from.offset[n];
-                    rule.history_scale[n] = from.history_scale[n];
-                }
-                rules.push_back(rule);
-            }
-    write(commands, fields_.rules, bytes_of(rules));
-    shapes_.reset();
-    if (std::exchange(cleared_, true))
-        return;
-    // Read where nothing was written yet, and times 0: numbers, not what the memory held.
-    for (const Buffer* field : {&fields_.velocity_old, &fields_.history, &fields_.force, &fields_.source_flow, &fields_.expansion,
-                                &fields_.potential, &fields_.control})
-        device_->functions().vkCmdFillBuffer(commands, field->handle(), 0, VK_WHOLE_SIZE, 0);
-}
-
 void Air::tell(VkCommandBuffer commands, const WindrowStep& step, const AmbientWind& ambient) {
-    write_tables(commands);
     const bool new_tile = settings_.gusts && ambient.tile() && std::exchange(tile_, ambient.tile()) != ambient.tile();
     // The host's shaders read the tile too: those of earlier frames are done with it before it changes.
-    barrier(commands, new_tile ? VK_PIPELINE_STAGE_ALL_COMMANDS_BIT | k_compute | k_transfer : k_compute, k_transfer);
+    barrier(new_tile ? VK_PIPELINE_STAGE_ALL_COMMANDS_BIT | k_compute | k_transfer : k_compute, k_transfer);
+    write_tables(commands);
     if (new_tile)
         write(commands, fields_.tile, std::as_bytes(ambient.tile()->texels()));
     write(commands, fields_.step, std::as_bytes(std::span(&step, 1)));
@@ -214,61 +185,80 @@ void Air::tell(VkCommandBuffer commands, const WindrowStep& step, const AmbientW
 // --- Recording
 // ------------------------------------------------------------------------------------------------------------------
 
-void Air::barrier(VkCommandBuffer commands, VkPipelineStageFlags from, VkPipelineStageFlags to) {
+void Air::barrier(VkPipelineStageFlags from, VkPipelineStageFlags to) {
+    waits_from_ |= from;
+    waits_to_ |= to;
+}
+
+void Air::wait(VkCommandBuffer commands, std::span<const VkImageMemoryBarrier> images) {
+    const VkPipelineStageFlags from = std::exchange(waits_from_, 0), to = std::exchange(waits_to_, 0);
+    if (from == 0)
+        return;
     const VkMemoryBarrier memory{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER,
                                  .pNext = nullptr,
                                  .srcAccessMask = writes_of(from),
                                  .dstAccessMask = reads_of(to)};
-    device_->functions().vkCmdPipelineBarrier(commands, from, to, 0, 1, &memory, 0, nullptr, 0, nullptr);
+    device_->functions().vkCmdPipelineBarrier(commands, from, to, 0, 1, &memory, 0, nullptr,
+                                              static_cast<std::uint32_t>(images.size()), images.data());
     ++barriers_;
 }
 
+void Air::copy(VkCommandBuffer commands, const Buffer& from, const Buffer& to, VkDeviceSize at) {
+    wait(commands);
+    const VkBufferCopy region{.srcOffset = 0, .dstOffset = at, .size = std::min(from.bytes(), to.bytes() - at)};
+    device_->functions().vkCmdCopyBuffer(commands, from.handle(), to.handle(), 1, &region);
+}
+
+void Air::clear(VkCommandBuffer commands, const Buffer& buffer, VkDeviceSize at, VkDeviceSize bytes) {
+    wait(commands);
+    device_->functions().vkCmdFillBuffer(commands, buffer.handle(), at, bytes, 0);
+}
+
 void Air::dispatch(VkCommandBuffer commands, Pass pass, const Push& push, int frame) {
+    wait(commands);
+    const PassClock::Lap lap(clock_, commands, pass);
     passes_.record(commands, pass, push, frame);
     ++dispatches_;
 }
 
 void Air::place(VkCommandBuffer commands, const Buffer& field, const Push& push) {
-    const auto copy = [&](const Buffer& from, const Buffer& to) {
-        const VkBufferCopy region{.srcOffset = 0, .dstOffset = 0, .size = field.bytes()};
-        device_->functions().vkCmdCopyBuffer(commands, from.handle(), to.handle(), 1, &region);
-    };
-    barrier(commands, k_compute | k_transfer, k_transfer);
-    copy(field, fields_.arrived);
-    barrier(commands, k_transfer, k_compute);
+    copy(commands, field, fields_.arrived);
+    barrier(k_transfer, k_compute);
     dispatch(commands, Pass::place, push);
-    barrier(commands, k_compute, k_transfer);
-    copy(fields_.padded, field);
-    barrier(commands, k_transfer, k_compute | k_transfer);
+    barrier(k_compute, k_transfer);
+    copy(commands, fields_.padded, field);
 }
 
 void Air::fill(VkCommandBuffer commands, const AmbientWind& ambient, const Window& window) {
     tell(commands, step_of({.ambient = &ambient, .window = &window}), ambient);
     place(commands, fields_.velocity, everything());
-    device_->functions().vkCmdFillBuffer(commands, fields_.source_flow.handle(), 0, VK_WHOLE_SIZE, 0);
-    barrier(commands, k_transfer, k_compute | k_transfer);
+    clear(commands, fields_.source_flow);
+    barrier(k_transfer, k_compute | k_transfer);
     fresh_ = owes_nothing_ = true;
 }
 
 void Air::fill_before(VkCommandBuffer commands, const AmbientWind& ambient, const Window& window) {
     tell(commands, step_of({.ambient = &ambient, .window = &window}), ambient);
     place(commands, fields_.before, everything());
+    barrier(k_transfer, k_compute | k_transfer);
 }
 
-void Air::shift(VkCommandBuffer commands, CellIndex by, bool exposed_hold_ambient, const AmbientWind& ambient,
-                const Window& window) {
+void Air::shift(VkCommandBuffer commands, const Move& move, const AmbientWind& ambient, const Window& window) {
     tell(commands, step_of({.ambient = &ambient, .window = &window}), ambient);
     const auto push = [&](int ambient_in_new_cells) {
-        return Push{static_cast<int>(by.x), static_cast<int>(by.y), static_cast<int>(by.z), ambient_in_new_cells};
+        return Push{static_cast<int>(move.by.x), static_cast<int>(move.by.y), static_cast<int>(move.by.z), ambient_in_new_cells};
     };
-    const int exposed = exposed_hold_ambient ? 1 : 0;
+    const int exposed = move.exposed_hold_ambient ? 1 : 0;
     place(commands, fields_.velocity, push(exposed));
-    place(commands, fields_.before, push(exposed));
-    place(commands, fields_.source_flow, push(0));
+    if (move.kept)
+        place(commands, fields_.before, push(exposed));
+    if (move.lets_air_in)
+        place(commands, fields_.source_flow, push(0));
     if (!fresh_) {
         place(commands, fields_.velocity_old, push(exposed));
         place(commands, fields_.history, push(0));
     }
+    barrier(k_transfer, k_compute | k_transfer);
 }
 
 void Air::add_wind(VkCommandBuffer commands, float factor, bool to_before, const AmbientWind& ambient, const Window& window) {
@@ -285,35 +275,23 @@ void Air::add_change(VkCommandBuffer commands, glm::vec3 change, bool to_air, bo
 }
 
 void Air::adjust(VkCommandBuffer commands, float factor, int by_change, int which) {
-    barrier(commands, k_transfer | k_compute, k_compute);
+    barrier(k_transfer | k_compute, k_compute);
     dispatch(commands, Pass::adjust, {bits_of(factor), by_change, which, 0});
-    barrier(commands, k_compute, k_compute | k_transfer);
-}
-
-void Air::set_sides(const Sides& sides, bool kinds) {
-    config_.sides = sides;
-    tables_written_ = false;
-    if (!kinds)
-        return;
-    make_tables();
-    passes_.set_tables(*tables_);
-    fresh_ = true;
+    barrier(k_compute, k_compute | k_transfer);
 }
 
 void Air::upload(VkCommandBuffer commands, std::span<const glm::vec4> cells) {
+    barrier(k_compute | k_transfer, k_transfer);
     write_tables(commands);
-    barrier(commands, k_compute | k_transfer, k_transfer);
-    for (const Buffer* field : {&fields_.velocity, &fields_.before})
-        write(commands, *field, std::as_bytes(cells));
-    barrier(commands, k_transfer, k_compute | k_transfer);
+    write(commands, fields_.velocity, std::as_bytes(cells));
+    keep_before(commands);
     fresh_ = owes_nothing_ = true;
 }
 
 void Air::keep_before(VkCommandBuffer commands) {
-    barrier(commands, k_compute | k_transfer, k_transfer);
-    const VkBufferCopy region{.srcOffset = 0, .dstOffset = 0, .size = fields_.velocity.bytes()};
-    device_->functions().vkCmdCopyBuffer(commands, fields_.velocity.handle(), fields_.before.handle(), 1, &region);
-    barrier(commands, k_transfer, k_compute | k_transfer);
+    barrier(k_compute | k_transfer, k_transfer);
+    copy(commands, fields_.velocity, fields_.before);
+    barrier(k_transfer, k_compute | k_transfer);
 }
 
 void Air::step(VkCommandBuffer commands, const AirTick& tick) {
@@ -326,27 +304,30 @@ void Air::step(VkCommandBuffer commands, const AirTick& tick) {
         write(commands, fields_.motors,
               std::as_bytes(tick.motors.first(std::min<std::size_t>(tick.motors.size(), k_most_motors))));
     // What a tick counts begins at 0; the duration of the last sub-step stays.
-    device_->functions().vkCmdFillBuffer(commands, fields_.control.handle(), 0, sizeof(uvec4), 0);
-    device_->functions().vkCmdFillBuffer(commands, fields_.control.handle(), offsetof(WindrowControl, measured), sizeof(uvec4),
-                                         0);
-    barrier(commands, k_transfer, k_compute);
+    clear(commands, fields_.control, 0, sizeof(uvec4));
+    clear(commands, fields_.control, offsetof(WindrowControl, measured), tick.counts_on ? sizeof(glm::uvec2) : sizeof(uvec4));
+    barrier(k_transfer, k_compute);
     dispatch(commands, Pass::sources, {});
-    barrier(commands, k_compute, k_compute);
+    barrier(k_compute, k_compute);
     if (tick.renews_sources) {
         for (const Passes::Stage& stage : passes_.source_solve()) {
             dispatch(commands, stage.pass, stage.push);
-            barrier(commands, k_compute, k_compute);
+            barrier(k_compute, k_compute);
         }
         dispatch(commands, Pass::source_flow, {});
-        barrier(commands, k_compute, k_compute);
+        barrier(k_compute, k_compute);
     }
     dispatch(commands, Pass::plan, {});
-    barrier(commands, k_compute, k_compute | k_indirect);
+    barrier(k_compute, k_compute | k_indirect);
     std::uint32_t n = 0;
     const auto command = [&](Pass pass, const Push& push) {
-        passes_.record_indirect(commands, pass, push, n++);
+        wait(commands);
+        {
+            const PassClock::Lap lap(clock_, commands, pass);
+            passes_.record_indirect(commands, pass, push, n++);
+        }
         ++dispatches_;
-        barrier(commands, k_compute, k_compute);
+        barrier(k_compute, k_compute);
     };
     command(Pass::limit, {});
     const int most = tick.substeps > 0 ? tick.substeps : config_.stages.advection ? config_.max_substeps : 1;
@@ -370,10 +351,9 @@ void Air::show(VkCommandBuffer commands, float factor, int frame, bool reports) 
                         .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
                         .image = fields_.axes[frame][axis].handle(),
                         .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1}};
-    const Functions& call = device_->functions();
     // Whoever sampled them two frames ago is done first.
-    call.vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, k_compute, 0, 0, nullptr, 0, nullptr, 3, images);
-    barrier(commands, k_compute | k_transfer, k_compute);
+    barrier(VK_PIPELINE_STAGE_ALL_COMMANDS_BIT | k_compute | k_transfer, k_compute);
+    wait(commands, images);
     dispatch(commands, Pass::show, {bits_of(factor), reports ? 1 : 0, 0, 0}, frame);
     for (VkImageMemoryBarrier& image : images) {
         image.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
@@ -386,25 +366,26 @@ void Air::show(VkCommandBuffer commands, float factor, int frame, bool reports) 
                                .pNext = nullptr,
                                .srcAccessMask = writes_of(k_compute | k_transfer),
                                .dstAccessMask = VK_ACCESS_SHADER_READ_BIT};
-    call.vkCmdPipelineBarrier(commands, k_compute | k_transfer, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 1, &tile, 0, nullptr, 3,
-                              images);
-    barriers_ += 2;
+    device_->functions().vkCmdPipelineBarrier(commands, k_compute | k_transfer, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 1, &tile,
+                                              0, nullptr, 3, images);
+    ++barriers_;
 }
 
 // A slot: the control, the sums of the work groups, the shown cells.
-VkDeviceSize Air::slot_bytes() const {
-    return fields_.control.bytes() + fields_.sums.bytes() + fields_.shown.bytes();
+VkDeviceSize Air::slot_bytes(bool cells) const {
+    return fields_.control.bytes() + fields_.sums.bytes() + (cells ? fields_.shown.bytes() : 0);
 }
 
-void Air::read_back(VkCommandBuffer commands, const Buffer& slot) {
-    barrier(commands, k_compute | k_transfer, k_transfer);
+void Air::read_back(VkCommandBuffer commands, const Buffer& slot, bool cells) {
+    barrier(k_compute | k_transfer, k_transfer);
     VkDeviceSize at = 0;
     for (const Buffer* from : {&fields_.control, &fields_.sums, &fields_.shown}) {
-        const VkBufferCopy region{.srcOffset = 0, .dstOffset = at, .size = from->bytes()};
-        device_->functions().vkCmdCopyBuffer(commands, from->handle(), slot.handle(), 1, &region);
+        if (from == &fields_.shown && !cells)
+            break;
+        copy(commands, *from, slot, at);
         at += from->bytes();
     }
-    barrier(commands, k_transfer, VK_PIPELINE_STAGE_HOST_BIT | k_compute | k_transfer);
+    barrier(k_transfer, VK_PIPELINE_STAGE_HOST_BIT | k_compute | k_transfer);
 }
 
 // --- Reading
@@ -424,8 +405,8 @@ AirReport Air::report(const Buffer& slot) const {
     report.cfl = control.substep.w;
     report.substeps = control.plan.x;
     report.substeps_capped = control.plan.y != 0;
-    report.repaired_cells = static_cast<int>(control.found.z);
-    report.limited_cells = static_cast<int>(control.found.w);
+    report.repaired_cells = static_cast<int>(control.measured.z);
+    report.limited_cells = static_cast<int>(control.measured.w);
     const auto groups = fields_.sums.bytes() / sizeof(glm::vec2);
     for (std::size_t n = 0; n < groups; ++n) {
         glm::vec2 sums;

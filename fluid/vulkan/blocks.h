@@ -16,7 +16,7 @@ using numerics::WindrowAmbient;
 using uint = std::uint32_t;
 #include "shaders/fluid/blocks.glsl"
 
-static_assert(sizeof(WindrowAmbient) == 7 * 16 && sizeof(WindrowStep) == 22 * 16);
+static_assert(sizeof(WindrowAmbient) == 7 * 16 && sizeof(WindrowStep) == 23 * 16);
 static_assert(sizeof(WindrowControl) == 20 * 16 && sizeof(WindrowRule) == 4 * 16);
 static_assert(sizeof(WindrowMotor) == sizeof(detail::MotorReach));
 

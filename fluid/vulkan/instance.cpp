@@ -46,6 +46,14 @@ Result<std::unique_ptr<Instance>> Instance::create(const Checks& checks, std::fu
     return instance;
 }
 
+bool Instance::has_validation() {
+    Instance instance;
+    if (!instance.open_loader())
+        return false;
+    const auto layers = instance.load<PFN_vkEnumerateInstanceLayerProperties>("vkEnumerateInstanceLayerProperties");
+    return layers != nullptr && has_layer(layers);
+}
+
 Instance::~Instance() {
     if (messenger_ != VK_NULL_HANDLE)
         load<PFN_vkDestroyDebugUtilsMessengerEXT>("vkDestroyDebugUtilsMessengerEXT")(instance_, messenger_, nullptr);

@@ -23,6 +23,8 @@ class Instance {
     /// `on_message` is called for each message of the validation layer, from whatever thread made the faulty call.
     [[nodiscard]] static Result<std::unique_ptr<Instance>> create(const Checks& checks,
                                                                   std::function<void(const std::string&)> on_message);
+    /// Whether VK_LAYER_KHRONOS_validation is installed; false where there is no loader.
+    [[nodiscard]] static bool has_validation();
     ~Instance();
     Instance(const Instance&) = delete;
     Instance& operator=(const Instance&) = delete;

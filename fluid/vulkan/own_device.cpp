@@ -166,6 +166,10 @@ struct OwnDevice::State {
     }
 };
 
+bool has_validation_layer() {
+    return Instance::has_validation();
+}
+
 OwnDevice::OwnDevice(std::unique_ptr<State> state) : state_(std::move(state)) {}
 OwnDevice::~OwnDevice() = default;
 

@@ -24,6 +24,9 @@ struct DeviceFacts {
 /// The devices of this machine, in the driver's order; an error where there is no loader, no driver or no device.
 [[nodiscard]] Result<std::vector<DeviceFacts>> list_devices();
 
+/// Whether this machine has the validation layer, which OwnDevice::Settings::validation asks for.
+[[nodiscard]] bool has_validation_layer();
+
 class OwnDevice {
   public:
     struct Settings {

@@ -1,6 +1,7 @@
 #include "fluid/vulkan/passes.h"
 
 #include "fluid/vulkan/blocks.h"
+#include "fluid/vulkan/spirv_access.h"
 #include "shader_words/adjust.h"
 #include "shader_words/advect.h"
 #include "shader_words/columns.h"
@@ -70,14 +71,40 @@ Tiles tiles_of(const Device& device, glm::ivec3 cells) {
 
 struct Plan {
     Pass pass;
-    const char* name;
     std::span<const std::uint32_t> code;
-    std::vector<VkBuffer> buffers; ///< bindings 0, 1, 2 ...
+    std::vector<const Buffer*> buffers; ///< bindings 0, 1, 2 ...
     Groups local, groups;
     std::vector<std::uint32_t> constants; ///< behind the three of the local size
+    std::uint32_t shared_bytes = 0;
 };
 
+// Fields of cells alone; see Passes::bytes.
+std::uint64_t bytes_of(const Plan& plan, const Fields& f, std::uint64_t image_bytes) {
+    const std::initializer_list<const Buffer*> in_caches = {&f.step,  &f.control, &f.shapes, &f.commands,
+                                                            &f.rules, &f.motors,  &f.tables, &f.tile};
+    const std::vector<Access> access = access_of(plan.code, plan.buffers.size());
+    std::uint64_t bytes = image_bytes;
+    for (std::size_t n = 0; n < plan.buffers.size(); ++n)
+        if (std::find(in_caches.begin(), in_caches.end(), plan.buffers[n]) == in_caches.end())
+            bytes += plan.buffers[n]->bytes() * (std::uint64_t{access[n].reads} + std::uint64_t{access[n].writes});
+    return bytes;
+}
+
+// Of the three textures of a frame.
+std::uint64_t texel_bytes(const Passes::Settings& settings) {
+    const glm::u64vec3 cells(settings.cells);
+    return 3 * (settings.half ? 2 : 4) * cells.x * cells.y * cells.z;
+}
+
 } // namespace
+
+const char* name_of(Pass pass) {
+    constexpr std::array<const char*, k_passes> names = {
+        "place",         "sources",         "source_flow",     "adjust",       "plan",     "limit",
+        "diffuse",       "diffuse_forward", "diffuse_columns", "diffuse_back", "pad",      "advect",
+        "modes_forward", "modes_between",   "columns",         "modes_back",   "gradient", "show"};
+    return names[static_cast<std::size_t>(pass)];
+}
 
 std::uint32_t Passes::sums(const Device&, glm::ivec3 cells) {
     const Groups groups = groups_over(cells, cell_group(cells));
@@ -96,7 +123,7 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
     const Groups line{solve, 1, 1};
     const Groups over_tiles{tiles.whole ? 1 : blocks(nz, tiles.z), ny, 1}, over_between{blocks(nx, tiles.between_x), ny, 1};
     const auto yes = [](bool value) { return value ? 1u : 0u; };
-    const auto of = [](const auto&... buffer) { return std::vector<VkBuffer>{buffer.handle()...}; };
+    const auto of = [](const auto&... buffer) { return std::vector<const Buffer*>{&buffer...}; };
     const Fields& f = fields;
     namespace words = shader_words;
 
@@ -105,42 +132,40 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
     const Groups lines{64, 1, 1}, over_columns{blocks(nx * nz, lines[0]), 1, 1};
     const auto show = settings.half ? std::span<const std::uint32_t>(words::output_half) : words::output_float;
     std::vector<Plan> plans;
-    const auto over = [&](const Groups& local, const Groups& groups, const std::vector<std::uint32_t>& constants = {}) {
-        return [&plans, local, groups, constants](Pass pass, const char* name, std::span<const std::uint32_t> code,
-                                                  std::vector<VkBuffer> buffers) {
-            plans.push_back({pass, name, code, std::move(buffers), local, groups, constants});
+    const auto over = [&](const Groups& local, const Groups& groups, const std::vector<std::uint32_t>& constants = {},
+                          std::uint32_t shared = 0) {
+        return [&plans, local, groups, constants, shared](Pass pass, std::span<const std::uint32_t> code,
+                                                          std::vector<const Buffer*> buffers) {
+            plans.push_back({pass, code, std::move(buffers), local, groups, constants, shared});
         };
     };
     const auto a_cell = over(cell, over_cells), a_padded_cell = over(cell, over_padded), a_column = over(lines, over_columns);
-    const auto a_plane = over(line, over_tiles, both_axes), a_half_plane = over(line, over_between, second_axis);
-    a_cell(Pass::place, "place", words::place, of(f.step, f.control, f.arrived, f.padded, f.tile));
-    a_cell(Pass::sources, "sources", words::sources,
+    const auto a_plane = over(line, over_tiles, both_axes, 4 * tiles.x * tiles.z),
+               a_half_plane = over(line, over_between, second_axis, 4 * tiles.between_x * nz);
+    a_cell(Pass::place, words::place, of(f.step, f.control, f.arrived, f.padded, f.tile));
+    a_cell(Pass::sources, words::sources,
            of(f.step, f.control, f.velocity, f.velocity_old, f.history, f.force, f.expansion, f.motors, f.tile));
-    a_cell(Pass::source_flow, "source_flow", words::source_flow,
-           of(f.step, f.control, f.potential, f.source_flow, f.velocity, f.velocity_old));
-    a_cell(Pass::adjust, "adjust", words::adjust, of(f.step, f.control, f.velocity, f.velocity_old, f.before, f.tile));
-    over(lines, {1, 1, 1})(Pass::plan, "plan", words::plan, of(f.step, f.control, f.shapes, f.commands));
-    a_cell(Pass::limit, "limit", words::limit, of(f.step, f.control, f.velocity, f.source_flow));
-    a_cell(Pass::diffuse, "diffuse", words::diffuse,
-           of(f.step, f.control, f.velocity, f.force, f.source_flow, f.rules, f.diffused, f.tile));
-    a_plane(Pass::diffuse_forward, "diffuse_forward", words::diffuse_forward,
-            of(f.step, f.control, f.tables, f.diffused, f.rules, f.hat));
-    a_column(Pass::diffuse_columns, "diffuse_columns", words::diffuse_columns,
-             of(f.step, f.control, f.tables, f.hat, f.potential, f.arrived));
-    a_plane(Pass::diffuse_back, "diffuse_back", words::diffuse_back, of(f.step, f.control, f.tables, f.hat, f.diffused));
-    a_padded_cell(Pass::pad, "pad", words::pad,
+    a_cell(Pass::source_flow, words::source_flow,
+           of(f.step, f.control, f.potential, f.source_flow, f.velocity, f.velocity_old, f.history, f.tile));
+    a_cell(Pass::adjust, words::adjust, of(f.step, f.control, f.velocity, f.velocity_old, f.before, f.tile));
+    over(lines, {1, 1, 1})(Pass::plan, words::plan, of(f.step, f.control, f.shapes, f.commands));
+    a_cell(Pass::limit, words::limit, of(f.step, f.control, f.velocity, f.source_flow));
+    a_cell(Pass::diffuse, words::diffuse, of(f.step, f.control, f.velocity, f.force, f.source_flow, f.rules, f.diffused, f.tile));
+    a_plane(Pass::diffuse_forward, words::diffuse_forward, of(f.step, f.control, f.tables, f.diffused, f.rules, f.hat));
+    a_column(Pass::diffuse_columns, words::diffuse_columns, of(f.step, f.control, f.tables, f.hat, f.potential, f.arrived));
+    a_plane(Pass::diffuse_back, words::diffuse_back, of(f.step, f.control, f.tables, f.hat, f.diffused));
+    a_padded_cell(Pass::pad, words::pad,
                   of(f.step, f.control, f.velocity, f.velocity_old, f.history, f.force, f.source_flow, f.diffused, f.rules,
                      f.padded, f.tile));
-    a_cell(Pass::advect, "advect", words::advect, of(f.step, f.control, f.velocity, f.padded, f.force, f.arrived));
-    a_plane(Pass::modes_forward, "modes_forward", words::modes_forward,
-            of(f.step, f.control, f.tables, f.arrived, f.expansion, f.hat));
-    a_half_plane(Pass::modes_between, "modes_between", words::modes_between, of(f.step, f.control, f.tables, f.hat));
-    a_column(Pass::columns, "columns", words::columns, of(f.step, f.control, f.tables, f.hat));
-    a_plane(Pass::modes_back, "modes_back", words::modes_back, of(f.step, f.control, f.tables, f.hat, f.potential));
-    a_cell(Pass::gradient, "gradient", words::gradient,
+    a_cell(Pass::advect, words::advect, of(f.step, f.control, f.velocity, f.padded, f.force, f.arrived));
+    a_plane(Pass::modes_forward, words::modes_forward, of(f.step, f.control, f.tables, f.arrived, f.expansion, f.hat));
+    a_half_plane(Pass::modes_between, words::modes_between, of(f.step, f.control, f.tables, f.hat));
+    a_column(Pass::columns, words::columns, of(f.step, f.control, f.tables, f.hat));
+    a_plane(Pass::modes_back, words::modes_back, of(f.step, f.control, f.tables, f.hat, f.potential));
+    a_cell(Pass::gradient, words::gradient,
            of(f.step, f.control, f.potential, f.arrived, f.force, f.source_flow, f.velocity, f.velocity_old, f.history, f.tile));
     over(cell, over_cells, {cell[0] * cell[1] * cell[2]})(
-        Pass::show, "show", show, of(f.step, f.control, f.velocity, f.before, f.expansion, f.shown, f.sums, f.tile));
+        Pass::show, show, of(f.step, f.control, f.velocity, f.before, f.expansion, f.shown, f.sums, f.tile));
 
     Passes passes;
     passes.functions_ = &device.functions();
@@ -148,25 +173,30 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
     std::vector<Sets::Content> contents;
     for (const Plan& plan : plans) {
         const auto n = static_cast<std::size_t>(plan.pass);
-        if (auto fits = device.check({.groups = plan.groups, .local_size = plan.local, .name = plan.name}); !fits)
+        if (auto fits = device.check(
+                {.groups = plan.groups, .local_size = plan.local, .shared_bytes = plan.shared_bytes, .name = name_of(plan.pass)});
+            !fits)
             return Error{fits.error()};
         std::vector<VkDescriptorType> kinds(plan.buffers.size(), VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
         const int images = plan.pass == Pass::show ? 3 : 0;
         kinds.insert(kinds.end(), images, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
         std::vector<std::uint32_t> constants(plan.local.begin(), plan.local.end());
         constants.insert(constants.end(), plan.constants.begin(), plan.constants.end());
-        auto pipeline = Pipeline::create(
-            device,
-            {.code = plan.code, .bindings = kinds, .constants = constants, .push_bytes = sizeof(Push), .name = plan.name});
+        auto pipeline = Pipeline::create(device, {.code = plan.code,
+                                                  .bindings = kinds,
+                                                  .constants = constants,
+                                                  .push_bytes = sizeof(Push),
+                                                  .name = name_of(plan.pass)});
         if (!pipeline)
             return Error{pipeline.error()};
         passes.pipelines_[n] = *std::move(pipeline);
         passes.groups_[n] = plan.groups;
+        passes.bytes_[n] = bytes_of(plan, fields, images > 0 ? texel_bytes(settings) : 0);
         passes.first_set_[n] = contents.size();
         for (int frame = 0; frame < (images > 0 ? 2 : 1); ++frame) {
             Sets::Content content{.pipeline = &passes.pipelines_[n], .bindings = {}};
-            for (const VkBuffer buffer : plan.buffers)
-                content.bindings.push_back({.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, .buffer = buffer});
+            for (const Buffer* buffer : plan.buffers)
+                content.bindings.push_back({.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, .buffer = buffer->handle()});
             for (int axis = 0; axis < images; ++axis)
                 content.bindings.push_back({.type = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, .view = fields.axes[frame][axis].view()});
             contents.push_back(std::move(content));

@@ -34,6 +34,8 @@ enum class Pass : std::uint8_t {
 /// Most dispatches of a sub-step: three solves of diffusion, one of pressure, each in five, and four more.
 inline constexpr std::uint32_t k_most_stages = 24;
 inline constexpr std::size_t k_passes = static_cast<std::size_t>(Pass::count);
+/// As above: "modes_forward".
+[[nodiscard]] const char* name_of(Pass pass);
 
 /// What a pass is told at the moment it is recorded.
 struct Push {
@@ -57,6 +59,10 @@ class Passes {
 
     using Groups = std::array<std::uint32_t, 3>;
     [[nodiscard]] Groups groups(Pass pass) const { return groups_[static_cast<std::size_t>(pass)]; }
+    /// [bytes] Least that a dispatch of all its work groups moves: each field of cells that it binds, once if it reads or writes
+    /// it and twice for both, and its textures. Left out are the tables, the rules, the motors and the gust tile, which stay in
+    /// caches. A pass that finds a field empty, as where no air is let in, moves less.
+    [[nodiscard]] std::uint64_t bytes(Pass pass) const { return bytes_[static_cast<std::size_t>(pass)]; }
     /// What Fields::shapes holds: how many passes a sub-step has, and the work groups of each, those of Pass::limit before them.
     [[nodiscard]] std::vector<std::uint32_t> shapes(DiffusionMethod most) const;
     /// One dispatch of a sub-step: the pass and what it is told beside the sub-step's number.
@@ -82,6 +88,7 @@ class Passes {
     std::array<Pipeline, k_passes> pipelines_;
     std::array<std::size_t, k_passes> first_set_{};
     std::array<Groups, k_passes> groups_{};
+    std::array<std::uint64_t, k_passes> bytes_{};
     Sets sets_;
     Settings settings_;
     bool whole_planes_ = true;

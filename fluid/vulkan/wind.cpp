@@ -21,6 +21,20 @@ Wind::Wind(Wind&&) noexcept = default;
 Wind& Wind::operator=(Wind&&) noexcept = default;
 Wind::~Wind() = default;
 
+namespace {
+
+// Dispatches that a recording may hold: its ticks with all their sub-steps and a shift of the box each, and what a host asks for
+// between two frames. Few recordings come near it; a pool of timestamps takes 8 bytes each.
+std::uint32_t laps_of(const Config& config, const Passes& passes) {
+    constexpr std::uint64_t k_beside = 32, k_a_tick = 16, k_most = 16384;
+    const std::uint64_t substep = passes.substep(DiffusionMethod::implicit).size();
+    const std::uint64_t tick =
+        k_a_tick + passes.source_solve().size() + static_cast<std::uint64_t>(config.max_substeps) * substep;
+    return static_cast<std::uint32_t>(std::min(k_most, k_beside + static_cast<std::uint64_t>(config.ticks.most) * tick));
+}
+
+} // namespace
+
 Result<Wind> Wind::create(const Host& host, const Config& config, const Settings& settings) {
     detail::Reasons reasons;
     if (auto valid = validate(config); !valid)
@@ -39,11 +53,20 @@ Result<Wind> Wind::create(const Host& host, const Config& config, const Settings
         return Error{air.error()};
     auto state = std::make_unique<State>(*std::move(air), config, settings, *ambient);
     for (int n = 0; n < settings.frames_in_flight; ++n) {
-        auto buffer = Buffer::create(state->air->device(), state->air->slot_bytes(), Place::readback);
+        auto buffer = Buffer::create(state->air->device(), state->air->slot_bytes(settings.queries), Place::readback);
         if (!buffer)
             return Error{buffer.error()};
-        state->slots.push_back({.buffer = *std::move(buffer), .frame = state->frame_now()});
+        state->slots.push_back({.buffer = *std::move(buffer), .frame = state->frame_now(), .box = state->box(), .rim = {}});
     }
+    if (settings.timestamps) {
+        auto clock = PassClock::create(state->air->device(), settings.frames_in_flight, laps_of(config, state->air->passes()));
+        if (!clock)
+            return Error{clock.error()};
+        state->clock = *std::move(clock);
+        state->air->set_clock(&*state->clock);
+    }
+    if (settings.queries)
+        state->queried_cells.reserve(state->box().cell_count());
     return Wind(std::move(state));
 }
 
@@ -109,9 +132,11 @@ Result<void> Wind::set_velocity(std::span<const glm::vec4> field) {
 void Wind::reset() {
     state_->reset();
 }
+void Wind::forget() {
+    state_->forget();
+}
 
-// --- For shaders
-// ------------------------------------------------------------------------------------------------------------------
+// --- For shaders ------------------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -170,22 +195,21 @@ const AmbientWind& Wind::ambient_wind() const {
     return state_->frames ? state_->frames->shown.ambient : state_->ambient;
 }
 
-// --- For the host
-// -------------------------------------------------------------------------------------------------------------------
+// --- For the host -----------------------------------------------------------------------------------------------------------
 
 std::optional<WindView> Wind::queried() const {
     const State& state = *state_;
     if (!state.queried_frame)
         return std::nullopt;
     const windrow::Frame& frame = *state.queried_frame;
-    return WindView(state.queried_box, frame.window, state.rim(frame.rim_point), frame.ambient, state.queried_cells);
+    return WindView(state.queried_box, frame.window, state.queried_rim, frame.ambient, state.queried_cells);
 }
 
 double Wind::query_age() const {
     return state_->queried_frame ? state_->time - state_->queried_time : 0.0;
 }
 
-Diagnostics Wind::reported() const {
+Diagnostics Wind::reported() {
     return state_->reported();
 }
 
@@ -199,6 +223,9 @@ int Wind::dispatches() const {
 }
 int Wind::barriers() const {
     return state_->barriers;
+}
+std::optional<PassTimes> Wind::pass_times() const {
+    return state_->clock ? state_->clock->times() : std::nullopt;
 }
 std::uint64_t Wind::memory_bytes() const {
     return state_->air->device().memory().given();

@@ -4,15 +4,18 @@
 //     auto fan  = wind->motors().add(windrow::DirectionalMotor{.position = {4.0, 1.0, 0.0}});
 //     wind->follow(player_position);
 //     wind->record(command_buffer, {.dt = frame_seconds, .slot = frame_in_flight});        // before what samples it
-//     bind(wind->textures(), wind->previous_textures(), wind->frame_block(camera_position)); //
-//     shaders/coupling/windrow_wind.glsl
+//     bind(wind->textures(), wind->previous_textures(), wind->frame_block(camera_position));
+//                                                                                 // shaders/coupling/windrow_wind.glsl
 //
 // The same config, motors, gusts, ticks and sides as windrow::Wind (fluid/wind.h, which says more of each call), the same step,
-// and the same velocities to rounding. Nothing is submitted and nothing waited for: all work goes into the host's command buffer,
-// to run on one queue in the order of recording. What the host asks for between two frames is recorded with the next.
+// and the same velocities to rounding; only sleep begins some frames later, when a read-back has told that the air is still.
+// Nothing is submitted and nothing waited for: all work goes into the host's command buffer, to run on one queue in the order of
+// recording. Each recording is submitted once (else see `forget`). What the host asks for between two frames is recorded with
+// the next.
 #pragma once
 
 #include "fluid/vulkan/host.h"
+#include "fluid/vulkan/pass_times.h"
 #include "fluid/wind.h"
 
 #include <array>
@@ -36,6 +39,12 @@ struct Settings {
     /// Room for gusts, or for detail (Gusts::tile), that begin later than the wind itself (4 MiB). Default: only where the config
     /// has them.
     bool gusts = false;
+    /// Times each pass on the device (pass_times). Default off: it costs two timestamps a dispatch, and holds a pass back until
+    /// the one before it has ended. Refused where the queue family counts no time (timestampValidBits is 0).
+    bool timestamps = false;
+    /// The cells come back to the host for `queried` and `velocity`: 16 bytes a cell in each frame. Default true. False: only
+    /// reports do, and `queried` holds nothing.
+    bool queries = true;
 };
 
 /// A frame to record.
@@ -43,8 +52,10 @@ struct Frame {
     /// [s] Its duration, as of `windrow::Wind::advance`.
     double dt = 0.0;
     /// Which of the frames in flight it is, 0 to frames_in_flight - 1. The host knows that what was recorded for this slot before
-    /// is done: its read-back is taken now.
-    int slot = 0;
+    /// is done: its read-back is taken now. Once a submission, not twice. Slots may come in any order; what is older than what
+    /// was taken already is not taken. Default -1: the one after the last, in turns, which is right for a host that waits for
+    /// the frame before the last frames_in_flight.
+    int slot = -1;
 };
 
 /// The three textures of a frame, x, y, z, in VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL for every shader stage that comes after
@@ -62,18 +73,24 @@ class Wind {
 
     /// Records a frame outside of a render pass: the ticks that are due, the textures, the read-back. Compute and transfer
     /// commands alone. A dt that is negative or not finite, and a slot out of range, record nothing. Advance::last tells of the
-    /// last tick that was read back, frames_in_flight frames ago. What is recorded must be submitted: the next frame goes on from
-    /// it.
+    /// last tick that was read back, frames_in_flight frames ago; cells that were repaired or limited are told once. What is
+    /// recorded must be submitted: the next frame goes on from it.
     Advance record(VkCommandBuffer commands, const Frame& frame);
     /// Records one step of frame.dt instead of ticks; see windrow::Wind::step. A dt of 0 is a pause: what was asked for since the
-    /// last frame is recorded, and the textures show it.
+    /// last frame is recorded, and the textures show it. Its Diagnostics are as old as those of `record`. In a step above 1 s
+    /// viscosity acts no further than it may in shorter ones: where these need no direct solve of it, for as long as one explicit
+    /// pass carries (viscosity * time = cell_size^2 / 12), and it owes the rest to the next steps.
     Diagnostics record_step(VkCommandBuffer commands, const Frame& frame);
     /// Takes the read-back of a slot before its turn comes: for a host that has waited for what it recorded there, as tools do.
     /// False where there is none to take.
     bool collect(int slot);
+    /// After a recording that will never be submitted (its command buffer was reset, its device call failed): the air is ambient,
+    /// nothing of the device's memory is trusted, and the next recording writes all of it anew. Motors, sides, place and wind
+    /// stay as they were told. To go on from the last frame that was read, give its cells to `set_velocity`. What was submitted
+    /// before runs to its end first, as always; its read-backs are not taken.
+    void forget();
 
-    // --- As of windrow::Wind
-    // -----------------------------------------------------------------------------------------------------
+    // --- As of windrow::Wind -----------------------------------------------------------------------------------------------
     [[nodiscard]] Motors& motors();
     [[nodiscard]] const Motors& motors() const;
     [[nodiscard]] Result<void> set_ambient(glm::vec3 ambient);
@@ -86,16 +103,16 @@ class Wind {
     [[nodiscard]] glm::dvec3 origin() const;
     [[nodiscard]] Box box() const;
     [[nodiscard]] const Config& config() const;
-    /// Sets every cell from a function of its centre's world position; the cells travel inside the next recording.
+    /// Sets every cell from a function of its centre's world position; the cells travel inside the next recording's command
+    /// buffer.
     void set_velocity(const std::function<glm::vec3(glm::dvec3 centre)>& velocity_at);
     /// The same from an array laid out as box.h says; refuses another size.
     Result<void> set_velocity(std::span<const glm::vec4> field);
     /// Back to ambient everywhere.
     void reset();
 
-    // --- For shaders: shaders/coupling/windrow_wind.glsl
-    // ---------------------------------------------------------------------------
-    /// Of the frame last recorded, and of the one before.
+    // --- For shaders: shaders/coupling/windrow_wind.glsl -------------------------------------------------------------------
+    /// Of the frame last recorded, and of the one before; after the first recording. Before it they hold nothing, in no layout.
     [[nodiscard]] Textures textures() const;
     [[nodiscard]] Textures previous_textures() const;
     /// Where they lie, relative to `anchor` [m].
@@ -107,32 +124,37 @@ class Wind {
     /// What blows around the box in this frame.
     [[nodiscard]] const AmbientWind& ambient_wind() const;
 
-    // --- For the host: what was read back
-    // ----------------------------------------------------------------------------------------
+    // --- For the host: what was read back ----------------------------------------------------------------------------------
     /// The wind of the last frame whose read-back is in, to sample on the CPU; nothing before the first. Good until the next
-    /// recording.
+    /// recording. For many points, and for what plants feel, keep the view: it has both (fluid/view.h).
     [[nodiscard]] std::optional<WindView> queried() const;
-    /// [s] How old that is.
+    /// [s] Time of the frames recorded since that one. With ticks each frame shows a moment up to a tick before its own.
     [[nodiscard]] double query_age() const;
-    /// What the last tick in `queried` reported; stepped = false before the first.
-    [[nodiscard]] Diagnostics reported() const;
-    /// [m/s] Wind at a world point as of `queried`; the ambient wind before the first.
+    /// What the last tick in `queried` reported; stepped = false before the first. Cells that were repaired or limited are told
+    /// once, here or by a recording.
+    [[nodiscard]] Diagnostics reported();
+    /// [m/s] Wind at one world point as of `queried`, which it makes anew each time; the ambient wind before the first.
     [[nodiscard]] glm::vec3 velocity(glm::dvec3 position) const;
 
     /// Dispatches and pipeline barriers of the last recording. Sub-steps that the device leaves out are counted: their dispatches
     /// have no work groups.
     [[nodiscard]] int dispatches() const;
     [[nodiscard]] int barriers() const;
+    /// What the passes took in the last recording whose times are in, frames_in_flight frames ago; nothing before the first, and
+    /// without Settings::timestamps.
+    [[nodiscard]] std::optional<PassTimes> pass_times() const;
     /// [bytes] Device memory in use.
     [[nodiscard]] std::uint64_t memory_bytes() const;
 
     Wind(Wind&&) noexcept;
+    /// Ends the wind that was here: no recording of it is in flight.
     Wind& operator=(Wind&&) noexcept;
     /// No recording of it is in flight.
     ~Wind();
 
     struct State; // wind_state.h
     [[nodiscard]] State& state() { return *state_; }
+    [[nodiscard]] const State& state() const { return *state_; }
 
   private:
     explicit Wind(std::unique_ptr<State> state);

@@ -9,28 +9,41 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <glm/geometric.hpp>
 #include <utility>
 
 namespace windrow::vulkan {
 
+Work Wind::State::work_of(Work::Kind kind) const {
+    return {.kind = kind, .ambient = ambient, .window = window, .kept = frames.has_value()};
+}
+
 void Wind::State::do_or_queue(Work work) {
     if (commands_ != VK_NULL_HANDLE)
-        work(commands_);
+        work.record(*air, commands_);
     else
-        queue_.push_back(std::move(work));
+        queue_.push(std::move(work));
 }
 
 bool Wind::State::begin(VkCommandBuffer commands, const Frame& frame) {
-    if (commands == VK_NULL_HANDLE || frame.slot < 0 || frame.slot >= settings.frames_in_flight)
+    if (commands == VK_NULL_HANDLE || frame.slot < -1 || frame.slot >= settings.frames_in_flight)
         return false;
-    take(slots[static_cast<std::size_t>(frame.slot)]);
+    slot_ = frame.slot >= 0 ? frame.slot : (slot_ + 1) % settings.frames_in_flight;
+    ++recording_;
+    take(slots[static_cast<std::size_t>(slot_)]);
+    air->begin(slot_);
     commands_ = commands;
+    if (clock)
+        clock->begin(commands, slot_);
     dispatches = -air->dispatches();
     barriers = -air->barriers();
     ticked_ = false;
     blend_.reset();
-    for (const Work& work : std::exchange(queue_, {}))
-        work(commands);
+    asked_ = !queue_.empty() || new_sides_;
+    if (new_sides_)
+        air->set_sides(*std::move(new_sides_));
+    new_sides_.reset();
+    queue_.record(*air, commands);
     return true;
 }
 
@@ -45,18 +58,29 @@ void Wind::State::end(const Frame& frame) {
             air->show(commands_, *blend_, set ^ 1, false);
             written_sets_ = 2;
         }
-        ReadBack& slot = slots[static_cast<std::size_t>(frame.slot)];
-        air->read_back(commands_, slot.buffer);
-        slot.pending = true;
-        slot.time = time;
-        slot.tick = tick_;
-        slot.frame = frame_now();
+        if (frame.dt > 0.0 || asked_ || !frames || !queried_frame) // a pause between ticks changes nothing
+            read_back(slots[static_cast<std::size_t>(slot_)]);
     }
+    air->end(commands_);
+    if (clock)
+        clock->end(commands_);
     recorded_before = std::move(recorded);
     recorded.emplace(frame_now());
     dispatches += air->dispatches();
     barriers += air->barriers();
     commands_ = VK_NULL_HANDLE;
+}
+
+void Wind::State::read_back(ReadBack& slot) {
+    air->read_back(commands_, slot.buffer, settings.queries);
+    slot.pending = true;
+    slot.ticked = ticked_;
+    slot.time = time;
+    slot.recording = recording_;
+    slot.tick = tick_;
+    slot.frame = frame_now();
+    slot.box = box();
+    slot.rim = rim(slot.frame.rim_point);
 }
 
 windrow::Frame Wind::State::frame_now() const {
@@ -68,13 +92,24 @@ windrow::Frame Wind::State::frame_now() const {
 bool Wind::State::take(ReadBack& slot) {
     if (!std::exchange(slot.pending, false) || slot.buffer.invalidate() != VK_SUCCESS)
         return false;
+    const AirReport told = air->report(slot.buffer);
+    if (slot.ticked) {
+        repaired_ += told.repaired_cells;
+        limited_ += told.limited_cells;
+    }
+    if (slot.recording < taken_recording_) // a host that does not take its slots in turns
+        return false;
+    taken_recording_ = slot.recording;
+    report = told;
+    report_tick_ = slot.tick;
+    if (!settings.queries)
+        return true;
     const auto cells = air->shown(slot.buffer);
     queried_cells.assign(cells.begin(), cells.end());
     queried_frame.emplace(windrow::Frame{{}, slot.frame.window, slot.frame.rim_point, slot.frame.ambient, slot.frame.still});
-    queried_box = box();
+    queried_box = slot.box;
+    queried_rim = slot.rim;
     queried_time = slot.time;
-    report = air->report(slot.buffer);
-    report_tick_ = slot.tick;
     return true;
 }
 
@@ -82,7 +117,7 @@ bool Wind::State::collect(int slot) {
     return slot >= 0 && slot < settings.frames_in_flight && take(slots[static_cast<std::size_t>(slot)]);
 }
 
-Diagnostics Wind::State::reported() const {
+Diagnostics Wind::State::reported() {
     Diagnostics diagnostics;
     diagnostics.stepped = report_tick_ > 0;
     tell(diagnostics);
@@ -93,6 +128,7 @@ Advance Wind::State::record(VkCommandBuffer commands, const Frame& frame) {
     if (!(frame.dt >= 0.0) || !std::isfinite(frame.dt) || !begin(commands, frame))
         return {};
     const Advance done = advance(frame.dt);
+    time += frame.dt - done.dropped;
     end(frame);
     return done;
 }
@@ -102,6 +138,7 @@ Diagnostics Wind::State::record_step(VkCommandBuffer commands, const Frame& fram
         return {};
     const bool slept = asleep;
     const Diagnostics done = step(frame.dt);
+    time += frame.dt;
     if (!slept || !asleep || frame.dt == 0.0) // a pause shows what changed without a step
         unshown_ = 2;
     if (unshown_ > 0) { // asleep: until both sets of textures hold the air as it sleeps
@@ -116,11 +153,14 @@ Result<void> Wind::State::set_velocity(std::span<const glm::vec4> field) {
     const VkDeviceSize bytes = box().cell_count() * sizeof(glm::vec4);
     if (field.size_bytes() != bytes)
         return Error{windrow::detail::message("set_velocity got ", field.size(), " cells, but the box has ", box().cell_count(),
-                                              ": give box().cell_count().")};
-    std::vector<glm::vec4> cells(field.size());
-    std::transform(field.begin(), field.end(), cells.begin(), [](glm::vec4 u) { return glm::vec4(u.x, u.y, u.z, 0.0f); });
-    do_or_queue([this, cells = std::move(cells)](VkCommandBuffer commands) { air->upload(commands, cells); });
-    asleep = calm = false;
+                                              ": give one for each of config().cells.")};
+    Work work = work_of(Work::Kind::set);
+    work.cells.resize(field.size());
+    std::transform(field.begin(), field.end(), work.cells.begin(), [](glm::vec4 u) { return glm::vec4(u.x, u.y, u.z, 0.0f); });
+    do_or_queue(std::move(work));
+    asleep = calm = filled_ = false;
+    if (frames)
+        frames->before_still = false;
     disturbed_tick_ = tick_ + 1;
     return {};
 }
@@ -132,43 +172,63 @@ void Wind::State::reset() {
     written_sets_ = 0; // the frame before the next is ambient too
 }
 
+void Wind::State::forget() {
+    queue_.clear();
+    air->forget();
+    reset();
+    for (ReadBack& slot : slots)
+        slot.pending = false;
+    report = {};
+    disturbed_tick_ = tick_ + 1;
+    asleep = false;
+}
+
 // --- The cells
 // ------------------------------------------------------------------------------------------------------------------
 
 void Wind::State::around_changed() {} // each work brings the ambient wind of its moment
 
 Result<void> Wind::State::sides_changed(bool kinds) {
+    auto prepared = air->prepare(config.sides, kinds || (new_sides_ && new_sides_->tables));
+    if (!prepared)
+        return Error{prepared.error()};
+    filled_ = false;
     disturbed_tick_ = tick_ + 1;
-    do_or_queue([this, kinds, sides = config.sides](VkCommandBuffer) { air->set_sides(sides, kinds); });
+    new_sides_ = *std::move(prepared);
     return {};
 }
 
 void Wind::State::fill_cells() {
-    do_or_queue([this, wind = ambient, place = window](VkCommandBuffer commands) { air->fill(commands, wind, place); });
+    do_or_queue(work_of(Work::Kind::fill));
+    filled_ = true;
 }
 
 void Wind::State::fill_before() {
-    do_or_queue([this, wind = ambient, place = window](VkCommandBuffer commands) { air->fill_before(commands, wind, place); });
+    do_or_queue(work_of(Work::Kind::fill_before));
 }
 
 void Wind::State::add_ambient_to_cells(float factor) {
+    filled_ = false;
     disturbed_tick_ = tick_ + 1;
-    do_or_queue([this, factor, kept = frames.has_value(), wind = ambient, place = window](VkCommandBuffer commands) {
-        air->add_wind(commands, factor, kept, wind, place);
-    });
+    Work work = work_of(Work::Kind::add_wind);
+    work.factor = factor;
+    do_or_queue(std::move(work));
 }
 
 void Wind::State::add_change_to_cells(glm::vec3 change, bool before_only) {
+    filled_ = filled_ && before_only;
     disturbed_tick_ = tick_ + 1;
-    do_or_queue([this, change, before_only, kept = frames.has_value(), wind = ambient, place = window](VkCommandBuffer commands) {
-        air->add_change(commands, change, !before_only, kept, wind, place);
-    });
+    Work work = work_of(Work::Kind::add_change);
+    work.change = change;
+    work.to_air = !before_only;
+    do_or_queue(std::move(work));
 }
 
 void Wind::State::shift_cells(CellIndex by, bool exposed_hold_ambient) {
-    do_or_queue([this, by, exposed_hold_ambient, wind = ambient, place = window](VkCommandBuffer commands) {
-        air->shift(commands, by, exposed_hold_ambient, wind, place);
-    });
+    Work work = work_of(Work::Kind::shift);
+    work.move = {
+        .by = by, .exposed_hold_ambient = exposed_hold_ambient, .kept = frames.has_value(), .lets_air_in = sources_of_air != 0};
+    do_or_queue(std::move(work));
 }
 
 void Wind::State::begin_keeping() {
@@ -176,7 +236,7 @@ void Wind::State::begin_keeping() {
 }
 
 void Wind::State::keep_before() {
-    do_or_queue([this](VkCommandBuffer commands) { air->keep_before(commands); });
+    air->keep_before(commands_); // in a tick
 }
 
 void Wind::State::blend(float factor) {
@@ -185,17 +245,19 @@ void Wind::State::blend(float factor) {
 
 void Wind::State::step_cells(double dt, std::span<const windrow::detail::MotorReach> reached, Diagnostics& diagnostics) {
     ++tick_;
-    time += dt;
-    ticked_ = true;
     const bool renews = config.stages.projection && renew_sources(reached);
     if (!reached.empty() || renews || ambient.gusting())
         disturbed_tick_ = tick_;
+    left_alone_ = std::exchange(filled_, false) && disturbed_tick_ != tick_ && ambient.uniform();
+    const auto plants = canopy_rows();
     air->step(commands_, {.duration = dt,
                           .motors = reached,
                           .ambient = &ambient,
                           .window = &window,
+                          .canopy = plants ? glm::vec3(plants->drag, plants->ground, plants->top) : glm::vec3(0.0f),
                           .renews_sources = renews,
-                          .lets_air_in = sources_of_air != 0});
+                          .lets_air_in = sources_of_air != 0,
+                          .counts_on = std::exchange(ticked_, true)});
     ambient.advance(dt);
     tell(diagnostics);
     diagnostics.diffusion = config.stages.diffusion ? diffusion_method(config.viscosity, static_cast<float>(dt), config.cell_size)
@@ -203,22 +265,31 @@ void Wind::State::step_cells(double dt, std::span<const windrow::detail::MotorRe
 }
 
 bool Wind::State::at_ambient() const {
-    return report_tick_ > disturbed_tick_ && report.apart < config.sleep_speed;
+    return left_alone_ || (report_tick_ > disturbed_tick_ && report.apart < config.sleep_speed);
 }
 
+// Asked only of air that was just laid to sleep: it is the ambient wind, without gusts, which differs by height alone.
 void Wind::State::measure(Diagnostics& diagnostics) {
-    tell(diagnostics);
+    diagnostics.max_speed = 0.0f;
+    diagnostics.energy = 0.0;
+    diagnostics.divergence_rms = 0.0;
+    const auto h = static_cast<double>(config.cell_size);
+    for (int j = 0; j < config.cells.y; ++j) {
+        const glm::vec3 u = ambient.velocity(window.centre(0, j, 0));
+        diagnostics.max_speed = std::max({diagnostics.max_speed, std::abs(u.x), std::abs(u.y), std::abs(u.z)});
+        diagnostics.energy += 0.5 * static_cast<double>(glm::dot(u, u)) * h * h * h * config.cells.x * config.cells.z;
+    }
 }
 
-// What the last read-back told.
-void Wind::State::tell(Diagnostics& diagnostics) const {
+// What the last read-back told. Its counts are told once.
+void Wind::State::tell(Diagnostics& diagnostics) {
     const auto h = static_cast<double>(config.cell_size);
     diagnostics.max_speed = report.largest_component;
     diagnostics.cfl = report.cfl;
     diagnostics.substeps = report.substeps;
     diagnostics.substeps_capped = report.substeps_capped;
-    diagnostics.limited_cells = report.limited_cells;
-    diagnostics.repaired_cells = report.repaired_cells;
+    diagnostics.limited_cells = std::exchange(limited_, 0);
+    diagnostics.repaired_cells = std::exchange(repaired_, 0);
     diagnostics.energy = 0.5 * report.squares * h * h * h;
     diagnostics.divergence_rms = std::sqrt(report.divergence_squares / static_cast<double>(box().cell_count()));
 }

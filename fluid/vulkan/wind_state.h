@@ -3,9 +3,9 @@
 
 #include "fluid/vulkan/air.h"
 #include "fluid/vulkan/wind.h"
+#include "fluid/vulkan/work_queue.h"
 #include "fluid/wind_host.h"
 
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -14,10 +14,14 @@ namespace windrow::vulkan {
 /// What one frame in flight reads back.
 struct ReadBack {
     Buffer buffer;
-    bool pending = false;   ///< recorded, and not taken yet
-    double time = 0.0;      ///< [s] of the wind's own clock
-    std::uint64_t tick = 0; ///< the last one in it
-    windrow::Frame frame;   ///< where its cells lie
+    bool pending = false;        ///< recorded, and not taken yet
+    bool ticked = false;         ///< with ticks of its own, whose counts its report tells
+    double time = 0.0;           ///< [s] of the wind's own clock
+    std::uint64_t recording = 0; ///< counted from 1
+    std::uint64_t tick = 0;      ///< the last one in it or before
+    windrow::Frame frame;        ///< where its cells lie
+    Box box{};                   ///< with the sides of its time
+    Rim rim{};
 };
 
 struct Wind::State : WindHost {
@@ -25,22 +29,25 @@ struct Wind::State : WindHost {
 
     std::unique_ptr<Air> air;
     Settings settings;
+    std::optional<PassClock> clock; ///< where passes are timed; its address is the air's
     std::vector<ReadBack> slots;
     std::vector<glm::vec4> queried_cells;        ///< [m/s] of the last read-back that was taken
     std::optional<windrow::Frame> queried_frame; ///< where they lie
     double queried_time = 0.0;
-    double time = 0.0; ///< [s] that the wind has lived through
+    double time = 0.0; ///< [s] of the frames recorded, less what was dropped
     AirReport report;  ///< of the last read-back
     int set = 0;       ///< of textures, of the frame last recorded
     int dispatches = 0, barriers = 0;
     Box queried_box; ///< its address is the view's
+    Rim queried_rim;
 
     Advance record(VkCommandBuffer commands, const Frame& frame);
     Diagnostics record_step(VkCommandBuffer commands, const Frame& frame);
     Result<void> set_velocity(std::span<const glm::vec4> field);
     void reset();
     bool collect(int slot);
-    [[nodiscard]] Diagnostics reported() const;
+    [[nodiscard]] Diagnostics reported();
+    void forget();
     [[nodiscard]] windrow::Frame frame_now() const;
     /// Where the textures of the last recording lie, and of the one before it.
     std::optional<windrow::Frame> recorded, recorded_before;
@@ -62,21 +69,30 @@ struct Wind::State : WindHost {
     void measure(Diagnostics& report) override;
 
   private:
-    using Work = std::function<void(VkCommandBuffer)>;
+    /// A work with what blows around the box now.
+    [[nodiscard]] Work work_of(Work::Kind kind) const;
     /// Records now, or with the next frame.
     void do_or_queue(Work work);
     [[nodiscard]] bool begin(VkCommandBuffer commands, const Frame& frame);
     void end(const Frame& frame);
+    void read_back(ReadBack& slot);
     bool take(ReadBack& slot);
-    void tell(Diagnostics& diagnostics) const;
+    void tell(Diagnostics& diagnostics);
 
     VkCommandBuffer commands_ = VK_NULL_HANDLE; ///< while a frame is recorded
-    std::vector<Work> queue_;
+    WorkQueue queue_;
+    std::optional<Air::NewSides> new_sides_; ///< from the next recording on
+    int slot_ = -1;                          ///< of the last recording
+    std::uint64_t recording_ = 0, taken_recording_ = 0;
+    std::int64_t repaired_ = 0, limited_ = 0; ///< cells that were read back and not told yet
+    bool asked_ = false;                      ///< something was asked for since the frame before this one
     std::uint64_t tick_ = 0;
     std::uint64_t disturbed_tick_ = 0; ///< the last one in which something acted
     std::uint64_t report_tick_ = 0;    ///< the one that `report` tells of
     std::optional<float> blend_;       ///< the textures of this frame are to be written, so far between the ticks
     bool ticked_ = false;              ///< in this recording
+    bool filled_ = false;              ///< the next tick begins with the ambient wind in all cells
+    bool left_alone_ = false;          ///< the last one did, where it is steady, and nothing acted
     int written_sets_ = 0;             ///< of textures that hold a frame: as many need writing before sleep may leave them
     int unshown_ = 2;                  ///< of the two sets, how many do not hold the sleeping air yet
 };

@@ -1,5 +1,6 @@
 // The wind in a shader: what the box holds, faded over its rim to what blows around it. For any stage.
 //
+//     #extension GL_GOOGLE_include_directive : require
 //     #define WINDROW_SET 2                          // yours; default 0
 //     #include "coupling/windrow_wind.glsl"
 //     vec3 u = windrow_velocity(p);                  // [m/s] at p [m] from the anchor
@@ -7,7 +8,8 @@
 //     vec3 felt = windrow_apparent(u, p, v);         // what a thing feels that moves at v [m/s]
 //
 // Set WINDROW_SET (0 unless defined), bindings from WINDROW_BINDING (0 unless defined):
-//   + 0        uniform buffer    windrow::FrameBlock (fluid/frame_block.h)
+//   + 0        uniform buffer    windrow::FrameBlock (fluid/frame_block.h), copied as it is; at an offset that is a multiple of the
+//                                device's minUniformBufferOffsetAlignment
 //   + 1, 2, 3  sampler3D         textures of this frame: x, y, z
 //   + 4, 5, 6  sampler3D         textures of the frame before
 //   + 7        storage buffer    the gust tile, 128 x 16 x 128 vec4 (GustTile::texels); any buffer of 16 bytes where there are no gusts

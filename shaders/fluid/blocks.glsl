@@ -23,6 +23,7 @@
 #define WINDROW_PUSHES 2048      // a motor of this tick is a force
 #define WINDROW_EXPANDS 4096     // a motor of this tick is a source of air
 #define WINDROW_OWES_NOTHING 8192 // viscosity has acted for all time so far
+#define WINDROW_ONE_PASS 16384   // its explicit pass is all there is: it acts for as long as that may, and owes the rest
 
 // Of a tick.
 struct WindrowStep {
@@ -37,6 +38,7 @@ struct WindrowStep {
     ivec4 high_source;    // and beyond the high side
     vec4 velocity_low, velocity_high;   // xyz factor there on the velocity along the axis
     vec4 potential_low, potential_high; // and on the potential
+    vec4 canopy;          // x [1/m] drag, 0: none; y ground, z top [cells above the low side]
     vec4 carried;         // xyz [texels/s] speed at which gusts are carried
     WindrowAmbient wind;  // at the tick's start; local positions are from the box's low corner
 };
@@ -47,7 +49,7 @@ struct WindrowControl {
     vec4 substep;  // x [s] duration of a sub-step, y [s] of the last tick's, z [m/s] most that a component may be, w Courant number
     ivec4 plan;    // x sub-steps, y 1 where more were wanted than allowed, z bits of the time [s] in which viscosity has not acted yet
     vec4 diffused[16]; // [s] for which each sub-step diffuses, four a vector; 0: it owes
-    uvec4 measured; // x bits of the largest speed component, y bits of the largest difference from ambient
+    uvec4 measured; // x bits of the largest speed component, y bits of the largest difference from ambient; found.zw of all ticks of the recording
 };
 
 // Where a padded index takes its value from: value = scale * source + offset, or the ambient wind.

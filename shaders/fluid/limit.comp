@@ -19,4 +19,5 @@ void main() {
     if (is_on(WINDROW_LETS_AIR_IN))
         source_flow[at] *= most / largest;
     atomicAdd(control.found.w, 1u);
+    atomicAdd(control.measured.w, 1u);
 }

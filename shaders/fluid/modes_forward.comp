@@ -1,8 +1,7 @@
 // First stage of a direct solve: the right-hand side, made here, to modes of x and z.
 //
-//   projection        rhs = (differences of w) / 2 - h S        (phi / h, so that no h appears)
+//   projection        rhs = (differences of w) / 2        (phi / h, so that no h appears; w is without the sources' flow)
 //   sources of air    rhs = -h S
-//   diffusion of v    rhs = -v / r - what no-slip walls add
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "fluid/pass.glsl"
@@ -19,9 +18,8 @@ layout(std430, set = 0, binding = 5) writeonly buffer Hat { float hat[]; };
 const int k_of_air = 1; // push.w: 0 the projection of w, 1 the flow of the sources of air
 
 float load(ivec3 cell) {
-    const float wanted = is_on(WINDROW_EXPANDS) ? tick.time.y * expansion[cell_index(cell)] : 0.0f;
     if (push.w == k_of_air)
-        return -wanted;
+        return is_on(WINDROW_EXPANDS) ? -tick.time.y * expansion[cell_index(cell)] : 0.0f;
     return 0.5f * differences(cell);
 }
 

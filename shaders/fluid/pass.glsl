@@ -71,10 +71,6 @@ float elapsed() {
     return float(push.x) * control.substep.x;
 }
 
-bool broken(vec4 u) {
-    return windrow_broken(u.x) || windrow_broken(u.y) || windrow_broken(u.z);
-}
-
 float largest_component(vec3 u) {
     vec3 a = abs(u);
     return max(max(a.x, a.y), a.z);

@@ -28,8 +28,10 @@ void main() {
             for (int n = 0; n < substeps; ++n) {
                 owed += part;
                 const bool acts = tick.ambient.w * owed / (h * h) >= 1e-4f;
-                control.diffused[n / 4][n % 4] = acts ? owed : 0.0f;
-                owed = acts ? 0.0f : owed;
+                // A hair below the limit, which the ratio made of it must not pass (viscosity.glsl).
+                const float most = is_on(WINDROW_ONE_PASS) ? 0.99999f / 12.0f * h * h / tick.ambient.w : owed;
+                control.diffused[n / 4][n % 4] = acts ? min(owed, most) : 0.0f;
+                owed -= control.diffused[n / 4][n % 4];
             }
         control.plan = ivec4(substeps, capped ? 1 : 0, floatBitsToInt(owed), 0);
         control.substep = vec4(part, control.substep.x, max_cfl * float(substeps) * h / dt, cfl);

@@ -1,7 +1,8 @@
 // The flow of the sources of air, u_S = -grad phi, takes the place of what it was before, in the wind of this tick and of the last: the
-// trajectories extrapolate u - u_old, which must not see a jump. Then the survey, which waited for it.
+// trajectories extrapolate u - u_old, which must not see a jump. Then the guard and the survey, which waited for it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#define WINDROW_READS_TILE 7
 #include "fluid/pass.glsl"
 #include "fluid/stencil.glsl"
 
@@ -9,6 +10,8 @@ layout(std430, set = 0, binding = 2) readonly buffer Potential { float potential
 layout(std430, set = 0, binding = 3) buffer SourceFlow { vec4 source_flow[]; };
 layout(std430, set = 0, binding = 4) buffer Velocity { vec4 velocity[]; };
 layout(std430, set = 0, binding = 5) buffer VelocityOld { vec4 velocity_old[]; };
+layout(std430, set = 0, binding = 6) writeonly buffer History { vec4 history[]; };
+#include "fluid/guard.glsl"
 
 shared uint group_largest;
 
@@ -32,6 +35,8 @@ void main() {
         velocity[at] += change;
         if (!is_on(WINDROW_FRESH))
             velocity_old[at] += change;
+        if (broken(velocity[at]))
+            repair(cell, at);
         atomicMax(group_largest, floatBitsToUint(largest_component(velocity[at].xyz)));
     }
     barrier();

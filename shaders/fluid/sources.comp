@@ -6,6 +6,7 @@
 #extension GL_GOOGLE_include_directive : require
 #define WINDROW_READS_TILE 8
 #include "fluid/pass.glsl"
+#include "numerics/canopy.glsl"
 #include "numerics/motors.glsl"
 
 layout(std430, set = 0, binding = 2) buffer Velocity { vec4 velocity[]; };
@@ -14,6 +15,8 @@ layout(std430, set = 0, binding = 4) buffer History { vec4 history[]; };
 layout(std430, set = 0, binding = 5) writeonly buffer Force { vec4 force[]; };
 layout(std430, set = 0, binding = 6) writeonly buffer Expansion { float expansion[]; };
 layout(std430, set = 0, binding = 7) readonly buffer Motors { WindrowMotor motors[]; };
+
+#include "fluid/guard.glsl"
 
 shared uint group_largest;
 shared uint group_force;
@@ -82,15 +85,15 @@ void main() {
         vec4 u = velocity[at];
         if (drives.w > 0.0f)
             u = vec4(windrow_drive(u.xyz, drives.xyz / drives.w, drives.w), 0.0f);
-        const bool repaired = broken(u);
-        if (repaired) {
-            u = vec4(wind_at(cell, 0.0f, is_on(WINDROW_GUSTS)), 0.0f);
-            velocity_old[at] = u;
-            history[at] = vec4(0.0f);
-            atomicAdd(control.found.z, 1u);
-        }
-        if (repaired || drives.w > 0.0f)
+        const float way = tick.canopy.x * tick.time.x * windrow_canopy_share(float(cell.y), tick.canopy.y, tick.canopy.z);
+        if (way > 0.0f)
+            u = vec4(windrow_canopy_slowed(u.xyz, way), 0.0f);
+        if (drives.w > 0.0f || way > 0.0f)
             velocity[at] = u;
+        if (!is_on(WINDROW_RENEWS_AIR) && broken(u)) { // else once their flow is in the velocity
+            repair(cell, at);
+            u = velocity[at];
+        }
         if (is_on(WINDROW_PUSHES))
             force[at] = vec4(pushed, 0.0f);
         if (is_on(WINDROW_EXPANDS))
@@ -100,7 +103,7 @@ void main() {
     }
     barrier();
     if (gl_LocalInvocationIndex == 0) {
-        if (!is_on(WINDROW_RENEWS_AIR)) // else it is taken once their flow is in the velocity
+        if (!is_on(WINDROW_RENEWS_AIR)) // as the guard
             atomicMax(control.found.x, group_largest);
         atomicMax(control.found.y, group_force);
     }

@@ -1,10 +1,14 @@
 // A device with the validation layer's core and synchronisation checks on, which must stay silent to the end of each test.
+// WINDROW_GPU_VALIDATION=1 in the environment adds its GPU-assisted checks, which watch every access of a shader. A software
+// device compiles what they make of the passes of one wind for minutes, so `./dev validate` asks for them, of some
+// tests, and `./dev test` does not.
 #pragma once
 
 #include "fluid/vulkan/device.h"
 #include "fluid/vulkan/own_device.h"
 
 #include <cstddef>
+#include <cstdlib>
 #include <functional>
 #include <gtest/gtest.h>
 #include <memory>
@@ -20,6 +24,9 @@ class Gpu : public testing::Test {
 
     /// A test without a device fails: a machine that cannot run these must not pass for one that has.
     void make_own(OwnDevice::Settings settings) {
+        const char* const gpu_validation = std::getenv("WINDROW_GPU_VALIDATION");
+        if (settings.validation && gpu_validation != nullptr && std::string(gpu_validation) == "1")
+            settings.gpu_validation = true;
         settings.on_message = [this](const std::string& text) { messages.push_back(text); };
         auto made = OwnDevice::create(settings);
         ASSERT_TRUE(made) << made.error()

@@ -42,7 +42,8 @@ class WindFaults : public Gpu {
     // Made, given a wind, recorded for some frames; the error of the first thing that failed.
     Result<void> live(const Host& host, int& frames) {
         frames = 0;
-        auto wind = Wind::create(host, {.cells = k_cells, .ambient = {2.0f, 0.0f, 0.0f}, .viscosity = 1.0f}, {.gusts = true});
+        auto wind = Wind::create(host, {.cells = k_cells, .ambient = {2.0f, 0.0f, 0.0f}, .viscosity = 1.0f},
+                                 {.gusts = true, .timestamps = true});
         if (!wind)
             return Error{wind.error()};
         const std::vector<glm::vec4> start(static_cast<std::size_t>(k_cells.x * k_cells.y * k_cells.z),

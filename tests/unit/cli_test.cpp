@@ -99,7 +99,7 @@ TEST_F(Command, HelpVersionAndInfoAreAnswered) {
 }
 
 TEST_F(Command, WrongFlagsAreNamed) {
-    expect_refusal({}, "name a command, run, bench, verify, pareto or info: see windrow --help.");
+    expect_refusal({}, "name a command, run, bench, verify, pareto, plants, check or info: see windrow --help.");
     expect_refusal({"runn", "x"}, "runn is no command (did you mean run?): see windrow --help.");
     expect_refusal({"--verion"}, "--verion is no flag (did you mean --version?): see windrow --help.");
     expect_refusal({"run"}, "SCENE.json is required: see windrow run --help.");

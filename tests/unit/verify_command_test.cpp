@@ -87,9 +87,9 @@ class VerifyCommand : public testing::Test {
 TEST_F(VerifyCommand, WrongFlagsAreNamed) {
     expect_refusal({"--backend", "gpu"}, "--backend is gpu: give cpu or vulkan.");
     expect_refusal({"--backend", ""}, "--backend is empty: give cpu or vulkan.");
-    expect_refusal({"--device", "0"}, "--device is 0 for a run on the CPU: add --backend vulkan, or drop it.");
-    expect_refusal({"--backend", "vulkan", "--device", "-1"}, "--device is -1: give a number that windrow info tells, from 0.");
-    expect_refusal({"--backend", "vulkan", "--device", ""}, "--device is empty: give a number that windrow info tells, from 0.");
+    expect_refusal({"--device", "0"}, "--device is given, but the air runs on the CPU: add --backend vulkan, or drop it.");
+    expect_refusal({"--backend", "vulkan", "--device", "-1"}, "--device is -1: give a device's number in windrow info, from 0.");
+    expect_refusal({"--backend", "vulkan", "--device", ""}, "--device is empty: give a device's number in windrow info, from 0.");
     expect_refusal(
         {"--backend", "vulkan", "--case", "fourier_modes"},
         "--case is fourier_modes, which asks for pieces that a device runs only inside a step: drop --backend vulkan.");

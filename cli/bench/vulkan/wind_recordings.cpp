@@ -1,0 +1,120 @@
+#include "cli/bench/vulkan/wind_recordings.h"
+
+#include "cli/bench/jets.h"
+#include "fluid/vulkan/wind_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace windrow::cli {
+namespace {
+
+using vulkan::Pass;
+
+// How often a kind of pass does work in a step of one sub-step, without motors, viscosity or a shift of the box.
+int ran_in_a_step(const vulkan::Passes& passes, Pass pass) {
+    const auto stages = passes.substep(DiffusionMethod::none);
+    const auto in_substep =
+        std::count_if(stages.begin(), stages.end(), [&](const vulkan::Passes::Stage& stage) { return stage.pass == pass; });
+    const bool once = pass == Pass::sources || pass == Pass::plan || pass == Pass::show;
+    return static_cast<int>(in_substep) + (once ? 1 : 0);
+}
+
+} // namespace
+
+WindRecordings::WindRecordings(vulkan::Wind wind, std::span<const glm::vec4> flow)
+    : wind_(std::move(wind)), flow_(flow), age_(k_steps_of_flow) {}
+
+void WindRecordings::record(VkCommandBuffer commands, int slot) {
+    const Diagnostics told = wind_.record_step(commands, {.dt = k_bench_dt, .slot = slot});
+    most_substeps_ = std::max(most_substeps_, told.substeps);
+    slept_ = slept_ || told.asleep;
+    ++age_;
+    ++all_steps_;
+}
+
+DeviceContestant WindRecordings::contestant() {
+    return {.warm =
+                [this](VkCommandBuffer commands) {
+                    if (age_ >= k_steps_of_flow) {
+                        static_cast<void>(wind_.set_velocity(flow_)); // of the box's size
+                        age_ = 0;
+                    }
+                    record(commands, 0);
+                },
+            .run = [this](VkCommandBuffer commands) { record(commands, 1); },
+            .note = [this] { note(); }};
+}
+
+void WindRecordings::note() {
+    dispatches_ = wind_.dispatches();
+    barriers_ = wind_.barriers();
+    // Of the turn before this: the times of a slot come with its next recording.
+    const auto times = wind_.pass_times();
+    if (!times)
+        return;
+    double sum = 0.0;
+    for (const vulkan::PassTimes::Pass& pass : times->passes) {
+        Samples& samples = passes_[pass.name];
+        samples.us.push_back(static_cast<float>(pass.us));
+        samples.dispatches = pass.dispatches;
+        sum += pass.us;
+    }
+    timed_.push_back(static_cast<float>(times->whole_us));
+    between_.push_back(static_cast<float>(times->whole_us - sum));
+}
+
+DeviceStepResult WindRecordings::result(const char* name) const {
+    return {.name = name, .dispatches = dispatches_, .barriers = barriers_};
+}
+
+void WindRecordings::add_passes(DeviceGridResult& result) const {
+    const vulkan::Air& air = *wind_.state().air;
+    for (std::size_t n = 0; n < vulkan::k_passes; ++n) {
+        const auto pass = static_cast<Pass>(n);
+        const auto found = passes_.find(name_of(pass));
+        if (found == passes_.end())
+            continue;
+        const int ran = ran_in_a_step(air.passes(), pass);
+        result.passes.push_back({.name = found->first,
+                                 .us = device_spread(found->second.us),
+                                 .dispatches = found->second.dispatches,
+                                 .dispatches_ran = ran,
+                                 .bytes = static_cast<std::uint64_t>(ran) * air.passes().bytes(pass)});
+        result.pass_bytes += result.passes.back().bytes;
+    }
+    result.read_back_bytes = 2 * air.slot_bytes(); // read and written
+    result.timed_us = device_spread(timed_);
+    result.between_us = device_spread(between_);
+}
+
+Result<void> WindRecordings::compare(vulkan::OwnDevice& own, windrow::Wind& cpu, DeviceGridResult& result) {
+    // A recording without time takes what the last one read back.
+    const auto ran = own.run([&](VkCommandBuffer commands) { (void)wind_.record(commands, {.dt = 0.0, .slot = 1}); });
+    if (!ran)
+        return ran;
+    if (auto set = cpu.set_velocity(flow_); !set)
+        return set;
+    for (int n = 0; n < age_; ++n)
+        cpu.step(k_bench_dt);
+    const auto view = wind_.queried();
+    if (!view)
+        return Error{"nothing was read back from the device."};
+    const auto device = view->field(), host = cpu.field();
+    double worst = 0.0, largest = 1e-30;
+    for (std::size_t n = 0; n < host.size(); ++n)
+        for (int axis = 0; axis < 3; ++axis) {
+            const double apart = std::abs(static_cast<double>(device[n][axis]) - static_cast<double>(host[n][axis]));
+            worst = std::isfinite(apart) ? std::max(worst, apart) : apart;
+            largest = std::max(largest, std::abs(static_cast<double>(host[n][axis])));
+            if (!std::isfinite(worst))
+                return Error{"the device's velocities are not finite."};
+        }
+    result.parity = worst / largest;
+    result.parity_steps = age_;
+    result.all_steps = all_steps_;
+    return {};
+}
+
+} // namespace windrow::cli

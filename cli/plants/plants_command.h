@@ -1,0 +1,13 @@
+// `windrow plants`: how plants bend and move, as a table and as plots.
+#pragma once
+
+#include "cli/console.h"
+
+#include <filesystem>
+
+namespace windrow::cli {
+
+/// Prints the table of bends and writes bend, blades, shells, spring and cascade .svg into a folder. Returns the exit code.
+[[nodiscard]] int run_plants(const std::filesystem::path& out, const Console& console);
+
+} // namespace windrow::cli

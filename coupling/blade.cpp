@@ -1,0 +1,55 @@
+#include "coupling/blade.h"
+
+#include "coupling/blade_numerics.h"
+#include "coupling/checks.h"
+
+namespace windrow {
+
+using detail::k_up;
+using detail::shared;
+
+Result<void> validate(const BladeSettings& settings) {
+    detail::Checks checks("blades");
+    checks.add(validate(settings.stalk, "blades.stalk"));
+    checks.between(".length_spread", settings.length_spread, 0.0f, 0.9f, "");
+    checks.between(".width", settings.width, 0.0f, 10.0f, "m");
+    checks.between(".tip_width", settings.tip_width, 0.0f, 1.0f, "");
+    checks.above_zero(".taper", settings.taper, 10.0f, "");
+    checks.between(".along_wind", settings.along_wind, 0.0f, 1.0f, "");
+    checks.between(".stiffness_spread", settings.stiffness_spread, 0.0f, 0.9f, "");
+    checks.between(".own_bend", settings.own_bend, -3.0f, 3.0f, "rad");
+    checks.between(".own_bend_spread", settings.own_bend_spread, 0.0f, 3.0f, "rad");
+    checks.between(".own_curve", settings.own_curve, 0.0f, 1.0f, "");
+    checks.between(".view_bend", settings.view_bend, 0.0f, 3.0f, "rad");
+    return checks.outcome();
+}
+
+Result<Blades> Blades::create(const BladeSettings& settings) {
+    if (auto valid = validate(settings); !valid)
+        return Error{valid.error()};
+    return Blades(settings);
+}
+
+Blades::Blades(const BladeSettings& settings) : settings_(settings) {
+    block_.size = {settings.stalk.length, settings.length_spread, 0.5f * settings.width, settings.tip_width};
+    block_.form = {settings.taper, settings.along_wind, settings.stiffness_spread, settings.own_curve};
+    block_.own = {settings.own_bend, settings.own_bend_spread, settings.view_bend, 0.0f};
+    block_.drag = windrow::block(settings.stalk);
+}
+
+float Blades::length(PlantKey key) const {
+    return numerics::windrow_blade_length(shared(block_), numerics::windrow_plant_hash(key));
+}
+
+glm::vec3 Blades::load(PlantKey key, glm::vec3 wind) const {
+    return numerics::windrow_blade_load(shared(block_), k_up, numerics::windrow_plant_hash(key), wind);
+}
+
+PlantVertex Blades::vertex(PlantKey key, glm::vec3 load, float h, float side, glm::vec3 view) const {
+    const numerics::WindrowBlade blade = shared(block_);
+    const numerics::WindrowVertex made = numerics::windrow_blade_vertex(
+        blade, numerics::windrow_blade_plant(blade, k_up, numerics::windrow_plant_hash(key), load, view), h, side);
+    return {made.position, made.normal, made.tangent};
+}
+
+} // namespace windrow

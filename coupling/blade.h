@@ -1,0 +1,105 @@
+// Blades of grass on the CPU: the bend of each in its wind, and the vertices of each. Shaders have the same by one text
+// (shaders/coupling/windrow_plants.glsl).
+//
+//     auto grass = windrow::Blades::create({});                                    // or {.stalk = windrow::wheat()}
+//     if (!grass)
+//         return std::fprintf(stderr, "%s\n", grass.error().c_str()), 1;
+//     const windrow::PlantKey key = windrow::place_key(3.0f, 4.0f);
+//     const glm::vec3 load = grass->load(key, {5.0f, 0.0f, 0.0f});                  // [rad] in a wind of 5 m/s along x
+//     const windrow::PlantVertex tip = grass->vertex(key, load, 1.0f, 0.0f);        // [m] from the root
+//
+// The load is the bend that a steady wind holds. A spring may follow it and give its own state as the load instead. The equations
+// stand in shaders/numerics/blade.glsl, stem.glsl and plant_drag.glsl; docs/plants.md draws them.
+#pragma once
+
+#include "coupling/drag.h"
+#include "coupling/plant_vertex.h"
+#include "fluid/parallel.h"
+#include "fluid/result.h"
+
+#include <glm/vec4.hpp>
+#include <span>
+
+namespace windrow {
+
+struct BladeSettings {
+    /// What the wind bends. Default: meadow grass of 0.3 m (coupling/plant_classes.h has others).
+    Drag stalk{};
+    /// Lengths vary by this share of stalk.length, 0 to 0.9. Default 0.3.
+    float length_spread = 0.3f;
+    /// [m] Width of the drawn strip at its root, 0 to 10. Default 0.006: a blade of 4 mm drawn a little wider, as few are drawn.
+    float width = 0.006f;
+    /// The tip's width over the root's, 0 to 1. Default 0.1.
+    float tip_width = 0.1f;
+    /// How the width falls: width * (1 - (1 - tip_width) h^taper); above 0, at most 10. Default 2: wide for long, pointed at the
+    /// end.
+    float taper = 2.0f;
+    /// Share of the load that bends the blade along the wind, 0 to 1; the rest bends it about its own wide axis only, by the
+    /// wind's part across its face. Default 1: what a stem and a twisted blade do, and what reads best from afar.
+    float along_wind = 1.0f;
+    /// Stiffness varies by this share, 0 to 0.9. Default 0.3: no two blades move as one.
+    float stiffness_spread = 0.3f;
+    /// [rad] Bend of the tip at rest, toward the face, -3 to 3. Default 0.5. 0 stands straight.
+    float own_bend = 0.5f;
+    /// [rad] and its spread, 0 to 3. Default 0.3.
+    float own_bend_spread = 0.3f;
+    /// Where it bends by itself: 0 an even arc, 1 all at the tip. Default 0.5.
+    float own_curve = 0.5f;
+    /// [rad] Added to the own bend when seen from straight above, 0 to 3; nothing when seen level. Default 0; 0.5 covers ground
+    /// that would show between upright blades.
+    float view_bend = 0.0f;
+};
+
+/// For shaders: WindrowBlade of shaders/numerics/blade.glsl, a std140 block of four vec4.
+struct BladeBlock {
+    glm::vec4 size{0.0f}; ///< x [m] length, y its spread; z [m] half of the root's width, w the tip's width over the root's
+    glm::vec4 form{0.0f}; ///< x taper; y share along the wind; z spread of the stiffness; w curve of the own bend
+    glm::vec4 own{0.0f};  ///< x [rad] own bend, y its spread, z view bend
+    DragBlock drag{};
+};
+static_assert(sizeof(BladeBlock) == 64);
+
+[[nodiscard]] Result<void> validate(const BladeSettings& settings);
+
+/// A class of blades. Small; copy it.
+class Blades {
+  public:
+    /// Refuses what `validate` refuses, with every reason.
+    [[nodiscard]] static Result<Blades> create(const BladeSettings& settings);
+
+    [[nodiscard]] const BladeSettings& settings() const { return settings_; }
+    [[nodiscard]] const BladeBlock& block() const { return block_; }
+    /// [m] Length of one blade.
+    [[nodiscard]] float length(PlantKey key) const;
+
+    /// [rad] Direction of lean times angle of the tip that a wind [m/s] holds, level. 0 for a wind that is not finite. Give the
+    /// wind less the plant's own velocity, if it has one.
+    [[nodiscard]] glm::vec3 load(PlantKey key, glm::vec3 wind) const;
+    /// A vertex at height h, 0 to 1, and side -1 to 1. `view` is the unit vector from the eye to the blade, for view_bend.
+    [[nodiscard]] PlantVertex vertex(PlantKey key, glm::vec3 load, float h, float side,
+                                     glm::vec3 view = {0.0f, 0.0f, 1.0f}) const;
+
+    /// `load` for many: keys, winds and loads have one entry a blade; of vec4 the first three count. The result does not depend
+    /// on the number of threads. Refuses spans of different sizes and touches nothing then.
+    Result<void> loads(std::span<const PlantKey> keys, std::span<const glm::vec4> winds, std::span<glm::vec4> loads,
+                       const ParallelFor& parallel_for = {}) const;
+
+    /// What `vertices` writes.
+    struct Vertices {
+        std::span<glm::vec4> positions; ///< [m] xyz roots + the blade's, w h; blade by blade, row by row, left then right
+        std::span<glm::vec4> normals;   ///< xyz unit vectors, w 0; empty: not wanted
+    };
+    /// Vertices of many blades: `heights` of the rows, 0 to 1, two vertices each. `roots` [m], `loads` [rad] and keys have one
+    /// entry a blade; positions (and normals) have blades * rows * 2. Refuses sizes that do not fit and heights outside 0 to 1.
+    Result<void> vertices(std::span<const PlantKey> keys, std::span<const glm::vec4> roots, std::span<const glm::vec4> loads,
+                          std::span<const float> heights, const Vertices& out, glm::vec3 view = {0.0f, 0.0f, 1.0f},
+                          const ParallelFor& parallel_for = {}) const;
+
+  private:
+    explicit Blades(const BladeSettings& settings);
+
+    BladeSettings settings_;
+    BladeBlock block_;
+};
+
+} // namespace windrow

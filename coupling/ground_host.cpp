@@ -1,0 +1,138 @@
+#include "coupling/ground_host.h"
+
+#include "fluid/message.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace windrow::detail {
+namespace {
+
+// Beyond, texels of 1 cm are no longer counted exactly in double.
+constexpr double k_farthest = 1e12;
+
+// Digits that a float has left of a position in texels within 1024 of the corner: differences of two are exact. Farther away,
+// where nothing of a sweep but its direction matters, they are rounded.
+double rounded(double texels) {
+    return std::nearbyint(texels * 16384.0) / 16384.0;
+}
+
+} // namespace
+
+Result<void> GroundHost::follow(glm::dvec3 point) {
+    if (!(std::abs(point.x) <= k_farthest) || !(std::abs(point.z) <= k_farthest) || !std::isfinite(point.y))
+        return Error{message("The ground is to follow ", point, ": give finite numbers within ", k_farthest, " m.")};
+    point_ = {point.x, point.z};
+    return {};
+}
+
+GroundHost::Texel GroundHost::corner_about(glm::dvec2 point) const {
+    const double size = config_.texel_size;
+    const auto along = [&](double value) {
+        return static_cast<std::int64_t>(std::floor(value / size + 0.5)) - config_.texels / 2;
+    };
+    return {along(point.x), along(point.y)};
+}
+
+glm::ivec2 GroundHost::slot_of(Texel corner) const {
+    const auto n = static_cast<std::int64_t>(config_.texels);
+    const auto along = [&](std::int64_t texel) { return static_cast<int>(((texel % n) + n) % n); };
+    return {along(corner.x), along(corner.y)};
+}
+
+glm::dvec2 GroundHost::next_centre(glm::ivec2 slot) const {
+    const Texel corner = corner_about(point_);
+    const glm::ivec2 texel = numerics::windrow_ground_in_slot(slot, slot_of(corner), config_.texels);
+    return (glm::dvec2(corner) + glm::dvec2(texel) + 0.5) * static_cast<double>(config_.texel_size);
+}
+
+// In texels from the corner; nothing where the sweep's bounds lie outside of the window.
+std::optional<numerics::WindrowWalker> GroundHost::local(const GroundWalker& walker, Texel corner) const {
+    const double size = config_.texel_size;
+    const auto place = [&](glm::dvec3 p) {
+        return glm::dvec2(p.x / size - static_cast<double>(corner.x), p.z / size - static_cast<double>(corner.y));
+    };
+    const glm::dvec2 to = place(walker.position);
+    const bool jumped = glm::length(walker.position - walker.previous) > static_cast<double>(config_.longest_stride);
+    const glm::dvec2 from = jumped ? to : place(walker.previous);
+    const double radius = static_cast<double>(walker.radius) / size;
+    for (int axis = 0; axis < 2; ++axis)
+        if (std::max(from[axis], to[axis]) + radius < 0.0 || std::min(from[axis], to[axis]) - radius > config_.texels)
+            return std::nullopt;
+    numerics::WindrowWalker found;
+    found.from = glm::vec4(rounded(from.x), rounded(from.y), jumped ? walker.feet : walker.previous_feet, radius);
+    found.to = glm::vec4(rounded(to.x), rounded(to.y), walker.feet, walker.weight);
+    return found;
+}
+
+Result<numerics::WindrowGroundStep> GroundHost::begin(const GroundStep& step, WindLeans leans) {
+    Reasons reasons;
+    if (!(std::abs(step.wind_lean.x) <= WINDROW_GROUND_MOST_LEAN) || !(std::abs(step.wind_lean.y) <= WINDROW_GROUND_MOST_LEAN))
+        reasons.add("GroundStep::wind_lean is (", step.wind_lean.x, ", ", step.wind_lean.y, "): give two numbers within ",
+                    WINDROW_GROUND_MOST_LEAN, ".");
+    for (std::size_t n = 0; n < step.walkers.size(); ++n)
+        if (auto valid = validate(step.walkers[n]); !valid)
+            reasons.add("Walker ", n, ": ", valid.error());
+    const auto spring = spring_step(config_.spring, step.duration);
+    if (!spring)
+        reasons.add(spring.error());
+    if (!reasons.empty())
+        return Error{reasons.take()};
+
+    Place next{.corner = corner_about(point_), .point = point_, .lean = step.wind_lean};
+    std::size_t touching = 0;
+    for (const GroundWalker& walker : step.walkers)
+        touching += local(walker, next.corner).has_value() ? 1 : 0;
+    if (touching > static_cast<std::size_t>(config_.most_walkers))
+        return Error{message(touching, " walkers touch the ground's window where it has room for ", config_.most_walkers,
+                             ": raise GroundConfig::most_walkers, or give the nearest.")};
+    walkers_.clear();
+    for (const GroundWalker& walker : step.walkers)
+        if (const auto found = local(walker, next.corner))
+            walkers_.push_back(*found);
+
+    const std::int64_t n = config_.texels;
+    const auto clamped = [&](std::int64_t by) { return static_cast<int>(std::clamp(by, -n, n)); };
+    const Texel by = next.corner - now_.corner;
+    if (!begun_)
+        now_ = next; // the frame before the first is the first
+    before_ = now_;
+    now_ = next;
+
+    const auto fall = [&](float seconds) { return -step.duration / static_cast<double>(seconds); };
+    const double trail = fall(config_.trail_seconds), trample = fall(config_.trample_seconds);
+    const glm::ivec2 slot = slot_of(next.corner);
+    numerics::WindrowGroundStep told;
+    told.window = {config_.texels, slot.x, slot.y, static_cast<int>(walkers_.size())};
+    told.moved = {begun_ ? clamped(by.x) : config_.texels, begun_ ? clamped(by.y) : config_.texels,
+                  leans == WindLeans::each_texel ? 1 : 0, 0};
+    told.contact = {config_.clearance, config_.push, config_.trail_share, 0.0f};
+    told.fading = glm::vec4(glm::dvec4(std::expm1(trail), std::expm1(trample), trail, trample));
+    told.wind = {next.lean.x, next.lean.y, 0.0f, 0.0f};
+    told.spring = std::bit_cast<numerics::WindrowSpringStep>(spring->block());
+    begun_ = true;
+    return told;
+}
+
+GroundPlaceBlock GroundHost::place_block(const Place& place, glm::dvec3 anchor) const {
+    const double size = config_.texel_size;
+    const glm::dvec2 origin(anchor.x, anchor.z), corner = glm::dvec2(place.corner) * size - origin, point = place.point - origin;
+    const glm::ivec2 slot = slot_of(place.corner);
+    GroundPlaceBlock block;
+    block.corner = glm::vec4(corner.x, corner.y, size, config_.texels);
+    // The point lies within half a texel of the window's middle, and the outermost centres half a texel within its edge.
+    block.rim = glm::vec4(point.x, point.y, (config_.texels / 2 - 1) * size, config_.rim);
+    block.slot = glm::vec4(slot.x, slot.y, place.lean.x, place.lean.y);
+    return block;
+}
+
+GroundBlock GroundHost::block(glm::dvec3 anchor) const {
+    return {.now = place_block(now_, anchor), .before = place_block(before_, anchor)};
+}
+
+GroundPlaceBlock GroundHost::next_place(glm::dvec3 anchor) const {
+    return place_block({.corner = corner_about(point_), .point = point_, .lean = now_.lean}, anchor);
+}
+
+} // namespace windrow::detail

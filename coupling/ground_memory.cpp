@@ -1,0 +1,152 @@
+#include "coupling/ground_memory.h"
+
+#include "coupling/ground_host.h"
+#include "fluid/message.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+namespace windrow {
+
+struct GroundMemory::State {
+    State(const GroundConfig& config, ParallelFor loop) : host(config), parallel_for(loop) {}
+
+    Result<void> advance(const GroundStep& step, std::span<const glm::vec2> wind_leans);
+    void advance_row(const numerics::WindrowGroundStep& step, int row, std::span<const glm::vec2> wind_leans);
+
+    detail::GroundHost host;
+    ParallelFor parallel_for;
+    std::vector<numerics::WindrowGround> texels;
+    std::vector<glm::vec2> leans_before; // of the wind, a step ago
+    std::vector<glm::vec4> shown[2];
+    int set = 0;
+    bool shown_once = false;
+};
+
+GroundMemory::GroundMemory(std::unique_ptr<State> state) : state_(std::move(state)) {}
+GroundMemory::GroundMemory(GroundMemory&&) noexcept = default;
+GroundMemory& GroundMemory::operator=(GroundMemory&&) noexcept = default;
+GroundMemory::GroundMemory(const GroundMemory& other) : state_(std::make_unique<State>(*other.state_)) {}
+GroundMemory& GroundMemory::operator=(const GroundMemory& other) {
+    *state_ = *other.state_;
+    return *this;
+}
+GroundMemory::~GroundMemory() = default;
+
+Result<GroundMemory> GroundMemory::create(const GroundConfig& config, ParallelFor parallel_for) {
+    if (auto valid = validate(config); !valid)
+        return Error{valid.error()};
+    auto state = std::make_unique<State>(config, parallel_for);
+    const std::size_t count = state->host.texel_count();
+    state->texels.assign(count, numerics::windrow_ground_new({0.0f, 0.0f}));
+    state->leans_before.assign(count, glm::vec2(0.0f));
+    for (auto& shown : state->shown)
+        shown.assign(count, glm::vec4(0.0f));
+    return GroundMemory(std::move(state));
+}
+
+Result<void> GroundMemory::follow(glm::dvec3 point) {
+    return state_->host.follow(point);
+}
+
+Result<void> GroundMemory::advance(const GroundStep& step) {
+    return state_->advance(step, {});
+}
+
+Result<void> GroundMemory::advance(const GroundStep& step, std::span<const glm::vec2> wind_leans) {
+    if (wind_leans.size() != state_->texels.size())
+        return Error{detail::message("GroundMemory::advance got ", wind_leans.size(), " wind leans for ", state_->texels.size(),
+                                     " texels: give one each.")};
+    return state_->advance(step, wind_leans);
+}
+
+// --- A step
+// ----------------------------------------------------------------------------------------------------------------------
+
+Result<void> GroundMemory::State::advance(const GroundStep& step, std::span<const glm::vec2> wind_leans) {
+    const auto told = host.begin(step, wind_leans.empty() ? WindLeans::everywhere : WindLeans::each_texel);
+    if (!told)
+        return Error{told.error()};
+    set ^= 1;
+    parallel_for(host.config().texels, [&](int row) { advance_row(*told, row, wind_leans); });
+    if (!shown_once) // the frame before the first is the first
+        shown[set ^ 1] = shown[set];
+    shown_once = true;
+    return {};
+}
+
+void GroundMemory::State::advance_row(const numerics::WindrowGroundStep& step, int row, std::span<const glm::vec2> wind_leans) {
+    const int n = step.window.x;
+    const glm::ivec2 corner(step.window.y, step.window.z);
+    const auto walkers = host.walkers();
+    const float z = static_cast<float>(numerics::windrow_ground_in_slot({0, row}, corner, n).y) + 0.5f;
+    // Walkers whose sweep may touch the row; GroundConfig::most_walkers is 256 at most.
+    std::uint16_t near[256];
+    std::size_t near_count = 0;
+    for (std::size_t w = 0; w < walkers.size(); ++w)
+        if (std::min(walkers[w].from.y, walkers[w].to.y) - walkers[w].from.w < z &&
+            std::max(walkers[w].from.y, walkers[w].to.y) + walkers[w].from.w > z)
+            near[near_count++] = static_cast<std::uint16_t>(w);
+    for (int x = 0; x < n; ++x) {
+        const std::size_t at = static_cast<std::size_t>(row) * static_cast<std::size_t>(n) + static_cast<std::size_t>(x);
+        const glm::ivec2 texel = numerics::windrow_ground_in_slot({x, row}, corner, n);
+        glm::vec2 lean(step.wind.x, step.wind.y);
+        if (!wind_leans.empty())
+            lean = {numerics::windrow_ground_sound(wind_leans[at].x), numerics::windrow_ground_sound(wind_leans[at].y)};
+        numerics::WindrowGround ground = numerics::windrow_ground_is_new(texel, {step.moved.x, step.moved.y}, n)
+                                             ? numerics::windrow_ground_new(lean)
+                                             : numerics::windrow_ground_advanced(texels[at], step, leans_before[at], lean);
+        const glm::vec2 centre = glm::vec2(texel) + 0.5f;
+        for (std::size_t w = 0; w < near_count; ++w)
+            ground = numerics::windrow_ground_touched(ground, step,
+                                                      numerics::windrow_ground_contact(walkers[near[w]], centre, step.contact.x));
+        texels[at] = ground;
+        leans_before[at] = lean;
+        shown[set][at] = {ground.lean.x, ground.lean.y, ground.trample, glm::length(ground.trail)};
+    }
+}
+
+// --- Reading
+// ---------------------------------------------------------------------------------------------------------------------
+
+glm::dvec2 GroundMemory::next_centre(glm::ivec2 slot) const {
+    return state_->host.next_centre(slot);
+}
+
+namespace {
+
+GroundSample sample(const std::vector<glm::vec4>& texels, int n, const GroundPlaceBlock& place) {
+    const glm::vec4 found =
+        numerics::windrow_ground_at({texels.data(), n}, std::bit_cast<numerics::WindrowGroundPlace>(place), glm::vec3(0.0f));
+    return {.lean = {found.x, found.y}, .trample = found.z, .trail = found.w};
+}
+
+} // namespace
+
+// With the point itself as the anchor, so that it is as exact far away as near the origin.
+GroundSample GroundMemory::at(glm::dvec3 position) const {
+    return sample(state_->shown[state_->set], config().texels, state_->host.block(position).now);
+}
+GroundSample GroundMemory::previous_at(glm::dvec3 position) const {
+    return sample(state_->shown[state_->set ^ 1], config().texels, state_->host.block(position).before);
+}
+
+std::span<const glm::vec4> GroundMemory::texels() const {
+    return state_->shown[state_->set];
+}
+std::span<const glm::vec4> GroundMemory::previous_texels() const {
+    return state_->shown[state_->set ^ 1];
+}
+GroundBlock GroundMemory::block(glm::dvec3 anchor) const {
+    return state_->host.block(anchor);
+}
+std::span<const numerics::WindrowGround> GroundMemory::state() const {
+    return state_->texels;
+}
+const GroundConfig& GroundMemory::config() const {
+    return state_->host.config();
+}
+
+} // namespace windrow

@@ -1,0 +1,76 @@
+// What the ground remembers around a player: plants that swing, that were trodden on, that rise again.
+//
+//     auto ground = windrow::GroundMemory::create({});
+//     (void)ground->follow(player);
+//     (void)ground->advance({.duration = dt, .walkers = walkers, .wind_lean = lean});
+//     windrow::GroundSample here = ground->at(blade_root);
+//
+// A square window of texels over the plane xz that follows a point by whole texels; nothing is copied when it moves, and what
+// stays in it keeps its bits. The same on a device: coupling/vulkan/ground_memory.h. The formulas: shaders/numerics/ground.glsl.
+#pragma once
+
+#include "coupling/ground_config.h"
+#include "coupling/motion_blocks.h"
+#include "fluid/parallel.h"
+
+#include <memory>
+
+namespace windrow {
+
+namespace numerics {
+struct WindrowGround; // shaders/numerics/ground.glsl
+}
+
+/// The ground at a point.
+struct GroundSample {
+    glm::vec2 lean{0.0f}; ///< of the plants (x and z), wind and walkers together; 1 is flat
+    float trample = 0.0f; ///< 0 to 1: how hard they are pressed now
+    float trail = 0.0f;   ///< length of the lean that stays behind walkers
+};
+
+class GroundMemory {
+  public:
+    /// No trail, no trample, plants at rest. Refuses as `validate`. Threads through `parallel_for`; any number gives the same
+    /// bits.
+    [[nodiscard]] static Result<GroundMemory> create(const GroundConfig& config, ParallelFor parallel_for = {});
+
+    /// The window's middle, from the next `advance` on, to the nearest texel [m]. A point beyond the window begins anew there.
+    Result<void> follow(glm::dvec3 point);
+    /// One step: the window moves, plants swing and rise, walkers push. Does not allocate. Refuses what is not finite or out of
+    /// range, with nothing changed.
+    Result<void> advance(const GroundStep& step);
+    /// The same with a wind lean for each texel, in slots: texels x texels, x fastest; slot (i, j) will lie at next_centre({i,
+    /// j}). Outside of the window step.wind_lean holds. Refuses another number of them; a lean that is no number, or beyond 1e6,
+    /// counts as 0.
+    Result<void> advance(const GroundStep& step, std::span<const glm::vec2> wind_leans);
+    /// [m] Place (x, z) of what a slot will hold after the next `advance`.
+    [[nodiscard]] glm::dvec2 next_centre(glm::ivec2 slot) const;
+
+    /// At a world point, of which x and z count, and the same before the last `advance`: the difference is this frame's motion
+    /// vector.
+    [[nodiscard]] GroundSample at(glm::dvec3 position) const;
+    [[nodiscard]] GroundSample previous_at(glm::dvec3 position) const;
+
+    /// For shaders (shaders/coupling/windrow_ground.glsl): texels in slots, x fastest: lean x, lean z, trample, length of the
+    /// trail.
+    [[nodiscard]] std::span<const glm::vec4> texels() const;
+    [[nodiscard]] std::span<const glm::vec4> previous_texels() const;
+    /// And where they lie, relative to `anchor` [m].
+    [[nodiscard]] GroundBlock block(glm::dvec3 anchor) const;
+    /// The state itself, in slots: for tools and tests.
+    [[nodiscard]] std::span<const numerics::WindrowGround> state() const;
+    [[nodiscard]] const GroundConfig& config() const;
+
+    GroundMemory(GroundMemory&&) noexcept;
+    GroundMemory& operator=(GroundMemory&&) noexcept;
+    GroundMemory(const GroundMemory& other);
+    GroundMemory& operator=(const GroundMemory& other);
+    ~GroundMemory();
+
+  private:
+    struct State;
+    explicit GroundMemory(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+} // namespace windrow

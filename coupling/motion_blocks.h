@@ -1,0 +1,37 @@
+// What shaders are told of plants in motion, laid out as the structs of shaders/numerics: usable in std140 and std430 blocks.
+#pragma once
+
+#include <glm/vec4.hpp>
+
+namespace windrow {
+
+/// A step of a class of springs: WindrowSpringStep of shaders/numerics/spring.glsl.
+struct SpringBlock {
+    glm::vec4 place{0.0f};
+    glm::vec4 velocity{0.0f};
+};
+static_assert(sizeof(SpringBlock) == 32);
+
+/// A stage of a cascade, or the body: WindrowPose of shaders/numerics/cascade.glsl.
+struct PoseBlock {
+    glm::vec4 place{0.0f};                      ///< xyz [m] from the anchor, w scale
+    glm::vec4 rotation{0.0f, 0.0f, 0.0f, 1.0f}; ///< quaternion x, y, z, w, of any length
+};
+static_assert(sizeof(PoseBlock) == 32);
+
+/// Where a frame's ground texels lie: WindrowGroundPlace of shaders/numerics/ground_texels.glsl.
+struct GroundPlaceBlock {
+    glm::vec4 corner{0.0f}; ///< xy [m] low corner (x and z) minus the anchor, z [m] edge of a texel, w texels an axis
+    glm::vec4 rim{0.0f};    ///< xy [m] the point that the rim follows, minus the anchor; z [m] reach, w [m] width of the fading
+    glm::vec4 slot{0.0f};   ///< xy slot of the low corner; zw lean of the wind outside
+};
+static_assert(sizeof(GroundPlaceBlock) == 48);
+
+/// A frame of the ground: the uniform block of shaders/coupling/windrow_ground.glsl.
+struct GroundBlock {
+    GroundPlaceBlock now{};
+    GroundPlaceBlock before{}; ///< of the frame before, for motion vectors
+};
+static_assert(sizeof(GroundBlock) == 96);
+
+} // namespace windrow

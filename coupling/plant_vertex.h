@@ -1,0 +1,28 @@
+// What the plants' formulas give a renderer.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace windrow {
+
+/// Where a vertex of a plant goes.
+struct PlantVertex {
+    glm::vec3 position{0.0f};            ///< [m] from the plant's root
+    glm::vec3 normal{0.0f, 0.0f, 1.0f};  ///< unit vector
+    glm::vec3 tangent{0.0f, 1.0f, 0.0f}; ///< unit vector toward the tip
+};
+
+/// What tells one plant from another: its own place as it is stored, a cell or the bits of its coordinates; never a place
+/// relative to a camera. Two plants with different keys have different chances.
+using PlantKey = glm::uvec2;
+
+/// The key of a place [m], the same in shaders (windrow_place_key).
+[[nodiscard]] PlantKey place_key(float x, float z);
+/// [rad] The yaw that a key gives, 0 to 2 pi.
+[[nodiscard]] float plant_yaw(PlantKey key);
+/// The factor on the stiffness that a key gives, 1 - spread to 1 + spread.
+[[nodiscard]] float plant_stiffness(PlantKey key, float spread);
+
+} // namespace windrow

@@ -1,0 +1,100 @@
+// Shells of fur or grass on the CPU: where the vertices of each layer go. Shaders have the same by one text
+// (shaders/coupling/windrow_plants.glsl); the equations and the sources' forms stand in shaders/numerics/shell.glsl.
+//
+//     auto fur = windrow::Shells::create({.shells = 40, .length = 0.03f});
+//     for (int i = 0; i < 40; ++i)
+//         p[i] = fur->bent(skin, normal, fur->height(i), 1.0f, fur->load(normal, wind - velocity));
+//
+// Two forms: `bent`, in which strands keep their length, and `translated`, the push and droop of the shell literature. Neither
+// moves a vertex into the surface, and no shell passes the next. Positions and normals come after skinning.
+#pragma once
+
+#include "coupling/drag.h"
+#include "fluid/parallel.h"
+#include "fluid/result.h"
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+
+namespace windrow {
+
+struct ShellSettings {
+    /// N, 2 to 4096. Default 32.
+    int shells = 32;
+    /// Whether the outermost shell lies at the tip, i / (N - 1), or short of it, i / N, as some sources have it. Default: at the
+    /// tip, so that the look does not depend on N.
+    bool reaches_tip = true;
+    /// [m] L, 1e-6 to 100. Default 0.03: long fur.
+    float length = 0.03f;
+    /// a: heights are (i / d)^a; above 0, at most 10. Default 1: even. Above 1 layers gather at the skin.
+    float spacing = 1.0f;
+    /// Added to each layer's distance, as a share of L; 0 to 1. Default 0. A little lifts shell 0 off a skin that is drawn too.
+    float bias = 0.0f;
+    /// s of the translate form: metres of the tip for a direction of length 1; -100 to 100. Default 0.015: half of the length.
+    float push = 0.015f;
+    /// c: the push grows as h^c; above 0, at most 10. Default 2: roots stand, tips lean.
+    float push_exponent = 2.0f;
+    /// [m] Droop of the tip in the translate form, 0 to 100. Default 0.
+    float droop = 0.0f;
+    /// p of the droop, 1e-3 to 1e3: (p^h - 1) / (p - 1). Default 3: bends late; 1 is even.
+    float droop_shape = 3.0f;
+    /// [rad] Sag of the tip of a level strand in the bent form, 0 to pi/2. Default 0.3.
+    float sag = 0.3f;
+    /// Where things fall to: any length but 0. Default -y.
+    glm::vec3 down{0.0f, -1.0f, 0.0f};
+    /// What the wind meets, in the bent form; its length is replaced by `length`. Default: a bundle of hairs that a light wind
+    /// moves, 15 degrees at 3 m/s.
+    Drag strand{.length = 0.03f, .width = 2e-4f, .rigidity = 2.6e-8f, .drag_coefficient = 1.5f};
+};
+
+/// For shaders: WindrowShells of shaders/numerics/shell.glsl, a std140 block of four vec4.
+struct ShellBlock {
+    glm::vec4 form{0.0f}; ///< x [m] L; y a; z bias; w divisor of i
+    glm::vec4 push{0.0f}; ///< x s; y c; z [m] droop; w ln p, taken in double
+    glm::vec4 sag{0.0f};  ///< xyz down; w [rad] sag
+    DragBlock drag{};
+};
+static_assert(sizeof(ShellBlock) == 64);
+
+[[nodiscard]] Result<void> validate(const ShellSettings& settings);
+
+class Shells {
+  public:
+    /// Refuses what `validate` refuses, with every reason.
+    [[nodiscard]] static Result<Shells> create(const ShellSettings& settings);
+
+    [[nodiscard]] const ShellSettings& settings() const { return settings_; }
+    [[nodiscard]] const ShellBlock& block() const { return block_; }
+
+    /// h of shell i, 0 to N - 1.
+    [[nodiscard]] float height(int shell) const;
+    /// [rad] The bend of a strand on the normal n that a wind [m/s] holds.
+    [[nodiscard]] glm::vec3 load(glm::vec3 normal, glm::vec3 wind) const;
+    /// [m] A vertex of the skin with its unit normal, on the layer of height h, where strands have `map` of their length, 0 to 1.
+    [[nodiscard]] glm::vec3 bent(glm::vec3 position, glm::vec3 normal, float h, float map, glm::vec3 load) const;
+    /// [m] The translate form; `direction` [1] is multiplied by `push`: wind or -velocity times a factor, or a direction memory.
+    [[nodiscard]] glm::vec3 translated(glm::vec3 position, glm::vec3 normal, float h, float map, glm::vec3 direction) const;
+
+    /// A mesh's vertices, one entry each; w of `positions` is the map.
+    struct Skin {
+        std::span<const glm::vec4> positions; ///< xyz [m]; w length of strands there, 0 to 1
+        std::span<const glm::vec4> normals;   ///< xyz unit vectors
+    };
+    /// `load`, `bent` and `translated` for one layer of a whole mesh. Spans have one entry a vertex; refuses others and touches
+    /// nothing then. The result does not depend on the number of threads.
+    Result<void> loads(std::span<const glm::vec4> normals, std::span<const glm::vec4> winds, std::span<glm::vec4> loads,
+                       const ParallelFor& parallel_for = {}) const;
+    Result<void> bent(const Skin& skin, float h, std::span<const glm::vec4> loads, std::span<glm::vec4> out,
+                      const ParallelFor& parallel_for = {}) const;
+    Result<void> translated(const Skin& skin, float h, std::span<const glm::vec4> directions, std::span<glm::vec4> out,
+                            const ParallelFor& parallel_for = {}) const;
+
+  private:
+    explicit Shells(const ShellSettings& settings);
+
+    ShellSettings settings_;
+    ShellBlock block_;
+};
+
+} // namespace windrow

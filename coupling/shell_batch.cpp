@@ -1,0 +1,118 @@
+// A layer of shells over a whole mesh at once (lanes.h). The blocks are cut the same way for any number of threads.
+#include "coupling/checks.h"
+#include "coupling/lanes.h"
+#include "coupling/shell.h"
+#include "coupling/shell_numerics.h"
+
+namespace windrow {
+namespace {
+
+using detail::k_lanes;
+using detail::Lanes;
+using detail::Lanes3;
+
+Result<void> fits(const char* call, const Shells::Skin& skin, float h, const char* what, std::size_t given, std::size_t out) {
+    detail::Checks checks(call);
+    checks.between(".h", h, 0.0f, 1.0f, "");
+    checks.same_size(".skin.normals", skin.normals.size(), skin.positions.size());
+    checks.same_size(what, given, skin.positions.size());
+    checks.same_size(".out", out, skin.positions.size());
+    return checks.outcome();
+}
+
+WINDROW_LEVELS void load_lanes(Lanes3& loads, numerics::WindrowShells shells, const Lanes3& normals, const Lanes3& winds) {
+    const auto bend = [&](std::size_t i) { loads.set(i, numerics::windrow_shell_load(shells, normals[i], winds[i])); };
+    if (shells.drag.load.y < 0.0f) { // a power, which no vector instruction has
+        for (std::size_t i = 0; i < k_lanes; ++i)
+            bend(i);
+        return;
+    }
+    shells.drag.load.y = 0.0f;
+    for (std::size_t i = 0; i < k_lanes; ++i)
+        bend(i);
+}
+
+struct SkinLanes {
+    Lanes3 positions{}, normals{};
+    Lanes map{};
+
+    SkinLanes(const Shells::Skin& skin, std::size_t first, std::size_t count) {
+        gather(positions, skin.positions.data() + first, count);
+        gather(normals, skin.normals.data() + first, count);
+        for (std::size_t i = 0; i < count; ++i)
+            map.at[i] = skin.positions[first + i].w;
+    }
+};
+
+WINDROW_LEVELS void bend_lanes(Lanes3& out, numerics::WindrowShells shells, const SkinLanes& skin, float h, const Lanes3& loads) {
+    for (std::size_t i = 0; i < k_lanes; ++i)
+        out.set(i, numerics::windrow_shell_bent(shells, skin.positions[i], skin.normals[i], h, skin.map.at[i], loads[i]));
+}
+
+// What a layer shares of the translate form.
+struct Layer {
+    float h, push;
+    glm::vec3 droop;
+};
+
+WINDROW_LEVELS void push_lanes(Lanes3& out, numerics::WindrowShells shells, const SkinLanes& skin, Layer layer,
+                               const Lanes3& directions) {
+    for (std::size_t i = 0; i < k_lanes; ++i)
+        out.set(i, numerics::windrow_shell_moved(skin.positions[i], skin.normals[i],
+                                                 numerics::windrow_shell_distance(shells, layer.h, skin.map.at[i]),
+                                                 directions[i] * layer.push, layer.droop));
+}
+
+} // namespace
+
+Result<void> Shells::loads(std::span<const glm::vec4> normals, std::span<const glm::vec4> winds, std::span<glm::vec4> loads,
+                           const ParallelFor& parallel_for) const {
+    detail::Checks checks("shells.loads");
+    checks.same_size(".winds", winds.size(), normals.size());
+    checks.same_size(".loads", loads.size(), normals.size());
+    if (auto outcome = checks.outcome(); !outcome)
+        return outcome;
+    const numerics::WindrowShells shells = detail::shared(block_);
+    detail::for_blocks(normals.size(), parallel_for, [&](std::size_t first, std::size_t count) {
+        Lanes3 normal_lanes{}, wind_lanes{}, out{};
+        gather(normal_lanes, normals.data() + first, count);
+        gather(wind_lanes, winds.data() + first, count);
+        load_lanes(out, shells, normal_lanes, wind_lanes);
+        scatter(loads.data() + first, out, 0.0f, count);
+    });
+    return {};
+}
+
+Result<void> Shells::bent(const Skin& skin, float h, std::span<const glm::vec4> loads, std::span<glm::vec4> out,
+                          const ParallelFor& parallel_for) const {
+    if (auto outcome = fits("shells.bent", skin, h, ".loads", loads.size(), out.size()); !outcome)
+        return outcome;
+    const numerics::WindrowShells shells = detail::shared(block_);
+    detail::for_blocks(out.size(), parallel_for, [&](std::size_t first, std::size_t count) {
+        const SkinLanes skin_lanes(skin, first, count);
+        Lanes3 bends{}, moved{};
+        gather(bends, loads.data() + first, count);
+        bend_lanes(moved, shells, skin_lanes, h, bends);
+        scatter(out.data() + first, moved, h, count);
+    });
+    return {};
+}
+
+Result<void> Shells::translated(const Skin& skin, float h, std::span<const glm::vec4> directions, std::span<glm::vec4> out,
+                                const ParallelFor& parallel_for) const {
+    if (auto outcome = fits("shells.translated", skin, h, ".directions", directions.size(), out.size()); !outcome)
+        return outcome;
+    const numerics::WindrowShells shells = detail::shared(block_);
+    const Layer layer{h, shells.push.x * numerics::windrow_mask_power(h, shells.push.y),
+                      numerics::windrow_shell_droop(shells, h)};
+    detail::for_blocks(out.size(), parallel_for, [&](std::size_t first, std::size_t count) {
+        const SkinLanes skin_lanes(skin, first, count);
+        Lanes3 pushes{}, moved{};
+        gather(pushes, directions.data() + first, count);
+        push_lanes(moved, shells, skin_lanes, layer, pushes);
+        scatter(out.data() + first, moved, h, count);
+    });
+    return {};
+}
+
+} // namespace windrow

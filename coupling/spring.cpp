@@ -1,0 +1,190 @@
+#include "coupling/spring.h"
+
+#include "fluid/message.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace windrow {
+namespace {
+
+constexpr double k_lowest_hz = 1e-4; // a swing of three hours: below, omega^2 would vanish beside 1
+constexpr double k_highest_hz = 1000.0;
+constexpr double k_most_damping = 1000.0;
+
+// What a step is made of: the unit responses and what they lack to rest.
+struct Responses {
+    double gone = 0.0;         ///< 1 - A
+    double speed = 0.0;        ///< B
+    double mean_gone = 0.0;    ///< 1 + E, the mean of 1 - A over the step
+    double speed_change = 0.0; ///< D - 1
+};
+
+// Short steps by the Taylor series of B at 0, whose derivatives obey B'' = -2a B' - omega^2 B: each sum keeps all its digits,
+// which the closed forms lose to cancellation. (2a + omega) t <= 1/2, so a term is less than half of the one before it.
+Responses short_step(double omega, double a, double t) {
+    Responses sums;
+    double earlier = 0.0, derivative = 1.0; // B^(n-1) and B^(n) at 0, n from 1
+    double power = t;                       // t^n / n!
+    for (int n = 1; n < 40; ++n) {
+        sums.speed += power * derivative;
+        sums.gone += omega * omega * power * t / (n + 1) * derivative;
+        sums.mean_gone += omega * omega * power * t / ((n + 1.0) * (n + 2.0)) * derivative;
+        const double next = -2.0 * a * derivative - omega * omega * earlier;
+        earlier = derivative;
+        derivative = next;
+        power *= t / (n + 1);
+    }
+    sums.speed_change = -sums.gone - 2.0 * a * sums.speed;
+    return sums;
+}
+
+Responses long_step(double omega, double a, double t) {
+    Responses closed;
+    if (a < omega) { // swings
+        const double swing = std::sqrt((omega - a) * (omega + a));
+        const double left = std::exp(-a * t);
+        closed.speed = left * std::sin(swing * t) / swing;
+        closed.gone = 1.0 - left * std::cos(swing * t) - a * closed.speed;
+    } else { // creeps, with the rates slow and fast; their product is omega^2
+        const double apart = std::sqrt((a - omega) * (a + omega));
+        const double fast = a + apart, slow = omega * omega / fast;
+        const double left = std::exp(-slow * t);
+        closed.speed = apart > 0.0 ? left * -std::expm1(-2.0 * apart * t) / (2.0 * apart) : left * t;
+        if (apart > 0.1 * a)
+            closed.gone = (slow * std::expm1(-fast * t) - fast * std::expm1(-slow * t)) / (2.0 * apart);
+        else // near the limit: no division by what vanishes there
+            closed.gone = 1.0 - 0.5 * left * (1.0 + std::exp(-2.0 * apart * t)) - a * closed.speed;
+    }
+    closed.mean_gone = 1.0 - (closed.speed + 2.0 * a / (omega * omega) * closed.gone) / t;
+    closed.speed_change = -closed.gone - 2.0 * a * closed.speed;
+    return closed;
+}
+
+// Springs of a thread's share, a multiple of any SIMD width.
+constexpr std::size_t k_share = 16384;
+
+// 0 for what is far below all that counts: the swing of a spring at rest would end in denormal numbers, a hundred times as slow.
+template <class Real>
+Real settled(Real value) {
+    return std::abs(value) < static_cast<Real>(1e-20) ? Real{0} : value;
+}
+
+template <class Real>
+struct Numbers {
+    Real xx, xv, xg, vx, vv, vg;
+};
+
+template <class Real>
+void advance_plain(const Numbers<Real>& s, std::size_t count, Real* __restrict place, Real* __restrict velocity,
+                   const Real* __restrict before, const Real* __restrict now) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const Real e = place[i] - before[i], d = now[i] - before[i], v = velocity[i];
+        place[i] = settled(place[i] + (s.xx * e + s.xv * v + s.xg * d));
+        velocity[i] = settled(v + (s.vx * e + s.vv * v + s.vg * d));
+    }
+}
+
+// Compensated summation (Kahan 1965): `rest` is what the last sum has lost.
+template <class Real>
+void advance_compensated(const Numbers<Real>& s, std::size_t count, Real* __restrict place, Real* __restrict velocity,
+                         const Real* __restrict before, const Real* __restrict now, Real* __restrict place_rest,
+                         Real* __restrict velocity_rest) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const Real e = place[i] - before[i] + place_rest[i], d = now[i] - before[i], v = velocity[i] + velocity_rest[i];
+        const Real dx = s.xx * e + s.xv * v + s.xg * d + place_rest[i];
+        const Real dv = s.vx * e + s.vv * v + s.vg * d + velocity_rest[i];
+        const Real x1 = settled(place[i] + dx), v1 = settled(velocity[i] + dv);
+        place_rest[i] = settled(dx - (x1 - place[i]));
+        velocity_rest[i] = settled(dv - (v1 - velocity[i]));
+        place[i] = x1;
+        velocity[i] = v1;
+    }
+}
+
+} // namespace
+
+Result<void> validate(const SpringClass& spring) {
+    detail::Reasons reasons;
+    if (!(spring.frequency_hz >= k_lowest_hz) || !(spring.frequency_hz <= k_highest_hz))
+        reasons.add("SpringClass::frequency_hz is ", spring.frequency_hz, ": give a natural frequency of ", k_lowest_hz, " to ",
+                    k_highest_hz, " Hz.");
+    if (!(spring.damping >= 0.0) || !(spring.damping <= k_most_damping))
+        reasons.add("SpringClass::damping is ", spring.damping, ": give a damping ratio of 0 to ", k_most_damping, ".");
+    if (!reasons.empty())
+        return Error{reasons.take()};
+    return {};
+}
+
+Result<SpringStep> spring_step(const SpringClass& spring, double duration) {
+    if (auto valid = validate(spring); !valid)
+        return Error{valid.error()};
+    if (!(duration >= 0.0) || !std::isfinite(duration))
+        return Error{detail::message("The duration of a spring's step is ", duration, " s: give 0 or more.")};
+    if (duration == 0.0)
+        return SpringStep{};
+    const double omega = 2.0 * std::numbers::pi * spring.frequency_hz, a = spring.damping * omega;
+    const Responses r = (2.0 * a + omega) * duration <= 0.5 ? short_step(omega, a, duration) : long_step(omega, a, duration);
+    return SpringStep{.place_place = -r.gone,
+                      .place_velocity = r.speed,
+                      .place_target = r.mean_gone,
+                      .velocity_place = -omega * omega * r.speed,
+                      .velocity_velocity = r.speed_change,
+                      .velocity_target = r.gone / duration};
+}
+
+SpringBlock SpringStep::block() const {
+    const auto f = [](double value) { return static_cast<float>(value); };
+    SpringBlock block;
+    block.place = {f(place_place), f(place_velocity), f(place_target), 0.0f};
+    block.velocity = {f(velocity_place), f(velocity_velocity), f(velocity_target), 0.0f};
+    return block;
+}
+
+template <class Real>
+Result<void> advance_springs(const SpringStep& step, const SpringBatch<Real>& batch, ParallelFor parallel_for) {
+    const std::size_t count = batch.place.size();
+    const bool compensated = !batch.place_remainder.empty() || !batch.velocity_remainder.empty();
+    const auto fits = [&](const char* name, std::size_t size) -> Result<void> {
+        if (size == count)
+            return {};
+        return Error{
+            detail::message("SpringBatch::", name, " holds ", size, " numbers where `place` holds ", count, ": give as many.")};
+    };
+    if (auto fit = fits("velocity", batch.velocity.size()); !fit)
+        return fit;
+    if (auto fit = fits("target_before", batch.target_before.size()); !fit)
+        return fit;
+    if (auto fit = fits("target_now", batch.target_now.size()); !fit)
+        return fit;
+    if (compensated) {
+        if (auto fit = fits("place_remainder", batch.place_remainder.size()); !fit)
+            return fit;
+        if (auto fit = fits("velocity_remainder", batch.velocity_remainder.size()); !fit)
+            return fit;
+    }
+    if (!batch.place_previous.empty())
+        if (auto fit = fits("place_previous", batch.place_previous.size()); !fit)
+            return fit;
+    const auto r = [](double value) { return static_cast<Real>(value); };
+    const Numbers<Real> s{r(step.place_place),    r(step.place_velocity),    r(step.place_target),
+                          r(step.velocity_place), r(step.velocity_velocity), r(step.velocity_target)};
+    const auto shares = static_cast<int>((count + k_share - 1) / k_share);
+    parallel_for(shares, [&](int share) {
+        const std::size_t at = static_cast<std::size_t>(share) * k_share, n = std::min(k_share, count - at);
+        if (!batch.place_previous.empty())
+            std::copy_n(&batch.place[at], n, &batch.place_previous[at]);
+        if (compensated)
+            advance_compensated(s, n, &batch.place[at], &batch.velocity[at], &batch.target_before[at], &batch.target_now[at],
+                                &batch.place_remainder[at], &batch.velocity_remainder[at]);
+        else
+            advance_plain(s, n, &batch.place[at], &batch.velocity[at], &batch.target_before[at], &batch.target_now[at]);
+    });
+    return {};
+}
+
+template Result<void> advance_springs<float>(const SpringStep&, const SpringBatch<float>&, ParallelFor);
+template Result<void> advance_springs<double>(const SpringStep&, const SpringBatch<double>&, ParallelFor);
+
+} // namespace windrow

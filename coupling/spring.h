@@ -1,0 +1,81 @@
+// Damped oscillators that follow a target, for plants that a host moves on the CPU, and the numbers that shaders need for the
+// same.
+//
+//     const auto step = windrow::spring_step(windrow::springs::wheat, frame_seconds);    // once a frame and class
+//     (void)windrow::advance_springs<float>(*step, {places, velocities, targets_before, targets_now});
+//
+// The equation and its exact solution: shaders/numerics/spring.glsl. A step has any length; its result does not depend on how the
+// time was cut, as long as targets are linear between the cuts.
+#pragma once
+
+#include "coupling/motion_blocks.h"
+#include "fluid/parallel.h"
+#include "fluid/result.h"
+
+#include <span>
+
+namespace windrow {
+
+/// How a class of plants swings about its target.
+struct SpringClass {
+    /// [Hz] Natural frequency: of the swing without damping. 0.0001 to 1000. Lower is slower and follows gusts late.
+    double frequency_hz = 2.5;
+    /// Damping ratio. 0: swings for ever; below 1: swings and dies down; 1: returns as fast as it can without a swing; above:
+    /// creeps. 0 to 1000. Default: what crops and trees have, drag of the leaves included.
+    double damping = 0.12;
+};
+
+/// Classes to begin with. docs/plants_motion.md names the source of each figure, and which of them are our choice.
+namespace springs {
+inline constexpr SpringClass grass{3.5, 0.2};
+inline constexpr SpringClass wheat{2.5, 0.12};
+inline constexpr SpringClass alfalfa{1.05, 0.12};
+inline constexpr SpringClass reed{0.9, 0.1};
+inline constexpr SpringClass leaf{6.0, 0.2};
+inline constexpr SpringClass twig{3.0, 0.12};
+inline constexpr SpringClass branch{1.2, 0.1};
+inline constexpr SpringClass trunk{0.3, 0.08};
+} // namespace springs
+
+/// Refuses a frequency or a damping that is out of range or no number.
+[[nodiscard]] Result<void> validate(const SpringClass& spring);
+
+/// The six numbers of a step (spring.glsl), in double.
+struct SpringStep {
+    double place_place = 0.0;       ///< A - 1
+    double place_velocity = 0.0;    ///< [s] B
+    double place_target = 0.0;      ///< 1 + E
+    double velocity_place = 0.0;    ///< [1/s^2] -omega^2 B
+    double velocity_velocity = 0.0; ///< D - 1
+    double velocity_target = 0.0;   ///< [1/s] (1 - A) / h
+
+    /// For shaders.
+    [[nodiscard]] SpringBlock block() const;
+};
+
+/// The step of `duration` [s], 0 or more: 0 leaves all as it is, a huge one ends at the target. Refuses what `validate` refuses,
+/// and a duration that is negative or not finite.
+[[nodiscard]] Result<SpringStep> spring_step(const SpringClass& spring, double duration);
+
+/// Springs side by side: component i of each array belongs to spring i. A vector's components are springs of their own.
+template <class Real>
+struct SpringBatch {
+    std::span<Real> place;
+    std::span<Real> velocity;            ///< [1/s]
+    std::span<const Real> target_before; ///< at the start of the step
+    std::span<const Real> target_now;    ///< at its end; may be the same array: a target that stays
+    std::span<Real> place_remainder{};   ///< of as many: what rounding took, given back in the next step; 0 at first. Empty: none
+    std::span<Real> velocity_remainder{}; ///< likewise; both or neither
+    std::span<Real> place_previous{};     ///< gets `place` as it was: this frame's motion vectors. Empty: nobody asks
+};
+
+/// Advances all springs by one step, `Real` float or double. What falls below 1e-20 is 0. Refuses arrays of different lengths.
+/// Any number of threads gives the same bits. In float a step rounds each place once: after thousands of short steps some 1e-6 of
+/// the largest place. With the remainders, or in double, it is below that.
+template <class Real>
+Result<void> advance_springs(const SpringStep& step, const SpringBatch<Real>& batch, ParallelFor parallel_for = {});
+
+extern template Result<void> advance_springs<float>(const SpringStep&, const SpringBatch<float>&, ParallelFor);
+extern template Result<void> advance_springs<double>(const SpringStep&, const SpringBatch<double>&, ParallelFor);
+
+} // namespace windrow

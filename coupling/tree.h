@@ -1,0 +1,87 @@
+// Trees on the CPU: leaf on branch on trunk, by the same bend as blades. The equations stand in shaders/numerics/tree.glsl.
+//
+//     auto oak = windrow::Tree::create({});
+//     windrow::TreePart trunk{.axis = {0, 1, 0}, .length = 8.0f}, bough{.root = {0, 5, 0}, .axis = {1, 0, 0}, .length = 2.5f};
+//     windrow::PlantVertex leaf = oak->vertex({trunk, bough, {}}, wind, {.position = {2.4f, 5.1f, 0.0f}});
+#pragma once
+
+#include "coupling/drag.h"
+#include "coupling/plant_classes.h"
+#include "coupling/plant_vertex.h"
+#include "fluid/parallel.h"
+#include "fluid/result.h"
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+
+namespace windrow {
+
+/// The classes of a tree's parts. Defaults: a small tree in leaf; plant_classes.h says where their figures come from.
+struct TreeSettings {
+    Drag trunk = small_trunk();
+    Drag branch = windrow::branch();
+    Drag leaf = windrow::leaf();
+};
+
+/// For shaders: WindrowTree of shaders/numerics/tree.glsl, a std140 block of three vec4.
+struct TreeBlock {
+    DragBlock trunk{}, branch{}, leaf{};
+};
+static_assert(sizeof(TreeBlock) == 48);
+
+/// A straight part of a tree at rest, relative to the trunk's base.
+struct TreePart {
+    glm::vec3 root{0.0f};             ///< [m] where it is held: on the axis of what bears it
+    glm::vec3 axis{0.0f, 1.0f, 0.0f}; ///< unit vector along it
+    float length = 1.0f;    ///< [m] above 0. Its stiffness is its class's whatever its length: a short part needs a high one
+    float stiffness = 1.0f; ///< over its class, 1e-6 to 1e6; 0: there is no such part
+};
+
+/// What bears a vertex. Parts that it has not keep stiffness 0.
+struct TreeBearers {
+    TreePart trunk{.stiffness = 0.0f};
+    TreePart branch{.stiffness = 0.0f};
+    TreePart leaf{.stiffness = 0.0f};
+};
+
+[[nodiscard]] Result<void> validate(const TreeSettings& settings);
+[[nodiscard]] Result<void> validate(const TreePart& part, const char* name = "part");
+
+class Tree {
+  public:
+    /// Refuses what `validate` refuses, with every reason.
+    [[nodiscard]] static Result<Tree> create(const TreeSettings& settings);
+
+    [[nodiscard]] const TreeSettings& settings() const { return settings_; }
+    [[nodiscard]] const TreeBlock& block() const { return block_; }
+
+    /// A vertex of the tree at rest, its normal and tangent, in a wind [m/s]; positions relative to the trunk's base. Bearers
+    /// must be valid.
+    [[nodiscard]] PlantVertex vertex(const TreeBearers& bearers, glm::vec3 wind, const PlantVertex& rest) const;
+
+    /// Which part of a list bears a vertex; k_none: no such part.
+    struct Bearers {
+        static constexpr std::uint32_t k_none = 0xffffffffu;
+        std::uint32_t trunk = k_none, branch = k_none, leaf = k_none;
+    };
+    /// A tree's vertices. Spans of vertices have one entry each; `winds` [m/s] one a part, so that each feels its own. Refuses
+    /// sizes that do not fit, parts that are not valid and indices beyond the list, and touches nothing then.
+    struct Mesh {
+        std::span<const glm::vec4> positions; ///< xyz [m] from the trunk's base
+        std::span<const glm::vec4> normals;   ///< xyz unit vectors
+        std::span<const Bearers> bearers;
+    };
+    Result<void> vertices(std::span<const TreePart> parts, std::span<const glm::vec4> winds, const Mesh& mesh,
+                          std::span<glm::vec4> positions, std::span<glm::vec4> normals,
+                          const ParallelFor& parallel_for = {}) const;
+
+  private:
+    explicit Tree(const TreeSettings& settings);
+
+    TreeSettings settings_;
+    TreeBlock block_;
+};
+
+} // namespace windrow

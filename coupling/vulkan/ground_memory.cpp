@@ -1,0 +1,213 @@
+#include "coupling/vulkan/ground_memory.h"
+
+#include "coupling/ground_host.h"
+#include "fluid/vulkan/device.h"
+#include "shader_words/ground_float.h"
+#include "shader_words/ground_half.h"
+
+#include <array>
+#include <cstddef>
+#include <utility>
+
+namespace windrow::vulkan {
+namespace {
+
+constexpr VkPipelineStageFlags k_compute = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT;
+constexpr VkPipelineStageFlags k_transfer = VK_PIPELINE_STAGE_TRANSFER_BIT;
+constexpr std::uint32_t k_group = 8; // along each axis; ground_pass.glsl
+
+static_assert(sizeof(numerics::WindrowGroundStep) == 7 * 16 && sizeof(numerics::WindrowWalker) == 2 * 16);
+
+VkAccessFlags writes_of(VkPipelineStageFlags stages) {
+    return ((stages & k_compute) != 0 ? VK_ACCESS_SHADER_WRITE_BIT : 0) |
+           ((stages & k_transfer) != 0 ? VK_ACCESS_TRANSFER_WRITE_BIT : 0);
+}
+
+VkAccessFlags uses_of(VkPipelineStageFlags stages) {
+    return ((stages & k_compute) != 0 ? VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT : 0) |
+           ((stages & k_transfer) != 0 ? VK_ACCESS_TRANSFER_WRITE_BIT : 0);
+}
+
+} // namespace
+
+struct GroundMemory::State {
+    State(std::unique_ptr<Device> lent, const GroundConfig& config) : device(std::move(lent)), host(config) {}
+
+    [[nodiscard]] Result<void> make(Texel texel);
+    void barrier(VkCommandBuffer commands, VkPipelineStageFlags from, VkPipelineStageFlags to) const;
+    void dispatch(VkCommandBuffer commands, int into) const;
+
+    std::unique_ptr<Device> device; // above what is made from it, which goes first
+    windrow::detail::GroundHost host;
+    Buffer step, walkers, motion, memory, leans_before, leans;
+    std::array<Image3D, 2> images;
+    Pipeline pipeline;
+    Sets sets;
+    int set = 0;
+    bool recorded = false;
+};
+
+GroundMemory::GroundMemory(std::unique_ptr<State> state) : state_(std::move(state)) {}
+GroundMemory::GroundMemory(GroundMemory&&) noexcept = default;
+GroundMemory& GroundMemory::operator=(GroundMemory&&) noexcept = default;
+GroundMemory::~GroundMemory() = default;
+
+Result<GroundMemory> GroundMemory::create(const Host& host, const GroundConfig& config, Texel texel) {
+    if (auto valid = validate(config); !valid)
+        return Error{valid.error()};
+    auto device = Device::create(host);
+    if (!device)
+        return Error{device.error()};
+    auto state = std::make_unique<State>(*std::move(device), config);
+    if (auto made = state->make(texel); !made)
+        return Error{made.error()};
+    return GroundMemory(std::move(state));
+}
+
+Result<void> GroundMemory::State::make(Texel texel) {
+    const GroundConfig& config = host.config();
+    const auto n = static_cast<std::uint32_t>(config.texels);
+    const VkDeviceSize texels = host.texel_count();
+    struct Wanted {
+        Buffer* buffer;
+        VkDeviceSize bytes;
+    };
+    const Wanted wanted[] = {{&step, sizeof(numerics::WindrowGroundStep)},
+                             {&walkers, sizeof(numerics::WindrowWalker) * static_cast<VkDeviceSize>(config.most_walkers)},
+                             {&motion, texels * sizeof(glm::vec4)},
+                             {&memory, texels * sizeof(glm::vec4)},
+                             {&leans_before, texels * sizeof(glm::vec2)},
+                             {&leans, texels * sizeof(glm::vec2)}};
+    std::vector<Binding> buffers;
+    for (const Wanted& each : wanted) {
+        auto made = Buffer::create(*device, each.bytes, Place::device);
+        if (!made)
+            return Error{made.error()};
+        *each.buffer = *std::move(made);
+        buffers.push_back({.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, .buffer = each.buffer->handle()});
+    }
+    const VkFormat format = texel == Texel::half ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R32G32B32A32_SFLOAT;
+    for (Image3D& image : images) {
+        auto made = Image3D::create(*device, {n, n, 1}, format);
+        if (!made)
+            return Error{made.error()};
+        image = *std::move(made);
+    }
+    const std::uint32_t groups = (n + k_group - 1) / k_group;
+    if (auto fits = device->check({.groups = {groups, groups, 1}, .local_size = {k_group, k_group, 1}, .name = "ground"}); !fits)
+        return fits;
+    std::vector<VkDescriptorType> kinds(buffers.size(), VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+    kinds.push_back(VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
+    const auto code =
+        texel == Texel::half ? std::span<const std::uint32_t>(shader_words::ground_half) : shader_words::ground_float;
+    auto compute =
+        Pipeline::create(*device, {.code = code, .bindings = kinds, .constants = {}, .push_bytes = 0, .name = "ground"});
+    if (!compute)
+        return Error{compute.error()};
+    pipeline = *std::move(compute);
+    std::vector<Sets::Content> contents;
+    for (const Image3D& image : images) {
+        contents.push_back({&pipeline, buffers});
+        contents.back().bindings.push_back({.type = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, .view = image.view()});
+    }
+    auto bound = Sets::create(*device, contents);
+    if (!bound)
+        return Error{bound.error()};
+    sets = *std::move(bound);
+    return {};
+}
+
+void GroundMemory::State::barrier(VkCommandBuffer commands, VkPipelineStageFlags from, VkPipelineStageFlags to) const {
+    const VkMemoryBarrier all{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER,
+                              .pNext = nullptr,
+                              .srcAccessMask = writes_of(from),
+                              .dstAccessMask = uses_of(to)};
+    device->functions().vkCmdPipelineBarrier(commands, from, to, 0, 1, &all, 0, nullptr, 0, nullptr);
+}
+
+// Writes an image whole, from no layout to the one that shaders read.
+void GroundMemory::State::dispatch(VkCommandBuffer commands, int into) const {
+    const Functions& call = device->functions();
+    VkImageMemoryBarrier image{.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER,
+                               .pNext = nullptr,
+                               .srcAccessMask = 0,
+                               .dstAccessMask = VK_ACCESS_SHADER_WRITE_BIT,
+                               .oldLayout = VK_IMAGE_LAYOUT_UNDEFINED,
+                               .newLayout = VK_IMAGE_LAYOUT_GENERAL,
+                               .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                               .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                               .image = images[static_cast<std::size_t>(into)].handle(),
+                               .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1}};
+    // Whoever sampled it two frames ago is done first.
+    call.vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, k_compute, 0, 0, nullptr, 0, nullptr, 1, &image);
+    const VkDescriptorSet bound = sets.at(static_cast<std::size_t>(into));
+    call.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.handle());
+    call.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.layout(), 0, 1, &bound, 0, nullptr);
+    const std::uint32_t groups = (static_cast<std::uint32_t>(host.config().texels) + k_group - 1) / k_group;
+    call.vkCmdDispatch(commands, groups, groups, 1);
+    image.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
+    image.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;
+    image.oldLayout = VK_IMAGE_LAYOUT_GENERAL;
+    image.newLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+    call.vkCmdPipelineBarrier(commands, k_compute, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0, nullptr, 0, nullptr, 1, &image);
+}
+
+Result<void> GroundMemory::follow(glm::dvec3 point) {
+    return state_->host.follow(point);
+}
+
+Result<void> GroundMemory::record(VkCommandBuffer commands, const GroundStep& step, WindLeans leans) {
+    State& state = *state_;
+    if (commands == VK_NULL_HANDLE)
+        return Error{"GroundMemory::record got no command buffer: give one that is being recorded."};
+    const auto told = state.host.begin(step, leans);
+    if (!told)
+        return Error{told.error()};
+    const Functions& call = state.device->functions();
+    const bool first = !std::exchange(state.recorded, true);
+    state.barrier(commands, k_compute | k_transfer, k_compute | k_transfer);
+    call.vkCmdUpdateBuffer(commands, state.step.handle(), 0, sizeof(*told), &*told);
+    if (const auto walkers = state.host.walkers(); !walkers.empty())
+        call.vkCmdUpdateBuffer(commands, state.walkers.handle(), 0, walkers.size_bytes(), walkers.data());
+    state.barrier(commands, k_transfer, k_compute);
+    state.set ^= 1;
+    state.dispatch(commands, state.set);
+    if (first) { // the frame before the first is the first: every texel is new, so the same step again gives the same texels
+        state.barrier(commands, k_compute, k_compute);
+        state.dispatch(commands, state.set ^ 1);
+    }
+    return {};
+}
+
+VkBuffer GroundMemory::lean_buffer() const {
+    return state_->leans.handle();
+}
+GroundPlaceBlock GroundMemory::next_place(glm::dvec3 anchor) const {
+    return state_->host.next_place(anchor);
+}
+
+namespace {
+
+GroundTexture texture_of(const Image3D& image) {
+    return {.image = image.handle(), .view = image.view()};
+}
+
+} // namespace
+
+GroundTexture GroundMemory::texture() const {
+    return texture_of(state_->images[static_cast<std::size_t>(state_->set)]);
+}
+GroundTexture GroundMemory::previous_texture() const {
+    return texture_of(state_->images[static_cast<std::size_t>(state_->set ^ 1)]);
+}
+GroundBlock GroundMemory::block(glm::dvec3 anchor) const {
+    return state_->host.block(anchor);
+}
+const GroundConfig& GroundMemory::config() const {
+    return state_->host.config();
+}
+std::uint64_t GroundMemory::memory_bytes() const {
+    return state_->device->memory().given();
+}
+
+} // namespace windrow::vulkan

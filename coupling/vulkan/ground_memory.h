@@ -1,0 +1,67 @@
+// The ground memory on the GPU, inside the host's renderer: coupling/ground_memory.h as one compute pass.
+//
+//     auto ground = windrow::vulkan::GroundMemory::create(host, {});                      // fluid/vulkan/host.h: your device
+//     (void)ground->follow(player);
+//     (void)ground->record(command_buffer, {.duration = dt, .walkers = walkers, .wind_lean = lean});
+//     bind(ground->texture(), ground->previous_texture(), ground->block(camera));         // shaders/coupling/windrow_ground.glsl
+//
+// The same config, walkers and steps as windrow::GroundMemory, and the same texels to rounding. Nothing is submitted and nothing
+// waited for: all work goes into the host's command buffer, to run on one queue in the order of recording.
+#pragma once
+
+#include "coupling/ground_config.h"
+#include "coupling/motion_blocks.h"
+#include "fluid/vulkan/wind.h"
+
+#include <memory>
+
+namespace windrow::vulkan {
+
+/// A texture of n x n x 1 texels, in VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL for every shader stage that comes after the
+/// recording in submission order.
+struct GroundTexture {
+    VkImage image = VK_NULL_HANDLE;
+    VkImageView view = VK_NULL_HANDLE;
+};
+
+class GroundMemory {
+  public:
+    /// Makes all buffers, images and pipelines; textures of RGBA16F, or of RGBA32F. Refuses what `validate` refuses, and a device
+    /// that lacks something, with the reason. The host's device outlives the memory.
+    [[nodiscard]] static Result<GroundMemory> create(const Host& host, const GroundConfig& config, Texel texel = Texel::half);
+
+    /// As windrow::GroundMemory::follow.
+    Result<void> follow(glm::dvec3 point);
+    /// Records a step outside of a render pass: one dispatch, a copy of some hundred bytes, barriers. Refuses what
+    /// windrow::GroundMemory::advance refuses; nothing is recorded then. What is recorded must be submitted: the next step goes
+    /// on from it.
+    Result<void> record(VkCommandBuffer commands, const GroundStep& step, WindLeans leans = WindLeans::everywhere);
+
+    /// Two floats (x and z; beyond 1e6 or no numbers: 0) for each slot, x fastest: for WindLeans::each_texel, written by compute
+    /// or transfer commands of the host's, recorded before `record`, which waits for them. Zero at first. A shader finds a slot's
+    /// place by `next_place` and windrow_ground_in_slot (shaders/numerics/ground.glsl).
+    [[nodiscard]] VkBuffer lean_buffer() const;
+    /// Where the texels of the next step will lie, relative to `anchor` [m].
+    [[nodiscard]] GroundPlaceBlock next_place(glm::dvec3 anchor) const;
+
+    /// Of the step last recorded, and of the one before; nothing before the first.
+    [[nodiscard]] GroundTexture texture() const;
+    [[nodiscard]] GroundTexture previous_texture() const;
+    /// Where they lie, relative to `anchor` [m]: the uniform buffer that the include wants.
+    [[nodiscard]] GroundBlock block(glm::dvec3 anchor) const;
+    [[nodiscard]] const GroundConfig& config() const;
+    /// [bytes] Device memory in use.
+    [[nodiscard]] std::uint64_t memory_bytes() const;
+
+    GroundMemory(GroundMemory&&) noexcept;
+    GroundMemory& operator=(GroundMemory&&) noexcept;
+    /// No recording of it is in flight.
+    ~GroundMemory();
+
+  private:
+    struct State;
+    explicit GroundMemory(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+} // namespace windrow::vulkan

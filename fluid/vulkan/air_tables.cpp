@@ -1,0 +1,116 @@
+// What the device is told of the box once, and again when its sides change: the tables of the direct solves, and the rules by
+// which cells beyond the sides take their values.
+//
+// Tables of 10^4 floats and more go through a piece of host memory, which a copy in the command buffer reads. It is written
+// before it is recorded and never again: new tables get a new piece, and the old one stays until its slot comes round.
+#include "fluid/cpu/box_rules.h"
+#include "fluid/vulkan/air.h"
+#include "fluid/vulkan/pipeline_stages.h"
+
+#include <cstring>
+#include <utility>
+
+namespace windrow::vulkan {
+
+SolveTables Air::tables_of(const Sides& sides) const {
+    SolveTables tables(config_.cells, cpu::pressure_ends(sides));
+    if (prepared_ == DiffusionMethod::implicit)
+        tables.add_diffusion(config_.cells,
+                             {cpu::velocity_ends(sides, 0), cpu::velocity_ends(sides, 1), cpu::velocity_ends(sides, 2)});
+    return tables;
+}
+
+// Empty where the tables travel inside the command buffer.
+Result<Buffer> Air::piece_of(const SolveTables& tables) {
+    const auto bytes = std::as_bytes(std::span(tables.values));
+    if (bytes.size() <= k_most_update)
+        return Buffer{};
+    auto piece = Buffer::create(*device_, bytes.size(), Place::upload);
+    if (!piece)
+        return Error{piece.error()};
+    std::memcpy(piece->mapped(), bytes.data(), bytes.size());
+    return piece;
+}
+
+Result<Air::NewSides> Air::prepare(const Sides& sides, bool kinds) {
+    NewSides prepared{.sides = sides, .tables = {}, .piece = {}};
+    if (!kinds)
+        return prepared;
+    prepared.tables.emplace(tables_of(sides));
+    auto piece = piece_of(*prepared.tables);
+    if (!piece)
+        return Error{piece.error()};
+    prepared.piece = *std::move(piece);
+    return prepared;
+}
+
+void Air::set_sides(NewSides&& sides) {
+    config_.sides = sides.sides;
+    rules_written_ = false;
+    if (!sides.tables)
+        return;
+    tables_ = std::move(sides.tables);
+    passes_.set_tables(*tables_);
+    if (piece_slot_ >= 0 && piece_slot_ != slot_)
+        retired_.push_back({std::move(piece_), piece_slot_});
+    piece_ = std::move(sides.piece);
+    piece_slot_ = -1;
+    tables_written_ = false;
+    fresh_ = true;
+}
+
+void Air::begin(int slot) {
+    slot_ = slot;
+    std::erase_if(retired_, [&](const Retired& retired) { return retired.slot == slot; });
+}
+
+void Air::forget() {
+    tables_written_ = rules_written_ = cleared_ = false;
+    tile_.reset();
+    shapes_.reset();
+    fresh_ = owes_nothing_ = true;
+}
+
+// What does not change from tick to tick, told once.
+void Air::write_tables(VkCommandBuffer commands) {
+    if (tables_written_ && rules_written_)
+        return;
+    barrier(k_compute | k_transfer, k_transfer);
+    if (!std::exchange(rules_written_, true))
+        write_rules(commands);
+    if (!std::exchange(tables_written_, true)) {
+        if (piece_.bytes() > 0) {
+            copy(commands, piece_, fields_.tables);
+            piece_slot_ = slot_;
+        } else {
+            write(commands, fields_.tables, std::as_bytes(std::span(tables_->values)));
+        }
+        shapes_.reset();
+    }
+    if (std::exchange(cleared_, true))
+        return;
+    // Read where nothing was written yet, and times 0: numbers, not what the memory held.
+    for (const Buffer* field : {&fields_.velocity_old, &fields_.history, &fields_.force, &fields_.source_flow, &fields_.expansion,
+                                &fields_.potential, &fields_.control})
+        clear(commands, *field);
+}
+
+// How each padded cell takes its value by the sides.
+void Air::write_rules(VkCommandBuffer commands) {
+    std::vector<WindrowRule> rules;
+    for (const auto rules_of : {cpu::halo_rules, cpu::carried_rules})
+        for (int axis = 0; axis < 3; ++axis)
+            for (const cpu::HaloRule& from : rules_of(box(), axis)) {
+                WindrowRule rule{};
+                rule.source = {from.source, from.ambient ? 1 : 0, from.identity ? 1 : 0, 0};
+                for (int n = 0; n < 3; ++n) {
+                    rule.scale[n] = from.scale[n];
+                    rule.offset[n] = from.offset[n];
+                    rule.history_scale[n] = from.history_scale[n];
+                }
+                rules.push_back(rule);
+            }
+    write(commands, fields_.rules, std::as_bytes(std::span(rules)));
+}
+
+} // namespace windrow::vulkan

@@ -1,0 +1,53 @@
+// Times each pass of a recording on the device: a moment before and after each dispatch, one more at both ends of the recording.
+#pragma once
+
+#include "fluid/vulkan/pass_times.h"
+#include "fluid/vulkan/passes.h"
+#include "fluid/vulkan/timestamps.h"
+
+#include <optional>
+#include <vector>
+
+namespace windrow::vulkan {
+
+class PassClock {
+  public:
+    /// For `slots` frames in flight of up to `laps` dispatches; those beyond are left out and counted.
+    [[nodiscard]] static Result<PassClock> create(Device& device, int slots, std::uint32_t laps);
+
+    /// A recording begins for a slot. What was recorded for it before is done: its times are read now.
+    void begin(VkCommandBuffer commands, int slot);
+    void end(VkCommandBuffer commands);
+
+    /// From its making to its end: one dispatch. Without a clock it does nothing.
+    class Lap {
+      public:
+        Lap(PassClock* clock, VkCommandBuffer commands, Pass pass);
+        ~Lap();
+        Lap(const Lap&) = delete;
+        Lap& operator=(const Lap&) = delete;
+
+      private:
+        PassClock* clock_;
+        VkCommandBuffer commands_;
+    };
+
+    /// Of the last recording whose times are in; nothing before the first.
+    [[nodiscard]] const std::optional<PassTimes>& times() const { return times_; }
+
+  private:
+    struct Slot {
+        Timestamps timestamps;    ///< both ends of the recording, then two a lap
+        std::vector<Pass> laps{}; ///< in the order of recording
+        int untimed = 0;
+        bool pending = false; ///< recorded, and not read yet
+    };
+    void take(Slot& slot);
+
+    std::vector<Slot> slots_;
+    Slot* now_ = nullptr; ///< while a frame is recorded
+    std::vector<std::uint64_t> moments_;
+    std::optional<PassTimes> times_;
+};
+
+} // namespace windrow::vulkan

@@ -1,0 +1,173 @@
+// What the device's clock says of each pass, and what it costs where nobody asked for it.
+#include "fluid/vulkan/spirv_access.h"
+#include "fluid/vulkan/timestamps.h"
+#include "fluid/vulkan/wind.h"
+#include "fluid/vulkan/wind_state.h"
+#include "shader_words/scale.h"
+#include "tests/figure.h"
+#include "tests/parity/gpu.h"
+
+#include <algorithm>
+#include <map>
+
+namespace windrow::vulkan {
+namespace {
+
+class PassTimesTest : public Gpu {
+  protected:
+    [[nodiscard]] Result<Wind> make(const Config& config, bool timestamps) const {
+        return Wind::create(own->host(), config, {.frames_in_flight = 2, .timestamps = timestamps});
+    }
+
+    void frame(Wind& wind, int n) {
+        run([&](VkCommandBuffer commands) { (void)wind.record_step(commands, {.dt = 1.0 / 30.0, .slot = n % 2}); });
+    }
+
+    static int dispatches(const PassTimes& times) {
+        int sum = 0;
+        for (const PassTimes::Pass& pass : times.passes)
+            sum += pass.dispatches;
+        return sum;
+    }
+};
+
+constexpr glm::ivec3 k_cells{16, 12, 16};
+
+TEST_F(PassTimesTest, EveryPassOfARecordingHasATimeAndTheirSumIsWithinTheWhole) {
+    auto wind = make({.cells = k_cells, .ambient = {2.0f, 0.0f, 0.0f}, .viscosity = 1e-3f}, true);
+    ASSERT_TRUE(wind) << wind.error();
+    ASSERT_TRUE(wind->motors().add(DirectionalMotor{}));
+    ASSERT_TRUE(wind->motors().add(PressureMotor{}));
+    std::map<int, int> recorded; // dispatches by frame
+    for (int n = 0; n < 12; ++n) {
+        ASSERT_TRUE(wind->follow({0.9 * n, 0.0, 0.0}));
+        frame(*wind, n);
+        recorded[n] = wind->dispatches();
+        const auto times = wind->pass_times();
+        ASSERT_EQ(times.has_value(), n >= 2) << "the times of a slot come with its next recording";
+        if (!times)
+            continue;
+        EXPECT_EQ(dispatches(*times), recorded[n - 2]);
+        EXPECT_EQ(times->untimed, 0);
+        double sum = 0.0;
+        for (const PassTimes::Pass& pass : times->passes) {
+            if (std::string(pass.name) != "limit") { // it has no work groups here: a coarse clock may see nothing of it
+                EXPECT_GT(pass.us, 0.0) << pass.name;
+            }
+            sum += pass.us;
+        }
+        EXPECT_LE(sum, times->whole_us);
+        const auto has = [&](const char* name) {
+            return std::any_of(times->passes.begin(), times->passes.end(),
+                               [&](const PassTimes::Pass& pass) { return std::string(pass.name) == name; });
+        };
+        for (const char* name : {"sources", "plan", "limit", "diffuse", "pad", "advect", "modes_forward", "columns", "modes_back",
+                                 "gradient", "source_flow", "show"})
+            EXPECT_TRUE(has(name)) << name;
+        if (n == 11) {
+            EXPECT_TRUE(has("place"));
+            test::figure("pass_times.sum_over_whole", sum / times->whole_us);
+        }
+    }
+}
+
+TEST_F(PassTimesTest, TheAirIsTheSameToTheBitWithTheClockOn) {
+    const Config config{.cells = k_cells, .ambient = {2.0f, 0.0f, 1.0f}, .gusts = {.intensity = 0.2f}};
+    std::vector<glm::vec4> fields[2];
+    for (const bool timestamps : {false, true}) {
+        auto wind = make(config, timestamps);
+        ASSERT_TRUE(wind) << wind.error();
+        ASSERT_TRUE(wind->motors().add(VortexMotor{}));
+        for (int n = 0; n < 6; ++n)
+            frame(*wind, n);
+        const auto field = wind->queried()->field();
+        fields[timestamps ? 1 : 0].assign(field.begin(), field.end());
+        EXPECT_EQ(wind->pass_times().has_value(), timestamps);
+    }
+    EXPECT_EQ(fields[0], fields[1]);
+}
+
+// Recordings of thousands of dispatches: those without room are counted, not lost.
+TEST_F(PassTimesTest, DispatchesBeyondTheRoomAreCounted) {
+    auto clock = PassClock::create(*device, 1, 3);
+    ASSERT_TRUE(clock) << clock.error();
+    for (int frame = 0; frame < 2; ++frame)
+        run([&](VkCommandBuffer commands) {
+            clock->begin(commands, 0);
+            for (int n = 0; n < 5; ++n)
+                const PassClock::Lap lap(&*clock, commands, n < 2 ? Pass::pad : Pass::advect);
+            clock->end(commands);
+        });
+    ASSERT_TRUE(clock->times());
+    EXPECT_EQ(clock->times()->untimed, 2);
+    ASSERT_EQ(clock->times()->passes.size(), 2u);
+    EXPECT_STREQ(clock->times()->passes[0].name, "pad");
+    EXPECT_EQ(clock->times()->passes[0].dispatches, 2);
+    EXPECT_EQ(clock->times()->passes[1].dispatches, 1);
+}
+
+// --- A queue that counts no time, and one whose counter is short: no device at hand has one --------------------------------
+
+std::uint32_t g_valid_bits = 0;
+
+void VKAPI_CALL short_families(VkPhysicalDevice, std::uint32_t* count, VkQueueFamilyProperties* families) {
+    *count = 1;
+    if (families != nullptr) {
+        *families = {};
+        families->queueFlags = VK_QUEUE_COMPUTE_BIT;
+        families->timestampValidBits = g_valid_bits;
+    }
+}
+
+VkResult VKAPI_CALL wrapped_moments(VkDevice, VkQueryPool, std::uint32_t, std::uint32_t, std::size_t, void* data, VkDeviceSize,
+                                    VkQueryResultFlags) {
+    auto* const moments = static_cast<std::uint64_t*>(data);
+    moments[0] = 0xfffffff0u;
+    moments[1] = 0x10u;
+    return VK_SUCCESS;
+}
+
+TEST_F(PassTimesTest, AQueueThatCountsNoTimeIsRefusedAndAShortCounterRunsOver) {
+    Functions functions = device->functions();
+    functions.vkGetPhysicalDeviceQueueFamilyProperties = &short_families;
+    functions.vkGetQueryPoolResults = &wrapped_moments;
+    Host host = own->host();
+    host.queue_family = 0;
+    auto lent = Device::create(host, functions);
+    ASSERT_TRUE(lent) << lent.error();
+    g_valid_bits = 0;
+    const auto none = Timestamps::create(**lent, 2);
+    ASSERT_FALSE(none);
+    EXPECT_NE(none.error().find("timestampValidBits"), std::string::npos) << none.error();
+
+    g_valid_bits = 32;
+    const auto some = Timestamps::create(**lent, 2);
+    ASSERT_TRUE(some) << some.error();
+    std::uint64_t moments[2] = {};
+    ASSERT_TRUE(some->read(moments));
+    EXPECT_DOUBLE_EQ(some->microseconds(moments[0], moments[1]),
+                     0x20 * 1e-3 * static_cast<double>((*lent)->limits().timestampPeriod));
+}
+
+// --- Bytes -------------------------------------------------------------------------------------------------------------
+
+TEST_F(PassTimesTest, BytesOfAPassAreThoseOfTheFieldsThatItReadsAndWrites) {
+    auto wind = make({.cells = k_cells}, false);
+    ASSERT_TRUE(wind) << wind.error();
+    const Passes& passes = wind->state().air->passes();
+    const std::uint64_t n = 16 * 12 * 16, padded = 21 * 17 * 21;
+    EXPECT_EQ(passes.bytes(Pass::advect), 3 * 16 * n + 32 * padded); // velocity, force, arrived; R and V
+    EXPECT_EQ(passes.bytes(Pass::columns), 2 * 4 * n);               // hat, both ways
+    EXPECT_EQ(passes.bytes(Pass::modes_back), 2 * 4 * n);            // hat, potential
+    EXPECT_EQ(passes.bytes(Pass::plan), 0u);
+}
+
+TEST_F(PassTimesTest, AShaderTellsWhatItReadsAndWrites) {
+    const std::vector<Access> access = access_of(shader_words::scale, 3);
+    EXPECT_TRUE(access[0].reads && !access[0].writes);
+    EXPECT_TRUE(!access[1].reads && access[1].writes);
+    EXPECT_FALSE(access[2].reads || access[2].writes) << "the shader has no such binding";
+}
+
+} // namespace
+} // namespace windrow::vulkan

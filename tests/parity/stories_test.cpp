@@ -1,0 +1,135 @@
+// The stories that `windrow check` and `windrow verify` tell: that they hold what they say, and that a device which is off would
+// be found out.
+#include "cli/parity/run.h"
+#include "fluid/vulkan/passes.h"
+#include "fluid/vulkan/wind.h"
+#include "tests/figure.h"
+#include "tests/parity/gpu.h"
+#include "tests/sanitized.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+namespace windrow::cli {
+namespace {
+
+class Stories : public vulkan::Gpu {
+  protected:
+    Result<ParityResult> tell(ParityStory story, int steps) {
+        story.steps = std::min(story.steps, steps);
+        return run_parity(*own, story);
+    }
+};
+
+// The large grids are for devices that are fast: `windrow check --full`, `windrow verify --backend vulkan`.
+TEST_F(Stories, SmallOnesAreWithinTheirBounds) {
+    for (const ParityStory& story : parity_stories()) {
+        if (Box{.cells = story.config.cells}.cell_count() > 20000 || story.name == k_every_pass_story)
+            continue;
+        const bool to_its_change = story.name == "frames_and_a_jump" || story.name == "mixed_16x16x16";
+        const auto result = tell(story, test::k_sanitized ? 5 : to_its_change ? 100 : 25);
+        ASSERT_TRUE(result) << result.error();
+        EXPECT_TRUE(result->pass()) << story.name;
+        EXPECT_GT(result->largest, 0.0) << story.name << ": nothing was compared";
+        EXPECT_GE(result->steps, test::k_sanitized ? 4 : 23) << story.name;
+        EXPECT_GT(result->largest_component, 0.1) << story.name << ": nothing moved";
+        if (story.name == "storm") {
+            EXPECT_GT(result->most_substeps, 1);
+        }
+        WINDROW_EXPECT_FIGURE("stories." + story.name, result->largest, story.bound);
+    }
+}
+
+// What `./dev validate` runs under GPU-assisted validation: one wind, since a software device compiles for minutes.
+TEST_F(Stories, EachKindOfPassIsWithinItsBounds) {
+    const auto stories = parity_stories();
+    const auto story =
+        std::find_if(stories.begin(), stories.end(), [](const ParityStory& one) { return one.name == k_every_pass_story; });
+    ASSERT_NE(story, stories.end());
+    const auto result = tell(*story, story->steps);
+    ASSERT_TRUE(result) << result.error();
+    EXPECT_TRUE(result->pass());
+    EXPECT_EQ(result->most_substeps, 2);
+    EXPECT_GT(result->most_limited_cells, 0) << "no speed was cut";
+    // Ten of a step, four of viscosity and a solve more for each component, sub-steps, blast, shifts.
+    EXPECT_GT(result->dispatches, 40);
+    WINDROW_EXPECT_FIGURE("stories.every_pass", result->largest, story->bound);
+}
+
+// That it does run each kind, by the device's own account.
+TEST_F(Stories, TheStoryOfEachKindOfPassLeavesNoneOut) {
+    const auto stories = parity_stories();
+    const auto story =
+        std::find_if(stories.begin(), stories.end(), [](const ParityStory& one) { return one.name == k_every_pass_story; });
+    ASSERT_NE(story, stories.end());
+    auto wind = vulkan::Wind::create(own->host(), story->config, {.frames_in_flight = 1, .timestamps = true});
+    ASSERT_TRUE(wind) << wind.error();
+    for (const StoryMotor& one : story->motors)
+        ASSERT_TRUE(wind->motors().add(one.motor));
+    std::set<std::string> ran;
+    for (int n = 0; n < 3; ++n) {
+        ASSERT_TRUE(wind->follow(static_cast<double>(n) * story->dt * story->walk));
+        ASSERT_TRUE(wind->set_ambient({1.0f, 0.0f, 0.1f * static_cast<float>(n)}));
+        run([&](VkCommandBuffer commands) { (void)wind->record_step(commands, {.dt = story->dt}); });
+        if (const auto times = wind->pass_times())
+            for (const vulkan::PassTimes::Pass& pass : times->passes)
+                ran.insert(pass.name);
+    }
+    const glm::ivec3 cells = story->config.cells;
+    const bool apart = device->limits().maxComputeSharedMemorySize < 4u * static_cast<unsigned>(cells.x * cells.z);
+    for (std::size_t n = 0; n < vulkan::k_passes; ++n)
+        if (const auto pass = static_cast<vulkan::Pass>(n); pass != vulkan::Pass::modes_between || apart) {
+            EXPECT_TRUE(ran.contains(name_of(pass))) << name_of(pass);
+        }
+}
+
+TEST_F(Stories, ADifferenceAboveItsBoundFailsAStory) {
+    ParityStory story = parity_stories().front();
+    story.bound = story.first_bound = 1e-9; // below rounding, which stands for the fault
+    const auto result = tell(story, 3);
+    ASSERT_TRUE(result) << result.error();
+    EXPECT_FALSE(result->pass());
+}
+
+TEST_F(Stories, AFaultNamesTheStory) {
+    ParityStory story = parity_stories().front();
+    story.config.cell_size = 0.0f;
+    const auto result = tell(story, 1);
+    ASSERT_FALSE(result);
+    EXPECT_TRUE(result.error().starts_with("The story walk_16x16x16: ")) << result.error();
+    EXPECT_NE(result.error().find("cell_size"), std::string::npos) << result.error();
+}
+
+TEST(ParityResult, PassesOnlyWithinItsBoundsAndInSilence) {
+    const ParityResult well{.steps = 2, .first = 1e-7, .last = 1e-6, .largest = 1e-6, .first_bound = 1e-5, .bound = 1e-4};
+    EXPECT_TRUE(well.pass());
+    const auto but = [&](auto change) {
+        ParityResult result = well;
+        change(result);
+        return result.pass();
+    };
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(but([](ParityResult& r) { r.largest = 2e-4; }));
+    EXPECT_FALSE(but([](ParityResult& r) { r.first = 2e-5; }));
+    EXPECT_FALSE(but([](ParityResult& r) { r.largest = nan; }));
+    EXPECT_FALSE(but([](ParityResult& r) { r.messages = 1; }));
+    EXPECT_FALSE(but([](ParityResult& r) { r.steps = 0; }));
+}
+
+TEST(ParityStories, HaveNamesOfTheirOwnAndConfigsThatAreValid) {
+    std::set<std::string> names;
+    std::set<int> sizes;
+    for (const ParityStory& story : parity_stories()) {
+        EXPECT_TRUE(names.insert(story.name).second) << story.name;
+        EXPECT_FALSE(story.text.empty()) << story.name;
+        const auto valid = validate(story.config);
+        EXPECT_TRUE(valid) << story.name << ": " << valid.error();
+        sizes.insert(story.config.cells.x);
+    }
+    for (const int x : {16, 17, 32, 64, 128})
+        EXPECT_TRUE(sizes.contains(x)) << x;
+}
+
+} // namespace
+} // namespace windrow::cli

@@ -1,0 +1,88 @@
+// A hundred steps of every motor in boxes of mixed sides that shift, at the sizes that the solver is held to.
+#include "tests/parity/wind_parity.h"
+#include "tests/sanitized.h"
+
+namespace windrow::vulkan {
+namespace {
+
+struct Story {
+    const char* name;
+    glm::ivec3 cells;
+    int steps;
+};
+
+// Sides of every kind in two mixes, each with an axis that follows.
+Config mixed_box(glm::ivec3 cells, bool floor) {
+    Config config{.cells = cells, .ambient = {2.0f, 0.0f, 1.0f}};
+    if (floor) { // x open and following, y ground and sky, z periodic
+        config.sides = Sides::open_over_floor();
+        config.sides.z_low.kind = config.sides.z_high.kind = SideKind::periodic;
+    } else { // x a moving wall and a slipping one, y a slipping ceiling, z open and following
+        config.sides.x_low = {SideKind::no_slip, {0.0f, 0.5f, 1.0f}};
+        config.sides.x_high.kind = SideKind::free_slip;
+        config.sides.y_high.kind = SideKind::free_slip;
+    }
+    return config;
+}
+
+class WindBoxes : public WindParity {
+  protected:
+    void live(const Story& story, bool floor, bool ticks) {
+        const Config config = mixed_box(story.cells, floor);
+        Pair pair = make(config);
+        const glm::dvec3 reach = 0.25 * glm::dvec3(story.cells);
+        pair.add(DirectionalMotor{.position = {0.5 * reach.x, 0.3, -0.5 * reach.z}, .direction = {-0.3f, 0.1f, 1.0f}});
+        pair.add(DirectionalMotor{
+            .position = {-reach.x, -0.5, reach.z}, .direction = {1.0f, 0.4f, 0.0f}, .law = Force{.acceleration = 15.0f}});
+        pair.add(VortexMotor{.position = {-0.5 * reach.x, 0.0, 0.0}, .lift = 0.5f});
+        pair.add(JetMotor{.position = {reach.x, 0.0, reach.z}, .direction = {-1.0f, 0.3f, -0.2f}});
+        pair.add(OmniMotor{.position = {0.2, 0.4, 0.6 * reach.z}});
+        pair.add(PressureMotor{.position = {-0.4 * reach.x, 0.7, -0.7 * reach.z}});
+        const WakeMotor body{.position = {-reach.x, 0.0, -reach.z}, .radius = 1.0f};
+        const auto on_cpu = pair.cpu.motors().add(body), on_device = pair.device.motors().add(body);
+        ASSERT_TRUE(on_cpu && on_device);
+        for (int n = 0; n <= story.steps; ++n) { // one more, by which the last is read back
+            const double t = static_cast<double>(n) / story.steps;
+            const glm::dvec3 to = body.position + t * glm::dvec3(2.0 * reach.x, 2.0, 2.0 * reach.z);
+            ASSERT_TRUE(pair.cpu.motors().move(*on_cpu, to) && pair.device.motors().move(*on_device, to));
+            const glm::dvec3 player(5.3 * t, 0.0, -4.2 * t);
+            pair.both([&](auto& wind) { return wind.follow(player); });
+            if (ticks)
+                frame(pair, 1.0 / 30.0);
+            else
+                step(pair, 1.0 / 30.0);
+        }
+        EXPECT_EQ(pair.compared, story.steps);
+        EXPECT_NE(pair.cpu.origin(), windrow::Wind::create(config)->origin()) << "the box never moved";
+        const std::string name = std::string(floor ? ".floor" : ".walls") + (ticks ? ".ticks." : ".steps.");
+        report("box" + name + story.name, pair, 1e-5);
+    }
+};
+
+TEST_F(WindBoxes, OfSixteenCubed) {
+    for (const bool floor : {true, false})
+        for (const bool ticks : {true, false})
+            live({"16x16x16", {16, 16, 16}, 100}, floor, ticks);
+}
+
+TEST_F(WindBoxes, OfTheDefault) {
+    live({"32x16x32", {32, 16, 32}, 100}, true, true);
+    live({"32x16x32", {32, 16, 32}, 100}, false, false);
+}
+
+TEST_F(WindBoxes, OfOddSizes) {
+    for (const bool floor : {true, false})
+        live({"17x9x23", {17, 9, 23}, 100}, floor, floor);
+}
+
+TEST_F(WindBoxes, OfTwiceTheDefault) {
+    live({"64x32x64", {64, 32, 64}, 100}, true, true);
+}
+
+// Planes that do not fit in 32 KiB of shared memory: x and z go apart.
+TEST_F(WindBoxes, OfFourTimesTheDefault) {
+    live({"128x64x128", {128, 64, 128}, test::k_sanitized ? 1 : 10}, false, false); // 5 s a step on a software driver
+}
+
+} // namespace
+} // namespace windrow::vulkan

@@ -1,0 +1,108 @@
+// Storms: motors of 50 m/s in small cells, where speeds pass what all allowed sub-steps can carry.
+//
+// Such air is chaotic: whatever rounds otherwise parts ways. So a tick is held to its bound from a common start, and many ticks
+// to what the CPU's own instruction sets come to between them.
+#include "tests/parity/wind_parity.h"
+
+#include <random>
+
+namespace windrow::vulkan {
+namespace {
+
+// 2 cells of 0.25 m in each of 2 parts of 1/30 s: 30 m/s at most.
+Config storm_box(Simd simd) {
+    return {.cells = {20, 14, 18},
+            .cell_size = 0.25f,
+            .sides = Sides::open_over_floor(),
+            .ambient = {6.0f, 0.0f, -3.0f},
+            .max_substeps = 2,
+            .simd = simd};
+}
+
+std::vector<Motor> storm_motors() {
+    return {DirectionalMotor{.position = {0.4, 0.2, 0.3},
+                             .direction = {0.2f, 0.3f, 1.0f},
+                             .region = Sphere{.radius = 1.0f},
+                             .law = Drive{.speed = 50.0f, .rate = 30.0f}},
+            DirectionalMotor{.position = {-1.2, -0.4, 0.1},
+                             .direction = {1.0f, 0.1f, 0.0f},
+                             .region = Sphere{.radius = 0.8f},
+                             .law = Force{.acceleration = 900.0f}},
+            VortexMotor{
+                .position = {0.0, 0.0, -0.8}, .radius = 1.6f, .half_length = 1.0f, .law = Drive{.speed = 50.0f, .rate = 20.0f}},
+            OmniMotor{.position = {1.0, 0.1, 1.2}, .radius = 0.5f, .speed = 50.0f}};
+}
+
+class WindStorms : public WindParity {
+  protected:
+    static std::vector<glm::vec4> start(std::size_t cells) {
+        std::mt19937 random(11);
+        std::uniform_real_distribution<float> speed(-45.0f, 45.0f);
+        std::vector<glm::vec4> field(cells);
+        for (glm::vec4& u : field)
+            u = {speed(random), speed(random), speed(random), 0.0f};
+        return field;
+    }
+};
+
+// Both begin every second tick with the CPU's cells: the first tick without a past, the second with one.
+TEST_F(WindStorms, AgreeTickByTick) {
+    Pair pair = make(storm_box(Simd::best));
+    for (const Motor& motor : storm_motors())
+        pair.add(motor);
+    auto field = start(pair.cpu.box().cell_count());
+    int capped = 0;
+    for (int n = 0; n < 60; ++n) {
+        if (n % 2 == 0)
+            pair.both([&](auto& wind) { return wind.set_velocity(field); });
+        Diagnostics cpu;
+        frame_of(
+            pair,
+            [&](VkCommandBuffer commands, int slot) {
+                (void)pair.device.record_step(commands, {.dt = 1.0 / 30.0, .slot = slot});
+            },
+            [&] { cpu = pair.cpu.step(1.0 / 30.0); });
+        capped += cpu.substeps_capped ? 1 : 0;
+        field.assign(pair.cpu.field().begin(), pair.cpu.field().end());
+    }
+    EXPECT_GT(capped, 30) << "no storm";
+    report("storm_ticks", pair, 1e-5);
+}
+
+TEST_F(WindStorms, PartNoFasterThanTheCpusInstructionSetsDo) {
+    std::vector<Simd> levels;
+    for (const Simd level : {Simd::baseline, Simd::avx2, Simd::avx512})
+        if (runs(level))
+            levels.push_back(level);
+    if (levels.size() < 2)
+        GTEST_SKIP() << "this machine's instructions have one level: nothing to measure a spread with";
+    std::vector<windrow::Wind> winds;
+    for (const Simd level : levels) {
+        winds.push_back(*windrow::Wind::create(storm_box(level)));
+        for (const Motor& motor : storm_motors())
+            ASSERT_TRUE(winds.back().motors().add(motor));
+    }
+    Pair pair = make(storm_box(levels.front()));
+    for (const Motor& motor : storm_motors())
+        pair.add(motor);
+    double spread = 0.0, worst = 0.0, expected = 0.0; // the last: the spread a frame ago, when what is read back now was made
+    for (int n = 0; n <= 200; ++n) {
+        step(pair, 1.0 / 30.0);
+        if (n > 0 && expected > 0.0)
+            worst = std::max(worst, pair.last / expected);
+        for (windrow::Wind& wind : winds)
+            (void)wind.step(1.0 / 30.0);
+        for (std::size_t a = 0; a < winds.size(); ++a)
+            for (std::size_t b = 0; b < a; ++b)
+                spread = std::max(spread, apart(winds[a].field(), winds[b].field()));
+        expected = spread;
+        if (n == 20 || n == 100 || n == 200)
+            test::figure("wind_parity.storm_spread." + std::to_string(n), spread);
+    }
+    test::figure("wind_parity.storm_largest", pair.largest);
+    WINDROW_EXPECT_FIGURE("wind_parity.storm_over_spread", worst, 10.0);
+    EXPECT_GT(spread, 0.0);
+}
+
+} // namespace
+} // namespace windrow::vulkan

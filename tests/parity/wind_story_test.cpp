@@ -1,0 +1,224 @@
+// Stories made up by chance: boxes of any kind, and the calls of a wind in any order between its frames, by ticks and by steps,
+// with one to three frames in flight, on both winds alike. A story that fails prints its seed and what happened in it.
+#include "tests/parity/wind_parity.h"
+#include "tests/sanitized.h"
+
+#include <random>
+#include <sstream>
+
+namespace windrow::vulkan {
+namespace {
+
+class Chance {
+  public:
+    explicit Chance(std::uint32_t seed) : random_(seed) {}
+    int below(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
+    bool one_in(int count) { return below(count) == 0; }
+    float between(float low, float high) { return std::uniform_real_distribution<float>(low, high)(random_); }
+    glm::vec3 vector(float size) { return {between(-size, size), between(-size, size), between(-size, size)}; }
+
+  private:
+    std::mt19937 random_;
+};
+
+// Periodic sides tear a wind that differs from place to place where they meet (Config::gusts): there the last bit of a trajectory
+// decides between two winds. So a story has periodic sides, or a profile and gusts.
+Sides any_sides(Chance& chance, bool periodic) {
+    Sides sides;
+    Side* const ends[3][2] = {{&sides.x_low, &sides.x_high}, {&sides.y_low, &sides.y_high}, {&sides.z_low, &sides.z_high}};
+    for (auto& [low, high] : ends) {
+        if (periodic && chance.one_in(3)) {
+            low->kind = high->kind = SideKind::periodic;
+            continue;
+        }
+        for (Side* side : {low, high})
+            if (chance.one_in(3))
+                side->kind = chance.one_in(2) ? SideKind::no_slip : SideKind::free_slip;
+    }
+    return sides;
+}
+
+// No profile where air sleeps: over one the ambient wind is no steady flow, so that air left at it drifts off unless it sleeps at
+// once.
+Config any_config(Chance& chance, bool periodic, bool sleeps) {
+    Config config{.cells = {3 + chance.below(12), 3 + chance.below(9), 3 + chance.below(12)},
+                  .cell_size = chance.between(0.5f, 1.5f),
+                  .ambient = chance.vector(3.0f)};
+    if (!periodic && !sleeps && chance.one_in(2))
+        config.profile = LogProfile{};
+    config.sides = any_sides(chance, periodic);
+    if (!periodic && chance.one_in(2))
+        config.gusts.intensity = chance.between(0.0f, 0.4f);
+    constexpr float viscosities[] = {1.5e-5f, 1.5e-5f, 0.0f, 3e-3f, 0.5f, 20.0f};
+    config.viscosity = viscosities[chance.below(6)];
+    config.settling_time = chance.one_in(4) ? 0.0f : chance.between(0.3f, 20.0f);
+    config.scheme = chance.one_in(4) ? Scheme::stable_fluids : Scheme::second_order;
+    config.interpolation = chance.one_in(4) ? Interpolation::linear : Interpolation::cubic;
+    config.max_cfl = chance.one_in(3) ? 0.3f : 2.0f;
+    return config;
+}
+
+Motor any_motor(Chance& chance) {
+    const glm::dvec3 place(chance.vector(4.0f));
+    switch (chance.below(6)) {
+    case 0:
+        return DirectionalMotor{.position = place, .direction = chance.vector(1.0f)};
+    case 1:
+        return DirectionalMotor{
+            .position = place, .direction = chance.vector(1.0f), .law = Force{.acceleration = chance.between(0.0f, 20.0f)}};
+    case 2:
+        return VortexMotor{.position = place, .axis = chance.vector(1.0f), .radius = chance.between(1.0f, 5.0f)};
+    case 3:
+        return JetMotor{.position = place, .direction = chance.vector(1.0f)};
+    case 4:
+        return OmniMotor{.position = place, .speed = chance.between(-5.0f, 5.0f)};
+    default:
+        return PressureMotor{.position = place, .speed = chance.between(-10.0f, 10.0f)};
+    }
+}
+
+class WindStories : public WindParity {
+  protected:
+    std::ostringstream told;
+
+    // The same call on both, which take it or refuse it alike.
+    template <class Call>
+    void alike(Pair& pair, const char* what, const Call& call) {
+        const auto on_cpu = call(pair.cpu), on_device = call(pair.device);
+        told << ' ' << what << (on_cpu ? "" : " (refused)");
+        EXPECT_EQ(static_cast<bool>(on_cpu), static_cast<bool>(on_device)) << what;
+    }
+
+    void ask(Pair& pair, Chance& chance, bool periodic, std::vector<std::pair<MotorId, MotorId>>& motors) {
+        switch (chance.below(10)) {
+        case 0:
+        case 1:
+        case 2: {
+            const glm::dvec3 to = glm::dvec3(chance.vector(chance.one_in(8) ? 60.0f : 5.0f));
+            return alike(pair, "follow", [&](auto& wind) { return wind.follow(to); });
+        }
+        case 3: {
+            const glm::vec3 wind_to = chance.one_in(5) ? glm::vec3(0.0f) : chance.vector(4.0f);
+            return alike(pair, "set_ambient", [&](auto& wind) { return wind.set_ambient(wind_to); });
+        }
+        case 4: {
+            if (periodic)
+                return;
+            const Gusts gusts{.intensity = chance.one_in(3) ? 0.0f : chance.between(0.0f, 0.4f),
+                              .seed = static_cast<std::uint32_t>(chance.below(2))};
+            return alike(pair, "set_gusts", [&](auto& wind) { return wind.set_gusts(gusts); });
+        }
+        case 5: {
+            const Sides sides = any_sides(chance, periodic);
+            return alike(pair, "set_sides", [&](auto& wind) { return wind.set_sides(sides); });
+        }
+        case 6: {
+            const double height = static_cast<double>(chance.between(-6.0f, 3.0f));
+            return alike(pair, "set_floor", [&](auto& wind) { return wind.set_floor(height); });
+        }
+        case 7: {
+            if (!chance.one_in(4))
+                return;
+            std::vector<glm::vec4> field(pair.cpu.box().cell_count());
+            for (glm::vec4& u : field)
+                u = glm::vec4(chance.vector(3.0f), 0.0f);
+            if (chance.one_in(3))
+                field[field.size() / 2].y = std::nanf("");
+            return alike(pair, "set_velocity", [&](auto& wind) { return wind.set_velocity(field); });
+        }
+        case 8:
+            if (!chance.one_in(4))
+                return;
+            told << " reset";
+            pair.cpu.reset();
+            pair.device.reset();
+            return;
+        default:
+            if (!motors.empty() && chance.one_in(2)) {
+                told << " remove";
+                EXPECT_TRUE(pair.cpu.motors().remove(motors.back().first));
+                EXPECT_TRUE(pair.device.motors().remove(motors.back().second));
+                motors.pop_back();
+                return;
+            }
+            const Motor motor = any_motor(chance);
+            told << " add";
+            const auto on_cpu = pair.cpu.motors().add(motor), on_device = pair.device.motors().add(motor);
+            ASSERT_TRUE(on_cpu && on_device);
+            if (motor.index() != 5) // which ends by itself
+                motors.emplace_back(*on_cpu, *on_device);
+        }
+    }
+
+    // Largest difference of a story, in shares of the largest speed of its frame (of 1 m/s where there is less).
+    double live(std::uint32_t seed, float sleep_speed, double bound) {
+        Chance chance(seed);
+        told.str("");
+        const bool periodic = chance.one_in(3);
+        Config config = any_config(chance, periodic, sleep_speed > 0.0f);
+        config.sleep_speed = sleep_speed;
+        const int in_flight = chance.below(4); // 0: each frame is waited for
+        auto cpu = windrow::Wind::create(config);
+        auto gpu = Wind::create(own->host(), config,
+                                {.texel = Texel::single, .frames_in_flight = std::max(in_flight, 1), .gusts = true});
+        EXPECT_TRUE(cpu && gpu);
+        Pair pair{*std::move(cpu), *std::move(gpu), std::max(in_flight, 1),
+                  in_flight > 0 ? std::make_unique<Submitter>(own->host(), in_flight) : nullptr};
+        pair.least = 1.0;
+        told << " cells " << config.cells.x << ' ' << config.cells.y << ' ' << config.cells.z << ", viscosity "
+             << config.viscosity << ", settling " << config.settling_time << ", max_cfl " << config.max_cfl << ", profile "
+             << config.profile.has_value() << ", gusts " << config.gusts.intensity << ", classic "
+             << (config.scheme == Scheme::stable_fluids) << ", linear " << (config.interpolation == Interpolation::linear)
+             << ", in flight " << in_flight;
+        std::vector<std::pair<MotorId, MotorId>> motors;
+        bool ticks = chance.one_in(2);
+        for (int n = 0; n < 40 && !HasFailure(); ++n) {
+            told << "\n  " << n << ':';
+            for (int asked = chance.below(4); asked > 0; --asked)
+                ask(pair, chance, periodic, motors);
+            if (chance.one_in(12))
+                ticks = !ticks;
+            const double dt = ticks && chance.one_in(8) ? 0.0 : static_cast<double>(chance.between(0.004f, 0.08f));
+            told << (ticks ? " frame " : " step ") << dt;
+            const auto pass = [&](double duration) { ticks ? frame(pair, duration) : step(pair, duration); };
+            pass(dt);
+            // Both sleep before anything acts again: what wakes the one finds it without a past, and the other with one.
+            int waited = 0;
+            while (pair.cpu_sleeps != pair.device_sleeps && ++waited < 30)
+                pass(1.0 / 30.0);
+            EXPECT_LT(waited, 30) << "one of them stays awake";
+            told << "  [" << pair.last << ']';
+            if (!(pair.last <= bound))
+                break;
+        }
+        if (pair.submitter)
+            pair.submitter->wait();
+        return pair.largest;
+    }
+
+    void try_many(const char* name, std::uint32_t first, float sleep_speed, double bound) {
+        double worst = 0.0;
+        const std::uint32_t count = test::k_sanitized ? 4 : 40;
+        for (std::uint32_t seed = first; seed < first + count && !HasFailure(); ++seed) {
+            const double largest = live(seed, sleep_speed, bound);
+            EXPECT_LE(largest, bound) << "seed " << seed << told.str();
+            if (HasFailure())
+                std::printf("seed %u%s\n", seed, told.str().c_str());
+            worst = std::max(worst, largest);
+        }
+        WINDROW_EXPECT_FIGURE(std::string("wind_parity.stories_") + name, worst, bound);
+    }
+};
+
+TEST_F(WindStories, OfAirThatNeverSleeps) {
+    try_many("awake", 1000, 0.0f, 1e-5);
+}
+
+// The two fall asleep some frames apart, each from less than sleep_speed off its ambient wind.
+TEST_F(WindStories, OfAirThatSleeps) {
+    constexpr float k_sleep_speed = 1e-3f;
+    try_many("asleep", 2000, k_sleep_speed, 2.0 * static_cast<double>(k_sleep_speed));
+}
+
+} // namespace
+} // namespace windrow::vulkan

@@ -1,0 +1,228 @@
+// windrow::vulkan::GroundMemory against windrow::GroundMemory through their public calls: the same story, read as a renderer
+// reads it.
+#include "coupling/ground_memory.h"
+#include "coupling/vulkan/ground_memory.h"
+#include "shader_words/fill_leans.h"
+#include "shader_words/sample_ground.h"
+#include "tests/figure.h"
+#include "tests/parity/gpu.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <random>
+
+namespace windrow::vulkan {
+namespace {
+
+constexpr VkDescriptorType k_storage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_texture = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+
+class GroundDevice : public Gpu {
+  protected:
+    struct Pair {
+        windrow::GroundMemory cpu;
+        GroundMemory gpu;
+    };
+
+    Pair make(const GroundConfig& config, Texel texel) {
+        auto cpu = windrow::GroundMemory::create(config);
+        auto gpu = GroundMemory::create(own->host(), config, texel);
+        EXPECT_TRUE(cpu) << cpu.error();
+        EXPECT_TRUE(gpu) << gpu.error();
+        return {*std::move(cpu), *std::move(gpu)};
+    }
+
+    void follow(Pair& pair, glm::dvec3 point) {
+        ASSERT_TRUE(pair.cpu.follow(point));
+        ASSERT_TRUE(pair.gpu.follow(point));
+    }
+
+    void advance(Pair& pair, const GroundStep& step) {
+        ASSERT_TRUE(pair.cpu.advance(step));
+        run([&](VkCommandBuffer commands) {
+            const auto recorded = pair.gpu.record(commands, step);
+            ASSERT_TRUE(recorded) << recorded.error();
+        });
+    }
+
+    // Now and before of each place, by sample_ground.comp.
+    std::vector<glm::vec4> sampled(const GroundMemory& ground, std::span<const glm::vec4> places, glm::dvec3 anchor) {
+        const VkDescriptorType kinds[] = {k_storage, k_storage, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, k_texture, k_texture};
+        Pipeline pipeline = *Pipeline::create(
+            *device, {.code = shader_words::sample_ground, .bindings = kinds, .constants = {}, .name = "sample_ground"});
+        Buffer in = buffer(places.size_bytes(), Place::upload), out = buffer(2 * places.size_bytes(), Place::readback);
+        Buffer block = *Buffer::create(*device, sizeof(GroundBlock), Place::upload, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+        const GroundBlock told = ground.block(anchor);
+        std::memcpy(in.mapped(), places.data(), places.size_bytes());
+        std::memcpy(block.mapped(), &told, sizeof(told));
+        EXPECT_TRUE(in.flush() == VK_SUCCESS && block.flush() == VK_SUCCESS);
+        VkSamplerCreateInfo nearest{};
+        nearest.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
+        VkSampler sampler = VK_NULL_HANDLE;
+        EXPECT_EQ(device->functions().vkCreateSampler(device->host().device, &nearest, nullptr, &sampler), VK_SUCCESS);
+        const Sets::Content content{&pipeline,
+                                    {{.type = k_storage, .buffer = in.handle()},
+                                     {.type = k_storage, .buffer = out.handle()},
+                                     {.type = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, .buffer = block.handle()},
+                                     {.type = k_texture, .view = ground.texture().view, .sampler = sampler},
+                                     {.type = k_texture, .view = ground.previous_texture().view, .sampler = sampler}}};
+        Sets sets = *Sets::create(*device, {&content, 1});
+        run([&](VkCommandBuffer commands) {
+            const VkDescriptorSet set = sets.at(0);
+            const Functions& call = device->functions();
+            call.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.handle());
+            call.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.layout(), 0, 1, &set, 0, nullptr);
+            call.vkCmdDispatch(commands, static_cast<std::uint32_t>(places.size() + 63) / 64, 1, 1);
+            barrier(commands);
+        });
+        device->functions().vkDestroySampler(device->host().device, sampler, nullptr);
+        return read<glm::vec4>(out, 2 * places.size());
+    }
+
+    struct Apart {
+        double worst = 0.0;   ///< largest difference of a component
+        double largest = 0.0; ///< largest component
+    };
+
+    // Both at random places about `anchor`, inside the window and around it.
+    Apart compare(Pair& pair, glm::dvec3 anchor, std::uint32_t seed) {
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<float> place(-14.0f, 14.0f);
+        std::vector<glm::vec4> places(4096);
+        for (glm::vec4& p : places)
+            p = {place(random), 0.0f, place(random), 0.0f};
+        const auto found = sampled(pair.gpu, places, anchor);
+        Apart apart;
+        for (std::size_t n = 0; n < places.size(); ++n)
+            for (const bool before : {false, true}) {
+                const glm::dvec3 at = anchor + glm::dvec3(places[n]);
+                const GroundSample wanted = before ? pair.cpu.previous_at(at) : pair.cpu.at(at);
+                const glm::vec4 cpu(wanted.lean.x, wanted.lean.y, wanted.trample, wanted.trail);
+                for (int c = 0; c < 4; ++c) {
+                    const auto gpu = static_cast<double>(found[2 * n + (before ? 1 : 0)][c]);
+                    EXPECT_TRUE(std::isfinite(gpu));
+                    apart.worst = std::max(apart.worst, std::abs(gpu - static_cast<double>(cpu[c])));
+                    apart.largest = std::max(apart.largest, std::abs(static_cast<double>(cpu[c])));
+                }
+            }
+        return apart;
+    }
+
+    // Walkers who wander, leap and jump, in gusts, while the window follows one of them.
+    Apart story(Texel texel, glm::dvec3 origin) {
+        Pair pair = make({.texels = 96}, texel);
+        std::mt19937 random(21);
+        std::uniform_real_distribution<double> unit(-1.0, 1.0);
+        std::vector<GroundWalker> walkers(12);
+        for (GroundWalker& walker : walkers)
+            walker.position = walker.previous = origin + 10.0 * glm::dvec3(unit(random), 0.0, unit(random));
+        Apart worst;
+        for (int frame = 0; frame < 120; ++frame) {
+            for (GroundWalker& walker : walkers) {
+                walker.previous = walker.position;
+                walker.previous_feet = walker.feet;
+                walker.position = walker.position + 0.3 * glm::dvec3(unit(random), 0.0, unit(random));
+                walker.feet = static_cast<float>(std::max(0.0, unit(random)));
+                if (unit(random) > 0.95)
+                    walker.position = walker.previous = origin + 10.0 * glm::dvec3(unit(random), 0.0, unit(random));
+            }
+            follow(pair, frame == 60 ? origin + glm::dvec3(1000.0) : walkers[0].position);
+            advance(pair, {.duration = 1.0 / 60.0, .walkers = walkers, .wind_lean = {0.4 * unit(random), 0.4 * unit(random)}});
+            if (frame % 10 == 0 || frame == 61) {
+                const Apart apart = compare(pair, walkers[0].position, static_cast<std::uint32_t>(frame));
+                worst = {std::max(worst.worst, apart.worst), std::max(worst.largest, apart.largest)};
+            }
+        }
+        return worst;
+    }
+};
+
+// Bound: row W26's for a story of 100 steps, 1e-4 of the largest value.
+TEST_F(GroundDevice, AStoryOfWalkersInGusts) {
+    const Apart near = story(Texel::single, {0.0, 0.0, 0.0});
+    WINDROW_EXPECT_FIGURE("ground_device/story", near.worst / near.largest, 1e-4);
+    EXPECT_GT(near.largest, 0.5);
+}
+
+TEST_F(GroundDevice, AStoryFarAway) {
+    const Apart far = story(Texel::single, {1e6, 0.0, -2e6});
+    WINDROW_EXPECT_FIGURE("ground_device/story_far_away", far.worst / far.largest, 1e-4);
+}
+
+// A half has 11 bits: 2^-11 of values up to 2.
+TEST_F(GroundDevice, HalfTexelsHoldTheSame) {
+    const Apart half = story(Texel::half, {0.0, 0.0, 0.0});
+    WINDROW_EXPECT_FIGURE("ground_device/half", half.worst, 0x1p-10 + 1e-4);
+}
+
+// A pass of the host's gives each texel its own wind; the record that follows waits for it.
+TEST_F(GroundDevice, EachTexelFollowsItsOwnWind) {
+    Pair pair = make({.texels = 64}, Texel::single);
+    const VkDescriptorType kinds[] = {k_storage};
+    auto pipeline = Pipeline::create(*device, {.code = shader_words::fill_leans,
+                                               .bindings = kinds,
+                                               .constants = {},
+                                               .push_bytes = sizeof(GroundPlaceBlock),
+                                               .name = "fill_leans"});
+    ASSERT_TRUE(pipeline) << pipeline.error();
+    const Sets::Content content{&*pipeline, {{.type = k_storage, .buffer = pair.gpu.lean_buffer()}}};
+    auto sets = Sets::create(*device, {&content, 1});
+    ASSERT_TRUE(sets) << sets.error();
+    const glm::dvec3 anchor(100.0, 0.0, -50.0);
+    for (int frame = 0; frame < 40; ++frame) {
+        follow(pair, anchor + glm::dvec3(0.11 * frame, 0.0, -0.2 * frame));
+        std::vector<glm::vec2> leans(64 * 64);
+        for (int j = 0; j < 64; ++j)
+            for (int i = 0; i < 64; ++i)
+                leans[static_cast<std::size_t>(64 * j + i)] =
+                    glm::vec2(0.02 * (pair.cpu.next_centre({i, j}) - glm::dvec2(anchor.x, anchor.z)));
+        ASSERT_TRUE(pair.cpu.advance({.duration = 0.05}, leans));
+        run([&](VkCommandBuffer commands) {
+            const GroundPlaceBlock next = pair.gpu.next_place(anchor);
+            const VkDescriptorSet set = sets->at(0);
+            const Functions& call = device->functions();
+            call.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline->handle());
+            call.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline->layout(), 0, 1, &set, 0, nullptr);
+            call.vkCmdPushConstants(commands, pipeline->layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(next), &next);
+            call.vkCmdDispatch(commands, 8, 8, 1);
+            ASSERT_TRUE(pair.gpu.record(commands, {.duration = 0.05}, WindLeans::each_texel));
+        });
+    }
+    const Apart apart = compare(pair, anchor, 5);
+    WINDROW_EXPECT_FIGURE("ground_device/own_wind", apart.worst / apart.largest, 1e-4);
+    EXPECT_GT(apart.largest, 0.2);
+}
+
+// Several steps recorded before any is run, as a host does that catches up.
+TEST_F(GroundDevice, StepsInOneCommandBufferFollowEachOther) {
+    Pair pair = make({.texels = 64}, Texel::single);
+    GroundWalker walker{.radius = 1.0f};
+    run([&](VkCommandBuffer commands) {
+        for (int n = 0; n < 5; ++n) {
+            walker.previous = walker.position;
+            walker.position.x += 0.5;
+            follow(pair, walker.position);
+            const GroundStep step{
+                .duration = 0.1, .walkers = std::span(&walker, 1), .wind_lean = {0.1f * static_cast<float>(n), 0.2f}};
+            ASSERT_TRUE(pair.cpu.advance(step));
+            ASSERT_TRUE(pair.gpu.record(commands, step));
+        }
+    });
+    const Apart apart = compare(pair, walker.position, 6);
+    WINDROW_EXPECT_FIGURE("ground_device/five_steps_at_once", apart.worst / apart.largest, 1e-4);
+    EXPECT_GT(apart.largest, 0.5);
+}
+
+TEST_F(GroundDevice, RefusesWhatTheCpuRefuses) {
+    const auto bad = GroundMemory::create(own->host(), {.texels = 3});
+    ASSERT_FALSE(bad);
+    EXPECT_NE(bad.error().find("texels"), std::string::npos);
+    auto ground = GroundMemory::create(own->host(), {.texels = 16, .rim = 0.5f});
+    ASSERT_TRUE(ground) << ground.error();
+    EXPECT_FALSE(ground->record(VK_NULL_HANDLE, {}));
+    run([&](VkCommandBuffer commands) { EXPECT_FALSE(ground->record(commands, {.duration = -1.0})); });
+    EXPECT_GT(ground->memory_bytes(), 16u * 16 * 48);
+}
+
+} // namespace
+} // namespace windrow::vulkan

@@ -1,0 +1,226 @@
+// How the ground recovers (row G11): a trail fades as an exponential without an end, plants swing back, and the frame rate is not
+// seen.
+#include "coupling/ground_memory.h"
+#include "coupling/motion_numerics.h"
+#include "tests/figure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace windrow {
+namespace {
+
+const glm::dvec3 k_place(0.125, 0.0, 0.375); // a texel's centre, beside the walker
+
+GroundMemory trodden(const GroundConfig& config) {
+    auto made = GroundMemory::create(config);
+    EXPECT_TRUE(made) << (made ? "" : made.error());
+    const GroundWalker walker{.radius = 1.0f};
+    EXPECT_TRUE(made->advance({.duration = 0.1, .walkers = std::span(&walker, 1)}));
+    return *std::move(made);
+}
+
+void advance(GroundMemory& ground, double duration, glm::vec2 lean = {0.0f, 0.0f}) {
+    const auto done = ground.advance({.duration = duration, .wind_lean = lean});
+    ASSERT_TRUE(done) << done.error();
+}
+
+TEST(GroundRecovery, TrailFadesByItsTimeConstantAndHasNoEnd) {
+    for (const int rate : {15, 60, 1000}) {
+        const float tau = rate == 1000 ? 2.0f : 20.0f; // fewer frames of 1 ms
+        GroundMemory ground = trodden({.texels = 16, .trail_seconds = tau, .rim = 0.5f});
+        const double first = static_cast<double>(ground.at(k_place).trail);
+        ASSERT_GT(first, 0.1);
+        // Least squares of log(trail) over ten time constants, to 1/22000 of where it began.
+        double n = 0.0, t_sum = 0.0, y_sum = 0.0, tt = 0.0, ty = 0.0, largest_drop = 0.0, before = first;
+        for (int frame = 1; frame <= static_cast<int>(10.0f * tau) * rate; ++frame) {
+            advance(ground, 1.0 / rate);
+            const double trail = static_cast<double>(ground.at(k_place).trail), time = static_cast<double>(frame) / rate;
+            largest_drop = std::max(largest_drop, (before - trail) / before);
+            EXPECT_LE(trail, before);
+            before = trail;
+            const double y = std::log(trail);
+            n += 1.0;
+            t_sum += time;
+            y_sum += y;
+            tt += time * time;
+            ty += time * y;
+        }
+        const double found = -(n * tt - t_sum * t_sum) / (n * ty - t_sum * y_sum);
+        const std::string name = "ground/trail/" + std::to_string(rate) + "_hz";
+        WINDROW_EXPECT_FIGURE(name + "/time_constant_off", std::abs(found / static_cast<double>(tau) - 1.0), 0.02);
+        // No frame falls by more than an exponential does: no abrupt end.
+        const double fair = -std::expm1(-1.0 / rate / static_cast<double>(tau));
+        WINDROW_EXPECT_FIGURE(name + "/largest_fall_over_fair", largest_drop / fair, 1.01);
+    }
+}
+
+// After twenty minutes the fading has long passed what can be seen, by nine digits and more, and is 0, not a denormal number for
+// ever.
+TEST(GroundRecovery, NothingIsLeftInTheEnd) {
+    GroundMemory ground = trodden({.texels = 8, .rim = 0.3f});
+    int lasted = 0;
+    for (int frame = 0; frame < 72000; ++frame) {
+        advance(ground, 1.0 / 60.0);
+        lasted += ground.at(k_place).trail > 0.0f ? 1 : 0;
+    }
+    for (const numerics::WindrowGround& texel : ground.state()) {
+        ASSERT_EQ(texel.lean, glm::vec2(0.0f));
+        ASSERT_EQ(texel.velocity, glm::vec2(0.0f));
+        ASSERT_EQ(texel.trail, glm::vec2(0.0f));
+        ASSERT_EQ(texel.trample, 0.0f);
+    }
+    EXPECT_GT(test::figure("ground/trail/lasted_s", lasted / 60.0), 20.0 * std::log(1e9));
+}
+
+// Where nobody has walked, the window's move does not touch what fades: as WindowShiftsChangeNoBit, for the slow part over a
+// minute.
+TEST(GroundRecovery, TrailOutlivesShiftsOfTheWindow) {
+    GroundMemory stays = trodden({.texels = 64}), wanders = trodden({.texels = 64});
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> place(-4.0, 4.0);
+    for (int frame = 0; frame < 1000; ++frame) {
+        advance(stays, 0.06);
+        ASSERT_TRUE(wanders.follow({place(random), 0.0, place(random)}));
+        advance(wanders, 0.06);
+        ASSERT_EQ(stays.at(k_place).trail, wanders.at(k_place).trail) << frame;
+        ASSERT_EQ(stays.at(k_place).lean, wanders.at(k_place).lean) << frame;
+    }
+    EXPECT_GT(stays.at(k_place).trail, 0.01f);
+}
+
+// Released, plants swing about the trail with the period of their class, and come to rest on it.
+TEST(GroundRecovery, ReleasedPlantsSwingAtTheirFrequency) {
+    const GroundConfig config{.texels = 16, .spring = {2.0, 0.1}, .trail_seconds = 1e5f, .rim = 0.5f};
+    GroundMemory ground = trodden(config);
+    // The walker stood at 0; the trail points away from it.
+    const float rest = ground.at(k_place).trail * static_cast<float>(k_place.z / glm::length(k_place));
+    std::vector<double> crossings;
+    double before = static_cast<double>(ground.at(k_place).lean.y - rest);
+    for (int frame = 1; frame <= 2400; ++frame) {
+        advance(ground, 1.0 / 240.0);
+        const double now = static_cast<double>(ground.at(k_place).lean.y - rest);
+        if (frame < 480 && before > 0.0 && now <= 0.0)
+            crossings.push_back((frame - now / (now - before)) / 240.0);
+        before = now;
+    }
+    ASSERT_GE(crossings.size(), 3u);
+    const double period = crossings[2] - crossings[1], expected = 0.5 / std::sqrt(1.0 - 0.01);
+    WINDROW_EXPECT_FIGURE("ground/release/period_off", std::abs(period / expected - 1.0), 0.01);
+    WINDROW_EXPECT_FIGURE("ground/release/off_the_trail", std::abs(before), 1e-3);
+}
+
+// Trampled plants do not follow the wind; as they rise they do.
+TEST(GroundRecovery, PressedPlantsDoNotFollowTheWind) {
+    auto made = GroundMemory::create({.texels = 16, .trail_share = 0.0f, .rim = 0.5f});
+    ASSERT_TRUE(made);
+    const GroundWalker walker{.position = {0.125, 0.0, 0.125}, .previous = {0.125, 0.0, 0.125}, .radius = 1.0f};
+    const glm::dvec3 right_under(0.125, 0.0, 0.125);
+    for (int frame = 0; frame < 240; ++frame)
+        ASSERT_TRUE(made->advance({.duration = 1.0 / 60.0, .walkers = std::span(&walker, 1), .wind_lean = {0.5f, 0.0f}}));
+    EXPECT_LT(made->at(right_under).lean.x, 0.02f);
+    for (int frame = 0; frame < 600; ++frame)
+        ASSERT_TRUE(made->advance({.duration = 1.0 / 60.0, .wind_lean = {0.5f, 0.0f}}));
+    EXPECT_NEAR(made->at(right_under).lean.x, 0.5f, 1e-3f);
+}
+
+// Wind that turns and swells, linear over each second, at five frame rates. Bound: a float's rounding in a thousand steps a
+// second, a fiftieth of what a half-float texture can show of it.
+TEST(GroundRecovery, WindMovesTheGroundAlikeAtAnyFrameRate) {
+    const auto history = [](int rate) {
+        auto made = GroundMemory::create({.texels = 8, .rim = 0.4f});
+        EXPECT_TRUE(made);
+        std::vector<glm::vec2> found;
+        advance(*made, 0.0);
+        for (int frame = 1; frame <= 6 * rate; ++frame) {
+            const int second = (frame - 1) / rate;
+            const auto lean = [](int s) {
+                return glm::vec2(0.6f * std::sin(2.1f * static_cast<float>(s)), 0.3f * static_cast<float>(s % 3));
+            };
+            const float share = static_cast<float>(frame - second * rate) / static_cast<float>(rate);
+            advance(*made, 1.0 / rate, lean(second) + share * (lean(second + 1) - lean(second)));
+            if (frame % rate == 0)
+                found.push_back(made->at({0.0, 0.0, 0.0}).lean);
+        }
+        return found;
+    };
+    const auto truth = history(1);
+    double worst = 0.0;
+    for (const int rate : {15, 30, 60, 144, 1000}) {
+        const auto found = history(rate);
+        for (std::size_t n = 0; n < truth.size(); ++n)
+            worst = std::max(worst, static_cast<double>(glm::length(found[n] - truth[n])));
+    }
+    WINDROW_EXPECT_FIGURE("ground/wind_at_any_rate", worst, 1e-5);
+}
+
+// A lean of the wind for each texel, in slots.
+TEST(GroundRecovery, EachTexelFollowsItsOwnWind) {
+    auto made = GroundMemory::create({.texels = 32, .rim = 1.0f});
+    ASSERT_TRUE(made);
+    ASSERT_TRUE(made->follow({3.3, 0.0, -7.1}));
+    std::vector<glm::vec2> leans(32 * 32);
+    for (int j = 0; j < 32; ++j)
+        for (int i = 0; i < 32; ++i)
+            leans[static_cast<std::size_t>(32 * j + i)] = glm::vec2(made->next_centre({i, j}) - glm::dvec2(3.3, -7.1)) * 0.1f;
+    for (int frame = 0; frame < 100; ++frame)
+        ASSERT_TRUE(made->advance({.duration = 0.1}, leans));
+    double worst = 0.0;
+    for (double z = -2.0; z < 2.0; z += 0.3)
+        for (double x = -2.0; x < 2.0; x += 0.3)
+            worst = std::max(
+                worst, static_cast<double>(glm::length(made->at({3.3 + x, 0.0, -7.1 + z}).lean - glm::vec2(0.1 * x, 0.1 * z))));
+    WINDROW_EXPECT_FIGURE("ground/own_wind", worst, 1e-6);
+}
+
+// What a host's wind gives where it breaks is no wind, and is forgotten in the next step.
+TEST(GroundRecovery, ABrokenWindIsNone) {
+    auto made = GroundMemory::create({.texels = 16, .rim = 0.5f});
+    ASSERT_TRUE(made);
+    const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
+    std::vector<glm::vec2> leans(16 * 16, glm::vec2(0.2f, 0.0f));
+    leans[5] = {nan, 0.1f};
+    leans[77] = {infinity, -infinity};
+    leans[200] = {3e38f, 0.0f};
+    for (int frame = 0; frame < 600; ++frame)
+        ASSERT_TRUE(made->advance({.duration = 0.02}, leans));
+    for (std::size_t n = 0; n < leans.size(); ++n) {
+        const glm::vec2 lean = made->state()[n].lean;
+        const bool broken = n == 5 || n == 77 || n == 200;
+        EXPECT_NEAR(lean.x, broken ? 0.0f : 0.2f, 1e-5f) << n;
+        EXPECT_NEAR(lean.y, n == 5 ? 0.1f : 0.0f, 1e-5f) << n;
+    }
+}
+
+// The last frame's sample is what the last frame showed, and over its time the difference is the velocity, to the second order.
+TEST(GroundRecovery, PreviousIsTheLastFrameAndTheirDifferenceTheVelocity) {
+    double errors[2];
+    for (int k = 0; k < 2; ++k) {
+        const double h = 0.01 / (1 << k);
+        GroundMemory ground = trodden({});
+        const int n = ground.config().texels;
+        // The slot of k_place: texel (0, 1) of the world.
+        const auto texel = [&] { return ground.state()[static_cast<std::size_t>(n + 0)]; };
+        errors[k] = 0.0;
+        for (int frame = 0; frame * h < 0.5; ++frame) {
+            const GroundSample last = ground.at(k_place);
+            const glm::vec2 velocity = texel().velocity;
+            advance(ground, h);
+            ASSERT_EQ(ground.previous_at(k_place).lean, last.lean);
+            ASSERT_EQ(ground.previous_at(k_place).trail, last.trail);
+            const glm::dvec2 moved = glm::dvec2(ground.at(k_place).lean) - glm::dvec2(ground.previous_at(k_place).lean);
+            const glm::dvec2 mean = 0.5 * (glm::dvec2(velocity) + glm::dvec2(texel().velocity));
+            errors[k] = std::max(errors[k], glm::length(moved / h - mean));
+        }
+    }
+    test::figure("ground/motion_vector_error", errors[1]);
+    EXPECT_NEAR(test::figure("ground/motion_vector_slope", std::log2(errors[0] / errors[1])), 2.0, 0.15);
+}
+
+} // namespace
+} // namespace windrow
