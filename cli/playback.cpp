@@ -30,7 +30,7 @@ double strength_of(const Motor& motor, double from, double to) {
 Result<Playback> Playback::create(const Scene& scene, ParallelFor threads, const Backend& backend) {
     Config config = scene.air;
     config.parallel_for = threads;
-    auto wind = CommandWind::create(config, backend);
+    auto wind = CommandWind::create(config, backend, StageClock::on);
     if (!wind)
         return Error{message(scene.file.string(), ": $.air: ", wind.error())};
     Playback playback(scene, *std::move(wind));

@@ -33,10 +33,11 @@ class CpuWind final : public CommandWind {
 
 } // namespace
 
-Result<std::unique_ptr<CommandWind>> CommandWind::create(const Config& config, const Backend& backend) {
+Result<std::unique_ptr<CommandWind>> CommandWind::create(const Config& config, const Backend& backend,
+                                                         [[maybe_unused]] StageClock clock) {
 #if WINDROW_WITH_VULKAN
     if (!backend.is_cpu())
-        return DeviceWind::create(config, backend);
+        return DeviceWind::create(config, backend, clock);
 #else
     static_cast<void>(backend); // no other is ever opened
 #endif

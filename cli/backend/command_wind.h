@@ -5,6 +5,7 @@
 #include "cli/backend/backend.h"
 #include "fluid/wind.h"
 
+#include <cstdint>
 #include <functional>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -13,9 +14,14 @@
 
 namespace windrow::cli {
 
+/// Whether a device times the stages of its steps: its own clock holds each pass back until the one before has ended. The CPU
+/// always does.
+enum class StageClock : std::uint8_t { off, on };
+
 class CommandWind {
   public:
-    [[nodiscard]] static Result<std::unique_ptr<CommandWind>> create(const Config& config, const Backend& backend = {});
+    [[nodiscard]] static Result<std::unique_ptr<CommandWind>> create(const Config& config, const Backend& backend = {},
+                                                                     StageClock clock = StageClock::off);
     virtual ~CommandWind() = default;
     CommandWind(const CommandWind&) = delete;
     CommandWind& operator=(const CommandWind&) = delete;

@@ -5,11 +5,33 @@
 #include <chrono>
 #include <limits>
 #include <memory>
+#include <string_view>
 
 namespace windrow::cli {
 
-Result<std::unique_ptr<CommandWind>> DeviceWind::create(const Config& config, const Backend& backend) {
-    auto wind = vulkan::Wind::create(backend.device()->host(), config, {.texel = vulkan::Texel::single, .frames_in_flight = 1});
+namespace {
+
+// The stage of the step that a pass belongs to.
+void add_to_stage(const vulkan::PassTimes::Pass& pass, StageTimes& times) {
+    const std::string_view name = pass.name;
+    double& stage = name.starts_with("diffuse")                                            ? times.diffusion
+                    : name == "pad" || name == "advect"                                    ? times.advection
+                    : name.starts_with("modes") || name == "columns" || name == "gradient" ? times.projection
+                    : name == "show"                                                       ? times.report
+                                                                                           : times.sources;
+    stage += 1e-3 * pass.us;
+}
+
+} // namespace
+
+Result<std::unique_ptr<CommandWind>> DeviceWind::create(const Config& config, const Backend& backend, StageClock clock) {
+    vulkan::Settings settings{.texel = vulkan::Texel::single, .frames_in_flight = 1};
+    settings.timestamps = clock == StageClock::on;
+    auto wind = vulkan::Wind::create(backend.device()->host(), config, settings);
+    if (!wind && settings.timestamps) { // a queue that counts no time
+        settings.timestamps = false;
+        wind = vulkan::Wind::create(backend.device()->host(), config, settings);
+    }
     if (!wind)
         return Error{wind.error()};
     return std::unique_ptr<CommandWind>(new DeviceWind(backend, *std::move(wind)));
@@ -35,6 +57,9 @@ Diagnostics DeviceWind::run(double dt) const {
         reported.motors_in_reach = done.motors_in_reach;
         reported.diffusion = done.diffusion;
         done = reported;
+        if (const auto times = wind_.pass_times())
+            for (const vulkan::PassTimes::Pass& pass : times->passes)
+                add_to_stage(pass, done.times_ms);
     }
     done.times_ms.total = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     return done;

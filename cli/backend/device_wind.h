@@ -13,9 +13,10 @@ namespace windrow::cli {
 class DeviceWind final : public CommandWind {
   public:
     /// `backend` has a device.
-    [[nodiscard]] static Result<std::unique_ptr<CommandWind>> create(const Config& config, const Backend& backend);
+    [[nodiscard]] static Result<std::unique_ptr<CommandWind>> create(const Config& config, const Backend& backend,
+                                                                     StageClock clock);
 
-    /// times_ms.total is the time from the recording to the end on the device.
+    /// times_ms.total is the time from the recording to the end on the device; the stages are by the device's clock, 0 without.
     Diagnostics step(double dt) override { return run(dt); }
     Motors& motors() override { return wind_.motors(); }
     const Motors& motors() const override { return std::as_const(wind_).motors(); }

@@ -18,6 +18,8 @@ class PassClock {
     /// A recording begins for a slot. What was recorded for it before is done: its times are read now.
     void begin(VkCommandBuffer commands, int slot);
     void end(VkCommandBuffer commands);
+    /// Reads the times of a slot before its turn comes: what was recorded for it is done.
+    void collect(int slot) { take(slots_[static_cast<std::size_t>(slot)]); }
 
     /// From its making to its end: one dispatch. Without a clock it does nothing.
     class Lap {

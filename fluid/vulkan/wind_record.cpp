@@ -114,7 +114,11 @@ bool Wind::State::take(ReadBack& slot) {
 }
 
 bool Wind::State::collect(int slot) {
-    return slot >= 0 && slot < settings.frames_in_flight && take(slots[static_cast<std::size_t>(slot)]);
+    if (slot < 0 || slot >= settings.frames_in_flight)
+        return false;
+    if (clock)
+        clock->collect(slot);
+    return take(slots[static_cast<std::size_t>(slot)]);
 }
 
 Diagnostics Wind::State::reported() {

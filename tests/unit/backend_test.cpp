@@ -32,7 +32,7 @@ class OnDevice : public testing::Test {
         ASSERT_FALSE(fault) << fault.sentence;
     }
     [[nodiscard]] std::unique_ptr<CommandWind> wind_on(const Backend& backend, const Config& config) const {
-        auto wind = CommandWind::create(config, backend);
+        auto wind = CommandWind::create(config, backend, StageClock::on);
         EXPECT_TRUE(wind) << wind.error();
         return *std::move(wind);
     }
@@ -56,6 +56,10 @@ TEST_F(OnDevice, TheWindAndItsReportAreTheCpusAtEachStep) {
         EXPECT_EQ(a.motors_in_reach, b.motors_in_reach);
         EXPECT_EQ(a.substeps, b.substeps);
         EXPECT_GT(b.times_ms.total, 0.0);
+        EXPECT_GT(b.times_ms.advection, 0.0);
+        EXPECT_GT(b.times_ms.projection, 0.0);
+        EXPECT_LE(b.times_ms.sources + b.times_ms.diffusion + b.times_ms.advection + b.times_ms.projection + b.times_ms.report,
+                  b.times_ms.total);
         EXPECT_EQ(here->origin(), there->origin());
         worst = std::max(worst, apart(here->field(), there->field()));
         speed = std::max(speed, std::abs(static_cast<double>(a.max_speed) - b.max_speed));
