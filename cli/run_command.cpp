@@ -123,7 +123,7 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
     auto playback = Playback::create(*scene, pool.parallel_for(), backend);
     if (!playback) {
         console.complain(playback.error());
-        return k_exit_wrong_use;
+        return backend.is_cpu() ? k_exit_wrong_use : k_exit_machine; // a device that has no room
     }
 
     Run run{.scene = *scene,

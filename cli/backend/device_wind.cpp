@@ -49,8 +49,14 @@ Diagnostics DeviceWind::run(double dt) const {
         return {};
     }
     const bool taken = wind_.collect(0); // none while it sleeps
-    read_ = read_ || taken;
-    if (taken && done.stepped && !done.asleep) {
+    read_ = taken || (read_ && done.asleep);
+    if (!taken && !done.asleep)
+        backend_.note_fault("The device's read-back cannot be read: its memory was not made visible to the host.");
+    if (taken && done.asleep) { // what the last step before sleep did
+        const Diagnostics reported = wind_.reported();
+        done.repaired_cells = reported.repaired_cells;
+        done.limited_cells = reported.limited_cells;
+    } else if (taken && done.stepped) {
         // A recording tells of the step before; which motors act, and how it diffuses, it knows itself.
         Diagnostics reported = wind_.reported();
         reported.stepped = true;

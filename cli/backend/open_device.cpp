@@ -11,7 +11,7 @@ using detail::message;
 Fault open_device(const vulkan::OwnDevice::Settings& settings, std::unique_ptr<vulkan::OwnDevice>& device) {
     const auto devices = vulkan::list_devices();
     if (!devices)
-        return {.sentence = message("--backend vulkan finds no device: ", devices.error()), .machine = true};
+        return {.sentence = message("no Vulkan device: ", devices.error()), .machine = true};
     const auto count = static_cast<int>(devices->size());
     if (settings.device >= count)
         return {.sentence =

@@ -99,9 +99,9 @@ int run_pareto(const ParetoRequest& request, const Console& console, const std::
         console.out << "\n" << flow.name << ": " << flow.what << "\n";
         console.out.flush();
         auto found = run_flow(flow, request, threads, pool.parallel_for(), backend, console, stopped);
-        if (!found) {
+        if (!found && backend.fault().empty()) {
             console.complain(found.error());
-            return k_exit_wrong_use;
+            return backend.is_cpu() ? k_exit_wrong_use : k_exit_machine; // a device that has no room
         }
         if (!backend.fault().empty())
             return complain_of(Fault{.sentence = flow.name + ": " + backend.fault(), .machine = true}, console);

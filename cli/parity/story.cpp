@@ -141,7 +141,10 @@ std::vector<ParityStory> parity_stories() {
 ParityStory shortened(ParityStory story, double cell_steps) {
     constexpr int k_fewest = 2; // the second has a history
     const auto cells = static_cast<double>(Box{.cells = story.config.cells}.cell_count());
+    const int whole = story.steps;
     story.steps = std::clamp(static_cast<int>(cell_steps / cells), std::min(k_fewest, story.steps), story.steps);
+    for (StoryChange& change : story.changes) // at their share of the way
+        change.step = change.step * story.steps / whole;
     return story;
 }
 

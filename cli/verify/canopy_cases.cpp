@@ -52,7 +52,8 @@ void add_spectrum(const std::vector<double>& line, std::vector<double>& energy) 
     }
 }
 
-VerifyRows canopy_waves(const VerifySetting& setting, int size) {
+// Stirred at the start by waves of `first` to `last` in the window's length, none of which is the answer.
+VerifyRow canopy_waves(const VerifySetting& setting, int size, int first_wave, int last_wave) {
     constexpr double k_height = 0.8, k_wind = 3.0, k_published = 8.1, k_begin = 40.0, k_end = 120.0;
     const double h = k_height / size;
     Box box{.cells = {16 * size, 4 * size, 4 * size}, .cell_size = static_cast<float>(h), .sides = over_floor()};
@@ -69,7 +70,7 @@ VerifyRows canopy_waves(const VerifySetting& setting, int size) {
         const double shear = std::tanh((x.y - k_height) / (0.5 * k_height));
         const double stir = 0.05 * std::exp(-std::abs(x.y / k_height - 1.0));
         double up = 0.0;
-        for (int n = 1; n <= 9; ++n) // no two in step
+        for (int n = first_wave; n <= last_wave; ++n) // no two in step
             up += std::sin(2.0 * k_pi * (n * x.x / 16.0 + (n % 4) * x.z / 4.0) / k_height + 1.7 * n * n);
         return glm::vec3(0.5 * k_wind * (1.0 + shear), stir * up, 0.3 * stir * up);
     });
@@ -98,7 +99,7 @@ VerifyRows canopy_waves(const VerifySetting& setting, int size) {
     const double apart = 16.0 * k_height * all / mean;
     const double below = profile[static_cast<std::size_t>(size - 1)], above = profile[static_cast<std::size_t>(size)];
     const double shear_length = 0.5 * (above + below) * h / (above - below);
-    row.error = std::abs(apart / shear_length / k_published - 1.0);
+    row.error = std::abs(std::log(apart / shear_length / k_published));
     row.bound = size >= 8 ? 0.25 : size >= 4 ? 0.65 : 1.2;
     return row;
 }
@@ -115,13 +116,20 @@ std::vector<VerifyCase> canopy_cases() {
          .run = canopy_law},
         {.name = "canopy_waves",
          .what = "Waves that nobody keyed over a field of plants under a sheared wind, a cell 1/2, 1/4 and 1/8 of the plants' "
-                 "height; how far their distance over the shear length at the tops is off the published 8.1.",
+                 "height; |ln| of their distance over 8.1 shear lengths at the tops.",
          .source = "Raupach, Finnigan & Brunet 1996, Boundary-Layer Meteorol. 78: 8.1 shear lengths over canopies of all kinds",
-         .reason = "measured are 0.93, 0.49 and 0.12, and room for a chaotic flow: with 8 cells a height the waves are those of "
-                   "fields, with "
-                   "2 they are half as many as they should be",
+         .reason =
+             "measured are 0.70 and 0.90, 0.40 and 0.37, 0.09 and 0.09, and room for a chaotic flow: with 8 cells a height the "
+             "waves are those of fields, with 2 they are half as many",
          .sizes = {2, 4, 8},
-         .run = canopy_waves},
+         .run =
+             [](const VerifySetting& setting, int size) {
+                 VerifyRow by_long = canopy_waves(setting, size, 1, 2),
+                           by_short = canopy_waves(setting, size, 3 * size / 2, 3 * size);
+                 by_long.label = "stirred by long waves";
+                 by_short.label = "stirred by short waves";
+                 return VerifyRows(std::vector{by_long, by_short});
+             }},
     };
 }
 

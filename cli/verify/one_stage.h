@@ -24,10 +24,9 @@ class OneStage {
 
     /// Legal sides of the same kinds.
     void set_sides(const Sides& sides) {
-        if (wind_)
-            static_cast<void>(wind_->set_sides(sides));
-        else
-            static_cast<void>(work_->set_sides(sides));
+        const auto changed = wind_ ? wind_->set_sides(sides) : work_->set_sides(sides);
+        if (!changed)
+            setting_.backend.note_fault(changed.error());
     }
     /// `field` after dt [s] of the stage, up to 1 s; a projection takes no time.
     void run(CellVelocities& field, float dt = 1.0f) {

@@ -20,7 +20,8 @@ VerifyRows parity(const VerifySetting& setting, int size) {
         if (whole.config.cells.x != size)
             continue;
         const ParityStory story = device.facts().software ? shortened(whole, k_software_cell_steps) : whole;
-        const auto result = run_parity(device, story, {.simd = setting.simd, .parallel_for = setting.parallel_for});
+        const auto result =
+            run_parity(device, story, {.simd = setting.simd, .parallel_for = setting.parallel_for, .stopped = setting.stopped});
         if (!result) {
             setting.backend.note_fault(result.error());
             return rows;

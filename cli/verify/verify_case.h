@@ -20,6 +20,8 @@ struct VerifySetting {
     Simd simd = Simd::best;
     ParallelFor parallel_for{};
     Backend backend{};
+    /// Asked now and then by a case that is long on a device; true ends it.
+    std::function<bool()> stopped = [] { return false; };
 };
 
 /// Which backends can run a case.

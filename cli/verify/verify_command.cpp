@@ -26,7 +26,9 @@ int run_verify(const VerifyRequest& request, const Console& console, const std::
     if (const auto fault = backend.open(request.backend))
         return complain_of(fault, console);
     ThreadPool pool(request.threads > 0 ? request.threads : usable_cores());
-    const VerifySetting setting{.simd = request.simd, .parallel_for = pool.parallel_for(), .backend = backend};
+    const VerifySetting setting{.simd = request.simd, .parallel_for = pool.parallel_for(), .backend = backend, .stopped = [&] {
+                                    return stop_signal() != 0;
+                                }};
     report_setting(pool.size(), request.simd, backend.device_words(), console);
     std::vector<VerifiedCase> verified;
     for (const VerifyCase& one : request.cases) {
@@ -36,6 +38,8 @@ int run_verify(const VerifyRequest& request, const Console& console, const std::
             if (const int signal = stop_signal(); signal != 0)
                 return k_exit_signal + signal;
             const VerifyRows found = one.run(setting, one.sizes[level]);
+            if (const int signal = stop_signal(); signal != 0)
+                return k_exit_signal + signal;
             if (!backend.fault().empty())
                 return complain_of(Fault{.sentence = one.name + ": " + backend.fault(), .machine = true}, console);
             for (const VerifyRow& row : found.rows) {

@@ -27,7 +27,7 @@ std::string us(double value) {
 std::string mebibytes(std::uint64_t bytes) {
     return to_fixed(static_cast<double>(bytes) / (1 << 20), 2);
 }
-// What a pass reaches, by the bytes that it must move at least.
+// What a pass reaches, by the bytes that it moves where all its fields hold something; at most, that is.
 std::string gigabytes_a_second(std::uint64_t bytes, double microseconds) {
     return bytes == 0 || microseconds <= 0.0 ? "-" : to_fixed(static_cast<double>(bytes) / microseconds * 1e-3, 1);
 }

@@ -50,7 +50,7 @@ DeviceContestant WindRecordings::contestant() {
 void WindRecordings::note() {
     dispatches_ = wind_.dispatches();
     barriers_ = wind_.barriers();
-    // Of the turn before this: the times of a slot come with its next recording.
+    static_cast<void>(wind_.collect(1)); // the turn is over: its times are in
     const auto times = wind_.pass_times();
     if (!times)
         return;
