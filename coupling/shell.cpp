@@ -46,8 +46,8 @@ float Shells::height(int shell) const {
     return numerics::windrow_shell_height(shared(block_), static_cast<float>(shell));
 }
 
-glm::vec3 Shells::load(glm::vec3 normal, glm::vec3 wind) const {
-    return numerics::windrow_shell_load(shared(block_), normal, wind);
+glm::vec3 Shells::load(glm::vec3 normal, float map, glm::vec3 wind) const {
+    return numerics::windrow_shell_load(shared(block_), normal, map, wind);
 }
 
 glm::vec3 Shells::bent(glm::vec3 position, glm::vec3 normal, float h, float map, glm::vec3 load) const {

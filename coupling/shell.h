@@ -3,7 +3,7 @@
 //
 //     auto fur = windrow::Shells::create({.shells = 40, .length = 0.03f});
 //     for (int i = 0; i < 40; ++i)
-//         p[i] = fur->bent(skin, normal, fur->height(i), 1.0f, fur->load(normal, wind - velocity));
+//         p[i] = fur->bent(skin, normal, fur->height(i), 1.0f, fur->load(normal, 1.0f, wind - velocity));
 //
 // Two forms: `bent`, in which strands keep their length, and `translated`, the push and droop of the shell literature. Neither
 // moves a vertex into the surface, and no shell passes the next. Positions and normals come after skinning.
@@ -39,7 +39,8 @@ struct ShellSettings {
     float droop = 0.0f;
     /// p of the droop, 1e-3 to 1e3: (p^h - 1) / (p - 1). Default 3: bends late; 1 is even.
     float droop_shape = 3.0f;
-    /// [rad] Sag of the tip of a level strand in the bent form, 0 to pi/2. Default 0.3.
+    /// [rad] Sag of the tip of a level strand in the bent form, 0 to pi/2. Default 0.3. Strands that a map shortens sag by its
+    /// cube.
     float sag = 0.3f;
     /// Where things fall to: any length but 0. Default -y.
     glm::vec3 down{0.0f, -1.0f, 0.0f};
@@ -69,8 +70,9 @@ class Shells {
 
     /// h of shell i, 0 to N - 1.
     [[nodiscard]] float height(int shell) const;
-    /// [rad] The bend of a strand on the normal n that a wind [m/s] holds.
-    [[nodiscard]] glm::vec3 load(glm::vec3 normal, glm::vec3 wind) const;
+    /// [rad] The bend of a strand on the normal n, with `map` of its length, 0 to 1, that a wind [m/s] holds. In a
+    /// light wind it goes as the map's cube.
+    [[nodiscard]] glm::vec3 load(glm::vec3 normal, float map, glm::vec3 wind) const;
     /// [m] A vertex of the skin with its unit normal, on the layer of height h, where strands have `map` of their length, 0 to 1.
     [[nodiscard]] glm::vec3 bent(glm::vec3 position, glm::vec3 normal, float h, float map, glm::vec3 load) const;
     /// [m] The translate form; `direction` [1] is multiplied by `push`: wind or -velocity times a factor, or a direction memory.
@@ -83,7 +85,7 @@ class Shells {
     };
     /// `load`, `bent` and `translated` for one layer of a whole mesh. Spans have one entry a vertex; refuses others and touches
     /// nothing then. The result does not depend on the number of threads.
-    Result<void> loads(std::span<const glm::vec4> normals, std::span<const glm::vec4> winds, std::span<glm::vec4> loads,
+    Result<void> loads(const Skin& skin, std::span<const glm::vec4> winds, std::span<glm::vec4> loads,
                        const ParallelFor& parallel_for = {}) const;
     Result<void> bent(const Skin& skin, float h, std::span<const glm::vec4> loads, std::span<glm::vec4> out,
                       const ParallelFor& parallel_for = {}) const;

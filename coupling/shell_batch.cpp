@@ -11,25 +11,14 @@ using detail::k_lanes;
 using detail::Lanes;
 using detail::Lanes3;
 
-Result<void> fits(const char* call, const Shells::Skin& skin, float h, const char* what, std::size_t given, std::size_t out) {
+Result<void> fits(const char* call, const Shells::Skin& skin, const char* what, std::size_t given, const char* result,
+                  std::size_t out, float h = 0.0f) {
     detail::Checks checks(call);
     checks.between(".h", h, 0.0f, 1.0f, "");
     checks.same_size(".skin.normals", skin.normals.size(), skin.positions.size());
     checks.same_size(what, given, skin.positions.size());
-    checks.same_size(".out", out, skin.positions.size());
+    checks.same_size(result, out, skin.positions.size());
     return checks.outcome();
-}
-
-WINDROW_LEVELS void load_lanes(Lanes3& loads, numerics::WindrowShells shells, const Lanes3& normals, const Lanes3& winds) {
-    const auto bend = [&](std::size_t i) { loads.set(i, numerics::windrow_shell_load(shells, normals[i], winds[i])); };
-    if (shells.drag.load.y < 0.0f) { // a power, which no vector instruction has
-        for (std::size_t i = 0; i < k_lanes; ++i)
-            bend(i);
-        return;
-    }
-    shells.drag.load.y = 0.0f;
-    for (std::size_t i = 0; i < k_lanes; ++i)
-        bend(i);
 }
 
 struct SkinLanes {
@@ -43,6 +32,20 @@ struct SkinLanes {
             map.at[i] = skin.positions[first + i].w;
     }
 };
+
+WINDROW_LEVELS void load_lanes(Lanes3& loads, numerics::WindrowShells shells, const SkinLanes& skin, const Lanes3& winds) {
+    const auto bend = [&](std::size_t i) {
+        loads.set(i, numerics::windrow_shell_load(shells, skin.normals[i], skin.map.at[i], winds[i]));
+    };
+    if (shells.drag.load.y < 0.0f) { // a power, which no vector instruction has
+        for (std::size_t i = 0; i < k_lanes; ++i)
+            bend(i);
+        return;
+    }
+    shells.drag.load.y = 0.0f;
+    for (std::size_t i = 0; i < k_lanes; ++i)
+        bend(i);
+}
 
 WINDROW_LEVELS void bend_lanes(Lanes3& out, numerics::WindrowShells shells, const SkinLanes& skin, float h, const Lanes3& loads) {
     for (std::size_t i = 0; i < k_lanes; ++i)
@@ -65,19 +68,16 @@ WINDROW_LEVELS void push_lanes(Lanes3& out, numerics::WindrowShells shells, cons
 
 } // namespace
 
-Result<void> Shells::loads(std::span<const glm::vec4> normals, std::span<const glm::vec4> winds, std::span<glm::vec4> loads,
+Result<void> Shells::loads(const Skin& skin, std::span<const glm::vec4> winds, std::span<glm::vec4> loads,
                            const ParallelFor& parallel_for) const {
-    detail::Checks checks("shells.loads");
-    checks.same_size(".winds", winds.size(), normals.size());
-    checks.same_size(".loads", loads.size(), normals.size());
-    if (auto outcome = checks.outcome(); !outcome)
+    if (auto outcome = fits("shells.loads", skin, ".winds", winds.size(), ".loads", loads.size()); !outcome)
         return outcome;
     const numerics::WindrowShells shells = detail::shared(block_);
-    detail::for_blocks(normals.size(), parallel_for, [&](std::size_t first, std::size_t count) {
-        Lanes3 normal_lanes{}, wind_lanes{}, out{};
-        gather(normal_lanes, normals.data() + first, count);
+    detail::for_blocks(loads.size(), parallel_for, [&](std::size_t first, std::size_t count) {
+        const SkinLanes skin_lanes(skin, first, count);
+        Lanes3 wind_lanes{}, out{};
         gather(wind_lanes, winds.data() + first, count);
-        load_lanes(out, shells, normal_lanes, wind_lanes);
+        load_lanes(out, shells, skin_lanes, wind_lanes);
         scatter(loads.data() + first, out, 0.0f, count);
     });
     return {};
@@ -85,7 +85,7 @@ Result<void> Shells::loads(std::span<const glm::vec4> normals, std::span<const g
 
 Result<void> Shells::bent(const Skin& skin, float h, std::span<const glm::vec4> loads, std::span<glm::vec4> out,
                           const ParallelFor& parallel_for) const {
-    if (auto outcome = fits("shells.bent", skin, h, ".loads", loads.size(), out.size()); !outcome)
+    if (auto outcome = fits("shells.bent", skin, ".loads", loads.size(), ".out", out.size(), h); !outcome)
         return outcome;
     const numerics::WindrowShells shells = detail::shared(block_);
     detail::for_blocks(out.size(), parallel_for, [&](std::size_t first, std::size_t count) {
@@ -100,7 +100,7 @@ Result<void> Shells::bent(const Skin& skin, float h, std::span<const glm::vec4> 
 
 Result<void> Shells::translated(const Skin& skin, float h, std::span<const glm::vec4> directions, std::span<glm::vec4> out,
                                 const ParallelFor& parallel_for) const {
-    if (auto outcome = fits("shells.translated", skin, h, ".directions", directions.size(), out.size()); !outcome)
+    if (auto outcome = fits("shells.translated", skin, ".directions", directions.size(), ".out", out.size(), h); !outcome)
         return outcome;
     const numerics::WindrowShells shells = detail::shared(block_);
     const Layer layer{h, shells.push.x * numerics::windrow_mask_power(h, shells.push.y),

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 namespace windrow {
 namespace {
@@ -18,6 +19,25 @@ numerics::WindrowTree shared(const TreeBlock& block) {
 
 numerics::WindrowPart shared(const TreePart& part) {
     return {part.root, part.axis, part.length, part.stiffness};
+}
+
+// A part of a list, with the wind that it feels.
+struct Part {
+    numerics::WindrowPart part{};
+    glm::vec3 wind{0.0f};
+};
+
+// The first vertex whose bearers name a part beyond the list.
+Result<void> known(std::span<const Tree::PartIndices> bearers, std::size_t parts) {
+    for (std::size_t n = 0; n < bearers.size(); ++n) {
+        const std::pair<const char*, std::uint32_t> named[] = {
+            {"trunk", bearers[n].trunk}, {"branch", bearers[n].branch}, {"leaf", bearers[n].leaf}};
+        for (const auto& [role, index] : named)
+            if (index != Tree::PartIndices::k_none && index >= parts)
+                return Error{detail::message("tree.vertices.mesh.bearers[", n, "].", role, " is ", index, ", of a list of ",
+                                             parts, " parts: give an index below ", parts, ", or k_none.")};
+    }
+    return {};
 }
 
 } // namespace
@@ -72,29 +92,25 @@ Result<void> Tree::vertices(std::span<const TreePart> parts, std::span<const glm
     checks.same_size(".mesh.bearers", mesh.bearers.size(), count);
     checks.same_size(".positions", positions.size(), count);
     checks.same_size(".normals", normals.size(), count);
-    for (const TreePart& part : parts)
-        checks.add(validate(part, "tree.vertices.parts"));
-    const auto known = [&](std::uint32_t index) { return index == Bearers::k_none || index < parts.size(); };
-    if (!std::all_of(mesh.bearers.begin(), mesh.bearers.end(),
-                     [&](const Bearers& b) { return known(b.trunk) && known(b.branch) && known(b.leaf); }))
-        checks.add(Error{"tree.vertices.mesh.bearers names a part beyond the list: give indices below its size, or k_none."});
+    for (std::size_t n = 0; n < parts.size(); ++n)
+        if (!validate(parts[n]))
+            checks.add(validate(parts[n], detail::message("tree.vertices.parts[", n, "]").c_str()));
+    checks.add(known(mesh.bearers, parts.size()));
     if (auto outcome = checks.outcome(); !outcome)
         return outcome;
 
     const numerics::WindrowTree tree = shared(block_);
-    const auto bend = [&](const numerics::WindrowDrag& drag, std::uint32_t index, numerics::WindrowTreeVertex& vertex) {
-        if (index == Bearers::k_none)
-            return;
-        const numerics::WindrowPart part = shared(parts[index]);
-        vertex = numerics::windrow_part_in_wind(drag, part, glm::vec3(winds[index]), vertex);
+    const auto at = [&](std::uint32_t index) {
+        return index == PartIndices::k_none ? Part{} : Part{shared(parts[index]), glm::vec3(winds[index])};
     };
     parallel_for(static_cast<int>((count + k_block - 1) / k_block), [&](int block) {
         const std::size_t first = static_cast<std::size_t>(block) * k_block;
         for (std::size_t i = first; i < std::min(first + k_block, count); ++i) {
-            numerics::WindrowTreeVertex vertex{glm::vec3(mesh.positions[i]), glm::vec3(mesh.normals[i])};
-            bend(tree.leaf, mesh.bearers[i].leaf, vertex);
-            bend(tree.branch, mesh.bearers[i].branch, vertex);
-            bend(tree.trunk, mesh.bearers[i].trunk, vertex);
+            const Part trunk = at(mesh.bearers[i].trunk), branch = at(mesh.bearers[i].branch), leaf = at(mesh.bearers[i].leaf);
+            const numerics::WindrowTreeLoads loads =
+                numerics::windrow_tree_loads(tree, trunk.part, branch.part, leaf.part, trunk.wind, branch.wind, leaf.wind);
+            const numerics::WindrowTreeVertex vertex = numerics::windrow_tree_bent(
+                tree, trunk.part, branch.part, leaf.part, loads, {glm::vec3(mesh.positions[i]), glm::vec3(mesh.normals[i])});
             positions[i] = glm::vec4(vertex.position, 1.0f);
             normals[i] = glm::vec4(vertex.normal, 0.0f);
         }

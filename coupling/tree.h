@@ -1,8 +1,9 @@
 // Trees on the CPU: leaf on branch on trunk, by the same bend as blades. The equations stand in shaders/numerics/tree.glsl.
 //
 //     auto oak = windrow::Tree::create({});
-//     windrow::TreePart trunk{.axis = {0, 1, 0}, .length = 8.0f}, bough{.root = {0, 5, 0}, .axis = {1, 0, 0}, .length = 2.5f};
-//     windrow::PlantVertex leaf = oak->vertex({trunk, bough, {}}, wind, {.position = {2.4f, 5.1f, 0.0f}});
+//     windrow::TreePart trunk{.length = 8.0f, .stiffness = 1.0f};
+//     windrow::TreePart bough{.root = {0, 5, 0}, .axis = {1, 0, 0}, .length = 2.5f, .stiffness = 1.0f};
+//     windrow::PlantVertex bark = oak->vertex({trunk, bough, {}}, wind, {.position = {2.4f, 5.1f, 0.0f}}); // {}: on no leaf
 #pragma once
 
 #include "coupling/drag.h"
@@ -31,19 +32,17 @@ struct TreeBlock {
 };
 static_assert(sizeof(TreeBlock) == 48);
 
-/// A straight part of a tree at rest, relative to the trunk's base.
+/// A straight part of a tree at rest, relative to the trunk's base. The default is no part, here and in lists alike.
 struct TreePart {
-    glm::vec3 root{0.0f};             ///< [m] where it is held: on the axis of what bears it
+    glm::vec3 root{0.0f};             ///< [m] where it is held: on the axis of what bears it, or beside it on the bark
     glm::vec3 axis{0.0f, 1.0f, 0.0f}; ///< unit vector along it
     float length = 1.0f;    ///< [m] above 0. Its stiffness is its class's whatever its length: a short part needs a high one
-    float stiffness = 1.0f; ///< over its class, 1e-6 to 1e6; 0: there is no such part
+    float stiffness = 0.0f; ///< over its class, 1e-6 to 1e6: 1 is the class's own. Default 0: there is no such part
 };
 
-/// What bears a vertex. Parts that it has not keep stiffness 0.
+/// What bears a vertex: the last that is there bends by the vertex's own height, the ones before carry it as one rigid body.
 struct TreeBearers {
-    TreePart trunk{.stiffness = 0.0f};
-    TreePart branch{.stiffness = 0.0f};
-    TreePart leaf{.stiffness = 0.0f};
+    TreePart trunk{}, branch{}, leaf{};
 };
 
 [[nodiscard]] Result<void> validate(const TreeSettings& settings);
@@ -61,17 +60,17 @@ class Tree {
     /// must be valid.
     [[nodiscard]] PlantVertex vertex(const TreeBearers& bearers, glm::vec3 wind, const PlantVertex& rest) const;
 
-    /// Which part of a list bears a vertex; k_none: no such part.
-    struct Bearers {
+    /// Which parts of a list bear a vertex. Default k_none: no such part, as an entry of stiffness 0 is.
+    struct PartIndices {
         static constexpr std::uint32_t k_none = 0xffffffffu;
         std::uint32_t trunk = k_none, branch = k_none, leaf = k_none;
     };
     /// A tree's vertices. Spans of vertices have one entry each; `winds` [m/s] one a part, so that each feels its own. Refuses
-    /// sizes that do not fit, parts that are not valid and indices beyond the list, and touches nothing then.
+    /// sizes that do not fit, parts that are not valid and indices beyond the list, by their number, and touches nothing then.
     struct Mesh {
         std::span<const glm::vec4> positions; ///< xyz [m] from the trunk's base
         std::span<const glm::vec4> normals;   ///< xyz unit vectors
-        std::span<const Bearers> bearers;
+        std::span<const PartIndices> bearers;
     };
     Result<void> vertices(std::span<const TreePart> parts, std::span<const glm::vec4> winds, const Mesh& mesh,
                           std::span<glm::vec4> positions, std::span<glm::vec4> normals,

@@ -118,7 +118,8 @@ Plot shell_plot() {
         const auto moved = [&](double x, int shell) {
             const glm::vec3 p(hill(x), 0.0f), n(hill_normal(x), 0.0f);
             const float h = fur.height(shell);
-            const glm::vec3 q = kind == 0 ? fur.bent(p, n, h, 1.0f, fur.load(n, wind)) : fur.translated(p, n, h, 1.0f, wind);
+            const glm::vec3 q =
+                kind == 0 ? fur.bent(p, n, h, 1.0f, fur.load(n, 1.0f, wind)) : fur.translated(p, n, h, 1.0f, wind);
             return glm::dvec2(q.x, q.y);
         };
         for (int shell = 0; shell < k_shells; ++shell) {

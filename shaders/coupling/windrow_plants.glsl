@@ -64,11 +64,11 @@ WindrowVertex windrow_blade(WindrowBlade blade, vec3 root, vec3 up, uvec2 key, v
 
 // [m] A vertex of the skin, after skinning, on shell i; `map` 0 to 1 is the strands' length there, `velocity` [m/s] the skin's own.
 vec3 windrow_shell(WindrowShells shells, vec3 p, vec3 n, float i, float map, vec3 velocity) {
-    vec3 load = windrow_shell_load(shells, n, windrow_wind_on(p, velocity));
+    vec3 load = windrow_shell_load(shells, n, map, windrow_wind_on(p, velocity));
     return windrow_shell_bent(shells, p, n, windrow_shell_height(shells, i), map, load);
 }
 vec3 windrow_shell_previous(WindrowShells shells, vec3 p, vec3 n, float i, float map, vec3 velocity) {
-    vec3 load = windrow_shell_load(shells, n, windrow_wind_on_previous(p, velocity));
+    vec3 load = windrow_shell_load(shells, n, map, windrow_wind_on_previous(p, velocity));
     return windrow_shell_bent(shells, p, n, windrow_shell_height(shells, i), map, load);
 }
 
@@ -83,17 +83,18 @@ vec3 windrow_wind_on_part_previous(vec3 base, WindrowPart part) {
 }
 
 // A vertex at rest, relative to the trunk's base [m from the anchor], in the wind that each of its parts feels. The result is relative to
-// the base too.
+// the base too. For trees that swing call windrow_tree_bent with the states of springs.
 WindrowTreeVertex windrow_tree(WindrowTree tree, vec3 base, WindrowPart trunk, WindrowPart branch, WindrowPart leaf, WindrowTreeVertex rest) {
-    WindrowTreeVertex v = windrow_part_in_wind(tree.leaf, leaf, windrow_wind_on_part(base, leaf), rest);
-    v = windrow_part_in_wind(tree.branch, branch, windrow_wind_on_part(base, branch), v);
-    return windrow_part_in_wind(tree.trunk, trunk, windrow_wind_on_part(base, trunk), v);
+    WindrowTreeLoads loads = windrow_tree_loads(tree, trunk, branch, leaf, windrow_wind_on_part(base, trunk), windrow_wind_on_part(base, branch),
+                                                windrow_wind_on_part(base, leaf));
+    return windrow_tree_bent(tree, trunk, branch, leaf, loads, rest);
 }
 WindrowTreeVertex windrow_tree_previous(WindrowTree tree, vec3 base, WindrowPart trunk, WindrowPart branch, WindrowPart leaf,
                                         WindrowTreeVertex rest) {
-    WindrowTreeVertex v = windrow_part_in_wind(tree.leaf, leaf, windrow_wind_on_part_previous(base, leaf), rest);
-    v = windrow_part_in_wind(tree.branch, branch, windrow_wind_on_part_previous(base, branch), v);
-    return windrow_part_in_wind(tree.trunk, trunk, windrow_wind_on_part_previous(base, trunk), v);
+    WindrowTreeLoads loads =
+        windrow_tree_loads(tree, trunk, branch, leaf, windrow_wind_on_part_previous(base, trunk), windrow_wind_on_part_previous(base, branch),
+                           windrow_wind_on_part_previous(base, leaf));
+    return windrow_tree_bent(tree, trunk, branch, leaf, loads, rest);
 }
 
 #endif

@@ -57,9 +57,16 @@ WINDROW_FN vec3 windrow_blade_facing(vec3 axis, uvec2 hash) {
     return square > 1e-6f ? facing / sqrt(square) : normalize(cross(axis, vec3(-level.y, 0.0f, level.x)));
 }
 
-// [rad] The bend that the apparent wind u [m/s] holds: what a spring follows, or the load itself where nothing swings.
+// Length of a blade over its class's.
+WINDROW_FN float windrow_blade_length_share(WindrowBlade blade, uvec2 hash) {
+    return 1.0f + blade.size.y * (2.0f * windrow_share(hash.x * 2654435761u) - 1.0f);
+}
+
+// [rad] The bend that the apparent wind u [m/s] holds: what a spring follows, or the load itself where nothing swings. The Cauchy number
+// grows with the cube of the blade's own length: a short blade stands where a long one lies.
 WINDROW_FN vec3 windrow_blade_load(WindrowBlade blade, vec3 axis, uvec2 hash, vec3 u) {
-    return windrow_drag_bend(blade.drag, axis, u, windrow_plant_factor(hash, blade.form.z));
+    float share = windrow_blade_length_share(blade, hash);
+    return windrow_drag_bend(blade.drag, axis, u, windrow_plant_factor(hash, blade.form.z) / (share * share * share));
 }
 
 // Share of the most view bend: 0 seen level or from below, 1 seen from straight above. `view` is the unit vector from the eye.
@@ -69,7 +76,7 @@ WINDROW_FN float windrow_view_share(vec3 view, vec3 axis) {
 
 // [m] Length of a blade of the class.
 WINDROW_FN float windrow_blade_length(WindrowBlade blade, uvec2 hash) {
-    return blade.size.x * (1.0f + blade.size.y * (2.0f * windrow_share(hash.x * 2654435761u) - 1.0f));
+    return blade.size.x * windrow_blade_length_share(blade, hash);
 }
 
 // One blade: `load` [rad] from windrow_blade_load or from a spring, `view` the unit vector from the eye.

@@ -27,7 +27,7 @@
 struct WindrowShells {
     vec4 form; // x [m] strand length L; y exponent a; z bias over L; w divisor d
     vec4 push; // x strength s of the push; y exponent c; z [m] droop of the tip; w ln p
-    vec4 sag;  // xyz unit vector down; w [rad] sag of the tip of a level strand, in the stem form
+    vec4 sag;  // xyz unit vector down; w [rad] sag of the tip of a level strand of length L, in the stem form
     WindrowDrag drag;
 };
 
@@ -67,15 +67,21 @@ WINDROW_FN vec3 windrow_shell_translated(WindrowShells shells, vec3 p, vec3 n, f
                                windrow_shell_droop(shells, h));
 }
 
-// [rad] The bend of the strand's tip that the apparent wind u [m/s] holds, across n.
-WINDROW_FN vec3 windrow_shell_load(WindrowShells shells, vec3 n, vec3 u) {
-    return windrow_drag_bend(shells.drag, n, u, 1.0f);
+// Bend of a strand with `map` of the length over that of a whole one, by the same small load along it: wind and weight alike.
+WINDROW_FN float windrow_shell_softness(float map) {
+    float share = max(map, 1e-6f);
+    return share * share * share;
+}
+
+// [rad] The bend of the tip of a strand with `map` of the length that the apparent wind u [m/s] holds, across n.
+WINDROW_FN vec3 windrow_shell_load(WindrowShells shells, vec3 n, float map, vec3 u) {
+    return windrow_drag_bend(shells.drag, n, u, 1.0f / windrow_shell_softness(map));
 }
 
 // [m] The stem form: `load` [rad] from windrow_shell_load or from a spring.
 WINDROW_FN vec3 windrow_shell_bent(WindrowShells shells, vec3 p, vec3 n, float h, float map, vec3 load) {
     vec3 down = vec3(shells.sag);
-    vec3 sag = (down - dot(down, n) * n) * shells.sag.w;
+    vec3 sag = (down - dot(down, n) * n) * (shells.sag.w * windrow_shell_softness(map));
     vec3 across = load - dot(load, n) * n; // a spring's rounding must not push inward
     WindrowStem stem = windrow_stem(n, shells.form.x * max(map, 1e-6f), across, sag, 0.0f, min(shells.drag.load.w, 1.57079633f));
     return p + (stem.reach * h + shells.form.x * shells.form.z) * n + windrow_stem_shift(stem, h);

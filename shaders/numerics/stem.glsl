@@ -85,16 +85,20 @@ WINDROW_FN vec3 windrow_stem_turn(vec3 axis, vec3 bend, vec3 v) {
     return v + bend * (along * sine - across * cosine) - axis * (across * sine + along * m * cosine);
 }
 
-// [m] Where a point of the straight stem's mesh goes, both from the stem's root. What lies below the root stays.
-WINDROW_FN vec3 windrow_stem_point(WindrowStem stem, vec3 offset) {
-    float h = clamp(dot(offset, stem.axis) / stem.reach, 0.0f, 1.0f);
+// Height of a point of the straight stem's mesh, from the stem's root [m]: 0 below the root, 1 beyond the tip.
+WINDROW_FN float windrow_stem_height(WindrowStem stem, vec3 offset) {
+    return clamp(dot(offset, stem.axis) / stem.reach, 0.0f, 1.0f);
+}
+
+// [m] Where a point that the stem holds at height h goes, both from the stem's root: points of one h move as one rigid body. A point of
+// the stem's own mesh is held at its own height; what lies below the root stays.
+WINDROW_FN vec3 windrow_stem_point(WindrowStem stem, float h, vec3 offset) {
     vec3 middle = stem.reach * h * stem.axis;
     return middle + windrow_stem_shift(stem, h) + windrow_stem_turn(stem.axis, windrow_stem_bend(stem, h), offset - middle);
 }
 
 // Where a direction there goes: a normal, a tangent.
-WINDROW_FN vec3 windrow_stem_direction(WindrowStem stem, vec3 offset, vec3 direction) {
-    float h = clamp(dot(offset, stem.axis) / stem.reach, 0.0f, 1.0f);
+WINDROW_FN vec3 windrow_stem_direction(WindrowStem stem, float h, vec3 direction) {
     return windrow_stem_turn(stem.axis, windrow_stem_bend(stem, h), direction);
 }
 

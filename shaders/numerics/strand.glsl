@@ -20,8 +20,8 @@ WINDROW_FN vec2 windrow_strand_root(vec2 uv, vec2 lean, float mask) {
     return uv - lean * mask;
 }
 
-// Lean of a strand's tip over its length, and of height h over h: of a stem that the wind bends by `load` [rad]. Multiply by the strand's
-// length in uv.
+// How far a strand of length 1 has moved at height h, 0 to 1, in the plane: a stem that the wind bends by `load` [rad]. h = 1 is the
+// tip's lean. Multiply by the strand's length in uv; the mask of windrow_strand_root is then 1.
 WINDROW_FN vec2 windrow_strand_lean(vec2 load, float h, float most) {
     WindrowStem stem = windrow_stem(vec3(0.0f, 1.0f, 0.0f), 1.0f, vec3(load.x, 0.0f, load.y), vec3(0.0f), 0.0f, most);
     vec3 shift = windrow_stem_shift(stem, h);

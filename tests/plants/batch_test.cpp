@@ -85,12 +85,12 @@ TEST(PlantBatch, ShellsAreTheSingleOnes) {
         winds[n] = glm::vec4(random.vector(9.0f), 0.0f);
     }
     ThreadPool pool(2);
-    ASSERT_TRUE(fur->loads(normals, winds, loads, pool.parallel_for()));
+    ASSERT_TRUE(fur->loads({skin, normals}, winds, loads, pool.parallel_for()));
     ASSERT_TRUE(fur->bent({skin, normals}, 0.6f, loads, bent, pool.parallel_for()));
     ASSERT_TRUE(fur->translated({skin, normals}, 0.6f, winds, pushed, pool.parallel_for()));
     for (std::size_t n = 0; n < k_count; ++n) {
         const glm::vec3 p(skin[n]), normal(normals[n]);
-        ASSERT_EQ(glm::vec3(loads[n]), fur->load(normal, glm::vec3(winds[n])));
+        ASSERT_EQ(glm::vec3(loads[n]), fur->load(normal, skin[n].w, glm::vec3(winds[n])));
         ASSERT_EQ(glm::vec3(bent[n]), fur->bent(p, normal, 0.6f, skin[n].w, glm::vec3(loads[n])));
         ASSERT_EQ(glm::vec3(pushed[n]), fur->translated(p, normal, 0.6f, skin[n].w, glm::vec3(winds[n])));
     }
@@ -122,7 +122,9 @@ TEST(PlantBatch, RefusesSizesThatDoNotFitAndTouchesNothing) {
     refused(fur->bent({some, few}, 0.5f, some, some), "normals");
     refused(fur->bent({some, some}, 2.0f, some, some), ".h");
     refused(fur->translated({some, some}, 0.5f, few, some), "directions");
-    refused(fur->loads(some, few, some), "winds");
+    refused(fur->loads({some, few}, some, some), "normals");
+    refused(fur->loads({some, some}, few, some), "winds");
+    refused(fur->loads({some, some}, some, few), "loads");
 }
 
 } // namespace

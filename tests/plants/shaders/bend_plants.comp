@@ -47,7 +47,7 @@ void main() {
     a.blade_normal = vec4(v.normal, 0.0);
     a.blade_tangent = vec4(v.tangent, 0.0);
 
-    vec3 strand = windrow_shell_load(shells, c.view.xyz, c.wind.xyz);
+    vec3 strand = windrow_shell_load(shells, c.view.xyz, c.view.w, c.wind.xyz);
     a.shell_load = vec4(strand, 0.0);
     a.shell_bent = vec4(windrow_shell_bent(shells, c.place.xyz, c.view.xyz, h, c.view.w, strand), 0.0);
     a.shell_translated = vec4(windrow_shell_translated(shells, c.place.xyz, c.view.xyz, h, c.view.w, c.wind.xyz), 0.0);
