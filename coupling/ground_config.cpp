@@ -13,8 +13,8 @@ void ask(detail::Reasons& reasons, const char* name, Number value, Number low, N
         reasons.add(name, " is ", value, unit, ": give ", low, " to ", high, ".");
 }
 
-bool finite(glm::dvec3 v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+bool level_finite(glm::dvec3 v) {
+    return std::isfinite(v.x) && std::isfinite(v.z);
 }
 
 } // namespace
@@ -25,10 +25,10 @@ Result<void> validate(const GroundConfig& config) {
     ask(reasons, "GroundConfig::texel_size", config.texel_size, 0.01f, 100.0f, " m");
     if (auto spring = validate(config.spring); !spring)
         reasons.add(spring.error());
-    ask(reasons, "GroundConfig::push", config.push, 0.0f, 4.0f, "");
+    ask(reasons, "GroundConfig::push", config.push, 0.0f, 2.5f, " rad");
     ask(reasons, "GroundConfig::trail_share", config.trail_share, 0.0f, 1.0f, "");
-    ask(reasons, "GroundConfig::trail_seconds", config.trail_seconds, 0.01f, 1e6f, " s");
-    ask(reasons, "GroundConfig::trample_seconds", config.trample_seconds, 0.01f, 1e6f, " s");
+    ask(reasons, "GroundConfig::trail_time", config.trail_time, 0.01f, 1e6f, " s");
+    ask(reasons, "GroundConfig::trample_time", config.trample_time, 0.01f, 1e6f, " s");
     ask(reasons, "GroundConfig::clearance", config.clearance, 0.001f, 100.0f, " m");
     ask(reasons, "GroundConfig::rim", config.rim, 0.001f, 0.25f * static_cast<float>(config.texels) * config.texel_size, " m");
     ask(reasons, "GroundConfig::longest_stride", config.longest_stride, 0.01f, 1e4f, " m");
@@ -40,10 +40,10 @@ Result<void> validate(const GroundConfig& config) {
 
 Result<void> validate(const GroundWalker& walker) {
     detail::Reasons reasons;
-    if (!finite(walker.position))
-        reasons.add("GroundWalker::position is ", walker.position, ": give three finite numbers.");
-    if (!finite(walker.previous))
-        reasons.add("GroundWalker::previous is ", walker.previous, ": give three finite numbers.");
+    if (!level_finite(walker.position))
+        reasons.add("GroundWalker::position is ", walker.position, ": give finite x and z.");
+    if (!level_finite(walker.previous))
+        reasons.add("GroundWalker::previous is ", walker.previous, ": give finite x and z.");
     if (!std::isfinite(walker.feet))
         reasons.add("GroundWalker::feet is ", walker.feet, " m: give a finite height.");
     if (!std::isfinite(walker.previous_feet))

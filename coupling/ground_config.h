@@ -19,16 +19,17 @@ struct GroundConfig {
     float texel_size = 0.25f;
     /// How the plants swing. One class for the window: grass.
     SpringClass spring = springs::grass;
-    /// Lean to which a walker of weight 1 pushes what is right beside it, 0 to 4. 1 is pressed flat. Default just short of it.
-    float push = 0.9f;
+    /// [rad] Lean to which a walker of weight 1 pushes what is right beside it, 0 to 2.5; pi / 2 is flat, beyond points down.
+    /// Default: 80 degrees, just short of flat.
+    float push = 1.4f;
     /// Share of that lean that stays as a trail, 0 to 1. 0: plants rise at once; 1: they stay as they were pushed, and rise with
-    /// trail_seconds alone. Default: half stays, so that a trail is seen and the step beside it too.
+    /// trail_time alone. Default: half stays, so that a trail is seen and the step beside it too.
     float trail_share = 0.5f;
     /// [s] Time in which a trail falls to 1/e, 0.01 to 1e6. Default: some 20 s, gone to the eye after a minute.
-    float trail_seconds = 20.0f;
+    float trail_time = 20.0f;
     /// [s] Time in which the press itself falls to 1/e, 0.01 to 1e6; while pressed, plants do not follow the wind. Default: about
     /// what a blade takes to stand up.
-    float trample_seconds = 0.8f;
+    float trample_time = 0.8f;
     /// [m] Height of the feet above the ground at which they touch no plant more, 0.001 to 100; half of it, half the weight.
     /// Default: knee-high grass.
     float clearance = 0.4f;
@@ -38,7 +39,7 @@ struct GroundConfig {
     /// [m] A walker who comes further than this in one step was teleported and sweeps nothing, 0.01 to 1e4. Default: 20, 50 m/s
     /// at a slow 2.5 frames a second.
     float longest_stride = 20.0f;
-    /// Walkers of a step that touch the window, 1 to 256: room on a device. Default 64.
+    /// Walkers of a step that touch the window, 1 to 256: room on a device. Of more, the first ones count. Default 64.
     int most_walkers = 64;
 };
 
@@ -47,15 +48,17 @@ struct GroundConfig {
 
 /// A foot, a body, a wheel: a disc that was at `previous` at the step's start and is at `position` at its end.
 struct GroundWalker {
-    glm::dvec3 position{0.0};   ///< [m] in the world; x and z count
+    glm::dvec3 position{0.0};   ///< [m] in the world; x and z count, y may be anything
     glm::dvec3 previous{0.0};   ///< [m] the same a step ago; equal: stands
     float feet = 0.0f;          ///< [m] height above the ground now; GroundConfig::clearance and more: airborne
     float previous_feet = 0.0f; ///< [m] a step ago
-    float radius = 0.5f;        ///< [m] how far it reaches, above 0, to 100. Default: a person wading through grass
-    float weight = 1.0f;        ///< 0 (nothing) to 1 (all of GroundConfig::push)
+    /// [m] How far it reaches, above 0, to 100. Below a texel it counts as a texel: a smaller one would fall between their
+    /// centres. Default: a person wading through grass.
+    float radius = 0.5f;
+    float weight = 1.0f; ///< 0 (nothing) to 1 (all of GroundConfig::push)
 };
 
-/// Refuses what is not finite and a radius or weight out of range.
+/// Refuses what counts and is not finite, and a radius or weight out of range.
 [[nodiscard]] Result<void> validate(const GroundWalker& walker);
 
 /// Where the lean of the wind comes from.
@@ -66,9 +69,9 @@ enum class WindLeans : std::uint8_t {
 
 /// What the ground is told of a step.
 struct GroundStep {
-    double duration = 0.0; ///< [s] 0 or more
-    std::span<const GroundWalker> walkers{};
-    glm::vec2 wind_lean{0.0f}; ///< lean (x and z) of the plants at rest in the wind of now, everywhere; 1 is flat
+    double duration = 0.0;                   ///< [s] 0 or more
+    std::span<const GroundWalker> walkers{}; ///< the nearest first, where there may be more than GroundConfig::most_walkers
+    glm::vec2 wind_lean{0.0f}; ///< [rad] bend (x and z) that the wind of now holds plants at, everywhere; within 1e3
 };
 
 } // namespace windrow

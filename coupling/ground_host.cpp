@@ -1,5 +1,6 @@
 #include "coupling/ground_host.h"
 
+#include "coupling/ground_fading.h"
 #include "fluid/message.h"
 
 #include <algorithm>
@@ -21,8 +22,8 @@ double rounded(double texels) {
 } // namespace
 
 Result<void> GroundHost::follow(glm::dvec3 point) {
-    if (!(std::abs(point.x) <= k_farthest) || !(std::abs(point.z) <= k_farthest) || !std::isfinite(point.y))
-        return Error{message("The ground is to follow ", point, ": give finite numbers within ", k_farthest, " m.")};
+    if (!(std::abs(point.x) <= k_farthest) || !(std::abs(point.z) <= k_farthest))
+        return Error{message("The ground is to follow ", point, ": give finite x and z within ", k_farthest, " m.")};
     point_ = {point.x, point.z};
     return {};
 }
@@ -54,9 +55,11 @@ std::optional<numerics::WindrowWalker> GroundHost::local(const GroundWalker& wal
         return glm::dvec2(p.x / size - static_cast<double>(corner.x), p.z / size - static_cast<double>(corner.y));
     };
     const glm::dvec2 to = place(walker.position);
-    const bool jumped = glm::length(walker.position - walker.previous) > static_cast<double>(config_.longest_stride);
+    const glm::dvec2 stride(walker.position.x - walker.previous.x, walker.position.z - walker.previous.z);
+    const bool jumped = glm::length(stride) > static_cast<double>(config_.longest_stride);
     const glm::dvec2 from = jumped ? to : place(walker.previous);
-    const double radius = static_cast<double>(walker.radius) / size;
+    // Each place lies within 0.71 texels of a centre; at one texel, a foot there still has a quarter of its weight.
+    const double radius = std::max(static_cast<double>(walker.radius) / size, 1.0);
     for (int axis = 0; axis < 2; ++axis)
         if (std::max(from[axis], to[axis]) + radius < 0.0 || std::min(from[axis], to[axis]) - radius > config_.texels)
             return std::nullopt;
@@ -81,16 +84,15 @@ Result<numerics::WindrowGroundStep> GroundHost::begin(const GroundStep& step, Wi
         return Error{reasons.take()};
 
     Place next{.corner = corner_about(point_), .point = point_, .lean = step.wind_lean};
-    std::size_t touching = 0;
+    walker_count_ = 0;
+    left_out_ = 0;
     for (const GroundWalker& walker : step.walkers)
-        touching += local(walker, next.corner).has_value() ? 1 : 0;
-    if (touching > static_cast<std::size_t>(config_.most_walkers))
-        return Error{message(touching, " walkers touch the ground's window where it has room for ", config_.most_walkers,
-                             ": raise GroundConfig::most_walkers, or give the nearest.")};
-    walkers_.clear();
-    for (const GroundWalker& walker : step.walkers)
-        if (const auto found = local(walker, next.corner))
-            walkers_.push_back(*found);
+        if (const auto found = local(walker, next.corner)) {
+            if (walker_count_ < walkers_.size())
+                walkers_[walker_count_++] = *found;
+            else
+                ++left_out_;
+        }
 
     const std::int64_t n = config_.texels;
     const auto clamped = [&](std::int64_t by) { return static_cast<int>(std::clamp(by, -n, n)); };
@@ -101,14 +103,19 @@ Result<numerics::WindrowGroundStep> GroundHost::begin(const GroundStep& step, Wi
     now_ = next;
 
     const auto fall = [&](float seconds) { return -step.duration / static_cast<double>(seconds); };
-    const double trail = fall(config_.trail_seconds), trample = fall(config_.trample_seconds);
+    const double trail = fall(config_.trail_time), trample = fall(config_.trample_time);
     const glm::ivec2 slot = slot_of(next.corner);
     numerics::WindrowGroundStep told;
-    told.window = {config_.texels, slot.x, slot.y, static_cast<int>(walkers_.size())};
+    told.window = {config_.texels, slot.x, slot.y, static_cast<int>(walker_count_)};
     told.moved = {begun_ ? clamped(by.x) : config_.texels, begun_ ? clamped(by.y) : config_.texels,
                   leans == WindLeans::each_texel ? 1 : 0, 0};
     told.contact = {config_.clearance, config_.push, config_.trail_share, 0.0f};
     told.fading = glm::vec4(glm::dvec4(std::expm1(trail), std::expm1(trample), trail, trample));
+    const FadingResponse rises = fading_response(config_.spring, step.duration, config_.trail_time);
+    const FadingResponse released = fading_response(config_.spring, step.duration, config_.trample_time);
+    const FadingResponse released_in_gusts = fading_ramp_response(config_.spring, step.duration, config_.trample_time);
+    told.faded_place = glm::vec4(glm::dvec4(rises.place, released.place, released_in_gusts.place, 0.0));
+    told.faded_velocity = glm::vec4(glm::dvec4(rises.velocity, released.velocity, released_in_gusts.velocity, 0.0));
     told.wind = {next.lean.x, next.lean.y, 0.0f, 0.0f};
     told.spring = std::bit_cast<numerics::WindrowSpringStep>(spring->block());
     begun_ = true;

@@ -18,7 +18,7 @@ namespace windrow::detail {
 class GroundHost {
   public:
     /// A valid config. The window lies about the origin.
-    explicit GroundHost(const GroundConfig& config) : config_(config) { walkers_.reserve(config.most_walkers); }
+    explicit GroundHost(const GroundConfig& config) : config_(config), walkers_(static_cast<std::size_t>(config.most_walkers)) {}
 
     [[nodiscard]] const GroundConfig& config() const { return config_; }
     [[nodiscard]] std::size_t texel_count() const {
@@ -29,11 +29,13 @@ class GroundHost {
     /// [m] World place (x, z) of the texel that `slot` will hold in the next step.
     [[nodiscard]] glm::dvec2 next_centre(glm::ivec2 slot) const;
 
-    /// Moves the window and says what the texels do. Refuses what is not finite or out of range, and more walkers than the config
-    /// has room for; nothing has changed then.
+    /// Moves the window and says what the texels do. Refuses what is not finite or out of range; nothing has changed then.
     [[nodiscard]] Result<numerics::WindrowGroundStep> begin(const GroundStep& step, WindLeans leans);
-    /// Of the step that was begun last: those whose sweep may touch the window.
-    [[nodiscard]] std::span<const numerics::WindrowWalker> walkers() const { return walkers_; }
+    /// Of the step that was begun last: those whose sweep may touch the window, the first of them where there are more than the
+    /// config has room for.
+    [[nodiscard]] std::span<const numerics::WindrowWalker> walkers() const { return std::span(walkers_).first(walker_count_); }
+    /// How many more there were.
+    [[nodiscard]] int left_out() const { return left_out_; }
 
     [[nodiscard]] GroundBlock block(glm::dvec3 anchor) const;
     /// `now` of the next step.
@@ -55,7 +57,9 @@ class GroundHost {
     glm::dvec2 point_{0.0};
     Place now_, before_;
     bool begun_ = false;
-    std::vector<numerics::WindrowWalker> walkers_;
+    std::vector<numerics::WindrowWalker> walkers_; // as many as there is room for: a copy has the room too
+    std::size_t walker_count_ = 0;
+    int left_out_ = 0;
 };
 
 } // namespace windrow::detail

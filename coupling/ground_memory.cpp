@@ -1,6 +1,7 @@
 #include "coupling/ground_memory.h"
 
 #include "coupling/ground_host.h"
+#include "coupling/ground_state.h"
 #include "fluid/message.h"
 
 #include <algorithm>
@@ -28,10 +29,9 @@ struct GroundMemory::State {
 GroundMemory::GroundMemory(std::unique_ptr<State> state) : state_(std::move(state)) {}
 GroundMemory::GroundMemory(GroundMemory&&) noexcept = default;
 GroundMemory& GroundMemory::operator=(GroundMemory&&) noexcept = default;
-GroundMemory::GroundMemory(const GroundMemory& other) : state_(std::make_unique<State>(*other.state_)) {}
+GroundMemory::GroundMemory(const GroundMemory& other) : state_(other.state_ ? std::make_unique<State>(*other.state_) : nullptr) {}
 GroundMemory& GroundMemory::operator=(const GroundMemory& other) {
-    *state_ = *other.state_;
-    return *this;
+    return *this = GroundMemory(other);
 }
 GroundMemory::~GroundMemory() = default;
 
@@ -104,13 +104,16 @@ void GroundMemory::State::advance_row(const numerics::WindrowGroundStep& step, i
                                                       numerics::windrow_ground_contact(walkers[near[w]], centre, step.contact.x));
         texels[at] = ground;
         leans_before[at] = lean;
-        shown[set][at] = {ground.lean.x, ground.lean.y, ground.trample, glm::length(ground.trail)};
+        shown[set][at] = numerics::windrow_ground_shown(ground);
     }
 }
 
 // --- Reading
 // ---------------------------------------------------------------------------------------------------------------------
 
+int GroundMemory::walkers_left_out() const {
+    return state_->host.left_out();
+}
 glm::dvec2 GroundMemory::next_centre(glm::ivec2 slot) const {
     return state_->host.next_centre(slot);
 }
@@ -142,8 +145,8 @@ std::span<const glm::vec4> GroundMemory::previous_texels() const {
 GroundBlock GroundMemory::block(glm::dvec3 anchor) const {
     return state_->host.block(anchor);
 }
-std::span<const numerics::WindrowGround> GroundMemory::state() const {
-    return state_->texels;
+std::span<const numerics::WindrowGround> detail::GroundState::of(const GroundMemory& ground) {
+    return ground.state_->texels;
 }
 const GroundConfig& GroundMemory::config() const {
     return state_->host.config();

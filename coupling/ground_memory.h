@@ -2,7 +2,8 @@
 //
 //     auto ground = windrow::GroundMemory::create({});
 //     (void)ground->follow(player);
-//     (void)ground->advance({.duration = dt, .walkers = walkers, .wind_lean = lean});
+//     if (auto done = ground->advance({.duration = dt, .walkers = walkers, .wind_lean = lean}); !done)
+//         log(done.error());
 //     windrow::GroundSample here = ground->at(blade_root);
 //
 // A square window of texels over the plane xz that follows a point by whole texels; nothing is copied when it moves, and what
@@ -17,15 +18,15 @@
 
 namespace windrow {
 
-namespace numerics {
-struct WindrowGround; // shaders/numerics/ground.glsl
+namespace detail {
+struct GroundState;
 }
 
 /// The ground at a point.
 struct GroundSample {
-    glm::vec2 lean{0.0f}; ///< of the plants (x and z), wind and walkers together; 1 is flat
+    glm::vec2 lean{0.0f}; ///< [rad] bend of the plants (x and z), wind and walkers together
     float trample = 0.0f; ///< 0 to 1: how hard they are pressed now
-    float trail = 0.0f;   ///< length of the lean that stays behind walkers
+    float trail = 0.0f;   ///< [rad] length of the lean that stays behind walkers
 };
 
 class GroundMemory {
@@ -37,12 +38,14 @@ class GroundMemory {
     /// The window's middle, from the next `advance` on, to the nearest texel [m]. A point beyond the window begins anew there.
     Result<void> follow(glm::dvec3 point);
     /// One step: the window moves, plants swing and rise, walkers push. Does not allocate. Refuses what is not finite or out of
-    /// range, with nothing changed.
+    /// range, with nothing changed. Of more walkers than GroundConfig::most_walkers that touch the window the first ones count.
     Result<void> advance(const GroundStep& step);
     /// The same with a wind lean for each texel, in slots: texels x texels, x fastest; slot (i, j) will lie at next_centre({i,
-    /// j}). Outside of the window step.wind_lean holds. Refuses another number of them; a lean that is no number, or beyond 1e6,
+    /// j}). Outside of the window step.wind_lean holds. Refuses another number of them; a lean that is no number, or beyond 1e3,
     /// counts as 0.
     Result<void> advance(const GroundStep& step, std::span<const glm::vec2> wind_leans);
+    /// Walkers who touched the window in the last `advance` and did not count, for lack of room.
+    [[nodiscard]] int walkers_left_out() const;
     /// [m] Place (x, z) of what a slot will hold after the next `advance`.
     [[nodiscard]] glm::dvec2 next_centre(glm::ivec2 slot) const;
 
@@ -57,10 +60,9 @@ class GroundMemory {
     [[nodiscard]] std::span<const glm::vec4> previous_texels() const;
     /// And where they lie, relative to `anchor` [m].
     [[nodiscard]] GroundBlock block(glm::dvec3 anchor) const;
-    /// The state itself, in slots: for tools and tests.
-    [[nodiscard]] std::span<const numerics::WindrowGround> state() const;
     [[nodiscard]] const GroundConfig& config() const;
 
+    /// One that was moved from may be assigned to, copied or destroyed, no more.
     GroundMemory(GroundMemory&&) noexcept;
     GroundMemory& operator=(GroundMemory&&) noexcept;
     GroundMemory(const GroundMemory& other);
@@ -68,6 +70,7 @@ class GroundMemory {
     ~GroundMemory();
 
   private:
+    friend struct detail::GroundState;
     struct State;
     explicit GroundMemory(std::unique_ptr<State> state);
     std::unique_ptr<State> state_;

@@ -15,6 +15,7 @@ using namespace glm;
 #include "shaders/numerics/plant_drag.glsl"
 #include "shaders/numerics/plant_hash.glsl"
 #include "shaders/numerics/plant_masks.glsl"
+#include "shaders/numerics/radial.glsl"
 #include "shaders/numerics/shell.glsl"
 #include "shaders/numerics/stem.glsl"
 #include "shaders/numerics/strand.glsl"

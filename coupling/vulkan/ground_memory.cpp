@@ -7,7 +7,10 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace windrow::vulkan {
 namespace {
@@ -16,7 +19,7 @@ constexpr VkPipelineStageFlags k_compute = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT;
 constexpr VkPipelineStageFlags k_transfer = VK_PIPELINE_STAGE_TRANSFER_BIT;
 constexpr std::uint32_t k_group = 8; // along each axis; ground_pass.glsl
 
-static_assert(sizeof(numerics::WindrowGroundStep) == 7 * 16 && sizeof(numerics::WindrowWalker) == 2 * 16);
+static_assert(sizeof(numerics::WindrowGroundStep) == 9 * 16 && sizeof(numerics::WindrowWalker) == 2 * 16);
 
 VkAccessFlags writes_of(VkPipelineStageFlags stages) {
     return ((stages & k_compute) != 0 ? VK_ACCESS_SHADER_WRITE_BIT : 0) |
@@ -179,6 +182,9 @@ Result<void> GroundMemory::record(VkCommandBuffer commands, const GroundStep& st
     return {};
 }
 
+int GroundMemory::walkers_left_out() const {
+    return state_->host.left_out();
+}
 VkBuffer GroundMemory::lean_buffer() const {
     return state_->leans.handle();
 }

@@ -2,7 +2,8 @@
 //
 //     auto ground = windrow::vulkan::GroundMemory::create(host, {});                      // fluid/vulkan/host.h: your device
 //     (void)ground->follow(player);
-//     (void)ground->record(command_buffer, {.duration = dt, .walkers = walkers, .wind_lean = lean});
+//     if (auto done = ground->record(command_buffer, {.duration = dt, .walkers = walkers, .wind_lean = lean}); !done)
+//         log(done.error());
 //     bind(ground->texture(), ground->previous_texture(), ground->block(camera));         // shaders/coupling/windrow_ground.glsl
 //
 // The same config, walkers and steps as windrow::GroundMemory, and the same texels to rounding. Nothing is submitted and nothing
@@ -37,10 +38,13 @@ class GroundMemory {
     /// on from it.
     Result<void> record(VkCommandBuffer commands, const GroundStep& step, WindLeans leans = WindLeans::everywhere);
 
-    /// Two floats (x and z; beyond 1e6 or no numbers: 0) for each slot, x fastest: for WindLeans::each_texel, written by compute
-    /// or transfer commands of the host's, recorded before `record`, which waits for them. Zero at first. A shader finds a slot's
-    /// place by `next_place` and windrow_ground_in_slot (shaders/numerics/ground.glsl).
+    /// Two floats (x and z [rad]; beyond 1e3 or no numbers: 0) for each slot, x fastest: for WindLeans::each_texel, written by
+    /// compute or transfer commands of the host's, recorded before `record`, which waits for them. Holds anything before the
+    /// first write: fill it whole before the first `record` with WindLeans::each_texel. A shader finds a slot's place by
+    /// `next_place` and windrow_ground_in_slot (shaders/numerics/ground.glsl).
     [[nodiscard]] VkBuffer lean_buffer() const;
+    /// Walkers who touched the window in the last `record` and did not count, for lack of room.
+    [[nodiscard]] int walkers_left_out() const;
     /// Where the texels of the next step will lie, relative to `anchor` [m].
     [[nodiscard]] GroundPlaceBlock next_place(glm::dvec3 anchor) const;
 

@@ -5,10 +5,11 @@
 //     vec4 ground = windrow_ground(p);                   // at p [m] from the anchor, of which x and z count
 //     vec4 before = windrow_ground_previous(p);          // a frame ago, for motion vectors
 //
-// x, y the lean along x and z (1 is flat), z how hard plants are pressed now (0 to 1), w length of the lean that stays as a trail.
+// x, y the lean along x and z [rad], as a stem's bend: windrow_level(ground.xy) of windrow_plants.glsl; z how hard
+// plants are pressed now (0 to 1), w [rad] length of the lean that stays as a trail.
 //
 // Set WINDROW_GROUND_SET (0 unless defined), bindings from WINDROW_GROUND_BINDING (0 unless defined):
-//   + 0   uniform buffer   windrow::GroundBlock (coupling/ground_host.h)
+//   + 0   uniform buffer   windrow::GroundBlock (coupling/motion_blocks.h)
 //   + 1   sampler3D        texture of this frame, n x n x 1, in slots
 //   + 2   sampler3D        texture of the frame before
 // Any sampler does: texels are fetched and blended by hand, since slots wrap and texture units weigh with 8 fractional bits.

@@ -1,15 +1,15 @@
 // Ground memory: what the ground beneath the plants remembers of the wind and of who walked there, a texel of the plane xz at a time.
 //
-//   lean     vec2, the plants' bend: its direction and how far, 1 pressed flat. A damped spring (spring.glsl) whose target is
-//            (1 - trample) (lean of the wind) + trail
-//   trail    vec2, the lean that stays behind a walker, trail' = -trail / tau: it fades as an exponential and has no end
+//   lean     vec2 [rad], the plants' bend as stems take it (stem.glsl): its direction and how far, pi / 2 pressed flat. A damped spring
+//            (spring.glsl) whose target is (1 - trample) (lean of the wind) + trail, the fading within a step included
+//   trail    vec2 [rad], the lean that stays behind a walker, trail' = -trail / tau: it fades as an exponential and has no end
 //   trample  how hard plants are pressed now, 0 to 1, fading with a shorter tau
 //
 // A walker is a disc that moves along a segment in the step: plants within its radius are pushed radially away from the point where it
-// came closest, by (1 - s^2)^2 with s the relative distance: 0 at the rim and beyond, so that none outside is touched. Over the inmost
+// came closest, by (1 - s^2)^2 (radial.glsl) with s the relative distance: no texel's centre outside is touched. Over the inmost
 // texel the push falls to 0, r / sqrt(r^2 + 1), so that it stays radial where it is read between texels; there a walker on the move
-// pushes forward. A contact holds plants: their lean away from the walker is at least its push. The trail is what the strongest of
-// a row of contacts has set, faded since: the contacts of a walker who leaves, weaker and behind, do not turn it.
+// pushes forward. A contact holds plants: their lean away from the walker is at least its push. The trail is what is longest now of
+// what all contacts so far have left, each faded since: one who leaves, weaker and behind, does not turn it, and one who stays holds it.
 //
 // Lengths are in texels and positions relative to the window's low corner, both rounded to 1/16384 texel by the host, so that
 // differences are exact and a texel gets the same bits wherever the window lies. Texel (i, j) has its centre at (i, j) + 1/2 and lies
@@ -21,19 +21,27 @@
 #define WINDROW_FN
 #endif
 
+#include "radial.glsl"
 #include "spring.glsl"
 
-// A wind lean beyond, or one that is no number, is taken for none: a texel that has seen it would not forget it.
-#define WINDROW_GROUND_MOST_LEAN 1e6f
+// [rad] A wind lean beyond, or one that is no number, is taken for none: a texel that has seen it would not forget it. No plant bends so
+// far, and a texture of halves, which end at 65504, holds sixty times as much. A lean beyond is shown as this.
+#define WINDROW_GROUND_MOST_LEAN 1e3f
+
+// A contact renews a trail that it exceeds by more than this share: what differs by rounding alone is one trail, on every device.
+#define WINDROW_GROUND_SAME_TRAIL 1e-5f
 
 // Of a step. Usable in a std140 or std430 block.
 struct WindrowGroundStep {
     ivec4 window; // x texels an axis; yz slot of the low corner; w walkers
     ivec4 moved;  // xy texels that the window has moved since the last step; z 1: each texel has a wind lean of its own
-    vec4 contact; // x [m] height of the feet at which they touch no more; y lean that a walker pushes to; z share of it that stays as trail
+    vec4 contact; // x [m] height of the feet at which they touch no more; y [rad] lean that a walker pushes to; z share of it that stays
     vec4 fading;  // x of the trail, y of trample: exp(-h / tau) - 1; z and w: -h / tau
-    vec4 wind;    // xy lean of the wind everywhere, now
+    vec4 wind;    // xy [rad] lean of the wind everywhere, now
     WindrowSpringStep spring;
+    vec4 faded_place;    // what the fading within the step adds to a spring's place: x to a unit trail, y to a unit of pressed wind, z to
+                         // a unit of its change over the step
+    vec4 faded_velocity; // [1/s] and to its velocity
 };
 
 // Who walked in the step.
@@ -44,11 +52,9 @@ struct WindrowWalker {
 
 // A texel's memory.
 struct WindrowGround {
-    vec2 lean, velocity; // velocity [1/s]
-    vec2 trail;
-    float trample;
-    float pressed;        // weight of the strongest contact since the last step without one
-    float pressed_before; // the same a step ago; not kept
+    vec2 lean, velocity; // [rad], [rad/s]
+    vec2 trail;          // [rad]
+    float trample;       // 0 to 1
 };
 
 // What a walker does to a texel.
@@ -90,12 +96,11 @@ WINDROW_FN WindrowContact windrow_ground_contact(WindrowWalker walker, vec2 at, 
     float passed = squared > 0.0f ? clamp(dot(from, way) / squared, 0.0f, 1.0f) : 1.0f;
     vec2 off = from - passed * way;
     float off_squared = dot(off, off);
-    float rest = 1.0f - off_squared / (walker.from.w * walker.from.w);
     float feet = walker.from.z + passed * (walker.to.z - walker.from.z);
     float touch = clamp(1.0f - feet / clearance, 0.0f, 1.0f);
-    if (!(rest > 0.0f) || !(touch > 0.0f))
+    contact.weight = walker.to.w * touch * windrow_radial_weight(off_squared, walker.from.w);
+    if (!(contact.weight > 0.0f))
         return contact;
-    contact.weight = walker.to.w * touch * rest * rest;
     contact.left = 1.0f - passed;
     vec2 push = off;
     if (squared > 0.0f)
@@ -132,24 +137,25 @@ WINDROW_FN WindrowGround windrow_ground_new(vec2 wind_lean) {
     ground.velocity = vec2(0.0f, 0.0f);
     ground.trail = vec2(0.0f, 0.0f);
     ground.trample = 0.0f;
-    ground.pressed = 0.0f;
-    ground.pressed_before = 0.0f;
     return ground;
 }
 
 // A step without walkers.
 WINDROW_FN WindrowGround windrow_ground_advanced(WindrowGround ground, WindrowGroundStep s, vec2 lean_before, vec2 lean_now) {
+    // The spring's linear target is that of what is remembered now, as if it stayed; then what its fading adds.
     vec2 before = windrow_ground_target(ground, lean_before);
+    vec2 now = windrow_ground_target(ground, lean_now);
+    vec2 change = lean_now - lean_before;
+    vec2 place = windrow_spring_place(s.spring, ground.lean, ground.velocity, before, now) + s.faded_place.x * ground.trail -
+                 ground.trample * (s.faded_place.y * lean_before + s.faded_place.z * change);
+    vec2 velocity = windrow_spring_velocity(s.spring, ground.lean, ground.velocity, before, now) + s.faded_velocity.x * ground.trail -
+                    ground.trample * (s.faded_velocity.y * lean_before + s.faded_velocity.z * change);
     WindrowGround next = ground;
     next.trail = windrow_ground_settled(ground.trail + s.fading.x * ground.trail);
     next.trample += s.fading.y * ground.trample;
     next.trample = next.trample < 1e-12f ? 0.0f : next.trample;
-    next.pressed_before = ground.pressed;
-    next.pressed = 0.0f;
-    vec2 now = windrow_ground_target(next, lean_now);
-    next.lean = windrow_ground_settled(ground.lean + windrow_spring_place(s.spring, ground.lean, ground.velocity, before, now));
-    next.velocity =
-        windrow_ground_settled(ground.velocity + windrow_spring_velocity(s.spring, ground.lean, ground.velocity, before, now));
+    next.lean = windrow_ground_settled(ground.lean + place);
+    next.velocity = windrow_ground_settled(ground.velocity + velocity);
     return next;
 }
 
@@ -160,10 +166,13 @@ WINDROW_FN WindrowGround windrow_ground_touched(WindrowGround ground, WindrowGro
     WindrowGround next = ground;
     next.trample = max(ground.trample, contact.weight * exp(contact.left * s.fading.w));
     float left = s.contact.y * s.contact.z * contact.weight * exp(contact.left * s.fading.z);
-    float strongest = max(ground.pressed_before, ground.pressed);
-    if (contact.weight >= strongest && left >= length(ground.trail))
-        next.trail = left * contact.away; // by the weight, which is largest where the walker is closest
-    next.pressed = max(strongest, contact.weight);
+    float trail = length(ground.trail);
+    if (left > (1.0f + WINDROW_GROUND_SAME_TRAIL) * trail) { // by the weight, which is largest where the walker is closest
+        if (dot(contact.away, contact.away) > 0.0f)
+            next.trail = left * contact.away;
+        else if (trail > 0.0f) // right under who stands: held as it was
+            next.trail = (left / trail) * ground.trail;
+    }
     float lacking = s.contact.y * contact.lean - dot(ground.lean, contact.away);
     if (lacking > 0.0f)
         next.lean += lacking * contact.away;
@@ -171,6 +180,12 @@ WINDROW_FN WindrowGround windrow_ground_touched(WindrowGround ground, WindrowGro
     if (lacking > 0.0f && inward < 0.0f)
         next.velocity -= inward * contact.away;
     return next;
+}
+
+// What is sampled of a texel: lean x and z, trample, length of the trail.
+WINDROW_FN vec4 windrow_ground_shown(WindrowGround ground) {
+    vec2 most = vec2(WINDROW_GROUND_MOST_LEAN, WINDROW_GROUND_MOST_LEAN);
+    return vec4(clamp(ground.lean, -most, most), ground.trample, length(ground.trail));
 }
 
 #endif

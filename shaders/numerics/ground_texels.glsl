@@ -21,7 +21,7 @@ WINDROW_FN vec4 windrow_ground_texel(WINDROW_GROUND texels, ivec2 slot) {
 }
 #endif
 
-// Where a frame's texels lie. The layout of windrow::GroundPlaceBlock (coupling/ground_place.h). Usable in a std140 block.
+// Where a frame's texels lie. The layout of windrow::GroundPlaceBlock (coupling/motion_blocks.h). Usable in a std140 block.
 struct WindrowGroundPlace {
     vec4 corner; // xy [m] low corner (x and z) from the anchor, z [m] edge of a texel, w texels an axis
     vec4 rim;    // xy [m] the point that the rim follows, from the anchor; z [m] reach: distance at which all has faded; w [m] width of the fading

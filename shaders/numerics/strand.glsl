@@ -13,6 +13,7 @@
 #define WINDROW_FN
 #endif
 
+#include "radial.glsl"
 #include "stem.glsl"
 
 // Root of the strand at uv, for the lean at uv or, better, at a first root.
@@ -32,8 +33,7 @@ WINDROW_FN vec2 windrow_strand_lean(vec2 load, float h, float most) {
 // at the radius R [m] and beyond. Exactly at the middle it has no direction: 0.
 WINDROW_FN vec2 windrow_radial_load(vec2 offset, float radius, float most) {
     float square = dot(offset, offset);
-    float w = max(1.0f - square / (radius * radius), 0.0f);
-    return offset * (most * w * w / max(sqrt(square), 1e-12f));
+    return offset * (most * windrow_radial_weight(square, radius) / max(sqrt(square), 1e-12f));
 }
 
 #endif

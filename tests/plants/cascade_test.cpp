@@ -82,22 +82,37 @@ std::vector<numerics::WindrowPose> shells_of(Cascade& cascade, int shells) {
     return found;
 }
 
-// A body that runs, turns and jumps; its way is straight between whole quarters of a second.
-Pose body_at(int quarter) {
-    const double q = quarter;
+// A body that runs, turns and jumps: where it is at its n-th knot.
+Pose body_at(int knot) {
+    const double q = knot;
     return {.position = {std::sin(1.3 * q), 0.3 * std::cos(2.1 * q), 0.7 * std::sin(0.4 * q)},
             .rotation = turn({std::cos(q), 1.0, std::sin(q)}, 0.9 * std::sin(1.7 * q)),
             .scale = 1.0};
 }
 
-// The body at a frame: between the quarters in a straight line, its quaternion too.
-Pose body_between(int rate, int frame) {
-    const int per_quarter = rate / 4, quarter = frame / per_quarter;
-    const double share = static_cast<double>(frame % per_quarter) / per_quarter;
-    const Pose from = body_at(quarter), to = body_at(quarter + 1);
+// Between knots `frames` frames apart it goes straight, and turns evenly about an axis that stays: along the arc, as a body does.
+Pose body_between(int frames, int frame) {
+    const double share = static_cast<double>(frame % frames) / frames;
+    const Pose from = body_at(frame / frames), to = body_at(frame / frames + 1);
+    const glm::dvec4 end = glm::dot(from.rotation, to.rotation) < 0.0 ? -to.rotation : to.rotation;
+    const double arc = 0.5 * angle_between(from.rotation, end);
     Pose body = from;
     body.position += share * (to.position - from.position);
+    body.rotation = (std::sin((1.0 - share) * arc) * from.rotation + std::sin(share * arc) * end) / std::sin(arc);
     return body;
+}
+
+// All that frame rates can differ in: tenths of the height at each knot, `knots` of them a second, over ten knots.
+std::vector<Pose> history_at(int rate, int knots) {
+    std::vector<Pose> found;
+    Cascade cascade = cascade_of({.stages = 10, .lag = 0.3}, body_at(0));
+    for (int frame = 1; frame <= 10 * rate / knots; ++frame) {
+        EXPECT_TRUE(cascade.advance(1.0 / rate, body_between(rate / knots, frame)));
+        if (frame % (rate / knots) == 0)
+            for (int tenth = 0; tenth <= 10; ++tenth)
+                found.push_back(cascade.at(0.1 * tenth));
+    }
+    return found;
 }
 
 TEST(Cascade, TwentyAndTwoHundredShellsMoveAlike) {
@@ -116,28 +131,57 @@ TEST(Cascade, TwentyAndTwoHundredShellsMoveAlike) {
     EXPECT_GT(test::figure("cascade/20_against_200_shells/largest_lag", largest_lag), 0.1); // it did move
 }
 
-// Positions at whole quarters, at each height of a tenth, at five rates; 15 Hz is taken as 16 so that quarters are whole frames,
-// and 12 beside it.
+// A frame rate is compared at knots that are whole frames of it: three a second at 15 and 30 Hz, four at the others. Positions
+// are exact. A quaternion goes along the chord of a frame, and its share of the arc's way is bounded: 1 % of what the body turns
+// in the longest frame, a quarter of a radian at 15 Hz.
 TEST(Cascade, IsTheSameAtAnyFrameRate) {
-    const auto history = [](int rate) {
-        std::vector<glm::dvec3> found;
-        Cascade cascade = cascade_of({.stages = 10, .lag = 0.3}, body_at(0));
-        for (int frame = 1; frame <= 5 * rate; ++frame) {
-            EXPECT_TRUE(cascade.advance(1.0 / rate, body_between(rate, frame)));
-            if (frame % (rate / 4) == 0)
-                for (int tenth = 0; tenth <= 10; ++tenth)
-                    found.push_back(cascade.at(0.1 * tenth).position);
+    double worst_place = 0.0, worst_turn = 0.0;
+    const auto compare = [&](std::initializer_list<int> rates, int knots, int fine) {
+        const auto truth = history_at(fine, knots), straight = history_at(knots, knots);
+        for (const int rate : rates) {
+            const auto found = history_at(rate, knots);
+            double turned = 0.0; // the most in a frame
+            for (int frame = 1; frame <= 10 * rate / knots; ++frame)
+                turned = std::max(turned, angle_between(body_between(rate / knots, frame).rotation,
+                                                        body_between(rate / knots, frame - 1).rotation));
+            double off = 0.0;
+            for (std::size_t n = 0; n < truth.size(); ++n) {
+                worst_place = std::max(worst_place, glm::length(found[n].position - straight[n].position));
+                off = std::max(off, angle_between(found[n].rotation, truth[n].rotation));
+            }
+            const std::string name = "cascade/rotations/" + std::to_string(rate) + "_hz";
+            test::figure(name + "/turned_in_a_frame", turned);
+            test::figure(name + "/off", off);
+            worst_turn = std::max(worst_turn, off / turned);
+        }
+    };
+    compare({15, 30}, 3, 6000);
+    compare({60, 144, 1000}, 4, 6000);
+    WINDROW_EXPECT_FIGURE("cascade/poses_at_any_rate", worst_place, 1e-12);
+    WINDROW_EXPECT_FIGURE("cascade/rotations_at_any_rate/of_a_frames_turn", worst_turn, 0.01);
+}
+
+// A body that spins by nearly a radian a frame, and turns back at each knot: the hardest for chords.
+TEST(Cascade, ARadianAFrameIsWellFollowed) {
+    const auto history = [](int frames) { // of a knot of 1/5 s; the truth in many
+        std::vector<glm::dvec4> found;
+        Cascade cascade = cascade_of({.stages = 10, .lag = 0.3}, {});
+        for (int frame = 1; frame <= 15 * frames; ++frame) {
+            const int knot = (frame - 1) / frames;
+            const double share = static_cast<double>(frame - knot * frames) / frames;
+            const double angle = 3.0 * (knot % 2 == 0 ? share : 1.0 - share); // three frames of a radian at 15 Hz
+            EXPECT_TRUE(cascade.advance(0.2 / frames, {.rotation = turn({1.0, 2.0, 0.5}, angle)}));
+            if (frame % frames == 0)
+                for (int tenth = 1; tenth <= 10; ++tenth)
+                    found.push_back(cascade.at(0.1 * tenth).rotation);
         }
         return found;
     };
-    const auto truth = history(4);
-    double worst = 0.0;
-    for (const int rate : {12, 16, 60, 144, 1000}) {
-        const auto found = history(rate);
-        for (std::size_t n = 0; n < truth.size(); ++n)
-            worst = std::max(worst, glm::length(found[n] - truth[n]));
-    }
-    WINDROW_EXPECT_FIGURE("cascade/poses_at_any_rate", worst, 1e-12);
+    const auto truth = history(1200), at_15_hz = history(3);
+    double off = 0.0;
+    for (std::size_t n = 0; n < truth.size(); ++n)
+        off = std::max(off, angle_between(truth[n], at_15_hz[n]));
+    WINDROW_EXPECT_FIGURE("cascade/a_radian_a_frame/off", off, 0.01);
 }
 
 TEST(Cascade, AStepLagsWithoutOvershootAndEnds) {

@@ -155,6 +155,18 @@ TEST_F(GroundDevice, HalfTexelsHoldTheSame) {
     WINDROW_EXPECT_FIGURE("ground_device/half", half.worst, 0x1p-10 + 1e-4);
 }
 
+// The largest lean that is taken, to and fro at the frequency of plants that nothing damps: they swing beyond what a half holds,
+// and every sample is a number.
+TEST_F(GroundDevice, HalfTexelsHoldTheLargestLean) {
+    Pair pair = make({.texels = 64, .spring = {1.0, 0.0}}, Texel::half);
+    run([&](VkCommandBuffer commands) { EXPECT_FALSE(pair.gpu.record(commands, {.duration = 0.5, .wind_lean = {1e5f, 0.0f}})); });
+    for (int frame = 0; frame < 80; ++frame)
+        advance(pair, {.duration = 0.5, .wind_lean = {frame % 2 == 0 ? 1e3f : -1e3f, -1e3f}});
+    const Apart apart = compare(pair, {0.0, 0.0, 0.0}, 7);
+    WINDROW_EXPECT_FIGURE("ground_device/half_of_the_largest", apart.worst / apart.largest, 0x1p-10);
+    EXPECT_EQ(apart.largest, 1e3); // shown, of more than is shown
+}
+
 // A pass of the host's gives each texel its own wind; the record that follows waits for it.
 TEST_F(GroundDevice, EachTexelFollowsItsOwnWind) {
     Pair pair = make({.texels = 64}, Texel::single);

@@ -1,6 +1,8 @@
 // How the ground recovers (row G11): a trail fades as an exponential without an end, plants swing back, and the frame rate is not
 // seen.
+#include "coupling/ground_fading.h"
 #include "coupling/ground_memory.h"
+#include "coupling/ground_state.h"
 #include "coupling/motion_numerics.h"
 #include "tests/figure.h"
 
@@ -33,7 +35,7 @@ void advance(GroundMemory& ground, double duration, glm::vec2 lean = {0.0f, 0.0f
 TEST(GroundRecovery, TrailFadesByItsTimeConstantAndHasNoEnd) {
     for (const int rate : {15, 60, 1000}) {
         const float tau = rate == 1000 ? 2.0f : 20.0f; // fewer frames of 1 ms
-        GroundMemory ground = trodden({.texels = 16, .trail_seconds = tau, .rim = 0.5f});
+        GroundMemory ground = trodden({.texels = 16, .trail_time = tau, .rim = 0.5f});
         const double first = static_cast<double>(ground.at(k_place).trail);
         ASSERT_GT(first, 0.1);
         // Least squares of log(trail) over ten time constants, to 1/22000 of where it began.
@@ -69,7 +71,7 @@ TEST(GroundRecovery, NothingIsLeftInTheEnd) {
         advance(ground, 1.0 / 60.0);
         lasted += ground.at(k_place).trail > 0.0f ? 1 : 0;
     }
-    for (const numerics::WindrowGround& texel : ground.state()) {
+    for (const numerics::WindrowGround& texel : detail::GroundState::of(ground)) {
         ASSERT_EQ(texel.lean, glm::vec2(0.0f));
         ASSERT_EQ(texel.velocity, glm::vec2(0.0f));
         ASSERT_EQ(texel.trail, glm::vec2(0.0f));
@@ -96,7 +98,7 @@ TEST(GroundRecovery, TrailOutlivesShiftsOfTheWindow) {
 
 // Released, plants swing about the trail with the period of their class, and come to rest on it.
 TEST(GroundRecovery, ReleasedPlantsSwingAtTheirFrequency) {
-    const GroundConfig config{.texels = 16, .spring = {2.0, 0.1}, .trail_seconds = 1e5f, .rim = 0.5f};
+    const GroundConfig config{.texels = 16, .spring = {2.0, 0.1}, .trail_time = 1e5f, .rim = 0.5f};
     GroundMemory ground = trodden(config);
     // The walker stood at 0; the trail points away from it.
     const float rest = ground.at(k_place).trail * static_cast<float>(k_place.z / glm::length(k_place));
@@ -127,6 +129,89 @@ TEST(GroundRecovery, PressedPlantsDoNotFollowTheWind) {
     for (int frame = 0; frame < 600; ++frame)
         ASSERT_TRUE(made->advance({.duration = 1.0 / 60.0, .wind_lean = {0.5f, 0.0f}}));
     EXPECT_NEAR(made->at(right_under).lean.x, 0.5f, 1e-3f);
+}
+
+// How far a released texel's lean strays from its equation at the frames of 2 s; the equation by Runge and Kutta's fourth order
+// in double, from the same state. A wind that turns to and fro, linear between the frames of 5 Hz.
+double released_off(int rate, float trample_time) {
+    auto made = GroundMemory::create({.texels = 16, .trample_time = trample_time, .rim = 0.5f});
+    EXPECT_TRUE(made);
+    const GroundWalker walker{.radius = 1.0f};
+    EXPECT_TRUE(made->advance({.duration = 0.1, .walkers = std::span(&walker, 1), .wind_lean = {0.5f, 0.0f}}));
+    const auto slot = [&] {
+        for (int j = 0; j < 16; ++j)
+            for (int i = 0; i < 16; ++i)
+                if (glm::length(made->next_centre({i, j}) - glm::dvec2(k_place.x, k_place.z)) < 1e-6)
+                    return static_cast<std::size_t>(16 * j + i);
+        return std::size_t{0};
+    }();
+    const numerics::WindrowGround start = detail::GroundState::of(*made)[slot];
+    const auto wind = [](double time) {
+        const double knot = std::floor(time * 5.0 + 1e-9), share = time * 5.0 - knot;
+        const double from = 0.5 * std::cos(1.1 * knot), to = 0.5 * std::cos(1.1 * (knot + 1.0));
+        return from + share * (to - from);
+    };
+    const SpringClass spring = made->config().spring;
+    const double omega = 2.0 * std::numbers::pi * spring.frequency_hz;
+    glm::dvec2 state(start.lean.x, start.velocity.x); // lean, its velocity
+    const auto slope = [&](double time, glm::dvec2 s) {
+        const double pressed = static_cast<double>(start.trample) * std::exp(-time / static_cast<double>(trample_time));
+        const double trail =
+            static_cast<double>(start.trail.x) * std::exp(-time / static_cast<double>(made->config().trail_time));
+        const double target = (1.0 - pressed) * wind(time) + trail;
+        return glm::dvec2(s.y, -2.0 * spring.damping * omega * s.y - omega * omega * (s.x - target));
+    };
+    double off = 0.0, time = 0.0;
+    for (int frame = 1; frame <= 2 * rate; ++frame) {
+        const int parts = 3600 / rate; // of which none reaches beyond a knot of the wind
+        const double h = 1.0 / rate / parts;
+        for (int part = 0; part < parts; ++part) {
+            time = static_cast<double>(frame - 1) / rate + part * h;
+            const double last = time + h - 1e-12; // the wind's slope before a knot, not after it
+            const glm::dvec2 a = slope(time, state), b = slope(time + 0.5 * h, state + 0.5 * h * a),
+                             c = slope(time + 0.5 * h, state + 0.5 * h * b), d = slope(last, state + h * c);
+            state += h / 6.0 * (a + 2.0 * b + 2.0 * c + d);
+        }
+        advance(*made, 1.0 / rate, {wind(static_cast<double>(frame) / rate), 0.0f});
+        off = std::max(off, std::abs(static_cast<double>(detail::GroundState::of(*made)[slot].lean.x) - state.x));
+    }
+    return off;
+}
+
+// Who was pressed rises again alike at any frame rate. Bound: a float's rounding, as that of the wind alone at these rates.
+TEST(GroundRecovery, ReleasedPlantsRiseAlikeAtAnyFrameRate) {
+    for (const float trample_time : {0.8f, 0.1f})
+        for (const int rate : {5, 15, 30, 60, 240}) {
+            const std::string name = "ground/release/" + std::string(trample_time > 0.5f ? "trample_0.8_s/" : "trample_0.1_s/") +
+                                     std::to_string(rate) + "_hz";
+            WINDROW_EXPECT_FIGURE(name, released_off(rate, trample_time), 1e-6);
+        }
+}
+
+// At the ends of what springs, times and steps may be: nothing is added where no time passes, plants that follow at once follow
+// what fades, and after long all has faded.
+TEST(GroundRecovery, FadingIsFollowedAtAnySetting) {
+    double over = 0.0, held = 0.0, left = 0.0;
+    for (const double hz : {1e-4, 3.5, 1000.0})
+        for (const double damping : {0.0, 0.2, 1.0, 1000.0})
+            for (const double time : {0.01, 20.0, 1e6})
+                for (const double duration : {0.0, 1e-9, 1e-3, 0.1, 1e3, 1e8, 1e300}) {
+                    const SpringClass spring{hz, damping};
+                    const auto constant = detail::fading_response(spring, duration, time);
+                    const auto ramp = detail::fading_ramp_response(spring, duration, time);
+                    for (const detail::FadingResponse& each : {constant, ramp}) {
+                        EXPECT_TRUE(std::isfinite(each.place) && std::isfinite(each.velocity));
+                        // Of a target from 0 to -1 a spring goes as far again at most, where nothing damps it.
+                        over = std::max({over, each.place, -2.0 - each.place});
+                        if (duration == 0.0)
+                            held = std::max({held, std::abs(each.place), std::abs(each.velocity)});
+                    }
+                    if (damping > 0.0 && duration > 1e9)
+                        left = std::max({left, std::abs(constant.place + 1.0), std::abs(ramp.place + 1.0)});
+                }
+    WINDROW_EXPECT_FIGURE("ground/fading/beyond_its_target", over, 1e-6);
+    WINDROW_EXPECT_FIGURE("ground/fading/in_no_time", held, 0.0);
+    WINDROW_EXPECT_FIGURE("ground/fading/left_after_long", left, 1e-2); // a ramp of 1e9 s is followed late by up to 3e6 s
 }
 
 // Wind that turns and swells, linear over each second, at five frame rates. Bound: a float's rounding in a thousand steps a
@@ -190,7 +275,7 @@ TEST(GroundRecovery, ABrokenWindIsNone) {
     for (int frame = 0; frame < 600; ++frame)
         ASSERT_TRUE(made->advance({.duration = 0.02}, leans));
     for (std::size_t n = 0; n < leans.size(); ++n) {
-        const glm::vec2 lean = made->state()[n].lean;
+        const glm::vec2 lean = detail::GroundState::of(*made)[n].lean;
         const bool broken = n == 5 || n == 77 || n == 200;
         EXPECT_NEAR(lean.x, broken ? 0.0f : 0.2f, 1e-5f) << n;
         EXPECT_NEAR(lean.y, n == 5 ? 0.1f : 0.0f, 1e-5f) << n;
@@ -205,7 +290,7 @@ TEST(GroundRecovery, PreviousIsTheLastFrameAndTheirDifferenceTheVelocity) {
         GroundMemory ground = trodden({});
         const int n = ground.config().texels;
         // The slot of k_place: texel (0, 1) of the world.
-        const auto texel = [&] { return ground.state()[static_cast<std::size_t>(n + 0)]; };
+        const auto texel = [&] { return detail::GroundState::of(ground)[static_cast<std::size_t>(n + 0)]; };
         errors[k] = 0.0;
         for (int frame = 0; frame * h < 0.5; ++frame) {
             const GroundSample last = ground.at(k_place);

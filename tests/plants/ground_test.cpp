@@ -1,5 +1,7 @@
 // The ground's memory of walkers (rows C21 and G10), and that the window's moves lose nothing.
+#include "coupling/ground_host.h"
 #include "coupling/ground_memory.h"
+#include "coupling/ground_state.h"
 #include "coupling/motion_numerics.h"
 #include "fluid/thread_pool.h"
 #include "tests/figure.h"
@@ -64,15 +66,16 @@ TEST(Ground, BladesLeanOutwardWithinTheRadiusAndNoneOutside) {
     // At the texels themselves: the formula, and nothing from the radius on.
     double off = 0.0;
     const int n = ground.config().texels;
+    const double push = static_cast<double>(ground.config().push);
     for (int j = 0; j < n; ++j)
         for (int i = 0; i < n; ++i) {
             const glm::dvec2 centre = ground.next_centre({i, j}), from = centre - glm::dvec2(place.x, place.z);
             const double s2 = glm::dot(from, from) / static_cast<double>(radius * radius);
-            const glm::vec2 lean = ground.state()[static_cast<std::size_t>(j * n + i)].lean;
+            const glm::vec2 lean = detail::GroundState::of(ground)[static_cast<std::size_t>(j * n + i)].lean;
             if (s2 >= 1.0)
                 EXPECT_EQ(lean, glm::vec2(0.0f));
             else if (glm::length(from) > texel) // inside, the trail pulls further than the softened push
-                off = std::max(off, glm::length(glm::dvec2(lean) - 0.9 * (1.0 - s2) * (1.0 - s2) * from /
+                off = std::max(off, glm::length(glm::dvec2(lean) - push * (1.0 - s2) * (1.0 - s2) * from /
                                                                        std::sqrt(glm::dot(from, from) + texel * texel)));
         }
     WINDROW_EXPECT_FIGURE("ground/push/at_texels", off, 1e-6);
@@ -87,7 +90,7 @@ TEST(Ground, AirborneWalkersTouchNothing) {
         walker.position.x += 0.3;
         advance(ground, 1.0 / 60.0, std::span(&walker, 1));
     }
-    for (const numerics::WindrowGround& texel : ground.state()) {
+    for (const numerics::WindrowGround& texel : detail::GroundState::of(ground)) {
         ASSERT_EQ(texel.lean, glm::vec2(0.0f));
         ASSERT_EQ(texel.trail, glm::vec2(0.0f));
         ASSERT_EQ(texel.trample, 0.0f);
@@ -131,26 +134,30 @@ TEST(Ground, AFastWalkerLeavesNoGaps) {
     }
     test::figure("ground/sweep/most", most);
     // The row lies 0.075 m off: (1 - 1/16)^2 of the walker's push; the oldest part has faded for 0.32 s of 20 s.
-    const double expected = 0.9 * 0.5 * std::pow(1.0 - 1.0 / 16.0, 2);
+    const double expected = static_cast<double>(config.push * config.trail_share) * std::pow(1.0 - 1.0 / 16.0, 2);
     EXPECT_NEAR(most, expected, 1e-3 * expected);
     WINDROW_EXPECT_FIGURE("ground/sweep/lost_along_the_path", 1.0 - least / expected, 1.0 - 0.999 * std::exp(-0.32 / 20.0));
 }
 
 // The trail of one walk at several frame rates, texel by texel. A contact is taken where the walker comes closest in a frame,
-// which the frames do not change. Bounds: the margin by which a trail is not turned, of the deepest trail; and of the press what
-// fades in the few milliseconds around the closest place.
+// which the frames do not change. Bounds: of the deepest trail, a hundredth, which is by how much the way of a millisecond or two
+// turns it, for which a trail is renewed beyond the closest place, until its fading is outrun; and of the press what fades in the
+// few milliseconds around that place.
 TEST(Ground, AWalkLeavesTheSameTrailAtAnyFrameRate) {
     const GroundConfig small{.texels = 32, .rim = 1.0f};
+    const double deepest = static_cast<double>(small.push * small.trail_share);
     const GroundMemory truth = walked(small, 2.0, 1.5, 1000, 0.5f);
     double trail = 0.0, trample = 0.0;
     for (const int rate : {15, 30, 60, 144}) {
         const GroundMemory found = walked(small, 2.0, 1.5, rate, 0.5f);
-        for (std::size_t n = 0; n < truth.state().size(); ++n) {
-            trail = std::max(trail, static_cast<double>(glm::length(found.state()[n].trail - truth.state()[n].trail)));
-            trample = std::max(trample, static_cast<double>(std::abs(found.state()[n].trample - truth.state()[n].trample)));
+        for (std::size_t n = 0; n < detail::GroundState::of(truth).size(); ++n) {
+            trail = std::max(trail, static_cast<double>(glm::length(detail::GroundState::of(found)[n].trail -
+                                                                    detail::GroundState::of(truth)[n].trail)));
+            trample = std::max(trample, static_cast<double>(std::abs(detail::GroundState::of(found)[n].trample -
+                                                                     detail::GroundState::of(truth)[n].trample)));
         }
     }
-    WINDROW_EXPECT_FIGURE("ground/walk/trail_at_15_to_1000_hz", trail, 0.01 * 0.45);
+    WINDROW_EXPECT_FIGURE("ground/walk/trail_at_15_to_1000_hz", trail, 0.01 * deepest);
     WINDROW_EXPECT_FIGURE("ground/walk/trample_at_15_to_1000_hz", trample, 0.01);
 }
 
@@ -202,11 +209,11 @@ const numerics::WindrowGround* texel_at(const GroundMemory& ground, glm::dvec2 c
     const glm::ivec2 slot(along(centre.x / size - 0.5 + slot_of_origin.x), along(centre.y / size - 0.5 + slot_of_origin.y));
     if (glm::length(ground.next_centre(slot) - centre) > 1e-6)
         return nullptr;
-    return &ground.state()[static_cast<std::size_t>(slot.y * n + slot.x)];
+    return &detail::GroundState::of(ground)[static_cast<std::size_t>(slot.y * n + slot.x)];
 }
 
 bool same_bits(const numerics::WindrowGround& a, const numerics::WindrowGround& b) {
-    return a.lean == b.lean && a.velocity == b.velocity && a.trail == b.trail && a.trample == b.trample && a.pressed == b.pressed;
+    return a.lean == b.lean && a.velocity == b.velocity && a.trail == b.trail && a.trample == b.trample;
 }
 
 // One window stays, one wanders by up to 3 m a frame: what was always in both has the same bits.
@@ -256,7 +263,7 @@ TEST(Ground, ATeleportBeginsAnew) {
         walk.step(ground, false);
     ASSERT_TRUE(ground.follow({1e6, 0.0, -1e6}));
     advance(ground, 1.0 / 60.0, {}, {0.2f, 0.1f});
-    for (const numerics::WindrowGround& texel : ground.state()) {
+    for (const numerics::WindrowGround& texel : detail::GroundState::of(ground)) {
         ASSERT_EQ(texel.lean, glm::vec2(0.2f, 0.1f)); // as if that wind had blown for long
         ASSERT_EQ(texel.trail, glm::vec2(0.0f));
     }
@@ -264,7 +271,7 @@ TEST(Ground, ATeleportBeginsAnew) {
 }
 
 // As the point crosses the place where the window jumps by a texel, nothing that is sampled moves. Bound: a float knows the 16 m
-// to the window's corner to 1e-6 m, over which the steepest lean here, 0.9 within a texel of 0.25 m, changes by 4e-6.
+// to the window's corner to 1e-6 m, over which the steepest lean here, 1.4 within a texel of 0.25 m, changes by 6e-6.
 TEST(Ground, AJumpOfTheWindowIsNotSeen) {
     GroundMemory ground = ground_of({});
     Walk walk;
@@ -285,7 +292,7 @@ TEST(Ground, AJumpOfTheWindowIsNotSeen) {
         largest = std::max(largest, static_cast<double>(glm::length(ground.at(p).lean)));
     }
     EXPECT_GT(largest, 0.3);
-    WINDROW_EXPECT_FIGURE("ground/jump_of_the_window", worst, 4e-6);
+    WINDROW_EXPECT_FIGURE("ground/jump_of_the_window", worst, 6e-6);
 }
 
 // --- Threads, refusals
@@ -299,8 +306,8 @@ TEST(Ground, ParallelRowsHaveTheSameBits) {
         one.step(serial, true);
         other.step(parallel, true);
     }
-    for (std::size_t n = 0; n < serial.state().size(); ++n)
-        ASSERT_TRUE(same_bits(serial.state()[n], parallel.state()[n])) << n;
+    for (std::size_t n = 0; n < detail::GroundState::of(serial).size(); ++n)
+        ASSERT_TRUE(same_bits(detail::GroundState::of(serial)[n], detail::GroundState::of(parallel)[n])) << n;
 }
 
 TEST(Ground, RefusesWhatIsNoGround) {
@@ -313,8 +320,8 @@ TEST(Ground, RefusesWhatIsNoGround) {
     EXPECT_TRUE(names({.texels = 1000}, "texels"));
     for (const float bad : {0.0f, -1.0f, nan, infinity}) {
         EXPECT_TRUE(names({.texel_size = bad}, "texel_size"));
-        EXPECT_TRUE(names({.trail_seconds = bad}, "trail_seconds"));
-        EXPECT_TRUE(names({.trample_seconds = bad}, "trample_seconds"));
+        EXPECT_TRUE(names({.trail_time = bad}, "trail_time"));
+        EXPECT_TRUE(names({.trample_time = bad}, "trample_time"));
         EXPECT_TRUE(names({.clearance = bad}, "clearance"));
         EXPECT_TRUE(names({.rim = bad}, "rim"));
         EXPECT_TRUE(names({.longest_stride = bad}, "longest_stride"));
@@ -335,15 +342,42 @@ TEST(Ground, RefusesWhatIsNoGround) {
     EXPECT_TRUE(refuses({.feet = nan}, "feet"));
     EXPECT_TRUE(refuses({.radius = 0.0f}, "radius"));
     EXPECT_TRUE(refuses({.weight = 2.0f}, "weight"));
-    const GroundWalker three[3] = {};
-    EXPECT_NE(ground.advance({.duration = 0.1, .walkers = three}).error().find("most_walkers"), std::string::npos);
     EXPECT_FALSE(ground.advance({.duration = -0.1}));
     EXPECT_FALSE(ground.advance({.wind_lean = {nan, 0.0f}}));
+    EXPECT_FALSE(ground.advance({.wind_lean = {0.0f, 2e3f}}));
     EXPECT_FALSE(ground.advance({}, std::vector<glm::vec2>(7)));
     EXPECT_FALSE(ground.follow({std::nan(""), 0.0, 0.0}));
     EXPECT_FALSE(ground.follow({1e15, 0.0, 0.0}));
     EXPECT_EQ(ground.at({0.0, 0.0, 0.0}).trample, 0.0f);
-    EXPECT_TRUE(ground.advance({.duration = 0.1, .walkers = std::span(three, 2)}));
+    EXPECT_TRUE(ground.advance({.duration = 0.1}));
+}
+
+// --- Copies
+// -----------------------------------------------------------------------------------------------------------------------
+
+TEST(Ground, WhatWasMovedFromMayBeAssignedTo) {
+    GroundMemory a = ground_of({.texels = 16, .rim = 0.5f});
+    const GroundWalker walker;
+    advance(a, 0.1, std::span(&walker, 1));
+    GroundMemory b = std::move(a);
+    a = b;
+    EXPECT_GT(a.at({0.0, 0.0, 0.0}).trample, 0.5f);
+    GroundMemory c = std::move(b);
+    const GroundMemory d = b; // NOLINT: of nothing, nothing
+    b = d;
+    b = c;
+    EXPECT_EQ(b.at({0.0, 0.0, 0.0}).trample, a.at({0.0, 0.0, 0.0}).trample);
+}
+
+// A copy has its room for walkers from the first: a step finds it and allocates none.
+TEST(Ground, ACopyHasRoomForWalkers) {
+    const detail::GroundHost first{GroundConfig{}};
+    detail::GroundHost copy = first;
+    const void* const room = copy.walkers().data();
+    const std::vector<GroundWalker> walkers(40);
+    ASSERT_TRUE(copy.begin({.duration = 0.1, .walkers = walkers}, WindLeans::everywhere));
+    EXPECT_EQ(copy.walkers().size(), 40u);
+    EXPECT_EQ(copy.walkers().data(), room);
 }
 
 } // namespace
