@@ -60,7 +60,8 @@ inline constexpr const char* k_every_pass_story = "every_pass";
 /// blended between ticks, each kind of pass.
 [[nodiscard]] std::vector<ParityStory> parity_stories();
 
-/// The story with so few steps, two at least, and its changes at their share of the way, that it takes no more than `cell_steps` updates of a cell: for a software device.
+/// The story with so few steps, two at least, and its changes at their share of the way, that it takes no more than `cell_steps`
+/// updates of a cell: for a software device.
 [[nodiscard]] ParityStory shortened(ParityStory story, double cell_steps);
 
 } // namespace windrow::cli

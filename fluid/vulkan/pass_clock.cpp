@@ -23,6 +23,7 @@ void PassClock::begin(VkCommandBuffer commands, int slot) {
     take(*now_);
     now_->laps.clear();
     now_->untimed = 0;
+    now_->recording = ++recording_;
     now_->timestamps.reset(commands);
     now_->timestamps.write(commands, 0);
 }
@@ -30,6 +31,11 @@ void PassClock::begin(VkCommandBuffer commands, int slot) {
 void PassClock::end(VkCommandBuffer commands) {
     now_->timestamps.write(commands, 1);
     std::exchange(now_, nullptr)->pending = true;
+}
+
+void PassClock::forget() {
+    for (Slot& slot : slots_)
+        slot.pending = false;
 }
 
 PassClock::Lap::Lap(PassClock* clock, VkCommandBuffer commands, Pass pass) : clock_(clock), commands_(commands) {
@@ -54,11 +60,12 @@ PassClock::Lap::~Lap() {
 }
 
 void PassClock::take(Slot& slot) {
-    if (!std::exchange(slot.pending, false))
+    if (!std::exchange(slot.pending, false) || slot.recording < taken_recording_) // slots in turns or not
         return;
     moments_.resize(2 + 2 * slot.laps.size());
     if (!slot.timestamps.read(moments_))
         return;
+    taken_recording_ = slot.recording;
     std::array<PassTimes::Pass, k_passes> kinds{};
     for (std::size_t lap = 0; lap < slot.laps.size(); ++lap) {
         PassTimes::Pass& kind = kinds[static_cast<std::size_t>(slot.laps[lap])];

@@ -5,6 +5,7 @@
 #include "fluid/vulkan/passes.h"
 #include "fluid/vulkan/timestamps.h"
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -20,6 +21,8 @@ class PassClock {
     void end(VkCommandBuffer commands);
     /// Reads the times of a slot before its turn comes: what was recorded for it is done.
     void collect(int slot) { take(slots_[static_cast<std::size_t>(slot)]); }
+    /// What was recorded and not read yet is not read: a recording among it was never submitted.
+    void forget();
 
     /// From its making to its end: one dispatch. Without a clock it does nothing.
     class Lap {
@@ -34,7 +37,7 @@ class PassClock {
         VkCommandBuffer commands_;
     };
 
-    /// Of the last recording whose times are in; nothing before the first.
+    /// Of the last recording whose times are in, never of one before it; nothing before the first.
     [[nodiscard]] const std::optional<PassTimes>& times() const { return times_; }
 
   private:
@@ -42,12 +45,14 @@ class PassClock {
         Timestamps timestamps;    ///< both ends of the recording, then two a lap
         std::vector<Pass> laps{}; ///< in the order of recording
         int untimed = 0;
-        bool pending = false; ///< recorded, and not read yet
+        bool pending = false;        ///< recorded, and not read yet
+        std::uint64_t recording = 0; ///< counted from 1
     };
     void take(Slot& slot);
 
     std::vector<Slot> slots_;
     Slot* now_ = nullptr; ///< while a frame is recorded
+    std::uint64_t recording_ = 0, taken_recording_ = 0;
     std::vector<std::uint64_t> moments_;
     std::optional<PassTimes> times_;
 };

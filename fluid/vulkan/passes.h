@@ -59,9 +59,9 @@ class Passes {
 
     using Groups = std::array<std::uint32_t, 3>;
     [[nodiscard]] Groups groups(Pass pass) const { return groups_[static_cast<std::size_t>(pass)]; }
-    /// [bytes] What a dispatch of all its work groups moves where every field that it binds holds something: each field of cells that it binds, once if it reads or writes
-    /// it and twice for both, and its textures. Left out are the tables, the rules, the motors and the gust tile, which stay in
-    /// caches. A pass that finds a field empty, as where no air is let in, moves less.
+    /// [bytes] What a dispatch of all its work groups moves where every field that it binds holds something: each field of cells
+    /// that it binds, once if it reads or writes it and twice for both, and its textures. Left out are the tables, the rules, the
+    /// motors and the gust tile, which stay in caches. A pass that finds a field empty, as where no air is let in, moves less.
     [[nodiscard]] std::uint64_t bytes(Pass pass) const { return bytes_[static_cast<std::size_t>(pass)]; }
     /// What Fields::shapes holds: how many passes a sub-step has, and the work groups of each, those of Pass::limit before them.
     [[nodiscard]] std::vector<std::uint32_t> shapes(DiffusionMethod most) const;

@@ -167,8 +167,6 @@ auto with_views(const Wind::State& state, const Use& use) {
     const auto view = [&](const windrow::Frame& frame) {
         return WindView(box, frame.window, state.rim(frame.rim_point), frame.ambient, {});
     };
-    if (state.frames)
-        return use(view(state.frames->shown), view(state.frames->shown_before));
     const windrow::Frame unrecorded = state.frame_now();
     const windrow::Frame& now = state.recorded ? *state.recorded : unrecorded;
     const windrow::Frame& before = state.recorded_before ? *state.recorded_before : now;
@@ -177,14 +175,22 @@ auto with_views(const Wind::State& state, const Use& use) {
 
 } // namespace
 
+// Which of the sets of textures holds which frame depends on the recordings, pauses among them, not on the steps.
 WindowBlock Wind::window_block(glm::dvec3 anchor) const {
-    return with_views(*state_,
-                      [&](const WindView& now, const WindView& before) { return state_->window_block(anchor, now, before); });
+    return with_views(*state_, [&](const WindView& now, const WindView& before) {
+        WindowBlock block = state_->window_block(anchor, now, before);
+        const WindowBlock earlier = before.block(anchor);
+        block.previous_origin = {glm::vec3(earlier.origin_and_cell_size), 0.0f};
+        block.previous_rim_point = {glm::vec3(earlier.rim_point), 0.0f};
+        return block;
+    });
 }
 
 FrameBlock Wind::frame_block(glm::dvec3 anchor, const Sampling& sampling) const {
-    return with_views(
+    FrameBlock block = with_views(
         *state_, [&](const WindView& now, const WindView& before) { return state_->frame_block(anchor, sampling, now, before); });
+    block.window = window_block(anchor);
+    return block;
 }
 
 VkBuffer Wind::gust_buffer() const {

@@ -42,8 +42,8 @@ struct Settings {
     /// Times each pass on the device (pass_times). Default off: it costs two timestamps a dispatch, and holds a pass back until
     /// the one before it has ended. Refused where the queue family counts no time (timestampValidBits is 0).
     bool timestamps = false;
-    /// The cells come back to the host for `queried` and `velocity`: 16 bytes a cell in each frame. Default true. False: only
-    /// reports do, and `queried` holds nothing.
+    /// The cells come back to the host for `queried` and `velocity`: 16 bytes a cell a frame, but while the air sleeps, and
+    /// in a pause between ticks that asks for nothing. Default true. False: only reports do, and `queried` holds nothing.
     bool queries = true;
 };
 
@@ -54,7 +54,8 @@ struct Frame {
     /// Which of the frames in flight it is, 0 to frames_in_flight - 1. The host knows that what was recorded for this slot before
     /// is done: its read-back is taken now. Once a submission, not twice. Slots may come in any order; what is older than what
     /// was taken already is not taken. Default -1: the one after the last, in turns, which is right for a host that waits for
-    /// the frame before the last frames_in_flight.
+    /// the frame before the last frames_in_flight. A recording that `forget` follows counts as none: its slot's turn is still to
+    /// come. Where more than one was thrown away, name the slot.
     int slot = -1;
 };
 
@@ -73,13 +74,14 @@ class Wind {
 
     /// Records a frame outside of a render pass: the ticks that are due, the textures, the read-back. Compute and transfer
     /// commands alone. A dt that is negative or not finite, and a slot out of range, record nothing. Advance::last tells of the
-    /// last tick that was read back, frames_in_flight frames ago; cells that were repaired or limited are told once. What is
-    /// recorded must be submitted: the next frame goes on from it.
+    /// last tick that was read back, frames_in_flight frames ago; cells that were repaired or limited are told once, with the
+    /// next frame that has a tick. What is recorded must be submitted: the next frame goes on from it.
     Advance record(VkCommandBuffer commands, const Frame& frame);
     /// Records one step of frame.dt instead of ticks; see windrow::Wind::step. A dt of 0 is a pause: what was asked for since the
-    /// last frame is recorded, and the textures show it. Its Diagnostics are as old as those of `record`. In a step above 1 s
-    /// viscosity acts no further than it may in shorter ones: where these need no direct solve of it, for as long as one explicit
-    /// pass carries (viscosity * time = cell_size^2 / 12), and it owes the rest to the next steps.
+    /// last frame is recorded, and the textures show it; after `record` they stay at its moment between two ticks. Its
+    /// Diagnostics are as old as those of `record`. In a step above 1 s viscosity acts no further than it may in shorter ones:
+    /// where these need no direct solve of it, for as long as one explicit pass carries (viscosity * time = cell_size^2 / 12),
+    /// and it owes the rest to the next steps.
     Diagnostics record_step(VkCommandBuffer commands, const Frame& frame);
     /// Takes the read-back of a slot before its turn comes: for a host that has waited for what it recorded there, as tools do.
     /// False where there is none to take.

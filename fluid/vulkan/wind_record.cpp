@@ -28,6 +28,7 @@ void Wind::State::do_or_queue(Work work) {
 bool Wind::State::begin(VkCommandBuffer commands, const Frame& frame) {
     if (commands == VK_NULL_HANDLE || frame.slot < -1 || frame.slot >= settings.frames_in_flight)
         return false;
+    slot_before_ = slot_;
     slot_ = frame.slot >= 0 ? frame.slot : (slot_ + 1) % settings.frames_in_flight;
     ++recording_;
     take(slots[static_cast<std::size_t>(slot_)]);
@@ -49,6 +50,7 @@ bool Wind::State::begin(VkCommandBuffer commands, const Frame& frame) {
 
 void Wind::State::end(const Frame& frame) {
     set ^= 1;
+    bool both = false;
     if (written_sets_ < 2) // the set that no frame was written to yet
         blend_ = blend_.value_or(1.0f);
     if (blend_) {
@@ -57,6 +59,7 @@ void Wind::State::end(const Frame& frame) {
         if (written_sets_ == 1) { // the frame before the first is the first
             air->show(commands_, *blend_, set ^ 1, false);
             written_sets_ = 2;
+            both = true;
         }
         if (frame.dt > 0.0 || asked_ || !frames || !queried_frame) // a pause between ticks changes nothing
             read_back(slots[static_cast<std::size_t>(slot_)]);
@@ -66,6 +69,8 @@ void Wind::State::end(const Frame& frame) {
         clock->end(commands_);
     recorded_before = std::move(recorded);
     recorded.emplace(frame_now());
+    if (both)
+        recorded_before.emplace(frame_now());
     dispatches += air->dispatches();
     barriers += air->barriers();
     commands_ = VK_NULL_HANDLE;
@@ -125,23 +130,30 @@ Diagnostics Wind::State::reported() {
     Diagnostics diagnostics;
     diagnostics.stepped = report_tick_ > 0;
     tell(diagnostics);
+    tell_counts(diagnostics);
     return diagnostics;
 }
 
 Advance Wind::State::record(VkCommandBuffer commands, const Frame& frame) {
     if (!(frame.dt >= 0.0) || !std::isfinite(frame.dt) || !begin(commands, frame))
         return {};
-    const Advance done = advance(frame.dt);
+    Advance done = advance(frame.dt);
+    if (done.ticks > 0) // a host that reads no more than its ticks' reports misses none
+        tell_counts(done.last);
     time += frame.dt - done.dropped;
     end(frame);
     return done;
 }
 
 Diagnostics Wind::State::record_step(VkCommandBuffer commands, const Frame& frame) {
+    if (frames && frame.dt == 0.0) // between two ticks it stays there
+        return record(commands, frame).last;
     if (!(frame.dt >= 0.0) || !std::isfinite(frame.dt) || !begin(commands, frame))
         return {};
     const bool slept = asleep;
-    const Diagnostics done = step(frame.dt);
+    Diagnostics done = step(frame.dt);
+    if (frame.dt > 0.0)
+        tell_counts(done);
     time += frame.dt;
     if (!slept || !asleep || frame.dt == 0.0) // a pause shows what changed without a step
         unshown_ = 2;
@@ -182,6 +194,9 @@ void Wind::State::forget() {
     reset();
     for (ReadBack& slot : slots)
         slot.pending = false;
+    if (clock)
+        clock->forget();
+    slot_ = slot_before_; // it is that slot's turn again
     report = {};
     disturbed_tick_ = tick_ + 1;
     asleep = false;
@@ -285,17 +300,21 @@ void Wind::State::measure(Diagnostics& diagnostics) {
     }
 }
 
-// What the last read-back told. Its counts are told once.
-void Wind::State::tell(Diagnostics& diagnostics) {
+// What the last read-back told, but for its counts.
+void Wind::State::tell(Diagnostics& diagnostics) const {
     const auto h = static_cast<double>(config.cell_size);
     diagnostics.max_speed = report.largest_component;
     diagnostics.cfl = report.cfl;
     diagnostics.substeps = report.substeps;
     diagnostics.substeps_capped = report.substeps_capped;
-    diagnostics.limited_cells = std::exchange(limited_, 0);
-    diagnostics.repaired_cells = std::exchange(repaired_, 0);
     diagnostics.energy = 0.5 * report.squares * h * h * h;
     diagnostics.divergence_rms = std::sqrt(report.divergence_squares / static_cast<double>(box().cell_count()));
+}
+
+// Told once, and after the last tick of a recording: each begins a report of its own.
+void Wind::State::tell_counts(Diagnostics& diagnostics) {
+    diagnostics.limited_cells = std::exchange(limited_, 0);
+    diagnostics.repaired_cells = std::exchange(repaired_, 0);
 }
 
 } // namespace windrow::vulkan

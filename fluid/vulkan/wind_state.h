@@ -77,12 +77,14 @@ struct Wind::State : WindHost {
     void end(const Frame& frame);
     void read_back(ReadBack& slot);
     bool take(ReadBack& slot);
-    void tell(Diagnostics& diagnostics);
+    void tell(Diagnostics& diagnostics) const;
+    void tell_counts(Diagnostics& diagnostics);
 
     VkCommandBuffer commands_ = VK_NULL_HANDLE; ///< while a frame is recorded
     WorkQueue queue_;
     std::optional<Air::NewSides> new_sides_; ///< from the next recording on
     int slot_ = -1;                          ///< of the last recording
+    int slot_before_ = -1;                   ///< and of the one before it
     std::uint64_t recording_ = 0, taken_recording_ = 0;
     std::int64_t repaired_ = 0, limited_ = 0; ///< cells that were read back and not told yet
     bool asked_ = false;                      ///< something was asked for since the frame before this one

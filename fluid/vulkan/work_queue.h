@@ -44,6 +44,9 @@ class WorkQueue {
 
   private:
     [[nodiscard]] bool fold(const Work& work);
+    void add_change(Work change);
+    void append(Work work);
+    void drop_overwritten(const Work& work);
 
     std::vector<Work> works_;
 };

@@ -106,6 +106,25 @@ TEST_F(PassTimesTest, DispatchesBeyondTheRoomAreCounted) {
     EXPECT_EQ(clock->times()->passes[1].dispatches, 1);
 }
 
+// As with read-backs: what is older than what was read already is not told.
+TEST_F(PassTimesTest, TimesNeverGoBackToAnOlderRecording) {
+    auto clock = PassClock::create(*device, 3, 3);
+    ASSERT_TRUE(clock) << clock.error();
+    const auto record = [&](int slot, Pass pass) {
+        run([&](VkCommandBuffer commands) {
+            clock->begin(commands, slot);
+            { const PassClock::Lap lap(&*clock, commands, pass); }
+            clock->end(commands);
+        });
+    };
+    record(0, Pass::pad);
+    record(1, Pass::advect);
+    clock->collect(1);
+    clock->collect(0);
+    ASSERT_TRUE(clock->times());
+    EXPECT_STREQ(clock->times()->passes.at(0).name, "advect");
+}
+
 // --- A queue that counts no time, and one whose counter is short: no device at hand has one --------------------------------
 
 std::uint32_t g_valid_bits = 0;

@@ -150,7 +150,7 @@ TEST_F(WindCalls, StagesLeftOut) {
 
 // What half textures round away is gone from them alone: not from the air, nor from queries.
 TEST_F(WindCalls, HalfTexturesLeaveTheAirAsItIs) {
-    Pair pair = make({.cells = {12, 10, 11}, .ambient = {2.0f, 0.0f, 1.0f}}, 0, Texel::half);
+    Pair pair = make({.cells = {12, 10, 11}, .ambient = {2.0f, 0.0f, 1.0f}}, 0, {.texel = Texel::half});
     pair.add(VortexMotor{});
     for (int n = 0; n < 60; ++n)
         frame(pair, 1.0 / 47.0);
@@ -182,6 +182,35 @@ TEST_F(WindCalls, ReportsAreToldOnceAndSleepReportsAmbient) {
     EXPECT_EQ(last.max_speed, 1.0f);
     EXPECT_NEAR(last.energy, 0.5 * 1.25 * 1000.0, 1e-3);
     EXPECT_EQ(last.divergence_rms, 0.0);
+}
+
+// Whatever a frame holds, its report has the cells that were repaired: two ticks, of which the second counts none; a step; or
+// the answer to a host that asks.
+TEST_F(WindCalls, RepairedCellsAreToldToEveryHost) {
+    enum class Host { two_ticks, one_tick, steps, asks };
+    for (const Host host : {Host::two_ticks, Host::one_tick, Host::steps, Host::asks}) {
+        Pair pair = make({.cells = {10, 10, 10}, .ambient = {1.0f, 0.0f, 0.5f}});
+        std::vector<glm::vec4> field(1000, glm::vec4(1.5f, 0.2f, 0.0f, 0.0f));
+        field[777].z = std::nanf("");
+        ASSERT_TRUE(pair.device.set_velocity(field));
+        std::int64_t repaired = 0;
+        for (int n = 0; n < 4; ++n) {
+            run([&](VkCommandBuffer commands) {
+                if (host == Host::steps) {
+                    repaired += pair.device.record_step(commands, {.dt = 1.0 / 30.0}).repaired_cells;
+                    return;
+                }
+                const Advance done = pair.device.record(commands, {.dt = host == Host::two_ticks ? 2.0 / 30.0 : 1.0 / 30.0});
+                EXPECT_EQ(done.ticks, host == Host::two_ticks ? 2 : 1);
+                repaired += done.last.repaired_cells;
+            });
+            if (host == Host::asks && n == 0) {
+                EXPECT_TRUE(pair.device.collect(0));
+                repaired += pair.device.reported().repaired_cells;
+            }
+        }
+        EXPECT_EQ(repaired, 1) << static_cast<int>(host);
+    }
 }
 
 } // namespace

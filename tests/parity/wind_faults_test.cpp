@@ -8,6 +8,8 @@
 
 #include <cstring>
 #include <glm/geometric.hpp>
+#include <map>
+#include <set>
 
 namespace windrow::vulkan {
 namespace {
@@ -37,9 +39,9 @@ class WindFaults : public Gpu {
     // Without the layer, whose watch over hundreds of lives takes minutes; it watches the same calls in the other tests.
     void SetUp() override { make_own({}); }
 
-    static constexpr glm::ivec3 k_cells{8, 6, 8};
+    static constexpr glm::ivec3 k_cells{28, 6, 28}; // tables of more than 64 KiB, which new sides bring in a piece of memory
 
-    // Made, given a wind, recorded for some frames; the error of the first thing that failed.
+    // Made, given a wind, recorded for some frames, given other sides, forgotten once; the error of the first thing that failed.
     Result<void> live(const Host& host, int& frames) {
         frames = 0;
         auto wind = Wind::create(host, {.cells = k_cells, .ambient = {2.0f, 0.0f, 0.0f}, .viscosity = 1.0f},
@@ -54,7 +56,18 @@ class WindFaults : public Gpu {
             return Error{"a motor was refused"};
         for (; frames < 4; ++frames) {
             (void)wind->follow({0.7 * frames, 0.0, 0.0});
+            const std::uint64_t bytes = wind->memory_bytes();
+            if (frames == 1) {
+                if (auto changed = wind->set_sides(Sides::open_over_floor()); !changed)
+                    return changed;
+                if (wind->memory_bytes() <= bytes)
+                    return Error{"the tables of new sides took no memory: give the box more cells"};
+            }
             run([&](VkCommandBuffer commands) { (void)wind->record(commands, {.dt = 1.0 / 30.0, .slot = frames % 2}); });
+            if (frames == 0)
+                wind->forget(); // as if it had not run: its read-back and its times are not taken
+            if (frames == 2)
+                (void)wind->collect(frames % 2);
         }
         if (!wind->queried())
             return Error{"nothing was read back"};
@@ -83,7 +96,15 @@ TEST_F(WindFaults, AtEachCallOfALifeAreToldAndLeaveNothingBehind) {
     const int calls = counted_calls().made;
     ASSERT_GT(calls, 100);
 
-    int points = 0, survived = 0;
+    // Calls that may fail in silence: a read-back or its times are passed over, and another is taken. Where the device has more
+    // than one type of memory, a full one may have a neighbour that serves.
+    std::set<std::string> silent = {"vkInvalidateMappedMemoryRanges", "vkGetQueryPoolResults"};
+    VkPhysicalDeviceMemoryProperties memory{};
+    real->vkGetPhysicalDeviceMemoryProperties(host.physical_device, &memory);
+    if (memory.memoryTypeCount > 1)
+        silent.insert("vkAllocateMemory");
+    std::map<std::string, int> survived;
+    int points = 0, outlived = 0;
     for (const VkResult code : {VK_ERROR_OUT_OF_HOST_MEMORY, VK_ERROR_OUT_OF_DEVICE_MEMORY, VK_ERROR_DEVICE_LOST})
         for (int n = 0; n < calls; n += test::k_sanitized ? 7 : 1) {
             g_table = counted(*real);
@@ -94,15 +115,23 @@ TEST_F(WindFaults, AtEachCallOfALifeAreToldAndLeaveNothingBehind) {
             ASSERT_FALSE(failed.empty()) << n;
             ++points;
             expect_none_lives();
-            if (lived) { // another heap served, or a frame that was not read back: told as an older one
-                ++survived;
+            if (lived) {
+                ++outlived;
+                ++survived[failed];
+                EXPECT_TRUE(silent.contains(failed)) << failed << ", call " << n << ", failed and nobody was told";
                 continue;
             }
             EXPECT_NE(lived.error().find(failed), std::string::npos) << lived.error();
             EXPECT_NE(lived.error().find(name_of(code)), std::string::npos) << lived.error();
         }
     test::figure("faults tried in a life of a wind", points);
-    test::figure("of which the wind outlived", survived);
+    test::figure("of which the wind outlived", outlived);
+    if (!test::k_sanitized) { // with each of three codes: two frames are read back, and the times of the later one
+        EXPECT_EQ(survived["vkInvalidateMappedMemoryRanges"], 6);
+        EXPECT_EQ(survived["vkGetQueryPoolResults"], 3);
+    }
+    for (const auto& [call, count] : survived)
+        test::figure("of which by " + call, count);
     counted_calls() = {};
 }
 

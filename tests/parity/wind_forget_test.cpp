@@ -9,7 +9,8 @@ using WindRecordings = WindParity;
 
 // The host throws a command buffer away: the wind begins anew, as a reset one, with its motors and its sides.
 TEST_F(WindRecordings, ThatAreNeverSubmittedAreForgotten) {
-    Pair pair = make({.cells = {24, 20, 24}, .ambient = {2.0f, 0.0f, 1.0f}}, 2); // tables of more than 64 KiB
+    Pair pair = make({.cells = {24, 20, 24}, .ambient = {2.0f, 0.0f, 1.0f}}, 2, // tables of more than 64 KiB
+                     {.texel = Texel::single, .timestamps = true});
     pair.add(VortexMotor{});
     for (int n = 0; n < 16; ++n) {
         if (n == 5 || n == 9) {
@@ -24,8 +25,45 @@ TEST_F(WindRecordings, ThatAreNeverSubmittedAreForgotten) {
         step(pair, 1.0 / 30.0);
     }
     EXPECT_GT(pair.compared, 6);
+    EXPECT_TRUE(pair.device.pass_times());
     report("forgotten", pair, 1e-5);
     pair.submitter->wait();
+}
+
+// What was thrown away counts as no recording: the next unnamed one takes its slot, whose turn it still is.
+TEST_F(WindRecordings, ThatAreForgottenLeaveTheTurnOfTheirSlot) {
+    auto wind = Wind::create(own->host(), {.cells = {8, 8, 8}, .ambient = {2.0f, 0.0f, 1.0f}}, {.frames_in_flight = 2});
+    ASSERT_TRUE(wind) << wind.error();
+    const auto record = [&](VkCommandBuffer commands) { (void)wind->record(commands, {.dt = 1.0 / 30.0}); };
+    run(record); // slot 0
+    Submitter(own->host(), 1).discard([&](VkCommandBuffer commands, int) { record(commands); });
+    wind->forget();
+    wind->forget(); // what is forgotten already is not forgotten twice
+    run(record);
+    EXPECT_FALSE(wind->collect(0));
+    EXPECT_TRUE(wind->collect(1));
+}
+
+// The moments that the slot's queries still hold are those of the recording before it.
+TEST_F(WindRecordings, ThatAreForgottenHaveNoTimes) {
+    auto wind = Wind::create(own->host(), {.cells = {8, 8, 8}, .ambient = {2.0f, 0.0f, 1.0f}},
+                             {.frames_in_flight = 1, .timestamps = true});
+    ASSERT_TRUE(wind) << wind.error();
+    ASSERT_TRUE(wind->motors().add(VortexMotor{}));
+    const auto timed = [&] {
+        int dispatches = 0;
+        if (const auto times = wind->pass_times())
+            for (const PassTimes::Pass& pass : times->passes)
+                dispatches += pass.dispatches;
+        return dispatches;
+    };
+    run([&](VkCommandBuffer commands) { (void)wind->record_step(commands, {.dt = 1.0 / 30.0}); });
+    const int submitted = wind->dispatches();
+    Submitter(own->host(), 1).discard([&](VkCommandBuffer commands, int) { (void)wind->record_step(commands, {.dt = 0.0}); });
+    ASSERT_NE(wind->dispatches(), submitted);
+    wind->forget();
+    (void)wind->collect(0);
+    EXPECT_EQ(timed(), submitted);
 }
 
 // A slot that is not named is the next in turn, and what is older than what was taken is not taken.
@@ -95,6 +133,106 @@ TEST_F(WindRecordings, ThatWaitAreFolded) {
     EXPECT_EQ(queue.size(), 3u); // the shifts move what stays, the flow of sources
     queue.push(work(Work::Kind::fill));
     EXPECT_EQ(queue.size(), 1u);
+}
+
+// The same of a host with ticks, where what is kept of the air changes by itself.
+TEST_F(WindRecordings, ThatWaitWithTicksAreFolded) {
+    AmbientWind wind = *AmbientWind::create({.mean = {1.0f, 0.0f, 0.0f}});
+    Window window{.cells = {8, 8, 8}, .cell_size = 1.0f, .origin_cells = {}};
+    WorkQueue queue;
+    const auto work = [&](Work::Kind kind) { return Work{.kind = kind, .ambient = wind, .window = window, .kept = true}; };
+    const auto change = [&](bool to_air) {
+        Work one = work(Work::Kind::add_change);
+        const glm::vec3 mean = wind.mean();
+        EXPECT_TRUE(wind.set_mean(mean + glm::vec3(0.01f, 0.0f, 0.0f)));
+        one.ambient = wind;
+        one.change = wind.mean() - mean;
+        one.to_air = to_air;
+        return one;
+    };
+    const auto shift = [&] {
+        Work one = work(Work::Kind::shift);
+        one.move.by = {1, 0, 0};
+        return one;
+    };
+    for (int n = 0; n < 100; ++n) { // set_ambient on calm air
+        queue.push(change(false));
+        queue.push(work(Work::Kind::fill));
+    }
+    EXPECT_EQ(queue.size(), 2u);
+    for (int n = 0; n < 100; ++n) { // set_floor on sleeping air
+        window.origin_cells.y = n;
+        queue.push(work(Work::Kind::fill_before));
+    }
+    EXPECT_EQ(queue.size(), 2u); // the air, and what is kept of it
+    queue.push(work(Work::Kind::fill));
+    queue.push(work(Work::Kind::fill_before)); // a reset
+    EXPECT_EQ(queue.size(), 2u);
+    for (int n = 0; n < 100; ++n) { // a walk while the wind turns
+        queue.push(shift());
+        queue.push(change(true));
+    }
+    EXPECT_EQ(queue.size(), 4u);
+    queue.push(work(Work::Kind::fill));
+    EXPECT_EQ(queue.size(), 4u); // fill_before, the change and the shift of what is kept, the air anew
+    queue.clear();
+    for (int n = 0; n < 100; ++n) { // cells set in a box that walks
+        queue.push(work(Work::Kind::set));
+        Work walk = shift();
+        ASSERT_TRUE(wind.set_mean({0.01f * static_cast<float>(n), 0.0f, 0.0f}));
+        queue.push(walk);
+    }
+    EXPECT_EQ(queue.size(), 3u); // the shifts of the sources' flow, the last cells, the last shift
+}
+
+// Folded or recorded one by one, the air is the CPU's. It does not sleep, which would begin later on the device.
+TEST_F(WindRecordings, ThatAreFoldedMakeTheSameAir) {
+    for (const bool ticks : {false, true}) {
+        Pair pair = make({.cells = {12, 10, 11},
+                          .sides = Sides::open_over_floor(),
+                          .centre = {0.0, 5.0, 0.0},
+                          .ambient = {2.0f, 0.0f, 1.0f},
+                          .profile = LogProfile{},
+                          .settling_time = 0.0f});
+        const auto frames = [&](int count) {
+            for (int n = 0; n < count; ++n)
+                ticks ? frame(pair, 1.0 / 47.0) : step(pair, 1.0 / 47.0);
+        };
+        std::vector<glm::vec4> cells(pair.cpu.box().cell_count());
+        for (std::size_t n = 0; n < cells.size(); ++n)
+            cells[n] = glm::vec4(std::sin(0.1f * static_cast<float>(n)), 0.3f, std::cos(0.07f * static_cast<float>(n)), 0.0f);
+        const auto ramp = [&](float from) {
+            for (int n = 0; n < 5; ++n) {
+                pair.both([&](auto& wind) { return wind.set_ambient({from + 0.1f * static_cast<float>(n), 0.0f, 1.0f}); });
+                pair.both([&](auto& wind) { return wind.follow({0.9 * n, 5.0, from}); });
+            }
+        };
+        frames(3); // calm
+        ramp(2.0f);
+        frames(3);
+        ramp(2.5f);
+        pair.both([](auto& wind) { return wind.set_floor(3.0); });
+        pair.both([](auto& wind) { return wind.set_floor(0.0); });
+        ramp(3.0f);
+        frames(3);
+        pair.add(VortexMotor{.position = {0.0, 5.0, 0.0}, .radius = 3.0f});
+        pair.add(OmniMotor{.position = {1.0, 4.0, 1.0}});
+        frames(6);
+        ramp(2.0f);
+        frames(4);
+        for (int n = 0; n < 3; ++n) {
+            cells[0].x = static_cast<float>(n);
+            pair.both([&](auto& wind) { return wind.set_velocity(cells); });
+            ramp(1.0f);
+        }
+        frames(4);
+        pair.both([&](auto& wind) { return wind.set_velocity(cells); });
+        pair.cpu.reset();
+        pair.device.reset();
+        ramp(2.0f);
+        frames(6);
+        report(ticks ? "folded.ticks" : "folded.steps", pair, 1e-5);
+    }
 }
 
 } // namespace

@@ -41,9 +41,10 @@ class WindParity : public Gpu {
     };
 
     /// One frame in flight that is waited for, or `in_flight` that are not.
-    Pair make(const Config& config, int in_flight = 0, Texel texel = Texel::single) {
+    Pair make(const Config& config, int in_flight = 0, Settings settings = {.texel = Texel::single}) {
         auto cpu = windrow::Wind::create(config);
-        auto gpu = Wind::create(own->host(), config, {.texel = texel, .frames_in_flight = std::max(in_flight, 1)});
+        settings.frames_in_flight = std::max(in_flight, 1);
+        auto gpu = Wind::create(own->host(), config, settings);
         EXPECT_TRUE(cpu) << cpu.error();
         EXPECT_TRUE(gpu) << gpu.error();
         auto submitter = in_flight > 0 ? std::make_unique<Submitter>(own->host(), in_flight) : nullptr;

@@ -108,7 +108,7 @@ TEST_F(WindInShaders, AnOutsideShaderSamplesWhatAQueryFinds) {
 
 // Half textures round to 11 bits: to half a unit in the last of them.
 TEST_F(WindInShaders, HalfTexturesHoldElevenBits) {
-    Pair pair = make({.cells = {12, 10, 11}, .ambient = {2.0f, 0.0f, 1.0f}, .rim = 0.0f}, 0, Texel::half);
+    Pair pair = make({.cells = {12, 10, 11}, .ambient = {2.0f, 0.0f, 1.0f}, .rim = 0.0f}, 0, {.texel = Texel::half});
     pair.add(VortexMotor{});
     for (int n = 0; n < 20; ++n)
         frame(pair, 1.0 / 50.0);
