@@ -121,7 +121,9 @@ class WindBarriers : public Gpu {
         messages.clear();
         test::figure(std::string("barriers left out: ") + name, tried);
         test::figure(std::string("barriers noticed: ") + name, caught);
-        EXPECT_GE(4 * caught, 3 * tried); // 79 % and 76 % measured; a pass that loses its barriers takes several in a hundred
+        // 79 % and 76 % measured; a pass that loses its barriers takes several in a hundred. A sanitizer's build tries a few,
+        // since it looks at the host's memory: half of them is what so small a sample allows.
+        EXPECT_GE((test::k_sanitized ? 2 : 4) * caught, (test::k_sanitized ? 1 : 3) * tried);
     }
 
     Host host;
