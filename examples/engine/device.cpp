@@ -56,7 +56,7 @@ void must(VkResult result, const char* call) {
 Device::Device(std::uint32_t api_version, const VkPhysicalDeviceFeatures& features, const Judge& judge) {
     VkApplicationInfo application{};
     application.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
-    application.pApplicationName = "embed_vulkan";
+    application.pApplicationName = "windrow example";
     application.apiVersion = api_version;
     VkInstanceCreateInfo instance_info{};
     instance_info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
@@ -125,6 +125,7 @@ VkDeviceMemory Device::allocate(const VkMemoryRequirements& needs, VkMemoryPrope
     VkDeviceMemory memory = VK_NULL_HANDLE;
     must(vkAllocateMemory(device, &info, nullptr, &memory), "vkAllocateMemory");
     at_end([this, memory] { vkFreeMemory(device, memory, nullptr); });
+    memory_bytes_ += needs.size;
     return memory;
 }
 

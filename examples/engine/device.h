@@ -51,12 +51,15 @@ class Device {
     /// A 2D image to draw to.
     [[nodiscard]] Image make_image(VkFormat format, VkExtent2D extent, VkSampleCountFlagBits samples, VkImageUsageFlags usage,
                                    VkImageAspectFlags aspect);
+    /// [bytes] Memory that was allocated here so far.
+    [[nodiscard]] VkDeviceSize memory_bytes() const { return memory_bytes_; }
     /// Destroyed with the device, the last first.
     void at_end(std::function<void()> destroy) { destroy_.push_back(std::move(destroy)); }
 
   private:
     [[nodiscard]] VkDeviceMemory allocate(const VkMemoryRequirements& needs, VkMemoryPropertyFlags wanted);
 
+    VkDeviceSize memory_bytes_ = 0;
     std::vector<std::function<void()>> destroy_{};
 };
 

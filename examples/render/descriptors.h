@@ -1,0 +1,26 @@
+// Descriptor sets: a layout from a list of bindings, sets of it, and what they point to.
+#pragma once
+
+#include "examples/engine/device.h"
+
+#include <span>
+
+namespace render {
+
+struct Binding {
+    VkDescriptorType type = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    VkShaderStageFlags stages = VK_SHADER_STAGE_ALL;
+};
+
+/// Bindings 0, 1, 2 ... in their order.
+[[nodiscard]] VkDescriptorSetLayout make_layout(engine::Device& device, std::span<const Binding> bindings);
+/// `sets.size()` sets from a pool of their own.
+void make_sets(engine::Device& device, VkDescriptorSetLayout layout, std::span<const Binding> bindings,
+               std::span<VkDescriptorSet> sets);
+/// A whole buffer.
+void point(engine::Device& device, VkDescriptorSet set, std::uint32_t binding, VkDescriptorType type, VkBuffer buffer);
+/// An image in VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL (or, of depth, DEPTH_STENCIL_READ_ONLY_OPTIMAL) and its sampler.
+void point(engine::Device& device, VkDescriptorSet set, std::uint32_t binding, VkImageView view, VkSampler sampler,
+           VkImageLayout layout);
+
+} // namespace render

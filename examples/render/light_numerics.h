@@ -1,0 +1,19 @@
+// The renderer's formulas of light as C++: the same text of shaders/numerics that its shaders include.
+#pragma once
+
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#define WINDROW_FN inline
+namespace render::numerics {
+using namespace glm;
+#include "shaders/numerics/leaf_light.glsl"
+#include "shaders/numerics/motion_vector.glsl"
+#include "shaders/numerics/sky.glsl"
+} // namespace render::numerics
+#undef WINDROW_FN

@@ -1,0 +1,129 @@
+#include "examples/render/scene.h"
+
+#include "examples/render/refusals.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+namespace render {
+namespace {
+
+constexpr double k_farthest = 1e9; // [m] beyond which a double has less than a micrometre
+constexpr int k_most_samples = 4097;
+
+void colour(Refusals& refusals, const char* field, glm::vec3 value) {
+    for (int channel = 0; channel < 3; ++channel)
+        refusals.range((std::string(field) + "." + "rgb"[channel]).c_str(), static_cast<double>(value[channel]), 0.0, 1.0);
+}
+
+void place(Refusals& refusals, const char* field, glm::dvec3 value) {
+    for (int axis = 0; axis < 3; ++axis)
+        refusals.range((std::string(field) + "." + "xyz"[axis]).c_str(), value[axis], -k_farthest, k_farthest);
+}
+
+} // namespace
+
+double Heightmap::height(double x, double z) const {
+    if (heights.empty())
+        return corner.y;
+    const double across = std::clamp((x - corner.x) / spacing, 0.0, columns - 1.0);
+    const double along = std::clamp((z - corner.z) / spacing, 0.0, rows - 1.0);
+    const int column = std::min(static_cast<int>(across), columns - 2), row = std::min(static_cast<int>(along), rows - 2);
+    const double u = across - column, v = along - row;
+    const auto at = [&](int c, int r) {
+        return static_cast<double>(heights[static_cast<std::size_t>(row + r) * columns + column + c]);
+    };
+    // The cell's two triangles meet along the edge from its +x to its +z corner, as terrain.vert draws them.
+    const double from_low = at(0, 0) + u * (at(1, 0) - at(0, 0)) + v * (at(0, 1) - at(0, 0));
+    const double from_high = at(1, 1) + (1.0 - u) * (at(0, 1) - at(1, 1)) + (1.0 - v) * (at(1, 0) - at(1, 1));
+    return corner.y + (u + v <= 1.0 ? from_low : from_high);
+}
+
+windrow::Result<void> validate(const Camera& camera) {
+    Refusals refusals;
+    place(refusals, "camera.position", camera.position);
+    place(refusals, "camera.target", camera.target);
+    refusals.range("camera.view_deg", static_cast<double>(camera.view_deg), 1.0, 150.0);
+    refusals.range("camera.near", static_cast<double>(camera.near), 1e-3, 1e3);
+    refusals.range("camera.far", static_cast<double>(camera.far), 1.01 * static_cast<double>(camera.near),
+                   1e6 * static_cast<double>(camera.near));
+    refusals.range("camera.exposure", static_cast<double>(camera.exposure), 1e-6, 1e6);
+    const glm::dvec3 sight = camera.target - camera.position;
+    const double level = glm::length(glm::dvec2(sight.x, sight.z));
+    if (!(level > 1e-3 * glm::length(sight)) || !(level > 0.0))
+        refusals.add("camera.target lies straight above, below or at camera.position; move it aside, so that up has a meaning.");
+    return refusals.result();
+}
+
+windrow::Result<void> validate(const Sun& sun) {
+    Refusals refusals;
+    refusals.range("sun.elevation_deg", static_cast<double>(sun.elevation_deg), 1.0, 90.0);
+    refusals.range("sun.azimuth_deg", static_cast<double>(sun.azimuth_deg), -360.0, 360.0);
+    refusals.range("sun.irradiance", static_cast<double>(sun.irradiance), 1e-6, 100.0);
+    refusals.range("sun.haze", static_cast<double>(sun.haze), 0.0, 0.5);
+    refusals.range("sun.radius_deg", static_cast<double>(sun.radius_deg), 0.05, 5.0);
+    return refusals.result();
+}
+
+windrow::Result<void> validate(const Fog& fog) {
+    Refusals refusals;
+    refusals.range("fog.density", static_cast<double>(fog.density), 0.0, 1.0);
+    refusals.range("fog.fall", static_cast<double>(fog.fall), 0.0, 1.0);
+    refusals.range("fog.base", fog.base, -k_farthest, k_farthest);
+    return refusals.result();
+}
+
+windrow::Result<void> validate(const Heightmap& ground) {
+    Refusals refusals;
+    place(refusals, "ground.corner", ground.corner);
+    refusals.range("ground.spacing", static_cast<double>(ground.spacing), 1e-3, 1e4);
+    refusals.range("ground.columns", ground.columns, 2, k_most_samples);
+    refusals.range("ground.rows", ground.rows, 2, k_most_samples);
+    const std::size_t wanted =
+        static_cast<std::size_t>(std::max(ground.columns, 0)) * static_cast<std::size_t>(std::max(ground.rows, 0));
+    if (!ground.heights.empty() && ground.heights.size() != wanted)
+        refusals.add("ground.heights has " + std::to_string(ground.heights.size()) +
+                     " samples; give it columns * rows = " + std::to_string(wanted) + " of them, or none for flat ground.");
+    const auto wrong =
+        std::find_if(ground.heights.begin(), ground.heights.end(), [](float height) { return !(std::abs(height) <= 1e5f); });
+    if (wrong != ground.heights.end())
+        refusals.range(("ground.heights[" + std::to_string(wrong - ground.heights.begin()) + "]").c_str(),
+                       static_cast<double>(*wrong), -1e5, 1e5);
+    return refusals.result();
+}
+
+windrow::Result<void> validate(const PlantLook& look) {
+    Refusals refusals;
+    colour(refusals, "look.root", look.root);
+    colour(refusals, "look.tip", look.tip);
+    colour(refusals, "look.dry", look.dry);
+    colour(refusals, "look.through", look.through);
+    const glm::vec3 through = (1.0f + 0.1f * look.against_light) *
+                              glm::max(look.through, 0.3f * look.through + 0.7f * look.dry); // as plant.frag mixes them
+    const glm::vec3 brightest = glm::max(look.root, glm::max(look.tip, look.dry)) + through;
+    refusals.range("look's brightest colour and (1 + against_light / 10) times what shines through it, together",
+                   static_cast<double>(std::max({brightest.r, brightest.g, brightest.b})), 0.0, 0.6);
+    refusals.range("look.variation", static_cast<double>(look.variation), 0.0, 0.9);
+    refusals.range("look.root_light", static_cast<double>(look.root_light), 0.0, 1.0);
+    refusals.range("look.gloss", static_cast<double>(look.gloss), 1.0, 1000.0);
+    refusals.range("look.against_light", static_cast<double>(look.against_light), 0.0, 20.0);
+    refusals.range("look.even_from", static_cast<double>(look.even_from), 1e-3, 1e6);
+    return refusals.result();
+}
+
+windrow::Result<void> validate(const Scene& scene) {
+    Refusals refusals;
+    refusals.add(validate(scene.camera));
+    refusals.add(validate(scene.sun));
+    refusals.add(validate(scene.fog));
+    refusals.add(validate(scene.ground));
+    refusals.add(windrow::validate(scene.plants));
+    refusals.add(validate(scene.look));
+    refusals.add(windrow::validate(scene.wind.wind));
+    refusals.add(windrow::validate(scene.wind.sampling));
+    for (const windrow::Motor& motor : scene.wind.motors)
+        refusals.add(windrow::validate(motor));
+    return refusals.result();
+}
+
+} // namespace render

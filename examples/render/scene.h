@@ -1,0 +1,88 @@
+// What a picture is of: where the eye is, where the sun stands, what the air holds, the ground, the plants' look, the wind.
+// Right-handed, y up, metres; places are double, since shaders work relative to the anchor. `validate` tells every reason why a
+// scene cannot be drawn, a line each, field, value and fix.
+#pragma once
+
+#include "coupling/blade.h"
+#include "fluid/motor.h"
+#include "fluid/wind.h"
+
+#include <glm/vec3.hpp>
+#include <vector>
+
+namespace render {
+
+struct Camera {
+    glm::dvec3 position{0.0, 1.7, 0.0}; ///< [m]
+    glm::dvec3 target{0.0, 1.2, -10.0}; ///< [m] what it looks at; not straight above or below
+    float view_deg = 45.0f;             ///< height of the picture as an angle, 1 to 150. Default 45: a calm lens
+    float near = 0.1f;                  ///< [m] above 0. Default 0.1: a blade before the lens is cut off there
+    float far = 2000.0f;                ///< [m] beyond near, at most 1e6 near: depth is float
+    float exposure = 1.0f;              ///< factor on light before the film's curve, above 0
+};
+
+/// The sun and the air that it shines through: shaders/numerics/sky.glsl.
+struct Sun {
+    float elevation_deg = 26.0f; ///< above the horizon, 1 to 90. Default 26: long shadows and a warm light
+    float azimuth_deg = 222.0f;  ///< where it stands, from x (0) toward z (90), -360 to 360
+    float irradiance = 10.0f;    ///< above the air, in units of the picture, above 0 to 100
+    float haze = 0.06f;          ///< Angstrom's turbidity, 0 to 0.5. Default 0.06: a clear summer's day
+    float radius_deg = 0.2666f;  ///< of the disk, 0.05 to 5. Default: as seen from the earth
+};
+
+struct Fog {
+    float density = 0.0015f; ///< [1/m] at height `base`, 0 (none) to 1. Default 0.0015: e^-1 at 670 m
+    float fall = 0.02f;      ///< [1/m] it thins as exp(-fall * height), 0 to 1
+    double base = 0.0;       ///< [m] height
+};
+
+/// Heights on a grid: the ground. The default is flat.
+struct Heightmap {
+    glm::dvec3 corner{-50.0, 0.0, -50.0}; ///< [m] place of the first sample; y is added to all heights
+    float spacing = 1.0f;                 ///< [m] between samples, 1e-3 to 1e4
+    int columns = 101, rows = 101;        ///< samples along x and along z, 2 to 4097
+    std::vector<float> heights{};         ///< [m] row by row along x; empty: all 0
+
+    /// [m] On the triangles that are drawn; beyond the rim that of the rim.
+    [[nodiscard]] double height(double x, double z) const;
+};
+
+/// Colours are linear albedo, 0 to 1. What comes back and what shines through, the latter times 1 + against_light / 10, add up to
+/// at most 0.6: leaves of all directions then give no more light than they get.
+struct PlantLook {
+    glm::vec3 root{0.032f, 0.052f, 0.014f};    ///< where it leaves the ground
+    glm::vec3 tip{0.120f, 0.170f, 0.045f};     ///< of a fresh one
+    glm::vec3 dry{0.280f, 0.230f, 0.110f};     ///< the driest tips
+    glm::vec3 through{0.125f, 0.170f, 0.030f}; ///< light that shines through it
+    float variation = 0.18f;                   ///< share by which single plants are lighter or darker, 0 to 0.9
+    float root_light = 0.35f;                  ///< what the neighbours leave of the sky's light at the root, 0 to 1
+    float gloss = 24.0f;                       ///< exponent, 1 to 1000
+    float against_light = 2.5f;                ///< how much more shines through against the light, 0 to 20
+    float even_from = 45.0f; ///< [m] where normals have become the ground's and ground the plants' colour, above 0
+};
+
+/// What blows. Motors are those at the start; a host moves them.
+struct WindScene {
+    windrow::Config wind{};
+    std::vector<windrow::Motor> motors{};
+    windrow::Sampling sampling{};
+};
+
+struct Scene {
+    Camera camera{};
+    Sun sun{};
+    Fog fog{};
+    Heightmap ground{};
+    windrow::BladeSettings plants{};
+    PlantLook look{};
+    WindScene wind{};
+};
+
+[[nodiscard]] windrow::Result<void> validate(const Camera& camera);
+[[nodiscard]] windrow::Result<void> validate(const Sun& sun);
+[[nodiscard]] windrow::Result<void> validate(const Fog& fog);
+[[nodiscard]] windrow::Result<void> validate(const Heightmap& ground);
+[[nodiscard]] windrow::Result<void> validate(const PlantLook& look);
+[[nodiscard]] windrow::Result<void> validate(const Scene& scene);
+
+} // namespace render

@@ -1,0 +1,53 @@
+#include "examples/render/terrain.h"
+
+#include "examples/render/descriptors.h"
+#include "examples/render/plant_look_block.h"
+#include "shader_words/terrain_frag.h"
+#include "shader_words/terrain_shadow_vert.h"
+#include "shader_words/terrain_vert.h"
+
+#include <array>
+#include <cstring>
+#include <vulkan/vulkan.h>
+
+namespace render {
+
+namespace words = windrow::vulkan::shader_words;
+
+engine::Buffer Terrain::heights(engine::Device& device, const Heightmap& ground) {
+    const std::size_t bytes = sizeof(float) * static_cast<std::size_t>(ground.columns) * static_cast<std::size_t>(ground.rows);
+    engine::Buffer made = device.make_buffer(bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    if (ground.heights.empty())
+        std::memset(made.mapped, 0, bytes);
+    else
+        std::memcpy(made.mapped, ground.heights.data(), bytes);
+    return made;
+}
+
+Terrain::Terrain(engine::Device& device, const DrawTargets& targets, const Heightmap& ground, const PlantLook& look)
+    : cells_x_(static_cast<std::uint32_t>(ground.columns - 1)), cells_z_(static_cast<std::uint32_t>(ground.rows - 1)) {
+    const std::array bindings{Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_SHADER_STAGE_ALL_GRAPHICS}};
+    const VkDescriptorSetLayout own = make_layout(device, bindings);
+    const std::array sets{targets.frame, targets.wind, own};
+    layout_ = make_pipeline_layout(device, sets);
+    colour_ = make_pipeline(
+        device, {.vertex = words::terrain_vert, .fragment = words::terrain_frag, .layout = layout_, .target = targets.colour});
+    shadow_ =
+        make_pipeline(device, {.vertex = words::terrain_shadow_vert, .layout = layout_, .target = targets.shadow, .bias = true});
+    make_sets(device, own, bindings, std::span(&set_, 1));
+    const engine::Buffer block = device.make_buffer(sizeof(PlantLookBlock), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+    const PlantLookBlock content(look);
+    std::memcpy(block.mapped, &content, sizeof content);
+    point(device, set_, 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, block.buffer);
+}
+
+void Terrain::draw(const PassContext& context) {
+    const std::array sets{context.frame, context.wind, set_};
+    vkCmdBindDescriptorSets(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 0, 3, sets.data(), 0, nullptr);
+    if (context.pass == Pass::shadow)
+        vkCmdPushConstants(context.commands, layout_, VK_SHADER_STAGE_ALL, 0, sizeof context.cascade, &context.cascade);
+    vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.pass == Pass::shadow ? shadow_ : colour_);
+    vkCmdDraw(context.commands, 6 * cells_x_, cells_z_, 0, 0);
+}
+
+} // namespace render

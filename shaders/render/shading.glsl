@@ -1,0 +1,53 @@
+// Sun, shadow and fog at a point, for fragments.
+#ifndef WINDROW_RENDER_SHADING_GLSL
+#define WINDROW_RENDER_SHADING_GLSL
+
+#include "frame.glsl"
+#include "../numerics/leaf_light.glsl"
+
+// Share of the sun that reaches `at`, in one of the two maps: nine bilinear comparisons, a tent of four texels.
+float shadow_share(int cascade, vec3 at) {
+    vec3 clip = (frame.shadow[cascade] * vec4(at, 1.0)).xyz;
+    vec2 uv = 0.5 * clip.xy + 0.5;
+    float texel = frame.shadow_texel.z;
+    uv = clamp(uv, vec2(2.0 * texel), vec2(1.0 - 2.0 * texel)); // what lies beside must not leak from the map's other half
+    float lit = 0.0;
+    for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x) {
+            vec2 tap = uv + texel * vec2(x, y);
+            lit += texture(shadow_map, vec3(0.5 * (tap.x + float(cascade)), tap.y, clip.z));
+        }
+    return lit / 9.0;
+}
+
+// `lift` is the unit vector along which the point is moved off its surface, by texels, so that it does not shade itself.
+float sun_share(vec3 position, vec3 lift) {
+    float distance = length(position - frame.eye.xyz);
+    float reach = frame.shadow_texel.w;
+    float far = smoothstep(0.8 * reach, reach, distance);
+    float lit = 0.0;
+    if (far < 1.0)
+        lit += (1.0 - far) * shadow_share(0, position + 1.5 * frame.shadow_texel.x * lift);
+    if (far > 0.0) {
+        vec3 at = position + 1.5 * frame.shadow_texel.y * lift;
+        vec3 clip = (frame.shadow[1] * vec4(at, 1.0)).xyz;
+        float edge = smoothstep(0.9, 1.0, max(abs(clip.x), abs(clip.y))); // beyond the map all is lit
+        lit += far * mix(shadow_share(1, at), 1.0, edge);
+    }
+    return lit;
+}
+
+// Air between the eye and p: density falls upward as exp(-fall * height), integrated along the ray; what it scatters in has the colour of the
+// sky near the horizon there. Based on: Wenzel 2006, Real-time atmospheric effects in games (height fog in closed form).
+vec3 fogged(vec3 radiance, vec3 p) {
+    vec3 ray = p - frame.eye.xyz;
+    float distance = length(ray);
+    float fall = frame.skylight.w;
+    float rise = fall * ray.y;
+    float mean = abs(rise) < 1e-3 ? 1.0 - 0.5 * rise : (1.0 - exp(-rise)) / rise;
+    float depth = frame.sunlight.w * exp(-fall * (frame.eye.y - frame.groundlight.w)) * distance * mean;
+    vec3 level = normalize(vec3(ray.x, max(0.06 * length(ray.xz), ray.y), ray.z));
+    return mix(windrow_sky_radiance(frame.sky, level), radiance, exp(-depth));
+}
+
+#endif
