@@ -1,0 +1,51 @@
+#include "examples/grass/grass_block.h"
+
+#include <algorithm>
+
+namespace grass {
+namespace {
+
+windrow::numerics::WindrowBlade shared(const windrow::BladeBlock& block) {
+    return {block.size, block.form, block.own, {block.drag.load}};
+}
+
+} // namespace
+
+std::uint64_t chunk_bytes(const GrassSettings& settings) {
+    const std::uint64_t places =
+        static_cast<std::uint64_t>(settings.chunk_cells) * static_cast<std::uint64_t>(settings.chunk_cells);
+    constexpr std::uint64_t views = 2, levels = 2, command = 16, chunk_place = 8;
+    return places * (sizeof(BladeRecord) + views * sizeof(std::uint32_t)) + views * levels * command + chunk_place;
+}
+
+float blade_reach(const GrassSettings& settings) {
+    // The bend keeps its length within 0.4 % (shaders/numerics/stem.glsl).
+    const float longest = 1.004f * settings.blade.stalk.length * (1.0f + settings.blade.length_spread);
+    return longest + 0.5f * std::max(settings.blade.width, settings.least_width * settings.cut_distance);
+}
+
+Block block_of(const GrassSettings& settings, const HeightMap& heights, const PlacementMask& mask) {
+    Block block{};
+    block.corner.w = blade_reach(settings);
+    block.eye.w = settings.least_width;
+    block.reach = {settings.morph_from * settings.split_distance, settings.split_distance,
+                   settings.fade_from * settings.cut_distance, settings.cut_distance};
+    block.ground = {settings.density, settings.jitter, std::min(settings.shadow_distance, settings.cut_distance), 0.0f};
+    block.cells = glm::ivec4(cells_of(heights, settings), settings.chunk_cells, static_cast<std::int32_t>(settings.seed));
+    block.corners = glm::ivec4(heights.grid().corners, mask.grid().corners);
+    block.spacing = glm::vec4(heights.grid().spacing, mask.grid().spacing);
+    if (const auto blades = windrow::Blades::create(settings.blade))
+        block.blade = shared(blades->block());
+    return block;
+}
+
+BladeRecord blade_at(const Block& block, const HeightMap& heights, const PlacementMask& mask, glm::ivec2 cell) {
+    if (cell.x >= block.cells.x || cell.y >= block.cells.y)
+        return BladeRecord(0.0f);
+    const glm::vec2 place =
+        windrow::numerics::windrow_grass_place(cell, block.ground.x, block.ground.y, static_cast<std::uint32_t>(block.cells.w));
+    const float size = windrow::numerics::windrow_grass_size(mask.alpha(place));
+    return {place.x, heights.height(place), place.y, size};
+}
+
+} // namespace grass
