@@ -57,6 +57,15 @@ glm::vec3 sky_irradiance(const SkyBlock& sky) {
     return glm::vec3(sum * (2.0 * glm::pi<double>() / (rows * columns)));
 }
 
+CloudBlock cloud_block(const Clouds& clouds, glm::dvec3 anchor, double time) {
+    const glm::dvec2 here(anchor.x, anchor.z);
+    const glm::dvec2 cell = (here - glm::dvec2(clouds.drift) * time) / static_cast<double>(clouds.size);
+    CloudBlock block;
+    block.place = glm::vec4(glm::vec2(cell), static_cast<float>(clouds.height - anchor.y), 1.0f / clouds.size);
+    block.form = {clouds.cover, clouds.depth, 0.72f, 0.0f}; // 0.72: much of a droplet's 0.85 is lost in many scatterings
+    return block;
+}
+
 ShadowView shadow_view(const Camera& camera, float aspect, glm::dvec3 anchor, const SkyBlock& sky, float from, float to,
                        int texels) {
     // The smallest ball around the slice whose middle lies on the line of sight.

@@ -16,6 +16,12 @@ struct SkyBlock {
     glm::vec4 haze{0.0f};
 };
 
+/// WindrowClouds of shaders/numerics/cloud_layer.glsl.
+struct CloudBlock {
+    glm::vec4 place{0.0f, 0.0f, 1.0f, 1.0f};
+    glm::vec4 form{0.0f};
+};
+
 /// A uniform block of std140 layout.
 struct FrameBlock {
     glm::mat4 view_projection{1.0f}, view_projection_before{1.0f}, from_clip{1.0f};
@@ -26,8 +32,9 @@ struct FrameBlock {
     glm::vec4 shadow_texel{0.0f};
     glm::vec4 terrain{0.0f};
     glm::ivec4 terrain_size{0};
+    CloudBlock clouds{};
 };
-static_assert(sizeof(FrameBlock) == 496);
+static_assert(sizeof(FrameBlock) == 528);
 
 /// From world to clip space of Vulkan: y down, depth 0 to 1. `anchor` [m] is where shaders count from.
 [[nodiscard]] glm::mat4 view_projection(const Camera& camera, float aspect, glm::dvec3 anchor);
@@ -38,6 +45,9 @@ static_assert(sizeof(FrameBlock) == 496);
 [[nodiscard]] glm::vec3 sun_irradiance(const SkyBlock& sky);
 /// Irradiance that a level face has from the whole sky: an integral over 32 x 64 directions.
 [[nodiscard]] glm::vec3 sky_irradiance(const SkyBlock& sky);
+
+/// The clouds at a time [s], relative to an anchor [m].
+[[nodiscard]] CloudBlock cloud_block(const Clouds& clouds, glm::dvec3 anchor, double time);
 
 /// One shadow map: an orthographic view along the sun.
 struct ShadowView {

@@ -12,6 +12,7 @@
 #define WINDROW_FN inline
 namespace render::numerics {
 using namespace glm;
+#include "shaders/numerics/cloud_layer.glsl"
 #include "shaders/numerics/leaf_light.glsl"
 #include "shaders/numerics/motion_vector.glsl"
 #include "shaders/numerics/sky.glsl"

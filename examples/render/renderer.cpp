@@ -80,7 +80,7 @@ windrow::Result<std::unique_ptr<Renderer>> Renderer::create(engine::Device& devi
 }
 
 Renderer::Renderer(engine::Device& device, const Scene& scene, const RenderSettings& settings)
-    : device_(device), settings_(settings), sampling_(scene.wind.sampling),
+    : device_(device), settings_(settings), clouds_(scene.clouds), sampling_(scene.wind.sampling),
       images_(device, extent_of(settings), settings.samples == 1 ? VK_SAMPLE_COUNT_1_BIT : VK_SAMPLE_COUNT_4_BIT), clock_(device),
       wind_(device) {
     const auto side = static_cast<std::uint32_t>(settings.shadow_texels);
@@ -118,6 +118,7 @@ Renderer::Renderer(engine::Device& device, const Scene& scene, const RenderSetti
     block_.sunlight.w = scene.fog.density;
     block_.skylight.w = scene.fog.fall;
     block_.groundlight.w = static_cast<float>(scene.fog.base - settings.anchor.y);
+    set_time(0.0);
     (void)set_sun(scene.sun); // was validated
 }
 
@@ -141,6 +142,10 @@ DrawTargets Renderer::draw_targets() const {
             .shadow = {shadow_pass_->handle(), VK_SAMPLE_COUNT_1_BIT, 0, true},
             .frame = frame_layout_,
             .wind = wind_.layout()};
+}
+
+void Renderer::set_time(double seconds) {
+    block_.clouds = cloud_block(clouds_, settings_.anchor, seconds);
 }
 
 windrow::Result<void> Renderer::set_sun(const Sun& sun) {

@@ -57,6 +57,8 @@ class Renderer {
     /// Records the copy to the host, after `record`.
     void copy(const engine::Frame& frame);
 
+    /// [s] Where the clouds are from now on. Default 0.
+    void set_time(double seconds);
     /// The sun from now on.
     windrow::Result<void> set_sun(const Sun& sun);
     [[nodiscard]] const Targets& images() const { return images_; }
@@ -72,6 +74,7 @@ class Renderer {
 
     engine::Device& device_;
     RenderSettings settings_;
+    Clouds clouds_;
     windrow::Sampling sampling_;
     Targets images_;
     StageClock clock_;

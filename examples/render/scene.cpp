@@ -73,6 +73,17 @@ windrow::Result<void> validate(const Fog& fog) {
     return refusals.result();
 }
 
+windrow::Result<void> validate(const Clouds& clouds) {
+    Refusals refusals;
+    refusals.range("clouds.cover", static_cast<double>(clouds.cover), 0.0, 1.0);
+    refusals.range("clouds.height", clouds.height, -k_farthest, k_farthest);
+    refusals.range("clouds.size", static_cast<double>(clouds.size), 1.0, 1e5);
+    refusals.range("clouds.depth", static_cast<double>(clouds.depth), 0.0, 100.0);
+    refusals.range("clouds.drift.x", static_cast<double>(clouds.drift.x), -200.0, 200.0);
+    refusals.range("clouds.drift.z", static_cast<double>(clouds.drift.y), -200.0, 200.0);
+    return refusals.result();
+}
+
 windrow::Result<void> validate(const Heightmap& ground) {
     Refusals refusals;
     place(refusals, "ground.corner", ground.corner);
@@ -116,6 +127,7 @@ windrow::Result<void> validate(const Scene& scene) {
     refusals.add(validate(scene.camera));
     refusals.add(validate(scene.sun));
     refusals.add(validate(scene.fog));
+    refusals.add(validate(scene.clouds));
     refusals.add(validate(scene.ground));
     refusals.add(windrow::validate(scene.plants));
     refusals.add(validate(scene.look));

@@ -36,6 +36,15 @@ struct Fog {
     double base = 0.0;       ///< [m] height
 };
 
+/// A level sheet of clouds that drifts: shaders/numerics/cloud_layer.glsl.
+struct Clouds {
+    float cover = 0.0f;           ///< share of the sky, 0 (none, and nothing is computed) to 1. Default 0
+    double height = 900.0;        ///< [m] in the world, -1e9 to 1e9. Default 900: cumulus on a summer's day
+    float size = 700.0f;          ///< [m] of the largest lumps, 1 to 1e5
+    float depth = 3.0f;           ///< optical depth of the thickest, 0 to 100. Default 3: the sun is a pale disk behind it
+    glm::vec2 drift{6.0f, -2.0f}; ///< [m/s] along x and z, -200 to 200: the wind up there
+};
+
 /// Heights on a grid: the ground. The default is flat.
 struct Heightmap {
     glm::dvec3 corner{-50.0, 0.0, -50.0}; ///< [m] place of the first sample; y is added to all heights
@@ -72,6 +81,7 @@ struct Scene {
     Camera camera{};
     Sun sun{};
     Fog fog{};
+    Clouds clouds{};
     Heightmap ground{};
     windrow::BladeSettings plants{};
     PlantLook look{};
@@ -81,6 +91,7 @@ struct Scene {
 [[nodiscard]] windrow::Result<void> validate(const Camera& camera);
 [[nodiscard]] windrow::Result<void> validate(const Sun& sun);
 [[nodiscard]] windrow::Result<void> validate(const Fog& fog);
+[[nodiscard]] windrow::Result<void> validate(const Clouds& clouds);
 [[nodiscard]] windrow::Result<void> validate(const Heightmap& ground);
 [[nodiscard]] windrow::Result<void> validate(const PlantLook& look);
 [[nodiscard]] windrow::Result<void> validate(const Scene& scene);

@@ -3,6 +3,7 @@
 #ifndef WINDROW_RENDER_FRAME_GLSL
 #define WINDROW_RENDER_FRAME_GLSL
 
+#include "../numerics/cloud_layer.glsl"
 #include "../numerics/sky.glsl"
 
 layout(std140, set = 0, binding = 0) uniform RenderFrame {
@@ -19,6 +20,7 @@ layout(std140, set = 0, binding = 0) uniform RenderFrame {
     vec4 shadow_texel; // x, y [m] of the near and the far shadow; z its share of the map's height; w reach of the near one [m]
     vec4 terrain;      // x, y place of the corner sample along x and z; z [m] between samples; w [m] added to its heights
     ivec4 terrain_size; // x columns, y rows
+    WindrowClouds clouds;
 } frame;
 
 layout(set = 0, binding = 1) uniform sampler2DShadow shadow_map; // near and far side by side

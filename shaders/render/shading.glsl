@@ -5,7 +5,7 @@
 #include "frame.glsl"
 #include "../numerics/leaf_light.glsl"
 
-// Share of the sun that reaches `at`, in one of the two maps: nine bilinear comparisons, a tent of four texels.
+// Share of the sun that reaches `at`, by one of the two maps: nine bilinear comparisons, a tent of four texels.
 float shadow_share(int cascade, vec3 at) {
     vec3 clip = (frame.shadow[cascade] * vec4(at, 1.0)).xyz;
     vec2 uv = 0.5 * clip.xy + 0.5;
@@ -20,7 +20,7 @@ float shadow_share(int cascade, vec3 at) {
     return lit / 9.0;
 }
 
-// `lift` is the unit vector along which the point is moved off its surface, by texels, so that it does not shade itself.
+// Of the sun's beam, past what stands in the maps and past the clouds. `lift` is the unit vector along which the point is moved off its surface, by texels, so that it does not shade itself.
 float sun_share(vec3 position, vec3 lift) {
     float distance = length(position - frame.eye.xyz);
     float reach = frame.shadow_texel.w;
@@ -34,7 +34,7 @@ float sun_share(vec3 position, vec3 lift) {
         float edge = smoothstep(0.9, 1.0, max(abs(clip.x), abs(clip.y))); // beyond the map all is lit
         lit += far * mix(shadow_share(1, at), 1.0, edge);
     }
-    return lit;
+    return lit * windrow_cloud_light(frame.clouds, frame.sky.sun.xyz, position);
 }
 
 // Air between the eye and p: density falls upward as exp(-fall * height), integrated along the ray; what it scatters in has the colour of the

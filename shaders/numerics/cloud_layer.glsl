@@ -1,0 +1,87 @@
+// A layer of clouds: one level sheet of optical depth that drifts, seen from below, and the share of the sun that it leaves.
+//
+//   f(x)   = sum_k 2^-k noise(2^k x + o_k) / sum_k 2^-k      value noise, 0 to 1; x = (place + offset) / size
+//   tau(x) = depth * s(f; 1 - c', 1.3 - c')                  c' moves with the cover; s smoothstep; 0 where the sky is clear
+//   T      = exp(-tau m)                                     what passes along a ray of air mass m (1 straight up)
+//   L      = E_sun (P(cos) + a(tau_s)) (1 - T) + L_around (1 - T)
+//            P Henyey and Greenstein's, a the light that came there by many scatterings, falling with the depth toward the sun
+//
+// Depth toward the sun is taken from the sheet itself a little way along the sun's azimuth: the side that faces the sun is bright, the
+// other grey. It is a picture's cloud, not a physicist's: `a` and that way are ours. Positions [m] from the anchor.
+// Based on: Henyey & Greenstein 1941; Perlin 1985, An image synthesizer (sums of octaves); Schneider 2015, The real-time volumetric cloudscapes of
+// Horizon Zero Dawn (remapping noise by cover, light toward the sun).
+#ifndef WINDROW_CLOUD_LAYER_GLSL
+#define WINDROW_CLOUD_LAYER_GLSL
+
+#ifndef WINDROW_FN
+#define WINDROW_FN
+#endif
+
+#include "place_noise.glsl"
+#include "sky.glsl"
+
+struct WindrowClouds {
+    vec4 place; // xy noise's cell at the anchor, drift included; z [m] height above the anchor; w [1/m] cells a metre
+    vec4 form;  // x cover, 0 (none) to 1 (all); y optical depth of the thickest; z asymmetry of a droplet's scattering; w 0
+};
+
+// Sum of octaves, 0 to 1.
+WINDROW_FN float windrow_octaves(vec2 at, int count) {
+    float sum = 0.0f;
+    float all = 0.0f;
+    float share = 1.0f;
+    for (int k = 0; k < count; ++k) {
+        sum += share * windrow_place_noise(at);
+        all += share;
+        share *= 0.5f;
+        at = 2.03f * vec2(0.8f * at.x - 0.6f * at.y, 0.6f * at.x + 0.8f * at.y) + 17.3f; // turned, so that no axis shows
+    }
+    return sum / all;
+}
+
+// [m] Place on the sheet along a ray that climbs, from `from`; xz of it. `up` is the ray's y, above 0.
+WINDROW_FN vec2 windrow_cloud_place(WindrowClouds clouds, vec3 from, vec3 ray) {
+    float way = (clouds.place.z - from.y) / ray.y;
+    return vec2(from.x, from.z) + way * vec2(ray.x, ray.z);
+}
+
+// Optical depth straight up through the sheet at a place [m from the anchor].
+WINDROW_FN float windrow_cloud_depth(WindrowClouds clouds, vec2 place, int octaves) {
+    if (!(clouds.form.x > 0.0f))
+        return 0.0f;
+    float f = windrow_octaves(vec2(clouds.place) + place * clouds.place.w, octaves);
+    float clear_below = 0.78f - 0.62f * clouds.form.x; // octaves rarely leave 0.16 to 0.84
+    float t = clamp((f - clear_below) / 0.3f, 0.0f, 1.0f);
+    return clouds.form.y * t * t * (3.0f - 2.0f * t);
+}
+
+// Share of the sun's beam that reaches p [m]; 1 above the sheet and with no clouds. Blurred as by a sheet that is not thin.
+WINDROW_FN float windrow_cloud_light(WindrowClouds clouds, vec3 to_sun, vec3 p) {
+    if (!(clouds.form.x > 0.0f) || !(to_sun.y > 0.02f) || p.y >= clouds.place.z)
+        return 1.0f;
+    float tau = windrow_cloud_depth(clouds, windrow_cloud_place(clouds, p, to_sun), 3);
+    return 0.3f + 0.7f * exp(-0.6f * tau); // light that is scattered forward arrives too
+}
+
+// xyz radiance of the clouds along a ray [unit vector] from the eye, w share of what lies behind that still shines through. `sunlight` is the
+// beam's irradiance, `around` the sky's radiance there.
+WINDROW_FN vec4 windrow_cloud_radiance(WindrowClouds clouds, vec3 to_sun, vec3 eye, vec3 ray, vec3 sunlight, vec3 around) {
+    if (!(clouds.form.x > 0.0f) || !(ray.y > 0.005f) || eye.y >= clouds.place.z)
+        return vec4(0.0f, 0.0f, 0.0f, 1.0f);
+    vec2 place = windrow_cloud_place(clouds, eye, ray);
+    float tau = windrow_cloud_depth(clouds, place, 5);
+    float slant = min(1.0f / ray.y, 6.0f);
+    float passed = exp(-tau * slant);
+    vec2 toward = vec2(to_sun.x, to_sun.z) * (0.22f / (clouds.place.w * max(to_sun.y, 0.2f)));
+    float before = windrow_cloud_depth(clouds, place + 0.5f * toward, 4);
+    float lit = 0.75f * exp(-0.9f * before) + 0.25f;
+    float forward = windrow_haze_phase(dot(ray, to_sun), clouds.form.z) * exp(-tau);
+    vec3 radiance = sunlight * (0.16f * lit + min(forward, 1.5f)) + 0.75f * around;
+    // Far clouds drown in the air's own light.
+    float near = exp(-(clouds.place.z - eye.y) / (ray.y * 14000.0f));
+    float cover = (1.0f - passed) * near;
+    vec3 shown = radiance * cover;
+    return vec4(shown.x, shown.y, shown.z, 1.0f - cover);
+}
+
+#endif
