@@ -16,5 +16,6 @@ using namespace glm;
 #include "shaders/numerics/leaf_light.glsl"
 #include "shaders/numerics/motion_vector.glsl"
 #include "shaders/numerics/sky.glsl"
+#include "shaders/numerics/speed_colour.glsl"
 } // namespace render::numerics
 #undef WINDROW_FN
