@@ -1,6 +1,6 @@
 // Tutorial: a meadow in the wind, drawn by the small renderer of examples/render.
 //
-//     meadow [FRAMES [FOLDER]]     draws so many frames of 1/30 s (default 6) into FOLDER (meadow): frame_0001.png ...,
+//     small_meadow [FRAMES [FOLDER]]     draws so many frames of 1/30 s (default 6) into FOLDER (meadow): frame_0001.png ...,
 //                                  and the last one's light and motion as last.exr
 //
 // 1. Say what the picture is of: a Scene has the eye, the sun, the fog, the ground, the plants and their look, the wind.
@@ -88,7 +88,7 @@ int main(int argument_count, char** arguments) {
         const char* const end = arguments[1] + std::strlen(arguments[1]);
         const auto read = std::from_chars(arguments[1], end, frames_wanted);
         if (read.ec != std::errc{} || read.ptr != end || frames_wanted < 1 || frames_wanted > 9999 || argument_count > 3)
-            engine::give_up("usage: meadow [FRAMES [FOLDER]], FRAMES from 1 to 9999", 2);
+            engine::give_up("usage: small_meadow [FRAMES [FOLDER]], FRAMES from 1 to 9999", 2);
     }
     std::error_code error;
     std::filesystem::create_directories(folder, error);

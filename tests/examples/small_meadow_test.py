@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""meadow_test.py PROGRAM: runs the example meadow under the validation layer and looks at what it draws.
+"""small_meadow_test.py PROGRAM: runs the example small_meadow under the validation layer and looks at what it draws.
 
 The layer checks each call and the synchronisation between them; whatever it says lands in the output, which must be the program's own
 lines. Needs the layer (Debian: vulkan-validationlayers) and a driver; without either it fails.
@@ -100,7 +100,7 @@ class Meadow(unittest.TestCase):
             with self.subTest(arguments):
                 run = self.run_program(*arguments)
                 self.assertEqual(run.returncode, 2)
-                self.assertIn("usage: meadow", run.stdout)
+                self.assertIn("usage: small_meadow", run.stdout)
 
     def test_a_folder_that_cannot_be_made_is_told(self):
         (self.folder / "file").write_text("")
