@@ -26,17 +26,16 @@ constexpr double k_settle = 2.0;                    // [s] of wind before the fi
 constexpr glm::dvec3 k_field{4.0e5, 120.0, -2.5e5}; // [m] the meadow, far from the world's origin
 
 // Soft hills, 400 m across, with a dip where the eye stands: sums of cosines, ours.
-render::Heightmap hills() {
-    render::Heightmap ground{.corner = k_field - glm::dvec3(200.0, 0.0, 320.0), .spacing = 2.5f, .columns = 161, .rows = 161};
-    for (int row = 0; row < ground.rows; ++row)
-        for (int column = 0; column < ground.columns; ++column) {
-            const double x = column * 2.5 - 200.0, z = row * 2.5 - 320.0; // from the eye
-            const double hill =
-                5.0 * (1.0 - std::cos(0.021 * z + 0.004 * x)) + 2.2 * std::sin(0.035 * x + 0.6) * std::sin(0.028 * z);
-            const double far = 1.0 - std::exp(-(x * x + z * z) / (40.0 * 40.0));
-            ground.heights.push_back(static_cast<float>(hill * far + 0.12 * std::sin(0.4 * x) * std::sin(0.37 * z)));
-        }
-    return ground;
+render::Ground hills() {
+    auto heights = grass::HeightMap::create({161, 161}, 2.5f, [](glm::vec2 place) {
+        const double x = static_cast<double>(place.x) - 200.0, z = static_cast<double>(place.y) - 320.0; // from the eye
+        const double hill = 5.0 * (1.0 - std::cos(0.021 * z + 0.004 * x)) + 2.2 * std::sin(0.035 * x + 0.6) * std::sin(0.028 * z);
+        const double far = 1.0 - std::exp(-(x * x + z * z) / (40.0 * 40.0));
+        return static_cast<float>(hill * far + 0.12 * std::sin(0.4 * x) * std::sin(0.37 * z));
+    });
+    if (!heights)
+        engine::give_up(heights.error(), 2);
+    return {.corner = k_field - glm::dvec3(200.0, 0.0, 320.0), .heights = *std::move(heights)};
 }
 
 render::Scene meadow() {

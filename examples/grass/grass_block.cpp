@@ -21,7 +21,11 @@ std::uint64_t chunk_bytes(const GrassSettings& settings) {
 float blade_reach(const GrassSettings& settings) {
     // The bend keeps its length within 0.4 % (shaders/numerics/stem.glsl).
     const float longest = 1.004f * settings.blade.stalk.length * (1.0f + settings.blade.length_spread);
-    return longest + 0.5f * std::max(settings.blade.width, settings.least_width * settings.cut_distance);
+    // Where blades thin out, those that are left are wider.
+    const float share =
+        windrow::numerics::windrow_grass_share({settings.thin_from, settings.thin_power, 0.0f, 0.0f}, settings.cut_distance);
+    const float width = settings.blade.width / windrow::numerics::windrow_grass_cover(share);
+    return longest + 0.5f * std::max(width, settings.least_width * settings.cut_distance);
 }
 
 Block block_of(const GrassSettings& settings, const HeightMap& heights, const PlacementMask& mask) {
@@ -34,6 +38,9 @@ Block block_of(const GrassSettings& settings, const HeightMap& heights, const Pl
     block.cells = glm::ivec4(cells_of(heights, settings), settings.chunk_cells, static_cast<std::int32_t>(settings.seed));
     block.corners = glm::ivec4(heights.grid().corners, mask.grid().corners);
     block.spacing = glm::vec4(heights.grid().spacing, mask.grid().spacing);
+    block.thin = {settings.thin_from, settings.thin_power, 0.0f, 0.0f};
+    block.clump = {1.0f / settings.clump_size, settings.clump_height, settings.clump_lean, settings.clump_fan};
+    block.patches = {1.0f / settings.patch_size, settings.patch_height, 0.0f, 0.0f};
     if (const auto blades = windrow::Blades::create(settings.blade))
         block.blade = shared(blades->block());
     return block;
@@ -44,8 +51,9 @@ BladeRecord blade_at(const Block& block, const HeightMap& heights, const Placeme
         return BladeRecord(0.0f);
     const glm::vec2 place =
         windrow::numerics::windrow_grass_place(cell, block.ground.x, block.ground.y, static_cast<std::uint32_t>(block.cells.w));
-    const float size = windrow::numerics::windrow_grass_size(mask.alpha(place));
-    return {place.x, heights.height(place), place.y, size};
+    const float size =
+        windrow::numerics::windrow_grass_size(mask.alpha(place)) * windrow::numerics::windrow_grass_growth(block, place);
+    return {place.x, std::min(heights.height(place), heights.drawn_height(place)), place.y, size};
 }
 
 } // namespace grass

@@ -10,7 +10,7 @@ namespace grass {
 
 /// WindrowGrass of shaders/numerics/grass.glsl says what each component is; std140.
 using Block = windrow::numerics::WindrowGrass;
-static_assert(sizeof(Block) == 8 * 16 + 12 * 16 + 64);
+static_assert(sizeof(Block) == 11 * 16 + 12 * 16 + 64);
 
 /// A blade as it is stored: xyz [m] its root from the field's corner, w its size, 0 where none stands. A chunk has
 /// chunk_cells * chunk_cells of them, x fastest, also where the field ends within it.

@@ -85,12 +85,12 @@ windrow::Result<void> GrassField::State::make() {
         bound.push_back({kinds.back(), *made});
     }
     const auto passes = objects.layout(kinds, VK_SHADER_STAGE_COMPUTE_BIT);
-    const auto vertices = objects.layout(std::span(kinds).first(4), VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_COMPUTE_BIT);
+    const auto vertices = objects.layout(std::span(kinds).first(6), VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_COMPUTE_BIT);
     if (!passes || !vertices)
         return windrow::Error{passes ? vertices.error() : passes.error()};
     draw_layout = *vertices;
     const auto of_passes = objects.set(*passes, bound);
-    const auto of_draws = objects.set(draw_layout, std::span(bound).first(4));
+    const auto of_draws = objects.set(draw_layout, std::span(bound).first(6));
     const auto told = objects.pipeline_layout(std::span(&*passes, 1), sizeof(std::uint32_t));
     if (!of_passes || !of_draws || !told)
         return windrow::Error{!of_passes ? of_passes.error() : !of_draws ? of_draws.error() : told.error()};

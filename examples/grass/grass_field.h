@@ -46,6 +46,8 @@ struct GrassReport {
     int shadow_chunks = 0; ///< and for the shadow
     int made_chunks = 0;   ///< that had no blades yet
     int left_out = 0;      ///< asked for beyond GrassSettings::most_chunks: the farthest
+    int first_order = 0;   ///< where the chunks that are drawn stand in the orders (shaders/grass/field.glsl)
+    int orders = 0;        ///< and how many
 };
 
 class GrassField {
@@ -66,7 +68,8 @@ class GrassField {
     /// Within a render pass, after `record_cull` in the same queue, with a pipeline bound: binds the set and draws a view.
     void draw(VkCommandBuffer commands, const GrassPass& pass) const;
 
-    /// Four buffers that the vertex stage reads, or a compute pass of the host's; `draw` binds the set by itself.
+    /// Six buffers that the vertex stage reads, or a compute pass of the host's (shaders/grass/grass_blade.glsl has the first
+    /// four); `draw` binds the set by itself.
     [[nodiscard]] VkDescriptorSetLayout layout() const;
     [[nodiscard]] VkDescriptorSet set() const;
     [[nodiscard]] const GrassSettings& settings() const;

@@ -103,6 +103,8 @@ GrassReport GrassField::State::choose(const GrassCamera& camera) {
     report.colour_chunks = static_cast<int>(drawn[0].size());
     report.shadow_chunks = static_cast<int>(drawn[1].size());
     report.made_chunks = static_cast<int>(made_orders.size());
+    report.first_order = report.made_chunks;
+    report.orders = static_cast<int>(cull_orders.size());
     return report;
 }
 
@@ -150,7 +152,7 @@ windrow::Result<GrassReport> GrassField::record_cull(VkCommandBuffer commands, c
     }
     if (!state.cull_orders.empty())
         dispatch(state.cull, made, static_cast<std::uint32_t>(state.cull_orders.size()), 2);
-    barrier(commands, k_compute, VK_ACCESS_SHADER_WRITE_BIT, k_draws | k_transfer,
+    barrier(commands, k_compute, VK_ACCESS_SHADER_WRITE_BIT, k_draws | k_transfer | k_compute,
             VK_ACCESS_INDIRECT_COMMAND_READ_BIT | VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_TRANSFER_READ_BIT);
     return report;
 }

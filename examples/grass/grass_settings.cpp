@@ -24,6 +24,14 @@ windrow::Result<void> validate(const GrassSettings& settings) {
     between("grass.fade_from", settings.fade_from, 0.0, 0.99, "");
     between("grass.shadow_distance", settings.shadow_distance, 0.0, 1e4, " m");
     between("grass.least_width", settings.least_width, 0.0, 0.01, " rad");
+    between("grass.thin_from", settings.thin_from, 0.1, 1e4, " m");
+    between("grass.thin_power", settings.thin_power, 0.0, 3.0, "");
+    between("grass.clump_size", settings.clump_size, 0.01, 100.0, " m");
+    between("grass.clump_height", settings.clump_height, 0.0, 0.9, "");
+    between("grass.clump_lean", settings.clump_lean, 0.0, 1.0, "");
+    between("grass.clump_fan", settings.clump_fan, 0.0, 1.0, "");
+    between("grass.patch_size", settings.patch_size, 0.1, 1000.0, " m");
+    between("grass.patch_height", settings.patch_height, 0.0, 0.9, "");
     refusals.between("grass.most_chunks", settings.most_chunks, 1, 65535, "");
     return refusals.outcome();
 }

@@ -36,6 +36,23 @@ struct GrassSettings {
     float shadow_distance = 40.0f;
     /// [rad] Least width at which a blade is drawn, 0 to 0.01. Default 0.0007: about a pixel at 1080p; thinner ones flicker.
     float least_width = 0.0007f;
+    /// [m] From here on fewer blades are drawn, each wider by as much: what they cover stays. 0.1 to 1e4. Default 10.
+    float thin_from = 10.0f;
+    /// Their share falls as (thin_from / distance)^thin_power, 0 to 3. Default 0: all are drawn. 1.5 halves them with every 1.6
+    /// times the distance; from 2 on the eye sees few and wide blades.
+    float thin_power = 0.0f;
+    /// [m] Mean distance between the middles of clumps, 0.01 to 100. Default 0.35: a tuft. What a clump shares:
+    float clump_size = 0.35f;
+    /// Share by which clumps may be lower than the class, 0 to 0.9. Default 0: all are as high.
+    float clump_height = 0.0f;
+    /// How much of a blade's facing, along which it bends by itself, is its clump's: 0 (default) its own, 1 all as one.
+    float clump_lean = 0.0f;
+    /// How much blades face outward from their clump's middle, 0 (default) to 1: a tuft that opens.
+    float clump_fan = 0.0f;
+    /// [m] Size of patches that grow lower, 0.1 to 1000. Default 6.
+    float patch_size = 6.0f;
+    /// Share by which the lowest patches are lower, 0 (default) to 0.9.
+    float patch_height = 0.0f;
     /// Chunks that have memory at once, 1 to 65535. Default 160: a view of 90 degrees to 90 m and its shadows. With fewer than a
     /// view needs the farthest are left out, and counted (GrassReport::left_out).
     int most_chunks = 160;

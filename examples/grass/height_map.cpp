@@ -54,8 +54,17 @@ windrow::Result<HeightMap> HeightMap::create(glm::ivec2 corners, float spacing,
     return create(corners, spacing, std::move(heights));
 }
 
+HeightMap HeightMap::level() {
+    constexpr int corners = 101;
+    return {{glm::ivec2(corners), glm::vec2(1.0f)}, std::vector<float>(corners * corners, 0.0f)};
+}
+
 float HeightMap::height(glm::vec2 place) const {
     return windrow::numerics::windrow_grid_at(view(), grid_, place);
+}
+
+float HeightMap::drawn_height(glm::vec2 place) const {
+    return windrow::numerics::windrow_grid_drawn_at(view(), grid_, place);
 }
 
 glm::vec3 HeightMap::normal(glm::vec2 place) const {

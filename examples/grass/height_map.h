@@ -28,7 +28,12 @@ class HeightMap {
     [[nodiscard]] static windrow::Result<HeightMap> create(glm::ivec2 corners, float spacing,
                                                            const std::function<float(glm::vec2 place)>& height);
 
+    /// Level ground at height 0: 100 m x 100 m, a corner a metre.
+    [[nodiscard]] static HeightMap level();
+
     [[nodiscard]] float height(glm::vec2 place) const;
+    /// [m] On the two triangles of a texel that a renderer draws: at most a quarter of the texel's twist away from `height`.
+    [[nodiscard]] float drawn_height(glm::vec2 place) const;
     /// Unit vector, continuous over the whole ground.
     [[nodiscard]] glm::vec3 normal(glm::vec2 place) const;
     /// [m] Lowest and highest within a box of places: of the bilinear surface, corners outside of the box included.

@@ -55,6 +55,6 @@ struct Fan {
     int count = 20000;        ///< 1 to 10,000,000
     float wide_from = 3.0f;   ///< [m] from which on blades are drawn wider, in proportion to distance
 };
-[[nodiscard]] windrow::Result<std::vector<BladePlace>> scatter(const Fan& fan, const Heightmap& ground, glm::dvec3 anchor);
+[[nodiscard]] windrow::Result<std::vector<BladePlace>> scatter(const Fan& fan, const Ground& ground, glm::dvec3 anchor);
 
 } // namespace render

@@ -1,6 +1,8 @@
 // The renderer's formulas of light as C++: the same text of shaders/numerics that its shaders include.
 #pragma once
 
+#include "examples/render/place_numerics.h" // its noise
+
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>

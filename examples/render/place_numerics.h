@@ -1,15 +1,10 @@
-// The noise of places as C++: the same text of shaders/numerics that the shaders include.
+// The noise of places for the renderer: the grass's own.
 #pragma once
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
+#include "examples/grass/grass_numerics.h"
 
-#define WINDROW_FN inline
 namespace render::numerics {
-using namespace glm;
-#include "shaders/numerics/place_noise.glsl"
+using windrow::numerics::windrow_dryness;
+using windrow::numerics::windrow_place_chance;
+using windrow::numerics::windrow_place_noise;
 } // namespace render::numerics
-#undef WINDROW_FN

@@ -113,8 +113,9 @@ Renderer::Renderer(engine::Device& device, const Scene& scene, const RenderSetti
     drawables_.push_back(&*terrain_);
 
     const glm::vec3 corner(scene.ground.corner - settings.anchor);
-    block_.terrain = {corner.x, corner.z, scene.ground.spacing, corner.y};
-    block_.terrain_size = {scene.ground.columns, scene.ground.rows, 0, 0};
+    const auto& grid = scene.ground.heights.grid();
+    block_.terrain = {corner.x, corner.z, grid.spacing.x, corner.y};
+    block_.terrain_size = {grid.corners, 0, 0};
     block_.sunlight.w = scene.fog.density;
     block_.skylight.w = scene.fog.fall;
     block_.groundlight.w = static_cast<float>(scene.fog.base - settings.anchor.y);
@@ -210,6 +211,7 @@ windrow::Result<void> Renderer::record(const engine::Frame& frame, const Camera&
                         .frame = sets_[frame.slot],
                         .wind = wind_.of(frame.slot, wind, settings_.anchor, sampling_),
                         .block = &block_,
+                        .anchor = settings_.anchor,
                         .slot = frame.slot};
     clock_.mark(commands, "wind");
     for (Drawable* const drawable : drawables_)

@@ -12,7 +12,7 @@
 
 namespace render {
 
-windrow::Result<std::vector<BladePlace>> scatter(const Fan& fan, const Heightmap& ground, glm::dvec3 anchor) {
+windrow::Result<std::vector<BladePlace>> scatter(const Fan& fan, const Ground& ground, glm::dvec3 anchor) {
     Refusals refusals;
     refusals.range("fan.half_angle", static_cast<double>(fan.half_angle), 1e-3, 3.2);
     refusals.range("fan.near", static_cast<double>(fan.near), 1e-3, 1e5);

@@ -9,7 +9,6 @@ namespace render {
 namespace {
 
 constexpr double k_farthest = 1e9; // [m] beyond which a double has less than a micrometre
-constexpr int k_most_samples = 4097;
 
 void colour(Refusals& refusals, const char* field, glm::vec3 value) {
     for (int channel = 0; channel < 3; ++channel)
@@ -23,20 +22,8 @@ void place(Refusals& refusals, const char* field, glm::dvec3 value) {
 
 } // namespace
 
-double Heightmap::height(double x, double z) const {
-    if (heights.empty())
-        return corner.y;
-    const double across = std::clamp((x - corner.x) / spacing, 0.0, columns - 1.0);
-    const double along = std::clamp((z - corner.z) / spacing, 0.0, rows - 1.0);
-    const int column = std::min(static_cast<int>(across), columns - 2), row = std::min(static_cast<int>(along), rows - 2);
-    const double u = across - column, v = along - row;
-    const auto at = [&](int c, int r) {
-        return static_cast<double>(heights[static_cast<std::size_t>(row + r) * columns + column + c]);
-    };
-    // The cell's two triangles meet along the edge from its +x to its +z corner, as terrain.vert draws them.
-    const double from_low = at(0, 0) + u * (at(1, 0) - at(0, 0)) + v * (at(0, 1) - at(0, 0));
-    const double from_high = at(1, 1) + (1.0 - u) * (at(0, 1) - at(1, 1)) + (1.0 - v) * (at(1, 0) - at(1, 1));
-    return corner.y + (u + v <= 1.0 ? from_low : from_high);
+double Ground::height(double x, double z) const {
+    return corner.y + static_cast<double>(heights.drawn_height(glm::vec2(x - corner.x, z - corner.z)));
 }
 
 windrow::Result<void> validate(const Camera& camera) {
@@ -84,22 +71,9 @@ windrow::Result<void> validate(const Clouds& clouds) {
     return refusals.result();
 }
 
-windrow::Result<void> validate(const Heightmap& ground) {
-    Refusals refusals;
+windrow::Result<void> validate(const Ground& ground) {
+    Refusals refusals; // the heights were judged when they were made
     place(refusals, "ground.corner", ground.corner);
-    refusals.range("ground.spacing", static_cast<double>(ground.spacing), 1e-3, 1e4);
-    refusals.range("ground.columns", ground.columns, 2, k_most_samples);
-    refusals.range("ground.rows", ground.rows, 2, k_most_samples);
-    const std::size_t wanted =
-        static_cast<std::size_t>(std::max(ground.columns, 0)) * static_cast<std::size_t>(std::max(ground.rows, 0));
-    if (!ground.heights.empty() && ground.heights.size() != wanted)
-        refusals.add("ground.heights has " + std::to_string(ground.heights.size()) +
-                     " samples; give it columns * rows = " + std::to_string(wanted) + " of them, or none for flat ground.");
-    const auto wrong =
-        std::find_if(ground.heights.begin(), ground.heights.end(), [](float height) { return !(std::abs(height) <= 1e5f); });
-    if (wrong != ground.heights.end())
-        refusals.range(("ground.heights[" + std::to_string(wrong - ground.heights.begin()) + "]").c_str(),
-                       static_cast<double>(*wrong), -1e5, 1e5);
     return refusals.result();
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "coupling/blade.h"
+#include "examples/grass/height_map.h"
 #include "fluid/motor.h"
 #include "fluid/wind.h"
 
@@ -45,14 +46,12 @@ struct Clouds {
     glm::vec2 drift{6.0f, -2.0f}; ///< [m/s] along x and z, -200 to 200: the wind up there
 };
 
-/// Heights on a grid: the ground. The default is flat.
-struct Heightmap {
-    glm::dvec3 corner{-50.0, 0.0, -50.0}; ///< [m] place of the first sample; y is added to all heights
-    float spacing = 1.0f;                 ///< [m] between samples, 1e-3 to 1e4
-    int columns = 101, rows = 101;        ///< samples along x and along z, 2 to 4097
-    std::vector<float> heights{};         ///< [m] row by row along x; empty: all 0
+/// The ground: heights on a grid, and where they lie. The default is flat, 100 m x 100 m about the origin.
+struct Ground {
+    glm::dvec3 corner{-50.0, 0.0, -50.0}; ///< [m] place of the first corner; y is added to all heights
+    grass::HeightMap heights = grass::HeightMap::level();
 
-    /// [m] On the triangles that are drawn; beyond the rim that of the rim.
+    /// [m] In the world, on the triangles that are drawn; beyond the rim that of the rim.
     [[nodiscard]] double height(double x, double z) const;
 };
 
@@ -82,7 +81,7 @@ struct Scene {
     Sun sun{};
     Fog fog{};
     Clouds clouds{};
-    Heightmap ground{};
+    Ground ground{};
     windrow::BladeSettings plants{};
     PlantLook look{};
     WindScene wind{};
@@ -92,7 +91,7 @@ struct Scene {
 [[nodiscard]] windrow::Result<void> validate(const Sun& sun);
 [[nodiscard]] windrow::Result<void> validate(const Fog& fog);
 [[nodiscard]] windrow::Result<void> validate(const Clouds& clouds);
-[[nodiscard]] windrow::Result<void> validate(const Heightmap& ground);
+[[nodiscard]] windrow::Result<void> validate(const Ground& ground);
 [[nodiscard]] windrow::Result<void> validate(const PlantLook& look);
 [[nodiscard]] windrow::Result<void> validate(const Scene& scene);
 

@@ -14,18 +14,16 @@ namespace render {
 
 namespace words = windrow::vulkan::shader_words;
 
-engine::Buffer Terrain::heights(engine::Device& device, const Heightmap& ground) {
-    const std::size_t bytes = sizeof(float) * static_cast<std::size_t>(ground.columns) * static_cast<std::size_t>(ground.rows);
-    engine::Buffer made = device.make_buffer(bytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    if (ground.heights.empty())
-        std::memset(made.mapped, 0, bytes);
-    else
-        std::memcpy(made.mapped, ground.heights.data(), bytes);
+engine::Buffer Terrain::heights(engine::Device& device, const Ground& ground) {
+    const std::span<const float> values = ground.heights.heights();
+    engine::Buffer made = device.make_buffer(values.size_bytes(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    std::memcpy(made.mapped, values.data(), values.size_bytes());
     return made;
 }
 
-Terrain::Terrain(engine::Device& device, const DrawTargets& targets, const Heightmap& ground, const PlantLook& look)
-    : cells_x_(static_cast<std::uint32_t>(ground.columns - 1)), cells_z_(static_cast<std::uint32_t>(ground.rows - 1)) {
+Terrain::Terrain(engine::Device& device, const DrawTargets& targets, const Ground& ground, const PlantLook& look)
+    : cells_x_(static_cast<std::uint32_t>(ground.heights.grid().corners.x - 1)),
+      cells_z_(static_cast<std::uint32_t>(ground.heights.grid().corners.y - 1)) {
     const std::array bindings{Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_SHADER_STAGE_ALL_GRAPHICS}};
     const VkDescriptorSetLayout own = make_layout(device, bindings);
     const std::array sets{targets.frame, targets.wind, own};

@@ -8,10 +8,10 @@ namespace render {
 
 class Terrain final : public Drawable {
   public:
-    Terrain(engine::Device& device, const DrawTargets& targets, const Heightmap& ground, const PlantLook& look);
+    Terrain(engine::Device& device, const DrawTargets& targets, const Ground& ground, const PlantLook& look);
 
     /// The heights, for set 0.
-    [[nodiscard]] static engine::Buffer heights(engine::Device& device, const Heightmap& ground);
+    [[nodiscard]] static engine::Buffer heights(engine::Device& device, const Ground& ground);
     void draw(const PassContext& context) override;
 
   private:

@@ -20,11 +20,14 @@ bool is_seen(vec4 blade, uint view) {
     return true;
 }
 
-int level_of(vec4 blade, uint view) {
+int level_of(vec4 blade, uint view, ivec2 cell) {
     vec3 sight = blade.xyz - grass.eye.xyz;
     float square = dot(sight, sight);
     int level = windrow_grass_level(square, grass.reach);
     if (!(blade.w > 0.0) || (view == 1u && !(square < grass.ground.z * grass.ground.z)) || !is_seen(blade, view))
+        return WINDROW_GRASS_NONE;
+    if (grass.thin.y > 0.0 && square > grass.thin.x * grass.thin.x &&
+        !(windrow_grass_chance(cell, uint(grass.cells.w)) < windrow_grass_share(grass.thin, sqrt(square))))
         return WINDROW_GRASS_NONE;
     return level;
 }
@@ -34,6 +37,8 @@ void main() {
     const uint view = gl_WorkGroupID.y;
     const uint lane = gl_LocalInvocationIndex;
     const uint places = places_of_a_chunk();
+    const int side = grass.cells.z;
+    const ivec2 first = chunks[order.x] * side;
     const uint list = 2u * uint(order.x) + view;
     const bool wanted = (uint(order.y) >> view & 1u) != 0u; // the same for the whole group
     if (lane < 2u * k_words)
@@ -46,7 +51,7 @@ void main() {
         const uint place = round * gl_WorkGroupSize.x + lane;
         int level = WINDROW_GRASS_NONE;
         if (place < places)
-            level = level_of(blades[uint(order.x) * places + place], view);
+            level = level_of(blades[uint(order.x) * places + place], view, first + ivec2(int(place) % side, int(place) / side));
         if (level != WINDROW_GRASS_NONE)
             atomicOr(kept[set][level][lane / 32u], 1u << (lane % 32u));
         if (lane < 2u * k_words)

@@ -15,8 +15,9 @@ void main() {
     if (cell.x < grass.cells.x && cell.y < grass.cells.y) {
         vec2 p = windrow_grass_place(cell, grass.ground.x, grass.ground.y, uint(grass.cells.w));
         float alpha = windrow_grid_at(k_mask, WindrowGrid(grass.corners.zw, grass.spacing.zw), p);
-        float height = windrow_grid_at(k_heights, WindrowGrid(grass.corners.xy, grass.spacing.xy), p);
-        blade = vec4(p.x, height, p.y, windrow_grass_size(alpha));
+        WindrowGrid ground = WindrowGrid(grass.corners.xy, grass.spacing.xy);
+        float height = min(windrow_grid_at(k_heights, ground, p), windrow_grid_drawn_at(k_heights, ground, p)); // no root floats
+        blade = vec4(p.x, height, p.y, windrow_grass_size(alpha) * windrow_grass_growth(grass, p));
     }
     blades[uint(order.x) * places_of_a_chunk() + place] = blade;
     if (place == 0u)

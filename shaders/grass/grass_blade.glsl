@@ -28,10 +28,12 @@ layout(std430, set = GRASS_SET, binding = 3) readonly buffer GrassChunks { ivec2
 struct GrassBlade {
     vec3 root;         // [m] from the anchor
     uvec2 key;         // its own, for windrow_blade_bend
+    uvec2 hash;        // of its traits: the key's, turned to face as its clump does
     WindrowBlade kind; // the class at this blade's size and distance
     int level;
     float size;        // by the mask
     float morph;       // 0 a near blade, 1 one that has the far blade's shape
+    vec2 clump;        // two chances that the clump shares, 0 to 1
     vec2 looks;        // two chances, 0 to 1, for colours: independent of shape, place and stiffness
 };
 
@@ -49,7 +51,10 @@ GrassBlade grass_blade_seen(uvec2 told, uint instance, vec3 eye) {
     float distance = length(record.xyz - eye);
     blade.root = record.xyz + grass.corner.xyz;
     blade.key = windrow_grass_key(cell, uint(grass.cells.w), 0u);
-    blade.kind = windrow_grass_class(grass, record.w, distance);
+    WindrowClump clump = windrow_grass_clump(grass, record.xz);
+    blade.hash = windrow_grass_facing(grass, windrow_plant_hash(blade.key), clump);
+    blade.clump = vec2(windrow_share(clump.chance.x * 2246822519u), windrow_share(clump.chance.y * 3266489917u));
+    blade.kind = windrow_grass_thinned(grass, record.w, distance, windrow_grass_chance(cell, uint(grass.cells.w)));
     blade.size = record.w;
     blade.morph = windrow_grass_ramp(distance, grass.reach.x, grass.reach.y);
     uvec2 hash = windrow_plant_hash(windrow_grass_key(cell, uint(grass.cells.w), 2u));
@@ -67,7 +72,7 @@ WindrowVertex grass_vertex_seen(GrassBlade blade, vec3 bend, int vertex, vec3 ey
     vec3 sight = blade.root - grass.corner.xyz - eye;
     vec3 view = sight / max(length(sight), 1e-6);
     vec2 row = windrow_grass_row(vertex, blade.level, blade.morph);
-    WindrowBladePlant plant = windrow_blade_plant(blade.kind, vec3(0.0, 1.0, 0.0), windrow_plant_hash(blade.key), bend, view);
+    WindrowBladePlant plant = windrow_blade_plant(blade.kind, vec3(0.0, 1.0, 0.0), blade.hash, bend, view);
     WindrowVertex made = windrow_blade_vertex(blade.kind, plant, row.x, row.y);
     made.position += blade.root;
     return made;

@@ -1,6 +1,8 @@
 // A grid of floats over level ground: the heights of a terrain, the alpha of a mask. Values stand at the corners of its texels.
 //
 //   f(x, z)   bilinear between four corners; beyond the edge as on it       error O(d^2) where f is smooth, d the spacing
+//   t(x, z)   two flat triangles a texel, which meet along the edge from its +x to its +z corner: what a renderer draws. Between f and t lies
+//             at most a quarter of the texel's twist |f_ll - f_hl - f_lh + f_hh|, in its middle
 //   s(x, z)   slopes (df/dx, df/dz): central differences at the corners, one-sided on the edge; bilinear between: no crease
 //             at a texel's border, as the bilinear patch itself has           error O(d^2) inside
 //   normal    (-s_x, 1, -s_z), normalised
@@ -56,6 +58,19 @@ WINDROW_FN float windrow_grid_at(WINDROW_GRID grid, WindrowGrid size, vec2 p) {
     float far_side = windrow_grid_blend(windrow_grid_value(grid, place.low + ivec2(0, 1), across),
                                         windrow_grid_value(grid, place.low + ivec2(1, 1), across), place.between.x);
     return windrow_grid_blend(near_side, far_side, place.between.y);
+}
+
+// On the triangles that are drawn.
+WINDROW_FN float windrow_grid_drawn_at(WINDROW_GRID grid, WindrowGrid size, vec2 p) {
+    WindrowGridPlace place = windrow_grid_place(size, p);
+    int across = size.corners.x;
+    float along_x = windrow_grid_value(grid, place.low + ivec2(1, 0), across);
+    float along_z = windrow_grid_value(grid, place.low + ivec2(0, 1), across);
+    vec2 t = place.between;
+    bool low = t.x + t.y <= 1.0f;
+    float corner = windrow_grid_value(grid, low ? place.low : place.low + 1, across);
+    return low ? corner + t.x * (along_x - corner) + t.y * (along_z - corner)
+               : corner + (1.0f - t.x) * (along_z - corner) + (1.0f - t.y) * (along_x - corner);
 }
 
 // Slopes at a corner.

@@ -3,6 +3,7 @@
 #define WINDROW_RENDER_BLADES_GLSL
 
 #include "../numerics/blade.glsl"
+#include "blade_width.glsl"
 #include "plant_look.glsl"
 
 struct BladePlace {
@@ -31,8 +32,7 @@ vec2 strip_place(int vertex, int rows) {
     return vec2(h, side);
 }
 
-// A vertex of the blade, [m] from the anchor. `least` [rad] is half of the width that it has at least, as the eye sees it: a blade on edge would
-// be drawn as dots. Its middle line stays where it is.
+// A vertex of the blade, [m] from the anchor; `least` as in blade_width.glsl.
 WindrowVertex blade_point_of(WindrowBlade blade, BladePlace place, vec3 bend, vec3 eye, vec2 where, float least) {
     vec3 sight = place.root.xyz - eye;
     vec3 view = sight / max(length(sight), 1e-6);
@@ -40,17 +40,7 @@ WindrowVertex blade_point_of(WindrowBlade blade, BladePlace place, vec3 bend, ve
     WindrowBladePlant plant = windrow_blade_plant(blade, up, windrow_plant_hash(place.key.xy), bend, view);
     WindrowVertex vertex = windrow_blade_vertex(blade, plant, where.x, where.y);
     vertex.position += place.root.xyz;
-
-    vec3 to_eye = eye - vertex.position;
-    vec3 beside = cross(vertex.tangent, to_eye); // at right angles to the blade, as it is seen
-    float across = length(beside);
-    if (least > 0.0 && across > 1e-3 * length(to_eye)) {
-        beside /= across;
-        float seen = dot(cross(vertex.tangent, vertex.normal), beside); // share of the width that is seen, with its sense
-        float lacking = least * length(to_eye) - windrow_blade_half_width(blade, where.x) * abs(seen);
-        vertex.position -= where.y * (seen < 0.0 ? -1.0 : 1.0) * max(lacking, 0.0) * beside;
-    }
-    return vertex;
+    return wide_enough(vertex, where.y, windrow_blade_half_width(blade, where.x), eye, least);
 }
 
 #endif
