@@ -11,15 +11,15 @@
 #include "cli/flags.h"
 #include "cli/info_command.h"
 #include "cli/interrupt.h"
-#include "cli/nearest_word.h"
 #include "cli/pareto/pareto_command.h"
 #include "cli/pareto/pareto_flags.h"
 #include "cli/plants/plants_command.h"
 #include "cli/run_command.h"
-#include "cli/scene.h"
 #include "cli/verify/verify_command.h"
 #include "cli/verify/verify_flags.h"
 #include "fluid/message.h"
+#include "scene/nearest_word.h"
+#include "scene/scene.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -55,7 +55,7 @@ std::string sentence_of(const CLI::ParseError& fault, const CLI::App& app, int c
     const CLI::App& asked = chosen.empty() ? app : *chosen.front();
     const std::string help = message("see windrow ", chosen.empty() ? "" : asked.get_name() + " ", "--help.");
     const auto unknown = [&](const std::string& word, const char* what) {
-        const std::string near = nearest_word(word, words_of(asked));
+        const std::string near = scene::nearest_word(word, words_of(asked));
         return message(word, what, near.empty() ? "" : " (did you mean " + near + "?)", ": ", help);
     };
     const auto extras = app.remaining(true);
@@ -108,7 +108,7 @@ int start_run(const RunFlags& flags, const CLI::App& run, const Console& console
         return k_exit_wrong_use;
     request.backend = *backend;
     if (run.count("--frames") > 0) {
-        request.frames = read_count(flags.frames, "--frames", k_most_frames, console);
+        request.frames = read_count(flags.frames, "--frames", scene::k_most_frames, console);
         if (!request.frames)
             return k_exit_wrong_use;
     }

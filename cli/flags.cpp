@@ -1,7 +1,7 @@
 #include "cli/flags.h"
 
-#include "cli/number_text.h"
 #include "fluid/message.h"
+#include "scene/number_text.h"
 
 #include <utility>
 
@@ -10,7 +10,7 @@ namespace windrow::cli {
 using detail::message;
 
 std::optional<std::int64_t> read_count(const std::string& text, const char* flag, std::int64_t most, const Console& console) {
-    const auto number = parse_whole_number(text);
+    const auto number = scene::parse_whole_number(text);
     if (number && *number >= 1 && *number <= most)
         return *number;
     console.complain(message(flag, " is ", text.empty() ? "empty" : text, ": give a whole number from 1 to ", most, "."));
@@ -33,11 +33,11 @@ std::optional<Simd> read_simd(const std::string& text, const Console& console) {
 }
 
 std::optional<double> read_seconds(const std::string& text, const Console& console) {
-    const auto seconds = parse_number(text);
+    const auto seconds = scene::parse_number(text);
     if (seconds && *seconds > 0.0 && *seconds <= k_most_seconds)
         return seconds;
     console.complain(message("--seconds is ", text.empty() ? "empty" : text, ": give a number above 0, at most ",
-                             figure(k_most_seconds), " s."));
+                             scene::figure(k_most_seconds), " s."));
     return std::nullopt;
 }
 

@@ -1,7 +1,7 @@
 #include "cli/frame_writer.h"
 
-#include "cli/number_text.h"
 #include "fluid/message.h"
+#include "scene/number_text.h"
 
 #if WINDROW_WITH_VDB
 #include "fluid/vdb/vdb_export.h"
@@ -26,10 +26,10 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t k_most_whole_paths = 8;
 
 /// The part of a path that its body has just passed.
-Trail fresh_trail_of(const std::string& name, const ScenePath& path, double time) {
+Trail fresh_trail_of(const std::string& name, const scene::ScenePath& path, double time) {
     const double begin = time - 1.0;
     Trail trail{.name = name, .points = {path.path.at(begin)}, .now = path.path.at(time), .followed = false};
-    for (const PathPoint& point : path.path.points())
+    for (const scene::PathPoint& point : path.path.points())
         if (point.time > begin && point.time < time)
             trail.points.push_back(point.position);
     trail.points.push_back(trail.now);
@@ -37,7 +37,7 @@ Trail fresh_trail_of(const std::string& name, const ScenePath& path, double time
 }
 
 /// A path as the pictures draw it; a recording of an hour is thinned to what a picture can show.
-Trail trail_of(const std::string& name, const ScenePath& path, double time) {
+Trail trail_of(const std::string& name, const scene::ScenePath& path, double time) {
     constexpr std::size_t k_most_drawn = 2000;
     const auto& points = path.path.points();
     const std::size_t stride = points.size() / k_most_drawn + 1;
@@ -65,7 +65,7 @@ bool built_with_images() {
     return WINDROW_WITH_IMAGES != 0;
 }
 
-FrameWriter::FrameWriter(const Scene& scene, std::filesystem::path folder, bool images, bool vdb, std::int64_t frames)
+FrameWriter::FrameWriter(const scene::Scene& scene, std::filesystem::path folder, bool images, bool vdb, std::int64_t frames)
     : scene_(&scene), folder_(std::move(folder)), images_(images), vdb_(vdb), frames_(frames), digits_(4) {
     for (std::int64_t limit = 10'000; limit < frames; limit *= 10)
         ++digits_;
@@ -95,7 +95,7 @@ Fault FrameWriter::write_picture([[maybe_unused]] const Playback& playback, [[ma
             continue;
         // A trail that bears a wake's name is drawn as that body.
         std::string name = scene_->paths[i].name;
-        for (const SceneMotor& motor : scene_->motors)
+        for (const scene::SceneMotor& motor : scene_->motors)
             if (motor.path == i && std::holds_alternative<WakeMotor>(motor.motor))
                 name = motor.name;
         trails.push_back((many && !leads ? fresh_trail_of : trail_of)(name, scene_->paths[i], time));
@@ -111,7 +111,7 @@ Fault FrameWriter::write_picture([[maybe_unused]] const Playback& playback, [[ma
     settings.slice_point = scene_->followed_point(time);
     settings.slice_point.y =
         (scene_->has_floor() ? scene_->floor_height(time) : settings.slice_point.y) + scene_->pictures.slice_height;
-    for (const SceneMotor& motor : scene_->motors)
+    for (const scene::SceneMotor& motor : scene_->motors)
         ++settings.motors_of_scene[motor.motor.index()];
     parts_ = frame_parts(playback.wind(), settings);
     const std::filesystem::path file = folder_ / numbered("frame_", frame, ".png");
@@ -127,15 +127,15 @@ Fault FrameWriter::write_picture([[maybe_unused]] const Playback& playback, [[ma
 Fault FrameWriter::write_vdb([[maybe_unused]] const Playback& playback, [[maybe_unused]] std::int64_t frame) {
 #if WINDROW_WITH_VDB
     const auto begin = Clock::now();
-    const VdbSetting& setting = scene_->vdb;
+    const scene::VdbSetting& setting = scene_->vdb;
     const vdb::Sequence sequence{
         .folder = folder_,
         .prefix = "vel_",
         .digits = digits_,
         .options = {.name = setting.name,
                     .form = setting.three_scalars ? vdb::Form::three_scalars : vdb::Form::one_vector,
-                    .precision = setting.precision == VdbPrecision::half ? vdb::Precision::half : vdb::Precision::full,
-                    .up = setting.up == VdbUp::z ? vdb::UpAxis::z : vdb::UpAxis::y}};
+                    .precision = setting.precision == scene::VdbPrecision::half ? vdb::Precision::half : vdb::Precision::full,
+                    .up = setting.up == scene::VdbUp::z ? vdb::UpAxis::z : vdb::UpAxis::y}};
     const auto written = sequence.write(vdb::grid_of(playback.wind()), static_cast<int>(frame), playback.time());
     vdb_seconds_ += seconds_since(begin);
     if (!written)
@@ -176,8 +176,8 @@ std::size_t FrameWriter::older_files() const {
             if (!kept || !name.starts_with(prefix) || !name.ends_with(suffix))
                 continue;
             const std::size_t begin = std::string_view(prefix).size();
-            const auto number =
-                parse_whole_number(std::string_view(name).substr(begin, name.size() - begin - std::string_view(suffix).size()));
+            const auto number = scene::parse_whole_number(
+                std::string_view(name).substr(begin, name.size() - begin - std::string_view(suffix).size()));
             if (number && (*number >= frames_ || name != numbered(prefix, *number, suffix)))
                 ++count;
         }

@@ -20,7 +20,7 @@ namespace windrow::cli {
 class FrameWriter {
   public:
     /// `folder` stands. `frames` is how many there will be: their numbers get as many digits as the last needs, at least four.
-    FrameWriter(const Scene& scene, std::filesystem::path folder, bool images, bool vdb, std::int64_t frames);
+    FrameWriter(const scene::Scene& scene, std::filesystem::path folder, bool images, bool vdb, std::int64_t frames);
 
     /// Writes frame_0000.png and vel_0000.vdb, whole or not at all.
     [[nodiscard]] Fault write(const Playback& playback, std::int64_t frame);
@@ -42,7 +42,7 @@ class FrameWriter {
     [[nodiscard]] Fault write_vdb(const Playback& playback, std::int64_t frame);
     [[nodiscard]] std::string numbered(const char* prefix, std::int64_t frame, const char* suffix) const;
 
-    const Scene* scene_;
+    const scene::Scene* scene_;
     std::filesystem::path folder_;
     bool images_;
     bool vdb_;

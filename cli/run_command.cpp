@@ -7,11 +7,11 @@
 #include "cli/playback.h"
 #include "cli/progress.h"
 #include "cli/run_report.h"
-#include "cli/scene_reader.h"
 #include "cli/timings.h"
 #include "cli/timings_csv.h"
 #include "fluid/message.h"
 #include "fluid/thread_pool.h"
+#include "scene/scene_reader.h"
 
 #include <chrono>
 #include <cmath>
@@ -39,7 +39,7 @@ bool check_parts(const RunRequest& request, const Console& console) {
 }
 
 /// A box that does not fit would otherwise end with the system killing some process, maybe not this one.
-bool check_memory(const Scene& scene, const Console& console) {
+bool check_memory(const scene::Scene& scene, const Console& console) {
     constexpr std::uint64_t k_bytes_a_cell = 192; // state, scratch, gusts, sources, one frame on its way out
     const glm::ivec3 cells = scene.air.cells;
     const std::uint64_t needed = k_bytes_a_cell * static_cast<std::uint64_t>(cells.x) * static_cast<std::uint64_t>(cells.y) *
@@ -54,7 +54,7 @@ bool check_memory(const Scene& scene, const Console& console) {
 
 /// What lasts through a run.
 struct Run {
-    const Scene& scene;
+    const scene::Scene& scene;
     const RunRequest& request;
     const Console& console;
     std::filesystem::path folder;
@@ -94,7 +94,7 @@ struct Run {
 int run_scene(const RunRequest& request, const Console& console, const std::function<int()>& stop_signal) {
     if (!check_parts(request, console))
         return k_exit_wrong_use;
-    auto scene = read_scene(request.scene);
+    auto scene = scene::read_scene(request.scene);
     if (!scene) {
         console.complain(scene.error());
         return k_exit_wrong_use;
@@ -103,9 +103,9 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
     if (!check_memory(*scene, console))
         return k_exit_machine;
     const std::int64_t frames = request.frames.value_or(scene->frame_count());
-    if (scene->tick_of_frame(frames - 1) > k_most_ticks) {
+    if (scene->tick_of_frame(frames - 1) > scene::k_most_ticks) {
         console.complain(message("--frames is ", frames, ", ", scene->tick_of_frame(frames - 1),
-                                 " ticks of the scene: give at most ", k_most_ticks, " ticks."));
+                                 " ticks of the scene: give at most ", scene::k_most_ticks, " ticks."));
         return k_exit_wrong_use;
     }
     Backend backend;

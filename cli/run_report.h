@@ -3,8 +3,8 @@
 
 #include "cli/console.h"
 #include "cli/frame_writer.h"
-#include "cli/scene.h"
 #include "cli/timings.h"
+#include "scene/scene.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -13,7 +13,7 @@
 namespace windrow::cli {
 
 struct RunReport {
-    const Scene& scene;
+    const scene::Scene& scene;
     const std::filesystem::path& folder;
     const FrameWriter& writer;
     const Timings& timings;

@@ -1,7 +1,7 @@
 #include "cli/backend/backend_flags.h"
 
-#include "cli/number_text.h"
 #include "fluid/message.h"
+#include "scene/number_text.h"
 
 #include <CLI/CLI.hpp>
 
@@ -27,7 +27,7 @@ void add_device(CLI::App& command, BackendFlags& flags) {
 std::optional<int> read_device(const BackendFlags& flags, const CLI::App& command, const Console& console) {
     if (command.count("--device") == 0)
         return -1;
-    const auto place = parse_whole_number(flags.device);
+    const auto place = scene::parse_whole_number(flags.device);
     if (place && *place >= 0 && *place < k_most_devices)
         return static_cast<int>(*place);
     console.complain(message("--device is ", flags.device.empty() ? "empty" : flags.device,

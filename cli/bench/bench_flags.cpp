@@ -1,10 +1,10 @@
 #include "cli/bench/bench_flags.h"
 
 #include "cli/flags.h"
-#include "cli/number_text.h"
 #include "cli/run_command.h"
 #include "fluid/box.h"
 #include "fluid/message.h"
+#include "scene/number_text.h"
 
 #include <CLI/CLI.hpp>
 #include <iterator>
@@ -22,7 +22,7 @@ std::optional<glm::ivec3> read_grid(const std::string& text, const Console& cons
     bool good = true;
     for (int axis = 0; axis < 3 && good; ++axis) {
         const std::size_t end = axis < 2 ? rest.find('x') : rest.size();
-        const auto number = parse_whole_number(rest.substr(0, end));
+        const auto number = scene::parse_whole_number(rest.substr(0, end));
         good = end != std::string_view::npos && number && *number >= 1 && *number <= k_max_axis_cells;
         cells[axis] = good ? static_cast<int>(*number) : 0;
         if (good && axis < 2)

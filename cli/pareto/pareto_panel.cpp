@@ -1,11 +1,11 @@
 #include "cli/pareto/pareto_panel.h"
 
 #include "cli/drawing/palette.h"
-#include "cli/number_text.h"
 #include "cli/pareto/label_places.h"
 #include "cli/pareto/log_axis.h"
 #include "cli/pareto/method_style.h"
 #include "fluid/message.h"
+#include "scene/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,11 +22,11 @@ constexpr double k_label_size = 13.0, k_tick_size = 13.0;
 constexpr double k_marker = 3.6, k_front_marker = 5.6, k_ring = 9.5;
 
 std::string time_text(double ms) {
-    return ms >= 1000.0 ? figure(ms / 1000.0) + " s" : figure(ms) + " ms";
+    return ms >= 1000.0 ? scene::figure(ms / 1000.0) + " s" : scene::figure(ms) + " ms";
 }
 
 std::string share_text(double error) {
-    return figure(std::round(error * 1e9) / 1e7) + " %";
+    return scene::figure(std::round(error * 1e9) / 1e7) + " %";
 }
 
 // Ends of an axis around the values, `before` and `after` as factors.
@@ -118,7 +118,7 @@ class Panel {
         for (const std::size_t n : front_) {
             const ParetoRow& row = rows_[n];
             const std::string text =
-                row.cells == named ? "CFL " + figure(row.cfl) : grid_name(row.cells) + ", CFL " + figure(row.cfl);
+                row.cells == named ? "CFL " + scene::figure(row.cfl) : grid_name(row.cells) + ", CFL " + scene::figure(row.cfl);
             named = row.cells;
             const LabelPlaces::Place label = labels_.find(text, k_label_size, place(n));
             if (label.far)

@@ -1,8 +1,8 @@
 #include "cli/pareto/pareto_report.h"
 
-#include "cli/number_text.h"
 #include "cli/timings.h"
 #include "fluid/message.h"
+#include "scene/number_text.h"
 
 #include <algorithm>
 #include <charconv>
@@ -31,7 +31,7 @@ std::string line(std::string_view time, std::string_view error, std::string_view
 
 // "64x32x64, second_order cubic multigrid, CFL 2"
 std::string place_of(const ParetoRow& row) {
-    return message(name_of(row.method), " on ", grid_name(row.cells), " at CFL ", figure(row.cfl));
+    return message(name_of(row.method), " on ", grid_name(row.cells), " at CFL ", scene::figure(row.cfl));
 }
 
 std::string standing(const std::vector<ParetoRow>& rows, const std::vector<CostError>& points, glm::ivec3 cells) {
@@ -39,7 +39,7 @@ std::string standing(const std::vector<ParetoRow>& rows, const std::vector<CostE
     for (std::size_t n = 0; n < rows.size(); ++n) {
         if (rows[n].cells != cells || rows[n].method != k_default_method)
             continue;
-        const std::string cfl = figure(rows[n].cfl);
+        const std::string cfl = scene::figure(rows[n].cfl);
         if (const auto by = beaten_by(points, n)) {
             const ParetoRow& better = rows[*by];
             beaten += message("; no at CFL ", cfl, ": ", place_of(better), " has ", significant(better.error / rows[n].error),
@@ -70,7 +70,7 @@ void report_front(const FlowResult& flow, int threads, const Console& console) {
                 << line("ms/s of flow", "error", "grid", "CFL", "/ Stam", "method");
     for (const std::size_t n : front_of(points)) {
         const ParetoRow& row = rows[n];
-        console.out << line(significant(row.ms_per_second), significant(row.error), grid_name(row.cells), figure(row.cfl),
+        console.out << line(significant(row.ms_per_second), significant(row.error), grid_name(row.cells), scene::figure(row.cfl),
                             to_fixed(row.vs_stam40, 2), name_of(row.method) + (row.method == k_default_method ? "  *" : ""));
     }
     console.out << "  the default, " << name_of(k_default_method) << " (*):\n";

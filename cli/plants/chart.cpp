@@ -1,7 +1,7 @@
 #include "cli/plants/chart.h"
 
 #include "cli/drawing/palette.h"
-#include "cli/number_text.h"
+#include "scene/number_text.h"
 
 #include <array>
 #include <cmath>
@@ -36,13 +36,13 @@ void Chart::add_axes(const std::string& title) {
     for (int n = static_cast<int>(std::ceil(x_.low / x_.tick - 1e-9)); n * x_.tick <= x_.high * (1.0 + 1e-9); ++n) {
         const double value = n * x_.tick;
         add_line({{value, y_.low}, {value, y_.high}}, grid);
-        add_words(plot_, figure(std::round(value * 1e6) / 1e6), at({value, y_.low}) + glm::dvec2(0.0, 20.0),
+        add_words(plot_, scene::figure(std::round(value * 1e6) / 1e6), at({value, y_.low}) + glm::dvec2(0.0, 20.0),
                   {.size = k_tick_size, .colour = k_dim_ink, .align = Align::centre});
     }
     for (int n = static_cast<int>(std::ceil(y_.low / y_.tick - 1e-9)); n * y_.tick <= y_.high * (1.0 + 1e-9); ++n) {
         const double value = n * y_.tick;
         add_line({{x_.low, value}, {x_.high, value}}, grid);
-        add_words(plot_, figure(std::round(value * 1e6) / 1e6), at({x_.low, value}) + glm::dvec2(-8.0, 4.5),
+        add_words(plot_, scene::figure(std::round(value * 1e6) / 1e6), at({x_.low, value}) + glm::dvec2(-8.0, 4.5),
                   {.size = k_tick_size, .colour = k_dim_ink, .align = Align::right});
     }
     add_words(plot_, title, {frame_.x, frame_.y - 14.0}, {.size = 16.0, .colour = k_ink, .bold = true});

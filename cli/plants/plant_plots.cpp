@@ -1,12 +1,12 @@
 #include "cli/plants/plant_plots.h"
 
 #include "cli/drawing/palette.h"
-#include "cli/number_text.h"
 #include "cli/plants/chart.h"
 #include "coupling/blade.h"
 #include "coupling/plant_classes.h"
 #include "coupling/shell.h"
 #include "fluid/ambient.h"
+#include "scene/number_text.h"
 
 #include <array>
 #include <cmath>
@@ -94,7 +94,7 @@ Plot blade_plot() {
         const Colour colour = series_colour(n);
         bent.add_line(bend, {.colour = colour, .width = 2.4});
         shifted.add_line(shift, {.colour = colour, .width = 2.4});
-        bent.add_label(figure(static_cast<double>(k_speeds[n])) + (n == 0 ? " m/s" : ""), bend.back(), colour);
+        bent.add_label(scene::figure(static_cast<double>(k_speeds[n])) + (n == 0 ? " m/s" : ""), bend.back(), colour);
     }
     return plot;
 }

@@ -1,9 +1,9 @@
 #include "cli/verify/verify_flags.h"
 
 #include "cli/flags.h"
-#include "cli/nearest_word.h"
 #include "cli/run_command.h"
 #include "fluid/message.h"
+#include "scene/nearest_word.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -26,7 +26,7 @@ void complain_of_case(const std::string& name, std::span<const VerifyCase> known
     std::vector<std::string> names;
     for (const VerifyCase& one : known)
         names.push_back(one.name);
-    const std::string near = nearest_word(name, names);
+    const std::string near = scene::nearest_word(name, names);
     console.complain(message("--case is ", name, ", which is no case", near.empty() ? "" : " (did you mean " + near + "?)",
                              ": see windrow verify --list."));
 }

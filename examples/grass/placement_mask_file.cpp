@@ -1,6 +1,7 @@
 // The mask as a binary PGM: what every image program opens, without a library.
 #include "examples/grass/placement_mask.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -57,13 +58,15 @@ windrow::Result<PlacementMask> PlacementMask::load(const std::string& path, glm:
     }
     if (numbers.size() != 3 || numbers[2] < 1 || numbers[2] > 65535 || header.tellg() < 0)
         return no_image;
+    const std::size_t begin = static_cast<std::size_t>(header.tellg()) + 1, width = numbers[2] > 255 ? 2 : 1;
+    const auto pixels = [&](int n) { return static_cast<std::size_t>(std::max(numbers[static_cast<std::size_t>(n)], 0)); };
+    // Before room is made for what the header says and the file may not hold.
+    if (bytes.size() < begin + width * pixels(0) * pixels(1))
+        return windrow::Error{path + " ends early: it has " + std::to_string(bytes.size()) + " bytes of " +
+                              std::to_string(begin + width * pixels(0) * pixels(1)) + "; save it again."};
     auto mask = create({numbers[0], numbers[1]}, extent);
     if (!mask)
         return windrow::Error{path + ": " + mask.error()};
-    const std::size_t begin = static_cast<std::size_t>(header.tellg()) + 1, width = numbers[2] > 255 ? 2 : 1;
-    if (bytes.size() < begin + width * mask->values_.size())
-        return windrow::Error{path + " ends early: it has " + std::to_string(bytes.size()) + " bytes of " +
-                              std::to_string(begin + width * mask->values_.size()) + "; save it again."};
     const auto byte = [&](std::size_t at) { return static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[at])); };
     for (std::size_t n = 0; n < mask->values_.size(); ++n) {
         const std::size_t at = begin + width * n;

@@ -10,7 +10,7 @@ import re
 import sys
 
 LONGEST_FILE = 500
-FOLDERS = ("fluid", "coupling", "shaders", "examples", "cli", "tests", "cmake")
+FOLDERS = ("fluid", "coupling", "shaders", "scene", "examples", "cli", "tests", "cmake")
 SOURCES = (".h", ".cpp", ".inl", ".glsl", ".comp", ".vert", ".frag", ".py", ".cmake", ".txt")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
@@ -52,10 +52,12 @@ def breaches_of_include(root, file, name, public):
 
     if folders[:2] == ["shaders", "numerics"] and target_folders[:2] != ["shaders", "numerics"]:
         yield "shaders/numerics is text for two languages and includes nothing outside itself"
-    if top == "fluid" and target_top in ("coupling", "cli", "examples", "tests"):
+    if top == "fluid" and target_top in ("coupling", "scene", "cli", "examples", "tests"):
         yield f"fluid is the lowest layer and does not know {target_top}"
-    if top == "coupling" and target_top in ("cli", "examples", "tests"):
+    if top == "coupling" and target_top in ("scene", "cli", "examples", "tests"):
         yield f"coupling is a library and does not know {target_top}"
+    if top == "scene" and target_top in ("cli", "examples", "tests"):
+        yield f"scene is shared by the command and the examples and does not know {target_top}"
     if matches(name, VULKAN) and "vulkan" not in folders and top not in ("examples", "tests"):
         yield "Vulkan's headers belong in folders named vulkan, in examples and in tests"
     if matches(name, OPENVDB) and top != "tests" and not (folders == ["fluid", "vdb"] and file.suffix == ".cpp"):

@@ -1,14 +1,14 @@
 // Scenes that are refused, and the sentence that each gets: file, place, value, fix.
-#include "cli/nearest_word.h"
-#include "cli/path_csv.h"
-#include "cli/scene_reader.h"
+#include "scene/nearest_word.h"
+#include "scene/path_csv.h"
+#include "scene/scene_reader.h"
 
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <string>
 
-namespace windrow::cli {
+namespace windrow::scene {
 namespace {
 
 /// The sentences with which a text is refused; empty where it is taken.
@@ -244,4 +244,4 @@ TEST(NearestWord, FindsSlipsAndNothingElse) {
 }
 
 } // namespace
-} // namespace windrow::cli
+} // namespace windrow::scene

@@ -1,7 +1,7 @@
 // Scenes: what is read, whatever the locale.
-#include "cli/path_csv.h"
 #include "cli/playback.h"
-#include "cli/scene_reader.h"
+#include "scene/path_csv.h"
+#include "scene/scene_reader.h"
 
 #include <clocale>
 #include <cmath>
@@ -18,8 +18,8 @@ namespace {
 
 const std::filesystem::path k_scenes = std::filesystem::path(WINDROW_SOURCE_DIR) / "examples" / "scenes";
 
-Result<Scene> read(const std::string& text) {
-    return read_scene_text(text, "a.json");
+Result<scene::Scene> read(const std::string& text) {
+    return scene::read_scene_text(text, "a.json");
 }
 
 TEST(Scene, EmptyObjectHasTheDefaultsOfTheHeaders) {
@@ -39,7 +39,7 @@ TEST(Scene, EmptyObjectHasTheDefaultsOfTheHeaders) {
 }
 
 TEST(Scene, ExampleIsRead) {
-    const auto scene = read_scene(k_scenes / "walk.json");
+    const auto scene = scene::read_scene(k_scenes / "walk.json");
     ASSERT_TRUE(scene) << scene.error();
     EXPECT_EQ(scene->frame_count(), 201);
     EXPECT_EQ(scene->motors.size(), 4u);
@@ -53,7 +53,7 @@ TEST(Scene, ExampleOfTheDocumentsIsRead) {
     const std::string page((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
     const std::size_t begin = page.find("```json\n") + 8;
     ASSERT_LT(begin, page.size());
-    const auto scene = read_scene_text(page.substr(begin, page.find("```", begin) - begin), k_scenes / "walk.json");
+    const auto scene = scene::read_scene_text(page.substr(begin, page.find("```", begin) - begin), k_scenes / "walk.json");
     EXPECT_TRUE(scene) << scene.error();
 }
 
@@ -154,7 +154,7 @@ TEST(Scene, BoxThatFollowsNothingHasNoAxisThatFollows) {
 TEST(Scene, StormIsWhatItsScriptMakes) {
     if (std::system("python3 -c '' 2>/dev/null") != 0)
         GTEST_SKIP() << "python3 is not installed";
-    const auto scene = read_scene(k_scenes / "storm.json");
+    const auto scene = scene::read_scene(k_scenes / "storm.json");
     ASSERT_TRUE(scene) << scene.error();
     EXPECT_EQ(scene->motors.size(), 300u);
     const std::string command =
@@ -234,6 +234,13 @@ TEST(Scene, SidesAreAWordOrAnObject) {
     EXPECT_TRUE(scene->air.sides.periodic(2));
 }
 
+TEST(Scene, PictureIsForARendererToRead) {
+    EXPECT_TRUE(read(R"({"picture": {"zebra": [1, "two"]}})"));
+    const auto none = read(R"({"picture": 3})");
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.error(), "a.json: $.picture is 3: give an object, {...}.");
+}
+
 TEST(Scene, FramesAndTicks) {
     auto scene = read(R"({"duration": 0.3, "frames_per_second": 10})");
     ASSERT_TRUE(scene);
@@ -247,7 +254,7 @@ TEST(Scene, FramesAndTicks) {
 }
 
 TEST(MotionPath, IsStraightBetweenPointsAndStaysAtItsEnds) {
-    const MotionPath path({{1.0, {0, 0, 0}}, {3.0, {4, 2, 0}}, {4.0, {4, 2, 0}}});
+    const scene::MotionPath path({{1.0, {0, 0, 0}}, {3.0, {4, 2, 0}}, {4.0, {4, 2, 0}}});
     EXPECT_EQ(path.at(-5.0), glm::dvec3(0, 0, 0));
     EXPECT_EQ(path.at(2.0), glm::dvec3(2, 1, 0));
     EXPECT_EQ(path.at(3.0), glm::dvec3(4, 2, 0));
@@ -256,7 +263,7 @@ TEST(MotionPath, IsStraightBetweenPointsAndStaysAtItsEnds) {
 }
 
 TEST(PathCsv, TakesHeaderCommentsSpacesAndDosLineEnds) {
-    const auto path = parse_path_csv("# walk\r\n t, x ,y,z\r\n\r\n0, 1, +2.5, -3e-1\r\n  # pause\r\n1,1,1,1", "p.csv");
+    const auto path = scene::parse_path_csv("# walk\r\n t, x ,y,z\r\n\r\n0, 1, +2.5, -3e-1\r\n  # pause\r\n1,1,1,1", "p.csv");
     ASSERT_TRUE(path) << path.error();
     ASSERT_EQ(path->points().size(), 2u);
     EXPECT_EQ(path->points()[0].position, glm::dvec3(1.0, 2.5, -0.3));
@@ -269,7 +276,7 @@ TEST(Scene, DecimalCommaOfTheLocaleDoesNotMatter) {
         if (std::setlocale(LC_ALL, name) != nullptr)
             break;
     const auto scene = read(R"({"duration": 2.5, "air": {"cell_size": 0.25, "cells": [1e1, 8, 8]}})");
-    const auto path = parse_path_csv("0.5,1.5,2.5,3.5\n", "p.csv");
+    const auto path = scene::parse_path_csv("0.5,1.5,2.5,3.5\n", "p.csv");
     const auto refused = read(R"({"duration": -2.5})");
     std::setlocale(LC_ALL, before.c_str());
     ASSERT_TRUE(scene) << scene.error();

@@ -1,0 +1,65 @@
+// Reads the lists of picture_fields.h: each field keeps its default where the file says nothing.
+#pragma once
+
+#include "fluid/result.h"
+#include "scene/json_object.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <string>
+
+namespace meadow {
+
+using windrow::scene::JsonObject;
+
+class FieldReader {
+  public:
+    using Rule = windrow::scene::NumberRule;
+
+    explicit FieldReader(JsonObject& object) : object_(object) {}
+
+    void real(const char* key, float& value, const Rule& rule) { value = object_.real(key, value, rule); }
+    void number(const char* key, double& value, const Rule& rule) { value = object_.number(key, value, rule); }
+    void integer(const char* key, int& value, const Rule& rule) { value = object_.integer(key, value, rule); }
+    void whole(const char* key, std::uint32_t& value, const Rule& rule) {
+        value = static_cast<std::uint32_t>(object_.whole(key, value, rule));
+    }
+    void place(const char* key, glm::dvec3& value, const Rule& rule) { value = object_.vector(key, value, rule); }
+    void colour(const char* key, glm::vec3& value) { value = object_.vector(key, value, {.least = 0.0, .most = 1.0}); }
+    void pair(const char* key, glm::dvec2& value, const Rule& rule, const char* names) {
+        value = object_.pair(key, value, rule, names);
+    }
+    void pair(const char* key, glm::vec2& value, const Rule& rule, const char* names) {
+        value = object_.pair(key, value, rule, names);
+    }
+
+  private:
+    JsonObject& object_;
+};
+
+/// Reads the list of one structure from the whole of an object.
+template <class Part>
+void read_part(JsonObject object, Part& part) {
+    FieldReader fields(object);
+    list_fields(fields, part);
+    object.finish();
+}
+
+/// Notes what a `validate` says of a structure whose single values were found good. Its lines begin with `owner` and a field,
+/// "grass.split_distance is ...", whose place in the file is that of the object.
+inline void note_refusals(const windrow::Result<void>& judged, const std::string& owner, JsonObject& object) {
+    if (judged)
+        return;
+    const std::string& text = judged.error();
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        const std::string line = text.substr(begin, end - begin);
+        const std::string place = object.log().file() + ": " + object.path();
+        object.log().refuse_as_is(line.starts_with(owner) ? place + "." + line.substr(owner.size()) : place + ": " + line);
+        begin = end + 1;
+    }
+}
+
+} // namespace meadow

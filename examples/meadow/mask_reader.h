@@ -1,0 +1,14 @@
+// Reads the `mask` of a layer of grass: a picture or an even alpha, and strokes upon it.
+#pragma once
+
+#include "examples/meadow/picture_scene.h"
+#include "scene/json_object.h"
+
+#include <filesystem>
+
+namespace meadow {
+
+/// `object` is finished here. `extent` [m]: the heights' own. The mask is made unless it was refused.
+[[nodiscard]] MaskSource read_mask(windrow::scene::JsonObject object, glm::vec2 extent, const std::filesystem::path& folder);
+
+} // namespace meadow

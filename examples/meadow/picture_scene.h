@@ -1,0 +1,120 @@
+// What a scene file says of the picture, in memory: one file has the air, for `windrow run`, and below its key `picture` the eye,
+// the light, the ground and the plants, for a renderer.
+//
+//     auto meadow = meadow::read_picture_scene("meadow.json");
+//     if (!meadow)
+//         return std::fprintf(stderr, "%s\n", meadow.error().c_str()), 2;       // every fault, a line each
+//     windrow::scene::SceneMotion motion(meadow->air);                           // what moves in the air
+//     const render::Camera eye = meadow::camera_at(*meadow, time);
+//
+// Every key with its unit, default and range: examples/scenes/scene.schema.json, which a test holds to the reader.
+#pragma once
+
+#include "coupling/ground_config.h"
+#include "examples/grass/grass_settings.h"
+#include "examples/grass/height_map.h"
+#include "examples/grass/placement_mask.h"
+#include "examples/render/scene.h"
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace meadow {
+
+struct CameraSource {
+    /// Where it stands, what it looks at and how. A path says where instead, if it has one.
+    render::Camera lens{};
+    std::optional<std::size_t> path{};        ///< that the position moves on: index in Scene::paths
+    std::optional<std::size_t> target_path{}; ///< that the target moves on
+    /// Heights of position and target, or of their paths, count from the ground below each. Default: from 0.
+    bool above_ground = false;
+};
+
+struct Ground {
+    std::string file{};                   ///< PGM of heights beside the scene; empty: level at `low`
+    double low = 0.0;                     ///< [m] height that black stands for
+    double high = 100.0;                  ///< [m] and white; above low
+    glm::dvec3 corner{-50.0, 0.0, -50.0}; ///< [m] place of the first sample; y is added to all heights
+    glm::dvec2 extent{100.0};             ///< [m] along x and z, 0.01 to 1e5; a file's pixels must come out square
+    /// What they make: heights above corner.y. Always there in a scene that was read.
+    std::optional<grass::HeightMap> heights{};
+
+    /// [m] In the world; beyond the rim that of the rim.
+    [[nodiscard]] double height(double x, double z) const;
+};
+
+struct Stroke {
+    bool erases = false;
+    grass::Brush brush{};
+};
+
+/// Where a layer grows: a picture or an even alpha, then strokes in their order.
+struct MaskSource {
+    std::string file{};      ///< PGM of alpha beside the scene, stretched over the ground; empty: even
+    glm::ivec2 corners{257}; ///< samples along x and z without a file, 2 to 4097
+    float even = 1.0f;       ///< alpha before the strokes, without a file
+    std::vector<Stroke> strokes{};
+    /// What they make. Always there in a scene that was read.
+    std::optional<grass::PlacementMask> mask{};
+};
+
+struct GrassLayer {
+    std::string name = "grass";
+    std::string plant = "grass";     ///< the class that stiffness and length begin with: a function of coupling/plant_classes.h
+    grass::GrassSettings settings{}; ///< with the class's stalk, and what the file changes of it
+    render::PlantLook look{};
+    MaskSource mask{};
+};
+
+/// A time at which a walker's feet leave the ground, as a jump does: on a parabola.
+struct Jump {
+    double from = 0.0, until = 0.0; ///< [s]
+    float height = 1.0f;            ///< [m] of the feet in its middle, 0 to 100
+};
+
+/// Who presses the grass down.
+struct Walker {
+    std::size_t path = 0; ///< index in Scene::paths; x and z count
+    float radius = windrow::GroundWalker{}.radius;
+    float weight = windrow::GroundWalker{}.weight;
+    std::vector<Jump> airborne{};
+
+    /// [m] Height of the feet above the ground.
+    [[nodiscard]] float feet(double time) const;
+};
+
+struct Picture {
+    glm::ivec2 size{640, 360};                 ///< [px] 16 to 8192
+    std::optional<double> frames_per_second{}; ///< default: the scene's
+    double settle = 2.0;                       ///< [s] of wind before the first picture, so that gusts have come in; 0 to 3600
+    CameraSource camera{};
+    render::Sun sun{};
+    render::Fog fog{};
+    Ground ground{};
+    std::vector<GrassLayer> grass{};
+    std::vector<nlohmann::json> trees{}; ///< as they stand in the file
+    std::vector<Walker> walkers{};
+    std::optional<windrow::GroundConfig> ground_memory{}; ///< none: walkers and wind leave no trace
+    windrow::Sampling sampling{};
+};
+
+struct PictureScene {
+    windrow::scene::Scene air;
+    Picture picture;
+
+    /// Pictures a second.
+    [[nodiscard]] double frames_per_second() const { return picture.frames_per_second.value_or(air.frames_per_second); }
+    /// Pictures from the first, at time 0, to the last.
+    [[nodiscard]] std::int64_t frame_count() const;
+};
+
+/// The camera at a time [s].
+[[nodiscard]] render::Camera camera_at(const PictureScene& scene, double time);
+/// A walker in a step from `start` to `end` [s].
+[[nodiscard]] windrow::GroundWalker walker_at(const PictureScene& scene, const Walker& walker, double start, double end);
+
+} // namespace meadow

@@ -1,0 +1,165 @@
+// meadow SCENE.json: draws the pictures of a scene file, on the GPU or, where there is none, on a software one.
+//
+//     meadow examples/scenes/meadow.json --out out/meadow            every frame as PNG, a contact sheet, a table of times
+//     meadow SCENE.json --frames 1 --from 3.5 --size 1920x1080       one picture, of the moment 3.5 s
+//     meadow SCENE.json --show slice                                 the wind itself: arrows, slice; or what the plants do: lean,
+//                                                                    levels, chunks
+//
+// Exit codes as the windrow command's: 0 well, 2 wrong use or a bad scene, 3 the machine lacks something.
+#include "examples/meadow/contact_sheet.h"
+#include "examples/meadow/picture_reader.h"
+#include "examples/meadow/shoot.h"
+#include "examples/meadow/stage_table.h"
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <unistd.h>
+
+namespace {
+
+using windrow::Error;
+using windrow::Result;
+
+constexpr std::size_t k_most_on_sheet = 24;
+
+struct Options {
+    std::filesystem::path scene{}, folder{};
+    std::int64_t frames = 0; ///< 0: all from `from`
+    double from = 0.0;       ///< [s]
+    bool exr = false;
+    meadow::ShootSettings shoot{};
+};
+
+/// What a run leaves behind for its last words.
+struct Kept {
+    std::vector<render::Picture8> sheet{};
+    meadow::StageTable stages{};
+    std::int64_t pictures = 0;
+    double seconds = 0.0; ///< of the clock on the wall, pictures and files included
+};
+
+std::filesystem::path name_of(const Options& options, std::int64_t frame, const char* ending) {
+    char name[32];
+    std::snprintf(name, sizeof name, "frame_%04d%s", static_cast<int>(frame), ending);
+    return options.folder / name;
+}
+
+Result<void> keep(const Options& options, const meadow::Shoot& shoot, std::int64_t frame) {
+    if (auto written = render::write_png(shoot.images().picture(), name_of(options, frame, ".png")); !written)
+        return written;
+    if (options.exr)
+        return render::write_exr(shoot.images().light_picture(), shoot.images().motion_picture(), name_of(options, frame, ".exr"));
+    return {};
+}
+
+Result<Kept> draw(const Options& options, const meadow::PictureScene& scene, meadow::Shoot& shoot) {
+    const auto begin = std::chrono::steady_clock::now();
+    const auto total = static_cast<std::int64_t>(std::floor(scene.air.duration * shoot.frames_per_second() + 1e-9)) + 1;
+    const auto first = static_cast<std::int64_t>(std::llround(options.from * shoot.frames_per_second()));
+    if (first >= total)
+        return Error{"--from is " + std::to_string(options.from) + " s, after the scene's end at " + std::to_string(scene.air.duration) +
+                     " s; give an earlier moment."};
+    const std::int64_t end = options.frames > 0 ? std::min(total, first + options.frames) : total;
+    if (auto settled = shoot.settle(); !settled)
+        return Error{settled.error()};
+    Kept kept;
+    kept.stages = meadow::StageTable(shoot);
+    const std::int64_t every = std::max<std::int64_t>(1, (end - first + static_cast<std::int64_t>(k_most_on_sheet) - 1) / static_cast<std::int64_t>(k_most_on_sheet));
+    const bool told = ::isatty(STDERR_FILENO) != 0;
+    for (std::int64_t frame = 0; frame < end; ++frame) {
+        if (auto done = frame < first ? shoot.skip() : shoot.draw(); !done)
+            return Error{done.error()};
+        if (frame < first)
+            continue;
+        if (auto written = keep(options, shoot, frame); !written)
+            return Error{written.error()};
+        kept.stages.add(frame, shoot.times());
+        if ((frame - first) % every == 0)
+            kept.sheet.push_back(shoot.images().picture());
+        ++kept.pictures;
+        if (told)
+            std::fprintf(stderr, "\rframe %d of %d ", static_cast<int>(frame - first + 1), static_cast<int>(end - first));
+    }
+    if (told)
+        std::fputs("\r\033[K", stderr);
+    kept.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return kept;
+}
+
+int complain(const std::string& sentence, int code) {
+    std::fprintf(stderr, "meadow: %s\n", sentence.c_str());
+    return code;
+}
+
+int run(const Options& options) {
+    const auto scene = meadow::read_picture_scene(options.scene);
+    if (!scene)
+        return complain(scene.error(), 2);
+    std::error_code error;
+    std::filesystem::create_directories(options.folder, error);
+    if (error)
+        return complain("--out " + options.folder.string() + " cannot be made (" + error.message() + "); name a folder that you may write to.", 2);
+    auto shoot = meadow::Shoot::create(*scene, options.shoot);
+    if (!shoot)
+        return complain(shoot.error(), 2);
+    auto kept = draw(options, *scene, **shoot);
+    if (!kept)
+        return complain(kept.error(), 2);
+    if (kept->sheet.size() > 1) {
+        const auto sheet = meadow::contact_sheet(kept->sheet, 4, 480);
+        if (const auto written = sheet ? render::write_png(*sheet, options.folder / "contact_sheet.png") : Result<void>(Error{sheet.error()}); !written)
+            return complain(written.error(), 2);
+    }
+    if (auto written = kept->stages.write(options.folder / "times.csv"); !written)
+        return complain(written.error(), 2);
+    std::printf("%s: %d pictures of %d x %d px in %.1f s, in %s\n", (*shoot)->device().c_str(), static_cast<int>(kept->pictures),
+                (*shoot)->size().x, (*shoot)->size().y, kept->seconds, options.folder.string().c_str());
+    std::fputs(kept->stages.text().c_str(), stdout);
+    return 0;
+}
+
+/// "1920x1080".
+std::string read_size(const std::string& text, std::optional<glm::ivec2>& size) {
+    int width = 0, height = 0, used = 0;
+    if (std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &used) != 2 || used != static_cast<int>(text.size()) || width < 16 || height < 16 || width > 8192 || height > 8192)
+        return "--size is \"" + text + "\"; give it as WIDTHxHEIGHT, 16 to 8192 pixels each.";
+    size = glm::ivec2(width, height);
+    return {};
+}
+
+} // namespace
+
+int main(int argument_count, char** arguments) {
+    Options options;
+    CLI::App app("Draws the pictures of a scene file.", "meadow");
+    std::string size, folder;
+    double frames_per_second = 0.0;
+    const std::map<std::string, meadow::Show> shows{{"plants", meadow::Show::plants}, {"arrows", meadow::Show::arrows}, {"slice", meadow::Show::slice},
+                                                    {"lean", meadow::Show::lean},     {"levels", meadow::Show::levels}, {"chunks", meadow::Show::chunks}};
+    app.add_option("scene", options.scene, "the scene: a JSON file, examples/scenes/scene.schema.json says of what")->required();
+    app.add_option("--out", folder, "where the pictures go; default: out/NAME of the file");
+    app.add_option("--frames", options.frames, "how many frames; default: to the scene's end")->check(CLI::Range(1, 100000));
+    app.add_option("--from", options.from, "[s] the moment of the first; what is before is blown, not drawn")->check(CLI::Range(0.0, 1e6));
+    app.add_option("--fps", frames_per_second, "frames a second; default: the scene's")->check(CLI::Range(0.1, 10000.0));
+    app.add_option("--size", size, "of a picture in pixels, as 1280x720; default: the scene's");
+    app.add_option("--samples", options.shoot.samples, "a pixel, 1 or 4; default: 4")->check(CLI::IsMember({1, 4}));
+    app.add_option("--show", options.shoot.show, "plants, or arrows, slice, lean, levels, chunks")->transform(CLI::CheckedTransformer(shows));
+    app.add_flag("--exr", options.exr, "light and motion of each frame as OpenEXR too");
+    app.add_flag("!--no-wind", options.shoot.wind, "without wind: what it costs");
+    try {
+        app.parse(argument_count, arguments);
+    } catch (const CLI::ParseError& error) {
+        return error.get_exit_code() == 0 ? app.exit(error) : complain(error.what(), 2);
+    }
+    if (!size.empty())
+        if (const std::string fault = read_size(size, options.shoot.size); !fault.empty())
+            return complain(fault, 2);
+    if (frames_per_second > 0.0)
+        options.shoot.frames_per_second = frames_per_second;
+    options.folder = folder.empty() ? std::filesystem::path("out") / options.scene.stem() : std::filesystem::path(folder);
+    return run(options);
+}

@@ -1,0 +1,85 @@
+#include "scene/path_reader.h"
+
+#include "fluid/message.h"
+#include "scene/air_reader.h"
+#include "scene/file_beside.h"
+#include "scene/json_document.h"
+#include "scene/path_csv.h"
+
+#include <cmath>
+
+namespace windrow::scene {
+namespace {
+
+using detail::message;
+using nlohmann::json;
+
+constexpr std::size_t k_most_paths = 4096;
+
+MotionPath read_points(JsonObject& object) {
+    std::vector<PathPoint> points;
+    const auto items = object.array("points", MotionPath::k_most_points);
+    const std::size_t faults_before = object.log().faults();
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        const json& item = items[i];
+        const std::string path = message(object.path(), ".points[", i, "]");
+        if (!item.is_array() || item.size() != 4) {
+            object.log().refuse(path, message("is ", quote_json(item), ": give a time and a place, [t, x, y, z]."));
+            continue;
+        }
+        double values[4] = {};
+        for (std::size_t k = 0; k < 4; ++k) {
+            const NumberRule rule{.least = -MotionPath::k_farthest, .most = MotionPath::k_farthest, .unit = k == 0 ? "s" : "m"};
+            values[k] = JsonObject::check_number(item[k], message(path, "[", k, "]"), rule, object.log()).value_or(0.0);
+        }
+        if (!points.empty() && !(values[0] > points.back().time) && object.log().faults() == faults_before)
+            object.log().refuse(path, message("has t = ", values[0], " s after ", points.back().time,
+                                              " s: times must increase from point to point."));
+        points.push_back({.time = values[0], .position = {values[1], values[2], values[3]}});
+    }
+    if (points.empty() && object.log().faults() == faults_before && object.value()["points"].is_array())
+        object.refuse("points", "is empty: give at least one point, [t, x, y, z].");
+    return MotionPath(std::move(points));
+}
+
+MotionPath read_table(JsonObject& object, const std::filesystem::path& folder) {
+    const auto file = file_beside(object, "file", folder);
+    if (!file)
+        return {};
+    auto path = read_path_csv(*file);
+    if (!path) {
+        object.log().refuse_as_is(path.error());
+        return {};
+    }
+    return std::move(*path);
+}
+
+} // namespace
+
+std::vector<ScenePath> read_paths(JsonObject& scene, const std::filesystem::path& folder) {
+    std::vector<ScenePath> paths;
+    JsonObject list = scene.object("paths");
+    if (list.value().size() > k_most_paths) {
+        list.refuse(message("holds ", list.value().size(), " paths: give at most ", k_most_paths, "."));
+        return paths;
+    }
+    for (const auto& [name, value] : list.value().items()) {
+        JsonObject object(value, join_json_path(list.path(), name), list.pattern() + ".*", scene.log());
+        ScenePath path{.name = name, .path = {}};
+        switch (object.one_of({"points", "file"})) {
+        case 0:
+            path.path = read_points(object);
+            break;
+        case 1:
+            path.path = read_table(object, folder);
+            break;
+        default:
+            break;
+        }
+        object.finish();
+        paths.push_back(std::move(path));
+    }
+    return paths;
+}
+
+} // namespace windrow::scene

@@ -1,0 +1,32 @@
+#include "scene/read_log.h"
+
+#include "fluid/message.h"
+
+namespace windrow::scene {
+
+void ReadLog::refuse(std::string_view path, std::string_view rest) {
+    refuse_as_is(detail::message(file_, ": ", path, " ", rest));
+}
+
+void ReadLog::refuse_as_is(std::string sentence) {
+    constexpr std::size_t k_most_told = 20;
+    if (++count_ > k_most_told)
+        return;
+    if (!text_.empty())
+        text_ += '\n';
+    text_ += sentence;
+}
+
+void ReadLog::know(KnownKey key) {
+    if (known_ != nullptr)
+        known_->push_back(std::move(key));
+}
+
+Error ReadLog::error() const {
+    constexpr std::size_t k_most_told = 20;
+    if (count_ <= k_most_told)
+        return Error{text_};
+    return Error{detail::message(text_, "\n", file_, ": ", count_ - k_most_told, " more faults of this sort.")};
+}
+
+} // namespace windrow::scene

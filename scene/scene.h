@@ -1,0 +1,89 @@
+// A scene: the air, what moves in it and acts on it, and what is kept of a run. What a scene file says, in memory.
+#pragma once
+
+#include "fluid/motors.h"
+#include "fluid/wind.h"
+#include "scene/motion_path.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace windrow::scene {
+
+/// A motor and when it acts.
+struct SceneMotor {
+    std::string name;
+    /// As it stands when it begins to act. Where it has a path, the path says where.
+    Motor motor;
+    std::optional<std::size_t> path; ///< index in Scene::paths
+    double from = 0.0;               ///< [s] acts in ticks whose middle lies in [from, until)
+    double until = std::numeric_limits<double>::infinity();
+};
+
+struct ScenePath {
+    std::string name;
+    MotionPath path;
+};
+
+struct PicturesSetting {
+    /// [m] Height of the level slice above the floor, or above the followed point in a box without a floor.
+    double slice_height = 1.0;
+    /// [m/s] Speed at the top of the colour bar.
+    float speed_scale = 10.0f;
+    /// [pixels] The height follows from the box's shape.
+    int width = 1600;
+};
+
+enum class VdbPrecision : std::uint8_t { full, half };
+enum class VdbUp : std::uint8_t { y, z };
+
+/// What windrow::vdb::Options takes; kept apart so that scenes are read, and checked, without OpenVDB too.
+struct VdbSetting {
+    std::string name = "vel";
+    bool three_scalars = false;
+    VdbPrecision precision = VdbPrecision::full;
+    VdbUp up = VdbUp::y;
+};
+
+struct Scene {
+    std::filesystem::path file; ///< where it was read, for sentences
+    std::string name;
+    std::string description;
+    double duration = 10.0;          ///< [s]
+    double tick_hz = 60.0;           ///< steps a second
+    double frames_per_second = 10.0; ///< at most tick_hz
+    Config air;                      ///< `centre` follows `follow` unless the scene gives one
+    std::vector<ScenePath> paths;
+    /// What the box follows: nothing, a point [m], or a path by its index.
+    std::variant<std::monostate, glm::dvec3, std::size_t> follow;
+    /// [m] Height of the ground, or a path by its index whose height it takes. Only with a wall at y_low.
+    std::variant<double, std::size_t> floor = 0.0;
+    std::vector<SceneMotor> motors;
+    PicturesSetting pictures;
+    VdbSetting vdb;
+
+    [[nodiscard]] bool has_floor() const { return air.sides.y_low.solid(); }
+    /// [m] What the box follows at a time; the centre where it follows nothing.
+    [[nodiscard]] glm::dvec3 followed_point(double time) const;
+    /// [m] Height of the floor at a time.
+    [[nodiscard]] double floor_height(double time) const;
+
+    /// Frames of the whole scene: frame i is the air at the tick nearest to i / frames_per_second; the first is at 0, before any
+    /// step.
+    [[nodiscard]] std::int64_t frame_count() const;
+    /// The tick after which frame i is taken.
+    [[nodiscard]] std::int64_t tick_of_frame(std::int64_t frame) const;
+};
+
+/// Most frames and ticks of one run; more is an accident with a unit, and would fill any disk.
+inline constexpr std::int64_t k_most_frames = 100'000;
+inline constexpr std::int64_t k_most_ticks = 10'000'000;
+
+} // namespace windrow::scene

@@ -1,0 +1,72 @@
+#include "scene/scene_motion.h"
+
+#include "fluid/message.h"
+
+namespace windrow::scene {
+namespace {
+
+using detail::message;
+
+Motor moved(const Motor& motor, glm::dvec3 position) {
+    Motor result = motor;
+    std::visit([&](auto& kind) { kind.position = position; }, result);
+    return result;
+}
+
+/// Mean strength between two ages [s].
+double strength_of(const Motor& motor, double from, double to) {
+    return std::visit(
+        [&](const auto& kind) {
+            if constexpr (requires { kind.envelope; })
+                return kind.envelope.mean(from, to);
+            else
+                return kind.mean(from, to);
+        },
+        motor);
+}
+
+} // namespace
+
+std::vector<SceneMotion::Acting> SceneMotion::acting(const Motors& motors, double time) const {
+    std::vector<Acting> result;
+    for (std::size_t i = 0; i < scene_->motors.size(); ++i) {
+        const SceneMotor& motor = scene_->motors[i];
+        const Part& part = parts_[i];
+        if (time < motor.from || time >= motor.until || (part.begun && motors.find(part.id) == nullptr))
+            continue;
+        const double age = part.begun ? time - part.since : 0.0;
+        result.push_back({&motor, motor.path ? moved(motor.motor, scene_->paths[*motor.path].path.at(time)) : motor.motor,
+                          strength_of(motor.motor, age, age + 1.0 / scene_->tick_hz)});
+    }
+    return result;
+}
+
+Error SceneMotion::refusal(const char* key, double time, const std::string& why) const {
+    return Error{message(scene_->file.string(), ": $.", key, " at ", time, " s: ", why)};
+}
+
+Result<void> SceneMotion::place_motors(Motors& motors, double start, double end) {
+    for (std::size_t i = 0; i < scene_->motors.size(); ++i)
+        if (const auto placed = place_motor(motors, scene_->motors[i], parts_[i], start, end); !placed)
+            return Error{message(scene_->file.string(), ": $.motors[", i, "]: ", placed.error())};
+    return {};
+}
+
+Result<void> SceneMotion::place_motor(Motors& motors, const SceneMotor& motor, Part& part, double start, double end) {
+    const double middle = 0.5 * (start + end);
+    const bool acts = motor.from <= middle && middle < motor.until;
+    if (acts && !part.begun) {
+        // A wake begins its path where the body is at the tick's start, then is moved like any other.
+        const auto added = motors.add(motor.path ? moved(motor.motor, scene_->paths[*motor.path].path.at(start)) : motor.motor);
+        if (!added)
+            return Error{added.error()};
+        part = {.id = *added, .begun = true, .since = start};
+    }
+    if (motors.find(part.id) == nullptr)
+        return {};
+    if (!acts)
+        return motors.remove(part.id);
+    return motor.path ? motors.move(part.id, scene_->paths[*motor.path].path.at(end)) : Result<void>{};
+}
+
+} // namespace windrow::scene

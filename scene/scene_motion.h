@@ -1,0 +1,89 @@
+// What moves in a scene, put where it belongs tick by tick: the box that follows, its floor, the motors that come, move and go.
+//
+//     auto motion = windrow::scene::SceneMotion(scene);
+//     auto placed = motion.begin(*wind);                                     // the box lies where the first frame wants it
+//     for (int tick = 0; tick < ticks; ++tick) {
+//         placed = motion.place(*wind, tick / scene.tick_hz, (tick + 1) / scene.tick_hz);
+//         wind->step(1.0 / scene.tick_hz);
+//     }
+//
+// For any wind with `motors()`, `follow(point)` and `set_floor(height)`: windrow::Wind, windrow::vulkan::Wind, a host's own.
+#pragma once
+
+#include "scene/scene.h"
+
+#include <concepts>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace windrow::scene {
+
+/// A wind that a scene can be played in.
+template <class Air>
+concept MovableWind = requires(Air& air, glm::dvec3 point, double height) {
+    { air.motors() } -> std::same_as<Motors&>;
+    { air.follow(point) } -> std::same_as<Result<void>>;
+    { air.set_floor(height) } -> std::same_as<Result<void>>;
+};
+
+class SceneMotion {
+  public:
+    /// The scene must outlive it.
+    explicit SceneMotion(const Scene& scene) : scene_(&scene), parts_(scene.motors.size()) {}
+
+    /// Puts the box where the scene has it at time 0; no motor acts yet. Refusals begin with the scene's file and path.
+    template <MovableWind Air>
+    Result<void> begin(Air& air) {
+        return place_box(air, 0.0);
+    }
+
+    /// For one tick, from `start` to `end` [s]: the box and all that moves are put where they are at its end; motors whose time
+    /// holds the tick's middle are added, others removed. One that ended by itself does not begin again. Call it with ticks that
+    /// follow on each other, before the wind's step.
+    template <MovableWind Air>
+    Result<void> place(Air& air, double start, double end) {
+        if (auto placed = place_box(air, end); !placed)
+            return placed;
+        return place_motors(air.motors(), start, end);
+    }
+
+    /// A motor of the scene as it stands now.
+    struct Acting {
+        const SceneMotor* motor;
+        Motor now;
+        /// Share of its full strength in the coming tick: its envelope's, or a burst's form, which is below 0 while it draws
+        /// back.
+        double strength = 1.0;
+    };
+    /// Those that act at a time [s], in the scene's order; not those that have ended by themselves. `motors`: the wind's.
+    [[nodiscard]] std::vector<Acting> acting(const Motors& motors, double time) const;
+
+  private:
+    /// A motor of the scene in the air. Its handle turns stale when the motor ends by itself; it does not begin again.
+    struct Part {
+        MotorId id;
+        bool begun = false;
+        double since = 0.0; ///< [s] of the scene's time, when it was added
+    };
+
+    template <MovableWind Air>
+    Result<void> place_box(Air& air, double time) {
+        if (!std::holds_alternative<std::monostate>(scene_->follow))
+            if (const auto followed = air.follow(scene_->followed_point(time)); !followed)
+                return refusal("follow", time, followed.error());
+        if (scene_->has_floor())
+            if (const auto placed = air.set_floor(scene_->floor_height(time)); !placed)
+                return refusal("floor", time, placed.error());
+        return {};
+    }
+
+    [[nodiscard]] Error refusal(const char* key, double time, const std::string& why) const;
+    Result<void> place_motors(Motors& motors, double start, double end);
+    Result<void> place_motor(Motors& motors, const SceneMotor& motor, Part& part, double start, double end);
+
+    const Scene* scene_;
+    std::vector<Part> parts_; ///< one for each of the scene's motors
+};
+
+} // namespace windrow::scene

@@ -1,0 +1,187 @@
+#include "scene/scene_reader.h"
+
+#include "fluid/message.h"
+#include "scene/air_reader.h"
+#include "scene/json_document.h"
+#include "scene/json_object.h"
+#include "scene/motor_reader.h"
+#include "scene/nearest_word.h"
+#include "scene/number_text.h"
+#include "scene/path_reader.h"
+#include "scene/text_file.h"
+
+#include <algorithm>
+
+namespace windrow::scene {
+namespace {
+
+using detail::message;
+using nlohmann::json;
+
+/// The name becomes a folder's.
+const char* fault_of_name(const std::string& name) {
+    if (name.empty())
+        return "give at least one letter";
+    if (name.size() > 100)
+        return "give at most 100 bytes";
+    if (name.front() == '.' || name.front() == '-' || name.front() == ' ')
+        return "begin with a letter or a digit";
+    const bool bad = std::any_of(name.begin(), name.end(), [](char letter) {
+        return letter == '/' || letter == '\\' || (static_cast<unsigned char>(letter) < 0x20) || letter == 0x7f;
+    });
+    return bad ? "leave out slashes and control characters, since it names the output folder" : nullptr;
+}
+
+std::string read_name(JsonObject& object, const std::filesystem::path& file) {
+    std::string fallback = file.stem().string();
+    if (fault_of_name(fallback) != nullptr)
+        fallback = "scene";
+    std::string name = object.text("name", fallback);
+    if (const char* fix = fault_of_name(name)) {
+        object.refuse("name", message("is ", quote_json(json(name)), ": ", fix, "."));
+        return fallback;
+    }
+    return name;
+}
+
+/// A value that is the name of a path or something else: the path's index where it is a name.
+std::optional<std::size_t> path_index(JsonObject& object, const char* key, const json& value,
+                                      std::span<const std::string> names) {
+    const auto& word = value.get_ref<const std::string&>();
+    const auto found = std::find(names.begin(), names.end(), word);
+    if (found != names.end())
+        return static_cast<std::size_t>(found - names.begin());
+    object.refuse(key, message("is ", quote_json(value), ", which names none of $.paths", suggestion(word, names),
+                               ": add it there or name another."));
+    return std::nullopt;
+}
+
+void read_follow(JsonObject& object, Scene& scene, std::span<const std::string> names) {
+    const json* const value = object.find("follow", "name or vector");
+    if (value == nullptr)
+        return;
+    if (value->is_string()) {
+        if (const auto index = path_index(object, "follow", *value, names))
+            scene.follow = *index;
+    } else if (value->is_array()) {
+        if (const auto point = JsonObject::check_vector(*value, "$.follow", k_place_rule, object.log()))
+            scene.follow = *point;
+    } else {
+        object.refuse("follow", message("is ", quote_json(*value), ": give the name of a path, or a point [x, y, z]."));
+    }
+    const Config& air = scene.air;
+    const glm::bvec3 open(!air.sides.has_solid(0) && air.sides.has_open(0), !air.sides.has_solid(1) && air.sides.has_open(1),
+                          !air.sides.has_solid(2) && air.sides.has_open(2));
+    const glm::bvec3 axes = air.follow_axes.value_or(open);
+    if (!axes.x && !axes.y && !axes.z)
+        object.refuse("follow",
+                      "is given, but no axis of the box follows: open both sides of an axis, or give air.centre instead.");
+}
+
+void read_floor(JsonObject& object, Scene& scene, std::span<const std::string> names) {
+    const json* const value = object.find("floor", "number or name");
+    if (value == nullptr)
+        return;
+    if (value->is_string()) {
+        if (const auto index = path_index(object, "floor", *value, names))
+            scene.floor = *index;
+    } else if (value->is_number()) {
+        scene.floor = JsonObject::check_number(*value, "$.floor", k_place_rule, object.log()).value_or(0.0);
+    } else {
+        object.refuse("floor", message("is ", quote_json(*value),
+                                       ": give a height in metres, or the name of a path whose height it takes."));
+    }
+    if (!scene.has_floor())
+        object.refuse("floor",
+                      "is given, but the box has none: set air.sides.y_low to \"free_slip\" or \"no_slip\", or remove it.");
+}
+
+void read_times(JsonObject& object, Scene& scene) {
+    const std::size_t faults_before = object.log().faults();
+    scene.duration = object.number("duration", scene.duration, {.least = 0.0, .most = 1e6, .above_least = true, .unit = "s"});
+    scene.tick_hz = object.number("tick_hz", scene.tick_hz, {.least = 1.0, .most = 10'000.0, .unit = "Hz"});
+    scene.frames_per_second =
+        object.number("frames_per_second", scene.frames_per_second, {.least = 0.001, .most = 10'000.0, .unit = "1/s"});
+    if (object.log().faults() != faults_before)
+        return;
+    if (scene.frames_per_second > scene.tick_hz)
+        object.refuse("frames_per_second", message("is ", figure(scene.frames_per_second), " 1/s, more than tick_hz, ",
+                                                   figure(scene.tick_hz), " Hz: give at most that, or raise tick_hz."));
+    else if (scene.frame_count() > k_most_frames)
+        object.refuse("duration", message("is ", figure(scene.duration), " s, ", scene.frame_count(), " frames: give at most ",
+                                          k_most_frames, " frames, by a shorter duration or fewer frames_per_second."));
+    else if (scene.tick_of_frame(scene.frame_count() - 1) > k_most_ticks)
+        object.refuse("duration",
+                      message("is ", figure(scene.duration), " s, ", scene.tick_of_frame(scene.frame_count() - 1),
+                              " ticks: give at most ", k_most_ticks, " ticks, by a shorter duration or a lower tick_hz."));
+}
+
+void read_outputs(JsonObject& object, Scene& scene) {
+    JsonObject pictures = object.object("pictures");
+    scene.pictures.slice_height = pictures.number("slice_height", scene.pictures.slice_height, k_place_rule);
+    scene.pictures.speed_scale =
+        pictures.real("speed_scale", scene.pictures.speed_scale, {.least = 0.001, .most = 1e4, .unit = "m/s"});
+    scene.pictures.width = pictures.integer("width", scene.pictures.width, {.least = 640, .most = 8000, .unit = "pixels"});
+    pictures.finish();
+
+    JsonObject vdb = object.object("vdb");
+    scene.vdb.name = vdb.text("name", scene.vdb.name);
+    if (const char* fix = fault_of_name(scene.vdb.name); fix != nullptr)
+        vdb.refuse("name", message("is ", quote_json(json(scene.vdb.name)),
+                                   ": leave out slashes and control characters, 1 to 100 bytes."));
+    scene.vdb.three_scalars = vdb.boolean("three_scalars", scene.vdb.three_scalars);
+    scene.vdb.precision =
+        vdb.word("precision", scene.vdb.precision, {{"full", VdbPrecision::full}, {"half", VdbPrecision::half}});
+    scene.vdb.up = vdb.word("up", scene.vdb.up, {{"y", VdbUp::y}, {"z", VdbUp::z}});
+    vdb.finish();
+}
+
+} // namespace
+
+Result<Scene> read_scene(const std::filesystem::path& file) {
+    const auto text = read_text_file(file, k_most_scene_bytes);
+    if (!text)
+        return Error{text.error()};
+    return read_scene_text(*text, file);
+}
+
+Result<Scene> read_scene_text(std::string_view text, const std::filesystem::path& file, std::vector<KnownKey>* known) {
+    const auto document = parse_json(text, file.string());
+    if (!document)
+        return Error{document.error()};
+    ReadLog log(file.string(), known);
+    JsonObject object(*document, "$", "$", log);
+
+    Scene scene;
+    scene.file = file;
+    // Editors find the schema by this key; it means nothing to a run.
+    (void)object.text("$schema", "");
+    scene.name = read_name(object, file);
+    scene.description = object.text("description", "");
+    read_times(object, scene);
+    JsonObject air = object.object("air");
+    ReadAir read = read_air(air);
+    scene.air = read.config;
+    scene.paths = read_paths(object, file.parent_path());
+    std::vector<std::string> names;
+    for (const ScenePath& path : scene.paths)
+        names.push_back(path.name);
+    read_follow(object, scene, names);
+    read_floor(object, scene, names);
+    scene.motors = read_motors(object, {.paths = scene.paths, .path_names = names});
+    read_outputs(object, scene);
+    // What else a renderer needs (examples/meadow reads it); the air does without.
+    (void)object.object("picture");
+    object.finish();
+
+    if (log.faults() > 0)
+        return log.error();
+    // A box that follows nothing stands, and has no rim to fade over.
+    if (std::holds_alternative<std::monostate>(scene.follow) && !scene.air.follow_axes)
+        scene.air.follow_axes = glm::bvec3(false);
+    if (!read.has_centre)
+        scene.air.centre = scene.followed_point(0.0);
+    return scene;
+}
+
+} // namespace windrow::scene

@@ -1,0 +1,27 @@
+// Reads a scene file. What each key means, its unit, default and range stand in examples/scenes/scene.schema.json and
+// docs/scenes.md; a test holds the three together.
+#pragma once
+
+#include "fluid/result.h"
+#include "scene/read_log.h"
+#include "scene/scene.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+namespace windrow::scene {
+
+/// Beyond it a scene is an accident.
+inline constexpr std::size_t k_most_scene_bytes = std::size_t{16} << 20;
+
+/// Reads a scene of at most 16 MiB and the paths that it names. Tells every fault, a line each: file, JSON path, value, fix.
+[[nodiscard]] Result<Scene> read_scene(const std::filesystem::path& file);
+
+/// The same from text; `file` says where paths are looked for and begins the sentences. `known` receives every key that was asked
+/// for, whether the text has it or not.
+[[nodiscard]] Result<Scene> read_scene_text(std::string_view text, const std::filesystem::path& file,
+                                            std::vector<KnownKey>* known = nullptr);
+
+} // namespace windrow::scene

@@ -1,0 +1,98 @@
+// A picture whose every key says something else than its default, and the files that it names.
+#pragma once
+
+#include "examples/meadow/picture_reader.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <gtest/gtest.h>
+#include <string>
+#include <unistd.h>
+
+namespace meadow::test {
+
+/// A folder of its own for a test's files, gone with the test.
+class Folder {
+  public:
+    Folder() : path_(std::filesystem::path(testing::TempDir()) / ("windrow_" + name())) {
+        std::filesystem::create_directories(path_);
+    }
+    ~Folder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    [[nodiscard]] std::filesystem::path operator/(const char* file) const { return path_ / file; }
+
+    void write(const char* file, const std::string& bytes) const { std::ofstream(path_ / file, std::ios::binary) << bytes; }
+    /// A PGM of 16 bits, row by row.
+    void write_pgm(const char* file, int width, int height, const std::function<int(int, int)>& level) const {
+        std::string bytes = "P5\n" + std::to_string(width) + " " + std::to_string(height) + "\n65535\n";
+        for (int row = 0; row < height; ++row)
+            for (int column = 0; column < width; ++column) {
+                bytes.push_back(static_cast<char>(level(column, row) >> 8));
+                bytes.push_back(static_cast<char>(level(column, row) & 255));
+            }
+        write(file, bytes);
+    }
+
+  private:
+    static std::string name() {
+        const auto* const test = testing::UnitTest::GetInstance()->current_test_info();
+        return std::string(test->test_suite_name()) + "_" + test->name() + "_" + std::to_string(::getpid());
+    }
+    std::filesystem::path path_;
+};
+
+/// With the files that k_specimen names: 9 x 5 heights that rise along x, and a mask.
+inline void write_specimen_files(const Folder& folder) {
+    folder.write_pgm("hills.pgm", 9, 5, [](int column, int) { return column * 65535 / 8; });
+    folder.write_pgm("paths.pgm", 4, 4, [](int, int row) { return row < 2 ? 65535 : 0; });
+}
+
+/// Two layers, so that a mask's file and its own keys both stand; two walkers, for the same reason.
+inline constexpr const char* k_specimen = R"({
+    "duration": 5,
+    "paths": {"eye": {"points": [[0, 1, 1.5, 2], [4, 5, 1.5, 2]]}, "sight": {"points": [[0, 1, 1, -20]]}},
+    "picture": {
+        "size": [320, 200],
+        "frames_per_second": 24.5,
+        "settle": 3.25,
+        "camera": {"path": "eye", "target_path": "sight", "above_ground": true, "view_deg": 52.5, "near": 0.2, "far": 900, "exposure": 0.72},
+        "sun": {"elevation_deg": 31.5, "azimuth_deg": -120, "irradiance": 8.5, "haze": 0.1, "radius_deg": 0.3},
+        "fog": {"density": 0.002, "fall": 0.03, "base": 12.5},
+        "clouds": {"cover": 0.4, "height": 950, "size": 600, "depth": 2.5, "drift": [5, -3]},
+        "ground": {"heights": "hills.pgm", "low": 10, "high": 30, "corner": [100, 1, -200], "extent": [80, 40]},
+        "grass": [
+            {"name": "wheat", "class": "wheat", "length": 0.7, "length_spread": 0.2, "width": 0.008, "tip_width": 0.3, "taper": 1.5,
+             "along_wind": 0.6, "stiffness_spread": 0.25, "own_bend": 0.2, "own_bend_spread": 0.15, "own_curve": 0.8, "view_bend": 0.1,
+             "density": 7.5, "jitter": 0.9, "seed": 4294967295, "chunk_cells": 64, "split_distance": 20, "cut_distance": 80,
+             "morph_from": 0.5, "fade_from": 0.7, "shadow_distance": 30, "least_width": 0.001, "most_chunks": 200, "thin_from": 12, "thin_power": 1.2, "clump_size": 0.5,
+             "clump_height": 0.3, "clump_lean": 0.4, "clump_fan": 0.2, "patch_size": 5, "patch_height": 0.25,
+             "stalk": {"width": 0.009, "rigidity": 0.05, "drag_coefficient": 1.2, "air_density": 1.1, "vogel_exponent": -0.5,
+                       "vogel_speed": 6, "most_bend": 1.4},
+             "look": {"root": [0.03, 0.04, 0.02], "tip": [0.2, 0.18, 0.05], "dry": [0.22, 0.2, 0.1], "through": [0.1, 0.09, 0.02],
+                      "variation": 0.25, "root_light": 0.4, "gloss": 30, "against_light": 2, "even_from": 60},
+             "mask": {"corners": [33, 17], "even": 0.5, "strokes": [
+                 {"paint": {"centre": [20, 10], "radius": 8, "strength": 0.75, "hardness": 0.25}},
+                 {"erase": {"centre": [40, 20], "radius": 4.5, "strength": 0.9, "hardness": 0.6}}]}},
+            {"name": "reeds", "class": "reed", "mask": {"file": "paths.pgm"}}
+        ],
+        "trees": [{"kind": "oak", "places": [[1, 2]]}],
+        "walkers": [
+            {"path": "eye", "radius": 0.4, "weight": 0.8, "figure": false, "airborne": [{"from": 1.5, "until": 2, "height": 0.6}]},
+            {"path": "sight"}
+        ],
+        "fans": [{"position": [2, 1.5, -3], "direction": [0.5, 0.25, -1], "radius": 0.6, "turns_hz": 2.5}],
+        "ground_memory": {"texels": 64, "texel_size": 0.5, "spring": {"frequency_hz": 2.5, "damping": 0.12}, "push": 1.2,
+                          "trail_share": 0.6, "trail_time": 15, "trample_time": 0.9, "clearance": 0.5, "rim": 1.5,
+                          "longest_stride": 10, "most_walkers": 16},
+        "sampling": {"strength": 0.9, "limit": 50, "detail": 0.5, "detail_length": 0.6}
+    }
+})";
+
+} // namespace meadow::test
