@@ -39,6 +39,15 @@ void list_fields(Fields& fields, render::Fog& fog) {
     fields.number("base", fog.base, k_place_rule);
 }
 
+template <class Fields>
+void list_fields(Fields& fields, render::Clouds& clouds) {
+    fields.real("cover", clouds.cover, k_share_rule);
+    fields.number("height", clouds.height, k_place_rule);
+    fields.real("size", clouds.size, {.least = 1.0, .most = 1e5, .unit = "m"});
+    fields.real("depth", clouds.depth, {.least = 0.0, .most = 100.0});
+    fields.pair("drift", clouds.drift, {.least = -200.0, .most = 200.0, .unit = "m/s"}, "x, z");
+}
+
 /// But for the file.
 template <class Fields>
 void list_fields(Fields& fields, Ground& ground) {
@@ -89,6 +98,14 @@ void list_fields(Fields& fields, grass::GrassSettings& grass) {
     fields.real("fade_from", grass.fade_from, {.least = 0.0, .most = 0.99});
     fields.real("shadow_distance", grass.shadow_distance, {.least = 0.0, .most = 1e4, .unit = "m"});
     fields.real("least_width", grass.least_width, {.least = 0.0, .most = 0.01, .unit = "rad"});
+    fields.real("thin_from", grass.thin_from, {.least = 0.1, .most = 1e4, .unit = "m"});
+    fields.real("thin_power", grass.thin_power, {.least = 0.0, .most = 3.0});
+    fields.real("clump_size", grass.clump_size, {.least = 0.01, .most = 100.0, .unit = "m"});
+    fields.real("clump_height", grass.clump_height, {.least = 0.0, .most = 0.9});
+    fields.real("clump_lean", grass.clump_lean, k_share_rule);
+    fields.real("clump_fan", grass.clump_fan, k_share_rule);
+    fields.real("patch_size", grass.patch_size, {.least = 0.1, .most = 1000.0, .unit = "m"});
+    fields.real("patch_height", grass.patch_height, {.least = 0.0, .most = 0.9});
     fields.integer("most_chunks", grass.most_chunks, {.least = 1.0, .most = 65535.0});
 }
 
@@ -113,7 +130,15 @@ void list_fields(Fields& fields, grass::Brush& brush) {
     fields.real("hardness", brush.hardness, k_share_rule);
 }
 
-/// But for the path and the jumps.
+template <class Fields>
+void list_fields(Fields& fields, Fan& fan) {
+    fields.place("position", fan.position, k_place_rule);
+    fields.place("direction", fan.direction, k_place_rule);
+    fields.number("radius", fan.radius, {.least = 0.05, .most = 50.0, .unit = "m"});
+    fields.number("turns_hz", fan.turns_hz, {.least = 0.0, .most = 100.0, .unit = "Hz"});
+}
+
+/// But for the path, the figure and the jumps.
 template <class Fields>
 void list_fields(Fields& fields, Walker& walker) {
     fields.real("radius", walker.radius, {.least = 0.0, .most = 100.0, .above_least = true, .unit = "m"});

@@ -1,5 +1,6 @@
 #include "examples/meadow/picture_reader.h"
 
+#include "examples/meadow/fan_reader.h"
 #include "examples/meadow/field_reader.h"
 #include "examples/meadow/grass_reader.h"
 #include "examples/meadow/ground_reader.h"
@@ -76,10 +77,12 @@ Picture read_picture(JsonObject& object, std::span<const std::string> names, con
     picture.camera = read_camera(object.object("camera"), names);
     read_part(object.object("sun"), picture.sun);
     read_part(object.object("fog"), picture.fog);
+    read_part(object.object("clouds"), picture.clouds);
     picture.ground = read_ground(object.object("ground"), folder);
     picture.grass = read_grass(object, picture.ground.heights->extent(), folder);
     picture.trees = read_trees(object);
     picture.walkers = read_walkers(object, names);
+    picture.fans = read_fans(object);
     picture.ground_memory = read_ground_memory(object);
     read_part(object.object("sampling"), picture.sampling);
     object.finish();

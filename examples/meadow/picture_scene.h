@@ -82,9 +82,18 @@ struct Walker {
     float radius = windrow::GroundWalker{}.radius;
     float weight = windrow::GroundWalker{}.weight;
     std::vector<Jump> airborne{};
+    bool figure = true; ///< someone in a cloak is drawn there
 
     /// [m] Height of the feet above the ground.
     [[nodiscard]] float feet(double time) const;
+};
+
+/// A fan that is drawn; what it blows is a motor of the scene's.
+struct Fan {
+    glm::dvec3 position{0.0};            ///< [m] of its hub; its foot stands on the ground below
+    glm::dvec3 direction{1.0, 0.0, 0.0}; ///< where it blows
+    double radius = 0.8;                 ///< [m] 0.05 to 50
+    double turns_hz = 3.0;               ///< turns a second, 0 to 100
 };
 
 struct Picture {
@@ -94,10 +103,12 @@ struct Picture {
     CameraSource camera{};
     render::Sun sun{};
     render::Fog fog{};
+    render::Clouds clouds{};
     Ground ground{};
     std::vector<GrassLayer> grass{};
     std::vector<nlohmann::json> trees{}; ///< as they stand in the file
     std::vector<Walker> walkers{};
+    std::vector<Fan> fans{};
     std::optional<windrow::GroundConfig> ground_memory{}; ///< none: walkers and wind leave no trace
     windrow::Sampling sampling{};
 };

@@ -94,6 +94,7 @@ json write_layer(const GrassLayer& layer) {
 json write_walker(const Walker& walker, const windrow::scene::Scene& air) {
     json object = write_part(walker);
     object["path"] = air.paths[walker.path].name;
+    object["figure"] = walker.figure;
     object["airborne"] = json::array();
     for (const Jump& jump : walker.airborne)
         object["airborne"].push_back(
@@ -111,6 +112,7 @@ json write_picture(const PictureScene& scene) {
     object["camera"] = write_camera(picture.camera, scene.air);
     object["sun"] = write_part(picture.sun);
     object["fog"] = write_part(picture.fog);
+    object["clouds"] = write_part(picture.clouds);
     object["ground"] = write_part(picture.ground);
     if (!picture.ground.file.empty())
         object["ground"]["heights"] = picture.ground.file;
@@ -121,6 +123,9 @@ json write_picture(const PictureScene& scene) {
     object["walkers"] = json::array();
     for (const Walker& walker : picture.walkers)
         object["walkers"].push_back(write_walker(walker, scene.air));
+    object["fans"] = json::array();
+    for (const Fan& fan : picture.fans)
+        object["fans"].push_back(write_part(fan));
     if (picture.ground_memory) {
         object["ground_memory"] = write_part(*picture.ground_memory);
         object["ground_memory"]["spring"] = write_part(picture.ground_memory->spring);

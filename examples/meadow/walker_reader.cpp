@@ -31,6 +31,7 @@ Walker read_walker(JsonObject object, std::span<const std::string> path_names) {
     walker.path = object.name("path", path_names, "paths", true).value_or(0);
     FieldReader fields(object);
     list_fields(fields, walker);
+    walker.figure = object.boolean("figure", walker.figure);
     const auto items = object.array("airborne", k_most_jumps);
     for (std::size_t i = 0; i < items.size(); ++i)
         walker.airborne.push_back(read_jump(JsonObject(items[i], object.path() + ".airborne[" + std::to_string(i) + "]",

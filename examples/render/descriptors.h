@@ -7,9 +7,13 @@
 
 namespace render {
 
+/// The stages that the renderer has.
+inline constexpr VkShaderStageFlags k_stages =
+    VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT | VK_SHADER_STAGE_COMPUTE_BIT;
+
 struct Binding {
     VkDescriptorType type = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-    VkShaderStageFlags stages = VK_SHADER_STAGE_ALL;
+    VkShaderStageFlags stages = k_stages;
 };
 
 /// Bindings 0, 1, 2 ... in their order.

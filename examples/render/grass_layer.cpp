@@ -3,11 +3,11 @@
 #include "examples/render/descriptors.h"
 #include "examples/render/plant_look_block.h"
 #include "examples/render/refusals.h"
+#include "shader_words/field_blade_frag.h"
 #include "shader_words/field_blade_shadow_vert.h"
 #include "shader_words/field_blade_vert.h"
 #include "shader_words/field_blades.h"
-#include "shader_words/field_blades_ground.h"
-#include "shader_words/plant_frag.h"
+#include "shader_words/field_ground.h"
 
 #include <algorithm>
 #include <cstring>
@@ -27,7 +27,7 @@ constexpr VkShaderStageFlags k_both = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STA
 constexpr std::array k_bindings{Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER},
                                 Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_both},
                                 Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_both},
-                                Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_SHADER_STAGE_COMPUTE_BIT},
+                                Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_COMPUTE_BIT},
                                 Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_COMPUTE_BIT},
                                 Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_COMPUTE_BIT}};
 constexpr std::size_t k_plain_bindings = 3; // without the ground's
@@ -105,8 +105,8 @@ windrow::Result<void> GrassLayer::make(const DrawTargets& targets) {
     const PlantLookBlock content(settings_.look);
     std::memcpy(look.mapped, &content, sizeof content);
 
-    const auto dress = [&](std::span<const Binding> bindings, std::span<const std::uint32_t> shader) {
-        Dress made;
+    const auto pass = [&](std::span<const Binding> bindings, std::span<const std::uint32_t> shader) {
+        BladePass made;
         const VkDescriptorSetLayout own = make_layout(device_, bindings);
         const std::array sets{targets.frame, targets.wind, own, field_.layout()};
         made.layout = make_pipeline_layout(device_, sets);
@@ -119,10 +119,10 @@ windrow::Result<void> GrassLayer::make(const DrawTargets& targets) {
         }
         return made;
     };
-    plain_ = dress(std::span(k_bindings).first(k_plain_bindings), words::field_blades);
-    on_ground_ = dress(k_bindings, words::field_blades_ground);
+    plain_ = pass(std::span(k_bindings).first(k_plain_bindings), words::field_blades);
+    on_ground_ = pass(k_bindings, words::field_ground);
     for (engine::Buffer& block : ground_blocks_)
-        block = device_.make_buffer(sizeof(windrow::GroundBlock), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+        block = device_.make_buffer(sizeof(windrow::GroundBlock), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     VkSamplerCreateInfo sampler{}; // any will do: texels are fetched
     sampler.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
     engine::must(vkCreateSampler(device_.device, &sampler, nullptr, &sampler_), "vkCreateSampler");
@@ -131,7 +131,7 @@ windrow::Result<void> GrassLayer::make(const DrawTargets& targets) {
     layout_ = plain_.layout; // draws read no ground
     constexpr VkPrimitiveTopology strip = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP;
     colour_ = make_pipeline(device_, {.vertex = words::field_blade_vert,
-                                      .fragment = words::plant_frag,
+                                      .fragment = words::field_blade_frag,
                                       .layout = layout_,
                                       .target = targets.colour,
                                       .topology = strip});
@@ -146,7 +146,7 @@ void GrassLayer::point_at_ground(const PassContext& context) {
     const windrow::GroundBlock block = ground_->block(context.anchor);
     std::memcpy(ground_blocks_[context.slot].mapped, &block, sizeof block);
     const VkDescriptorSet set = on_ground_.sets[context.slot];
-    point(device_, set, 3, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, ground_blocks_[context.slot].buffer);
+    point(device_, set, 3, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, ground_blocks_[context.slot].buffer);
     point(device_, set, 4, ground_->texture().view, sampler_, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
     point(device_, set, 5, ground_->previous_texture().view, sampler_, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
 }
@@ -167,20 +167,26 @@ void GrassLayer::prepare(const PassContext& context) {
         point_at_ground(context);
     if (report_.orders == 0)
         return;
-    const Dress& dress = remembers ? on_ground_ : plain_;
-    const std::array sets{context.frame, context.wind, dress.sets[context.slot], field_.set()};
-    vkCmdBindDescriptorSets(context.commands, VK_PIPELINE_BIND_POINT_COMPUTE, dress.layout, 0, 4, sets.data(), 0, nullptr);
-    vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_COMPUTE, dress.pipeline);
-    const auto first = static_cast<std::uint32_t>(report_.first_order);
-    vkCmdPushConstants(context.commands, dress.layout, VK_SHADER_STAGE_ALL, 0, sizeof first, &first);
+    const auto pass = [&](const BladePass& over, VkPipelineStageFlags then) {
+        const std::array sets{context.frame, context.wind, over.sets[context.slot], field_.set()};
+        vkCmdBindDescriptorSets(context.commands, VK_PIPELINE_BIND_POINT_COMPUTE, over.layout, 0, 4, sets.data(), 0, nullptr);
+        vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_COMPUTE, over.pipeline);
+        const auto first = static_cast<std::uint32_t>(report_.first_order);
+        vkCmdPushConstants(context.commands, over.layout, VK_SHADER_STAGE_ALL, 0, sizeof first, &first);
+        vkCmdDispatch(context.commands, 2 * static_cast<std::uint32_t>(report_.orders), k_parts, 1);
+        VkMemoryBarrier barrier{};
+        barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
+        barrier.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
+        barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;
+        if (then == VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT)
+            barrier.dstAccessMask |= VK_ACCESS_SHADER_WRITE_BIT;
+        vkCmdPipelineBarrier(context.commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, then, 0, 1, &barrier, 0, nullptr, 0,
+                             nullptr);
+    };
     // The frame before has drawn what is written here: record_cull waits for its vertices.
-    vkCmdDispatch(context.commands, 2 * static_cast<std::uint32_t>(report_.orders), k_parts, 1);
-    VkMemoryBarrier barrier{};
-    barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
-    barrier.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
-    barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;
-    vkCmdPipelineBarrier(context.commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_PIPELINE_STAGE_VERTEX_SHADER_BIT, 0, 1,
-                         &barrier, 0, nullptr, 0, nullptr);
+    pass(plain_, remembers ? VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT : VK_PIPELINE_STAGE_VERTEX_SHADER_BIT);
+    if (remembers)
+        pass(on_ground_, VK_PIPELINE_STAGE_VERTEX_SHADER_BIT);
 }
 
 void GrassLayer::draw(const PassContext& context) {

@@ -23,8 +23,8 @@ namespace render {
 struct GrassLayerSettings {
     grass::GrassSettings field{};
     PlantLook look{};
-    /// Blades that are looked at once a frame, those of shadows counted apart; 1024 to 4,194,304, 80 bytes each. Default 2^18:
-    /// 20 MiB. Of more visible ones those beyond take another's bend.
+    /// Blades that are looked at once a frame, those of shadows counted apart; 1024 to 4,194,304, 96 bytes each. Default 2^18:
+    /// 24 MiB. Of more visible ones those beyond take another's bend.
     int most_blades = 262144;
     /// How many of the two shadow maps it is drawn into, 0 to 2. Default 1, the near one: a blade is far finer than a texel of
     /// the other.
@@ -38,9 +38,10 @@ struct FieldBlade {
     glm::vec4 bend{0.0f};  ///< [rad] x and z now, x and z a frame ago
     glm::vec4 size{0.0f};  ///< [m] length of its class and half its width now; the same a frame ago
     glm::uvec4 traits{0u}; ///< xy its hash; z bits of its morph (float), w of the morph a frame ago
-    glm::vec4 looks{0.0f}; ///< chances, 0 to 1: xy its clump's, zw its own
+    glm::vec4 looks{0.0f}; ///< chances, 0 to 1: xy its clump's, z its own; w size over its class's
+    glm::vec4 fog{0.0f};   ///< rgb light of the air before it, w share of its own light that comes through
 };
-static_assert(sizeof(FieldBlade) == 80);
+static_assert(sizeof(FieldBlade) == 96);
 
 class GrassLayer final : public Drawable {
   public:
@@ -69,8 +70,8 @@ class GrassLayer final : public Drawable {
   private:
     GrassLayer(engine::Device& device, grass::GrassField field, const GrassLayerSettings& settings);
     windrow::Result<void> make(const DrawTargets& targets);
-    /// The blades' pass for a set 2 of these bindings.
-    struct Dress {
+    /// A pass over the visible blades.
+    struct BladePass {
         VkPipelineLayout layout = VK_NULL_HANDLE;
         VkPipeline pipeline = VK_NULL_HANDLE;
         std::array<VkDescriptorSet, engine::k_frames_in_flight> sets{};
@@ -86,7 +87,7 @@ class GrassLayer final : public Drawable {
     std::array<engine::Buffer, engine::k_frames_in_flight> ground_blocks_{};
     VkSampler sampler_ = VK_NULL_HANDLE;
     VkBuffer blades_ = VK_NULL_HANDLE;
-    Dress plain_{}, on_ground_{};
+    BladePass plain_{}, on_ground_{};
     VkPipelineLayout layout_ = VK_NULL_HANDLE;
     VkPipeline colour_ = VK_NULL_HANDLE, shadow_ = VK_NULL_HANDLE;
 };

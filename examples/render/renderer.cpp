@@ -24,8 +24,8 @@ constexpr float k_least_width =
 constexpr glm::vec3 k_meadow_albedo{0.10f, 0.14f, 0.05f}; // of what lies around: light from below is green
 
 constexpr std::array k_frame_bindings{
-    Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_SHADER_STAGE_ALL},
-    Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT},
+    Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, k_stages},
+    Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_ALL_GRAPHICS},
     Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_COMPUTE_BIT}};
 constexpr std::array k_light_bindings{Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT}};
 
@@ -221,8 +221,9 @@ windrow::Result<void> Renderer::record(const engine::Frame& frame, const Camera&
     clock_.mark(commands, "shadow");
 
     images_.scene().begin(commands);
-    for (Drawable* const drawable : drawables_)
-        drawable->draw(context);
+    for (std::size_t n = 1; n < drawables_.size(); ++n)
+        drawables_[n]->draw(context);
+    drawables_.front()->draw(context); // the ground: little of it is seen where grass stands
     const std::array sets{context.frame, context.wind, light_set_};
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, full_screen_, 0, 3, sets.data(), 0, nullptr);
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, sky_); // last: only where nothing stands before it

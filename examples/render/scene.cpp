@@ -74,6 +74,8 @@ windrow::Result<void> validate(const Clouds& clouds) {
 windrow::Result<void> validate(const Ground& ground) {
     Refusals refusals; // the heights were judged when they were made
     place(refusals, "ground.corner", ground.corner);
+    if (ground.grown && glm::length(ground.grown->extent() - ground.heights.extent()) > 1e-3f * ground.heights.grid().spacing.x)
+        refusals.add("ground.grown has another extent than ground.heights; give it ground.heights.extent().");
     return refusals.result();
 }
 
@@ -85,13 +87,24 @@ windrow::Result<void> validate(const PlantLook& look) {
     colour(refusals, "look.through", look.through);
     const glm::vec3 through = (1.0f + 0.1f * look.against_light) *
                               glm::max(look.through, 0.3f * look.through + 0.7f * look.dry); // as plant.frag mixes them
-    const glm::vec3 brightest = glm::max(look.root, glm::max(look.tip, look.dry)) + through;
+    colour(refusals, "look.second", look.second);
+    colour(refusals, "look.head", look.head);
+    colour(refusals, "look.soil", look.soil);
+    const glm::vec3 leaf = glm::max(glm::max(look.root, look.tip), glm::max(look.dry, look.second)) + through;
+    const glm::vec3 brightest = glm::max(leaf, look.head * (1.3f + 0.03f * look.against_light)); // field_blade.vert
     refusals.range("look's brightest colour and (1 + against_light / 10) times what shines through it, together",
                    static_cast<double>(std::max({brightest.r, brightest.g, brightest.b})), 0.0, 0.6);
     refusals.range("look.variation", static_cast<double>(look.variation), 0.0, 0.9);
     refusals.range("look.root_light", static_cast<double>(look.root_light), 0.0, 1.0);
     refusals.range("look.gloss", static_cast<double>(look.gloss), 1.0, 1000.0);
     refusals.range("look.against_light", static_cast<double>(look.against_light), 0.0, 20.0);
+    refusals.range("look.dryness", static_cast<double>(look.dryness), 0.0, 1.0);
+    refusals.range("look.fold", static_cast<double>(look.fold), 0.0, 1.2);
+    refusals.range("look.midrib", static_cast<double>(look.midrib), 0.0, 1.0);
+    refusals.range("look.soften", static_cast<double>(look.soften), 0.0, 1.0);
+    refusals.range("look.self_shade", static_cast<double>(look.self_shade), 0.0, 5.0);
+    refusals.range("look.head_from", static_cast<double>(look.head_from), 0.3, 1.0);
+    refusals.range("look.head_width", static_cast<double>(look.head_width), 0.0, 0.5);
     refusals.range("look.even_from", static_cast<double>(look.even_from), 1e-3, 1e6);
     return refusals.result();
 }

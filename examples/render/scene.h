@@ -5,10 +5,12 @@
 
 #include "coupling/blade.h"
 #include "examples/grass/height_map.h"
+#include "examples/grass/placement_mask.h"
 #include "fluid/motor.h"
 #include "fluid/wind.h"
 
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 namespace render {
@@ -50,6 +52,9 @@ struct Clouds {
 struct Ground {
     glm::dvec3 corner{-50.0, 0.0, -50.0}; ///< [m] place of the first corner; y is added to all heights
     grass::HeightMap heights = grass::HeightMap::level();
+    /// Where plants stand, 0 to 1, over the heights' extent: there the ground has their roots' colour near the eye and their own
+    /// colour afar; elsewhere it is bare. Default: everywhere.
+    std::optional<grass::PlacementMask> grown{};
 
     /// [m] In the world, on the triangles that are drawn; beyond the rim that of the rim.
     [[nodiscard]] double height(double x, double z) const;
@@ -66,7 +71,18 @@ struct PlantLook {
     float root_light = 0.35f;                  ///< what the neighbours leave of the sky's light at the root, 0 to 1
     float gloss = 24.0f;                       ///< exponent, 1 to 1000
     float against_light = 2.5f;                ///< how much more shines through against the light, 0 to 20
-    float even_from = 45.0f; ///< [m] where normals have become the ground's and ground the plants' colour, above 0
+    // What follows only grass fields and the ground under them have.
+    glm::vec3 second{0.085f, 0.160f, 0.050f}; ///< fresh tips of other clumps: each clump lies somewhere between `tip` and this
+    float dryness = 1.0f;                     ///< how much dry patches and single dry blades show, 0 (none) to 1
+    float fold = 0.5f;       ///< [rad] by which both halves of a blade stand out of its plane, 0 to 1.2: a crease of light
+    float midrib = 0.2f;     ///< share by which the crease is lighter, 0 to 1
+    float soften = 0.35f;    ///< share of the ground's normal in a near blade's, 0 to 1: 0 shows each blade, 1 an even meadow
+    float self_shade = 1.3f; ///< optical depth of the neighbours along the sun's beam, from tip to root, 0 (none) to 5
+    glm::vec3 head{0.240f, 0.190f, 0.100f}; ///< of seed heads and flowers
+    float head_from = 1.0f;                 ///< share of the length at which they begin, 0.3 to 1. Default 1: none
+    float head_width = 0.012f;              ///< [m] their width, 0 to 0.5
+    glm::vec3 soil{0.044f, 0.046f, 0.020f}; ///< of the ground between the roots and where nothing grows
+    float even_from = 45.0f;                ///< [m] where normals have become the ground's and ground the plants' colour, above 0
 };
 
 /// What blows. Motors are those at the start; a host moves them.

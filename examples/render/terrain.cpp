@@ -24,7 +24,8 @@ engine::Buffer Terrain::heights(engine::Device& device, const Ground& ground) {
 Terrain::Terrain(engine::Device& device, const DrawTargets& targets, const Ground& ground, const PlantLook& look)
     : cells_x_(static_cast<std::uint32_t>(ground.heights.grid().corners.x - 1)),
       cells_z_(static_cast<std::uint32_t>(ground.heights.grid().corners.y - 1)) {
-    const std::array bindings{Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_SHADER_STAGE_ALL_GRAPHICS}};
+    const std::array bindings{Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_SHADER_STAGE_ALL_GRAPHICS},
+                              Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_FRAGMENT_BIT}};
     const VkDescriptorSetLayout own = make_layout(device, bindings);
     const std::array sets{targets.frame, targets.wind, own};
     layout_ = make_pipeline_layout(device, sets);
@@ -37,6 +38,15 @@ Terrain::Terrain(engine::Device& device, const DrawTargets& targets, const Groun
     const PlantLookBlock content(look);
     std::memcpy(block.mapped, &content, sizeof content);
     point(device, set_, 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, block.buffer);
+    const std::vector<float> everywhere(4, 1.0f);
+    std::span<const float> grown = everywhere;
+    if (ground.grown) {
+        grown = ground.grown->values();
+        mask_corners_ = ground.grown->grid().corners;
+    }
+    const engine::Buffer mask = device.make_buffer(grown.size_bytes(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    std::memcpy(mask.mapped, grown.data(), grown.size_bytes());
+    point(device, set_, 1, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, mask.buffer);
 }
 
 void Terrain::draw(const PassContext& context) {
@@ -44,6 +54,8 @@ void Terrain::draw(const PassContext& context) {
     vkCmdBindDescriptorSets(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 0, 3, sets.data(), 0, nullptr);
     if (context.pass == Pass::shadow)
         vkCmdPushConstants(context.commands, layout_, VK_SHADER_STAGE_ALL, 0, sizeof context.cascade, &context.cascade);
+    else
+        vkCmdPushConstants(context.commands, layout_, VK_SHADER_STAGE_ALL, 8, sizeof mask_corners_, &mask_corners_);
     vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.pass == Pass::shadow ? shadow_ : colour_);
     vkCmdDraw(context.commands, 6 * cells_x_, cells_z_, 0, 0);
 }

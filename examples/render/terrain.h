@@ -19,6 +19,7 @@ class Terrain final : public Drawable {
     VkPipelineLayout layout_ = VK_NULL_HANDLE;
     VkPipeline colour_ = VK_NULL_HANDLE, shadow_ = VK_NULL_HANDLE;
     VkDescriptorSet set_ = VK_NULL_HANDLE;
+    glm::ivec2 mask_corners_{2};
 };
 
 } // namespace render

@@ -14,7 +14,7 @@ WindrowVertex wide_enough(WindrowVertex vertex, float side, float half_width, ve
         beside /= across;
         float seen = dot(cross(vertex.tangent, vertex.normal), beside); // share of the width that is seen, with its sense
         float lacking = least * length(to_eye) - half_width * abs(seen);
-        vertex.position -= side * (seen < 0.0 ? -1.0 : 1.0) * max(lacking, 0.0) * beside;
+        vertex.position += side * (seen < 0.0 ? -1.0 : 1.0) * max(lacking, 0.0) * beside;
     }
     return vertex;
 }

@@ -17,7 +17,8 @@ struct FieldBlade {
     vec4 bend;    // [rad] x and z in this frame's wind, x and z in the last one's
     vec4 size;    // [m] length of its class and half its width, as it is now; the same as it was a frame ago
     uvec4 traits; // xy its hash; z bits of its morph, w of the morph a frame ago
-    vec4 looks;   // chances, 0 to 1: xy its clump's, zw its own
+    vec4 looks;   // chances, 0 to 1: xy its clump's, z its own; w size over its class's
+    vec4 fog;     // rgb light of the air before it, w share of its own light that comes through
 };
 
 layout(std140, set = 2, binding = 0) uniform Look { PlantLook look; };

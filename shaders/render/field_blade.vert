@@ -1,14 +1,18 @@
-// A blade of a field, bent by this frame's wind; and where the same vertex was a frame ago.
+// A blade of a field, bent by this frame's wind, with the light that reaches each of its rows; and where the same vertex was a frame ago.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "field_vertex.glsl"
+#include "grass_light.glsl"
+#include "shading.glsl"
 
-layout(location = 0) out vec3 position;
-layout(location = 1) out vec3 normal;
-layout(location = 2) out vec3 across;
-layout(location = 3) out vec4 kind; // x height 0 to 1, y side -1 to 1, z chance -1 to 1, w dryness
-layout(location = 4) out vec3 clip_now;
-layout(location = 5) out vec3 clip_before;
+layout(location = 0) out vec4 leaf;    // rgb albedo, w side -1 to 1
+layout(location = 1) out vec4 through; // rgb of what shines through, w share of the ground's normal
+layout(location = 2) out vec4 normal;  // xyz, w share of the sun that arrives
+layout(location = 3) out vec4 across;  // xyz how far the normal of the blade's right half leans aside, w share of the sky
+layout(location = 4) out vec4 fog;     // rgb light of the air before it, w share that comes through
+layout(location = 5) out vec4 to_eye;  // xyz [m], w gloss
+layout(location = 6) out vec3 clip_now;
+layout(location = 7) out vec3 clip_before;
 
 void main() {
     FieldBlade blade = field_blade();
@@ -16,11 +20,39 @@ void main() {
     float least = frame.eye_before.w * smoothstep(0.0, 0.25 * grass.blade.size.x, blade.size.x); // what shrinks away may vanish
     WindrowVertex now = field_point(blade, blade.size.xy, blade.bend.xy, row, frame.eye.xyz, least);
     WindrowVertex before = field_point(blade, blade.size.zw, blade.bend.zw, field_row(blade.traits.w), frame.eye_before.xyz, least);
-    position = now.position;
-    normal = now.normal;
-    across = cross(now.tangent, now.normal);
-    kind = vec4(row, 2.0 * mix(blade.looks.x, blade.looks.z, 0.5) - 1.0, blade.root.w);
-    gl_Position = frame.view_projection * vec4(position, 1.0);
+    gl_Position = frame.view_projection * vec4(now.position, 1.0);
     clip_now = gl_Position.xyw;
     clip_before = (frame.view_projection_before * vec4(before.position, 1.0)).xyw;
+
+    vec3 sight = frame.eye.xyz - now.position;
+    float distance = length(sight);
+    sight /= distance;
+    // Height over the ground of the tallest, as if the blade had not shrunk away: a low blade stands in the shade of taller ones. Afar
+    // it is what the ground there has.
+    float full = grass.blade.size.x * max(blade.looks.w, 1e-3);
+    float height = (now.position.y - blade.root.y) / grass.blade.size.x * full / max(blade.size.x, 1e-3 * full);
+    float tall = clamp(mix(height, row.x, 0.35), 0.0, 1.0);
+    tall = mix(tall, k_seen_height, 0.85 * smoothstep(0.3, 1.0, distance / look.size.y));
+    vec3 albedo = grass_albedo(look, tall, blade.looks.y, blade.looks.z, blade.root.w);
+    vec3 shines = grass_through(look, albedo, tall);
+    if (row.x > field_head()) {
+        albedo = look.head.rgb * (1.0 + look.tip.w * (2.0 * blade.looks.z - 1.0));
+        shines = 0.3 * albedo;
+    }
+    // A crease along the middle, where a blade is seen wide enough to show it.
+    float facing = dot(now.normal, sight);
+    float shows = clamp(blade.size.y * abs(facing) / max(3.0 * frame.eye_before.w * distance, 1e-6) - 0.3, 0.0, 1.0);
+    albedo *= 1.0 + look.shape.z * shows * (row.y == 0.0 ? 1.0 : -0.3);
+    leaf = vec4(albedo, row.y);
+    through = vec4(shines, look.shape.w + (0.85 - look.shape.w) * smoothstep(0.0, look.size.y, distance));
+    vec3 to_sun = frame.sky.sun.xyz;
+    float mapped = 1.0 - smoothstep(0.8 * frame.shadow_texel.w, frame.shadow_texel.w, distance);
+    float own_shade = mix(1.0, grass_self_shade(look, tall), 1.0 - 0.6 * mapped); // the near map has some of it
+    // On edge neither face is seen: the normal goes from one to the other by way of the eye's side, else thin blades would be dotted.
+    vec3 face = mix(normalize(sight + vec3(0.0, 1.0, 0.0)), facing < 0.0 ? -now.normal : now.normal, smoothstep(0.0, 0.4, abs(facing)));
+    normal = vec4(face, sun_share(now.position, to_sun) * own_shade);
+    across = vec4(look.second.w * shows * cross(now.tangent, now.normal), grass_open(look, tall));
+    fog = blade.fog;
+    float bent = 1.0 - now.tangent.y * now.tangent.y;
+    to_eye = vec4(frame.eye.xyz - now.position, row.x * (0.4 + 0.6 * bent));
 }

@@ -1,4 +1,4 @@
-// The vertices of a field's blade. Sets as field_blades.glsl has them.
+// The vertices of a field's blade. Sets as field_blades.comp has them.
 #ifndef WINDROW_RENDER_FIELD_VERTEX_GLSL
 #define WINDROW_RENDER_FIELD_VERTEX_GLSL
 
@@ -18,9 +18,18 @@ FieldBlade field_blade() {
     return field_blades[at % uint(field_blades.length())];
 }
 
-// Height and side of this vertex.
+// Height on the blade from which on it is a head; 1 none.
+float field_head() {
+    return look.head.w;
+}
+
+// Height and side of this vertex. Where there is a head the upper three rows and the tip are its own.
 vec2 field_row(uint morph) {
-    return windrow_grass_row(gl_VertexIndex, int(which.grass_draw.y & 1u), uintBitsToFloat(morph));
+    vec2 row = windrow_grass_row(gl_VertexIndex, int(which.grass_draw.y & 1u), uintBitsToFloat(morph));
+    const float below = 4.0 / 7.0;
+    if (field_head() < 1.0)
+        row.x = row.x < below ? row.x * field_head() / below : mix(field_head(), 1.0, (row.x - below) / (1.0 - below));
+    return row;
 }
 
 // [m] from the anchor. `size` [m] length and half width, `bend` [rad] x and z.
@@ -31,9 +40,16 @@ WindrowVertex field_point(FieldBlade made, vec2 size, vec2 bend, vec2 row, vec3 
     vec3 sight = made.root.xyz - eye;
     vec3 view = sight / max(length(sight), 1e-6);
     WindrowBladePlant plant = windrow_blade_plant(blade, vec3(0.0, 1.0, 0.0), made.traits.xy, vec3(bend.x, 0.0, bend.y), view);
-    WindrowVertex vertex = windrow_blade_vertex(blade, plant, row.x, row.y);
+    float half_width = windrow_blade_half_width(blade, row.x);
+    if (row.x > field_head()) { // a seed head or a flower at the end, round across: as wide from every side
+        float u = (row.x - field_head()) / (1.0 - field_head());
+        float grown = size.y / max(grass.blade.size.z, 1e-6); // as much as the stalk has grown or shrunk
+        half_width = max(half_width, look.shape.x * grown * 2.0 * sqrt(u * (1.0 - u)));
+        least = max(least, 0.8 * half_width / max(length(sight), 1e-3));
+    }
+    WindrowVertex vertex = windrow_blade_point(plant, row.x, row.y * half_width);
     vertex.position += made.root.xyz;
-    return wide_enough(vertex, row.y, windrow_blade_half_width(blade, row.x), eye, least);
+    return wide_enough(vertex, row.y, half_width, eye, least);
 }
 
 #endif

@@ -2,6 +2,7 @@
 #ifndef WINDROW_RENDER_SHADING_GLSL
 #define WINDROW_RENDER_SHADING_GLSL
 
+#include "air.glsl"
 #include "frame.glsl"
 #include "../numerics/leaf_light.glsl"
 
@@ -37,17 +38,9 @@ float sun_share(vec3 position, vec3 lift) {
     return lit * windrow_cloud_light(frame.clouds, frame.sky.sun.xyz, position);
 }
 
-// Air between the eye and p: density falls upward as exp(-fall * height), integrated along the ray; what it scatters in has the colour of the
-// sky near the horizon there. Based on: Wenzel 2006, Real-time atmospheric effects in games (height fog in closed form).
 vec3 fogged(vec3 radiance, vec3 p) {
-    vec3 ray = p - frame.eye.xyz;
-    float distance = length(ray);
-    float fall = frame.skylight.w;
-    float rise = fall * ray.y;
-    float mean = abs(rise) < 1e-3 ? 1.0 - 0.5 * rise : (1.0 - exp(-rise)) / rise;
-    float depth = frame.sunlight.w * exp(-fall * (frame.eye.y - frame.groundlight.w)) * distance * mean;
-    vec3 level = normalize(vec3(ray.x, max(0.06 * length(ray.xz), ray.y), ray.z));
-    return mix(windrow_sky_radiance(frame.sky, level), radiance, exp(-depth));
+    vec4 air = air_before(p);
+    return mix(air.rgb, radiance, air.w);
 }
 
 #endif
