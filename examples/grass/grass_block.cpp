@@ -22,9 +22,9 @@ float blade_reach(const GrassSettings& settings) {
     // The bend keeps its length within 0.4 % (shaders/numerics/stem.glsl).
     const float longest = 1.004f * settings.blade.stalk.length * (1.0f + settings.blade.length_spread);
     // Where blades thin out, those that are left are wider.
-    const float share =
-        windrow::numerics::windrow_grass_share({settings.thin_from, settings.thin_power, 0.0f, 0.0f}, settings.cut_distance);
-    const float width = settings.blade.width / windrow::numerics::windrow_grass_cover(share);
+    const glm::vec4 thin(settings.thin_from, settings.thin_power, settings.thin_widen, 0.0f);
+    const float share = windrow::numerics::windrow_grass_share(thin, settings.cut_distance);
+    const float width = settings.blade.width * windrow::numerics::windrow_grass_wider(thin, share);
     return longest + 0.5f * std::max(width, settings.least_width * settings.cut_distance);
 }
 
@@ -38,7 +38,7 @@ Block block_of(const GrassSettings& settings, const HeightMap& heights, const Pl
     block.cells = glm::ivec4(cells_of(heights, settings), settings.chunk_cells, static_cast<std::int32_t>(settings.seed));
     block.corners = glm::ivec4(heights.grid().corners, mask.grid().corners);
     block.spacing = glm::vec4(heights.grid().spacing, mask.grid().spacing);
-    block.thin = {settings.thin_from, settings.thin_power, 0.0f, 0.0f};
+    block.thin = {settings.thin_from, settings.thin_power, settings.thin_widen, 0.0f};
     block.clump = {1.0f / settings.clump_size, settings.clump_height, settings.clump_lean, settings.clump_fan};
     block.patches = {1.0f / settings.patch_size, settings.patch_height, 0.0f, 0.0f};
     if (const auto blades = windrow::Blades::create(settings.blade))

@@ -26,6 +26,7 @@ windrow::Result<void> validate(const GrassSettings& settings) {
     between("grass.least_width", settings.least_width, 0.0, 0.01, " rad");
     between("grass.thin_from", settings.thin_from, 0.1, 1e4, " m");
     between("grass.thin_power", settings.thin_power, 0.0, 3.0, "");
+    between("grass.thin_widen", settings.thin_widen, 0.0, 1.0, "");
     between("grass.clump_size", settings.clump_size, 0.01, 100.0, " m");
     between("grass.clump_height", settings.clump_height, 0.0, 0.9, "");
     between("grass.clump_lean", settings.clump_lean, 0.0, 1.0, "");

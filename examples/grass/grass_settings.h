@@ -36,11 +36,14 @@ struct GrassSettings {
     float shadow_distance = 40.0f;
     /// [rad] Least width at which a blade is drawn, 0 to 0.01. Default 0.0007: about a pixel at 1080p; thinner ones flicker.
     float least_width = 0.0007f;
-    /// [m] From here on fewer blades are drawn, each wider by as much: what they cover stays. 0.1 to 1e4. Default 10.
+    /// [m] From here on fewer blades are drawn, each wider for it. 0.1 to 1e4. Default 10.
     float thin_from = 10.0f;
     /// Their share falls as (thin_from / distance)^thin_power, 0 to 3. Default 0: all are drawn. 1.5 halves them with every 1.6
     /// times the distance; from 2 on the eye sees few and wide blades.
     float thin_power = 0.0f;
+    /// By how much of what is lost the others are wider, 0 to 1. Default 1: what they cover from above stays. A low eye looks
+    /// across many blades and is content with 0.6, which keeps far ones slender.
+    float thin_widen = 1.0f;
     /// [m] Mean distance between the middles of clumps, 0.01 to 100. Default 0.35: a tuft. What a clump shares:
     float clump_size = 0.35f;
     /// Share by which clumps may be lower than the class, 0 to 0.9. Default 0: all are as high.

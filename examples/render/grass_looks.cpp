@@ -32,7 +32,8 @@ LookLayer leaves(float length, float width, float density) {
     field.shadow_distance = 13.0f;
     field.least_width = 0.0f; // the renderer's own holds
     field.thin_from = 2.6f;
-    field.thin_power = 1.6f;
+    field.thin_power = 1.45f;
+    field.thin_widen = 0.62f; // for the eye of one who stands in it
     field.clump_size = 1.2f * length;
     field.clump_height = 0.35f;
     field.clump_lean = 0.55f;
@@ -41,6 +42,9 @@ LookLayer leaves(float length, float width, float density) {
     field.patch_height = 0.35f;
     field.most_chunks = 900;
     made.settings.look.even_from = 48.0f;
+    made.settings.look.self_shade = 1.8f;
+    made.settings.look.variation = 0.26f;
+    made.settings.look.root_light = 0.26f;
     return made;
 }
 
@@ -188,7 +192,7 @@ GrassLook composition() {
     tufts.settings.look.second = {0.180f, 0.180f, 0.060f};
     tufts.bare = 0.75f;
     tufts.bare_size = 2.5f;
-    LookLayer blue = stalks(base, 0.38f, 11.0f);
+    LookLayer blue = stalks(base, 0.36f, 8.0f);
     blue.bare = 0.6f;
     blue.bare_size = 3.0f;
     blue.settings.look.head = {0.10f, 0.13f, 0.40f};
@@ -196,6 +200,7 @@ GrassLook composition() {
     blue.settings.look.head_width = 0.018f;
     LookLayer white = blue;
     white.settings.field.seed = 101;
+    white.bare = 0.75f;
     white.bare_size = 5.0f;
     white.settings.look.head = {0.42f, 0.40f, 0.34f};
     look.layers.insert(look.layers.end(), {tufts, blue, white});

@@ -14,7 +14,8 @@
 //   thinning   a blade of chance c (0 to 1) stands while c < s(d) = (1 + b) min(d_0 / d, 1)^p and shrinks away before: its size is
 //              q = min((s - c) / w, 1), w = s b / (1 + b). All stand at d_0 and nearer. The area that is left is the integral of q^2 over c,
 //                  E(s) = s / (1 + b) + w / 3 (1 - max((s - 1) / w, 0)^3),   E(1 + b) = 1,
-//              and blades are 1 / E as wide: what they cover stays what it was.
+//              and blades are (1 / E)^k as wide: with k = 1 what they cover from above stays what it was; a low eye, before which blades
+//              stand behind each other, is content with less.
 //   growth     clumps and patches make blades smaller than the class, never larger
 //
 // Distances and places are [m]; places from the field's corner.
@@ -49,7 +50,7 @@ struct WindrowGrass {
     ivec4 cells;   // xy cells of the field along x and z, z cells along a chunk's side, w seed
     ivec4 corners; // xy of the heights along x and z, zw of the mask
     vec4 spacing;  // [m] xy of the heights, zw of the mask
-    vec4 thin;     // x [m] d_0, y p
+    vec4 thin;     // x [m] d_0, y p, z how much of what is lost blades are wider by: an exponent on 1 / E
     vec4 clump;    // x [1/m] clumps a metre; shares: y less height, z one way to face, w outward
     vec4 patches;  // x [1/m] patches a metre, y share of less height, zw 0
     vec4 planes[12]; // of the colour's view and of the shadow's: dot(xyz, p) + w >= 0 inside, p from the field's corner; xyz unit vectors
@@ -122,6 +123,11 @@ WINDROW_FN float windrow_grass_cover(float s) {
     return s / (1.0f + WINDROW_GRASS_SHRINK) + width / 3.0f * (1.0f - beyond * beyond * beyond);
 }
 
+// How much wider those are that are left: 1 / E where thin.z is 1.
+WINDROW_FN float windrow_grass_wider(vec4 thin, float s) {
+    return pow(windrow_grass_cover(s), -thin.z);
+}
+
 // A cell's chance to be left out afar.
 WINDROW_FN float windrow_grass_chance(ivec2 cell, uint seed) {
     return windrow_share(windrow_plant_hash(windrow_grass_key(cell, seed, 4u)).x);
@@ -176,7 +182,7 @@ WINDROW_FN WindrowBlade windrow_grass_thinned(WindrowGrass grass, float size, fl
         return windrow_grass_class(grass, size, distance);
     float s = windrow_grass_share(grass.thin, distance);
     float kept = windrow_grass_presence(chance, s);
-    grass.blade.size.z /= windrow_grass_cover(s);
+    grass.blade.size.z *= windrow_grass_wider(grass.thin, s);
     return windrow_grass_class(grass, size * kept, distance);
 }
 

@@ -43,7 +43,7 @@ WindrowVertex field_point(FieldBlade made, vec2 size, vec2 bend, vec2 row, vec3 
     float half_width = windrow_blade_half_width(blade, row.x);
     if (row.x > field_head()) { // a seed head or a flower at the end, round across: as wide from every side
         float u = (row.x - field_head()) / (1.0 - field_head());
-        float grown = size.y / max(grass.blade.size.z, 1e-6); // as much as the stalk has grown or shrunk
+        float grown = min(size.y / max(grass.blade.size.z, 1e-6), 1.6); // as the stalk; a far one stays a head
         half_width = max(half_width, look.shape.x * grown * 2.0 * sqrt(u * (1.0 - u)));
         least = max(least, 0.8 * half_width / max(length(sight), 1e-3));
     }

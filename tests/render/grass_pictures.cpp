@@ -35,7 +35,7 @@ void draw(const render::GrassLook& look, const std::filesystem::path& folder, in
     const float grown = look.layers.front().settings.field.blade.stalk.length;
     scene.camera.position = k_eye + glm::dvec3(0.0, 0.65 + 1.1 * static_cast<double>(grown), 0.0);
     scene.camera.target = scene.camera.position + glm::dvec3(0.0, -1.3, -10.0);
-    scene.camera.exposure = 0.8f;
+    scene.camera.exposure = 0.86f;
     scene.fog.base = k_eye.y;
     windrow::Config& wind = scene.wind.wind;
     wind.cells = {32, 8, 32};
