@@ -131,6 +131,39 @@ void list_fields(Fields& fields, grass::Brush& brush) {
 }
 
 template <class Fields>
+void list_fields(Fields& fields, StandPlace& place) {
+    fields.pair("at", place.at, {.least = -1e9, .most = 1e9, .unit = "m"}, "x, z");
+    fields.real("size", place.size, {.least = 0.05, .most = 10.0});
+    fields.real("yaw_deg", place.yaw_deg, {.least = -360.0, .most = 360.0, .unit = "deg"});
+}
+
+template <class Fields>
+void list_fields(Fields& fields, trees::ClearCircle& circle) {
+    fields.pair("centre", circle.centre, {.least = -1e9, .most = 1e9, .unit = "m"}, "x, z");
+    fields.number("radius", circle.radius, {.least = 0.0, .most = 1e6, .unit = "m"});
+}
+
+/// But for the circles that stay clear.
+template <class Fields>
+void list_fields(Fields& fields, trees::TreeScatter& scatter) {
+    fields.integer("count", scatter.count, {.least = 0.0, .most = 100'000.0});
+    fields.pair("low", scatter.low, {.least = -1e9, .most = 1e9, .unit = "m"}, "x, z");
+    fields.pair("high", scatter.high, {.least = -1e9, .most = 1e9, .unit = "m"}, "x, z");
+    fields.number("apart", scatter.apart, {.least = 0.0, .most = 1000.0, .unit = "m"});
+    fields.real("groves", scatter.groves, k_share_rule);
+    fields.number("grove_length", scatter.grove_length, {.least = 1.0, .most = 1e5, .unit = "m"});
+    fields.real("size_spread", scatter.size_spread, {.least = 0.0, .most = 0.9});
+    fields.whole("seed", scatter.seed, {.least = 0.0, .most = 4294967295.0});
+}
+
+/// But for the kind, the springs and where they stand.
+template <class Fields>
+void list_fields(Fields& fields, TreeStand& stand) {
+    fields.whole("seed", stand.seed, {.least = 0.0, .most = 4294967295.0});
+    fields.integer("variants", stand.variants, {.least = 1.0, .most = 8.0});
+}
+
+template <class Fields>
 void list_fields(Fields& fields, Fan& fan) {
     fields.place("position", fan.position, k_place_rule);
     fields.place("direction", fan.direction, k_place_rule);

@@ -15,10 +15,10 @@
 #include "examples/grass/height_map.h"
 #include "examples/grass/placement_mask.h"
 #include "examples/render/scene.h"
+#include "examples/trees/stand_settings.h"
 #include "scene/scene.h"
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -96,6 +96,23 @@ struct Fan {
     double turns_hz = 3.0;               ///< turns a second, 0 to 100
 };
 
+/// A tree at a place of its own; it stands on the ground there.
+struct StandPlace {
+    glm::dvec2 at{0.0};     ///< [m] x and z
+    float size = 1.0f;      ///< factor on all its lengths, 0.05 to 10
+    float yaw_deg = 0.0f;   ///< turn about the vertical, -360 to 360
+};
+
+/// Trees of one kind (examples/trees/stand_settings.h).
+struct TreeStand {
+    std::string kind = "oak";          ///< of trees::preset_names
+    std::uint32_t seed = 1;            ///< another number, other trees of the kind
+    int variants = 2;                  ///< different trees, 1 to 8: places take them in turn
+    bool springs = true;               ///< trunks, limbs and twigs swing
+    std::vector<StandPlace> places{};
+    trees::TreeScatter scatter{};      ///< and more by chance
+};
+
 struct Picture {
     glm::ivec2 size{640, 360};                 ///< [px] 16 to 8192
     std::optional<double> frames_per_second{}; ///< default: the scene's
@@ -106,7 +123,7 @@ struct Picture {
     render::Clouds clouds{};
     Ground ground{};
     std::vector<GrassLayer> grass{};
-    std::vector<nlohmann::json> trees{}; ///< as they stand in the file
+    std::vector<TreeStand> trees{};
     std::vector<Walker> walkers{};
     std::vector<Fan> fans{};
     std::optional<windrow::GroundConfig> ground_memory{}; ///< none: walkers and wind leave no trace

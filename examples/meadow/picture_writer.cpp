@@ -102,6 +102,20 @@ json write_walker(const Walker& walker, const windrow::scene::Scene& air) {
     return object;
 }
 
+json write_stand(const TreeStand& stand) {
+    json object = write_part(stand);
+    object["kind"] = stand.kind;
+    object["springs"] = stand.springs;
+    object["places"] = json::array();
+    for (const StandPlace& place : stand.places)
+        object["places"].push_back(write_part(place));
+    object["scatter"] = write_part(stand.scatter);
+    object["scatter"]["clear"] = json::array();
+    for (const trees::ClearCircle& circle : stand.scatter.clear)
+        object["scatter"]["clear"].push_back(write_part(circle));
+    return object;
+}
+
 } // namespace
 
 json write_picture(const PictureScene& scene) {
@@ -119,7 +133,9 @@ json write_picture(const PictureScene& scene) {
     object["grass"] = json::array();
     for (const GrassLayer& layer : picture.grass)
         object["grass"].push_back(write_layer(layer));
-    object["trees"] = picture.trees;
+    object["trees"] = json::array();
+    for (const TreeStand& stand : picture.trees)
+        object["trees"].push_back(write_stand(stand));
     object["walkers"] = json::array();
     for (const Walker& walker : picture.walkers)
         object["walkers"].push_back(write_walker(walker, scene.air));

@@ -84,6 +84,8 @@ Result<void> Shoot::make() {
     const render::DrawTargets targets = renderer_->draw_targets();
     if (auto grown = make_grass(targets); !grown)
         return grown;
+    if (auto grown = make_trees(targets); !grown)
+        return grown;
     make_bodies(targets);
     if (auto seen = make_views(targets); !seen)
         return seen;
@@ -102,6 +104,33 @@ Result<void> Shoot::make_grass(const render::DrawTargets& targets) {
             (*made)->set_ground(&*ground_);
         renderer_->add(**made);
         grass_.push_back(*std::move(made));
+    }
+    return {};
+}
+
+Result<void> Shoot::make_trees(const render::DrawTargets& targets) {
+    const auto height = [&](double x, double z) { return scene_.picture.ground.height(x, z); };
+    for (const TreeStand& stand : scene_.picture.trees) {
+        auto kind = trees::preset(stand.kind);
+        if (!kind)
+            return Error{"$.picture.trees: " + kind.error()};
+        kind->tree.seed = stand.seed;
+        trees::TreeStandSettings settings{
+            .kind = *std::move(kind), .variants = stand.variants, .scatter = stand.scatter, .springs = stand.springs};
+        for (const StandPlace& place : stand.places)
+            settings.places.push_back(
+                {.base = {place.at.x, height(place.at.x, place.at.y), place.at.y}, .size = place.size, .yaw_deg = place.yaw_deg});
+        const auto places = trees::places_of(settings, height);
+        if (!places)
+            return Error{"$.picture.trees: " + places.error()};
+        if (places->empty())
+            continue;
+        auto made = trees::TreeStand::create(device_, targets, settings, *places, anchor_);
+        if (!made)
+            return Error{"$.picture.trees: " + made.error()};
+        (*made)->set_time_step(1.0 / frames_per_second_);
+        renderer_->add(**made);
+        trees_.push_back(*std::move(made));
     }
     return {};
 }

@@ -16,6 +16,7 @@
 #include "examples/render/grass_layer.h"
 #include "examples/render/renderer.h"
 #include "examples/render/wind_arrows.h"
+#include "examples/trees/tree_stand.h"
 #include "fluid/vulkan/wind.h"
 #include "scene/scene_motion.h"
 
@@ -40,8 +41,8 @@ struct ShootSettings {
 
 /// Device memory by what it is for, [bytes].
 struct ShootMemory {
-    std::uint64_t targets = 0; ///< pictures, shadow map, read-backs, uniform blocks, the ground's heights: what the engine made
-    std::uint64_t wind = 0, grass = 0, trees = 0, ground_memory = 0;
+    std::uint64_t targets = 0; ///< pictures, shadow map, read-backs, uniform blocks, the ground's heights, trees: what the engine made
+    std::uint64_t wind = 0, grass = 0, ground_memory = 0;
 };
 
 class Shoot {
@@ -72,6 +73,7 @@ class Shoot {
     Shoot(const PictureScene& scene, const ShootSettings& settings);
     windrow::Result<void> make();
     windrow::Result<void> make_grass(const render::DrawTargets& targets);
+    windrow::Result<void> make_trees(const render::DrawTargets& targets);
     void make_bodies(const render::DrawTargets& targets);
     void place_bodies(double time);
     windrow::Result<void> make_views(const render::DrawTargets& targets);
@@ -93,6 +95,7 @@ class Shoot {
     std::optional<windrow::vulkan::GroundMemory> ground_{};
     std::unique_ptr<render::Renderer> renderer_{};
     std::vector<std::unique_ptr<render::GrassLayer>> grass_{};
+    std::vector<std::unique_ptr<trees::TreeStand>> trees_{};
     std::optional<render::Bodies> bodies_{};
     std::optional<render::WindArrows> arrows_{};
     std::optional<engine::Frames> frames_{};

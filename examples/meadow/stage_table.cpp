@@ -27,8 +27,8 @@ StageFigures figures_of(std::string name, std::vector<double> times) {
 StageTable::StageTable(const Shoot& shoot) {
     const ShootMemory memory = shoot.memory();
     char text[256];
-    std::snprintf(text, sizeof text, "memory: %.1f MiB pictures, shadows and ground, %.1f wind, %.1f grass, %.1f trees, %.1f ground's memory\n",
-                  mib(memory.targets), mib(memory.wind), mib(memory.grass), mib(memory.trees), mib(memory.ground_memory));
+    std::snprintf(text, sizeof text, "memory: %.1f MiB pictures, shadows, ground and trees, %.1f wind, %.1f grass, %.1f ground's memory\n",
+                  mib(memory.targets), mib(memory.wind), mib(memory.grass), mib(memory.ground_memory));
     what_ = text;
 }
 

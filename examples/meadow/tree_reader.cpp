@@ -1,16 +1,67 @@
 #include "examples/meadow/tree_reader.h"
 
-#include <string>
+#include "examples/meadow/field_reader.h"
+#include "examples/meadow/picture_fields.h"
+#include "examples/trees/tree_presets.h"
 
 namespace meadow {
+namespace {
 
-std::vector<nlohmann::json> read_trees(windrow::scene::JsonObject& picture) {
-    constexpr std::size_t k_most_stands = 256;
-    const auto items = picture.array("trees", k_most_stands);
-    for (std::size_t i = 0; i < items.size(); ++i) // refuses what is no object
-        (void)windrow::scene::JsonObject(items[i], picture.path() + ".trees[" + std::to_string(i) + "]",
-                                         picture.pattern() + ".trees[]", picture.log());
-    return {items.begin(), items.end()};
+constexpr std::size_t k_most_stands = 256;
+constexpr std::size_t k_most_places = 4096;
+
+/// The items of an array of objects.
+template <class Read>
+void each(JsonObject& object, const char* key, std::size_t most, Read read) {
+    const auto items = object.array(key, most);
+    for (std::size_t i = 0; i < items.size(); ++i)
+        read(JsonObject(items[i], object.path() + "." + key + "[" + std::to_string(i) + "]", object.pattern() + "." + key + "[]",
+                        object.log()));
+}
+
+trees::TreeScatter read_scatter(JsonObject object) {
+    trees::TreeScatter scatter;
+    const std::size_t faults_before = object.log().faults();
+    FieldReader fields(object);
+    list_fields(fields, scatter);
+    each(object, "clear", k_most_places, [&](JsonObject item) {
+        trees::ClearCircle circle;
+        read_part(std::move(item), circle);
+        scatter.clear.push_back(circle);
+    });
+    object.finish();
+    if (object.log().faults() == faults_before)
+        note_refusals(trees::validate(scatter), "scatter.", object);
+    return scatter;
+}
+
+TreeStand read_stand(JsonObject object) {
+    TreeStand stand;
+    std::vector<std::string> kinds;
+    for (const std::string_view kind : trees::preset_names())
+        kinds.emplace_back(kind);
+    const std::size_t chosen = object.word_index("kind", stand.kind, kinds);
+    if (chosen < kinds.size())
+        stand.kind = kinds[chosen];
+    FieldReader fields(object);
+    list_fields(fields, stand);
+    stand.springs = object.boolean("springs", stand.springs);
+    each(object, "places", k_most_places, [&](JsonObject item) {
+        StandPlace place;
+        read_part(std::move(item), place);
+        stand.places.push_back(place);
+    });
+    stand.scatter = read_scatter(object.object("scatter"));
+    object.finish();
+    return stand;
+}
+
+} // namespace
+
+std::vector<TreeStand> read_trees(JsonObject& picture) {
+    std::vector<TreeStand> stands;
+    each(picture, "trees", k_most_stands, [&](JsonObject item) { stands.push_back(read_stand(std::move(item))); });
+    return stands;
 }
 
 } // namespace meadow

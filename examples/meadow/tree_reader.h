@@ -1,13 +1,13 @@
-// Reads `picture.trees`. The items are kept as they stand, each an object.
+// Reads `picture.trees`: stands of trees, each of one kind, at places of their own and by chance.
 #pragma once
 
+#include "examples/meadow/picture_scene.h"
 #include "scene/json_object.h"
 
-#include <nlohmann/json.hpp>
 #include <vector>
 
 namespace meadow {
 
-[[nodiscard]] std::vector<nlohmann::json> read_trees(windrow::scene::JsonObject& picture);
+[[nodiscard]] std::vector<TreeStand> read_trees(windrow::scene::JsonObject& picture);
 
 } // namespace meadow

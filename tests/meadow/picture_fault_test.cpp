@@ -24,6 +24,10 @@ TEST(PictureFault, TextThatIsNoPicture) {
     expect_refusal(R"({"grass": {}})", "a.json: $.picture.grass is {}: give a list, [...].");
     expect_refusal(R"({"grass": [1]})", "a.json: $.picture.grass[0] is 1: give an object, {...}.");
     expect_refusal(R"({"trees": {"kind": "oak"}})", "a.json: $.picture.trees is {\"kind\":\"oak\"}: give a list, [...].");
+    expect_refusal(R"({"trees": [{"kind": "palm"}]})",
+                   "a.json: $.picture.trees[0].kind is \"palm\": give one of \"oak\", \"birch\", \"spruce\", \"bush\".");
+    expect_refusal(R"({"trees": [{"scatter": {"low": [5, 0], "high": [5, 1]}}]})",
+                   "a.json: $.picture.trees[0].scatter.high.x is not beyond scatter.low.x; give a region of some size.");
     expect_refusal(R"({"trees": [{}, 7]})", "a.json: $.picture.trees[1] is 7: give an object, {...}.");
     expect_refusal(R"({"size": [640]})", "a.json: $.picture.size is [640]: give two numbers, [width, height].");
     expect_refusal(R"({"size": [640, 360.5]})", "a.json: $.picture.size[1] is 360.5: give a whole number.");

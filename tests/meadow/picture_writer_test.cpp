@@ -56,7 +56,7 @@ TEST(PictureWriter, DefaultsWrittenOutAreTheDefaults) {
 TEST(PictureWriter, SpecimenSaysSomethingElseThanEachDefault) {
     // Else a key that reader and writer both dropped would come back all the same.
     const auto plain = read_picture_scene_text(
-        R"({"paths": {"a": {"points": [[0, 0, 0, 0]]}}, "picture": {"grass": [{"mask": {"strokes": [{"paint": {}}, {"erase": {}}]}}], "fans": [{}], "ground_memory": {}, "walkers": [{"path": "a", "airborne": [{"from": 0, "until": 1}]}]}})",
+        R"({"paths": {"a": {"points": [[0, 0, 0, 0]]}}, "picture": {"grass": [{"mask": {"strokes": [{"paint": {}}, {"erase": {}}]}}], "trees": [{"places": [{}], "scatter": {"clear": [{}]}}], "fans": [{}], "ground_memory": {}, "walkers": [{"path": "a", "airborne": [{"from": 0, "until": 1}]}]}})",
         "a.json");
     ASSERT_TRUE(plain) << plain.error();
     const json defaults = write_picture(*plain), given = json::parse(test::k_specimen)["picture"];
