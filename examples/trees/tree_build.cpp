@@ -93,7 +93,7 @@ class Builder {
     void add_trunk() {
         constexpr int sides = shape::k_trunk_sides;
         model_.parts.push_back({{0.0f, 0.0f, 0.0f, settings_.height}, {0.0f, 1.0f, 0.0f, 1.0f}});
-        const std::uint32_t first = add_rings(shape_.trunk, sides, k_none, settings_.trunk_radius * 1e3f); // it never shrinks
+        const std::uint32_t first = add_rings(shape_.trunk, sides, k_none, -1.0f); // it never shrinks
         find_coarse(first);
         const auto ring = [&](int n) { return first + static_cast<std::uint32_t>(n * sides); };
         for (std::size_t n = 1; n < shape::k_coarse_rings.size(); ++n)

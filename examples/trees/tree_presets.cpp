@@ -78,7 +78,7 @@ TreeKind spruce() {
                  .variation = 0.18f,
                  .gloss = 30.0f,
                  .against_light = 1.0f};
-    kind.levels = {.near = 45.0f, .growth = 0.37f};
+    kind.levels = {.near = 60.0f, .growth = 0.37f};
     return kind;
 }
 
@@ -107,7 +107,7 @@ TreeKind bush() {
                  .leaf_droop = 0.2f,
                  .seed = 31};
     kind.look.leaf = {0.060f, 0.100f, 0.024f};
-    kind.levels = {.near = 26.0f, .far = 90.0f};
+    kind.levels = {.near = 26.0f, .far = 140.0f};
     return kind;
 }
 

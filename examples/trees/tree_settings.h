@@ -73,7 +73,7 @@ struct TreeLook {
 /// What a tree costs afar. Distances are for a tree of size 1.
 struct TreeLevels {
     float near = 38.0f;   ///< [m] up to which all leaves are drawn, 0.1 to 1e4
-    float far = 100.0f;   ///< [m] from which `far_leaves` are, beyond near, up to 1e5
+    float far = 240.0f;   ///< [m] from which `far_leaves` are, beyond near, up to 1e5
     int far_leaves = 34;  ///< 4 to 1000. Default 34: with those that fade, and the trunk, at most 200 vertices
     float growth = 0.41f; ///< how leaves that stay grow, 0.3 to 0.5: at 0.5 all leaves together keep their area; less, since a
                           ///< crown hides most of its leaves

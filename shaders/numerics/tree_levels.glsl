@@ -41,8 +41,10 @@ WINDROW_FN float windrow_leaf_scale(WindrowTreeLevels levels, float keep, float 
     return shown * pow(area, -levels.stems.z);
 }
 
-// Factor on a branch's thickness.
+// Factor on a branch's thickness; the trunk, told by a radius below 0, stays.
 WINDROW_FN float windrow_stem_scale(WindrowTreeLevels levels, float distance, float radius) {
+    if (radius < 0.0f)
+        return 1.0f;
     float thick = clamp(radius / (max(distance, 1e-3f) * levels.stems.x) - 1.0f, 0.0f, 1.0f);
     return thick * clamp((1.0f - distance / levels.stems.y) / 0.3f, 0.0f, 1.0f);
 }

@@ -85,6 +85,15 @@ TEST(TreeLevels, BranchesShrinkBeforeTheyGo) {
     EXPECT_EQ(model.drawn(levels, 5.0f).parts, model.parts.size());
 }
 
+// A crown never floats: whatever goes with distance, the trunk does not.
+TEST(TreeLevels, TheTrunkStaysAtAnyDistance) {
+    const TreeModel model = *build(TreeKind{}.tree);
+    const LevelBlock levels = level_block(TreeKind{}.levels, static_cast<int>(model.leaf_parts.size()));
+    for (std::uint32_t n = 0; n < shape::k_trunk_vertices; ++n)
+        for (const float distance : {1.0f, 60.0f, 99.0f, 1000.0f, 1e5f})
+            ASSERT_EQ(stem_scale(levels, distance, model.vertices[n].position.w), 1.0f) << n << " at " << distance;
+}
+
 // Where the coarse trunk takes over, the fine one has become its surface.
 TEST(TreeLevels, TheTrunkMorphsIntoTheCoarseOne) {
     for (const std::string_view name : preset_names()) {

@@ -57,9 +57,9 @@ TEST(TreeModel, PresetsAreSoundAndWithinTheirBounds) {
         EXPECT_EQ(static_cast<double>(model.vertices.size()), vertex_bound(kind.tree)); // refused by the same number
         const LevelBlock levels = level_block(kind.levels, static_cast<int>(model.leaf_parts.size()));
         std::uint32_t most = 0;
-        for (float distance = 100.0f; distance < 400.0f; distance += 1.0f)
+        for (float distance = kind.levels.far; distance < 4.0f * kind.levels.far; distance += 1.0f)
             most = std::max(most, model.drawn(levels, distance).vertices);
-        WINDROW_EXPECT_FIGURE(figure + "vertices_from_100_m", most, k_most_far_vertices);
+        WINDROW_EXPECT_FIGURE(figure + "vertices_afar", most, k_most_far_vertices);
         EXPECT_TRUE(windrow::Tree::create(wind_classes(kind.tree)));
         EXPECT_TRUE(validate(kind.look));
         EXPECT_TRUE(validate(kind.levels));
