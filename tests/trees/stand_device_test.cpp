@@ -189,7 +189,7 @@ TEST(TreeStand, DrawsWhatIsSeenAndLittleAfar) {
     TreeStandSettings settings = one("oak", false);
     settings.places.clear();
     for (int n = 0; n < 40; ++n) {
-        settings.places.push_back({.base = k_anchor + glm::dvec3(4.0 * n - 80.0, 0.0, -180.0), .size = 1.0f});
+        settings.places.push_back({.base = k_anchor + glm::dvec3(4.0 * n - 80.0, 0.0, -260.0), .size = 1.0f});
         settings.places.push_back({.base = k_anchor + glm::dvec3(4.0 * n - 80.0, 0.0, 400.0), .size = 1.0f});
     }
     stage.plant(settings);
