@@ -33,12 +33,13 @@ GrassLayer read_layer(JsonObject object, glm::vec2 extent, const std::filesystem
     FieldReader fields(object);
     list_fields(fields, layer.settings.blade);
     list_fields(fields, layer.settings);
+    list_fields(fields, layer);
     read_part(object.object("stalk"), layer.settings.blade.stalk);
     JsonObject look = object.object("look");
     FieldReader look_fields(look);
     list_fields(look_fields, layer.look);
     look.finish();
-    layer.mask = read_mask(object.object("mask"), extent, folder);
+    layer.mask = read_mask(object.object("mask"), extent, layer.settings.seed, folder);
     object.finish();
     if (object.log().faults() == faults_before) {
         note_refusals(grass::validate(layer.settings), "grass.", object);

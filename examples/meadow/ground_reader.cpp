@@ -37,13 +37,13 @@ std::optional<glm::ivec2> level_texels(glm::dvec2 extent) {
     return std::nullopt;
 }
 
-std::optional<grass::HeightMap> level(const Ground& ground) {
+std::optional<grass::HeightMap> rolling(const Ground& ground) {
     const auto texels = level_texels(ground.extent);
     if (!texels)
         return std::nullopt;
     const float height = static_cast<float>(ground.low);
     auto made = grass::HeightMap::create(*texels + 1, static_cast<float>(ground.extent.x / texels->x),
-                                         [height](glm::vec2) { return height; });
+                                         [&](glm::vec2 place) { return height + ground.hills.at(place); });
     return made ? std::optional(*std::move(made)) : std::nullopt;
 }
 
@@ -70,8 +70,12 @@ std::optional<grass::HeightMap> from_file(JsonObject& object, const Ground& grou
     }
     std::vector<float> heights;
     heights.reserve(picture->values().size());
-    for (const float share : picture->values())
-        heights.push_back(static_cast<float>(ground.low + (ground.high - ground.low) * static_cast<double>(share)));
+    for (const float share : picture->values()) {
+        const auto n = static_cast<int>(heights.size());
+        const glm::vec2 place = static_cast<float>(spacing) * glm::vec2(n % corners.x, n / corners.x);
+        heights.push_back(static_cast<float>(ground.low + (ground.high - ground.low) * static_cast<double>(share)) +
+                          ground.hills.at(place));
+    }
     auto made = grass::HeightMap::create(corners, static_cast<float>(spacing), std::move(heights));
     if (!made) {
         object.refuse(made.error());
@@ -90,17 +94,18 @@ Ground read_ground(JsonObject object, const std::filesystem::path& folder) {
     const auto file = windrow::scene::file_beside(object, "heights", folder);
     if (file)
         ground.file = object.value()["heights"].get<std::string>();
+    read_part(object.object("hills"), ground.hills);
     if (file && !(ground.low < ground.high) && object.log().faults() == faults_before)
         object.refuse("high", "is " + figure(ground.high) + " m, not above \"low\", " + figure(ground.low) + " m: give more.");
     if (object.log().faults() == faults_before) {
-        ground.heights = file ? from_file(object, ground, *file) : level(ground);
+        ground.heights = file ? from_file(object, ground, *file) : rolling(ground);
         if (!ground.heights && !file)
             object.refuse("extent", "is " + metres(ground.extent) +
                                         ", which no grid of square texels fits: give two lengths in a ratio of whole numbers.");
     }
     object.finish();
     if (!ground.heights)
-        ground.heights = level({});
+        ground.heights = rolling({});
     return ground;
 }
 

@@ -1,4 +1,4 @@
-// Reads `picture.ground`: heights out of a picture, or level ground.
+// Reads `picture.ground`: heights out of a picture, hills by chance, or level ground.
 #pragma once
 
 #include "examples/meadow/picture_scene.h"

@@ -27,6 +27,10 @@ windrow::Result<grass::PlacementMask> make_mask(const MaskSource& source, glm::v
                                 : grass::PlacementMask::create(source.corners, extent, source.even);
     if (!mask)
         return mask;
+    if (const auto thinned = grass::thin_out(*mask, source.bare); !thinned)
+        return windrow::Error{thinned.error()};
+    if (const auto trodden = grass::tread(*mask, source.path); !trodden)
+        return windrow::Error{trodden.error()};
     for (const Stroke& stroke : source.strokes)
         if (const auto touched = stroke.erases ? mask->erase(stroke.brush) : mask->paint(stroke.brush); !touched)
             return windrow::Error{touched.error()};
@@ -35,7 +39,7 @@ windrow::Result<grass::PlacementMask> make_mask(const MaskSource& source, glm::v
 
 } // namespace
 
-MaskSource read_mask(JsonObject object, glm::vec2 extent, const std::filesystem::path& folder) {
+MaskSource read_mask(JsonObject object, glm::vec2 extent, std::uint32_t seed, const std::filesystem::path& folder) {
     MaskSource source;
     const std::size_t faults_before = object.log().faults();
     const auto file = windrow::scene::file_beside(object, "file", folder);
@@ -46,6 +50,10 @@ MaskSource read_mask(JsonObject object, glm::vec2 extent, const std::filesystem:
     for (const char* key : {"corners", "even"})
         if (object.value().contains("file") && object.value().contains(key))
             object.refuse(key, "is given beside \"file\", which says it already: keep one of them.");
+    FieldReader fields(object);
+    list_fields(fields, source.bare);
+    source.bare.seed = seed;
+    read_part(object.object("path"), source.path);
     const auto items = object.array("strokes", k_most_strokes);
     for (std::size_t i = 0; i < items.size(); ++i)
         source.strokes.push_back(read_stroke(items[i], object.path() + ".strokes[" + std::to_string(i) + "]",

@@ -1,4 +1,4 @@
-// Reads the `mask` of a layer of grass: a picture or an even alpha, and strokes upon it.
+// Reads the `mask` of a layer of grass: a picture or an even alpha, bare patches, a path, and strokes upon it.
 #pragma once
 
 #include "examples/meadow/picture_scene.h"
@@ -8,7 +8,8 @@
 
 namespace meadow {
 
-/// `object` is finished here. `extent` [m]: the heights' own. The mask is made unless it was refused.
-[[nodiscard]] MaskSource read_mask(windrow::scene::JsonObject object, glm::vec2 extent, const std::filesystem::path& folder);
+/// `object` is finished here. `extent` [m]: the heights' own. `seed`: the layer's. The mask is made unless it was refused.
+[[nodiscard]] MaskSource read_mask(windrow::scene::JsonObject object, glm::vec2 extent, std::uint32_t seed,
+                                   const std::filesystem::path& folder);
 
 } // namespace meadow

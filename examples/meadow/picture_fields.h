@@ -48,13 +48,20 @@ void list_fields(Fields& fields, render::Clouds& clouds) {
     fields.pair("drift", clouds.drift, {.least = -200.0, .most = 200.0, .unit = "m/s"}, "x, z");
 }
 
-/// But for the file.
+/// But for the file and the hills.
 template <class Fields>
 void list_fields(Fields& fields, Ground& ground) {
     fields.number("low", ground.low, {.least = -1e5, .most = 1e5, .unit = "m"});
     fields.number("high", ground.high, {.least = -1e5, .most = 1e5, .unit = "m"});
     fields.place("corner", ground.corner, k_place_rule);
     fields.pair("extent", ground.extent, {.least = 0.01, .most = 1e5, .unit = "m"}, "x, z");
+}
+
+template <class Fields>
+void list_fields(Fields& fields, Hills& hills) {
+    fields.number("height", hills.height, {.least = 0.0, .most = 1e4, .unit = "m"});
+    fields.number("length", hills.length, {.least = 1.0, .most = 1e5, .unit = "m"});
+    fields.whole("seed", hills.seed, {.least = 0.0, .most = 4294967295.0});
 }
 
 /// What the wind meets: windrow::Drag, whose length a layer names itself.
@@ -100,6 +107,7 @@ void list_fields(Fields& fields, grass::GrassSettings& grass) {
     fields.real("least_width", grass.least_width, {.least = 0.0, .most = 0.01, .unit = "rad"});
     fields.real("thin_from", grass.thin_from, {.least = 0.1, .most = 1e4, .unit = "m"});
     fields.real("thin_power", grass.thin_power, {.least = 0.0, .most = 3.0});
+    fields.real("thin_widen", grass.thin_widen, k_share_rule);
     fields.real("clump_size", grass.clump_size, {.least = 0.01, .most = 100.0, .unit = "m"});
     fields.real("clump_height", grass.clump_height, {.least = 0.0, .most = 0.9});
     fields.real("clump_lean", grass.clump_lean, k_share_rule);
@@ -119,7 +127,37 @@ void list_fields(Fields& fields, render::PlantLook& look) {
     fields.real("root_light", look.root_light, k_share_rule);
     fields.real("gloss", look.gloss, {.least = 1.0, .most = 1000.0});
     fields.real("against_light", look.against_light, {.least = 0.0, .most = 20.0});
+    fields.colour("second", look.second);
+    fields.real("dryness", look.dryness, k_share_rule);
+    fields.real("fold", look.fold, {.least = 0.0, .most = 1.2, .unit = "rad"});
+    fields.real("midrib", look.midrib, k_share_rule);
+    fields.real("soften", look.soften, k_share_rule);
+    fields.real("self_shade", look.self_shade, {.least = 0.0, .most = 5.0});
+    fields.colour("head", look.head);
+    fields.real("head_from", look.head_from, {.least = 0.3, .most = 1.0});
+    fields.real("head_width", look.head_width, {.least = 0.0, .most = 0.5, .unit = "m"});
+    fields.colour("soil", look.soil);
     fields.real("even_from", look.even_from, {.least = 1e-3, .most = 1e6, .unit = "m"});
+}
+
+/// What the renderer asks beside the field.
+template <class Fields>
+void list_fields(Fields& fields, GrassLayer& layer) {
+    fields.integer("most_blades", layer.most_blades, {.least = 1024.0, .most = 4194304.0});
+    fields.integer("shadows", layer.shadows, {.least = 0.0, .most = 2.0});
+}
+
+/// In the mask's own keys; the seed is the layer's.
+template <class Fields>
+void list_fields(Fields& fields, grass::BarePatches& patches) {
+    fields.real("bare", patches.share, {.least = 0.0, .most = 0.95});
+    fields.real("bare_size", patches.size, {.least = 0.2, .most = 1000.0, .unit = "m"});
+}
+
+template <class Fields>
+void list_fields(Fields& fields, grass::FootPath& path) {
+    fields.real("width", path.width, {.least = 0.0, .most = 20.0, .unit = "m"});
+    fields.real("at", path.at, {.least = -1e5, .most = 1e5, .unit = "m"});
 }
 
 template <class Fields>

@@ -1,9 +1,20 @@
 #include "examples/meadow/picture_scene.h"
 
+#include "examples/render/place_numerics.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace meadow {
+
+float Hills::at(glm::vec2 place) const {
+    const glm::vec2 cell = place / static_cast<float>(length) + 17.3f * static_cast<float>(seed % 64u);
+    // Incommensurable steps, so that the octaves' lattices do not meet; each weighs less than it is finer: no slope stands out.
+    const float noise = 0.72f * render::numerics::windrow_place_noise(cell) +
+                        0.22f * render::numerics::windrow_place_noise(2.7f * cell + 31.0f) +
+                        0.06f * render::numerics::windrow_place_noise(7.3f * cell + 77.0f);
+    return static_cast<float>(height) * noise;
+}
 
 double Ground::height(double x, double z) const {
     const double above = heights ? static_cast<double>(heights->height(glm::vec2(x - corner.x, z - corner.z))) : low;

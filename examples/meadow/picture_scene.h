@@ -13,7 +13,9 @@
 #include "coupling/ground_config.h"
 #include "examples/grass/grass_settings.h"
 #include "examples/grass/height_map.h"
+#include "examples/grass/mask_patterns.h"
 #include "examples/grass/placement_mask.h"
+#include "examples/render/grass_layer.h"
 #include "examples/render/scene.h"
 #include "examples/trees/stand_settings.h"
 #include "scene/scene.h"
@@ -34,8 +36,19 @@ struct CameraSource {
     bool above_ground = false;
 };
 
+/// Rolling ground by chance: the place noise of shaders/numerics in three octaves.
+struct Hills {
+    double height = 0.0;    ///< [m] from the lowest possible place to the highest, 0 (none) to 1e4
+    double length = 80.0;   ///< [m] of the largest octave's cells, about half of what lies between two tops; 1 to 1e5
+    std::uint32_t seed = 0; ///< others for another number; of 64 kinds
+
+    /// [m] At a place from the ground's corner, 0 to `height`.
+    [[nodiscard]] float at(glm::vec2 place) const;
+};
+
 struct Ground {
     std::string file{};                   ///< PGM of heights beside the scene; empty: level at `low`
+    Hills hills{};                        ///< upon either
     double low = 0.0;                     ///< [m] height that black stands for
     double high = 100.0;                  ///< [m] and white; above low
     glm::dvec3 corner{-50.0, 0.0, -50.0}; ///< [m] place of the first sample; y is added to all heights
@@ -52,11 +65,13 @@ struct Stroke {
     grass::Brush brush{};
 };
 
-/// Where a layer grows: a picture or an even alpha, then strokes in their order.
+/// Where a layer grows: a picture or an even alpha, less bare patches and a path, then strokes in their order.
 struct MaskSource {
     std::string file{};      ///< PGM of alpha beside the scene, stretched over the ground; empty: even
     glm::ivec2 corners{257}; ///< samples along x and z without a file, 2 to 4097
-    float even = 1.0f;       ///< alpha before the strokes, without a file
+    float even = 1.0f;       ///< alpha before the rest, without a file
+    grass::BarePatches bare{}; ///< with the layer's seed
+    grass::FootPath path{};
     std::vector<Stroke> strokes{};
     /// What they make. Always there in a scene that was read.
     std::optional<grass::PlacementMask> mask{};
@@ -67,6 +82,8 @@ struct GrassLayer {
     std::string plant = "grass";     ///< the class that stiffness and length begin with: a function of coupling/plant_classes.h
     grass::GrassSettings settings{}; ///< with the class's stalk, and what the file changes of it
     render::PlantLook look{};
+    int most_blades = render::GrassLayerSettings{}.most_blades; ///< as there
+    int shadows = render::GrassLayerSettings{}.shadows;
     MaskSource mask{};
 };
 
@@ -122,7 +139,7 @@ struct Picture {
     render::Fog fog{};
     render::Clouds clouds{};
     Ground ground{};
-    std::vector<GrassLayer> grass{};
+    std::vector<GrassLayer> grass{}; ///< the ground has the look of the first, where that grows; elsewhere it is bare
     std::vector<TreeStand> trees{};
     std::vector<Walker> walkers{};
     std::vector<Fan> fans{};

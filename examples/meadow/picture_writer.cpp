@@ -74,6 +74,8 @@ json write_mask(const MaskSource& mask) {
     } else {
         object["file"] = mask.file;
     }
+    object.update(write_part(mask.bare));
+    object["path"] = write_part(mask.path);
     object["strokes"] = json::array();
     for (const Stroke& stroke : mask.strokes)
         object["strokes"].push_back({{stroke.erases ? "erase" : "paint", write_part(stroke.brush)}});
@@ -83,6 +85,7 @@ json write_mask(const MaskSource& mask) {
 json write_layer(const GrassLayer& layer) {
     json object = write_part(layer.settings.blade);
     object.update(write_part(layer.settings));
+    object.update(write_part(layer));
     object["name"] = layer.name;
     object["class"] = layer.plant;
     object["stalk"] = write_part(layer.settings.blade.stalk);
@@ -128,6 +131,7 @@ json write_picture(const PictureScene& scene) {
     object["fog"] = write_part(picture.fog);
     object["clouds"] = write_part(picture.clouds);
     object["ground"] = write_part(picture.ground);
+    object["ground"]["hills"] = write_part(picture.ground.hills);
     if (!picture.ground.file.empty())
         object["ground"]["heights"] = picture.ground.file;
     object["grass"] = json::array();

@@ -65,8 +65,10 @@ Result<void> Shoot::make() {
     scene.fog = picture.fog;
     scene.clouds = picture.clouds;
     scene.ground = {.corner = picture.ground.corner, .heights = *picture.ground.heights};
-    if (!picture.grass.empty())
+    if (!picture.grass.empty()) {
         scene.look = picture.grass.front().look;
+        scene.ground.grown = picture.grass.front().mask.mask;
+    }
     scene.wind.wind = air;
     scene.wind.sampling = picture.sampling;
     auto renderer = render::Renderer::create(
@@ -97,7 +99,10 @@ Result<void> Shoot::make_grass(const render::DrawTargets& targets) {
     const render::Ground ground{.corner = scene_.picture.ground.corner, .heights = *scene_.picture.ground.heights};
     for (const GrassLayer& layer : scene_.picture.grass) {
         auto made = render::GrassLayer::create(device_, targets, ground, *layer.mask.mask,
-                                               {.field = layer.settings, .look = layer.look});
+                                               {.field = layer.settings,
+                                                .look = layer.look,
+                                                .most_blades = layer.most_blades,
+                                                .shadows = layer.shadows});
         if (!made)
             return Error{"$.picture.grass, " + layer.name + ": " + made.error()};
         if (ground_)

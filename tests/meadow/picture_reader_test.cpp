@@ -4,7 +4,9 @@
 #include "scene/scene_motion.h"
 #include "tests/meadow/specimen.h"
 
+#include <algorithm>
 #include <iterator>
+#include <vector>
 
 namespace meadow {
 namespace {
@@ -59,17 +61,37 @@ TEST(PictureReader, ClassGivesTheStalkThatKeysThenChange) {
     EXPECT_EQ(changed.drag_coefficient, windrow::reed().drag_coefficient);
 }
 
-TEST(PictureReader, HeightsAreTheFilesLevelsFromLowToHigh) {
+TEST(PictureReader, HeightsAreTheFilesLevelsFromLowToHighAndItsHills) {
     const Folder folder;
     test::write_specimen_files(folder);
     const auto scene = read_picture_scene_text(test::k_specimen, folder / "a.json");
     ASSERT_TRUE(scene) << scene.error();
     const Ground& ground = scene->picture.ground;
     EXPECT_EQ(ground.heights->extent(), glm::vec2(80.0f, 40.0f));
-    EXPECT_EQ(ground.heights->heights()[0], 10.0f);
-    EXPECT_EQ(ground.heights->heights()[8], 30.0f);
-    EXPECT_NEAR(ground.height(100.0 + 20.0, -200.0 + 7.0), 1.0 + 15.0, 1e-3); // a quarter of the way, on the corner's height
-    EXPECT_NEAR(ground.height(100.0 - 20.0, -200.0), 1.0 + 10.0, 1e-3);       // beyond the rim that of the rim
+    for (int row = 0; row < 5; ++row)
+        for (int column = 0; column < 9; ++column) {
+            const glm::vec2 place = 10.0f * glm::vec2(column, row);
+            const float height = 10.0f + 20.0f * static_cast<float>(column) / 8.0f + ground.hills.at(place);
+            EXPECT_NEAR(ground.heights->heights()[static_cast<std::size_t>(9 * row + column)], height, 2e-3f) << column << ", " << row;
+        }
+    const double rim = static_cast<double>(ground.heights->heights()[0]);
+    EXPECT_EQ(ground.height(100.0 - 20.0, -200.0), 1.0 + rim); // beyond the rim that of the rim, on the corner's height
+}
+
+TEST(PictureReader, HillsRiseUponLowToTheirHeightAndOtherSeedsGiveOthers) {
+    const auto hills = [](int seed) {
+        const auto scene = read(R"({"ground": {"low": -3, "extent": [400, 400], "hills": {"height": 8, "length": 20, "seed": )" +
+                                std::to_string(seed) + "}}}");
+        EXPECT_TRUE(scene) << scene.error();
+        return std::vector<float>(scene->picture.ground.heights->heights().begin(), scene->picture.ground.heights->heights().end());
+    };
+    const std::vector<float> some = hills(1);
+    const auto [lowest, highest] = std::minmax_element(some.begin(), some.end());
+    EXPECT_GE(*lowest, -3.0f);
+    EXPECT_LE(*highest, 5.0f);
+    EXPECT_GT(*highest - *lowest, 4.0f); // of 400 cells some are nearly as low and as high as can be
+    EXPECT_EQ(some, hills(1));
+    EXPECT_NE(some, hills(2));
 }
 
 TEST(PictureReader, HeightsOfEightBitsToo) {
@@ -102,10 +124,14 @@ TEST(PictureReader, MaskIsItsFileOrEvenAndThenItsStrokes) {
     const auto scene = read_picture_scene_text(test::k_specimen, folder / "a.json");
     ASSERT_TRUE(scene) << scene.error();
     const grass::PlacementMask& painted = *scene->picture.grass[0].mask.mask;
-    EXPECT_EQ(painted.grid().corners, glm::ivec2(33, 17));
-    EXPECT_NEAR(painted.alpha({70.0f, 35.0f}), 0.5f, 1e-4f); // no stroke there
-    EXPECT_EQ(painted.alpha({20.0f, 10.0f}), 1.0f);          // 0.5 and 0.75 are 1 at most
-    EXPECT_EQ(painted.alpha({40.0f, 20.0f}), 0.0f);
+    auto wanted = grass::PlacementMask::create({33, 17}, {80.0f, 40.0f}, 0.5f);
+    ASSERT_TRUE(wanted) << wanted.error();
+    ASSERT_TRUE(grass::thin_out(*wanted, {.share = 0.3f, .size = 6.0f, .seed = 4294967295u}));
+    ASSERT_TRUE(grass::tread(*wanted, {.width = 1.5f, .at = 60.0f}));
+    ASSERT_TRUE(wanted->paint({.centre = {20.0f, 10.0f}, .radius = 8.0f, .strength = 0.75f, .hardness = 0.25f}));
+    ASSERT_TRUE(wanted->erase({.centre = {40.0f, 20.0f}, .radius = 4.5f, .strength = 0.9f, .hardness = 0.6f}));
+    EXPECT_EQ(painted.grid().corners, wanted->grid().corners);
+    EXPECT_TRUE(std::equal(painted.values().begin(), painted.values().end(), wanted->values().begin(), wanted->values().end()));
     const grass::PlacementMask& drawn = *scene->picture.grass[1].mask.mask;
     EXPECT_EQ(drawn.alpha({40.0f, 1.0f}), 1.0f);
     EXPECT_EQ(drawn.alpha({40.0f, 39.0f}), 0.0f);
@@ -151,13 +177,13 @@ TEST(PictureReader, ExampleOfTheDocumentsIsRead) {
 TEST(PictureReader, ScenesThatComeWithTheProjectAreRead) {
     const std::filesystem::path folder = std::filesystem::path(WINDROW_SOURCE_DIR) / "examples" / "scenes";
     int count = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(folder))
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
         if (entry.path().extension() == ".json" && entry.path().filename() != "scene.schema.json") {
             const auto scene = read_picture_scene(entry.path());
             EXPECT_TRUE(scene) << scene.error();
             ++count;
         }
-    EXPECT_GE(count, 3);
+    EXPECT_GE(count, 10);
 }
 
 } // namespace

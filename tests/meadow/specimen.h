@@ -66,18 +66,21 @@ inline constexpr const char* k_specimen = R"({
         "sun": {"elevation_deg": 31.5, "azimuth_deg": -120, "irradiance": 8.5, "haze": 0.1, "radius_deg": 0.3},
         "fog": {"density": 0.002, "fall": 0.03, "base": 12.5},
         "clouds": {"cover": 0.4, "height": 950, "size": 600, "depth": 2.5, "drift": [5, -3]},
-        "ground": {"heights": "hills.pgm", "low": 10, "high": 30, "corner": [100, 1, -200], "extent": [80, 40]},
+        "ground": {"heights": "hills.pgm", "low": 10, "high": 30, "corner": [100, 1, -200], "extent": [80, 40],
+                   "hills": {"height": 2, "length": 25, "seed": 3}},
         "grass": [
             {"name": "wheat", "class": "wheat", "length": 0.7, "length_spread": 0.2, "width": 0.008, "tip_width": 0.3, "taper": 1.5,
              "along_wind": 0.6, "stiffness_spread": 0.25, "own_bend": 0.2, "own_bend_spread": 0.15, "own_curve": 0.8, "view_bend": 0.1,
              "density": 7.5, "jitter": 0.9, "seed": 4294967295, "chunk_cells": 64, "split_distance": 20, "cut_distance": 80,
-             "morph_from": 0.5, "fade_from": 0.7, "shadow_distance": 30, "least_width": 0.001, "most_chunks": 200, "thin_from": 12, "thin_power": 1.2, "clump_size": 0.5,
+             "morph_from": 0.5, "fade_from": 0.7, "shadow_distance": 30, "least_width": 0.001, "most_chunks": 200, "thin_from": 12, "thin_power": 1.2, "thin_widen": 0.6, "most_blades": 65536, "shadows": 2, "clump_size": 0.5,
              "clump_height": 0.3, "clump_lean": 0.4, "clump_fan": 0.2, "patch_size": 5, "patch_height": 0.25,
              "stalk": {"width": 0.009, "rigidity": 0.05, "drag_coefficient": 1.2, "air_density": 1.1, "vogel_exponent": -0.5,
                        "vogel_speed": 6, "most_bend": 1.4},
              "look": {"root": [0.03, 0.04, 0.02], "tip": [0.2, 0.18, 0.05], "dry": [0.22, 0.2, 0.1], "through": [0.1, 0.09, 0.02],
-                      "variation": 0.25, "root_light": 0.4, "gloss": 30, "against_light": 2, "even_from": 60},
-             "mask": {"corners": [33, 17], "even": 0.5, "strokes": [
+                      "variation": 0.25, "root_light": 0.4, "gloss": 30, "against_light": 2, "even_from": 60,
+                      "second": [0.1, 0.12, 0.06], "dryness": 0.7, "fold": 0.4, "midrib": 0.3, "soften": 0.45, "self_shade": 1.7,
+                      "head": [0.3, 0.2, 0.15], "head_from": 0.7, "head_width": 0.02, "soil": [0.1, 0.08, 0.05]},
+             "mask": {"corners": [33, 17], "even": 0.5, "bare": 0.3, "bare_size": 6, "path": {"width": 1.5, "at": 60}, "strokes": [
                  {"paint": {"centre": [20, 10], "radius": 8, "strength": 0.75, "hardness": 0.25}},
                  {"erase": {"centre": [40, 20], "radius": 4.5, "strength": 0.9, "hardness": 0.6}}]}},
             {"name": "reeds", "class": "reed", "mask": {"file": "paths.pgm"}}
