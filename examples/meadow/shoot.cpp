@@ -187,8 +187,14 @@ void Shoot::place_bodies(double time) {
 }
 
 Result<void> Shoot::make_views(const render::DrawTargets& targets) {
-    if (settings_.show != Show::arrows && settings_.show != Show::slice)
-        return {};
+    switch (settings_.show) {
+        case Show::lean: renderer_->show(render::GrassView::lean); return {};
+        case Show::levels: renderer_->show(render::GrassView::levels); return {};
+        case Show::chunks: renderer_->show(render::GrassView::chunks); return {};
+        case Show::plants: return {};
+        case Show::arrows:
+        case Show::slice: break;
+    }
     const windrow::Config& air = wind_->config();
     render::WindArrowSettings view;
     view.form = settings_.show == Show::slice ? render::WindArrowSettings::Form::slice : render::WindArrowSettings::Form::arrows;

@@ -22,6 +22,14 @@ struct CloudBlock {
     glm::vec4 form{0.0f};
 };
 
+/// What grass shows in place of its colours: shaders/render/grass_view.glsl.
+enum class GrassView : int {
+    plants, ///< its colours
+    lean,   ///< how far blades lean, by the colours of speed: straw at 1.5 rad
+    levels, ///< near blades green, yellow as they morph; far ones blue
+    chunks  ///< each chunk in a colour of its own
+};
+
 /// A uniform block of std140 layout.
 struct FrameBlock {
     glm::mat4 view_projection{1.0f}, view_projection_before{1.0f}, from_clip{1.0f};

@@ -59,6 +59,8 @@ class Renderer {
 
     /// [s] Where the clouds are from now on. Default 0.
     void set_time(double seconds);
+    /// What grass shows from now on.
+    void show(GrassView view) { block_.terrain_size.z = static_cast<int>(view); }
     /// The sun from now on.
     windrow::Result<void> set_sun(const Sun& sun);
     [[nodiscard]] const Targets& images() const { return images_; }

@@ -3,6 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "field_vertex.glsl"
 #include "grass_light.glsl"
+#include "grass_view.glsl"
 #include "shading.glsl"
 
 layout(location = 0) out vec4 leaf;    // rgb albedo, w side -1 to 1
@@ -53,6 +54,10 @@ void main() {
     normal = vec4(face, sun_share(now.position, to_sun) * own_shade);
     across = vec4(look.second.w * shows * cross(now.tangent, now.normal), grass_open(look, tall));
     fog = blade.fog;
+    if (frame.terrain_size.z != 0) { // as it is, whatever the light
+        vec3 shown = grass_view(frame.terrain_size.z, blade.bend.xy, which.grass_draw.y & 1u, uintBitsToFloat(blade.traits.z), which.grass_draw.x);
+        fog = vec4(shown * (0.35 + 0.65 * row.x) / frame.eye.w, 0.0);
+    }
     float bent = 1.0 - now.tangent.y * now.tangent.y;
     to_eye = vec4(frame.eye.xyz - now.position, row.x * (0.4 + 0.6 * bent));
 }
