@@ -67,9 +67,9 @@ struct Stroke {
 
 /// Where a layer grows: a picture or an even alpha, less bare patches and a path, then strokes in their order.
 struct MaskSource {
-    std::string file{};      ///< PGM of alpha beside the scene, stretched over the ground; empty: even
-    glm::ivec2 corners{257}; ///< samples along x and z without a file, 2 to 4097
-    float even = 1.0f;       ///< alpha before the rest, without a file
+    std::string file{};        ///< PGM of alpha beside the scene, stretched over the ground; empty: even
+    glm::ivec2 corners{257};   ///< samples along x and z without a file, 2 to 4097
+    float even = 1.0f;         ///< alpha before the rest, without a file
     grass::BarePatches bare{}; ///< with the layer's seed
     grass::FootPath path{};
     std::vector<Stroke> strokes{};
@@ -115,19 +115,19 @@ struct Fan {
 
 /// A tree at a place of its own; it stands on the ground there.
 struct StandPlace {
-    glm::dvec2 at{0.0};     ///< [m] x and z
-    float size = 1.0f;      ///< factor on all its lengths, 0.05 to 10
-    float yaw_deg = 0.0f;   ///< turn about the vertical, -360 to 360
+    glm::dvec2 at{0.0};   ///< [m] x and z
+    float size = 1.0f;    ///< factor on all its lengths, 0.05 to 10
+    float yaw_deg = 0.0f; ///< turn about the vertical, -360 to 360
 };
 
 /// Trees of one kind (examples/trees/stand_settings.h).
 struct TreeStand {
-    std::string kind = "oak";          ///< of trees::preset_names
-    std::uint32_t seed = 1;            ///< another number, other trees of the kind
-    int variants = 2;                  ///< different trees, 1 to 8: places take them in turn
-    bool springs = true;               ///< trunks, limbs and twigs swing
+    std::string kind = "oak"; ///< of trees::preset_names
+    std::uint32_t seed = 1;   ///< another number, other trees of the kind
+    int variants = 2;         ///< different trees, 1 to 8: places take them in turn
+    bool springs = true;      ///< trunks, limbs and twigs swing
     std::vector<StandPlace> places{};
-    trees::TreeScatter scatter{};      ///< and more by chance
+    trees::TreeScatter scatter{}; ///< and more by chance
 };
 
 struct Picture {

@@ -98,11 +98,9 @@ Result<void> Shoot::make() {
 Result<void> Shoot::make_grass(const render::DrawTargets& targets) {
     const render::Ground ground{.corner = scene_.picture.ground.corner, .heights = *scene_.picture.ground.heights};
     for (const GrassLayer& layer : scene_.picture.grass) {
-        auto made = render::GrassLayer::create(device_, targets, ground, *layer.mask.mask,
-                                               {.field = layer.settings,
-                                                .look = layer.look,
-                                                .most_blades = layer.most_blades,
-                                                .shadows = layer.shadows});
+        auto made = render::GrassLayer::create(
+            device_, targets, ground, *layer.mask.mask,
+            {.field = layer.settings, .look = layer.look, .most_blades = layer.most_blades, .shadows = layer.shadows});
         if (!made)
             return Error{"$.picture.grass, " + layer.name + ": " + made.error()};
         if (ground_)

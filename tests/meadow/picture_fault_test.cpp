@@ -105,7 +105,8 @@ TEST(PictureFault, PatchesPathsAndHillsOutOfRange) {
                    "a.json: $.picture.grass[0].mask.bare_size is 0 m: give 0.2 to 1000 m.");
     expect_refusal(R"({"grass": [{"mask": {"path": {"width": -1}}}]})",
                    "a.json: $.picture.grass[0].mask.path.width is -1 m: give 0 to 20 m.");
-    expect_refusal(R"({"ground": {"hills": {"length": 0}}})", "a.json: $.picture.ground.hills.length is 0 m: give 1 to 100000 m.");
+    expect_refusal(R"({"ground": {"hills": {"length": 0}}})",
+                   "a.json: $.picture.ground.hills.length is 0 m: give 1 to 100000 m.");
     expect_refusal(R"({"grass": [{"most_blades": 3}]})", "a.json: $.picture.grass[0].most_blades is 3: give 1024 to 4194304.");
 }
 

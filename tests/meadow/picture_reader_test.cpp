@@ -72,7 +72,8 @@ TEST(PictureReader, HeightsAreTheFilesLevelsFromLowToHighAndItsHills) {
         for (int column = 0; column < 9; ++column) {
             const glm::vec2 place = 10.0f * glm::vec2(column, row);
             const float height = 10.0f + 20.0f * static_cast<float>(column) / 8.0f + ground.hills.at(place);
-            EXPECT_NEAR(ground.heights->heights()[static_cast<std::size_t>(9 * row + column)], height, 2e-3f) << column << ", " << row;
+            EXPECT_NEAR(ground.heights->heights()[static_cast<std::size_t>(9 * row + column)], height, 2e-3f)
+                << column << ", " << row;
         }
     const double rim = static_cast<double>(ground.heights->heights()[0]);
     EXPECT_EQ(ground.height(100.0 - 20.0, -200.0), 1.0 + rim); // beyond the rim that of the rim, on the corner's height
@@ -83,7 +84,8 @@ TEST(PictureReader, HillsRiseUponLowToTheirHeightAndOtherSeedsGiveOthers) {
         const auto scene = read(R"({"ground": {"low": -3, "extent": [400, 400], "hills": {"height": 8, "length": 20, "seed": )" +
                                 std::to_string(seed) + "}}}");
         EXPECT_TRUE(scene) << scene.error();
-        return std::vector<float>(scene->picture.ground.heights->heights().begin(), scene->picture.ground.heights->heights().end());
+        return std::vector<float>(scene->picture.ground.heights->heights().begin(),
+                                  scene->picture.ground.heights->heights().end());
     };
     const std::vector<float> some = hills(1);
     const auto [lowest, highest] = std::minmax_element(some.begin(), some.end());
