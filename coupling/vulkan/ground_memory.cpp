@@ -215,5 +215,8 @@ const GroundConfig& GroundMemory::config() const {
 std::uint64_t GroundMemory::memory_bytes() const {
     return state_->device->memory().given();
 }
+std::uint64_t GroundMemory::reserved_bytes() const {
+    return state_->device->memory().taken();
+}
 
 } // namespace windrow::vulkan

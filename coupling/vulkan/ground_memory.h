@@ -56,6 +56,8 @@ class GroundMemory {
     [[nodiscard]] const GroundConfig& config() const;
     /// [bytes] Device memory in use.
     [[nodiscard]] std::uint64_t memory_bytes() const;
+    /// [bytes] Device memory that was taken from the driver for it, in blocks with room left: at least `memory_bytes`.
+    [[nodiscard]] std::uint64_t reserved_bytes() const;
 
     GroundMemory(GroundMemory&&) noexcept;
     GroundMemory& operator=(GroundMemory&&) noexcept;

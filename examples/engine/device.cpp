@@ -94,7 +94,11 @@ Device::Device(std::uint32_t api_version, const VkPhysicalDeviceFeatures& featur
     info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
     info.queueCreateInfoCount = 1;
     info.pQueueCreateInfos = &queue_info;
-    info.pEnabledFeatures = &features;
+    VkPhysicalDeviceFeatures has{}, wanted = features;
+    vkGetPhysicalDeviceFeatures(physical, &has);
+    wanted.pipelineStatisticsQuery = has.pipelineStatisticsQuery;
+    counts_vertices = has.pipelineStatisticsQuery == VK_TRUE;
+    info.pEnabledFeatures = &wanted;
     must(vkCreateDevice(physical, &info, nullptr, &device), "vkCreateDevice");
     vkGetDeviceQueue(device, family, 0, &queue);
 }

@@ -45,6 +45,8 @@ class Device {
     VkQueue queue = VK_NULL_HANDLE;
     std::uint32_t family = 0;
     std::string name{};
+    /// pipelineStatisticsQuery, which is on where the device has it.
+    bool counts_vertices = false;
 
     /// Memory that the host sees, mapped.
     [[nodiscard]] Buffer make_buffer(VkDeviceSize bytes, VkBufferUsageFlags usage);

@@ -27,6 +27,11 @@ void update(VkCommandBuffer commands, VkBuffer to, std::size_t offset, const voi
         vkCmdUpdateBuffer(commands, to, offset + done, std::min(most, bytes - done), data + done);
 }
 
+// Planes that nothing lies beyond, for what is not to be culled.
+Planes planes_for(bool culled, const glm::mat4& view_projection, const glm::dvec3& corner) {
+    return culled ? frustum_planes(view_projection, corner) : Planes{};
+}
+
 bool is_finite(const glm::mat4& m) {
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 4; ++row)
@@ -51,20 +56,23 @@ void GrassField::State::set_frame(const GrassCamera& camera) {
     block.eye = glm::vec4(glm::vec3(eye - corner), block.eye.w);
     block.eye_before = glm::vec4(glm::vec3(eye_before.value_or(eye) - corner), 0.0f);
     eye_before = eye;
-    const Planes colour = frustum_planes(camera.view_projection, from_anchor);
-    const Planes shadow = camera.shadow_view_projection ? frustum_planes(*camera.shadow_view_projection, from_anchor) : Planes{};
+    const bool culled = settings.culling == Culling::blades;
+    const Planes colour = planes_for(culled, camera.view_projection, from_anchor);
+    const Planes shadow =
+        camera.shadow_view_projection ? planes_for(culled, *camera.shadow_view_projection, from_anchor) : Planes{};
     std::copy(colour.begin(), colour.end(), block.planes);
     std::copy(shadow.begin(), shadow.end(), block.planes + colour.size());
 }
 
 GrassReport GrassField::State::choose(const GrassCamera& camera) {
     GrassReport report;
-    const Planes colour = frustum_planes(camera.view_projection, corner - camera.anchor);
+    const bool culled = settings.culling != Culling::none;
+    const Planes colour = planes_for(culled, camera.view_projection, corner - camera.anchor);
     tree.visible(colour, glm::vec3(block.eye), block.reach.w, seen);
     shaded.clear();
     if (camera.shadow_view_projection && block.ground.z > 0.0f)
-        tree.visible(frustum_planes(*camera.shadow_view_projection, corner - camera.anchor), glm::vec3(block.eye), block.ground.z,
-                     shaded);
+        tree.visible(planes_for(culled, *camera.shadow_view_projection, corner - camera.anchor), glm::vec3(block.eye),
+                     block.ground.z, shaded);
     cache.begin_frame();
     made_orders.clear();
     cull_orders.clear();

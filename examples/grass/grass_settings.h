@@ -8,6 +8,13 @@
 
 namespace grass {
 
+/// What is left out of a frame before it is drawn.
+enum class Culling {
+    none,   ///< nothing but what lies beyond the cut: every chunk, every blade
+    chunks, ///< chunks out of view, by the quadtree
+    blades  ///< and of the others each blade out of view, on the GPU
+};
+
 struct GrassSettings {
     /// The class of blades: length, width, stiffness, own bend, view bend. Default: meadow grass of 0.3 m, whose bend adds 0.5
     /// rad when seen from above, so that it covers the ground there too.
@@ -59,6 +66,8 @@ struct GrassSettings {
     /// Chunks that have memory at once, 1 to 65535. Default 160: a view of 90 degrees to 90 m and its shadows. With fewer than a
     /// view needs the farthest are left out, and counted (GrassReport::left_out).
     int most_chunks = 160;
+    /// Default: all that can be. The others are there to measure what it saves; they draw the same picture.
+    Culling culling = Culling::blades;
 };
 
 /// Every reason why it cannot be used, a line each.

@@ -72,7 +72,7 @@ Result<void> Shoot::make() {
     scene.wind.wind = air;
     scene.wind.sampling = picture.sampling;
     auto renderer = render::Renderer::create(
-        device_, scene, {.width = size_.x, .height = size_.y, .samples = settings_.samples, .anchor = anchor_});
+        device_, scene, {.width = size_.x, .height = size_.y, .samples = settings_.samples, .anchor = anchor_, .counts = settings_.counts});
     if (!renderer)
         return Error{"$.picture: " + renderer.error()};
     renderer_ = *std::move(renderer);
@@ -100,7 +100,7 @@ Result<void> Shoot::make_grass(const render::DrawTargets& targets) {
     for (const GrassLayer& layer : scene_.picture.grass) {
         auto made = render::GrassLayer::create(
             device_, targets, ground, *layer.mask.mask,
-            {.field = layer.settings, .look = layer.look, .most_blades = layer.most_blades, .shadows = layer.shadows});
+            {.field = layer.settings, .look = layer.look, .most_blades = settings_.most_blades.value_or(layer.most_blades), .shadows = layer.shadows});
         if (!made)
             return Error{"$.picture.grass, " + layer.name + ": " + made.error()};
         if (ground_)
@@ -271,16 +271,21 @@ Result<void> Shoot::draw(bool copied) {
     frames_->submit(frame);
     frames_->wait();
     renderer_->clock().collect(frame.slot);
+    if (renderer_->counter())
+        counts_ = renderer_->counter()->collect(frame.slot);
     ++frame_;
     return done;
 }
 
 ShootMemory Shoot::memory() const {
     ShootMemory sum{.targets = device_.memory_bytes(), .wind = wind_->memory_bytes()};
+    sum.room = wind_->reserved_bytes() - sum.wind;
     for (const auto& layer : grass_)
         sum.grass += layer->memory_bytes();
-    if (ground_)
+    if (ground_) {
         sum.ground_memory = ground_->memory_bytes();
+        sum.room += ground_->reserved_bytes() - sum.ground_memory;
+    }
     return sum;
 }
 

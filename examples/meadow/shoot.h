@@ -37,12 +37,15 @@ struct ShootSettings {
     Show show = Show::plants;
     bool wind = true;       ///< false: nothing blows and no step is recorded, to tell what the wind costs
     bool pass_times = false; ///< the wind times each of its passes
+    bool counts = false;     ///< vertices and fragments of the colour pass are counted
+    std::optional<int> most_blades{}; ///< of each layer, looked at once a frame; default: the layer's own
 };
 
 /// Device memory by what it is for, [bytes].
 struct ShootMemory {
     std::uint64_t targets = 0; ///< pictures, shadow map, read-backs, uniform blocks, the ground's heights, trees: what the engine made
     std::uint64_t wind = 0, grass = 0, ground_memory = 0;
+    std::uint64_t room = 0; ///< left in the blocks that wind and ground's memory take from the driver
 };
 
 class Shoot {
@@ -64,6 +67,8 @@ class Shoot {
     [[nodiscard]] const render::Targets& images() const { return renderer_->images(); }
     /// By the device's clock, of the frame drawn last; empty where the device counts no time.
     [[nodiscard]] const std::vector<render::StageTime>& times() const { return renderer_->clock().times(); }
+    /// Of the frame drawn last; zeros where the device counts nothing, or without ShootSettings::counts.
+    [[nodiscard]] const render::VertexCounts& counts() const { return counts_; }
     [[nodiscard]] const windrow::vulkan::Wind& wind() const { return *wind_; }
     [[nodiscard]] const std::string& device() const { return device_.name; }
     [[nodiscard]] ShootMemory memory() const;
@@ -100,6 +105,7 @@ class Shoot {
     std::optional<render::WindArrows> arrows_{};
     std::optional<engine::Frames> frames_{};
     std::int64_t frame_ = 0;
+    render::VertexCounts counts_{};
 };
 
 } // namespace meadow

@@ -83,6 +83,8 @@ Renderer::Renderer(engine::Device& device, const Scene& scene, const RenderSetti
     : device_(device), settings_(settings), clouds_(scene.clouds), sampling_(scene.wind.sampling),
       images_(device, extent_of(settings), settings.samples == 1 ? VK_SAMPLE_COUNT_1_BIT : VK_SAMPLE_COUNT_4_BIT), clock_(device),
       wind_(device) {
+    if (settings.counts)
+        counter_.emplace(device);
     const auto side = static_cast<std::uint32_t>(settings.shadow_texels);
     const VkExtent2D both{2 * side, side};
     shadow_map_ =
@@ -187,6 +189,8 @@ void Renderer::fill(const Camera& camera) {
 
 void Renderer::begin(const engine::Frame& frame) {
     clock_.begin(frame.commands, frame.slot);
+    if (counter_)
+        counter_->begin(frame.commands, frame.slot);
 }
 
 void Renderer::draw_shadows(PassContext context) {
@@ -221,6 +225,8 @@ windrow::Result<void> Renderer::record(const engine::Frame& frame, const Camera&
     clock_.mark(commands, "shadow");
 
     images_.scene().begin(commands);
+    if (counter_)
+        counter_->enter(commands);
     for (std::size_t n = 1; n < drawables_.size(); ++n)
         drawables_[n]->draw(context);
     drawables_.front()->draw(context); // the ground: little of it is seen where grass stands
@@ -228,6 +234,8 @@ windrow::Result<void> Renderer::record(const engine::Frame& frame, const Camera&
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, full_screen_, 0, 3, sets.data(), 0, nullptr);
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, sky_); // last: only where nothing stands before it
     vkCmdDraw(commands, 3, 1, 0, 0);
+    if (counter_)
+        counter_->leave(commands);
     vkCmdEndRenderPass(commands);
     clock_.mark(commands, "colour");
 

@@ -22,6 +22,7 @@
 #include "examples/render/stage_clock.h"
 #include "examples/render/targets.h"
 #include "examples/render/terrain.h"
+#include "examples/render/vertex_counter.h"
 
 #include <array>
 #include <memory>
@@ -36,6 +37,7 @@ struct RenderSettings {
     float near_shadow = 12.0f;      ///< [m] reach of the fine shadow, above the camera's near
     float far_shadow = 70.0f;       ///< [m] reach of the coarse one, above near_shadow; beyond it all is lit
     glm::dvec3 anchor{0.0};         ///< [m] where shaders count from: within some km of the camera
+    bool counts = false;            ///< vertices and fragments of the colour pass are counted, where the device can
 };
 [[nodiscard]] windrow::Result<void> validate(const RenderSettings& settings);
 
@@ -66,6 +68,8 @@ class Renderer {
     [[nodiscard]] const Targets& images() const { return images_; }
     [[nodiscard]] const StageClock& clock() const { return clock_; }
     [[nodiscard]] StageClock& clock() { return clock_; }
+    /// Nothing without RenderSettings::counts.
+    [[nodiscard]] const std::optional<VertexCounter>& counter() const { return counter_; }
     [[nodiscard]] const FrameBlock& frame_block() const { return block_; }
 
   private:
@@ -80,6 +84,7 @@ class Renderer {
     windrow::Sampling sampling_;
     Targets images_;
     StageClock clock_;
+    std::optional<VertexCounter> counter_{};
     engine::WindSet wind_;
     engine::Image shadow_map_{};
     std::optional<RenderPass> shadow_pass_{};

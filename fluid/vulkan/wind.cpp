@@ -236,5 +236,8 @@ std::optional<PassTimes> Wind::pass_times() const {
 std::uint64_t Wind::memory_bytes() const {
     return state_->air->device().memory().given();
 }
+std::uint64_t Wind::reserved_bytes() const {
+    return state_->air->device().memory().taken();
+}
 
 } // namespace windrow::vulkan

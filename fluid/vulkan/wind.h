@@ -147,6 +147,8 @@ class Wind {
     [[nodiscard]] std::optional<PassTimes> pass_times() const;
     /// [bytes] Device memory in use.
     [[nodiscard]] std::uint64_t memory_bytes() const;
+    /// [bytes] Device memory that was taken from the driver for it, in blocks with room left: at least `memory_bytes`.
+    [[nodiscard]] std::uint64_t reserved_bytes() const;
 
     Wind(Wind&&) noexcept;
     /// Ends the wind that was here: no recording of it is in flight.
