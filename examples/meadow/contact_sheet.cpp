@@ -31,13 +31,15 @@ render::Picture8 shrunk(const render::Picture8& picture, int width) {
     for (int row = 0; row < height; ++row)
         for (int column = 0; column < width; ++column) {
             const int top = first(row, height, picture.height), left = first(column, width, picture.width);
-            const int bottom = std::max(top + 1, first(row + 1, height, picture.height)), right = std::max(left + 1, first(column + 1, width, picture.width));
+            const int bottom = std::max(top + 1, first(row + 1, height, picture.height)),
+                      right = std::max(left + 1, first(column + 1, width, picture.width));
             for (int channel = 0; channel < 3; ++channel) {
                 double sum = 0.0;
                 for (int y = top; y < bottom; ++y)
                     for (int x = left; x < right; ++x)
                         sum += light[picture.values[3 * (static_cast<std::size_t>(y) * picture.width + x) + channel]];
-                made.values[3 * (static_cast<std::size_t>(row) * width + column) + channel] = value_of(sum / ((bottom - top) * (right - left)));
+                made.values[3 * (static_cast<std::size_t>(row) * width + column) + channel] =
+                    value_of(sum / ((bottom - top) * (right - left)));
             }
         }
     return made;
@@ -47,8 +49,9 @@ render::Picture8 shrunk(const render::Picture8& picture, int width) {
 
 windrow::Result<render::Picture8> contact_sheet(std::span<const render::Picture8> pictures, int columns, int width) {
     if (pictures.empty() || columns < 1 || width < 1)
-        return windrow::Error{"a contact sheet of " + std::to_string(pictures.size()) + " pictures in " + std::to_string(columns) +
-                              " columns of " + std::to_string(width) + " px cannot be made; give it at least one of each."};
+        return windrow::Error{"a contact sheet of " + std::to_string(pictures.size()) + " pictures in " +
+                              std::to_string(columns) + " columns of " + std::to_string(width) +
+                              " px cannot be made; give it at least one of each."};
     for (const render::Picture8& picture : pictures)
         if (picture.width != pictures.front().width || picture.height != pictures.front().height || picture.values.empty())
             return windrow::Error{"a contact sheet wants pictures of one size."};
@@ -60,7 +63,8 @@ windrow::Result<render::Picture8> contact_sheet(std::span<const render::Picture8
     std::fill(sheet.values.begin(), sheet.values.end(), k_paper);
     for (std::size_t n = 0; n < pictures.size(); ++n) {
         const render::Picture8 small = shrunk(pictures[n], width);
-        const int left = k_margin + static_cast<int>(n) % columns * (width + k_margin), top = k_margin + static_cast<int>(n) / columns * (height + k_margin);
+        const int left = k_margin + static_cast<int>(n) % columns * (width + k_margin),
+                  top = k_margin + static_cast<int>(n) / columns * (height + k_margin);
         for (int row = 0; row < height; ++row)
             std::copy_n(small.values.begin() + static_cast<std::ptrdiff_t>(3) * row * width, 3 * width,
                         sheet.values.begin() + 3 * (static_cast<std::ptrdiff_t>(top + row) * sheet.width + left));

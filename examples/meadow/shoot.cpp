@@ -72,7 +72,8 @@ Result<void> Shoot::make() {
     scene.wind.wind = air;
     scene.wind.sampling = picture.sampling;
     auto renderer = render::Renderer::create(
-        device_, scene, {.width = size_.x, .height = size_.y, .samples = settings_.samples, .anchor = anchor_, .counts = settings_.counts});
+        device_, scene,
+        {.width = size_.x, .height = size_.y, .samples = settings_.samples, .anchor = anchor_, .counts = settings_.counts});
     if (!renderer)
         return Error{"$.picture: " + renderer.error()};
     renderer_ = *std::move(renderer);
@@ -98,9 +99,11 @@ Result<void> Shoot::make() {
 Result<void> Shoot::make_grass(const render::DrawTargets& targets) {
     const render::Ground ground{.corner = scene_.picture.ground.corner, .heights = *scene_.picture.ground.heights};
     for (const GrassLayer& layer : scene_.picture.grass) {
-        auto made = render::GrassLayer::create(
-            device_, targets, ground, *layer.mask.mask,
-            {.field = layer.settings, .look = layer.look, .most_blades = settings_.most_blades.value_or(layer.most_blades), .shadows = layer.shadows});
+        auto made = render::GrassLayer::create(device_, targets, ground, *layer.mask.mask,
+                                               {.field = layer.settings,
+                                                .look = layer.look,
+                                                .most_blades = settings_.most_blades.value_or(layer.most_blades),
+                                                .shadows = layer.shadows});
         if (!made)
             return Error{"$.picture.grass, " + layer.name + ": " + made.error()};
         if (ground_)
@@ -186,12 +189,20 @@ void Shoot::place_bodies(double time) {
 
 Result<void> Shoot::make_views(const render::DrawTargets& targets) {
     switch (settings_.show) {
-        case Show::lean: renderer_->show(render::GrassView::lean); return {};
-        case Show::levels: renderer_->show(render::GrassView::levels); return {};
-        case Show::chunks: renderer_->show(render::GrassView::chunks); return {};
-        case Show::plants: return {};
-        case Show::arrows:
-        case Show::slice: break;
+    case Show::lean:
+        renderer_->show(render::GrassView::lean);
+        return {};
+    case Show::levels:
+        renderer_->show(render::GrassView::levels);
+        return {};
+    case Show::chunks:
+        renderer_->show(render::GrassView::chunks);
+        return {};
+    case Show::plants:
+        return {};
+    case Show::arrows:
+    case Show::slice:
+        break;
     }
     const windrow::Config& air = wind_->config();
     render::WindArrowSettings view;

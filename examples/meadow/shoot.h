@@ -5,8 +5,9 @@
 //     while ((*shoot)->frame() < scene->frame_count())
 //         if (auto drawn = (*shoot)->draw(); drawn) write_png((*shoot)->images().picture(), ...);
 //
-// A frame: what moves is put where it is at the frame's end, the wind and the ground's memory are recorded, then the renderer. The
-// air runs its own fixed ticks whatever the frame rate (windrow::Ticks), so that a second at 30 frames and one at 144 end alike.
+// A frame: what moves is put where it is at the frame's end, the wind and the ground's memory are recorded, then the renderer.
+// The air runs its own fixed ticks whatever the frame rate (windrow::Ticks), so that a second at 30 frames and one at 144 end
+// alike.
 #pragma once
 
 #include "coupling/vulkan/ground_memory.h"
@@ -35,15 +36,16 @@ struct ShootSettings {
     std::optional<double> frames_per_second{}; ///< default: the scene's
     int samples = 4;                           ///< a pixel, 1 or 4
     Show show = Show::plants;
-    bool wind = true;       ///< false: nothing blows and no step is recorded, to tell what the wind costs
-    bool pass_times = false; ///< the wind times each of its passes
-    bool counts = false;     ///< vertices and fragments of the colour pass are counted
+    bool wind = true;                 ///< false: nothing blows and no step is recorded, to tell what the wind costs
+    bool pass_times = false;          ///< the wind times each of its passes
+    bool counts = false;              ///< vertices and fragments of the colour pass are counted
     std::optional<int> most_blades{}; ///< of each layer, looked at once a frame; default: the layer's own
 };
 
 /// Device memory by what it is for, [bytes].
 struct ShootMemory {
-    std::uint64_t targets = 0; ///< pictures, shadow map, read-backs, uniform blocks, the ground's heights, trees: what the engine made
+    std::uint64_t targets =
+        0; ///< pictures, shadow map, read-backs, uniform blocks, the ground's heights, trees: what the engine made
     std::uint64_t wind = 0, grass = 0, ground_memory = 0;
     std::uint64_t room = 0; ///< left in the blocks that wind and ground's memory take from the driver
 };

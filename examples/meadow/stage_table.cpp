@@ -14,7 +14,9 @@ double mib(std::uint64_t bytes) {
 
 StageFigures figures_of(std::string name, std::vector<double> times) {
     std::sort(times.begin(), times.end());
-    const auto at = [&](double share) { return times[static_cast<std::size_t>(std::ceil(share * static_cast<double>(times.size()))) - 1]; };
+    const auto at = [&](double share) {
+        return times[static_cast<std::size_t>(std::ceil(share * static_cast<double>(times.size()))) - 1];
+    };
     const std::size_t middle = times.size() / 2;
     return {.name = std::move(name),
             .mean = std::accumulate(times.begin(), times.end(), 0.0) / static_cast<double>(times.size()),
@@ -27,7 +29,8 @@ StageFigures figures_of(std::string name, std::vector<double> times) {
 StageTable::StageTable(const Shoot& shoot) {
     const ShootMemory memory = shoot.memory();
     char text[256];
-    std::snprintf(text, sizeof text, "memory: %.1f MiB pictures, shadows, ground and trees, %.1f wind, %.1f grass, %.1f ground's memory\n",
+    std::snprintf(text, sizeof text,
+                  "memory: %.1f MiB pictures, shadows, ground and trees, %.1f wind, %.1f grass, %.1f ground's memory\n",
                   mib(memory.targets), mib(memory.wind), mib(memory.grass), mib(memory.ground_memory));
     what_ = text;
 }
@@ -73,7 +76,8 @@ std::string StageTable::text() const {
     std::snprintf(line, sizeof line, "%-10s %10s %10s %10s  over %zu frames\n", "ms", "mean", "median", "99 %", rows_.size());
     text += line;
     for (const StageFigures& stage : all) {
-        std::snprintf(line, sizeof line, "%-10s %10.2f %10.2f %10.2f\n", stage.name.c_str(), stage.mean, stage.median, stage.most);
+        std::snprintf(line, sizeof line, "%-10s %10.2f %10.2f %10.2f\n", stage.name.c_str(), stage.mean, stage.median,
+                      stage.most);
         text += line;
     }
     return text;

@@ -30,7 +30,8 @@ Bodies::Bodies(engine::Device& device, const DrawTargets& targets, std::span<con
     layout_ = make_pipeline_layout(device, layouts);
     colour_ = make_pipeline(
         device, {.vertex = words::solid_vert, .fragment = words::solid_frag, .layout = layout_, .target = targets.colour});
-    shadow_ = make_pipeline(device, {.vertex = words::solid_shadow_vert, .layout = layout_, .target = targets.shadow, .bias = true});
+    shadow_ =
+        make_pipeline(device, {.vertex = words::solid_shadow_vert, .layout = layout_, .target = targets.shadow, .bias = true});
 
     const engine::Buffer vertices = device.make_buffer(sizeof(SolidVertex) * all.size(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
     std::memcpy(vertices.mapped, all.data(), sizeof(SolidVertex) * all.size());

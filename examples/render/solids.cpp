@@ -45,7 +45,8 @@ Solid lathe(std::span<const glm::vec2> profile, int sides, glm::vec3 colour) {
         const float turn = turn_of(side, sides);
         const glm::vec3 around(std::cos(turn), 0.0f, std::sin(turn));
         const glm::vec2 normal = normal_at(n);
-        return Corner{profile[n].x * around + glm::vec3(0.0f, profile[n].y, 0.0f), normal.x * around + glm::vec3(0.0f, normal.y, 0.0f)};
+        return Corner{profile[n].x * around + glm::vec3(0.0f, profile[n].y, 0.0f),
+                      normal.x * around + glm::vec3(0.0f, normal.y, 0.0f)};
     };
     Solid solid;
     for (std::size_t n = 0; n + 1 < profile.size(); ++n)
@@ -63,7 +64,8 @@ Solid box(glm::vec3 half, glm::vec3 colour) {
             u[(axis + 1) % 3] = half[(axis + 1) % 3];
             v[(axis + 2) % 3] = half[(axis + 2) % 3];
             const glm::vec3 middle = half * normal;
-            quad(solid, {middle - u - v, normal}, {middle + u - v, normal}, {middle + u + v, normal}, {middle - u + v, normal}, colour);
+            quad(solid, {middle - u - v, normal}, {middle + u - v, normal}, {middle + u + v, normal}, {middle - u + v, normal},
+                 colour);
         }
     return solid;
 }
@@ -79,7 +81,8 @@ Solid ring(float radius, float tube, int sides, glm::vec3 colour) {
     Solid solid;
     for (int side = 0; side < sides; ++side)
         for (int across = 0; across < around_tube; ++across)
-            quad(solid, corner(side, across), corner(side + 1, across), corner(side + 1, across + 1), corner(side, across + 1), colour);
+            quad(solid, corner(side, across), corner(side + 1, across), corner(side + 1, across + 1), corner(side, across + 1),
+                 colour);
     return solid;
 }
 
@@ -91,16 +94,19 @@ void add(Solid& whole, const Solid& part, const glm::mat4& placed) {
 }
 
 Solid walker_solid(float stride) {
-    constexpr std::array cloak{glm::vec2(0.34f, 0.26f), glm::vec2(0.30f, 0.45f), glm::vec2(0.255f, 0.80f), glm::vec2(0.215f, 1.10f),
-                               glm::vec2(0.225f, 1.28f), glm::vec2(0.205f, 1.38f), glm::vec2(0.115f, 1.46f), glm::vec2(0.120f, 1.53f),
-                               glm::vec2(0.132f, 1.61f), glm::vec2(0.115f, 1.69f), glm::vec2(0.060f, 1.745f), glm::vec2(0.0f, 1.76f)};
+    constexpr std::array cloak{glm::vec2(0.34f, 0.26f),  glm::vec2(0.30f, 0.45f),   glm::vec2(0.255f, 0.80f),
+                               glm::vec2(0.215f, 1.10f), glm::vec2(0.225f, 1.28f),  glm::vec2(0.205f, 1.38f),
+                               glm::vec2(0.115f, 1.46f), glm::vec2(0.120f, 1.53f),  glm::vec2(0.132f, 1.61f),
+                               glm::vec2(0.115f, 1.69f), glm::vec2(0.060f, 1.745f), glm::vec2(0.0f, 1.76f)};
     constexpr std::array leg{glm::vec2(0.055f, 0.0f), glm::vec2(0.06f, 0.25f), glm::vec2(0.07f, 0.55f)};
     Solid solid = lathe(cloak, 20, k_cloak);
     for (SolidVertex& vertex : solid) { // leaning into the way; shoulders are wider than deep
         vertex.position.x *= 1.12f;
         vertex.position.z = 0.86f * vertex.position.z + 0.05f * vertex.position.y * vertex.position.y;
     }
-    Solid face = lathe(std::array{glm::vec2(0.0f, -0.095f), glm::vec2(0.07f, -0.06f), glm::vec2(0.085f, 0.0f), glm::vec2(0.07f, 0.06f), glm::vec2(0.0f, 0.095f)}, 12, k_lining);
+    Solid face = lathe(std::array{glm::vec2(0.0f, -0.095f), glm::vec2(0.07f, -0.06f), glm::vec2(0.085f, 0.0f),
+                                  glm::vec2(0.07f, 0.06f), glm::vec2(0.0f, 0.095f)},
+                       12, k_lining);
     add(solid, face, glm::translate(glm::mat4(1.0f), {0.0f, 1.59f, 0.175f}));
     for (const float side : {-1.0f, 1.0f}) {
         glm::mat4 placed = glm::translate(glm::mat4(1.0f), {0.09f * side, 0.5f, 0.0f});
@@ -115,16 +121,21 @@ Solid fan_stand(float radius, float height) {
     add(solid, ring(0.62f * radius, 0.012f * radius, 32, k_metal), glm::translate(glm::mat4(1.0f), {0.0f, 0.0f, 0.1f * radius}));
     for (int spoke = 0; spoke < 6; ++spoke) {
         const glm::mat4 turned = glm::rotate(glm::mat4(1.0f), turn_of(spoke, 6), {0.0f, 0.0f, 1.0f});
-        add(solid, box({0.012f * radius, 0.5f * radius, 0.012f * radius}, k_metal), glm::translate(turned, {0.0f, 0.5f * radius, 0.1f * radius}));
+        add(solid, box({0.012f * radius, 0.5f * radius, 0.012f * radius}, k_metal),
+            glm::translate(turned, {0.0f, 0.5f * radius, 0.1f * radius}));
     }
     const float pole = std::max(height - radius, 0.01f);
-    add(solid, box({0.05f * radius, 0.5f * pole, 0.05f * radius}, k_metal), glm::translate(glm::mat4(1.0f), {0.0f, -radius - 0.5f * pole, 0.0f}));
-    add(solid, box({0.5f * radius, 0.03f * radius, 0.4f * radius}, k_metal), glm::translate(glm::mat4(1.0f), {0.0f, -height + 0.03f * radius, 0.0f}));
+    add(solid, box({0.05f * radius, 0.5f * pole, 0.05f * radius}, k_metal),
+        glm::translate(glm::mat4(1.0f), {0.0f, -radius - 0.5f * pole, 0.0f}));
+    add(solid, box({0.5f * radius, 0.03f * radius, 0.4f * radius}, k_metal),
+        glm::translate(glm::mat4(1.0f), {0.0f, -height + 0.03f * radius, 0.0f}));
     return solid;
 }
 
 Solid fan_blades(float radius) {
-    Solid solid = lathe(std::array{glm::vec2(0.0f, -0.12f * radius), glm::vec2(0.1f * radius, -0.1f * radius), glm::vec2(0.12f * radius, 0.05f * radius), glm::vec2(0.0f, 0.14f * radius)}, 14, k_metal);
+    Solid solid = lathe(std::array{glm::vec2(0.0f, -0.12f * radius), glm::vec2(0.1f * radius, -0.1f * radius),
+                                   glm::vec2(0.12f * radius, 0.05f * radius), glm::vec2(0.0f, 0.14f * radius)},
+                        14, k_metal);
     for (SolidVertex& vertex : solid) { // its axis along z
         vertex.position = {vertex.position.x, vertex.position.z, vertex.position.y, 0.0f};
         vertex.normal = {vertex.normal.x, vertex.normal.z, vertex.normal.y, 0.0f};

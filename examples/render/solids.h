@@ -31,7 +31,8 @@ void add(Solid& whole, const Solid& part, const glm::mat4& placed = glm::mat4(1.
 
 /// Someone who walks, in a hooded cloak, 1.75 m, feet at the origin, facing +z. `stride` [rad] is how far the legs are apart.
 [[nodiscard]] Solid walker_solid(float stride = 0.35f);
-/// A fan that stands: hub at the origin, blowing along +z, down to the ground `height` [m] below. The blades apart, since they turn.
+/// A fan that stands: hub at the origin, blowing along +z, down to the ground `height` [m] below. The blades apart, since they
+/// turn.
 [[nodiscard]] Solid fan_stand(float radius, float height);
 [[nodiscard]] Solid fan_blades(float radius);
 

@@ -58,7 +58,9 @@ WindArrows::WindArrows(engine::Device& device, const DrawTargets& targets, const
 
 void WindArrows::place(glm::vec3 middle) {
     const float spacing = settings_.spacing;
-    const auto corner = [&](float at, int count) { return std::round(at / spacing - 0.5f * static_cast<float>(count - 1)) * spacing; };
+    const auto corner = [&](float at, int count) {
+        return std::round(at / spacing - 0.5f * static_cast<float>(count - 1)) * spacing;
+    };
     block_.corner = {corner(middle.x, settings_.count.x), settings_.lowest, corner(middle.z, settings_.count.z), spacing};
     block_.count = glm::ivec4(settings_.count, 0);
     block_.look = {settings_.scale, settings_.seconds, 0.0f, 0.0f};

@@ -14,11 +14,11 @@ namespace render {
 struct WindArrowSettings {
     enum class Form { arrows, slice };
     Form form = Form::arrows;
-    float spacing = 1.0f;      ///< [m] of the lattice, 0.05 to 1000
+    float spacing = 1.0f;        ///< [m] of the lattice, 0.05 to 1000
     glm::ivec3 count{32, 3, 32}; ///< places along x, y, z, 1 to 512 each, 1e6 at most in all; a slice has one level
-    float lowest = 1.0f;       ///< [m] above the ground, -1e4 to 1e4
-    float scale = 8.0f;        ///< [m/s] at the top of the colour scale, above 0 to 1e3
-    float seconds = 0.12f;     ///< [s] an arrow is as long as the air goes in this time, above 0 to 100
+    float lowest = 1.0f;         ///< [m] above the ground, -1e4 to 1e4
+    float scale = 8.0f;          ///< [m/s] at the top of the colour scale, above 0 to 1e3
+    float seconds = 0.12f;       ///< [s] an arrow is as long as the air goes in this time, above 0 to 100
 };
 [[nodiscard]] windrow::Result<void> validate(const WindArrowSettings& settings);
 
