@@ -45,7 +45,6 @@ render::Scene meadow() {
     scene.camera.target = scene.camera.position + glm::dvec3(0.0, -0.85, -10.0);
     scene.camera.exposure = 0.72f;
     scene.fog.base = k_field.y;
-    scene.clouds = {.cover = 0.45f, .height = k_field.y + 900.0};
     scene.plants = {.stalk = windrow::grass(), .width = 0.009f, .own_bend = 0.6f, .own_bend_spread = 0.35f, .view_bend = 0.3f};
     scene.plants.stalk.length = 0.36f;
     windrow::Config& wind = scene.wind.wind;

@@ -134,7 +134,6 @@ Result<void> Shoot::make_trees(const render::DrawTargets& targets) {
         auto made = trees::TreeStand::create(device_, targets, settings, *places, anchor_);
         if (!made)
             return Error{"$.picture.trees: " + made.error()};
-        (*made)->set_time_step(1.0 / frames_per_second_);
         renderer_->add(**made);
         trees_.push_back(*std::move(made));
     }
@@ -240,6 +239,21 @@ Result<void> Shoot::blow(const engine::Frame& frame, double start, double end) {
     return walk(frame, start, end);
 }
 
+void Shoot::set_time_step(double seconds) {
+    for (const auto& stand : trees_)
+        stand->set_time_step(seconds);
+}
+
+Result<void> Shoot::swing(const engine::Frame& frame, double time, double seconds) {
+    if (trees_.empty())
+        return {};
+    set_time_step(seconds);
+    std::vector<render::Drawable*> swinging;
+    for (const auto& stand : trees_)
+        swinging.push_back(stand.get());
+    return renderer_->keep_up(frame, camera_at(scene_, time), *wind_, swinging);
+}
+
 Result<void> Shoot::settle() {
     const double step = 1.0 / frames_per_second_;
     const auto steps = static_cast<std::int64_t>(std::ceil(scene_.picture.settle * frames_per_second_));
@@ -249,6 +263,8 @@ Result<void> Shoot::settle() {
             return placed;
         (void)wind_->record(frame.commands, {.dt = settings_.wind ? step : 0.0, .slot = frame.slot});
         auto walked = walk(frame, 0.0, 0.0);
+        if (walked)
+            walked = swing(frame, 0.0, step);
         frames_->submit(frame);
         if (!walked)
             return walked;
@@ -260,6 +276,8 @@ Result<void> Shoot::settle() {
 Result<void> Shoot::skip() {
     const engine::Frame frame = frames_->begin();
     auto blown = blow(frame, start_of(frame_), end_of(frame_));
+    if (blown)
+        blown = swing(frame, end_of(frame_), end_of(frame_) - start_of(frame_));
     frames_->submit(frame);
     ++frame_;
     return blown;
@@ -273,6 +291,7 @@ Result<void> Shoot::draw(bool copied) {
     if (done) {
         renderer_->set_time(now);
         place_bodies(now);
+        set_time_step(now - start_of(frame_));
         if (arrows_)
             arrows_->place(glm::vec3(scene_.air.followed_point(now) - anchor_));
         done = renderer_->record(frame, camera_at(scene_, now), *wind_);

@@ -84,6 +84,9 @@ class Shoot {
     void make_bodies(const render::DrawTargets& targets);
     void place_bodies(double time);
     windrow::Result<void> make_views(const render::DrawTargets& targets);
+    /// What swings from frame to frame, in one that is not drawn.
+    windrow::Result<void> swing(const engine::Frame& frame, double time, double seconds);
+    void set_time_step(double seconds);
     /// What moves, the air and the ground from one time [s] to another.
     windrow::Result<void> blow(const engine::Frame& frame, double start, double end);
     windrow::Result<void> walk(const engine::Frame& frame, double start, double end);

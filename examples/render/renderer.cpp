@@ -205,18 +205,32 @@ void Renderer::draw_shadows(PassContext context) {
     vkCmdEndRenderPass(context.commands);
 }
 
+PassContext Renderer::context_of(const engine::Frame& frame, const Camera& camera, const windrow::vulkan::Wind& wind) {
+    fill(camera);
+    std::memcpy(blocks_[frame.slot].mapped, &block_, sizeof block_);
+    return {.commands = frame.commands,
+            .frame = sets_[frame.slot],
+            .wind = wind_.of(frame.slot, wind, settings_.anchor, sampling_),
+            .block = &block_,
+            .anchor = settings_.anchor,
+            .slot = frame.slot};
+}
+
+windrow::Result<void> Renderer::keep_up(const engine::Frame& frame, const Camera& camera, const windrow::vulkan::Wind& wind,
+                                        std::span<Drawable* const> drawables) {
+    if (auto judged = validate(camera); !judged)
+        return judged;
+    const PassContext context = context_of(frame, camera, wind);
+    for (Drawable* const drawable : drawables)
+        drawable->prepare(context);
+    return {};
+}
+
 windrow::Result<void> Renderer::record(const engine::Frame& frame, const Camera& camera, const windrow::vulkan::Wind& wind) {
     if (auto judged = validate(camera); !judged)
         return judged;
-    fill(camera);
-    std::memcpy(blocks_[frame.slot].mapped, &block_, sizeof block_);
+    const PassContext context = context_of(frame, camera, wind);
     const VkCommandBuffer commands = frame.commands;
-    PassContext context{.commands = commands,
-                        .frame = sets_[frame.slot],
-                        .wind = wind_.of(frame.slot, wind, settings_.anchor, sampling_),
-                        .block = &block_,
-                        .anchor = settings_.anchor,
-                        .slot = frame.slot};
     clock_.mark(commands, "wind");
     for (Drawable* const drawable : drawables_)
         drawable->prepare(context);

@@ -27,6 +27,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 
 namespace render {
 
@@ -56,6 +57,9 @@ class Renderer {
     void begin(const engine::Frame& frame);
     /// Records all passes, after the wind's. The camera is one that `validate` passes; another draws nothing and is refused.
     windrow::Result<void> record(const engine::Frame& frame, const Camera& camera, const windrow::vulkan::Wind& wind);
+    /// A frame without a picture: what these drawables keep from one frame to the next (trees that swing) goes on as in `record`.
+    windrow::Result<void> keep_up(const engine::Frame& frame, const Camera& camera, const windrow::vulkan::Wind& wind,
+                                  std::span<Drawable* const> drawables);
     /// Records the copy to the host, after `record`.
     void copy(const engine::Frame& frame);
 
@@ -75,6 +79,8 @@ class Renderer {
   private:
     Renderer(engine::Device& device, const Scene& scene, const RenderSettings& settings);
     void fill(const Camera& camera);
+    /// The frame's blocks and sets, told of this camera.
+    [[nodiscard]] PassContext context_of(const engine::Frame& frame, const Camera& camera, const windrow::vulkan::Wind& wind);
     void draw_shadows(PassContext context);
     void make_sets(const Scene& scene);
 

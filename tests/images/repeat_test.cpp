@@ -20,7 +20,7 @@ TEST_P(Repeat, IsTheSameToTheByte) {
     EXPECT_EQ(first->values, second->values);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Repeat, testing::Values("steady_trail", "gusts_fan", "wind_slice", "far_hills"),
+INSTANTIATE_TEST_SUITE_P(Scenes, Repeat, testing::Values("steady_trail", "gusts_fan", "wind_slice", "far_hills", "grove"),
                          [](const auto& scene) { return std::string(scene.param); });
 
 } // namespace
