@@ -33,7 +33,7 @@ windrow::Result<void> validate(const GrassSettings& settings) {
     between("grass.clump_fan", settings.clump_fan, 0.0, 1.0, "");
     between("grass.patch_size", settings.patch_size, 0.1, 1000.0, " m");
     between("grass.patch_height", settings.patch_height, 0.0, 0.9, "");
-    refusals.between("grass.most_chunks", settings.most_chunks, 1, 65535, "");
+    refusals.between("grass.most_chunks", settings.most_chunks, 1, 32767, "");
     return refusals.outcome();
 }
 

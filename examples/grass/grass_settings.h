@@ -63,7 +63,7 @@ struct GrassSettings {
     float patch_size = 6.0f;
     /// Share by which the lowest patches are lower, 0 (default) to 0.9.
     float patch_height = 0.0f;
-    /// Chunks that have memory at once, 1 to 65535. Default 160: a view of 90 degrees to 90 m and its shadows. With fewer than a
+    /// Chunks that have memory at once, 1 to 32767. Default 160: a view of 90 degrees to 90 m and its shadows. With fewer than a
     /// view needs the farthest are left out, and counted (GrassReport::left_out).
     int most_chunks = 160;
     /// Default: all that can be. The others are there to measure what it saves; they draw the same picture.

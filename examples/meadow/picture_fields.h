@@ -114,7 +114,7 @@ void list_fields(Fields& fields, grass::GrassSettings& grass) {
     fields.real("clump_fan", grass.clump_fan, k_share_rule);
     fields.real("patch_size", grass.patch_size, {.least = 0.1, .most = 1000.0, .unit = "m"});
     fields.real("patch_height", grass.patch_height, {.least = 0.0, .most = 0.9});
-    fields.integer("most_chunks", grass.most_chunks, {.least = 1.0, .most = 65535.0});
+    fields.integer("most_chunks", grass.most_chunks, {.least = 1.0, .most = 32767.0});
 }
 
 template <class Fields>

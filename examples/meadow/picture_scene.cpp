@@ -17,7 +17,7 @@ float Hills::at(glm::vec2 place) const {
 }
 
 double Ground::height(double x, double z) const {
-    const double above = heights ? static_cast<double>(heights->height(glm::vec2(x - corner.x, z - corner.z))) : low;
+    const double above = heights ? static_cast<double>(heights->drawn_height(glm::vec2(x - corner.x, z - corner.z))) : low;
     return corner.y + above;
 }
 

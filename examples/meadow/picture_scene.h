@@ -56,7 +56,7 @@ struct Ground {
     /// What they make: heights above corner.y. Always there in a scene that was read.
     std::optional<grass::HeightMap> heights{};
 
-    /// [m] In the world; beyond the rim that of the rim.
+    /// [m] In the world, on the triangles that are drawn; beyond the rim that of the rim.
     [[nodiscard]] double height(double x, double z) const;
 };
 

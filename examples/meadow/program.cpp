@@ -18,6 +18,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <unistd.h>
 
 namespace {
@@ -134,8 +135,27 @@ int run(const std::filesystem::path& file, const Options& options, std::vector<r
     return 0;
 }
 
+/// What would be found out only once all is drawn.
+std::string fault_of(const Options& options) {
+    if (!options.sheet.empty()) {
+        std::error_code error;
+        const std::filesystem::path folder = options.sheet.has_parent_path() ? options.sheet.parent_path() : ".";
+        if (!std::filesystem::is_directory(folder, error))
+            return "--sheet " + options.sheet.string() + " lies in no folder that there is; make it first, or name another.";
+        if (options.sheet.extension() != ".png")
+            return "--sheet " + options.sheet.string() + " is no PNG; give a name that ends in .png.";
+    }
+    std::set<std::filesystem::path> stems;
+    for (const std::filesystem::path& scene : options.scenes)
+        if (!stems.insert(scene.stem()).second)
+            return scene.string() + " would be drawn into the folder of another scene of that name; draw it by a run of its own.";
+    return {};
+}
+
 int run_all(const Options& options) {
     std::vector<render::Picture8> firsts;
+    if (const std::string fault = fault_of(options); !fault.empty())
+        return complain(fault, 2);
     for (const std::filesystem::path& scene : options.scenes) {
         Options own = options;
         if (options.folder.empty())

@@ -12,6 +12,8 @@ namespace {
 using windrow::Error;
 using windrow::Result;
 
+constexpr int k_most_ticks = 1000; // of windrow::Ticks in one frame
+
 std::string judge(VkInstance instance, VkPhysicalDevice candidate) {
     const auto fit = windrow::vulkan::check(instance, candidate, vkGetInstanceProcAddr);
     return fit ? std::string() : fit.error();
@@ -42,6 +44,13 @@ Result<std::unique_ptr<Shoot>> Shoot::create(const PictureScene& scene, const Sh
 Result<void> Shoot::make() {
     const Picture& picture = scene_.picture;
     windrow::Config air = scene_.air.air;
+    // As `windrow run` ticks; and no frame is so long that the air would fall behind.
+    const double due = std::ceil(scene_.air.tick_hz / frames_per_second_) + 1.0;
+    if (due > k_most_ticks)
+        return Error{"$.tick_hz is " + std::to_string(scene_.air.tick_hz) + " Hz, more than " + std::to_string(k_most_ticks - 1) +
+                     " ticks in each of " + std::to_string(frames_per_second_) +
+                     " frames a second; give fewer ticks or more frames a second."};
+    air.ticks = {.hz = scene_.air.tick_hz, .most = static_cast<int>(due)};
     if (!settings_.wind) {
         air.ambient = glm::vec3(0.0f);
         air.gusts = {};

@@ -6,8 +6,9 @@
 //         if (auto drawn = (*shoot)->draw(); drawn) write_png((*shoot)->images().picture(), ...);
 //
 // A frame: what moves is put where it is at the frame's end, the wind and the ground's memory are recorded, then the renderer.
-// The air runs its own fixed ticks whatever the frame rate (windrow::Ticks), so that a second at 30 frames and one at 144 end
-// alike.
+// The air runs the scene's fixed ticks whatever the frame rate (windrow::Ticks), so that a second at 30 frames and one at 144 end
+// alike. Motors are placed once a frame, wakes swept along their way; one that begins or ends within a frame does so at the
+// frame's nearer edge, and one that acts for less than half a frame may be missed.
 #pragma once
 
 #include "coupling/vulkan/ground_memory.h"

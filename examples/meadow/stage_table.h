@@ -18,7 +18,7 @@ struct StageFigures {
 class StageTable {
   public:
     StageTable() = default;
-    /// Notes what the figures belong to: device, resolution, memory.
+    /// Notes what memory the figures belong to.
     explicit StageTable(const Shoot& shoot);
 
     void add(std::int64_t frame, const std::vector<render::StageTime>& times);

@@ -94,7 +94,7 @@ TreeStand::TreeStand(engine::Device& device, const render::DrawTargets& targets,
     const TreeLook& look = settings.kind.look;
     block_.wind = windrow::Tree::create(wind_classes(tree))->block(); // valid classes of valid settings: tests/trees
     block_.levels = level_block(settings.kind.levels, static_cast<int>(models_.front().leaf_parts.size()));
-    block_.clock = {0u, 0u, static_cast<std::uint32_t>(targets.colour.samples), tree.leaf_form == LeafForm::needles ? 1u : 0u};
+    block_.clock = {1u, 0u, static_cast<std::uint32_t>(targets.colour.samples), tree.leaf_form == LeafForm::needles ? 1u : 0u};
     block_.bark = glm::vec4(look.bark, look.bark_lines);
     block_.furrow = glm::vec4(look.furrow, 0.5f * tree.height);
     block_.leaf = glm::vec4(look.leaf, look.variation);

@@ -2,7 +2,7 @@
 //
 //   lists in their order, near blades before far ones:   field_blades[field_bases[4 slot + 2 view + level] + instance]
 //
-// There is room for so many; of more, those beyond share the entries of others: a bend that is another's, for one frame.
+// There is room for so many; of more, those beyond are not drawn.
 #ifndef WINDROW_RENDER_FIELD_BLADE_GLSL
 #define WINDROW_RENDER_FIELD_BLADE_GLSL
 

@@ -15,7 +15,12 @@ layout(push_constant) uniform Which {
 
 FieldBlade field_blade() {
     uint at = field_bases[4u * which.grass_draw.x + which.grass_draw.y] + uint(gl_InstanceIndex);
-    return field_blades[at % uint(field_blades.length())];
+    if (at >= uint(field_blades.length())) { // no room for it: it has no size
+        FieldBlade none = field_blades[0];
+        none.size = vec4(0.0);
+        return none;
+    }
+    return field_blades[at];
 }
 
 // Height on the blade from which on it is a head; 1 none.

@@ -186,7 +186,7 @@ TEST_F(GrassOnTheDevice, RefusesWhatItCannotUse) {
     EXPECT_NE(unfit.error().find("heights.extent()"), std::string::npos);
     EXPECT_FALSE(GrassField::create({}, heights, mask, {}));
     GrassSettings huge;
-    huge.most_chunks = 65535; // 9.6 GB of blades
+    huge.most_chunks = 32767; // 4.8 GB of blades
     huge.chunk_cells = 256;
     const auto too_large = GrassField::create(host, heights, mask, huge);
     ASSERT_FALSE(too_large);

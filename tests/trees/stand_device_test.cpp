@@ -184,6 +184,22 @@ TEST(TreeStand, MotionIsTheDifferenceOfProjectedPlaces) {
 }
 
 // Trees behind the eye and beyond all shadows cost no vertex; a far stand stays within its bound.
+// A crown that began upright would ring for seconds.
+TEST(TreeStand, BeginsAtWhatTheWindHolds) {
+    Stage stage({9.0f, 0.0f, 2.0f}, 0.2f);
+    stage.plant(one("oak", true));
+    engine::Frames frames(stage.device);
+    stage.draw(frames, camera_at(0.0, 0.0));
+    double off = 0.0, held = 0.0;
+    for (const PartState& state : stage.stand->states(0)) {
+        off = std::max(off, static_cast<double>(glm::distance(glm::vec3(state.now), glm::vec3(state.target))));
+        off = std::max(off, static_cast<double>(glm::length(glm::vec3(state.velocity))));
+        held = std::max(held, static_cast<double>(glm::length(glm::vec3(state.now))));
+    }
+    WINDROW_EXPECT_FIGURE("trees/device/begins_off", off, 0.0);
+    EXPECT_GT(held, 0.01);
+}
+
 TEST(TreeStand, DrawsWhatIsSeenAndLittleAfar) {
     Stage stage({3.0f, 0.0f, 0.0f}, 0.2f);
     TreeStandSettings settings = one("oak", false);
