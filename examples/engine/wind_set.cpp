@@ -25,7 +25,7 @@ WindSet::WindSet(Device& device) : device_(device.device) {
 
     VkDescriptorSetLayoutBinding bindings[k_bindings]{};
     for (std::uint32_t n = 0; n < k_bindings; ++n)
-        bindings[n] = {n, type_of(n), 1, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_COMPUTE_BIT, nullptr};
+        bindings[n] = {n, type_of(n), 1, VK_SHADER_STAGE_ALL_GRAPHICS | VK_SHADER_STAGE_COMPUTE_BIT, nullptr};
     VkDescriptorSetLayoutCreateInfo layout_info{};
     layout_info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
     layout_info.bindingCount = k_bindings;

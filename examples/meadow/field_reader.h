@@ -8,7 +8,9 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <initializer_list>
 #include <string>
+#include <utility>
 
 namespace meadow {
 
@@ -34,6 +36,14 @@ class FieldReader {
     void pair(const char* key, glm::vec2& value, const Rule& rule, const char* names) {
         value = object_.pair(key, value, rule, names);
     }
+    void flag(const char* key, bool& value) { value = object_.boolean(key, value); }
+    void position(const char* key, glm::vec3& value, const Rule& rule) { value = object_.vector(key, value, rule); }
+    /// Of any length but 0, which the structure's `validate` tells.
+    void direction(const char* key, glm::vec3& value) { position(key, value, {.least = -1e6, .most = 1e6}); }
+    template <class Value>
+    void word(const char* key, Value& value, std::initializer_list<windrow::scene::Word<Value>> words) {
+        value = object_.word(key, value, words);
+    }
 
   private:
     JsonObject& object_;
@@ -45,6 +55,15 @@ void read_part(JsonObject object, Part& part) {
     FieldReader fields(object);
     list_fields(fields, part);
     object.finish();
+}
+
+/// The items of an array of objects.
+template <class Read>
+void each(JsonObject& object, const char* key, std::size_t most, Read read) {
+    const auto items = object.array(key, most);
+    for (std::size_t i = 0; i < items.size(); ++i)
+        read(JsonObject(items[i], object.path() + "." + key + "[" + std::to_string(i) + "]", object.pattern() + "." + key + "[]",
+                        object.log()));
 }
 
 /// Notes what a `validate` says of a structure whose single values were found good. Its lines begin with `owner` and a field,

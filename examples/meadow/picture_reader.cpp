@@ -1,5 +1,6 @@
 #include "examples/meadow/picture_reader.h"
 
+#include "examples/meadow/body_reader.h"
 #include "examples/meadow/fan_reader.h"
 #include "examples/meadow/field_reader.h"
 #include "examples/meadow/grass_reader.h"
@@ -84,6 +85,8 @@ Picture read_picture(JsonObject& object, std::span<const std::string> names, con
     picture.walkers = read_walkers(object, names);
     picture.fans = read_fans(object);
     picture.ground_memory = read_ground_memory(object);
+    picture.bodies = read_bodies(object, names, folder);
+    picture.lamps = read_lamps(object);
     read_part(object.object("sampling"), picture.sampling);
     object.finish();
     return picture;

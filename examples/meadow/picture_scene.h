@@ -15,8 +15,10 @@
 #include "examples/grass/height_map.h"
 #include "examples/grass/mask_patterns.h"
 #include "examples/grass/placement_mask.h"
+#include "examples/meadow/body.h"
 #include "examples/render/grass_layer.h"
 #include "examples/render/scene.h"
+#include "examples/shells/lamps.h"
 #include "examples/trees/stand_settings.h"
 #include "scene/scene.h"
 
@@ -144,6 +146,8 @@ struct Picture {
     std::vector<Walker> walkers{};
     std::vector<Fan> fans{};
     std::optional<windrow::GroundConfig> ground_memory{}; ///< none: walkers and wind leave no trace
+    std::vector<Body> bodies{};      ///< things in coats of shells
+    std::vector<shells::Lamp> lamps{}; ///< that shine on them
     windrow::Sampling sampling{};
 };
 

@@ -1,56 +1,14 @@
 #include "examples/meadow/picture_writer.h"
 
+#include "examples/meadow/body_writer.h"
+#include "examples/meadow/coat_fields.h"
+#include "examples/meadow/field_writer.h"
 #include "examples/meadow/picture_fields.h"
-#include "scene/number_text.h"
-
-#include <charconv>
-#include <cmath>
 
 namespace meadow {
 namespace {
 
 using nlohmann::json;
-
-json written(double value) {
-    // Whole numbers as a person writes them: 30, not 30.0.
-    if (value == std::trunc(value) && std::abs(value) < 1e15)
-        return json(static_cast<std::int64_t>(value));
-    return json(value);
-}
-json written(float value) {
-    char digits[64];
-    const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
-    return written(windrow::scene::parse_number({digits, end}).value_or(static_cast<double>(value)));
-}
-template <int Count, class Number>
-json written(const glm::vec<Count, Number, glm::defaultp>& values) {
-    json list = json::array();
-    for (int n = 0; n < Count; ++n)
-        list.push_back(written(values[n]));
-    return list;
-}
-
-class FieldWriter {
-  public:
-    void real(const char* key, float value, const NumberRule&) { object[key] = written(value); }
-    void number(const char* key, double value, const NumberRule&) { object[key] = written(value); }
-    void integer(const char* key, int value, const NumberRule&) { object[key] = value; }
-    void whole(const char* key, std::uint32_t value, const NumberRule&) { object[key] = value; }
-    void place(const char* key, glm::dvec3 value, const NumberRule&) { object[key] = written(value); }
-    void colour(const char* key, glm::vec3 value) { object[key] = written(value); }
-    void pair(const char* key, glm::dvec2 value, const NumberRule&, const char*) { object[key] = written(value); }
-    void pair(const char* key, glm::vec2 value, const NumberRule&, const char*) { object[key] = written(value); }
-
-    json object = json::object();
-};
-
-/// By value: the lists take what a reader may change.
-template <class Part>
-json write_part(Part part) {
-    FieldWriter fields;
-    list_fields(fields, part);
-    return std::move(fields.object);
-}
 
 json write_camera(const CameraSource& camera, const windrow::scene::Scene& air) {
     json object = write_part(camera.lens);
@@ -150,6 +108,12 @@ json write_picture(const PictureScene& scene) {
         object["ground_memory"] = write_part(*picture.ground_memory);
         object["ground_memory"]["spring"] = write_part(picture.ground_memory->spring);
     }
+    object["bodies"] = json::array();
+    for (const Body& body : picture.bodies)
+        object["bodies"].push_back(write_body(body, scene.air));
+    object["lamps"] = json::array();
+    for (const shells::Lamp& lamp : picture.lamps)
+        object["lamps"].push_back(write_part(lamp));
     object["sampling"] = write_part(picture.sampling);
     return object;
 }

@@ -98,6 +98,11 @@ Result<void> Shoot::make() {
         return grown;
     if (auto grown = make_trees(targets); !grown)
         return grown;
+    auto dressed = DressedBodies::create(device_, targets, scene_, anchor_);
+    if (!dressed)
+        return Error{dressed.error()};
+    dressed_ = *std::move(dressed);
+    dressed_->add_to(*renderer_);
     make_bodies(targets);
     if (auto seen = make_views(targets); !seen)
         return seen;
@@ -254,10 +259,13 @@ void Shoot::set_time_step(double seconds) {
 }
 
 Result<void> Shoot::swing(const engine::Frame& frame, double time, double seconds) {
-    if (trees_.empty())
+    if (trees_.empty() && dressed_->empty())
         return {};
     set_time_step(seconds);
+    if (auto moved = dressed_->move(time, seconds); !moved)
+        return moved;
     std::vector<render::Drawable*> swinging;
+    dressed_->append_to(swinging);
     for (const auto& stand : trees_)
         swinging.push_back(stand.get());
     return renderer_->keep_up(frame, camera_at(scene_, time), *wind_, swinging);
@@ -303,6 +311,9 @@ Result<void> Shoot::draw(bool copied) {
         set_time_step(now - start_of(frame_));
         if (arrows_)
             arrows_->place(glm::vec3(scene_.air.followed_point(now) - anchor_));
+        done = dressed_->move(now, now - start_of(frame_));
+    }
+    if (done) {
         done = renderer_->record(frame, camera_at(scene_, now), *wind_);
         if (done && copied)
             renderer_->copy(frame);

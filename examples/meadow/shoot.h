@@ -13,6 +13,7 @@
 
 #include "coupling/vulkan/ground_memory.h"
 #include "examples/engine/frames.h"
+#include "examples/meadow/dressed_body.h"
 #include "examples/meadow/picture_scene.h"
 #include "examples/render/bodies.h"
 #include "examples/render/grass_layer.h"
@@ -107,6 +108,7 @@ class Shoot {
     std::unique_ptr<render::Renderer> renderer_{};
     std::vector<std::unique_ptr<render::GrassLayer>> grass_{};
     std::vector<std::unique_ptr<trees::TreeStand>> trees_{};
+    std::optional<DressedBodies> dressed_{};
     std::optional<render::Bodies> bodies_{};
     std::optional<render::WindArrows> arrows_{};
     std::optional<engine::Frames> frames_{};

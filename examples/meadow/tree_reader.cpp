@@ -10,15 +10,6 @@ namespace {
 constexpr std::size_t k_most_stands = 256;
 constexpr std::size_t k_most_places = 4096;
 
-/// The items of an array of objects.
-template <class Read>
-void each(JsonObject& object, const char* key, std::size_t most, Read read) {
-    const auto items = object.array(key, most);
-    for (std::size_t i = 0; i < items.size(); ++i)
-        read(JsonObject(items[i], object.path() + "." + key + "[" + std::to_string(i) + "]", object.pattern() + "." + key + "[]",
-                        object.log()));
-}
-
 trees::TreeScatter read_scatter(JsonObject object) {
     trees::TreeScatter scatter;
     const std::size_t faults_before = object.log().faults();

@@ -22,6 +22,7 @@ struct PipelineRecipe {
     PassTarget target{};
     VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
     bool writes_depth = true;
+    bool writes_colour = true;
     bool bias = false; ///< a shadow's: depth is moved away from the light by the slope
 };
 

@@ -3,12 +3,13 @@
 //
 //     auto coat = shells::Coat::create(device, targets, mesh, {.layers = {.shells = 40, .length = 0.04f}}, anchor);
 //
-// Fields of it that are the pieces' own: windrow::ShellSettings (where the layers lie, how the wind bends them), StrandFieldSettings
-// (what each layer leaves open), windrow::CascadeConfig (how tips lag behind the body).
+// Fields of it that are the pieces' own: windrow::ShellSettings (where the layers lie, how the wind bends them),
+// StrandFieldSettings (what each layer leaves open), windrow::CascadeConfig (how tips lag behind the body).
 #pragma once
 
 #include "coupling/cascade.h"
 #include "coupling/shell.h"
+#include "examples/shells/cloud_shell.h"
 #include "examples/shells/strand_field.h"
 
 #include <glm/vec3.hpp>
@@ -57,7 +58,7 @@ struct CoatMaps {
     float influence_a = 1.0f, influence_b = 1.0f; ///< 0 to 1
     float noise_tiles = 1.0f;                     ///< above 0 to 1000
     Projection projection = Projection::uv;       ///< of length and colour
-    float bald_below = 0.02f; ///< shorter than this share nothing grows: the skin is drawn. 0 to 1
+    float bald_below = 0.02f;                     ///< shorter than this share nothing grows: the skin is drawn. 0 to 1
 };
 
 /// Colours are linear albedo, 0 to 1.
@@ -84,15 +85,15 @@ struct CoatLook {
 
 /// How many layers are drawn, and how.
 struct CoatLevels {
-    int least_shells = 8;        ///< afar, 2 to the coat's shells
-    float full_until = 4.0f;     ///< [m] distance up to which all shells are drawn, above 0 to 1e6; beyond, as 1 / distance
-    int march = 4;               ///< steps a fragment may look between its layer and the next inner one, 0 (none) to 16
-    bool skip_empty = true;      ///< layers above every strand's tip are not drawn
-    bool outer_first = true;     ///< order of layers: outer ones first hide what lies below from being shaded
-    bool depth_first = false;    ///< a pass that writes depth alone before the colours
-    bool one_draw_each = false;  ///< the naive form, one draw a layer: a baseline for measurements
-    bool shadow_strands = true;  ///< the shadow has the strands' form; without it the body's
-    int shadow_shells = 16;      ///< layers in the shadow's map, 0 (casts none) to 4096
+    int least_shells = 8;       ///< afar, 2 to 4096; at most the coat's own are drawn
+    float full_until = 4.0f;    ///< [m] distance up to which all shells are drawn, above 0 to 1e6; beyond, as 1 / distance
+    int march = 4;              ///< steps a fragment may look between its layer and the next inner one, 0 (none) to 16
+    bool skip_empty = true;     ///< layers above every strand's tip are not drawn
+    bool outer_first = true;    ///< order of layers: outer ones first hide what lies below from being shaded
+    bool depth_first = false;   ///< a pass that writes depth alone before the colours
+    bool one_draw_each = false; ///< the naive form, one draw a layer: a baseline for measurements
+    bool shadow_strands = true; ///< the shadow has the strands' form; without it the body's
+    int shadow_shells = 16;     ///< layers in the shadow's map, 0 (casts none) to 4096
 };
 
 /// Where a strand feels the wind.
@@ -102,15 +103,26 @@ enum class WindAt {
     pixel   ///< at each fragment's root: strands lean one by one on meshes of a few vertices (bent form, rigid meshes)
 };
 
+/// How strands are laid over the mesh.
+enum class StrandsOn {
+    surface, ///< evenly over any mesh, whatever its texture coordinates: round cones and centre forms
+    uv       ///< by the cells of its texture coordinates: all forms, and shapes that lie along v
+};
+
 struct CoatSettings {
     windrow::ShellSettings layers{};
     bool translated = false; ///< push and droop of the shell literature in place of strands that keep their length
     WindAt wind_at = WindAt::strand;
     float wind_share = 1.0f; ///< of the wind that it feels, 0 to 100
-    bool mirrored = false;   ///< layers on both sides of the skin, half of them each: clouds
+    bool mirrored = false;   ///< layers on both sides of the skin, half of them each, and no skin: clouds
     bool drifts = false;     ///< the pattern moves along with the air: clouds
     bool bare = false;       ///< the skin alone
+    StrandsOn strands_on = StrandsOn::surface;
     StrandFieldSettings strands{};
+    float wriggle_hz = 0.3f; ///< turns a second of the strands' wriggle, and by which a cloud's heaps become others, -100 to 100
+    /// In place of strands: a cloud on a level mesh, with layers.length its half height and the mesh's box its size (those two of its own
+    /// fields are not used). Wants `mirrored`, and `drifts` to go with the air.
+    std::optional<CloudShellSettings> cloud{};
     Comb comb{};
     std::vector<Spot> spots{}; ///< at most k_most_spots
     CoatMaps maps{};

@@ -9,6 +9,7 @@
 #define WINDROW_LEAF_MASK_GLSL
 
 #include "../numerics/place_noise.glsl"
+#include "../render/sample_bits.glsl"
 
 struct LeafMask {
     float coverage; // share of the pixel
@@ -96,14 +97,6 @@ LeafMask leaf_mask(float u, float v, float wide, float chance, bool needles) {
     if (needles)
         return needle_mask(u, v, max(wide, 1.0), chance);
     return broad_mask(u, v, max(wide, 1.0), chance);
-}
-
-// Bits of samples for a share of a pixel; `turn` so that cards behind one another do not cover the same samples.
-int sample_bits(float coverage, int samples, int turn) {
-    int count = int(coverage * float(samples) + 0.5);
-    int bits = (1 << count) - 1;
-    int shift = turn % samples;
-    return ((bits << shift) | (bits >> (samples - shift))) & ((1 << samples) - 1);
 }
 
 #endif

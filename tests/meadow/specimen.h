@@ -54,7 +54,7 @@ inline void write_specimen_files(const Folder& folder) {
     folder.write_pgm("paths.pgm", 4, 4, [](int, int row) { return row < 2 ? 65535 : 0; });
 }
 
-/// Two layers, so that a mask's file and its own keys both stand; two walkers, for the same reason.
+/// Two layers, so that a mask's file and its own keys both stand; two walkers, for the same reason; a body of each kind of mesh.
 inline constexpr const char* k_specimen = R"({
     "duration": 5,
     "paths": {"eye": {"points": [[0, 1, 1.5, 2], [4, 5, 1.5, 2]]}, "sight": {"points": [[0, 1, 1, -20]]}},
@@ -93,6 +93,41 @@ inline constexpr const char* k_specimen = R"({
             {"path": "sight"}
         ],
         "fans": [{"position": [2, 1.5, -3], "direction": [0.5, 0.25, -1], "radius": 0.6, "turns_hz": 2.5}],
+        "bodies": [
+            {"name": "wolf",
+             "mesh": {"file": {"name": "wolf.obj", "up": "z", "size": 1.5, "size_of": "height", "yaw_deg": 90, "most_triangles": 4000}},
+             "place": {"position": [1, 2, -3], "yaw_deg": 10, "pitch_deg": -5, "roll_deg": 15, "scale": 1.25, "above_ground": true},
+             "motion": {"path": "eye", "faces": false, "spin_hz": 0.25, "sway": {"by": [0.5, 0.25, -1], "turn_deg": 20, "nod_deg": 8, "hz": 1.5, "phase": 0.25},
+                        "hop": {"height": 0.4, "hz": 2, "rest": 0.5}},
+             "skeleton": {"kind": "own", "pace": 1.5, "phase": 2, "bones": [
+                 {"name": "hip", "head": [0, 1, 0.5], "tail": [0, 1, -0.5], "radius": 0.3, "sway": [0, 0.05, 0], "sway_hz": 2.5, "sway_phase": 0.75,
+                  "swings": [{"axis": [0, 1, 0], "rest": 0.1, "amplitude": 0.2, "hz": 2, "phase": 0.5, "second": 0.125, "second_phase": 1.5}]},
+                 {"name": "tail", "parent": "hip", "head": [0, 1, -0.5], "tail": [0, 1, -1], "radius": 0.05, "sway": [0, 0, 0], "sway_hz": 1, "sway_phase": 0, "swings": []}]},
+             "coats": [
+                 {"material": "fur", "strands_on": "uv", "wriggle_hz": 0.75, "translated": true, "wind_at": "pixel", "wind_share": 0.8, "mirrored": true, "drifts": true, "bare": true,
+                  "layers": {"shells": 24, "length": 0.06, "reaches_tip": false, "spacing": 1.5, "bias": 0.01, "push": 0.03, "push_exponent": 1.5, "droop": 0.01,
+                             "droop_shape": 2, "sag": 0.4, "down": [0, -1, 0.5],
+                             "strand": {"width": 0.0003, "rigidity": 2e-8, "drag_coefficient": 1.25, "air_density": 1.1, "vogel_exponent": -0.5, "vogel_speed": 6, "most_bend": 1.4}},
+                  "strands": {"density": 200, "stretch": 2, "row_shift": 0.5, "seed": 7, "jitter": 0.75, "wriggle": 0.5, "phase": 0.25, "low": 0.25, "high": 0.875,
+                              "profile": "centre", "thickness": 1.5, "cut_min": 0.25, "cut_max": 0.05, "cut_exponent": 2, "shape": "oval", "half_length": 0.5,
+                              "lift": 0.5, "shaft": 0.1, "bow": 0.2, "bow_turns": 1.5, "tuft": 0.4, "tuft_size": 8},
+                  "comb": {"along": [0, -1, -2], "bend": 0.75, "tousle": 0.5, "tousle_size": 0.1},
+                  "spots": [{"from": [0, 1, 1], "to": [0, 1.25, 1], "radius": 0.1, "soft": 0.05, "length": 0.5, "colour": [1, 0.5, 0.25], "tint": 0.5, "glow": 4}],
+                  "maps": {"length": "length.pgm", "colour": "colour.ppm", "noise_a": "a.pgm", "noise_b": "b.pgm", "influence_a": 0.5, "influence_b": 0.75,
+                           "noise_tiles": 4, "projection": "side", "bald_below": 0.1},
+                  "look": {"root": [0.1, 0.05, 0.02], "tip": [0.5, 0.4, 0.2], "second": [0.2, 0.3, 0.4], "skin": [0.3, 0.2, 0.1], "second_size": 0.5, "tip_power": 3,
+                           "variation": 0.3, "occlusion": 1.5, "occlusion_bias": 0.25, "wrap": 0.5, "gloss": 0.2, "gloss_power": 50, "sheen": 0.4, "sheen_power": 60,
+                           "through": 0.5, "strand_normals": 0.8, "square_normals": 0.5, "cel_steps": 3},
+                  "levels": {"least_shells": 6, "full_until": 8, "march": 2, "skip_empty": false, "outer_first": false, "depth_first": true, "one_draw_each": true,
+                             "shadow_strands": false, "shadow_shells": 12},
+                  "inertia": {"stages": 6, "lag": 0.5}}]},
+            {"mesh": {"sheet": {"size": [2, 3], "columns": 4, "rows": 5, "wave": 0.125}}},
+            {"mesh": {"globe_sphere": {"radius": 0.25, "sectors": 12, "stacks": 8}}},
+            {"mesh": {"cube_sphere": {"radius": 0.75, "cells": 5}}},
+            {"mesh": {"wing": {"span": 2, "chord": 0.5, "thickness": 0.05, "sweep": 0.5, "droop": 0.25, "feathers": 5, "columns": 24, "rows": 6}}},
+            {"mesh": {"beast": {"height": 3, "detail": 40}}}
+        ],
+        "lamps": [{"position": [1, 2, 3], "colour": [20, 5, 2], "reach": 12}],
         "ground_memory": {"texels": 64, "texel_size": 0.5, "spring": {"frequency_hz": 2.5, "damping": 0.12}, "push": 1.2,
                           "trail_share": 0.6, "trail_time": 15, "trample_time": 0.9, "clearance": 0.5, "rim": 1.5,
                           "longest_stride": 10, "most_walkers": 16},

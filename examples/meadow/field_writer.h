@@ -1,0 +1,71 @@
+// Writes the lists of picture_fields.h and its kind: every field, with the digits that name it.
+#pragma once
+
+#include "scene/json_object.h"
+#include "scene/number_text.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace meadow {
+
+using nlohmann::json;
+
+inline json written(double value) {
+    // Whole numbers as a person writes them: 30, not 30.0.
+    if (value == std::trunc(value) && std::abs(value) < 1e15)
+        return json(static_cast<std::int64_t>(value));
+    return json(value);
+}
+inline json written(float value) {
+    char digits[64];
+    const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
+    return written(windrow::scene::parse_number({digits, end}).value_or(static_cast<double>(value)));
+}
+template <int Count, class Number>
+json written(const glm::vec<Count, Number, glm::defaultp>& values) {
+    json list = json::array();
+    for (int n = 0; n < Count; ++n)
+        list.push_back(written(values[n]));
+    return list;
+}
+
+/// The counterpart of FieldReader.
+class FieldWriter {
+  public:
+    void real(const char* key, float value, const windrow::scene::NumberRule&) { object[key] = written(value); }
+    void number(const char* key, double value, const windrow::scene::NumberRule&) { object[key] = written(value); }
+    void integer(const char* key, int value, const windrow::scene::NumberRule&) { object[key] = value; }
+    void whole(const char* key, std::uint32_t value, const windrow::scene::NumberRule&) { object[key] = value; }
+    void place(const char* key, glm::dvec3 value, const windrow::scene::NumberRule&) { object[key] = written(value); }
+    void colour(const char* key, glm::vec3 value) { object[key] = written(value); }
+    void pair(const char* key, glm::dvec2 value, const windrow::scene::NumberRule&, const char*) { object[key] = written(value); }
+    void pair(const char* key, glm::vec2 value, const windrow::scene::NumberRule&, const char*) { object[key] = written(value); }
+    void flag(const char* key, bool value) { object[key] = value; }
+    void position(const char* key, glm::vec3 value, const windrow::scene::NumberRule&) { object[key] = written(value); }
+    void direction(const char* key, glm::vec3 value) { object[key] = written(value); }
+    template <class Value>
+    void word(const char* key, Value value, std::initializer_list<windrow::scene::Word<Value>> words) {
+        for (const auto& [text, meaning] : words)
+            if (meaning == value)
+                object[key] = text;
+    }
+
+    json object = json::object();
+};
+
+/// By value: the lists take what a reader may change.
+template <class Part>
+json write_part(Part part) {
+    FieldWriter fields;
+    list_fields(fields, part);
+    return std::move(fields.object);
+}
+
+} // namespace meadow

@@ -1,0 +1,49 @@
+// The lines of a text file and their words, for the small readers of OBJ and mtl. A line ends with \n or \r\n.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace shells {
+
+class TextLines {
+  public:
+    explicit TextLines(std::string_view text) : rest_(text) {}
+
+    /// Takes the next line; false at the end.
+    bool next(std::string_view& line) {
+        if (rest_.empty())
+            return false;
+        const std::size_t end = rest_.find('\n');
+        line = rest_.substr(0, end);
+        rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+        if (!line.empty() && line.back() == '\r')
+            line.remove_suffix(1);
+        ++number_;
+        return true;
+    }
+    /// Of the line last taken, from 1.
+    [[nodiscard]] std::size_t number() const { return number_; }
+
+  private:
+    std::string_view rest_;
+    std::size_t number_ = 0;
+};
+
+/// Without blanks at both ends.
+[[nodiscard]] inline std::string_view trimmed(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(" \t");
+    if (first == std::string_view::npos)
+        return {};
+    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+/// Takes the first word off `line`; empty at its end.
+[[nodiscard]] inline std::string_view take_word(std::string_view& line) {
+    line = trimmed(line);
+    const std::string_view word = line.substr(0, line.find_first_of(" \t"));
+    line.remove_prefix(word.size());
+    return word;
+}
+
+} // namespace shells

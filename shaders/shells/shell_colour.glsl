@@ -1,0 +1,68 @@
+// The colour pass of a layer: shell.frag, and shell_pixel.frag where each fragment asks the wind.
+#ifndef WINDROW_SHELLS_SHELL_COLOUR_GLSL
+#define WINDROW_SHELLS_SHELL_COLOUR_GLSL
+
+#include "../render/shading.glsl"
+#include "../numerics/motion_vector.glsl"
+#include "../numerics/strand_light.glsl"
+#include "coat.glsl"
+#include "coat_places.glsl"
+#include "shell_strand.glsl"
+#include "shell_light.glsl"
+#include "shell_fragment.glsl"
+
+layout(location = 0) out vec4 colour;
+layout(location = 1) out vec2 motion;
+
+// Unit vector away from the strand's middle, in the world: from the mesh's own space by what the pixel's neighbours have of both.
+vec3 strand_outward(ShellHit hit, ShellFragment f) {
+    vec3 n = coat.form.z == 1 ? hit.root.n : vec3(0.0, 0.0, 1.0);
+    vec2 share = in_plane_of(windrow_strand_gradient(hit.strand.outward, hit.strand.facet, n, coat.cel.y), f);
+    vec3 world = share.x * f.p_dx + share.y * f.p_dy;
+    float size = dot(world, world);
+    return size > 1e-20 ? world / sqrt(size) : vec3(0.0);
+}
+
+void main() {
+    ShellFragment f = shell_fragment();
+    ShellHit hit = f.hit;
+    bool cloud = coat.cel.z > 0.0;
+    vec3 to_eye = -f.sight;
+    vec3 at = position + hit.on_way * f.sight;
+    float t = clamp(cloud ? 0.5 + 0.5 * hit.height : abs(hit.height) / max(hit.map, 1e-3), 0.0, 1.0);
+    PlaceColour place = place_colour(hit.root.x, hit.root.uv, f.wide_on_pictures);
+
+    float tone = f.bald ? 1.0 : windrow_strand_tone(hit.strand.key, coat.tip.w * (1.0 - hit.thin));
+    float patches = windrow_strand_patch(91u, hit.root.x * coat.second.w);
+    vec3 fur = windrow_strand_colour(coat.root.rgb, coat.tip.rgb, coat.second.rgb, patches, t, coat.root.w, tone);
+    ShellSurface surface;
+    surface.hair = f.bald ? 0.0 : 1.0;
+    surface.albedo = mix((f.bald ? coat.skin.rgb : fur) * place.factor, place.tint, place.tinted);
+    surface.height = t;
+    surface.open = f.bald ? 1.0 : windrow_strand_occlusion(t, coat.light.x, coat.skin.w);
+
+    vec3 n = normalize(normal);
+    if (dot(n, to_eye) < 0.0 && coat.layers.z == 0)
+        n = normalize(n + (0.02 - dot(n, to_eye)) * to_eye); // beyond the horizon: what is seen still turns to the eye
+    if (cloud) {
+        vec2 middle = coat.low.xz + 0.5 / max(coat.extent.xz, vec2(1e-9));
+        vec2 place_on = hit.root.x.xz - middle;
+        vec3 own = windrow_cloud_normal(coat.cloud, place_on, hit.height, windrow_cloud_heap(coat.cloud, place_on), 0.05 / coat.cloud.form.y);
+        vec3 up = hit.height < 0.0 ? -n : n; // the layer's normal; the sheet's own is up
+        vec2 aside = in_plane(vec3(own.x, 0.0, own.z), f.dx.x, f.dy.x);
+        n = normalize(aside.x * f.p_dx + aside.y * f.p_dy + own.y * up);
+    }
+    vec3 outward = f.bald || cloud || hit.thin >= 1.0 ? vec3(0.0) : strand_outward(hit, f);
+    surface.normal = normalize(mix(n, windrow_strand_blended(outward, n, t), coat.sheen.w * (1.0 - hit.thin) * step(1e-6, dot(outward, outward))));
+    surface.tangent = normalize(along);
+
+    // The skin's own shade is looked up at the tips: the map has them too.
+    vec3 above = cloud ? at : at + coat.shells.form.x * (1.0 - abs(hit.height)) * n;
+    vec3 radiance = shell_radiance(surface, at, above, to_eye);
+    if (f.bald)
+        radiance += place.glow;
+    colour = vec4(fogged(radiance, position), 1.0);
+    motion = windrow_motion_vector(clip_now, clip_before);
+}
+
+#endif
