@@ -64,9 +64,7 @@ windrow::Pose pose_of(const PictureScene& scene, const Body& body, double time) 
     const double roll = glm::radians(static_cast<double>(body.place.roll_deg));
     const glm::dquat turn = glm::angleAxis(yaw, glm::dvec3(0.0, 1.0, 0.0)) * glm::angleAxis(pitch, glm::dvec3(1.0, 0.0, 0.0)) *
                             glm::angleAxis(roll, glm::dvec3(0.0, 0.0, 1.0));
-    return {.position = place,
-            .rotation = {turn.x, turn.y, turn.z, turn.w},
-            .scale = static_cast<double>(body.place.scale)};
+    return {.position = place, .rotation = {turn.x, turn.y, turn.z, turn.w}, .scale = static_cast<double>(body.place.scale)};
 }
 
 shells::CoatSettings settings_of(const BodyCoat& coat, const std::optional<shells::FurLine>& fur) {

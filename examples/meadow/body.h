@@ -7,6 +7,7 @@
 #include "coupling/cascade.h"
 #include "examples/shells/beast.h"
 #include "examples/shells/coat_settings.h"
+#include "examples/shells/horse_skeleton.h"
 #include "examples/shells/mesh_file.h"
 #include "examples/shells/shapes.h"
 #include "examples/shells/skeleton.h"
@@ -25,9 +26,9 @@ struct PictureScene;
 
 /// A mesh beside the scene: OBJ, glTF, GLB or 3DS. It is read when the scene is drawn, not when the scene is read.
 struct MeshSource {
-    std::string name{};            ///< of the file
-    shells::MeshLoad load{};       ///< but for the turn
-    float yaw_deg = 0.0f;          ///< turn about y, -360 to 360
+    std::string name{};             ///< of the file
+    shells::MeshLoad load{};        ///< but for the turn
+    float yaw_deg = 0.0f;           ///< turn about y, -360 to 360
     int most_triangles = 4'000'000; ///< files with more are simplified, 4 to 4,000,000
 };
 
@@ -45,11 +46,11 @@ struct BodyPlace {
 
 /// To and fro, by a sine.
 struct Sway {
-    glm::dvec3 by{0.0};     ///< [m] farthest from the middle
-    double turn_deg = 0.0;  ///< farthest turn about the vertical, 0 to 360
-    double nod_deg = 0.0;   ///< farthest turn about its own x, 0 to 360
-    double hz = 0.5;        ///< 0 to 100
-    double phase = 0.0;     ///< [turns] 0 to 1
+    glm::dvec3 by{0.0};    ///< [m] farthest from the middle
+    double turn_deg = 0.0; ///< farthest turn about the vertical, 0 to 360
+    double nod_deg = 0.0;  ///< farthest turn about its own x, 0 to 360
+    double hz = 0.5;       ///< 0 to 100
+    double phase = 0.0;    ///< [turns] 0 to 1
 };
 
 /// Jumps on a parabola, one after another, with a rest between.

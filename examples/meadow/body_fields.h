@@ -121,7 +121,10 @@ void list_fields(Fields& fields, shells::Bone& bone) {
 template <class Fields>
 void list_fields(Fields& fields, BodySkeleton& skeleton) {
     fields.word("kind", skeleton.kind,
-                {{"none", SkeletonKind::none}, {"beast", SkeletonKind::beast}, {"horse", SkeletonKind::horse}, {"own", SkeletonKind::own}});
+                {{"none", SkeletonKind::none},
+                 {"beast", SkeletonKind::beast},
+                 {"horse", SkeletonKind::horse},
+                 {"own", SkeletonKind::own}});
     fields.number("pace", skeleton.pace, {.least = 0.0, .most = 10.0});
     fields.number("phase", skeleton.phase, {.least = 0.0, .most = 1e3, .unit = "s"});
 }

@@ -53,6 +53,8 @@ json write_coat(const BodyCoat& coat, bool of_a_file) {
     object["levels"] = write_part(settings.levels);
     if (settings.inertia)
         object["inertia"] = write_part(*settings.inertia);
+    if (settings.cloud)
+        object["cloud"] = write_part(*settings.cloud);
     // What the mesh's own fur line says, the scene must not say.
     const auto drop = [&](const char* part, const char* key, bool said) {
         if (of_a_file && !said)

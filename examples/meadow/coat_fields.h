@@ -142,6 +142,19 @@ void list_fields(Fields& fields, windrow::CascadeConfig& inertia) {
     fields.number("lag", inertia.lag, {.least = 0.0, .most = 60.0, .above_least = true, .unit = "s"});
 }
 
+/// But for what the layers and the mesh's box say already: its height and its half size.
+template <class Fields>
+void list_fields(Fields& fields, shells::CloudShellSettings& cloud) {
+    fields.real("cover", cloud.cover, k_share_rule);
+    fields.real("size", cloud.size, {.least = 0.01, .most = 1e5, .unit = "m"});
+    fields.real("base", cloud.base, {.least = 0.01, .most = 1.0});
+    fields.real("billow", cloud.billow, k_share_rule);
+    fields.integer("octaves", cloud.octaves, {.least = 1.0, .most = 8.0});
+    fields.integer("seed", cloud.seed, {.least = 0.0, .most = 1e6});
+    fields.real("fading", cloud.fading, {.least = 0.01, .most = 1e6, .unit = "m"});
+    fields.flag("round_rim", cloud.round_rim);
+}
+
 /// But for its parts.
 template <class Fields>
 void list_fields(Fields& fields, shells::CoatSettings& coat) {

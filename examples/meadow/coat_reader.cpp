@@ -64,6 +64,10 @@ BodyCoat read_coat(JsonObject object, const std::filesystem::path& folder) {
     read_part(object.object("inertia"), inertia);
     if (object.value().contains("inertia"))
         settings.inertia = inertia;
+    shells::CloudShellSettings cloud;
+    read_part(object.object("cloud"), cloud);
+    if (object.value().contains("cloud"))
+        settings.cloud = cloud;
     object.finish();
     if (object.log().faults() == faults_before)
         note_refusals(shells::validate(settings), "coat.", object);

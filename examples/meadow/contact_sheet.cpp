@@ -20,11 +20,13 @@ std::uint8_t value_of(double light) {
     return static_cast<std::uint8_t>(std::clamp(255.0 * share + 0.5, 0.0, 255.0));
 }
 
-/// Each pixel the mean light of those that it covers.
+} // namespace
+
 render::Picture8 shrunk(const render::Picture8& picture, int width) {
     std::array<double, 256> light{};
     for (std::size_t value = 0; value < light.size(); ++value)
         light[value] = light_of(static_cast<std::uint8_t>(value));
+    width = std::clamp(width, 1, picture.width);
     const int height = std::max(1, static_cast<int>(std::lround(static_cast<double>(picture.height) * width / picture.width)));
     render::Picture8 made(width, height);
     const auto first = [](int n, int of, int all) { return static_cast<int>(static_cast<std::int64_t>(n) * all / of); };
@@ -44,8 +46,6 @@ render::Picture8 shrunk(const render::Picture8& picture, int width) {
         }
     return made;
 }
-
-} // namespace
 
 windrow::Result<render::Picture8> contact_sheet(std::span<const render::Picture8> pictures, int columns, int width) {
     if (pictures.empty() || columns < 1 || width < 1)

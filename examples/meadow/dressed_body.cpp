@@ -50,7 +50,8 @@ Result<BodyModel> model_of(const PictureScene& scene, const Body& body) {
         break;
     }
     case SkeletonKind::horse: {
-        auto bones = shells::beast_skeleton();
+        const auto* file = std::get_if<MeshSource>(&body.mesh);
+        auto bones = shells::horse_skeleton(file != nullptr ? file->load.size : 1.0f);
         if (!bones)
             return Error{bones.error()};
         model.skeleton = *std::move(bones);
@@ -74,7 +75,8 @@ Result<std::vector<shells::MeshPart>> parts_of(const shells::Mesh& mesh, const B
         names += (names.empty() ? "\"" : ", \"") + part.material + "\"";
     }
     if (parts.empty())
-        return Error{"material is \"" + coat.material + "\", and the mesh has " + names + "; name one of these, or none for all."};
+        return Error{"material is \"" + coat.material + "\", and the mesh has " + names +
+                     "; name one of these, or none for all."};
     return parts;
 }
 
@@ -97,7 +99,8 @@ Result<DressedBodies> DressedBodies::create(engine::Device& device, const render
     return made;
 }
 
-Result<void> DressedBodies::dress(engine::Device& device, const render::DrawTargets& targets, const Body& body, glm::dvec3 anchor) {
+Result<void> DressedBodies::dress(engine::Device& device, const render::DrawTargets& targets, const Body& body,
+                                  glm::dvec3 anchor) {
     auto model = model_of(*scene_, body);
     if (!model)
         return Error{model.error()};

@@ -26,8 +26,8 @@ struct BodyModel {
 /// Those parts of the mesh that a coat is for; all where it names no material. Refuses a material that the mesh has not.
 [[nodiscard]] windrow::Result<std::vector<shells::MeshPart>> parts_of(const shells::Mesh& mesh, const BodyCoat& coat);
 
-/// [m] By which the mean wind at a body has carried a pattern until a time [s], along x and z: their product, so that it is as exact
-/// at any time as the wind itself, a float (6e-8 of the way). Gusts are left out: over time they carry nothing.
+/// [m] By which the mean wind at a body has carried a pattern until a time [s], along x and z: their product, so that it is as
+/// exact at any time as the wind itself, a float (6e-8 of the way). Gusts are left out: over time they carry nothing.
 [[nodiscard]] glm::dvec2 drift_of(const PictureScene& scene, const Body& body, double time);
 
 class DressedBodies {

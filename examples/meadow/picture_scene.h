@@ -146,8 +146,8 @@ struct Picture {
     std::vector<Walker> walkers{};
     std::vector<Fan> fans{};
     std::optional<windrow::GroundConfig> ground_memory{}; ///< none: walkers and wind leave no trace
-    std::vector<Body> bodies{};      ///< things in coats of shells
-    std::vector<shells::Lamp> lamps{}; ///< that shine on them
+    std::vector<Body> bodies{};                           ///< things in coats of shells
+    std::vector<shells::Lamp> lamps{};                    ///< that shine on them
     windrow::Sampling sampling{};
 };
 

@@ -5,6 +5,7 @@
 //     meadow SCENE.json --show slice                                 the wind itself: arrows, slice; or what the plants do: lean,
 //                                                                    levels, chunks
 //     meadow examples/scenes/looks/*.json --frames 1 --sheet looks.png       the first picture of each, side by side
+//     meadow examples/scenes/shells/*.json --frames 1 --jpeg docs/gallery    the first picture of each, small, for a page
 //
 // Exit codes as the windrow command's: 0 well, 2 wrong use or a bad scene, 3 the machine lacks something.
 #include "examples/meadow/contact_sheet.h"
@@ -31,6 +32,7 @@ constexpr std::size_t k_most_on_sheet = 24;
 struct Options {
     std::vector<std::filesystem::path> scenes{};
     std::filesystem::path folder{}, sheet{}; ///< of one scene's pictures; of the sheet of all scenes, if it was asked for
+    std::filesystem::path jpeg{};            ///< folder of small pictures, if they were asked for
     std::int64_t frames = 0;                 ///< 0: all from `from`
     double from = 0.0;                       ///< [s]
     bool exr = false;
@@ -106,6 +108,18 @@ Result<void> write_sheet(const std::vector<render::Picture8>& pictures, int widt
     return sheet ? render::write_png(*sheet, file) : Result<void>(Error{sheet.error()});
 }
 
+/// A picture of 640 px in at most 60 kB: what a page of many pictures can bear.
+Result<void> write_small(const render::Picture8& picture, const std::filesystem::path& file) {
+    constexpr std::uintmax_t k_most_bytes = 60'000;
+    for (int quality = 85;; quality -= 5) {
+        if (auto written = render::write_jpeg(meadow::shrunk(picture, 640), quality, file); !written)
+            return written;
+        std::error_code error;
+        if (quality <= 50 || std::filesystem::file_size(file, error) <= k_most_bytes)
+            return {};
+    }
+}
+
 int run(const std::filesystem::path& file, const Options& options, std::vector<render::Picture8>& firsts) {
     const auto scene = meadow::read_picture_scene(file);
     if (!scene)
@@ -124,6 +138,9 @@ int run(const std::filesystem::path& file, const Options& options, std::vector<r
         return complain(kept.error(), 2);
     if (kept->sheet.size() > 1)
         if (const auto written = write_sheet(kept->sheet, 480, options.folder / "contact_sheet.png"); !written)
+            return complain(written.error(), 2);
+    if (!kept->sheet.empty() && !options.jpeg.empty())
+        if (const auto written = write_small(kept->sheet.front(), options.jpeg / (file.stem().string() + ".jpg")); !written)
             return complain(written.error(), 2);
     if (!kept->sheet.empty())
         firsts.push_back(kept->sheet.front());
@@ -145,6 +162,9 @@ std::string fault_of(const Options& options) {
         if (options.sheet.extension() != ".png")
             return "--sheet " + options.sheet.string() + " is no PNG; give a name that ends in .png.";
     }
+    std::error_code absent;
+    if (!options.jpeg.empty() && !std::filesystem::is_directory(options.jpeg, absent))
+        return "--jpeg " + options.jpeg.string() + " is no folder that there is; make it first, or name another.";
     std::set<std::filesystem::path> stems;
     for (const std::filesystem::path& scene : options.scenes)
         if (!stems.insert(scene.stem()).second)
@@ -210,6 +230,7 @@ int main(int argument_count, char** arguments) {
     app.add_option("--out", options.folder,
                    "where the pictures go, of several scenes in a folder each; default: out/NAME of the file");
     app.add_option("--sheet", options.sheet, "the first pictures of all scenes on one sheet: a PNG; they are of one size");
+    app.add_option("--jpeg", options.jpeg, "the first picture of each scene as NAME.jpg in this folder, 640 px wide");
     app.add_option("--frames", options.frames, "how many frames; default: to the scene's end")->check(within(1, 100000));
     app.add_option("--from", options.from, "[s] the moment of the first; what is before is blown, not drawn")
         ->check(within(0.0, 1e6));

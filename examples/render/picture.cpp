@@ -49,6 +49,15 @@ windrow::Result<void> write_png(const Picture8& picture, const std::filesystem::
     return publish(file, spec, OIIO::TypeDesc::UINT8, picture.values.data());
 }
 
+windrow::Result<void> write_jpeg(const Picture8& picture, int quality, const std::filesystem::path& file) {
+    if (auto fits = check_size(file, picture.values.size(), picture.width, picture.height, 3); !fits)
+        return fits;
+    OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeDesc::UINT8);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    spec.attribute("Compression", "jpeg:" + std::to_string(quality));
+    return publish(file, spec, OIIO::TypeDesc::UINT8, picture.values.data());
+}
+
 windrow::Result<void> write_exr(const PictureF& light, const PictureF& motion, const std::filesystem::path& file) {
     if (auto fits = check_size(file, light.values.size(), light.width, light.height, 3); !fits)
         return fits;

@@ -36,6 +36,8 @@ struct PictureF {
 
 /// What stands under the name stays until the new file is whole.
 [[nodiscard]] windrow::Result<void> write_png(const Picture8& picture, const std::filesystem::path& file);
+/// JPEG of a quality of 1 to 100.
+[[nodiscard]] windrow::Result<void> write_jpeg(const Picture8& picture, int quality, const std::filesystem::path& file);
 /// Half floats, ZIP. Three channels are R, G, B; beside them `motion`, of the same size, as motion.x and motion.y in pixels since
 /// the frame before, x right and y down; an empty one: none.
 [[nodiscard]] windrow::Result<void> write_exr(const PictureF& light, const PictureF& motion, const std::filesystem::path& file);

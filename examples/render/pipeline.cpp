@@ -1,6 +1,7 @@
 #include "examples/render/pipeline.h"
 
 #include <array>
+#include <vector>
 #include <vulkan/vulkan.h>
 
 namespace render {
@@ -46,7 +47,14 @@ VkPipelineLayout make_pipeline_layout(engine::Device& device, std::span<const Vk
 VkPipeline make_pipeline(engine::Device& device, const PipelineRecipe& recipe) {
     const VkShaderModule vertex = module_of(device.device, recipe.vertex);
     const VkShaderModule fragment = recipe.fragment.empty() ? VK_NULL_HANDLE : module_of(device.device, recipe.fragment);
-    const std::array stages{stage_of(VK_SHADER_STAGE_VERTEX_BIT, vertex), stage_of(VK_SHADER_STAGE_FRAGMENT_BIT, fragment)};
+    std::array stages{stage_of(VK_SHADER_STAGE_VERTEX_BIT, vertex), stage_of(VK_SHADER_STAGE_FRAGMENT_BIT, fragment)};
+    std::vector<VkSpecializationMapEntry> entries;
+    for (std::uint32_t n = 0; n < recipe.constants.size(); ++n)
+        entries.push_back({n, n * 4u, 4});
+    const VkSpecializationInfo constants{static_cast<std::uint32_t>(entries.size()), entries.data(),
+                                         recipe.constants.size_bytes(), recipe.constants.data()};
+    if (!entries.empty())
+        stages[1].pSpecializationInfo = &constants;
     VkPipelineVertexInputStateCreateInfo input{};
     input.sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO;
     VkPipelineInputAssemblyStateCreateInfo assembly{};

@@ -18,6 +18,7 @@ struct PassTarget {
 
 struct PipelineRecipe {
     std::span<const std::uint32_t> vertex{}, fragment{}; ///< SPIR-V; no fragment stage: depth alone
+    std::span<const std::uint32_t> constants{};          ///< of the fragment stage: constant_id 0, 1, 2 ...
     VkPipelineLayout layout = VK_NULL_HANDLE;
     PassTarget target{};
     VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;

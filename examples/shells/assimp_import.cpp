@@ -9,7 +9,6 @@
 #include <assimp/MemoryIOWrapper.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
-
 #include <exception>
 #include <set>
 
@@ -87,7 +86,8 @@ bool gather(Soup& soup, std::size_t& corners, const aiScene& scene, const aiNode
         if (corners > 3 * k_most_triangles || soup.size() == k_most_parts)
             return false;
         const bool named = mesh.mMaterialIndex < scene.mNumMaterials;
-        add(soup.emplace_back(SoupPart{named ? scene.mMaterials[mesh.mMaterialIndex]->GetName().C_Str() : "none", {}, false}), mesh, place);
+        add(soup.emplace_back(SoupPart{named ? scene.mMaterials[mesh.mMaterialIndex]->GetName().C_Str() : "none", {}, false}),
+            mesh, place);
     }
     for (unsigned i = 0; i < node.mNumChildren; ++i)
         if (!gather(soup, corners, scene, *node.mChildren[i], place, placed))
@@ -109,7 +109,8 @@ windrow::Result<Soup> import_soup(const std::map<std::string, std::string>& file
     Soup soup;
     std::size_t corners = 0;
     if (!gather(soup, corners, *scene, *scene->mRootNode, aiMatrix4x4(), ending != "3ds"))
-        return refusal(owner, " has more than ", k_most_triangles, " triangles or ", k_most_parts, " parts, counting each place: give fewer.");
+        return refusal(owner, " has more than ", k_most_triangles, " triangles or ", k_most_parts,
+                       " parts, counting each place: give fewer.");
     std::erase_if(soup, [](const SoupPart& part) { return part.corners.empty(); });
     if (soup.empty())
         return refusal(owner, " has no triangles: give a mesh of triangles.");

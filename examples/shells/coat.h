@@ -7,7 +7,7 @@
 //
 // In each frame: a compute pass puts the mesh's vertices into the body's pose and asks the wind what it does to the strands
 // there; then one instanced draw of the mesh, an instance a layer, in the colour pass and one in each shadow. A coat that neither
-// the eye nor a shadow sees draws nothing. How it works: docs/shells.md; the fragment's walk between layers:
+// the eye nor a shadow sees draws nothing. The walk of a fragment between layers:
 // shaders/shells/shell_strand.glsl.
 #pragma once
 

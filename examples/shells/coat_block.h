@@ -43,10 +43,10 @@ struct CoatBlock {
     glm::vec4 light{0.0f};     ///< x occlusion exponent; y wrap; z gloss; w its power
     glm::vec4 sheen{0.0f};     ///< x sheen; y its power; z through; w strand normals
     glm::vec4 cel{0.0f};       ///< x levels; y square normals; z 1: clouds; w 1: far sides are hidden by the skin
-    glm::vec4 drift{0.0f};      ///< xy [m] along x and z of the mesh where the strands' pattern has gone
+    glm::vec4 drift{0.0f};     ///< xy [m] along x and z of the mesh where the strands' pattern has gone
     glm::vec4 low{0.0f};       ///< xyz corner of the mesh's box; w Projection
     glm::vec4 extent{0.0f};    ///< xyz 1 / its size; w noise tiles
-    glm::vec4 influence{0.0f};  ///< x, y of the noise pictures
+    glm::vec4 influence{0.0f}; ///< x, y of the noise pictures
     CloudShellBlock cloud{};
     std::array<glm::ivec4, 4> pictures{}; ///< x first texel; y columns; z rows; w levels, 0: none
     std::array<SpotBlock, k_most_spots> spots{};

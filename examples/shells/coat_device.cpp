@@ -35,6 +35,19 @@ engine::Buffer filled(engine::Device& device, const std::vector<T>& from, VkBuff
     return made;
 }
 
+// The constants of shaders/shells/shell_strand.glsl, in their order.
+std::array<std::uint32_t, 7> constants_of(const CoatSettings& settings, bool noise) {
+    const StrandFieldSettings& strands = settings.strands;
+    const std::uint32_t pattern = settings.cloud ? 3u : noise ? 2u : settings.strands_on == StrandsOn::surface ? 1u : 0u;
+    return {pattern,
+            static_cast<std::uint32_t>(strands.profile),
+            static_cast<std::uint32_t>(strands.shape),
+            strands.bow > 0.0f ? 1u : 0u,
+            strands.tuft > 0.0f ? 1u : 0u,
+            strands.jitter > 0.0f ? 1u : 0u,
+            settings.levels.march > 0 ? 1u : 0u};
+}
+
 } // namespace
 
 void Coat::make_pipelines(engine::Device& device, const render::DrawTargets& targets) {
@@ -43,17 +56,24 @@ void Coat::make_pipelines(engine::Device& device, const render::DrawTargets& tar
     layout_ = render::make_pipeline_layout(device, sets);
     skin_ = render::make_compute_pipeline(device, layout_, words::coat_skin);
     using Words = std::span<const std::uint32_t>;
+    const auto constants = constants_of(settings_, block_.pictures[2].w > 0);
     const bool pixel = settings_.wind_at == WindAt::pixel;
-    colour_ = render::make_pipeline(
-        device, {.vertex = words::shell_vert, .fragment = pixel ? Words(words::shell_pixel_frag) : Words(words::shell_frag), .layout = layout_, .target = targets.colour});
+    colour_ = render::make_pipeline(device, {.vertex = words::shell_vert,
+                                             .fragment = pixel ? Words(words::shell_pixel_frag) : Words(words::shell_frag),
+                                             .constants = constants,
+                                             .layout = layout_,
+                                             .target = targets.colour});
     if (settings_.levels.depth_first)
-        depth_ = render::make_pipeline(device, {.vertex = words::shell_vert,
-                                                .fragment = pixel ? Words(words::shell_pixel_depth_frag) : Words(words::shell_depth_frag),
-                                                .layout = layout_,
-                                                .target = targets.colour,
-                                                .writes_colour = false});
+        depth_ = render::make_pipeline(device,
+                                       {.vertex = words::shell_vert,
+                                        .fragment = pixel ? Words(words::shell_pixel_depth_frag) : Words(words::shell_depth_frag),
+                                        .constants = constants,
+                                        .layout = layout_,
+                                        .target = targets.colour,
+                                        .writes_colour = false});
     shadow_ = render::make_pipeline(device, {.vertex = words::shell_shadow_vert,
                                              .fragment = words::shell_shadow_frag,
+                                             .constants = constants,
                                              .layout = layout_,
                                              .target = targets.shadow,
                                              .bias = true});

@@ -131,6 +131,8 @@ Result<void> validate(const CoatSettings& settings) {
     judge(refusals, settings.levels);
     if (settings.inertia)
         part(refusals, windrow::validate(*settings.inertia), "CascadeConfig::", "coat.inertia.");
+    if (settings.cloud)
+        part(refusals, validate(*settings.cloud), "clouds.", "coat.cloud.");
     return refusals.result();
 }
 

@@ -120,8 +120,8 @@ struct CoatSettings {
     StrandsOn strands_on = StrandsOn::surface;
     StrandFieldSettings strands{};
     float wriggle_hz = 0.3f; ///< turns a second of the strands' wriggle, and by which a cloud's heaps become others, -100 to 100
-    /// In place of strands: a cloud on a level mesh, with layers.length its half height and the mesh's box its size (those two of its own
-    /// fields are not used). Wants `mirrored`, and `drifts` to go with the air.
+    /// In place of strands: a cloud on a level mesh, with layers.length its half height and the mesh's box its size (those two of
+    /// its own fields are not used). Wants `mirrored`, and `drifts` to go with the air.
     std::optional<CloudShellSettings> cloud{};
     Comb comb{};
     std::vector<Spot> spots{}; ///< at most k_most_spots

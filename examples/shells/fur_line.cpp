@@ -25,7 +25,7 @@ Result<FurLine> fur_of(std::string_view words, const std::string& place) {
         each = take_word(words);
     if (word.back().empty() || !trimmed(words).empty())
         return refusal(place, ": fur has other than four numbers: give shell count, height, thickness and resolution, as in "
-                                    "`fur 48 0.419 2.753 11`.");
+                              "`fur 48 0.419 2.753 11`.");
     FurLine fur;
     if (!read(word[0], fur.shells))
         return refusal(place, ": fur's shell count is '", word[0], "': give a whole number, 2 to 4096.");

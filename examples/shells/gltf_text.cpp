@@ -39,12 +39,16 @@ class Copier {
             fail("$", "is no object: give a glTF 2.0.");
         if (source_.contains("extensionsRequired") && !source_["extensionsRequired"].empty())
             fail("$.extensionsRequired", "is not empty: save the file without compression and other extensions.");
-        out_ = {{"asset", {{"version", "2.0"}}}, {"accessors", json::array()}, {"bufferViews", json::array()},
-                {"buffers", json::array()}, {"meshes", json::array()}};
+        out_ = {{"asset", {{"version", "2.0"}}},
+                {"accessors", json::array()},
+                {"bufferViews", json::array()},
+                {"buffers", json::array()},
+                {"meshes", json::array()}};
         for (std::size_t i = 0; i < list("materials").size(); ++i) {
             const json& material = item("materials", i);
             const bool named = material.contains("name") && material["name"].is_string();
-            out_["materials"].push_back({{"name", named ? material["name"].get<std::string>().substr(0, 255) : sentence("material ", i)}});
+            out_["materials"].push_back(
+                {{"name", named ? material["name"].get<std::string>().substr(0, 255) : sentence("material ", i)}});
         }
         for (std::size_t i = 0; i < list("meshes").size(); ++i)
             out_["meshes"].push_back({{"primitives", primitives(item("meshes", i), sentence("$.meshes[", i, "]"))}});
@@ -110,8 +114,8 @@ class Copier {
         const bool indices = components == 1;
         const bool fits = indices ? component == k_byte || component == k_short || component == k_int : component == k_float;
         if (!fits || !source.contains("type") || source["type"] != type)
-            fail(here, "is the ", key, " of ", place, " and not ", indices ? "SCALAR of unsigned integers" : std::string(type) + " of floats",
-                 ": give those.");
+            fail(here, "is the ", key, " of ", place, " and not ",
+                 indices ? "SCALAR of unsigned integers" : std::string(type) + " of floats", ": give those.");
         if (source.contains("sparse") || !source.contains("bufferView"))
             fail(here, "is sparse or has no view: give all of its numbers.");
         if (count == 0 || count > 3 * k_most_triangles || (!indices && count > k_most_vertices))
@@ -138,13 +142,14 @@ class Copier {
         if (stride != entry)
             view_copy["byteStride"] = stride;
         out_["bufferViews"].push_back(std::move(view_copy));
-        out_["accessors"].push_back({{"bufferView", out_["bufferViews"].size() - 1}, {"componentType", component}, {"count", count}, {"type", type}});
+        out_["accessors"].push_back(
+            {{"bufferView", out_["bufferViews"].size() - 1}, {"componentType", component}, {"count", count}, {"type", type}});
         return kept;
     }
 
     // Floats are finite; of indices the highest is noted.
-    void check_numbers(std::string_view bytes, std::size_t count, std::size_t stride, std::size_t components, std::size_t component,
-                       const std::string& here) {
+    void check_numbers(std::string_view bytes, std::size_t count, std::size_t stride, std::size_t components,
+                       std::size_t component, const std::string& here) {
         highest_ = 0;
         for (std::size_t i = 0; i < count; ++i) {
             const char* entry = bytes.data() + i * stride;
@@ -156,7 +161,10 @@ class Copier {
             }
             std::uint32_t value = 0;
             if (component != k_float)
-                std::memcpy(&value, entry, component == k_byte ? 1 : component == k_short ? 2 : 4); // little-endian, as the machine
+                std::memcpy(&value, entry,
+                            component == k_byte    ? 1
+                            : component == k_short ? 2
+                                                   : 4); // little-endian, as the machine
             highest_ = std::max(highest_, value);
         }
     }
@@ -228,7 +236,8 @@ class Copier {
             const json& source = item("nodes", i);
             const std::string place = sentence("$.nodes[", i, "]");
             json kept = json::object();
-            for (const auto& [key, count] : {std::pair("matrix", 16), std::pair("translation", 3), std::pair("rotation", 4), std::pair("scale", 3)})
+            for (const auto& [key, count] :
+                 {std::pair("matrix", 16), std::pair("translation", 3), std::pair("rotation", 4), std::pair("scale", 3)})
                 if (source.contains(key))
                     kept[key] = numbers(source, key, static_cast<std::size_t>(count), place);
             if (source.contains("mesh")) {
@@ -249,7 +258,8 @@ class Copier {
             int depth = 0;
             for (std::size_t at = i; parents[at] < k_most_nodes; at = parents[at])
                 if (++depth > k_deepest_node)
-                    fail(sentence("$.nodes[", i, "]"), "lies in a circle, or deeper than ", k_deepest_node, " nodes: give a tree.");
+                    fail(sentence("$.nodes[", i, "]"), "lies in a circle, or deeper than ", k_deepest_node,
+                         " nodes: give a tree.");
             if (parents[i] == k_most_nodes)
                 roots.push_back(i);
         }

@@ -1,5 +1,5 @@
-// Bones for the horse of Debian's glmark2-data, which stands reared on its hind legs: it paws the air, tosses its head, swings its
-// tail. It cannot walk without its forelegs on the ground.
+// Bones for the horse of Debian's glmark2-data, which stands reared on its hind legs: it paws the air, tosses its head, swings
+// its tail. It cannot walk without its forelegs on the ground.
 //
 //     auto horse = shells::read_mesh("/usr/share/glmark2/models/horse.3ds", {.size = 2.4f});
 //     auto bones = shells::horse_skeleton(2.4f);

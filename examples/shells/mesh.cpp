@@ -9,7 +9,6 @@
 namespace shells {
 namespace {
 
-
 bool sound(const glm::vec3& v) {
     return std::abs(v.x) <= k_farthest && std::abs(v.y) <= k_farthest && std::abs(v.z) <= k_farthest; // false for NaN
 }
@@ -35,8 +34,8 @@ std::string fault_of_parts(const Mesh& mesh) {
     for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
         const MeshPart& part = mesh.parts[i];
         if (part.first != next || part.count == 0 || part.count % 3 != 0 || part.count > mesh.indices.size() - next)
-            return sentence(".parts[", i, "] takes ", part.count, " indices from ", part.first, " on: give whole triangles from ", next,
-                           " on, of ", mesh.indices.size(), ".");
+            return sentence(".parts[", i, "] takes ", part.count, " indices from ", part.first, " on: give whole triangles from ",
+                            next, " on, of ", mesh.indices.size(), ".");
         next += part.count;
     }
     if (next != mesh.indices.size())
@@ -51,7 +50,8 @@ Result<void> validate(const Mesh& mesh, const char* owner) {
     if (mesh.vertices.size() < 3 || mesh.vertices.size() > k_most_vertices)
         return refuse(".vertices has ", mesh.vertices.size(), " entries: give 3 to ", k_most_vertices, ".");
     if (mesh.indices.empty() || mesh.indices.size() % 3 != 0 || mesh.triangles() > k_most_triangles)
-        return refuse(".indices has ", mesh.indices.size(), " entries: give three a triangle, 1 to ", k_most_triangles, " triangles.");
+        return refuse(".indices has ", mesh.indices.size(), " entries: give three a triangle, 1 to ", k_most_triangles,
+                      " triangles.");
     if (mesh.parts.empty() || mesh.parts.size() > k_most_parts)
         return refuse(".parts has ", mesh.parts.size(), " entries: give 1 to ", k_most_parts, ".");
     for (std::size_t i = 0; i < mesh.indices.size(); ++i)
@@ -68,7 +68,8 @@ Result<void> validate(const Mesh& mesh, const char* owner) {
         high = glm::max(high, vertex.position);
     }
     if (low != mesh.low || high != mesh.high)
-        return refuse(".low and .high are ", mesh.low, " and ", mesh.high, ": give the box of the positions, ", low, " and ", high, ".");
+        return refuse(".low and .high are ", mesh.low, " and ", mesh.high, ": give the box of the positions, ", low, " and ",
+                      high, ".");
     return {};
 }
 

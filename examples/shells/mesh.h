@@ -1,8 +1,8 @@
 // A mesh that wears shells: an indexed list of triangles, cut into parts that wear one coat each.
 //
-// y is up, metres, triangles counter-clockwise seen from outside. A vertex has one normal, the one that shells are extruded along.
-// Vertices that share a position but not a uv (a seam of the map) share that normal, because shells would tear open along the seam
-// otherwise; hence no hard edges.
+// y is up, metres, triangles counter-clockwise seen from outside. A vertex has one normal, the one that shells are extruded
+// along. Vertices that share a position but not a uv (a seam of the map) share that normal, because shells would tear open along
+// the seam otherwise; hence no hard edges.
 #pragma once
 
 #include "examples/shells/fur_line.h"
@@ -41,9 +41,9 @@ struct MeshPart {
 struct Mesh {
     std::vector<MeshVertex> vertices;
     std::vector<std::uint32_t> indices;
-    std::vector<MeshPart> parts;         ///< in order, all indices, each once
-    bool has_uv = false;                 ///< false: uv is a box projection, which tears at its edges
-    glm::vec3 low{0.0f}, high{0.0f};     ///< [m] the box of all positions
+    std::vector<MeshPart> parts;     ///< in order, all indices, each once
+    bool has_uv = false;             ///< false: uv is a box projection, which tears at its edges
+    glm::vec3 low{0.0f}, high{0.0f}; ///< [m] the box of all positions
 
     [[nodiscard]] std::size_t triangles() const { return indices.size() / 3; }
 };

@@ -25,7 +25,8 @@ using Coats = std::map<std::string, FurLine>;
 // The file's ending in small letters.
 std::string ending_of(const fs::path& path) {
     std::string ending = path.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return ending;
 }
 
@@ -150,7 +151,8 @@ Result<Mesh> read_mesh(const fs::path& path, const MeshLoad& load) {
     if (mesh->triangles() > load.most_triangles) {
         simplify(*mesh, load.most_triangles);
         if (mesh->triangles() > load.most_triangles)
-            return refusal(path.string(), " cannot be simplified below ", mesh->triangles(), " triangles: give load.most_triangles of as many.");
+            return refusal(path.string(), " cannot be simplified below ", mesh->triangles(),
+                           " triangles: give load.most_triangles of as many.");
         for (MeshVertex& vertex : mesh->vertices)
             vertex.normal = glm::vec3(0.0f);
     }

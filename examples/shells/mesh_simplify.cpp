@@ -60,7 +60,8 @@ class Simplifier {
             for (std::size_t k = 0; k < 3; ++k) {
                 fans_[corner(triangle, k)].push_back(triangle);
                 if (area > 0.0)
-                    quadrics_[corner(triangle, k)].add(across / area, -glm::dot(across / area, places_[corner(triangle, k)]), area);
+                    quadrics_[corner(triangle, k)].add(across / area, -glm::dot(across / area, places_[corner(triangle, k)]),
+                                                       area);
             }
         }
         for (std::uint32_t from = 0; from < points; ++from)

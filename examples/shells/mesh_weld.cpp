@@ -61,7 +61,8 @@ std::vector<std::uint32_t> same_positions(const std::vector<MeshVertex>& vertice
     std::vector<std::uint32_t> result;
     result.reserve(vertices.size());
     for (const MeshVertex& vertex : vertices)
-        result.push_back(numbers.try_emplace(key_of(vertex.position, {}), static_cast<std::uint32_t>(numbers.size())).first->second);
+        result.push_back(
+            numbers.try_emplace(key_of(vertex.position, {}), static_cast<std::uint32_t>(numbers.size())).first->second);
     return result;
 }
 
@@ -71,7 +72,8 @@ Result<Mesh> weld(const Soup& soup, const std::string& owner) {
     std::unordered_map<Key, std::uint32_t, KeyHash> numbers;
     for (const SoupPart& part : soup) {
         const auto first = static_cast<std::uint32_t>(mesh.indices.size());
-        const bool has_normals = std::any_of(part.corners.begin(), part.corners.end(), [](const Corner& c) { return c.normal != glm::vec3(0.0f); });
+        const bool has_normals =
+            std::any_of(part.corners.begin(), part.corners.end(), [](const Corner& c) { return c.normal != glm::vec3(0.0f); });
         for (std::size_t i = 0; i + 2 < part.corners.size(); i += 3) {
             const Corner* corners = &part.corners[i];
             for (std::size_t k = 0; k < 3; ++k)
@@ -83,15 +85,19 @@ Result<Mesh> weld(const Soup& soup, const std::string& owner) {
                 const Corner& corner = corners[k];
                 const float length = glm::length(corner.normal);
                 if (has_normals && !(length > 1e-6f))
-                    return refusal(owner, "has a normal of length ", length, " at ", corner.position, ": give unit vectors, or none at all.");
+                    return refusal(owner, "has a normal of length ", length, " at ", corner.position,
+                                   ": give unit vectors, or none at all.");
                 const glm::vec2 uv = mesh.has_uv ? corner.uv : glm::vec2(0.0f);
-                const auto [known, is_new] = numbers.try_emplace(key_of(corner.position, uv), static_cast<std::uint32_t>(mesh.vertices.size()));
+                const auto [known, is_new] =
+                    numbers.try_emplace(key_of(corner.position, uv), static_cast<std::uint32_t>(mesh.vertices.size()));
                 if (is_new)
                     mesh.vertices.push_back({.position = corner.position, .normal = glm::vec3(0.0f), .uv = uv});
                 if (mesh.vertices.size() > k_most_vertices)
                     return refusal(owner, "has more than ", k_most_vertices, " vertices: give fewer.");
                 if (has_normals)
-                    mesh.vertices[known->second].normal += corner.normal / length * static_cast<float>(angle(corner.position, corners[(k + 1) % 3].position, corners[(k + 2) % 3].position));
+                    mesh.vertices[known->second].normal +=
+                        corner.normal / length *
+                        static_cast<float>(angle(corner.position, corners[(k + 1) % 3].position, corners[(k + 2) % 3].position));
                 mesh.indices.push_back(known->second);
             }
         }
@@ -114,7 +120,8 @@ void smooth_normals(Mesh& mesh) {
         sums[number[i]].file += glm::dvec3(mesh.vertices[i].normal);
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
         const std::array<std::uint32_t, 3> corner{mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]};
-        const std::array<glm::dvec3, 3> p{mesh.vertices[corner[0]].position, mesh.vertices[corner[1]].position, mesh.vertices[corner[2]].position};
+        const std::array<glm::dvec3, 3> p{mesh.vertices[corner[0]].position, mesh.vertices[corner[1]].position,
+                                          mesh.vertices[corner[2]].position};
         const glm::dvec3 across = facing(p[0], p[1], p[2]);
         if (across == glm::dvec3(0.0))
             continue;

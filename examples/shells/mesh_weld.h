@@ -15,8 +15,8 @@ namespace shells {
 /// For each vertex the number of its position, from 0: vertices of equal position (to the bit, -0 as 0) have the same.
 [[nodiscard]] std::vector<std::uint32_t> same_positions(const std::vector<MeshVertex>& vertices);
 
-/// Triangles without area (a sine of 1e-6 between their edges) are left out. A vertex's normal is the sum of the file's normals at
-/// it, times angles: not of length 1 yet, and 0 where the file has none; smooth_normals ends it. Refuses what is not finite,
+/// Triangles without area (a sine of 1e-6 between their edges) are left out. A vertex's normal is the sum of the file's normals
+/// at it, times angles: not of length 1 yet, and 0 where the file has none; smooth_normals ends it. Refuses what is not finite,
 /// normals of the file of length 0 beside others, more vertices than k_most_vertices, and what has no triangle left.
 [[nodiscard]] Result<Mesh> weld(const Soup& soup, const std::string& owner);
 

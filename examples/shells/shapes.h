@@ -31,9 +31,9 @@ struct CubeSphere {
 };
 [[nodiscard]] Result<Mesh> cube_sphere(const CubeSphere& settings);
 
-/// A bird's wing, spread: root at x = 0, tip at x = span, leading edge towards +z, top up. A closed sheet, thickest at the leading
-/// edge, cambered, bent down towards the tip, swept back, its trailing edge cut into feathers. u runs from root to tip and v from
-/// the leading to the trailing edge, so that feathers lie along v on the arm and along u at the tip.
+/// A bird's wing, spread: root at x = 0, tip at x = span, leading edge towards +z, top up. A closed sheet, thickest at the
+/// leading edge, cambered, bent down towards the tip, swept back, its trailing edge cut into feathers. u runs from root to tip
+/// and v from the leading to the trailing edge, so that feathers lie along v on the arm and along u at the tip.
 struct Wing {
     float span = 1.0f;      ///< [m] 1e-2 to 100
     float chord = 0.35f;    ///< [m] at the root, 1e-3 to the span

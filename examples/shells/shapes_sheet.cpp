@@ -15,7 +15,8 @@ Result<Mesh> sheet(const Sheet& settings) {
     refusals.between("sheet.size.y", static_cast<double>(settings.size.y), 1e-3, 1e4);
     refusals.between("sheet.columns", settings.columns, 1, 1024);
     refusals.between("sheet.rows", settings.rows, 1, 1024);
-    refusals.between("sheet.wave", static_cast<double>(settings.wave), 0.0, 0.1 * static_cast<double>(std::min(settings.size.x, settings.size.y)));
+    refusals.between("sheet.wave", static_cast<double>(settings.wave), 0.0,
+                     0.1 * static_cast<double>(std::min(settings.size.x, settings.size.y)));
     if (const auto valid = refusals.outcome(); !valid)
         return Error{valid.error()};
 
@@ -25,7 +26,8 @@ Result<Mesh> sheet(const Sheet& settings) {
     mesh.has_uv = true;
     for (int row = 0; row <= settings.rows; ++row)
         for (int column = 0; column <= settings.columns; ++column) {
-            const glm::vec2 uv{static_cast<float>(column) / static_cast<float>(settings.columns), static_cast<float>(row) / static_cast<float>(settings.rows)};
+            const glm::vec2 uv{static_cast<float>(column) / static_cast<float>(settings.columns),
+                               static_cast<float>(row) / static_cast<float>(settings.rows)};
             const float a = along_x * uv.x, b = along_z * uv.y;
             const float dx = settings.wave * along_x / settings.size.x * std::cos(a) * std::cos(b);
             const float dz = -settings.wave * along_z / settings.size.y * std::sin(a) * std::sin(b);

@@ -40,7 +40,8 @@ Result<Mesh> globe_sphere(const GlobeSphere& settings) {
         }
     mesh.vertices.push_back(on_sphere({0.0, 1.0, 0.0}, radius, 0.5, 1.0));
 
-    const auto columns = static_cast<std::uint32_t>(settings.sectors) + 1, rings = static_cast<std::uint32_t>(settings.stacks) - 1;
+    const auto columns = static_cast<std::uint32_t>(settings.sectors) + 1,
+               rings = static_cast<std::uint32_t>(settings.stacks) - 1;
     const auto at = [&](std::uint32_t ring, std::uint32_t column) { return 1 + ring * columns + column; };
     const auto top = static_cast<std::uint32_t>(mesh.vertices.size()) - 1;
     for (std::uint32_t column = 0; column + 1 < columns; ++column) {
@@ -61,9 +62,9 @@ Result<Mesh> cube_sphere(const CubeSphere& settings) {
         return Error{valid.error()};
 
     // Outward, to the right and up of each face; right x up = outward.
-    constexpr int k_axes[6][3][3] = {
-        {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}, {{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}}, {{0, 1, 0}, {1, 0, 0}, {0, 0, -1}},
-        {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}, {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},  {{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}}};
+    constexpr int k_axes[6][3][3] = {{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}, {{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
+                                     {{0, 1, 0}, {1, 0, 0}, {0, 0, -1}}, {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
+                                     {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},  {{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}}};
     const auto axis = [&](int face, int which) {
         const int* a = k_axes[face][which];
         return glm::dvec3(a[0], a[1], a[2]);
@@ -89,7 +90,8 @@ Result<Mesh> cube_sphere(const CubeSphere& settings) {
                 if (squares.x > squares.y)
                     std::swap(squares.x, squares.y);
                 const double length = std::sqrt(squares.x + squares.y + squares.z);
-                mesh.vertices.push_back(on_sphere(on_cube / length, static_cast<double>(settings.radius), 1.0 * column / n, 1.0 * row / n));
+                mesh.vertices.push_back(
+                    on_sphere(on_cube / length, static_cast<double>(settings.radius), 1.0 * column / n, 1.0 * row / n));
             }
     const auto side = static_cast<std::uint32_t>(n) + 1;
     for (std::uint32_t face = 0; face < 6; ++face)

@@ -67,7 +67,8 @@ Result<Mesh> wing(const Wing& settings) {
     for (const float side : {1.0f, -1.0f})
         for (std::uint32_t row = 0; row < rows; ++row)
             for (std::uint32_t column = 0; column < columns; ++column) {
-                const glm::vec2 uv{static_cast<float>(column) / static_cast<float>(settings.columns), static_cast<float>(row) / static_cast<float>(settings.rows)};
+                const glm::vec2 uv{static_cast<float>(column) / static_cast<float>(settings.columns),
+                                   static_cast<float>(row) / static_cast<float>(settings.rows)};
                 mesh.vertices.push_back({.position = form.at(uv.x, uv.y, side), .normal = glm::vec3(0.0f), .uv = uv});
             }
     // Both skins share the leading edge's places; strips close the other three.

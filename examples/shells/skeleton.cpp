@@ -131,7 +131,8 @@ std::vector<glm::mat4> pose(const Skeleton& skeleton, double seconds) {
     return matrices;
 }
 
-Result<void> skin(const Mesh& mesh, std::span<const glm::mat4> matrices, std::span<glm::vec3> positions, std::span<glm::vec3> normals) {
+Result<void> skin(const Mesh& mesh, std::span<const glm::mat4> matrices, std::span<glm::vec3> positions,
+                  std::span<glm::vec3> normals) {
     if (positions.size() != mesh.vertices.size() || normals.size() != mesh.vertices.size())
         return refusal("skin.positions and .normals have ", positions.size(), " and ", normals.size(), " entries: give ",
                        mesh.vertices.size(), ".");

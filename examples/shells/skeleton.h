@@ -1,13 +1,14 @@
-// Bones that move a mesh by formulas: no clip is read. A mesh is bound to them once, posed for any time, and its vertices skinned.
+// Bones that move a mesh by formulas: no clip is read. A mesh is bound to them once, posed for any time, and its vertices
+// skinned.
 //
 //     shells::Mesh beast = *shells::beast_mesh();
 //     const shells::Skeleton bones = *shells::beast_skeleton();
 //     bind(beast, bones);
 //     skin(beast, pose(bones, seconds), positions, normals);
 //
-// A vertex v with weights w over bones b is drawn at sum w M_b v, and its normal is the unit vector along sum w R_b n, R the turn of
-// M. (Linear blend skinning: Magnenat-Thalmann et al. 1988, Joint-dependent local deformations.) M_b is rigid: it turns the bone
-// about its head, after its parent's, and may move. Without swings and sway it is the identity to the bit.
+// A vertex v with weights w over bones b is drawn at sum w M_b v, and its normal is the unit vector along sum w R_b n, R the turn
+// of M. (Linear blend skinning: Magnenat-Thalmann et al. 1988, Joint-dependent local deformations.) M_b is rigid: it turns the
+// bone about its head, after its parent's, and may move. Without swings and sway it is the identity to the bit.
 #pragma once
 
 #include "examples/shells/mesh.h"
@@ -32,14 +33,14 @@ struct Swing {
 
 struct Bone {
     std::string name;
-    int parent = -1;                ///< an index before its own; -1: none
-    glm::vec3 head{0.0f};           ///< [m] in the mesh at rest: what it turns about
-    glm::vec3 tail{0.0f};           ///< [m]
-    float radius = 0.1f;            ///< [m] of the flesh around it, above 0, at most 100: thick bones hold vertices from farther
-    std::vector<Swing> swings{};    ///< at most 4, the first applied last
-    glm::vec3 sway{0.0f};           ///< [m] the bone moves by sway sin(2 pi sway_hz t + sway_phase); each at most 10
-    float sway_hz = 1.0f;           ///< 0 to 20
-    float sway_phase = 0.0f;        ///< [rad]
+    int parent = -1;             ///< an index before its own; -1: none
+    glm::vec3 head{0.0f};        ///< [m] in the mesh at rest: what it turns about
+    glm::vec3 tail{0.0f};        ///< [m]
+    float radius = 0.1f;         ///< [m] of the flesh around it, above 0, at most 100: thick bones hold vertices from farther
+    std::vector<Swing> swings{}; ///< at most 4, the first applied last
+    glm::vec3 sway{0.0f};        ///< [m] the bone moves by sway sin(2 pi sway_hz t + sway_phase); each at most 10
+    float sway_hz = 1.0f;        ///< 0 to 20
+    float sway_phase = 0.0f;     ///< [rad]
 };
 
 struct Skeleton {
@@ -52,8 +53,8 @@ inline constexpr std::size_t k_most_bones = 128;
 [[nodiscard]] Result<void> validate(const Skeleton& skeleton);
 
 /// Gives each vertex its four nearest bones. With d the distance to the bone's segment over its radius, the weight falls as
-/// 1 / d^4 beyond the flesh and is made 0 at the fifth bone, so that no vertex jumps where a neighbour has other bones; weights sum to
-/// 1 within 2^-22. Refuses what validate refuses.
+/// 1 / d^4 beyond the flesh and is made 0 at the fifth bone, so that no vertex jumps where a neighbour has other bones; weights
+/// sum to 1 within 2^-22. Refuses what validate refuses.
 [[nodiscard]] Result<void> bind(Mesh& mesh, const Skeleton& skeleton);
 
 /// One rigid matrix a bone, for mesh positions [m]; any finite time. Of a valid skeleton.

@@ -143,7 +143,8 @@ Result<Mesh> surface_nets(const Flesh& flesh, const glm::vec3& low, const glm::v
     for (int axis = 0; axis < 3; ++axis) {
         const double count = std::ceil(static_cast<double>(high[axis] - low[axis]) / static_cast<double>(cell));
         if (!(count >= 2.0 && count <= k_most_cells))
-            return refusal("surface_nets.cell is ", cell, " m: give one that cuts the box into 2 to ", k_most_cells, " along each edge.");
+            return refusal("surface_nets.cell is ", cell, " m: give one that cuts the box into 2 to ", k_most_cells,
+                           " along each edge.");
         cells[axis] = static_cast<int>(count);
     }
     Net net(flesh, low, cells, static_cast<double>(cell));
@@ -153,7 +154,8 @@ Result<Mesh> surface_nets(const Flesh& flesh, const glm::vec3& low, const glm::v
     if (mesh.indices.empty())
         return refusal("surface_nets.flesh meets no corner of the grid: give smaller cells than ", cell, " m, or a body.");
     if (!closed(mesh))
-        return refusal("surface_nets.cell is ", cell, " m, and two skins cross one cell, which has one vertex: give another, or shift the box.");
+        return refusal("surface_nets.cell is ", cell,
+                       " m, and two skins cross one cell, which has one vertex: give another, or shift the box.");
     finish(mesh, material);
     return mesh;
 }

@@ -10,9 +10,10 @@
 
 namespace shells {
 
-/// Of cells of `cell` metres; without uv, of the material `material`. The body must lie within `low` to `high` [m]; the box must have
-/// at most 512 cells along an edge. Refuses a body that touches the box or is nowhere, boxes of other sizes, and a skin that is not
-/// closed, since two parts of it cross one cell.
-[[nodiscard]] Result<Mesh> surface_nets(const Flesh& flesh, const glm::vec3& low, const glm::vec3& high, float cell, const char* material);
+/// Of cells of `cell` metres; without uv, of the material `material`. The body must lie within `low` to `high` [m]; the box must
+/// have at most 512 cells along an edge. Refuses a body that touches the box or is nowhere, boxes of other sizes, and a skin that
+/// is not closed, since two parts of it cross one cell.
+[[nodiscard]] Result<Mesh> surface_nets(const Flesh& flesh, const glm::vec3& low, const glm::vec3& high, float cell,
+                                        const char* material);
 
 } // namespace shells

@@ -5,8 +5,8 @@
 //                                                                    > 4140 uv
 //
 // Each chunk is a kind [2 bytes], its length with all that is in it [4], its content; little-endian. All other chunks, such as
-// colours, cameras, key frames and the frames of meshes (vertices stand in the world already), are made a kind that no reader knows,
-// and are stepped over. Based on: the chunks as the files themselves and Pitts 1994, The 3D Studio file format, have them.
+// colours, cameras, key frames and the frames of meshes (vertices stand in the world already), are made a kind that no reader
+// knows, and are stepped over. Based on: the chunks as the files themselves and Pitts 1994, The 3D Studio file format, have them.
 #pragma once
 
 #include "examples/shells/mesh.h"
@@ -15,8 +15,9 @@
 
 namespace shells {
 
-/// The file's bytes, with the chunks that a mesh does not need made unknown. Refuses chunks that are longer than what they lie in,
-/// lists that do not fill their chunk, faces whose vertices are not there, uv of another number than the vertices, and absurd counts.
+/// The file's bytes, with the chunks that a mesh does not need made unknown. Refuses chunks that are longer than what they lie
+/// in, lists that do not fill their chunk, faces whose vertices are not there, uv of another number than the vertices, and absurd
+/// counts.
 [[nodiscard]] Result<std::string> check_three_ds(std::string bytes, const std::string& name);
 
 } // namespace shells

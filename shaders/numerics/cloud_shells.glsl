@@ -1,13 +1,14 @@
 // A cloud out of shells: layers above and below a plane, each open where the heap does not reach.
 //
-//   f(x)     = sat((noise((x - drift) / size) - 0.55 (1 - 2 cover)) / 0.7 - (1 - rim(x)))      how thick the heap is, 0 to 1
+//   f(x)     = sat(sat((noise((x - drift) / size) - least) / 0.7) - (1 - rim(x)))      how thick the heap is, 0 to 1
+//   least    = c (0.3 + 0.25 c^2), c = 1 - 2 cover          near the noise's own quantiles: `cover` is about the share of sky covered
 //   top(x)   = sqrt(f (2 - f))                              round: an arc over f
 //   s(x, h)  = top - |h| / base - billow (1 + detail) / 2   above 0: within. base 1 above the plane, its own below: flat or mirrored
 //   rim      = smoothstep from the plane's edge inward      nothing at all within the edge, so that no edge is seen
 //
-// x [m] in the plane from its middle, h from -1 to 1 of half the cloud's height; noise by simplex octaves, -1 to 1, evolving along their third
-// axis, with a deviation of 0.24 for four octaves, so that `cover` is about the share of sky covered, and 0 none. `s` counts in heights, and falls with |h|: layers nest. Drift by an offset is the pattern's shift: only x - drift is ever
-// asked. A row of heaps needs few layers to look drawn (cel), 128 to look soft.
+// x [m] in the plane from its middle, h from -1 to 1 of half the cloud's height; noise by simplex octaves, evolving along their third
+// axis, with a deviation of 0.24 for four octaves; cover 0 leaves none. `s` counts in heights; without billow it falls with |h|: layers nest. Drift by an offset is the pattern's shift: only x - drift is ever asked.
+// Few layers look drawn (cel), 128 look soft.
 // Based on: Curoe's shell-textured worlds (mirrored shells, threshold by height); Perlin 1985, An image synthesizer (octaves); Schneider 2015, The
 // real-time volumetric cloudscapes of Horizon Zero Dawn (a detail that eats the base form).
 #ifndef WINDROW_CLOUD_SHELLS_GLSL
@@ -46,7 +47,9 @@ WINDROW_FN float windrow_cloud_heap(WindrowCloudShells cloud, vec2 place) {
         return 0.0f;
     vec2 at = (place - vec2(cloud.drift)) * cloud.form.y;
     float noise = windrow_simplex_octaves(uint(int(cloud.kind.y)), vec3(at.x, cloud.drift.z, at.y), int(cloud.kind.x), 0.5f);
-    return clamp((noise - 0.55f + 1.1f * cloud.form.x) * (1.0f / 0.7f) - (1.0f - rim), 0.0f, 1.0f);
+    float clear = 1.0f - 2.0f * cloud.form.x;
+    float thick = (noise - clear * (0.3f + 0.25f * clear * clear)) * (1.0f / 0.7f);
+    return clamp(min(thick, 1.0f) - (1.0f - rim), 0.0f, 1.0f);
 }
 
 // top of a heap.

@@ -1,12 +1,14 @@
 // Where a layer of a coat goes: a strand on the skin that the wind, its own weight and comb, and the body's motion bend.
 //
-//   B(h) = load g(h) + own m(h) + lag(h),  |B| held at pi/2          [rad] stem.glsl's bend with one part more
-//   s(h) = (a + 2 b h) / reach,  lag(h) = s / sqrt(1 + (2 s / pi)^2)   slope of the way D = a h + b h^2 by which the body has run ahead
+//   B(h) = B_0 + lag(h) (1 - 2 |B_0| / pi),  B_0 = load g(h) + own m(h)    [rad] stem.glsl's bend, and more where it leaves room
+//   s(h) = k (a + 2 b h) / reach,  lag(h) = s / sqrt(1 + (2 s / pi)^2)   slope of the way D = a h + b h^2 by which the body has run ahead
+//   k      1 / sqrt(1 + (most / 2)^2), `most` the larger of the slopes at root and tip: B stays smooth enough for the integral
 //   c(h) = int_0^h (B sin|B| / |B| + n cos|B|) reach dh'              Gauss-Legendre, four points; its end is the strand's tangent
 //
 // D is the difference between the body's pose and the pose that the cascade (cascade.glsl) has at height h, its part across n: strands keep
 // their length, so that the part along n neither pulls them out nor presses them in. a and b put D through the cascade at h = 1/2 and 1.
-// As |B| never passes pi/2, c.n rises with h: no layer enters the skin and none passes the next, however the body has moved.
+// As |B| never passes pi/2, c.n rises with h: no layer enters the skin and none passes the next, however the body has moved. Without lag
+// it is the plain stem, to the bit.
 // The translate form adds the tangential D itself, as long as it may be.
 #ifndef WINDROW_COAT_LEAN_GLSL
 #define WINDROW_COAT_LEAN_GLSL
@@ -30,17 +32,20 @@ WINDROW_FN WindrowCoatStrand windrow_coat_strand(WindrowShells shells, vec3 n, f
     vec3 across = load - dot(load, n) * n;
     WindrowCoatStrand strand;
     strand.stem = windrow_stem(n, shells.form.x, across, sag + own, 0.0f, min(shells.drag.load.w, 1.57079633f));
-    strand.lag = lag / shells.form.x;
-    strand.lag_more = lag_more / shells.form.x;
+    vec3 root = lag / shells.form.x;
+    vec3 tip = root + 2.0f * lag_more / shells.form.x;
+    float kept = 1.0f / sqrt(1.0f + 0.25f * max(dot(root, root), dot(tip, tip)));
+    strand.lag = kept * root;
+    strand.lag_more = (0.5f * kept) * (tip - root);
     return strand;
 }
 
 // [rad] B at height h.
 WINDROW_FN vec3 windrow_coat_bend(WindrowCoatStrand strand, float h) {
     vec3 slope = strand.lag + 2.0f * h * strand.lag_more;
-    vec3 bend = windrow_stem_bend(strand.stem, h) + slope / sqrt(1.0f + 0.405284735f * dot(slope, slope));
-    float square = dot(bend, bend);
-    return square > 2.46740110f ? bend * (1.57079633f / sqrt(square)) : bend;
+    vec3 bend = windrow_stem_bend(strand.stem, h);
+    float room = max(1.0f - 0.636619772f * sqrt(dot(bend, bend)), 0.0f);
+    return bend + slope * (room / sqrt(1.0f + 0.405284735f * dot(slope, slope)));
 }
 
 // The strand's unit tangent at height h, less the axis.

@@ -137,7 +137,7 @@ WINDROW_FN float windrow_strand_inside(WindrowStrandField field, vec2 d, float r
         return radius - sqrt(dot(d, d));
     float half_length = field.cut.w;
     float y = d.y / half_length;
-    float inside = field.reach.w < 1.5f ? radius * (1.0f - y * y) - abs(d.x) : min(radius - abs(d.x), half_length - abs(d.y));
+    float inside = min((field.reach.w < 1.5f ? radius * (1.0f - y * y) : radius) - abs(d.x), half_length - abs(d.y));
     float lift = field.reach.z;
     if (lift > 0.0f)
         inside = min(inside, d.y - half_length * (2.0f * (h / max(reach, 1e-6f) - 1.0f + lift) / lift - 1.0f));
@@ -277,7 +277,11 @@ WINDROW_FN WindrowStrandHit windrow_strand_space_hit(WindrowStrandField field, v
             for (int x = low.x; x <= high.x; ++x) {
                 ivec3 cell = ivec3(x, y, z);
                 vec3 away = q - vec3(cell) - 0.5f;
-                if (abs(dot(away, n)) > slab)
+                // A cell holds points within sqrt(3)/2 of its middle: those that reach neither the slab nor the section are passed by.
+                float above = dot(away, n);
+                float aside = sqrt(max(dot(away, away) - above * above, 0.0f)) - bound;
+                float beyond = max(abs(above) - 0.6f, 0.0f);
+                if (abs(above) > slab || (aside > 0.0f && aside * aside + beyond * beyond > 0.75f))
                     continue;
                 uvec2 key = windrow_space_hash(seed, cell);
                 vec3 jitter = vec3(windrow_share(key.x), windrow_share(key.y), windrow_strand_other_chance(key)) - 0.5f;

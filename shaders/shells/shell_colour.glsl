@@ -16,7 +16,7 @@ layout(location = 1) out vec2 motion;
 
 // Unit vector away from the strand's middle, in the world: from the mesh's own space by what the pixel's neighbours have of both.
 vec3 strand_outward(ShellHit hit, ShellFragment f) {
-    vec3 n = coat.form.z == 1 ? hit.root.n : vec3(0.0, 0.0, 1.0);
+    vec3 n = k_pattern == 1 ? hit.root.n : vec3(0.0, 0.0, 1.0);
     vec2 share = in_plane_of(windrow_strand_gradient(hit.strand.outward, hit.strand.facet, n, coat.cel.y), f);
     vec3 world = share.x * f.p_dx + share.y * f.p_dy;
     float size = dot(world, world);
@@ -26,7 +26,7 @@ vec3 strand_outward(ShellHit hit, ShellFragment f) {
 void main() {
     ShellFragment f = shell_fragment();
     ShellHit hit = f.hit;
-    bool cloud = coat.cel.z > 0.0;
+    bool cloud = k_pattern == 3;
     vec3 to_eye = -f.sight;
     vec3 at = position + hit.on_way * f.sight;
     float t = clamp(cloud ? 0.5 + 0.5 * hit.height : abs(hit.height) / max(hit.map, 1e-3), 0.0, 1.0);
@@ -57,7 +57,7 @@ void main() {
     surface.tangent = normalize(along);
 
     // The skin's own shade is looked up at the tips: the map has them too.
-    vec3 above = cloud ? at : at + coat.shells.form.x * (1.0 - abs(hit.height)) * n;
+    vec3 above = cloud || f.bald ? at : at + coat.shells.form.x * (1.0 - abs(hit.height)) * n;
     vec3 radiance = shell_radiance(surface, at, above, to_eye);
     if (f.bald)
         radiance += place.glow;

@@ -25,8 +25,8 @@ struct ShellFragment {
 
 // a, b with a dx + b dy of the root = v, a vector along the strands' place: [cells].
 vec2 in_plane_of(vec3 v, ShellFragment f) {
-    vec3 dx = coat.form.z == 1 ? f.dx.x : vec3(f.dx.uv, 0.0);
-    vec3 dy = coat.form.z == 1 ? f.dy.x : vec3(f.dy.uv, 0.0);
+    vec3 dx = k_pattern == 1 ? f.dx.x : vec3(f.dx.uv, 0.0);
+    vec3 dy = k_pattern == 1 ? f.dy.x : vec3(f.dy.uv, 0.0);
     return in_plane(v / coat.field.cells.x, dx, dy);
 }
 
@@ -57,6 +57,7 @@ ShellFragment shell_fragment() {
         f.hit.on_way = 0.0;
         f.hit.thin = 1.0;
         f.hit.strand = windrow_strand_none();
+        gl_SampleMask[0] = (1 << coat.drawing.y) - 1;
         return f;
     }
     // From within: only the rim of what the skin does not hide, sqrt(2 L k) of a skin whose curvature is k.
@@ -86,7 +87,7 @@ ShellFragment shell_fragment() {
         foot = position - h * coat.shells.form.x * n - leant * way;
     }
 #endif
-    f.hit = coat.cel.z > 0.0 ? cloud_hit(root, f.dx, f.dy, rest.w, ray) : shell_hit(root, f.dx, f.dy, h, map, ray, chance);
+    f.hit = k_pattern == 3 ? cloud_hit(root, f.dx, f.dy, rest.w, ray) : shell_hit(root, f.dx, f.dy, h, map, ray, chance);
     int samples = coat.drawing.y;
     float count = samples > 1 ? f.hit.coverage * float(samples) + mix(0.5, chance, f.hit.thin) : f.hit.coverage + mix(0.5, chance, f.hit.thin);
     int bits = sample_bits(min(floor(count) / float(samples), 1.0), samples, int(f.hit.strand.key.x >> 8u));

@@ -15,7 +15,7 @@ void main() {
         return;
     ShellRoot root = ShellRoot(rest.xyz, normalize(rest_normal), uv);
     ShellRoot dx = ShellRoot(dFdx(rest.xyz), vec3(0.0), dFdx(uv)), dy = ShellRoot(dFdy(rest.xyz), vec3(0.0), dFdy(uv));
-    if (coat.cel.z > 0.0) {
+    if (k_pattern == 3) {
         vec2 place = root.x.xz - coat.low.xz - 0.5 / max(coat.extent.xz, vec2(1e-9));
         if (windrow_cloud_inside(coat.cloud, place, rest.w, windrow_cloud_heap(coat.cloud, place)) <= 0.0)
             discard;

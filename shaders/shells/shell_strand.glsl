@@ -15,6 +15,26 @@
 #include "../numerics/strand.glsl"
 #include "../numerics/strand_light.glsl"
 
+// What a coat's fragments never do is not in their pipeline: ShellConstants of examples/shells/coat_device.cpp.
+layout(constant_id = 0) const int k_pattern = 1; // 0 cells of uv, 1 the surface's, 2 noise pictures, 3 a cloud
+layout(constant_id = 1) const int k_profile = 0;
+layout(constant_id = 2) const int k_shape = 0;
+layout(constant_id = 3) const bool k_bow = true;
+layout(constant_id = 4) const bool k_tufts = true;
+layout(constant_id = 5) const bool k_jitter = true;
+layout(constant_id = 6) const bool k_march = true;
+
+WindrowStrandField coat_field() {
+    WindrowStrandField field = coat.field;
+    field.points.w = float(k_profile);
+    field.reach.w = float(k_shape);
+    field.bow.x = k_bow ? field.bow.x : 0.0;
+    field.bow.z = k_tufts ? field.bow.z : 0.0;
+    field.points.x = k_jitter ? field.points.x : 0.0;
+    field.points.y = k_jitter ? field.points.y : 0.0;
+    return field;
+}
+
 // Where on the skin.
 struct ShellRoot {
     vec3 x;  // [m] in the mesh's space
@@ -45,33 +65,34 @@ WindrowStrandHit noise_strand(ShellRoot root, float own) {
 // The field at a root, where strands have `map` of their length.
 WindrowStrandHit strand_at(ShellRoot root, float h, float map) {
     float own = h / max(map, 1e-4);
-    if (coat.pictures[k_noise_picture].w > 0)
+    if (k_pattern == 2)
         return noise_strand(root, own);
-    if (coat.form.z == 1)
-        return windrow_strand_surface(coat.field, root.x - vec3(coat.drift.x, 0.0, coat.drift.y), root.n, own);
-    return windrow_strand_uv(coat.field, root.uv - coat.drift.xy * coat.extent.xz, own);
+    if (k_pattern == 1)
+        return windrow_strand_surface(coat_field(), root.x - vec3(coat.drift.x, 0.0, coat.drift.y), root.n, own);
+    return windrow_strand_uv(coat_field(), root.uv - coat.drift.xy * coat.extent.xz, own);
 }
 
 // Cells across which a pixel reaches, the shorter way: at grazing view it covers many the other way, but there strands stand up before it.
 float cells_across(ShellRoot dx, ShellRoot dy) {
-    vec3 x = coat.form.z == 1 ? dx.x : vec3(dx.uv, 0.0), y = coat.form.z == 1 ? dy.x : vec3(dy.uv, 0.0);
+    vec3 x = k_pattern == 1 ? dx.x : vec3(dx.uv, 0.0), y = k_pattern == 1 ? dy.x : vec3(dy.uv, 0.0);
     float longer = sqrt(max(dot(x, x), dot(y, y)));
     return coat.field.cells.x * max(length(cross(x, y)) / max(longer, 1e-20), 0.125 * longer);
 }
 
 // Share of a layer that strands fill at h: what is seen of those thinner than a pixel. Over the three lengths of Simpson's rule.
 float mean_share(float h, float map) {
+    WindrowStrandField field = coat_field();
     float own = h / max(map, 1e-4);
     float sum = 0.0;
     for (int n = 0; n < 3; ++n) {
-        float reach = mix(coat.field.reach.x, coat.field.reach.y, 0.5 * float(n));
+        float reach = mix(field.reach.x, field.reach.y, 0.5 * float(n));
         float share = 0.0;
-        if (own <= reach && coat.field.points.w > 1.5) {
-            float open = clamp(1.0 - windrow_strand_cut(coat.field, own, reach) / 0.55, 0.0, 1.0);
+        if (own <= reach && field.points.w > 1.5) {
+            float open = clamp(1.0 - windrow_strand_cut(field, own, reach) / 0.55, 0.0, 1.0);
             share = open * open;
         } else if (own <= reach) {
-            float radius = max(windrow_strand_radius(coat.field, own, reach), 0.0);
-            float area = coat.field.reach.w < 0.5 ? 3.14159265 * radius * radius : 3.2 * radius * coat.field.cut.w;
+            float radius = max(windrow_strand_radius(field, own, reach), 0.0);
+            float area = field.reach.w < 0.5 ? 3.14159265 * radius * radius : 3.2 * radius * field.cut.w;
             share = 1.0 - exp(-area); // they stand by chance and cover one another
         }
         sum += n == 1 ? 4.0 * share : share;
@@ -153,7 +174,7 @@ ShellHit cloud_hit(ShellRoot root, ShellRoot dx, ShellRoot dy, float h, ShellRay
     ShellHit hit;
     hit.strand = windrow_strand_none();
     hit.map = 1.0;
-    hit.thin = 1.0;
+    hit.thin = 0.0;
     float scale = coat.levels.y;
     vec2 middle = coat.low.xz + 0.5 / max(coat.extent.xz, vec2(1e-9));
     float pixel = coat.cloud.form.y * scale * sqrt(max(dot(dx.x, dx.x), dot(dy.x, dy.x)));
@@ -193,7 +214,7 @@ ShellHit shell_hit(ShellRoot root, ShellRoot dx, ShellRoot dy, float h, float ma
         hit.coverage = clamp(0.5 + hit.strand.inside / pixel, 0.0, 1.0);
     }
     ShellRoot end = root_on(ray, root, dx, dy, h, ray.reach);
-    vec3 way = coat.form.z == 1 ? end.x - root.x : vec3(end.uv - root.uv, 0.0);
+    vec3 way = k_pattern == 1 ? end.x - root.x : vec3(end.uv - root.uv, 0.0);
     float crossed = coat.field.cells.x * length(way);
     if (far > 0.0 && grows) {
         float middle = 0.5 * (h + ray.target);
@@ -201,10 +222,10 @@ ShellHit shell_hit(ShellRoot root, ShellRoot dx, ShellRoot dy, float h, float ma
         float mean = 1.0 - pow(1.0 - min(mean_share(coat.drawing.x > 0 ? middle : h, map), 0.999), open);
         hit.coverage = mix(hit.coverage, mean, far);
     }
-    if (hit.coverage >= 0.5 || far >= 1.0 || coat.drawing.x == 0)
+    if (hit.coverage >= 0.5 || far >= 1.0 || !k_march)
         return hit;
 
-    int steps = clamp(int(2.0 * crossed + 0.5), 0, coat.drawing.x); // less than a quarter of a cell: the layers show it themselves
+    int steps = clamp(int(2.0 * crossed + chance), 0, coat.drawing.x); // a ray that crosses less than half a cell: now and then
     for (int n = 0; n < steps; ++n) {
         float s = ray.reach * (float(n) + 0.5 + 0.5 * chance) / (float(steps) + 0.5);
         float here = height_on(ray, h, s);

@@ -14,8 +14,8 @@ using test::Folder;
 
 windrow::Result<PictureScene> read(const std::string& body, const std::string& rest = "") {
     return read_picture_scene_text(
-        R"({"paths": {"way": {"points": [[0, 0, 0, 0], [2, 0, 0, 4], [4, 4, 0, 4]]}}, "picture": {"bodies": [)" + body + "]" + rest +
-            "}}",
+        R"({"paths": {"way": {"points": [[0, 0, 0, 0], [2, 0, 0, 4], [4, 4, 0, 4]]}}, "picture": {"bodies": [)" + body + "]" +
+            rest + "}}",
         "a.json");
 }
 
@@ -103,18 +103,22 @@ TEST(BodyReader, Refusals) {
         EXPECT_EQ(refusal(body, rest), sentence) << body;
     };
     expect("3", "a.json: $.picture.bodies[0] is 3: give an object, {...}.");
-    expect(R"({"mesh": {"file": {"name": "../a.obj"}}})",
-           "a.json: $.picture.bodies[0].mesh.file.name is \"../a.obj\": name a file in the scene's folder, relative to it, so that "
-           "the folder can be handed on as a whole.");
-    expect(R"({"mesh": {"file": {}}})", "a.json: $.picture.bodies[0].mesh.file.name is missing: name a mesh in the scene's folder, "
-                                        "OBJ, glTF, GLB or 3DS.");
+    expect(
+        R"({"mesh": {"file": {"name": "../a.obj"}}})",
+        "a.json: $.picture.bodies[0].mesh.file.name is \"../a.obj\": name a file in the scene's folder, relative to it, so that "
+        "the folder can be handed on as a whole.");
+    expect(R"({"mesh": {"file": {}}})",
+           "a.json: $.picture.bodies[0].mesh.file.name is missing: name a mesh in the scene's folder, "
+           "OBJ, glTF, GLB or 3DS.");
     expect(R"({"mesh": {"wing": {"span": 0}}})", "a.json: $.picture.bodies[0].mesh.wing.span is 0 m: give 0.01 to 100 m.");
-    expect(R"({"motion": {"path": "wey"}})", "a.json: $.picture.bodies[0].motion.path is \"wey\", which names none of $.paths (did you mean `way`?): "
-                                                "add it there or name another.");
+    expect(R"({"motion": {"path": "wey"}})",
+           "a.json: $.picture.bodies[0].motion.path is \"wey\", which names none of $.paths (did you mean `way`?): "
+           "add it there or name another.");
     expect(R"({"coats": [{"layers": {"shells": 1}}]})",
            "a.json: $.picture.bodies[0].coats[0].layers.shells is 1: give 2 to 4096.");
-    expect(R"({"coats": [{"layers": {"lenght": 1}}]})",
-           "a.json: $.picture.bodies[0].coats[0].layers.lenght is not a known key (did you mean `length`?): rename or remove it.");
+    expect(
+        R"({"coats": [{"layers": {"lenght": 1}}]})",
+        "a.json: $.picture.bodies[0].coats[0].layers.lenght is not a known key (did you mean `length`?): rename or remove it.");
     expect(R"({"coats": [{"comb": {"along": [0, 0, 0]}}]})",
            "a.json: $.picture.bodies[0].coats[0].comb.along has no length; give a finite vector that is not 0.");
     expect(R"({"coats": [{"layers": {"down": [0, 0, 0]}}]})",
@@ -123,18 +127,21 @@ TEST(BodyReader, Refusals) {
            "a.json: $.picture.bodies[0].coats[0].strands.low is above strands.high: give them in order.");
     expect(R"({"coats": [{"maps": {"noise_a": "a.pgm"}}]})",
            "a.json: $.picture.bodies[0].coats[0].maps.noise_b is empty beside the other; give both, or none.");
-    expect(R"({"coats": [{"maps": {"length": "/etc/passwd"}}]})",
-           "a.json: $.picture.bodies[0].coats[0].maps.length is \"/etc/passwd\": name a file in the scene's folder, relative to it, "
-           "so that the folder can be handed on as a whole.");
+    expect(
+        R"({"coats": [{"maps": {"length": "/etc/passwd"}}]})",
+        "a.json: $.picture.bodies[0].coats[0].maps.length is \"/etc/passwd\": name a file in the scene's folder, relative to it, "
+        "so that the folder can be handed on as a whole.");
     expect(R"({"coats": [{"inertia": {"lag": 0}}]})",
            "a.json: $.picture.bodies[0].coats[0].inertia.lag is 0 s: give a number above 0, at most 60 s.");
-    expect(R"({"skeleton": {"kind": "own"}})",
-           "a.json: $.picture.bodies[0].skeleton.bones has none, and \"kind\" is \"own\": list them, parents first, or name another "
-           "kind.");
+    expect(
+        R"({"skeleton": {"kind": "own"}})",
+        "a.json: $.picture.bodies[0].skeleton.bones has none, and \"kind\" is \"own\": list them, parents first, or name another "
+        "kind.");
     expect(R"({"skeleton": {"bones": [{"parent": "hip"}]}})",
            "a.json: $.picture.bodies[0].skeleton.bones[0].parent is \"hip\", and no bone before it has that name: list parents "
            "first.");
-    expect("{}", "a.json: $.picture.lamps[0].reach is 0 m: give a number above 0, at most 10000 m.", R"(, "lamps": [{"reach": 0}])");
+    expect("{}", "a.json: $.picture.lamps[0].reach is 0 m: give a number above 0, at most 10000 m.",
+           R"(, "lamps": [{"reach": 0}])");
 }
 
 TEST(BodyReader, WhatValidateRefusesCannotBeRead) {
@@ -148,8 +155,8 @@ TEST(BodyReader, WhatValidateRefusesCannotBeRead) {
     coat.comb.bend = 1.6f;
     const auto judged = shells::validate(coat);
     ASSERT_FALSE(judged);
-    for (const char* field : {"coat.look.cel_steps is 9", "coat.levels.march is 17", "coat.wind_share is nan", "coat.maps.noise_tiles is 0",
-                              "coat.spots[0].radius is 0", "coat.comb.bend is 1.6"})
+    for (const char* field : {"coat.look.cel_steps is 9", "coat.levels.march is 17", "coat.wind_share is nan",
+                              "coat.maps.noise_tiles is 0", "coat.spots[0].radius is 0", "coat.comb.bend is 1.6"})
         EXPECT_NE(judged.error().find(field), std::string::npos) << field << " in\n" << judged.error();
     coat = {};
     coat.spots.resize(shells::k_most_spots + 1);
@@ -163,16 +170,18 @@ TEST(BodyPose, FollowsItsPathAndFacesAlongIt) {
     const auto scene = read(R"({"place": {"position": [0, 0.5, 0]}, "motion": {"path": "way"}})");
     ASSERT_TRUE(scene) << scene.error();
     const Body& body = scene->picture.bodies.at(0);
-    const windrow::Pose first = pose_of(*scene, body, 1.0), second = pose_of(*scene, body, 3.0), after = pose_of(*scene, body, 9.0);
+    const windrow::Pose first = pose_of(*scene, body, 1.0), second = pose_of(*scene, body, 3.0),
+                        after = pose_of(*scene, body, 9.0);
     EXPECT_EQ(first.position, glm::dvec3(0.0, 0.5, 2.0));
     EXPECT_NEAR(first.rotation.y, 0.0, 1e-12); // +z as it is
     EXPECT_EQ(second.position, glm::dvec3(2.0, 0.5, 4.0));
     EXPECT_NEAR(second.rotation.y, std::sqrt(0.5), 1e-12); // a quarter about the vertical turns +z to +x
-    EXPECT_EQ(after.rotation, second.rotation); // it waits as it came
+    EXPECT_EQ(after.rotation, second.rotation);            // it waits as it came
 }
 
 TEST(BodyPose, SpinSwayAndHop) {
-    const auto scene = read(R"({"motion": {"spin_hz": 0.25, "sway": {"by": [1, 0, 0], "hz": 0.5}, "hop": {"height": 2, "hz": 1, "rest": 0.5}}})");
+    const auto scene = read(
+        R"({"motion": {"spin_hz": 0.25, "sway": {"by": [1, 0, 0], "hz": 0.5}, "hop": {"height": 2, "hz": 1, "rest": 0.5}}})");
     ASSERT_TRUE(scene) << scene.error();
     const Body& body = scene->picture.bodies.at(0);
     const windrow::Pose quarter = pose_of(*scene, body, 0.25);

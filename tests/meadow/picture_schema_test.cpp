@@ -16,7 +16,7 @@ using test::Folder;
 constexpr const char* k_bare = R"({"paths": {"a": {"points": [[0, 0, 0, 0]]}}, "picture": {
     "grass": [{"mask": {"strokes": [{"paint": {}}, {"erase": {}}]}}], "trees": [{"places": [{}], "scatter": {"clear": [{}]}}], "fans": [{}], "ground_memory": {},
     "bodies": [{"mesh": {"file": {"name": "a.obj"}}, "skeleton": {"kind": "own", "bones": [{"swings": [{}]}]},
-                "coats": [{"spots": [{}], "inertia": {}}]},
+                "coats": [{"spots": [{}], "inertia": {}, "cloud": {}}]},
                {"mesh": {"sheet": {}}}, {"mesh": {"globe_sphere": {}}}, {"mesh": {"cube_sphere": {}}}, {"mesh": {"wing": {}}}, {"mesh": {"beast": {}}}],
     "lamps": [{}],
     "walkers": [{"path": "a", "airborne": [{"from": 0, "until": 1}]}]}})";

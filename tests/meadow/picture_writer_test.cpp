@@ -57,7 +57,7 @@ TEST(PictureWriter, SpecimenSaysSomethingElseThanEachDefault) {
     // Else a key that reader and writer both dropped would come back all the same.
     const auto plain = read_picture_scene_text(
         R"({"paths": {"a": {"points": [[0, 0, 0, 0]]}}, "picture": {"grass": [{"mask": {"strokes": [{"paint": {}}, {"erase": {}}]}}], "trees": [{"places": [{}], "scatter": {"clear": [{}]}}], "fans": [{}], "ground_memory": {},
-            "bodies": [{"mesh": {"file": {"name": "a.obj"}}, "skeleton": {"kind": "own", "bones": [{"swings": [{}]}]}, "coats": [{"spots": [{}], "inertia": {}}]}],
+            "bodies": [{"mesh": {"file": {"name": "a.obj"}}, "skeleton": {"kind": "own", "bones": [{"swings": [{}]}]}, "coats": [{"spots": [{}], "inertia": {}, "cloud": {}}]}],
             "lamps": [{}], "walkers": [{"path": "a", "airborne": [{"from": 0, "until": 1}]}]}})",
         "a.json");
     ASSERT_TRUE(plain) << plain.error();

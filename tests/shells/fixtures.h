@@ -22,9 +22,20 @@ void put(std::string& bytes, Number value) {
     bytes.append(raw, sizeof raw);
 }
 
-inline constexpr std::array<std::array<float, 3>, 8> k_corners{{{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}};
-inline constexpr std::array<std::array<std::uint16_t, 3>, 12> k_faces{
-    {{3, 2, 1}, {3, 1, 0}, {4, 5, 6}, {4, 6, 7}, {0, 1, 5}, {0, 5, 4}, {2, 3, 7}, {2, 7, 6}, {0, 4, 7}, {0, 7, 3}, {1, 2, 6}, {1, 6, 5}}};
+inline constexpr std::array<std::array<float, 3>, 8> k_corners{
+    {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}};
+inline constexpr std::array<std::array<std::uint16_t, 3>, 12> k_faces{{{3, 2, 1},
+                                                                       {3, 1, 0},
+                                                                       {4, 5, 6},
+                                                                       {4, 6, 7},
+                                                                       {0, 1, 5},
+                                                                       {0, 5, 4},
+                                                                       {2, 3, 7},
+                                                                       {2, 7, 6},
+                                                                       {0, 4, 7},
+                                                                       {0, 7, 3},
+                                                                       {1, 2, 6},
+                                                                       {1, 6, 5}}};
 
 /// 12 triangles on 8 vertices; 96 bytes of positions, then 72 of indices.
 inline std::string cube_buffer() {
@@ -88,9 +99,12 @@ inline std::string cube_three_ds() {
         put(faces, std::uint16_t{7}); // all edges seen
         put(of_material, i);
     }
-    const std::string mesh = chunk(0x4100, chunk(0x4110, vertices) + chunk(0x4140, uv) + chunk(0x4120, faces + chunk(0x4130, of_material)));
-    const std::string material = chunk(0xafff, chunk(0xa000, std::string("coat") + '\0') + chunk(0xa020, std::string(13, '\x11')));
-    return chunk(0x4d4d, chunk(0x0002, std::string("\3\0\0\0", 4)) + chunk(0x3d3d, material + chunk(0x4000, std::string("cube") + '\0' + mesh)));
+    const std::string mesh =
+        chunk(0x4100, chunk(0x4110, vertices) + chunk(0x4140, uv) + chunk(0x4120, faces + chunk(0x4130, of_material)));
+    const std::string material =
+        chunk(0xafff, chunk(0xa000, std::string("coat") + '\0') + chunk(0xa020, std::string(13, '\x11')));
+    return chunk(0x4d4d, chunk(0x0002, std::string("\3\0\0\0", 4)) +
+                             chunk(0x3d3d, material + chunk(0x4000, std::string("cube") + '\0' + mesh)));
 }
 
 } // namespace shells::test

@@ -44,8 +44,8 @@ inline std::filesystem::path glmark2(const char* name) {
 }
 
 /// Skips the test, saying so, where a mesh of glmark2-data is not installed.
-#define WINDROW_NEEDS_GLMARK2(name)                                                                                                        \
-    if (!std::filesystem::exists(shells::test::glmark2(name)))                                                                             \
+#define WINDROW_NEEDS_GLMARK2(name)                                                                                              \
+    if (!std::filesystem::exists(shells::test::glmark2(name)))                                                                   \
     GTEST_SKIP() << shells::test::glmark2(name) << " is not there: install glmark2-data to test with it."
 
 } // namespace shells::test

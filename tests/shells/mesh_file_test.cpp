@@ -56,17 +56,21 @@ TEST(MeshFiles, AGltfWithItsBufferBesideItOrInside) {
     const Folder folder;
     folder.write("my cube.bin", test::cube_buffer());
     const glm::vec3 size{1.0f, 2.0f, 1.0f}; // a node scales it
-    expect_cube(read_mesh(folder.write("beside.gltf", test::cube_gltf(R"(,"uri":"my%20cube.bin")")), {.size = 2.0f}), {1.0f, 2.0f, 1.0f});
+    expect_cube(read_mesh(folder.write("beside.gltf", test::cube_gltf(R"(,"uri":"my%20cube.bin")")), {.size = 2.0f}),
+                {1.0f, 2.0f, 1.0f});
     expect_cube(read_mesh(folder.write("binary.glb", test::cube_glb()), {.size = 2.0f}), size);
     constexpr std::string_view k_digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string base64;
     const std::string bytes = test::cube_buffer(); // a multiple of 3
     for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const unsigned bits = static_cast<unsigned char>(bytes[i]) << 16 | static_cast<unsigned char>(bytes[i + 1]) << 8 | static_cast<unsigned char>(bytes[i + 2]);
+        const unsigned bits = static_cast<unsigned char>(bytes[i]) << 16 | static_cast<unsigned char>(bytes[i + 1]) << 8 |
+                              static_cast<unsigned char>(bytes[i + 2]);
         for (unsigned shift = 24; shift > 0; shift -= 6)
             base64 += k_digits[bits >> (shift - 6) & 63];
     }
-    const auto inside = read_mesh(folder.write("inside.gltf", test::cube_gltf(R"(,"uri":"data:application/octet-stream;base64,)" + base64 + "\"")), {.size = 2.0f});
+    const auto inside = read_mesh(
+        folder.write("inside.gltf", test::cube_gltf(R"(,"uri":"data:application/octet-stream;base64,)" + base64 + "\"")),
+        {.size = 2.0f});
     expect_cube(inside, size);
     EXPECT_EQ(inside->parts[0].material, "coat");
 }
@@ -86,13 +90,17 @@ TEST(MeshFiles, TheFilesUpBecomesY) {
                                                     {UpAxis::y, "v 0 4 0\nv 1 0 0\nv 0 0 1\nv 0 0 0\n"},
                                                     {UpAxis::z, "v 0 0 4\nv 1 0 0\nv 0 1 0\nv 0 0 0\n"}};
     for (const auto& [up, vertices] : cases) {
-        const auto mesh = read_mesh(folder.write("wedge.obj", std::string(vertices) + (up == UpAxis::y ? "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n" : "f 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n")),
-                                    {.up = up, .size = 4.0f});
+        const auto mesh = read_mesh(
+            folder.write("wedge.obj", std::string(vertices) + (up == UpAxis::y ? "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
+                                                                               : "f 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n")),
+            {.up = up, .size = 4.0f});
         ASSERT_TRUE(mesh) << mesh.error();
         EXPECT_NEAR(mesh->high.y, 4.0f, 1e-6f) << static_cast<int>(up);
         EXPECT_GT(surface_of(*mesh).volume, 0.0) << "not mirrored, up " << static_cast<int>(up);
     }
-    const auto yawed = read_mesh(folder.write("wedge.obj", "v 0 1 0\nv 4 0 0\nv 0 0 1\nv 0 0 0\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"), {.size = 4.0f, .yaw = 1.5707964f});
+    const auto yawed =
+        read_mesh(folder.write("wedge.obj", "v 0 1 0\nv 4 0 0\nv 0 0 1\nv 0 0 0\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"),
+                  {.size = 4.0f, .yaw = 1.5707964f});
     ASSERT_TRUE(yawed);
     EXPECT_NEAR(yawed->high.z - yawed->low.z, 4.0f, 1e-5f);
     EXPECT_LT(yawed->low.z, -1.9f) << "x turned to -z";
@@ -101,8 +109,9 @@ TEST(MeshFiles, TheFilesUpBecomesY) {
 TEST(MeshFiles, AFilesNormalsAreKeptAndSharedAcrossSeams) {
     const Folder folder;
     // Two triangles with a seam along their common edge, normals tilted against the sheet.
-    const auto mesh = read_mesh(folder.write("seam.obj", "v 0 0 0\nv 1 0 0\nv 0 0 -1\nv 1 0 -1\nvn 0.6 0.8 0\nvt 0 0\nvt 1 0\nvt 0 1\nvt 1 1\n"
-                                                         "f 1/1/1 2/2/1 3/3/1\nf 2/1/1 4/4/1 3/2/1\n"));
+    const auto mesh =
+        read_mesh(folder.write("seam.obj", "v 0 0 0\nv 1 0 0\nv 0 0 -1\nv 1 0 -1\nvn 0.6 0.8 0\nvt 0 0\nvt 1 0\nvt 0 1\nvt 1 1\n"
+                                           "f 1/1/1 2/2/1 3/3/1\nf 2/1/1 4/4/1 3/2/1\n"));
     ASSERT_TRUE(mesh) << mesh.error();
     EXPECT_EQ(mesh->vertices.size(), 6u);
     for (const MeshVertex& vertex : mesh->vertices)

@@ -1,5 +1,5 @@
-// C10 and C19: on meshes that are posed, the push of the shells is applied after skinning; no vertex goes into the surface, and no
-// outer shell below an inner one.
+// C10 and C19: on meshes that are posed, the push of the shells is applied after skinning; no vertex goes into the surface, and
+// no outer shell below an inner one.
 #include "coupling/shell.h"
 #include "examples/shells/beast.h"
 #include "examples/shells/mesh_file.h"
@@ -31,7 +31,8 @@ Posed still(const Mesh& mesh) {
 }
 
 // Random vertices, each with a push in a random direction, from nothing to a storm: translated by memory or velocity, and bent by
-// wind. The least height over the surface, and the least step outwards from shell to shell, over L; both 0 or more in exact numbers.
+// wind. The least height over the surface, and the least step outwards from shell to shell, over L; both 0 or more in exact
+// numbers.
 void expect_outside(const Posed& posed, const std::string& name) {
     const auto shells = windrow::Shells::create({.shells = 8, .length = k_length, .push = 0.05f, .droop = 0.02f});
     ASSERT_TRUE(shells) << shells.error();
@@ -48,7 +49,8 @@ void expect_outside(const Posed& posed, const std::string& name) {
             double below = 0.0;
             for (int shell = 0; shell < 8; ++shell) {
                 const float h = shells->height(shell);
-                const glm::vec3 moved = bends ? shells->bent(p, n, h, 1.0f, load) : shells->translated(p, n, h, 1.0f, way * strength);
+                const glm::vec3 moved =
+                    bends ? shells->bent(p, n, h, 1.0f, load) : shells->translated(p, n, h, 1.0f, way * strength);
                 const double over = glm::dot(glm::dvec3(moved - p), glm::dvec3(n)) / static_cast<double>(k_length);
                 lowest = std::min(lowest, over);
                 if (shell > 0)
@@ -101,7 +103,8 @@ TEST(PosedPush, PosedNormalsFaceOutwards) {
         std::size_t against = 0;
         for (std::size_t i = 0; i < beast->indices.size(); i += 3) {
             const auto at = [&](std::size_t k) { return beast->indices[i + k]; };
-            const glm::vec3 facing = glm::cross(posed.positions[at(1)] - posed.positions[at(0)], posed.positions[at(2)] - posed.positions[at(0)]);
+            const glm::vec3 facing =
+                glm::cross(posed.positions[at(1)] - posed.positions[at(0)], posed.positions[at(2)] - posed.positions[at(0)]);
             against += glm::dot(facing, posed.normals[at(0)] + posed.normals[at(1)] + posed.normals[at(2)]) < 0.0f;
         }
         // Where a leg folds, the skin of its inner side does: linear blending's known fault.

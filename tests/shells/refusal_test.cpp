@@ -45,27 +45,28 @@ TEST(MeshRefusals, WhatIsNoMesh) {
 TEST(MeshRefusals, OfObj) {
     const Folder folder;
     const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-    const std::pair<std::string, const char*> wrong[] = {{triangle + "f 1 2 4\n", ":4: the face's index '4'"},
-                                                         {triangle + "f 1 2 0\n", "index '0'"},
-                                                         {triangle + "f 1 2 -4\n", "index '-4'"},
-                                                         {triangle + "f 1 2 99999999999999999999\n", "index '9999"},
-                                                         {triangle + "f 1/1 2/1 3/1\n", "means no vt"},
-                                                         {triangle + "f 1//1 2//1 3//1\n", "means no vn"},
-                                                         {triangle + "vt 0 0\nf 1/1 2 3\n", "different kinds"},
-                                                         {triangle + "f 1/1/1/1 2 3\n", "different kinds"},
-                                                         {triangle + "f 1 2\n", "2 corners"},
-                                                         {triangle + "f" + std::string(200, ' ') + "1 2 x\n", "index 'x'"},
-                                                         {"v 0 0 nan\n", "'nan'"},
-                                                         {"v 0 0 1e39\n", "'1e39'"},
-                                                         {"v 0 inf 0\n", "'inf'"},
-                                                         {"v 0 0\n", "finite numbers"},
-                                                         {"v 0 0 0x10\n", "'0x10'"},
-                                                         {triangle + "f 1 2 \\\n3\n", "backslash"},
-                                                         {triangle + std::string("f 1 2 3\0\n", 9), "zero byte"},
-                                                         {"v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "no triangle with an area"},
-                                                         {"v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n", "no triangle with an area"},
-                                                         {triangle + "vn 0 0 0\nvn 0 0 1\nf 1//1 2//2 3//2\n", "normal of length 0"},
-                                                         {triangle + "usemtl " + std::string(300, 'x') + "\nf 1 2 3\n", "300 bytes"}};
+    const std::pair<std::string, const char*> wrong[] = {
+        {triangle + "f 1 2 4\n", ":4: the face's index '4'"},
+        {triangle + "f 1 2 0\n", "index '0'"},
+        {triangle + "f 1 2 -4\n", "index '-4'"},
+        {triangle + "f 1 2 99999999999999999999\n", "index '9999"},
+        {triangle + "f 1/1 2/1 3/1\n", "means no vt"},
+        {triangle + "f 1//1 2//1 3//1\n", "means no vn"},
+        {triangle + "vt 0 0\nf 1/1 2 3\n", "different kinds"},
+        {triangle + "f 1/1/1/1 2 3\n", "different kinds"},
+        {triangle + "f 1 2\n", "2 corners"},
+        {triangle + "f" + std::string(200, ' ') + "1 2 x\n", "index 'x'"},
+        {"v 0 0 nan\n", "'nan'"},
+        {"v 0 0 1e39\n", "'1e39'"},
+        {"v 0 inf 0\n", "'inf'"},
+        {"v 0 0\n", "finite numbers"},
+        {"v 0 0 0x10\n", "'0x10'"},
+        {triangle + "f 1 2 \\\n3\n", "backslash"},
+        {triangle + std::string("f 1 2 3\0\n", 9), "zero byte"},
+        {"v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "no triangle with an area"},
+        {"v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n", "no triangle with an area"},
+        {triangle + "vn 0 0 0\nvn 0 0 1\nf 1//1 2//2 3//2\n", "normal of length 0"},
+        {triangle + "usemtl " + std::string(300, 'x') + "\nf 1 2 3\n", "300 bytes"}};
     for (const auto& [text, why] : wrong)
         expect_refused(folder.write("wrong.obj", text), why);
     std::string polygon = triangle + "f";
@@ -84,7 +85,8 @@ TEST(MeshRefusals, FilesOutsideOfTheFolder) {
     const auto obj = [&](const std::string& library) {
         return folder.write("mesh.obj", "mtllib " + library + "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     };
-    for (const std::string& name : {outside, std::string("../outside.mtl"), std::string("inner/../../outside.mtl"), std::string("..\\outside.mtl"), std::string("C:outside.mtl"), std::string(".")})
+    for (const std::string& name : {outside, std::string("../outside.mtl"), std::string("inner/../../outside.mtl"),
+                                    std::string("..\\outside.mtl"), std::string("C:outside.mtl"), std::string(".")})
         expect_refused(obj(name), "in its own folder");
     expect_refused(obj("missing.mtl"), "does not exist in its folder");
     for (const std::string& name : {std::string("link.mtl"), std::string("up/outside.mtl")})
@@ -93,10 +95,12 @@ TEST(MeshRefusals, FilesOutsideOfTheFolder) {
     const auto bad_coat = read_mesh(obj("coat.mtl"));
     ASSERT_FALSE(bad_coat);
     EXPECT_NE(bad_coat.error().find("coat.mtl:2: fur's shell count"), std::string::npos) << bad_coat.error();
-    for (const char* uri : {"../outside.bin", "%2e%2e/outside.bin", "%2E%2E%2Foutside.bin", "/etc/passwd", "file:///etc/passwd", "http://example.org/cube.bin"})
+    for (const char* uri : {"../outside.bin", "%2e%2e/outside.bin", "%2E%2E%2Foutside.bin", "/etc/passwd", "file:///etc/passwd",
+                            "http://example.org/cube.bin"})
         expect_refused(folder.write("mesh.gltf", test::cube_gltf(std::string(R"(,"uri":")") + uri + "\"")), "in its own folder");
     expect_refused(folder.write("mesh.gltf", test::cube_gltf(R"(,"uri":"missing.bin")")), "does not exist in its folder");
-    expect_refused(folder.write("mesh.gltf", test::cube_gltf(R"(,"uri":"data:application/octet-stream;base64,!!!!")")), "not base64");
+    expect_refused(folder.write("mesh.gltf", test::cube_gltf(R"(,"uri":"data:application/octet-stream;base64,!!!!")")),
+                   "not base64");
     expect_refused(folder.write("mesh.gltf", test::cube_gltf(R"(,"uri":"data:text/plain,cube")")), "base64");
 }
 
@@ -107,34 +111,35 @@ TEST(MeshRefusals, OfGltf) {
     struct Change {
         const char *from, *to, *why;
     };
-    const Change changes[] = {{R"("count":36)", R"("count":37)", "reaches beyond its view"},
-                              {R"("count":36)", R"("count":35)", "three a triangle"},
-                              {R"("count":36)", R"("count":4294967296)", "not a count"},
-                              {R"("count":36)", R"("count":-3)", "not a count"},
-                              {R"("count":36)", R"("count":400000000)", ".count is"},
-                              {R"("count":8)", R"("count":7)", "has the index 7"},
-                              {R"("count":8)", R"("count":0)", ".count is 0"},
-                              {R"("byteLength":168)", R"("byteLength":169)", "has 168 bytes"},
-                              {R"("byteLength":168)", R"("byteLength":4000000000)", "byteLength"},
-                              {R"("byteLength":72)", R"("byteLength":73)", "reaches beyond its buffer"},
-                              {R"("byteOffset":96)", R"("byteOffset":400000000)", "reaches beyond its buffer"},
-                              {R"("byteLength":96)", R"("byteLength":96,"byteStride":8)", "byteStride"},
-                              {R"("type":"VEC3")", R"("type":"VEC2")", "VEC3 of floats"},
-                              {R"("componentType":5123)", R"("componentType":5126)", "SCALAR of unsigned"},
-                              {R"("componentType":5126)", R"("componentType":5123)", "VEC3 of floats"},
-                              {R"("bufferView":0)", R"("bufferView":9)", "is asked for"},
-                              {R"("buffer":0)", R"("buffer":1)", "is asked for"},
-                              {R"("indices":1)", R"("indices":2)", "is asked for"},
-                              {R"("material":0)", R"("material":1)", "is asked for"},
-                              {R"("material":0)", R"("material":0,"mode":5)", "mode 5"},
-                              {R"("mesh":0)", R"("mesh":1)", "is asked for"},
-                              {R"("children":[1])", R"("children":[2])", "names no node"},
-                              {R"("children":[1])", R"("children":[1,1])", "has a parent"},
-                              {R"("children":[1])", R"("children":[0])", "circle"},
-                              {R"("scale":[1,2,1])", R"("scale":[1,2])", "finite numbers"},
-                              {R"("scale":[1,2,1])", R"("scale":[0,0,0])", "no triangle with an area"},
-                              {R"("attributes":{"POSITION":0})", R"("attributes":{})", "is asked for"},
-                              {R"("scene":0)", R"("extensionsRequired":["KHR_draco_mesh_compression"],"scene":0)", "without compression"}};
+    const Change changes[] = {
+        {R"("count":36)", R"("count":37)", "reaches beyond its view"},
+        {R"("count":36)", R"("count":35)", "three a triangle"},
+        {R"("count":36)", R"("count":4294967296)", "not a count"},
+        {R"("count":36)", R"("count":-3)", "not a count"},
+        {R"("count":36)", R"("count":400000000)", ".count is"},
+        {R"("count":8)", R"("count":7)", "has the index 7"},
+        {R"("count":8)", R"("count":0)", ".count is 0"},
+        {R"("byteLength":168)", R"("byteLength":169)", "has 168 bytes"},
+        {R"("byteLength":168)", R"("byteLength":4000000000)", "byteLength"},
+        {R"("byteLength":72)", R"("byteLength":73)", "reaches beyond its buffer"},
+        {R"("byteOffset":96)", R"("byteOffset":400000000)", "reaches beyond its buffer"},
+        {R"("byteLength":96)", R"("byteLength":96,"byteStride":8)", "byteStride"},
+        {R"("type":"VEC3")", R"("type":"VEC2")", "VEC3 of floats"},
+        {R"("componentType":5123)", R"("componentType":5126)", "SCALAR of unsigned"},
+        {R"("componentType":5126)", R"("componentType":5123)", "VEC3 of floats"},
+        {R"("bufferView":0)", R"("bufferView":9)", "is asked for"},
+        {R"("buffer":0)", R"("buffer":1)", "is asked for"},
+        {R"("indices":1)", R"("indices":2)", "is asked for"},
+        {R"("material":0)", R"("material":1)", "is asked for"},
+        {R"("material":0)", R"("material":0,"mode":5)", "mode 5"},
+        {R"("mesh":0)", R"("mesh":1)", "is asked for"},
+        {R"("children":[1])", R"("children":[2])", "names no node"},
+        {R"("children":[1])", R"("children":[1,1])", "has a parent"},
+        {R"("children":[1])", R"("children":[0])", "circle"},
+        {R"("scale":[1,2,1])", R"("scale":[1,2])", "finite numbers"},
+        {R"("scale":[1,2,1])", R"("scale":[0,0,0])", "no triangle with an area"},
+        {R"("attributes":{"POSITION":0})", R"("attributes":{})", "is asked for"},
+        {R"("scene":0)", R"("extensionsRequired":["KHR_draco_mesh_compression"],"scene":0)", "without compression"}};
     const std::string whole = test::cube_gltf(R"(,"uri":"cube.bin")");
     ASSERT_TRUE(read_mesh(folder.write("whole.gltf", whole)));
     for (const Change& change : changes) {

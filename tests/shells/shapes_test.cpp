@@ -59,7 +59,8 @@ TEST(ShellShapes, AClothsNormalsAreThoseOfItsTriangles) {
         for (std::size_t i = 0; i < made.vertices.size(); ++i) {
             const glm::vec2 uv = made.vertices[i].uv;
             if (uv.x > 0.01f && uv.x < 0.99f && uv.y > 0.01f && uv.y < 0.99f) // at the rim triangles lie on one side only
-                errors[level] = std::max(errors[level], static_cast<double>(glm::length(made.vertices[i].normal - cloth->vertices[i].normal)));
+                errors[level] = std::max(errors[level],
+                                         static_cast<double>(glm::length(made.vertices[i].normal - cloth->vertices[i].normal)));
         }
     }
     const double order = std::log2(errors[1] / errors[2]);

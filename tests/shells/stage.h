@@ -4,8 +4,10 @@
 #include "examples/engine/frames.h"
 #include "examples/render/renderer.h"
 #include "examples/shells/coat.h"
+#include "examples/shells/shapes.h"
 #include "fluid/vulkan/wind.h"
 
+#include <glm/matrix.hpp>
 #include <gtest/gtest.h>
 #include <memory>
 #include <optional>
@@ -87,6 +89,9 @@ struct Stage {
             counted = renderer->counter()->collect(frame.slot);
     }
 
+    /// Radiance of a pixel of the last frame, before exposure. Read `light` anew after each frame.
+    [[nodiscard]] render::PictureF light() const { return renderer->images().light_picture(); }
+
     render::Scene scene;
     engine::Device device;
     engine::Frames frames;
@@ -104,6 +109,43 @@ inline render::Camera camera_at(glm::dvec3 from, glm::dvec3 to = glm::dvec3(0.0)
     camera.view_deg = view_deg;
     camera.near = 0.01f;
     return camera;
+}
+
+inline glm::vec3 radiance(const render::PictureF& picture, int column, int row) {
+    return {picture.at(column, row, 0), picture.at(column, row, 1), picture.at(column, row, 2)};
+}
+
+/// [pixels] Where a place [m from the anchor] is seen, x right, y down, 0 at the corner.
+inline glm::dvec2 seen(const render::Camera& camera, glm::dvec3 place, int width, int height) {
+    const glm::dmat4 view(render::view_projection(camera, static_cast<float>(width) / static_cast<float>(height), k_anchor));
+    const glm::dvec4 clip = view * glm::dvec4(place, 1.0);
+    return (0.5 + 0.5 * glm::dvec2(clip) / clip.w) * glm::dvec2(width, height);
+}
+
+/// [m from the anchor] Where the ray through the middle of a pixel meets the level y.
+inline glm::dvec3 on_level(const render::Camera& camera, int column, int row, int width, int height, double y) {
+    const glm::dmat4 back = glm::inverse(
+        glm::dmat4(render::view_projection(camera, static_cast<float>(width) / static_cast<float>(height), k_anchor)));
+    const glm::dvec2 clip = 2.0 * (glm::dvec2(column, row) + 0.5) / glm::dvec2(width, height) - 1.0;
+    const glm::dvec4 far = back * glm::dvec4(clip, 0.9, 1.0);
+    const glm::dvec3 eye = camera.position - k_anchor, way = glm::dvec3(far) / far.w - eye;
+    return eye + way * ((y - eye.y) / way.y);
+}
+
+/// Strands that leave nothing open: cylinders wider than their cells, as tall as `height` of the coat.
+inline StrandFieldSettings closed(float height = 1.0f) {
+    return {.density = 20.0f,
+            .jitter = 0.0f,
+            .low = height,
+            .high = height,
+            .profile = StrandProfile::centre,
+            .cut_min = 1.0f,
+            .cut_max = 1.0f};
+}
+
+/// A level 2 m square of few vertices.
+inline Mesh square(float size = 2.0f, int cells = 1) {
+    return *sheet({.size = {size, size}, .columns = cells, .rows = cells});
 }
 
 inline windrow::Pose at(glm::dvec3 offset, double scale = 1.0) {

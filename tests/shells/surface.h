@@ -12,12 +12,14 @@ namespace shells::test {
 
 struct Surface {
     std::size_t points = 0, edges = 0, triangles = 0;
-    std::size_t open = 0;   ///< edges that are not once in each direction
-    double volume = 0.0;    ///< [m3] positive: triangles face outwards
-    double inward = 0.0;    ///< greatest -cosine between a triangle and a normal at its corner
-    double behind = 0.0;    ///< share of corners where that is more than 1/4
-    double split = 0.0;     ///< greatest difference of normals at one position
-    [[nodiscard]] long euler() const { return static_cast<long>(points) - static_cast<long>(edges) + static_cast<long>(triangles); }
+    std::size_t open = 0; ///< edges that are not once in each direction
+    double volume = 0.0;  ///< [m3] positive: triangles face outwards
+    double inward = 0.0;  ///< greatest -cosine between a triangle and a normal at its corner
+    double behind = 0.0;  ///< share of corners where that is more than 1/4
+    double split = 0.0;   ///< greatest difference of normals at one position
+    [[nodiscard]] long euler() const {
+        return static_cast<long>(points) - static_cast<long>(edges) + static_cast<long>(triangles);
+    }
 };
 
 inline Surface surface_of(const Mesh& mesh) {

@@ -1,0 +1,105 @@
+#!/usr/bin/env python3
+"""make_gallery.py MEADOW [NAME ...]: draws the looks into out/gallery and writes docs/gallery.md with their small pictures.
+
+MEADOW is the program build/release/examples/meadow. With names only those looks are drawn anew; the page always lists all whose
+picture lies in docs/gallery. A look that cannot be drawn, since its mesh is not there, is told and left out, and the exit code is
+1. Needs Python alone; ./dev gallery makes what the scenes name first.
+"""
+import json
+import pathlib
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SCENES = ROOT / "examples" / "scenes"
+PAGE = ROOT / "docs" / "gallery.md"
+SMALL = ROOT / "docs" / "gallery"
+SIZE = "1280x720"
+
+# Heading; then scene, moment [s], what to look at.
+LOOKS = (
+    ("Fur", (
+        ("shells/bunny", 0.6, "the fur's side away from its turn trails; bare inner ear, short face; no layers on the outline."),
+        ("shells/horse", 0.6, "mane and tail stream with the wind, the legs' hair does not; hooves are bare."),
+        ("shells/bear", 0.6, "shells, length, thickness and density are the fur line of bear.mtl: the scene names none of them."),
+        ("shells/beast", 1.0, "long tufts from close below: dark at the root, light through the tips against the sun."),
+    )),
+    ("Grass and floors", (
+        ("shells/grass16", 1.0, "the lane that the fan blows: only a solver gives it. Below, the same grass without one."),
+        ("shells/grass16_uniform", 1.0, "every blade leans alike: what the sources' one vector does."),
+        ("shells/field", 1.0, "bands of lighter green are gusts on their way."),
+        ("shells/carpet", 0.6, "the mesh has four vertices; the dents are the draught, read at each root."),
+        ("shells/snow", 0.6, "short strands that merge are powder; boulders are bare below by a spot."),
+    )),
+    ("Feathers, paper, spikes", (
+        ("shells/wings", 0.6, "ovals overlap like tiles, each with its shaft; their ends lift."),
+        ("shells/strips", 0.6, "strips of uv's cells in rows; the colour is a map."),
+        ("shells/king", 0.6, "Voronoi's edges make the spikes; two lamps and the sun add up; tips come after the hop."),
+    )),
+    ("Clouds", (
+        ("shells/clouds128", 1.0, "the same heaps as below, with 128 shells: no steps on their sides."),
+        ("shells/clouds16", 1.0, "16 shells and four levels of light."),
+    )),
+    ("Where it began", (
+        ("shells/naive", 0.6, "the baseline that docs/shells_cost.md measures against."),
+        ("shells/step1_chance", 0.2, "one number a cell."),
+        ("shells/step2_cylinders", 0.2, "what is above the layer's height stays."),
+        ("shells/step3_cones", 0.2, "the radius falls with height."),
+        ("shells/step4_sphere", 0.6, "along the normals, with the wind."),
+    )),
+    ("Meadows", tuple((f"looks/{name}", 1.5, text) for name, text in (
+        ("tall", "seed heads above clumps."), ("short", "a lawn with daisies."), ("violet", "violet and blue against a low sun."),
+        ("path", "leaves that hang over, and a path."), ("yellow", "straw with ears."), ("wind", "gusts run through."),
+        ("composition", "grass, straw, flowers, trees.")))),
+)
+
+
+def draw(program, names):
+    """Names of looks that could not be drawn."""
+    SMALL.mkdir(parents=True, exist_ok=True)
+    failed = []
+    for _, looks in LOOKS:
+        for look, moment, _ in looks:
+            name = look.split("/")[-1]
+            if names and name not in names:
+                continue
+            print(f"== {name}", flush=True)
+            run = subprocess.run([program, str(SCENES / f"{look}.json"), "--frames", "1", "--from", str(moment), "--fps", "10", "--size", SIZE,
+                                  "--out", str(ROOT / "out" / "gallery" / name), "--jpeg", str(SMALL)], check=False)
+            if run.returncode != 0:
+                failed.append(name)
+    return failed
+
+
+def page():
+    lines = ["# Gallery", "", "Shells and meadows in the wind of the solver: each picture is one scene file, drawn by the program `meadow`. All of them anew:",
+             "", "    ./dev gallery", ""]
+    for heading, looks in LOOKS:
+        shown = [(look, text) for look, _, text in looks if (SMALL / f"{look.split('/')[-1]}.jpg").is_file()]
+        if shown:
+            lines += [f"## {heading}", ""]
+        for look, text in shown:
+            name = look.split("/")[-1]
+            about = json.loads((SCENES / f"{look}.json").read_text(encoding="utf-8")).get("description", "")
+            lines += [f"![{about}](gallery/{name}.jpg)", f"*`examples/scenes/{look}.json`: {about} Look at: {text}*", ""]
+    PAGE.write_text("\n".join(lines[:-1]) + "\n", encoding="utf-8")
+
+
+def main():
+    names = sys.argv[2:]
+    known = {look.split("/")[-1] for _, looks in LOOKS for look, _, _ in looks}
+    unknown = [name for name in names if name not in known]
+    if len(sys.argv) < 2 or unknown:
+        told = f"{unknown[0]} is no look; give some of: {', '.join(sorted(known))}." if unknown else "usage: make_gallery.py MEADOW [NAME ...]"
+        print(f"make_gallery.py: {told}", file=sys.stderr)
+        sys.exit(2)
+    failed = draw(sys.argv[1], names)
+    page()
+    print(f"{PAGE.relative_to(ROOT)}: {sum(1 for _ in SMALL.glob('*.jpg'))} pictures")
+    if failed:
+        print(f"make_gallery.py: not drawn: {', '.join(failed)}; what is told above says why.", file=sys.stderr)
+        sys.exit(1)
+
+
+if __name__ == "__main__":
+    main()
