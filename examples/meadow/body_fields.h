@@ -51,6 +51,7 @@ void list_fields(Fields& fields, shells::Wing& wing) {
     fields.integer("feathers", wing.feathers, {.least = 0.0, .most = 40.0});
     fields.integer("columns", wing.columns, {.least = 4.0, .most = 512.0});
     fields.integer("rows", wing.rows, {.least = 2.0, .most = 256.0});
+    fields.flag("left", wing.left);
 }
 
 template <class Fields>

@@ -100,7 +100,6 @@ Coat::Coat(engine::Device& device, const render::DrawTargets& targets, const Mes
     block_ = coat_block(settings, mesh, static_cast<int>(targets.colour.samples));
     shells_ = block_.shells;
     top_ = strand_top(settings.strands);
-    samples_many_ = targets.colour.samples != VK_SAMPLE_COUNT_1_BIT;
     bones_.assign(part.bones, glm::mat4(1.0f));
     if (part.bones > 0)
         radius_ *= k_bone_reach;

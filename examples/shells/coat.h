@@ -96,7 +96,7 @@ class Coat final : public render::Drawable {
     std::uint32_t vertex_count_ = 0, index_count_ = 0;
     glm::vec3 middle_{0.0f};
     float radius_ = 0.0f, top_ = 1.0f;
-    bool first_ = true, samples_many_ = false;
+    bool first_ = true;
     std::array<bool, 3> seen_{};
 
     VkDescriptorSetLayout own_ = VK_NULL_HANDLE;

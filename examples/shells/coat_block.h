@@ -52,6 +52,7 @@ struct CoatBlock {
     std::array<SpotBlock, k_most_spots> spots{};
     std::array<LampBlock, k_most_lamps> lamps{};
 };
+static_assert(sizeof(CoatBlock) == 2368);
 
 /// A vertex of the mesh, for the skinning pass.
 struct CoatVertexBlock {

@@ -89,7 +89,7 @@ struct CoatLevels {
     float full_until = 4.0f;    ///< [m] distance up to which all shells are drawn, above 0 to 1e6; beyond, as 1 / distance
     int march = 4;              ///< steps a fragment may look between its layer and the next inner one, 0 (none) to 16
     bool skip_empty = true;     ///< layers above every strand's tip are not drawn
-    bool outer_first = true;    ///< order of layers: outer ones first hide what lies below from being shaded
+    bool outer_first = true;    ///< order of layers: the skin, then outer ones first, which hide what lies below from being shaded
     bool depth_first = false;   ///< a pass that writes depth alone before the colours
     bool one_draw_each = false; ///< the naive form, one draw a layer: a baseline for measurements
     bool shadow_strands = true; ///< the shadow has the strands' form; without it the body's

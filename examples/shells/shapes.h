@@ -43,6 +43,7 @@ struct Wing {
     int feathers = 9;       ///< notches of the trailing edge, 0 to 40
     int columns = 54;       ///< cells along the span, 4 to 512. Default: 6 a feather, so that all notches are alike
     int rows = 12;          ///< along the chord, 2 to 256
+    bool left = false;      ///< spread along -x instead, as in a mirror
 };
 [[nodiscard]] Result<Mesh> wing(const Wing& settings);
 

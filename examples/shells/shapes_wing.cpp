@@ -98,6 +98,12 @@ Result<Mesh> wing(const Wing& settings) {
             kept.insert(kept.end(), {a, b, c});
     }
     mesh.indices = std::move(kept);
+    if (settings.left) {
+        for (MeshVertex& vertex : mesh.vertices)
+            vertex.position.x = -vertex.position.x;
+        for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
+            std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
+    }
     smooth_normals(mesh);
     finish(mesh, "wing");
     return mesh;

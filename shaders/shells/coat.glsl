@@ -27,7 +27,7 @@ layout(std140, set = 2, binding = 0) uniform Coat {
     ivec4 form;    // x 1: translated; y WindAt; z 1: strands by the surface, 0: by uv; w 1: bare
     ivec4 drawing; // x march; y samples a pixel; z spots; w lamps
     vec4 comb;     // xyz direction in the mesh's space; w [rad] bend
-    vec4 tousle;   // x [rad]; y 1 / [m]; z 1 / [s] of the last frame, 0: no velocity; w first picture's bald_below
+    vec4 tousle;   // x [rad]; y 1 / [m]; z 1 / [s] of the last frame, 0: no velocity; w bald_below
     vec4 root;     // rgb; w power of root to tip
     vec4 tip;      // rgb; w variation
     vec4 second;   // rgb; w 1 / [m] of patches

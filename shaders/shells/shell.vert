@@ -35,7 +35,10 @@ vec3 wind_of_previous(CoatSkin skin, float height) {
 }
 
 void main() {
-    int layer = coat.layers.y == 1 ? coat.layers.x - 1 - gl_InstanceIndex : gl_InstanceIndex;
+    // Outer ones first, but for the skin before all: it alone hides the whole far side.
+    int layer = coat.layers.y == 0 || gl_InstanceIndex == 0 && coat.layers.z == 0 ? gl_InstanceIndex
+                : coat.layers.z == 1                                            ? coat.layers.x - 1 - gl_InstanceIndex
+                                                                                : coat.layers.x - gl_InstanceIndex;
     float height = layer_height(layer, coat.levels.x);
     CoatVertex vertex = vertices[gl_VertexIndex];
     CoatSkin skin = skins[coat.counts.y + gl_VertexIndex];

@@ -30,16 +30,18 @@ void main() {
     vec3 to_eye = -f.sight;
     vec3 at = position + hit.on_way * f.sight;
     float t = clamp(cloud ? 0.5 + 0.5 * hit.height : abs(hit.height) / max(hit.map, 1e-3), 0.0, 1.0);
+    // Where strands are short they have no dark depth: what counts is how far below the tips a place lies.
+    float lit_t = cloud ? t : 1.0 - min(hit.map, 1.0) * (1.0 - t);
     PlaceColour place = place_colour(hit.root.x, hit.root.uv, f.wide_on_pictures);
 
     float tone = f.bald ? 1.0 : windrow_strand_tone(hit.strand.key, coat.tip.w * (1.0 - hit.thin));
     float patches = windrow_strand_patch(91u, hit.root.x * coat.second.w);
-    vec3 fur = windrow_strand_colour(coat.root.rgb, coat.tip.rgb, coat.second.rgb, patches, t, coat.root.w, tone);
+    vec3 fur = windrow_strand_colour(coat.root.rgb, coat.tip.rgb, coat.second.rgb, patches, lit_t, coat.root.w, tone);
     ShellSurface surface;
     surface.hair = f.bald ? 0.0 : 1.0;
     surface.albedo = mix((f.bald ? coat.skin.rgb : fur) * place.factor, place.tint, place.tinted);
     surface.height = t;
-    surface.open = f.bald ? 1.0 : windrow_strand_occlusion(t, coat.light.x, coat.skin.w);
+    surface.open = f.bald ? 1.0 : windrow_strand_occlusion(lit_t, coat.light.x, coat.skin.w);
 
     vec3 n = normalize(normal);
     if (dot(n, to_eye) < 0.0 && coat.layers.z == 0)

@@ -3,7 +3,7 @@
 //     windrow_shells_bench [--quick] [--frames N] [--pictures FOLDER]
 //                          [--only scenes|layers|order|shadow|lamps|clouds|wind_at|plane|wind]
 //
-// On a GPU 1920 x 1080 and 1000 frames a row after 100 to warm up; on a software device, or with --quick, 128 x 128 and 5 frames
+// On a GPU 1920 x 1080 and 1000 frames a row after 100 to warm up; on a software device, or with --quick, 128 x 128 and 3 frames
 // after 1. Rows of one table take turns, frame by frame: what else the machine does slows them alike, and ratios hold. Times are
 // of the device's clock (Vulkan timestamps). Counters are of a frame of its own after the timed ones, around the coats' draws
 // alone.
@@ -99,7 +99,7 @@ ShellsRun run_of(const Wanted& wanted) {
     if (wanted.quick || chosen->software) {
         run.size = {128, 128};
         run.warm = 1;
-        run.frames = 5;
+        run.frames = 3;
     }
     if (wanted.frames > 0)
         run.frames = wanted.frames;

@@ -125,7 +125,7 @@ inline constexpr const char* k_specimen = R"({
             {"mesh": {"sheet": {"size": [2, 3], "columns": 4, "rows": 5, "wave": 0.125}}},
             {"mesh": {"globe_sphere": {"radius": 0.25, "sectors": 12, "stacks": 8}}},
             {"mesh": {"cube_sphere": {"radius": 0.75, "cells": 5}}},
-            {"mesh": {"wing": {"span": 2, "chord": 0.5, "thickness": 0.05, "sweep": 0.5, "droop": 0.25, "feathers": 5, "columns": 24, "rows": 6}}},
+            {"mesh": {"wing": {"span": 2, "chord": 0.5, "thickness": 0.05, "sweep": 0.5, "droop": 0.25, "feathers": 5, "columns": 24, "rows": 6, "left": true}}},
             {"mesh": {"beast": {"height": 3, "detail": 40}}}
         ],
         "lamps": [{"position": [1, 2, 3], "colour": [20, 5, 2], "reach": 12}],

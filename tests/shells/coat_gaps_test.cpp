@@ -112,11 +112,11 @@ TEST(CoatCost, FragmentsAPixelGrowEvenlyWithLayers) {
     std::vector<glm::dvec2> points;
     bool counts = true;
     for (const int shells : {8, 16, 32, 64, 128, 256}) {
-        Stage stage({.width = 64, .height = 64});
-        stage.dress(*globe_sphere({}), marked(shells, 0), at({}));
+        Stage stage({.width = 32, .height = 32});
+        stage.dress(*globe_sphere({.sectors = 13, .stacks = 10}), marked(shells, 0), at({}));
         stage.draw(camera);
         counts = stage.renderer->counter()->counts();
-        points.emplace_back(shells, static_cast<double>(stage.counted.fragments) / (64.0 * 64.0));
+        points.emplace_back(shells, static_cast<double>(stage.counted.fragments) / (32.0 * 32.0));
         windrow::test::figure("shells/fragments_a_pixel/" + std::to_string(shells), points.back().y);
     }
     if (!counts)

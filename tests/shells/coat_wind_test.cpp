@@ -1,4 +1,4 @@
-// Coats in the wind as drawn: strands that lean one by one on a square of four vertices, drift, motion vectors, lag.
+// Coats in the wind as drawn: strands that lean one by one on a square of four vertices, drift.
 #include "tests/figure.h"
 #include "tests/shells/coat_numerics.h"
 #include "tests/shells/stage.h"
@@ -11,15 +11,6 @@ namespace {
 
 using namespace numerics;
 
-CoatSettings bare_bones() {
-    CoatSettings coat;
-    coat.layers.sag = 0.0f;
-    coat.look.variation = coat.look.occlusion = coat.look.gloss = coat.look.sheen = 0.0f;
-    coat.levels.shadow_shells = 0;
-    coat.levels.full_until = 1e4f;
-    return coat;
-}
-
 // C17: tips of 10 x 10 thin strands on four vertices, against the wind that a fine mesh's vertices feel at their roots.
 TEST(CoatWind, StrandsLeanOneByOneOnFourVertices) {
     constexpr int side = 320, rows = 10;
@@ -27,7 +18,7 @@ TEST(CoatWind, StrandsLeanOneByOneOnFourVertices) {
     Stage stage({.ambient = {6.0f, 0.0f, 2.0f}, .gusts = 0.7f, .width = side, .height = side});
     CoatSettings thin = bare_bones();
     thin.layers.length = length;
-    thin.layers.shells = 24;
+    thin.layers.shells = 10;
     thin.layers.strand = {.length = length, .width = 2e-3f, .rigidity = 2e-4f, .drag_coefficient = 1.5f};
     CoatSettings fine = thin; // its strands are at the roots of the others: vertices in the middles of their cells
     fine.bare = true;
@@ -51,7 +42,7 @@ TEST(CoatWind, StrandsLeanOneByOneOnFourVertices) {
     thin.levels.march = 0;
     stage.dress(square(size), thin, at({}));
     const render::Camera camera = camera_at({0.0, 20.0, 0.2}, {0.0, 0.0, 0.0}, 13.0f);
-    for (int n = 0; n < 4; ++n)
+    for (int n = 0; n < 2; ++n)
         stage.draw(camera);
     const render::PictureF light = stage.light();
     float most = 0.0f;
@@ -114,7 +105,7 @@ TEST(CoatWind, TheDriftIsTheShiftOfThePattern) {
         std::vector<int> made;
         for (int row = 0; row < side; ++row)
             for (int column = 0; column < side; ++column)
-                made.push_back(light.at(column, row, 0) > 3.0f * light.at(column, row, 2) ? 1 : 0);
+                made.push_back(light.at(column, row, 0) > 100.0f * light.at(column, row, 1) ? 1 : 0);
         return made;
     };
     const double pixel = on_level(camera, 97, 96, side, side, 0.0).x - on_level(camera, 96, 96, side, side, 0.0).x;
@@ -143,118 +134,32 @@ TEST(CoatWind, TheDriftIsTheShiftOfThePattern) {
     windrow::test::figure("shells/drift/filled", static_cast<double>(filled) / (side * side));
     EXPECT_GT(filled, side * side / 20);
     EXPECT_LT(filled, side * side * 19 / 20);
-    windrow::test::figure("shells/drift/apart", static_cast<double>(best) / ((side - 40) * (side - 40)));
+    WINDROW_EXPECT_FIGURE("shells/drift/apart", static_cast<double>(best) / ((side - 40) * (side - 40)),
+                          0.02); // rims that a pixel\'s middle just misses
     WINDROW_EXPECT_FIGURE("shells/drift/pixels_off", std::max(std::abs(best_shift.x - 5), std::abs(best_shift.y - 9)), 1);
 }
 
-// [m] From the skin: told apart from the place, whose own rounding is 1e-7 m.
-glm::dvec3 layer_offset(const Coat& coat, const CoatSkinBlock& skin, float h) {
-    const auto shells = windrow::detail::shared(coat.block().shells);
-    const glm::vec3 n(skin.normal);
-    const WindrowCoatStrand strand = windrow_coat_strand(shells, n, skin.position.w, glm::vec3(skin.load), glm::vec3(skin.own),
-                                                         glm::vec3(skin.lag), glm::vec3(skin.lag_more));
-    return glm::dvec3((shells.form.x * h + shells.form.x * shells.form.z) * n + windrow_coat_shift(strand, h));
-}
-glm::dvec3 layer_place(const Coat& coat, const CoatSkinBlock& skin, float h) {
-    return glm::dvec3(glm::vec3(skin.position)) + layer_offset(coat, skin, h);
-}
-
-// A body that jerks and turns: C10 and C13 on what the device makes of it.
-TEST(CoatWind, LagNeitherEntersTheSkinNorCrossesLayers) {
-    Stage stage({.ambient = {5.0f, 0.0f, 0.0f}, .gusts = 0.5f, .width = 32, .height = 32});
-    CoatSettings settings = bare_bones();
-    settings.layers.sag = 0.6f;
-    settings.layers.length = 0.1f;
-    settings.comb.bend = 0.8f;
-    settings.inertia.emplace();
-    Coat& coat = stage.dress(*globe_sphere({}), settings, at({}));
-    double inward = 0.0, crossed = 0.0, most_lag = 0.0, longest = 0.0;
-    double tip_before = 1e9;
-    for (int frame = 0; frame < 24; ++frame) {
-        windrow::Pose body = at({frame < 6 ? 0.25 * frame : 1.25, frame == 3 ? 0.5 : 0.0, 0.0});
-        body.rotation = {0.0, std::sin(0.2 * std::min(frame, 8)), 0.0, std::cos(0.2 * std::min(frame, 8))};
-        ASSERT_TRUE(coat.move(k_frame, body));
-        stage.draw(camera_at({0.0, 0.3, 4.0}));
-        double lag = 0.0;
-        for (const CoatSkinBlock& skin : coat.skin()) {
-            double last = 0.0;
-            glm::dvec3 there(0.0);
-            double way = 0.0;
-            for (int layer = 1; layer <= 16; ++layer) {
-                const glm::dvec3 place = layer_offset(coat, skin, static_cast<float>(layer) / 16.0f);
-                const double out = glm::dot(place, glm::dvec3(glm::vec3(skin.normal)));
-                inward = std::max(inward, -out / 0.1);
-                crossed = std::max(crossed, (last - out) / 0.1);
-                way += glm::length(place - there);
-                there = place;
-                last = out;
-            }
-            longest = std::max(longest, way / 0.1);
-            lag = std::max(lag, static_cast<double>(glm::length(glm::vec3(skin.lag + skin.lag_more))));
-        }
-        most_lag = std::max(most_lag, lag);
-        if (frame > 12) { // the body rests: tips come after it
-            EXPECT_LE(lag, tip_before + 1e-6);
-            tip_before = lag;
-        }
+// In an even wind it is all one where strands ask for it.
+TEST(CoatWind, LayersThatAskTheWindThemselvesAgreeWhereItIsEven) {
+    constexpr int side = 96;
+    std::vector<std::vector<float>> pictures;
+    for (const WindAt where : {WindAt::strand, WindAt::shell}) {
+        Stage stage({.ambient = {7.0f, 0.0f, 2.0f}, .width = side, .height = side});
+        CoatSettings settings = bare_bones();
+        settings.layers.shells = 12;
+        settings.layers.length = 0.1f;
+        settings.strands.density = 60.0f;
+        settings.wind_at = where;
+        stage.dress(*globe_sphere({}), settings, at({0.0, 1.0, 0.0}));
+        stage.draw(camera_at({0.0, 1.3, 3.0}, {0.0, 1.0, 0.0}));
+        pictures.push_back(stage.light().values);
     }
-    EXPECT_GT(windrow::test::figure("shells/lag/most_m", most_lag), 0.1);
-    WINDROW_EXPECT_FIGURE("shells/lag/inward", inward, 1e-6);
-    WINDROW_EXPECT_FIGURE("shells/lag/crossed", crossed, 1e-5);
-    WINDROW_EXPECT_FIGURE("shells/lag/stretched", longest - 1.0, 0.01); // C3: strands keep their length within 1 %
-}
-
-// Motion vectors of an outermost layer that is closed, against its vertices' projected places in this frame and the last.
-TEST(CoatWind, MotionIsTheDifferenceOfProjectedPlaces) {
-    constexpr int side = 256;
-    Stage stage({.ambient = {5.0f, 0.0f, 1.0f}, .gusts = 0.6f, .width = side, .height = side});
-    CoatSettings settings = bare_bones();
-    settings.layers.shells = 2;
-    settings.layers.length = 0.12f;
-    settings.layers.strand.rigidity = 2e-6f;
-    settings.strands_on = StrandsOn::uv;
-    settings.strands = closed();
-    settings.levels.march = 0;
-    settings.inertia.emplace();
-    Coat& coat = stage.dress(*globe_sphere({.sectors = 40, .stacks = 30}), settings, at({}));
-    const auto pose = [](int frame) {
-        windrow::Pose body = at({0.01 * frame, 0.004 * frame, 0.0});
-        body.rotation = {0.0, std::sin(0.01 * frame), 0.0, std::cos(0.01 * frame)};
-        return body;
-    };
-    const auto camera = [](int frame) { return camera_at({0.02 * frame, 0.4, 3.0}, {0.0, 0.0, 0.0}, 26.0f); };
-    std::vector<CoatSkinBlock> last;
-    const int frames = 6;
-    for (int frame = 0; frame < frames; ++frame) {
-        if (frame == frames - 1)
-            last.assign(coat.skin().begin(), coat.skin().end());
-        ASSERT_TRUE(coat.move(k_frame, pose(frame)));
-        stage.draw(camera(frame));
-    }
-    const render::PictureF motion = stage.renderer->images().motion_picture();
-    double worst = 0.0, most = 0.0, of_wind = 0.0;
-    int compared = 0;
-    for (std::size_t n = 0; n < last.size(); ++n) {
-        const CoatSkinBlock& skin = coat.skin()[n];
-        const glm::dvec3 here = layer_place(coat, skin, 1.0f), there = layer_place(coat, last[n], 1.0f);
-        const glm::dvec3 to_eye = glm::normalize(camera(frames - 1).position - k_anchor - here);
-        if (glm::dot(glm::dvec3(glm::vec3(skin.normal)), to_eye) < 0.7)
-            continue;
-        const glm::dvec2 place = seen(camera(frames - 1), here, side, side);
-        const glm::dvec2 expected = place - seen(camera(frames - 2), there, side, side);
-        const int column = static_cast<int>(place.x), row = static_cast<int>(place.y);
-        const glm::dvec2 got = glm::dvec2(motion.at(column, row, 0), motion.at(column, row, 1)) * double(side);
-        worst = std::max(worst, glm::length(got - expected));
-        most = std::max(most, glm::length(expected));
-        of_wind = std::max(of_wind, static_cast<double>(glm::distance(glm::vec3(skin.load), glm::vec3(last[n].load))));
-        ++compared;
-    }
-    windrow::test::figure("shells/motion/compared", compared);
-    EXPECT_GT(compared, 60);
-    EXPECT_GT(windrow::test::figure("shells/motion/of_wind_rad", of_wind), 1e-4);
-    windrow::test::figure("shells/motion/most_px", most);
-    // A pixel's middle lies up to 0.7 px from the vertex, where the motion is another: a twentieth of the largest.
-    WINDROW_EXPECT_FIGURE("shells/motion/apart_px", worst, 0.05 * most);
+    int apart = 0;
+    for (std::size_t n = 0; n < pictures[0].size(); ++n)
+        apart += std::abs(pictures[0][n] - pictures[1][n]) > 0.02f ? 1 : 0;
+    // Rounding of the wind's samples moves a strand's rim by a pixel's share here and there.
+    WINDROW_EXPECT_FIGURE("shells/wind_at_shell/apart", static_cast<double>(apart) / static_cast<double>(pictures[0].size()),
+                          0.02);
 }
 
 } // namespace

@@ -96,6 +96,7 @@ TEST(ShellShapes, AWingIsClosedAndThin) {
     const auto bird = wing({});
     expect_closed(bird, "wing");
     expect_closed(wing({.feathers = 0, .columns = 4, .rows = 2}), "least_wing");
+    expect_closed(wing({.left = true}), "left_wing");
     // At a sharp corner of a sheet one normal stands for faces of opposite sides, and cannot lie before all.
     WINDROW_EXPECT_FIGURE("shells/shapes/wing/behind", surface_of(*bird).behind, 1e-3);
     const double area = 1.0 * 0.35; // of the box around it, which it does not fill

@@ -143,6 +143,16 @@ inline StrandFieldSettings closed(float height = 1.0f) {
             .cut_max = 1.0f};
 }
 
+/// A coat that is lit by its colours alone and casts nothing; it does not sag.
+inline CoatSettings bare_bones() {
+    CoatSettings coat;
+    coat.layers.sag = 0.0f;
+    coat.look.variation = coat.look.occlusion = coat.look.gloss = coat.look.sheen = 0.0f;
+    coat.levels.shadow_shells = 0;
+    coat.levels.full_until = 1e4f;
+    return coat;
+}
+
 /// A level 2 m square of few vertices.
 inline Mesh square(float size = 2.0f, int cells = 1) {
     return *sheet({.size = {size, size}, .columns = cells, .rows = cells});
