@@ -119,6 +119,7 @@ void list_fields(Fields& fields, shells::CoatLook& look) {
     fields.real("sheen_power", look.sheen_power, k_power_rule);
     fields.real("through", look.through, k_share_rule);
     fields.real("strand_normals", look.strand_normals, k_share_rule);
+    fields.flag("exact_normals", look.exact_normals);
     fields.real("square_normals", look.square_normals, k_share_rule);
     fields.integer("cel_steps", look.cel_steps, {.least = 0.0, .most = 8.0});
 }
@@ -165,6 +166,7 @@ void list_fields(Fields& fields, shells::CoatSettings& coat) {
     fields.flag("translated", coat.translated);
     fields.word("wind_at", coat.wind_at, {{"strand", WindAt::strand}, {"shell", WindAt::shell}, {"pixel", WindAt::pixel}});
     fields.real("wind_share", coat.wind_share, {.least = 0.0, .most = 100.0});
+    fields.real("foot_push", coat.foot_push, {.least = 0.0, .most = 1.5707964, .unit = "rad"});
     fields.flag("mirrored", coat.mirrored);
     fields.flag("drifts", coat.drifts);
     fields.flag("bare", coat.bare);

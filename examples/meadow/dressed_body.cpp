@@ -1,6 +1,12 @@
 #include "examples/meadow/dressed_body.h"
 
+#include "examples/shells/mesh_folder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <glm/trigonometric.hpp>
+#include <system_error>
 
 namespace meadow {
 namespace {
@@ -15,7 +21,12 @@ struct MakeMesh {
         shells::MeshLoad load = source.load;
         load.yaw = glm::radians(source.yaw_deg);
         load.most_triangles = static_cast<std::size_t>(source.most_triangles);
-        return shells::read_mesh(folder / std::filesystem::path(source.name).lexically_normal(), load);
+        const std::filesystem::path file = folder / std::filesystem::path(source.name).lexically_normal();
+        std::error_code fault;
+        if (std::filesystem::exists(file, fault)) // what is not there, the reader tells
+            if (auto real = shells::beside(folder / "scene", source.name); !real)
+                return Error{real.error()};
+        return shells::read_mesh(file, load);
     }
     Result<shells::Mesh> operator()(const shells::Sheet& shape) const { return shells::sheet(shape); }
     Result<shells::Mesh> operator()(const shells::GlobeSphere& shape) const { return shells::globe_sphere(shape); }
@@ -23,6 +34,9 @@ struct MakeMesh {
     Result<shells::Mesh> operator()(const shells::Wing& shape) const { return shells::wing(shape); }
     Result<shells::Mesh> operator()(const shells::Beast& shape) const { return shells::beast_mesh(shape); }
 };
+
+// [s] How often a frame tells the tips' lag where the body is: its way is taken as straight between.
+constexpr double k_longest_step = 1.0 / 960.0;
 
 std::vector<glm::mat4> bones_of(const Body& body, const BodyModel& model, double time) {
     if (!model.skeleton)
@@ -137,10 +151,24 @@ void DressedBodies::add_to(render::Renderer& renderer) {
 
 Result<void> DressedBodies::move(const Dressed& dressed, double time, double seconds) {
     const std::vector<glm::mat4> bones = bones_of(*dressed.body, dressed.model, time);
-    const windrow::Pose pose = pose_of(*scene_, *dressed.body, time);
+    shells::CoatAhead ahead;
+    ahead.body = pose_of(*scene_, *dressed.body, time + ahead.seconds);
+    const std::vector<glm::mat4> bones_ahead = bones_of(*dressed.body, dressed.model, time + ahead.seconds);
+    ahead.bones = bones_ahead;
     for (const auto& coat : dressed.coats) {
-        if (auto moved = coat->move(seconds, pose, bones); !moved)
-            return Error{"$.picture.bodies, " + dressed.body->name + ": " + moved.error()};
+        const int steps =
+            coat->settings().inertia ? std::max(1, static_cast<int>(std::ceil(seconds / k_longest_step - 1e-6))) : 1;
+        if (std::abs(time - seconds - time_) > 1e-9) // begins elsewhere: tips rest there
+            if (auto placed = coat->move(0.0, pose_of(*scene_, *dressed.body, time - seconds)); !placed)
+                return Error{"$.picture.bodies, " + dressed.body->name + ": " + placed.error()};
+        for (int step = 1; step <= steps; ++step) {
+            const bool last = step == steps;
+            const double at = last ? time : time - seconds * (steps - step) / steps;
+            const auto moved = last ? coat->move(seconds / steps, pose_of(*scene_, *dressed.body, at), bones, ahead)
+                                    : coat->move(seconds / steps, pose_of(*scene_, *dressed.body, at));
+            if (!moved)
+                return Error{"$.picture.bodies, " + dressed.body->name + ": " + moved.error()};
+        }
         coat->set_time(time);
         if (coat->settings().drifts)
             coat->drift(drift_of(*scene_, *dressed.body, time));
@@ -148,10 +176,30 @@ Result<void> DressedBodies::move(const Dressed& dressed, double time, double sec
     return {};
 }
 
+std::vector<shells::Foot> feet_of(const PictureScene& scene, double time) {
+    std::vector<shells::Foot> feet;
+    for (const Walker& walker : scene.picture.walkers) {
+        if (feet.size() == shells::k_most_feet)
+            break;
+        const windrow::GroundWalker now = walker_at(scene, walker, time, time);
+        const double floor = scene.picture.ground.height(now.position.x, now.position.z);
+        feet.push_back({.position = {now.position.x, floor + static_cast<double>(now.feet), now.position.z},
+                        .radius = now.radius,
+                        .weight = now.weight});
+    }
+    return feet;
+}
+
 Result<void> DressedBodies::move(double time, double seconds) {
+    const std::vector<shells::Foot> feet = feet_of(*scene_, time);
     for (const Dressed& dressed : dressed_)
-        if (auto moved = move(dressed, time, seconds); !moved)
+        for (const auto& coat : dressed.coats)
+            if (auto felt = coat->set_feet(feet); !felt)
+                return Error{"$.picture.walkers: " + felt.error()};
+    for (const Dressed& dressed : dressed_)
+        if (auto moved = seconds > 0.0 ? move(dressed, time, seconds) : Result<void>{}; !moved) // else they are there already
             return moved;
+    time_ = time;
     return {};
 }
 

@@ -30,6 +30,9 @@ struct BodyModel {
 /// exact at any time as the wind itself, a float (6e-8 of the way). Gusts are left out: over time they carry nothing.
 [[nodiscard]] glm::dvec2 drift_of(const PictureScene& scene, const Body& body, double time);
 
+/// The feet of the first shells::k_most_feet walkers, on the ground or as high above it as they jump.
+[[nodiscard]] std::vector<shells::Foot> feet_of(const PictureScene& scene, double time);
+
 class DressedBodies {
   public:
     /// All bodies where they are at time 0. Refuses what any part refuses, with the body's name. The scene outlives it.
@@ -37,7 +40,8 @@ class DressedBodies {
                                                                const PictureScene& scene, glm::dvec3 anchor);
 
     void add_to(render::Renderer& renderer);
-    /// All bodies are where they are at `time` [s], `seconds` after the last call.
+    /// All bodies are where they are at `time` [s], `seconds` after the last call; 0: they are there. The wind that they feel
+    /// and the lag of their tips do not depend on how long frames are.
     windrow::Result<void> move(double time, double seconds);
     /// What keeps up in frames that are not drawn.
     void append_to(std::vector<render::Drawable*>& drawables) const;
@@ -57,6 +61,7 @@ class DressedBodies {
 
     const PictureScene* scene_;
     std::vector<Dressed> dressed_{};
+    double time_ = 0.0; ///< [s] of the last call
 };
 
 } // namespace meadow

@@ -281,7 +281,7 @@ Result<void> Shoot::settle() {
         (void)wind_->record(frame.commands, {.dt = settings_.wind ? step : 0.0, .slot = frame.slot});
         auto walked = walk(frame, 0.0, 0.0);
         if (walked)
-            walked = swing(frame, 0.0, step);
+            walked = swing(frame, step * static_cast<double>(n + 1 - steps), step); // bodies come along to where they begin
         frames_->submit(frame);
         if (!walked)
             return walked;

@@ -28,7 +28,7 @@ LOOKS = (
         ("shells/grass16", 1.0, "the lane that the fan blows: only a solver gives it. Below, the same grass without one."),
         ("shells/grass16_uniform", 1.0, "every blade leans alike: what the sources' one vector does."),
         ("shells/field", 1.0, "bands of lighter green are gusts on their way."),
-        ("shells/carpet", 0.6, "the mesh has four vertices; the dents are the draught, read at each root."),
+        ("shells/carpet", 0.6, "the mesh has four vertices; the draught and what the ball presses are read at each root."),
         ("shells/snow", 0.6, "short strands that merge are powder; boulders are bare below by a spot."),
     )),
     ("Feathers, paper, spikes", (
@@ -42,6 +42,8 @@ LOOKS = (
     )),
     ("Where it began", (
         ("shells/naive", 0.6, "the baseline that docs/shells_cost.md measures against."),
+        ("shells/hecomi", 0.6, "layers that are pushed and droop, the form of the shell literature."),
+        ("shells/spheres18", 0.6, "the fan at the left blows through the middle row alone."),
         ("shells/step1_chance", 0.2, "one number a cell."),
         ("shells/step2_cylinders", 0.2, "what is above the layer's height stays."),
         ("shells/step3_cones", 0.2, "the radius falls with height."),

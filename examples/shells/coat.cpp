@@ -14,7 +14,7 @@ namespace shells {
 namespace {
 
 constexpr std::uint32_t k_group = 64;
-constexpr float k_bone_reach = 1.3f; // radius of a posed body over that at rest, culling allows
+constexpr std::size_t k_most_drawn = 1'000'000'000; // triangles a frame: beyond it a device looks hung
 
 glm::vec3 turned(const windrow::Pose& pose, glm::vec3 v) {
     const glm::dquat turn = glm::normalize(glm::dquat(pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z));
@@ -45,6 +45,22 @@ Result<std::unique_ptr<Coat>> Coat::create(engine::Device& device, const render:
             return Error{"coat.parts names indices " + std::to_string(part.first) + " to " +
                          std::to_string(std::uint64_t{part.first} + part.count) + "; give whole triangles of the mesh's " +
                          std::to_string(mesh.indices.size()) + "."};
+    const std::size_t triangles = mesh.indices.size() / 3;
+    const auto layers =
+        static_cast<std::size_t>(settings.bare ? 1 : std::max(settings.layers.shells, settings.levels.shadow_shells));
+    if (triangles * layers > k_most_drawn)
+        return Error{"coat.layers.shells is " + std::to_string(settings.layers.shells) + " over " + std::to_string(triangles) +
+                     " triangles, " + std::to_string(triangles * layers) +
+                     " to draw; give fewer layers or a mesh of fewer: at most " + std::to_string(k_most_drawn) + "."};
+    VkPhysicalDeviceProperties properties{};
+    vkGetPhysicalDeviceProperties(device.physical, &properties);
+    const std::uint64_t reach = properties.limits.maxStorageBufferRange;
+    if (2 * sizeof(CoatSkinBlock) * mesh.vertices.size() > reach)
+        return Error{"coat.mesh has " + std::to_string(mesh.vertices.size()) + " vertices; this device takes " +
+                     std::to_string(reach / (2 * sizeof(CoatSkinBlock))) + " in one mesh: give a coarser one."};
+    if (const std::uint64_t bytes = packed_bytes(pictures); bytes > reach)
+        return Error{"coat.maps are " + std::to_string(bytes) + " bytes with their smaller copies; this device takes " +
+                     std::to_string(reach) + ": give smaller pictures."};
     if (!glm::all(glm::lessThan(glm::abs(anchor), glm::dvec3(1e10))))
         return Error{"coat.anchor is not finite or too far; give the renderer's own."};
     std::optional<windrow::Cascade> cascade;
@@ -101,8 +117,9 @@ Coat::Coat(engine::Device& device, const render::DrawTargets& targets, const Mes
     shells_ = block_.shells;
     top_ = strand_top(settings.strands);
     bones_.assign(part.bones, glm::mat4(1.0f));
-    if (part.bones > 0)
-        radius_ *= k_bone_reach;
+    bones_ahead_ = bones_;
+    block_.ahead = {1 + (cascade_ ? cascade_->config().stages : 0), static_cast<int>(part.bones), 0, 0};
+    posed_radius_ = radius_;
     block_.counts = {static_cast<int>(vertex_count_), 0, static_cast<int>(vertex_count_),
                      cascade_ ? cascade_->config().stages : 0};
     const PackedPictures packed_pictures = packed(pictures);
@@ -111,11 +128,7 @@ Coat::Coat(engine::Device& device, const render::DrawTargets& targets, const Mes
     fill_buffers(device, packed_pictures, part);
 }
 
-Result<void> Coat::move(double seconds, const windrow::Pose& body, std::span<const glm::mat4> bones) {
-    if (auto judged = windrow::validate(body); !judged)
-        return judged;
-    if (!std::isfinite(seconds) || seconds < 0.0)
-        return Error{"coat.move's seconds is " + std::to_string(seconds) + "; give the time since the last call, 0 or more."};
+Result<void> Coat::judge_bones(std::span<const glm::mat4> bones) const {
     if (!bones.empty() && bones.size() < bones_.size())
         return Error{"coat.move has " + std::to_string(bones.size()) + " bones; the mesh's vertices name " +
                      std::to_string(bones_.size()) + "."};
@@ -124,14 +137,43 @@ Result<void> Coat::move(double seconds, const windrow::Pose& body, std::span<con
             for (int row = 0; row < 4; ++row)
                 if (!(std::abs(bone[column][row]) < 1e9f))
                     return Error{"coat.move has a bone that is not finite; give rigid matrices."};
+    return {};
+}
+
+Result<void> Coat::move(double seconds, const windrow::Pose& body, std::span<const glm::mat4> bones,
+                        const std::optional<CoatAhead>& ahead) {
+    if (auto judged = windrow::validate(body); !judged)
+        return judged;
+    if (auto judged = judge_bones(bones); !judged)
+        return judged;
+    if (ahead) {
+        if (auto judged = windrow::validate(ahead->body); !judged)
+            return judged;
+        if (auto judged = judge_bones(ahead->bones); !judged)
+            return judged;
+        if (!(ahead->seconds > 0.0 && ahead->seconds <= 1.0))
+            return Error{"coat.move's ahead.seconds is " + std::to_string(ahead->seconds) + "; give a moment, above 0 to 1 s."};
+    }
+    if (!std::isfinite(seconds) || seconds < 0.0)
+        return Error{"coat.move's seconds is " + std::to_string(seconds) + "; give the time since the last call, 0 or more."};
     if (cascade_) {
         const auto moved = seconds > 0.0 ? cascade_->advance(seconds, body) : cascade_->reset(body);
         if (!moved)
             return moved;
     }
     body_ = body;
-    for (std::size_t n = 0; n < bones_.size(); ++n)
+    ahead_ = ahead ? ahead->body : body;
+    const std::span<const glm::mat4> soon = ahead ? ahead->bones : bones;
+    posed_radius_ = radius_;
+    for (std::size_t n = 0; n < bones_.size(); ++n) {
         bones_[n] = n < bones.size() ? bones[n] : glm::mat4(1.0f);
+        bones_ahead_[n] = n < soon.size() ? soon[n] : glm::mat4(1.0f);
+        // A vertex lies among the places that its bones give it, each within the ball that its bone carries away.
+        posed_radius_ =
+            std::max(posed_radius_, radius_ + glm::distance(glm::vec3(bones_[n] * glm::vec4(middle_, 1.0f)), middle_));
+    }
+    block_.ahead.z = ahead ? 1 : 0;
+    block_.gone.w = ahead ? static_cast<float>(1.0 / ahead->seconds) : 0.0f;
     block_.tousle.z = seconds > 1e-9 ? static_cast<float>(1.0 / seconds) : 0.0f;
     return {};
 }
@@ -142,6 +184,16 @@ Result<void> Coat::set_lamps(std::span<const Lamp> lamps) {
     block_.drawing.w = static_cast<int>(lamps.size());
     for (std::size_t n = 0; n < lamps.size(); ++n)
         block_.lamps[n] = {glm::vec4(glm::vec3(lamps[n].position - anchor_), lamps[n].reach), glm::vec4(lamps[n].colour, 0.0f)};
+    return {};
+}
+
+Result<void> Coat::set_feet(std::span<const Foot> feet) {
+    if (auto judged = validate(feet); !judged)
+        return judged;
+    block_.drift.z = static_cast<float>(feet.size());
+    for (std::size_t n = 0; n < feet.size(); ++n)
+        block_.feet[n] = {glm::vec4(glm::vec3(feet[n].position - anchor_), feet[n].radius),
+                          glm::vec4(feet[n].weight, 0.0f, 0.0f, 0.0f)};
     return {};
 }
 
@@ -161,7 +213,8 @@ void Coat::place_pattern() {
     // Into the mesh's own space, where the pattern lies.
     const glm::dquat turn = glm::normalize(glm::dquat(body_.rotation.w, body_.rotation.x, body_.rotation.y, body_.rotation.z));
     const glm::dvec3 own = glm::inverse(turn) * glm::dvec3(drift_.x, 0.0, drift_.y) / body_.scale;
-    block_.drift = {static_cast<float>(own.x), static_cast<float>(own.z), 0.0f, 0.0f};
+    block_.drift.x = static_cast<float>(own.x);
+    block_.drift.y = static_cast<float>(own.z);
     block_.cloud = cloud_block(settings_, box_, {own.x, own.z}, evolved_);
 }
 
@@ -171,8 +224,8 @@ void Coat::find_seen(const render::FrameBlock& frame) {
     // Neither form takes a strand beyond its own length but the translated one's push, droop and lag.
     float reach = 1.1f * settings_.layers.length * (1.0f + settings_.layers.bias);
     if (settings_.translated)
-        reach += std::abs(settings_.layers.push) * 10.0f + settings_.layers.droop + radius_;
-    const float radius = scale * (radius_ + reach);
+        reach += std::abs(settings_.layers.push) * 10.0f + settings_.layers.droop + posed_radius_;
+    const float radius = scale * (posed_radius_ + reach);
     seen_ = {sees(frame.view_projection, middle, radius), sees(frame.shadow[0], middle, radius),
              sees(frame.shadow[1], middle, radius)};
     const float distance = std::max(glm::distance(glm::vec3(frame.eye), middle) - radius, 0.0f);
@@ -197,8 +250,13 @@ void Coat::write_motion(std::size_t slot) {
         poses[0] = {glm::vec4(glm::vec3(body_.position - anchor_), static_cast<float>(body_.scale)),
                     glm::vec4(glm::normalize(body_.rotation))};
     }
-    if (!bones_.empty())
-        std::memcpy(bone_buffers_[slot].mapped, bones_.data(), sizeof(glm::mat4) * bones_.size());
+    poses[block_.ahead.x] = {glm::vec4(glm::vec3(ahead_.position - anchor_), static_cast<float>(ahead_.scale)),
+                             glm::vec4(glm::normalize(ahead_.rotation))};
+    if (!bones_.empty()) {
+        auto* const bones = static_cast<glm::mat4*>(bone_buffers_[slot].mapped);
+        std::copy(bones_.begin(), bones_.end(), bones);
+        std::copy(bones_ahead_.begin(), bones_ahead_.end(), bones + bones_.size());
+    }
 }
 
 void Coat::prepare(const render::PassContext& context) {
@@ -207,7 +265,17 @@ void Coat::prepare(const render::PassContext& context) {
     place_pattern();
     write_motion(slot);
     std::swap(block_.counts.y, block_.counts.z);
+    // How far the pattern has gone in the world since the last frame, for motion vectors.
+    block_.gone = glm::vec4(first_ ? 0.0f : static_cast<float>(drift_.x - drift_before_.x), 0.0f,
+                            first_ ? 0.0f : static_cast<float>(drift_.y - drift_before_.y), block_.gone.w);
+    drift_before_ = drift_;
+    if (first_) {
+        block_.feet_before = block_.feet;
+        block_.drift.w = block_.drift.z;
+    }
     std::memcpy(blocks_[slot].mapped, &block_, sizeof block_);
+    block_.feet_before = block_.feet;
+    block_.drift.w = block_.drift.z;
     const std::array sets{context.frame, context.wind, sets_[slot]};
     vkCmdBindDescriptorSets(context.commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_, 0, 3, sets.data(), 0, nullptr);
     vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_COMPUTE, skin_);

@@ -34,6 +34,13 @@ struct CoatCounts {
     float divisor = 1.0f;       ///< of a layer's number (coat_levels.h)
 };
 
+/// Where a body is a moment after the one that it is drawn at: how fast its skin is, for the wind that it feels.
+struct CoatAhead {
+    double seconds = 2e-3; ///< above 0; so short that the way is straight, so long that floats tell it
+    windrow::Pose body{};
+    std::span<const glm::mat4> bones{};
+};
+
 class Coat final : public render::Drawable {
   public:
     /// `parts` of the mesh are drawn, all of it if there are none. Refuses what `validate` refuses of settings, mesh, pictures
@@ -45,10 +52,14 @@ class Coat final : public render::Drawable {
 
     /// The body is at `body` now, `seconds` after the last call; 0: it was put there, and has no speed. `bones` are from the
     /// mesh's space at rest to that of its pose, one each that the mesh's vertices name, or none. Refuses what is not finite;
-    /// then nothing has changed.
-    Result<void> move(double seconds, const windrow::Pose& body, std::span<const glm::mat4> bones = {});
+    /// then nothing has changed. Without `ahead` the skin's speed is that of the way since the last frame: half a frame late.
+    /// Tips lag behind a straight way from call to call: call it in several steps a frame where the way is curved.
+    Result<void> move(double seconds, const windrow::Pose& body, std::span<const glm::mat4> bones = {},
+                      const std::optional<CoatAhead>& ahead = {});
     /// At most k_most_lamps; refuses what `validate` refuses.
     Result<void> set_lamps(std::span<const Lamp> lamps);
+    /// Who presses strands aside, from the next frame on; at most k_most_feet. Refuses what `validate` refuses.
+    Result<void> set_feet(std::span<const Foot> feet);
     /// [s] of the animated cells; default 0. What is not finite counts as 0.
     void set_time(double seconds);
     /// [m] by which the air has carried the pattern so far, along x and z of the world. Only where CoatSettings::drifts.
@@ -80,6 +91,7 @@ class Coat final : public render::Drawable {
     void fill_buffers(engine::Device& device, const PackedPictures& pictures, const PartMesh& part);
     void find_seen(const render::FrameBlock& frame);
     void place_pattern();
+    [[nodiscard]] Result<void> judge_bones(std::span<const glm::mat4> bones) const;
     void write_motion(std::size_t slot);
 
     CoatSettings settings_;
@@ -89,13 +101,14 @@ class Coat final : public render::Drawable {
     CoatCounts counts_{};
     std::optional<windrow::Cascade> cascade_{};
     windrow::Pose body_{};
-    std::vector<glm::mat4> bones_{};
+    std::vector<glm::mat4> bones_{}, bones_ahead_{};
+    windrow::Pose ahead_{};
     Mesh box_{}; // of the mesh: its box alone
-    glm::dvec2 drift_{0.0};
+    glm::dvec2 drift_{0.0}, drift_before_{0.0};
     double evolved_ = 0.0;
     std::uint32_t vertex_count_ = 0, index_count_ = 0;
     glm::vec3 middle_{0.0f};
-    float radius_ = 0.0f, top_ = 1.0f;
+    float radius_ = 0.0f, posed_radius_ = 0.0f, top_ = 1.0f;
     bool first_ = true;
     std::array<bool, 3> seen_{};
 

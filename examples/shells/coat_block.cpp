@@ -56,7 +56,7 @@ CoatBlock coat_block(const CoatSettings& settings, const Mesh& mesh, int samples
     made.cel = {static_cast<float>(look.cel_steps), look.square_normals, settings.cloud ? 1.0f : 0.0f, 0.0f};
     made.low = glm::vec4(mesh.low, static_cast<float>(settings.maps.projection));
     made.extent = glm::vec4(1.0f / glm::max(mesh.high - mesh.low, glm::vec3(1e-6f)), settings.maps.noise_tiles);
-    made.influence = {settings.maps.influence_a, settings.maps.influence_b, 0.0f, 0.0f};
+    made.influence = {settings.maps.influence_a, settings.maps.influence_b, settings.foot_push, look.exact_normals ? 1.0f : 0.0f};
     made.cloud = cloud_block(settings, mesh, glm::dvec2(0.0), 0.0);
     for (std::size_t n = 0; n < std::min(settings.spots.size(), k_most_spots); ++n) {
         const Spot& spot = settings.spots[n];

@@ -4,6 +4,7 @@
 #include "coupling/motion_blocks.h"
 #include "coupling/shell.h"
 #include "examples/shells/coat_settings.h"
+#include "examples/shells/foot.h"
 #include "examples/shells/lamps.h"
 #include "examples/shells/mesh.h"
 
@@ -25,6 +26,11 @@ struct LampBlock {
     glm::vec4 colour{0.0f}; ///< rgb irradiance at 1 m
 };
 
+struct FootBlock {
+    glm::vec4 place{0.0f};  ///< xyz [m] from the anchor; w radius
+    glm::vec4 weight{0.0f}; ///< x
+};
+
 /// A uniform block of std140 layout.
 struct CoatBlock {
     windrow::ShellBlock shells{}; ///< lengths times the body's scale
@@ -43,16 +49,19 @@ struct CoatBlock {
     glm::vec4 light{0.0f};     ///< x occlusion exponent; y wrap; z gloss; w its power
     glm::vec4 sheen{0.0f};     ///< x sheen; y its power; z through; w strand normals
     glm::vec4 cel{0.0f};       ///< x levels; y square normals; z 1: clouds; w 1: far sides are hidden by the skin
-    glm::vec4 drift{0.0f};     ///< xy [m] along x and z of the mesh where the strands' pattern has gone
+    glm::vec4 drift{0.0f};     ///< xy [m] along x and z of the mesh where the strands' pattern has gone; z, w feet now and before
     glm::vec4 low{0.0f};       ///< xyz corner of the mesh's box; w Projection
     glm::vec4 extent{0.0f};    ///< xyz 1 / its size; w noise tiles
-    glm::vec4 influence{0.0f}; ///< x, y of the noise pictures
+    glm::vec4 influence{0.0f}; ///< x, y of the noise pictures; z [rad] push of feet; w 1: exact normals
     CloudShellBlock cloud{};
     std::array<glm::ivec4, 4> pictures{}; ///< x first texel; y columns; z rows; w levels, 0: none
     std::array<SpotBlock, k_most_spots> spots{};
     std::array<LampBlock, k_most_lamps> lamps{};
+    std::array<FootBlock, k_most_feet> feet{}, feet_before{};
+    glm::ivec4 ahead{0};  ///< x the pose of a moment later; y its first bone; z 1: there is one
+    glm::vec4 gone{0.0f}; ///< xyz [m] in the world that the pattern has gone since the last frame; w 1 / [s] of that moment
 };
-static_assert(sizeof(CoatBlock) == 2368);
+static_assert(sizeof(CoatBlock) == 2368 + 2 * 8 * 32 + 32);
 
 /// A vertex of the mesh, for the skinning pass.
 struct CoatVertexBlock {

@@ -85,12 +85,12 @@ void Coat::fill_buffers(engine::Device& device, const PackedPictures& pictures, 
     const engine::Buffer texels = filled(device, pictures.texels, storage);
     indices_ = filled(device, part.indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
     skins_ = device.make_buffer(2 * sizeof(CoatSkinBlock) * vertex_count_, storage);
-    const std::size_t poses = 1 + (cascade_ ? static_cast<std::size_t>(cascade_->config().stages) : 0);
+    const std::size_t poses = 2 + (cascade_ ? static_cast<std::size_t>(cascade_->config().stages) : 0);
     render::make_sets(device, own_, k_bindings, sets_);
     for (std::size_t slot = 0; slot < sets_.size(); ++slot) {
         blocks_[slot] = device.make_buffer(sizeof(CoatBlock), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
         poses_[slot] = device.make_buffer(sizeof(windrow::PoseBlock) * poses, storage);
-        bone_buffers_[slot] = device.make_buffer(sizeof(glm::mat4) * std::max<std::size_t>(bones_.size(), 1), storage);
+        bone_buffers_[slot] = device.make_buffer(sizeof(glm::mat4) * std::max<std::size_t>(2 * bones_.size(), 1), storage);
         render::point(device, sets_[slot], 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, blocks_[slot].buffer);
         std::uint32_t binding = 1;
         for (const engine::Buffer& each : {vertices, skins_, poses_[slot], bone_buffers_[slot], texels})

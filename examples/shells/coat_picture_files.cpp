@@ -14,8 +14,17 @@ float linear(float encoded) {
     return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
 }
 
-Result<CoatPicture> read(const std::filesystem::path& file, bool colour) {
+Result<CoatPicture> read(const std::filesystem::path& file, const std::filesystem::path& folder, bool colour) {
     const std::string name = file.string();
+    std::error_code fault;
+    const std::filesystem::path real = std::filesystem::canonical(file, fault);
+    if (!fault) { // what is not there, the reader tells
+        const std::filesystem::path home = std::filesystem::canonical(folder.empty() ? "." : folder, fault);
+        if (fault || *real.lexically_relative(home).begin() == "..")
+            return Error{name + " is a link out of its folder; put the picture itself there."};
+        if (!std::filesystem::is_regular_file(real, fault))
+            return Error{name + " is not a file; give a PNG, PGM or EXR."};
+    }
     std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(name);
     if (!input) {
         const std::string why = OIIO::geterror();
@@ -63,7 +72,7 @@ Result<CoatPictures> read_pictures(const CoatMaps& maps, const std::filesystem::
               Wanted{maps.noise_a, pictures.noise_a, false}, Wanted{maps.noise_b, pictures.noise_b, false}}) {
             if (each.file.empty())
                 continue;
-            Result<CoatPicture> picture = read(folder / each.file, each.colour);
+            Result<CoatPicture> picture = read(folder / each.file, folder, each.colour);
             if (!picture)
                 return Error{picture.error()};
             each.into = *std::move(picture);

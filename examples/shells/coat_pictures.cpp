@@ -76,4 +76,19 @@ PackedPictures packed(const CoatPictures& pictures) {
     return made;
 }
 
+std::uint64_t packed_bytes(const CoatPictures& pictures) {
+    std::uint64_t texels = 0;
+    for (const CoatPicture* picture : {&pictures.length, &pictures.colour, &pictures.noise_a, &pictures.noise_b}) {
+        if (picture->texels.empty())
+            continue;
+        for (int columns = picture->columns, rows = picture->rows;;
+             columns = std::max(columns / 2, 1), rows = std::max(rows / 2, 1)) {
+            texels += static_cast<std::uint64_t>(columns) * static_cast<std::uint64_t>(rows);
+            if (columns == 1 && rows == 1)
+                break;
+        }
+    }
+    return std::max<std::uint64_t>(texels, 1) * sizeof(glm::uvec2);
+}
+
 } // namespace shells

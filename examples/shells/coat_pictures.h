@@ -40,5 +40,7 @@ struct PackedPictures {
     std::vector<glm::uvec2> texels{};   ///< at least one
 };
 [[nodiscard]] PackedPictures packed(const CoatPictures& pictures);
+/// [bytes] Of them, without making them.
+[[nodiscard]] std::uint64_t packed_bytes(const CoatPictures& pictures);
 
 } // namespace shells

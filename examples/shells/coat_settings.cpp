@@ -118,6 +118,7 @@ Result<void> validate(const CoatSettings& settings) {
     part(refusals, windrow::validate(settings.layers), "shells", "coat.layers");
     between(refusals, "coat.wriggle_hz", settings.wriggle_hz, -100.0f, 100.0f);
     between(refusals, "coat.wind_share", settings.wind_share, 0.0f, 100.0f);
+    between(refusals, "coat.foot_push", settings.foot_push, 0.0f, 1.5707964f);
     part(refusals, validate(settings.strands), "strands", "coat.strands");
     judge(refusals, settings.comb);
     if (settings.spots.size() > k_most_spots)

@@ -80,17 +80,19 @@ struct CoatLook {
     float through = 0.2f;                  ///< light that shines through tips against the sun, 0 to 1
     float strand_normals = 0.6f;           ///< how much of each strand's own roundness is seen, 0 to 1
     float square_normals = 0.0f;           ///< 0: away from the strand's middle, 1: from the cell's edge
-    int cel_steps = 0;                     ///< levels of light, 0 (smooth) to 8
+    /// Normals of the strands' own form, in place of the sources' turn from its side at the root to the skin's at the tip.
+    bool exact_normals = false;
+    int cel_steps = 0; ///< levels of light, 0 (smooth) to 8
 };
 
 /// How many layers are drawn, and how.
 struct CoatLevels {
-    int least_shells = 8;       ///< afar, 2 to 4096; at most the coat's own are drawn
-    float full_until = 4.0f;    ///< [m] distance up to which all shells are drawn, above 0 to 1e6; beyond, as 1 / distance
-    int march = 4;              ///< steps a fragment may look between its layer and the next inner one, 0 (none) to 16
-    bool skip_empty = true;     ///< layers above every strand's tip are not drawn
-    bool outer_first = true;    ///< order of layers: the skin, then outer ones first, which hide what lies below from being shaded
-    bool depth_first = false;   ///< a pass that writes depth alone before the colours
+    int least_shells = 8;     ///< afar, 2 to 4096; at most the coat's own are drawn
+    float full_until = 4.0f;  ///< [m] distance up to which all shells are drawn, above 0 to 1e6; beyond, as 1 / distance
+    int march = 4;            ///< steps a fragment may look between its layer and the next inner one, 0 (none) to 16
+    bool skip_empty = true;   ///< layers above every strand's tip are not drawn
+    bool outer_first = true;  ///< order of layers: the skin, then outer ones first, which hide what lies below from being shaded
+    bool depth_first = false; ///< a pass that writes depth alone before the colours
     bool one_draw_each = false; ///< the naive form, one draw a layer: a baseline for measurements
     bool shadow_strands = true; ///< the shadow has the strands' form; without it the body's
     int shadow_shells = 16;     ///< layers in the shadow's map, 0 (casts none) to 4096
@@ -114,9 +116,11 @@ struct CoatSettings {
     bool translated = false; ///< push and droop of the shell literature in place of strands that keep their length
     WindAt wind_at = WindAt::strand;
     float wind_share = 1.0f; ///< of the wind that it feels, 0 to 100
-    bool mirrored = false;   ///< layers on both sides of the skin, half of them each, and no skin: clouds
-    bool drifts = false;     ///< the pattern moves along with the air: clouds
-    bool bare = false;       ///< the skin alone
+    /// [rad] Lean of the tip away from a foot, right beside its middle, 0 (none) to pi/2. Not in the translate form.
+    float foot_push = 1.2f;
+    bool mirrored = false; ///< layers on both sides of the skin, half of them each, and no skin: clouds
+    bool drifts = false;   ///< the pattern moves along with the air: clouds
+    bool bare = false;     ///< the skin alone
     StrandsOn strands_on = StrandsOn::surface;
     StrandFieldSettings strands{};
     float wriggle_hz = 0.3f; ///< turns a second of the strands' wriggle, and by which a cloud's heaps become others, -100 to 100

@@ -10,6 +10,9 @@
 // As |B| never passes pi/2, c.n rises with h: no layer enters the skin and none passes the next, however the body has moved. Without lag
 // it is the plain stem, to the bit.
 // The translate form adds the tangential D itself, as long as it may be.
+//
+// A foot whose sole is d from p leans a strand at p by  w (1 - |d_t|^2 / R^2)^2 (1 - max(d.n, 0) / L) d_t / |d_t|  [rad] away from it, d_t
+// the part of p - foot across n: radial.glsl's weight, less the higher it is lifted off the skin, nothing from the other side of a body.
 #ifndef WINDROW_COAT_LEAN_GLSL
 #define WINDROW_COAT_LEAN_GLSL
 
@@ -17,6 +20,7 @@
 #define WINDROW_FN
 #endif
 
+#include "radial.glsl"
 #include "shell.glsl"
 
 struct WindrowCoatStrand {
@@ -65,6 +69,18 @@ WINDROW_FN vec3 windrow_coat_shift(WindrowCoatStrand strand, float h) {
 // Part of v across the unit vector n.
 WINDROW_FN vec3 windrow_across(vec3 v, vec3 n) {
     return v - dot(v, n) * n;
+}
+
+// [rad] `foot` xyz its sole [m], w its radius; `most` [rad]; `reach` [m] the strands' length.
+WINDROW_FN vec3 windrow_foot_load(vec4 foot, float most, float reach, vec3 p, vec3 n) {
+    vec3 away = p - vec3(foot);
+    float lifted = -dot(away, n);
+    if (lifted < -foot.w)
+        return vec3(0.0f);
+    vec3 aside = windrow_across(away, n);
+    float square = dot(aside, aside);
+    float touch = clamp(1.0f - lifted / reach, 0.0f, 1.0f);
+    return aside * (most * touch * windrow_radial_weight(square, foot.w) / max(sqrt(square), 1e-9f));
 }
 
 #endif

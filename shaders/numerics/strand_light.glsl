@@ -115,12 +115,6 @@ WINDROW_FN float windrow_hair_sheen(vec3 tangent, vec3 half_way, float power) {
     return square > 0.0f ? pow(min(square, 1.0f), 0.5f * power) : 0.0f;
 }
 
-// What a thin cylinder scatters: the sine of the angle between hair and light.
-WINDROW_FN float windrow_hair_diffuse(vec3 tangent, vec3 to_light) {
-    float along = dot(tangent, to_light);
-    return sqrt(max(1.0f - along * along, 0.0f));
-}
-
 // Light that comes through tips toward the eye, 0 to 1; `against` = -v.l.
 WINDROW_FN float windrow_tips_through(float t, float against) {
     float lobe = max(against, 0.0f);

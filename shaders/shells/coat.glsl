@@ -13,6 +13,10 @@ struct CoatSpot {
     vec4 tint; // rgb; w share
     vec4 more; // x length; y glow
 };
+struct CoatFoot {
+    vec4 place;  // xyz [m] from the anchor; w radius
+    vec4 weight; // x
+};
 struct CoatLamp {
     vec4 place;  // xyz [m] from the anchor; w reach
     vec4 colour; // rgb irradiance at 1 m
@@ -35,14 +39,18 @@ layout(std140, set = 2, binding = 0) uniform Coat {
     vec4 light;    // x occlusion exponent; y wrap; z gloss; w its power
     vec4 sheen;    // x sheen; y its power; z through; w strand normals
     vec4 cel;      // x levels; y square normals; z 1: a cloud in place of strands; w 0
-    vec4 drift;    // xy [m] along x and z of the mesh by which the strands have gone; zw 0
+    vec4 drift;    // xy [m] along x and z of the mesh by which the strands have gone; z, w feet now and before
     vec4 low;      // xyz corner of the mesh's box; w Projection
     vec4 extent;   // xyz 1 / its size; w noise tiles
-    vec4 influence; // x, y of the noise pictures
+    vec4 influence; // x, y of the noise pictures; z [rad] push of feet; w 1: exact normals
     WindrowCloudShells cloud;
     ivec4 pictures[4]; // length, colour, noise a, noise b: x first texel; y columns; z rows; w levels, 0: none
     CoatSpot spots[24];
     CoatLamp lamps[8];
+    CoatFoot feet[8];
+    CoatFoot feet_before[8];
+    ivec4 ahead; // x the pose of a moment later; y its first bone; z 1: there is one
+    vec4 gone;   // xyz [m] in the world that the pattern has gone since the last frame; w 1 / [s] of that moment
 } coat;
 
 struct CoatVertex {
@@ -71,6 +79,20 @@ layout(std430, set = 2, binding = 2) readonly buffer CoatSkins { CoatSkin skins[
 layout(std430, set = 2, binding = 3) readonly buffer CoatPoses { WindrowPose poses[]; };
 layout(std430, set = 2, binding = 4) readonly buffer CoatBones { mat4 bones[]; };
 layout(std430, set = 2, binding = 5) readonly buffer CoatTexels { uvec2 texels[]; }; // four halves each
+
+// [rad] What feet do to a strand on the skin at p, this frame and the one before; n the unit normal there.
+vec3 feet_on(vec3 p, vec3 n) {
+    vec3 load = vec3(0.0);
+    for (int foot = 0; foot < int(coat.drift.z); ++foot)
+        load += windrow_foot_load(coat.feet[foot].place, coat.influence.z * coat.feet[foot].weight.x, coat.shells.form.x, p, n);
+    return load;
+}
+vec3 feet_on_before(vec3 p, vec3 n) {
+    vec3 load = vec3(0.0);
+    for (int foot = 0; foot < int(coat.drift.w); ++foot)
+        load += windrow_foot_load(coat.feet_before[foot].place, coat.influence.z * coat.feet_before[foot].weight.x, coat.shells.form.x, p, n);
+    return load;
+}
 
 const int k_wind_at_strand = 0;
 const int k_wind_at_shell = 1;

@@ -13,13 +13,13 @@ layout(local_size_x = 64) in;
 layout(push_constant) uniform Now { int first; } now; // 1: nothing was before
 
 // By all four bones; weights add up to 1. A mesh without bones has weights of 0.
-mat3x4 skinned(CoatVertex vertex) {
+mat3x4 skinned(CoatVertex vertex, uint first) {
     vec4 x = vec4(1.0, 0.0, 0.0, 0.0), y = vec4(0.0, 1.0, 0.0, 0.0), z = vec4(0.0, 0.0, 1.0, 0.0);
     if (vertex.weights.x > 0.0) {
         mat4 sum = mat4(0.0);
         for (int n = 0; n < 4; ++n)
             if (vertex.weights[n] > 0.0)
-                sum += vertex.weights[n] * bones[vertex.bones[n]];
+                sum += vertex.weights[n] * bones[first + vertex.bones[n]];
         x = vec4(sum[0].x, sum[1].x, sum[2].x, sum[3].x);
         y = vec4(sum[0].y, sum[1].y, sum[2].y, sum[3].y);
         z = vec4(sum[0].z, sum[1].z, sum[2].z, sum[3].z);
@@ -59,7 +59,7 @@ void main() {
     if (n >= uint(coat.counts.x))
         return;
     CoatVertex vertex = vertices[n];
-    mat3x4 rows = skinned(vertex);
+    mat3x4 rows = skinned(vertex, 0u);
     vec3 at = vec4(vertex.position.xyz, 1.0) * rows;
     vec3 normal = normalize(vec4(vertex.normal.xyz, 0.0) * rows);
 
@@ -83,12 +83,19 @@ void main() {
         skin.lag_more.xyz = 2.0 * tip - 4.0 * middle;
     }
     uint here = uint(coat.counts.y) + n, last = uint(coat.counts.z) + n;
-    skin.velocity = vec4(now.first == 1 ? vec3(0.0) : (position - skins[last].position.xyz) * coat.tousle.z, 0.0);
+    if (coat.ahead.z == 1) {
+        WindrowPose soon = poses[coat.ahead.x];
+        soon.rotation = windrow_rotation(soon.rotation);
+        vec3 at_soon = vec4(vertex.position.xyz, 1.0) * skinned(vertex, uint(coat.ahead.y));
+        skin.velocity = vec4((windrow_posed(soon, at_soon) - position) * coat.gone.w, 0.0);
+    } else {
+        skin.velocity = vec4(now.first == 1 ? vec3(0.0) : (position - skins[last].position.xyz) * coat.tousle.z, 0.0);
+    }
     skin.load = vec4(0.0);
     if (coat.form.y != k_wind_at_pixel) {
         vec3 wind = coat.levels.z * windrow_wind_on(position + 0.5 * coat.shells.form.x * up, skin.velocity.xyz);
         // The translate form has the wind itself for its direction.
-        skin.load.xyz = coat.form.x == 1 ? wind : windrow_shell_load(coat.shells, up, max(map, 0.05), wind);
+        skin.load.xyz = coat.form.x == 1 ? wind : windrow_shell_load(coat.shells, up, max(map, 0.05), wind) + feet_on(position, up);
     }
     skins[here] = skin;
     if (now.first == 1)

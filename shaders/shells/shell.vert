@@ -23,7 +23,7 @@ vec3 wind_of(CoatSkin skin, float height) {
     vec3 n = height < 0.0 ? -skin.normal.xyz : skin.normal.xyz;
     vec3 at = skin.position.xyz + coat.shells.form.x * abs(height) * n;
     vec3 wind = coat.levels.z * windrow_wind_on(at, skin.velocity.xyz);
-    return coat.form.x == 1 ? wind : windrow_shell_load(coat.shells, n, max(skin.position.w, 0.05), wind);
+    return coat.form.x == 1 ? wind : windrow_shell_load(coat.shells, n, max(skin.position.w, 0.05), wind) + feet_on(skin.position.xyz, n);
 }
 vec3 wind_of_previous(CoatSkin skin, float height) {
     if (coat.form.y != k_wind_at_shell)
@@ -31,7 +31,7 @@ vec3 wind_of_previous(CoatSkin skin, float height) {
     vec3 n = height < 0.0 ? -skin.normal.xyz : skin.normal.xyz;
     vec3 at = skin.position.xyz + coat.shells.form.x * abs(height) * n;
     vec3 wind = coat.levels.z * windrow_wind_on_previous(at, skin.velocity.xyz);
-    return coat.form.x == 1 ? wind : windrow_shell_load(coat.shells, n, max(skin.position.w, 0.05), wind);
+    return coat.form.x == 1 ? wind : windrow_shell_load(coat.shells, n, max(skin.position.w, 0.05), wind) + feet_on_before(skin.position.xyz, n);
 }
 
 void main() {
@@ -56,5 +56,5 @@ void main() {
     neighbours = vec2(abs(layer_height(max(layer + inward, 0), coat.levels.x)), abs(layer_height(max(layer - inward, 0), coat.levels.x)));
     gl_Position = frame.view_projection * vec4(position, 1.0);
     clip_now = gl_Position.xyw;
-    clip_before = (frame.view_projection_before * vec4(before.position, 1.0)).xyw;
+    clip_before = (frame.view_projection_before * vec4(before.position - coat.gone.xyz, 1.0)).xyw;
 }

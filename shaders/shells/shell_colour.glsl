@@ -55,7 +55,14 @@ void main() {
         n = normalize(aside.x * f.p_dx + aside.y * f.p_dy + own.y * up);
     }
     vec3 outward = f.bald || cloud || hit.thin >= 1.0 ? vec3(0.0) : strand_outward(hit, f);
-    surface.normal = normalize(mix(n, windrow_strand_blended(outward, n, t), coat.sheen.w * (1.0 - hit.thin) * step(1e-6, dot(outward, outward))));
+    vec3 own_normal = windrow_strand_blended(outward, n, t);
+    if (coat.influence.w > 0.0) {
+        // Cells that a whole strand is high, by what a pixel covers of both.
+        float cells = coat.field.cells.x * (coat.form.z == 1 ? length(f.dx.x) : length(f.dx.uv)) / max(length(f.p_dx), 1e-9);
+        float slope = windrow_strand_slope(coat.field, abs(hit.height) / max(hit.map, 1e-4), hit.strand.reach);
+        own_normal = windrow_strand_sloped(outward, n, slope / max(cells * coat.shells.form.x * hit.map, 1e-4));
+    }
+    surface.normal = normalize(mix(n, own_normal, coat.sheen.w * (1.0 - hit.thin) * step(1e-6, dot(outward, outward))));
     surface.tangent = normalize(along);
 
     // The skin's own shade is looked up at the tips: the map has them too.

@@ -76,7 +76,7 @@ ShellFragment shell_fragment() {
     vec3 foot = position - h * coat.shells.form.x * n;
     for (int n_th = 0; n_th < 2; ++n_th) {
         vec3 wind = coat.levels.z * windrow_wind_on(foot + 0.5 * coat.shells.form.x * n, vec3(0.0));
-        vec3 load = windrow_shell_load(coat.shells, n, max(map, 0.05), wind);
+        vec3 load = windrow_shell_load(coat.shells, n, max(map, 0.05), wind) + feet_on(foot, n);
         ray.load = length(load);
         if (!(ray.load > 1e-6))
             break;

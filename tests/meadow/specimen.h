@@ -104,7 +104,7 @@ inline constexpr const char* k_specimen = R"({
                   "swings": [{"axis": [0, 1, 0], "rest": 0.1, "amplitude": 0.2, "hz": 2, "phase": 0.5, "second": 0.125, "second_phase": 1.5}]},
                  {"name": "tail", "parent": "hip", "head": [0, 1, -0.5], "tail": [0, 1, -1], "radius": 0.05, "sway": [0, 0, 0], "sway_hz": 1, "sway_phase": 0, "swings": []}]},
              "coats": [
-                 {"material": "fur", "strands_on": "uv", "wriggle_hz": 0.75, "translated": true, "wind_at": "pixel", "wind_share": 0.8, "mirrored": true, "drifts": true, "bare": true,
+                 {"material": "fur", "strands_on": "uv", "wriggle_hz": 0.75, "translated": true, "wind_at": "pixel", "wind_share": 0.8, "foot_push": 0.5, "mirrored": true, "drifts": true, "bare": true,
                   "layers": {"shells": 24, "length": 0.06, "reaches_tip": false, "spacing": 1.5, "bias": 0.01, "push": 0.03, "push_exponent": 1.5, "droop": 0.01,
                              "droop_shape": 2, "sag": 0.4, "down": [0, -1, 0.5],
                              "strand": {"width": 0.0003, "rigidity": 2e-8, "drag_coefficient": 1.25, "air_density": 1.1, "vogel_exponent": -0.5, "vogel_speed": 6, "most_bend": 1.4}},
@@ -117,7 +117,7 @@ inline constexpr const char* k_specimen = R"({
                            "noise_tiles": 4, "projection": "side", "bald_below": 0.1},
                   "look": {"root": [0.1, 0.05, 0.02], "tip": [0.5, 0.4, 0.2], "second": [0.2, 0.3, 0.4], "skin": [0.3, 0.2, 0.1], "second_size": 0.5, "tip_power": 3,
                            "variation": 0.3, "occlusion": 1.5, "occlusion_bias": 0.25, "wrap": 0.5, "gloss": 0.2, "gloss_power": 50, "sheen": 0.4, "sheen_power": 60,
-                           "through": 0.5, "strand_normals": 0.8, "square_normals": 0.5, "cel_steps": 3},
+                           "through": 0.5, "strand_normals": 0.8, "square_normals": 0.5, "exact_normals": true, "cel_steps": 3},
                   "levels": {"least_shells": 6, "full_until": 8, "march": 2, "skip_empty": false, "outer_first": false, "depth_first": true, "one_draw_each": true,
                              "shadow_strands": false, "shadow_shells": 12},
                   "inertia": {"stages": 6, "lag": 0.5},

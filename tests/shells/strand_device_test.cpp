@@ -88,7 +88,7 @@ Answer answer_of(const Case& c, const Fields& all) {
     a.light = {windrow_strand_occlusion(h, 0.7f, 0.1f), windrow_wrapped(cosine, c.place.w), windrow_cel(c.place.w, 4.0f, 0.3f),
                windrow_noise_pair(h, c.place.w, 0.3f, 0.8f)};
     a.gloss = {windrow_plain_gloss(n, half_way, 24.0f), windrow_hair_sheen(n, half_way, 40.0f), windrow_tips_through(h, cosine),
-               windrow_hair_diffuse(n, light)};
+               0.0f};
     const glm::vec3 g = windrow_strand_gradient(light, x, n, 0.0f);
     a.normal =
         glm::vec4(windrow_strand_sloped(g, n, windrow_strand_slope(field, 0.7f * h, 0.8f) / 3.0f), windrow_strand_patch(3u, x));

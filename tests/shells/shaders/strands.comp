@@ -56,7 +56,7 @@ void main() {
     a.light = vec4(windrow_strand_occlusion(h, 0.7, 0.1), windrow_wrapped(cosine, c.place.w), windrow_cel(c.place.w, 4.0, 0.3),
                    windrow_noise_pair(h, c.place.w, 0.3, 0.8));
     a.gloss = vec4(windrow_plain_gloss(n, half_way, 24.0), windrow_hair_sheen(n, half_way, 40.0), windrow_tips_through(h, cosine),
-                   windrow_hair_diffuse(n, c.light.xyz));
+                   0.0);
     vec3 g = windrow_strand_gradient(c.light.xyz, c.x.xyz, n, 0.0);
     a.normal = vec4(windrow_strand_sloped(g, n, windrow_strand_slope(field, 0.7 * h, 0.8) / 3.0), windrow_strand_patch(3u, c.x.xyz));
     float heap = windrow_cloud_heap(cloud, c.x.xz);
