@@ -1,9 +1,11 @@
-// Descriptor sets: a layout from a list of bindings, sets of it, and what they point to.
+// Descriptor sets: a layout from a list of bindings, sets of it, what they point to, and buffers filled for them.
 #pragma once
 
 #include "examples/engine/device.h"
 
+#include <cstring>
 #include <span>
+#include <vector>
 
 namespace render {
 
@@ -26,5 +28,13 @@ void point(engine::Device& device, VkDescriptorSet set, std::uint32_t binding, V
 /// An image in VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL (or, of depth, DEPTH_STENCIL_READ_ONLY_OPTIMAL) and its sampler.
 void point(engine::Device& device, VkDescriptorSet set, std::uint32_t binding, VkImageView view, VkSampler sampler,
            VkImageLayout layout);
+
+/// A buffer that holds what `from` holds; at least one element.
+template <class T>
+[[nodiscard]] engine::Buffer filled(engine::Device& device, const std::vector<T>& from, VkBufferUsageFlags usage) {
+    engine::Buffer made = device.make_buffer(sizeof(T) * from.size(), usage);
+    std::memcpy(made.mapped, from.data(), sizeof(T) * from.size());
+    return made;
+}
 
 } // namespace render

@@ -89,4 +89,13 @@ ShadowView shadow_view(const Camera& camera, float aspect, glm::dvec3 anchor, co
     return {box * turn, texel};
 }
 
+bool sees(const glm::mat4& view, glm::vec3 middle, float radius) {
+    const auto row = [&](int n) { return glm::vec4(view[0][n], view[1][n], view[2][n], view[3][n]); };
+    const glm::vec4 x = row(0), y = row(1), z = row(2), w = row(3);
+    for (const glm::vec4& plane : {w + x, w - x, w + y, w - y, z, w - z})
+        if (glm::dot(glm::vec3(plane), middle) + plane.w < -radius * glm::length(glm::vec3(plane)))
+            return false;
+    return true;
+}
+
 } // namespace render

@@ -67,4 +67,7 @@ struct ShadowView {
 [[nodiscard]] ShadowView shadow_view(const Camera& camera, float aspect, glm::dvec3 anchor, const SkyBlock& sky, float from,
                                      float to, int texels);
 
+/// Whether a ball may be seen in a view: not wholly beyond one of its planes.
+[[nodiscard]] bool sees(const glm::mat4& view, glm::vec3 middle, float radius);
+
 } // namespace render

@@ -21,16 +21,6 @@ glm::vec3 turned(const windrow::Pose& pose, glm::vec3 v) {
     return glm::vec3(turn * glm::dvec3(v));
 }
 
-// Whether a ball may be seen: not wholly beyond one of the planes of a view.
-bool sees(const glm::mat4& view, glm::vec3 middle, float radius) {
-    const auto row = [&](int n) { return glm::vec4(view[0][n], view[1][n], view[2][n], view[3][n]); };
-    const glm::vec4 x = row(0), y = row(1), z = row(2), w = row(3);
-    for (const glm::vec4& plane : {w + x, w - x, w + y, w - y, z, w - z})
-        if (glm::dot(glm::vec3(plane), middle) + plane.w < -radius * glm::length(glm::vec3(plane)))
-            return false;
-    return true;
-}
-
 } // namespace
 
 Result<std::unique_ptr<Coat>> Coat::create(engine::Device& device, const render::DrawTargets& targets, const Mesh& mesh,
@@ -226,8 +216,8 @@ void Coat::find_seen(const render::FrameBlock& frame) {
     if (settings_.translated)
         reach += std::abs(settings_.layers.push) * 10.0f + settings_.layers.droop + posed_radius_;
     const float radius = scale * (posed_radius_ + reach);
-    seen_ = {sees(frame.view_projection, middle, radius), sees(frame.shadow[0], middle, radius),
-             sees(frame.shadow[1], middle, radius)};
+    seen_ = {render::sees(frame.view_projection, middle, radius), render::sees(frame.shadow[0], middle, radius),
+             render::sees(frame.shadow[1], middle, radius)};
     const float distance = std::max(glm::distance(glm::vec3(frame.eye), middle) - radius, 0.0f);
     const LayerCount layers = layers_at(settings_, distance, top_);
     block_.levels.x = layers.divisor;

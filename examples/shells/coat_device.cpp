@@ -28,13 +28,6 @@ constexpr std::array k_bindings{render::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFE
                                 render::Binding{k_storage, VK_SHADER_STAGE_COMPUTE_BIT},
                                 render::Binding{k_storage, render::k_stages}};
 
-template <class T>
-engine::Buffer filled(engine::Device& device, const std::vector<T>& from, VkBufferUsageFlags usage) {
-    engine::Buffer made = device.make_buffer(sizeof(T) * from.size(), usage);
-    std::memcpy(made.mapped, from.data(), sizeof(T) * from.size());
-    return made;
-}
-
 // The constants of shaders/shells/shell_strand.glsl, in their order.
 std::array<std::uint32_t, 7> constants_of(const CoatSettings& settings, bool noise) {
     const StrandFieldSettings& strands = settings.strands;
@@ -81,9 +74,9 @@ void Coat::make_pipelines(engine::Device& device, const render::DrawTargets& tar
 
 void Coat::fill_buffers(engine::Device& device, const PackedPictures& pictures, const PartMesh& part) {
     constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-    const engine::Buffer vertices = filled(device, part.vertices, storage);
-    const engine::Buffer texels = filled(device, pictures.texels, storage);
-    indices_ = filled(device, part.indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+    const engine::Buffer vertices = render::filled(device, part.vertices, storage);
+    const engine::Buffer texels = render::filled(device, pictures.texels, storage);
+    indices_ = render::filled(device, part.indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
     skins_ = device.make_buffer(2 * sizeof(CoatSkinBlock) * vertex_count_, storage);
     const std::size_t poses = 2 + (cascade_ ? static_cast<std::size_t>(cascade_->config().stages) : 0);
     render::make_sets(device, own_, k_bindings, sets_);

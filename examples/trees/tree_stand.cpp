@@ -37,23 +37,6 @@ constexpr std::array k_bindings{render::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFE
                                 render::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_vertices},
                                 render::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_COMPUTE_BIT}};
 
-template <class T>
-engine::Buffer filled(engine::Device& device, const std::vector<T>& from, VkBufferUsageFlags usage) {
-    engine::Buffer made = device.make_buffer(sizeof(T) * from.size(), usage);
-    std::memcpy(made.mapped, from.data(), sizeof(T) * from.size());
-    return made;
-}
-
-// Whether a ball may be seen: not wholly beyond one of the planes of a view.
-bool sees(const glm::mat4& view, glm::vec3 middle, float radius) {
-    const auto row = [&](int n) { return glm::vec4(view[0][n], view[1][n], view[2][n], view[3][n]); };
-    const glm::vec4 x = row(0), y = row(1), z = row(2), w = row(3);
-    for (const glm::vec4& plane : {w + x, w - x, w + y, w - y, z, w - z})
-        if (glm::dot(glm::vec3(plane), middle) + plane.w < -radius * glm::length(glm::vec3(plane)))
-            return false;
-    return true;
-}
-
 PlaceBlock block_of(const TreePlace& place, glm::dvec3 anchor) {
     const float yaw = glm::radians(place.yaw_deg);
     const windrow::PlantKey key = windrow::place_key(static_cast<float>(place.base.x), static_cast<float>(place.base.z));
@@ -142,11 +125,12 @@ void TreeStand::fill_buffers(engine::Device& device) {
         parts.insert(parts.end(), model.parts.begin(), model.parts.end());
     }
     constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-    const engine::Buffer vertex_buffer = filled(device, vertices, storage), part_buffer = filled(device, parts, storage);
-    const engine::Buffer place_buffer = filled(device, places_, storage);
-    indices_ = filled(device, indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+    const engine::Buffer vertex_buffer = render::filled(device, vertices, storage),
+                         part_buffer = render::filled(device, parts, storage);
+    const engine::Buffer place_buffer = render::filled(device, places_, storage);
+    indices_ = render::filled(device, indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
     const std::size_t states = places_.back().first.y + model(places_.size() - 1).parts.size();
-    states_ = filled(device, std::vector<PartState>(states), storage);
+    states_ = render::filled(device, std::vector<PartState>(states), storage);
     std::size_t most_groups = 0;
     for (std::size_t n = 0; n < places_.size(); ++n)
         most_groups += (model(n).parts.size() + k_group - 1) / k_group;
@@ -176,8 +160,8 @@ void TreeStand::find_seen(const render::FrameBlock& frame) {
         const float aside = glm::length(glm::vec2(model.middle.x, model.middle.z));
         const float radius = place.base.w * (model.radius + aside + k_reach * model.wind_reach);
         Seen seen{.tree = n,
-                  .by = {sees(frame.view_projection, middle, radius), sees(frame.shadow[0], middle, radius),
-                         sees(frame.shadow[1], middle, radius)}};
+                  .by = {render::sees(frame.view_projection, middle, radius), render::sees(frame.shadow[0], middle, radius),
+                         render::sees(frame.shadow[1], middle, radius)}};
         if (!seen.by[0] && !seen.by[1] && !seen.by[2])
             continue;
         const glm::vec3 height(0.0f, place.base.w * block_.furrow.w, 0.0f);
