@@ -1,0 +1,145 @@
+// Bit-exact regression: the hash of every cell after 240 steps, for each scheme, interpolation, boundary kind and SIMD level.
+//
+// A refactoring changes no bit, so the table bits.txt stays as it is. A change of the method writes it anew
+// (WINDROW_ACCEPT_BITS=1, on a machine with AVX-512) and says in its commit why.
+//
+// The story has every kind of motor, gusts, a canopy, viscosity, uneven steps and a box that moves, as far as its boundaries
+// admit them, on a grid of whole registers and on an odd one.
+
+#include "fluid/bytes.h"
+#include "fluid/wind.h"
+#include "tests/fields.h"
+#include "tests/stability/watch.h"
+
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <map>
+#include <span>
+#include <string>
+
+namespace {
+
+using namespace windrow;
+using namespace windrow::test;
+
+constexpr const char* k_table = WINDROW_SOURCE_DIR "/tests/stability/bits.txt";
+constexpr int k_steps = 240;
+
+struct Walls {
+    const char* name;
+    Sides sides;
+};
+
+Sides moving_lid() {
+    Sides sides = Sides::all(SideKind::no_slip);
+    sides.y_high.wall_velocity = {2.0f, 0.0f, -1.0f};
+    return sides;
+}
+
+Sides duct() {
+    Sides sides = Sides::all(SideKind::free_slip);
+    sides.x_low.kind = sides.x_high.kind = SideKind::periodic;
+    sides.z_high.kind = SideKind::open;
+    sides.y_low.kind = SideKind::no_slip;
+    return sides;
+}
+
+const Walls k_walls[] = {{"open", Sides{}},
+                         {"open_over_floor", Sides::open_over_floor()},
+                         {"free_slip", Sides::all(SideKind::free_slip)},
+                         {"no_slip_moving_lid", moving_lid()},
+                         {"periodic", Sides::all(SideKind::periodic)},
+                         {"duct_of_four_kinds", duct()}};
+
+std::uint64_t hash_after(const Walls& walls, glm::ivec3 cells, Scheme scheme, Interpolation interpolation, Simd level) {
+    Config config{.cells = cells,
+                  .sides = walls.sides,
+                  .ambient = admissible_ambient(walls.sides, {4.0f, 0.0f, 1.5f}),
+                  .viscosity = 0.05f,
+                  .scheme = scheme,
+                  .interpolation = interpolation,
+                  .simd = level};
+    const bool floor = walls.sides.y_low.solid();
+    const bool free_x = walls.sides.x_low.kind == SideKind::open, free_z = walls.sides.z_low.kind == SideKind::open;
+    if (free_x)
+        config.gusts = {.intensity = 0.2f, .length = 12.0f};
+    if (floor && free_x) {
+        config.profile = LogProfile{};
+        config.canopy = Canopy{.height = 1.5f};
+    }
+    Wind wind = made(config);
+    EXPECT_TRUE(wind.set_velocity(projected(smooth_noise(cells, 3.0f, 11), wind.box())));
+
+    const glm::dvec3 start = wind.origin() + 0.5 * glm::dvec3(cells);
+    drive(wind, start, {1.0f, 0.2f, 0.0f}, 12.0f);
+    const MotorId walker = add(wind, WakeMotor{.position = start, .radius = 1.5f});
+    add(wind, JetMotor{.position = start + glm::dvec3(-3.0, 0.0, 2.0), .direction = {0.0f, 0.3f, 1.0f}});
+    add(wind, VortexMotor{.position = start + glm::dvec3(2.0, 1.0, -3.0), .radius = 3.0f, .lift = 0.4f});
+    add(wind, DirectionalMotor{.position = start + glm::dvec3(0.0, 2.0, 0.0),
+                               .direction = {0.0f, 0.0f, 1.0f},
+                               .region = AlignedBox{},
+                               .law = Force{3.0f},
+                               .envelope = {.attack = 0.3f, .hold = 1.0f, .decay = 0.5f}});
+    if (walls.sides.z_high.kind == SideKind::open) { // air that comes in must get out
+        add(wind, OmniMotor{.position = start + glm::dvec3(-2.0, 0.0, -2.0), .speed = 4.0f});
+        add(wind, PressureMotor{.position = start + glm::dvec3(3.0, 0.0, 3.0)});
+    }
+    for (int n = 0; n < k_steps; ++n) {
+        const glm::dvec3 way = glm::dvec3(free_x ? 0.06 : 0.01, 0.0, free_z ? -0.04 : 0.01) * static_cast<double>(n);
+        EXPECT_TRUE(wind.motors().move(walker, start + way));
+        if (free_x && free_z) {
+            EXPECT_TRUE(wind.follow(start + way));
+        }
+        wind.step(n % 7 == 6 ? 1.0 / 30.0 : 1.0 / 60.0);
+    }
+    EXPECT_TRUE(all_finite(wind.field()));
+    return windrow::detail::checksum(std::as_bytes(wind.field()));
+}
+
+using Table = std::map<std::string, std::string>;
+
+Table read_table() {
+    Table table;
+    std::ifstream file(k_table);
+    for (std::string name, hash; file >> name >> hash;)
+        table[name] = hash;
+    return table;
+}
+
+TEST(Bits, OfEverySchemeInterpolationBoundaryAndSimdLevelStay) {
+    Table found;
+    for (const Simd level : {Simd::baseline, Simd::avx2, Simd::avx512}) {
+        if (!runs(level))
+            continue;
+        for (const Scheme scheme : {Scheme::second_order, Scheme::stable_fluids})
+            for (const Interpolation interpolation : {Interpolation::linear, Interpolation::cubic})
+                for (const Walls& walls : k_walls)
+                    for (const glm::ivec3 cells : {glm::ivec3(24, 12, 20), glm::ivec3(19, 9, 13)}) {
+                        const std::string name = std::string(name_of(level)) + '/' +
+                                                 (scheme == Scheme::second_order ? "second_order" : "stable_fluids") + '/' +
+                                                 (interpolation == Interpolation::linear ? "linear" : "cubic") + '/' +
+                                                 walls.name + '/' + std::to_string(cells.x) + 'x' + std::to_string(cells.y) +
+                                                 'x' + std::to_string(cells.z);
+                        char hash[17];
+                        std::snprintf(hash, sizeof hash, "%016llx",
+                                      static_cast<unsigned long long>(hash_after(walls, cells, scheme, interpolation, level)));
+                        found[name] = hash;
+                    }
+    }
+    if (std::getenv("WINDROW_ACCEPT_BITS") != nullptr) {
+        ASSERT_EQ(found.size(), 144u) << "the table holds all SIMD levels";
+        std::ofstream file(k_table);
+        for (const auto& [name, hash] : found)
+            file << name << ' ' << hash << '\n';
+        return;
+    }
+    Table expected = read_table();
+    ASSERT_EQ(expected.size(), 144u) << k_table;
+    for (const auto& [name, hash] : found)
+        EXPECT_EQ(hash, expected[name]) << name;
+}
+
+} // namespace
