@@ -5,7 +5,7 @@
 #
 # Shaders of other stages keep their stage in the name, since they come in pairs: `grass.vert` becomes grass_vert.
 # A shader is built again when it or anything that it includes has changed, and it alone. Includes are found beside the file and
-# in shaders/.
+# in shaders/, or are named from the project's root.
 set(WINDROW_SHADER_OPTIONS "" CACHE STRING "More options for glslangValidator, such as -Os")
 mark_as_advanced(WINDROW_SHADER_OPTIONS)
 
@@ -32,7 +32,7 @@ function(windrow_shaders target)
     set(header ${folder}/shader_words/${name}.h)
     add_custom_command(OUTPUT ${header}
       COMMAND ${CMAKE_COMMAND} -D GLSLANG=${WINDROW_GLSLANG} -D SPIRV_VAL=${WINDROW_SPIRV_VAL} -D SOURCE=${file} -D NAME=${name}
-              -D HEADER=${header} -D INCLUDE=${PROJECT_SOURCE_DIR}/shaders "-DOPTIONS=${WINDROW_SHADER_OPTIONS}" -P ${script}
+              -D HEADER=${header} -D ROOT=${PROJECT_SOURCE_DIR} "-DOPTIONS=${WINDROW_SHADER_OPTIONS}" -P ${script}
       DEPENDS ${file} ${script}
       DEPFILE ${header}.d
       COMMENT "Compiling shader ${name}" VERBATIM)

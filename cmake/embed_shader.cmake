@@ -1,4 +1,4 @@
-# cmake -D GLSLANG= -D SPIRV_VAL= -D SOURCE=x.comp -D NAME=x -D HEADER=x.h -D INCLUDE=folder -D OPTIONS= -P embed_shader.cmake
+# cmake -D GLSLANG= -D SPIRV_VAL= -D SOURCE=x.comp -D NAME=x -D HEADER=x.h -D ROOT=folder -D OPTIONS= -P embed_shader.cmake
 #
 # Compiles one shader, checks it, and writes its words as a C++ header, with the list of what it was made from in HEADER.d.
 cmake_path(GET HEADER PARENT_PATH folder)
@@ -7,7 +7,7 @@ set(binary ${HEADER}.spv)
 separate_arguments(options UNIX_COMMAND "${OPTIONS}")
 
 # -g0: no names and no source in what users get.
-execute_process(COMMAND ${GLSLANG} --quiet -V -g0 --target-env vulkan1.2 ${options} -I${INCLUDE} --depfile ${HEADER}.d.raw -o ${binary} ${SOURCE}
+execute_process(COMMAND ${GLSLANG} --quiet -V -g0 --target-env vulkan1.2 ${options} -I${ROOT}/shaders -I${ROOT} --depfile ${HEADER}.d.raw -o ${binary} ${SOURCE}
                 RESULT_VARIABLE result)
 if(NOT result EQUAL 0)
   message(FATAL_ERROR "${SOURCE} does not compile")

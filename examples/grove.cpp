@@ -1,18 +1,18 @@
-// Tutorial: trees in the wind, drawn by the small renderer of examples/render.
+// Tutorial: trees in the wind, drawn by the small renderer of vegetation/render.
 //
 //     grove [KIND [WIND [FRAMES [FOLDER]]]]    KIND oak, birch, spruce, bush: that one alone; all (default): groves on hills
 //                                              WIND [m/s] at 10 m, 0 to 40 (default 6); so many frames of 1/30 s (default 1) into
 //                                              FOLDER
 //
-// 1. A kind of tree is a struct (examples/trees/tree_settings.h); presets give some by name, and a host may change any field.
+// 1. A kind of tree is a struct (vegetation/trees/tree_settings.h); presets give some by name, and a host may change any field.
 // 2. A stand draws one kind at many places, which a host gives or has scattered over its ground.
 // 3. Each frame: the wind, then the renderer. The stand bends trunk, limbs and twigs by the wind at each of them, and lets them
 // swing.
 
 #include "coupling/plant_classes.h"
-#include "examples/render/blades.h"
-#include "examples/render/renderer.h"
-#include "examples/trees/tree_stand.h"
+#include "vegetation/render/blades.h"
+#include "vegetation/render/renderer.h"
+#include "vegetation/trees/tree_stand.h"
 
 #include <charconv>
 #include <cmath>

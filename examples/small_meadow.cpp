@@ -1,4 +1,4 @@
-// Tutorial: a meadow in the wind, drawn by the small renderer of examples/render.
+// Tutorial: a meadow in the wind, drawn by the small renderer of vegetation/render.
 //
 //     small_meadow [FRAMES [FOLDER]]     draws so many frames of 1/30 s (default 6) into FOLDER (meadow): frame_0001.png ...,
 //                                  and the last one's light and motion as last.exr
@@ -9,8 +9,8 @@
 // 4. In each frame record the wind, then the renderer: shadows, light, motion since the last frame, the toned picture.
 
 #include "coupling/plant_classes.h"
-#include "examples/render/blades.h"
-#include "examples/render/renderer.h"
+#include "vegetation/render/blades.h"
+#include "vegetation/render/renderer.h"
 
 #include <charconv>
 #include <cmath>

@@ -1,7 +1,7 @@
 // The meadow's three draws: sky and soil, walker and fan, grass.
 #pragma once
 
-#include "examples/engine/device.h"
+#include "vegetation/vulkan/device.h"
 
 #include <cstdint>
 #include <glm/mat4x4.hpp>

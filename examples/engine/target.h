@@ -1,7 +1,7 @@
 // What is drawn to: a picture with four samples a pixel and depth, offscreen, and its way into a file.
 #pragma once
 
-#include "examples/engine/device.h"
+#include "vegetation/vulkan/device.h"
 
 #include <string>
 

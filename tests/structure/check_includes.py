@@ -10,7 +10,7 @@ import re
 import sys
 
 LONGEST_FILE = 500
-FOLDERS = ("fluid", "coupling", "shaders", "scene", "examples", "cli", "tests", "cmake")
+FOLDERS = ("fluid", "coupling", "shaders", "scene", "vegetation", "examples", "cli", "tests", "cmake")
 SOURCES = (".h", ".cpp", ".inl", ".glsl", ".comp", ".vert", ".frag", ".py", ".cmake", ".txt")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
@@ -58,11 +58,11 @@ def breaches_of_include(root, file, name, public):
         yield f"coupling is a library and does not know {target_top}"
     if top == "scene" and target_top in ("cli", "examples", "tests"):
         yield f"scene is shared by the command and the examples and does not know {target_top}"
-    if matches(name, VULKAN) and "vulkan" not in folders and top not in ("examples", "tests"):
+    if matches(name, VULKAN) and "vulkan" not in folders and top not in ("vegetation", "examples", "tests"):
         yield "Vulkan's headers belong in folders named vulkan, in examples and in tests"
     if matches(name, OPENVDB) and top != "tests" and not (folders == ["fluid", "vdb"] and file.suffix == ".cpp"):
         yield "OpenVDB's headers belong in one .cpp of fluid/vdb, and in tests"
-    if matches(name, OPENIMAGEIO) and top not in ("cli", "examples", "tests"):
+    if matches(name, OPENIMAGEIO) and top not in ("cli", "vegetation", "examples", "tests"):
         yield "OpenImageIO's headers belong in cli, examples and tests: it brings 261 libraries"
     if top == "examples" and (target_top in ("cli", "tests") or (target_top in ("fluid", "coupling") and target not in public)):
         yield "examples show what a user can do: public headers only (cmake/public_headers.txt)"

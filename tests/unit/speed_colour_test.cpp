@@ -14,7 +14,7 @@ namespace {
 namespace shader {
 using namespace glm;
 #define WINDROW_FN inline
-#include "shaders/numerics/speed_colour.glsl"
+#include "vegetation/shaders/numerics/speed_colour.glsl"
 #undef WINDROW_FN
 } // namespace shader
 

@@ -1,0 +1,41 @@
+// The tables of shells_bench.cpp: each draws its cases in turn and prints markdown.
+#pragma once
+
+#include "vegetation/bench/shells_stage.h"
+
+#include <filesystem>
+#include <string>
+
+namespace windrow::bench {
+
+struct ShellsRun {
+    glm::ivec2 size{1920, 1080};
+    int warm = 100, frames = 1000;
+    std::string device{};             ///< with its driver
+    std::filesystem::path pictures{}; ///< empty: none are written
+};
+
+void scenes_table(const ShellsRun& run);
+void layers_table(const ShellsRun& run);
+void order_table(const ShellsRun& run);
+void shadow_table(const ShellsRun& run);
+void lamps_table(const ShellsRun& run);
+void clouds_table(const ShellsRun& run);
+void wind_at_table(const ShellsRun& run);
+void plane_table(const ShellsRun& run);
+void wind_table(const ShellsRun& run);
+
+/// What a table's cases cost: filled by `measured`.
+struct Measured {
+    ShellsStages stages{};
+    std::vector<CoatCosts> costs{};
+};
+
+/// Draws the cases in turn, then counts each and writes its picture. Prints the table's head before: what the figures belong to.
+[[nodiscard]] Measured measured(const ShellsRun& run, const char* title, const char* settings, std::vector<ShellsCase> cases);
+/// Medians of the stages in ms, and the ratio of each row's frame and colour pass to those of row `over`.
+void print_times(const Measured& of, std::size_t over = 0);
+/// By the counters: vertices and fragments of the coats in the colour pass.
+void print_counts(const Measured& of);
+
+} // namespace windrow::bench

@@ -1,0 +1,63 @@
+// A mesh that wears shells: an indexed list of triangles, cut into parts that wear one coat each.
+//
+// y is up, metres, triangles counter-clockwise seen from outside. A vertex has one normal, the one that shells are extruded
+// along. Vertices that share a position but not a uv (a seam of the map) share that normal, because shells would tear open along
+// the seam otherwise; hence no hard edges.
+#pragma once
+
+#include "vegetation/fur/fur_line.h"
+#include "fluid/result.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace shells {
+
+using windrow::Error;
+using windrow::Result;
+
+struct MeshVertex {
+    glm::vec3 position{0.0f};           ///< [m]
+    glm::vec3 normal{0.0f, 1.0f, 0.0f}; ///< unit vector, outward
+    glm::vec2 uv{0.0f};                 ///< of the file, or a box projection
+    glm::uvec4 bones{0u};               ///< indices into a skeleton; skeleton.h fills them
+    glm::vec4 weights{0.0f};            ///< sum 1, or all 0: not bound
+};
+
+/// Triangles with one material.
+struct MeshPart {
+    std::string material;         ///< the file's name of it, or what a shape is made of
+    std::uint32_t first = 0;      ///< of `indices`
+    std::uint32_t count = 0;      ///< indices, three a triangle
+    std::optional<FurLine> fur{}; ///< of the material's file (fur_line.h)
+};
+
+struct Mesh {
+    std::vector<MeshVertex> vertices;
+    std::vector<std::uint32_t> indices;
+    std::vector<MeshPart> parts;     ///< in order, all indices, each once
+    bool has_uv = false;             ///< false: uv is a box projection, which tears at its edges
+    glm::vec3 low{0.0f}, high{0.0f}; ///< [m] the box of all positions
+
+    [[nodiscard]] std::size_t triangles() const { return indices.size() / 3; }
+};
+
+/// More than a coat can be drawn on; a shell draws each again.
+inline constexpr std::size_t k_most_vertices = 2'000'000, k_most_triangles = 4'000'000, k_most_parts = 4096;
+/// [m] No coordinate is farther from the origin.
+inline constexpr float k_farthest = 1e5f;
+
+/// Refuses indices without a vertex, parts that are not the list of triangles, what is not finite, normals whose length is not 1
+/// within 1e-3, weights that do not sum to 1 within 1e-4 (or are not all 0), a box that is not the positions', and absurd counts.
+[[nodiscard]] Result<void> validate(const Mesh& mesh, const char* owner = "mesh");
+
+/// Sets `low` and `high`.
+void measure(Mesh& mesh);
+
+} // namespace shells

@@ -1,0 +1,21 @@
+// The formulas of strands as C++: the same text of shaders/numerics that the shells' shaders include. Hash, noise and stems are
+// those of the plants and the grass, light on a leaf is the renderer's.
+#pragma once
+
+#include "vegetation/render/light_numerics.h"
+
+#include <glm/ext/vector_int3.hpp>
+#include <glm/vector_relational.hpp>
+
+#define WINDROW_FN inline
+namespace shells::numerics {
+using namespace glm;
+using render::numerics::windrow_half_lambert;
+using windrow::numerics::windrow_mask_power;
+using windrow::numerics::windrow_plant_hash;
+using windrow::numerics::windrow_share;
+using windrow::numerics::windrow_sine_share;
+#include "vegetation/shaders/numerics/cloud_shells.glsl"
+#include "vegetation/shaders/numerics/strand_light.glsl"
+} // namespace shells::numerics
+#undef WINDROW_FN

@@ -1,0 +1,168 @@
+#include "vegetation/grass/grass_field.h"
+
+#include "vegetation/grass/grass_field_state.h"
+#include "vegetation/grass/refusals.h"
+#include "shader_words/cull.h"
+#include "shader_words/generate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vulkan/vulkan.h>
+
+namespace grass {
+namespace {
+
+constexpr double k_most_cells = 268435456.0; // a cell's number leaves 4 bits for the stream (vegetation/shaders/numerics/grass.glsl)
+constexpr double k_most_chunks = 4194304.0;  // 45 MB of quadtree
+
+} // namespace
+
+GrassField::GrassField(std::unique_ptr<State> state) : state_(std::move(state)) {}
+GrassField::GrassField(GrassField&&) noexcept = default;
+GrassField& GrassField::operator=(GrassField&&) noexcept = default;
+GrassField::~GrassField() = default;
+
+GrassField::State::State(const windrow::vulkan::Host& host, HeightMap ground, PlacementMask grows, const GrassSettings& wanted)
+    : settings(wanted), heights(std::move(ground)), mask(std::move(grows)), tree(heights, mask, settings, blade_reach(settings)),
+      cache(tree.chunks(), settings.most_chunks), block(block_of(settings, heights, mask)), objects(host),
+      mask_rows(0, mask.grid().corners.y - 1) {}
+
+windrow::Result<GrassField> GrassField::create(const windrow::vulkan::Host& host, const HeightMap& heights,
+                                               const PlacementMask& mask, const GrassSettings& settings) {
+    Refusals refusals;
+    if (auto fits = validate(settings); !fits)
+        refusals.add(fits.error());
+    // A thousandth of a texel comes of dividing an extent into texels.
+    if (glm::length(heights.extent() - mask.extent()) > 1e-3f * heights.grid().spacing.x)
+        refusals.add("The mask reaches " + text(static_cast<double>(mask.extent().x)) + " m x " +
+                     text(static_cast<double>(mask.extent().y)) + " m, the heights " +
+                     text(static_cast<double>(heights.extent().x)) + " m x " + text(static_cast<double>(heights.extent().y)) +
+                     " m: give the mask heights.extent().");
+    const glm::dvec2 cells = glm::dvec2(heights.extent()) * static_cast<double>(settings.density);
+    const glm::dvec2 chunks = glm::ceil(cells / static_cast<double>(std::max(settings.chunk_cells, 1)));
+    if (cells.x >= k_most_cells || cells.y >= k_most_cells || chunks.x * chunks.y > k_most_chunks)
+        refusals.add("The field has " + text(cells.x) + " x " + text(cells.y) + " blade places in " + text(chunks.x * chunks.y) +
+                     " chunks: give fewer than 2^28 along an axis and at most 2^22 chunks, by a lower grass.density, a larger "
+                     "grass.chunk_cells or less ground.");
+    if (host.device == VK_NULL_HANDLE || host.physical_device == VK_NULL_HANDLE)
+        refusals.add("GrassField::create got no device: give host.device and host.physical_device.");
+    if (auto fits = refusals.outcome(); !fits)
+        return windrow::Error{fits.error()};
+    auto state = std::make_unique<State>(host, heights, mask, settings);
+    if (auto made = state->make(); !made)
+        return windrow::Error{made.error()};
+    return GrassField(std::move(state));
+}
+
+windrow::Result<void> GrassField::State::make() {
+    const auto slots = static_cast<VkDeviceSize>(settings.most_chunks);
+    const VkDeviceSize places = slots * static_cast<VkDeviceSize>(settings.chunk_cells * settings.chunk_cells);
+    constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+    constexpr VkBufferUsageFlags filled = VK_BUFFER_USAGE_TRANSFER_DST_BIT, counted = VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
+    const struct {
+        VkBuffer* buffer;
+        const char* name;
+        VkDeviceSize bytes;
+        VkBufferUsageFlags usage;
+    } wanted[] = {{&frame, "frame block", sizeof(Block), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | filled},
+                  {&blades, "blades", places * sizeof(BladeRecord), storage | counted},
+                  {&lists, "index lists", places * 2 * sizeof(std::uint32_t), storage | counted},
+                  {&chunk_places, "chunks' places", slots * sizeof(glm::ivec2), storage},
+                  {&draws, "draw commands", slots * 4 * sizeof(VkDrawIndirectCommand),
+                   storage | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT | counted},
+                  {&orders, "orders", slots * 2 * sizeof(glm::ivec4), storage | filled},
+                  {&height_values, "heights", heights.heights().size_bytes(), storage | filled},
+                  {&mask_values, "mask", mask.values().size_bytes(), storage | filled}};
+    std::vector<DeviceObjects::Bound> bound;
+    std::vector<VkDescriptorType> kinds;
+    for (const auto& each : wanted) {
+        auto made = objects.buffer(each.name, each.bytes, each.usage);
+        if (!made)
+            return windrow::Error{made.error()};
+        *each.buffer = *made;
+        kinds.push_back(each.buffer == &frame ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+        bound.push_back({kinds.back(), *made});
+    }
+    const auto passes = objects.layout(kinds, VK_SHADER_STAGE_COMPUTE_BIT);
+    const auto vertices = objects.layout(std::span(kinds).first(6), VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_COMPUTE_BIT);
+    if (!passes || !vertices)
+        return windrow::Error{passes ? vertices.error() : passes.error()};
+    draw_layout = *vertices;
+    const auto of_passes = objects.set(*passes, bound);
+    const auto of_draws = objects.set(draw_layout, std::span(bound).first(6));
+    const auto told = objects.pipeline_layout(std::span(&*passes, 1), sizeof(std::uint32_t));
+    if (!of_passes || !of_draws || !told)
+        return windrow::Error{!of_passes ? of_passes.error() : !of_draws ? of_draws.error() : told.error()};
+    pass_set = *of_passes;
+    draw_set = *of_draws;
+    pass_layout = *told;
+    const auto makes = objects.compute(pass_layout, windrow::vulkan::shader_words::generate);
+    const auto culls = objects.compute(pass_layout, windrow::vulkan::shader_words::cull);
+    if (!makes || !culls)
+        return windrow::Error{makes ? culls.error() : makes.error()};
+    generate = *makes;
+    cull = *culls;
+    return {};
+}
+
+windrow::Result<void> GrassField::place(const glm::dvec3& corner) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (!std::isfinite(corner[axis]))
+            return windrow::Error{"The grass's corner has a coordinate of " + text(corner[axis]) + " m: give finite numbers."};
+    state_->corner = corner;
+    return {};
+}
+
+windrow::Result<void> GrassField::repaint(const PlacementMask& mask, const Touched& touched) {
+    State& state = *state_;
+    if (mask.grid().corners != state.mask.grid().corners || mask.grid().spacing != state.mask.grid().spacing)
+        return windrow::Error{
+            "The mask of GrassField::repaint has other corners or another extent: give the field's own, changed."};
+    if (!(touched.low.x <= touched.high.x) || !(touched.low.y <= touched.high.y))
+        return {};
+    state.mask = mask;
+    state.tree.refresh(state.heights, state.mask, touched);
+    const float side = static_cast<float>(state.settings.chunk_cells) / state.settings.density;
+    const glm::vec2 last(state.tree.chunks() - 1);
+    state.cache.forget(glm::ivec2(glm::clamp(glm::floor(touched.low / side), glm::vec2(0.0f), last)),
+                       glm::ivec2(glm::clamp(glm::floor(touched.high / side), glm::vec2(0.0f), last)));
+    const float spacing = mask.grid().spacing.y;
+    const float rows = static_cast<float>(mask.grid().corners.y - 1);
+    const glm::ivec2 dirty(static_cast<int>(glm::clamp(std::floor(touched.low.y / spacing), 0.0f, rows)),
+                           static_cast<int>(glm::clamp(std::ceil(touched.high.y / spacing), 0.0f, rows)));
+    state.mask_rows = state.mask_rows.y < state.mask_rows.x
+                          ? dirty
+                          : glm::ivec2(std::min(state.mask_rows.x, dirty.x), std::max(state.mask_rows.y, dirty.y));
+    return {};
+}
+
+VkDescriptorSetLayout GrassField::layout() const {
+    return state_->draw_layout;
+}
+VkDescriptorSet GrassField::set() const {
+    return state_->draw_set;
+}
+const GrassSettings& GrassField::settings() const {
+    return state_->settings;
+}
+const ChunkTree& GrassField::tree() const {
+    return state_->tree;
+}
+std::uint64_t GrassField::memory_bytes() const {
+    return state_->objects.bytes();
+}
+VkBuffer GrassField::draw_buffer() const {
+    return state_->draws;
+}
+VkBuffer GrassField::blade_buffer() const {
+    return state_->blades;
+}
+VkBuffer GrassField::list_buffer() const {
+    return state_->lists;
+}
+int GrassField::slot_of(Chunk chunk) const {
+    return state_->cache.slot_of(chunk);
+}
+
+} // namespace grass

@@ -1,0 +1,20 @@
+// Reads `bodies` and `lamps` of a picture (vegetation/program/body.h).
+#pragma once
+
+#include "vegetation/program/body.h"
+#include "vegetation/fur/lamps.h"
+#include "scene/json_object.h"
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace meadow {
+
+/// `path_names` are those of the scene; files are looked for in `folder`.
+[[nodiscard]] std::vector<Body> read_bodies(windrow::scene::JsonObject& picture, std::span<const std::string> path_names,
+                                            const std::filesystem::path& folder);
+[[nodiscard]] std::vector<shells::Lamp> read_lamps(windrow::scene::JsonObject& picture);
+
+} // namespace meadow

@@ -1,0 +1,220 @@
+#include "vegetation/program/dressed_body.h"
+
+#include "vegetation/fur/mesh_folder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <glm/trigonometric.hpp>
+#include <system_error>
+
+namespace meadow {
+namespace {
+
+using windrow::Error;
+using windrow::Result;
+
+struct MakeMesh {
+    std::filesystem::path folder;
+
+    Result<shells::Mesh> operator()(const MeshSource& source) const {
+        shells::MeshLoad load = source.load;
+        load.yaw = glm::radians(source.yaw_deg);
+        load.most_triangles = static_cast<std::size_t>(source.most_triangles);
+        const std::filesystem::path file = folder / std::filesystem::path(source.name).lexically_normal();
+        std::error_code fault;
+        if (std::filesystem::exists(file, fault)) // what is not there, the reader tells
+            if (auto real = shells::beside(folder / "scene", source.name); !real)
+                return Error{real.error()};
+        return shells::read_mesh(file, load);
+    }
+    Result<shells::Mesh> operator()(const shells::Sheet& shape) const { return shells::sheet(shape); }
+    Result<shells::Mesh> operator()(const shells::GlobeSphere& shape) const { return shells::globe_sphere(shape); }
+    Result<shells::Mesh> operator()(const shells::CubeSphere& shape) const { return shells::cube_sphere(shape); }
+    Result<shells::Mesh> operator()(const shells::Wing& shape) const { return shells::wing(shape); }
+    Result<shells::Mesh> operator()(const shells::Beast& shape) const { return shells::beast_mesh(shape); }
+};
+
+// [s] How often a frame tells the tips' lag where the body is: its way is taken as straight between.
+constexpr double k_longest_step = 1.0 / 960.0;
+
+std::vector<glm::mat4> bones_of(const Body& body, const BodyModel& model, double time) {
+    if (!model.skeleton)
+        return {};
+    return shells::pose(*model.skeleton, body.skeleton.pace * time + body.skeleton.phase);
+}
+
+} // namespace
+
+Result<BodyModel> model_of(const PictureScene& scene, const Body& body) {
+    BodyModel model;
+    auto mesh = std::visit(MakeMesh{scene.air.file.parent_path()}, body.mesh);
+    if (!mesh)
+        return Error{mesh.error()};
+    model.mesh = *std::move(mesh);
+    switch (body.skeleton.kind) {
+    case SkeletonKind::none:
+        return model;
+    case SkeletonKind::beast: {
+        const auto* beast = std::get_if<shells::Beast>(&body.mesh);
+        auto bones = shells::beast_skeleton(beast != nullptr ? *beast : shells::Beast{});
+        if (!bones)
+            return Error{bones.error()};
+        model.skeleton = *std::move(bones);
+        break;
+    }
+    case SkeletonKind::horse: {
+        const auto* file = std::get_if<MeshSource>(&body.mesh);
+        auto bones = shells::horse_skeleton(file != nullptr ? file->load.size : 1.0f);
+        if (!bones)
+            return Error{bones.error()};
+        model.skeleton = *std::move(bones);
+        break;
+    }
+    case SkeletonKind::own:
+        model.skeleton = shells::Skeleton{body.skeleton.bones};
+        break;
+    }
+    if (auto bound = shells::bind(model.mesh, *model.skeleton); !bound)
+        return Error{bound.error()};
+    return model;
+}
+
+Result<std::vector<shells::MeshPart>> parts_of(const shells::Mesh& mesh, const BodyCoat& coat) {
+    std::vector<shells::MeshPart> parts;
+    std::string names;
+    for (const shells::MeshPart& part : mesh.parts) {
+        if (coat.material.empty() || part.material == coat.material)
+            parts.push_back(part);
+        names += (names.empty() ? "\"" : ", \"") + part.material + "\"";
+    }
+    if (parts.empty())
+        return Error{"material is \"" + coat.material + "\", and the mesh has " + names +
+                     "; name one of these, or none for all."};
+    return parts;
+}
+
+glm::dvec2 drift_of(const PictureScene& scene, const Body& body, double time) {
+    const windrow::Config& air = scene.air.air;
+    const double ground = scene.air.has_floor() ? scene.air.floor_height(0.0) : 0.0;
+    const auto wind = windrow::AmbientWind::create({.mean = air.ambient, .profile = air.profile, .ground = ground});
+    if (!wind)
+        return glm::dvec2(0.0);
+    const glm::vec3 speed = wind->velocity(pose_of(scene, body, 0.0).position);
+    return time * glm::dvec2(speed.x, speed.z);
+}
+
+Result<DressedBodies> DressedBodies::create(engine::Device& device, const render::DrawTargets& targets, const PictureScene& scene,
+                                            glm::dvec3 anchor) {
+    DressedBodies made(scene);
+    for (const Body& body : scene.picture.bodies)
+        if (auto dressed = made.dress(device, targets, body, anchor); !dressed)
+            return Error{"$.picture.bodies, " + body.name + ": " + dressed.error()};
+    return made;
+}
+
+Result<void> DressedBodies::dress(engine::Device& device, const render::DrawTargets& targets, const Body& body,
+                                  glm::dvec3 anchor) {
+    auto model = model_of(*scene_, body);
+    if (!model)
+        return Error{model.error()};
+    Dressed dressed{.body = &body, .model = *std::move(model), .coats = {}};
+    for (const BodyCoat& worn : body.coats) {
+        const auto parts = parts_of(dressed.model.mesh, worn);
+        if (!parts)
+            return Error{parts.error()};
+        std::optional<shells::FurLine> fur;
+        for (const shells::MeshPart& part : *parts)
+            if (part.fur && !fur)
+                fur = part.fur;
+        const shells::CoatSettings settings = settings_of(worn, fur);
+        const auto pictures = shells::read_pictures(settings.maps, scene_->air.file.parent_path());
+        if (!pictures)
+            return Error{pictures.error()};
+        auto coat = shells::Coat::create(device, targets, dressed.model.mesh, *parts, settings, *pictures,
+                                         pose_of(*scene_, body, 0.0), anchor);
+        if (!coat)
+            return Error{coat.error()};
+        if (auto lit = (*coat)->set_lamps(scene_->picture.lamps); !lit)
+            return lit;
+        dressed.coats.push_back(*std::move(coat));
+    }
+    dressed_.push_back(std::move(dressed));
+    return move(dressed_.back(), 0.0, 0.0);
+}
+
+void DressedBodies::add_to(render::Renderer& renderer) {
+    for (const Dressed& dressed : dressed_)
+        for (const auto& coat : dressed.coats)
+            renderer.add(*coat);
+}
+
+Result<void> DressedBodies::move(const Dressed& dressed, double time, double seconds) {
+    const std::vector<glm::mat4> bones = bones_of(*dressed.body, dressed.model, time);
+    shells::CoatAhead ahead;
+    ahead.body = pose_of(*scene_, *dressed.body, time + ahead.seconds);
+    const std::vector<glm::mat4> bones_ahead = bones_of(*dressed.body, dressed.model, time + ahead.seconds);
+    ahead.bones = bones_ahead;
+    for (const auto& coat : dressed.coats) {
+        const int steps =
+            coat->settings().inertia ? std::max(1, static_cast<int>(std::ceil(seconds / k_longest_step - 1e-6))) : 1;
+        if (std::abs(time - seconds - time_) > 1e-9) // begins elsewhere: tips rest there
+            if (auto placed = coat->move(0.0, pose_of(*scene_, *dressed.body, time - seconds)); !placed)
+                return Error{"$.picture.bodies, " + dressed.body->name + ": " + placed.error()};
+        for (int step = 1; step <= steps; ++step) {
+            const bool last = step == steps;
+            const double at = last ? time : time - seconds * (steps - step) / steps;
+            const auto moved = last ? coat->move(seconds / steps, pose_of(*scene_, *dressed.body, at), bones, ahead)
+                                    : coat->move(seconds / steps, pose_of(*scene_, *dressed.body, at));
+            if (!moved)
+                return Error{"$.picture.bodies, " + dressed.body->name + ": " + moved.error()};
+        }
+        coat->set_time(time);
+        if (coat->settings().drifts)
+            coat->drift(drift_of(*scene_, *dressed.body, time));
+    }
+    return {};
+}
+
+std::vector<shells::Foot> feet_of(const PictureScene& scene, double time) {
+    std::vector<shells::Foot> feet;
+    for (const Walker& walker : scene.picture.walkers) {
+        if (feet.size() == shells::k_most_feet)
+            break;
+        const windrow::GroundWalker now = walker_at(scene, walker, time, time);
+        const double floor = scene.picture.ground.height(now.position.x, now.position.z);
+        feet.push_back({.position = {now.position.x, floor + static_cast<double>(now.feet), now.position.z},
+                        .radius = now.radius,
+                        .weight = now.weight});
+    }
+    return feet;
+}
+
+Result<void> DressedBodies::move(double time, double seconds) {
+    const std::vector<shells::Foot> feet = feet_of(*scene_, time);
+    for (const Dressed& dressed : dressed_)
+        for (const auto& coat : dressed.coats)
+            if (auto felt = coat->set_feet(feet); !felt)
+                return Error{"$.picture.walkers: " + felt.error()};
+    for (const Dressed& dressed : dressed_)
+        if (auto moved = seconds > 0.0 ? move(dressed, time, seconds) : Result<void>{}; !moved) // else they are there already
+            return moved;
+    time_ = time;
+    return {};
+}
+
+void DressedBodies::append_to(std::vector<render::Drawable*>& drawables) const {
+    for (const Dressed& dressed : dressed_)
+        for (const auto& coat : dressed.coats)
+            drawables.push_back(coat.get());
+}
+
+std::vector<const shells::Coat*> DressedBodies::coats() const {
+    std::vector<const shells::Coat*> all;
+    for (const Dressed& dressed : dressed_)
+        for (const auto& coat : dressed.coats)
+            all.push_back(coat.get());
+    return all;
+}
+
+} // namespace meadow

@@ -1,0 +1,67 @@
+// The bodies of a scene as they are drawn: mesh, skeleton and coats, moved frame by frame.
+//
+//     auto dressed = DressedBodies::create(device, renderer->draw_targets(), scene, anchor);
+//     dressed->add_to(*renderer);
+//     (void)dressed->move(now, now - before);         // before each frame that is recorded, and each that keeps up
+#pragma once
+
+#include "vegetation/program/picture_scene.h"
+#include "vegetation/render/renderer.h"
+#include "vegetation/fur/coat.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace meadow {
+
+/// The mesh of a body: read, or made of its formula; bound to its skeleton if it has one.
+struct BodyModel {
+    shells::Mesh mesh{};
+    std::optional<shells::Skeleton> skeleton{};
+};
+/// Refuses what the mesh's reader refuses, and bones that do not hang together.
+[[nodiscard]] windrow::Result<BodyModel> model_of(const PictureScene& scene, const Body& body);
+
+/// Those parts of the mesh that a coat is for; all where it names no material. Refuses a material that the mesh has not.
+[[nodiscard]] windrow::Result<std::vector<shells::MeshPart>> parts_of(const shells::Mesh& mesh, const BodyCoat& coat);
+
+/// [m] By which the mean wind at a body has carried a pattern until a time [s], along x and z: their product, so that it is as
+/// exact at any time as the wind itself, a float (6e-8 of the way). Gusts are left out: over time they carry nothing.
+[[nodiscard]] glm::dvec2 drift_of(const PictureScene& scene, const Body& body, double time);
+
+/// The feet of the first shells::k_most_feet walkers, on the ground or as high above it as they jump.
+[[nodiscard]] std::vector<shells::Foot> feet_of(const PictureScene& scene, double time);
+
+class DressedBodies {
+  public:
+    /// All bodies where they are at time 0. Refuses what any part refuses, with the body's name. The scene outlives it.
+    [[nodiscard]] static windrow::Result<DressedBodies> create(engine::Device& device, const render::DrawTargets& targets,
+                                                               const PictureScene& scene, glm::dvec3 anchor);
+
+    void add_to(render::Renderer& renderer);
+    /// All bodies are where they are at `time` [s], `seconds` after the last call; 0: they are there. The wind that they feel
+    /// and the lag of their tips do not depend on how long frames are.
+    windrow::Result<void> move(double time, double seconds);
+    /// What keeps up in frames that are not drawn.
+    void append_to(std::vector<render::Drawable*>& drawables) const;
+    [[nodiscard]] bool empty() const { return dressed_.empty(); }
+    /// Coats of all bodies, in the scene's order.
+    [[nodiscard]] std::vector<const shells::Coat*> coats() const;
+
+  private:
+    struct Dressed {
+        const Body* body;
+        BodyModel model;
+        std::vector<std::unique_ptr<shells::Coat>> coats;
+    };
+    explicit DressedBodies(const PictureScene& scene) : scene_(&scene) {}
+    windrow::Result<void> dress(engine::Device& device, const render::DrawTargets& targets, const Body& body, glm::dvec3 anchor);
+    windrow::Result<void> move(const Dressed& dressed, double time, double seconds);
+
+    const PictureScene* scene_;
+    std::vector<Dressed> dressed_{};
+    double time_ = 0.0; ///< [s] of the last call
+};
+
+} // namespace meadow

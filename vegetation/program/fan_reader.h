@@ -1,0 +1,13 @@
+// Reads `picture.fans`: machines that are drawn where a motor blows.
+#pragma once
+
+#include "vegetation/program/picture_scene.h"
+#include "scene/json_object.h"
+
+#include <vector>
+
+namespace meadow {
+
+[[nodiscard]] std::vector<Fan> read_fans(windrow::scene::JsonObject& picture);
+
+} // namespace meadow

@@ -1,0 +1,112 @@
+#include "vegetation/program/ground_reader.h"
+
+#include "vegetation/program/field_reader.h"
+#include "vegetation/program/picture_fields.h"
+#include "scene/file_beside.h"
+#include "scene/json_document.h"
+#include "scene/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace meadow {
+namespace {
+
+using windrow::scene::figure;
+
+constexpr int k_most_samples = 4097; // a side: what a renderer draws as one piece
+
+std::string metres(glm::dvec2 extent) {
+    return std::string("[") + figure(extent.x) + ", " + figure(extent.y) + "] m";
+}
+
+/// Texels of a spacing that fits both sides, about a metre or a 500th of the ground. Nothing where no grid of square texels does.
+std::optional<glm::ivec2> level_texels(glm::dvec2 extent) {
+    const double most = k_most_samples - 1.0;
+    for (double x = 1.0; x <= most; ++x) {
+        const double z = x * extent.y / extent.x;
+        if (z > most)
+            break;
+        // A thousandth of a texel is what masks are held to.
+        if (std::round(z) < 1.0 || std::abs(z - std::round(z)) > 1e-4)
+            continue;
+        const double wanted = std::max(1.0, std::max(extent.x, extent.y) / 500.0);
+        const double finer = std::clamp(std::ceil(extent.x / x / wanted), 1.0, std::floor(most / std::max(x, std::round(z))));
+        return glm::ivec2(x * finer, std::round(z) * finer);
+    }
+    return std::nullopt;
+}
+
+std::optional<grass::HeightMap> rolling(const Ground& ground) {
+    const auto texels = level_texels(ground.extent);
+    if (!texels)
+        return std::nullopt;
+    const float height = static_cast<float>(ground.low);
+    auto made = grass::HeightMap::create(*texels + 1, static_cast<float>(ground.extent.x / texels->x),
+                                         [&](glm::vec2 place) { return height + ground.hills.at(place); });
+    return made ? std::optional(*std::move(made)) : std::nullopt;
+}
+
+std::optional<grass::HeightMap> from_file(JsonObject& object, const Ground& ground, const std::filesystem::path& file) {
+    const std::string named = "is " + windrow::scene::quote_json(object.value()["heights"]);
+    // A mask's file is the same picture of 0 to 1.
+    const auto picture = grass::PlacementMask::load(file.string(), glm::vec2(ground.extent));
+    if (!picture) {
+        object.refuse("heights", named + ": " + picture.error());
+        return std::nullopt;
+    }
+    const glm::ivec2 corners = picture->grid().corners;
+    if (std::max(corners.x, corners.y) > k_most_samples) {
+        object.refuse("heights", named + ", which has " + std::to_string(corners.x) + " x " + std::to_string(corners.y) +
+                                     " pixels: give at most " + std::to_string(k_most_samples) + " a side.");
+        return std::nullopt;
+    }
+    const double spacing = ground.extent.x / (corners.x - 1), wanted = spacing * (corners.y - 1);
+    if (std::abs(ground.extent.y - wanted) > 1e-3 * spacing) {
+        object.refuse("extent", "is " + metres(ground.extent) + ", which makes the " + std::to_string(corners.x) + " x " +
+                                    std::to_string(corners.y) + " pixels of \"heights\" oblong: give " +
+                                    metres({ground.extent.x, wanted}) + ", whose pixels are square.");
+        return std::nullopt;
+    }
+    std::vector<float> heights;
+    heights.reserve(picture->values().size());
+    for (const float share : picture->values()) {
+        const auto n = static_cast<int>(heights.size());
+        const glm::vec2 place = static_cast<float>(spacing) * glm::vec2(n % corners.x, n / corners.x);
+        heights.push_back(static_cast<float>(ground.low + (ground.high - ground.low) * static_cast<double>(share)) +
+                          ground.hills.at(place));
+    }
+    auto made = grass::HeightMap::create(corners, static_cast<float>(spacing), std::move(heights));
+    if (!made) {
+        object.refuse(made.error());
+        return std::nullopt;
+    }
+    return *std::move(made);
+}
+
+} // namespace
+
+Ground read_ground(JsonObject object, const std::filesystem::path& folder) {
+    Ground ground;
+    const std::size_t faults_before = object.log().faults();
+    FieldReader fields(object);
+    list_fields(fields, ground);
+    const auto file = windrow::scene::file_beside(object, "heights", folder);
+    if (file)
+        ground.file = object.value()["heights"].get<std::string>();
+    read_part(object.object("hills"), ground.hills);
+    if (file && !(ground.low < ground.high) && object.log().faults() == faults_before)
+        object.refuse("high", "is " + figure(ground.high) + " m, not above \"low\", " + figure(ground.low) + " m: give more.");
+    if (object.log().faults() == faults_before) {
+        ground.heights = file ? from_file(object, ground, *file) : rolling(ground);
+        if (!ground.heights && !file)
+            object.refuse("extent", "is " + metres(ground.extent) +
+                                        ", which no grid of square texels fits: give two lengths in a ratio of whole numbers.");
+    }
+    object.finish();
+    if (!ground.heights)
+        ground.heights = rolling({});
+    return ground;
+}
+
+} // namespace meadow

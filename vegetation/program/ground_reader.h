@@ -1,0 +1,15 @@
+// Reads `picture.ground`: heights out of a picture, hills by chance, or level ground.
+#pragma once
+
+#include "vegetation/program/picture_scene.h"
+#include "scene/json_object.h"
+
+#include <filesystem>
+
+namespace meadow {
+
+/// `object` is finished here. The heights are made in any case, level ones where the file's are refused, so that what stands on
+/// them can be read and judged.
+[[nodiscard]] Ground read_ground(windrow::scene::JsonObject object, const std::filesystem::path& folder);
+
+} // namespace meadow

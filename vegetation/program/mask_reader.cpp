@@ -1,0 +1,73 @@
+#include "vegetation/program/mask_reader.h"
+
+#include "vegetation/program/field_reader.h"
+#include "vegetation/program/picture_fields.h"
+#include "scene/file_beside.h"
+#include "scene/json_document.h"
+
+namespace meadow {
+namespace {
+
+constexpr std::size_t k_most_strokes = 1024;
+
+Stroke read_stroke(const nlohmann::json& value, const std::string& path, const std::string& pattern,
+                   windrow::scene::ReadLog& log) {
+    JsonObject object(value, path, pattern, log);
+    Stroke stroke;
+    const std::size_t kind = object.one_of({"paint", "erase"});
+    stroke.erases = kind == 1;
+    if (kind < 2)
+        read_part(object.object(stroke.erases ? "erase" : "paint"), stroke.brush);
+    object.finish();
+    return stroke;
+}
+
+windrow::Result<grass::PlacementMask> make_mask(const MaskSource& source, glm::vec2 extent, const std::filesystem::path* file) {
+    auto mask = file != nullptr ? grass::PlacementMask::load(file->string(), extent)
+                                : grass::PlacementMask::create(source.corners, extent, source.even);
+    if (!mask)
+        return mask;
+    if (const auto thinned = grass::thin_out(*mask, source.bare); !thinned)
+        return windrow::Error{thinned.error()};
+    if (const auto trodden = grass::tread(*mask, source.path); !trodden)
+        return windrow::Error{trodden.error()};
+    for (const Stroke& stroke : source.strokes)
+        if (const auto touched = stroke.erases ? mask->erase(stroke.brush) : mask->paint(stroke.brush); !touched)
+            return windrow::Error{touched.error()};
+    return mask;
+}
+
+} // namespace
+
+MaskSource read_mask(JsonObject object, glm::vec2 extent, std::uint32_t seed, const std::filesystem::path& folder) {
+    MaskSource source;
+    const std::size_t faults_before = object.log().faults();
+    const auto file = windrow::scene::file_beside(object, "file", folder);
+    if (file)
+        source.file = object.value()["file"].get<std::string>();
+    source.corners = object.whole_pair("corners", source.corners, {.least = 2.0, .most = 4097.0}, "x, z");
+    source.even = object.real("even", source.even, k_share_rule);
+    for (const char* key : {"corners", "even"})
+        if (object.value().contains("file") && object.value().contains(key))
+            object.refuse(key, "is given beside \"file\", which says it already: keep one of them.");
+    FieldReader fields(object);
+    list_fields(fields, source.bare);
+    source.bare.seed = seed;
+    read_part(object.object("path"), source.path);
+    const auto items = object.array("strokes", k_most_strokes);
+    for (std::size_t i = 0; i < items.size(); ++i)
+        source.strokes.push_back(read_stroke(items[i], object.path() + ".strokes[" + std::to_string(i) + "]",
+                                             object.pattern() + ".strokes[]", object.log()));
+    object.finish();
+    if (object.log().faults() != faults_before)
+        return source;
+    if (auto mask = make_mask(source, extent, file ? &*file : nullptr))
+        source.mask = *std::move(mask);
+    else if (file)
+        object.refuse("file", "is " + windrow::scene::quote_json(object.value()["file"]) + ": " + mask.error());
+    else
+        object.refuse("cannot be made: " + mask.error());
+    return source;
+}
+
+} // namespace meadow

@@ -1,0 +1,258 @@
+// meadow SCENE.json ...: draws the pictures of scene files, on the GPU or, where there is none, on a software one.
+//
+//     meadow examples/scenes/meadow.json --out out/meadow            every frame as PNG, a contact sheet, a table of times
+//     meadow SCENE.json --frames 1 --from 3.5 --size 1920x1080       one picture, of the moment 3.5 s
+//     meadow SCENE.json --show slice                                 the wind itself: arrows, slice; or what the plants do: lean,
+//                                                                    levels, chunks
+//     meadow examples/scenes/looks/*.json --frames 1 --sheet looks.png       the first picture of each, side by side
+//     meadow examples/scenes/shells/*.json --frames 1 --jpeg docs/gallery    the first picture of each, small, for a page
+//
+// Exit codes as the windrow command's: 0 well, 2 wrong use or a bad scene, 3 the machine lacks something.
+#include "vegetation/program/contact_sheet.h"
+#include "vegetation/program/picture_reader.h"
+#include "vegetation/program/shoot.h"
+#include "vegetation/program/stage_table.h"
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <unistd.h>
+
+namespace {
+
+using windrow::Error;
+using windrow::Result;
+
+constexpr std::size_t k_most_on_sheet = 24;
+
+struct Options {
+    std::vector<std::filesystem::path> scenes{};
+    std::filesystem::path folder{}, sheet{}; ///< of one scene's pictures; of the sheet of all scenes, if it was asked for
+    std::filesystem::path jpeg{};            ///< folder of small pictures, if they were asked for
+    std::int64_t frames = 0;                 ///< 0: all from `from`
+    double from = 0.0;                       ///< [s]
+    bool exr = false;
+    meadow::ShootSettings shoot{};
+};
+
+/// What a run leaves behind for its last words.
+struct Kept {
+    std::vector<render::Picture8> sheet{};
+    meadow::StageTable stages{};
+    std::int64_t pictures = 0;
+    double seconds = 0.0; ///< of the clock on the wall, pictures and files included
+};
+
+std::filesystem::path name_of(const Options& options, std::int64_t frame, const char* ending) {
+    char name[32];
+    std::snprintf(name, sizeof name, "frame_%04d%s", static_cast<int>(frame), ending);
+    return options.folder / name;
+}
+
+Result<void> keep(const Options& options, const meadow::Shoot& shoot, std::int64_t frame) {
+    if (auto written = render::write_png(shoot.images().picture(), name_of(options, frame, ".png")); !written)
+        return written;
+    if (options.exr)
+        return render::write_exr(shoot.images().light_picture(), shoot.images().motion_picture(),
+                                 name_of(options, frame, ".exr"));
+    return {};
+}
+
+Result<Kept> draw(const Options& options, const meadow::PictureScene& scene, meadow::Shoot& shoot) {
+    const auto begin = std::chrono::steady_clock::now();
+    const auto total = static_cast<std::int64_t>(std::floor(scene.air.duration * shoot.frames_per_second() + 1e-9)) + 1;
+    const auto first = static_cast<std::int64_t>(std::llround(options.from * shoot.frames_per_second()));
+    if (first >= total)
+        return Error{"--from is " + std::to_string(options.from) + " s, after the scene's end at " +
+                     std::to_string(scene.air.duration) + " s; give an earlier moment."};
+    const std::int64_t end = options.frames > 0 ? std::min(total, first + options.frames) : total;
+    if (auto settled = shoot.settle(); !settled)
+        return Error{settled.error()};
+    Kept kept;
+    kept.stages = meadow::StageTable(shoot);
+    const std::int64_t every = std::max<std::int64_t>(1, (end - first + static_cast<std::int64_t>(k_most_on_sheet) - 1) /
+                                                             static_cast<std::int64_t>(k_most_on_sheet));
+    const bool told = ::isatty(STDERR_FILENO) != 0;
+    for (std::int64_t frame = 0; frame < end; ++frame) {
+        if (auto done = frame < first ? shoot.skip() : shoot.draw(); !done)
+            return Error{done.error()};
+        if (frame < first)
+            continue;
+        if (auto written = keep(options, shoot, frame); !written)
+            return Error{written.error()};
+        kept.stages.add(frame, shoot.times());
+        if ((frame - first) % every == 0)
+            kept.sheet.push_back(shoot.images().picture());
+        ++kept.pictures;
+        if (told)
+            std::fprintf(stderr, "\rframe %d of %d ", static_cast<int>(frame - first + 1), static_cast<int>(end - first));
+    }
+    if (told)
+        std::fputs("\r\033[K", stderr);
+    kept.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return kept;
+}
+
+int complain(const std::string& sentence, int code) {
+    std::fprintf(stderr, "meadow: %s\n", sentence.c_str());
+    return code;
+}
+
+/// One sheet of pictures, `width` px each.
+Result<void> write_sheet(const std::vector<render::Picture8>& pictures, int width, const std::filesystem::path& file) {
+    const auto sheet = meadow::contact_sheet(pictures, 4, width);
+    return sheet ? render::write_png(*sheet, file) : Result<void>(Error{sheet.error()});
+}
+
+/// A picture of 640 px in at most 60 kB: what a page of many pictures can bear.
+Result<void> write_small(const render::Picture8& picture, const std::filesystem::path& file) {
+    constexpr std::uintmax_t k_most_bytes = 60'000;
+    for (int quality = 85;; quality -= 5) {
+        if (auto written = render::write_jpeg(meadow::shrunk(picture, 640), quality, file); !written)
+            return written;
+        std::error_code error;
+        if (quality <= 50 || std::filesystem::file_size(file, error) <= k_most_bytes)
+            return {};
+    }
+}
+
+int run(const std::filesystem::path& file, const Options& options, std::vector<render::Picture8>& firsts) {
+    const auto scene = meadow::read_picture_scene(file);
+    if (!scene)
+        return complain(scene.error(), 2);
+    std::error_code error;
+    std::filesystem::create_directories(options.folder, error);
+    if (error)
+        return complain("--out " + options.folder.string() + " cannot be made (" + error.message() +
+                            "); name a folder that you may write to.",
+                        2);
+    auto shoot = meadow::Shoot::create(*scene, options.shoot);
+    if (!shoot)
+        return complain(shoot.error(), 2);
+    auto kept = draw(options, *scene, **shoot);
+    if (!kept)
+        return complain(kept.error(), 2);
+    if (kept->sheet.size() > 1)
+        if (const auto written = write_sheet(kept->sheet, 480, options.folder / "contact_sheet.png"); !written)
+            return complain(written.error(), 2);
+    if (!kept->sheet.empty() && !options.jpeg.empty())
+        if (const auto written = write_small(kept->sheet.front(), options.jpeg / (file.stem().string() + ".jpg")); !written)
+            return complain(written.error(), 2);
+    if (!kept->sheet.empty())
+        firsts.push_back(kept->sheet.front());
+    if (auto written = kept->stages.write(options.folder / "times.csv"); !written)
+        return complain(written.error(), 2);
+    std::printf("%s: %d pictures of %d x %d px in %.1f s, in %s\n", (*shoot)->device().c_str(), static_cast<int>(kept->pictures),
+                (*shoot)->size().x, (*shoot)->size().y, kept->seconds, options.folder.string().c_str());
+    std::fputs(kept->stages.text().c_str(), stdout);
+    return 0;
+}
+
+/// What would be found out only once all is drawn.
+std::string fault_of(const Options& options) {
+    if (!options.sheet.empty()) {
+        std::error_code error;
+        const std::filesystem::path folder = options.sheet.has_parent_path() ? options.sheet.parent_path() : ".";
+        if (!std::filesystem::is_directory(folder, error))
+            return "--sheet " + options.sheet.string() + " lies in no folder that there is; make it first, or name another.";
+        if (options.sheet.extension() != ".png")
+            return "--sheet " + options.sheet.string() + " is no PNG; give a name that ends in .png.";
+    }
+    std::error_code absent;
+    if (!options.jpeg.empty() && !std::filesystem::is_directory(options.jpeg, absent))
+        return "--jpeg " + options.jpeg.string() + " is no folder that there is; make it first, or name another.";
+    std::set<std::filesystem::path> stems;
+    for (const std::filesystem::path& scene : options.scenes)
+        if (!stems.insert(scene.stem()).second)
+            return scene.string() + " would be drawn into the folder of another scene of that name; draw it by a run of its own.";
+    return {};
+}
+
+int run_all(const Options& options) {
+    std::vector<render::Picture8> firsts;
+    if (const std::string fault = fault_of(options); !fault.empty())
+        return complain(fault, 2);
+    for (const std::filesystem::path& scene : options.scenes) {
+        Options own = options;
+        if (options.folder.empty())
+            own.folder = std::filesystem::path("out") / scene.stem();
+        else if (options.scenes.size() > 1)
+            own.folder = options.folder / scene.stem();
+        if (const int code = run(scene, own, firsts); code != 0)
+            return code;
+    }
+    if (options.sheet.empty())
+        return 0;
+    // Four of them are as wide as a page shows.
+    const auto written = write_sheet(firsts, 343, options.sheet);
+    return written ? 0 : complain(written.error(), 2);
+}
+
+/// As CLI::Range, which takes NaN for a number of any range.
+CLI::Validator within(double least, double most) {
+    return CLI::Validator(
+        [=](const std::string& text) {
+            double value = 0.0;
+            if (CLI::detail::lexical_cast(text, value) && value >= least && value <= most)
+                return std::string();
+            char sentence[96];
+            std::snprintf(sentence, sizeof sentence, "\" is no number from %g to %g; give one.", least, most);
+            return '"' + text + sentence;
+        },
+        "NUMBER");
+}
+
+/// "1920x1080".
+std::string read_size(const std::string& text, std::optional<glm::ivec2>& size) {
+    int width = 0, height = 0, used = 0;
+    if (std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &used) != 2 || used != static_cast<int>(text.size()) ||
+        width < 16 || height < 16 || width > 8192 || height > 8192)
+        return "--size is \"" + text + "\"; give it as WIDTHxHEIGHT, 16 to 8192 pixels each.";
+    size = glm::ivec2(width, height);
+    return {};
+}
+
+} // namespace
+
+int main(int argument_count, char** arguments) {
+    Options options;
+    CLI::App app("Draws the pictures of a scene file.", "meadow");
+    std::string size, show = "plants";
+    double frames_per_second = 0.0;
+    const std::map<std::string, meadow::Show> shows{{"plants", meadow::Show::plants}, {"arrows", meadow::Show::arrows},
+                                                    {"slice", meadow::Show::slice},   {"lean", meadow::Show::lean},
+                                                    {"levels", meadow::Show::levels}, {"chunks", meadow::Show::chunks}};
+    app.add_option("scene", options.scenes, "scenes: JSON files, examples/scenes/scene.schema.json says of what")->required();
+    app.add_option("--out", options.folder,
+                   "where the pictures go, of several scenes in a folder each; default: out/NAME of the file");
+    app.add_option("--sheet", options.sheet, "the first pictures of all scenes on one sheet: a PNG; they are of one size");
+    app.add_option("--jpeg", options.jpeg, "the first picture of each scene as NAME.jpg in this folder, 640 px wide");
+    app.add_option("--frames", options.frames, "how many frames; default: to the scene's end")->check(within(1, 100000));
+    app.add_option("--from", options.from, "[s] the moment of the first; what is before is blown, not drawn")
+        ->check(within(0.0, 1e6));
+    app.add_option("--fps", frames_per_second, "frames a second; default: the scene's")->check(within(0.1, 10000.0));
+    app.add_option("--size", size, "of a picture in pixels, as 1280x720; default: the scene's");
+    app.add_option("--samples", options.shoot.samples, "a pixel, 1 or 4; default: 4")->check(CLI::IsMember({1, 4}));
+    app.add_option("--show", show, "plants, or arrows, slice, lean, levels, chunks");
+    app.add_flag("--exr", options.exr, "light and motion of each frame as OpenEXR too");
+    app.add_flag("!--no-wind", options.shoot.wind, "without wind: what it costs");
+    try {
+        app.parse(argument_count, arguments);
+    } catch (const CLI::ParseError& error) {
+        return error.get_exit_code() == 0 ? app.exit(error) : complain(error.what(), 2);
+    }
+    if (!size.empty())
+        if (const std::string fault = read_size(size, options.shoot.size); !fault.empty())
+            return complain(fault, 2);
+    const auto shown = shows.find(show);
+    if (shown == shows.end())
+        return complain("--show is \"" + show + "\"; give one of plants, arrows, slice, lean, levels, chunks.", 2);
+    options.shoot.show = shown->second;
+    if (frames_per_second > 0.0)
+        options.shoot.frames_per_second = frames_per_second;
+    return run_all(options);
+}

@@ -1,0 +1,342 @@
+#include "vegetation/program/shoot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <vulkan/vulkan.h>
+
+namespace meadow {
+namespace {
+
+using windrow::Error;
+using windrow::Result;
+
+constexpr int k_most_ticks = 1000; // of windrow::Ticks in one frame
+
+std::string judge(VkInstance instance, VkPhysicalDevice candidate) {
+    const auto fit = windrow::vulkan::check(instance, candidate, vkGetInstanceProcAddr);
+    return fit ? std::string() : fit.error();
+}
+
+windrow::vulkan::Host host_of(const engine::Device& device) {
+    return {.instance = device.instance,
+            .physical_device = device.physical,
+            .device = device.device,
+            .queue_family = device.family,
+            .get_instance_proc_addr = vkGetInstanceProcAddr};
+}
+
+} // namespace
+
+Shoot::Shoot(const PictureScene& scene, const ShootSettings& settings)
+    : scene_(scene), settings_(settings), frames_per_second_(settings.frames_per_second.value_or(scene.frames_per_second())),
+      size_(settings.size.value_or(scene.picture.size)), anchor_(glm::round(camera_at(scene, 0.0).position)),
+      device_(windrow::vulkan::requirements().api_version, windrow::vulkan::requirements().features, judge), motion_(scene.air) {}
+
+Result<std::unique_ptr<Shoot>> Shoot::create(const PictureScene& scene, const ShootSettings& settings) {
+    std::unique_ptr<Shoot> made(new Shoot(scene, settings));
+    if (auto ready = made->make(); !ready)
+        return Error{scene.air.file.string() + ": " + ready.error()};
+    return made;
+}
+
+Result<void> Shoot::make() {
+    const Picture& picture = scene_.picture;
+    windrow::Config air = scene_.air.air;
+    // As `windrow run` ticks; and no frame is so long that the air would fall behind.
+    const double due = std::ceil(scene_.air.tick_hz / frames_per_second_) + 1.0;
+    if (due > k_most_ticks)
+        return Error{"$.tick_hz is " + std::to_string(scene_.air.tick_hz) + " Hz, more than " + std::to_string(k_most_ticks - 1) +
+                     " ticks in each of " + std::to_string(frames_per_second_) +
+                     " frames a second; give fewer ticks or more frames a second."};
+    air.ticks = {.hz = scene_.air.tick_hz, .most = static_cast<int>(due)};
+    if (!settings_.wind) {
+        air.ambient = glm::vec3(0.0f);
+        air.gusts = {};
+        air.cells = glm::ivec3(8); // something to sample
+    }
+    auto wind = windrow::vulkan::Wind::create(host_of(device_), air,
+                                              {.frames_in_flight = engine::k_frames_in_flight,
+                                               .gusts = picture.sampling.detail > 0.0f,
+                                               .timestamps = settings_.pass_times,
+                                               .queries = false});
+    if (!wind)
+        return Error{"$.air: " + wind.error()};
+    wind_ = *std::move(wind);
+    if (auto placed = motion_.begin(*wind_); !placed)
+        return placed;
+    wind_->reset(); // filled in before the floor stood where it belongs
+
+    render::Scene scene;
+    scene.camera = camera_at(scene_, 0.0);
+    scene.sun = picture.sun;
+    scene.fog = picture.fog;
+    scene.clouds = picture.clouds;
+    scene.ground = {.corner = picture.ground.corner, .heights = *picture.ground.heights};
+    if (!picture.grass.empty()) {
+        scene.look = picture.grass.front().look;
+        scene.ground.grown = picture.grass.front().mask.mask;
+    }
+    scene.wind.wind = air;
+    scene.wind.sampling = picture.sampling;
+    auto renderer = render::Renderer::create(
+        device_, scene,
+        {.width = size_.x, .height = size_.y, .samples = settings_.samples, .anchor = anchor_, .counts = settings_.counts});
+    if (!renderer)
+        return Error{"$.picture: " + renderer.error()};
+    renderer_ = *std::move(renderer);
+
+    if (picture.ground_memory) {
+        auto memory = windrow::vulkan::GroundMemory::create(host_of(device_), *picture.ground_memory);
+        if (!memory)
+            return Error{"$.picture.ground_memory: " + memory.error()};
+        ground_ = *std::move(memory);
+    }
+    const render::DrawTargets targets = renderer_->draw_targets();
+    if (auto grown = make_grass(targets); !grown)
+        return grown;
+    if (auto grown = make_trees(targets); !grown)
+        return grown;
+    auto dressed = DressedBodies::create(device_, targets, scene_, anchor_);
+    if (!dressed)
+        return Error{dressed.error()};
+    dressed_ = *std::move(dressed);
+    dressed_->add_to(*renderer_);
+    make_bodies(targets);
+    if (auto seen = make_views(targets); !seen)
+        return seen;
+    frames_.emplace(device_);
+    return {};
+}
+
+Result<void> Shoot::make_grass(const render::DrawTargets& targets) {
+    const render::Ground ground{.corner = scene_.picture.ground.corner, .heights = *scene_.picture.ground.heights};
+    for (const GrassLayer& layer : scene_.picture.grass) {
+        auto made = render::GrassLayer::create(device_, targets, ground, *layer.mask.mask,
+                                               {.field = layer.settings,
+                                                .look = layer.look,
+                                                .most_blades = settings_.most_blades.value_or(layer.most_blades),
+                                                .shadows = layer.shadows});
+        if (!made)
+            return Error{"$.picture.grass, " + layer.name + ": " + made.error()};
+        if (ground_)
+            (*made)->set_ground(&*ground_);
+        renderer_->add(**made);
+        grass_.push_back(*std::move(made));
+    }
+    return {};
+}
+
+Result<void> Shoot::make_trees(const render::DrawTargets& targets) {
+    const auto height = [&](double x, double z) { return scene_.picture.ground.height(x, z); };
+    for (const TreeStand& stand : scene_.picture.trees) {
+        auto kind = trees::preset(stand.kind);
+        if (!kind)
+            return Error{"$.picture.trees: " + kind.error()};
+        kind->tree.seed = stand.seed;
+        trees::TreeStandSettings settings{
+            .kind = *std::move(kind), .variants = stand.variants, .scatter = stand.scatter, .springs = stand.springs};
+        for (const StandPlace& place : stand.places)
+            settings.places.push_back(
+                {.base = {place.at.x, height(place.at.x, place.at.y), place.at.y}, .size = place.size, .yaw_deg = place.yaw_deg});
+        const auto places = trees::places_of(settings, height);
+        if (!places)
+            return Error{"$.picture.trees: " + places.error()};
+        if (places->empty())
+            continue;
+        auto made = trees::TreeStand::create(device_, targets, settings, *places, anchor_);
+        if (!made)
+            return Error{"$.picture.trees: " + made.error()};
+        renderer_->add(**made);
+        trees_.push_back(*std::move(made));
+    }
+    return {};
+}
+
+void Shoot::make_bodies(const render::DrawTargets& targets) {
+    std::vector<render::Solid> shapes;
+    for (const Walker& walker : scene_.picture.walkers)
+        if (walker.figure)
+            shapes.push_back(render::walker_solid());
+    for (const Fan& fan : scene_.picture.fans) {
+        const double above = fan.position.y - scene_.picture.ground.height(fan.position.x, fan.position.z);
+        shapes.push_back(render::fan_stand(static_cast<float>(fan.radius), static_cast<float>(std::max(above, fan.radius))));
+        shapes.push_back(render::fan_blades(static_cast<float>(fan.radius)));
+    }
+    if (shapes.empty())
+        return;
+    bodies_.emplace(device_, targets, shapes);
+    renderer_->add(*bodies_);
+}
+
+void Shoot::place_bodies(double time) {
+    if (!bodies_)
+        return;
+    std::size_t body = 0;
+    const auto at = [&](glm::dvec3 place, double yaw) {
+        const glm::mat4 moved = glm::translate(glm::mat4(1.0f), glm::vec3(place - anchor_));
+        return glm::rotate(moved, static_cast<float>(yaw), glm::vec3(0.0f, 1.0f, 0.0f));
+    };
+    for (const Walker& walker : scene_.picture.walkers) {
+        if (!walker.figure)
+            continue;
+        // Facing where it goes, or went: over a quarter of a second, so that a corner of the path is no snap.
+        const windrow::scene::MotionPath& path = scene_.air.paths[walker.path].path;
+        glm::dvec3 place = path.at(time);
+        const glm::dvec3 way = path.at(time + 0.125) - path.at(time - 0.125);
+        place.y = scene_.picture.ground.height(place.x, place.z) + static_cast<double>(walker.feet(time));
+        const double speed = glm::length(glm::dvec2(way.x, way.z)) / 0.25;
+        const double bob = 0.02 * std::sin(4.0 * glm::pi<double>() * 0.9 * time) * std::min(speed, 1.0); // two steps a second
+        place.y += bob;
+        bodies_->place(body++, at(place, std::atan2(way.x, way.z)));
+    }
+    for (const Fan& fan : scene_.picture.fans) {
+        const glm::mat4 stands = at(fan.position, std::atan2(fan.direction.x, fan.direction.z));
+        const double turns = fan.turns_hz * time;
+        const auto angle = static_cast<float>(2.0 * glm::pi<double>() * (turns - std::floor(turns)));
+        bodies_->place(body++, stands);
+        bodies_->place(body++, glm::rotate(stands, angle, glm::vec3(0.0f, 0.0f, 1.0f)));
+    }
+}
+
+Result<void> Shoot::make_views(const render::DrawTargets& targets) {
+    switch (settings_.show) {
+    case Show::lean:
+        renderer_->show(render::GrassView::lean);
+        return {};
+    case Show::levels:
+        renderer_->show(render::GrassView::levels);
+        return {};
+    case Show::chunks:
+        renderer_->show(render::GrassView::chunks);
+        return {};
+    case Show::plants:
+        return {};
+    case Show::arrows:
+    case Show::slice:
+        break;
+    }
+    const windrow::Config& air = wind_->config();
+    render::WindArrowSettings view;
+    view.form = settings_.show == Show::slice ? render::WindArrowSettings::Form::slice : render::WindArrowSettings::Form::arrows;
+    const bool slice = view.form == render::WindArrowSettings::Form::slice;
+    view.spacing = slice ? 0.5f * air.cell_size : air.cell_size;
+    view.count = slice ? glm::ivec3(2 * air.cells.x, 1, 2 * air.cells.z) : glm::ivec3(air.cells.x, 3, air.cells.z);
+    view.count = glm::clamp(view.count, 1, 512);
+    view.scale = scene_.air.pictures.speed_scale;
+    if (auto judged = render::validate(view); !judged)
+        return judged;
+    arrows_.emplace(device_, targets, view);
+    renderer_->add(*arrows_);
+    return {};
+}
+
+Result<void> Shoot::walk(const engine::Frame& frame, double start, double end) {
+    if (!ground_)
+        return {};
+    std::vector<windrow::GroundWalker> walkers;
+    for (const Walker& walker : scene_.picture.walkers)
+        walkers.push_back(walker_at(scene_, walker, start, end));
+    if (auto followed = ground_->follow(scene_.air.followed_point(end)); !followed)
+        return followed;
+
+    return ground_->record(frame.commands, {.duration = end - start, .walkers = walkers});
+}
+
+Result<void> Shoot::blow(const engine::Frame& frame, double start, double end) {
+    if (settings_.wind) {
+        if (auto placed = motion_.place(*wind_, start, end); !placed)
+            return placed;
+    }
+    (void)wind_->record(frame.commands, {.dt = settings_.wind ? end - start : 0.0, .slot = frame.slot});
+    return walk(frame, start, end);
+}
+
+void Shoot::set_time_step(double seconds) {
+    for (const auto& stand : trees_)
+        stand->set_time_step(seconds);
+}
+
+Result<void> Shoot::swing(const engine::Frame& frame, double time, double seconds) {
+    if (trees_.empty() && dressed_->empty())
+        return {};
+    set_time_step(seconds);
+    if (auto moved = dressed_->move(time, seconds); !moved)
+        return moved;
+    std::vector<render::Drawable*> swinging;
+    dressed_->append_to(swinging);
+    for (const auto& stand : trees_)
+        swinging.push_back(stand.get());
+    return renderer_->keep_up(frame, camera_at(scene_, time), *wind_, swinging);
+}
+
+Result<void> Shoot::settle() {
+    const double step = 1.0 / frames_per_second_;
+    const auto steps = static_cast<std::int64_t>(std::ceil(scene_.picture.settle * frames_per_second_));
+    for (std::int64_t n = 0; n < steps; ++n) {
+        const engine::Frame frame = frames_->begin();
+        if (auto placed = motion_.place(*wind_, 0.0, 0.0); !placed)
+            return placed;
+        (void)wind_->record(frame.commands, {.dt = settings_.wind ? step : 0.0, .slot = frame.slot});
+        auto walked = walk(frame, 0.0, 0.0);
+        if (walked)
+            walked = swing(frame, step * static_cast<double>(n + 1 - steps), step); // bodies come along to where they begin
+        frames_->submit(frame);
+        if (!walked)
+            return walked;
+    }
+    frames_->wait();
+    return {};
+}
+
+Result<void> Shoot::skip() {
+    const engine::Frame frame = frames_->begin();
+    auto blown = blow(frame, start_of(frame_), end_of(frame_));
+    if (blown)
+        blown = swing(frame, end_of(frame_), end_of(frame_) - start_of(frame_));
+    frames_->submit(frame);
+    ++frame_;
+    return blown;
+}
+
+Result<void> Shoot::draw(bool copied) {
+    const double now = end_of(frame_);
+    const engine::Frame frame = frames_->begin();
+    renderer_->begin(frame);
+    auto done = blow(frame, start_of(frame_), now);
+    if (done) {
+        renderer_->set_time(now);
+        place_bodies(now);
+        set_time_step(now - start_of(frame_));
+        if (arrows_)
+            arrows_->place(glm::vec3(scene_.air.followed_point(now) - anchor_));
+        done = dressed_->move(now, now - start_of(frame_));
+    }
+    if (done) {
+        done = renderer_->record(frame, camera_at(scene_, now), *wind_);
+        if (done && copied)
+            renderer_->copy(frame);
+    }
+    frames_->submit(frame);
+    frames_->wait();
+    renderer_->clock().collect(frame.slot);
+    if (renderer_->counter())
+        counts_ = renderer_->counter()->collect(frame.slot);
+    ++frame_;
+    return done;
+}
+
+ShootMemory Shoot::memory() const {
+    ShootMemory sum{.targets = device_.memory_bytes(), .wind = wind_->memory_bytes()};
+    sum.room = wind_->reserved_bytes() - sum.wind;
+    for (const auto& layer : grass_)
+        sum.grass += layer->memory_bytes();
+    if (ground_) {
+        sum.ground_memory = ground_->memory_bytes();
+        sum.room += ground_->reserved_bytes() - sum.ground_memory;
+    }
+    return sum;
+}
+
+} // namespace meadow

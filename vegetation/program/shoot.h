@@ -1,0 +1,119 @@
+// A scene before the camera: the device, the air, the ground's memory and all that is drawn, frame by frame.
+//
+//     auto shoot = meadow::Shoot::create(*scene, {});
+//     if (auto ready = (*shoot)->settle(); !ready) ...                            // gusts come in
+//     while ((*shoot)->frame() < scene->frame_count())
+//         if (auto drawn = (*shoot)->draw(); drawn) write_png((*shoot)->images().picture(), ...);
+//
+// A frame: what moves is put where it is at the frame's end, the wind and the ground's memory are recorded, then the renderer.
+// The air runs the scene's fixed ticks whatever the frame rate (windrow::Ticks), so that a second at 30 frames and one at 144 end
+// alike. Motors are placed once a frame, wakes swept along their way; one that begins or ends within a frame does so at the
+// frame's nearer edge, and one that acts for less than half a frame may be missed.
+#pragma once
+
+#include "coupling/vulkan/ground_memory.h"
+#include "vegetation/vulkan/frames.h"
+#include "vegetation/program/dressed_body.h"
+#include "vegetation/program/picture_scene.h"
+#include "vegetation/render/bodies.h"
+#include "vegetation/render/grass_layer.h"
+#include "vegetation/render/renderer.h"
+#include "vegetation/render/wind_arrows.h"
+#include "vegetation/trees/tree_stand.h"
+#include "fluid/vulkan/wind.h"
+#include "scene/scene_motion.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace meadow {
+
+/// What the picture shows in place of, or beside, its plants' own colours.
+enum class Show { plants, arrows, slice, lean, levels, chunks };
+
+struct ShootSettings {
+    std::optional<glm::ivec2> size{};          ///< [px] default: the scene's
+    std::optional<double> frames_per_second{}; ///< default: the scene's
+    int samples = 4;                           ///< a pixel, 1 or 4
+    Show show = Show::plants;
+    bool wind = true;                 ///< false: nothing blows and no step is recorded, to tell what the wind costs
+    bool pass_times = false;          ///< the wind times each of its passes
+    bool counts = false;              ///< vertices and fragments of the colour pass are counted
+    std::optional<int> most_blades{}; ///< of each layer, looked at once a frame; default: the layer's own
+};
+
+/// Device memory by what it is for, [bytes].
+struct ShootMemory {
+    std::uint64_t targets =
+        0; ///< pictures, shadow map, read-backs, uniform blocks, the ground's heights, trees: what the engine made
+    std::uint64_t wind = 0, grass = 0, ground_memory = 0;
+    std::uint64_t room = 0; ///< left in the blocks that wind and ground's memory take from the driver
+};
+
+class Shoot {
+  public:
+    /// Refuses what any part refuses. The scene outlives it.
+    [[nodiscard]] static windrow::Result<std::unique_ptr<Shoot>> create(const PictureScene& scene, const ShootSettings& settings);
+
+    /// The air before the first picture, Picture::settle seconds of it, with all that acts at time 0.
+    windrow::Result<void> settle();
+    /// The next frame, done when this returns: frame 0 is at time 0. `copied`: its pictures are for the host to read.
+    windrow::Result<void> draw(bool copied = true);
+    /// Lets a frame's time pass without a picture.
+    windrow::Result<void> skip();
+
+    /// Frames so far.
+    [[nodiscard]] std::int64_t frame() const { return frame_; }
+    [[nodiscard]] double frames_per_second() const { return frames_per_second_; }
+    [[nodiscard]] glm::ivec2 size() const { return size_; }
+    [[nodiscard]] const render::Targets& images() const { return renderer_->images(); }
+    /// By the device's clock, of the frame drawn last; empty where the device counts no time.
+    [[nodiscard]] const std::vector<render::StageTime>& times() const { return renderer_->clock().times(); }
+    /// Of the frame drawn last; zeros where the device counts nothing, or without ShootSettings::counts.
+    [[nodiscard]] const render::VertexCounts& counts() const { return counts_; }
+    [[nodiscard]] const windrow::vulkan::Wind& wind() const { return *wind_; }
+    [[nodiscard]] const std::string& device() const { return device_.name; }
+    [[nodiscard]] ShootMemory memory() const;
+    [[nodiscard]] const std::vector<std::unique_ptr<render::GrassLayer>>& grass() const { return grass_; }
+
+  private:
+    Shoot(const PictureScene& scene, const ShootSettings& settings);
+    windrow::Result<void> make();
+    windrow::Result<void> make_grass(const render::DrawTargets& targets);
+    windrow::Result<void> make_trees(const render::DrawTargets& targets);
+    void make_bodies(const render::DrawTargets& targets);
+    void place_bodies(double time);
+    windrow::Result<void> make_views(const render::DrawTargets& targets);
+    /// What swings from frame to frame, in one that is not drawn.
+    windrow::Result<void> swing(const engine::Frame& frame, double time, double seconds);
+    void set_time_step(double seconds);
+    /// What moves, the air and the ground from one time [s] to another.
+    windrow::Result<void> blow(const engine::Frame& frame, double start, double end);
+    windrow::Result<void> walk(const engine::Frame& frame, double start, double end);
+    /// [s] Where frame n begins and ends.
+    [[nodiscard]] double start_of(std::int64_t n) const { return static_cast<double>(n > 0 ? n - 1 : 0) / frames_per_second_; }
+    [[nodiscard]] double end_of(std::int64_t n) const { return static_cast<double>(n) / frames_per_second_; }
+
+    const PictureScene& scene_;
+    ShootSettings settings_;
+    double frames_per_second_ = 30.0;
+    glm::ivec2 size_{0};
+    glm::dvec3 anchor_{0.0};
+    engine::Device device_;
+    std::optional<windrow::vulkan::Wind> wind_{};
+    windrow::scene::SceneMotion motion_;
+    std::optional<windrow::vulkan::GroundMemory> ground_{};
+    std::unique_ptr<render::Renderer> renderer_{};
+    std::vector<std::unique_ptr<render::GrassLayer>> grass_{};
+    std::vector<std::unique_ptr<trees::TreeStand>> trees_{};
+    std::optional<DressedBodies> dressed_{};
+    std::optional<render::Bodies> bodies_{};
+    std::optional<render::WindArrows> arrows_{};
+    std::optional<engine::Frames> frames_{};
+    std::int64_t frame_ = 0;
+    render::VertexCounts counts_{};
+};
+
+} // namespace meadow

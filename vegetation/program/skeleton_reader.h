@@ -1,0 +1,14 @@
+// Reads and writes the skeleton of a body (vegetation/fur/skeleton.h).
+#pragma once
+
+#include "vegetation/program/body.h"
+#include "scene/json_object.h"
+
+#include <nlohmann/json.hpp>
+
+namespace meadow {
+
+[[nodiscard]] BodySkeleton read_skeleton(windrow::scene::JsonObject object);
+[[nodiscard]] nlohmann::json write_skeleton(const BodySkeleton& skeleton);
+
+} // namespace meadow

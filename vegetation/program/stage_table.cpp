@@ -1,0 +1,117 @@
+#include "vegetation/program/stage_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+namespace meadow {
+namespace {
+
+double mib(std::uint64_t bytes) {
+    return static_cast<double>(bytes) / 1048576.0;
+}
+
+StageFigures figures_of(std::string name, std::vector<double> times) {
+    std::sort(times.begin(), times.end());
+    const auto at = [&](double share) {
+        return times[static_cast<std::size_t>(std::ceil(share * static_cast<double>(times.size()))) - 1];
+    };
+    const std::size_t middle = times.size() / 2;
+    return {.name = std::move(name),
+            .mean = std::accumulate(times.begin(), times.end(), 0.0) / static_cast<double>(times.size()),
+            .median = times.size() % 2 == 1 ? times[middle] : 0.5 * (times[middle - 1] + times[middle]),
+            .most = at(0.99)};
+}
+
+} // namespace
+
+StageTable::StageTable(const Shoot& shoot) {
+    const ShootMemory memory = shoot.memory();
+    char text[256];
+    std::snprintf(text, sizeof text,
+                  "memory: %.1f MiB pictures, shadows, ground and trees, %.1f wind, %.1f grass, %.1f ground's memory\n",
+                  mib(memory.targets), mib(memory.wind), mib(memory.grass), mib(memory.ground_memory));
+    what_ = text;
+}
+
+void StageTable::add(std::int64_t frame, const std::vector<render::StageTime>& times) {
+    if (times.empty())
+        return;
+    if (names_.empty())
+        for (const render::StageTime& stage : times)
+            names_.emplace_back(stage.name);
+    std::vector<double> row;
+    for (const render::StageTime& stage : times)
+        row.push_back(1e-3 * stage.us);
+    if (row.size() != names_.size())
+        return; // another kind of frame: not of this table
+    frames_.push_back(frame);
+    rows_.push_back(std::move(row));
+}
+
+std::vector<StageFigures> StageTable::figures() const {
+    std::vector<StageFigures> made;
+    if (rows_.empty())
+        return made;
+    std::vector<double> sums(rows_.size(), 0.0);
+    for (std::size_t stage = 0; stage < names_.size(); ++stage) {
+        std::vector<double> times;
+        for (std::size_t row = 0; row < rows_.size(); ++row) {
+            times.push_back(rows_[row][stage]);
+            sums[row] += rows_[row][stage];
+        }
+        made.push_back(figures_of(names_[stage], std::move(times)));
+    }
+    made.push_back(figures_of("frame", std::move(sums)));
+    return made;
+}
+
+std::string StageTable::text() const {
+    std::string text = what_;
+    char line[128];
+    const std::vector<StageFigures> all = figures();
+    if (all.empty())
+        return text + "this device counts no time: no stage is timed\n";
+    std::snprintf(line, sizeof line, "%-10s %10s %10s %10s  over %zu frames\n", "ms", "mean", "median", "99 %", rows_.size());
+    text += line;
+    for (const StageFigures& stage : all) {
+        std::snprintf(line, sizeof line, "%-10s %10.2f %10.2f %10.2f\n", stage.name.c_str(), stage.mean, stage.median,
+                      stage.most);
+        text += line;
+    }
+    return text;
+}
+
+windrow::Result<void> StageTable::write(const std::filesystem::path& file) const {
+    std::filesystem::path beside = file;
+    beside += ".part";
+    const auto refused = [&] {
+        std::error_code ignored;
+        std::filesystem::remove(beside, ignored);
+        return windrow::Error{file.string() + " cannot be written; name a folder that you may write to, on a disk with room."};
+    };
+    std::FILE* const out = std::fopen(beside.c_str(), "w");
+    if (out == nullptr)
+        return refused();
+    std::fputs("frame", out);
+    for (const std::string& name : names_)
+        std::fprintf(out, ",%s_ms", name.c_str());
+    std::fputc('\n', out);
+    for (std::size_t row = 0; row < rows_.size(); ++row) {
+        std::fprintf(out, "%lld", static_cast<long long>(frames_[row]));
+        for (const double time : rows_[row])
+            std::fprintf(out, ",%.4f", time);
+        std::fputc('\n', out);
+    }
+    const bool written = std::ferror(out) == 0;
+    if (std::fclose(out) != 0 || !written)
+        return refused();
+    std::error_code error;
+    std::filesystem::rename(beside, file, error);
+    if (error)
+        return refused();
+    return {};
+}
+
+} // namespace meadow

@@ -1,0 +1,39 @@
+// What the stages of frames took on the device: mean, median and 99 %, and each frame as CSV.
+#pragma once
+
+#include "vegetation/program/shoot.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace meadow {
+
+/// Over the frames that were added.
+struct StageFigures {
+    std::string name;
+    double mean = 0.0, median = 0.0, most = 0.0; ///< [ms]; `most`: 99 % of the frames took no more
+};
+
+class StageTable {
+  public:
+    StageTable() = default;
+    /// Notes what memory the figures belong to.
+    explicit StageTable(const Shoot& shoot);
+
+    void add(std::int64_t frame, const std::vector<render::StageTime>& times);
+    /// Stage by stage in the order of their first frame, then "frame", their sum; empty where the device counts no time.
+    [[nodiscard]] std::vector<StageFigures> figures() const;
+    /// As a table for a terminal.
+    [[nodiscard]] std::string text() const;
+    /// A line a frame: frame, then each stage in ms.
+    [[nodiscard]] windrow::Result<void> write(const std::filesystem::path& file) const;
+
+  private:
+    std::string what_{};
+    std::vector<std::string> names_{};
+    std::vector<std::int64_t> frames_{};
+    std::vector<std::vector<double>> rows_{}; ///< [ms]
+};
+
+} // namespace meadow

@@ -1,0 +1,13 @@
+// Reads `picture.trees`: stands of trees, each of one kind, at places of their own and by chance.
+#pragma once
+
+#include "vegetation/program/picture_scene.h"
+#include "scene/json_object.h"
+
+#include <vector>
+
+namespace meadow {
+
+[[nodiscard]] std::vector<TreeStand> read_trees(windrow::scene::JsonObject& picture);
+
+} // namespace meadow

@@ -1,0 +1,73 @@
+#include "vegetation/program/walker_reader.h"
+
+#include "vegetation/program/field_reader.h"
+#include "vegetation/program/picture_fields.h"
+#include "scene/number_text.h"
+
+namespace meadow {
+namespace {
+
+using windrow::scene::figure;
+
+constexpr std::size_t k_most_walkers = 256; // GroundConfig::most_walkers
+constexpr std::size_t k_most_jumps = 1024;
+
+Jump read_jump(JsonObject object) {
+    constexpr NumberRule k_time_rule{.least = -1e9, .most = 1e9, .unit = "s"};
+    Jump jump;
+    const std::size_t faults_before = object.log().faults();
+    jump.from = object.required_number("from", k_time_rule);
+    jump.until = object.required_number("until", k_time_rule);
+    jump.height = object.real("height", jump.height, {.least = 0.0, .most = 100.0, .unit = "m"});
+    object.finish();
+    if (!(jump.from < jump.until) && object.log().faults() == faults_before)
+        object.refuse("until",
+                      "is " + figure(jump.until) + " s, not after \"from\", " + figure(jump.from) + " s: give a later time.");
+    return jump;
+}
+
+Walker read_walker(JsonObject object, std::span<const std::string> path_names) {
+    Walker walker;
+    walker.path = object.name("path", path_names, "paths", true).value_or(0);
+    FieldReader fields(object);
+    list_fields(fields, walker);
+    walker.figure = object.boolean("figure", walker.figure);
+    const auto items = object.array("airborne", k_most_jumps);
+    for (std::size_t i = 0; i < items.size(); ++i)
+        walker.airborne.push_back(read_jump(JsonObject(items[i], object.path() + ".airborne[" + std::to_string(i) + "]",
+                                                       object.pattern() + ".airborne[]", object.log())));
+    object.finish();
+    return walker;
+}
+
+} // namespace
+
+std::vector<Walker> read_walkers(JsonObject& picture, std::span<const std::string> path_names) {
+    std::vector<Walker> walkers;
+    const auto items = picture.array("walkers", k_most_walkers);
+    for (std::size_t i = 0; i < items.size(); ++i)
+        walkers.push_back(read_walker(JsonObject(items[i], picture.path() + ".walkers[" + std::to_string(i) + "]",
+                                                 picture.pattern() + ".walkers[]", picture.log()),
+                                      path_names));
+    // A press that nothing remembers would not be seen at all.
+    if (!items.empty() && !picture.value().contains("ground_memory"))
+        picture.refuse("walkers", "is given, but no ground remembers them: add \"ground_memory\": {}, or remove it.");
+    return walkers;
+}
+
+std::optional<windrow::GroundConfig> read_ground_memory(JsonObject& picture) {
+    JsonObject object = picture.object("ground_memory");
+    windrow::GroundConfig config;
+    const std::size_t faults_before = object.log().faults();
+    FieldReader fields(object);
+    list_fields(fields, config);
+    read_part(object.object("spring"), config.spring);
+    object.finish();
+    if (!picture.value().contains("ground_memory"))
+        return std::nullopt;
+    if (object.log().faults() == faults_before)
+        note_refusals(windrow::validate(config), "GroundConfig::", object);
+    return config;
+}
+
+} // namespace meadow

@@ -1,0 +1,20 @@
+// Reads `picture.walkers` and `picture.ground_memory`: who presses the grass down, and how it remembers.
+#pragma once
+
+#include "vegetation/program/picture_scene.h"
+#include "scene/json_object.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace meadow {
+
+/// `path_names`: of the scene's paths.
+[[nodiscard]] std::vector<Walker> read_walkers(windrow::scene::JsonObject& picture, std::span<const std::string> path_names);
+
+/// Nothing where the key is absent: a ground without memory.
+[[nodiscard]] std::optional<windrow::GroundConfig> read_ground_memory(windrow::scene::JsonObject& picture);
+
+} // namespace meadow

@@ -1,0 +1,103 @@
+#include "vegetation/render/blades.h"
+
+#include "vegetation/render/descriptors.h"
+#include "vegetation/render/plant_look_block.h"
+#include "shader_words/blade_bend.h"
+#include "shader_words/blade_shadow_vert.h"
+#include "shader_words/blade_vert.h"
+#include "shader_words/plant_frag.h"
+
+#include <array>
+#include <cstring>
+#include <vulkan/vulkan.h>
+
+namespace render {
+namespace {
+
+namespace words = windrow::vulkan::shader_words;
+
+// As the shaders count them: rows of two vertices, and the tip.
+constexpr std::uint32_t k_vertices = 11, k_shadow_vertices = 7;
+constexpr std::uint32_t k_group = 64;
+
+constexpr VkShaderStageFlags k_graphics = VK_SHADER_STAGE_ALL_GRAPHICS;
+constexpr VkShaderStageFlags k_both = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_COMPUTE_BIT;
+constexpr std::array k_bindings{Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, k_graphics | VK_SHADER_STAGE_COMPUTE_BIT},
+                                Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, k_both},
+                                Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_both},
+                                Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_both}};
+
+engine::Buffer filled(engine::Device& device, const void* from, std::size_t bytes, VkBufferUsageFlags usage) {
+    engine::Buffer made = device.make_buffer(bytes, usage);
+    std::memcpy(made.mapped, from, bytes);
+    return made;
+}
+
+} // namespace
+
+BladeGrid::BladeGrid(engine::Device& device, const DrawTargets& targets, const windrow::BladeSettings& plants,
+                     const PlantLook& look, std::span<const BladePlace> places)
+    : count_(static_cast<std::uint32_t>(places.size())) {
+    const auto blades = windrow::Blades::create(plants);
+    if (!blades)
+        engine::give_up(blades.error(), 2);
+    const VkDescriptorSetLayout own = make_layout(device, k_bindings);
+    const std::array sets{targets.frame, targets.wind, own};
+    layout_ = make_pipeline_layout(device, sets);
+    bend_ = make_compute_pipeline(device, layout_, words::blade_bend);
+    constexpr VkPrimitiveTopology strip = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP;
+    colour_ = make_pipeline(device, {.vertex = words::blade_vert,
+                                     .fragment = words::plant_frag,
+                                     .layout = layout_,
+                                     .target = targets.colour,
+                                     .topology = strip});
+    shadow_ = make_pipeline(
+        device,
+        {.vertex = words::blade_shadow_vert, .layout = layout_, .target = targets.shadow, .topology = strip, .bias = true});
+
+    const PlantLookBlock look_block(look);
+    const windrow::BladeBlock blade_block = blades->block();
+    const engine::Buffer look_buffer = filled(device, &look_block, sizeof look_block, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+    const engine::Buffer blade_buffer = filled(device, &blade_block, sizeof blade_block, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+    const engine::Buffer place_buffer = filled(device, places.data(), places.size_bytes(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    bends_ = device.make_buffer(sizeof(glm::vec4) * places.size(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    make_sets(device, own, k_bindings, std::span(&set_, 1));
+    point(device, set_, 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, look_buffer.buffer);
+    point(device, set_, 1, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, blade_buffer.buffer);
+    point(device, set_, 2, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, place_buffer.buffer);
+    point(device, set_, 3, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, bends_.buffer);
+}
+
+void BladeGrid::prepare(const PassContext& context) {
+    const std::array sets{context.frame, context.wind, set_};
+    vkCmdBindDescriptorSets(context.commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_, 0, 3, sets.data(), 0, nullptr);
+    vkCmdPushConstants(context.commands, layout_, VK_SHADER_STAGE_ALL, 0, sizeof count_, &count_);
+    vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_COMPUTE, bend_);
+    // The frame before has read its bends.
+    vkCmdPipelineBarrier(context.commands, VK_PIPELINE_STAGE_VERTEX_SHADER_BIT, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, 0, 0,
+                         nullptr, 0, nullptr, 0, nullptr);
+    vkCmdDispatch(context.commands, (count_ + k_group - 1) / k_group, 1, 1);
+    VkMemoryBarrier barrier{};
+    barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
+    barrier.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
+    barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_HOST_READ_BIT;
+    vkCmdPipelineBarrier(context.commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
+                         VK_PIPELINE_STAGE_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &barrier, 0, nullptr, 0,
+                         nullptr);
+}
+
+void BladeGrid::draw(const PassContext& context) {
+    const std::array sets{context.frame, context.wind, set_};
+    vkCmdBindDescriptorSets(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 0, 3, sets.data(), 0, nullptr);
+    const bool shadow = context.pass == Pass::shadow;
+    if (shadow)
+        vkCmdPushConstants(context.commands, layout_, VK_SHADER_STAGE_ALL, 0, sizeof context.cascade, &context.cascade);
+    vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, shadow ? shadow_ : colour_);
+    vkCmdDraw(context.commands, shadow ? k_shadow_vertices : k_vertices, count_, 0, 0);
+}
+
+std::span<const glm::vec4> BladeGrid::bends() const {
+    return {static_cast<const glm::vec4*>(bends_.mapped), count_};
+}
+
+} // namespace render

@@ -1,0 +1,60 @@
+// Blades at given places, each bent once a frame by the wind: the plain way to draw grass. vegetation/grass has the way for
+// millions.
+#pragma once
+
+#include "vegetation/render/drawable.h"
+#include "vegetation/render/scene.h"
+
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+#include <vector>
+
+namespace render {
+
+/// One blade, as shaders have it (std430).
+struct BladePlace {
+    glm::vec3 root{0.0f};      ///< [m] from the anchor
+    float size = 1.0f;         ///< factor on length and width
+    glm::uvec2 key{0u};        ///< its own, windrow::place_key of where it grows
+    float dryness = 0.0f;      ///< of its place, 0 to 1
+    float width_factor = 1.0f; ///< on its width alone
+};
+static_assert(sizeof(BladePlace) == 32);
+
+class BladeGrid final : public Drawable {
+  public:
+    /// At least one place.
+    BladeGrid(engine::Device& device, const DrawTargets& targets, const windrow::BladeSettings& plants, const PlantLook& look,
+              std::span<const BladePlace> places);
+
+    /// The bends of this frame and of the last one, once a blade.
+    void prepare(const PassContext& context) override;
+    void draw(const PassContext& context) override;
+    [[nodiscard]] std::uint32_t count() const { return count_; }
+    /// [rad] x and z of the bend in the last frame that is done, then of the frame before it; one a blade.
+    [[nodiscard]] std::span<const glm::vec4> bends() const;
+
+  private:
+    std::uint32_t count_ = 0;
+    VkPipelineLayout layout_ = VK_NULL_HANDLE;
+    VkPipeline bend_ = VK_NULL_HANDLE, colour_ = VK_NULL_HANDLE, shadow_ = VK_NULL_HANDLE;
+    VkDescriptorSet set_ = VK_NULL_HANDLE;
+    engine::Buffer bends_{};
+};
+
+/// Where blades grow before an eye that hardly moves: a fan of directions, denser near the eye as distance^-exponent, blades
+/// wider afar so that as much is covered. The same arguments give the same places.
+struct Fan {
+    glm::dvec3 eye{0.0};      ///< [m]
+    glm::dvec3 target{0.0};   ///< [m]
+    float half_angle = 0.75f; ///< [rad] to either side
+    float near = 0.7f;        ///< [m] to the first blade
+    float far = 45.0f;        ///< [m] to the last; over the last third they shrink to a quarter, so that no edge shows
+    float exponent = 1.5f;    ///< above 0; 0 would be even on the ground, 2 even on the picture
+    int count = 20000;        ///< 1 to 10,000,000
+    float wide_from = 3.0f;   ///< [m] from which on blades are drawn wider, in proportion to distance
+};
+[[nodiscard]] windrow::Result<std::vector<BladePlace>> scatter(const Fan& fan, const Ground& ground, glm::dvec3 anchor);
+
+} // namespace render

@@ -1,0 +1,45 @@
+// Solid things that move: a walker, a fan. Each has a shape and, frame by frame, a place.
+//
+//     render::Bodies bodies(device, renderer->draw_targets(), std::array{render::walker_solid()});
+//     renderer->add(bodies);
+//     bodies.place(0, glm::translate(glm::mat4(1.0f), feet));      // before the renderer's recording, each frame
+#pragma once
+
+#include "vegetation/vulkan/frames.h"
+#include "vegetation/render/drawable.h"
+#include "vegetation/render/solids.h"
+
+#include <array>
+
+namespace render {
+
+class Bodies final : public Drawable {
+  public:
+    /// One shape a body, at least one triangle in all. They stand at the anchor until they are placed.
+    Bodies(engine::Device& device, const DrawTargets& targets, std::span<const Solid> shapes);
+
+    /// From the shape's own positions to positions relative to the anchor, from the next frame on; motion vectors tell of the
+    /// way from the place before.
+    void place(std::size_t body, const glm::mat4& placed);
+    void prepare(const PassContext& context) override;
+    void draw(const PassContext& context) override;
+
+  private:
+    /// SolidPlace of vegetation/shaders/render/solid.glsl.
+    struct Place {
+        glm::mat4 now{1.0f}, before{1.0f};
+    };
+    struct Range {
+        std::uint32_t first = 0, count = 0;
+    };
+
+    std::vector<Range> ranges_{};
+    std::vector<Place> places_{};
+    std::vector<bool> placed_{};
+    VkPipelineLayout layout_ = VK_NULL_HANDLE;
+    VkPipeline colour_ = VK_NULL_HANDLE, shadow_ = VK_NULL_HANDLE;
+    std::array<VkDescriptorSet, engine::k_frames_in_flight> sets_{};
+    std::array<engine::Buffer, engine::k_frames_in_flight> blocks_{};
+};
+
+} // namespace render

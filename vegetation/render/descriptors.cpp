@@ -1,0 +1,75 @@
+#include "vegetation/render/descriptors.h"
+
+#include <map>
+#include <vulkan/vulkan.h>
+
+namespace render {
+
+using engine::must;
+
+VkDescriptorSetLayout make_layout(engine::Device& device, std::span<const Binding> bindings) {
+    std::vector<VkDescriptorSetLayoutBinding> list;
+    for (const Binding& binding : bindings)
+        list.push_back({static_cast<std::uint32_t>(list.size()), binding.type, 1, binding.stages, nullptr});
+    VkDescriptorSetLayoutCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
+    info.bindingCount = static_cast<std::uint32_t>(list.size());
+    info.pBindings = list.data();
+    VkDescriptorSetLayout made = VK_NULL_HANDLE;
+    must(vkCreateDescriptorSetLayout(device.device, &info, nullptr, &made), "vkCreateDescriptorSetLayout");
+    device.at_end([vulkan = device.device, made] { vkDestroyDescriptorSetLayout(vulkan, made, nullptr); });
+    return made;
+}
+
+void make_sets(engine::Device& device, VkDescriptorSetLayout layout, std::span<const Binding> bindings,
+               std::span<VkDescriptorSet> sets) {
+    const auto count = static_cast<std::uint32_t>(sets.size());
+    std::map<VkDescriptorType, std::uint32_t> of_type;
+    for (const Binding& binding : bindings)
+        of_type[binding.type] += count;
+    std::vector<VkDescriptorPoolSize> sizes;
+    for (const auto& [type, number] : of_type)
+        sizes.push_back({type, number});
+    VkDescriptorPoolCreateInfo pool_info{};
+    pool_info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
+    pool_info.maxSets = count;
+    pool_info.poolSizeCount = static_cast<std::uint32_t>(sizes.size());
+    pool_info.pPoolSizes = sizes.data();
+    VkDescriptorPool pool = VK_NULL_HANDLE;
+    must(vkCreateDescriptorPool(device.device, &pool_info, nullptr, &pool), "vkCreateDescriptorPool");
+    device.at_end([vulkan = device.device, pool] { vkDestroyDescriptorPool(vulkan, pool, nullptr); });
+    const std::vector<VkDescriptorSetLayout> layouts(count, layout);
+    VkDescriptorSetAllocateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
+    info.descriptorPool = pool;
+    info.descriptorSetCount = count;
+    info.pSetLayouts = layouts.data();
+    must(vkAllocateDescriptorSets(device.device, &info, sets.data()), "vkAllocateDescriptorSets");
+}
+
+void point(engine::Device& device, VkDescriptorSet set, std::uint32_t binding, VkDescriptorType type, VkBuffer buffer) {
+    const VkDescriptorBufferInfo whole{buffer, 0, VK_WHOLE_SIZE};
+    VkWriteDescriptorSet write{};
+    write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+    write.dstSet = set;
+    write.dstBinding = binding;
+    write.descriptorCount = 1;
+    write.descriptorType = type;
+    write.pBufferInfo = &whole;
+    vkUpdateDescriptorSets(device.device, 1, &write, 0, nullptr);
+}
+
+void point(engine::Device& device, VkDescriptorSet set, std::uint32_t binding, VkImageView view, VkSampler sampler,
+           VkImageLayout layout) {
+    const VkDescriptorImageInfo image{sampler, view, layout};
+    VkWriteDescriptorSet write{};
+    write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+    write.dstSet = set;
+    write.dstBinding = binding;
+    write.descriptorCount = 1;
+    write.descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    write.pImageInfo = &image;
+    vkUpdateDescriptorSets(device.device, 1, &write, 0, nullptr);
+}
+
+} // namespace render

@@ -1,0 +1,39 @@
+// A thing that the renderer draws: what it prepares before the passes, and its draws in each.
+#pragma once
+
+#include "vegetation/render/frame_block.h"
+#include "vegetation/render/pipeline.h"
+
+namespace render {
+
+/// Which pass is recorded.
+enum class Pass { colour, shadow };
+
+/// A pass that is being recorded. Set 0 is the frame's, set 1 the wind's; set 2 is the drawable's own.
+struct PassContext {
+    VkCommandBuffer commands = VK_NULL_HANDLE;
+    VkDescriptorSet frame = VK_NULL_HANDLE, wind = VK_NULL_HANDLE;
+    const FrameBlock* block = nullptr; ///< what set 0 holds: matrices of the eye and of both shadows, for culling
+    glm::dvec3 anchor{0.0};            ///< [m] in the world: where all positions of the frame count from
+    int slot = 0;                      ///< which frame in flight
+    Pass pass = Pass::colour;
+    int cascade = 0; ///< 0 the near shadow, 1 the far one: a shadow's vertex stage multiplies by frame.shadow[cascade]
+};
+
+class Drawable {
+  public:
+    virtual ~Drawable() = default;
+    /// Outside of a render pass, before all of them: culling, bends. It ends with a barrier of its own.
+    virtual void prepare(const PassContext&) {}
+    /// Within the render pass of `context.pass`.
+    virtual void draw(const PassContext& context) = 0;
+};
+
+/// What a drawable's pipelines must fit: its vertex stage writes the inputs of vegetation/shaders/render/plant.frag, or its fragment stage
+/// writes light and motion itself.
+struct DrawTargets {
+    PassTarget colour{}, shadow{};
+    VkDescriptorSetLayout frame = VK_NULL_HANDLE, wind = VK_NULL_HANDLE;
+};
+
+} // namespace render

@@ -1,0 +1,207 @@
+#include "vegetation/render/grass_layer.h"
+
+#include "vegetation/render/descriptors.h"
+#include "vegetation/render/plant_look_block.h"
+#include "vegetation/render/refusals.h"
+#include "shader_words/field_blade_frag.h"
+#include "shader_words/field_blade_shadow_vert.h"
+#include "shader_words/field_blade_vert.h"
+#include "shader_words/field_blades.h"
+#include "shader_words/field_ground.h"
+
+#include <algorithm>
+#include <cstring>
+#include <glm/matrix.hpp>
+#include <limits>
+#include <utility>
+#include <vulkan/vulkan.h>
+
+namespace render {
+namespace {
+
+namespace words = windrow::vulkan::shader_words;
+
+constexpr std::uint32_t k_parts = 4; // groups that share a list: a list of a near chunk has thousands of blades
+constexpr std::uint32_t k_grass_set = 3, k_draw_offset = 8;
+constexpr VkShaderStageFlags k_both = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_COMPUTE_BIT;
+constexpr std::array k_bindings{Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER},
+                                Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_both},
+                                Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_both},
+                                Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_COMPUTE_BIT},
+                                Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_COMPUTE_BIT},
+                                Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_COMPUTE_BIT}};
+constexpr std::size_t k_plain_bindings = 3; // without the ground's
+
+windrow::vulkan::Host host_of(const engine::Device& device) {
+    return {.instance = device.instance,
+            .physical_device = device.physical,
+            .device = device.device,
+            .queue_family = device.family,
+            .get_instance_proc_addr = vkGetInstanceProcAddr};
+}
+
+// What both shadow maps show: boxes along the same light. The near one's corners, in the far one's clip space, widen the far one.
+glm::mat4 around_both(const glm::mat4& near, const glm::mat4& far) {
+    const glm::mat4 to_far = far * glm::inverse(near);
+    glm::vec3 low(-1.0f, -1.0f, 0.0f), high(1.0f);
+    for (const float x : {-1.0f, 1.0f})
+        for (const float y : {-1.0f, 1.0f})
+            for (const float z : {0.0f, 1.0f}) {
+                const glm::vec3 corner(to_far * glm::vec4(x, y, z, 1.0f));
+                low = glm::min(low, corner);
+                high = glm::max(high, corner);
+            }
+    glm::mat4 squeeze(1.0f);
+    for (int axis = 0; axis < 3; ++axis) {
+        const float first = axis == 2 ? 0.0f : -1.0f; // clip space begins here and ends at 1
+        squeeze[axis][axis] = (1.0f - first) / (high[axis] - low[axis]);
+        squeeze[3][axis] = first - low[axis] * squeeze[axis][axis];
+    }
+    return squeeze * far;
+}
+
+} // namespace
+
+windrow::Result<void> validate(const GrassLayerSettings& settings) {
+    Refusals refusals;
+    refusals.add(grass::validate(settings.field));
+    refusals.add(validate(settings.look));
+    refusals.range("most_blades", settings.most_blades, 1024, 4194304);
+    refusals.range("shadows", settings.shadows, 0, 2);
+    return refusals.result();
+}
+
+GrassLayer::GrassLayer(engine::Device& device, grass::GrassField field, const GrassLayerSettings& settings)
+    : device_(device), settings_(settings), field_(std::move(field)), objects_(host_of(device)) {}
+
+windrow::Result<std::unique_ptr<GrassLayer>> GrassLayer::create(engine::Device& device, const DrawTargets& targets,
+                                                                const Ground& ground, const grass::PlacementMask& mask,
+                                                                const GrassLayerSettings& settings) {
+    Refusals refusals;
+    refusals.add(validate(settings));
+    refusals.add(validate(ground));
+    if (auto judged = refusals.result(); !judged)
+        return windrow::Error{judged.error()};
+    auto field = grass::GrassField::create(host_of(device), ground.heights, mask, settings.field);
+    if (!field)
+        return windrow::Error{field.error()};
+    if (auto placed = field->place(ground.corner); !placed)
+        return windrow::Error{placed.error()};
+    std::unique_ptr<GrassLayer> made(new GrassLayer(device, *std::move(field), settings));
+    if (auto done = made->make(targets); !done)
+        return windrow::Error{done.error()};
+    return made;
+}
+
+windrow::Result<void> GrassLayer::make(const DrawTargets& targets) {
+    const auto blades = objects_.buffer("visible blades", sizeof(FieldBlade) * static_cast<VkDeviceSize>(settings_.most_blades),
+                                        VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
+    const auto bases = objects_.buffer("lists' places", 16 * static_cast<VkDeviceSize>(settings_.field.most_chunks),
+                                       VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    if (!blades || !bases)
+        return windrow::Error{blades ? bases.error() : blades.error()};
+    blades_ = *blades;
+    const engine::Buffer look = device_.make_buffer(sizeof(PlantLookBlock), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+    const PlantLookBlock content(settings_.look);
+    std::memcpy(look.mapped, &content, sizeof content);
+
+    const auto pass = [&](std::span<const Binding> bindings, std::span<const std::uint32_t> shader) {
+        BladePass made;
+        const VkDescriptorSetLayout own = make_layout(device_, bindings);
+        const std::array sets{targets.frame, targets.wind, own, field_.layout()};
+        made.layout = make_pipeline_layout(device_, sets);
+        made.pipeline = make_compute_pipeline(device_, made.layout, shader);
+        make_sets(device_, own, bindings, made.sets);
+        for (const VkDescriptorSet set : made.sets) {
+            point(device_, set, 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, look.buffer);
+            point(device_, set, 1, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, *blades);
+            point(device_, set, 2, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, *bases);
+        }
+        return made;
+    };
+    plain_ = pass(std::span(k_bindings).first(k_plain_bindings), words::field_blades);
+    on_ground_ = pass(k_bindings, words::field_ground);
+    for (engine::Buffer& block : ground_blocks_)
+        block = device_.make_buffer(sizeof(windrow::GroundBlock), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    VkSamplerCreateInfo sampler{}; // any will do: texels are fetched
+    sampler.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
+    engine::must(vkCreateSampler(device_.device, &sampler, nullptr, &sampler_), "vkCreateSampler");
+    device_.at_end([vulkan = device_.device, made = sampler_] { vkDestroySampler(vulkan, made, nullptr); });
+
+    layout_ = plain_.layout; // draws read no ground
+    constexpr VkPrimitiveTopology strip = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP;
+    colour_ = make_pipeline(device_, {.vertex = words::field_blade_vert,
+                                      .fragment = words::field_blade_frag,
+                                      .layout = layout_,
+                                      .target = targets.colour,
+                                      .topology = strip});
+    shadow_ = make_pipeline(
+        device_,
+        {.vertex = words::field_blade_shadow_vert, .layout = layout_, .target = targets.shadow, .topology = strip, .bias = true});
+    return {};
+}
+
+void GrassLayer::point_at_ground(const PassContext& context) {
+    // The frame that used this slot before is done: its block and its set are free to be written.
+    const windrow::GroundBlock block = ground_->block(context.anchor);
+    std::memcpy(ground_blocks_[context.slot].mapped, &block, sizeof block);
+    const VkDescriptorSet set = on_ground_.sets[context.slot];
+    point(device_, set, 3, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, ground_blocks_[context.slot].buffer);
+    point(device_, set, 4, ground_->texture().view, sampler_, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+    point(device_, set, 5, ground_->previous_texture().view, sampler_, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+}
+
+void GrassLayer::prepare(const PassContext& context) {
+    grass::GrassCamera camera{
+        .anchor = context.anchor, .view_projection = context.block->view_projection, .eye = glm::vec3(context.block->eye)};
+    if (settings_.shadows == 1)
+        camera.shadow_view_projection = context.block->shadow[0];
+    else if (settings_.shadows == 2)
+        camera.shadow_view_projection = around_both(context.block->shadow[0], context.block->shadow[1]);
+    const auto culled = field_.record_cull(context.commands, camera);
+    if (!culled)
+        engine::give_up(culled.error(), 1);
+    report_ = *culled;
+    const bool remembers = ground_ != nullptr && ground_->texture().view != VK_NULL_HANDLE;
+    if (remembers)
+        point_at_ground(context);
+    if (report_.orders == 0)
+        return;
+    const auto pass = [&](const BladePass& over, VkPipelineStageFlags then) {
+        const std::array sets{context.frame, context.wind, over.sets[context.slot], field_.set()};
+        vkCmdBindDescriptorSets(context.commands, VK_PIPELINE_BIND_POINT_COMPUTE, over.layout, 0, 4, sets.data(), 0, nullptr);
+        vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_COMPUTE, over.pipeline);
+        const auto first = static_cast<std::uint32_t>(report_.first_order);
+        vkCmdPushConstants(context.commands, over.layout, VK_SHADER_STAGE_ALL, 0, sizeof first, &first);
+        vkCmdDispatch(context.commands, 2 * static_cast<std::uint32_t>(report_.orders), k_parts, 1);
+        VkMemoryBarrier barrier{};
+        barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
+        barrier.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
+        barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;
+        if (then == VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT)
+            barrier.dstAccessMask |= VK_ACCESS_SHADER_WRITE_BIT;
+        vkCmdPipelineBarrier(context.commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, then, 0, 1, &barrier, 0, nullptr, 0,
+                             nullptr);
+    };
+    // The frame before has drawn what is written here: record_cull waits for its vertices.
+    pass(plain_, remembers ? VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT : VK_PIPELINE_STAGE_VERTEX_SHADER_BIT);
+    if (remembers)
+        pass(on_ground_, VK_PIPELINE_STAGE_VERTEX_SHADER_BIT);
+}
+
+void GrassLayer::draw(const PassContext& context) {
+    const bool shadow = context.pass == Pass::shadow;
+    if (shadow && context.cascade >= settings_.shadows)
+        return;
+    const std::array sets{context.frame, context.wind, plain_.sets[context.slot]};
+    vkCmdBindDescriptorSets(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 0, 3, sets.data(), 0, nullptr);
+    vkCmdPushConstants(context.commands, layout_, VK_SHADER_STAGE_ALL, 0, sizeof context.cascade, &context.cascade);
+    vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, shadow ? shadow_ : colour_);
+    field_.draw(context.commands, {.layout = layout_,
+                                   .set = k_grass_set,
+                                   .push_offset = k_draw_offset,
+                                   .push_stages = VK_SHADER_STAGE_ALL,
+                                   .view = shadow ? grass::View::shadow : grass::View::colour});
+}
+
+} // namespace render

@@ -1,0 +1,95 @@
+// A field of grass as a thing that the renderer draws: vegetation/grass in its light, wind and shadows.
+//
+//     auto grass = render::GrassLayer::create(device, renderer->draw_targets(), scene.ground, mask, {.field = ..., .look = ...});
+//     renderer->add(**grass);                                  // before the first frame
+//     (*grass)->set_ground(&ground_memory);                    // where walkers leave trails
+//
+// A frame: the field culls its chunks into lists (grass_field.h); one pass looks at each visible blade once, at its wind now and
+// a frame ago and at the ground under it; the draws of the picture and of the shadow only read that.
+#pragma once
+
+#include "coupling/vulkan/ground_memory.h"
+#include "vegetation/vulkan/frames.h"
+#include "vegetation/grass/device_objects.h"
+#include "vegetation/grass/grass_field.h"
+#include "vegetation/render/drawable.h"
+#include "vegetation/render/scene.h"
+
+#include <array>
+#include <memory>
+
+namespace render {
+
+struct GrassLayerSettings {
+    grass::GrassSettings field{};
+    PlantLook look{};
+    /// Blades that are looked at once a frame, those of shadows counted apart; 1024 to 4,194,304, 96 bytes each. Default 2^18:
+    /// 24 MiB. Of more visible ones those beyond take another's bend.
+    int most_blades = 262144;
+    /// How many of the two shadow maps it is drawn into, 0 to 2. Default 1, the near one: a blade is far finer than a texel of
+    /// the other.
+    int shadows = 1;
+};
+[[nodiscard]] windrow::Result<void> validate(const GrassLayerSettings& settings);
+
+/// A visible blade, as shaders have it: FieldBlade of vegetation/shaders/render/field_blade.glsl (std430).
+struct FieldBlade {
+    glm::vec4 root{0.0f};  ///< xyz [m] from the anchor; w how dry its place is, 0 to 1
+    glm::vec4 bend{0.0f};  ///< [rad] x and z now, x and z a frame ago
+    glm::vec4 size{0.0f};  ///< [m] length of its class and half its width now; the same a frame ago
+    glm::uvec4 traits{0u}; ///< xy its hash; z bits of its morph (float), w of the morph a frame ago
+    glm::vec4 looks{0.0f}; ///< chances, 0 to 1: xy its clump's, z its own; w size over its class's
+    glm::vec4 fog{0.0f};   ///< rgb light of the air before it, w share of its own light that comes through
+};
+static_assert(sizeof(FieldBlade) == 96);
+
+class GrassLayer final : public Drawable {
+  public:
+    /// Refuses what `validate` and GrassField::create refuse. The mask has the heights' extent. The device outlives it.
+    [[nodiscard]] static windrow::Result<std::unique_ptr<GrassLayer>> create(engine::Device& device, const DrawTargets& targets,
+                                                                             const Ground& ground,
+                                                                             const grass::PlacementMask& mask,
+                                                                             const GrassLayerSettings& settings);
+
+    /// The memory that its blades lean by from the next frame on, beside the wind: record its step before the renderer's
+    /// recording, with GroundStep::wind_lean at 0 since the layer has the wind itself. Null: none, which costs nothing.
+    void set_ground(const windrow::vulkan::GroundMemory* ground) { ground_ = ground; }
+
+    void prepare(const PassContext& context) override;
+    void draw(const PassContext& context) override;
+
+    /// To repaint its mask, and to count what it draws.
+    [[nodiscard]] grass::GrassField& field() { return field_; }
+    /// Of the frame prepared last.
+    [[nodiscard]] const grass::GrassReport& report() const { return report_; }
+    /// FieldBlade of each visible blade. May be copied from.
+    [[nodiscard]] VkBuffer visible_blades() const { return blades_; }
+    /// [bytes] Device memory of field and layer; not counted by engine::Device.
+    [[nodiscard]] std::uint64_t memory_bytes() const { return field_.memory_bytes() + objects_.bytes(); }
+
+  private:
+    GrassLayer(engine::Device& device, grass::GrassField field, const GrassLayerSettings& settings);
+    windrow::Result<void> make(const DrawTargets& targets);
+    /// A pass over the visible blades.
+    struct BladePass {
+        VkPipelineLayout layout = VK_NULL_HANDLE;
+        VkPipeline pipeline = VK_NULL_HANDLE;
+        std::array<VkDescriptorSet, engine::k_frames_in_flight> sets{};
+    };
+    void point_at_ground(const PassContext& context);
+
+    engine::Device& device_;
+    GrassLayerSettings settings_;
+    grass::GrassField field_;
+    grass::DeviceObjects objects_;
+    grass::GrassReport report_{};
+    const windrow::vulkan::GroundMemory* ground_ = nullptr;
+    std::array<engine::Buffer, engine::k_frames_in_flight> ground_blocks_{};
+    VkSampler sampler_ = VK_NULL_HANDLE;
+    VkBuffer blades_ = VK_NULL_HANDLE;
+    BladePass plain_{}, on_ground_{};
+    VkPipelineLayout layout_ = VK_NULL_HANDLE;
+    VkPipeline colour_ = VK_NULL_HANDLE, shadow_ = VK_NULL_HANDLE;
+};
+
+} // namespace render

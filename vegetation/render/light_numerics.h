@@ -1,0 +1,23 @@
+// The renderer's formulas of light as C++: the same text of shaders/numerics that its shaders include.
+#pragma once
+
+#include "vegetation/render/place_numerics.h" // its noise
+
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#define WINDROW_FN inline
+namespace render::numerics {
+using namespace glm;
+#include "vegetation/shaders/numerics/cloud_layer.glsl"
+#include "vegetation/shaders/numerics/leaf_light.glsl"
+#include "vegetation/shaders/numerics/motion_vector.glsl"
+#include "vegetation/shaders/numerics/sky.glsl"
+#include "vegetation/shaders/numerics/speed_colour.glsl"
+} // namespace render::numerics
+#undef WINDROW_FN

@@ -1,0 +1,39 @@
+// Pipelines without vertex buffers: vertices make themselves from their numbers and from storage buffers.
+#pragma once
+
+#include "vegetation/vulkan/device.h"
+
+#include <cstdint>
+#include <span>
+
+namespace render {
+
+/// What a pipeline must fit: a render pass and what is drawn to in it.
+struct PassTarget {
+    VkRenderPass render_pass = VK_NULL_HANDLE;
+    VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
+    std::uint32_t colours = 1; ///< colour attachments
+    bool depth = true;
+};
+
+struct PipelineRecipe {
+    std::span<const std::uint32_t> vertex{}, fragment{}; ///< SPIR-V; no fragment stage: depth alone
+    std::span<const std::uint32_t> constants{};          ///< of the fragment stage: constant_id 0, 1, 2 ...
+    VkPipelineLayout layout = VK_NULL_HANDLE;
+    PassTarget target{};
+    VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+    bool writes_depth = true;
+    bool writes_colour = true;
+    bool bias = false; ///< a shadow's: depth is moved away from the light by the slope
+};
+
+/// Sets 0, 1, 2 ... and 16 bytes of push constants for every stage.
+[[nodiscard]] VkPipelineLayout make_pipeline_layout(engine::Device& device, std::span<const VkDescriptorSetLayout> sets);
+inline constexpr std::uint32_t k_push_bytes = 16;
+
+/// Triangles of both sides, viewport and scissor dynamic, depth LESS_OR_EQUAL, no blending.
+[[nodiscard]] VkPipeline make_pipeline(engine::Device& device, const PipelineRecipe& recipe);
+[[nodiscard]] VkPipeline make_compute_pipeline(engine::Device& device, VkPipelineLayout layout,
+                                               std::span<const std::uint32_t> words);
+
+} // namespace render

@@ -1,0 +1,97 @@
+#include "vegetation/render/render_pass.h"
+
+#include <vulkan/vulkan.h>
+
+namespace render {
+
+using engine::must;
+
+RenderPass::RenderPass(engine::Device& device, VkExtent2D extent, std::span<const Attachment> attachments)
+    : extent_(extent), attachments_(static_cast<std::uint32_t>(attachments.size())), clear_(attachments.size()) {
+    std::vector<VkAttachmentDescription> descriptions;
+    std::vector<VkAttachmentReference> colours, resolves;
+    std::vector<VkImageView> views;
+    VkAttachmentReference depth{VK_ATTACHMENT_UNUSED, VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL};
+    for (const Attachment& attachment : attachments) {
+        const auto number = static_cast<std::uint32_t>(descriptions.size());
+        VkAttachmentDescription made{};
+        made.format = attachment.format;
+        made.samples = attachment.samples;
+        made.loadOp = attachment.cleared ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_DONT_CARE;
+        made.storeOp = attachment.kept ? VK_ATTACHMENT_STORE_OP_STORE : VK_ATTACHMENT_STORE_OP_DONT_CARE;
+        made.stencilLoadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE;
+        made.stencilStoreOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
+        made.initialLayout = VK_IMAGE_LAYOUT_UNDEFINED;
+        made.finalLayout = attachment.end;
+        descriptions.push_back(made);
+        views.push_back(attachment.view);
+        if (attachment.role == Attachment::Role::depth) {
+            depth.attachment = number;
+            clear_[number].depthStencil.depth = 1.0f;
+        } else {
+            auto& list = attachment.role == Attachment::Role::colour ? colours : resolves;
+            list.push_back({number, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL});
+        }
+    }
+    VkSubpassDescription subpass{};
+    subpass.pipelineBindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS;
+    subpass.colorAttachmentCount = static_cast<std::uint32_t>(colours.size());
+    subpass.pColorAttachments = colours.data();
+    subpass.pResolveAttachments = resolves.empty() ? nullptr : resolves.data();
+    subpass.pDepthStencilAttachment = depth.attachment == VK_ATTACHMENT_UNUSED ? nullptr : &depth;
+    constexpr VkPipelineStageFlags draws = VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT |
+                                           VK_PIPELINE_STAGE_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_LATE_FRAGMENT_TESTS_BIT;
+    constexpr VkPipelineStageFlags users =
+        VK_PIPELINE_STAGE_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_TRANSFER_BIT;
+    constexpr VkAccessFlags writes = VK_ACCESS_COLOR_ATTACHMENT_WRITE_BIT | VK_ACCESS_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT;
+    constexpr VkAccessFlags reads = VK_ACCESS_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_DEPTH_STENCIL_ATTACHMENT_READ_BIT;
+    const VkSubpassDependency dependencies[] = {
+        {VK_SUBPASS_EXTERNAL, 0, draws | users, draws, writes, writes | reads, 0},
+        {0, VK_SUBPASS_EXTERNAL, draws, users, writes, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_TRANSFER_READ_BIT, 0}};
+    VkRenderPassCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO;
+    info.attachmentCount = attachments_;
+    info.pAttachments = descriptions.data();
+    info.subpassCount = 1;
+    info.pSubpasses = &subpass;
+    info.dependencyCount = 2;
+    info.pDependencies = dependencies;
+    must(vkCreateRenderPass(device.device, &info, nullptr, &render_pass_), "vkCreateRenderPass");
+    device.at_end([vulkan = device.device, made = render_pass_] { vkDestroyRenderPass(vulkan, made, nullptr); });
+
+    VkFramebufferCreateInfo frame_info{};
+    frame_info.sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO;
+    frame_info.renderPass = render_pass_;
+    frame_info.attachmentCount = attachments_;
+    frame_info.pAttachments = views.data();
+    frame_info.width = extent.width;
+    frame_info.height = extent.height;
+    frame_info.layers = 1;
+    must(vkCreateFramebuffer(device.device, &frame_info, nullptr, &framebuffer_), "vkCreateFramebuffer");
+    device.at_end([vulkan = device.device, made = framebuffer_] { vkDestroyFramebuffer(vulkan, made, nullptr); });
+}
+
+void RenderPass::begin(VkCommandBuffer commands) const {
+    VkRenderPassBeginInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO;
+    info.renderPass = render_pass_;
+    info.framebuffer = framebuffer_;
+    info.renderArea.extent = extent_;
+    info.clearValueCount = attachments_;
+    info.pClearValues = clear_.data();
+    vkCmdBeginRenderPass(commands, &info, VK_SUBPASS_CONTENTS_INLINE);
+    set_area(commands, {{0, 0}, extent_});
+}
+
+void set_area(VkCommandBuffer commands, VkRect2D area) {
+    const VkViewport viewport{static_cast<float>(area.offset.x),
+                              static_cast<float>(area.offset.y),
+                              static_cast<float>(area.extent.width),
+                              static_cast<float>(area.extent.height),
+                              0.0f,
+                              1.0f};
+    vkCmdSetViewport(commands, 0, 1, &viewport);
+    vkCmdSetScissor(commands, 0, 1, &area);
+}
+
+} // namespace render

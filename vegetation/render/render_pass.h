@@ -1,0 +1,41 @@
+// A render pass of one subpass and its framebuffer, from a list of attachments.
+#pragma once
+
+#include "vegetation/vulkan/device.h"
+
+#include <span>
+
+namespace render {
+
+struct Attachment {
+    enum class Role { colour, depth, resolve };
+    Role role = Role::colour; ///< `resolve` takes the colours in their order
+    VkFormat format = VK_FORMAT_UNDEFINED;
+    VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
+    VkImageView view = VK_NULL_HANDLE;
+    bool cleared = false; ///< to 0, or depth 1; else what was there does not matter
+    bool kept = true;     ///< what was drawn is asked for later
+    VkImageLayout end = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+};
+
+class RenderPass {
+  public:
+    /// What it draws to was used by the frame before and is used after it by shaders and transfers: it waits for both.
+    RenderPass(engine::Device& device, VkExtent2D extent, std::span<const Attachment> attachments);
+
+    [[nodiscard]] VkRenderPass handle() const { return render_pass_; }
+    /// Begins it, with viewport and scissor over the whole.
+    void begin(VkCommandBuffer commands) const;
+
+  private:
+    VkExtent2D extent_{};
+    std::uint32_t attachments_ = 0;
+    std::vector<VkClearValue> clear_{};
+    VkRenderPass render_pass_ = VK_NULL_HANDLE;
+    VkFramebuffer framebuffer_ = VK_NULL_HANDLE;
+};
+
+/// Viewport and scissor.
+void set_area(VkCommandBuffer commands, VkRect2D area);
+
+} // namespace render

@@ -1,0 +1,269 @@
+#include "vegetation/render/renderer.h"
+
+#include "vegetation/render/descriptors.h"
+#include "vegetation/render/refusals.h"
+#include "shader_words/full_screen_vert.h"
+#include "shader_words/sky_frag.h"
+#include "shader_words/tone_frag.h"
+
+#include <cmath>
+#include <cstring>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+#include <vulkan/vulkan.h>
+
+namespace render {
+namespace {
+
+using engine::must;
+namespace words = windrow::vulkan::shader_words;
+
+constexpr VkFormat k_shadow_format = VK_FORMAT_D16_UNORM; // every device draws to it and samples it
+constexpr float k_least_width =
+    1.5f; // [px] of what would else be drawn as dots: four samples show a slanted line of 1 px as beads
+constexpr glm::vec3 k_meadow_albedo{0.10f, 0.14f, 0.05f}; // of what lies around: light from below is green
+
+constexpr std::array k_frame_bindings{
+    Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, k_stages},
+    Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_ALL_GRAPHICS},
+    Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_COMPUTE_BIT}};
+constexpr std::array k_light_bindings{Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT}};
+
+VkSampler make_sampler(engine::Device& device, bool compares) {
+    VkSamplerCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
+    info.addressModeU = info.addressModeV = info.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+    if (compares) {
+        info.magFilter = info.minFilter = VK_FILTER_LINEAR;
+        info.compareEnable = VK_TRUE;
+        info.compareOp = VK_COMPARE_OP_LESS_OR_EQUAL;
+    }
+    VkSampler made = VK_NULL_HANDLE;
+    must(vkCreateSampler(device.device, &info, nullptr, &made), "vkCreateSampler");
+    device.at_end([vulkan = device.device, made] { vkDestroySampler(vulkan, made, nullptr); });
+    return made;
+}
+
+VkExtent2D extent_of(const RenderSettings& settings) {
+    return {static_cast<std::uint32_t>(settings.width), static_cast<std::uint32_t>(settings.height)};
+}
+
+float aspect_of(const RenderSettings& settings) {
+    return static_cast<float>(settings.width) / static_cast<float>(settings.height);
+}
+
+} // namespace
+
+windrow::Result<void> validate(const RenderSettings& settings) {
+    Refusals refusals;
+    refusals.range("settings.width", settings.width, 16, 8192);
+    refusals.range("settings.height", settings.height, 16, 8192);
+    if (settings.samples != 1 && settings.samples != 4)
+        refusals.add("settings.samples is " + std::to_string(settings.samples) + "; give it 1 or 4, which every device has.");
+    refusals.range("settings.shadow_texels", settings.shadow_texels, 64, 4096);
+    refusals.range("settings.near_shadow", static_cast<double>(settings.near_shadow), 0.1, 1e5);
+    refusals.range("settings.far_shadow", static_cast<double>(settings.far_shadow),
+                   1.01 * static_cast<double>(settings.near_shadow), 1e6);
+    for (int axis = 0; axis < 3; ++axis)
+        refusals.range((std::string("settings.anchor.") + "xyz"[axis]).c_str(), settings.anchor[axis], -1e9, 1e9);
+    return refusals.result();
+}
+
+windrow::Result<std::unique_ptr<Renderer>> Renderer::create(engine::Device& device, const Scene& scene,
+                                                            const RenderSettings& settings) {
+    Refusals refusals;
+    refusals.add(validate(scene));
+    refusals.add(validate(settings));
+    if (auto judged = refusals.result(); !judged)
+        return windrow::Error{judged.error()};
+    return std::unique_ptr<Renderer>(new Renderer(device, scene, settings));
+}
+
+Renderer::Renderer(engine::Device& device, const Scene& scene, const RenderSettings& settings)
+    : device_(device), settings_(settings), clouds_(scene.clouds), sampling_(scene.wind.sampling),
+      images_(device, extent_of(settings), settings.samples == 1 ? VK_SAMPLE_COUNT_1_BIT : VK_SAMPLE_COUNT_4_BIT), clock_(device),
+      wind_(device) {
+    if (settings.counts)
+        counter_.emplace(device);
+    const auto side = static_cast<std::uint32_t>(settings.shadow_texels);
+    const VkExtent2D both{2 * side, side};
+    shadow_map_ =
+        device.make_image(k_shadow_format, both, VK_SAMPLE_COUNT_1_BIT,
+                          VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT, VK_IMAGE_ASPECT_DEPTH_BIT);
+    const Attachment map{.role = Attachment::Role::depth,
+                         .format = k_shadow_format,
+                         .view = shadow_map_.view,
+                         .cleared = true,
+                         .end = VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL};
+    shadow_pass_.emplace(device, both, std::span(&map, 1));
+    compare_ = make_sampler(device, true);
+    fetch_ = make_sampler(device, false);
+    make_sets(scene);
+
+    const std::array layouts{frame_layout_, wind_.layout(), light_layout_};
+    full_screen_ = make_pipeline_layout(device, layouts);
+    sky_ = make_pipeline(device, {.vertex = words::full_screen_vert,
+                                  .fragment = words::sky_frag,
+                                  .layout = full_screen_,
+                                  .target = images_.scene_target(),
+                                  .writes_depth = false});
+    tone_ = make_pipeline(device, {.vertex = words::full_screen_vert,
+                                   .fragment = words::tone_frag,
+                                   .layout = full_screen_,
+                                   .target = images_.toned_target()});
+    terrain_.emplace(device, draw_targets(), scene.ground, scene.look);
+    drawables_.push_back(&*terrain_);
+
+    const glm::vec3 corner(scene.ground.corner - settings.anchor);
+    const auto& grid = scene.ground.heights.grid();
+    block_.terrain = {corner.x, corner.z, grid.spacing.x, corner.y};
+    block_.terrain_size = {grid.corners, 0, 0};
+    block_.sunlight.w = scene.fog.density;
+    block_.skylight.w = scene.fog.fall;
+    block_.groundlight.w = static_cast<float>(scene.fog.base - settings.anchor.y);
+    set_time(0.0);
+    (void)set_sun(scene.sun); // was validated
+}
+
+void Renderer::make_sets(const Scene& scene) {
+    frame_layout_ = make_layout(device_, k_frame_bindings);
+    light_layout_ = make_layout(device_, k_light_bindings);
+    render::make_sets(device_, frame_layout_, k_frame_bindings, sets_);
+    render::make_sets(device_, light_layout_, k_light_bindings, std::span(&light_set_, 1));
+    const engine::Buffer heights = Terrain::heights(device_, scene.ground);
+    for (std::size_t slot = 0; slot < sets_.size(); ++slot) {
+        blocks_[slot] = device_.make_buffer(sizeof(FrameBlock), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+        point(device_, sets_[slot], 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, blocks_[slot].buffer);
+        point(device_, sets_[slot], 1, shadow_map_.view, compare_, VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL);
+        point(device_, sets_[slot], 2, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, heights.buffer);
+    }
+    point(device_, light_set_, 0, images_.light(), fetch_, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+}
+
+DrawTargets Renderer::draw_targets() const {
+    return {.colour = images_.scene_target(),
+            .shadow = {shadow_pass_->handle(), VK_SAMPLE_COUNT_1_BIT, 0, true},
+            .frame = frame_layout_,
+            .wind = wind_.layout()};
+}
+
+void Renderer::set_time(double seconds) {
+    block_.clouds = cloud_block(clouds_, settings_.anchor, seconds);
+}
+
+windrow::Result<void> Renderer::set_sun(const Sun& sun) {
+    if (auto judged = validate(sun); !judged)
+        return judged;
+    block_.sky = sky_block(sun);
+    const glm::vec3 beam = sun_irradiance(block_.sky), sky = sky_irradiance(block_.sky);
+    block_.sunlight = glm::vec4(beam, block_.sunlight.w);
+    block_.skylight = glm::vec4(sky, block_.skylight.w);
+    block_.groundlight = glm::vec4(k_meadow_albedo * (sky + beam * block_.sky.sun.y), block_.groundlight.w);
+    return {};
+}
+
+void Renderer::fill(const Camera& camera) {
+    const float aspect = aspect_of(settings_);
+    block_.view_projection_before = block_.view_projection;
+    block_.eye_before = block_.eye;
+    block_.view_projection = view_projection(camera, aspect, settings_.anchor);
+    block_.from_clip = glm::inverse(block_.view_projection);
+    block_.eye = glm::vec4(glm::vec3(camera.position - settings_.anchor), camera.exposure);
+    if (first_) { // nothing was before
+        block_.view_projection_before = block_.view_projection;
+        block_.eye_before = block_.eye;
+        first_ = false;
+    }
+    const float pixel = 2.0f * std::tan(0.5f * glm::radians(camera.view_deg)) / static_cast<float>(settings_.height);
+    block_.eye_before.w = 0.5f * k_least_width * pixel;
+    const float reach[3] = {camera.near, settings_.near_shadow, settings_.far_shadow};
+    for (int cascade = 0; cascade < 2; ++cascade) {
+        const ShadowView view = shadow_view(camera, aspect, settings_.anchor, block_.sky, reach[cascade], reach[cascade + 1],
+                                            settings_.shadow_texels);
+        block_.shadow[cascade] = view.matrix;
+        block_.shadow_texel[cascade] = view.texel;
+    }
+    block_.shadow_texel.z = 1.0f / static_cast<float>(settings_.shadow_texels);
+    block_.shadow_texel.w = settings_.near_shadow;
+}
+
+void Renderer::begin(const engine::Frame& frame) {
+    clock_.begin(frame.commands, frame.slot);
+    if (counter_)
+        counter_->begin(frame.commands, frame.slot);
+}
+
+void Renderer::draw_shadows(PassContext context) {
+    context.pass = Pass::shadow;
+    shadow_pass_->begin(context.commands);
+    const auto side = static_cast<std::uint32_t>(settings_.shadow_texels);
+    for (context.cascade = 0; context.cascade < 2; ++context.cascade) {
+        set_area(context.commands, {{context.cascade * settings_.shadow_texels, 0}, {side, side}});
+        for (Drawable* const drawable : drawables_)
+            drawable->draw(context);
+    }
+    vkCmdEndRenderPass(context.commands);
+}
+
+PassContext Renderer::context_of(const engine::Frame& frame, const Camera& camera, const windrow::vulkan::Wind& wind) {
+    fill(camera);
+    std::memcpy(blocks_[frame.slot].mapped, &block_, sizeof block_);
+    return {.commands = frame.commands,
+            .frame = sets_[frame.slot],
+            .wind = wind_.of(frame.slot, wind, settings_.anchor, sampling_),
+            .block = &block_,
+            .anchor = settings_.anchor,
+            .slot = frame.slot};
+}
+
+windrow::Result<void> Renderer::keep_up(const engine::Frame& frame, const Camera& camera, const windrow::vulkan::Wind& wind,
+                                        std::span<Drawable* const> drawables) {
+    if (auto judged = validate(camera); !judged)
+        return judged;
+    const PassContext context = context_of(frame, camera, wind);
+    for (Drawable* const drawable : drawables)
+        drawable->prepare(context);
+    return {};
+}
+
+windrow::Result<void> Renderer::record(const engine::Frame& frame, const Camera& camera, const windrow::vulkan::Wind& wind) {
+    if (auto judged = validate(camera); !judged)
+        return judged;
+    const PassContext context = context_of(frame, camera, wind);
+    const VkCommandBuffer commands = frame.commands;
+    clock_.mark(commands, "wind");
+    for (Drawable* const drawable : drawables_)
+        drawable->prepare(context);
+    clock_.mark(commands, "prepare");
+    draw_shadows(context);
+    clock_.mark(commands, "shadow");
+
+    images_.scene().begin(commands);
+    if (counter_)
+        counter_->enter(commands);
+    for (std::size_t n = 1; n < drawables_.size(); ++n)
+        drawables_[n]->draw(context);
+    drawables_.front()->draw(context); // the ground: little of it is seen where grass stands
+    const std::array sets{context.frame, context.wind, light_set_};
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, full_screen_, 0, 3, sets.data(), 0, nullptr);
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, sky_); // last: only where nothing stands before it
+    vkCmdDraw(commands, 3, 1, 0, 0);
+    if (counter_)
+        counter_->leave(commands);
+    vkCmdEndRenderPass(commands);
+    clock_.mark(commands, "colour");
+
+    images_.toned().begin(commands);
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, tone_);
+    vkCmdDraw(commands, 3, 1, 0, 0);
+    vkCmdEndRenderPass(commands);
+    clock_.mark(commands, "tone");
+    return {};
+}
+
+void Renderer::copy(const engine::Frame& frame) {
+    images_.copy(frame.commands);
+    clock_.mark(frame.commands, "copy");
+}
+
+} // namespace render

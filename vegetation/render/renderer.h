@@ -1,0 +1,110 @@
+// The small renderer: sun with shadows, sky, fog, ground and whatever drawables a host adds, offscreen.
+//
+//     auto renderer = render::Renderer::create(device, scene, {.anchor = field});
+//     render::BladeGrid grass(device, (*renderer)->draw_targets(), scene.plants, scene.look, places);
+//     (*renderer)->add(grass);
+//     const engine::Frame frame = frames.begin();
+//     (*renderer)->begin(frame);                                   // the clock
+//     wind->record(frame.commands, {.dt = dt, .slot = frame.slot});
+//     (*renderer)->record(frame, camera, *wind);                   // all passes; motion is told against the frame recorded
+//     before
+//     (*renderer)->copy(frame);                                    // where this frame is wanted on the host
+//     frames.submit(frame);
+//     frames.wait();
+//     write_png((*renderer)->images().picture(), "frame.png");
+//
+// Passes: drawables prepare; both shadows into one map; light (RGBA16F) and motion (RG16F) with depth, four samples resolved; the
+// toned picture. A device call that fails ends the program, as in all of examples/engine; what a host may get wrong is refused.
+#pragma once
+
+#include "vegetation/vulkan/wind_set.h"
+#include "vegetation/render/frame_block.h"
+#include "vegetation/render/stage_clock.h"
+#include "vegetation/render/targets.h"
+#include "vegetation/render/terrain.h"
+#include "vegetation/render/vertex_counter.h"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+
+namespace render {
+
+struct RenderSettings {
+    int width = 1280, height = 720; ///< [px] 16 to 8192
+    int samples = 4;                ///< a pixel, 1 or 4
+    int shadow_texels = 1024;       ///< a side of each shadow, 64 to 4096
+    float near_shadow = 12.0f;      ///< [m] reach of the fine shadow, above the camera's near
+    float far_shadow = 70.0f;       ///< [m] reach of the coarse one, above near_shadow; beyond it all is lit
+    glm::dvec3 anchor{0.0};         ///< [m] where shaders count from: within some km of the camera
+    bool counts = false;            ///< vertices and fragments of the colour pass are counted, where the device can
+};
+[[nodiscard]] windrow::Result<void> validate(const RenderSettings& settings);
+
+class Renderer {
+  public:
+    /// Refuses what `validate` refuses of scene and settings. The device outlives it.
+    [[nodiscard]] static windrow::Result<std::unique_ptr<Renderer>> create(engine::Device& device, const Scene& scene,
+                                                                           const RenderSettings& settings);
+
+    /// What drawables must fit.
+    [[nodiscard]] DrawTargets draw_targets() const;
+    /// Drawn in each frame from now on, after the ground. It outlives the renderer's last recording.
+    void add(Drawable& drawable) { drawables_.push_back(&drawable); }
+
+    /// Begins the frame's clock, before the wind is recorded.
+    void begin(const engine::Frame& frame);
+    /// Records all passes, after the wind's. The camera is one that `validate` passes; another draws nothing and is refused.
+    windrow::Result<void> record(const engine::Frame& frame, const Camera& camera, const windrow::vulkan::Wind& wind);
+    /// A frame without a picture: what these drawables keep from one frame to the next (trees that swing) goes on as in `record`.
+    windrow::Result<void> keep_up(const engine::Frame& frame, const Camera& camera, const windrow::vulkan::Wind& wind,
+                                  std::span<Drawable* const> drawables);
+    /// Records the copy to the host, after `record`.
+    void copy(const engine::Frame& frame);
+
+    /// [s] Where the clouds are from now on. Default 0.
+    void set_time(double seconds);
+    /// What grass shows from now on.
+    void show(GrassView view) { block_.terrain_size.z = static_cast<int>(view); }
+    /// The sun from now on.
+    windrow::Result<void> set_sun(const Sun& sun);
+    [[nodiscard]] const Targets& images() const { return images_; }
+    [[nodiscard]] const StageClock& clock() const { return clock_; }
+    [[nodiscard]] StageClock& clock() { return clock_; }
+    /// Nothing without RenderSettings::counts.
+    [[nodiscard]] const std::optional<VertexCounter>& counter() const { return counter_; }
+    [[nodiscard]] const FrameBlock& frame_block() const { return block_; }
+
+  private:
+    Renderer(engine::Device& device, const Scene& scene, const RenderSettings& settings);
+    void fill(const Camera& camera);
+    /// The frame's blocks and sets, told of this camera.
+    [[nodiscard]] PassContext context_of(const engine::Frame& frame, const Camera& camera, const windrow::vulkan::Wind& wind);
+    void draw_shadows(PassContext context);
+    void make_sets(const Scene& scene);
+
+    engine::Device& device_;
+    RenderSettings settings_;
+    Clouds clouds_;
+    windrow::Sampling sampling_;
+    Targets images_;
+    StageClock clock_;
+    std::optional<VertexCounter> counter_{};
+    engine::WindSet wind_;
+    engine::Image shadow_map_{};
+    std::optional<RenderPass> shadow_pass_{};
+    VkSampler compare_ = VK_NULL_HANDLE, fetch_ = VK_NULL_HANDLE;
+    VkDescriptorSetLayout frame_layout_ = VK_NULL_HANDLE, light_layout_ = VK_NULL_HANDLE;
+    VkPipelineLayout full_screen_ = VK_NULL_HANDLE;
+    VkPipeline sky_ = VK_NULL_HANDLE, tone_ = VK_NULL_HANDLE;
+    std::array<VkDescriptorSet, engine::k_frames_in_flight> sets_{};
+    VkDescriptorSet light_set_ = VK_NULL_HANDLE;
+    std::array<engine::Buffer, engine::k_frames_in_flight> blocks_{};
+    std::optional<Terrain> terrain_{};
+    std::vector<Drawable*> drawables_{};
+    FrameBlock block_{};
+    bool first_ = true;
+};
+
+} // namespace render

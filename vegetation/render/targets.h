@@ -1,0 +1,50 @@
+// What is drawn to, offscreen: light and motion with several samples a pixel, resolved; depth; the toned picture; and the way of
+// all three to the host.
+#pragma once
+
+#include "vegetation/render/picture.h"
+#include "vegetation/render/pipeline.h"
+#include "vegetation/render/render_pass.h"
+
+#include <optional>
+
+namespace render {
+
+class Targets {
+  public:
+    /// `samples` is 1 or 4, which every device has.
+    Targets(engine::Device& device, VkExtent2D extent, VkSampleCountFlagBits samples);
+
+    [[nodiscard]] VkExtent2D extent() const { return extent_; }
+    /// The pass that draws light (attachment 0, RGBA16F) and motion (1, RG16F).
+    [[nodiscard]] const RenderPass& scene() const { return *scene_; }
+    [[nodiscard]] PassTarget scene_target() const { return {scene_->handle(), samples_, 2, true}; }
+    /// The pass that draws the picture (RGBA8, sRGB) from the resolved light.
+    [[nodiscard]] const RenderPass& toned() const { return *toned_; }
+    [[nodiscard]] PassTarget toned_target() const { return {toned_->handle(), VK_SAMPLE_COUNT_1_BIT, 1, false}; }
+    [[nodiscard]] VkImageView light() const { return resolved_light().view; }
+
+    /// After both passes: copies all to the host.
+    void copy(VkCommandBuffer commands) const;
+    /// After the copy is done.
+    [[nodiscard]] Picture8 picture() const;
+    [[nodiscard]] PictureF light_picture() const;  ///< three channels, linear, before exposure
+    [[nodiscard]] PictureF motion_picture() const; ///< two channels: shares of the picture's size, x right, y down
+
+  private:
+    [[nodiscard]] const engine::Image& resolved_light() const { return samples_ == VK_SAMPLE_COUNT_1_BIT ? light_ : light_one_; }
+    [[nodiscard]] const engine::Image& resolved_motion() const {
+        return samples_ == VK_SAMPLE_COUNT_1_BIT ? motion_ : motion_one_;
+    }
+
+    VkExtent2D extent_{};
+    VkSampleCountFlagBits samples_{};
+    engine::Image light_{}, motion_{}, depth_{}, light_one_{}, motion_one_{}, picture_{};
+    engine::Buffer light_bytes_{}, motion_bytes_{}, picture_bytes_{};
+    std::optional<RenderPass> scene_{}, toned_{};
+};
+
+/// A format that depth is drawn to with more than 16 bits: one of two that every device has.
+[[nodiscard]] VkFormat depth_format(const engine::Device& device);
+
+} // namespace render

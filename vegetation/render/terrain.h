@@ -1,0 +1,25 @@
+// The ground: a grid of heights as triangles, in light and in shadow.
+#pragma once
+
+#include "vegetation/render/drawable.h"
+#include "vegetation/render/scene.h"
+
+namespace render {
+
+class Terrain final : public Drawable {
+  public:
+    Terrain(engine::Device& device, const DrawTargets& targets, const Ground& ground, const PlantLook& look);
+
+    /// The heights, for set 0.
+    [[nodiscard]] static engine::Buffer heights(engine::Device& device, const Ground& ground);
+    void draw(const PassContext& context) override;
+
+  private:
+    std::uint32_t cells_x_ = 0, cells_z_ = 0;
+    VkPipelineLayout layout_ = VK_NULL_HANDLE;
+    VkPipeline colour_ = VK_NULL_HANDLE, shadow_ = VK_NULL_HANDLE;
+    VkDescriptorSet set_ = VK_NULL_HANDLE;
+    glm::ivec2 mask_corners_{2};
+};
+
+} // namespace render

@@ -1,0 +1,36 @@
+// How often the stages of the colour pass ran, by the device's own counters: what it drew, and what its vertex cache saved of it.
+//
+// Not of the shadow's pass: it has no fragment stage, where Mesa 22.3's llvmpipe ends with a fault while it counts.
+#pragma once
+
+#include "vegetation/vulkan/frames.h"
+
+namespace render {
+
+struct VertexCounts {
+    std::uint64_t vertices = 0;    ///< that the draws named: instances times vertices
+    std::uint64_t invocations = 0; ///< of the vertex stage
+    std::uint64_t fragments = 0;   ///< invocations of the fragment stage
+};
+
+class VertexCounter {
+  public:
+    explicit VertexCounter(engine::Device& device);
+
+    /// Whether the device counts; without it nothing is recorded and nothing told.
+    [[nodiscard]] bool counts() const { return pool_ != VK_NULL_HANDLE; }
+    /// Begins a frame, outside of a render pass; what was recorded for its slot before is done.
+    void begin(VkCommandBuffer commands, int slot);
+    /// Around the draws of the pass, within it.
+    void enter(VkCommandBuffer commands);
+    void leave(VkCommandBuffer commands);
+    /// Of a slot's frame, which the host has waited for.
+    [[nodiscard]] VertexCounts collect(int slot) const;
+
+  private:
+    VkDevice device_ = VK_NULL_HANDLE;
+    VkQueryPool pool_ = VK_NULL_HANDLE;
+    std::uint32_t query_ = 0;
+};
+
+} // namespace render

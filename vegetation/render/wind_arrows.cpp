@@ -1,0 +1,82 @@
+#include "vegetation/render/wind_arrows.h"
+
+#include "vegetation/render/descriptors.h"
+#include "vegetation/render/refusals.h"
+#include "shader_words/wind_arrow_vert.h"
+#include "shader_words/wind_lattice_frag.h"
+#include "shader_words/wind_slice_vert.h"
+
+#include <cmath>
+#include <cstring>
+#include <vulkan/vulkan.h>
+
+namespace render {
+namespace {
+
+namespace words = windrow::vulkan::shader_words;
+
+constexpr std::uint32_t k_arrow_vertices = 9, k_tile_vertices = 6;
+constexpr std::array k_bindings{Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_SHADER_STAGE_ALL_GRAPHICS}};
+
+} // namespace
+
+windrow::Result<void> validate(const WindArrowSettings& settings) {
+    Refusals refusals;
+    refusals.range("arrows.spacing", static_cast<double>(settings.spacing), 0.05, 1e3);
+    double places = 1.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        refusals.range((std::string("arrows.count.") + "xyz"[axis]).c_str(), settings.count[axis], 1, 512);
+        places *= settings.count[axis];
+    }
+    refusals.range("arrows.count, x times y times z,", places, 1, 1e6);
+    refusals.range("arrows.lowest", static_cast<double>(settings.lowest), -1e4, 1e4);
+    refusals.range("arrows.scale", static_cast<double>(settings.scale), 1e-3, 1e3);
+    refusals.range("arrows.seconds", static_cast<double>(settings.seconds), 1e-4, 100.0);
+    return refusals.result();
+}
+
+WindArrows::WindArrows(engine::Device& device, const DrawTargets& targets, const WindArrowSettings& settings)
+    : settings_(settings) {
+    const bool slice = settings.form == WindArrowSettings::Form::slice;
+    if (slice)
+        settings_.count.y = 1;
+    const VkDescriptorSetLayout own = make_layout(device, k_bindings);
+    const std::array layouts{targets.frame, targets.wind, own};
+    layout_ = make_pipeline_layout(device, layouts);
+    pipeline_ = make_pipeline(device, {.vertex = slice ? std::span<const std::uint32_t>(words::wind_slice_vert)
+                                                       : std::span<const std::uint32_t>(words::wind_arrow_vert),
+                                       .fragment = words::wind_lattice_frag,
+                                       .layout = layout_,
+                                       .target = targets.colour});
+    make_sets(device, own, k_bindings, sets_);
+    for (std::size_t slot = 0; slot < sets_.size(); ++slot) {
+        blocks_[slot] = device.make_buffer(sizeof(Block), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+        point(device, sets_[slot], 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, blocks_[slot].buffer);
+    }
+    place(glm::vec3(0.0f));
+}
+
+void WindArrows::place(glm::vec3 middle) {
+    const float spacing = settings_.spacing;
+    const auto corner = [&](float at, int count) {
+        return std::round(at / spacing - 0.5f * static_cast<float>(count - 1)) * spacing;
+    };
+    block_.corner = {corner(middle.x, settings_.count.x), settings_.lowest, corner(middle.z, settings_.count.z), spacing};
+    block_.count = glm::ivec4(settings_.count, 0);
+    block_.look = {settings_.scale, settings_.seconds, 0.0f, 0.0f};
+}
+
+void WindArrows::draw(const PassContext& context) {
+    if (context.pass == Pass::shadow)
+        return; // they are no things
+    const auto slot = static_cast<std::size_t>(context.slot);
+    std::memcpy(blocks_[slot].mapped, &block_, sizeof block_);
+    const std::array sets{context.frame, context.wind, sets_[slot]};
+    vkCmdBindDescriptorSets(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 0, 3, sets.data(), 0, nullptr);
+    vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_);
+    const auto places = static_cast<std::uint32_t>(settings_.count.x * settings_.count.y * settings_.count.z);
+    const bool slice = settings_.form == WindArrowSettings::Form::slice;
+    vkCmdDraw(context.commands, slice ? k_tile_vertices : k_arrow_vertices, places, 0, 0);
+}
+
+} // namespace render

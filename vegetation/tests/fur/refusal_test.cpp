@@ -1,0 +1,237 @@
+// Meshes that a host may be handed: wrong, absurd, hostile. Each is refused by a sentence with the file's name, or read whole.
+#include "vegetation/fur/mesh_file.h"
+#include "tests/figure.h"
+#include "vegetation/tests/fur/fixtures.h"
+#include "vegetation/tests/fur/folder.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <random>
+
+namespace shells {
+namespace {
+
+using test::Folder;
+
+void expect_refused(const std::filesystem::path& path, const std::string& why, const MeshLoad& load = {}) {
+    const auto mesh = read_mesh(path, load);
+    ASSERT_FALSE(mesh) << why;
+    EXPECT_NE(mesh.error().find(path.string()), std::string::npos) << mesh.error();
+    EXPECT_NE(mesh.error().find(why), std::string::npos) << mesh.error();
+    EXPECT_EQ(mesh.error().find('\n'), std::string::npos) << mesh.error();
+}
+
+TEST(MeshRefusals, WhatIsNoMesh) {
+    const Folder folder;
+    expect_refused(folder.at("none.obj"), "does not exist");
+    expect_refused(folder.at(""), "give a mesh as .obj");
+    std::filesystem::create_directory(folder.at("folder.obj"));
+    expect_refused(folder.at("folder.obj"), "is not a file");
+    expect_refused(folder.write("mesh.stl", "solid"), "give a mesh as .obj");
+    expect_refused(folder.write("empty.obj", ""), "has no faces");
+    expect_refused(folder.write("words.obj", "this is\nno mesh\n"), "has no faces");
+    expect_refused(folder.write("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"), "has no faces");
+    expect_refused(folder.write("empty.3ds", ""), "is not a 3DS file");
+    expect_refused(folder.write("none.3ds", test::chunk(0x4d4d, test::chunk(0x3d3d, ""))), "has no triangles");
+    expect_refused(folder.write("empty.gltf", ""), "empty.gltf");
+    expect_refused(folder.write("list.gltf", "[]"), "is no object");
+    expect_refused(folder.write("empty.glb", "glTF"), "whole GLB");
+    expect_refused(folder.write("bare.gltf", R"({"asset":{"version":"2.0"}})"), "has no triangles");
+    // A long file is refused by its length; a sparse one takes no disk.
+    std::filesystem::resize_file(folder.write("long.obj", ""), k_most_bytes + 1);
+    expect_refused(folder.at("long.obj"), "bytes");
+}
+
+TEST(MeshRefusals, OfObj) {
+    const Folder folder;
+    const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    const std::pair<std::string, const char*> wrong[] = {
+        {triangle + "f 1 2 4\n", ":4: the face's index '4'"},
+        {triangle + "f 1 2 0\n", "index '0'"},
+        {triangle + "f 1 2 -4\n", "index '-4'"},
+        {triangle + "f 1 2 99999999999999999999\n", "index '9999"},
+        {triangle + "f 1/1 2/1 3/1\n", "means no vt"},
+        {triangle + "f 1//1 2//1 3//1\n", "means no vn"},
+        {triangle + "vt 0 0\nf 1/1 2 3\n", "different kinds"},
+        {triangle + "f 1/1/1/1 2 3\n", "different kinds"},
+        {triangle + "f 1 2\n", "2 corners"},
+        {triangle + "f" + std::string(200, ' ') + "1 2 x\n", "index 'x'"},
+        {"v 0 0 nan\n", "'nan'"},
+        {"v 0 0 1e39\n", "'1e39'"},
+        {"v 0 inf 0\n", "'inf'"},
+        {"v 0 0\n", "finite numbers"},
+        {"v 0 0 0x10\n", "'0x10'"},
+        {triangle + "f 1 2 \\\n3\n", "backslash"},
+        {triangle + std::string("f 1 2 3\0\n", 9), "zero byte"},
+        {"v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "no triangle with an area"},
+        {"v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n", "no triangle with an area"},
+        {triangle + "vn 0 0 0\nvn 0 0 1\nf 1//1 2//2 3//2\n", "normal of length 0"},
+        {triangle + "usemtl " + std::string(300, 'x') + "\nf 1 2 3\n", "300 bytes"}};
+    for (const auto& [text, why] : wrong)
+        expect_refused(folder.write("wrong.obj", text), why);
+    std::string polygon = triangle + "f";
+    for (int i = 0; i < 65; ++i)
+        polygon += " 1";
+    expect_refused(folder.write("polygon.obj", polygon), "65 corners");
+}
+
+TEST(MeshRefusals, FilesOutsideOfTheFolder) {
+    const Folder folder;
+    folder.write("../outside.mtl", "newmtl coat\n");
+    folder.write("../outside.bin", test::cube_buffer());
+    std::filesystem::create_symlink(folder.at("../outside.mtl"), folder.at("link.mtl"));
+    std::filesystem::create_directory_symlink(folder.at(".."), folder.at("up"));
+    const std::string outside = std::filesystem::absolute(folder.at("../outside.mtl")).lexically_normal().string();
+    const auto obj = [&](const std::string& library) {
+        return folder.write("mesh.obj", "mtllib " + library + "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    };
+    for (const std::string& name : {outside, std::string("../outside.mtl"), std::string("inner/../../outside.mtl"),
+                                    std::string("..\\outside.mtl"), std::string("C:outside.mtl"), std::string(".")})
+        expect_refused(obj(name), "in its own folder");
+    expect_refused(obj("missing.mtl"), "does not exist in its folder");
+    for (const std::string& name : {std::string("link.mtl"), std::string("up/outside.mtl")})
+        expect_refused(obj(name), "a link out of its folder");
+    folder.write("coat.mtl", "newmtl coat\nfur 1 2 3 4\n");
+    const auto bad_coat = read_mesh(obj("coat.mtl"));
+    ASSERT_FALSE(bad_coat);
+    EXPECT_NE(bad_coat.error().find("coat.mtl:2: fur's shell count"), std::string::npos) << bad_coat.error();
+    for (const char* uri : {"../outside.bin", "%2e%2e/outside.bin", "%2E%2E%2Foutside.bin", "/etc/passwd", "file:///etc/passwd",
+                            "http://example.org/cube.bin"})
+        expect_refused(folder.write("mesh.gltf", test::cube_gltf(std::string(R"(,"uri":")") + uri + "\"")), "in its own folder");
+    expect_refused(folder.write("mesh.gltf", test::cube_gltf(R"(,"uri":"missing.bin")")), "does not exist in its folder");
+    expect_refused(folder.write("mesh.gltf", test::cube_gltf(R"(,"uri":"data:application/octet-stream;base64,!!!!")")),
+                   "not base64");
+    expect_refused(folder.write("mesh.gltf", test::cube_gltf(R"(,"uri":"data:text/plain,cube")")), "base64");
+}
+
+// The cube's glTF with one text in it replaced.
+TEST(MeshRefusals, OfGltf) {
+    const Folder folder;
+    folder.write("cube.bin", test::cube_buffer());
+    struct Change {
+        const char *from, *to, *why;
+    };
+    const Change changes[] = {
+        {R"("count":36)", R"("count":37)", "reaches beyond its view"},
+        {R"("count":36)", R"("count":35)", "three a triangle"},
+        {R"("count":36)", R"("count":4294967296)", "not a count"},
+        {R"("count":36)", R"("count":-3)", "not a count"},
+        {R"("count":36)", R"("count":400000000)", ".count is"},
+        {R"("count":8)", R"("count":7)", "has the index 7"},
+        {R"("count":8)", R"("count":0)", ".count is 0"},
+        {R"("byteLength":168)", R"("byteLength":169)", "has 168 bytes"},
+        {R"("byteLength":168)", R"("byteLength":4000000000)", "byteLength"},
+        {R"("byteLength":72)", R"("byteLength":73)", "reaches beyond its buffer"},
+        {R"("byteOffset":96)", R"("byteOffset":400000000)", "reaches beyond its buffer"},
+        {R"("byteLength":96)", R"("byteLength":96,"byteStride":8)", "byteStride"},
+        {R"("type":"VEC3")", R"("type":"VEC2")", "VEC3 of floats"},
+        {R"("componentType":5123)", R"("componentType":5126)", "SCALAR of unsigned"},
+        {R"("componentType":5126)", R"("componentType":5123)", "VEC3 of floats"},
+        {R"("bufferView":0)", R"("bufferView":9)", "is asked for"},
+        {R"("buffer":0)", R"("buffer":1)", "is asked for"},
+        {R"("indices":1)", R"("indices":2)", "is asked for"},
+        {R"("material":0)", R"("material":1)", "is asked for"},
+        {R"("material":0)", R"("material":0,"mode":5)", "mode 5"},
+        {R"("mesh":0)", R"("mesh":1)", "is asked for"},
+        {R"("children":[1])", R"("children":[2])", "names no node"},
+        {R"("children":[1])", R"("children":[1,1])", "has a parent"},
+        {R"("children":[1])", R"("children":[0])", "circle"},
+        {R"("scale":[1,2,1])", R"("scale":[1,2])", "finite numbers"},
+        {R"("scale":[1,2,1])", R"("scale":[0,0,0])", "no triangle with an area"},
+        {R"("attributes":{"POSITION":0})", R"("attributes":{})", "is asked for"},
+        {R"("scene":0)", R"("extensionsRequired":["KHR_draco_mesh_compression"],"scene":0)", "without compression"}};
+    const std::string whole = test::cube_gltf(R"(,"uri":"cube.bin")");
+    ASSERT_TRUE(read_mesh(folder.write("whole.gltf", whole)));
+    for (const Change& change : changes) {
+        std::string text = whole;
+        const std::size_t at = text.find(change.from);
+        ASSERT_NE(at, std::string::npos) << change.from;
+        text.replace(at, std::string_view(change.from).size(), change.to);
+        expect_refused(folder.write("wrong.gltf", text), change.why);
+    }
+    std::string buffer = test::cube_buffer();
+    const float nan = std::nanf("");
+    std::memcpy(buffer.data() + 4, &nan, 4);
+    folder.write("cube.bin", buffer);
+    expect_refused(folder.write("whole.gltf", whole), "not finite");
+}
+
+TEST(MeshRefusals, OfThreeDs) {
+    const Folder folder;
+    const std::string whole = test::cube_three_ds();
+    const auto with = [&](std::string_view mark, std::size_t offset, std::uint16_t value) {
+        std::string bytes = whole;
+        std::memcpy(bytes.data() + bytes.find(mark) + offset, &value, 2);
+        return folder.write("wrong.3ds", bytes);
+    };
+    const std::string_view vertices("\x10\x41", 2), faces("\x20\x41", 2), uv("\x40\x41", 2);
+    expect_refused(with(vertices, 6, 9), "give a whole list");
+    expect_refused(with(vertices, 6, 7), "give a whole list");
+    expect_refused(with(faces, 8, 8), "with the vertex 8");
+    expect_refused(with(faces, 6, 60000), "give a whole list");
+    expect_refused(with(uv, 6, 7), "give a whole list");
+    expect_refused(with(faces, 4, 60000), "does not fit");
+    expect_refused(with(vertices, 10, 0x7f80), "not finite");
+}
+
+TEST(MeshRefusals, OfLoads) {
+    const Folder folder;
+    const auto cube = folder.write("cube.glb", test::cube_glb());
+    const auto refused = [&](const MeshLoad& load, const char* field) {
+        const auto mesh = read_mesh(cube, load);
+        ASSERT_FALSE(mesh) << field;
+        EXPECT_NE(mesh.error().find(field), std::string::npos) << mesh.error();
+    };
+    refused({.up = static_cast<UpAxis>(3)}, "load.up");
+    refused({.size = 0.0f}, "load.size");
+    refused({.size = std::nanf("")}, "load.size");
+    refused({.size_of = static_cast<SizeOf>(2)}, "load.size_of");
+    refused({.yaw = 7.0f}, "load.yaw");
+    refused({.most_triangles = 3}, "load.most_triangles");
+    expect_refused(folder.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 3 2\n"), "is flat", {.size_of = SizeOf::height});
+    expect_refused(folder.write("open.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nv 1 0 1\nv 0 0 2\nv 1 0 2\nv 2 0 2\n"
+                                            "f 1 3 2\nf 2 3 4\nf 3 5 4\nf 4 5 6\nf 4 6 7\n"),
+                   "cannot be simplified", {.most_triangles = 4});
+}
+
+// Truncations and flipped bytes of each kind of file: refused with a sentence, or read to a mesh that holds; never a fault of
+// memory, which a build with sanitizers would tell.
+TEST(MeshRefusals, BrokenFilesAreRefusedOrSound) {
+    const Folder folder;
+    folder.write("cube.mtl", test::k_cube_mtl);
+    folder.write("cube.bin", test::cube_buffer());
+    const std::pair<const char*, std::string> files[] = {{"broken.obj", test::k_cube_obj},
+                                                         {"broken.gltf", test::cube_gltf(R"(,"uri":"cube.bin")")},
+                                                         {"broken.glb", test::cube_glb()},
+                                                         {"broken.3ds", test::cube_three_ds()}};
+    std::mt19937 chance(9); // the same on every machine
+    int read = 0, refused = 0;
+    const auto attempt = [&](const char* name, const std::string& bytes) {
+        const auto mesh = read_mesh(folder.write(name, bytes));
+        if (mesh) {
+            const auto valid = validate(*mesh);
+            EXPECT_TRUE(valid) << name << ": " << valid.error();
+        } else {
+            EXPECT_NE(mesh.error().find("inner"), std::string::npos) << mesh.error(); // the file's folder
+        }
+        ++(mesh ? read : refused);
+    };
+    for (const auto& [name, whole] : files) {
+        for (int i = 0; i < 100; ++i)
+            attempt(name, whole.substr(0, chance() % whole.size()));
+        for (int i = 0; i < 200; ++i) {
+            std::string bytes = whole;
+            for (auto flips = 1 + chance() % 3; flips > 0; --flips)
+                bytes[chance() % bytes.size()] = static_cast<char>(chance());
+            attempt(name, bytes);
+        }
+    }
+    windrow::test::figure("shells/broken_files/refused", refused);
+    windrow::test::figure("shells/broken_files/read", read);
+    EXPECT_EQ(read + refused, 1200);
+    EXPECT_GT(read, 0);
+    EXPECT_GT(refused, 0);
+}
+
+} // namespace
+} // namespace shells

@@ -1,0 +1,60 @@
+// A field on a device under the validation layer, which must stay silent.
+#pragma once
+
+#include "vegetation/grass/grass_field.h"
+#include "vegetation/tests/grass/fields.h"
+#include "tests/parity/gpu.h"
+
+#include <memory>
+#include <vector>
+
+namespace grass::test {
+
+class GrassOnTheDevice : public windrow::vulkan::Gpu {
+  protected:
+    /// The hills and glades of fields.h.
+    void make_field(const GrassSettings& settings = small_field()) {
+        auto made = GrassField::create(own->host(), heights, mask, settings);
+        ASSERT_TRUE(made) << made.error();
+        field = std::make_unique<GrassField>(*std::move(made));
+    }
+    void TearDown() override {
+        field.reset();
+        Gpu::TearDown();
+    }
+
+    /// Records the cull of a frame whose anchor is the field's corner, and waits.
+    GrassReport cull(const GrassCamera& camera) {
+        GrassReport report;
+        run([&](VkCommandBuffer commands) {
+            auto done = field->record_cull(commands, camera);
+            EXPECT_TRUE(done) << done.error();
+            if (done)
+                report = *done;
+        });
+        return report;
+    }
+
+    /// A whole buffer of the field's, as values.
+    template <class Value>
+    std::vector<Value> values_of(VkBuffer from, std::size_t count) {
+        const windrow::vulkan::Buffer here = buffer(count * sizeof(Value), windrow::vulkan::Place::readback);
+        run([&](VkCommandBuffer commands) {
+            const VkBufferCopy all{0, 0, count * sizeof(Value)};
+            device->functions().vkCmdCopyBuffer(commands, from, here.handle(), 1, &all);
+            barrier(commands);
+        });
+        return read<Value>(here, count);
+    }
+    [[nodiscard]] std::size_t places() const {
+        return static_cast<std::size_t>(field->settings().chunk_cells) * static_cast<std::size_t>(field->settings().chunk_cells);
+    }
+    [[nodiscard]] std::size_t slots() const { return static_cast<std::size_t>(field->settings().most_chunks); }
+    std::vector<VkDrawIndirectCommand> draws() { return values_of<VkDrawIndirectCommand>(field->draw_buffer(), 4 * slots()); }
+
+    HeightMap heights = hills();
+    PlacementMask mask = glades(heights);
+    std::unique_ptr<GrassField> field;
+};
+
+} // namespace grass::test

@@ -1,0 +1,87 @@
+#include "vegetation/tests/images/drawn.h"
+
+#include "vegetation/program/picture_reader.h"
+
+#include <OpenImageIO/imageio.h>
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace meadow::test {
+namespace {
+
+using windrow::Error;
+using windrow::Result;
+
+// Before the first instance is made; what the caller chose stays.
+[[maybe_unused]] const bool k_chosen = [] {
+    if (std::getenv("VK_ICD_FILENAMES") == nullptr && std::getenv("VK_DRIVER_FILES") == nullptr)
+        ::setenv("VK_LOADER_DRIVERS_SELECT", "*lvp*", 0);
+    return true;
+}();
+
+int between(std::uint8_t a, std::uint8_t b) {
+    return std::abs(static_cast<int>(a) - static_cast<int>(b));
+}
+
+} // namespace
+
+Result<PictureScene> read_scene(const std::string& name) {
+    return read_picture_scene(std::filesystem::path(WINDROW_SOURCE_DIR) / "vegetation/tests/images/scenes" / (name + ".json"));
+}
+
+Result<render::Picture8> last_picture(const PictureScene& scene, const ShootSettings& settings, int drawn) {
+    auto shoot = Shoot::create(scene, settings);
+    if (!shoot)
+        return Error{shoot.error()};
+    if (auto settled = (*shoot)->settle(); !settled)
+        return Error{settled.error()};
+    const auto frames = static_cast<std::int64_t>(std::llround(scene.air.duration * (*shoot)->frames_per_second())) + 1;
+    while ((*shoot)->frame() < frames)
+        if (auto done = (*shoot)->frame() < frames - drawn ? (*shoot)->skip() : (*shoot)->draw(); !done)
+            return Error{done.error()};
+    return (*shoot)->images().picture();
+}
+
+Apart apart(const render::Picture8& a, const render::Picture8& b) {
+    Apart found;
+    for (std::size_t pixel = 0; pixel < a.values.size() / 3; ++pixel) {
+        int most = 0;
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            const int off = between(a.values[3 * pixel + channel], b.values[3 * pixel + channel]);
+            found.mean += off;
+            most = std::max(most, off);
+        }
+        found.far += most > Apart::k_far ? 1.0 : 0.0;
+        found.most = std::max(found.most, most);
+    }
+    found.mean /= static_cast<double>(a.values.size());
+    found.far /= static_cast<double>(a.values.size() / 3);
+    return found;
+}
+
+render::Picture8 difference(const render::Picture8& a, const render::Picture8& b) {
+    render::Picture8 made(a.width, a.height);
+    for (std::size_t n = 0; n < made.values.size(); ++n)
+        made.values[n] = static_cast<std::uint8_t>(std::min(8 * between(a.values[n], b.values[n]), 255));
+    return made;
+}
+
+Result<render::Picture8> read_png(const std::filesystem::path& file) {
+    const auto input = OIIO::ImageInput::open(file.string());
+    if (!input)
+        return Error{file.string() + " is no picture that can be read."};
+    const OIIO::ImageSpec& spec = input->spec();
+    render::Picture8 read(spec.width, spec.height);
+    if (spec.nchannels != 3 || !input->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, read.values.data()))
+        return Error{file.string() + " is no picture of three channels."};
+    return read;
+}
+
+std::filesystem::path left_behind(const std::string& name, const std::string& ending) {
+    const std::filesystem::path folder = WINDROW_IMAGES_FOLDER;
+    std::filesystem::create_directories(folder);
+    return folder / (name + (ending.empty() ? "" : "." + ending) + ".png");
+}
+
+} // namespace meadow::test

@@ -1,0 +1,93 @@
+// The picture's reader and the schema say the same: every key, with its default, range and words.
+#include "vegetation/program/grass_reader.h"
+#include "vegetation/program/picture_writer.h"
+#include "vegetation/tests/program/specimen.h"
+#include "tests/schema_walk.h"
+
+#include <cstdlib>
+
+namespace meadow {
+namespace {
+
+using nlohmann::json;
+using test::Folder;
+
+/// So that each key is asked for; the class's own defaults are stated for grass, which this has.
+constexpr const char* k_bare = R"({"paths": {"a": {"points": [[0, 0, 0, 0]]}}, "picture": {
+    "grass": [{"mask": {"strokes": [{"paint": {}}, {"erase": {}}]}}], "trees": [{"places": [{}], "scatter": {"clear": [{}]}}], "fans": [{}], "ground_memory": {},
+    "bodies": [{"mesh": {"file": {"name": "a.obj"}}, "skeleton": {"kind": "own", "bones": [{"swings": [{}]}]},
+                "coats": [{"spots": [{}], "inertia": {}, "cloud": {}}]},
+               {"mesh": {"sheet": {}}}, {"mesh": {"globe_sphere": {}}}, {"mesh": {"cube_sphere": {}}}, {"mesh": {"wing": {}}}, {"mesh": {"beast": {}}}],
+    "lamps": [{}],
+    "walkers": [{"path": "a", "airborne": [{"from": 0, "until": 1}]}]}})";
+
+TEST(PictureSchema, KnowsTheReadersKeysWithTheirDefaultsAndRanges) {
+    auto stated = windrow::test::SchemaWalk(windrow::test::load_schema()).keys();
+    std::erase_if(stated, [](const auto& key) { return !key.first.starts_with("$.picture."); });
+    std::vector<windrow::scene::KnownKey> known;
+    const auto scene = read_picture_scene_text(k_bare, "a.json", &known);
+    ASSERT_TRUE(scene) << scene.error();
+    windrow::test::expect_same_keys(stated, windrow::test::keys_of(known));
+    EXPECT_GE(stated.size(), 250u);
+}
+
+TEST(PictureSchema, EveryObjectRefusesUnknownKeys) {
+    const Folder folder;
+    test::write_specimen_files(folder);
+    const json specimen = json::parse(test::k_specimen);
+    const json flat = specimen["picture"].flatten();
+    std::vector<std::string> pointers = {"/picture"};
+    for (const auto& [pointer, value] : flat.items())
+        for (std::size_t slash = pointer.find('/', 1); slash != std::string::npos; slash = pointer.find('/', slash + 1))
+            pointers.push_back("/picture" + pointer.substr(0, slash));
+    int tried = 0;
+    for (const std::string& pointer : pointers) {
+        json broken = specimen;
+        json& place = broken[json::json_pointer(pointer)];
+        if (!place.is_object())
+            continue;
+        place["zebra"] = 1;
+        const auto scene = read_picture_scene_text(broken.dump(), folder / "a.json");
+        ASSERT_FALSE(scene) << pointer;
+        EXPECT_NE(scene.error().find("zebra is not a known key"), std::string::npos) << scene.error();
+        ++tried;
+    }
+    EXPECT_GE(tried, 40);
+}
+
+TEST(PictureSchema, SpecimenAndWhatIsWrittenKeepIt) {
+    if (std::system("python3 -c 'import jsonschema' 2>/dev/null") != 0)
+        FAIL() << "python3-jsonschema is not installed: ./dev setup does it";
+    const Folder folder;
+    test::write_specimen_files(folder);
+    const auto scene = read_picture_scene_text(test::k_specimen, folder / "a.json");
+    ASSERT_TRUE(scene) << scene.error();
+    json whole = json::parse(test::k_specimen), defaults = json::object(), wrong = whole;
+    whole["picture"] = write_picture(*scene);
+    const auto plain = read_picture_scene_text("{}", "a.json");
+    ASSERT_TRUE(plain) << plain.error();
+    defaults["picture"] = write_picture(*plain);
+    wrong["picture"]["grass"][0]["look"]["glos"] = 1;
+    folder.write("specimen.json", test::k_specimen);
+    folder.write("whole.json", whole.dump());
+    folder.write("defaults.json", defaults.dump());
+    folder.write("wrong.json", wrong.dump());
+    folder.write("check.py", "import json, sys\n"
+                             "from jsonschema.validators import validator_for\n"
+                             "schema = json.load(open(sys.argv[1], encoding='utf-8'))\n"
+                             "kind = validator_for(schema); kind.check_schema(schema)\n"
+                             "for name in sys.argv[2:]:\n"
+                             "    if not kind(schema).is_valid(json.load(open(name, encoding='utf-8'))): sys.exit(name)\n");
+    const auto check = [&](const char* file) {
+        return std::system(("python3 '" + (folder / "check.py").string() +
+                            "' '" WINDROW_SOURCE_DIR "/examples/scenes/scene.schema.json' '" + (folder / file).string() +
+                            "' 2>/dev/null")
+                               .c_str());
+    };
+    for (const char* file : {"specimen.json", "whole.json", "defaults.json"})
+        EXPECT_EQ(check(file), 0) << file;
+    EXPECT_NE(check("wrong.json"), 0);
+}
+
+} // namespace
+} // namespace meadow

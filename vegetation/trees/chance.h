@@ -1,0 +1,34 @@
+// Chances that belong to a tree: the same seed gives the same tree on every machine.
+#pragma once
+
+#include "vegetation/trees/tree_numerics.h"
+
+#include <cstdint>
+
+namespace trees {
+
+class Chance {
+  public:
+    /// `stream` parts the chances of one thing from those of another.
+    Chance(std::uint32_t seed, std::uint32_t stream) : key_{seed, stream * 0x9e3779b9u} {}
+
+    /// 0 to 1, 1 left out.
+    float share() {
+        ++count_;
+        return numerics::windrow_share(
+            numerics::windrow_plant_hash(glm::uvec2(key_.x ^ (count_ * 0x85ebca6bu), key_.y + count_)).x);
+    }
+    float between(float low, float high) { return low + (high - low) * share(); }
+    /// -spread to spread.
+    float around(float spread) { return spread * (2.0f * share() - 1.0f); }
+    glm::vec3 vector(float spread) {
+        const float x = around(spread), y = around(spread), z = around(spread);
+        return {x, y, z};
+    }
+
+  private:
+    glm::uvec2 key_;
+    std::uint32_t count_ = 0;
+};
+
+} // namespace trees

@@ -1,0 +1,121 @@
+#include "vegetation/trees/stand_settings.h"
+
+#include "vegetation/render/refusals.h"
+#include "vegetation/trees/chance.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <string>
+#include <unordered_map>
+
+namespace trees {
+namespace {
+
+constexpr double k_farthest = 1e9; // [m]
+constexpr int k_tries = 40;        // a tree, before the region counts as full
+
+// Which of the places so far stand near: a grid whose cells are as wide as trees must be apart.
+class Neighbours {
+  public:
+    explicit Neighbours(double apart) : apart_(apart), cell_(std::max(apart, 0.01)) {}
+
+    [[nodiscard]] bool any_near(glm::dvec2 at) const {
+        const glm::i64vec2 here = cell(at);
+        for (std::int64_t z = -1; z <= 1; ++z)
+            for (std::int64_t x = -1; x <= 1; ++x) {
+                const auto found = cells_.find(key({here.x + x, here.y + z}));
+                if (found != cells_.end() && std::any_of(found->second.begin(), found->second.end(),
+                                                         [&](glm::dvec2 p) { return glm::distance(p, at) < apart_; }))
+                    return true;
+            }
+        return false;
+    }
+    void add(glm::dvec2 at) { cells_[key(cell(at))].push_back(at); }
+
+  private:
+    [[nodiscard]] glm::i64vec2 cell(glm::dvec2 at) const { return glm::i64vec2(glm::floor(at / cell_)); }
+    [[nodiscard]] static std::int64_t key(glm::i64vec2 cell) { return cell.x * 0x1fffffffffffLL + cell.y; }
+
+    double apart_, cell_; // [m]
+    std::unordered_map<std::int64_t, std::vector<glm::dvec2>> cells_{};
+};
+
+} // namespace
+
+windrow::Result<void> validate(const TreeScatter& s) {
+    render::Refusals refusals;
+    refusals.range("scatter.count", s.count, 0, 100000);
+    for (int axis = 0; axis < 2; ++axis) {
+        const std::string end = std::string(".") + "xz"[axis];
+        refusals.range(("scatter.low" + end).c_str(), s.low[axis], -k_farthest, k_farthest);
+        refusals.range(("scatter.high" + end).c_str(), s.high[axis], -k_farthest, k_farthest);
+        if (!(s.high[axis] > s.low[axis]))
+            refusals.add("scatter.high" + end + " is not beyond scatter.low" + end + "; give a region of some size.");
+    }
+    refusals.range("scatter.apart", s.apart, 0.0, 1000.0);
+    refusals.range("scatter.groves", static_cast<double>(s.groves), 0.0, 1.0);
+    refusals.range("scatter.grove_length", s.grove_length, 1.0, 1e5);
+    refusals.range("scatter.size_spread", static_cast<double>(s.size_spread), 0.0, static_cast<double>(0.9f));
+    for (std::size_t n = 0; n < s.clear.size(); ++n) {
+        const std::string field = "scatter.clear[" + std::to_string(n) + "]";
+        refusals.range((field + ".centre.x").c_str(), s.clear[n].centre.x, -k_farthest, k_farthest);
+        refusals.range((field + ".centre.z").c_str(), s.clear[n].centre.y, -k_farthest, k_farthest);
+        refusals.range((field + ".radius").c_str(), s.clear[n].radius, 0.0, 1e6);
+    }
+    return refusals.result();
+}
+
+windrow::Result<void> validate(const TreeStandSettings& stand) {
+    render::Refusals refusals;
+    refusals.add(validate(stand.kind.tree));
+    refusals.add(validate(stand.kind.look));
+    refusals.add(validate(stand.kind.levels));
+    refusals.range("stand.variants", stand.variants, 1, 8);
+    for (std::size_t n = 0; n < stand.places.size(); ++n) {
+        const std::string field = "stand.places[" + std::to_string(n) + "]";
+        for (int axis = 0; axis < 3; ++axis)
+            refusals.range((field + ".base." + "xyz"[axis]).c_str(), stand.places[n].base[axis], -k_farthest, k_farthest);
+        refusals.range((field + ".size").c_str(), static_cast<double>(stand.places[n].size), static_cast<double>(0.05f), 10.0);
+        refusals.range((field + ".yaw_deg").c_str(), static_cast<double>(stand.places[n].yaw_deg), -360.0, 360.0);
+    }
+    refusals.add(validate(stand.scatter));
+    return refusals.result();
+}
+
+windrow::Result<std::vector<TreePlace>> scatter(const TreeScatter& s, const GroundHeight& ground) {
+    if (auto judged = validate(s); !judged)
+        return windrow::Error{judged.error()};
+    Chance chance(s.seed, 6);
+    Neighbours neighbours(s.apart);
+    std::vector<TreePlace> places;
+    const auto wanted = static_cast<std::size_t>(s.count);
+    for (std::size_t tries = 0; places.size() < wanted && tries < wanted * k_tries; ++tries) {
+        const glm::dvec2 share(static_cast<double>(chance.share()), static_cast<double>(chance.share()));
+        const glm::dvec2 at = s.low + share * (s.high - s.low);
+        const float grove =
+            numerics::windrow_place_noise(glm::vec2((at - s.low) / s.grove_length) + 17.0f * static_cast<float>(s.seed % 64u));
+        const float stands = 1.0f - s.groves + s.groves * glm::smoothstep(0.5f, 0.7f, grove);
+        const float drawn = chance.share(), size = chance.around(s.size_spread), yaw = chance.share();
+        const bool cleared = std::any_of(s.clear.begin(), s.clear.end(), [&](const ClearCircle& circle) {
+            return glm::distance(circle.centre, at) < circle.radius;
+        });
+        if (cleared || drawn >= stands || neighbours.any_near(at))
+            continue;
+        neighbours.add(at);
+        places.push_back({.base = {at.x, ground(at.x, at.y), at.y}, .size = 1.0f + size, .yaw_deg = 360.0f * yaw});
+    }
+    return places;
+}
+
+windrow::Result<std::vector<TreePlace>> places_of(const TreeStandSettings& stand, const GroundHeight& ground) {
+    if (auto judged = validate(stand); !judged)
+        return windrow::Error{judged.error()};
+    std::vector<TreePlace> places = stand.places;
+    auto scattered = scatter(stand.scatter, ground);
+    if (!scattered)
+        return windrow::Error{scattered.error()};
+    places.insert(places.end(), scattered->begin(), scattered->end());
+    return places;
+}
+
+} // namespace trees

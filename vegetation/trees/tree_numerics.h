@@ -1,0 +1,15 @@
+// The trees' formulas as C++: the same text of shaders/numerics that the shaders include. Chances and noise are the grass's own.
+#pragma once
+
+#include "vegetation/grass/grass_numerics.h"
+
+#define WINDROW_FN inline
+namespace trees::numerics {
+using namespace glm;
+using windrow::numerics::windrow_place_noise;
+using windrow::numerics::windrow_plant_chance;
+using windrow::numerics::windrow_plant_hash;
+using windrow::numerics::windrow_share;
+#include "vegetation/shaders/numerics/tree_levels.glsl"
+} // namespace trees::numerics
+#undef WINDROW_FN

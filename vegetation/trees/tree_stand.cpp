@@ -1,0 +1,240 @@
+#include "vegetation/trees/tree_stand.h"
+
+#include "coupling/plant_vertex.h"
+#include "coupling/spring.h"
+#include "vegetation/render/descriptors.h"
+#include "vegetation/trees/chance.h"
+#include "vegetation/trees/tree_wind.h"
+#include "shader_words/tree_bark_frag.h"
+#include "shader_words/tree_bark_vert.h"
+#include "shader_words/tree_leaf_frag.h"
+#include "shader_words/tree_leaf_vert.h"
+#include "shader_words/tree_loads.h"
+#include "shader_words/tree_shadow_vert.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <vulkan/vulkan.h>
+
+namespace trees {
+namespace {
+
+namespace words = windrow::vulkan::shader_words;
+
+constexpr std::uint32_t k_group = 64;
+constexpr std::size_t k_most_groups = 65535; // of a dispatch on any device; states of 256 MiB
+constexpr float k_reach = 0.3f;              // of its height that a tree may lean beyond its ball at rest, culling allows
+
+constexpr VkShaderStageFlags k_all = VK_SHADER_STAGE_ALL_GRAPHICS | VK_SHADER_STAGE_COMPUTE_BIT;
+constexpr VkShaderStageFlags k_vertices = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_COMPUTE_BIT;
+constexpr std::array k_bindings{render::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, k_all},
+                                render::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_vertices},
+                                render::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_vertices},
+                                render::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_vertices},
+                                render::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_vertices},
+                                render::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_COMPUTE_BIT}};
+
+PlaceBlock block_of(const TreePlace& place, glm::dvec3 anchor) {
+    const float yaw = glm::radians(place.yaw_deg);
+    const windrow::PlantKey key = windrow::place_key(static_cast<float>(place.base.x), static_cast<float>(place.base.z));
+    const float chance = numerics::windrow_plant_chance(numerics::windrow_plant_hash({key.x, key.y}));
+    return {.base = glm::vec4(glm::vec3(place.base - anchor), place.size), .turn = {std::cos(yaw), std::sin(yaw), chance, 0.0f}};
+}
+
+} // namespace
+
+windrow::Result<std::unique_ptr<TreeStand>> TreeStand::create(engine::Device& device, const render::DrawTargets& targets,
+                                                              const TreeStandSettings& settings,
+                                                              std::span<const TreePlace> places, glm::dvec3 anchor) {
+    TreeStandSettings judged = settings;
+    judged.places.assign(places.begin(), places.end());
+    if (auto valid = validate(judged); !valid)
+        return windrow::Error{valid.error()};
+    if (places.empty())
+        return windrow::Error{"stand.places is empty; give at least one place, or leave the stand out."};
+    std::vector<TreeModel> models;
+    for (int variant = 0; variant < settings.variants; ++variant) {
+        TreeSettings tree = settings.kind.tree;
+        tree.seed += 1000u * static_cast<std::uint32_t>(variant);
+        models.push_back(*build(tree)); // was validated
+    }
+    std::size_t groups = 1;
+    for (const TreeModel& model : models)
+        groups = std::max(groups, (model.parts.size() + k_group - 1) / k_group);
+    if (groups * places.size() > k_most_groups)
+        return windrow::Error{"stand.places has " + std::to_string(places.size()) + " trees; give at most " +
+                              std::to_string(k_most_groups / groups) + " of this kind, or several stands."};
+    return std::unique_ptr<TreeStand>(new TreeStand(device, targets, settings, std::move(models), places, anchor));
+}
+
+TreeStand::TreeStand(engine::Device& device, const render::DrawTargets& targets, const TreeStandSettings& settings,
+                     std::vector<TreeModel> models, std::span<const TreePlace> places, glm::dvec3 anchor)
+    : models_(std::move(models)), springs_(settings.springs) {
+    const TreeSettings& tree = settings.kind.tree;
+    const TreeLook& look = settings.kind.look;
+    block_.wind = windrow::Tree::create(wind_classes(tree))->block(); // valid classes of valid settings: vegetation/tests/trees
+    block_.levels = level_block(settings.kind.levels, static_cast<int>(models_.front().leaf_parts.size()));
+    block_.clock = {1u, 0u, static_cast<std::uint32_t>(targets.colour.samples), tree.leaf_form == LeafForm::needles ? 1u : 0u};
+    block_.bark = glm::vec4(look.bark, look.bark_lines);
+    block_.furrow = glm::vec4(look.furrow, 0.5f * tree.height);
+    block_.leaf = glm::vec4(look.leaf, look.variation);
+    block_.young = glm::vec4(look.young, look.gloss);
+    block_.through = glm::vec4(look.through, look.against_light);
+    std::uint32_t part = 0, state = 0;
+    for (const TreeModel& model : models_) {
+        first_part_.push_back(part);
+        part += static_cast<std::uint32_t>(model.parts.size());
+    }
+    for (std::size_t n = 0; n < places.size(); ++n) {
+        PlaceBlock made = block_of(places[n], anchor);
+        made.first = {first_part_[n % models_.size()], state, static_cast<std::uint32_t>(tree.limbs) + 1u, 0u};
+        state += static_cast<std::uint32_t>(model(n).parts.size());
+        places_.push_back(made);
+    }
+    make_pipelines(device, targets);
+    fill_buffers(device);
+}
+
+void TreeStand::make_pipelines(engine::Device& device, const render::DrawTargets& targets) {
+    own_ = render::make_layout(device, k_bindings);
+    const std::array sets{targets.frame, targets.wind, own_};
+    layout_ = render::make_pipeline_layout(device, sets);
+    loads_ = render::make_compute_pipeline(device, layout_, words::tree_loads);
+    bark_ = render::make_pipeline(
+        device,
+        {.vertex = words::tree_bark_vert, .fragment = words::tree_bark_frag, .layout = layout_, .target = targets.colour});
+    leaf_ = render::make_pipeline(
+        device,
+        {.vertex = words::tree_leaf_vert, .fragment = words::tree_leaf_frag, .layout = layout_, .target = targets.colour});
+    shadow_ = render::make_pipeline(
+        device, {.vertex = words::tree_shadow_vert, .layout = layout_, .target = targets.shadow, .bias = true});
+}
+
+void TreeStand::fill_buffers(engine::Device& device) {
+    std::vector<ModelVertex> vertices;
+    std::vector<std::uint32_t> indices;
+    std::vector<ModelPart> parts;
+    for (const TreeModel& model : models_) {
+        first_vertex_.push_back(static_cast<std::uint32_t>(vertices.size()));
+        first_index_.push_back(static_cast<std::uint32_t>(indices.size()));
+        vertices.insert(vertices.end(), model.vertices.begin(), model.vertices.end());
+        indices.insert(indices.end(), model.indices.begin(), model.indices.end());
+        parts.insert(parts.end(), model.parts.begin(), model.parts.end());
+    }
+    constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+    const engine::Buffer vertex_buffer = render::filled(device, vertices, storage),
+                         part_buffer = render::filled(device, parts, storage);
+    const engine::Buffer place_buffer = render::filled(device, places_, storage);
+    indices_ = render::filled(device, indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+    const std::size_t states = places_.back().first.y + model(places_.size() - 1).parts.size();
+    states_ = render::filled(device, std::vector<PartState>(states), storage);
+    std::size_t most_groups = 0;
+    for (std::size_t n = 0; n < places_.size(); ++n)
+        most_groups += (model(n).parts.size() + k_group - 1) / k_group;
+    render::make_sets(device, own_, k_bindings, sets_);
+    for (std::size_t slot = 0; slot < sets_.size(); ++slot) {
+        blocks_[slot] = device.make_buffer(sizeof(StandBlock), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+        jobs_[slot] = device.make_buffer(sizeof(glm::uvec4) * most_groups, storage);
+        render::point(device, sets_[slot], 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, blocks_[slot].buffer);
+        std::uint32_t binding = 1;
+        for (const engine::Buffer& each : {vertex_buffer, part_buffer, place_buffer, states_, jobs_[slot]})
+            render::point(device, sets_[slot], binding++, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, each.buffer);
+    }
+}
+
+void TreeStand::set_time_step(double seconds) {
+    time_step_ = std::isfinite(seconds) && seconds > 0.0 ? seconds : 0.0;
+}
+
+void TreeStand::find_seen(const render::FrameBlock& frame) {
+    seen_.clear();
+    drawn_vertices_ = 0;
+    const glm::vec3 eye(frame.eye);
+    for (std::uint32_t n = 0; n < places_.size(); ++n) {
+        const PlaceBlock& place = places_[n];
+        const TreeModel& model = this->model(n);
+        const glm::vec3 foot(place.base), middle = foot + glm::vec3(0.0f, place.base.w * model.middle.y, 0.0f);
+        const float aside = glm::length(glm::vec2(model.middle.x, model.middle.z));
+        const float radius = place.base.w * (model.radius + aside + k_reach * model.wind_reach);
+        Seen seen{.tree = n,
+                  .by = {render::sees(frame.view_projection, middle, radius), render::sees(frame.shadow[0], middle, radius),
+                         render::sees(frame.shadow[1], middle, radius)}};
+        if (!seen.by[0] && !seen.by[1] && !seen.by[2])
+            continue;
+        const glm::vec3 height(0.0f, place.base.w * block_.furrow.w, 0.0f);
+        seen.drawn = model.drawn(block_.levels, glm::length(eye - foot - height) / place.base.w);
+        drawn_vertices_ += seen.by[0] ? seen.drawn.vertices : 0u;
+        seen_.push_back(seen);
+    }
+}
+
+void TreeStand::prepare(const render::PassContext& context) {
+    find_seen(*context.block);
+    ++block_.clock.x;
+    block_.clock.y = springs_ ? 1u : 0u;
+    block_.trunk_spring = windrow::spring_step(windrow::springs::trunk, time_step_)->block();
+    block_.limb_spring = windrow::spring_step(windrow::springs::branch, time_step_)->block();
+    block_.twig_spring = windrow::spring_step(windrow::springs::twig, time_step_)->block();
+    const auto slot = static_cast<std::size_t>(context.slot);
+    std::memcpy(blocks_[slot].mapped, &block_, sizeof block_);
+    if (seen_.empty())
+        return;
+    // One job a group: a software device runs all of a group's lanes, whether they have a part or not.
+    auto* const jobs = static_cast<glm::uvec4*>(jobs_[slot].mapped);
+    std::uint32_t groups = 0;
+    for (const Seen& seen : seen_)
+        for (std::uint32_t first = 0; first < seen.drawn.parts; first += k_group)
+            jobs[groups++] = {seen.tree, first, seen.drawn.parts, 0u};
+    const std::array sets{context.frame, context.wind, sets_[slot]};
+    vkCmdBindDescriptorSets(context.commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_, 0, 3, sets.data(), 0, nullptr);
+    vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_COMPUTE, loads_);
+    // The frame before has read its bends, and written those that springs go on from.
+    VkMemoryBarrier barrier{};
+    barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
+    barrier.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
+    barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT;
+    vkCmdPipelineBarrier(context.commands, VK_PIPELINE_STAGE_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
+                         VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, 0, 1, &barrier, 0, nullptr, 0, nullptr);
+    vkCmdDispatch(context.commands, groups, 1, 1);
+    barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_HOST_READ_BIT;
+    vkCmdPipelineBarrier(context.commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
+                         VK_PIPELINE_STAGE_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &barrier, 0, nullptr, 0,
+                         nullptr);
+}
+
+void TreeStand::draw(const render::PassContext& context) {
+    const VkCommandBuffer commands = context.commands;
+    const std::array sets{context.frame, context.wind, sets_[static_cast<std::size_t>(context.slot)]};
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 0, 3, sets.data(), 0, nullptr);
+    vkCmdBindIndexBuffer(commands, indices_.buffer, 0, VK_INDEX_TYPE_UINT32);
+    const bool shadow = context.pass == render::Pass::shadow;
+    const std::size_t view = shadow ? 1u + static_cast<std::size_t>(context.cascade) : 0u;
+    if (shadow)
+        vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_ALL, 0, sizeof context.cascade, &context.cascade);
+    const auto draw = [&](const Seen& seen, IndexRange range) {
+        const std::size_t variant = seen.tree % models_.size();
+        if (range.count > 0)
+            vkCmdDrawIndexed(commands, range.count, 1, first_index_[variant] + range.first,
+                             static_cast<std::int32_t>(first_vertex_[variant]), seen.tree);
+    };
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, shadow ? shadow_ : bark_);
+    for (const Seen& seen : seen_)
+        if (seen.by[view]) {
+            draw(seen, seen.drawn.wood);
+            draw(seen, seen.drawn.more_wood);
+        }
+    if (!shadow)
+        vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, leaf_);
+    for (const Seen& seen : seen_)
+        if (seen.by[view])
+            draw(seen, seen.drawn.leaves);
+}
+
+std::span<const PartState> TreeStand::states(std::size_t tree) const {
+    return {static_cast<const PartState*>(states_.mapped) + places_[tree].first.y, model(tree).parts.size()};
+}
+
+} // namespace trees
