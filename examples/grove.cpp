@@ -22,6 +22,8 @@
 #include <string>
 #include <vulkan/vulkan.h>
 
+using namespace windrow::vegetation;
+
 namespace {
 
 constexpr double k_frame = 1.0 / 30.0;              // [s]

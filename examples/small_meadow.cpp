@@ -19,6 +19,8 @@
 #include <filesystem>
 #include <vulkan/vulkan.h>
 
+using namespace windrow::vegetation;
+
 namespace {
 
 constexpr double k_frame = 1.0 / 30.0;              // [s]

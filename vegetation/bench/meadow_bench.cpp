@@ -19,10 +19,12 @@
 #include <cstdlib>
 #include <cstring>
 
+using namespace windrow::vegetation;
+
 namespace {
 
-using windrow::bench::MeadowCase;
-using windrow::bench::MeadowStage;
+using windrow::vegetation::bench::MeadowCase;
+using windrow::vegetation::bench::MeadowStage;
 using Stages = std::vector<std::unique_ptr<MeadowStage>>;
 
 struct Run {
@@ -276,10 +278,10 @@ void vertex_factors(const Run& run) {
 
 bool memory(const Run& run) {
     head(run, "Device memory, bytes", (field_of(run) + ", default settings").c_str());
-    const std::uint64_t before = windrow::bench::allocated_bytes();
+    const std::uint64_t before = windrow::vegetation::bench::allocated_bytes();
     const MeadowStage stage(base(run));
-    const std::uint64_t allocated = windrow::bench::allocated_bytes() - before;
-    const meadow::ShootMemory of = stage.shoot().memory();
+    const std::uint64_t allocated = windrow::vegetation::bench::allocated_bytes() - before;
+    const program::ShootMemory of = stage.shoot().memory();
     const std::uint64_t sum = of.targets + of.wind + of.grass + of.ground_memory + of.room;
     std::printf("| kind | bytes | share |\n|---|---|---|\n");
     const auto row = [sum](const char* name, std::uint64_t bytes) {

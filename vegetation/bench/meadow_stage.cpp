@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-namespace windrow::bench {
+namespace windrow::vegetation::bench {
 namespace {
 
 void must(const Result<void>& result) {
@@ -54,18 +54,18 @@ std::string scene_of(const MeadowCase& wanted) {
 } // namespace
 
 MeadowStage::MeadowStage(const MeadowCase& wanted) {
-    auto read = meadow::read_picture_scene_text(scene_of(wanted), "meadow_bench");
+    auto read = program::read_picture_scene_text(scene_of(wanted), "meadow_bench");
     if (!read)
         must(Error{read.error()});
-    scene_ = std::make_unique<meadow::PictureScene>(*std::move(read));
+    scene_ = std::make_unique<program::PictureScene>(*std::move(read));
     scene_->picture.grass.front().settings = wanted.grass;
-    auto made = meadow::Shoot::create(*scene_, wanted.shoot);
+    auto made = program::Shoot::create(*scene_, wanted.shoot);
     if (!made)
         must(Error{made.error()});
     shoot_ = *std::move(made);
     must(shoot_->settle());
     must(shoot_->draw(false));
-    table_ = meadow::StageTable(*shoot_);
+    table_ = program::StageTable(*shoot_);
 }
 
 void MeadowStage::draw(bool timed) {
@@ -94,4 +94,4 @@ void draw_in_turn(std::span<const std::unique_ptr<MeadowStage>> stages, int warm
             stage->draw(n >= warm);
 }
 
-} // namespace windrow::bench
+} // namespace windrow::vegetation::bench

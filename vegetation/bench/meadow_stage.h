@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace windrow::bench {
+namespace windrow::vegetation::bench {
 
 struct MeadowCase {
     double metres = 500.0;        ///< [m] side of a level field of 36 blade places a square metre: 9,000,000
@@ -17,7 +17,7 @@ struct MeadowCase {
     bool moves = false;           ///< the eye walks, 2 m/s; else it stands in the middle, 1.7 m high
     bool walker = true;           ///< someone walks before the eye, with a wake, on ground that remembers
     grass::GrassSettings grass{};
-    meadow::ShootSettings shoot{};
+    program::ShootSettings shoot{};
 };
 
 /// A case that is ready to be drawn: settled, its chunks made by a first frame.
@@ -28,9 +28,9 @@ class MeadowStage {
 
     /// Draws a frame, `timed` or to warm up.
     void draw(bool timed);
-    [[nodiscard]] const meadow::Shoot& shoot() const { return *shoot_; }
+    [[nodiscard]] const program::Shoot& shoot() const { return *shoot_; }
     /// Stages of the timed frames, by the device's clock; the last is the frame, their sum.
-    [[nodiscard]] std::vector<meadow::StageFigures> stages() const { return table_.figures(); }
+    [[nodiscard]] std::vector<program::StageFigures> stages() const { return table_.figures(); }
     /// [ms] Timed frames on the wall's clock, recording, submission and waiting included: mean.
     [[nodiscard]] double wall() const { return wall_ / static_cast<double>(timed_); }
     /// [ms] Median of the timed frames: on a machine with other work the mean tells of that too.
@@ -38,9 +38,9 @@ class MeadowStage {
     [[nodiscard]] double places() const;
 
   private:
-    std::unique_ptr<meadow::PictureScene> scene_{};
-    std::unique_ptr<meadow::Shoot> shoot_{};
-    meadow::StageTable table_{};
+    std::unique_ptr<program::PictureScene> scene_{};
+    std::unique_ptr<program::Shoot> shoot_{};
+    program::StageTable table_{};
     double wall_ = 0.0;
     int timed_ = 0;
 };
@@ -48,4 +48,4 @@ class MeadowStage {
 /// Draws frames of all in turn, so that what else the machine does slows all of them: `warm` untimed ones, then `frames`.
 void draw_in_turn(std::span<const std::unique_ptr<MeadowStage>> stages, int warm, int frames);
 
-} // namespace windrow::bench
+} // namespace windrow::vegetation::bench

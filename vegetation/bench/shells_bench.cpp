@@ -20,16 +20,16 @@
 
 namespace {
 
-using windrow::bench::ShellsRun;
+using windrow::vegetation::bench::ShellsRun;
 
 constexpr struct {
     std::string_view name;
     void (*measure)(const ShellsRun&);
-} k_tables[] = {{"scenes", windrow::bench::scenes_table},   {"layers", windrow::bench::layers_table},
-                {"order", windrow::bench::order_table},     {"shadow", windrow::bench::shadow_table},
-                {"lamps", windrow::bench::lamps_table},     {"clouds", windrow::bench::clouds_table},
-                {"wind_at", windrow::bench::wind_at_table}, {"plane", windrow::bench::plane_table},
-                {"wind", windrow::bench::wind_table}};
+} k_tables[] = {{"scenes", windrow::vegetation::bench::scenes_table},   {"layers", windrow::vegetation::bench::layers_table},
+                {"order", windrow::vegetation::bench::order_table},     {"shadow", windrow::vegetation::bench::shadow_table},
+                {"lamps", windrow::vegetation::bench::lamps_table},     {"clouds", windrow::vegetation::bench::clouds_table},
+                {"wind_at", windrow::vegetation::bench::wind_at_table}, {"plane", windrow::vegetation::bench::plane_table},
+                {"wind", windrow::vegetation::bench::wind_table}};
 
 [[noreturn]] void refuse(const std::string& why) {
     std::fprintf(

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace windrow::bench {
+namespace windrow::vegetation::bench {
 
 void scenes_table(const ShellsRun& run) {
     std::vector<ShellsCase> cases;
@@ -77,7 +77,7 @@ void order_table(const ShellsRun& run) {
     std::vector<ShellsCase> cases;
     const auto add = [&](const char* name, int march, bool outer, bool depth) {
         cases.push_back(fur_scene(name, 32));
-        shells::CoatLevels& levels = cases.back().coats.front().settings.levels;
+        fur::CoatLevels& levels = cases.back().coats.front().settings.levels;
         levels.march = march;
         levels.outer_first = outer;
         levels.depth_first = depth;
@@ -102,7 +102,7 @@ void shadow_table(const ShellsRun& run) {
         cases.push_back(fur_scene(name, 40));
         cases.back().coats.push_back(floor(4.0f, -0.65));
         cases.back().from = {0.0, 1.0, 3.0};
-        shells::CoatLevels& levels = cases.back().coats.front().settings.levels;
+        fur::CoatLevels& levels = cases.back().coats.front().settings.levels;
         levels.shadow_shells = layers;
         levels.shadow_strands = strands;
     };
@@ -132,4 +132,4 @@ void lamps_table(const ShellsRun& run) {
     print_times(measured(run, "Lamps", "fur of 32 layers on the sphere, no shadow", std::move(cases)));
 }
 
-} // namespace windrow::bench
+} // namespace windrow::vegetation::bench

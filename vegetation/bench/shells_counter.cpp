@@ -2,7 +2,7 @@
 
 #include <vulkan/vulkan.h>
 
-namespace windrow::bench {
+namespace windrow::vegetation::bench {
 
 CountedCoats::CountedCoats(engine::Device& device)
     : device_(device.device), counters_{render::VertexCounter(device), render::VertexCounter(device),
@@ -52,4 +52,4 @@ CoatCosts CountedCoats::collect(int slot) const {
     return costs;
 }
 
-} // namespace windrow::bench
+} // namespace windrow::vegetation::bench

@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-namespace windrow::bench {
+namespace windrow::vegetation::bench {
 
 struct CoatCosts {
     render::VertexCounts colour{};                ///< of the colour pass, one before it for depth included
@@ -22,7 +22,7 @@ class CountedCoats final : public render::Drawable {
   public:
     explicit CountedCoats(engine::Device& device);
 
-    std::vector<std::unique_ptr<shells::Coat>> coats{};
+    std::vector<std::unique_ptr<fur::Coat>> coats{};
     bool counting = false; ///< of the frames from now on; timed frames have no queries within
     bool hidden = false;   ///< nothing is drawn from now on
 
@@ -37,4 +37,4 @@ class CountedCoats final : public render::Drawable {
     VkQueryPool written_ = VK_NULL_HANDLE;
 };
 
-} // namespace windrow::bench
+} // namespace windrow::vegetation::bench

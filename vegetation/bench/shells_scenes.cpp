@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace windrow::bench {
+namespace windrow::vegetation::bench {
 namespace {
 
 // All layers at any distance; what the tables ask for is drawn.
@@ -18,7 +18,7 @@ T made(Result<T> result) {
     return *std::move(result);
 }
 
-void set_length(shells::CoatSettings& coat, float length) {
+void set_length(fur::CoatSettings& coat, float length) {
     // A strand of the default's shape: rigidity as length^3 lets the same wind bend it by the same angle.
     coat.layers.strand.rigidity *= std::pow(length / coat.layers.length, 3.0f);
     coat.layers.length = coat.layers.strand.length = length;
@@ -26,12 +26,12 @@ void set_length(shells::CoatSettings& coat, float length) {
 
 } // namespace
 
-shells::CoatSettings thesis_coat(int layers) {
-    shells::CoatSettings coat;
+fur::CoatSettings thesis_coat(int layers) {
+    fur::CoatSettings coat;
     coat.layers.shells = layers;
     coat.layers.spacing = 0.805f;
     set_length(coat, 0.319f);
-    coat.strands_on = shells::StrandsOn::uv;
+    coat.strands_on = fur::StrandsOn::uv;
     coat.strands = {.density = 145.0f, .jitter = 0.0f, .low = 0.0f, .high = 0.811f, .thickness = 1.01f};
     coat.look.root = {0.02f, 0.1f, 0.02f};
     coat.look.tip = coat.look.second = {0.1f, 0.5f, 0.1f};
@@ -41,8 +41,8 @@ shells::CoatSettings thesis_coat(int layers) {
     return coat;
 }
 
-shells::CoatSettings fur(int layers) {
-    shells::CoatSettings coat;
+fur::CoatSettings fur(int layers) {
+    fur::CoatSettings coat;
     coat.layers.shells = layers;
     set_length(coat, 0.06f);
     coat.strands = {.density = 40.0f, .low = 0.5f, .thickness = 1.6f};
@@ -56,8 +56,8 @@ shells::CoatSettings fur(int layers) {
     return coat;
 }
 
-shells::CoatSettings cloud(int layers) {
-    shells::CoatSettings coat;
+fur::CoatSettings cloud(int layers) {
+    fur::CoatSettings coat;
     coat.cloud.emplace().size = 50.0f;
     coat.mirrored = coat.drifts = true;
     coat.wind_share = 0.0f;
@@ -72,20 +72,20 @@ shells::CoatSettings cloud(int layers) {
     return coat;
 }
 
-shells::CoatSettings bare_skin() {
-    shells::CoatSettings coat;
+fur::CoatSettings bare_skin() {
+    fur::CoatSettings coat;
     coat.bare = true;
     coat.look.skin = {0.3f, 0.28f, 0.25f};
     coat.levels.shadow_shells = 0;
     return coat;
 }
 
-shells::Mesh thesis_sphere() {
-    return made(shells::globe_sphere({}));
+fur::Mesh thesis_sphere() {
+    return made(fur::globe_sphere({}));
 }
 
-shells::Mesh sheet_of(float metres, int cells) {
-    return made(shells::sheet({.size = glm::vec2(metres), .columns = cells, .rows = cells}));
+fur::Mesh sheet_of(float metres, int cells) {
+    return made(fur::sheet({.size = glm::vec2(metres), .columns = cells, .rows = cells}));
 }
 
 Worn floor(float metres, double y) {
@@ -120,12 +120,12 @@ ShellsCase thesis_many_scene(std::string name, int layers) {
 }
 
 ShellsCase beast_scene(std::string name, int layers) {
-    shells::CoatSettings coat = fur(layers);
+    fur::CoatSettings coat = fur(layers);
     set_length(coat, 0.12f);
     coat.levels.march = 0;
     coat.levels.outer_first = coat.levels.skip_empty = false;
     return {.name = std::move(name),
-            .coats = {{.mesh = made(shells::beast_mesh()), .settings = coat, .bones = made(shells::beast_skeleton())}},
+            .coats = {{.mesh = made(fur::beast_mesh()), .settings = coat, .bones = made(fur::beast_skeleton())}},
             .from = {6.0, 1.9, 2.5},
             .to = {0.0, 1.1, 0.35},
             .view_deg = 37.0f};
@@ -135,4 +135,4 @@ ShellsCase fur_scene(std::string name, int layers) {
     return {.name = std::move(name), .coats = {{.mesh = thesis_sphere(), .settings = fur(layers)}}, .from = {0.0, 0.6, 2.4}};
 }
 
-} // namespace windrow::bench
+} // namespace windrow::vegetation::bench

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <vulkan/vulkan.h>
 
-namespace windrow::bench {
+namespace windrow::vegetation::bench {
 namespace {
 
 constexpr double k_frame = 1.0 / 30.0;          // [s]
@@ -67,11 +67,11 @@ ShellsStage::ShellsStage(ShellsCase wanted) : wanted_(std::move(wanted)) {
     for (Worn& worn : wanted_.coats) {
         if (worn.bones)
             must(bind(worn.mesh, *worn.bones));
-        coats_->coats.push_back(must(shells::Coat::create(*device_, renderer_->draw_targets(), worn.mesh, {}, worn.settings, {},
+        coats_->coats.push_back(must(fur::Coat::create(*device_, renderer_->draw_targets(), worn.mesh, {}, worn.settings, {},
                                                           {.position = k_anchor + worn.place}, k_anchor)));
         must(coats_->coats.back()->set_lamps([&] {
-            std::vector<shells::Lamp> lamps = wanted_.lamps;
-            for (shells::Lamp& lamp : lamps)
+            std::vector<fur::Lamp> lamps = wanted_.lamps;
+            for (fur::Lamp& lamp : lamps)
                 lamp.position += k_anchor;
             return lamps;
         }()));
@@ -187,4 +187,4 @@ void draw_in_turn(std::span<const std::unique_ptr<ShellsStage>> stages, int warm
             stage->draw(n >= warm);
 }
 
-} // namespace windrow::bench
+} // namespace windrow::vegetation::bench

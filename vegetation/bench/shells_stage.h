@@ -11,20 +11,20 @@
 #include <span>
 #include <string>
 
-namespace windrow::bench {
+namespace windrow::vegetation::bench {
 
 /// A mesh in its coat.
 struct Worn {
-    shells::Mesh mesh{};
-    shells::CoatSettings settings{};
+    fur::Mesh mesh{};
+    fur::CoatSettings settings{};
     glm::dvec3 place{0.0};                   ///< [m]
-    std::optional<shells::Skeleton> bones{}; ///< it walks
+    std::optional<fur::Skeleton> bones{}; ///< it walks
 };
 
 struct ShellsCase {
     std::string name{};
     std::vector<Worn> coats{};
-    std::vector<shells::Lamp> lamps{};
+    std::vector<fur::Lamp> lamps{};
     glm::dvec3 from{0.0, 0.6, 3.4}, to{0.0}; ///< [m] the eye, and what it looks at
     float view_deg = 34.0f;
     bool wind = true;                    ///< else no step is recorded and nothing blows
@@ -83,4 +83,4 @@ using ShellsStages = std::vector<std::unique_ptr<ShellsStage>>;
 /// Draws frames of all in turn: `warm` untimed ones, then `frames`.
 void draw_in_turn(std::span<const std::unique_ptr<ShellsStage>> stages, int warm, int frames);
 
-} // namespace windrow::bench
+} // namespace windrow::vegetation::bench

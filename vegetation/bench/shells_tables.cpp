@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-namespace windrow::bench {
+namespace windrow::vegetation::bench {
 
 Measured measured(const ShellsRun& run, const char* title, const char* settings, std::vector<ShellsCase> cases) {
     std::printf(
@@ -51,4 +51,4 @@ void print_counts(const Measured& of) {
     }
 }
 
-} // namespace windrow::bench
+} // namespace windrow::vegetation::bench

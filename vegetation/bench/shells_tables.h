@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-namespace windrow::bench {
+namespace windrow::vegetation::bench {
 
 struct ShellsRun {
     glm::ivec2 size{1920, 1080};
@@ -38,4 +38,4 @@ void print_times(const Measured& of, std::size_t over = 0);
 /// By the counters: vertices and fragments of the coats in the colour pass.
 void print_counts(const Measured& of);
 
-} // namespace windrow::bench
+} // namespace windrow::vegetation::bench

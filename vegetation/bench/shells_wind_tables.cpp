@@ -5,11 +5,11 @@
 #include <cmath>
 #include <cstdio>
 
-namespace windrow::bench {
+namespace windrow::vegetation::bench {
 namespace {
 
-ShellsCase plane_case(std::string name, int cells, shells::WindAt at) {
-    shells::CoatSettings coat = fur(32);
+ShellsCase plane_case(std::string name, int cells, fur::WindAt at) {
+    fur::CoatSettings coat = fur(32);
     coat.wind_at = at;
     coat.comb = {};
     return {.name = std::move(name),
@@ -42,8 +42,8 @@ void clouds_table(const ShellsRun& run) {
 void wind_at_table(const ShellsRun& run) {
     std::vector<ShellsCase> cases;
     for (const auto& [name, at] :
-         {std::pair{"wind at the strand", shells::WindAt::strand}, std::pair{"at each shell", shells::WindAt::shell},
-          std::pair{"at each pixel", shells::WindAt::pixel}}) {
+         {std::pair{"wind at the strand", fur::WindAt::strand}, std::pair{"at each shell", fur::WindAt::shell},
+          std::pair{"at each pixel", fur::WindAt::pixel}}) {
         cases.push_back(fur_scene(name, 32));
         cases.back().coats.front().settings.wind_at = at;
     }
@@ -54,9 +54,9 @@ void wind_at_table(const ShellsRun& run) {
 
 void plane_table(const ShellsRun& run) {
     std::vector<ShellsCase> cases;
-    cases.push_back(plane_case("4 vertices, at each pixel", 1, shells::WindAt::pixel));
-    cases.push_back(plane_case("128 x 128 cells, at the strand", 128, shells::WindAt::strand));
-    cases.push_back(plane_case("4 vertices, at the strand", 1, shells::WindAt::strand));
+    cases.push_back(plane_case("4 vertices, at each pixel", 1, fur::WindAt::pixel));
+    cases.push_back(plane_case("128 x 128 cells, at the strand", 128, fur::WindAt::strand));
+    cases.push_back(plane_case("4 vertices, at the strand", 1, fur::WindAt::strand));
     const Measured of = measured(run, "A plane of four vertices against a fine one",
                                  "2 m x 2 m of fur, 32 layers; gusts 0.8 of 2 m", std::move(cases));
     print_times(of);
@@ -95,4 +95,4 @@ void wind_table(const ShellsRun& run) {
         std::printf("| %s | %.1f %% |\n", stage->wanted().name.c_str(), 100.0 * stage->median("wind") / stage->median("frame"));
 }
 
-} // namespace windrow::bench
+} // namespace windrow::vegetation::bench

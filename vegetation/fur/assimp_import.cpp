@@ -12,7 +12,7 @@
 #include <exception>
 #include <set>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 // Serves the given bytes and nothing of the disk.
@@ -119,4 +119,4 @@ windrow::Result<Soup> import_soup(const std::map<std::string, std::string>& file
     return refusal(owner, " cannot be read: ", fault.what(), ": give a smaller file.");
 }
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 /// `files`: the bytes that Assimp may see, by name; `name` is one of them, and its ending says what it is: obj, gltf, 3ds.
 /// Nothing else is opened. Nodes place their meshes (3DS has none that matter: positions are as the file has them). `owner` is
@@ -15,4 +15,4 @@ namespace shells {
 [[nodiscard]] windrow::Result<Soup> import_soup(const std::map<std::string, std::string>& files, const std::string& name,
                                                 const std::string& owner);
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

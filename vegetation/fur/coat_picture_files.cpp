@@ -4,7 +4,7 @@
 #include <cmath>
 #include <exception>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 using windrow::Error;
@@ -83,4 +83,4 @@ Result<CoatPictures> read_pictures(const CoatMaps& maps, const std::filesystem::
     return pictures;
 }
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

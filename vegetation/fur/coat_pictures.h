@@ -1,7 +1,7 @@
 // The pictures of a coat, read: linear floats in a list of texels that shaders blend by hand.
 //
-//     auto pictures = shells::read_pictures(settings.maps, folder_of_the_scene);   // PNG, PGM, EXR ..., by OpenImageIO
-//     auto coat = shells::Coat::create(device, targets, mesh, {}, settings, *pictures, body, anchor);
+//     auto pictures = fur::read_pictures(settings.maps, folder_of_the_scene);   // PNG, PGM, EXR ..., by OpenImageIO
+//     auto coat = fur::Coat::create(device, targets, mesh, {}, settings, *pictures, body, anchor);
 #pragma once
 
 #include "vegetation/fur/coat_settings.h"
@@ -13,7 +13,7 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 /// Row by row from the top, linear; grey ones have the same in all three.
 struct CoatPicture {
@@ -43,4 +43,4 @@ struct PackedPictures {
 /// [bytes] Of them, without making them.
 [[nodiscard]] std::uint64_t packed_bytes(const CoatPictures& pictures);
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

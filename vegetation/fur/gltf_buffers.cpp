@@ -6,7 +6,7 @@
 
 #include <cstring>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 std::uint32_t word(std::string_view bytes, std::size_t at) {
@@ -114,4 +114,4 @@ Result<std::string> decode_base64(std::string_view text, const std::string& name
     return bytes;
 }
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

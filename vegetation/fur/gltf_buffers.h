@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 struct GltfParts {
     std::string_view json;   ///< views of the file's bytes
@@ -25,4 +25,4 @@ struct GltfParts {
 /// RFC 4648, section 4. Refuses other signs and lengths.
 [[nodiscard]] Result<std::string> decode_base64(std::string_view text, const std::string& name);
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

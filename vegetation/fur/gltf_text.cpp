@@ -10,7 +10,7 @@
 #include <map>
 #include <utility>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 using nlohmann::json;
@@ -305,4 +305,4 @@ Result<GltfText> check_gltf(const std::string& bytes, const std::filesystem::pat
     }
 }
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

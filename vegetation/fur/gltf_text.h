@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 struct GltfText {
     std::string json;                 ///< for Assimp: its buffers are the files 0.bin, 1.bin and so on
@@ -24,4 +24,4 @@ struct GltfText {
 /// than 24, and absurd counts.
 [[nodiscard]] Result<GltfText> check_gltf(const std::string& bytes, const std::filesystem::path& path);
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

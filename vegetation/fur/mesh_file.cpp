@@ -16,7 +16,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 namespace fs = std::filesystem;
@@ -173,4 +173,4 @@ Result<Mesh> read_mesh(const fs::path& path, const MeshLoad& load) {
     return mesh;
 }
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -1,6 +1,6 @@
 // Meshes from files: OBJ (with the fur line of its mtl), glTF and GLB, 3DS.
 //
-//     auto bunny = shells::read_mesh("bunny.obj", {.size = 1.0f, .most_triangles = 8'000});
+//     auto bunny = fur::read_mesh("bunny.obj", {.size = 1.0f, .most_triangles = 8'000});
 //
 // Assimp turns a file into triangles, and has had memory faults on hostile files. So each file is read here first (obj_text.h,
 // gltf_text.h, three_ds_chunks.h): counts, sizes, indices and names of files are checked, and assimp is handed only the parts
@@ -14,7 +14,7 @@
 
 #include <filesystem>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 enum class UpAxis { x, y, z };
 
@@ -46,4 +46,4 @@ inline constexpr std::size_t k_most_bytes = std::size_t{512} << 20;
 
 [[nodiscard]] Result<void> validate(const MeshLoad& load);
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <system_error>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 namespace fs = std::filesystem;
 
@@ -46,4 +46,4 @@ Result<fs::path> beside(const fs::path& path, std::string_view name) {
     return real;
 }
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

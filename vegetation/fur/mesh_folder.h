@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 /// The whole file. Refuses what does not exist, is no plain file, or is longer than k_most_bytes; its length is asked before any
 /// memory is taken.
@@ -17,4 +17,4 @@ namespace shells {
 /// on other systems), what does not exist, and links that lead out of the folder.
 [[nodiscard]] Result<std::filesystem::path> beside(const std::filesystem::path& path, std::string_view name);
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

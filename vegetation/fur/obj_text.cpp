@@ -7,7 +7,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 constexpr std::size_t k_most_libraries = 64;
@@ -157,4 +157,4 @@ Result<ObjText> check_obj(std::string_view text, const std::string& name) {
     return Scanner(text, name).run();
 }
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 struct ObjText {
     std::string text;                   ///< for Assimp: v, vt, vn, usemtl and f with indices from 1, each checked
@@ -25,4 +25,4 @@ inline constexpr std::size_t k_most_corners = 64;
 /// go on after a backslash, and zero bytes.
 [[nodiscard]] Result<ObjText> check_obj(std::string_view text, const std::string& name);
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 constexpr std::size_t k_head = 6; // kind and length
@@ -162,4 +162,4 @@ Result<std::string> check_three_ds(std::string bytes, const std::string& name) {
     return bytes;
 }
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

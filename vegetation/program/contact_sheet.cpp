@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 namespace {
 
 constexpr int k_margin = 6;
@@ -72,4 +72,4 @@ windrow::Result<render::Picture8> contact_sheet(std::span<const render::Picture8
     return sheet;
 }
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 
 /// The picture, `width` pixels wide, at most its own: each pixel the mean light of those that it covers.
 [[nodiscard]] render::Picture8 shrunk(const render::Picture8& picture, int width);
@@ -14,4 +14,4 @@ namespace meadow {
 /// Refuses none, and pictures of different sizes.
 [[nodiscard]] windrow::Result<render::Picture8> contact_sheet(std::span<const render::Picture8> pictures, int columns, int width);
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

@@ -4,7 +4,7 @@
 #include <memory>
 #include <system_error>
 
-namespace render {
+namespace windrow::vegetation::render {
 namespace {
 
 // Writes beside the name and renames: a full disk loses nothing.
@@ -85,4 +85,4 @@ windrow::Result<void> write_exr(const PictureF& light, const PictureF& motion, c
     return publish(file, spec, OIIO::TypeDesc::FLOAT, values.data());
 }
 
-} // namespace render
+} // namespace windrow::vegetation::render

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace render {
+namespace windrow::vegetation::render {
 
 /// 8-bit sRGB, three bytes a pixel, row by row from the top.
 struct Picture8 {
@@ -42,4 +42,4 @@ struct PictureF {
 /// the frame before, x right and y down; an empty one: none.
 [[nodiscard]] windrow::Result<void> write_exr(const PictureF& light, const PictureF& motion, const std::filesystem::path& file);
 
-} // namespace render
+} // namespace windrow::vegetation::render

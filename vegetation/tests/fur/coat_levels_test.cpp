@@ -8,7 +8,7 @@
 #include <glm/packing.hpp>
 #include <limits>
 
-namespace shells::test {
+namespace windrow::vegetation::fur::test {
 namespace {
 
 // Heights of all layers as a function of the distance: none jumps, and a new one begins at the tip.
@@ -124,4 +124,4 @@ TEST(Coat, RefusesWhatItCannotDraw) {
 }
 
 } // namespace
-} // namespace shells::test
+} // namespace windrow::vegetation::fur::test

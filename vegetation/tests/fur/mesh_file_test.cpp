@@ -8,7 +8,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 using test::Folder;
@@ -151,4 +151,4 @@ TEST(MeshFiles, TheHorseAndTheCat) {
 }
 
 } // namespace
-} // namespace shells
+} // namespace windrow::vegetation::fur

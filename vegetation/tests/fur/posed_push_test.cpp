@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 constexpr int k_pushes = 10'000;
@@ -114,4 +114,4 @@ TEST(PosedPush, PosedNormalsFaceOutwards) {
 }
 
 } // namespace
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 using test::Folder;
@@ -234,4 +234,4 @@ TEST(MeshRefusals, BrokenFilesAreRefusedOrSound) {
 }
 
 } // namespace
-} // namespace shells
+} // namespace windrow::vegetation::fur

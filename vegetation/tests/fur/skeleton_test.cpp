@@ -14,7 +14,7 @@
 #include <limits>
 #include <tuple>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 using windrow::test::figure;
@@ -235,4 +235,4 @@ TEST(Skeletons, WhatIsWrongIsRefused) {
 }
 
 } // namespace
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace meadow::test {
+namespace windrow::vegetation::program::test {
 namespace {
 
 using windrow::Error;
@@ -84,4 +84,4 @@ std::filesystem::path left_behind(const std::string& name, const std::string& en
     return folder / (name + (ending.empty() ? "" : "." + ending) + ".png");
 }
 
-} // namespace meadow::test
+} // namespace windrow::vegetation::program::test

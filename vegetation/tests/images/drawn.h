@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <string>
 
-namespace meadow::test {
+namespace windrow::vegetation::program::test {
 
 /// Reads vegetation/tests/images/scenes/NAME.json.
 [[nodiscard]] windrow::Result<PictureScene> read_scene(const std::string& name);
@@ -38,4 +38,4 @@ struct Apart {
 /// Where a test leaves what it drew: NAME.png, and NAME.ENDING.png.
 [[nodiscard]] std::filesystem::path left_behind(const std::string& name, const std::string& ending = "");
 
-} // namespace meadow::test
+} // namespace windrow::vegetation::program::test

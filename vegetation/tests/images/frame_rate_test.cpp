@@ -9,7 +9,7 @@
 #include "tests/figure.h"
 #include "vegetation/tests/images/drawn.h"
 
-namespace meadow {
+namespace windrow::vegetation::program {
 namespace {
 
 // Twice what was measured (0.121, 0.0015), in the scene whose middle is the walker: the blades under him cover a hundredth of it.
@@ -79,4 +79,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, FrameRateUntouched, testing::Values("steady_tra
                          [](const auto& scene) { return std::string(scene.param); });
 
 } // namespace
-} // namespace meadow
+} // namespace windrow::vegetation::program

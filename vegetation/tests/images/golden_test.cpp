@@ -9,7 +9,7 @@
 
 #include <cstdlib>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 namespace {
 
 struct GoldenScene {
@@ -70,4 +70,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Golden, testing::ValuesIn(k_scenes),
                          [](const auto& scene) { return std::string(scene.param.name); });
 
 } // namespace
-} // namespace meadow
+} // namespace windrow::vegetation::program

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <gtest/gtest.h>
 
-namespace render {
+namespace windrow::vegetation::render {
 namespace {
 
 class Picture : public testing::Test {
@@ -77,4 +77,4 @@ TEST_F(Picture, WhatCannotBeWrittenIsTold) {
 }
 
 } // namespace
-} // namespace render
+} // namespace windrow::vegetation::render
