@@ -2,7 +2,7 @@
 // no outer shell below an inner one.
 #include "coupling/shell.h"
 #include "vegetation/fur/beast.h"
-#include "vegetation/fur/mesh_file.h"
+#include "vegetation/files/mesh_file.h"
 #include "tests/figure.h"
 #include "vegetation/tests/fur/folder.h"
 
