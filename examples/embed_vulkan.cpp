@@ -27,6 +27,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <vulkan/vulkan.h>
 
+using namespace windrow::vegetation;
+
 namespace {
 
 constexpr double k_frame = 1.0 / 60.0;            // [s]

@@ -10,7 +10,7 @@
 
 #include <vulkan/vulkan.h>
 
-namespace engine {
+namespace windrow::vegetation::engine {
 namespace {
 
 constexpr VkShaderStageFlags k_stages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
@@ -125,4 +125,4 @@ void Meadow::draw(VkCommandBuffer commands, const Scene& scene, VkDescriptorSet 
     vkCmdDraw(commands, k_blade_vertices, static_cast<std::uint32_t>(scene.eye.w), 0, 0);
 }
 
-} // namespace engine
+} // namespace windrow::vegetation::engine

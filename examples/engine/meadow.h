@@ -8,7 +8,7 @@
 #include <glm/vec4.hpp>
 #include <span>
 
-namespace engine {
+namespace windrow::vegetation::engine {
 
 /// What every shader is told: shaders/scene.glsl says more. 128 bytes.
 struct Scene {
@@ -40,4 +40,4 @@ class Meadow {
     VkPipeline sky_ = VK_NULL_HANDLE, figures_ = VK_NULL_HANDLE, grass_ = VK_NULL_HANDLE;
 };
 
-} // namespace engine
+} // namespace windrow::vegetation::engine

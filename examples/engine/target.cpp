@@ -4,7 +4,7 @@
 #include <fstream>
 #include <vulkan/vulkan.h>
 
-namespace engine {
+namespace windrow::vegetation::engine {
 namespace {
 
 // Formats that every device draws to.
@@ -137,4 +137,4 @@ bool Target::write_ppm(const std::string& path) const {
     return file.good();
 }
 
-} // namespace engine
+} // namespace windrow::vegetation::engine

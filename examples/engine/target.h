@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace engine {
+namespace windrow::vegetation::engine {
 
 inline constexpr VkSampleCountFlagBits k_samples = VK_SAMPLE_COUNT_4_BIT; // every device has 1 and 4
 
@@ -33,4 +33,4 @@ class Target {
     VkFramebuffer framebuffer_ = VK_NULL_HANDLE;
 };
 
-} // namespace engine
+} // namespace windrow::vegetation::engine

@@ -38,7 +38,7 @@ PFN_vkVoidFunction counted(const char* name) {
 
 } // namespace
 
-std::uint64_t windrow::bench::allocated_bytes() {
+std::uint64_t windrow::vegetation::bench::allocated_bytes() {
     const std::lock_guard lock(mutex);
     return sum;
 }

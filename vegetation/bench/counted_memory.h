@@ -4,9 +4,9 @@
 
 #include <cstdint>
 
-namespace windrow::bench {
+namespace windrow::vegetation::bench {
 
 /// [bytes] Allocated and not freed, of all devices.
 [[nodiscard]] std::uint64_t allocated_bytes();
 
-} // namespace windrow::bench
+} // namespace windrow::vegetation::bench

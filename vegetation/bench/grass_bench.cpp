@@ -20,6 +20,8 @@
 #include <cstdlib>
 #include <vector>
 
+using namespace windrow::vegetation;
+
 namespace {
 
 constexpr int k_turns = 5;

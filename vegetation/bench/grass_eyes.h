@@ -7,7 +7,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-namespace grass::bench {
+namespace windrow::vegetation::grass::bench {
 
 inline constexpr int k_frames = 16; // once around
 
@@ -29,4 +29,4 @@ inline GrassCamera camera_at(const HeightMap& heights, int frame) {
     return {.view_projection = projection * glm::lookAtRH(eye, eye + toward, glm::vec3(0.0f, 1.0f, 0.0f)), .eye = eye};
 }
 
-} // namespace grass::bench
+} // namespace windrow::vegetation::grass::bench

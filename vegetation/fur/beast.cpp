@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 using namespace beast_form;
@@ -75,4 +75,4 @@ Result<Mesh> beast_mesh(const Beast& beast) {
     return mesh;
 }
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -4,7 +4,7 @@
 #include "vegetation/fur/mesh.h"
 #include "vegetation/fur/skeleton.h"
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 struct Beast {
     /// [m] At the withers, 0.1 to 20. Default 2: a wolf has 0.8.
@@ -21,4 +21,4 @@ struct Beast {
 /// of a stride apart, as wolves set their feet. 0 stands still in mid-stride.
 [[nodiscard]] Result<Skeleton> beast_skeleton(const Beast& beast = {}, float hz = 0.8f);
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -4,7 +4,7 @@
 
 #include <glm/vec3.hpp>
 
-namespace shells::beast_form {
+namespace windrow::vegetation::fur::beast_form {
 
 inline constexpr glm::vec3 k_hips{0.0f, 0.80f, -0.42f}, k_loin{0.0f, 0.82f, -0.12f}, k_withers{0.0f, 0.86f, 0.28f};
 inline constexpr glm::vec3 k_neck{0.0f, 0.86f, 0.38f}, k_nape{0.0f, 1.02f, 0.60f}, k_nose{0.0f, 0.95f, 0.945f};
@@ -20,4 +20,4 @@ inline constexpr glm::vec3 k_hip{0.09f, 0.74f, -0.41f}, k_knee{0.12f, 0.50f, -0.
     return {-p.x, p.y, p.z};
 }
 
-} // namespace shells::beast_form
+} // namespace windrow::vegetation::fur::beast_form

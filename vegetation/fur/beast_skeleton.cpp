@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 using namespace beast_form;
@@ -103,4 +103,4 @@ Result<Skeleton> beast_skeleton(const Beast& beast, float hz) {
     return skeleton;
 }
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -2,7 +2,7 @@
 
 #include "vegetation/render/refusals.h"
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 windrow::Result<void> validate(const CloudShellSettings& settings) {
     render::Refusals refusals;
@@ -29,4 +29,4 @@ CloudShellBlock block(const CloudShellSettings& settings, glm::dvec2 drift, doub
     return cloud;
 }
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -7,7 +7,7 @@
 
 #include <glm/vec2.hpp>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 struct CloudShellSettings {
     /// Share of the plane that is covered, roughly; 0 (none) to 1. Default 0.45: fair weather.
@@ -46,4 +46,4 @@ static_assert(sizeof(CloudShellBlock) == 4 * 16);
 /// one.
 [[nodiscard]] CloudShellBlock block(const CloudShellSettings& settings, glm::dvec2 drift = glm::dvec2(0.0), double evolved = 0.0);
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -10,7 +10,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <vulkan/vulkan.h>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 constexpr std::uint32_t k_group = 64;
@@ -316,4 +316,4 @@ std::span<const CoatSkinBlock> Coat::skin() const {
     return {static_cast<const CoatSkinBlock*>(skins_.mapped) + block_.counts.y, vertex_count_};
 }
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

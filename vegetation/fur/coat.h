@@ -1,9 +1,9 @@
 // A coat on a mesh in the renderer: fur, grass, feathers, spikes or clouds as layers, in the wind.
 //
-//     auto pictures = shells::read_pictures(settings.maps, folder);
-//     auto coat = shells::Coat::create(device, renderer.draw_targets(), mesh, {}, settings, *pictures, body, anchor);
+//     auto pictures = fur::read_pictures(settings.maps, folder);
+//     auto coat = fur::Coat::create(device, renderer.draw_targets(), mesh, {}, settings, *pictures, body, anchor);
 //     renderer.add(**coat);
-//     (void)(*coat)->move(frame_seconds, body, shells::pose(skeleton, time));   // before each frame that is recorded
+//     (void)(*coat)->move(frame_seconds, body, fur::pose(skeleton, time));   // before each frame that is recorded
 //
 // In each frame: a compute pass puts the mesh's vertices into the body's pose and asks the wind what it does to the strands
 // there; then one instanced draw of the mesh, an instance a layer, in the colour pass and one in each shadow. A coat that neither
@@ -24,7 +24,7 @@
 #include <optional>
 #include <span>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 /// What the last frame drew.
 struct CoatCounts {
@@ -120,4 +120,4 @@ class Coat final : public render::Drawable {
     engine::Buffer skins_{}, indices_{};
 };
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

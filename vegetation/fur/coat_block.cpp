@@ -4,7 +4,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 glm::ivec4 form_of(const CoatSettings& settings) {
@@ -68,4 +68,4 @@ CoatBlock coat_block(const CoatSettings& settings, const Mesh& mesh, int samples
     return made;
 }
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -13,7 +13,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 struct SpotBlock {
     glm::vec4 from{0.0f}; ///< xyz [m] in the mesh's space; w radius
@@ -85,4 +85,4 @@ static_assert(sizeof(CoatSkinBlock) == 112);
 /// The lengths of a body of this scale.
 [[nodiscard]] windrow::ShellBlock scaled(const windrow::ShellBlock& block, float scale);
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

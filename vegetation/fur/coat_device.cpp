@@ -14,7 +14,7 @@
 #include <cstring>
 #include <vulkan/vulkan.h>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 namespace words = windrow::vulkan::shader_words;
@@ -91,4 +91,4 @@ void Coat::fill_buffers(engine::Device& device, const PackedPictures& pictures, 
     }
 }
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 LayerCount layers_at(const CoatSettings& settings, float distance, float top) {
     if (settings.bare)
@@ -24,4 +24,4 @@ LayerCount layers_at(const CoatSettings& settings, float distance, float top) {
     return made;
 }
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -3,7 +3,7 @@
 
 #include "vegetation/fur/coat_settings.h"
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 struct LayerCount {
     float divisor = 1.0f; ///< of a layer's number: its place in the strand is i / divisor, held at 1
@@ -16,4 +16,4 @@ struct LayerCount {
 /// strand shows, 0 to 1.
 [[nodiscard]] LayerCount layers_at(const CoatSettings& settings, float distance, float top);
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/packing.hpp>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 using windrow::Error;
@@ -91,4 +91,4 @@ std::uint64_t packed_bytes(const CoatPictures& pictures) {
     return std::max<std::uint64_t>(texels, 1) * sizeof(glm::uvec2);
 }
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

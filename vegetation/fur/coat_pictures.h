@@ -1,19 +1,19 @@
-// The pictures of a coat, read: linear floats in a list of texels that shaders blend by hand.
+// The pictures of a coat in memory: linear floats in a list of texels that shaders blend by hand.
 //
-//     auto pictures = shells::read_pictures(settings.maps, folder_of_the_scene);   // PNG, PGM, EXR ..., by OpenImageIO
-//     auto coat = shells::Coat::create(device, targets, mesh, {}, settings, *pictures, body, anchor);
+//     fur::CoatPictures pictures;                                       // none: a coat without maps
+//     pictures.length = {.columns = 64, .rows = 64, .texels = lengths};
+//     auto coat = fur::Coat::create(device, targets, mesh, {}, settings, pictures, body, anchor);
 #pragma once
 
 #include "vegetation/fur/coat_settings.h"
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 #include <vector>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 /// Row by row from the top, linear; grey ones have the same in all three.
 struct CoatPicture {
@@ -27,10 +27,6 @@ struct CoatPictures {
     CoatPicture length{}, colour{}, noise_a{}, noise_b{};
 };
 
-/// Files are beside `folder`; a colour is turned linear where its file says or is of 8 bits. Refuses what is no picture, has no
-/// texel, more than k_most_picture_side of them along a side, or a texel that is not finite, with the file's name.
-[[nodiscard]] windrow::Result<CoatPictures> read_pictures(const CoatMaps& maps, const std::filesystem::path& folder);
-
 /// Refuses pictures whose texels are not columns times rows, are too many or not finite.
 [[nodiscard]] windrow::Result<void> validate(const CoatPictures& pictures);
 
@@ -43,4 +39,4 @@ struct PackedPictures {
 /// [bytes] Of them, without making them.
 [[nodiscard]] std::uint64_t packed_bytes(const CoatPictures& pictures);
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 using render::Refusals;
@@ -137,4 +137,4 @@ Result<void> validate(const CoatSettings& settings) {
     return refusals.result();
 }
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

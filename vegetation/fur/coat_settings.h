@@ -1,7 +1,7 @@
 // What describes a coat: layers over a mesh whose patterns make fur, feathers, grass, spikes, paper or clouds. One structure with
 // ranges and defaults, that a scene file holds as it is:
 //
-//     auto coat = shells::Coat::create(device, targets, mesh, {.layers = {.shells = 40, .length = 0.04f}}, anchor);
+//     auto coat = fur::Coat::create(device, targets, mesh, {.layers = {.shells = 40, .length = 0.04f}}, anchor);
 //
 // Fields of it that are the pieces' own: windrow::ShellSettings (where the layers lie, how the wind bends them),
 // StrandFieldSettings (what each layer leaves open), windrow::CascadeConfig (how tips lag behind the body).
@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 /// How strands lie at rest: along a direction of the mesh's own space, within the skin.
 struct Comb {
@@ -138,4 +138,4 @@ struct CoatSettings {
 /// Every reason why it cannot be used, a line each. Maps are looked at when they are read.
 [[nodiscard]] windrow::Result<void> validate(const CoatSettings& settings);
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 double distance(const Capsule& capsule, const glm::dvec3& p) {
@@ -39,4 +39,4 @@ glm::dvec3 slope(const Flesh& flesh, const glm::dvec3& p) {
     return result;
 }
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -10,7 +10,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 struct Capsule {
     glm::vec3 a{0.0f}, b{0.0f};             ///< [m]
@@ -25,4 +25,4 @@ using Flesh = std::vector<Capsule>;
 /// Its gradient by central differences of a hundredth of a millimetre; outward, of about length 1.
 [[nodiscard]] glm::dvec3 slope(const Flesh& flesh, const glm::dvec3& p);
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

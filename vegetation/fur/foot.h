@@ -7,7 +7,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 struct Foot {
     glm::dvec3 position{0.0}; ///< [m] in the world: of its sole
@@ -18,4 +18,4 @@ inline constexpr std::size_t k_most_feet = 8;
 
 [[nodiscard]] windrow::Result<void> validate(std::span<const Foot> feet);
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

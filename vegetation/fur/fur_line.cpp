@@ -6,7 +6,7 @@
 #include <array>
 #include <charconv>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 using windrow::Error;
@@ -68,4 +68,4 @@ Result<std::map<std::string, FurLine>> read_fur_lines(std::string_view mtl, cons
     return coats;
 }
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

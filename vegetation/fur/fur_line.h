@@ -12,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 /// Defaults: Curoe's polar bear.
 struct FurLine {
@@ -28,4 +28,4 @@ struct FurLine {
 /// a line with other than four numbers, numbers out of range, a second coat of one material, a coat before any newmtl.
 [[nodiscard]] windrow::Result<std::map<std::string, FurLine>> read_fur_lines(std::string_view mtl, const std::string& name);
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

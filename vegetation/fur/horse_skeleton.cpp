@@ -2,7 +2,7 @@
 
 #include "vegetation/fur/refusal.h"
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 constexpr float k_turn = 6.2831853f;
@@ -65,4 +65,4 @@ Result<Skeleton> horse_skeleton(float size, float hz) {
     return skeleton;
 }
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 windrow::Result<void> validate(std::span<const Lamp> lamps) {
     render::Refusals refusals;
@@ -23,4 +23,4 @@ windrow::Result<void> validate(std::span<const Lamp> lamps) {
     return refusals.result();
 }
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -6,7 +6,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 struct Lamp {
     glm::dvec3 position{0.0, 3.0, 0.0}; ///< [m]
@@ -17,4 +17,4 @@ inline constexpr std::size_t k_most_lamps = 8;
 
 [[nodiscard]] windrow::Result<void> validate(std::span<const Lamp> lamps);
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -6,7 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 bool sound(const glm::vec3& v) {
@@ -83,4 +83,4 @@ void measure(Mesh& mesh) {
     }
 }
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

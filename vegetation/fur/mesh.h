@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 using windrow::Error;
 using windrow::Result;
@@ -60,4 +60,4 @@ inline constexpr float k_farthest = 1e5f;
 /// Sets `low` and `high`.
 void measure(Mesh& mesh);
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

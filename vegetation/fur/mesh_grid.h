@@ -3,7 +3,7 @@
 
 #include "vegetation/fur/mesh.h"
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 /// Adds the two triangles of the cell with these corners, counter-clockwise seen from outside.
 inline void add_cell(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
@@ -16,4 +16,4 @@ inline void finish(Mesh& mesh, const char* material) {
     measure(mesh);
 }
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -9,7 +9,7 @@
 #include <queue>
 #include <tuple>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 // A symmetric 4 x 4 matrix: the sum of planes n.p + d = 0, each times an area.
@@ -225,4 +225,4 @@ void simplify(Mesh& mesh, std::size_t most) {
         Simplifier(mesh).run(most);
 }
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -10,10 +10,10 @@
 
 #include "vegetation/fur/mesh.h"
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 /// Down to `most` triangles, or to as few as the rules above let be; vertices that are left over are taken out. Normals are those
 /// of the vertices that stay: make them anew. The order of collapses does not depend on the machine.
 void simplify(Mesh& mesh, std::size_t most);
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 constexpr std::uint32_t k_none = ~0u;
@@ -53,4 +53,4 @@ void project_uv(Mesh& mesh) {
     mesh.vertices = std::move(vertices);
 }
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

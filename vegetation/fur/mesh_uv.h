@@ -5,10 +5,10 @@
 
 #include "vegetation/fur/mesh.h"
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 /// Of a mesh with normals. Sets every uv [m] and has_uv to false. Vertices where the axis changes are doubled; normals stay
 /// shared.
 void project_uv(Mesh& mesh);
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

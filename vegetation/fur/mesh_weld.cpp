@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 #include <unordered_map>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 // Exact: what a file writes twice it writes alike. Adding 0 makes -0 a 0.
@@ -141,4 +141,4 @@ void smooth_normals(Mesh& mesh) {
     }
 }
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

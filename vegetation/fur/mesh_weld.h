@@ -10,7 +10,7 @@
 
 #include <vector>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 /// For each vertex the number of its position, from 0: vertices of equal position (to the bit, -0 as 0) have the same.
 [[nodiscard]] std::vector<std::uint32_t> same_positions(const std::vector<MeshVertex>& vertices);
@@ -24,4 +24,4 @@ namespace shells {
 /// position without direction, whose triangles face each other, gets the direction of the first of them.
 void smooth_normals(Mesh& mesh);
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 inline void append(std::string& text, std::string_view part) {
     text += part;
@@ -61,4 +61,4 @@ class Refusals {
     std::string text_;
 };
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -3,7 +3,7 @@
 
 #include "vegetation/fur/mesh.h"
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 /// A sheet in x and z at y = 0, facing up, its uv from (0, 0) at the least x and z to (1, 1).
 struct Sheet {
@@ -47,4 +47,4 @@ struct Wing {
 };
 [[nodiscard]] Result<Mesh> wing(const Wing& settings);
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

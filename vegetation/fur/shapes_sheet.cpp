@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 Result<Mesh> sheet(const Sheet& settings) {
     Refusals refusals;
@@ -46,4 +46,4 @@ Result<Mesh> sheet(const Sheet& settings) {
     return mesh;
 }
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 constexpr double k_pi = std::numbers::pi;
@@ -104,4 +104,4 @@ Result<Mesh> cube_sphere(const CubeSphere& settings) {
     return mesh;
 }
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 // A wing's outline and section at u along the span, v along the chord.
@@ -109,4 +109,4 @@ Result<Mesh> wing(const Wing& settings) {
     return mesh;
 }
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -10,7 +10,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <numbers>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 constexpr double k_pi = std::numbers::pi;
@@ -161,4 +161,4 @@ Result<void> skin(const Mesh& mesh, std::span<const glm::mat4> matrices, std::sp
     return {};
 }
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

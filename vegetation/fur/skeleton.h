@@ -1,8 +1,8 @@
 // Bones that move a mesh by formulas: no clip is read. A mesh is bound to them once, posed for any time, and its vertices
 // skinned.
 //
-//     shells::Mesh beast = *shells::beast_mesh();
-//     const shells::Skeleton bones = *shells::beast_skeleton();
+//     fur::Mesh beast = *fur::beast_mesh();
+//     const fur::Skeleton bones = *fur::beast_skeleton();
 //     bind(beast, bones);
 //     skin(beast, pose(bones, seconds), positions, normals);
 //
@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 /// One swing of a bone about an axis: angle = rest + amplitude sin(a) + second sin(2 a + second_phase), a = 2 pi hz t + phase.
 struct Swing {
@@ -64,4 +64,4 @@ inline constexpr std::size_t k_most_bones = 128;
 [[nodiscard]] Result<void> skin(const Mesh& mesh, std::span<const glm::mat4> matrices, std::span<glm::vec3> positions,
                                 std::span<glm::vec3> normals);
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

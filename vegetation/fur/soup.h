@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 struct Corner {
     glm::vec3 position{0.0f};
@@ -22,4 +22,4 @@ struct SoupPart {
 
 using Soup = std::vector<SoupPart>;
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -2,7 +2,7 @@
 
 #include "vegetation/render/refusals.h"
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 windrow::Result<void> validate(const StrandFieldSettings& settings) {
     render::Refusals refusals;
@@ -73,4 +73,4 @@ bool layer_empty(const StrandFieldSettings& settings, float h) {
     return numerics::windrow_layer_empty(block(settings), h);
 }
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

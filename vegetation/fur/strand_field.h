@@ -1,8 +1,8 @@
 // A field of strands on a skin: where they stand, how long each is, how it narrows. The equations, and what a shader is told of
 // one point, stand in vegetation/shaders/numerics/strand_field.glsl; where the layers lie is windrow::Shells (coupling/shell.h).
 //
-//     const shells::StrandFieldBlock fur = shells::block({.density = 300.0f, .low = 0.5f});
-//     shells::StrandHit hit = shells::strand_at(fur, uv, h);         // hit.inside > 0: a strand
+//     const fur::StrandFieldBlock fur = fur::block({.density = 300.0f, .low = 0.5f});
+//     fur::StrandHit hit = fur::strand_at(fur, uv, h);         // hit.inside > 0: a strand
 //
 // Lengths in the plane count in cells, each of which bears one strand.
 #pragma once
@@ -12,7 +12,7 @@
 
 #include <cstdint>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 /// How a strand narrows. With h over the strand's own length as t:
 enum class StrandProfile : std::uint8_t {
@@ -102,4 +102,4 @@ using StrandHit = numerics::WindrowStrandHit;
 [[nodiscard]] float strand_top(const StrandFieldSettings& settings);
 [[nodiscard]] bool layer_empty(const StrandFieldSettings& settings, float h);
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -8,7 +8,7 @@
 #include <glm/vector_relational.hpp>
 
 #define WINDROW_FN inline
-namespace shells::numerics {
+namespace windrow::vegetation::fur::numerics {
 using namespace glm;
 using render::numerics::windrow_half_lambert;
 using windrow::numerics::windrow_mask_power;
@@ -17,5 +17,5 @@ using windrow::numerics::windrow_share;
 using windrow::numerics::windrow_sine_share;
 #include "vegetation/shaders/numerics/cloud_shells.glsl"
 #include "vegetation/shaders/numerics/strand_light.glsl"
-} // namespace shells::numerics
+} // namespace windrow::vegetation::fur::numerics
 #undef WINDROW_FN

@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 constexpr std::uint32_t k_none = ~0u;
@@ -160,4 +160,4 @@ Result<Mesh> surface_nets(const Flesh& flesh, const glm::vec3& low, const glm::v
     return mesh;
 }
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -8,7 +8,7 @@
 #include "vegetation/fur/flesh.h"
 #include "vegetation/fur/mesh.h"
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 /// Of cells of `cell` metres; without uv, of the material `material`. The body must lie within `low` to `high` [m]; the box must
 /// have at most 512 cells along an edge. Refuses a body that touches the box or is nowhere, boxes of other sizes, and a skin that
@@ -16,4 +16,4 @@ namespace shells {
 [[nodiscard]] Result<Mesh> surface_nets(const Flesh& flesh, const glm::vec3& low, const glm::vec3& high, float cell,
                                         const char* material);
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string_view>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 
 class TextLines {
   public:
@@ -46,4 +46,4 @@ class TextLines {
     return word;
 }
 
-} // namespace shells
+} // namespace windrow::vegetation::fur

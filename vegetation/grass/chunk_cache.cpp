@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 
 ChunkCache::ChunkCache(glm::ivec2 chunks, int slots)
     : chunks_(chunks), slots_(static_cast<std::size_t>(slots)),
@@ -40,4 +40,4 @@ int ChunkCache::resident() const {
     return static_cast<int>(std::count_if(slots_.begin(), slots_.end(), [](const Slot& slot) { return slot.chunk >= 0; }));
 }
 
-} // namespace grass
+} // namespace windrow::vegetation::grass

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 
 class ChunkCache {
   public:
@@ -40,4 +40,4 @@ class ChunkCache {
     std::vector<int> slot_of_{};
 };
 
-} // namespace grass
+} // namespace windrow::vegetation::grass

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 
 glm::ivec2 cells_of(const HeightMap& heights, const GrassSettings& settings) {
     const glm::dvec2 cells = glm::dvec2(heights.extent()) * static_cast<double>(settings.density);
@@ -108,4 +108,4 @@ void ChunkTree::walk(int level, glm::ivec2 at, const Planes& planes, glm::vec3 e
         walk(level - 1, 2 * at + glm::ivec2(child & 1, child >> 1), planes, eye, distance, found);
 }
 
-} // namespace grass
+} // namespace windrow::vegetation::grass

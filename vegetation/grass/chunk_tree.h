@@ -15,7 +15,7 @@
 #include <span>
 #include <vector>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 
 struct Chunk {
     glm::ivec2 at{0}; ///< along x and z
@@ -71,4 +71,4 @@ class ChunkTree {
 /// False only where no point of the box is inside of all planes.
 [[nodiscard]] bool may_see(const Planes& planes, const Box& box);
 
-} // namespace grass
+} // namespace windrow::vegetation::grass

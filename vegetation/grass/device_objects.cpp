@@ -3,7 +3,7 @@
 #include <string>
 #include <vulkan/vulkan.h>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 namespace {
 
 windrow::Error failed(const char* call, VkResult result) {
@@ -161,4 +161,4 @@ windrow::Result<VkPipeline> DeviceObjects::compute(VkPipelineLayout layout, std:
     return made;
 }
 
-} // namespace grass
+} // namespace windrow::vegetation::grass

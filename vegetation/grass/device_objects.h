@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 
 class DeviceObjects {
   public:
@@ -44,4 +44,4 @@ class DeviceObjects {
     std::vector<std::function<void()>> destroy_{};
 };
 
-} // namespace grass
+} // namespace windrow::vegetation::grass

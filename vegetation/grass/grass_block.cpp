@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 namespace {
 
 windrow::numerics::WindrowBlade shared(const windrow::BladeBlock& block) {
@@ -56,4 +56,4 @@ BladeRecord blade_at(const Block& block, const HeightMap& heights, const Placeme
     return {place.x, std::min(heights.height(place), heights.drawn_height(place)), place.y, size};
 }
 
-} // namespace grass
+} // namespace windrow::vegetation::grass

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 
 /// WindrowGrass of vegetation/shaders/numerics/grass.glsl says what each component is; std140.
 using Block = windrow::numerics::WindrowGrass;
@@ -28,4 +28,4 @@ using BladeRecord = glm::vec4;
 /// The blade of a cell of the field: what the generating pass writes.
 [[nodiscard]] BladeRecord blade_at(const Block& block, const HeightMap& heights, const PlacementMask& mask, glm::ivec2 cell);
 
-} // namespace grass
+} // namespace windrow::vegetation::grass

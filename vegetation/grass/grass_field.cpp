@@ -10,7 +10,7 @@
 #include <utility>
 #include <vulkan/vulkan.h>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 namespace {
 
 constexpr double k_most_cells = 268435456.0; // a cell's number leaves 4 bits for the stream (vegetation/shaders/numerics/grass.glsl)
@@ -165,4 +165,4 @@ int GrassField::slot_of(Chunk chunk) const {
     return state_->cache.slot_of(chunk);
 }
 
-} // namespace grass
+} // namespace windrow::vegetation::grass

@@ -22,7 +22,7 @@
 
 #include <memory>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 
 enum class View { colour, shadow };
 
@@ -97,4 +97,4 @@ class GrassField {
     std::unique_ptr<State> state_;
 };
 
-} // namespace grass
+} // namespace windrow::vegetation::grass

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vulkan/vulkan.h>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 namespace {
 
 constexpr std::uint32_t k_group = 128; // generate.comp, cull.comp
@@ -178,4 +178,4 @@ void GrassField::draw(VkCommandBuffer commands, const GrassPass& pass) const {
         }
 }
 
-} // namespace grass
+} // namespace windrow::vegetation::grass

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 
 struct GrassField::State {
     State(const windrow::vulkan::Host& host, HeightMap ground, PlacementMask grows, const GrassSettings& wanted);
@@ -44,4 +44,4 @@ struct GrassField::State {
     std::vector<int> drawn[2]; // slots of a view, the nearest first
 };
 
-} // namespace grass
+} // namespace windrow::vegetation::grass

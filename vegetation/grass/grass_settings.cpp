@@ -2,7 +2,7 @@
 
 #include "vegetation/grass/refusals.h"
 
-namespace grass {
+namespace windrow::vegetation::grass {
 
 windrow::Result<void> validate(const GrassSettings& settings) {
     Refusals refusals;
@@ -37,4 +37,4 @@ windrow::Result<void> validate(const GrassSettings& settings) {
     return refusals.outcome();
 }
 
-} // namespace grass
+} // namespace windrow::vegetation::grass

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 
 /// What is left out of a frame before it is drawn.
 enum class Culling {
@@ -73,4 +73,4 @@ struct GrassSettings {
 /// Every reason why it cannot be used, a line each.
 [[nodiscard]] windrow::Result<void> validate(const GrassSettings& settings);
 
-} // namespace grass
+} // namespace windrow::vegetation::grass

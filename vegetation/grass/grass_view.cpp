@@ -2,7 +2,7 @@
 
 #include <glm/geometric.hpp>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 
 Planes frustum_planes(const glm::mat4& view_projection, const glm::dvec3& corner) {
     const glm::dmat4 m(view_projection);
@@ -19,4 +19,4 @@ Planes frustum_planes(const glm::mat4& view_projection, const glm::dvec3& corner
     return planes;
 }
 
-} // namespace grass
+} // namespace windrow::vegetation::grass

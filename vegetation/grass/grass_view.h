@@ -7,7 +7,7 @@
 #include <glm/vec4.hpp>
 #include <optional>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 
 /// Positions in shaders are [m] from an anchor near the camera, as the wind's block has them (windrow_wind.glsl): exact however
 /// far from the world's origin.
@@ -30,4 +30,4 @@ using Planes = std::array<glm::vec4, 6>;
 /// from the world-view-projection matrix.
 [[nodiscard]] Planes frustum_planes(const glm::mat4& view_projection, const glm::dvec3& corner);
 
-} // namespace grass
+} // namespace windrow::vegetation::grass

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 namespace {
 
 constexpr int k_most_corners = 16384; // 1 GiB of heights
@@ -83,4 +83,4 @@ glm::vec2 HeightMap::range(glm::vec2 low, glm::vec2 high) const {
     return found;
 }
 
-} // namespace grass
+} // namespace windrow::vegetation::grass

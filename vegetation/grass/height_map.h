@@ -16,7 +16,7 @@
 #include <span>
 #include <vector>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 
 class HeightMap {
   public:
@@ -52,4 +52,4 @@ class HeightMap {
     std::vector<float> heights_;
 };
 
-} // namespace grass
+} // namespace windrow::vegetation::grass

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 
 using windrow::numerics::windrow_place_noise;
 
@@ -41,4 +41,4 @@ windrow::Result<void> tread(PlacementMask& mask, const FootPath& path) {
     return {};
 }
 
-} // namespace grass
+} // namespace windrow::vegetation::grass

@@ -9,7 +9,7 @@
 
 #include <cstdint>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 
 struct BarePatches {
     /// Share of the ground on which nothing grows, 0 (default: no patches) to 0.95: within 0.1 of it over many patches
@@ -33,4 +33,4 @@ struct FootPath {
 windrow::Result<void> thin_out(PlacementMask& mask, const BarePatches& patches);
 windrow::Result<void> tread(PlacementMask& mask, const FootPath& path);
 
-} // namespace grass
+} // namespace windrow::vegetation::grass

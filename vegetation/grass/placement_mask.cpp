@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 namespace {
 
 // The nearest value that 16 bits hold.
@@ -105,4 +105,4 @@ bool PlacementMask::grows(glm::vec2 low, glm::vec2 high) const {
     return false;
 }
 
-} // namespace grass
+} // namespace windrow::vegetation::grass

@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 
 struct Brush {
     /// [m] From the mask's first corner, along x and z; may lie outside.
@@ -70,4 +70,4 @@ class PlacementMask {
     std::vector<float> values_;
 };
 
-} // namespace grass
+} // namespace windrow::vegetation::grass

@@ -10,7 +10,7 @@
 #include <sstream>
 #include <system_error>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 
 windrow::Result<void> PlacementMask::save(const std::string& path) const {
     const std::string beside = path + ".part";
@@ -78,4 +78,4 @@ windrow::Result<PlacementMask> PlacementMask::load(const std::string& path, glm:
     return mask;
 }
 
-} // namespace grass
+} // namespace windrow::vegetation::grass

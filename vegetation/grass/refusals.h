@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <string>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 
 /// A number as a sentence has it.
 inline std::string text(double value) {
@@ -33,4 +33,4 @@ class Refusals {
     std::string sentences_;
 };
 
-} // namespace grass
+} // namespace windrow::vegetation::grass

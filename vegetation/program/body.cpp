@@ -8,7 +8,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <limits>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 namespace {
 
 constexpr double k_turn = 2.0 * glm::pi<double>(); // [rad]
@@ -67,8 +67,8 @@ windrow::Pose pose_of(const PictureScene& scene, const Body& body, double time) 
     return {.position = place, .rotation = {turn.x, turn.y, turn.z, turn.w}, .scale = static_cast<double>(body.place.scale)};
 }
 
-shells::CoatSettings settings_of(const BodyCoat& coat, const std::optional<shells::FurLine>& fur) {
-    shells::CoatSettings settings = coat.settings;
+fur::CoatSettings settings_of(const BodyCoat& coat, const std::optional<fur::FurLine>& fur) {
+    fur::CoatSettings settings = coat.settings;
     if (!fur)
         return settings;
     if (!coat.said.shells)
@@ -82,4 +82,4 @@ shells::CoatSettings settings_of(const BodyCoat& coat, const std::optional<shell
     return settings;
 }
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

@@ -8,7 +8,7 @@
 #include "vegetation/fur/beast.h"
 #include "vegetation/fur/coat_settings.h"
 #include "vegetation/fur/horse_skeleton.h"
-#include "vegetation/fur/mesh_file.h"
+#include "vegetation/files/mesh_file.h"
 #include "vegetation/fur/shapes.h"
 #include "vegetation/fur/skeleton.h"
 
@@ -20,19 +20,19 @@
 #include <variant>
 #include <vector>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 
 struct PictureScene;
 
 /// A mesh beside the scene: OBJ, glTF, GLB or 3DS. It is read when the scene is drawn, not when the scene is read.
 struct MeshSource {
     std::string name{};             ///< of the file
-    shells::MeshLoad load{};        ///< but for the turn
+    fur::MeshLoad load{};        ///< but for the turn
     float yaw_deg = 0.0f;           ///< turn about y, -360 to 360
     int most_triangles = 4'000'000; ///< files with more are simplified, 4 to 4,000,000
 };
 
-using BodyMesh = std::variant<MeshSource, shells::Sheet, shells::GlobeSphere, shells::CubeSphere, shells::Wing, shells::Beast>;
+using BodyMesh = std::variant<MeshSource, fur::Sheet, fur::GlobeSphere, fur::CubeSphere, fur::Wing, fur::Beast>;
 
 /// Where it is, or from where its path counts.
 struct BodyPlace {
@@ -74,7 +74,7 @@ struct BodySkeleton {
     SkeletonKind kind = SkeletonKind::none;
     double pace = 1.0;                 ///< how fast it moves: 1 as made, 0 stands in its first pose; 0 to 10
     double phase = 0.0;                ///< [s] by which it is ahead, 0 to 1000
-    std::vector<shells::Bone> bones{}; ///< of kind `own`
+    std::vector<fur::Bone> bones{}; ///< of kind `own`
 };
 
 /// Which fields of the coat the scene names. Those that it does not are the mesh's: its material's fur line.
@@ -84,13 +84,13 @@ struct FurSaid {
 
 struct BodyCoat {
     std::string material{}; ///< part of the mesh that wears it; empty: the whole mesh
-    shells::CoatSettings settings{};
+    fur::CoatSettings settings{};
     FurSaid said{};
 };
 
 struct Body {
     std::string name = "body";
-    BodyMesh mesh = shells::CubeSphere{};
+    BodyMesh mesh = fur::CubeSphere{};
     BodyPlace place{};
     BodyMotion motion{};
     BodySkeleton skeleton{};
@@ -102,6 +102,6 @@ struct Body {
 
 /// The coat that a part wears: the fur line of its material where the scene does not say otherwise. The line's height is already
 /// scaled with the mesh.
-[[nodiscard]] shells::CoatSettings settings_of(const BodyCoat& coat, const std::optional<shells::FurLine>& fur);
+[[nodiscard]] fur::CoatSettings settings_of(const BodyCoat& coat, const std::optional<fur::FurLine>& fur);
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

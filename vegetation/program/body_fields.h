@@ -4,15 +4,15 @@
 #include "vegetation/program/body.h"
 #include "vegetation/program/coat_fields.h"
 
-namespace meadow {
+namespace windrow::vegetation::program {
 
 inline constexpr NumberRule k_angle_rule{.least = -360.0, .most = 360.0, .unit = "deg"};
 
 /// But for the name.
 template <class Fields>
 void list_fields(Fields& fields, MeshSource& mesh) {
-    using shells::SizeOf;
-    using shells::UpAxis;
+    using fur::SizeOf;
+    using fur::UpAxis;
     fields.word("up", mesh.load.up, {{"x", UpAxis::x}, {"y", UpAxis::y}, {"z", UpAxis::z}});
     fields.real("size", mesh.load.size, {.least = 1e-3, .most = 1e3, .unit = "m"});
     fields.word("size_of", mesh.load.size_of, {{"longest_edge", SizeOf::longest_edge}, {"height", SizeOf::height}});
@@ -21,7 +21,7 @@ void list_fields(Fields& fields, MeshSource& mesh) {
 }
 
 template <class Fields>
-void list_fields(Fields& fields, shells::Sheet& sheet) {
+void list_fields(Fields& fields, fur::Sheet& sheet) {
     fields.pair("size", sheet.size, {.least = 1e-3, .most = 1e4, .unit = "m"}, "x, z");
     fields.integer("columns", sheet.columns, {.least = 1.0, .most = 1024.0});
     fields.integer("rows", sheet.rows, {.least = 1.0, .most = 1024.0});
@@ -29,20 +29,20 @@ void list_fields(Fields& fields, shells::Sheet& sheet) {
 }
 
 template <class Fields>
-void list_fields(Fields& fields, shells::GlobeSphere& sphere) {
+void list_fields(Fields& fields, fur::GlobeSphere& sphere) {
     fields.real("radius", sphere.radius, {.least = 1e-3, .most = 1e3, .unit = "m"});
     fields.integer("sectors", sphere.sectors, {.least = 3.0, .most = 1024.0});
     fields.integer("stacks", sphere.stacks, {.least = 2.0, .most = 1024.0});
 }
 
 template <class Fields>
-void list_fields(Fields& fields, shells::CubeSphere& sphere) {
+void list_fields(Fields& fields, fur::CubeSphere& sphere) {
     fields.real("radius", sphere.radius, {.least = 1e-3, .most = 1e3, .unit = "m"});
     fields.integer("cells", sphere.cells, {.least = 1.0, .most = 512.0});
 }
 
 template <class Fields>
-void list_fields(Fields& fields, shells::Wing& wing) {
+void list_fields(Fields& fields, fur::Wing& wing) {
     fields.real("span", wing.span, {.least = 1e-2, .most = 100.0, .unit = "m"});
     fields.real("chord", wing.chord, {.least = 1e-3, .most = 100.0, .unit = "m"});
     fields.real("thickness", wing.thickness, {.least = 0.005, .most = 0.3});
@@ -55,7 +55,7 @@ void list_fields(Fields& fields, shells::Wing& wing) {
 }
 
 template <class Fields>
-void list_fields(Fields& fields, shells::Beast& beast) {
+void list_fields(Fields& fields, fur::Beast& beast) {
     fields.real("height", beast.height, {.least = 0.1, .most = 20.0, .unit = "m"});
     fields.integer("detail", beast.detail, {.least = 20.0, .most = 120.0});
 }
@@ -94,7 +94,7 @@ void list_fields(Fields& fields, BodyMotion& motion) {
 }
 
 template <class Fields>
-void list_fields(Fields& fields, shells::Swing& swing) {
+void list_fields(Fields& fields, fur::Swing& swing) {
     constexpr NumberRule k_swing_rule{.least = 0.0, .most = 1.5707964, .unit = "rad"};
     constexpr NumberRule k_phase_rule{.least = -100.0, .most = 100.0, .unit = "rad"};
     fields.direction("axis", swing.axis);
@@ -108,7 +108,7 @@ void list_fields(Fields& fields, shells::Swing& swing) {
 
 /// But for the name, the parent and the swings.
 template <class Fields>
-void list_fields(Fields& fields, shells::Bone& bone) {
+void list_fields(Fields& fields, fur::Bone& bone) {
     constexpr NumberRule k_bone_rule{.least = -1e4, .most = 1e4, .unit = "m"};
     fields.position("head", bone.head, k_bone_rule);
     fields.position("tail", bone.tail, k_bone_rule);
@@ -130,4 +130,4 @@ void list_fields(Fields& fields, BodySkeleton& skeleton) {
     fields.number("phase", skeleton.phase, {.least = 0.0, .most = 1e3, .unit = "s"});
 }
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

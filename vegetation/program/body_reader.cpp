@@ -6,7 +6,7 @@
 #include "vegetation/program/skeleton_reader.h"
 #include "scene/file_beside.h"
 
-namespace meadow {
+namespace windrow::vegetation::program {
 namespace {
 
 constexpr std::size_t k_most_bodies = 64;
@@ -39,19 +39,19 @@ BodyMesh read_mesh(JsonObject object, const std::filesystem::path& folder) {
         mesh = read_file(object.object("file"), folder);
         break;
     case 1:
-        mesh = read_shape<shells::Sheet>(object.object("sheet"));
+        mesh = read_shape<fur::Sheet>(object.object("sheet"));
         break;
     case 2:
-        mesh = read_shape<shells::GlobeSphere>(object.object("globe_sphere"));
+        mesh = read_shape<fur::GlobeSphere>(object.object("globe_sphere"));
         break;
     case 3:
-        mesh = read_shape<shells::CubeSphere>(object.object("cube_sphere"));
+        mesh = read_shape<fur::CubeSphere>(object.object("cube_sphere"));
         break;
     case 4:
-        mesh = read_shape<shells::Wing>(object.object("wing"));
+        mesh = read_shape<fur::Wing>(object.object("wing"));
         break;
     case 5:
-        mesh = read_shape<shells::Beast>(object.object("beast"));
+        mesh = read_shape<fur::Beast>(object.object("beast"));
         break;
     default:
         break;
@@ -92,14 +92,14 @@ std::vector<Body> read_bodies(JsonObject& picture, std::span<const std::string> 
     return bodies;
 }
 
-std::vector<shells::Lamp> read_lamps(JsonObject& picture) {
-    std::vector<shells::Lamp> lamps;
-    each(picture, "lamps", shells::k_most_lamps, [&](JsonObject item) {
-        shells::Lamp lamp;
+std::vector<fur::Lamp> read_lamps(JsonObject& picture) {
+    std::vector<fur::Lamp> lamps;
+    each(picture, "lamps", fur::k_most_lamps, [&](JsonObject item) {
+        fur::Lamp lamp;
         read_part(std::move(item), lamp);
         lamps.push_back(lamp);
     });
     return lamps;
 }
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 
 /// `path_names` are those of the scene; files are looked for in `folder`.
 [[nodiscard]] std::vector<Body> read_bodies(windrow::scene::JsonObject& picture, std::span<const std::string> path_names,
                                             const std::filesystem::path& folder);
-[[nodiscard]] std::vector<shells::Lamp> read_lamps(windrow::scene::JsonObject& picture);
+[[nodiscard]] std::vector<fur::Lamp> read_lamps(windrow::scene::JsonObject& picture);
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

@@ -4,7 +4,7 @@
 #include "vegetation/program/field_writer.h"
 #include "vegetation/program/skeleton_reader.h"
 
-namespace meadow {
+namespace windrow::vegetation::program {
 namespace {
 
 /// Names as one_of of the reader has them.
@@ -22,7 +22,7 @@ json write_mesh(const BodyMesh& mesh) {
 }
 
 json write_coat(const BodyCoat& coat, bool of_a_file) {
-    const shells::CoatSettings& settings = coat.settings;
+    const fur::CoatSettings& settings = coat.settings;
     json object = write_part(settings);
     object["material"] = coat.material;
     FieldWriter layers;
@@ -32,13 +32,13 @@ json write_coat(const BodyCoat& coat, bool of_a_file) {
     object["layers"] = std::move(layers.object);
     object["layers"]["strand"] = write_part(settings.layers.strand);
     FieldWriter strands;
-    shells::StrandFieldSettings field = settings.strands;
+    fur::StrandFieldSettings field = settings.strands;
     list_furs_fields(strands, field);
     list_fields(strands, field);
     object["strands"] = std::move(strands.object);
     object["comb"] = write_part(settings.comb);
     object["spots"] = json::array();
-    for (const shells::Spot& spot : settings.spots)
+    for (const fur::Spot& spot : settings.spots)
         object["spots"].push_back(write_part(spot));
     object["maps"] = write_part(settings.maps);
     const auto name = [&](const char* key, const std::string& file) {
@@ -90,4 +90,4 @@ json write_body(const Body& body, const windrow::scene::Scene& air) {
     return object;
 }
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

@@ -6,9 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 
 /// All keys, defaults too; of a coat on a file's mesh only those of the fur line's that the scene gave.
 [[nodiscard]] nlohmann::json write_body(const Body& body, const windrow::scene::Scene& air);
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

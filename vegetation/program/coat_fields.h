@@ -1,5 +1,5 @@
 // Every field of a coat of shells, as picture_fields.h lists those of the picture: key, range, unit. Reader and writer both go
-// through these lists. Ranges are those of shells::validate.
+// through these lists. Ranges are those of fur::validate.
 //
 // Beside what picture_fields.h asks of `Fields`: flag, direction (any vector but 0), position (float metres), word.
 #pragma once
@@ -8,7 +8,7 @@
 #include "vegetation/fur/coat_settings.h"
 #include "vegetation/fur/lamps.h"
 
-namespace meadow {
+namespace windrow::vegetation::program {
 
 /// Of the layers, what a fur line may give.
 template <class Fields>
@@ -33,16 +33,16 @@ void list_fields(Fields& fields, windrow::ShellSettings& layers) {
 
 /// Of the strands, what a fur line may give.
 template <class Fields>
-void list_furs_fields(Fields& fields, shells::StrandFieldSettings& strands) {
+void list_furs_fields(Fields& fields, fur::StrandFieldSettings& strands) {
     fields.real("density", strands.density, {.least = 0.01, .most = 1e5});
     fields.real("thickness", strands.thickness, {.least = 0.0, .most = 10.0});
 }
 
 /// The rest of them.
 template <class Fields>
-void list_fields(Fields& fields, shells::StrandFieldSettings& strands) {
-    using shells::StrandProfile;
-    using shells::StrandShape;
+void list_fields(Fields& fields, fur::StrandFieldSettings& strands) {
+    using fur::StrandProfile;
+    using fur::StrandShape;
     fields.real("stretch", strands.stretch, {.least = 0.05, .most = 20.0});
     fields.real("row_shift", strands.row_shift, {.least = 0.0, .most = 0.5});
     fields.integer("seed", strands.seed, {.least = 0.0, .most = 1e6});
@@ -68,7 +68,7 @@ void list_fields(Fields& fields, shells::StrandFieldSettings& strands) {
 }
 
 template <class Fields>
-void list_fields(Fields& fields, shells::Comb& comb) {
+void list_fields(Fields& fields, fur::Comb& comb) {
     fields.direction("along", comb.along);
     fields.real("bend", comb.bend, {.least = 0.0, .most = 1.5, .unit = "rad"});
     fields.real("tousle", comb.tousle, {.least = 0.0, .most = 3.0, .unit = "rad"});
@@ -76,7 +76,7 @@ void list_fields(Fields& fields, shells::Comb& comb) {
 }
 
 template <class Fields>
-void list_fields(Fields& fields, shells::Spot& spot) {
+void list_fields(Fields& fields, fur::Spot& spot) {
     constexpr NumberRule k_spot_rule{.least = -1e4, .most = 1e4, .unit = "m"};
     fields.position("from", spot.from, k_spot_rule);
     fields.position("to", spot.to, k_spot_rule);
@@ -90,8 +90,8 @@ void list_fields(Fields& fields, shells::Spot& spot) {
 
 /// But for the files.
 template <class Fields>
-void list_fields(Fields& fields, shells::CoatMaps& maps) {
-    using shells::Projection;
+void list_fields(Fields& fields, fur::CoatMaps& maps) {
+    using fur::Projection;
     fields.real("influence_a", maps.influence_a, k_share_rule);
     fields.real("influence_b", maps.influence_b, k_share_rule);
     fields.real("noise_tiles", maps.noise_tiles, {.least = 0.0, .most = 1000.0, .above_least = true});
@@ -101,7 +101,7 @@ void list_fields(Fields& fields, shells::CoatMaps& maps) {
 }
 
 template <class Fields>
-void list_fields(Fields& fields, shells::CoatLook& look) {
+void list_fields(Fields& fields, fur::CoatLook& look) {
     constexpr NumberRule k_power_rule{.least = 1.0, .most = 1000.0};
     fields.colour("root", look.root);
     fields.colour("tip", look.tip);
@@ -125,7 +125,7 @@ void list_fields(Fields& fields, shells::CoatLook& look) {
 }
 
 template <class Fields>
-void list_fields(Fields& fields, shells::CoatLevels& levels) {
+void list_fields(Fields& fields, fur::CoatLevels& levels) {
     fields.integer("least_shells", levels.least_shells, {.least = 2.0, .most = 4096.0});
     fields.real("full_until", levels.full_until, {.least = 0.0, .most = 1e6, .above_least = true, .unit = "m"});
     fields.integer("march", levels.march, {.least = 0.0, .most = 16.0});
@@ -145,7 +145,7 @@ void list_fields(Fields& fields, windrow::CascadeConfig& inertia) {
 
 /// But for what the layers and the mesh's box say already: its height and its half size.
 template <class Fields>
-void list_fields(Fields& fields, shells::CloudShellSettings& cloud) {
+void list_fields(Fields& fields, fur::CloudShellSettings& cloud) {
     fields.real("cover", cloud.cover, k_share_rule);
     fields.real("size", cloud.size, {.least = 0.01, .most = 1e5, .unit = "m"});
     fields.real("base", cloud.base, {.least = 0.01, .most = 1.0});
@@ -158,9 +158,9 @@ void list_fields(Fields& fields, shells::CloudShellSettings& cloud) {
 
 /// But for its parts.
 template <class Fields>
-void list_fields(Fields& fields, shells::CoatSettings& coat) {
-    using shells::StrandsOn;
-    using shells::WindAt;
+void list_fields(Fields& fields, fur::CoatSettings& coat) {
+    using fur::StrandsOn;
+    using fur::WindAt;
     fields.word("strands_on", coat.strands_on, {{"surface", StrandsOn::surface}, {"uv", StrandsOn::uv}});
     fields.real("wriggle_hz", coat.wriggle_hz, {.least = -100.0, .most = 100.0, .unit = "Hz"});
     fields.flag("translated", coat.translated);
@@ -173,10 +173,10 @@ void list_fields(Fields& fields, shells::CoatSettings& coat) {
 }
 
 template <class Fields>
-void list_fields(Fields& fields, shells::Lamp& lamp) {
+void list_fields(Fields& fields, fur::Lamp& lamp) {
     fields.place("position", lamp.position, k_place_rule);
     fields.position("colour", lamp.colour, {.least = 0.0, .most = 1e6});
     fields.real("reach", lamp.reach, {.least = 0.0, .most = 1e4, .above_least = true, .unit = "m"});
 }
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

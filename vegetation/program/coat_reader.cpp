@@ -4,10 +4,10 @@
 #include "vegetation/program/field_reader.h"
 #include "scene/file_beside.h"
 
-namespace meadow {
+namespace windrow::vegetation::program {
 namespace {
 
-void read_layers(JsonObject object, shells::CoatSettings& coat, FurSaid& said) {
+void read_layers(JsonObject object, fur::CoatSettings& coat, FurSaid& said) {
     said.shells = object.value().contains("shells");
     said.length = object.value().contains("length");
     FieldReader fields(object);
@@ -17,7 +17,7 @@ void read_layers(JsonObject object, shells::CoatSettings& coat, FurSaid& said) {
     object.finish();
 }
 
-void read_strands(JsonObject object, shells::CoatSettings& coat, FurSaid& said) {
+void read_strands(JsonObject object, fur::CoatSettings& coat, FurSaid& said) {
     said.thickness = object.value().contains("thickness");
     said.density = object.value().contains("density");
     FieldReader fields(object);
@@ -26,7 +26,7 @@ void read_strands(JsonObject object, shells::CoatSettings& coat, FurSaid& said) 
     object.finish();
 }
 
-void read_maps(JsonObject object, shells::CoatMaps& maps, const std::filesystem::path& folder) {
+void read_maps(JsonObject object, fur::CoatMaps& maps, const std::filesystem::path& folder) {
     const auto name = [&](const char* key, std::string& file) {
         if (windrow::scene::file_beside(object, key, folder))
             file = object.value()[key].get<std::string>();
@@ -44,7 +44,7 @@ void read_maps(JsonObject object, shells::CoatMaps& maps, const std::filesystem:
 
 BodyCoat read_coat(JsonObject object, const std::filesystem::path& folder) {
     BodyCoat coat;
-    shells::CoatSettings& settings = coat.settings;
+    fur::CoatSettings& settings = coat.settings;
     const std::size_t faults_before = object.log().faults();
     coat.material = object.text("material", coat.material);
     FieldReader fields(object);
@@ -52,8 +52,8 @@ BodyCoat read_coat(JsonObject object, const std::filesystem::path& folder) {
     read_layers(object.object("layers"), settings, coat.said);
     read_strands(object.object("strands"), settings, coat.said);
     read_part(object.object("comb"), settings.comb);
-    each(object, "spots", shells::k_most_spots, [&](JsonObject item) {
-        shells::Spot spot;
+    each(object, "spots", fur::k_most_spots, [&](JsonObject item) {
+        fur::Spot spot;
         read_part(std::move(item), spot);
         settings.spots.push_back(spot);
     });
@@ -64,14 +64,14 @@ BodyCoat read_coat(JsonObject object, const std::filesystem::path& folder) {
     read_part(object.object("inertia"), inertia);
     if (object.value().contains("inertia"))
         settings.inertia = inertia;
-    shells::CloudShellSettings cloud;
+    fur::CloudShellSettings cloud;
     read_part(object.object("cloud"), cloud);
     if (object.value().contains("cloud"))
         settings.cloud = cloud;
     object.finish();
     if (object.log().faults() == faults_before)
-        note_refusals(shells::validate(settings), "coat.", object);
+        note_refusals(fur::validate(settings), "coat.", object);
     return coat;
 }
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

@@ -6,9 +6,9 @@
 
 #include <filesystem>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 
 /// Names of maps that lead out of `folder` are refused; the maps themselves are read when they are drawn.
 [[nodiscard]] BodyCoat read_coat(windrow::scene::JsonObject object, const std::filesystem::path& folder);
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

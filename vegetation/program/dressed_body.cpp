@@ -1,6 +1,7 @@
 #include "vegetation/program/dressed_body.h"
 
-#include "vegetation/fur/mesh_folder.h"
+#include "vegetation/files/coat_picture_files.h"
+#include "vegetation/files/mesh_folder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +9,7 @@
 #include <glm/trigonometric.hpp>
 #include <system_error>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 namespace {
 
 using windrow::Error;
@@ -17,22 +18,22 @@ using windrow::Result;
 struct MakeMesh {
     std::filesystem::path folder;
 
-    Result<shells::Mesh> operator()(const MeshSource& source) const {
-        shells::MeshLoad load = source.load;
+    Result<fur::Mesh> operator()(const MeshSource& source) const {
+        fur::MeshLoad load = source.load;
         load.yaw = glm::radians(source.yaw_deg);
         load.most_triangles = static_cast<std::size_t>(source.most_triangles);
         const std::filesystem::path file = folder / std::filesystem::path(source.name).lexically_normal();
         std::error_code fault;
         if (std::filesystem::exists(file, fault)) // what is not there, the reader tells
-            if (auto real = shells::beside(folder / "scene", source.name); !real)
+            if (auto real = fur::beside(folder / "scene", source.name); !real)
                 return Error{real.error()};
-        return shells::read_mesh(file, load);
+        return fur::read_mesh(file, load);
     }
-    Result<shells::Mesh> operator()(const shells::Sheet& shape) const { return shells::sheet(shape); }
-    Result<shells::Mesh> operator()(const shells::GlobeSphere& shape) const { return shells::globe_sphere(shape); }
-    Result<shells::Mesh> operator()(const shells::CubeSphere& shape) const { return shells::cube_sphere(shape); }
-    Result<shells::Mesh> operator()(const shells::Wing& shape) const { return shells::wing(shape); }
-    Result<shells::Mesh> operator()(const shells::Beast& shape) const { return shells::beast_mesh(shape); }
+    Result<fur::Mesh> operator()(const fur::Sheet& shape) const { return fur::sheet(shape); }
+    Result<fur::Mesh> operator()(const fur::GlobeSphere& shape) const { return fur::globe_sphere(shape); }
+    Result<fur::Mesh> operator()(const fur::CubeSphere& shape) const { return fur::cube_sphere(shape); }
+    Result<fur::Mesh> operator()(const fur::Wing& shape) const { return fur::wing(shape); }
+    Result<fur::Mesh> operator()(const fur::Beast& shape) const { return fur::beast_mesh(shape); }
 };
 
 // [s] How often a frame tells the tips' lag where the body is: its way is taken as straight between.
@@ -41,7 +42,7 @@ constexpr double k_longest_step = 1.0 / 960.0;
 std::vector<glm::mat4> bones_of(const Body& body, const BodyModel& model, double time) {
     if (!model.skeleton)
         return {};
-    return shells::pose(*model.skeleton, body.skeleton.pace * time + body.skeleton.phase);
+    return fur::pose(*model.skeleton, body.skeleton.pace * time + body.skeleton.phase);
 }
 
 } // namespace
@@ -56,8 +57,8 @@ Result<BodyModel> model_of(const PictureScene& scene, const Body& body) {
     case SkeletonKind::none:
         return model;
     case SkeletonKind::beast: {
-        const auto* beast = std::get_if<shells::Beast>(&body.mesh);
-        auto bones = shells::beast_skeleton(beast != nullptr ? *beast : shells::Beast{});
+        const auto* beast = std::get_if<fur::Beast>(&body.mesh);
+        auto bones = fur::beast_skeleton(beast != nullptr ? *beast : fur::Beast{});
         if (!bones)
             return Error{bones.error()};
         model.skeleton = *std::move(bones);
@@ -65,25 +66,25 @@ Result<BodyModel> model_of(const PictureScene& scene, const Body& body) {
     }
     case SkeletonKind::horse: {
         const auto* file = std::get_if<MeshSource>(&body.mesh);
-        auto bones = shells::horse_skeleton(file != nullptr ? file->load.size : 1.0f);
+        auto bones = fur::horse_skeleton(file != nullptr ? file->load.size : 1.0f);
         if (!bones)
             return Error{bones.error()};
         model.skeleton = *std::move(bones);
         break;
     }
     case SkeletonKind::own:
-        model.skeleton = shells::Skeleton{body.skeleton.bones};
+        model.skeleton = fur::Skeleton{body.skeleton.bones};
         break;
     }
-    if (auto bound = shells::bind(model.mesh, *model.skeleton); !bound)
+    if (auto bound = fur::bind(model.mesh, *model.skeleton); !bound)
         return Error{bound.error()};
     return model;
 }
 
-Result<std::vector<shells::MeshPart>> parts_of(const shells::Mesh& mesh, const BodyCoat& coat) {
-    std::vector<shells::MeshPart> parts;
+Result<std::vector<fur::MeshPart>> parts_of(const fur::Mesh& mesh, const BodyCoat& coat) {
+    std::vector<fur::MeshPart> parts;
     std::string names;
-    for (const shells::MeshPart& part : mesh.parts) {
+    for (const fur::MeshPart& part : mesh.parts) {
         if (coat.material.empty() || part.material == coat.material)
             parts.push_back(part);
         names += (names.empty() ? "\"" : ", \"") + part.material + "\"";
@@ -123,15 +124,15 @@ Result<void> DressedBodies::dress(engine::Device& device, const render::DrawTarg
         const auto parts = parts_of(dressed.model.mesh, worn);
         if (!parts)
             return Error{parts.error()};
-        std::optional<shells::FurLine> fur;
-        for (const shells::MeshPart& part : *parts)
+        std::optional<fur::FurLine> fur;
+        for (const fur::MeshPart& part : *parts)
             if (part.fur && !fur)
                 fur = part.fur;
-        const shells::CoatSettings settings = settings_of(worn, fur);
-        const auto pictures = shells::read_pictures(settings.maps, scene_->air.file.parent_path());
+        const fur::CoatSettings settings = settings_of(worn, fur);
+        const auto pictures = fur::read_pictures(settings.maps, scene_->air.file.parent_path());
         if (!pictures)
             return Error{pictures.error()};
-        auto coat = shells::Coat::create(device, targets, dressed.model.mesh, *parts, settings, *pictures,
+        auto coat = fur::Coat::create(device, targets, dressed.model.mesh, *parts, settings, *pictures,
                                          pose_of(*scene_, body, 0.0), anchor);
         if (!coat)
             return Error{coat.error()};
@@ -151,7 +152,7 @@ void DressedBodies::add_to(render::Renderer& renderer) {
 
 Result<void> DressedBodies::move(const Dressed& dressed, double time, double seconds) {
     const std::vector<glm::mat4> bones = bones_of(*dressed.body, dressed.model, time);
-    shells::CoatAhead ahead;
+    fur::CoatAhead ahead;
     ahead.body = pose_of(*scene_, *dressed.body, time + ahead.seconds);
     const std::vector<glm::mat4> bones_ahead = bones_of(*dressed.body, dressed.model, time + ahead.seconds);
     ahead.bones = bones_ahead;
@@ -176,10 +177,10 @@ Result<void> DressedBodies::move(const Dressed& dressed, double time, double sec
     return {};
 }
 
-std::vector<shells::Foot> feet_of(const PictureScene& scene, double time) {
-    std::vector<shells::Foot> feet;
+std::vector<fur::Foot> feet_of(const PictureScene& scene, double time) {
+    std::vector<fur::Foot> feet;
     for (const Walker& walker : scene.picture.walkers) {
-        if (feet.size() == shells::k_most_feet)
+        if (feet.size() == fur::k_most_feet)
             break;
         const windrow::GroundWalker now = walker_at(scene, walker, time, time);
         const double floor = scene.picture.ground.height(now.position.x, now.position.z);
@@ -191,7 +192,7 @@ std::vector<shells::Foot> feet_of(const PictureScene& scene, double time) {
 }
 
 Result<void> DressedBodies::move(double time, double seconds) {
-    const std::vector<shells::Foot> feet = feet_of(*scene_, time);
+    const std::vector<fur::Foot> feet = feet_of(*scene_, time);
     for (const Dressed& dressed : dressed_)
         for (const auto& coat : dressed.coats)
             if (auto felt = coat->set_feet(feet); !felt)
@@ -209,12 +210,12 @@ void DressedBodies::append_to(std::vector<render::Drawable*>& drawables) const {
             drawables.push_back(coat.get());
 }
 
-std::vector<const shells::Coat*> DressedBodies::coats() const {
-    std::vector<const shells::Coat*> all;
+std::vector<const fur::Coat*> DressedBodies::coats() const {
+    std::vector<const fur::Coat*> all;
     for (const Dressed& dressed : dressed_)
         for (const auto& coat : dressed.coats)
             all.push_back(coat.get());
     return all;
 }
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

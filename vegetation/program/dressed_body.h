@@ -13,25 +13,25 @@
 #include <optional>
 #include <vector>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 
 /// The mesh of a body: read, or made of its formula; bound to its skeleton if it has one.
 struct BodyModel {
-    shells::Mesh mesh{};
-    std::optional<shells::Skeleton> skeleton{};
+    fur::Mesh mesh{};
+    std::optional<fur::Skeleton> skeleton{};
 };
 /// Refuses what the mesh's reader refuses, and bones that do not hang together.
 [[nodiscard]] windrow::Result<BodyModel> model_of(const PictureScene& scene, const Body& body);
 
 /// Those parts of the mesh that a coat is for; all where it names no material. Refuses a material that the mesh has not.
-[[nodiscard]] windrow::Result<std::vector<shells::MeshPart>> parts_of(const shells::Mesh& mesh, const BodyCoat& coat);
+[[nodiscard]] windrow::Result<std::vector<fur::MeshPart>> parts_of(const fur::Mesh& mesh, const BodyCoat& coat);
 
 /// [m] By which the mean wind at a body has carried a pattern until a time [s], along x and z: their product, so that it is as
 /// exact at any time as the wind itself, a float (6e-8 of the way). Gusts are left out: over time they carry nothing.
 [[nodiscard]] glm::dvec2 drift_of(const PictureScene& scene, const Body& body, double time);
 
-/// The feet of the first shells::k_most_feet walkers, on the ground or as high above it as they jump.
-[[nodiscard]] std::vector<shells::Foot> feet_of(const PictureScene& scene, double time);
+/// The feet of the first fur::k_most_feet walkers, on the ground or as high above it as they jump.
+[[nodiscard]] std::vector<fur::Foot> feet_of(const PictureScene& scene, double time);
 
 class DressedBodies {
   public:
@@ -47,13 +47,13 @@ class DressedBodies {
     void append_to(std::vector<render::Drawable*>& drawables) const;
     [[nodiscard]] bool empty() const { return dressed_.empty(); }
     /// Coats of all bodies, in the scene's order.
-    [[nodiscard]] std::vector<const shells::Coat*> coats() const;
+    [[nodiscard]] std::vector<const fur::Coat*> coats() const;
 
   private:
     struct Dressed {
         const Body* body;
         BodyModel model;
-        std::vector<std::unique_ptr<shells::Coat>> coats;
+        std::vector<std::unique_ptr<fur::Coat>> coats;
     };
     explicit DressedBodies(const PictureScene& scene) : scene_(&scene) {}
     windrow::Result<void> dress(engine::Device& device, const render::DrawTargets& targets, const Body& body, glm::dvec3 anchor);
@@ -64,4 +64,4 @@ class DressedBodies {
     double time_ = 0.0; ///< [s] of the last call
 };
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

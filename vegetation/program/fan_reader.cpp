@@ -5,7 +5,7 @@
 
 #include <glm/geometric.hpp>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 namespace {
 
 constexpr std::size_t k_most_fans = 64;
@@ -32,4 +32,4 @@ std::vector<Fan> read_fans(JsonObject& picture) {
     return fans;
 }
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

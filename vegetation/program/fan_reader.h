@@ -6,8 +6,8 @@
 
 #include <vector>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 
 [[nodiscard]] std::vector<Fan> read_fans(windrow::scene::JsonObject& picture);
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

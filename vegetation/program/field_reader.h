@@ -12,7 +12,7 @@
 #include <string>
 #include <utility>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 
 using windrow::scene::JsonObject;
 
@@ -81,4 +81,4 @@ inline void note_refusals(const windrow::Result<void>& judged, const std::string
     }
 }
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

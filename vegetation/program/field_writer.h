@@ -13,7 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 
 using nlohmann::json;
 
@@ -68,4 +68,4 @@ json write_part(Part part) {
     return std::move(fields.object);
 }
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

@@ -5,7 +5,7 @@
 #include "vegetation/program/mask_reader.h"
 #include "vegetation/program/picture_fields.h"
 
-namespace meadow {
+namespace windrow::vegetation::program {
 namespace {
 
 constexpr std::size_t k_most_layers = 16;
@@ -64,4 +64,4 @@ std::vector<GrassLayer> read_grass(JsonObject& picture, glm::vec2 extent, const 
     return layers;
 }
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

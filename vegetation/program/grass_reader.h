@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 
 /// A class that a layer may begin with.
 struct PlantClass {
@@ -21,4 +21,4 @@ struct PlantClass {
 [[nodiscard]] std::vector<GrassLayer> read_grass(windrow::scene::JsonObject& picture, glm::vec2 extent,
                                                  const std::filesystem::path& folder);
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 namespace {
 
 using windrow::scene::figure;
@@ -109,4 +109,4 @@ Ground read_ground(JsonObject object, const std::filesystem::path& folder) {
     return ground;
 }
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

@@ -6,10 +6,10 @@
 
 #include <filesystem>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 
 /// `object` is finished here. The heights are made in any case, level ones where the file's are refused, so that what stands on
 /// them can be read and judged.
 [[nodiscard]] Ground read_ground(windrow::scene::JsonObject object, const std::filesystem::path& folder);
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

@@ -5,7 +5,7 @@
 #include "scene/file_beside.h"
 #include "scene/json_document.h"
 
-namespace meadow {
+namespace windrow::vegetation::program {
 namespace {
 
 constexpr std::size_t k_most_strokes = 1024;
@@ -70,4 +70,4 @@ MaskSource read_mask(JsonObject object, glm::vec2 extent, std::uint32_t seed, co
     return source;
 }
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

@@ -6,10 +6,10 @@
 
 #include <filesystem>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 
 /// `object` is finished here. `extent` [m]: the heights' own. `seed`: the layer's. The mask is made unless it was refused.
 [[nodiscard]] MaskSource read_mask(windrow::scene::JsonObject object, glm::vec2 extent, std::uint32_t seed,
                                    const std::filesystem::path& folder);
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

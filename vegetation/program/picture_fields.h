@@ -7,7 +7,7 @@
 #include "vegetation/program/picture_scene.h"
 #include "scene/air_reader.h"
 
-namespace meadow {
+namespace windrow::vegetation::program {
 
 using windrow::scene::k_place_rule;
 using windrow::scene::NumberRule;
@@ -246,4 +246,4 @@ void list_fields(Fields& fields, windrow::Sampling& sampling) {
     fields.real("detail_length", sampling.detail_length, {.least = 1e-3, .most = 1e6, .unit = "m"});
 }
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

@@ -13,7 +13,7 @@
 #include "scene/scene_reader.h"
 #include "scene/text_file.h"
 
-namespace meadow {
+namespace windrow::vegetation::program {
 namespace {
 
 using nlohmann::json;
@@ -122,4 +122,4 @@ windrow::Result<PictureScene> read_picture_scene_text(std::string_view text, con
     return scene;
 }
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 
 /// Reads a scene of at most 16 MiB and the files that it names. Tells every fault, a line each: file, JSON path, value, fix.
 [[nodiscard]] windrow::Result<PictureScene> read_picture_scene(const std::filesystem::path& file);
@@ -19,4 +19,4 @@ namespace meadow {
 [[nodiscard]] windrow::Result<PictureScene> read_picture_scene_text(std::string_view text, const std::filesystem::path& file,
                                                                     std::vector<windrow::scene::KnownKey>* known = nullptr);
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

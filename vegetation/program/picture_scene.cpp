@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 
 float Hills::at(glm::vec2 place) const {
     const glm::vec2 cell = place / static_cast<float>(length) + 17.3f * static_cast<float>(seed % 64u);
@@ -59,4 +59,4 @@ windrow::GroundWalker walker_at(const PictureScene& scene, const Walker& walker,
             .weight = walker.weight};
 }
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

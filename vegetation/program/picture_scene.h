@@ -1,11 +1,11 @@
 // What a scene file says of the picture, in memory: one file has the air, for `windrow run`, and below its key `picture` the eye,
 // the light, the ground and the plants, for a renderer.
 //
-//     auto meadow = meadow::read_picture_scene("meadow.json");
+//     auto meadow = program::read_picture_scene("meadow.json");
 //     if (!meadow)
 //         return std::fprintf(stderr, "%s\n", meadow.error().c_str()), 2;       // every fault, a line each
 //     windrow::scene::SceneMotion motion(meadow->air);                           // what moves in the air
-//     const render::Camera eye = meadow::camera_at(*meadow, time);
+//     const render::Camera eye = program::camera_at(*meadow, time);
 //
 // Every key with its unit, default and range: examples/scenes/scene.schema.json, which a test holds to the reader.
 #pragma once
@@ -27,7 +27,7 @@
 #include <string>
 #include <vector>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 
 struct CameraSource {
     /// Where it stands, what it looks at and how. A path says where instead, if it has one.
@@ -147,7 +147,7 @@ struct Picture {
     std::vector<Fan> fans{};
     std::optional<windrow::GroundConfig> ground_memory{}; ///< none: walkers and wind leave no trace
     std::vector<Body> bodies{};                           ///< things in coats of shells
-    std::vector<shells::Lamp> lamps{};                    ///< that shine on them
+    std::vector<fur::Lamp> lamps{};                    ///< that shine on them
     windrow::Sampling sampling{};
 };
 
@@ -166,4 +166,4 @@ struct PictureScene {
 /// A walker in a step from `start` to `end` [s].
 [[nodiscard]] windrow::GroundWalker walker_at(const PictureScene& scene, const Walker& walker, double start, double end);
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

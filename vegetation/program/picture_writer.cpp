@@ -5,7 +5,7 @@
 #include "vegetation/program/field_writer.h"
 #include "vegetation/program/picture_fields.h"
 
-namespace meadow {
+namespace windrow::vegetation::program {
 namespace {
 
 using nlohmann::json;
@@ -112,10 +112,10 @@ json write_picture(const PictureScene& scene) {
     for (const Body& body : picture.bodies)
         object["bodies"].push_back(write_body(body, scene.air));
     object["lamps"] = json::array();
-    for (const shells::Lamp& lamp : picture.lamps)
+    for (const fur::Lamp& lamp : picture.lamps)
         object["lamps"].push_back(write_part(lamp));
     object["sampling"] = write_part(picture.sampling);
     return object;
 }
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

@@ -5,11 +5,11 @@
 
 #include <nlohmann/json.hpp>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 
 /// The object for the scene's key `picture`. What it says is read back as the same structure; floats have the digits that name
 /// them and no more, so that a file that was read and written says what it said. Left out is what stands for nothing: a file, a
 /// path, a memory that the picture lacks.
 [[nodiscard]] nlohmann::json write_picture(const PictureScene& scene);
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

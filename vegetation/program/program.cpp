@@ -1,14 +1,15 @@
-// meadow SCENE.json ...: draws the pictures of scene files, on the GPU or, where there is none, on a software one.
+// windrow-draw SCENE.json ...: draws the pictures of scene files, on the GPU or, where there is none, on a software one.
 //
-//     meadow examples/scenes/meadow.json --out out/meadow            every frame as PNG, a contact sheet, a table of times
-//     meadow SCENE.json --frames 1 --from 3.5 --size 1920x1080       one picture, of the moment 3.5 s
-//     meadow SCENE.json --show slice                                 the wind itself: arrows, slice; or what the plants do: lean,
+//     windrow-draw examples/scenes/meadow.json --out out/meadow      every frame as PNG, a contact sheet, a table of times
+//     windrow-draw SCENE.json --frames 1 --from 3.5 --size 1920x1080 one picture, of the moment 3.5 s
+//     windrow-draw SCENE.json --show slice                           the wind itself: arrows, slice; or what the plants do: lean,
 //                                                                    levels, chunks
-//     meadow examples/scenes/looks/*.json --frames 1 --sheet looks.png       the first picture of each, side by side
-//     meadow examples/scenes/shells/*.json --frames 1 --jpeg docs/gallery    the first picture of each, small, for a page
+//     windrow-draw examples/scenes/looks/*.json --frames 1 --sheet looks.png       the first picture of each, side by side
+//     windrow-draw examples/scenes/fur/*.json --frames 1 --jpeg docs/gallery    the first picture of each, small, for a page
 //
 // Exit codes as the windrow command's: 0 well, 2 wrong use or a bad scene, 3 the machine lacks something.
-#include "vegetation/program/contact_sheet.h"
+#include "pictures/picture_files.h"
+#include "pictures/sheet.h"
 #include "vegetation/program/picture_reader.h"
 #include "vegetation/program/shoot.h"
 #include "vegetation/program/stage_table.h"
@@ -21,6 +22,8 @@
 #include <map>
 #include <set>
 #include <unistd.h>
+
+using namespace windrow::vegetation;
 
 namespace {
 
@@ -36,13 +39,13 @@ struct Options {
     std::int64_t frames = 0;                 ///< 0: all from `from`
     double from = 0.0;                       ///< [s]
     bool exr = false;
-    meadow::ShootSettings shoot{};
+    program::ShootSettings shoot{};
 };
 
 /// What a run leaves behind for its last words.
 struct Kept {
     std::vector<render::Picture8> sheet{};
-    meadow::StageTable stages{};
+    program::StageTable stages{};
     std::int64_t pictures = 0;
     double seconds = 0.0; ///< of the clock on the wall, pictures and files included
 };
@@ -53,16 +56,16 @@ std::filesystem::path name_of(const Options& options, std::int64_t frame, const 
     return options.folder / name;
 }
 
-Result<void> keep(const Options& options, const meadow::Shoot& shoot, std::int64_t frame) {
-    if (auto written = render::write_png(shoot.images().picture(), name_of(options, frame, ".png")); !written)
+Result<void> keep(const Options& options, const program::Shoot& shoot, std::int64_t frame) {
+    if (auto written = windrow::pictures::write_png(shoot.images().picture(), name_of(options, frame, ".png")); !written)
         return written;
     if (options.exr)
-        return render::write_exr(shoot.images().light_picture(), shoot.images().motion_picture(),
+        return windrow::pictures::write_exr(shoot.images().light_picture(), shoot.images().motion_picture(),
                                  name_of(options, frame, ".exr"));
     return {};
 }
 
-Result<Kept> draw(const Options& options, const meadow::PictureScene& scene, meadow::Shoot& shoot) {
+Result<Kept> draw(const Options& options, const program::PictureScene& scene, program::Shoot& shoot) {
     const auto begin = std::chrono::steady_clock::now();
     const auto total = static_cast<std::int64_t>(std::floor(scene.air.duration * shoot.frames_per_second() + 1e-9)) + 1;
     const auto first = static_cast<std::int64_t>(std::llround(options.from * shoot.frames_per_second()));
@@ -73,7 +76,7 @@ Result<Kept> draw(const Options& options, const meadow::PictureScene& scene, mea
     if (auto settled = shoot.settle(); !settled)
         return Error{settled.error()};
     Kept kept;
-    kept.stages = meadow::StageTable(shoot);
+    kept.stages = program::StageTable(shoot);
     const std::int64_t every = std::max<std::int64_t>(1, (end - first + static_cast<std::int64_t>(k_most_on_sheet) - 1) /
                                                              static_cast<std::int64_t>(k_most_on_sheet));
     const bool told = ::isatty(STDERR_FILENO) != 0;
@@ -98,21 +101,21 @@ Result<Kept> draw(const Options& options, const meadow::PictureScene& scene, mea
 }
 
 int complain(const std::string& sentence, int code) {
-    std::fprintf(stderr, "meadow: %s\n", sentence.c_str());
+    std::fprintf(stderr, "windrow-draw: %s\n", sentence.c_str());
     return code;
 }
 
 /// One sheet of pictures, `width` px each.
 Result<void> write_sheet(const std::vector<render::Picture8>& pictures, int width, const std::filesystem::path& file) {
-    const auto sheet = meadow::contact_sheet(pictures, 4, width);
-    return sheet ? render::write_png(*sheet, file) : Result<void>(Error{sheet.error()});
+    const auto sheet = windrow::pictures::contact_sheet(pictures, 4, width);
+    return sheet ? windrow::pictures::write_png(*sheet, file) : Result<void>(Error{sheet.error()});
 }
 
 /// A picture of 640 px in at most 60 kB: what a page of many pictures can bear.
 Result<void> write_small(const render::Picture8& picture, const std::filesystem::path& file) {
     constexpr std::uintmax_t k_most_bytes = 60'000;
     for (int quality = 85;; quality -= 5) {
-        if (auto written = render::write_jpeg(meadow::shrunk(picture, 640), quality, file); !written)
+        if (auto written = windrow::pictures::write_jpeg(windrow::pictures::shrunk(picture, 640), quality, file); !written)
             return written;
         std::error_code error;
         if (quality <= 50 || std::filesystem::file_size(file, error) <= k_most_bytes)
@@ -121,7 +124,7 @@ Result<void> write_small(const render::Picture8& picture, const std::filesystem:
 }
 
 int run(const std::filesystem::path& file, const Options& options, std::vector<render::Picture8>& firsts) {
-    const auto scene = meadow::read_picture_scene(file);
+    const auto scene = program::read_picture_scene(file);
     if (!scene)
         return complain(scene.error(), 2);
     std::error_code error;
@@ -130,7 +133,7 @@ int run(const std::filesystem::path& file, const Options& options, std::vector<r
         return complain("--out " + options.folder.string() + " cannot be made (" + error.message() +
                             "); name a folder that you may write to.",
                         2);
-    auto shoot = meadow::Shoot::create(*scene, options.shoot);
+    auto shoot = program::Shoot::create(*scene, options.shoot);
     if (!shoot)
         return complain(shoot.error(), 2);
     auto kept = draw(options, *scene, **shoot);
@@ -220,12 +223,12 @@ std::string read_size(const std::string& text, std::optional<glm::ivec2>& size) 
 
 int main(int argument_count, char** arguments) {
     Options options;
-    CLI::App app("Draws the pictures of a scene file.", "meadow");
+    CLI::App app("Draws scene files.", "windrow-draw");
     std::string size, show = "plants";
     double frames_per_second = 0.0;
-    const std::map<std::string, meadow::Show> shows{{"plants", meadow::Show::plants}, {"arrows", meadow::Show::arrows},
-                                                    {"slice", meadow::Show::slice},   {"lean", meadow::Show::lean},
-                                                    {"levels", meadow::Show::levels}, {"chunks", meadow::Show::chunks}};
+    const std::map<std::string, program::Show> shows{{"plants", program::Show::plants}, {"arrows", program::Show::arrows},
+                                                    {"slice", program::Show::slice},   {"lean", program::Show::lean},
+                                                    {"levels", program::Show::levels}, {"chunks", program::Show::chunks}};
     app.add_option("scene", options.scenes, "scenes: JSON files, examples/scenes/scene.schema.json says of what")->required();
     app.add_option("--out", options.folder,
                    "where the pictures go, of several scenes in a folder each; default: out/NAME of the file");

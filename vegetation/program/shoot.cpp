@@ -6,7 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <vulkan/vulkan.h>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 namespace {
 
 using windrow::Error;
@@ -339,4 +339,4 @@ ShootMemory Shoot::memory() const {
     return sum;
 }
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

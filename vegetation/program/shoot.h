@@ -1,6 +1,6 @@
 // A scene before the camera: the device, the air, the ground's memory and all that is drawn, frame by frame.
 //
-//     auto shoot = meadow::Shoot::create(*scene, {});
+//     auto shoot = program::Shoot::create(*scene, {});
 //     if (auto ready = (*shoot)->settle(); !ready) ...                            // gusts come in
 //     while ((*shoot)->frame() < scene->frame_count())
 //         if (auto drawn = (*shoot)->draw(); drawn) write_png((*shoot)->images().picture(), ...);
@@ -28,7 +28,7 @@
 #include <string>
 #include <vector>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 
 /// What the picture shows in place of, or beside, its plants' own colours.
 enum class Show { plants, arrows, slice, lean, levels, chunks };
@@ -116,4 +116,4 @@ class Shoot {
     render::VertexCounts counts_{};
 };
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

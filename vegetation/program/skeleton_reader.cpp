@@ -4,14 +4,14 @@
 #include "vegetation/program/field_reader.h"
 #include "vegetation/program/field_writer.h"
 
-namespace meadow {
+namespace windrow::vegetation::program {
 namespace {
 
 constexpr std::size_t k_most_swings = 4;
 
 /// `before`: the bones that may be its parent.
-shells::Bone read_bone(JsonObject object, const std::vector<shells::Bone>& before) {
-    shells::Bone bone;
+fur::Bone read_bone(JsonObject object, const std::vector<fur::Bone>& before) {
+    fur::Bone bone;
     bone.name = object.text("name", "");
     const std::string parent = object.text("parent", "");
     for (std::size_t n = 0; n < before.size(); ++n)
@@ -22,7 +22,7 @@ shells::Bone read_bone(JsonObject object, const std::vector<shells::Bone>& befor
     FieldReader fields(object);
     list_fields(fields, bone);
     each(object, "swings", k_most_swings, [&](JsonObject item) {
-        shells::Swing swing;
+        fur::Swing swing;
         read_part(std::move(item), swing);
         bone.swings.push_back(swing);
     });
@@ -37,7 +37,7 @@ BodySkeleton read_skeleton(JsonObject object) {
     const std::size_t faults_before = object.log().faults();
     FieldReader fields(object);
     list_fields(fields, skeleton);
-    each(object, "bones", shells::k_most_bones,
+    each(object, "bones", fur::k_most_bones,
          [&](JsonObject item) { skeleton.bones.push_back(read_bone(std::move(item), skeleton.bones)); });
     object.finish();
     if (object.log().faults() != faults_before)
@@ -53,17 +53,17 @@ BodySkeleton read_skeleton(JsonObject object) {
 json write_skeleton(const BodySkeleton& skeleton) {
     json object = write_part(skeleton);
     object["bones"] = json::array();
-    for (const shells::Bone& bone : skeleton.bones) {
+    for (const fur::Bone& bone : skeleton.bones) {
         json one = write_part(bone);
         one["name"] = bone.name;
         if (bone.parent >= 0)
             one["parent"] = skeleton.bones[static_cast<std::size_t>(bone.parent)].name;
         one["swings"] = json::array();
-        for (const shells::Swing& swing : bone.swings)
+        for (const fur::Swing& swing : bone.swings)
             one["swings"].push_back(write_part(swing));
         object["bones"].push_back(std::move(one));
     }
     return object;
 }
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

@@ -6,9 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 
 [[nodiscard]] BodySkeleton read_skeleton(windrow::scene::JsonObject object);
 [[nodiscard]] nlohmann::json write_skeleton(const BodySkeleton& skeleton);
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <numeric>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 namespace {
 
 double mib(std::uint64_t bytes) {
@@ -114,4 +114,4 @@ windrow::Result<void> StageTable::write(const std::filesystem::path& file) const
     return {};
 }
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 
 /// Over the frames that were added.
 struct StageFigures {
@@ -36,4 +36,4 @@ class StageTable {
     std::vector<std::vector<double>> rows_{}; ///< [ms]
 };
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

@@ -4,7 +4,7 @@
 #include "vegetation/program/picture_fields.h"
 #include "vegetation/trees/tree_presets.h"
 
-namespace meadow {
+namespace windrow::vegetation::program {
 namespace {
 
 constexpr std::size_t k_most_stands = 256;
@@ -55,4 +55,4 @@ std::vector<TreeStand> read_trees(JsonObject& picture) {
     return stands;
 }
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

@@ -6,8 +6,8 @@
 
 #include <vector>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 
 [[nodiscard]] std::vector<TreeStand> read_trees(windrow::scene::JsonObject& picture);
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

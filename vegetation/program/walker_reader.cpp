@@ -4,7 +4,7 @@
 #include "vegetation/program/picture_fields.h"
 #include "scene/number_text.h"
 
-namespace meadow {
+namespace windrow::vegetation::program {
 namespace {
 
 using windrow::scene::figure;
@@ -70,4 +70,4 @@ std::optional<windrow::GroundConfig> read_ground_memory(JsonObject& picture) {
     return config;
 }
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

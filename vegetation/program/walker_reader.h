@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 
 /// `path_names`: of the scene's paths.
 [[nodiscard]] std::vector<Walker> read_walkers(windrow::scene::JsonObject& picture, std::span<const std::string> path_names);
@@ -17,4 +17,4 @@ namespace meadow {
 /// Nothing where the key is absent: a ground without memory.
 [[nodiscard]] std::optional<windrow::GroundConfig> read_ground_memory(windrow::scene::JsonObject& picture);
 
-} // namespace meadow
+} // namespace windrow::vegetation::program

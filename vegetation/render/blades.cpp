@@ -11,7 +11,7 @@
 #include <cstring>
 #include <vulkan/vulkan.h>
 
-namespace render {
+namespace windrow::vegetation::render {
 namespace {
 
 namespace words = windrow::vulkan::shader_words;
@@ -100,4 +100,4 @@ std::span<const glm::vec4> BladeGrid::bends() const {
     return {static_cast<const glm::vec4*>(bends_.mapped), count_};
 }
 
-} // namespace render
+} // namespace windrow::vegetation::render

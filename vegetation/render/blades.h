@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace render {
+namespace windrow::vegetation::render {
 
 /// One blade, as shaders have it (std430).
 struct BladePlace {
@@ -57,4 +57,4 @@ struct Fan {
 };
 [[nodiscard]] windrow::Result<std::vector<BladePlace>> scatter(const Fan& fan, const Ground& ground, glm::dvec3 anchor);
 
-} // namespace render
+} // namespace windrow::vegetation::render

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <vulkan/vulkan.h>
 
-namespace render {
+namespace windrow::vegetation::render {
 namespace {
 
 namespace words = windrow::vulkan::shader_words;
@@ -65,4 +65,4 @@ void Bodies::draw(const PassContext& context) {
         vkCmdDraw(context.commands, ranges_[body].count, 1, ranges_[body].first, static_cast<std::uint32_t>(body));
 }
 
-} // namespace render
+} // namespace windrow::vegetation::render

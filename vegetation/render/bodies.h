@@ -11,7 +11,7 @@
 
 #include <array>
 
-namespace render {
+namespace windrow::vegetation::render {
 
 class Bodies final : public Drawable {
   public:
@@ -42,4 +42,4 @@ class Bodies final : public Drawable {
     std::array<engine::Buffer, engine::k_frames_in_flight> blocks_{};
 };
 
-} // namespace render
+} // namespace windrow::vegetation::render

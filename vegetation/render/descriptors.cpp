@@ -3,7 +3,7 @@
 #include <map>
 #include <vulkan/vulkan.h>
 
-namespace render {
+namespace windrow::vegetation::render {
 
 using engine::must;
 
@@ -72,4 +72,4 @@ void point(engine::Device& device, VkDescriptorSet set, std::uint32_t binding, V
     vkUpdateDescriptorSets(device.device, 1, &write, 0, nullptr);
 }
 
-} // namespace render
+} // namespace windrow::vegetation::render

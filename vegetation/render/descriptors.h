@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace render {
+namespace windrow::vegetation::render {
 
 /// The stages that the renderer has.
 inline constexpr VkShaderStageFlags k_stages =
@@ -37,4 +37,4 @@ template <class T>
     return made;
 }
 
-} // namespace render
+} // namespace windrow::vegetation::render

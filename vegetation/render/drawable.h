@@ -4,7 +4,7 @@
 #include "vegetation/render/frame_block.h"
 #include "vegetation/render/pipeline.h"
 
-namespace render {
+namespace windrow::vegetation::render {
 
 /// Which pass is recorded.
 enum class Pass { colour, shadow };
@@ -36,4 +36,4 @@ struct DrawTargets {
     VkDescriptorSetLayout frame = VK_NULL_HANDLE, wind = VK_NULL_HANDLE;
 };
 
-} // namespace render
+} // namespace windrow::vegetation::render

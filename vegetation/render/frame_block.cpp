@@ -6,7 +6,7 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-namespace render {
+namespace windrow::vegetation::render {
 namespace {
 
 constexpr glm::vec3 k_wavelengths{0.68f, 0.55f, 0.44f}; // [um]
@@ -98,4 +98,4 @@ bool sees(const glm::mat4& view, glm::vec3 middle, float radius) {
     return true;
 }
 
-} // namespace render
+} // namespace windrow::vegetation::render

@@ -7,7 +7,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
-namespace render {
+namespace windrow::vegetation::render {
 
 /// WindrowSky of vegetation/shaders/numerics/sky.glsl.
 struct SkyBlock {
@@ -70,4 +70,4 @@ struct ShadowView {
 /// Whether a ball may be seen in a view: not wholly beyond one of its planes.
 [[nodiscard]] bool sees(const glm::mat4& view, glm::vec3 middle, float radius);
 
-} // namespace render
+} // namespace windrow::vegetation::render

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vulkan/vulkan.h>
 
-namespace render {
+namespace windrow::vegetation::render {
 namespace {
 
 namespace words = windrow::vulkan::shader_words;
@@ -204,4 +204,4 @@ void GrassLayer::draw(const PassContext& context) {
                                    .view = shadow ? grass::View::shadow : grass::View::colour});
 }
 
-} // namespace render
+} // namespace windrow::vegetation::render

@@ -18,7 +18,7 @@
 #include <array>
 #include <memory>
 
-namespace render {
+namespace windrow::vegetation::render {
 
 struct GrassLayerSettings {
     grass::GrassSettings field{};
@@ -92,4 +92,4 @@ class GrassLayer final : public Drawable {
     VkPipeline colour_ = VK_NULL_HANDLE, shadow_ = VK_NULL_HANDLE;
 };
 
-} // namespace render
+} // namespace windrow::vegetation::render

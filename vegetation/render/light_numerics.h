@@ -12,12 +12,12 @@
 #include <glm/vec4.hpp>
 
 #define WINDROW_FN inline
-namespace render::numerics {
+namespace windrow::vegetation::render::numerics {
 using namespace glm;
 #include "vegetation/shaders/numerics/cloud_layer.glsl"
 #include "vegetation/shaders/numerics/leaf_light.glsl"
 #include "vegetation/shaders/numerics/motion_vector.glsl"
 #include "vegetation/shaders/numerics/sky.glsl"
 #include "vegetation/shaders/numerics/speed_colour.glsl"
-} // namespace render::numerics
+} // namespace windrow::vegetation::render::numerics
 #undef WINDROW_FN

@@ -4,7 +4,7 @@
 #include <vector>
 #include <vulkan/vulkan.h>
 
-namespace render {
+namespace windrow::vegetation::render {
 namespace {
 
 using engine::must;
@@ -127,4 +127,4 @@ VkPipeline make_compute_pipeline(engine::Device& device, VkPipelineLayout layout
     return made;
 }
 
-} // namespace render
+} // namespace windrow::vegetation::render

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-namespace render {
+namespace windrow::vegetation::render {
 
 /// What a pipeline must fit: a render pass and what is drawn to in it.
 struct PassTarget {
@@ -36,4 +36,4 @@ inline constexpr std::uint32_t k_push_bytes = 16;
 [[nodiscard]] VkPipeline make_compute_pipeline(engine::Device& device, VkPipelineLayout layout,
                                                std::span<const std::uint32_t> words);
 
-} // namespace render
+} // namespace windrow::vegetation::render

@@ -3,8 +3,8 @@
 
 #include "vegetation/grass/grass_numerics.h"
 
-namespace render::numerics {
+namespace windrow::vegetation::render::numerics {
 using windrow::numerics::windrow_dryness;
 using windrow::numerics::windrow_place_chance;
 using windrow::numerics::windrow_place_noise;
-} // namespace render::numerics
+} // namespace windrow::vegetation::render::numerics

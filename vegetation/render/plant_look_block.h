@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/vec4.hpp>
 
-namespace render {
+namespace windrow::vegetation::render {
 
 /// A std140 block.
 struct PlantLookBlock {
@@ -21,4 +21,4 @@ struct PlantLookBlock {
 };
 static_assert(sizeof(PlantLookBlock) == 144);
 
-} // namespace render
+} // namespace windrow::vegetation::render

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <string>
 
-namespace render {
+namespace windrow::vegetation::render {
 
 class Refusals {
   public:
@@ -35,4 +35,4 @@ class Refusals {
     std::string text_;
 };
 
-} // namespace render
+} // namespace windrow::vegetation::render

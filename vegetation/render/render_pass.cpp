@@ -2,7 +2,7 @@
 
 #include <vulkan/vulkan.h>
 
-namespace render {
+namespace windrow::vegetation::render {
 
 using engine::must;
 
@@ -94,4 +94,4 @@ void set_area(VkCommandBuffer commands, VkRect2D area) {
     vkCmdSetScissor(commands, 0, 1, &area);
 }
 
-} // namespace render
+} // namespace windrow::vegetation::render

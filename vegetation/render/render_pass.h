@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace render {
+namespace windrow::vegetation::render {
 
 struct Attachment {
     enum class Role { colour, depth, resolve };
@@ -38,4 +38,4 @@ class RenderPass {
 /// Viewport and scissor.
 void set_area(VkCommandBuffer commands, VkRect2D area);
 
-} // namespace render
+} // namespace windrow::vegetation::render

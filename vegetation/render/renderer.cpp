@@ -12,7 +12,7 @@
 #include <glm/trigonometric.hpp>
 #include <vulkan/vulkan.h>
 
-namespace render {
+namespace windrow::vegetation::render {
 namespace {
 
 using engine::must;
@@ -266,4 +266,4 @@ void Renderer::copy(const engine::Frame& frame) {
     clock_.mark(frame.commands, "copy");
 }
 
-} // namespace render
+} // namespace windrow::vegetation::render

@@ -29,7 +29,7 @@
 #include <optional>
 #include <span>
 
-namespace render {
+namespace windrow::vegetation::render {
 
 struct RenderSettings {
     int width = 1280, height = 720; ///< [px] 16 to 8192
@@ -107,4 +107,4 @@ class Renderer {
     bool first_ = true;
 };
 
-} // namespace render
+} // namespace windrow::vegetation::render

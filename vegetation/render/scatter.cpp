@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace render {
+namespace windrow::vegetation::render {
 
 windrow::Result<std::vector<BladePlace>> scatter(const Fan& fan, const Ground& ground, glm::dvec3 anchor) {
     Refusals refusals;
@@ -55,4 +55,4 @@ windrow::Result<std::vector<BladePlace>> scatter(const Fan& fan, const Ground& g
     return places;
 }
 
-} // namespace render
+} // namespace windrow::vegetation::render

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-namespace render {
+namespace windrow::vegetation::render {
 namespace {
 
 constexpr double k_farthest = 1e9; // [m] beyond which a double has less than a micrometre
@@ -125,4 +125,4 @@ windrow::Result<void> validate(const Scene& scene) {
     return refusals.result();
 }
 
-} // namespace render
+} // namespace windrow::vegetation::render

@@ -13,7 +13,7 @@
 #include <optional>
 #include <vector>
 
-namespace render {
+namespace windrow::vegetation::render {
 
 struct Camera {
     glm::dvec3 position{0.0, 1.7, 0.0}; ///< [m]
@@ -111,4 +111,4 @@ struct Scene {
 [[nodiscard]] windrow::Result<void> validate(const PlantLook& look);
 [[nodiscard]] windrow::Result<void> validate(const Scene& scene);
 
-} // namespace render
+} // namespace windrow::vegetation::render

@@ -7,7 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
 
-namespace render {
+namespace windrow::vegetation::render {
 namespace {
 
 constexpr glm::vec3 k_cloak{0.150f, 0.042f, 0.026f};
@@ -148,4 +148,4 @@ Solid fan_blades(float radius) {
     return solid;
 }
 
-} // namespace render
+} // namespace windrow::vegetation::render

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace render {
+namespace windrow::vegetation::render {
 
 /// A corner of a triangle, as shaders have it (std430).
 struct SolidVertex {
@@ -36,4 +36,4 @@ void add(Solid& whole, const Solid& part, const glm::mat4& placed = glm::mat4(1.
 [[nodiscard]] Solid fan_stand(float radius, float height);
 [[nodiscard]] Solid fan_blades(float radius);
 
-} // namespace render
+} // namespace windrow::vegetation::render

@@ -2,7 +2,7 @@
 
 #include <vulkan/vulkan.h>
 
-namespace render {
+namespace windrow::vegetation::render {
 
 using engine::must;
 
@@ -61,4 +61,4 @@ void StageClock::collect(int slot) {
         times_.push_back({names_[slot][n], tick_us_ * static_cast<double>((ticks[n + 1] - ticks[n]) & mask_)});
 }
 
-} // namespace render
+} // namespace windrow::vegetation::render

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-namespace render {
+namespace windrow::vegetation::render {
 
 struct StageTime {
     const char* name = "";
@@ -39,4 +39,4 @@ class StageClock {
     std::vector<StageTime> times_{};
 };
 
-} // namespace render
+} // namespace windrow::vegetation::render

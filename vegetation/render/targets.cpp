@@ -4,7 +4,7 @@
 #include <glm/gtc/packing.hpp>
 #include <vulkan/vulkan.h>
 
-namespace render {
+namespace windrow::vegetation::render {
 namespace {
 
 constexpr VkFormat k_light = VK_FORMAT_R16G16B16A16_SFLOAT;
@@ -124,4 +124,4 @@ PictureF Targets::motion_picture() const {
     return from_halves(extent_, 2, 2, motion_bytes_.mapped);
 }
 
-} // namespace render
+} // namespace windrow::vegetation::render

@@ -8,7 +8,7 @@
 
 #include <optional>
 
-namespace render {
+namespace windrow::vegetation::render {
 
 class Targets {
   public:
@@ -47,4 +47,4 @@ class Targets {
 /// A format that depth is drawn to with more than 16 bits: one of two that every device has.
 [[nodiscard]] VkFormat depth_format(const engine::Device& device);
 
-} // namespace render
+} // namespace windrow::vegetation::render

@@ -10,7 +10,7 @@
 #include <cstring>
 #include <vulkan/vulkan.h>
 
-namespace render {
+namespace windrow::vegetation::render {
 
 namespace words = windrow::vulkan::shader_words;
 
@@ -60,4 +60,4 @@ void Terrain::draw(const PassContext& context) {
     vkCmdDraw(context.commands, 6 * cells_x_, cells_z_, 0, 0);
 }
 
-} // namespace render
+} // namespace windrow::vegetation::render

@@ -4,7 +4,7 @@
 #include "vegetation/render/drawable.h"
 #include "vegetation/render/scene.h"
 
-namespace render {
+namespace windrow::vegetation::render {
 
 class Terrain final : public Drawable {
   public:
@@ -22,4 +22,4 @@ class Terrain final : public Drawable {
     glm::ivec2 mask_corners_{2};
 };
 
-} // namespace render
+} // namespace windrow::vegetation::render

@@ -2,7 +2,7 @@
 
 #include <vulkan/vulkan.h>
 
-namespace render {
+namespace windrow::vegetation::render {
 
 using engine::must;
 
@@ -45,4 +45,4 @@ VertexCounts VertexCounter::collect(int slot) const {
     return counted;
 }
 
-} // namespace render
+} // namespace windrow::vegetation::render

@@ -5,7 +5,7 @@
 
 #include "vegetation/vulkan/frames.h"
 
-namespace render {
+namespace windrow::vegetation::render {
 
 struct VertexCounts {
     std::uint64_t vertices = 0;    ///< that the draws named: instances times vertices
@@ -33,4 +33,4 @@ class VertexCounter {
     std::uint32_t query_ = 0;
 };
 
-} // namespace render
+} // namespace windrow::vegetation::render

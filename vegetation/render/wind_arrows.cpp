@@ -10,7 +10,7 @@
 #include <cstring>
 #include <vulkan/vulkan.h>
 
-namespace render {
+namespace windrow::vegetation::render {
 namespace {
 
 namespace words = windrow::vulkan::shader_words;
@@ -79,4 +79,4 @@ void WindArrows::draw(const PassContext& context) {
     vkCmdDraw(context.commands, slice ? k_tile_vertices : k_arrow_vertices, places, 0, 0);
 }
 
-} // namespace render
+} // namespace windrow::vegetation::render

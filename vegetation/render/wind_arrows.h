@@ -9,7 +9,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-namespace render {
+namespace windrow::vegetation::render {
 
 struct WindArrowSettings {
     enum class Form { arrows, slice };
@@ -47,4 +47,4 @@ class WindArrows final : public Drawable {
     Block block_{};
 };
 
-} // namespace render
+} // namespace windrow::vegetation::render

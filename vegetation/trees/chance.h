@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace trees {
+namespace windrow::vegetation::trees {
 
 class Chance {
   public:
@@ -31,4 +31,4 @@ class Chance {
     std::uint32_t count_ = 0;
 };
 
-} // namespace trees
+} // namespace windrow::vegetation::trees

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-namespace trees {
+namespace windrow::vegetation::trees {
 
 CrownLight::CrownLight(std::span<const Absorber> leaves) : density_(static_cast<std::size_t>(k_cells) * k_cells * k_cells, 0.0f) {
     if (leaves.empty())
@@ -65,4 +65,4 @@ glm::vec4 CrownLight::fit(glm::vec3 p) const {
     return glm::vec4(slope / weights, mean / weights);
 }
 
-} // namespace trees
+} // namespace windrow::vegetation::trees

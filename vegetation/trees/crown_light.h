@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-namespace trees {
+namespace windrow::vegetation::trees {
 
 /// A leaf as the grid has it: w [m2] its area.
 using Absorber = glm::vec4;
@@ -35,4 +35,4 @@ class CrownLight {
     std::vector<float> density_;       // [1/m]
 };
 
-} // namespace trees
+} // namespace windrow::vegetation::trees

@@ -8,7 +8,7 @@
 #include <limits>
 #include <numeric>
 
-namespace trees {
+namespace windrow::vegetation::trees {
 namespace {
 
 constexpr float k_golden = 2.39996323f; // [rad]
@@ -98,4 +98,4 @@ std::vector<glm::vec3> homes(const std::vector<LeafCard>& cards, const std::vect
     return sums;
 }
 
-} // namespace trees
+} // namespace windrow::vegetation::trees

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace trees {
+namespace windrow::vegetation::trees {
 
 /// A card at rest: a kite from its root to its tip, folded along its middle.
 struct LeafCard {
@@ -31,4 +31,4 @@ struct LeafCard {
 [[nodiscard]] std::vector<glm::vec3> homes(const std::vector<LeafCard>& cards, const std::vector<std::uint32_t>& order,
                                            std::size_t count);
 
-} // namespace trees
+} // namespace windrow::vegetation::trees

@@ -7,7 +7,7 @@
 
 #include <glm/vec4.hpp>
 
-namespace trees {
+namespace windrow::vegetation::trees {
 
 /// A uniform block of std140 layout.
 struct StandBlock {
@@ -34,4 +34,4 @@ struct PartState {
     glm::vec4 target{0.0f};   ///< what the wind holds
 };
 
-} // namespace trees
+} // namespace windrow::vegetation::trees

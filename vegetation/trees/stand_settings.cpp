@@ -8,7 +8,7 @@
 #include <string>
 #include <unordered_map>
 
-namespace trees {
+namespace windrow::vegetation::trees {
 namespace {
 
 constexpr double k_farthest = 1e9; // [m]
@@ -118,4 +118,4 @@ windrow::Result<std::vector<TreePlace>> places_of(const TreeStandSettings& stand
     return places;
 }
 
-} // namespace trees
+} // namespace windrow::vegetation::trees

@@ -14,7 +14,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-namespace trees {
+namespace windrow::vegetation::trees {
 
 /// Where a tree stands.
 struct TreePlace {
@@ -63,4 +63,4 @@ using GroundHeight = std::function<double(double x, double z)>;
 /// All places of a stand: its own, as they are, then those of its scatter.
 [[nodiscard]] windrow::Result<std::vector<TreePlace>> places_of(const TreeStandSettings& stand, const GroundHeight& ground);
 
-} // namespace trees
+} // namespace windrow::vegetation::trees

@@ -13,7 +13,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
-namespace trees {
+namespace windrow::vegetation::trees {
 namespace {
 
 constexpr std::uint32_t k_none = windrow::Tree::PartIndices::k_none;
@@ -249,4 +249,4 @@ windrow::Result<TreeModel> build(const TreeSettings& settings) {
     return Builder(settings).build();
 }
 
-} // namespace trees
+} // namespace windrow::vegetation::trees

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace trees {
+namespace windrow::vegetation::trees {
 namespace {
 
 constexpr float k_band = 0.25f; // share of the kept leaves that are shrinking beside them
@@ -45,4 +45,4 @@ float trunk_morph(const LevelBlock& levels, float distance) {
     return numerics::windrow_trunk_morph(shared(levels), distance);
 }
 
-} // namespace trees
+} // namespace windrow::vegetation::trees

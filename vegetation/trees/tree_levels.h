@@ -5,7 +5,7 @@
 
 #include <glm/vec4.hpp>
 
-namespace trees {
+namespace windrow::vegetation::trees {
 
 /// WindrowTreeLevels of vegetation/shaders/numerics/tree_levels.glsl, a std140 block.
 struct LevelBlock {
@@ -26,4 +26,4 @@ static_assert(sizeof(LevelBlock) == 32);
 /// How far the fine trunk has become the coarse one, 0 to 1.
 [[nodiscard]] float trunk_morph(const LevelBlock& levels, float distance);
 
-} // namespace trees
+} // namespace windrow::vegetation::trees

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace trees {
+namespace windrow::vegetation::trees {
 
 Drawn TreeModel::drawn(const LevelBlock& levels, float distance) const {
     Drawn made;
@@ -44,4 +44,4 @@ windrow::TreePart TreeModel::part(std::uint32_t index) const {
             .stiffness = held.axis_stiffness.w};
 }
 
-} // namespace trees
+} // namespace windrow::vegetation::trees

@@ -13,7 +13,7 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
-namespace trees {
+namespace windrow::vegetation::trees {
 
 /// TreeVertex of vegetation/shaders/trees/tree_parts.glsl (std430).
 struct ModelVertex {
@@ -68,4 +68,4 @@ struct TreeModel {
 /// The model of a tree. Refuses what `validate` refuses.
 [[nodiscard]] windrow::Result<TreeModel> build(const TreeSettings& settings);
 
-} // namespace trees
+} // namespace windrow::vegetation::trees

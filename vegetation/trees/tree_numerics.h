@@ -4,12 +4,12 @@
 #include "vegetation/grass/grass_numerics.h"
 
 #define WINDROW_FN inline
-namespace trees::numerics {
+namespace windrow::vegetation::trees::numerics {
 using namespace glm;
 using windrow::numerics::windrow_place_noise;
 using windrow::numerics::windrow_plant_chance;
 using windrow::numerics::windrow_plant_hash;
 using windrow::numerics::windrow_share;
 #include "vegetation/shaders/numerics/tree_levels.glsl"
-} // namespace trees::numerics
+} // namespace windrow::vegetation::trees::numerics
 #undef WINDROW_FN

@@ -3,7 +3,7 @@
 #include <array>
 #include <string>
 
-namespace trees {
+namespace windrow::vegetation::trees {
 namespace {
 
 constexpr std::array<std::string_view, 4> k_names{"oak", "birch", "spruce", "bush"};
@@ -132,4 +132,4 @@ windrow::Result<TreeKind> preset(std::string_view name) {
     return windrow::Error{"kind is '" + std::string(name.substr(0, 40)) + "'; give one of " + known + "."};
 }
 
-} // namespace trees
+} // namespace windrow::vegetation::trees

@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-namespace trees {
+namespace windrow::vegetation::trees {
 
 struct TreeKind {
     TreeSettings tree{};
@@ -19,4 +19,4 @@ struct TreeKind {
 [[nodiscard]] windrow::Result<TreeKind> preset(std::string_view name);
 [[nodiscard]] std::span<const std::string_view> preset_names();
 
-} // namespace trees
+} // namespace windrow::vegetation::trees

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-namespace trees {
+namespace windrow::vegetation::trees {
 namespace {
 
 // Bounds as floats, so that a range's own ends are within it.
@@ -98,4 +98,4 @@ windrow::Result<void> validate(const TreeLevels& levels) {
     return refusals.result();
 }
 
-} // namespace trees
+} // namespace windrow::vegetation::trees

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 
-namespace trees {
+namespace windrow::vegetation::trees {
 
 /// How long limbs are by their height in the crown (Weber & Penn 1995 name these forms).
 enum class CrownForm {
@@ -93,4 +93,4 @@ inline constexpr int k_most_far_vertices = 200;
 /// What such a tree has.
 [[nodiscard]] double vertex_bound(const TreeSettings& settings);
 
-} // namespace trees
+} // namespace windrow::vegetation::trees

@@ -8,7 +8,7 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 
-namespace trees::shape {
+namespace windrow::vegetation::trees::shape {
 namespace {
 
 constexpr float k_golden = 2.39996323f;   // [rad] 137.5 degrees
@@ -204,4 +204,4 @@ Shape grow(const TreeSettings& s) {
     return shape;
 }
 
-} // namespace trees::shape
+} // namespace windrow::vegetation::trees::shape

@@ -12,7 +12,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-namespace trees::shape {
+namespace windrow::vegetation::trees::shape {
 
 // Rings of vertices along a stem, and vertices a ring.
 inline constexpr int k_trunk_rings = 14, k_trunk_sides = 10;
@@ -56,4 +56,4 @@ struct Shape {
 [[nodiscard]] glm::vec3 point_on(const Stem& stem, float t);
 [[nodiscard]] float radius_on(const Stem& stem, float t);
 
-} // namespace trees::shape
+} // namespace windrow::vegetation::trees::shape

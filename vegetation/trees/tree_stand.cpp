@@ -19,7 +19,7 @@
 #include <glm/trigonometric.hpp>
 #include <vulkan/vulkan.h>
 
-namespace trees {
+namespace windrow::vegetation::trees {
 namespace {
 
 namespace words = windrow::vulkan::shader_words;
@@ -237,4 +237,4 @@ std::span<const PartState> TreeStand::states(std::size_t tree) const {
     return {static_cast<const PartState*>(states_.mapped) + places_[tree].first.y, model(tree).parts.size()};
 }
 
-} // namespace trees
+} // namespace windrow::vegetation::trees

@@ -19,7 +19,7 @@
 #include <memory>
 #include <span>
 
-namespace trees {
+namespace windrow::vegetation::trees {
 
 class TreeStand final : public render::Drawable {
   public:
@@ -79,4 +79,4 @@ class TreeStand final : public render::Drawable {
     engine::Buffer states_{}, indices_{};
 };
 
-} // namespace trees
+} // namespace windrow::vegetation::trees

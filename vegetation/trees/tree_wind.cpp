@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/trigonometric.hpp>
 
-namespace trees {
+namespace windrow::vegetation::trees {
 namespace {
 
 constexpr float k_mean_radius = 0.56f;   // of a taper to an eighth, over that at the root
@@ -44,4 +44,4 @@ float limb_stiffness(const TreeSettings& s, float length, float radius) {
     return std::clamp(slender * slender * slender * slender, 0.05f, 1e4f);
 }
 
-} // namespace trees
+} // namespace windrow::vegetation::trees

@@ -10,11 +10,11 @@
 #include "coupling/tree.h"
 #include "vegetation/trees/tree_settings.h"
 
-namespace trees {
+namespace windrow::vegetation::trees {
 
 /// Of valid settings: classes that windrow::Tree::create takes.
 [[nodiscard]] windrow::TreeSettings wind_classes(const TreeSettings& settings);
 /// A limb's stiffness over the class, by its length and its radius at the root [m].
 [[nodiscard]] float limb_stiffness(const TreeSettings& settings, float length, float radius);
 
-} // namespace trees
+} // namespace windrow::vegetation::trees

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vulkan/vulkan.h>
 
-namespace engine {
+namespace windrow::vegetation::engine {
 namespace {
 
 std::vector<VkPhysicalDevice> physical_devices(VkInstance instance) {
@@ -178,4 +178,4 @@ Image Device::make_image(VkFormat format, VkExtent2D extent, VkSampleCountFlagBi
     return made;
 }
 
-} // namespace engine
+} // namespace windrow::vegetation::engine

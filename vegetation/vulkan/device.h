@@ -10,7 +10,7 @@
 #include <vector>
 #include <vulkan/vulkan_core.h>
 
-namespace engine {
+namespace windrow::vegetation::engine {
 
 /// Ends the program: 1 something failed, 2 wrong use, 3 the machine lacks something.
 [[noreturn]] void give_up(const std::string& sentence, int code);
@@ -65,4 +65,4 @@ class Device {
     std::vector<std::function<void()>> destroy_{};
 };
 
-} // namespace engine
+} // namespace windrow::vegetation::engine

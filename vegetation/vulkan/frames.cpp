@@ -2,7 +2,7 @@
 
 #include <vulkan/vulkan.h>
 
-namespace engine {
+namespace windrow::vegetation::engine {
 
 Frames::Frames(Device& device) : device_(device) {
     VkCommandPoolCreateInfo pool_info{};
@@ -52,4 +52,4 @@ void Frames::wait() {
     must(vkWaitForFences(device_.device, k_frames_in_flight, done_, VK_TRUE, UINT64_MAX), "vkWaitForFences");
 }
 
-} // namespace engine
+} // namespace windrow::vegetation::engine

@@ -3,7 +3,7 @@
 
 #include "vegetation/vulkan/device.h"
 
-namespace engine {
+namespace windrow::vegetation::engine {
 
 inline constexpr int k_frames_in_flight = 2;
 
@@ -33,4 +33,4 @@ class Frames {
     int next_ = 0;
 };
 
-} // namespace engine
+} // namespace windrow::vegetation::engine

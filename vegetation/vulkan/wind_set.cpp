@@ -3,7 +3,7 @@
 #include <cstring>
 #include <vulkan/vulkan.h>
 
-namespace engine {
+namespace windrow::vegetation::engine {
 namespace {
 
 // Bindings in the order of the include: a uniform block, six textures, the gust tile.
@@ -84,4 +84,4 @@ VkDescriptorSet WindSet::of(int slot, const windrow::vulkan::Wind& wind, glm::dv
     return sets_[slot];
 }
 
-} // namespace engine
+} // namespace windrow::vegetation::engine

@@ -6,7 +6,7 @@
 
 #include <glm/vec3.hpp>
 
-namespace engine {
+namespace windrow::vegetation::engine {
 
 class WindSet {
   public:
@@ -25,4 +25,4 @@ class WindSet {
     Buffer blocks_[k_frames_in_flight]{};
 };
 
-} // namespace engine
+} // namespace windrow::vegetation::engine

@@ -20,7 +20,7 @@
 
 #include "simplex.glsl"
 
-// shells::CloudShellSettings (vegetation/fur/cloud_shell.h) says more of each value. Usable in std140.
+// fur::CloudShellSettings (vegetation/fur/cloud_shell.h) says more of each value. Usable in std140.
 struct WindrowCloudShells {
     vec4 form;  // x cover; y [1/m] noise units a metre; z base; w billow
     vec4 rim;   // xy [m] half sizes of the plane; z [m] width of the fading; w 1: the plane is an ellipse

@@ -31,7 +31,7 @@
 #include "shaders/numerics/plant_masks.glsl"
 #include "strand_cells.glsl"
 
-// A field of strands. shells::StrandFieldSettings (vegetation/fur/strand_field.h) says more of each value. Usable in std140.
+// A field of strands. fur::StrandFieldSettings (vegetation/fur/strand_field.h) says more of each value. Usable in std140.
 struct WindrowStrandField {
     vec4 cells;  // x [1/uv or 1/m] cells across; y their length along v over their width; z shift of every other row; w seed
     vec4 points; // x jitter; y wriggle; z [turns] its phase; w profile: 0 cone, 1 centre, 2 edge

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 using windrow::test::Random;
@@ -135,4 +135,4 @@ TEST(CloudShell, RefusesWhatIsOutOfRange) {
 }
 
 } // namespace
-} // namespace shells
+} // namespace windrow::vegetation::fur

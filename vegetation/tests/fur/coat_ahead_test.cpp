@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace shells::test {
+namespace windrow::vegetation::fur::test {
 namespace {
 
 TEST(CoatAhead, SkinHasTheSpeedOfTheMomentFromTheFirstFrame) {
@@ -28,4 +28,4 @@ TEST(CoatAhead, SkinHasTheSpeedOfTheMomentFromTheFirstFrame) {
 }
 
 } // namespace
-} // namespace shells::test
+} // namespace windrow::vegetation::fur::test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace shells::test {
+namespace windrow::vegetation::fur::test {
 namespace {
 
 constexpr float k_radius = 0.5f;
@@ -108,4 +108,4 @@ TEST(CoatFeet, RefuseWhatIsNoFoot) {
 }
 
 } // namespace
-} // namespace shells::test
+} // namespace windrow::vegetation::fur::test

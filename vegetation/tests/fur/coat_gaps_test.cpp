@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace shells::test {
+namespace windrow::vegetation::fur::test {
 namespace {
 
 constexpr int k_side = 96, k_ring = 160; // [pixels]
@@ -162,4 +162,4 @@ TEST(CoatCost, TheOrderOfLayersAndADepthPass) {
 }
 
 } // namespace
-} // namespace shells::test
+} // namespace windrow::vegetation::fur::test

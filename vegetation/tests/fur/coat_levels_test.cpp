@@ -1,6 +1,6 @@
 // How many layers a coat has at a distance, what it refuses to draw, and what its pictures become.
 #include "vegetation/fur/coat_levels.h"
-#include "vegetation/fur/coat_pictures.h"
+#include "vegetation/files/coat_picture_files.h"
 #include "tests/figure.h"
 #include "vegetation/tests/fur/stage.h"
 
@@ -8,7 +8,7 @@
 #include <glm/packing.hpp>
 #include <limits>
 
-namespace shells::test {
+namespace windrow::vegetation::fur::test {
 namespace {
 
 // Heights of all layers as a function of the distance: none jumps, and a new one begins at the tip.
@@ -124,4 +124,4 @@ TEST(Coat, RefusesWhatItCannotDraw) {
 }
 
 } // namespace
-} // namespace shells::test
+} // namespace windrow::vegetation::fur::test

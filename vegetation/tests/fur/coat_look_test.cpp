@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace shells::test {
+namespace windrow::vegetation::fur::test {
 namespace {
 
 using namespace numerics;
@@ -242,4 +242,4 @@ TEST(CoatLook, TheSameFrameHasTheSameBytes) {
 }
 
 } // namespace
-} // namespace shells::test
+} // namespace windrow::vegetation::fur::test

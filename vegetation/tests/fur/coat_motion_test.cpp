@@ -9,7 +9,7 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 
-namespace shells::test {
+namespace windrow::vegetation::fur::test {
 namespace {
 
 using namespace numerics;
@@ -171,4 +171,4 @@ TEST(CoatMotion, ABodyWithBonesIsSkinnedAsOnTheHost) {
 }
 
 } // namespace
-} // namespace shells::test
+} // namespace windrow::vegetation::fur::test

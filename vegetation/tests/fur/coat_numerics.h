@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 
 #define WINDROW_FN inline
-namespace shells::numerics {
+namespace windrow::vegetation::fur::numerics {
 using namespace windrow::numerics;
 #include "vegetation/shaders/numerics/coat_lean.glsl"
 #include "vegetation/shaders/numerics/lamp.glsl"
-} // namespace shells::numerics
+} // namespace windrow::vegetation::fur::numerics
 #undef WINDROW_FN

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace shells::test {
+namespace windrow::vegetation::fur::test {
 namespace {
 
 constexpr int k_side = 256; // [pixels]
@@ -74,4 +74,4 @@ TEST(CoatShadow, AConesShadowOverlapsItsSilhouette) {
 }
 
 } // namespace
-} // namespace shells::test
+} // namespace windrow::vegetation::fur::test

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace shells::test {
+namespace windrow::vegetation::fur::test {
 namespace {
 
 using namespace numerics;
@@ -163,4 +163,4 @@ TEST(CoatWind, LayersThatAskTheWindThemselvesAgreeWhereItIsEven) {
 }
 
 } // namespace
-} // namespace shells::test
+} // namespace windrow::vegetation::fur::test

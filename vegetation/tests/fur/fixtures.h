@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace shells::test {
+namespace windrow::vegetation::fur::test {
 
 inline const std::string k_cube_obj = "mtllib cube.mtl\no cube\nusemtl coat\n"
                                       "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
@@ -107,4 +107,4 @@ inline std::string cube_three_ds() {
                              chunk(0x3d3d, material + chunk(0x4000, std::string("cube") + '\0' + mesh)));
 }
 
-} // namespace shells::test
+} // namespace windrow::vegetation::fur::test

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <unistd.h>
 
-namespace shells::test {
+namespace windrow::vegetation::fur::test {
 
 class Folder {
   public:
@@ -45,7 +45,7 @@ inline std::filesystem::path glmark2(const char* name) {
 
 /// A mesh of glmark2-data that is not installed fails the test: ./dev installs it.
 #define WINDROW_NEEDS_GLMARK2(name)                                                                                              \
-    if (!std::filesystem::exists(shells::test::glmark2(name)))                                                                   \
-    FAIL() << shells::test::glmark2(name) << " is not there: install glmark2-data to test with it."
+    if (!std::filesystem::exists(fur::test::glmark2(name)))                                                                   \
+    FAIL() << fur::test::glmark2(name) << " is not there: install glmark2-data to test with it."
 
-} // namespace shells::test
+} // namespace windrow::vegetation::fur::test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 TEST(FurLines, CuroesPolarBearIsRead) {
@@ -52,4 +52,4 @@ TEST(FurLines, WhatIsWrongIsRefusedWithFileAndLine) {
 }
 
 } // namespace
-} // namespace shells
+} // namespace windrow::vegetation::fur

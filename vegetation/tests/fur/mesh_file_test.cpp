@@ -1,5 +1,5 @@
 // Meshes from files: each kind is read, stood up and given normals and uv.
-#include "vegetation/fur/mesh_file.h"
+#include "vegetation/files/mesh_file.h"
 #include "tests/figure.h"
 #include "vegetation/tests/fur/fixtures.h"
 #include "vegetation/tests/fur/folder.h"
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 using test::Folder;
@@ -151,4 +151,4 @@ TEST(MeshFiles, TheHorseAndTheCat) {
 }
 
 } // namespace
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -2,7 +2,7 @@
 // no outer shell below an inner one.
 #include "coupling/shell.h"
 #include "vegetation/fur/beast.h"
-#include "vegetation/fur/mesh_file.h"
+#include "vegetation/files/mesh_file.h"
 #include "tests/figure.h"
 #include "vegetation/tests/fur/folder.h"
 
@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 constexpr int k_pushes = 10'000;
@@ -114,4 +114,4 @@ TEST(PosedPush, PosedNormalsFaceOutwards) {
 }
 
 } // namespace
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 using test::Surface;
@@ -123,4 +123,4 @@ TEST(ShellShapes, WhatIsWrongIsRefused) {
 }
 
 } // namespace
-} // namespace shells
+} // namespace windrow::vegetation::fur

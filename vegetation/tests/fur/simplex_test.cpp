@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 using windrow::test::Random;
@@ -141,4 +141,4 @@ TEST(Simplex, OctavesKeepTheRange) {
 }
 
 } // namespace
-} // namespace shells
+} // namespace windrow::vegetation::fur

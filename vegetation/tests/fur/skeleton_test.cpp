@@ -1,7 +1,7 @@
 // Bones: weights, rigid poses, rest; the walk; what is refused.
 #include "vegetation/fur/beast.h"
 #include "vegetation/fur/horse_skeleton.h"
-#include "vegetation/fur/mesh_file.h"
+#include "vegetation/files/mesh_file.h"
 #include "vegetation/fur/shapes.h"
 #include "vegetation/fur/skeleton.h"
 #include "tests/figure.h"
@@ -14,7 +14,7 @@
 #include <limits>
 #include <tuple>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 using windrow::test::figure;
@@ -235,4 +235,4 @@ TEST(Skeletons, WhatIsWrongIsRefused) {
 }
 
 } // namespace
-} // namespace shells
+} // namespace windrow::vegetation::fur

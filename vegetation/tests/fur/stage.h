@@ -14,7 +14,7 @@
 #include <vector>
 #include <vulkan/vulkan.h>
 
-namespace shells::test {
+namespace windrow::vegetation::fur::test {
 
 inline constexpr glm::dvec3 k_anchor{4e5, 0.0, -2.5e5}; // [m]
 inline constexpr double k_frame = 1.0 / 30.0;           // [s]
@@ -162,4 +162,4 @@ inline windrow::Pose at(glm::dvec3 offset, double scale = 1.0) {
     return {.position = k_anchor + offset, .scale = scale};
 }
 
-} // namespace shells::test
+} // namespace windrow::vegetation::fur::test

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 using windrow::test::Random;
@@ -59,7 +59,7 @@ TEST(StrandCells, AreThoseOfBruteForce) {
         double missed; // share of places whose nearest edge belongs to a point out of the nine cells
     };
     // At rest none of 1e5; all that wriggles stands at its diamond's rim more often. Shifted rows have 0.9 of the jitter
-    // (shells::block), since the whole of it misses one.
+    // (fur::block), since the whole of it misses one.
     for (const Kind kind : {Kind{"full", 1.0f, 0.0f, 0.0f, 0.0}, Kind{"half", 0.5f, 0.0f, 0.0f, 0.0},
                             Kind{"shifted", 0.9f, 0.0f, 0.5f, 0.0}, Kind{"shifted_grid", 0.0f, 0.0f, 0.5f, 0.0},
                             Kind{"wriggling", 1.0f, 1.0f, 0.0f, 1e-4}, Kind{"wriggling_shifted", 0.9f, 1.0f, 0.5f, 1e-4}}) {
@@ -161,4 +161,4 @@ TEST(StrandCells, TuftsInSpaceAreThoseOfBruteForce) {
 }
 
 } // namespace
-} // namespace shells
+} // namespace windrow::vegetation::fur

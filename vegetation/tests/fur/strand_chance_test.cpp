@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 constexpr int k_side = 1000;
@@ -135,4 +135,4 @@ TEST(StrandChance, InSpaceHasNoRepeatsAndNoLags) {
 }
 
 } // namespace
-} // namespace shells
+} // namespace windrow::vegetation::fur

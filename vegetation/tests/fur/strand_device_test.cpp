@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 using windrow::test::Random;
@@ -195,4 +195,4 @@ TEST_F(StrandsOnTheDevice, AsOnTheCpu) {
 }
 
 } // namespace
-} // namespace shells
+} // namespace windrow::vegetation::fur

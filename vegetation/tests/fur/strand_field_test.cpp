@@ -9,7 +9,7 @@
 #include <numbers>
 #include <string>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 using windrow::test::Random;
@@ -280,4 +280,4 @@ TEST(StrandField, RefusesWhatIsOutOfRange) {
 }
 
 } // namespace
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 using windrow::test::Random;
@@ -270,4 +270,4 @@ TEST(StrandLight, CelStepsHaveTheirLevels) {
 }
 
 } // namespace
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -16,7 +16,7 @@
 #undef WINDROW_STRAND_CELLS_GLSL
 #undef WINDROW_STRAND_FIELD_GLSL
 #define WINDROW_FN [[maybe_unused]] inline
-namespace shells::counted {
+namespace windrow::vegetation::fur::counted {
 inline int hashes = 0;
 inline glm::uvec2 windrow_plant_hash(glm::uvec2 key) {
     ++hashes;
@@ -28,10 +28,10 @@ using numerics::windrow_share;
 using numerics::windrow_turn_cosine;
 using numerics::windrow_turn_sine;
 #include "vegetation/shaders/numerics/strand_field.glsl"
-} // namespace shells::counted
+} // namespace windrow::vegetation::fur::counted
 #undef WINDROW_FN
 
-namespace shells {
+namespace windrow::vegetation::fur {
 namespace {
 
 using windrow::test::Random;
@@ -242,4 +242,4 @@ TEST(StrandSurface, CostsOfUv) {
 }
 
 } // namespace
-} // namespace shells
+} // namespace windrow::vegetation::fur

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 
-namespace shells::test {
+namespace windrow::vegetation::fur::test {
 
 struct Surface {
     std::size_t points = 0, edges = 0, triangles = 0;
@@ -53,4 +53,4 @@ inline Surface surface_of(const Mesh& mesh) {
     return surface;
 }
 
-} // namespace shells::test
+} // namespace windrow::vegetation::fur::test

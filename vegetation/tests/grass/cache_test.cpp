@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 namespace {
 
 TEST(GrassMemory, OfAChunkIsBounded) {
@@ -74,4 +74,4 @@ TEST(GrassMemory, GivesTheNearestASlotWhereThereAreTooFew) {
 }
 
 } // namespace
-} // namespace grass
+} // namespace windrow::vegetation::grass

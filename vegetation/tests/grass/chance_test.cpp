@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 namespace {
 
 using namespace windrow::numerics;
@@ -115,4 +115,4 @@ TEST(GrassChance, SeedsAndStreamsAreFieldsOfTheirOwn) {
 }
 
 } // namespace
-} // namespace grass
+} // namespace windrow::vegetation::grass

@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 namespace {
 
 using windrow::test::Random;
@@ -185,4 +185,4 @@ TEST(GrassChunks, OfALargeFieldAreFew) {
 }
 
 } // namespace
-} // namespace grass
+} // namespace windrow::vegetation::grass

@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-namespace grass::test {
+namespace windrow::vegetation::grass::test {
 
 class GrassOnTheDevice : public windrow::vulkan::Gpu {
   protected:
@@ -57,4 +57,4 @@ class GrassOnTheDevice : public windrow::vulkan::Gpu {
     std::unique_ptr<GrassField> field;
 };
 
-} // namespace grass::test
+} // namespace windrow::vegetation::grass::test

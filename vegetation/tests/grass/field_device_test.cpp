@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 namespace {
 
 using test::GrassOnTheDevice;
@@ -208,4 +208,4 @@ TEST_F(GrassOnTheDevice, RefusesWhatItCannotUse) {
 }
 
 } // namespace
-} // namespace grass
+} // namespace windrow::vegetation::grass

@@ -8,7 +8,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
-namespace grass::test {
+namespace windrow::vegetation::grass::test {
 
 /// Hills of 4 m over 80 m x 112 m, a corner a metre.
 inline HeightMap hills(glm::ivec2 corners = {81, 113}, float spacing = 1.0f) {
@@ -86,4 +86,4 @@ inline bool shows(const Block& block, const Eye& eye, glm::ivec2 cell, const Bla
     return false;
 }
 
-} // namespace grass::test
+} // namespace windrow::vegetation::grass::test

@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 namespace {
 
 using windrow::test::Random;
@@ -136,4 +136,4 @@ TEST(GrassSettingsRefusal, NamesEveryField) {
 }
 
 } // namespace
-} // namespace grass
+} // namespace windrow::vegetation::grass

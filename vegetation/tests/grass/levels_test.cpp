@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 namespace {
 
 using namespace windrow::numerics;
@@ -142,4 +142,4 @@ TEST(GrassLevels, KeepTheViewBend) {
 }
 
 } // namespace
-} // namespace grass
+} // namespace windrow::vegetation::grass

@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 namespace {
 
 PlacementMask even(float alpha = 1.0f) {
@@ -81,4 +81,4 @@ TEST(MaskPatterns, RefuseBadValuesAndTouchNothing) {
 }
 
 } // namespace
-} // namespace grass
+} // namespace windrow::vegetation::grass

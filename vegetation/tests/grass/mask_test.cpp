@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 namespace {
 
 using windrow::test::Random;
@@ -139,4 +139,4 @@ TEST(GrassMask, RefusesWhatItCannotUse) {
 }
 
 } // namespace
-} // namespace grass
+} // namespace windrow::vegetation::grass

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace grass::test {
+namespace windrow::vegetation::grass::test {
 
 class Picture {
   public:
@@ -50,4 +50,4 @@ class Picture {
     VkPipeline pipeline_ = VK_NULL_HANDLE;
 };
 
-} // namespace grass::test
+} // namespace windrow::vegetation::grass::test

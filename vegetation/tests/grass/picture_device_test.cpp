@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 namespace {
 
 using windrow::test::Random;
@@ -112,4 +112,4 @@ TEST_F(GrassPictures, SeenFromAboveCoversMoreWithTheViewBend) {
 }
 
 } // namespace
-} // namespace grass
+} // namespace windrow::vegetation::grass

@@ -7,7 +7,7 @@
 #include <span>
 #include <vulkan/vulkan.h>
 
-namespace grass::test {
+namespace windrow::vegetation::grass::test {
 namespace {
 
 constexpr VkFormat k_colour = VK_FORMAT_R8G8B8A8_UNORM;
@@ -223,4 +223,4 @@ void Picture::record(VkCommandBuffer commands, const GrassField& field, const gl
     vkCmdCopyImageToBuffer(commands, colour_.image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, into, 1, &region);
 }
 
-} // namespace grass::test
+} // namespace windrow::vegetation::grass::test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 namespace {
 
 using namespace windrow::numerics;
@@ -153,4 +153,4 @@ TEST(GrassClumps, MakeBladesSmallerAndFaceOneWay) {
 }
 
 } // namespace
-} // namespace grass
+} // namespace windrow::vegetation::grass

@@ -8,7 +8,7 @@
 #include <array>
 #include <vulkan/vulkan.h>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 namespace {
 
 using namespace windrow::numerics;
@@ -99,4 +99,4 @@ TEST_F(GrassVertices, AreThoseOfTheCpu) {
 }
 
 } // namespace
-} // namespace grass
+} // namespace windrow::vegetation::grass

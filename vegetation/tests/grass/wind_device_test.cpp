@@ -11,7 +11,7 @@
 #include <cstring>
 #include <vulkan/vulkan.h>
 
-namespace grass {
+namespace windrow::vegetation::grass {
 namespace {
 
 using windrow::vulkan::Buffer;
@@ -148,4 +148,4 @@ TEST_F(GrassInTheWind, LeansAsTheAirBlows) {
 }
 
 } // namespace
-} // namespace grass
+} // namespace windrow::vegetation::grass

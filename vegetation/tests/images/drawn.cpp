@@ -2,12 +2,11 @@
 
 #include "vegetation/program/picture_reader.h"
 
-#include <OpenImageIO/imageio.h>
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
-namespace meadow::test {
+namespace windrow::vegetation::program::test {
 namespace {
 
 using windrow::Error;
@@ -67,21 +66,10 @@ render::Picture8 difference(const render::Picture8& a, const render::Picture8& b
     return made;
 }
 
-Result<render::Picture8> read_png(const std::filesystem::path& file) {
-    const auto input = OIIO::ImageInput::open(file.string());
-    if (!input)
-        return Error{file.string() + " is no picture that can be read."};
-    const OIIO::ImageSpec& spec = input->spec();
-    render::Picture8 read(spec.width, spec.height);
-    if (spec.nchannels != 3 || !input->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, read.values.data()))
-        return Error{file.string() + " is no picture of three channels."};
-    return read;
-}
-
 std::filesystem::path left_behind(const std::string& name, const std::string& ending) {
     const std::filesystem::path folder = WINDROW_IMAGES_FOLDER;
     std::filesystem::create_directories(folder);
     return folder / (name + (ending.empty() ? "" : "." + ending) + ".png");
 }
 
-} // namespace meadow::test
+} // namespace windrow::vegetation::program::test

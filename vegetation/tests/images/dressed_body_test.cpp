@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 namespace {
 
 using test::Folder;
@@ -37,9 +37,9 @@ TEST(DressedBody, FurLineOfTheFileIsItsCoat) {
     ASSERT_EQ(felt->size(), 1u);
     EXPECT_FALSE(felt->front().fur);
     const auto fur =
-        std::find_if(whole->begin(), whole->end(), [](const shells::MeshPart& part) { return part.fur.has_value(); });
+        std::find_if(whole->begin(), whole->end(), [](const fur::MeshPart& part) { return part.fur.has_value(); });
     ASSERT_NE(fur, whole->end());
-    const shells::CoatSettings settings = settings_of(body.coats.at(0), fur->fur);
+    const fur::CoatSettings settings = settings_of(body.coats.at(0), fur->fur);
     EXPECT_EQ(settings.layers.shells, 48);
     EXPECT_FLOAT_EQ(settings.layers.length, 0.2095f); // the file's 4 units are 2 m
     EXPECT_EQ(settings.strands.thickness, 2.753f);
@@ -73,4 +73,4 @@ TEST(DressedBody, PatternDriftsAsTheWindTimesTheTime) {
 }
 
 } // namespace
-} // namespace meadow
+} // namespace windrow::vegetation::program

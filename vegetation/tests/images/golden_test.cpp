@@ -9,7 +9,7 @@
 
 #include <cstdlib>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 namespace {
 
 struct GoldenScene {
@@ -40,16 +40,16 @@ TEST_P(Golden, IsWhatWasAccepted) {
     ASSERT_TRUE(drawn) << drawn.error();
     const std::filesystem::path golden = std::filesystem::path(WINDROW_SOURCE_DIR) / "vegetation/tests/images/golden" / (name + ".png");
     if (std::getenv("WINDROW_ACCEPT_IMAGES") != nullptr) {
-        const auto written = render::write_png(*drawn, golden);
+        const auto written = pictures::write_png(*drawn, golden);
         ASSERT_TRUE(written) << written.error();
         std::printf("accepted: %s\n", golden.c_str());
         return;
     }
     const std::filesystem::path here = test::left_behind(name);
-    ASSERT_TRUE(render::write_png(*drawn, here));
+    ASSERT_TRUE(pictures::write_png(*drawn, here));
     const std::string how = "\ndrawn: " + here.string() +
                             "\naccept it: WINDROW_ACCEPT_IMAGES=1 windrow_images_tests --gtest_filter='*Golden*" + name + "*'";
-    const auto wanted = test::read_png(golden);
+    const auto wanted = pictures::read_png(golden);
     ASSERT_TRUE(wanted) << wanted.error() << how;
     ASSERT_TRUE(wanted->width == drawn->width && wanted->height == drawn->height)
         << golden << " is " << wanted->width << " x " << wanted->height << " px, the scene " << drawn->width << " x "
@@ -61,7 +61,7 @@ TEST_P(Golden, IsWhatWasAccepted) {
     const std::filesystem::path told = test::left_behind(name, "difference");
     std::filesystem::remove(told);
     if (HasFailure()) {
-        ASSERT_TRUE(render::write_png(test::difference(*drawn, *wanted), told));
+        ASSERT_TRUE(pictures::write_png(test::difference(*drawn, *wanted), told));
         ADD_FAILURE() << name << " is not " << golden.string() << how << "\ndifference, times 8: " << told.string();
     }
 }
@@ -70,4 +70,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Golden, testing::ValuesIn(k_scenes),
                          [](const auto& scene) { return std::string(scene.param.name); });
 
 } // namespace
-} // namespace meadow
+} // namespace windrow::vegetation::program

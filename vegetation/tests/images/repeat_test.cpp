@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 namespace {
 
 class Repeat : public testing::TestWithParam<const char*> {};
@@ -24,4 +24,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Repeat, testing::Values("steady_trail", "gusts_
                          [](const auto& scene) { return std::string(scene.param); });
 
 } // namespace
-} // namespace meadow
+} // namespace windrow::vegetation::program

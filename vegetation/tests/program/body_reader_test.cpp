@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 namespace {
 
 using nlohmann::json;
@@ -28,7 +28,7 @@ TEST(BodyReader, BodyWithoutKeysStandsAtTheOrigin) {
     const auto scene = read(R"({"coats": [{}]})");
     ASSERT_TRUE(scene) << scene.error();
     const Body& body = scene->picture.bodies.at(0);
-    EXPECT_TRUE(std::holds_alternative<shells::CubeSphere>(body.mesh));
+    EXPECT_TRUE(std::holds_alternative<fur::CubeSphere>(body.mesh));
     const windrow::Pose pose = pose_of(*scene, body, 3.0);
     EXPECT_EQ(pose.position, glm::dvec3(0.0));
     EXPECT_EQ(pose.rotation, glm::dvec4(0.0, 0.0, 0.0, 1.0));
@@ -44,10 +44,10 @@ TEST(BodyReader, SpecimensCoatIsReadWhole) {
     const BodyCoat& coat = scene->picture.bodies.at(0).coats.at(0);
     EXPECT_EQ(coat.material, "fur");
     EXPECT_EQ(coat.settings.layers.shells, 24);
-    EXPECT_EQ(coat.settings.wind_at, shells::WindAt::pixel);
-    EXPECT_EQ(coat.settings.strands.profile, shells::StrandProfile::centre);
+    EXPECT_EQ(coat.settings.wind_at, fur::WindAt::pixel);
+    EXPECT_EQ(coat.settings.strands.profile, fur::StrandProfile::centre);
     EXPECT_EQ(coat.settings.maps.length, "length.pgm");
-    EXPECT_EQ(coat.settings.maps.projection, shells::Projection::side);
+    EXPECT_EQ(coat.settings.maps.projection, fur::Projection::side);
     EXPECT_EQ(coat.settings.spots.at(0).glow, 4.0f);
     EXPECT_EQ(coat.settings.inertia->lag, 0.5);
     EXPECT_EQ(std::get<MeshSource>(scene->picture.bodies[0].mesh).name, "wolf.obj");
@@ -60,8 +60,8 @@ TEST(BodyReader, FurLineGivesWhatTheSceneDoesNotSay) {
         {}, {"layers": {"shells": 20, "length": 0.5}}, {"strands": {"density": 30, "thickness": 2}}]})");
     ASSERT_TRUE(scene) << scene.error();
     const std::vector<BodyCoat>& coats = scene->picture.bodies.at(0).coats;
-    const shells::FurLine fur{.shells = 48, .height = 0.419f, .thickness = 2.753f, .resolution = 11.0f};
-    const shells::CoatSettings whole = settings_of(coats[0], fur), layers = settings_of(coats[1], fur),
+    const fur::FurLine fur{.shells = 48, .height = 0.419f, .thickness = 2.753f, .resolution = 11.0f};
+    const fur::CoatSettings whole = settings_of(coats[0], fur), layers = settings_of(coats[1], fur),
                                strands = settings_of(coats[2], fur), none = settings_of(coats[0], std::nullopt);
     EXPECT_EQ(whole.layers.shells, 48);
     EXPECT_EQ(whole.layers.length, 0.419f);
@@ -74,7 +74,7 @@ TEST(BodyReader, FurLineGivesWhatTheSceneDoesNotSay) {
     EXPECT_EQ(strands.strands.density, 30.0f);
     EXPECT_EQ(strands.strands.thickness, 2.0f);
     EXPECT_EQ(none.layers.shells, windrow::ShellSettings{}.shells);
-    EXPECT_EQ(none.strands.density, shells::StrandFieldSettings{}.density);
+    EXPECT_EQ(none.strands.density, fur::StrandFieldSettings{}.density);
 }
 
 TEST(BodyReader, WhatTheFurLineSaysIsNotWritten) {
@@ -146,24 +146,24 @@ TEST(BodyReader, Refusals) {
 
 TEST(BodyReader, WhatValidateRefusesCannotBeRead) {
     // Each field at twice its largest: the reader's ranges are those of the structure.
-    shells::CoatSettings coat;
+    fur::CoatSettings coat;
     coat.look.cel_steps = 9;
     coat.levels.march = 17;
     coat.wind_share = std::numeric_limits<float>::quiet_NaN();
     coat.maps.noise_tiles = 0.0f;
     coat.spots.push_back({.radius = 0.0f});
     coat.comb.bend = 1.6f;
-    const auto judged = shells::validate(coat);
+    const auto judged = fur::validate(coat);
     ASSERT_FALSE(judged);
     for (const char* field : {"coat.look.cel_steps is 9", "coat.levels.march is 17", "coat.wind_share is nan",
                               "coat.maps.noise_tiles is 0", "coat.spots[0].radius is 0", "coat.comb.bend is 1.6"})
         EXPECT_NE(judged.error().find(field), std::string::npos) << field << " in\n" << judged.error();
     coat = {};
-    coat.spots.resize(shells::k_most_spots + 1);
-    EXPECT_FALSE(shells::validate(coat));
-    EXPECT_TRUE(shells::validate(shells::CoatSettings{}));
-    EXPECT_TRUE(shells::validate(std::vector<shells::Lamp>(shells::k_most_lamps)));
-    EXPECT_FALSE(shells::validate(std::vector<shells::Lamp>(shells::k_most_lamps + 1)));
+    coat.spots.resize(fur::k_most_spots + 1);
+    EXPECT_FALSE(fur::validate(coat));
+    EXPECT_TRUE(fur::validate(fur::CoatSettings{}));
+    EXPECT_TRUE(fur::validate(std::vector<fur::Lamp>(fur::k_most_lamps)));
+    EXPECT_FALSE(fur::validate(std::vector<fur::Lamp>(fur::k_most_lamps + 1)));
 }
 
 TEST(BodyPose, FollowsItsPathAndFacesAlongIt) {
@@ -194,4 +194,4 @@ TEST(BodyPose, SpinSwayAndHop) {
 }
 
 } // namespace
-} // namespace meadow
+} // namespace windrow::vegetation::program

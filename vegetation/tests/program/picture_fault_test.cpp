@@ -1,7 +1,7 @@
 // Pictures that are refused, and the sentence that each gets: file, place, value, fix.
 #include "vegetation/tests/program/specimen.h"
 
-namespace meadow {
+namespace windrow::vegetation::program {
 namespace {
 
 using test::Folder;
@@ -176,4 +176,4 @@ TEST(PictureFault, EveryBeginningOfASceneIsRefused) {
 }
 
 } // namespace
-} // namespace meadow
+} // namespace windrow::vegetation::program

@@ -8,7 +8,7 @@
 #include <iterator>
 #include <vector>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 namespace {
 
 using test::Folder;
@@ -189,4 +189,4 @@ TEST(PictureReader, ScenesThatComeWithTheProjectAreRead) {
 }
 
 } // namespace
-} // namespace meadow
+} // namespace windrow::vegetation::program

@@ -6,7 +6,7 @@
 
 #include <cstdlib>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 namespace {
 
 using nlohmann::json;
@@ -90,4 +90,4 @@ TEST(PictureSchema, SpecimenAndWhatIsWrittenKeepIt) {
 }
 
 } // namespace
-} // namespace meadow
+} // namespace windrow::vegetation::program

@@ -4,7 +4,7 @@
 
 #include <cctype>
 
-namespace meadow {
+namespace windrow::vegetation::program {
 namespace {
 
 using nlohmann::json;
@@ -87,4 +87,4 @@ TEST(PictureWriter, NumbersHaveTheDigitsThatNameThem) {
 }
 
 } // namespace
-} // namespace meadow
+} // namespace windrow::vegetation::program

@@ -11,7 +11,7 @@
 #include <string>
 #include <unistd.h>
 
-namespace meadow::test {
+namespace windrow::vegetation::program::test {
 
 /// A folder of its own for a test's files, gone with the test.
 class Folder {
@@ -136,4 +136,4 @@ inline constexpr const char* k_specimen = R"({
     }
 })";
 
-} // namespace meadow::test
+} // namespace windrow::vegetation::program::test

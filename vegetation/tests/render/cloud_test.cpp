@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace render {
+namespace windrow::vegetation::render {
 namespace {
 
 using namespace numerics;
@@ -92,4 +92,4 @@ TEST(CloudLayer, ValuesThatMakeNoSenseAreNamed) {
 }
 
 } // namespace
-} // namespace render
+} // namespace windrow::vegetation::render

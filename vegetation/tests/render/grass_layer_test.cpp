@@ -8,7 +8,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-namespace render {
+namespace windrow::vegetation::render {
 namespace {
 
 constexpr glm::dvec3 k_corner{4e5, 30.0, -2.5e5}; // [m]
@@ -205,4 +205,4 @@ TEST(GrassLayer, RefusesWhatItCannotDraw) {
 }
 
 } // namespace
-} // namespace render
+} // namespace windrow::vegetation::render

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vulkan/vulkan.h>
 
-namespace render::test {
+namespace windrow::vegetation::render::test {
 
 inline windrow::vulkan::Host host_of(const engine::Device& device) {
     return {.instance = device.instance,
@@ -116,4 +116,4 @@ struct GrassStage {
     std::optional<engine::Frames> frames{}; // waits before all else ends
 };
 
-} // namespace render::test
+} // namespace windrow::vegetation::render::test

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace render {
+namespace windrow::vegetation::render {
 namespace {
 
 constexpr glm::dvec3 k_corner{-3e4, 12.0, 8e4}; // [m]
@@ -131,4 +131,4 @@ TEST(GrassThinning, CoversAsMuchByFewerBlades) {
 }
 
 } // namespace
-} // namespace render
+} // namespace windrow::vegetation::render

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace render {
+namespace windrow::vegetation::render {
 namespace {
 
 using namespace numerics;
@@ -154,4 +154,4 @@ TEST(Sky, TheDisksLightIsTheBeams) {
 }
 
 } // namespace
-} // namespace render
+} // namespace windrow::vegetation::render

@@ -15,7 +15,7 @@
 #include <optional>
 #include <vulkan/vulkan.h>
 
-namespace render {
+namespace windrow::vegetation::render {
 namespace {
 
 constexpr glm::dvec3 k_anchor{4e5, 0.0, -2.5e5}; // [m]
@@ -218,4 +218,4 @@ TEST(Renderer, TellsItsStagesAndRefusesABadCamera) {
 }
 
 } // namespace
-} // namespace render
+} // namespace windrow::vegetation::render

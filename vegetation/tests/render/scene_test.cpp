@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace render {
+namespace windrow::vegetation::render {
 namespace {
 
 TEST(Scene, TheDefaultOneIsDrawn) {
@@ -149,4 +149,4 @@ TEST(Scatter, TheSameArgumentsGiveTheSamePlacesOnTheGroundWithinTheFan) {
 }
 
 } // namespace
-} // namespace render
+} // namespace windrow::vegetation::render

@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-namespace trees {
+namespace windrow::vegetation::trees {
 namespace {
 
 // [m] From a point to a triangle.
@@ -126,4 +126,4 @@ TEST(TreeLevels, TheTrunkMorphsIntoTheCoarseOne) {
 }
 
 } // namespace
-} // namespace trees
+} // namespace windrow::vegetation::trees

@@ -12,7 +12,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-namespace trees {
+namespace windrow::vegetation::trees {
 namespace {
 
 using windrow::test::Random;
@@ -169,4 +169,4 @@ TEST(CrownLight, FallsInward) {
 }
 
 } // namespace
-} // namespace trees
+} // namespace windrow::vegetation::trees

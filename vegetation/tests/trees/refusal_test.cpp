@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace trees {
+namespace windrow::vegetation::trees {
 namespace {
 
 constexpr float k_nan = std::numeric_limits<float>::quiet_NaN(), k_infinity = std::numeric_limits<float>::infinity();
@@ -141,4 +141,4 @@ TEST(TreeScatter, StandsOnTheGroundApartAndOutOfTheCircles) {
 }
 
 } // namespace
-} // namespace trees
+} // namespace windrow::vegetation::trees

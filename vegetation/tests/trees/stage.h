@@ -13,7 +13,7 @@
 #include <vector>
 #include <vulkan/vulkan.h>
 
-namespace trees::test {
+namespace windrow::vegetation::trees::test {
 
 inline constexpr glm::dvec3 k_anchor{4e5, 0.0, -2.5e5}; // [m]
 inline constexpr int k_width = 320, k_height = 240;
@@ -135,4 +135,4 @@ inline render::Camera camera_at(double x, double turn) {
     return camera;
 }
 
-} // namespace trees::test
+} // namespace windrow::vegetation::trees::test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-namespace trees::test {
+namespace windrow::vegetation::trees::test {
 namespace {
 
 constexpr std::uint32_t k_none = windrow::Tree::PartIndices::k_none;
@@ -225,4 +225,4 @@ TEST(TreeStand, DrawsWhatIsSeenAndLittleAfar) {
 }
 
 } // namespace
-} // namespace trees::test
+} // namespace windrow::vegetation::trees::test
