@@ -6,8 +6,7 @@
 //
 // 1. A kind of tree is a struct (vegetation/trees/tree_settings.h); presets give some by name, and a host may change any field.
 // 2. A stand draws one kind at many places, which a host gives or has scattered over its ground.
-// 3. Each frame: the wind, then the renderer. The stand bends trunk, limbs and twigs by the wind at each of them, and lets them
-// swing.
+// 3. Each frame: the wind, then the renderer. The stand bends trunk, limbs and twigs by the wind at each of them; they swing.
 
 #include "coupling/plant_classes.h"
 #include "vegetation/render/blades.h"

@@ -1,7 +1,7 @@
 // Tutorial: a meadow in the wind, drawn by the small renderer of vegetation/render.
 //
 //     small_meadow [FRAMES [FOLDER]]     draws so many frames of 1/30 s (default 6) into FOLDER (meadow): frame_0001.png ...,
-//                                  and the last one's light and motion as last.exr
+//                                        and the last one's light and motion as last.exr
 //
 // 1. Say what the picture is of: a Scene has the eye, the sun, the fog, the ground, the plants and their look, the wind.
 // 2. Make the engine's device, lend it to the wind (examples/embed_vulkan.cpp says more), and give it to the renderer.
