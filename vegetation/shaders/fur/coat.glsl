@@ -25,7 +25,8 @@ struct CoatLamp {
 layout(std140, set = 2, binding = 0) uniform Coat {
     WindrowShells shells;
     WindrowStrandField field;
-    vec4 levels;   // x divisor of a layer's number; y [m] strands' length over the mesh's metres; z wind share; w the animated cells' time [s]
+    // x divisor of a layer's number; y [m] strands' length over the mesh's metres; z wind share; w the animated cells' time [s]
+    vec4 levels;
     ivec4 counts;  // x vertices; y, z first entry of this and of the last frame's skin; w stages of the cascade
     ivec4 layers;  // x drawn; y 1: outer first; z 1: mirrored; w all layers of the shadow
     ivec4 form;    // x 1: translated; y WindAt; z 1: strands by the surface, 0: by uv; w 1: bare

@@ -1,4 +1,5 @@
-// A coat's vertices once a frame: bones, the body's pose, how far tips lag behind it, the comb, and the wind that strands feel there.
+// A coat's vertices once a frame: bones, the body's pose, how far tips lag behind it, the comb, and the wind that strands feel
+// there.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define WINDROW_SET 1

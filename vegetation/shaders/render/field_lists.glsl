@@ -1,5 +1,5 @@
-// The lists of a field as the passes over its visible blades have them: a group a list (x: 2 * order + view) and part of it (y). Sets as
-// field_blades.comp has them.
+// The lists of a field as the passes over its visible blades have them: a group a list (x: 2 * order + view) and part of it (y).
+// Sets as field_blades.comp has them.
 #ifndef WINDROW_RENDER_FIELD_LISTS_GLSL
 #define WINDROW_RENDER_FIELD_LISTS_GLSL
 

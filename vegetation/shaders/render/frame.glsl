@@ -1,5 +1,6 @@
-// What every shader of the renderer is told of a frame: set 0. The same layout as render::FrameBlock (vegetation/render/frame_block.h).
-// Positions are [m] from the anchor of the frame, y up; light is in units of the picture, before exposure.
+// What every shader of the renderer is told of a frame: set 0. The same layout as render::FrameBlock
+// (vegetation/render/frame_block.h). Positions are [m] from the anchor of the frame, y up; light is in units of the picture,
+// before exposure.
 #ifndef WINDROW_RENDER_FRAME_GLSL
 #define WINDROW_RENDER_FRAME_GLSL
 

@@ -1,4 +1,5 @@
-// A lattice of places at which the wind is shown: set 2. The same layout as render::WindArrows::Block (vegetation/render/wind_arrows.h).
+// A lattice of places at which the wind is shown: set 2. The same layout as render::WindArrows::Block
+// (vegetation/render/wind_arrows.h).
 #ifndef WINDROW_RENDER_WIND_LATTICE_GLSL
 #define WINDROW_RENDER_WIND_LATTICE_GLSL
 
