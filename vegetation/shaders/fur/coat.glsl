@@ -52,7 +52,9 @@ layout(std140, set = 2, binding = 0) uniform Coat {
     CoatFoot feet_before[8];
     ivec4 ahead; // x the pose of a moment later; y its first bone; z 1: there is one
     vec4 gone;   // xyz [m] in the world that the pattern has gone since the last frame; w 1 / [s] of that moment
+    // clang-format off
 } coat;
+// clang-format on
 
 struct CoatVertex {
     vec4 position; // xyz [m] at rest in the mesh's space; w u

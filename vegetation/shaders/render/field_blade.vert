@@ -57,7 +57,7 @@ void main() {
     across = vec4(look.second.w * shows * cross(now.tangent, now.normal), grass_open(look, tall));
     fog = blade.fog;
     if (frame.terrain_size.z != 0) { // as it is, whatever the light
-        vec3 shown = grass_view(frame.terrain_size.z, blade.bend.xy, which.grass_draw.y & 1u, uintBitsToFloat(blade.traits.z), which.grass_draw.x);
+        vec3 shown = grass_view(frame.terrain_size.z, blade.bend.xy, grass_draw.y & 1u, uintBitsToFloat(blade.traits.z), grass_draw.x);
         fog = vec4(shown * (0.35 + 0.65 * row.x) / frame.eye.w, 0.0);
     }
     float bent = 1.0 - now.tangent.y * now.tangent.y;

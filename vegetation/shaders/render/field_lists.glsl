@@ -12,10 +12,10 @@ layout(local_size_x = 64) in;
 layout(std430, set = GRASS_SET, binding = 4) readonly buffer GrassDraws { uvec4 grass_draws[]; };
 layout(std430, set = GRASS_SET, binding = 5) readonly buffer GrassOrders { ivec4 grass_orders[]; };
 
-layout(push_constant) uniform Which { uint first_order; } which;
+layout(push_constant) uniform Which { uint first_order; };
 
 uint slot_of(uint list) {
-    return uint(grass_orders[which.first_order + list / 2u].x);
+    return uint(grass_orders[first_order + list / 2u].x);
 }
 
 // Near and far blades of a list.

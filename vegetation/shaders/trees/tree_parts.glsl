@@ -47,7 +47,9 @@ layout(std140, set = 2, binding = 0) uniform TreeClass {
     vec4 leaf;   // rgb; w spread between leaves and trees
     vec4 young;  // rgb; w exponent of the gloss
     vec4 through; // rgb; w how much more of it against the light
+    // clang-format off
 } kind;
+// clang-format on
 layout(std430, set = 2, binding = 1) readonly buffer Vertices { TreeVertex vertices[]; };
 layout(std430, set = 2, binding = 2) readonly buffer Parts { TreeModelPart model_parts[]; };
 layout(std430, set = 2, binding = 3) readonly buffer Places { TreePlace places[]; };
