@@ -7,8 +7,9 @@
 // 2. Lend the device. The wind makes buffers, images and pipelines on it; it never submits and never waits.
 // 3. In each frame tell the wind where things are, and record it before what samples it, outside of a render pass. The slot says
 //    which frame in flight this is: what was recorded for it before is done, and its answer is read now.
-// 4. Draw. A shader that includes shaders/coupling/windrow_wind.glsl asks windrow_velocity(p) (examples/vegetation/shaders/grass.vert). It
-//    wants one descriptor set (vegetation/vulkan/wind_set.cpp), and no barrier: the recording has ended with one.
+// 4. Draw. A shader that includes shaders/coupling/windrow_wind.glsl calls windrow_velocity(p)
+//    (examples/shaders/grass.vert). It needs one descriptor set (vegetation/vulkan/wind_set.cpp), and no barrier: the recording
+//    has ended with one.
 // 5. Ask on the CPU too: velocity() answers from what was read back, as old as the frames in flight and up to a tick more.
 //
 // What to see: grass leans with gusts that run over the field as pale waves; behind the walker it is drawn along; before the fan

@@ -7,7 +7,7 @@
 // after 1. Rows of one table take turns, frame by frame: what else the machine does slows them alike, and ratios hold. Times are
 // of the device's clock (Vulkan timestamps). Counters are of a frame of its own after the timed ones, around the coats' draws
 // alone.
-// --pictures writes a PNG of each row's counted frame into a folder that is there. docs/fur_cost.md tells what came out.
+// --pictures writes a PNG of each row's counted frame into a folder that is there. Results: docs/fur_cost.md.
 #include "fluid/vulkan/own_device.h"
 #include "vegetation/bench/fur_tables.h"
 

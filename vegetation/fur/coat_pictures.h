@@ -20,8 +20,8 @@ struct CoatPicture {
     int columns = 0, rows = 0; ///< 0: none
     std::vector<glm::vec4> texels{};
 };
-inline constexpr int k_most_picture_side =
-    4096; ///< [texels] 16 million texels of 8 bytes each, and a third more for their levels
+/// [texels] 16 million texels of 8 bytes each, and a third more for their levels
+inline constexpr int k_most_picture_side = 4096;
 
 struct CoatPictures {
     CoatPicture length{}, colour{}, noise_a{}, noise_b{};

@@ -1,9 +1,8 @@
 // Small scenes as pictures, held to references that were looked at: vegetation/tests/images/golden/NAME.png.
 //
-//     WINDROW_ACCEPT_IMAGES=1 build/release/windrow_images_tests --gtest_filter='*Golden*'      takes what is drawn as the
-//     reference
+//     WINDROW_ACCEPT_IMAGES=1 build/release/windrow_images_tests --gtest_filter='*Golden*'    writes the references anew
 //
-// A scene that is to stay is a file in vegetation/tests/images/scenes and a line in k_scenes. Look at a picture before you accept it.
+// To add a scene: a file in vegetation/tests/images/scenes and a line in k_scenes. Look at a picture before you accept it.
 #include "tests/figure.h"
 #include "vegetation/tests/images/drawn.h"
 
