@@ -17,6 +17,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <string>
@@ -25,6 +26,11 @@
 using namespace windrow::vegetation;
 
 namespace {
+
+[[noreturn]] void give_up(const std::string& sentence, int code) {
+    std::fprintf(stderr, "%s\n", sentence.c_str());
+    std::exit(code);
+}
 
 constexpr double k_frame = 1.0 / 30.0;              // [s]
 constexpr glm::dvec3 k_field{4.0e5, 120.0, -2.5e5}; // [m]
@@ -38,20 +44,20 @@ render::Ground hills() {
         return static_cast<float>(hill * far + 8.0 * std::pow(std::hypot(x, z) / 300.0, 2.0));
     });
     if (!heights)
-        engine::give_up(heights.error(), 2);
+        give_up(heights.error(), 2);
     return {.corner = k_field - glm::dvec3(400.0, 0.0, 700.0), .heights = *std::move(heights)};
 }
 
 template <class T>
 T held(windrow::Result<T> result, int code) {
     if (!result)
-        engine::give_up(result.error(), code);
+        give_up(result.error(), code);
     return *std::move(result);
 }
 
 void check(const windrow::Result<void>& result) {
     if (!result)
-        engine::give_up(result.error(), 2);
+        give_up(result.error(), 2);
 }
 
 template <class T>
@@ -62,7 +68,7 @@ T number(int count, char** arguments, int which, T otherwise) {
     const char* const end = arguments[which] + std::strlen(arguments[which]);
     const auto read = std::from_chars(arguments[which], end, value);
     if (read.ec != std::errc{} || read.ptr != end)
-        engine::give_up("usage: grove [KIND [WIND [FRAMES [FOLDER]]]], KIND oak, birch, spruce, bush or all, WIND in m/s", 2);
+        give_up("usage: grove [KIND [WIND [FRAMES [FOLDER]]]], KIND oak, birch, spruce, bush or all, WIND in m/s", 2);
     return value;
 }
 
@@ -108,11 +114,11 @@ int main(int argument_count, char** arguments) {
     const int frames_wanted = number(argument_count, arguments, 3, 1);
     const std::filesystem::path folder = argument_count > 4 ? arguments[4] : "grove";
     if (argument_count > 5 || !(speed >= 0.0f && speed <= 40.0f) || frames_wanted < 1 || frames_wanted > 9999)
-        engine::give_up("usage: grove [KIND [WIND [FRAMES [FOLDER]]]], WIND from 0 to 40 m/s, FRAMES from 1 to 9999", 2);
+        give_up("usage: grove [KIND [WIND [FRAMES [FOLDER]]]], WIND from 0 to 40 m/s, FRAMES from 1 to 9999", 2);
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error)
-        engine::give_up(folder.string() + " cannot be made (" + error.message() + "); name a folder that you may write to.", 2);
+        give_up(folder.string() + " cannot be made (" + error.message() + "); name a folder that you may write to.", 2);
 
     render::Scene scene;
     scene.ground = hills();
@@ -139,19 +145,11 @@ int main(int argument_count, char** arguments) {
     wind_config.profile = windrow::LogProfile{};
     wind_config.gusts = {.intensity = speed > 0.0f ? 0.35f : 0.0f, .length = 18.0f};
 
-    const windrow::vulkan::Requirements needs = windrow::vulkan::requirements();
-    engine::Device device(needs.api_version, needs.features, [](VkInstance instance, VkPhysicalDevice candidate) {
-        const auto fit = windrow::vulkan::check(instance, candidate, vkGetInstanceProcAddr);
-        return fit ? std::string() : fit.error();
-    });
-    const windrow::vulkan::Host host{.instance = device.instance,
-                                     .physical_device = device.physical,
-                                     .device = device.device,
-                                     .queue_family = device.family,
-                                     .get_instance_proc_addr = vkGetInstanceProcAddr};
-    auto wind = held(windrow::vulkan::Wind::create(host, wind_config, {.frames_in_flight = engine::k_frames_in_flight}), 3);
+    const auto device = held(engine::Device::create(), 3);
+    auto wind =
+        held(windrow::vulkan::Wind::create(device->host(), wind_config, {.frames_in_flight = engine::k_frames_in_flight}), 3);
     check(wind.set_floor(k_field.y));
-    const auto renderer = held(render::Renderer::create(device, scene,
+    const auto renderer = held(render::Renderer::create(*device, scene,
                                                         {.width = 960,
                                                          .height = 540,
                                                          .shadow_texels = 2048,
@@ -164,7 +162,7 @@ int main(int argument_count, char** arguments) {
     const auto ground = [&](double x, double z) { return scene.ground.height(x, z); };
     for (const trees::TreeStandSettings& stand : stands) {
         const auto places = held(trees::places_of(stand, ground), 2);
-        drawn.push_back(held(trees::TreeStand::create(device, renderer->draw_targets(), stand, places, k_field), 2));
+        drawn.push_back(held(trees::TreeStand::create(*device, renderer->draw_targets(), stand, places, k_field), 2));
         drawn.back()->set_time_step(k_frame);
         renderer->add(*drawn.back());
         trees += places.size();
@@ -174,23 +172,22 @@ int main(int argument_count, char** arguments) {
         render::scatter({.eye = scene.camera.position, .target = scene.camera.target, .near = 1.5f, .far = 55.0f, .count = 26000},
                         scene.ground, k_field),
         2);
-    render::BladeGrid grass(device, renderer->draw_targets(), scene.plants, scene.look, blades);
-    renderer->add(grass);
+    const auto grass = held(render::BladeGrid::create(*device, renderer->draw_targets(), scene.plants, scene.look, blades), 2);
+    renderer->add(*grass);
 
-    engine::Frames frames(device);
+    const auto frames = held(engine::Frames::create(*device), 3);
     for (double time = 0.0; time < 2.0; time += k_frame) { // gusts reach the box's middle
-        const engine::Frame frame = frames.begin();
+        const engine::Frame frame = held(frames->begin(), 1);
         (void)wind.record(frame.commands, {.dt = k_frame, .slot = frame.slot});
-        frames.submit(frame);
+        check(frames->submit(frame));
     }
     for (int n = 1; n <= frames_wanted; ++n) {
-        const engine::Frame frame = frames.begin();
+        const engine::Frame frame = held(frames->begin(), 1);
         renderer->begin(frame);
         (void)wind.record(frame.commands, {.dt = k_frame, .slot = frame.slot});
         check(renderer->record(frame, scene.camera, wind));
         renderer->copy(frame);
-        frames.submit(frame);
-        frames.wait();
+        check(frames->finish(frame));
         renderer->clock().collect(frame.slot);
         char name[32];
         std::snprintf(name, sizeof name, "frame_%04d.png", n);
@@ -199,9 +196,9 @@ int main(int argument_count, char** arguments) {
     std::uint64_t vertices = 0;
     for (const auto& stand : drawn)
         vertices += stand->drawn_vertices();
-    std::printf("%s: %d frames, %zu trees, %llu vertices in the last one, %.1f MiB, in %s\n", device.name.c_str(), frames_wanted,
-                trees, static_cast<unsigned long long>(vertices), static_cast<double>(device.memory_bytes()) / 1048576.0,
-                folder.string().c_str());
+    std::printf("%s: %d frames, %zu trees, %llu vertices in the last one, %.1f MiB, in %s\n", device->name().c_str(),
+                frames_wanted, trees, static_cast<unsigned long long>(vertices),
+                static_cast<double>(device->memory_bytes()) / 1048576.0, folder.string().c_str());
     for (const render::StageTime& stage : renderer->clock().times())
         std::printf("%-8s %10.0f us\n", stage.name, stage.us);
     return 0;
