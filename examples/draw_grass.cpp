@@ -14,6 +14,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <string_view>
 #include <vulkan/vulkan.h>
@@ -21,6 +22,11 @@
 using namespace windrow::vegetation;
 
 namespace {
+
+[[noreturn]] void give_up(const std::string& sentence, int code) {
+    std::fprintf(stderr, "%s\n", sentence.c_str());
+    std::exit(code);
+}
 
 constexpr double k_frame = 1.0 / 30.0;              // [s]
 constexpr double k_settle = 2.0;                    // [s] of wind before the first picture
@@ -35,7 +41,7 @@ render::Ground hills() {
         return static_cast<float>(hill * far + 0.12 * std::sin(0.4 * x) * std::sin(0.37 * z));
     });
     if (!heights)
-        engine::give_up(heights.error(), 2);
+        give_up(heights.error(), 2);
     return {.corner = k_field - glm::dvec3(200.0, 0.0, 320.0), .heights = *std::move(heights)};
 }
 
@@ -69,13 +75,13 @@ render::Scene grassland() {
 template <class T>
 T held(windrow::Result<T> result, int code) {
     if (!result)
-        engine::give_up(result.error(), code);
+        give_up(result.error(), code);
     return *std::move(result);
 }
 
 void check(const windrow::Result<void>& result) {
     if (!result)
-        engine::give_up(result.error(), 2);
+        give_up(result.error(), 2);
 }
 
 } // namespace
@@ -88,59 +94,50 @@ int main(int argument_count, char** arguments) {
         const auto read = std::from_chars(text.data(), text.data() + text.size(), frames_wanted);
         if (read.ec != std::errc{} || read.ptr != text.data() + text.size() || frames_wanted < 1 || frames_wanted > 9999 ||
             argument_count > 3)
-            engine::give_up("usage: draw_grass [FRAMES [FOLDER]], FRAMES from 1 to 9999", 2);
+            give_up("usage: draw_grass [FRAMES [FOLDER]], FRAMES from 1 to 9999", 2);
     }
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error)
-        engine::give_up(folder.string() + " cannot be made (" + error.message() + "); name a folder that you may write to.", 2);
+        give_up(folder.string() + " cannot be made (" + error.message() + "); name a folder that you may write to.", 2);
 
     const render::Scene scene = grassland();
-    const windrow::vulkan::Requirements needs = windrow::vulkan::requirements();
-    engine::Device device(needs.api_version, needs.features, [](VkInstance instance, VkPhysicalDevice candidate) {
-        const auto fit = windrow::vulkan::check(instance, candidate, vkGetInstanceProcAddr);
-        return fit ? std::string() : fit.error();
-    });
-    const windrow::vulkan::Host host{.instance = device.instance,
-                                     .physical_device = device.physical,
-                                     .device = device.device,
-                                     .queue_family = device.family,
-                                     .get_instance_proc_addr = vkGetInstanceProcAddr};
-    auto wind = held(windrow::vulkan::Wind::create(host, scene.wind.wind, {.frames_in_flight = engine::k_frames_in_flight}), 3);
+    const auto device = held(engine::Device::create(), 3);
+    auto wind =
+        held(windrow::vulkan::Wind::create(device->host(), scene.wind.wind, {.frames_in_flight = engine::k_frames_in_flight}), 3);
     check(wind.set_floor(k_field.y));
     for (const windrow::Motor& motor : scene.wind.motors)
         (void)held(wind.motors().add(motor), 2);
 
-    const auto renderer = held(render::Renderer::create(device, scene, {.width = 640, .height = 360, .anchor = k_field}), 2);
+    const auto renderer = held(render::Renderer::create(*device, scene, {.width = 640, .height = 360, .anchor = k_field}), 2);
     const auto places =
         held(render::scatter({.eye = scene.camera.position, .target = scene.camera.target}, scene.ground, k_field), 2);
-    render::BladeGrid grass(device, renderer->draw_targets(), scene.plants, scene.look, places);
-    renderer->add(grass);
+    const auto grass = held(render::BladeGrid::create(*device, renderer->draw_targets(), scene.plants, scene.look, places), 2);
+    renderer->add(*grass);
 
-    engine::Frames frames(device);
+    const auto frames = held(engine::Frames::create(*device), 3);
     for (double time = 0.0; time < k_settle; time += k_frame) { // gusts reach the box's middle
-        const engine::Frame frame = frames.begin();
+        const engine::Frame frame = held(frames->begin(), 1);
         (void)wind.record(frame.commands, {.dt = k_frame, .slot = frame.slot});
-        frames.submit(frame);
+        check(frames->submit(frame));
     }
     for (int n = 1; n <= frames_wanted; ++n) {
-        const engine::Frame frame = frames.begin();
+        const engine::Frame frame = held(frames->begin(), 1);
         renderer->begin(frame);
         (void)wind.record(frame.commands, {.dt = k_frame, .slot = frame.slot});
         render::Camera camera = scene.camera;
         camera.position.x += 0.25 * k_frame * n; // a slow step aside
         check(renderer->record(frame, camera, wind));
         renderer->copy(frame);
-        frames.submit(frame);
-        frames.wait();
+        check(frames->finish(frame));
         renderer->clock().collect(frame.slot);
         char name[32];
         std::snprintf(name, sizeof name, "frame_%04d.ppm", n);
         check(render::write_ppm(renderer->images().picture(), folder / name));
     }
 
-    std::printf("%s: %d frames of 640 x 360 px, %u blades, %.1f MiB beside the wind's %.1f MiB, in %s\n", device.name.c_str(),
-                frames_wanted, grass.count(), static_cast<double>(device.memory_bytes()) / 1048576.0,
+    std::printf("%s: %d frames of 640 x 360 px, %u blades, %.1f MiB beside the wind's %.1f MiB, in %s\n", device->name().c_str(),
+                frames_wanted, grass->count(), static_cast<double>(device->memory_bytes()) / 1048576.0,
                 static_cast<double>(wind.memory_bytes()) / 1048576.0, folder.string().c_str());
     for (const render::StageTime& stage : renderer->clock().times())
         std::printf("%-8s %10.0f us\n", stage.name, stage.us);

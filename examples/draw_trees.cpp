@@ -12,6 +12,7 @@
 
 #include <charconv>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vulkan/vulkan.h>
@@ -25,10 +26,15 @@ constexpr glm::dvec3 k_field{4.0e5, 120.0, -2.5e5}; // [m] far from the world's 
 constexpr const char* k_usage =
     "usage: draw_trees [KIND [WIND [FRAMES]]], KIND oak, birch, spruce, bush or all, WIND 0 to 40 m/s, FRAMES 1 to 9999";
 
+[[noreturn]] void give_up(const std::string& sentence, int code) {
+    std::fprintf(stderr, "%s\n", sentence.c_str());
+    std::exit(code);
+}
+
 template <class T>
 T held(windrow::Result<T> result, int code = 2) {
     if (!result)
-        engine::give_up(result.error(), code);
+        give_up(result.error(), code);
     if constexpr (!std::is_void_v<T>)
         return *std::move(result);
 }
@@ -38,7 +44,7 @@ T number(int count, char** arguments, int which, T otherwise) {
     const std::string text = count > which ? arguments[which] : "";
     const auto read = std::from_chars(text.data(), text.data() + text.size(), otherwise);
     if (count > which && (read.ec != std::errc{} || read.ptr != text.data() + text.size()))
-        engine::give_up(k_usage, 2);
+        give_up(k_usage, 2);
     return otherwise;
 }
 
@@ -91,7 +97,7 @@ int main(int argument_count, char** arguments) {
     const auto speed = number(argument_count, arguments, 2, 6.0f);
     const int frames_wanted = number(argument_count, arguments, 3, 1);
     if (argument_count > 4 || !(speed >= 0.0f && speed <= 40.0f) || frames_wanted < 1 || frames_wanted > 9999)
-        engine::give_up(k_usage, 2);
+        give_up(k_usage, 2);
     std::error_code ignored; // write_ppm reports a folder that cannot be made
     std::filesystem::create_directories("trees", ignored);
     render::Scene scene = scene_of(speed);
@@ -101,42 +107,33 @@ int main(int argument_count, char** arguments) {
         scene.camera.target = stands.front().places.front().base + glm::dvec3(0.0, 0.5 * tall, 0.0);
         scene.camera.position = scene.camera.target + glm::dvec3(0.3 * tall, -0.3 * tall, 1.95 * tall);
     }
-    const windrow::vulkan::Requirements needs = windrow::vulkan::requirements();
-    engine::Device device(needs.api_version, needs.features, [](VkInstance instance, VkPhysicalDevice candidate) {
-        const auto fit = windrow::vulkan::check(instance, candidate, vkGetInstanceProcAddr);
-        return fit ? std::string() : fit.error();
-    });
-    const windrow::vulkan::Host host{.instance = device.instance,
-                                     .physical_device = device.physical,
-                                     .device = device.device,
-                                     .queue_family = device.family,
-                                     .get_instance_proc_addr = vkGetInstanceProcAddr};
-    auto wind = held(windrow::vulkan::Wind::create(host, scene.wind.wind, {.frames_in_flight = engine::k_frames_in_flight}), 3);
+    const auto device = held(engine::Device::create(), 3);
+    auto wind = held(windrow::vulkan::Wind::create(device->host(), scene.wind.wind, {.frames_in_flight = engine::k_frames_in_flight}), 3);
     held(wind.set_floor(k_field.y));
 
     const render::RenderSettings picture{
         .width = 960, .height = 540, .shadow_texels = 2048, .near_shadow = 50.0f, .far_shadow = 190.0f, .anchor = k_field};
-    const auto renderer = held(render::Renderer::create(device, scene, picture));
+    const auto renderer = held(render::Renderer::create(*device, scene, picture));
     std::vector<std::unique_ptr<trees::TreeStand>> drawn;
     for (const trees::TreeStandSettings& stand : stands) {
         const auto places = held(trees::places_of(stand, [&](double x, double z) { return scene.ground.height(x, z); }));
-        drawn.push_back(held(trees::TreeStand::create(device, renderer->draw_targets(), stand, places, k_field)));
+        drawn.push_back(held(trees::TreeStand::create(*device, renderer->draw_targets(), stand, places, k_field)));
         drawn.back()->set_time_step(k_frame);
         renderer->add(*drawn.back());
     }
 
-    engine::Frames frames(device);
+    const auto frames = held(engine::Frames::create(*device), 3);
     for (int n = -59; n <= frames_wanted; ++n) { // two seconds of wind before the first picture
-        const engine::Frame frame = frames.begin();
+        const engine::Frame frame = held(frames->begin());
         renderer->begin(frame);
         (void)wind.record(frame.commands, {.dt = k_frame, .slot = frame.slot});
         if (n >= 1) {
             held(renderer->record(frame, scene.camera, wind));
             renderer->copy(frame);
         }
-        frames.submit(frame);
+        held(frames->submit(frame));
         if (n >= 1) {
-            frames.wait();
+            held(frames->wait());
             char name[32];
             std::snprintf(name, sizeof name, "trees/frame_%04d.ppm", n);
             held(render::write_ppm(renderer->images().picture(), name));
@@ -145,5 +142,5 @@ int main(int argument_count, char** arguments) {
     unsigned long long vertices = 0;
     for (const auto& stand : drawn)
         vertices += stand->drawn_vertices();
-    std::printf("%s: %d frames in trees, %llu vertices in the last one\n", device.name.c_str(), frames_wanted, vertices);
+    std::printf("%s: %d frames in trees, %llu vertices in the last one\n", device->name().c_str(), frames_wanted, vertices);
 }

@@ -66,10 +66,10 @@ struct Memory::State {
     std::uint64_t last_id = 0;
     VkDeviceSize given = 0;
 
-    /// Types that fit, those with the most of the preferred properties first. Of equals the first: drivers list the better
-    /// before.
+    /// Types that fit, those with the most of the preferred properties first, then those with the fewest of the avoided ones. Of
+    /// equals the first: drivers list the better before.
     [[nodiscard]] std::vector<std::uint32_t> types_for(std::uint32_t allowed, VkMemoryPropertyFlags wanted,
-                                                       VkMemoryPropertyFlags preferred) const {
+                                                       VkMemoryPropertyFlags preferred, VkMemoryPropertyFlags avoided) const {
         std::vector<std::uint32_t> types;
         for (std::uint32_t type = 0; type < properties.memoryTypeCount; ++type) {
             const VkMemoryPropertyFlags has = properties.memoryTypes[type].propertyFlags;
@@ -77,7 +77,8 @@ struct Memory::State {
                 types.push_back(type);
         }
         const auto score = [&](std::uint32_t type) {
-            return std::popcount(properties.memoryTypes[type].propertyFlags & preferred);
+            const VkMemoryPropertyFlags has = properties.memoryTypes[type].propertyFlags;
+            return 32 * std::popcount(has & preferred) - std::popcount(has & avoided);
         };
         std::stable_sort(types.begin(), types.end(), [&](std::uint32_t a, std::uint32_t b) { return score(a) > score(b); });
         return types;
@@ -161,14 +162,14 @@ Memory::~Memory() {
 }
 
 Result<MemoryPiece> Memory::allocate(const VkMemoryRequirements& requirements, VkMemoryPropertyFlags wanted,
-                                     VkMemoryPropertyFlags preferred, bool linear) {
+                                     VkMemoryPropertyFlags preferred, bool linear, VkMemoryPropertyFlags avoided) {
     State& state = *state_;
     const bool visible = (wanted & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT) != 0;
     const std::string what = detail::message(requirements.size, " bytes of ", kind_of(wanted));
     if (requirements.size > state.largest_allocation)
         return Error{detail::message(what, " are more than the device grants at once (", state.largest_allocation,
                                      ", maxMemoryAllocationSize): use a smaller box.")};
-    const std::vector<std::uint32_t> types = state.types_for(requirements.memoryTypeBits, wanted, preferred);
+    const std::vector<std::uint32_t> types = state.types_for(requirements.memoryTypeBits, wanted, preferred, avoided);
     if (types.empty())
         return Error{detail::message(what, " are asked for and the device has no such type: use another device.")};
 
@@ -242,6 +243,13 @@ void Memory::release(const MemoryPiece& piece) {
     state.given -= block->ranges.give_back(piece.offset);
     if (block->ranges.all_free())
         state.blocks.erase(block);
+}
+
+bool Memory::has(VkMemoryPropertyFlags wanted, VkMemoryPropertyFlags without) const {
+    const std::vector<std::uint32_t> types = state_->types_for(~0u, wanted, 0, 0);
+    return std::any_of(types.begin(), types.end(), [&](std::uint32_t type) {
+        return (state_->properties.memoryTypes[type].propertyFlags & without) == 0;
+    });
 }
 
 VkDeviceSize Memory::taken() const {

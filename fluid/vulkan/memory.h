@@ -17,11 +17,15 @@ class Memory {
     Memory(const Memory&) = delete;
     Memory& operator=(const Memory&) = delete;
 
-    /// Memory with the `wanted` properties, and the `preferred` ones where a type has them. `linear`: buffers, not images (kept
-    /// apart, bufferImageGranularity). The error names size, kind and VkResult.
+    /// Memory with the `wanted` properties; of the types that have them the one with the most `preferred` ones and, among
+    /// equals, the fewest `avoided` ones. `linear`: buffers, not images (kept apart, bufferImageGranularity). The error names
+    /// size, kind and VkResult.
     [[nodiscard]] Result<MemoryPiece> allocate(const VkMemoryRequirements& requirements, VkMemoryPropertyFlags wanted,
-                                               VkMemoryPropertyFlags preferred, bool linear);
+                                               VkMemoryPropertyFlags preferred, bool linear, VkMemoryPropertyFlags avoided = 0);
     void release(const MemoryPiece& piece);
+
+    /// Whether the device has a type with all of `wanted` and none of `without`.
+    [[nodiscard]] bool has(VkMemoryPropertyFlags wanted, VkMemoryPropertyFlags without) const;
 
     /// [bytes] Taken from the driver, and given out.
     [[nodiscard]] VkDeviceSize taken() const;

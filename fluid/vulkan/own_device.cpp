@@ -5,6 +5,8 @@
 #include "fluid/vulkan/device_list.h"
 #include "fluid/vulkan/instance.h"
 
+#include <array>
+#include <cstring>
 #include <utility>
 
 namespace windrow::vulkan {
@@ -55,28 +57,38 @@ Result<FoundDevice> choose(const std::vector<FoundDevice>& found, int place) {
     return Error{detail::message(found.front().facts.name, ": ", found.front().facts.trouble)};
 }
 
-/// The first queue family that computes.
-Result<std::uint32_t> choose_family(const Instance& instance, const FoundDevice& chosen) {
+/// The first queue family that can do what is wanted.
+Result<std::uint32_t> choose_family(const Instance& instance, const FoundDevice& chosen, VkQueueFlags wanted) {
     const auto query = instance.load<PFN_vkGetPhysicalDeviceQueueFamilyProperties>("vkGetPhysicalDeviceQueueFamilyProperties");
     std::uint32_t count = 0;
     query(chosen.physical_device, &count, nullptr);
     std::vector<VkQueueFamilyProperties> families(count);
     query(chosen.physical_device, &count, families.data());
     for (std::uint32_t family = 0; family < count; ++family)
-        if ((families[family].queueFlags & VK_QUEUE_COMPUTE_BIT) != 0)
+        if ((families[family].queueFlags & wanted) == wanted)
             return family;
-    return Error{chosen.facts.name + " has no queue that computes: use another device."};
+    return Error{chosen.facts.name + " has no queue that " +
+                 ((wanted & VK_QUEUE_GRAPHICS_BIT) != 0 ? "draws and computes" : "computes") + ": use another device."};
 }
 
-VkPhysicalDeviceFeatures features_for(const Instance& instance, VkPhysicalDevice physical_device, bool gpu_validation) {
-    VkPhysicalDeviceFeatures enabled = requirements().features;
-    if (gpu_validation) {
+VkPhysicalDeviceFeatures features_for(const Instance& instance, VkPhysicalDevice physical_device,
+                                      const OwnDevice::Settings& settings) {
+    // The struct is an array of flags.
+    constexpr std::size_t count = sizeof(VkPhysicalDeviceFeatures) / sizeof(VkBool32);
+    VkPhysicalDeviceFeatures has{}, enabled = requirements().features, wished = settings.wished;
+    instance.load<PFN_vkGetPhysicalDeviceFeatures>("vkGetPhysicalDeviceFeatures")(physical_device, &has);
+    if (settings.gpu_validation) {
         // The layer's own shader code writes from the stages of graphics too.
-        VkPhysicalDeviceFeatures has{};
-        instance.load<PFN_vkGetPhysicalDeviceFeatures>("vkGetPhysicalDeviceFeatures")(physical_device, &has);
-        enabled.fragmentStoresAndAtomics = has.fragmentStoresAndAtomics;
-        enabled.vertexPipelineStoresAndAtomics = has.vertexPipelineStoresAndAtomics;
+        wished.fragmentStoresAndAtomics = VK_TRUE;
+        wished.vertexPipelineStoresAndAtomics = VK_TRUE;
     }
+    std::array<VkBool32, count> of_device{}, of_wish{}, made{};
+    std::memcpy(of_device.data(), &has, sizeof has);
+    std::memcpy(of_wish.data(), &wished, sizeof wished);
+    std::memcpy(made.data(), &enabled, sizeof enabled);
+    for (std::size_t n = 0; n < count; ++n)
+        made[n] |= of_device[n] & of_wish[n];
+    std::memcpy(&enabled, made.data(), sizeof enabled);
     return enabled;
 }
 
@@ -86,6 +98,7 @@ struct OwnDevice::State {
     std::unique_ptr<Instance> instance{}; // ends last
     FoundDevice chosen{};
     std::uint32_t family = 0;
+    VkPhysicalDeviceFeatures features{};
     VkDevice device = VK_NULL_HANDLE;
     OwnFunctions functions{};
     VkQueue queue = VK_NULL_HANDLE;
@@ -106,9 +119,9 @@ struct OwnDevice::State {
         functions.vkDestroyDevice(device, nullptr);
     }
 
-    [[nodiscard]] Result<void> make_device(bool gpu_validation) {
+    [[nodiscard]] Result<void> make_device(const Settings& settings) {
         const float priority = 1.0f;
-        const VkPhysicalDeviceFeatures features = features_for(*instance, chosen.physical_device, gpu_validation);
+        features = features_for(*instance, chosen.physical_device, settings);
         VkDeviceQueueCreateInfo queue_info{};
         queue_info.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
         queue_info.queueFamilyIndex = family;
@@ -187,11 +200,11 @@ Result<std::unique_ptr<OwnDevice>> OwnDevice::create(const Settings& settings) {
     if (!chosen)
         return Error{chosen.error()};
     state->chosen = *std::move(chosen);
-    auto family = choose_family(*state->instance, state->chosen);
+    auto family = choose_family(*state->instance, state->chosen, settings.queue);
     if (!family)
         return Error{family.error()};
     state->family = *family;
-    if (auto made = state->make_device(settings.gpu_validation); !made)
+    if (auto made = state->make_device(settings); !made)
         return Error{made.error()};
     if (auto made = state->make_queue(); !made)
         return Error{made.error()};
@@ -206,6 +219,14 @@ Host OwnDevice::host() const {
     host.queue_family = state_->family;
     host.get_instance_proc_addr = state_->instance->get_instance_proc_addr();
     return host;
+}
+
+VkQueue OwnDevice::queue() const {
+    return state_->queue;
+}
+
+const VkPhysicalDeviceFeatures& OwnDevice::features() const {
+    return state_->features;
 }
 
 const DeviceFacts& OwnDevice::facts() const {

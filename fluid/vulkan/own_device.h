@@ -35,6 +35,8 @@ class OwnDevice {
         bool gpu_validation = false; ///< and GPU-assisted ones
         /// Called for each message of the layer (warnings and errors). Default: counted alone.
         std::function<void(const std::string& text)> on_message{};
+        VkQueueFlags queue = VK_QUEUE_COMPUTE_BIT; ///< what the queue can do; for a host that draws, VK_QUEUE_GRAPHICS_BIT too
+        VkPhysicalDeviceFeatures wished{};         ///< features that are enabled where the device has them
     };
     [[nodiscard]] static Result<std::unique_ptr<OwnDevice>> create(const Settings& settings);
     ~OwnDevice();
@@ -42,7 +44,10 @@ class OwnDevice {
     OwnDevice& operator=(const OwnDevice&) = delete;
 
     [[nodiscard]] Host host() const;
+    [[nodiscard]] VkQueue queue() const;
     [[nodiscard]] const DeviceFacts& facts() const;
+    /// Features that are enabled.
+    [[nodiscard]] const VkPhysicalDeviceFeatures& features() const;
     /// Messages of the validation layer so far.
     [[nodiscard]] int messages() const;
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""check_includes.py ROOT: who may include whom, and how long a file may be.
+"""check_includes.py ROOT: who may include whom, who makes Vulkan objects, and how long a file may be.
 
 Prints each breach as `file:line: sentence` and exits with 1 if there is one. Rules are about includes as they are written:
 a rule that holds for each file holds for the whole tree.
@@ -30,6 +30,9 @@ ABOVE = {
 # Of vegetation: what belongs to windrow_vegetation_files and to windrow-draw, and what tests and measures. All else is the library.
 FILES_AND_PROGRAM = ("files", "program")
 TESTS_AND_BENCH = ("tests", "bench")
+MAKES_OBJECTS = re.compile(r"\bvk(?:Create|Allocate)\w*")
+# The two layers that make Vulkan objects, and tests of them.
+MAKERS = ("fluid/vulkan/*", "vegetation/vulkan/*", "vegetation/bench/counted_memory.*", "tests/parity/*", "tests/plants/*")
 
 
 def matches(name, patterns):
@@ -111,6 +114,10 @@ def check(root):
             found.append(f"{here}:{lines}: {lines} lines; {LONGEST_FILE} are the most. Does it hold one concept?")
         if file.suffix in (".py", ".cmake", ".txt"):
             continue
+        if file.suffix in (".h", ".cpp") and not matches(here, MAKERS):
+            found += [f"{here}:{number}: {call}: Vulkan objects are made in fluid/vulkan and vegetation/vulkan"
+                      for number, line in enumerate(text.splitlines(), 1)
+                      for call in MAKES_OBJECTS.findall(re.sub('"[^"]*"', "", line).split("//")[0])]
         for number, name in includes(text):
             found += [f"{here}:{number}: includes {name}: {why}" for why in breaches_of_include(root, file, name, public)]
             if matches(name, OPENVDB) and file.match("fluid/vdb/*.cpp") and here not in openvdb_files:

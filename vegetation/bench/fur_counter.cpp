@@ -5,24 +5,20 @@
 namespace windrow::vegetation::bench {
 
 CountedCoats::CountedCoats(engine::Device& device)
-    : device_(device.device), counters_{render::VertexCounter(device), render::VertexCounter(device),
-                                        render::VertexCounter(device)} {
-    VkQueryPoolCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO;
-    info.queryType = VK_QUERY_TYPE_OCCLUSION;
-    info.queryCount = engine::k_frames_in_flight;
-    engine::must(vkCreateQueryPool(device_, &info, nullptr, &written_), "vkCreateQueryPool");
-    device.at_end([vulkan = device_, pool = written_] { vkDestroyQueryPool(vulkan, pool, nullptr); });
-}
+    : objects_(device), counters_{render::VertexCounter(objects_), render::VertexCounter(objects_),
+                                  render::VertexCounter(objects_)},
+      written_(objects_.queries(VK_QUERY_TYPE_OCCLUSION, engine::k_frames_in_flight)) {}
 
-void CountedCoats::prepare(const render::PassContext& context) {
+Result<void> CountedCoats::prepare(const render::PassContext& context) {
     if (counting) {
         for (render::VertexCounter& counter : counters_)
             counter.begin(context.commands, context.slot);
         vkCmdResetQueryPool(context.commands, written_, static_cast<std::uint32_t>(context.slot), 1);
     }
     for (const auto& coat : coats)
-        coat->prepare(context);
+        if (auto prepared = coat->prepare(context); !prepared)
+            return prepared;
+    return {};
 }
 
 void CountedCoats::draw(const render::PassContext& context) {
@@ -46,8 +42,8 @@ void CountedCoats::draw(const render::PassContext& context) {
 
 CoatCosts CountedCoats::collect(int slot) const {
     CoatCosts costs{.colour = counters_[0].collect(slot), .shadow = {counters_[1].collect(slot), counters_[2].collect(slot)}};
-    engine::must(vkGetQueryPoolResults(device_, written_, static_cast<std::uint32_t>(slot), 1, sizeof costs.written,
-                                       &costs.written, sizeof costs.written, VK_QUERY_RESULT_64_BIT),
+    engine::must(vkGetQueryPoolResults(objects_.device().handle(), written_, static_cast<std::uint32_t>(slot), 1,
+                                       sizeof costs.written, &costs.written, sizeof costs.written, VK_QUERY_RESULT_64_BIT),
                  "vkGetQueryPoolResults");
     return costs;
 }

@@ -13,8 +13,10 @@ constexpr float k_always_full = 1e5f; // [m]
 
 template <class T>
 T made(Result<T> result) {
-    if (!result)
-        engine::give_up("windrow_fur_bench: " + result.error(), 1);
+    if (!result) {
+        std::fprintf(stderr, "windrow_fur_bench: %s\n", result.error().c_str());
+        std::exit(1);
+    }
     return *std::move(result);
 }
 

@@ -14,20 +14,18 @@ namespace {
 constexpr double k_frame = 1.0 / 30.0;          // [s]
 constexpr glm::dvec3 k_anchor{0.0, 100.0, 0.0}; // [m] all coats are near it, far above the ground: behind them is the sky alone
 
+// Ends the program with a sentence.
+void must(const Result<void>& result) {
+    if (!result) {
+        std::fprintf(stderr, "windrow_shells_bench: %s\n", result.error().c_str());
+        std::exit(3);
+    }
+}
 template <class T>
 T must(Result<T> result) {
     if (!result)
-        engine::give_up("windrow_fur_bench: " + result.error(), 3);
+        must(Error{result.error()});
     return *std::move(result);
-}
-void must(const Result<void>& result) {
-    if (!result)
-        engine::give_up("windrow_fur_bench: " + result.error(), 3);
-}
-
-std::string judge(VkInstance instance, VkPhysicalDevice candidate) {
-    const auto fit = windrow::vulkan::check(instance, candidate, vkGetInstanceProcAddr);
-    return fit ? std::string() : fit.error();
 }
 
 windrow::vulkan::Wind wind_of(const engine::Device& device, const FurCase& wanted) {
@@ -38,20 +36,15 @@ windrow::vulkan::Wind wind_of(const engine::Device& device, const FurCase& wante
         air.ambient = wanted.ambient;
         air.gusts = {.intensity = wanted.gusts, .length = wanted.gust_length};
     }
-    const windrow::vulkan::Host host{.instance = device.instance,
-                                     .physical_device = device.physical,
-                                     .device = device.device,
-                                     .queue_family = device.family,
-                                     .get_instance_proc_addr = vkGetInstanceProcAddr};
-    return must(windrow::vulkan::Wind::create(host, air, {.frames_in_flight = engine::k_frames_in_flight, .queries = false}));
+    return must(
+        windrow::vulkan::Wind::create(device.host(), air, {.frames_in_flight = engine::k_frames_in_flight, .queries = false}));
 }
 
 } // namespace
 
 FurStage::FurStage(FurCase wanted) : wanted_(std::move(wanted)) {
-    device_ = std::make_unique<engine::Device>(windrow::vulkan::requirements().api_version,
-                                               windrow::vulkan::requirements().features, judge);
-    frames_ = std::make_unique<engine::Frames>(*device_);
+    device_ = must(engine::Device::create());
+    frames_ = must(engine::Frames::create(*device_));
     wind_.emplace(wind_of(*device_, wanted_));
     render::Scene scene;
     scene.fog.density = 0.0f;
@@ -64,12 +57,13 @@ FurStage::FurStage(FurCase wanted) : wanted_(std::move(wanted)) {
                                                .shadow_texels = 512,
                                                .near_shadow = 12.0f,
                                                .anchor = k_anchor}));
-    coats_ = std::make_unique<CountedCoats>(*device_);
+    auto counted = engine::guarded([&] { return std::make_unique<CountedCoats>(*device_); });
+    coats_ = must(std::move(counted));
     for (Worn& worn : wanted_.coats) {
         if (worn.bones)
             must(bind(worn.mesh, *worn.bones));
         coats_->coats.push_back(must(fur::Coat::create(*device_, renderer_->draw_targets(), worn.mesh, {}, worn.settings, {},
-                                                          {.position = k_anchor + worn.place}, k_anchor)));
+                                                       {.position = k_anchor + worn.place}, k_anchor)));
         must(coats_->coats.back()->set_lamps([&] {
             std::vector<fur::Lamp> lamps = wanted_.lamps;
             for (fur::Lamp& lamp : lamps)
@@ -90,14 +84,13 @@ int FurStage::record(bool copies) {
     camera.position = k_anchor + wanted_.from;
     camera.target = k_anchor + wanted_.to;
     camera.view_deg = wanted_.view_deg;
-    const engine::Frame frame = frames_->begin();
+    const engine::Frame frame = must(frames_->begin());
     renderer_->begin(frame);
     (void)wind_->record(frame.commands, {.dt = wanted_.wind ? k_frame : 0.0, .slot = frame.slot});
     must(renderer_->record(frame, camera, *wind_));
     if (copies)
         renderer_->copy(frame);
-    frames_->submit(frame);
-    frames_->wait();
+    must(frames_->finish(frame));
     renderer_->clock().collect(frame.slot);
     time_ += k_frame;
     return frame.slot;

@@ -7,11 +7,9 @@
 // each), and of what culling by blade and levels leave. These are counts: the same on every machine. Times: the CPU's share of a
 // frame (walk, slots, recording), and the passes, submitted and waited for, less an empty submission; the least of 5 turns. The
 // first frame makes its blades.
-#include "vegetation/grass/grass_field.h"
-#include "fluid/vulkan/buffer.h"
-#include "fluid/vulkan/device.h"
 #include "fluid/vulkan/own_device.h"
 #include "vegetation/bench/grass_eyes.h"
+#include "vegetation/grass/grass_field.h"
 
 #include <algorithm>
 #include <chrono>
@@ -49,36 +47,23 @@ void must(const windrow::Result<void>& result) {
 }
 
 // Vertices that the draws of the colour's view come to.
-double vertices_of(windrow::vulkan::OwnDevice& own, windrow::vulkan::Device& device, const grass::GrassField& field,
-                   const std::vector<grass::Chunk>& chunks) {
-    using namespace windrow::vulkan;
-    const std::size_t bytes = 4 * sizeof(VkDrawIndirectCommand) * static_cast<std::size_t>(field.settings().most_chunks);
-    const Buffer here = must(Buffer::create(device, bytes, Place::readback));
-    must(own.run([&](VkCommandBuffer commands) {
-        const VkBufferCopy all{0, 0, bytes};
-        device.functions().vkCmdCopyBuffer(commands, field.draw_buffer(), here.handle(), 1, &all);
-        const VkMemoryBarrier done{VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr, VK_ACCESS_TRANSFER_WRITE_BIT,
-                                   VK_ACCESS_HOST_READ_BIT};
-        device.functions().vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &done,
-                                                0, nullptr, 0, nullptr);
-    }));
-    if (here.invalidate() != VK_SUCCESS)
-        std::exit(3);
-    const auto* const draws = reinterpret_cast<const VkDrawIndirectCommand*>(here.mapped());
+double vertices_of(engine::Device& device, const grass::GrassField& field, const std::vector<grass::Chunk>& chunks) {
+    const auto draws = must(
+        device.read<VkDrawIndirectCommand>(field.draw_buffer(), 0, 4 * static_cast<std::size_t>(field.settings().most_chunks)));
     double vertices = 0.0;
     for (const grass::Chunk chunk : chunks)
         for (int level = 0; level < 2; ++level) {
-            const VkDrawIndirectCommand& draw = draws[4 * field.slot_of(chunk) + level];
+            const VkDrawIndirectCommand& draw = draws[static_cast<std::size_t>(4 * field.slot_of(chunk) + level)];
             vertices += static_cast<double>(draw.vertexCount) * draw.instanceCount;
         }
     return vertices;
 }
 
-void measure(windrow::vulkan::OwnDevice& own, windrow::vulkan::Device& device, float metres) {
+void measure(windrow::vulkan::OwnDevice& own, engine::Device& device, float metres) {
     const grass::HeightMap heights = must(grass::bench::rolling_hills(metres));
     const grass::PlacementMask mask = must(grass::PlacementMask::create({257, 257}, heights.extent(), 1.0f));
     const grass::GrassSettings settings;
-    grass::GrassField field = must(grass::GrassField::create(own.host(), heights, mask, settings));
+    grass::GrassField field = must(grass::GrassField::create(device, heights, mask, settings));
     const double places = static_cast<double>(field.tree().cells().x) * field.tree().cells().y;
     double walk = 1e30, passes = 1e30, first = 0.0, empty = 1e30, in_chunks = 0.0, drawn = 0.0, most = 0.0;
     const auto frame = [&](const grass::GrassCamera& camera, double& recorded) {
@@ -105,7 +90,7 @@ void measure(windrow::vulkan::OwnDevice& own, windrow::vulkan::Device& device, f
                                      settings.cut_distance, chunks);
                 in_chunks += 15.0 * settings.chunk_cells * settings.chunk_cells * static_cast<double>(chunks.size()) /
                              grass::bench::k_frames;
-                drawn += vertices_of(own, device, field, chunks) / grass::bench::k_frames;
+                drawn += vertices_of(device, field, chunks) / grass::bench::k_frames;
                 most = std::max(most, static_cast<double>(chunks.size()));
             }
         }
@@ -123,8 +108,8 @@ void measure(windrow::vulkan::OwnDevice& own, windrow::vulkan::Device& device, f
 
 int main(int count, char** arguments) {
     const double most = count > 1 ? std::atof(arguments[1]) : 500.0;
-    auto own = must(windrow::vulkan::OwnDevice::create({}));
-    auto device = must(windrow::vulkan::Device::create(own->host()));
+    const auto own = must(windrow::vulkan::OwnDevice::create({.queue = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT}));
+    const auto device = must(engine::Device::adopt(own->host(), own->queue()));
     std::printf("%s, %s\n", own->facts().name.c_str(), own->facts().driver.c_str());
     std::printf(
         "field, places | vertices of the field, of its chunks in view, drawn | chunks in view | times a frame | memory\n");

@@ -1,6 +1,6 @@
 #include "vegetation/fur/coat.h"
 
-#include "vegetation/render/descriptors.h"
+#include "vegetation/vulkan/descriptors.h"
 #include "shader_words/coat_skin.h"
 
 #include <algorithm>
@@ -42,9 +42,7 @@ Result<std::unique_ptr<Coat>> Coat::create(engine::Device& device, const render:
         return Error{"coat.layers.shells is " + std::to_string(settings.layers.shells) + " over " + std::to_string(triangles) +
                      " triangles, " + std::to_string(triangles * layers) +
                      " to draw; give fewer layers or a mesh of fewer: at most " + std::to_string(k_most_drawn) + "."};
-    VkPhysicalDeviceProperties properties{};
-    vkGetPhysicalDeviceProperties(device.physical, &properties);
-    const std::uint64_t reach = properties.limits.maxStorageBufferRange;
+    const std::uint64_t reach = device.limits().maxStorageBufferRange;
     if (2 * sizeof(CoatSkinBlock) * mesh.vertices.size() > reach)
         return Error{"coat.mesh has " + std::to_string(mesh.vertices.size()) + " vertices; this device takes " +
                      std::to_string(reach / (2 * sizeof(CoatSkinBlock))) + " in one mesh: give a coarser one."};
@@ -60,8 +58,10 @@ Result<std::unique_ptr<Coat>> Coat::create(engine::Device& device, const render:
             return Error{made.error()};
         cascade.emplace(*std::move(made));
     }
-    return std::unique_ptr<Coat>(
-        new Coat(device, targets, mesh, part_mesh(mesh, parts), settings, pictures, body, std::move(cascade), anchor));
+    return engine::guarded([&] {
+        return std::unique_ptr<Coat>(
+            new Coat(device, targets, mesh, part_mesh(mesh, parts), settings, pictures, body, std::move(cascade), anchor));
+    });
 }
 
 Coat::PartMesh Coat::part_mesh(const Mesh& mesh, std::span<const MeshPart> parts) {
@@ -98,7 +98,7 @@ Coat::PartMesh Coat::part_mesh(const Mesh& mesh, std::span<const MeshPart> parts
 Coat::Coat(engine::Device& device, const render::DrawTargets& targets, const Mesh& mesh, PartMesh part,
            const CoatSettings& settings, const CoatPictures& pictures, const windrow::Pose& body,
            std::optional<windrow::Cascade> cascade, glm::dvec3 anchor)
-    : settings_(settings), anchor_(anchor), cascade_(std::move(cascade)), body_(body),
+    : objects_(device), settings_(settings), anchor_(anchor), cascade_(std::move(cascade)), body_(body),
       vertex_count_(static_cast<std::uint32_t>(part.vertices.size())),
       index_count_(static_cast<std::uint32_t>(part.indices.size())), middle_(part.middle), radius_(part.radius) {
     box_.low = mesh.low;
@@ -114,8 +114,8 @@ Coat::Coat(engine::Device& device, const render::DrawTargets& targets, const Mes
                      cascade_ ? cascade_->config().stages : 0};
     const PackedPictures packed_pictures = packed(pictures);
     block_.pictures = packed_pictures.places;
-    make_pipelines(device, targets);
-    fill_buffers(device, packed_pictures, part);
+    make_pipelines(targets);
+    fill_buffers(packed_pictures, part);
 }
 
 Result<void> Coat::judge_bones(std::span<const glm::mat4> bones) const {
@@ -249,7 +249,7 @@ void Coat::write_motion(std::size_t slot) {
     }
 }
 
-void Coat::prepare(const render::PassContext& context) {
+Result<void> Coat::prepare(const render::PassContext& context) {
     const auto slot = static_cast<std::size_t>(context.slot);
     find_seen(*context.block);
     place_pattern();
@@ -280,10 +280,10 @@ void Coat::prepare(const render::PassContext& context) {
     first_ = false;
     vkCmdPushConstants(context.commands, layout_, VK_SHADER_STAGE_ALL, 0, sizeof first, &first);
     vkCmdDispatch(context.commands, (vertex_count_ + k_group - 1) / k_group, 1, 1);
-    barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_HOST_READ_BIT;
+    barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;
     vkCmdPipelineBarrier(context.commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
-                         VK_PIPELINE_STAGE_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &barrier, 0, nullptr, 0,
-                         nullptr);
+                         VK_PIPELINE_STAGE_VERTEX_SHADER_BIT, 0, 1, &barrier, 0, nullptr, 0, nullptr);
+    return {};
 }
 
 void Coat::draw(const render::PassContext& context) {
@@ -312,8 +312,8 @@ void Coat::draw(const render::PassContext& context) {
     each(shadow ? shadow_ : colour_);
 }
 
-std::span<const CoatSkinBlock> Coat::skin() const {
-    return {static_cast<const CoatSkinBlock*>(skins_.mapped) + block_.counts.y, vertex_count_};
+Result<std::vector<CoatSkinBlock>> Coat::skin() const {
+    return objects_.device().read<CoatSkinBlock>(skins_.buffer, static_cast<std::size_t>(block_.counts.y), vertex_count_);
 }
 
 } // namespace windrow::vegetation::fur

@@ -64,14 +64,15 @@ class Coat final : public render::Drawable {
     /// [m] by which the air has carried the pattern so far, along x and z of the world. Only where CoatSettings::drifts.
     void drift(glm::dvec2 metres);
 
-    void prepare(const render::PassContext& context) override;
+    Result<void> prepare(const render::PassContext& context) override;
     void draw(const render::PassContext& context) override;
 
     [[nodiscard]] const CoatCounts& counts() const { return counts_; }
     [[nodiscard]] const CoatBlock& block() const { return block_; }
     [[nodiscard]] const CoatSettings& settings() const { return settings_; }
-    /// Vertices of the last prepared frame, once it is done: those that the drawn parts use, in the order of first use.
-    [[nodiscard]] std::span<const CoatSkinBlock> skin() const;
+    /// Vertices of the last prepared frame, once it is done: those that the drawn parts use, in the order of first
+    /// use. Waits for the device.
+    [[nodiscard]] Result<std::vector<CoatSkinBlock>> skin() const;
 
   private:
     struct PartMesh {
@@ -86,13 +87,14 @@ class Coat final : public render::Drawable {
     Coat(engine::Device& device, const render::DrawTargets& targets, const Mesh& mesh, PartMesh part,
          const CoatSettings& settings, const CoatPictures& pictures, const windrow::Pose& body,
          std::optional<windrow::Cascade> cascade, glm::dvec3 anchor);
-    void make_pipelines(engine::Device& device, const render::DrawTargets& targets);
-    void fill_buffers(engine::Device& device, const PackedPictures& pictures, const PartMesh& part);
+    void make_pipelines(const render::DrawTargets& targets);
+    void fill_buffers(const PackedPictures& pictures, const PartMesh& part);
     void find_seen(const render::FrameBlock& frame);
     void place_pattern();
     [[nodiscard]] Result<void> judge_bones(std::span<const glm::mat4> bones) const;
     void write_motion(std::size_t slot);
 
+    engine::Objects objects_;
     CoatSettings settings_;
     glm::dvec3 anchor_{0.0};
     windrow::ShellBlock shells_{}; // of scale 1
@@ -115,7 +117,7 @@ class Coat final : public render::Drawable {
     VkPipelineLayout layout_ = VK_NULL_HANDLE;
     VkPipeline skin_ = VK_NULL_HANDLE, colour_ = VK_NULL_HANDLE, depth_ = VK_NULL_HANDLE, shadow_ = VK_NULL_HANDLE;
     std::array<VkDescriptorSet, engine::k_frames_in_flight> sets_{};
-    std::array<engine::Buffer, engine::k_frames_in_flight> blocks_{}, poses_{}, bone_buffers_{};
+    engine::FrameBuffers blocks_{}, poses_{}, bone_buffers_{};
     engine::Buffer skins_{}, indices_{};
 };
 

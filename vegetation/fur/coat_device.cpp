@@ -1,5 +1,5 @@
 // What a coat has on the device: pipelines, sets, buffers.
-#include "vegetation/render/descriptors.h"
+#include "vegetation/vulkan/descriptors.h"
 #include "vegetation/fur/coat.h"
 #include "shader_words/coat_skin.h"
 #include "shader_words/shell_depth_frag.h"
@@ -21,12 +21,12 @@ namespace words = windrow::vulkan::shader_words;
 
 constexpr VkDescriptorType k_storage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
 constexpr VkShaderStageFlags k_vertices = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_COMPUTE_BIT;
-constexpr std::array k_bindings{render::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, render::k_stages},
-                                render::Binding{k_storage, k_vertices},
-                                render::Binding{k_storage, k_vertices},
-                                render::Binding{k_storage, VK_SHADER_STAGE_COMPUTE_BIT},
-                                render::Binding{k_storage, VK_SHADER_STAGE_COMPUTE_BIT},
-                                render::Binding{k_storage, render::k_stages}};
+constexpr std::array k_bindings{engine::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, engine::k_stages},
+                                engine::Binding{k_storage, k_vertices},
+                                engine::Binding{k_storage, k_vertices},
+                                engine::Binding{k_storage, VK_SHADER_STAGE_COMPUTE_BIT},
+                                engine::Binding{k_storage, VK_SHADER_STAGE_COMPUTE_BIT},
+                                engine::Binding{k_storage, engine::k_stages}};
 
 // The constants of vegetation/shaders/fur/shell_strand.glsl, in their order.
 std::array<std::uint32_t, 7> constants_of(const CoatSettings& settings, bool noise) {
@@ -43,28 +43,28 @@ std::array<std::uint32_t, 7> constants_of(const CoatSettings& settings, bool noi
 
 } // namespace
 
-void Coat::make_pipelines(engine::Device& device, const render::DrawTargets& targets) {
-    own_ = render::make_layout(device, k_bindings);
+void Coat::make_pipelines(const render::DrawTargets& targets) {
+    own_ = engine::make_layout(objects_, k_bindings);
     const std::array sets{targets.frame, targets.wind, own_};
-    layout_ = render::make_pipeline_layout(device, sets);
-    skin_ = render::make_compute_pipeline(device, layout_, words::coat_skin);
+    layout_ = engine::make_pipeline_layout(objects_, sets);
+    skin_ = engine::make_compute_pipeline(objects_, layout_, words::coat_skin);
     using Words = std::span<const std::uint32_t>;
     const auto constants = constants_of(settings_, block_.pictures[2].w > 0);
     const bool pixel = settings_.wind_at == WindAt::pixel;
-    colour_ = render::make_pipeline(device, {.vertex = words::shell_vert,
+    colour_ = engine::make_pipeline(objects_, {.vertex = words::shell_vert,
                                              .fragment = pixel ? Words(words::shell_pixel_frag) : Words(words::shell_frag),
                                              .constants = constants,
                                              .layout = layout_,
                                              .target = targets.colour});
     if (settings_.levels.depth_first)
-        depth_ = render::make_pipeline(device,
+        depth_ = engine::make_pipeline(objects_,
                                        {.vertex = words::shell_vert,
                                         .fragment = pixel ? Words(words::shell_pixel_depth_frag) : Words(words::shell_depth_frag),
                                         .constants = constants,
                                         .layout = layout_,
                                         .target = targets.colour,
                                         .writes_colour = false});
-    shadow_ = render::make_pipeline(device, {.vertex = words::shell_shadow_vert,
+    shadow_ = engine::make_pipeline(objects_, {.vertex = words::shell_shadow_vert,
                                              .fragment = words::shell_shadow_frag,
                                              .constants = constants,
                                              .layout = layout_,
@@ -72,22 +72,24 @@ void Coat::make_pipelines(engine::Device& device, const render::DrawTargets& tar
                                              .bias = true});
 }
 
-void Coat::fill_buffers(engine::Device& device, const PackedPictures& pictures, const PartMesh& part) {
+void Coat::fill_buffers(const PackedPictures& pictures, const PartMesh& part) {
     constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-    const engine::Buffer vertices = render::filled(device, part.vertices, storage);
-    const engine::Buffer texels = render::filled(device, pictures.texels, storage);
-    indices_ = render::filled(device, part.indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
-    skins_ = device.make_buffer(2 * sizeof(CoatSkinBlock) * vertex_count_, storage);
+    const engine::Buffer vertices = engine::filled(objects_, part.vertices, storage);
+    const engine::Buffer texels = engine::filled(objects_, pictures.texels, storage);
+    indices_ = engine::filled(objects_, part.indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+    skins_ = objects_.buffer(engine::Use::work, 2 * sizeof(CoatSkinBlock) * vertex_count_,
+                             storage | VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
     const std::size_t poses = 2 + (cascade_ ? static_cast<std::size_t>(cascade_->config().stages) : 0);
-    render::make_sets(device, own_, k_bindings, sets_);
+    engine::make_sets(objects_, own_, k_bindings, sets_);
+    blocks_ = objects_.frame_buffers(sizeof(CoatBlock), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+    poses_ = objects_.frame_buffers(sizeof(windrow::PoseBlock) * poses, storage);
+    bone_buffers_ = objects_.frame_buffers(sizeof(glm::mat4) * std::max<std::size_t>(2 * bones_.size(), 1), storage);
+    const engine::Device& device = objects_.device();
     for (std::size_t slot = 0; slot < sets_.size(); ++slot) {
-        blocks_[slot] = device.make_buffer(sizeof(CoatBlock), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
-        poses_[slot] = device.make_buffer(sizeof(windrow::PoseBlock) * poses, storage);
-        bone_buffers_[slot] = device.make_buffer(sizeof(glm::mat4) * std::max<std::size_t>(2 * bones_.size(), 1), storage);
-        render::point(device, sets_[slot], 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, blocks_[slot].buffer);
+        engine::point(device, sets_[slot], 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, blocks_[slot].buffer);
         std::uint32_t binding = 1;
         for (const engine::Buffer& each : {vertices, skins_, poses_[slot], bone_buffers_[slot], texels})
-            render::point(device, sets_[slot], binding++, k_storage, each.buffer);
+            engine::point(device, sets_[slot], binding++, k_storage, each.buffer);
     }
 }
 

@@ -2,6 +2,8 @@
 
 #include "vegetation/grass/grass_field_state.h"
 #include "vegetation/grass/refusals.h"
+#include "vegetation/vulkan/descriptors.h"
+#include "vegetation/vulkan/pipeline.h"
 #include "shader_words/cull.h"
 #include "shader_words/generate.h"
 
@@ -24,12 +26,12 @@ GrassField::GrassField(GrassField&&) noexcept = default;
 GrassField& GrassField::operator=(GrassField&&) noexcept = default;
 GrassField::~GrassField() = default;
 
-GrassField::State::State(const windrow::vulkan::Host& host, HeightMap ground, PlacementMask grows, const GrassSettings& wanted)
+GrassField::State::State(engine::Device& device, HeightMap ground, PlacementMask grows, const GrassSettings& wanted)
     : settings(wanted), heights(std::move(ground)), mask(std::move(grows)), tree(heights, mask, settings, blade_reach(settings)),
-      cache(tree.chunks(), settings.most_chunks), block(block_of(settings, heights, mask)), objects(host),
+      cache(tree.chunks(), settings.most_chunks), block(block_of(settings, heights, mask)), objects(device),
       mask_rows(0, mask.grid().corners.y - 1) {}
 
-windrow::Result<GrassField> GrassField::create(const windrow::vulkan::Host& host, const HeightMap& heights,
+windrow::Result<GrassField> GrassField::create(engine::Device& device, const HeightMap& heights,
                                                const PlacementMask& mask, const GrassSettings& settings) {
     Refusals refusals;
     if (auto fits = validate(settings); !fits)
@@ -46,17 +48,16 @@ windrow::Result<GrassField> GrassField::create(const windrow::vulkan::Host& host
         refusals.add("The field has " + text(cells.x) + " x " + text(cells.y) + " blade places in " + text(chunks.x * chunks.y) +
                      " chunks: give fewer than 2^28 along an axis and at most 2^22 chunks, by a lower grass.density, a larger "
                      "grass.chunk_cells or less ground.");
-    if (host.device == VK_NULL_HANDLE || host.physical_device == VK_NULL_HANDLE)
-        refusals.add("GrassField::create got no device: give host.device and host.physical_device.");
     if (auto fits = refusals.outcome(); !fits)
         return windrow::Error{fits.error()};
-    auto state = std::make_unique<State>(host, heights, mask, settings);
-    if (auto made = state->make(); !made)
-        return windrow::Error{made.error()};
-    return GrassField(std::move(state));
+    return engine::guarded([&] {
+        auto state = std::make_unique<State>(device, heights, mask, settings);
+        state->make();
+        return GrassField(std::move(state));
+    });
 }
 
-windrow::Result<void> GrassField::State::make() {
+void GrassField::State::make() {
     const auto slots = static_cast<VkDeviceSize>(settings.most_chunks);
     const VkDeviceSize places = slots * static_cast<VkDeviceSize>(settings.chunk_cells * settings.chunk_cells);
     constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
@@ -66,45 +67,39 @@ windrow::Result<void> GrassField::State::make() {
         const char* name;
         VkDeviceSize bytes;
         VkBufferUsageFlags usage;
-    } wanted[] = {{&frame, "frame block", sizeof(Block), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | filled},
-                  {&blades, "blades", places * sizeof(BladeRecord), storage | counted},
-                  {&lists, "index lists", places * 2 * sizeof(std::uint32_t), storage | counted},
-                  {&chunk_places, "chunks' places", slots * sizeof(glm::ivec2), storage},
-                  {&draws, "draw commands", slots * 4 * sizeof(VkDrawIndirectCommand),
+    } wanted[] = {{&frame, "The grass's frame block", sizeof(Block), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | filled},
+                  {&blades, "The grass's blades", places * sizeof(BladeRecord), storage | counted},
+                  {&lists, "The grass's index lists", places * 2 * sizeof(std::uint32_t), storage | counted},
+                  {&chunk_places, "The grass's chunks' places", slots * sizeof(glm::ivec2), storage},
+                  {&draws, "The grass's draw commands", slots * 4 * sizeof(VkDrawIndirectCommand),
                    storage | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT | counted},
-                  {&orders, "orders", slots * 2 * sizeof(glm::ivec4), storage | filled},
-                  {&height_values, "heights", heights.heights().size_bytes(), storage | filled},
-                  {&mask_values, "mask", mask.values().size_bytes(), storage | filled}};
-    std::vector<DeviceObjects::Bound> bound;
-    std::vector<VkDescriptorType> kinds;
+                  {&orders, "The grass's orders", slots * 2 * sizeof(glm::ivec4), storage | filled},
+                  {&height_values, "The grass's heights", heights.heights().size_bytes(), storage | filled},
+                  {&mask_values, "The grass's mask", mask.values().size_bytes(), storage | filled}};
+    constexpr VkShaderStageFlags computes = VK_SHADER_STAGE_COMPUTE_BIT, draws_too = computes | VK_SHADER_STAGE_VERTEX_BIT;
+    std::vector<engine::Binding> of_passes, of_draws;
     for (const auto& each : wanted) {
-        auto made = objects.buffer(each.name, each.bytes, each.usage);
-        if (!made)
-            return windrow::Error{made.error()};
-        *each.buffer = *made;
-        kinds.push_back(each.buffer == &frame ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
-        bound.push_back({kinds.back(), *made});
+        *each.buffer = objects.storage(each.name, "lower grass.most_chunks, or give fewer corners", each.bytes, each.usage);
+        const VkDescriptorType type =
+            each.buffer == &frame ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+        of_passes.push_back({type, computes});
+        if (of_draws.size() < 6)
+            of_draws.push_back({type, draws_too});
     }
-    const auto passes = objects.layout(kinds, VK_SHADER_STAGE_COMPUTE_BIT);
-    const auto vertices = objects.layout(std::span(kinds).first(6), VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_COMPUTE_BIT);
-    if (!passes || !vertices)
-        return windrow::Error{passes ? vertices.error() : passes.error()};
-    draw_layout = *vertices;
-    const auto of_passes = objects.set(*passes, bound);
-    const auto of_draws = objects.set(draw_layout, std::span(bound).first(6));
-    const auto told = objects.pipeline_layout(std::span(&*passes, 1), sizeof(std::uint32_t));
-    if (!of_passes || !of_draws || !told)
-        return windrow::Error{!of_passes ? of_passes.error() : !of_draws ? of_draws.error() : told.error()};
-    pass_set = *of_passes;
-    draw_set = *of_draws;
-    pass_layout = *told;
-    const auto makes = objects.compute(pass_layout, windrow::vulkan::shader_words::generate);
-    const auto culls = objects.compute(pass_layout, windrow::vulkan::shader_words::cull);
-    if (!makes || !culls)
-        return windrow::Error{makes ? culls.error() : makes.error()};
-    generate = *makes;
-    cull = *culls;
-    return {};
+    const auto bound = [&](VkDescriptorSetLayout layout, std::span<const engine::Binding> bindings) {
+        VkDescriptorSet set = VK_NULL_HANDLE;
+        make_sets(objects, layout, bindings, std::span(&set, 1));
+        for (std::uint32_t n = 0; n < bindings.size(); ++n)
+            point(objects.device(), set, n, bindings[n].type, *wanted[n].buffer);
+        return set;
+    };
+    const VkDescriptorSetLayout pass_sets = make_layout(objects, of_passes);
+    pass_set = bound(pass_sets, of_passes);
+    draw_layout = make_layout(objects, of_draws);
+    draw_set = bound(draw_layout, of_draws);
+    pass_layout = make_pipeline_layout(objects, std::span(&pass_sets, 1));
+    generate = make_compute_pipeline(objects, pass_layout, windrow::vulkan::shader_words::generate);
+    cull = make_compute_pipeline(objects, pass_layout, windrow::vulkan::shader_words::cull);
 }
 
 windrow::Result<void> GrassField::place(const glm::dvec3& corner) {
@@ -151,7 +146,7 @@ const ChunkTree& GrassField::tree() const {
     return state_->tree;
 }
 std::uint64_t GrassField::memory_bytes() const {
-    return state_->objects.bytes();
+    return state_->objects.memory_bytes();
 }
 VkBuffer GrassField::draw_buffer() const {
     return state_->draws;

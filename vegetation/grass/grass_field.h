@@ -1,7 +1,7 @@
 // A field of grass on the GPU, inside the host's renderer: chunks near the camera are made, culled and drawn without the CPU ever
 // seeing a blade.
 //
-//     auto field = grass::GrassField::create(host, *hills, *mask, {});       // fluid/vulkan/host.h: your device
+//     auto field = grass::GrassField::create(device, *hills, *mask, {});       // engine::Device::adopt(...): your device
 //     (void)field->place({4.0e5, 0.0, -2.5e5});                              // its corner in the world
 //     // Outside of a render pass:
 //     (void)field->record_cull(commands, {.anchor = anchor, .view_projection = m, .eye = eye});
@@ -19,7 +19,7 @@
 #pragma once
 
 #include "vegetation/grass/grass_block.h"
-#include "fluid/vulkan/host.h"
+#include "vegetation/vulkan/objects.h"
 
 #include <memory>
 
@@ -35,8 +35,8 @@ struct GrassPass {
     std::uint32_t set = 1;
     /// [bytes] Where the eight bytes lie within the push constants of `push_stages`. Default 64: after a matrix.
     std::uint32_t push_offset = 64;
-    /// The stages of the layout's push constant range over those bytes.
-    VkShaderStageFlags push_stages = VK_SHADER_STAGE_VERTEX_BIT;
+    /// The stages of the layout's push constant range over those bytes. Default: as engine::make_pipeline_layout makes it.
+    VkShaderStageFlags push_stages = VK_SHADER_STAGE_ALL;
     /// Whose blades: those that the camera sees, or those within the shadow map.
     View view = View::colour;
 };
@@ -54,8 +54,8 @@ struct GrassReport {
 class GrassField {
   public:
     /// Makes buffers and pipelines. Refuses what `validate` refuses, a mask of another extent than the heights', and a device
-    /// that lacks memory, each with the reason. Copies heights and mask. The host's device outlives the field.
-    [[nodiscard]] static windrow::Result<GrassField> create(const windrow::vulkan::Host& host, const HeightMap& heights,
+    /// that lacks memory, each with the reason. Copies heights and mask. The device outlives the field.
+    [[nodiscard]] static windrow::Result<GrassField> create(engine::Device& device, const HeightMap& heights,
                                                             const PlacementMask& mask, const GrassSettings& settings);
 
     /// [m] Where the first corner of the heights lies in the world. Default: the origin. Refuses what is not finite.

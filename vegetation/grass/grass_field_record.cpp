@@ -150,7 +150,7 @@ windrow::Result<GrassReport> GrassField::record_cull(VkCommandBuffer commands, c
     const auto dispatch = [&](VkPipeline pipeline, std::size_t first_order, std::uint32_t x, std::uint32_t y) {
         const auto first = static_cast<std::uint32_t>(first_order);
         vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline);
-        vkCmdPushConstants(commands, state.pass_layout, VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof first, &first);
+        vkCmdPushConstants(commands, state.pass_layout, VK_SHADER_STAGE_ALL, 0, sizeof first, &first);
         vkCmdDispatch(commands, x, y, 1);
     };
     if (made > 0) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "vegetation/grass/chunk_cache.h"
-#include "vegetation/grass/device_objects.h"
 #include "vegetation/grass/grass_field.h"
 
 #include <glm/vec4.hpp>
@@ -12,9 +11,9 @@
 namespace windrow::vegetation::grass {
 
 struct GrassField::State {
-    State(const windrow::vulkan::Host& host, HeightMap ground, PlacementMask grows, const GrassSettings& wanted);
+    State(engine::Device& device, HeightMap ground, PlacementMask grows, const GrassSettings& wanted);
 
-    [[nodiscard]] windrow::Result<void> make();
+    void make();
     /// The slots of this frame's chunks, as orders for the passes.
     [[nodiscard]] GrassReport choose(const GrassCamera& camera);
     void set_frame(const GrassCamera& camera);
@@ -28,7 +27,7 @@ struct GrassField::State {
     glm::dvec3 corner{0.0};
     std::optional<glm::dvec3> eye_before{}; // [m] in the world
 
-    DeviceObjects objects;
+    engine::Objects objects;
     VkBuffer frame = VK_NULL_HANDLE, blades = VK_NULL_HANDLE, lists = VK_NULL_HANDLE, chunk_places = VK_NULL_HANDLE,
              draws = VK_NULL_HANDLE, orders = VK_NULL_HANDLE, height_values = VK_NULL_HANDLE, mask_values = VK_NULL_HANDLE;
     VkDescriptorSetLayout draw_layout = VK_NULL_HANDLE;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
-#include <vulkan/vulkan.h>
 
 namespace windrow::vegetation::program {
 namespace {
@@ -14,25 +13,12 @@ using windrow::Result;
 
 constexpr int k_most_ticks = 1000; // of windrow::Ticks in one frame
 
-std::string judge(VkInstance instance, VkPhysicalDevice candidate) {
-    const auto fit = windrow::vulkan::check(instance, candidate, vkGetInstanceProcAddr);
-    return fit ? std::string() : fit.error();
-}
-
-windrow::vulkan::Host host_of(const engine::Device& device) {
-    return {.instance = device.instance,
-            .physical_device = device.physical,
-            .device = device.device,
-            .queue_family = device.family,
-            .get_instance_proc_addr = vkGetInstanceProcAddr};
-}
-
 } // namespace
 
 Shoot::Shoot(const PictureScene& scene, const ShootSettings& settings)
     : scene_(scene), settings_(settings), frames_per_second_(settings.frames_per_second.value_or(scene.frames_per_second())),
       size_(settings.size.value_or(scene.picture.size)), anchor_(glm::round(camera_at(scene, 0.0).position)),
-      device_(windrow::vulkan::requirements().api_version, windrow::vulkan::requirements().features, judge), motion_(scene.air) {}
+      motion_(scene.air) {}
 
 Result<std::unique_ptr<Shoot>> Shoot::create(const PictureScene& scene, const ShootSettings& settings) {
     std::unique_ptr<Shoot> made(new Shoot(scene, settings));
@@ -42,6 +28,10 @@ Result<std::unique_ptr<Shoot>> Shoot::create(const PictureScene& scene, const Sh
 }
 
 Result<void> Shoot::make() {
+    auto device = engine::Device::create({.staged = settings_.staged});
+    if (!device)
+        return Error{device.error()};
+    device_ = *std::move(device);
     const Picture& picture = scene_.picture;
     windrow::Config air = scene_.air.air;
     // As `windrow run` ticks; and no frame is so long that the air would fall behind.
@@ -56,7 +46,7 @@ Result<void> Shoot::make() {
         air.gusts = {};
         air.cells = glm::ivec3(8); // something to sample
     }
-    auto wind = windrow::vulkan::Wind::create(host_of(device_), air,
+    auto wind = windrow::vulkan::Wind::create(device_->host(), air,
                                               {.frames_in_flight = engine::k_frames_in_flight,
                                                .gusts = picture.sampling.detail > 0.0f,
                                                .timestamps = settings_.pass_times,
@@ -81,14 +71,14 @@ Result<void> Shoot::make() {
     scene.wind.wind = air;
     scene.wind.sampling = picture.sampling;
     auto renderer = render::Renderer::create(
-        device_, scene,
+        *device_, scene,
         {.width = size_.x, .height = size_.y, .samples = settings_.samples, .anchor = anchor_, .counts = settings_.counts});
     if (!renderer)
         return Error{"$.picture: " + renderer.error()};
     renderer_ = *std::move(renderer);
 
     if (picture.ground_memory) {
-        auto memory = windrow::vulkan::GroundMemory::create(host_of(device_), *picture.ground_memory);
+        auto memory = windrow::vulkan::GroundMemory::create(device_->host(), *picture.ground_memory);
         if (!memory)
             return Error{"$.picture.ground_memory: " + memory.error()};
         ground_ = *std::move(memory);
@@ -98,22 +88,26 @@ Result<void> Shoot::make() {
         return grown;
     if (auto grown = make_trees(targets); !grown)
         return grown;
-    auto dressed = DressedBodies::create(device_, targets, scene_, anchor_);
+    auto dressed = DressedBodies::create(*device_, targets, scene_, anchor_);
     if (!dressed)
         return Error{dressed.error()};
     dressed_ = *std::move(dressed);
     dressed_->add_to(*renderer_);
-    make_bodies(targets);
+    if (auto stand = make_bodies(targets); !stand)
+        return stand;
     if (auto seen = make_views(targets); !seen)
         return seen;
-    frames_.emplace(device_);
+    auto frames = engine::Frames::create(*device_);
+    if (!frames)
+        return Error{frames.error()};
+    frames_ = *std::move(frames);
     return {};
 }
 
 Result<void> Shoot::make_grass(const render::DrawTargets& targets) {
     const render::Ground ground{.corner = scene_.picture.ground.corner, .heights = *scene_.picture.ground.heights};
     for (const GrassLayer& layer : scene_.picture.grass) {
-        auto made = render::GrassLayer::create(device_, targets, ground, *layer.mask.mask,
+        auto made = render::GrassLayer::create(*device_, targets, ground, *layer.mask.mask,
                                                {.field = layer.settings,
                                                 .look = layer.look,
                                                 .most_blades = settings_.most_blades.value_or(layer.most_blades),
@@ -145,7 +139,7 @@ Result<void> Shoot::make_trees(const render::DrawTargets& targets) {
             return Error{"$.picture.trees: " + places.error()};
         if (places->empty())
             continue;
-        auto made = trees::TreeStand::create(device_, targets, settings, *places, anchor_);
+        auto made = trees::TreeStand::create(*device_, targets, settings, *places, anchor_);
         if (!made)
             return Error{"$.picture.trees: " + made.error()};
         renderer_->add(**made);
@@ -154,7 +148,7 @@ Result<void> Shoot::make_trees(const render::DrawTargets& targets) {
     return {};
 }
 
-void Shoot::make_bodies(const render::DrawTargets& targets) {
+Result<void> Shoot::make_bodies(const render::DrawTargets& targets) {
     std::vector<render::Solid> shapes;
     for (const Walker& walker : scene_.picture.walkers)
         if (walker.figure)
@@ -165,9 +159,13 @@ void Shoot::make_bodies(const render::DrawTargets& targets) {
         shapes.push_back(render::fan_blades(static_cast<float>(fan.radius)));
     }
     if (shapes.empty())
-        return;
-    bodies_.emplace(device_, targets, shapes);
+        return {};
+    auto made = render::Bodies::create(*device_, targets, shapes);
+    if (!made)
+        return Error{made.error()};
+    bodies_ = *std::move(made);
     renderer_->add(*bodies_);
+    return {};
 }
 
 void Shoot::place_bodies(double time) {
@@ -225,9 +223,10 @@ Result<void> Shoot::make_views(const render::DrawTargets& targets) {
     view.count = slice ? glm::ivec3(2 * air.cells.x, 1, 2 * air.cells.z) : glm::ivec3(air.cells.x, 3, air.cells.z);
     view.count = glm::clamp(view.count, 1, 512);
     view.scale = scene_.air.pictures.speed_scale;
-    if (auto judged = render::validate(view); !judged)
-        return judged;
-    arrows_.emplace(device_, targets, view);
+    auto made = render::WindArrows::create(*device_, targets, view);
+    if (!made)
+        return Error{made.error()};
+    arrows_ = *std::move(made);
     renderer_->add(*arrows_);
     return {};
 }
@@ -275,34 +274,40 @@ Result<void> Shoot::settle() {
     const double step = 1.0 / frames_per_second_;
     const auto steps = static_cast<std::int64_t>(std::ceil(scene_.picture.settle * frames_per_second_));
     for (std::int64_t n = 0; n < steps; ++n) {
-        const engine::Frame frame = frames_->begin();
         if (auto placed = motion_.place(*wind_, 0.0, 0.0); !placed)
             return placed;
-        (void)wind_->record(frame.commands, {.dt = settings_.wind ? step : 0.0, .slot = frame.slot});
-        auto walked = walk(frame, 0.0, 0.0);
+        const auto frame = frames_->begin();
+        if (!frame)
+            return Error{frame.error()};
+        (void)wind_->record(frame->commands, {.dt = settings_.wind ? step : 0.0, .slot = frame->slot});
+        auto walked = walk(*frame, 0.0, 0.0);
         if (walked)
-            walked = swing(frame, step * static_cast<double>(n + 1 - steps), step); // bodies come along to where they begin
-        frames_->submit(frame);
-        if (!walked)
-            return walked;
+            walked = swing(*frame, step * static_cast<double>(n + 1 - steps), step); // bodies come along to where they begin
+        const auto submitted = frames_->submit(*frame);
+        if (!walked || !submitted)
+            return walked ? submitted : walked;
     }
-    frames_->wait();
-    return {};
+    return frames_->wait();
 }
 
 Result<void> Shoot::skip() {
-    const engine::Frame frame = frames_->begin();
-    auto blown = blow(frame, start_of(frame_), end_of(frame_));
+    const auto frame = frames_->begin();
+    if (!frame)
+        return Error{frame.error()};
+    auto blown = blow(*frame, start_of(frame_), end_of(frame_));
     if (blown)
-        blown = swing(frame, end_of(frame_), end_of(frame_) - start_of(frame_));
-    frames_->submit(frame);
+        blown = swing(*frame, end_of(frame_), end_of(frame_) - start_of(frame_));
+    const auto submitted = frames_->submit(*frame);
     ++frame_;
-    return blown;
+    return blown ? submitted : blown;
 }
 
 Result<void> Shoot::draw(bool copied) {
     const double now = end_of(frame_);
-    const engine::Frame frame = frames_->begin();
+    const auto begun = frames_->begin();
+    if (!begun)
+        return Error{begun.error()};
+    const engine::Frame frame = *begun;
     renderer_->begin(frame);
     auto done = blow(frame, start_of(frame_), now);
     if (done) {
@@ -318,8 +323,8 @@ Result<void> Shoot::draw(bool copied) {
         if (done && copied)
             renderer_->copy(frame);
     }
-    frames_->submit(frame);
-    frames_->wait();
+    if (const auto finished = frames_->finish(frame); done)
+        done = finished;
     renderer_->clock().collect(frame.slot);
     if (renderer_->counter())
         counts_ = renderer_->counter()->collect(frame.slot);
@@ -328,10 +333,11 @@ Result<void> Shoot::draw(bool copied) {
 }
 
 ShootMemory Shoot::memory() const {
-    ShootMemory sum{.targets = device_.memory_bytes(), .wind = wind_->memory_bytes()};
-    sum.room = wind_->reserved_bytes() - sum.wind;
+    ShootMemory sum{.targets = device_->memory_bytes(), .wind = wind_->memory_bytes()};
+    sum.room = wind_->reserved_bytes() - sum.wind + device_->reserved_bytes() - sum.targets;
     for (const auto& layer : grass_)
         sum.grass += layer->memory_bytes();
+    sum.targets -= sum.grass;
     if (ground_) {
         sum.ground_memory = ground_->memory_bytes();
         sum.room += ground_->reserved_bytes() - sum.ground_memory;

@@ -42,6 +42,7 @@ struct ShootSettings {
     bool pass_times = false;          ///< the wind times each of its passes
     bool counts = false;              ///< vertices and fragments of the colour pass are counted
     std::optional<int> most_blades{}; ///< of each layer, looked at once a frame; default: the layer's own
+    bool staged = false;              ///< engine::DeviceSettings::staged
 };
 
 /// Device memory by what it is for, [bytes].
@@ -49,7 +50,7 @@ struct ShootMemory {
     /// Pictures, shadow map, read-backs, uniform blocks, the ground's heights, trees: allocations of the engine.
     std::uint64_t targets = 0;
     std::uint64_t wind = 0, grass = 0, ground_memory = 0;
-    std::uint64_t room = 0; ///< left in the blocks that wind and ground's memory take from the driver
+    std::uint64_t room = 0; ///< left in the blocks that all of them take from the driver
 };
 
 class Shoot {
@@ -74,7 +75,7 @@ class Shoot {
     /// Of the frame drawn last; zeros where the device counts nothing, or without ShootSettings::counts.
     [[nodiscard]] const render::VertexCounts& counts() const { return counts_; }
     [[nodiscard]] const windrow::vulkan::Wind& wind() const { return *wind_; }
-    [[nodiscard]] const std::string& device() const { return device_.name; }
+    [[nodiscard]] const std::string& device() const { return device_->name(); }
     [[nodiscard]] ShootMemory memory() const;
     [[nodiscard]] const std::vector<std::unique_ptr<render::GrassLayer>>& grass() const { return grass_; }
 
@@ -83,7 +84,7 @@ class Shoot {
     windrow::Result<void> make();
     windrow::Result<void> make_grass(const render::DrawTargets& targets);
     windrow::Result<void> make_trees(const render::DrawTargets& targets);
-    void make_bodies(const render::DrawTargets& targets);
+    windrow::Result<void> make_bodies(const render::DrawTargets& targets);
     void place_bodies(double time);
     windrow::Result<void> make_views(const render::DrawTargets& targets);
     /// What swings from frame to frame, in one that is not drawn.
@@ -101,7 +102,7 @@ class Shoot {
     double frames_per_second_ = 30.0;
     glm::ivec2 size_{0};
     glm::dvec3 anchor_{0.0};
-    engine::Device device_;
+    std::unique_ptr<engine::Device> device_{};
     std::optional<windrow::vulkan::Wind> wind_{};
     windrow::scene::SceneMotion motion_;
     std::optional<windrow::vulkan::GroundMemory> ground_{};
@@ -109,9 +110,9 @@ class Shoot {
     std::vector<std::unique_ptr<render::GrassLayer>> grass_{};
     std::vector<std::unique_ptr<trees::TreeStand>> trees_{};
     std::optional<DressedBodies> dressed_{};
-    std::optional<render::Bodies> bodies_{};
-    std::optional<render::WindArrows> arrows_{};
-    std::optional<engine::Frames> frames_{};
+    std::unique_ptr<render::Bodies> bodies_{};
+    std::unique_ptr<render::WindArrows> arrows_{};
+    std::unique_ptr<engine::Frames> frames_{};
     std::int64_t frame_ = 0;
     render::VertexCounts counts_{};
 };

@@ -1,6 +1,6 @@
 #include "vegetation/render/blades.h"
 
-#include "vegetation/render/descriptors.h"
+#include "vegetation/vulkan/descriptors.h"
 #include "vegetation/render/plant_look_block.h"
 #include "shader_words/blade_bend.h"
 #include "shader_words/blade_shadow_vert.h"
@@ -22,53 +22,52 @@ constexpr std::uint32_t k_group = 64;
 
 constexpr VkShaderStageFlags k_graphics = VK_SHADER_STAGE_ALL_GRAPHICS;
 constexpr VkShaderStageFlags k_both = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_COMPUTE_BIT;
-constexpr std::array k_bindings{Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, k_graphics | VK_SHADER_STAGE_COMPUTE_BIT},
-                                Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, k_both},
-                                Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_both},
-                                Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_both}};
-
-engine::Buffer filled(engine::Device& device, const void* from, std::size_t bytes, VkBufferUsageFlags usage) {
-    engine::Buffer made = device.make_buffer(bytes, usage);
-    std::memcpy(made.mapped, from, bytes);
-    return made;
-}
+constexpr std::array k_bindings{engine::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, k_graphics | VK_SHADER_STAGE_COMPUTE_BIT},
+                                engine::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, k_both},
+                                engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_both},
+                                engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_both}};
 
 } // namespace
 
-BladeGrid::BladeGrid(engine::Device& device, const DrawTargets& targets, const windrow::BladeSettings& plants,
-                     const PlantLook& look, std::span<const BladePlace> places)
-    : count_(static_cast<std::uint32_t>(places.size())) {
-    const auto blades = windrow::Blades::create(plants);
-    if (!blades)
-        engine::give_up(blades.error(), 2);
-    const VkDescriptorSetLayout own = make_layout(device, k_bindings);
+Result<std::unique_ptr<BladeGrid>> BladeGrid::create(engine::Device& device, const DrawTargets& targets,
+                                                     const windrow::BladeSettings& plants, const PlantLook& look,
+                                                     std::span<const BladePlace> places) {
+    return engine::guarded([&] {
+        const windrow::Blades blades = engine::must(windrow::Blades::create(plants));
+        return std::unique_ptr<BladeGrid>(new BladeGrid(device, targets, blades, look, places));
+    });
+}
+
+BladeGrid::BladeGrid(engine::Device& device, const DrawTargets& targets, const windrow::Blades& plants, const PlantLook& look,
+                     std::span<const BladePlace> places)
+    : objects_(device), count_(static_cast<std::uint32_t>(places.size())) {
+    const VkDescriptorSetLayout own = make_layout(objects_, k_bindings);
     const std::array sets{targets.frame, targets.wind, own};
-    layout_ = make_pipeline_layout(device, sets);
-    bend_ = make_compute_pipeline(device, layout_, words::blade_bend);
+    layout_ = make_pipeline_layout(objects_, sets);
+    bend_ = make_compute_pipeline(objects_, layout_, words::blade_bend);
     constexpr VkPrimitiveTopology strip = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP;
-    colour_ = make_pipeline(device, {.vertex = words::blade_vert,
+    colour_ = make_pipeline(objects_, {.vertex = words::blade_vert,
                                      .fragment = words::plant_frag,
                                      .layout = layout_,
                                      .target = targets.colour,
                                      .topology = strip});
     shadow_ = make_pipeline(
-        device,
+        objects_,
         {.vertex = words::blade_shadow_vert, .layout = layout_, .target = targets.shadow, .topology = strip, .bias = true});
 
-    const PlantLookBlock look_block(look);
-    const windrow::BladeBlock blade_block = blades->block();
-    const engine::Buffer look_buffer = filled(device, &look_block, sizeof look_block, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
-    const engine::Buffer blade_buffer = filled(device, &blade_block, sizeof blade_block, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
-    const engine::Buffer place_buffer = filled(device, places.data(), places.size_bytes(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    bends_ = device.make_buffer(sizeof(glm::vec4) * places.size(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    make_sets(device, own, k_bindings, std::span(&set_, 1));
+    constexpr VkBufferUsageFlags uniform = VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+    const engine::Buffer look_buffer = filled_block(objects_, PlantLookBlock(look), uniform);
+    const engine::Buffer blade_buffer = filled_block(objects_, plants.block(), uniform);
+    const engine::Buffer place_buffer = filled(objects_, places, storage);
+    bends_ = objects_.buffer(engine::Use::work, sizeof(glm::vec4) * places.size(), storage | VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
+    make_sets(objects_, own, k_bindings, std::span(&set_, 1));
     point(device, set_, 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, look_buffer.buffer);
     point(device, set_, 1, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, blade_buffer.buffer);
     point(device, set_, 2, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, place_buffer.buffer);
     point(device, set_, 3, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, bends_.buffer);
 }
 
-void BladeGrid::prepare(const PassContext& context) {
+Result<void> BladeGrid::prepare(const PassContext& context) {
     const std::array sets{context.frame, context.wind, set_};
     vkCmdBindDescriptorSets(context.commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_, 0, 3, sets.data(), 0, nullptr);
     vkCmdPushConstants(context.commands, layout_, VK_SHADER_STAGE_ALL, 0, sizeof count_, &count_);
@@ -80,10 +79,10 @@ void BladeGrid::prepare(const PassContext& context) {
     VkMemoryBarrier barrier{};
     barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
     barrier.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
-    barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_HOST_READ_BIT;
+    barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;
     vkCmdPipelineBarrier(context.commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
-                         VK_PIPELINE_STAGE_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &barrier, 0, nullptr, 0,
-                         nullptr);
+                         VK_PIPELINE_STAGE_VERTEX_SHADER_BIT, 0, 1, &barrier, 0, nullptr, 0, nullptr);
+    return {};
 }
 
 void BladeGrid::draw(const PassContext& context) {
@@ -96,8 +95,8 @@ void BladeGrid::draw(const PassContext& context) {
     vkCmdDraw(context.commands, shadow ? k_shadow_vertices : k_vertices, count_, 0, 0);
 }
 
-std::span<const glm::vec4> BladeGrid::bends() const {
-    return {static_cast<const glm::vec4*>(bends_.mapped), count_};
+Result<std::vector<glm::vec4>> BladeGrid::bends() const {
+    return objects_.device().read<glm::vec4>(bends_.buffer, 0, count_);
 }
 
 } // namespace windrow::vegetation::render

@@ -24,18 +24,23 @@ static_assert(sizeof(BladePlace) == 32);
 
 class BladeGrid final : public Drawable {
   public:
-    /// At least one place.
-    BladeGrid(engine::Device& device, const DrawTargets& targets, const windrow::BladeSettings& plants, const PlantLook& look,
-              std::span<const BladePlace> places);
+    /// At least one place. Refuses what windrow::Blades::create refuses.
+    [[nodiscard]] static Result<std::unique_ptr<BladeGrid>> create(engine::Device& device, const DrawTargets& targets,
+                                                                   const windrow::BladeSettings& plants, const PlantLook& look,
+                                                                   std::span<const BladePlace> places);
 
     /// The bends of this frame and of the last one, once a blade.
-    void prepare(const PassContext& context) override;
+    Result<void> prepare(const PassContext& context) override;
     void draw(const PassContext& context) override;
     [[nodiscard]] std::uint32_t count() const { return count_; }
-    /// [rad] x and z of the bend in the last frame that is done, then of the frame before it; one a blade.
-    [[nodiscard]] std::span<const glm::vec4> bends() const;
+    /// [rad] x and z of the bend in the last frame that is done, then of the frame before it; one a blade. Waits for the device.
+    [[nodiscard]] Result<std::vector<glm::vec4>> bends() const;
 
   private:
+    BladeGrid(engine::Device& device, const DrawTargets& targets, const windrow::Blades& plants, const PlantLook& look,
+              std::span<const BladePlace> places);
+
+    engine::Objects objects_;
     std::uint32_t count_ = 0;
     VkPipelineLayout layout_ = VK_NULL_HANDLE;
     VkPipeline bend_ = VK_NULL_HANDLE, colour_ = VK_NULL_HANDLE, shadow_ = VK_NULL_HANDLE;

@@ -1,6 +1,6 @@
 #include "vegetation/render/bodies.h"
 
-#include "vegetation/render/descriptors.h"
+#include "vegetation/vulkan/descriptors.h"
 #include "shader_words/solid_frag.h"
 #include "shader_words/solid_shadow_vert.h"
 #include "shader_words/solid_vert.h"
@@ -13,31 +13,35 @@ namespace {
 
 namespace words = windrow::vulkan::shader_words;
 
-constexpr std::array k_bindings{Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_VERTEX_BIT},
-                                Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_VERTEX_BIT}};
+constexpr std::array k_bindings{engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_VERTEX_BIT},
+                                engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_VERTEX_BIT}};
 
 } // namespace
 
+Result<std::unique_ptr<Bodies>> Bodies::create(engine::Device& device, const DrawTargets& targets,
+                                               std::span<const Solid> shapes) {
+    return engine::guarded([&] { return std::unique_ptr<Bodies>(new Bodies(device, targets, shapes)); });
+}
+
 Bodies::Bodies(engine::Device& device, const DrawTargets& targets, std::span<const Solid> shapes)
-    : places_(shapes.size()), placed_(shapes.size(), false) {
+    : objects_(device), places_(shapes.size()), placed_(shapes.size(), false) {
     Solid all;
     for (const Solid& shape : shapes) {
         ranges_.push_back({static_cast<std::uint32_t>(all.size()), static_cast<std::uint32_t>(shape.size())});
         all.insert(all.end(), shape.begin(), shape.end());
     }
-    const VkDescriptorSetLayout own = make_layout(device, k_bindings);
+    const VkDescriptorSetLayout own = make_layout(objects_, k_bindings);
     const std::array layouts{targets.frame, targets.wind, own};
-    layout_ = make_pipeline_layout(device, layouts);
+    layout_ = make_pipeline_layout(objects_, layouts);
     colour_ = make_pipeline(
-        device, {.vertex = words::solid_vert, .fragment = words::solid_frag, .layout = layout_, .target = targets.colour});
+        objects_, {.vertex = words::solid_vert, .fragment = words::solid_frag, .layout = layout_, .target = targets.colour});
     shadow_ =
-        make_pipeline(device, {.vertex = words::solid_shadow_vert, .layout = layout_, .target = targets.shadow, .bias = true});
+        make_pipeline(objects_, {.vertex = words::solid_shadow_vert, .layout = layout_, .target = targets.shadow, .bias = true});
 
-    const engine::Buffer vertices = device.make_buffer(sizeof(SolidVertex) * all.size(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    std::memcpy(vertices.mapped, all.data(), sizeof(SolidVertex) * all.size());
-    make_sets(device, own, k_bindings, sets_);
+    const engine::Buffer vertices = filled(objects_, all, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    blocks_ = objects_.frame_buffers(sizeof(Place) * places_.size(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    make_sets(objects_, own, k_bindings, sets_);
     for (std::size_t slot = 0; slot < sets_.size(); ++slot) {
-        blocks_[slot] = device.make_buffer(sizeof(Place) * places_.size(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
         point(device, sets_[slot], 0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, vertices.buffer);
         point(device, sets_[slot], 1, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, blocks_[slot].buffer);
     }
@@ -50,8 +54,9 @@ void Bodies::place(std::size_t body, const glm::mat4& placed) {
     placed_[body] = true;
 }
 
-void Bodies::prepare(const PassContext& context) {
+Result<void> Bodies::prepare(const PassContext& context) {
     std::memcpy(blocks_[static_cast<std::size_t>(context.slot)].mapped, places_.data(), sizeof(Place) * places_.size());
+    return {};
 }
 
 void Bodies::draw(const PassContext& context) {

@@ -1,8 +1,8 @@
 // Solid things that move: a walker, a fan. Each has a shape and, frame by frame, a place.
 //
-//     render::Bodies bodies(device, renderer->draw_targets(), std::array{render::walker_solid()});
-//     renderer->add(bodies);
-//     bodies.place(0, glm::translate(glm::mat4(1.0f), feet));      // before the renderer's recording, each frame
+//     auto bodies = render::Bodies::create(device, renderer->draw_targets(), std::array{render::walker_solid()});
+//     renderer->add(**bodies);
+//     (*bodies)->place(0, glm::translate(glm::mat4(1.0f), feet));      // before the renderer's recording, each frame
 #pragma once
 
 #include "vegetation/vulkan/frames.h"
@@ -16,12 +16,13 @@ namespace windrow::vegetation::render {
 class Bodies final : public Drawable {
   public:
     /// One shape a body, at least one triangle in all. They stand at the anchor until they are placed.
-    Bodies(engine::Device& device, const DrawTargets& targets, std::span<const Solid> shapes);
+    [[nodiscard]] static Result<std::unique_ptr<Bodies>> create(engine::Device& device, const DrawTargets& targets,
+                                                                std::span<const Solid> shapes);
 
     /// From the shape's own positions to positions relative to the anchor, from the next frame on; motion vectors tell of the
     /// way from the place before.
     void place(std::size_t body, const glm::mat4& placed);
-    void prepare(const PassContext& context) override;
+    Result<void> prepare(const PassContext& context) override;
     void draw(const PassContext& context) override;
 
   private:
@@ -33,13 +34,16 @@ class Bodies final : public Drawable {
         std::uint32_t first = 0, count = 0;
     };
 
+    Bodies(engine::Device& device, const DrawTargets& targets, std::span<const Solid> shapes);
+
+    engine::Objects objects_;
     std::vector<Range> ranges_{};
     std::vector<Place> places_{};
     std::vector<bool> placed_{};
     VkPipelineLayout layout_ = VK_NULL_HANDLE;
     VkPipeline colour_ = VK_NULL_HANDLE, shadow_ = VK_NULL_HANDLE;
     std::array<VkDescriptorSet, engine::k_frames_in_flight> sets_{};
-    std::array<engine::Buffer, engine::k_frames_in_flight> blocks_{};
+    engine::FrameBuffers blocks_{};
 };
 
 } // namespace windrow::vegetation::render

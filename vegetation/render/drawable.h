@@ -2,7 +2,7 @@
 #pragma once
 
 #include "vegetation/render/frame_block.h"
-#include "vegetation/render/pipeline.h"
+#include "vegetation/vulkan/pipeline.h"
 
 namespace windrow::vegetation::render {
 
@@ -23,8 +23,8 @@ struct PassContext {
 class Drawable {
   public:
     virtual ~Drawable() = default;
-    /// Outside of a render pass, before all of them: culling, bends. It ends with a barrier of its own.
-    virtual void prepare(const PassContext&) {}
+    /// Outside of a render pass, before all of them: culling, bends. It ends with a barrier of its own. What fails draws nothing of this frame.
+    virtual Result<void> prepare(const PassContext&) { return {}; }
     /// Within the render pass of `context.pass`.
     virtual void draw(const PassContext& context) = 0;
 };
@@ -32,7 +32,7 @@ class Drawable {
 /// Targets that a drawable's pipelines must fit: its vertex stage writes the inputs of vegetation/shaders/render/plant.frag, or
 /// its fragment stage writes light and motion itself.
 struct DrawTargets {
-    PassTarget colour{}, shadow{};
+    engine::PassTarget colour{}, shadow{};
     VkDescriptorSetLayout frame = VK_NULL_HANDLE, wind = VK_NULL_HANDLE;
 };
 

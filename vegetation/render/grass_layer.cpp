@@ -1,6 +1,6 @@
 #include "vegetation/render/grass_layer.h"
 
-#include "vegetation/render/descriptors.h"
+#include "vegetation/vulkan/descriptors.h"
 #include "vegetation/render/plant_look_block.h"
 #include "vegetation/render/refusals.h"
 #include "shader_words/field_blade_frag.h"
@@ -24,21 +24,13 @@ namespace words = windrow::vulkan::shader_words;
 constexpr std::uint32_t k_parts = 4; // groups that share a list: a list of a near chunk has thousands of blades
 constexpr std::uint32_t k_grass_set = 3, k_draw_offset = 8;
 constexpr VkShaderStageFlags k_both = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_COMPUTE_BIT;
-constexpr std::array k_bindings{Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER},
-                                Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_both},
-                                Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_both},
-                                Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_COMPUTE_BIT},
-                                Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_COMPUTE_BIT},
-                                Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_COMPUTE_BIT}};
+constexpr std::array k_bindings{engine::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER},
+                                engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_both},
+                                engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_both},
+                                engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_COMPUTE_BIT},
+                                engine::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_COMPUTE_BIT},
+                                engine::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_COMPUTE_BIT}};
 constexpr std::size_t k_plain_bindings = 3; // without the ground's
-
-windrow::vulkan::Host host_of(const engine::Device& device) {
-    return {.instance = device.instance,
-            .physical_device = device.physical,
-            .device = device.device,
-            .queue_family = device.family,
-            .get_instance_proc_addr = vkGetInstanceProcAddr};
-}
 
 // What both shadow maps show: boxes along the same light. The near one's corners, in the far one's clip space, widen the far one.
 glm::mat4 around_both(const glm::mat4& near, const glm::mat4& far) {
@@ -72,7 +64,7 @@ windrow::Result<void> validate(const GrassLayerSettings& settings) {
 }
 
 GrassLayer::GrassLayer(engine::Device& device, grass::GrassField field, const GrassLayerSettings& settings)
-    : device_(device), settings_(settings), field_(std::move(field)), objects_(host_of(device)) {}
+    : device_(device), settings_(settings), field_(std::move(field)), objects_(device) {}
 
 windrow::Result<std::unique_ptr<GrassLayer>> GrassLayer::create(engine::Device& device, const DrawTargets& targets,
                                                                 const Ground& ground, const grass::PlacementMask& mask,
@@ -82,63 +74,56 @@ windrow::Result<std::unique_ptr<GrassLayer>> GrassLayer::create(engine::Device& 
     refusals.add(validate(ground));
     if (auto judged = refusals.result(); !judged)
         return windrow::Error{judged.error()};
-    auto field = grass::GrassField::create(host_of(device), ground.heights, mask, settings.field);
+    auto field = grass::GrassField::create(device, ground.heights, mask, settings.field);
     if (!field)
         return windrow::Error{field.error()};
     if (auto placed = field->place(ground.corner); !placed)
         return windrow::Error{placed.error()};
-    std::unique_ptr<GrassLayer> made(new GrassLayer(device, *std::move(field), settings));
-    if (auto done = made->make(targets); !done)
-        return windrow::Error{done.error()};
-    return made;
+    return engine::guarded([&] {
+        std::unique_ptr<GrassLayer> made(new GrassLayer(device, *std::move(field), settings));
+        made->make(targets);
+        return made;
+    });
 }
 
-windrow::Result<void> GrassLayer::make(const DrawTargets& targets) {
-    const auto blades = objects_.buffer("visible blades", sizeof(FieldBlade) * static_cast<VkDeviceSize>(settings_.most_blades),
-                                        VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
-    const auto bases = objects_.buffer("lists' places", 16 * static_cast<VkDeviceSize>(settings_.field.most_chunks),
-                                       VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    if (!blades || !bases)
-        return windrow::Error{blades ? bases.error() : blades.error()};
-    blades_ = *blades;
-    const engine::Buffer look = device_.make_buffer(sizeof(PlantLookBlock), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
-    const PlantLookBlock content(settings_.look);
-    std::memcpy(look.mapped, &content, sizeof content);
+void GrassLayer::make(const DrawTargets& targets) {
+    constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+    blades_ = objects_.storage("The grass's visible blades", "lower most_blades",
+                               sizeof(FieldBlade) * static_cast<VkDeviceSize>(settings_.most_blades),
+                               storage | VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
+    const VkBuffer bases = objects_.storage("The grass's lists' places", "lower grass.most_chunks",
+                                            16 * static_cast<VkDeviceSize>(settings_.field.most_chunks), storage);
+    const engine::Buffer look = filled_block(objects_, PlantLookBlock(settings_.look), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
 
-    const auto pass = [&](std::span<const Binding> bindings, std::span<const std::uint32_t> shader) {
+    const auto pass = [&](std::span<const engine::Binding> bindings, std::span<const std::uint32_t> shader) {
         BladePass made;
-        const VkDescriptorSetLayout own = make_layout(device_, bindings);
+        const VkDescriptorSetLayout own = make_layout(objects_, bindings);
         const std::array sets{targets.frame, targets.wind, own, field_.layout()};
-        made.layout = make_pipeline_layout(device_, sets);
-        made.pipeline = make_compute_pipeline(device_, made.layout, shader);
-        make_sets(device_, own, bindings, made.sets);
+        made.layout = make_pipeline_layout(objects_, sets);
+        made.pipeline = make_compute_pipeline(objects_, made.layout, shader);
+        make_sets(objects_, own, bindings, made.sets);
         for (const VkDescriptorSet set : made.sets) {
             point(device_, set, 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, look.buffer);
-            point(device_, set, 1, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, *blades);
-            point(device_, set, 2, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, *bases);
+            point(device_, set, 1, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, blades_);
+            point(device_, set, 2, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, bases);
         }
         return made;
     };
     plain_ = pass(std::span(k_bindings).first(k_plain_bindings), words::field_blades);
     on_ground_ = pass(k_bindings, words::field_ground);
-    for (engine::Buffer& block : ground_blocks_)
-        block = device_.make_buffer(sizeof(windrow::GroundBlock), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    VkSamplerCreateInfo sampler{}; // any will do: texels are fetched
-    sampler.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
-    engine::must(vkCreateSampler(device_.device, &sampler, nullptr, &sampler_), "vkCreateSampler");
-    device_.at_end([vulkan = device_.device, made = sampler_] { vkDestroySampler(vulkan, made, nullptr); });
+    ground_blocks_ = objects_.frame_buffers(sizeof(windrow::GroundBlock), storage);
+    sampler_ = objects_.sampler(engine::Sampler::texels);
 
     layout_ = plain_.layout; // draws read no ground
     constexpr VkPrimitiveTopology strip = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP;
-    colour_ = make_pipeline(device_, {.vertex = words::field_blade_vert,
+    colour_ = make_pipeline(objects_, {.vertex = words::field_blade_vert,
                                       .fragment = words::field_blade_frag,
                                       .layout = layout_,
                                       .target = targets.colour,
                                       .topology = strip});
     shadow_ = make_pipeline(
-        device_,
+        objects_,
         {.vertex = words::field_blade_shadow_vert, .layout = layout_, .target = targets.shadow, .topology = strip, .bias = true});
-    return {};
 }
 
 void GrassLayer::point_at_ground(const PassContext& context) {
@@ -151,7 +136,7 @@ void GrassLayer::point_at_ground(const PassContext& context) {
     point(device_, set, 5, ground_->previous_texture().view, sampler_, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
 }
 
-void GrassLayer::prepare(const PassContext& context) {
+Result<void> GrassLayer::prepare(const PassContext& context) {
     grass::GrassCamera camera{
         .anchor = context.anchor, .view_projection = context.block->view_projection, .eye = glm::vec3(context.block->eye)};
     if (settings_.shadows == 1)
@@ -160,13 +145,13 @@ void GrassLayer::prepare(const PassContext& context) {
         camera.shadow_view_projection = around_both(context.block->shadow[0], context.block->shadow[1]);
     const auto culled = field_.record_cull(context.commands, camera);
     if (!culled)
-        engine::give_up(culled.error(), 1);
+        return Error{culled.error()};
     report_ = *culled;
     const bool remembers = ground_ != nullptr && ground_->texture().view != VK_NULL_HANDLE;
     if (remembers)
         point_at_ground(context);
     if (report_.orders == 0)
-        return;
+        return {};
     const auto pass = [&](const BladePass& over, VkPipelineStageFlags then) {
         const std::array sets{context.frame, context.wind, over.sets[context.slot], field_.set()};
         vkCmdBindDescriptorSets(context.commands, VK_PIPELINE_BIND_POINT_COMPUTE, over.layout, 0, 4, sets.data(), 0, nullptr);
@@ -187,6 +172,7 @@ void GrassLayer::prepare(const PassContext& context) {
     pass(plain_, remembers ? VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT : VK_PIPELINE_STAGE_VERTEX_SHADER_BIT);
     if (remembers)
         pass(on_ground_, VK_PIPELINE_STAGE_VERTEX_SHADER_BIT);
+    return {};
 }
 
 void GrassLayer::draw(const PassContext& context) {

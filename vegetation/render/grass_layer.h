@@ -10,7 +10,6 @@
 
 #include "coupling/vulkan/ground_memory.h"
 #include "vegetation/vulkan/frames.h"
-#include "vegetation/grass/device_objects.h"
 #include "vegetation/grass/grass_field.h"
 #include "vegetation/render/drawable.h"
 #include "vegetation/render/scene.h"
@@ -55,7 +54,7 @@ class GrassLayer final : public Drawable {
     /// recording, with GroundStep::wind_lean at 0 since the layer has the wind itself. Null: none, which costs nothing.
     void set_ground(const windrow::vulkan::GroundMemory* ground) { ground_ = ground; }
 
-    void prepare(const PassContext& context) override;
+    Result<void> prepare(const PassContext& context) override;
     void draw(const PassContext& context) override;
 
     /// To repaint its mask, and to count what it draws.
@@ -64,12 +63,12 @@ class GrassLayer final : public Drawable {
     [[nodiscard]] const grass::GrassReport& report() const { return report_; }
     /// FieldBlade of each visible blade. May be copied from.
     [[nodiscard]] VkBuffer visible_blades() const { return blades_; }
-    /// [bytes] Device memory of field and layer; not counted by engine::Device.
-    [[nodiscard]] std::uint64_t memory_bytes() const { return field_.memory_bytes() + objects_.bytes(); }
+    /// [bytes] Device memory of field and layer.
+    [[nodiscard]] std::uint64_t memory_bytes() const { return field_.memory_bytes() + objects_.memory_bytes(); }
 
   private:
     GrassLayer(engine::Device& device, grass::GrassField field, const GrassLayerSettings& settings);
-    windrow::Result<void> make(const DrawTargets& targets);
+    void make(const DrawTargets& targets);
     /// A pass over the visible blades.
     struct BladePass {
         VkPipelineLayout layout = VK_NULL_HANDLE;
@@ -81,10 +80,10 @@ class GrassLayer final : public Drawable {
     engine::Device& device_;
     GrassLayerSettings settings_;
     grass::GrassField field_;
-    grass::DeviceObjects objects_;
+    engine::Objects objects_;
     grass::GrassReport report_{};
     const windrow::vulkan::GroundMemory* ground_ = nullptr;
-    std::array<engine::Buffer, engine::k_frames_in_flight> ground_blocks_{};
+    engine::FrameBuffers ground_blocks_{};
     VkSampler sampler_ = VK_NULL_HANDLE;
     VkBuffer blades_ = VK_NULL_HANDLE;
     BladePass plain_{}, on_ground_{};

@@ -1,10 +1,10 @@
 #include "vegetation/render/renderer.h"
 
-#include "vegetation/render/descriptors.h"
-#include "vegetation/render/refusals.h"
 #include "shader_words/full_screen_vert.h"
 #include "shader_words/sky_frag.h"
 #include "shader_words/tone_frag.h"
+#include "vegetation/render/refusals.h"
+#include "vegetation/vulkan/descriptors.h"
 
 #include <cmath>
 #include <cstring>
@@ -15,7 +15,6 @@
 namespace windrow::vegetation::render {
 namespace {
 
-using engine::must;
 namespace words = windrow::vulkan::shader_words;
 
 constexpr VkFormat k_shadow_format = VK_FORMAT_D16_UNORM; // every device draws to it and samples it
@@ -24,25 +23,10 @@ constexpr float k_least_width = 1.5f;
 constexpr glm::vec3 k_meadow_albedo{0.10f, 0.14f, 0.05f}; // of what lies around: light from below is green
 
 constexpr std::array k_frame_bindings{
-    Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, k_stages},
-    Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_ALL_GRAPHICS},
-    Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_COMPUTE_BIT}};
-constexpr std::array k_light_bindings{Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT}};
-
-VkSampler make_sampler(engine::Device& device, bool compares) {
-    VkSamplerCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
-    info.addressModeU = info.addressModeV = info.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
-    if (compares) {
-        info.magFilter = info.minFilter = VK_FILTER_LINEAR;
-        info.compareEnable = VK_TRUE;
-        info.compareOp = VK_COMPARE_OP_LESS_OR_EQUAL;
-    }
-    VkSampler made = VK_NULL_HANDLE;
-    must(vkCreateSampler(device.device, &info, nullptr, &made), "vkCreateSampler");
-    device.at_end([vulkan = device.device, made] { vkDestroySampler(vulkan, made, nullptr); });
-    return made;
-}
+    engine::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, engine::k_stages},
+    engine::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_ALL_GRAPHICS},
+    engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_COMPUTE_BIT}};
+constexpr std::array k_light_bindings{engine::Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, VK_SHADER_STAGE_FRAGMENT_BIT}};
 
 VkExtent2D extent_of(const RenderSettings& settings) {
     return {static_cast<std::uint32_t>(settings.width), static_cast<std::uint32_t>(settings.height)};
@@ -76,42 +60,43 @@ windrow::Result<std::unique_ptr<Renderer>> Renderer::create(engine::Device& devi
     refusals.add(validate(settings));
     if (auto judged = refusals.result(); !judged)
         return windrow::Error{judged.error()};
-    return std::unique_ptr<Renderer>(new Renderer(device, scene, settings));
+    return engine::guarded([&] { return std::unique_ptr<Renderer>(new Renderer(device, scene, settings)); });
 }
 
 Renderer::Renderer(engine::Device& device, const Scene& scene, const RenderSettings& settings)
-    : device_(device), settings_(settings), clouds_(scene.clouds), sampling_(scene.wind.sampling),
-      images_(device, extent_of(settings), settings.samples == 1 ? VK_SAMPLE_COUNT_1_BIT : VK_SAMPLE_COUNT_4_BIT), clock_(device),
-      wind_(device) {
+    : device_(device), objects_(device), settings_(settings), clouds_(scene.clouds), sampling_(scene.wind.sampling),
+      images_(objects_, extent_of(settings), settings.samples == 1 ? VK_SAMPLE_COUNT_1_BIT : VK_SAMPLE_COUNT_4_BIT),
+      clock_(objects_), wind_(objects_) {
     if (settings.counts)
-        counter_.emplace(device);
+        counter_.emplace(objects_);
     const auto side = static_cast<std::uint32_t>(settings.shadow_texels);
     const VkExtent2D both{2 * side, side};
-    shadow_map_ =
-        device.make_image(k_shadow_format, both, VK_SAMPLE_COUNT_1_BIT,
-                          VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT, VK_IMAGE_ASPECT_DEPTH_BIT);
-    const Attachment map{.role = Attachment::Role::depth,
-                         .format = k_shadow_format,
-                         .view = shadow_map_.view,
-                         .cleared = true,
-                         .end = VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL};
-    shadow_pass_.emplace(device, both, std::span(&map, 1));
-    compare_ = make_sampler(device, true);
-    fetch_ = make_sampler(device, false);
+    shadow_map_ = objects_.image({.format = k_shadow_format,
+                                  .extent = both,
+                                  .usage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT,
+                                  .aspect = VK_IMAGE_ASPECT_DEPTH_BIT});
+    const engine::Attachment map{.role = engine::Attachment::Role::depth,
+                                 .format = k_shadow_format,
+                                 .view = shadow_map_.view,
+                                 .cleared = true,
+                                 .end = VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL};
+    shadow_pass_.emplace(objects_, both, std::span(&map, 1));
+    compare_ = objects_.sampler(engine::Sampler::depth);
+    fetch_ = objects_.sampler(engine::Sampler::texels);
     make_sets(scene);
 
     const std::array layouts{frame_layout_, wind_.layout(), light_layout_};
-    full_screen_ = make_pipeline_layout(device, layouts);
-    sky_ = make_pipeline(device, {.vertex = words::full_screen_vert,
-                                  .fragment = words::sky_frag,
-                                  .layout = full_screen_,
-                                  .target = images_.scene_target(),
-                                  .writes_depth = false});
-    tone_ = make_pipeline(device, {.vertex = words::full_screen_vert,
-                                   .fragment = words::tone_frag,
-                                   .layout = full_screen_,
-                                   .target = images_.toned_target()});
-    terrain_.emplace(device, draw_targets(), scene.ground, scene.look);
+    full_screen_ = make_pipeline_layout(objects_, layouts);
+    sky_ = make_pipeline(objects_, {.vertex = words::full_screen_vert,
+                                    .fragment = words::sky_frag,
+                                    .layout = full_screen_,
+                                    .target = images_.scene_target(),
+                                    .writes_depth = false});
+    tone_ = make_pipeline(objects_, {.vertex = words::full_screen_vert,
+                                     .fragment = words::tone_frag,
+                                     .layout = full_screen_,
+                                     .target = images_.toned_target()});
+    terrain_.emplace(objects_, draw_targets(), scene.ground, scene.look);
     drawables_.push_back(&*terrain_);
 
     const glm::vec3 corner(scene.ground.corner - settings.anchor);
@@ -126,13 +111,13 @@ Renderer::Renderer(engine::Device& device, const Scene& scene, const RenderSetti
 }
 
 void Renderer::make_sets(const Scene& scene) {
-    frame_layout_ = make_layout(device_, k_frame_bindings);
-    light_layout_ = make_layout(device_, k_light_bindings);
-    render::make_sets(device_, frame_layout_, k_frame_bindings, sets_);
-    render::make_sets(device_, light_layout_, k_light_bindings, std::span(&light_set_, 1));
-    const engine::Buffer heights = Terrain::heights(device_, scene.ground);
+    frame_layout_ = make_layout(objects_, k_frame_bindings);
+    light_layout_ = make_layout(objects_, k_light_bindings);
+    engine::make_sets(objects_, frame_layout_, k_frame_bindings, sets_);
+    engine::make_sets(objects_, light_layout_, k_light_bindings, std::span(&light_set_, 1));
+    const engine::Buffer heights = Terrain::heights(objects_, scene.ground);
+    blocks_ = objects_.frame_buffers(sizeof(FrameBlock), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     for (std::size_t slot = 0; slot < sets_.size(); ++slot) {
-        blocks_[slot] = device_.make_buffer(sizeof(FrameBlock), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
         point(device_, sets_[slot], 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, blocks_[slot].buffer);
         point(device_, sets_[slot], 1, shadow_map_.view, compare_, VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL);
         point(device_, sets_[slot], 2, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, heights.buffer);
@@ -198,7 +183,7 @@ void Renderer::draw_shadows(PassContext context) {
     shadow_pass_->begin(context.commands);
     const auto side = static_cast<std::uint32_t>(settings_.shadow_texels);
     for (context.cascade = 0; context.cascade < 2; ++context.cascade) {
-        set_area(context.commands, {{context.cascade * settings_.shadow_texels, 0}, {side, side}});
+        engine::set_area(context.commands, {{context.cascade * settings_.shadow_texels, 0}, {side, side}});
         for (Drawable* const drawable : drawables_)
             drawable->draw(context);
     }
@@ -222,7 +207,8 @@ windrow::Result<void> Renderer::keep_up(const engine::Frame& frame, const Camera
         return judged;
     const PassContext context = context_of(frame, camera, wind);
     for (Drawable* const drawable : drawables)
-        drawable->prepare(context);
+        if (auto prepared = drawable->prepare(context); !prepared)
+            return prepared;
     return {};
 }
 
@@ -233,7 +219,8 @@ windrow::Result<void> Renderer::record(const engine::Frame& frame, const Camera&
     const VkCommandBuffer commands = frame.commands;
     clock_.mark(commands, "wind");
     for (Drawable* const drawable : drawables_)
-        drawable->prepare(context);
+        if (auto prepared = drawable->prepare(context); !prepared)
+            return prepared;
     clock_.mark(commands, "prepare");
     draw_shadows(context);
     clock_.mark(commands, "shadow");

@@ -1,19 +1,18 @@
 // The small renderer: sun with shadows, sky, fog, ground and whatever drawables a host adds, offscreen.
 //
 //     auto renderer = render::Renderer::create(device, scene, {.anchor = field});
-//     render::BladeGrid grass(device, (*renderer)->draw_targets(), scene.plants, scene.look, places);
-//     (*renderer)->add(grass);
-//     const engine::Frame frame = frames.begin();
+//     auto grass = render::BladeGrid::create(device, (*renderer)->draw_targets(), scene.plants, scene.look, places);
+//     (*renderer)->add(**grass);
+//     const engine::Frame frame = *frames->begin();
 //     (*renderer)->begin(frame);                                   // the clock
 //     wind->record(frame.commands, {.dt = dt, .slot = frame.slot});
 //     (*renderer)->record(frame, camera, *wind);                   // all passes; motion since the last recorded frame
 //     (*renderer)->copy(frame);                                    // where this frame is wanted on the host
-//     frames.submit(frame);
-//     frames.wait();
+//     frames->finish(frame);
 //     write_png((*renderer)->images().picture(), "frame.png");
 //
 // Passes: drawables prepare; both shadows into one map; light (RGBA16F) and motion (RG16F) with depth, four samples resolved; the
-// toned picture. A device call that fails ends the program, as in all of examples/engine; what a host may get wrong is refused.
+// toned picture.
 #pragma once
 
 #include "vegetation/vulkan/wind_set.h"
@@ -43,7 +42,7 @@ struct RenderSettings {
 
 class Renderer {
   public:
-    /// Refuses what `validate` refuses of scene and settings. The device outlives it.
+    /// Refuses what `validate` refuses of scene and settings, and a device that lacks memory. The device outlives it.
     [[nodiscard]] static windrow::Result<std::unique_ptr<Renderer>> create(engine::Device& device, const Scene& scene,
                                                                            const RenderSettings& settings);
 
@@ -84,6 +83,7 @@ class Renderer {
     void make_sets(const Scene& scene);
 
     engine::Device& device_;
+    engine::Objects objects_;
     RenderSettings settings_;
     Clouds clouds_;
     windrow::Sampling sampling_;
@@ -92,14 +92,14 @@ class Renderer {
     std::optional<VertexCounter> counter_{};
     engine::WindSet wind_;
     engine::Image shadow_map_{};
-    std::optional<RenderPass> shadow_pass_{};
+    std::optional<engine::RenderPass> shadow_pass_{};
     VkSampler compare_ = VK_NULL_HANDLE, fetch_ = VK_NULL_HANDLE;
     VkDescriptorSetLayout frame_layout_ = VK_NULL_HANDLE, light_layout_ = VK_NULL_HANDLE;
     VkPipelineLayout full_screen_ = VK_NULL_HANDLE;
     VkPipeline sky_ = VK_NULL_HANDLE, tone_ = VK_NULL_HANDLE;
     std::array<VkDescriptorSet, engine::k_frames_in_flight> sets_{};
     VkDescriptorSet light_set_ = VK_NULL_HANDLE;
-    std::array<engine::Buffer, engine::k_frames_in_flight> blocks_{};
+    engine::FrameBuffers blocks_{};
     std::optional<Terrain> terrain_{};
     std::vector<Drawable*> drawables_{};
     FrameBlock block_{};

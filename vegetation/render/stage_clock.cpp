@@ -4,26 +4,18 @@
 
 namespace windrow::vegetation::render {
 
-using engine::must;
-
-StageClock::StageClock(engine::Device& device) : device_(device.device) {
+StageClock::StageClock(engine::Objects& objects) : device_(objects.device().handle()) {
+    const windrow::vulkan::Host& host = objects.device().host();
     std::uint32_t count = 0;
-    vkGetPhysicalDeviceQueueFamilyProperties(device.physical, &count, nullptr);
+    vkGetPhysicalDeviceQueueFamilyProperties(host.physical_device, &count, nullptr);
     std::vector<VkQueueFamilyProperties> families(count);
-    vkGetPhysicalDeviceQueueFamilyProperties(device.physical, &count, families.data());
-    const std::uint32_t bits = families[device.family].timestampValidBits;
+    vkGetPhysicalDeviceQueueFamilyProperties(host.physical_device, &count, families.data());
+    const std::uint32_t bits = families[host.queue_family].timestampValidBits;
     if (bits == 0)
         return;
     mask_ = bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
-    VkPhysicalDeviceProperties properties{};
-    vkGetPhysicalDeviceProperties(device.physical, &properties);
-    tick_us_ = 1e-3 * static_cast<double>(properties.limits.timestampPeriod);
-    VkQueryPoolCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO;
-    info.queryType = VK_QUERY_TYPE_TIMESTAMP;
-    info.queryCount = k_marks * engine::k_frames_in_flight;
-    must(vkCreateQueryPool(device_, &info, nullptr, &pool_), "vkCreateQueryPool");
-    device.at_end([vulkan = device_, pool = pool_] { vkDestroyQueryPool(vulkan, pool, nullptr); });
+    tick_us_ = 1e-3 * static_cast<double>(objects.device().limits().timestampPeriod);
+    pool_ = objects.queries(VK_QUERY_TYPE_TIMESTAMP, k_marks * engine::k_frames_in_flight);
 }
 
 void StageClock::begin(VkCommandBuffer commands, int slot) {

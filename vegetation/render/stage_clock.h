@@ -15,7 +15,7 @@ struct StageTime {
 
 class StageClock {
   public:
-    explicit StageClock(engine::Device& device);
+    explicit StageClock(engine::Objects& objects);
 
     /// Whether the queue counts time; without it nothing is recorded and nothing told.
     [[nodiscard]] bool counts() const { return tick_us_ > 0.0; }

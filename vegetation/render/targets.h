@@ -3,8 +3,8 @@
 #pragma once
 
 #include "vegetation/render/picture.h"
-#include "vegetation/render/pipeline.h"
-#include "vegetation/render/render_pass.h"
+#include "vegetation/vulkan/pipeline.h"
+#include "vegetation/vulkan/render_pass.h"
 
 #include <optional>
 
@@ -13,15 +13,15 @@ namespace windrow::vegetation::render {
 class Targets {
   public:
     /// `samples` is 1 or 4, which every device has.
-    Targets(engine::Device& device, VkExtent2D extent, VkSampleCountFlagBits samples);
+    Targets(engine::Objects& objects, VkExtent2D extent, VkSampleCountFlagBits samples);
 
     [[nodiscard]] VkExtent2D extent() const { return extent_; }
     /// The pass that draws light (attachment 0, RGBA16F) and motion (1, RG16F).
-    [[nodiscard]] const RenderPass& scene() const { return *scene_; }
-    [[nodiscard]] PassTarget scene_target() const { return {scene_->handle(), samples_, 2, true}; }
+    [[nodiscard]] const engine::RenderPass& scene() const { return *scene_; }
+    [[nodiscard]] engine::PassTarget scene_target() const { return {scene_->handle(), samples_, 2, true}; }
     /// The pass that draws the picture (RGBA8, sRGB) from the resolved light.
-    [[nodiscard]] const RenderPass& toned() const { return *toned_; }
-    [[nodiscard]] PassTarget toned_target() const { return {toned_->handle(), VK_SAMPLE_COUNT_1_BIT, 1, false}; }
+    [[nodiscard]] const engine::RenderPass& toned() const { return *toned_; }
+    [[nodiscard]] engine::PassTarget toned_target() const { return {toned_->handle(), VK_SAMPLE_COUNT_1_BIT, 1, false}; }
     [[nodiscard]] VkImageView light() const { return resolved_light().view; }
 
     /// After both passes: copies all to the host.
@@ -37,11 +37,12 @@ class Targets {
         return samples_ == VK_SAMPLE_COUNT_1_BIT ? motion_ : motion_one_;
     }
 
+    const engine::Device& device_;
     VkExtent2D extent_{};
     VkSampleCountFlagBits samples_{};
     engine::Image light_{}, motion_{}, depth_{}, light_one_{}, motion_one_{}, picture_{};
     engine::Buffer light_bytes_{}, motion_bytes_{}, picture_bytes_{};
-    std::optional<RenderPass> scene_{}, toned_{};
+    std::optional<engine::RenderPass> scene_{}, toned_{};
 };
 
 /// A format that depth is drawn to with more than 16 bits: one of two that every device has.

@@ -1,6 +1,6 @@
 #include "vegetation/render/terrain.h"
 
-#include "vegetation/render/descriptors.h"
+#include "vegetation/vulkan/descriptors.h"
 #include "vegetation/render/plant_look_block.h"
 #include "shader_words/terrain_frag.h"
 #include "shader_words/terrain_shadow_vert.h"
@@ -14,39 +14,33 @@ namespace windrow::vegetation::render {
 
 namespace words = windrow::vulkan::shader_words;
 
-engine::Buffer Terrain::heights(engine::Device& device, const Ground& ground) {
-    const std::span<const float> values = ground.heights.heights();
-    engine::Buffer made = device.make_buffer(values.size_bytes(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    std::memcpy(made.mapped, values.data(), values.size_bytes());
-    return made;
+engine::Buffer Terrain::heights(engine::Objects& objects, const Ground& ground) {
+    return filled(objects, ground.heights.heights(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
 }
 
-Terrain::Terrain(engine::Device& device, const DrawTargets& targets, const Ground& ground, const PlantLook& look)
+Terrain::Terrain(engine::Objects& objects, const DrawTargets& targets, const Ground& ground, const PlantLook& look)
     : cells_x_(static_cast<std::uint32_t>(ground.heights.grid().corners.x - 1)),
       cells_z_(static_cast<std::uint32_t>(ground.heights.grid().corners.y - 1)) {
-    const std::array bindings{Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_SHADER_STAGE_ALL_GRAPHICS},
-                              Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_FRAGMENT_BIT}};
-    const VkDescriptorSetLayout own = make_layout(device, bindings);
+    const std::array bindings{engine::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_SHADER_STAGE_ALL_GRAPHICS},
+                              engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_FRAGMENT_BIT}};
+    const VkDescriptorSetLayout own = make_layout(objects, bindings);
     const std::array sets{targets.frame, targets.wind, own};
-    layout_ = make_pipeline_layout(device, sets);
+    layout_ = make_pipeline_layout(objects, sets);
     colour_ = make_pipeline(
-        device, {.vertex = words::terrain_vert, .fragment = words::terrain_frag, .layout = layout_, .target = targets.colour});
+        objects, {.vertex = words::terrain_vert, .fragment = words::terrain_frag, .layout = layout_, .target = targets.colour});
     shadow_ =
-        make_pipeline(device, {.vertex = words::terrain_shadow_vert, .layout = layout_, .target = targets.shadow, .bias = true});
-    make_sets(device, own, bindings, std::span(&set_, 1));
-    const engine::Buffer block = device.make_buffer(sizeof(PlantLookBlock), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
-    const PlantLookBlock content(look);
-    std::memcpy(block.mapped, &content, sizeof content);
-    point(device, set_, 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, block.buffer);
+        make_pipeline(objects, {.vertex = words::terrain_shadow_vert, .layout = layout_, .target = targets.shadow, .bias = true});
+    make_sets(objects, own, bindings, std::span(&set_, 1));
+    const engine::Buffer block = filled_block(objects, PlantLookBlock(look), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+    point(objects.device(), set_, 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, block.buffer);
     const std::vector<float> everywhere(4, 1.0f);
     std::span<const float> grown = everywhere;
     if (ground.grown) {
         grown = ground.grown->values();
         mask_corners_ = ground.grown->grid().corners;
     }
-    const engine::Buffer mask = device.make_buffer(grown.size_bytes(), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-    std::memcpy(mask.mapped, grown.data(), grown.size_bytes());
-    point(device, set_, 1, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, mask.buffer);
+    const engine::Buffer mask = filled(objects, grown, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+    point(objects.device(), set_, 1, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, mask.buffer);
 }
 
 void Terrain::draw(const PassContext& context) {

@@ -8,10 +8,11 @@ namespace windrow::vegetation::render {
 
 class Terrain final : public Drawable {
   public:
-    Terrain(engine::Device& device, const DrawTargets& targets, const Ground& ground, const PlantLook& look);
+    /// Objects of the renderer's.
+    Terrain(engine::Objects& objects, const DrawTargets& targets, const Ground& ground, const PlantLook& look);
 
     /// The heights, for set 0.
-    [[nodiscard]] static engine::Buffer heights(engine::Device& device, const Ground& ground);
+    [[nodiscard]] static engine::Buffer heights(engine::Objects& objects, const Ground& ground);
     void draw(const PassContext& context) override;
 
   private:

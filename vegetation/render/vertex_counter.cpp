@@ -4,20 +4,13 @@
 
 namespace windrow::vegetation::render {
 
-using engine::must;
-
-VertexCounter::VertexCounter(engine::Device& device) : device_(device.device) {
-    if (!device.counts_vertices)
+VertexCounter::VertexCounter(engine::Objects& objects) : device_(objects.device().handle()) {
+    if (!objects.device().counts_vertices())
         return;
-    VkQueryPoolCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO;
-    info.queryType = VK_QUERY_TYPE_PIPELINE_STATISTICS;
-    info.queryCount = engine::k_frames_in_flight;
-    info.pipelineStatistics = VK_QUERY_PIPELINE_STATISTIC_INPUT_ASSEMBLY_VERTICES_BIT |
-                              VK_QUERY_PIPELINE_STATISTIC_VERTEX_SHADER_INVOCATIONS_BIT |
-                              VK_QUERY_PIPELINE_STATISTIC_FRAGMENT_SHADER_INVOCATIONS_BIT;
-    must(vkCreateQueryPool(device_, &info, nullptr, &pool_), "vkCreateQueryPool");
-    device.at_end([vulkan = device_, pool = pool_] { vkDestroyQueryPool(vulkan, pool, nullptr); });
+    pool_ = objects.queries(VK_QUERY_TYPE_PIPELINE_STATISTICS, engine::k_frames_in_flight,
+                            VK_QUERY_PIPELINE_STATISTIC_INPUT_ASSEMBLY_VERTICES_BIT |
+                                VK_QUERY_PIPELINE_STATISTIC_VERTEX_SHADER_INVOCATIONS_BIT |
+                                VK_QUERY_PIPELINE_STATISTIC_FRAGMENT_SHADER_INVOCATIONS_BIT);
 }
 
 void VertexCounter::begin(VkCommandBuffer commands, int slot) {

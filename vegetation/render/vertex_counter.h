@@ -15,7 +15,7 @@ struct VertexCounts {
 
 class VertexCounter {
   public:
-    explicit VertexCounter(engine::Device& device);
+    explicit VertexCounter(engine::Objects& objects);
 
     /// Whether the device counts; without it nothing is recorded and nothing told.
     [[nodiscard]] bool counts() const { return pool_ != VK_NULL_HANDLE; }

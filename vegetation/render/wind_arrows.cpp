@@ -1,6 +1,6 @@
 #include "vegetation/render/wind_arrows.h"
 
-#include "vegetation/render/descriptors.h"
+#include "vegetation/vulkan/descriptors.h"
 #include "vegetation/render/refusals.h"
 #include "shader_words/wind_arrow_vert.h"
 #include "shader_words/wind_lattice_frag.h"
@@ -16,7 +16,7 @@ namespace {
 namespace words = windrow::vulkan::shader_words;
 
 constexpr std::uint32_t k_arrow_vertices = 9, k_tile_vertices = 6;
-constexpr std::array k_bindings{Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_SHADER_STAGE_ALL_GRAPHICS}};
+constexpr std::array k_bindings{engine::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, VK_SHADER_STAGE_ALL_GRAPHICS}};
 
 } // namespace
 
@@ -35,24 +35,30 @@ windrow::Result<void> validate(const WindArrowSettings& settings) {
     return refusals.result();
 }
 
+Result<std::unique_ptr<WindArrows>> WindArrows::create(engine::Device& device, const DrawTargets& targets,
+                                                       const WindArrowSettings& settings) {
+    if (auto judged = validate(settings); !judged)
+        return Error{judged.error()};
+    return engine::guarded([&] { return std::unique_ptr<WindArrows>(new WindArrows(device, targets, settings)); });
+}
+
 WindArrows::WindArrows(engine::Device& device, const DrawTargets& targets, const WindArrowSettings& settings)
-    : settings_(settings) {
+    : objects_(device), settings_(settings) {
     const bool slice = settings.form == WindArrowSettings::Form::slice;
     if (slice)
         settings_.count.y = 1;
-    const VkDescriptorSetLayout own = make_layout(device, k_bindings);
+    const VkDescriptorSetLayout own = make_layout(objects_, k_bindings);
     const std::array layouts{targets.frame, targets.wind, own};
-    layout_ = make_pipeline_layout(device, layouts);
-    pipeline_ = make_pipeline(device, {.vertex = slice ? std::span<const std::uint32_t>(words::wind_slice_vert)
+    layout_ = make_pipeline_layout(objects_, layouts);
+    pipeline_ = make_pipeline(objects_, {.vertex = slice ? std::span<const std::uint32_t>(words::wind_slice_vert)
                                                        : std::span<const std::uint32_t>(words::wind_arrow_vert),
                                        .fragment = words::wind_lattice_frag,
                                        .layout = layout_,
                                        .target = targets.colour});
-    make_sets(device, own, k_bindings, sets_);
-    for (std::size_t slot = 0; slot < sets_.size(); ++slot) {
-        blocks_[slot] = device.make_buffer(sizeof(Block), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+    make_sets(objects_, own, k_bindings, sets_);
+    blocks_ = objects_.frame_buffers(sizeof(Block), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+    for (std::size_t slot = 0; slot < sets_.size(); ++slot)
         point(device, sets_[slot], 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, blocks_[slot].buffer);
-    }
     place(glm::vec3(0.0f));
 }
 

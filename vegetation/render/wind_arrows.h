@@ -24,8 +24,9 @@ struct WindArrowSettings {
 
 class WindArrows final : public Drawable {
   public:
-    /// Settings that `validate` passes.
-    WindArrows(engine::Device& device, const DrawTargets& targets, const WindArrowSettings& settings);
+    /// Refuses what `validate` refuses.
+    [[nodiscard]] static Result<std::unique_ptr<WindArrows>> create(engine::Device& device, const DrawTargets& targets,
+                                                                    const WindArrowSettings& settings);
 
     /// The lattice's middle from now on, [m] from the anchor, of which x and z count; it moves by whole spacings.
     void place(glm::vec3 middle);
@@ -39,11 +40,14 @@ class WindArrows final : public Drawable {
         glm::vec4 look{0.0f}; ///< x scale [m/s], y [s] of an arrow
     };
 
+    WindArrows(engine::Device& device, const DrawTargets& targets, const WindArrowSettings& settings);
+
+    engine::Objects objects_;
     WindArrowSettings settings_;
     VkPipelineLayout layout_ = VK_NULL_HANDLE;
     VkPipeline pipeline_ = VK_NULL_HANDLE;
     std::array<VkDescriptorSet, engine::k_frames_in_flight> sets_{};
-    std::array<engine::Buffer, engine::k_frames_in_flight> blocks_{};
+    engine::FrameBuffers blocks_{};
     Block block_{};
 };
 

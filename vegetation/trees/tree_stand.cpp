@@ -2,7 +2,7 @@
 
 #include "coupling/plant_vertex.h"
 #include "coupling/spring.h"
-#include "vegetation/render/descriptors.h"
+#include "vegetation/vulkan/descriptors.h"
 #include "vegetation/trees/chance.h"
 #include "vegetation/trees/tree_wind.h"
 #include "shader_words/tree_bark_frag.h"
@@ -30,12 +30,12 @@ constexpr float k_reach = 0.3f;              // of its height that a tree may le
 
 constexpr VkShaderStageFlags k_all = VK_SHADER_STAGE_ALL_GRAPHICS | VK_SHADER_STAGE_COMPUTE_BIT;
 constexpr VkShaderStageFlags k_vertices = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_COMPUTE_BIT;
-constexpr std::array k_bindings{render::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, k_all},
-                                render::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_vertices},
-                                render::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_vertices},
-                                render::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_vertices},
-                                render::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_vertices},
-                                render::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_COMPUTE_BIT}};
+constexpr std::array k_bindings{engine::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, k_all},
+                                engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_vertices},
+                                engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_vertices},
+                                engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_vertices},
+                                engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_vertices},
+                                engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_COMPUTE_BIT}};
 
 PlaceBlock block_of(const TreePlace& place, glm::dvec3 anchor) {
     const float yaw = glm::radians(place.yaw_deg);
@@ -67,12 +67,14 @@ windrow::Result<std::unique_ptr<TreeStand>> TreeStand::create(engine::Device& de
     if (groups * places.size() > k_most_groups)
         return windrow::Error{"stand.places has " + std::to_string(places.size()) + " trees; give at most " +
                               std::to_string(k_most_groups / groups) + " of this kind, or several stands."};
-    return std::unique_ptr<TreeStand>(new TreeStand(device, targets, settings, std::move(models), places, anchor));
+    return engine::guarded([&] {
+        return std::unique_ptr<TreeStand>(new TreeStand(device, targets, settings, std::move(models), places, anchor));
+    });
 }
 
 TreeStand::TreeStand(engine::Device& device, const render::DrawTargets& targets, const TreeStandSettings& settings,
                      std::vector<TreeModel> models, std::span<const TreePlace> places, glm::dvec3 anchor)
-    : models_(std::move(models)), springs_(settings.springs) {
+    : objects_(device), models_(std::move(models)), springs_(settings.springs) {
     const TreeSettings& tree = settings.kind.tree;
     const TreeLook& look = settings.kind.look;
     block_.wind = windrow::Tree::create(wind_classes(tree))->block(); // valid classes of valid settings: vegetation/tests/trees
@@ -94,26 +96,26 @@ TreeStand::TreeStand(engine::Device& device, const render::DrawTargets& targets,
         state += static_cast<std::uint32_t>(model(n).parts.size());
         places_.push_back(made);
     }
-    make_pipelines(device, targets);
-    fill_buffers(device);
+    make_pipelines(targets);
+    fill_buffers();
 }
 
-void TreeStand::make_pipelines(engine::Device& device, const render::DrawTargets& targets) {
-    own_ = render::make_layout(device, k_bindings);
+void TreeStand::make_pipelines(const render::DrawTargets& targets) {
+    own_ = engine::make_layout(objects_, k_bindings);
     const std::array sets{targets.frame, targets.wind, own_};
-    layout_ = render::make_pipeline_layout(device, sets);
-    loads_ = render::make_compute_pipeline(device, layout_, words::tree_loads);
-    bark_ = render::make_pipeline(
-        device,
+    layout_ = engine::make_pipeline_layout(objects_, sets);
+    loads_ = engine::make_compute_pipeline(objects_, layout_, words::tree_loads);
+    bark_ = engine::make_pipeline(
+        objects_,
         {.vertex = words::tree_bark_vert, .fragment = words::tree_bark_frag, .layout = layout_, .target = targets.colour});
-    leaf_ = render::make_pipeline(
-        device,
+    leaf_ = engine::make_pipeline(
+        objects_,
         {.vertex = words::tree_leaf_vert, .fragment = words::tree_leaf_frag, .layout = layout_, .target = targets.colour});
-    shadow_ = render::make_pipeline(
-        device, {.vertex = words::tree_shadow_vert, .layout = layout_, .target = targets.shadow, .bias = true});
+    shadow_ = engine::make_pipeline(
+        objects_, {.vertex = words::tree_shadow_vert, .layout = layout_, .target = targets.shadow, .bias = true});
 }
 
-void TreeStand::fill_buffers(engine::Device& device) {
+void TreeStand::fill_buffers() {
     std::vector<ModelVertex> vertices;
     std::vector<std::uint32_t> indices;
     std::vector<ModelPart> parts;
@@ -125,23 +127,24 @@ void TreeStand::fill_buffers(engine::Device& device) {
         parts.insert(parts.end(), model.parts.begin(), model.parts.end());
     }
     constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-    const engine::Buffer vertex_buffer = render::filled(device, vertices, storage),
-                         part_buffer = render::filled(device, parts, storage);
-    const engine::Buffer place_buffer = render::filled(device, places_, storage);
-    indices_ = render::filled(device, indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+    const engine::Buffer vertex_buffer = engine::filled(objects_, vertices, storage),
+                         part_buffer = engine::filled(objects_, parts, storage);
+    const engine::Buffer place_buffer = engine::filled(objects_, places_, storage);
+    indices_ = engine::filled(objects_, indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
     const std::size_t states = places_.back().first.y + model(places_.size() - 1).parts.size();
-    states_ = render::filled(device, std::vector<PartState>(states), storage);
+    states_ = engine::filled(objects_, std::vector<PartState>(states), storage | VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
     std::size_t most_groups = 0;
     for (std::size_t n = 0; n < places_.size(); ++n)
         most_groups += (model(n).parts.size() + k_group - 1) / k_group;
-    render::make_sets(device, own_, k_bindings, sets_);
+    engine::make_sets(objects_, own_, k_bindings, sets_);
+    blocks_ = objects_.frame_buffers(sizeof(StandBlock), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+    jobs_ = objects_.frame_buffers(sizeof(glm::uvec4) * most_groups, storage);
+    const engine::Device& device = objects_.device();
     for (std::size_t slot = 0; slot < sets_.size(); ++slot) {
-        blocks_[slot] = device.make_buffer(sizeof(StandBlock), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
-        jobs_[slot] = device.make_buffer(sizeof(glm::uvec4) * most_groups, storage);
-        render::point(device, sets_[slot], 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, blocks_[slot].buffer);
+        engine::point(device, sets_[slot], 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, blocks_[slot].buffer);
         std::uint32_t binding = 1;
         for (const engine::Buffer& each : {vertex_buffer, part_buffer, place_buffer, states_, jobs_[slot]})
-            render::point(device, sets_[slot], binding++, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, each.buffer);
+            engine::point(device, sets_[slot], binding++, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, each.buffer);
     }
 }
 
@@ -171,7 +174,7 @@ void TreeStand::find_seen(const render::FrameBlock& frame) {
     }
 }
 
-void TreeStand::prepare(const render::PassContext& context) {
+Result<void> TreeStand::prepare(const render::PassContext& context) {
     find_seen(*context.block);
     ++block_.clock.x;
     block_.clock.y = springs_ ? 1u : 0u;
@@ -181,7 +184,7 @@ void TreeStand::prepare(const render::PassContext& context) {
     const auto slot = static_cast<std::size_t>(context.slot);
     std::memcpy(blocks_[slot].mapped, &block_, sizeof block_);
     if (seen_.empty())
-        return;
+        return {};
     // One job a group: a software device runs all of a group's lanes, whether they have a part or not.
     auto* const jobs = static_cast<glm::uvec4*>(jobs_[slot].mapped);
     std::uint32_t groups = 0;
@@ -199,10 +202,10 @@ void TreeStand::prepare(const render::PassContext& context) {
     vkCmdPipelineBarrier(context.commands, VK_PIPELINE_STAGE_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
                          VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, 0, 1, &barrier, 0, nullptr, 0, nullptr);
     vkCmdDispatch(context.commands, groups, 1, 1);
-    barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_HOST_READ_BIT;
+    barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;
     vkCmdPipelineBarrier(context.commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
-                         VK_PIPELINE_STAGE_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &barrier, 0, nullptr, 0,
-                         nullptr);
+                         VK_PIPELINE_STAGE_VERTEX_SHADER_BIT, 0, 1, &barrier, 0, nullptr, 0, nullptr);
+    return {};
 }
 
 void TreeStand::draw(const render::PassContext& context) {
@@ -233,8 +236,8 @@ void TreeStand::draw(const render::PassContext& context) {
             draw(seen, seen.drawn.leaves);
 }
 
-std::span<const PartState> TreeStand::states(std::size_t tree) const {
-    return {static_cast<const PartState*>(states_.mapped) + places_[tree].first.y, model(tree).parts.size()};
+Result<std::vector<PartState>> TreeStand::states(std::size_t tree) const {
+    return objects_.device().read<PartState>(states_.buffer, places_[tree].first.y, model(tree).parts.size());
 }
 
 } // namespace windrow::vegetation::trees

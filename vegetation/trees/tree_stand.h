@@ -33,7 +33,7 @@ class TreeStand final : public render::Drawable {
     /// [s] Time from the last frame to those that follow, 0 or more; others count as 0. Default 1/60.
     void set_time_step(double seconds);
 
-    void prepare(const render::PassContext& context) override;
+    Result<void> prepare(const render::PassContext& context) override;
     void draw(const render::PassContext& context) override;
 
     [[nodiscard]] std::size_t count() const { return places_.size(); }
@@ -42,8 +42,8 @@ class TreeStand final : public render::Drawable {
     [[nodiscard]] const LevelBlock& levels() const { return block_.levels; }
     /// Vertices that the last frame's colour pass drew.
     [[nodiscard]] std::uint64_t drawn_vertices() const { return drawn_vertices_; }
-    /// States of a tree's parts, once the frame is done: those of its model, in their order.
-    [[nodiscard]] std::span<const PartState> states(std::size_t tree) const;
+    /// States of a tree's parts, once the frame is done: those of its model, in their order. Waits for the device.
+    [[nodiscard]] Result<std::vector<PartState>> states(std::size_t tree) const;
     /// Set 2 of a frame in flight, and its layout, for shaders of a host's own that include trees/tree_parts.glsl.
     [[nodiscard]] VkDescriptorSet set(int slot) const { return sets_[static_cast<std::size_t>(slot)]; }
     [[nodiscard]] VkDescriptorSetLayout layout() const { return own_; }
@@ -58,10 +58,11 @@ class TreeStand final : public render::Drawable {
 
     TreeStand(engine::Device& device, const render::DrawTargets& targets, const TreeStandSettings& settings,
               std::vector<TreeModel> models, std::span<const TreePlace> places, glm::dvec3 anchor);
-    void make_pipelines(engine::Device& device, const render::DrawTargets& targets);
-    void fill_buffers(engine::Device& device);
+    void make_pipelines(const render::DrawTargets& targets);
+    void fill_buffers();
     void find_seen(const render::FrameBlock& frame);
 
+    engine::Objects objects_;
     std::vector<TreeModel> models_;
     std::vector<PlaceBlock> places_{};
     std::vector<std::uint32_t> first_vertex_{}, first_index_{}, first_part_{}; // one a model
@@ -75,7 +76,7 @@ class TreeStand final : public render::Drawable {
     VkPipelineLayout layout_ = VK_NULL_HANDLE;
     VkPipeline loads_ = VK_NULL_HANDLE, bark_ = VK_NULL_HANDLE, leaf_ = VK_NULL_HANDLE, shadow_ = VK_NULL_HANDLE;
     std::array<VkDescriptorSet, engine::k_frames_in_flight> sets_{};
-    std::array<engine::Buffer, engine::k_frames_in_flight> blocks_{}, jobs_{};
+    engine::FrameBuffers blocks_{}, jobs_{};
     engine::Buffer states_{}, indices_{};
 };
 

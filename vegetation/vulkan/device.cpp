@@ -1,181 +1,219 @@
 #include "vegetation/vulkan/device.h"
 
-#include "fluid/vulkan/host.h"
+#include "fluid/vulkan/own_device.h"
+#include "vegetation/vulkan/buffer_memory.h"
+#include "vegetation/vulkan/objects.h"
 
-#include <cstdio>
-#include <cstdlib>
 #include <optional>
 #include <vulkan/vulkan.h>
 
 namespace windrow::vegetation::engine {
 namespace {
 
-std::vector<VkPhysicalDevice> physical_devices(VkInstance instance) {
-    std::uint32_t count = 0;
-    must(vkEnumeratePhysicalDevices(instance, &count, nullptr), "vkEnumeratePhysicalDevices");
-    std::vector<VkPhysicalDevice> found(count);
-    must(vkEnumeratePhysicalDevices(instance, &count, found.data()), "vkEnumeratePhysicalDevices");
-    return found;
+struct Copy {
+    VkBuffer from = VK_NULL_HANDLE, to = VK_NULL_HANDLE;
+    VkDeviceSize bytes = 0;
+};
+
+void record(VkCommandBuffer commands, const Copy& copy) {
+    const VkBufferCopy whole{0, 0, copy.bytes};
+    vkCmdCopyBuffer(commands, copy.from, copy.to, 1, &whole);
 }
 
-VkPhysicalDeviceProperties properties_of(VkPhysicalDevice physical) {
-    VkPhysicalDeviceProperties properties{};
-    vkGetPhysicalDeviceProperties(physical, &properties);
-    return properties;
+void barrier(VkCommandBuffer commands, VkPipelineStageFlags from, VkAccessFlags written, VkPipelineStageFlags to,
+             VkAccessFlags used) {
+    const VkMemoryBarrier all{VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr, written, used};
+    vkCmdPipelineBarrier(commands, from, to, 0, 1, &all, 0, nullptr, 0, nullptr);
 }
 
-// A family of queues that draw and compute.
-std::optional<std::uint32_t> family_of(VkPhysicalDevice physical) {
+Result<void> check_queue(const vulkan::Host& host, VkQueue queue) {
+    if (queue == VK_NULL_HANDLE)
+        return Error{"queue is null: give one of the family host.queue_family."};
     std::uint32_t count = 0;
-    vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
+    vkGetPhysicalDeviceQueueFamilyProperties(host.physical_device, &count, nullptr);
     std::vector<VkQueueFamilyProperties> families(count);
-    vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
+    vkGetPhysicalDeviceQueueFamilyProperties(host.physical_device, &count, families.data());
     constexpr VkQueueFlags both = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
-    for (std::uint32_t family = 0; family < count; ++family)
-        if ((families[family].queueFlags & both) == both)
-            return family;
-    return std::nullopt;
-}
-
-int rank(VkPhysicalDeviceType type) {
-    return type == VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU ? 2 : type == VK_PHYSICAL_DEVICE_TYPE_CPU ? 0 : 1;
+    if (host.queue_family >= count || (families[host.queue_family].queueFlags & both) != both)
+        return Error{"queue_family " + std::to_string(host.queue_family) +
+                     " does not draw and compute: give one with VK_QUEUE_GRAPHICS_BIT and VK_QUEUE_COMPUTE_BIT."};
+    return {};
 }
 
 } // namespace
 
-void give_up(const std::string& sentence, int code) {
-    std::fprintf(stderr, "%s\n", sentence.c_str());
-    std::exit(code);
-}
+struct Device::State {
+    std::unique_ptr<vulkan::OwnDevice> own{}; // ends last; null: a host's
+    vulkan::Host host{};
+    VkQueue queue = VK_NULL_HANDLE;
+    VkPhysicalDeviceProperties properties{};
+    std::string name{};
+    bool counts_vertices = false;
+    std::optional<BufferMemory> memory{};
 
-void must(VkResult result, const char* call) {
-    if (result != VK_SUCCESS)
-        give_up(std::string(call) + " failed: " + windrow::vulkan::name_of(result), 1);
-}
+    /// A batch of uploads: its staging buffers end when the frame that copies them is done.
+    struct Batch {
+        std::vector<Copy> copies{};
+        std::unique_ptr<Objects> staging{};
+    };
+    Batch pending{};
+    std::array<std::unique_ptr<Objects>, k_frames_in_flight> in_flight{};
+    std::array<std::vector<Copy>, k_frames_in_flight> each_frame{};
+};
 
-Device::Device(std::uint32_t api_version, const VkPhysicalDeviceFeatures& features, const Judge& judge) {
-    VkApplicationInfo application{};
-    application.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
-    application.pApplicationName = "windrow example";
-    application.apiVersion = api_version;
-    VkInstanceCreateInfo instance_info{};
-    instance_info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
-    instance_info.pApplicationInfo = &application;
-    const VkResult made = vkCreateInstance(&instance_info, nullptr, &instance);
-    if (made == VK_ERROR_INCOMPATIBLE_DRIVER)
-        give_up("No Vulkan driver is installed: install your GPU's, or a software one (Debian: mesa-vulkan-drivers).", 3);
-    must(made, "vkCreateInstance");
-
-    std::string objections;
-    int best = -1;
-    for (const VkPhysicalDevice candidate : physical_devices(instance)) {
-        const VkPhysicalDeviceProperties properties = properties_of(candidate);
-        const auto has = family_of(candidate);
-        const std::string objection = has ? judge(instance, candidate) : "none of its queues draws and computes.";
-        if (!objection.empty()) {
-            objections += std::string("\n") + properties.deviceName + ": " + objection;
-        } else if (rank(properties.deviceType) > best) {
-            best = rank(properties.deviceType);
-            physical = candidate;
-            family = *has;
-            name = properties.deviceName;
-        }
-    }
-    if (physical == VK_NULL_HANDLE)
-        give_up("No Vulkan device will do." + objections, 3);
-
-    const float priority = 1.0f;
-    VkDeviceQueueCreateInfo queue_info{};
-    queue_info.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
-    queue_info.queueFamilyIndex = family;
-    queue_info.queueCount = 1;
-    queue_info.pQueuePriorities = &priority;
-    VkDeviceCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
-    info.queueCreateInfoCount = 1;
-    info.pQueueCreateInfos = &queue_info;
-    VkPhysicalDeviceFeatures has{}, wanted = features;
-    vkGetPhysicalDeviceFeatures(physical, &has);
-    wanted.pipelineStatisticsQuery = has.pipelineStatisticsQuery;
-    counts_vertices = has.pipelineStatisticsQuery == VK_TRUE;
-    info.pEnabledFeatures = &wanted;
-    must(vkCreateDevice(physical, &info, nullptr, &device), "vkCreateDevice");
-    vkGetDeviceQueue(device, family, 0, &queue);
-}
+Device::Device(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
 Device::~Device() {
-    if (device != VK_NULL_HANDLE) {
-        vkDeviceWaitIdle(device);
-        for (auto last = destroy_.rbegin(); last != destroy_.rend(); ++last)
-            (*last)();
-        vkDestroyDevice(device, nullptr);
-    }
-    if (instance != VK_NULL_HANDLE)
-        vkDestroyInstance(instance, nullptr);
+    if (state_->own)
+        vkDeviceWaitIdle(handle());
+    state_->pending = {};
+    state_->in_flight = {};
 }
 
-VkDeviceMemory Device::allocate(const VkMemoryRequirements& needs, VkMemoryPropertyFlags wanted) {
-    VkPhysicalDeviceMemoryProperties has{};
-    vkGetPhysicalDeviceMemoryProperties(physical, &has);
-    VkMemoryAllocateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
-    info.allocationSize = needs.size;
-    info.memoryTypeIndex = has.memoryTypeCount;
-    for (std::uint32_t type = has.memoryTypeCount; type-- > 0;)
-        if ((needs.memoryTypeBits >> type & 1u) != 0 && (has.memoryTypes[type].propertyFlags & wanted) == wanted)
-            info.memoryTypeIndex = type;
-    if (info.memoryTypeIndex == has.memoryTypeCount)
-        give_up("The device has no memory of the kind that is needed.", 3);
-    VkDeviceMemory memory = VK_NULL_HANDLE;
-    must(vkAllocateMemory(device, &info, nullptr, &memory), "vkAllocateMemory");
-    at_end([this, memory] { vkFreeMemory(device, memory, nullptr); });
-    memory_bytes_ += needs.size;
-    return memory;
-}
-
-Buffer Device::make_buffer(VkDeviceSize bytes, VkBufferUsageFlags usage) {
-    Buffer made;
-    VkBufferCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
-    info.size = bytes;
-    info.usage = usage;
-    must(vkCreateBuffer(device, &info, nullptr, &made.buffer), "vkCreateBuffer");
-    at_end([this, buffer = made.buffer] { vkDestroyBuffer(device, buffer, nullptr); });
-    VkMemoryRequirements needs{};
-    vkGetBufferMemoryRequirements(device, made.buffer, &needs);
-    const VkDeviceMemory memory = allocate(needs, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
-    must(vkBindBufferMemory(device, made.buffer, memory, 0), "vkBindBufferMemory");
-    must(vkMapMemory(device, memory, 0, VK_WHOLE_SIZE, 0, &made.mapped), "vkMapMemory");
+Result<std::unique_ptr<Device>> Device::create(const DeviceSettings& settings) {
+    VkPhysicalDeviceFeatures wished{};
+    wished.pipelineStatisticsQuery = VK_TRUE;
+    auto own = vulkan::OwnDevice::create({.device = settings.device,
+                                          .validation = settings.validation,
+                                          .on_message = settings.on_message,
+                                          .queue = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT,
+                                          .wished = wished});
+    if (!own)
+        return Error{own.error()};
+    vulkan::Host host = (*own)->host();
+    host.get_instance_proc_addr = vkGetInstanceProcAddr; // the one that this library links: tools may stand before the loader's
+    auto made = adopt(host, (*own)->queue(), settings);
+    if (!made)
+        return Error{made.error()};
+    (*made)->state_->counts_vertices = (*own)->features().pipelineStatisticsQuery == VK_TRUE;
+    (*made)->state_->own = *std::move(own);
     return made;
 }
 
-Image Device::make_image(VkFormat format, VkExtent2D extent, VkSampleCountFlagBits samples, VkImageUsageFlags usage,
-                         VkImageAspectFlags aspect) {
-    Image made;
-    VkImageCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
-    info.imageType = VK_IMAGE_TYPE_2D;
-    info.format = format;
-    info.extent = {extent.width, extent.height, 1};
-    info.mipLevels = 1;
-    info.arrayLayers = 1;
-    info.samples = samples;
-    info.tiling = VK_IMAGE_TILING_OPTIMAL;
-    info.usage = usage;
-    must(vkCreateImage(device, &info, nullptr, &made.image), "vkCreateImage");
-    at_end([this, image = made.image] { vkDestroyImage(device, image, nullptr); });
-    VkMemoryRequirements needs{};
-    vkGetImageMemoryRequirements(device, made.image, &needs);
-    must(vkBindImageMemory(device, made.image, allocate(needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT), 0), "vkBindImageMemory");
-    VkImageViewCreateInfo view_info{};
-    view_info.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
-    view_info.image = made.image;
-    view_info.viewType = VK_IMAGE_VIEW_TYPE_2D;
-    view_info.format = format;
-    view_info.subresourceRange = {aspect, 0, 1, 0, 1};
-    must(vkCreateImageView(device, &view_info, nullptr, &made.view), "vkCreateImageView");
-    at_end([this, view = made.view] { vkDestroyImageView(device, view, nullptr); });
-    return made;
+Result<std::unique_ptr<Device>> Device::adopt(const vulkan::Host& host, VkQueue queue, const DeviceSettings& settings) {
+    const auto functions = vulkan::load_functions(host);
+    if (!functions)
+        return Error{functions.error()};
+    if (auto fits = vulkan::check(host.instance, host.physical_device, host.get_instance_proc_addr); !fits)
+        return Error{fits.error()};
+    if (auto fits = check_queue(host, queue); !fits)
+        return Error{fits.error()};
+    auto state = std::make_unique<State>();
+    state->host = host;
+    state->queue = queue;
+    vkGetPhysicalDeviceProperties(host.physical_device, &state->properties);
+    state->name = state->properties.deviceName;
+    state->memory.emplace(host, *functions, settings.staged);
+    return std::unique_ptr<Device>(new Device(std::move(state)));
+}
+
+const vulkan::Host& Device::host() const {
+    return state_->host;
+}
+VkQueue Device::queue() const {
+    return state_->queue;
+}
+const std::string& Device::name() const {
+    return state_->name;
+}
+const VkPhysicalDeviceLimits& Device::limits() const {
+    return state_->properties.limits;
+}
+bool Device::counts_vertices() const {
+    return state_->counts_vertices;
+}
+VkDeviceSize Device::memory_bytes() const {
+    return state_->memory->given();
+}
+VkDeviceSize Device::reserved_bytes() const {
+    return state_->memory->taken();
+}
+BufferMemory& Device::memory() const {
+    return *state_->memory;
+}
+
+void Device::upload(const Buffer& to, const void* from) {
+    State::Batch& batch = state_->pending;
+    if (!batch.staging)
+        batch.staging = std::make_unique<Objects>(*this);
+    const Buffer staged = batch.staging->buffer(Use::staging, to.bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
+    std::memcpy(staged.mapped, from, to.bytes);
+    batch.copies.push_back({staged.buffer, to.buffer, to.bytes});
+}
+
+void Device::copy_each_frame(int slot, const Buffer& from, const Buffer& to) {
+    state_->each_frame[static_cast<std::size_t>(slot)].push_back({from.buffer, to.buffer, to.bytes});
+}
+
+void Device::forget(VkBuffer to) {
+    const auto goes_there = [to](const Copy& copy) { return copy.to == to; };
+    std::erase_if(state_->pending.copies, goes_there);
+    for (auto& copies : state_->each_frame)
+        std::erase_if(copies, goes_there);
+}
+
+void Device::begin_frame(VkCommandBuffer commands, int slot) {
+    State::Batch batch = std::exchange(state_->pending, {});
+    const std::vector<Copy>& each_frame = state_->each_frame[static_cast<std::size_t>(slot)];
+    state_->in_flight[static_cast<std::size_t>(slot)] = std::move(batch.staging); // what was there is done
+    if (batch.copies.empty() && each_frame.empty())
+        return;
+    for (const Copy& copy : batch.copies)
+        record(commands, copy);
+    for (const Copy& copy : each_frame)
+        record(commands, copy);
+    barrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT,
+            VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT);
+}
+
+const void* Device::read_back(const Buffer& buffer) const {
+    // Whole atoms, as the memory was cut; asked of coherent memory too, where the driver has nothing to do.
+    const VkDeviceSize atom = limits().nonCoherentAtomSize;
+    const VkMappedMemoryRange range{.sType = VK_STRUCTURE_TYPE_MAPPED_MEMORY_RANGE,
+                                    .pNext = nullptr,
+                                    .memory = buffer.memory,
+                                    .offset = buffer.offset,
+                                    .size = (buffer.bytes + atom - 1) / atom * atom};
+    (void)vkInvalidateMappedMemoryRanges(handle(), 1, &range); // fails where the host itself has no memory left
+    return buffer.mapped;
+}
+
+Result<void> Device::read_bytes(VkBuffer from, VkDeviceSize offset, VkDeviceSize bytes, void* to) {
+    return guarded([&] {
+        Objects objects(*this);
+        const Buffer here = objects.buffer(Use::readback, bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+        VkCommandPoolCreateInfo pool_info{};
+        pool_info.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
+        pool_info.queueFamilyIndex = host().queue_family;
+        const VkCommandPool pool = objects.make(vkCreateCommandPool, vkDestroyCommandPool, pool_info, "vkCreateCommandPool");
+        VkFenceCreateInfo fence_info{};
+        fence_info.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO;
+        const VkFence fence = objects.make(vkCreateFence, vkDestroyFence, fence_info, "vkCreateFence");
+        VkCommandBufferAllocateInfo info{};
+        info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
+        info.commandPool = pool;
+        info.commandBufferCount = 1;
+        VkCommandBuffer commands = VK_NULL_HANDLE;
+        must(vkAllocateCommandBuffers(handle(), &info, &commands), "vkAllocateCommandBuffers");
+        VkCommandBufferBeginInfo begin{};
+        begin.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
+        begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+        must(vkBeginCommandBuffer(commands, &begin), "vkBeginCommandBuffer");
+        barrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_ACCESS_MEMORY_WRITE_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT,
+                VK_ACCESS_TRANSFER_READ_BIT);
+        const VkBufferCopy part{offset, 0, bytes};
+        vkCmdCopyBuffer(commands, from, here.buffer, 1, &part);
+        barrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT, VK_PIPELINE_STAGE_HOST_BIT,
+                VK_ACCESS_HOST_READ_BIT);
+        must(vkEndCommandBuffer(commands), "vkEndCommandBuffer");
+        VkSubmitInfo submit{};
+        submit.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO;
+        submit.commandBufferCount = 1;
+        submit.pCommandBuffers = &commands;
+        must(vkQueueSubmit(queue(), 1, &submit, fence), "vkQueueSubmit");
+        must(vkWaitForFences(handle(), 1, &fence, VK_TRUE, UINT64_MAX), "vkWaitForFences");
+        std::memcpy(to, read_back(here), bytes);
+    });
 }
 
 } // namespace windrow::vegetation::engine

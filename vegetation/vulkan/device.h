@@ -1,68 +1,113 @@
-// What any engine has already: an instance, a device, a queue, memory. Nothing here is of the wind.
+// The device that the renderer works on: made here, or a host's own; its memory, and the way of data to it and back.
 //
-// An example may end where an engine would try again: a call that fails ends the program with a sentence.
+//     auto device = engine::Device::create();                         // an instance, a device and a queue of our own
+//     auto device = engine::Device::adopt(host, queue);               // those of a host engine
+//     auto wind = vulkan::Wind::create((*device)->host(), config, {.frames_in_flight = engine::k_frames_in_flight});
+//
+// Data that is made once goes through staging buffers: what was made since the last frame is copied by one batch of commands at
+// the start of the next (Frames::begin, or `begin_frame` in a host's own command buffer), and nothing waits for it.
 #pragma once
 
-#include <cstdint>
+#include "vegetation/vulkan/failure.h"
+
+#include <array>
+#include <cstddef>
+#include <cstring>
 #include <functional>
+#include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 #include <vulkan/vulkan_core.h>
 
 namespace windrow::vegetation::engine {
 
-/// Ends the program: 1 something failed, 2 wrong use, 3 the machine lacks something.
-[[noreturn]] void give_up(const std::string& sentence, int code);
-/// Ends the program unless a call succeeded.
-void must(VkResult result, const char* call);
+inline constexpr int k_frames_in_flight = 2;
+
+/// What a buffer is for.
+enum class Use {
+    fixed,    ///< filled once: vertices, indices, heights, texels, tables
+    work,     ///< written and read by the device alone
+    frame,    ///< written by the host in each frame, read by the device
+    staging,  ///< written by the host, copied by the device
+    readback, ///< written by the device, read by the host
+};
+
+class BufferMemory;
+
+struct DeviceSettings {
+    int device = -1;         ///< place in vulkan::list_devices(); -1: the first that is no software, else the first
+    bool validation = false; ///< core and synchronisation checks of the validation layer
+    /// Called for each message of the layer. Default: none.
+    std::function<void(const std::string& text)> on_message{};
+    /// As if the host saw no memory of the device's own: all data is staged. For tests.
+    bool staged = false;
+};
 
 struct Buffer {
     VkBuffer buffer = VK_NULL_HANDLE;
+    /// Where the host writes a frame's buffer until the frame is submitted, or reads a read-back; else null.
     void* mapped = nullptr;
-};
-
-struct Image {
-    VkImage image = VK_NULL_HANDLE;
-    VkImageView view = VK_NULL_HANDLE;
+    VkDeviceMemory memory = VK_NULL_HANDLE;
+    VkDeviceSize offset = 0, bytes = 0; ///< [bytes]
 };
 
 class Device {
   public:
-    /// Why a physical device will not do; empty where it will.
-    using Judge = std::function<std::string(VkInstance, VkPhysicalDevice)>;
-
-    /// Takes the first device that draws and computes on one queue and that the judge does not object to, a GPU before software.
-    Device(std::uint32_t api_version, const VkPhysicalDeviceFeatures& features, const Judge& judge);
+    /// Opens the loader, and makes an instance and a device with a queue that draws and computes. Errors: no driver, no device
+    /// that can run the wind.
+    [[nodiscard]] static Result<std::unique_ptr<Device>> create(const DeviceSettings& settings = {});
+    /// A host's device and a queue of its family `host.queue_family`, which draws and computes. Both outlive what is made here;
+    /// the host keeps other threads from the queue while functions of this library run.
+    [[nodiscard]] static Result<std::unique_ptr<Device>> adopt(const vulkan::Host& host, VkQueue queue,
+                                                               const DeviceSettings& settings = {});
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;
-    /// Waits for all work, and destroys what was made.
+    /// Nothing made on it is left. A device of our own is waited for; a host waits for its own before.
     ~Device();
 
-    VkInstance instance = VK_NULL_HANDLE;
-    VkPhysicalDevice physical = VK_NULL_HANDLE;
-    VkDevice device = VK_NULL_HANDLE;
-    VkQueue queue = VK_NULL_HANDLE;
-    std::uint32_t family = 0;
-    std::string name{};
-    /// pipelineStatisticsQuery, which is on where the device has it.
-    bool counts_vertices = false;
+    [[nodiscard]] const vulkan::Host& host() const;
+    [[nodiscard]] VkDevice handle() const { return host().device; }
+    [[nodiscard]] VkQueue queue() const;
+    [[nodiscard]] const std::string& name() const;
+    [[nodiscard]] const VkPhysicalDeviceLimits& limits() const;
+    /// Whether pipelineStatisticsQuery is enabled; false of a host's device.
+    [[nodiscard]] bool counts_vertices() const;
 
-    /// Memory that the host sees, mapped.
-    [[nodiscard]] Buffer make_buffer(VkDeviceSize bytes, VkBufferUsageFlags usage);
-    /// A 2D image to draw to.
-    [[nodiscard]] Image make_image(VkFormat format, VkExtent2D extent, VkSampleCountFlagBits samples, VkImageUsageFlags usage,
-                                   VkImageAspectFlags aspect);
-    /// [bytes] Memory that was allocated here so far.
-    [[nodiscard]] VkDeviceSize memory_bytes() const { return memory_bytes_; }
-    /// Destroyed with the device, the last first.
-    void at_end(std::function<void()> destroy) { destroy_.push_back(std::move(destroy)); }
+    /// Records, at the start of a frame and outside of a render pass, the copies of all that was made since the last frame and,
+    /// where it is staged, of what the host writes in this frame. What was recorded for the slot before is done. Frames::begin
+    /// calls it; a host with command buffers of its own calls it once in each frame, before all of this library's.
+    void begin_frame(VkCommandBuffer commands, int slot);
+
+    /// What the device has written to `count` values of a buffer with VK_BUFFER_USAGE_TRANSFER_SRC_BIT, from the first on.
+    /// Submits a copy and waits for it: for tools and tests.
+    template <class Value>
+    [[nodiscard]] Result<std::vector<Value>> read(VkBuffer from, std::size_t first, std::size_t count) {
+        std::vector<Value> values(count);
+        if (auto done = read_bytes(from, first * sizeof(Value), count * sizeof(Value), values.data()); !done)
+            return Error{done.error()};
+        return values;
+    }
+    /// Makes what the device has written to a read-back visible to the host, once the frame is done.
+    [[nodiscard]] const void* read_back(const Buffer& buffer) const;
+
+    /// [bytes] Device memory of all objects, and what the blocks hold that it is cut from.
+    [[nodiscard]] VkDeviceSize memory_bytes() const;
+    [[nodiscard]] VkDeviceSize reserved_bytes() const;
 
   private:
-    [[nodiscard]] VkDeviceMemory allocate(const VkMemoryRequirements& needs, VkMemoryPropertyFlags wanted);
+    friend class Objects;
+    struct State;
+    explicit Device(std::unique_ptr<State> state);
+    [[nodiscard]] Result<void> read_bytes(VkBuffer from, VkDeviceSize offset, VkDeviceSize bytes, void* to);
+    [[nodiscard]] BufferMemory& memory() const;
+    /// Copies the bytes to the buffer at the start of the next frame.
+    void upload(const Buffer& to, const void* from);
+    /// Copies `from` to `to` at the start of each frame of the slot.
+    void copy_each_frame(int slot, const Buffer& from, const Buffer& to);
+    /// Drops what is still to be copied to a buffer that ends.
+    void forget(VkBuffer to);
 
-    VkDeviceSize memory_bytes_ = 0;
-    std::vector<std::function<void()>> destroy_{};
+    std::unique_ptr<State> state_;
 };
 
 } // namespace windrow::vegetation::engine

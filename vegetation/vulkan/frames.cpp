@@ -4,52 +4,65 @@
 
 namespace windrow::vegetation::engine {
 
-Frames::Frames(Device& device) : device_(device) {
+Result<std::unique_ptr<Frames>> Frames::create(Device& device) {
+    return guarded([&] { return std::unique_ptr<Frames>(new Frames(device)); });
+}
+
+Frames::Frames(Device& device) : objects_(device) {
     VkCommandPoolCreateInfo pool_info{};
     pool_info.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
     pool_info.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
-    pool_info.queueFamilyIndex = device.family;
-    VkCommandPool pool = VK_NULL_HANDLE;
-    must(vkCreateCommandPool(device.device, &pool_info, nullptr, &pool), "vkCreateCommandPool");
-    device.at_end([vulkan = device.device, pool] { vkDestroyCommandPool(vulkan, pool, nullptr); });
+    pool_info.queueFamilyIndex = device.host().queue_family;
+    const VkCommandPool pool = objects_.make(vkCreateCommandPool, vkDestroyCommandPool, pool_info, "vkCreateCommandPool");
     VkCommandBufferAllocateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
     info.commandPool = pool;
     info.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
     info.commandBufferCount = k_frames_in_flight;
-    must(vkAllocateCommandBuffers(device.device, &info, commands_), "vkAllocateCommandBuffers");
+    must(vkAllocateCommandBuffers(device.handle(), &info, commands_), "vkAllocateCommandBuffers");
     VkFenceCreateInfo fence_info{};
     fence_info.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO;
     fence_info.flags = VK_FENCE_CREATE_SIGNALED_BIT; // nothing is in flight yet
-    for (VkFence& fence : done_) {
-        must(vkCreateFence(device.device, &fence_info, nullptr, &fence), "vkCreateFence");
-        device.at_end([vulkan = device.device, fence] { vkDestroyFence(vulkan, fence, nullptr); });
-    }
+    for (VkFence& fence : done_)
+        fence = objects_.make(vkCreateFence, vkDestroyFence, fence_info, "vkCreateFence");
 }
 
-Frame Frames::begin() {
-    const Frame frame{.commands = commands_[next_], .slot = next_};
-    next_ = (next_ + 1) % k_frames_in_flight;
-    must(vkWaitForFences(device_.device, 1, &done_[frame.slot], VK_TRUE, UINT64_MAX), "vkWaitForFences");
-    VkCommandBufferBeginInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
-    info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-    must(vkBeginCommandBuffer(frame.commands, &info), "vkBeginCommandBuffer");
-    return frame;
+Result<Frame> Frames::begin() {
+    return guarded([&] {
+        const Frame frame{.commands = commands_[next_], .slot = next_};
+        next_ = (next_ + 1) % k_frames_in_flight;
+        must(vkWaitForFences(objects_.device().handle(), 1, &done_[frame.slot], VK_TRUE, UINT64_MAX), "vkWaitForFences");
+        VkCommandBufferBeginInfo info{};
+        info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
+        info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+        must(vkBeginCommandBuffer(frame.commands, &info), "vkBeginCommandBuffer");
+        objects_.device().begin_frame(frame.commands, frame.slot);
+        return frame;
+    });
 }
 
-void Frames::submit(const Frame& frame) {
-    must(vkEndCommandBuffer(frame.commands), "vkEndCommandBuffer");
-    must(vkResetFences(device_.device, 1, &done_[frame.slot]), "vkResetFences");
-    VkSubmitInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO;
-    info.commandBufferCount = 1;
-    info.pCommandBuffers = &frame.commands;
-    must(vkQueueSubmit(device_.queue, 1, &info, done_[frame.slot]), "vkQueueSubmit");
+Result<void> Frames::submit(const Frame& frame) {
+    return guarded([&] {
+        must(vkEndCommandBuffer(frame.commands), "vkEndCommandBuffer");
+        must(vkResetFences(objects_.device().handle(), 1, &done_[frame.slot]), "vkResetFences");
+        VkSubmitInfo info{};
+        info.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO;
+        info.commandBufferCount = 1;
+        info.pCommandBuffers = &frame.commands;
+        must(vkQueueSubmit(objects_.device().queue(), 1, &info, done_[frame.slot]), "vkQueueSubmit");
+    });
 }
 
-void Frames::wait() {
-    must(vkWaitForFences(device_.device, k_frames_in_flight, done_, VK_TRUE, UINT64_MAX), "vkWaitForFences");
+Result<void> Frames::wait() {
+    return guarded([&] {
+        must(vkWaitForFences(objects_.device().handle(), k_frames_in_flight, done_, VK_TRUE, UINT64_MAX), "vkWaitForFences");
+    });
+}
+
+Result<void> Frames::finish(const Frame& frame) {
+    if (auto submitted = submit(frame); !submitted)
+        return submitted;
+    return wait();
 }
 
 } // namespace windrow::vegetation::engine

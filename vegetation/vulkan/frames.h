@@ -1,11 +1,9 @@
 // Frames in flight: while the device works on one, the host records the next.
 #pragma once
 
-#include "vegetation/vulkan/device.h"
+#include "vegetation/vulkan/objects.h"
 
 namespace windrow::vegetation::engine {
-
-inline constexpr int k_frames_in_flight = 2;
 
 struct Frame {
     VkCommandBuffer commands = VK_NULL_HANDLE;
@@ -14,20 +12,25 @@ struct Frame {
 
 class Frames {
   public:
-    explicit Frames(Device& device);
+    [[nodiscard]] static Result<std::unique_ptr<Frames>> create(Device& device);
     Frames(const Frames&) = delete;
     Frames& operator=(const Frames&) = delete;
     /// Nothing is in flight any more.
-    ~Frames() { wait(); }
+    ~Frames() { (void)wait(); }
 
-    /// The next frame, recording. What was recorded for its slot before is done.
-    [[nodiscard]] Frame begin();
-    void submit(const Frame& frame);
+    /// The next frame, recording. What was recorded for its slot before is done. Errors, here and below: a device that is lost,
+    /// or memory that is out.
+    [[nodiscard]] Result<Frame> begin();
+    Result<void> submit(const Frame& frame);
     /// Until all is done.
-    void wait();
+    Result<void> wait();
+    /// Submits a frame, and waits until all is done.
+    Result<void> finish(const Frame& frame);
 
   private:
-    Device& device_;
+    explicit Frames(Device& device);
+
+    Objects objects_;
     VkCommandBuffer commands_[k_frames_in_flight]{};
     VkFence done_[k_frames_in_flight]{};
     int next_ = 0;

@@ -1,8 +1,8 @@
 // The descriptor set that shaders/coupling/windrow_wind.glsl wants: what an engine adds to its own sets to have the wind.
 #pragma once
 
-#include "vegetation/vulkan/frames.h"
 #include "fluid/vulkan/wind.h"
+#include "vegetation/vulkan/descriptors.h"
 
 #include <glm/vec3.hpp>
 
@@ -10,19 +10,18 @@ namespace windrow::vegetation::engine {
 
 class WindSet {
   public:
-    explicit WindSet(Device& device);
+    explicit WindSet(Objects& objects);
 
     [[nodiscard]] VkDescriptorSetLayout layout() const { return layout_; }
     /// The set of a frame in flight, told where the wind lies now. Positions in shaders are relative to `anchor` [m].
-    [[nodiscard]] VkDescriptorSet of(int slot, const windrow::vulkan::Wind& wind, glm::dvec3 anchor,
-                                     const windrow::Sampling& sampling);
+    [[nodiscard]] VkDescriptorSet of(int slot, const vulkan::Wind& wind, glm::dvec3 anchor, const Sampling& sampling);
 
   private:
-    VkDevice device_ = VK_NULL_HANDLE;
+    const Device& device_;
     VkDescriptorSetLayout layout_ = VK_NULL_HANDLE;
     VkSampler sampler_ = VK_NULL_HANDLE;
-    VkDescriptorSet sets_[k_frames_in_flight]{};
-    Buffer blocks_[k_frames_in_flight]{};
+    std::array<VkDescriptorSet, k_frames_in_flight> sets_{};
+    FrameBuffers blocks_{};
 };
 
 } // namespace windrow::vegetation::engine

@@ -52,38 +52,29 @@ int main(int count, char** arguments) {
     // The wind on the CPU comes with windrow::fluid: it checks the config that the GPU gets.
     (void)must(windrow::Wind::create(scene.wind.wind));
 
-    const windrow::vulkan::Requirements needs = windrow::vulkan::requirements();
-    engine::Device device(needs.api_version, needs.features, [](VkInstance instance, VkPhysicalDevice candidate) {
-        const auto fit = windrow::vulkan::check(instance, candidate, vkGetInstanceProcAddr);
-        return fit ? std::string() : fit.error();
-    });
-    const windrow::vulkan::Host host{.instance = device.instance,
-                                     .physical_device = device.physical,
-                                     .device = device.device,
-                                     .queue_family = device.family,
-                                     .get_instance_proc_addr = vkGetInstanceProcAddr};
-    auto wind = must(windrow::vulkan::Wind::create(host, scene.wind.wind, {.frames_in_flight = engine::k_frames_in_flight}));
+    const auto device = must(engine::Device::create());
+    auto wind = must(windrow::vulkan::Wind::create(device->host(), scene.wind.wind, {.frames_in_flight = engine::k_frames_in_flight}));
 
-    const auto renderer = must(render::Renderer::create(device, scene, {.width = 320, .height = 180}));
+    const auto renderer = must(render::Renderer::create(*device, scene, {.width = 320, .height = 180}));
     const auto mask = must(grass::PlacementMask::create({65, 65}, scene.ground.heights.extent(), 1.0f));
     const auto field =
-        must(render::GrassLayer::create(device, renderer->draw_targets(), scene.ground, mask, {.look = scene.look}));
+        must(render::GrassLayer::create(*device, renderer->draw_targets(), scene.ground, mask, {.look = scene.look}));
     if (count == 2)
         renderer->add(*field);
 
-    engine::Frames frames(device);
+    const auto frames = must(engine::Frames::create(*device));
     for (int n = 1; n <= k_frames; ++n) {
-        const engine::Frame frame = frames.begin();
+        const engine::Frame frame = must(frames->begin());
         renderer->begin(frame);
         (void)wind.record(frame.commands, {.dt = k_frame, .slot = frame.slot});
         if (n == k_frames) {
             must(renderer->record(frame, scene.camera, wind));
             renderer->copy(frame);
         }
-        frames.submit(frame);
+        must(frames->submit(frame));
     }
-    frames.wait();
+    must(frames->wait());
     must(render::write_ppm(renderer->images().picture(), arguments[1]));
-    std::printf("%s: %s\n", device.name.c_str(), arguments[1]);
+    std::printf("%s: %s\n", device->name().c_str(), arguments[1]);
     return 0;
 }

@@ -19,7 +19,7 @@ TEST(CoatAhead, SkinHasTheSpeedOfTheMomentFromTheFirstFrame) {
         ahead.body = at((time + ahead.seconds) * speed);
         ASSERT_TRUE(coat.move(frame, at(time * speed), {}, ahead));
         stage.draw(camera_at({0.0, 5.0, 3.0}));
-        for (const CoatSkinBlock& vertex : coat.skin())
+        for (const CoatSkinBlock& vertex : engine::must(coat.skin()))
             worst = std::max(worst, glm::length(glm::dvec3(vertex.velocity) - speed));
     }
     // Two floats of a metre, 1.2e-7 apart at most, over 2 ms.

@@ -31,7 +31,7 @@ TEST(CoatFeet, LeanStrandsOutwardWithinTheirRadius) {
     ASSERT_TRUE(grass.set_feet(std::array{Foot{.position = k_anchor + sole, .radius = k_radius}}));
     stage.draw(camera);
     int pressed = 0;
-    for (const CoatSkinBlock& root : grass.skin()) {
+    for (const CoatSkinBlock& root : engine::must(grass.skin())) {
         const glm::dvec2 away(static_cast<double>(root.position.x) - sole.x, static_cast<double>(root.position.z) - sole.z);
         const glm::dvec2 load(root.load.x, root.load.z);
         const double far = glm::length(away), leant = glm::length(load);
@@ -56,7 +56,7 @@ TEST(CoatFeet, LeanStrandsOutwardWithinTheirRadius) {
     ASSERT_TRUE(grass.set_feet(std::array{Foot{.position = k_anchor + sole + glm::dvec3(0.0, 0.2, 0.0), .radius = k_radius}}));
     stage.draw(camera);
     double lifted = 0.0;
-    for (const CoatSkinBlock& root : grass.skin())
+    for (const CoatSkinBlock& root : engine::must(grass.skin()))
         lifted = std::max(lifted, static_cast<double>(glm::length(glm::vec3(root.load))));
     WINDROW_EXPECT_FIGURE("shells/feet/lifted_rad", lifted, 1e-5);
 }

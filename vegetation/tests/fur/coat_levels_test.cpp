@@ -1,7 +1,7 @@
 // How many layers a coat has at a distance, what it refuses to draw, and what its pictures become.
+#include "tests/figure.h"
 #include "vegetation/fur/coat_levels.h"
 #include "vegetation/files/coat_picture_files.h"
-#include "tests/figure.h"
 #include "vegetation/tests/fur/stage.h"
 
 #include <cmath>
@@ -86,7 +86,7 @@ TEST(Coat, RefusesWhatItCannotDraw) {
     Stage stage({.width = 16, .height = 16});
     const auto refused = [&](const CoatSettings& settings, const Mesh& mesh, std::span<const MeshPart> parts,
                              const windrow::Pose& body, const char* word) {
-        const auto made = Coat::create(stage.device, stage.renderer->draw_targets(), mesh, parts, settings, {}, body, k_anchor);
+        const auto made = Coat::create(*stage.device, stage.renderer->draw_targets(), mesh, parts, settings, {}, body, k_anchor);
         EXPECT_FALSE(made);
         EXPECT_NE((made ? std::string() : made.error()).find(word), std::string::npos) << word;
     };

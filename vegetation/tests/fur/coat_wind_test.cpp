@@ -53,7 +53,7 @@ TEST(CoatWind, StrandsLeanOneByOneOnFourVertices) {
     double worst = 0.0, least_lean = 1e9, most_lean = 0.0;
     int found = 0;
     const auto shells = windrow::detail::shared(reference.block().shells);
-    for (const CoatSkinBlock& root : reference.skin()) {
+    for (const CoatSkinBlock& root : engine::must(reference.skin())) {
         const glm::vec3 load(root.load);
         const WindrowStem stem = windrow_stem({0.0f, 1.0f, 0.0f}, 1.0f, load, glm::vec3(0.0f), 0.0f, shells.drag.load.w);
         const glm::vec3 shift = length * windrow_stem_shift(stem, 1.0f);

@@ -1,11 +1,11 @@
 // A renderer with coats in a wind, small and without fog: its linear light, motion and counters are read back.
 #pragma once
 
-#include "vegetation/vulkan/frames.h"
-#include "vegetation/render/renderer.h"
+#include "fluid/vulkan/wind.h"
 #include "vegetation/fur/coat.h"
 #include "vegetation/fur/shapes.h"
-#include "fluid/vulkan/wind.h"
+#include "vegetation/render/renderer.h"
+#include "vegetation/vulkan/frames.h"
 
 #include <glm/matrix.hpp>
 #include <gtest/gtest.h>
@@ -30,12 +30,7 @@ struct StageSettings {
 
 struct Stage {
     explicit Stage(const StageSettings& settings = {})
-        : device(windrow::vulkan::requirements().api_version, windrow::vulkan::requirements().features,
-                 [](VkInstance instance, VkPhysicalDevice candidate) {
-                     const auto fit = windrow::vulkan::check(instance, candidate, vkGetInstanceProcAddr);
-                     return fit ? std::string() : fit.error();
-                 }),
-          frames(device) {
+        : device(engine::must(engine::Device::create())), frames(engine::must(engine::Frames::create(*device))) {
         scene.sun = settings.sun;
         scene.fog.density = 0.0f;
         scene.ground.corner = k_anchor - glm::dvec3(50.0, settings.ground ? 0.0 : 400.0, 50.0);
@@ -44,15 +39,10 @@ struct Stage {
         config.centre = k_anchor + glm::dvec3(0.0, 2.0, 0.0);
         config.ambient = settings.ambient;
         config.gusts = {.intensity = settings.gusts, .length = 6.0f};
-        const windrow::vulkan::Host host{.instance = device.instance,
-                                         .physical_device = device.physical,
-                                         .device = device.device,
-                                         .queue_family = device.family,
-                                         .get_instance_proc_addr = vkGetInstanceProcAddr};
-        auto made = windrow::vulkan::Wind::create(host, config, {.frames_in_flight = engine::k_frames_in_flight});
+        auto made = windrow::vulkan::Wind::create(device->host(), config, {.frames_in_flight = engine::k_frames_in_flight});
         EXPECT_TRUE(made) << made.error();
         wind.emplace(*std::move(made));
-        auto drawn = render::Renderer::create(device, scene,
+        auto drawn = render::Renderer::create(*device, scene,
                                               {.width = settings.width,
                                                .height = settings.height,
                                                .samples = settings.samples,
@@ -66,7 +56,7 @@ struct Stage {
 
     /// Another coat that is drawn.
     Coat& dress(const Mesh& mesh, const CoatSettings& settings, const windrow::Pose& body, const CoatPictures& pictures = {}) {
-        auto made = Coat::create(device, renderer->draw_targets(), mesh, {}, settings, pictures, body, k_anchor);
+        auto made = Coat::create(*device, renderer->draw_targets(), mesh, {}, settings, pictures, body, k_anchor);
         if (!made)
             ADD_FAILURE() << made.error();
         coats.push_back(*std::move(made));
@@ -76,14 +66,13 @@ struct Stage {
 
     /// One frame, done when this returns.
     void draw(const render::Camera& camera, double seconds = k_frame) {
-        const engine::Frame frame = frames.begin();
+        const engine::Frame frame = engine::must(frames->begin());
         renderer->begin(frame);
         (void)wind->record(frame.commands, {.dt = static_cast<float>(seconds), .slot = frame.slot});
         const auto recorded = renderer->record(frame, camera, *wind);
         EXPECT_TRUE(recorded) << recorded.error();
         renderer->copy(frame);
-        frames.submit(frame);
-        frames.wait();
+        engine::must(frames->finish(frame));
         renderer->clock().collect(frame.slot);
         if (renderer->counter())
             counted = renderer->counter()->collect(frame.slot);
@@ -93,8 +82,8 @@ struct Stage {
     [[nodiscard]] render::PictureF light() const { return renderer->images().light_picture(); }
 
     render::Scene scene;
-    engine::Device device;
-    engine::Frames frames;
+    std::unique_ptr<engine::Device> device;
+    std::unique_ptr<engine::Frames> frames;
     std::optional<windrow::vulkan::Wind> wind;
     std::unique_ptr<render::Renderer> renderer;
     std::vector<std::unique_ptr<Coat>> coats;

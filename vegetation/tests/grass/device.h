@@ -1,9 +1,9 @@
 // A field on a device under the validation layer, which must stay silent.
 #pragma once
 
+#include "tests/parity/gpu.h"
 #include "vegetation/grass/grass_field.h"
 #include "vegetation/tests/grass/fields.h"
-#include "tests/parity/gpu.h"
 
 #include <memory>
 #include <vector>
@@ -14,12 +14,15 @@ class GrassOnTheDevice : public windrow::vulkan::Gpu {
   protected:
     /// The hills and glades of fields.h.
     void make_field(const GrassSettings& settings = small_field()) {
-        auto made = GrassField::create(own->host(), heights, mask, settings);
+        if (!renders)
+            renders = engine::must(engine::Device::adopt(own->host(), own->queue()));
+        auto made = GrassField::create(*renders, heights, mask, settings);
         ASSERT_TRUE(made) << made.error();
         field = std::make_unique<GrassField>(*std::move(made));
     }
     void TearDown() override {
         field.reset();
+        renders.reset();
         Gpu::TearDown();
     }
 
@@ -38,13 +41,7 @@ class GrassOnTheDevice : public windrow::vulkan::Gpu {
     /// A whole buffer of the field's, as values.
     template <class Value>
     std::vector<Value> values_of(VkBuffer from, std::size_t count) {
-        const windrow::vulkan::Buffer here = buffer(count * sizeof(Value), windrow::vulkan::Place::readback);
-        run([&](VkCommandBuffer commands) {
-            const VkBufferCopy all{0, 0, count * sizeof(Value)};
-            device->functions().vkCmdCopyBuffer(commands, from, here.handle(), 1, &all);
-            barrier(commands);
-        });
-        return read<Value>(here, count);
+        return engine::must(renders->read<Value>(from, 0, count));
     }
     [[nodiscard]] std::size_t places() const {
         return static_cast<std::size_t>(field->settings().chunk_cells) * static_cast<std::size_t>(field->settings().chunk_cells);
@@ -54,6 +51,7 @@ class GrassOnTheDevice : public windrow::vulkan::Gpu {
 
     HeightMap heights = hills();
     PlacementMask mask = glades(heights);
+    std::unique_ptr<engine::Device> renders; ///< the fixture's device, lent to the renderer
     std::unique_ptr<GrassField> field;
 };
 

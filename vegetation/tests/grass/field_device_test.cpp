@@ -178,25 +178,23 @@ TEST_F(GrassOnTheDevice, FollowsAMaskThatChanges) {
 }
 
 TEST_F(GrassOnTheDevice, RefusesWhatItCannotUse) {
-    const auto host = own->host();
+    make_field();
     const auto other = *PlacementMask::create({9, 9}, {10.0f, 10.0f});
-    const auto unfit = GrassField::create(host, heights, other, {.density = -1.0f});
+    const auto unfit = GrassField::create(*renders, heights, other, {.density = -1.0f});
     ASSERT_FALSE(unfit);
     EXPECT_NE(unfit.error().find("grass.density"), std::string::npos);
     EXPECT_NE(unfit.error().find("heights.extent()"), std::string::npos);
-    EXPECT_FALSE(GrassField::create({}, heights, mask, {}));
     GrassSettings huge;
     huge.most_chunks = 32767; // 4.8 GB of blades
     huge.chunk_cells = 256;
-    const auto too_large = GrassField::create(host, heights, mask, huge);
+    const auto too_large = GrassField::create(*renders, heights, mask, huge);
     ASSERT_FALSE(too_large);
     EXPECT_NE(too_large.error().find("grass.most_chunks"), std::string::npos);
     const auto steppe = *HeightMap::create({2, 2}, 1e3f, [](glm::vec2) { return 0.0f; });
-    const auto endless =
-        GrassField::create(host, steppe, *PlacementMask::create({2, 2}, steppe.extent()), {.density = 64.0f, .chunk_cells = 8});
+    const auto endless = GrassField::create(*renders, steppe, *PlacementMask::create({2, 2}, steppe.extent()),
+                                            {.density = 64.0f, .chunk_cells = 8});
     ASSERT_FALSE(endless);
     EXPECT_NE(endless.error().find("at most 2^22 chunks"), std::string::npos);
-    make_field();
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_FALSE(field->place({0.0, nan, 0.0}));
     EXPECT_FALSE(field->repaint(other, {glm::vec2(0.0f), glm::vec2(1.0f)}));

@@ -33,15 +33,13 @@ class GrassPictures : public test::GrassOnTheDevice {
     }
     // What the eye sees, of blades culled for another matrix if one is given.
     Pixels draw(const test::Eye& eye, View view = View::colour, const glm::mat4* culled_for = nullptr) {
-        const test::Picture picture(own->host(), test::Picture::still(*field));
-        const windrow::vulkan::Buffer pixels = buffer(4 * test::Picture::k_pixels, windrow::vulkan::Place::readback);
+        const test::Picture picture(*renders, test::Picture::still(*field));
         run([&](VkCommandBuffer commands) {
             const glm::mat4& seen = culled_for != nullptr ? *culled_for : eye.view_projection;
             EXPECT_TRUE(field->record_cull(commands, {.view_projection = seen, .eye = eye.at, .shadow_view_projection = seen}));
-            picture.record(commands, *field, eye.view_projection, view, pixels.handle());
-            barrier(commands);
+            picture.record(commands, *field, eye.view_projection, view);
         });
-        return read<std::uint32_t>(pixels, test::Picture::k_pixels);
+        return picture.pixels();
     }
     static std::size_t drawn(const Pixels& pixels) {
         return static_cast<std::size_t>(std::count_if(pixels.begin(), pixels.end(), [](std::uint32_t p) { return p != 0; }));

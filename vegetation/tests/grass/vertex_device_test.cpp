@@ -1,8 +1,9 @@
 // The vertex stage against the CPU: which blade an instance is, and where its vertices go.
-#include "vegetation/grass/device_objects.h"
 #include "shader_words/vertices.h"
 #include "tests/figure.h"
 #include "vegetation/tests/grass/device.h"
+#include "vegetation/vulkan/descriptors.h"
+#include "vegetation/vulkan/pipeline.h"
 
 #include <algorithm>
 #include <array>
@@ -21,20 +22,22 @@ class GrassVertices : public test::GrassOnTheDevice {
     // Position and normal of 15 vertices an instance.
     std::vector<glm::vec4> vertices_of(const Told& told) {
         const std::size_t count = std::size_t{30} * told.instances;
-        DeviceObjects objects(own->host());
-        constexpr VkDescriptorType kind = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-        const VkBuffer out = *objects.buffer("vertices", count * sizeof(glm::vec4),
-                                             VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
-        const VkDescriptorSetLayout own_layout = *objects.layout({&kind, 1}, VK_SHADER_STAGE_COMPUTE_BIT);
-        const DeviceObjects::Bound bound{kind, out};
-        const VkDescriptorSet sets[] = {field->set(), *objects.set(own_layout, {&bound, 1})};
-        const VkDescriptorSetLayout layouts[] = {field->layout(), own_layout};
-        const VkPipelineLayout layout = *objects.pipeline_layout(layouts, sizeof told);
-        const VkPipeline pipeline = *objects.compute(layout, windrow::vulkan::shader_words::vertices);
+        engine::Objects objects(*renders);
+        constexpr std::array bindings{engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_COMPUTE_BIT}};
+        const VkBuffer out = objects
+                                 .buffer(engine::Use::work, count * sizeof(glm::vec4),
+                                         VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT)
+                                 .buffer;
+        const std::array layouts{field->layout(), make_layout(objects, bindings)};
+        std::array sets{field->set(), VkDescriptorSet{}};
+        make_sets(objects, layouts[1], bindings, std::span(sets).last(1));
+        point(*renders, sets[1], 0, bindings[0].type, out);
+        const VkPipelineLayout layout = make_pipeline_layout(objects, layouts);
+        const VkPipeline pipeline = make_compute_pipeline(objects, layout, windrow::vulkan::shader_words::vertices);
         run([&](VkCommandBuffer commands) {
             vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline);
-            vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout, 0, 2, sets, 0, nullptr);
-            vkCmdPushConstants(commands, layout, VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof told, &told);
+            vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout, 0, 2, sets.data(), 0, nullptr);
+            vkCmdPushConstants(commands, layout, VK_SHADER_STAGE_ALL, 0, sizeof told, &told);
             vkCmdDispatch(commands, (told.instances + 63) / 64, 1, 1);
             barrier(commands);
         });

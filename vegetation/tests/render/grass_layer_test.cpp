@@ -1,7 +1,7 @@
 // A field of grass in the renderer: it stands on the drawn ground, casts a shadow, moves as its motion vectors say, and lies
 // where someone walked.
-#include "vegetation/grass/grass_block.h"
 #include "tests/figure.h"
+#include "vegetation/grass/grass_block.h"
 #include "vegetation/tests/render/grass_stage.h"
 
 #include <algorithm>
@@ -199,7 +199,7 @@ TEST(GrassLayer, RefusesWhatItCannotDraw) {
     EXPECT_TRUE(validate(GrassLayerSettings{}));
     test::GrassStage stage(scene_of(ground), small_picture());
     const auto other = *grass::PlacementMask::create({33, 33}, {10.0f, 10.0f}, 1.0f);
-    const auto refused = GrassLayer::create(stage.device, stage.renderer->draw_targets(), ground, other, {});
+    const auto refused = GrassLayer::create(*stage.device, stage.renderer->draw_targets(), ground, other, {});
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().find("mask"), std::string::npos);
 }

@@ -4,10 +4,10 @@
 // One sample a pixel, so that no two motions are mixed. Positions of blades come from the bends that the wind itself gave in each
 // of the two frames, by the CPU's own blades: what the picture says of the last frame is held against what the last frame was.
 #include "coupling/blade.h"
+#include "tests/figure.h"
 #include "vegetation/render/blades.h"
 #include "vegetation/render/light_numerics.h"
 #include "vegetation/render/renderer.h"
-#include "tests/figure.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,12 +23,7 @@ constexpr int k_width = 320, k_height = 240;
 constexpr double k_frame = 1.0 / 30.0; // [s]
 
 struct Stage {
-    Stage()
-        : device(windrow::vulkan::requirements().api_version, windrow::vulkan::requirements().features,
-                 [](VkInstance instance, VkPhysicalDevice candidate) {
-                     const auto fit = windrow::vulkan::check(instance, candidate, vkGetInstanceProcAddr);
-                     return fit ? std::string() : fit.error();
-                 }) {
+    Stage() : device(engine::must(engine::Device::create())) {
         scene.ground.corner = k_anchor - glm::dvec3(50.0, 0.0, 50.0);
         scene.plants.width = 0.3f; // wide: many pixels each
         scene.plants.stalk.length = 1.0f;
@@ -42,37 +37,33 @@ struct Stage {
         config.sides = windrow::Sides::open_over_floor();
         config.ambient = {2.0f, 0.0f, 0.7f};
         config.gusts = {.intensity = 0.5f, .length = 6.0f};
-        const windrow::vulkan::Host host{.instance = device.instance,
-                                         .physical_device = device.physical,
-                                         .device = device.device,
-                                         .queue_family = device.family,
-                                         .get_instance_proc_addr = vkGetInstanceProcAddr};
-        auto made = windrow::vulkan::Wind::create(host, config, {.frames_in_flight = engine::k_frames_in_flight});
+        auto made = windrow::vulkan::Wind::create(device->host(), config, {.frames_in_flight = engine::k_frames_in_flight});
         EXPECT_TRUE(made) << made.error();
         wind.emplace(*std::move(made));
         auto drawn = Renderer::create(
-            device, scene, {.width = k_width, .height = k_height, .samples = 1, .shadow_texels = 64, .anchor = k_anchor});
+            *device, scene, {.width = k_width, .height = k_height, .samples = 1, .shadow_texels = 64, .anchor = k_anchor});
         EXPECT_TRUE(drawn) << drawn.error();
         renderer = *std::move(drawn);
+        frames = engine::must(engine::Frames::create(*device));
     }
 
     // One frame, done when this returns.
-    void draw(engine::Frames& frames, const Camera& camera) {
-        const engine::Frame frame = frames.begin();
+    void draw(const Camera& camera) {
+        const engine::Frame frame = engine::must(frames->begin());
         renderer->begin(frame);
         (void)wind->record(frame.commands, {.dt = k_frame, .slot = frame.slot});
         const auto recorded = renderer->record(frame, camera, *wind);
         EXPECT_TRUE(recorded) << recorded.error();
         renderer->copy(frame);
-        frames.submit(frame);
-        frames.wait();
+        engine::must(frames->finish(frame));
         renderer->clock().collect(frame.slot);
     }
 
     Scene scene;
-    engine::Device device;
+    std::unique_ptr<engine::Device> device;
     std::optional<windrow::vulkan::Wind> wind;
     std::unique_ptr<Renderer> renderer;
+    std::unique_ptr<engine::Frames> frames; // waits before all else ends
 };
 
 Camera camera_at(double x, double turn) {
@@ -100,10 +91,9 @@ double largest(glm::dvec2 v) {
 // Ground and sky stand still: what moves them in the picture is the camera.
 TEST(Motion, OfGroundAndSkyIsTheCamerasOwn) {
     Stage stage;
-    engine::Frames frames(stage.device);
     const Camera before = camera_at(0.0, 0.0), now = camera_at(0.03, 0.004);
-    stage.draw(frames, before);
-    stage.draw(frames, now);
+    stage.draw(before);
+    stage.draw(now);
     const PictureF motion = stage.renderer->images().motion_picture();
     const glm::dmat4 back = glm::inverse(glm::dmat4(view_projection(now, static_cast<float>(k_width) / k_height, k_anchor)));
     const glm::dvec3 eye = now.position - k_anchor;
@@ -136,16 +126,16 @@ TEST(Motion, OfBladesIsTheDifferenceOfTheirPlacesInBothFramesWinds) {
         place.key = {key.x, key.y};
         places.push_back(place);
     }
-    BladeGrid grass(stage.device, stage.renderer->draw_targets(), stage.scene.plants, stage.scene.look, places);
-    stage.renderer->add(grass);
-    engine::Frames frames(stage.device);
+    const auto grass = engine::must(
+        BladeGrid::create(*stage.device, stage.renderer->draw_targets(), stage.scene.plants, stage.scene.look, places));
+    stage.renderer->add(*grass);
     for (int n = 0; n < 30; ++n) // a second: gusts have come
-        stage.draw(frames, camera_at(0.0, 0.0));
+        stage.draw(camera_at(0.0, 0.0));
     const Camera before = camera_at(0.0, 0.0), now = camera_at(0.02, -0.003);
-    stage.draw(frames, before);
-    const std::vector<glm::vec4> bends_before(grass.bends().begin(), grass.bends().end());
-    stage.draw(frames, now);
-    const std::span<const glm::vec4> bends = grass.bends();
+    stage.draw(before);
+    const std::vector<glm::vec4> bends_before = engine::must(grass->bends());
+    stage.draw(now);
+    const std::vector<glm::vec4> bends = engine::must(grass->bends());
 
     // What this frame took for the last one's bend is what the last one had.
     double apart = 0.0, moved = 0.0;
@@ -193,8 +183,7 @@ TEST(Motion, OfBladesIsTheDifferenceOfTheirPlacesInBothFramesWinds) {
 
 TEST(Motion, OfTheFirstFrameIsNone) {
     Stage stage;
-    engine::Frames frames(stage.device);
-    stage.draw(frames, camera_at(0.0, 0.0));
+    stage.draw(camera_at(0.0, 0.0));
     const PictureF motion = stage.renderer->images().motion_picture();
     EXPECT_TRUE(std::all_of(motion.values.begin(), motion.values.end(), [](float value) { return std::abs(value) < 1e-6f; }));
 }
@@ -202,8 +191,7 @@ TEST(Motion, OfTheFirstFrameIsNone) {
 // The stages' times add up to the frame, and a camera that is refused is told.
 TEST(Renderer, TellsItsStagesAndRefusesABadCamera) {
     Stage stage;
-    engine::Frames frames(stage.device);
-    stage.draw(frames, camera_at(0.0, 0.0));
+    stage.draw(camera_at(0.0, 0.0));
     if (stage.renderer->clock().counts()) {
         std::vector<std::string> names;
         for (const StageTime& time : stage.renderer->clock().times()) {
@@ -212,9 +200,9 @@ TEST(Renderer, TellsItsStagesAndRefusesABadCamera) {
         }
         EXPECT_EQ(names, (std::vector<std::string>{"wind", "prepare", "shadow", "colour", "tone", "copy"}));
     }
-    const engine::Frame frame = frames.begin();
+    const engine::Frame frame = engine::must(stage.frames->begin());
     EXPECT_FALSE(stage.renderer->record(frame, {.view_deg = 0.0f}, *stage.wind));
-    frames.submit(frame);
+    engine::must(stage.frames->submit(frame));
 }
 
 } // namespace

@@ -1,8 +1,8 @@
 // A stand on the device: its vertices against windrow::Tree on the CPU, its base, its motion vectors, its memory of swings.
-#include "vegetation/render/light_numerics.h"
-#include "vegetation/trees/tree_wind.h"
 #include "tests/figure.h"
+#include "vegetation/render/light_numerics.h"
 #include "vegetation/tests/trees/stage.h"
+#include "vegetation/trees/tree_wind.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,8 +38,7 @@ TEST(TreeStand, VerticesAreThoseOfTheLibrarysTree) {
         TreeStandSettings settings = one(kind, false);
         settings.kind.levels.least_angle = 1e-5f; // twigs have all of their thickness
         stage.plant(settings);
-        engine::Frames frames(stage.device);
-        stage.draw(frames, camera_at(0.0, 0.0));
+        stage.draw(camera_at(0.0, 0.0));
         const TreeModel& model = stage.stand->model(0);
         const PlaceBlock& place = stage.stand->place(0);
         std::vector<windrow::TreePart> parts;
@@ -81,12 +80,11 @@ TEST(TreeStand, VerticesAreThoseOfTheLibrarysTree) {
 TEST(TreeStand, ItsBaseStaysOnTheDeviceToo) {
     Stage stage({25.0f, 0.0f, 12.0f}, 0.5f);
     stage.plant(one("birch", true));
-    engine::Frames frames(stage.device);
     const TreeModel& model = stage.stand->model(0);
     const PlaceBlock& place = stage.stand->place(0);
     int held = 0;
     for (int frame = 0; frame < 5; ++frame) {
-        stage.draw(frames, camera_at(0.0, 0.0));
+        stage.draw(camera_at(0.0, 0.0));
         for (std::size_t n = 0; n < model.vertices.size(); ++n) {
             const ModelVertex& v = model.vertices[n];
             ASSERT_TRUE(std::isfinite(stage.probe->now(n).x + stage.probe->now(n).y + stage.probe->now(n).z));
@@ -111,13 +109,12 @@ TEST(TreeStand, TheFrameBeforeIsTheFrameThatWas) {
         TreeStandSettings settings = one("oak", springs);
         settings.kind.levels.near = 12.0f;
         stage.plant(settings);
-        engine::Frames frames(stage.device);
         for (int n = 0; n < 15; ++n)
-            stage.draw(frames, camera_at(0.0, 0.0));
+            stage.draw(camera_at(0.0, 0.0));
         std::vector<glm::vec4> last(stage.probe->count());
         for (std::size_t n = 0; n < last.size(); ++n)
             last[n] = stage.probe->now(n);
-        stage.draw(frames, camera_at(0.15, 0.004));
+        stage.draw(camera_at(0.15, 0.004));
         const std::uint32_t parts = stage.stand->model(0).drawn(stage.stand->levels(), 15.0f).parts;
         double apart = 0.0, moved = 0.0;
         for (std::size_t n = 0; n < last.size(); ++n) {
@@ -146,12 +143,11 @@ TEST(TreeStand, MotionIsTheDifferenceOfProjectedPlaces) {
     settings.kind.tree.trunk_radius = 0.5f;
     settings.kind.tree.wood = 4e8f;
     stage.plant(settings);
-    engine::Frames frames(stage.device);
     for (int n = 0; n < 30; ++n)
-        stage.draw(frames, camera_at(0.0, 0.0));
+        stage.draw(camera_at(0.0, 0.0));
     const render::Camera before = camera_at(0.0, 0.0), now = camera_at(0.03, -0.003);
-    stage.draw(frames, before);
-    stage.draw(frames, now);
+    stage.draw(before);
+    stage.draw(now);
     const render::PictureF motion = stage.renderer->images().motion_picture();
     const glm::dvec3 base(glm::vec3(stage.stand->place(0).base));
     double worst = 0.0, most = 0.0, of_wind = 0.0;
@@ -188,10 +184,9 @@ TEST(TreeStand, MotionIsTheDifferenceOfProjectedPlaces) {
 TEST(TreeStand, BeginsAtWhatTheWindHolds) {
     Stage stage({9.0f, 0.0f, 2.0f}, 0.2f);
     stage.plant(one("oak", true));
-    engine::Frames frames(stage.device);
-    stage.draw(frames, camera_at(0.0, 0.0));
+    stage.draw(camera_at(0.0, 0.0));
     double off = 0.0, held = 0.0;
-    for (const PartState& state : stage.stand->states(0)) {
+    for (const PartState& state : engine::must(stage.stand->states(0))) {
         off = std::max(off, static_cast<double>(glm::distance(glm::vec3(state.now), glm::vec3(state.target))));
         off = std::max(off, static_cast<double>(glm::length(glm::vec3(state.velocity))));
         held = std::max(held, static_cast<double>(glm::length(glm::vec3(state.now))));
@@ -209,17 +204,16 @@ TEST(TreeStand, DrawsWhatIsSeenAndLittleAfar) {
         settings.places.push_back({.base = k_anchor + glm::dvec3(4.0 * n - 80.0, 0.0, 400.0), .size = 1.0f});
     }
     stage.plant(settings);
-    engine::Frames frames(stage.device);
-    stage.draw(frames, camera_at(0.0, 0.0));
+    stage.draw(camera_at(0.0, 0.0));
     EXPECT_GT(stage.stand->drawn_vertices(), 0u);
     WINDROW_EXPECT_FIGURE("trees/device/far_vertices", static_cast<double>(stage.stand->drawn_vertices()),
                           40.0 * k_most_far_vertices);
 
-    const auto none = TreeStand::create(stage.device, stage.renderer->draw_targets(), settings, {}, k_anchor);
+    const auto none = TreeStand::create(*stage.device, stage.renderer->draw_targets(), settings, {}, k_anchor);
     ASSERT_FALSE(none);
     EXPECT_NE(none.error().find("stand.places is empty"), std::string::npos);
     const std::vector<TreePlace> crowd(5000, settings.places.front());
-    const auto many = TreeStand::create(stage.device, stage.renderer->draw_targets(), settings, crowd, k_anchor);
+    const auto many = TreeStand::create(*stage.device, stage.renderer->draw_targets(), settings, crowd, k_anchor);
     ASSERT_FALSE(many);
     EXPECT_NE(many.error().find("give at most"), std::string::npos);
 }

@@ -1,11 +1,9 @@
 // A render pass of one subpass and its framebuffer, from a list of attachments.
 #pragma once
 
-#include "vegetation/vulkan/device.h"
+#include "vegetation/vulkan/objects.h"
 
-#include <span>
-
-namespace windrow::vegetation::render {
+namespace windrow::vegetation::engine {
 
 struct Attachment {
     enum class Role { colour, depth, resolve };
@@ -21,7 +19,7 @@ struct Attachment {
 class RenderPass {
   public:
     /// What it draws to was used by the frame before and is used after it by shaders and transfers: it waits for both.
-    RenderPass(engine::Device& device, VkExtent2D extent, std::span<const Attachment> attachments);
+    RenderPass(Objects& objects, VkExtent2D extent, std::span<const Attachment> attachments);
 
     [[nodiscard]] VkRenderPass handle() const { return render_pass_; }
     /// Begins it, with viewport and scissor over the whole.
@@ -35,7 +33,13 @@ class RenderPass {
     VkFramebuffer framebuffer_ = VK_NULL_HANDLE;
 };
 
+struct ImageCopy {
+    VkImage from = VK_NULL_HANDLE;
+    VkBuffer to = VK_NULL_HANDLE;
+};
+/// Copies colour images in VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL to read-backs, which the host sees once the frame is done.
+void copy_to_host(VkCommandBuffer commands, VkExtent2D extent, std::span<const ImageCopy> copies);
 /// Viewport and scissor.
 void set_area(VkCommandBuffer commands, VkRect2D area);
 
-} // namespace windrow::vegetation::render
+} // namespace windrow::vegetation::engine

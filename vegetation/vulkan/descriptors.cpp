@@ -1,13 +1,11 @@
-#include "vegetation/render/descriptors.h"
+#include "vegetation/vulkan/descriptors.h"
 
 #include <map>
 #include <vulkan/vulkan.h>
 
-namespace windrow::vegetation::render {
+namespace windrow::vegetation::engine {
 
-using engine::must;
-
-VkDescriptorSetLayout make_layout(engine::Device& device, std::span<const Binding> bindings) {
+VkDescriptorSetLayout make_layout(Objects& objects, std::span<const Binding> bindings) {
     std::vector<VkDescriptorSetLayoutBinding> list;
     for (const Binding& binding : bindings)
         list.push_back({static_cast<std::uint32_t>(list.size()), binding.type, 1, binding.stages, nullptr});
@@ -15,13 +13,10 @@ VkDescriptorSetLayout make_layout(engine::Device& device, std::span<const Bindin
     info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
     info.bindingCount = static_cast<std::uint32_t>(list.size());
     info.pBindings = list.data();
-    VkDescriptorSetLayout made = VK_NULL_HANDLE;
-    must(vkCreateDescriptorSetLayout(device.device, &info, nullptr, &made), "vkCreateDescriptorSetLayout");
-    device.at_end([vulkan = device.device, made] { vkDestroyDescriptorSetLayout(vulkan, made, nullptr); });
-    return made;
+    return objects.make(vkCreateDescriptorSetLayout, vkDestroyDescriptorSetLayout, info, "vkCreateDescriptorSetLayout");
 }
 
-void make_sets(engine::Device& device, VkDescriptorSetLayout layout, std::span<const Binding> bindings,
+void make_sets(Objects& objects, VkDescriptorSetLayout layout, std::span<const Binding> bindings,
                std::span<VkDescriptorSet> sets) {
     const auto count = static_cast<std::uint32_t>(sets.size());
     std::map<VkDescriptorType, std::uint32_t> of_type;
@@ -35,19 +30,18 @@ void make_sets(engine::Device& device, VkDescriptorSetLayout layout, std::span<c
     pool_info.maxSets = count;
     pool_info.poolSizeCount = static_cast<std::uint32_t>(sizes.size());
     pool_info.pPoolSizes = sizes.data();
-    VkDescriptorPool pool = VK_NULL_HANDLE;
-    must(vkCreateDescriptorPool(device.device, &pool_info, nullptr, &pool), "vkCreateDescriptorPool");
-    device.at_end([vulkan = device.device, pool] { vkDestroyDescriptorPool(vulkan, pool, nullptr); });
+    const VkDescriptorPool pool =
+        objects.make(vkCreateDescriptorPool, vkDestroyDescriptorPool, pool_info, "vkCreateDescriptorPool");
     const std::vector<VkDescriptorSetLayout> layouts(count, layout);
     VkDescriptorSetAllocateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
     info.descriptorPool = pool;
     info.descriptorSetCount = count;
     info.pSetLayouts = layouts.data();
-    must(vkAllocateDescriptorSets(device.device, &info, sets.data()), "vkAllocateDescriptorSets");
+    must(vkAllocateDescriptorSets(objects.device().handle(), &info, sets.data()), "vkAllocateDescriptorSets");
 }
 
-void point(engine::Device& device, VkDescriptorSet set, std::uint32_t binding, VkDescriptorType type, VkBuffer buffer) {
+void point(const Device& device, VkDescriptorSet set, std::uint32_t binding, VkDescriptorType type, VkBuffer buffer) {
     const VkDescriptorBufferInfo whole{buffer, 0, VK_WHOLE_SIZE};
     VkWriteDescriptorSet write{};
     write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
@@ -56,10 +50,10 @@ void point(engine::Device& device, VkDescriptorSet set, std::uint32_t binding, V
     write.descriptorCount = 1;
     write.descriptorType = type;
     write.pBufferInfo = &whole;
-    vkUpdateDescriptorSets(device.device, 1, &write, 0, nullptr);
+    vkUpdateDescriptorSets(device.handle(), 1, &write, 0, nullptr);
 }
 
-void point(engine::Device& device, VkDescriptorSet set, std::uint32_t binding, VkImageView view, VkSampler sampler,
+void point(const Device& device, VkDescriptorSet set, std::uint32_t binding, VkImageView view, VkSampler sampler,
            VkImageLayout layout) {
     const VkDescriptorImageInfo image{sampler, view, layout};
     VkWriteDescriptorSet write{};
@@ -69,7 +63,7 @@ void point(engine::Device& device, VkDescriptorSet set, std::uint32_t binding, V
     write.descriptorCount = 1;
     write.descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
     write.pImageInfo = &image;
-    vkUpdateDescriptorSets(device.device, 1, &write, 0, nullptr);
+    vkUpdateDescriptorSets(device.handle(), 1, &write, 0, nullptr);
 }
 
-} // namespace windrow::vegetation::render
+} // namespace windrow::vegetation::engine

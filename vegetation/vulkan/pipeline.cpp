@@ -1,22 +1,18 @@
-#include "vegetation/render/pipeline.h"
+#include "vegetation/vulkan/pipeline.h"
 
 #include <array>
 #include <vector>
 #include <vulkan/vulkan.h>
 
-namespace windrow::vegetation::render {
+namespace windrow::vegetation::engine {
 namespace {
 
-using engine::must;
-
-VkShaderModule module_of(VkDevice device, std::span<const std::uint32_t> words) {
+VkShaderModule module_of(Objects& objects, std::span<const std::uint32_t> words) {
     VkShaderModuleCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
     info.codeSize = words.size_bytes();
     info.pCode = words.data();
-    VkShaderModule made = VK_NULL_HANDLE;
-    must(vkCreateShaderModule(device, &info, nullptr, &made), "vkCreateShaderModule");
-    return made;
+    return objects.make(vkCreateShaderModule, vkDestroyShaderModule, info, "vkCreateShaderModule");
 }
 
 VkPipelineShaderStageCreateInfo stage_of(VkShaderStageFlagBits stage, VkShaderModule words) {
@@ -28,25 +24,34 @@ VkPipelineShaderStageCreateInfo stage_of(VkShaderStageFlagBits stage, VkShaderMo
     return made;
 }
 
+// Pipelines are made by the list.
+template <class Create, class Info>
+VkPipeline keep(Objects& objects, Create create, const Info& info, const char* call) {
+    const VkDevice device = objects.device().handle();
+    const VkAllocationCallbacks* const callbacks = objects.device().host().allocation_callbacks;
+    VkPipeline made = VK_NULL_HANDLE;
+    must(create(device, VK_NULL_HANDLE, 1, &info, callbacks, &made), call);
+    objects.at_end([device, made, callbacks] { vkDestroyPipeline(device, made, callbacks); });
+    return made;
+}
+
 } // namespace
 
-VkPipelineLayout make_pipeline_layout(engine::Device& device, std::span<const VkDescriptorSetLayout> sets) {
-    const VkPushConstantRange range{VK_SHADER_STAGE_ALL, 0, k_push_bytes};
+VkPipelineLayout make_pipeline_layout(Objects& objects, std::span<const VkDescriptorSetLayout> sets, std::uint32_t push_bytes) {
+    const VkPushConstantRange range{VK_SHADER_STAGE_ALL, 0, push_bytes};
     VkPipelineLayoutCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
     info.setLayoutCount = static_cast<std::uint32_t>(sets.size());
     info.pSetLayouts = sets.data();
     info.pushConstantRangeCount = 1;
     info.pPushConstantRanges = &range;
-    VkPipelineLayout made = VK_NULL_HANDLE;
-    must(vkCreatePipelineLayout(device.device, &info, nullptr, &made), "vkCreatePipelineLayout");
-    device.at_end([vulkan = device.device, made] { vkDestroyPipelineLayout(vulkan, made, nullptr); });
-    return made;
+    return objects.make(vkCreatePipelineLayout, vkDestroyPipelineLayout, info, "vkCreatePipelineLayout");
 }
 
-VkPipeline make_pipeline(engine::Device& device, const PipelineRecipe& recipe) {
-    const VkShaderModule vertex = module_of(device.device, recipe.vertex);
-    const VkShaderModule fragment = recipe.fragment.empty() ? VK_NULL_HANDLE : module_of(device.device, recipe.fragment);
+VkPipeline make_pipeline(Objects& objects, const PipelineRecipe& recipe) {
+    Objects shaders(objects.device()); // end with this function
+    const VkShaderModule vertex = module_of(shaders, recipe.vertex);
+    const VkShaderModule fragment = recipe.fragment.empty() ? VK_NULL_HANDLE : module_of(shaders, recipe.fragment);
     std::array stages{stage_of(VK_SHADER_STAGE_VERTEX_BIT, vertex), stage_of(VK_SHADER_STAGE_FRAGMENT_BIT, fragment)};
     std::vector<VkSpecializationMapEntry> entries;
     for (std::uint32_t n = 0; n < recipe.constants.size(); ++n)
@@ -106,25 +111,16 @@ VkPipeline make_pipeline(engine::Device& device, const PipelineRecipe& recipe) {
     info.pDynamicState = &dynamic;
     info.layout = recipe.layout;
     info.renderPass = recipe.target.render_pass;
-    VkPipeline made = VK_NULL_HANDLE;
-    must(vkCreateGraphicsPipelines(device.device, VK_NULL_HANDLE, 1, &info, nullptr, &made), "vkCreateGraphicsPipelines");
-    device.at_end([vulkan = device.device, made] { vkDestroyPipeline(vulkan, made, nullptr); });
-    vkDestroyShaderModule(device.device, vertex, nullptr);
-    vkDestroyShaderModule(device.device, fragment, nullptr);
-    return made;
+    return keep(objects, vkCreateGraphicsPipelines, info, "vkCreateGraphicsPipelines");
 }
 
-VkPipeline make_compute_pipeline(engine::Device& device, VkPipelineLayout layout, std::span<const std::uint32_t> words) {
-    const VkShaderModule shader = module_of(device.device, words);
+VkPipeline make_compute_pipeline(Objects& objects, VkPipelineLayout layout, std::span<const std::uint32_t> words) {
+    Objects shaders(objects.device());
     VkComputePipelineCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
-    info.stage = stage_of(VK_SHADER_STAGE_COMPUTE_BIT, shader);
+    info.stage = stage_of(VK_SHADER_STAGE_COMPUTE_BIT, module_of(shaders, words));
     info.layout = layout;
-    VkPipeline made = VK_NULL_HANDLE;
-    must(vkCreateComputePipelines(device.device, VK_NULL_HANDLE, 1, &info, nullptr, &made), "vkCreateComputePipelines");
-    device.at_end([vulkan = device.device, made] { vkDestroyPipeline(vulkan, made, nullptr); });
-    vkDestroyShaderModule(device.device, shader, nullptr);
-    return made;
+    return keep(objects, vkCreateComputePipelines, info, "vkCreateComputePipelines");
 }
 
-} // namespace windrow::vegetation::render
+} // namespace windrow::vegetation::engine

@@ -1,12 +1,10 @@
-#include "vegetation/render/render_pass.h"
+#include "vegetation/vulkan/render_pass.h"
 
 #include <vulkan/vulkan.h>
 
-namespace windrow::vegetation::render {
+namespace windrow::vegetation::engine {
 
-using engine::must;
-
-RenderPass::RenderPass(engine::Device& device, VkExtent2D extent, std::span<const Attachment> attachments)
+RenderPass::RenderPass(Objects& objects, VkExtent2D extent, std::span<const Attachment> attachments)
     : extent_(extent), attachments_(static_cast<std::uint32_t>(attachments.size())), clear_(attachments.size()) {
     std::vector<VkAttachmentDescription> descriptions;
     std::vector<VkAttachmentReference> colours, resolves;
@@ -56,8 +54,7 @@ RenderPass::RenderPass(engine::Device& device, VkExtent2D extent, std::span<cons
     info.pSubpasses = &subpass;
     info.dependencyCount = 2;
     info.pDependencies = dependencies;
-    must(vkCreateRenderPass(device.device, &info, nullptr, &render_pass_), "vkCreateRenderPass");
-    device.at_end([vulkan = device.device, made = render_pass_] { vkDestroyRenderPass(vulkan, made, nullptr); });
+    render_pass_ = objects.make(vkCreateRenderPass, vkDestroyRenderPass, info, "vkCreateRenderPass");
 
     VkFramebufferCreateInfo frame_info{};
     frame_info.sType = VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO;
@@ -67,8 +64,7 @@ RenderPass::RenderPass(engine::Device& device, VkExtent2D extent, std::span<cons
     frame_info.width = extent.width;
     frame_info.height = extent.height;
     frame_info.layers = 1;
-    must(vkCreateFramebuffer(device.device, &frame_info, nullptr, &framebuffer_), "vkCreateFramebuffer");
-    device.at_end([vulkan = device.device, made = framebuffer_] { vkDestroyFramebuffer(vulkan, made, nullptr); });
+    framebuffer_ = objects.make(vkCreateFramebuffer, vkDestroyFramebuffer, frame_info, "vkCreateFramebuffer");
 }
 
 void RenderPass::begin(VkCommandBuffer commands) const {
@@ -83,6 +79,22 @@ void RenderPass::begin(VkCommandBuffer commands) const {
     set_area(commands, {{0, 0}, extent_});
 }
 
+void copy_to_host(VkCommandBuffer commands, VkExtent2D extent, std::span<const ImageCopy> copies) {
+    VkBufferImageCopy region{};
+    region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+    region.imageExtent = {extent.width, extent.height, 1};
+    // The frame before may still copy to the same buffers.
+    const VkMemoryBarrier again{VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr, VK_ACCESS_TRANSFER_WRITE_BIT,
+                                VK_ACCESS_TRANSFER_WRITE_BIT};
+    vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT, 0, 1, &again, 0, nullptr, 0,
+                         nullptr);
+    for (const ImageCopy& copy : copies)
+        vkCmdCopyImageToBuffer(commands, copy.from, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, copy.to, 1, &region);
+    const VkMemoryBarrier seen{VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr, VK_ACCESS_TRANSFER_WRITE_BIT, VK_ACCESS_HOST_READ_BIT};
+    vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &seen, 0, nullptr, 0,
+                         nullptr);
+}
+
 void set_area(VkCommandBuffer commands, VkRect2D area) {
     const VkViewport viewport{static_cast<float>(area.offset.x),
                               static_cast<float>(area.offset.y),
@@ -94,4 +106,4 @@ void set_area(VkCommandBuffer commands, VkRect2D area) {
     vkCmdSetScissor(commands, 0, 1, &area);
 }
 
-} // namespace windrow::vegetation::render
+} // namespace windrow::vegetation::engine

@@ -1,12 +1,11 @@
 // Pipelines without vertex buffers: vertices make themselves from their numbers and from storage buffers.
 #pragma once
 
-#include "vegetation/vulkan/device.h"
+#include "vegetation/vulkan/objects.h"
 
 #include <cstdint>
-#include <span>
 
-namespace windrow::vegetation::render {
+namespace windrow::vegetation::engine {
 
 /// What a pipeline must fit: a render pass and what is drawn to in it.
 struct PassTarget {
@@ -27,13 +26,13 @@ struct PipelineRecipe {
     bool bias = false; ///< a shadow's: depth is moved away from the light by the slope
 };
 
-/// Sets 0, 1, 2 ... and 16 bytes of push constants for every stage.
-[[nodiscard]] VkPipelineLayout make_pipeline_layout(engine::Device& device, std::span<const VkDescriptorSetLayout> sets);
+/// Sets 0, 1, 2 ... and push constants for every stage.
 inline constexpr std::uint32_t k_push_bytes = 16;
+[[nodiscard]] VkPipelineLayout make_pipeline_layout(Objects& objects, std::span<const VkDescriptorSetLayout> sets,
+                                                    std::uint32_t push_bytes = k_push_bytes);
 
 /// Triangles of both sides, viewport and scissor dynamic, depth LESS_OR_EQUAL, no blending.
-[[nodiscard]] VkPipeline make_pipeline(engine::Device& device, const PipelineRecipe& recipe);
-[[nodiscard]] VkPipeline make_compute_pipeline(engine::Device& device, VkPipelineLayout layout,
-                                               std::span<const std::uint32_t> words);
+[[nodiscard]] VkPipeline make_pipeline(Objects& objects, const PipelineRecipe& recipe);
+[[nodiscard]] VkPipeline make_compute_pipeline(Objects& objects, VkPipelineLayout layout, std::span<const std::uint32_t> words);
 
-} // namespace windrow::vegetation::render
+} // namespace windrow::vegetation::engine
