@@ -2,7 +2,7 @@
 
 #include "cli/drawing/frame.h"
 #include "cli/drawing/layout.h"
-#include "cli/drawing/png.h"
+#include "cli/drawing/image.h"
 #include "cli/drawing/text.h"
 #include "fluid/message.h"
 
