@@ -1,7 +1,7 @@
 // An image of 8-bit RGB pixels, as the drawing makes it, and its PNG file, whole or not at all.
 //
-// pictures/picture_files.h encodes and reads. The file is written as all of the command's files are: an error names the disk where
-// that is at fault.
+// pictures/picture_files.h encodes and reads. The file is written as all of the command's files are: an error names the disk
+// where that is at fault.
 #pragma once
 
 #include "fluid/result.h"

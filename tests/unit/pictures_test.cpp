@@ -2,9 +2,9 @@
 // there.
 #include "cli/drawing/colour_map.h"
 #include "cli/drawing/frame.h"
+#include "cli/drawing/image.h"
 #include "cli/drawing/layout.h"
 #include "cli/drawing/motor_style.h"
-#include "cli/drawing/image.h"
 #include "cli/drawing/slice.h"
 #include "cli/pictures.h"
 
@@ -339,7 +339,7 @@ TEST(Frame, IsTheSameEveryTime) {
     const auto second = compose_frame(air, 0.0, {}, {}, {.title = "", .width = 641});
     ASSERT_TRUE(first && second);
     EXPECT_EQ(first->width, 640); // even
-    EXPECT_EQ(first->pixels, second->pixels);
+    EXPECT_EQ(first->values, second->values);
 }
 
 TEST_F(PicturesTest, WidthOutsideTheBoundsIsRefusedByName) {

@@ -1,8 +1,8 @@
 // What the coats of a picture cost, without the ground and the sky: their draws between counters of their own.
 #pragma once
 
-#include "vegetation/render/vertex_counter.h"
 #include "vegetation/fur/coat.h"
+#include "vegetation/render/vertex_counter.h"
 
 #include <array>
 #include <memory>

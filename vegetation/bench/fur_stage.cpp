@@ -69,7 +69,7 @@ FurStage::FurStage(FurCase wanted) : wanted_(std::move(wanted)) {
         if (worn.bones)
             must(bind(worn.mesh, *worn.bones));
         coats_->coats.push_back(must(fur::Coat::create(*device_, renderer_->draw_targets(), worn.mesh, {}, worn.settings, {},
-                                                          {.position = k_anchor + worn.place}, k_anchor)));
+                                                       {.position = k_anchor + worn.place}, k_anchor)));
         must(coats_->coats.back()->set_lamps([&] {
             std::vector<fur::Lamp> lamps = wanted_.lamps;
             for (fur::Lamp& lamp : lamps)

@@ -1,10 +1,10 @@
 // The coats that fur_bench.cpp measures, before a plain sky in a wind, and frames of them, timed and counted.
 #pragma once
 
-#include "vegetation/render/renderer.h"
-#include "vegetation/fur/skeleton.h"
 #include "fluid/vulkan/wind.h"
 #include "vegetation/bench/fur_counter.h"
+#include "vegetation/fur/skeleton.h"
+#include "vegetation/render/renderer.h"
 
 #include <filesystem>
 #include <map>
@@ -17,7 +17,7 @@ namespace windrow::vegetation::bench {
 struct Worn {
     fur::Mesh mesh{};
     fur::CoatSettings settings{};
-    glm::dvec3 place{0.0};                   ///< [m]
+    glm::dvec3 place{0.0};                ///< [m]
     std::optional<fur::Skeleton> bones{}; ///< it walks
 };
 

@@ -11,10 +11,10 @@
 //     (*renderer)->copy(frame);                                    // where this frame is wanted on the host
 //     frames.submit(frame);
 //     frames.wait();
-//     write_png((*renderer)->images().picture(), "frame.png");
+//     (void)render::write_ppm((*renderer)->images().picture(), "frame.ppm");
 //
 // Passes: drawables prepare; both shadows into one map; light (RGBA16F) and motion (RG16F) with depth, four samples resolved; the
-// toned picture. A device call that fails ends the program, as in all of examples/engine; what a host may get wrong is refused.
+// toned picture. A device call that fails ends the program; what a host may get wrong is refused.
 #pragma once
 
 #include "vegetation/vulkan/wind_set.h"
