@@ -1,9 +1,6 @@
-# Frames and contact sheets of the air, added to windrow_cli_support. Cairo draws, OpenImageIO writes.
-#
-# Both are found by pkg-config: OpenImageIO's own CMake package of Debian 12 names an OpenCV folder and tools that it does not bring.
+# Frames and contact sheets of the air, added to windrow_cli_support. Cairo draws, windrow_pictures writes.
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo)
-pkg_check_modules(openimageio REQUIRED IMPORTED_TARGET OpenImageIO>=2.4)
 
 target_sources(windrow_cli_support PRIVATE
   pictures.cpp
@@ -13,6 +10,7 @@ target_sources(windrow_cli_support PRIVATE
   drawing/colour_map.cpp
   drawing/contact_sheet.cpp
   drawing/frame.cpp
+  drawing/image.cpp
   drawing/layout.cpp
   drawing/legend.cpp
   drawing/motor_marks.cpp
@@ -20,9 +18,8 @@ target_sources(windrow_cli_support PRIVATE
   drawing/names.cpp
   drawing/outline.cpp
   drawing/overlay.cpp
-  drawing/png.cpp
   drawing/slice.cpp
   drawing/text.cpp
   drawing/world_map.cpp
   pareto/plot_image.cpp)
-target_link_libraries(windrow_cli_support PRIVATE PkgConfig::cairo PkgConfig::openimageio)
+target_link_libraries(windrow_cli_support PRIVATE PkgConfig::cairo PUBLIC windrow_pictures)

@@ -1,8 +1,8 @@
 #include "cli/pictures.h"
 
 #include "cli/drawing/frame.h"
+#include "cli/drawing/image.h"
 #include "cli/drawing/layout.h"
-#include "cli/drawing/png.h"
 #include "cli/drawing/text.h"
 #include "fluid/message.h"
 

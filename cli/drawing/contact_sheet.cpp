@@ -1,9 +1,10 @@
 #include "cli/drawing/canvas.h"
+#include "cli/drawing/image.h"
 #include "cli/drawing/palette.h"
-#include "cli/drawing/png.h"
 #include "cli/drawing/text.h"
 #include "cli/pictures.h"
 #include "fluid/message.h"
+#include "pictures/sheet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,35 +26,23 @@ int columns_of(std::size_t frames) {
     return frames == 4 ? 2 : frames <= 9 ? 3 : 4;
 }
 
-/// The part of an image that lies in it.
-Image cropped(const Image& image, const PixelRect& part) {
-    const int left = std::clamp(part.x, 0, image.width - 1), top = std::clamp(part.y, 0, image.height - 1);
-    Image result(std::clamp(part.width, 1, image.width - left), std::clamp(part.height, 1, image.height - top));
-    for (int row = 0; row < result.height; ++row)
-        std::copy_n(image.pixels.begin() + static_cast<std::ptrdiff_t>(image.offset(left, top + row)), 3 * result.width,
-                    result.pixels.begin() + static_cast<std::ptrdiff_t>(result.offset(0, row)));
-    return result;
-}
-
-void paste(const Image& image, Image& onto, int left, int top) {
-    for (int row = 0; row < image.height; ++row)
-        std::copy_n(image.pixels.begin() + static_cast<std::ptrdiff_t>(image.offset(0, row)), 3 * image.width,
-                    onto.pixels.begin() + static_cast<std::ptrdiff_t>(onto.offset(left, top + row)));
+Image part_of(const Image& image, const PixelRect& part) {
+    return pictures::cropped(image, part.x, part.y, part.width, part.height);
 }
 
 /// Both slices of a frame, the upright one below or beside the level one, whichever comes nearer to a square.
 Image slices_of(const Image& frame, const FrameParts& parts) {
-    const Image level = cropped(frame, parts.level), upright = cropped(frame, parts.upright);
+    const Image level = part_of(frame, parts.level), upright = part_of(frame, parts.upright);
     const int wide = level.width + upright.width, widest = std::max(level.width, upright.width);
     const int tall = level.height + upright.height, tallest = std::max(level.height, upright.height);
     const bool stacked =
         std::abs(std::log(static_cast<double>(widest) / tall)) < std::abs(std::log(static_cast<double>(wide) / tallest));
     Image both(stacked ? widest : wide, stacked ? tall : tallest);
     // The frame's own paper: its first pixel.
-    for (std::size_t index = 0; index < both.pixels.size(); ++index)
-        both.pixels[index] = frame.pixels[index % 3];
-    paste(level, both, 0, 0);
-    paste(upright, both, stacked ? 0 : level.width, stacked ? level.height : 0);
+    for (std::size_t index = 0; index < both.values.size(); ++index)
+        both.values[index] = frame.values[index % 3];
+    pictures::paste(level, both, 0, 0);
+    pictures::paste(upright, both, stacked ? 0 : level.width, stacked ? level.height : 0);
     return both;
 }
 
@@ -83,13 +72,13 @@ Result<void> draw_contact_sheet(std::span<const std::filesystem::path> frames, c
         const Image slices = parts ? slices_of(whole, *parts) : Image();
         const Image& shown = parts ? slices : whole;
         if (parts && tiles.size() + 1 == frames.size())
-            legend = cropped(whole, parts->legend);
+            legend = part_of(whole, parts->legend);
         // A whole frame is as wide as a tile may be, however tall its box makes it.
         const double shrink =
             std::min(1.0, static_cast<double>(k_tile) / (parts ? std::max(shown.width, shown.height) : shown.width));
         const int width = std::max(1, static_cast<int>(std::lround(shown.width * shrink)));
         const int height = std::max(1, static_cast<int>(std::lround(shown.height * shrink)));
-        auto tile = shrink < 1.0 ? resized(shown, width, height) : Result<Image>(shown);
+        auto tile = shrink < 1.0 ? pictures::resized(shown, width, height) : Result<Image>(shown);
         if (!tile)
             return Error{tile.error()};
         tile_width = std::max(tile_width, width);
@@ -101,9 +90,9 @@ Result<void> draw_contact_sheet(std::span<const std::filesystem::path> frames, c
     }
 
     const int columns = columns_of(tiles.size());
-    const int rows = (static_cast<int>(tiles.size()) + columns - 1) / columns;
-    const int width = 2 * k_margin + std::max(columns * tile_width + (columns - 1) * k_gap, std::max(legend.width, k_narrowest));
-    const int tiles_end = k_margin + k_title + rows * (k_caption + tile_height) + (rows - 1) * k_gap;
+    const pictures::SheetGrid grid{columns, tile_width, k_caption + tile_height, k_gap, k_margin, k_margin + k_title};
+    const int width = 2 * k_margin + std::max(grid.right() - k_margin, std::max(legend.width, k_narrowest));
+    const int tiles_end = grid.bottom(tiles.size());
     const int height = tiles_end + (parts ? k_gap + k_caption + legend.height : 0) + k_margin;
     Canvas canvas(width, height, 1.0, k_paper);
     const std::string count = std::to_string(tiles.size()) + (tiles.size() == 1 ? " frame" : " frames");
@@ -111,9 +100,7 @@ Result<void> draw_contact_sheet(std::span<const std::filesystem::path> frames, c
                  {k_margin, k_margin + 28.0}, {.size = 34.0, .colour = k_ink, .bold = true});
     canvas.words(count, {width - k_margin, k_margin + 28.0}, {.size = 24.0, .colour = k_dim_ink, .align = Align::right});
     for (std::size_t index = 0; index < tiles.size(); ++index) {
-        const int column = static_cast<int>(index) % columns, row = static_cast<int>(index) / columns;
-        const double x = k_margin + column * (tile_width + k_gap);
-        const double y = k_margin + k_title + row * (k_caption + tile_height + k_gap);
+        const double x = grid.x(index), y = grid.y(index);
         canvas.words(canvas.fitted(captions[index], 26.0, tile_width, true), {x, y + 30.0},
                      {.size = 26.0, .colour = k_ink, .bold = true});
         canvas.image(tiles[index], {x, y + k_caption});

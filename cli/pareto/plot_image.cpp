@@ -1,6 +1,6 @@
 #include "cli/pareto/plot_image.h"
 
-#include "cli/drawing/png.h"
+#include "cli/drawing/image.h"
 #include "fluid/message.h"
 
 #include <cmath>

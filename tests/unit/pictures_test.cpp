@@ -2,9 +2,9 @@
 // there.
 #include "cli/drawing/colour_map.h"
 #include "cli/drawing/frame.h"
+#include "cli/drawing/image.h"
 #include "cli/drawing/layout.h"
 #include "cli/drawing/motor_style.h"
-#include "cli/drawing/png.h"
 #include "cli/drawing/slice.h"
 #include "cli/pictures.h"
 
@@ -339,7 +339,7 @@ TEST(Frame, IsTheSameEveryTime) {
     const auto second = compose_frame(air, 0.0, {}, {}, {.title = "", .width = 641});
     ASSERT_TRUE(first && second);
     EXPECT_EQ(first->width, 640); // even
-    EXPECT_EQ(first->pixels, second->pixels);
+    EXPECT_EQ(first->values, second->values);
 }
 
 TEST_F(PicturesTest, WidthOutsideTheBoundsIsRefusedByName) {
@@ -386,7 +386,7 @@ TEST_F(PicturesTest, DiskThatTakesNoMoreKeepsTheOldFileAndSaysSo) {
     const auto old_size = std::filesystem::file_size(file);
     Image large(600, 600);
     std::mt19937 noise; // does not compress
-    for (std::uint8_t& value : large.pixels)
+    for (std::uint8_t& value : large.values)
         value = static_cast<std::uint8_t>(noise());
 
     // A size limit stops the write midway, as a full disk does.
@@ -413,8 +413,8 @@ TEST_F(PicturesTest, ContactSheetHasTheFramesInOrder) {
     std::vector<std::filesystem::path> frames;
     for (int frame = 0; frame < 6; ++frame) {
         Image image(820, 451); // shrinks to 800 x 440
-        for (std::size_t index = 0; index < image.pixels.size(); ++index)
-            image.pixels[index] = static_cast<std::uint8_t>(40 * frame);
+        for (std::size_t index = 0; index < image.values.size(); ++index)
+            image.values[index] = static_cast<std::uint8_t>(40 * frame);
         frames.push_back(folder_ / (std::to_string(frame) + ".png"));
         ASSERT_TRUE(write_png(image, {"run", "t"}, frames.back()));
     }

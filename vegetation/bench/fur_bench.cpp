@@ -32,11 +32,10 @@ constexpr struct {
                 {"wind", windrow::vegetation::bench::wind_table}};
 
 [[noreturn]] void refuse(const std::string& why) {
-    std::fprintf(
-        stderr,
-        "windrow_fur_bench: %s\nwindrow_fur_bench [--quick] [--frames N] [--pictures FOLDER] [--only TABLE], where "
-        "TABLE is one of",
-        why.c_str());
+    std::fprintf(stderr,
+                 "windrow_fur_bench: %s\nwindrow_fur_bench [--quick] [--frames N] [--pictures FOLDER] [--only TABLE], where "
+                 "TABLE is one of",
+                 why.c_str());
     for (const auto& table : k_tables)
         std::fprintf(stderr, " %.*s", static_cast<int>(table.name.size()), table.name.data());
     std::fprintf(stderr, "\n");

@@ -1,8 +1,8 @@
 // The one place that Assimp is called from: checked bytes to triangles.
 #pragma once
 
-#include "vegetation/fur/soup.h"
 #include "fluid/result.h"
+#include "vegetation/fur/soup.h"
 
 #include <map>
 #include <string>

@@ -1,9 +1,9 @@
 #include "vegetation/files/gltf_text.h"
 
+#include "scene/json_document.h"
 #include "vegetation/files/gltf_buffers.h"
 #include "vegetation/files/mesh_file.h"
 #include "vegetation/fur/refusal.h"
-#include "scene/json_document.h"
 
 #include <cmath>
 #include <cstring>

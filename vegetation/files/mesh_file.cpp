@@ -3,12 +3,12 @@
 #include "vegetation/files/assimp_import.h"
 #include "vegetation/files/gltf_text.h"
 #include "vegetation/files/mesh_folder.h"
+#include "vegetation/files/obj_text.h"
+#include "vegetation/files/three_ds_chunks.h"
 #include "vegetation/fur/mesh_simplify.h"
 #include "vegetation/fur/mesh_uv.h"
 #include "vegetation/fur/mesh_weld.h"
-#include "vegetation/files/obj_text.h"
 #include "vegetation/fur/refusal.h"
-#include "vegetation/files/three_ds_chunks.h"
 
 #include <algorithm>
 #include <cctype>

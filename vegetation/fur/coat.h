@@ -1,7 +1,7 @@
 // A coat on a mesh in the renderer: fur, grass, feathers, spikes or clouds as layers, in the wind.
 //
-//     auto pictures = fur::read_pictures(settings.maps, folder);
-//     auto coat = fur::Coat::create(device, renderer.draw_targets(), mesh, {}, settings, *pictures, body, anchor);
+//     const fur::CoatPictures pictures;                                       // maps: none
+//     auto coat = fur::Coat::create(device, renderer.draw_targets(), mesh, {}, settings, pictures, body, anchor);
 //     renderer.add(**coat);
 //     (void)(*coat)->move(frame_seconds, body, fur::pose(skeleton, time));   // before each frame that is recorded
 //

@@ -5,10 +5,10 @@
 #pragma once
 
 #include "coupling/cascade.h"
+#include "vegetation/files/mesh_file.h"
 #include "vegetation/fur/beast.h"
 #include "vegetation/fur/coat_settings.h"
 #include "vegetation/fur/horse_skeleton.h"
-#include "vegetation/files/mesh_file.h"
 #include "vegetation/fur/shapes.h"
 #include "vegetation/fur/skeleton.h"
 
@@ -27,7 +27,7 @@ struct PictureScene;
 /// A mesh beside the scene: OBJ, glTF, GLB or 3DS. It is read when the scene is drawn, not when the scene is read.
 struct MeshSource {
     std::string name{};             ///< of the file
-    fur::MeshLoad load{};        ///< but for the turn
+    fur::MeshLoad load{};           ///< but for the turn
     float yaw_deg = 0.0f;           ///< turn about y, -360 to 360
     int most_triangles = 4'000'000; ///< files with more are simplified, 4 to 4,000,000
 };
@@ -74,7 +74,7 @@ struct BodySkeleton {
     SkeletonKind kind = SkeletonKind::none;
     double pace = 1.0;                 ///< how fast it moves: 1 as made, 0 stands in its first pose; 0 to 10
     double phase = 0.0;                ///< [s] by which it is ahead, 0 to 1000
-    std::vector<fur::Bone> bones{}; ///< of kind `own`
+    std::vector<fur::Bone> bones{};    ///< of kind `own`
 };
 
 /// Which fields of the coat the scene names. Those that it does not are the mesh's: its material's fur line.

@@ -133,7 +133,7 @@ Result<void> DressedBodies::dress(engine::Device& device, const render::DrawTarg
         if (!pictures)
             return Error{pictures.error()};
         auto coat = fur::Coat::create(device, targets, dressed.model.mesh, *parts, settings, *pictures,
-                                         pose_of(*scene_, body, 0.0), anchor);
+                                      pose_of(*scene_, body, 0.0), anchor);
         if (!coat)
             return Error{coat.error()};
         if (auto lit = (*coat)->set_lamps(scene_->picture.lamps); !lit)

@@ -147,7 +147,7 @@ struct Picture {
     std::vector<Fan> fans{};
     std::optional<windrow::GroundConfig> ground_memory{}; ///< none: walkers and wind leave no trace
     std::vector<Body> bodies{};                           ///< things in coats of shells
-    std::vector<fur::Lamp> lamps{};                    ///< that shine on them
+    std::vector<fur::Lamp> lamps{};                       ///< that shine on them
     windrow::Sampling sampling{};
 };
 

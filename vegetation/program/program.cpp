@@ -61,7 +61,7 @@ Result<void> keep(const Options& options, const program::Shoot& shoot, std::int6
         return written;
     if (options.exr)
         return windrow::pictures::write_exr(shoot.images().light_picture(), shoot.images().motion_picture(),
-                                 name_of(options, frame, ".exr"));
+                                            name_of(options, frame, ".exr"));
     return {};
 }
 
@@ -227,8 +227,8 @@ int main(int argument_count, char** arguments) {
     std::string size, show = "plants";
     double frames_per_second = 0.0;
     const std::map<std::string, program::Show> shows{{"plants", program::Show::plants}, {"arrows", program::Show::arrows},
-                                                    {"slice", program::Show::slice},   {"lean", program::Show::lean},
-                                                    {"levels", program::Show::levels}, {"chunks", program::Show::chunks}};
+                                                     {"slice", program::Show::slice},   {"lean", program::Show::lean},
+                                                     {"levels", program::Show::levels}, {"chunks", program::Show::chunks}};
     app.add_option("scene", options.scenes, "scenes: JSON files, examples/scenes/scene.schema.json says of what")->required();
     app.add_option("--out", options.folder,
                    "where the pictures go, of several scenes in a folder each; default: out/NAME of the file");

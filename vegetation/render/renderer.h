@@ -9,7 +9,7 @@
 //     (*renderer)->record(frame, camera, *wind);                   // all passes; motion since the last recorded frame
 //     (*renderer)->copy(frame);                                    // where this frame is wanted on the host
 //     frames->finish(frame);
-//     write_png((*renderer)->images().picture(), "frame.png");
+//     (void)render::write_ppm((*renderer)->images().picture(), "frame.ppm");
 //
 // Passes: drawables prepare; both shadows into one map; light (RGBA16F) and motion (RG16F) with depth, four samples resolved; the
 // toned picture.

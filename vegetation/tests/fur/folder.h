@@ -45,7 +45,7 @@ inline std::filesystem::path glmark2(const char* name) {
 
 /// A mesh of glmark2-data that is not installed fails the test: ./dev installs it.
 #define WINDROW_NEEDS_GLMARK2(name)                                                                                              \
-    if (!std::filesystem::exists(fur::test::glmark2(name)))                                                                   \
+    if (!std::filesystem::exists(fur::test::glmark2(name)))                                                                      \
     FAIL() << fur::test::glmark2(name) << " is not there: install glmark2-data to test with it."
 
 } // namespace windrow::vegetation::fur::test

@@ -1,9 +1,9 @@
 // On posed meshes the push of the shells is applied after skinning: no vertex enters the surface, and no outer shell is below an
 // inner one.
 #include "coupling/shell.h"
-#include "vegetation/fur/beast.h"
-#include "vegetation/files/mesh_file.h"
 #include "tests/figure.h"
+#include "vegetation/files/mesh_file.h"
+#include "vegetation/fur/beast.h"
 #include "vegetation/tests/fur/folder.h"
 
 #include <cmath>

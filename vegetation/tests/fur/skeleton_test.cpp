@@ -1,10 +1,10 @@
 // Bones: weights, rigid poses, rest; the walk; what is refused.
+#include "tests/figure.h"
+#include "vegetation/files/mesh_file.h"
 #include "vegetation/fur/beast.h"
 #include "vegetation/fur/horse_skeleton.h"
-#include "vegetation/files/mesh_file.h"
 #include "vegetation/fur/shapes.h"
 #include "vegetation/fur/skeleton.h"
-#include "tests/figure.h"
 #include "vegetation/tests/fur/folder.h"
 #include "vegetation/tests/fur/surface.h"
 

@@ -36,8 +36,7 @@ TEST(DressedBody, FurLineOfTheFileIsItsCoat) {
     EXPECT_EQ(whole->size(), 2u);
     ASSERT_EQ(felt->size(), 1u);
     EXPECT_FALSE(felt->front().fur);
-    const auto fur =
-        std::find_if(whole->begin(), whole->end(), [](const fur::MeshPart& part) { return part.fur.has_value(); });
+    const auto fur = std::find_if(whole->begin(), whole->end(), [](const fur::MeshPart& part) { return part.fur.has_value(); });
     ASSERT_NE(fur, whole->end());
     const fur::CoatSettings settings = settings_of(body.coats.at(0), fur->fur);
     EXPECT_EQ(settings.layers.shells, 48);

@@ -62,7 +62,7 @@ TEST(BodyReader, FurLineGivesWhatTheSceneDoesNotSay) {
     const std::vector<BodyCoat>& coats = scene->picture.bodies.at(0).coats;
     const fur::FurLine fur{.shells = 48, .height = 0.419f, .thickness = 2.753f, .resolution = 11.0f};
     const fur::CoatSettings whole = settings_of(coats[0], fur), layers = settings_of(coats[1], fur),
-                               strands = settings_of(coats[2], fur), none = settings_of(coats[0], std::nullopt);
+                            strands = settings_of(coats[2], fur), none = settings_of(coats[0], std::nullopt);
     EXPECT_EQ(whole.layers.shells, 48);
     EXPECT_EQ(whole.layers.length, 0.419f);
     EXPECT_EQ(whole.strands.thickness, 2.753f);

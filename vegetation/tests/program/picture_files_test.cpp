@@ -1,10 +1,12 @@
 // Pictures as files: what was written is what is read, and a file that cannot be written is told.
 #include "pictures/picture_files.h"
 #include "tests/figure.h"
+#include "vegetation/render/picture.h"
 
 #include <OpenImageIO/imageio.h>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <gtest/gtest.h>
 
 namespace windrow::pictures {
@@ -35,6 +37,22 @@ TEST_F(Picture, PngKeepsEachByte) {
     ASSERT_TRUE(input->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, read.data()));
     EXPECT_EQ(read, picture.values);
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1); // nothing is left beside it
+}
+
+TEST_F(Picture, PpmKeepsEachByte) {
+    Picture8 picture(7, 5);
+    for (std::size_t n = 0; n < picture.values.size(); ++n)
+        picture.values[n] = static_cast<std::uint8_t>(37 * n);
+    const auto file = folder / "a.ppm";
+    const auto written = vegetation::render::write_ppm(picture, file);
+    ASSERT_TRUE(written) << written.error();
+    std::ifstream stream(file, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+    EXPECT_EQ(bytes, "P6\n7 5\n255\n" + std::string(picture.values.begin(), picture.values.end()));
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);
+    picture.values.pop_back();
+    EXPECT_FALSE(vegetation::render::write_ppm(picture, file));
+    EXPECT_FALSE(vegetation::render::write_ppm(Picture8(2, 2), folder / "no" / "such" / "a.ppm"));
 }
 
 TEST_F(Picture, ExrHasLightAndMotionInPixels) {
