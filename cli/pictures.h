@@ -36,8 +36,8 @@ using MotorCounts = std::array<int, std::variant_size_v<Motor>>;
 
 struct PictureSettings {
     std::string title;
-    int width = 1600; ///< [pixels] 640 to 8000; an odd one loses a pixel, as video coders want even sizes. The height follows
-                      ///< from the box's shape.
+    /// [pixels] 640 to 8000; an odd one loses a pixel, as video coders want even sizes. The height follows from the box's shape.
+    int width = 1600;
     /// [m/s] Speed at the top of the colour bar, > 0; one value for a whole sequence, so that its frames compare. What is no
     /// number above 0 becomes the default: a fresh breeze reaches it.
     float speed_scale = 10.0f;

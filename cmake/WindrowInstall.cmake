@@ -1,11 +1,14 @@
-# What `cmake --install` lays down, for find_package(windrow 0.1 COMPONENTS fluid coupling vdb vulkan coupling_vulkan):
+# What `cmake --install` lays down, for find_package(windrow 0.1 COMPONENTS fluid coupling vdb vulkan coupling_vulkan
+# vegetation):
 #
 #   include/windrow/fluid/...        public headers: consumers write #include "fluid/wind.h", as inside the project
 #   lib/libwindrow_*                 one library and one export set a component
 #   lib/cmake/windrow/               the package files
 #   share/windrow/shaders/numerics   the formulas as text, for GLSL
 #   share/windrow/shaders/coupling   what a host's shaders include
-#   bin/windrow                      the command, where it is built
+#   share/windrow/vegetation/shaders   with the component vegetation: what a host includes that draws grass itself, and the
+#                                    formulas of the headers
+#   bin/windrow, bin/windrow-draw    the programs, where they are built
 option(WINDROW_INSTALL "Make install rules" ${PROJECT_IS_TOP_LEVEL})
 if(NOT WINDROW_INSTALL)
   return()
@@ -60,6 +63,20 @@ if(TARGET windrow_coupling_vulkan)
   list(APPEND components coupling_vulkan)
 endif()
 
+if(TARGET windrow_vegetation)
+  foreach(folder IN ITEMS pictures vegetation/fur vegetation/grass vegetation/render vegetation/trees vegetation/vulkan)
+    windrow_install_headers(${folder})
+  endforeach()
+  install(TARGETS windrow_vegetation EXPORT windrow_vegetation)
+  install(TARGETS windrow_draw)
+  list(APPEND programs windrow_draw)
+  set(vegetation_shaders ${PROJECT_SOURCE_DIR}/vegetation/shaders)
+  install(FILES ${vegetation_shaders}/grass/grass_blade.glsl DESTINATION ${CMAKE_INSTALL_DATADIR}/windrow/vegetation/shaders/grass)
+  install(DIRECTORY ${vegetation_shaders}/numerics DESTINATION ${CMAKE_INSTALL_DATADIR}/windrow/vegetation/shaders
+          FILES_MATCHING PATTERN "*.glsl")
+  list(APPEND components vegetation)
+endif()
+
 foreach(component IN LISTS components)
   install(EXPORT windrow_${component} NAMESPACE windrow:: FILE windrow-${component}.cmake DESTINATION ${package_dir})
 endforeach()
@@ -69,11 +86,12 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/shaders/numerics ${PROJECT_SOURCE_DIR}/s
 
 if(TARGET windrow_cli)
   install(TARGETS windrow_cli)
-  if(BUILD_SHARED_LIBS)
-    # The command finds its libraries beside it, wherever the whole is moved.
-    file(RELATIVE_PATH to_libraries ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
-    set_target_properties(windrow_cli PROPERTIES INSTALL_RPATH "$ORIGIN/${to_libraries}")
-  endif()
+  list(APPEND programs windrow_cli)
+endif()
+if(BUILD_SHARED_LIBS AND programs)
+  # A program finds its libraries beside it, wherever the whole is moved.
+  file(RELATIVE_PATH to_libraries ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
+  set_target_properties(${programs} PROPERTIES INSTALL_RPATH "$ORIGIN/${to_libraries}")
 endif()
 
 configure_package_config_file(

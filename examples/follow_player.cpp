@@ -4,13 +4,11 @@
 //     follow_player       prints what three leaves feel, eight times a second
 //
 // 1. Make a wind over ground: a mean wind of 3 m/s at 10 m height that a log profile slows near the ground, with gusts that it
-// carries.
-// 2. Give the player a wake. Tell where he is each frame; several positions in a frame make a curve. The wake acts while he
-// moves.
-// 3. Tell the box what to follow. It moves in whole cells and keeps the air; sampled wind fades to ambient around the player
-//    himself, not around the box, so that nothing jumps when the box does.
-// 4. advance() with the frame's time. The air lives in fixed ticks (30 a second here), the renderer at its own pace: here 144
-// frames
+//    carries.
+// 2. Give the player a wake. Move it each frame; several positions in a frame make a curve. The wake acts while he moves.
+// 3. Call `follow` with the player's place. The box moves in whole cells and keeps the air; sampled wind fades to ambient around
+//    the player, not around the box, so that nothing jumps when the box does.
+// 4. advance() with the frame's time. The air has fixed ticks (30 a second here), the renderer its own pace: here 144 frames
 //    a second, with a hitch now and then. The air is the same to the bit at any frame rate; what is sampled is blended between
 //    ticks.
 // 5. Fire and forget: a burst is added and removes itself. So does a motor whose envelope ends.

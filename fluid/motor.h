@@ -125,10 +125,11 @@ struct JetMotor {
 struct VortexMotor {
     glm::dvec3 position{0.0};         ///< [m] world; the middle
     glm::vec3 axis{0.0f, 1.0f, 0.0f}; ///< any length but 0; normalised on creation
-    float radius = 4.0f; ///< [m] > 0; beyond it nothing acts. Circulation comes out within 5 % where the fastest ring, at 0.447
-                         ///< of it, is 3.5 cells or wider.
+    /// [m] > 0; beyond it nothing acts. Circulation comes out within 5 % where the fastest ring, at 0.447 of it, is 3.5 cells or
+    /// wider.
+    float radius = 4.0f;
     float half_length = 4.0f; ///< [m] > 0; along the axis, to each end
-    float lift = 0.0f; ///< push along the axis in the middle, as a share of the swirl; -10 to 10. A dust devil has about 0.5.
+    float lift = 0.0f;        ///< push along the axis in the middle over the swirl; -10 to 10. A dust devil has about 0.5.
     std::variant<Force, Drive> law = Drive{.speed = 8.0f, .rate = 8.0f};
     Envelope envelope{};
 };

@@ -7,11 +7,12 @@
 namespace windrow {
 
 enum class Simd : std::uint8_t {
-    best,     ///< The best that this machine runs. The default.
-    baseline, ///< What every machine of this architecture has (SSE2 on x86): the same bits everywhere, for replays across
-              ///< machines.
-    avx2,     ///< AVX2 with FMA.
-    avx512,   ///< AVX-512 F, VL, DQ.
+    /// The best that this machine runs. The default.
+    best,
+    /// Of every machine of this architecture (SSE2 on x86): the same bits everywhere, for replays across machines.
+    baseline,
+    avx2,   ///< AVX2 with FMA.
+    avx512, ///< AVX-512 F, VL, DQ.
 };
 
 /// Whether this machine runs a level; `best` always.

@@ -16,15 +16,16 @@ namespace windrow {
 /// anchor that the host chooses near its camera, so that a shader in float is as exact 10^6 m away as at the origin.
 struct WindowBlock {
     glm::vec4 origin_and_cell_size{0.0f}; ///< xyz [m] low corner of the box minus the anchor, w [m] edge of a cell
-    glm::vec4 cells_and_factor{
-        0.0f}; ///< xyz cells an axis, w where this frame lies between the last two ticks, 0 to 1 (1 without ticks)
-    glm::vec4 previous_origin{0.0f}; ///< xyz [m] low corner of the last frame's box, minus the anchor: for motion vectors.
-                                     ///< Without ticks, of the step before, with `follow` called before `step`
-    glm::vec4 ambient{0.0f};         ///< xyz [m/s] mean wind outside the box; with a profile or gusts see AmbientBlock
-    glm::vec4 low_sides{0.0f};       ///< kind of the low side of x, y, z: 0 open, 1 wall, 2 periodic
-    glm::vec4 high_sides{0.0f};      ///< kind of the high sides
-    glm::vec4 rim_point{
-        0.0f}; ///< xyz [m] point that the rim follows, minus the anchor; w [m] width over which the box's wind fades to ambient
+    /// xyz cells an axis, w place of this frame between the last two ticks, 0 to 1 (1 without ticks)
+    glm::vec4 cells_and_factor{0.0f};
+    /// xyz [m] low corner of the last frame's box, minus the anchor: for motion vectors. Without ticks, of the step before, with
+    /// `follow` called before `step`
+    glm::vec4 previous_origin{0.0f};
+    glm::vec4 ambient{0.0f};    ///< xyz [m/s] mean wind outside the box; with a profile or gusts see AmbientBlock
+    glm::vec4 low_sides{0.0f};  ///< kind of the low side of x, y, z: 0 open, 1 wall, 2 periodic
+    glm::vec4 high_sides{0.0f}; ///< kind of the high sides
+    /// xyz [m] point that the rim follows, minus the anchor; w [m] width over which the box's wind fades to ambient
+    glm::vec4 rim_point{0.0f};
     glm::vec4 rim_reach{0.0f};          ///< xyz [m] distance from that point at which it has faded; 0: no rim on that axis
     glm::vec4 previous_rim_point{0.0f}; ///< xyz [m] the point in the last frame, minus the anchor
 };

@@ -24,8 +24,8 @@ struct NumberRule {
 /// that comes in kinds: `$.motors[](wake).law.drive.per_metre`.
 struct KnownKey {
     std::string pattern = {};
-    std::string type = {}; ///< number, integer, boolean, string, name, vector, integers, pair, whole pair, flags, object, array,
-                           ///< or two with "or"
+    /// number, integer, boolean, string, name, vector, integers, pair, whole pair, flags, object, array, or two with "or"
+    std::string type = {};
     bool required = false;
     std::optional<nlohmann::json> fallback = {};
     NumberRule rule = {};

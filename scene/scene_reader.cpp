@@ -170,7 +170,7 @@ Result<Scene> read_scene_text(std::string_view text, const std::filesystem::path
     read_floor(object, scene, names);
     scene.motors = read_motors(object, {.paths = scene.paths, .path_names = names});
     read_outputs(object, scene);
-    // What else a renderer needs (examples/meadow reads it); the air does without.
+    // What else a renderer needs (windrow-draw reads it); the air does without.
     (void)object.object("picture");
     object.finish();
 

@@ -2,18 +2,13 @@
 #pragma once
 
 #include "fluid/box.h"
-#include "fluid/pieces.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
-#include <numbers>
 #include <random>
 #include <span>
 #include <vector>
@@ -61,114 +56,22 @@ class Random {
     std::mt19937 engine_;
 };
 
-[[nodiscard]] inline std::size_t cell_count(glm::ivec3 cells) {
-    return static_cast<std::size_t>(cells.x) * static_cast<std::size_t>(cells.y) * static_cast<std::size_t>(cells.z);
-}
-
+[[nodiscard]] std::size_t cell_count(glm::ivec3 cells);
 /// Each component of each cell by itself, uniform in [-size, size].
-[[nodiscard]] inline Field white_noise(glm::ivec3 cells, float size, std::uint32_t seed) {
-    Random random(seed);
-    Field field(cell_count(cells));
-    for (glm::vec4& u : field)
-        u = glm::vec4(random.vector(size), 0.0f);
-    return field;
-}
-
+[[nodiscard]] Field white_noise(glm::ivec3 cells, float size, std::uint32_t seed);
 /// A few long waves with random phases, periodic in the box, largest component about `size`.
-[[nodiscard]] inline Field smooth_noise(glm::ivec3 cells, float size, std::uint32_t seed) {
-    Random random(seed);
-    struct Wave {
-        glm::dvec3 number, amplitude;
-        double phase;
-    };
-    std::vector<Wave> waves;
-    for (int n = 0; n < 8; ++n) {
-        glm::dvec3 number;
-        for (int axis = 0; axis < 3; ++axis)
-            number[axis] = cells[axis] > 1 ? random.integer(-2, 2) : 0;
-        const glm::dvec3 wave = number / glm::dvec3(cells);
-        glm::dvec3 amplitude = random.point(1.0);
-        if (const double squared = glm::dot(wave, wave); squared > 0.0)
-            amplitude -= wave * (glm::dot(wave, amplitude) / squared); // transverse: no divergence
-        waves.push_back({number, amplitude, random.real(0.0, 2.0 * std::numbers::pi)});
-    }
-    Field field(cell_count(cells));
-    float largest = 0.0f;
-    std::size_t at = 0;
-    for (int k = 0; k < cells.z; ++k)
-        for (int j = 0; j < cells.y; ++j)
-            for (int i = 0; i < cells.x; ++i) {
-                glm::dvec3 u(0.0);
-                for (const Wave& wave : waves) {
-                    const glm::dvec3 place = glm::dvec3(i, j, k) / glm::dvec3(cells);
-                    u += wave.amplitude * std::sin(2.0 * std::numbers::pi * glm::dot(wave.number, place) + wave.phase);
-                }
-                field[at] = glm::vec4(glm::vec3(u), 0.0f);
-                for (int axis = 0; axis < 3; ++axis)
-                    largest = std::max(largest, std::abs(field[at][axis]));
-                ++at;
-            }
-    for (glm::vec4& u : field)
-        u *= size / largest;
-    return field;
-}
-
+[[nodiscard]] Field smooth_noise(glm::ivec3 cells, float size, std::uint32_t seed);
 /// Two streams in x that pass each other, two cells thick, with a ripple that lets them roll up.
-[[nodiscard]] inline Field shear_layer(glm::ivec3 cells, float size, std::uint32_t seed) {
-    Field field = smooth_noise(cells, 0.05f * size, seed);
-    for (int k = 0; k < cells.z; ++k)
-        for (int j = 0; j < cells.y; ++j)
-            for (int i = 0; i < cells.x; ++i) {
-                const float z = static_cast<float>(k) + 0.5f, quarter = 0.25f * static_cast<float>(cells.z);
-                const float stream = std::tanh((z - quarter) / 2.0f) * std::tanh((3.0f * quarter - z) / 2.0f);
-                field[(static_cast<std::size_t>(k) * cells.y + j) * cells.x + i].x += size * stream;
-            }
-    return field;
-}
-
+[[nodiscard]] Field shear_layer(glm::ivec3 cells, float size, std::uint32_t seed);
 /// The field without its divergence: what a step leaves behind anyway, so that a budget starts from it.
-[[nodiscard]] inline Field projected(Field field, const Box& box) {
-    auto work = Workspace::create({.box = box});
-    project(*work, field);
-    return field;
-}
-
+[[nodiscard]] Field projected(Field field, const Box& box);
 /// Sum of |u|^2 / 2 over the cells, in double.
-[[nodiscard]] inline double energy_of(std::span<const glm::vec4> field) {
-    double sum = 0.0;
-    for (const glm::vec4& u : field)
-        sum += 0.5 * glm::dot(glm::dvec3(u), glm::dvec3(u));
-    return sum;
-}
-
+[[nodiscard]] double energy_of(std::span<const glm::vec4> field);
 /// Largest |u|; NaN where any component is NaN.
-[[nodiscard]] inline double largest_speed(std::span<const glm::vec4> field) {
-    float largest = 0.0f;
-    for (const glm::vec4& u : field) {
-        const float squared = u.x * u.x + u.y * u.y + u.z * u.z;
-        if (!(squared <= largest))
-            largest = squared;
-    }
-    return std::sqrt(static_cast<double>(largest));
-}
-
-[[nodiscard]] inline bool all_finite(std::span<const glm::vec4> field) {
-    return std::all_of(field.begin(), field.end(),
-                       [](const glm::vec4& u) { return std::isfinite(u.x) && std::isfinite(u.y) && std::isfinite(u.z); });
-}
-
+[[nodiscard]] double largest_speed(std::span<const glm::vec4> field);
+[[nodiscard]] bool all_finite(std::span<const glm::vec4> field);
 /// Cells that differ in any bit.
-[[nodiscard]] inline std::size_t cells_that_differ(std::span<const glm::vec4> a, std::span<const glm::vec4> b) {
-    if (a.size() != b.size())
-        return std::max(a.size(), b.size());
-    std::size_t count = 0;
-    for (std::size_t n = 0; n < a.size(); ++n)
-        count += std::memcmp(&a[n], &b[n], sizeof a[n]) != 0;
-    return count;
-}
-
-[[nodiscard]] inline Field copy(std::span<const glm::vec4> field) {
-    return {field.begin(), field.end()};
-}
+[[nodiscard]] std::size_t cells_that_differ(std::span<const glm::vec4> a, std::span<const glm::vec4> b);
+[[nodiscard]] Field copy(std::span<const glm::vec4> field);
 
 } // namespace windrow::test

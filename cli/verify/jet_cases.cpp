@@ -48,8 +48,8 @@ MeanJet mean_of_jet(CommandWind& wind) {
 struct Section {
     double distance = 0.0; ///< [m] from the nozzle
     double flux = 0.0;     ///< [m^4/s^2]
-    double half_width =
-        std::numeric_limits<double>::quiet_NaN(); ///< [m] where the mean over a ring about the axis is half of the innermost's
+    /// [m] where the mean over a ring about the axis is half of the innermost's
+    double half_width = std::numeric_limits<double>::quiet_NaN();
 };
 
 Section section_of(const Box& box, const MeanJet& mean, int i) {

@@ -1,9 +1,9 @@
 // What a projection does to fields that it must take or leave.
 //
-// Divergence and gradient span two cells, the Laplacian one. Of a wave c cos(k.x + p), angles theta = k h, s = sin(theta), the
-// part
+// Divergence and gradient span two cells, the Laplacian one. Of a wave c cos(k.x + p), angles theta = k h, s = sin(theta), this
+// part is taken:
 //     s (s . c) / (4 sum sin^2(theta / 2))
-// is taken: all of a gradient c = k, nothing of a c across k, both but for h^2. Waves do not mix, so that a sum of them has a
+// That is all of a gradient c = k and nothing of a c across k, both to order h^2. Waves do not mix, so that a sum of them has a
 // closed form. Based on: Almgren, Bell & Szymczak 1996, SIAM Journal on Scientific Computing 17 (approximate projections).
 #include "cli/verify/one_stage.h"
 

@@ -1,9 +1,8 @@
 // The whole step against a pseudo-spectral solution of the same flow (tests/bench/reference/spectral_flow.h), where no closed
 // form is known.
 //
-//   Taylor and Green in space   u = sin x cos y cos z, v = -cos x sin y cos z, w = 0, nu = 1/200, to T = 3, when the vortices
-//   have
-//                               stretched into sheets; CFL 1
+//   Taylor and Green in space   u = sin x cos y cos z, v = -cos x sin y cos z, w = 0, nu = 1/200, CFL 1, to T = 3,
+//                               when the vortices have stretched into sheets
 //   forced                      vortices in a mean wind (1, 0.5) cross a motor that moves and whose force rises and falls as
 //                               sin^2(pi t / T), nu = 1/1000, T = pi; dt = h / 2. A step from t to t + dt needs the force at
 //                               t + dt: the motor is set to it first

@@ -1,9 +1,9 @@
 // Diffusion between walls, which lie half a cell beyond the last centres.
 //
 //   Couette    the high wall starts to slide at t = 0: u / U = y + sum_n 2 (-1)^n / (n pi) sin(n pi y) exp(-n^2 pi^2 t), y in
-//   widths
-//              and t in width^2 / nu; at the end the straight line, which mirrored ghosts hold exactly. sin(n pi y) at N centres
-//              is a mode of the mirrored ghosts: a step has the factor 1 - 4 r s or 1 / (1 + 4 r s) for it, s = sin^2(n pi / 2 N)
+//              widths, t in width^2 / nu; at the end the straight line, which mirrored ghosts hold exactly. sin(n pi y) at N
+//              centres is a mode of the mirrored ghosts: a step has the factor 1 - 4 r s or 1 / (1 + 4 r s) for it,
+//              s = sin^2(n pi / 2 N)
 //   Stokes     the wall swings as U cos(w t): u = U exp(-y / d) cos(w t - y / d), d = sqrt(2 nu / w). On the grid, once the start
 //              has faded, u = Re U A q^(y / h) exp(i w t) with 1 - exp(-i w dt) or exp(i w dt) - 1 = r (q - 2 + 1 / q) and, for
 //              the mean of the ghost and the first cell to be the wall's, A = 2 / (q^(1/2) + q^(-1/2))

@@ -1,4 +1,5 @@
-// Grass in the sun: dark between the roots, light at the tips; a blade that leans shows its pale face, so that gusts run as waves.
+// Grass in the sun: dark between the roots, light at the tips; a blade that leans shows its pale face, so that gusts run as
+// waves.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "scene.glsl"

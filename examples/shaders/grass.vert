@@ -1,4 +1,5 @@
-// A blade of grass that leans with the wind at its root: no vertex buffer, all of it from the numbers of the blade and the vertex.
+// A blade of grass that leans with the wind at its root: no vertex buffer, all of it from the numbers of the blade and the
+// vertex.
 //
 // The blade is an arc of a circle that begins upright and turns by `bend` to its tip: its length stays, whatever blows.
 #version 460

@@ -5,7 +5,9 @@ layout(push_constant) uniform Scene {
     vec4 walker;   // xyz his feet, w [rad] where he heads, from x toward z
     vec4 fan;      // xyz its hub, w [rad] how far its rotor has turned
     vec4 fan_axis; // xyz where it blows, w [m] its radius
+    // clang-format off
 } scene;
+// clang-format on
 
 const vec3 k_to_sun = normalize(vec3(-0.62, 0.40, -0.67));
 const vec3 k_sunlight = vec3(1.35, 1.16, 0.86);

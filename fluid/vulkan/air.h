@@ -96,8 +96,7 @@ class Air {
     /// are done.
     void read_back(VkCommandBuffer commands, const Buffer& slot, bool cells = true);
 
-    // --- Reading
-    // -----------------------------------------------------------------------------------------------------------------
+    // --- Reading -------------------------------------------------------------------------------------------------------
     /// Bytes of a read-back slot, with or without cells.
     [[nodiscard]] VkDeviceSize slot_bytes(bool cells = true) const;
     [[nodiscard]] AirReport report(const Buffer& slot) const;

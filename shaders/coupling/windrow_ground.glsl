@@ -1,4 +1,5 @@
-// The ground's memory in a shader: how far plants lean, from wind and walkers together, and what is left of walkers. For any stage.
+// The ground's memory in a shader: how far plants lean, from wind and walkers together, and what is left of walkers. For any
+// stage.
 //
 //     #define WINDROW_GROUND_SET 2                       // yours; default 0
 //     #include "coupling/windrow_ground.glsl"

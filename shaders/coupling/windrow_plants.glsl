@@ -2,15 +2,16 @@
 //
 //     #define WINDROW_SET 2
 //     #include "coupling/windrow_plants.glsl"
-//     vec3 bend = windrow_blade_bend(grass, root, up, key, vec3(0.0));                      // [rad] in this frame's wind, for all its vertices
+//     vec3 bend = windrow_blade_bend(grass, root, up, key, vec3(0.0));                      // [rad] for all its vertices
 //     WindrowVertex v = windrow_blade(grass, root, up, key, bend, eye, h, side);            // [m] from the anchor
 //     vec3 p = windrow_shell(fur, skin, normal, float(gl_InstanceIndex), 1.0, velocity);    // after skinning
 //     WindrowTreeVertex t = windrow_tree(oak, base, trunk, branch, leaf, rest);
 //
-// `grass`, `fur` and `oak` are the blocks of windrow::Blades, Shells and Tree (coupling/), in a uniform or storage buffer of yours.
-// Positions are [m] from the anchor of the frame's block, as windrow_wind.glsl has them; keys are not: a key is a plant's own place or number
-// and never moves with the camera. The bend is where time comes in: give a spring's state in its place, or add a walker's push.
-// For motion vectors call the twins named _previous with what moved itself (root, skin, velocity, eye) as it was a frame ago.
+// `grass`, `fur` and `oak` are the blocks of windrow::Blades, Shells and Tree (coupling/), in a uniform or storage buffer of
+// yours. Positions are [m] from the anchor of the frame's block, as windrow_wind.glsl has them; keys are not: a key is a plant's
+// own place or number and never moves with the camera. The bend is where time comes in: give a spring's state in its place, or
+// add a walker's push. For motion vectors call the twins named _previous with what moved itself (root, skin, velocity, eye) as it
+// was a frame ago.
 #ifndef WINDROW_PLANTS_GLSL
 #define WINDROW_PLANTS_GLSL
 
@@ -41,7 +42,8 @@ vec3 windrow_blade_middle(WindrowBlade blade, vec3 root, vec3 up, uvec2 key) {
     return root + 0.5 * windrow_blade_length(blade, windrow_plant_hash(key)) * up;
 }
 
-// [rad] The bend that the wind at a blade holds. `up` is the unit vector that it grows along, `velocity` [m/s] what its ground moves at.
+// [rad] The bend that the wind at a blade holds. `up` is the unit vector that it grows along, `velocity` [m/s] what its ground
+// moves at.
 vec3 windrow_blade_bend(WindrowBlade blade, vec3 root, vec3 up, uvec2 key, vec3 velocity) {
     vec3 u = windrow_wind_on(windrow_blade_middle(blade, root, up, key), velocity);
     return windrow_blade_load(blade, up, windrow_plant_hash(key), u);
@@ -62,7 +64,8 @@ WindrowVertex windrow_blade(WindrowBlade blade, vec3 root, vec3 up, uvec2 key, v
 
 // --- Shells ----------------------------------------------------------------------------------------------------------
 
-// [m] A vertex of the skin, after skinning, on shell i; `map` 0 to 1 is the strands' length there, `velocity` [m/s] the skin's own.
+// [m] A vertex of the skin, after skinning, on shell i; `map` 0 to 1 is the strands' length there, `velocity` [m/s] the skin's
+// own.
 vec3 windrow_shell(WindrowShells shells, vec3 p, vec3 n, float i, float map, vec3 velocity) {
     vec3 load = windrow_shell_load(shells, n, map, windrow_wind_on(p, velocity));
     return windrow_shell_bent(shells, p, n, windrow_shell_height(shells, i), map, load);
@@ -82,8 +85,8 @@ vec3 windrow_wind_on_part_previous(vec3 base, WindrowPart part) {
     return part.stiffness > 0.0 ? windrow_wind_on_previous(base + part.root + 0.5 * part.reach * part.axis, vec3(0.0)) : vec3(0.0);
 }
 
-// A vertex at rest, relative to the trunk's base [m from the anchor], in the wind that each of its parts feels. The result is relative to
-// the base too. For trees that swing call windrow_tree_bent with the states of springs.
+// A vertex at rest, relative to the trunk's base [m from the anchor], in the wind that each of its parts feels. The result is
+// relative to the base too. For trees that swing call windrow_tree_bent with the states of springs.
 WindrowTreeVertex windrow_tree(WindrowTree tree, vec3 base, WindrowPart trunk, WindrowPart branch, WindrowPart leaf, WindrowTreeVertex rest) {
     WindrowTreeLoads loads = windrow_tree_loads(tree, trunk, branch, leaf, windrow_wind_on_part(base, trunk), windrow_wind_on_part(base, branch),
                                                 windrow_wind_on_part(base, leaf));

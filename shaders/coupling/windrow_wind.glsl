@@ -8,11 +8,12 @@
 //     vec3 felt = windrow_apparent(u, p, v);         // what a thing feels that moves at v [m/s]
 //
 // Set WINDROW_SET (0 unless defined), bindings from WINDROW_BINDING (0 unless defined):
-//   + 0        uniform buffer    windrow::FrameBlock (fluid/frame_block.h), copied as it is; at an offset that is a multiple of the
-//                                device's minUniformBufferOffsetAlignment
+//   + 0        uniform buffer    windrow::FrameBlock (fluid/frame_block.h), copied as it is; at an offset that is a multiple of
+//                                the device's minUniformBufferOffsetAlignment
 //   + 1, 2, 3  sampler3D         textures of this frame: x, y, z
 //   + 4, 5, 6  sampler3D         textures of the frame before
-//   + 7        storage buffer    the gust tile, 128 x 16 x 128 vec4 (GustTile::texels); any buffer of 16 bytes where there are no gusts
+//   + 7        storage buffer    the gust tile, 128 x 16 x 128 vec4 (GustTile::texels); any buffer of 16 bytes where there are no
+//                                gusts
 // Any sampler does: texels are fetched and blended by hand, since texture units weigh with 8 fractional bits.
 #ifndef WINDROW_WIND_GLSL
 #define WINDROW_WIND_GLSL

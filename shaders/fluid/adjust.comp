@@ -8,7 +8,8 @@ layout(std430, set = 0, binding = 2) buffer Velocity { vec4 velocity[]; };
 layout(std430, set = 0, binding = 3) buffer VelocityOld { vec4 velocity_old[]; };
 layout(std430, set = 0, binding = 4) buffer Before { vec4 before[]; };
 
-// push.x: bits of the factor; push.y: 1 for a change of the mean, which lies in tick.carried; push.z: 1 the air, 2 the air before it.
+// push.x: bits of the factor; push.y: 1 for a change of the mean, which lies in tick.carried; push.z: 1 the air, 2 the air before
+// it.
 void main() {
     const ivec3 cell = ivec3(gl_GlobalInvocationID);
     if (!inside(cell, tick.cells.xyz))

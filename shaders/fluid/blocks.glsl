@@ -1,5 +1,5 @@
-// What the host tells the passes of a tick, and what they tell each other. The same text is C++ (fluid/vulkan/blocks.h): only vec4s,
-// ivec4s and uvec4s, so that both lay it out alike. numerics/ambient.glsl comes before it.
+// What the host tells the passes of a tick, and what they tell each other. The same text is C++ (fluid/vulkan/blocks.h): only
+// vec4s, ivec4s and uvec4s, so that both lay it out alike. numerics/ambient.glsl comes before it.
 #ifndef WINDROW_BLOCKS_GLSL
 #define WINDROW_BLOCKS_GLSL
 
@@ -45,11 +45,16 @@ struct WindrowStep {
 
 // Between the passes of a tick. Lives on the device; `dt` is kept from tick to tick.
 struct WindrowControl {
-    uvec4 found;   // x bits of the largest speed component, y bits of the largest force component, z broken cells, w cells whose speed was cut
-    vec4 substep;  // x [s] duration of a sub-step, y [s] of the last tick's, z [m/s] most that a component may be, w Courant number
-    ivec4 plan;    // x sub-steps, y 1 where more were wanted than allowed, z bits of the time [s] in which viscosity has not acted yet
+    // x bits of the largest speed component, y bits of the largest force component, z broken cells, w cells whose speed was cut
+    uvec4 found;
+    // x [s] duration of a sub-step, y [s] of the last tick's, z [m/s] most that a component may be, w Courant number
+    vec4 substep;
+    // x sub-steps, y 1 where more were wanted than allowed, z bits of the time [s] in which viscosity has not acted yet
+    ivec4 plan;
     vec4 diffused[16]; // [s] for which each sub-step diffuses, four a vector; 0: it owes
-    uvec4 measured; // x bits of the largest speed component, y bits of the largest difference from ambient; found.zw of all ticks of the recording
+    // x bits of the largest speed component, y bits of the largest difference from ambient; found.zw of all ticks of the
+    // recording
+    uvec4 measured;
 };
 
 // Where a padded index takes its value from: value = scale * source + offset, or the ambient wind.

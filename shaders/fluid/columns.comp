@@ -2,8 +2,8 @@
 //
 //   x[j-1] + b[j] x[j] + x[j+1] = d[j]
 //
-// by Thomas' elimination with stored pivots 1 / (b[j] - pivot[j-1]); periodic columns by Sherman and Morrison. The one column of a closed
-// box that has no inverse is solved for mean 0.
+// by Thomas' elimination with stored pivots 1 / (b[j] - pivot[j-1]); periodic columns by Sherman and Morrison. The one column of
+// a closed box that has no inverse is solved for mean 0.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "fluid/pass.glsl"

@@ -1,5 +1,5 @@
-// Implicit diffusion of one component (push.w): last stage, modes to cells. Where the sub-step is short enough for the explicit pass,
-// that one's result stays.
+// Implicit diffusion of one component (push.w): last stage, modes to cells. Where the sub-step is short enough for the explicit
+// pass, that one's result stays.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "fluid/pass.glsl"

@@ -1,5 +1,5 @@
-// Implicit diffusion of one component: second stage, the tridiagonal systems along y. Their pivots depend on the sub-step, which the
-// device chose, so they are found here.
+// Implicit diffusion of one component: second stage, the tridiagonal systems along y. Their pivots depend on the sub-step, which
+// the device chose, so they are found here.
 //
 // Rows are (1, -2 - s, 1), s = 1/r less the eigenvalues of x and z: for large r so close to singular that -2 - s in floats has
 // forgotten s. So a pivot is -1 / (1 + e), e_j = s + e_(j-1) / (1 + e_(j-1)): sums of positive numbers alone. Periodic columns by
@@ -21,7 +21,8 @@ void main() {
     const int at = int(gl_GlobalInvocationID.x);
     if (at >= plane || !is_implicit())
         return;
-    // push.y: eigenvalues of x, then of z, then what the low and the high end of y add to the diagonal, then 1 where y is periodic.
+    // push.y: eigenvalues of x, then of z, then what the low and the high end of y add to the diagonal, then 1 where y is
+    // periodic.
     const int facts = push.y + tick.cells.x + tick.cells.z;
     const float s = 1.0f / diffusion_ratio() - tables[push.y + at % tick.cells.x] - tables[push.y + tick.cells.x + at / tick.cells.x];
     const bool periodic = tables[facts + 2] != 0.0f, cyclic = periodic && rows > 1;

@@ -1,5 +1,5 @@
-// Implicit diffusion of one component (push.w), (L - 1/r) v' = -v/r - what no-slip walls add, with v taken about the ambient wind:
-// first stage, right-hand side to modes. Method and order: fluid/cpu/diffusion.cpp.
+// Implicit diffusion of one component (push.w), (L - 1/r) v' = -v/r - what no-slip walls add, with v taken about the ambient
+// wind: first stage, right-hand side to modes. Method and order: fluid/cpu/diffusion.cpp.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "fluid/pass.glsl"

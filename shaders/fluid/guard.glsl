@@ -1,5 +1,5 @@
-// The guard against cells that are no number: they become ambient, with no past. Before this text: Velocity as `velocity`, VelocityOld as
-// `velocity_old`, History as `history`.
+// The guard against cells that are no number: they become ambient, with no past. Before this text: Velocity as `velocity`,
+// VelocityOld as `velocity_old`, History as `history`.
 
 bool broken(vec4 u) {
     return windrow_broken(u.x) || windrow_broken(u.y) || windrow_broken(u.z);

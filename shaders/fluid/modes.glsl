@@ -1,5 +1,5 @@
-// Values at cells to modes of the axes x and z, or back: products with the axes' eigenvectors, a tile of a plane of constant y at a time in
-// shared memory. Where a whole plane fits, both axes in one pass; else each in a pass of its own.
+// Values at cells to modes of the axes x and z, or back: products with the axes' eigenvectors, a tile of a plane of constant y at
+// a time in shared memory. Where a whole plane fits, both axes in one pass; else each in a pass of its own.
 //
 //   forward   hat[m] = sum_c E[m][c] value[c]        back   value[c] = sum_m E[m][c] hat[m]
 //

@@ -6,7 +6,8 @@ layout(std430, set = 0, binding = 2) readonly buffer Velocity { vec4 velocity[];
 layout(std430, set = 0, binding = 3) readonly buffer Before { vec4 before[]; };
 layout(std430, set = 0, binding = 4) readonly buffer Expansion { float expansion[]; };
 layout(std430, set = 0, binding = 5) writeonly buffer Shown { vec4 shown[]; };
-layout(std430, set = 0, binding = 6) writeonly buffer Sums { vec2 sums[]; }; // of |u|^2 and of the squared divergence, a work group each
+// of |u|^2 and of the squared divergence, a work group each
+layout(std430, set = 0, binding = 6) writeonly buffer Sums { vec2 sums[]; };
 layout(WINDROW_TEXEL, set = 0, binding = 8) writeonly uniform image3D axis_x;
 layout(WINDROW_TEXEL, set = 0, binding = 9) writeonly uniform image3D axis_y;
 layout(WINDROW_TEXEL, set = 0, binding = 10) writeonly uniform image3D axis_z;

@@ -1,4 +1,5 @@
-// Moves a field with the box: cell x takes what was at x + shift. Cells that the move exposes, or all of them, hold the ambient wind or 0.
+// Moves a field with the box: cell x takes what was at x + shift. Cells that the move exposes, or all of them, hold the ambient
+// wind or 0.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define WINDROW_READS_TILE 4

@@ -1,5 +1,5 @@
-// The flow of the sources of air, u_S = -grad phi, takes the place of what it was before, in the wind of this tick and of the last: the
-// trajectories extrapolate u - u_old, which must not see a jump. Then the guard and the survey, which waited for it.
+// The flow of the sources of air, u_S = -grad phi, takes the place of what it was before, in the wind of this tick and of the
+// last: the trajectories extrapolate u - u_old, which must not see a jump. Then the guard and the survey, which waited for it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define WINDROW_READS_TILE 7

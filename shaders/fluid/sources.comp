@@ -1,7 +1,9 @@
-// Sources, guard and survey: what the motors do to a cell, gathered from those that reach it; cells that are no number become ambient;
-// the largest speed and force decide the sub-steps.
+// Sources, guard and survey: what the motors do to a cell, gathered from those that reach it; cells that are no number become
+// ambient; the largest speed and force decide the sub-steps.
 //
-//   drives   u += (1 - exp(-E)) (U - u), E and E U summed over the motors        force   f = sum w f_m        source of air   S = sum w S0
+//   drives          u += (1 - exp(-E)) (U - u), E and E U summed over the motors
+//   force           f = sum w f_m
+//   source of air   S = sum w S0
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define WINDROW_READS_TILE 8

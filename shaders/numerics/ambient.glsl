@@ -32,7 +32,8 @@ WINDROW_FN vec3 windrow_tile_texel(WINDROW_TILE tile, ivec3 texel) {
 // The same layout as windrow::AmbientBlock (fluid/ambient.h), which says more of each field. Usable in a std140 block.
 struct WindrowAmbient {
     vec4 mean;            // xyz [m/s] mean wind at the reference height, w [m/s] strength of the gusts; 0: none
-    vec4 profile;         // x [m] roughness length, 0: no profile; y [m] reference height; z [m] height of the anchor; w strength of felt wind
+    // x [m] roughness length, 0: no profile; y [m] reference height; z [m] height of the anchor; w strength of felt wind
+    vec4 profile;
     vec4 gust_texel;      // xyz texel below the anchor, w [1/m] texels a metre
     vec4 gust_fraction;   // xyz distance of the anchor from that texel's centre, in texels; w longest vector of the tile
     vec4 gust_axes;       // xyz 1, or 0 where gusts have no such component; w [m/s] limit of felt wind
@@ -109,8 +110,8 @@ WINDROW_FN bool windrow_broken(float value) {
     return (floatBitsToUint(value) & 0x7f800000u) == 0x7f800000u;
 }
 
-// u times `strength`, shortened to `limit` [m/s] if longer; 0 for what is not finite. Below the limit it is linear to the bit. The
-// limit is met from below, by a margin of half a millionth, so that no rounding exceeds it.
+// u times `strength`, shortened to `limit` [m/s] if longer; 0 for what is not finite. Below the limit it is linear to the bit.
+// The limit is met from below, by a margin of half a millionth, so that no rounding exceeds it.
 WINDROW_FN vec3 windrow_limited(vec3 u, float strength, float limit) {
     if (windrow_broken(u.x) || windrow_broken(u.y) || windrow_broken(u.z))
         return vec3(0.0f);
@@ -128,9 +129,10 @@ WINDROW_FN vec3 windrow_felt(WINDROW_TILE tile, WindrowAmbient ambient, vec3 u, 
     return windrow_limited(u + windrow_detail(tile, ambient, u, local), ambient.profile.w, ambient.gust_axes.w);
 }
 
-// [m/s] A gust that is the same everywhere, without a tile or a fluid: in each period the wind rises within a fifth and falls over the
-// rest, both as exponentials of three time constants, e = exp(-3). It lies between its lull and mean + amplitude, never further than
-// `amplitude` from the mean, which it has exactly: the curve g, from 0 to 1, has the mean M below. `period` [s] above 0.
+// [m/s] A gust that is the same everywhere, without a tile or a fluid: in each period the wind rises within a fifth and falls
+// over the rest, both as exponentials of three time constants, e = exp(-3). It lies between its lull and mean + amplitude, never
+// further than `amplitude` from the mean, which it has exactly: the curve g, from 0 to 1, has the mean M below. `period` [s]
+// above 0.
 WINDROW_FN float windrow_uniform_gust(float time, float mean, float amplitude, float period) {
     float e = exp(-3.0f);
     float phase = time / period;

@@ -1,13 +1,15 @@
 // A blade of grass: a strip that the wind bends and that keeps its length.
 //
 //   facing f     the yaw of its hash; the strip's width lies along w = axis x f
-//   load         windrow_drag_bend, or a spring that follows it; a share of it along the wind, the rest about the strip's own wide axis
-//   own bend     toward f: a base, a spread by chance, and more the steeper one looks down on it, so that grass seen from above is no dots
+//   load         windrow_drag_bend, or a spring that follows it; a share of it along the wind, the rest about the strip's own
+//                wide axis
+//   own bend     toward f: a base, a spread by chance, and more the steeper one looks down on it, so that grass seen from above
+//                is no dots
 //   position     root + c(h) + side * half_width(h) * R(h) w
 //   normal       R(h) f: exactly the cross product of the position's two derivatives while load and own bend share a plane
 //
-// half_width(h) = half_width * (1 - (1 - tip) h^taper). The translate form, u s h^c, shears the blade and stretches it: it is there to
-// compare with.
+// half_width(h) = half_width * (1 - (1 - tip) h^taper). The translate form, u s h^c, shears the blade and stretches it: it is
+// there to compare with.
 #ifndef WINDROW_BLADE_GLSL
 #define WINDROW_BLADE_GLSL
 
@@ -62,8 +64,8 @@ WINDROW_FN float windrow_blade_length_share(WindrowBlade blade, uvec2 hash) {
     return 1.0f + blade.size.y * (2.0f * windrow_share(hash.x * 2654435761u) - 1.0f);
 }
 
-// [rad] The bend that the apparent wind u [m/s] holds: what a spring follows, or the load itself where nothing swings. The Cauchy number
-// grows with the cube of the blade's own length: a short blade stands where a long one lies.
+// [rad] The bend that the apparent wind u [m/s] holds: what a spring follows, or the load itself where nothing swings. The Cauchy
+// number grows with the cube of the blade's own length: a short blade stands where a long one lies.
 WINDROW_FN vec3 windrow_blade_load(WindrowBlade blade, vec3 axis, uvec2 hash, vec3 u) {
     float share = windrow_blade_length_share(blade, hash);
     return windrow_drag_bend(blade.drag, axis, u, windrow_plant_factor(hash, blade.form.z) / (share * share * share));

@@ -1,7 +1,8 @@
 // Plants that slow the wind: du/dt = -c |u| u among them, c their drag per metre of way.
 //
-// Alone it has the exact solution u / (1 + c t |u|), which keeps the direction and is stable for any time; the step takes it whole,
-// before the air moves. Based on: Raupach & Shaw 1982, Boundary-Layer Meteorology 22; Finnigan 2000, Annual Review of Fluid Mechanics 32.
+// Alone it has the exact solution u / (1 + c t |u|), which keeps the direction and is stable for any time; the step takes it
+// whole, before the air moves. Based on: Raupach & Shaw 1982, Boundary-Layer Meteorology 22; Finnigan 2000, Annual Review of
+// Fluid Mechanics 32.
 #ifndef WINDROW_CANOPY_GLSL
 #define WINDROW_CANOPY_GLSL
 
@@ -9,7 +10,8 @@
 #define WINDROW_FN
 #endif
 
-// Share of a row of cells, `row` to `row` + 1, that lies between the ground and the canopy's top. All in cells above the box's low side.
+// Share of a row of cells, `row` to `row` + 1, that lies between the ground and the canopy's top. All in cells above the box's
+// low side.
 WINDROW_FN float windrow_canopy_share(float row, float ground, float top) {
     return clamp(min(row + 1.0f, top) - max(row, ground), 0.0f, 1.0f);
 }

@@ -3,8 +3,8 @@
 //   stage 0 the body,  y_i' = lambda (y_(i-1) - y_i),  i = 1 .. n,  a shell at height h in [0, 1] reads y at i = h n
 //
 // The profile belongs to the stages, not to the shells: shells read it, linear between stages, so any number of shells shows the
-// same motion at the same height, and the reading adds no overshoot. Rotations ride as quaternions whose length is left alone, and get
-// the length 1 when read.
+// same motion at the same height, and the reading adds no overshoot. Rotations ride as quaternions whose length is left alone,
+// and get the length 1 when read.
 #ifndef WINDROW_CASCADE_GLSL
 #define WINDROW_CASCADE_GLSL
 
@@ -24,7 +24,8 @@ WINDROW_FN vec4 windrow_rotation(vec4 quaternion) {
     return squared > 1e-20f ? quaternion / sqrt(squared) : vec4(0.0f, 0.0f, 0.0f, 1.0f);
 }
 
-// The stage at or below a shell at `height` (0 root, 1 tip) among `stages`, 0 to stages - 1; the shell lies between it and the next.
+// The stage at or below a shell at `height` (0 root, 1 tip) among `stages`, 0 to stages - 1; the shell lies between it and the
+// next.
 WINDROW_FN int windrow_cascade_stage(float height, int stages) {
     return clamp(int(floor(height * float(stages))), 0, stages - 1);
 }

@@ -5,7 +5,8 @@
 //
 // t is a unit vector, r [1/s] the rate. This is the limit, for steps that go to 0, of "add r t dt, then shorten to 1", whose own
 // result depends on the step. Both parts have closed forms: the angle a between D and t obeys a' = -r sin a on the sphere, so
-// tan(a/2) falls as exp(-r time), which as a map of the sphere is the one below. Exact for an input that is constant over the step.
+// tan(a/2) falls as exp(-r time), which as a map of the sphere is the one below. Exact for an input that is constant over the
+// step.
 #ifndef WINDROW_DIRECTION_MEMORY_GLSL
 #define WINDROW_DIRECTION_MEMORY_GLSL
 

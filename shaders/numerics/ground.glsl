@@ -1,19 +1,21 @@
-// Ground memory: what the ground beneath the plants remembers of the wind and of who walked there, a texel of the plane xz at a time.
+// Ground memory: what the ground beneath the plants remembers of the wind and of who walked there, a texel of the plane xz at a
+// time.
 //
-//   lean     vec2 [rad], the plants' bend as stems take it (stem.glsl): its direction and how far, pi / 2 pressed flat. A damped spring
-//            (spring.glsl) whose target is (1 - trample) (lean of the wind) + trail, the fading within a step included
+//   lean     vec2 [rad], the plants' bend as stems take it (stem.glsl): its direction and how far, pi / 2 pressed flat. A damped
+//            spring (spring.glsl) whose target is (1 - trample) (lean of the wind) + trail, the fading within a step included
 //   trail    vec2 [rad], the lean that stays behind a walker, trail' = -trail / tau: it fades as an exponential and has no end
 //   trample  how hard plants are pressed now, 0 to 1, fading with a shorter tau
 //
-// A walker is a disc that moves along a segment in the step: plants within its radius are pushed radially away from the point where it
-// came closest, by (1 - s^2)^2 (radial.glsl) with s the relative distance: no texel's centre outside is touched. Over the inmost
-// texel the push falls to 0, r / sqrt(r^2 + 1), so that it stays radial where it is read between texels; there a walker on the move
-// pushes forward. A contact holds plants: their lean away from the walker is at least its push. The trail is what is longest now of
-// what all contacts so far have left, each faded since: one who leaves, weaker and behind, does not turn it, and one who stays holds it.
+// A walker is a disc that moves along a segment in the step: plants within its radius are pushed radially away from the point
+// where it came closest, by (1 - s^2)^2 (radial.glsl) with s the relative distance: no texel's centre outside is touched. Over
+// the inmost texel the push falls to 0, r / sqrt(r^2 + 1), so that it stays radial where it is read between texels; there a
+// walker on the move pushes forward. A contact holds plants: their lean away from the walker is at least its push. The trail is
+// what is longest now of what all contacts so far have left, each faded since: one who leaves, weaker and behind, does not turn
+// it, and one who stays holds it.
 //
 // Lengths are in texels and positions relative to the window's low corner, both rounded to 1/16384 texel by the host, so that
-// differences are exact and a texel gets the same bits wherever the window lies. Texel (i, j) has its centre at (i, j) + 1/2 and lies
-// in slot (i + corner) mod n: a window that moves copies nothing.
+// differences are exact and a texel gets the same bits wherever the window lies. Texel (i, j) has its centre at (i, j) + 1/2 and
+// lies in slot (i + corner) mod n: a window that moves copies nothing.
 #ifndef WINDROW_GROUND_GLSL
 #define WINDROW_GROUND_GLSL
 
@@ -24,8 +26,8 @@
 #include "radial.glsl"
 #include "spring.glsl"
 
-// [rad] A wind lean beyond, or one that is no number, is taken for none: a texel that has seen it would not forget it. No plant bends so
-// far, and a texture of halves, which end at 65504, holds sixty times as much. A lean beyond is shown as this.
+// [rad] A wind lean beyond, or one that is no number, is taken for none: a texel that has seen it would not forget it. No plant
+// bends so far, and a texture of halves, which end at 65504, holds sixty times as much. A lean beyond is shown as this.
 #define WINDROW_GROUND_MOST_LEAN 1e3f
 
 // A contact renews a trail that it exceeds by more than this share: what differs by rounding alone is one trail, on every device.
@@ -35,12 +37,14 @@
 struct WindrowGroundStep {
     ivec4 window; // x texels an axis; yz slot of the low corner; w walkers
     ivec4 moved;  // xy texels that the window has moved since the last step; z 1: each texel has a wind lean of its own
-    vec4 contact; // x [m] height of the feet at which they touch no more; y [rad] lean that a walker pushes to; z share of it that stays
+    // x [m] height of the feet at which they touch no more; y [rad] lean that a walker pushes to; z share of it that stays
+    vec4 contact;
     vec4 fading;  // x of the trail, y of trample: exp(-h / tau) - 1; z and w: -h / tau
     vec4 wind;    // xy [rad] lean of the wind everywhere, now
     WindrowSpringStep spring;
-    vec4 faded_place;    // what the fading within the step adds to a spring's place: x to a unit trail, y to a unit of pressed wind, z to
-                         // a unit of its change over the step
+    // what the fading within the step adds to a spring's place: x to a unit trail, y to a unit of pressed wind, z to a unit of
+    // its change over the step
+    vec4 faded_place;
     vec4 faded_velocity; // [1/s] and to its velocity
 };
 
@@ -113,8 +117,8 @@ WINDROW_FN WindrowContact windrow_ground_contact(WindrowWalker walker, vec2 at, 
     return contact;
 }
 
-// 0 for what is too short to be seen by many digits: an exponential that goes on would end in denormal numbers, which some processors
-// take a hundred times as long to multiply.
+// 0 for what is too short to be seen by many digits: an exponential that goes on would end in denormal numbers, which some
+// processors take a hundred times as long to multiply.
 WINDROW_FN vec2 windrow_ground_settled(vec2 value) {
     return dot(value, value) < 1e-24f ? vec2(0.0f, 0.0f) : value;
 }

@@ -1,9 +1,9 @@
-// The ground memory as it is sampled: texels of (lean x, lean z, trample, length of the trail), blended linearly, and faded over the
-// window's rim to the lean of the wind alone. The rim follows the point that the window follows, not the window, which jumps by
-// texels: a jump moves nothing.
+// The ground memory as it is sampled: texels of (lean x, lean z, trample, length of the trail), blended linearly, and faded over
+// the window's rim to the lean of the wind alone. The rim follows the point that the window follows, not the window, which jumps
+// by texels: a jump moves nothing.
 //
-// A language that keeps texels elsewhere than in a sampler3D (of one layer) defines WINDROW_GROUND, the type of the parameter that stands
-// for them, and windrow_ground_texel, before this text.
+// A language that keeps texels elsewhere than in a sampler3D (of one layer) defines WINDROW_GROUND, the type of the parameter
+// that stands for them, and windrow_ground_texel, before this text.
 #ifndef WINDROW_GROUND_TEXELS_GLSL
 #define WINDROW_GROUND_TEXELS_GLSL
 
@@ -24,7 +24,9 @@ WINDROW_FN vec4 windrow_ground_texel(WINDROW_GROUND texels, ivec2 slot) {
 // Where a frame's texels lie. The layout of windrow::GroundPlaceBlock (coupling/motion_blocks.h). Usable in a std140 block.
 struct WindrowGroundPlace {
     vec4 corner; // xy [m] low corner (x and z) from the anchor, z [m] edge of a texel, w texels an axis
-    vec4 rim;    // xy [m] the point that the rim follows, from the anchor; z [m] reach: distance at which all has faded; w [m] width of the fading
+    // xy [m] the point that the rim follows, from the anchor; z [m] reach: distance at which all has faded; w [m] width of the
+    // fading
+    vec4 rim;
     vec4 slot;   // xy slot of the low corner; zw lean of the wind outside
 };
 

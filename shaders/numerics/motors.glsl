@@ -41,8 +41,8 @@ WINDROW_FN float windrow_box_weight(vec3 p, vec3 half_size) {
     return windrow_falloff(s.x * s.x) * windrow_falloff(s.y * s.y) * windrow_falloff(s.z * s.z);
 }
 
-// Round column about `axis` [m], from the narrow end at 0 to the wide one at `axis`; its radius grows evenly from `start_radius` to
-// `end_radius`. 1 halfway on the axis, 0 at both ends and at the mantle. Equal radii: a cylinder. Volume of the weight:
+// Round column about `axis` [m], from the narrow end at 0 to the wide one at `axis`; its radius grows evenly from `start_radius`
+// to `end_radius`. 1 halfway on the axis, 0 at both ends and at the mantle. Equal radii: a cylinder. Volume of the weight:
 // 8 pi L / 45 * (a^2 + b^2 / 7) with a, b half the sum and half the difference of the radii.
 WINDROW_FN float windrow_cone_weight(vec3 p, vec3 axis, float start_radius, float end_radius) {
     float along = dot(p, axis) / dot(axis, axis);
@@ -70,7 +70,8 @@ WINDROW_FN float windrow_axial_weight(vec3 p, vec3 half_axis) {
     return windrow_falloff(along * along);
 }
 
-// Weight of a whirl's drive: as along the axis, and (1 - s^4)^2 across it, 0.92 where the swirl is fastest, so that the core is driven nearly as hard as the middle.
+// Weight of a whirl's drive: as along the axis, and (1 - s^4)^2 across it, 0.92 where the swirl is fastest, so that the core is
+// driven nearly as hard as the middle.
 WINDROW_FN float windrow_whirl_weight(vec3 p, vec3 half_axis, float radius) {
     float along = dot(p, half_axis) / dot(half_axis, half_axis);
     vec3 off = p - along * half_axis;
@@ -78,8 +79,9 @@ WINDROW_FN float windrow_whirl_weight(vec3 p, vec3 half_axis, float radius) {
     return windrow_falloff(along * along) * windrow_falloff(s2 * s2);
 }
 
-// Swirl about `half_axis`, right-handed: 25 sqrt(5)/16 s (1 - s^2)^2, which is 1 where it is largest, at s = 1/sqrt(5) = 0.447 of the radius, turns
-// like a rigid body in the middle and is 0 with slope 0 at the rim; and `lift` (1 - s^2)^2 along the axis. Free of divergence without lift.
+// Swirl about `half_axis`, right-handed: 25 sqrt(5)/16 s (1 - s^2)^2, which is 1 where it is largest, at s = 1/sqrt(5) = 0.447 of
+// the radius, turns like a rigid body in the middle and is 0 with slope 0 at the rim; and `lift` (1 - s^2)^2 along the axis. Free
+// of divergence without lift.
 WINDROW_FN vec3 windrow_swirl_velocity(vec3 p, vec3 half_axis, float radius, float lift) {
     vec3 direction = half_axis / length(half_axis);
     vec3 off = p - dot(p, direction) * direction;

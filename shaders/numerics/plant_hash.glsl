@@ -3,10 +3,10 @@
 //   hash    a bijection of pairs of 32-bit words: two plants with different keys never share their pair of words
 //   share   word >> 8, times 2^-24: 0 to 1, 1 left out; exact
 //
-// The key is an instance's own place, as it is stored: its cell, or the bits of its coordinates. A place relative to a camera or an
-// anchor that moves is no key.
-// Based on: Jarzynski & Olano 2020, Hash functions for GPU rendering (pcg2d); Wellons 2018, Prospecting for hash functions (lowbias32, each
-// word's last mix).
+// The key is an instance's own place, as it is stored: its cell, or the bits of its coordinates. A place relative to a camera or
+// an anchor that moves is no key.
+// Based on: Jarzynski & Olano 2020, Hash functions for GPU rendering (pcg2d); Wellons 2018, Prospecting for hash functions
+// (lowbias32, each word's last mix).
 #ifndef WINDROW_PLANT_HASH_GLSL
 #define WINDROW_PLANT_HASH_GLSL
 
@@ -22,7 +22,8 @@ WINDROW_FN uvec2 windrow_plant_hash(uvec2 key) {
     v.x += v.y * 1664525u;
     v.y += v.x * 1664525u;
     v = v ^ (v >> 16u);
-    // The mix above leaves rows of a grid of floats uneven in single words (chi squared 46.8 of 15 degrees of freedom): once more.
+    // The mix above leaves rows of a grid of floats uneven in single words (chi squared 46.8 of 15 degrees of freedom): once
+    // more.
     v = v * 0x7feb352du;
     v = v ^ (v >> 15u);
     v = v * 0x846ca68bu;

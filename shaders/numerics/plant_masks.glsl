@@ -6,11 +6,12 @@
 //   drag       g = 1 - ((1 - h) / (1 + b h))^3            the angle of a stalk under drag, over the angle of its tip
 //   droop      f = (p^h - 1) / (p - 1), limit h           the sag of a strand; p > 1 sags late, p < 1 early
 //
-// drag: the tip bears neither a moment nor a shear force, so g' = g'' = 0 there. b = 0 is the cantilever under even load, exact for
-// small bends. Under strong wind the angle nears its end as h^-3 from the root (angle f from the flow: f'' = Ca int f^2), as g does.
+// drag: the tip bears neither a moment nor a shear force, so g' = g'' = 0 there. b = 0 is the cantilever under even load, exact
+// for small bends. Under strong wind the angle nears its end as h^-3 from the root (angle f from the flow: f'' = Ca int f^2), as
+// g does.
 //
-// droop: f = expm1(h ln p) / expm1(ln p), with ln p from the host and expm1 by a text of its own: languages lack it or give too few
-// digits. The plain form errs by 5.7e-3 at p = 1.00001 and divides by 0 at p = 1.
+// droop: f = expm1(h ln p) / expm1(ln p), with ln p from the host and expm1 by a text of its own: languages lack it or give too
+// few digits. The plain form errs by 5.7e-3 at p = 1.00001 and divides by 0 at p = 1.
 // Based on: push and droop as the shell literature has them (p^t form: Bloodelic's fur); drag: Luhar & Nepf 2011, Flow-induced
 // reconfiguration of buoyant and flexible aquatic vegetation, eq. 4, whose solution g follows.
 #ifndef WINDROW_PLANT_MASKS_GLSL

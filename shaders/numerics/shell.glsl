@@ -1,4 +1,5 @@
-// Shells: layers over a surface whose patterns make strands. Vertices of shell i of N, i = 0 at the skin, move along with the strands.
+// Shells: layers over a surface whose patterns make strands. Vertices of shell i of N, i = 0 at the skin, move along with the
+// strands.
 //
 //   t = i / d                    place in the strand: d = N - 1 reaches the tip, d = N stops short of it as some sources do
 //   h = t^a                      height; a spreads the layers
@@ -7,13 +8,16 @@
 //   + down droop f(p, h)         sag, the same for any N
 // or, in place of push and sag, the strand as a stem rooted on the surface (stem.glsl): it keeps its length.
 //
-// Never into the surface: the inward part min(0, d.n) n of push and of sag is removed, of each for itself. What is left grows with h
-// along n, so that no shell passes the next; were the sum cut, a push that lifts early and a sag that falls late would cross them.
-// A stem bends by pi/2 at most and rises all the way. Both keep p' - p on the outer side of the plane through p across n.
-// On skinned meshes p and n come after skinning: wind and gravity do not turn with the bones.
+// Never into the surface: the inward part min(0, d.n) n of push and of sag is removed, of each for itself. What is left grows
+// with h along n, so that no shell passes the next; were the sum cut, a push that lifts early and a sag that falls late would
+// cross them. A stem bends by pi/2 at most and rises all the way. Both keep p' - p on the outer side of the plane through p
+// across n. On skinned meshes p and n come after skinning: wind and gravity do not turn with the bones.
 //
-// Sources' forms: 000: a, c, s free, D the direction memory, d = N (or c = 1, d = N - 1, D turned round); 001: a = c = 1, D = -v, d = N;
-// 002: c free, one D for the whole plane; 003: a = 1, bias = 0.025 of L, droop with ln p, d = N.
+// Forms of the sources:
+//   a thesis on shell fur (Unity, 2024)   a, c, s free, D the direction memory, d = N; or c = 1, d = N - 1, D turned round
+//   a furry bunny (course project, 2024)  a = c = 1, D = -v, d = N
+//   Curoe's shell-textured worlds (2024)  c free, one D for the whole plane
+//   Bloodelic's stylised fur              a = 1, bias = 0.025 of L, droop with ln p, d = N
 #ifndef WINDROW_SHELL_GLSL
 #define WINDROW_SHELL_GLSL
 

@@ -5,12 +5,12 @@
 // With e = x - before and d = now - before, its solution after the step h is linear in e, x' and d:
 //
 //   x  +=  (A - 1) e +  B        x' + (1 + E)     d          A(t), B(t): what is left of a unit place and of a unit speed,
-//   x' += -omega^2 B e + (D - 1) x' + (1 - A) / h d          D = A - 2 zeta omega B,  1 + E = 1/h integral over the step of (1 - A)
+//   x' += -omega^2 B e + (D - 1) x' + (1 - A) / h d          D = A - 2 zeta omega B,  1 + E the mean of 1 - A over the step
 //
 // The six numbers are the same for all springs of a class: the CPU computes them once a step, in double (coupling/spring.h).
 // Increments, not new values: at 1000 Hz A differs from 1 by some 1e-5, of which a float would keep two digits.
-// Exact for targets that are constant or linear over each step, so the same motion at any frame rate. A resting spring on a resting
-// target stays as it is, to the bit.
+// Exact for targets that are constant or linear over each step, so the same motion at any frame rate. A resting spring on a
+// resting target stays as it is, to the bit.
 // Based on: the variation of constants; the free solution as in Den Hartog 1956, Mechanical Vibrations, chapter 2.
 #ifndef WINDROW_SPRING_GLSL
 #define WINDROW_SPRING_GLSL

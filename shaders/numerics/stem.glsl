@@ -1,16 +1,18 @@
 // The one bend of all plants: a stem that keeps its length, held at its root. Blades, the strands of shells, trunks, branches and
 // leaves call it, each with its own stiffness.
 //
-//   B(h) = load g(h) + own m(h)                           bend at height h: direction of lean times angle, at right angles to the axis
+//   B(h) = load g(h) + own m(h)                           bend at height h: direction of lean times angle, at right angles to the
+//                                                         axis
 //   t(h) = B sin|B| / |B| + axis cos|B|                   the tangent; |t| = 1
 //   c(h) = L int_0^h t dh'                                the stem's middle line: Gauss-Legendre, four points
 //   R(h)                                                  the turn in the plane of axis and B that takes the axis to t
-//   x = c(h) + R(h) (X - X_axis)                          a point X of the straight stem at height h; beyond the tip the stem is straight
+//   x = c(h) + R(h) (X - X_axis)                          a point X of the straight stem at height h; beyond the tip the stem is
+//                                                         straight
 //
-// g and m are the masks of plant_masks.glsl. The integral is taken of t - axis, so that no bend gives the rest shape to the bit. Its
-// error leaves the arc length within 0.4 % at pi/2 by a storm or 2.5 rad by a spring, 0.1 % at 3 rad by itself (tests/plants/blade_test.cpp).
-// sin|B| / |B| and (1 - cos|B|) / |B|^2 are polynomials in |B|^2, within 3e-7 up to 3 rad: no division by a bend of 0, and one
-// result on every machine, while a GPU's own sine may err by 5e-4.
+// g and m are the masks of plant_masks.glsl. The integral is taken of t - axis, so that no bend gives the rest shape to the bit.
+// Its error leaves the arc length within 0.4 % at pi/2 by a storm or 2.5 rad by a spring, 0.1 % at 3 rad by itself
+// (tests/plants/blade_test.cpp). sin|B| / |B| and (1 - cos|B|) / |B|^2 are polynomials in |B|^2, within 3e-7 up to 3 rad: no
+// division by a bend of 0, and one result on every machine, while a GPU's own sine may err by 5e-4.
 #ifndef WINDROW_STEM_GLSL
 #define WINDROW_STEM_GLSL
 
@@ -40,8 +42,8 @@ WINDROW_FN float windrow_cosine_share(float m) {
     return 0.5f - m * (0.0416666642f + m * (-0.00138888194f + m * (2.4795414e-5f + m * (-2.73656838e-7f + m * 1.84216975e-9f))));
 }
 
-// A stem under a load that a spring or windrow_drag_bend gives. `own` [rad] fades as the load presses it flat: at pi/2 all plants lie
-// along the wind. The load is shortened to `most` [rad], at most 2.5; `own` is at most 3.
+// A stem under a load that a spring or windrow_drag_bend gives. `own` [rad] fades as the load presses it flat: at pi/2 all plants
+// lie along the wind. The load is shortened to `most` [rad], at most 2.5; `own` is at most 3.
 WINDROW_FN WindrowStem windrow_stem(vec3 axis, float reach, vec3 load, vec3 own, float curve, float most) {
     float tip = sqrt(dot(load, load));
     float kept = min(tip, most);
@@ -90,8 +92,8 @@ WINDROW_FN float windrow_stem_height(WindrowStem stem, vec3 offset) {
     return clamp(dot(offset, stem.axis) / stem.reach, 0.0f, 1.0f);
 }
 
-// [m] Where a point that the stem holds at height h goes, both from the stem's root: points of one h move as one rigid body. A point of
-// the stem's own mesh is held at its own height; what lies below the root stays.
+// [m] Where a point that the stem holds at height h goes, both from the stem's root: points of one h move as one rigid body. A
+// point of the stem's own mesh is held at its own height; what lies below the root stays.
 WINDROW_FN vec3 windrow_stem_point(WindrowStem stem, float h, vec3 offset) {
     vec3 middle = stem.reach * h * stem.axis;
     return middle + windrow_stem_shift(stem, h) + windrow_stem_turn(stem.axis, windrow_stem_bend(stem, h), offset - middle);

@@ -1,8 +1,8 @@
 // Where a trajectory ends, and the weights of what is read there.
 //
-// Displacements are kept apart from the cell's index, so that a flow gives the same bits wherever in the box it is. Interpolation is
-// written as c + sum w (value - c): float weights do not sum to 1, and a uniform wind must stay uniform to the bit. The kernels of the
-// CPU (fluid/cpu/kernels/advect.inl) do the same to many cells at once; tests hold the two together.
+// Displacements are kept apart from the cell's index, so that a flow gives the same bits wherever in the box it is. Interpolation
+// is written as c + sum w (value - c): float weights do not sum to 1, and a uniform wind must stay uniform to the bit. The
+// kernels of the CPU (fluid/cpu/kernels/advect.inl) do the same to many cells at once; tests hold the two together.
 // Based on: Staniforth & Cote 1991, Monthly Weather Review 119.
 #ifndef WINDROW_TRANSPORT_GLSL
 #define WINDROW_TRANSPORT_GLSL

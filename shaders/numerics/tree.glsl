@@ -1,12 +1,13 @@
-// A tree: leaf on branch on trunk, each a stem (stem.glsl) with its own stiffness, bent at rest and carried along by what bears it.
+// A tree: leaf on branch on trunk, each a stem (stem.glsl) with its own stiffness, bent at rest and carried along by what bears
+// it.
 //
 //   x = T(B(F(X)))               X a vertex of the tree at rest; F bends the leaf about its root, B the branch, T the trunk
 //
-// F takes each vertex of the leaf by its own height along it. B and T take the whole leaf by one height each, that of the root which
-// they hold: it is carried as one rigid body, and only its own bend changes its form. A root lies on its bearer's axis, or beside it: it
-// moves as the bearer's own mesh does there, and so stays attached.
-// The wind is taken in the frame of rest, so that a part leans along the wind up to the angle by which its bearer has turned. What a
-// vertex has not (no leaf, no branch) has stiffness 0 and costs a comparison.
+// F takes each vertex of the leaf by its own height along it. B and T take the whole leaf by one height each, that of the root
+// which they hold: it is carried as one rigid body, and only its own bend changes its form. A root lies on its bearer's axis, or
+// beside it: it moves as the bearer's own mesh does there, and so stays attached.
+// The wind is taken in the frame of rest, so that a part leans along the wind up to the angle by which its bearer has turned.
+// What a vertex has not (no leaf, no branch) has stiffness 0 and costs a comparison.
 #ifndef WINDROW_TREE_GLSL
 #define WINDROW_TREE_GLSL
 
@@ -49,8 +50,8 @@ WINDROW_FN vec3 windrow_part_hold(WindrowPart part, vec3 hold) {
     return part.stiffness > 0.0f ? part.root : hold;
 }
 
-// Bends one part by `load` [rad], across its axis. `hold` [m] is the place at rest by which the part holds the vertex: the vertex's own
-// if it is of the part itself, the root of what the part bears otherwise, the same for all vertices of that.
+// Bends one part by `load` [rad], across its axis. `hold` [m] is the place at rest by which the part holds the vertex: the
+// vertex's own if it is of the part itself, the root of what the part bears otherwise, the same for all vertices of that.
 WINDROW_FN WindrowTreeVertex windrow_part_bent(WindrowPart part, vec3 load, float most, vec3 hold, WindrowTreeVertex vertex) {
     if (!(part.stiffness > 0.0f))
         return vertex;

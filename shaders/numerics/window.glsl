@@ -16,8 +16,9 @@ WINDROW_FN float windrow_axis_share(float local, float cells, float low_kind, fl
     return low * high;
 }
 
-// Share of the box's wind near the rim of an axis along which the box follows a point: 1 up to `width` before `reach`, falling smoothly to 0 there.
-// `from_point` is the distance from the point itself, not from the box, which jumps by cells: so a jump of the box moves nothing.
+// Share of the box's wind near the rim of an axis along which the box follows a point: 1 up to `width` before `reach`, falling
+// smoothly to 0 there. `from_point` is the distance from the point itself, not from the box, which jumps by cells: so a jump of
+// the box moves nothing.
 WINDROW_FN float windrow_rim_share(float from_point, float reach, float width) {
     float t = clamp((reach - abs(from_point)) / width, 0.0f, 1.0f);
     return t * t * (3.0f - 2.0f * t);

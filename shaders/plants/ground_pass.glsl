@@ -1,5 +1,5 @@
-// A step of the ground memory, an invocation a texel: shaders/numerics/ground.glsl over the texels of the window, and what is sampled of it.
-// WINDROW_TEXEL: format of the texture.
+// A step of the ground memory, an invocation a texel: shaders/numerics/ground.glsl over the texels of the window, and what is
+// sampled of it. WINDROW_TEXEL: format of the texture.
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "numerics/ground.glsl"

@@ -3,8 +3,8 @@
 //     windrow_accuracy_bench [threads]
 //
 // Flow: Taylor-Green vortices carried by a mean wind through a periodic box of 2 pi x 2 pi x pi on N x N x N/2 cells,
-//   u = 1 + F sin(x - t) cos(y - t/2),  v = 1/2 - F cos(x - t) sin(y - t/2),  w = 0,  F = exp(-2 nu t),  nu = 0.01, to t = pi,
-//   CFL 1.
+//   u = 1 + F sin(x - t) cos(y - t/2),  v = 1/2 - F cos(x - t) sin(y - t/2),  w = 0,  F = exp(-2 nu t)
+// with nu = 0.01, to t = pi, at CFL 1.
 // Error: |u - exact|_2 / |exact - mean|_2 over the cell centres at the end. The schemes' runs alternate; times are the least of
 // three runs a step, and cost is relative to the classic split with linear interpolation on the same grid.
 #include "fluid/thread_pool.h"

@@ -2,13 +2,14 @@
 //
 //     windrow_motion_bench [rounds]
 //
-//   springs       1e6 springs in float, targets of their own, a step each: four arrays read, two of them written; a copy that
-//   moves as
-//                 many bytes beside it. Plain, with remainders, and in double; error: against double after 600 steps at 60 Hz.
+//   springs       1e6 springs in float, targets of their own, a step each: four arrays read, two of them written; beside
+//                 a copy that moves as many bytes. Plain, with remainders, and in double; error: against double after 600 steps
+//                 at 60 Hz.
 //   cascade       70,000 rows of 10 stages (1,000 bodies: position and rotation of each stage), a step each; error as above.
 //   shells        the pose of each of 200 shells on those bodies, read from the stages as the vertex stage does.
-//   the source's  the same 200 shells as Bloodelic's stylised fur moves them: each frame every shell goes a share of the way to
-//   its target. ground        128 x 128 texels with no walker, with 8 and with 64.
+//   the source's  the same 200 shells as Bloodelic's stylised fur moves them: each frame every shell goes a fraction of the
+//                 way to its target.
+//   ground        128 x 128 texels with no walker, with 8 and with 64.
 // All take turns within a round; the least time of the rounds counts. 1 and 2 threads.
 #include "coupling/cascade_step.h"
 #include "coupling/ground_memory.h"

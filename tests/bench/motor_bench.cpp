@@ -4,16 +4,14 @@
 //
 // Box 32 x 16 x 32 m in cells of 1 m, steps of 1/30 s, each motor in the middle, wakes crossing it at 5 m/s.
 //   gives         forces: sum of u h^3 that the sources stage adds in a second; drives: the same into still air after a second.
-//   Whirls: sum of
-//                 r x u h^3 about the axis. Sources: cubic metres of air that come out a second; bursts: in the first step, a
-//                 second.
+//                 Whirls: sum of r x u h^3 about the axis. Sources: cubic metres of air that come out a second; bursts: in the
+//                 first step, a second.
 //   reach         farthest cell centre, from the motor's place, that it touches
 //   div put in    rms central divergence of what the sources stage adds in one step (sources: rms of S)
 //   div left      rms central divergence after the first whole step, beyond S
 //   a motor       sources stage with 1, 30, 300 motors spread over the box, less that of a wind with none, each. Runs of 200
-//   steps take turns, three
-//                 rounds, least times. Sources bring the projection of their own flow along when S changes: bursts, in every
-//                 step.
+//                 steps take turns, three rounds, least times. Sources bring the projection of their own flow along when S
+//                 changes: bursts, in every step.
 // Last, the whole step with 300 motors of all kinds against none.
 #include "fluid/pieces.h"
 #include "fluid/thread_pool.h"

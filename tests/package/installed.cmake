@@ -32,7 +32,11 @@ endif()
 if(VULKAN)
   list(APPEND components vulkan)
 endif()
+if(VEGETATION)
+  list(APPEND components vegetation)
+endif()
 set(configure ${CMAKE_COMMAND} -G ${GENERATOR} -S ${SOURCE} -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_BUILD_TYPE=${CONFIG}
+              -D CMAKE_CXX_FLAGS_RELEASE=-O0 # a consumer is compiled to see that it compiles
               -D CMAKE_PREFIX_PATH=${WORK}/prefix)
 
 # Lists travel with commas, since a semicolon would part them on the way.

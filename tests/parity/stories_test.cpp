@@ -5,7 +5,7 @@
 #include "fluid/vulkan/wind.h"
 #include "tests/figure.h"
 #include "tests/parity/gpu.h"
-#include "tests/sanitized.h"
+#include "tests/tier.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,6 +1,6 @@
 // A hundred steps of every motor in boxes of mixed sides that shift, at the sizes that the solver is held to.
 #include "tests/parity/wind_parity.h"
-#include "tests/sanitized.h"
+#include "tests/tier.h"
 
 namespace windrow::vulkan {
 namespace {
@@ -75,12 +75,12 @@ TEST_F(WindBoxes, OfOddSizes) {
         live({"17x9x23", {17, 9, 23}, 100}, floor, floor);
 }
 
-TEST_F(WindBoxes, OfTwiceTheDefault) {
+TEST_F(WindBoxes, LongOfTwiceTheDefault) {
     live({"64x32x64", {64, 32, 64}, 100}, true, true);
 }
 
 // Planes that do not fit in 32 KiB of shared memory: x and z go apart.
-TEST_F(WindBoxes, OfFourTimesTheDefault) {
+TEST_F(WindBoxes, LongOfFourTimesTheDefault) {
     live({"128x64x128", {128, 64, 128}, test::k_sanitized ? 1 : 10}, false, false); // 5 s a step on a software driver
 }
 

@@ -52,7 +52,7 @@ class WindInShaders : public WindParity {
     }
 };
 
-// C1: what a shader that includes windrow_wind.glsl finds, against the CPU's query of the same cells.
+// A shader that includes windrow_wind.glsl samples the wind that the CPU's query returns from the same cells.
 TEST_F(WindInShaders, AnOutsideShaderSamplesWhatAQueryFinds) {
     const std::array<Config, 3> configs = {{
         {.cells = {20, 12, 16},

@@ -1,7 +1,7 @@
 // Stories made up by chance: boxes of any kind, and the calls of a wind in any order between its frames, by ticks and by steps,
 // with one to three frames in flight, on both winds alike. A story that fails prints its seed and what happened in it.
 #include "tests/parity/wind_parity.h"
-#include "tests/sanitized.h"
+#include "tests/tier.h"
 
 #include <random>
 #include <sstream>
@@ -198,7 +198,7 @@ class WindStories : public WindParity {
 
     void try_many(const char* name, std::uint32_t first, float sleep_speed, double bound) {
         double worst = 0.0;
-        const std::uint32_t count = test::k_sanitized ? 4 : 40;
+        const auto count = static_cast<std::uint32_t>(test::sampled(40, 4));
         for (std::uint32_t seed = first; seed < first + count && !HasFailure(); ++seed) {
             const double largest = live(seed, sleep_speed, bound);
             EXPECT_LE(largest, bound) << "seed " << seed << told.str();

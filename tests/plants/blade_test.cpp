@@ -1,4 +1,4 @@
-// Blades: C2, C3, C4, and what they look like at rest.
+// Blades: the root stays, the length is kept within 1 %, the tip leans along the wind; and their shape at rest.
 #include "coupling/blade.h"
 #include "coupling/plant_classes.h"
 #include "coupling/plant_numerics.h"

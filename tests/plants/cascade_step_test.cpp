@@ -1,4 +1,4 @@
-// The row of stages (row C15): exact, at any step, and what stage after stage by 1 - e^-z makes of it.
+// The cascade of stages is exact and independent of the frame rate. For comparison: each stage alone by 1 - e^-z, which is not.
 #include "coupling/cascade_step.h"
 #include "fluid/thread_pool.h"
 #include "tests/figure.h"
@@ -25,8 +25,8 @@ void advance(const CascadeStep& step, std::vector<Real>& values, Real before, Re
     ASSERT_TRUE(advance_cascades<Real>(step, {values, std::span(&before, 1), std::span(&now, 1), remainder}));
 }
 
-// Ten stages at 20/s after half a second of a step of the body: P(10, 10) = 0.54207 (row C15), and the factor 1 - e^-z of each
-// stage alone, in either frame rate, which is elsewhere.
+// Ten stages at 20/s, half a second after a step of the body: exact P(10, 10) = 0.54207. The factor 1 - e^-z of each stage alone
+// gives 0.813 at 30 Hz and 0.703 at 60 Hz.
 TEST(CascadeStep, TenStagesAfterAStepOfTheBody) {
     std::vector<double> values(10, 0.0);
     advance<double>(step_of(10, 20.0, 0.5), values, 1.0, 1.0);

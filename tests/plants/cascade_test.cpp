@@ -1,4 +1,5 @@
-// Shells that lag behind their body (rows C13 to C15): poses, rotations, any number of shells; and the source's two strategies.
+// Shells that lag behind their body, without overshoot, alike at any frame rate and for any number of shells; and the two
+// strategies of the write-up on Bloodelic's fur.
 #include "coupling/cascade.h"
 #include "coupling/motion_numerics.h"
 #include "tests/figure.h"
@@ -33,8 +34,8 @@ Cascade cascade_of(const CascadeConfig& config, const Pose& body) {
 
 enum class Strategy { none, one, two };
 
-// Frames until the tip has done 90 % of a step of the body. Shell 0 is glued to it; each frame every shell in turn goes a share k
-// of the way to its target. Animation shells are those at multiples of N / N_a.
+// Frames until the tip has done 90 % of a step of the body. Shell 0 is glued to it; each frame every shell in turn goes a
+// fraction k of the way to its target. Animation shells are those at multiples of N / N_a.
 int frames_to_90(int shells, int animation_shells, Strategy strategy, double k) {
     std::vector<double> place(static_cast<std::size_t>(shells), 0.0);
     const int group = strategy == Strategy::none ? 1 : shells / animation_shells;

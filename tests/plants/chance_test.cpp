@@ -1,4 +1,4 @@
-// What belongs to one plant: C5, C6.
+// Random traits of a plant are even and shared by all its vertices; and the bend that depends on the view.
 #include "coupling/blade.h"
 #include "coupling/plant_numerics.h"
 #include "tests/fields.h"
@@ -74,7 +74,7 @@ TEST(PlantChance, YawsAndStiffnessesAreEven) {
         spread += (yaw - 0.5) * (yaw - 0.5);
         last = yaw;
     }
-    // 30.58: chi squared of 15 degrees of freedom is beyond it by chance in 1 % of fields.
+    // 30.58: 1 % of random fields have a chi squared of 15 degrees of freedom beyond it.
     WINDROW_EXPECT_FIGURE("plants/chance/yaw_chi_squared", chi_squared(yaws, k_blades / 16.0), 30.58);
     WINDROW_EXPECT_FIGURE("plants/chance/stiffness_chi_squared", chi_squared(factors, k_blades / 16.0), 30.58);
     // 4 sigma of no correlation.
@@ -120,7 +120,7 @@ TEST(ViewBend, IsNothingSeenLevelAndMostSeenFromAbove) {
     EXPECT_NEAR(lean({0.0f, -1.0f, 0.0f}), 0.9, 1e-5);
 }
 
-// Share of a square metre that 400 blades cover, seen from straight above: the strips, drawn into 512 x 512 points.
+// Fraction of a square metre that 400 blades cover, seen from straight above: the strips, drawn into 512 x 512 points.
 double coverage(float view_bend) {
     const auto grass = Blades::create({.own_bend = 0.2f, .own_bend_spread = 0.1f, .view_bend = view_bend});
     EXPECT_TRUE(grass);

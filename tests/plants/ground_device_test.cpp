@@ -137,7 +137,7 @@ class GroundDevice : public Gpu {
     }
 };
 
-// Bound: row W26's for a story of 100 steps, 1e-4 of the largest value.
+// Bound: that of the CPU against Vulkan over 100 steps, 1e-4 of the largest value.
 TEST_F(GroundDevice, AStoryOfWalkersInGusts) {
     const Apart near = story(Texel::single, {0.0, 0.0, 0.0});
     WINDROW_EXPECT_FIGURE("ground_device/story", near.worst / near.largest, 1e-4);

@@ -1,5 +1,4 @@
-// How the ground recovers (row G11): a trail fades as an exponential without an end, plants swing back, and the frame rate is not
-// seen.
+// Recovery of the ground: a trail fades exponentially without an abrupt end, plants swing back, alike at any frame rate.
 #include "coupling/ground_fading.h"
 #include "coupling/ground_memory.h"
 #include "coupling/ground_state.h"

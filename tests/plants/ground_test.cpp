@@ -1,4 +1,5 @@
-// The ground's memory of walkers (rows C21 and G10), and that the window's moves lose nothing.
+// The ground's memory of walkers: blades lean outward within the radius, none outside, none under an airborne walker. Shifts of
+// the window lose nothing.
 #include "coupling/ground_host.h"
 #include "coupling/ground_memory.h"
 #include "coupling/ground_state.h"
@@ -270,7 +271,7 @@ TEST(Ground, ATeleportBeginsAnew) {
     EXPECT_EQ(ground.at({1e6, 0.0, -1e6}).lean, glm::vec2(0.2f, 0.1f));
 }
 
-// As the point crosses the place where the window jumps by a texel, nothing that is sampled moves. Bound: a float knows the 16 m
+// As the point crosses the place where the window jumps by a texel, nothing that is sampled moves. Bound: a float holds the 16 m
 // to the window's corner to 1e-6 m, over which the steepest lean here, 1.4 within a texel of 0.25 m, changes by 6e-6.
 TEST(Ground, AJumpOfTheWindowIsNotSeen) {
     GroundMemory ground = ground_of({});

@@ -1,4 +1,4 @@
-// Masks by height: C7, C11, C12.
+// Masks by height: their values at root, middle and tip. The droop: any number of shells, any shape p > 0, 1 included.
 #include "coupling/plant_numerics.h"
 #include "coupling/shell.h"
 #include "tests/figure.h"

@@ -1,4 +1,4 @@
-// Direction memory (row C16): within the unit ball, the same at any frame rate, and the limit of the source's rule.
+// Direction memory: within the unit ball, the same at any frame rate, and the limit of the source's rule.
 #include "coupling/motion_numerics.h"
 #include "tests/figure.h"
 

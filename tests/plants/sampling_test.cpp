@@ -1,5 +1,5 @@
-// The wind that plants sample: C1's fade at the rim of the box. That textures and queries agree is tested in
-// tests/parity/wind_test.cpp and gpu_test.cpp.
+// The wind that plants sample fades to the ambient wind at the edge of the box without a step. tests/parity/wind_shader_test.cpp
+// compares textures and queries.
 #include "fluid/wind.h"
 #include "tests/fields.h"
 #include "tests/figure.h"

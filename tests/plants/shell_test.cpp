@@ -1,4 +1,4 @@
-// Shells: C8, C9, C10, C19.
+// Shells: extrusion by height, the sources' pushes by parameters, and no push into the surface, on posed bodies too.
 #include "coupling/plant_numerics.h"
 #include "coupling/shell.h"
 #include "tests/fields.h"

@@ -1,4 +1,4 @@
-// Strands that lean on a plane of four vertices: C17; and away from a foot: C21.
+// Strands on a plane of four vertices: each leans by the wind at its own place, and away from a foot.
 #include "coupling/plant_numerics.h"
 #include "fluid/ambient.h"
 #include "tests/figure.h"

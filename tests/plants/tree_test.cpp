@@ -1,4 +1,4 @@
-// Trees: C18, the one bend on trunk, branch and leaf.
+// Trees: trunk, branch and leaf call the bend of blades and shells; the base of the trunk stays.
 #include "coupling/plant_numerics.h"
 #include "coupling/tree.h"
 #include "tests/fields.h"

@@ -1,5 +1,5 @@
-// W25: motors that blow against each other, to 1000 m/s. Sub-steps carry what they can, the cap limits the rest, and the raw
-// step, one part however far the air flies in it, must bear it too.
+// Motors that blow against each other, to 1000 m/s: all values stay finite and bounded. Sub-steps carry what they can, the cap
+// limits the rest. One raw step, however far the air moves in it, stays finite too.
 
 #include "fluid/wind.h"
 #include "tests/fields.h"

@@ -1,4 +1,4 @@
-// W25: storms that no game should make. Whatever comes, every value stays finite and no speed passes what was put in: the
+// Hard cases stay finite: storms that no game should make. Every value stays finite and no speed passes what was put in: the
 // largest of the start, the ambient wind, the walls' and the motors' targets, times a stated factor (input.h).
 
 #include "fluid/wind.h"

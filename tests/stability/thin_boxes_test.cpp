@@ -1,4 +1,4 @@
-// W25: boxes one cell thick, along an axis, along two, along all, with each kind of side and with mixes of them.
+// Hard cases stay finite: boxes one cell thick along one, two or all axes, with each boundary kind and with mixes of them.
 
 #include "fluid/wind.h"
 #include "tests/fields.h"

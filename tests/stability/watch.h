@@ -10,7 +10,7 @@
 #include "fluid/wind.h"
 #include "tests/fields.h"
 #include "tests/figure.h"
-#include "tests/sanitized.h"
+#include "tests/tier.h"
 #include "tests/stability/input.h"
 #include "tests/stability/report_check.h"
 
@@ -21,9 +21,9 @@
 
 namespace windrow::test {
 
-/// Steps that a run takes: a twentieth under a sanitizer, 20 at least.
-[[nodiscard]] constexpr int shortened(int steps) {
-    return k_sanitized ? std::max(std::min(steps, 20), steps / 20) : steps;
+/// Steps that a run takes (tier.h): 500 at least, so that what grows has time to, and 20 under a sanitizer.
+[[nodiscard]] inline int shortened(int steps) {
+    return sampled(steps, k_sanitized ? 20 : 500);
 }
 
 [[nodiscard]] inline Wind made(const Config& config) {

@@ -10,13 +10,26 @@ import re
 import sys
 
 LONGEST_FILE = 500
-FOLDERS = ("fluid", "coupling", "shaders", "scene", "vegetation", "examples", "cli", "tests", "cmake")
+FOLDERS = ("fluid", "coupling", "shaders", "scene", "pictures", "vegetation", "examples", "cli", "tests", "tools", "cmake")
 SOURCES = (".h", ".cpp", ".inl", ".glsl", ".comp", ".vert", ".frag", ".py", ".cmake", ".txt")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 VULKAN = ("vulkan/*", "vulkan.h", "vulkan_core.h", "volk.h", "*/volk.h")
 OPENVDB = ("openvdb/*", "nanovdb/*")
 OPENIMAGEIO = ("OpenImageIO/*",)
+JSON = ("nlohmann/*",)
+ASSIMP = ("assimp/*",)
+# Libraries: target folders that none of them knows.
+ABOVE = {
+    "fluid": ("coupling", "scene", "pictures", "vegetation", "cli", "examples", "tests"),
+    "coupling": ("scene", "pictures", "vegetation", "cli", "examples", "tests"),
+    "scene": ("pictures", "vegetation", "cli", "examples", "tests"),
+    "pictures": ("coupling", "scene", "vegetation", "cli", "examples", "tests"),
+    "vegetation": ("cli", "examples", "tests"),
+}
+# Of vegetation: what belongs to windrow_vegetation_files and to windrow-draw, and what tests and measures. All else is the library.
+FILES_AND_PROGRAM = ("files", "program")
+TESTS_AND_BENCH = ("tests", "bench")
 MAKES_OBJECTS = re.compile(r"\bvk(?:Create|Allocate)\w*")
 # The two layers that make Vulkan objects, and tests of them.
 MAKERS = ("fluid/vulkan/*", "vegetation/vulkan/*", "vegetation/bench/counted_memory.*", "tests/parity/*", "tests/plants/*")
@@ -55,21 +68,29 @@ def breaches_of_include(root, file, name, public):
 
     if folders[:2] == ["shaders", "numerics"] and target_folders[:2] != ["shaders", "numerics"]:
         yield "shaders/numerics is text for two languages and includes nothing outside itself"
-    if top == "fluid" and target_top in ("coupling", "scene", "cli", "examples", "tests"):
-        yield f"fluid is the lowest layer and does not know {target_top}"
-    if top == "coupling" and target_top in ("scene", "cli", "examples", "tests"):
-        yield f"coupling is a library and does not know {target_top}"
-    if top == "scene" and target_top in ("cli", "examples", "tests"):
-        yield f"scene is shared by the command and the examples and does not know {target_top}"
+    if folders[:3] == ["vegetation", "shaders", "numerics"] and (
+            target_folders[:2] != ["shaders", "numerics"] and target_folders[:3] != ["vegetation", "shaders", "numerics"]):
+        yield "vegetation/shaders/numerics is text for two languages and includes only shaders/numerics beside itself"
+    tested = top == "vegetation" and len(folders) > 1 and folders[1] in TESTS_AND_BENCH
+    if target_top in ABOVE.get(top, ()) and not (tested and target_top == "tests"):
+        yield f"{top} is a lower layer and does not know {target_top}"
+    elif top not in ("vegetation", "tests", "examples") and target_top == "vegetation":
+        yield f"{top} does not know vegetation: it is built without it"
+    if top == "vegetation" and not tested and (len(folders) == 1 or folders[1] not in FILES_AND_PROGRAM):
+        if target_top == "scene" or matches(name, JSON + ASSIMP + OPENIMAGEIO) or target == "pictures/picture_files.h":
+            yield "windrow::vegetation is a library without files: no scene, JSON, mesh or picture files"
+        if target_top == "vegetation" and len(target_folders) > 1 and target_folders[1] in FILES_AND_PROGRAM + TESTS_AND_BENCH:
+            yield f"windrow::vegetation does not know vegetation/{target_folders[1]}"
     if matches(name, VULKAN) and "vulkan" not in folders and top not in ("vegetation", "examples", "tests"):
         yield "Vulkan's headers belong in folders named vulkan, in examples and in tests"
     if matches(name, OPENVDB) and top != "tests" and not (folders == ["fluid", "vdb"] and file.suffix == ".cpp"):
         yield "OpenVDB's headers belong in one .cpp of fluid/vdb, and in tests"
-    if matches(name, OPENIMAGEIO) and top not in ("cli", "vegetation", "examples", "tests"):
-        yield "OpenImageIO's headers belong in cli, examples and tests: it brings 261 libraries"
-    if top == "examples" and (target_top in ("cli", "tests") or (target_top in ("fluid", "coupling") and target not in public)):
+    if matches(name, OPENIMAGEIO) and top not in ("pictures", "vegetation", "tests"):
+        yield "OpenImageIO's headers belong in pictures, vegetation/files and tests: it brings 261 libraries"
+    if top == "examples" and target_top in FOLDERS and target_top not in ("examples", "shaders") and target not in public:
         yield "examples show what a user can do: public headers only (cmake/public_headers.txt)"
-    if here in public and target_top in ("fluid", "coupling") and target not in public:
+    if here in public and target_top in ("fluid", "coupling", "pictures", "vegetation") and target not in public and (
+            not target or not target.endswith(".glsl")):
         yield "a public header may only include public ones (cmake/public_headers.txt)"
 
 

@@ -73,7 +73,7 @@ TEST(Gusts, ThePatternIsCarriedByTheMeanWind) {
             wind.advance(d);
             return distance(wind.velocity(x), earlier);
         });
-        WINDROW_EXPECT_FIGURE(std::string("w19_pattern_moves_") + name, worst, 1e-5);
+        WINDROW_EXPECT_FIGURE(std::string("gusts/pattern_moves_") + name, worst, 1e-5);
     }
 }
 
@@ -83,7 +83,7 @@ TEST(Gusts, ManySmallTicksCarryAsFarAsOneStep) {
         ticked.advance(1.0 / 60.0);
     stepped.advance(100'000.0 / 60.0);
     const auto error = [&](Random&, glm::dvec3 x) { return distance(ticked.velocity(x), stepped.velocity(x)); };
-    WINDROW_EXPECT_FIGURE("w19_ticks_against_one_step", largest(202, 50.0, error), 1e-5);
+    WINDROW_EXPECT_FIGURE("gusts/ticks_against_one_step", largest(202, 50.0, error), 1e-5);
     for (int axis = 0; axis < 3; ++axis)
         EXPECT_TRUE(ticked.phase()[axis] >= 0.0 && ticked.phase()[axis] <= ticked.period());
 }
@@ -91,7 +91,7 @@ TEST(Gusts, ManySmallTicksCarryAsFarAsOneStep) {
 TEST(Gusts, StrengthIsLinear) {
     const AmbientWind one = made({2.0f, 0.0f, 1.5f}, 0.4f, LogProfile{}), three = made({6.0f, 0.0f, 4.5f}, 0.4f, LogProfile{});
     const auto error = [&](Random&, glm::dvec3 x) { return distance(3.0f * one.velocity(x), three.velocity(x)); };
-    WINDROW_EXPECT_FIGURE("w19_linear_in_strength", largest(203, 100.0, error), 1e-5);
+    WINDROW_EXPECT_FIGURE("gusts/linear_in_strength", largest(203, 100.0, error), 1e-5);
 }
 
 TEST(Gusts, ReversalMirrorsInTime) {
@@ -103,7 +103,7 @@ TEST(Gusts, ReversalMirrorsInTime) {
         back.advance(t);
         return distance(there.velocity(x) - mean, back.velocity(x) + mean);
     };
-    WINDROW_EXPECT_FIGURE("w19_reversal_mirrors", largest(204, 100.0, error), 1e-5);
+    WINDROW_EXPECT_FIGURE("gusts/reversal_mirrors", largest(204, 100.0, error), 1e-5);
 }
 
 TEST(Gusts, WholeTilesAwayTheBitsAreEqual) {
@@ -134,8 +134,8 @@ TEST(Gusts, ABlockAnswersAsTheWindDoes) {
         const glm::vec3 local = random.vector(16.0f), u = random.vector(5.0f);
         return distance(numerics::windrow_felt(view, block, u, local), wind.felt(u, anchor + glm::dvec3(local), sampling));
     };
-    WINDROW_EXPECT_FIGURE("w19_block_against_wind", largest(206, 0.0, ambient), 1e-5);
-    WINDROW_EXPECT_FIGURE("w21_block_against_felt", largest(206, 0.0, felt), 3e-5); // ripples are 30 times as steep as gusts
+    WINDROW_EXPECT_FIGURE("gusts/block_against_query", largest(206, 0.0, ambient), 1e-5);
+    WINDROW_EXPECT_FIGURE("felt_wind/block_against_query", largest(206, 0.0, felt), 3e-5); // ripples are 30 times as steep
 }
 
 TEST(Gusts, APhaseSavedIsTheWholeState) {
@@ -181,7 +181,7 @@ TEST(Gusts, TheProfileIsLogarithmic) {
         worst = std::max(worst, std::abs(wind.velocity({5.0, 100.0 + z, 0.0}).x - 4.0 * share));
         EXPECT_GT(wind.profile_at(100.0 + 1.3 * z), wind.profile_at(100.0 + z));
     }
-    WINDROW_EXPECT_FIGURE("w19_profile", worst, 1e-5);
+    WINDROW_EXPECT_FIGURE("gusts/log_profile_error", worst, 1e-5);
 }
 
 TEST(Gusts, NoGustBlowsThroughTheGround) {
@@ -214,7 +214,7 @@ TEST(Gusts, TheirStrengthIsTheDeclaredOne) {
     }
     for (int axis = 0; axis < 3; ++axis) {
         const double deviation = std::sqrt(squares[axis] / count) / 2.5, declared = axis == 1 ? 0.5 : 1.0;
-        WINDROW_EXPECT_FIGURE("w20_felt_rms_off_axis_" + std::to_string(axis), std::abs(deviation / declared - 1.0), 0.03);
+        WINDROW_EXPECT_FIGURE("gusts/rms_off_axis_" + std::to_string(axis), std::abs(deviation / declared - 1.0), 0.03);
     }
 }
 
@@ -235,9 +235,9 @@ TEST(GustTile, RepeatsWithoutASeam) {
         const glm::vec3 over = tile()->sample({x, 32.0 - y, z});
         mirror = std::max({mirror, distance(above, {below.x, -below.y, below.z}), distance(above, {over.x, -over.y, over.z})});
     }
-    WINDROW_EXPECT_FIGURE("w20_seam_difference", wrap, 0.0);
-    WINDROW_EXPECT_FIGURE("w20_mirror_difference", mirror, 1e-6);
-    WINDROW_EXPECT_FIGURE("w20_seam_difference_procedural", procedural, 1e-6);
+    WINDROW_EXPECT_FIGURE("gust_tile/seam_difference", wrap, 0.0);
+    WINDROW_EXPECT_FIGURE("gust_tile/mirror_difference", mirror, 1e-6);
+    WINDROW_EXPECT_FIGURE("gust_tile/seam_difference_procedural", procedural, 1e-6);
 }
 
 TEST(GustTile, StandsForTheWaves) {
@@ -249,7 +249,7 @@ TEST(GustTile, StandsForTheWaves) {
         squares += std::pow(distance(tile()->sample(place), tile()->procedural(place)), 2);
     }
     const double rms = std::sqrt(squares / count), range = 2.0 * tile()->bound();
-    WINDROW_EXPECT_FIGURE("w20_rms_against_procedural_over_range", rms / range, 1.0 / 255.0);
+    WINDROW_EXPECT_FIGURE("gust_tile/rms_against_procedural_over_range", rms / range, 1.0 / 255.0);
 }
 
 TEST(GustTile, HasTheDeclaredStrengthInEveryDirection) {
@@ -264,10 +264,10 @@ TEST(GustTile, HasTheDeclaredStrengthInEveryDirection) {
     const glm::dvec3 rms = glm::sqrt(squares / double(tile()->texels().size()));
     // Texels are 3 % stronger than what their blend gives; see gust_tile.cpp.
     const glm::dvec3 off = glm::abs(rms / glm::dvec3(1.0, 0.5, 1.0) - 1.03);
-    WINDROW_EXPECT_FIGURE("w20_texel_rms_off", std::max({off.x, off.y, off.z}), 0.02);
-    WINDROW_EXPECT_FIGURE("w20_correlation_of_x_and_z", std::abs(along) / std::sqrt(squares.x * squares.z), 0.02);
+    WINDROW_EXPECT_FIGURE("gust_tile/texel_rms_off", std::max({off.x, off.y, off.z}), 0.02);
+    WINDROW_EXPECT_FIGURE("gust_tile/correlation_of_x_and_z", std::abs(along) / std::sqrt(squares.x * squares.z), 0.02);
     EXPECT_LE(longest, tile()->bound());
-    figure("w20_bound", tile()->bound());
+    figure("gust_tile/bound", tile()->bound());
 }
 
 // The waves are free of divergence; what central differences over two texels see of it is their own error, and falls with the
@@ -292,10 +292,10 @@ TEST(GustTile, IsSolenoidal) {
     };
     const auto waves = [](glm::dvec3 place) { return tile()->procedural(place); };
     const double coarse = divergence(waves, 1.0), fine = divergence(waves, 0.25);
-    WINDROW_EXPECT_FIGURE("w20_divergence_of_waves_quarter_texel", fine, 0.002);
-    EXPECT_GT(figure("w20_divergence_order", std::log(coarse / fine) / std::log(4.0)), 1.9);
+    WINDROW_EXPECT_FIGURE("gust_tile/divergence_of_waves_quarter_texel", fine, 0.002);
+    EXPECT_GT(figure("gust_tile/divergence_order", std::log(coarse / fine) / std::log(4.0)), 1.9);
     const auto texels = [](glm::dvec3 place) { return tile()->sample(glm::floor(place) + 0.5); };
-    WINDROW_EXPECT_FIGURE("w20_divergence_of_texels", divergence(texels, 1.0), 0.03);
+    WINDROW_EXPECT_FIGURE("gust_tile/divergence_of_texels", divergence(texels, 1.0), 0.03);
 }
 
 TEST(GustTile, ASeedGivesTheSameBits) {
@@ -325,9 +325,9 @@ TEST(Felt, DetailFollowsTheLocalSpeed) {
         return distance(wind.felt(3.0f * u, x, sampling), 3.0f * wind.felt(u, x, sampling));
     };
     const double most = largest(212, 1e5, share);
-    WINDROW_EXPECT_FIGURE("w21_largest_share_of_speed", most, 0.4 * (1.0 + 1e-6));
+    WINDROW_EXPECT_FIGURE("felt_wind/detail_over_speed", most, 0.4 * (1.0 + 1e-6));
     EXPECT_GT(most, 0.2) << "there is detail";
-    WINDROW_EXPECT_FIGURE("w21_linear_in_speed", largest(213, 1e5, nonlinear), 1e-5);
+    WINDROW_EXPECT_FIGURE("felt_wind/detail_linear_in_speed", largest(213, 1e5, nonlinear), 1e-5);
 }
 
 // A wrapped phase must not be seen: neither the gusts' tile nor the detail's may jump there.
@@ -346,10 +346,10 @@ TEST(Felt, DetailScrollsWithoutAJump) {
     }
     EXPECT_LT(wind.phase().x, 1.0) << "the phase has wrapped";
     EXPECT_GT(at_wrap, 0.0);
-    WINDROW_EXPECT_FIGURE("w21_step_at_wrap_over_elsewhere", at_wrap / elsewhere, 1.1);
+    WINDROW_EXPECT_FIGURE("felt_wind/step_at_wrap_over_elsewhere", at_wrap / elsewhere, 1.1);
     const glm::vec3 there = felt(1.0);
     wind.advance(2.0);
-    WINDROW_EXPECT_FIGURE("w21_detail_moves_with_the_wind", distance(felt(11.0), there), 1e-5);
+    WINDROW_EXPECT_FIGURE("felt_wind/detail_moves_with_the_wind", distance(felt(11.0), there), 1e-5);
 }
 
 TEST(Felt, IsScaledAndNeverAboveTheLimit) {
@@ -370,8 +370,8 @@ TEST(Felt, IsScaledAndNeverAboveTheLimit) {
             EXPECT_GT(glm::length(felt), 0.999f * limit);
         }
     }
-    WINDROW_EXPECT_FIGURE("w22_longest_over_limit", longest, 1.0);
-    WINDROW_EXPECT_FIGURE("w22_direction_kept", turned, 1e-6);
+    WINDROW_EXPECT_FIGURE("felt_wind/longest_over_limit", longest, 1.0);
+    WINDROW_EXPECT_FIGURE("felt_wind/direction_kept", turned, 1e-6);
     for (const Sampling& sampling : {Sampling{}, Sampling{.detail = 1.0f}}) {
         for (const glm::vec3 u : {glm::vec3(1e6f), {-1e6f, 0.0f, 0.0f}, {0.0f, 1e38f, -1e38f}}) {
             const glm::vec3 felt = wind.felt(u, {1.0, 2.0, 3.0}, sampling);
@@ -398,7 +398,7 @@ TEST(Felt, StaticAndDynamicWindAddUp) {
         const glm::vec3 sum = wind.felt(still, x, sampling) + wind.felt(moving, x, sampling);
         return distance(wind.felt(still + moving, x, sampling), sum) / std::max(1.0f, glm::length(sum));
     };
-    WINDROW_EXPECT_FIGURE("w23_superposition", largest(214, 100.0, error), 1e-6);
+    WINDROW_EXPECT_FIGURE("felt_wind/superposition", largest(214, 100.0, error), 1e-6);
 }
 
 TEST(UniformGusts, HaveTheirMeanAndTheirPeriod) {
@@ -417,11 +417,11 @@ TEST(UniformGusts, HaveTheirMeanAndTheirPeriod) {
             period = std::max(period, std::abs(double(gust.velocity(time + 7.0 * periods).z) - speed));
     }
     const double e = std::exp(-3.0), share = 0.2 / (1.0 - e) - 0.8 * e / (1.0 - e) + 0.2, lull = share / (1.0 - share);
-    WINDROW_EXPECT_FIGURE("w24_mean_off", std::abs(sum / count - 5.0), 1e-5);
-    WINDROW_EXPECT_FIGURE("w24_period_off", period, 1e-5);
-    WINDROW_EXPECT_FIGURE("w24_peak_off", std::abs(highest - 8.0), 1e-3);
-    WINDROW_EXPECT_FIGURE("w24_lull_off", std::abs(lowest - (5.0 - lull * 3.0)), 1e-3);
-    WINDROW_EXPECT_FIGURE("w24_steepest_step", steepest, 20.0 * 4.75 / count); // continuous: the rise has slope 15.8 a period
+    WINDROW_EXPECT_FIGURE("uniform_gust/mean_off", std::abs(sum / count - 5.0), 1e-5);
+    WINDROW_EXPECT_FIGURE("uniform_gust/period_off", period, 1e-5);
+    WINDROW_EXPECT_FIGURE("uniform_gust/peak_off", std::abs(highest - 8.0), 1e-3);
+    WINDROW_EXPECT_FIGURE("uniform_gust/lull_off", std::abs(lowest - (5.0 - lull * 3.0)), 1e-3);
+    WINDROW_EXPECT_FIGURE("uniform_gust/steepest_step", steepest, 20.0 * 4.75 / count); // the rise has slope 15.8 a period
     EXPECT_EQ(gust.velocity(std::numeric_limits<double>::quiet_NaN()).z, 5.0f);
     EXPECT_EQ((UniformGust{.mean = 2.0f, .period = 0.0f}.velocity(1.0)), glm::vec3(2.0f, 0.0f, 0.0f));
 }
@@ -455,7 +455,7 @@ TEST(AmbientField, IsTheWindAtTheCells) {
                     worst = std::max(worst, distance({at[0], at[1], at[2]}, wind.velocity(centre)));
                     ASSERT_EQ(at[3], 0.0f);
                 }
-        WINDROW_EXPECT_FIGURE(std::string("w19_field_against_wind_") + name, worst, wind.uniform() ? 0.0 : 1e-5);
+        WINDROW_EXPECT_FIGURE(std::string("ambient_field/against_wind_") + name, worst, wind.uniform() ? 0.0 : 1e-5);
     }
 }
 

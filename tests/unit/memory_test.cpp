@@ -1,4 +1,4 @@
-// What a Wind says it has allocated is what it has allocated, and a step allocates nothing: every operator new of this program
+// The memory that a Wind reports is what it has allocated, and a step allocates nothing: every operator new of this program
 // is counted here, the aligned ones too.
 
 #include "fluid/thread_pool.h"
@@ -22,7 +22,7 @@ namespace {
 
 std::atomic<std::int64_t> live_bytes{0}, allocations{0};
 
-// The block's size and its true start stand before it.
+// The block's size and its true start are stored before it.
 struct Header {
     void* start;
     std::size_t size;
@@ -164,14 +164,14 @@ TEST(Memory, EveryFormOfNewIsCounted) {
     EXPECT_EQ(live_bytes, bytes);
 }
 
-// Bytes that `object` holds and does not say, or says and does not hold.
+// Bytes that `object` holds and does not report, or reports and does not hold.
 template <class Object>
 double unsaid(const Object& object, std::int64_t before) {
     return static_cast<double>(std::abs(live_bytes - before - static_cast<std::int64_t>(object.memory_bytes())));
 }
 
-// W1: no slack; the object itself (sizeof) stands where the caller puts it and is not counted. Figures are recorded at the end of
-// each scene, since recording allocates.
+// The reported memory equals what was allocated, without slack; the object itself (sizeof) is the caller's and is not counted.
+// Figures are recorded at the end of each scene, since recording allocates.
 TEST(Memory, AWindSaysWhatItHasAllocated) {
     for (const Scene& scene : scenes()) {
         double created = 0.0, with_motors = 0.0, with_other_sides = 0.0, bytes_a_cell = 0.0;

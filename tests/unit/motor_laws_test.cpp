@@ -78,7 +78,7 @@ std::vector<Region> some_regions(Random& random) {
             AlignedBox{{random.uniform(1.6f, 5.0f), random.uniform(1.6f, 5.0f), random.uniform(1.6f, 5.0f)}}};
 }
 
-// --- W4: f dt, then nothing --------------------------------------------------------------------------------------------
+// --- A uniform force adds f dt a step, and nothing once it is gone ---------------------------------------------------
 
 TEST(MotorLaws, AUniformForceAddsUpAndThenNothing) {
     for (const bool dyadic : {true, false}) {
@@ -104,7 +104,7 @@ TEST(MotorLaws, AUniformForceAddsUpAndThenNothing) {
     }
 }
 
-// --- W11: the force at the centre, outside, its direction, its place -------------------------------------------------
+// --- The force of a directional motor: at the centre, outside, its direction, its place ------------------------------
 
 TEST(MotorLaws, AtTheCentreAForceAddsItsAccelerationTimesTime) {
     double worst = 0.0;

@@ -69,7 +69,7 @@ Rgb8 colour_of(glm::vec3 velocity, Quantity quantity, float scale) {
     return signed_colour(velocity[static_cast<int>(quantity) - 1] / scale);
 }
 
-// --- W30: the PNG slice of each axis equals the data -----------------------------------------------------------------
+// --- The PNG slice of each axis equals the data ----------------------------------------------------------------------
 
 TEST_F(PicturesTest, SliceOfEachAxisEqualsTheCells) {
     // Without a rim: over it the cells fade to the ambient wind.
@@ -329,7 +329,7 @@ TEST(Frame, ManyMotorsLeaveTheAirInSight) {
     const Image many = *compose_frame(air, 0.0, {}, motors, settings);
     const int pixels = layout.level.width_px * layout.level.height_px;
     EXPECT_LT(changed(none, many, layout.level.rect, layout.unit), pixels / 2);
-    // Plates of names would be dark boxes by the hundred; the legend says each kind once, with how many.
+    // Plates of names would be dark boxes by the hundred; the legend names each kind once, with its count.
     EXPECT_EQ(none.height, many.height);
 }
 

@@ -226,7 +226,7 @@ TEST(Query, ManyPointsEqualSinglePoints) {
         ASSERT_EQ(many[n], wind.velocity(points[n]));
 }
 
-// --- W2: the textures ------------------------------------------------------------------------------------------------
+// --- The textures of the axes hold the bits of the cells -------------------------------------------------------------
 
 TEST(Query, AxesEqualTheCellsToTheBit) {
     Wind wind = made(scenes()[0].config);

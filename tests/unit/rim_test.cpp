@@ -1,4 +1,4 @@
-// W16: the wind of the box fades to the ambient wind by the distance from the point that it follows, so that a shift of the box
+// The wind of the box fades to the ambient wind by the distance from the point that it follows, so that a shift of the box
 // moves nothing that is seen.
 
 #include "fluid/wind.h"
@@ -65,7 +65,7 @@ TEST(Rim, AShiftMovesNothing) {
         at = near + 1e-7 * toward;
     }
     EXPECT_GE(shifts, 30);
-    WINDROW_EXPECT_FIGURE("w16_change_at_a_shift_of_max_speed", worst, 1e-6);
+    WINDROW_EXPECT_FIGURE("window/shift_changes_sampled_wind_over_max_speed", worst, 1e-6);
 }
 
 TEST(Rim, WithoutItAShiftShows) {
@@ -73,7 +73,7 @@ TEST(Rim, WithoutItAShiftShows) {
     ASSERT_TRUE(wind.follow({0.4999, 0.0, 0.0}));
     const glm::vec3 before = wind.velocity({15.8, 0.0, 0.0});
     ASSERT_TRUE(wind.follow({0.5001, 0.0, 0.0}));
-    figure("w16_change_at_a_shift_without_rim_m_per_s", double(glm::length(wind.velocity({15.8, 0.0, 0.0}) - before)));
+    figure("window/shift_without_blend_zone_m_per_s", double(glm::length(wind.velocity({15.8, 0.0, 0.0}) - before)));
     EXPECT_GT(glm::length(wind.velocity({15.8, 0.0, 0.0}) - before), 0.01f) << "this test would not see a jump";
 }
 
@@ -175,18 +175,18 @@ Jolts walk(Wind& wind) {
 TEST(Rim, AWalkThroughGustsFeelsNoShift) {
     Wind wind = made({.ambient = {2.0f, 0.0f, 0.5f}, .gusts = {.intensity = 0.3f}});
     const Jolts jolts = walk(wind);
-    figure("w16_gusts_second_difference_median_m_per_s", median(jolts.calm));
-    WINDROW_EXPECT_FIGURE("w16_gusts_at_shifts_over_median", median(jolts.at_shift) / median(jolts.calm), 1.5);
-    WINDROW_EXPECT_FIGURE("w16_gusts_worst_at_shifts_over_worst_else", largest(jolts.at_shift) / largest(jolts.calm), 1.5);
+    figure("window/walk_in_gusts/second_difference_median_m_per_s", median(jolts.calm));
+    WINDROW_EXPECT_FIGURE("window/walk_in_gusts/at_shifts_over_median", median(jolts.at_shift) / median(jolts.calm), 1.5);
+    WINDROW_EXPECT_FIGURE("window/walk_in_gusts/worst_at_shifts_over_worst", largest(jolts.at_shift) / largest(jolts.calm), 1.5);
 }
 
-// What a motor blows reaches the open sides, and where they move the pressure in the whole box does: that is felt, if only just.
+// The air of a motor reaches the open boundaries. Where these move, the pressure of the whole box changes a little.
 TEST(Rim, AWalkPastAFanFeelsAThousandthAtMost) {
     Wind wind = made({.ambient = {2.0f, 0.0f, 0.5f}});
     ASSERT_TRUE(wind.motors().add(DirectionalMotor{.position = {4.0, 0.0, 1.0}, .direction = {-1.0f, 0.0f, 1.0f}}));
     const Jolts jolts = walk(wind);
-    figure("w16_fan_at_shifts_over_median", largest(jolts.at_shift) / median(jolts.calm));
-    WINDROW_EXPECT_FIGURE("w16_fan_at_shifts_of_max_speed", largest(jolts.at_shift) / jolts.max_speed, 1e-3);
+    figure("window/walk_past_a_fan/at_shifts_over_median", largest(jolts.at_shift) / median(jolts.calm));
+    WINDROW_EXPECT_FIGURE("window/walk_past_a_fan/at_shifts_over_max_speed", largest(jolts.at_shift) / jolts.max_speed, 1e-3);
 }
 
 TEST(Rim, IsRefusedOutOfRange) {

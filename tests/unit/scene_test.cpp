@@ -158,8 +158,8 @@ TEST(Scene, StormIsWhatItsScriptMakes) {
     ASSERT_TRUE(scene) << scene.error();
     EXPECT_EQ(scene->motors.size(), 300u);
     const std::string command =
-        "python3 '" + (k_scenes / "make_storm.py").string() + "' | cmp - '" + (k_scenes / "storm.json").string() + "'";
-    EXPECT_EQ(std::system(command.c_str()), 0) << "run python3 make_storm.py > storm.json in " << k_scenes;
+        "python3 '" + std::string(WINDROW_SOURCE_DIR) + "/tools/make_storm.py' | cmp - '" + (k_scenes / "storm.json").string() + "'";
+    EXPECT_EQ(std::system(command.c_str()), 0) << "run python3 tools/make_storm.py > " << k_scenes / "storm.json";
 }
 
 // --- Playback --------------------------------------------------------------------------------------------------------

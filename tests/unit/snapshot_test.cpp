@@ -97,8 +97,8 @@ std::vector<Scene> scenes() {
         "gusts_changed", gusty,
         [=](Session& session) {
             ticked_flight(session);
-            EXPECT_TRUE(
-                session.wind.set_gusts({.intensity = 0.2f, .length = 12.0f, .seed = 8})); // frames still show the old ones
+            // Frames still show the old ones.
+            EXPECT_TRUE(session.wind.set_gusts({.intensity = 0.2f, .length = 12.0f, .seed = 8}));
             EXPECT_TRUE(session.wind.set_floor(-3.0));
         },
         true);

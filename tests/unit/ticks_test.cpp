@@ -1,4 +1,4 @@
-// W29: the air lives in fixed ticks. Its states do not depend on the frame rate, and what is drawn between them is smooth.
+// Fixed ticks: states at tick times do not depend on the frame rate, and the wind between them is continuous.
 
 #include "fluid/wind.h"
 #include "tests/fields.h"
@@ -68,7 +68,7 @@ TEST(Ticks, StatesAtTickTimesDoNotDependOnTheFrameRate) {
                 differing += cells_that_differ(field, found->second);
             }
         EXPECT_GE(common, 20u) << name;
-        WINDROW_EXPECT_FIGURE("w29_cells_that_differ_at_tick_times_" + name, double(differing), 0.0);
+        WINDROW_EXPECT_FIGURE("ticks/cells_that_differ_at_tick_times_" + name, double(differing), 0.0);
     }
 }
 
@@ -99,15 +99,15 @@ double largest_step(const std::vector<glm::vec3>& seen, std::size_t from) {
 TEST(Ticks, ThirtyTicksDrawnAt144HzAreAsSmoothAs144Ticks) {
     const auto coarse = at_plant(30.0, 144.0, 2.5), fine = at_plant(144.0, 144.0, 2.5);
     const double coarse_step = largest_step(coarse, 145), fine_step = largest_step(fine, 145);
-    figure("w29_largest_step_between_frames_30_hz_ticks_m_per_s", coarse_step);
-    figure("w29_largest_step_between_frames_144_hz_ticks_m_per_s", fine_step);
+    figure("ticks/largest_step_between_frames_30_hz_ticks_m_per_s", coarse_step);
+    figure("ticks/largest_step_between_frames_144_hz_ticks_m_per_s", fine_step);
     EXPECT_GT(fine_step, 0.01) << "nothing happened";
-    WINDROW_EXPECT_FIGURE("w29_largest_step_ratio", coarse_step / fine_step, 1.25);
+    WINDROW_EXPECT_FIGURE("ticks/largest_step_ratio", coarse_step / fine_step, 1.25);
     // A renderer that does not blend sees a whole tick at once.
     double unblended = 0.0;
     for (std::size_t n = 145; n + 5 < fine.size(); ++n)
         unblended = std::max(unblended, double(glm::length(fine[n + 5] - fine[n])));
-    figure("w29_largest_step_without_blending_m_per_s", unblended);
+    figure("ticks/largest_step_without_blending_m_per_s", unblended);
 }
 
 TEST(Ticks, AFrameIsTheBlendOfTheLastTwoTicks) {
@@ -158,7 +158,7 @@ TEST(Ticks, WhatIsDrawnIsContinuousAcrossTicksAndShifts) {
         before.swap(now);
     }
     EXPECT_EQ(shifts, 5);
-    WINDROW_EXPECT_FIGURE("w29_largest_change_in_a_millisecond_m_per_s", largest, 0.05);
+    WINDROW_EXPECT_FIGURE("ticks/largest_change_in_a_millisecond_m_per_s", largest, 0.05);
 }
 
 TEST(Ticks, TimeBeyondTheMostIsDroppedAndReported) {

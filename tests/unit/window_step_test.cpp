@@ -170,7 +170,7 @@ TEST(WindowStep, AShiftedStepEqualsCopyThenStep) {
     }
 }
 
-// W14: when the motors are gone, the air goes on as air that never met one would from the same state.
+// Once the motors are gone, later steps equal those of a run without motors from the same state.
 TEST(WindowStep, SixtyFourMotorsComeAndGo) {
     const Config config{.cells = {16, 12, 14}, .ambient = {1.0f, 0.0f, 0.0f}, .max_cfl = 1e6f};
     auto wind = Wind::create(config);

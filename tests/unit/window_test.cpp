@@ -52,7 +52,7 @@ glm::dvec3 middle(const Wind& wind) {
     return wind.origin() + 0.5 * glm::dvec3(wind.box().cells) * double(wind.box().cell_size);
 }
 
-// --- W15: without a step ---------------------------------------------------------------------------------------------
+// --- A shift without a step keeps the overlap to the bit -------------------------------------------------------------
 
 TEST(Window, AThousandShiftsKeepTheOverlapToTheBit) {
     const glm::vec3 ambient(1.5f, -0.25f, 3.0f);
@@ -198,7 +198,7 @@ TEST(Window, TheFloorFollowsItsHeight) {
     EXPECT_NE(refused.error().find("y_low"), std::string::npos) << refused.error();
 }
 
-// --- W18: anywhere in the world ----------------------------------------------------------------------------------------
+// --- The bits are the same anywhere in the world ---------------------------------------------------------------------
 
 // Walks, blows and stirs around `place`, and gives the air at the end.
 Field walk(glm::dvec3 place, float cell_size) {

@@ -7,8 +7,7 @@
 //
 // In each frame: a compute pass puts the mesh's vertices into the body's pose and asks the wind what it does to the strands
 // there; then one instanced draw of the mesh, an instance a layer, in the colour pass and one in each shadow. A coat that neither
-// the eye nor a shadow sees draws nothing. The walk of a fragment between layers:
-// vegetation/shaders/fur/shell_strand.glsl.
+// the eye nor a shadow sees draws nothing. vegetation/shaders/fur/shell_strand.glsl has the walk of a fragment between layers.
 #pragma once
 
 #include "coupling/cascade.h"

@@ -1,14 +1,14 @@
-// The pictures of a coat, read: linear floats in a list of texels that shaders blend by hand.
+// The pictures of a coat in memory: linear floats in a list of texels that shaders blend by hand.
 //
-//     auto pictures = fur::read_pictures(settings.maps, folder_of_the_scene);   // PNG, PGM, EXR ..., by OpenImageIO
-//     auto coat = fur::Coat::create(device, targets, mesh, {}, settings, *pictures, body, anchor);
+//     fur::CoatPictures pictures;                                       // none: a coat without maps
+//     pictures.length = {.columns = 64, .rows = 64, .texels = lengths};
+//     auto coat = fur::Coat::create(device, targets, mesh, {}, settings, pictures, body, anchor);
 #pragma once
 
 #include "vegetation/fur/coat_settings.h"
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 #include <vector>
@@ -20,16 +20,12 @@ struct CoatPicture {
     int columns = 0, rows = 0; ///< 0: none
     std::vector<glm::vec4> texels{};
 };
-inline constexpr int k_most_picture_side =
-    4096; ///< [texels] 16 million texels of 8 bytes each, and a third more for their levels
+/// [texels] 16 million texels of 8 bytes each, and a third more for their levels
+inline constexpr int k_most_picture_side = 4096;
 
 struct CoatPictures {
     CoatPicture length{}, colour{}, noise_a{}, noise_b{};
 };
-
-/// Files are beside `folder`; a colour is turned linear where its file says or is of 8 bits. Refuses what is no picture, has no
-/// texel, more than k_most_picture_side of them along a side, or a texel that is not finite, with the file's name.
-[[nodiscard]] windrow::Result<CoatPictures> read_pictures(const CoatMaps& maps, const std::filesystem::path& folder);
 
 /// Refuses pictures whose texels are not columns times rows, are too many or not finite.
 [[nodiscard]] windrow::Result<void> validate(const CoatPictures& pictures);

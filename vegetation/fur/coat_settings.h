@@ -1,9 +1,9 @@
 // What describes a coat: layers over a mesh whose patterns make fur, feathers, grass, spikes, paper or clouds. One structure with
 // ranges and defaults, that a scene file holds as it is:
 //
-//     auto coat = fur::Coat::create(device, targets, mesh, {.layers = {.shells = 40, .length = 0.04f}}, anchor);
+//     const fur::CoatSettings settings{.layers = {.shells = 40, .length = 0.04f}, .look = {.gloss = 0.1f}};
 //
-// Fields of it that are the pieces' own: windrow::ShellSettings (where the layers lie, how the wind bends them),
+// Its structures from other headers: windrow::ShellSettings (where the layers lie, how the wind bends them),
 // StrandFieldSettings (what each layer leaves open), windrow::CascadeConfig (how tips lag behind the body).
 #pragma once
 
@@ -23,19 +23,19 @@ namespace windrow::vegetation::fur {
 struct Comb {
     glm::vec3 along{0.0f, -1.0f, 0.0f}; ///< where tips point to, of any length but 0. Default: down
     float bend = 0.0f;                  ///< [rad] of the tip, 0 to 1.5. Default 0: strands stand
-    float tousle = 0.0f;                ///< [rad] by which each place's comb turns by chance within the skin, 0 to 3
-    float tousle_size = 0.05f;          ///< [m] over which that chance changes, above 0 to 100
+    float tousle = 0.0f;                ///< [rad] random turn of each place's comb within the skin, 0 to 3
+    float tousle_size = 0.05f;          ///< [m] over which that turn changes, above 0 to 100
 };
 
 /// A round brush in the mesh's own space: inside, strands are shorter and coloured. Between `from` and `to` it is a capsule.
-/// Fragments are told, not vertices: its border is as sharp on a coarse mesh as on a fine one.
+/// Evaluated in fragments, not at vertices: its border is as sharp on a coarse mesh as on a fine one.
 struct Spot {
     glm::vec3 from{0.0f}, to{0.0f}; ///< [m]
     float radius = 0.05f;           ///< [m] above 0, to 1000
     float soft = 0.02f;             ///< [m] over which it fades outward, 0 to 1000
     float length = 1.0f;            ///< factor on the strands' length, 0 (bald) to 1
     glm::vec3 colour{0.0f};         ///< linear
-    float tint = 0.0f;              ///< share of `colour` in the strands', 0 to 1
+    float tint = 0.0f;              ///< fraction of `colour` in the strands', 0 to 1
     float glow = 0.0f;              ///< light of its own where bald, times `colour`, 0 to 100: eyes
 };
 inline constexpr std::size_t k_most_spots = 24;
@@ -48,17 +48,17 @@ enum class Projection {
     front ///< along z: u to -x .. x, v downward
 };
 
-/// Pictures that say where strands are short and what colour they have: PNG, PGM, EXR ..., beside the scene.
+/// Pictures of the strands' length and colour: PNG, PGM, EXR ..., beside the scene.
 struct CoatMaps {
     std::string length{}; ///< grey: 0 bald to 1 whole; empty: whole everywhere
     std::string colour{}; ///< sRGB or linear by its file; multiplies root and tip; empty: white
-    /// Two grey pictures, repeated `noise_tiles` times over uv, in place of the strands' own chance: open where
+    /// Two grey pictures, repeated `noise_tiles` times over uv, in place of the strands' random lengths: open where
     /// (1 - (1 - a) ia) (1 - (1 - b) ib) < h. Empty: none.
     std::string noise_a{}, noise_b{};
     float influence_a = 1.0f, influence_b = 1.0f; ///< 0 to 1
     float noise_tiles = 1.0f;                     ///< above 0 to 1000
     Projection projection = Projection::uv;       ///< of length and colour
-    float bald_below = 0.02f;                     ///< shorter than this share nothing grows: the skin is drawn. 0 to 1
+    float bald_below = 0.02f;                     ///< below this fraction of the length nothing grows: the skin is drawn. 0 to 1
 };
 
 /// Colours are linear albedo, 0 to 1.
@@ -69,7 +69,7 @@ struct CoatLook {
     glm::vec3 skin{0.25f, 0.18f, 0.15f};   ///< where nothing grows
     float second_size = 1.0f;              ///< [m] size of the patches, above 0 to 1e4
     float tip_power = 1.0f;                ///< root to tip by h^k, above 0 to 10; 3: tips alone
-    float variation = 0.15f;               ///< share by which single strands are lighter or darker, 0 to 0.9
+    float variation = 0.15f;               ///< fraction by which single strands are lighter or darker, 0 to 0.9
     float occlusion = 0.7f;                ///< A of min(1, h^A + b): how far up the dark root reaches, 0 (none) to 5
     float occlusion_bias = 0.15f;          ///< b, 0 to 1
     float wrap = 1.0f;                     ///< 1: half-Lambert, 0: Lambert; between, between

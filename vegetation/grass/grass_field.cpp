@@ -15,8 +15,9 @@
 namespace windrow::vegetation::grass {
 namespace {
 
-constexpr double k_most_cells = 268435456.0; // a cell's number leaves 4 bits for the stream (vegetation/shaders/numerics/grass.glsl)
-constexpr double k_most_chunks = 4194304.0;  // 45 MB of quadtree
+// A cell's number leaves 4 bits for the stream (vegetation/shaders/numerics/grass.glsl).
+constexpr double k_most_cells = 268435456.0;
+constexpr double k_most_chunks = 4194304.0; // 45 MB of quadtree
 
 } // namespace
 

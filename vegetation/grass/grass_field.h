@@ -1,12 +1,13 @@
 // A field of grass on the GPU, inside the host's renderer: chunks near the camera are made, culled and drawn without the CPU ever
 // seeing a blade.
 //
-//     auto field = grass::GrassField::create(device, *hills, *mask, {});     // engine::Device::adopt(...): your device
-//     (void)field->place({4.0e5, 0.0, -2.5e5});                                           // its corner in the world
-//     (void)field->record_cull(commands, {.anchor = anchor, .view_projection = m, .eye = eye});   // outside of a render pass
-//     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, yours);                // within it; a vertex stage that
-//     includes field->draw(commands, {.layout = your_layout, .set = 1, .push_offset = 64});        //
-//     vegetation/shaders/grass/grass_blade.glsl
+//     auto field = grass::GrassField::create(device, *hills, *mask, {});       // engine::Device::adopt(...): your device
+//     (void)field->place({4.0e5, 0.0, -2.5e5});                              // its corner in the world
+//     // Outside of a render pass:
+//     (void)field->record_cull(commands, {.anchor = anchor, .view_projection = m, .eye = eye});
+//     // Within it, with a vertex stage that includes vegetation/shaders/grass/grass_blade.glsl:
+//     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, yours);
+//     field->draw(commands, {.layout = your_layout, .set = 1, .push_offset = 64});
 //
 // A frame asks a quadtree (chunk_tree.h) for the chunks that it needs, gives them slots of memory (chunk_cache.h), records one
 // dispatch that makes the blades of new ones and one that culls the blades of all into index lists, and draws each list by an
@@ -68,8 +69,8 @@ class GrassField {
     /// Within a render pass, after `record_cull` in the same queue, with a pipeline bound: binds the set and draws a view.
     void draw(VkCommandBuffer commands, const GrassPass& pass) const;
 
-    /// Six buffers that the vertex stage reads, or a compute pass of the host's (vegetation/shaders/grass/grass_blade.glsl has the first
-    /// four); `draw` binds the set by itself.
+    /// Six buffers that the vertex stage reads, or a compute pass of the host's; `draw` binds the set by itself. The first four
+    /// are in vegetation/shaders/grass/grass_blade.glsl.
     [[nodiscard]] VkDescriptorSetLayout layout() const;
     [[nodiscard]] VkDescriptorSet set() const;
     [[nodiscard]] const GrassSettings& settings() const;

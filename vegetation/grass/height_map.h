@@ -5,8 +5,8 @@
 //         return std::fprintf(stderr, "%s\n", hills.error().c_str()), 1;
 //     const float y = hills->height({12.5f, 80.0f});                       // [m] between the corners
 //
-// Places are [m] along x and z from the grid's first corner. vegetation/shaders/numerics/height_grid.glsl is the text of both formulas, for
-// shaders too.
+// Places are [m] along x and z from the grid's first corner. The formulas, for C++ and shaders:
+// vegetation/shaders/numerics/height_grid.glsl.
 #pragma once
 
 #include "vegetation/grass/grass_numerics.h"

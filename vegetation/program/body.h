@@ -8,7 +8,7 @@
 #include "vegetation/fur/beast.h"
 #include "vegetation/fur/coat_settings.h"
 #include "vegetation/fur/horse_skeleton.h"
-#include "vegetation/fur/mesh_file.h"
+#include "vegetation/files/mesh_file.h"
 #include "vegetation/fur/shapes.h"
 #include "vegetation/fur/skeleton.h"
 

@@ -1,6 +1,7 @@
 #include "vegetation/program/dressed_body.h"
 
-#include "vegetation/fur/mesh_folder.h"
+#include "vegetation/files/coat_picture_files.h"
+#include "vegetation/files/mesh_folder.h"
 
 #include <algorithm>
 #include <cmath>

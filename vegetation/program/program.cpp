@@ -1,14 +1,15 @@
-// meadow SCENE.json ...: draws the pictures of scene files, on the GPU or, where there is none, on a software one.
+// windrow-draw SCENE.json ...: draws the pictures of scene files, on the GPU or, where there is none, on a software one.
 //
-//     meadow examples/scenes/meadow.json --out out/meadow            every frame as PNG, a contact sheet, a table of times
-//     meadow SCENE.json --frames 1 --from 3.5 --size 1920x1080       one picture, of the moment 3.5 s
-//     meadow SCENE.json --show slice                                 the wind itself: arrows, slice; or what the plants do: lean,
+//     windrow-draw examples/scenes/meadow.json --out out/meadow      every frame as PNG, a contact sheet, a table of times
+//     windrow-draw SCENE.json --frames 1 --from 3.5 --size 1920x1080 one picture, of the moment 3.5 s
+//     windrow-draw SCENE.json --show slice                           the wind itself: arrows, slice; or what the plants do: lean,
 //                                                                    levels, chunks
-//     meadow examples/scenes/looks/*.json --frames 1 --sheet looks.png       the first picture of each, side by side
-//     meadow examples/scenes/shells/*.json --frames 1 --jpeg docs/gallery    the first picture of each, small, for a page
+//     windrow-draw examples/scenes/looks/*.json --frames 1 --sheet looks.png       the first picture of each, side by side
+//     windrow-draw examples/scenes/fur/*.json --frames 1 --jpeg docs/gallery    the first picture of each, small, for a page
 //
 // Exit codes as the windrow command's: 0 well, 2 wrong use or a bad scene, 3 the machine lacks something.
-#include "vegetation/program/contact_sheet.h"
+#include "pictures/picture_files.h"
+#include "pictures/sheet.h"
 #include "vegetation/program/picture_reader.h"
 #include "vegetation/program/shoot.h"
 #include "vegetation/program/stage_table.h"
@@ -56,10 +57,10 @@ std::filesystem::path name_of(const Options& options, std::int64_t frame, const 
 }
 
 Result<void> keep(const Options& options, const program::Shoot& shoot, std::int64_t frame) {
-    if (auto written = render::write_png(shoot.images().picture(), name_of(options, frame, ".png")); !written)
+    if (auto written = windrow::pictures::write_png(shoot.images().picture(), name_of(options, frame, ".png")); !written)
         return written;
     if (options.exr)
-        return render::write_exr(shoot.images().light_picture(), shoot.images().motion_picture(),
+        return windrow::pictures::write_exr(shoot.images().light_picture(), shoot.images().motion_picture(),
                                  name_of(options, frame, ".exr"));
     return {};
 }
@@ -100,21 +101,21 @@ Result<Kept> draw(const Options& options, const program::PictureScene& scene, pr
 }
 
 int complain(const std::string& sentence, int code) {
-    std::fprintf(stderr, "meadow: %s\n", sentence.c_str());
+    std::fprintf(stderr, "windrow-draw: %s\n", sentence.c_str());
     return code;
 }
 
 /// One sheet of pictures, `width` px each.
 Result<void> write_sheet(const std::vector<render::Picture8>& pictures, int width, const std::filesystem::path& file) {
-    const auto sheet = program::contact_sheet(pictures, 4, width);
-    return sheet ? render::write_png(*sheet, file) : Result<void>(Error{sheet.error()});
+    const auto sheet = windrow::pictures::contact_sheet(pictures, 4, width);
+    return sheet ? windrow::pictures::write_png(*sheet, file) : Result<void>(Error{sheet.error()});
 }
 
 /// A picture of 640 px in at most 60 kB: what a page of many pictures can bear.
 Result<void> write_small(const render::Picture8& picture, const std::filesystem::path& file) {
     constexpr std::uintmax_t k_most_bytes = 60'000;
     for (int quality = 85;; quality -= 5) {
-        if (auto written = render::write_jpeg(program::shrunk(picture, 640), quality, file); !written)
+        if (auto written = windrow::pictures::write_jpeg(windrow::pictures::shrunk(picture, 640), quality, file); !written)
             return written;
         std::error_code error;
         if (quality <= 50 || std::filesystem::file_size(file, error) <= k_most_bytes)
@@ -222,7 +223,7 @@ std::string read_size(const std::string& text, std::optional<glm::ivec2>& size) 
 
 int main(int argument_count, char** arguments) {
     Options options;
-    CLI::App app("Draws the pictures of a scene file.", "meadow");
+    CLI::App app("Draws scene files.", "windrow-draw");
     std::string size, show = "plants";
     double frames_per_second = 0.0;
     const std::map<std::string, program::Show> shows{{"plants", program::Show::plants}, {"arrows", program::Show::arrows},

@@ -47,8 +47,8 @@ struct ShootSettings {
 
 /// Device memory by what it is for, [bytes].
 struct ShootMemory {
-    std::uint64_t targets =
-        0; ///< pictures, shadow map, read-backs, uniform blocks, the ground's heights, trees: what the engine made
+    /// Pictures, shadow map, read-backs, uniform blocks, the ground's heights, trees: allocations of the engine.
+    std::uint64_t targets = 0;
     std::uint64_t wind = 0, grass = 0, ground_memory = 0;
     std::uint64_t room = 0; ///< left in the blocks that all of them take from the driver
 };

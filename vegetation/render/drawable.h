@@ -29,8 +29,8 @@ class Drawable {
     virtual void draw(const PassContext& context) = 0;
 };
 
-/// What a drawable's pipelines must fit: its vertex stage writes the inputs of vegetation/shaders/render/plant.frag, or its fragment stage
-/// writes light and motion itself.
+/// Targets that a drawable's pipelines must fit: its vertex stage writes the inputs of vegetation/shaders/render/plant.frag, or
+/// its fragment stage writes light and motion itself.
 struct DrawTargets {
     engine::PassTarget colour{}, shadow{};
     VkDescriptorSetLayout frame = VK_NULL_HANDLE, wind = VK_NULL_HANDLE;

@@ -18,8 +18,8 @@ namespace {
 namespace words = windrow::vulkan::shader_words;
 
 constexpr VkFormat k_shadow_format = VK_FORMAT_D16_UNORM; // every device draws to it and samples it
-constexpr float k_least_width =
-    1.5f; // [px] of what would else be drawn as dots: four samples show a slanted line of 1 px as beads
+// [px] Thinner parts are drawn as dots: four samples show a slanted line of 1 px as beads.
+constexpr float k_least_width = 1.5f;
 constexpr glm::vec3 k_meadow_albedo{0.10f, 0.14f, 0.05f}; // of what lies around: light from below is green
 
 constexpr std::array k_frame_bindings{

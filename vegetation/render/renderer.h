@@ -6,8 +6,7 @@
 //     const engine::Frame frame = *frames->begin();
 //     (*renderer)->begin(frame);                                   // the clock
 //     wind->record(frame.commands, {.dt = dt, .slot = frame.slot});
-//     (*renderer)->record(frame, camera, *wind);                   // all passes; motion is told against the frame recorded
-//     before
+//     (*renderer)->record(frame, camera, *wind);                   // all passes; motion since the last recorded frame
 //     (*renderer)->copy(frame);                                    // where this frame is wanted on the host
 //     frames->finish(frame);
 //     write_png((*renderer)->images().picture(), "frame.png");

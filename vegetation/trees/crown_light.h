@@ -1,7 +1,7 @@
 // How much light reaches a place within a crown: leaves absorb along rays through a grid of their area.
 //
-//   T(p, d) = exp(-1/2 int a(p + s d) ds)        a [1/m] leaf area a volume; 1/2: leaves of all directions (Ross 1981, Nilson
-//   1971) T(p, d) ~ w + xyz . d                        fitted over 26 directions: w is its mean, xyz points out of the crown
+//   T(p, d) = exp(-1/2 int a(p + s d) ds)    a [1/m] leaf area a volume; 1/2: leaves of all directions (Ross, Nilson)
+//   T(p, d) ~ w + xyz . d                    fitted over 26 directions: w is its mean, xyz points out of the crown
 //
 // The fit is what a vertex carries, so that shade within the crown follows the sun without a shadow map, at any distance.
 // Based on: Nilson 1971, A theoretical analysis of the frequency of gaps in plant stands; Ross 1981, The radiation regime and

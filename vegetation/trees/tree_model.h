@@ -21,10 +21,10 @@ struct ModelVertex {
     glm::vec4 normal{0.0f};   ///< xyz unit; w leaves: along the card, 0 to 1; wood: around the stem, 0 to 1 and back
     glm::vec4 centre{0.0f};   ///< xyz [m] what it shrinks to or grows from; w leaves: across, -1 to 1; wood: [m] along the stem
     glm::vec4 open{0.0f};     ///< the fit of crown_light.h
-    glm::vec4 home{
-        0.0f}; ///< xyz [m] leaves: from its centre to the middle of those it stands for afar; trunk: to the coarse trunk
-    glm::uvec4 parts{
-        0u}; ///< x limb, y twig, or TreePartIndices::k_none; z bits of a chance, -1 to 1; w bits of a card's length [m], 0: wood
+    /// xyz [m] leaves: from its centre to the middle of those it stands for afar; trunk: to the coarse trunk
+    glm::vec4 home{0.0f};
+    /// x limb, y twig, or TreePartIndices::k_none; z bits of a chance, -1 to 1; w bits of a card's length [m], 0: wood
+    glm::uvec4 parts{0u};
 };
 static_assert(sizeof(ModelVertex) == 96);
 

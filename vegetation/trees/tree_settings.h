@@ -72,13 +72,14 @@ struct TreeLook {
 
 /// What a tree costs afar. Distances are for a tree of size 1.
 struct TreeLevels {
-    float near = 38.0f;   ///< [m] up to which all leaves are drawn, 0.1 to 1e4
-    float far = 240.0f;   ///< [m] from which `far_leaves` are, beyond near, up to 1e5
-    int far_leaves = 34;  ///< 4 to 1000. Default 34: with those that fade, and the trunk, at most 200 vertices
-    float growth = 0.41f; ///< how leaves that stay grow, 0.3 to 0.5: at 0.5 all leaves together keep their area; less, since a
-                          ///< crown hides most of its leaves
-    float least_angle = 0.0007f; ///< [rad] of a branch's radius, below which none is drawn; 1e-5 to 0.1. Default: a pixel's
-                                 ///< width at 720 lines and 45 degrees
+    float near = 38.0f;  ///< [m] up to which all leaves are drawn, 0.1 to 1e4
+    float far = 240.0f;  ///< [m] from which `far_leaves` are, beyond near, up to 1e5
+    int far_leaves = 34; ///< 4 to 1000. Default 34: with those that fade, and the trunk, at most 200 vertices
+    /// Growth of the leaves that stay, 0.3 to 0.5: at 0.5 all leaves together keep their area; less, since a crown hides most of
+    /// its leaves.
+    float growth = 0.41f;
+    /// [rad] of a branch's radius, below which none is drawn; 1e-5 to 0.1. Default: a pixel's width at 720 lines and 45 degrees.
+    float least_angle = 0.0007f;
 };
 
 /// Every reason why it cannot be used, a line each: ranges, and more vertices than `k_most_vertices`.

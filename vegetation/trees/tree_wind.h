@@ -1,8 +1,7 @@
 // What the wind meets of a tree: the classes of its trunk, limbs and twigs, and how stiff each limb is within its class.
 //
-//   Ca ~ rho C_d w L^3 U^2 / (2 E I),  I ~ d^4        of one wood, with foliage as wide as a share of the length: stiffness over
-//   the class
-//                                                      = (L_class / L)^4 (d / d_class)^4
+//   Ca ~ rho C_d w L^3 U^2 / (2 E I),  I ~ d^4                         of one wood, the foliage's width w proportional to L
+//   stiffness over that of the class = (L_class / L)^4 (d / d_class)^4
 //
 // A tree that a place scales as a whole keeps all of these: w L^3 and d^4 grow alike.
 #pragma once

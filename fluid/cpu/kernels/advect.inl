@@ -26,9 +26,9 @@ struct Run {
 
 constexpr int k_row_chunk = 64;
 
-// Points to sample at, for a run of cells along x: the padded cell below each, and the distance from its centre in [0, 1] by axis.
-// Arrays of a run are filled in whole groups of k_lanes, so that the loops over a group have no remainder; what lies beyond the
-// run's cells is legal to read at, and not used.
+// Points to sample at, for a run of cells along x: the padded cell below each, and the distance from its centre in [0, 1] by
+// axis. Arrays of a run are filled in whole groups of k_lanes, so that the loops over a group have no remainder; what lies beyond
+// the run's cells is legal to read at, and not used.
 struct Points {
     alignas(64) std::int32_t offset[k_row_chunk];
     alignas(64) float fraction[3][k_row_chunk];
@@ -44,8 +44,8 @@ inline float floor_small(float value) {
     return whole > value ? whole - 1.0f : whole;
 }
 
-// One axis of `locate`: cell n of the run has index first + n * advance. A comparison with NaN is false, so that a broken position
-// becomes the low end and its address stays legal.
+// One axis of `locate`: cell n of the run has index first + n * advance. A comparison with NaN is false, so that a broken
+// position becomes the low end and its address stays legal.
 template <int Axis>
 inline void locate_axis(const AdvectTask& task, float first, float advance, std::int32_t stride, int count, const Displacements& displacements,
                         Points& points) {
@@ -150,9 +150,9 @@ inline Native sample(const float* field, const Points& points, const PaddedStrid
     return Interpolant::sample_x(lines, w, n);
 }
 
-// Runs of cells that will be wanted soon. They are asked for while others are sampled, a cache line at a time: a core keeps track of
-// a few misses only, and asking for a row at once has it wait as if it had not asked. The machine's own prefetching stops at the
-// end of each row, and rows are short.
+// Runs of cells that will be wanted soon. They are asked for while others are sampled, a cache line at a time: a core keeps track
+// of a few misses only, and asking for a row at once has it wait as if it had not asked. The machine's own prefetching stops at
+// the end of each row, and rows are short.
 struct Ahead {
     const float *first, *second;
 };

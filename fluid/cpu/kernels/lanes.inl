@@ -133,8 +133,8 @@ inline Block subtract_product(const Block& a, const Block& b, Block c) {
     return c;
 }
 
-// The four cells of each of some blocks, the first ones of all blocks side by side, and so on. By shuffles, since a pointer into a
-// block would send it through memory.
+// The four cells of each of some blocks, the first ones of all blocks side by side, and so on. By shuffles, since a pointer into
+// a block would send it through memory.
 struct Nodes {
     Native before, here, after, beyond;
 };

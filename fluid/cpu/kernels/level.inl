@@ -8,7 +8,7 @@
 namespace windrow::cpu::WINDROW_LEVEL {
 namespace {
 #include "fluid/cpu/kernels/lanes.inl"
-
+// All others use the lanes.
 #include "fluid/cpu/kernels/advect.inl"
 #include "fluid/cpu/kernels/advect_scalar.inl"
 #include "fluid/cpu/kernels/fold.inl"

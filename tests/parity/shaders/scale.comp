@@ -6,7 +6,9 @@ layout(constant_id = 1) const float k_offset = 0.0;
 layout(push_constant) uniform Push {
     uint count;
     float factor;
+    // clang-format off
 } push;
+// clang-format on
 layout(set = 0, binding = 0) readonly buffer From { float from[]; };
 layout(set = 0, binding = 1) writeonly buffer To { float to[]; };
 

@@ -25,7 +25,8 @@ struct CoatLamp {
 layout(std140, set = 2, binding = 0) uniform Coat {
     WindrowShells shells;
     WindrowStrandField field;
-    vec4 levels;   // x divisor of a layer's number; y [m] strands' length over the mesh's metres; z wind share; w the animated cells' time [s]
+    // x divisor of a layer's number; y [m] strands' length over the mesh's metres; z wind share; w the animated cells' time [s]
+    vec4 levels;
     ivec4 counts;  // x vertices; y, z first entry of this and of the last frame's skin; w stages of the cascade
     ivec4 layers;  // x drawn; y 1: outer first; z 1: mirrored; w all layers of the shadow
     ivec4 form;    // x 1: translated; y WindAt; z 1: strands by the surface, 0: by uv; w 1: bare
@@ -51,7 +52,9 @@ layout(std140, set = 2, binding = 0) uniform Coat {
     CoatFoot feet_before[8];
     ivec4 ahead; // x the pose of a moment later; y its first bone; z 1: there is one
     vec4 gone;   // xyz [m] in the world that the pattern has gone since the last frame; w 1 / [s] of that moment
+    // clang-format off
 } coat;
+// clang-format on
 
 struct CoatVertex {
     vec4 position; // xyz [m] at rest in the mesh's space; w u

@@ -1,7 +1,7 @@
 // What belongs to a place of the mesh: length and colour of its strands by pictures and spots. After coat.glsl.
 //
-// Pictures are texels of a buffer, each half as wide as the one before; four are blended by hand, at the level whose texels are as large
-// as a pixel, so that a border is where it was painted, whatever the mesh.
+// Pictures are texels of a buffer, each half as wide as the one before; four are blended by hand, at the level whose texels are
+// as large as a pixel, so that a border is where it was painted, whatever the mesh.
 #ifndef WINDROW_SHELLS_COAT_PLACES_GLSL
 #define WINDROW_SHELLS_COAT_PLACES_GLSL
 

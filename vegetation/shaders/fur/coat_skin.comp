@@ -1,4 +1,5 @@
-// A coat's vertices once a frame: bones, the body's pose, how far tips lag behind it, the comb, and the wind that strands feel there.
+// A coat's vertices once a frame: bones, the body's pose, how far tips lag behind it, the comb, and the wind that strands feel
+// there.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define WINDROW_SET 1
@@ -10,7 +11,8 @@
 
 layout(local_size_x = 64) in;
 
-layout(push_constant) uniform Now { int first; } now; // 1: nothing was before
+// 1: nothing was before
+layout(push_constant) uniform Now { int is_first; };
 
 // By all four bones; weights add up to 1. A mesh without bones has weights of 0.
 mat3x4 skinned(CoatVertex vertex, uint first) {
@@ -89,7 +91,7 @@ void main() {
         vec3 at_soon = vec4(vertex.position.xyz, 1.0) * skinned(vertex, uint(coat.ahead.y));
         skin.velocity = vec4((windrow_posed(soon, at_soon) - position) * coat.gone.w, 0.0);
     } else {
-        skin.velocity = vec4(now.first == 1 ? vec3(0.0) : (position - skins[last].position.xyz) * coat.tousle.z, 0.0);
+        skin.velocity = vec4(is_first == 1 ? vec3(0.0) : (position - skins[last].position.xyz) * coat.tousle.z, 0.0);
     }
     skin.load = vec4(0.0);
     if (coat.form.y != k_wind_at_pixel) {
@@ -98,6 +100,6 @@ void main() {
         skin.load.xyz = coat.form.x == 1 ? wind : windrow_shell_load(coat.shells, up, max(map, 0.05), wind) + feet_on(position, up);
     }
     skins[here] = skin;
-    if (now.first == 1)
+    if (is_first == 1)
         skins[last] = skin;
 }

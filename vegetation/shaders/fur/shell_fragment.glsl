@@ -1,4 +1,5 @@
-// What every fragment of a layer begins with: its root on the skin, the way of its ray, the strand that it meets; discards what is open.
+// What every fragment of a layer begins with: its root on the skin, the way of its ray, the strand that it meets; discards what
+// is open.
 #ifndef WINDROW_SHELLS_SHELL_FRAGMENT_GLSL
 #define WINDROW_SHELLS_SHELL_FRAGMENT_GLSL
 

@@ -11,7 +11,7 @@ layout(location = 0) out vec4 rest;
 layout(location = 1) out vec3 rest_normal;
 layout(location = 2) out vec2 uv;
 
-layout(push_constant) uniform Which { int cascade; } which;
+layout(push_constant) uniform Which { int cascade; };
 
 void main() {
     int all = max(coat.layers.w, 1);
@@ -22,5 +22,5 @@ void main() {
     rest = vec4(vertex.position.xyz, height);
     rest_normal = vertex.normal.xyz;
     uv = vec2(vertex.position.w, vertex.normal.w);
-    gl_Position = frame.shadow[which.cascade] * vec4(now.position, 1.0);
+    gl_Position = frame.shadow[cascade] * vec4(now.position, 1.0);
 }

@@ -1,14 +1,15 @@
 // Which strand a fragment of a layer meets: at its own place, or farther along its ray between this layer and the next inner one.
 //
 //   W(x, h)      the place in the world of root x at height h;  dW = T dx + A dh,  A = `along`
-//   a ray d ds   leaves the layer by dh/ds = d.N / A.N, and by the layer's own curvature k: h(s) = h + s d.N / A.N + s^2 k |d_t|^2 / (2 A.N)
+//   a ray d ds   leaves the layer by dh/ds = d.N / A.N, and by the layer's own curvature k: h(s) = h + s d.N / A.N + s^2 k
+//                |d_t|^2 / (2 A.N)
 //   dx           T dx = d ds - A dh, solved by what the pixel's neighbours have of x and W
 //
-// So a ray between two layers meets what a thousand layers there would show it: gaps at grazing view close, and the silhouette is no stack
-// of sheets. A layer that is seen from within has its ray rising toward the next outer one. Where a ray leaves the layer again before it
-// reaches the next one, it ends there: the next layer that it meets, on its far side, goes on with it.
-// Based on: the cells' width as the step: Lengyel et al. 2001, Real-time fur over arbitrary surfaces, have fins for the same gaps; the walk
-// between layers is ours, after relief mapping (Policarpo, Oliveira & Comba 2005).
+// So a ray between two layers meets what a thousand layers there would show it: gaps at grazing view close, and the silhouette is
+// no stack of sheets. A layer that is seen from within has its ray rising toward the next outer one. Where a ray leaves the layer
+// again before it reaches the next one, it ends there: the next layer that it meets, on its far side, goes on with it.
+// Based on: the cells' width as the step: Lengyel et al. 2001, Real-time fur over arbitrary surfaces, have fins for the same
+// gaps; the walk between layers is ours, after relief mapping (Policarpo, Oliveira & Comba 2005).
 #ifndef WINDROW_SHELLS_SHELL_STRAND_GLSL
 #define WINDROW_SHELLS_SHELL_STRAND_GLSL
 
@@ -72,7 +73,8 @@ WindrowStrandHit strand_at(ShellRoot root, float h, float map) {
     return windrow_strand_uv(coat_field(), root.uv - coat.drift.xy * coat.extent.xz, own);
 }
 
-// Cells across which a pixel reaches, the shorter way: at grazing view it covers many the other way, but there strands stand up before it.
+// Cells across which a pixel reaches, the shorter way: at grazing view it covers many the other way, but there strands stand up
+// before it.
 float cells_across(ShellRoot dx, ShellRoot dy) {
     vec3 x = k_pattern == 1 ? dx.x : vec3(dx.uv, 0.0), y = k_pattern == 1 ? dy.x : vec3(dy.uv, 0.0);
     float longer = sqrt(max(dot(x, x), dot(y, y)));

@@ -8,8 +8,8 @@ struct ShellPlace {
     vec3 along;  // [m] by which position moves with the height, from 0 to 1
 };
 
-// Height of layer i from -1 to 1: below 0 on the other side of a mirrored coat. The outermost is held at the tip while their number,
-// which goes by the distance, lies between two whole ones.
+// Height of layer i from -1 to 1: below 0 on the other side of a mirrored coat. The outermost is held at the tip while their
+// number, which goes by the distance, lies between two whole ones.
 float layer_height(int layer, float divisor) {
     float share = min(float(layer) / divisor, 1.0);
     if (coat.layers.z == 1) {

@@ -1,7 +1,7 @@
 // Which blades of a chunk a view draws, and at which level: a group a chunk and view (y: 0 the colour's, 1 the shadow's).
 //
-// The group goes along the places in order and counts the kept ones before each: the lists come out in the same order on every machine
-// and in every run, hence the same picture, which appending by a counter in memory would not give.
+// The group goes along the places in order and counts the kept ones before each: the lists come out in the same order on every
+// machine and in every run, hence the same picture, which appending by a counter in memory would not give.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 128) in;
@@ -9,8 +9,8 @@ layout(local_size_x = 128) in;
 
 const uint k_words = 4u; // of 32 invocations each
 
-// Kept blades of a round as bits, near then far. Three sets in turn: one is written, one was read a round ago, one is cleared for the
-// next, so that a round needs one barrier.
+// Kept blades of a round as bits, near then far. Three sets in turn: one is written, one was read a round ago, one is cleared for
+// the next, so that a round needs one barrier.
 shared uint kept[3][2][k_words];
 
 bool is_seen(vec4 blade, uint view) {

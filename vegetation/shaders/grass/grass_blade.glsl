@@ -2,8 +2,8 @@
 //
 //     #define WINDROW_SET 0                              // the wind's, windrow_wind.glsl
 //     #define GRASS_SET 1                                // GrassField::layout(); default 1
-//     #include "coupling/windrow_plants.glsl"
-//     #include "grass/grass_blade.glsl"
+//     #include "shaders/coupling/windrow_plants.glsl"        // -I the folder that holds shaders/ and vegetation/
+//     #include "vegetation/shaders/grass/grass_blade.glsl"
 //     layout(push_constant) uniform Told { uvec2 grass_draw; };      // at GrassPass::push_offset; GrassField::draw pushes it
 //     GrassBlade blade = grass_blade(grass_draw, gl_InstanceIndex);
 //     vec3 bend = windrow_blade_bend(blade.kind, blade.root, vec3(0, 1, 0), blade.key, vec3(0.0));

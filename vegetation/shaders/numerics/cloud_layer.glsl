@@ -6,10 +6,10 @@
 //   L      = E_sun (P(cos) + a(tau_s)) (1 - T) + L_around (1 - T)
 //            P Henyey and Greenstein's, a the light that came there by many scatterings, falling with the depth toward the sun
 //
-// Depth toward the sun is taken from the sheet itself a little way along the sun's azimuth: the side that faces the sun is bright, the
-// other grey. It is a picture's cloud, not a physicist's: `a` and that way are ours. Positions [m] from the anchor.
-// Based on: Henyey & Greenstein 1941; Perlin 1985, An image synthesizer (sums of octaves); Schneider 2015, The real-time volumetric cloudscapes of
-// Horizon Zero Dawn (remapping noise by cover, light toward the sun).
+// Depth toward the sun is taken from the sheet itself a little way along the sun's azimuth: the side that faces the sun is
+// bright, the other grey. It is a picture's cloud, not a physicist's: `a` and that way are ours. Positions [m] from the anchor.
+// Based on: Henyey & Greenstein 1941; Perlin 1985, An image synthesizer (sums of octaves); Schneider 2015, The real-time
+// volumetric cloudscapes of Horizon Zero Dawn (remapping noise by cover, light toward the sun).
 #ifndef WINDROW_CLOUD_LAYER_GLSL
 #define WINDROW_CLOUD_LAYER_GLSL
 
@@ -63,8 +63,8 @@ WINDROW_FN float windrow_cloud_light(WindrowClouds clouds, vec3 to_sun, vec3 p) 
     return 0.3f + 0.7f * exp(-0.6f * tau); // light that is scattered forward arrives too
 }
 
-// xyz radiance of the clouds along a ray [unit vector] from the eye, w share of what lies behind that still shines through. `sunlight` is the
-// beam's irradiance, `around` the sky's radiance there.
+// xyz radiance of the clouds along a ray [unit vector] from the eye, w share of what lies behind that still shines through.
+// `sunlight` is the beam's irradiance, `around` the sky's radiance there.
 WINDROW_FN vec4 windrow_cloud_radiance(WindrowClouds clouds, vec3 to_sun, vec3 eye, vec3 ray, vec3 sunlight, vec3 around) {
     if (!(clouds.form.x > 0.0f) || !(ray.y > 0.005f) || eye.y >= clouds.place.z)
         return vec4(0.0f, 0.0f, 0.0f, 1.0f);

@@ -1,16 +1,19 @@
 // A cloud out of shells: layers above and below a plane, each open where the heap does not reach.
 //
 //   f(x)     = sat(sat((noise((x - drift) / size) - least) / 0.7) - (1 - rim(x)))      how thick the heap is, 0 to 1
-//   least    = c (0.3 + 0.25 c^2), c = 1 - 2 cover          near the noise's own quantiles: `cover` is about the share of sky covered
+//   least    = c (0.3 + 0.25 c^2), c = 1 - 2 cover          near the noise's own quantiles: `cover` is about the share of sky
+//                                                           covered
 //   top(x)   = sqrt(f (2 - f))                              round: an arc over f
-//   s(x, h)  = top - |h| / base - billow (1 + detail) / 2   above 0: within. base 1 above the plane, its own below: flat or mirrored
+//   s(x, h)  = top - |h| / base - billow (1 + detail) / 2   above 0: within. base 1 above the plane, its own below: flat or
+//                                                           mirrored
 //   rim      = smoothstep from the plane's edge inward      nothing at all within the edge, so that no edge is seen
 //
-// x [m] in the plane from its middle, h from -1 to 1 of half the cloud's height; noise by simplex octaves, evolving along their third
-// axis, with a deviation of 0.24 for four octaves; cover 0 leaves none. `s` counts in heights; without billow it falls with |h|: layers nest. Drift by an offset is the pattern's shift: only x - drift is ever asked.
-// Few layers look drawn (cel), 128 look soft.
-// Based on: Curoe's shell-textured worlds (mirrored shells, threshold by height); Perlin 1985, An image synthesizer (octaves); Schneider 2015, The
-// real-time volumetric cloudscapes of Horizon Zero Dawn (a detail that eats the base form).
+// x [m] in the plane from its middle, h from -1 to 1 of half the cloud's height; noise by simplex octaves, evolving along their
+// third axis, with a deviation of 0.24 for four octaves; cover 0 leaves none. `s` counts in heights; without billow it falls with
+// |h|: layers nest. Drift by an offset is the pattern's shift: only x - drift is ever asked. Few layers look drawn (cel), 128
+// look soft.
+// Based on: Curoe's shell-textured worlds (mirrored shells, threshold by height); Perlin 1985, An image synthesizer (octaves);
+// Schneider 2015, The real-time volumetric cloudscapes of Horizon Zero Dawn (a detail that eats the base form).
 #ifndef WINDROW_CLOUD_SHELLS_GLSL
 #define WINDROW_CLOUD_SHELLS_GLSL
 

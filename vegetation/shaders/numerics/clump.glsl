@@ -1,10 +1,11 @@
-// Clumps of a meadow: each place belongs to the nearest of scattered middles, and what grows there shares what the clump's chances say.
+// Clumps of a meadow: each place belongs to the nearest of scattered middles, and what grows there shares what the clump's
+// chances say.
 //
 //   middles    m = c + 1/2 + 0.8 (r - 1/2)            c a cell of the clumps' own grid, r two chances
 //   nearest    argmin over the 3 x 3 cells around the place: 0.8 of jitter keeps any nearer middle within them
 //
-// Places count in cells from the field's corner. Based on: Worley 1996, A cellular texture basis function; the use for grass: Wohllaib
-// 2021, Procedural grass in Ghost of Tsushima (GDC).
+// Places count in cells from the field's corner. Based on: Worley 1996, A cellular texture basis function; the use for grass:
+// Wohllaib 2021, Procedural grass in Ghost of Tsushima (GDC).
 #ifndef WINDROW_CLUMP_GLSL
 #define WINDROW_CLUMP_GLSL
 

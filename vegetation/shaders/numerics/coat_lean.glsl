@@ -1,18 +1,21 @@
 // Where a layer of a coat goes: a strand on the skin that the wind, its own weight and comb, and the body's motion bend.
 //
 //   B(h) = B_0 + lag(h) (1 - 2 |B_0| / pi),  B_0 = load g(h) + own m(h)    [rad] stem.glsl's bend, and more where it leaves room
-//   s(h) = k (a + 2 b h) / reach,  lag(h) = s / sqrt(1 + (2 s / pi)^2)   slope of the way D = a h + b h^2 by which the body has run ahead
+//   s(h) = k (a + 2 b h) / reach,  lag(h) = s / sqrt(1 + (2 s / pi)^2)   slope of the way D = a h + b h^2 by which the body has
+//                                                                        run ahead
 //   k      1 / sqrt(1 + (most / 2)^2), `most` the larger of the slopes at root and tip: B stays smooth enough for the integral
-//   c(h) = int_0^h (B sin|B| / |B| + n cos|B|) reach dh'              Gauss-Legendre, four points; its end is the strand's tangent
+//   c(h) = int_0^h (B sin|B| / |B| + n cos|B|) reach dh'              Gauss-Legendre, four points; its end is the strand's
+//                                                                     tangent
 //
-// D is the difference between the body's pose and the pose that the cascade (cascade.glsl) has at height h, its part across n: strands keep
-// their length, so that the part along n neither pulls them out nor presses them in. a and b put D through the cascade at h = 1/2 and 1.
-// As |B| never passes pi/2, c.n rises with h: no layer enters the skin and none passes the next, however the body has moved. Without lag
-// it is the plain stem, to the bit.
+// D is the difference between the body's pose and the pose that the cascade (cascade.glsl) has at height h, its part across n:
+// strands keep their length, so that the part along n neither pulls them out nor presses them in. a and b put D through the
+// cascade at h = 1/2 and 1. As |B| never passes pi/2, c.n rises with h: no layer enters the skin and none passes the next,
+// however the body has moved. Without lag it is the plain stem, to the bit.
 // The translate form adds the tangential D itself, as long as it may be.
 //
-// A foot whose sole is d from p leans a strand at p by  w (1 - |d_t|^2 / R^2)^2 (1 - max(d.n, 0) / L) d_t / |d_t|  [rad] away from it, d_t
-// the part of p - foot across n: radial.glsl's weight, less the higher it is lifted off the skin, nothing from the other side of a body.
+// A foot whose sole is d from p leans a strand at p by w (1 - |d_t|^2 / R^2)^2 (1 - max(d.n, 0) / L) d_t / |d_t| [rad] away from
+// it, d_t the part of p - foot across n: radial.glsl's weight, less the higher it is lifted off the skin, nothing from the other
+// side of a body.
 #ifndef WINDROW_COAT_LEAN_GLSL
 #define WINDROW_COAT_LEAN_GLSL
 

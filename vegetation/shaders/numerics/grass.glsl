@@ -1,21 +1,22 @@
-// Where blades of a field stand, which of them a view needs, and with how many vertices: one text for the passes that make and cull
-// them, the vertex stage that draws them, and C++.
+// Where blades of a field stand, which of them a view needs, and with how many vertices: one text for the passes that make and
+// cull them, the vertex stage that draws them, and C++.
 //
-//   place      p = (c + 1/2 + j (r - 1/2)) / density            c the cell (a blade place each), r two chances, j the jitter 0 to 1
+//   place      p = (c + 1/2 + j (r - 1/2)) / density            c the cell, a blade place each; r two chances, j the jitter
 //   chances    windrow_plant_hash of the cell and a stream: a function of the cell's number alone, so that order and threads
-//              do not matter. Stream 0 is the blade's own key (yaw, stiffness, length, own bend), 1 its place, 2 its looks, 3 is the
-//              clumps', 4 whether it is left out afar.
-//   kept       a ball around the root, of the longest blade's length and half its width times this one's size, reaches into the frustum:
-//              no bend leaves it
+//              do not matter. Stream 0 is the blade's own key (yaw, stiffness, length, own bend), 1 its place, 2 its looks, 3 is
+//              the clumps', 4 whether it is left out afar.
+//   kept       a ball around the root, of the longest blade's length and half its width times this one's size, reaches into the
+//              frustum: no bend leaves it
 //   level      by the distance d of the eye from the root: near (15 vertices) for d < split, far (7) for d < cut, none beyond
-//   row        near rows slide along the blade toward the far rows while d goes from morph to split: h = h_near + m (h_far - h_near),
-//              so that both strips are one at d = split, vertex by vertex
+//   row        near rows slide along the blade toward the far rows while d goes from morph to split: h = h_near + m (h_far -
+//              h_near), so that both strips are one at d = split, vertex by vertex
 //   fade       length and width shrink to 0 while d goes from fade to cut: nothing pops there either
-//   thinning   a blade of chance c (0 to 1) stands while c < s(d) = (1 + b) min(d_0 / d, 1)^p and shrinks away before: its size is
-//              q = min((s - c) / w, 1), w = s b / (1 + b). All stand at d_0 and nearer. The area that is left is the integral of q^2 over c,
+//   thinning   a blade of chance c (0 to 1) stands while c < s(d) = (1 + b) min(d_0 / d, 1)^p and shrinks away before: its size
+//              is q = min((s - c) / w, 1), w = s b / (1 + b). All stand at d_0 and nearer. The area that is left is the integral
+//              of q^2 over c,
 //                  E(s) = s / (1 + b) + w / 3 (1 - max((s - 1) / w, 0)^3),   E(1 + b) = 1,
-//              and blades are (1 / E)^k as wide: with k = 1 what they cover from above stays what it was; a low eye, before which blades
-//              stand behind each other, is content with less.
+//              and blades are (1 / E)^k as wide: with k = 1 what they cover from above stays what it was; a low eye, before which
+//              blades stand behind each other, is content with less.
 //   growth     clumps and patches make blades smaller than the class, never larger
 //
 // Distances and places are [m]; places from the field's corner.
@@ -42,7 +43,8 @@
 
 // The same layout as grass::Block (vegetation/grass/grass_block.h), which fills it. Usable in a std140 block.
 struct WindrowGrass {
-    vec4 corner;   // xyz [m] the field's corner from the frame's anchor; w [m] longest blade and half the widest: radius of the ball
+    // xyz [m] the field's corner from the frame's anchor; w [m] longest blade and half the widest: radius of the ball
+    vec4 corner;
     vec4 eye;      // xyz [m] from the field's corner; w [rad] least width of a drawn blade
     vec4 eye_before; // xyz a frame ago, w 0
     vec4 reach;    // [m] x morph, y split, z fade, w cut
@@ -53,7 +55,8 @@ struct WindrowGrass {
     vec4 thin;     // x [m] d_0, y p, z how much of what is lost blades are wider by: an exponent on 1 / E
     vec4 clump;    // x [1/m] clumps a metre; shares: y less height, z one way to face, w outward
     vec4 patches;  // x [1/m] patches a metre, y share of less height, zw 0
-    vec4 planes[12]; // of the colour's view and of the shadow's: dot(xyz, p) + w >= 0 inside, p from the field's corner; xyz unit vectors
+    // of the colour's view and of the shadow's: dot(xyz, p) + w >= 0 inside, p from the field's corner; xyz unit vectors
+    vec4 planes[12];
     WindrowBlade blade;
 };
 
@@ -165,8 +168,8 @@ WINDROW_FN vec2 windrow_grass_row(int vertex, int level, float morph) {
     return vec2(h, side);
 }
 
-// A blade of the class at a size and a distance: shorter and narrower by its size and by the fade, never narrower than the least width.
-// The Cauchy number goes with the third power of the length at one thickness: short blades stand stiffer.
+// A blade of the class at a size and a distance: shorter and narrower by its size and by the fade, never narrower than the least
+// width. The Cauchy number goes with the third power of the length at one thickness: short blades stand stiffer.
 WINDROW_FN WindrowBlade windrow_grass_class(WindrowGrass grass, float size, float distance) {
     float kept = size * (1.0f - windrow_grass_ramp(distance, grass.reach.z, grass.reach.w));
     WindrowBlade blade = grass.blade;

@@ -1,15 +1,15 @@
 // A grid of floats over level ground: the heights of a terrain, the alpha of a mask. Values stand at the corners of its texels.
 //
 //   f(x, z)   bilinear between four corners; beyond the edge as on it       error O(d^2) where f is smooth, d the spacing
-//   t(x, z)   two flat triangles a texel, which meet along the edge from its +x to its +z corner: what a renderer draws. Between f and t lies
-//             at most a quarter of the texel's twist |f_ll - f_hl - f_lh + f_hh|, in its middle
+//   t(x, z)   two flat triangles a texel, which meet along the edge from its +x to its +z corner: what a renderer draws. Between
+//             f and t lies at most a quarter of the texel's twist |f_ll - f_hl - f_lh + f_hh|, in its middle
 //   s(x, z)   slopes (df/dx, df/dz): central differences at the corners, one-sided on the edge; bilinear between: no crease
 //             at a texel's border, as the bilinear patch itself has           error O(d^2) inside
 //   normal    (-s_x, 1, -s_z), normalised
 //
 // Places are [m] from the grid's first corner. Blends are a + t (b - a): equal ends give themselves, so level ground is level to
-// the bit. A language that keeps the values elsewhere than in a sampler2D defines WINDROW_GRID, the type of the parameter that stands
-// for them, and windrow_grid_value, before this text.
+// the bit. A language that keeps the values elsewhere than in a sampler2D defines WINDROW_GRID, the type of the parameter that
+// stands for them, and windrow_grid_value, before this text.
 #ifndef WINDROW_HEIGHT_GRID_GLSL
 #define WINDROW_HEIGHT_GRID_GLSL
 

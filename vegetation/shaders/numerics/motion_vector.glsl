@@ -1,10 +1,10 @@
-// The motion vector of a point: how far it has moved over the picture since the last frame, as a share of the picture's size, x right and
-// y down. What a resolve over time and a blur of motion ask for.
+// The motion vector of a point: how far it has moved over the picture since the last frame, as a share of the picture's size, x
+// right and y down. What a resolve over time and a blur of motion ask for.
 //
 //   motion = ((x, y) / w of now - (x, y) / w of before) / 2
 //
-// Both clip positions are of the same point of the same thing; a plant's was bent by the last frame's wind. Clip positions are linear over
-// a triangle, their quotient is not: interpolate these, divide in the fragment.
+// Both clip positions are of the same point of the same thing; a plant's was bent by the last frame's wind. Clip positions are
+// linear over a triangle, their quotient is not: interpolate these, divide in the fragment.
 #ifndef WINDROW_MOTION_VECTOR_GLSL
 #define WINDROW_MOTION_VECTOR_GLSL
 

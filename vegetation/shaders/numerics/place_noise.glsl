@@ -1,6 +1,7 @@
 // Value noise of places: patches of a meadow, the same on the host and in shaders.
 //
-//   noise(x) = sum over the four corners of the cell of w(x) v(corner), w bilinear with s^2 (3 - 2 s), v by windrow_plant_hash, 0 to 1
+//   noise(x) = sum over the four corners of the cell of w(x) v(corner)
+//   w bilinear with s^2 (3 - 2 s), v by windrow_plant_hash, 0 to 1
 //
 // `at` counts in cells from a corner that does not move with the camera. Within +-1e6 cells; the slope is continuous.
 #ifndef WINDROW_PLACE_NOISE_GLSL

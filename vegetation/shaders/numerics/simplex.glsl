@@ -1,12 +1,13 @@
 // Simplex noise in space: smooth noise without the axes of a square lattice.
 //
 //   noise(x)  = k sum over the 4 corners c of the simplex that holds x of (1/2 - |x - c|^2)_+^4 g_c . (x - c)
-//   octaves   = sum_n gain^n noise(R^n 2.03^n x) / sum_n gain^n              R turns, so that no octave's lattice repeats another's
+//   octaves   = sum_n gain^n noise(R^n 2.03^n x) / sum_n gain^n    R a rotation: no octave repeats the lattice of another
 //
-// g_c are unit vectors, even over the sphere, from a hash of the corner: no table, no period. k makes the largest value possible 1. Kernels of
-// radius sqrt(1/2) end within their corners' simplices: value, slope and curvature are continuous (the usual 0.6 jumps).
-// |noise| <= 1, mean 0, zero at the corners, about one wave a unit. Within +-1e5 units.
-// Based on: Perlin 2001, Noise hardware; Gustavson 2005, Simplex noise demystified; Quilez 2013, gradient noise (hashes for gradients).
+// g_c are unit vectors, even over the sphere, from a hash of the corner: no table, no period. k scales the largest value to 1.
+// Kernels of radius sqrt(1/2) end within their corners' simplices: value, slope and curvature are continuous (the usual 0.6
+// jumps). |noise| <= 1, mean 0, zero at the corners, about one wave a unit. Within +-1e5 units.
+// Based on: Perlin 2001, Noise hardware; Gustavson 2005, Simplex noise demystified; Quilez 2013, gradient noise (hashes for
+// gradients).
 #ifndef WINDROW_SIMPLEX_GLSL
 #define WINDROW_SIMPLEX_GLSL
 

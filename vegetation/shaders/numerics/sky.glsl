@@ -6,15 +6,16 @@
 //   E(m_s)  = E_0 exp(-tau m_s)                            the beam at the ground
 //   L(v)    = E_0 (tau_R P_R + tau_M P_M) m_v (exp(-tau m_s) - exp(-tau m_v)) / (tau (m_v - m_s)) ... of light scattered once
 //
-// L is the integral over the depth t of exp(-t m_s) tau P m_v exp(-(tau - t) m_v) dt / tau, with P_R = 3 (1 + cos^2) / (16 pi) and P_M
-// Henyey and Greenstein's, both with integral 1; haze is taken to lie as the air does. Light scattered more than once is estimated: a
-// quarter of what the beam lost, spread evenly, L_2 = E_0 mu_s (1 - exp(-tau m_s)) (1 - exp(-tau m_v)) / (4 pi), which is ours; both together
-// never exceed what the beam lost (vegetation/tests/render/sky_test.cpp). There is no ozone, no ground that shines back, no horizon that curves (the
-// air mass is 38 there), no twilight: below the horizon the sun gives nothing.
+// L is the integral over the depth t of exp(-t m_s) tau P m_v exp(-(tau - t) m_v) dt / tau, with P_R = 3 (1 + cos^2) / (16 pi)
+// and P_M Henyey and Greenstein's, both with integral 1; haze is taken to lie as the air does. Light scattered more than once is
+// estimated: a quarter of what the beam lost, spread evenly, L_2 = E_0 mu_s (1 - exp(-tau m_s)) (1 - exp(-tau m_v)) / (4 pi),
+// which is ours; both together never exceed what the beam lost (vegetation/tests/render/sky_test.cpp). There is no ozone, no
+// ground that shines back, no horizon that curves (the air mass is 38 there), no twilight: below the horizon the sun gives
+// nothing.
 // The sun's edge is 0.4 as bright as its middle (limb darkening 1 - 0.6 (1 - mu)).
-// Based on: Chandrasekhar 1960, Radiative transfer (diffuse transmission, first order); Kasten & Young 1989, Revised optical air mass
-// tables and approximation formula; Hansen & Travis 1974, Light scattering in planetary atmospheres, eq. 2.30; Angstrom 1929; Henyey &
-// Greenstein 1941, Diffuse radiation in the galaxy.
+// Based on: Chandrasekhar 1960, Radiative transfer (diffuse transmission, first order); Kasten & Young 1989, Revised optical air
+// mass tables and approximation formula; Hansen & Travis 1974, Light scattering in planetary atmospheres, eq. 2.30; Angstrom
+// 1929; Henyey & Greenstein 1941, Diffuse radiation in the galaxy.
 #ifndef WINDROW_SKY_GLSL
 #define WINDROW_SKY_GLSL
 

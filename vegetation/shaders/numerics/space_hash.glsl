@@ -1,6 +1,7 @@
 // Chance that belongs to a cell of a lattice in space: its layers are planes of windrow_plant_hash, far apart.
 //
-//   key      (x + l A, y + l B), l = z + seed C, in 32 bits      A the golden ratio's multiple, B and C odd and without short multiples
+//   key      (x + l A, y + l B), l = z + seed C, in 32 bits      A the golden ratio's multiple, B and C odd and without short
+//                                                                multiples
 //
 // Two cells share a key only where they lie more than 4e4 cells apart.
 #ifndef WINDROW_SPACE_HASH_GLSL

@@ -1,5 +1,6 @@
-// What colour a speed has in the debug views, linear light: ink, blue, sea blue, teal, leaf, straw, lighter and lighter. The stops of the map that
-// `windrow run` draws its slices with (cli/drawing/colour_map.cpp has them in OKLab), joined by straight lines; tests hold the two together.
+// What colour a speed has in the debug views, linear light: ink, blue, sea blue, teal, leaf, straw, lighter and lighter. The
+// stops of the map that `windrow run` draws its slices with (cli/drawing/colour_map.cpp has them in OKLab), joined by straight
+// lines; tests hold the two together.
 #ifndef WINDROW_SPEED_COLOUR_GLSL
 #define WINDROW_SPEED_COLOUR_GLSL
 

@@ -5,9 +5,9 @@
 //   nearest  n = argmin |q - p|                                            3 x 3 cells
 //   edge     e = min over m of (|q - m|^2 - |q - n|^2) / (2 |m - n|)       0 or more: the distance to the nearest bisector
 //
-// Why a diamond: from any q the own cell's point is then never farther than the nearest that a cell two away can hold (both are at
-// sqrt(5/4) where they meet), so that 3 x 3 cells give the nearest point exactly, also with rows shifted by half a cell; in a square of
-// the same width one needs 4 x 4. The edge's bisector can belong to a point farther off: never among 1e5 places at rest
+// Why a diamond: from any q the own cell's point is then never farther than the nearest that a cell two away can hold (both are
+// at sqrt(5/4) where they meet), so that 3 x 3 cells give the nearest point exactly, also with rows shifted by half a cell; in a
+// square of the same width one needs 4 x 4. The edge's bisector can belong to a point farther off: never among 1e5 places at rest
 // (vegetation/tests/fur/strand_cells_test.cpp).
 //
 // Values in cells. A cell's key is a bijection of the cell: no other cell of the plane has it.

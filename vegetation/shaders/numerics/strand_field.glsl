@@ -18,9 +18,10 @@
 // `inside` counts in cells, above 0 within the strand, so that a host can smooth it over a pixel: coverage = clamp(1/2 + inside /
 // pixel). Beyond 0.1 cells outside it may be any number down to -1. h is over the length that a map gives there: h / map. Where a
 // strand of the other ways crosses its cell it is drawn whole, up to 1 cell from its middle; the grid alone (no jitter, bow,
-// shape) cuts it at the cell as the sources do. Of strands that cross, the one whose middle is deepest shows. Sources' forms: 000
-// cone on the grid (there r = 2d < T (R - h)); 001 cone and cylinder; 003 centre, edge, wriggle. Based on: Lengyel, Praun,
-// Finkelstein & Hoppe 2001, Real-time fur over arbitrary surfaces (shells); Worley 1996 (cells).
+// shape) cuts it at the cell as the sources do. Of strands that cross, the one whose middle is deepest shows. Forms of
+// the sources: cone on the grid (a thesis on shell fur in Unity, 2024; there r = 2d < T (R - h)); cone and cylinder (a furry
+// bunny, 2024); centre, edge, wriggle (Bloodelic's stylised fur).
+// Based on: Lengyel, Praun, Finkelstein & Hoppe 2001, Real-time fur over arbitrary surfaces (shells); Worley 1996 (cells).
 #ifndef WINDROW_STRAND_FIELD_GLSL
 #define WINDROW_STRAND_FIELD_GLSL
 
@@ -277,7 +278,8 @@ WINDROW_FN WindrowStrandHit windrow_strand_space_hit(WindrowStrandField field, v
             for (int x = low.x; x <= high.x; ++x) {
                 ivec3 cell = ivec3(x, y, z);
                 vec3 away = q - vec3(cell) - 0.5f;
-                // A cell holds points within sqrt(3)/2 of its middle: those that reach neither the slab nor the section are passed by.
+                // A cell holds points within sqrt(3)/2 of its middle: those that reach neither the slab nor the section are
+                // passed by.
                 float above = dot(away, n);
                 float aside = sqrt(max(dot(away, away) - above * above, 0.0f)) - bound;
                 float beyond = max(abs(above) - 0.6f, 0.0f);

@@ -6,17 +6,19 @@
 //   gradient    g = mix(from the middle, from the side, square), without its part along N, of length 1
 //   normal      blended  mix(g, N, t)                                the sources': lies at the root, faces up at the tip
 //               sloped   g + slope N                                 exact: the gradient of the strand's own form
-//   wrapped     mix(max(n.l, 0), ((n.l + 1) / 2)^2, wrap)            n.l not clamped before half-Lambert squares it: the back falls to 0
+//   wrapped     mix(max(n.l, 0), ((n.l + 1) / 2)^2, wrap)            n.l not clamped before half-Lambert squares it: the back
+//                                                                    falls to 0
 //   gloss       max(n.h, 0)^power                                    Blinn and Phong as the sources have it, times an amount
 //   sheen       (1 - (t.h)^2)^(power/2) = sin(t, h)^power            light along hair, t the strand's tangent
 //   through     t^2 max(-v.l, 0)^4                                   tips that shine against the light
 //   cel         levels of light with soft edges
 //
-// h counts over the whole coat, t = h / R over the strand. l to the light, v to the eye, h between them: unit vectors. windrow_gloss of
-// leaf_light.glsl is the other gloss: normalised, with Fresnel's share; the plain one here has the sources' look and keeps no energy budget.
-// Based on: Kajiya & Kay 1989, Rendering fur with three dimensional textures (light along hair: sine of the angle to it); Scheuermann
-// 2004, Practical real-time hair rendering and shading (by the half vector); Blinn 1977, Models of light reflection; Mitchell, McTaggart &
-// Green 2006, Shading in Valve's Source engine (half-Lambert).
+// h counts over the whole coat, t = h / R over the strand. l to the light, v to the eye, h between them: unit vectors.
+// windrow_gloss of leaf_light.glsl is the other gloss: normalised, with Fresnel's share; the plain one here has the sources' look
+// and keeps no energy budget.
+// Based on: Kajiya & Kay 1989, Rendering fur with three dimensional textures (light along hair: sine of the angle to it);
+// Scheuermann 2004, Practical real-time hair rendering and shading (by the half vector); Blinn 1977, Models of light reflection;
+// Mitchell, McTaggart & Green 2006, Shading in Valve's Source engine (half-Lambert).
 #ifndef WINDROW_STRAND_LIGHT_GLSL
 #define WINDROW_STRAND_LIGHT_GLSL
 
@@ -55,7 +57,8 @@ WINDROW_FN float windrow_noise_pair(float first, float second, float first_influ
     return (1.0f - (1.0f - first) * first_influence) * (1.0f - (1.0f - second) * second_influence);
 }
 
-// [cells] By how much a strand's section draws in from h to h + 1: what its form leans outward. 0 for cylinders; blunt tips count as 100.
+// [cells] By how much a strand's section draws in from h to h + 1: what its form leans outward. 0 for cylinders; blunt tips count
+// as 100.
 WINDROW_FN float windrow_strand_slope(WindrowStrandField field, float h, float reach) {
     if (field.points.w < 0.5f)
         return 0.5f * field.cut.x;
@@ -83,7 +86,8 @@ WINDROW_FN vec3 windrow_strand_blended(vec3 g, vec3 n, float t) {
     return size > 1e-12f ? sum / sqrt(size) : n;
 }
 
-// The normal of the strand's own form: `slope` from windrow_strand_slope over the cells that the coat is high (length times density).
+// The normal of the strand's own form: `slope` from windrow_strand_slope over the cells that the coat is high (length times
+// density).
 WINDROW_FN vec3 windrow_strand_sloped(vec3 g, vec3 n, float slope) {
     vec3 sum = g + slope * n;
     float size = dot(sum, sum);
@@ -122,8 +126,8 @@ WINDROW_FN float windrow_tips_through(float t, float against) {
     return lobe * lobe;
 }
 
-// Light in `levels` steps of equal height, 0 to 1 and beyond; `soft` above 0 to 1 is the share of a step over which it rises. Below one level it
-// stays as it is.
+// Light in `levels` steps of equal height, 0 to 1 and beyond; `soft` above 0 to 1 is the share of a step over which it rises.
+// Below one level it stays as it is.
 WINDROW_FN float windrow_cel(float light, float levels, float soft) {
     if (levels < 1.0f)
         return light;

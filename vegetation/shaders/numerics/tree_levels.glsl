@@ -1,11 +1,15 @@
 // How a tree thins out with distance: leaf by leaf, those that stay growing wider.
 //
-//   keep(d) = clamp((d_near / d)^p, least, 1)              share of the leaves at full size; p takes it from 1 at d_near to `least` at d_far
-//   shown(r) = clamp((keep (1 + b) - r) / (b keep), 0, 1)  a leaf's size by its rank r, 0 to 1: the last ones shrink before they go
-//   A = integral over r of shown^2,  wide = A^(-q)         of all sizes. q = 1/2 keeps the leaves' area; less, since in a crown of several
-//                                                          layers most of it is hidden: the outline needs one. In closed form
-//   stem = clamp(radius / (d least_angle) - 1, 0, 1) clamp((1 - d / d_far) / 0.3, 0, 1)    a branch shrinks to its middle line while its
-//                                                          radius is two to one least angles, and before d_far, where leaves hide it
+//   keep(d) = clamp((d_near / d)^p, least, 1)              share of the leaves at full size; p takes it from 1 at d_near to
+//                                                          `least` at d_far
+//   shown(r) = clamp((keep (1 + b) - r) / (b keep), 0, 1)  a leaf's size by its rank r, 0 to 1: the last ones shrink before
+//                                                          they go
+//   A = integral over r of shown^2,  wide = A^(-q)         of all sizes, in closed form. q = 1/2 keeps the leaves' area; less,
+//                                                          since in a crown of several layers most of it is hidden: the outline
+//                                                          needs one
+//   stem = clamp(radius / (d least_angle) - 1, 0, 1) clamp((1 - d / d_far) / 0.3, 0, 1)
+//                                                          a branch shrinks to its middle line while its radius is two to one
+//                                                          least angles, and before d_far, where leaves hide it
 //   morph = smoothstep(0.6 d_coarse, d_coarse, d)          of the trunk's fine rings into the coarse ones, which then take over
 //
 // Every one is continuous in d: nothing pops. Distances [m] are of a tree of size 1: divide by a tree's size.

@@ -4,9 +4,9 @@
 
 #include "frame.glsl"
 
-// rgb the light of the air before p, w share of its own light that comes through. Density falls upward as exp(-fall * height), integrated
-// along the ray; what the air scatters in has the colour of the sky near the horizon there. Based on: Wenzel 2006, Real-time atmospheric
-// effects in games (height fog in closed form).
+// rgb the light of the air before p, w share of its own light that comes through. Density falls upward as exp(-fall * height),
+// integrated along the ray; what the air scatters in has the colour of the sky near the horizon there. Based on: Wenzel 2006,
+// Real-time atmospheric effects in games (height fog in closed form).
 vec4 air_before(vec3 p) {
     vec3 ray = p - frame.eye.xyz;
     float distance = length(ray);

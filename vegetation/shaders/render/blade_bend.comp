@@ -8,11 +8,11 @@
 layout(local_size_x = 64) in;
 layout(std430, set = 2, binding = 3) writeonly buffer Bends { vec4 bends[]; }; // x, z of this frame, x, z of the last
 
-layout(push_constant) uniform Count { uint count; } blades;
+layout(push_constant) uniform Count { uint blade_count; };
 
 void main() {
     uint n = gl_GlobalInvocationID.x;
-    if (n >= blades.count)
+    if (n >= blade_count)
         return;
     BladePlace place = places[n];
     WindrowBlade blade = blade_of(place);

@@ -4,8 +4,8 @@
 
 #include "shaders/numerics/blade.glsl"
 
-// A vertex at `side` -1 to 1 of a strip whose half width is `half_width` [m] there; `least` [rad] is half of the width that is seen at least.
-// The strip's middle line stays where it is.
+// A vertex at `side` -1 to 1 of a strip whose half width is `half_width` [m] there; `least` [rad] is half of the width that is
+// seen at least. The strip's middle line stays where it is.
 WindrowVertex wide_enough(WindrowVertex vertex, float side, float half_width, vec3 eye, float least) {
     vec3 to_eye = eye - vertex.position;
     vec3 beside = cross(vertex.tangent, to_eye); // at right angles to the blade, as it is seen

@@ -1,4 +1,5 @@
-// A blade of a field, bent by this frame's wind, with the light that reaches each of its rows; and where the same vertex was a frame ago.
+// A blade of a field, bent by this frame's wind, with the light that reaches each of its rows; and where the same vertex was a
+// frame ago.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "field_vertex.glsl"
@@ -28,8 +29,8 @@ void main() {
     vec3 sight = frame.eye.xyz - now.position;
     float distance = length(sight);
     sight /= distance;
-    // Height over the ground of the tallest, as if the blade had not shrunk away: a low blade stands in the shade of taller ones. Afar
-    // it is what the ground there has.
+    // Height over the ground of the tallest, as if the blade had not shrunk away: a low blade stands in the shade of taller ones.
+    // Afar it is what the ground there has.
     float full = grass.blade.size.x * max(blade.looks.w, 1e-3);
     float height = (now.position.y - blade.root.y) / grass.blade.size.x * full / max(blade.size.x, 1e-3 * full);
     float tall = clamp(mix(height, row.x, 0.35), 0.0, 1.0);
@@ -49,13 +50,14 @@ void main() {
     vec3 to_sun = frame.sky.sun.xyz;
     float mapped = 1.0 - smoothstep(0.8 * frame.shadow_texel.w, frame.shadow_texel.w, distance);
     float own_shade = mix(1.0, grass_self_shade(look, tall), 1.0 - 0.6 * mapped); // the near map has some of it
-    // On edge neither face is seen: the normal goes from one to the other by way of the eye's side, else thin blades would be dotted.
+    // On edge neither face is seen: the normal goes from one to the other by way of the eye's side, else thin blades would be
+    // dotted.
     vec3 face = mix(normalize(sight + vec3(0.0, 1.0, 0.0)), facing < 0.0 ? -now.normal : now.normal, smoothstep(0.0, 0.4, abs(facing)));
     normal = vec4(face, sun_share(now.position, to_sun) * own_shade);
     across = vec4(look.second.w * shows * cross(now.tangent, now.normal), grass_open(look, tall));
     fog = blade.fog;
     if (frame.terrain_size.z != 0) { // as it is, whatever the light
-        vec3 shown = grass_view(frame.terrain_size.z, blade.bend.xy, which.grass_draw.y & 1u, uintBitsToFloat(blade.traits.z), which.grass_draw.x);
+        vec3 shown = grass_view(frame.terrain_size.z, blade.bend.xy, grass_draw.y & 1u, uintBitsToFloat(blade.traits.z), grass_draw.x);
         fog = vec4(shown * (0.35 + 0.65 * row.x) / frame.eye.w, 0.0);
     }
     float bent = 1.0 - now.tangent.y * now.tangent.y;

@@ -6,5 +6,5 @@
 void main() {
     FieldBlade blade = field_blade();
     WindrowVertex now = field_point(blade, blade.size.xy, blade.bend.xy, field_row(blade.traits.z), frame.eye.xyz, 0.0);
-    gl_Position = frame.shadow[which.cascade] * vec4(now.position, 1.0);
+    gl_Position = frame.shadow[cascade] * vec4(now.position, 1.0);
 }

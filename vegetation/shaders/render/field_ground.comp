@@ -1,11 +1,12 @@
-// Lays down the visible blades that someone treads on, or has trodden on: after field_blades.comp. What is trodden on does not follow the wind.
+// Lays down the visible blades that someone treads on, or has trodden on: after field_blades.comp. What is trodden on does not
+// follow the wind.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/numerics/ground_texels.glsl"
 #include "field_lists.glsl"
 
-// The bindings of coupling/windrow_ground.glsl, but for the block: Mesa 22.3's llvmpipe ends with a fault where a pass with this push constant
-// reads it as a uniform block.
+// The bindings of coupling/windrow_ground.glsl, but for the block: Mesa 22.3's llvmpipe ends with a fault where a pass with this
+// push constant reads it as a uniform block.
 layout(std430, set = 2, binding = 3) readonly buffer GroundPlaces { WindrowGroundPlace ground_now, ground_before; };
 layout(set = 2, binding = 4) uniform sampler3D ground_texels;
 layout(set = 2, binding = 5) uniform sampler3D ground_texels_before;

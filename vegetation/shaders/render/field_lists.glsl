@@ -1,5 +1,5 @@
-// The lists of a field as the passes over its visible blades have them: a group a list (x: 2 * order + view) and part of it (y). Sets as
-// field_blades.comp has them.
+// The lists of a field as the passes over its visible blades have them: a group a list (x: 2 * order + view) and part of it (y).
+// Sets as field_blades.comp has them.
 #ifndef WINDROW_RENDER_FIELD_LISTS_GLSL
 #define WINDROW_RENDER_FIELD_LISTS_GLSL
 
@@ -12,10 +12,10 @@ layout(local_size_x = 64) in;
 layout(std430, set = GRASS_SET, binding = 4) readonly buffer GrassDraws { uvec4 grass_draws[]; };
 layout(std430, set = GRASS_SET, binding = 5) readonly buffer GrassOrders { ivec4 grass_orders[]; };
 
-layout(push_constant) uniform Which { uint first_order; } which;
+layout(push_constant) uniform Which { uint first_order; };
 
 uint slot_of(uint list) {
-    return uint(grass_orders[which.first_order + list / 2u].x);
+    return uint(grass_orders[first_order + list / 2u].x);
 }
 
 // Near and far blades of a list.

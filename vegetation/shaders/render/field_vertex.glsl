@@ -11,10 +11,10 @@
 layout(push_constant) uniform Which {
     int cascade;
     layout(offset = 8) uvec2 grass_draw; // x slot, y level + 2 * view
-} which;
+};
 
 FieldBlade field_blade() {
-    uint at = field_bases[4u * which.grass_draw.x + which.grass_draw.y] + uint(gl_InstanceIndex);
+    uint at = field_bases[4u * grass_draw.x + grass_draw.y] + uint(gl_InstanceIndex);
     if (at >= uint(field_blades.length())) { // no room for it: it has no size
         FieldBlade none = field_blades[0];
         none.size = vec4(0.0);
@@ -30,7 +30,7 @@ float field_head() {
 
 // Height and side of this vertex. Where there is a head the upper three rows and the tip are its own.
 vec2 field_row(uint morph) {
-    vec2 row = windrow_grass_row(gl_VertexIndex, int(which.grass_draw.y & 1u), uintBitsToFloat(morph));
+    vec2 row = windrow_grass_row(gl_VertexIndex, int(grass_draw.y & 1u), uintBitsToFloat(morph));
     const float below = 4.0 / 7.0;
     if (field_head() < 1.0)
         row.x = row.x < below ? row.x * field_head() / below : mix(field_head(), 1.0, (row.x - below) / (1.0 - below));

@@ -1,5 +1,6 @@
-// What every shader of the renderer is told of a frame: set 0. The same layout as render::FrameBlock (vegetation/render/frame_block.h).
-// Positions are [m] from the anchor of the frame, y up; light is in units of the picture, before exposure.
+// What every shader of the renderer is told of a frame: set 0. The same layout as render::FrameBlock
+// (vegetation/render/frame_block.h). Positions are [m] from the anchor of the frame, y up; light is in units of the picture,
+// before exposure.
 #ifndef WINDROW_RENDER_FRAME_GLSL
 #define WINDROW_RENDER_FRAME_GLSL
 
@@ -21,7 +22,9 @@ layout(std140, set = 0, binding = 0) uniform RenderFrame {
     vec4 terrain;      // x, y place of the corner sample along x and z; z [m] between samples; w [m] added to its heights
     ivec4 terrain_size; // x columns, y rows; z what grass shows in place of its colours (grass_view.glsl)
     WindrowClouds clouds;
+    // clang-format off
 } frame;
+// clang-format on
 
 layout(set = 0, binding = 1) uniform sampler2DShadow shadow_map; // near and far side by side
 

@@ -8,7 +8,8 @@
 // What a low eye sees of a canopy is its upper part: this share of its height stands for all of it afar.
 const float k_seen_height = 0.72;
 
-// A leaf at a height over the ground, 0 to 1 of the tallest. `clump` and `own` are chances 0 to 1, `dry` how dry its place is, 0 to 1.
+// A leaf at a height over the ground, 0 to 1 of the tallest. `clump` and `own` are chances 0 to 1, `dry` how dry its place is, 0
+// to 1.
 vec3 grass_albedo(PlantLook look, float tall, float clump, float own, float dry) {
     vec3 tip = mix(look.tip.rgb, look.second.rgb, clump);
     float aged = clamp(look.size.z * (0.75 * smoothstep(0.4, 0.75, dry) + 0.8 * smoothstep(0.9, 1.0, own)), 0.0, 1.0);

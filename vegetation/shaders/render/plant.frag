@@ -1,5 +1,5 @@
-// Plants in the sun: colour from root to tip and from plant to plant, half-Lambert, light through the leaf, gloss, shadow, fog. Any plant
-// whose vertex stage gives these inputs may use it.
+// Plants in the sun: colour from root to tip and from plant to plant, half-Lambert, light through the leaf, gloss, shadow, fog.
+// Any plant whose vertex stage gives these inputs may use it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "plant_look.glsl"
@@ -25,7 +25,8 @@ void main() {
     float distance = length(sight);
     vec3 to_eye = sight / distance;
 
-    // A blade is rounded across, while it is wide enough to show; afar normals that differ from one blade to the next only flicker.
+    // A blade is rounded across, while it is wide enough to show; afar normals that differ from one blade to the next only
+    // flicker.
     float shows = clamp(0.15 / max(fwidth(kind.y), 1e-3), 0.0, 1.0); // from 13 px across down to 2, where a seventh is left
     vec3 n = normalize(normal + 0.45 * shows * clamp(kind.y, -1.0, 1.0) * across);
     n = dot(n, to_eye) < 0.0 ? -n : n;

@@ -21,7 +21,8 @@ float shadow_share(int cascade, vec3 at) {
     return lit / 9.0;
 }
 
-// Of the sun's beam, past what stands in the maps and past the clouds. `lift` is the unit vector along which the point is moved off its surface, by texels, so that it does not shade itself.
+// Of the sun's beam, past what stands in the maps and past the clouds. `lift` is the unit vector along which the point is moved
+// off its surface, by texels, so that it does not shade itself.
 float sun_share(vec3 position, vec3 lift) {
     float distance = length(position - frame.eye.xyz);
     float reach = frame.shadow_texel.w;

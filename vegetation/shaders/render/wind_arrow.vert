@@ -1,5 +1,5 @@
-// An arrow along the wind at a place of the lattice, turned about itself toward the eye: as long as the air goes in `look.y` seconds, no
-// longer than two spacings.
+// An arrow along the wind at a place of the lattice, turned about itself toward the eye: as long as the air goes in `look.y`
+// seconds, no longer than two spacings.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "wind_lattice.glsl"

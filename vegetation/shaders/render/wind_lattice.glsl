@@ -1,4 +1,5 @@
-// A lattice of places at which the wind is shown: set 2. The same layout as render::WindArrows::Block (vegetation/render/wind_arrows.h).
+// A lattice of places at which the wind is shown: set 2. The same layout as render::WindArrows::Block
+// (vegetation/render/wind_arrows.h).
 #ifndef WINDROW_RENDER_WIND_LATTICE_GLSL
 #define WINDROW_RENDER_WIND_LATTICE_GLSL
 
@@ -10,7 +11,9 @@ layout(std140, set = 2, binding = 0) uniform WindLattice {
     vec4 corner; // xz [m] from the anchor, y lowest [m] above the ground, w [m] spacing
     ivec4 count; // along x, y, z
     vec4 look;   // x [m/s] at the top of the scale, y [s] of an arrow
+    // clang-format off
 } lattice;
+// clang-format on
 
 // [m] Height of the ground under a place, between its samples.
 float terrain_height(vec2 place) {

@@ -1,10 +1,9 @@
 // What a leaf card shows: leaves strewn over it, or needles in combs along a twig.
 //
-// u runs along the card from root to tip, v across it from -1 to 1; the card is the kite |v| + |2 u - 1| <= 1. Leaves: two grids of cells, a
-// leaf turned by chance in each, left out where its cell is beyond the kite. A card that has grown to stand for many has more cells, up to
-// k_most_wide times, so that leaves stay as large as they are. Needles: side twigs leave the twig
-// at a slant, u - s |v| is constant along one, and bear combs. Where
-// leaves are smaller than a pixel, their mean. Ours.
+// u runs along the card from root to tip, v across it from -1 to 1; the card is the kite |v| + |2 u - 1| <= 1. Leaves: two grids
+// of cells, a leaf turned by chance in each, left out where its cell is beyond the kite. A card that has grown to stand for many
+// has more cells, up to k_most_wide times, so that leaves stay as large as they are. Needles: side twigs leave the twig at a
+// slant, u - s |v| is constant along one, and bear combs. Where leaves are smaller than a pixel, their mean. Ours.
 #ifndef WINDROW_LEAF_MASK_GLSL
 #define WINDROW_LEAF_MASK_GLSL
 

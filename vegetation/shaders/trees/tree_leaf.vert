@@ -25,8 +25,8 @@ void main() {
     vec3 to_sun = frame.sky.sun.xyz;
     vec3 out_of_crown = tree_turned(place, vertex.open.xyz);
     float through_crown = clamp(vertex.open.w + dot(out_of_crown, to_sun), 0.0, 1.0);
-    // The map has sharp shade of branches and of other trees; the crown's own is smoother and holds where the map ends. A leaf of the rim
-    // is looked up a little outside of it: the map has whole cards where there are leaves with gaps.
+    // The map has sharp shade of branches and of other trees; the crown's own is smoother and holds where the map ends. A leaf of
+    // the rim is looked up a little outside of it: the map has whole cards where there are leaves with gaps.
     vec3 outside = at + 0.35 * place.base.w * out_of_crown / max(length(out_of_crown), 0.3);
     float lit = sun_share(outside, to_sun) * mix(0.3, 1.0, through_crown);
     sun = vec4(frame.sunlight.rgb * lit, clamp(vertex.open.w + 0.6 * out_of_crown.y, 0.04, 1.0));

@@ -1,4 +1,5 @@
-// The bend of each part of each tree that is seen, once a frame: what the wind holds at the part's own place, or a spring that follows it.
+// The bend of each part of each tree that is seen, once a frame: what the wind holds at the part's own place, or a spring that
+// follows it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define WINDROW_SET 1
@@ -7,7 +8,8 @@
 #include "tree_parts.glsl"
 
 layout(local_size_x = 64) in;
-layout(std430, set = 2, binding = 5) readonly buffer Jobs { uvec4 jobs[]; }; // one a group: x tree, y its first part, z end of the parts that the tree needs
+// one a group: x tree, y its first part, z end of the parts that the tree needs
+layout(std430, set = 2, binding = 5) readonly buffer Jobs { uvec4 jobs[]; };
 
 void main() {
     uvec4 job = jobs[gl_WorkGroupID.x];

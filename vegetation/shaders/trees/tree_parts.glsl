@@ -1,7 +1,7 @@
 // Trees of one kind: set 2. The same layouts as in vegetation/trees (tree_model.h, stand_blocks.h).
 //
-// A vertex is that of the tree at rest, thinned out by its distance (tree_levels.glsl), turned and scaled by its place, and then moved by
-// windrow_tree_bent alone.
+// A vertex is that of the tree at rest, thinned out by its distance (tree_levels.glsl), turned and scaled by its place, and then
+// moved by windrow_tree_bent alone.
 #ifndef WINDROW_TREE_PARTS_GLSL
 #define WINDROW_TREE_PARTS_GLSL
 
@@ -47,7 +47,9 @@ layout(std140, set = 2, binding = 0) uniform TreeClass {
     vec4 leaf;   // rgb; w spread between leaves and trees
     vec4 young;  // rgb; w exponent of the gloss
     vec4 through; // rgb; w how much more of it against the light
+    // clang-format off
 } kind;
+// clang-format on
 layout(std430, set = 2, binding = 1) readonly buffer Vertices { TreeVertex vertices[]; };
 layout(std430, set = 2, binding = 2) readonly buffer Parts { TreeModelPart model_parts[]; };
 layout(std430, set = 2, binding = 3) readonly buffer Places { TreePlace places[]; };
@@ -103,8 +105,8 @@ WindrowTreeVertex tree_rest(TreePlace place, TreeVertex vertex, vec3 eye, float 
     vec3 at = vertex.centre.xyz;
     vec3 normal = vertex.normal.xyz;
     if (is_leaf(vertex)) {
-        // One that stands for many goes among them and turns its face to the eye, as far as it has grown: few cards fill a crown only
-        // if none is seen on edge. Its light stays the crown's.
+        // One that stands for many goes among them and turns its face to the eye, as far as it has grown: few cards fill a crown
+        // only if none is seen on edge. Its light stays the crown's.
         float grown = smoothstep(1.2, 4.0, scale);
         vec3 way = eye - place.base.xyz - vec3(0.0, place.base.w * kind.furrow.w, 0.0);
         way /= max(length(way), 1e-3);
@@ -127,7 +129,8 @@ PartState tree_state(TreePlace place, uint index) {
     return states[place.first.y + (index == k_no_part ? 0u : index)];
 }
 
-// [rad] The bends of a vertex's parts. A leaf that has grown by `scale` stands for many twigs: its own would swing it that much too far.
+// [rad] The bends of a vertex's parts. A leaf that has grown by `scale` stands for many twigs: its own would swing it that much
+// too far.
 WindrowTreeLoads tree_loads(vec3 trunk, vec3 limb, vec3 twig, float scale) {
     return WindrowTreeLoads(trunk, limb, twig / max(scale, 1.0));
 }

@@ -4,7 +4,7 @@
 #include "../render/frame.glsl"
 #include "tree_parts.glsl"
 
-layout(push_constant) uniform Which { int cascade; } which;
+layout(push_constant) uniform Which { int cascade; };
 
 const float k_fill = 0.8; // root of the share of a card that is leaf
 
@@ -13,5 +13,5 @@ void main() {
     TreeVertex vertex = vertices[gl_VertexIndex];
     float scale = tree_scale(place, vertex, frame.eye.xyz);
     WindrowTreeVertex now = tree_point(place, vertex, tree_rest(place, vertex, frame.eye.xyz, scale, k_fill), scale);
-    gl_Position = frame.shadow[which.cascade] * vec4(place.base.xyz + now.position, 1.0);
+    gl_Position = frame.shadow[cascade] * vec4(place.base.xyz + now.position, 1.0);
 }

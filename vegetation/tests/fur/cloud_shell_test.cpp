@@ -1,4 +1,4 @@
-// A15: clouds of shells. Rim, base, cover, drift.
+// Clouds of shells: edge, base, cover, drift with the wind.
 #include "vegetation/fur/cloud_shell.h"
 #include "tests/fields.h"
 #include "tests/figure.h"

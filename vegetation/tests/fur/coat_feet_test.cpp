@@ -21,7 +21,7 @@ CoatSettings lawn() {
     return grass;
 }
 
-// C21, G10: outward around the sole, nothing beyond its radius, nothing under one that is lifted by the strands' length.
+// Strands lean outward around the sole, none beyond its radius, none under a sole that is lifted by the strands' length.
 TEST(CoatFeet, LeanStrandsOutwardWithinTheirRadius) {
     Stage stage;
     Coat& grass = stage.dress(*sheet({.size = {2.0f, 2.0f}, .columns = 40, .rows = 40}), lawn(), at({}));

@@ -14,7 +14,7 @@ namespace {
 
 using namespace numerics;
 
-// [m] From the skin: told apart from the place, whose own rounding is 1e-7 m.
+// [m] From the skin: separate from the place, whose own rounding is 1e-7 m.
 glm::dvec3 layer_offset(const Coat& coat, const CoatSkinBlock& skin, float h) {
     const auto shells = windrow::detail::shared(coat.block().shells);
     const glm::vec3 n(skin.normal);
@@ -29,7 +29,7 @@ glm::dvec3 layer_place(const Coat& coat, const CoatSkinBlock& skin, float h) {
     return glm::dvec3(glm::vec3(skin.position)) + layer_offset(coat, skin, h);
 }
 
-// A body that jerks and turns: C10 and C13 on what the device makes of it.
+// A body that jerks and turns, on the device's own vertices: no shell enters the skin, and the shells lag without crossing.
 TEST(CoatMotion, LagNeitherEntersTheSkinNorCrossesLayers) {
     Stage stage({.ambient = {5.0f, 0.0f, 0.0f}, .gusts = 0.5f, .width = 32, .height = 32});
     CoatSettings settings = bare_bones();
@@ -71,7 +71,7 @@ TEST(CoatMotion, LagNeitherEntersTheSkinNorCrossesLayers) {
     EXPECT_GT(windrow::test::figure("shells/lag/most_m", most_lag), 0.1);
     WINDROW_EXPECT_FIGURE("shells/lag/inward", inward, 1e-6);
     WINDROW_EXPECT_FIGURE("shells/lag/crossed", crossed, 1e-5);
-    WINDROW_EXPECT_FIGURE("shells/lag/stretched", longest - 1.0, 0.01); // C3: strands keep their length within 1 %
+    WINDROW_EXPECT_FIGURE("shells/lag/stretched", longest - 1.0, 0.01); // strands keep their length within 1 %
 }
 
 // Motion vectors of an outermost layer that is closed, against its vertices' projected places in this frame and the last.
@@ -135,7 +135,7 @@ TEST(CoatMotion, MotionIsTheDifferenceOfProjectedPlaces) {
     expect_motion("translated", true);
 }
 
-// C19: the device's skinning against the CPU's, in the body's pose.
+// Displacement after skinning: the device's against the CPU's, in the body's pose.
 TEST(CoatMotion, ABodyWithBonesIsSkinnedAsOnTheHost) {
     Stage stage({.width = 32, .height = 32});
     Mesh beast = *beast_mesh();

@@ -1,4 +1,4 @@
-// The shadow of a coat's single cone lies where the sun does not see past its silhouette.
+// The shadow of a single cone of a coat overlaps its silhouette as seen from the sun by at least 95 % of their union.
 #include "tests/figure.h"
 #include "vegetation/tests/fur/stage.h"
 
@@ -70,7 +70,7 @@ TEST(CoatShadow, AConesShadowOverlapsItsSilhouette) {
     EXPECT_GT(in_shadow, 500);
     const double overlap = static_cast<double>(both) / std::max(either, 1);
     windrow::test::figure("shells/shadow/pixels", in_shadow);
-    EXPECT_GE(windrow::test::figure("shells/shadow/overlap", overlap, 0.95), 0.95); // of the union: row A10
+    EXPECT_GE(windrow::test::figure("shells/shadow/overlap", overlap, 0.95), 0.95); // of the union
 }
 
 } // namespace

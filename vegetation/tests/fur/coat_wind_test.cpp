@@ -11,7 +11,8 @@ namespace {
 
 using namespace numerics;
 
-// C17: tips of 10 x 10 thin strands on four vertices, against the wind that a fine mesh's vertices feel at their roots.
+// Local wind on a coarse mesh: the tips of 10 x 10 thin strands on four vertices, against the wind at the vertices of a fine mesh
+// at their roots.
 TEST(CoatWind, StrandsLeanOneByOneOnFourVertices) {
     constexpr int side = 320, rows = 10;
     constexpr float size = 4.0f, length = 0.3f;
@@ -81,7 +82,7 @@ TEST(CoatWind, StrandsLeanOneByOneOnFourVertices) {
     WINDROW_EXPECT_FIGURE("shells/pixel_lean/worst_pixels", worst, 1.0);
 }
 
-// A15: the pattern goes with the air to the pixel.
+// The pattern of clouds drifts by wind times time, to the pixel.
 TEST(CoatWind, TheDriftIsTheShiftOfThePattern) {
     constexpr int side = 192;
     Stage stage({.width = side, .height = side});

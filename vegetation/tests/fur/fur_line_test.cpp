@@ -1,4 +1,4 @@
-// T3: the mtl's fur line.
+// The fur line of an mtl file: its values are read, and a malformed line is an error with its number.
 #include "vegetation/fur/fur_line.h"
 
 #include <gtest/gtest.h>

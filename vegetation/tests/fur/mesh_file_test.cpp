@@ -1,5 +1,5 @@
 // Meshes from files: each kind is read, stood up and given normals and uv.
-#include "vegetation/fur/mesh_file.h"
+#include "vegetation/files/mesh_file.h"
 #include "tests/figure.h"
 #include "vegetation/tests/fur/fixtures.h"
 #include "vegetation/tests/fur/folder.h"

@@ -1,8 +1,8 @@
-// C10 and C19: on meshes that are posed, the push of the shells is applied after skinning; no vertex goes into the surface, and
-// no outer shell below an inner one.
+// On posed meshes the push of the shells is applied after skinning: no vertex enters the surface, and no outer shell is below an
+// inner one.
 #include "coupling/shell.h"
 #include "vegetation/fur/beast.h"
-#include "vegetation/fur/mesh_file.h"
+#include "vegetation/files/mesh_file.h"
 #include "tests/figure.h"
 #include "vegetation/tests/fur/folder.h"
 
@@ -64,7 +64,7 @@ void expect_outside(const Posed& posed, const std::string& name) {
     WINDROW_EXPECT_FIGURE("shells/push/" + name + "/passes_inner_L", -least_step, 1e-5);
 }
 
-TEST(PosedPush, TheBeastInThreePosesC19) {
+TEST(PosedPush, TheBeastInThreePoses) {
     auto beast = beast_mesh();
     const auto bones = beast_skeleton();
     ASSERT_TRUE(beast) << beast.error();
@@ -85,7 +85,7 @@ TEST(PosedPush, TheBeastInThreePosesC19) {
     }
 }
 
-TEST(PosedPush, TheBunnyC10) {
+TEST(PosedPush, TheBunnyAtRest) {
     WINDROW_NEEDS_GLMARK2("bunny.obj");
     const auto bunny = read_mesh(test::glmark2("bunny.obj"), {.most_triangles = 8'000});
     ASSERT_TRUE(bunny) << bunny.error();

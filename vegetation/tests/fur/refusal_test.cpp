@@ -1,5 +1,5 @@
 // Meshes that a host may be handed: wrong, absurd, hostile. Each is refused by a sentence with the file's name, or read whole.
-#include "vegetation/fur/mesh_file.h"
+#include "vegetation/files/mesh_file.h"
 #include "tests/figure.h"
 #include "vegetation/tests/fur/fixtures.h"
 #include "vegetation/tests/fur/folder.h"

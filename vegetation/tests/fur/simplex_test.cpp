@@ -1,4 +1,4 @@
-// A15: the noise of clouds. Its range, evenness, smoothness, and that no lattice shows.
+// Simplex noise of clouds: range, evenness, smoothness, and no visible lattice.
 #include "vegetation/fur/strand_numerics.h"
 #include "tests/fields.h"
 #include "tests/figure.h"
@@ -51,7 +51,7 @@ TEST(Simplex, ValueAndSlopeAreContinuous) {
             steepest = std::max(steepest, static_cast<double>(glm::length(glm::vec3(now))));
             last = now;
         }
-        // The slope told is that of the values: centred differences of 1/64 unit, second order.
+        // The returned slope is that of the values: centred differences of 1/64 unit, second order.
         const glm::dvec3 at = from + along;
         constexpr double k_apart = 1.0 / 64.0;
         const double difference = (noise(at + k_apart * along) - noise(at - k_apart * along)) / (2.0 * k_apart);
@@ -87,7 +87,7 @@ TEST(Simplex, HasNoDirectionAndNoLattice) {
         most = std::max(most, both / squares);
     }
     windrow::test::figure("shells/simplex/correlation_at_0.35_least", least);
-    // 20,000 samples know a correlation to 0.007; 60 directions spread by about five of that.
+    // 20,000 samples give a correlation to 0.007; 60 directions spread by about five of that.
     WINDROW_EXPECT_FIGURE("shells/simplex/correlation_spread_over_directions", most - least, 0.08);
 
     // Planes through many depths: a lattice that showed would make quiet and loud ones.

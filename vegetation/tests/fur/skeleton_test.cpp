@@ -1,7 +1,7 @@
 // Bones: weights, rigid poses, rest; the walk; what is refused.
 #include "vegetation/fur/beast.h"
 #include "vegetation/fur/horse_skeleton.h"
-#include "vegetation/fur/mesh_file.h"
+#include "vegetation/files/mesh_file.h"
 #include "vegetation/fur/shapes.h"
 #include "vegetation/fur/skeleton.h"
 #include "tests/figure.h"

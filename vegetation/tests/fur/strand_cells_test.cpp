@@ -1,4 +1,4 @@
-// A4: Voronoi's cells against all points around, by brute force in double.
+// Voronoi cells of strands: the nearest point equals that of brute force in double.
 #include "vegetation/fur/strand_field.h"
 #include "tests/fields.h"
 #include "tests/figure.h"
@@ -56,7 +56,7 @@ TEST(StrandCells, AreThoseOfBruteForce) {
     struct Kind {
         const char* name;
         float jitter, wriggle, shift;
-        double missed; // share of places whose nearest edge belongs to a point out of the nine cells
+        double missed; // fraction of places whose nearest edge belongs to a point out of the nine cells
     };
     // At rest none of 1e5; all that wriggles stands at its diamond's rim more often. Shifted rows have 0.9 of the jitter
     // (fur::block), since the whole of it misses one.

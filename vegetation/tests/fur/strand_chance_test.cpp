@@ -1,4 +1,4 @@
-// A1: the chances of strands. Even, without neighbours that follow one another, without repeats.
+// Random numbers of strands: even, without correlation of neighbours, without repeats.
 #include "vegetation/fur/strand_field.h"
 #include "tests/figure.h"
 
@@ -83,7 +83,7 @@ TEST(StrandChance, NoKeyRepeatsAmongAMillionCells) {
         }
     std::sort(keys.begin(), keys.end());
     EXPECT_EQ(std::adjacent_find(keys.begin(), keys.end()), keys.end());
-    // Lengths have 2^24 values, so that by chance 1 - exp(-1e6 / 2^24) = 5.8 % share theirs with another cell.
+    // Lengths have 2^24 values, so that 1 - exp(-1e6 / 2^24) = 5.8 % of random ones equal that of another cell.
     std::sort(lengths.begin(), lengths.end());
     std::size_t shared = 0;
     for (std::size_t n = 0; n < lengths.size(); ++n)

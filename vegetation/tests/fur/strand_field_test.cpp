@@ -1,4 +1,4 @@
-// A2, A3: what the cells of uv draw at each height.
+// Strands in cells of uv: the drawn area and profile at each height equal the formula.
 #include "vegetation/fur/strand_field.h"
 #include "tests/fields.h"
 #include "tests/figure.h"

@@ -1,4 +1,4 @@
-// A6, A7, A8, A9, A12: colour, occlusion, light and normals of strands against references of their own in double.
+// Colour, occlusion, light, normals and noise pairs of strands, against references of their own in double.
 #include "vegetation/fur/strand_field.h"
 #include "tests/fields.h"
 #include "tests/figure.h"
@@ -70,7 +70,7 @@ TEST(StrandLight, ColourIsItsFormula) {
     EXPECT_NEAR(windrow::test::figure("shells/light/mean_tone", sum / 20'000), 1.0, 0.006);
 }
 
-// A strand's tone says nothing of its length.
+// The tone of a strand is independent of its length.
 TEST(StrandLight, TonesFollowNoLengths) {
     double both = 0.0;
     constexpr int k_count = 100'000;
@@ -95,7 +95,7 @@ TEST(StrandLight, PatchesHaveBothColours) {
     EXPECT_GT(windrow::test::figure("shells/light/pure_share", pure / 50'000.0), 0.3);
 }
 
-// A8, on a sphere: every normal and light.
+// Half-Lambert and Blinn-Phong light on a sphere, for every normal and light.
 TEST(StrandLight, LitSphereIsItsFormula) {
     Random random(3);
     double wrapped_off = 0.0, gloss_off = 0.0, sheen_off = 0.0, through_off = 0.0;
@@ -143,7 +143,7 @@ TEST(StrandLight, LitSphereIsItsFormula) {
     WINDROW_EXPECT_FIGURE("shells/light/rises_toward_the_back", rises, 0.0);
 }
 
-// A9: normals of strands as they are drawn, against the cones that stand at their roots. Fur of 3 cells' height, jittered.
+// Normals of strands as drawn, against the analytic normals of cones. Fur of 3 cells' height, jittered.
 TEST(StrandLight, SlopedNormalsAreThoseOfCones) {
     const StrandFieldSettings settings{.density = 1.0f, .low = 0.5f, .thickness = 0.9f};
     const StrandFieldBlock field = block(settings);
@@ -155,7 +155,7 @@ TEST(StrandLight, SlopedNormalsAreThoseOfCones) {
         for (int k = 0; k < 20'000; ++k) {
             const glm::vec2 q(random.uniform(-20.0f, 20.0f), random.uniform(-20.0f, 20.0f));
             const StrandHit at_root = strand_at(field, q, 0.0f);
-            const float h = t * at_root.reach; // the share t of its own length
+            const float h = t * at_root.reach; // the fraction t of its own length
             const StrandHit hit = strand_at(field, q, h);
             if (hit.inside <= 0.0f || hit.key != at_root.key)
                 continue;
@@ -178,7 +178,7 @@ TEST(StrandLight, SlopedNormalsAreThoseOfCones) {
     }
 }
 
-// The slope is what differences of `inside` over h say, for each profile.
+// The slope equals differences of `inside` over h, for each profile.
 TEST(StrandLight, SlopesAreThoseOfTheField) {
     struct Kind {
         const char* name;

@@ -1,4 +1,4 @@
-// G8: memory of chunks, over a long walk.
+// Memory of chunks: 28 bytes a blade at most, and bounded over a long walk.
 #include "vegetation/grass/chunk_cache.h"
 #include "tests/figure.h"
 #include "vegetation/tests/grass/fields.h"

@@ -1,4 +1,4 @@
-// G2: what chance gives a blade is given to each of its traits for itself.
+// Random traits of a blade are independent of one another, its jitter in x and z too.
 #include "coupling/blade.h"
 #include "tests/figure.h"
 #include "vegetation/tests/grass/fields.h"
@@ -84,7 +84,7 @@ TEST(GrassChance, TraitsDoNotFollowOneAnother) {
     }
 }
 
-// C6 and the same of each place: even over its range, in one chunk too.
+// The yaw of a blade and its jitter are even over their range, in one chunk too.
 TEST(GrassChance, TraitsAreEven) {
     std::array<std::vector<int>, 3> bins;
     bins.fill(std::vector<int>(16));
@@ -101,7 +101,7 @@ TEST(GrassChance, TraitsAreEven) {
         double chi = 0.0;
         for (const int count : bins[n])
             chi += (count - k_count / 16.0) * (count - k_count / 16.0) / (k_count / 16.0);
-        // 30.58: beyond it by chance in 1 % of fields.
+        // 30.58: 1 % of random fields are beyond it.
         WINDROW_EXPECT_FIGURE(std::string("grass/chance/") + names[n] + "_chi_squared", chi, 30.58);
     }
 }

@@ -1,4 +1,4 @@
-// G4, G5, G7: a view's chunks, against every blade of the field looked at one by one.
+// Chunks of a view cover the grass once, hold every visible blade and none beyond the cut: against every blade of the field.
 #include "vegetation/grass/chunk_tree.h"
 #include "tests/figure.h"
 #include "vegetation/tests/grass/fields.h"
@@ -113,7 +113,7 @@ TEST(GrassChunks, OfRandomCamerasHoldEveryBladeThatIsSeenOnce) {
     WINDROW_EXPECT_FIGURE("grass/chunks/drawn_twice", static_cast<double>(twice), 0.0);
     WINDROW_EXPECT_FIGURE("grass/chunks/blades_missed", static_cast<double>(missed), 0.0);
     WINDROW_EXPECT_FIGURE("grass/chunks/beyond_the_cut", static_cast<double>(beyond), 0.0);
-    // G5: what the culling of blades leaves over what shows, over all cameras and at worst.
+    // Culling: blades kept over blades visible, of all cameras and of the worst one.
     WINDROW_EXPECT_FIGURE("grass/culling/kept_over_visible", static_cast<double>(kept) / static_cast<double>(visible), 1.3);
     windrow::test::figure("grass/culling/kept_over_visible_of_one_camera", largest_ratio);
     windrow::test::figure("grass/chunks/in_chunks_over_kept", static_cast<double>(in_chunks) / static_cast<double>(kept));
@@ -162,7 +162,7 @@ TEST(GrassChunks, FollowTheMask) {
     EXPECT_TRUE(found.empty());
 }
 
-// 500 m x 500 m at 6 a metre: 9e6 places, G9's field. What a frame asks of the CPU is a few hundred nodes.
+// 500 m x 500 m at 6 a metre: 9e6 places. A frame visits a few hundred nodes on the CPU.
 TEST(GrassChunks, OfALargeFieldAreFew) {
     const auto heights = HeightMap::create({251, 251}, 2.0f, [](glm::vec2 p) { return 10.0f * std::sin(0.02f * p.x); });
     ASSERT_TRUE(heights);

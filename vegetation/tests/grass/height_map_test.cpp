@@ -1,4 +1,4 @@
-// G1: blades from size and heightmap. The ground between its corners, and what is refused of it.
+// Places of blades from the size and the heightmap: their number, the ground between its corners, and rejected input.
 #include "tests/figure.h"
 #include "vegetation/tests/grass/fields.h"
 
@@ -71,7 +71,7 @@ TEST(GrassHeights, AreTheCornersAndLevelGroundIsLevel) {
 }
 
 TEST(GrassPlaces, AreAsManyAsSizeAndDensitySay) {
-    // 16 m x 16 m at 6 a metre: 9,216 candidates, G1.
+    // 16 m x 16 m at 6 a metre: exactly 9,216 candidates.
     const auto map = HeightMap::create({17, 17}, 1.0f, [](glm::vec2 p) { return 0.5f * p.x + 3.0f * std::sin(0.4f * p.y); });
     ASSERT_TRUE(map);
     const auto mask = PlacementMask::create({17, 17}, map->extent(), 1.0f);

@@ -1,4 +1,4 @@
-// G6, G7: levels split at their distance, and neither the split nor the cut is seen.
+// Levels of detail split exactly at their distance; neither the split nor the cut-off is visible.
 #include "coupling/blade.h"
 #include "tests/figure.h"
 #include "vegetation/tests/grass/fields.h"
@@ -82,7 +82,7 @@ TEST(GrassLevels, AgreeVertexByVertexAtTheSplit) {
                           1158.0 * unmorphed / static_cast<double>(block.reach.y));
 }
 
-// An eye that comes nearer by a centimetre moves no vertex by more than its share of morph and fade.
+// An eye that comes nearer by a centimetre moves no vertex by more than its part of morph and fade.
 TEST(GrassLevels, NothingJumpsAlongTheWay) {
     const Block block = default_block();
     Random random(5);
@@ -135,7 +135,7 @@ TEST(GrassLevels, NearRowsNeverCross) {
     }
 }
 
-// C5 at the field's own default: seen from above, blades lie over.
+// The view-dependent bend at the field's own default: seen from above, blades lie over.
 TEST(GrassLevels, KeepTheViewBend) {
     const Block block = default_block();
     EXPECT_EQ(block.blade.own.z, 0.5f);

@@ -1,4 +1,4 @@
-// G3: where grass grows and how tall, painted and erased by function, kept as an image.
+// Placement mask: size by alpha, painted and erased by function, saved as an image.
 #include "tests/figure.h"
 #include "vegetation/tests/grass/fields.h"
 

@@ -1,4 +1,5 @@
-// G5, G6, C5 in pictures: culling changes no pixel, what levels change is told, and seen from above grass covers more ground.
+// Pictures of grass: culling changes no pixel, the difference by levels is reported, and grass covers more ground seen from
+// above.
 #include "tests/figure.h"
 #include "vegetation/tests/grass/device.h"
 #include "vegetation/tests/grass/picture.h"
@@ -83,7 +84,7 @@ TEST_F(GrassPictures, FarBladesLookLikeNearOnes) {
     const Pixels near_only = draw(eye);
     const std::size_t covered = drawn(near_only);
     ASSERT_GT(covered, 10'000u);
-    // Told, not bounded: each blade has a colour of its own here, so that an edge that moves by a part of a pixel counts.
+    // Reported, not bounded: each blade has a colour of its own here, so that an edge that moves by a part of a pixel counts.
     windrow::test::figure("grass/pictures/share_of_grass_pixels_changed_by_levels",
                           static_cast<double>(changed(levels, near_only)) / static_cast<double>(covered));
     windrow::test::figure("grass/pictures/coverage_with_levels_over_without",

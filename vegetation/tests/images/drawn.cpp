@@ -2,7 +2,6 @@
 
 #include "vegetation/program/picture_reader.h"
 
-#include <OpenImageIO/imageio.h>
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -65,17 +64,6 @@ render::Picture8 difference(const render::Picture8& a, const render::Picture8& b
     for (std::size_t n = 0; n < made.values.size(); ++n)
         made.values[n] = static_cast<std::uint8_t>(std::min(8 * between(a.values[n], b.values[n]), 255));
     return made;
-}
-
-Result<render::Picture8> read_png(const std::filesystem::path& file) {
-    const auto input = OIIO::ImageInput::open(file.string());
-    if (!input)
-        return Error{file.string() + " is no picture that can be read."};
-    const OIIO::ImageSpec& spec = input->spec();
-    render::Picture8 read(spec.width, spec.height);
-    if (spec.nchannels != 3 || !input->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, read.values.data()))
-        return Error{file.string() + " is no picture of three channels."};
-    return read;
 }
 
 std::filesystem::path left_behind(const std::string& name, const std::string& ending) {

@@ -4,6 +4,7 @@
 // ask Vulkan's loader for lavapipe alone, unless VK_LOADER_DRIVERS_SELECT or VK_ICD_FILENAMES says something else.
 #pragma once
 
+#include "pictures/picture_files.h"
 #include "vegetation/program/shoot.h"
 
 #include <filesystem>
@@ -34,7 +35,6 @@ struct Apart {
 /// Their difference, eight times as strong, on black.
 [[nodiscard]] render::Picture8 difference(const render::Picture8& a, const render::Picture8& b);
 
-[[nodiscard]] windrow::Result<render::Picture8> read_png(const std::filesystem::path& file);
 /// Where a test leaves what it drew: NAME.png, and NAME.ENDING.png.
 [[nodiscard]] std::filesystem::path left_behind(const std::string& name, const std::string& ending = "");
 

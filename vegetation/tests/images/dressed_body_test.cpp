@@ -47,11 +47,12 @@ TEST(DressedBody, FurLineOfTheFileIsItsCoat) {
     const auto absent = parts_of(model->mesh, {.material = "silk"});
     ASSERT_FALSE(absent);
     EXPECT_EQ(absent.error(), "material is \"silk\", and the mesh has \"fur\", \"felt\"; name one of these, or none for all.");
-    EXPECT_FALSE(model_of(*scene, scene->picture.bodies.at(1))); // no such file: told when it is drawn
+    EXPECT_FALSE(model_of(*scene, scene->picture.bodies.at(1))); // no such file: reported when it is drawn
 }
 
 TEST(DressedBody, PatternDriftsAsTheWindTimesTheTime) {
-    // Row A15: within a texel. Without a profile the wind is the same everywhere, with one it is the body's own height's.
+    // The pattern drifts by wind times time, within a texel. Without a profile the wind is the same everywhere, with one it is
+    // that of the body's own height.
     const auto scene = read_picture_scene_text(
         R"({"air": {"ambient": [9, 0, -2.5], "gusts": {"intensity": 0.5}}, "picture": {"bodies": [{"place": {"position": [0, 70, 0]}}]}})",
         "a.json");

@@ -30,9 +30,9 @@ test::Apart between_rates(const PictureScene& scene, const std::string& name, do
         ADD_FAILURE() << (slow ? fast.error() : slow.error());
         return {.mean = 255.0, .far = 1.0, .most = 255};
     }
-    EXPECT_TRUE(render::write_png(*slow, test::left_behind(name, "30_hz")));
-    EXPECT_TRUE(render::write_png(*fast, test::left_behind(name, "144_hz")));
-    EXPECT_TRUE(render::write_png(test::difference(*slow, *fast), test::left_behind(name, "rates")));
+    EXPECT_TRUE(pictures::write_png(*slow, test::left_behind(name, "30_hz")));
+    EXPECT_TRUE(pictures::write_png(*fast, test::left_behind(name, "144_hz")));
+    EXPECT_TRUE(pictures::write_png(test::difference(*slow, *fast), test::left_behind(name, "rates")));
     const test::Apart off = test::apart(*slow, *fast);
     windrow::test::figure("images/frame_rate/" + name + "/most", off.most);
     return off;

@@ -1,9 +1,8 @@
 // Small scenes as pictures, held to references that were looked at: vegetation/tests/images/golden/NAME.png.
 //
-//     WINDROW_ACCEPT_IMAGES=1 build/release/windrow_images_tests --gtest_filter='*Golden*'      takes what is drawn as the
-//     reference
+//     WINDROW_ACCEPT_IMAGES=1 build/release/windrow_images_tests --gtest_filter='*Golden*'    writes the references anew
 //
-// A scene that is to stay is a file in vegetation/tests/images/scenes and a line in k_scenes. Look at a picture before you accept it.
+// To add a scene: a file in vegetation/tests/images/scenes and a line in k_scenes. Look at a picture before you accept it.
 #include "tests/figure.h"
 #include "vegetation/tests/images/drawn.h"
 
@@ -40,16 +39,16 @@ TEST_P(Golden, IsWhatWasAccepted) {
     ASSERT_TRUE(drawn) << drawn.error();
     const std::filesystem::path golden = std::filesystem::path(WINDROW_SOURCE_DIR) / "vegetation/tests/images/golden" / (name + ".png");
     if (std::getenv("WINDROW_ACCEPT_IMAGES") != nullptr) {
-        const auto written = render::write_png(*drawn, golden);
+        const auto written = pictures::write_png(*drawn, golden);
         ASSERT_TRUE(written) << written.error();
         std::printf("accepted: %s\n", golden.c_str());
         return;
     }
     const std::filesystem::path here = test::left_behind(name);
-    ASSERT_TRUE(render::write_png(*drawn, here));
+    ASSERT_TRUE(pictures::write_png(*drawn, here));
     const std::string how = "\ndrawn: " + here.string() +
                             "\naccept it: WINDROW_ACCEPT_IMAGES=1 windrow_images_tests --gtest_filter='*Golden*" + name + "*'";
-    const auto wanted = test::read_png(golden);
+    const auto wanted = pictures::read_png(golden);
     ASSERT_TRUE(wanted) << wanted.error() << how;
     ASSERT_TRUE(wanted->width == drawn->width && wanted->height == drawn->height)
         << golden << " is " << wanted->width << " x " << wanted->height << " px, the scene " << drawn->width << " x "
@@ -61,7 +60,7 @@ TEST_P(Golden, IsWhatWasAccepted) {
     const std::filesystem::path told = test::left_behind(name, "difference");
     std::filesystem::remove(told);
     if (HasFailure()) {
-        ASSERT_TRUE(render::write_png(test::difference(*drawn, *wanted), told));
+        ASSERT_TRUE(pictures::write_png(test::difference(*drawn, *wanted), told));
         ADD_FAILURE() << name << " is not " << golden.string() << how << "\ndifference, times 8: " << told.string();
     }
 }

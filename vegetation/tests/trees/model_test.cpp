@@ -54,7 +54,7 @@ TEST(TreeModel, PresetsAreSoundAndWithinTheirBounds) {
         expect_sound(model);
         const std::string figure = "trees/" + std::string(name) + "/";
         WINDROW_EXPECT_FIGURE(figure + "vertices", static_cast<double>(model.vertices.size()), k_most_vertices);
-        EXPECT_EQ(static_cast<double>(model.vertices.size()), vertex_bound(kind.tree)); // refused by the same number
+        EXPECT_EQ(static_cast<double>(model.vertices.size()), vertex_bound(kind.tree)); // rejected by the same number
         const LevelBlock levels = level_block(kind.levels, static_cast<int>(model.leaf_parts.size()));
         std::uint32_t most = 0;
         for (float distance = kind.levels.far; distance < 4.0f * kind.levels.far; distance += 1.0f)
@@ -124,7 +124,7 @@ TEST(TreeModel, TheSameSeedGivesTheSameTreeAndAnotherAnother) {
     EXPECT_GT(apart, one.vertices.size() / 2);
 }
 
-// C18: what stands in the ground stays there, to the bit, in any wind.
+// The base of a trunk stays fixed to the bit in any wind.
 TEST(TreeModel, TheTrunksBaseStaysInAnyWind) {
     const TreeKind kind = *preset("birch");
     const TreeModel model = model_of(kind.tree);

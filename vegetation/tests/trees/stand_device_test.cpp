@@ -30,7 +30,7 @@ glm::dvec2 seen(const render::Camera& camera, glm::dvec3 p) {
     return 0.5 * glm::dvec2(clip) / clip.w + 0.5;
 }
 
-// C18: the library's function on the device and on the CPU, in a wind that is the same everywhere.
+// The one bend of all plants: the library's function on the device and on the CPU, in a wind that is the same everywhere.
 TEST(TreeStand, VerticesAreThoseOfTheLibrarysTree) {
     const glm::vec3 wind(8.0f, 0.5f, -3.0f);
     for (const char* const kind : {"oak", "spruce"}) {

@@ -6,14 +6,14 @@
 
 layout(local_size_x = 64) in;
 layout(std430, set = 3, binding = 0) writeonly buffer Points { vec4 points[]; };
-layout(push_constant) uniform Which { uint tree; uint first; uint count; } which;
+layout(push_constant) uniform Which { uint tree; uint first; uint count; };
 
 void main() {
     uint n = gl_GlobalInvocationID.x;
-    if (n >= which.count)
+    if (n >= count)
         return;
-    TreePlace place = places[which.tree];
-    TreeVertex vertex = vertices[which.first + n];
+    TreePlace place = places[tree];
+    TreeVertex vertex = vertices[first + n];
     float scale = tree_scale(place, vertex, frame.eye.xyz);
     float scale_before = tree_scale(place, vertex, frame.eye_before.xyz);
     WindrowTreeVertex now = tree_point(place, vertex, tree_rest(place, vertex, frame.eye.xyz, scale, 1.0), scale);

@@ -1,0 +1,163 @@
+#include "pictures/picture_files.h"
+
+#include "fluid/message.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
+#include <OpenImageIO/imageio.h>
+#include <cerrno>
+#include <fstream>
+#include <system_error>
+
+namespace windrow::pictures {
+namespace {
+
+using detail::message;
+using Bytes = std::vector<unsigned char>;
+
+constexpr int k_largest_side = 16384;
+
+Result<void> check_size(const std::filesystem::path& file, std::size_t has, int width, int height, int channels) {
+    if (width > 0 && height > 0 &&
+        has == static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(channels))
+        return {};
+    return Error{message("picture ", file.string(), " of ", width, " x ", height, " px with ", has,
+                         " values cannot be written; give it width * height * ", channels, " values.")};
+}
+
+OIIO::ImageSpec spec_of(const Picture8& picture) {
+    OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeDesc::UINT8);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    return spec;
+}
+
+Result<Bytes> encode(const char* format, const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* values,
+                     const std::filesystem::path& file) {
+    Bytes bytes;
+    OIIO::Filesystem::IOVecOutput proxy(bytes);
+    const auto output = OIIO::ImageOutput::create(format, &proxy);
+    if (!output || !output->open(file.filename().string(), spec) || !output->write_image(type, values) || !output->close())
+        return Error{message("picture ", file.string(), " cannot be encoded as ", format, " (",
+                             output ? output->geterror() : OIIO::geterror(), "); draw a smaller picture")};
+    return bytes;
+}
+
+// Writes beside the name and renames: a full disk loses nothing.
+Result<void> publish(const Result<Bytes>& bytes, const std::filesystem::path& file) {
+    if (!bytes)
+        return Error{bytes.error()};
+    std::filesystem::path part = file;
+    part += ".part";
+    std::error_code fault;
+    {
+        std::ofstream stream(part, std::ios::binary);
+        stream.write(reinterpret_cast<const char*>(bytes->data()), static_cast<std::streamsize>(bytes->size()));
+        if (!stream.flush())
+            fault.assign(errno, std::generic_category());
+    }
+    if (!fault)
+        std::filesystem::rename(part, file, fault);
+    if (!fault)
+        return {};
+    std::error_code ignored;
+    std::filesystem::remove(part, ignored);
+    return Error{message("picture ", file.string(), " cannot be written (", fault.message(),
+                         "); name a file in a folder that you may write to, on a disk with room.")};
+}
+
+OIIO::ImageBuf wrap(const Picture8& picture) {
+    const OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeDesc::UINT8);
+    return OIIO::ImageBuf(spec, const_cast<std::uint8_t*>(picture.values.data()));
+}
+
+} // namespace
+
+Result<Bytes> encode_png(const Picture8& picture, const PngWords& words, PngRows rows, const std::filesystem::path& file) {
+    if (auto fits = check_size(file, picture.values.size(), picture.width, picture.height, 3); !fits)
+        return Error{fits.error()};
+    OIIO::ImageSpec spec = spec_of(picture);
+    if (rows == PngRows::plain) {
+        spec.attribute("png:filter", 0x08); // PNG_FILTER_NONE
+        spec.attribute("png:compressionLevel", 6);
+    }
+    if (!words.title.empty())
+        spec.attribute("DocumentName", words.title);
+    if (!words.description.empty())
+        spec.attribute("ImageDescription", words.description);
+    return encode("png", spec, OIIO::TypeDesc::UINT8, picture.values.data(), file);
+}
+
+Result<void> write_png(const Picture8& picture, const std::filesystem::path& file) {
+    return publish(encode_png(picture, {}, PngRows::filtered, file), file);
+}
+
+Result<void> write_jpeg(const Picture8& picture, int quality, const std::filesystem::path& file) {
+    if (auto fits = check_size(file, picture.values.size(), picture.width, picture.height, 3); !fits)
+        return fits;
+    OIIO::ImageSpec spec = spec_of(picture);
+    spec.attribute("Compression", "jpeg:" + std::to_string(quality));
+    return publish(encode("jpeg", spec, OIIO::TypeDesc::UINT8, picture.values.data(), file), file);
+}
+
+Result<void> write_exr(const PictureF& light, const PictureF& motion, const std::filesystem::path& file) {
+    if (auto fits = check_size(file, light.values.size(), light.width, light.height, 3); !fits)
+        return fits;
+    const bool moves = !motion.values.empty();
+    if (moves && (motion.width != light.width || motion.height != light.height || motion.channels != 2))
+        return Error{message("picture ", file.string(), ": motion is ", motion.width, " x ", motion.height, " px of ",
+                             motion.channels, " channels; give it light's size and two.")};
+    OIIO::ImageSpec spec(light.width, light.height, moves ? 5 : 3, OIIO::TypeDesc::HALF);
+    spec.channelnames = {"R", "G", "B"};
+    if (moves)
+        spec.channelnames.insert(spec.channelnames.end(), {"motion.x", "motion.y"});
+    spec.attribute("compression", "zip");
+    std::vector<float> values;
+    const std::size_t pixels = static_cast<std::size_t>(light.width) * static_cast<std::size_t>(light.height);
+    values.reserve(pixels * static_cast<std::size_t>(spec.nchannels));
+    for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
+        values.insert(values.end(), light.values.begin() + 3 * static_cast<std::ptrdiff_t>(pixel),
+                      light.values.begin() + 3 * static_cast<std::ptrdiff_t>(pixel) + 3);
+        if (moves) {
+            values.push_back(motion.values[2 * pixel] * static_cast<float>(light.width));
+            values.push_back(motion.values[2 * pixel + 1] * static_cast<float>(light.height));
+        }
+    }
+    return publish(encode("openexr", spec, OIIO::TypeDesc::FLOAT, values.data(), file), file);
+}
+
+Result<Picture8> read_png(const std::filesystem::path& file, PngWords* words) {
+    const std::string name = file.string();
+    const auto input = OIIO::ImageInput::open(name);
+    if (!input)
+        return Error{message("picture ", name, " cannot be read (", OIIO::geterror(), "); draw it again")};
+    const OIIO::ImageSpec spec = input->spec();
+    // Checked before anything is allocated: a header may promise what no file holds.
+    if (spec.width < 1 || spec.height < 1 || spec.width > k_largest_side || spec.height > k_largest_side)
+        return Error{message("picture ", name, " of ", spec.width, " x ", spec.height, " px is beyond ", k_largest_side,
+                             " px a side; draw it smaller")};
+    Picture8 picture(spec.width, spec.height);
+    std::vector<std::uint8_t> all(static_cast<std::size_t>(spec.width) * spec.height * spec.nchannels);
+    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, all.data()))
+        return Error{message("picture ", name, " is damaged (", input->geterror(), "); draw it again")};
+    const int channels = spec.nchannels;
+    for (std::size_t pixel = 0; pixel < picture.values.size() / 3; ++pixel)
+        for (int channel = 0; channel < 3; ++channel)
+            picture.values[pixel * 3 + channel] = all[pixel * channels + (channels >= 3 ? channel : 0)];
+    if (words != nullptr) {
+        words->title = spec.get_string_attribute("DocumentName");
+        words->description = spec.get_string_attribute("ImageDescription");
+    }
+    return picture;
+}
+
+Result<Picture8> resized(const Picture8& picture, int width, int height) {
+    Picture8 smaller(width, height);
+    OIIO::ImageBuf target = wrap(smaller);
+    if (!OIIO::ImageBufAlgo::resize(target, wrap(picture), "lanczos3", 0.0f, OIIO::ROI(0, width, 0, height, 0, 1, 0, 3)))
+        return Error{
+            message("a picture cannot be resized to ", width, " x ", height, " px (", target.geterror(), "); draw it smaller")};
+    return smaller;
+}
+
+} // namespace windrow::pictures

@@ -1,0 +1,176 @@
+#include "vegetation/files/mesh_file.h"
+
+#include "vegetation/files/assimp_import.h"
+#include "vegetation/files/gltf_text.h"
+#include "vegetation/files/mesh_folder.h"
+#include "vegetation/fur/mesh_simplify.h"
+#include "vegetation/fur/mesh_uv.h"
+#include "vegetation/fur/mesh_weld.h"
+#include "vegetation/files/obj_text.h"
+#include "vegetation/fur/refusal.h"
+#include "vegetation/files/three_ds_chunks.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace windrow::vegetation::fur {
+namespace {
+
+namespace fs = std::filesystem;
+using Coats = std::map<std::string, FurLine>;
+
+// The file's ending in small letters.
+std::string ending_of(const fs::path& path) {
+    std::string ending = path.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending;
+}
+
+Result<Soup> read_obj(const fs::path& path, const std::string& bytes, Coats& coats) {
+    auto obj = check_obj(bytes, path.string());
+    if (!obj)
+        return Error{obj.error()};
+    for (const std::string& library : obj->libraries) {
+        const auto file = beside(path, library);
+        if (!file)
+            return Error{file.error()};
+        const auto text = read_bytes(*file);
+        if (!text)
+            return Error{text.error()};
+        auto more = read_fur_lines(*text, file->string());
+        if (!more)
+            return Error{more.error()};
+        coats.merge(*more);
+    }
+    return import_soup({{"mesh.obj", std::move(obj->text)}}, "mesh.obj", path.string());
+}
+
+Result<Soup> read_gltf(const fs::path& path, const std::string& bytes) {
+    auto gltf = check_gltf(bytes, path);
+    if (!gltf)
+        return Error{gltf.error()};
+    std::map<std::string, std::string> files{{"mesh.gltf", std::move(gltf->json)}};
+    for (std::size_t i = 0; i < gltf->buffers.size(); ++i)
+        files[sentence(i, ".bin")] = std::move(gltf->buffers[i]);
+    return import_soup(files, "mesh.gltf", path.string());
+}
+
+// Normals of a 3DS are Assimp's own, of its faces: ours are made instead.
+Result<Soup> read_three_ds(const fs::path& path, std::string bytes) {
+    auto checked = check_three_ds(std::move(bytes), path.string());
+    if (!checked)
+        return Error{checked.error()};
+    auto soup = import_soup({{"mesh.3ds", *std::move(checked)}}, "mesh.3ds", path.string());
+    if (soup)
+        for (SoupPart& part : *soup)
+            for (Corner& corner : part.corners)
+                corner.normal = glm::vec3(0.0f);
+    return soup;
+}
+
+Result<Soup> read_soup(const fs::path& path, const std::string& ending, Coats& coats) {
+    if (ending != ".obj" && ending != ".gltf" && ending != ".glb" && ending != ".3ds")
+        return refusal(path.string(), " ends in '", ending, "': give a mesh as .obj, .gltf, .glb or .3ds.");
+    auto bytes = read_bytes(path);
+    if (!bytes)
+        return Error{bytes.error()};
+    if (ending == ".obj")
+        return read_obj(path, *bytes, coats);
+    if (ending == ".3ds")
+        return read_three_ds(path, *std::move(bytes));
+    return read_gltf(path, *bytes);
+}
+
+// The file's axes to ours: even permutations, which mirror nothing.
+glm::vec3 turned(const glm::vec3& v, UpAxis up) {
+    switch (up) {
+    case UpAxis::x:
+        return {-v.y, v.x, v.z};
+    case UpAxis::z:
+        return {v.x, v.z, -v.y};
+    default:
+        return v;
+    }
+}
+
+void turn(Soup& soup, const MeshLoad& load) {
+    const float c = std::cos(load.yaw), s = std::sin(load.yaw);
+    const auto place = [&](const glm::vec3& v) {
+        const glm::vec3 w = turned(v, load.up);
+        return glm::vec3(c * w.x + s * w.z, w.y, c * w.z - s * w.x);
+    };
+    for (SoupPart& part : soup)
+        for (Corner& corner : part.corners) {
+            corner.position = place(corner.position);
+            corner.normal = place(corner.normal);
+        }
+}
+
+// Scaled and stood up; how many metres one of the file's units became.
+float stand(Mesh& mesh, const MeshLoad& load) {
+    const glm::vec3 edges = mesh.high - mesh.low;
+    const float edge = load.size_of == SizeOf::height ? edges.y : std::max({edges.x, edges.y, edges.z});
+    const float scale = load.size / edge;
+    const glm::vec3 foot{(mesh.low.x + mesh.high.x) / 2.0f, mesh.low.y, (mesh.low.z + mesh.high.z) / 2.0f};
+    for (MeshVertex& vertex : mesh.vertices)
+        vertex.position = (vertex.position - foot) * scale;
+    measure(mesh);
+    return scale;
+}
+
+} // namespace
+
+Result<void> validate(const MeshLoad& load) {
+    Refusals refusals;
+    refusals.between("load.up", static_cast<double>(load.up), 0, 2);
+    refusals.between("load.size", static_cast<double>(load.size), 1e-3, 1e3);
+    refusals.between("load.size_of", static_cast<double>(load.size_of), 0, 1);
+    refusals.between("load.yaw", static_cast<double>(load.yaw), -6.2831855, 6.2831855);
+    refusals.between("load.most_triangles", static_cast<double>(load.most_triangles), 4, static_cast<double>(k_most_triangles));
+    return refusals.outcome();
+}
+
+Result<Mesh> read_mesh(const fs::path& path, const MeshLoad& load) {
+    if (const auto valid = validate(load); !valid)
+        return Error{valid.error()};
+    const std::string ending = ending_of(path);
+    Coats coats;
+    auto soup = read_soup(path, ending, coats);
+    if (!soup)
+        return Error{soup.error()};
+    turn(*soup, load);
+    auto mesh = weld(*soup, path.string() + " ");
+    if (!mesh)
+        return mesh;
+    soup->clear();
+
+    if (mesh->triangles() > load.most_triangles) {
+        simplify(*mesh, load.most_triangles);
+        if (mesh->triangles() > load.most_triangles)
+            return refusal(path.string(), " cannot be simplified below ", mesh->triangles(),
+                           " triangles: give load.most_triangles of as many.");
+        for (MeshVertex& vertex : mesh->vertices)
+            vertex.normal = glm::vec3(0.0f);
+    }
+    const glm::vec3 edges = mesh->high - mesh->low;
+    if (!((load.size_of == SizeOf::height ? edges.y : 1.0f) > 1e-6f * glm::length(edges)))
+        return refusal(path.string(), " is flat: give load.size_of the longest edge.");
+    const float scale = stand(*mesh, load);
+    smooth_normals(*mesh);
+    if (!mesh->has_uv)
+        project_uv(*mesh);
+    for (MeshPart& part : mesh->parts)
+        if (const auto coat = coats.find(part.material); coat != coats.end()) {
+            part.fur = coat->second;
+            part.fur->height *= scale;
+        }
+    if (const auto valid = validate(*mesh, path.string().c_str()); !valid)
+        return Error{valid.error()};
+    return mesh;
+}
+
+} // namespace windrow::vegetation::fur
