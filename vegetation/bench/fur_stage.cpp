@@ -15,16 +15,16 @@ constexpr double k_frame = 1.0 / 30.0;          // [s]
 constexpr glm::dvec3 k_anchor{0.0, 100.0, 0.0}; // [m] all coats are near it, far above the ground: behind them is the sky alone
 
 // Ends the program with a sentence.
-void must(const Result<void>& result) {
+void held(const Result<void>& result) {
     if (!result) {
         std::fprintf(stderr, "windrow_shells_bench: %s\n", result.error().c_str());
         std::exit(3);
     }
 }
 template <class T>
-T must(Result<T> result) {
+T held(Result<T> result) {
     if (!result)
-        must(Error{result.error()});
+        held(Error{result.error()});
     return *std::move(result);
 }
 
@@ -36,21 +36,21 @@ windrow::vulkan::Wind wind_of(const engine::Device& device, const FurCase& wante
         air.ambient = wanted.ambient;
         air.gusts = {.intensity = wanted.gusts, .length = wanted.gust_length};
     }
-    return must(
+    return held(
         windrow::vulkan::Wind::create(device.host(), air, {.frames_in_flight = engine::k_frames_in_flight, .queries = false}));
 }
 
 } // namespace
 
 FurStage::FurStage(FurCase wanted) : wanted_(std::move(wanted)) {
-    device_ = must(engine::Device::create());
-    frames_ = must(engine::Frames::create(*device_));
+    device_ = held(engine::Device::create());
+    frames_ = held(engine::Frames::create(*device_));
     wind_.emplace(wind_of(*device_, wanted_));
     render::Scene scene;
     scene.fog.density = 0.0f;
     scene.sun = {.elevation_deg = 35.0f, .azimuth_deg = 40.0f};
     scene.wind.wind = wind_->config();
-    renderer_ = must(render::Renderer::create(*device_, scene,
+    renderer_ = held(render::Renderer::create(*device_, scene,
                                               {.width = wanted_.size.x,
                                                .height = wanted_.size.y,
                                                .samples = wanted_.samples,
@@ -58,13 +58,13 @@ FurStage::FurStage(FurCase wanted) : wanted_(std::move(wanted)) {
                                                .near_shadow = 12.0f,
                                                .anchor = k_anchor}));
     auto counted = engine::guarded([&] { return std::make_unique<CountedCoats>(*device_); });
-    coats_ = must(std::move(counted));
+    coats_ = held(std::move(counted));
     for (Worn& worn : wanted_.coats) {
         if (worn.bones)
-            must(bind(worn.mesh, *worn.bones));
-        coats_->coats.push_back(must(fur::Coat::create(*device_, renderer_->draw_targets(), worn.mesh, {}, worn.settings, {},
+            held(bind(worn.mesh, *worn.bones));
+        coats_->coats.push_back(held(fur::Coat::create(*device_, renderer_->draw_targets(), worn.mesh, {}, worn.settings, {},
                                                        {.position = k_anchor + worn.place}, k_anchor)));
-        must(coats_->coats.back()->set_lamps([&] {
+        held(coats_->coats.back()->set_lamps([&] {
             std::vector<fur::Lamp> lamps = wanted_.lamps;
             for (fur::Lamp& lamp : lamps)
                 lamp.position += k_anchor;
@@ -78,19 +78,19 @@ int FurStage::record(bool copies) {
     for (std::size_t n = 0; n < coats_->coats.size(); ++n) {
         const Worn& worn = wanted_.coats[n];
         const auto bones = worn.bones ? pose(*worn.bones, time_) : std::vector<glm::mat4>{};
-        must(coats_->coats[n]->move(k_frame, {.position = k_anchor + worn.place}, bones));
+        held(coats_->coats[n]->move(k_frame, {.position = k_anchor + worn.place}, bones));
     }
     render::Camera camera;
     camera.position = k_anchor + wanted_.from;
     camera.target = k_anchor + wanted_.to;
     camera.view_deg = wanted_.view_deg;
-    const engine::Frame frame = must(frames_->begin());
+    const engine::Frame frame = held(frames_->begin());
     renderer_->begin(frame);
     (void)wind_->record(frame.commands, {.dt = wanted_.wind ? k_frame : 0.0, .slot = frame.slot});
-    must(renderer_->record(frame, camera, *wind_));
+    held(renderer_->record(frame, camera, *wind_));
     if (copies)
         renderer_->copy(frame);
-    must(frames_->finish(frame));
+    held(frames_->finish(frame));
     renderer_->clock().collect(frame.slot);
     time_ += k_frame;
     return frame.slot;
@@ -133,7 +133,7 @@ void FurStage::write(const std::filesystem::path& folder) const {
     std::string name;
     for (const char letter : wanted_.name)
         name += std::isalnum(static_cast<unsigned char>(letter)) != 0 ? letter : '_';
-    must(pictures::write_png(renderer_->images().picture(), folder / (name + ".png")));
+    held(pictures::write_png(renderer_->images().picture(), folder / (name + ".png")));
 }
 
 const std::vector<double>& FurStage::times(const std::string& stage) const {

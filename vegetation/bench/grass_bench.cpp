@@ -32,14 +32,14 @@ double milliseconds(const Body& body) {
 }
 
 template <class Value>
-Value must(windrow::Result<Value> result) {
+Value held(windrow::Result<Value> result) {
     if (!result) {
         std::fprintf(stderr, "%s\n", result.error().c_str());
         std::exit(3);
     }
     return *std::move(result);
 }
-void must(const windrow::Result<void>& result) {
+void held(const windrow::Result<void>& result) {
     if (!result) {
         std::fprintf(stderr, "%s\n", result.error().c_str());
         std::exit(3);
@@ -48,7 +48,7 @@ void must(const windrow::Result<void>& result) {
 
 // Vertices that the draws of the colour's view come to.
 double vertices_of(engine::Device& device, const grass::GrassField& field, const std::vector<grass::Chunk>& chunks) {
-    const auto draws = must(
+    const auto draws = held(
         device.read<VkDrawIndirectCommand>(field.draw_buffer(), 0, 4 * static_cast<std::size_t>(field.settings().most_chunks)));
     double vertices = 0.0;
     for (const grass::Chunk chunk : chunks)
@@ -60,16 +60,16 @@ double vertices_of(engine::Device& device, const grass::GrassField& field, const
 }
 
 void measure(windrow::vulkan::OwnDevice& own, engine::Device& device, float metres) {
-    const grass::HeightMap heights = must(grass::bench::rolling_hills(metres));
-    const grass::PlacementMask mask = must(grass::PlacementMask::create({257, 257}, heights.extent(), 1.0f));
+    const grass::HeightMap heights = held(grass::bench::rolling_hills(metres));
+    const grass::PlacementMask mask = held(grass::PlacementMask::create({257, 257}, heights.extent(), 1.0f));
     const grass::GrassSettings settings;
-    grass::GrassField field = must(grass::GrassField::create(device, heights, mask, settings));
+    grass::GrassField field = held(grass::GrassField::create(device, heights, mask, settings));
     const double places = static_cast<double>(field.tree().cells().x) * field.tree().cells().y;
     double walk = 1e30, passes = 1e30, first = 0.0, empty = 1e30, in_chunks = 0.0, drawn = 0.0, most = 0.0;
     const auto frame = [&](const grass::GrassCamera& camera, double& recorded) {
         return milliseconds([&] {
-            must(own.run([&](VkCommandBuffer commands) {
-                recorded = milliseconds([&] { (void)must(field.record_cull(commands, camera)); });
+            held(own.run([&](VkCommandBuffer commands) {
+                recorded = milliseconds([&] { (void)held(field.record_cull(commands, camera)); });
             }));
         });
     };
@@ -78,7 +78,7 @@ void measure(windrow::vulkan::OwnDevice& own, engine::Device& device, float metr
         for (int n = 0; n < grass::bench::k_frames; ++n) {
             const grass::GrassCamera camera = grass::bench::camera_at(heights, n);
             double recorded = 0.0;
-            empty = std::min(empty, milliseconds([&] { must(own.run([](VkCommandBuffer) {})); }));
+            empty = std::min(empty, milliseconds([&] { held(own.run([](VkCommandBuffer) {})); }));
             const double whole = frame(camera, recorded);
             walk_here += recorded / grass::bench::k_frames;
             passes_here += (whole - recorded) / grass::bench::k_frames;
@@ -108,8 +108,8 @@ void measure(windrow::vulkan::OwnDevice& own, engine::Device& device, float metr
 
 int main(int count, char** arguments) {
     const double most = count > 1 ? std::atof(arguments[1]) : 500.0;
-    const auto own = must(windrow::vulkan::OwnDevice::create({.queue = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT}));
-    const auto device = must(engine::Device::adopt(own->host(), own->queue()));
+    const auto own = held(windrow::vulkan::OwnDevice::create({.queue = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT}));
+    const auto device = held(engine::Device::adopt(own->host(), own->queue()));
     std::printf("%s, %s\n", own->facts().name.c_str(), own->facts().driver.c_str());
     std::printf(
         "field, places | vertices of the field, of its chunks in view, drawn | chunks in view | times a frame | memory\n");
