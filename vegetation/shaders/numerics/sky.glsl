@@ -9,7 +9,7 @@
 // L is the integral over the depth t of exp(-t m_s) tau P m_v exp(-(tau - t) m_v) dt / tau, with P_R = 3 (1 + cos^2) / (16 pi)
 // and P_M Henyey and Greenstein's, both with integral 1; haze is taken to lie as the air does. Light scattered more than once is
 // estimated: a quarter of what the beam lost, spread evenly, L_2 = E_0 mu_s (1 - exp(-tau m_s)) (1 - exp(-tau m_v)) / (4 pi),
-// which is ours; both together never exceed what the beam lost (vegetation/tests/render/sky_test.cpp). There is no ozone, no
+// which is ours; both together never exceed what the beam lost (vegetation/tests/render/light_test.cpp). There is no ozone, no
 // ground that shines back, no horizon that curves (the air mass is 38 there), no twilight: below the horizon the sun gives
 // nothing.
 // The sun's edge is 0.4 as bright as its middle (limb darkening 1 - 0.6 (1 - mu)).

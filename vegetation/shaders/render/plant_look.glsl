@@ -1,4 +1,4 @@
-// What plants look like: the same layout as render::PlantLook (vegetation/render/plant_look.h). Colours are linear albedo.
+// What plants look like: the layout of render::PlantLookBlock (vegetation/render/plant_look_block.h). Colours are linear albedo.
 #ifndef WINDROW_RENDER_PLANT_LOOK_GLSL
 #define WINDROW_RENDER_PLANT_LOOK_GLSL
 
