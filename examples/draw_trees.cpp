@@ -108,7 +108,8 @@ int main(int argument_count, char** arguments) {
         scene.camera.position = scene.camera.target + glm::dvec3(0.3 * tall, -0.3 * tall, 1.95 * tall);
     }
     const auto device = held(engine::Device::create(), 3);
-    auto wind = held(windrow::vulkan::Wind::create(device->host(), scene.wind.wind, {.frames_in_flight = engine::k_frames_in_flight}), 3);
+    auto wind =
+        held(windrow::vulkan::Wind::create(device->host(), scene.wind.wind, {.frames_in_flight = engine::k_frames_in_flight}), 3);
     held(wind.set_floor(k_field.y));
 
     const render::RenderSettings picture{

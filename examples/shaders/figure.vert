@@ -18,7 +18,8 @@ struct Capsule {
 
 // Parts 0 to 6: he walks two steps in 1.5 m, arms against legs.
 Capsule walker_part(int part) {
-    vec3 ahead = vec3(cos(scene.walker.w), 0.0, sin(scene.walker.w)), left = vec3(ahead.z, 0.0, -ahead.x), up = vec3(0.0, 1.0, 0.0);
+    vec3 ahead = vec3(cos(scene.walker.w), 0.0, sin(scene.walker.w)), left = vec3(ahead.z, 0.0, -ahead.x),
+         up = vec3(0.0, 1.0, 0.0);
     vec3 feet = scene.walker.xyz, hip = feet + 0.9 * up, shoulder = feet + 1.42 * up + 0.05 * ahead;
     float stride = sin(6.2831853 * dot(feet, ahead) / 1.5);
     if (part == 0)
@@ -26,12 +27,13 @@ Capsule walker_part(int part) {
     if (part == 1)
         return Capsule(hip, shoulder - 0.05 * up, vec2(0.15, 0.20), vec3(0.62, 0.07, 0.04));
     if (part == 2)
-        return Capsule(feet + 1.76 * up + 0.05 * ahead, feet + 1.80 * up + 0.04 * ahead, vec2(0.115, 0.09), vec3(0.75, 0.66, 0.40));
+        return Capsule(feet + 1.76 * up + 0.05 * ahead, feet + 1.80 * up + 0.04 * ahead, vec2(0.115, 0.09),
+                       vec3(0.75, 0.66, 0.40));
     float at = (part & 1) == 0 ? 1.0 : -1.0;
     float swing = 0.6 * at * stride;
     if (part < 5)
-        return Capsule(hip + 0.09 * at * left, hip + 0.09 * at * left - 0.86 * (cos(swing) * up - sin(swing) * ahead), vec2(0.10, 0.06),
-                       vec3(0.05, 0.07, 0.14));
+        return Capsule(hip + 0.09 * at * left, hip + 0.09 * at * left - 0.86 * (cos(swing) * up - sin(swing) * ahead),
+                       vec2(0.10, 0.06), vec3(0.05, 0.07, 0.14));
     return Capsule(shoulder + 0.22 * at * left, shoulder + 0.26 * at * left - 0.6 * (cos(swing) * up + sin(swing) * ahead),
                    vec2(0.075, 0.05), vec3(0.62, 0.07, 0.04));
 }
@@ -45,11 +47,12 @@ Capsule fan_part(int part) {
         return Capsule(vec3(hub.x, 0.0, hub.z) - 0.12 * axis, hub - 0.12 * axis, vec2(0.07, 0.05), vec3(0.30, 0.31, 0.33));
     if (part <= k_blades_of_fan) {
         float turn = scene.fan.w + 6.2831853 * float(part) / float(k_blades_of_fan);
-        return Capsule(hub, hub + 0.9 * radius * (cos(turn) * level + sin(turn) * upward), vec2(0.05, 0.10), vec3(0.70, 0.42, 0.05));
+        return Capsule(hub, hub + 0.9 * radius * (cos(turn) * level + sin(turn) * upward), vec2(0.05, 0.10),
+                       vec3(0.70, 0.42, 0.05));
     }
     float one = 6.2831853 * float(part) / float(k_ring), other = 6.2831853 * float(part + 1) / float(k_ring);
-    return Capsule(hub + radius * (cos(one) * level + sin(one) * upward), hub + radius * (cos(other) * level + sin(other) * upward),
-                   vec2(0.05), vec3(0.62, 0.64, 0.66));
+    return Capsule(hub + radius * (cos(one) * level + sin(one) * upward),
+                   hub + radius * (cos(other) * level + sin(other) * upward), vec2(0.05), vec3(0.62, 0.64, 0.66));
 }
 
 void main() {

@@ -247,9 +247,8 @@ void Memory::release(const MemoryPiece& piece) {
 
 bool Memory::has(VkMemoryPropertyFlags wanted, VkMemoryPropertyFlags without) const {
     const std::vector<std::uint32_t> types = state_->types_for(~0u, wanted, 0, 0);
-    return std::any_of(types.begin(), types.end(), [&](std::uint32_t type) {
-        return (state_->properties.memoryTypes[type].propertyFlags & without) == 0;
-    });
+    return std::any_of(types.begin(), types.end(),
+                       [&](std::uint32_t type) { return (state_->properties.memoryTypes[type].propertyFlags & without) == 0; });
 }
 
 VkDeviceSize Memory::taken() const {

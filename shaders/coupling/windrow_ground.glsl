@@ -33,12 +33,8 @@ layout(std140, set = WINDROW_GROUND_SET, binding = WINDROW_GROUND_BINDING) unifo
 layout(set = WINDROW_GROUND_SET, binding = WINDROW_GROUND_BINDING + 1) uniform sampler3D windrow_ground_texels;
 layout(set = WINDROW_GROUND_SET, binding = WINDROW_GROUND_BINDING + 2) uniform sampler3D windrow_ground_texels_before;
 
-vec4 windrow_ground(vec3 p) {
-    return windrow_ground_at(windrow_ground_texels, windrow_ground_now, p);
-}
+vec4 windrow_ground(vec3 p) { return windrow_ground_at(windrow_ground_texels, windrow_ground_now, p); }
 
-vec4 windrow_ground_previous(vec3 p) {
-    return windrow_ground_at(windrow_ground_texels_before, windrow_ground_before, p);
-}
+vec4 windrow_ground_previous(vec3 p) { return windrow_ground_at(windrow_ground_texels_before, windrow_ground_before, p); }
 
 #endif

@@ -23,17 +23,13 @@
 #include "../numerics/tree.glsl"
 
 // [m/s] What a thing at p feels that moves at `velocity` [m/s]: this frame, and the one before.
-vec3 windrow_wind_on(vec3 p, vec3 velocity) {
-    return windrow_apparent(windrow_velocity(p), p, velocity);
-}
+vec3 windrow_wind_on(vec3 p, vec3 velocity) { return windrow_apparent(windrow_velocity(p), p, velocity); }
 vec3 windrow_wind_on_previous(vec3 p, vec3 velocity) {
     return windrow_felt(0, windrow_ambient_before, windrow_velocity_previous(p) - velocity, p);
 }
 
 // A bend that a texture or a buffer holds as x and z.
-vec3 windrow_level(vec2 bend) {
-    return vec3(bend.x, 0.0, bend.y);
-}
+vec3 windrow_level(vec2 bend) { return vec3(bend.x, 0.0, bend.y); }
 
 // --- Blades ----------------------------------------------------------------------------------------------------------
 
@@ -57,7 +53,8 @@ vec3 windrow_blade_bend_previous(WindrowBlade blade, vec3 root, vec3 up, uvec2 k
 WindrowVertex windrow_blade(WindrowBlade blade, vec3 root, vec3 up, uvec2 key, vec3 bend, vec3 eye, float h, float side) {
     vec3 sight = root - eye;
     vec3 view = sight / max(length(sight), 1e-6);
-    WindrowVertex vertex = windrow_blade_vertex(blade, windrow_blade_plant(blade, up, windrow_plant_hash(key), bend, view), h, side);
+    WindrowVertex vertex =
+        windrow_blade_vertex(blade, windrow_blade_plant(blade, up, windrow_plant_hash(key), bend, view), h, side);
     vertex.position += root;
     return vertex;
 }
@@ -82,21 +79,23 @@ vec3 windrow_wind_on_part(vec3 base, WindrowPart part) {
     return part.stiffness > 0.0 ? windrow_wind_on(base + part.root + 0.5 * part.reach * part.axis, vec3(0.0)) : vec3(0.0);
 }
 vec3 windrow_wind_on_part_previous(vec3 base, WindrowPart part) {
-    return part.stiffness > 0.0 ? windrow_wind_on_previous(base + part.root + 0.5 * part.reach * part.axis, vec3(0.0)) : vec3(0.0);
+    return part.stiffness > 0.0 ? windrow_wind_on_previous(base + part.root + 0.5 * part.reach * part.axis, vec3(0.0))
+                                : vec3(0.0);
 }
 
 // A vertex at rest, relative to the trunk's base [m from the anchor], in the wind that each of its parts feels. The result is
 // relative to the base too. For trees that swing call windrow_tree_bent with the states of springs.
-WindrowTreeVertex windrow_tree(WindrowTree tree, vec3 base, WindrowPart trunk, WindrowPart branch, WindrowPart leaf, WindrowTreeVertex rest) {
-    WindrowTreeLoads loads = windrow_tree_loads(tree, trunk, branch, leaf, windrow_wind_on_part(base, trunk), windrow_wind_on_part(base, branch),
-                                                windrow_wind_on_part(base, leaf));
+WindrowTreeVertex windrow_tree(WindrowTree tree, vec3 base, WindrowPart trunk, WindrowPart branch, WindrowPart leaf,
+                               WindrowTreeVertex rest) {
+    WindrowTreeLoads loads = windrow_tree_loads(tree, trunk, branch, leaf, windrow_wind_on_part(base, trunk),
+                                                windrow_wind_on_part(base, branch), windrow_wind_on_part(base, leaf));
     return windrow_tree_bent(tree, trunk, branch, leaf, loads, rest);
 }
 WindrowTreeVertex windrow_tree_previous(WindrowTree tree, vec3 base, WindrowPart trunk, WindrowPart branch, WindrowPart leaf,
                                         WindrowTreeVertex rest) {
     WindrowTreeLoads loads =
-        windrow_tree_loads(tree, trunk, branch, leaf, windrow_wind_on_part_previous(base, trunk), windrow_wind_on_part_previous(base, branch),
-                           windrow_wind_on_part_previous(base, leaf));
+        windrow_tree_loads(tree, trunk, branch, leaf, windrow_wind_on_part_previous(base, trunk),
+                           windrow_wind_on_part_previous(base, branch), windrow_wind_on_part_previous(base, leaf));
     return windrow_tree_bent(tree, trunk, branch, leaf, loads, rest);
 }
 

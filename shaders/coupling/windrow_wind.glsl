@@ -27,9 +27,7 @@
 
 layout(std430, set = WINDROW_SET, binding = WINDROW_BINDING + 7) readonly buffer WindrowTile { vec4 windrow_tile_texels[]; };
 #define WINDROW_TILE int
-vec3 windrow_tile_texel(int tile, ivec3 texel) {
-    return windrow_tile_texels[(texel.z * 16 + texel.y) * 128 + texel.x].xyz;
-}
+vec3 windrow_tile_texel(int tile, ivec3 texel) { return windrow_tile_texels[(texel.z * 16 + texel.y) * 128 + texel.x].xyz; }
 
 #include "../numerics/ambient.glsl"
 #include "../numerics/window.glsl"
@@ -96,8 +94,10 @@ void windrow_texels_around(vec3 p, vec3 origin, out ivec3 low, out ivec3 high, o
 // One component, trilinear.
 float windrow_component(sampler3D texels, ivec3 low, ivec3 high, vec3 between) {
     float ll = mix(texelFetch(texels, low, 0).x, texelFetch(texels, ivec3(high.x, low.y, low.z), 0).x, between.x);
-    float hl = mix(texelFetch(texels, ivec3(low.x, high.y, low.z), 0).x, texelFetch(texels, ivec3(high.x, high.y, low.z), 0).x, between.x);
-    float lh = mix(texelFetch(texels, ivec3(low.x, low.y, high.z), 0).x, texelFetch(texels, ivec3(high.x, low.y, high.z), 0).x, between.x);
+    float hl = mix(texelFetch(texels, ivec3(low.x, high.y, low.z), 0).x, texelFetch(texels, ivec3(high.x, high.y, low.z), 0).x,
+                   between.x);
+    float lh = mix(texelFetch(texels, ivec3(low.x, low.y, high.z), 0).x, texelFetch(texels, ivec3(high.x, low.y, high.z), 0).x,
+                   between.x);
     float hh = mix(texelFetch(texels, ivec3(low.x, high.y, high.z), 0).x, texelFetch(texels, high, 0).x, between.x);
     return mix(mix(ll, hl, between.y), mix(lh, hh, between.y), between.z);
 }
@@ -110,7 +110,8 @@ vec3 windrow_frame_velocity(sampler3D x, sampler3D y, sampler3D z, WindrowAmbien
     ivec3 low, high;
     vec3 between;
     windrow_texels_around(p, origin, low, high, between);
-    vec3 inside = vec3(windrow_component(x, low, high, between), windrow_component(y, low, high, between), windrow_component(z, low, high, between));
+    vec3 inside = vec3(windrow_component(x, low, high, between), windrow_component(y, low, high, between),
+                       windrow_component(z, low, high, between));
     return share < 1.0 ? mix(windrow_ambient(0, ambient, p), inside, share) : inside;
 }
 
@@ -127,8 +128,6 @@ vec3 windrow_velocity_previous(vec3 p) {
 }
 
 // [m/s] What a thing at p that moves at `velocity` [m/s] feels of a wind u: with detail, strength and limit as FrameBlock says.
-vec3 windrow_apparent(vec3 u, vec3 p, vec3 velocity) {
-    return windrow_felt(0, windrow_ambient_now, u - velocity, p);
-}
+vec3 windrow_apparent(vec3 u, vec3 p, vec3 velocity) { return windrow_felt(0, windrow_ambient_now, u - velocity, p); }
 
 #endif

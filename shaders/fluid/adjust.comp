@@ -19,7 +19,8 @@ void main() {
     if (push.y != 0) {
         wind = tick.carried.xyz;
         if (is_on(WINDROW_PROFILE))
-            wind *= windrow_profile(tick.wind.profile.z + tick.time.y * (float(cell.y) + 0.5f), tick.wind.profile.x, tick.wind.profile.y);
+            wind *= windrow_profile(tick.wind.profile.z + tick.time.y * (float(cell.y) + 0.5f), tick.wind.profile.x,
+                                    tick.wind.profile.y);
     } else {
         wind = wind_at(cell, 0.0f, is_on(WINDROW_GUSTS));
     }

@@ -28,13 +28,9 @@ int locate(ivec3 cell, vec3 displacement, ivec3 stride, out vec3 fraction) {
     return offset;
 }
 
-vec3 lerp(vec3 a, vec3 b, float t) {
-    return a + t * (b - a);
-}
+vec3 lerp(vec3 a, vec3 b, float t) { return a + t * (b - a); }
 
-vec3 read(int at) {
-    return padded[at].xyz;
-}
+vec3 read(int at) { return padded[at].xyz; }
 
 vec3 sample_linear(int at, vec3 t, ivec3 s) {
     vec3 ends[2];

@@ -3,44 +3,43 @@
 #ifndef WINDROW_BLOCKS_GLSL
 #define WINDROW_BLOCKS_GLSL
 
-
 // Halo of a padded field: cells below 0 and above n - 1 that a cubic read at a legal position can touch.
 #define WINDROW_HALO_LOW 2
 #define WINDROW_HALO 5
 
 // Bits of WindrowStep.shape.z.
-#define WINDROW_FRESH 1          // there is no past: q = 0, u_old = u
-#define WINDROW_STABLE_FLUIDS 2  // the classic split (and all that does not advect), else second order
-#define WINDROW_LINEAR 4         // trilinear, else cubic
+#define WINDROW_FRESH 1         // there is no past: q = 0, u_old = u
+#define WINDROW_STABLE_FLUIDS 2 // the classic split (and all that does not advect), else second order
+#define WINDROW_LINEAR 4        // trilinear, else cubic
 #define WINDROW_ADVECTS 8
 #define WINDROW_PROJECTS 16
 #define WINDROW_SETTLES 32
-#define WINDROW_GUSTS 64         // the ambient wind is given, not solved
-#define WINDROW_PROFILE 128      // the mean wind is not the same at all heights
-#define WINDROW_LETS_AIR_IN 256  // u_S is given, not solved
-#define WINDROW_RENEWS_AIR 512   // u_S changes in this tick
-#define WINDROW_DIFFUSES 1024    // viscosity may act
-#define WINDROW_PUSHES 2048      // a motor of this tick is a force
-#define WINDROW_EXPANDS 4096     // a motor of this tick is a source of air
+#define WINDROW_GUSTS 64          // the ambient wind is given, not solved
+#define WINDROW_PROFILE 128       // the mean wind is not the same at all heights
+#define WINDROW_LETS_AIR_IN 256   // u_S is given, not solved
+#define WINDROW_RENEWS_AIR 512    // u_S changes in this tick
+#define WINDROW_DIFFUSES 1024     // viscosity may act
+#define WINDROW_PUSHES 2048       // a motor of this tick is a force
+#define WINDROW_EXPANDS 4096      // a motor of this tick is a source of air
 #define WINDROW_OWES_NOTHING 8192 // viscosity has acted for all time so far
-#define WINDROW_ONE_PASS 16384   // its explicit pass is all there is: it acts for as long as that may, and owes the rest
+#define WINDROW_ONE_PASS 16384    // its explicit pass is all there is: it acts for as long as that may, and owes the rest
 
 // Of a tick.
 struct WindrowStep {
-    ivec4 cells;          // xyz cells an axis, w all of them
-    ivec4 shape;          // x motors, y most sub-steps, z bits (above), w sub-steps forced, 0: as many as the speeds ask
-    vec4 time;            // x [s] duration, y [m] edge of a cell, z [s] settling time, w most cells that air may cross in a sub-step
-    vec4 ambient;         // xyz [m/s] mean wind that open sides carry, w [m^2/s] viscosity
-    vec4 low, high;       // xyz positions where a trajectory may end [cells, from the first centre]
-    vec4 period;          // xyz cells of a periodic axis, else 0
-    vec4 inverse_period;  // xyz 1 / period, else 0
-    ivec4 low_source;     // xyz cell that a stencil takes beyond the low side
-    ivec4 high_source;    // and beyond the high side
+    ivec4 cells;    // xyz cells an axis, w all of them
+    ivec4 shape;    // x motors, y most sub-steps, z bits (above), w sub-steps forced, 0: as many as the speeds ask
+    vec4 time;      // x [s] duration, y [m] edge of a cell, z [s] settling time, w most cells that air may cross in a sub-step
+    vec4 ambient;   // xyz [m/s] mean wind that open sides carry, w [m^2/s] viscosity
+    vec4 low, high; // xyz positions where a trajectory may end [cells, from the first centre]
+    vec4 period;    // xyz cells of a periodic axis, else 0
+    vec4 inverse_period;                // xyz 1 / period, else 0
+    ivec4 low_source;                   // xyz cell that a stencil takes beyond the low side
+    ivec4 high_source;                  // and beyond the high side
     vec4 velocity_low, velocity_high;   // xyz factor there on the velocity along the axis
     vec4 potential_low, potential_high; // and on the potential
-    vec4 canopy;          // x [1/m] drag, 0: none; y ground, z top [cells above the low side]
-    vec4 carried;         // xyz [texels/s] speed at which gusts are carried
-    WindrowAmbient wind;  // at the tick's start; local positions are from the box's low corner
+    vec4 canopy;                        // x [1/m] drag, 0: none; y ground, z top [cells above the low side]
+    vec4 carried;                       // xyz [texels/s] speed at which gusts are carried
+    WindrowAmbient wind;                // at the tick's start; local positions are from the box's low corner
 };
 
 // Between the passes of a tick. Lives on the device; `dt` is kept from tick to tick.

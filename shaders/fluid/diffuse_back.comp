@@ -10,9 +10,7 @@ layout(std430, set = 0, binding = 2) readonly buffer Tables { float tables[]; };
 layout(std430, set = 0, binding = 3) readonly buffer Hat { float hat[]; };
 layout(std430, set = 0, binding = 4) buffer Diffused { vec4 diffused[]; };
 
-float load(ivec3 mode) {
-    return hat[hat_index(mode)];
-}
+float load(ivec3 mode) { return hat[hat_index(mode)]; }
 
 void store(ivec3 cell, float value) {
     if (is_implicit())

@@ -24,7 +24,8 @@ void main() {
     // push.y: eigenvalues of x, then of z, then what the low and the high end of y add to the diagonal, then 1 where y is
     // periodic.
     const int facts = push.y + tick.cells.x + tick.cells.z;
-    const float s = 1.0f / diffusion_ratio() - tables[push.y + at % tick.cells.x] - tables[push.y + tick.cells.x + at / tick.cells.x];
+    const float s =
+        1.0f / diffusion_ratio() - tables[push.y + at % tick.cells.x] - tables[push.y + tick.cells.x + at / tick.cells.x];
     const bool periodic = tables[facts + 2] != 0.0f, cyclic = periodic && rows > 1;
     const float gamma = 2.0f + s;
     float e = 0.0f, pivot = 0.0f, carry = 0.0f;

@@ -30,8 +30,6 @@ float load(ivec3 cell) {
     return rhs;
 }
 
-void store(ivec3 mode, float value) {
-    hat[hat_index(mode)] = value;
-}
+void store(ivec3 mode, float value) { hat[hat_index(mode)] = value; }
 
 #include "fluid/modes.glsl"

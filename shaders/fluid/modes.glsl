@@ -17,9 +17,7 @@ const int k_held = (k_tile + k_group - 1) / k_group;
 shared float tile[k_tile];
 
 // [input][output] of x and of z; where they begin is in push.y and push.z.
-float eigenvector(int table, int from, int to, int count) {
-    return tables[table + from * count + to];
-}
+float eigenvector(int table, int from, int to, int count) { return tables[table + from * count + to]; }
 
 void transform_x() {
     float held[k_held];

@@ -7,12 +7,8 @@
 layout(std430, set = 0, binding = 2) readonly buffer Tables { float tables[]; };
 layout(std430, set = 0, binding = 3) buffer Hat { float hat[]; };
 
-float load(ivec3 mode) {
-    return hat[hat_index(mode)];
-}
+float load(ivec3 mode) { return hat[hat_index(mode)]; }
 
-void store(ivec3 mode, float value) {
-    hat[hat_index(mode)] = value;
-}
+void store(ivec3 mode, float value) { hat[hat_index(mode)] = value; }
 
 #include "fluid/modes.glsl"

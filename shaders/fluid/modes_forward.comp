@@ -23,8 +23,6 @@ float load(ivec3 cell) {
     return 0.5f * differences(cell);
 }
 
-void store(ivec3 mode, float value) {
-    hat[hat_index(mode)] = value;
-}
+void store(ivec3 mode, float value) { hat[hat_index(mode)] = value; }
 
 #include "fluid/modes.glsl"

@@ -9,14 +9,10 @@ layout(local_size_x_id = 0, local_size_y_id = 1, local_size_z_id = 2) in;
 #ifdef WINDROW_READS_TILE
 layout(std430, set = 0, binding = WINDROW_READS_TILE) readonly buffer Tile { vec4 tile_texels[]; };
 #define WINDROW_TILE int
-vec3 windrow_tile_texel(int tile, ivec3 texel) {
-    return tile_texels[(texel.z * 16 + texel.y) * 128 + texel.x].xyz;
-}
+vec3 windrow_tile_texel(int tile, ivec3 texel) { return tile_texels[(texel.z * 16 + texel.y) * 128 + texel.x].xyz; }
 #else
 #define WINDROW_TILE int
-vec3 windrow_tile_texel(int tile, ivec3 texel) {
-    return vec3(0.0f);
-}
+vec3 windrow_tile_texel(int tile, ivec3 texel) { return vec3(0.0f); }
 #endif
 
 #include "numerics/ambient.glsl"
@@ -27,27 +23,17 @@ layout(std430, set = 0, binding = 1) buffer Control { WindrowControl control; };
 // Which sub-step this is.
 layout(push_constant) uniform Push { ivec4 push; };
 
-bool is_on(int bit) {
-    return (tick.shape.z & bit) != 0;
-}
+bool is_on(int bit) { return (tick.shape.z & bit) != 0; }
 
-int cell_index(ivec3 cell) {
-    return (cell.z * tick.cells.y + cell.y) * tick.cells.x + cell.x;
-}
+int cell_index(ivec3 cell) { return (cell.z * tick.cells.y + cell.y) * tick.cells.x + cell.x; }
 
-bool inside(ivec3 cell, ivec3 cells) {
-    return all(lessThan(cell, cells));
-}
+bool inside(ivec3 cell, ivec3 cells) { return all(lessThan(cell, cells)); }
 
 // No past: the first sub-step of a tick that begins anew.
-bool is_fresh() {
-    return is_on(WINDROW_FRESH) && push.x == 0;
-}
+bool is_fresh() { return is_on(WINDROW_FRESH) && push.x == 0; }
 
 // A sub-step's duration over the one before it.
-float duration_ratio() {
-    return push.x == 0 ? control.substep.x / control.substep.y : 1.0f;
-}
+float duration_ratio() { return push.x == 0 ? control.substep.x / control.substep.y : 1.0f; }
 
 // The ambient wind around the box at a cell's centre, `elapsed` [s] after the tick's start: the mean alone, or with its gusts.
 vec3 wind_at(ivec3 cell, float elapsed, bool gusts) {
@@ -62,14 +48,10 @@ vec3 wind_at(ivec3 cell, float elapsed, bool gusts) {
 }
 
 // What is solved for meets beyond open sides: still air while the gusts are given.
-vec3 solved_ambient(ivec3 cell) {
-    return is_on(WINDROW_GUSTS) ? vec3(0.0f) : wind_at(cell, 0.0f, false);
-}
+vec3 solved_ambient(ivec3 cell) { return is_on(WINDROW_GUSTS) ? vec3(0.0f) : wind_at(cell, 0.0f, false); }
 
 // [s] From the tick's start to this sub-step's.
-float elapsed() {
-    return float(push.x) * control.substep.x;
-}
+float elapsed() { return float(push.x) * control.substep.x; }
 
 float largest_component(vec3 u) {
     vec3 a = abs(u);

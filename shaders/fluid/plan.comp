@@ -5,7 +5,10 @@
 #include "fluid/pass.glsl"
 
 // Work groups of each pass, and how many passes a sub-step has; then what each of them is to run, sub-step by sub-step.
-layout(std430, set = 0, binding = 2) readonly buffer Shapes { uint passes; uint groups[]; };
+layout(std430, set = 0, binding = 2) readonly buffer Shapes {
+    uint passes;
+    uint groups[];
+};
 layout(std430, set = 0, binding = 3) writeonly buffer Commands { uint commands[]; };
 
 void main() {

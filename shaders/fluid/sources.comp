@@ -27,9 +27,7 @@ shared uint group_force;
 const uint k_sphere = 0, k_capsule = 1, k_box = 2, k_cone = 3, k_jet = 4, k_vortex = 5;
 const uint k_force = 0, k_drive = 1;
 
-vec3 from(float v[3]) {
-    return vec3(v[0], v[1], v[2]);
-}
+vec3 from(float v[3]) { return vec3(v[0], v[1], v[2]); }
 
 // xyz the push, w the weight of a motor at a place [m from the box's low corner].
 vec4 push_at(int n, vec3 p) {

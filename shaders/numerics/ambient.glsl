@@ -24,14 +24,12 @@
 #ifndef WINDROW_TILE
 #define WINDROW_TILE sampler3D
 // One texel; each index lies within the tile.
-WINDROW_FN vec3 windrow_tile_texel(WINDROW_TILE tile, ivec3 texel) {
-    return texelFetch(tile, texel, 0).xyz;
-}
+WINDROW_FN vec3 windrow_tile_texel(WINDROW_TILE tile, ivec3 texel) { return texelFetch(tile, texel, 0).xyz; }
 #endif
 
 // The same layout as windrow::AmbientBlock (fluid/ambient.h), which says more of each field. Usable in a std140 block.
 struct WindrowAmbient {
-    vec4 mean;            // xyz [m/s] mean wind at the reference height, w [m/s] strength of the gusts; 0: none
+    vec4 mean; // xyz [m/s] mean wind at the reference height, w [m/s] strength of the gusts; 0: none
     // x [m] roughness length, 0: no profile; y [m] reference height; z [m] height of the anchor; w strength of felt wind
     vec4 profile;
     vec4 gust_texel;      // xyz texel below the anchor, w [1/m] texels a metre
@@ -57,9 +55,7 @@ WINDROW_FN vec3 windrow_tile_repeated(WINDROW_TILE tile, ivec3 texel) {
 }
 
 // a + t (b - a): equal ends give themselves, to the bit, and opposite ends cancel halfway.
-WINDROW_FN vec3 windrow_tile_blend(vec3 a, vec3 b, float t) {
-    return a + t * (b - a);
-}
+WINDROW_FN vec3 windrow_tile_blend(vec3 a, vec3 b, float t) { return a + t * (b - a); }
 
 // The tile `offset` texels from the centre of `texel`, trilinear.
 WINDROW_FN vec3 windrow_tile_at(WINDROW_TILE tile, ivec3 texel, vec3 offset) {
@@ -72,7 +68,8 @@ WINDROW_FN vec3 windrow_tile_at(WINDROW_TILE tile, ivec3 texel, vec3 offset) {
                                  windrow_tile_repeated(tile, ivec3(high.x, high.y, low.z)), t.x);
     vec3 lh = windrow_tile_blend(windrow_tile_repeated(tile, ivec3(low.x, low.y, high.z)),
                                  windrow_tile_repeated(tile, ivec3(high.x, low.y, high.z)), t.x);
-    vec3 hh = windrow_tile_blend(windrow_tile_repeated(tile, ivec3(low.x, high.y, high.z)), windrow_tile_repeated(tile, high), t.x);
+    vec3 hh =
+        windrow_tile_blend(windrow_tile_repeated(tile, ivec3(low.x, high.y, high.z)), windrow_tile_repeated(tile, high), t.x);
     return windrow_tile_blend(windrow_tile_blend(ll, hl, t.y), windrow_tile_blend(lh, hh, t.y), t.z);
 }
 
@@ -106,9 +103,7 @@ WINDROW_FN vec3 windrow_detail(WINDROW_TILE tile, WindrowAmbient ambient, vec3 u
 }
 
 // NaN or infinity, by the bits: a compiler may assume away a comparison.
-WINDROW_FN bool windrow_broken(float value) {
-    return (floatBitsToUint(value) & 0x7f800000u) == 0x7f800000u;
-}
+WINDROW_FN bool windrow_broken(float value) { return (floatBitsToUint(value) & 0x7f800000u) == 0x7f800000u; }
 
 // u times `strength`, shortened to `limit` [m/s] if longer; 0 for what is not finite. Below the limit it is linear to the bit.
 // The limit is met from below, by a margin of half a millionth, so that no rounding exceeds it.

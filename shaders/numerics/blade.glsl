@@ -72,9 +72,7 @@ WINDROW_FN vec3 windrow_blade_load(WindrowBlade blade, vec3 axis, uvec2 hash, ve
 }
 
 // Share of the most view bend: 0 seen level or from below, 1 seen from straight above. `view` is the unit vector from the eye.
-WINDROW_FN float windrow_view_share(vec3 view, vec3 axis) {
-    return clamp(-dot(view, axis), 0.0f, 1.0f);
-}
+WINDROW_FN float windrow_view_share(vec3 view, vec3 axis) { return clamp(-dot(view, axis), 0.0f, 1.0f); }
 
 // [m] Length of a blade of the class.
 WINDROW_FN float windrow_blade_length(WindrowBlade blade, uvec2 hash) {
@@ -104,7 +102,8 @@ WINDROW_FN WindrowVertex windrow_blade_point(WindrowBladePlant plant, float h, f
     WindrowStem stem = plant.stem;
     vec3 bend = windrow_stem_bend(stem, h);
     WindrowVertex vertex;
-    vertex.position = stem.reach * h * stem.axis + windrow_stem_shift(stem, h) + across * windrow_stem_turn(stem.axis, bend, plant.width);
+    vertex.position =
+        stem.reach * h * stem.axis + windrow_stem_shift(stem, h) + across * windrow_stem_turn(stem.axis, bend, plant.width);
     vertex.normal = windrow_stem_turn(stem.axis, bend, plant.facing);
     vertex.tangent = windrow_stem_turn(stem.axis, bend, stem.axis);
     return vertex;

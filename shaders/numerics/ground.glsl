@@ -39,8 +39,8 @@ struct WindrowGroundStep {
     ivec4 moved;  // xy texels that the window has moved since the last step; z 1: each texel has a wind lean of its own
     // x [m] height of the feet at which they touch no more; y [rad] lean that a walker pushes to; z share of it that stays
     vec4 contact;
-    vec4 fading;  // x of the trail, y of trample: exp(-h / tau) - 1; z and w: -h / tau
-    vec4 wind;    // xy [rad] lean of the wind everywhere, now
+    vec4 fading; // x of the trail, y of trample: exp(-h / tau) - 1; z and w: -h / tau
+    vec4 wind;   // xy [rad] lean of the wind everywhere, now
     WindrowSpringStep spring;
     // what the fading within the step adds to a spring's place: x to a unit trail, y to a unit of pressed wind, z to a unit of
     // its change over the step
@@ -119,9 +119,7 @@ WINDROW_FN WindrowContact windrow_ground_contact(WindrowWalker walker, vec2 at, 
 
 // 0 for what is too short to be seen by many digits: an exponential that goes on would end in denormal numbers, which some
 // processors take a hundred times as long to multiply.
-WINDROW_FN vec2 windrow_ground_settled(vec2 value) {
-    return dot(value, value) < 1e-24f ? vec2(0.0f, 0.0f) : value;
-}
+WINDROW_FN vec2 windrow_ground_settled(vec2 value) { return dot(value, value) < 1e-24f ? vec2(0.0f, 0.0f) : value; }
 
 // Where a texel's plants would stand after long.
 WINDROW_FN vec2 windrow_ground_target(WindrowGround ground, vec2 wind_lean) {
@@ -152,7 +150,8 @@ WINDROW_FN WindrowGround windrow_ground_advanced(WindrowGround ground, WindrowGr
     vec2 change = lean_now - lean_before;
     vec2 place = windrow_spring_place(s.spring, ground.lean, ground.velocity, before, now) + s.faded_place.x * ground.trail -
                  ground.trample * (s.faded_place.y * lean_before + s.faded_place.z * change);
-    vec2 velocity = windrow_spring_velocity(s.spring, ground.lean, ground.velocity, before, now) + s.faded_velocity.x * ground.trail -
+    vec2 velocity = windrow_spring_velocity(s.spring, ground.lean, ground.velocity, before, now) +
+                    s.faded_velocity.x * ground.trail -
                     ground.trample * (s.faded_velocity.y * lean_before + s.faded_velocity.z * change);
     WindrowGround next = ground;
     next.trail = windrow_ground_settled(ground.trail + s.fading.x * ground.trail);

@@ -16,9 +16,7 @@
 
 #ifndef WINDROW_GROUND
 #define WINDROW_GROUND sampler3D
-WINDROW_FN vec4 windrow_ground_texel(WINDROW_GROUND texels, ivec2 slot) {
-    return texelFetch(texels, ivec3(slot, 0), 0);
-}
+WINDROW_FN vec4 windrow_ground_texel(WINDROW_GROUND texels, ivec2 slot) { return texelFetch(texels, ivec3(slot, 0), 0); }
 #endif
 
 // Where a frame's texels lie. The layout of windrow::GroundPlaceBlock (coupling/motion_blocks.h). Usable in a std140 block.
@@ -27,7 +25,7 @@ struct WindrowGroundPlace {
     // xy [m] the point that the rim follows, from the anchor; z [m] reach: distance at which all has faded; w [m] width of the
     // fading
     vec4 rim;
-    vec4 slot;   // xy slot of the low corner; zw lean of the wind outside
+    vec4 slot; // xy slot of the low corner; zw lean of the wind outside
 };
 
 // (lean x, lean z, trample, trail) at `p` [m] from the anchor, of which x and z count.

@@ -23,9 +23,7 @@ WINDROW_FN float windrow_falloff(float squared) {
 }
 
 // Ball of `radius` [m] about the origin; `p` [m] from its centre.
-WINDROW_FN float windrow_sphere_weight(vec3 p, float radius) {
-    return windrow_falloff(dot(p, p) / (radius * radius));
-}
+WINDROW_FN float windrow_sphere_weight(vec3 p, float radius) { return windrow_falloff(dot(p, p) / (radius * radius)); }
 
 // All within `radius` of the segment from -half_axis to half_axis.
 WINDROW_FN float windrow_capsule_weight(vec3 p, vec3 half_axis, float radius) {
@@ -117,13 +115,9 @@ WINDROW_FN float windrow_wake_path(vec3 p, vec3 start, vec3 end, float radius) {
 }
 
 // Velocity after drives of total exponent E toward a mean velocity `toward` = (sum E U) / E.
-WINDROW_FN vec3 windrow_drive(vec3 u, vec3 toward, float exponent) {
-    return u + (1.0f - exp(-exponent)) * (toward - u);
-}
+WINDROW_FN vec3 windrow_drive(vec3 u, vec3 toward, float exponent) { return u + (1.0f - exp(-exponent)) * (toward - u); }
 
 // How thin a region may be: in cells, as a radius. Below it, cells could fall between.
-WINDROW_FN float windrow_widened(float radius, float cell_size) {
-    return max(radius, 1.5f * cell_size);
-}
+WINDROW_FN float windrow_widened(float radius, float cell_size) { return max(radius, 1.5f * cell_size); }
 
 #endif

@@ -41,9 +41,7 @@ WINDROW_FN float windrow_share(uint word) {
 }
 
 // [rad] Yaw of a plant, 0 to 2 pi, from the first word of its hash. One rounding, hence one result in every language.
-WINDROW_FN float windrow_plant_yaw(uvec2 hash) {
-    return windrow_share(hash.x) * 6.28318530718f;
-}
+WINDROW_FN float windrow_plant_yaw(uvec2 hash) { return windrow_share(hash.x) * 6.28318530718f; }
 
 // A factor between 1 - spread and 1 + spread from the second word; `spread` 0 to 1. One rounding of the product, one of the sum.
 WINDROW_FN float windrow_plant_factor(uvec2 hash, float spread) {

@@ -22,14 +22,10 @@
 #endif
 
 // h^c; `exponent` above 0.
-WINDROW_FN float windrow_mask_power(float h, float exponent) {
-    return h <= 0.0f ? 0.0f : pow(h, exponent);
-}
+WINDROW_FN float windrow_mask_power(float h, float exponent) { return h <= 0.0f ? 0.0f : pow(h, exponent); }
 
 // `curve` 0 to 1.
-WINDROW_FN float windrow_mask_own(float h, float curve) {
-    return h * (1.0f + curve * (h - 1.0f));
-}
+WINDROW_FN float windrow_mask_own(float h, float curve) { return h * (1.0f + curve * (h - 1.0f)); }
 
 // `sharpness` b, 0 or more.
 WINDROW_FN float windrow_mask_drag(float h, float sharpness) {

@@ -46,9 +46,7 @@ WINDROW_FN float windrow_shell_distance(WindrowShells shells, float h, float map
 }
 
 // d without its part into the surface.
-WINDROW_FN vec3 windrow_outward(vec3 d, vec3 n) {
-    return d - min(0.0f, dot(d, n)) * n;
-}
+WINDROW_FN vec3 windrow_outward(vec3 d, vec3 n) { return d - min(0.0f, dot(d, n)) * n; }
 
 // [m] Push of height h by `direction` [m at the tip, for s = 1].
 WINDROW_FN vec3 windrow_shell_push(WindrowShells shells, float h, vec3 direction) {

@@ -17,9 +17,7 @@
 #include "stem.glsl"
 
 // Root of the strand at uv, for the lean at uv or, better, at a first root.
-WINDROW_FN vec2 windrow_strand_root(vec2 uv, vec2 lean, float mask) {
-    return uv - lean * mask;
-}
+WINDROW_FN vec2 windrow_strand_root(vec2 uv, vec2 lean, float mask) { return uv - lean * mask; }
 
 // How far a strand of length 1 has moved at height h, 0 to 1, in the plane: a stem that the wind bends by `load` [rad]. h = 1 is
 // the tip's lean. Multiply by the strand's length in uv; the mask of windrow_strand_root is then 1.

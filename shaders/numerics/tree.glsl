@@ -46,9 +46,7 @@ struct WindrowTreeLoads {
 };
 
 // [m] Where what bears `part` holds it: at its root. A vertex that no such part bears keeps the place `hold`.
-WINDROW_FN vec3 windrow_part_hold(WindrowPart part, vec3 hold) {
-    return part.stiffness > 0.0f ? part.root : hold;
-}
+WINDROW_FN vec3 windrow_part_hold(WindrowPart part, vec3 hold) { return part.stiffness > 0.0f ? part.root : hold; }
 
 // Bends one part by `load` [rad], across its axis. `hold` [m] is the place at rest by which the part holds the vertex: the
 // vertex's own if it is of the part itself, the root of what the part bears otherwise, the same for all vertices of that.
@@ -69,8 +67,8 @@ WINDROW_FN vec3 windrow_part_load(WindrowDrag drag, WindrowPart part, vec3 u) {
 }
 
 // The bends that the apparent winds [m/s] hold, one a part.
-WINDROW_FN WindrowTreeLoads windrow_tree_loads(WindrowTree tree, WindrowPart trunk, WindrowPart branch, WindrowPart leaf, vec3 on_trunk,
-                                               vec3 on_branch, vec3 on_leaf) {
+WINDROW_FN WindrowTreeLoads windrow_tree_loads(WindrowTree tree, WindrowPart trunk, WindrowPart branch, WindrowPart leaf,
+                                               vec3 on_trunk, vec3 on_branch, vec3 on_leaf) {
     WindrowTreeLoads loads;
     loads.trunk = windrow_part_load(tree.trunk, trunk, on_trunk);
     loads.branch = windrow_part_load(tree.branch, branch, on_branch);
@@ -89,8 +87,8 @@ WINDROW_FN WindrowTreeVertex windrow_tree_bent(WindrowTree tree, WindrowPart tru
 }
 
 // The whole tree in one wind.
-WINDROW_FN WindrowTreeVertex windrow_tree_vertex(WindrowTree tree, WindrowPart trunk, WindrowPart branch, WindrowPart leaf, vec3 u,
-                                                 WindrowTreeVertex vertex) {
+WINDROW_FN WindrowTreeVertex windrow_tree_vertex(WindrowTree tree, WindrowPart trunk, WindrowPart branch, WindrowPart leaf,
+                                                 vec3 u, WindrowTreeVertex vertex) {
     return windrow_tree_bent(tree, trunk, branch, leaf, windrow_tree_loads(tree, trunk, branch, leaf, u, u, u), vertex);
 }
 

@@ -6,10 +6,10 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(std430, set = 0, binding = 0) readonly buffer Step { WindrowGroundStep ground_step; };
 layout(std430, set = 0, binding = 1) readonly buffer Walkers { WindrowWalker walkers[]; };
-layout(std430, set = 0, binding = 2) buffer Motion { vec4 motion[]; };          // lean, velocity
-layout(std430, set = 0, binding = 3) buffer Memory { vec4 memory[]; };          // trail, trample, 0
+layout(std430, set = 0, binding = 2) buffer Motion { vec4 motion[]; };            // lean, velocity
+layout(std430, set = 0, binding = 3) buffer Memory { vec4 memory[]; };            // trail, trample, 0
 layout(std430, set = 0, binding = 4) buffer LeansBefore { vec2 leans_before[]; }; // of the wind, a step ago
-layout(std430, set = 0, binding = 5) readonly buffer Leans { vec2 leans[]; };   // of the wind now, where each texel has its own
+layout(std430, set = 0, binding = 5) readonly buffer Leans { vec2 leans[]; };     // of the wind now, where each texel has its own
 layout(WINDROW_TEXEL, set = 0, binding = 6) writeonly uniform image3D shown;
 
 void main() {

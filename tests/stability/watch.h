@@ -10,9 +10,9 @@
 #include "fluid/wind.h"
 #include "tests/fields.h"
 #include "tests/figure.h"
-#include "tests/tier.h"
 #include "tests/stability/input.h"
 #include "tests/stability/report_check.h"
+#include "tests/tier.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

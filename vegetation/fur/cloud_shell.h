@@ -2,8 +2,8 @@
 // vegetation/shaders/numerics/cloud_shells.glsl; the layers lie above and below a plane.
 #pragma once
 
-#include "vegetation/fur/strand_numerics.h"
 #include "fluid/result.h"
+#include "vegetation/fur/strand_numerics.h"
 
 #include <glm/vec2.hpp>
 

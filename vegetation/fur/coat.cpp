@@ -1,7 +1,7 @@
 #include "vegetation/fur/coat.h"
 
-#include "vegetation/vulkan/descriptors.h"
 #include "shader_words/coat_skin.h"
+#include "vegetation/vulkan/descriptors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -281,8 +281,8 @@ Result<void> Coat::prepare(const render::PassContext& context) {
     vkCmdPushConstants(context.commands, layout_, VK_SHADER_STAGE_ALL, 0, sizeof first, &first);
     vkCmdDispatch(context.commands, (vertex_count_ + k_group - 1) / k_group, 1, 1);
     barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;
-    vkCmdPipelineBarrier(context.commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
-                         VK_PIPELINE_STAGE_VERTEX_SHADER_BIT, 0, 1, &barrier, 0, nullptr, 0, nullptr);
+    vkCmdPipelineBarrier(context.commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_PIPELINE_STAGE_VERTEX_SHADER_BIT, 0, 1,
+                         &barrier, 0, nullptr, 0, nullptr);
     return {};
 }
 

@@ -11,11 +11,11 @@
 #pragma once
 
 #include "coupling/cascade.h"
-#include "vegetation/vulkan/frames.h"
-#include "vegetation/render/drawable.h"
 #include "vegetation/fur/coat_block.h"
 #include "vegetation/fur/coat_levels.h"
 #include "vegetation/fur/coat_pictures.h"
+#include "vegetation/render/drawable.h"
+#include "vegetation/vulkan/frames.h"
 
 #include <array>
 #include <glm/mat4x4.hpp>

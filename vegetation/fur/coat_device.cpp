@@ -1,6 +1,4 @@
 // What a coat has on the device: pipelines, sets, buffers.
-#include "vegetation/vulkan/descriptors.h"
-#include "vegetation/fur/coat.h"
 #include "shader_words/coat_skin.h"
 #include "shader_words/shell_depth_frag.h"
 #include "shader_words/shell_frag.h"
@@ -9,6 +7,8 @@
 #include "shader_words/shell_shadow_frag.h"
 #include "shader_words/shell_shadow_vert.h"
 #include "shader_words/shell_vert.h"
+#include "vegetation/fur/coat.h"
+#include "vegetation/vulkan/descriptors.h"
 
 #include <algorithm>
 #include <cstring>
@@ -52,10 +52,10 @@ void Coat::make_pipelines(const render::DrawTargets& targets) {
     const auto constants = constants_of(settings_, block_.pictures[2].w > 0);
     const bool pixel = settings_.wind_at == WindAt::pixel;
     colour_ = engine::make_pipeline(objects_, {.vertex = words::shell_vert,
-                                             .fragment = pixel ? Words(words::shell_pixel_frag) : Words(words::shell_frag),
-                                             .constants = constants,
-                                             .layout = layout_,
-                                             .target = targets.colour});
+                                               .fragment = pixel ? Words(words::shell_pixel_frag) : Words(words::shell_frag),
+                                               .constants = constants,
+                                               .layout = layout_,
+                                               .target = targets.colour});
     if (settings_.levels.depth_first)
         depth_ = engine::make_pipeline(objects_,
                                        {.vertex = words::shell_vert,
@@ -65,11 +65,11 @@ void Coat::make_pipelines(const render::DrawTargets& targets) {
                                         .target = targets.colour,
                                         .writes_colour = false});
     shadow_ = engine::make_pipeline(objects_, {.vertex = words::shell_shadow_vert,
-                                             .fragment = words::shell_shadow_frag,
-                                             .constants = constants,
-                                             .layout = layout_,
-                                             .target = targets.shadow,
-                                             .bias = true});
+                                               .fragment = words::shell_shadow_frag,
+                                               .constants = constants,
+                                               .layout = layout_,
+                                               .target = targets.shadow,
+                                               .bias = true});
 }
 
 void Coat::fill_buffers(const PackedPictures& pictures, const PartMesh& part) {
@@ -77,8 +77,8 @@ void Coat::fill_buffers(const PackedPictures& pictures, const PartMesh& part) {
     const engine::Buffer vertices = engine::filled(objects_, part.vertices, storage);
     const engine::Buffer texels = engine::filled(objects_, pictures.texels, storage);
     indices_ = engine::filled(objects_, part.indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
-    skins_ = objects_.buffer(engine::Use::work, 2 * sizeof(CoatSkinBlock) * vertex_count_,
-                             storage | VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
+    skins_ =
+        objects_.buffer(engine::Use::work, 2 * sizeof(CoatSkinBlock) * vertex_count_, storage | VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
     const std::size_t poses = 2 + (cascade_ ? static_cast<std::size_t>(cascade_->config().stages) : 0);
     engine::make_sets(objects_, own_, k_bindings, sets_);
     blocks_ = objects_.frame_buffers(sizeof(CoatBlock), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);

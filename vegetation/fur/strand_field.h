@@ -7,8 +7,8 @@
 // Lengths in the plane count in cells, each of which bears one strand.
 #pragma once
 
-#include "vegetation/fur/strand_numerics.h"
 #include "fluid/result.h"
+#include "vegetation/fur/strand_numerics.h"
 
 #include <cstdint>
 

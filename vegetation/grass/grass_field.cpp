@@ -1,11 +1,11 @@
 #include "vegetation/grass/grass_field.h"
 
+#include "shader_words/cull.h"
+#include "shader_words/generate.h"
 #include "vegetation/grass/grass_field_state.h"
 #include "vegetation/grass/refusals.h"
 #include "vegetation/vulkan/descriptors.h"
 #include "vegetation/vulkan/pipeline.h"
-#include "shader_words/cull.h"
-#include "shader_words/generate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,8 +31,8 @@ GrassField::State::State(engine::Device& device, HeightMap ground, PlacementMask
       cache(tree.chunks(), settings.most_chunks), block(block_of(settings, heights, mask)), objects(device),
       mask_rows(0, mask.grid().corners.y - 1) {}
 
-windrow::Result<GrassField> GrassField::create(engine::Device& device, const HeightMap& heights,
-                                               const PlacementMask& mask, const GrassSettings& settings) {
+windrow::Result<GrassField> GrassField::create(engine::Device& device, const HeightMap& heights, const PlacementMask& mask,
+                                               const GrassSettings& settings) {
     Refusals refusals;
     if (auto fits = validate(settings); !fits)
         refusals.add(fits.error());

@@ -9,8 +9,8 @@
 // vegetation/shaders/numerics/height_grid.glsl.
 #pragma once
 
-#include "vegetation/grass/grass_numerics.h"
 #include "fluid/result.h"
+#include "vegetation/grass/grass_numerics.h"
 
 #include <functional>
 #include <span>

@@ -10,8 +10,8 @@
 // Values are whole multiples of 1/65535: what a saved image gives back is the mask, to the bit.
 #pragma once
 
-#include "vegetation/grass/grass_numerics.h"
 #include "fluid/result.h"
+#include "vegetation/grass/grass_numerics.h"
 
 #include <functional>
 #include <span>

@@ -72,9 +72,9 @@ enum class SkeletonKind : std::uint8_t { none, beast, horse, own };
 
 struct BodySkeleton {
     SkeletonKind kind = SkeletonKind::none;
-    double pace = 1.0;                 ///< how fast it moves: 1 as made, 0 stands in its first pose; 0 to 10
-    double phase = 0.0;                ///< [s] by which it is ahead, 0 to 1000
-    std::vector<fur::Bone> bones{};    ///< of kind `own`
+    double pace = 1.0;              ///< how fast it moves: 1 as made, 0 stands in its first pose; 0 to 10
+    double phase = 0.0;             ///< [s] by which it is ahead, 0 to 1000
+    std::vector<fur::Bone> bones{}; ///< of kind `own`
 };
 
 /// Which fields of the coat the scene names. Those that it does not are the mesh's: its material's fur line.

@@ -1,10 +1,10 @@
 #include "vegetation/program/body_reader.h"
 
+#include "scene/file_beside.h"
 #include "vegetation/program/body_fields.h"
 #include "vegetation/program/coat_reader.h"
 #include "vegetation/program/field_reader.h"
 #include "vegetation/program/skeleton_reader.h"
-#include "scene/file_beside.h"
 
 namespace windrow::vegetation::program {
 namespace {

@@ -1,9 +1,9 @@
 // Reads `bodies` and `lamps` of a picture (vegetation/program/body.h).
 #pragma once
 
-#include "vegetation/program/body.h"
-#include "vegetation/fur/lamps.h"
 #include "scene/json_object.h"
+#include "vegetation/fur/lamps.h"
+#include "vegetation/program/body.h"
 
 #include <filesystem>
 #include <span>

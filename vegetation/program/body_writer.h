@@ -1,8 +1,8 @@
 // Bodies back to JSON: what body_reader.h reads again as it was.
 #pragma once
 
-#include "vegetation/program/body.h"
 #include "scene/scene.h"
+#include "vegetation/program/body.h"
 
 #include <nlohmann/json.hpp>
 

@@ -4,9 +4,9 @@
 // Beside what picture_fields.h asks of `Fields`: flag, direction (any vector but 0), position (float metres), word.
 #pragma once
 
-#include "vegetation/program/picture_fields.h"
 #include "vegetation/fur/coat_settings.h"
 #include "vegetation/fur/lamps.h"
+#include "vegetation/program/picture_fields.h"
 
 namespace windrow::vegetation::program {
 

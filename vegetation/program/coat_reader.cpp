@@ -1,8 +1,8 @@
 #include "vegetation/program/coat_reader.h"
 
+#include "scene/file_beside.h"
 #include "vegetation/program/coat_fields.h"
 #include "vegetation/program/field_reader.h"
-#include "scene/file_beside.h"
 
 namespace windrow::vegetation::program {
 namespace {

@@ -1,8 +1,8 @@
 // Reads one coat of a body (vegetation/fur/coat_settings.h).
 #pragma once
 
-#include "vegetation/program/body.h"
 #include "scene/json_object.h"
+#include "vegetation/program/body.h"
 
 #include <filesystem>
 

@@ -5,9 +5,9 @@
 //     (void)dressed->move(now, now - before);         // before each frame that is recorded, and each that keeps up
 #pragma once
 
+#include "vegetation/fur/coat.h"
 #include "vegetation/program/picture_scene.h"
 #include "vegetation/render/renderer.h"
-#include "vegetation/fur/coat.h"
 
 #include <memory>
 #include <optional>

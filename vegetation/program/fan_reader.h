@@ -1,8 +1,8 @@
 // Reads `picture.fans`: machines that are drawn where a motor blows.
 #pragma once
 
-#include "vegetation/program/picture_scene.h"
 #include "scene/json_object.h"
+#include "vegetation/program/picture_scene.h"
 
 #include <vector>
 

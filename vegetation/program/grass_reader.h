@@ -1,8 +1,8 @@
 // Reads `picture.grass`: layers of blades, each with its class of plant, its field, its look and its mask.
 #pragma once
 
-#include "vegetation/program/picture_scene.h"
 #include "scene/json_object.h"
+#include "vegetation/program/picture_scene.h"
 
 #include <filesystem>
 #include <span>

@@ -1,10 +1,10 @@
 #include "vegetation/program/ground_reader.h"
 
-#include "vegetation/program/field_reader.h"
-#include "vegetation/program/picture_fields.h"
 #include "scene/file_beside.h"
 #include "scene/json_document.h"
 #include "scene/number_text.h"
+#include "vegetation/program/field_reader.h"
+#include "vegetation/program/picture_fields.h"
 
 #include <algorithm>
 #include <cmath>

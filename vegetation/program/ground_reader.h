@@ -1,8 +1,8 @@
 // Reads `picture.ground`: heights out of a picture, hills by chance, or level ground.
 #pragma once
 
-#include "vegetation/program/picture_scene.h"
 #include "scene/json_object.h"
+#include "vegetation/program/picture_scene.h"
 
 #include <filesystem>
 

@@ -1,9 +1,9 @@
 #include "vegetation/program/mask_reader.h"
 
-#include "vegetation/program/field_reader.h"
-#include "vegetation/program/picture_fields.h"
 #include "scene/file_beside.h"
 #include "scene/json_document.h"
+#include "vegetation/program/field_reader.h"
+#include "vegetation/program/picture_fields.h"
 
 namespace windrow::vegetation::program {
 namespace {

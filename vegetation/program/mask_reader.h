@@ -1,8 +1,8 @@
 // Reads the `mask` of a layer of grass: a picture or an even alpha, bare patches, a path, and strokes upon it.
 #pragma once
 
-#include "vegetation/program/picture_scene.h"
 #include "scene/json_object.h"
+#include "vegetation/program/picture_scene.h"
 
 #include <filesystem>
 

@@ -4,8 +4,8 @@
 // `Fields` has real, number, integer, whole, place, colour, pair: FieldReader and FieldWriter.
 #pragma once
 
-#include "vegetation/program/picture_scene.h"
 #include "scene/air_reader.h"
+#include "vegetation/program/picture_scene.h"
 
 namespace windrow::vegetation::program {
 

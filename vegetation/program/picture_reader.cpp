@@ -1,5 +1,9 @@
 #include "vegetation/program/picture_reader.h"
 
+#include "scene/json_document.h"
+#include "scene/number_text.h"
+#include "scene/scene_reader.h"
+#include "scene/text_file.h"
 #include "vegetation/program/body_reader.h"
 #include "vegetation/program/fan_reader.h"
 #include "vegetation/program/field_reader.h"
@@ -8,10 +12,6 @@
 #include "vegetation/program/picture_fields.h"
 #include "vegetation/program/tree_reader.h"
 #include "vegetation/program/walker_reader.h"
-#include "scene/json_document.h"
-#include "scene/number_text.h"
-#include "scene/scene_reader.h"
-#include "scene/text_file.h"
 
 namespace windrow::vegetation::program {
 namespace {

@@ -1,9 +1,9 @@
 // Reads a scene file whole: the air as `windrow run` does, and the picture.
 #pragma once
 
-#include "vegetation/program/picture_scene.h"
 #include "fluid/result.h"
 #include "scene/read_log.h"
+#include "vegetation/program/picture_scene.h"
 
 #include <filesystem>
 #include <string_view>

@@ -11,6 +11,8 @@
 #pragma once
 
 #include "coupling/ground_config.h"
+#include "scene/scene.h"
+#include "vegetation/fur/lamps.h"
 #include "vegetation/grass/grass_settings.h"
 #include "vegetation/grass/height_map.h"
 #include "vegetation/grass/mask_patterns.h"
@@ -18,9 +20,7 @@
 #include "vegetation/program/body.h"
 #include "vegetation/render/grass_layer.h"
 #include "vegetation/render/scene.h"
-#include "vegetation/fur/lamps.h"
 #include "vegetation/trees/stand_settings.h"
-#include "scene/scene.h"
 
 #include <cstdint>
 #include <optional>

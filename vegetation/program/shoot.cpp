@@ -17,8 +17,8 @@ constexpr int k_most_ticks = 1000; // of windrow::Ticks in one frame
 
 Shoot::Shoot(const PictureScene& scene, const ShootSettings& settings)
     : scene_(scene), settings_(settings), frames_per_second_(settings.frames_per_second.value_or(scene.frames_per_second())),
-      size_(settings.size.value_or(scene.picture.size)), anchor_(glm::round(camera_at(scene, 0.0).position)),
-      motion_(scene.air) {}
+      size_(settings.size.value_or(scene.picture.size)), anchor_(glm::round(camera_at(scene, 0.0).position)), motion_(scene.air) {
+}
 
 Result<std::unique_ptr<Shoot>> Shoot::create(const PictureScene& scene, const ShootSettings& settings) {
     std::unique_ptr<Shoot> made(new Shoot(scene, settings));

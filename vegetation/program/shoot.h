@@ -12,7 +12,8 @@
 #pragma once
 
 #include "coupling/vulkan/ground_memory.h"
-#include "vegetation/vulkan/frames.h"
+#include "fluid/vulkan/wind.h"
+#include "scene/scene_motion.h"
 #include "vegetation/program/dressed_body.h"
 #include "vegetation/program/picture_scene.h"
 #include "vegetation/render/bodies.h"
@@ -20,8 +21,7 @@
 #include "vegetation/render/renderer.h"
 #include "vegetation/render/wind_arrows.h"
 #include "vegetation/trees/tree_stand.h"
-#include "fluid/vulkan/wind.h"
-#include "scene/scene_motion.h"
+#include "vegetation/vulkan/frames.h"
 
 #include <memory>
 #include <optional>

@@ -1,8 +1,8 @@
 // Reads and writes the skeleton of a body (vegetation/fur/skeleton.h).
 #pragma once
 
-#include "vegetation/program/body.h"
 #include "scene/json_object.h"
+#include "vegetation/program/body.h"
 
 #include <nlohmann/json.hpp>
 

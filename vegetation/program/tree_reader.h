@@ -1,8 +1,8 @@
 // Reads `picture.trees`: stands of trees, each of one kind, at places of their own and by chance.
 #pragma once
 
-#include "vegetation/program/picture_scene.h"
 #include "scene/json_object.h"
+#include "vegetation/program/picture_scene.h"
 
 #include <vector>
 

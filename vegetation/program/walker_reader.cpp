@@ -1,8 +1,8 @@
 #include "vegetation/program/walker_reader.h"
 
+#include "scene/number_text.h"
 #include "vegetation/program/field_reader.h"
 #include "vegetation/program/picture_fields.h"
-#include "scene/number_text.h"
 
 namespace windrow::vegetation::program {
 namespace {

@@ -1,8 +1,8 @@
 // Reads `picture.walkers` and `picture.ground_memory`: who presses the grass down, and how it remembers.
 #pragma once
 
-#include "vegetation/program/picture_scene.h"
 #include "scene/json_object.h"
+#include "vegetation/program/picture_scene.h"
 
 #include <optional>
 #include <span>

@@ -1,11 +1,11 @@
 #include "vegetation/render/blades.h"
 
-#include "vegetation/vulkan/descriptors.h"
-#include "vegetation/render/plant_look_block.h"
 #include "shader_words/blade_bend.h"
 #include "shader_words/blade_shadow_vert.h"
 #include "shader_words/blade_vert.h"
 #include "shader_words/plant_frag.h"
+#include "vegetation/render/plant_look_block.h"
+#include "vegetation/vulkan/descriptors.h"
 
 #include <array>
 #include <cstring>
@@ -47,10 +47,10 @@ BladeGrid::BladeGrid(engine::Device& device, const DrawTargets& targets, const w
     bend_ = make_compute_pipeline(objects_, layout_, words::blade_bend);
     constexpr VkPrimitiveTopology strip = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP;
     colour_ = make_pipeline(objects_, {.vertex = words::blade_vert,
-                                     .fragment = words::plant_frag,
-                                     .layout = layout_,
-                                     .target = targets.colour,
-                                     .topology = strip});
+                                       .fragment = words::plant_frag,
+                                       .layout = layout_,
+                                       .target = targets.colour,
+                                       .topology = strip});
     shadow_ = make_pipeline(
         objects_,
         {.vertex = words::blade_shadow_vert, .layout = layout_, .target = targets.shadow, .topology = strip, .bias = true});
@@ -80,8 +80,8 @@ Result<void> BladeGrid::prepare(const PassContext& context) {
     barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
     barrier.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
     barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;
-    vkCmdPipelineBarrier(context.commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
-                         VK_PIPELINE_STAGE_VERTEX_SHADER_BIT, 0, 1, &barrier, 0, nullptr, 0, nullptr);
+    vkCmdPipelineBarrier(context.commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_PIPELINE_STAGE_VERTEX_SHADER_BIT, 0, 1,
+                         &barrier, 0, nullptr, 0, nullptr);
     return {};
 }
 

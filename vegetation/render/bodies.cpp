@@ -1,9 +1,9 @@
 #include "vegetation/render/bodies.h"
 
-#include "vegetation/vulkan/descriptors.h"
 #include "shader_words/solid_frag.h"
 #include "shader_words/solid_shadow_vert.h"
 #include "shader_words/solid_vert.h"
+#include "vegetation/vulkan/descriptors.h"
 
 #include <cstring>
 #include <vulkan/vulkan.h>

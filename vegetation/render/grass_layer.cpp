@@ -1,13 +1,13 @@
 #include "vegetation/render/grass_layer.h"
 
-#include "vegetation/vulkan/descriptors.h"
-#include "vegetation/render/plant_look_block.h"
-#include "vegetation/render/refusals.h"
 #include "shader_words/field_blade_frag.h"
 #include "shader_words/field_blade_shadow_vert.h"
 #include "shader_words/field_blade_vert.h"
 #include "shader_words/field_blades.h"
 #include "shader_words/field_ground.h"
+#include "vegetation/render/plant_look_block.h"
+#include "vegetation/render/refusals.h"
+#include "vegetation/vulkan/descriptors.h"
 
 #include <algorithm>
 #include <cstring>
@@ -117,10 +117,10 @@ void GrassLayer::make(const DrawTargets& targets) {
     layout_ = plain_.layout; // draws read no ground
     constexpr VkPrimitiveTopology strip = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP;
     colour_ = make_pipeline(objects_, {.vertex = words::field_blade_vert,
-                                      .fragment = words::field_blade_frag,
-                                      .layout = layout_,
-                                      .target = targets.colour,
-                                      .topology = strip});
+                                       .fragment = words::field_blade_frag,
+                                       .layout = layout_,
+                                       .target = targets.colour,
+                                       .topology = strip});
     shadow_ = make_pipeline(
         objects_,
         {.vertex = words::field_blade_shadow_vert, .layout = layout_, .target = targets.shadow, .topology = strip, .bias = true});

@@ -9,10 +9,10 @@
 #pragma once
 
 #include "coupling/vulkan/ground_memory.h"
-#include "vegetation/vulkan/frames.h"
 #include "vegetation/grass/grass_field.h"
 #include "vegetation/render/drawable.h"
 #include "vegetation/render/scene.h"
+#include "vegetation/vulkan/frames.h"
 
 #include <array>
 #include <memory>

@@ -15,12 +15,12 @@
 // toned picture.
 #pragma once
 
-#include "vegetation/vulkan/wind_set.h"
 #include "vegetation/render/frame_block.h"
 #include "vegetation/render/stage_clock.h"
 #include "vegetation/render/targets.h"
 #include "vegetation/render/terrain.h"
 #include "vegetation/render/vertex_counter.h"
+#include "vegetation/vulkan/wind_set.h"
 
 #include <array>
 #include <memory>

@@ -4,10 +4,10 @@
 #pragma once
 
 #include "coupling/blade.h"
-#include "vegetation/grass/height_map.h"
-#include "vegetation/grass/placement_mask.h"
 #include "fluid/motor.h"
 #include "fluid/wind.h"
+#include "vegetation/grass/height_map.h"
+#include "vegetation/grass/placement_mask.h"
 
 #include <glm/vec3.hpp>
 #include <optional>

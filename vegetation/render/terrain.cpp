@@ -1,10 +1,10 @@
 #include "vegetation/render/terrain.h"
 
-#include "vegetation/vulkan/descriptors.h"
-#include "vegetation/render/plant_look_block.h"
 #include "shader_words/terrain_frag.h"
 #include "shader_words/terrain_shadow_vert.h"
 #include "shader_words/terrain_vert.h"
+#include "vegetation/render/plant_look_block.h"
+#include "vegetation/vulkan/descriptors.h"
 
 #include <array>
 #include <cstring>

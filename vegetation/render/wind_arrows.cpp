@@ -1,10 +1,10 @@
 #include "vegetation/render/wind_arrows.h"
 
-#include "vegetation/vulkan/descriptors.h"
-#include "vegetation/render/refusals.h"
 #include "shader_words/wind_arrow_vert.h"
 #include "shader_words/wind_lattice_frag.h"
 #include "shader_words/wind_slice_vert.h"
+#include "vegetation/render/refusals.h"
+#include "vegetation/vulkan/descriptors.h"
 
 #include <cmath>
 #include <cstring>
@@ -51,10 +51,10 @@ WindArrows::WindArrows(engine::Device& device, const DrawTargets& targets, const
     const std::array layouts{targets.frame, targets.wind, own};
     layout_ = make_pipeline_layout(objects_, layouts);
     pipeline_ = make_pipeline(objects_, {.vertex = slice ? std::span<const std::uint32_t>(words::wind_slice_vert)
-                                                       : std::span<const std::uint32_t>(words::wind_arrow_vert),
-                                       .fragment = words::wind_lattice_frag,
-                                       .layout = layout_,
-                                       .target = targets.colour});
+                                                         : std::span<const std::uint32_t>(words::wind_arrow_vert),
+                                         .fragment = words::wind_lattice_frag,
+                                         .layout = layout_,
+                                         .target = targets.colour});
     make_sets(objects_, own, k_bindings, sets_);
     blocks_ = objects_.frame_buffers(sizeof(Block), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     for (std::size_t slot = 0; slot < sets_.size(); ++slot)

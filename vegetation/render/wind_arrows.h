@@ -2,8 +2,8 @@
 // see what the plants feel; both sample the wind as plants do.
 #pragma once
 
-#include "vegetation/vulkan/frames.h"
 #include "vegetation/render/drawable.h"
+#include "vegetation/vulkan/frames.h"
 
 #include <array>
 #include <glm/vec3.hpp>

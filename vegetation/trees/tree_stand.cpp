@@ -2,15 +2,15 @@
 
 #include "coupling/plant_vertex.h"
 #include "coupling/spring.h"
-#include "vegetation/vulkan/descriptors.h"
-#include "vegetation/trees/chance.h"
-#include "vegetation/trees/tree_wind.h"
 #include "shader_words/tree_bark_frag.h"
 #include "shader_words/tree_bark_vert.h"
 #include "shader_words/tree_leaf_frag.h"
 #include "shader_words/tree_leaf_vert.h"
 #include "shader_words/tree_loads.h"
 #include "shader_words/tree_shadow_vert.h"
+#include "vegetation/trees/chance.h"
+#include "vegetation/trees/tree_wind.h"
+#include "vegetation/vulkan/descriptors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,9 +67,8 @@ windrow::Result<std::unique_ptr<TreeStand>> TreeStand::create(engine::Device& de
     if (groups * places.size() > k_most_groups)
         return windrow::Error{"stand.places has " + std::to_string(places.size()) + " trees; give at most " +
                               std::to_string(k_most_groups / groups) + " of this kind, or several stands."};
-    return engine::guarded([&] {
-        return std::unique_ptr<TreeStand>(new TreeStand(device, targets, settings, std::move(models), places, anchor));
-    });
+    return engine::guarded(
+        [&] { return std::unique_ptr<TreeStand>(new TreeStand(device, targets, settings, std::move(models), places, anchor)); });
 }
 
 TreeStand::TreeStand(engine::Device& device, const render::DrawTargets& targets, const TreeStandSettings& settings,
@@ -203,8 +202,8 @@ Result<void> TreeStand::prepare(const render::PassContext& context) {
                          VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, 0, 1, &barrier, 0, nullptr, 0, nullptr);
     vkCmdDispatch(context.commands, groups, 1, 1);
     barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;
-    vkCmdPipelineBarrier(context.commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
-                         VK_PIPELINE_STAGE_VERTEX_SHADER_BIT, 0, 1, &barrier, 0, nullptr, 0, nullptr);
+    vkCmdPipelineBarrier(context.commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_PIPELINE_STAGE_VERTEX_SHADER_BIT, 0, 1,
+                         &barrier, 0, nullptr, 0, nullptr);
     return {};
 }
 

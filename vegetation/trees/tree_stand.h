@@ -9,11 +9,11 @@
 // for wood and one for leaves a tree, each as long as its distance asks.
 #pragma once
 
-#include "vegetation/vulkan/frames.h"
 #include "vegetation/render/drawable.h"
 #include "vegetation/trees/stand_blocks.h"
 #include "vegetation/trees/stand_settings.h"
 #include "vegetation/trees/tree_model.h"
+#include "vegetation/vulkan/frames.h"
 
 #include <array>
 #include <memory>

@@ -47,9 +47,10 @@ inline float floor_small(float value) {
 // One axis of `locate`: cell n of the run has index first + n * advance. A comparison with NaN is false, so that a broken
 // position becomes the low end and its address stays legal.
 template <int Axis>
-inline void locate_axis(const AdvectTask& task, float first, float advance, std::int32_t stride, int count, const Displacements& displacements,
-                        Points& points) {
-    const float low = task.low[Axis], high = task.high[Axis], period = task.period[Axis], inverse_period = task.inverse_period[Axis];
+inline void locate_axis(const AdvectTask& task, float first, float advance, std::int32_t stride, int count,
+                        const Displacements& displacements, Points& points) {
+    const float low = task.low[Axis], high = task.high[Axis], period = task.period[Axis],
+                inverse_period = task.inverse_period[Axis];
     for (int group = 0; group < count; group += k_lanes)
         for (int lane = 0; lane < k_lanes; ++lane) {
             const int n = group + lane;
@@ -66,10 +67,13 @@ inline void locate_axis(const AdvectTask& task, float first, float advance, std:
         }
 }
 
-inline void locate(const AdvectTask& task, const PaddedStrides& strides, const Run& run, const Displacements& displacements, Points& points) {
+inline void locate(const AdvectTask& task, const PaddedStrides& strides, const Run& run, const Displacements& displacements,
+                   Points& points) {
     locate_axis<0>(task, static_cast<float>(run.i), 1.0f, 1, run.count, displacements, points);
-    locate_axis<1>(task, static_cast<float>(run.j), 0.0f, static_cast<std::int32_t>(strides.row), run.count, displacements, points);
-    locate_axis<2>(task, static_cast<float>(run.k), 0.0f, static_cast<std::int32_t>(strides.plane), run.count, displacements, points);
+    locate_axis<1>(task, static_cast<float>(run.j), 0.0f, static_cast<std::int32_t>(strides.row), run.count, displacements,
+                   points);
+    locate_axis<2>(task, static_cast<float>(run.k), 0.0f, static_cast<std::int32_t>(strides.plane), run.count, displacements,
+                   points);
 }
 
 struct Linear {
@@ -142,11 +146,13 @@ struct Cubic {
 
 // As many cells as a register holds, from cell n of the run: their lines side by side, so that x is done for all at once.
 template <class Interpolant>
-inline Native sample(const float* field, const Points& points, const PaddedStrides& strides, const typename Interpolant::Weights& w, int n) {
+inline Native sample(const float* field, const Points& points, const PaddedStrides& strides,
+                     const typename Interpolant::Weights& w, int n) {
     typename Interpolant::Line lines[k_native_cells];
 #pragma GCC unroll 4 // a loop would index the lines, and so put them in memory
     for (int cell = 0; cell < k_native_cells; ++cell)
-        lines[cell] = Interpolant::sample_line(field + 4 * static_cast<std::ptrdiff_t>(points.offset[n + cell]), strides, w, n + cell);
+        lines[cell] =
+            Interpolant::sample_line(field + 4 * static_cast<std::ptrdiff_t>(points.offset[n + cell]), strides, w, n + cell);
     return Interpolant::sample_x(lines, w, n);
 }
 
@@ -160,7 +166,8 @@ constexpr int k_cells_of_a_line = 4;
 
 // `count` cells of a run.
 template <class Interpolant>
-inline void sample_run(const float* field, const Points& points, const PaddedStrides& strides, int count, const Ahead& ahead, float* result) {
+inline void sample_run(const float* field, const Points& points, const PaddedStrides& strides, int count, const Ahead& ahead,
+                       float* result) {
     const typename Interpolant::Weights weights(points, count);
     int n = 0;
     for (; n + k_native_cells <= count; n += k_native_cells) {
@@ -213,7 +220,8 @@ inline void trace_departures(const AdvectTask& task, const PaddedStrides& stride
 
     alignas(64) float samples[4 * k_row_chunk];
     // At Courant numbers up to 1 the next plane's cells reach two planes beyond this one.
-    const Ahead ahead = {task.padded_trace + 4 * padded_index(strides, run.i, run.j, run.k + 2), task.velocity + 4 * soon(task, run.first)};
+    const Ahead ahead = {task.padded_trace + 4 * padded_index(strides, run.i, run.j, run.k + 2),
+                         task.velocity + 4 * soon(task, run.first)};
     sample_run<Linear>(task.padded_trace, points, strides, run.count, ahead, samples);
     split_components(samples, run.count, traced);
     for (int axis = 0; axis < 3; ++axis)
@@ -241,7 +249,8 @@ template <class Interpolant>
 void advect_plane(const AdvectTask& task, int plane) {
     for_each_run(task, plane, [&](const PaddedStrides& strides, const Points& points, const Run& run) {
         // And three, with the nodes of a cubic.
-        const Ahead ahead = {task.padded_carried + 4 * padded_index(strides, run.i, run.j, run.k + 3), task.result + 4 * soon(task, run.first)};
+        const Ahead ahead = {task.padded_carried + 4 * padded_index(strides, run.i, run.j, run.k + 3),
+                             task.result + 4 * soon(task, run.first)};
         sample_run<Interpolant>(task.padded_carried, points, strides, run.count, ahead, task.result + 4 * run.first);
     });
 }

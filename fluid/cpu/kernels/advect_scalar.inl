@@ -1,6 +1,8 @@
 // The same for a scalar: one float a cell. Plain loops: a tracer is a test and a service, not the step.
 
-inline float scalar_lerp(float a, float b, float t) { return multiply_add(t, b - a, a); }
+inline float scalar_lerp(float a, float b, float t) {
+    return multiply_add(t, b - a, a);
+}
 
 inline float sample_scalar(const float* at, const PaddedStrides& s, const Linear::Weights& w, int n) {
     const float x = w.x[n], y = w.y[n], z = w.z[n];

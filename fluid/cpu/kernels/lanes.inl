@@ -19,38 +19,61 @@ typedef std::int32_t CellInt __attribute__((vector_size(16)));
 typedef float Native __attribute__((vector_size(k_native_lanes * 4)));
 typedef float NativeUnaligned __attribute__((vector_size(k_native_lanes * 4), aligned(4), may_alias));
 
-inline Cell load_cell(const float* p) { return *reinterpret_cast<const CellUnaligned*>(p); }
-inline void store_cell(float* p, Cell value) { *reinterpret_cast<CellUnaligned*>(p) = value; }
-inline Native load_native(const float* p) { return *reinterpret_cast<const NativeUnaligned*>(p); }
-inline void store_native(float* p, Native value) { *reinterpret_cast<NativeUnaligned*>(p) = value; }
-inline Cell splat(float value) { return Cell{value, value, value, value}; }
+inline Cell load_cell(const float* p) {
+    return *reinterpret_cast<const CellUnaligned*>(p);
+}
+inline void store_cell(float* p, Cell value) {
+    *reinterpret_cast<CellUnaligned*>(p) = value;
+}
+inline Native load_native(const float* p) {
+    return *reinterpret_cast<const NativeUnaligned*>(p);
+}
+inline void store_native(float* p, Native value) {
+    *reinterpret_cast<NativeUnaligned*>(p) = value;
+}
+inline Cell splat(float value) {
+    return Cell{value, value, value, value};
+}
 
 // A register of either width, for loops that do whole registers first and single cells at the end.
 template <class V>
 inline V load(const float* p);
 template <>
-inline Cell load<Cell>(const float* p) { return load_cell(p); }
+inline Cell load<Cell>(const float* p) {
+    return load_cell(p);
+}
 // The cell again and again.
 template <class V>
 inline V repeat(Cell cell);
 template <>
-inline Cell repeat<Cell>(Cell cell) { return cell; }
+inline Cell repeat<Cell>(Cell cell) {
+    return cell;
+}
 #if defined(__AVX512F__)
 template <>
-inline Native load<Native>(const float* p) { return load_native(p); }
+inline Native load<Native>(const float* p) {
+    return load_native(p);
+}
 template <>
-inline Native repeat<Native>(Cell cell) { return reinterpret_cast<Native>(_mm512_maskz_broadcast_f32x4(0xffff, reinterpret_cast<__m128>(cell))); }
+inline Native repeat<Native>(Cell cell) {
+    return reinterpret_cast<Native>(_mm512_maskz_broadcast_f32x4(0xffff, reinterpret_cast<__m128>(cell)));
+}
 #elif defined(__AVX__)
 template <>
-inline Native load<Native>(const float* p) { return load_native(p); }
+inline Native load<Native>(const float* p) {
+    return load_native(p);
+}
 template <>
-inline Native repeat<Native>(Cell cell) { return __builtin_shufflevector(cell, cell, 0, 1, 2, 3, 0, 1, 2, 3); }
+inline Native repeat<Native>(Cell cell) {
+    return __builtin_shufflevector(cell, cell, 0, 1, 2, 3, 0, 1, 2, 3);
+}
 #endif
 
 // a * b + c, fused where the level has the instruction.
 inline Cell multiply_add(Cell a, Cell b, Cell c) {
 #if defined(__FMA__)
-    return reinterpret_cast<Cell>(_mm_fmadd_ps(reinterpret_cast<__m128>(a), reinterpret_cast<__m128>(b), reinterpret_cast<__m128>(c)));
+    return reinterpret_cast<Cell>(
+        _mm_fmadd_ps(reinterpret_cast<__m128>(a), reinterpret_cast<__m128>(b), reinterpret_cast<__m128>(c)));
 #else
     return a * b + c;
 #endif
@@ -64,32 +87,43 @@ inline float multiply_add(float a, float b, float c) {
 }
 #if defined(__AVX512F__)
 inline Native multiply_add(Native a, Native b, Native c) {
-    return reinterpret_cast<Native>(_mm512_fmadd_ps(reinterpret_cast<__m512>(a), reinterpret_cast<__m512>(b), reinterpret_cast<__m512>(c)));
+    return reinterpret_cast<Native>(
+        _mm512_fmadd_ps(reinterpret_cast<__m512>(a), reinterpret_cast<__m512>(b), reinterpret_cast<__m512>(c)));
 }
 #elif defined(__FMA__)
 inline Native multiply_add(Native a, Native b, Native c) {
-    return reinterpret_cast<Native>(_mm256_fmadd_ps(reinterpret_cast<__m256>(a), reinterpret_cast<__m256>(b), reinterpret_cast<__m256>(c)));
+    return reinterpret_cast<Native>(
+        _mm256_fmadd_ps(reinterpret_cast<__m256>(a), reinterpret_cast<__m256>(b), reinterpret_cast<__m256>(c)));
 }
 #endif
 
 // a + t (b - a)
-inline Cell lerp(Cell a, Cell b, float t) { return multiply_add(splat(t), b - a, a); }
+inline Cell lerp(Cell a, Cell b, float t) {
+    return multiply_add(splat(t), b - a, a);
+}
 
 // Two cells side by side.
 #if defined(__AVX__)
 typedef float Pair __attribute__((vector_size(32)));
 typedef float PairUnaligned __attribute__((vector_size(32), aligned(4), may_alias));
-inline Pair load_pair(const float* p) { return *reinterpret_cast<const PairUnaligned*>(p); }
+inline Pair load_pair(const float* p) {
+    return *reinterpret_cast<const PairUnaligned*>(p);
+}
 inline Pair lerp(Pair a, Pair b, float t) {
     const Pair difference = b - a;
-    return reinterpret_cast<Pair>(_mm256_fmadd_ps(_mm256_set1_ps(t), reinterpret_cast<__m256>(difference), reinterpret_cast<__m256>(a)));
+    return reinterpret_cast<Pair>(
+        _mm256_fmadd_ps(_mm256_set1_ps(t), reinterpret_cast<__m256>(difference), reinterpret_cast<__m256>(a)));
 }
 #else
 struct Pair {
     Cell low, high;
 };
-inline Pair load_pair(const float* p) { return {load_cell(p), load_cell(p + 4)}; }
-inline Pair lerp(Pair a, Pair b, float t) { return {lerp(a.low, b.low, t), lerp(a.high, b.high, t)}; }
+inline Pair load_pair(const float* p) {
+    return {load_cell(p), load_cell(p + 4)};
+}
+inline Pair lerp(Pair a, Pair b, float t) {
+    return {lerp(a.low, b.low, t), lerp(a.high, b.high, t)};
+}
 #endif
 
 struct Block {
@@ -151,8 +185,10 @@ inline Nodes transpose(const Block (&blocks)[k_native_cells]) {
             __builtin_shufflevector(ab_high, cd_high, 4, 5, 6, 7, 12, 13, 14, 15, 20, 21, 22, 23, 28, 29, 30, 31)};
 #elif defined(__AVX__)
     const Native a_low = blocks[0].part[0], a_high = blocks[0].part[1], b_low = blocks[1].part[0], b_high = blocks[1].part[1];
-    return {__builtin_shufflevector(a_low, b_low, 0, 1, 2, 3, 8, 9, 10, 11), __builtin_shufflevector(a_low, b_low, 4, 5, 6, 7, 12, 13, 14, 15),
-            __builtin_shufflevector(a_high, b_high, 0, 1, 2, 3, 8, 9, 10, 11), __builtin_shufflevector(a_high, b_high, 4, 5, 6, 7, 12, 13, 14, 15)};
+    return {__builtin_shufflevector(a_low, b_low, 0, 1, 2, 3, 8, 9, 10, 11),
+            __builtin_shufflevector(a_low, b_low, 4, 5, 6, 7, 12, 13, 14, 15),
+            __builtin_shufflevector(a_high, b_high, 0, 1, 2, 3, 8, 9, 10, 11),
+            __builtin_shufflevector(a_high, b_high, 4, 5, 6, 7, 12, 13, 14, 15)};
 #else
     return {blocks[0].part[0], blocks[0].part[1], blocks[0].part[2], blocks[0].part[3]};
 #endif
@@ -192,26 +228,62 @@ inline Native spread(const float* p) {
 // Between cells and components: four registers of cells against a register for each component. Done within the quarters of
 // registers, where shuffles are cheap: `deal` puts a row of floats into the order that this asks for, `undeal` back.
 #if defined(__AVX512F__)
-inline Native join_low(Native a, Native b) { return __builtin_shufflevector(a, b, 0, 16, 1, 17, 4, 20, 5, 21, 8, 24, 9, 25, 12, 28, 13, 29); }
-inline Native join_high(Native a, Native b) { return __builtin_shufflevector(a, b, 2, 18, 3, 19, 6, 22, 7, 23, 10, 26, 11, 27, 14, 30, 15, 31); }
-inline Native pairs_low(Native a, Native b) { return __builtin_shufflevector(a, b, 0, 1, 16, 17, 4, 5, 20, 21, 8, 9, 24, 25, 12, 13, 28, 29); }
-inline Native pairs_high(Native a, Native b) { return __builtin_shufflevector(a, b, 2, 3, 18, 19, 6, 7, 22, 23, 10, 11, 26, 27, 14, 15, 30, 31); }
-inline Native deal(Native a) { return __builtin_shufflevector(a, a, 0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15); }
-inline Native undeal(Native a) { return __builtin_shufflevector(a, a, 0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15); }
+inline Native join_low(Native a, Native b) {
+    return __builtin_shufflevector(a, b, 0, 16, 1, 17, 4, 20, 5, 21, 8, 24, 9, 25, 12, 28, 13, 29);
+}
+inline Native join_high(Native a, Native b) {
+    return __builtin_shufflevector(a, b, 2, 18, 3, 19, 6, 22, 7, 23, 10, 26, 11, 27, 14, 30, 15, 31);
+}
+inline Native pairs_low(Native a, Native b) {
+    return __builtin_shufflevector(a, b, 0, 1, 16, 17, 4, 5, 20, 21, 8, 9, 24, 25, 12, 13, 28, 29);
+}
+inline Native pairs_high(Native a, Native b) {
+    return __builtin_shufflevector(a, b, 2, 3, 18, 19, 6, 7, 22, 23, 10, 11, 26, 27, 14, 15, 30, 31);
+}
+inline Native deal(Native a) {
+    return __builtin_shufflevector(a, a, 0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15);
+}
+inline Native undeal(Native a) {
+    return __builtin_shufflevector(a, a, 0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15);
+}
 #elif defined(__AVX__)
-inline Native join_low(Native a, Native b) { return __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13); }
-inline Native join_high(Native a, Native b) { return __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15); }
-inline Native pairs_low(Native a, Native b) { return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13); }
-inline Native pairs_high(Native a, Native b) { return __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15); }
-inline Native deal(Native a) { return __builtin_shufflevector(a, a, 0, 2, 4, 6, 1, 3, 5, 7); }
-inline Native undeal(Native a) { return __builtin_shufflevector(a, a, 0, 4, 1, 5, 2, 6, 3, 7); }
+inline Native join_low(Native a, Native b) {
+    return __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
+}
+inline Native join_high(Native a, Native b) {
+    return __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
+}
+inline Native pairs_low(Native a, Native b) {
+    return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13);
+}
+inline Native pairs_high(Native a, Native b) {
+    return __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
+}
+inline Native deal(Native a) {
+    return __builtin_shufflevector(a, a, 0, 2, 4, 6, 1, 3, 5, 7);
+}
+inline Native undeal(Native a) {
+    return __builtin_shufflevector(a, a, 0, 4, 1, 5, 2, 6, 3, 7);
+}
 #else
-inline Native join_low(Native a, Native b) { return __builtin_shufflevector(a, b, 0, 4, 1, 5); }
-inline Native join_high(Native a, Native b) { return __builtin_shufflevector(a, b, 2, 6, 3, 7); }
-inline Native pairs_low(Native a, Native b) { return __builtin_shufflevector(a, b, 0, 1, 4, 5); }
-inline Native pairs_high(Native a, Native b) { return __builtin_shufflevector(a, b, 2, 3, 6, 7); }
-inline Native deal(Native a) { return a; }
-inline Native undeal(Native a) { return a; }
+inline Native join_low(Native a, Native b) {
+    return __builtin_shufflevector(a, b, 0, 4, 1, 5);
+}
+inline Native join_high(Native a, Native b) {
+    return __builtin_shufflevector(a, b, 2, 6, 3, 7);
+}
+inline Native pairs_low(Native a, Native b) {
+    return __builtin_shufflevector(a, b, 0, 1, 4, 5);
+}
+inline Native pairs_high(Native a, Native b) {
+    return __builtin_shufflevector(a, b, 2, 3, 6, 7);
+}
+inline Native deal(Native a) {
+    return a;
+}
+inline Native undeal(Native a) {
+    return a;
+}
 #endif
 
 // Which lanes hold the x and the y of cells.
@@ -240,7 +312,7 @@ inline CellRegisters cells_of(const Components& u) {
 }
 // In the order of `deal`.
 inline Components dealt_components_of(const CellRegisters& cells) {
-    const Native *const c = cells.part;
+    const Native* const c = cells.part;
     const Native xy_low = join_low(c[0], c[1]), xy_high = join_low(c[2], c[3]);
     const Native z_low = join_high(c[0], c[1]), z_high = join_high(c[2], c[3]);
     return {pairs_low(xy_low, xy_high), pairs_high(xy_low, xy_high), pairs_low(z_low, z_high)};

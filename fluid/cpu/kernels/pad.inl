@@ -128,15 +128,17 @@ void pad_plane(const PadTask& task, int padded_plane) {
             continue;
         }
 
-        const std::size_t source = (static_cast<std::size_t>(plane_rule.source) * task.cells[1] + row_rule.source) * task.cells[0];
+        const std::size_t source =
+            (static_cast<std::size_t>(plane_rule.source) * task.cells[1] + row_rule.source) * task.cells[0];
         const std::ptrdiff_t padded_source =
             (plane_rule.source + k_halo_low) * strides.plane + (row_rule.source + k_halo_low) * strides.row + k_halo_low;
         const CombinedRule outer = CombinedRule{}.then(row_rule).then(plane_rule);
         const int floats = 4 * task.cells[0];
-        write_run(carried_run<Native>(task, source, padded_source, outer), carried_run<Cell>(task, source, padded_source, outer), floats,
-                  carried + 4 * k_halo_low);
+        write_run(carried_run<Native>(task, source, padded_source, outer), carried_run<Cell>(task, source, padded_source, outer),
+                  floats, carried + 4 * k_halo_low);
         if (trace != nullptr)
-            write_run(trace_run<Native>(task, source, outer), trace_run<Cell>(task, source, outer), floats, trace + 4 * k_halo_low);
+            write_run(trace_run<Native>(task, source, outer), trace_run<Cell>(task, source, outer), floats,
+                      trace + 4 * k_halo_low);
 
         const auto put = [&](int column) {
             const HaloRule& rule = task.rules[0][column];
@@ -145,7 +147,8 @@ void pad_plane(const PadTask& task, int padded_plane) {
                 return;
             }
             const CombinedRule whole = CombinedRule{}.then(rule).then(row_rule).then(plane_rule);
-            store_cell(carried + 4 * column, carried_run<Cell>(task, source + rule.source, padded_source + rule.source, whole).at(0));
+            store_cell(carried + 4 * column,
+                       carried_run<Cell>(task, source + rule.source, padded_source + rule.source, whole).at(0));
             if (trace != nullptr)
                 store_cell(trace + 4 * column, trace_run<Cell>(task, source + rule.source, whole).at(0));
         };

@@ -9,8 +9,8 @@ constexpr int k_tile_rows = 3;
 #endif
 
 template <int Rows>
-inline void multiply_tile(const float* a, std::ptrdiff_t a_stride, const float* b, std::ptrdiff_t b_stride, float* c, std::ptrdiff_t c_stride,
-                          int depth) {
+inline void multiply_tile(const float* a, std::ptrdiff_t a_stride, const float* b, std::ptrdiff_t b_stride, float* c,
+                          std::ptrdiff_t c_stride, int depth) {
     Native sums[Rows][k_parts] = {};
     for (int d = 0; d < depth; ++d) {
         const Block values = load_block(b + d * b_stride);
@@ -30,12 +30,14 @@ void multiply(const Product& p) {
     for (int column = 0; column < p.columns; column += k_lanes) {
         int row = 0;
         for (; row + k_tile_rows <= p.rows; row += k_tile_rows)
-            multiply_tile<k_tile_rows>(p.a + row * p.a_stride, p.a_stride, p.b + column, p.b_stride, p.c + row * p.c_stride + column, p.c_stride,
-                                       p.depth);
+            multiply_tile<k_tile_rows>(p.a + row * p.a_stride, p.a_stride, p.b + column, p.b_stride,
+                                       p.c + row * p.c_stride + column, p.c_stride, p.depth);
         if constexpr (k_tile_rows > 4)
             for (; row + 4 <= p.rows; row += 4)
-                multiply_tile<4>(p.a + row * p.a_stride, p.a_stride, p.b + column, p.b_stride, p.c + row * p.c_stride + column, p.c_stride, p.depth);
+                multiply_tile<4>(p.a + row * p.a_stride, p.a_stride, p.b + column, p.b_stride, p.c + row * p.c_stride + column,
+                                 p.c_stride, p.depth);
         for (; row < p.rows; ++row)
-            multiply_tile<1>(p.a + row * p.a_stride, p.a_stride, p.b + column, p.b_stride, p.c + row * p.c_stride + column, p.c_stride, p.depth);
+            multiply_tile<1>(p.a + row * p.a_stride, p.a_stride, p.b + column, p.b_stride, p.c + row * p.c_stride + column,
+                             p.c_stride, p.depth);
     }
 }

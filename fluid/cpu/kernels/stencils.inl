@@ -7,8 +7,8 @@ struct ScalarRow {
     float scale;
 };
 
-inline ScalarRow neighbour_row(const float* field, std::size_t row_floats, std::size_t axis_stride, std::size_t row, int index, int count,
-                               int side, const NormalGhost& ghost) {
+inline ScalarRow neighbour_row(const float* field, std::size_t row_floats, std::size_t axis_stride, std::size_t row, int index,
+                               int count, int side, const NormalGhost& ghost) {
     const int neighbour = index + side;
     if (neighbour >= 0 && neighbour < count)
         return {field + (row + side * static_cast<std::ptrdiff_t>(axis_stride)) * row_floats, 1.0f};
@@ -19,7 +19,8 @@ inline ScalarRow neighbour_row(const float* field, std::size_t row_floats, std::
 class DivergenceRow {
   public:
     DivergenceRow(const DivergenceTask& task, int plane, int j)
-        : cells_(task.cells[0]), here_(task.velocity + 4 * (static_cast<std::size_t>(plane) * task.cells[1] + j) * task.cells[0]) {
+        : cells_(task.cells[0]),
+          here_(task.velocity + 4 * (static_cast<std::size_t>(plane) * task.cells[1] + j) * task.cells[0]) {
         const int ny = task.cells[1], nz = task.cells[2];
         const std::size_t row = static_cast<std::size_t>(plane) * ny + j, row_floats = 4 * static_cast<std::size_t>(cells_);
         y_[0] = neighbour_row(task.velocity, row_floats, 1, row, j, ny, -1, task.ghosts[1][0]);
@@ -98,7 +99,8 @@ double divergence_squares(const DivergenceTask& task, const float* wanted, int p
     float rest = 0.0f;
     for (int j = first_row; j < last_row; ++j) {
         const DivergenceRow row(task, plane, j);
-        const float* const row_wanted = wanted != nullptr ? wanted + (static_cast<std::size_t>(plane) * task.cells[1] + j) * nx : nullptr;
+        const float* const row_wanted =
+            wanted != nullptr ? wanted + (static_cast<std::size_t>(plane) * task.cells[1] + j) * nx : nullptr;
         int i = 0;
         for (; i + k_native_lanes <= nx; i += k_native_lanes) {
             Native left = scale * row.block_at(i);

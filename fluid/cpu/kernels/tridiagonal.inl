@@ -34,8 +34,10 @@ void tridiagonal(const TridiagonalTask& task) {
         float* const data = task.data + m * task.stride;
         const float* const vector = task.cyclic + m * mode_stride;
         const float* const factors = task.cyclic_factors + 2 * m * k_lanes;
-        const Block share = load_block(factors) * load_block(data) + load_block(factors + k_lanes) * load_block(data + (task.rows - 1) * k_lanes);
+        const Block share =
+            load_block(factors) * load_block(data) + load_block(factors + k_lanes) * load_block(data + (task.rows - 1) * k_lanes);
         for (int j = 0; j < task.rows; ++j)
-            store_block(data + j * k_lanes, subtract_product(share, load_block(vector + j * k_lanes), load_block(data + j * k_lanes)));
+            store_block(data + j * k_lanes,
+                        subtract_product(share, load_block(vector + j * k_lanes), load_block(data + j * k_lanes)));
     }
 }

@@ -19,7 +19,8 @@ void jacobi_plane_any_sides(const JacobiTask& task, int k) {
         const std::ptrdiff_t row = (static_cast<std::ptrdiff_t>(k) * ny + j) * pitch;
         const float* const here = task.now + row;
         const Neighbour below = neighbour_of(task, 1, j, -1, pitch, here), above = neighbour_of(task, 1, j, 1, pitch, here);
-        const Neighbour back = neighbour_of(task, 2, k, -1, ny * pitch, here), front = neighbour_of(task, 2, k, 1, ny * pitch, here);
+        const Neighbour back = neighbour_of(task, 2, k, -1, ny * pitch, here),
+                        front = neighbour_of(task, 2, k, 1, ny * pitch, here);
         const float* const source = task.source + (static_cast<std::size_t>(k) * ny + j) * nx;
         float* const result = task.next + row;
 #if defined(__clang__)

@@ -14,8 +14,7 @@ void multiply(float* values, const float* factors, std::size_t count) {
 }
 } // namespace
 
-const Kernels k_kernels = {jacobi_plane,      jacobi_plane_any_sides, multigrid_smooth, multigrid_restrict,
-                           multigrid_prolong, advect_plane,           divergence_plane, gradient_plane,
-                           mirror_floor,      multiply};
+const Kernels k_kernels = {jacobi_plane, jacobi_plane_any_sides, multigrid_smooth, multigrid_restrict, multigrid_prolong,
+                           advect_plane, divergence_plane,       gradient_plane,   mirror_floor,       multiply};
 
 } // namespace windrow::bench::WINDROW_LEVEL

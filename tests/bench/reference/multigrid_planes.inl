@@ -86,7 +86,9 @@ void multigrid_restrict(const MultigridRestrict& task, int coarse_k) {
             for (int j = 2 * coarse_j; j < end_of_children(coarse_j, coarse_ny, ny); ++j) {
                 const LevelRow row = level_row(task.fine, task.now, j, k);
                 const float of_row = task.share[1][j] * task.share[2][k];
-                const auto left = [&](int i) { return of_row * (row.source[i] - (row.around(i) - row.diagonal[i] * row.here[i])); };
+                const auto left = [&](int i) {
+                    return of_row * (row.source[i] - (row.around(i) - row.diagonal[i] * row.here[i]));
+                };
                 if (first) {
 #pragma GCC ivdep
                     for (int i = 0; i < nx; ++i)

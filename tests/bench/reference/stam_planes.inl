@@ -149,8 +149,8 @@ void advect_plane(const StamTask& task, int k) {
             locate_axis(static_cast<float>(k), 0.0f, k_open, high_z, plane_cells, count, 2, velocity, speed, points);
             for (int n = 0; n < count; ++n)
                 store(result + 4 * (i0 + n),
-                      trilinear(task.velocity + 4 * static_cast<std::ptrdiff_t>(points.offset[n]), task.row_stride, task.plane_stride,
-                                points.fraction[0][n], points.fraction[1][n], points.fraction[2][n]));
+                      trilinear(task.velocity + 4 * static_cast<std::ptrdiff_t>(points.offset[n]), task.row_stride,
+                                task.plane_stride, points.fraction[0][n], points.fraction[1][n], points.fraction[2][n]));
         }
         // For the divergence, whose ghost at an open side is the cell inside.
         store(result - 4, load<Cell>(result));

@@ -53,7 +53,8 @@ int main(int count, char** arguments) {
     (void)must(windrow::Wind::create(scene.wind.wind));
 
     const auto device = must(engine::Device::create());
-    auto wind = must(windrow::vulkan::Wind::create(device->host(), scene.wind.wind, {.frames_in_flight = engine::k_frames_in_flight}));
+    auto wind =
+        must(windrow::vulkan::Wind::create(device->host(), scene.wind.wind, {.frames_in_flight = engine::k_frames_in_flight}));
 
     const auto renderer = must(render::Renderer::create(*device, scene, {.width = 320, .height = 180}));
     const auto mask = must(grass::PlacementMask::create({65, 65}, scene.ground.heights.extent(), 1.0f));

@@ -55,11 +55,13 @@ void main() {
     WindrowPart trunk = WindrowPart(vec3(0.0), vec3(0.0, 1.0, 0.0), 8.0, 1.0);
     WindrowPart branch = WindrowPart(vec3(0.0, 5.0, 0.0), c.view.xyz, 2.5, 0.5);
     WindrowPart leaf = WindrowPart(vec3(0.0, 5.0, 0.0) + 2.0 * c.view.xyz, c.axis.xyz, 0.1, 1.5);
-    WindrowTreeVertex t = windrow_tree_vertex(tree, trunk, branch, leaf, c.wind.xyz, WindrowTreeVertex(leaf.root + 0.1 * h * leaf.axis, c.view.xyz));
+    WindrowTreeVertex t = windrow_tree_vertex(tree, trunk, branch, leaf, c.wind.xyz,
+                                              WindrowTreeVertex(leaf.root + 0.1 * h * leaf.axis, c.view.xyz));
     a.tree_position = vec4(t.position, 0.0);
     a.tree_normal = vec4(t.normal, 0.0);
 
-    a.masks = vec4(windrow_mask_power(h, 2.5), windrow_mask_own(h, 0.5), windrow_mask_drag(h, 1.5), windrow_mask_droop(h, c.place.w));
+    a.masks =
+        vec4(windrow_mask_power(h, 2.5), windrow_mask_own(h, 0.5), windrow_mask_drag(h, 1.5), windrow_mask_droop(h, c.place.w));
     a.strand = vec4(windrow_strand_lean(load.xz, h, 1.5), windrow_radial_load(c.place.xz, 1.0, 1.2));
     answers[n] = a;
 }

@@ -24,11 +24,12 @@ void main() {
     WindrowPart leaf = WindrowPart(vec3(1.0, 2.0, 0.0), vec3(0.0, 0.0, 1.0), 0.1, 1.0);
     WindrowTreeVertex rest = WindrowTreeVertex(vec3(1.0, 2.0, 0.1), up);
 
-    plants[6 * n] = vec4(windrow_blade(blade, p, up, key, windrow_blade_bend(blade, p, up, key, velocity), eye, 1.0, 0.5).position, 0.0);
+    plants[6 * n] =
+        vec4(windrow_blade(blade, p, up, key, windrow_blade_bend(blade, p, up, key, velocity), eye, 1.0, 0.5).position, 0.0);
     plants[6 * n + 1] = vec4(windrow_shell(shells, p, up, 7.0, 0.8, velocity), 0.0);
     plants[6 * n + 2] = vec4(windrow_tree(tree, p, trunk, branch, leaf, rest).position, 0.0);
-    plants[6 * n + 3] =
-        vec4(windrow_blade(blade, p, up, key, windrow_blade_bend_previous(blade, p, up, key, velocity), eye, 1.0, 0.5).position, 0.0);
+    plants[6 * n + 3] = vec4(
+        windrow_blade(blade, p, up, key, windrow_blade_bend_previous(blade, p, up, key, velocity), eye, 1.0, 0.5).position, 0.0);
     plants[6 * n + 4] = vec4(windrow_shell_previous(shells, p, up, 7.0, 0.8, velocity), 0.0);
     plants[6 * n + 5] = vec4(windrow_tree_previous(tree, p, trunk, branch, leaf, rest).position, 0.0);
 }

@@ -27,22 +27,22 @@ layout(std140, set = 2, binding = 0) uniform Coat {
     WindrowStrandField field;
     // x divisor of a layer's number; y [m] strands' length over the mesh's metres; z wind share; w the animated cells' time [s]
     vec4 levels;
-    ivec4 counts;  // x vertices; y, z first entry of this and of the last frame's skin; w stages of the cascade
-    ivec4 layers;  // x drawn; y 1: outer first; z 1: mirrored; w all layers of the shadow
-    ivec4 form;    // x 1: translated; y WindAt; z 1: strands by the surface, 0: by uv; w 1: bare
-    ivec4 drawing; // x march; y samples a pixel; z spots; w lamps
-    vec4 comb;     // xyz direction in the mesh's space; w [rad] bend
-    vec4 tousle;   // x [rad]; y 1 / [m]; z 1 / [s] of the last frame, 0: no velocity; w bald_below
-    vec4 root;     // rgb; w power of root to tip
-    vec4 tip;      // rgb; w variation
-    vec4 second;   // rgb; w 1 / [m] of patches
-    vec4 skin;     // rgb; w bias of the occlusion
-    vec4 light;    // x occlusion exponent; y wrap; z gloss; w its power
-    vec4 sheen;    // x sheen; y its power; z through; w strand normals
-    vec4 cel;      // x levels; y square normals; z 1: a cloud in place of strands; w 0
-    vec4 drift;    // xy [m] along x and z of the mesh by which the strands have gone; z, w feet now and before
-    vec4 low;      // xyz corner of the mesh's box; w Projection
-    vec4 extent;   // xyz 1 / its size; w noise tiles
+    ivec4 counts;   // x vertices; y, z first entry of this and of the last frame's skin; w stages of the cascade
+    ivec4 layers;   // x drawn; y 1: outer first; z 1: mirrored; w all layers of the shadow
+    ivec4 form;     // x 1: translated; y WindAt; z 1: strands by the surface, 0: by uv; w 1: bare
+    ivec4 drawing;  // x march; y samples a pixel; z spots; w lamps
+    vec4 comb;      // xyz direction in the mesh's space; w [rad] bend
+    vec4 tousle;    // x [rad]; y 1 / [m]; z 1 / [s] of the last frame, 0: no velocity; w bald_below
+    vec4 root;      // rgb; w power of root to tip
+    vec4 tip;       // rgb; w variation
+    vec4 second;    // rgb; w 1 / [m] of patches
+    vec4 skin;      // rgb; w bias of the occlusion
+    vec4 light;     // x occlusion exponent; y wrap; z gloss; w its power
+    vec4 sheen;     // x sheen; y its power; z through; w strand normals
+    vec4 cel;       // x levels; y square normals; z 1: a cloud in place of strands; w 0
+    vec4 drift;     // xy [m] along x and z of the mesh by which the strands have gone; z, w feet now and before
+    vec4 low;       // xyz corner of the mesh's box; w Projection
+    vec4 extent;    // xyz 1 / its size; w noise tiles
     vec4 influence; // x, y of the noise pictures; z [rad] push of feet; w 1: exact normals
     WindrowCloudShells cloud;
     ivec4 pictures[4]; // length, colour, noise a, noise b: x first texel; y columns; z rows; w levels, 0: none
@@ -93,7 +93,8 @@ vec3 feet_on(vec3 p, vec3 n) {
 vec3 feet_on_before(vec3 p, vec3 n) {
     vec3 load = vec3(0.0);
     for (int foot = 0; foot < int(coat.drift.w); ++foot)
-        load += windrow_foot_load(coat.feet_before[foot].place, coat.influence.z * coat.feet_before[foot].weight.x, coat.shells.form.x, p, n);
+        load += windrow_foot_load(coat.feet_before[foot].place, coat.influence.z * coat.feet_before[foot].weight.x,
+                                  coat.shells.form.x, p, n);
     return load;
 }
 

@@ -97,7 +97,8 @@ void main() {
     if (coat.form.y != k_wind_at_pixel) {
         vec3 wind = coat.levels.z * windrow_wind_on(position + 0.5 * coat.shells.form.x * up, skin.velocity.xyz);
         // The translate form has the wind itself for its direction.
-        skin.load.xyz = coat.form.x == 1 ? wind : windrow_shell_load(coat.shells, up, max(map, 0.05), wind) + feet_on(position, up);
+        skin.load.xyz =
+            coat.form.x == 1 ? wind : windrow_shell_load(coat.shells, up, max(map, 0.05), wind) + feet_on(position, up);
     }
     skins[here] = skin;
     if (is_first == 1)

@@ -49,7 +49,8 @@ void main() {
     if (cloud) {
         vec2 middle = coat.low.xz + 0.5 / max(coat.extent.xz, vec2(1e-9));
         vec2 place_on = hit.root.x.xz - middle;
-        vec3 own = windrow_cloud_normal(coat.cloud, place_on, hit.height, windrow_cloud_heap(coat.cloud, place_on), 0.05 / coat.cloud.form.y);
+        vec3 own = windrow_cloud_normal(coat.cloud, place_on, hit.height, windrow_cloud_heap(coat.cloud, place_on),
+                                        0.05 / coat.cloud.form.y);
         vec3 up = hit.height < 0.0 ? -n : n; // the layer's normal; the sheet's own is up
         vec2 aside = in_plane(vec3(own.x, 0.0, own.z), f.dx.x, f.dy.x);
         n = normalize(aside.x * f.p_dx + aside.y * f.p_dy + own.y * up);

@@ -7,6 +7,4 @@
 #include "shell_strand.glsl"
 #include "shell_fragment.glsl"
 
-void main() {
-    shell_fragment();
-}
+void main() { shell_fragment(); }

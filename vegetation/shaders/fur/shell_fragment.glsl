@@ -17,10 +17,10 @@ layout(location = 8) flat in vec2 neighbours; // heights of the next inner and o
 
 struct ShellFragment {
     ShellHit hit;
-    vec3 sight;       // unit, from the eye
-    vec3 p_dx, p_dy;  // [m] the position's change to the next pixel
-    ShellRoot dx, dy; // the root's
-    bool bald;        // the skin where nothing grows
+    vec3 sight;             // unit, from the eye
+    vec3 p_dx, p_dy;        // [m] the position's change to the next pixel
+    ShellRoot dx, dy;       // the root's
+    bool bald;              // the skin where nothing grows
     float wide_on_pictures; // what a pixel covers of them
 };
 
@@ -90,7 +90,8 @@ ShellFragment shell_fragment() {
 #endif
     f.hit = k_pattern == 3 ? cloud_hit(root, f.dx, f.dy, rest.w, ray) : shell_hit(root, f.dx, f.dy, h, map, ray, chance);
     int samples = coat.drawing.y;
-    float count = samples > 1 ? f.hit.coverage * float(samples) + mix(0.5, chance, f.hit.thin) : f.hit.coverage + mix(0.5, chance, f.hit.thin);
+    float count = samples > 1 ? f.hit.coverage * float(samples) + mix(0.5, chance, f.hit.thin)
+                              : f.hit.coverage + mix(0.5, chance, f.hit.thin);
     int bits = sample_bits(min(floor(count) / float(samples), 1.0), samples, int(f.hit.strand.key.x >> 8u));
     if (bits == 0)
         discard;

@@ -38,8 +38,8 @@ WindrowStrandField coat_field() {
 
 // Where on the skin.
 struct ShellRoot {
-    vec3 x;  // [m] in the mesh's space
-    vec3 n;  // unit
+    vec3 x; // [m] in the mesh's space
+    vec3 n; // unit
     vec2 uv;
 };
 struct ShellHit {
@@ -138,7 +138,8 @@ vec2 in_plane(vec3 v, vec3 dx, vec3 dy) {
 }
 
 // `p_dx`, `n_dx` ... are what the pixel's neighbours have of the position and the normal.
-ShellRay shell_ray(vec3 sight, vec3 n, vec3 along, float h, float below, float above, vec3 p_dx, vec3 p_dy, vec3 n_dx, vec3 n_dy) {
+ShellRay shell_ray(vec3 sight, vec3 n, vec3 along, float h, float below, float above, vec3 p_dx, vec3 p_dy, vec3 n_dx,
+                   vec3 n_dy) {
     ShellRay ray;
     ray.sight = sight;
     float rise = max(dot(along, n), 1e-6);
@@ -159,9 +160,7 @@ ShellRay shell_ray(vec3 sight, vec3 n, vec3 along, float h, float below, float a
     return ray;
 }
 
-float height_on(ShellRay ray, float h, float s) {
-    return h + s * (ray.fall + s * ray.bend);
-}
+float height_on(ShellRay ray, float h, float s) { return h + s * (ray.fall + s * ray.bend); }
 
 ShellRoot root_on(ShellRay ray, ShellRoot root, ShellRoot dx, ShellRoot dy, float h, float s) {
     float here = height_on(ray, h, s);

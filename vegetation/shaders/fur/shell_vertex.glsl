@@ -34,12 +34,14 @@ ShellPlace shell_place(CoatSkin skin, float height, vec3 wind_load) {
         place.along = (above - below) / (step + min(step, h)) + skin.lag.xyz + 2.0 * h * skin.lag_more.xyz;
         return place;
     }
-    WindrowCoatStrand own = windrow_coat_strand(coat.shells, place.normal, skin.position.w, skin.load.xyz, skin.own.xyz, skin.lag.xyz, skin.lag_more.xyz);
+    WindrowCoatStrand own = windrow_coat_strand(coat.shells, place.normal, skin.position.w, skin.load.xyz, skin.own.xyz,
+                                                skin.lag.xyz, skin.lag_more.xyz);
     vec3 shift = windrow_coat_shift(own, h);
     vec3 tangent = windrow_coat_tangent(own, h);
     if (coat.form.y == k_wind_at_shell) {
         // Aside by the layer's own wind, out by the strand's: layers keep their order whatever the wind does between them.
-        WindrowCoatStrand other = windrow_coat_strand(coat.shells, place.normal, skin.position.w, wind_load, skin.own.xyz, skin.lag.xyz, skin.lag_more.xyz);
+        WindrowCoatStrand other = windrow_coat_strand(coat.shells, place.normal, skin.position.w, wind_load, skin.own.xyz,
+                                                      skin.lag.xyz, skin.lag_more.xyz);
         shift = dot(shift, place.normal) * place.normal + windrow_across(windrow_coat_shift(other, h), place.normal);
         tangent = dot(tangent, place.normal) * place.normal + windrow_across(windrow_coat_tangent(other, h), place.normal);
     }

@@ -31,8 +31,6 @@ float windrow_grid_value(int grid, ivec2 corner, int across) {
     return grid == k_heights ? heights[at] : mask[at];
 }
 
-uint places_of_a_chunk() {
-    return uint(grass.cells.z * grass.cells.z);
-}
+uint places_of_a_chunk() { return uint(grass.cells.z * grass.cells.z); }
 
 #endif

@@ -31,10 +31,10 @@ struct GrassBlade {
     uvec2 hash;        // of its traits: the key's, turned to face as its clump does
     WindrowBlade kind; // the class at this blade's size and distance
     int level;
-    float size;        // by the mask
-    float morph;       // 0 a near blade, 1 one that has the far blade's shape
-    vec2 clump;        // two chances that the clump shares, 0 to 1
-    vec2 looks;        // two chances, 0 to 1, for colours: independent of shape, place and stiffness
+    float size;  // by the mask
+    float morph; // 0 a near blade, 1 one that has the far blade's shape
+    vec2 clump;  // two chances that the clump shares, 0 to 1
+    vec2 looks;  // two chances, 0 to 1, for colours: independent of shape, place and stiffness
 };
 
 // `told`: x slot, y level + 2 * view.
@@ -61,12 +61,8 @@ GrassBlade grass_blade_seen(uvec2 told, uint instance, vec3 eye) {
     blade.looks = vec2(windrow_share(hash.x), windrow_share(hash.y));
     return blade;
 }
-GrassBlade grass_blade(uvec2 told, int instance) {
-    return grass_blade_seen(told, uint(instance), grass.eye.xyz);
-}
-GrassBlade grass_blade_previous(uvec2 told, int instance) {
-    return grass_blade_seen(told, uint(instance), grass.eye_before.xyz);
-}
+GrassBlade grass_blade(uvec2 told, int instance) { return grass_blade_seen(told, uint(instance), grass.eye.xyz); }
+GrassBlade grass_blade_previous(uvec2 told, int instance) { return grass_blade_seen(told, uint(instance), grass.eye_before.xyz); }
 
 WindrowVertex grass_vertex_seen(GrassBlade blade, vec3 bend, int vertex, vec3 eye) {
     vec3 sight = blade.root - grass.corner.xyz - eye;
@@ -86,8 +82,6 @@ WindrowVertex grass_vertex_previous(GrassBlade before, vec3 bend, int vertex) {
 }
 
 // Height on the blade of a vertex, 0 at its root, 1 at its tip: for colours.
-float grass_height(GrassBlade blade, int vertex) {
-    return windrow_grass_row(vertex, blade.level, blade.morph).x;
-}
+float grass_height(GrassBlade blade, int vertex) { return windrow_grass_row(vertex, blade.level, blade.morph).x; }
 
 #endif

@@ -56,9 +56,7 @@ WINDROW_FN float windrow_cloud_heap(WindrowCloudShells cloud, vec2 place) {
 }
 
 // top of a heap.
-WINDROW_FN float windrow_cloud_top(float heap) {
-    return sqrt(max(heap * (2.0f - heap), 0.0f));
-}
+WINDROW_FN float windrow_cloud_top(float heap) { return sqrt(max(heap * (2.0f - heap), 0.0f)); }
 
 // s above 0: within the cloud. `heap` from windrow_cloud_heap.
 WINDROW_FN float windrow_cloud_inside(WindrowCloudShells cloud, vec2 place, float h, float heap) {

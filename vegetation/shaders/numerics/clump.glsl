@@ -16,7 +16,7 @@
 #include "shaders/numerics/plant_hash.glsl"
 
 struct WindrowClump {
-    vec2 offset; // of the place from the clump's middle, in cells
+    vec2 offset;  // of the place from the clump's middle, in cells
     uvec2 chance; // the clump's own words
 };
 

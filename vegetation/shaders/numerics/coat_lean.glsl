@@ -33,7 +33,8 @@ struct WindrowCoatStrand {
 };
 
 // `own` [rad] is the comb's bend beside the sag; `lag` and `lag_more` are a and b [m], across n.
-WINDROW_FN WindrowCoatStrand windrow_coat_strand(WindrowShells shells, vec3 n, float map, vec3 load, vec3 own, vec3 lag, vec3 lag_more) {
+WINDROW_FN WindrowCoatStrand windrow_coat_strand(WindrowShells shells, vec3 n, float map, vec3 load, vec3 own, vec3 lag,
+                                                 vec3 lag_more) {
     vec3 down = vec3(shells.sag);
     vec3 sag = (down - dot(down, n) * n) * (shells.sag.w * windrow_shell_softness(map));
     vec3 across = load - dot(load, n) * n;
@@ -70,9 +71,7 @@ WINDROW_FN vec3 windrow_coat_shift(WindrowCoatStrand strand, float h) {
 }
 
 // Part of v across the unit vector n.
-WINDROW_FN vec3 windrow_across(vec3 v, vec3 n) {
-    return v - dot(v, n) * n;
-}
+WINDROW_FN vec3 windrow_across(vec3 v, vec3 n) { return v - dot(v, n) * n; }
 
 // [rad] `foot` xyz its sole [m], w its radius; `most` [rad]; `reach` [m] the strands' length.
 WINDROW_FN vec3 windrow_foot_load(vec4 foot, float most, float reach, vec3 p, vec3 n) {

@@ -45,16 +45,16 @@
 struct WindrowGrass {
     // xyz [m] the field's corner from the frame's anchor; w [m] longest blade and half the widest: radius of the ball
     vec4 corner;
-    vec4 eye;      // xyz [m] from the field's corner; w [rad] least width of a drawn blade
+    vec4 eye;        // xyz [m] from the field's corner; w [rad] least width of a drawn blade
     vec4 eye_before; // xyz a frame ago, w 0
-    vec4 reach;    // [m] x morph, y split, z fade, w cut
-    vec4 ground;   // x [1/m] blade places a metre, y jitter; z [m] cut of the shadow's view, w 0
-    ivec4 cells;   // xy cells of the field along x and z, z cells along a chunk's side, w seed
-    ivec4 corners; // xy of the heights along x and z, zw of the mask
-    vec4 spacing;  // [m] xy of the heights, zw of the mask
-    vec4 thin;     // x [m] d_0, y p, z how much of what is lost blades are wider by: an exponent on 1 / E
-    vec4 clump;    // x [1/m] clumps a metre; shares: y less height, z one way to face, w outward
-    vec4 patches;  // x [1/m] patches a metre, y share of less height, zw 0
+    vec4 reach;      // [m] x morph, y split, z fade, w cut
+    vec4 ground;     // x [1/m] blade places a metre, y jitter; z [m] cut of the shadow's view, w 0
+    ivec4 cells;     // xy cells of the field along x and z, z cells along a chunk's side, w seed
+    ivec4 corners;   // xy of the heights along x and z, zw of the mask
+    vec4 spacing;    // [m] xy of the heights, zw of the mask
+    vec4 thin;       // x [m] d_0, y p, z how much of what is lost blades are wider by: an exponent on 1 / E
+    vec4 clump;      // x [1/m] clumps a metre; shares: y less height, z one way to face, w outward
+    vec4 patches;    // x [1/m] patches a metre, y share of less height, zw 0
     // of the colour's view and of the shadow's: dot(xyz, p) + w >= 0 inside, p from the field's corner; xyz unit vectors
     vec4 planes[12];
     WindrowBlade blade;
@@ -75,9 +75,7 @@ WINDROW_FN vec2 windrow_grass_place(ivec2 cell, float density, float jitter, uin
 }
 
 // Size of a blade over its class by the mask's alpha: none at 0 and below, linear up to 1.
-WINDROW_FN float windrow_grass_size(float alpha) {
-    return clamp(alpha, 0.0f, 1.0f);
-}
+WINDROW_FN float windrow_grass_size(float alpha) { return clamp(alpha, 0.0f, 1.0f); }
 
 // The clump that a place [m] belongs to.
 WINDROW_FN WindrowClump windrow_grass_clump(WindrowGrass grass, vec2 place) {
@@ -127,9 +125,7 @@ WINDROW_FN float windrow_grass_cover(float s) {
 }
 
 // How much wider those are that are left: 1 / E where thin.z is 1.
-WINDROW_FN float windrow_grass_wider(vec4 thin, float s) {
-    return pow(windrow_grass_cover(s), -thin.z);
-}
+WINDROW_FN float windrow_grass_wider(vec4 thin, float s) { return pow(windrow_grass_cover(s), -thin.z); }
 
 // A cell's chance to be left out afar.
 WINDROW_FN float windrow_grass_chance(ivec2 cell, uint seed) {

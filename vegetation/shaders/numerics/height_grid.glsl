@@ -20,9 +20,7 @@
 #ifndef WINDROW_GRID
 #define WINDROW_GRID sampler2D
 // One value; the corner lies within the grid, which is `across` corners wide.
-WINDROW_FN float windrow_grid_value(WINDROW_GRID grid, ivec2 corner, int across) {
-    return texelFetch(grid, corner, 0).x;
-}
+WINDROW_FN float windrow_grid_value(WINDROW_GRID grid, ivec2 corner, int across) { return texelFetch(grid, corner, 0).x; }
 #endif
 
 struct WindrowGrid {
@@ -46,9 +44,7 @@ WINDROW_FN WindrowGridPlace windrow_grid_place(WindrowGrid size, vec2 p) {
     return place;
 }
 
-WINDROW_FN float windrow_grid_blend(float a, float b, float t) {
-    return a + t * (b - a);
-}
+WINDROW_FN float windrow_grid_blend(float a, float b, float t) { return a + t * (b - a); }
 
 WINDROW_FN float windrow_grid_at(WINDROW_GRID grid, WindrowGrid size, vec2 p) {
     WindrowGridPlace place = windrow_grid_place(size, p);
@@ -78,8 +74,10 @@ WINDROW_FN vec2 windrow_grid_corner_slope(WINDROW_GRID grid, WindrowGrid size, i
     ivec2 low = max(corner - 1, ivec2(0));
     ivec2 high = min(corner + 1, size.corners - 1);
     int across = size.corners.x;
-    float x = windrow_grid_value(grid, ivec2(high.x, corner.y), across) - windrow_grid_value(grid, ivec2(low.x, corner.y), across);
-    float z = windrow_grid_value(grid, ivec2(corner.x, high.y), across) - windrow_grid_value(grid, ivec2(corner.x, low.y), across);
+    float x =
+        windrow_grid_value(grid, ivec2(high.x, corner.y), across) - windrow_grid_value(grid, ivec2(low.x, corner.y), across);
+    float z =
+        windrow_grid_value(grid, ivec2(corner.x, high.y), across) - windrow_grid_value(grid, ivec2(corner.x, low.y), across);
     return vec2(x, z) / (vec2(high - low) * size.spacing);
 }
 

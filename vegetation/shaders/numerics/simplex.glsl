@@ -51,9 +51,7 @@ WINDROW_FN vec4 windrow_simplex_slope(uint seed, vec3 at) {
     return 107.6f * sum;
 }
 
-WINDROW_FN float windrow_simplex(uint seed, vec3 at) {
-    return windrow_simplex_slope(seed, at).w;
-}
+WINDROW_FN float windrow_simplex(uint seed, vec3 at) { return windrow_simplex_slope(seed, at).w; }
 
 // -1 to 1; `gain` of each octave over the one before.
 WINDROW_FN float windrow_simplex_octaves(uint seed, vec3 at, int octaves, float gain) {
@@ -64,7 +62,8 @@ WINDROW_FN float windrow_simplex_octaves(uint seed, vec3 at, int octaves, float 
         sum += share * windrow_simplex(seed + uint(n), at);
         all += share;
         share *= gain;
-        at = 2.03f * vec3(0.36f * at.x + 0.48f * at.y - 0.8f * at.z, -0.8f * at.x + 0.6f * at.y, 0.48f * at.x + 0.64f * at.y + 0.6f * at.z);
+        at = 2.03f * vec3(0.36f * at.x + 0.48f * at.y - 0.8f * at.z, -0.8f * at.x + 0.6f * at.y,
+                          0.48f * at.x + 0.64f * at.y + 0.6f * at.z);
     }
     return sum / all;
 }

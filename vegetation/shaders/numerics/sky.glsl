@@ -43,13 +43,9 @@ WINDROW_FN float windrow_rayleigh_depth(float wavelength) {
 }
 
 // Optical depth of haze of Angstrom's turbidity beta: 0.02 very clear, 0.1 clear, 0.2 hazy.
-WINDROW_FN float windrow_haze_depth(float wavelength, float beta) {
-    return beta * pow(wavelength, -1.3f);
-}
+WINDROW_FN float windrow_haze_depth(float wavelength, float beta) { return beta * pow(wavelength, -1.3f); }
 
-WINDROW_FN float windrow_rayleigh_phase(float cosine) {
-    return 0.0596831037f * (1.0f + cosine * cosine);
-}
+WINDROW_FN float windrow_rayleigh_phase(float cosine) { return 0.0596831037f * (1.0f + cosine * cosine); }
 
 WINDROW_FN float windrow_haze_phase(float cosine, float g) {
     float base = 1.0f + g * g - 2.0f * g * cosine;

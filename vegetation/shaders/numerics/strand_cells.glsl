@@ -42,12 +42,8 @@ WINDROW_FN uvec2 windrow_strand_key(uint seed, ivec2 cell) {
 }
 
 // Two more chances of a key, 0 to 1, beside windrow_share of its words, which place the point.
-WINDROW_FN float windrow_strand_chance(uvec2 key) {
-    return windrow_share((key.x << 11u) ^ (key.y * 2654435761u));
-}
-WINDROW_FN float windrow_strand_other_chance(uvec2 key) {
-    return windrow_share((key.y << 13u) ^ (key.x * 2246822519u));
-}
+WINDROW_FN float windrow_strand_chance(uvec2 key) { return windrow_share((key.x << 11u) ^ (key.y * 2654435761u)); }
+WINDROW_FN float windrow_strand_other_chance(uvec2 key) { return windrow_share((key.y << 13u) ^ (key.x * 2246822519u)); }
 
 // The cell that holds q in the row `rows` above q's own.
 WINDROW_FN ivec2 windrow_strand_home(WindrowStrandLattice lattice, vec2 q, int rows) {

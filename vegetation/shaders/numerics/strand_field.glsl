@@ -80,9 +80,7 @@ WINDROW_FN WindrowStrandLattice windrow_strand_lattice(WindrowStrandField field)
 WINDROW_FN vec2 windrow_strand_place(WindrowStrandField field, vec2 uv) {
     return vec2(uv.x, uv.y / field.cells.y) * field.cells.x;
 }
-WINDROW_FN vec2 windrow_strand_uv_of(WindrowStrandField field, vec2 q) {
-    return vec2(q.x, q.y * field.cells.y) / field.cells.x;
-}
+WINDROW_FN vec2 windrow_strand_uv_of(WindrowStrandField field, vec2 q) { return vec2(q.x, q.y * field.cells.y) / field.cells.x; }
 
 WINDROW_FN float windrow_strand_reach(WindrowStrandField field, uvec2 key) {
     return mix(field.reach.x, field.reach.y, windrow_strand_chance(key));
@@ -128,9 +126,7 @@ WINDROW_FN float windrow_strand_top(WindrowStrandField field) {
     return field.reach.y * pow((widest - field.cut.x) / (field.cut.y - field.cut.x), 1.0f / field.cut.z);
 }
 
-WINDROW_FN bool windrow_layer_empty(WindrowStrandField field, float h) {
-    return h > windrow_strand_top(field);
-}
+WINDROW_FN bool windrow_layer_empty(WindrowStrandField field, float h) { return h > windrow_strand_top(field); }
 
 // [cells] How deep `d` from the middle lies within the strand's section.
 WINDROW_FN float windrow_strand_inside(WindrowStrandField field, vec2 d, float radius, float h, float reach) {
@@ -220,9 +216,7 @@ WINDROW_FN WindrowStrandHit windrow_strand_centre_hit(WindrowStrandField field, 
 }
 
 // How much tufts have shrunk at h.
-WINDROW_FN float windrow_tuft_shrink(WindrowStrandField field, float h) {
-    return 1.0f - field.bow.z * h * h;
-}
+WINDROW_FN float windrow_tuft_shrink(WindrowStrandField field, float h) { return 1.0f - field.bow.z * h * h; }
 
 // In the cells of uv.
 WINDROW_FN WindrowStrandHit windrow_strand_uv(WindrowStrandField field, vec2 uv, float h) {

@@ -95,9 +95,7 @@ WINDROW_FN vec3 windrow_strand_sloped(vec3 g, vec3 n, float slope) {
 }
 
 // Share of the irradiance across the beam that a surface gets; `wrap` 0 Lambert, 1 half-Lambert.
-WINDROW_FN float windrow_wrapped(float cosine, float wrap) {
-    return mix(max(cosine, 0.0f), windrow_half_lambert(cosine), wrap);
-}
+WINDROW_FN float windrow_wrapped(float cosine, float wrap) { return mix(max(cosine, 0.0f), windrow_half_lambert(cosine), wrap); }
 
 // Between light and eye; n where they are opposite.
 WINDROW_FN vec3 windrow_half_way(vec3 to_light, vec3 to_eye, vec3 n) {

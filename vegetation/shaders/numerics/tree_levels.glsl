@@ -32,9 +32,7 @@ WINDROW_FN float windrow_tree_keep(WindrowTreeLevels levels, float distance) {
 }
 
 // Share of the leaves, the first by rank, that have any size.
-WINDROW_FN float windrow_tree_drawn(WindrowTreeLevels levels, float keep) {
-    return min(keep * (1.0f + levels.leaves.w), 1.0f);
-}
+WINDROW_FN float windrow_tree_drawn(WindrowTreeLevels levels, float keep) { return min(keep * (1.0f + levels.leaves.w), 1.0f); }
 
 // Factor on a leaf's length and width.
 WINDROW_FN float windrow_leaf_scale(WindrowTreeLevels levels, float keep, float rank) {

@@ -16,8 +16,6 @@ WINDROW_FN float windrow_turn_sine(float x) {
 }
 
 // cos 2 pi x.
-WINDROW_FN float windrow_turn_cosine(float x) {
-    return windrow_turn_sine(x + 0.25f);
-}
+WINDROW_FN float windrow_turn_cosine(float x) { return windrow_turn_sine(x + 0.25f); }
 
 #endif

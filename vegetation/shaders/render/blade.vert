@@ -20,7 +20,8 @@ void main() {
     vec2 where = strip_place(gl_VertexIndex, k_rows);
 
     WindrowVertex now = blade_point_of(blade, place, vec3(bend.x, 0.0, bend.y), frame.eye.xyz, where, frame.eye_before.w);
-    WindrowVertex before = blade_point_of(blade, place, vec3(bend.z, 0.0, bend.w), frame.eye_before.xyz, where, frame.eye_before.w);
+    WindrowVertex before =
+        blade_point_of(blade, place, vec3(bend.z, 0.0, bend.w), frame.eye_before.xyz, where, frame.eye_before.w);
     position = now.position;
     normal = now.normal;
     across = cross(now.tangent, now.normal);

@@ -21,7 +21,8 @@ void main() {
     vec2 row = field_row(blade.traits.z);
     float least = frame.eye_before.w * smoothstep(0.0, 0.25 * grass.blade.size.x, blade.size.x); // what shrinks away may vanish
     WindrowVertex now = field_point(blade, blade.size.xy, blade.bend.xy, row, frame.eye.xyz, least);
-    WindrowVertex before = field_point(blade, blade.size.zw, blade.bend.zw, field_row(blade.traits.w), frame.eye_before.xyz, least);
+    WindrowVertex before =
+        field_point(blade, blade.size.zw, blade.bend.zw, field_row(blade.traits.w), frame.eye_before.xyz, least);
     gl_Position = frame.view_projection * vec4(now.position, 1.0);
     clip_now = gl_Position.xyw;
     clip_before = (frame.view_projection_before * vec4(before.position, 1.0)).xyw;
@@ -52,12 +53,14 @@ void main() {
     float own_shade = mix(1.0, grass_self_shade(look, tall), 1.0 - 0.6 * mapped); // the near map has some of it
     // On edge neither face is seen: the normal goes from one to the other by way of the eye's side, else thin blades would be
     // dotted.
-    vec3 face = mix(normalize(sight + vec3(0.0, 1.0, 0.0)), facing < 0.0 ? -now.normal : now.normal, smoothstep(0.0, 0.4, abs(facing)));
+    vec3 face =
+        mix(normalize(sight + vec3(0.0, 1.0, 0.0)), facing < 0.0 ? -now.normal : now.normal, smoothstep(0.0, 0.4, abs(facing)));
     normal = vec4(face, sun_share(now.position, to_sun) * own_shade);
     across = vec4(look.second.w * shows * cross(now.tangent, now.normal), grass_open(look, tall));
     fog = blade.fog;
     if (frame.terrain_size.z != 0) { // as it is, whatever the light
-        vec3 shown = grass_view(frame.terrain_size.z, blade.bend.xy, grass_draw.y & 1u, uintBitsToFloat(blade.traits.z), grass_draw.x);
+        vec3 shown =
+            grass_view(frame.terrain_size.z, blade.bend.xy, grass_draw.y & 1u, uintBitsToFloat(blade.traits.z), grass_draw.x);
         fog = vec4(shown * (0.35 + 0.65 * row.x) / frame.eye.w, 0.0);
     }
     float bent = 1.0 - now.tangent.y * now.tangent.y;

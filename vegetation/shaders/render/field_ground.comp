@@ -16,7 +16,8 @@ void main() {
     uvec2 counts = counts_of(list);
     uint base = field_bases[4u * slot_of(list) + 2u * (list % 2u)];
     uint end = room_of(base, counts.x + counts.y);
-    for (uint n = gl_WorkGroupID.y * gl_WorkGroupSize.x + gl_LocalInvocationIndex; n < end; n += gl_NumWorkGroups.y * gl_WorkGroupSize.x) {
+    for (uint n = gl_WorkGroupID.y * gl_WorkGroupSize.x + gl_LocalInvocationIndex; n < end;
+         n += gl_NumWorkGroups.y * gl_WorkGroupSize.x) {
         vec3 root = field_blades[base + n].root.xyz;
         vec4 bend = field_blades[base + n].bend;
         vec4 now = windrow_ground_at(ground_texels, ground_now, root);

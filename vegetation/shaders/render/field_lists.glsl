@@ -14,9 +14,7 @@ layout(std430, set = GRASS_SET, binding = 5) readonly buffer GrassOrders { ivec4
 
 layout(push_constant) uniform Which { uint first_order; };
 
-uint slot_of(uint list) {
-    return uint(grass_orders[first_order + list / 2u].x);
-}
+uint slot_of(uint list) { return uint(grass_orders[first_order + list / 2u].x); }
 
 // Near and far blades of a list.
 uvec2 counts_of(uint list) {

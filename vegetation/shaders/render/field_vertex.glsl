@@ -24,9 +24,7 @@ FieldBlade field_blade() {
 }
 
 // Height on the blade from which on it is a head; 1 none.
-float field_head() {
-    return look.head.w;
-}
+float field_head() { return look.head.w; }
 
 // Height and side of this vertex. Where there is a head the upper three rows and the tip are its own.
 vec2 field_row(uint morph) {

@@ -15,11 +15,11 @@ layout(std140, set = 0, binding = 0) uniform RenderFrame {
     vec4 eye;                    // xyz; w exposure
     vec4 eye_before;             // xyz of the last frame; w [rad] half of the least width of what is drawn
     WindrowSky sky;
-    vec4 sunlight;     // rgb irradiance across the beam at the ground; w [1/m] the fog's density at height 0
-    vec4 skylight;     // rgb irradiance of a level face from the sky; w [1/m] how fast the fog thins upward
-    vec4 groundlight;  // rgb irradiance of a face that looks down; w [m] height 0 of the fog, from the anchor
-    vec4 shadow_texel; // x, y [m] of the near and the far shadow; z its share of the map's height; w reach of the near one [m]
-    vec4 terrain;      // x, y place of the corner sample along x and z; z [m] between samples; w [m] added to its heights
+    vec4 sunlight;      // rgb irradiance across the beam at the ground; w [1/m] the fog's density at height 0
+    vec4 skylight;      // rgb irradiance of a level face from the sky; w [1/m] how fast the fog thins upward
+    vec4 groundlight;   // rgb irradiance of a face that looks down; w [m] height 0 of the fog, from the anchor
+    vec4 shadow_texel;  // x, y [m] of the near and the far shadow; z its share of the map's height; w reach of the near one [m]
+    vec4 terrain;       // x, y place of the corner sample along x and z; z [m] between samples; w [m] added to its heights
     ivec4 terrain_size; // x columns, y rows; z what grass shows in place of its colours (grass_view.glsl)
     WindrowClouds clouds;
     // clang-format off

@@ -24,20 +24,18 @@ vec3 grass_through(PlantLook look, vec3 leaf, float tall) {
 }
 
 // Share of the sun that the neighbours leave at a height.
-float grass_self_shade(PlantLook look, float tall) {
-    return exp(-look.shape.y * (1.0 - tall));
-}
+float grass_self_shade(PlantLook look, float tall) { return exp(-look.shape.y * (1.0 - tall)); }
 
 // Share of the sky that they leave.
-float grass_open(PlantLook look, float tall) {
-    return mix(look.root.w, 1.0, tall * (2.0 - tall));
-}
+float grass_open(PlantLook look, float tall) { return mix(look.root.w, 1.0, tall * (2.0 - tall)); }
 
 // `sun` is irradiance times what reaches the leaf; n looks toward the eye.
-vec3 grass_radiance(PlantLook look, vec3 leaf, vec3 through, vec3 n, vec3 to_sun, vec3 to_eye, vec3 sun, vec3 sky, vec3 below, float gloss) {
+vec3 grass_radiance(PlantLook look, vec3 leaf, vec3 through, vec3 n, vec3 to_sun, vec3 to_eye, vec3 sun, vec3 sky, vec3 below,
+                    float gloss) {
     float cosine = dot(n, to_sun);
-    vec3 radiance = 0.318309886 * sun * (leaf * windrow_half_lambert(cosine) +
-                                         through * windrow_leaf_through(cosine, -dot(to_eye, to_sun), look.through.w));
+    vec3 radiance =
+        0.318309886 * sun *
+        (leaf * windrow_half_lambert(cosine) + through * windrow_leaf_through(cosine, -dot(to_eye, to_sun), look.through.w));
     radiance += sun * (windrow_gloss(n, to_sun, to_eye, look.dry.w) * gloss);
     return radiance + leaf * windrow_around(n, sky, below);
 }

@@ -43,8 +43,9 @@ void main() {
     float open = mix(look.root.w, 1.0, h * (2.0 - h)); // what the neighbours leave of the sky
     float cosine = dot(n, to_sun);
     vec3 sun = frame.sunlight.rgb * lit * mix(0.55, 1.0, h);
-    vec3 radiance = 0.318309886 * sun * (leaf * windrow_half_lambert(cosine) +
-                                         through * windrow_leaf_through(cosine, -dot(to_eye, to_sun), look.through.w));
+    vec3 radiance =
+        0.318309886 * sun *
+        (leaf * windrow_half_lambert(cosine) + through * windrow_leaf_through(cosine, -dot(to_eye, to_sun), look.through.w));
     radiance += sun * windrow_gloss(n, to_sun, to_eye, look.dry.w) * h;
     radiance += open * leaf * windrow_around(n, frame.skylight.rgb, frame.groundlight.rgb);
     colour = vec4(fogged(radiance, position), 1.0);

@@ -16,5 +16,6 @@ void main() {
                                          0.318309886 * frame.skylight.rgb);
     radiance = clouds.rgb + clouds.a * radiance;
     colour = vec4(min(radiance, vec3(6e4)), 1.0); // what half floats hold
-    motion = windrow_motion_vector((frame.view_projection * vec4(direction, 0.0)).xyw, (frame.view_projection_before * vec4(direction, 0.0)).xyw);
+    motion = windrow_motion_vector((frame.view_projection * vec4(direction, 0.0)).xyw,
+                                   (frame.view_projection_before * vec4(direction, 0.0)).xyw);
 }

@@ -12,9 +12,7 @@ layout(std430, set = 2, binding = 1) readonly buffer Grown { float grown_values[
 layout(push_constant) uniform Told { layout(offset = 8) ivec2 grown_corners; };
 
 #define WINDROW_GRID int
-float windrow_grid_value(int grid, ivec2 corner, int across) {
-    return grown_values[corner.y * across + corner.x];
-}
+float windrow_grid_value(int grid, ivec2 corner, int across) { return grown_values[corner.y * across + corner.x]; }
 #include "../numerics/height_grid.glsl"
 
 layout(location = 0) in vec3 position;
@@ -46,8 +44,8 @@ void main() {
     float shade = grass_self_shade(look, k_seen_height), open = grass_open(look, k_seen_height);
     vec3 bare = soil * (0.318309886 * sun * (max(dot(n, to_sun), 0.0) * mix(1.0, grass_self_shade(look, 0.2), stands)) +
                         mix(0.7, look.root.w, stands) * windrow_around(n, frame.skylight.rgb, frame.groundlight.rgb));
-    vec3 meadow = grass_radiance(look, leaf, grass_through(look, leaf, k_seen_height), n, to_sun, to_eye, sun * shade, frame.skylight.rgb * open,
-                                 frame.groundlight.rgb * open, 0.0);
+    vec3 meadow = grass_radiance(look, leaf, grass_through(look, leaf, k_seen_height), n, to_sun, to_eye, sun * shade,
+                                 frame.skylight.rgb * open, frame.groundlight.rgb * open, 0.0);
     vec3 radiance = mix(bare, meadow, grown);
     colour = vec4(fogged(radiance, position), 1.0);
     motion = windrow_motion_vector(clip_now, clip_before);

@@ -18,8 +18,10 @@ vec3 terrain_point(ivec2 at) {
 // By central differences, one-sided at the rim.
 vec3 terrain_normal(ivec2 at) {
     ivec2 low = max(at - 1, ivec2(0)), high = min(at + 1, frame.terrain_size.xy - 1);
-    float along_x = (terrain_sample(ivec2(high.x, at.y)) - terrain_sample(ivec2(low.x, at.y))) / (frame.terrain.z * float(max(high.x - low.x, 1)));
-    float along_z = (terrain_sample(ivec2(at.x, high.y)) - terrain_sample(ivec2(at.x, low.y))) / (frame.terrain.z * float(max(high.y - low.y, 1)));
+    float along_x = (terrain_sample(ivec2(high.x, at.y)) - terrain_sample(ivec2(low.x, at.y))) /
+                    (frame.terrain.z * float(max(high.x - low.x, 1)));
+    float along_z = (terrain_sample(ivec2(at.x, high.y)) - terrain_sample(ivec2(at.x, low.y))) /
+                    (frame.terrain.z * float(max(high.y - low.y, 1)));
     return normalize(vec3(-along_x, 1.0, -along_z));
 }
 

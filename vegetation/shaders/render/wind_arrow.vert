@@ -9,8 +9,8 @@ layout(location = 1) out vec3 clip_now;
 layout(location = 2) out vec3 clip_before;
 
 // Beside and along, of a length of 1: shaft of two triangles, head of one.
-const vec2 k_arrow[9] = vec2[](vec2(-0.03, 0.0), vec2(0.03, 0.0), vec2(0.03, 0.68), vec2(-0.03, 0.0), vec2(0.03, 0.68), vec2(-0.03, 0.68),
-                               vec2(-0.12, 0.66), vec2(0.12, 0.66), vec2(0.0, 1.0));
+const vec2 k_arrow[9] = vec2[](vec2(-0.03, 0.0), vec2(0.03, 0.0), vec2(0.03, 0.68), vec2(-0.03, 0.0), vec2(0.03, 0.68),
+                               vec2(-0.03, 0.68), vec2(-0.12, 0.66), vec2(0.12, 0.66), vec2(0.0, 1.0));
 
 void main() {
     vec3 tail = lattice_place(gl_InstanceIndex);

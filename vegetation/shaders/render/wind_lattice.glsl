@@ -26,7 +26,8 @@ float terrain_height(vec2 place) {
 
 // [m] from the anchor.
 vec3 lattice_place(int number) {
-    ivec3 at = ivec3(number % lattice.count.x, (number / lattice.count.x) % lattice.count.y, number / (lattice.count.x * lattice.count.y));
+    ivec3 at = ivec3(number % lattice.count.x, (number / lattice.count.x) % lattice.count.y,
+                     number / (lattice.count.x * lattice.count.y));
     vec2 level = lattice.corner.xz + lattice.corner.w * vec2(at.xz);
     return vec3(level.x, terrain_height(level) + lattice.corner.y + lattice.corner.w * float(at.y), level.y);
 }

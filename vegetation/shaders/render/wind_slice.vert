@@ -9,7 +9,8 @@ layout(location = 2) out vec3 clip_before;
 
 void main() {
     int corner = gl_VertexIndex;
-    vec2 at = vec2(corner == 1 || corner == 3 || corner == 4 ? 0.5 : -0.5, corner == 2 || corner == 4 || corner == 5 ? 0.5 : -0.5);
+    vec2 at =
+        vec2(corner == 1 || corner == 3 || corner == 4 ? 0.5 : -0.5, corner == 2 || corner == 4 || corner == 5 ? 0.5 : -0.5);
     vec3 position = lattice_place(gl_InstanceIndex);
     position.xz += lattice.corner.w * at;
     position.y = terrain_height(position.xz) + lattice.corner.y; // tiles meet

@@ -26,7 +26,8 @@ void main() {
     ridges = 0.65 * ridges + 0.35 * windrow_place_noise(bark * vec2(70.0, 16.0) + 9.0);
     float furrows = smoothstep(0.3, 0.55, ridges);
     // Marks across: short dark lines, and black where limbs and the root leave.
-    float marks = windrow_place_noise(vec2(bark.x * 9.0, bark.y * 42.0)) * (0.55 + 0.45 * windrow_place_noise(bark * vec2(3.0, 1.1)));
+    float marks =
+        windrow_place_noise(vec2(bark.x * 9.0, bark.y * 42.0)) * (0.55 + 0.45 * windrow_place_noise(bark * vec2(3.0, 1.1)));
     float lines = 1.0 - smoothstep(0.5, 0.6, marks);
     lines *= smoothstep(0.02, 0.06, wood.z); // twigs have no white bark yet
     lines *= mix(smoothstep(0.15, 1.3, wood.y + 0.8 * windrow_place_noise(bark * 6.0)), 1.0, step(wood.z, 0.05));

@@ -17,10 +17,12 @@ void main() {
     float scale = tree_scale(place, vertex, frame.eye.xyz);
     float scale_before = tree_scale(place, vertex, frame.eye_before.xyz);
     WindrowTreeVertex now = tree_point(place, vertex, tree_rest(place, vertex, frame.eye.xyz, scale, 1.0), scale);
-    WindrowTreeVertex before = tree_point_before(place, vertex, tree_rest(place, vertex, frame.eye_before.xyz, scale_before, 1.0), scale_before);
+    WindrowTreeVertex before =
+        tree_point_before(place, vertex, tree_rest(place, vertex, frame.eye_before.xyz, scale_before, 1.0), scale_before);
     position = place.base.xyz + now.position;
     normal = now.normal;
-    wood = vec4(vertex.normal.w, vertex.centre.w * place.base.w, length(vertex.position.xyz - vertex.centre.xyz) * place.base.w, place.turn.z);
+    wood = vec4(vertex.normal.w, vertex.centre.w * place.base.w, length(vertex.position.xyz - vertex.centre.xyz) * place.base.w,
+                place.turn.z);
     open = vec4(tree_turned(place, vertex.open.xyz), vertex.open.w);
     gl_Position = frame.view_projection * vec4(position, 1.0);
     clip_now = gl_Position.xyw;

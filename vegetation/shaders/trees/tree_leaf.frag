@@ -41,8 +41,9 @@ void main() {
     vec3 through = kind.through.rgb * (1.0 + 0.5 * kind.leaf.w * spread);
 
     float cosine = dot(n, to_sun);
-    vec3 radiance = 0.318309886 * sun.rgb *
-                    (albedo * windrow_half_lambert(cosine) + through * windrow_leaf_through(cosine, -dot(eye_way, to_sun), kind.through.w));
+    vec3 radiance =
+        0.318309886 * sun.rgb *
+        (albedo * windrow_half_lambert(cosine) + through * windrow_leaf_through(cosine, -dot(eye_way, to_sun), kind.through.w));
     radiance += sun.rgb * windrow_gloss(n, to_sun, eye_way, kind.young.w);
     radiance += sun.w * albedo * windrow_around(n, frame.skylight.rgb, frame.groundlight.rgb);
     // What leaves around pass on of the sun's light, green by having been through them.

@@ -4,14 +4,14 @@
 #include "../render/shading.glsl"
 #include "tree_parts.glsl"
 
-layout(location = 0) out vec4 card;     // x along, y across, z growth, w chance
+layout(location = 0) out vec4 card; // x along, y across, z growth, w chance
 layout(location = 1) out vec3 normal;
-layout(location = 2) out vec4 sun;      // rgb irradiance that reaches the card; w share of the sky's light
-layout(location = 3) out vec4 tone;     // rgb what the fog adds; w what it leaves
+layout(location = 2) out vec4 sun;  // rgb irradiance that reaches the card; w share of the sky's light
+layout(location = 3) out vec4 tone; // rgb what the fog adds; w what it leaves
 layout(location = 4) out vec3 to_eye;
 layout(location = 5) out vec3 clip_now;
 layout(location = 6) out vec3 clip_before;
-layout(location = 7) out vec2 shade;    // x how near the crown's rim, 0 to 1; y the tree's own chance
+layout(location = 7) out vec2 shade; // x how near the crown's rim, 0 to 1; y the tree's own chance
 
 void main() {
     TreePlace place = places[gl_InstanceIndex];
@@ -19,7 +19,8 @@ void main() {
     float scale = tree_scale(place, vertex, frame.eye.xyz);
     float scale_before = tree_scale(place, vertex, frame.eye_before.xyz);
     WindrowTreeVertex now = tree_point(place, vertex, tree_rest(place, vertex, frame.eye.xyz, scale, 1.0), scale);
-    WindrowTreeVertex before = tree_point_before(place, vertex, tree_rest(place, vertex, frame.eye_before.xyz, scale_before, 1.0), scale_before);
+    WindrowTreeVertex before =
+        tree_point_before(place, vertex, tree_rest(place, vertex, frame.eye_before.xyz, scale_before, 1.0), scale_before);
     vec3 at = place.base.xyz + now.position;
 
     vec3 to_sun = frame.sky.sun.xyz;

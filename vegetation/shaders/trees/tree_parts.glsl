@@ -41,11 +41,11 @@ layout(std140, set = 2, binding = 0) uniform TreeClass {
     WindrowSpringStep trunk_spring;
     WindrowSpringStep limb_spring;
     WindrowSpringStep twig_spring;
-    uvec4 clock; // x number of this frame; y 1: springs; z samples a pixel; w 1: needles
-    vec4 bark;   // rgb; w how far its lines go across
-    vec4 furrow; // rgb; w [m] height of the middle of a tree of size 1
-    vec4 leaf;   // rgb; w spread between leaves and trees
-    vec4 young;  // rgb; w exponent of the gloss
+    uvec4 clock;  // x number of this frame; y 1: springs; z samples a pixel; w 1: needles
+    vec4 bark;    // rgb; w how far its lines go across
+    vec4 furrow;  // rgb; w [m] height of the middle of a tree of size 1
+    vec4 leaf;    // rgb; w spread between leaves and trees
+    vec4 young;   // rgb; w exponent of the gloss
     vec4 through; // rgb; w how much more of it against the light
     // clang-format off
 } kind;
@@ -88,9 +88,7 @@ float tree_distance(TreePlace place, vec3 eye) {
     return length(eye - middle) / place.base.w;
 }
 
-bool is_leaf(TreeVertex vertex) {
-    return vertex.parts.w != 0u;
-}
+bool is_leaf(TreeVertex vertex) { return vertex.parts.w != 0u; }
 
 // Size over that of the near tree, as seen from `eye`.
 float tree_scale(TreePlace place, TreeVertex vertex, vec3 eye) {
@@ -125,9 +123,7 @@ WindrowTreeVertex tree_rest(TreePlace place, TreeVertex vertex, vec3 eye, float 
     return rest;
 }
 
-PartState tree_state(TreePlace place, uint index) {
-    return states[place.first.y + (index == k_no_part ? 0u : index)];
-}
+PartState tree_state(TreePlace place, uint index) { return states[place.first.y + (index == k_no_part ? 0u : index)]; }
 
 // [rad] The bends of a vertex's parts. A leaf that has grown by `scale` stands for many twigs: its own would swing it that much
 // too far.
@@ -139,12 +135,14 @@ WindrowTreeLoads tree_loads(vec3 trunk, vec3 limb, vec3 twig, float scale) {
 WindrowTreeVertex tree_point(TreePlace place, TreeVertex vertex, WindrowTreeVertex rest, float scale) {
     WindrowTreeLoads loads = tree_loads(tree_state(place, 0u).now.xyz, tree_state(place, vertex.parts.x).now.xyz,
                                         tree_state(place, vertex.parts.y).now.xyz, scale);
-    return windrow_tree_bent(kind.wind, tree_part(place, 0u), tree_part(place, vertex.parts.x), tree_part(place, vertex.parts.y), loads, rest);
+    return windrow_tree_bent(kind.wind, tree_part(place, 0u), tree_part(place, vertex.parts.x), tree_part(place, vertex.parts.y),
+                             loads, rest);
 }
 WindrowTreeVertex tree_point_before(TreePlace place, TreeVertex vertex, WindrowTreeVertex rest, float scale) {
     WindrowTreeLoads loads = tree_loads(tree_state(place, 0u).before.xyz, tree_state(place, vertex.parts.x).before.xyz,
                                         tree_state(place, vertex.parts.y).before.xyz, scale);
-    return windrow_tree_bent(kind.wind, tree_part(place, 0u), tree_part(place, vertex.parts.x), tree_part(place, vertex.parts.y), loads, rest);
+    return windrow_tree_bent(kind.wind, tree_part(place, 0u), tree_part(place, vertex.parts.x), tree_part(place, vertex.parts.y),
+                             loads, rest);
 }
 
 #endif

@@ -1,7 +1,7 @@
 // Clouds of shells: edge, base, cover, drift with the wind.
-#include "vegetation/fur/cloud_shell.h"
 #include "tests/fields.h"
 #include "tests/figure.h"
+#include "vegetation/fur/cloud_shell.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Coats as drawn, against their formulas on the CPU: maps, colours, light, lamps.
-#include "vegetation/fur/strand_numerics.h"
 #include "tests/figure.h"
+#include "vegetation/fur/strand_numerics.h"
 #include "vegetation/tests/fur/coat_numerics.h"
 #include "vegetation/tests/fur/stage.h"
 

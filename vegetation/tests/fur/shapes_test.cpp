@@ -1,6 +1,6 @@
 // Shapes from formulas: counts, closedness, outside outwards; what a host may get wrong is refused.
-#include "vegetation/fur/shapes.h"
 #include "tests/figure.h"
+#include "vegetation/fur/shapes.h"
 #include "vegetation/tests/fur/surface.h"
 
 #include <cmath>

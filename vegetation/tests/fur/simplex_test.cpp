@@ -1,7 +1,7 @@
 // Simplex noise of clouds: range, evenness, smoothness, and no visible lattice.
-#include "vegetation/fur/strand_numerics.h"
 #include "tests/fields.h"
 #include "tests/figure.h"
+#include "vegetation/fur/strand_numerics.h"
 
 #include <algorithm>
 #include <cmath>

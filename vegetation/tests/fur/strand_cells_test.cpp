@@ -1,7 +1,7 @@
 // Voronoi cells of strands: the nearest point equals that of brute force in double.
-#include "vegetation/fur/strand_field.h"
 #include "tests/fields.h"
 #include "tests/figure.h"
+#include "vegetation/fur/strand_field.h"
 
 #include <algorithm>
 #include <cmath>

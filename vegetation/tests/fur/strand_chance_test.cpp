@@ -1,6 +1,6 @@
 // Random numbers of strands: even, without correlation of neighbours, without repeats.
-#include "vegetation/fur/strand_field.h"
 #include "tests/figure.h"
+#include "vegetation/fur/strand_field.h"
 
 #include <algorithm>
 #include <cmath>

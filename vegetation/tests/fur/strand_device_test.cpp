@@ -1,10 +1,10 @@
 // The strands' formulas on the device against the CPU: one text, 4e4 random inputs, eight kinds of fields.
-#include "vegetation/fur/cloud_shell.h"
-#include "vegetation/fur/strand_field.h"
 #include "shader_words/strands.h"
 #include "tests/fields.h"
 #include "tests/figure.h"
 #include "tests/parity/gpu.h"
+#include "vegetation/fur/cloud_shell.h"
+#include "vegetation/fur/strand_field.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Strands in cells of uv: the drawn area and profile at each height equal the formula.
-#include "vegetation/fur/strand_field.h"
 #include "tests/fields.h"
 #include "tests/figure.h"
+#include "vegetation/fur/strand_field.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Colour, occlusion, light, normals and noise pairs of strands, against references of their own in double.
-#include "vegetation/fur/strand_field.h"
 #include "tests/fields.h"
 #include "tests/figure.h"
+#include "vegetation/fur/strand_field.h"
 
 #include <algorithm>
 #include <cmath>

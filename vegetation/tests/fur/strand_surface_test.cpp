@@ -1,7 +1,7 @@
 // Strands on skins without uv: how many there are on planes of any tilt, whether any is cut, what the search costs.
-#include "vegetation/fur/strand_field.h"
 #include "tests/fields.h"
 #include "tests/figure.h"
+#include "vegetation/fur/strand_field.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Memory of chunks: 28 bytes a blade at most, and bounded over a long walk.
-#include "vegetation/grass/chunk_cache.h"
 #include "tests/figure.h"
+#include "vegetation/grass/chunk_cache.h"
 #include "vegetation/tests/grass/fields.h"
 
 #include <algorithm>

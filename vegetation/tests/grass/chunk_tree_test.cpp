@@ -1,6 +1,6 @@
 // Chunks of a view cover the grass once, hold every visible blade and none beyond the cut: against every blade of the field.
-#include "vegetation/grass/chunk_tree.h"
 #include "tests/figure.h"
+#include "vegetation/grass/chunk_tree.h"
 #include "vegetation/tests/grass/fields.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // The field that the tests of the grass share, and eyes that look at it.
 #pragma once
 
-#include "vegetation/grass/grass_block.h"
 #include "tests/fields.h"
+#include "vegetation/grass/grass_block.h"
 
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>

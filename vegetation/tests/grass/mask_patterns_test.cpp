@@ -1,6 +1,6 @@
 // Patches and paths: how much they leave bare, where, and that they only take.
-#include "vegetation/grass/mask_patterns.h"
 #include "tests/figure.h"
+#include "vegetation/grass/mask_patterns.h"
 
 #include <algorithm>
 #include <cmath>

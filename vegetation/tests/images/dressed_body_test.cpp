@@ -1,7 +1,7 @@
 // What dresses a scene's bodies, without a picture: meshes and their fur lines, parts, how far the air carries a pattern.
+#include "tests/figure.h"
 #include "vegetation/program/dressed_body.h"
 #include "vegetation/program/picture_reader.h"
-#include "tests/figure.h"
 #include "vegetation/tests/program/specimen.h"
 
 #include <algorithm>

@@ -37,7 +37,8 @@ TEST_P(Golden, IsWhatWasAccepted) {
     ASSERT_TRUE(scene) << scene.error();
     const auto drawn = test::last_picture(*scene, {.show = GetParam().show});
     ASSERT_TRUE(drawn) << drawn.error();
-    const std::filesystem::path golden = std::filesystem::path(WINDROW_SOURCE_DIR) / "vegetation/tests/images/golden" / (name + ".png");
+    const std::filesystem::path golden =
+        std::filesystem::path(WINDROW_SOURCE_DIR) / "vegetation/tests/images/golden" / (name + ".png");
     if (std::getenv("WINDROW_ACCEPT_IMAGES") != nullptr) {
         const auto written = pictures::write_png(*drawn, golden);
         ASSERT_TRUE(written) << written.error();

@@ -1,8 +1,8 @@
 // The picture's reader and the schema say the same: every key, with its default, range and words.
+#include "tests/schema_walk.h"
 #include "vegetation/program/grass_reader.h"
 #include "vegetation/program/picture_writer.h"
 #include "vegetation/tests/program/specimen.h"
-#include "tests/schema_walk.h"
 
 #include <cstdlib>
 

@@ -1,7 +1,7 @@
 // The sheet of clouds, on the CPU: the text that the shaders include.
+#include "tests/figure.h"
 #include "vegetation/render/frame_block.h"
 #include "vegetation/render/light_numerics.h"
-#include "tests/figure.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // What a scene refuses, where its ground lies, and shadows that stand still.
+#include "tests/figure.h"
 #include "vegetation/render/blades.h"
 #include "vegetation/render/frame_block.h"
 #include "vegetation/render/renderer.h"
-#include "tests/figure.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // How trees thin out with distance: nothing pops.
+#include "tests/figure.h"
 #include "vegetation/trees/tree_model.h"
 #include "vegetation/trees/tree_presets.h"
 #include "vegetation/trees/tree_shape.h"
-#include "tests/figure.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // Models of trees at rest: bounds on what they cost, and that nothing in them is bent out of shape by extreme settings.
+#include "tests/fields.h"
+#include "tests/figure.h"
 #include "vegetation/trees/crown_light.h"
 #include "vegetation/trees/tree_model.h"
 #include "vegetation/trees/tree_presets.h"
 #include "vegetation/trees/tree_wind.h"
-#include "tests/fields.h"
-#include "tests/figure.h"
 
 #include <algorithm>
 #include <bit>

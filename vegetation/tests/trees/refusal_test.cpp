@@ -1,7 +1,7 @@
 // What a host may get wrong is refused, by a sentence that names field, value and fix; and where trees may stand.
+#include "tests/figure.h"
 #include "vegetation/trees/stand_settings.h"
 #include "vegetation/trees/tree_model.h"
-#include "tests/figure.h"
 
 #include <algorithm>
 #include <functional>

@@ -2,6 +2,4 @@
 layout(location = 0) in vec4 colour;
 layout(location = 0) out vec4 pixel;
 
-void main() {
-    pixel = colour;
-}
+void main() { pixel = colour; }

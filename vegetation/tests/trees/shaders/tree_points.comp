@@ -6,7 +6,11 @@
 
 layout(local_size_x = 64) in;
 layout(std430, set = 3, binding = 0) writeonly buffer Points { vec4 points[]; };
-layout(push_constant) uniform Which { uint tree; uint first; uint count; };
+layout(push_constant) uniform Which {
+    uint tree;
+    uint first;
+    uint count;
+};
 
 void main() {
     uint n = gl_GlobalInvocationID.x;
