@@ -22,7 +22,6 @@ Frames::Frames(Device& device) : objects_(device) {
     must(vkAllocateCommandBuffers(device.handle(), &info, commands_), "vkAllocateCommandBuffers");
     VkFenceCreateInfo fence_info{};
     fence_info.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO;
-    fence_info.flags = VK_FENCE_CREATE_SIGNALED_BIT; // nothing is in flight yet
     for (VkFence& fence : done_)
         fence = objects_.make(vkCreateFence, vkDestroyFence, fence_info, "vkCreateFence");
 }
@@ -31,7 +30,7 @@ Result<Frame> Frames::begin() {
     return guarded([&] {
         const Frame frame{.commands = commands_[next_], .slot = next_};
         next_ = (next_ + 1) % k_frames_in_flight;
-        must(vkWaitForFences(objects_.device().handle(), 1, &done_[frame.slot], VK_TRUE, UINT64_MAX), "vkWaitForFences");
+        wait_for(frame.slot);
         VkCommandBufferBeginInfo info{};
         info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
         info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
@@ -50,13 +49,21 @@ Result<void> Frames::submit(const Frame& frame) {
         info.commandBufferCount = 1;
         info.pCommandBuffers = &frame.commands;
         must(vkQueueSubmit(objects_.device().queue(), 1, &info, done_[frame.slot]), "vkQueueSubmit");
+        submitted_[frame.slot] = true;
     });
 }
 
 Result<void> Frames::wait() {
     return guarded([&] {
-        must(vkWaitForFences(objects_.device().handle(), k_frames_in_flight, done_, VK_TRUE, UINT64_MAX), "vkWaitForFences");
+        for (int slot = 0; slot < k_frames_in_flight; ++slot)
+            wait_for(slot);
     });
+}
+
+// A frame whose submission failed never ends: nothing waits for it.
+void Frames::wait_for(int slot) {
+    if (std::exchange(submitted_[slot], false))
+        must(vkWaitForFences(objects_.device().handle(), 1, &done_[slot], VK_TRUE, UINT64_MAX), "vkWaitForFences");
 }
 
 Result<void> Frames::finish(const Frame& frame) {

@@ -18,8 +18,8 @@ class Frames {
     /// Nothing is in flight any more.
     ~Frames() { (void)wait(); }
 
-    /// The next frame, recording. What was recorded for its slot before is done. Errors, here and below: a device that is lost,
-    /// or memory that is out.
+    /// The next frame, recording; submit it, since it holds the uploads. What was recorded for its slot before is done. Errors,
+    /// here and below: a device that is lost, or memory that is out.
     [[nodiscard]] Result<Frame> begin();
     Result<void> submit(const Frame& frame);
     /// Until all is done.
@@ -29,10 +29,12 @@ class Frames {
 
   private:
     explicit Frames(Device& device);
+    void wait_for(int slot);
 
     Objects objects_;
     VkCommandBuffer commands_[k_frames_in_flight]{};
     VkFence done_[k_frames_in_flight]{};
+    bool submitted_[k_frames_in_flight]{};
     int next_ = 0;
 };
 
