@@ -19,6 +19,7 @@ OPENVDB = ("openvdb/*", "nanovdb/*")
 OPENIMAGEIO = ("OpenImageIO/*",)
 JSON = ("nlohmann/*",)
 ASSIMP = ("assimp/*",)
+FOLDERS_OF_OURS = tuple(f"{folder}/*" for folder in FOLDERS)
 # Libraries: target folders that none of them knows.
 ABOVE = {
     "fluid": ("coupling", "scene", "pictures", "vegetation", "cli", "examples", "tests"),
@@ -92,6 +93,8 @@ def breaches_of_include(root, file, name, public):
     if here in public and target_top in ("fluid", "coupling", "pictures", "vegetation") and target not in public and (
             not target or not target.endswith(".glsl")):
         yield "a public header may only include public ones (cmake/public_headers.txt)"
+    if here in public and "/" in name and not target and not matches(name, ("glm/*", *VULKAN, *FOLDERS_OF_OURS, *OPENVDB, *OPENIMAGEIO)):
+        yield "a public header needs GLM, the language's own library and, for the GPU, Vulkan; nothing else"
 
 
 def public_headers(root):

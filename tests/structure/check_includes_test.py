@@ -73,6 +73,7 @@ FAULTS = {
     "a script of 501 lines": ("tools/make_ground.py", "\n" * 501),
     "an example uses the command": ("examples/walk.cpp", '#include "cli/pictures.h"\n'),
     "a public header includes a private one": ("fluid/wind.h", '#include "fluid/message.h"\n'),
+    "a public header needs a library": ("fluid/wind.h", "#include <boost/optional.hpp>\n"),
     "a public header that there is not": ("cmake/public_headers.txt", "fluid/ocean.h\n"),
     "an example makes a pipeline": ("examples/walk.cpp", "vkCreateGraphicsPipelines(device);\n"),
     "a buffer beside the layer": ("vegetation/render/sky.cpp", "must(vkAllocateMemory(device));\n"),
