@@ -1,6 +1,6 @@
 # cmake -D CLANG_FORMAT=... -D SOURCE=... -P check_format.cmake: fails where ./dev format would change a file.
 set(unformatted "")
-foreach(folder fluid coupling scene cli examples tests)
+foreach(folder fluid coupling scene pictures vegetation cli examples tests)
   file(GLOB_RECURSE files RELATIVE ${SOURCE} ${SOURCE}/${folder}/*.h ${SOURCE}/${folder}/*.cpp)
   foreach(file IN LISTS files)
     execute_process(COMMAND ${CLANG_FORMAT} --dry-run --Werror ${file} WORKING_DIRECTORY ${SOURCE} RESULT_VARIABLE result ERROR_QUIET)
