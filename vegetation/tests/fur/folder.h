@@ -16,7 +16,7 @@ class Folder {
     Folder() {
         const auto* info = testing::UnitTest::GetInstance()->current_test_info();
         path_ = std::filesystem::temp_directory_path() /
-                (std::string("windrow_shells_") + info->name() + "_" + std::to_string(getpid()));
+                (std::string("windrow_fur_") + info->name() + "_" + std::to_string(getpid()));
         std::filesystem::remove_all(path_);
         std::filesystem::create_directories(path_ / "inner");
     }
