@@ -237,6 +237,8 @@ int main(int argument_count, char** arguments) {
     app.add_option("--frames", options.frames, "how many frames; default: to the scene's end")->check(within(1, 100000));
     app.add_option("--from", options.from, "[s] the moment of the first; what is before is blown, not drawn")
         ->check(within(0.0, 1e6));
+    app.add_option("--settle", options.shoot.settle, "[s] of wind before the first picture; default: the scene's")
+        ->check(within(0.0, 3600.0));
     app.add_option("--fps", frames_per_second, "frames a second; default: the scene's")->check(within(0.1, 10000.0));
     app.add_option("--size", size, "of a picture in pixels, as 1280x720; default: the scene's");
     app.add_option("--samples", options.shoot.samples, "a pixel, 1 or 4; default: 4")->check(CLI::IsMember({1, 4}));

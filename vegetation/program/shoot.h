@@ -36,6 +36,7 @@ enum class Show { plants, arrows, slice, lean, levels, chunks };
 struct ShootSettings {
     std::optional<glm::ivec2> size{};          ///< [px] default: the scene's
     std::optional<double> frames_per_second{}; ///< default: the scene's
+    std::optional<double> settle{};            ///< [s] of wind before the first picture; default: the scene's
     int samples = 4;                           ///< a pixel, 1 or 4
     Show show = Show::plants;
     bool wind = true;                 ///< false: nothing blows and no step is recorded, to tell what the wind costs

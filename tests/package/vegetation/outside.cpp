@@ -20,7 +20,7 @@ constexpr double k_frame = 1.0 / 30.0; // [s]
 constexpr int k_frames = 30;
 
 template <class T>
-T must(windrow::Result<T> result) {
+T held(windrow::Result<T> result) {
     if (!result) {
         std::fprintf(stderr, "outside: %s\n", result.error().c_str());
         std::exit(1);
@@ -50,32 +50,32 @@ int main(int count, char** arguments) {
     }
     const render::Scene scene = level_ground();
     // The wind on the CPU comes with windrow::fluid: it checks the config that the GPU gets.
-    (void)must(windrow::Wind::create(scene.wind.wind));
+    (void)held(windrow::Wind::create(scene.wind.wind));
 
-    const auto device = must(engine::Device::create());
+    const auto device = held(engine::Device::create());
     auto wind =
-        must(windrow::vulkan::Wind::create(device->host(), scene.wind.wind, {.frames_in_flight = engine::k_frames_in_flight}));
+        held(windrow::vulkan::Wind::create(device->host(), scene.wind.wind, {.frames_in_flight = engine::k_frames_in_flight}));
 
-    const auto renderer = must(render::Renderer::create(*device, scene, {.width = 320, .height = 180}));
-    const auto mask = must(grass::PlacementMask::create({65, 65}, scene.ground.heights.extent(), 1.0f));
+    const auto renderer = held(render::Renderer::create(*device, scene, {.width = 320, .height = 180}));
+    const auto mask = held(grass::PlacementMask::create({65, 65}, scene.ground.heights.extent(), 1.0f));
     const auto field =
-        must(render::GrassLayer::create(*device, renderer->draw_targets(), scene.ground, mask, {.look = scene.look}));
+        held(render::GrassLayer::create(*device, renderer->draw_targets(), scene.ground, mask, {.look = scene.look}));
     if (count == 2)
         renderer->add(*field);
 
-    const auto frames = must(engine::Frames::create(*device));
+    const auto frames = held(engine::Frames::create(*device));
     for (int n = 1; n <= k_frames; ++n) {
-        const engine::Frame frame = must(frames->begin());
+        const engine::Frame frame = held(frames->begin());
         renderer->begin(frame);
         (void)wind.record(frame.commands, {.dt = k_frame, .slot = frame.slot});
         if (n == k_frames) {
-            must(renderer->record(frame, scene.camera, wind));
+            held(renderer->record(frame, scene.camera, wind));
             renderer->copy(frame);
         }
-        must(frames->submit(frame));
+        held(frames->submit(frame));
     }
-    must(frames->wait());
-    must(render::write_ppm(renderer->images().picture(), arguments[1]));
+    held(frames->wait());
+    held(render::write_ppm(renderer->images().picture(), arguments[1]));
     std::printf("%s: %s\n", device->name().c_str(), arguments[1]);
     return 0;
 }
