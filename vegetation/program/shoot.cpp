@@ -272,7 +272,8 @@ Result<void> Shoot::swing(const engine::Frame& frame, double time, double second
 
 Result<void> Shoot::settle() {
     const double step = 1.0 / frames_per_second_;
-    const auto steps = static_cast<std::int64_t>(std::ceil(settings_.settle.value_or(scene_.picture.settle) * frames_per_second_));
+    const auto steps =
+        static_cast<std::int64_t>(std::ceil(settings_.settle.value_or(scene_.picture.settle) * frames_per_second_));
     for (std::int64_t n = 0; n < steps; ++n) {
         if (auto placed = motion_.place(*wind_, 0.0, 0.0); !placed)
             return placed;
