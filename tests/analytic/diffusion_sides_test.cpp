@@ -161,7 +161,7 @@ double stokes_error(int cells, double r) {
 
 TEST(DiffusionSides, StokesSecondProblemIsSecondOrder) {
     for (const double r : {0.08, 0.3}) {
-        const std::string name = std::string("diffusion_sides.stokes.") + (r < 0.1 ? "one_pass." : "implicit.");
+        const std::string name = r < 0.1 ? "diffusion_sides.stokes.one_pass." : "diffusion_sides.stokes.implicit.";
         const double e16 = stokes_error(16, r), e32 = stokes_error(32, r), e64 = stokes_error(64, r);
         figures::report(name + "error_16", e16);
         figures::report(name + "error_32", e32);
