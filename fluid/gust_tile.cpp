@@ -26,7 +26,7 @@
 namespace windrow {
 namespace {
 
-constexpr int k_side = GustTile::k_side, k_height = GustTile::k_height;
+constexpr int k_side = GustTile::k_side;
 constexpr int k_most_waves = k_side / 8; // the shortest wave: 8 texels
 constexpr int k_turn = 1024;             // angles that the table holds
 // Power by number of half waves over the tile's height: flatter than it is wide, and mostly tall gusts, so that the mean square

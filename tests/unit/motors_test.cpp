@@ -158,7 +158,9 @@ std::vector<Refusal> every_refusal() {
          {std::pair{" is 0:", 0.0f}, {" is -1:", -1.0f}, {" is nan:", k_nan}, {" is inf:", k_infinity}, {" is 2e+06:", 2e6f}}) {
         static std::vector<std::string> kept(64); // The list keeps pointers.
         static std::size_t used = 0;
-        const auto field = [&](const char* name) { return (kept[used++ % kept.size()] = std::string(name) + text).c_str(); };
+        const auto field = [&, end = text](const char* name) {
+            return (kept[used++ % kept.size()] = std::string(name) + end).c_str();
+        };
         directional(field("motor.region.sphere.radius"), {.region = Sphere{radius}});
         directional(field("motor.region.capsule.radius"), {.region = Capsule{.radius = radius}});
         wake(field("motor.radius"), {.radius = radius});

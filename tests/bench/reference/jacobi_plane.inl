@@ -17,11 +17,7 @@ void jacobi_plane(const JacobiTask& task, int k) {
         const Neighbour front = k + 1 < nz ? Neighbour{task.now + row(j, k + 1), 1.0f} : Neighbour{here, -1.0f};
         const float* const source = task.source + (static_cast<std::size_t>(k) * ny + j) * nx;
         float* const result = task.next + row(j, k);
-#if defined(__clang__)
-#pragma clang loop vectorize(assume_safety)
-#else
-#pragma GCC ivdep
-#endif
+        WINDROW_INDEPENDENT
         for (int i = 0; i < nx; ++i)
             result[i] = (1.0f / 6.0f) * ((here[i - 1] + here[i + 1]) + (below.values[i] + above.scale * above.values[i]) +
                                          (back.scale * back.values[i] + front.scale * front.values[i]) - source[i]);

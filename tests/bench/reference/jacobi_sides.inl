@@ -23,11 +23,7 @@ void jacobi_plane_any_sides(const JacobiTask& task, int k) {
                         front = neighbour_of(task, 2, k, 1, ny * pitch, here);
         const float* const source = task.source + (static_cast<std::size_t>(k) * ny + j) * nx;
         float* const result = task.next + row;
-#if defined(__clang__)
-#pragma clang loop vectorize(assume_safety)
-#else
-#pragma GCC ivdep
-#endif
+        WINDROW_INDEPENDENT
         for (int i = 0; i < nx; ++i)
             result[i] = weight * ((here[i - 1] + here[i + 1]) + (below.scale * below.values[i] + above.scale * above.values[i]) +
                                   (back.scale * back.values[i] + front.scale * front.values[i]) - source[i]);

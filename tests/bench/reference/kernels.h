@@ -11,6 +11,13 @@
 #include <cstddef>
 #include <cstdint>
 
+/// Before a loop: no iteration reads what another writes, so that it may be vectorised without a check.
+#if defined(__clang__)
+#define WINDROW_INDEPENDENT _Pragma("clang loop vectorize(assume_safety)")
+#else
+#define WINDROW_INDEPENDENT _Pragma("GCC ivdep")
+#endif
+
 namespace windrow::bench {
 
 /// Most cells of a row, as k_max_axis_cells of fluid/box.h, which a level's file must not include.

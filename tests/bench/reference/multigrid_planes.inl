@@ -54,11 +54,11 @@ void multigrid_smooth(const MultigridSmooth& task, int k) {
         const LevelRow row = level_row(task.level, task.now != nullptr ? task.now : task.next, j, k);
         float* const result = task.next + (static_cast<std::ptrdiff_t>(k) * ny + j) * task.level.pitch;
         if (task.now == nullptr) {
-#pragma GCC ivdep
+            WINDROW_INDEPENDENT
             for (int i = 0; i < nx; ++i)
                 result[i] = -weight * row.inverse[i] * row.source[i];
         } else {
-#pragma GCC ivdep
+            WINDROW_INDEPENDENT
             for (int i = 0; i < nx; ++i)
                 result[i] = kept * row.here[i] + weight * row.inverse[i] * (row.around(i) - row.source[i]);
         }
@@ -90,11 +90,11 @@ void multigrid_restrict(const MultigridRestrict& task, int coarse_k) {
                     return of_row * (row.source[i] - (row.around(i) - row.diagonal[i] * row.here[i]));
                 };
                 if (first) {
-#pragma GCC ivdep
+                    WINDROW_INDEPENDENT
                     for (int i = 0; i < nx; ++i)
                         sum[i] = left(i);
                 } else {
-#pragma GCC ivdep
+                    WINDROW_INDEPENDENT
                     for (int i = 0; i < nx; ++i)
                         sum[i] += left(i);
                 }
@@ -125,14 +125,14 @@ void multigrid_prolong(const MultigridProlong& task, int k) {
         const float *const c = coarse_row(own_j, beside_k), *const d = coarse_row(beside_j, beside_k);
         const float y = task.parent[1][j], beside_y = task.neighbour[1][j];
         const float z = task.parent[2][k], beside_z = task.neighbour[2][k];
-#pragma GCC ivdep
+        WINDROW_INDEPENDENT
         for (int i = 0; i < coarse_nx; ++i)
             coarse[i] = z * (y * a[i] + beside_y * b[i]) + beside_z * (y * c[i] + beside_y * d[i]);
         wrap_row(coarse, coarse_nx);
         float* const row = task.now + (static_cast<std::ptrdiff_t>(k) * ny + j) * task.pitch;
         // Left children look to the left, right ones to the right; the last coarse cell may hold one or three.
         const int last = coarse_nx - 1;
-#pragma GCC ivdep
+        WINDROW_INDEPENDENT
         for (int i = 0; i < last; ++i) {
             row[2 * i] += task.parent[0][2 * i] * coarse[i] + task.neighbour[0][2 * i] * coarse[i - 1];
             row[2 * i + 1] += task.parent[0][2 * i + 1] * coarse[i] + task.neighbour[0][2 * i + 1] * coarse[i + 1];
