@@ -25,8 +25,10 @@ struct Diagnostics {
     /// Largest component * dt / h after the sources, before sub-steps and limit: how many cells the air would cross at once.
     float cfl = 0.0f;
     int substeps = 0; ///< Parts that the step was cut into: ceil(cfl / Config::max_cfl), at most Config::max_substeps.
-    bool substeps_capped = false;    ///< More parts were needed than allowed: speeds were limited.
-    std::int64_t limited_cells = 0;  ///< Cells whose speed was scaled down to what the capped sub-steps carry.
+    bool substeps_capped = false; ///< More parts were needed than allowed: speeds were limited.
+    /// Cells whose speed was scaled down to max_cfl * max_substeps cells a step, before the air moved or, where forces and
+    /// pressure had made them faster, after it.
+    std::int64_t limited_cells = 0;
     std::int64_t repaired_cells = 0; ///< Cells that held NaN or infinity and were set to ambient.
     int motors_in_reach = 0; ///< Motors whose region meets the box and that acted; a wake counts once a piece of its path.
     DiffusionMethod diffusion = DiffusionMethod::none;

@@ -107,7 +107,8 @@ void apply_law(MotorReach& reach, const std::variant<Force, Drive>& law, glm::ve
         const auto& drive = std::get<Drive>(law);
         reach.law = MotorReach::Law::drive;
         reach.push = drive.speed * direction;
-        reach.amount = share * drive.rate * static_cast<float>(duration);
+        // Beyond it nothing is left of the wind that was.
+        reach.amount = std::min(share * drive.rate * static_cast<float>(duration), 1e9f);
     }
 }
 
@@ -129,14 +130,14 @@ struct Preparation {
 
     int operator()(const DirectionalMotor& motor) const {
         const auto strength = static_cast<float>(motor.envelope.mean(age, age + duration));
-        reach[0].centre = metres(window, track.here());
+        reach[0].centre = metres(window, track.middle());
         const float share = std::visit(RegionReach{reach[0], window}, motor.region);
         apply_law(reach[0], motor.law, motor.direction, strength * share, duration);
         return strength * share > 0.0f ? 1 : 0;
     }
     int operator()(const JetMotor& motor) const {
         const auto strength = static_cast<float>(motor.envelope.mean(age, age + duration));
-        reach[0].centre = metres(window, track.here());
+        reach[0].centre = metres(window, track.middle());
         shape_cone(reach[0], motor.length * motor.direction, motor.start_radius, motor.end_radius, window);
         reach[0].shape = MotorReach::Shape::jet;
         // Weight times velocity r0 / r over a section is r0 r: over the length that makes L r0 (r0 + r1) / 2.
@@ -149,7 +150,7 @@ struct Preparation {
     int operator()(const VortexMotor& motor) const {
         const auto strength = static_cast<float>(motor.envelope.mean(age, age + duration));
         MotorReach& whirl = reach[0];
-        whirl.centre = metres(window, track.here());
+        whirl.centre = metres(window, track.middle());
         whirl.shape = MotorReach::Shape::vortex;
         whirl.radius = widened(motor.radius, window);
         const float half_length = widened(motor.half_length, window);
@@ -161,6 +162,7 @@ struct Preparation {
         const glm::vec3 half = glm::abs(whirl.extent) + whirl.radius;
         return cover(whirl, whirl.centre - half, whirl.centre + half, window) && strength * share > 0.0f ? 1 : 0;
     }
+    // Their flow is part of the wind at the end of the tick: they stand where they are then.
     int operator()(const OmniMotor& motor) const {
         reach[0].centre = metres(window, track.here());
         const auto strength = static_cast<float>(motor.envelope.mean(age, age + duration));

@@ -5,12 +5,15 @@
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #define WINDROW_FN inline
 namespace windrow::numerics {
 using namespace glm;
 #include "shaders/numerics/canopy.glsl"
+#include "shaders/numerics/history.glsl"
 #include "shaders/numerics/motors.glsl"
+#include "shaders/numerics/splitting.glsl"
 #include "shaders/numerics/window.glsl"
 } // namespace windrow::numerics
 #undef WINDROW_FN

@@ -70,7 +70,7 @@ struct Transport {
     std::span<const glm::vec4> velocity{};
     /// [m/s] Wind one step earlier; empty: the wind is taken as steady over the step (second order in a steady wind).
     std::span<const glm::vec4> velocity_old{};
-    /// min(1, dt / previous dt): how far `velocity_old` is extrapolated. 0 where velocity_old is empty.
+    /// dt / previous dt, 2 at most: how far `velocity_old` is extrapolated. 0 where velocity_old is empty.
     float extrapolation = 1.0f;
     /// [s] Step, >= 0.
     float dt = 0.0f;

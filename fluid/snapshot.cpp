@@ -17,7 +17,7 @@
 namespace windrow {
 namespace {
 
-constexpr detail::Format k_format{"WINDSNAP", 1, "snapshot", "Wind::save"};
+constexpr detail::Format k_format{"WINDSNAP", 2, "snapshot", "Wind::save"};
 constexpr double k_farthest_cells = 1e12;
 
 bool in_range(glm::dvec3 point, double most) {
@@ -91,7 +91,7 @@ struct StateFields {
     static constexpr std::size_t k_least_slot_bytes = 5;
 
     static void track(auto& archive, Like<Track> auto& track) {
-        auto& [here, target, points, count, timed, moves, pieces] = track;
+        auto& [here, target, points, count, timed, moves, pieces, middle] = track;
         archive(here, target, count, timed, moves);
         if constexpr (Reading<decltype(archive)>) {
             archive.require(timed >= 0 && timed <= count && count <= Track::k_most_pieces && moves >= count - timed &&

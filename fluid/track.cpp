@@ -73,11 +73,17 @@ std::span<const Track::Piece> Track::tick(double duration) {
     int pieces = 0, taken = 0;
     double time = 0.0;
     glm::dvec3 place = here_;
+    const double half = 0.5 * duration;
+    bool passed_middle = false;
     // A piece that goes on as the last one did is one with it: an even motion makes one piece a tick, the same at any frame rate.
     const auto add = [&](double end_time, glm::dvec3 end) {
         if (std::abs(end_time - duration) <= k_rounding * duration)
             end_time = duration;
         const double length = end_time - time;
+        if (!passed_middle && end_time >= half) {
+            passed_middle = true;
+            middle_ = length > 0.0 ? place + (half - time) / length * (end - place) : end;
+        }
         if (end != place && length > 0.0) {
             if (pieces > 0 && pieces_[pieces - 1].end == place && goes_on(pieces_[pieces - 1], end, length)) {
                 pieces_[pieces - 1].end = end;
@@ -97,6 +103,8 @@ std::span<const Track::Piece> Track::tick(double duration) {
         const Point& next = points_[taken];
         add(duration, place + (duration - time) / (next.time - time) * (next.position - place));
     }
+    if (!passed_middle)
+        middle_ = place; // it rests
     std::copy(points_.begin() + taken, points_.begin() + count_, points_.begin());
     count_ -= taken;
     timed_ -= taken;

@@ -23,7 +23,7 @@ class Track {
     };
 
     Track() = default;
-    explicit Track(glm::dvec3 position) : here_(position), target_(position) {}
+    explicit Track(glm::dvec3 position) : here_(position), target_(position), middle_(position) {}
 
     /// Notes where it is at the end of the coming frame.
     void move_to(glm::dvec3 position);
@@ -37,6 +37,8 @@ class Track {
 
     /// [m] Where it was at the last tick.
     [[nodiscard]] glm::dvec3 here() const { return here_; }
+    /// [m] Where it was half way through the last tick: what acts from there acts for the tick in second order.
+    [[nodiscard]] glm::dvec3 middle() const { return middle_; }
     /// [m] Where it was told to be.
     [[nodiscard]] glm::dvec3 target() const { return target_; }
 
@@ -54,9 +56,10 @@ class Track {
     glm::dvec3 target_{0.0};
     std::array<Point, k_most_pieces> points_{};
     int count_ = 0;
-    int timed_ = 0; ///< points that have a time
-    int moves_ = 0; ///< since the last frame began
-    std::array<Piece, k_most_pieces> pieces_{};
+    int timed_ = 0;                             ///< points that have a time
+    int moves_ = 0;                             ///< since the last frame began
+    std::array<Piece, k_most_pieces> pieces_{}; ///< as is what follows, of the last tick
+    glm::dvec3 middle_{0.0};
 };
 
 } // namespace windrow

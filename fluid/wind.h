@@ -127,8 +127,9 @@ class Wind {
   public:
     [[nodiscard]] static Result<Wind> create(const Config& config);
 
-    /// Advances the air by dt [s]. 0 is a pause: nothing changes. A dt that is negative or not finite does nothing and says so
-    /// (Diagnostics::stepped). Does not allocate; only the first step in which a motor lets air in, and a step above 1 s that
+    /// Advances the air by dt [s], of any length: of second order and without energy from nowhere for steps as unequal as frames
+    /// are. 0 is a pause: nothing changes. A dt that is negative or not finite does nothing and says so (Diagnostics::stepped).
+    /// Does not allocate; only the first step in which a motor lets air in, and a step above 1 s that
     /// asks more of the viscosity than shorter ones, do so, once.
     Diagnostics step(double dt);
     /// Advances by a frame of dt [s] in fixed ticks (Config::ticks), so that the air does not depend on the frame rate: `follow`

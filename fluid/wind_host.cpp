@@ -253,7 +253,7 @@ bool WindHost::viscous(float dt) const {
     return config.stages.diffusion && diffusion_method(config.viscosity, longest, config.cell_size) != DiffusionMethod::none;
 }
 
-std::optional<WindHost::CanopyRows> WindHost::canopy_rows() const {
+std::optional<cpu::CanopyRows> WindHost::canopy_rows() const {
     if (!config.canopy || !config.stages.sources || config.canopy->height <= 0.0f || config.canopy->drag <= 0.0f)
         return std::nullopt;
     const double h = config.cell_size;
@@ -262,9 +262,9 @@ std::optional<WindHost::CanopyRows> WindHost::canopy_rows() const {
     if (top <= 0.0 || ground >= config.cells.y)
         return std::nullopt;
     const double farthest = 2.0 * k_max_axis_cells; // beyond the box it matters no more, and floats hold it
-    return CanopyRows{.drag = config.canopy->drag,
-                      .ground = static_cast<float>(std::max(ground, -farthest)),
-                      .top = static_cast<float>(std::min(top, farthest))};
+    return cpu::CanopyRows{.drag = config.canopy->drag,
+                           .ground = static_cast<float>(std::max(ground, -farthest)),
+                           .top = static_cast<float>(std::min(top, farthest))};
 }
 
 bool WindHost::renew_sources(std::span<const detail::MotorReach> reached) {

@@ -2,6 +2,7 @@
 // the CPU (wind_state.h) or on a device (fluid/vulkan/wind_state.h); this is one text for both.
 #pragma once
 
+#include "fluid/cpu/acting.h"
 #include "fluid/cpu/aligned.h"
 #include "fluid/event_log.h"
 #include "fluid/message.h"
@@ -66,13 +67,8 @@ struct WindHost {
     [[nodiscard]] glm::vec3 mean_wind() const { return admissible_ambient(config.sides, config.ambient); }
     /// Viscosity does something that floats hold within a second, or within `dt` [s]; else it is left out.
     [[nodiscard]] bool viscous(float dt = k_longest_prepared) const;
-    /// Drag per metre of a canopy that acts, and where its ground and top lie in cells above the box's low side. Nothing where
-    /// none reaches the box.
-    struct CanopyRows {
-        float drag = 0.0f; ///< [1/m]
-        float ground = 0.0f, top = 0.0f;
-    };
-    [[nodiscard]] std::optional<CanopyRows> canopy_rows() const;
+    /// Of a canopy that acts. Nothing where none reaches the box.
+    [[nodiscard]] std::optional<cpu::CanopyRows> canopy_rows() const;
     [[nodiscard]] Rim rim(glm::dvec3 point) const;
     [[nodiscard]] WindowBlock window_block(glm::dvec3 anchor, const WindView& view, const WindView& previous_view) const;
 

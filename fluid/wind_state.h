@@ -14,7 +14,7 @@ struct Air {
 
     cpu::Buffer<glm::vec4> velocity;     ///< u [m/s]
     cpu::Buffer<glm::vec4> velocity_old; ///< u one sub-step earlier; holds nothing while `fresh`
-    cpu::Buffer<glm::vec4> history;      ///< q = (dt/2) (grad p - f) of the last sub-step [m/s]; holds nothing while `fresh`
+    cpu::Buffer<glm::vec4> history;      ///< q = (dt/2) grad p of the last sub-step [m/s]; holds nothing while `fresh`
     bool fresh = true;                   ///< u_old = u and q = 0 without being written
     float dt_old = 0.0f;                 ///< [s] last sub-step
     float owed_diffusion = 0.0f;         ///< [s] in which viscosity has not acted yet
@@ -63,9 +63,12 @@ struct Wind::State : WindHost {
     void fill_exposed(std::span<glm::vec4> field, CellIndex shift) const;
 
     void add_sources(float dt, std::span<const detail::MotorReach> reached, Diagnostics& report);
-    void slow_in_canopy(float dt);
+    void hold_whole(float dt);
     void let_air_in(std::span<const detail::MotorReach> reached);
     void limit_speeds(float dt, Diagnostics& report);
+    /// [m/s] Most that a component may be where a step of dt [s] in all sub-steps allowed is to carry it.
+    [[nodiscard]] float fastest_carried(float dt) const;
+    void cut_speeds(float most, Diagnostics& report);
     void repair_broken_cells();
     void carry_gusts(float dt, Diagnostics& report);
     /// The given part of the wind is out of it, in it again: around what a step solves.

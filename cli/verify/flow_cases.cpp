@@ -78,14 +78,14 @@ std::vector<VerifyCase> flow_cases() {
          .what = "Fading vortices in a mean wind that blows across the cells, in each of the three planes; the worst error of "
                  "the velocity without its mean.",
          .source = "Taylor & Green 1937, Proc. R. Soc. A 158; the mean wind is Galilean invariance",
-         .reason = "the step is of order 2 in time and space; measured are 2.1e-3 at 64 cells, of which a fifth more is "
+         .reason = "the step is of order 2 in time and space; measured are 2.3e-3 at 64 cells, of which a fifth more is "
                    "admitted, falling as h^2",
          .least_order = 1.9,
          .sizes = {32, 64, 128, 256},
          .run =
              [](const VerifySetting& setting, int size) {
                  VerifyRow row = taylor_green_2d(setting, size, size);
-                 row.bound = falling_bound(2.5e-3, 64, 2.0, size);
+                 row.bound = falling_bound(2.8e-3, 64, 2.0, size);
                  return row;
              }},
         {.name = "taylor_green_2d_small_dt",

@@ -83,24 +83,29 @@ void solve_poisson(Workspace& work, std::span<float> rhs_then_phi) {
 }
 
 void project(Workspace& work, std::span<glm::vec4> velocity, std::span<glm::vec4> gradient, std::span<const float> expansion) {
-    Workspace::State& state = work.state();
-    assert(velocity.size() == state.box.cell_count() && (gradient.empty() || gradient.size() == velocity.size()));
+    work.state().project(velocity, expansion, {.field = gradient});
+}
+
+void Workspace::State::project(std::span<glm::vec4> velocity, std::span<const float> expansion, const GradientNote& note) {
+    assert(velocity.size() == box.cell_count() && (note.field.empty() || note.field.size() == velocity.size()));
     assert(expansion.empty() || expansion.size() == velocity.size());
-    state.divergence_to_potential(cpu::floats(velocity), 0.5f);
+    divergence_to_potential(cpu::floats(velocity), 0.5f);
     if (!expansion.empty())
-        state.subtract_from_potential(expansion, state.box.cell_size);
-    state.pressure->solve(state.potential.data(), state.scratch.data(), state.parallel_for);
+        subtract_from_potential(expansion, box.cell_size);
+    pressure->solve(potential.data(), scratch.data(), parallel_for);
 
     cpu::GradientTask task{};
     for (int axis = 0; axis < 3; ++axis)
-        task.cells[axis] = state.box.cells[axis];
-    task.pitch = state.pressure->pitch();
-    task.potential = state.potential.data();
-    std::copy(&state.potential_ghosts[0][0], &state.potential_ghosts[0][0] + 6, &task.ghosts[0][0]);
+        task.cells[axis] = box.cells[axis];
+    task.pitch = pressure->pitch();
+    task.potential = potential.data();
+    std::copy(&potential_ghosts[0][0], &potential_ghosts[0][0] + 6, &task.ghosts[0][0]);
     task.scale = 0.5f;
     task.velocity = cpu::floats(velocity);
-    task.gradient = cpu::floats(gradient);
-    state.parallel_for(state.box.cells.z, [&](int plane) { state.kernels->gradient_plane(task, plane); });
+    task.gradient = cpu::floats(note.field);
+    task.share = note.share;
+    task.kept = note.kept;
+    parallel_for(box.cells.z, [&](int plane) { kernels->gradient_plane(task, plane); });
 }
 
 } // namespace windrow

@@ -73,11 +73,13 @@ float largest_component(const glm::vec4& v) {
 
 SourceField::SourceField(glm::ivec3 cells)
     : cells_(cells), force_(static_cast<std::size_t>(cells.x) * cells.y * cells.z),
-      row_holds_force_(static_cast<std::size_t>(cells.y) * cells.z), plane_largest_(static_cast<std::size_t>(cells.z)),
-      expansion_(force_.size()) {}
+      row_holds_force_(static_cast<std::size_t>(cells.y) * cells.z), drives_(force_.size()), kept_(force_.size()),
+      row_driven_(row_holds_force_.size()), plane_largest_(static_cast<std::size_t>(cells.z)),
+      plane_largest_driven_(plane_largest_.size()), expansion_(force_.size()) {}
 
 std::size_t SourceField::memory_bytes() const {
-    return force_.bytes() + row_holds_force_.bytes() + plane_largest_.bytes() + expansion_.bytes();
+    return force_.bytes() + row_holds_force_.bytes() + drives_.bytes() + kept_.bytes() + row_driven_.bytes() +
+           plane_largest_.bytes() + plane_largest_driven_.bytes() + expansion_.bytes();
 }
 
 std::span<const float> SourceField::expansion() const {
@@ -98,22 +100,47 @@ void SourceField::add_force_to(std::span<glm::vec4> velocity, float factor, cons
     });
 }
 
-void SourceField::gather(std::span<const MotorReach> motors, float cell_size, std::span<glm::vec4> velocity,
+void SourceField::drive(std::span<glm::vec4> velocity, const ParallelFor& parallel_for) const {
+    if (!any_drive_)
+        return;
+    parallel_for(cells_.z, [&](int k) {
+        for (int j = 0; j < cells_.y; ++j) {
+            const std::size_t row = static_cast<std::size_t>(k) * cells_.y + j;
+            for (std::size_t n = row * cells_.x + row_driven_[row].low; n < row * cells_.x + row_driven_[row].high; ++n)
+                velocity[n] = glm::vec4(numerics::windrow_driven(glm::vec3(velocity[n]), drives_[n], drives_[n].w), 0.0f);
+        }
+    });
+}
+
+void SourceField::limit_drives(float most) {
+    for (std::size_t row = 0; any_drive_ && row < row_driven_.size(); ++row)
+        for (std::size_t n = row * cells_.x + row_driven_[row].low; n < row * cells_.x + row_driven_[row].high; ++n) {
+            glm::vec4& drive = drives_[n];
+            const float largest = std::max({std::abs(drive.x), std::abs(drive.y), std::abs(drive.z)});
+            if (largest > most * drive.w)
+                drive = glm::vec4(most * drive.w / largest * glm::vec3(drive), drive.w);
+        }
+}
+
+void SourceField::gather(std::span<const MotorReach> motors, float cell_size, std::span<const glm::vec4> velocity,
                          const ParallelFor& parallel_for) {
     const auto any = [&](MotorReach::Law law) {
         return std::any_of(motors.begin(), motors.end(), [&](const MotorReach& m) { return m.law == law; });
     };
     any_force_ = any(MotorReach::Law::force);
+    any_drive_ = any(MotorReach::Law::drive);
     any_expansion_ = any(MotorReach::Law::source);
-    largest_force_ = 0.0f;
+    largest_force_ = largest_driven_ = 0.0f;
     if (motors.empty())
         return;
     parallel_for(cells_.z, [&](int plane) { gather_plane(motors, cell_size, velocity, plane); });
-    for (int k = 0; any_force_ && k < cells_.z; ++k)
+    for (int k = 0; k < cells_.z; ++k) {
         largest_force_ = std::max(largest_force_, plane_largest_[k]);
+        largest_driven_ = std::max(largest_driven_, plane_largest_driven_[k]);
+    }
 }
 
-void SourceField::gather_plane(std::span<const MotorReach> motors, float cell_size, std::span<glm::vec4> velocity, int k) {
+void SourceField::gather_plane(std::span<const MotorReach> motors, float cell_size, std::span<const glm::vec4> velocity, int k) {
     // Hundreds of motors reach a box, a few of them a plane. More than fit here are looked up again in every row: slower, not
     // wrong.
     std::array<std::uint16_t, 512> near;
@@ -127,11 +154,11 @@ void SourceField::gather_plane(std::span<const MotorReach> motors, float cell_si
         }
     const std::size_t candidates = listed ? near_count : motors.size();
 
-    glm::vec4 drives[k_max_axis_cells]; // sum of E U, and of E in w
-    plane_largest_[k] = 0.0f;
+    plane_largest_[k] = plane_largest_driven_[k] = 0.0f;
     for (int j = 0; j < cells_.y; ++j) {
         const std::size_t row = static_cast<std::size_t>(k) * cells_.y + j;
         glm::vec4* const force_row = force_.data() + row * cells_.x;
+        glm::vec4* const drives = drives_.data() + row * cells_.x;
         float* const expansion_row = expansion_.data() + row * cells_.x;
         const glm::vec3 first_centre = cell_size * (glm::vec3(0, j, k) + 0.5f);
         bool holds_force = false;
@@ -169,12 +196,18 @@ void SourceField::gather_plane(std::span<const MotorReach> motors, float cell_si
         row_holds_force_[row] = holds_force ? 1 : 0;
         for (int i = 0; holds_force && i < cells_.x; ++i)
             plane_largest_[k] = std::max(plane_largest_[k], largest_component(force_row[i]));
+        row_driven_[row] = {};
+        if (drive_low < drive_high)
+            row_driven_[row] = {static_cast<std::uint16_t>(drive_low), static_cast<std::uint16_t>(drive_high)};
         for (int i = drive_low; i < drive_high; ++i) {
-            const float exponent = drives[i].w;
-            if (exponent > 0.0f) {
-                glm::vec4& u = velocity[row * cells_.x + i];
-                u = glm::vec4(numerics::windrow_drive(glm::vec3(u), glm::vec3(drives[i]) / exponent, exponent), 0.0f);
-            }
+            // It lies between the wind and what it is drawn to: most cells need no look.
+            const glm::vec4& u = velocity[row * cells_.x + i];
+            const float most = std::max(largest_component(u) * drives[i].w, largest_component(drives[i]));
+            if (!(most > plane_largest_driven_[k] * drives[i].w))
+                continue;
+            const glm::vec3 driven = numerics::windrow_driven(glm::vec3(u), drives[i], drives[i].w);
+            if (const float largest = largest_component(glm::vec4(driven, 0.0f)); std::isfinite(largest)) // else it is repaired
+                plane_largest_driven_[k] = std::max(plane_largest_driven_[k], largest);
         }
     }
 }

@@ -11,35 +11,62 @@
 
 namespace windrow::cpu {
 
-/// What motors leave for the step: the acceleration f of those that push, the divergence S of those that let air in.
-/// Rows that no motor reaches hold nothing and are never read.
+/// What motors leave for the step: the acceleration f of those that push, what those that drive pull toward, the divergence S of
+/// those that let air in. Rows that no motor reaches hold nothing and are never read.
 class SourceField {
   public:
     explicit SourceField(glm::ivec3 cells);
 
-    /// Drives act on `velocity`; f and S are gathered. A cell sums its motors in the order of `motors`.
-    void gather(std::span<const detail::MotorReach> motors, float cell_size, std::span<glm::vec4> velocity,
+    /// A cell sums its motors in the order of `motors`. `velocity` tells how fast the drives would make it.
+    void gather(std::span<const detail::MotorReach> motors, float cell_size, std::span<const glm::vec4> velocity,
                 const ParallelFor& parallel_for);
 
     /// velocity += factor * f, on the rows that hold a force.
     void add_force_to(std::span<glm::vec4> velocity, float factor, const ParallelFor& parallel_for) const;
+    [[nodiscard]] bool any_force() const { return any_force_; }
+    /// f of a row of x; null where it holds none.
+    [[nodiscard]] const glm::vec4* force_row(std::size_t row) const {
+        return any_force_ && row_holds_force_[row] != 0 ? force_.data() + row * cells_.x : nullptr;
+    }
+    /// The cells of a row that are driven, low <= i < high.
+    struct Range {
+        std::uint16_t low = 0, high = 0;
+    };
+    [[nodiscard]] bool any_drive() const { return any_drive_; }
+    [[nodiscard]] Range driven(std::size_t row) const { return any_drive_ ? row_driven_[row] : Range{}; }
+    /// Of a row, sum of E U, and of E in w; valid where it is driven.
+    [[nodiscard]] const glm::vec4* drive_row(std::size_t row) const { return drives_.data() + row * cells_.x; }
+    /// Scratch of Acting: a history as it was, where something acts.
+    [[nodiscard]] std::span<glm::vec4> kept() { return kept_; }
+    /// The drives act whole on `velocity`.
+    void drive(std::span<glm::vec4> velocity, const ParallelFor& parallel_for) const;
+    /// Keeps what the drives pull toward below `most` [m/s], in each component.
+    void limit_drives(float most);
     /// [m/s^2] Largest component of f.
     [[nodiscard]] float largest_force() const { return largest_force_; }
+    /// [m/s] Largest component that the drives, acting whole, would leave in a cell.
+    [[nodiscard]] float largest_driven() const { return largest_driven_; }
     /// [1/s] S at every cell; empty where no motor lets air in or out.
     [[nodiscard]] std::span<const float> expansion() const;
     [[nodiscard]] std::size_t memory_bytes() const;
 
   private:
-    void gather_plane(std::span<const detail::MotorReach> motors, float cell_size, std::span<glm::vec4> velocity, int plane);
+    void gather_plane(std::span<const detail::MotorReach> motors, float cell_size, std::span<const glm::vec4> velocity,
+                      int plane);
 
     glm::ivec3 cells_;
     Buffer<glm::vec4> force_;
     Buffer<std::uint8_t> row_holds_force_; ///< one a row of x
-    Buffer<float> plane_largest_;
+    Buffer<glm::vec4> drives_, kept_;
+    Buffer<Range> row_driven_;
+    Buffer<float> plane_largest_;        ///< of f
+    Buffer<float> plane_largest_driven_; ///< of what the drives would leave
     Buffer<float> expansion_;
     bool any_force_ = false;
+    bool any_drive_ = false;
     bool any_expansion_ = false;
     float largest_force_ = 0.0f;
+    float largest_driven_ = 0.0f;
 };
 
 } // namespace windrow::cpu

@@ -2,15 +2,16 @@
 //
 // Second order (two-time-level semi-implicit semi-Lagrangian, the practice of weather models), du/dt = -grad p + nu L u + f:
 //
-//   R  = u - s q                              s = min(2, dt / dt_old)      pressure and force of the last step's arrival half
+//   R  = u - s q + (dt/2) f                    half of pressure and force act at departure, half at arrival
 //   xd = departure of x                        SETTLS, advect() in pieces.h
-//   w  = R(xd) + (dt/2) f                      half of the force acts at departure (in q), half at arrival
+//   w  = R(xd) + (dt/2) f
 //   u' = w - grad phi,  L phi = div w          project()
-//   q' = grad phi - (dt/2) f                   = (dt/2) (grad p - f)
+//   q' = (dt/2) grad p                         and s: shaders/numerics/history.glsl
 //
-// All values at cell centres. Order 2 in time at fixed CFL with one cubic interpolation and one projection a step. Viscosity acts
-// on u before R is formed: added after the advection it feeds an instability at CFL 1. A drive acts whole on u before the step,
-// in its exact form.
+// All values at cell centres. Order 2 in time at fixed CFL, whatever the steps' lengths, with one cubic interpolation and one
+// projection a step. Viscosity acts
+// on u before R is formed: added after the advection it feeds an instability at CFL 1. Drives and plants hold the air
+// for half of the step at departure and half at arrival (shaders/numerics/splitting.glsl).
 //
 // Two parts of u may be given, not solved; the step then carries and projects the rest, v = u - u_S - A, along the whole wind u:
 //
@@ -38,6 +39,11 @@
 
 namespace windrow {
 namespace {
+
+constexpr float k_rounding = 1.00001f; // of a speed that was cut and carried along
+
+// Below it the pressure of a step so much longer than this one says nothing here, and dividing by it would lose what acts.
+constexpr float k_least_scale = 1e-6f;
 
 // Adds the time of a scope to a stage's figure.
 class Stopwatch {
@@ -92,6 +98,11 @@ void Wind::State::step_cells(double duration, std::span<const detail::MotorReach
             advance_stable_fluids(part_dt, report);
     }
     measure(report);
+    // What forces and pressure have made of the air since.
+    if (const float most = fastest_carried(dt); config.stages.advection && report.max_speed > k_rounding * most) {
+        cut_speeds(most, report);
+        measure(report);
+    }
 }
 
 // While the wind gusts, what is solved is still air beyond the open sides; trajectories alone meet the whole ambient wind there.
@@ -118,31 +129,60 @@ class Wind::State::Solving {
 
 void Wind::State::advance_second_order(float dt, Diagnostics& report) {
     const Solving solving(*this);
-    const ParallelFor& parallel_for = config.parallel_for;
     const std::span<const glm::vec4> carried = diffuse(without_given_flow(), dt, report);
     Transport transport{.carried = carried, .velocity = air.velocity, .dt = dt, .interpolation = config.interpolation};
     transport.settling = settling_factor(config, dt);
+    const numerics::WindrowPast past = numerics::windrow_past(air.fresh ? 0.0f : dt / air.dt_old);
     if (!air.fresh) {
         transport.velocity_old = air.velocity_old;
-        transport.extrapolation = std::min(1.0f, dt / air.dt_old);
+        transport.extrapolation = past.scale;
         transport.history = air.history;
-        transport.history_scale = std::min(2.0f, dt / air.dt_old);
+        transport.history_scale = past.scale;
+    }
+    const cpu::Acting acting(sources, {.cells = box().cells,
+                                       .dt = dt,
+                                       .substeps = report.substeps,
+                                       .plants = canopy_rows().value_or(cpu::CanopyRows{}),
+                                       .parallel_for = &config.parallel_for});
+    const auto given = [&](std::size_t n, glm::ivec3 cell) {
+        glm::vec3 u(0.0f);
+        if (sources_of_air != 0)
+            u += glm::vec3(source_flow[n]);
+        if (ambient.gusting())
+            u += glm::vec3(ambient_at(cell.x, cell.y, cell.z));
+        return u;
+    };
+    const auto departing = [&](std::size_t n, glm::ivec3 cell) {
+        glm::vec3 u(carried[n]);
+        if (transport.settling != 1.0f) {
+            const glm::vec3 rest = ambient.gusting() ? glm::vec3(0.0f) : glm::vec3(mean_at(cell.x, cell.y, cell.z));
+            u = rest + transport.settling * (u - rest);
+        }
+        return u + given(n, cell);
+    };
+    if (acting.any()) {
+        if (!(transport.history_scale > k_least_scale)) {
+            std::fill_n(air.history.data(), air.history.size(), glm::vec4(0.0f));
+            transport.history_scale = 1.0f;
+        }
+        transport.history = air.history;
+        acting.depart(departing, transport.history_scale, air.history);
     }
     const std::span<glm::vec4> arrived = air.velocity_old;
     {
         Stopwatch watch(report.times_ms.advection);
         advect(work, transport, arrived);
-        sources.add_force_to(arrived, 0.5f * dt, parallel_for);
     }
+    carry_gusts(dt, report);
+    if (acting.any())
+        acting.arrive(given, transport.history_scale, air.history, arrived);
     {
         Stopwatch watch(report.times_ms.projection);
         if (config.stages.projection)
-            project(work, arrived, air.history);
+            work.state().project(arrived, {}, {.field = air.history, .share = past.share, .kept = past.kept});
         else
             std::fill_n(air.history.data(), air.history.size(), glm::vec4(0.0f));
-        sources.add_force_to(air.history, -0.5f * dt, parallel_for);
     }
-    carry_gusts(dt, report);
     add_given_flow(arrived, 1.0f);
     std::swap(air.velocity, air.velocity_old);
     air.fresh = false;
@@ -194,21 +234,24 @@ void Wind::State::advance_in_place(float dt, Diagnostics& report) {
 void Wind::State::add_sources(float dt, std::span<const detail::MotorReach> reached, Diagnostics& report) {
     Stopwatch watch(report.times_ms.sources);
     sources.gather(reached, box().cell_size, air.velocity, config.parallel_for);
-    slow_in_canopy(dt);
+    if (config.scheme == Scheme::stable_fluids || !config.stages.advection)
+        hold_whole(dt);
     if (config.stages.projection)
         let_air_in(reached);
 }
 
-void Wind::State::slow_in_canopy(float dt) {
-    const auto rows = canopy_rows();
-    if (!rows)
+// The classic split: what holds the air acts whole before it moves.
+void Wind::State::hold_whole(float dt) {
+    sources.drive(air.velocity, config.parallel_for);
+    const auto plants = canopy_rows();
+    if (!plants)
         return;
     const glm::ivec3 cells = box().cells;
-    const int first = std::clamp(static_cast<int>(std::floor(rows->ground)), 0, cells.y),
-              end = std::clamp(static_cast<int>(std::ceil(rows->top)), 0, cells.y);
     config.parallel_for(cells.z, [&](int k) {
-        for (int j = first; j < end; ++j) {
-            const float way = dt * rows->drag * numerics::windrow_canopy_share(static_cast<float>(j), rows->ground, rows->top);
+        for (int j = 0; j < cells.y; ++j) {
+            const float way = dt * plants->drag_of(j);
+            if (!(way > 0.0f))
+                continue;
             glm::vec4* const row = &air.velocity[box().index(0, j, k)];
             for (int i = 0; i < cells.x; ++i)
                 row[i] = glm::vec4(numerics::windrow_canopy_slowed(glm::vec3(row[i]), way), 0.0f);
@@ -276,7 +319,8 @@ void Wind::State::limit_speeds(float dt, Diagnostics& report) {
         found = work.state().survey(&air.velocity[0].x);
     }
     report.substeps = 1;
-    report.cfl = (found.largest_component + dt * sources.largest_force()) * dt / box().cell_size;
+    report.cfl =
+        (std::max(found.largest_component, sources.largest_driven()) + dt * sources.largest_force()) * dt / box().cell_size;
     if (!config.stages.advection || report.cfl <= config.max_cfl)
         return;
     const float wanted = std::ceil(report.cfl / config.max_cfl);
@@ -284,8 +328,16 @@ void Wind::State::limit_speeds(float dt, Diagnostics& report) {
     report.substeps = report.substeps_capped ? config.max_substeps : static_cast<int>(wanted);
     if (!report.substeps_capped)
         return;
-    // The source's flow is cut by the same share as the wind that it is part of: what is left of either is of its own kind.
-    const float most = config.max_cfl * static_cast<float>(report.substeps) * box().cell_size / dt;
+    sources.limit_drives(fastest_carried(dt));
+    cut_speeds(fastest_carried(dt), report);
+}
+
+float Wind::State::fastest_carried(float dt) const {
+    return config.max_cfl * static_cast<float>(config.max_substeps) * box().cell_size / dt;
+}
+
+// The source's flow is cut by the same share as the wind that it is part of: what is left of either is of its own kind.
+void Wind::State::cut_speeds(float most, Diagnostics& report) {
     for (std::size_t n = 0; n < air.velocity.size(); ++n) {
         glm::vec4& u = air.velocity[n];
         const float largest = std::max({std::abs(u.x), std::abs(u.y), std::abs(u.z)});

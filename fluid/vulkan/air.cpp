@@ -136,6 +136,7 @@ WindrowStep Air::step_of(const AirTick& tick) const {
                    bit(tick.lets_air_in, WINDROW_LETS_AIR_IN) | bit(tick.renews_sources, WINDROW_RENEWS_AIR) |
                    bit(diffusion_of(tick.duration) != DiffusionMethod::none, WINDROW_DIFFUSES) |
                    bit(any(detail::MotorReach::Law::force), WINDROW_PUSHES) |
+                   bit(any(detail::MotorReach::Law::drive), WINDROW_DRIVES) |
                    bit(any(detail::MotorReach::Law::source), WINDROW_EXPANDS) | bit(owes_nothing_, WINDROW_OWES_NOTHING) |
                    bit(diffusion_of(tick.duration) == DiffusionMethod::one_pass, WINDROW_ONE_PASS);
     step.shape.w = tick.substeps;

@@ -3,10 +3,10 @@
 //   place      fields move with the box                              only when it moves
 //   sources    motors, guard, survey: u, f, S                        once a tick
 //   plan       n sub-steps, from the largest speed                   once a tick; sub-steps that do not run get no work groups
-//   pad        R = ambient + g (u - ambient) - s q, V                each sub-step, in six dispatches; eight where planes are
+//   pad        R = ambient + g (u - ambient) - s q + (dt/2) f, V     each sub-step, in six dispatches; eight where planes are
 //   advect     w = R(xd) + (dt/2) f                                  split, up to 24 with implicit viscosity
 //   solve      L phi = div w: modes of x and z, columns of y, back
-//   gradient   u' = w - grad phi, q' = grad phi - (dt/2) f
+//   gradient   u' = w - grad phi, q'
 //   show       textures of this frame, report                        once a frame
 //
 // Sub-steps are chosen on the device, so all that may be are recorded. What the host tells a tick travels inside the command

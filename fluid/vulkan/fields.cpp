@@ -38,6 +38,7 @@ Result<Fields> Fields::create(Device& device, const Sizes& sizes) {
     make(fields.velocity_old, "velocity_old", cells * sizeof(vec4));
     make(fields.history, "history", cells * sizeof(vec4));
     make(fields.force, "force", cells * sizeof(vec4));
+    make(fields.drives, "drives", cells * sizeof(vec4));
     make(fields.source_flow, "source_flow", cells * sizeof(vec4));
     make(fields.arrived, "arrived", cells * sizeof(vec4));
     make(fields.diffused, "diffused", sizes.diffuses ? cells * sizeof(vec4) : sizeof(vec4));

@@ -31,7 +31,7 @@ struct Fields {
     [[nodiscard]] static Result<Fields> create(Device& device, const Sizes& sizes);
 
     Buffer step, control, shapes, commands, rules, motors, tables, tile;
-    Buffer velocity, velocity_old, history, force, source_flow, arrived, diffused, before, shown;
+    Buffer velocity, velocity_old, history, force, drives, source_flow, arrived, diffused, before, shown;
     Buffer padded, expansion, hat, potential, sums;
     /// [0] and [1]: of this frame and of the last, in turns; x, y, z.
     Image3D axes[2][3];

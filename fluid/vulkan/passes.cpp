@@ -144,26 +144,27 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
                a_half_plane = over(line, over_between, second_axis, 4 * tiles.between_x * nz);
     a_cell(Pass::place, words::place, of(f.step, f.control, f.arrived, f.padded, f.tile));
     a_cell(Pass::sources, words::sources,
-           of(f.step, f.control, f.velocity, f.velocity_old, f.history, f.force, f.expansion, f.motors, f.tile));
+           of(f.step, f.control, f.velocity, f.velocity_old, f.history, f.force, f.drives, f.expansion, f.motors, f.tile));
     a_cell(Pass::source_flow, words::source_flow,
            of(f.step, f.control, f.potential, f.source_flow, f.velocity, f.velocity_old, f.history, f.tile));
     a_cell(Pass::adjust, words::adjust, of(f.step, f.control, f.velocity, f.velocity_old, f.before, f.tile));
     over(lines, {1, 1, 1})(Pass::plan, words::plan, of(f.step, f.control, f.shapes, f.commands));
-    a_cell(Pass::limit, words::limit, of(f.step, f.control, f.velocity, f.source_flow));
+    a_cell(Pass::limit, words::limit, of(f.step, f.control, f.velocity, f.source_flow, f.drives));
     a_cell(Pass::diffuse, words::diffuse, of(f.step, f.control, f.velocity, f.force, f.source_flow, f.rules, f.diffused, f.tile));
     a_plane(Pass::diffuse_forward, words::diffuse_forward, of(f.step, f.control, f.tables, f.diffused, f.rules, f.hat));
     a_column(Pass::diffuse_columns, words::diffuse_columns, of(f.step, f.control, f.tables, f.hat, f.potential, f.arrived));
     a_plane(Pass::diffuse_back, words::diffuse_back, of(f.step, f.control, f.tables, f.hat, f.diffused));
     a_padded_cell(Pass::pad, words::pad,
-                  of(f.step, f.control, f.velocity, f.velocity_old, f.history, f.force, f.source_flow, f.diffused, f.rules,
-                     f.padded, f.tile));
-    a_cell(Pass::advect, words::advect, of(f.step, f.control, f.velocity, f.padded, f.force, f.arrived));
+                  of(f.step, f.control, f.velocity, f.velocity_old, f.history, f.force, f.drives, f.source_flow, f.diffused,
+                     f.rules, f.padded, f.tile));
+    a_cell(Pass::advect, words::advect,
+           of(f.step, f.control, f.velocity, f.padded, f.force, f.drives, f.history, f.source_flow, f.arrived, f.tile));
     a_plane(Pass::modes_forward, words::modes_forward, of(f.step, f.control, f.tables, f.arrived, f.expansion, f.hat));
     a_half_plane(Pass::modes_between, words::modes_between, of(f.step, f.control, f.tables, f.hat));
     a_column(Pass::columns, words::columns, of(f.step, f.control, f.tables, f.hat));
     a_plane(Pass::modes_back, words::modes_back, of(f.step, f.control, f.tables, f.hat, f.potential));
     a_cell(Pass::gradient, words::gradient,
-           of(f.step, f.control, f.potential, f.arrived, f.force, f.source_flow, f.velocity, f.velocity_old, f.history, f.tile));
+           of(f.step, f.control, f.potential, f.arrived, f.source_flow, f.velocity, f.velocity_old, f.history, f.tile));
     over(cell, over_cells, {cell[0] * cell[1] * cell[2]})(
         Pass::show, show, of(f.step, f.control, f.velocity, f.before, f.expansion, f.shown, f.sums, f.tile));
 

@@ -1,15 +1,21 @@
-// Carries the air along its trajectories, and adds the half of the forces that acts at arrival:
+// Carries the air along its trajectories, and does what acts at arrival (splitting.glsl):
 //
 //   x0 = x - dt u(x),  xd = x - dt/2 (u(x) + V(x0)),  w(x) = R(xd) + (dt/2) f
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#define WINDROW_READS_TILE 9
 #include "fluid/pass.glsl"
 #include "numerics/transport.glsl"
 
 layout(std430, set = 0, binding = 2) readonly buffer Velocity { vec4 velocity[]; };
 layout(std430, set = 0, binding = 3) readonly buffer Padded { vec4 padded[]; }; // R of all cells, then V
 layout(std430, set = 0, binding = 4) readonly buffer Force { vec4 force[]; };
-layout(std430, set = 0, binding = 5) writeonly buffer Arrived { vec4 arrived[]; };
+layout(std430, set = 0, binding = 5) readonly buffer Drives { vec4 drives[]; };
+layout(std430, set = 0, binding = 6) readonly buffer History { vec4 history[]; };
+layout(std430, set = 0, binding = 7) readonly buffer SourceFlow { vec4 source_flow[]; };
+layout(std430, set = 0, binding = 8) writeonly buffer Arrived { vec4 arrived[]; };
+#include "fluid/given.glsl"
+#include "fluid/hold.glsl"
 
 ivec3 strides() {
     const int row = tick.cells.x + WINDROW_HALO;
@@ -62,6 +68,16 @@ vec3 sample_cubic(int at, vec3 t, ivec3 s) {
     return sum_nodes(planes[0], planes[1], planes[2], planes[3], wz);
 }
 
+// The whole wind is held, the given part of it with the rest.
+vec3 held(vec3 w, ivec3 cell, int at) {
+    const WindrowHold hold = hold_of(cell, at);
+    if (!(hold.drives.w > 0.0f || hold.way > 0.0f))
+        return w;
+    const vec3 given = given_part(cell, at, elapsed() + control.substep.x);
+    const vec3 pressure = is_fresh() ? vec3(0.0f) : past().scale * history[at].xyz;
+    return windrow_held_arriving(w + given, pressure, hold) - given;
+}
+
 void main() {
     const ivec3 cell = ivec3(gl_GlobalInvocationID);
     if (!inside(cell, tick.cells.xyz))
@@ -88,5 +104,7 @@ void main() {
     }
     if (!classic && is_on(WINDROW_PUSHES))
         result += 0.5f * dt * force[at].xyz;
+    if (!classic && anything_holds())
+        result = held(result, cell, at);
     arrived[at] = vec4(result, 0.0f);
 }

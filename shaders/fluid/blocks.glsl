@@ -22,6 +22,7 @@
 #define WINDROW_PUSHES 2048       // a motor of this tick is a force
 #define WINDROW_EXPANDS 4096      // a motor of this tick is a source of air
 #define WINDROW_OWES_NOTHING 8192 // viscosity has acted for all time so far
+#define WINDROW_DRIVES 32768      // a motor of this tick is a drive
 #define WINDROW_ONE_PASS 16384    // its explicit pass is all there is: it acts for as long as that may, and owes the rest
 
 // Of a tick.

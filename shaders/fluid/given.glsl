@@ -1,6 +1,16 @@
 // The part of the wind that is given, not solved: the flow of the sources of air, and the ambient wind while it gusts.
 // Before this text: Velocity as `velocity`, SourceFlow as `source_flow`, Force as `force`.
 
+// [m/s] What is given of a cell's wind, `elapsed` [s] after the tick's start.
+vec3 given_part(ivec3 cell, int at, float elapsed) {
+    vec3 u = vec3(0.0f);
+    if (is_on(WINDROW_LETS_AIR_IN))
+        u += source_flow[at].xyz;
+    if (is_on(WINDROW_GUSTS))
+        u += wind_at(cell, elapsed, true);
+    return u;
+}
+
 // [m/s] What the step carries and projects of a cell.
 vec3 solved_part(ivec3 cell, int at) {
     vec3 u = velocity[at].xyz;

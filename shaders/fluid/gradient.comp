@@ -1,19 +1,18 @@
 // What a sub-step ends with:
 //
-//   u' = w - grad phi + what is given,   q' = grad phi - (dt/2) f,   u_old = u
+//   u' = w - grad phi + what is given,   u_old = u,   q' as history.glsl says
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#define WINDROW_READS_TILE 9
+#define WINDROW_READS_TILE 8
 #include "fluid/pass.glsl"
 #include "fluid/stencil.glsl"
 
 layout(std430, set = 0, binding = 2) readonly buffer Potential { float potential[]; };
 layout(std430, set = 0, binding = 3) readonly buffer Arrived { vec4 arrived[]; };
-layout(std430, set = 0, binding = 4) readonly buffer Force { vec4 force[]; };
-layout(std430, set = 0, binding = 5) readonly buffer SourceFlow { vec4 source_flow[]; };
-layout(std430, set = 0, binding = 6) buffer Velocity { vec4 velocity[]; };
-layout(std430, set = 0, binding = 7) writeonly buffer VelocityOld { vec4 velocity_old[]; };
-layout(std430, set = 0, binding = 8) writeonly buffer History { vec4 history[]; };
+layout(std430, set = 0, binding = 4) buffer SourceFlow { vec4 source_flow[]; };
+layout(std430, set = 0, binding = 5) buffer Velocity { vec4 velocity[]; };
+layout(std430, set = 0, binding = 6) writeonly buffer VelocityOld { vec4 velocity_old[]; };
+layout(std430, set = 0, binding = 7) buffer History { vec4 history[]; };
 
 void main() {
     const ivec3 cell = ivec3(gl_GlobalInvocationID);
@@ -30,9 +29,10 @@ void main() {
         }
     vec3 u = arrived[at].xyz - slope;
     if (!is_on(WINDROW_STABLE_FLUIDS)) {
-        vec3 q = slope;
-        if (is_on(WINDROW_PUSHES))
-            q -= 0.5f * control.substep.x * force[at].xyz;
+        const WindrowPast p = past();
+        vec3 q = p.share * slope;
+        if (p.kept != 0.0f)
+            q += p.kept * history[at].xyz;
         history[at] = vec4(q, 0.0f);
         velocity_old[at] = velocity[at];
     }
@@ -40,5 +40,16 @@ void main() {
         u += source_flow[at].xyz;
     if (is_on(WINDROW_GUSTS))
         u += wind_at(cell, elapsed() + control.substep.x, true);
+    // What forces and pressure made of it since is cut too (limit.comp).
+    if (is_on(WINDROW_ADVECTS) && push.x + 1 == control.plan.x) {
+        const float most = tick.time.w * float(tick.shape.y) * tick.time.y / tick.time.x, largest = largest_component(u);
+        if (largest > 1.00001f * most) { // but for rounding
+            u *= most / largest;
+            if (is_on(WINDROW_LETS_AIR_IN))
+                source_flow[at] *= most / largest;
+            atomicAdd(control.found.w, 1u);
+            atomicAdd(control.measured.w, 1u);
+        }
+    }
     velocity[at] = vec4(u, 0.0f);
 }

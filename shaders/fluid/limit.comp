@@ -1,18 +1,26 @@
-// Cuts speeds to what the sub-steps can carry. The sources' flow is cut by the same share as the wind that it is part of.
+// Cuts speeds, and those that drives pull toward, to what the sub-steps can carry. The sources' flow is cut by the same share as the wind that it is part of.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "fluid/pass.glsl"
 
 layout(std430, set = 0, binding = 2) buffer Velocity { vec4 velocity[]; };
 layout(std430, set = 0, binding = 3) buffer SourceFlow { vec4 source_flow[]; };
+layout(std430, set = 0, binding = 4) buffer Drives { vec4 drives[]; };
 
 void main() {
     const ivec3 cell = ivec3(gl_GlobalInvocationID);
     if (!inside(cell, tick.cells.xyz))
         return;
     const int at = cell_index(cell);
+    const float most = control.substep.z;
+    if (is_on(WINDROW_DRIVES)) {
+        const vec4 drive = drives[at];
+        const float wanted = largest_component(drive.xyz);
+        if (wanted > most * drive.w)
+            drives[at] = vec4((most * drive.w / wanted) * drive.xyz, drive.w);
+    }
     const vec4 u = velocity[at];
-    const float largest = largest_component(u.xyz), most = control.substep.z;
+    const float largest = largest_component(u.xyz);
     if (largest <= most)
         return;
     velocity[at] = u * (most / largest);

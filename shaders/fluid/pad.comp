@@ -1,22 +1,24 @@
 // Gathers the fields that an advection reads, with their halo:
 //
-//   R = ambient + g (carried - ambient) - s q      V = (1 + a) u - a u_old
+//   R = ambient + g (carried - ambient) - s q + what acts at departure      V = (1 + s) u - s u_old
 //
 // A halo cell takes the value of a cell inside, mirrored or wrapped by the product of its axes' rules, or the ambient wind.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#define WINDROW_READS_TILE 10
+#define WINDROW_READS_TILE 11
 #include "fluid/pass.glsl"
 
 layout(std430, set = 0, binding = 2) readonly buffer Velocity { vec4 velocity[]; };
 layout(std430, set = 0, binding = 3) readonly buffer VelocityOld { vec4 velocity_old[]; };
 layout(std430, set = 0, binding = 4) readonly buffer History { vec4 history[]; };
 layout(std430, set = 0, binding = 5) readonly buffer Force { vec4 force[]; };
-layout(std430, set = 0, binding = 6) readonly buffer SourceFlow { vec4 source_flow[]; };
-layout(std430, set = 0, binding = 7) readonly buffer Diffused { vec4 diffused[]; };
-layout(std430, set = 0, binding = 8) readonly buffer Rules { WindrowRule rules[]; };
-layout(std430, set = 0, binding = 9) writeonly buffer Padded { vec4 padded[]; }; // R of all cells, then V
+layout(std430, set = 0, binding = 6) readonly buffer Drives { vec4 drives[]; };
+layout(std430, set = 0, binding = 7) readonly buffer SourceFlow { vec4 source_flow[]; };
+layout(std430, set = 0, binding = 8) readonly buffer Diffused { vec4 diffused[]; };
+layout(std430, set = 0, binding = 9) readonly buffer Rules { WindrowRule rules[]; };
+layout(std430, set = 0, binding = 10) writeonly buffer Padded { vec4 padded[]; }; // R of all cells, then V
 #include "fluid/given.glsl"
+#include "fluid/hold.glsl"
 
 void main() {
     const ivec3 size = tick.cells.xyz + WINDROW_HALO;
@@ -53,19 +55,31 @@ void main() {
         const vec3 around = solved_ambient(cell);
         carried = around + (1.0f / (1.0f + control.substep.x / tick.time.z)) * (carried - around);
     }
+    vec3 change = vec3(0.0f); // what acts at departure
+    if (!is_on(WINDROW_STABLE_FLUIDS)) {
+        if (is_on(WINDROW_PUSHES))
+            change += (0.5f * control.substep.x) * force[source].xyz;
+        if (anything_holds()) {
+            const vec3 whole = carried + given_part(cell, source, elapsed());
+            change += windrow_held_departing(whole, hold_of(cell, source)) - whole;
+        }
+    }
     vec3 u = velocity[source].xyz;
     if (is_on(WINDROW_STABLE_FLUIDS)) {
         if (is_on(WINDROW_PUSHES))
             u += control.substep.x * force[source].xyz;
     } else if (!is_fresh()) {
-        u += min(1.0f, duration_ratio()) * (u - velocity_old[source].xyz);
+        u += past().scale * (u - velocity_old[source].xyz);
     }
     if (!identity) {
         carried = scale * carried + offset;
         u = scale * u + offset;
     }
-    if (!is_on(WINDROW_STABLE_FLUIDS) && !is_fresh())
-        carried -= min(2.0f, duration_ratio()) * (history_scale * history[source].xyz);
+    if (!is_on(WINDROW_STABLE_FLUIDS)) {
+        if (!is_fresh())
+            carried -= past().scale * (history_scale * history[source].xyz);
+        carried += history_scale * change;
+    }
     padded[at] = vec4(carried, 0.0f);
     padded[trace_at] = vec4(u, 0.0f);
 }

@@ -16,6 +16,7 @@ vec3 windrow_tile_texel(int tile, ivec3 texel) { return vec3(0.0f); }
 #endif
 
 #include "numerics/ambient.glsl"
+#include "numerics/history.glsl"
 #include "fluid/blocks.glsl"
 
 layout(std430, set = 0, binding = 0) readonly buffer Step { WindrowStep tick; };
@@ -32,8 +33,8 @@ bool inside(ivec3 cell, ivec3 cells) { return all(lessThan(cell, cells)); }
 // No past: the first sub-step of a tick that begins anew.
 bool is_fresh() { return is_on(WINDROW_FRESH) && push.x == 0; }
 
-// A sub-step's duration over the one before it.
-float duration_ratio() { return push.x == 0 ? control.substep.x / control.substep.y : 1.0f; }
+// What a sub-step takes from the one before it.
+WindrowPast past() { return windrow_past(is_fresh() ? 0.0f : push.x == 0 ? control.substep.x / control.substep.y : 1.0f); }
 
 // The ambient wind around the box at a cell's centre, `elapsed` [s] after the tick's start: the mean alone, or with its gusts.
 vec3 wind_at(ivec3 cell, float elapsed, bool gusts) {

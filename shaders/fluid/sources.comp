@@ -1,12 +1,12 @@
 // Sources, guard and survey: what the motors do to a cell, gathered from those that reach it; cells that are no number become
 // ambient; the largest speed and force decide the sub-steps.
 //
-//   drives          u += (1 - exp(-E)) (U - u), E and E U summed over the motors
+//   drives          E and E U summed over the motors; the classic split acts on u at once, u += (1 - exp(-E)) (U - u)
 //   force           f = sum w f_m
 //   source of air   S = sum w S0
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#define WINDROW_READS_TILE 8
+#define WINDROW_READS_TILE 9
 #include "fluid/pass.glsl"
 #include "numerics/canopy.glsl"
 #include "numerics/motors.glsl"
@@ -15,8 +15,9 @@ layout(std430, set = 0, binding = 2) buffer Velocity { vec4 velocity[]; };
 layout(std430, set = 0, binding = 3) buffer VelocityOld { vec4 velocity_old[]; };
 layout(std430, set = 0, binding = 4) buffer History { vec4 history[]; };
 layout(std430, set = 0, binding = 5) writeonly buffer Force { vec4 force[]; };
-layout(std430, set = 0, binding = 6) writeonly buffer Expansion { float expansion[]; };
-layout(std430, set = 0, binding = 7) readonly buffer Motors { WindrowMotor motors[]; };
+layout(std430, set = 0, binding = 6) writeonly buffer Drives { vec4 drives[]; };
+layout(std430, set = 0, binding = 7) writeonly buffer Expansion { float expansion[]; };
+layout(std430, set = 0, binding = 8) readonly buffer Motors { WindrowMotor motors[]; };
 
 #include "fluid/guard.glsl"
 
@@ -64,7 +65,7 @@ void main() {
         const int at = cell_index(cell);
         const vec3 p = tick.time.y * (vec3(cell) + 0.5f);
         vec3 pushed = vec3(0.0f);
-        vec4 drives = vec4(0.0f);
+        vec4 driven = vec4(0.0f);
         float let_in = 0.0f;
         for (int n = 0; n < tick.shape.x; ++n) {
             if (any(lessThan(cell, ivec3(motors[n].low[0], motors[n].low[1], motors[n].low[2]))) ||
@@ -77,34 +78,41 @@ void main() {
                 pushed += motor.w * motor.xyz;
             } else if (motors[n].law == k_drive) {
                 const float exponent = motor.w * motors[n].amount;
-                drives += vec4(exponent * motor.xyz, exponent);
+                driven += vec4(exponent * motor.xyz, exponent);
             } else {
                 let_in += motor.w * motors[n].amount;
             }
         }
         vec4 u = velocity[at];
-        if (drives.w > 0.0f)
-            u = vec4(windrow_drive(u.xyz, drives.xyz / drives.w, drives.w), 0.0f);
-        const float way = tick.canopy.x * tick.time.x * windrow_canopy_share(float(cell.y), tick.canopy.y, tick.canopy.z);
-        if (way > 0.0f)
-            u = vec4(windrow_canopy_slowed(u.xyz, way), 0.0f);
-        if (drives.w > 0.0f || way > 0.0f)
-            velocity[at] = u;
-        if (!is_on(WINDROW_RENEWS_AIR) && broken(u)) { // else once their flow is in the velocity
-            repair(cell, at);
-            u = velocity[at];
+        if (is_on(WINDROW_STABLE_FLUIDS)) {
+            const float way = tick.canopy.x * tick.time.x * windrow_canopy_share(float(cell.y), tick.canopy.y, tick.canopy.z);
+            u = vec4(windrow_canopy_slowed(windrow_driven(u.xyz, driven, driven.w), way), 0.0f);
+            if (driven.w > 0.0f || way > 0.0f)
+                velocity[at] = u;
+        }
+        float fastest = 0.0f;
+        if (!is_on(WINDROW_RENEWS_AIR)) { // else once their flow is in the velocity
+            if (broken(u)) {
+                repair(cell, at);
+                u = velocity[at];
+            }
+            fastest = largest_component(u.xyz);
+        }
+        if (is_on(WINDROW_DRIVES) && !is_on(WINDROW_STABLE_FLUIDS)) {
+            drives[at] = driven;
+            if (!broken(u))
+                fastest = max(fastest, largest_component(windrow_driven(u.xyz, driven, driven.w)));
         }
         if (is_on(WINDROW_PUSHES))
             force[at] = vec4(pushed, 0.0f);
         if (is_on(WINDROW_EXPANDS))
             expansion[at] = let_in;
-        atomicMax(group_largest, floatBitsToUint(largest_component(u.xyz)));
+        atomicMax(group_largest, floatBitsToUint(fastest));
         atomicMax(group_force, floatBitsToUint(largest_component(pushed)));
     }
     barrier();
     if (gl_LocalInvocationIndex == 0) {
-        if (!is_on(WINDROW_RENEWS_AIR)) // as the guard
-            atomicMax(control.found.x, group_largest);
+        atomicMax(control.found.x, group_largest);
         atomicMax(control.found.y, group_force);
     }
 }

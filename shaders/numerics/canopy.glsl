@@ -17,6 +17,6 @@ WINDROW_FN float windrow_canopy_share(float row, float ground, float top) {
 }
 
 // `way` [s/m]: drag per metre, times the time, times the share of the cell.
-WINDROW_FN vec3 windrow_canopy_slowed(vec3 u, float way) { return u / (1.0f + way * length(u)); }
+WINDROW_FN vec3 windrow_canopy_slowed(vec3 u, float way) { return way > 0.0f ? u / (1.0f + way * length(u)) : u; }
 
 #endif

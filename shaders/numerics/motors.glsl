@@ -114,8 +114,10 @@ WINDROW_FN float windrow_wake_path(vec3 p, vec3 start, vec3 end, float radius) {
     return radius * (windrow_falloff_primitive(a, last) - windrow_falloff_primitive(a, first));
 }
 
-// Velocity after drives of total exponent E toward a mean velocity `toward` = (sum E U) / E.
-WINDROW_FN vec3 windrow_drive(vec3 u, vec3 toward, float exponent) { return u + (1.0f - exp(-exponent)) * (toward - u); }
+// Velocity after `exponent` of drives toward their mean, `drives` = (sum E U, E).
+WINDROW_FN vec3 windrow_driven(vec3 u, vec4 drives, float exponent) {
+    return drives.w > 0.0f ? u + (1.0f - exp(-exponent)) * (vec3(drives) / drives.w - u) : u;
+}
 
 // How thin a region may be: in cells, as a radius. Below it, cells could fall between.
 WINDROW_FN float windrow_widened(float radius, float cell_size) { return max(radius, 1.5f * cell_size); }

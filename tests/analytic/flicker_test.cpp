@@ -82,22 +82,16 @@ TEST(Flicker, NoneTenStepsAfterABlast) {
             }
 }
 
-// The first step of a flow has no history: it takes the whole pressure on arrival and hands on all of it instead of half, so what
-// follows alternates about the flow. It must stay small, not grow, and vanish as the grid is refined.
-TEST(Flicker, SmallAndVanishingAfterAStartInTheMiddleOfAFlow) {
-    double coarser = 0.0;
+// The first step of a flow has no history. If it handed on all of its pressure instead of half, what follows would alternate about
+// the flow. The flow's largest speed is 1 m/s.
+TEST(Flicker, NoneAfterAStartInTheMiddleOfAFlow) {
     for (const int cells : {32, 64, 128}) {
         const Box box = periodic_box({cells, cells, 1}, 2.0 * k_pi / cells);
         Wind wind = raw_wind(box, 0.0, Scheme::second_order, Interpolation::cubic);
         const TaylorGreen2D flow;
         EXPECT_TRUE(wind.set_velocity(sample(box, [&](glm::dvec3 x) { return flow(x, 0.0); })));
-        // The flow's largest speed is 1 m/s.
-        const std::string name = "flicker.start.cfl_1." + std::to_string(cells);
-        const double flicker = alternating_part(wind, static_cast<double>(box.cell_size), 10);
-        expect_at_most(name, flicker, 5e-3);
-        if (coarser > 0.0)
-            expect_at_least(name + ".order", std::log2(coarser / flicker), 1.4);
-        coarser = flicker;
+        expect_at_most("flicker.start.cfl_1." + std::to_string(cells),
+                       alternating_part(wind, static_cast<double>(box.cell_size), 10), 1e-3);
     }
 }
 

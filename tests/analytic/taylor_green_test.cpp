@@ -10,6 +10,8 @@
 #include "figures.h"
 #include "flows.h"
 
+#include <functional>
+
 namespace windrow {
 namespace {
 
@@ -134,25 +136,40 @@ TEST(TaylorGreen, StrongViscosityShowsItsFirstOrder) {
                   Claim::reported);
 }
 
-// Steps that are long and short by turns, as a game's frames are. The trace extrapolates by min(1, dt / dt_old) and a first step
-// hands on the whole pressure instead of half of it: both leave an error of first order here. Reported.
-TEST(TaylorGreen, IrregularSteps) {
+// Steps of a game's frames. Order 2 asks that the trajectories extrapolate over the whole of a longer step, that a first step
+// hands on half of its pressure, and that what is wrong in the history dies (history.glsl): each left out makes the order 1.
+TEST(TaylorGreen, UnevenStepsAreSecondOrder) {
+    struct Sequence {
+        const char* name;
+        std::function<double(int, Random&)> length; ///< of step n, in any unit
+    };
+    const Sequence sequences[] = {
+        {"equal", [](int, Random&) { return 1.0; }},
+        {"5_percent_alternating", [](int n, Random&) { return n % 2 == 0 ? 0.95 : 1.05; }},
+        {"2_to_1_alternating", [](int n, Random&) { return n % 2 == 0 ? 1.0 : 2.0; }},
+        {"2_to_1_in_threes", [](int n, Random&) { return n / 3 % 2 == 0 ? 1.0 : 2.0; }},
+        {"random_within_2", [](int, Random& random) { return std::exp2(random.uniform(-0.5, 0.5)); }},
+    };
     const TaylorGreen2D flow{.mean = {1.0, 0.5}, .viscosity = 0.01};
-    for (const double ratio : {1.1, 1.5, 2.0}) {
+    for (const Sequence& sequence : sequences) {
         double errors[2];
+        const std::string name = std::string("tg2d.uneven.") + sequence.name;
         for (int level = 0; level < 2; ++level) {
             const int cells = 64 << level;
             const Box box = periodic_box({cells, cells, 1}, 2.0 * k_pi / cells);
             Wind wind = raw_wind(box, flow.viscosity, Scheme::second_order, Interpolation::cubic);
             EXPECT_TRUE(wind.set_velocity(sample(box, [&](glm::dvec3 x) { return flow(x, 0.0); })));
-            const double shorter = 2.0 * k_pi / cells / (1.0 + ratio);
+            Random random(5);
+            std::vector<double> lengths(static_cast<std::size_t>(cells));
+            double sum = 0.0;
             for (int step = 0; step < cells; ++step)
-                wind.step(step % 2 == 0 ? shorter : ratio * shorter);
+                sum += lengths[static_cast<std::size_t>(step)] = sequence.length(step, random);
+            for (const double length : lengths)
+                wind.step(k_pi * length / sum);
             errors[level] = relative_error(box, wind.field(), [&](glm::dvec3 x) { return flow(x, k_pi); }, {1.0, 0.5, 0.0});
-            figures::report("tg2d.irregular_" + figures::number_text(ratio) + ".error_" + std::to_string(cells), errors[level]);
+            figures::report(name + ".error_" + std::to_string(cells), errors[level]);
         }
-        figures::report("tg2d.irregular_" + figures::number_text(ratio) + ".order_64_128", figures::order(errors[0], errors[1]));
-        EXPECT_LT(errors[1], errors[0]);
+        expect_at_least(name + ".order_64_128", figures::order(errors[0], errors[1]), 1.9);
     }
 }
 

@@ -175,9 +175,10 @@ TEST_F(PassTimesTest, BytesOfAPassAreThoseOfTheFieldsThatItReadsAndWrites) {
     ASSERT_TRUE(wind) << wind.error();
     const Passes& passes = wind->state().air->passes();
     const std::uint64_t n = 16 * 12 * 16, padded = 21 * 17 * 21;
-    EXPECT_EQ(passes.bytes(Pass::advect), 3 * 16 * n + 32 * padded); // velocity, force, arrived; R and V
-    EXPECT_EQ(passes.bytes(Pass::columns), 2 * 4 * n);               // hat, both ways
-    EXPECT_EQ(passes.bytes(Pass::modes_back), 2 * 4 * n);            // hat, potential
+    // velocity, force, drives, history, source_flow, arrived; R and V
+    EXPECT_EQ(passes.bytes(Pass::advect), 6 * 16 * n + 32 * padded);
+    EXPECT_EQ(passes.bytes(Pass::columns), 2 * 4 * n);    // hat, both ways
+    EXPECT_EQ(passes.bytes(Pass::modes_back), 2 * 4 * n); // hat, potential
     EXPECT_EQ(passes.bytes(Pass::plan), 0u);
 }
 

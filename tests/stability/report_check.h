@@ -69,8 +69,11 @@ struct StepTaken {
         return differs("substeps_capped", report.substeps_capped, capped);
     if (const int substeps = capped ? config.max_substeps : static_cast<int>(wanted); report.substeps != substeps)
         return differs("substeps", report.substeps, substeps);
-    if (report.limited_cells != 0 && !capped)
-        return differs("limited_cells", report.limited_cells, "none: the step was not capped");
+    const double fastest = static_cast<double>(config.max_cfl) * config.max_substeps * h / step.dt;
+    if (config.stages.advection && largest > 1.0001 * fastest)
+        return differs("max_speed", report.max_speed, fastest);
+    if (report.limited_cells != 0 && !capped && largest < 0.999 * fastest)
+        return differs("limited_cells", report.limited_cells, "none: nothing is as fast as the limit");
     const DiffusionMethod method =
         config.stages.diffusion
             ? diffusion_method(config.viscosity, static_cast<float>(step.dt) / static_cast<float>(report.substeps),

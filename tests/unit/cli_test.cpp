@@ -206,7 +206,7 @@ TEST_F(Command, LimitedCellsAreSaid) {
     EXPECT_EQ(outcome.code, k_exit_well);
     EXPECT_EQ(
         outcome.err,
-        "windrow: warning: in 1 of 1 step the air was too fast for 2 sub-steps (largest CFL 100.0): speeds were limited in 512 "
+        "windrow: warning: in 1 of 1 step the air was too fast for 2 sub-steps (largest CFL 100.0): speeds were limited in 1024 "
         "cells, counted in each step; raise tick_hz or air.max_substeps.\n");
 }
 

@@ -1,7 +1,7 @@
 // A step of a box that has followed equals copy, then step, to the bit: the copy made by hand, with the history that the
 // second-order step carries, and the step put together from the public pieces.
 
-#include "fluid/cpu/sources.h"
+#include "fluid/cpu/acting.h"
 #include "fluid/wind.h"
 #include "tests/fields.h"
 #include "tests/figure.h"
@@ -23,7 +23,7 @@ class AirByHand {
         : config_(config),
           work_(Workspace::create({.box = {config.cells, config.cell_size, config.sides}, .ambient = config.ambient})),
           window_{config.cells, config.cell_size, CellIndex(glm::round(origin / double(config.cell_size)))},
-          forces_(config.cells), ambient_(work_->ambient(), 0.0f), u_(cell_count(config.cells), ambient_), old_(u_),
+          sources_(config.cells), ambient_(work_->ambient(), 0.0f), u_(cell_count(config.cells), ambient_), old_(u_),
           history_(u_.size(), glm::vec4(0.0f)), diffused_(u_) {}
 
     [[nodiscard]] Motors& motors() { return motors_; }
@@ -35,23 +35,36 @@ class AirByHand {
 
     void step(float dt) {
         motors_.begin_frame(0.0, dt);
-        forces_.gather(motors_.tick(dt, window_), window_.cell_size, u_, {});
+        sources_.gather(motors_.tick(dt, window_), window_.cell_size, u_, {});
         const bool spreads = diffuse(*work_, u_, config_.viscosity, dt, diffused_) != DiffusionMethod::none;
         Transport transport{
             .carried = spreads ? diffused_ : u_, .velocity = u_, .dt = dt, .interpolation = config_.interpolation};
         if (config_.settling_time > 0.0f)
             transport.settling = 1.0f / (1.0f + dt / config_.settling_time);
-        if (!fresh_) {
+        const numerics::WindrowPast past = numerics::windrow_past(fresh_ ? 0.0f : dt / dt_old_);
+        if (fresh_)
+            history_.assign(u_.size(), glm::vec4(0.0f));
+        else
             transport.velocity_old = old_;
-            transport.extrapolation = std::min(1.0f, dt / dt_old_);
-            transport.history = history_;
-            transport.history_scale = std::min(2.0f, dt / dt_old_);
-        }
+        transport.extrapolation = past.scale;
+        transport.history = history_;
+        transport.history_scale = fresh_ ? 1.0f : past.scale;
+        const ParallelFor serial;
+        const cpu::Acting acting(sources_, {.cells = config_.cells, .dt = dt, .parallel_for = &serial});
+        const auto departing = [&](std::size_t n, glm::ivec3) {
+            return glm::vec3(ambient_) + transport.settling * (glm::vec3(transport.carried[n]) - glm::vec3(ambient_));
+        };
+        const auto whole = [&](std::size_t n, glm::ivec3 cell) {
+            return transport.settling != 1.0f ? departing(n, cell) : glm::vec3(transport.carried[n]);
+        };
+        acting.depart(whole, transport.history_scale, history_);
         Field arrived(u_.size());
         advect(*work_, transport, arrived);
-        forces_.add_force_to(arrived, 0.5f * dt, {});
-        project(*work_, arrived, history_);
-        forces_.add_force_to(history_, -0.5f * dt, {});
+        acting.arrive([](std::size_t, glm::ivec3) { return glm::vec3(0.0f); }, transport.history_scale, history_, arrived);
+        Field slope(u_.size());
+        project(*work_, arrived, slope);
+        for (std::size_t n = 0; n < slope.size(); ++n)
+            history_[n] = past.share * slope[n] + past.kept * history_[n];
         old_ = u_;
         u_ = arrived;
         fresh_ = false;
@@ -88,7 +101,7 @@ class AirByHand {
     Result<Workspace> work_;
     Window window_;
     Motors motors_;
-    cpu::SourceField forces_;
+    cpu::SourceField sources_;
     glm::vec4 ambient_;
     Field u_, old_, history_, diffused_;
     bool fresh_ = true;

@@ -87,8 +87,9 @@ struct GradientTask {
     const float* potential;
     NormalGhost ghosts[3][2];
     float scale;
-    float* velocity; ///< velocity -= scale * differences
-    float* gradient; ///< null: not wanted
+    float* velocity; ///< velocity -= slope, slope = scale * differences
+    float* gradient; ///< = share * slope + kept * gradient; null: not wanted
+    float share = 1.0f, kept = 0.0f;
 };
 
 struct DiffuseTask {

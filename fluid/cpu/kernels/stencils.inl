@@ -122,7 +122,8 @@ double divergence_squares(const DivergenceTask& task, const float* wanted, int p
 void gradient_plane(const GradientTask& task, int plane) {
     const int nx = task.cells[0], ny = task.cells[1], nz = task.cells[2];
     const std::size_t row_floats = task.pitch;
-    const Native scale = task.scale - Native{};
+    const Native scale = task.scale - Native{}, share = task.share - Native{}, kept = task.kept - Native{};
+    const bool keeps = task.kept != 0.0f;
     alignas(64) float line[k_max_row + 2]; // the row and what lies beyond its ends
     for (int j = 0; j < ny; ++j) {
         const std::size_t row = static_cast<std::size_t>(plane) * ny + j;
@@ -146,16 +147,24 @@ void gradient_plane(const GradientTask& task, int plane) {
             for (int part = 0; part < 4; ++part) {
                 const std::ptrdiff_t at = 4 * i + part * k_native_lanes;
                 store_native(velocity + at, load_native(velocity + at) - slopes.part[part]);
-                if (gradient != nullptr)
-                    store_native(gradient + at, slopes.part[part]);
+                if (gradient == nullptr)
+                    continue;
+                Native next = share * slopes.part[part];
+                if (keeps)
+                    next += kept * load_native(gradient + at);
+                store_native(gradient + at, next);
             }
         }
         for (; i < nx; ++i) {
             const Cell slope = splat(task.scale) * Cell{line[i + 2] - line[i], y1.scale * y1.values[i] - y0.scale * y0.values[i],
                                                         z1.scale * z1.values[i] - z0.scale * z0.values[i], 0.0f};
             store_cell(velocity + 4 * i, load_cell(velocity + 4 * i) - slope);
-            if (gradient != nullptr)
-                store_cell(gradient + 4 * i, slope);
+            if (gradient == nullptr)
+                continue;
+            Cell next = splat(task.share) * slope;
+            if (keeps)
+                next += splat(task.kept) * load_cell(gradient + 4 * i);
+            store_cell(gradient + 4 * i, next);
         }
     }
 }

@@ -73,24 +73,35 @@ std::span<const glm::vec4> ComposedStep::diffuse(float dt) {
 }
 
 void ComposedStep::advance_second_order(const StepMethod& method, float dt) {
-    const ParallelFor& parallel_for = settings_.parallel_for;
     Transport transport{.carried = diffuse(dt), .velocity = velocity_, .dt = dt, .interpolation = method.interpolation};
+    const numerics::WindrowPast past = numerics::windrow_past(fresh_ ? 0.0f : dt / dt_old_);
     if (!fresh_) {
         transport.velocity_old = velocity_old_;
-        transport.extrapolation = std::min(1.0f, dt / dt_old_);
+        transport.extrapolation = past.scale;
         transport.history = history_;
-        transport.history_scale = std::min(2.0f, dt / dt_old_);
+        transport.history_scale = past.scale;
+    }
+    const cpu::Acting acting(sources_, {.cells = settings_.box.cells, .dt = dt, .parallel_for = &settings_.parallel_for});
+    const auto departing = [&](std::size_t n, glm::ivec3) { return glm::vec3(transport.carried[n]); };
+    if (acting.any()) {
+        if (fresh_) {
+            std::fill_n(history_.data(), history_.size(), glm::vec4(0.0f));
+            transport.history_scale = 1.0f;
+        }
+        transport.history = history_;
+        acting.depart(departing, transport.history_scale, history_);
     }
     advect(work_, transport, velocity_old_);
-    sources_.add_force_to(velocity_old_, 0.5f * dt, parallel_for);
-    project(method.pressure, velocity_old_, history_);
-    sources_.add_force_to(history_, -0.5f * dt, parallel_for);
+    if (acting.any())
+        acting.arrive([](std::size_t, glm::ivec3) { return glm::vec3(0.0f); }, transport.history_scale, history_, velocity_old_);
+    project(method.pressure, velocity_old_, {.field = history_, .share = past.share, .kept = past.kept});
     std::swap(velocity_, velocity_old_);
     fresh_ = false;
     dt_old_ = dt;
 }
 
 void ComposedStep::advance_stable_fluids(const StepMethod& method, float dt) {
+    sources_.drive(velocity_, settings_.parallel_for);
     sources_.add_force_to(velocity_, dt, settings_.parallel_for);
     const Transport transport{
         .carried = diffuse(dt), .velocity = velocity_, .extrapolation = 0.0f, .dt = dt, .interpolation = method.interpolation};
@@ -99,20 +110,20 @@ void ComposedStep::advance_stable_fluids(const StepMethod& method, float dt) {
     std::swap(velocity_, velocity_old_);
 }
 
-void ComposedStep::project(Pressure pressure, std::span<glm::vec4> velocity, std::span<glm::vec4> gradient) {
+void ComposedStep::project(Pressure pressure, std::span<glm::vec4> velocity, const GradientNote& note) {
     switch (pressure) {
     case Pressure::direct:
-        windrow::project(work_, velocity, gradient);
+        work_.state().project(velocity, {}, note);
         return;
     case Pressure::multigrid:
         divergence_rows(velocity, multigrid_.source_row(0, 0), static_cast<int>(multigrid_.pitch()));
         multigrid_.solve(k_multigrid_cycles, settings_.parallel_for);
-        subtract_gradient(multigrid_.row(0, 0), static_cast<int>(multigrid_.pitch()), velocity, gradient);
+        subtract_gradient(multigrid_.row(0, 0), static_cast<int>(multigrid_.pitch()), velocity, note);
         return;
     default:
         divergence_rows(velocity, rhs_.data(), settings_.box.cells.x);
         jacobi_.solve(rhs_, sweeps_of(pressure), settings_.parallel_for);
-        subtract_gradient(jacobi_.row(0, 0), static_cast<int>(jacobi_.pitch()), velocity, gradient);
+        subtract_gradient(jacobi_.row(0, 0), static_cast<int>(jacobi_.pitch()), velocity, note);
     }
 }
 
@@ -125,7 +136,7 @@ void ComposedStep::divergence_rows(std::span<const glm::vec4> velocity, float* r
     settings_.parallel_for(settings_.box.cells.z, [&](int plane) { around.kernels->divergence_plane(task, plane); });
 }
 
-void ComposedStep::subtract_gradient(const float* rows, int pitch, std::span<glm::vec4> velocity, std::span<glm::vec4> gradient) {
+void ComposedStep::subtract_gradient(const float* rows, int pitch, std::span<glm::vec4> velocity, const GradientNote& note) {
     const Workspace::State& around = work_.state();
     cpu::GradientTask task{};
     for (int axis = 0; axis < 3; ++axis)
@@ -135,7 +146,9 @@ void ComposedStep::subtract_gradient(const float* rows, int pitch, std::span<glm
     task.potential = rows;
     task.scale = 0.5f;
     task.velocity = cpu::floats(velocity);
-    task.gradient = cpu::floats(gradient);
+    task.gradient = cpu::floats(note.field);
+    task.share = note.share;
+    task.kept = note.kept;
     settings_.parallel_for(settings_.box.cells.z, [&](int plane) { around.kernels->gradient_plane(task, plane); });
 }
 

@@ -7,7 +7,8 @@
 // Not in it: settling, gusts, sources of air, sub-steps.
 #pragma once
 
-#include "fluid/cpu/sources.h"
+#include "fluid/cpu/acting.h"
+#include "fluid/cpu/workspace.h"
 #include "fluid/motors.h"
 #include "fluid/pieces.h"
 #include "fluid/result.h"
@@ -63,9 +64,10 @@ class ComposedStep {
     [[nodiscard]] std::span<const glm::vec4> diffuse(float dt);
     void advance_second_order(const StepMethod& method, float dt);
     void advance_stable_fluids(const StepMethod& method, float dt);
-    void project(Pressure pressure, std::span<glm::vec4> velocity, std::span<glm::vec4> gradient);
+    using GradientNote = Workspace::State::GradientNote;
+    void project(Pressure pressure, std::span<glm::vec4> velocity, const GradientNote& note);
     void divergence_rows(std::span<const glm::vec4> velocity, float* rows, int pitch);
-    void subtract_gradient(const float* rows, int pitch, std::span<glm::vec4> velocity, std::span<glm::vec4> gradient);
+    void subtract_gradient(const float* rows, int pitch, std::span<glm::vec4> velocity, const GradientNote& note);
 
     Settings settings_;
     Workspace work_;

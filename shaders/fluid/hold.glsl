@@ -1,0 +1,13 @@
+// What holds the air of a cell over a sub-step. Before this text: Drives as `drives`.
+#include "numerics/canopy.glsl"
+#include "numerics/motors.glsl"
+#include "numerics/splitting.glsl"
+
+bool anything_holds() { return is_on(WINDROW_DRIVES) || tick.canopy.x > 0.0f; }
+
+WindrowHold hold_of(ivec3 cell, int at) {
+    WindrowHold hold;
+    hold.drives = is_on(WINDROW_DRIVES) ? (1.0f / float(control.plan.x)) * drives[at] : vec4(0.0f);
+    hold.way = (0.5f * control.substep.x) * (tick.canopy.x * windrow_canopy_share(float(cell.y), tick.canopy.y, tick.canopy.z));
+    return hold;
+}
