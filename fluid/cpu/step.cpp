@@ -9,9 +9,8 @@
 //   q' = (dt/2) grad p                         and s: shaders/numerics/history.glsl
 //
 // All values at cell centres. Order 2 in time at fixed CFL, whatever the steps' lengths, with one cubic interpolation and one
-// projection a step. Viscosity acts
-// on u before R is formed: added after the advection it feeds an instability at CFL 1. Drives and plants hold the air
-// for half of the step at departure and half at arrival (shaders/numerics/splitting.glsl).
+// projection a step. Viscosity acts on u before R is formed: added after the advection it feeds an instability at CFL 1. Drives
+// and plants hold the air for half of the step at departure and half at arrival (shaders/numerics/splitting.glsl).
 //
 // Two parts of u may be given, not solved; the step then carries and projects the rest, v = u - u_S - A, along the whole wind u:
 //

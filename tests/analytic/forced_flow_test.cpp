@@ -182,8 +182,9 @@ std::vector<glm::dvec3> driven_end(const Driven& driven, int cells, double step_
     const MotorId motor = driven.motor ? *wind.motors().add(*driven.motor) : MotorId{};
     const int steps = 2 * static_cast<int>(std::lround(0.5 * end / (step_cells * h)));
     for (int step = 1; step <= steps; ++step) {
-        if (driven.motor)
+        if (driven.motor) {
             EXPECT_TRUE(wind.motors().move(motor, path(end * step / steps)));
+        }
         wind.step(end / steps);
     }
     std::vector<glm::dvec3> field;

@@ -113,17 +113,22 @@ TEST(UnevenSteps, CreateNoEnergy) {
 TEST(LongUnevenSteps, CreateNoEnergyAtAnyRatio) {
     for (const double ratio : {1.0, 1.01, 1.05, 1.1, 1.2, 1.35, 1.5, 1.75, 2.0, 2.5, 3.0, 10.0, 100.0, 1000.0}) {
         for (const double cfl : {0.5, 1.0, 1.33, 2.0})
-            WINDROW_EXPECT_FIGURE(name_of("raw", cfl, ratio), worst_energy(raw(), cfl, ratio, 1'000), 1.001);
+            WINDROW_EXPECT_FIGURE(name_of("raw", cfl, ratio), worst_energy(raw(), cfl, ratio, 300), 1.001);
         for (const double cfl : {0.5, 1.33, 3.0, 6.0, 40.0})
-            WINDROW_EXPECT_FIGURE(name_of("default", cfl, ratio), worst_energy({}, cfl, ratio, 1'000), 1.001);
+            WINDROW_EXPECT_FIGURE(name_of("default", cfl, ratio), worst_energy({}, cfl, ratio, 300), 1.001);
     }
 }
 
-// Beyond what sub-steps allow the raw step may gain; it must not run away.
+// Beyond what sub-steps allow the raw step may gain; it must not run away. The starts that gain most.
 TEST(LongUnevenSteps, TenThousandRawStepsStayBounded) {
     for (const double cfl : {5.0, 10.0, 50.0})
-        for (const double ratio : {1.0, 1.5, 2.0, 3.0})
-            WINDROW_EXPECT_FIGURE(name_of("raw_long", cfl, ratio), worst_energy(raw(), cfl, ratio, 10'000), 10.0);
+        for (const double ratio : {1.0, 1.5, 2.0, 3.0}) {
+            double worst = 0.0;
+            for (const SideKind sides : {SideKind::periodic, SideKind::free_slip})
+                for (const Start& start : {k_starts[2], k_starts[3]})
+                    worst = std::max(worst, largest_energy(start, sides, raw(), cfl, ratio, 10'000));
+            WINDROW_EXPECT_FIGURE(name_of("raw_long", cfl, ratio), worst, 10.0);
+        }
 }
 
 void expect_bounded(const std::string& name, int steps, float max_cfl, const std::function<double(int)>& dt_of) {
