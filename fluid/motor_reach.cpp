@@ -162,7 +162,7 @@ struct Preparation {
         const glm::vec3 half = glm::abs(whirl.extent) + whirl.radius;
         return cover(whirl, whirl.centre - half, whirl.centre + half, window) && strength * share > 0.0f ? 1 : 0;
     }
-    // Their flow is part of the wind at the end of the tick: they stand where they are then.
+    // Position at the end of the tick: the flow of volume sources is part of the velocity at that time.
     int operator()(const OmniMotor& motor) const {
         reach[0].centre = metres(window, track.here());
         const auto strength = static_cast<float>(motor.envelope.mean(age, age + duration));

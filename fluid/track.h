@@ -37,7 +37,7 @@ class Track {
 
     /// [m] Where it was at the last tick.
     [[nodiscard]] glm::dvec3 here() const { return here_; }
-    /// [m] Where it was half way through the last tick: what acts from there acts for the tick in second order.
+    /// [m] Position at the middle of the last tick. A motor there is of second order in time.
     [[nodiscard]] glm::dvec3 middle() const { return middle_; }
     /// [m] Where it was told to be.
     [[nodiscard]] glm::dvec3 target() const { return target_; }

@@ -127,8 +127,8 @@ class Wind {
   public:
     [[nodiscard]] static Result<Wind> create(const Config& config);
 
-    /// Advances the air by dt [s], of any length: of second order and without energy from nowhere for steps as unequal as frames
-    /// are. 0 is a pause: nothing changes. A dt that is negative or not finite does nothing and says so (Diagnostics::stepped).
+    /// Advances the air by dt [s]. Steps may have any length and may differ: the order stays 2, and no sequence creates energy.
+    /// 0 is a pause: nothing changes. A dt that is negative or not finite does nothing and returns Diagnostics::stepped = false.
     /// Does not allocate; only the first step in which a motor lets air in, and a step above 1 s that
     /// asks more of the viscosity than shorter ones, do so, once.
     Diagnostics step(double dt);

@@ -1,6 +1,7 @@
-// What pushes and holds the air in a step of second order, half of it at departure and half at arrival
-// (shaders/numerics/splitting.glsl). The trajectories follow the wind itself, so what acts at departure goes with the history
-// that is subtracted from the carried air: q - change / s, and R = u - s (q - change / s).
+// Forces, drives and canopy drag of a second-order step on the CPU (shaders/numerics/splitting.glsl).
+//
+// Trajectories follow the undriven wind u, so the change at departure is added to the carried field alone. It is written into the
+// history, which the advection subtracts: R = u - s (q - change / s).
 #pragma once
 
 #include "fluid/cpu/sources.h"
@@ -34,18 +35,18 @@ class Acting {
 
     [[nodiscard]] bool any() const { return sources_.any_force() || sources_.any_drive() || settings_.plants.drag > 0.0f; }
 
-    /// `air(n, cell)`: the whole wind [m/s] that departs from a cell. `scale`: s.
+    /// Adds the change at departure to the history. `air(n, cell)`: total wind [m/s] of a cell; `scale`: s.
     template <class Air>
     void depart(const Air& air, float scale, std::span<glm::vec4> history) const {
         const std::span<glm::vec4> kept = sources_.kept();
-        const float share = 1.0f / scale;
+        const float inverse = 1.0f / scale;
         for_each_cell([&](std::size_t n, glm::ivec3 cell, glm::vec3 push, const numerics::WindrowHold& hold) {
             const glm::vec3 u = air(n, cell);
             kept[n] = history[n];
-            history[n] -= share * glm::vec4(push + (numerics::windrow_held_departing(u, hold) - u), 0.0f);
+            history[n] -= inverse * glm::vec4(push + (numerics::windrow_held_departing(u, hold) - u), 0.0f);
         });
     }
-    /// Puts the history back as it was. `given(n, cell)`: the part of the wind [m/s] that is not solved, at arrival.
+    /// Restores the history and applies the half at arrival. `given(n, cell)`: prescribed background wind [m/s] at arrival.
     template <class Given>
     void arrive(const Given& given, float scale, std::span<glm::vec4> history, std::span<glm::vec4> arrived) const {
         const std::span<const glm::vec4> kept = sources_.kept();
@@ -61,11 +62,11 @@ class Acting {
     }
 
   private:
-    // visit(n, cell, (dt/2) f, hold) for the cells of rows where anything acts.
+    // visit(n, cell, (dt/2) f, hold) for each cell with a force, a drive or drag.
     template <class Visit>
     void for_each_cell(const Visit& visit) const {
         const glm::ivec3 cells = settings_.cells;
-        const float half = 0.5f * settings_.dt, share = 1.0f / static_cast<float>(settings_.substeps);
+        const float half = 0.5f * settings_.dt, part = 1.0f / static_cast<float>(settings_.substeps);
         (*settings_.parallel_for)(cells.z, [&](int k) {
             for (int j = 0; j < cells.y; ++j) {
                 const std::size_t row = static_cast<std::size_t>(k) * cells.y + j, first = row * cells.x;
@@ -80,7 +81,7 @@ class Acting {
                     if (!whole && !(drives[i].w > 0.0f))
                         continue;
                     visit(first + static_cast<std::size_t>(i), {i, j, k}, push,
-                          {drives_here ? share * drives[i] : glm::vec4(0.0f), way});
+                          {drives_here ? part * drives[i] : glm::vec4(0.0f), way});
                 }
             }
         });

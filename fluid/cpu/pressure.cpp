@@ -103,7 +103,7 @@ void Workspace::State::project(std::span<glm::vec4> velocity, std::span<const fl
     task.scale = 0.5f;
     task.velocity = cpu::floats(velocity);
     task.gradient = cpu::floats(note.field);
-    task.share = note.share;
+    task.weight = note.weight;
     task.kept = note.kept;
     parallel_for(box.cells.z, [&](int plane) { kernels->gradient_plane(task, plane); });
 }

@@ -17,7 +17,7 @@ class SourceField {
   public:
     explicit SourceField(glm::ivec3 cells);
 
-    /// A cell sums its motors in the order of `motors`. `velocity` tells how fast the drives would make it.
+    /// A cell sums its motors in the order of `motors`. `velocity` is read for largest_driven().
     void gather(std::span<const detail::MotorReach> motors, float cell_size, std::span<const glm::vec4> velocity,
                 const ParallelFor& parallel_for);
 

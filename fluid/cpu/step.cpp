@@ -41,7 +41,7 @@ namespace {
 
 constexpr float k_rounding = 1.00001f; // of a speed that was cut and carried along
 
-// Below it the pressure of a step so much longer than this one says nothing here, and dividing by it would lose what acts.
+// For a smaller s the history is negligible, and a division by s would lose the forces to rounding.
 constexpr float k_least_scale = 1e-6f;
 
 // Adds the time of a scope to a stage's figure.
@@ -178,7 +178,7 @@ void Wind::State::advance_second_order(float dt, Diagnostics& report) {
     {
         Stopwatch watch(report.times_ms.projection);
         if (config.stages.projection)
-            work.state().project(arrived, {}, {.field = air.history, .share = past.share, .kept = past.kept});
+            work.state().project(arrived, {}, {.field = air.history, .weight = past.weight, .kept = past.kept});
         else
             std::fill_n(air.history.data(), air.history.size(), glm::vec4(0.0f));
     }
@@ -239,7 +239,7 @@ void Wind::State::add_sources(float dt, std::span<const detail::MotorReach> reac
         let_air_in(reached);
 }
 
-// The classic split: what holds the air acts whole before it moves.
+// The classic split: drives and drag of the whole step before the advection.
 void Wind::State::hold_whole(float dt) {
     sources.drive(air.velocity, config.parallel_for);
     const auto plants = canopy_rows();
@@ -335,7 +335,7 @@ float Wind::State::fastest_carried(float dt) const {
     return config.max_cfl * static_cast<float>(config.max_substeps) * box().cell_size / dt;
 }
 
-// The source's flow is cut by the same share as the wind that it is part of: what is left of either is of its own kind.
+// The flow of volume sources is scaled by the same factor as the wind that contains it.
 void Wind::State::cut_speeds(float most, Diagnostics& report) {
     for (std::size_t n = 0; n < air.velocity.size(); ++n) {
         glm::vec4& u = air.velocity[n];

@@ -56,10 +56,10 @@ struct Workspace::State {
     void divergence_to_potential(const float* velocity, float scale);
     /// potential -= factor * field.
     void subtract_from_potential(std::span<const float> field, float factor);
-    /// What a projection notes of the grad phi that it subtracts: field = share grad phi + kept field.
+    /// Output of a projection: field = weight grad phi + kept field.
     struct GradientNote {
-        std::span<glm::vec4> field{}; ///< empty: nothing
-        float share = 1.0f, kept = 0.0f;
+        std::span<glm::vec4> field{}; ///< empty: no output
+        float weight = 1.0f, kept = 0.0f;
     };
     /// As project() in pieces.h.
     void project(std::span<glm::vec4> velocity, std::span<const float> expansion, const GradientNote& note);

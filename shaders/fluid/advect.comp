@@ -1,4 +1,4 @@
-// Carries the air along its trajectories, and does what acts at arrival (splitting.glsl):
+// Advection along trajectories, then the half of forces, drives and drag at arrival (splitting.glsl):
 //
 //   x0 = x - dt u(x),  xd = x - dt/2 (u(x) + V(x0)),  w(x) = R(xd) + (dt/2) f
 #version 460
@@ -68,7 +68,7 @@ vec3 sample_cubic(int at, vec3 t, ivec3 s) {
     return sum_nodes(planes[0], planes[1], planes[2], planes[3], wz);
 }
 
-// The whole wind is held, the given part of it with the rest.
+// Drives and drag act on the total wind.
 vec3 held(vec3 w, ivec3 cell, int at) {
     const WindrowHold hold = hold_of(cell, at);
     if (!(hold.drives.w > 0.0f || hold.way > 0.0f))

@@ -1,7 +1,7 @@
 // The part of the wind that is given, not solved: the flow of the sources of air, and the ambient wind while it gusts.
 // Before this text: Velocity as `velocity`, SourceFlow as `source_flow`, Force as `force`.
 
-// [m/s] What is given of a cell's wind, `elapsed` [s] after the tick's start.
+// [m/s] Prescribed background wind of a cell, `elapsed` [s] after the start of the tick.
 vec3 given_part(ivec3 cell, int at, float elapsed) {
     vec3 u = vec3(0.0f);
     if (is_on(WINDROW_LETS_AIR_IN))

@@ -1,6 +1,6 @@
 // What a sub-step ends with:
 //
-//   u' = w - grad phi + what is given,   u_old = u,   q' as history.glsl says
+//   u' = w - grad phi + what is given,   u_old = u,   q' by history.glsl
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define WINDROW_READS_TILE 8
@@ -30,7 +30,7 @@ void main() {
     vec3 u = arrived[at].xyz - slope;
     if (!is_on(WINDROW_STABLE_FLUIDS)) {
         const WindrowPast p = past();
-        vec3 q = p.share * slope;
+        vec3 q = p.weight * slope;
         if (p.kept != 0.0f)
             q += p.kept * history[at].xyz;
         history[at] = vec4(q, 0.0f);
@@ -43,7 +43,7 @@ void main() {
     // What forces and pressure made of it since is cut too (limit.comp).
     if (is_on(WINDROW_ADVECTS) && push.x + 1 == control.plan.x) {
         const float most = tick.time.w * float(tick.shape.y) * tick.time.y / tick.time.x, largest = largest_component(u);
-        if (largest > 1.00001f * most) { // but for rounding
+        if (largest > 1.00001f * most) { // rounding
             u *= most / largest;
             if (is_on(WINDROW_LETS_AIR_IN))
                 source_flow[at] *= most / largest;

@@ -1,4 +1,4 @@
-// What holds the air of a cell over a sub-step. Before this text: Drives as `drives`.
+// Drives and canopy drag of a cell in a sub-step. Declare before: Drives as `drives`.
 #include "numerics/canopy.glsl"
 #include "numerics/motors.glsl"
 #include "numerics/splitting.glsl"

@@ -1,6 +1,6 @@
 // Gathers the fields that an advection reads, with their halo:
 //
-//   R = ambient + g (carried - ambient) - s q + what acts at departure      V = (1 + s) u - s u_old
+//   R = ambient + g (carried - ambient) - s q + change at departure      V = (1 + s) u - s u_old
 //
 // A halo cell takes the value of a cell inside, mirrored or wrapped by the product of its axes' rules, or the ambient wind.
 #version 460
@@ -55,7 +55,7 @@ void main() {
         const vec3 around = solved_ambient(cell);
         carried = around + (1.0f / (1.0f + control.substep.x / tick.time.z)) * (carried - around);
     }
-    vec3 change = vec3(0.0f); // what acts at departure
+    vec3 change = vec3(0.0f); // at departure
     if (!is_on(WINDROW_STABLE_FLUIDS)) {
         if (is_on(WINDROW_PUSHES))
             change += (0.5f * control.substep.x) * force[source].xyz;

@@ -113,7 +113,7 @@ TEST_F(WindStorms, PartNoFasterThanTheCpusInstructionSetsDo) {
             test::figure("wind_parity.storm_spread." + std::to_string(n), spread);
     }
     test::figure("wind_parity.storm_largest", pair.largest);
-    // The instruction sets round transport and pressure otherwise, the device what acts on the air too.
+    // The CPU's instruction sets differ in the rounding of transport and pressure; the device also in that of drives and forces.
     WINDROW_EXPECT_FIGURE("wind_parity.storm_over_spread", worst, 30.0);
     EXPECT_GT(spread, 0.0);
     EXPECT_GT(worst, 0.0);

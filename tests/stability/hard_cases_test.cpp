@@ -111,9 +111,9 @@ TEST(HardCases, StepsOfAnyLengthMixed) {
 }
 
 // Other ripples on the shear layer. At CFL 2, as far as a part of a step goes by default, the energy's bound holds for all of
-// them; beyond it the raw step passes 1.001 and 1.5 for some (CFL 5: 1.25 and 1.76 were seen), and is asked not to run away.
+// them; beyond it the raw step passes 1.001 and 1.5 for some (1.25 and 1.76 at CFL 5), so these bounds are wider.
 TEST(HardCases, ShearLayersOfEverySort) {
-    for (const auto& [cfl, energy_bound] : {std::pair{2.0, 1.001}, {5.0, 2.0}, {10.0, 2.0}, {50.0, 2.0}}) {
+    for (const auto& [cfl, energy_bound] : {std::pair{2.0, 1.001}, {5.0, 2.0}, {10.0, 1.15}, {50.0, 1.15}}) {
         Growth growth;
         for (std::uint32_t seed = 1; seed <= 8; ++seed)
             grow(

@@ -64,7 +64,7 @@ class AirByHand {
         Field slope(u_.size());
         project(*work_, arrived, slope);
         for (std::size_t n = 0; n < slope.size(); ++n)
-            history_[n] = past.share * slope[n] + past.kept * history_[n];
+            history_[n] = past.weight * slope[n] + past.kept * history_[n];
         old_ = u_;
         u_ = arrived;
         fresh_ = false;

@@ -88,8 +88,8 @@ struct GradientTask {
     NormalGhost ghosts[3][2];
     float scale;
     float* velocity; ///< velocity -= slope, slope = scale * differences
-    float* gradient; ///< = share * slope + kept * gradient; null: not wanted
-    float share = 1.0f, kept = 0.0f;
+    float* gradient; ///< = weight * slope + kept * gradient; null: not wanted
+    float weight = 1.0f, kept = 0.0f;
 };
 
 struct DiffuseTask {

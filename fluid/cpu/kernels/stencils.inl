@@ -122,7 +122,7 @@ double divergence_squares(const DivergenceTask& task, const float* wanted, int p
 void gradient_plane(const GradientTask& task, int plane) {
     const int nx = task.cells[0], ny = task.cells[1], nz = task.cells[2];
     const std::size_t row_floats = task.pitch;
-    const Native scale = task.scale - Native{}, share = task.share - Native{}, kept = task.kept - Native{};
+    const Native scale = task.scale - Native{}, weight = task.weight - Native{}, kept = task.kept - Native{};
     const bool keeps = task.kept != 0.0f;
     alignas(64) float line[k_max_row + 2]; // the row and what lies beyond its ends
     for (int j = 0; j < ny; ++j) {
@@ -149,7 +149,7 @@ void gradient_plane(const GradientTask& task, int plane) {
                 store_native(velocity + at, load_native(velocity + at) - slopes.part[part]);
                 if (gradient == nullptr)
                     continue;
-                Native next = share * slopes.part[part];
+                Native next = weight * slopes.part[part];
                 if (keeps)
                     next += kept * load_native(gradient + at);
                 store_native(gradient + at, next);
@@ -161,7 +161,7 @@ void gradient_plane(const GradientTask& task, int plane) {
             store_cell(velocity + 4 * i, load_cell(velocity + 4 * i) - slope);
             if (gradient == nullptr)
                 continue;
-            Cell next = splat(task.share) * slope;
+            Cell next = splat(task.weight) * slope;
             if (keeps)
                 next += splat(task.kept) * load_cell(gradient + 4 * i);
             store_cell(gradient + 4 * i, next);

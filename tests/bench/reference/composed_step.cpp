@@ -94,7 +94,7 @@ void ComposedStep::advance_second_order(const StepMethod& method, float dt) {
     advect(work_, transport, velocity_old_);
     if (acting.any())
         acting.arrive([](std::size_t, glm::ivec3) { return glm::vec3(0.0f); }, transport.history_scale, history_, velocity_old_);
-    project(method.pressure, velocity_old_, {.field = history_, .share = past.share, .kept = past.kept});
+    project(method.pressure, velocity_old_, {.field = history_, .weight = past.weight, .kept = past.kept});
     std::swap(velocity_, velocity_old_);
     fresh_ = false;
     dt_old_ = dt;
@@ -147,7 +147,7 @@ void ComposedStep::subtract_gradient(const float* rows, int pitch, std::span<glm
     task.scale = 0.5f;
     task.velocity = cpu::floats(velocity);
     task.gradient = cpu::floats(note.field);
-    task.share = note.share;
+    task.weight = note.weight;
     task.kept = note.kept;
     settings_.parallel_for(settings_.box.cells.z, [&](int plane) { around.kernels->gradient_plane(task, plane); });
 }
