@@ -26,8 +26,10 @@ struct Wind::State : WindHost {
     State(const Config& config, Workspace workspace, const AmbientWind& ambient);
 
     Workspace work;
-    cpu::AmbientField mean_field;    ///< the mean wind cell by cell; empty without a profile
-    cpu::AmbientField ambient_field; ///< the same with gusts; empty without gusts
+    cpu::AmbientField mean_field;     ///< the mean wind cell by cell; empty without a profile
+    cpu::AmbientField ambient_field;  ///< the same with gusts; empty without gusts
+    cpu::AmbientField ambient_next;   ///< within a step: at its end
+    std::vector<float> profile_bends; ///< second differences of the profile, one a padded row; empty without profile or gusts
     Air air;
     cpu::Buffer<glm::vec4> diffused; ///< the velocity after diffusion; empty while viscosity asks for none
     cpu::SourceField sources;
@@ -70,7 +72,10 @@ struct Wind::State : WindHost {
     [[nodiscard]] float fastest_carried(float dt) const;
     void cut_speeds(float most, Diagnostics& report);
     void repair_broken_cells();
-    void carry_gusts(float dt, Diagnostics& report);
+    /// Finds the gusts at the end of the sub-step; from carry_gusts on they are those of now.
+    void foresee_gusts(float dt, Diagnostics& report);
+    void carry_gusts(float dt);
+    void bend_profile();
     /// The given part of the wind is out of it, in it again: around what a step solves.
     class Solving;
     void reserve_solved();

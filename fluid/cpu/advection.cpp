@@ -10,10 +10,10 @@ cpu::AdvectTask Workspace::State::advect_task() const {
     for (int axis = 0; axis < 3; ++axis) {
         const cpu::LegalPlaces legal = cpu::legal_places(box, axis);
         task.cells[axis] = box.cells[axis];
-        task.low[axis] = legal.low;
-        task.high[axis] = legal.high;
-        task.period[axis] = legal.period;
-        task.inverse_period[axis] = legal.inverse_period;
+        task.legal.low[axis] = legal.low;
+        task.legal.high[axis] = legal.high;
+        task.legal.period[axis] = legal.period;
+        task.legal.inverse_period[axis] = legal.inverse_period;
     }
     return task;
 }
@@ -50,6 +50,20 @@ void advect(Workspace& work, const Transport& transport, std::span<glm::vec4> re
     task.padded_trace = own_trace ? pad.padded_trace : pad.padded_carried;
     task.result = cpu::floats(result);
     task.cells_per_speed = transport.dt / state.box.cell_size;
+    if (state.given.now != nullptr) {
+        task.given = state.given;
+        task.given.legal = task.legal;
+        // Along a wall it slips, as what is carried does. It does not repeat with a periodic box: read across that seam, its jump
+        // would feed the perturbation for good.
+        cpu::Legal& legal = task.given.legal;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (state.box.sides.at(axis, 0).kind != SideKind::open)
+                legal.low[axis] = 0.0f;
+            if (state.box.sides.at(axis, 1).kind != SideKind::open)
+                legal.high[axis] = static_cast<float>(state.box.cells[axis] - 1);
+            legal.period[axis] = legal.inverse_period[axis] = 0.0f;
+        }
+    }
     const auto advect_plane =
         transport.interpolation == Interpolation::cubic ? state.kernels->advect_plane_cubic : state.kernels->advect_plane_linear;
     state.parallel_for(state.box.cells.z, [&](int plane) { advect_plane(task, plane); });

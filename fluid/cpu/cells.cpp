@@ -38,8 +38,26 @@ void Wind::State::around_changed() {
         around.ambient_cells = around.mean_cells = renew(mean_field, ambient.without_gusts());
     if (config.gusts.intensity > 0.0f) {
         around.ambient_cells = renew(ambient_field, ambient);
+        if (ambient_next.cells() != window.cells)
+            ambient_next = cpu::AmbientField(window.cells);
+        if (config.profile)
+            bend_profile();
         reserve_solved();
     }
+}
+
+// Beyond a wall as transport sees it.
+void Wind::State::bend_profile() {
+    const std::vector<cpu::HaloRule>& rows = work.state().carried_rules[1];
+    const auto profile = [&](std::size_t row) {
+        const int j = rows[row].ambient ? static_cast<int>(row) - cpu::k_halo_low : rows[row].source;
+        return ambient.profile_at(window.centre(0, j, 0).y);
+    };
+    profile_bends.assign(rows.size(), 0.0f);
+    if (config.sides.periodic(1))
+        return;
+    for (std::size_t row = 1; row + 1 < rows.size(); ++row)
+        profile_bends[row] = profile(row - 1) - 2.0f * profile(row) + profile(row + 1);
 }
 
 namespace {

@@ -14,7 +14,7 @@
 //
 // Two parts of u may be given, not solved; the step then carries and projects the rest, v = u - u_S - A, along the whole wind u:
 //
-//   dv/dt + u . grad v = -grad p + nu L v + f
+//   dv/dt + u . grad v = -grad p + nu L v + f - (u - A) . grad A
 //
 // u_S, the flow of sources of air (blasts, vents, suction), which prescribe div u = S: the potential flow u_S = grad psi, L psi =
 // S, projected by itself when S changes; it stands at once. What is left out, v . grad u_S, is a gradient wherever v has no
@@ -22,7 +22,7 @@
 // u_S feeds on its errors: jets grow out of its middle within a second. A, the ambient wind while it gusts: a frozen pattern,
 // free of divergence but for what a wall drops of it, that the mean wind carries through the box as it does outside. Walls hold
 // back v, not A. Solved, A would evolve inside but not outside, and each shift of the box would be felt as a jolt (0.07 m/s in a
-// wind of 2 m/s). Left out: v . grad A.
+// wind of 2 m/s). What the rest carries of A stands in kernels/advect.inl, carry_given: it is 0 to the bit where nothing else blows.
 //
 // Stable fluids, the classic split: u' = P(A(D(u + dt f))): every stage whole and one after the other, order 1.
 //
@@ -107,15 +107,28 @@ void Wind::State::step_cells(double duration, std::span<const detail::MotorReach
 // While the wind gusts, what is solved is still air beyond the open sides; trajectories alone meet the whole ambient wind there.
 class Wind::State::Solving {
   public:
-    explicit Solving(State& state) : around_(state.work.state()), ambient_(around_.ambient), mean_cells_(around_.mean_cells) {
+    Solving(State& state, float dt, Diagnostics& report)
+        : around_(state.work.state()), ambient_(around_.ambient), mean_cells_(around_.mean_cells) {
         if (!state.ambient.gusting())
             return;
         around_.ambient = glm::vec3(0.0f);
         around_.mean_cells = nullptr;
+        state.foresee_gusts(dt, report);
+        const float strength = state.ambient.gust_strength(), still = state.config.sleep_speed;
+        const glm::vec3 mean = state.ambient.mean();
+        around_.given = {.now = state.ambient_field.data(),
+                         .next = state.ambient_next.data(),
+                         .source_flow = state.sources_of_air != 0 ? &state.source_flow[0].x : nullptr,
+                         .gusts_squared = strength * strength,
+                         .still_squared = still * still,
+                         .legal = {},
+                         .bends = state.profile_bends.empty() ? nullptr : state.profile_bends.data(),
+                         .mean = {mean.x, mean.y, mean.z, 0.0f}};
     }
     ~Solving() {
         around_.ambient = ambient_;
         around_.mean_cells = mean_cells_;
+        around_.given = {};
     }
     Solving(const Solving&) = delete;
     Solving& operator=(const Solving&) = delete;
@@ -127,7 +140,7 @@ class Wind::State::Solving {
 };
 
 void Wind::State::advance_second_order(float dt, Diagnostics& report) {
-    const Solving solving(*this);
+    const Solving solving(*this, dt, report);
     const std::span<const glm::vec4> carried = diffuse(without_given_flow(), dt, report);
     Transport transport{.carried = carried, .velocity = air.velocity, .dt = dt, .interpolation = config.interpolation};
     transport.settling = settling_factor(config, dt);
@@ -172,7 +185,7 @@ void Wind::State::advance_second_order(float dt, Diagnostics& report) {
         Stopwatch watch(report.times_ms.advection);
         advect(work, transport, arrived);
     }
-    carry_gusts(dt, report);
+    carry_gusts(dt);
     if (acting.any())
         acting.arrive(given, transport.history_scale, air.history, arrived);
     {
@@ -189,7 +202,7 @@ void Wind::State::advance_second_order(float dt, Diagnostics& report) {
 }
 
 void Wind::State::advance_stable_fluids(float dt, Diagnostics& report) {
-    const Solving solving(*this);
+    const Solving solving(*this, dt, report);
     sources.add_force_to(air.velocity, dt, config.parallel_for);
     const std::span<const glm::vec4> carried = diffuse(without_given_flow(), dt, report);
     Transport transport{
@@ -203,14 +216,14 @@ void Wind::State::advance_stable_fluids(float dt, Diagnostics& report) {
         Stopwatch watch(report.times_ms.projection);
         project(work, air.velocity_old);
     }
-    carry_gusts(dt, report);
+    carry_gusts(dt);
     add_given_flow(air.velocity_old, 1.0f);
     std::swap(air.velocity, air.velocity_old);
 }
 
 // Without transport there is no trajectory to centre anything on: each stage acts whole on u.
 void Wind::State::advance_in_place(float dt, Diagnostics& report) {
-    const Solving solving(*this);
+    const Solving solving(*this, dt, report);
     const ParallelFor& parallel_for = config.parallel_for;
     sources.add_force_to(air.velocity, dt, parallel_for);
     add_given_flow(air.velocity, -1.0f);
@@ -225,7 +238,7 @@ void Wind::State::advance_in_place(float dt, Diagnostics& report) {
         Stopwatch watch(report.times_ms.projection);
         project(work, air.velocity);
     }
-    carry_gusts(dt, report);
+    carry_gusts(dt);
     add_given_flow(air.velocity, 1.0f);
     air.fresh = true;
 }
@@ -258,12 +271,19 @@ void Wind::State::hold_whole(float dt) {
     });
 }
 
-void Wind::State::carry_gusts(float dt, Diagnostics& report) {
+void Wind::State::foresee_gusts(float dt, Diagnostics& report) {
+    Stopwatch watch(report.times_ms.ambient);
+    AmbientWind next = ambient;
+    next.advance(static_cast<double>(dt));
+    ambient_next.fill(next, window, config.parallel_for);
+}
+
+void Wind::State::carry_gusts(float dt) {
     ambient.advance(static_cast<double>(dt));
     if (!ambient.gusting())
         return;
-    Stopwatch watch(report.times_ms.ambient);
-    ambient_field.fill(ambient, window, config.parallel_for);
+    std::swap(ambient_field, ambient_next);
+    work.state().ambient_cells = ambient_field.data();
 }
 
 // Brings the flow of the sources up to date. u_old takes the same change: the trajectories extrapolate u - u_old, which must not

@@ -22,6 +22,8 @@ struct Workspace::State {
     const float* mean_cells = nullptr;
     /// The same with gusts: what trajectories meet beyond an open side.
     const float* ambient_cells = nullptr;
+    /// The prescribed background wind, within a step in gusts; its `legal` is the advection's to fill.
+    cpu::GivenWind given{};
     ParallelFor parallel_for;
     const cpu::Kernels* kernels;
 

@@ -74,7 +74,7 @@ Result<void> Air::make() {
     // Before anything of that size is made, here or there: the padded fields, and the tables of the direct solves.
     const glm::dvec3 padded = glm::dvec3(config_.cells + WINDROW_HALO);
     const double floats =
-        std::max(8.0 * padded.x * padded.y * padded.z,
+        std::max((settings_.gusts ? 12.0 : 8.0) * padded.x * padded.y * padded.z,
                  static_cast<double>(SolveTables::most_floats(config_.cells, prepared_ == DiffusionMethod::implicit)));
     if (4.0 * floats > static_cast<double>(device_->limits().maxStorageBufferRange))
         return Error{detail::message("A box of ", config_.cells.x, " x ", config_.cells.y, " x ", config_.cells.z,
@@ -163,6 +163,7 @@ WindrowStep Air::step_of(const AirTick& tick) const {
     std::memcpy(&step.wind, &wind, sizeof(wind));
     const glm::vec3 mean = tick.ambient->mean(); // the level part carries the gusts
     step.carried = wind.gust_texel.w * glm::vec4(mean.x, 0.0f, mean.z, 0.0f);
+    step.carried.w = config_.sleep_speed;
     return step;
 }
 

@@ -44,7 +44,7 @@ Result<Fields> Fields::create(Device& device, const Sizes& sizes) {
     make(fields.diffused, "diffused", sizes.diffuses ? cells * sizeof(vec4) : sizeof(vec4));
     make(fields.before, "before", cells * sizeof(vec4));
     make(fields.shown, "shown", cells * sizeof(vec4));
-    make(fields.padded, "padded", 2 * padded * sizeof(vec4));
+    make(fields.padded, "padded", (sizes.gusts ? 3 : 2) * padded * sizeof(vec4));
     make(fields.expansion, "expansion", cells * sizeof(float));
     make(fields.hat, "hat", cells * sizeof(float));
     make(fields.potential, "potential", cells * sizeof(float));

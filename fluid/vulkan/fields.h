@@ -3,7 +3,7 @@
 // A field of cells holds four floats a cell, laid out as box.h says. With N cells and P padded cells (five more an axis), in
 // bytes:
 //   velocity, velocity_old, history, force, source_flow, arrived, diffused, before, shown    16 N each
-//   padded                                                                                    32 P
+//   padded                                                                                    32 P, 48 P with gusts
 //   expansion, hat, potential                                                                 4 N each
 #pragma once
 

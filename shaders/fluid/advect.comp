@@ -1,6 +1,6 @@
 // Advection along trajectories, then the half of forces, drives and drag at arrival (splitting.glsl):
 //
-//   x0 = x - dt u(x),  xd = x - dt/2 (u(x) + V(x0)),  w(x) = R(xd) + (dt/2) f
+//   x0 = x - dt u(x),  xd = x - dt/2 (u(x) + V(x0)),  w(x) = R(xd) + v . grad A + (dt/2) f
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define WINDROW_READS_TILE 9
@@ -8,7 +8,7 @@
 #include "numerics/transport.glsl"
 
 layout(std430, set = 0, binding = 2) readonly buffer Velocity { vec4 velocity[]; };
-layout(std430, set = 0, binding = 3) readonly buffer Padded { vec4 padded[]; }; // R of all cells, then V
+layout(std430, set = 0, binding = 3) readonly buffer Padded { vec4 padded[]; }; // R of all cells, then V, then A (pad.comp)
 layout(std430, set = 0, binding = 4) readonly buffer Force { vec4 force[]; };
 layout(std430, set = 0, binding = 5) readonly buffer Drives { vec4 drives[]; };
 layout(std430, set = 0, binding = 6) readonly buffer History { vec4 history[]; };
@@ -22,12 +22,14 @@ ivec3 strides() {
     return ivec3(1, row, row * (tick.cells.y + WINDROW_HALO));
 }
 
-// The padded cell below a displaced one, and the distance from its centre.
-int locate(ivec3 cell, vec3 displacement, ivec3 stride, out vec3 fraction) {
+// The padded cell below a displaced one, and the distance from its centre. A periodic axis wraps, or ends at its last centres.
+int locate(ivec3 cell, vec3 displacement, ivec3 stride, bool wraps, out vec3 fraction) {
     int offset = 0;
     for (int axis = 0; axis < 3; ++axis) {
-        const WindrowPlace place = windrow_place(float(cell[axis]), displacement[axis], tick.low[axis], tick.high[axis],
-                                                 tick.period[axis], tick.inverse_period[axis]);
+        const bool ends = !wraps && tick.period[axis] != 0.0f;
+        const WindrowPlace place = windrow_place(float(cell[axis]), displacement[axis], ends ? 0.0f : tick.low[axis],
+                                                 ends ? float(tick.cells[axis] - 1) : tick.high[axis],
+                                                 ends ? 0.0f : tick.period[axis], ends ? 0.0f : tick.inverse_period[axis]);
         fraction[axis] = place.fraction;
         offset += (int(place.base) + WINDROW_HALO_LOW) * stride[axis];
     }
@@ -68,6 +70,32 @@ vec3 sample_cubic(int at, vec3 t, ivec3 s) {
     return sum_nodes(planes[0], planes[1], planes[2], planes[3], wz);
 }
 
+// What a cubic read of the profile has over a linear one, as a factor of the mean wind: Everett's form of the cubic.
+float bend_at(int at, float t, ivec3 s) {
+    if (!is_on(WINDROW_PROFILE) || is_on(WINDROW_LINEAR))
+        return 0.0f;
+    return (1.0f / 6.0f) * t * (t - 1.0f) * ((2.0f - t) * padded[at].w + (1.0f + t) * padded[at + s.y].w);
+}
+
+// What the perturbation carries of the prescribed background wind, beside `w`, which was carried along `displacement` [cells]:
+// fluid/cpu/kernels/advect.inl, carry_given.
+vec3 given_carried(vec3 w, ivec3 cell, int at, vec3 displacement, ivec3 s) {
+    vec3 v = w;
+    if (is_on(WINDROW_LETS_AIR_IN))
+        v += source_flow[at].xyz;
+    const float square = dot(v, v), gusts = tick.wind.mean.w * tick.wind.mean.w;
+    if (!(square > tick.carried.w * tick.carried.w))
+        return vec3(0.0f);
+    const int first = 2 * s.z * (tick.cells.z + WINDROW_HALO);
+    vec3 t;
+    int from = first + locate(cell, displacement, s, false, t);
+    const vec3 departed = sample_linear(from, t, s) + bend_at(from, t.y, s) * tick.wind.mean.xyz;
+    from = first + locate(cell, displacement + (control.substep.x / tick.time.y) * v, s, false, t);
+    const vec3 own = sample_linear(from, t, s) + bend_at(from, t.y, s) * tick.wind.mean.xyz;
+    const vec3 end = wind_at(cell, elapsed() + control.substep.x, true);
+    return departed - lerp(end, own, gusts / (gusts + square));
+}
+
 // Drives and drag act on the total wind.
 vec3 held(vec3 w, ivec3 cell, int at) {
     const WindrowHold hold = hold_of(cell, at);
@@ -94,10 +122,13 @@ void main() {
         const float cells_per_speed = dt / tick.time.y;
         const int traces = stride.z * (tick.cells.z + WINDROW_HALO);
         vec3 t;
-        int from = locate(cell, -cells_per_speed * u, stride, t);
+        int from = locate(cell, -cells_per_speed * u, stride, true, t);
         const vec3 traced = sample_linear(traces + from, t, stride);
-        from = locate(cell, -0.5f * cells_per_speed * (u + traced), stride, t);
+        const vec3 displacement = -0.5f * cells_per_speed * (u + traced);
+        from = locate(cell, displacement, stride, true, t);
         result = is_on(WINDROW_LINEAR) ? sample_linear(from, t, stride) : sample_cubic(from, t, stride);
+        if (is_on(WINDROW_GUSTS))
+            result += given_carried(result, cell, at, displacement, stride);
     } else {
         const ivec3 place = cell + WINDROW_HALO_LOW;
         result = read(place.x + stride.y * place.y + stride.z * place.z);

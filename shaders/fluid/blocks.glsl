@@ -39,8 +39,8 @@ struct WindrowStep {
     vec4 velocity_low, velocity_high;   // xyz factor there on the velocity along the axis
     vec4 potential_low, potential_high; // and on the potential
     vec4 canopy;                        // x [1/m] drag, 0: none; y ground, z top [cells above the low side]
-    vec4 carried;                       // xyz [texels/s] speed at which gusts are carried
-    WindrowAmbient wind;                // at the tick's start; local positions are from the box's low corner
+    vec4 carried;        // xyz [texels/s] speed at which gusts are carried, w [m/s] a perturbation that counts as none
+    WindrowAmbient wind; // at the tick's start; local positions are from the box's low corner
 };
 
 // Between the passes of a tick. Lives on the device; `dt` is kept from tick to tick.

@@ -2,7 +2,8 @@
 //
 //   R = ambient + g (carried - ambient) - s q + change at departure      V = (1 + s) u - s u_old
 //
-// A halo cell takes the value of a cell inside, mirrored or wrapped by the product of its axes' rules, or the ambient wind.
+// A halo cell takes the value of a cell inside, mirrored or wrapped by the product of its axes' rules, or the ambient wind. While it
+// gusts, A too: the ambient wind, beyond a wall that of the outermost cell, and as w the second difference of its profile.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define WINDROW_READS_TILE 11
@@ -16,9 +17,22 @@ layout(std430, set = 0, binding = 6) readonly buffer Drives { vec4 drives[]; };
 layout(std430, set = 0, binding = 7) readonly buffer SourceFlow { vec4 source_flow[]; };
 layout(std430, set = 0, binding = 8) readonly buffer Diffused { vec4 diffused[]; };
 layout(std430, set = 0, binding = 9) readonly buffer Rules { WindrowRule rules[]; };
-layout(std430, set = 0, binding = 10) writeonly buffer Padded { vec4 padded[]; }; // R of all cells, then V
+layout(std430, set = 0, binding = 10) writeonly buffer Padded { vec4 padded[]; }; // R of all cells, then V, then A
 #include "fluid/given.glsl"
 #include "fluid/hold.glsl"
+
+// The mean wind's factor in a row of the padded field.
+float profile_of_row(int row, int first) {
+    const WindrowRule rule = rules[first + row];
+    const float j = float(rule.source.y != 0 ? row - WINDROW_HALO_LOW : rule.source.x);
+    return windrow_profile(tick.wind.profile.z + tick.time.y * (j + 0.5f), tick.wind.profile.x, tick.wind.profile.y);
+}
+
+float bend_of_row(int row, int first, int rows) {
+    if (!is_on(WINDROW_PROFILE) || tick.period.y != 0.0f || row == 0 || row + 1 == rows)
+        return 0.0f;
+    return profile_of_row(row - 1, first) - 2.0f * profile_of_row(row, first) + profile_of_row(row + 1, first);
+}
 
 void main() {
     const ivec3 size = tick.cells.xyz + WINDROW_HALO;
@@ -26,10 +40,11 @@ void main() {
     if (!inside(place, size))
         return;
     const int at = (place.z * size.y + place.y) * size.x + place.x;
-    const int trace_at = at + size.x * size.y * size.z;
+    const int trace_at = at + size.x * size.y * size.z, wind_from = trace_at + size.x * size.y * size.z;
     // Where each axis' rules begin: those of transport stand behind those of viscosity.
     const ivec3 first = ivec3(0, size.x, size.x + size.y) + (size.x + size.y + size.z);
-    ivec3 cell;
+    const ivec3 here = place - WINDROW_HALO_LOW;
+    ivec3 cell, slipped = here;
     vec3 scale = vec3(1.0f), offset = vec3(0.0f), history_scale = vec3(1.0f);
     bool ambient = false, identity = true;
     for (int axis = 0; axis < 3; ++axis) {
@@ -39,12 +54,14 @@ void main() {
         if (rule.source.z != 0)
             continue;
         identity = false;
+        slipped[axis] = rule.source.y != 0 ? here[axis] : rule.source.x;
         scale = rule.scale.xyz * scale;
         offset = rule.scale.xyz * offset + rule.offset.xyz;
         history_scale = rule.history_scale.xyz * history_scale;
     }
+    if (is_on(WINDROW_GUSTS))
+        padded[wind_from] = vec4(wind_at(slipped, elapsed(), true), bend_of_row(place.y, first.y, size.y));
     if (ambient) {
-        const ivec3 here = place - WINDROW_HALO_LOW;
         padded[at] = vec4(solved_ambient(here), 0.0f);
         padded[trace_at] = vec4(wind_at(here, elapsed(), is_on(WINDROW_GUSTS)), 0.0f);
         return;

@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -103,8 +104,89 @@ TEST(GustFront, TheBoxCarriesTheGustsAsTheyAreOutside) {
                         worst = std::max(worst, double(glm::length(inside - outside)));
                     }
         }
-        WINDROW_EXPECT_FIGURE("gusts_in_the_box_off_those_outside_m_per_s_" + name, worst, 1e-4);
+        WINDROW_EXPECT_FIGURE("gusts_in_the_box_off_those_outside_m_per_s_" + name, worst, 1e-5);
     }
+}
+
+// Gusts that fade leave the solution of the whole wind, whose fan carries the slow air of the ground upward. Without v . grad A
+// the difference is 13 to 38 % of the fan's own flow.
+TEST(GustFront, FadingGustsLeaveAFanInAProfileAsItIsWithout) {
+    const glm::ivec3 cells(40, 24, 40);
+    const auto mean_field = [&](float intensity) {
+        Wind wind = made({.cells = cells,
+                          .sides = Sides::open_over_floor(),
+                          .centre = {0.0, 12.0, 0.0},
+                          .ambient = {6.0f, 0.0f, 0.0f},
+                          .profile = LogProfile{},
+                          .gusts = {.intensity = intensity}});
+        EXPECT_TRUE(wind.motors().add(DirectionalMotor{
+            .position = {-6.0, 3.0, 0.0}, .direction = {0.0f, 1.0f, 0.0f}, .region = Sphere{3.0f}, .law = Drive{8.0f, 4.0f}}));
+        std::vector<glm::dvec3> mean(wind.field().size());
+        for (int n = 0; n < 900; ++n) {
+            wind.step(n % 3 == 0 ? 1.0 / 30.0 : 1.0 / 60.0);
+            for (std::size_t cell = 0; cell < mean.size() && n >= 450; ++cell)
+                mean[cell] += glm::dvec3(wind.field()[cell]) / 450.0;
+        }
+        return mean;
+    };
+    const std::vector<glm::dvec3> without = mean_field(0.0f), with = mean_field(1e-4f);
+    const Wind calm = made({.ambient = {6.0f, 0.0f, 0.0f}, .profile = LogProfile{}});
+    for (const int row : {0, 1, 4, 8, 15, 20}) {
+        const glm::dvec3 around(calm.view().ambient().velocity({0.0, row + 0.5, 0.0}));
+        double apart = 0.0, own = 0.0;
+        for (int k = 0; k < cells.z; ++k)
+            for (int i = 0; i < cells.x; ++i) {
+                const auto cell = static_cast<std::size_t>((k * cells.y + row) * cells.x + i);
+                apart += glm::dot(with[cell] - without[cell], with[cell] - without[cell]);
+                own += glm::dot(without[cell] - around, without[cell] - around);
+            }
+        WINDROW_EXPECT_FIGURE("gusts_of_1e-4_change_a_fan_" + std::to_string(row) + "_m_high", std::sqrt(apart / own), 0.02);
+    }
+}
+
+/// How much the wind varies at each place, over how much the ambient wind does: root mean squares about the mean.
+std::vector<double> variations(Wind& wind, const std::vector<glm::dvec3>& places) {
+    const std::size_t count = places.size() + 1;
+    std::vector<glm::dvec3> sums(count), squares(count);
+    int taken = 0;
+    for (int n = 0; n < 2'400; ++n) {
+        wind.step(1.0 / 30.0);
+        if (n < 600)
+            continue;
+        ++taken;
+        for (std::size_t place = 0; place < count; ++place) {
+            const glm::dvec3 u(place < places.size() ? wind.velocity(places[place]) : wind.view().ambient().velocity(places[0]));
+            sums[place] += u;
+            squares[place] += u * u;
+        }
+    }
+    std::vector<double> results;
+    for (std::size_t place = 0; place < count; ++place) {
+        const glm::dvec3 mean = sums[place] / double(taken), variance = squares[place] / double(taken) - mean * mean;
+        results.push_back(std::sqrt(variance.x + variance.y + variance.z));
+    }
+    for (double& result : results)
+        result /= results.back();
+    return results;
+}
+
+// Behind what stands in the wind its gusts die away. Without v . grad A they varied more there than in the open: 1.1 to 1.2 behind
+// the blocks, .65 in the canopy. Bounds: measured with another solver, with a tenth to a sixth for the choice of scene.
+TEST(GustFront, AShelterIsCalmerThanTheOpen) {
+    const Config open{.sides = Sides::open_over_floor(),
+                      .centre = {0.0, 8.0, 0.0},
+                      .ambient = {6.0f, 0.0f, 0.0f},
+                      .gusts = {.intensity = 0.3f}};
+    for (const auto& [name, rate, bound] : {std::tuple{"block_at_rest", 1e6f, 0.55}, {"porous_block", 3.0f, 0.75}}) {
+        Wind wind = made(open);
+        ASSERT_TRUE(wind.motors().add(
+            DirectionalMotor{.position = {-6.0, 0.0, 0.0}, .region = AlignedBox{{3.0f, 6.0f, 6.0f}}, .law = Drive{0.0f, rate}}));
+        WINDROW_EXPECT_FIGURE(std::string("gusts_3_m_behind_a_") + name, variations(wind, {{0.0, 2.0, 0.0}})[0], bound);
+    }
+    Config planted = open;
+    planted.canopy = Canopy{.height = 4.0f, .drag = 0.5f};
+    Wind wind = made(planted);
+    WINDROW_EXPECT_FIGURE("gusts_in_a_canopy_at_1.5_of_4_m", variations(wind, {{4.0, 1.5, 0.0}})[0], 0.3);
 }
 
 // A fan in gusts still blows: the air of motors rides on the gusts and reaches as far as without them.

@@ -44,40 +44,48 @@ inline float floor_small(float value) {
     return whole > value ? whole - 1.0f : whole;
 }
 
-// One axis of `locate`: cell n of the run has index first + n * advance. A comparison with NaN is false, so that a broken
-// position becomes the low end and its address stays legal.
+// The cell below a place, from the low end of the axis, and the distance from its centre.
+struct Place {
+    float base, fraction;
+};
+
+// Of a displacement from a cell. A comparison with NaN is false, so that a broken position becomes the low end and its address
+// stays legal.
 template <int Axis>
-inline void locate_axis(const AdvectTask& task, float first, float advance, std::int32_t stride, int count,
+inline Place place_of(const Legal& legal, float cell, float displacement) {
+    const float least = legal.low[Axis] - cell, most = legal.high[Axis] - cell;
+    float way = displacement > least ? displacement : least;
+    way = way < most ? way : most;
+    const float whole = floor_small(way), base = cell + whole;
+    return {base - legal.period[Axis] * floor_small(base * legal.inverse_period[Axis]), way - whole};
+}
+
+// One axis of `locate`: cell n of the run has index first + n * advance.
+template <int Axis>
+inline void locate_axis(const Legal& legal, float first, float advance, std::int32_t stride, int count,
                         const Displacements& displacements, Points& points) {
-    const float low = task.low[Axis], high = task.high[Axis], period = task.period[Axis],
-                inverse_period = task.inverse_period[Axis];
     for (int group = 0; group < count; group += k_lanes)
         for (int lane = 0; lane < k_lanes; ++lane) {
             const int n = group + lane;
-            const float cell = first + advance * static_cast<float>(n);
-            const float least = low - cell, most = high - cell;
-            float legal = displacements.axis[Axis][n] > least ? displacements.axis[Axis][n] : least;
-            legal = legal < most ? legal : most;
-            const float whole = floor_small(legal);
-            points.fraction[Axis][n] = legal - whole;
-            float base = cell + whole;
-            base -= period * floor_small(base * inverse_period);
-            const std::int32_t offset = (static_cast<std::int32_t>(base) + k_halo_low) * stride;
+            const Place place = place_of<Axis>(legal, first + advance * static_cast<float>(n), displacements.axis[Axis][n]);
+            points.fraction[Axis][n] = place.fraction;
+            const std::int32_t offset = (static_cast<std::int32_t>(place.base) + k_halo_low) * stride;
             points.offset[n] = Axis == 0 ? offset : points.offset[n] + offset;
         }
 }
 
-inline void locate(const AdvectTask& task, const PaddedStrides& strides, const Run& run, const Displacements& displacements,
+inline void locate(const Legal& legal, const PaddedStrides& strides, const Run& run, const Displacements& displacements,
                    Points& points) {
-    locate_axis<0>(task, static_cast<float>(run.i), 1.0f, 1, run.count, displacements, points);
-    locate_axis<1>(task, static_cast<float>(run.j), 0.0f, static_cast<std::int32_t>(strides.row), run.count, displacements,
+    locate_axis<0>(legal, static_cast<float>(run.i), 1.0f, 1, run.count, displacements, points);
+    locate_axis<1>(legal, static_cast<float>(run.j), 0.0f, static_cast<std::int32_t>(strides.row), run.count, displacements,
                    points);
-    locate_axis<2>(task, static_cast<float>(run.k), 0.0f, static_cast<std::int32_t>(strides.plane), run.count, displacements,
+    locate_axis<2>(legal, static_cast<float>(run.k), 0.0f, static_cast<std::int32_t>(strides.plane), run.count, displacements,
                    points);
 }
 
 struct Linear {
     using Line = Pair;
+    static constexpr bool k_cubic = false;
 
     struct Weights {
         const float *x, *y, *z;
@@ -100,6 +108,7 @@ struct Linear {
 
 struct Cubic {
     using Line = Block;
+    static constexpr bool k_cubic = true;
 
     // Lagrange weights of the nodes -1, 1, 2 by axis; node 0 takes what is left of 1.
     struct Weights {
@@ -209,14 +218,15 @@ inline std::size_t soon(const AdvectTask& task, std::size_t cell) {
 }
 
 // Departure points of a run.
-inline void trace_departures(const AdvectTask& task, const PaddedStrides& strides, const Run& run, Points& points) {
-    Displacements velocity, displacements, traced;
+inline void trace_departures(const AdvectTask& task, const PaddedStrides& strides, const Run& run, Displacements& displacements,
+                             Points& points) {
+    Displacements velocity, traced;
     split_components(task.velocity + 4 * run.first, run.count, velocity);
     const int floats = (run.count + k_lanes - 1) / k_lanes * k_lanes;
     for (int axis = 0; axis < 3; ++axis)
         for (int n = 0; n < floats; ++n)
             displacements.axis[axis][n] = -task.cells_per_speed * velocity.axis[axis][n];
-    locate(task, strides, run, displacements, points);
+    locate(task.legal, strides, run, displacements, points);
 
     alignas(64) float samples[4 * k_row_chunk];
     // At Courant numbers up to 1 the next plane's cells reach two planes beyond this one.
@@ -227,30 +237,126 @@ inline void trace_departures(const AdvectTask& task, const PaddedStrides& stride
     for (int axis = 0; axis < 3; ++axis)
         for (int n = 0; n < floats; ++n)
             displacements.axis[axis][n] = -0.5f * task.cells_per_speed * (velocity.axis[axis][n] + traced.axis[axis][n]);
-    locate(task, strides, run, displacements, points);
+    locate(task.legal, strides, run, displacements, points);
 }
 
-// Calls body(strides, points, run) for each run of cells of a plane.
+// Calls body(strides, points, run, displacements) for each run of cells of a plane.
 template <class Body>
 inline void for_each_run(const AdvectTask& task, int plane, const Body& body) {
     const PaddedStrides strides = padded_strides(task.cells);
     Points points;
+    Displacements displacements;
     for (int j = 0; j < task.cells[1]; ++j)
         for (int i = 0; i < task.cells[0]; i += k_row_chunk) {
             const int left = task.cells[0] - i;
             const Run run = {i, j, plane, left < k_row_chunk ? left : k_row_chunk,
                              (static_cast<std::size_t>(plane) * task.cells[1] + j) * task.cells[0] + i};
-            trace_departures(task, strides, run, points);
-            body(strides, points, run);
+            trace_departures(task, strides, run, displacements, points);
+            body(strides, points, run, displacements);
         }
+}
+
+// What a cubic read of the profile has over a linear one, as a factor of the mean wind: Everett's form of the cubic.
+inline void bends_at(const AdvectTask& task, const Run& run, const Displacements& displacements, float* bends) {
+    const float* const rows = task.given.bends + k_halo_low;
+    const Legal& legal = task.legal;
+    const auto cell = static_cast<float>(run.j);
+    for (int group = 0; group < run.count; group += k_lanes)
+        for (int lane = 0; lane < k_lanes; ++lane) {
+            const int n = group + lane;
+            const Place place = place_of<1>(legal, cell, displacements.axis[1][n]);
+            const auto row = static_cast<std::int32_t>(place.base);
+            const float t = place.fraction;
+            bends[n] = (1.0f / 6.0f) * t * (t - 1.0f) * ((2.0f - t) * rows[row] + (1.0f + t) * rows[row + 1]);
+        }
+}
+
+// Whether any cell's square may exceed a bound.
+inline bool any_beyond(const float* cells, int count, float squared) {
+    int n = 0;
+    Native most = {};
+    for (; n + k_native_cells <= count; n += k_native_cells) {
+        const Native u = load_native(cells + 4 * n), square = u * u;
+        most = square > most ? square : most;
+    }
+    float largest = 0.0f;
+    for (int lane = 0; lane < k_native_lanes; ++lane)
+        largest = most[lane] > largest ? most[lane] : largest;
+    for (int at = 4 * n; at < 4 * count; ++at)
+        largest = cells[at] * cells[at] > largest ? cells[at] * cells[at] : largest;
+    return 3.0f * largest > squared;
+}
+
+// What the perturbation v carries of the prescribed background wind A, v . grad A. With xd the departure point and x_A = xd + dt v
+// where A alone would have brought the air from,
+//
+//   result += A(xd) - (c A(x_A) + (1 - c) A'(x)),   c = g^2 / (g^2 + |v|^2)
+//
+// A(x_A) is what blows where v = 0; so is A', A at the step's end, since A is a frozen pattern that passes. The first leaves that
+// pattern alone in air that has its own way; the second lets it decay there, as gusts do behind a shelter. g is their strength.
+// v is that of half way, to second order: what was carried here, without the pressure. A is read linearly, but its profile as
+// what is carried is read, so that gusts that fade leave the solution of the whole wind.
+template <class Interpolant>
+inline void carry_given(const AdvectTask& task, const PaddedStrides& strides, const Run& run, Displacements& displacements,
+                        Points& points) {
+    const GivenWind& given = task.given;
+    const int count = run.count, floats = (count + k_lanes - 1) / k_lanes * k_lanes;
+    float* const result = task.result + 4 * run.first;
+    if (given.source_flow == nullptr && !any_beyond(result, count, given.still_squared))
+        return;
+    Displacements v;
+    split_components(result, count, v);
+    if (given.source_flow != nullptr) {
+        Displacements flow;
+        split_components(given.source_flow + 4 * run.first, count, flow);
+        for (int axis = 0; axis < 3; ++axis)
+            for (int n = 0; n < floats; ++n)
+                v.axis[axis][n] += flow.axis[axis][n];
+    }
+    alignas(64) float squares[k_row_chunk];
+    float largest = 0.0f;
+    for (int n = 0; n < floats; ++n) {
+        squares[n] = v.axis[0][n] * v.axis[0][n] + (v.axis[1][n] * v.axis[1][n] + v.axis[2][n] * v.axis[2][n]);
+        largest = squares[n] > largest ? squares[n] : largest;
+    }
+    if (!(largest > given.still_squared))
+        return;
+    alignas(64) float at_departure[4 * k_row_chunk], at_own[4 * k_row_chunk];
+    alignas(64) float departure_bends[k_row_chunk] = {}, own_bends[k_row_chunk] = {};
+    const bool bent = given.bends != nullptr && Interpolant::k_cubic;
+    const float* const next = given.next + 4 * padded_index(strides, run.i, run.j, run.k);
+    const Ahead ahead = {given.now + 4 * padded_index(strides, run.i, run.j, run.k + 2), next};
+    locate(given.legal, strides, run, displacements, points);
+    sample_run<Linear>(given.now, points, strides, count, ahead, at_departure);
+    if (bent)
+        bends_at(task, run, displacements, departure_bends);
+    for (int axis = 0; axis < 3; ++axis)
+        for (int n = 0; n < floats; ++n)
+            displacements.axis[axis][n] += task.cells_per_speed * v.axis[axis][n];
+    locate(given.legal, strides, run, displacements, points);
+    sample_run<Linear>(given.now, points, strides, count, ahead, at_own);
+    if (bent)
+        bends_at(task, run, displacements, own_bends);
+    const Cell mean = load_cell(given.mean);
+    for (int n = 0; n < count; ++n) {
+        if (!(squares[n] > given.still_squared))
+            continue;
+        const float weight = given.gusts_squared / (given.gusts_squared + squares[n]);
+        const Cell end = load_cell(next + 4 * n);
+        const Cell departed = load_cell(at_departure + 4 * n) + splat(departure_bends[n]) * mean;
+        const Cell own = load_cell(at_own + 4 * n) + splat(own_bends[n]) * mean;
+        store_cell(result + 4 * n, load_cell(result + 4 * n) + (departed - (end + splat(weight) * (own - end))));
+    }
 }
 
 template <class Interpolant>
 void advect_plane(const AdvectTask& task, int plane) {
-    for_each_run(task, plane, [&](const PaddedStrides& strides, const Points& points, const Run& run) {
+    for_each_run(task, plane, [&](const PaddedStrides& strides, Points& points, const Run& run, Displacements& displacements) {
         // And three, with the nodes of a cubic.
         const Ahead ahead = {task.padded_carried + 4 * padded_index(strides, run.i, run.j, run.k + 3),
                              task.result + 4 * soon(task, run.first)};
         sample_run<Interpolant>(task.padded_carried, points, strides, run.count, ahead, task.result + 4 * run.first);
+        if (task.given.now != nullptr)
+            carry_given<Interpolant>(task, strides, run, displacements, points);
     });
 }

@@ -53,6 +53,24 @@ struct PadTask {
     float* padded_trace; ///< null: the trace reads padded_carried
 };
 
+/// Where a read may lie, in cells from the first centre; w unused. Periods are 0 where the axis is not periodic.
+struct Legal {
+    float low[4], high[4];
+    float period[4], inverse_period[4];
+};
+
+/// The prescribed background wind A, of which the perturbation carries v . grad A. Fields of four floats a padded cell.
+struct GivenWind {
+    const float* now;         ///< at the step's start; null: none
+    const float* next;        ///< at its end
+    const float* source_flow; ///< part of the perturbation, four floats a cell; null: none
+    float gusts_squared;      ///< [m2/s2] square of the gusts' strength
+    float still_squared;      ///< [m2/s2] square of a perturbation that counts as none
+    Legal legal;
+    const float* bends; ///< second differences of the profile, one a padded row; null: no profile
+    float mean[4];      ///< [m/s] that the profile scales
+};
+
 /// Semi-Lagrangian advection of a padded field.
 struct AdvectTask {
     int cells[3];
@@ -60,10 +78,10 @@ struct AdvectTask {
     const float* padded_trace;
     const float* padded_carried; ///< four floats a cell, or one for scalars
     float* result;
-    float cells_per_speed;              ///< dt / h
-    float low[4], high[4];              ///< legal positions in cell indices, w unused
-    float period[4], inverse_period[4]; ///< 0 where the axis is not periodic
-    bool clamped;                       ///< scalars only
+    float cells_per_speed; ///< dt / h
+    Legal legal;
+    GivenWind given;
+    bool clamped; ///< scalars only
 };
 
 /// One end of an axis for a stencil: the ghost beyond it is scale * value[source].
