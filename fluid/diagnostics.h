@@ -36,7 +36,9 @@ struct Diagnostics {
     double divergence_rms = 0.0;
     /// [m^5/s^2] Kinetic energy of the box per unit of density: sum of |u|^2 / 2 h^3.
     double energy = 0.0;
-    bool asleep = false; ///< The air had settled and nothing acted: the step did nothing.
+    /// The air had settled and nothing acted: the step did nothing. The other figures stay those of the step that fell asleep, of
+    /// gusts too, which blow on.
+    bool asleep = false;
     StageTimes times_ms;
 };
 

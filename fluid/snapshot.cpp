@@ -200,10 +200,12 @@ struct StateFields {
     }
 
     static void frame(auto& archive, Like<Frame> auto& frame, const Config& config, Tiles& tiles) {
-        auto& [field, window, rim_point, ambient, still] = frame;
+        auto& [field, window, rim_point, ambient, still, held] = frame;
         archive(window.origin_cells, rim_point, still); // its cells are the box's
         StateFields::ambient(archive, ambient, config, tiles);
         archive.cells(field);
+        if constexpr (Reading<decltype(archive)>)
+            held = true;
         if constexpr (Reading<decltype(archive)>)
             archive.require(in_range(window.origin_cells), "a frame lies out of range.");
     }
@@ -247,6 +249,8 @@ struct StateFields {
             archive(at_rest);
         StateFields::air(archive, air);
         if constexpr (Reading<decltype(archive)>)
+            state.held = state.before_held = true;
+        if constexpr (Reading<decltype(archive)>)
             if (sources_of_air != 0 && archive.can_hold(air.velocity.size(), sizeof(glm::vec4)))
                 for (auto* field : {&state.source_flow, &state.solved})
                     *field = cpu::Buffer<glm::vec4>(air.velocity.size());
@@ -270,6 +274,11 @@ struct StateFields {
 };
 
 std::vector<std::byte> Wind::save() const {
+    state_->hold_ambient();
+    state_->hold_before();
+    if (state_->frames)
+        for (Frame* frame : {&state_->frames->shown, &state_->frames->shown_before})
+            state_->hold_frame(*frame);
     const State& state = *state_;
     const std::size_t fields = 1 + (state.air.fresh ? 0 : 2) + (state.sources_of_air != 0 ? 1 : 0) + (state.frames ? 3 : 0);
     detail::Writer writer(fields * state.air.velocity.size() * sizeof(glm::vec4) + 2048 + state.motors.slots().size() * 256);

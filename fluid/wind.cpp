@@ -121,19 +121,23 @@ const Box& Wind::box() const {
 WindView Wind::view() const {
     if (!state_->frames)
         return state_->air_view();
-    const Frame& frame = state_->frames->shown;
-    return {box(), frame.window, state_->rim(frame.rim_point), frame.ambient, frame.field};
+    return state_->frame_view(state_->frames->shown);
 }
 
 WindView Wind::previous_view() const {
     if (!state_->frames)
         return state_->air_view();
-    const Frame& frame = state_->frames->shown_before;
-    return {box(), frame.window, state_->rim(frame.rim_point), frame.ambient, frame.field};
+    return state_->frame_view(state_->frames->shown_before);
 }
 
-WindView Wind::State::air_view() const {
+WindView Wind::State::air_view() {
+    hold_ambient();
     return {work.box(), window, rim(follow_point), ambient, air.velocity};
+}
+
+WindView Wind::State::frame_view(Frame& frame) {
+    hold_frame(frame);
+    return {work.box(), frame.window, rim(frame.rim_point), frame.ambient, frame.field};
 }
 
 WindowBlock Wind::window_block(glm::dvec3 anchor) const {
@@ -145,10 +149,12 @@ FrameBlock Wind::frame_block(glm::dvec3 anchor, const Sampling& sampling) const 
 }
 
 std::span<const glm::vec4> Wind::field() const {
+    state_->hold_ambient();
     return std::as_const(state_->air.velocity);
 }
 
 void Wind::set_velocity(const std::function<glm::vec3(glm::dvec3)>& velocity_at) {
+    state_->hold_ambient(); // what the gusts are now
     const Box& box = this->box();
     for (int k = 0; k < box.cells.z; ++k)
         for (int j = 0; j < box.cells.y; ++j)
@@ -164,6 +170,7 @@ Result<void> Wind::set_velocity(std::span<const glm::vec4> field) {
     if (field.size() != velocity.size())
         return Error{detail::message("set_velocity got ", field.size(), " cells, but the box has ", velocity.size(),
                                      ": give box().cell_count().")};
+    state_->hold_ambient();
     std::transform(field.begin(), field.end(), velocity.data(), [](glm::vec4 u) { return glm::vec4(u.x, u.y, u.z, 0.0f); });
     state_->begin_anew();
     if (state_->log != nullptr)
@@ -173,6 +180,7 @@ Result<void> Wind::set_velocity(std::span<const glm::vec4> field) {
 
 // The cells were set from outside: they have no past, and show at once.
 void Wind::State::begin_anew() {
+    held = before_held = true;
     air.fresh = true;
     air.owed_diffusion = 0.0f;
     asleep = calm = false;
@@ -184,9 +192,12 @@ void Wind::State::begin_anew() {
 
 void Wind::reset() {
     state_->fill_with_ambient();
-    if (state_->frames)
+    if (state_->frames) {
+        state_->hold_ambient();
+        state_->frames->shown.held = state_->frames->shown_before.held = true;
         for (auto* field : {&state_->frames->before, &state_->frames->shown.field, &state_->frames->shown_before.field})
             std::copy_n(state_->air.velocity.data(), field->size(), field->data());
+    }
     if (state_->log != nullptr)
         state_->log->note(WindReset{});
 }

@@ -236,8 +236,10 @@ void WindHost::run_step(double duration, Diagnostics& report) {
         reached = motors.tick(duration, window);
     previous_origin_cells = std::exchange(stepped_origin_cells, window.origin_cells);
     previous_point = std::exchange(stepped_point, follow_point);
-    if (asleep && reached.empty() && !ambient.gusting()) {
-        ambient.advance(duration); // small-scale detail is carried on
+    if (asleep && reached.empty()) {
+        ambient.advance(duration); // small-scale detail is carried on too
+        if (ambient.gusting())
+            gusts_passed();
         report = at_rest;
         return;
     }
@@ -274,7 +276,7 @@ bool WindHost::renew_sources(std::span<const detail::MotorReach> reached) {
 
 void WindHost::fall_asleep_if_settled(Diagnostics& report) {
     const bool may = config.stages.settling && config.settling_time > 0.0f && config.sleep_speed > 0.0f &&
-                     report.motors_in_reach == 0 && sources_of_air == 0 && !viscous() && !ambient.gusting() &&
+                     report.motors_in_reach == 0 && sources_of_air == 0 && !viscous() &&
                      !(canopy_rows() && mean_wind() != glm::vec3(0.0f)); // a wind among plants does not come to rest
     if (!may || !at_ambient())
         return;

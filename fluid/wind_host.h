@@ -21,7 +21,8 @@ struct Frame {
     Window window;
     glm::dvec3 rim_point{0.0}; ///< [m]
     AmbientWind ambient;
-    bool still = false; ///< the air slept: the field is ambient everywhere in any window
+    bool still = false; ///< the air slept: the field is `ambient` in `window`
+    bool held = true;   ///< what the field is stands in it; false only while still, and written when it is read
 };
 
 /// What `advance` keeps beside the air.
@@ -57,7 +58,7 @@ struct WindHost {
     Motors motors;
     std::uint64_t sources_of_air = 0; ///< names the sources of air whose flow is in the velocity; 0: none
     bool calm = false;                ///< every cell is ambient to the bit, history included: filled so, and not stepped since
-    bool asleep = false;              ///< calm, and nothing acts: a step does nothing
+    bool asleep = false;              ///< calm, and nothing acts: a step carries the gusts on and does nothing else
     Diagnostics at_rest;              ///< what a step reports while asleep
     std::optional<Frames> frames;     ///< with `advance`
     EventLog* log = nullptr;
@@ -115,6 +116,10 @@ struct WindHost {
     virtual void hide_broken_cells() = 0;
     /// Makes the wind of this frame, `factor` of the way from the tick before to now.
     virtual void blend(float factor) = 0;
+    /// The wind of this frame is the ambient wind of its moment.
+    virtual void show_ambient() = 0;
+    /// The air sleeps and the gusts have passed on: what the cells hold is no longer what blows.
+    virtual void gusts_passed() = 0;
     /// A step of the air: `dt` [s] with what the motors do in it.
     virtual void step_cells(double dt, std::span<const detail::MotorReach> reached, Diagnostics& report) = 0;
     /// The air has become still and nothing but sleep is left to do.

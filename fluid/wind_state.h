@@ -6,6 +6,9 @@
 #include "fluid/cpu/sources.h"
 #include "fluid/wind_host.h"
 
+#include <atomic>
+#include <mutex>
+
 namespace windrow {
 
 /// The air of the last two steps and the second-order history; see cpu/step.cpp.
@@ -35,9 +38,20 @@ struct Wind::State : WindHost {
     cpu::SourceField sources;
     cpu::Buffer<glm::vec4> source_flow; ///< u_S [m/s], part of the velocity; empty until air first comes in, 0 while none does
     cpu::Buffer<glm::vec4> solved;      ///< scratch for u less its given part; empty until something is given
+    glm::dvec3 next_phase{0.0};         ///< [m] of the gusts at the end of the sub-step
+    std::atomic<bool> held = true;      ///< false: the cells are ambient and are written when they are read
+    bool before_held = true;            ///< the same of frames->before
+    std::mutex holding;                 ///< of what is held, in frames too
 
     [[nodiscard]] const Box& box() const { return work.box(); }
-    [[nodiscard]] WindView air_view() const;
+    /// Views of the air, or of a frame; what their cells are stands in them from then on.
+    [[nodiscard]] WindView air_view();
+    [[nodiscard]] WindView frame_view(Frame& frame);
+    /// Writes the ambient wind into cells that are known to be ambient and hold it not yet; those of a frame, of the tick before.
+    /// Threads may ask at once.
+    void hold_ambient(const ParallelFor& parallel_for = {});
+    void hold_frame(Frame& frame);
+    void hold_before();
     void begin_anew();
 
   protected:
@@ -52,6 +66,8 @@ struct Wind::State : WindHost {
     void keep_before() override;
     void hide_broken_cells() override { keep_before(); }
     void blend(float factor) override;
+    void show_ambient() override;
+    void gusts_passed() override;
     void step_cells(double dt, std::span<const detail::MotorReach> reached, Diagnostics& report) override;
     [[nodiscard]] bool at_ambient() const override;
     void measure(Diagnostics& report) override;
@@ -61,6 +77,7 @@ struct Wind::State : WindHost {
     [[nodiscard]] glm::vec4 ambient_at(int i, int j, int k) const;
     [[nodiscard]] glm::vec4 mean_at(int i, int j, int k) const;
     void fill(std::span<glm::vec4> field) const;
+    void hold_gusts(std::span<glm::vec4> field, const AmbientWind& wind, const Window& place);
     void add_ambient(std::span<glm::vec4> field, float factor) const;
     void fill_exposed(std::span<glm::vec4> field, CellIndex shift) const;
 
@@ -73,8 +90,8 @@ struct Wind::State : WindHost {
     void cut_speeds(float most, Diagnostics& report);
     void repair_broken_cells();
     /// Finds the gusts at the end of the sub-step; from carry_gusts on they are those of now.
-    void foresee_gusts(float dt, Diagnostics& report);
-    void carry_gusts(float dt);
+    void foresee_gusts(Diagnostics& report);
+    void carry_gusts();
     void bend_profile();
     /// The given part of the wind is out of it, in it again: around what a step solves.
     class Solving;

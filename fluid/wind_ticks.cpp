@@ -19,6 +19,11 @@ namespace {
 constexpr double k_rounding = 1e-9;     // of a tick
 constexpr double k_longest_frame = 1e9; // [s] beyond it nothing is told apart
 
+// Neither gusts, and differing by height alone, over the same ground.
+bool same_at_all_times(const AmbientWind& a, const AmbientWind& b) {
+    return !a.gusting() && !b.gusting() && a.mean() == b.mean() && a.ground() == b.ground();
+}
+
 } // namespace
 
 Advance WindHost::run_ticks(double dt) {
@@ -57,10 +62,13 @@ void WindHost::begin_ticks() {
 void WindHost::drop_ticks(double seconds) {
     (void)motors.tick(seconds, window);
     (void)frames->follow.tick(seconds);
-    if (ambient.gusting())
+    if (ambient.gusting() && !asleep) {
         exchange_ambient([&] { ambient.advance(seconds); });
-    else
+    } else {
         ambient.advance(seconds);
+        if (ambient.gusting())
+            gusts_passed();
+    }
     frames->lead -= seconds;
 }
 
@@ -82,15 +90,19 @@ void WindHost::show_frame() {
     std::swap(frames->shown, frames->shown_before);
     Frame& frame = frames->shown;
     const auto factor = static_cast<float>(std::min(1.0, frames->lead * config.ticks.hz));
-    const bool still = asleep && frames->before_still && ambient.uniform();
-    if (!(still && frame.still && frame.ambient.mean() == ambient.mean()))
-        blend(factor);
+    const bool still = asleep && frames->before_still;
+    const bool same = still && frame.still && same_at_all_times(frame.ambient, ambient) &&
+                      (ambient.uniform() || frame.window.origin_cells.y == window.origin_cells.y);
     frame.still = still;
     frame.window = window;
     frame.rim_point = glm::mix(frames->rim_point_before, follow_point, static_cast<double>(factor));
     frame.ambient = ambient;
     frame.ambient.set_phase(
         AmbientWind::between(frames->gust_phase_before, ambient.phase(), static_cast<double>(factor), ambient.period()));
+    if (!still)
+        blend(factor);
+    else if (!same)
+        show_ambient();
 }
 
 } // namespace windrow

@@ -4,6 +4,7 @@
 #include "fluid/wind_state.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace windrow {
 namespace {
@@ -109,14 +110,59 @@ void Wind::State::fill_exposed(std::span<glm::vec4> field, CellIndex shift) cons
 }
 
 void Wind::State::fill_cells() {
-    fill(air.velocity);
+    held = false;
     air.fresh = true;
     air.owed_diffusion = 0.0f;
     std::fill_n(source_flow.data(), source_flow.size(), glm::vec4(0.0f));
 }
 
+void Wind::State::gusts_passed() {
+    held = before_held = false;
+}
+
+// Cells of air that sleeps are written by whoever reads them first, in the reader's own thread: it may stand in a loop of its own.
+void Wind::State::hold_ambient(const ParallelFor& parallel_for) {
+    if (held)
+        return;
+    const std::lock_guard lock(holding);
+    if (held)
+        return;
+    if (ambient.gusting())
+        ambient_field.fill(ambient, window, parallel_for);
+    fill(air.velocity);
+    held = true;
+}
+
+void Wind::State::hold_gusts(std::span<glm::vec4> field, const AmbientWind& wind, const Window& place) {
+    ambient_next.fill(wind, place, {});
+    for_each_exposed(place.cells, CellIndex(place.cells), [&](std::size_t n, int i, int j, int k) {
+        field[n] = cell_at(ambient_next.data() + padded_index(place.cells, i, j, k));
+    });
+}
+
+void Wind::State::hold_frame(Frame& frame) {
+    const std::atomic_ref held_already(frame.held);
+    if (held_already)
+        return;
+    const std::lock_guard lock(holding);
+    if (held_already)
+        return;
+    hold_gusts(frame.field, frame.ambient, frame.window);
+    held_already = true;
+}
+
+void Wind::State::hold_before() {
+    const std::lock_guard lock(holding);
+    if (std::exchange(before_held, true) || !frames)
+        return;
+    AmbientWind then = ambient;
+    then.set_phase(frames->gust_phase_before);
+    hold_gusts(frames->before, then, window);
+}
+
 void Wind::State::fill_before() {
     fill(frames->before);
+    before_held = true;
 }
 
 void Wind::State::add_ambient_to_cells(float factor) {
@@ -152,6 +198,8 @@ void Wind::State::add_change_to_cells(glm::vec3 change, bool before_only) {
 // --- Where the box lies -----------------------------------------------------------------------------------------------------
 
 Result<void> Wind::State::sides_changed(bool kinds) {
+    hold_ambient(); // as the old sides have it
+    hold_before();
     air.fresh = air.fresh || kinds;
     return work.set_sides(config.sides);
 }
@@ -176,6 +224,8 @@ void Wind::State::shift_cells(CellIndex by, bool exposed_hold_ambient) {
 // --- Between two ticks ------------------------------------------------------------------------------------------------------
 
 void Wind::State::begin_keeping() {
+    hold_ambient();
+    before_held = true;
     const std::size_t cells = air.velocity.size();
     for (cpu::Buffer<glm::vec4>* field : {&frames->before, &frames->shown.field, &frames->shown_before.field}) {
         *field = cpu::Buffer<glm::vec4>(cells);
@@ -184,10 +234,23 @@ void Wind::State::begin_keeping() {
 }
 
 void Wind::State::keep_before() {
+    hold_ambient(config.parallel_for);
+    before_held = true;
     std::copy_n(air.velocity.data(), air.velocity.size(), frames->before.data());
 }
 
+void Wind::State::show_ambient() {
+    frames->shown.held = !ambient.gusting();
+    if (!frames->shown.held)
+        return;
+    hold_ambient();
+    std::copy_n(air.velocity.data(), air.velocity.size(), frames->shown.field.data());
+}
+
 void Wind::State::blend(float factor) {
+    hold_ambient();
+    hold_before();
+    frames->shown.held = true;
     const std::size_t row_plane = static_cast<std::size_t>(window.cells.x) * static_cast<std::size_t>(window.cells.y);
     config.parallel_for(window.cells.z, [&](int plane) {
         const std::size_t first = row_plane * static_cast<std::size_t>(plane);

@@ -85,10 +85,17 @@ float settling_factor(const Config& config, float dt) {
 
 void Wind::State::step_cells(double duration, std::span<const detail::MotorReach> reached, Diagnostics& report) {
     const auto dt = static_cast<float>(duration);
+    hold_ambient(config.parallel_for);
+    hold_before();
+    AmbientWind wind = ambient;
+    const glm::dvec3 phase = wind.phase();
     add_sources(dt, reached, report);
     limit_speeds(dt, report);
     for (int part = 0; part < report.substeps; ++part) {
         const float part_dt = dt / static_cast<float>(report.substeps);
+        wind.set_phase(phase);
+        wind.advance(duration * (part + 1) / report.substeps);
+        next_phase = wind.phase();
         if (!config.stages.advection)
             advance_in_place(part_dt, report);
         else if (config.scheme == Scheme::second_order)
@@ -107,13 +114,13 @@ void Wind::State::step_cells(double duration, std::span<const detail::MotorReach
 // While the wind gusts, what is solved is still air beyond the open sides; trajectories alone meet the whole ambient wind there.
 class Wind::State::Solving {
   public:
-    Solving(State& state, float dt, Diagnostics& report)
+    Solving(State& state, Diagnostics& report)
         : around_(state.work.state()), ambient_(around_.ambient), mean_cells_(around_.mean_cells) {
         if (!state.ambient.gusting())
             return;
         around_.ambient = glm::vec3(0.0f);
         around_.mean_cells = nullptr;
-        state.foresee_gusts(dt, report);
+        state.foresee_gusts(report);
         const float strength = state.ambient.gust_strength(), still = state.config.sleep_speed;
         const glm::vec3 mean = state.ambient.mean();
         around_.given = {.now = state.ambient_field.data(),
@@ -140,7 +147,7 @@ class Wind::State::Solving {
 };
 
 void Wind::State::advance_second_order(float dt, Diagnostics& report) {
-    const Solving solving(*this, dt, report);
+    const Solving solving(*this, report);
     const std::span<const glm::vec4> carried = diffuse(without_given_flow(), dt, report);
     Transport transport{.carried = carried, .velocity = air.velocity, .dt = dt, .interpolation = config.interpolation};
     transport.settling = settling_factor(config, dt);
@@ -185,7 +192,7 @@ void Wind::State::advance_second_order(float dt, Diagnostics& report) {
         Stopwatch watch(report.times_ms.advection);
         advect(work, transport, arrived);
     }
-    carry_gusts(dt);
+    carry_gusts();
     if (acting.any())
         acting.arrive(given, transport.history_scale, air.history, arrived);
     {
@@ -202,7 +209,7 @@ void Wind::State::advance_second_order(float dt, Diagnostics& report) {
 }
 
 void Wind::State::advance_stable_fluids(float dt, Diagnostics& report) {
-    const Solving solving(*this, dt, report);
+    const Solving solving(*this, report);
     sources.add_force_to(air.velocity, dt, config.parallel_for);
     const std::span<const glm::vec4> carried = diffuse(without_given_flow(), dt, report);
     Transport transport{
@@ -216,14 +223,14 @@ void Wind::State::advance_stable_fluids(float dt, Diagnostics& report) {
         Stopwatch watch(report.times_ms.projection);
         project(work, air.velocity_old);
     }
-    carry_gusts(dt);
+    carry_gusts();
     add_given_flow(air.velocity_old, 1.0f);
     std::swap(air.velocity, air.velocity_old);
 }
 
 // Without transport there is no trajectory to centre anything on: each stage acts whole on u.
 void Wind::State::advance_in_place(float dt, Diagnostics& report) {
-    const Solving solving(*this, dt, report);
+    const Solving solving(*this, report);
     const ParallelFor& parallel_for = config.parallel_for;
     sources.add_force_to(air.velocity, dt, parallel_for);
     add_given_flow(air.velocity, -1.0f);
@@ -238,7 +245,7 @@ void Wind::State::advance_in_place(float dt, Diagnostics& report) {
         Stopwatch watch(report.times_ms.projection);
         project(work, air.velocity);
     }
-    carry_gusts(dt);
+    carry_gusts();
     add_given_flow(air.velocity, 1.0f);
     air.fresh = true;
 }
@@ -271,15 +278,15 @@ void Wind::State::hold_whole(float dt) {
     });
 }
 
-void Wind::State::foresee_gusts(float dt, Diagnostics& report) {
+void Wind::State::foresee_gusts(Diagnostics& report) {
     Stopwatch watch(report.times_ms.ambient);
     AmbientWind next = ambient;
-    next.advance(static_cast<double>(dt));
+    next.set_phase(next_phase);
     ambient_next.fill(next, window, config.parallel_for);
 }
 
-void Wind::State::carry_gusts(float dt) {
-    ambient.advance(static_cast<double>(dt));
+void Wind::State::carry_gusts() {
+    ambient.set_phase(next_phase);
     if (!ambient.gusting())
         return;
     std::swap(ambient_field, ambient_next);
@@ -396,6 +403,7 @@ std::span<const glm::vec4> Wind::State::diffuse(std::span<const glm::vec4> field
 }
 
 void Wind::State::measure(Diagnostics& report) {
+    hold_ambient(config.parallel_for);
     Stopwatch watch(report.times_ms.report);
     Workspace::State& state = work.state();
     const float h = box().cell_size;

@@ -155,6 +155,10 @@ Diagnostics Wind::State::record_step(VkCommandBuffer commands, const Frame& fram
     if (frame.dt > 0.0)
         tell_counts(done);
     time += frame.dt;
+    if (!gusts_held_) {
+        hold_gusts();
+        blend_ = 1.0f;
+    }
     if (!slept || !asleep || frame.dt == 0.0) // a pause shows what changed without a step
         unshown_ = 2;
     if (unshown_ > 0) { // asleep: until both sets of textures hold the air as it sleeps
@@ -175,6 +179,7 @@ Result<void> Wind::State::set_velocity(std::span<const glm::vec4> field) {
     std::transform(field.begin(), field.end(), work.cells.begin(), [](glm::vec4 u) { return glm::vec4(u.x, u.y, u.z, 0.0f); });
     do_or_queue(std::move(work));
     asleep = calm = filled_ = false;
+    gusts_held_ = true;
     if (frames)
         frames->before_still = false;
     disturbed_tick_ = tick_ + 1;
@@ -208,6 +213,7 @@ void Wind::State::forget() {
 void Wind::State::around_changed() {} // each work brings the ambient wind of its moment
 
 Result<void> Wind::State::sides_changed(bool kinds) {
+    hold_gusts(); // as the old sides have them
     auto prepared = air->prepare(config.sides, kinds || (new_sides_ && new_sides_->tables));
     if (!prepared)
         return Error{prepared.error()};
@@ -219,7 +225,7 @@ Result<void> Wind::State::sides_changed(bool kinds) {
 
 void Wind::State::fill_cells() {
     do_or_queue(work_of(Work::Kind::fill));
-    filled_ = true;
+    filled_ = gusts_held_ = true;
 }
 
 void Wind::State::fill_before() {
@@ -262,10 +268,31 @@ void Wind::State::blend(float factor) {
     blend_ = factor;
 }
 
+// At the frame's own moment, between two ticks: the next tick that wakes fills anew.
+void Wind::State::show_ambient() {
+    blend_ = 1.0f;
+    if (!ambient.gusting())
+        return;
+    air->fill(commands_, frames->shown.ambient, window);
+    gusts_held_ = false;
+}
+
+void Wind::State::hold_gusts() {
+    if (std::exchange(gusts_held_, true))
+        return;
+    do_or_queue(work_of(Work::Kind::fill));
+    if (!frames)
+        return;
+    Work before = work_of(Work::Kind::fill_before);
+    before.ambient.set_phase(frames->gust_phase_before);
+    do_or_queue(std::move(before));
+}
+
 void Wind::State::step_cells(double dt, std::span<const windrow::detail::MotorReach> reached, Diagnostics& diagnostics) {
     ++tick_;
+    hold_gusts();
     const bool renews = config.stages.projection && renew_sources(reached);
-    if (!reached.empty() || renews || ambient.gusting())
+    if (!reached.empty() || renews)
         disturbed_tick_ = tick_;
     left_alone_ = std::exchange(filled_, false) && disturbed_tick_ != tick_ && ambient.uniform();
     const auto plants = canopy_rows();
@@ -287,8 +314,11 @@ bool Wind::State::at_ambient() const {
     return left_alone_ || (report_tick_ > disturbed_tick_ && report.apart < config.sleep_speed);
 }
 
-// Asked only of air that was just laid to sleep: it is the ambient wind, without gusts, which differs by height alone.
+// Asked only of air that was just laid to sleep: it is the ambient wind, which without gusts differs by height alone. With them the
+// last read-back stands: no component was further from it than what counts as sleep.
 void Wind::State::measure(Diagnostics& diagnostics) {
+    if (ambient.gusting())
+        return;
     diagnostics.max_speed = 0.0f;
     diagnostics.energy = 0.0;
     diagnostics.divergence_rms = 0.0;

@@ -64,6 +64,8 @@ struct Wind::State : WindHost {
     void keep_before() override;
     void hide_broken_cells() override {} // the device knows in time, the host does not (Pass::show)
     void blend(float factor) override;
+    void show_ambient() override;
+    void gusts_passed() override { gusts_held_ = false; }
     void step_cells(double dt, std::span<const detail::MotorReach> reached, Diagnostics& report) override;
     [[nodiscard]] bool at_ambient() const override;
     void measure(Diagnostics& report) override;
@@ -73,6 +75,8 @@ struct Wind::State : WindHost {
     [[nodiscard]] Work work_of(Work::Kind kind) const;
     /// Records now, or with the next frame.
     void do_or_queue(Work work);
+    /// The air that sleeps becomes what blows now.
+    void hold_gusts();
     [[nodiscard]] bool begin(VkCommandBuffer commands, const Frame& frame);
     void end(const Frame& frame);
     void read_back(ReadBack& slot);
@@ -93,6 +97,7 @@ struct Wind::State : WindHost {
     std::uint64_t report_tick_ = 0;    ///< the one that `report` tells of
     std::optional<float> blend_;       ///< the textures of this frame are to be written, so far between the ticks
     bool ticked_ = false;              ///< in this recording
+    bool gusts_held_ = true;           ///< false: the air sleeps, and its cells are not what the gusts are now
     bool filled_ = false;              ///< the next tick begins with the ambient wind in all cells
     bool left_alone_ = false;          ///< the last one did, where it is steady, and nothing acted
     int written_sets_ = 0;             ///< of textures that hold a frame: as many need writing before sleep may leave them

@@ -109,7 +109,7 @@ TEST(GustFront, TheBoxCarriesTheGustsAsTheyAreOutside) {
 }
 
 // Gusts that fade leave the solution of the whole wind, whose fan carries the slow air of the ground upward. Without v . grad A
-// the difference is 13 to 38 % of the fan's own flow.
+// the difference is 22 to 42 % of the fan's own flow.
 TEST(GustFront, FadingGustsLeaveAFanInAProfileAsItIsWithout) {
     const glm::ivec3 cells(40, 24, 40);
     const auto mean_field = [&](float intensity) {

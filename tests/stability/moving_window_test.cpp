@@ -71,7 +71,7 @@ TEST(MovingWindow, GustsAndJumpsOfAnyLength) {
 
 // Nothing acts but the wind outside and the shifts: the box can hold nothing that the wind did not bring.
 TEST(MovingWindow, GustsAloneStayGusts) {
-    Wind wind = made({.cells = k_cells, .ambient = {12.0f, 0.0f, -5.0f}, .gusts = {.intensity = 0.5f}});
+    Wind wind = made({.cells = k_cells, .ambient = {12.0f, 0.0f, -5.0f}, .gusts = {.intensity = 0.5f}, .sleep_speed = 0.0f});
     Watch watch(wind, strongest(wind));
     Random random(53);
     for (int n = 0; n < shortened(1'500); ++n) {

@@ -110,6 +110,7 @@ std::vector<Scene> scenes() {
         },
         [](Session& session) {
             (void)session.wind.step(0.02);
+            (void)session.wind.step(0.02); // asleep: the phase alone moves on
             EXPECT_EQ(session.wind.state().ambient.phase().x, session.wind.state().ambient.period());
         },
         false);
