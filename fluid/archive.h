@@ -260,19 +260,24 @@ void fields(auto& archive, Like<Envelope> auto& envelope) {
     archive(attack, hold, decay);
 }
 
+void fields(auto& archive, Like<Turbulence> auto& turbulence) {
+    auto& [intensity, length, seed] = turbulence;
+    archive(intensity, length, seed);
+}
+
 void fields(auto& archive, Like<DirectionalMotor> auto& motor) {
-    auto& [position, direction, region, law, envelope] = motor;
-    archive(position, direction, region, law, envelope);
+    auto& [position, direction, region, law, envelope, turbulence] = motor;
+    archive(position, direction, region, law, envelope, turbulence);
 }
 
 void fields(auto& archive, Like<WakeMotor> auto& motor) {
-    auto& [position, radius, law, envelope] = motor;
-    archive(position, radius, law, envelope);
+    auto& [position, radius, law, envelope, turbulence] = motor;
+    archive(position, radius, law, envelope, turbulence);
 }
 
 void fields(auto& archive, Like<JetMotor> auto& motor) {
-    auto& [position, direction, length, start_radius, end_radius, law, envelope] = motor;
-    archive(position, direction, length, start_radius, end_radius, law, envelope);
+    auto& [position, direction, length, start_radius, end_radius, law, envelope, turbulence] = motor;
+    archive(position, direction, length, start_radius, end_radius, law, envelope, turbulence);
 }
 
 void fields(auto& archive, Like<VortexMotor> auto& motor) {

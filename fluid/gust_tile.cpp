@@ -21,6 +21,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <mutex>
 #include <numbers>
 
 namespace windrow {
@@ -96,6 +97,16 @@ double raised(const Circle& circle, int waves) {
 
 std::shared_ptr<const GustTile> GustTile::bake(std::uint32_t seed) {
     return std::shared_ptr<const GustTile>(new GustTile(seed));
+}
+
+std::shared_ptr<const GustTile> GustTile::standard() {
+    static std::mutex mutex;
+    static std::weak_ptr<const GustTile> shared;
+    const std::lock_guard lock(mutex);
+    std::shared_ptr<const GustTile> tile = shared.lock();
+    if (!tile)
+        shared = tile = bake(1);
+    return tile;
 }
 
 GustTile::GustTile(std::uint32_t seed) : seed_(seed) {

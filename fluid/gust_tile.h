@@ -29,6 +29,8 @@ class GustTile {
 
     /// Makes a tile: some 5 ms. The same seed gives the same bits on every machine.
     [[nodiscard]] static std::shared_ptr<const GustTile> bake(std::uint32_t seed);
+    /// The tile of seed 1, one for all who hold it at a time: what motors take their eddies from where the wind has no tile.
+    [[nodiscard]] static std::shared_ptr<const GustTile> standard();
 
     /// All texels. Blended, each level component has standard deviation 1 over the tile (about 1.2 at the ground, where mirror
     /// images add up), the vertical one 0.5 (0 at the ground). w is 0.

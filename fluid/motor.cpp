@@ -107,6 +107,13 @@ void check_envelope(detail::Reasons& reasons, const Envelope& envelope) {
         reasons.add("motor.envelope lasts 0 s: give attack, hold or decay a time.");
 }
 
+void check_turbulence(detail::Reasons& reasons, const Turbulence& turbulence) {
+    require(reasons, turbulence.intensity >= 0.0f && turbulence.intensity <= 1.0f, "motor.turbulence.intensity",
+            turbulence.intensity, "give 0 (none) to 1.");
+    require(reasons, turbulence.length >= 0.0f && turbulence.length <= k_most_size, "motor.turbulence.length", turbulence.length,
+            "give 0 m (two radii) to 1e6 m from eddy to eddy.");
+}
+
 struct MotorCheck {
     detail::Reasons& reasons;
     void operator()(const DirectionalMotor& motor) const {
@@ -115,12 +122,14 @@ struct MotorCheck {
         std::visit(RegionCheck{reasons}, motor.region);
         std::visit(LawCheck{reasons}, motor.law);
         check_envelope(reasons, motor.envelope);
+        check_turbulence(reasons, motor.turbulence);
     }
     void operator()(const WakeMotor& motor) const {
         check_position(reasons, motor.position);
         check_radius(reasons, "motor.radius", motor.radius);
         std::visit(LawCheck{reasons}, motor.law);
         check_envelope(reasons, motor.envelope);
+        check_turbulence(reasons, motor.turbulence);
     }
     void operator()(const JetMotor& motor) const {
         check_position(reasons, motor.position);
@@ -130,6 +139,7 @@ struct MotorCheck {
         check_radius(reasons, "motor.end_radius", motor.end_radius);
         std::visit(LawCheck{reasons}, motor.law);
         check_envelope(reasons, motor.envelope);
+        check_turbulence(reasons, motor.turbulence);
     }
     void operator()(const VortexMotor& motor) const {
         check_position(reasons, motor.position);

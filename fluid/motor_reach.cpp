@@ -1,5 +1,6 @@
 #include "fluid/motor_reach.h"
 
+#include "fluid/gust_tile.h"
 #include "fluid/numerics.h"
 
 #include <algorithm>
@@ -10,6 +11,7 @@ namespace windrow::detail {
 namespace {
 
 constexpr float k_pi = 3.14159265f;
+constexpr double k_least_eddy = 1e-3; // [m] shorter ones are noise in any cell
 
 // The cells whose centres lie within `low`..`high` [m from the box's corner]; false if there are none.
 bool cover(MotorReach& reach, glm::vec3 low, glm::vec3 high, const Window& window) {
@@ -112,6 +114,50 @@ void apply_law(MotorReach& reach, const std::variant<Force, Drive>& law, glm::ve
     }
 }
 
+// Eddies of standard deviation `eddies` that travel at `carried` [m/s], `time` [s] after they left `from` [m from the box's low
+// corner]; `radius` [m] what their length follows.
+void stir(MotorReach& reach, const Turbulence& turbulence, float eddies, glm::dvec3 from, glm::dvec3 carried, double time,
+          float radius) {
+    reach.eddies = eddies;
+    const float length = turbulence.length > 0.0f ? turbulence.length : 2.0f * radius;
+    const double texel = std::max(static_cast<double>(length), k_least_eddy) / GustTile::k_gust_texels;
+    reach.texels = static_cast<float>(1.0 / texel);
+    // Irrational steps: seeds that follow each other lie far apart in the tile.
+    const glm::dvec3 stretch = static_cast<double>(turbulence.seed) * glm::dvec3(0.6180339887498949, 0.0, 0.4142135623730950);
+    const glm::dvec3 texels(GustTile::k_side, 2 * GustTile::k_height, GustTile::k_side);
+    for (int axis = 0; axis < 3; ++axis) {
+        const double place = (from[axis] + std::fmod(carried[axis] * time, texels[axis] * texel)) / -texel;
+        reach.tile_place[axis] =
+            static_cast<float>(std::fmod(place + std::fmod(stretch[axis], 1.0) * texels[axis], texels[axis])) - 0.5f;
+    }
+}
+
+// The same for a region that blows along `direction`; `radius` [m] is its smallest.
+void stir(MotorReach& reach, const Turbulence& turbulence, const std::variant<Force, Drive>& law, float strength,
+          glm::vec3 direction, double time, float radius) {
+    if (!(turbulence.intensity > 0.0f))
+        return;
+    constexpr double k_carried = 0.7;
+    double speed = 0.0;
+    if (const auto* force = std::get_if<Force>(&law)) {
+        const auto size = static_cast<double>(std::abs(force->acceleration));
+        speed = std::copysign(std::sqrt(2.0 * size * static_cast<double>(radius)), static_cast<double>(force->acceleration));
+        strength *= std::abs(force->acceleration);
+    } else {
+        speed = static_cast<double>(std::get<Drive>(law).speed);
+        strength = std::abs(std::get<Drive>(law).speed);
+    }
+    stir(reach, turbulence, turbulence.intensity * strength, glm::dvec3(reach.centre), k_carried * speed * glm::dvec3(direction),
+         time, radius);
+}
+
+// The smallest radius of a region as it is widened.
+float least_radius(const MotorReach& reach) {
+    if (reach.shape == MotorReach::Shape::box)
+        return std::min({reach.extent.x, reach.extent.y, reach.extent.z});
+    return reach.radius;
+}
+
 // S0 of a ball from which 4 pi R^2 v cubic metres of air come out a second: that over the volume of its weight, 32 pi r^3 / 105.
 bool shape_source(MotorReach& reach, float radius, float speed, float strength, const Window& window) {
     reach.law = MotorReach::Law::source;
@@ -133,6 +179,8 @@ struct Preparation {
         reach[0].centre = metres(window, track.middle());
         const float share = std::visit(RegionReach{reach[0], window}, motor.region);
         apply_law(reach[0], motor.law, motor.direction, strength * share, duration);
+        stir(reach[0], motor.turbulence, motor.law, strength * share, motor.direction, age + 0.5 * duration,
+             least_radius(reach[0]));
         return strength * share > 0.0f ? 1 : 0;
     }
     int operator()(const JetMotor& motor) const {
@@ -145,6 +193,7 @@ struct Preparation {
         const float share = impulse(motor.length, motor.start_radius, motor.end_radius) /
                             impulse(glm::length(reach[0].extent), reach[0].radius, reach[0].end_radius);
         apply_law(reach[0], motor.law, {1.0f, 0.0f, 0.0f}, strength * share, duration);
+        stir(reach[0], motor.turbulence, motor.law, strength * share, motor.direction, age + 0.5 * duration, reach[0].radius);
         return cover_cone(reach[0], window) && strength * share > 0.0f ? 1 : 0;
     }
     int operator()(const VortexMotor& motor) const {
@@ -201,6 +250,9 @@ struct Preparation {
                 swept.push = (drive.entrainment / static_cast<float>(piece.duration)) * way;
                 swept.amount = share * drive.per_metre;
             }
+            if (motor.turbulence.intensity > 0.0f)
+                stir(swept, motor.turbulence, motor.turbulence.intensity * glm::length(swept.push), -glm::dvec3(window.origin()),
+                     glm::dvec3(0.0), 0.0, radius);
             if (cover(swept, glm::min(swept.centre, swept.extent) - radius, glm::max(swept.centre, swept.extent) + radius,
                       window))
                 ++count;

@@ -26,9 +26,13 @@ struct MotorReach {
     glm::vec3 push{0.0f};
     /// Drive: exponent per unit of weight. Source: S0 [1/s].
     float amount = 0.0f;
+    /// Turbulence of `push`, in its unit: its standard deviation; 0: none.
+    float eddies = 0.0f;
+    float texels = 0.0f;        ///< [1/m] of the gust tile
+    glm::vec3 tile_place{0.0f}; ///< [texels] of the box's low corner in the tile, from the centre of its first texel
     glm::ivec3 low{0}, high{0}; ///< cells low <= index < high
 };
-static_assert(sizeof(MotorReach) == 4 * (2 + 3 + 3 + 3 + 3 + 1 + 6), "no padding: compared as bytes");
+static_assert(sizeof(MotorReach) == 4 * (2 + 3 + 3 + 3 + 3 + 1 + 5 + 6), "no padding: compared as bytes");
 
 /// Prepares one motor for a tick of `duration` [s] that it begins at `age` [s], having moved along `path`. Writes at most
 /// Track::k_most_pieces entries to `reach`; returns how many.

@@ -1,6 +1,7 @@
 #include "fluid/motors.h"
 
 #include "fluid/event_log.h"
+#include "fluid/gust_tile.h"
 #include "fluid/message.h"
 
 #include <algorithm>
@@ -32,6 +33,17 @@ double end_of(const Motor& motor) {
                 return kind.envelope.end();
             else
                 return kind.end();
+        },
+        motor);
+}
+
+bool stirs(const Motor& motor) {
+    return std::visit(
+        [](const auto& kind) {
+            if constexpr (requires { kind.turbulence; })
+                return kind.turbulence.intensity > 0.0f;
+            else
+                return false;
         },
         motor);
 }
@@ -124,8 +136,11 @@ void Motors::release(std::uint32_t index) {
 // its path.
 void Motors::reserve_reach() {
     std::size_t most = 0;
-    for (const Slot& slot : slots_)
+    for (const Slot& slot : slots_) {
+        if (!tile_ && slot.used && stirs(slot.motor))
+            tile_ = GustTile::standard();
         most += slot.used && std::holds_alternative<WakeMotor>(slot.motor) ? std::size_t{Track::k_most_pieces} : 1;
+    }
     if (reach_.size() < most)
         reach_.resize(most + most / 2);
 }
@@ -167,7 +182,7 @@ std::span<const detail::MotorReach> Motors::tick(double duration, const Window& 
 
 std::size_t Motors::memory_bytes() const {
     return slots_.capacity() * sizeof(Slot) + reach_.capacity() * sizeof(detail::MotorReach) +
-           free_.capacity() * sizeof(std::uint32_t);
+           free_.capacity() * sizeof(std::uint32_t) + (tile_ ? tile_->memory_bytes() : 0);
 }
 
 } // namespace windrow

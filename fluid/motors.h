@@ -4,6 +4,7 @@
 // What the air feels does not depend on the order in which motors were added: a cell sums them in an order of their own.
 #pragma once
 
+#include "fluid/gust_tile.h"
 #include "fluid/motor.h"
 #include "fluid/motor_reach.h"
 #include "fluid/result.h"
@@ -64,6 +65,10 @@ class Motors {
     /// depend on the list's. Does not allocate. The span lasts until the next call.
     [[nodiscard]] std::span<const detail::MotorReach> tick(double duration, const Window& window);
     [[nodiscard]] std::span<const Slot> slots() const { return slots_; }
+    /// What motors' eddies are read from: the wind's own tile, else the standard one. May be null where no motor has eddies.
+    [[nodiscard]] const std::shared_ptr<const GustTile>& tile(const std::shared_ptr<const GustTile>& of_wind) const {
+        return of_wind ? of_wind : tile_;
+    }
     /// Every change is noted in `log` from now on; null: no longer.
     void record_to(EventLog* log) { log_ = log; }
 
@@ -77,6 +82,7 @@ class Motors {
     std::vector<Slot> slots_;
     std::vector<detail::MotorReach> reach_; ///< room for all that a tick can return
     std::vector<std::uint32_t> free_;
+    std::shared_ptr<const GustTile> tile_; ///< standard, held from the first motor with eddies on
     int count_ = 0;
     EventLog* log_ = nullptr;
 };

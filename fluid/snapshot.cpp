@@ -17,7 +17,7 @@
 namespace windrow {
 namespace {
 
-constexpr detail::Format k_format{"WINDSNAP", 2, "snapshot", "Wind::save"};
+constexpr detail::Format k_format{"WINDSNAP", 3, "snapshot", "Wind::save"};
 constexpr double k_farthest_cells = 1e12;
 
 bool in_range(glm::dvec3 point, double most) {
@@ -125,7 +125,7 @@ struct StateFields {
     }
 
     static void motors(auto& archive, Like<Motors> auto& motors) {
-        auto& [slots, reach, free, count, log] = motors;
+        auto& [slots, reach, free, tile, count, log] = motors;
         auto size = static_cast<std::uint32_t>(slots.size());
         archive(size);
         if constexpr (Reading<decltype(archive)>) {

@@ -1,9 +1,12 @@
 #include "scene/motor_parts_reader.h"
 
+#include <limits>
+
 namespace windrow::scene {
 namespace {
 
 constexpr NumberRule k_seconds_rule{.least = 0.0, .most = 1e9, .unit = "s"};
+constexpr NumberRule k_seed_rule{.least = 0.0, .most = std::numeric_limits<int>::max()};
 constexpr NumberRule k_direction_rule{.least = -1e6, .most = 1e6};
 
 } // namespace
@@ -118,6 +121,15 @@ Envelope read_envelope(JsonObject envelope) {
     if (envelope.value().contains("decay") && !envelope.value().contains("hold"))
         envelope.refuse("decay", "never begins without a \"hold\": say how long the motor acts before it.");
     envelope.finish();
+    return read;
+}
+
+Turbulence read_turbulence(JsonObject turbulence, const Turbulence& fallback) {
+    Turbulence read = fallback;
+    read.intensity = turbulence.real("intensity", read.intensity, {.least = 0.0, .most = 1.0});
+    read.length = turbulence.real("length", read.length, {.least = 0.0, .most = 1e6, .unit = "m"});
+    read.seed = static_cast<std::uint32_t>(turbulence.integer("seed", static_cast<int>(read.seed), k_seed_rule));
+    turbulence.finish();
     return read;
 }
 

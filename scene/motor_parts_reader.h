@@ -17,6 +17,8 @@ inline constexpr NumberRule k_speed_rule{.least = -1e4, .most = 1e4, .unit = "m/
 [[nodiscard]] std::variant<WakeForce, WakeDrive> read_wake_law(JsonObject law);
 /// Refuses a decay that no hold would ever let begin.
 [[nodiscard]] Envelope read_envelope(JsonObject envelope);
+/// `fallback` is the kind's own default.
+[[nodiscard]] Turbulence read_turbulence(JsonObject turbulence, const Turbulence& fallback);
 /// A vector of any length but 0.
 [[nodiscard]] glm::vec3 read_direction(JsonObject& object, const char* key, glm::vec3 fallback);
 

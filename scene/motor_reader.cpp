@@ -34,6 +34,7 @@ void read_directional(JsonObject& object, const MotorContext& context, SceneMoto
     read.region = read_region(object.object("region"));
     read.law = read_law(object.object("law"), std::get<Drive>(read.law));
     read.envelope = read_envelope(object.object("envelope"));
+    read.turbulence = read_turbulence(object.object("turbulence"), read.turbulence);
     motor.motor = read;
 }
 
@@ -44,6 +45,7 @@ void read_wake(JsonObject& object, const MotorContext& context, SceneMotor& moto
     read.radius = object.real("radius", read.radius, k_size_rule);
     read.law = read_wake_law(object.object("law"));
     read.envelope = read_envelope(object.object("envelope"));
+    read.turbulence = read_turbulence(object.object("turbulence"), read.turbulence);
     motor.motor = read;
 }
 
@@ -56,6 +58,7 @@ void read_jet(JsonObject& object, const MotorContext& context, SceneMotor& motor
     read.end_radius = object.real("end_radius", read.end_radius, k_size_rule);
     read.law = read_law(object.object("law"), std::get<Drive>(read.law));
     read.envelope = read_envelope(object.object("envelope"));
+    read.turbulence = read_turbulence(object.object("turbulence"), read.turbulence);
     motor.motor = read;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fluid/box.h"
+#include "fluid/motor.h"
 
 #include <cmath>
 #include <cstddef>
@@ -14,6 +15,9 @@
 #include <vector>
 
 namespace windrow::test {
+
+/// For closed forms, and wherever an order is measured.
+inline constexpr Turbulence k_steady{.intensity = 0.0f};
 
 using Field = std::vector<glm::vec4>;
 

@@ -21,14 +21,18 @@ struct Push {
 
 // Calls visit(i, push) for the cells of one row that the motor reaches. The kind is chosen once a row.
 template <class Visit>
-void for_each_cell(const MotorReach& motor, glm::vec3 first_centre, float cell_size, const Visit& visit) {
+void for_each_cell(const MotorReach& motor, glm::vec3 first_centre, float cell_size, const numerics::TileView& tile,
+                   const Visit& visit) {
     using namespace numerics;
     const auto along = [&](const auto& evaluate) {
         for (int i = motor.low.x; i < motor.high.x; ++i) {
             const glm::vec3 p(first_centre.x + cell_size * static_cast<float>(i), first_centre.y, first_centre.z);
-            const Push at = evaluate(p);
-            if (at.weight > 0.0f)
-                visit(i, at);
+            Push at = evaluate(p);
+            if (!(at.weight > 0.0f))
+                continue;
+            if (motor.eddies > 0.0f)
+                at.push += motor.eddies * windrow_tile_at(tile, glm::ivec3(0), motor.tile_place + motor.texels * p);
+            visit(i, at);
         }
     };
     switch (motor.shape) {
@@ -123,7 +127,7 @@ void SourceField::limit_drives(float most) {
 }
 
 void SourceField::gather(std::span<const MotorReach> motors, float cell_size, std::span<const glm::vec4> velocity,
-                         const ParallelFor& parallel_for) {
+                         const numerics::TileView& tile, const ParallelFor& parallel_for) {
     const auto any = [&](MotorReach::Law law) {
         return std::any_of(motors.begin(), motors.end(), [&](const MotorReach& m) { return m.law == law; });
     };
@@ -133,14 +137,15 @@ void SourceField::gather(std::span<const MotorReach> motors, float cell_size, st
     largest_force_ = largest_driven_ = 0.0f;
     if (motors.empty())
         return;
-    parallel_for(cells_.z, [&](int plane) { gather_plane(motors, cell_size, velocity, plane); });
+    parallel_for(cells_.z, [&](int plane) { gather_plane(motors, cell_size, velocity, tile, plane); });
     for (int k = 0; k < cells_.z; ++k) {
         largest_force_ = std::max(largest_force_, plane_largest_[k]);
         largest_driven_ = std::max(largest_driven_, plane_largest_driven_[k]);
     }
 }
 
-void SourceField::gather_plane(std::span<const MotorReach> motors, float cell_size, std::span<const glm::vec4> velocity, int k) {
+void SourceField::gather_plane(std::span<const MotorReach> motors, float cell_size, std::span<const glm::vec4> velocity,
+                               const numerics::TileView& tile, int k) {
     // Hundreds of motors reach a box, a few of them a plane. More than fit here are looked up again in every row: slower, not
     // wrong.
     std::array<std::uint16_t, 512> near;
@@ -174,7 +179,7 @@ void SourceField::gather_plane(std::span<const MotorReach> motors, float cell_si
                 if (!holds_force)
                     std::fill_n(force_row, cells_.x, glm::vec4(0.0f));
                 holds_force = true;
-                for_each_cell(motor, first_centre, cell_size,
+                for_each_cell(motor, first_centre, cell_size, tile,
                               [&](int i, const Push& at) { force_row[i] += glm::vec4(at.weight * at.push, 0.0f); });
                 break;
             case MotorReach::Law::drive:
@@ -182,13 +187,13 @@ void SourceField::gather_plane(std::span<const MotorReach> motors, float cell_si
                     std::fill_n(drives, cells_.x, glm::vec4(0.0f));
                 drive_low = std::min(drive_low, motor.low.x);
                 drive_high = std::max(drive_high, motor.high.x);
-                for_each_cell(motor, first_centre, cell_size, [&](int i, const Push& at) {
+                for_each_cell(motor, first_centre, cell_size, tile, [&](int i, const Push& at) {
                     const float exponent = at.weight * motor.amount;
                     drives[i] += glm::vec4(exponent * at.push, exponent);
                 });
                 break;
             case MotorReach::Law::source:
-                for_each_cell(motor, first_centre, cell_size,
+                for_each_cell(motor, first_centre, cell_size, tile,
                               [&](int i, const Push& at) { expansion_row[i] += at.weight * motor.amount; });
                 break;
             }

@@ -1,6 +1,7 @@
 // The sources stage: what motors do to the air, gathered a cell at a time from the motors that reach it.
 #pragma once
 
+#include "fluid/ambient_numerics.h"
 #include "fluid/cpu/aligned.h"
 #include "fluid/motor_reach.h"
 #include "fluid/parallel.h"
@@ -17,9 +18,9 @@ class SourceField {
   public:
     explicit SourceField(glm::ivec3 cells);
 
-    /// A cell sums its motors in the order of `motors`. `velocity` is read for largest_driven().
+    /// A cell sums its motors in the order of `motors`. `velocity` is read for largest_driven(), `tile` by motors with eddies.
     void gather(std::span<const detail::MotorReach> motors, float cell_size, std::span<const glm::vec4> velocity,
-                const ParallelFor& parallel_for);
+                const numerics::TileView& tile, const ParallelFor& parallel_for);
 
     /// velocity += factor * f, on the rows that hold a force.
     void add_force_to(std::span<glm::vec4> velocity, float factor, const ParallelFor& parallel_for) const;
@@ -52,7 +53,7 @@ class SourceField {
 
   private:
     void gather_plane(std::span<const detail::MotorReach> motors, float cell_size, std::span<const glm::vec4> velocity,
-                      int plane);
+                      const numerics::TileView& tile, int plane);
 
     glm::ivec3 cells_;
     Buffer<glm::vec4> force_;

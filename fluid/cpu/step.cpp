@@ -252,7 +252,8 @@ void Wind::State::advance_in_place(float dt, Diagnostics& report) {
 
 void Wind::State::add_sources(float dt, std::span<const detail::MotorReach> reached, Diagnostics& report) {
     Stopwatch watch(report.times_ms.sources);
-    sources.gather(reached, box().cell_size, air.velocity, config.parallel_for);
+    const auto& tile = motors.tile(ambient.tile());
+    sources.gather(reached, box().cell_size, air.velocity, {tile ? tile->texels().data() : nullptr}, config.parallel_for);
     if (config.scheme == Scheme::stable_fluids || !config.stages.advection)
         hold_whole(dt);
     if (config.stages.projection)

@@ -174,13 +174,18 @@ void Air::write(VkCommandBuffer commands, const Buffer& to, std::span<const std:
                                                std::min<VkDeviceSize>(k_most_update, bytes.size() - at), bytes.data() + at);
 }
 
-void Air::tell(VkCommandBuffer commands, const WindrowStep& step, const AmbientWind& ambient) {
-    const bool new_tile = settings_.gusts && ambient.tile() && std::exchange(tile_, ambient.tile()) != ambient.tile();
+void Air::tell(VkCommandBuffer commands, const WindrowStep& step, const AmbientWind& ambient,
+               std::shared_ptr<const GustTile> tile) {
+    if (!tile)
+        tile = settings_.gusts ? ambient.tile() : tile_;
+    const bool new_tile = tile && tile != tile_;
+    if (new_tile)
+        tile_ = std::move(tile);
     // The host's shaders read the tile too: those of earlier frames are done with it before it changes.
     barrier(new_tile ? VK_PIPELINE_STAGE_ALL_COMMANDS_BIT | k_compute | k_transfer : k_compute, k_transfer);
     write_tables(commands);
     if (new_tile)
-        write(commands, fields_.tile, std::as_bytes(ambient.tile()->texels()));
+        write(commands, fields_.tile, std::as_bytes(tile_->texels()));
     write(commands, fields_.step, std::as_bytes(std::span(&step, 1)));
 }
 
@@ -298,7 +303,7 @@ void Air::keep_before(VkCommandBuffer commands) {
 
 void Air::step(VkCommandBuffer commands, const AirTick& tick) {
     const WindrowStep told = step_of(tick);
-    tell(commands, told, *tick.ambient);
+    tell(commands, told, *tick.ambient, tick.tile);
     const DiffusionMethod diffusion = diffusion_of(tick.duration);
     if (std::exchange(shapes_, diffusion) != diffusion)
         write(commands, fields_.shapes, bytes_of(passes_.shapes(diffusion)));

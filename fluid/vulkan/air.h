@@ -31,6 +31,7 @@ namespace windrow::vulkan {
 struct AirTick {
     double duration = 0.0; ///< [s]
     std::span<const detail::MotorReach> motors{};
+    std::shared_ptr<const GustTile> tile{}; ///< of their eddies; null: none has any
     /// As it blows at the tick's start; `Air` does not keep it.
     const AmbientWind* ambient = nullptr;
     const Window* window = nullptr;
@@ -142,7 +143,9 @@ class Air {
     [[nodiscard]] Result<Buffer> piece_of(const SolveTables& tables);
     [[nodiscard]] DiffusionMethod diffusion_of(double duration) const;
     [[nodiscard]] WindrowStep step_of(const AirTick& tick) const;
-    void tell(VkCommandBuffer commands, const WindrowStep& step, const AmbientWind& ambient);
+    /// `tile` is what the passes read; null: they read none, or the wind's own.
+    void tell(VkCommandBuffer commands, const WindrowStep& step, const AmbientWind& ambient,
+              std::shared_ptr<const GustTile> tile = nullptr);
     static constexpr VkDeviceSize k_most_update = 65536; ///< [bytes] of vkCmdUpdateBuffer
     void write(VkCommandBuffer commands, const Buffer& to, std::span<const std::byte> bytes);
     /// What was recorded so far in stages `from` is done before what follows in stages `to`. Recorded with the next command, as

@@ -33,7 +33,7 @@ Result<Fields> Fields::create(Device& device, const Sizes& sizes) {
     make(fields.rules, "rules", 2 * axes * sizeof(WindrowRule)); // as viscosity and as transport see the sides
     make(fields.motors, "motors", k_most_motors * sizeof(WindrowMotor));
     make(fields.tables, "tables", sizes.table_floats * sizeof(float));
-    make(fields.tile, "tile", sizes.gusts ? VkDeviceSize{128} * 16 * 128 * sizeof(vec4) : sizeof(vec4));
+    make(fields.tile, "tile", VkDeviceSize{128} * 16 * 128 * sizeof(vec4)); // motors' eddies are read from it too
     make(fields.velocity, "velocity", cells * sizeof(vec4));
     make(fields.velocity_old, "velocity_old", cells * sizeof(vec4));
     make(fields.history, "history", cells * sizeof(vec4));

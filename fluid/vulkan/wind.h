@@ -36,8 +36,8 @@ struct Settings {
     Texel texel = Texel::half;
     /// Frames that the host keeps in flight, 1 to 8: as many read-backs wait for their turn. Default 2.
     int frames_in_flight = 2;
-    /// Room for gusts, or for detail (Gusts::tile), that begin later than the wind itself (4 MiB). Default: only where the config
-    /// has them.
+    /// Room for gusts, or for detail (Gusts::tile), that begin later than the wind itself (16 bytes a cell and its halo). Default:
+    /// only where the config has them.
     bool gusts = false;
     /// Times each pass on the device (pass_times). Default off: it costs two timestamps a dispatch, and holds a pass back until
     /// the one before it has ended. Refused where the queue family counts no time (timestampValidBits is 0).
@@ -121,7 +121,7 @@ class Wind {
     [[nodiscard]] WindowBlock window_block(glm::dvec3 anchor) const;
     /// The same with what blows around the box: the uniform buffer that the include wants.
     [[nodiscard]] FrameBlock frame_block(glm::dvec3 anchor, const Sampling& sampling = {}) const;
-    /// The storage buffer of the gust tile that the include wants; 16 bytes where there is no room for gusts.
+    /// The storage buffer of the gust tile that the include wants.
     [[nodiscard]] VkBuffer gust_buffer() const;
     /// What blows around the box in this frame.
     [[nodiscard]] const AmbientWind& ambient_wind() const;

@@ -298,6 +298,7 @@ void Wind::State::step_cells(double dt, std::span<const windrow::detail::MotorRe
     const auto plants = canopy_rows();
     air->step(commands_, {.duration = dt,
                           .motors = reached,
+                          .tile = motors.tile(ambient.tile()),
                           .ambient = &ambient,
                           .window = &window,
                           .canopy = plants ? glm::vec3(plants->drag, plants->ground, plants->top) : glm::vec3(0.0f),

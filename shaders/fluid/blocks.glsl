@@ -71,7 +71,8 @@ struct WindrowMotor {
     float centre[3], extent[3];
     float radius, end_radius, lift;
     float push[3];
-    float amount;
+    float amount, eddies, texels;
+    float tile_place[3];
     int low[3], high[3];
 };
 

@@ -71,9 +71,11 @@ void main() {
             if (any(lessThan(cell, ivec3(motors[n].low[0], motors[n].low[1], motors[n].low[2]))) ||
                 any(greaterThanEqual(cell, ivec3(motors[n].high[0], motors[n].high[1], motors[n].high[2]))))
                 continue;
-            const vec4 motor = push_at(n, p);
+            vec4 motor = push_at(n, p);
             if (!(motor.w > 0.0f))
                 continue;
+            if (motors[n].eddies > 0.0f)
+                motor.xyz += motors[n].eddies * windrow_tile_at(0, ivec3(0), from(motors[n].tile_place) + motors[n].texels * p);
             if (motors[n].law == k_force) {
                 pushed += motor.w * motor.xyz;
             } else if (motors[n].law == k_drive) {

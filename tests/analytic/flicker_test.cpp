@@ -8,6 +8,7 @@
 // Bound: 1e-3 of the blast ten steps after it.
 #include "figures.h"
 #include "flows.h"
+#include "tests/fields.h"
 
 namespace windrow {
 namespace {
@@ -57,8 +58,11 @@ double blast_flicker(const Sides& sides, glm::vec3 ambient, int calm_steps, floa
         wind.set_velocity([&](glm::dvec3) { return wind.ambient(); });
     for (int step = 0; step < calm_steps; ++step)
         wind.step(dt);
-    const MotorId motor = *wind.motors().add(DirectionalMotor{
-        .position = {0.5, 0.25, -0.5}, .direction = {1.0f, 0.5f, 0.2f}, .region = Sphere{4.0f}, .law = Force{acceleration}});
+    const MotorId motor = *wind.motors().add(DirectionalMotor{.position = {0.5, 0.25, -0.5},
+                                                              .direction = {1.0f, 0.5f, 0.2f},
+                                                              .region = Sphere{4.0f},
+                                                              .law = Force{acceleration},
+                                                              .turbulence = test::k_steady});
     for (int step = 0; step < 5; ++step)
         wind.step(dt);
     EXPECT_TRUE(wind.motors().remove(motor));

@@ -10,6 +10,7 @@
 #include "figures.h"
 #include "flows.h"
 #include "tests/bench/reference/spectral_flow.h"
+#include "tests/fields.h"
 
 #include <optional>
 
@@ -62,7 +63,8 @@ double forced_error(int cells, const Gust& gust, Scheme scheme, const std::vecto
         return DirectionalMotor{.position = {centre.x, centre.y, 0.5 * h},
                                 .direction = glm::vec3(Gust::direction()),
                                 .region = AlignedBox{glm::vec3(k_half_size)},
-                                .law = Force{static_cast<float>(gust.strength(t))}};
+                                .law = Force{static_cast<float>(gust.strength(t))},
+                                .turbulence = test::k_steady};
     };
     const MotorId motor = *wind.motors().add(motor_at(0.0));
     for (int step = 0; step < cells; ++step) {
@@ -122,8 +124,11 @@ TEST(ForcedFlow, TheWholeImpulseArrivesWithTheMotor) {
     const Box box = periodic_box({24, 16, 20}, 0.5);
     for (const Scheme scheme : {Scheme::second_order, Scheme::stable_fluids}) {
         Wind wind = raw_wind(box, 0.0, scheme, Interpolation::cubic);
-        const DirectionalMotor fan{
-            .position = {6.0, 4.0, 5.0}, .direction = {0.0f, 0.6f, 0.8f}, .region = Sphere{2.5f}, .law = Force{4.0f}};
+        const DirectionalMotor fan{.position = {6.0, 4.0, 5.0},
+                                   .direction = {0.0f, 0.6f, 0.8f},
+                                   .region = Sphere{2.5f},
+                                   .law = Force{4.0f},
+                                   .turbulence = test::k_steady};
         ASSERT_TRUE(wind.motors().add(fan));
         double weights = 0.0;
         for_each_cell(box, [&](std::size_t, glm::dvec3 x) {
@@ -205,10 +210,19 @@ std::vector<glm::dvec3> coarsened(const std::vector<glm::dvec3>& fine, int cells
 
 const Driven k_driven[] = {
     {"ball",
-     DirectionalMotor{.position = path(0.0), .direction = {1.0f, 0.3f, 0.0f}, .region = Sphere{1.2f}, .law = Drive{1.0f, k_rate}},
+     DirectionalMotor{.position = path(0.0),
+                      .direction = {1.0f, 0.3f, 0.0f},
+                      .region = Sphere{1.2f},
+                      .law = Drive{1.0f, k_rate},
+                      .turbulence = test::k_steady},
      6e-3},
     {"pushing_ball",
-     DirectionalMotor{.position = path(0.0), .direction = {1.0f, 0.3f, 0.0f}, .region = Sphere{1.2f}, .law = Force{1.0f}}, 6e-3},
+     DirectionalMotor{.position = path(0.0),
+                      .direction = {1.0f, 0.3f, 0.0f},
+                      .region = Sphere{1.2f},
+                      .law = Force{1.0f},
+                      .turbulence = test::k_steady},
+     6e-3},
     {"vortex",
      VortexMotor{
          .position = path(0.0), .axis = {0.0f, 0.0f, 1.0f}, .radius = 1.5f, .half_length = 2.0f, .law = Drive{1.0f, k_rate}},

@@ -49,6 +49,7 @@ class Twin {
         run([&](VkCommandBuffer commands) {
             air_->step(commands, {.duration = dt,
                                   .motors = reached,
+                                  .tile = motors_.tile(ambient.tile()),
                                   .ambient = &ambient,
                                   .window = &window,
                                   .renews_sources = sources != sources_before,

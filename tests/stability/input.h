@@ -49,6 +49,19 @@ inline double push_of(const Motor& motor, double h) {
     return 1.0;
 }
 
+// The longest push with turbulence over that without.
+inline double eddies_of(const Motor& motor) {
+    const double longest = static_cast<double>(GustTile::standard()->bound());
+    return std::visit(
+        [&](const auto& kind) {
+            if constexpr (requires { kind.turbulence; })
+                return 1.0 + static_cast<double>(kind.turbulence.intensity) * longest;
+            else
+                return 1.0;
+        },
+        motor);
+}
+
 } // namespace detail
 
 [[nodiscard]] inline MotorInput input_of(const Motor& motor, double h) {
@@ -80,6 +93,11 @@ inline double push_of(const Motor& motor, double h) {
         else
             input.entrainment = std::get<WakeDrive>(wake->law).entrainment;
     }
+    const double eddies = detail::eddies_of(motor);
+    input.target *= eddies;
+    input.acceleration *= eddies;
+    input.per_metre *= eddies;
+    input.entrainment *= eddies;
     return input;
 }
 

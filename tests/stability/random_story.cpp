@@ -84,6 +84,17 @@ Envelope some_envelope() {
     return {.attack = single(real(0.0, 0.5)), .hold = single(spread(1e-3, 1.0)), .decay = single(real(0.0, 0.5))};
 }
 
+Turbulence some_turbulence() {
+    switch (pick(0, 3)) {
+    case 0:
+        return {.intensity = 0.0f};
+    case 1:
+        return {.intensity = single(real(0.0, 1.0)), .length = single(spread(1e-3, 1e3)), .seed = 77};
+    default:
+        return {};
+    }
+}
+
 Region some_region() {
     switch (pick(0, 3)) {
     case 0:
@@ -102,8 +113,12 @@ Motor some_motor() {
     switch (pick(0, 6)) {
     case 0:
     case 1:
-        return DirectionalMotor{
-            .position = at, .direction = direction(), .region = some_region(), .law = some_law(), .envelope = some_envelope()};
+        return DirectionalMotor{.position = at,
+                                .direction = direction(),
+                                .region = some_region(),
+                                .law = some_law(),
+                                .envelope = some_envelope(),
+                                .turbulence = some_turbulence()};
     case 2: {
         WakeMotor wake{.position = at, .radius = size_in_cells()};
         if (pick(0, 2) == 2)
@@ -111,6 +126,7 @@ Motor some_motor() {
         else
             wake.law = WakeDrive{.per_metre = single(spread(0.01, 1e4)), .entrainment = single(real(0.0, 2.0))};
         wake.envelope = some_envelope();
+        wake.turbulence = some_turbulence();
         return wake;
     }
     case 3:
@@ -120,7 +136,8 @@ Motor some_motor() {
                         .start_radius = size_in_cells(),
                         .end_radius = size_in_cells(),
                         .law = some_law(),
-                        .envelope = some_envelope()};
+                        .envelope = some_envelope(),
+                        .turbulence = some_turbulence()};
     case 4:
         return VortexMotor{.position = at,
                            .axis = direction(),

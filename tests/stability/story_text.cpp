@@ -110,6 +110,9 @@ class Fields {
     }
 
     // --- Motors -------------------------------------------------------------------------------------------------------
+    static std::string text(const Turbulence& turbulence) {
+        return Fields("")("intensity", turbulence.intensity)("length", turbulence.length)("seed", turbulence.seed).done();
+    }
     static std::string text(const Envelope& envelope) {
         return Fields("")("attack", envelope.attack)("hold", envelope.hold)("decay", envelope.decay).done();
     }
@@ -136,16 +139,16 @@ class Fields {
     static std::string text(const Motor& motor) {
         if (const auto* fan = std::get_if<DirectionalMotor>(&motor))
             return Fields("DirectionalMotor")("position", fan->position)("direction", fan->direction)("region", fan->region)(
-                       "law", fan->law)("envelope", fan->envelope)
+                       "law", fan->law)("envelope", fan->envelope)("turbulence", fan->turbulence)
                 .done();
         if (const auto* wake = std::get_if<WakeMotor>(&motor))
-            return Fields("WakeMotor")("position", wake->position)("radius", wake->radius)("law", wake->law)("envelope",
-                                                                                                             wake->envelope)
+            return Fields("WakeMotor")("position", wake->position)("radius", wake->radius)("law", wake->law)(
+                       "envelope", wake->envelope)("turbulence", wake->turbulence)
                 .done();
         if (const auto* jet = std::get_if<JetMotor>(&motor))
             return Fields("JetMotor")("position", jet->position)("direction", jet->direction)("length", jet->length)(
-                       "start_radius", jet->start_radius)("end_radius", jet->end_radius)("law", jet->law)("envelope",
-                                                                                                          jet->envelope)
+                       "start_radius", jet->start_radius)("end_radius", jet->end_radius)("law", jet->law)(
+                       "envelope", jet->envelope)("turbulence", jet->turbulence)
                 .done();
         if (const auto* vortex = std::get_if<VortexMotor>(&motor))
             return Fields("VortexMotor")("position", vortex->position)("axis", vortex->axis)("radius", vortex->radius)(

@@ -43,8 +43,11 @@ inline MotorId add(Wind& wind, const Motor& motor) {
 
 /// A fan as hard as a fan can be: its cells hold its speed after a millisecond.
 inline MotorId drive(Wind& wind, glm::dvec3 position, glm::vec3 direction, float speed, float radius = 2.0f, float rate = 1e6f) {
-    return add(wind, DirectionalMotor{
-                         .position = position, .direction = direction, .region = Sphere{radius}, .law = Drive{speed, rate}});
+    return add(wind, DirectionalMotor{.position = position,
+                                      .direction = direction,
+                                      .region = Sphere{radius},
+                                      .law = Drive{speed, rate},
+                                      .turbulence = k_steady});
 }
 
 struct Bounds {

@@ -50,7 +50,8 @@ TEST(Diagnostics, SubstepsAreTheCflOverWhatOneMayCross) {
 
 TEST(Diagnostics, ForcesCountIntoTheCfl) {
     Wind wind = made({.cells = {8, 8, 8}, .ambient = {1.0f, 0.0f, 0.0f}});
-    ASSERT_TRUE(wind.motors().add(DirectionalMotor{.region = AlignedBox{glm::vec3(1e6f)}, .law = Force{30.0f}}));
+    ASSERT_TRUE(
+        wind.motors().add(DirectionalMotor{.region = AlignedBox{glm::vec3(1e6f)}, .law = Force{30.0f}, .turbulence = k_steady}));
     const Diagnostics report = wind.step(0.5);
     EXPECT_NEAR(report.cfl, (1.0 + 0.5 * 30.0) * 0.5, 1e-4);
     EXPECT_EQ(report.substeps, 4);
@@ -168,7 +169,7 @@ TEST(Diagnostics, ADtThatIsNoneDoesNothing) {
     ASSERT_TRUE(wind.set_velocity(white_noise({8, 8, 8}, 5.0f, 124)));
     const auto body = wind.motors().add(WakeMotor{.position = {-2.0, 0.0, 0.0}, .radius = 1.5f, .law = WakeForce{}});
     ASSERT_TRUE(body);
-    ASSERT_TRUE(wind.motors().add(DirectionalMotor{}));
+    ASSERT_TRUE(wind.motors().add(DirectionalMotor{.turbulence = k_steady}));
     wind.step(0.1);
     ASSERT_TRUE(wind.motors().move(*body, {2.0, 0.0, 0.0}));
     const Field before = copy(wind.field());
@@ -184,7 +185,7 @@ TEST(Diagnostics, ADtThatIsNoneDoesNothing) {
     Wind steady = made({.cells = {8, 8, 8}, .viscosity = 1.0f});
     ASSERT_TRUE(steady.set_velocity(white_noise({8, 8, 8}, 5.0f, 124)));
     const auto same = steady.motors().add(WakeMotor{.position = {-2.0, 0.0, 0.0}, .radius = 1.5f, .law = WakeForce{}});
-    ASSERT_TRUE(same && steady.motors().add(DirectionalMotor{}));
+    ASSERT_TRUE(same && steady.motors().add(DirectionalMotor{.turbulence = k_steady}));
     steady.step(0.1);
     ASSERT_TRUE(steady.motors().move(*same, {2.0, 0.0, 0.0}));
     EXPECT_EQ(steady.step(0.1).motors_in_reach, 2);
@@ -194,8 +195,8 @@ TEST(Diagnostics, ADtThatIsNoneDoesNothing) {
 
 TEST(Diagnostics, EveryFieldIsFilled) {
     Wind wind = made({.viscosity = 10.0f});
-    ASSERT_TRUE(wind.motors().add(DirectionalMotor{.position = {500.0, 0.0, 0.0}}));
-    ASSERT_TRUE(wind.motors().add(DirectionalMotor{.position = {5.0, 0.0, 0.0}}));
+    ASSERT_TRUE(wind.motors().add(DirectionalMotor{.position = {500.0, 0.0, 0.0}, .turbulence = k_steady}));
+    ASSERT_TRUE(wind.motors().add(DirectionalMotor{.position = {5.0, 0.0, 0.0}, .turbulence = k_steady}));
     const Diagnostics report = wind.step(1.0 / 60.0);
     EXPECT_EQ(report.motors_in_reach, 1) << "the other is too far";
     EXPECT_EQ(report.diffusion, DiffusionMethod::implicit);

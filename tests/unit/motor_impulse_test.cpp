@@ -42,8 +42,8 @@ TEST(MotorImpulse, WideningKeepsTheTotalImpulse) {
             auto wind = Wind::create({.cells = {16, 16, 16}, .cell_size = h, .stages = k_sources_only});
             ASSERT_TRUE(wind) << wind.error();
             const Region region = region_of(h);
-            ASSERT_TRUE(wind->motors().add(
-                DirectionalMotor{.position = random.point(1.0) * double(h), .region = region, .law = Force{10.0f}}));
+            ASSERT_TRUE(wind->motors().add(DirectionalMotor{
+                .position = random.point(1.0) * double(h), .region = region, .law = Force{10.0f}, .turbulence = k_steady}));
             wind->step(0.1);
             double impulse = 0.0;
             for (const glm::vec4& u : wind->field())

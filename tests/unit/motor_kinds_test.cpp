@@ -128,11 +128,12 @@ Motor some_motor(Kind kind, const Law& law, Random& random, const Envelope& enve
     const float start = random.uniform(1.6f, 4.0f), end = random.uniform(1.6f, 4.0f), length = random.uniform(3.2f, 9.0f);
     if (kind == Kind::cone) {
         const Cone cone{.axis = length * glm::vec3(random.direction()), .start_radius = start, .end_radius = end};
-        return DirectionalMotor{.position = place, .direction = direction, .region = cone, .law = law, .envelope = envelope};
+        return DirectionalMotor{
+            .position = place, .direction = direction, .region = cone, .law = law, .envelope = envelope, .turbulence = k_steady};
     }
     if (kind == Kind::vortex)
         return VortexMotor{place, direction, start + 2.0f, 0.5f * length, random.uniform(-2.0f, 2.0f), law, envelope};
-    return JetMotor{place, direction, length, start, kind == Kind::cylinder ? start : end, law, envelope};
+    return JetMotor{place, direction, length, start, kind == Kind::cylinder ? start : end, law, envelope, k_steady};
 }
 
 // --- Where they act, and how much --------------------------------------------------------------------------------------
@@ -328,11 +329,13 @@ TEST(MotorKinds, WideningKeepsTheImpulse) {
                 const float length = place % 2 == 0 ? 6.0f : 1.0f; // long, and too short for the cells as well
                 Motor motor;
                 if (kind == Kind::cone)
-                    motor = DirectionalMotor{position, direction, Cone{length * direction, radius, 1.5f}, Force{1.0f}};
+                    motor =
+                        DirectionalMotor{position, direction, Cone{length * direction, radius, 1.5f}, Force{1.0f}, {}, k_steady};
                 else if (kind == Kind::vortex)
                     motor = VortexMotor{position, direction, radius, 0.5f * length, 0.0f, Force{1.0f}};
                 else
-                    motor = JetMotor{position, direction, length, radius, kind == Kind::jet ? 1.5f : radius, Force{1.0f}};
+                    motor = JetMotor{position,    direction, length,  radius, kind == Kind::jet ? 1.5f : radius,
+                                     Force{1.0f}, {},        k_steady};
                 Wind wind = sources_only({20, 20, 20});
                 added(wind, motor);
                 wind.step(1.0);
@@ -466,7 +469,8 @@ TEST(MotorKinds, ABurstLeavesNoAirOverAndEndsAfterTwelveDurations) {
 
 TEST(MotorKinds, AMotorThatHasEndedIsGoneAndItsHandleStale) {
     for (const Motor& motor : std::vector<Motor>{
-             DirectionalMotor{.envelope = {0.125f, 0.5f, 0.125f}}, JetMotor{.envelope = {0.125f, 0.5f, 0.125f}},
+             DirectionalMotor{.envelope = {0.125f, 0.5f, 0.125f}, .turbulence = k_steady},
+             JetMotor{.envelope = {0.125f, 0.5f, 0.125f}, .turbulence = k_steady},
              VortexMotor{.envelope = {0.125f, 0.5f, 0.125f}}, OmniMotor{.envelope = {0.125f, 0.5f, 0.125f}},
              WakeMotor{.envelope = {0.125f, 0.5f, 0.125f}}, PressureMotor{.duration = 0.0625f}}) { // all end at 0.75 s
         Wind wind = sources_only({8, 8, 8});

@@ -1,6 +1,7 @@
 // What a directional motor does to the air, asked of the sources stage alone: the closed forms of its two laws and three
 // regions, in double.
 
+#include "fluid/gust_tile.h"
 #include "fluid/wind.h"
 #include "tests/fields.h"
 #include "tests/figure.h"
@@ -10,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace {
@@ -85,7 +87,8 @@ TEST(MotorLaws, AUniformForceAddsUpAndThenNothing) {
         Wind wind = sources_only({9, 6, 7});
         const double dt = dyadic ? 1.0 / 64.0 : 1.0 / 60.0;
         const float force = dyadic ? 0.5f : 0.7f;
-        const MotorId id = added(wind, DirectionalMotor{.region = AlignedBox{glm::vec3(1e6f)}, .law = Force{force}});
+        const MotorId id =
+            added(wind, DirectionalMotor{.region = AlignedBox{glm::vec3(1e6f)}, .law = Force{force}, .turbulence = k_steady});
         for (int n = 0; n < 1000; ++n)
             wind.step(dt);
         const double expected = 1000.0 * dt * double(force);
@@ -112,8 +115,11 @@ TEST(MotorLaws, AtTheCentreAForceAddsItsAccelerationTimesTime) {
     for (const Region& region : some_regions(random)) {
         Wind wind = sources_only({15, 15, 15});
         const float force = random.uniform(1.0f, 50.0f);
-        added(wind, DirectionalMotor{
-                        .position = {0.5, 0.5, 0.5}, .direction = {0.0f, 0.0f, 1.0f}, .region = region, .law = Force{force}});
+        added(wind, DirectionalMotor{.position = {0.5, 0.5, 0.5},
+                                     .direction = {0.0f, 0.0f, 1.0f},
+                                     .region = region,
+                                     .law = Force{force},
+                                     .turbulence = k_steady});
         for (int n = 0; n < 10; ++n)
             wind.step(1.0 / 60.0);
         const double expected = 10.0 / 60.0 * force;
@@ -130,8 +136,11 @@ TEST(MotorLaws, AForceFollowsItsRegionAndIsExactlyZeroOutside) {
         for (const Region& region : some_regions(random)) {
             Wind wind = sources_only({18, 12, 15}, 1.0f);
             const glm::dvec3 place = random.point(6.0);
-            added(wind,
-                  DirectionalMotor{.position = place, .direction = {0.0f, 1.0f, 0.0f}, .region = region, .law = Force{2.0f}});
+            added(wind, DirectionalMotor{.position = place,
+                                         .direction = {0.0f, 1.0f, 0.0f},
+                                         .region = region,
+                                         .law = Force{2.0f},
+                                         .turbulence = k_steady});
             wind.step(0.5);
             for_each_cell(wind, [&](glm::dvec3 centre, const glm::vec4& u) {
                 const double weight = weight_of(region, centre - place);
@@ -158,7 +167,8 @@ TEST(MotorLaws, AForcePointsWhereItIsTold) {
         Wind wind = sources_only({8, 8, 8});
         added(wind, DirectionalMotor{.direction = glm::vec3(direction * random.spread(1e-3, 1e3)),
                                      .region = Sphere{3.5f},
-                                     .law = Force{7.0f}});
+                                     .law = Force{7.0f},
+                                     .turbulence = k_steady});
         wind.step(1.0 / 60.0);
         for_each_cell(wind, [&](glm::dvec3, const glm::vec4& u) {
             const glm::dvec3 pushed(u);
@@ -175,9 +185,14 @@ TEST(MotorLaws, TheSameAirWhereverTheWindowLies) {
         const auto blown = [&](glm::dvec3 centre) {
             Wind wind = sources_only({24, 16, 20}, h);
             EXPECT_TRUE(wind.follow(centre));
-            added(wind, DirectionalMotor{
-                            .position = place, .direction = {1.0f, 2.0f, 3.0f}, .region = Sphere{3.1f * h}, .law = Force{5.0f}});
-            added(wind, DirectionalMotor{.position = place, .region = Capsule{{h, h, 0.0f}, 2.0f * h}, .law = Drive{}});
+            added(wind, DirectionalMotor{.position = place,
+                                         .direction = {1.0f, 2.0f, 3.0f},
+                                         .region = Sphere{3.1f * h},
+                                         .law = Force{5.0f},
+                                         .turbulence = k_steady});
+            added(wind,
+                  DirectionalMotor{
+                      .position = place, .region = Capsule{{h, h, 0.0f}, 2.0f * h}, .law = Drive{}, .turbulence = k_steady});
             wind.step(0.1);
             return wind;
         };
@@ -217,7 +232,10 @@ TEST(MotorLaws, ADriveFollowsItsExponential) {
             Wind wind = sources_only({14, 12, 13}, 1.0f, ambient);
             const Drive law{.speed = random.uniform(-9.0f, 9.0f), .rate = static_cast<float>(random.spread(0.01, 100.0))};
             const glm::dvec3 direction = random.direction(), place = random.point(4.0);
-            added(wind, DirectionalMotor{.position = place, .direction = glm::vec3(direction), .region = region, .law = law});
+            added(
+                wind,
+                DirectionalMotor{
+                    .position = place, .direction = glm::vec3(direction), .region = region, .law = law, .turbulence = k_steady});
             const double dt = random.spread(1e-3, 1.0);
             const int steps = random.integer(1, 8);
             for (int n = 0; n < steps; ++n)
@@ -239,11 +257,13 @@ TEST(MotorLaws, DrivesThatOverlapAddTheirExponents) {
     added(wind, DirectionalMotor{.position = place,
                                  .direction = {1.0f, 0.0f, 0.0f},
                                  .region = Sphere{2.0f},
-                                 .law = Drive{.speed = 6.0f, .rate = 3.0f}});
+                                 .law = Drive{.speed = 6.0f, .rate = 3.0f},
+                                 .turbulence = k_steady});
     added(wind, DirectionalMotor{.position = place,
                                  .direction = {0.0f, 1.0f, 0.0f},
                                  .region = Sphere{2.0f},
-                                 .law = Drive{.speed = 4.0f, .rate = 1.0f}});
+                                 .law = Drive{.speed = 4.0f, .rate = 1.0f},
+                                 .turbulence = k_steady});
     wind.step(0.25);
     const glm::vec4 u = air_at(wind, place);
     const double share = -std::expm1(-1.0); // E = (3 + 1) * 0.25
@@ -259,7 +279,8 @@ TEST(MotorLaws, ADriveNeverOvershoots) {
         Wind wind = sources_only({3, 3, 3}, 1.0f, {start, 0.0f, 0.0f});
         added(wind, DirectionalMotor{.position = {0.5, 0.5, 0.5},
                                      .region = Sphere{2.0f},
-                                     .law = Drive{.speed = speed, .rate = static_cast<float>(random.spread(1e-6, 1e6))}});
+                                     .law = Drive{.speed = speed, .rate = static_cast<float>(random.spread(1e-6, 1e6))},
+                                     .turbulence = k_steady});
         wind.step(random.spread(1e-6, 1e3));
         for (const glm::vec4& u : wind.field()) {
             const double low = std::min(start, speed), high = std::max(start, speed);
@@ -267,6 +288,72 @@ TEST(MotorLaws, ADriveNeverOvershoots) {
         }
     }
     WINDROW_EXPECT_FIGURE("drive_overshoot", worst, 1.8e-7); // U - u rounds at up to twice the speed, the sum once more
+}
+
+// --- Turbulence ------------------------------------------------------------------------------------------------------
+
+// The motor's age at the middle of a step says where its eddies are, however the time until then was cut into steps; they travel
+// with the motor and at 0.7 of its speed. Truth: the tile, sampled in double.
+TEST(MotorLaws, EddiesStandInTheTileWhereTheirTimeHasCarriedThem) {
+    const auto tile = GustTile::bake(1);
+    double worst = 0.0, largest = 0.0;
+    for (const bool force : {false, true})
+        for (const float length : {0.0f, 7.0f})
+            for (const double first : {0.0, 0.013, 2.4, 1000.0}) {
+                Wind wind = sources_only({16, 12, 14});
+                const glm::vec3 direction = glm::normalize(glm::vec3(1.0f, -2.0f, 0.5f));
+                const float radius = 3.0f, intensity = 0.4f, acceleration = 5.0f, speed = 6.0f, rate = 2.0f;
+                DirectionalMotor motor{.direction = direction, .region = Sphere{radius}};
+                if (force)
+                    motor.law = Force{acceleration};
+                else
+                    motor.law = Drive{speed, rate};
+                motor.turbulence = {.intensity = intensity, .length = length};
+                const MotorId id = added(wind, motor);
+                if (first > 0.0)
+                    wind.step(first);
+                const glm::dvec3 place(1.3, 0.4, -0.7);
+                ASSERT_TRUE(wind.motors().move(id, place));
+                wind.step(1e-6); // it stands there from now on
+                const double dt = 0.05, middle = first + 1e-6 + 0.5 * dt;
+                wind.set_velocity([](glm::dvec3) { return glm::vec3(0.0f); });
+                wind.step(dt);
+                const double along = force ? std::sqrt(2.0 * acceleration * radius) : speed;
+                const double texel = (length > 0.0f ? double(length) : 2.0 * radius) / GustTile::k_gust_texels;
+                for_each_cell(wind, [&](glm::dvec3 p, glm::vec4 u) {
+                    const double weight = weight_of(Region(Sphere{radius}), p - place);
+                    const glm::dvec3 carried = 0.7 * along * middle * glm::dvec3(direction);
+                    const glm::dvec3 eddy = glm::dvec3(tile->sample((p - place - carried) / texel));
+                    const glm::dvec3 push = glm::dvec3(direction) + double(intensity) * eddy;
+                    const glm::dvec3 expected =
+                        force ? dt * weight * acceleration * push : -std::expm1(-rate * weight * dt) * speed * push;
+                    worst = std::max(worst, glm::length(glm::dvec3(u) - expected));
+                    largest = std::max(largest, weight > 0.5 ? glm::length(eddy) : 0.0);
+                });
+            }
+    EXPECT_GT(largest, 1.0) << "no eddy was met";
+    WINDROW_EXPECT_FIGURE("motor_eddies_off_the_tile_m_per_s", worst, 2e-4);
+}
+
+TEST(MotorLaws, SeedsBlowApartAndNoneIsNone) {
+    const auto pushed = [](const Turbulence& turbulence) {
+        Wind wind = sources_only({12, 12, 12});
+        added(wind, JetMotor{.position = {-3.0, 0.0, 0.0}, .start_radius = 2.0f, .end_radius = 2.0f, .turbulence = turbulence});
+        wind.step(0.1);
+        return copy(wind.field());
+    };
+    const Field steady = pushed(k_steady), first = pushed({}), second = pushed({.seed = 1});
+    EXPECT_EQ(cells_that_differ(steady, pushed({.intensity = 0.0f, .length = 3.0f, .seed = 9})), 0u);
+    for (const auto& [name, a, b] : {std::tuple{"default", &steady, &first}, {"seeds", &first, &second}}) {
+        double apart = 0.0, own = 0.0;
+        for (std::size_t n = 0; n < steady.size(); ++n) {
+            apart += glm::dot((*a)[n] - (*b)[n], (*a)[n] - (*b)[n]);
+            own += glm::dot(steady[n], steady[n]);
+        }
+        // 5 % in each level component and half of that upward; two seeds are independent.
+        EXPECT_GT(std::sqrt(apart / own), 0.03) << name;
+        EXPECT_LT(std::sqrt(apart / own), 0.2) << name;
+    }
 }
 
 } // namespace

@@ -33,7 +33,7 @@ Motor some_motor(int n, Random& random) {
     case 0: {
         const Region regions[] = {Sphere{size}, Capsule{random.vector(3.0f), size}, AlignedBox{glm::vec3(size, 2.0f, 1.0f)},
                                   Cone{4.0f * direction, size, 1.0f}};
-        return DirectionalMotor{place, direction, regions[n / 12 % 4], law, envelope};
+        return DirectionalMotor{place, direction, regions[n / 12 % 4], law, envelope, k_steady};
     }
     case 1:
         return WakeMotor{.position = place,
@@ -41,7 +41,7 @@ Motor some_motor(int n, Random& random) {
                          .law = n / 6 % 2 == 0 ? decltype(WakeMotor::law)(WakeForce{}) : WakeDrive{},
                          .envelope = envelope};
     case 2:
-        return JetMotor{place, direction, 5.0f, 0.5f * size, size, law, envelope};
+        return JetMotor{place, direction, 5.0f, 0.5f * size, size, law, envelope, k_steady};
     case 3:
         return VortexMotor{place, direction, size + 1.0f, size, 0.3f, law, envelope};
     case 4:
@@ -180,7 +180,8 @@ TEST_P(MotorCrowd, EqualsTheSumByBruteForce) {
                           .region = Sphere{random.uniform(1.6f, 4.0f)},
                           .law = n % 2 == 0
                                      ? Law(Force{random.uniform(-3.0f, 3.0f)})
-                                     : Law(Drive{random.uniform(-9.0f, 9.0f), static_cast<float>(random.spread(0.01, 1.0))})});
+                                     : Law(Drive{random.uniform(-9.0f, 9.0f), static_cast<float>(random.spread(0.01, 1.0))}),
+                          .turbulence = k_steady});
     Wind wind = *Wind::create({.cells = {20, 12, 16}, .ambient = {1.0f, 2.0f, 3.0f}, .stages = k_sources_only});
     for (const DirectionalMotor& motor : motors)
         ASSERT_TRUE(wind.motors().add(motor));
@@ -225,7 +226,8 @@ TEST_P(MotorCrowd, CountsEachMotorOnce) {
     for (int n = 0; n < count; ++n) {
         const float acceleration = static_cast<float>(random.integer(-512, 1024)) / 64.0f;
         sum += acceleration;
-        ASSERT_TRUE(wind.motors().add(DirectionalMotor{.region = AlignedBox{glm::vec3(1e6f)}, .law = Force{acceleration}}));
+        ASSERT_TRUE(wind.motors().add(
+            DirectionalMotor{.region = AlignedBox{glm::vec3(1e6f)}, .law = Force{acceleration}, .turbulence = k_steady}));
     }
     wind.step(0.125);
     for (const glm::vec4& u : wind.field())

@@ -29,7 +29,7 @@ MotorId added(Motors& motors, const Motor& motor) {
 TEST(Motors, AHandleNamesItsMotorUntilItIsRemoved) {
     Motors motors;
     EXPECT_EQ(motors.count(), 0);
-    const MotorId a = added(motors, DirectionalMotor{.position = {1.0, 0.0, 0.0}});
+    const MotorId a = added(motors, DirectionalMotor{.position = {1.0, 0.0, 0.0}, .turbulence = k_steady});
     const MotorId b = added(motors, WakeMotor{.position = {2.0, 0.0, 0.0}});
     EXPECT_FALSE(a == b);
     EXPECT_EQ(motors.count(), 2);
@@ -51,9 +51,9 @@ TEST(Motors, AHandleNamesItsMotorUntilItIsRemoved) {
 
 TEST(Motors, AStaleHandleIsRefusedAndMovesNoStranger) {
     Motors motors;
-    const MotorId first = added(motors, DirectionalMotor{});
+    const MotorId first = added(motors, DirectionalMotor{.turbulence = k_steady});
     ASSERT_TRUE(motors.remove(first));
-    const MotorId stranger = added(motors, DirectionalMotor{.position = {9.0, 9.0, 9.0}});
+    const MotorId stranger = added(motors, DirectionalMotor{.position = {9.0, 9.0, 9.0}, .turbulence = k_steady});
     ASSERT_EQ(stranger.slot, first.slot) << "the slot is used again, or this test shows nothing";
     EXPECT_NE(stranger.generation, first.generation);
 
@@ -65,7 +65,7 @@ TEST(Motors, AStaleHandleIsRefusedAndMovesNoStranger) {
                   std::string::npos)
             << refused.error();
         EXPECT_NE(refused.error().find("add()"), std::string::npos) << refused.error();
-        EXPECT_FALSE(motors.set(id, DirectionalMotor{}));
+        EXPECT_FALSE(motors.set(id, DirectionalMotor{.turbulence = k_steady}));
         EXPECT_FALSE(motors.remove(id));
         EXPECT_EQ(motors.find(id), nullptr);
     }
@@ -77,7 +77,7 @@ TEST(Motors, EveryGenerationOfASlotIsAnother) {
     Motors motors;
     std::vector<MotorId> past;
     for (int n = 0; n < 1000; ++n) {
-        const MotorId id = added(motors, DirectionalMotor{});
+        const MotorId id = added(motors, DirectionalMotor{.turbulence = k_steady});
         EXPECT_NE(id.generation, 0u);
         for (const MotorId& old : past)
             ASSERT_FALSE(old == id);
@@ -92,17 +92,17 @@ TEST(Motors, HoldTheirCapacityAndNoMore) {
     Motors motors;
     std::vector<MotorId> ids;
     for (std::uint32_t n = 0; n < Motors::k_capacity; ++n)
-        ids.push_back(added(motors, DirectionalMotor{.position = {double(n), 0.0, 0.0}}));
+        ids.push_back(added(motors, DirectionalMotor{.position = {double(n), 0.0, 0.0}, .turbulence = k_steady}));
     EXPECT_EQ(motors.count(), 4096);
-    const auto one_more = motors.add(DirectionalMotor{});
+    const auto one_more = motors.add(DirectionalMotor{.turbulence = k_steady});
     ASSERT_FALSE(one_more);
     EXPECT_NE(one_more.error().find("4096"), std::string::npos) << one_more.error();
     EXPECT_EQ(motors.count(), 4096);
     for (std::size_t n = 0; n < ids.size(); ++n)
         ASSERT_EQ(position_of(*motors.find(ids[n])).x, double(n));
     ASSERT_TRUE(motors.remove(ids[1234]));
-    EXPECT_TRUE(motors.add(DirectionalMotor{}));
-    EXPECT_FALSE(motors.add(DirectionalMotor{}));
+    EXPECT_TRUE(motors.add(DirectionalMotor{.turbulence = k_steady}));
+    EXPECT_FALSE(motors.add(DirectionalMotor{.turbulence = k_steady}));
     for (std::size_t n = 0; n < ids.size(); ++n)
         EXPECT_EQ(motors.remove(ids[n]).has_value(), n != 1234);
     EXPECT_EQ(motors.count(), 1);
@@ -112,7 +112,8 @@ TEST(Motors, AllOfThemActAtOnce) {
     auto wind = Wind::create({.cells = {8, 8, 8}, .stages = {true, false, false, false, false}});
     ASSERT_TRUE(wind);
     for (std::uint32_t n = 0; n < Motors::k_capacity; ++n)
-        added(wind->motors(), DirectionalMotor{.position = {0.5, 0.5, 0.5}, .region = Sphere{3.0f}, .law = Force{0.25f}});
+        added(wind->motors(),
+              DirectionalMotor{.position = {0.5, 0.5, 0.5}, .region = Sphere{3.0f}, .law = Force{0.25f}, .turbulence = k_steady});
     const Diagnostics report = wind->step(0.5);
     EXPECT_EQ(report.motors_in_reach, 4096);
     EXPECT_EQ(wind->field()[wind->box().index(4, 4, 4)].x, 4096.0f * 0.25f * 0.5f);
@@ -122,7 +123,7 @@ TEST(Motors, DirectionsAreNormalised) {
     Motors motors;
     const float tiny = std::numeric_limits<float>::denorm_min(), huge = std::numeric_limits<float>::max();
     const auto direction = [&](glm::vec3 given) {
-        const MotorId id = added(motors, DirectionalMotor{.direction = given});
+        const MotorId id = added(motors, DirectionalMotor{.direction = given, .turbulence = k_steady});
         return std::get<DirectionalMotor>(*motors.find(id)).direction;
     };
     EXPECT_EQ(direction({3.0f, 0.0f, -4.0f}), glm::vec3(0.6f, 0.0f, -0.8f));
@@ -142,7 +143,7 @@ struct Refusal {
 std::vector<Refusal> every_refusal() {
     std::vector<Refusal> list;
     const auto position = [&](const char* field, glm::dvec3 value) {
-        list.push_back({field, DirectionalMotor{.position = value}});
+        list.push_back({field, DirectionalMotor{.position = value, .turbulence = k_steady}});
         list.push_back({field, WakeMotor{.position = value}});
     };
     const auto directional = [&](const char* field, DirectionalMotor motor) { list.push_back({field, motor}); };
@@ -191,7 +192,7 @@ std::vector<Refusal> every_refusal() {
 }
 
 TEST(Motors, RefusalsNameFieldAndValueAndChangeNothing) {
-    const Motor sound = DirectionalMotor{.position = {0.25, 0.5, 0.75}, .law = Force{3.0f}};
+    const Motor sound = DirectionalMotor{.position = {0.25, 0.5, 0.75}, .law = Force{3.0f}, .turbulence = k_steady};
     auto wind = Wind::create({.cells = {12, 10, 8}}), untouched = Wind::create({.cells = {12, 10, 8}});
     ASSERT_TRUE(wind && untouched);
     const MotorId id = added(wind->motors(), sound);
@@ -227,21 +228,25 @@ TEST(Motors, AllReasonsComeAtOnce) {
     const auto valid = validate(DirectionalMotor{.position = {1e13, 0.0, 0.0},
                                                  .direction = glm::vec3(0.0f),
                                                  .region = Capsule{.half_axis = {k_nan, 0.0f, 0.0f}, .radius = 0.0f},
-                                                 .law = Drive{.speed = k_nan, .rate = -1.0f}});
+                                                 .law = Drive{.speed = k_nan, .rate = -1.0f},
+                                                 .turbulence = k_steady});
     ASSERT_FALSE(valid);
     EXPECT_EQ(std::count(valid.error().begin(), valid.error().end(), '\n'), 5) << valid.error();
 }
 
 TEST(Motors, LimitsThemselvesAreAccepted) {
-    for (const Motor& motor :
-         std::vector<Motor>{DirectionalMotor{.position = {1e12, 0.0, 0.0}, .region = Sphere{1e6f}, .law = Force{1e6f}},
-                            DirectionalMotor{.region = Sphere{std::numeric_limits<float>::denorm_min()}, .law = Force{-1e6f}},
-                            DirectionalMotor{.region = Capsule{.half_axis = glm::vec3(0.0f), .radius = 1e6f},
-                            .law = Drive{.speed = -1e4f, .rate = 1e6f}},
-                            DirectionalMotor{.region = AlignedBox{glm::vec3(1e6f)}, .law = Drive{.speed = 1e4f, .rate = 0.0f}},
-                            WakeMotor{.radius = 1e6f, .law = WakeForce{1e4f}},
-                            WakeMotor{.law = WakeDrive{.per_metre = 1e4f, .entrainment = 2.0f}},
-                            WakeMotor{.law = WakeDrive{.per_metre = 0.0f, .entrainment = 0.0f}}}) {
+    for (const Motor& motor : std::vector<Motor>{
+             DirectionalMotor{.position = {1e12, 0.0, 0.0}, .region = Sphere{1e6f}, .law = Force{1e6f}, .turbulence = k_steady},
+             DirectionalMotor{
+                 .region = Sphere{std::numeric_limits<float>::denorm_min()}, .law = Force{-1e6f}, .turbulence = k_steady},
+             DirectionalMotor{.region = Capsule{.half_axis = glm::vec3(0.0f), .radius = 1e6f},
+             .law = Drive{.speed = -1e4f, .rate = 1e6f},
+             .turbulence = k_steady},
+             DirectionalMotor{
+                 .region = AlignedBox{glm::vec3(1e6f)}, .law = Drive{.speed = 1e4f, .rate = 0.0f}, .turbulence = k_steady},
+             WakeMotor{.radius = 1e6f, .law = WakeForce{1e4f}},
+             WakeMotor{.law = WakeDrive{.per_metre = 1e4f, .entrainment = 2.0f}},
+             WakeMotor{.law = WakeDrive{.per_metre = 0.0f, .entrainment = 0.0f}}}) {
         const auto valid = validate(motor);
         EXPECT_TRUE(valid) << valid.error();
     }

@@ -108,6 +108,12 @@ std::vector<std::function<void(Kind&)>> changes_of_envelope() {
 }
 
 template <class Kind>
+void add_changes_of_turbulence(std::vector<std::function<void(Kind&)>>& list) {
+    list.insert(list.end(), {[](Kind& m) { m.turbulence.intensity = 0.25f; }, [](Kind& m) { m.turbulence.length = 0.5f; },
+                             [](Kind& m) { m.turbulence.seed = 7; }});
+}
+
+template <class Kind>
 std::vector<std::function<void(Kind&)>> changes_of_law() {
     auto list = changes_of_envelope<Kind>();
     list.insert(list.end(), {[](Kind& m) { m.law = Force{}; }, [](Kind& m) { m.law = Force{0.5f}; },
@@ -145,6 +151,7 @@ TEST(SnapshotFields, EachOfAMotorCounts) {
                         },
                         [](DirectionalMotor& m) { m.region = Cone{.start_radius = 0.25f}; },
                         [](DirectionalMotor& m) { m.region = Cone{.end_radius = 0.25f}; }});
+    add_changes_of_turbulence(directional);
     each_of_a_motor_counts<DirectionalMotor>(directional);
 
     auto wake = changes_of_envelope<WakeMotor>();
@@ -152,6 +159,7 @@ TEST(SnapshotFields, EachOfAMotorCounts) {
                 {[](WakeMotor& m) { m.radius = 0.25f; }, [](WakeMotor& m) { m.law = WakeForce{}; },
                  [](WakeMotor& m) { m.law = WakeForce{0.25f}; }, [](WakeMotor& m) { m.law = WakeDrive{.per_metre = 0.25f}; },
                  [](WakeMotor& m) { m.law = WakeDrive{.entrainment = 0.25f}; }});
+    add_changes_of_turbulence(wake);
     each_of_a_motor_counts<WakeMotor>(wake);
 
     auto jet = changes_of_law<JetMotor>();
@@ -160,6 +168,7 @@ TEST(SnapshotFields, EachOfAMotorCounts) {
                            },
                            [](JetMotor& m) { m.length = 0.25f; }, [](JetMotor& m) { m.start_radius = 0.25f; },
                            [](JetMotor& m) { m.end_radius = 0.25f; }});
+    add_changes_of_turbulence(jet);
     each_of_a_motor_counts<JetMotor>(jet);
 
     auto vortex = changes_of_law<VortexMotor>();

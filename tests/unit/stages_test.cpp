@@ -24,8 +24,8 @@ Wind made(const Config& config) {
 }
 
 void blow(Wind& wind) {
-    ASSERT_TRUE(wind.motors().add(DirectionalMotor{.law = Force{40.0f}}));
-    ASSERT_TRUE(wind.motors().add(DirectionalMotor{.position = {1.0, 1.0, 1.0}, .law = Drive{}}));
+    ASSERT_TRUE(wind.motors().add(DirectionalMotor{.law = Force{40.0f}, .turbulence = k_steady}));
+    ASSERT_TRUE(wind.motors().add(DirectionalMotor{.position = {1.0, 1.0, 1.0}, .law = Drive{}, .turbulence = k_steady}));
     ASSERT_TRUE(wind.motors().add(WakeMotor{}));
 }
 
@@ -90,7 +90,8 @@ TEST(Stages, WithoutAdvectionNothingIsCarried) {
         c.stages = k_none;
         c.stages.sources = true;
     }));
-    ASSERT_TRUE(wind.motors().add(DirectionalMotor{.position = {0.5, 0.5, 0.5}, .region = Sphere{2.0f}, .law = Force{64.0f}}));
+    ASSERT_TRUE(wind.motors().add(
+        DirectionalMotor{.position = {0.5, 0.5, 0.5}, .region = Sphere{2.0f}, .law = Force{64.0f}, .turbulence = k_steady}));
     const Field before = copy(wind.field());
     const Box& box = wind.box();
     const auto centre = box.index(6, 4, 5);
@@ -104,7 +105,8 @@ TEST(Stages, WithoutAdvectionNothingIsCarried) {
     auto centred =
         Wind::create({.cells = {16, 16, 16}, .sides = Sides::all(SideKind::periodic), .viscosity = 0.0f, .settling_time = 0.0f});
     ASSERT_TRUE(centred);
-    const auto id = centred->motors().add(DirectionalMotor{.region = AlignedBox{glm::vec3(1e6f)}, .law = Force{1.0f}});
+    const auto id = centred->motors().add(
+        DirectionalMotor{.region = AlignedBox{glm::vec3(1e6f)}, .law = Force{1.0f}, .turbulence = k_steady});
     ASSERT_TRUE(id);
     centred->step(0.25);
     EXPECT_NEAR(centred->field()[0].x, 0.25, 1e-6);

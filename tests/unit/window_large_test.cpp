@@ -36,10 +36,16 @@ double largest_component(std::span<const glm::vec4> field) {
 }
 
 void stir(Wind& wind) {
-    EXPECT_TRUE(wind.motors().add(DirectionalMotor{
-        .position = {-2.0, 1.0, 3.0}, .direction = {1.0f, 0.3f, 0.0f}, .region = Sphere{3.0f}, .law = Force{6.0f}}));
-    EXPECT_TRUE(wind.motors().add(DirectionalMotor{
-        .position = {5.0, -2.0, -4.0}, .direction = {0.0f, 0.0f, 1.0f}, .region = Capsule{}, .law = Drive{.speed = 3.0f}}));
+    EXPECT_TRUE(wind.motors().add(DirectionalMotor{.position = {-2.0, 1.0, 3.0},
+                                                   .direction = {1.0f, 0.3f, 0.0f},
+                                                   .region = Sphere{3.0f},
+                                                   .law = Force{6.0f},
+                                                   .turbulence = k_steady}));
+    EXPECT_TRUE(wind.motors().add(DirectionalMotor{.position = {5.0, -2.0, -4.0},
+                                                   .direction = {0.0f, 0.0f, 1.0f},
+                                                   .region = Capsule{},
+                                                   .law = Drive{.speed = 3.0f},
+                                                   .turbulence = k_steady}));
 }
 
 /// Compares the window's cells with the large box's cells at the same place.

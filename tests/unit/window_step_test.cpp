@@ -35,7 +35,7 @@ class AirByHand {
 
     void step(float dt) {
         motors_.begin_frame(0.0, dt);
-        sources_.gather(motors_.tick(dt, window_), window_.cell_size, u_, {});
+        sources_.gather(motors_.tick(dt, window_), window_.cell_size, u_, {GustTile::standard()->texels().data()}, {});
         const bool spreads = diffuse(*work_, u_, config_.viscosity, dt, diffused_) != DiffusionMethod::none;
         Transport transport{
             .carried = spreads ? diffused_ : u_, .velocity = u_, .dt = dt, .interpolation = config_.interpolation};
@@ -151,9 +151,10 @@ TEST(WindowStep, AShiftedStepEqualsCopyThenStep) {
         by_hand.set(start);
         std::optional<MotorId> body;
         for (Motors* motors : {&wind->motors(), &by_hand.motors()}) {
-            ASSERT_TRUE(motors->add(DirectionalMotor{.position = {0.3, -0.2, 0.9}, .region = Sphere{3.0f}, .law = Force{30.0f}}));
-            ASSERT_TRUE(motors->add(
-                DirectionalMotor{.position = {-2.3, 0.7, 0.1}, .direction = {0.0f, 1.0f, 1.0f}, .region = AlignedBox{}}));
+            ASSERT_TRUE(motors->add(DirectionalMotor{
+                .position = {0.3, -0.2, 0.9}, .region = Sphere{3.0f}, .law = Force{30.0f}, .turbulence = k_steady}));
+            ASSERT_TRUE(motors->add(DirectionalMotor{
+                .position = {-2.3, 0.7, 0.1}, .direction = {0.0f, 1.0f, 1.0f}, .region = AlignedBox{}, .turbulence = k_steady}));
             const auto id = motors->add(WakeMotor{.radius = 1.2f, .law = WakeForce{}});
             ASSERT_TRUE(id);
             body = *id;
@@ -195,7 +196,8 @@ TEST(WindowStep, SixtyFourMotorsComeAndGo) {
         const DirectionalMotor motor{.position = random.point(5.0),
                                      .direction = random.vector(1.0f),
                                      .region = Sphere{random.uniform(1.0f, 3.0f)},
-                                     .law = n % 2 == 0 ? decltype(DirectionalMotor::law)(Force{20.0f}) : Drive{}};
+                                     .law = n % 2 == 0 ? decltype(DirectionalMotor::law)(Force{20.0f}) : Drive{},
+                                     .turbulence = k_steady};
         ids.push_back(*wind->motors().add(motor));
         ASSERT_TRUE(by_hand.motors().add(motor));
         wind->step(0.02);
