@@ -26,6 +26,8 @@ class GustTile {
     static constexpr int k_height = 16; ///< texels along y, half a period
     /// Texels from one gust to the next: the wavelength that carries most. Trilinear blending resolves it.
     static constexpr int k_gust_texels = 12;
+    /// The longest wavelength that it holds.
+    static constexpr int k_longest_texels = 40;
 
     /// Makes a tile: some 5 ms. The same seed gives the same bits on every machine.
     [[nodiscard]] static std::shared_ptr<const GustTile> bake(std::uint32_t seed);

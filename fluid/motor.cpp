@@ -111,7 +111,7 @@ void check_turbulence(detail::Reasons& reasons, const Turbulence& turbulence) {
     require(reasons, turbulence.intensity >= 0.0f && turbulence.intensity <= 1.0f, "motor.turbulence.intensity",
             turbulence.intensity, "give 0 (none) to 1.");
     require(reasons, turbulence.length >= 0.0f && turbulence.length <= k_most_size, "motor.turbulence.length", turbulence.length,
-            "give 0 m (two radii) to 1e6 m from eddy to eddy.");
+            "give 0 m (two radii) to 1e6 m.");
 }
 
 struct MotorCheck {

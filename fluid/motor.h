@@ -93,15 +93,17 @@ struct Envelope {
 
 /// Eddies in what a motor blows. Without them a jet stays a rod for ten diameters: what makes it roll up and spread is missing.
 /// The law's velocity (or acceleration) becomes
-///   U + intensity |U| n((x - x_motor - 0.7 U t) / s),
-/// n the gust tile (gust_tile.h) of standard deviation 1, U the law's own, t the motor's age at the middle of the step. 0.7 is
-/// about the speed at which eddies travel in the shear layer of a round jet. For a force, U is the speed that it gives air over
-/// a radius. A body's wake takes eddies that rest in the world.
+///   U + 2.8 w intensity |U| n((x - x_motor - 0.7 U t) / s),
+/// n the gust tile (gust_tile.h) of standard deviation 1, w the region's weight, U the law's own, t the motor's age at the middle
+/// of the step. 0.7 is about the speed at which eddies travel in the shear layer of a round jet; 2.8 makes up for the weight: what
+/// leaves a jet of 5 cells a radius has the intensity asked for. For a force, U is the speed that it gives air over a radius. A
+/// body's wake takes eddies that rest in the world, without w.
 struct Turbulence {
-    /// Standard deviation of each level component over U, 0 to 1. 0: none, and it costs nothing. At 0.05 jets spread as measured
-    /// ones do; 0.1 makes them flap.
+    /// Standard deviation over U of a level component of what leaves the region, 0 to 1. 0: none, and it costs nothing. At 0.05
+    /// jets spread as measured ones do.
     float intensity = 0.05f;
-    /// [m] From one eddy to the next, 0 to 1e6. Default 0: two radii of the region (of a box, two of its smallest half sizes).
+    /// [m] Of the longest eddies, 0 to 1e6; most are a third of that. Default 0: two radii of the region (of a box, two of its
+    /// smallest half sizes).
     float length = 0.0f;
     /// Which stretch of the pattern: motors that share a kind, an age and a seed blow alike. Default 0; any value.
     std::uint32_t seed = 0;

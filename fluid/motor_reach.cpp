@@ -120,7 +120,7 @@ void stir(MotorReach& reach, const Turbulence& turbulence, float eddies, glm::dv
           float radius) {
     reach.eddies = eddies;
     const float length = turbulence.length > 0.0f ? turbulence.length : 2.0f * radius;
-    const double texel = std::max(static_cast<double>(length), k_least_eddy) / GustTile::k_gust_texels;
+    const double texel = std::max(static_cast<double>(length), k_least_eddy) / GustTile::k_longest_texels;
     reach.texels = static_cast<float>(1.0 / texel);
     // Irrational steps: seeds that follow each other lie far apart in the tile.
     const glm::dvec3 stretch = static_cast<double>(turbulence.seed) * glm::dvec3(0.6180339887498949, 0.0, 0.4142135623730950);
@@ -137,7 +137,8 @@ void stir(MotorReach& reach, const Turbulence& turbulence, const std::variant<Fo
           glm::vec3 direction, double time, float radius) {
     if (!(turbulence.intensity > 0.0f))
         return;
-    constexpr double k_carried = 0.7;
+    constexpr double k_carried = 0.7; // motor.h
+    constexpr float k_weighted = 2.8f;
     double speed = 0.0;
     if (const auto* force = std::get_if<Force>(&law)) {
         const auto size = static_cast<double>(std::abs(force->acceleration));
@@ -147,8 +148,8 @@ void stir(MotorReach& reach, const Turbulence& turbulence, const std::variant<Fo
         speed = static_cast<double>(std::get<Drive>(law).speed);
         strength = std::abs(std::get<Drive>(law).speed);
     }
-    stir(reach, turbulence, turbulence.intensity * strength, glm::dvec3(reach.centre), k_carried * speed * glm::dvec3(direction),
-         time, radius);
+    stir(reach, turbulence, k_weighted * turbulence.intensity * strength, glm::dvec3(reach.centre),
+         k_carried * speed * glm::dvec3(direction), time, radius);
 }
 
 // The smallest radius of a region as it is widened.

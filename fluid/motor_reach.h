@@ -26,7 +26,7 @@ struct MotorReach {
     glm::vec3 push{0.0f};
     /// Drive: exponent per unit of weight. Source: S0 [1/s].
     float amount = 0.0f;
-    /// Turbulence of `push`, in its unit: its standard deviation; 0: none.
+    /// Turbulence of `push`, in its unit: its standard deviation, at full weight; 0: none.
     float eddies = 0.0f;
     float texels = 0.0f;        ///< [1/m] of the gust tile
     glm::vec3 tile_place{0.0f}; ///< [texels] of the box's low corner in the tile, from the centre of its first texel

@@ -31,7 +31,8 @@ void for_each_cell(const MotorReach& motor, glm::vec3 first_centre, float cell_s
             if (!(at.weight > 0.0f))
                 continue;
             if (motor.eddies > 0.0f)
-                at.push += motor.eddies * windrow_tile_at(tile, glm::ivec3(0), motor.tile_place + motor.texels * p);
+                at.push += (motor.shape == MotorReach::Shape::path ? 1.0f : at.weight) * motor.eddies *
+                           windrow_tile_at(tile, glm::ivec3(0), motor.tile_place + motor.texels * p);
             visit(i, at);
         }
     };

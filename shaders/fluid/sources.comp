@@ -25,7 +25,7 @@ shared uint group_largest;
 shared uint group_force;
 
 // As windrow::detail::MotorReach numbers them.
-const uint k_sphere = 0, k_capsule = 1, k_box = 2, k_cone = 3, k_jet = 4, k_vortex = 5;
+const uint k_sphere = 0, k_capsule = 1, k_box = 2, k_cone = 3, k_jet = 4, k_vortex = 5, k_path = 6;
 const uint k_force = 0, k_drive = 1;
 
 vec3 from(float v[3]) { return vec3(v[0], v[1], v[2]); }
@@ -75,7 +75,8 @@ void main() {
             if (!(motor.w > 0.0f))
                 continue;
             if (motors[n].eddies > 0.0f)
-                motor.xyz += motors[n].eddies * windrow_tile_at(0, ivec3(0), from(motors[n].tile_place) + motors[n].texels * p);
+                motor.xyz += (motors[n].shape == k_path ? 1.0f : motor.w) * motors[n].eddies *
+                             windrow_tile_at(0, ivec3(0), from(motors[n].tile_place) + motors[n].texels * p);
             if (motors[n].law == k_force) {
                 pushed += motor.w * motor.xyz;
             } else if (motors[n].law == k_drive) {

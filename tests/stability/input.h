@@ -55,7 +55,7 @@ inline double eddies_of(const Motor& motor) {
     return std::visit(
         [&](const auto& kind) {
             if constexpr (requires { kind.turbulence; })
-                return 1.0 + static_cast<double>(kind.turbulence.intensity) * longest;
+                return 1.0 + 2.8 * static_cast<double>(kind.turbulence.intensity) * longest;
             else
                 return 1.0;
         },
