@@ -129,7 +129,8 @@ ParetoFlow jet(bool quick) {
                             .start_radius = 3.0f,
                             .end_radius = 4.5f,
                             .law = Drive{.speed = 12.0f, .rate = 6.0f},
-                            .envelope = {.attack = 0.5f}}};
+                            .envelope = {.attack = 0.5f},
+                            .turbulence = {.intensity = 0.0f}}};
     flow.grids = window_grids(quick ? 2 : 3);
     flow.reference = quick ? glm::ivec3(128, 64, 128) : glm::ivec3(256, 128, 256);
     flow.start = [mean = flow.mean](glm::dvec3) { return mean; };

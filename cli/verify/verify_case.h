@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -52,14 +53,23 @@ struct VerifyRows {
 
 struct VerifyCase {
     std::string name;
-    std::string what;         ///< the flow and how its error is taken, in a sentence
-    std::string source;       ///< where the flow and its truth are from
-    std::string reason;       ///< why these bounds
+    std::string what;   ///< the flow and how its error is taken, in a sentence
+    std::string source; ///< where the flow and its truth are from
+    std::string reason; ///< why these bounds
+    /// Its bounds only guard against change: figures of this library and a fifth more. What holds it to the truth is the order.
+    bool guards = false;
     double least_order = 0.0; ///< between neighbouring resolutions; 0: none is asked, since the error is rounding
     RunsOn runs_on = RunsOn::all;
     std::vector<int> sizes{}; ///< resolutions, coarse to fine: the cell is as 1 / size
     std::function<VerifyRows(const VerifySetting& setting, int size)> run{};
 };
+
+/// A row of a case that is known to miss its bound.
+struct NotMet {
+    std::string_view name, label;
+};
+/// All of them: not_met.cpp, the one place that expects a miss. A row that meets its bound must leave it.
+[[nodiscard]] std::span<const NotMet> not_met();
 
 /// All cases, in the order in which they run.
 [[nodiscard]] std::span<const VerifyCase> verify_cases();

@@ -55,7 +55,8 @@ int run_verify(const VerifyRequest& request, const Console& console, const std::
             return complain_of(fault, console);
         console.out << "In " << request.json->string() << ": all errors and bounds.\n";
     }
-    const bool well = std::all_of(verified.begin(), verified.end(), [](const VerifiedCase& one) { return one.pass(); });
+    const bool well = std::all_of(verified.begin(), verified.end(),
+                                  [](const VerifiedCase& one) { return one.well() && one.met_unexpectedly().empty(); });
     return well ? k_exit_well : k_exit_out_of_bounds;
 }
 

@@ -22,7 +22,8 @@ std::string verify_json(const VerifyRequest& request, const std::string& device,
                                {"order", one.order ? Json(*one.order) : Json()},
                                {"bound", one.row.bound},
                                {"least_order", one.order && least_order > 0.0 ? Json(least_order) : Json()},
-                               {"pass", one.pass}});
+                               {"pass", one.pass},
+                               {"verdict", one.verdict()}});
         }
     return Json{{"cases", entries}}.dump(2) + "\n";
 }

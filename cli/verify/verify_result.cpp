@@ -5,12 +5,37 @@
 
 namespace windrow::cli {
 
-bool VerifiedCase::pass() const {
-    return std::all_of(rows.begin(), rows.end(), [](const VerifiedRow& row) { return row.pass; });
+std::string_view VerifiedRow::verdict() const {
+    if (pass)
+        return guards ? "unchanged" : "pass";
+    return expected ? "not met" : guards ? "CHANGED" : "FAIL";
+}
+
+bool VerifiedCase::well() const {
+    return std::all_of(rows.begin(), rows.end(), [](const VerifiedRow& row) { return row.pass || row.expected; });
+}
+
+std::vector<std::string> VerifiedCase::met_unexpectedly() const {
+    std::vector<std::string> labels;
+    for (const VerifiedRow& row : rows) {
+        const std::string& label = row.row.label;
+        const bool misses = std::any_of(rows.begin(), rows.end(),
+                                        [&](const VerifiedRow& other) { return other.row.label == label && !other.pass; });
+        if (row.expected && !misses && std::find(labels.begin(), labels.end(), label) == labels.end())
+            labels.push_back(label);
+    }
+    return labels;
 }
 
 VerifiedRow judge(const VerifyCase& one, const VerifiedCase& verified, std::size_t level, const VerifyRow& row) {
-    VerifiedRow judged{.row = row, .level = level, .pass = row.error <= row.bound}; // a NaN is within no bound
+    const auto known = not_met();
+    VerifiedRow judged{.row = row,
+                       .level = level,
+                       .pass = row.error <= row.bound, // a NaN is within no bound
+                       .guards = one.guards,
+                       .expected = std::any_of(known.begin(), known.end(), [&](const NotMet& miss) {
+                           return miss.name == one.name && miss.label == row.label;
+                       })};
     const auto coarser = std::find_if(verified.rows.rbegin(), verified.rows.rend(), [&](const VerifiedRow& other) {
         return other.level < level && other.row.label == row.label;
     });

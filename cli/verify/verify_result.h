@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace windrow::cli {
@@ -16,13 +17,20 @@ struct VerifiedRow {
     /// From the last resolution before that has a row of this label; nothing at the first, nor where an error is 0 or not finite.
     std::optional<double> order{};
     bool pass = false;
+    bool guards = false;   ///< as of its case
+    bool expected = false; ///< not_met() names it
+    /// "pass" or "FAIL"; "unchanged" or "CHANGED" where the bound is none of the truth's; "not met" where that is expected.
+    [[nodiscard]] std::string_view verdict() const;
 };
 
 struct VerifiedCase {
     std::string name;
     std::vector<VerifiedRow> rows{};
 
-    [[nodiscard]] bool pass() const;
+    /// Each row is within its bound or expected to miss it.
+    [[nodiscard]] bool well() const;
+    /// Labels that are expected to miss their bounds and met all of them.
+    [[nodiscard]] std::vector<std::string> met_unexpectedly() const;
 };
 
 /// Judges a row that `one` gave at its resolution `level`, behind those in `verified`. An error within its bound passes where its

@@ -233,6 +233,42 @@ TEST_F(VerifyCommand, RowsAreJudgedByTheirLabel) {
     EXPECT_EQ(bad.out.find("FAIL  near\n"), std::string::npos) << bad.out;
 }
 
+// A miss that not_met.cpp names does not pass, but is no fault; once it meets its bound, it must leave that file. A case that only
+// guards against change says so.
+TEST_F(VerifyCommand, KnownMissesAreToldApartFromFaults) {
+    ASSERT_FALSE(not_met().empty());
+    const NotMet known = not_met().front();
+    const auto with_error = [&](double error, const std::string& label) {
+        VerifyCase one = made_up({error}, 1.0, 0.0);
+        one.name = known.name;
+        one.run = [=](const VerifySetting&, int size) {
+            return VerifyRow{.cells = glm::ivec3(size), .error = error, .bound = 1.0, .label = label};
+        };
+        return verify({.cases = {one}, .threads = 1});
+    };
+    const Outcome misses = with_error(2.0, std::string(known.label)), meets = with_error(0.5, std::string(known.label)),
+                  another = with_error(2.0, "another label");
+    EXPECT_EQ(misses.code, k_exit_well);
+    EXPECT_NE(misses.out.find("not met"), std::string::npos);
+    EXPECT_EQ(misses.out.find("pass"), std::string::npos) << misses.out;
+    EXPECT_EQ(meets.code, k_exit_out_of_bounds);
+    EXPECT_NE(meets.err.find("Take it out of that file."), std::string::npos) << meets.err;
+    EXPECT_EQ(another.code, k_exit_out_of_bounds);
+    for (const NotMet& one : not_met())
+        EXPECT_TRUE(
+            std::any_of(verify_cases().begin(), verify_cases().end(), [&](const auto& real) { return real.name == one.name; }))
+            << one.name << " is no case";
+
+    VerifyCase guard = made_up({0.5}, 1.0, 0.0);
+    guard.guards = true;
+    EXPECT_NE(verify({.cases = {guard}, .threads = 1}).out.find("unchanged"), std::string::npos);
+    VerifyCase changed = made_up({1.5}, 1.0, 0.0);
+    changed.guards = true;
+    const Outcome fault = verify({.cases = {changed}, .threads = 1});
+    EXPECT_NE(fault.out.find("CHANGED"), std::string::npos);
+    EXPECT_EQ(fault.code, k_exit_out_of_bounds);
+}
+
 TEST_F(VerifyCommand, AWrongExpectationOfARealCaseFails) {
     VerifyCase wrong = verify_cases().front();
     for (const VerifyCase& one : verify_cases())
