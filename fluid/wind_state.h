@@ -49,7 +49,7 @@ struct Wind::State : WindHost {
     [[nodiscard]] WindView frame_view(Frame& frame);
     /// Writes the ambient wind into cells that are known to be ambient and hold it not yet; those of a frame, of the tick before.
     /// Threads may ask at once.
-    void hold_ambient(const ParallelFor& parallel_for = {});
+    void hold_ambient();
     void hold_frame(Frame& frame);
     void hold_before();
     void begin_anew();
@@ -77,6 +77,8 @@ struct Wind::State : WindHost {
     [[nodiscard]] glm::vec4 ambient_at(int i, int j, int k) const;
     [[nodiscard]] glm::vec4 mean_at(int i, int j, int k) const;
     void fill(std::span<glm::vec4> field) const;
+    /// For calls that change the wind, which no other thread reads meanwhile.
+    void hold_ambient_alone(const ParallelFor& parallel_for);
     void hold_gusts(std::span<glm::vec4> field, const AmbientWind& wind, const Window& place);
     void add_ambient(std::span<glm::vec4> field, float factor) const;
     void fill_exposed(std::span<glm::vec4> field, CellIndex shift) const;

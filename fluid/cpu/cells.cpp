@@ -121,10 +121,14 @@ void Wind::State::gusts_passed() {
 }
 
 // Cells of air that sleeps are written by whoever reads them first, in the reader's own thread: it may stand in a loop of its own.
-void Wind::State::hold_ambient(const ParallelFor& parallel_for) {
+void Wind::State::hold_ambient() {
     if (held)
         return;
     const std::lock_guard lock(holding);
+    hold_ambient_alone({});
+}
+
+void Wind::State::hold_ambient_alone(const ParallelFor& parallel_for) {
     if (held)
         return;
     if (ambient.gusting())
@@ -234,7 +238,7 @@ void Wind::State::begin_keeping() {
 }
 
 void Wind::State::keep_before() {
-    hold_ambient(config.parallel_for);
+    hold_ambient_alone(config.parallel_for);
     before_held = true;
     std::copy_n(air.velocity.data(), air.velocity.size(), frames->before.data());
 }

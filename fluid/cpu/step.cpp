@@ -85,7 +85,7 @@ float settling_factor(const Config& config, float dt) {
 
 void Wind::State::step_cells(double duration, std::span<const detail::MotorReach> reached, Diagnostics& report) {
     const auto dt = static_cast<float>(duration);
-    hold_ambient(config.parallel_for);
+    hold_ambient_alone(config.parallel_for);
     hold_before();
     AmbientWind wind = ambient;
     const glm::dvec3 phase = wind.phase();
@@ -404,7 +404,7 @@ std::span<const glm::vec4> Wind::State::diffuse(std::span<const glm::vec4> field
 }
 
 void Wind::State::measure(Diagnostics& report) {
-    hold_ambient(config.parallel_for);
+    hold_ambient_alone(config.parallel_for);
     Stopwatch watch(report.times_ms.report);
     Workspace::State& state = work.state();
     const float h = box().cell_size;

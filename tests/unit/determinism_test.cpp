@@ -4,6 +4,7 @@
 #include "fluid/wind.h"
 #include "tests/fields.h"
 
+#include <array>
 #include <functional>
 #include <gtest/gtest.h>
 #include <string>
@@ -158,6 +159,31 @@ TEST(ParallelWinds, IndicesInAnyOrderGiveTheSame) {
             reversed.step();
         }
         EXPECT_EQ(cells_that_differ(forwards.wind().field(), reversed.wind().field()), 0u) << scene.name;
+    }
+}
+
+// Air that sleeps in gusts is written by whoever reads it first: threads that read at once, one of them in a loop of the wind's own
+// pool, find the same cells.
+TEST(ParallelReads, OfAirThatSleepsInGustsFindTheSameCells) {
+    ThreadPool pool(3);
+    Config config{.cells = {12, 8, 10}, .ambient = {4.0f, 0.0f, 1.0f}};
+    config.gusts.intensity = 0.3f;
+    config.parallel_for = pool.parallel_for();
+    for (const bool frames : {false, true}) {
+        auto wind = Wind::create(config);
+        ASSERT_TRUE(wind);
+        for (int n = 0; n < 20; ++n) {
+            if (frames)
+                wind->advance(1.0 / 24.0);
+            else
+                wind->step(1.0 / 24.0);
+            std::array<glm::vec3, 12> read;
+            pool.parallel_for()(static_cast<int>(read.size()), [&](int i) {
+                read[static_cast<std::size_t>(i)] = wind->velocity({0.3, -0.2, 0.7}) + glm::vec3(wind->field()[5]);
+            });
+            for (const glm::vec3& one : read)
+                ASSERT_EQ(one, read[0]);
+        }
     }
 }
 
