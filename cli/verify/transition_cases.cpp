@@ -74,7 +74,8 @@ VerifyRows taylor_green_re1600(const VerifySetting& setting, int size) {
     wind->set_velocity([](glm::dvec3 x) {
         return glm::vec3(std::sin(x.x) * std::cos(x.y) * std::cos(x.z), -std::cos(x.x) * std::sin(x.y) * std::cos(x.z), 0.0);
     });
-    // The first step has no history and loses energy once, by dt^2: the first of the rates is left out.
+    // Even, since a flicker from step to step would show in the rates. The first step has no history and loses energy once, by dt^2,
+    // which is in the first of them.
     const int steps = 2 * static_cast<int>(std::ceil(0.5 * k_window / static_cast<double>(box.cell_size)));
     std::array<double, k_published.size()> energy;
     energy[0] = mean_energy(wind->field());
@@ -89,7 +90,8 @@ VerifyRows taylor_green_re1600(const VerifySetting& setting, int size) {
     const auto row = [&](const char* label, double error, double bound) {
         return VerifyRow{.cells = box.cells, .cfl = cfl, .error = error, .bound = bound, .label = label};
     };
-    return std::vector{row("rate from 0.25 to 2", largest_error(rates, published, 1, 8), falling_bound(1.13, 32, 2.2, size)),
+    return std::vector{row("rate to t = 2", largest_error(rates, published, 0, 8), falling_bound(1.13, 32, 2.2, size)),
+                       row("rate from 0.25 to 2", largest_error(rates, published, 1, 8), falling_bound(1.13, 32, 2.2, size)),
                        row("rate from 2 to 4", largest_error(rates, published, 8, 16), falling_bound(3.7, 32, 1.9, size)),
                        row("energy to t = 4", largest_error(energy, k_published, 0, 17), falling_bound(0.058, 32, 2.2, size)),
                        row("energy to t = 12", largest_error(energy, k_published, 0, energy.size()), 0.43),

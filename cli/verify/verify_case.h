@@ -68,7 +68,7 @@ struct VerifyCase {
 struct NotMet {
     std::string_view name, label;
 };
-/// All of them: not_met.cpp, the one place that expects a miss. A row that meets its bound must leave it.
+/// All of them, in verify_cases.cpp: the one place that expects a miss. A row that meets its bound must leave it.
 [[nodiscard]] std::span<const NotMet> not_met();
 
 /// All cases, in the order in which they run.

@@ -101,7 +101,7 @@ void report_end(std::span<const VerifiedCase> cases, std::span<const std::string
     if (!missed.empty())
         console.out << "\n" << wrapped("not met, as known: ", missed + ".");
     if (!met.empty())
-        console.complain(message("met, though cli/verify/not_met.cpp expects a miss: ", met, ". Take it out of that file."));
+        console.complain(message("met, though cli/verify/verify_cases.cpp expects a miss: ", met, ". Take it out of that file."));
     if (!left_out.empty()) {
         std::string names;
         for (const std::string& name : left_out)

@@ -41,9 +41,9 @@ struct Zone {
     int from, to; ///< cells from the nearest rim, inclusive; from < 0: the inner half of each axis
     double bound_fans, bound_vent;
 };
-constexpr Zone k_zones[] = {{"rim 0-1 cells", 0, 1, 0.42, 0.08},
-                            {"rim 2-3 cells", 2, 3, 0.11, 0.04},
-                            {"rim 4-7 cells", 4, 7, 0.022, 0.01},
+constexpr Zone k_zones[] = {{"border 0-1 cells", 0, 1, 0.42, 0.08},
+                            {"border 2-3 cells", 2, 3, 0.11, 0.04},
+                            {"border 4-7 cells", 4, 7, 0.022, 0.01},
                             {"inner half", -1, -1, 0.02, 0.005}};
 
 bool lies_in(const Zone& zone, glm::ivec3 cell, glm::ivec3 cells) {
@@ -144,7 +144,7 @@ std::vector<VerifyCase> window_cases() {
     return {
         {.name = "window_in_large_grid",
          .what = "A window that walks through the wind past motors, beside a grid three times as wide and high that holds the "
-                 "same motors; error by distance from the rim, over the motors' own air there.",
+                 "same motors; error by distance from the border, over the motors' own air there.",
          .source = "the same step in 96 x 48 x 96 cells that stand still",
          .reason =
              "what sides in free space leave, with the pressure 0 at the ghost's centre and the flow of a vent projected as if "

@@ -123,8 +123,16 @@ TEST_F(OnDevice, VerifyHoldsTheCpusBounds) {
     for (const VerifyCase& one : verify_cases())
         if (std::find(names.begin(), names.end(), one.name) != names.end()) {
             ++found;
-            for (const VerifyRow& row : one.run(setting, one.sizes.front()).rows)
-                EXPECT_LE(row.error, row.bound) << one.name << " " << row.label;
+            const auto known = not_met();
+            const bool misses =
+                std::any_of(known.begin(), known.end(), [&](const NotMet& miss) { return miss.name == one.name; });
+            const VerifyRows on_device = one.run(setting, one.sizes.front());
+            const VerifyRows on_cpu = misses ? one.run({}, one.sizes.front()) : on_device;
+            for (std::size_t n = 0; n < on_device.rows.size(); ++n) {
+                const VerifyRow& row = on_device.rows[n];
+                const double most = misses ? 1.001 * on_cpu.rows[n].error : row.bound;
+                EXPECT_LE(row.error, most) << one.name << " " << row.label;
+            }
         }
     EXPECT_EQ(found, names.size());
     EXPECT_EQ(device.fault(), "");

@@ -233,7 +233,7 @@ TEST_F(VerifyCommand, RowsAreJudgedByTheirLabel) {
     EXPECT_EQ(bad.out.find("FAIL  near\n"), std::string::npos) << bad.out;
 }
 
-// A miss that not_met.cpp names does not pass, but is no fault; once it meets its bound, it must leave that file. A case that only
+// A miss that not_met() names does not pass, but is no fault; once it meets its bound, it must leave that file. A case that only
 // guards against change says so.
 TEST_F(VerifyCommand, KnownMissesAreToldApartFromFaults) {
     ASSERT_FALSE(not_met().empty());
