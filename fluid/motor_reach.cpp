@@ -12,6 +12,7 @@ namespace {
 
 constexpr float k_pi = 3.14159265f;
 constexpr double k_least_eddy = 1e-3; // [m] shorter ones are noise in any cell
+constexpr float k_least_felt = 1e-3f; // [m/s] of a source outside the box, where it blows into it
 
 // The cells whose centres lie within `low`..`high` [m from the box's corner]; false if there are none.
 bool cover(MotorReach& reach, glm::vec3 low, glm::vec3 high, const Window& window) {
@@ -159,13 +160,40 @@ float least_radius(const MotorReach& reach) {
     return reach.radius;
 }
 
+// Where a source in free air stands and what comes out of it, less what a wall cuts off: over a ball cut at s radii the weight is
+// (1 - s^2)^3 / 3. Several walls are taken one by one. False where the box does not feel it.
+bool blow_into(MotorReach& reach, float flow, const Window& window, const Sides& sides) {
+    reach.extent = reach.centre;
+    const glm::vec3 size = window.cell_size * glm::vec3(window.cells);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!sides.has_solid(axis))
+            continue;
+        const bool low = sides.at(axis, 0).solid();
+        const float depth = low ? reach.centre[axis] : size[axis] - reach.centre[axis];
+        const float s = std::clamp(depth / reach.radius, -1.0f, 1.0f), s2 = s * s;
+        constexpr float k_half = 16.0f / 35.0f;
+        const float kept = k_half + s * (1.0f - s2 * (1.0f - s2 * (0.6f - s2 / 7.0f)));
+        if (!(kept > 0.0f))
+            return false;
+        const float inward = reach.radius * 0.125f * cubed(1.0f - s2) * (1.0f - s2) / kept;
+        reach.extent[axis] += low ? inward : -inward;
+        flow *= kept / (2.0f * k_half);
+    }
+    reach.push.x = flow;
+    const glm::vec3 apart = reach.extent - glm::clamp(reach.extent, glm::vec3(0.0f), size);
+    return std::abs(flow) > k_least_felt * 4.0f * k_pi * glm::dot(apart, apart);
+}
+
 // S0 of a ball from which 4 pi R^2 v cubic metres of air come out a second: that over the volume of its weight, 32 pi r^3 / 105.
-bool shape_source(MotorReach& reach, float radius, float speed, float strength, const Window& window) {
+bool shape_source(MotorReach& reach, float radius, float speed, float strength, const Window& window, const Sides& sides) {
     reach.law = MotorReach::Law::source;
-    const float share = RegionReach{reach, window}(Sphere{radius});
-    const float flow = 4.0f * k_pi * radius * radius * speed;
-    reach.amount = strength * flow / (32.0f * k_pi / 105.0f * cubed(reach.radius));
-    return share > 0.0f && reach.amount != 0.0f;
+    const bool inside = RegionReach{reach, window}(Sphere{radius}) > 0.0f;
+    const float flow = strength * 4.0f * k_pi * radius * radius * speed;
+    reach.amount = flow / (32.0f * k_pi / 105.0f * cubed(reach.radius));
+    const bool felt = sides.in_free_air() && blow_into(reach, flow, window, sides);
+    if (!inside)
+        reach.low = reach.high = glm::ivec3(0);
+    return (inside || felt) && reach.amount != 0.0f;
 }
 
 struct Preparation {
@@ -173,6 +201,7 @@ struct Preparation {
     std::span<const Track::Piece> path;
     double age, duration;
     const Window& window;
+    const Sides& sides;
     std::span<MotorReach> reach;
 
     int operator()(const DirectionalMotor& motor) const {
@@ -216,12 +245,12 @@ struct Preparation {
     int operator()(const OmniMotor& motor) const {
         reach[0].centre = metres(window, track.here());
         const auto strength = static_cast<float>(motor.envelope.mean(age, age + duration));
-        return shape_source(reach[0], motor.radius, motor.speed, strength, window) ? 1 : 0;
+        return shape_source(reach[0], motor.radius, motor.speed, strength, window, sides) ? 1 : 0;
     }
     int operator()(const PressureMotor& motor) const {
         reach[0].centre = metres(window, track.here());
         const auto strength = static_cast<float>(motor.mean(age, age + duration));
-        return shape_source(reach[0], motor.radius, motor.speed, strength, window) ? 1 : 0;
+        return shape_source(reach[0], motor.radius, motor.speed, strength, window, sides) ? 1 : 0;
     }
 
     // A piece of the path each. The force law shares the tick's impulse out by length; the drive's target is the body's velocity
@@ -265,9 +294,9 @@ struct Preparation {
 } // namespace
 
 int prepare(const Motor& motor, const Track& track, std::span<const Track::Piece> path, double age, double duration,
-            const Window& window, std::span<MotorReach> reach) {
+            const Window& window, const Sides& sides, std::span<MotorReach> reach) {
     reach[0] = {};
-    return std::visit(Preparation{track, path, age, duration, window, reach}, motor);
+    return std::visit(Preparation{track, path, age, duration, window, sides, reach}, motor);
 }
 
 bool before(const MotorReach& a, const MotorReach& b) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fluid/motor.h"
+#include "fluid/sides.h"
 #include "fluid/track.h"
 #include "fluid/window.h"
 
@@ -17,12 +18,15 @@ struct MotorReach {
 
     Shape shape = Shape::sphere;
     Law law = Law::force;
-    glm::vec3 centre{0.0f};  ///< [m] from the box's low corner; first end of a cone, start of a path
-    glm::vec3 extent{0.0f};  ///< [m] half axis of a capsule or vortex, half size of a box, axis of a cone or jet, end of a path
+    glm::vec3 centre{0.0f}; ///< [m] from the box's low corner; first end of a cone, start of a path
+    /// [m] Half axis of a capsule or vortex, half size of a box, axis of a cone or jet, end of a path. Source in free air: the
+    /// middle of what the walls leave of it.
+    glm::vec3 extent{0.0f};
     float radius = 0.0f;     ///< [m] widened to what the cells can hold
     float end_radius = 0.0f; ///< [m] of cones and jets
     float lift = 0.0f;       ///< of vortices
     /// Force: added to f per unit of weight. Drive: the velocity U drawn toward. [m/s^2 or m/s] Jets and vortices: its size in x.
+    /// Source in free air: [m^3/s] what comes out of it, in x.
     glm::vec3 push{0.0f};
     /// Drive: exponent per unit of weight. Source: S0 [1/s].
     float amount = 0.0f;
@@ -35,9 +39,10 @@ struct MotorReach {
 static_assert(sizeof(MotorReach) == 4 * (2 + 3 + 3 + 3 + 3 + 1 + 5 + 6), "no padding: compared as bytes");
 
 /// Prepares one motor for a tick of `duration` [s] that it begins at `age` [s], having moved along `path`. Writes at most
-/// Track::k_most_pieces entries to `reach`; returns how many.
+/// Track::k_most_pieces entries to `reach`; returns how many. In free air (sides.h) a source is felt from outside the box too, with
+/// no cell of its own.
 int prepare(const Motor& motor, const Track& track, std::span<const Track::Piece> path, double age, double duration,
-            const Window& window, std::span<MotorReach> reach);
+            const Window& window, const Sides& sides, std::span<MotorReach> reach);
 
 /// A total order by content: equal only where all is equal.
 [[nodiscard]] bool before(const MotorReach& a, const MotorReach& b);

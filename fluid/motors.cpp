@@ -162,7 +162,7 @@ void Motors::squeeze(double factor) {
             slot.track.squeeze(factor);
 }
 
-std::span<const detail::MotorReach> Motors::tick(double duration, const Window& window) {
+std::span<const detail::MotorReach> Motors::tick(double duration, const Window& window, const Sides& sides) {
     std::size_t count = 0;
     for (std::uint32_t index = 0; index < slots_.size(); ++index) {
         Slot& slot = slots_[index];
@@ -170,7 +170,7 @@ std::span<const detail::MotorReach> Motors::tick(double duration, const Window& 
             continue;
         const auto path = slot.track.tick(duration);
         count += static_cast<std::size_t>(
-            detail::prepare(slot.motor, slot.track, path, slot.age, duration, window, std::span(reach_).subspan(count)));
+            detail::prepare(slot.motor, slot.track, path, slot.age, duration, window, sides, std::span(reach_).subspan(count)));
         slot.age += duration;
         if (slot.age >= end_of(slot.motor))
             release(index);

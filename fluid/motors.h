@@ -63,7 +63,7 @@ class Motors {
     void squeeze(double factor);
     /// Advances every motor by a tick, ends those whose time is over, and returns what reaches the box, in an order that does not
     /// depend on the list's. Does not allocate. The span lasts until the next call.
-    [[nodiscard]] std::span<const detail::MotorReach> tick(double duration, const Window& window);
+    [[nodiscard]] std::span<const detail::MotorReach> tick(double duration, const Window& window, const Sides& sides);
     [[nodiscard]] std::span<const Slot> slots() const { return slots_; }
     /// What motors' eddies are read from: the wind's own tile, else the standard one. May be null where no motor has eddies.
     [[nodiscard]] const std::shared_ptr<const GustTile>& tile(const std::shared_ptr<const GustTile>& of_wind) const {

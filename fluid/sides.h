@@ -42,6 +42,8 @@ struct Sides {
     [[nodiscard]] bool periodic(int axis) const { return at(axis, 0).kind == SideKind::periodic; }
     [[nodiscard]] bool has_solid(int axis) const { return at(axis, 0).solid() || at(axis, 1).solid(); }
     [[nodiscard]] bool has_open(int axis) const;
+    /// Every axis is open at one end at least: free air lies around the box, with a wall an axis at most.
+    [[nodiscard]] bool in_free_air() const { return has_open(0) && has_open(1) && has_open(2); }
 
     static Sides all(SideKind kind);
     /// Open air over a free-slip floor.

@@ -233,7 +233,7 @@ Diagnostics WindHost::tick_air(double duration) {
 void WindHost::run_step(double duration, Diagnostics& report) {
     std::span<const detail::MotorReach> reached;
     if (config.stages.sources)
-        reached = motors.tick(duration, window);
+        reached = motors.tick(duration, window, config.sides);
     previous_origin_cells = std::exchange(stepped_origin_cells, window.origin_cells);
     previous_point = std::exchange(stepped_point, follow_point);
     if (asleep && reached.empty()) {

@@ -84,6 +84,7 @@ struct Wind::State : WindHost {
     void fill_exposed(std::span<glm::vec4> field, CellIndex shift) const;
 
     void add_sources(float dt, std::span<const detail::MotorReach> reached, Diagnostics& report);
+    [[nodiscard]] bool acts_whole() const;
     void hold_whole(float dt);
     void let_air_in(std::span<const detail::MotorReach> reached);
     void limit_speeds(float dt, Diagnostics& report);

@@ -60,7 +60,7 @@ void WindHost::begin_ticks() {
 
 // Nothing acts on the air in dropped time, but the world went on: bodies are where they are, gusts have passed.
 void WindHost::drop_ticks(double seconds) {
-    (void)motors.tick(seconds, window);
+    (void)motors.tick(seconds, window, config.sides);
     (void)frames->follow.tick(seconds);
     if (ambient.gusting() && !asleep) {
         exchange_ambient([&] { ambient.advance(seconds); });

@@ -13,12 +13,12 @@ void for_each_cell(const Box& box, const Visit& visit) {
                 visit(i, j, k);
 }
 
-// Beyond open sides phi turns its sign, the floor (y low) mirrors it.
+// Beyond open sides phi is 0, the floor (y low) mirrors it.
 double laplacian(const Box& box, const PressureAt& phi, int i, int j, int k) {
     const double here = phi(i, j, k);
     const auto beyond = [&](int a, int b, int c) {
         const bool inside = a >= 0 && a < box.cells.x && b >= 0 && b < box.cells.y && c >= 0 && c < box.cells.z;
-        return inside ? phi(a, b, c) : b < 0 ? here : -here;
+        return inside ? phi(a, b, c) : b < 0 ? here : 0.0;
     };
     return beyond(i - 1, j, k) + beyond(i + 1, j, k) + beyond(i, j - 1, k) + beyond(i, j + 1, k) + beyond(i, j, k - 1) +
            beyond(i, j, k + 1) - 6.0 * here;

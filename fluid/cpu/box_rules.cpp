@@ -56,7 +56,7 @@ HaloRule rule_at(const Sides& sides, int axis, int index, int count) {
 EndRule pressure_end(const Side& side) {
     switch (side.kind) {
     case SideKind::open:
-        return EndRule::zero_at_face;
+        return EndRule::zero_at_ghost;
     case SideKind::periodic:
         return EndRule::periodic;
     default:
@@ -126,7 +126,7 @@ NormalGhost velocity_ghost(const Box& box, int axis, int end) {
 }
 
 NormalGhost potential_ghost(const Box& box, int axis, int end) {
-    return ghost(box, axis, end, -1.0f, 1.0f);
+    return ghost(box, axis, end, 0.0f, 1.0f);
 }
 
 LegalPlaces legal_places(const Box& box, int axis) {

@@ -38,7 +38,30 @@ void Workspace::State::subtract_from_potential(std::span<const float> field, flo
     });
 }
 
+// Calls visit(cell, axis, step) where a step leads out of an open side.
+template <class Visit>
+void Workspace::State::for_each_open_end(const Visit& visit) const {
+    const glm::ivec3 last = box.cells - 1;
+    parallel_for(box.cells.z, [&](int k) {
+        for (int j = 0; j <= last.y; ++j) {
+            const bool outermost = j == 0 || j == last.y || k == 0 || k == last.z;
+            for (int i = 0; i <= last.x; i += outermost ? 1 : std::max(1, last.x)) {
+                const glm::ivec3 cell(i, j, k);
+                for (int axis = 0; axis < 3; ++axis)
+                    for (const int end : {0, 1})
+                        if (cell[axis] == end * last[axis] && box.sides.at(axis, end).kind == SideKind::open)
+                            visit(cell, axis, 2 * end - 1);
+            }
+        }
+    });
+}
+
 namespace {
+
+glm::ivec3 next_to(glm::ivec3 cell, int axis, int step) {
+    cell[axis] += step;
+    return cell;
+}
 
 // Copies between a caller's dense field and the solver's padded rows, times a factor.
 template <class From, class To>
@@ -86,12 +109,18 @@ void project(Workspace& work, std::span<glm::vec4> velocity, std::span<glm::vec4
     work.state().project(velocity, expansion, {.field = gradient});
 }
 
-void Workspace::State::project(std::span<glm::vec4> velocity, std::span<const float> expansion, const GradientNote& note) {
+void Workspace::State::project(std::span<glm::vec4> velocity, std::span<const float> expansion, const GradientNote& note,
+                               const Beyond& beyond) {
     assert(velocity.size() == box.cell_count() && (note.field.empty() || note.field.size() == velocity.size()));
     assert(expansion.empty() || expansion.size() == velocity.size());
     divergence_to_potential(cpu::floats(velocity), 0.5f);
     if (!expansion.empty())
         subtract_from_potential(expansion, box.cell_size);
+    if (beyond)
+        for_each_open_end([&](glm::ivec3 cell, int axis, int step) {
+            potential[(static_cast<std::size_t>(cell.z) * box.cells.y + cell.y) * pressure->pitch() + cell.x] -=
+                beyond(next_to(cell, axis, step));
+        });
     pressure->solve(potential.data(), scratch.data(), parallel_for);
 
     cpu::GradientTask task{};
@@ -106,6 +135,11 @@ void Workspace::State::project(std::span<glm::vec4> velocity, std::span<const fl
     task.weight = note.weight;
     task.kept = note.kept;
     parallel_for(box.cells.z, [&](int plane) { kernels->gradient_plane(task, plane); });
+    if (beyond)
+        for_each_open_end([&](glm::ivec3 cell, int axis, int step) {
+            velocity[box.index(cell.x, cell.y, cell.z)][axis] -=
+                0.5f * static_cast<float>(step) * beyond(next_to(cell, axis, step));
+        });
 }
 
 } // namespace windrow

@@ -34,6 +34,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 namespace windrow {
@@ -254,10 +255,14 @@ void Wind::State::add_sources(float dt, std::span<const detail::MotorReach> reac
     Stopwatch watch(report.times_ms.sources);
     const auto& tile = motors.tile(ambient.tile());
     sources.gather(reached, box().cell_size, air.velocity, {tile ? tile->texels().data() : nullptr}, config.parallel_for);
-    if (config.scheme == Scheme::stable_fluids || !config.stages.advection)
+    if (acts_whole())
         hold_whole(dt);
     if (config.stages.projection)
         let_air_in(reached);
+}
+
+bool Wind::State::acts_whole() const {
+    return config.scheme == Scheme::stable_fluids || !config.stages.advection;
 }
 
 // The classic split: drives and drag of the whole step before the advection.
@@ -311,7 +316,23 @@ void Wind::State::let_air_in(std::span<const detail::MotorReach> reached) {
     std::fill_n(source_flow.data(), source_flow.size(), glm::vec4(0.0f));
     if (sources_of_air == 0)
         return;
-    project(work, source_flow, {}, sources.expansion());
+    const float h = box().cell_size;
+    glm::vec3 wall(0.0f), walled(0.0f);
+    for (int axis = 0; axis < 3; ++axis) {
+        walled[axis] = config.sides.has_solid(axis) ? 1.0f : 0.0f;
+        wall[axis] = config.sides.at(axis, 1).solid() ? h * static_cast<float>(box().cells[axis]) : 0.0f;
+    }
+    const auto in_free_air = [&](glm::ivec3 ghost) {
+        float potential = 0.0f;
+        for (const detail::MotorReach& motor : reached)
+            if (motor.law == detail::MotorReach::Law::source)
+                potential += motor.push.x * numerics::windrow_walled_potential(h * (glm::vec3(ghost) + 0.5f), motor.extent,
+                                                                               motor.radius, wall, walled);
+        return potential / h;
+    };
+    work.state().project(source_flow, sources.expansion(), {},
+                         config.sides.in_free_air() ? Workspace::State::Beyond(std::cref(in_free_air))
+                                                    : Workspace::State::Beyond());
     add_to_air(1.0f);
 }
 
@@ -346,8 +367,8 @@ void Wind::State::limit_speeds(float dt, Diagnostics& report) {
         found = work.state().survey(&air.velocity[0].x);
     }
     report.substeps = 1;
-    report.cfl =
-        (std::max(found.largest_component, sources.largest_driven()) + dt * sources.largest_force()) * dt / box().cell_size;
+    const float largest = acts_whole() ? found.largest_component : std::max(found.largest_component, sources.largest_driven());
+    report.cfl = (largest + dt * sources.largest_force()) * dt / box().cell_size;
     if (!config.stages.advection || report.cfl <= config.max_cfl)
         return;
     const float wanted = std::ceil(report.cfl / config.max_cfl);

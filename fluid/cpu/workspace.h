@@ -7,6 +7,7 @@
 #include "fluid/pieces.h"
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -63,14 +64,19 @@ struct Workspace::State {
         std::span<glm::vec4> field{}; ///< empty: no output
         float weight = 1.0f, kept = 0.0f;
     };
-    /// As project() in pieces.h.
-    void project(std::span<glm::vec4> velocity, std::span<const float> expansion, const GradientNote& note);
+    /// phi / h [m/s] at a ghost's centre beyond an open side.
+    using Beyond = std::function<float(glm::ivec3 ghost)>;
+    /// As project() in pieces.h; `beyond` empty: 0.
+    void project(std::span<glm::vec4> velocity, std::span<const float> expansion, const GradientNote& note,
+                 const Beyond& beyond = {});
     /// Sum of the planes' surveys, in order of the planes.
     [[nodiscard]] cpu::PlaneSurvey survey(const float* velocity);
     /// The same, and the central divergence [1/s], less the one wanted where `expansion` is not empty.
     [[nodiscard]] cpu::PlaneSurvey survey_with_divergence(const float* velocity, std::span<const float> expansion);
 
   private:
+    template <class Visit>
+    void for_each_open_end(const Visit& visit) const;
     void build_rules();
     void build_ghosts();
     void build_pressure();

@@ -146,7 +146,7 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
     a_cell(Pass::sources, words::sources,
            of(f.step, f.control, f.velocity, f.velocity_old, f.history, f.force, f.drives, f.expansion, f.motors, f.tile));
     a_cell(Pass::source_flow, words::source_flow,
-           of(f.step, f.control, f.potential, f.source_flow, f.velocity, f.velocity_old, f.history, f.tile));
+           of(f.step, f.control, f.potential, f.source_flow, f.velocity, f.velocity_old, f.history, f.tile, f.motors));
     a_cell(Pass::adjust, words::adjust, of(f.step, f.control, f.velocity, f.velocity_old, f.before, f.tile));
     over(lines, {1, 1, 1})(Pass::plan, words::plan, of(f.step, f.control, f.shapes, f.commands));
     a_cell(Pass::limit, words::limit, of(f.step, f.control, f.velocity, f.source_flow, f.drives));
@@ -159,7 +159,7 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
                      f.rules, f.padded, f.tile));
     a_cell(Pass::advect, words::advect,
            of(f.step, f.control, f.velocity, f.padded, f.force, f.drives, f.history, f.source_flow, f.arrived, f.tile));
-    a_plane(Pass::modes_forward, words::modes_forward, of(f.step, f.control, f.tables, f.arrived, f.expansion, f.hat));
+    a_plane(Pass::modes_forward, words::modes_forward, of(f.step, f.control, f.tables, f.arrived, f.expansion, f.hat, f.motors));
     a_half_plane(Pass::modes_between, words::modes_between, of(f.step, f.control, f.tables, f.hat));
     a_column(Pass::columns, words::columns, of(f.step, f.control, f.tables, f.hat));
     a_plane(Pass::modes_back, words::modes_back, of(f.step, f.control, f.tables, f.hat, f.potential));

@@ -1,7 +1,7 @@
 // First stage of a direct solve: the right-hand side, made here, to modes of x and z.
 //
 //   projection        rhs = (differences of w) / 2        (phi / h, so that no h appears; w is without the sources' flow)
-//   sources of air    rhs = -h S
+//   sources of air    rhs = -h S, less phi beyond open sides
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "fluid/pass.glsl"
@@ -12,14 +12,23 @@ layout(std430, set = 0, binding = 3) readonly buffer Arrived { vec4 arrived[]; }
 layout(std430, set = 0, binding = 4) readonly buffer Expansion { float expansion[]; };
 layout(std430, set = 0, binding = 5) writeonly buffer Hat { float hat[]; };
 
+#define WINDROW_MOTORS 6
+#include "fluid/free_air.glsl"
 #define WINDROW_FIELD arrived
 #include "fluid/divergence.glsl"
 
 const int k_of_air = 1; // push.w: 0 the projection of w, 1 the flow of the sources of air
 
 float load(ivec3 cell) {
-    if (push.w == k_of_air)
-        return is_on(WINDROW_EXPANDS) ? -tick.time.y * expansion[cell_index(cell)] : 0.0f;
+    if (push.w == k_of_air) {
+        float rhs = 0.0f;
+        if (is_on(WINDROW_EXPANDS)) {
+            rhs = -tick.time.y * expansion[cell_index(cell)];
+            for (int axis = 0; axis < 3; ++axis)
+                rhs -= beyond(cell, axis, -1) + beyond(cell, axis, 1);
+        }
+        return rhs;
+    }
     return 0.5f * differences(cell);
 }
 

@@ -11,6 +11,8 @@ layout(std430, set = 0, binding = 3) buffer SourceFlow { vec4 source_flow[]; };
 layout(std430, set = 0, binding = 4) buffer Velocity { vec4 velocity[]; };
 layout(std430, set = 0, binding = 5) buffer VelocityOld { vec4 velocity_old[]; };
 layout(std430, set = 0, binding = 6) writeonly buffer History { vec4 history[]; };
+#define WINDROW_MOTORS 8
+#include "fluid/free_air.glsl"
 #include "fluid/guard.glsl"
 
 shared uint group_largest;
@@ -29,6 +31,7 @@ void main() {
                 const int low = cell_index(neighbour(cell, axis, -1, tick.potential_low, tick.potential_high, below));
                 const int high = cell_index(neighbour(cell, axis, 1, tick.potential_low, tick.potential_high, above));
                 flow[axis] = -0.5f * (above * potential[high] - below * potential[low]);
+                flow[axis] -= 0.5f * (beyond(cell, axis, 1) - beyond(cell, axis, -1));
             }
         const vec4 change = vec4(flow - source_flow[at].xyz, 0.0f);
         source_flow[at] = vec4(flow, 0.0f);

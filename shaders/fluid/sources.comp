@@ -103,7 +103,7 @@ void main() {
         }
         if (is_on(WINDROW_DRIVES) && !is_on(WINDROW_STABLE_FLUIDS)) {
             drives[at] = driven;
-            if (!broken(u))
+            if (driven.w > 0.0f && !broken(u))
                 fastest = max(fastest, largest_component(windrow_driven(u.xyz, driven, driven.w)));
         }
         if (is_on(WINDROW_PUSHES))

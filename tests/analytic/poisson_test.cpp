@@ -132,14 +132,19 @@ TEST(Poisson, ABoxWithoutAnOpenSideGivesMeanZero) {
     expect_at_most("poisson.mean_over_rms", worst, 1e-4);
 }
 
-// A function of one axis that obeys a pair of ends on [0, 1], with its second derivative.
+// A function of one axis of cells h that obeys a pair of ends on [0, 1], with its second derivative. Beyond an open side it is 0 at
+// the ghost's centre.
 struct AxisFunction {
     double value, second;
 };
-AxisFunction axis_function(int pair, double x) {
+AxisFunction axis_function(int pair, double x, double h) {
+    const double low = pair == 0 || pair == 2 ? 0.5 * h : 0.0, high = pair == 0 || pair == 3 ? 0.5 * h : 0.0;
+    const double length = 1.0 + low + high;
+    x = (x + low) / length;
     const auto sum = [&](bool sine, double first, double next) {
         const auto wave = [&](double k) { return sine ? std::sin(k * x) : std::cos(k * x); };
-        return AxisFunction{wave(first) + 0.4 * wave(next), -first * first * wave(first) - 0.4 * next * next * wave(next)};
+        return AxisFunction{wave(first) + 0.4 * wave(next),
+                            -(first * first * wave(first) + 0.4 * next * next * wave(next)) / (length * length)};
     };
     switch (pair) {
     case 0: // open, open
@@ -161,7 +166,8 @@ double manufactured_error(int cells, int x, int y, int z) {
     const Box box{.cells = {cells, cells / 2, cells}, .cell_size = static_cast<float>(1.0 / cells), .sides = mix(x, y, z)};
     Workspace work = workspace(box);
     const auto axes = [&](glm::dvec3 p) {
-        return std::array{axis_function(x, p.x), axis_function(y, 2.0 * p.y), axis_function(z, p.z)};
+        const double h = 1.0 / cells;
+        return std::array{axis_function(x, p.x, h), axis_function(y, 2.0 * p.y, 2.0 * h), axis_function(z, p.z, h)};
     };
     auto values = sample_scalar(box, [&](glm::dvec3 p) {
         const auto f = axes(p); // y spans half a metre
@@ -183,9 +189,8 @@ TEST(Poisson, AManufacturedSolutionIsSecondOrder) {
     double least = 10.0, worst = 0.0;
     for (int n = 0; n < 125; n += 4) {
         const int x = n % 5, y = n / 5 % 5, z = n / 25;
-        const double e16 = manufactured_error(16, x, y, z), e32 = manufactured_error(32, x, y, z),
-                     e64 = manufactured_error(64, x, y, z);
-        least = std::min({least, figures::order(e16, e32), figures::order(e32, e64)});
+        const double e32 = manufactured_error(32, x, y, z), e64 = manufactured_error(64, x, y, z);
+        least = std::min(least, figures::order(e32, e64));
         worst = std::max(worst, e64);
     }
     expect_at_least("poisson.manufactured_least_order", least, 1.9);

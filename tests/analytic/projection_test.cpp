@@ -131,7 +131,7 @@ TEST(Projection, TheDivergenceFloorFallsWithTheCell) {
     }
 }
 
-// Air that blows through the sides: phi is 0 at an open face, the air there is free to leave. What project() leaves of a
+// Air that blows through the sides: phi is 0 at the ghosts' centres, the air is free to leave. What project() leaves of a
 // solenoidal wind plus a gradient must be the wind: to second order inside, and in the outermost cells, whose central difference
 // has one side only, to first.
 TEST(Projection, OpenSidesLetTheAirThroughToSecondOrder) {
@@ -151,12 +151,13 @@ TEST(Projection, OpenSidesLetTheAirThroughToSecondOrder) {
                                           -std::cos(2.0 * x.x + 1.0) * std::sin(2.0 * x.y), 0.0)
                              : glm::dvec3(std::sin(2.0 * x.y + 1.0), std::cos(3.0 * x.x), 0.0);
             };
-            const double ky = floor ? 0.5 * k_pi : k_pi; // phi = sin(pi x) sin(pi y), or sin(pi x) cos(pi y / 2) over a floor
+            // pi phi = sin(kx x) sin(ky y), or sin(kx x) cos(ky y) over a floor, x and y from where it is 0, or from the floor
+            const double h = 1.0 / cells, kx = k_pi / (1.0 + h), ky = floor ? 0.5 * k_pi / (1.0 + 0.5 * h) : kx;
             Field field = sample(box, [&](glm::dvec3 x) {
-                const double sx = std::sin(k_pi * x.x), cx = std::cos(k_pi * x.x);
-                const double fy = floor ? std::cos(ky * x.y) : std::sin(ky * x.y),
-                             dy = floor ? -std::sin(ky * x.y) : std::cos(ky * x.y);
-                return through(x) + glm::dvec3(cx * fy, ky / k_pi * sx * dy, 0.0);
+                const double sx = std::sin(kx * (x.x + 0.5 * h)), cx = std::cos(kx * (x.x + 0.5 * h));
+                const double y = ky * (floor ? x.y : x.y + 0.5 * h);
+                const double fy = floor ? std::cos(y) : std::sin(y), dy = floor ? -std::sin(y) : std::cos(y);
+                return through(x) + glm::dvec3(kx * cx * fy, ky * sx * dy, 0.0) / k_pi;
             });
             project(work, field);
             double squares[2] = {};

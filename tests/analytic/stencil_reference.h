@@ -3,7 +3,7 @@
 //     (L v)[i] = sum over the axes of v[i-1] - 2 v[i] + v[i+1]      (h = 1)
 //
 // Beyond a side lies        pressure      velocity along the side's normal     velocity across it
-//   open                    -p            ambient                              ambient
+//   open                    0             ambient                              ambient
 //   free_slip                p            -u                                   u
 //   no_slip                  p            -u                                   2 U - u
 //   periodic                 the far side's value
@@ -29,7 +29,7 @@ class Stencil {
         for (int axis = 0; axis < 3; ++axis)
             for (int end = 0; end < 2; ++end) {
                 const bool open = box.sides.at(axis, end).kind == SideKind::open;
-                stencil.ghosts_[axis][end] = {open ? -1.0 : 1.0, 0.0};
+                stencil.ghosts_[axis][end] = {open ? 0.0 : 1.0, 0.0};
                 stencil.singular_ = stencil.singular_ && !open;
             }
         return stencil;

@@ -45,7 +45,7 @@ class Twin {
         const std::uint64_t sources = wind_.state().sources_of_air;
         motors_.begin_frame(0.0, dt);
         const Window window = wind_.state().window;
-        const auto reached = motors_.tick(dt, window);
+        const auto reached = motors_.tick(dt, window, wind_.state().config.sides);
         run([&](VkCommandBuffer commands) {
             air_->step(commands, {.duration = dt,
                                   .motors = reached,

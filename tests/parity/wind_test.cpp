@@ -65,6 +65,27 @@ TEST_F(WindParity, SidesThatChangeAndAJumpBeyondTheBox) {
     report("sides", pair, 1e-5);
 }
 
+// In free air a vent blows beyond the box and into it from outside; walls mirror and cut it, and between two of them, or in a
+// periodic box, there is no free air.
+TEST_F(WindParity, AVentInEverySortOfFreeAir) {
+    const Side wall{.kind = SideKind::free_slip}, rough{.kind = SideKind::no_slip};
+    const Sides corner{.x_low = wall, .y_high = rough, .z_low = wall}, slab{.z_low = wall, .z_high = rough};
+    const Sides sequence[] = {{}, Sides::open_over_floor(), corner, slab, {.x_high = wall}, Sides::all(SideKind::free_slip), {}};
+    Pair pair = make({.cells = {12, 10, 14}, .ambient = {2.0f, 0.0f, 1.0f}});
+    pair.add(OmniMotor{.position = {-4.5, -3.5, 1.0}});
+    pair.add(OmniMotor{.position = {9.0, 0.0, 0.0}, .speed = -4.0f});
+    int n = 0;
+    for (const Sides& sides : sequence) {
+        ASSERT_TRUE(pair.cpu.set_sides(sides) && pair.device.set_sides(sides));
+        for (int frames = 0; frames < 8; ++frames, ++n) {
+            const glm::dvec3 player(0.4 * n, 0.0, -0.2 * n);
+            ASSERT_TRUE(pair.cpu.follow(player) && pair.device.follow(player));
+            frame(pair, 1.0 / 30.0);
+        }
+    }
+    report("vent_in_free_air", pair, 1e-5);
+}
+
 // The device counts its own sub-steps, and cuts speeds as the CPU does.
 TEST_F(WindParity, AStormInSubStepsThatTheDeviceChooses) {
     for (const int most : {8, 2}) {

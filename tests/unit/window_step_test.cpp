@@ -35,7 +35,8 @@ class AirByHand {
 
     void step(float dt) {
         motors_.begin_frame(0.0, dt);
-        sources_.gather(motors_.tick(dt, window_), window_.cell_size, u_, {GustTile::standard()->texels().data()}, {});
+        sources_.gather(motors_.tick(dt, window_, config_.sides), window_.cell_size, u_, {GustTile::standard()->texels().data()},
+                        {});
         const bool spreads = diffuse(*work_, u_, config_.viscosity, dt, diffused_) != DiffusionMethod::none;
         Transport transport{
             .carried = spreads ? diffused_ : u_, .velocity = u_, .dt = dt, .interpolation = config_.interpolation};

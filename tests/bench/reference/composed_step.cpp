@@ -55,7 +55,7 @@ Result<void> ComposedStep::start(std::span<const glm::vec4> velocity) {
 void ComposedStep::step(const StepMethod& method, double dt) {
     const Box& box = settings_.box;
     const Window window{.cells = box.cells, .cell_size = box.cell_size, .origin_cells = {}};
-    sources_.gather(motors_.tick(dt, window), box.cell_size, velocity_, {GustTile::standard()->texels().data()},
+    sources_.gather(motors_.tick(dt, window, box.sides), box.cell_size, velocity_, {GustTile::standard()->texels().data()},
                     settings_.parallel_for);
     Workspace::State& around = work_.state();
     static_cast<void>(around.survey(&velocity_[0].x)); // the guard

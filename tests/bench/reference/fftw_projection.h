@@ -1,9 +1,9 @@
 // The pressure equation by fast transforms of FFTW: exact as the solver's direct solve is, and what most texts would take.
 //
-//   L phi = rhs,  L the 7-point Laplacian [1/m^2],  phi = 0 on the open faces,  d phi/dy = 0 on the floor (y low)
+//   L phi = rhs,  L the 7-point Laplacian [1/m^2],  phi = 0 at the ghosts of open sides,  d phi/dy = 0 on the floor (y low)
 //
-// The eigenvectors of L are sines and cosines at cell centres. Open at both ends (x, z): sin(pi (k + 1) (i + 1/2) / n), FFTW's
-// RODFT10 there and RODFT01 back. Floor below and open above (y): cos(pi (k + 1/2) (j + 1/2) / n), REDFT11, its own inverse.
+// Open at both ends (x, z), the eigenvectors are sin(pi (k + 1) (i + 1) / (n + 1)), FFTW's RODFT00, its own inverse. Floor below
+// and open above (y) FFTW has no transform for: a tridiagonal system of each pair of modes.
 //
 // Based on: Swarztrauber 1977, The Methods of Cyclic Reduction, Fourier Analysis and the FACR Algorithm, SIAM Review 19;
 // Frigo & Johnson 2005, The Design and Implementation of FFTW3, Proceedings of the IEEE 93.

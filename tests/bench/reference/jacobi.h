@@ -30,7 +30,7 @@ class Jacobi {
             sweep_.cells[axis] = box.cells[axis];
             sweep_.periodic[axis] = box.sides.periodic(axis);
             for (int end = 0; end < 2; ++end)
-                sweep_.ghost[axis][end] = box.sides.at(axis, end).kind == SideKind::open ? -1.0f : 1.0f;
+                sweep_.ghost[axis][end] = box.sides.at(axis, end).kind == SideKind::open ? 0.0f : 1.0f;
             if (box.cells[axis] > 1 || box.sides.has_open(axis))
                 continue;
             // One cell between walls, or its own neighbour: nothing differs along this axis, and a box of two axes is swept as

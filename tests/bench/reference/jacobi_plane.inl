@@ -10,18 +10,18 @@ void jacobi_plane(const JacobiTask& task, int k) {
     const auto row = [&](int j, int plane) { return (static_cast<std::size_t>(plane) * ny + j) * task.pitch; };
     for (int j = 0; j < ny; ++j) {
         const float* const here = task.now + row(j, k);
-        // p = 0 at an open face: the ghost is minus the cell inside; a floor mirrors it.
+        // p = 0 at a ghost beyond an open side; a floor mirrors the cell inside.
         const Neighbour below = j > 0 ? Neighbour{task.now + row(j - 1, k), 1.0f} : Neighbour{here, 1.0f};
-        const Neighbour above = j + 1 < ny ? Neighbour{task.now + row(j + 1, k), 1.0f} : Neighbour{here, -1.0f};
-        const Neighbour back = k > 0 ? Neighbour{task.now + row(j, k - 1), 1.0f} : Neighbour{here, -1.0f};
-        const Neighbour front = k + 1 < nz ? Neighbour{task.now + row(j, k + 1), 1.0f} : Neighbour{here, -1.0f};
+        const Neighbour above = j + 1 < ny ? Neighbour{task.now + row(j + 1, k), 1.0f} : Neighbour{here, 0.0f};
+        const Neighbour back = k > 0 ? Neighbour{task.now + row(j, k - 1), 1.0f} : Neighbour{here, 0.0f};
+        const Neighbour front = k + 1 < nz ? Neighbour{task.now + row(j, k + 1), 1.0f} : Neighbour{here, 0.0f};
         const float* const source = task.source + (static_cast<std::size_t>(k) * ny + j) * nx;
         float* const result = task.next + row(j, k);
         WINDROW_INDEPENDENT
         for (int i = 0; i < nx; ++i)
             result[i] = (1.0f / 6.0f) * ((here[i - 1] + here[i + 1]) + (below.values[i] + above.scale * above.values[i]) +
                                          (back.scale * back.values[i] + front.scale * front.values[i]) - source[i]);
-        result[-1] = -result[0];
-        result[nx] = -result[nx - 1];
+        result[-1] = 0.0f;
+        result[nx] = 0.0f;
     }
 }

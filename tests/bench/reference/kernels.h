@@ -107,7 +107,8 @@ struct Kernels {
     void (*divergence_plane)(const StamTask&, int plane);
     void (*gradient_plane)(const StamTask&, int plane); ///< the floor's ghost row included
     void (*mirror_floor)(const StamTask&, int plane);
-    void (*multiply)(float* values, const float* factors, std::size_t count); ///< values *= factors
+    /// Solves x[j-1] + b[j] x[j] + x[j+1] = scale d[j] for all `row` columns of a plane, in place; pivots 1 / (b[j] - pivot[j-1]).
+    void (*solve_columns)(float* plane, const float* pivots, float scale, int row, int rows);
 };
 
 /// The kernels of a level that this machine runs (windrow::runs).

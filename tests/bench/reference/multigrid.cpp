@@ -14,6 +14,7 @@ namespace {
 static_assert(k_longest_row == k_max_axis_cells);
 
 constexpr std::ptrdiff_t k_line = 16;         // [floats] rows begin on cache lines, with a ghost before
+constexpr double k_finest = 1.0;              // width of the cells of the finest grid
 constexpr std::size_t k_cells_for_all = 4096; // of fewer, a pass takes less than threads need to meet
 
 std::size_t count_of(const int (&cells)[3]) {
@@ -43,8 +44,8 @@ ParallelFor loop_for(const int (&cells)[3], const ParallelFor& parallel_for) {
 
 } // namespace
 
-// A second difference in finite volumes: flux between two centres over their distance, divided by the cell's width. An open face
-// lies half a width away, with 0 on it.
+// A second difference in finite volumes: flux between two centres over their distance, divided by the cell's width. Beyond an
+// open side 0 lies at the centre of a cell of the finest grid.
 Multigrid::Axis Multigrid::make_axis(std::vector<double> width, const Sides& sides, int axis) {
     Axis result;
     result.width = std::move(width);
@@ -57,7 +58,7 @@ Multigrid::Axis Multigrid::make_axis(std::vector<double> width, const Sides& sid
             if (idle(n, sides, axis) || (!inside && sides.at(axis, end).solid()))
                 return 0.0f;
             if (!inside && !sides.periodic(axis)) {
-                diagonal += 2.0 / (here * here);
+                diagonal += 2.0 / (here * (here + k_finest));
                 return 0.0f;
             }
             const std::size_t beside = end == 0 ? (i + n - 1) % n : (i + 1) % n;
@@ -75,7 +76,7 @@ Multigrid::Axis Multigrid::make_axis(std::vector<double> width, const Sides& sid
     return result;
 }
 
-// Interpolation is linear between the centres of coarse cells, between centre and 0 on an open face, constant to a wall.
+// Interpolation is linear between the centres of coarse cells, between centre and 0 beyond an open side, constant to a wall.
 void Multigrid::connect(Axis& fine, const Axis& coarse, const Sides& sides, int axis) {
     const std::size_t n = fine.width.size(), coarse_n = coarse.width.size();
     double low = 0.0, coarse_low = 0.0; // where the cells begin
@@ -94,7 +95,7 @@ void Multigrid::connect(Axis& fine, const Axis& coarse, const Sides& sides, int 
             other = std::abs(off) / (0.5 * (coarse.width[parent] + coarse.width[beside]));
             own = 1.0 - other;
         } else if (off != 0.0 && !sides.at(axis, end).solid()) {
-            own = 1.0 - std::abs(off) / (0.5 * coarse.width[parent]);
+            own = 1.0 - std::abs(off) / (0.5 * (coarse.width[parent] + k_finest));
         }
         fine.share.push_back(static_cast<float>(fine.width[i] / coarse.width[parent]));
         fine.parent.push_back(static_cast<float>(own));
@@ -132,7 +133,7 @@ Multigrid::Level Multigrid::make_level(std::array<Axis, 3> axes, const Sides& si
 Multigrid::Multigrid(const Box& box, Simd simd) : kernels_(kernels_for(simd)) {
     std::array<Axis, 3> axes;
     for (int axis = 0; axis < 3; ++axis)
-        axes[axis] = make_axis(std::vector<double>(box.cells[axis], 1.0), box.sides, axis);
+        axes[axis] = make_axis(std::vector<double>(box.cells[axis], k_finest), box.sides, axis);
     levels_.push_back(make_level(std::move(axes), box.sides));
     while (count_of(levels_.back().cells) > 1) {
         Level& fine = levels_.back();

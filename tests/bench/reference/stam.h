@@ -2,7 +2,7 @@
 //
 //   u* = u(x - dt u(x)) (trilinear),   L p = div u*  by N Jacobi sweeps from zero,   u = u* - grad p
 //
-// First order in time; the error of the pressure grows with the grid. Values at cell centres; open sides with p = 0 at the face,
+// First order in time; the error of the pressure grows with the grid. Values at cell centres; open sides with p = 0 and
 // beyond them the ambient wind; a free-slip floor (y low). A broken or far position is clamped as in the solver, so that no
 // address leaves the array; nothing more guards against NaN.
 //

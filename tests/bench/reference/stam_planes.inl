@@ -192,15 +192,15 @@ void divergence_plane(const StamTask& task, int k) {
 void gradient_plane(const StamTask& task, int k) {
     const int nx = task.cells[0], ny = task.cells[1], nz = task.cells[2];
     for (int j = 0; j < ny; ++j) {
-        // p = 0 at an open face: the ghost is minus the cell inside; the floor mirrors it. Along x, jacobi.h keeps ghosts.
+        // p = 0 at the ghosts beyond open sides; the floor mirrors it. Along x, jacobi.h keeps ghosts.
         const float* const here = pressure_row(task, j, k);
         const float* const below = pressure_row(task, larger(j - 1, 0), k);
         const float* const above = pressure_row(task, smaller(j + 1, ny - 1), k);
         const float* const back = pressure_row(task, j, larger(k - 1, 0));
         const float* const front = pressure_row(task, j, smaller(k + 1, nz - 1));
-        const float above_sign = j + 1 < ny ? 0.5f : -0.5f;
-        const float back_sign = k > 0 ? 0.5f : -0.5f;
-        const float front_sign = k + 1 < nz ? 0.5f : -0.5f;
+        const float above_sign = j + 1 < ny ? 0.5f : 0.0f;
+        const float back_sign = k > 0 ? 0.5f : 0.0f;
+        const float front_sign = k + 1 < nz ? 0.5f : 0.0f;
         const float* const source = task.advected + row_of(task, j, k);
         float* const result = task.velocity + row_of(task, j, k);
         const auto subtract = [&](int cell, Block slope) { store(result + 4 * cell, load<Block>(source + 4 * cell) - slope); };

@@ -16,11 +16,11 @@ namespace poisson = openvdb::tools::poisson;
 
 constexpr int k_max_iterations = 10000;
 
-// The term of a neighbour outside: phi = 0 at the face makes it minus the cell itself, the floor makes it the cell itself.
+// The term of a neighbour outside: phi = 0 there, or the cell itself below the floor.
 struct OpenAndFloor {
     void operator()(const openvdb::Coord& cell, const openvdb::Coord& outside, double&, double& diagonal) const {
         if (outside.y() >= cell.y())
-            diagonal -= 2.0;
+            diagonal -= 1.0;
     }
 };
 

@@ -13,7 +13,7 @@ namespace windrow::bench {
 /// What lies outside the box.
 enum class VdbOutside : std::uint8_t {
     zero_cells,     ///< phi = 0 in the first cells outside, on all six sides: `openvdb::tools::poisson::solve` as it comes.
-    open_and_floor, ///< phi = 0 at the faces, d phi/dy = 0 on the floor (y low): the equation of windrow::solve_poisson.
+    open_and_floor, ///< phi = 0 at the ghosts' centres, d phi/dy = 0 on the floor (y low): the equation of windrow::solve_poisson.
 };
 
 struct VdbOutcome {

@@ -1,0 +1,30 @@
+// phi / h [m/s] of the sources of air beyond open sides, where free air lies around the box; else 0 (sides.h).
+// Before this text: WINDROW_MOTORS, the binding of the motors.
+#include "numerics/motors.glsl"
+
+layout(std430, set = 0, binding = WINDROW_MOTORS) readonly buffer Motors { WindrowMotor motors[]; };
+
+const uint k_source = 2; // as windrow::detail::MotorReach numbers laws
+
+// A step from `cell` along an axis leads out of an open side: what lies there, else 0.
+float beyond(ivec3 cell, int axis, int step) {
+    ivec3 ghost = cell;
+    ghost[axis] += step;
+    const bool low = ghost[axis] < 0;
+    if (!low && ghost[axis] < tick.cells[axis] || (low ? tick.velocity_low : tick.velocity_high)[axis] < 0.0f)
+        return 0.0f;
+    vec3 wall = vec3(0.0f), walled = vec3(0.0f);
+    for (int each = 0; each < 3; ++each) {
+        const bool above = tick.velocity_high[each] < 0.0f;
+        walled[each] = above || tick.velocity_low[each] < 0.0f ? 1.0f : 0.0f;
+        wall[each] = above ? tick.time.y * float(tick.cells[each]) : 0.0f;
+    }
+    const vec3 p = tick.time.y * (vec3(ghost) + 0.5f);
+    float potential = 0.0f;
+    for (int n = 0; n < tick.shape.x; ++n)
+        if (motors[n].law == k_source && motors[n].push[0] != 0.0f)
+            potential += motors[n].push[0] *
+                         windrow_walled_potential(p, vec3(motors[n].extent[0], motors[n].extent[1], motors[n].extent[2]),
+                                                  motors[n].radius, wall, walled);
+    return potential / tick.time.y;
+}
