@@ -12,7 +12,7 @@ namespace {
 
 constexpr float k_pi = 3.14159265f;
 constexpr double k_least_eddy = 1e-3; // [m] shorter ones are noise in any cell
-constexpr float k_least_felt = 1e-3f; // [m/s] of a source outside the box, where it blows into it
+constexpr float k_least_felt = 1e-2f; // [m/s] of a source outside the box, where it blows into it
 
 // The cells whose centres lie within `low`..`high` [m from the box's corner]; false if there are none.
 bool cover(MotorReach& reach, glm::vec3 low, glm::vec3 high, const Window& window) {

@@ -1,8 +1,8 @@
 // The six sides of the box: what the air meets there.
 //
 // With u the velocity, n the side's normal and p the pressure, beyond a side lies
-//   open       the ambient wind: every read beyond it returns ambient, and p = 0 at the face (the divergence sees the cell itself
-//              there, the negative adjoint of the gradient);
+//   open       the ambient wind: every read beyond it returns ambient, and p = 0 at the ghost's centre (the divergence sees the
+//              cell itself there, so that air passes through);
 //   free_slip  a wall that holds no air back: u.n mirrored with its sign turned, the rest mirrored, dp/dn = 0;
 //   no_slip    a wall that carries the air along: for viscosity u mirrored about the wall's velocity, dp/dn = 0; transport slips
 //              along it as along free_slip, so that where viscosity acts on nothing neither does the wall's velocity

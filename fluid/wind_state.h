@@ -37,6 +37,7 @@ struct Wind::State : WindHost {
     cpu::Buffer<glm::vec4> diffused; ///< the velocity after diffusion; empty while viscosity asks for none
     cpu::SourceField sources;
     cpu::Buffer<glm::vec4> source_flow; ///< u_S [m/s], part of the velocity; empty until air first comes in, 0 while none does
+    cpu::FreeAir free_air;              ///< where sources of air blow; empty until then
     cpu::Buffer<glm::vec4> solved;      ///< scratch for u less its given part; empty until something is given
     glm::dvec3 next_phase{0.0};         ///< [m] of the gusts at the end of the sub-step
     std::atomic<bool> held = true;      ///< false: the cells are ambient and are written when they are read

@@ -15,8 +15,8 @@ namespace windrow::cpu {
 
 /// What lies beyond one end of an axis.
 enum class EndRule {
-    zero_at_ghost, ///< value 0 at the ghost's centre: velocity at an open side, relative to ambient
-    zero_at_face,  ///< odd about the face: pressure at an open side, velocity at a wall
+    zero_at_ghost, ///< value 0 at the ghost's centre, at an open side: pressure, velocity relative to ambient
+    zero_at_face,  ///< odd about the face: velocity at a wall
     even_at_face,  ///< mirrored about the face: pressure at a wall, tangential velocity at a free-slip wall
     periodic,
 };

@@ -26,9 +26,10 @@ namespace windrow::cpu {
 /// the speed of what drove them. So carried air slips, and viscosity alone holds it back.
 [[nodiscard]] std::vector<HaloRule> carried_rules(const Box& box, int axis);
 
-/// What a stencil takes beyond one end of an axis. Beyond an open side the divergence takes the cell itself: with p = 0 at the
-/// face, that makes it the negative adjoint of the gradient, so that the projection adds no energy there. Ambient ghosts would
-/// leave out the cell's own velocity and feed cell-to-cell waves at the rim (twice the error against a larger box).
+/// What a stencil takes beyond one end of an axis. Beyond an open side the divergence takes the cell itself and p is 0 at the
+/// ghost's centre, which is no adjoint pair: the projection can add to waves of a few cells along an edge (pieces.h). Both pairs
+/// that cannot cost more. p = 0 at the face: a fifth more error against a larger box. The ambient wind as the ghost: a stream
+/// through the box loses 1 / (cells + 1) of what is not ambient in each step, however short.
 [[nodiscard]] NormalGhost velocity_ghost(const Box& box, int axis, int end);
 [[nodiscard]] NormalGhost potential_ghost(const Box& box, int axis, int end);
 

@@ -3,6 +3,7 @@
 //
 // Divergence and gradient are central over two cells, L is the compact 7-point Laplacian: an approximate projection. What
 // is left is (L - div grad) phi, which falls as h^2. Everything is dimensionless (phi / h), so no h appears.
+#include "fluid/cpu/sources.h"
 #include "fluid/cpu/workspace.h"
 
 #include <algorithm>
@@ -50,18 +51,13 @@ void Workspace::State::for_each_open_end(const Visit& visit) const {
                 for (int axis = 0; axis < 3; ++axis)
                     for (const int end : {0, 1})
                         if (cell[axis] == end * last[axis] && box.sides.at(axis, end).kind == SideKind::open)
-                            visit(cell, axis, 2 * end - 1);
+                            visit(cell, axis, end);
             }
         }
     });
 }
 
 namespace {
-
-glm::ivec3 next_to(glm::ivec3 cell, int axis, int step) {
-    cell[axis] += step;
-    return cell;
-}
 
 // Copies between a caller's dense field and the solver's padded rows, times a factor.
 template <class From, class To>
@@ -110,16 +106,16 @@ void project(Workspace& work, std::span<glm::vec4> velocity, std::span<glm::vec4
 }
 
 void Workspace::State::project(std::span<glm::vec4> velocity, std::span<const float> expansion, const GradientNote& note,
-                               const Beyond& beyond) {
+                               const cpu::FreeAir* beyond) {
     assert(velocity.size() == box.cell_count() && (note.field.empty() || note.field.size() == velocity.size()));
     assert(expansion.empty() || expansion.size() == velocity.size());
     divergence_to_potential(cpu::floats(velocity), 0.5f);
     if (!expansion.empty())
         subtract_from_potential(expansion, box.cell_size);
-    if (beyond)
-        for_each_open_end([&](glm::ivec3 cell, int axis, int step) {
+    if (beyond != nullptr)
+        for_each_open_end([&](glm::ivec3 cell, int axis, int end) {
             potential[(static_cast<std::size_t>(cell.z) * box.cells.y + cell.y) * pressure->pitch() + cell.x] -=
-                beyond(next_to(cell, axis, step));
+                beyond->at(cell, axis, end);
         });
     pressure->solve(potential.data(), scratch.data(), parallel_for);
 
@@ -135,10 +131,9 @@ void Workspace::State::project(std::span<glm::vec4> velocity, std::span<const fl
     task.weight = note.weight;
     task.kept = note.kept;
     parallel_for(box.cells.z, [&](int plane) { kernels->gradient_plane(task, plane); });
-    if (beyond)
-        for_each_open_end([&](glm::ivec3 cell, int axis, int step) {
-            velocity[box.index(cell.x, cell.y, cell.z)][axis] -=
-                0.5f * static_cast<float>(step) * beyond(next_to(cell, axis, step));
+    if (beyond != nullptr)
+        for_each_open_end([&](glm::ivec3 cell, int axis, int end) {
+            velocity[box.index(cell.x, cell.y, cell.z)][axis] -= (end == 0 ? -0.5f : 0.5f) * beyond->at(cell, axis, end);
         });
 }
 

@@ -218,4 +218,57 @@ void SourceField::gather_plane(std::span<const MotorReach> motors, float cell_si
     }
 }
 
+void FreeAir::gather(std::span<const MotorReach> motors, const Box& box, const ParallelFor& parallel_for) {
+    cells_ = box.cells;
+    const float h = box.cell_size;
+    for (int axis = 0; axis < 3; ++axis)
+        for (int end = 0; end < 2; ++end) {
+            if (box.sides.at(axis, end).kind != SideKind::open)
+                continue;
+            const int along = axis == 0 ? 1 : 0, across = axis == 2 ? 1 : 2, count = cells_[along];
+            Buffer<float>& side = ghosts_[axis][end];
+            if (side.size() != static_cast<std::size_t>(count) * cells_[across])
+                side = Buffer<float>(static_cast<std::size_t>(count) * cells_[across]);
+            parallel_for(cells_[across], [&](int row) {
+                float* const values = side.data() + static_cast<std::size_t>(row) * count;
+                std::fill_n(values, count, 0.0f);
+                glm::vec3 p(0.0f);
+                p[axis] = end == 0 ? -0.5f : static_cast<float>(cells_[axis]) + 0.5f;
+                p[across] = static_cast<float>(row) + 0.5f;
+                for (const MotorReach& motor : motors) {
+                    if (motor.law != MotorReach::Law::source)
+                        continue;
+                    const float over_radius = 1.0f / motor.radius, strength = motor.push.x * over_radius / (12.5663706f * h);
+                    for (int image = 0; image < 8; ++image) {
+                        glm::vec3 from = h * p - motor.extent;
+                        bool stands = true;
+                        for (int turned = 0; turned < 3; ++turned) {
+                            if ((image >> turned & 1) == 0)
+                                continue;
+                            stands = stands && box.sides.has_solid(turned);
+                            const float wall = box.sides.at(turned, 1).solid() ? h * static_cast<float>(cells_[turned]) : 0.0f;
+                            from[turned] = h * p[turned] - (2.0f * wall - motor.extent[turned]);
+                        }
+                        if (!stands)
+                            continue;
+                        const float off = from[axis] * from[axis] + from[across] * from[across], start = from[along];
+                        for (int i = 0; i < count; ++i) {
+                            const float way = start + h * (static_cast<float>(i) + 0.5f);
+                            const float squared = (off + way * way) * over_radius * over_radius;
+                            values[i] += strength * numerics::windrow_source_potential(squared);
+                        }
+                    }
+                }
+            });
+        }
+}
+
+std::size_t FreeAir::memory_bytes() const {
+    std::size_t bytes = 0;
+    for (const auto& axis : ghosts_)
+        for (const Buffer<float>& side : axis)
+            bytes += side.bytes();
+    return bytes;
+}
+
 } // namespace windrow::cpu

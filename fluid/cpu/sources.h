@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fluid/ambient_numerics.h"
+#include "fluid/box.h"
 #include "fluid/cpu/aligned.h"
 #include "fluid/motor_reach.h"
 #include "fluid/parallel.h"
@@ -68,6 +69,28 @@ class SourceField {
     bool any_expansion_ = false;
     float largest_force_ = 0.0f;
     float largest_driven_ = 0.0f;
+};
+
+/// phi / h [m/s] of the sources of air at the ghosts' centres beyond open sides, where free air lies around the box: that of
+/// their balls and of the images of these in its walls.
+class FreeAir {
+  public:
+    void gather(std::span<const detail::MotorReach> motors, const Box& box, const ParallelFor& parallel_for);
+    /// Beyond the end (0 low, 1 high) of an axis that `cell` lies at.
+    [[nodiscard]] float at(glm::ivec3 cell, int axis, int end) const {
+        return ghosts_[axis][end][place(cell, axis)];
+    }
+    [[nodiscard]] std::size_t memory_bytes() const;
+
+  private:
+    /// In a side, which lies as its box does without the axis.
+    [[nodiscard]] std::size_t place(glm::ivec3 cell, int axis) const {
+        const int along = axis == 0 ? 1 : 0, across = axis == 2 ? 1 : 2;
+        return static_cast<std::size_t>(cell[across]) * cells_[along] + cell[along];
+    }
+
+    glm::ivec3 cells_{0};
+    Buffer<float> ghosts_[3][2];
 };
 
 } // namespace windrow::cpu

@@ -34,7 +34,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 namespace windrow {
@@ -316,23 +315,10 @@ void Wind::State::let_air_in(std::span<const detail::MotorReach> reached) {
     std::fill_n(source_flow.data(), source_flow.size(), glm::vec4(0.0f));
     if (sources_of_air == 0)
         return;
-    const float h = box().cell_size;
-    glm::vec3 wall(0.0f), walled(0.0f);
-    for (int axis = 0; axis < 3; ++axis) {
-        walled[axis] = config.sides.has_solid(axis) ? 1.0f : 0.0f;
-        wall[axis] = config.sides.at(axis, 1).solid() ? h * static_cast<float>(box().cells[axis]) : 0.0f;
-    }
-    const auto in_free_air = [&](glm::ivec3 ghost) {
-        float potential = 0.0f;
-        for (const detail::MotorReach& motor : reached)
-            if (motor.law == detail::MotorReach::Law::source)
-                potential += motor.push.x * numerics::windrow_walled_potential(h * (glm::vec3(ghost) + 0.5f), motor.extent,
-                                                                               motor.radius, wall, walled);
-        return potential / h;
-    };
-    work.state().project(source_flow, sources.expansion(), {},
-                         config.sides.in_free_air() ? Workspace::State::Beyond(std::cref(in_free_air))
-                                                    : Workspace::State::Beyond());
+    const bool in_free_air = config.sides.in_free_air();
+    if (in_free_air)
+        free_air.gather(reached, box(), config.parallel_for);
+    work.state().project(source_flow, sources.expansion(), {}, in_free_air ? &free_air : nullptr);
     add_to_air(1.0f);
 }
 

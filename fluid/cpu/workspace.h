@@ -7,11 +7,14 @@
 #include "fluid/pieces.h"
 
 #include <array>
-#include <functional>
 #include <optional>
 #include <vector>
 
 namespace windrow {
+
+namespace cpu {
+class FreeAir;
+}
 
 struct Workspace::State {
     State(const Settings& settings, const cpu::Kernels& kernels);
@@ -64,11 +67,9 @@ struct Workspace::State {
         std::span<glm::vec4> field{}; ///< empty: no output
         float weight = 1.0f, kept = 0.0f;
     };
-    /// phi / h [m/s] at a ghost's centre beyond an open side.
-    using Beyond = std::function<float(glm::ivec3 ghost)>;
-    /// As project() in pieces.h; `beyond` empty: 0.
+    /// As project() in pieces.h, with phi / h beyond open sides as `beyond` has it; null: 0.
     void project(std::span<glm::vec4> velocity, std::span<const float> expansion, const GradientNote& note,
-                 const Beyond& beyond = {});
+                 const cpu::FreeAir* beyond = nullptr);
     /// Sum of the planes' surveys, in order of the planes.
     [[nodiscard]] cpu::PlaneSurvey survey(const float* velocity);
     /// The same, and the central divergence [1/s], less the one wanted where `expansion` is not empty.

@@ -1,4 +1,4 @@
-// phi / h [m/s] of the sources of air beyond open sides, where free air lies around the box; else 0 (sides.h).
+// phi / h [m/s] of the sources of air beyond open sides, where free air lies around the box; else 0. As cpu::FreeAir.
 // Before this text: WINDROW_MOTORS, the binding of the motors.
 #include "numerics/motors.glsl"
 
@@ -21,10 +21,18 @@ float beyond(ivec3 cell, int axis, int step) {
     }
     const vec3 p = tick.time.y * (vec3(ghost) + 0.5f);
     float potential = 0.0f;
-    for (int n = 0; n < tick.shape.x; ++n)
-        if (motors[n].law == k_source && motors[n].push[0] != 0.0f)
-            potential += motors[n].push[0] *
-                         windrow_walled_potential(p, vec3(motors[n].extent[0], motors[n].extent[1], motors[n].extent[2]),
-                                                  motors[n].radius, wall, walled);
-    return potential / tick.time.y;
+    for (int n = 0; n < tick.shape.x; ++n) {
+        if (motors[n].law != k_source || motors[n].push[0] == 0.0f)
+            continue;
+        const vec3 centre = vec3(motors[n].extent[0], motors[n].extent[1], motors[n].extent[2]);
+        float images = 0.0f;
+        for (int image = 0; image < 8; ++image) {
+            const vec3 turned = vec3(image & 1, (image >> 1) & 1, image >> 2);
+            const vec3 from = (p - mix(centre, 2.0f * wall - centre, turned)) / motors[n].radius;
+            if (dot(turned, 1.0f - walled) == 0.0f)
+                images += windrow_source_potential(dot(from, from));
+        }
+        potential += motors[n].push[0] / motors[n].radius * images;
+    }
+    return potential / (12.5663706f * tick.time.y);
 }

@@ -25,24 +25,12 @@ WINDROW_FN float windrow_falloff(float squared) {
 // Ball of `radius` [m] about the origin; `p` [m] from its centre.
 WINDROW_FN float windrow_sphere_weight(vec3 p, float radius) { return windrow_falloff(dot(p, p) / (radius * radius)); }
 
-// Potential at `p` [m from its centre] of the flow -grad phi of a ball that lets one unit of air out, as its weight is spread, in
-// air without bounds: 1 / (4 pi distance) beyond it. From the flow (35 s^3 - 42 s^5 + 15 s^7) / 8 through the sphere at s.
-WINDROW_FN float windrow_source_potential(vec3 p, float radius) {
-    float s2 = dot(p, p) / (radius * radius);
-    float in_radii = s2 < 1.0f ? 0.125f * (17.5f - s2 * (17.5f - s2 * (10.5f - 2.5f * s2))) : inversesqrt(s2);
-    return in_radii / (12.5663706f * radius);
-}
-
-// The same of a ball at `centre` with its mirror images in a wall an axis, which let no air through: at wall[axis] where
-// walled[axis] is 1, none where it is 0.
-WINDROW_FN float windrow_walled_potential(vec3 p, vec3 centre, float radius, vec3 wall, vec3 walled) {
-    float sum = 0.0f;
-    for (int image = 0; image < 8; ++image) {
-        vec3 turned = vec3(float(image & 1), float((image >> 1) & 1), float(image >> 2));
-        if (dot(turned, 1.0f - walled) == 0.0f)
-            sum += windrow_source_potential(p - mix(centre, 2.0f * wall - centre, turned), radius);
-    }
-    return sum;
+// Potential of the flow -grad phi of a ball that lets one unit of air out, as its weight is spread, in air without bounds: this
+// over 4 pi R, `squared` the relative distance squared. 1 / distance beyond the ball; inside from the flow (35 s^3 - 42 s^5 +
+// 15 s^7) / 8 through the sphere at s.
+WINDROW_FN float windrow_source_potential(float squared) {
+    float inside = 0.125f * (17.5f - squared * (17.5f - squared * (10.5f - 2.5f * squared)));
+    return squared < 1.0f ? inside : inversesqrt(squared);
 }
 
 // All within `radius` of the segment from -half_axis to half_axis.
