@@ -214,8 +214,8 @@ std::size_t Wind::memory_bytes() const {
     return sizeof(State) + state_->work.memory_bytes() + state_->air.memory_bytes() + state_->diffused.bytes() +
            state_->motors.memory_bytes() + state_->sources.memory_bytes() + state_->mean_field.memory_bytes() +
            state_->ambient_field.memory_bytes() + state_->ambient_next.memory_bytes() +
-           state_->profile_bends.size() * sizeof(float) + state_->source_flow.bytes() + state_->free_air.memory_bytes() + state_->solved.bytes() +
-           (state_->frames ? state_->frames->memory_bytes() : 0) +
+           state_->profile_bends.size() * sizeof(float) + state_->source_flow.bytes() + state_->free_air.memory_bytes() +
+           state_->solved.bytes() + (state_->frames ? state_->frames->memory_bytes() : 0) +
            (state_->ambient.tile() && !state_->config.gusts.tile ? state_->ambient.tile()->memory_bytes() : 0);
 }
 

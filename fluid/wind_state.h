@@ -104,6 +104,8 @@ struct Wind::State : WindHost {
     void add_given_flow(std::span<glm::vec4> field, float factor) const;
     [[nodiscard]] std::span<const glm::vec4> diffuse(std::span<const glm::vec4> field, float dt, Diagnostics& report);
     void advance_second_order(float dt, Diagnostics& report);
+    void rehearse(float dt, Diagnostics& report);
+    void perform(float dt, Diagnostics& report);
     void advance_stable_fluids(float dt, Diagnostics& report);
     void advance_in_place(float dt, Diagnostics& report);
 };

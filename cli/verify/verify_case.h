@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/backend/backend.h"
+#include "cli/pareto/plot.h"
 #include "fluid/parallel.h"
 #include "fluid/simd.h"
 
@@ -43,9 +44,17 @@ struct VerifyRow {
     std::string label{};
 };
 
-/// What one resolution gave: a row, or one under each of some labels.
+/// A line of a case's plot.
+struct VerifyCurve {
+    int panel = 0;
+    std::string name;
+    std::vector<glm::dvec2> points;
+};
+
+/// What one resolution gave: a row, or one under each of some labels; curves of a case that has a plot.
 struct VerifyRows {
     std::vector<VerifyRow> rows;
+    std::vector<VerifyCurve> curves{};
 
     VerifyRows(VerifyRow row) : rows{std::move(row)} {}
     VerifyRows(std::vector<VerifyRow> all) : rows(std::move(all)) {}
@@ -62,6 +71,7 @@ struct VerifyCase {
     RunsOn runs_on = RunsOn::all;
     std::vector<int> sizes{}; ///< resolutions, coarse to fine: the cell is as 1 / size
     std::function<VerifyRows(const VerifySetting& setting, int size)> run{};
+    std::function<Plot(std::span<const VerifyCurve>)> plot{}; ///< of the curves of all resolutions; most have none
 };
 
 /// A row of a case that is known to miss its bound.

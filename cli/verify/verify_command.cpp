@@ -3,6 +3,7 @@
 #include "cli/exit_code.h"
 #include "cli/machine.h"
 #include "cli/output_file.h"
+#include "cli/pareto/svg.h"
 #include "cli/verify/verify_json.h"
 #include "cli/verify/verify_report.h"
 #include "fluid/thread_pool.h"
@@ -21,6 +22,9 @@ int run_verify(const VerifyRequest& request, const Console& console, const std::
     if (file)
         if (const auto fault = file->fault())
             return complain_of(fault, console);
+    if (request.plots)
+        if (const Fault fault = prepare_folder(*request.plots))
+            return complain_of(fault, console);
 
     Backend backend;
     if (const auto fault = backend.open(request.backend))
@@ -34,6 +38,7 @@ int run_verify(const VerifyRequest& request, const Console& console, const std::
     for (const VerifyCase& one : request.cases) {
         report_case(one, console);
         verified.push_back({.name = one.name});
+        std::vector<VerifyCurve> curves;
         for (std::size_t level = 0; level < one.sizes.size(); ++level) {
             if (const int signal = stop_signal(); signal != 0)
                 return k_exit_signal + signal;
@@ -43,10 +48,19 @@ int run_verify(const VerifyRequest& request, const Console& console, const std::
             if (!backend.fault().empty())
                 return complain_of(Fault{.sentence = one.name + ": " + backend.fault(), .machine = true}, console);
             for (const VerifyRow& row : found.rows) {
-                verified.back().rows.push_back(judge(one, verified.back(), level, row));
+                verified.back().rows.push_back(judge(one, verified.back(), level, row, request.known));
                 report_row(one, verified.back().rows.back(), console);
             }
+            curves.insert(curves.end(), found.curves.begin(), found.curves.end());
         }
+        if (!request.plots || !one.plot)
+            continue;
+        const std::filesystem::path place = *request.plots / (one.name + ".svg");
+        OutputFile page(place);
+        page.write(svg(one.plot(curves)));
+        if (const Fault fault = page.publish())
+            return complain_of(fault, console);
+        console.out << "In " << place.string() << ": a plot.\n";
     }
     report_end(verified, request.left_out, console);
     if (file) {

@@ -54,6 +54,7 @@ void add_verify(CLI::App& app, VerifyFlags& flags) {
     verify->add_option("--simd", flags.simd, "Instructions: best, baseline, avx2 or avx512; levels differ by rounding")
         ->type_name("LEVEL");
     verify->add_option("--json", flags.json, "File for all errors and bounds; written whole or not at all")->type_name("FILE");
+    verify->add_option("--plots", flags.plots, "Folder for the plots of cases that have one, as SVG")->type_name("DIR");
 }
 
 std::optional<VerifyRequest> read_verify(const VerifyFlags& flags, const CLI::App& verify, std::span<const VerifyCase> known,
@@ -105,6 +106,17 @@ std::optional<VerifyRequest> read_verify(const VerifyFlags& flags, const CLI::Ap
             return std::nullopt;
         }
         request.json = flags.json;
+    }
+    if (verify.count("--plots") > 0) {
+        if (flags.plots.empty()) {
+            console.complain("--plots is empty: name a folder.");
+            return std::nullopt;
+        }
+        if (flags.list) {
+            console.complain("--plots is given with --list, which runs nothing: drop one of them.");
+            return std::nullopt;
+        }
+        request.plots = flags.plots;
     }
     return request;
 }

@@ -19,7 +19,7 @@ namespace windrow::cli {
 struct VerifyFlags {
     std::vector<std::string> cases;
     BackendFlags backend;
-    std::string threads, simd, json;
+    std::string threads, simd, json, plots;
     bool list = false;
 };
 

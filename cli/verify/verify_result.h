@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,7 +19,7 @@ struct VerifiedRow {
     std::optional<double> order{};
     bool pass = false;
     bool guards = false;   ///< as of its case
-    bool expected = false; ///< not_met() names it
+    bool expected = false; ///< known to miss its bound
     /// "pass" or "FAIL"; "unchanged" or "CHANGED" where the bound is none of the truth's; "not met" where that is expected.
     [[nodiscard]] std::string_view verdict() const;
 };
@@ -35,6 +36,8 @@ struct VerifiedCase {
 
 /// Judges a row that `one` gave at its resolution `level`, behind those in `verified`. An error within its bound passes where its
 /// order from the resolution before, in the row of the same label, is not below the least; an error of 0 has no order and passes.
-[[nodiscard]] VerifiedRow judge(const VerifyCase& one, const VerifiedCase& verified, std::size_t level, const VerifyRow& row);
+/// A row that `known` names is expected to miss.
+[[nodiscard]] VerifiedRow judge(const VerifyCase& one, const VerifiedCase& verified, std::size_t level, const VerifyRow& row,
+                                std::span<const NotMet> known);
 
 } // namespace windrow::cli

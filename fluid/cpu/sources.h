@@ -77,9 +77,7 @@ class FreeAir {
   public:
     void gather(std::span<const detail::MotorReach> motors, const Box& box, const ParallelFor& parallel_for);
     /// Beyond the end (0 low, 1 high) of an axis that `cell` lies at.
-    [[nodiscard]] float at(glm::ivec3 cell, int axis, int end) const {
-        return ghosts_[axis][end][place(cell, axis)];
-    }
+    [[nodiscard]] float at(glm::ivec3 cell, int axis, int end) const { return ghosts_[axis][end][place(cell, axis)]; }
     [[nodiscard]] std::size_t memory_bytes() const;
 
   private:

@@ -338,9 +338,17 @@ void Air::step(VkCommandBuffer commands, const AirTick& tick) {
     };
     command(Pass::limit, {});
     const int most = tick.substeps > 0 ? tick.substeps : config_.stages.advection ? config_.max_substeps : 1;
-    for (int substep = 0; substep < most; ++substep)
+    const auto part = [&](int substep) {
         for (const Passes::Stage& stage : passes_.substep(diffusion))
             command(stage.pass, {substep, stage.push.y, stage.push.z, stage.push.w});
+    };
+    if (fresh_ && (told.shape.z & WINDROW_STABLE_FLUIDS) == 0) {
+        const std::uint32_t first = n;
+        part(-1);
+        n = first; // it runs as the first does
+    }
+    for (int substep = 0; substep < most; ++substep)
+        part(substep);
     fresh_ = (told.shape.z & WINDROW_STABLE_FLUIDS) != 0;
     owes_nothing_ = false;
 }

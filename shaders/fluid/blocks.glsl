@@ -8,7 +8,7 @@
 #define WINDROW_HALO 5
 
 // Bits of WindrowStep.shape.z.
-#define WINDROW_FRESH 1         // there is no past: q = 0, u_old = u
+#define WINDROW_FRESH 1         // there is no past: the first sub-step is rehearsed
 #define WINDROW_STABLE_FLUIDS 2 // the classic split (and all that does not advect), else second order
 #define WINDROW_LINEAR 4        // trilinear, else cubic
 #define WINDROW_ADVECTS 8

@@ -1,6 +1,8 @@
 // What a sub-step ends with:
 //
 //   u' = w - grad phi + what is given,   u_old = u,   q' by history.glsl
+//
+// and a rehearsal: u stays, u_old = 2 u - u'.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define WINDROW_READS_TILE 8
@@ -34,12 +36,17 @@ void main() {
         if (p.kept != 0.0f)
             q += p.kept * history[at].xyz;
         history[at] = vec4(q, 0.0f);
-        velocity_old[at] = velocity[at];
     }
     if (is_on(WINDROW_LETS_AIR_IN))
         u += source_flow[at].xyz;
     if (is_on(WINDROW_GUSTS))
         u += wind_at(cell, elapsed() + control.substep.x, true);
+    if (is_fresh()) {
+        velocity_old[at] = vec4(2.0f * velocity[at].xyz - u, 0.0f);
+        return;
+    }
+    if (!is_on(WINDROW_STABLE_FLUIDS))
+        velocity_old[at] = velocity[at];
     // What forces and pressure made of it since is cut too (limit.comp).
     if (is_on(WINDROW_ADVECTS) && push.x + 1 == control.plan.x) {
         const float most = tick.time.w * float(tick.shape.y) * tick.time.y / tick.time.x, largest = largest_component(u);

@@ -21,7 +21,7 @@ vec3 windrow_tile_texel(int tile, ivec3 texel) { return vec3(0.0f); }
 
 layout(std430, set = 0, binding = 0) readonly buffer Step { WindrowStep tick; };
 layout(std430, set = 0, binding = 1) buffer Control { WindrowControl control; };
-// Which sub-step this is.
+// x: which sub-step this is; -1: the rehearsal of the first.
 layout(push_constant) uniform Push { ivec4 push; };
 
 bool is_on(int bit) { return (tick.shape.z & bit) != 0; }
@@ -30,11 +30,16 @@ int cell_index(ivec3 cell) { return (cell.z * tick.cells.y + cell.y) * tick.cell
 
 bool inside(ivec3 cell, ivec3 cells) { return all(lessThan(cell, cells)); }
 
-// No past: the first sub-step of a tick that begins anew.
-bool is_fresh() { return is_on(WINDROW_FRESH) && push.x == 0; }
+// The first sub-step of a flow is rehearsed: without a past, for the past of its performance (fluid/cpu/step.cpp).
+bool is_fresh() { return push.x < 0; }
+int substep() { return max(push.x, 0); }
 
 // What a sub-step takes from the one before it.
-WindrowPast past() { return windrow_past(is_fresh() ? 0.0f : push.x == 0 ? control.substep.x / control.substep.y : 1.0f); }
+WindrowPast past() {
+    if (is_fresh() || (push.x == 0 && is_on(WINDROW_FRESH) && !windrow_rehearses(control.substep.w, control.plan.x)))
+        return windrow_past(0.0f);
+    return windrow_past(push.x == 0 && !is_on(WINDROW_FRESH) ? control.substep.x / control.substep.y : 1.0f);
+}
 
 // The ambient wind around the box at a cell's centre, `elapsed` [s] after the tick's start: the mean alone, or with its gusts.
 vec3 wind_at(ivec3 cell, float elapsed, bool gusts) {
@@ -52,7 +57,7 @@ vec3 wind_at(ivec3 cell, float elapsed, bool gusts) {
 vec3 solved_ambient(ivec3 cell) { return is_on(WINDROW_GUSTS) ? vec3(0.0f) : wind_at(cell, 0.0f, false); }
 
 // [s] From the tick's start to this sub-step's.
-float elapsed() { return float(push.x) * control.substep.x; }
+float elapsed() { return float(substep()) * control.substep.x; }
 
 float largest_component(vec3 u) {
     vec3 a = abs(u);

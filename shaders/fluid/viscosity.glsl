@@ -1,7 +1,7 @@
 // Which diffusion a sub-step asks for; fluid/cpu/diffusion.cpp.
 
 // r = viscosity dt / h^2; 0 where the sub-step is too short for floats, and owes its time to a later one.
-float diffusion_ratio() { return tick.ambient.w * control.diffused[push.x / 4][push.x % 4] / (tick.time.y * tick.time.y); }
+float diffusion_ratio() { return tick.ambient.w * control.diffused[substep() / 4][substep() % 4] / (tick.time.y * tick.time.y); }
 
 bool is_implicit() { return diffusion_ratio() > 1.0f / 12.0f; }
 

@@ -180,7 +180,8 @@ TEST(MotorFlows, AVentBlowsAsInFreeAir) {
         };
         std::vector<Point> points;
         double whole = 0.0;
-        const glm::dvec3 low(sides.x_low.solid() ? 0.0 : -1e9, sides.y_low.solid() ? 0.0 : -1e9, sides.z_low.solid() ? 0.0 : -1e9),
+        const glm::dvec3 low(sides.x_low.solid() ? 0.0 : -1e9, sides.y_low.solid() ? 0.0 : -1e9,
+                             sides.z_low.solid() ? 0.0 : -1e9),
             high(sides.x_high.solid() ? 32.0 : 1e9, 1e9, 1e9);
         for (double x = 0.5 * k_spacing - k_radius; x < k_radius; x += k_spacing)
             for (double y = 0.5 * k_spacing - k_radius; y < k_radius; y += k_spacing)

@@ -86,6 +86,41 @@ TEST_F(WindParity, AVentInEverySortOfFreeAir) {
     report("vent_in_free_air", pair, 1e-5);
 }
 
+// Everything at once, a hundred steps: uneven ones, gusts over a profile, plants, drives and a force with eddies, a fan and a vent
+// that move, a burst.
+TEST_F(WindParity, UnevenStepsDrivesEddiesAndGustsTogether) {
+    Config config{.cells = {32, 16, 32}, .sides = Sides::open_over_floor(), .ambient = {4.0f, 0.0f, 1.5f}};
+    config.profile = LogProfile{};
+    config.gusts.intensity = 0.3f;
+    config.canopy = Canopy{.height = 1.5f, .drag = 0.4f};
+    Pair pair = make(config);
+    pair.add(JetMotor{.position = {-8.0, 2.0, 3.0}, .start_radius = 2.5f, .end_radius = 2.5f});
+    pair.add(DirectionalMotor{.position = {5.0, 0.0, -6.0}, .direction = {0.2f, 1.0f, 0.3f}, .law = Force{.acceleration = 8.0f}});
+    pair.add(VortexMotor{.position = {2.0, 0.0, 8.0}});
+    pair.add(PressureMotor{.position = {-3.0, 1.0, -9.0}, .speed = 8.0f});
+    const auto both = [&](const Motor& motor) {
+        return std::pair{*pair.cpu.motors().add(motor), *pair.device.motors().add(motor)};
+    };
+    const auto fan = both(DirectionalMotor{.position = {0.0, 1.0, 0.0}, .direction = {0.0f, 0.2f, 1.0f}}),
+               wake = both(WakeMotor{.position = {-10.0, -5.0, 0.0}, .radius = 1.5f, .turbulence = {.intensity = 0.1f}}),
+               vent = both(OmniMotor{.position = {9.0, -6.0, 4.0}});
+    double time = 0.0;
+    for (int n = 0; n < 100; ++n) {
+        const double dt = (n % 2 == 0 ? 1.0 : 1.7) / 90.0 * (n % 7 == 0 ? 1.8 : 1.0);
+        time += dt;
+        const auto move = [&](const auto& ids, glm::dvec3 to) {
+            ASSERT_TRUE(pair.cpu.motors().move(ids.first, to) && pair.device.motors().move(ids.second, to));
+        };
+        move(fan, {3.0 * std::sin(time), 1.0, 2.0 * time});
+        move(wake, {-10.0 + 5.0 * time, -5.0, 2.0 * std::sin(2.0 * time)});
+        move(vent, {9.0 - time, -6.0, 4.0});
+        const glm::dvec3 player(0.8 * time, 0.0, -0.5 * time);
+        ASSERT_TRUE(pair.cpu.follow(player) && pair.device.follow(player));
+        step(pair, dt);
+    }
+    report("together", pair, 1e-4);
+}
+
 // The device counts its own sub-steps, and cuts speeds as the CPU does.
 TEST_F(WindParity, AStormInSubStepsThatTheDeviceChooses) {
     for (const int most : {8, 2}) {

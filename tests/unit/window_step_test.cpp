@@ -37,6 +37,16 @@ class AirByHand {
         motors_.begin_frame(0.0, dt);
         sources_.gather(motors_.tick(dt, window_, config_.sides), window_.cell_size, u_, {GustTile::standard()->texels().data()},
                         {});
+        if (fresh_) {
+            perform(dt);
+            std::swap(u_, old_);
+            for (std::size_t n = 0; n < u_.size(); ++n)
+                old_[n] = 2.0f * u_[n] - old_[n];
+        }
+        perform(dt);
+    }
+
+    void perform(float dt) {
         const bool spreads = diffuse(*work_, u_, config_.viscosity, dt, diffused_) != DiffusionMethod::none;
         Transport transport{
             .carried = spreads ? diffused_ : u_, .velocity = u_, .dt = dt, .interpolation = config_.interpolation};

@@ -74,6 +74,16 @@ std::span<const glm::vec4> ComposedStep::diffuse(float dt) {
 }
 
 void ComposedStep::advance_second_order(const StepMethod& method, float dt) {
+    if (fresh_) {
+        perform(method, dt);
+        std::swap(velocity_, velocity_old_);
+        for (std::size_t n = 0; n < velocity_.size(); ++n)
+            velocity_old_[n] = 2.0f * velocity_[n] - velocity_old_[n];
+    }
+    perform(method, dt);
+}
+
+void ComposedStep::perform(const StepMethod& method, float dt) {
     Transport transport{.carried = diffuse(dt), .velocity = velocity_, .dt = dt, .interpolation = method.interpolation};
     const numerics::WindrowPast past = numerics::windrow_past(fresh_ ? 0.0f : dt / dt_old_);
     if (!fresh_) {

@@ -63,6 +63,7 @@ class ComposedStep {
 
     [[nodiscard]] std::span<const glm::vec4> diffuse(float dt);
     void advance_second_order(const StepMethod& method, float dt);
+    void perform(const StepMethod& method, float dt);
     void advance_stable_fluids(const StepMethod& method, float dt);
     using GradientNote = Workspace::State::GradientNote;
     void project(Pressure pressure, std::span<glm::vec4> velocity, const GradientNote& note);
