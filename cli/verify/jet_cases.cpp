@@ -189,7 +189,7 @@ Plot jet_plot(std::span<const VerifyCurve> curves) {
     for (const double share : {0.25, 0.28})
         charts[2].add_line({{6.0, share}, {k_far, share}}, published);
     const char* const words[] = {"0.094 and 0.102 x / d", "6 d / x", "0.25 and 0.28"};
-    const glm::dvec2 places[] = {{0.5, 1.36}, {0.5, 0.1}, {0.5, 0.42}};
+    const glm::dvec2 places[] = {{0.5, 1.26}, {0.5, 0.1}, {0.5, 0.42}};
     for (std::size_t panel = 0; panel < std::size(charts); ++panel)
         charts[panel].add_label(std::string(words[panel]) + " (Pope 2000)", places[panel], k_dim_ink);
     for (std::size_t n = 0; n < curves.size(); ++n) {
@@ -199,7 +199,7 @@ Plot jet_plot(std::span<const VerifyCurve> curves) {
         const Colour colour = series_colour(n / std::size(charts));
         chart.add_line(shown, {.colour = colour, .width = 2.0});
         if (curves[n].panel == 0)
-            chart.add_label(curves[n].name, {0.5, n < std::size(charts) ? 1.5 : 1.23}, colour);
+            chart.add_label(curves[n].name, {0.5, n < std::size(charts) ? 1.5 : 1.38}, colour);
     }
     return plot;
 }
