@@ -30,7 +30,9 @@ struct Diagnostics {
     /// pressure had made them faster, after it.
     std::int64_t limited_cells = 0;
     std::int64_t repaired_cells = 0; ///< Cells that held NaN or infinity and were set to ambient.
-    int motors_in_reach = 0; ///< Motors whose region meets the box and that acted; a wake counts once a piece of its path.
+    /// Motors whose region meets the box and that acted; a wake counts once a piece of its path. In free air a source outside the
+    /// box too, where it makes 1 cm/s in it.
+    int motors_in_reach = 0;
     DiffusionMethod diffusion = DiffusionMethod::none;
     /// [1/s] Root mean square of the central divergence that the collocated projection leaves.
     double divergence_rms = 0.0;

@@ -160,7 +160,8 @@ struct VortexMotor {
 
 /// Air that comes out of a ball (a blast, a vent) or vanishes in it (suction). In incompressible air a radial push is a pure
 /// gradient, which the pressure takes back whole; only a source can blow outward. In free air the speed is `speed` at the ball's
-/// radius and falls as 1/distance^2 beyond.
+/// radius and falls as 1/distance^2 beyond: in a box every axis of which is open at one end at least, with walls as mirrors. There
+/// a source outside the box blows into it too.
 struct OmniMotor {
     glm::dvec3 position{0.0}; ///< [m] world
     float radius = 2.0f;      ///< [m] > 0

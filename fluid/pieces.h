@@ -122,15 +122,15 @@ void reserve_diffusion(Workspace& work);
 /// the cell inside.
 void divergence(Workspace& work, std::span<const glm::vec4> velocity, std::span<float> result);
 
-/// Solves L phi = rhs in place, L the 7-point Laplacian [1/m^2] with phi = 0 at the ghosts' centres beyond open sides and d phi/dn = 0 on walls: direct, by
-/// fast diagonalisation. In a box without an open side the mean of rhs is dropped and phi has mean 0. Based on: Lynch, Rice &
+/// Solves L phi = rhs in place, L the 7-point Laplacian [1/m^2] with phi = 0 at the ghosts' centres beyond open sides and
+/// d phi/dn = 0 on walls: direct, by fast diagonalisation. In a box without an open side the mean of rhs is dropped and phi has mean 0. Based on: Lynch, Rice &
 /// Thomas 1964, Numerische Mathematik 6.
 void solve_poisson(Workspace& work, std::span<float> rhs_then_phi);
 
 /// velocity -= grad phi with L phi = div velocity - expansion. Collocated, so approximate: what is left of the divergence falls
-/// as h^2. Adds nothing to the kinetic energy; where a side is open 1.065 times it at most, 4.4 times however often repeated
-/// (norms of the matrix and of its powers for 8 x 8 x 8 cells): waves of a few cells along an edge. `gradient`, where not empty, receives grad phi [m/s]. `expansion`, where not empty, is the divergence wanted [1/s]:
-/// air that comes out (> 0) or vanishes; in a box without an open side its mean is dropped.
+/// as h^2. Adds nothing to the kinetic energy; where a side is open, waves of a few cells along an edge may gain: 1.065 times at
+/// most, 4.4 times however often repeated (norms of the matrix and of its powers for 8 x 8 x 8 cells). `gradient`, where not
+/// empty, receives grad phi [m/s]. `expansion`, where not empty, is the divergence wanted [1/s]: air that comes out (> 0) or vanishes; in a box without an open side its mean is dropped.
 void project(Workspace& work, std::span<glm::vec4> velocity, std::span<glm::vec4> gradient = {},
              std::span<const float> expansion = {});
 

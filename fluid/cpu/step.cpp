@@ -152,8 +152,8 @@ void Wind::State::advance_second_order(float dt, Diagnostics& report) {
     perform(dt, report);
 }
 
-// The first step of a flow has no pressure q and no u_old to extrapolate from. Without them it would lose energy once, by dt^2; so it
-// is done twice, and the first time gives q and u_old = 2 u - u'.
+// The first step of a flow has no pressure q and no u_old to extrapolate from. Without them it would lose energy once, by dt^2; so
+// it is done twice, and the first time gives q and u_old = 2 u - u'.
 void Wind::State::rehearse(float dt, Diagnostics& report) {
     const float owed = air.owed_diffusion;
     const glm::dvec3 phase = ambient.phase();

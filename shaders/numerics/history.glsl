@@ -6,7 +6,8 @@
 //   d  = max(s, 1/s) - 1, between 0.05 and 1    1 in the first step of a flow
 //
 // grad phi + s q is the pressure impulse of the whole step. d = 1 keeps half of it, the pressure at mid-step: the first step of
-// a flow has no q to add, and is only rehearsed so. d = 0 keeps grad phi alone, the pressure at the end of the step, which is more accurate. But then an
+// a flow has no q to add, and is only rehearsed so. d = 0 keeps grad phi alone, the pressure at the end of the step, which is
+// more accurate. But then an
 // error of q changes its sign in every step, grows by s and is never damped: alternating steps of 1 and 2 create energy.
 // The floor of 0.05 halves such an error within 14 equal steps and makes Taylor-Green vortices 0.6 % less accurate. Every d is
 // of second order: the error of q is a gradient, and the projection removes it from the wind.
