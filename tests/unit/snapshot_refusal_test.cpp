@@ -36,6 +36,7 @@ std::span<const std::byte> content_of(const Bytes& bytes) {
 }
 
 Bytes small_snapshot(float gust_intensity = 0.0f) {
+    static const auto tile = GustTile::standard(); // held: else each load of a motor with eddies makes its own
     const Gusts gusts{.intensity = gust_intensity};
     Session session{made({.cells = {2, 2, 3}, .ambient = {2.0f, 0.0f, 1.0f}, .profile = LogProfile{}, .gusts = gusts}), {}};
     session.add_all_kinds();
