@@ -3,7 +3,7 @@
 // A free round jet keeps its flux of momentum M = int u^2 dA from section to section. With d = 2 sqrt(M / pi) / U, its potential core
 // ends some 5 d from the nozzle; beyond, the speed on the axis is about 6 U d / x and the half-width, the radius at which the mean
 // wind is half of that, grows by 0.094 to 0.102 a metre. From 6 to 12 d this solver, whose grid holds the large eddies and models
-// none of the small ones, is compared with that; the motor's turbulence, at its default, starts the eddies. The jet lies
+// none of the small ones, is compared with that; the motor's turbulence, at its default, starts the eddies. The jet is set
 // askew to the cells. Based on: Pope 2000, Turbulent Flows, section 5.1 (experiments in its table 5.1).
 #include "cli/drawing/palette.h"
 #include "cli/plants/chart.h"

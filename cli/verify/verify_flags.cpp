@@ -96,28 +96,19 @@ std::optional<VerifyRequest> read_verify(const VerifyFlags& flags, const CLI::Ap
             return std::nullopt;
         request.simd = *level;
     }
-    if (verify.count("--json") > 0) {
-        if (flags.json.empty()) {
-            console.complain("--json is empty: name a file.");
-            return std::nullopt;
-        }
-        if (flags.list) {
-            console.complain("--json is given with --list, which runs nothing: drop one of them.");
-            return std::nullopt;
-        }
-        request.json = flags.json;
-    }
-    if (verify.count("--plots") > 0) {
-        if (flags.plots.empty()) {
-            console.complain("--plots is empty: name a folder.");
-            return std::nullopt;
-        }
-        if (flags.list) {
-            console.complain("--plots is given with --list, which runs nothing: drop one of them.");
-            return std::nullopt;
-        }
-        request.plots = flags.plots;
-    }
+    const auto read_output = [&](const std::string& flag, const std::string& given, const char* kind,
+                                 std::optional<std::filesystem::path>& path) {
+        if (verify.count(flag) == 0)
+            return true;
+        path = given;
+        if (given.empty())
+            console.complain(message(flag, " is empty: name a ", kind, "."));
+        else if (flags.list)
+            console.complain(message(flag, " is given with --list, which runs nothing: drop one of them."));
+        return !given.empty() && !flags.list;
+    };
+    if (!read_output("--json", flags.json, "file", request.json) || !read_output("--plots", flags.plots, "folder", request.plots))
+        return std::nullopt;
     return request;
 }
 

@@ -7,7 +7,7 @@
 //   vortex   u = W + A (-y, x) exp(-r^2 / (2 R^2)): in two dimensions a steady flow without viscosity, carried by the wind. Once
 //            the middle is 8 R beyond the side, none of its energy should be left: what is, the side sent back
 //
-// Beyond an open side lies the ambient wind, and p = 0 at the ghost's centre. That is wrong for air that motors move through the side, and for a
+// An open boundary has the ambient wind and p = 0 at its ghost cells' centres. That is wrong for air that motors move through the side, and for a
 // vortex half outside; the error is that of the side, not of the cell, so nothing is refined away. The flow of a vent is that of free air.
 #include "cli/verify/whole_step.h"
 

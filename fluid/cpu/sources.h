@@ -71,17 +71,17 @@ class SourceField {
     float largest_driven_ = 0.0f;
 };
 
-/// phi / h [m/s] of the sources of air at the ghosts' centres beyond open sides, where free air lies around the box: that of
-/// their balls and of the images of these in its walls.
+/// Free-space potential of the volume sources, phi / h [m/s], in the ghost cells of open boundaries: the potential of each ball and
+/// of its mirror images in walls.
 class FreeAir {
   public:
     void gather(std::span<const detail::MotorReach> motors, const Box& box, const ParallelFor& parallel_for);
-    /// Beyond the end (0 low, 1 high) of an axis that `cell` lies at.
+    /// In the ghost cell next to `cell`, at the low (0) or high (1) end of an axis.
     [[nodiscard]] float at(glm::ivec3 cell, int axis, int end) const { return ghosts_[axis][end][place(cell, axis)]; }
     [[nodiscard]] std::size_t memory_bytes() const;
 
   private:
-    /// In a side, which lies as its box does without the axis.
+    /// Index in a boundary's array, stored in the box's order without the axis.
     [[nodiscard]] std::size_t place(glm::ivec3 cell, int axis) const {
         const int along = axis == 0 ? 1 : 0, across = axis == 2 ? 1 : 2;
         return static_cast<std::size_t>(cell[across]) * cells_[along] + cell[along];

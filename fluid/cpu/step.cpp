@@ -155,13 +155,13 @@ void Wind::State::advance_second_order(float dt, Diagnostics& report) {
 // The first step of a flow has no pressure q and no u_old to extrapolate from. Without them it would lose energy once, by dt^2; so
 // it is done twice, and the first time gives q and u_old = 2 u - u'.
 void Wind::State::rehearse(float dt, Diagnostics& report) {
-    const float owed = air.owed_diffusion;
+    const float undiffused = air.owed_diffusion;
     const glm::dvec3 phase = ambient.phase();
     perform(dt, report);
     std::swap(air.velocity, air.velocity_old);
     for (std::size_t n = 0; n < air.velocity.size(); ++n)
         air.velocity_old[n] = 2.0f * air.velocity[n] - air.velocity_old[n];
-    air.owed_diffusion = owed;
+    air.owed_diffusion = undiffused;
     if (!ambient.gusting())
         return;
     ambient.set_phase(phase);

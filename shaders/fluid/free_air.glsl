@@ -1,4 +1,4 @@
-// phi / h [m/s] of the sources of air beyond open sides, where free air lies around the box; else 0. As cpu::FreeAir.
+// Free-space potential of the volume sources in ghost cells, phi / h [m/s], as cpu::FreeAir; 0 without free air (sides.h).
 // Before this text: WINDROW_MOTORS, the binding of the motors.
 #include "numerics/motors.glsl"
 
@@ -6,7 +6,7 @@ layout(std430, set = 0, binding = WINDROW_MOTORS) readonly buffer Motors { Windr
 
 const uint k_source = 2; // as windrow::detail::MotorReach numbers laws
 
-// A step from `cell` along an axis leads out of an open side: what lies there, else 0.
+// The potential in the ghost cell one step from `cell` along an axis; 0 if that is no ghost cell of an open boundary.
 float beyond(ivec3 cell, int axis, int step) {
     ivec3 ghost = cell;
     ghost[axis] += step;
