@@ -19,55 +19,75 @@ struct Push {
     glm::vec3 push;
 };
 
-// Calls visit(i, push) for the cells of one row that the motor reaches. The kind is chosen once a row.
+// Weights of a motor along a row of x, written to weights[0] for i = motor.low.x and on. The loops have no branches, so that a
+// compiler makes them wide.
+void weigh_row(const MotorReach& motor, glm::vec3 first_centre, float cell_size, float* weights) {
+    using namespace numerics;
+    const auto along = [&](const auto& weight) {
+        for (int i = motor.low.x; i < motor.high.x; ++i)
+            weights[i - motor.low.x] =
+                weight(glm::vec3(first_centre.x + cell_size * static_cast<float>(i), first_centre.y, first_centre.z));
+    };
+    const glm::vec3 centre = motor.centre, extent = motor.extent;
+    const float radius = motor.radius, end_radius = motor.end_radius;
+    switch (motor.shape) {
+    case MotorReach::Shape::sphere:
+        return along([&](glm::vec3 p) { return windrow_sphere_weight(p - centre, radius); });
+    case MotorReach::Shape::capsule:
+        return along([&](glm::vec3 p) { return windrow_capsule_weight(p - centre, extent, radius); });
+    case MotorReach::Shape::box:
+        return along([&](glm::vec3 p) { return windrow_box_weight(p - centre, extent); });
+    case MotorReach::Shape::cone:
+    case MotorReach::Shape::jet:
+        return along([&](glm::vec3 p) { return windrow_cone_weight(p - centre, extent, radius, end_radius); });
+    case MotorReach::Shape::vortex:
+        // The swirl has its own falloff across the axis; a drive's rate needs one as well.
+        if (motor.law == MotorReach::Law::force)
+            return along([&](glm::vec3 p) { return windrow_axial_weight(p - centre, extent); });
+        return along([&](glm::vec3 p) { return windrow_whirl_weight(p - centre, extent, radius); });
+    case MotorReach::Shape::path:
+        return along([&](glm::vec3 p) { return windrow_wake_path(p, centre, extent, radius); });
+    }
+}
+
+// Calls visit(i, push) for the cells of one row that the motor reaches.
 template <class Visit>
 void for_each_cell(const MotorReach& motor, glm::vec3 first_centre, float cell_size, const numerics::TileView& tile,
                    const Visit& visit) {
     using namespace numerics;
-    const auto along = [&](const auto& evaluate) {
+    std::array<float, k_max_axis_cells> weights;
+    weigh_row(motor, first_centre, cell_size, weights.data());
+    const auto along = [&](const auto& push) {
         for (int i = motor.low.x; i < motor.high.x; ++i) {
-            const glm::vec3 p(first_centre.x + cell_size * static_cast<float>(i), first_centre.y, first_centre.z);
-            Push at = evaluate(p);
-            if (!(at.weight > 0.0f))
+            const float weight = weights[i - motor.low.x];
+            if (!(weight > 0.0f))
                 continue;
+            const glm::vec3 p(first_centre.x + cell_size * static_cast<float>(i), first_centre.y, first_centre.z);
+            Push at{weight, push(p)};
             if (motor.eddies > 0.0f)
-                at.push += (motor.shape == MotorReach::Shape::path ? 1.0f : at.weight) * motor.eddies *
+                at.push += (motor.shape == MotorReach::Shape::path ? 1.0f : weight) * motor.eddies *
                            windrow_tile_at(tile, glm::ivec3(0), motor.tile_place + motor.texels * p);
             visit(i, at);
         }
     };
-    switch (motor.shape) {
-    case MotorReach::Shape::sphere:
-        return along([&](glm::vec3 p) { return Push{windrow_sphere_weight(p - motor.centre, motor.radius), motor.push}; });
-    case MotorReach::Shape::capsule:
-        return along([&](glm::vec3 p) {
-            return Push{windrow_capsule_weight(p - motor.centre, motor.extent, motor.radius), motor.push};
-        });
-    case MotorReach::Shape::box:
-        return along([&](glm::vec3 p) { return Push{windrow_box_weight(p - motor.centre, motor.extent), motor.push}; });
-    case MotorReach::Shape::cone:
-        return along([&](glm::vec3 p) {
-            return Push{windrow_cone_weight(p - motor.centre, motor.extent, motor.radius, motor.end_radius), motor.push};
-        });
-    case MotorReach::Shape::jet:
-        return along([&](glm::vec3 p) {
-            const glm::vec3 from = p - motor.centre;
-            return Push{windrow_cone_weight(from, motor.extent, motor.radius, motor.end_radius),
-                        motor.push.x * windrow_jet_velocity(from, motor.extent, motor.radius, motor.end_radius)};
-        });
-    case MotorReach::Shape::vortex:
-        return along([&](glm::vec3 p) {
-            const glm::vec3 from = p - motor.centre;
-            // The swirl has its own falloff across the axis; a drive's rate needs one as well.
-            const float weight = motor.law == MotorReach::Law::force ? windrow_axial_weight(from, motor.extent)
-                                                                     : windrow_whirl_weight(from, motor.extent, motor.radius);
-            return Push{weight, motor.push.x * windrow_swirl_velocity(from, motor.extent, motor.radius, motor.lift)};
-        });
-    case MotorReach::Shape::path:
-        return along([&](glm::vec3 p) {
-            return Push{windrow_wake_path(p, motor.centre, motor.extent, motor.radius), motor.push};
-        });
-    }
+    const glm::vec3 centre = motor.centre, extent = motor.extent, given = motor.push;
+    const float radius = motor.radius, end_radius = motor.end_radius, lift = motor.lift;
+    if (motor.shape == MotorReach::Shape::jet)
+        along([&](glm::vec3 p) { return given.x * windrow_jet_velocity(p - centre, extent, radius, end_radius); });
+    else if (motor.shape == MotorReach::Shape::vortex)
+        along([&](glm::vec3 p) { return given.x * windrow_swirl_velocity(p - centre, extent, radius, lift); });
+    else
+        along([&](glm::vec3) { return given; });
+}
+
+// Zeroes low <= i < high, and what lies between there and the stretch [low, high) that was zeroed before.
+void clear(glm::vec4* row, int low, int high, int (&cleared)[2]) {
+    if (cleared[0] >= cleared[1])
+        cleared[0] = cleared[1] = low;
+    std::fill(row + std::min(low, cleared[0]), row + cleared[0], glm::vec4(0.0f));
+    std::fill(row + cleared[1], row + std::max(high, cleared[1]), glm::vec4(0.0f));
+    cleared[0] = std::min(low, cleared[0]);
+    cleared[1] = std::max(high, cleared[1]);
 }
 
 float largest_component(const glm::vec4& v) {
@@ -168,6 +188,7 @@ void SourceField::gather_plane(std::span<const MotorReach> motors, float cell_si
         float* const expansion_row = expansion_.data() + row * cells_.x;
         const glm::vec3 first_centre = cell_size * (glm::vec3(0, j, k) + 0.5f);
         bool holds_force = false;
+        int cleared[2] = {cells_.x, 0};
         int drive_low = cells_.x, drive_high = 0;
         if (any_expansion_)
             std::fill_n(expansion_row, cells_.x, 0.0f);
@@ -184,11 +205,10 @@ void SourceField::gather_plane(std::span<const MotorReach> motors, float cell_si
                               [&](int i, const Push& at) { force_row[i] += glm::vec4(at.weight * at.push, 0.0f); });
                 break;
             case MotorReach::Law::drive:
-                if (drive_low > drive_high)
-                    std::fill_n(drives, cells_.x, glm::vec4(0.0f));
-                drive_low = std::min(drive_low, motor.low.x);
-                drive_high = std::max(drive_high, motor.high.x);
+                clear(drives, motor.low.x, motor.high.x, cleared);
                 for_each_cell(motor, first_centre, cell_size, tile, [&](int i, const Push& at) {
+                    drive_low = std::min(drive_low, i);
+                    drive_high = std::max(drive_high, i + 1);
                     const float exponent = at.weight * motor.amount;
                     drives[i] += glm::vec4(exponent * at.push, exponent);
                 });

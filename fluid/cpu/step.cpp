@@ -186,18 +186,19 @@ void Wind::State::perform(float dt, Diagnostics& report) {
                                        .substeps = report.substeps,
                                        .plants = canopy_rows().value_or(cpu::CanopyRows{}),
                                        .parallel_for = &config.parallel_for});
+    const bool gusting = ambient.gusting();
     const auto given = [&](std::size_t n, glm::ivec3 cell) {
         glm::vec3 u(0.0f);
         if (sources_of_air != 0)
             u += glm::vec3(source_flow[n]);
-        if (ambient.gusting())
+        if (gusting)
             u += glm::vec3(ambient_at(cell.x, cell.y, cell.z));
         return u;
     };
     const auto departing = [&](std::size_t n, glm::ivec3 cell) {
         glm::vec3 u(carried[n]);
         if (transport.settling != 1.0f) {
-            const glm::vec3 rest = ambient.gusting() ? glm::vec3(0.0f) : glm::vec3(mean_at(cell.x, cell.y, cell.z));
+            const glm::vec3 rest = gusting ? glm::vec3(0.0f) : glm::vec3(mean_at(cell.x, cell.y, cell.z));
             u = rest + transport.settling * (u - rest);
         }
         return u + given(n, cell);
