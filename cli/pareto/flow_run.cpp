@@ -19,50 +19,41 @@ using detail::message;
 /// Errors of one grid, by step and then method.
 using GridErrors = std::vector<std::vector<double>>;
 
-/// The flow run to its end with one method; not finite where a cell broke on the way.
-double error_of(const ParetoFlow& flow, bench::ComposedStep& step, const Method& method, std::span<const glm::vec4> start,
-                int steps, std::span<const glm::dvec3> truth) {
-    static_cast<void>(step.start(start)); // accepted before
-    for (int n = 0; n < steps; ++n)
-        step.step(method, flow.end / steps);
-    return flow_error(flow, step.velocity(), truth);
-}
-
-/// The same on a device.
-Result<double> error_on(const Backend& backend, const ParetoFlow& flow, glm::ivec3 cells, const Method& method,
-                        std::span<const glm::vec4> start, int steps, std::span<const glm::dvec3> truth) {
-    auto wind = flow_wind(flow, cells, method, Simd::best, {}, backend);
-    if (!wind)
-        return Error{wind.error()};
-    static_cast<void>((*wind)->set_velocity(start)); // of the box's size
-    for (int n = 0; n < steps; ++n)
-        (*wind)->step(flow.end / steps);
-    return flow_error(flow, (*wind)->field(), truth);
-}
-
-Result<std::optional<GridErrors>> find_errors(const ParetoFlow& flow, glm::ivec3 cells, const ParetoRequest& request,
-                                              const FlowTruth& truth, const ParallelFor& parallel_for, const Backend& backend,
+Result<std::optional<GridErrors>> find_errors(const ParetoFlow& flow, glm::ivec3 cells, const std::vector<Method>& methods,
+                                              const ParetoRequest& request, const FlowTruth& truth,
+                                              const ParallelFor& parallel_for, const Backend& backend,
                                               const std::function<bool()>& stopped) {
-    const Box box = box_of(flow, cells);
-    auto step = bench::ComposedStep::create(
-        {.box = box, .ambient = glm::vec3(flow.mean), .motors = flow.motors, .simd = request.simd, .parallel_for = parallel_for});
-    if (!step)
-        return Error{step.error()};
-    const CellVelocities start = velocities_of(box, flow.start);
-    if (const auto fits = step->start(start); !fits)
-        return Error{fits.error()};
-    const std::vector<glm::dvec3> end = truth.at_centres(cells);
+    std::optional<bench::ComposedStep> composed;
+    if (solves_of(flow, backend.kind()) == Solves::all) {
+        auto made = composed_step(flow, cells, request.simd, parallel_for);
+        if (!made)
+            return Error{made.error()};
+        composed.emplace(*std::move(made));
+    }
+    const CellVelocities start = flow.start ? velocities_of(box_of(flow, cells), flow.start) : CellVelocities();
+    const CellTruth end = truth.at_centres(cells);
     GridErrors errors(request.cfls.size());
     for (std::size_t c = 0; c < errors.size(); ++c)
-        for (const Method& method : pareto_methods(backend.kind())) {
+        for (const Method& method : methods) {
             if (stopped())
                 return std::optional<GridErrors>();
             const int steps = steps_of(flow, cells, request.cfls[c]);
-            const auto error = backend.is_cpu() ? Result<double>(error_of(flow, *step, method, start, steps, end))
-                                                : error_on(backend, flow, cells, method, start, steps, end);
-            if (!error)
-                return Error{error.error()};
-            errors[c].push_back(*error);
+            const double dt = flow.end / steps;
+            if (composed) {
+                if (const auto fits = composed->start(start); !fits)
+                    return Error{fits.error()};
+                for (int n = 0; n < steps; ++n)
+                    composed->step(method, dt);
+                errors[c].push_back(flow_error(composed->velocity(), end));
+                continue;
+            }
+            auto wind =
+                FlowWind::create(flow, cells, {.method = method, .simd = request.simd, .parallel_for = parallel_for}, backend);
+            if (!wind)
+                return Error{wind.error()};
+            for (int n = 0; n < steps; ++n)
+                wind->step(dt);
+            errors[c].push_back(flow_error(wind->field(), end));
         }
     return std::optional(std::move(errors));
 }
@@ -97,9 +88,9 @@ Result<std::optional<FlowResult>> run_flow(const ParetoFlow& flow, const ParetoR
     FlowResult result{.name = flow.name, .title = flow.title, .rows = {}};
     std::optional<GridErrors> coarser;
     glm::ivec3 coarser_cells(0);
-    const auto methods = pareto_methods(backend.kind());
+    const auto methods = pareto_methods(solves_of(flow, backend.kind()));
     for (const glm::ivec3 cells : flow.grids) {
-        auto errors = find_errors(flow, cells, request, **truth, loop, backend, stopped);
+        auto errors = find_errors(flow, cells, methods, request, **truth, loop, backend, stopped);
         if (!errors)
             return Error{errors.error()};
         if (!*errors)
@@ -129,9 +120,12 @@ Result<std::optional<FlowResult>> run_flow(const ParetoFlow& flow, const ParetoR
                 }
             console.out << "  " << grid_name(cells)
                         << message(", ", count, count == 1 ? " thread: " : " threads: ", (*times)->rounds)
-                        << " rounds, Stam's step " << to_fixed((*times)->stam_ms, 3) << " ms, "
-                        << (backend.is_cpu() ? "Wind's own step " : "the CPU's step ") << to_fixed((*times)->wind_vs_method, 2)
-                        << (backend.is_cpu() ? " of the composed one\n" : " of the device's\n");
+                        << " rounds, Stam's step " << to_fixed((*times)->stam_ms, 3) << " ms";
+            if ((*times)->wind_vs_method)
+                console.out << (backend.is_cpu() ? ", Wind's own step " : ", the CPU's step ")
+                            << to_fixed(*(*times)->wind_vs_method, 2)
+                            << (backend.is_cpu() ? " of the composed one" : " of the device's");
+            console.out << "\n";
             console.out.flush();
             if (threads == 1)
                 break;

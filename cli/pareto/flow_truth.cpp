@@ -1,6 +1,6 @@
 #include "cli/pareto/flow_truth.h"
 
-#include "cli/pareto/pareto_method.h"
+#include "cli/pareto/flow_wind.h"
 #include "cli/verify/cell_values.h"
 
 #include <algorithm>
@@ -37,34 +37,39 @@ Stencil stencil_at(double place, int cells) {
 
 Result<std::optional<FlowTruth>> FlowTruth::find(const ParetoFlow& flow, Simd simd, const ParallelFor& parallel_for,
                                                  const std::function<bool()>& stopped) {
-    FlowTruth truth(flow);
+    const auto still = FlowWind::create(flow, flow.grids.front(), {});
+    if (!still)
+        return Error{still.error()};
+    AmbientWind ambient = still->ambient();
+    ambient.advance(flow.end);
+    FlowTruth truth(flow, ambient);
     if (flow.exact)
         return std::optional(std::move(truth));
-    const Box box = box_of(flow, flow.reference);
-    auto step = bench::ComposedStep::create(
-        {.box = box, .ambient = glm::vec3(flow.mean), .motors = flow.motors, .simd = simd, .parallel_for = parallel_for});
-    if (!step)
-        return Error{step.error()};
-    if (const auto started = step->start(velocities_of(box, flow.start)); !started)
-        return Error{started.error()};
+    auto wind = FlowWind::create(flow, flow.reference, {.simd = simd, .parallel_for = parallel_for});
+    if (!wind)
+        return Error{wind.error()};
     const int steps = steps_of(flow, flow.reference, 1.0);
     for (int n = 0; n < steps; ++n) {
         if (stopped())
             return std::optional<FlowTruth>();
-        step->step(k_default_method, flow.end / steps);
+        wind->step(flow.end / steps);
     }
-    truth.reference_.assign(step->velocity().begin(), step->velocity().end());
+    truth.reference_.assign(wind->field().begin(), wind->field().end());
     return std::optional(std::move(truth));
 }
 
-std::vector<glm::dvec3> FlowTruth::at_centres(glm::ivec3 cells) const {
+CellTruth FlowTruth::at_centres(glm::ivec3 cells) const {
     const Box box = box_of(*flow_, cells);
-    std::vector<glm::dvec3> values(box.cell_count());
+    CellTruth truth{.velocity = std::vector<glm::dvec3>(box.cell_count())};
     const glm::dvec3 ratio = glm::dvec3(flow_->reference) / glm::dvec3(cells);
+    double squares = 0.0;
     visit_cells(box, [&](std::size_t n, glm::dvec3 x) {
-        values[n] = flow_->exact ? flow_->exact(x) : sample(x / static_cast<double>(box.cell_size) * ratio - 0.5);
+        truth.velocity[n] = flow_->exact ? flow_->exact(x) : sample(x / static_cast<double>(box.cell_size) * ratio - 0.5);
+        const glm::dvec3 perturbation = truth.velocity[n] - glm::dvec3(ambient_.velocity(x));
+        squares += glm::dot(perturbation, perturbation);
     });
-    return values;
+    truth.perturbation = std::sqrt(squares);
+    return truth;
 }
 
 glm::dvec3 FlowTruth::sample(glm::dvec3 cell) const {
@@ -79,14 +84,13 @@ glm::dvec3 FlowTruth::sample(glm::dvec3 cell) const {
     return sum;
 }
 
-double flow_error(const ParetoFlow& flow, std::span<const glm::vec4> u, std::span<const glm::dvec3> truth) {
-    double error = 0.0, size = 0.0;
-    for (std::size_t n = 0; n < truth.size(); ++n) {
-        const glm::dvec3 off = glm::dvec3(u[n]) - truth[n], moved = truth[n] - flow.mean;
-        error += glm::dot(off, off);
-        size += glm::dot(moved, moved);
+double flow_error(std::span<const glm::vec4> u, const CellTruth& truth) {
+    double squares = 0.0;
+    for (std::size_t n = 0; n < u.size(); ++n) {
+        const glm::dvec3 off = glm::dvec3(u[n]) - truth.velocity[n];
+        squares += glm::dot(off, off);
     }
-    return std::sqrt(error / size);
+    return std::sqrt(squares) / truth.perturbation;
 }
 
 } // namespace windrow::cli

@@ -15,24 +15,30 @@
 
 namespace windrow::cli {
 
+struct CellTruth {
+    std::vector<glm::dvec3> velocity; ///< [m/s]
+    double perturbation = 0.0;        ///< [m/s] |velocity - ambient wind|, summed over the cells
+};
+
 class FlowTruth {
   public:
     /// Runs the reference where there is no exact end; nothing inside where `stopped` said so.
     [[nodiscard]] static Result<std::optional<FlowTruth>> find(const ParetoFlow& flow, Simd simd, const ParallelFor& parallel_for,
                                                                const std::function<bool()>& stopped);
-    /// [m/s] At the cell centres of a grid. Out of a reference by cubic interpolation, one-sided at the sides: its error falls
+    /// At the cell centres of a grid. Out of a reference by cubic interpolation, one-sided at the boundaries: its error falls
     /// as the fourth power of the reference's cells, faster than the reference's own.
-    [[nodiscard]] std::vector<glm::dvec3> at_centres(glm::ivec3 cells) const;
+    [[nodiscard]] CellTruth at_centres(glm::ivec3 cells) const;
 
   private:
-    explicit FlowTruth(const ParetoFlow& flow) : flow_(&flow) {}
+    FlowTruth(const ParetoFlow& flow, const AmbientWind& ambient) : flow_(&flow), ambient_(ambient) {}
     [[nodiscard]] glm::dvec3 sample(glm::dvec3 cell) const;
 
     const ParetoFlow* flow_;
+    AmbientWind ambient_; ///< at the flow's end
     std::vector<glm::vec4> reference_;
 };
 
-/// |u - truth|_2 / |truth - mean|_2
-[[nodiscard]] double flow_error(const ParetoFlow& flow, std::span<const glm::vec4> u, std::span<const glm::dvec3> truth);
+/// |u - truth| / |truth - ambient wind|
+[[nodiscard]] double flow_error(std::span<const glm::vec4> u, const CellTruth& truth);
 
 } // namespace windrow::cli

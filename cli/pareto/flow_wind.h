@@ -1,16 +1,46 @@
-// A wind that runs a flow of `windrow pareto` by one of its methods, raw: nothing on top of the method.
+// What runs a flow of `windrow pareto` by one of its methods, raw: a wind, or its step with another pressure solve.
 #pragma once
 
 #include "cli/backend/command_wind.h"
 #include "cli/pareto/pareto_flow.h"
 #include "cli/pareto/pareto_method.h"
 
+#include <functional>
 #include <memory>
+#include <span>
 
 namespace windrow::cli {
 
-/// `method` solves directly: a wind knows no other.
-[[nodiscard]] Result<std::unique_ptr<CommandWind>> flow_wind(const ParetoFlow& flow, glm::ivec3 cells, const Method& method,
-                                                             Simd simd, const ParallelFor& parallel_for, const Backend& backend);
+class FlowWind {
+  public:
+    struct Settings {
+        Method method = k_default_method; ///< of direct pressure: a wind has no other
+        Simd simd = Simd::best;
+        ParallelFor parallel_for{};
+    };
+    [[nodiscard]] static Result<FlowWind> create(const ParetoFlow& flow, glm::ivec3 cells, const Settings& settings,
+                                                 const Backend& backend = {});
+
+    /// The flow's start again, without history. Gusts and motors go on.
+    void begin();
+    /// Moves the first motor to where the flow has it at the step's end, and steps.
+    void step(double dt);
+    [[nodiscard]] std::span<const glm::vec4> field() const { return wind_->field(); }
+    /// Now.
+    [[nodiscard]] AmbientWind ambient() const { return wind_->view().ambient(); }
+
+  private:
+    FlowWind() = default;
+
+    std::unique_ptr<CommandWind> wind_;
+    std::vector<glm::vec4> start_;
+    std::function<glm::dvec3(double t)> motion_;
+    MotorId first_{};
+    double time_ = 0.0; ///< [s]
+};
+
+/// For flows that do not need a wind.
+[[nodiscard]] Result<bench::ComposedStep> composed_step(const ParetoFlow& flow, glm::ivec3 cells, Simd simd,
+                                                        const ParallelFor& parallel_for);
 
 } // namespace windrow::cli

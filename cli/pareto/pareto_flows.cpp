@@ -4,8 +4,9 @@
 //   vortex_pair       stream function of two Gaussian whirls that turn against each other, blown through a box with open sides
 //   abc_flow          curl u = u, so that u . grad u is a gradient: steady without viscosity, and carried by a mean wind: exact
 //   jet               a motor blows into a wind over a floor
+//   gusty_fan         a fan that circles, in gusts over a logarithmic profile
 //
-// Air at the scale of a game has no viscosity to speak of, and none is taken. The first two lie in the level plane, one cell
+// Air at the scale of a game has no viscosity to speak of, and none is taken. The first two fill the level plane, one cell
 // high; the others fill the shape of a game's window. Based on: Taylor & Green 1937, Proceedings of the Royal Society A 158;
 // Dombre, Frisch, Greene, Henon, Mehr & Soward 1986, Journal of Fluid Mechanics 167.
 #include "cli/pareto/pareto_flow.h"
@@ -137,6 +138,31 @@ ParetoFlow jet(bool quick) {
     return flow;
 }
 
+ParetoFlow gusty_fan(bool quick) {
+    ParetoFlow flow = jet(quick);
+    flow.name = "gusty_fan";
+    flow.title = "A circling fan in gusts over a log profile (3D, open sides)";
+    flow.what = quick ? "A fan on a circle blows across gusts over a floor; truth: 128 x 64 x 128 cells."
+                      : "A fan on a circle blows across gusts over a floor; truth: 256 x 128 x 256 cells.";
+    flow.mean = {5.0, 0.0, 2.0};
+    flow.profile = LogProfile{};
+    flow.gusts = {.intensity = 0.2f};
+    flow.top_speed = 8.1; // along x, ahead of the fan
+    // It begins at full speed along its circle, but with no strength yet.
+    flow.motion = [](double t) {
+        const double angle = 2.2 * t;
+        return glm::dvec3(14.0 + 4.0 * std::cos(angle), 6.0 + std::sin(angle), 14.0 + 4.0 * std::sin(angle));
+    };
+    flow.motors = {DirectionalMotor{.position = flow.motion(0.0),
+                                    .direction = {0.6f, 0.5f, -0.6f},
+                                    .region = Sphere{4.0f},
+                                    .law = Drive{.speed = 9.0f, .rate = 6.0f},
+                                    .envelope = {.attack = 0.5f},
+                                    .turbulence = {.intensity = 0.0f}}};
+    flow.start = {};
+    return flow;
+}
+
 } // namespace
 
 Box box_of(const ParetoFlow& flow, glm::ivec3 cells) {
@@ -151,7 +177,7 @@ int steps_of(const ParetoFlow& flow, glm::ivec3 cells, double cfl) {
 std::vector<ParetoFlow> pareto_flows(bool quick) {
     if (quick)
         return {taylor_green_2d(quick), abc_flow(quick), jet(quick)};
-    return {taylor_green_2d(quick), vortex_pair(), abc_flow(quick), jet(quick)};
+    return {taylor_green_2d(quick), vortex_pair(), abc_flow(quick), jet(quick), gusty_fan(quick)};
 }
 
 } // namespace windrow::cli

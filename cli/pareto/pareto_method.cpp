@@ -6,14 +6,18 @@ namespace windrow::cli {
 
 using detail::message;
 
-std::vector<Method> pareto_methods(BackendKind backend) {
+std::vector<Method> pareto_methods(Solves solves) {
     std::vector<Method> methods;
     for (const Scheme scheme : k_schemes)
         for (const Interpolation advection : k_advections)
             for (const Pressure pressure : k_pressures)
-                if (backend == BackendKind::cpu || pressure == Pressure::direct)
+                if (solves == Solves::all || pressure == Pressure::direct)
                     methods.push_back({scheme, advection, pressure});
     return methods;
+}
+
+Solves solves_of(const ParetoFlow& flow, BackendKind backend) {
+    return backend == BackendKind::cpu && !flow.needs_wind() ? Solves::all : Solves::direct;
 }
 
 const char* name_of(Scheme scheme) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/backend/backend_request.h"
+#include "cli/pareto/pareto_flow.h"
 #include "tests/bench/reference/composed_step.h"
 
 #include <array>
@@ -21,8 +22,12 @@ inline constexpr std::array k_pressures = {Pressure::direct, Pressure::multigrid
 /// What a Wind does by default.
 inline constexpr Method k_default_method{Scheme::second_order, Interpolation::cubic, Pressure::direct}; // as Config says: tested
 
-/// All methods; on a device those of a wind, which solves directly.
-[[nodiscard]] std::vector<Method> pareto_methods(BackendKind backend = BackendKind::cpu);
+enum class Solves : std::uint8_t { direct, all };
+
+/// Those of a wind, which solves directly, or all.
+[[nodiscard]] std::vector<Method> pareto_methods(Solves solves);
+/// On a device, and for what only a Wind computes: direct.
+[[nodiscard]] Solves solves_of(const ParetoFlow& flow, BackendKind backend);
 
 [[nodiscard]] const char* name_of(Scheme scheme);
 [[nodiscard]] const char* name_of(Interpolation advection);

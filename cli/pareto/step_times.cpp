@@ -6,7 +6,7 @@
 #include "tests/bench/reference/stam.h"
 
 #include <algorithm>
-#include <memory>
+#include <deque>
 #include <span>
 #include <vector>
 
@@ -51,41 +51,50 @@ Result<std::optional<GridTimes>> measure_steps(const ParetoFlow& flow, glm::ivec
     const Box box = box_of(flow, cells);
     const int steps = steps_of(flow, cells, 1.0), most_age = std::min(steps, k_most_age);
     const double dt = flow.end / steps;
-    const CellVelocities start = velocities_of(box, flow.start);
-    auto composed = bench::ComposedStep::create(
-        {.box = box, .ambient = glm::vec3(flow.mean), .motors = flow.motors, .simd = simd, .parallel_for = parallel_for});
-    if (!composed)
-        return Error{composed.error()};
-    if (const auto fits = composed->start(start); !fits)
-        return Error{fits.error()};
-    auto wind = flow_wind(flow, cells, k_default_method, simd, parallel_for, {});
-    if (!wind)
-        return Error{wind.error()};
-    bench::StamStep stam(cells, box.cell_size, k_sweeps, parallel_for, simd);
-    stam.set_ambient(glm::vec3(flow.mean));
+    const Solves solves = solves_of(flow, backend.kind());
+    const auto methods = pareto_methods(solves);
+    const CellVelocities start =
+        flow.start ? velocities_of(box, flow.start) : CellVelocities(box.cell_count(), glm::vec4(glm::vec3(flow.mean), 0.0f));
 
     Contest contest;
-    Stepper composed_stepper(most_age, [&] { static_cast<void>(composed->start(start)); });   // the motors were accepted
-    Stepper wind_stepper(most_age, [&] { static_cast<void>((*wind)->set_velocity(start)); }); // of the box's size
-    Stepper stam_stepper(most_age, [&] { std::copy(start.begin(), start.end(), stam.velocity().begin()); });
-    const auto methods = pareto_methods(backend.kind());
-    std::vector<std::unique_ptr<CommandWind>> device_winds;
-    std::vector<Stepper> device_steppers;
-    device_steppers.reserve(methods.size()); // contestants point to them
+    std::deque<FlowWind> winds; // contestants point to these two
+    std::deque<Stepper> steppers;
+    const auto enter = [&](const Method& method, const Backend& on) -> Result<std::size_t> {
+        auto made = FlowWind::create(flow, cells, {.method = method, .simd = simd, .parallel_for = parallel_for}, on);
+        if (!made)
+            return Error{made.error()};
+        FlowWind& wind = winds.emplace_back(*std::move(made));
+        return contest.add(steppers.emplace_back(most_age, [&] { wind.begin(); }).contestant([&wind, dt] { wind.step(dt); }));
+    };
+    std::optional<bench::ComposedStep> composed;
+    if (solves == Solves::all) {
+        auto made = composed_step(flow, cells, simd, parallel_for);
+        if (!made)
+            return Error{made.error()};
+        if (const auto fits = made->start(start); !fits)
+            return Error{fits.error()};
+        composed.emplace(*std::move(made));
+    }
+    Stepper composed_stepper(most_age, [&] { static_cast<void>(composed->start(start)); }); // the motors were accepted
     std::vector<std::size_t> numbers;
     for (const Method& method : methods) {
-        if (backend.is_cpu()) {
+        if (solves == Solves::all) {
             numbers.push_back(contest.add(composed_stepper.contestant([&, method] { composed->step(method, dt); })));
             continue;
         }
-        auto made = flow_wind(flow, cells, method, simd, parallel_for, backend);
-        if (!made)
-            return Error{made.error()};
-        CommandWind& device_wind = *device_winds.emplace_back(*std::move(made));
-        device_steppers.emplace_back(most_age, [&device_wind, &start] { static_cast<void>(device_wind.set_velocity(start)); });
-        numbers.push_back(contest.add(device_steppers.back().contestant([&device_wind, dt] { device_wind.step(dt); })));
+        const auto number = enter(method, backend);
+        if (!number)
+            return Error{number.error()};
+        numbers.push_back(*number);
     }
-    const std::size_t wind_number = contest.add(wind_stepper.contestant([&] { (*wind)->step(dt); }));
+    // What the default method is compared with.
+    const bool wind_too = solves == Solves::all || !backend.is_cpu();
+    const auto wind_number = wind_too ? enter(k_default_method, {}) : Result<std::size_t>(0);
+    if (!wind_number)
+        return Error{wind_number.error()};
+    bench::StamStep stam(cells, box.cell_size, k_sweeps, parallel_for, simd);
+    stam.set_ambient(glm::vec3(flow.mean));
+    Stepper stam_stepper(most_age, [&] { std::copy(start.begin(), start.end(), stam.velocity().begin()); });
     const std::size_t stam_number = contest.add(stam_stepper.contestant([&] { stam.step(static_cast<float>(dt)); }));
     if (!contest.hold(seconds, stopped))
         return std::optional<GridTimes>();
@@ -94,8 +103,8 @@ Result<std::optional<GridTimes>> measure_steps(const ParetoFlow& flow, glm::ivec
     for (std::size_t n = 0; n < methods.size(); ++n) {
         const double ratio = contest.ratio(numbers[n], stam_number);
         times.methods.push_back({.vs_stam40 = ratio, .step_ms = ratio * times.stam_ms});
-        if (methods[n] == k_default_method)
-            times.wind_vs_method = contest.ratio(wind_number, numbers[n]);
+        if (wind_too && methods[n] == k_default_method)
+            times.wind_vs_method = contest.ratio(*wind_number, numbers[n]);
     }
     return std::optional(std::move(times));
 }

@@ -18,11 +18,11 @@ struct StepTime {
 };
 
 struct GridTimes {
-    std::vector<StepTime> methods{}; ///< in the order of pareto_methods()
+    std::vector<StepTime> methods{}; ///< in the order of pareto_methods
     double stam_ms = 0.0;            ///< least
     /// On the CPU the library's own step over the composed one of the same method, which does the same. On a device the CPU's
-    /// step over the device's.
-    double wind_vs_method = 0.0;
+    /// step over the device's. None where the CPU's own step is what is timed.
+    std::optional<double> wind_vs_method{};
     std::size_t rounds = 0;
 };
 

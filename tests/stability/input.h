@@ -51,7 +51,7 @@ inline double push_of(const Motor& motor, double h) {
 
 // The longest push with turbulence over that without.
 inline double eddies_of(const Motor& motor) {
-    const double longest = static_cast<double>(GustTile::standard()->bound());
+    static const double longest = static_cast<double>(GustTile::standard()->bound());
     return std::visit(
         [&](const auto& kind) {
             if constexpr (requires { kind.turbulence; })

@@ -35,8 +35,9 @@ class AirByHand {
 
     void step(float dt) {
         motors_.begin_frame(0.0, dt);
-        sources_.gather(motors_.tick(dt, window_, config_.sides), window_.cell_size, u_, {GustTile::standard()->texels().data()},
-                        {});
+        const auto reached = motors_.tick(dt, window_, config_.sides);
+        const auto& tile = motors_.tile({});
+        sources_.gather(reached, window_.cell_size, u_, {tile ? tile->texels().data() : nullptr}, {});
         if (fresh_) {
             perform(dt);
             std::swap(u_, old_);

@@ -55,8 +55,9 @@ Result<void> ComposedStep::start(std::span<const glm::vec4> velocity) {
 void ComposedStep::step(const StepMethod& method, double dt) {
     const Box& box = settings_.box;
     const Window window{.cells = box.cells, .cell_size = box.cell_size, .origin_cells = {}};
-    sources_.gather(motors_.tick(dt, window, box.sides), box.cell_size, velocity_, {GustTile::standard()->texels().data()},
-                    settings_.parallel_for);
+    const auto reached = motors_.tick(dt, window, box.sides);
+    const auto& tile = motors_.tile({});
+    sources_.gather(reached, box.cell_size, velocity_, {tile ? tile->texels().data() : nullptr}, settings_.parallel_for);
     Workspace::State& around = work_.state();
     static_cast<void>(around.survey(&velocity_[0].x)); // the guard
     if (method.scheme == Scheme::second_order)
