@@ -155,6 +155,11 @@ glm::dvec3 path(double t) {
     return {2.0 + 0.5 * t + 0.25 * t * t, 3.0 + 0.3 * std::sin(t), 0.0};
 }
 
+// Of the one plane of cells. Beside it a jet's rays would point out of the plane, by half a cell of each grid.
+glm::dvec3 plane(const Wind& wind) {
+    return {0.0, 0.0, wind.origin().z + 0.5 * static_cast<double>(wind.box().cell_size)};
+}
+
 constexpr float k_rate = 4.0f; // [1/s] times a step of 0.1 s on the coarsest grid: below 1
 
 struct Driven {
@@ -184,11 +189,14 @@ std::vector<glm::dvec3> driven_end(const Driven& driven, int cells, double step_
             return glm::vec3(
                 glm::dvec3(1.0 + 0.25 * std::sin(x.x) * std::cos(0.5 * x.y), -0.5 * std::cos(x.x) * std::sin(0.5 * x.y), 0.0));
         });
-    const MotorId motor = driven.motor ? *wind.motors().add(*driven.motor) : MotorId{};
+    std::optional<Motor> in_plane = driven.motor;
+    if (in_plane)
+        std::visit([&](auto& motor) { motor.position = path(0.0) + plane(wind); }, *in_plane);
+    const MotorId motor = in_plane ? *wind.motors().add(*in_plane) : MotorId{};
     const int steps = 2 * static_cast<int>(std::lround(0.5 * end / (step_cells * h)));
     for (int step = 1; step <= steps; ++step) {
         if (driven.motor) {
-            EXPECT_TRUE(wind.motors().move(motor, path(end * step / steps)));
+            EXPECT_TRUE(wind.motors().move(motor, path(end * step / steps) + plane(wind)));
         }
         wind.step(end / steps);
     }
@@ -210,24 +218,22 @@ std::vector<glm::dvec3> coarsened(const std::vector<glm::dvec3>& fine, int cells
 
 const Driven k_driven[] = {
     {"ball",
-     DirectionalMotor{.position = path(0.0),
-                      .direction = {1.0f, 0.3f, 0.0f},
-                      .region = Sphere{1.2f},
-                      .law = Drive{1.0f, k_rate},
-                      .turbulence = test::k_steady},
+     DirectionalMotor{
+         .direction = {1.0f, 0.3f, 0.0f}, .region = Sphere{1.2f}, .law = Drive{1.0f, k_rate}, .turbulence = test::k_steady},
      6e-3},
     {"pushing_ball",
-     DirectionalMotor{.position = path(0.0),
-                      .direction = {1.0f, 0.3f, 0.0f},
-                      .region = Sphere{1.2f},
-                      .law = Force{1.0f},
-                      .turbulence = test::k_steady},
+     DirectionalMotor{.direction = {1.0f, 0.3f, 0.0f}, .region = Sphere{1.2f}, .law = Force{1.0f}, .turbulence = test::k_steady},
      6e-3},
-    {"vortex",
-     VortexMotor{
-         .position = path(0.0), .axis = {0.0f, 0.0f, 1.0f}, .radius = 1.5f, .half_length = 2.0f, .law = Drive{1.0f, k_rate}},
-     6e-3},
-    {"wake", WakeMotor{.position = path(0.0), .radius = 1.2f, .law = WakeDrive{.per_metre = k_rate, .entrainment = 0.8f}}, 6e-3},
+    {"jet",
+     JetMotor{.direction = {0.8f, 0.6f, 0.0f},
+              .length = 2.0f,
+              .start_radius = 0.8f,
+              .end_radius = 1.2f,
+              .law = Drive{1.0f, k_rate},
+              .turbulence = test::k_steady},
+     5e-3},
+    {"vortex", VortexMotor{.axis = {0.0f, 0.0f, 1.0f}, .radius = 1.5f, .half_length = 2.0f, .law = Drive{1.0f, k_rate}}, 6e-3},
+    {"wake", WakeMotor{.radius = 1.2f, .law = WakeDrive{.per_metre = k_rate, .entrainment = 0.8f}}, 6e-3},
     {"plants", std::nullopt, 6e-3},
 };
 
