@@ -1,10 +1,13 @@
 #include "cli/interrupt.h"
 
+#include <array>
 #include <csignal>
-#include <initializer_list>
 
 namespace windrow::cli {
 namespace {
+
+// Ctrl-C, a polite end, a terminal that closes.
+constexpr std::array k_signals = {SIGINT, SIGTERM, SIGHUP};
 
 volatile std::sig_atomic_t g_signal = 0;
 
@@ -18,14 +21,14 @@ extern "C" void note_signal(int number) {
 
 InterruptGuard::InterruptGuard() {
     g_signal = 0;
-    for (const int number : {SIGINT, SIGTERM})
+    for (const int number : k_signals)
         // A caller that started us with the signal ignored (nohup, a background job) wants it so.
         if (std::signal(number, &note_signal) == SIG_IGN)
             std::signal(number, SIG_IGN);
 }
 
 InterruptGuard::~InterruptGuard() {
-    for (const int number : {SIGINT, SIGTERM})
+    for (const int number : k_signals)
         if (std::signal(number, SIG_DFL) == SIG_IGN)
             std::signal(number, SIG_IGN);
 }

@@ -3,6 +3,8 @@
 #include "fluid/message.h"
 
 #include <cerrno>
+#include <fcntl.h>
+#include <sys/file.h>
 #include <system_error>
 #include <unistd.h>
 
@@ -40,93 +42,52 @@ Fault write_fault(const std::filesystem::path& file, int reason, std::string_vie
     case ENAMETOOLONG:
         return {message(name, ": the name is too long for the system: give a shorter one with ", flag, ".")};
     default:
-        return {message(name, ": cannot be written (", std::generic_category().message(reason), "): give another ", place,
-                        " with ", flag, "."),
-                reason == EIO || reason == ENOMEM || reason == EMFILE || reason == ENFILE};
+        return {message(name, ": cannot be written (", detail::reason_of(reason), "): give another ", place, " with ", flag, "."),
+                detail::machine_lacks(reason)};
     }
 }
 
-Fault prepare_folder(const std::filesystem::path& folder) {
+OutputFolder::~OutputFolder() {
+    if (lock_ >= 0)
+        ::close(lock_);
+}
+
+Fault OutputFolder::open(const std::filesystem::path& folder) {
     std::error_code fault;
     std::filesystem::create_directories(folder, fault);
     if (fault)
         return write_fault(folder, fault.value());
     if (!std::filesystem::is_directory(folder, fault))
         return write_fault(folder, ENOTDIR);
+    lock_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    // A file system without locks takes any number of runs, as before there were any.
+    if (lock_ >= 0 && ::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+        return {message(folder.string(),
+                        ": another windrow writes into this folder: wait for it, or give another folder with --out.")};
+    detail::clear_dead_parts(folder);
     // Rights alone do not tell: a full disk lets a file be made and refuses its first byte.
-    const std::filesystem::path trial = folder / message(".windrow-", ::getpid(), ".tmp");
-    std::FILE* const stream = std::fopen(trial.c_str(), "wb");
-    int reason = stream == nullptr ? errno : 0;
-    if (stream != nullptr) {
-        const char block[4096] = {};
-        if (std::fwrite(block, 1, sizeof block, stream) != sizeof block || std::fflush(stream) != 0)
-            reason = errno;
-        if (std::fclose(stream) != 0 && reason == 0)
-            reason = errno;
-        std::filesystem::remove(trial, fault);
-    }
-    return write_fault(folder, reason);
+    detail::NewFile trial(folder / ".windrow-trial");
+    const char block[4096] = {};
+    trial.sputn(block, sizeof block);
+    trial.pubsync();
+    return write_fault(folder, trial.error());
 }
 
-OutputFile::OutputFile(std::filesystem::path file, const char* flag) : file_(std::move(file)), flag_(flag) {
-    std::error_code fault;
-    // A link stays one, and what it leads to is written.
-    if (std::filesystem::is_symlink(file_, fault))
-        if (const auto target = std::filesystem::weakly_canonical(file_, fault); !fault)
-            file_ = target;
-    // The rename at the end would tell of a folder too late, and put a file in the place of a pipe or a device.
-    if (std::filesystem::is_directory(file_, fault))
-        reason_ = EISDIR;
-    else if (std::filesystem::exists(file_, fault) && !std::filesystem::is_regular_file(file_, fault))
-        reason_ = ENXIO;
-    if (reason_ != 0)
-        return;
-    part_ = file_;
-    part_ += message(".", ::getpid(), ".tmp"); // nobody else's
-    stream_ = std::fopen(part_.c_str(), "wbx");
-    if (stream_ == nullptr)
-        reason_ = errno;
-}
-
-OutputFile::~OutputFile() {
-    if (stream_ == nullptr)
-        return;
-    std::fclose(stream_);
-    std::error_code ignored;
-    std::filesystem::remove(part_, ignored);
-}
+OutputFile::OutputFile(std::filesystem::path file, const char* flag) : file_(std::move(file)), flag_(flag), out_(file_) {}
 
 Fault OutputFile::fault() const {
-    return write_fault(file_, reason_, flag_);
+    return write_fault(file_, out_.error(), flag_);
 }
 
 void OutputFile::write(std::string_view text) {
-    if (stream_ != nullptr && reason_ == 0 && std::fwrite(text.data(), 1, text.size(), stream_) != text.size())
-        reason_ = errno;
+    if (out_.error() == 0)
+        out_.sputn(text.data(), static_cast<std::streamsize>(text.size()));
 }
 
 Fault OutputFile::publish() {
-    if (stream_ == nullptr)
-        return write_fault(file_, reason_, flag_);
-    if (reason_ == 0 && std::fflush(stream_) != 0)
-        reason_ = errno;
-    // Some file systems cannot confirm; that is no failure of the file.
-    if (reason_ == 0 && ::fsync(::fileno(stream_)) != 0 && errno != EINVAL && errno != ENOTSUP)
-        reason_ = errno;
-    if (reason_ != 0)
-        return write_fault(file_, reason_, flag_);
-    std::FILE* const stream = stream_;
-    stream_ = nullptr;
-    std::error_code fault;
-    if (std::fclose(stream) != 0)
-        reason_ = errno;
-    else {
-        std::filesystem::rename(part_, file_, fault);
-        reason_ = fault.value();
-    }
-    if (reason_ != 0)
-        std::filesystem::remove(part_, fault);
-    return write_fault(file_, reason_, flag_);
+    if (out_.error() == 0 && out_.publish())
+        return {};
+    return fault();
 }
 
 } // namespace windrow::cli

@@ -1,12 +1,10 @@
-// Files that appear under their name only when they are whole, and the folder that they lie in.
+// The files of a command and the folder that holds them.
 #pragma once
 
 #include "cli/fault.h"
+#include "fluid/new_file.h"
 
-#include <cstdint>
-#include <cstdio>
 #include <filesystem>
-#include <string>
 #include <string_view>
 
 namespace windrow::cli {
@@ -14,31 +12,38 @@ namespace windrow::cli {
 /// The fault behind an errno. `flag` names the place: a folder with --out, a file with any other.
 [[nodiscard]] Fault write_fault(const std::filesystem::path& file, int reason, std::string_view flag = "--out");
 
-/// Makes the folder where it is missing and tries it with a small file, before a long run ends in a folder that takes nothing.
-[[nodiscard]] Fault prepare_folder(const std::filesystem::path& folder);
+/// A folder that one command writes into, until this object ends.
+class OutputFolder {
+  public:
+    OutputFolder() = default;
+    ~OutputFolder();
+    OutputFolder(const OutputFolder&) = delete;
+    OutputFolder& operator=(const OutputFolder&) = delete;
 
-/// A text file that is written to `<name>.<process>.tmp` beside its name and renamed when it is whole. Dropped, it leaves
-/// nothing.
+    /// Makes the folder where it is missing, removes parts that killed runs left in it, and tries it with a small file, before a
+    /// long run ends in a folder that takes nothing. Refuses a folder that another command has open.
+    [[nodiscard]] Fault open(const std::filesystem::path& folder);
+
+  private:
+    int lock_ = -1;
+};
+
+/// A text file that appears under its name when it is whole (fluid/new_file.h). Dropped, it leaves nothing.
 class OutputFile {
   public:
     explicit OutputFile(std::filesystem::path file, const char* flag = "--out");
-    ~OutputFile();
-    OutputFile(const OutputFile&) = delete;
-    OutputFile& operator=(const OutputFile&) = delete;
 
     /// The first fault so far, before long work ends in a file that takes nothing.
     [[nodiscard]] Fault fault() const;
     /// Appends; after a failure it does nothing more.
     void write(std::string_view text);
-    /// Flushes, has the disk confirm, closes and renames; tells the first fault of all that was written.
+    /// Has the disk confirm and gives the file its name; the first fault of all that was written.
     [[nodiscard]] Fault publish();
 
   private:
     std::filesystem::path file_;
-    std::filesystem::path part_;
     const char* flag_;
-    std::FILE* stream_ = nullptr;
-    int reason_ = 0;
+    detail::NewFile out_;
 };
 
 } // namespace windrow::cli

@@ -15,6 +15,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <memory>
 
 namespace windrow::cli {
@@ -113,8 +114,9 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
         return complain_of(fault, console);
     const bool keeps = request.vdb || request.images || request.csv;
     const std::filesystem::path folder = request.out.value_or(std::filesystem::path("out") / scene->name);
+    OutputFolder output;
     if (keeps)
-        if (const auto fault = prepare_folder(folder))
+        if (const auto fault = output.open(folder))
             return complain_of(fault, console);
 
     const auto begin = std::chrono::steady_clock::now();
@@ -154,7 +156,8 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
                 fault = {.sentence = backend.fault(), .machine = true};
             if (fault) {
                 progress.clear();
-                return complain_of(fault, console);
+                code = complain_of(fault, console);
+                break;
             }
             ++done;
         }
@@ -162,12 +165,15 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
     }
     const int signal = stop_signal();
     // A sheet takes seconds: who pressed Ctrl-C does not want to wait for it.
-    if (signal == 0)
+    if (signal == 0 && code == k_exit_well)
         if (const auto fault = run.writer.write_contact_sheet())
-            return complain_of(fault, console);
+            code = complain_of(fault, console);
+    // The steps so far, whatever ended the run.
     if (run.csv)
-        if (const auto fault = run.csv->publish())
-            return complain_of(fault, console);
+        if (const auto fault = run.csv->publish(); fault && code == k_exit_well)
+            code = complain_of(fault, console);
+    if (code == k_exit_machine || code == k_exit_wrong_use)
+        return code;
 
     const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     report_run({.scene = *scene,
@@ -182,7 +188,7 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
                 .csv = request.csv},
                console);
     if (signal != 0 && done < frames) {
-        console.complain(message("stopped by ", signal == 2 ? "Ctrl-C" : "a signal", " after ", done, " of ", frames,
+        console.complain(message("stopped by ", signal == SIGINT ? "Ctrl-C" : "a signal", " after ", done, " of ", frames,
                                  " frames: what was written is whole."));
         return k_exit_signal + signal;
     }

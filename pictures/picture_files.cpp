@@ -1,14 +1,12 @@
 #include "pictures/picture_files.h"
 
 #include "fluid/message.h"
+#include "fluid/new_file.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
-#include <cerrno>
-#include <fstream>
-#include <system_error>
 
 namespace windrow::pictures {
 namespace {
@@ -43,27 +41,10 @@ Result<Bytes> encode(const char* format, const OIIO::ImageSpec& spec, OIIO::Type
     return bytes;
 }
 
-// Writes beside the name and renames: a full disk loses nothing.
 Result<void> publish(const Result<Bytes>& bytes, const std::filesystem::path& file) {
     if (!bytes)
         return Error{bytes.error()};
-    std::filesystem::path part = file;
-    part += ".part";
-    std::error_code fault;
-    {
-        std::ofstream stream(part, std::ios::binary);
-        stream.write(reinterpret_cast<const char*>(bytes->data()), static_cast<std::streamsize>(bytes->size()));
-        if (!stream.flush())
-            fault.assign(errno, std::generic_category());
-    }
-    if (!fault)
-        std::filesystem::rename(part, file, fault);
-    if (!fault)
-        return {};
-    std::error_code ignored;
-    std::filesystem::remove(part, ignored);
-    return Error{message("picture ", file.string(), " cannot be written (", fault.message(),
-                         "); name a file in a folder that you may write to, on a disk with room.")};
+    return detail::write_file("picture", file, {reinterpret_cast<const char*>(bytes->data()), bytes->size()});
 }
 
 OIIO::ImageBuf wrap(const Picture8& picture) {

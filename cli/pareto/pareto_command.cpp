@@ -78,7 +78,8 @@ std::string broken(const ParetoResult& result) {
 int run_pareto(const ParetoRequest& request, const Console& console, const std::function<int()>& stop_signal) {
     if (!check_memory(request, console))
         return k_exit_machine;
-    if (const Fault fault = prepare_folder(request.out))
+    OutputFolder output;
+    if (const Fault fault = output.open(request.out))
         return complain_of(fault, console);
     Backend backend;
     if (const Fault fault = backend.open(request.backend))

@@ -9,7 +9,8 @@
 namespace windrow::cli {
 
 int run_plants(const std::filesystem::path& out, const Console& console) {
-    if (const Fault fault = prepare_folder(out))
+    OutputFolder folder;
+    if (const Fault fault = folder.open(out))
         return complain_of(fault, console);
     struct Page {
         const char* name;

@@ -22,8 +22,9 @@ int run_verify(const VerifyRequest& request, const Console& console, const std::
     if (file)
         if (const auto fault = file->fault())
             return complain_of(fault, console);
+    OutputFolder folder;
     if (request.plots)
-        if (const Fault fault = prepare_folder(*request.plots))
+        if (const Fault fault = folder.open(*request.plots))
             return complain_of(fault, console);
 
     Backend backend;

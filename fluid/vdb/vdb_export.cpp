@@ -11,7 +11,7 @@
 #include "fluid/vdb/vdb_export.h"
 
 #include "fluid/message.h"
-#include "fluid/vdb/new_file.h"
+#include "fluid/new_file.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -21,13 +21,13 @@
 #include <openvdb/openvdb.h>
 #include <ostream>
 #include <string_view>
-#include <system_error>
 
 namespace windrow::vdb {
 
 namespace {
 
 using detail::message;
+using detail::NewFile;
 
 constexpr float k_largest_half = 65504.0f;
 
@@ -179,31 +179,34 @@ WriteResult failure(const std::filesystem::path& file, int error) {
     Problem problem = Problem::cannot_write;
     std::string_view fix = "name a file in a folder that you may write to";
     switch (error) {
+    case ENOENT:
+    case ENOTDIR:
+        fix = "create that folder first";
+        break;
+    case EISDIR:
+    case ENXIO:
+        fix = "it is a folder or a device, name a file";
+        break;
+    case ENAMETOOLONG:
+        fix = "shorten it";
+        break;
     case ENOSPC:
     case EDQUOT:
     case EFBIG:
         problem = Problem::disk_full;
         fix = "free some space or name another folder";
         break;
-    case ENOENT:
-    case ENOTDIR:
-        fix = "create that folder first";
-        break;
-    case EISDIR:
-    case EEXIST:
-        fix = "it is a folder or a device, name a file";
-        break;
-    case ENAMETOOLONG:
-        fix = "shorten it";
-        break;
     case EIO:
+        problem = Problem::disk_full;
         fix = "name a folder on another disk";
         break;
     default:
-        break;
+        if (detail::machine_lacks(error)) {
+            problem = Problem::out_of_memory;
+            fix = "end other programs";
+        }
     }
-    const std::string reason = std::generic_category().message(error);
-    return {problem, message(file.string(), ": ", reason, ": ", fix, "; nothing was changed.")};
+    return {problem, message(file.string(), ": ", detail::reason_of(error), ": ", fix, "; nothing was changed.")};
 }
 
 } // namespace

@@ -4,8 +4,8 @@
 //     if (!written)
 //         std::cerr << written.error() << '\n';
 //
-// A file is written beside its name as `<file>.tmp`, checked, and renamed: a full disk leaves the file of that name as it
-// was and nothing else behind. Files of the same wind differ in 36 bytes, a unique name that OpenVDB gives each file.
+// A file is written beside its name, checked, and renamed (fluid/new_file.h): a full disk leaves the file of that name as it was
+// and nothing else behind, and of two writers of one name the last wins. Files of the same wind differ in 36 bytes, a unique name that OpenVDB gives each file.
 // Different files may be written by different threads at once.
 #pragma once
 
@@ -78,9 +78,9 @@ struct Options {
 enum class Problem : std::uint8_t {
     none,          ///< It is written.
     refused,       ///< A field of the grid, the options or the sequence cannot be used.
-    cannot_write,  ///< The file cannot be made there: no such folder, no permission, a folder in its place, a broken device.
-    disk_full,     ///< The file does not fit: disk full, quota or file size limit reached.
-    out_of_memory, ///< The grid needs about as much memory again as the field, and there was none.
+    cannot_write,  ///< The file cannot be made there: no such folder, no permission, a folder in its place.
+    disk_full,     ///< The disk cannot hold it: full, broken, a quota or a limit reached.
+    out_of_memory, ///< No memory, or no file handle. The grid needs about as much memory again as the field, and there was none.
 };
 
 /// Result<void> that also says which kind of trouble it was, for a caller that answers each in its own way.

@@ -237,17 +237,42 @@ TEST_F(Command, StopsAfterTheFrameWithWholeFiles) {
 }
 
 TEST_F(Command, SignalsAreNoted) {
-    {
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
         const InterruptGuard guard;
         EXPECT_EQ(InterruptGuard::signal(), 0);
-        std::raise(SIGINT);
-        EXPECT_EQ(InterruptGuard::signal(), SIGINT);
+        std::raise(number);
+        EXPECT_EQ(InterruptGuard::signal(), number);
     }
     const InterruptGuard guard;
     EXPECT_EQ(InterruptGuard::signal(), 0) << "a new guard begins anew";
 }
 
 // --- Folders and disks -----------------------------------------------------------------------------------------------
+
+TEST_F(Command, AFolderBelongsToOneRun) {
+    const std::string out = in("shared");
+    const std::vector<const char*> again{"run", scene.c_str(), "--csv", "--out", out.c_str()};
+    {
+        OutputFolder other;
+        ASSERT_FALSE(other.open(out));
+        expect_refusal(again, out + ": another windrow writes into this folder: wait for it, or give another folder with --out.");
+        EXPECT_EQ(list(out), "");
+    }
+    EXPECT_EQ(run(again).code, k_exit_well);
+    EXPECT_EQ(list(out), "timings.csv ");
+}
+
+TEST_F(Command, AFaultAtAFrameKeepsTheStepsBefore) {
+    if (!built_with_vdb())
+        GTEST_SKIP() << "needs --vdb";
+    const std::string out = in("fault");
+    fs::create_directories(fs::path(out) / "vel_0002.vdb");
+    const Outcome outcome = run({"run", scene.c_str(), "--csv", "--vdb", "--out", out.c_str()});
+    EXPECT_EQ(outcome.code, k_exit_wrong_use);
+    EXPECT_EQ(list(out), "timings.csv vel_0000.vdb vel_0001.vdb vel_0002.vdb ");
+    std::ifstream table(fs::path(out) / "timings.csv");
+    EXPECT_EQ(std::count(std::istreambuf_iterator<char>(table), std::istreambuf_iterator<char>(), '\n'), 1 + 12);
+}
 
 TEST_F(Command, FoldersThatCannotBeWritten) {
     const std::string below = scene + "/out"; // a file stands where a folder is needed

@@ -1,38 +1,25 @@
 // The mask as a binary PGM: what every image program opens, without a library.
+#include "fluid/new_file.h"
 #include "vegetation/grass/placement_mask.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <sstream>
-#include <system_error>
+#include <string>
 
 namespace windrow::vegetation::grass {
 
 windrow::Result<void> PlacementMask::save(const std::string& path) const {
-    const std::string beside = path + ".part";
-    std::ofstream file(beside, std::ios::binary);
-    file << "P5\n" << grid_.corners.x << " " << grid_.corners.y << "\n65535\n";
-    std::string bytes;
-    bytes.reserve(2 * values_.size());
+    std::string bytes = "P5\n" + std::to_string(grid_.corners.x) + " " + std::to_string(grid_.corners.y) + "\n65535\n";
+    bytes.reserve(bytes.size() + 2 * values_.size());
     for (const float value : values_) {
         const auto level = static_cast<std::uint32_t>(value * 65535.0f + 0.5f);
         bytes.push_back(static_cast<char>(level >> 8)); // PGM has the high byte first
         bytes.push_back(static_cast<char>(level & 255u));
     }
-    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    file.close();
-    std::error_code failed;
-    if (file.good())
-        std::filesystem::rename(beside, path, failed);
-    if (!file.good() || failed) {
-        std::filesystem::remove(beside, failed);
-        return windrow::Error{path + " cannot be written: name a file in a folder that exists and that you may write to."};
-    }
-    return {};
+    return windrow::detail::write_file("mask", path, bytes);
 }
 
 windrow::Result<PlacementMask> PlacementMask::load(const std::string& path, glm::vec2 extent) {

@@ -1,5 +1,7 @@
 #include "vegetation/program/stage_table.h"
 
+#include "fluid/new_file.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -84,34 +86,20 @@ std::string StageTable::text() const {
 }
 
 windrow::Result<void> StageTable::write(const std::filesystem::path& file) const {
-    std::filesystem::path beside = file;
-    beside += ".part";
-    const auto refused = [&] {
-        std::error_code ignored;
-        std::filesystem::remove(beside, ignored);
-        return windrow::Error{file.string() + " cannot be written; name a folder that you may write to, on a disk with room."};
-    };
-    std::FILE* const out = std::fopen(beside.c_str(), "w");
-    if (out == nullptr)
-        return refused();
-    std::fputs("frame", out);
+    std::string text = "frame";
     for (const std::string& name : names_)
-        std::fprintf(out, ",%s_ms", name.c_str());
-    std::fputc('\n', out);
+        text += "," + name + "_ms";
+    text += '\n';
     for (std::size_t row = 0; row < rows_.size(); ++row) {
-        std::fprintf(out, "%lld", static_cast<long long>(frames_[row]));
-        for (const double time : rows_[row])
-            std::fprintf(out, ",%.4f", time);
-        std::fputc('\n', out);
+        text += std::to_string(frames_[row]);
+        for (const double time : rows_[row]) {
+            char figure[32];
+            std::snprintf(figure, sizeof figure, ",%.4f", time);
+            text += figure;
+        }
+        text += '\n';
     }
-    const bool written = std::ferror(out) == 0;
-    if (std::fclose(out) != 0 || !written)
-        return refused();
-    std::error_code error;
-    std::filesystem::rename(beside, file, error);
-    if (error)
-        return refused();
-    return {};
+    return windrow::detail::write_file("table", file, text);
 }
 
 } // namespace windrow::vegetation::program

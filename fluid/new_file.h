@@ -1,0 +1,70 @@
+// A file that appears under its name only when it is complete.
+//
+//     detail::NewFile file("wind.vdb");
+//     std::ostream(&file) << bytes;
+//     if (!file.publish())
+//         return reason(file.error());
+//
+// The bytes go to a part file beside the name, which no other writer shares: `<name>.<process>.<count>.windrow-part`, made
+// exclusively and locked while it is written. publish() flushes, has the disk confirm, closes and renames. Until then, and for
+// good if anything failed, whatever had the name keeps it, and the part is removed. What a killed process left has no lock any
+// more: clear_dead_parts() finds it.
+#pragma once
+
+#include "fluid/result.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <streambuf>
+#include <string_view>
+#include <vector>
+
+namespace windrow::detail {
+
+/// A stream buffer for a std::ostream, with the reason kept: std::filebuf may lose errno and never asks the disk.
+class NewFile : public std::streambuf {
+  public:
+    /// Opens the part; error() tells whether that worked. Through a symbolic link it writes what the link leads to.
+    explicit NewFile(const std::filesystem::path& name);
+    ~NewFile() override;
+    NewFile(const NewFile&) = delete;
+    NewFile& operator=(const NewFile&) = delete;
+
+    /// Gives the file its name; false if this or anything before it failed.
+    [[nodiscard]] bool publish();
+    /// errno of the first failure, 0 without one. EISDIR, ENXIO: the name is that of a folder, of no regular file. Nothing is
+    /// written after a failure.
+    [[nodiscard]] int error() const { return error_; }
+
+  protected:
+    int_type overflow(int_type character) override;
+    int sync() override;
+    pos_type seekoff(off_type offset, std::ios_base::seekdir from, std::ios_base::openmode which) override;
+    pos_type seekpos(pos_type position, std::ios_base::openmode which) override;
+
+  private:
+    void open_part();
+    [[nodiscard]] bool flush();
+    [[nodiscard]] bool check(bool succeeded); ///< Keeps errno of the first failure.
+
+    std::filesystem::path name_;
+    std::filesystem::path part_;
+    std::vector<char> buffer_;
+    int descriptor_ = -1;
+    bool part_exists_ = false;
+    int error_ = 0;
+};
+
+/// The whole file at once. The error names `what` ("picture", "table"), the file and the reason.
+[[nodiscard]] Result<void> write_file(std::string_view what, const std::filesystem::path& file, std::string_view bytes);
+
+/// "no space left on device", or what else an errno means.
+[[nodiscard]] std::string reason_of(int error);
+
+/// Whether an errno is the machine's fault (disk full or broken, no memory), not the name's.
+[[nodiscard]] bool machine_lacks(int error);
+
+/// Removes the parts in a folder that nobody writes any more.
+void clear_dead_parts(const std::filesystem::path& folder);
+
+} // namespace windrow::detail
