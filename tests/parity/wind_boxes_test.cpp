@@ -9,6 +9,7 @@ struct Story {
     const char* name;
     glm::ivec3 cells;
     int steps;
+    double bound = 1e-5;
 };
 
 // Sides of every kind in two mixes, each with an axis that follows.
@@ -55,7 +56,7 @@ class WindBoxes : public WindParity {
         EXPECT_EQ(pair.compared, story.steps);
         EXPECT_NE(pair.cpu.origin(), windrow::Wind::create(config)->origin()) << "the box never moved";
         const std::string name = std::string(floor ? ".floor" : ".walls") + (ticks ? ".ticks." : ".steps.");
-        report("box" + name + story.name, pair, 1e-5);
+        report("box" + name + story.name, pair, story.bound);
     }
 };
 
@@ -75,8 +76,9 @@ TEST_F(WindBoxes, OfOddSizes) {
         live({"17x9x23", {17, 9, 23}, 100}, floor, floor);
 }
 
+// The jet's way is long enough here to roll up: on the CPU alone a nozzle faster by 5e-6 ends 1.8e-5 apart.
 TEST_F(WindBoxes, LongOfTwiceTheDefault) {
-    live({"64x32x64", {64, 32, 64}, 100}, true, true);
+    live({"64x32x64", {64, 32, 64}, 100, 1e-4}, true, true);
 }
 
 // Planes that do not fit in 32 KiB of shared memory: x and z go apart.
