@@ -69,10 +69,13 @@ void gains_no_energy(Tally& tally, Config (*config)(), double most_cells) {
     // Else there is nothing but rounding to compare with: a box one cell across may hold no wind at all.
     const Field start = white_noise(story.config.cells, 1.0f, story.start.seed);
     RC_PRE(energy_of(projected(start, wind->box())) > 1e-6 * energy_of(start));
-    // Between an open boundary and a wall a few cells off, what a projection adds (below) is seen: 1 to 7 % in columns of 5 cells.
+    // Two cases show what a projection with open boundaries adds (below): a wall a few cells off, 1 to 12 % in columns of 5 cells,
+    // and boundaries that change, 0.7 %.
     const glm::ivec3 cells = story.config.cells;
-    const bool narrow = std::min({cells.x, cells.y, cells.z}) < 12;
-    tally.tell(story, {.energy_of_start = narrow ? k_open_projections : 1.001});
+    const bool shown = std::min({cells.x, cells.y, cells.z}) < 12 ||
+                       std::any_of(story.events.begin(), story.events.end(),
+                                   [](const story::Event& event) { return std::holds_alternative<story::ChangeSides>(event); });
+    tally.tell(story, {.energy_of_start = shown ? k_open_projections : 1.001});
 }
 
 // Linear weights average: no box is too small and no step too long.
@@ -83,7 +86,7 @@ TEST(RandomStories, LinearOnesGainNoEnergyByThemselves) {
         return linear;
     };
     Tally tally;
-    EXPECT_TRUE(check("linear: energy never above 1.001 of the start, 4.84 in narrow boxes",
+    EXPECT_TRUE(check("linear: energy never above 1.001 of the start, 4.84 where projections show",
                       [&] { gains_no_energy(tally, config, 10.0); }));
     tally.print("random_calm_linear", {k_open_projections, 0.0});
 }
@@ -98,8 +101,9 @@ TEST(RandomStories, CubicOnesGainNoEnergyByThemselves) {
         return cubic;
     };
     Tally tally;
-    EXPECT_TRUE(check("cubic: energy never above 1.001 of the start", [&] { gains_no_energy(tally, config, 2.0); }));
-    tally.print("random_calm_cubic", {1.001, 0.0});
+    EXPECT_TRUE(check("cubic: energy never above 1.001 of the start, 4.84 where projections show",
+                      [&] { gains_no_energy(tally, config, 2.0); }));
+    tally.print("random_calm_cubic", {k_open_projections, 0.0});
 }
 
 // --- The projection by itself --------------------------------------------------------------------------------------------
