@@ -40,4 +40,14 @@ std::string device_name() {
     return detail::message(model, ", ", cores, cores == 1 ? " core" : " cores");
 }
 
+std::unique_ptr<ThreadPool> make_pool(int threads, const Console& console) {
+    const int wanted = threads > 0 ? threads : usable_cores();
+    auto pool = std::make_unique<ThreadPool>(wanted);
+    if (pool->size() < wanted)
+        console.warn(detail::message("the system gives ", pool->size(), " of ", wanted,
+                                     " threads: raise its limit on processes (ulimit -u), or give --threads ", pool->size(),
+                                     "."));
+    return pool;
+}
+
 } // namespace windrow::cli

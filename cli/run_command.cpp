@@ -10,7 +10,6 @@
 #include "cli/timings.h"
 #include "cli/timings_csv.h"
 #include "fluid/message.h"
-#include "fluid/thread_pool.h"
 #include "scene/scene_reader.h"
 
 #include <chrono>
@@ -120,9 +119,8 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
             return complain_of(fault, console);
 
     const auto begin = std::chrono::steady_clock::now();
-    const int threads = request.threads > 0 ? request.threads : usable_cores();
-    ThreadPool pool(threads);
-    auto playback = Playback::create(*scene, pool.parallel_for(), backend);
+    const auto pool = make_pool(request.threads, console);
+    auto playback = Playback::create(*scene, pool->parallel_for(), backend);
     if (!playback) {
         console.complain(playback.error());
         return backend.is_cpu() ? k_exit_wrong_use : k_exit_machine; // a device that has no room
@@ -182,7 +180,7 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
                 .timings = run.timings,
                 .air_seconds = playback->time(),
                 .wall_seconds = wall,
-                .threads = threads,
+                .threads = pool->size(),
                 .device = backend.device_words(),
                 .frames_done = done,
                 .csv = request.csv},

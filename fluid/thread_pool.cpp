@@ -6,6 +6,8 @@
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
+#include <new>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -185,15 +187,23 @@ struct ThreadPool::State {
     }
 };
 
-ThreadPool::ThreadPool(int threads) : state_(std::make_unique<State>()) {
+ThreadPool::ThreadPool(int threads) {
     const int wanted = threads > 0 ? threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    state_->shares = std::make_unique<ShareWord[]>(static_cast<std::size_t>(wanted));
-    state_->workers.reserve(static_cast<std::size_t>(wanted) - 1);
-    for (int n = 1; n < wanted; ++n)
-        state_->workers.emplace_back([state = state_.get(), n] { state->work(n); });
+    // No memory, or a limit on processes: with the threads that there are.
+    try {
+        state_ = std::make_unique<State>();
+        state_->shares = std::make_unique<ShareWord[]>(static_cast<std::size_t>(wanted));
+        state_->workers.reserve(static_cast<std::size_t>(wanted) - 1);
+        for (int n = 1; n < wanted; ++n)
+            state_->workers.emplace_back([state = state_.get(), n] { state->work(n); });
+    } catch (const std::bad_alloc&) {
+    } catch (const std::system_error&) {
+    }
 }
 
 ThreadPool::~ThreadPool() {
+    if (!state_)
+        return;
     {
         const std::lock_guard lock(state_->mutex);
         state_->stop.store(true, std::memory_order_release);
@@ -204,11 +214,11 @@ ThreadPool::~ThreadPool() {
 }
 
 int ThreadPool::size() const {
-    return static_cast<int>(state_->workers.size()) + 1;
+    return state_ ? state_->threads() : 1;
 }
 
 ParallelFor ThreadPool::parallel_for() {
-    if (state_->workers.empty())
+    if (size() == 1)
         return {};
     return {[](void* context, int count, void (*task)(void*, int), void* argument) {
                 static_cast<State*>(context)->run(count, task, argument);

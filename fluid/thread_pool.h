@@ -15,7 +15,8 @@ namespace windrow {
 
 class ThreadPool {
   public:
-    /// `threads` in all, the caller's included; 0 takes one a core. One starts no thread.
+    /// `threads` in all, the caller's included; 0 takes one a core. One starts no thread. Where the system gives fewer (a limit on
+    /// processes, no memory), the pool goes on with those: size().
     explicit ThreadPool(int threads = 0);
     ~ThreadPool();
     ThreadPool(const ThreadPool&) = delete;
@@ -29,7 +30,7 @@ class ThreadPool {
 
   private:
     struct State;
-    std::unique_ptr<State> state_;
+    std::unique_ptr<State> state_; ///< null: the caller works alone
 };
 
 } // namespace windrow

@@ -62,11 +62,11 @@ int run_bench(const BenchRequest& request, const Console& console, const std::fu
         if (const auto fault = file->fault())
             return complain_of(fault, console);
 
-    const int threads = request.threads > 0 ? request.threads : usable_cores();
-    if (threads > usable_cores())
-        console.complain(message("--threads is ", threads, ", more than the ", usable_cores(),
+    if (request.threads > usable_cores())
+        console.complain(message("--threads is ", request.threads, ", more than the ", usable_cores(),
                                  " cores: the threads wait for each other, and ratios tell of that."));
-    ThreadPool pool(threads);
+    const auto pool = make_pool(request.threads, console);
+    const int threads = pool->size();
     const std::function<bool()> stopped = [&] { return stop_signal() != 0; };
     BenchResult result{.device = device_name(),
                        .compiler = compiler_name(),
@@ -77,7 +77,7 @@ int run_bench(const BenchRequest& request, const Console& console, const std::fu
                        .volumes = {}};
     report_machine(result, console);
     for (const glm::ivec3 cells : request.grids) {
-        auto grid = measure_grid(cells, request, threads, pool.parallel_for(), stopped);
+        auto grid = measure_grid(cells, request, threads, pool->parallel_for(), stopped);
         if (!grid)
             return refuse(grid.error(), console);
         if (!*grid)
@@ -88,7 +88,7 @@ int run_bench(const BenchRequest& request, const Console& console, const std::fu
     for (const int count : request.volumes) {
         const auto volumes =
             measure_volumes({.volumes = count, .threads = threads, .simd = request.simd, .seconds = request.seconds},
-                            pool.parallel_for(), stopped);
+                            pool->parallel_for(), stopped);
         if (!volumes)
             return refuse(volumes.error(), console);
         if (!*volumes)

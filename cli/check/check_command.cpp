@@ -87,11 +87,11 @@ int run_check(const CheckRequest& request, const Console& console, const std::fu
         console.warn(
             "a software device runs the large grids for a few steps, and one story under --gpu-validation; --full runs all.");
 
-    ThreadPool pool(usable_cores());
+    const auto pool = make_pool(0, console);
     const auto run_under = [&](const char* name, bool validated, bool gpu) {
         result.runs.push_back({.validation = name, .validated = validated});
         return run_stories(request, {.device = request.device, .validation = validated, .gpu_validation = gpu},
-                           pool.parallel_for(), console, stop_signal, result.runs.back());
+                           pool->parallel_for(), console, stop_signal, result.runs.back());
     };
     if (const int code = run_under(layer ? "core and synchronisation" : "none, the layer is not installed", layer, false);
         code != k_exit_well)

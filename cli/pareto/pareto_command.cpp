@@ -84,11 +84,11 @@ int run_pareto(const ParetoRequest& request, const Console& console, const std::
     Backend backend;
     if (const Fault fault = backend.open(request.backend))
         return complain_of(fault, console);
-    const int threads = request.threads > 0 ? request.threads : usable_cores();
-    if (threads > usable_cores())
-        console.complain(message("--threads is ", threads, ", more than the ", usable_cores(),
+    if (request.threads > usable_cores())
+        console.complain(message("--threads is ", request.threads, ", more than the ", usable_cores(),
                                  " cores: the threads wait for each other, and times tell of that."));
-    ThreadPool pool(threads);
+    const auto pool = make_pool(request.threads, console);
+    const int threads = pool->size();
     const std::function<bool()> stopped = [&] { return stop_signal() != 0; };
     ParetoResult result{.device = backend.is_cpu() ? device_name() : backend.device_words(),
                         .simd = name_of(request.simd),
@@ -99,7 +99,7 @@ int run_pareto(const ParetoRequest& request, const Console& console, const std::
     for (const ParetoFlow& flow : request.flows) {
         console.out << "\n" << flow.name << ": " << flow.what << "\n";
         console.out.flush();
-        auto found = run_flow(flow, request, threads, pool.parallel_for(), backend, console, stopped);
+        auto found = run_flow(flow, request, threads, pool->parallel_for(), backend, console, stopped);
         if (!found && backend.fault().empty()) {
             console.complain(found.error());
             return backend.is_cpu() ? k_exit_wrong_use : k_exit_machine; // a device that has no room

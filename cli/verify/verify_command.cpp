@@ -30,11 +30,11 @@ int run_verify(const VerifyRequest& request, const Console& console, const std::
     Backend backend;
     if (const auto fault = backend.open(request.backend))
         return complain_of(fault, console);
-    ThreadPool pool(request.threads > 0 ? request.threads : usable_cores());
-    const VerifySetting setting{.simd = request.simd, .parallel_for = pool.parallel_for(), .backend = backend, .stopped = [&] {
+    const auto pool = make_pool(request.threads, console);
+    const VerifySetting setting{.simd = request.simd, .parallel_for = pool->parallel_for(), .backend = backend, .stopped = [&] {
                                     return stop_signal() != 0;
                                 }};
-    report_setting(pool.size(), request.simd, backend.device_words(), console);
+    report_setting(pool->size(), request.simd, backend.device_words(), console);
     std::vector<VerifiedCase> verified;
     for (const VerifyCase& one : request.cases) {
         report_case(one, console);

@@ -10,7 +10,10 @@
 #include <gtest/gtest.h>
 #include <memory>
 #include <numeric>
+#include <sys/resource.h>
+#include <sys/wait.h>
 #include <thread>
+#include <unistd.h>
 #include <vector>
 
 namespace {
@@ -142,6 +145,34 @@ TEST(ThreadPool, AWorkloadOfUnevenTasksEnds) {
             sum += value != 0;
         });
     EXPECT_EQ(sum.load(), 16u * loops(200));
+}
+
+// As a container or `ulimit -u` limits them. A process of its own, as a user whose limit holds: the superuser has none.
+TEST(ThreadPool, GoesOnWithTheThreadsThatTheSystemGives) {
+#if defined(__SANITIZE_THREAD__)
+    GTEST_SKIP() << "ThreadSanitizer watches no threads of a process that was forked";
+#endif
+    for (const rlim_t most : {rlim_t{1}, rlim_t{4}}) {
+        const pid_t child = ::fork();
+        if (child == 0) {
+            const rlimit limit{most, most};
+            if (::setrlimit(RLIMIT_NPROC, &limit) != 0 || (::geteuid() == 0 && ::setuid(65534) != 0))
+                ::_exit(9);
+            ThreadPool pool(64);
+            std::vector<int> calls(1000);
+            const auto count = [&](int n) { ++calls[static_cast<std::size_t>(n)]; };
+            pool.parallel_for()(1000, count);
+            const bool once = std::all_of(calls.begin(), calls.end(), [](int n) { return n == 1; });
+            ::_exit(once ? std::min(pool.size(), 100) : 200);
+        }
+        int status = 0;
+        ::waitpid(child, &status, 0);
+        ASSERT_TRUE(WIFEXITED(status)) << "killed by signal " << WTERMSIG(status);
+        if (WEXITSTATUS(status) == 9)
+            GTEST_SKIP() << "this user may not set a limit";
+        EXPECT_GE(WEXITSTATUS(status), 1);
+        EXPECT_LT(WEXITSTATUS(status), 64);
+    }
 }
 
 } // namespace

@@ -25,11 +25,11 @@ int measure_device(vulkan::OwnDevice& own, const BenchRequest& request, const Co
               .commit = commit_name(),
               .software = facts.software};
     report_device(result, console);
-    ThreadPool pool(request.threads > 0 ? request.threads : usable_cores());
+    const auto pool = make_pool(request.threads, console);
     const std::function<bool()> stopped = [&] { return stop_signal() != 0; };
     for (const glm::ivec3 cells : request.grids) {
         auto grid = measure_device_grid(
-            own, {.cells = cells, .seconds = request.seconds, .simd = request.simd, .parallel_for = pool.parallel_for()},
+            own, {.cells = cells, .seconds = request.seconds, .simd = request.simd, .parallel_for = pool->parallel_for()},
             stopped);
         if (!grid) {
             console.complain(grid.error());
