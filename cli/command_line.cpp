@@ -151,6 +151,17 @@ int start_check(const CheckFlags& flags, const CLI::App& check, const Console& c
 #endif
 }
 
+// "--out --vdb" would name a folder "--vdb" and keep nothing.
+std::string flag_as_value(const CLI::App& app) {
+    for (const CLI::App* command : app.get_subcommands())
+        for (const CLI::Option* option : command->get_options())
+            for (const std::string& value : option->results())
+                if (value.starts_with("--") && option->get_expected_min() > 0)
+                    return message(option->get_name(), " has no value: ", value, " is a flag; write ./", value,
+                                   " for a file of that name.");
+    return {};
+}
+
 } // namespace
 
 int run_command_line(int count, const char* const* arguments, const Console& console) {
@@ -180,6 +191,10 @@ int run_command_line(int count, const char* const* arguments, const Console& con
         return k_exit_well;
     } catch (const CLI::ParseError& fault) {
         console.complain(sentence_of(fault, app, count, arguments));
+        return k_exit_wrong_use;
+    }
+    if (const std::string swallowed = flag_as_value(app); !swallowed.empty()) {
+        console.complain(swallowed);
         return k_exit_wrong_use;
     }
     if (const CLI::App* run = app.get_subcommand("run"); run->parsed())

@@ -2,6 +2,7 @@
 
 #include "fluid/ambient_numerics.h"
 #include "fluid/message.h"
+#include "fluid/window.h"
 
 #include <algorithm>
 #include <bit>
@@ -48,6 +49,30 @@ double wrapped(double value, double period) {
     return rest < 0.0 ? rest + period : rest;
 }
 
+struct SamplingField {
+    const char* name;
+    float Sampling::*value;
+    float low, high;
+    const char *unit, *fix;
+
+    [[nodiscard]] bool holds(const Sampling& sampling) const { // not for NaN
+        return sampling.*value >= low && sampling.*value <= high;
+    }
+};
+constexpr SamplingField k_sampling[] = {
+    {"strength", &Sampling::strength, 0.0f, 1000.0f, "", "give 0 to 1000."},
+    {"limit", &Sampling::limit, 0.0f, 1e6f, " m/s", "give 0 to 1e6 m/s."},
+    {"detail", &Sampling::detail, 0.0f, 1.0f, "", "give 0 (none) to 1, a share of the local speed."},
+    {"detail_length", &Sampling::detail_length, 1e-3f, 1e6f, " m", "give 1e-3 to 1e6 m from ripple to ripple."}};
+
+// What validate() rejects has its default: plants are drawn with it, where a NaN would spread.
+Sampling usable(Sampling sampling) {
+    for (const SamplingField& field : k_sampling)
+        if (!field.holds(sampling))
+            sampling.*field.value = Sampling{}.*field.value;
+    return sampling;
+}
+
 numerics::TileView view(const std::shared_ptr<const GustTile>& tile) {
     return {tile ? tile->texels().data() : nullptr};
 }
@@ -77,11 +102,9 @@ Result<void> validate(const Gusts& gusts) {
 
 Result<void> validate(const Sampling& sampling) {
     detail::Reasons reasons;
-    require(reasons, "sampling.strength", sampling.strength, 0.0f, 1000.0f, "", "give 0 to 1000.");
-    require(reasons, "sampling.limit", sampling.limit, 0.0f, 1e6f, " m/s", "give 0 to 1e6 m/s.");
-    require(reasons, "sampling.detail", sampling.detail, 0.0f, 1.0f, "", "give 0 (none) to 1, a share of the local speed.");
-    require(reasons, "sampling.detail_length", sampling.detail_length, 1e-3f, 1e6f, " m",
-            "give 1e-3 to 1e6 m from ripple to ripple.");
+    for (const SamplingField& field : k_sampling)
+        if (!field.holds(sampling))
+            reasons.add("sampling.", field.name, " is ", sampling.*field.value, field.unit, ": ", field.fix);
     return outcome(reasons);
 }
 
@@ -116,13 +139,16 @@ glm::vec3 AmbientWind::velocity(glm::dvec3 position) const {
     return numerics::windrow_ambient(view(tile()), shared(block(position)), glm::vec3(0.0f));
 }
 
-glm::vec3 AmbientWind::felt(glm::vec3 velocity, glm::dvec3 position, const Sampling& sampling) const {
+glm::vec3 AmbientWind::felt(glm::vec3 velocity, glm::dvec3 position, const Sampling& asked) const {
+    const Sampling sampling = usable(asked);
     if (!(sampling.detail > 0.0f) || !finite(position))
         return numerics::windrow_limited(velocity, sampling.strength, sampling.limit);
     return numerics::windrow_felt(view(tile()), shared(block(position, sampling)), velocity, glm::vec3(0.0f));
 }
 
-AmbientBlock AmbientWind::block(glm::dvec3 anchor, const Sampling& sampling) const {
+AmbientBlock AmbientWind::block(glm::dvec3 anchor, const Sampling& asked) const {
+    const Sampling sampling = usable(asked);
+    anchor = detail::usable_anchor(anchor);
     AmbientBlock block;
     block.mean = glm::vec4(settings_.mean, gust_strength());
     if (settings_.profile) {

@@ -10,8 +10,10 @@ namespace {
 constexpr const char* k_side_names[3][2] = {
     {"sides.x_low", "sides.x_high"}, {"sides.y_low", "sides.y_high"}, {"sides.z_low", "sides.z_high"}};
 
-bool finite(glm::vec3 v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+constexpr float k_most_wall_speed = 1e4f; // as of the ambient wind
+
+bool usable(glm::vec3 v) {
+    return std::abs(v.x) <= k_most_wall_speed && std::abs(v.y) <= k_most_wall_speed && std::abs(v.z) <= k_most_wall_speed;
 }
 
 } // namespace
@@ -47,8 +49,11 @@ Result<void> validate(const Sides& sides) {
         for (int end = 0; end < 2; ++end) {
             const Side& side = sides.at(axis, end);
             const char* const name = k_side_names[axis][end];
-            if (!finite(side.wall_velocity))
-                reasons.add(name, ".wall_velocity is ", side.wall_velocity, " m/s: give finite numbers.");
+            if (side.kind > SideKind::periodic)
+                reasons.add(name, ".kind is ", static_cast<int>(side.kind), ": give open, free_slip, no_slip or periodic.");
+            if (!usable(side.wall_velocity))
+                reasons.add(name, ".wall_velocity is ", side.wall_velocity,
+                            " m/s: give finite numbers, at most 1e4 m/s in size.");
             else if (side.kind != SideKind::no_slip && side.wall_velocity != glm::vec3(0.0f))
                 reasons.add(name, ".wall_velocity is ", side.wall_velocity,
                             " m/s but only a no-slip wall drags the air: make the side no_slip or the velocity 0.");

@@ -91,6 +91,7 @@ Result<void> WindView::write_axes(std::span<std::uint16_t> x, std::span<std::uin
 }
 
 WindowBlock WindView::block(glm::dvec3 anchor) const {
+    anchor = detail::usable_anchor(anchor);
     const float h = box_->cell_size;
     WindowBlock block;
     block.origin_and_cell_size = {glm::vec3(origin() - anchor), h};

@@ -41,7 +41,13 @@ Result<void> validate(const Config& config) {
         reasons.add("max_cfl is ", config.max_cfl, ": give a number above 0, at most 1e6; 2 is accurate.");
     if (config.max_substeps < 1 || config.max_substeps > 64)
         reasons.add("max_substeps is ", config.max_substeps, ": give 1 to 64.");
-    if (!runs(config.simd))
+    if (config.scheme > Scheme::stable_fluids)
+        reasons.add("scheme is ", static_cast<int>(config.scheme), ": give second_order or stable_fluids.");
+    if (config.interpolation > Interpolation::cubic)
+        reasons.add("interpolation is ", static_cast<int>(config.interpolation), ": give linear or cubic.");
+    if (config.simd > Simd::avx512)
+        reasons.add("simd is ", static_cast<int>(config.simd), ": give best, baseline, avx2 or avx512.");
+    else if (!runs(config.simd))
         reasons.add("simd is ", name_of(config.simd), ", which this machine does not run: give best or baseline.");
     if (!reasons.empty())
         return Error{reasons.take()};

@@ -182,7 +182,7 @@ class Wind {
     Result<void> write_axes(std::span<std::uint16_t> x, std::span<std::uint16_t> y, std::span<std::uint16_t> z) const {
         return view().write_axes(x, y, z);
     }
-    /// Where the textures lie, relative to `anchor` [m], and where they lay in the frame before.
+    /// Where the textures lie, relative to `anchor` [m] (one that is not finite counts as 0), and where they lay in the frame before.
     [[nodiscard]] WindowBlock window_block(glm::dvec3 anchor) const;
     /// The same with what blows around the box: all that shaders/coupling/windrow_wind.glsl wants beside the textures.
     [[nodiscard]] FrameBlock frame_block(glm::dvec3 anchor, const Sampling& sampling = {}) const;

@@ -199,6 +199,7 @@ void WindHost::record_to(EventLog* to) {
 }
 
 WindowBlock WindHost::window_block(glm::dvec3 anchor, const WindView& view, const WindView& previous_view) const {
+    anchor = detail::usable_anchor(anchor);
     WindowBlock block = view.block(anchor);
     if (frames) {
         const WindowBlock before = previous_view.block(anchor);

@@ -1,6 +1,7 @@
 // The box's place in the world: whole cells, counted in 64 bits, so that following loses nothing and distance costs nothing.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -35,5 +36,12 @@ struct Window {
 
 /// Moves the box by `shift` cells over a field: cell x takes what was at x + shift, cells from outside take `fresh`. In place.
 void shift_field(std::span<glm::vec4> field, glm::ivec3 cells, CellIndex shift, glm::vec4 fresh);
+
+namespace detail {
+/// What shaders' positions are relative to: an anchor that is not finite counts as 0.
+[[nodiscard]] inline glm::dvec3 usable_anchor(glm::dvec3 anchor) {
+    return std::isfinite(anchor.x) && std::isfinite(anchor.y) && std::isfinite(anchor.z) ? anchor : glm::dvec3(0.0);
+}
+} // namespace detail
 
 } // namespace windrow

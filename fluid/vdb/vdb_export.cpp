@@ -71,6 +71,12 @@ Result<void> check(const VelocityGrid& grid, const std::filesystem::path& file, 
         reasons.add("file is \"", file.string(), "\": end it in a file name, such as wind.vdb.");
     if (options.name.empty() || !is_plain_name(options.name))
         reasons.add("name is \"", options.name, "\": name the grid, without '/' and control characters, such as vel.");
+    if (options.form > Form::three_scalars)
+        reasons.add("form is ", static_cast<int>(options.form), ": give one_vector or three_scalars.");
+    if (options.precision > Precision::half)
+        reasons.add("precision is ", static_cast<int>(options.precision), ": give full or half.");
+    if (options.up > UpAxis::z)
+        reasons.add("up is ", static_cast<int>(options.up), ": give y or z.");
     if (!std::isfinite(options.time))
         reasons.add("time is ", options.time, " s: give a finite time.");
     if (!is_finite(grid.origin))

@@ -106,6 +106,8 @@ TEST_F(Command, WrongFlagsAreNamed) {
     expect_refusal({"run", "x.json", "--frame", "3"}, "--frame is no flag (did you mean --frames?): see windrow run --help.");
     expect_refusal({"run", "x.json", "y.json"}, "y.json is one word too many: see windrow run --help.");
     expect_refusal({"run", "x.json", "--frames"}, "--frames: 1 required N missing: see windrow run --help.");
+    expect_refusal({"run", "x.json", "--out", "--vdb"},
+                   "--out has no value: --vdb is a flag; write ./--vdb for a file of that name.");
     expect_refusal({"run", "x.json", "--frames", "0"}, "--frames is 0: give a whole number from 1 to 100000.");
     expect_refusal({"run", "x.json", "--frames", "1000000000"}, "--frames is 1000000000: give a whole number from 1 to 100000.");
     expect_refusal({"run", "x.json", "--frames", "ten"}, "--frames is ten: give a whole number from 1 to 100000.");

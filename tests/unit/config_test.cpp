@@ -49,6 +49,13 @@ std::vector<Fault> every_fault() {
     add("sides.y_low.wall_velocity", " is (nan, 0, 0) m/s", "finite", [](Config& c) {
         c.sides.y_low = {SideKind::no_slip, {k_nan, 0.0f, 0.0f}};
     });
+    add("sides.y_low.wall_velocity", " is (3e+38, 0, 0) m/s", "at most 1e4", [](Config& c) {
+        c.sides.y_low = {SideKind::no_slip, {3e38f, 0.0f, 0.0f}};
+    });
+    add("sides.z_low.kind", " is 77", "periodic", [](Config& c) { c.sides.z_low.kind = static_cast<SideKind>(77); });
+    add("scheme", " is 9", "second_order", [](Config& c) { c.scheme = static_cast<Scheme>(9); });
+    add("interpolation", " is 9", "cubic", [](Config& c) { c.interpolation = static_cast<Interpolation>(9); });
+    add("simd", " is 9", "baseline", [](Config& c) { c.simd = static_cast<Simd>(9); });
     add("sides.y_low.wall_velocity", " is (0, 2, 0) m/s", "normal to 0", [](Config& c) {
         c.sides.y_low = {SideKind::no_slip, {0.0f, 2.0f, 0.0f}};
     });
