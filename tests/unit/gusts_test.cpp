@@ -4,12 +4,10 @@
 #include "fluid/ambient_numerics.h"
 #include "fluid/cpu/ambient_field.h"
 #include "fluid/thread_pool.h"
-#include "fluid/wind.h"
 #include "tests/fields.h"
 #include "tests/figure.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -468,23 +466,6 @@ TEST(AmbientField, DoesNotDependOnThreads) {
     serial.fill(wind, window, {});
     threaded.fill(wind, window, ThreadPool(3).parallel_for());
     EXPECT_EQ(std::memcmp(serial.data(), threaded.data(), 16 * cell_count(window.cells + cpu::k_halo)), 0);
-}
-
-TEST(Gusts, WhatShadersReadIsFiniteWhateverIsAsked) {
-    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-    const auto bits = [](const FrameBlock& block) {
-        std::array<float, sizeof(FrameBlock) / sizeof(float)> values;
-        std::memcpy(values.data(), &block, sizeof block);
-        return values;
-    };
-    Wind wind = *Wind::create({.cells = {8, 8, 8}, .ambient = {3.0f, 0.0f, 1.0f}, .gusts = {.intensity = 0.2f}});
-    const auto standard = bits(wind.frame_block(glm::dvec3(0.0)));
-    for (const float bad : {nan, -1.0f, std::numeric_limits<float>::infinity()}) {
-        const Sampling sampling{.strength = bad, .limit = bad, .detail = bad, .detail_length = bad};
-        EXPECT_EQ(bits(wind.frame_block(glm::dvec3(nan), sampling)), standard) << bad;
-        EXPECT_EQ(wind.felt({1.0, 2.0, 3.0}, sampling), wind.felt({1.0, 2.0, 3.0}, Sampling{})) << bad;
-    }
-    EXPECT_NE(bits(wind.frame_block({2.0, 0.0, 0.0})), standard);
 }
 
 TEST(Gusts, SettingsThatMakeNoSenseAreRefused) {

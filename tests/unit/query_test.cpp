@@ -6,6 +6,7 @@
 #include "tests/figure.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
@@ -290,6 +291,23 @@ TEST(Query, TheBlockSaysWhereTheTexturesLie) {
     EXPECT_EQ(glm::vec3(block.previous_origin), glm::vec3(block.origin_and_cell_size));
     EXPECT_EQ(offsetof(WindowBlock, previous_origin), 32u);
     EXPECT_EQ(offsetof(WindowBlock, high_sides), 80u);
+}
+
+TEST(Query, WhatShadersReadIsFiniteWhateverIsAsked) {
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    const auto bits = [](const FrameBlock& block) {
+        std::array<float, sizeof(FrameBlock) / sizeof(float)> values;
+        std::memcpy(values.data(), &block, sizeof block);
+        return values;
+    };
+    Wind wind = *Wind::create({.cells = {8, 8, 8}, .ambient = {3.0f, 0.0f, 1.0f}, .gusts = {.intensity = 0.2f}});
+    const auto standard = bits(wind.frame_block(glm::dvec3(0.0)));
+    for (const float bad : {nan, -1.0f, std::numeric_limits<float>::infinity()}) {
+        const Sampling sampling{.strength = bad, .limit = bad, .detail = bad, .detail_length = bad};
+        EXPECT_EQ(bits(wind.frame_block(glm::dvec3(nan), sampling)), standard) << bad;
+        EXPECT_EQ(wind.felt({1.0, 2.0, 3.0}, sampling), wind.felt({1.0, 2.0, 3.0}, Sampling{})) << bad;
+    }
+    EXPECT_NE(bits(wind.frame_block({2.0, 0.0, 0.0})), standard);
 }
 
 } // namespace
