@@ -21,7 +21,7 @@ class OutputFolder {
     OutputFolder& operator=(const OutputFolder&) = delete;
 
     /// Makes the folder where it is missing, removes parts that killed runs left in it, and tries it with a small file, before a
-    /// long run ends in a folder that takes nothing. Refuses a folder that another command has open.
+    /// long run ends in a folder that cannot be written. Rejects a folder that another command has open.
     [[nodiscard]] Fault open(const std::filesystem::path& folder);
 
   private:

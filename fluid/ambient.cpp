@@ -65,7 +65,7 @@ constexpr SamplingField k_sampling[] = {
     {"detail", &Sampling::detail, 0.0f, 1.0f, "", "give 0 (none) to 1, a share of the local speed."},
     {"detail_length", &Sampling::detail_length, 1e-3f, 1e6f, " m", "give 1e-3 to 1e6 m from ripple to ripple."}};
 
-// What validate() rejects has its default: plants are drawn with it, where a NaN would spread.
+// Replaces each field that validate() rejects by its default: a NaN would spread through the shaders.
 Sampling usable(Sampling sampling) {
     for (const SamplingField& field : k_sampling)
         if (!field.holds(sampling))

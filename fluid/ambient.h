@@ -122,8 +122,8 @@ class AmbientWind {
     /// [m/s] What a plant at a world point feels of a wind, from here or from the fluid: detail added, scaled, limited. 0 for a
     /// wind that is not finite; no detail at a point that is not finite.
     [[nodiscard]] glm::vec3 felt(glm::vec3 velocity, glm::dvec3 position, const Sampling& sampling = {}) const;
-    /// What shaders need for the same two, relative to `anchor` [m]; one that is not finite counts as 0. What `validate` refuses of
-    /// a sampling has its default, here and in `felt`.
+    /// What shaders need for the same two, relative to `anchor` [m]; one that is not finite counts as 0. A field of
+    /// `sampling` that `validate` rejects counts as its default, here and in `felt`.
     [[nodiscard]] AmbientBlock block(glm::dvec3 anchor, const Sampling& sampling = {}) const;
 
     /// The same wind with no gusts.

@@ -47,7 +47,7 @@ NewFile::NewFile(const std::filesystem::path& name) : name_(name), buffer_(k_buf
         open_part();
 }
 
-// A name that another process has, or one that ended, or another machine on a shared disk: the next one.
+// Takes the next name where a part exists: of another process, of one that ended, or of another machine on a shared disk.
 void NewFile::open_part() {
     constexpr int k_most_attempts = 1000;
     for (int attempt = 0; attempt < k_most_attempts; ++attempt) {

@@ -7,8 +7,8 @@
 //
 // The bytes go to a part file beside the name, which no other writer shares: `<name>.<process>.<count>.windrow-part`, made
 // exclusively and locked while it is written. publish() flushes, has the disk confirm, closes and renames. Until then, and for
-// good if anything failed, whatever had the name keeps it, and the part is removed. What a killed process left has no lock any
-// more: clear_dead_parts() finds it.
+// good if anything failed, whatever had the name keeps it, and the part is removed. The part of a killed process has no lock:
+// clear_dead_parts() removes it.
 #pragma once
 
 #include "fluid/result.h"
@@ -24,7 +24,7 @@ namespace windrow::detail {
 /// A stream buffer for a std::ostream, with the reason kept: std::filebuf may lose errno and never asks the disk.
 class NewFile : public std::streambuf {
   public:
-    /// Opens the part; error() tells whether that worked. Through a symbolic link it writes what the link leads to.
+    /// Opens the part; error() is 0 if that worked. A symbolic link stays, and its target is written.
     explicit NewFile(const std::filesystem::path& name);
     ~NewFile() override;
     NewFile(const NewFile&) = delete;
@@ -64,7 +64,7 @@ class NewFile : public std::streambuf {
 /// Whether an errno is the machine's fault (disk full or broken, no memory), not the name's.
 [[nodiscard]] bool machine_lacks(int error);
 
-/// Removes the parts in a folder that nobody writes any more.
+/// Removes the parts in a folder whose writers ended without removing them.
 void clear_dead_parts(const std::filesystem::path& folder);
 
 } // namespace windrow::detail

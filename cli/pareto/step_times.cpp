@@ -64,7 +64,7 @@ Result<std::optional<GridTimes>> measure_steps(const ParetoFlow& flow, glm::ivec
         if (!made)
             return Error{made.error()};
         FlowWind& wind = winds.emplace_back(*std::move(made));
-        return contest.add(steppers.emplace_back(most_age, [&] { wind.begin(); }).contestant([&wind, dt] { wind.step(dt); }));
+        return contest.add(steppers.emplace_back(most_age, [&wind] { wind.begin(); }).contestant([&wind, dt] { wind.step(dt); }));
     };
     std::optional<bench::ComposedStep> composed;
     if (solves == Solves::all) {

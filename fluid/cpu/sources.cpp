@@ -80,7 +80,7 @@ void for_each_cell(const MotorReach& motor, glm::vec3 first_centre, float cell_s
         along([&](glm::vec3) { return given; });
 }
 
-// Zeroes low <= i < high, and what lies between there and the stretch [low, high) that was zeroed before.
+// Zeroes low <= i < high of a row, and any gap between that range and `cleared`, the range zeroed before.
 void clear(glm::vec4* row, int low, int high, int (&cleared)[2]) {
     if (cleared[0] >= cleared[1])
         cleared[0] = cleared[1] = low;
