@@ -17,7 +17,7 @@ const char* yes(bool has) {
 } // namespace
 
 std::string version_line() {
-    return "windrow " WINDROW_VERSION;
+    return WINDROW_VERSION_LINE;
 }
 
 int tell_info(const Console& console) {

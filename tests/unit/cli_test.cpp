@@ -18,6 +18,7 @@
 #include <sstream>
 #include <string>
 #include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 #include <vector>
 
@@ -294,6 +295,34 @@ TEST_F(Command, FoldersThatCannotBeWritten) {
     expect_refusal({"run", scene.c_str(), "--csv", "--out", closed.c_str()},
                    closed + ": may not be written: give yourself the right, or another folder with --out.");
 }
+
+#if !defined(__SANITIZE_ADDRESS__)
+// In a container that allows one process. The libraries of pictures and volumes start threads while they are loaded.
+TEST(VersionOfTheCommand, NeedsNoThread) {
+    int out[2];
+    ASSERT_EQ(::pipe(out), 0);
+    const pid_t child = ::fork();
+    if (child == 0) {
+        const rlimit limit{1, 1};
+        if (::setrlimit(RLIMIT_NPROC, &limit) != 0 || (::geteuid() == 0 && ::setuid(65534) != 0))
+            ::_exit(9);
+        ::dup2(out[1], STDOUT_FILENO);
+        ::execl(WINDROW_COMMAND, WINDROW_COMMAND, "--version", nullptr);
+        ::_exit(9); // another user's folder
+    }
+    ::close(out[1]);
+    char text[64] = {};
+    const ssize_t count = ::read(out[0], text, sizeof text - 1);
+    ::close(out[0]);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    ASSERT_TRUE(WIFEXITED(status)) << "killed by signal " << WTERMSIG(status);
+    if (WEXITSTATUS(status) == 9)
+        GTEST_SKIP() << "this user may not set a limit, or not read the command";
+    EXPECT_EQ(WEXITSTATUS(status), k_exit_well);
+    EXPECT_EQ(std::string(text, static_cast<std::size_t>(std::max<ssize_t>(count, 0))), run({"--version"}).out);
+}
+#endif
 
 /// While it lives, no file may grow beyond some bytes: a full disk without a disk.
 class FileLimit {
