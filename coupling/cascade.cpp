@@ -59,15 +59,17 @@ Result<Cascade> Cascade::create(const CascadeConfig& config, const Pose& body) {
     auto step = CascadeStep::create(config.stages);
     if (!step)
         return Error{step.error()};
-    Cascade cascade(config, *std::move(step));
-    const auto stages = static_cast<std::size_t>(config.stages);
-    for (Row* row : {&cascade.now_, &cascade.before_})
-        row->stages.resize(stages * k_parts);
-    cascade.poses_.resize(stages + 1);
-    cascade.previous_poses_.resize(stages + 1);
-    if (auto rested = cascade.reset(body); !rested)
-        return Error{rested.error()};
-    return cascade;
+    return detail::where_memory_lasts([&]() -> Result<Cascade> {
+        Cascade cascade(config, *std::move(step));
+        const auto stages = static_cast<std::size_t>(config.stages);
+        for (Row* row : {&cascade.now_, &cascade.before_})
+            row->stages.resize(stages * k_parts);
+        cascade.poses_.resize(stages + 1);
+        cascade.previous_poses_.resize(stages + 1);
+        if (auto rested = cascade.reset(body); !rested)
+            return Error{rested.error()};
+        return cascade;
+    });
 }
 
 Result<void> Cascade::advance(double duration, const Pose& body) {

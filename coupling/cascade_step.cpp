@@ -33,12 +33,14 @@ double tail_over_weight(double z, double i) {
 Result<CascadeStep> CascadeStep::create(int stages) {
     if (stages < 1 || stages > k_most_stages)
         return Error{detail::message("A cascade of ", stages, " stages is asked for: give 1 to ", k_most_stages, ".")};
-    CascadeStep step;
-    step.weights_.resize(static_cast<std::size_t>(stages));
-    step.body_now_.resize(static_cast<std::size_t>(stages));
-    step.body_before_.resize(static_cast<std::size_t>(stages));
-    step.weights_[0] = 1.0;
-    return step;
+    return detail::where_memory_lasts([&]() -> Result<CascadeStep> {
+        CascadeStep step;
+        step.weights_.resize(static_cast<std::size_t>(stages));
+        step.body_now_.resize(static_cast<std::size_t>(stages));
+        step.body_before_.resize(static_cast<std::size_t>(stages));
+        step.weights_[0] = 1.0;
+        return step;
+    });
 }
 
 Result<void> CascadeStep::set(double rate, double duration) {

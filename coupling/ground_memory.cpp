@@ -38,13 +38,15 @@ GroundMemory::~GroundMemory() = default;
 Result<GroundMemory> GroundMemory::create(const GroundConfig& config, ParallelFor parallel_for) {
     if (auto valid = validate(config); !valid)
         return Error{valid.error()};
-    auto state = std::make_unique<State>(config, parallel_for);
-    const std::size_t count = state->host.texel_count();
-    state->texels.assign(count, numerics::windrow_ground_new({0.0f, 0.0f}));
-    state->leans_before.assign(count, glm::vec2(0.0f));
-    for (auto& shown : state->shown)
-        shown.assign(count, glm::vec4(0.0f));
-    return GroundMemory(std::move(state));
+    return detail::where_memory_lasts([&]() -> Result<GroundMemory> {
+        auto state = std::make_unique<State>(config, parallel_for);
+        const std::size_t count = state->host.texel_count();
+        state->texels.assign(count, numerics::windrow_ground_new({0.0f, 0.0f}));
+        state->leans_before.assign(count, glm::vec2(0.0f));
+        for (auto& shown : state->shown)
+            shown.assign(count, glm::vec4(0.0f));
+        return GroundMemory(std::move(state));
+    });
 }
 
 Result<void> GroundMemory::follow(glm::dvec3 point) {

@@ -12,6 +12,7 @@
 
 #include "coupling/ground_config.h"
 #include "coupling/motion_blocks.h"
+#include "fluid/owned.h"
 #include "fluid/parallel.h"
 
 #include <memory>
@@ -73,7 +74,7 @@ class GroundMemory {
     friend struct detail::GroundState;
     struct State;
     explicit GroundMemory(std::unique_ptr<State> state);
-    std::unique_ptr<State> state_;
+    detail::Owned<State> state_;
 };
 
 } // namespace windrow

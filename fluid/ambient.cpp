@@ -129,6 +129,8 @@ Result<AmbientWind> AmbientWind::create(const Settings& settings) {
     AmbientWind wind(settings);
     if (settings.gusts.intensity > 0.0f && settings.gusts.tile == nullptr)
         wind.settings_.gusts.tile = GustTile::bake(settings.gusts.seed);
+    if (settings.gusts.intensity > 0.0f && !wind.tile())
+        return detail::out_of_memory();
     return wind;
 }
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <new>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -41,7 +42,12 @@ class Tiles {
     }
     [[nodiscard]] std::shared_ptr<const GustTile> of_seed(std::uint32_t seed) {
         const auto found = std::find_if(tiles_.begin(), tiles_.end(), [&](const auto& tile) { return tile->seed() == seed; });
-        return found != tiles_.end() ? *found : tiles_.emplace_back(GustTile::bake(seed));
+        if (found != tiles_.end())
+            return *found;
+        auto tile = GustTile::bake(seed);
+        if (!tile)
+            throw std::bad_alloc(); // caught by whoever reads the bytes
+        return tiles_.emplace_back(std::move(tile));
     }
 
   private:

@@ -19,7 +19,9 @@ struct StageTimes {
 };
 
 struct Diagnostics {
-    bool stepped = false; ///< false: dt was 0, negative or not finite, and nothing was done.
+    bool stepped = false; ///< false: dt was 0, negative or not finite, or out_of_memory; nothing was done.
+    /// The step asks for memory that the system does not give: the wind is as it was. Free some and call again.
+    bool out_of_memory = false;
     /// [m/s] Largest component of the velocity after the step.
     float max_speed = 0.0f;
     /// Largest component * dt / h after the sources, before sub-steps and limit: how many cells the air would cross at once.

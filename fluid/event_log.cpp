@@ -9,7 +9,7 @@ namespace windrow {
 namespace detail {
 
 void fields(auto& archive, Like<MotorId> auto& id) {
-    auto& [slot, generation] = id;
+    auto& [slot, generation, owner] = id; // a log is for any wind that starts from the same snapshot
     archive(slot, generation);
 }
 
@@ -103,7 +103,7 @@ struct Repeat {
         const auto id = wind.motors().add(event.motor);
         if (!id)
             return Error{id.error()};
-        if (*id != event.id)
+        if (id->slot != event.id.slot || id->generation != event.id.generation)
             return Error{
                 detail::message("the motor came out in slot ", id->slot, " of generation ", id->generation, ", not in slot ",
                                 event.id.slot, " of generation ", event.id.generation,
@@ -117,10 +117,10 @@ struct Repeat {
     Result<void> operator()(const FloorSet& event) const { return wind.set_floor(event.height); }
     Result<void> operator()(const AmbientSet& event) const { return wind.set_ambient(event.ambient); }
     Result<void> operator()(const GustsSet& event) const {
-        return wind.set_gusts({.intensity = event.intensity,
-                               .length = event.length,
-                               .seed = event.seed,
-                               .tile = event.tile ? GustTile::bake(event.seed) : nullptr});
+        const auto tile = event.tile ? GustTile::bake(event.seed) : nullptr;
+        if (event.tile && !tile)
+            return out_of_memory();
+        return wind.set_gusts({.intensity = event.intensity, .length = event.length, .seed = event.seed, .tile = tile});
     }
     Result<void> operator()(const SidesSet& event) const { return wind.set_sides(event.sides); }
     Result<void> operator()(const VelocitySet& event) const { return wind.set_velocity(event.field); }
@@ -129,29 +129,78 @@ struct Repeat {
         return {};
     }
     Result<void> operator()(const Stepped& event) const {
-        if (wind.step(event.dt).stepped)
+        const Diagnostics report = wind.step(event.dt);
+        if (report.out_of_memory)
+            return out_of_memory();
+        if (report.stepped)
             return {};
         return Error{detail::message("dt is ", event.dt, " s: a step takes a finite time above 0.")};
     }
     Result<void> operator()(const Advanced& event) const {
         if (!(event.dt >= 0.0 && std::isfinite(event.dt)))
             return Error{detail::message("dt is ", event.dt, " s: a frame takes a finite time, 0 or more.")};
-        (void)wind.advance(event.dt);
+        if (wind.advance(event.dt).last.out_of_memory)
+            return out_of_memory();
         return {};
     }
+
+    static Error out_of_memory() { return Error{"out of memory: free some, load the snapshot and replay again."}; }
 };
 
 } // namespace
 
-std::vector<std::byte> EventLog::to_bytes() const {
-    detail::Writer writer(64 * events_.size());
-    writer(static_cast<std::uint64_t>(events_.size()));
-    for (const Event& event : events_)
-        writer(event);
-    return std::move(writer).finish(k_format);
+template <class Make>
+void EventLog::note_made(const Make& make) noexcept {
+    if (!complete_)
+        return;
+    try {
+        events_.push_back(make());
+    } catch (...) {
+        complete_ = false;
+    }
+}
+
+void EventLog::note(Event event) noexcept {
+    note_made([&] { return std::move(event); });
+}
+
+void EventLog::note_velocity(std::span<const glm::vec4> field) noexcept {
+    note_made([&] { return VelocitySet{{field.begin(), field.end()}}; });
+}
+
+void EventLog::clear() {
+    events_.clear();
+    complete_ = true;
+}
+
+namespace {
+
+Result<void> check_complete(const EventLog& log) {
+    if (log.complete())
+        return {};
+    return Error{detail::message("event log is incomplete: memory ran out after ", log.events().size(),
+                                 " events; clear it and record again from a new snapshot.")};
+}
+
+} // namespace
+
+Result<std::vector<std::byte>> EventLog::to_bytes() const {
+    if (auto complete = check_complete(*this); !complete)
+        return Error{complete.error()};
+    return detail::where_memory_lasts([&]() -> Result<std::vector<std::byte>> {
+        detail::Writer writer(64 * events_.size());
+        writer(static_cast<std::uint64_t>(events_.size()));
+        for (const Event& event : events_)
+            writer(event);
+        return std::move(writer).finish(k_format);
+    });
 }
 
 Result<EventLog> EventLog::from_bytes(std::span<const std::byte> bytes) {
+    return detail::where_memory_lasts([&] { return read(bytes); });
+}
+
+Result<EventLog> EventLog::read(std::span<const std::byte> bytes) {
     const auto content = detail::unseal(bytes, k_format);
     if (!content)
         return Error{content.error()};
@@ -170,13 +219,17 @@ Result<EventLog> EventLog::from_bytes(std::span<const std::byte> bytes) {
 
 // Each event is copied: the wind may be recording into this very log, which then grows.
 Result<void> replay(const EventLog& log, Wind& wind) {
-    const std::size_t count = log.events().size();
-    for (std::size_t n = 0; n < count; ++n) {
-        const Event event = log.events()[n];
-        if (auto done = std::visit(Repeat{wind}, event); !done)
-            return Error{detail::message("event ", n, " (", name_of(event), "): ", done.error())};
-    }
-    return {};
+    if (auto complete = check_complete(log); !complete)
+        return complete;
+    return detail::where_memory_lasts([&]() -> Result<void> {
+        const std::size_t count = log.events().size();
+        for (std::size_t n = 0; n < count; ++n) {
+            const Event event = log.events()[n];
+            if (auto done = std::visit(Repeat{wind}, event); !done)
+                return Error{detail::message("event ", n, " (", name_of(event), "): ", done.error())};
+        }
+        return {};
+    });
 }
 
 } // namespace windrow

@@ -75,17 +75,27 @@ using Event = std::variant<MotorAdded, MotorSet, MotorMoved, MotorRemoved, Follo
 
 class EventLog {
   public:
-    void note(Event event) { events_.push_back(std::move(event)); }
+    /// Adds an event. Where memory is missing the wind goes on and the log ends before this event: `complete` is false from then
+    /// on, and nothing more is noted.
+    void note(Event event) noexcept;
+    void note_velocity(std::span<const glm::vec4> field) noexcept;
     [[nodiscard]] std::span<const Event> events() const { return events_; }
-    void clear() { events_.clear(); }
+    /// All that happened is noted. An incomplete log is neither written nor replayed.
+    [[nodiscard]] bool complete() const { return complete_; }
+    void clear();
 
-    /// The log as bytes, little-endian, with a version and a checksum.
-    [[nodiscard]] std::vector<std::byte> to_bytes() const;
+    /// The log as bytes, little-endian, with a version and a checksum. Fails for an incomplete log, and without memory.
+    [[nodiscard]] Result<std::vector<std::byte>> to_bytes() const;
     /// Refuses bytes that are truncated, changed, or of another version.
     [[nodiscard]] static Result<EventLog> from_bytes(std::span<const std::byte> bytes);
 
   private:
+    [[nodiscard]] static Result<EventLog> read(std::span<const std::byte> bytes);
+    template <class Make>
+    void note_made(const Make& make) noexcept;
+
     std::vector<Event> events_;
+    bool complete_ = true;
 };
 
 /// Does everything again, in order. `wind` must be in the state in which the log began (Wind::save, Wind::load). Stops at the

@@ -16,6 +16,7 @@
 #include "fluid/gust_tile.h"
 
 #include "fluid/ambient_numerics.h"
+#include "fluid/message.h"
 
 #include <algorithm>
 #include <array>
@@ -96,7 +97,9 @@ double raised(const Circle& circle, int waves) {
 } // namespace
 
 std::shared_ptr<const GustTile> GustTile::bake(std::uint32_t seed) {
-    return std::shared_ptr<const GustTile>(new GustTile(seed));
+    std::shared_ptr<const GustTile> tile;
+    (void)detail::memory_lasts([&] { tile.reset(new GustTile(seed)); }); // without memory: null
+    return tile;
 }
 
 std::shared_ptr<const GustTile> GustTile::standard() {

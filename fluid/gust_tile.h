@@ -29,9 +29,10 @@ class GustTile {
     /// The longest wavelength that it holds.
     static constexpr int k_longest_texels = 40;
 
-    /// Makes a tile: some 5 ms. The same seed gives the same bits on every machine.
+    /// Makes a tile: some 5 ms. The same seed gives the same bits on every machine. Null where memory is missing.
     [[nodiscard]] static std::shared_ptr<const GustTile> bake(std::uint32_t seed);
     /// The tile of seed 1, one for all who hold it at a time: what motors take their eddies from where the wind has no tile.
+    /// Null where memory is missing.
     [[nodiscard]] static std::shared_ptr<const GustTile> standard();
 
     /// All texels. Blended, each level component has standard deviation 1 over the tile (about 1.2 at the ground, where mirror

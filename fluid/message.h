@@ -1,9 +1,14 @@
-// One sentence out of words and figures; figures in their shortest exact form, whatever the locale.
+// One sentence out of words and figures; figures in their shortest exact form, whatever the locale. Nothing here throws: a sentence
+// that finds no memory is "out of memory".
 #pragma once
+
+#include "fluid/result.h"
 
 #include <charconv>
 #include <concepts>
 #include <glm/vec3.hpp>
+#include <new>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -33,20 +38,52 @@ void append(std::string& text, const glm::vec<3, Number, Q>& value) {
 }
 
 template <class... Parts>
-[[nodiscard]] std::string message(const Parts&... parts) {
+void append_all(std::string& text, const Parts&... parts) noexcept {
+    try {
+        (append(text, parts), ...);
+    } catch (...) {
+        text = Error::k_out_of_memory;
+    }
+}
+
+template <class... Parts>
+[[nodiscard]] std::string message(const Parts&... parts) noexcept {
     std::string text;
-    (append(text, parts), ...);
+    append_all(text, parts...);
     return text;
+}
+
+[[nodiscard]] inline Error out_of_memory() {
+    return Error{"out of memory: use a smaller box or fewer items, or free memory and call again."};
+}
+
+/// What `call` returns, or an Error where it finds no memory. `call` has to make room before it changes anything.
+template <class Call>
+[[nodiscard]] auto where_memory_lasts(const Call& call) -> decltype(call()) {
+    try {
+        return call();
+    } catch (const std::bad_alloc&) {
+    } catch (const std::length_error&) {
+    }
+    return out_of_memory();
+}
+
+/// The same for a call that returns nothing: false where it finds no memory.
+template <class Call>
+[[nodiscard]] bool memory_lasts(const Call& call) {
+    return where_memory_lasts([&]() -> Result<void> {
+               call();
+               return {};
+           })
+        .has_value();
 }
 
 /// Collects all reasons, a line each.
 class Reasons {
   public:
     template <class... Parts>
-    void add(const Parts&... parts) {
-        if (!text_.empty())
-            text_ += '\n';
-        (append(text_, parts), ...);
+    void add(const Parts&... parts) noexcept {
+        append_all(text_, std::string_view(text_.empty() ? "" : "\n"), parts...);
     }
     [[nodiscard]] bool empty() const { return text_.empty(); }
     [[nodiscard]] std::string take() { return std::move(text_); }

@@ -5,8 +5,10 @@
 #include "fluid/message.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <new>
 
 namespace windrow {
 namespace {
@@ -48,18 +50,33 @@ bool stirs(const Motor& motor) {
         motor);
 }
 
-Error stale(MotorId id) {
-    return Error{detail::message("motor ", id.slot, " of generation ", id.generation,
-                                 " does not exist (removed, ended, or never added): use the handle that add() returned.")};
+// As a log keeps it: for any wind that starts from the same snapshot.
+MotorId unowned(MotorId id) {
+    return {.slot = id.slot, .generation = id.generation};
+}
+
+std::uint32_t next_owner() {
+    static std::atomic<std::uint32_t> last{0};
+    return 1 + last.fetch_add(1, std::memory_order_relaxed) % (~std::uint32_t{0} - 1); // never 0
 }
 
 } // namespace
+
+Motors::Motors() : owner_(next_owner()) {}
 
 Result<MotorId> Motors::add(const Motor& motor) {
     if (auto valid = validate(motor); !valid)
         return Error{valid.error()};
     if (free_.empty() && slots_.size() >= k_capacity)
         return Error{detail::message("motors is full with ", count_, " motors: remove some; the list takes ", k_capacity, ".")};
+    const bool has_room = detail::memory_lasts([&] {
+        if (free_.empty() && slots_.size() == slots_.capacity())
+            slots_.reserve(std::max<std::size_t>(1, 2 * slots_.capacity()));
+        free_.reserve(slots_.capacity()); // a motor that ends in a step goes back there without allocating
+        reserve_reach(&motor);
+    });
+    if (!has_room)
+        return detail::out_of_memory();
     std::uint32_t index = 0;
     if (!free_.empty()) {
         index = free_.back();
@@ -67,62 +84,69 @@ Result<MotorId> Motors::add(const Motor& motor) {
     } else {
         index = static_cast<std::uint32_t>(slots_.size());
         slots_.emplace_back();
-        free_.reserve(slots_.capacity()); // a motor that ends in a step goes back there without allocating
     }
     Slot& slot = slots_[index];
     slot.motor = prepared(motor);
     slot.track = Track(position_of(motor));
     slot.age = 0.0;
-    slot.used = true;
+    slot.used = slot.named_here = true;
     ++slot.generation;
     ++count_;
-    reserve_reach();
-    const MotorId id{index, slot.generation};
+    const MotorId id{index, slot.generation, owner_};
     if (log_ != nullptr)
-        log_->note(MotorAdded{id, motor});
+        log_->note(MotorAdded{unowned(id), motor});
     return id;
 }
 
-Motors::Slot* Motors::slot_of(MotorId id) {
-    if (id.slot >= slots_.size() || !slots_[id.slot].used || slots_[id.slot].generation != id.generation)
-        return nullptr;
-    return &slots_[id.slot];
+Result<Motors::Slot*> Motors::slot_of(MotorId id) {
+    Slot* const slot = id.slot < slots_.size() ? &slots_[id.slot] : nullptr;
+    if (slot != nullptr && slot->used && slot->generation == id.generation) {
+        if (id.owner == 0 || id.owner == owner_ || !slot->named_here)
+            return slot;
+        return Error{detail::message("motor ", id.slot, " of generation ", id.generation,
+                                     " belongs to another wind: use the handle that add() of this one returned.")};
+    }
+    return Error{detail::message("motor ", id.slot, " of generation ", id.generation,
+                                 " does not exist (removed, ended, or never added): use the handle that add() returned.")};
 }
 
 Result<void> Motors::set(MotorId id, const Motor& motor) {
-    Slot* const slot = slot_of(id);
-    if (slot == nullptr)
-        return stale(id);
+    const auto found = slot_of(id);
+    if (!found)
+        return Error{found.error()};
+    Slot* const slot = *found;
     if (auto valid = validate(motor); !valid)
         return valid;
+    if (!detail::memory_lasts([&] { reserve_reach(&motor); }))
+        return detail::out_of_memory();
     slot->motor = prepared(motor);
     slot->track = Track(position_of(motor));
     slot->age = 0.0;
-    reserve_reach();
     if (log_ != nullptr)
-        log_->note(MotorSet{id, motor});
+        log_->note(MotorSet{unowned(id), motor});
     return {};
 }
 
 Result<void> Motors::move(MotorId id, glm::dvec3 position) {
-    Slot* const slot = slot_of(id);
-    if (slot == nullptr)
-        return stale(id);
+    const auto found = slot_of(id);
+    if (!found)
+        return Error{found.error()};
+    Slot* const slot = *found;
     if (auto valid = detail::validate_motor_position(position); !valid)
         return valid;
     std::visit([&](auto& kind) { kind.position = position; }, slot->motor);
     slot->track.move_to(position);
     if (log_ != nullptr)
-        log_->note(MotorMoved{id, position});
+        log_->note(MotorMoved{unowned(id), position});
     return {};
 }
 
 Result<void> Motors::remove(MotorId id) {
-    if (slot_of(id) == nullptr)
-        return stale(id);
+    if (const auto found = slot_of(id); !found)
+        return Error{found.error()};
     release(id.slot);
     if (log_ != nullptr)
-        log_->note(MotorRemoved{id});
+        log_->note(MotorRemoved{unowned(id)});
     return {};
 }
 
@@ -132,22 +156,33 @@ void Motors::release(std::uint32_t index) {
     --count_;
 }
 
-// Called where a motor comes or changes kind, so that a step allocates nothing: a wake may reach the box with several pieces of
+// Called before a motor comes or changes kind, so that a step allocates nothing: a wake may reach the box with several pieces of
 // its path.
-void Motors::reserve_reach() {
+void Motors::reserve_reach(const Motor* more) {
     std::size_t most = 0;
-    for (const Slot& slot : slots_) {
-        if (!tile_ && slot.used && stirs(slot.motor))
-            tile_ = GustTile::standard();
-        most += slot.used && std::holds_alternative<WakeMotor>(slot.motor) ? std::size_t{Track::k_most_pieces} : 1;
-    }
+    const auto count = [&](const Motor& motor) {
+        if (!tile_ && stirs(motor) && !(tile_ = GustTile::standard()))
+            throw std::bad_alloc();
+        most += std::holds_alternative<WakeMotor>(motor) ? std::size_t{Track::k_most_pieces} : 1;
+    };
+    for (const Slot& slot : slots_)
+        if (slot.used)
+            count(slot.motor);
+    if (more != nullptr)
+        count(*more);
     if (reach_.size() < most)
         reach_.resize(most + most / 2);
 }
 
+bool Motors::has_volume_source() const {
+    return std::any_of(slots_.begin(), slots_.end(), [](const Slot& slot) {
+        return slot.used && (std::holds_alternative<OmniMotor>(slot.motor) || std::holds_alternative<PressureMotor>(slot.motor));
+    });
+}
+
 const Motor* Motors::find(MotorId id) const {
-    const Slot* const slot = const_cast<Motors*>(this)->slot_of(id);
-    return slot != nullptr ? &slot->motor : nullptr;
+    const auto slot = const_cast<Motors*>(this)->slot_of(id);
+    return slot ? &(*slot)->motor : nullptr;
 }
 
 void Motors::begin_frame(double lead, double duration) {

@@ -23,18 +23,24 @@ class EventLog;
 struct MotorId {
     std::uint32_t slot = 0;
     std::uint32_t generation = 0; ///< 0 names no motor
+    /// Of which Motors object, unique in the process, so that the handle of another wind is rejected. Default 0: not checked, for a
+    /// handle that was sent as slot and generation.
+    std::uint32_t owner = 0;
     friend bool operator==(MotorId, MotorId) = default;
 };
 
-/// The motors of one Wind, at most 4096.
+/// The motors of one Wind, at most 4096. A handle that was removed, or that another wind gave, is rejected. The motors of a wind
+/// that was loaded keep their handles.
 class Motors {
   public:
     static constexpr std::uint32_t k_capacity = 4096;
 
-    /// Adds a motor; refuses what `validate` refuses and a full list.
+    Motors();
+
+    /// Adds a motor; refuses what `validate` refuses and a full list. Without memory it fails and the list stays as it was.
     [[nodiscard]] Result<MotorId> add(const Motor& motor);
     /// Replaces a motor whole, its position and its age too; a wake starts a new path there and sweeps nothing in between. The
-    /// kind may change.
+    /// kind may change. Without memory it fails and the motor stays as it was.
     [[nodiscard]] Result<void> set(MotorId id, const Motor& motor);
     /// Moves a motor to where it is at the end of the coming step (or frame, with Wind::advance). A wake sweeps the path through
     /// all positions given since the last one.
@@ -54,6 +60,7 @@ class Motors {
         double age = 0.0; ///< [s] of steps since it was added
         std::uint32_t generation = 0;
         bool used = false;
+        bool named_here = false; ///< false: restored from a snapshot, its handle is that of the wind that was saved
     };
 
     // --- Called by Wind -----------------------------------------------------------------------------------------------
@@ -65,6 +72,8 @@ class Motors {
     /// depend on the list's. Does not allocate. The span lasts until the next call.
     [[nodiscard]] std::span<const detail::MotorReach> tick(double duration, const Window& window, const Sides& sides);
     [[nodiscard]] std::span<const Slot> slots() const { return slots_; }
+    /// Some motor is a volume source, whether or not it reaches the box.
+    [[nodiscard]] bool has_volume_source() const;
     /// What motors' eddies are read from: the wind's own tile, else the standard one. May be null where no motor has eddies.
     [[nodiscard]] const std::shared_ptr<const GustTile>& tile(const std::shared_ptr<const GustTile>& of_wind) const {
         return of_wind ? of_wind : tile_;
@@ -75,9 +84,10 @@ class Motors {
   private:
     friend struct StateFields; // snapshot.cpp: bytes and back
 
-    [[nodiscard]] Slot* slot_of(MotorId id);
+    [[nodiscard]] Result<Slot*> slot_of(MotorId id);
     void release(std::uint32_t index);
-    void reserve_reach();
+    /// Room for what a tick of all motors returns, and of `more` (null: none). Changes nothing that the air feels.
+    void reserve_reach(const Motor* more);
 
     std::vector<Slot> slots_;
     std::vector<detail::MotorReach> reach_; ///< room for all that a tick can return
@@ -85,6 +95,7 @@ class Motors {
     std::shared_ptr<const GustTile> tile_; ///< standard, held from the first motor with eddies on
     int count_ = 0;
     EventLog* log_ = nullptr;
+    std::uint32_t owner_;
 };
 
 } // namespace windrow

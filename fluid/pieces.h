@@ -9,6 +9,7 @@
 #pragma once
 
 #include "fluid/box.h"
+#include "fluid/owned.h"
 #include "fluid/parallel.h"
 #include "fluid/result.h"
 #include "fluid/simd.h"
@@ -36,7 +37,8 @@ class Workspace {
 
     [[nodiscard]] static Result<Workspace> create(const Settings& settings);
 
-    /// Changes kinds or wall velocities; rebuilds the tables (and allocates) only when a kind changed.
+    /// Changes kinds or wall velocities; rebuilds the tables (and allocates) only when a kind changed. Without memory it fails and
+    /// the workspace stays as it was.
     [[nodiscard]] Result<void> set_sides(const Sides& sides);
     void set_ambient(glm::vec3 ambient);
 
@@ -54,7 +56,7 @@ class Workspace {
 
   private:
     explicit Workspace(std::unique_ptr<State> state);
-    std::unique_ptr<State> state_;
+    detail::Owned<State> state_;
 };
 
 enum class Interpolation : std::uint8_t {
@@ -100,7 +102,8 @@ struct ScalarTransport {
     /// Keeps each result within the eight values around its departure point: no overshoot, order 2.6 instead of 3.
     bool clamped = false;
 };
-void advect(Workspace& work, const ScalarTransport& transport, std::span<float> result);
+/// Allocates once, at the first call; an error, with `result` untouched, where memory is missing.
+Result<void> advect(Workspace& work, const ScalarTransport& transport, std::span<float> result);
 
 /// Which method a viscosity asks for, by r = viscosity * dt / h^2.
 enum class DiffusionMethod : std::uint8_t {
@@ -112,11 +115,11 @@ enum class DiffusionMethod : std::uint8_t {
 
 /// result = field after dt of diffusion with `viscosity` [m^2/s], walls and open sides as sides.h says. First order in time,
 /// second in space. `result` must not overlap `field`; with DiffusionMethod::none it is a copy. Allocates once at the first
-/// implicit call (see reserve_diffusion).
-DiffusionMethod diffuse(Workspace& work, std::span<const glm::vec4> field, float viscosity, float dt,
-                        std::span<glm::vec4> result);
+/// implicit call (see reserve_diffusion); an error, with `result` untouched, where memory is missing.
+Result<DiffusionMethod> diffuse(Workspace& work, std::span<const glm::vec4> field, float viscosity, float dt,
+                                std::span<glm::vec4> result);
 /// Allocates what implicit diffusion needs, so that no later call allocates.
-void reserve_diffusion(Workspace& work);
+[[nodiscard]] Result<void> reserve_diffusion(Workspace& work);
 
 /// [1/s] Central divergence at cell centres. Beyond a wall the normal velocity turns its sign; beyond an open side it is that of
 /// the cell inside.

@@ -1,16 +1,32 @@
 // What a call that can fail returns: the value, or one sentence that names the field, its value and the fix.
-// No exception crosses the API.
+// No exception crosses the API: a call that finds no memory returns an Error too, and leaves its object as it was.
 #pragma once
 
+#include <concepts>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 
 namespace windrow {
 
 /// Why a call was refused. `message` is one sentence (or several, one a line) written for the person who must mend it.
+/// Made without throwing: where memory for the sentence is missing, it is "out of memory", which no string allocates.
 struct Error {
+    Error() = default;
+    Error(std::string&& text) noexcept : message(std::move(text)) {}
+    template <std::convertible_to<std::string_view> Text>
+    Error(const Text& text) noexcept {
+        try {
+            message = std::string_view(text);
+        } catch (...) {
+            message = k_out_of_memory;
+        }
+    }
+
     std::string message;
+
+    static constexpr const char* k_out_of_memory = "out of memory";
 };
 
 /// A value or an Error. `if (result)` asks whether it holds a value; `*result` and `result->` reach it (undefined without one).

@@ -76,8 +76,8 @@ void fields(auto& archive, Like<Config> auto& config) { // threads are the host'
 }
 
 void fields(auto& archive, Like<Diagnostics> auto& report) { // of a sleeper, whose times are 0
-    auto& [stepped, max_speed, cfl, substeps, substeps_capped, limited_cells, repaired_cells, motors_in_reach, diffusion,
-           divergence_rms, energy, asleep, times_ms] = report;
+    auto& [stepped, out_of_memory, max_speed, cfl, substeps, substeps_capped, limited_cells, repaired_cells, motors_in_reach,
+           diffusion, divergence_rms, energy, asleep, times_ms] = report;
     archive(stepped, max_speed, cfl, substeps, substeps_capped, limited_cells, repaired_cells, motors_in_reach, diffusion,
             divergence_rms, energy, asleep);
 }
@@ -116,7 +116,7 @@ struct StateFields {
     }
 
     static void slot(auto& archive, Like<Motors::Slot> auto& slot) {
-        auto& [motor, track, age, generation, used] = slot;
+        auto& [motor, track, age, generation, used, named_here] = slot; // read: named by the wind that was saved
         archive(used, generation);
         if (!used)
             return;
@@ -125,7 +125,7 @@ struct StateFields {
     }
 
     static void motors(auto& archive, Like<Motors> auto& motors) {
-        auto& [slots, reach, free, tile, count, log] = motors;
+        auto& [slots, reach, free, tile, count, log, owner] = motors;
         auto size = static_cast<std::uint32_t>(slots.size());
         archive(size);
         if constexpr (Reading<decltype(archive)>) {
@@ -149,7 +149,7 @@ struct StateFields {
             std::count_if(motors.slots_.begin(), motors.slots_.end(), [](const auto& slot) { return slot.used; }));
         motors.free_.reserve(motors.slots_.capacity());
         motors.free_.resize(motors.slots_.size() - static_cast<std::size_t>(motors.count_));
-        motors.reserve_reach();
+        motors.reserve_reach(nullptr);
         if (!reader.can_hold(motors.free_.size(), sizeof(std::uint32_t)))
             motors.free_.clear();
     }
@@ -273,7 +273,7 @@ struct StateFields {
     }
 };
 
-std::vector<std::byte> Wind::save() const {
+Result<std::vector<std::byte>> Wind::save() const {
     state_->hold_ambient();
     state_->hold_before();
     if (state_->frames)
@@ -281,16 +281,22 @@ std::vector<std::byte> Wind::save() const {
             state_->hold_frame(*frame);
     const State& state = *state_;
     const std::size_t fields = 1 + (state.air.fresh ? 0 : 2) + (state.sources_of_air != 0 ? 1 : 0) + (state.frames ? 3 : 0);
-    detail::Writer writer(fields * state.air.velocity.size() * sizeof(glm::vec4) + 2048 + state.motors.slots().size() * 256);
-    Config config = state.config;
-    if (config.gusts.tile)
-        config.gusts.seed = config.gusts.tile->seed();
-    writer(config);
-    StateFields::state(writer, state);
-    return std::move(writer).finish(k_format);
+    return detail::where_memory_lasts([&]() -> Result<std::vector<std::byte>> {
+        detail::Writer writer(fields * state.air.velocity.size() * sizeof(glm::vec4) + 2048 + state.motors.slots().size() * 256);
+        Config config = state.config;
+        if (config.gusts.tile)
+            config.gusts.seed = config.gusts.tile->seed();
+        writer(config);
+        StateFields::state(writer, state);
+        return std::move(writer).finish(k_format);
+    });
 }
 
 Result<Wind> Wind::load(std::span<const std::byte> bytes, ParallelFor parallel_for) {
+    return detail::where_memory_lasts([&] { return loaded(bytes, parallel_for); });
+}
+
+Result<Wind> Wind::loaded(std::span<const std::byte> bytes, ParallelFor parallel_for) {
     const auto content = detail::unseal(bytes, k_format);
     if (!content)
         return Error{content.error()};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cassert>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
@@ -92,6 +93,20 @@ struct ThreadPool::State {
 
     [[nodiscard]] int threads() const { return static_cast<int>(workers.size()) + 1; }
 
+#ifndef NDEBUG
+    static inline thread_local const State* running = nullptr; ///< the pool whose task this thread runs
+#endif
+
+    void run_task(Task run_one, void* context, int index) {
+#ifndef NDEBUG
+        running = this;
+#endif
+        run_one(context, index);
+#ifndef NDEBUG
+        running = nullptr;
+#endif
+    }
+
     // Runs blocks of a share until none is left, and tells how many.
     int take_from(std::atomic<std::uint64_t>& share, std::uint32_t loop) {
         int taken = 0;
@@ -109,7 +124,7 @@ struct ThreadPool::State {
                 continue;
             word = rest.word();
             for (std::int64_t index = first * size; index < std::min(end, rest.next * size); ++index)
-                run_one(context, static_cast<int>(index));
+                run_task(run_one, context, static_cast<int>(index));
             taken += blocks;
         }
     }
@@ -157,6 +172,7 @@ struct ThreadPool::State {
     }
 
     void run(int wanted, Task wanted_task, void* wanted_argument) {
+        assert(running != this && "a task of a pool's loop asked the same pool for a loop: it would wait for itself");
         const std::lock_guard my_turn(turn);
         const int size = (wanted - 1) / k_most_blocks + 1, blocks = (wanted - 1) / size + 1;
         task.store(wanted_task, std::memory_order_release);

@@ -25,7 +25,7 @@ class ThreadPool {
     /// Threads in all.
     [[nodiscard]] int size() const;
     /// The loop to hand to a Config. The pool must outlive what holds it; loops from several threads take turns. A task
-    /// must not ask the same pool for a loop (it would wait for itself), nor throw.
+    /// must not ask the same pool for a loop (it would wait for itself; asserted), nor throw.
     [[nodiscard]] ParallelFor parallel_for();
 
   private:

@@ -1,3 +1,4 @@
+#include "fluid/cpu/workspace.h"
 #include "fluid/message.h"
 #include "fluid/wind_state.h"
 
@@ -63,7 +64,7 @@ Wind::State::State(const Config& settings, Workspace workspace, const AmbientWin
     if (method != DiffusionMethod::none)
         diffused = cpu::Buffer<glm::vec4>(air.velocity.size());
     if (method == DiffusionMethod::implicit)
-        reserve_diffusion(work);
+        work.state().reserve_diffusion();
 }
 
 Wind::Wind(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -74,6 +75,10 @@ Wind::~Wind() = default;
 Result<Wind> Wind::create(const Config& config) {
     if (auto valid = validate(config); !valid)
         return Error{valid.error()};
+    return detail::where_memory_lasts([&] { return made(config); });
+}
+
+Result<Wind> Wind::made(const Config& config) {
     auto workspace = Workspace::create({.box = {config.cells, config.cell_size, config.sides},
                                         .ambient = config.ambient,
                                         .simd = config.simd,
@@ -168,7 +173,7 @@ void Wind::set_velocity(const std::function<glm::vec3(glm::dvec3)>& velocity_at)
                 state_->air.velocity[box.index(i, j, k)] = glm::vec4(velocity_at(state_->window.centre(i, j, k)), 0.0f);
     state_->begin_anew();
     if (state_->log != nullptr)
-        state_->log->note(VelocitySet{{field().begin(), field().end()}});
+        state_->log->note_velocity(field());
 }
 
 Result<void> Wind::set_velocity(std::span<const glm::vec4> field) {
@@ -180,7 +185,7 @@ Result<void> Wind::set_velocity(std::span<const glm::vec4> field) {
     std::transform(field.begin(), field.end(), velocity.data(), [](glm::vec4 u) { return glm::vec4(u.x, u.y, u.z, 0.0f); });
     state_->begin_anew();
     if (state_->log != nullptr)
-        state_->log->note(VelocitySet{{field.begin(), field.end()}});
+        state_->log->note_velocity(field);
     return {};
 }
 

@@ -16,6 +16,7 @@
 #include "fluid/diagnostics.h"
 #include "fluid/frame_block.h"
 #include "fluid/motors.h"
+#include "fluid/owned.h"
 #include "fluid/parallel.h"
 #include "fluid/pieces.h"
 #include "fluid/result.h"
@@ -129,17 +130,18 @@ class Wind {
 
     /// Advances the air by dt [s]. Steps may have any length and may differ: the order stays 2, and no sequence creates energy.
     /// 0 is a pause: nothing changes. A dt that is negative or not finite does nothing and returns Diagnostics::stepped = false.
-    /// Does not allocate; only the first step in which a motor lets air in, and a step above 1 s that
-    /// asks more of the viscosity than shorter ones, do so, once.
+    /// Does not allocate; only the first step with a volume source among the motors, and a step above 1 s that asks more of the
+    /// viscosity than shorter ones, do so, once. Where that memory is missing the wind stays as it was and the step returns
+    /// Diagnostics::out_of_memory.
     Diagnostics step(double dt);
     /// Advances by a frame of dt [s] in fixed ticks (Config::ticks), so that the air does not depend on the frame rate: `follow`
     /// and `Motors::move` tell where things are at the end of this frame, and each tick sees them at its own time on the way.
     /// What is sampled afterwards is the wind blended between the last two ticks, up to a tick old. The first call allocates
-    /// three fields; later ones nothing beyond what `step` may. A dt that is negative or not finite does nothing. Mixing with
-    /// `step` ends the blending.
+    /// three fields; later ones nothing beyond what `step` may. Where memory is missing nothing is done and `last` says so. A dt
+    /// that is negative or not finite does nothing. Mixing with `step` ends the blending.
     Advance advance(double dt);
 
-    // --- What acts on the air -----------------------------------------------------------------------------------------
+    // --- What acts on the air: without memory each call fails and the wind stays as it was -----------------------------------
     [[nodiscard]] Motors& motors();
     [[nodiscard]] const Motors& motors() const;
     /// Changes the mean wind [m/s]. All air of the box changes by the difference at once, as under a pressure gradient that is
@@ -204,8 +206,9 @@ class Wind {
     void reset();
 
     // --- Keeping it ---------------------------------------------------------------------------------------------------
-    /// The whole state as bytes: config, air, motors, gusts, ticks. Little-endian, with a version and a checksum.
-    [[nodiscard]] std::vector<std::byte> save() const;
+    /// The whole state as bytes: config, air, motors, gusts, ticks. Little-endian, with a version and a checksum. Fails without
+    /// memory for them.
+    [[nodiscard]] Result<std::vector<std::byte>> save() const;
     /// A wind that goes on from there to the same bits (on the same SIMD level). Refuses bytes that are truncated, changed, or of
     /// another version.
     [[nodiscard]] static Result<Wind> load(std::span<const std::byte> bytes, ParallelFor parallel_for = {});
@@ -224,8 +227,10 @@ class Wind {
     [[nodiscard]] State& state() { return *state_; }
 
   private:
+    [[nodiscard]] static Result<Wind> made(const Config& config);
+    [[nodiscard]] static Result<Wind> loaded(std::span<const std::byte> bytes, ParallelFor parallel_for);
     explicit Wind(std::unique_ptr<State> state);
-    std::unique_ptr<State> state_;
+    detail::Owned<State> state_;
 };
 
 } // namespace windrow

@@ -88,6 +88,8 @@ WindHost::WindHost(const Config& settings, const AmbientWind& wind_around)
 Diagnostics WindHost::step(double dt) {
     if (!(dt > 0.0) || !std::isfinite(static_cast<float>(dt)) || static_cast<float>(dt) == 0.0f)
         return {};
+    if (!detail::memory_lasts([&] { make_room(dt); }))
+        return {.out_of_memory = true, .times_ms = {}};
     double lead = 0.0;
     if (frames) {
         lead = frames->lead;
@@ -106,6 +108,13 @@ Diagnostics WindHost::step(double dt) {
 Advance WindHost::advance(double dt) {
     if (!(dt >= 0.0) || !std::isfinite(dt))
         return {};
+    const bool has_room = detail::memory_lasts([&] {
+        make_room(1.0 / config.ticks.hz);
+        if (!frames)
+            begin_ticks();
+    });
+    if (!has_room)
+        return {.last = {.out_of_memory = true, .times_ms = {}}};
     const Advance done = run_ticks(dt);
     if (log != nullptr)
         log->note(Advanced{dt});
@@ -117,6 +126,8 @@ Result<void> WindHost::set_ambient(glm::vec3 wind) {
     detail::check_ambient(reasons, wind);
     if (!reasons.empty())
         return Error{reasons.take()};
+    if (!has_room_around(config.gusts))
+        return detail::out_of_memory();
     change_ambient(wind);
     if (log != nullptr)
         log->note(AmbientSet{wind});
@@ -130,11 +141,13 @@ Result<void> WindHost::set_gusts(const Gusts& gusts) {
     auto renewed = AmbientWind::create({.mean = mean_wind(), .profile = config.profile, .gusts = wanted});
     if (!renewed)
         return Error{renewed.error()};
+    if (!has_room_around(gusts))
+        return detail::out_of_memory();
     renewed->set_phase(ambient.phase());
-    exchange_ambient([&] {
-        config.gusts = gusts;
-        ambient = *std::move(renewed);
-    });
+    take_ambient_out();
+    config.gusts = gusts;
+    ambient = *std::move(renewed);
+    put_ambient_in();
     if (log != nullptr)
         log->note(GustsSet{gusts.intensity, gusts.length, gusts.tile ? gusts.tile->seed() : gusts.seed, gusts.tile != nullptr});
     return {};
@@ -147,15 +160,15 @@ Result<void> WindHost::set_sides(const Sides& sides) {
     detail::check_follow(reasons, config.follow_axes, sides);
     if (!reasons.empty())
         return Error{reasons.take()};
+    if (!has_room_around(config.gusts))
+        return detail::out_of_memory();
     bool same_kinds = true;
     for (int axis = 0; axis < 3; ++axis)
         for (int end = 0; end < 2; ++end)
             same_kinds = same_kinds && sides.at(axis, end).kind == config.sides.at(axis, end).kind;
-    const Sides before = std::exchange(config.sides, sides);
-    if (auto changed = sides_changed(!same_kinds); !changed) {
-        config.sides = before;
+    if (auto changed = change_sides(sides, !same_kinds); !changed)
         return changed;
-    }
+    config.sides = sides;
     if (!same_kinds && sources_of_air != 0)
         sources_of_air = 2; // names no set of sources: their flow is made anew
     follow_axes = axes_that_follow(config.follow_axes, sides);
@@ -169,6 +182,8 @@ Result<void> WindHost::set_sides(const Sides& sides) {
 Result<void> WindHost::follow(glm::dvec3 point) {
     if (!detail::can_hold_point(config, point))
         return Error{detail::message("follow point is ", point, " m: give finite numbers within 1e12 cells of the origin.")};
+    if (!has_room_around(config.gusts))
+        return detail::out_of_memory();
     if (frames)
         frames->follow.move_to(point);
     else
@@ -184,6 +199,8 @@ Result<void> WindHost::set_floor(double height) {
         return Error{"set_floor needs a solid low y side: set sides.y_low to free_slip or no_slip, or use follow."};
     if (!detail::can_hold_point(config, {0.0, height, 0.0}))
         return Error{detail::message("floor height is ", height, " m: give a finite number within 1e12 cells of the origin.")};
+    if (!has_room_around(config.gusts))
+        return detail::out_of_memory();
     CellIndex origin = window.origin_cells;
     origin.y = static_cast<std::int64_t>(std::floor(height / static_cast<double>(config.cell_size) + 0.5));
     shift_to(origin);
@@ -191,6 +208,10 @@ Result<void> WindHost::set_floor(double height) {
     if (log != nullptr)
         log->note(FloorSet{height});
     return {};
+}
+
+bool WindHost::has_room_around(const Gusts& gusts) {
+    return detail::memory_lasts([&] { make_room_around(gusts); });
 }
 
 void WindHost::record_to(EventLog* to) {

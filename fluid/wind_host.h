@@ -10,7 +10,6 @@
 #include "fluid/wind.h"
 #include "fluid/window.h"
 
-#include <functional>
 #include <optional>
 
 namespace windrow {
@@ -95,8 +94,12 @@ struct WindHost {
     // --- The cells -------------------------------------------------------------------------------------------------------------
     /// What blows around the box changed.
     virtual void around_changed() = 0;
-    /// The sides changed; their kinds too if `kinds`. False, with nothing changed, where the cells cannot have them.
-    [[nodiscard]] virtual Result<void> sides_changed(bool kinds) = 0;
+    /// Makes room for what `gusts` ask of the cells. Changes no cell; throws where memory is missing.
+    virtual void make_room_around(const Gusts& gusts) = 0;
+    /// Makes room for all that a step of `dt` [s] may ask of the cells. Changes no cell; throws where memory is missing.
+    virtual void make_room(double dt) = 0;
+    /// The boundaries become `sides`; their kinds change if `kinds`. An error, with nothing changed, where the cells cannot have them.
+    [[nodiscard]] virtual Result<void> change_sides(const Sides& sides, bool kinds) = 0;
     /// The air becomes ambient, with no past and no flow of sources.
     virtual void fill_cells() = 0;
     /// The air of the tick before becomes ambient.
@@ -131,13 +134,15 @@ struct WindHost {
     bool renew_sources(std::span<const detail::MotorReach> reached);
 
   private:
+    [[nodiscard]] bool has_room_around(const Gusts& gusts);
     Diagnostics tick_air(double duration);
     void run_step(double duration, Diagnostics& report);
     void follow_now(glm::dvec3 point);
     void shift_to(CellIndex origin_cells);
     void change_ambient(glm::vec3 wind);
-    /// Changes the wind around the box and, by the same, all air of the box; `change` changes it.
-    void exchange_ambient(const std::function<void()>& change);
+    /// Around a change of the wind around the box, by which all air of the box changes too.
+    void take_ambient_out();
+    void put_ambient_in();
     void fall_asleep_if_settled(Diagnostics& report);
     Advance run_ticks(double dt);
     void begin_ticks();

@@ -31,17 +31,18 @@ void WindHost::fill_with_ambient() {
     calm = true;
 }
 
-void WindHost::exchange_ambient(const std::function<void()>& change) {
+void WindHost::take_ambient_out() {
+    if (!calm)
+        add_ambient_to_cells(-1.0f);
+}
+
+void WindHost::put_ambient_in() {
+    renew_ambient();
     if (calm) {
-        change();
-        renew_ambient();
         fill_with_ambient();
         if (frames)
             fill_before();
     } else {
-        add_ambient_to_cells(-1.0f);
-        change();
-        renew_ambient();
         add_ambient_to_cells(1.0f);
     }
     asleep = false;
@@ -49,7 +50,9 @@ void WindHost::exchange_ambient(const std::function<void()>& change) {
 
 void WindHost::change_ambient(glm::vec3 wind) {
     if (config.gusts.intensity > 0.0f) { // gusts are as strong as the mean wind: all of it changes
-        exchange_ambient([&] { config.ambient = wind; });
+        take_ambient_out();
+        config.ambient = wind;
+        put_ambient_in();
         return;
     }
     const glm::vec3 before = mean_wind();

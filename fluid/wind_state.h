@@ -57,7 +57,9 @@ struct Wind::State : WindHost {
 
   protected:
     void around_changed() override;
-    [[nodiscard]] Result<void> sides_changed(bool kinds) override;
+    void make_room_around(const Gusts& gusts) override;
+    void make_room(double dt) override;
+    [[nodiscard]] Result<void> change_sides(const Sides& sides, bool kinds) override;
     void fill_cells() override;
     void fill_before() override;
     void add_ambient_to_cells(float factor) override;

@@ -27,8 +27,6 @@ bool same_at_all_times(const AmbientWind& a, const AmbientWind& b) {
 } // namespace
 
 Advance WindHost::run_ticks(double dt) {
-    if (!frames)
-        begin_ticks();
     dt = std::min(dt, k_longest_frame);
     const double duration = 1.0 / config.ticks.hz;
     motors.begin_frame(frames->lead, dt);
@@ -55,7 +53,12 @@ void WindHost::begin_ticks() {
     frames.emplace(Frames{.before = {}, .shown = frame(), .shown_before = frame(), .follow = Track(follow_point)});
     frames->rim_point_before = follow_point;
     frames->gust_phase_before = ambient.phase();
-    begin_keeping();
+    try {
+        begin_keeping();
+    } catch (...) {
+        frames.reset();
+        throw;
+    }
 }
 
 // Nothing acts on the air in dropped time, but the world went on: bodies are where they are, gusts have passed.
@@ -63,7 +66,9 @@ void WindHost::drop_ticks(double seconds) {
     (void)motors.tick(seconds, window, config.sides);
     (void)frames->follow.tick(seconds);
     if (ambient.gusting() && !asleep) {
-        exchange_ambient([&] { ambient.advance(seconds); });
+        take_ambient_out();
+        ambient.advance(seconds);
+        put_ambient_in();
     } else {
         ambient.advance(seconds);
         if (ambient.gusting())

@@ -3,6 +3,7 @@
 
 #include "cli/verify/whole_step.h"
 
+#include <new>
 #include <optional>
 #include <span>
 
@@ -37,7 +38,8 @@ class OneStage {
             field.assign(after.begin(), after.end());
         } else if (viscosity_) {
             next_.resize(field.size());
-            diffuse(*work_, field, static_cast<float>(*viscosity_), dt, next_);
+            if (!diffuse(*work_, field, static_cast<float>(*viscosity_), dt, next_))
+                throw std::bad_alloc();
             std::swap(field, next_);
         } else {
             project(*work_, field);

@@ -15,6 +15,7 @@
 #include "cli/verify/cubic_factor.h"
 
 #include <algorithm>
+#include <new>
 
 namespace windrow::cli {
 namespace {
@@ -46,11 +47,10 @@ VerifyRow carry(const VerifySetting& setting, const Box& box, const Journey& jou
             for (const glm::vec4& u : blow)
                 row.cfl = std::max({row.cfl, std::abs(u.x) * dt / box.cell_size, std::abs(u.y) * dt / box.cell_size});
         }
-        advect(
-            work,
-            ScalarTransport{
-                .carried = now, .velocity = blow, .dt = static_cast<float>(dt), .clamped = journey.limiter == Limiter::clamped},
-            next);
+        const ScalarTransport transport{
+            .carried = now, .velocity = blow, .dt = static_cast<float>(dt), .clamped = journey.limiter == Limiter::clamped};
+        if (!advect(work, transport, next))
+            throw std::bad_alloc();
         std::swap(now, next);
     }
     double error = 0.0, size = 0.0;

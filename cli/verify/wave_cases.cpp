@@ -4,6 +4,7 @@
 #include "cli/verify/cubic_factor.h"
 
 #include <complex>
+#include <new>
 
 namespace windrow::cli {
 namespace {
@@ -43,7 +44,8 @@ Complex amplitude(Workspace& work, const WaveRun& run) {
             for (std::size_t n = 0; n < values.size(); ++n)
                 values[n] = pair[n][part];
             for (int step = 0; step < run.steps; ++step) {
-                advect(work, ScalarTransport{.carried = values, .velocity = wind, .dt = 1.0f}, next);
+                if (!advect(work, ScalarTransport{.carried = values, .velocity = wind, .dt = 1.0f}, next))
+                    throw std::bad_alloc();
                 std::swap(values, next);
             }
             for (std::size_t n = 0; n < values.size(); ++n)

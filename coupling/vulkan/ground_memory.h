@@ -12,6 +12,7 @@
 
 #include "coupling/ground_config.h"
 #include "coupling/motion_blocks.h"
+#include "fluid/owned.h"
 #include "fluid/vulkan/wind.h"
 
 #include <memory>
@@ -67,7 +68,7 @@ class GroundMemory {
   private:
     struct State;
     explicit GroundMemory(std::unique_ptr<State> state);
-    std::unique_ptr<State> state_;
+    windrow::detail::Owned<State> state_;
 };
 
 } // namespace windrow::vulkan

@@ -25,13 +25,28 @@ void for_each_exposed(glm::ivec3 cells, CellIndex shift, const Visit& visit) {
 
 // --- The wind around the box ---------------------------------------------------------------------------------------------
 
+void Wind::State::make_room_around(const Gusts& gusts) {
+    const auto make = [&](cpu::AmbientField& field) {
+        if (field.cells() != window.cells)
+            field = cpu::AmbientField(window.cells);
+    };
+    if (config.profile)
+        make(mean_field);
+    if (!(gusts.intensity > 0.0f))
+        return;
+    make(ambient_field);
+    make(ambient_next);
+    if (config.profile)
+        profile_bends.reserve(work.state().carried_rules[1].size());
+    reserve_solved();
+}
+
 void Wind::State::around_changed() {
+    make_room_around(config.gusts);
     work.set_ambient(config.ambient);
     Workspace::State& around = work.state();
     around.mean_cells = around.ambient_cells = nullptr;
     const auto renew = [&](cpu::AmbientField& field, const AmbientWind& wind) {
-        if (field.cells() != window.cells)
-            field = cpu::AmbientField(window.cells);
         field.fill(wind, window, config.parallel_for);
         return field.data();
     };
@@ -39,11 +54,8 @@ void Wind::State::around_changed() {
         around.ambient_cells = around.mean_cells = renew(mean_field, ambient.without_gusts());
     if (config.gusts.intensity > 0.0f) {
         around.ambient_cells = renew(ambient_field, ambient);
-        if (ambient_next.cells() != window.cells)
-            ambient_next = cpu::AmbientField(window.cells);
         if (config.profile)
             bend_profile();
-        reserve_solved();
     }
 }
 
@@ -201,11 +213,12 @@ void Wind::State::add_change_to_cells(glm::vec3 change, bool before_only) {
 
 // --- Where the box lies -----------------------------------------------------------------------------------------------------
 
-Result<void> Wind::State::sides_changed(bool kinds) {
+Result<void> Wind::State::change_sides(const Sides& sides, bool kinds) {
     hold_ambient(); // as the old sides have it
     hold_before();
-    air.fresh = air.fresh || kinds;
-    return work.set_sides(config.sides);
+    auto changed = work.set_sides(sides);
+    air.fresh = air.fresh || (changed && kinds);
+    return changed;
 }
 
 void Wind::State::shift_cells(CellIndex by, bool exposed_hold_ambient) {

@@ -77,8 +77,8 @@ DiffusionMethod diffusion_method(float viscosity, float dt, float cell_size) {
     return ratio <= k_most_explicit_ratio ? DiffusionMethod::one_pass : DiffusionMethod::implicit;
 }
 
-DiffusionMethod diffuse(Workspace& work, std::span<const glm::vec4> field, float viscosity, float dt,
-                        std::span<glm::vec4> result) {
+Result<DiffusionMethod> diffuse(Workspace& work, std::span<const glm::vec4> field, float viscosity, float dt,
+                                std::span<glm::vec4> result) {
     Workspace::State& state = work.state();
     assert(field.size() == state.box.cell_count() && result.size() == field.size() && field.data() != result.data());
     const float ratio = viscosity * dt / (state.box.cell_size * state.box.cell_size);
@@ -88,7 +88,8 @@ DiffusionMethod diffuse(Workspace& work, std::span<const glm::vec4> field, float
     } else if (method == DiffusionMethod::one_pass) {
         diffuse_once(state, field, ratio, result);
     } else {
-        state.reserve_diffusion();
+        if (auto room = reserve_diffusion(work); !room)
+            return Error{room.error()};
         for (int component = 0; component < 3; ++component)
             diffuse_component(state, component, field, ratio, result);
     }

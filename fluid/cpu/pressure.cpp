@@ -23,7 +23,7 @@ cpu::DivergenceTask Workspace::State::divergence_task(const float* velocity, flo
 
 void Workspace::State::divergence_to_potential(const float* velocity, float scale) {
     cpu::DivergenceTask task = divergence_task(velocity, scale);
-    task.pitch = pressure->pitch();
+    task.pitch = pressure.pitch();
     task.result = potential.data();
     parallel_for(box.cells.z, [&](int plane) { kernels->divergence_plane(task, plane); });
 }
@@ -31,7 +31,7 @@ void Workspace::State::divergence_to_potential(const float* velocity, float scal
 void Workspace::State::subtract_from_potential(std::span<const float> field, float factor) {
     parallel_for(box.cells.z, [&](int k) {
         for (int j = 0; j < box.cells.y; ++j) {
-            float* const row = potential.data() + (static_cast<std::size_t>(k) * box.cells.y + j) * pressure->pitch();
+            float* const row = potential.data() + (static_cast<std::size_t>(k) * box.cells.y + j) * pressure.pitch();
             const float* const wanted = field.data() + box.index(0, j, k);
             for (int i = 0; i < box.cells.x; ++i)
                 row[i] -= factor * wanted[i];
@@ -75,7 +75,7 @@ void copy_rows(const Workspace::State& state, const From& from, const To& to, fl
 
 auto padded_rows(Workspace::State& state) {
     return [&state](int j, int k) {
-        return state.potential.data() + (static_cast<std::size_t>(k) * state.box.cells.y + j) * state.pressure->pitch();
+        return state.potential.data() + (static_cast<std::size_t>(k) * state.box.cells.y + j) * state.pressure.pitch();
     };
 }
 
@@ -97,7 +97,7 @@ void solve_poisson(Workspace& work, std::span<float> rhs_then_phi) {
     Workspace::State& state = work.state();
     assert(rhs_then_phi.size() == state.box.cell_count());
     copy_rows(state, dense_rows(state, rhs_then_phi), padded_rows(state), state.box.cell_size * state.box.cell_size);
-    state.pressure->solve(state.potential.data(), state.scratch.data(), state.parallel_for);
+    state.pressure.solve(state.potential.data(), state.scratch.data(), state.parallel_for);
     copy_rows(state, padded_rows(state), dense_rows(state, rhs_then_phi), 1.0f);
 }
 
@@ -114,15 +114,15 @@ void Workspace::State::project(std::span<glm::vec4> velocity, std::span<const fl
         subtract_from_potential(expansion, box.cell_size);
     if (beyond != nullptr)
         for_each_open_end([&](glm::ivec3 cell, int axis, int end) {
-            potential[(static_cast<std::size_t>(cell.z) * box.cells.y + cell.y) * pressure->pitch() + cell.x] -=
+            potential[(static_cast<std::size_t>(cell.z) * box.cells.y + cell.y) * pressure.pitch() + cell.x] -=
                 beyond->at(cell, axis, end);
         });
-    pressure->solve(potential.data(), scratch.data(), parallel_for);
+    pressure.solve(potential.data(), scratch.data(), parallel_for);
 
     cpu::GradientTask task{};
     for (int axis = 0; axis < 3; ++axis)
         task.cells[axis] = box.cells[axis];
-    task.pitch = pressure->pitch();
+    task.pitch = pressure.pitch();
     task.potential = potential.data();
     std::copy(&potential_ghosts[0][0], &potential_ghosts[0][0] + 6, &task.ghosts[0][0]);
     task.scale = 0.5f;

@@ -1,17 +1,19 @@
 // A scalar on the wind's trajectories. Walls mirror it, open sides hold the caller's outside value.
 #include "fluid/cpu/workspace.h"
+#include "fluid/message.h"
 
 #include <cassert>
 
 namespace windrow {
 
-void advect(Workspace& work, const ScalarTransport& transport, std::span<float> result) {
+Result<void> advect(Workspace& work, const ScalarTransport& transport, std::span<float> result) {
     Workspace::State& state = work.state();
     const Box& box = state.box;
     assert(transport.carried.size() == box.cell_count() && transport.velocity.size() == box.cell_count() &&
            result.size() == box.cell_count());
-    if (state.padded_scalar.empty())
-        state.padded_scalar = cpu::Buffer<float>(state.padded_cells());
+    if (state.padded_scalar.empty() &&
+        !detail::memory_lasts([&] { state.padded_scalar = cpu::Buffer<float>(state.padded_cells()); }))
+        return detail::out_of_memory();
 
     // The trace reads the padded wind, so the wind is gathered as an advection of itself would.
     cpu::PadTask pad{};
@@ -46,6 +48,7 @@ void advect(Workspace& work, const ScalarTransport& transport, std::span<float> 
     const auto advect_plane = transport.interpolation == Interpolation::cubic ? state.kernels->advect_scalar_plane_cubic
                                                                               : state.kernels->advect_scalar_plane_linear;
     state.parallel_for(box.cells.z, [&](int plane) { advect_plane(task, plane); });
+    return {};
 }
 
 } // namespace windrow

@@ -238,6 +238,15 @@ void SourceField::gather_plane(std::span<const MotorReach> motors, float cell_si
     }
 }
 
+void FreeAir::make_room(const Box& box) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::size_t size = box.cell_count() / static_cast<std::size_t>(box.cells[axis]);
+        for (int end = 0; end < 2; ++end)
+            if (Buffer<float>& side = ghosts_[axis][end]; box.sides.at(axis, end).kind == SideKind::open && side.size() != size)
+                side = Buffer<float>(size);
+    }
+}
+
 void FreeAir::gather(std::span<const MotorReach> motors, const Box& box, const ParallelFor& parallel_for) {
     cells_ = box.cells;
     const float h = box.cell_size;
@@ -247,8 +256,6 @@ void FreeAir::gather(std::span<const MotorReach> motors, const Box& box, const P
                 continue;
             const int along = axis == 0 ? 1 : 0, across = axis == 2 ? 1 : 2, count = cells_[along];
             Buffer<float>& side = ghosts_[axis][end];
-            if (side.size() != static_cast<std::size_t>(count) * cells_[across])
-                side = Buffer<float>(static_cast<std::size_t>(count) * cells_[across]);
             parallel_for(cells_[across], [&](int row) {
                 float* const values = side.data() + static_cast<std::size_t>(row) * count;
                 std::fill_n(values, count, 0.0f);

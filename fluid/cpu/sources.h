@@ -75,6 +75,9 @@ class SourceField {
 /// of its mirror images in walls.
 class FreeAir {
   public:
+    /// Allocates for a box, unless there is room.
+    void make_room(const Box& box);
+    /// The box must have room.
     void gather(std::span<const detail::MotorReach> motors, const Box& box, const ParallelFor& parallel_for);
     /// In the ghost cell next to `cell`, at the low (0) or high (1) end of an axis.
     [[nodiscard]] float at(glm::ivec3 cell, int axis, int end) const { return ghosts_[axis][end][place(cell, axis)]; }

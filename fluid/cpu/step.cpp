@@ -327,9 +327,8 @@ void Wind::State::carry_gusts() {
 void Wind::State::let_air_in(std::span<const detail::MotorReach> reached) {
     if (!renew_sources(reached))
         return;
-    if (source_flow.empty())
-        source_flow = cpu::Buffer<glm::vec4>(air.velocity.size());
-    reserve_solved();
+    if (source_flow.empty()) // none came and none went
+        return;
     const auto add_to_air = [&](float factor) {
         add_scaled(air.velocity, source_flow, factor);
         if (!air.fresh)
@@ -344,6 +343,24 @@ void Wind::State::let_air_in(std::span<const detail::MotorReach> reached) {
         free_air.gather(reached, box(), config.parallel_for);
     work.state().project(source_flow, sources.expansion(), {}, in_free_air ? &free_air : nullptr);
     add_to_air(1.0f);
+}
+
+void Wind::State::make_room(double dt) {
+    if (config.stages.sources && config.stages.projection && motors.has_volume_source()) {
+        if (source_flow.empty())
+            source_flow = cpu::Buffer<glm::vec4>(air.velocity.size());
+        reserve_solved();
+        if (config.sides.in_free_air())
+            free_air.make_room(box());
+    }
+    const auto duration = static_cast<float>(dt);
+    if (!viscous(duration))
+        return;
+    const DiffusionMethod method = diffusion_method(config.viscosity, air.owed_diffusion + duration, config.cell_size);
+    if (method != DiffusionMethod::none && diffused.empty())
+        diffused = cpu::Buffer<glm::vec4>(air.velocity.size());
+    if (method == DiffusionMethod::implicit)
+        work.state().reserve_diffusion();
 }
 
 void Wind::State::reserve_solved() {
@@ -428,9 +445,7 @@ std::span<const glm::vec4> Wind::State::diffuse(std::span<const glm::vec4> field
     if (method == DiffusionMethod::none)
         return field;
     Stopwatch watch(report.times_ms.diffusion);
-    if (diffused.empty())
-        diffused = cpu::Buffer<glm::vec4>(air.velocity.size());
-    windrow::diffuse(work, field, config.viscosity, std::exchange(air.owed_diffusion, 0.0f), diffused);
+    (void)windrow::diffuse(work, field, config.viscosity, std::exchange(air.owed_diffusion, 0.0f), diffused);
     return diffused;
 }
 

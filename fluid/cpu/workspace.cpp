@@ -17,27 +17,37 @@ bool same_kinds(const Sides& a, const Sides& b) {
     return true;
 }
 
+Workspace::State::Rules rules_of(const Box& box, std::vector<cpu::HaloRule> (*of)(const Box&, int)) {
+    return {of(box, 0), of(box, 1), of(box, 2)};
+}
+
+cpu::SeparableSolver pressure_of(const Box& box, const cpu::Kernels& kernels, const ParallelFor& parallel_for) {
+    cpu::SeparableSolver solver(box.cells, cpu::pressure_ends(box.sides), kernels);
+    solver.set_shift(0.0, parallel_for);
+    return solver;
+}
+
+std::array<cpu::SeparableSolver, 3> diffusion_of(const Box& box, const cpu::Kernels& kernels) {
+    const auto solver = [&](int component) {
+        return cpu::SeparableSolver(box.cells, cpu::velocity_ends(box.sides, component), kernels);
+    };
+    return {solver(0), solver(1), solver(2)};
+}
+
 } // namespace
 
 Workspace::State::State(const Settings& settings, const cpu::Kernels& table)
     : box(settings.box), requested_ambient(settings.ambient), ambient(admissible_ambient(settings.box.sides, settings.ambient)),
-      parallel_for(settings.parallel_for), kernels(&table), padded_carried(4 * padded_cells()), padded_trace(4 * padded_cells()),
-      surveys(static_cast<std::size_t>(box.cells.z)) {
-    build_rules();
+      parallel_for(settings.parallel_for), kernels(&table), rules(rules_of(box, cpu::halo_rules)),
+      carried_rules(rules_of(box, cpu::carried_rules)), padded_carried(4 * padded_cells()), padded_trace(4 * padded_cells()),
+      pressure(pressure_of(box, table, parallel_for)), surveys(static_cast<std::size_t>(box.cells.z)) {
     build_ghosts();
-    build_pressure();
+    grow_solver_buffers(pressure);
 }
 
 std::size_t Workspace::State::padded_cells() const {
     const glm::ivec3 padded = box.cells + cpu::k_halo;
     return static_cast<std::size_t>(padded.x) * static_cast<std::size_t>(padded.y) * static_cast<std::size_t>(padded.z);
-}
-
-void Workspace::State::build_rules() {
-    for (int axis = 0; axis < 3; ++axis) {
-        rules[axis] = cpu::halo_rules(box, axis);
-        carried_rules[axis] = cpu::carried_rules(box, axis);
-    }
 }
 
 void Workspace::State::build_ghosts() {
@@ -46,12 +56,6 @@ void Workspace::State::build_ghosts() {
             velocity_ghosts[axis][end] = cpu::velocity_ghost(box, axis, end);
             potential_ghosts[axis][end] = cpu::potential_ghost(box, axis, end);
         }
-}
-
-void Workspace::State::build_pressure() {
-    pressure.emplace(box.cells, cpu::pressure_ends(box.sides), *kernels);
-    pressure->set_shift(0.0, parallel_for);
-    grow_solver_buffers(*pressure);
 }
 
 void Workspace::State::grow_solver_buffers(const cpu::SeparableSolver& solver) {
@@ -64,27 +68,35 @@ void Workspace::State::grow_solver_buffers(const cpu::SeparableSolver& solver) {
 void Workspace::State::reserve_diffusion() {
     if (diffusion)
         return;
-    const auto solver = [&](int component) {
-        return cpu::SeparableSolver(box.cells, cpu::velocity_ends(box.sides, component), *kernels);
-    };
-    diffusion.emplace(std::array{solver(0), solver(1), solver(2)});
-    for (const auto& component : *diffusion)
+    auto made = diffusion_of(box, *kernels);
+    for (const auto& component : made)
         grow_solver_buffers(component);
+    diffusion = std::move(made);
 }
 
 void Workspace::State::set_sides(const Sides& sides) {
+    static_assert(std::is_nothrow_move_assignable_v<cpu::SeparableSolver>, "all is made before anything changes");
+    Box wanted = box;
+    wanted.sides = sides;
+    Rules wanted_rules = rules_of(wanted, cpu::halo_rules), wanted_carried = rules_of(wanted, cpu::carried_rules);
     const bool kinds_changed = !same_kinds(box.sides, sides);
-    box.sides = sides;
-    build_rules();
-    set_ambient(requested_ambient);
-    if (!kinds_changed)
-        return;
-    build_ghosts();
-    build_pressure();
-    if (diffusion) {
-        diffusion.reset();
-        reserve_diffusion();
+    if (kinds_changed) {
+        auto wanted_pressure = pressure_of(wanted, *kernels, parallel_for);
+        grow_solver_buffers(wanted_pressure);
+        if (diffusion) {
+            auto wanted_diffusion = diffusion_of(wanted, *kernels);
+            for (const auto& component : wanted_diffusion)
+                grow_solver_buffers(component);
+            diffusion = std::move(wanted_diffusion);
+        }
+        pressure = std::move(wanted_pressure);
     }
+    box = wanted;
+    rules = std::move(wanted_rules);
+    carried_rules = std::move(wanted_carried);
+    set_ambient(requested_ambient);
+    if (kinds_changed)
+        build_ghosts();
 }
 
 void Workspace::State::set_ambient(glm::vec3 wind) {
@@ -94,7 +106,7 @@ void Workspace::State::set_ambient(glm::vec3 wind) {
 
 std::size_t Workspace::State::memory_bytes() const {
     std::size_t bytes = sizeof(State) + padded_carried.bytes() + padded_trace.bytes() + padded_scalar.bytes() +
-                        potential.bytes() + scratch.bytes() + surveys.bytes() + pressure->memory_bytes();
+                        potential.bytes() + scratch.bytes() + surveys.bytes() + pressure.memory_bytes();
     for (const auto* each : {&rules, &carried_rules})
         for (const auto& axis : *each)
             bytes += axis.capacity() * sizeof(cpu::HaloRule);
@@ -157,14 +169,17 @@ Result<Workspace> Workspace::create(const Settings& settings) {
         reasons.add("simd is ", name_of(settings.simd), ", which this machine does not run: give best or baseline.");
     if (!reasons.empty())
         return Error{reasons.take()};
-    return Workspace(std::make_unique<State>(settings, *kernels));
+    return detail::where_memory_lasts(
+        [&]() -> Result<Workspace> { return Workspace(std::make_unique<State>(settings, *kernels)); });
 }
 
 Result<void> Workspace::set_sides(const Sides& sides) {
     if (auto valid = validate(sides); !valid)
         return valid;
-    state_->set_sides(sides);
-    return {};
+    return detail::where_memory_lasts([&]() -> Result<void> {
+        state_->set_sides(sides);
+        return {};
+    });
 }
 
 void Workspace::set_ambient(glm::vec3 ambient) {
@@ -179,8 +194,11 @@ glm::vec3 Workspace::ambient() const {
 std::size_t Workspace::memory_bytes() const {
     return state_->memory_bytes();
 }
-void reserve_diffusion(Workspace& work) {
-    work.state().reserve_diffusion();
+Result<void> reserve_diffusion(Workspace& work) {
+    return detail::where_memory_lasts([&]() -> Result<void> {
+        work.state().reserve_diffusion();
+        return {};
+    });
 }
 
 } // namespace windrow

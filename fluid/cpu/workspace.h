@@ -17,6 +17,8 @@ class FreeAir;
 }
 
 struct Workspace::State {
+    using Rules = std::array<std::vector<cpu::HaloRule>, 3>;
+
     State(const Settings& settings, const cpu::Kernels& kernels);
 
     Box box;
@@ -32,9 +34,9 @@ struct Workspace::State {
     const cpu::Kernels* kernels;
 
     /// rules[axis][cell + k_halo_low]: where a padded velocity comes from, as viscosity sees it.
-    std::array<std::vector<cpu::HaloRule>, 3> rules;
+    Rules rules;
     /// The same as transport sees it: along every wall the air slips.
-    std::array<std::vector<cpu::HaloRule>, 3> carried_rules;
+    Rules carried_rules;
     cpu::NormalGhost velocity_ghosts[3][2];
     cpu::NormalGhost potential_ghosts[3][2];
 
@@ -42,7 +44,7 @@ struct Workspace::State {
     cpu::Buffer<float> padded_trace;
     cpu::Buffer<float> padded_scalar; ///< one float a padded cell; made by the first scalar
 
-    std::optional<cpu::SeparableSolver> pressure;
+    cpu::SeparableSolver pressure;
     std::optional<std::array<cpu::SeparableSolver, 3>> diffusion; ///< one a component, made by reserve_diffusion
     cpu::Buffer<float> potential;                                 ///< data of the direct solves
     cpu::Buffer<float> scratch;                                   ///< scratch of the direct solves
@@ -78,9 +80,7 @@ struct Workspace::State {
   private:
     template <class Visit>
     void for_each_open_end(const Visit& visit) const;
-    void build_rules();
     void build_ghosts();
-    void build_pressure();
     void grow_solver_buffers(const cpu::SeparableSolver& solver);
 };
 

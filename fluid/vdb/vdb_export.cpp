@@ -121,10 +121,20 @@ openvdb::math::Transform::Ptr transform_of(const VelocityGrid& grid, UpAxis up) 
     return transform;
 }
 
+/// A grid that ends without memory too: the destructor of OpenVDB's tree collects the nodes in arrays, and one that finds no
+/// memory there ends the process. The root frees its nodes without them.
+template <class GridType>
+typename GridType::Ptr empty_grid(const typename GridType::ValueType& background) {
+    return {new GridType(background), [](GridType* grid) {
+                grid->tree().root().clear();
+                delete grid;
+            }};
+}
+
 /// `value_of` makes a voxel's value out of a velocity that is already turned.
 template <class GridType, class ValueOf>
 openvdb::GridBase::Ptr dense_grid(const VelocityGrid& source, const Options& options, ValueOf value_of) {
-    auto grid = GridType::create(value_of(turned(source.outside, options.up)));
+    auto grid = empty_grid<GridType>(value_of(turned(source.outside, options.up)));
     grid->setTransform(transform_of(source, options.up));
 
     using Leaf = typename GridType::TreeType::LeafNodeType;
@@ -212,7 +222,12 @@ WriteResult failure(const std::filesystem::path& file, int error) {
             fix = "end other programs";
         }
     }
-    return {problem, message(file.string(), ": ", detail::reason_of(error), ": ", fix, "; nothing was changed.")};
+    return {problem, message(file.native(), ": ", detail::reason_of(error), ": ", fix, "; nothing was changed.")};
+}
+
+WriteResult out_of_memory(const std::string& file, const VelocityGrid& grid) {
+    return {Problem::out_of_memory, message(file, ": the memory for ", grid.cells,
+                                            " cells could not be had: free some or write fewer cells; nothing was changed.")};
 }
 
 } // namespace
@@ -241,8 +256,7 @@ WriteResult write(const VelocityGrid& grid, const std::filesystem::path& file, c
             return failure(file, out.error());
         return {};
     } catch (const std::exception&) {
-        return {Problem::out_of_memory, message(file.string(), ": the memory for ", grid.cells,
-                                                " cells could not be had: free some or write fewer cells; nothing was changed.")};
+        return out_of_memory(file.native(), grid);
     }
 }
 
@@ -264,10 +278,14 @@ WriteResult Sequence::write(const VelocityGrid& grid, int frame, double time) co
         reasons.add("prefix is \"", prefix, "\": leave out '/' and control characters and end it in no digit, such as wind_.");
     if (!reasons.empty())
         return {Problem::refused, reasons.take()};
-    Options frame_options = options;
-    frame_options.time = time;
-    frame_options.frame = frame;
-    return vdb::write(grid, path(frame), frame_options);
+    try {
+        Options frame_options = options;
+        frame_options.time = time;
+        frame_options.frame = frame;
+        return vdb::write(grid, path(frame), frame_options);
+    } catch (const std::bad_alloc&) {
+        return out_of_memory(folder.native(), grid);
+    }
 }
 
 } // namespace windrow::vdb

@@ -12,6 +12,7 @@ namespace windrow::vulkan {
 
 Wind::State::State(std::unique_ptr<Air> cells, const Config& wanted, const Settings& how, const AmbientWind& wind_around)
     : WindHost(wanted, wind_around), air(std::move(cells)), settings(how), queried_box(box()) {
+    queue_.make_room();
     renew_ambient();
     fill_with_ambient();
 }
@@ -36,6 +37,10 @@ std::uint32_t laps_of(const Config& config, const Passes& passes) {
 } // namespace
 
 Result<Wind> Wind::create(const Host& host, const Config& config, const Settings& settings) {
+    return windrow::detail::where_memory_lasts([&] { return made(host, config, settings); });
+}
+
+Result<Wind> Wind::made(const Host& host, const Config& config, const Settings& settings) {
     detail::Reasons reasons;
     if (auto valid = validate(config); !valid)
         reasons.add(valid.error());
@@ -117,14 +122,16 @@ const Config& Wind::config() const {
 Box Wind::box() const {
     return state_->box();
 }
-void Wind::set_velocity(const std::function<glm::vec3(glm::dvec3)>& velocity_at) {
+Result<void> Wind::set_velocity(const std::function<glm::vec3(glm::dvec3)>& velocity_at) {
     const Box box = this->box();
-    std::vector<glm::vec4> cells(box.cell_count());
+    std::vector<glm::vec4> cells;
+    if (!windrow::detail::memory_lasts([&] { cells.resize(box.cell_count()); }))
+        return windrow::detail::out_of_memory();
     for (int k = 0; k < box.cells.z; ++k)
         for (int j = 0; j < box.cells.y; ++j)
             for (int i = 0; i < box.cells.x; ++i)
                 cells[box.index(i, j, k)] = glm::vec4(velocity_at(state_->window.centre(i, j, k)), 0.0f);
-    static_cast<void>(state_->set_velocity(cells)); // of the box's size
+    return state_->set_velocity(cells);
 }
 Result<void> Wind::set_velocity(std::span<const glm::vec4> field) {
     return state_->set_velocity(field);

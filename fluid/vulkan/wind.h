@@ -14,6 +14,7 @@
 // the next.
 #pragma once
 
+#include "fluid/owned.h"
 #include "fluid/vulkan/host.h"
 #include "fluid/vulkan/pass_times.h"
 #include "fluid/wind.h"
@@ -106,8 +107,8 @@ class Wind {
     [[nodiscard]] Box box() const;
     [[nodiscard]] const Config& config() const;
     /// Sets every cell from a function of its centre's world position; the cells travel inside the next recording's command
-    /// buffer.
-    void set_velocity(const std::function<glm::vec3(glm::dvec3 centre)>& velocity_at);
+    /// buffer. Without memory for them it fails and nothing changes.
+    Result<void> set_velocity(const std::function<glm::vec3(glm::dvec3 centre)>& velocity_at);
     /// The same from an array laid out as box.h says; refuses another size.
     Result<void> set_velocity(std::span<const glm::vec4> field);
     /// Back to ambient everywhere.
@@ -161,8 +162,9 @@ class Wind {
     [[nodiscard]] const State& state() const { return *state_; }
 
   private:
+    [[nodiscard]] static Result<Wind> made(const Host& host, const Config& config, const Settings& settings);
     explicit Wind(std::unique_ptr<State> state);
-    std::unique_ptr<State> state_;
+    windrow::detail::Owned<State> state_;
 };
 
 } // namespace windrow::vulkan

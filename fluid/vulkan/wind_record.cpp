@@ -175,7 +175,12 @@ Result<void> Wind::State::set_velocity(std::span<const glm::vec4> field) {
         return Error{windrow::detail::message("set_velocity got ", field.size(), " cells, but the box has ", box().cell_count(),
                                               ": give one for each of config().cells.")};
     Work work = work_of(Work::Kind::set);
-    work.cells.resize(field.size());
+    const bool has_room = windrow::detail::memory_lasts([&] {
+        work.cells.resize(field.size());
+        queue_.make_room();
+    });
+    if (!has_room)
+        return windrow::detail::out_of_memory();
     std::transform(field.begin(), field.end(), work.cells.begin(), [](glm::vec4 u) { return glm::vec4(u.x, u.y, u.z, 0.0f); });
     do_or_queue(std::move(work));
     asleep = calm = filled_ = false;
@@ -212,11 +217,12 @@ void Wind::State::forget() {
 
 void Wind::State::around_changed() {} // each work brings the ambient wind of its moment
 
-Result<void> Wind::State::sides_changed(bool kinds) {
-    hold_gusts(); // as the old sides have them
-    auto prepared = air->prepare(config.sides, kinds || (new_sides_ && new_sides_->tables));
+Result<void> Wind::State::change_sides(const Sides& sides, bool kinds) {
+    auto prepared =
+        windrow::detail::where_memory_lasts([&] { return air->prepare(sides, kinds || (new_sides_ && new_sides_->tables)); });
     if (!prepared)
         return Error{prepared.error()};
+    hold_gusts(); // as the old sides have them
     filled_ = false;
     disturbed_tick_ = tick_ + 1;
     new_sides_ = *std::move(prepared);

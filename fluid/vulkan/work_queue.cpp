@@ -147,11 +147,21 @@ void WorkQueue::drop_overwritten(const Work& work) {
     }
 }
 
+void WorkQueue::make_room() {
+    constexpr std::size_t k_most_a_call = 8; // out with the wind, a change, a shift, in with it, what is kept
+    const std::size_t most = works_.size() + k_most_a_call;
+    if (works_.capacity() < most)
+        works_.reserve(2 * most);
+    left_.reserve(works_.capacity());
+}
+
 void WorkQueue::push(Work work) {
     if (work.kind == Kind::fill || work.kind == Kind::fill_before || work.kind == Kind::set) {
         drop_overwritten(work);
-        for (Work& left : std::exchange(works_, {})) // neighbours now, that may fold
+        works_.swap(left_);
+        for (Work& left : left_) // neighbours now, that may fold
             append(std::move(left));
+        left_.clear();
     }
     append(std::move(work));
 }

@@ -35,6 +35,8 @@ struct Work {
 
 class WorkQueue {
   public:
+    /// Room for all that one call of the host asks for: `push` allocates nothing then.
+    void make_room();
     void push(Work work);
     /// Records all in order, and forgets it.
     void record(Air& air, VkCommandBuffer commands);
@@ -48,7 +50,7 @@ class WorkQueue {
     void append(Work work);
     void drop_overwritten(const Work& work);
 
-    std::vector<Work> works_;
+    std::vector<Work> works_, left_; ///< and scratch of `push`
 };
 
 } // namespace windrow::vulkan

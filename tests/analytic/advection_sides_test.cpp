@@ -76,10 +76,11 @@ TEST(AdvectionSides, AScalarEqualsItsDefinition) {
             const auto values = sample_scalar(box, [&](glm::dvec3) { return random.uniform(); });
             const float dt = static_cast<float>(random.uniform(0.5, 4.0)), outside = static_cast<float>(random.uniform());
             std::vector<float> moved(values.size());
-            advect(work,
-                   ScalarTransport{
-                       .carried = values, .velocity = wind, .dt = dt, .interpolation = interpolation, .outside = outside},
-                   moved);
+            EXPECT_TRUE(
+                advect(work,
+                       ScalarTransport{
+                           .carried = values, .velocity = wind, .dt = dt, .interpolation = interpolation, .outside = outside},
+                       moved));
             const Transport trace{.carried = wind, .velocity = wind, .dt = dt};
             for (int k = 0; k < box.cells.z; ++k)
                 for (int j = 0; j < box.cells.y; ++j)

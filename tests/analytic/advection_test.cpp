@@ -25,7 +25,8 @@ std::vector<float> carry(Workspace& work, Form form, std::span<const float> valu
                          Interpolation interpolation) {
     std::vector<float> result(values.size());
     if (form == Form::scalar) {
-        advect(work, ScalarTransport{.carried = values, .velocity = wind, .dt = dt, .interpolation = interpolation}, result);
+        EXPECT_TRUE(
+            advect(work, ScalarTransport{.carried = values, .velocity = wind, .dt = dt, .interpolation = interpolation}, result));
         return result;
     }
     const int axis = static_cast<int>(form);

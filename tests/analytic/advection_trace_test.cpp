@@ -45,7 +45,7 @@ double turn_error(int cells, int steps, Trace trace, const Turn& turn) {
     for (int step = 0; step < steps; ++step) {
         const Field wind = wind_at(step * dt), old = wind_at((step - 1) * dt);
         if (trace == Trace::scalar) {
-            advect(work, ScalarTransport{.carried = values, .velocity = wind, .dt = static_cast<float>(dt)}, next);
+            EXPECT_TRUE(advect(work, ScalarTransport{.carried = values, .velocity = wind, .dt = static_cast<float>(dt)}, next));
             std::swap(values, next);
         } else {
             Transport transport{.carried = field, .velocity = wind, .dt = static_cast<float>(dt)};

@@ -31,7 +31,8 @@ TEST(OpenSides, AScalarPuffLeaves) {
              next = smoke;
         double at_one = 0.0;
         for (int step = 1; step <= 240; ++step) {
-            advect(work, ScalarTransport{.carried = smoke, .velocity = wind, .dt = 0.1f, .interpolation = interpolation}, next);
+            EXPECT_TRUE(advect(
+                work, ScalarTransport{.carried = smoke, .velocity = wind, .dt = 0.1f, .interpolation = interpolation}, next));
             std::swap(smoke, next);
             if (step == 20) // half a crossing: the middle of the puff is at the side
                 at_one = *std::max_element(smoke.begin(), smoke.end());

@@ -139,13 +139,13 @@ struct Recording {
         for (int n = 0; n < 40; ++n)
             host.call();
         (void)wind.advance(0.05);
-        start = wind.save();
+        start = *wind.save();
         wind.record_to(&log);
         (void)wind.advance(0.05);
         while (log.events().size() < calls)
             host.call();
         wind.record_to(nullptr);
-        end = wind.save();
+        end = *wind.save();
         (void)wind.step(0.1);
         EXPECT_EQ(log.events().size(), calls) << "records after it was told to stop";
     }
@@ -163,15 +163,15 @@ TEST(Replay, OfARandomSessionEndsInTheSameBits) {
         const Recording recording(seed);
         for (const Event& event : recording.log.events())
             ++seen[event.index()];
-        const auto log = EventLog::from_bytes(recording.log.to_bytes());
+        const auto log = EventLog::from_bytes(*recording.log.to_bytes());
         ASSERT_TRUE(log) << log.error();
-        EXPECT_EQ(log->to_bytes(), recording.log.to_bytes());
+        EXPECT_EQ(*log->to_bytes(), *recording.log.to_bytes());
         for (const int threads : {1, 4}) {
             ThreadPool pool(threads);
             Wind again = loaded(recording.start, pool.parallel_for());
             const auto done = replay(*log, again);
             ASSERT_TRUE(done) << done.error();
-            ASSERT_EQ(again.save(), recording.end) << "session " << seed << ", " << threads << " threads";
+            ASSERT_EQ(*again.save(), recording.end) << "session " << seed << ", " << threads << " threads";
         }
     }
     for (std::size_t kind = 0; kind < seen.size(); ++kind)
@@ -184,14 +184,14 @@ TEST(Replay, RecordsTheSameLogAgain) {
     EventLog copy;
     again.record_to(&copy);
     ASSERT_TRUE(replay(recording.log, again));
-    EXPECT_EQ(copy.to_bytes(), recording.log.to_bytes());
+    EXPECT_EQ(*copy.to_bytes(), *recording.log.to_bytes());
     // Into the very log that it reads: once through, and the log holds everything twice.
     EventLog log = recording.log;
     Wind once_more = loaded(recording.start);
     once_more.record_to(&log);
     ASSERT_TRUE(replay(log, once_more));
     EXPECT_EQ(log.events().size(), 200u);
-    EXPECT_EQ(once_more.save(), recording.end);
+    EXPECT_EQ(*once_more.save(), recording.end);
 }
 
 TEST(Replay, NamesTheEventThatIsRefused) {
@@ -238,11 +238,11 @@ TEST(Replay, RefusesWhatTheCallsRefuse) {
 
 TEST(EventLogBytes, AreRefusedUnlessWholeAndUnchanged) {
     const EventLog log = Recording(6, 60).log;
-    const Bytes bytes = log.to_bytes();
+    const Bytes bytes = *log.to_bytes();
     ASSERT_TRUE(EventLog::from_bytes(bytes));
     EXPECT_EQ(EventLog::from_bytes({}).error(),
               "these bytes are not a Windrow event log: give what EventLog::to_bytes returned.");
-    EXPECT_FALSE(EventLog::from_bytes(made({}).save()));
+    EXPECT_FALSE(EventLog::from_bytes(*made({}).save()));
     Random random(41);
     const auto somewhere = [&] { return static_cast<std::size_t>(random.integer(0, static_cast<int>(bytes.size()) - 1)); };
     for (int n = 0; n < 2000; ++n) {
@@ -262,7 +262,7 @@ TEST(EventLogBytes, ForgedOnesDoNoHarm) {
     for (const Event& event : recording.log.events())
         if (!std::holds_alternative<VelocitySet>(event) && !std::holds_alternative<GustsSet>(event))
             log.note(event);
-    const Bytes bytes = log.to_bytes();
+    const Bytes bytes = *log.to_bytes();
     Random random(42);
     int readable = 0;
     for (int n = 0; n < 200; ++n) {
@@ -292,11 +292,11 @@ TEST(EventLogBytes, BelieveNoPromiseOfEvents) {
 TEST(EventLogBytes, AreFew) {
     EventLog log;
     log.note(MotorMoved{{1, 1}, glm::dvec3(1.0)});
-    const std::size_t one = log.to_bytes().size();
+    const std::size_t one = log.to_bytes()->size();
     log.note(MotorMoved{{1, 1}, glm::dvec3(2.0)});
-    WINDROW_EXPECT_FIGURE("event_log_bytes_per_move", static_cast<double>(log.to_bytes().size() - one), 33.0);
+    WINDROW_EXPECT_FIGURE("event_log_bytes_per_move", static_cast<double>(log.to_bytes()->size() - one), 33.0);
     log.note(Advanced{0.02});
-    WINDROW_EXPECT_FIGURE("event_log_bytes_of_frame_and_move", static_cast<double>(log.to_bytes().size() - one), 42.0);
+    WINDROW_EXPECT_FIGURE("event_log_bytes_of_frame_and_move", static_cast<double>(log.to_bytes()->size() - one), 42.0);
 }
 
 } // namespace

@@ -1,14 +1,12 @@
-// The memory that a Wind reports is what it has allocated, and a step allocates nothing: every operator new of this program
-// is counted here, the aligned ones too.
+// The memory that a Wind reports is what it has allocated, and a step allocates nothing.
 
 #include "fluid/thread_pool.h"
 #include "fluid/wind.h"
 #include "tests/fields.h"
 #include "tests/figure.h"
+#include "tests/unit/counted_new.h"
 
 #include <algorithm>
-#include <atomic>
-#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <gtest/gtest.h>
@@ -17,106 +15,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-namespace {
-
-std::atomic<std::int64_t> live_bytes{0}, allocations{0};
-
-// The block's size and its true start are stored before it.
-struct Header {
-    void* start;
-    std::size_t size;
-};
-
-void* allocate(std::size_t size, std::size_t alignment) noexcept {
-    alignment = std::max(alignment, alignof(std::max_align_t));
-    void* const start = std::malloc(size + alignment + sizeof(Header));
-    if (start == nullptr)
-        return nullptr;
-    const auto first = reinterpret_cast<std::uintptr_t>(start) + sizeof(Header);
-    auto* const block = reinterpret_cast<void*>((first + alignment - 1) / alignment * alignment);
-    static_cast<Header*>(block)[-1] = {start, size};
-    live_bytes += static_cast<std::int64_t>(size);
-    ++allocations;
-    return block;
-}
-
-void* allocate_or_throw(std::size_t size, std::size_t alignment) {
-    if (void* const block = allocate(size, alignment))
-        return block;
-    throw std::bad_alloc();
-}
-
-void release(void* block) noexcept {
-    if (block == nullptr)
-        return;
-    const Header header = static_cast<Header*>(block)[-1];
-    live_bytes -= static_cast<std::int64_t>(header.size);
-    std::free(header.start);
-}
-
-} // namespace
-
-void* operator new(std::size_t size) {
-    return allocate_or_throw(size, 0);
-}
-void* operator new[](std::size_t size) {
-    return allocate_or_throw(size, 0);
-}
-void* operator new(std::size_t size, std::align_val_t at) {
-    return allocate_or_throw(size, static_cast<std::size_t>(at));
-}
-void* operator new[](std::size_t size, std::align_val_t at) {
-    return allocate_or_throw(size, static_cast<std::size_t>(at));
-}
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-    return allocate(size, 0);
-}
-void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
-    return allocate(size, 0);
-}
-void* operator new(std::size_t size, std::align_val_t at, const std::nothrow_t&) noexcept {
-    return allocate(size, static_cast<std::size_t>(at));
-}
-void* operator new[](std::size_t size, std::align_val_t at, const std::nothrow_t&) noexcept {
-    return allocate(size, static_cast<std::size_t>(at));
-}
-void operator delete(void* block) noexcept {
-    release(block);
-}
-void operator delete[](void* block) noexcept {
-    release(block);
-}
-void operator delete(void* block, std::size_t) noexcept {
-    release(block);
-}
-void operator delete[](void* block, std::size_t) noexcept {
-    release(block);
-}
-void operator delete(void* block, std::align_val_t) noexcept {
-    release(block);
-}
-void operator delete[](void* block, std::align_val_t) noexcept {
-    release(block);
-}
-void operator delete(void* block, std::size_t, std::align_val_t) noexcept {
-    release(block);
-}
-void operator delete[](void* block, std::size_t, std::align_val_t) noexcept {
-    release(block);
-}
-void operator delete(void* block, const std::nothrow_t&) noexcept {
-    release(block);
-}
-void operator delete[](void* block, const std::nothrow_t&) noexcept {
-    release(block);
-}
-void operator delete(void* block, std::align_val_t, const std::nothrow_t&) noexcept {
-    release(block);
-}
-void operator delete[](void* block, std::align_val_t, const std::nothrow_t&) noexcept {
-    release(block);
-}
 
 namespace {
 
@@ -209,7 +107,7 @@ TEST(Memory, AWorkspaceSaysWhatItHasAllocated) {
     auto work = Workspace::create({.box = {.cells = {21, 12, 34}, .cell_size = 0.5f, .sides = Sides::open_over_floor()}});
     ASSERT_TRUE(work);
     const double created = unsaid(*work, before);
-    reserve_diffusion(*work);
+    ASSERT_TRUE(reserve_diffusion(*work));
     const double with_diffusion = unsaid(*work, before);
     WINDROW_EXPECT_FIGURE("memory_unsaid_workspace", created, 0.0);
     WINDROW_EXPECT_FIGURE("memory_unsaid_workspace_diffusion", with_diffusion, 0.0);

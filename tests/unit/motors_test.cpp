@@ -73,6 +73,39 @@ TEST(Motors, AStaleHandleIsRefusedAndMovesNoStranger) {
     EXPECT_EQ(position_of(*motors.find(stranger)), glm::dvec3(9.0));
 }
 
+TEST(Motors, AHandleOfAnotherWindIsRejected) {
+    auto wind = Wind::create({}), other = Wind::create({});
+    ASSERT_TRUE(wind && other);
+    const MotorId id = added(wind->motors(), OmniMotor{}), stranger = added(other->motors(), WakeMotor{});
+    ASSERT_EQ(id.slot, stranger.slot);
+    const auto moved = wind->motors().move(stranger, {1.0, 0.0, 0.0});
+    ASSERT_FALSE(moved);
+    EXPECT_EQ(moved.error(), "motor 0 of generation 1 belongs to another wind: use the handle that add() of this one returned.");
+    EXPECT_FALSE(wind->motors().set(stranger, OmniMotor{}));
+    EXPECT_FALSE(wind->motors().remove(stranger));
+    EXPECT_EQ(wind->motors().find(stranger), nullptr);
+    // Sent elsewhere as slot and generation.
+    EXPECT_TRUE(wind->motors().move({.slot = id.slot, .generation = id.generation}, {1.0, 0.0, 0.0}));
+
+    // A wind that was loaded knows the handles of the one that was saved, and gives its own.
+    auto again = Wind::load(*wind->save());
+    ASSERT_TRUE(again);
+    EXPECT_TRUE(again->motors().move(id, {2.0, 0.0, 0.0}));
+    const MotorId later = added(wind->motors(), OmniMotor{}), own = added(again->motors(), OmniMotor{});
+    ASSERT_EQ(later.slot, own.slot);
+    EXPECT_FALSE(again->motors().move(later, {2.0, 0.0, 0.0}));
+    EXPECT_TRUE(again->motors().move(own, {2.0, 0.0, 0.0}));
+}
+
+#ifndef NDEBUG
+TEST(WindDeathTest, AWindThatWasMovedFromIsNamed) {
+    auto wind = Wind::create({});
+    ASSERT_TRUE(wind);
+    const Wind taken = *std::move(wind);
+    EXPECT_DEATH(wind->step(0.1), "moved from");
+}
+#endif
+
 TEST(Motors, EveryGenerationOfASlotIsAnother) {
     Motors motors;
     std::vector<MotorId> past;

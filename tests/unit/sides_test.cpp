@@ -139,7 +139,7 @@ TEST(Sides, DiffusionSeesTheGhostsOfTheList) {
         const Field field = white_noise(box.cells, 1.0f, random.bits());
         Field result(field.size());
         const double ratio = 0.0625; // r = nu dt / h^2
-        ASSERT_EQ(diffuse(*work, field, static_cast<float>(ratio * 0.25), 1.0f, result), DiffusionMethod::one_pass);
+        ASSERT_EQ(*diffuse(*work, field, static_cast<float>(ratio * 0.25), 1.0f, result), DiffusionMethod::one_pass);
 
         const auto at = [&](glm::ivec3 cell) { return glm::dvec3(field[box.index(cell.x, cell.y, cell.z)]); };
         const auto neighbour = [&](glm::ivec3 cell, int axis, int end) {

@@ -24,7 +24,7 @@ void each_counts(const T& start, const std::vector<std::function<void(T&)>>& cha
         const Bytes bytes = bytes_of(value);
         for (const Bytes& other : seen)
             EXPECT_NE(bytes, other) << "change " << n;
-        EXPECT_EQ(loaded(bytes).save(), bytes) << "change " << n;
+        EXPECT_EQ(*loaded(bytes).save(), bytes) << "change " << n;
         seen.push_back(bytes);
     }
 }
@@ -82,7 +82,7 @@ TEST(SnapshotFields, EachOfTheConfigCounts) {
         [](Config& c) { c.ticks.hz = 50.0; },
         [](Config& c) { c.ticks.most = 7; },
     };
-    each_counts<Config>(start, changes, [](const Config& config) { return made(config).save(); });
+    each_counts<Config>(start, changes, [](const Config& config) { return *made(config).save(); });
 }
 
 template <class Kind>
@@ -90,7 +90,7 @@ void each_of_a_motor_counts(const std::vector<std::function<void(Kind&)>>& chang
     each_counts<Kind>({}, changes, [](const Kind& motor) {
         Wind wind = made({.cells = {2, 2, 2}});
         EXPECT_TRUE(wind.motors().add(motor));
-        return wind.save();
+        return *wind.save();
     });
 }
 
@@ -193,7 +193,7 @@ TEST(SnapshotFields, EachOfAMotorCounts) {
 TEST(SnapshotFields, ASleeperReportsTheSame) {
     Wind wind = made({.cells = {4, 4, 4}, .ambient = {3.0f, 1.0f, 0.0f}});
     (void)wind.step(0.1);
-    Wind again = loaded(wind.save());
+    Wind again = loaded(*wind.save());
     const Diagnostics a = wind.step(0.1), b = again.step(0.1);
     EXPECT_TRUE(b.asleep && b.stepped);
     EXPECT_EQ(a.max_speed, b.max_speed);
@@ -204,7 +204,7 @@ TEST(SnapshotFields, ASleeperReportsTheSame) {
 TEST(SnapshotFields, HandlesGoOnWithTheirGenerations) {
     Session session{made({.cells = {4, 4, 4}}), {}};
     session.add_all_kinds();
-    Wind again = loaded(session.wind.save());
+    Wind again = loaded(*session.wind.save());
     EXPECT_EQ(again.motors().find(session.motors[0]), nullptr);
     EXPECT_NE(again.motors().find(session.motors[1]), nullptr);
     for (int n = 0; n < 4; ++n) {
@@ -217,12 +217,12 @@ TEST(SnapshotFields, HandlesGoOnWithTheirGenerations) {
 TEST(SnapshotFields, ATileThatWasHandedInGoesByItsSeed) {
     Wind wind = made(
         {.cells = {4, 4, 4}, .ambient = {5.0f, 0.0f, 0.0f}, .gusts = {.intensity = 0.3f, .seed = 3, .tile = GustTile::bake(9)}});
-    EXPECT_EQ(loaded(wind.save()).config().gusts.seed, 9u);
+    EXPECT_EQ(loaded(*wind.save()).config().gusts.seed, 9u);
 }
 
 TEST(SnapshotFields, TakesSoManyBytesACell) {
     const auto per_cell = [](const Wind& wind) {
-        return static_cast<double>(wind.save().size()) / static_cast<double>(wind.box().cell_count());
+        return static_cast<double>(wind.save()->size()) / static_cast<double>(wind.box().cell_count());
     };
     Wind wind = made({});
     WINDROW_EXPECT_FIGURE("snapshot_bytes_per_cell_fresh", per_cell(wind), 16.1);

@@ -45,7 +45,7 @@ Bytes small_snapshot(float gust_intensity = 0.0f) {
         (void)session.wind.advance(1.0 / 80.0);
     }
     session.act(1);
-    return session.wind.save();
+    return *session.wind.save();
 }
 
 TEST(SnapshotRefusal, SaysWhatIsWrong) {
@@ -72,20 +72,20 @@ TEST(SnapshotRefusal, MeetsWhatValidateRefuses) {
     const MotorId id = *wind.motors().add(JetMotor{});
     wind.state().config.rim = -1.0f;
     wind.state().config.max_substeps = 99;
-    const std::string config = refusal(wind.save());
+    const std::string config = refusal(*wind.save());
     EXPECT_NE(config.find("rim is -1"), std::string::npos) << config;
     EXPECT_NE(config.find("max_substeps is 99"), std::string::npos) << config;
     wind = made({.cells = {4, 4, 4}});
     ASSERT_EQ(*wind.motors().add(JetMotor{}), id);
     std::get<JetMotor>(const_cast<Motor&>(*wind.motors().find(id))).length = std::numeric_limits<float>::quiet_NaN();
-    const std::string motor = refusal(wind.save());
+    const std::string motor = refusal(*wind.save());
     EXPECT_NE(motor.find("motor 0 cannot be used: motor.length is nan"), std::string::npos) << motor;
 }
 
 TEST(SnapshotRefusal, BelievesNoPromiseOfCells) {
     Wind wind = made({.cells = {2, 2, 2}});
     wind.state().config.cells = {2048, 2048, 16}; // 2^26 cells, 1 GiB a field
-    const std::string reason = refusal(wind.save());
+    const std::string reason = refusal(*wind.save());
     EXPECT_NE(reason.find("it promises 67108864 items of 16 bytes or more, but only "), std::string::npos) << reason;
 }
 
@@ -127,7 +127,7 @@ TEST(SnapshotRefusal, ForgedBytesDoNoHarm) {
         (void)wind->advance(0.03);
         (void)wind->follow(glm::dvec3(3.0));
         (void)wind->step(0.02);
-        EXPECT_FALSE(wind->save().empty());
+        EXPECT_FALSE(wind->save()->empty());
     }
     figure("snapshot_forged_and_usable", usable);
     EXPECT_GT(usable, 100);

@@ -191,11 +191,11 @@ TEST_P(Snapshot, GoesOnToTheSameBits) {
     const Scene& scene = GetParam();
     Session first{made(scene.config), {}};
     scene.before(first);
-    const Bytes bytes = first.wind.save();
+    const Bytes bytes = *first.wind.save();
     ThreadPool pool(4);
     Session serial{loaded(bytes), first.motors, first.random},
         threaded{loaded(bytes, pool.parallel_for()), first.motors, first.random};
-    ASSERT_EQ(serial.wind.save(), bytes);
+    ASSERT_EQ(*serial.wind.save(), bytes);
     expect_same(first.wind, serial.wind);
     const bool boxed_in = scene.config.sides == Sides::all(SideKind::no_slip);
     for (int n = 0; n < 20; ++n) {
@@ -205,8 +205,8 @@ TEST_P(Snapshot, GoesOnToTheSameBits) {
             else
                 go_on(*session, scene, n);
         }
-        ASSERT_EQ(serial.wind.save(), first.wind.save()) << "frame " << n;
-        ASSERT_EQ(threaded.wind.save(), first.wind.save()) << "frame " << n << ", 4 threads";
+        ASSERT_EQ(*serial.wind.save(), *first.wind.save()) << "frame " << n;
+        ASSERT_EQ(*threaded.wind.save(), *first.wind.save()) << "frame " << n << ", 4 threads";
     }
     expect_same(first.wind, serial.wind);
     EXPECT_TRUE(all_finite(first.wind.field()));
@@ -236,7 +236,7 @@ TEST(SnapshotOfGusts, CallsBeforeTheNextStepSeeTheSameGusts) {
         Wind wind = made({.cells = {8, 6, 8}, .ambient = {4.0f, 0.0f, 1.0f}, .gusts = {.intensity = 0.3f}});
         for (int n = 0; n < 5; ++n)
             (void)wind.step(0.05);
-        Wind again = loaded(wind.save());
+        Wind again = loaded(*wind.save());
         for (Wind* const each : {&wind, &again}) {
             if (!broken) {
                 each->reset();
@@ -247,7 +247,7 @@ TEST(SnapshotOfGusts, CallsBeforeTheNextStepSeeTheSameGusts) {
             ASSERT_TRUE(each->set_velocity(field));
             EXPECT_EQ(each->step(0.05).repaired_cells, 1);
         }
-        EXPECT_EQ(again.save(), wind.save()) << broken;
+        EXPECT_EQ(*again.save(), *wind.save()) << broken;
     }
 }
 

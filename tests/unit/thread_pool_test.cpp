@@ -175,4 +175,13 @@ TEST(ThreadPool, GoesOnWithTheThreadsThatTheSystemGives) {
     }
 }
 
+#if !defined(NDEBUG) && !defined(__SANITIZE_THREAD__)
+TEST(ThreadPoolDeathTest, ALoopWithinALoopIsNamed) {
+    testing::FLAGS_gtest_death_test_style = "threadsafe"; // this program has threads
+    ThreadPool pool(2);
+    const ParallelFor loop = pool.parallel_for();
+    EXPECT_DEATH(loop(8, [&](int) { loop(8, [](int) {}); }), "would wait for itself");
+}
+#endif
+
 } // namespace

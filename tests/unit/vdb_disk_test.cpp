@@ -1,6 +1,7 @@
 // What the export does when the disk is full, the folder is wrong or others write: nothing is lost and nothing is left behind.
 
 #include "fluid/vdb/vdb_export.h"
+#include "tests/unit/counted_new.h"
 #include "tests/unit/vdb_fixture.h"
 
 #include <array>
@@ -162,6 +163,37 @@ TEST(VdbDisk, EightThreadsWriteTheSameBytes) {
         ASSERT_TRUE(written[n]) << written[n].error();
         EXPECT_EQ(bytes[n], bytes[0]);
     }
+}
+
+// Each allocation of a write failed in turn: no exception, the old file stays, no part is left, and the next write succeeds.
+TEST(VdbDisk, WhereverMemoryEndsTheOldFileStays) {
+    const Folder folder;
+    const Air air = random_air({5, 4, 3});
+    const vdb::Sequence sequence{.folder = folder.path()};
+    const fs::path file = folder / "wind_0002.vdb";
+    ASSERT_TRUE(sequence.write(air.grid(), 2, 0.0));
+    const std::string written = nameless_bytes_of(file);
+    int failures = 0;
+    for (const auto failing : {test::Failing::once, test::Failing::from_then_on})
+        for (int after = 0, failed = 1; failed != 0; after += 1 + after / 50) {
+            std::ofstream(file) << "precious";
+            bool threw = false, done = false;
+            {
+                const test::FailingMemory memory(after, failing);
+                try {
+                    const auto result = sequence.write(air.grid(), 2, 0.0);
+                    done = result.has_value();
+                } catch (...) {
+                    threw = true;
+                }
+                failed = memory.failed() ? 1 : 0;
+            }
+            failures += failed;
+            ASSERT_FALSE(threw) << "after " << after << " allocations";
+            ASSERT_TRUE(done ? nameless_bytes_of(file) == written : bytes_of(file) == "precious") << "after " << after;
+            ASSERT_EQ(folder.entries(), 1) << "after " << after;
+        }
+    EXPECT_GT(failures, 100);
 }
 
 } // namespace

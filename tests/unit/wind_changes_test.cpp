@@ -179,7 +179,7 @@ TEST(WindChanges, AStepAfterFramesTakesUpWhatTheyTold) {
     }
     ASSERT_TRUE(wind.motors().move(*body, {0.4, 0.0, 0.0}));
     wind.step(1.0 / 144.0);
-    EXPECT_TRUE(Wind::load(wind.save())) << Wind::load(wind.save()).error();
+    EXPECT_TRUE(Wind::load(*wind.save())) << Wind::load(*wind.save()).error();
     EXPECT_EQ(wind.motors().slots()[0].track.here(), glm::dvec3(0.4, 0.0, 0.0));
     EXPECT_EQ(wind.step(0.01).motors_in_reach, 0) << "it has arrived";
 }
@@ -233,7 +233,7 @@ TEST(WindChanges, AResetIsSeenAtOnce) {
 
 TEST(WindChanges, AReplayKnowsATileWithoutGusts) {
     Wind wind = made({.cells = {8, 8, 8}, .ambient = {2.0f, 0.0f, 0.0f}});
-    const auto start = wind.save();
+    const auto start = *wind.save();
     EventLog log;
     wind.record_to(&log);
     ASSERT_TRUE(wind.set_gusts({.intensity = 0.0f, .tile = GustTile::bake(7)}));
@@ -242,7 +242,7 @@ TEST(WindChanges, AReplayKnowsATileWithoutGusts) {
     ASSERT_TRUE(again);
     ASSERT_TRUE(replay(log, *again));
     EXPECT_EQ(again->felt({0.3, 0.2, 0.1}, {.detail = 0.5f}), wind.felt({0.3, 0.2, 0.1}, {.detail = 0.5f}));
-    EXPECT_EQ(again->save(), wind.save());
+    EXPECT_EQ(*again->save(), *wind.save());
 }
 
 } // namespace

@@ -48,7 +48,7 @@ class AirByHand {
     }
 
     void perform(float dt) {
-        const bool spreads = diffuse(*work_, u_, config_.viscosity, dt, diffused_) != DiffusionMethod::none;
+        const bool spreads = *diffuse(*work_, u_, config_.viscosity, dt, diffused_) != DiffusionMethod::none;
         Transport transport{
             .carried = spreads ? diffused_ : u_, .velocity = u_, .dt = dt, .interpolation = config_.interpolation};
         if (config_.settling_time > 0.0f)

@@ -3,6 +3,7 @@
 #include "fluid/cpu/workspace.h"
 
 #include <algorithm>
+#include <new>
 #include <utility>
 
 namespace windrow::bench {
@@ -70,7 +71,8 @@ void ComposedStep::step(const StepMethod& method, double dt) {
 std::span<const glm::vec4> ComposedStep::diffuse(float dt) {
     if (diffusion_method(settings_.viscosity, dt, settings_.box.cell_size) == DiffusionMethod::none)
         return velocity_;
-    windrow::diffuse(work_, velocity_, settings_.viscosity, dt, diffused_);
+    if (!windrow::diffuse(work_, velocity_, settings_.viscosity, dt, diffused_))
+        throw std::bad_alloc();
     return diffused_;
 }
 

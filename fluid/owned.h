@@ -1,0 +1,28 @@
+// The state behind a move-only object of the library.
+#pragma once
+
+#include <cassert>
+#include <memory>
+#include <utility>
+
+namespace windrow::detail {
+
+/// A unique_ptr whose uses assert that the object was not moved from: a wind that was moved away has no air to step. Only moving
+/// into it and destroying it stay legal then.
+template <class State>
+class Owned {
+  public:
+    Owned(std::unique_ptr<State> state) : state_(std::move(state)) {}
+
+    [[nodiscard]] State* operator->() const {
+        assert(state_ != nullptr && "the object was moved from: only assign to it or destroy it");
+        return state_.get();
+    }
+    [[nodiscard]] State& operator*() const { return *operator->(); }
+    [[nodiscard]] explicit operator bool() const { return state_ != nullptr; }
+
+  private:
+    std::unique_ptr<State> state_;
+};
+
+} // namespace windrow::detail

@@ -1,0 +1,419 @@
+// Every public call of fluid and coupling with each of its allocations failed in turn, once alone and once with all that follow:
+// no exception leaves the call, an error is returned, the object is what it was, the same call then succeeds, and nothing leaks.
+// Caught: a call that throws, one that changes its object before it has made room, a log that misses an event.
+
+#include "coupling/blade.h"
+#include "coupling/cascade.h"
+#include "coupling/cascade_step.h"
+#include "coupling/ground_memory.h"
+#include "coupling/shell.h"
+#include "coupling/spring.h"
+#include "coupling/tree.h"
+#include "fluid/event_log.h"
+#include "fluid/thread_pool.h"
+#include "fluid/wind.h"
+#include "tests/fields.h"
+#include "tests/figure.h"
+#include "tests/unit/counted_new.h"
+
+#include <gtest/gtest.h>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace windrow;
+using namespace windrow::test;
+
+using Bytes = std::vector<std::byte>;
+
+constexpr float k_nan = std::numeric_limits<float>::quiet_NaN();
+
+int failed_allocations = 0; ///< of this test
+
+template <class Object>
+Bytes state_of(const Object&) {
+    return {};
+}
+
+/// A wind, what its host records, and what its host needs for the calls.
+struct Scene {
+    Wind wind;
+    EventLog log;
+    Field cells;
+    Bytes saved;
+    MotorId fan, vent;
+
+    Scene(Wind made) : wind(std::move(made)), cells(wind.box().cell_count(), glm::vec4(1.0f, 2.0f, 0.5f, 0.0f)) {}
+};
+
+Bytes state_of(const Scene& scene) {
+    const auto bytes = scene.wind.save();
+    return bytes ? *bytes : Bytes{};
+}
+
+template <class Object>
+void expect_sound(const Object&) {}
+void expect_sound(const Scene& scene) {
+    EXPECT_TRUE(Wind::load(state_of(scene))) << "its own snapshot is rejected";
+    EXPECT_TRUE(all_finite(scene.wind.field()));
+}
+
+bool succeeded(bool done) {
+    return done;
+}
+template <class Value>
+bool succeeded(const Result<Value>& result) {
+    return result.has_value();
+}
+bool succeeded(const Diagnostics& report) {
+    return !report.out_of_memory;
+}
+bool succeeded(const Advance& done) {
+    return !done.last.out_of_memory;
+}
+
+/// `call` on what `make` returns, with each of its allocations failed. `accepts`: what it returns where memory lasts.
+template <class Make, class Call>
+void fail_each(const std::string& name, const Make& make, const Call& call, bool accepts = true) {
+    SCOPED_TRACE(name);
+    Bytes whole;
+    {
+        auto object = make();
+        ASSERT_EQ(succeeded(call(object)), accepts);
+        whole = state_of(object);
+        expect_sound(object); // the others' states equal this one or the one before
+    }
+    for (const Failing failing : {Failing::once, Failing::from_then_on})
+        for (int after = 0, failed = 1; failed != 0; ++after) {
+            ASSERT_LT(after, 5000) << "no end of allocations";
+            const std::int64_t live = live_bytes;
+            {
+                auto object = make();
+                const Bytes before = state_of(object);
+                bool threw = false, done = false;
+                {
+                    const FailingMemory memory(after, failing);
+                    try {
+                        done = succeeded(call(object));
+                    } catch (...) {
+                        threw = true;
+                    }
+                    failed = memory.failed() ? 1 : 0;
+                }
+                failed_allocations += failed;
+                EXPECT_FALSE(threw) << "an exception left it after " << after << " allocations";
+                EXPECT_TRUE(failed != 0 || done == accepts);
+                EXPECT_TRUE(state_of(object) == (done ? whole : before)) << "after " << after << " allocations it is neither";
+                if (!done && !threw) {
+                    EXPECT_EQ(succeeded(call(object)), accepts) << "again, after " << after;
+                    EXPECT_TRUE(state_of(object) == whole) << "again, after " << after;
+                }
+            }
+            EXPECT_EQ(live_bytes, live) << "leaked after " << after << " allocations";
+        }
+}
+
+Config small() {
+    return {.cells = {8, 6, 7}, .ambient = {3.0f, 0.0f, 1.0f}, .ticks = {.hz = 20.0}};
+}
+
+Config gusty() {
+    Config config = small();
+    config.sides = Sides::open_over_floor();
+    config.profile = LogProfile{};
+    config.gusts = {.intensity = 0.3f, .tile = GustTile::standard()};
+    config.canopy = Canopy{};
+    return config;
+}
+
+enum class Past { fresh, stepped, ticking };
+
+Scene scene_of(const Config& config, Past past) {
+    auto wind = Wind::create(config);
+    EXPECT_TRUE(wind) << wind.error();
+    Scene scene(*std::move(wind));
+    scene.fan = *scene.wind.motors().add(DirectionalMotor{.law = Drive{.speed = 6.0f}});
+    for (int n = 0; n < 3 && past != Past::fresh; ++n)
+        if (past == Past::stepped)
+            scene.wind.step(0.04);
+        else
+            scene.wind.advance(0.033);
+    scene.saved = *scene.wind.save();
+    return scene;
+}
+
+class Allocations : public ::testing::Test {
+  protected:
+    void SetUp() override { failed_allocations = 0; }
+    void TearDown() override { figure("failed_allocations", failed_allocations); }
+
+  private:
+    std::shared_ptr<const GustTile> tile_ = GustTile::standard(); // shared, so that no scene bakes its own
+};
+
+TEST_F(Allocations, OfAWindsCalls) {
+    Sides walls = Sides::all(SideKind::no_slip), blowing = walls;
+    blowing.z_high.wall_velocity = {1.0f, 0.0f, 0.0f};
+    for (const auto& [kind, config] : {std::pair("plain", small()), std::pair("gusty", gusty())})
+        for (const Past past : {Past::fresh, Past::stepped, Past::ticking}) {
+            SCOPED_TRACE(std::string(kind) + ", past " + std::to_string(static_cast<int>(past)));
+            const auto make = [&] { return scene_of(config, past); };
+            const auto with_vent = [&] {
+                Scene scene = make();
+                scene.vent = *scene.wind.motors().add(OmniMotor{.radius = 2.0f});
+                return scene;
+            };
+            fail_each("step", make, [](Scene& s) { return s.wind.step(0.05); });
+            fail_each("step with a vent", with_vent, [](Scene& s) { return s.wind.step(0.05); });
+            fail_each("advance", make, [](Scene& s) { return s.wind.advance(0.12); });
+            fail_each("advance with a vent", with_vent, [](Scene& s) { return s.wind.advance(0.12); });
+            fail_each("advance beyond all ticks", make, [](Scene& s) { return s.wind.advance(3.0); });
+            fail_each("set_ambient", make, [](Scene& s) { return s.wind.set_ambient({-2.0f, 0.0f, 4.0f}); });
+            fail_each("set_gusts", make, [](Scene& s) { return s.wind.set_gusts({.intensity = 0.2f}); });
+            fail_each("set_gusts of a seed", make, [](Scene& s) { return s.wind.set_gusts({.intensity = 0.2f, .seed = 9}); });
+            fail_each("set_gusts off", make, [](Scene& s) { return s.wind.set_gusts({}); });
+            fail_each("set_sides", make, [&](Scene& s) { return s.wind.set_sides(walls); });
+            fail_each("set_sides with a vent", with_vent, [&](Scene& s) { return s.wind.set_sides(walls); });
+            fail_each("follow", make, [](Scene& s) { return s.wind.follow({2.3, 0.0, -1.2}); });
+            fail_each("follow beyond", make, [](Scene& s) { return s.wind.follow({200.0, 3.0, -1.0}); });
+            fail_each("set_velocity", make, [](Scene& s) { return s.wind.set_velocity(s.cells); });
+            fail_each("set_velocity of a function", make, [](Scene& s) {
+                s.wind.set_velocity([](glm::dvec3 x) { return glm::vec3(x); });
+                return true;
+            });
+            fail_each("reset", make, [](Scene& s) {
+                s.wind.reset();
+                return true;
+            });
+            fail_each("save", make, [](Scene& s) { return s.wind.save(); });
+            fail_each("load", make, [](Scene& s) { return Wind::load(s.saved); });
+            fail_each("reading", make, [](Scene& s) {
+                (void)s.wind.felt({0.3, 1.0, 0.2}, {.detail = 0.4f});
+                (void)s.wind.frame_block({1.0, 0.0, 0.0}, {});
+                (void)s.wind.window_block({1.0, 0.0, 0.0});
+                (void)s.wind.previous_view().velocity({0.0, 1.0, 0.0});
+                return true;
+            });
+        }
+    Config floor = gusty();
+    fail_each(
+        "set_floor", [&] { return scene_of(floor, Past::stepped); }, [](Scene& s) { return s.wind.set_floor(3.0); });
+    // What a step of a minute asks of this viscosity, no step of a second does.
+    Config syrup = small();
+    syrup.viscosity = 0.05f;
+    fail_each(
+        "step of a minute", [&] { return scene_of(syrup, Past::stepped); }, [](Scene& s) { return s.wind.step(60.0); });
+    syrup.viscosity = 50.0f;
+    fail_each(
+        "set_sides of a viscous wind", [&] { return scene_of(syrup, Past::stepped); },
+        [&](Scene& s) { return s.wind.set_sides(walls); });
+    fail_each(
+        "set_sides that moves a wall",
+        [&] {
+            Config closed = small();
+            closed.sides = walls;
+            return scene_of(closed, Past::stepped);
+        },
+        [&](Scene& s) { return s.wind.set_sides(blowing); });
+}
+
+TEST_F(Allocations, OfCreation) {
+    const auto nothing = [] { return 0; };
+    Config own_tile = gusty();
+    own_tile.gusts = {.intensity = 0.2f, .seed = 7};
+    Config viscous = small();
+    viscous.viscosity = 50.0f;
+    Config periodic = small();
+    periodic.sides = Sides::all(SideKind::periodic);
+    for (const Config& config : {small(), gusty(), own_tile, viscous, periodic})
+        fail_each("Wind::create", nothing, [&](int) { return Wind::create(config); });
+    fail_each("AmbientWind::create", nothing, [](int) {
+        return AmbientWind::create({.mean = {1.0f, 0.0f, 0.0f}, .gusts = {.intensity = 0.2f, .seed = 3}});
+    });
+    fail_each("GustTile::bake", nothing, [](int) { return GustTile::bake(5) != nullptr; });
+    fail_each("Workspace::create", nothing, [](int) { return Workspace::create({.box = {.cells = {6, 5, 4}}}); });
+    fail_each("ThreadPool", nothing, [](int) { return ThreadPool(2).size() > 0; });
+    fail_each("GroundMemory::create", nothing, [](int) { return GroundMemory::create({.texels = 32}); });
+    fail_each("Cascade::create", nothing, [](int) { return Cascade::create({}, {}); });
+    fail_each("CascadeStep::create", nothing, [](int) { return CascadeStep::create(12); });
+    fail_each("Blades::create", nothing, [](int) { return Blades::create({}); });
+    fail_each("Shells::create", nothing, [](int) { return Shells::create({}); });
+    fail_each("Tree::create", nothing, [](int) { return Tree::create({}); });
+    fail_each("spring_step", nothing, [](int) { return spring_step({}, 0.1); });
+}
+
+TEST_F(Allocations, OfMotors) {
+    const auto make = [] { return scene_of(small(), Past::stepped); };
+    const Motor stirred = JetMotor{.turbulence = {.intensity = 0.2f}}, wake = WakeMotor{};
+    fail_each("add", make, [](Scene& s) { return s.wind.motors().add(OmniMotor{}); });
+    fail_each("add with eddies", make, [&](Scene& s) { return s.wind.motors().add(stirred); });
+    fail_each("add a wake", make, [&](Scene& s) { return s.wind.motors().add(wake); });
+    fail_each("set", make, [&](Scene& s) { return s.wind.motors().set(s.fan, wake); });
+    fail_each("move", make, [](Scene& s) { return s.wind.motors().move(s.fan, {1.0, 2.0, 0.0}); });
+    fail_each("remove", make, [](Scene& s) { return s.wind.motors().remove(s.fan); });
+    const auto full = [&] {
+        Scene scene = make();
+        for (int n = 0; n < 3; ++n)
+            EXPECT_TRUE(scene.wind.motors().add(WakeMotor{}));
+        return scene;
+    };
+    fail_each("a motor that ends in a step", full, [](Scene& s) {
+        const auto id = s.wind.motors().add(DirectionalMotor{.envelope = {.hold = 0.01f}});
+        if (!id)
+            return false;
+        s.wind.step(0.05);
+        return true;
+    });
+}
+
+TEST_F(Allocations, OfRejections) {
+    const auto make = [] { return scene_of(small(), Past::stepped); };
+    const auto rejected = [&](const char* name, const auto& call) { fail_each(name, make, call, false); };
+    rejected("Wind::create", [](Scene&) { return Wind::create({.cells = {0, -1, 9999}, .cell_size = k_nan, .rim = -1.0f}); });
+    rejected("set_ambient", [](Scene& s) { return s.wind.set_ambient({k_nan, 0.0f, 0.0f}); });
+    rejected("set_gusts", [](Scene& s) { return s.wind.set_gusts({.intensity = -1.0f, .length = k_nan}); });
+    rejected("set_sides", [](Scene& s) { return s.wind.set_sides({.x_low = {SideKind::periodic}}); });
+    rejected("follow", [](Scene& s) { return s.wind.follow({1e300, 0.0, 0.0}); });
+    rejected("set_floor", [](Scene& s) { return s.wind.set_floor(1.0); });
+    rejected("set_velocity", [](Scene& s) { return s.wind.set_velocity(std::span(s.cells).first(3)); });
+    rejected("load", [](Scene& s) { return Wind::load(std::span(s.saved).first(100)); });
+    rejected("add", [](Scene& s) { return s.wind.motors().add(OmniMotor{.radius = -1.0f, .speed = k_nan}); });
+    rejected("set", [](Scene& s) { return s.wind.motors().set(s.fan, DirectionalMotor{.direction = glm::vec3(0.0f)}); });
+    rejected("stale handle", [](Scene& s) { return s.wind.motors().move({99, 3}, {}); });
+    rejected("write_axes", [](Scene& s) { return s.wind.write_axes(std::span<float>(), {}, {}); });
+    rejected("AmbientWind::create", [](Scene&) { return AmbientWind::create({.mean = {k_nan, 0.0f, 0.0f}}); });
+    rejected("Workspace::create", [](Scene&) { return Workspace::create({.box = {.cells = {0, 1, 1}}}); });
+    rejected("validate a motor", [](Scene&) { return validate(Motor(WakeMotor{.radius = -3.0f})); });
+    rejected("validate a sampling", [](Scene&) { return validate(Sampling{.limit = k_nan}); });
+    rejected("GroundMemory::create", [](Scene&) { return GroundMemory::create({.texels = -4}); });
+    rejected("Cascade::create", [](Scene&) { return Cascade::create({.stages = -1}, {.scale = -1.0}); });
+    rejected("CascadeStep::create", [](Scene&) { return CascadeStep::create(-1); });
+    rejected("Blades::create", [](Scene&) { return Blades::create({.width = -1.0f}); });
+    rejected("Shells::create", [](Scene&) { return Shells::create({.shells = -1}); });
+    rejected("Tree::create", [](Scene&) { return Tree::create({.trunk = {.length = -1.0f}}); });
+    rejected("spring_step", [](Scene&) { return spring_step({}, -1.0); });
+}
+
+TEST_F(Allocations, OfLogs) {
+    const auto recording = [] {
+        auto scene = std::make_unique<Scene>(scene_of(small(), Past::fresh));
+        scene->wind.record_to(&scene->log);
+        return scene;
+    };
+    // A log that found no memory is incomplete and rejected; the wind goes on.
+    for (const Failing failing : {Failing::once, Failing::from_then_on})
+        for (int after = 0; after < 8; ++after) {
+            const auto scene = recording();
+            {
+                const FailingMemory memory(after, failing);
+                scene->wind.step(0.05);
+                (void)scene->wind.set_velocity(scene->cells);
+                (void)scene->wind.set_ambient({1.0f, 0.0f, 0.0f});
+            }
+            scene->wind.step(0.05);
+            auto again = Wind::load(scene->saved);
+            ASSERT_TRUE(again);
+            EXPECT_EQ(scene->log.complete(), scene->log.to_bytes().has_value());
+            EXPECT_EQ(scene->log.complete(), replay(scene->log, *again).has_value());
+            if (scene->log.complete()) {
+                EXPECT_EQ(*again->save(), *scene->wind.save());
+            }
+            scene->log.clear();
+            EXPECT_TRUE(scene->log.complete());
+        }
+    const auto recorded = [&] {
+        auto scene = recording();
+        scene->wind.step(0.05);
+        EXPECT_TRUE(scene->wind.set_velocity(scene->cells));
+        EXPECT_TRUE(scene->wind.set_gusts({.intensity = 0.1f, .tile = GustTile::standard()}));
+        scene->wind.step(0.05);
+        return scene;
+    };
+    const auto log = recorded()->log;
+    const Bytes bytes = *log.to_bytes(), start = recorded()->saved;
+    const auto nothing = [] { return 0; };
+    fail_each("to_bytes", nothing, [&](int) { return log.to_bytes(); });
+    fail_each("from_bytes", nothing, [&](int) { return EventLog::from_bytes(bytes); });
+    fail_each(
+        "from_bytes of others", nothing, [&](int) { return EventLog::from_bytes(std::span(bytes).first(40)); }, false);
+    fail_each("replay", nothing, [&](int) {
+        auto again = Wind::load(start);
+        return again && replay(log, *again).has_value();
+    });
+}
+
+struct Work {
+    Workspace work;
+    Field velocity, result;
+    std::vector<float> smoke, moved;
+};
+
+Bytes state_of(const Work& work) {
+    const auto bytes = [](const auto& values) { return std::as_bytes(std::span(values)); };
+    Bytes all(bytes(work.result).begin(), bytes(work.result).end());
+    all.insert(all.end(), bytes(work.moved).begin(), bytes(work.moved).end());
+    for (int axis = 0; axis < 3; ++axis)
+        for (int end = 0; end < 2; ++end)
+            all.push_back(static_cast<std::byte>(work.work.box().sides.at(axis, end).kind));
+    return all;
+}
+
+TEST_F(Allocations, OfOperators) {
+    const auto make = [] {
+        auto work = Workspace::create({.box = {.cells = {8, 6, 7}}});
+        EXPECT_TRUE(work);
+        const std::size_t cells = work->box().cell_count();
+        return Work{*std::move(work), white_noise({8, 6, 7}, 2.0f, 5), Field(cells), std::vector<float>(cells, 1.0f),
+                    std::vector<float>(cells)};
+    };
+    const Sides walls = Sides::all(SideKind::no_slip);
+    fail_each("set_sides", make, [&](Work& w) { return w.work.set_sides(walls); });
+    fail_each("reserve_diffusion", make, [](Work& w) { return reserve_diffusion(w.work); });
+    fail_each("diffuse", make, [](Work& w) { return diffuse(w.work, w.velocity, 5.0f, 1.0f, w.result); });
+    fail_each("advect a scalar", make, [](Work& w) {
+        return advect(w.work, ScalarTransport{.carried = w.smoke, .velocity = w.velocity, .dt = 0.3f}, w.moved);
+    });
+    const auto viscous = [&] {
+        Work work = make();
+        EXPECT_TRUE(reserve_diffusion(work.work));
+        return work;
+    };
+    fail_each("set_sides with diffusion", viscous, [&](Work& w) { return w.work.set_sides(walls); });
+    fail_each("advect, project", make, [](Work& w) {
+        advect(w.work, Transport{.carried = w.velocity, .velocity = w.velocity, .dt = 0.2f}, w.result);
+        project(w.work, w.result);
+        return true;
+    });
+}
+
+TEST_F(Allocations, OfPlants) {
+    const auto ground = [] {
+        auto memory = GroundMemory::create({.texels = 32});
+        EXPECT_TRUE(memory);
+        return *std::move(memory);
+    };
+    const GroundWalker walker{};
+    fail_each("GroundMemory::advance", ground,
+              [&](GroundMemory& memory) { return memory.advance({.duration = 0.1, .walkers = std::span(&walker, 1)}); });
+    fail_each("GroundMemory::follow", ground, [](GroundMemory& memory) { return memory.follow({3.0, 0.0, 1.0}); });
+    fail_each(
+        "GroundMemory::advance of nothing", ground, [](GroundMemory& memory) { return memory.advance({.duration = -1.0}); },
+        false);
+    const auto cascade = [] {
+        auto made = Cascade::create({}, {});
+        EXPECT_TRUE(made);
+        return *std::move(made);
+    };
+    fail_each("Cascade::advance", cascade, [](Cascade& c) { return c.advance(0.1, {.position = {1.0, 0.0, 0.0}}); });
+    fail_each("Cascade::reset", cascade, [](Cascade& c) { return c.reset({.scale = 2.0}); });
+    fail_each("Cascade::move", cascade, [](Cascade& c) { return c.move({1.0, 0.0, 0.0}); });
+    fail_each("Cascade's poses", cascade, [](Cascade& c) { return c.shader_poses({}).size() > 0; });
+    fail_each(
+        "Cascade::advance of nothing", cascade, [](Cascade& c) { return c.advance(-1.0, {.scale = -1.0}); }, false);
+}
+
+} // namespace
