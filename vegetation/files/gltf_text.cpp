@@ -17,6 +17,9 @@ using nlohmann::json;
 
 constexpr std::size_t k_most_nodes = 65536;
 constexpr int k_deepest_node = 24; // Assimp walks them by recursion
+// Assimp copies the numbers of an accessor once for each primitive that names it. Files share vertices among a few parts: 4 times
+// the vertices of the largest mesh, which takes 400 MB.
+constexpr std::size_t k_most_copies = 4 * k_most_vertices;
 enum ComponentType : std::size_t { k_byte = 5121, k_short = 5123, k_int = 5125, k_float = 5126 };
 
 // Stops the walk at the first fault; caught in check_gltf, so that no exception leaves this file.
@@ -31,8 +34,8 @@ struct Accessor {
 
 class Copier {
   public:
-    Copier(const json& source, std::string_view binary, const std::filesystem::path& path)
-        : source_(source), binary_(binary), path_(path) {}
+    Copier(const json& source, std::string_view binary, const std::filesystem::path& path, windrow::detail::InputBudget& budget)
+        : source_(source), binary_(binary), path_(path), budget_(budget) {}
 
     GltfText run() {
         if (!source_.is_object())
@@ -93,7 +96,7 @@ class Copier {
     std::size_t buffer(std::size_t index) {
         if (const auto known = buffer_numbers_.find(index); known != buffer_numbers_.end())
             return known->second;
-        auto bytes = read_gltf_buffer(item("buffers", index), index, binary_, path_);
+        auto bytes = read_gltf_buffer(item("buffers", index), index, binary_, path_, budget_);
         if (!bytes)
             throw Fault{bytes.error()};
         if ((bytes_ += bytes->size()) > k_most_bytes)
@@ -120,6 +123,10 @@ class Copier {
             fail(here, "is sparse or has no view: give all of its numbers.");
         if (count == 0 || count > 3 * k_most_triangles || (!indices && count > k_most_vertices))
             fail(here + ".count", "is ", count, ": give at least 1, and at most ", k_most_vertices, " vertices.");
+        std::size_t& copies = indices ? index_copies_ : vertex_copies_;
+        if ((copies += count) > (indices ? 3 * k_most_triangles : 3 * k_most_copies)) // positions, normals, uv
+            fail(place, "take more than ", k_most_copies, " vertices or ", k_most_triangles,
+                 " triangles, counting each use of an accessor: give fewer.");
 
         const std::size_t view_index = whole(source, "bufferView", 0, here);
         const json& view = item("bufferViews", view_index);
@@ -282,16 +289,17 @@ class Copier {
     const json& source_;
     std::string_view binary_;
     const std::filesystem::path& path_;
+    windrow::detail::InputBudget& budget_;
     json out_;
     std::vector<std::string> buffers_;
     std::map<std::size_t, std::size_t> buffer_numbers_;
-    std::size_t bytes_ = 0;
+    std::size_t bytes_ = 0, vertex_copies_ = 0, index_copies_ = 0;
     std::uint32_t highest_ = 0;
 };
 
 } // namespace
 
-Result<GltfText> check_gltf(const std::string& bytes, const std::filesystem::path& path) {
+Result<GltfText> check_gltf(const std::string& bytes, const std::filesystem::path& path, windrow::detail::InputBudget& budget) {
     const auto parts = split_gltf(bytes, path.string());
     if (!parts)
         return Error{parts.error()};
@@ -299,7 +307,7 @@ Result<GltfText> check_gltf(const std::string& bytes, const std::filesystem::pat
     if (!source)
         return Error{source.error()};
     try {
-        return Copier(*source, parts->binary, path).run();
+        return Copier(*source, parts->binary, path, budget).run();
     } catch (const Fault& fault) {
         return Error{fault.text};
     }
