@@ -17,9 +17,9 @@ using nlohmann::json;
 
 constexpr std::size_t k_most_nodes = 65536;
 constexpr int k_deepest_node = 24; // Assimp walks them by recursion
-// Assimp copies the numbers of an accessor once for each primitive that names it. Files share vertices among a few parts: 4 times
-// the vertices of the largest mesh, which takes 400 MB.
-constexpr std::size_t k_most_copies = 4 * k_most_vertices;
+// Assimp copies the numbers of an accessor for each primitive that names it. Some files share their vertices among parts: so many
+// vertices, and as many corners, beside those that the bytes of the buffers can hold.
+constexpr std::size_t k_most_copies = 2 * k_most_vertices;
 enum ComponentType : std::size_t { k_byte = 5121, k_short = 5123, k_int = 5125, k_float = 5126 };
 
 // Stops the walk at the first fault; caught in check_gltf, so that no exception leaves this file.
@@ -123,10 +123,6 @@ class Copier {
             fail(here, "is sparse or has no view: give all of its numbers.");
         if (count == 0 || count > 3 * k_most_triangles || (!indices && count > k_most_vertices))
             fail(here + ".count", "is ", count, ": give at least 1, and at most ", k_most_vertices, " vertices.");
-        std::size_t& copies = indices ? index_copies_ : vertex_copies_;
-        if ((copies += count) > (indices ? 3 * k_most_triangles : 3 * k_most_copies)) // positions, normals, uv
-            fail(place, "take more than ", k_most_copies, " vertices or ", k_most_triangles,
-                 " triangles, counting each use of an accessor: give fewer.");
 
         const std::size_t view_index = whole(source, "bufferView", 0, here);
         const json& view = item("bufferViews", view_index);
@@ -215,6 +211,11 @@ class Copier {
             corners = indices.count;
             kept["indices"] = indices.number;
         }
+        vertices_ += positions.count;
+        corners_ += corners;
+        if (vertices_ > k_most_copies + bytes_ / sizeof(glm::vec3) || corners_ > k_most_copies + bytes_)
+            fail(place, "take ", vertices_, " vertices and ", corners_, " corners, counting each use of an accessor, from ",
+                 bytes_, " bytes: name each accessor once, or a few times.");
         if (corners % 3 != 0)
             fail(place, "has ", corners, " corners: give three a triangle.");
         if (source.contains("material")) {
@@ -293,7 +294,7 @@ class Copier {
     json out_;
     std::vector<std::string> buffers_;
     std::map<std::size_t, std::size_t> buffer_numbers_;
-    std::size_t bytes_ = 0, vertex_copies_ = 0, index_copies_ = 0;
+    std::size_t bytes_ = 0, vertices_ = 0, corners_ = 0;
     std::uint32_t highest_ = 0;
 };
 
