@@ -1,5 +1,6 @@
 #include "pictures/picture_files.h"
 
+#include "fluid/input_file.h"
 #include "fluid/message.h"
 #include "fluid/new_file.h"
 
@@ -15,6 +16,7 @@ using detail::message;
 using Bytes = std::vector<unsigned char>;
 
 constexpr int k_largest_side = 16384;
+constexpr std::size_t k_most_file_bytes = std::size_t{512} << 20;
 
 Result<void> check_size(const std::filesystem::path& file, std::size_t has, int width, int height, int channels) {
     if (width > 0 && height > 0 &&
@@ -109,7 +111,12 @@ Result<void> write_exr(const PictureF& light, const PictureF& motion, const std:
 
 Result<Picture8> read_png(const std::filesystem::path& file, PngWords* words) {
     const std::string name = file.string();
-    const auto input = OIIO::ImageInput::open(name);
+    detail::InputBudget budget;
+    const auto bytes = detail::read_input(file, {.most_bytes = k_most_file_bytes}, budget);
+    if (!bytes)
+        return Error{message("picture ", bytes.error())};
+    OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes->data()), bytes->size());
+    const auto input = OIIO::ImageInput::open(name, nullptr, &memory);
     if (!input)
         return Error{message("picture ", name, " cannot be read (", OIIO::geterror(), "); draw it again")};
     const OIIO::ImageSpec spec = input->spec();
@@ -118,13 +125,11 @@ Result<Picture8> read_png(const std::filesystem::path& file, PngWords* words) {
         return Error{message("picture ", name, " of ", spec.width, " x ", spec.height, " px is beyond ", k_largest_side,
                              " px a side; draw it smaller")};
     Picture8 picture(spec.width, spec.height);
-    std::vector<std::uint8_t> all(static_cast<std::size_t>(spec.width) * spec.height * spec.nchannels);
-    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, all.data()))
+    const int channels = spec.nchannels < 3 ? 1 : 3;
+    if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8, picture.values.data(), 3))
         return Error{message("picture ", name, " is damaged (", input->geterror(), "); draw it again")};
-    const int channels = spec.nchannels;
-    for (std::size_t pixel = 0; pixel < picture.values.size() / 3; ++pixel)
-        for (int channel = 0; channel < 3; ++channel)
-            picture.values[pixel * 3 + channel] = all[pixel * channels + (channels >= 3 ? channel : 0)];
+    for (std::size_t grey = 0; channels == 1 && grey < picture.values.size(); grey += 3)
+        picture.values[grey + 1] = picture.values[grey + 2] = picture.values[grey];
     if (words != nullptr) {
         words->title = spec.get_string_attribute("DocumentName");
         words->description = spec.get_string_attribute("ImageDescription");

@@ -1,5 +1,6 @@
 #include "scene/file_beside.h"
 
+#include "fluid/input_file.h"
 #include "fluid/message.h"
 #include "scene/json_document.h"
 
@@ -10,9 +11,8 @@ std::optional<std::filesystem::path> file_beside(JsonObject& object, const char*
     const auto value = object.value().find(key);
     if (value == object.value().end() || !value->is_string())
         return std::nullopt;
-    const std::filesystem::path relative = std::filesystem::path(name).lexically_normal();
-    if (!name.empty() && relative.is_relative() && relative.begin()->string() != ".." && relative != ".")
-        return folder / relative;
+    if (detail::is_name_inside(name))
+        return folder / std::filesystem::path(name).lexically_normal();
     object.refuse(key, detail::message("is ", quote_json(*value),
                                        ": name a file in the scene's folder, relative to it, so that the folder can be handed on "
                                        "as a whole."));

@@ -65,6 +65,10 @@ class Builder final : public nlohmann::json_sax<json> {
     bool put(json&& value) { return place(std::move(value)) != nullptr; }
 
     json* place(json&& value) {
+        if (++values_ > k_most_json_values) {
+            fault_ = message(name_, ": has more than ", k_most_json_values, " values: give fewer, or put paths in tables.");
+            return nullptr;
+        }
         if (levels_.empty()) {
             root_ = std::move(value);
             return &root_;
@@ -81,8 +85,10 @@ class Builder final : public nlohmann::json_sax<json> {
                              " levels: a scene needs no more than 8.");
             return false;
         }
-        levels_.push_back({place(std::move(value)), {}});
-        return true;
+        json* const placed = place(std::move(value));
+        if (placed != nullptr)
+            levels_.push_back({placed, {}});
+        return placed != nullptr;
     }
 
     bool close() {
@@ -150,6 +156,7 @@ class Builder final : public nlohmann::json_sax<json> {
     const std::string& name_;
     json root_;
     std::vector<Level> levels_;
+    std::size_t values_ = 0;
     std::string fault_;
 };
 

@@ -145,8 +145,11 @@ std::optional<std::size_t> JsonObject::name(const char* key, std::span<const std
     const auto& word = value->get_ref<const std::string&>();
     if (const auto found = std::find(names.begin(), names.end(), word); found != names.end())
         return static_cast<std::size_t>(found - names.begin());
-    refuse(key, message("is ", quote_json(*value), ", which names none of $.", what, suggestion(word, names),
-                        ": add it there or name another."));
+    if (log_->is_full())
+        log_->count_fault();
+    else
+        refuse(key, message("is ", quote_json(*value), ", which names none of $.", what, suggestion(word, names),
+                            ": add it there or name another."));
     return std::nullopt;
 }
 
@@ -220,10 +223,15 @@ const json* JsonObject::note(KnownKey key, const char* name) {
 }
 
 void JsonObject::finish() {
-    for (const auto& [key, value] : value_->items())
-        if (std::find(asked_.begin(), asked_.end(), key) == asked_.end())
+    for (const auto& [key, value] : value_->items()) {
+        if (std::find(asked_.begin(), asked_.end(), key) != asked_.end())
+            continue;
+        if (log_->is_full()) // a suggestion takes longer than the rest of the reading
+            log_->count_fault();
+        else
             log_->refuse(join_json_path(path_, key),
                          message("is not a known key", suggestion(key, asked_), ": rename or remove it."));
+    }
 }
 
 void JsonObject::refuse(std::string_view rest) {

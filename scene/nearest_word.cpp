@@ -25,12 +25,15 @@ int edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string nearest_word(std::string_view word, std::span<const std::string> known) {
-    // A long key that nobody meant must not cost a table of megabytes.
-    if (word.size() > 64)
+    // A long key that nobody meant must not cost a table of megabytes, nor a long name that it is compared with.
+    constexpr std::size_t k_longest = 64;
+    if (word.size() > k_longest)
         return {};
     std::string nearest;
     int least = static_cast<int>(std::max<std::size_t>(word.size() / 3, 1)) + 1;
     for (const std::string& candidate : known) {
+        if (candidate.size() > k_longest)
+            continue;
         // A word that was begun and not ended ("vel" for "velocity") is near whatever its length.
         const bool begun = word.size() >= 3 && (candidate.starts_with(word) || word.starts_with(candidate));
         const int distance = begun ? 1 : edit_distance(word, candidate);
@@ -47,9 +50,14 @@ std::string suggestion(std::string_view word, std::span<const std::string> known
         return " (did you mean `" + nearest + "`?)";
     if (known.empty())
         return {};
+    // A scene may have thousands of names, or one of megabytes.
+    constexpr std::size_t k_most_bytes = 1000;
     std::string text = " (known:";
-    for (std::size_t i = 0; i < known.size(); ++i)
+    for (std::size_t i = 0; i < known.size(); ++i) {
+        if (text.size() + known[i].size() > k_most_bytes)
+            return text + (i == 0 ? " " : ", ") + "...)";
         text += (i == 0 ? " " : ", ") + known[i];
+    }
     return text + ")";
 }
 

@@ -4,6 +4,7 @@
 #include "scene/number_text.h"
 #include "scene/text_file.h"
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -21,11 +22,19 @@ std::string_view trim(std::string_view text) {
     return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-std::vector<std::string_view> split(std::string_view line) {
-    std::vector<std::string_view> fields;
+/// The first four fields of a line, and how many it has: a line may be nothing but commas.
+struct Fields {
+    std::array<std::string_view, 4> text{};
+    std::size_t count = 0;
+};
+
+Fields split(std::string_view line) {
+    Fields fields;
     for (;;) {
         const std::size_t comma = line.find(',');
-        fields.push_back(trim(line.substr(0, comma)));
+        if (fields.count < fields.text.size())
+            fields.text[fields.count] = trim(line.substr(0, comma));
+        ++fields.count;
         if (comma == line.npos)
             return fields;
         line.remove_prefix(comma + 1);
@@ -38,21 +47,21 @@ std::string quote(std::string_view text) {
     return message("\"", text.substr(0, k_longest), text.size() > k_longest ? "..." : "", "\"");
 }
 
-bool is_header(const std::vector<std::string_view>& fields) {
-    return fields == std::vector<std::string_view>{"t", "x", "y", "z"};
+bool is_header(const Fields& fields) {
+    return fields.count == 4 && fields.text == std::array<std::string_view, 4>{"t", "x", "y", "z"};
 }
 
 /// One line's point, or why it is none.
-Result<PathPoint> read_point(const std::vector<std::string_view>& fields) {
-    if (fields.size() != 4)
-        return Error{message("has ", fields.size(), fields.size() == 1 ? " field" : " fields",
+Result<PathPoint> read_point(const Fields& fields) {
+    if (fields.count != 4)
+        return Error{message("has ", fields.count, fields.count == 1 ? " field" : " fields",
                              ": give four, t,x,y,z, with commas between them.")};
     constexpr const char* k_names[] = {"t", "x", "y", "z"};
     double values[4] = {};
     for (std::size_t i = 0; i < 4; ++i) {
-        const auto value = parse_number(fields[i]);
+        const auto value = parse_number(fields.text[i]);
         if (!value)
-            return Error{message(k_names[i], " is ", quote(fields[i]), ": give a finite number.")};
+            return Error{message(k_names[i], " is ", quote(fields.text[i]), ": give a finite number.")};
         if (std::abs(*value) > MotionPath::k_farthest)
             return Error{message(k_names[i], " is ", figure(*value), ": give ", figure(-MotionPath::k_farthest), " to ",
                                  figure(MotionPath::k_farthest), ".")};
@@ -74,11 +83,11 @@ Result<MotionPath> parse_path_csv(std::string_view text, const std::string& name
         ++line_number;
         if (line.empty() || line.starts_with('#'))
             continue;
-        const std::vector<std::string_view> fields = split(line);
+        const Fields fields = split(line);
         if (std::exchange(header_allowed, false)) {
             if (is_header(fields))
                 continue;
-            if (fields.size() == 4 && !parse_number(fields[0]) && !parse_number(fields[1]))
+            if (fields.count == 4 && !parse_number(fields.text[0]) && !parse_number(fields.text[1]))
                 return Error{message(name, ":", line_number, ": the names of the columns are ", quote(line),
                                      ": put the columns in the order t,x,y,z and name them so, or leave the names out.")};
         }
@@ -98,11 +107,16 @@ Result<MotionPath> parse_path_csv(std::string_view text, const std::string& name
     return MotionPath(std::move(points));
 }
 
-Result<MotionPath> read_path_csv(const std::filesystem::path& file) {
-    auto text = read_text_file(file, k_most_bytes);
+Result<MotionPath> read_path_csv(const std::filesystem::path& file, const std::filesystem::path& folder,
+                                 detail::InputBudget& budget) {
+    const auto text = read_text_file(file, {.folder = folder, .most_bytes = k_most_bytes}, budget);
     if (!text)
         return Error{text.error()};
-    return parse_path_csv(*text, file.string());
+    auto path = parse_path_csv(*text, file.string());
+    if (path)
+        if (auto taken = budget.take_points(file.string(), path->points().size()); !taken)
+            return Error{taken.error()};
+    return path;
 }
 
 } // namespace windrow::scene

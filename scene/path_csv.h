@@ -9,6 +9,7 @@
 // decimal sign is the point, whatever the locale.
 #pragma once
 
+#include "fluid/input_budget.h"
 #include "fluid/result.h"
 #include "scene/motion_path.h"
 
@@ -21,7 +22,8 @@ namespace windrow::scene {
 /// fault.
 [[nodiscard]] Result<MotionPath> parse_path_csv(std::string_view text, const std::string& name);
 
-/// Reads a file of at most 64 MiB.
-[[nodiscard]] Result<MotionPath> read_path_csv(const std::filesystem::path& file);
+/// Reads a file of at most 64 MiB in `folder`.
+[[nodiscard]] Result<MotionPath> read_path_csv(const std::filesystem::path& file, const std::filesystem::path& folder,
+                                               detail::InputBudget& budget);
 
 } // namespace windrow::scene

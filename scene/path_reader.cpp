@@ -46,7 +46,7 @@ MotionPath read_table(JsonObject& object, const std::filesystem::path& folder) {
     const auto file = file_beside(object, "file", folder);
     if (!file)
         return {};
-    auto path = read_path_csv(*file);
+    auto path = read_path_csv(*file, folder, object.log().budget());
     if (!path) {
         object.log().refuse_as_is(path.error());
         return {};

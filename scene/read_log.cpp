@@ -5,13 +5,15 @@
 namespace windrow::scene {
 
 void ReadLog::refuse(std::string_view path, std::string_view rest) {
+    if (is_full())
+        return count_fault();
     refuse_as_is(detail::message(file_, ": ", path, " ", rest));
 }
 
 void ReadLog::refuse_as_is(std::string sentence) {
-    constexpr std::size_t k_most_told = 20;
-    if (++count_ > k_most_told)
-        return;
+    if (is_full())
+        return count_fault();
+    count_fault();
     if (!text_.empty())
         text_ += '\n';
     text_ += sentence;
@@ -23,10 +25,9 @@ void ReadLog::know(KnownKey key) {
 }
 
 Error ReadLog::error() const {
-    constexpr std::size_t k_most_told = 20;
-    if (count_ <= k_most_told)
+    if (count_ <= k_most_sentences)
         return Error{text_};
-    return Error{detail::message(text_, "\n", file_, ": ", count_ - k_most_told, " more faults of this sort.")};
+    return Error{detail::message(text_, "\n", file_, ": ", count_ - k_most_sentences, " more faults of this sort.")};
 }
 
 } // namespace windrow::scene

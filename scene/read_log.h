@@ -1,6 +1,7 @@
 // What reading a scene leaves behind: every fault, not only the first, and, for who asks, every key that the reader knows.
 #pragma once
 
+#include "fluid/input_budget.h"
 #include "fluid/result.h"
 
 #include <limits>
@@ -34,8 +35,10 @@ struct KnownKey {
 
 class ReadLog {
   public:
-    /// `file` begins each sentence. `known` receives the keys; null where nobody asks.
-    explicit ReadLog(std::string file, std::vector<KnownKey>* known = nullptr) : file_(std::move(file)), known_(known) {}
+    /// `file` begins each sentence. `budget` is what the files of the scene may cost; it outlives the log. `known` receives the
+    /// keys; null where nobody asks.
+    ReadLog(std::string file, detail::InputBudget& budget, std::vector<KnownKey>* known = nullptr)
+        : file_(std::move(file)), budget_(&budget), known_(known) {}
 
     /// Notes a fault: "file: path rest".
     void refuse(std::string_view path, std::string_view rest);
@@ -45,11 +48,18 @@ class ReadLog {
 
     [[nodiscard]] const std::string& file() const { return file_; }
     [[nodiscard]] std::size_t faults() const { return count_; }
+    /// Whether further faults are only counted: their sentences need not be made.
+    [[nodiscard]] bool is_full() const { return count_ >= k_most_sentences; }
+    void count_fault() { ++count_; }
+    [[nodiscard]] detail::InputBudget& budget() { return *budget_; }
     /// All sentences, one a line; the first 20 where there are more.
     [[nodiscard]] Error error() const;
 
   private:
+    static constexpr std::size_t k_most_sentences = 20;
+
     std::string file_;
+    detail::InputBudget* budget_;
     std::vector<KnownKey>* known_;
     std::string text_;
     std::size_t count_ = 0;

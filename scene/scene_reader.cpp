@@ -139,18 +139,24 @@ void read_outputs(JsonObject& object, Scene& scene) {
 } // namespace
 
 Result<Scene> read_scene(const std::filesystem::path& file) {
-    const auto text = read_text_file(file, k_most_scene_bytes);
+    detail::InputBudget budget;
+    const auto text = read_text_file(file, {.most_bytes = k_most_scene_bytes}, budget);
     if (!text)
         return Error{text.error()};
-    return read_scene_text(*text, file);
+    const auto document = parse_json(*text, file.string());
+    return document ? read_scene_json(*document, file, budget) : Error{document.error()};
 }
 
 Result<Scene> read_scene_text(std::string_view text, const std::filesystem::path& file, std::vector<KnownKey>* known) {
+    detail::InputBudget budget;
     const auto document = parse_json(text, file.string());
-    if (!document)
-        return Error{document.error()};
-    ReadLog log(file.string(), known);
-    JsonObject object(*document, "$", "$", log);
+    return document ? read_scene_json(*document, file, budget, known) : Error{document.error()};
+}
+
+Result<Scene> read_scene_json(const json& document, const std::filesystem::path& file, detail::InputBudget& budget,
+                              std::vector<KnownKey>* known) {
+    ReadLog log(file.string(), budget, known);
+    JsonObject object(document, "$", "$", log);
 
     Scene scene;
     scene.file = file;

@@ -24,4 +24,8 @@ inline constexpr std::size_t k_most_scene_bytes = std::size_t{16} << 20;
 [[nodiscard]] Result<Scene> read_scene_text(std::string_view text, const std::filesystem::path& file,
                                             std::vector<KnownKey>* known = nullptr);
 
+/// The same from parsed text, with the budget of the files that the scene names.
+[[nodiscard]] Result<Scene> read_scene_json(const nlohmann::json& document, const std::filesystem::path& file,
+                                            detail::InputBudget& budget, std::vector<KnownKey>* known = nullptr);
+
 } // namespace windrow::scene

@@ -3,10 +3,6 @@
 #include "fluid/message.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <memory>
-#include <system_error>
 
 namespace windrow::scene {
 namespace {
@@ -38,40 +34,15 @@ std::size_t first_bad_byte(std::string_view text) {
     return std::string_view::npos;
 }
 
-Error unreadable(const std::string& name, int reason) {
-    if (reason == ENOENT || reason == ENOTDIR)
-        return Error{message(name, ": there is no such file: check the name and the folder that you run from.")};
-    if (reason == EISDIR)
-        return Error{message(name, ": is a folder: name a file in it.")};
-    if (reason == EACCES)
-        return Error{message(name, ": may not be read: give yourself the right with chmod +r, or name another file.")};
-    return Error{message(name, ": cannot be read (", std::generic_category().message(reason), ").")};
-}
-
 } // namespace
 
-Result<std::string> read_text_file(const std::filesystem::path& file, std::size_t most_bytes) {
+Result<std::string> read_text_file(const std::filesystem::path& file, const detail::InputRule& rule,
+                                   detail::InputBudget& budget) {
+    auto read = detail::read_input(file, rule, budget);
+    if (!read)
+        return read;
     const std::string name = file.string();
-    errno = 0;
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"), &std::fclose);
-    if (!stream)
-        return unreadable(name, errno);
-    std::string text;
-    char block[65536];
-    // Read by blocks and not by the size that the system tells: a pipe has none, and a device may have no end.
-    while (text.size() <= most_bytes) {
-        errno = 0;
-        const std::size_t got = std::fread(block, 1, sizeof block, stream.get());
-        text.append(block, got);
-        if (got < sizeof block) {
-            if (std::ferror(stream.get()) != 0)
-                return unreadable(name, errno);
-            break;
-        }
-    }
-    if (text.size() > most_bytes)
-        return Error{
-            message(name, ": is larger than ", most_bytes / (1024 * 1024), " MiB, the most that is read: give a smaller file.")};
+    std::string text = *std::move(read);
     if (text.starts_with("\xef\xbb\xbf"))
         text.erase(0, 3);
     if (text.find_first_not_of(" \t\r\n") == std::string::npos)

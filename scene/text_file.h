@@ -1,6 +1,7 @@
 // A text file as a whole, or one sentence why not.
 #pragma once
 
+#include "fluid/input_file.h"
 #include "fluid/result.h"
 
 #include <cstddef>
@@ -10,9 +11,10 @@
 
 namespace windrow::scene {
 
-/// Reads a file of UTF-8 text; a byte-order mark is dropped. Refuses a missing or unreadable file, a folder, an empty file, more
-/// than `most_bytes`, and bytes that are not UTF-8. Every sentence begins with the file's name.
-[[nodiscard]] Result<std::string> read_text_file(const std::filesystem::path& file, std::size_t most_bytes);
+/// Reads a file of UTF-8 text; a byte-order mark is dropped. Rejects what detail::read_input rejects, an empty file, and bytes that
+/// are not UTF-8. Every sentence begins with the file's name.
+[[nodiscard]] Result<std::string> read_text_file(const std::filesystem::path& file, const detail::InputRule& rule,
+                                                 detail::InputBudget& budget);
 
 /// Where a byte stands, as an editor counts: lines and columns from 1, columns in characters.
 struct TextPlace {

@@ -18,6 +18,7 @@
 #include <sstream>
 #include <string>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <vector>
@@ -127,6 +128,9 @@ TEST_F(Command, BadScenesEndWithTheirSentence) {
     const std::string table = write("lines.csv", "0,0,0,0\n1,0,0\n");
     const std::string walk = write("walk.json", R"({"paths": {"p": {"file": "lines.csv"}}})");
     expect_refusal({"run", walk.c_str()}, table + ":2: has 3 fields: give four, t,x,y,z, with commas between them.");
+    const std::string pipe = in("pipe.json"); // a reader that waits for its other end would wait for ever
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    expect_refusal({"run", pipe.c_str()}, pipe + ": is a pipe or a device: name a regular file.");
 }
 
 // --- Runs ------------------------------------------------------------------------------------------------------------

@@ -1,5 +1,8 @@
 #include "vegetation/files/coat_picture_files.h"
 
+#include "fluid/input_file.h"
+
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <cmath>
 #include <exception>
@@ -10,22 +13,24 @@ namespace {
 using windrow::Error;
 using windrow::Result;
 
+// [byte] Of a file: the largest picture of four floats a texel, uncompressed.
+constexpr std::size_t k_most_picture_bytes = std::size_t{320} << 20;
+// [texels] 64 MB of 16 floats each.
+constexpr int k_most_tile_side = 1024;
+
 float linear(float encoded) {
     return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
 }
 
-Result<CoatPicture> read(const std::filesystem::path& file, const std::filesystem::path& folder, bool colour) {
+Result<CoatPicture> read(const std::filesystem::path& file, const std::filesystem::path& folder, bool colour,
+                         windrow::detail::InputBudget& budget) {
     const std::string name = file.string();
-    std::error_code fault;
-    const std::filesystem::path real = std::filesystem::canonical(file, fault);
-    if (!fault) { // what is not there, the reader tells
-        const std::filesystem::path home = std::filesystem::canonical(folder.empty() ? "." : folder, fault);
-        if (fault || *real.lexically_relative(home).begin() == "..")
-            return Error{name + " is a link out of its folder; put the picture itself there."};
-        if (!std::filesystem::is_regular_file(real, fault))
-            return Error{name + " is not a file; give a PNG, PGM or EXR."};
-    }
-    std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(name);
+    const auto bytes = windrow::detail::read_input(file, {.folder = folder, .most_bytes = k_most_picture_bytes}, budget);
+    if (!bytes)
+        return Error{bytes.error()};
+    // From memory: OpenImageIO opens no file by itself.
+    OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes->data()), bytes->size());
+    const auto input = OIIO::ImageInput::open(name, nullptr, &memory);
     if (!input) {
         const std::string why = OIIO::geterror();
         return Error{name + " cannot be read as a picture (" + why.substr(0, why.find('\n')) + "); give a PNG, PGM or EXR."};
@@ -34,32 +39,37 @@ Result<CoatPicture> read(const std::filesystem::path& file, const std::filesyste
     if (spec.width < 1 || spec.height < 1 || spec.width > k_most_picture_side || spec.height > k_most_picture_side ||
         spec.depth > 1 || spec.nchannels < 1 || spec.nchannels > 16)
         return Error{name + " is " + std::to_string(spec.width) + " x " + std::to_string(spec.height) + " texels of " +
-                     std::to_string(spec.nchannels) + " channels; give 1 to " + std::to_string(k_most_picture_side) + " a side."};
-    const auto channels = static_cast<std::size_t>(spec.nchannels);
+                     std::to_string(spec.nchannels) + " channels; give 1 to " + std::to_string(k_most_picture_side) +
+                     " a side, of 1 to 16 channels."};
+    // A tile is decoded at once, with all its channels.
+    if (spec.deep || spec.tile_width > k_most_tile_side || spec.tile_height > k_most_tile_side)
+        return Error{name + " has deep texels or tiles of more than " + std::to_string(k_most_tile_side) +
+                     " texels a side; save it as plain rows."};
     const auto count = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
-    std::vector<float> values(channels * count);
-    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data()))
+    // A coat keeps 8 bytes a texel.
+    if (auto taken = budget.take_memory(name, 8 * count); !taken)
+        return Error{taken.error()};
+    CoatPicture made{spec.width, spec.height, std::vector<glm::vec4>(count, glm::vec4(0.0f, 0.0f, 0.0f, 1.0f))};
+    const int channels = spec.nchannels < 3 ? 1 : 3;
+    // No more channels than are used, each in its place.
+    if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, made.texels.data(), sizeof(glm::vec4)))
         return Error{name + " cannot be read to its end (" + input->geterror() + "); write it anew."};
     const bool encoded =
         colour && spec.format.basetype == OIIO::TypeDesc::UINT8 && spec.get_string_attribute("oiio:ColorSpace") != "Linear";
-    CoatPicture made{spec.width, spec.height, {}};
-    made.texels.reserve(count);
-    for (std::size_t n = 0; n < count; ++n) {
-        glm::vec4 texel(0.0f, 0.0f, 0.0f, 1.0f);
-        for (std::size_t channel = 0; channel < 3; ++channel) {
-            const float value = values[channels * n + (channels < 3 ? 0 : channel)];
+    for (glm::vec4& texel : made.texels)
+        for (int channel = 0; channel < 3; ++channel) {
+            const float value = texel[channel < channels ? channel : 0];
             if (!std::isfinite(value))
                 return Error{name + " has a texel that is not finite; give finite numbers."};
-            texel[static_cast<int>(channel)] = encoded ? linear(value) : value;
+            texel[channel] = channel < channels && encoded ? linear(value) : value;
         }
-        made.texels.push_back(texel);
-    }
     return made;
 }
 
 } // namespace
 
-Result<CoatPictures> read_pictures(const CoatMaps& maps, const std::filesystem::path& folder) {
+Result<CoatPictures> read_pictures(const CoatMaps& maps, const std::filesystem::path& folder,
+                                   windrow::detail::InputBudget& budget) {
     CoatPictures pictures;
     struct Wanted {
         const std::string& file;
@@ -72,7 +82,7 @@ Result<CoatPictures> read_pictures(const CoatMaps& maps, const std::filesystem::
               Wanted{maps.noise_a, pictures.noise_a, false}, Wanted{maps.noise_b, pictures.noise_b, false}}) {
             if (each.file.empty())
                 continue;
-            Result<CoatPicture> picture = read(folder / each.file, folder, each.colour);
+            Result<CoatPicture> picture = read(folder / each.file, folder, each.colour, budget);
             if (!picture)
                 return Error{picture.error()};
             each.into = *std::move(picture);

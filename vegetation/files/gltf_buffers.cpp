@@ -32,19 +32,15 @@ std::string without_percents(std::string_view uri) {
 }
 
 Result<std::string> bytes_of(const nlohmann::json& buffer, const std::string& place, std::string_view binary,
-                             const std::filesystem::path& path) {
+                             const std::filesystem::path& path, windrow::detail::InputBudget& budget) {
     const auto uri = buffer.find("uri");
     if (uri == buffer.end())
         return std::string(binary);
     if (!uri->is_string())
         return refusal(place, ".uri is not a text: name a file or give data.");
     const std::string text = uri->get<std::string>();
-    if (!text.starts_with("data:")) {
-        const auto file = beside(path, without_percents(text));
-        if (!file)
-            return Error{file.error()};
-        return read_bytes(*file);
-    }
+    if (!text.starts_with("data:"))
+        return read_beside(path, without_percents(text), budget);
     constexpr std::string_view k_mark = ";base64,";
     const std::size_t mark = text.find(k_mark);
     if (mark == std::string::npos)
@@ -76,7 +72,7 @@ Result<GltfParts> split_gltf(std::string_view bytes, const std::string& name) {
 }
 
 Result<std::string> read_gltf_buffer(const nlohmann::json& buffer, std::size_t index, std::string_view binary,
-                                     const std::filesystem::path& path) {
+                                     const std::filesystem::path& path, windrow::detail::InputBudget& budget) {
     const std::string place = sentence(path.string(), ": $.buffers[", index, "]");
     if (!buffer.is_object())
         return refusal(place, " is no object: give one.");
@@ -84,7 +80,7 @@ Result<std::string> read_gltf_buffer(const nlohmann::json& buffer, std::size_t i
     if (length == buffer.end() || !length->is_number_unsigned() || length->get<std::uint64_t>() > k_most_bytes)
         return refusal(place, ".byteLength is missing or not a count: give 1 to ", k_most_bytes, ".");
     const std::size_t size = length->get<std::size_t>();
-    auto bytes = bytes_of(buffer, place, index == 0 ? binary : std::string_view(), path);
+    auto bytes = bytes_of(buffer, place, index == 0 ? binary : std::string_view(), path, budget);
     if (!bytes)
         return bytes;
     if (bytes->size() < size)

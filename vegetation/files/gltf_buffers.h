@@ -1,6 +1,7 @@
 // The buffers of a glTF file: the binary chunk of a GLB, data in the text itself, files beside it.
 #pragma once
 
+#include "fluid/input_budget.h"
 #include "vegetation/fur/mesh.h"
 
 #include <filesystem>
@@ -20,7 +21,7 @@ struct GltfParts {
 
 /// The bytes of the glTF's buffer `index`, as many as its byteLength says.
 [[nodiscard]] Result<std::string> read_gltf_buffer(const nlohmann::json& buffer, std::size_t index, std::string_view binary,
-                                                   const std::filesystem::path& path);
+                                                   const std::filesystem::path& path, windrow::detail::InputBudget& budget);
 
 /// RFC 4648, section 4. Refuses other signs and lengths.
 [[nodiscard]] Result<std::string> decode_base64(std::string_view text, const std::string& name);

@@ -17,6 +17,9 @@ using nlohmann::json;
 
 constexpr std::size_t k_most_nodes = 65536;
 constexpr int k_deepest_node = 24; // Assimp walks them by recursion
+// Assimp copies the numbers of an accessor for each primitive that names it. Some files share their vertices among parts: so many
+// vertices, and as many corners, beside those that the bytes of the buffers can hold.
+constexpr std::size_t k_most_copies = 2 * k_most_vertices;
 enum ComponentType : std::size_t { k_byte = 5121, k_short = 5123, k_int = 5125, k_float = 5126 };
 
 // Stops the walk at the first fault; caught in check_gltf, so that no exception leaves this file.
@@ -31,8 +34,8 @@ struct Accessor {
 
 class Copier {
   public:
-    Copier(const json& source, std::string_view binary, const std::filesystem::path& path)
-        : source_(source), binary_(binary), path_(path) {}
+    Copier(const json& source, std::string_view binary, const std::filesystem::path& path, windrow::detail::InputBudget& budget)
+        : source_(source), binary_(binary), path_(path), budget_(budget) {}
 
     GltfText run() {
         if (!source_.is_object())
@@ -93,7 +96,7 @@ class Copier {
     std::size_t buffer(std::size_t index) {
         if (const auto known = buffer_numbers_.find(index); known != buffer_numbers_.end())
             return known->second;
-        auto bytes = read_gltf_buffer(item("buffers", index), index, binary_, path_);
+        auto bytes = read_gltf_buffer(item("buffers", index), index, binary_, path_, budget_);
         if (!bytes)
             throw Fault{bytes.error()};
         if ((bytes_ += bytes->size()) > k_most_bytes)
@@ -208,6 +211,11 @@ class Copier {
             corners = indices.count;
             kept["indices"] = indices.number;
         }
+        vertices_ += positions.count;
+        corners_ += corners;
+        if (vertices_ > k_most_copies + bytes_ / sizeof(glm::vec3) || corners_ > k_most_copies + bytes_)
+            fail(place, "take ", vertices_, " vertices and ", corners_, " corners, counting each use of an accessor, from ",
+                 bytes_, " bytes: name each accessor once, or a few times.");
         if (corners % 3 != 0)
             fail(place, "has ", corners, " corners: give three a triangle.");
         if (source.contains("material")) {
@@ -282,16 +290,17 @@ class Copier {
     const json& source_;
     std::string_view binary_;
     const std::filesystem::path& path_;
+    windrow::detail::InputBudget& budget_;
     json out_;
     std::vector<std::string> buffers_;
     std::map<std::size_t, std::size_t> buffer_numbers_;
-    std::size_t bytes_ = 0;
+    std::size_t bytes_ = 0, vertices_ = 0, corners_ = 0;
     std::uint32_t highest_ = 0;
 };
 
 } // namespace
 
-Result<GltfText> check_gltf(const std::string& bytes, const std::filesystem::path& path) {
+Result<GltfText> check_gltf(const std::string& bytes, const std::filesystem::path& path, windrow::detail::InputBudget& budget) {
     const auto parts = split_gltf(bytes, path.string());
     if (!parts)
         return Error{parts.error()};
@@ -299,7 +308,7 @@ Result<GltfText> check_gltf(const std::string& bytes, const std::filesystem::pat
     if (!source)
         return Error{source.error()};
     try {
-        return Copier(*source, parts->binary, path).run();
+        return Copier(*source, parts->binary, path, budget).run();
     } catch (const Fault& fault) {
         return Error{fault.text};
     }

@@ -5,6 +5,7 @@
 // out. Based on: Khronos 2021, glTF 2.0 specification, sections 3.5 to 3.7 and 4.4 (GLB).
 #pragma once
 
+#include "fluid/input_budget.h"
 #include "vegetation/fur/mesh.h"
 
 #include <filesystem>
@@ -22,6 +23,7 @@ struct GltfText {
 /// no JSON, extensions that are required, buffers that are missing, too short or outside of the folder, views and accessors that
 /// reach beyond what they lie in, attributes of other types than floats, indices without a vertex, nodes in a circle or deeper
 /// than 24, and absurd counts.
-[[nodiscard]] Result<GltfText> check_gltf(const std::string& bytes, const std::filesystem::path& path);
+[[nodiscard]] Result<GltfText> check_gltf(const std::string& bytes, const std::filesystem::path& path,
+                                          windrow::detail::InputBudget& budget);
 
 } // namespace windrow::vegetation::fur

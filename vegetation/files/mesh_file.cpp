@@ -1,5 +1,6 @@
 #include "vegetation/files/mesh_file.h"
 
+#include "fluid/input_file.h"
 #include "vegetation/files/assimp_import.h"
 #include "vegetation/files/gltf_text.h"
 #include "vegetation/files/mesh_folder.h"
@@ -21,6 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using Coats = std::map<std::string, FurLine>;
+using windrow::detail::InputBudget;
 
 // The file's ending in small letters.
 std::string ending_of(const fs::path& path) {
@@ -30,18 +32,15 @@ std::string ending_of(const fs::path& path) {
     return ending;
 }
 
-Result<Soup> read_obj(const fs::path& path, const std::string& bytes, Coats& coats) {
+Result<Soup> read_obj(const fs::path& path, const std::string& bytes, Coats& coats, InputBudget& budget) {
     auto obj = check_obj(bytes, path.string());
     if (!obj)
         return Error{obj.error()};
     for (const std::string& library : obj->libraries) {
-        const auto file = beside(path, library);
-        if (!file)
-            return Error{file.error()};
-        const auto text = read_bytes(*file);
+        const auto text = read_beside(path, library, budget);
         if (!text)
             return Error{text.error()};
-        auto more = read_fur_lines(*text, file->string());
+        auto more = read_fur_lines(*text, (path.parent_path() / library).string());
         if (!more)
             return Error{more.error()};
         coats.merge(*more);
@@ -49,8 +48,8 @@ Result<Soup> read_obj(const fs::path& path, const std::string& bytes, Coats& coa
     return import_soup({{"mesh.obj", std::move(obj->text)}}, "mesh.obj", path.string());
 }
 
-Result<Soup> read_gltf(const fs::path& path, const std::string& bytes) {
-    auto gltf = check_gltf(bytes, path);
+Result<Soup> read_gltf(const fs::path& path, const std::string& bytes, InputBudget& budget) {
+    auto gltf = check_gltf(bytes, path, budget);
     if (!gltf)
         return Error{gltf.error()};
     std::map<std::string, std::string> files{{"mesh.gltf", std::move(gltf->json)}};
@@ -72,17 +71,18 @@ Result<Soup> read_three_ds(const fs::path& path, std::string bytes) {
     return soup;
 }
 
-Result<Soup> read_soup(const fs::path& path, const std::string& ending, Coats& coats) {
+Result<Soup> read_soup(const fs::path& path, const std::optional<fs::path>& folder, InputBudget& budget, Coats& coats) {
+    const std::string ending = ending_of(path);
     if (ending != ".obj" && ending != ".gltf" && ending != ".glb" && ending != ".3ds")
         return refusal(path.string(), " ends in '", ending, "': give a mesh as .obj, .gltf, .glb or .3ds.");
-    auto bytes = read_bytes(path);
+    auto bytes = windrow::detail::read_input(path, {.folder = folder, .most_bytes = k_most_bytes}, budget);
     if (!bytes)
         return Error{bytes.error()};
     if (ending == ".obj")
-        return read_obj(path, *bytes, coats);
+        return read_obj(path, *bytes, coats, budget);
     if (ending == ".3ds")
         return read_three_ds(path, *std::move(bytes));
-    return read_gltf(path, *bytes);
+    return read_gltf(path, *bytes, budget);
 }
 
 // The file's axes to ours: even permutations, which mirror nothing.
@@ -122,24 +122,11 @@ float stand(Mesh& mesh, const MeshLoad& load) {
     return scale;
 }
 
-} // namespace
-
-Result<void> validate(const MeshLoad& load) {
-    Refusals refusals;
-    refusals.between("load.up", static_cast<double>(load.up), 0, 2);
-    refusals.between("load.size", static_cast<double>(load.size), 1e-3, 1e3);
-    refusals.between("load.size_of", static_cast<double>(load.size_of), 0, 1);
-    refusals.between("load.yaw", static_cast<double>(load.yaw), -6.2831855, 6.2831855);
-    refusals.between("load.most_triangles", static_cast<double>(load.most_triangles), 4, static_cast<double>(k_most_triangles));
-    return refusals.outcome();
-}
-
-Result<Mesh> read_mesh(const fs::path& path, const MeshLoad& load) {
+Result<Mesh> read(const fs::path& path, const MeshLoad& load, const std::optional<fs::path>& folder, InputBudget& budget) {
     if (const auto valid = validate(load); !valid)
         return Error{valid.error()};
-    const std::string ending = ending_of(path);
     Coats coats;
-    auto soup = read_soup(path, ending, coats);
+    auto soup = read_soup(path, folder, budget, coats);
     if (!soup)
         return Error{soup.error()};
     turn(*soup, load);
@@ -170,7 +157,31 @@ Result<Mesh> read_mesh(const fs::path& path, const MeshLoad& load) {
         }
     if (const auto valid = validate(*mesh, path.string().c_str()); !valid)
         return Error{valid.error()};
+    const std::size_t memory = mesh->vertices.size() * sizeof(MeshVertex) + mesh->indices.size() * sizeof mesh->indices.front();
+    if (auto taken = budget.take_memory(path.string(), memory); !taken)
+        return Error{taken.error()};
     return mesh;
+}
+
+} // namespace
+
+Result<void> validate(const MeshLoad& load) {
+    Refusals refusals;
+    refusals.between("load.up", static_cast<double>(load.up), 0, 2);
+    refusals.between("load.size", static_cast<double>(load.size), 1e-3, 1e3);
+    refusals.between("load.size_of", static_cast<double>(load.size_of), 0, 1);
+    refusals.between("load.yaw", static_cast<double>(load.yaw), -6.2831855, 6.2831855);
+    refusals.between("load.most_triangles", static_cast<double>(load.most_triangles), 4, static_cast<double>(k_most_triangles));
+    return refusals.outcome();
+}
+
+Result<Mesh> read_mesh(const fs::path& path, const MeshLoad& load) {
+    InputBudget budget;
+    return read(path, load, std::nullopt, budget);
+}
+
+Result<Mesh> read_mesh(const fs::path& path, const MeshLoad& load, const fs::path& folder, InputBudget& budget) {
+    return read(path, load, folder, budget);
 }
 
 } // namespace windrow::vegetation::fur

@@ -10,6 +10,7 @@
 // normals (mesh_normals.h), fewer triangles if asked (mesh_simplify.h), uv of a box where there are none (mesh_uv.h), placed.
 #pragma once
 
+#include "fluid/input_budget.h"
 #include "vegetation/fur/mesh.h"
 
 #include <filesystem>
@@ -43,6 +44,10 @@ inline constexpr std::size_t k_most_bytes = std::size_t{512} << 20;
 /// it that are missing or lie outside of its folder: absolute names, `..`, and links that lead out. A place whose triangles face
 /// each other (a sheet folded onto itself) is not refused: it has the normal of the first of them.
 [[nodiscard]] Result<Mesh> read_mesh(const std::filesystem::path& path, const MeshLoad& load = {});
+
+/// The same for a mesh that a scene names: its file must be in `folder`, links followed, and takes its part of the scene's budget.
+[[nodiscard]] Result<Mesh> read_mesh(const std::filesystem::path& path, const MeshLoad& load, const std::filesystem::path& folder,
+                                     windrow::detail::InputBudget& budget);
 
 [[nodiscard]] Result<void> validate(const MeshLoad& load);
 

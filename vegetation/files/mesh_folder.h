@@ -1,6 +1,7 @@
-// The bytes of a mesh's file and of the files that it names, none of them outside of its folder.
+// The bytes of the files that a mesh's file names, none of them outside of its folder.
 #pragma once
 
+#include "fluid/input_budget.h"
 #include "vegetation/fur/mesh.h"
 
 #include <filesystem>
@@ -9,12 +10,9 @@
 
 namespace windrow::vegetation::fur {
 
-/// The whole file. Refuses what does not exist, is no plain file, or is longer than k_most_bytes; its length is asked before any
-/// memory is taken.
-[[nodiscard]] Result<std::string> read_bytes(const std::filesystem::path& path);
-
-/// Where the file lies that `name` in the file `path` means. Refuses absolute names, `..`, backslashes and colons (which lead out
-/// on other systems), what does not exist, and links that lead out of the folder.
-[[nodiscard]] Result<std::filesystem::path> beside(const std::filesystem::path& path, std::string_view name);
+/// The file that `name` in the file `path` means. Rejects what detail::read_input rejects, names that lead out of the folder, and
+/// backslashes and colons, which lead out on other systems.
+[[nodiscard]] Result<std::string> read_beside(const std::filesystem::path& path, std::string_view name,
+                                              windrow::detail::InputBudget& budget);
 
 } // namespace windrow::vegetation::fur

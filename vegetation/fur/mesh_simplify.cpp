@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <map>
-#include <queue>
 #include <tuple>
 
 namespace windrow::vegetation::fur {
@@ -34,6 +34,10 @@ struct Quadric {
                2.0 * glm::dot(linear, p) + constant;
     }
 };
+
+// Triangles looked at around points. A usual mesh takes 40 a triangle, one with a fan of 4096 triangles 220. A point with tens of
+// thousands would take the square of their number, so the collapses end when this work is done.
+constexpr std::size_t k_least_work = 12'000'000, k_work_a_triangle = 100;
 
 struct Collapse {
     double cost;
@@ -69,9 +73,11 @@ class Simplifier {
     }
 
     void run(std::size_t most) {
-        while (left_ > most && !queue_.empty()) {
-            const Collapse next = queue_.top();
-            queue_.pop();
+        const std::size_t most_work = k_least_work + k_work_a_triangle * left_;
+        while (left_ > most && !queue_.empty() && work_ < most_work) {
+            std::pop_heap(queue_.begin(), queue_.end(), std::greater<>());
+            const Collapse next = queue_.back();
+            queue_.pop_back();
             if (next.age == ages_[next.from] && fits(next.from, next.to))
                 collapse(next.from, next.to);
         }
@@ -110,7 +116,8 @@ class Simplifier {
                 fixed_[edge.first] = fixed_[edge.second] = true;
     }
 
-    [[nodiscard]] std::vector<std::uint32_t> neighbours(std::uint32_t point) const {
+    [[nodiscard]] std::vector<std::uint32_t> neighbours(std::uint32_t point) {
+        work_ += fans_[point].size();
         std::vector<std::uint32_t> result;
         for (const std::uint32_t triangle : fans_[point])
             for (std::size_t k = 0; k < 3; ++k)
@@ -128,12 +135,22 @@ class Simplifier {
         for (const std::uint32_t to : neighbours(from)) {
             Quadric sum = quadrics_[from];
             sum.add(quadrics_[to]);
-            queue_.push({sum.at(places_[to]), from, to, ages_[from]});
+            queue_.push_back({sum.at(places_[to]), from, to, ages_[from]});
+            std::push_heap(queue_.begin(), queue_.end(), std::greater<>());
         }
+        if (queue_.size() > longest_queue_)
+            drop_outdated();
+    }
+
+    // Each collapse prices its neighbourhood anew: without this, most of the queue would be outdated.
+    void drop_outdated() {
+        std::erase_if(queue_, [&](const Collapse& each) { return each.age != ages_[each.from]; });
+        std::make_heap(queue_.begin(), queue_.end(), std::greater<>());
+        longest_queue_ = std::max(longest_queue_, 2 * queue_.size());
     }
 
     // Whether the surface stays a surface and no triangle turns over.
-    [[nodiscard]] bool fits(std::uint32_t from, std::uint32_t to) const {
+    [[nodiscard]] bool fits(std::uint32_t from, std::uint32_t to) {
         const auto mine = neighbours(from), theirs = neighbours(to);
         std::vector<std::uint32_t> common;
         std::set_intersection(mine.begin(), mine.end(), theirs.begin(), theirs.end(), std::back_inserter(common));
@@ -215,7 +232,9 @@ class Simplifier {
     std::vector<bool> fixed_, alive_;
     std::vector<std::uint32_t> ages_;
     std::size_t left_ = 0;
-    std::priority_queue<Collapse, std::vector<Collapse>, std::greater<>> queue_;
+    std::vector<Collapse> queue_; // a heap, the least cost first
+    std::size_t longest_queue_ = std::size_t{1} << 18;
+    std::size_t work_ = 0;
 };
 
 } // namespace

@@ -13,9 +13,11 @@
 #include "fluid/result.h"
 #include "vegetation/grass/grass_numerics.h"
 
+#include <cstddef>
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace windrow::vegetation::grass {
@@ -44,6 +46,11 @@ class PlacementMask {
     [[nodiscard]] static windrow::Result<PlacementMask> create(glm::ivec2 corners, glm::vec2 extent, float alpha = 0.0f);
     /// From a binary PGM of 8 or 16 bits, first row at z = 0. Says why a file is none.
     [[nodiscard]] static windrow::Result<PlacementMask> load(const std::string& path, glm::vec2 extent);
+    /// The same from a file's bytes. `name` begins the sentence. Rejects more than `most_values` pixels before it takes memory.
+    [[nodiscard]] static windrow::Result<PlacementMask> from_pgm(std::string_view bytes, glm::vec2 extent,
+                                                                 const std::string& name, std::size_t most_values);
+    /// [byte] Of a PGM's file: the largest mask of 16 bits, and its header.
+    static constexpr std::size_t k_most_pgm_bytes = (std::size_t{512} << 20) + 4096;
     /// As a binary PGM of 16 bits, written beside its name and renamed.
     [[nodiscard]] windrow::Result<void> save(const std::string& path) const;
 

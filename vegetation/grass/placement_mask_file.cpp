@@ -1,11 +1,11 @@
 // The mask as a binary PGM: what every image program opens, without a library.
+#include "fluid/input_file.h"
 #include "fluid/new_file.h"
 #include "vegetation/grass/placement_mask.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <fstream>
-#include <iterator>
+#include <limits>
 #include <sstream>
 #include <string>
 
@@ -23,12 +23,17 @@ windrow::Result<void> PlacementMask::save(const std::string& path) const {
 }
 
 windrow::Result<PlacementMask> PlacementMask::load(const std::string& path, glm::vec2 extent) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file)
-        return windrow::Error{path + " cannot be read: name a PGM image."};
-    const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    const windrow::Error no_image{path + " is no binary PGM of up to 65535 levels: save the image as PGM (P5)."};
-    std::istringstream header(bytes.substr(0, 256));
+    windrow::detail::InputBudget budget;
+    const auto bytes = windrow::detail::read_input(path, {.most_bytes = k_most_pgm_bytes}, budget);
+    if (!bytes)
+        return windrow::Error{bytes.error()};
+    return from_pgm(*bytes, extent, path, std::numeric_limits<std::size_t>::max());
+}
+
+windrow::Result<PlacementMask> PlacementMask::from_pgm(std::string_view bytes, glm::vec2 extent, const std::string& name,
+                                                       std::size_t most_values) {
+    const windrow::Error no_image{name + " is no binary PGM of up to 65535 levels: save the image as PGM (P5)."};
+    std::istringstream header(std::string(bytes.substr(0, 256)));
     std::string kind;
     std::vector<int> numbers;
     header >> kind;
@@ -49,11 +54,14 @@ windrow::Result<PlacementMask> PlacementMask::load(const std::string& path, glm:
     const auto pixels = [&](int n) { return static_cast<std::size_t>(std::max(numbers[static_cast<std::size_t>(n)], 0)); };
     // Before room is made for what the header says and the file may not hold.
     if (bytes.size() < begin + width * pixels(0) * pixels(1))
-        return windrow::Error{path + " ends early: it has " + std::to_string(bytes.size()) + " bytes of " +
+        return windrow::Error{name + " ends early: it has " + std::to_string(bytes.size()) + " bytes of " +
                               std::to_string(begin + width * pixels(0) * pixels(1)) + "; save it again."};
+    if (pixels(0) * pixels(1) > most_values)
+        return windrow::Error{name + " has " + std::to_string(numbers[0]) + " x " + std::to_string(numbers[1]) +
+                              " pixels: give at most " + std::to_string(most_values) + " in all."};
     auto mask = create({numbers[0], numbers[1]}, extent);
     if (!mask)
-        return windrow::Error{path + ": " + mask.error()};
+        return windrow::Error{name + ": " + mask.error()};
     const auto byte = [&](std::size_t at) { return static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[at])); };
     for (std::size_t n = 0; n < mask->values_.size(); ++n) {
         const std::size_t at = begin + width * n;

@@ -1,13 +1,10 @@
 #include "vegetation/program/dressed_body.h"
 
 #include "vegetation/files/coat_picture_files.h"
-#include "vegetation/files/mesh_folder.h"
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <glm/trigonometric.hpp>
-#include <system_error>
 
 namespace windrow::vegetation::program {
 namespace {
@@ -17,17 +14,13 @@ using windrow::Result;
 
 struct MakeMesh {
     std::filesystem::path folder;
+    windrow::detail::InputBudget& budget;
 
     Result<fur::Mesh> operator()(const MeshSource& source) const {
         fur::MeshLoad load = source.load;
         load.yaw = glm::radians(source.yaw_deg);
         load.most_triangles = static_cast<std::size_t>(source.most_triangles);
-        const std::filesystem::path file = folder / std::filesystem::path(source.name).lexically_normal();
-        std::error_code fault;
-        if (std::filesystem::exists(file, fault)) // what is not there, the reader tells
-            if (auto real = fur::beside(folder / "scene", source.name); !real)
-                return Error{real.error()};
-        return fur::read_mesh(file, load);
+        return fur::read_mesh(folder / std::filesystem::path(source.name).lexically_normal(), load, folder, budget);
     }
     Result<fur::Mesh> operator()(const fur::Sheet& shape) const { return fur::sheet(shape); }
     Result<fur::Mesh> operator()(const fur::GlobeSphere& shape) const { return fur::globe_sphere(shape); }
@@ -47,9 +40,9 @@ std::vector<glm::mat4> bones_of(const Body& body, const BodyModel& model, double
 
 } // namespace
 
-Result<BodyModel> model_of(const PictureScene& scene, const Body& body) {
+Result<BodyModel> model_of(const PictureScene& scene, const Body& body, windrow::detail::InputBudget& budget) {
     BodyModel model;
-    auto mesh = std::visit(MakeMesh{scene.air.file.parent_path()}, body.mesh);
+    auto mesh = std::visit(MakeMesh{scene.air.file.parent_path(), budget}, body.mesh);
     if (!mesh)
         return Error{mesh.error()};
     model.mesh = *std::move(mesh);
@@ -116,7 +109,7 @@ Result<DressedBodies> DressedBodies::create(engine::Device& device, const render
 
 Result<void> DressedBodies::dress(engine::Device& device, const render::DrawTargets& targets, const Body& body,
                                   glm::dvec3 anchor) {
-    auto model = model_of(*scene_, body);
+    auto model = model_of(*scene_, body, inputs_);
     if (!model)
         return Error{model.error()};
     Dressed dressed{.body = &body, .model = *std::move(model), .coats = {}};
@@ -129,7 +122,7 @@ Result<void> DressedBodies::dress(engine::Device& device, const render::DrawTarg
             if (part.fur && !fur)
                 fur = part.fur;
         const fur::CoatSettings settings = settings_of(worn, fur);
-        const auto pictures = fur::read_pictures(settings.maps, scene_->air.file.parent_path());
+        const auto pictures = fur::read_pictures(settings.maps, scene_->air.file.parent_path(), inputs_);
         if (!pictures)
             return Error{pictures.error()};
         auto coat = fur::Coat::create(device, targets, dressed.model.mesh, *parts, settings, *pictures,

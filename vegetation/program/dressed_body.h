@@ -20,8 +20,9 @@ struct BodyModel {
     fur::Mesh mesh{};
     std::optional<fur::Skeleton> skeleton{};
 };
-/// Refuses what the mesh's reader refuses, and bones that do not hang together.
-[[nodiscard]] windrow::Result<BodyModel> model_of(const PictureScene& scene, const Body& body);
+/// Refuses what the mesh's reader refuses, and bones that do not hang together. The mesh's file takes its part of `budget`.
+[[nodiscard]] windrow::Result<BodyModel> model_of(const PictureScene& scene, const Body& body,
+                                                  windrow::detail::InputBudget& budget);
 
 /// Those parts of the mesh that a coat is for; all where it names no material. Refuses a material that the mesh has not.
 [[nodiscard]] windrow::Result<std::vector<fur::MeshPart>> parts_of(const fur::Mesh& mesh, const BodyCoat& coat);
@@ -55,11 +56,12 @@ class DressedBodies {
         BodyModel model;
         std::vector<std::unique_ptr<fur::Coat>> coats;
     };
-    explicit DressedBodies(const PictureScene& scene) : scene_(&scene) {}
+    explicit DressedBodies(const PictureScene& scene) : scene_(&scene), inputs_(scene.inputs) {}
     windrow::Result<void> dress(engine::Device& device, const render::DrawTargets& targets, const Body& body, glm::dvec3 anchor);
     windrow::Result<void> move(const Dressed& dressed, double time, double seconds);
 
     const PictureScene* scene_;
+    windrow::detail::InputBudget inputs_; ///< what the scene's own reading has left
     std::vector<Dressed> dressed_{};
     double time_ = 0.0; ///< [s] of the last call
 };

@@ -4,6 +4,7 @@
 #include "scene/json_document.h"
 #include "scene/number_text.h"
 #include "vegetation/program/field_reader.h"
+#include "vegetation/program/mask_reader.h"
 #include "vegetation/program/picture_fields.h"
 
 #include <algorithm>
@@ -47,10 +48,11 @@ std::optional<grass::HeightMap> rolling(const Ground& ground) {
     return made ? std::optional(*std::move(made)) : std::nullopt;
 }
 
-std::optional<grass::HeightMap> from_file(JsonObject& object, const Ground& ground, const std::filesystem::path& file) {
+std::optional<grass::HeightMap> from_file(JsonObject& object, const Ground& ground, const std::filesystem::path& file,
+                                          const std::filesystem::path& folder) {
     const std::string named = "is " + windrow::scene::quote_json(object.value()["heights"]);
     // A mask's file is the same picture of 0 to 1.
-    const auto picture = grass::PlacementMask::load(file.string(), glm::vec2(ground.extent));
+    const auto picture = read_pgm(file, folder, glm::vec2(ground.extent), object.log().budget());
     if (!picture) {
         object.refuse("heights", named + ": " + picture.error());
         return std::nullopt;
@@ -98,7 +100,7 @@ Ground read_ground(JsonObject object, const std::filesystem::path& folder) {
     if (file && !(ground.low < ground.high) && object.log().faults() == faults_before)
         object.refuse("high", "is " + figure(ground.high) + " m, not above \"low\", " + figure(ground.low) + " m: give more.");
     if (object.log().faults() == faults_before) {
-        ground.heights = file ? from_file(object, ground, *file) : rolling(ground);
+        ground.heights = file ? from_file(object, ground, *file, folder) : rolling(ground);
         if (!ground.heights && !file)
             object.refuse("extent", "is " + metres(ground.extent) +
                                         ", which no grid of square texels fits: give two lengths in a ratio of whole numbers.");

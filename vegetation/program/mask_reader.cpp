@@ -1,5 +1,6 @@
 #include "vegetation/program/mask_reader.h"
 
+#include "fluid/input_file.h"
 #include "scene/file_beside.h"
 #include "scene/json_document.h"
 #include "vegetation/program/field_reader.h"
@@ -22,8 +23,9 @@ Stroke read_stroke(const nlohmann::json& value, const std::string& path, const s
     return stroke;
 }
 
-windrow::Result<grass::PlacementMask> make_mask(const MaskSource& source, glm::vec2 extent, const std::filesystem::path* file) {
-    auto mask = file != nullptr ? grass::PlacementMask::load(file->string(), extent)
+windrow::Result<grass::PlacementMask> make_mask(const MaskSource& source, glm::vec2 extent, const std::filesystem::path* file,
+                                                const std::filesystem::path& folder, windrow::detail::InputBudget& budget) {
+    auto mask = file != nullptr ? read_pgm(*file, folder, extent, budget)
                                 : grass::PlacementMask::create(source.corners, extent, source.even);
     if (!mask)
         return mask;
@@ -38,6 +40,19 @@ windrow::Result<grass::PlacementMask> make_mask(const MaskSource& source, glm::v
 }
 
 } // namespace
+
+windrow::Result<grass::PlacementMask> read_pgm(const std::filesystem::path& file, const std::filesystem::path& folder,
+                                               glm::vec2 extent, windrow::detail::InputBudget& budget) {
+    const auto bytes =
+        windrow::detail::read_input(file, {.folder = folder, .most_bytes = grass::PlacementMask::k_most_pgm_bytes}, budget);
+    if (!bytes)
+        return windrow::Error{bytes.error()};
+    auto mask = grass::PlacementMask::from_pgm(*bytes, extent, file.string(), budget.memory_left() / sizeof(float));
+    if (mask)
+        if (auto taken = budget.take_memory(file.string(), mask->values().size_bytes()); !taken)
+            return windrow::Error{taken.error()};
+    return mask;
+}
 
 MaskSource read_mask(JsonObject object, glm::vec2 extent, std::uint32_t seed, const std::filesystem::path& folder) {
     MaskSource source;
@@ -61,7 +76,7 @@ MaskSource read_mask(JsonObject object, glm::vec2 extent, std::uint32_t seed, co
     object.finish();
     if (object.log().faults() != faults_before)
         return source;
-    if (auto mask = make_mask(source, extent, file ? &*file : nullptr))
+    if (auto mask = make_mask(source, extent, file ? &*file : nullptr, folder, object.log().budget()))
         source.mask = *std::move(mask);
     else if (file)
         object.refuse("file", "is " + windrow::scene::quote_json(object.value()["file"]) + ": " + mask.error());

@@ -92,34 +92,41 @@ Picture read_picture(JsonObject& object, std::span<const std::string> names, con
     return picture;
 }
 
-} // namespace
-
-windrow::Result<PictureScene> read_picture_scene(const std::filesystem::path& file) {
-    const auto text = windrow::scene::read_text_file(file, windrow::scene::k_most_scene_bytes);
-    if (!text)
-        return windrow::Error{text.error()};
-    return read_picture_scene_text(*text, file);
-}
-
-windrow::Result<PictureScene> read_picture_scene_text(std::string_view text, const std::filesystem::path& file,
-                                                      std::vector<windrow::scene::KnownKey>* known) {
+windrow::Result<PictureScene> read_text(std::string_view text, const std::filesystem::path& file,
+                                        windrow::detail::InputBudget& budget, std::vector<windrow::scene::KnownKey>* known) {
     const auto document = windrow::scene::parse_json(text, file.string());
     if (!document)
         return windrow::Error{document.error()};
-    auto air = windrow::scene::read_scene_text(text, file);
+    auto air = windrow::scene::read_scene_json(*document, file, budget);
     static const json k_none = json::object();
     const bool given = document->is_object() && document->contains("picture") && (*document)["picture"].is_object();
-    ReadLog log(file.string(), known);
+    ReadLog log(file.string(), budget, known);
     JsonObject object(given ? (*document)["picture"] : k_none, "$.picture", "$.picture", log);
     Picture picture = read_picture(object, path_names(*document), file.parent_path());
     if (!air)
         return windrow::Error{log.faults() > 0 ? air.error() + "\n" + log.error().message : air.error()};
-    PictureScene scene{.air = *std::move(air), .picture = std::move(picture)};
+    PictureScene scene{.air = *std::move(air), .picture = std::move(picture), .inputs = budget};
     if (log.faults() == 0)
         judge(scene, object);
     if (log.faults() > 0)
         return log.error();
     return scene;
+}
+
+} // namespace
+
+windrow::Result<PictureScene> read_picture_scene(const std::filesystem::path& file) {
+    windrow::detail::InputBudget budget;
+    const auto text = windrow::scene::read_text_file(file, {.most_bytes = windrow::scene::k_most_scene_bytes}, budget);
+    if (!text)
+        return windrow::Error{text.error()};
+    return read_text(*text, file, budget, nullptr);
+}
+
+windrow::Result<PictureScene> read_picture_scene_text(std::string_view text, const std::filesystem::path& file,
+                                                      std::vector<windrow::scene::KnownKey>* known) {
+    windrow::detail::InputBudget budget;
+    return read_text(text, file, budget, known);
 }
 
 } // namespace windrow::vegetation::program

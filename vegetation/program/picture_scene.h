@@ -11,6 +11,7 @@
 #pragma once
 
 #include "coupling/ground_config.h"
+#include "fluid/input_budget.h"
 #include "scene/scene.h"
 #include "vegetation/fur/lamps.h"
 #include "vegetation/grass/grass_settings.h"
@@ -154,6 +155,8 @@ struct Picture {
 struct PictureScene {
     windrow::scene::Scene air;
     Picture picture;
+    /// What is left for meshes and maps, which are read when bodies are dressed.
+    windrow::detail::InputBudget inputs{};
 
     /// Pictures a second.
     [[nodiscard]] double frames_per_second() const { return picture.frames_per_second.value_or(air.frames_per_second); }

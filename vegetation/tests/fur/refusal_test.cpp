@@ -23,10 +23,10 @@ void expect_refused(const std::filesystem::path& path, const std::string& why, c
 
 TEST(MeshRefusals, WhatIsNoMesh) {
     const Folder folder;
-    expect_refused(folder.at("none.obj"), "does not exist");
+    expect_refused(folder.at("none.obj"), "there is no such file");
     expect_refused(folder.at(""), "give a mesh as .obj");
     std::filesystem::create_directory(folder.at("folder.obj"));
-    expect_refused(folder.at("folder.obj"), "is not a file");
+    expect_refused(folder.at("folder.obj"), "is a folder");
     expect_refused(folder.write("mesh.stl", "solid"), "give a mesh as .obj");
     expect_refused(folder.write("empty.obj", ""), "has no faces");
     expect_refused(folder.write("words.obj", "this is\nno mesh\n"), "has no faces");
@@ -39,7 +39,7 @@ TEST(MeshRefusals, WhatIsNoMesh) {
     expect_refused(folder.write("bare.gltf", R"({"asset":{"version":"2.0"}})"), "has no triangles");
     // A long file is refused by its length; a sparse one takes no disk.
     std::filesystem::resize_file(folder.write("long.obj", ""), k_most_bytes + 1);
-    expect_refused(folder.at("long.obj"), "bytes");
+    expect_refused(folder.at("long.obj"), "is larger than 512 MiB");
 }
 
 TEST(MeshRefusals, OfObj) {
@@ -88,7 +88,7 @@ TEST(MeshRefusals, FilesOutsideOfTheFolder) {
     for (const std::string& name : {outside, std::string("../outside.mtl"), std::string("inner/../../outside.mtl"),
                                     std::string("..\\outside.mtl"), std::string("C:outside.mtl"), std::string(".")})
         expect_refused(obj(name), "in its own folder");
-    expect_refused(obj("missing.mtl"), "does not exist in its folder");
+    expect_refused(obj("missing.mtl"), "there is no such file");
     for (const std::string& name : {std::string("link.mtl"), std::string("up/outside.mtl")})
         expect_refused(obj(name), "a link out of its folder");
     folder.write("coat.mtl", "newmtl coat\nfur 1 2 3 4\n");
@@ -98,7 +98,7 @@ TEST(MeshRefusals, FilesOutsideOfTheFolder) {
     for (const char* uri : {"../outside.bin", "%2e%2e/outside.bin", "%2E%2E%2Foutside.bin", "/etc/passwd", "file:///etc/passwd",
                             "http://example.org/cube.bin"})
         expect_refused(folder.write("mesh.gltf", test::cube_gltf(std::string(R"(,"uri":")") + uri + "\"")), "in its own folder");
-    expect_refused(folder.write("mesh.gltf", test::cube_gltf(R"(,"uri":"missing.bin")")), "does not exist in its folder");
+    expect_refused(folder.write("mesh.gltf", test::cube_gltf(R"(,"uri":"missing.bin")")), "there is no such file");
     expect_refused(folder.write("mesh.gltf", test::cube_gltf(R"(,"uri":"data:application/octet-stream;base64,!!!!")")),
                    "not base64");
     expect_refused(folder.write("mesh.gltf", test::cube_gltf(R"(,"uri":"data:text/plain,cube")")), "base64");

@@ -29,7 +29,8 @@ TEST(DressedBody, FurLineOfTheFileIsItsCoat) {
     const auto scene = read_picture_scene_text(k_furred, folder / "a.json");
     ASSERT_TRUE(scene) << scene.error();
     const Body& body = scene->picture.bodies.at(0);
-    const auto model = model_of(*scene, body);
+    windrow::detail::InputBudget budget;
+    const auto model = model_of(*scene, body, budget);
     ASSERT_TRUE(model) << model.error();
     const auto whole = parts_of(model->mesh, body.coats.at(0)), felt = parts_of(model->mesh, body.coats.at(1));
     ASSERT_TRUE(whole && felt);
@@ -46,7 +47,7 @@ TEST(DressedBody, FurLineOfTheFileIsItsCoat) {
     const auto absent = parts_of(model->mesh, {.material = "silk"});
     ASSERT_FALSE(absent);
     EXPECT_EQ(absent.error(), "material is \"silk\", and the mesh has \"fur\", \"felt\"; name one of these, or none for all.");
-    EXPECT_FALSE(model_of(*scene, scene->picture.bodies.at(1))); // no such file: reported when it is drawn
+    EXPECT_FALSE(model_of(*scene, scene->picture.bodies.at(1), budget)); // no such file: reported when it is drawn
 }
 
 TEST(DressedBody, PatternDriftsAsTheWindTimesTheTime) {

@@ -137,7 +137,8 @@ TEST(PictureFault, FilesThatAreMissingCutOrNone) {
     const auto ground = [&](const std::string& keys) { return refusal(R"({"ground": {)" + keys + "}}", folder / "a.json"); };
     const std::string start = (folder / "a.json").string() + ": $.picture.ground.", at = (folder / "").string();
     EXPECT_EQ(ground(R"("heights": "hils.pgm")"),
-              start + "heights is \"hils.pgm\": " + at + "hils.pgm cannot be read: name a PGM image.");
+              start + "heights is \"hils.pgm\": " + at +
+                  "hils.pgm: there is no such file: check the name and the folder that you run from.");
     EXPECT_EQ(ground(R"("heights": "cut.pgm", "extent": [80, 40])"),
               start + "heights is \"cut.pgm\": " + at + "cut.pgm ends early: it has 17 bytes of 103; save it again.");
     EXPECT_EQ(ground(R"("heights": "huge.pgm")"),
@@ -163,7 +164,7 @@ TEST(PictureFault, FilesThatAreMissingCutOrNone) {
                       "numbers.");
     EXPECT_EQ(refusal(R"({"grass": [{"mask": {"file": "none.pgm"}}]})", folder / "a.json"),
               (folder / "a.json").string() + ": $.picture.grass[0].mask.file is \"none.pgm\": " + at +
-                  "none.pgm cannot be read: name a PGM image.");
+                  "none.pgm: there is no such file: check the name and the folder that you run from.");
     EXPECT_FALSE(read_picture_scene(folder / "none.json"));
 }
 
