@@ -293,33 +293,31 @@ Result<std::vector<std::byte>> Wind::save() const {
 }
 
 Result<Wind> Wind::load(std::span<const std::byte> bytes, ParallelFor parallel_for) {
-    return detail::where_memory_lasts([&] { return loaded(bytes, parallel_for); });
-}
-
-Result<Wind> Wind::loaded(std::span<const std::byte> bytes, ParallelFor parallel_for) {
-    const auto content = detail::unseal(bytes, k_format);
-    if (!content)
-        return Error{content.error()};
-    const auto refused = [](std::string_view reason) { return Error{detail::message("snapshot cannot be used: ", reason)}; };
-    detail::Reader reader(*content);
-    Config config;
-    reader(config);
-    if (reader.refused())
-        return refused(reader.reason());
-    if (auto valid = validate(config); !valid)
-        return refused(valid.error());
-    if (!reader.can_hold(Box{.cells = config.cells}.cell_count(), sizeof(glm::vec4)))
-        return refused(reader.reason());
-    config.parallel_for = parallel_for;
-    auto wind = create(config);
-    if (!wind)
-        return refused(wind.error());
-    StateFields::state(reader, wind->state());
-    reader.end();
-    if (reader.refused())
-        return refused(reader.reason());
-    wind->state().renew_ambient();
-    return wind;
+    return detail::where_memory_lasts([&]() -> Result<Wind> {
+        const auto content = detail::unseal(bytes, k_format);
+        if (!content)
+            return Error{content.error()};
+        const auto refused = [](std::string_view reason) { return Error{detail::message("snapshot cannot be used: ", reason)}; };
+        detail::Reader reader(*content);
+        Config config;
+        reader(config);
+        if (reader.refused())
+            return refused(reader.reason());
+        if (auto valid = validate(config); !valid)
+            return refused(valid.error());
+        if (!reader.can_hold(Box{.cells = config.cells}.cell_count(), sizeof(glm::vec4)))
+            return refused(reader.reason());
+        config.parallel_for = parallel_for;
+        auto wind = create(config);
+        if (!wind)
+            return refused(wind.error());
+        StateFields::state(reader, wind->state());
+        reader.end();
+        if (reader.refused())
+            return refused(reader.reason());
+        wind->state().renew_ambient();
+        return wind;
+    });
 }
 
 } // namespace windrow

@@ -75,20 +75,18 @@ Wind::~Wind() = default;
 Result<Wind> Wind::create(const Config& config) {
     if (auto valid = validate(config); !valid)
         return Error{valid.error()};
-    return detail::where_memory_lasts([&] { return made(config); });
-}
-
-Result<Wind> Wind::made(const Config& config) {
-    auto workspace = Workspace::create({.box = {config.cells, config.cell_size, config.sides},
-                                        .ambient = config.ambient,
-                                        .simd = config.simd,
-                                        .parallel_for = config.parallel_for});
-    if (!workspace)
-        return Error{workspace.error()};
-    auto ambient = AmbientWind::create({.mean = workspace->ambient(), .profile = config.profile, .gusts = config.gusts});
-    if (!ambient)
-        return Error{ambient.error()};
-    return Wind(std::make_unique<State>(config, *std::move(workspace), *ambient));
+    return detail::where_memory_lasts([&]() -> Result<Wind> {
+        auto workspace = Workspace::create({.box = {config.cells, config.cell_size, config.sides},
+                                            .ambient = config.ambient,
+                                            .simd = config.simd,
+                                            .parallel_for = config.parallel_for});
+        if (!workspace)
+            return Error{workspace.error()};
+        auto ambient = AmbientWind::create({.mean = workspace->ambient(), .profile = config.profile, .gusts = config.gusts});
+        if (!ambient)
+            return Error{ambient.error()};
+        return Wind(std::make_unique<State>(config, *std::move(workspace), *ambient));
+    });
 }
 
 Diagnostics Wind::step(double dt) {

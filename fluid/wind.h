@@ -227,8 +227,6 @@ class Wind {
     [[nodiscard]] State& state() { return *state_; }
 
   private:
-    [[nodiscard]] static Result<Wind> made(const Config& config);
-    [[nodiscard]] static Result<Wind> loaded(std::span<const std::byte> bytes, ParallelFor parallel_for);
     explicit Wind(std::unique_ptr<State> state);
     detail::Owned<State> state_;
 };

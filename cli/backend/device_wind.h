@@ -5,6 +5,7 @@
 #include "cli/backend/command_wind.h"
 #include "fluid/vulkan/wind.h"
 
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -23,7 +24,10 @@ class DeviceWind final : public CommandWind {
     Result<void> set_sides(const Sides& sides) override { return changing().set_sides(sides); }
     Result<void> follow(glm::dvec3 point) override { return changing().follow(point); }
     Result<void> set_floor(double height) override { return changing().set_floor(height); }
-    void set_velocity(const std::function<glm::vec3(glm::dvec3)>& velocity_at) override { changing().set_velocity(velocity_at); }
+    void set_velocity(const std::function<glm::vec3(glm::dvec3)>& velocity_at) override {
+        if (!changing().set_velocity(velocity_at))
+            throw std::bad_alloc();
+    }
     Result<void> set_velocity(std::span<const glm::vec4> field) override { return changing().set_velocity(field); }
     void reset() override { changing().reset(); }
     const Config& config() const override { return wind_.config(); }

@@ -1,6 +1,7 @@
 #include "coupling/vulkan/ground_memory.h"
 
 #include "coupling/ground_host.h"
+#include "fluid/message.h"
 #include "fluid/vulkan/device.h"
 #include "shader_words/ground_float.h"
 #include "shader_words/ground_half.h"
@@ -58,13 +59,15 @@ GroundMemory::~GroundMemory() = default;
 Result<GroundMemory> GroundMemory::create(const Host& host, const GroundConfig& config, Texel texel) {
     if (auto valid = validate(config); !valid)
         return Error{valid.error()};
-    auto device = Device::create(host);
-    if (!device)
-        return Error{device.error()};
-    auto state = std::make_unique<State>(*std::move(device), config);
-    if (auto made = state->make(texel); !made)
-        return Error{made.error()};
-    return GroundMemory(std::move(state));
+    return windrow::detail::where_memory_lasts([&]() -> Result<GroundMemory> {
+        auto device = Device::create(host);
+        if (!device)
+            return Error{device.error()};
+        auto state = std::make_unique<State>(*std::move(device), config);
+        if (auto made = state->make(texel); !made)
+            return Error{made.error()};
+        return GroundMemory(std::move(state));
+    });
 }
 
 Result<void> GroundMemory::State::make(Texel texel) {

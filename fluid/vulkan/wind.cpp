@@ -37,42 +37,41 @@ std::uint32_t laps_of(const Config& config, const Passes& passes) {
 } // namespace
 
 Result<Wind> Wind::create(const Host& host, const Config& config, const Settings& settings) {
-    return windrow::detail::where_memory_lasts([&] { return made(host, config, settings); });
-}
-
-Result<Wind> Wind::made(const Host& host, const Config& config, const Settings& settings) {
-    detail::Reasons reasons;
-    if (auto valid = validate(config); !valid)
-        reasons.add(valid.error());
-    if (settings.frames_in_flight < 1 || settings.frames_in_flight > 8)
-        reasons.add("frames_in_flight is ", settings.frames_in_flight, ": give 1 to 8, as many as the host has.");
-    if (!reasons.empty())
-        return Error{reasons.take()};
-    const glm::vec3 mean = admissible_ambient(config.sides, config.ambient);
-    auto ambient = AmbientWind::create({.mean = mean, .profile = config.profile, .gusts = config.gusts});
-    if (!ambient)
-        return Error{ambient.error()};
-    const bool gusts = settings.gusts || config.gusts.intensity > 0.0f || config.gusts.tile; // detail needs the tile alone
-    auto air = Air::create(host, config, {.half = settings.texel == Texel::half, .gusts = gusts});
-    if (!air)
-        return Error{air.error()};
-    auto state = std::make_unique<State>(*std::move(air), config, settings, *ambient);
-    for (int n = 0; n < settings.frames_in_flight; ++n) {
-        auto buffer = Buffer::create(state->air->device(), state->air->slot_bytes(settings.queries), Place::readback);
-        if (!buffer)
-            return Error{buffer.error()};
-        state->slots.push_back({.buffer = *std::move(buffer), .frame = state->frame_now(), .box = state->box(), .rim = {}});
-    }
-    if (settings.timestamps) {
-        auto clock = PassClock::create(state->air->device(), settings.frames_in_flight, laps_of(config, state->air->passes()));
-        if (!clock)
-            return Error{clock.error()};
-        state->clock = *std::move(clock);
-        state->air->set_clock(&*state->clock);
-    }
-    if (settings.queries)
-        state->queried_cells.reserve(state->box().cell_count());
-    return Wind(std::move(state));
+    return windrow::detail::where_memory_lasts([&]() -> Result<Wind> {
+        detail::Reasons reasons;
+        if (auto valid = validate(config); !valid)
+            reasons.add(valid.error());
+        if (settings.frames_in_flight < 1 || settings.frames_in_flight > 8)
+            reasons.add("frames_in_flight is ", settings.frames_in_flight, ": give 1 to 8, as many as the host has.");
+        if (!reasons.empty())
+            return Error{reasons.take()};
+        const glm::vec3 mean = admissible_ambient(config.sides, config.ambient);
+        auto ambient = AmbientWind::create({.mean = mean, .profile = config.profile, .gusts = config.gusts});
+        if (!ambient)
+            return Error{ambient.error()};
+        const bool gusts = settings.gusts || config.gusts.intensity > 0.0f || config.gusts.tile; // detail needs the tile alone
+        auto air = Air::create(host, config, {.half = settings.texel == Texel::half, .gusts = gusts});
+        if (!air)
+            return Error{air.error()};
+        auto state = std::make_unique<State>(*std::move(air), config, settings, *ambient);
+        for (int n = 0; n < settings.frames_in_flight; ++n) {
+            auto buffer = Buffer::create(state->air->device(), state->air->slot_bytes(settings.queries), Place::readback);
+            if (!buffer)
+                return Error{buffer.error()};
+            state->slots.push_back({.buffer = *std::move(buffer), .frame = state->frame_now(), .box = state->box(), .rim = {}});
+        }
+        if (settings.timestamps) {
+            auto clock =
+                PassClock::create(state->air->device(), settings.frames_in_flight, laps_of(config, state->air->passes()));
+            if (!clock)
+                return Error{clock.error()};
+            state->clock = *std::move(clock);
+            state->air->set_clock(&*state->clock);
+        }
+        if (settings.queries)
+            state->queried_cells.reserve(state->box().cell_count());
+        return Wind(std::move(state));
+    });
 }
 
 Advance Wind::record(VkCommandBuffer commands, const Frame& frame) {

@@ -162,7 +162,6 @@ class Wind {
     [[nodiscard]] const State& state() const { return *state_; }
 
   private:
-    [[nodiscard]] static Result<Wind> made(const Host& host, const Config& config, const Settings& settings);
     explicit Wind(std::unique_ptr<State> state);
     windrow::detail::Owned<State> state_;
 };

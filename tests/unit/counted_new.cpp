@@ -11,13 +11,19 @@ std::atomic<std::int64_t> live_bytes{0}, allocations{0};
 
 namespace {
 
+extern "C" const char __executable_start, etext; // of the linker
+
+bool is_in_program(const void* code) {
+    return code >= &__executable_start && code < &etext;
+}
+
 // What this thread's next allocations do: `left` succeed, then one fails, or all.
 struct Plan {
-    bool armed = false, onward = false, failed = false;
+    bool armed = false, onward = false, failed = false, all = true;
     int left = 0;
 
-    bool fails() {
-        if (!armed || left-- > 0)
+    bool fails(const void* caller) {
+        if (!armed || !(all || is_in_program(caller)) || left-- > 0)
             return false;
         armed = onward;
         left = 0;
@@ -29,8 +35,8 @@ thread_local Plan plan;
 
 } // namespace
 
-FailingMemory::FailingMemory(int after, Failing failing) {
-    plan = {.armed = true, .onward = failing == Failing::from_then_on, .left = after};
+FailingMemory::FailingMemory(int after, Failing failing, Whose whose) {
+    plan = {.armed = true, .onward = failing == Failing::from_then_on, .all = whose == Whose::all, .left = after};
 }
 FailingMemory::~FailingMemory() {
     plan = {};
@@ -52,8 +58,8 @@ struct Header {
     std::size_t size;
 };
 
-void* allocate(std::size_t size, std::size_t alignment) noexcept {
-    if (windrow::test::plan.fails())
+void* allocate(std::size_t size, std::size_t alignment, const void* caller) noexcept {
+    if (windrow::test::plan.fails(caller))
         return nullptr;
     alignment = std::max(alignment, alignof(std::max_align_t));
     void* const start = std::malloc(size + alignment + sizeof(Header));
@@ -67,8 +73,8 @@ void* allocate(std::size_t size, std::size_t alignment) noexcept {
     return block;
 }
 
-void* allocate_or_throw(std::size_t size, std::size_t alignment) {
-    if (void* const block = allocate(size, alignment))
+void* allocate_or_throw(std::size_t size, std::size_t alignment, const void* caller) {
+    if (void* const block = allocate(size, alignment, caller))
         return block;
     throw std::bad_alloc();
 }
@@ -84,28 +90,28 @@ void release(void* block) noexcept {
 } // namespace
 
 void* operator new(std::size_t size) {
-    return allocate_or_throw(size, 0);
+    return allocate_or_throw(size, 0, __builtin_return_address(0));
 }
 void* operator new[](std::size_t size) {
-    return allocate_or_throw(size, 0);
+    return allocate_or_throw(size, 0, __builtin_return_address(0));
 }
 void* operator new(std::size_t size, std::align_val_t at) {
-    return allocate_or_throw(size, static_cast<std::size_t>(at));
+    return allocate_or_throw(size, static_cast<std::size_t>(at), __builtin_return_address(0));
 }
 void* operator new[](std::size_t size, std::align_val_t at) {
-    return allocate_or_throw(size, static_cast<std::size_t>(at));
+    return allocate_or_throw(size, static_cast<std::size_t>(at), __builtin_return_address(0));
 }
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-    return allocate(size, 0);
+    return allocate(size, 0, __builtin_return_address(0));
 }
 void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
-    return allocate(size, 0);
+    return allocate(size, 0, __builtin_return_address(0));
 }
 void* operator new(std::size_t size, std::align_val_t at, const std::nothrow_t&) noexcept {
-    return allocate(size, static_cast<std::size_t>(at));
+    return allocate(size, static_cast<std::size_t>(at), __builtin_return_address(0));
 }
 void* operator new[](std::size_t size, std::align_val_t at, const std::nothrow_t&) noexcept {
-    return allocate(size, static_cast<std::size_t>(at));
+    return allocate(size, static_cast<std::size_t>(at), __builtin_return_address(0));
 }
 void operator delete(void* block) noexcept {
     release(block);

@@ -9,11 +9,13 @@ namespace windrow::test {
 extern std::atomic<std::int64_t> live_bytes, allocations;
 
 enum class Failing { once, from_then_on };
+enum class Whose { all, of_the_program };
 
-/// While it lives, `after` allocations of this thread succeed and the next one fails, or all from there on.
+/// While it lives, `after` allocations of this thread succeed and the next one fails, or all from there on. Of the program: those
+/// that a driver's libraries ask for always succeed.
 class FailingMemory {
   public:
-    FailingMemory(int after, Failing failing);
+    FailingMemory(int after, Failing failing, Whose whose = Whose::all);
     ~FailingMemory();
     FailingMemory(const FailingMemory&) = delete;
     FailingMemory& operator=(const FailingMemory&) = delete;
