@@ -5,6 +5,7 @@
 #include "fluid/result.h"
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace windrow::detail {
@@ -35,15 +36,16 @@ class InputBudget {
 
   private:
     Result<void> take(std::size_t& left, std::size_t wanted, std::string_view name, std::size_t most, const char* what) {
-        if (wanted > left) {
-            files_ = 0; // no further file is opened
-            return Error{message(name, ": a scene takes at most ", most, what, ": give fewer or smaller files.")};
-        }
+        if (spent_.empty() && wanted > left)
+            spent_ = message(": a scene takes at most ", most, what, ": give fewer or smaller files.");
+        if (!spent_.empty())
+            return Error{message(name, spent_)};
         left -= wanted;
         return {};
     }
 
     std::size_t files_ = k_most_files, bytes_ = k_most_bytes, points_ = k_most_points, memory_ = k_most_memory;
+    std::string spent_; ///< the sentence's end, once one of them was too little
 };
 
 } // namespace windrow::detail

@@ -59,9 +59,9 @@ TEST_F(SceneCost, ALineOfCommas) {
     EXPECT_EQ(sentence, "p.csv:1: has 67108865 fields: give four, t,x,y,z, with commas between them.");
 }
 
-TEST_F(SceneCost, AMillionUnknownKeys) {
+TEST_F(SceneCost, UnknownKeys) {
     std::string text = "{";
-    for (int i = 0; i < 1'000'000; ++i)
+    for (int i = 0; i < 1'500'000; ++i)
         text += (i == 0 ? "\"unknown" : ",\"unknown") + std::to_string(i) + "\":0";
     expect_fault(text + "}", "$.unknown0 is not a known key");
 }

@@ -15,6 +15,8 @@ using windrow::Result;
 
 // [byte] Of a file: the largest picture of four floats a texel, uncompressed.
 constexpr std::size_t k_most_picture_bytes = std::size_t{320} << 20;
+// [byte] Of a picture as its file holds it, decoded.
+constexpr std::size_t k_most_decoded_bytes = std::size_t{512} << 20;
 // [texels] 64 MB of 16 floats each.
 constexpr int k_most_tile_side = 1024;
 
@@ -41,7 +43,10 @@ Result<CoatPicture> read(const std::filesystem::path& file, const std::filesyste
         return Error{name + " is " + std::to_string(spec.width) + " x " + std::to_string(spec.height) + " texels of " +
                      std::to_string(spec.nchannels) + " channels; give 1 to " + std::to_string(k_most_picture_side) +
                      " a side, of 1 to 16 channels."};
-    // A tile is decoded at once, with all its channels.
+    // Some codecs decode all channels of a tile, or of the whole picture, at once.
+    if (spec.image_bytes(true) > k_most_decoded_bytes)
+        return Error{name + " holds " + std::to_string(spec.image_bytes(true) >> 20) + " MiB; give at most " +
+                     std::to_string(k_most_decoded_bytes >> 20) + " MiB, by fewer texels or channels."};
     if (spec.deep || spec.tile_width > k_most_tile_side || spec.tile_height > k_most_tile_side)
         return Error{name + " has deep texels or tiles of more than " + std::to_string(k_most_tile_side) +
                      " texels a side; save it as plain rows."};
@@ -91,6 +96,11 @@ Result<CoatPictures> read_pictures(const CoatMaps& maps, const std::filesystem::
         return Error{"A picture of the coat cannot be read (" + std::string(fault.what()) + "); give another file."};
     }
     return pictures;
+}
+
+Result<CoatPictures> read_pictures(const CoatMaps& maps, const std::filesystem::path& folder) {
+    windrow::detail::InputBudget budget;
+    return read_pictures(maps, folder, budget);
 }
 
 } // namespace windrow::vegetation::fur

@@ -1,11 +1,11 @@
 // The pictures of a coat from files: PNG, PGM, EXR and what else OpenImageIO reads.
 //
-//     auto pictures = fur::read_pictures(settings.maps, folder_of_the_scene, budget);
+//     auto pictures = fur::read_pictures(settings.maps, folder_of_the_scene);
 //     if (!pictures)
 //         return std::fprintf(stderr, "%s\n", pictures.error().c_str()), 2;
 //     auto coat = fur::Coat::create(device, targets, mesh, {}, settings, *pictures, body, anchor);
 //
-// A file is data from anywhere: its size is checked before memory is taken, and links that lead out of the folder are rejected.
+// A file is data from anywhere: its size is checked before memory is taken, and OpenImageIO decodes it from memory.
 #pragma once
 
 #include "fluid/input_budget.h"
@@ -20,9 +20,10 @@ namespace windrow::vegetation::fur {
 /// - a file that is not a picture, or that is outside of the folder;
 /// - no texel, or more than k_most_picture_side of them along a side;
 /// - a texel that is not finite.
-/// - more bytes or memory than `budget` has left, which are those of a scene.
-/// A map without a name gives an empty picture.
+/// A map without a name gives an empty picture. The files and their texels take their part of a scene's `budget`.
 [[nodiscard]] windrow::Result<CoatPictures> read_pictures(const CoatMaps& maps, const std::filesystem::path& folder,
                                                           windrow::detail::InputBudget& budget);
+/// The same with a budget of its own, for maps that no scene names.
+[[nodiscard]] windrow::Result<CoatPictures> read_pictures(const CoatMaps& maps, const std::filesystem::path& folder);
 
 } // namespace windrow::vegetation::fur

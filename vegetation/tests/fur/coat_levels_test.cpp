@@ -77,8 +77,7 @@ TEST(CoatPictures, BadOnesAreRefusedInASentence) {
     EXPECT_NE(judged.error().find("not finite"), std::string::npos);
     pictures.colour = {100000, 100000, {}};
     EXPECT_FALSE(validate(pictures));
-    windrow::detail::InputBudget budget;
-    const auto missing = read_pictures({.length = "nowhere.png"}, "/tmp", budget);
+    const auto missing = read_pictures({.length = "nowhere.png"}, "/tmp");
     ASSERT_FALSE(missing);
     EXPECT_NE(missing.error().find("nowhere.png"), std::string::npos);
 }
