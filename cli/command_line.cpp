@@ -101,7 +101,7 @@ void add_run(CLI::App& app, RunFlags& flags) {
     run->add_flag("--csv", flags.csv, "Keep timings.csv: a row a step with every figure it reports");
 }
 
-int start_run(const RunFlags& flags, const CLI::App& run, const Console& console) {
+ReadCommand read_run(const RunFlags& flags, const CLI::App& run, const Console& console) {
     RunRequest request{.scene = flags.scene, .frames = {}, .out = {}, .vdb = flags.vdb, .images = flags.images, .csv = flags.csv};
     const auto backend = read_backend(flags.backend, run, console);
     if (!backend)
@@ -135,17 +135,21 @@ int start_run(const RunFlags& flags, const CLI::App& run, const Console& console
         console.complain("SCENE.json is empty: name a scene file.");
         return k_exit_wrong_use;
     }
-    const InterruptGuard guard;
-    return run_scene(request, console, &InterruptGuard::signal);
+    return [request, &console] {
+        const InterruptGuard guard;
+        return run_scene(request, console, &InterruptGuard::signal);
+    };
 }
 
-int start_check(const CheckFlags& flags, const CLI::App& check, const Console& console) {
+ReadCommand read_check_command(const CheckFlags& flags, const CLI::App& check, const Console& console) {
     const auto request = read_check(flags, check, console);
     if (!request)
         return k_exit_wrong_use;
 #if WINDROW_WITH_VULKAN
-    const InterruptGuard guard;
-    return run_check(*request, console, &InterruptGuard::signal);
+    return [request, &console] {
+        const InterruptGuard guard;
+        return run_check(*request, console, &InterruptGuard::signal);
+    };
 #else
     return k_exit_wrong_use; // read_check has said so
 #endif
@@ -164,7 +168,7 @@ std::string flag_as_value(const CLI::App& app) {
 
 } // namespace
 
-int run_command_line(int count, const char* const* arguments, const Console& console) {
+ReadCommand read_command_line(int count, const char* const* arguments, const Console& console) {
     CLI::App app("Windrow: the wind around a player, as a voxel fluid.", "windrow");
     app.set_version_flag("--version", version_line());
     app.require_subcommand(1);
@@ -198,39 +202,51 @@ int run_command_line(int count, const char* const* arguments, const Console& con
         return k_exit_wrong_use;
     }
     if (const CLI::App* run = app.get_subcommand("run"); run->parsed())
-        return start_run(flags, *run, console);
+        return read_run(flags, *run, console);
     if (const CLI::App* bench = app.get_subcommand("bench"); bench->parsed()) {
         const auto request = read_bench(bench_flags, *bench, console);
         if (!request)
             return k_exit_wrong_use;
-        const InterruptGuard guard;
-        return run_bench(*request, console, &InterruptGuard::signal);
+        return [request, &console] {
+            const InterruptGuard guard;
+            return run_bench(*request, console, &InterruptGuard::signal);
+        };
     }
     if (const CLI::App* verify = app.get_subcommand("verify"); verify->parsed()) {
         const auto request = read_verify(verify_flags, *verify, verify_cases(), console);
         if (!request)
             return k_exit_wrong_use;
-        const InterruptGuard guard;
-        return run_verify(*request, console, &InterruptGuard::signal);
+        return [request, &console] {
+            const InterruptGuard guard;
+            return run_verify(*request, console, &InterruptGuard::signal);
+        };
     }
     if (const CLI::App* pareto = app.get_subcommand("pareto"); pareto->parsed()) {
         const auto request = read_pareto(pareto_flags, *pareto, console);
         if (!request)
             return k_exit_wrong_use;
-        const InterruptGuard guard;
-        return run_pareto(*request, console, &InterruptGuard::signal);
+        return [request, &console] {
+            const InterruptGuard guard;
+            return run_pareto(*request, console, &InterruptGuard::signal);
+        };
     }
     if (const CLI::App* check = app.get_subcommand("check"); check->parsed())
-        return start_check(check_flags, *check, console);
+        return read_check_command(check_flags, *check, console);
     if (plants->parsed()) {
         if (plants->count("--out") > 0 && plants_out.empty()) {
             console.complain("--out is empty: name a folder.");
             return k_exit_wrong_use;
         }
-        return run_plants(plants_out.empty() ? std::filesystem::path("out") / "plants" : std::filesystem::path(plants_out),
-                          console);
+        const auto folder = plants_out.empty() ? std::filesystem::path("out") / "plants" : std::filesystem::path(plants_out);
+        return [folder, &console] { return run_plants(folder, console); };
     }
-    return tell_info(console);
+    return [&console] { return tell_info(console); };
+}
+
+int run_command_line(int count, const char* const* arguments, const Console& console) {
+    const ReadCommand read = read_command_line(count, arguments, console);
+    const int* const code = std::get_if<int>(&read);
+    return code != nullptr ? *code : std::get<std::function<int()>>(read)();
 }
 
 } // namespace windrow::cli

@@ -103,7 +103,7 @@ struct Repeat {
         const auto id = wind.motors().add(event.motor);
         if (!id)
             return Error{id.error()};
-        if (id->slot != event.id.slot || id->generation != event.id.generation)
+        if (*id != event.id)
             return Error{
                 detail::message("the motor came out in slot ", id->slot, " of generation ", id->generation, ", not in slot ",
                                 event.id.slot, " of generation ", event.id.generation,

@@ -26,7 +26,8 @@ struct MotorId {
     /// Of which Motors object, unique in the process, so that the handle of another wind is rejected. Default 0: not checked, for a
     /// handle that was sent as slot and generation.
     std::uint32_t owner = 0;
-    friend bool operator==(MotorId, MotorId) = default;
+    /// The same slot and generation: also of a wind and of its copy that was loaded.
+    friend bool operator==(MotorId a, MotorId b) { return a.slot == b.slot && a.generation == b.generation; }
 };
 
 /// The motors of one Wind, at most 4096. A handle that was removed, or that another wind gave, is rejected. The motors of a wind

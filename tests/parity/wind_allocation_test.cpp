@@ -27,7 +27,6 @@ class WindAllocations : public Gpu {
 
     // Each call may fail; what was recorded before and after must run.
     void live() {
-        const std::vector<glm::vec4> start(static_cast<std::size_t>(k_cells.x * k_cells.y * k_cells.z), glm::vec4(1.0f));
         auto made =
             Wind::create(own->host(), {.cells = k_cells, .ambient = {2.0f, 0.0f, 0.0f}, .viscosity = 1.0f}, {.gusts = true});
         note(made);
@@ -35,7 +34,7 @@ class WindAllocations : public Gpu {
             return;
         wind.emplace(*std::move(made));
         note(wind->motors().add(OmniMotor{.position = {1.0, 0.0, 1.0}}));
-        note(wind->set_velocity(start));
+        note(wind->set_velocity(start_));
         for (int frame = 0; frame < 3; ++frame) {
             note(wind->follow({2.7 * frame, 0.0, 0.0}));
             note(wind->set_ambient({2.0f, 0.0f, 1.0f * static_cast<float>(frame)}));
@@ -53,6 +52,8 @@ class WindAllocations : public Gpu {
 
   private:
     int frame_ = 0;
+    const std::vector<glm::vec4> start_ =
+        std::vector<glm::vec4>(static_cast<std::size_t>(k_cells.x * k_cells.y * k_cells.z), glm::vec4(1.0f));
     // Made once: a function that is made anew would be one more allocation, of the test's.
     const std::function<void(VkCommandBuffer)> record_ = [this](VkCommandBuffer commands) {
         refused += wind->record(commands, {.dt = 1.0 / 30.0, .slot = frame_ % 2}).last.out_of_memory ? 1 : 0;

@@ -101,10 +101,14 @@ class Copier {
             throw Fault{bytes.error()};
         if ((bytes_ += bytes->size()) > k_most_bytes)
             fail("$.buffers", "have more than ", k_most_bytes, " bytes: give fewer.");
+        return buffer_numbers_[index] = keep_buffer(*std::move(bytes));
+    }
+
+    std::size_t keep_buffer(std::string bytes) {
         const std::size_t number = buffers_.size();
-        out_["buffers"].push_back({{"byteLength", bytes->size()}, {"uri", sentence(number, ".bin")}});
-        buffers_.push_back(*std::move(bytes));
-        return buffer_numbers_[index] = number;
+        out_["buffers"].push_back({{"byteLength", bytes.size()}, {"uri", sentence(number, ".bin")}});
+        buffers_.push_back(std::move(bytes));
+        return number;
     }
 
     // An accessor of this type, copied with a view of its own.
@@ -143,11 +147,25 @@ class Copier {
         const Accessor kept{out_["accessors"].size(), count};
         json view_copy{{"buffer", number}, {"byteOffset", begin + offset}, {"byteLength", length - offset}};
         if (stride != entry)
-            view_copy["byteStride"] = stride;
+            view_copy = packed(index, std::string_view(buffers_[number]).substr(begin + offset), count, stride, entry);
         out_["bufferViews"].push_back(std::move(view_copy));
         out_["accessors"].push_back(
             {{"bufferView", out_["bufferViews"].size() - 1}, {"componentType", component}, {"count", count}, {"type", type}});
         return kept;
+    }
+
+    // A view of a buffer of its own, with the entries alone: of interleaved ones Assimp expects a whole stride behind the last too.
+    json packed(std::size_t accessor, std::string_view bytes, std::size_t count, std::size_t stride, std::size_t entry) {
+        if (const auto known = packed_.find(accessor); known != packed_.end())
+            return known->second;
+        // Accessors of a mesh interleave and do not overlap; others would make many times the file's bytes.
+        if ((packed_bytes_ += count * entry) > bytes_)
+            fail(sentence("$.accessors[", accessor, "]"), "overlaps others with a stride: give accessors that do not overlap.");
+        std::string entries;
+        entries.reserve(count * entry);
+        for (std::size_t i = 0; i < count; ++i)
+            entries += bytes.substr(i * stride, entry);
+        return packed_[accessor] = {{"buffer", keep_buffer(std::move(entries))}, {"byteLength", count * entry}};
     }
 
     // Floats are finite; of indices the highest is noted.
@@ -294,7 +312,8 @@ class Copier {
     json out_;
     std::vector<std::string> buffers_;
     std::map<std::size_t, std::size_t> buffer_numbers_;
-    std::size_t bytes_ = 0, vertices_ = 0, corners_ = 0;
+    std::size_t bytes_ = 0, packed_bytes_ = 0, vertices_ = 0, corners_ = 0;
+    std::map<std::size_t, json> packed_;
     std::uint32_t highest_ = 0;
 };
 

@@ -1,0 +1,11 @@
+// Tables of paths: CSV of t, x, y, z.
+#include "scene/path_csv.h"
+#include "tests/fuzz/fuzz_target.h"
+
+namespace windrow::fuzz {
+
+Outcome read_input(std::string_view bytes) {
+    return outcome_of(static_cast<bool>(scene::parse_path_csv(bytes, "path.csv")));
+}
+
+} // namespace windrow::fuzz

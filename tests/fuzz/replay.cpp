@@ -1,0 +1,63 @@
+// Runs a fuzz target without libFuzzer: each seed must be accepted, each finding must come back, within the limits that every
+// input is held to: 10 s and 1 GB.
+#include "tests/fuzz/fuzz_target.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sys/resource.h>
+#include <unistd.h>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+using windrow::fuzz::Outcome;
+
+constexpr unsigned k_most_seconds = 10;
+constexpr long k_most_kilobytes = 1'000'000;
+
+std::vector<fs::path> files_of(const fs::path& folder) {
+    std::vector<fs::path> files;
+    if (fs::is_directory(folder))
+        for (const auto& entry : fs::directory_iterator(folder))
+            files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+/// Prints the file's name first: where the process ends, it is the last line.
+Outcome read_file(const fs::path& path) {
+    std::printf("%s\n", path.c_str());
+    std::fflush(stdout);
+    std::ifstream file(path, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    alarm(k_most_seconds);
+    const Outcome outcome = windrow::fuzz::read_input(bytes);
+    alarm(0);
+    return outcome;
+}
+
+} // namespace
+
+int main(int count, char** arguments) {
+    if (count != 3) {
+        std::fprintf(stderr, "usage: %s SEEDS FINDINGS\n", arguments[0]);
+        return 2;
+    }
+    const auto seeds = files_of(arguments[1]);
+    int faults = seeds.empty() ? 1 : 0;
+    for (const fs::path& seed : seeds)
+        if (read_file(seed) != Outcome::accepted) {
+            std::printf("    is not accepted: write it anew\n");
+            ++faults;
+        }
+    for (const fs::path& finding : files_of(arguments[2]))
+        (void)read_file(finding);
+    rusage used{};
+    getrusage(RUSAGE_SELF, &used);
+    std::printf("%zu seeds, %d faults, %ld kB\n", seeds.size(), faults, used.ru_maxrss);
+    return faults == 0 && used.ru_maxrss <= k_most_kilobytes ? 0 : 1;
+}

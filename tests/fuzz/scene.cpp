@@ -1,0 +1,31 @@
+// Scene files: `windrow run`'s JSON.
+#include "scene/scene_reader.h"
+#include "tests/fuzz/fuzz_target.h"
+#include "tests/fuzz/json_words.h"
+#include "tests/fuzz/scratch_folder.h"
+
+namespace windrow::fuzz {
+namespace {
+
+const std::filesystem::path& scene_file() {
+    static const ScratchFolder folder;
+    static const std::filesystem::path file = [] {
+        folder.write("path.csv", "t,x,y,z\n0,0,0,0\n1,2,0,1\n3,4,1,0\n");
+        return folder.path() / "scene.json";
+    }();
+    return file;
+}
+
+} // namespace
+
+Outcome read_input(std::string_view bytes) {
+    return outcome_of(static_cast<bool>(scene::read_scene_text(bytes, scene_file())));
+}
+
+std::vector<scene::KnownKey> known_keys(std::string_view text) {
+    std::vector<scene::KnownKey> keys;
+    (void)scene::read_scene_text(text, scene_file(), &keys);
+    return keys;
+}
+
+} // namespace windrow::fuzz
