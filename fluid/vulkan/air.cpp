@@ -40,11 +40,6 @@ std::int32_t bits_of(float value) {
     return bits;
 }
 
-template <class T>
-std::span<const std::byte> bytes_of(const std::vector<T>& values) {
-    return std::as_bytes(std::span(values));
-}
-
 // What a step asks for in one sub-step, the longest.
 DiffusionMethod method_of(const Config& config, double duration) {
     return config.stages.diffusion ? diffusion_method(config.viscosity, static_cast<float>(duration), config.cell_size)
@@ -80,6 +75,7 @@ Result<void> Air::make() {
         return Error{detail::message("A box of ", config_.cells.x, " x ", config_.cells.y, " x ", config_.cells.z,
                                      " cells takes a buffer of ", 4.0 * floats, " bytes, but the device allows ",
                                      device_->limits().maxStorageBufferRange, ": give fewer cells, or use the CPU.")};
+    make_room_for_sides();
     tables_.emplace(tables_of(config_.sides));
     auto piece = piece_of(*tables_);
     if (!piece)
@@ -306,7 +302,7 @@ void Air::step(VkCommandBuffer commands, const AirTick& tick) {
     tell(commands, told, *tick.ambient, tick.tile);
     const DiffusionMethod diffusion = diffusion_of(tick.duration);
     if (std::exchange(shapes_, diffusion) != diffusion)
-        write(commands, fields_.shapes, bytes_of(passes_.shapes(diffusion)));
+        write(commands, fields_.shapes, std::as_bytes(passes_.shapes(diffusion)));
     if (!tick.motors.empty())
         write(commands, fields_.motors,
               std::as_bytes(tick.motors.first(std::min<std::size_t>(tick.motors.size(), k_most_motors))));

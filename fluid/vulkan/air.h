@@ -120,6 +120,7 @@ class Air {
         Sides sides;
         std::optional<SolveTables> tables;
         Buffer piece;
+        std::vector<WindrowRule> rules;
     };
     /// Refuses where there is no memory for the tables.
     [[nodiscard]] Result<NewSides> prepare(const Sides& sides, bool kinds);
@@ -157,7 +158,7 @@ class Air {
     void dispatch(VkCommandBuffer commands, Pass pass, const Push& push, int frame = 0);
     void place(VkCommandBuffer commands, const Buffer& field, const Push& push);
     void write_tables(VkCommandBuffer commands);
-    void write_rules(VkCommandBuffer commands);
+    void make_room_for_sides();
     void adjust(VkCommandBuffer commands, float factor, int by_change, int which);
     [[nodiscard]] Push everything() const { return {config_.cells.x, config_.cells.y, config_.cells.z, 1}; }
 
@@ -180,7 +181,8 @@ class Air {
         Buffer piece;
         int slot;
     };
-    std::vector<Retired> retired_; ///< pieces that a slot in flight may still copy
+    std::vector<Retired> retired_;   ///< pieces that a slot in flight may still copy; with room for one a slot
+    std::vector<WindrowRule> rules_; ///< how each padded cell takes its value by the boundaries
     bool fresh_ = true;
     bool owes_nothing_ = true; ///< viscosity has acted for all time so far
     bool cleared_ = false;

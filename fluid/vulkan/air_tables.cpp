@@ -12,6 +12,27 @@
 
 namespace windrow::vulkan {
 
+namespace {
+
+std::vector<WindrowRule> rules_in(const Box& box) {
+    std::vector<WindrowRule> rules;
+    for (const auto rules_of : {cpu::halo_rules, cpu::carried_rules})
+        for (int axis = 0; axis < 3; ++axis)
+            for (const cpu::HaloRule& from : rules_of(box, axis)) {
+                WindrowRule rule{};
+                rule.source = {from.source, from.ambient ? 1 : 0, from.identity ? 1 : 0, 0};
+                for (int n = 0; n < 3; ++n) {
+                    rule.scale[n] = from.scale[n];
+                    rule.offset[n] = from.offset[n];
+                    rule.history_scale[n] = from.history_scale[n];
+                }
+                rules.push_back(rule);
+            }
+    return rules;
+}
+
+} // namespace
+
 SolveTables Air::tables_of(const Sides& sides) const {
     SolveTables tables(config_.cells, cpu::pressure_ends(sides));
     if (prepared_ == DiffusionMethod::implicit)
@@ -32,8 +53,16 @@ Result<Buffer> Air::piece_of(const SolveTables& tables) {
     return piece;
 }
 
+void Air::make_room_for_sides() {
+    constexpr std::size_t k_most_slots = 16; // of frames in flight, twice over
+    rules_ = rules_in(box());
+    retired_.reserve(k_most_slots);
+}
+
 Result<Air::NewSides> Air::prepare(const Sides& sides, bool kinds) {
-    NewSides prepared{.sides = sides, .tables = {}, .piece = {}};
+    Box changed = box();
+    changed.sides = sides;
+    NewSides prepared{.sides = sides, .tables = {}, .piece = {}, .rules = rules_in(changed)};
     if (!kinds)
         return prepared;
     prepared.tables.emplace(tables_of(sides));
@@ -46,6 +75,7 @@ Result<Air::NewSides> Air::prepare(const Sides& sides, bool kinds) {
 
 void Air::set_sides(NewSides&& sides) {
     config_.sides = sides.sides;
+    rules_ = std::move(sides.rules);
     rules_written_ = false;
     if (!sides.tables)
         return;
@@ -77,7 +107,7 @@ void Air::write_tables(VkCommandBuffer commands) {
         return;
     barrier(k_compute | k_transfer, k_transfer);
     if (!std::exchange(rules_written_, true))
-        write_rules(commands);
+        write(commands, fields_.rules, std::as_bytes(std::span(rules_)));
     if (!std::exchange(tables_written_, true)) {
         if (piece_.bytes() > 0) {
             copy(commands, piece_, fields_.tables);
@@ -93,24 +123,6 @@ void Air::write_tables(VkCommandBuffer commands) {
     for (const Buffer* field : {&fields_.velocity_old, &fields_.history, &fields_.force, &fields_.source_flow, &fields_.expansion,
                                 &fields_.potential, &fields_.control})
         clear(commands, *field);
-}
-
-// How each padded cell takes its value by the sides.
-void Air::write_rules(VkCommandBuffer commands) {
-    std::vector<WindrowRule> rules;
-    for (const auto rules_of : {cpu::halo_rules, cpu::carried_rules})
-        for (int axis = 0; axis < 3; ++axis)
-            for (const cpu::HaloRule& from : rules_of(box(), axis)) {
-                WindrowRule rule{};
-                rule.source = {from.source, from.ambient ? 1 : 0, from.identity ? 1 : 0, 0};
-                for (int n = 0; n < 3; ++n) {
-                    rule.scale[n] = from.scale[n];
-                    rule.offset[n] = from.offset[n];
-                    rule.history_scale[n] = from.history_scale[n];
-                }
-                rules.push_back(rule);
-            }
-    write(commands, fields_.rules, std::as_bytes(std::span(rules)));
 }
 
 } // namespace windrow::vulkan

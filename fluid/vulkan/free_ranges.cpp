@@ -15,24 +15,26 @@ std::optional<std::uint64_t> FreeRanges::take(std::uint64_t size, std::uint64_t 
         if (length < padding || length - padding < size)
             continue;
         const std::uint64_t offset = begin + padding;
-        free_.erase(range);
+        std::map<std::uint64_t, std::uint64_t> rest; // made before anything changes
         if (padding > 0)
-            free_[begin] = padding;
+            rest[begin] = padding;
         if (length - padding > size)
-            free_[offset + size] = length - padding - size;
-        taken_[offset] = size;
+            rest[offset + size] = length - padding - size;
+        auto piece = free_.extract(range);
+        piece.key() = offset;
+        piece.mapped() = size;
+        taken_.insert(std::move(piece));
+        free_.merge(rest);
         return offset;
     }
     return std::nullopt;
 }
 
 std::uint64_t FreeRanges::give_back(std::uint64_t offset) {
-    const auto piece = taken_.find(offset);
-    assert(piece != taken_.end());
-    const std::uint64_t size = piece->second;
-    taken_.erase(piece);
-
-    auto range = free_.emplace(offset, size).first;
+    auto piece = taken_.extract(offset); // and back without allocating, as a destructor must
+    assert(!piece.empty());
+    const std::uint64_t size = piece.mapped();
+    auto range = free_.insert(std::move(piece)).position;
     if (const auto next = std::next(range); next != free_.end() && offset + size == next->first) {
         range->second += next->second;
         free_.erase(next);

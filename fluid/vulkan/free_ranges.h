@@ -14,7 +14,7 @@ class FreeRanges {
 
     /// Offset of `size` > 0 bytes that were free, a multiple of `alignment` (a power of two); nothing where they do not fit.
     [[nodiscard]] std::optional<std::uint64_t> take(std::uint64_t size, std::uint64_t alignment);
-    /// Gives back what `take` gave; the number of bytes.
+    /// Gives back what `take` gave; the number of bytes. Allocates nothing.
     std::uint64_t give_back(std::uint64_t offset);
     [[nodiscard]] bool all_free() const { return taken_.empty(); }
 

@@ -185,6 +185,7 @@ Result<MemoryPiece> Memory::allocate(const VkMemoryRequirements& requirements, V
         asked.size = rounded_up(asked.size, state.granularity);
         for (const std::uint32_t type : types) {
             MemoryPiece piece;
+            state.host_pieces.reserve(state.host_pieces.size() + 1); // before there is something to lose
             result = state.host.memory.allocate(asked, type, piece);
             if (result == VK_SUCCESS) {
                 state.host_pieces.push_back({piece, asked.size});

@@ -15,6 +15,7 @@ Result<PassClock> PassClock::create(Device& device, int slots, std::uint32_t lap
         clock.slots_.back().laps.reserve(laps);
     }
     clock.moments_.reserve(2 + 2 * laps);
+    clock.next_times_.passes.reserve(k_passes);
     return clock;
 }
 
@@ -73,7 +74,8 @@ void PassClock::take(Slot& slot) {
         ++kind.dispatches;
         kind.us += slot.timestamps.microseconds(moments_[2 * lap + 2], moments_[2 * lap + 3]);
     }
-    PassTimes& times = times_.emplace();
+    PassTimes& times = times_ ? *times_ : times_.emplace(std::move(next_times_));
+    times.passes.clear();
     times.whole_us = slot.timestamps.microseconds(moments_[0], moments_[1]);
     times.untimed = slot.untimed;
     for (const PassTimes::Pass& kind : kinds)

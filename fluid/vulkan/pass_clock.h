@@ -55,6 +55,7 @@ class PassClock {
     std::uint64_t recording_ = 0, taken_recording_ = 0;
     std::vector<std::uint64_t> moments_;
     std::optional<PassTimes> times_;
+    PassTimes next_times_; ///< room for the first
 };
 
 } // namespace windrow::vulkan

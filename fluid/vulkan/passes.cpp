@@ -246,19 +246,20 @@ void Passes::set_tables(const SolveTables& tables) {
         if (settings_.projects)
             solve_pressure(stages, 0);
         stages.push_back({Pass::gradient, {}});
+        shapes_.reserve(1 + 3 * (1 + stages.size())); // the last method has the most
     }
 }
 
-std::vector<std::uint32_t> Passes::shapes(DiffusionMethod most) const {
-    std::vector<std::uint32_t> shapes = {static_cast<std::uint32_t>(substep(most).size())};
+std::span<const std::uint32_t> Passes::shapes(DiffusionMethod most) {
+    shapes_.assign(1, static_cast<std::uint32_t>(substep(most).size())); // set_tables made room
     const auto append = [&](Pass pass) {
         const Groups each = groups(pass);
-        shapes.insert(shapes.end(), each.begin(), each.end());
+        shapes_.insert(shapes_.end(), each.begin(), each.end());
     };
     append(Pass::limit);
     for (const Stage& stage : substep(most))
         append(stage.pass);
-    return shapes;
+    return shapes_;
 }
 
 void Passes::bind(VkCommandBuffer commands, Pass pass, const Push& push, int show_frame) const {

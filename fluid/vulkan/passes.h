@@ -64,7 +64,8 @@ class Passes {
     /// motors and the gust tile, which stay in caches. A pass that finds a field empty, as where no air is let in, moves less.
     [[nodiscard]] std::uint64_t bytes(Pass pass) const { return bytes_[static_cast<std::size_t>(pass)]; }
     /// What Fields::shapes holds: how many passes a sub-step has, and the work groups of each, those of Pass::limit before them.
-    [[nodiscard]] std::vector<std::uint32_t> shapes(DiffusionMethod most) const;
+    /// Good until the next call.
+    [[nodiscard]] std::span<const std::uint32_t> shapes(DiffusionMethod most);
     /// One dispatch of a sub-step: the pass and what it is told beside the sub-step's number.
     struct Stage {
         Pass pass;
@@ -93,6 +94,7 @@ class Passes {
     Settings settings_;
     bool whole_planes_ = true;
     std::vector<Stage> substeps_[3], source_solve_;
+    std::vector<std::uint32_t> shapes_; ///< scratch
 };
 
 } // namespace windrow::vulkan

@@ -237,7 +237,12 @@ int Wind::barriers() const {
     return state_->barriers;
 }
 std::optional<PassTimes> Wind::pass_times() const {
-    return state_->clock ? state_->clock->times() : std::nullopt;
+    std::optional<PassTimes> times;
+    (void)windrow::detail::memory_lasts([&] {
+        if (state_->clock)
+            times = state_->clock->times();
+    });
+    return times;
 }
 std::uint64_t Wind::memory_bytes() const {
     return state_->air->device().memory().given();

@@ -143,8 +143,8 @@ class Wind {
     /// have no work groups.
     [[nodiscard]] int dispatches() const;
     [[nodiscard]] int barriers() const;
-    /// What the passes took in the last recording whose times are in, frames_in_flight frames ago; nothing before the first, and
-    /// without Settings::timestamps.
+    /// What the passes took in the last recording whose times are in, frames_in_flight frames ago; nothing before the first,
+    /// without Settings::timestamps, and without memory for them.
     [[nodiscard]] std::optional<PassTimes> pass_times() const;
     /// [bytes] Device memory in use.
     [[nodiscard]] std::uint64_t memory_bytes() const;

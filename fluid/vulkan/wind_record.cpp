@@ -140,7 +140,8 @@ Advance Wind::State::record(VkCommandBuffer commands, const Frame& frame) {
     Advance done = advance(frame.dt);
     if (done.ticks > 0) // a host that reads no more than its ticks' reports misses none
         tell_counts(done.last);
-    time += frame.dt - done.dropped;
+    if (!done.last.out_of_memory)
+        time += frame.dt - done.dropped;
     end(frame);
     return done;
 }
