@@ -127,7 +127,8 @@ class Teller {
                 return void(fail("add: " + id.error()));
         if (ids[0] != ids[1])
             return void(fail("the motors of both winds have different names"));
-        motors_.push_back({ids[0], input_of(event.motor, h()), position_of(event.motor)});
+        const MotorId of_both{.slot = ids[0].slot, .generation = ids[0].generation};
+        motors_.push_back({of_both, input_of(event.motor, h()), position_of(event.motor)});
     }
     void happen(const story::Replace& event) {
         if (Known* known = living(event.which)) {

@@ -76,8 +76,9 @@ TEST(SnapshotRefusal, MeetsWhatValidateRefuses) {
     EXPECT_NE(config.find("rim is -1"), std::string::npos) << config;
     EXPECT_NE(config.find("max_substeps is 99"), std::string::npos) << config;
     wind = made({.cells = {4, 4, 4}});
-    ASSERT_EQ(*wind.motors().add(JetMotor{}), id);
-    std::get<JetMotor>(const_cast<Motor&>(*wind.motors().find(id))).length = std::numeric_limits<float>::quiet_NaN();
+    const MotorId again = *wind.motors().add(JetMotor{});
+    ASSERT_EQ(again, id);
+    std::get<JetMotor>(const_cast<Motor&>(*wind.motors().find(again))).length = std::numeric_limits<float>::quiet_NaN();
     const std::string motor = refusal(*wind.save());
     EXPECT_NE(motor.find("motor 0 cannot be used: motor.length is nan"), std::string::npos) << motor;
 }
