@@ -29,6 +29,7 @@ COLUMNS = ("parser", "preset", "executions", "accepted", "accepted_percent", "se
 # [byte] Of an input: room for a few of the largest seeds, and small enough for thousands of executions a second.
 LONGEST = {"scene": 4096, "picture": 12288, "path_table": 1024, "map": 512, "obj": 4096, "gltf": 4096, "glb": 4096,
            "three_ds": 2048, "snapshot": 8192, "event_log": 2048, "command_line": 256}
+LONGEST_SLICE = 900  # [s] until a process that hangs is killed: a slice, and reading a large corpus before it
 SLICE = 60  # [s] after which the next parser has its turn, and the table is written
 
 
@@ -89,6 +90,9 @@ def run_slice(parser, preset, limit, fresh):
         with open(log, "w", encoding="utf-8") as output:
             process = subprocess.Popen(command, env=environment, stdout=output, stderr=subprocess.STDOUT)
         try:
+            status = process.wait(LONGEST_SLICE)
+        except subprocess.TimeoutExpired:  # libFuzzer's limit holds for the parser alone, not for a mutator
+            process.kill()
             status = process.wait()
         except KeyboardInterrupt:  # what was done until then counts
             process.terminate()

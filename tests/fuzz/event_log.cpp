@@ -15,7 +15,8 @@ Outcome read_input(std::string_view bytes) {
     const auto log = EventLog::from_bytes(input);
     if (!log)
         return Outcome::rejected;
-    require(std::ranges::equal(*log->to_bytes(), input), "an event log comes back to the bit");
+    const auto bytes_again = log->to_bytes();
+    require(bytes_again && std::ranges::equal(*bytes_again, input), "an event log comes back to the bit");
     // Each change of gusts bakes a tile for 5 ms; the second is the first's code.
     const auto gusts = std::ranges::count_if(log->events(), [](const Event& e) { return std::holds_alternative<GustsSet>(e); });
     if (gusts > 1)

@@ -214,7 +214,8 @@ void JsonMutator::mutate(json& document, std::uint32_t seed) {
     json& value = *node.value;
     if (below(40) == 0) {
         value = odd_value();
-    } else if (const auto known = values_.find(node.key); known != values_.end() && below(8) == 0 && node.parent->is_object()) {
+    } else if (const auto known = values_.find(node.key);
+               known != values_.end() && below(8) == 0 && node.parent != nullptr && node.parent->is_object()) {
         value = known->second[below(known->second.size())];
     } else if (value.is_number()) {
         change_number(value);

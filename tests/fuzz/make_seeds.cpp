@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <span>
+#include <vector>
 
 namespace {
 
@@ -20,8 +20,8 @@ void write(const char* name, std::string_view bytes) {
     std::ofstream(seeds / name, std::ios::binary) << bytes;
 }
 
-void write(const char* name, std::span<const std::byte> bytes) {
-    write(name, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+void write(const char* name, const Result<std::vector<std::byte>>& bytes) {
+    write(name, std::string_view(reinterpret_cast<const char*>(bytes->data()), bytes->size()));
 }
 
 Wind made(const Config& config) {
@@ -52,16 +52,16 @@ void add_motors(Wind& wind) {
 
 /// Snapshots of the smallest boxes: most bytes are then state and not cells.
 void write_snapshots() {
-    write("snapshot/fresh", *made({.cells = {3, 3, 3}}).save());
+    write("snapshot/fresh", made({.cells = {3, 3, 3}}).save());
     Wind stepped = made({.cells = {3, 4, 3}, .sides = Sides::open_over_floor(), .ambient = {2.0f, 0.0f, 1.0f}});
     add_motors(stepped);
     for (int n = 0; n < 3; ++n)
         (void)stepped.step(1.0 / 60.0);
-    write("snapshot/motors", *stepped.save());
+    write("snapshot/motors", stepped.save());
     Wind ticking = made({.cells = {3, 3, 3}, .ambient = {1.0f, 0.0f, 0.0f}, .ticks = {.hz = 30.0}});
     (void)ticking.follow({0.5, 0.0, 0.0});
     (void)ticking.advance(0.05);
-    write("snapshot/ticks", *ticking.save());
+    write("snapshot/ticks", ticking.save());
     Config config{.cells = {2, 3, 2}, .sides = Sides::open_over_floor(), .ambient = {3.0f, 0.0f, 0.0f}};
     config.profile = LogProfile{};
     config.canopy = Canopy{};
@@ -69,17 +69,17 @@ void write_snapshots() {
     config.scheme = Scheme::stable_fluids;
     Wind gusty = made(config);
     (void)gusty.step(1.0 / 60.0);
-    write("snapshot/gusts", *gusty.save());
+    write("snapshot/gusts", gusty.save());
 }
 
 /// Calls of a host on the box of the target, each kind once.
 void write_logs() {
-    write("event_log/empty", *EventLog().to_bytes());
+    write("event_log/empty", EventLog().to_bytes());
     Wind wind = made({.cells = {3, 3, 3}});
     EventLog log;
     wind.record_to(&log);
     add_motors(wind);
-    write("event_log/motors", *log.to_bytes());
+    write("event_log/motors", log.to_bytes());
     log.clear();
     Wind calls = made({.cells = {3, 3, 3}});
     calls.record_to(&log);
@@ -94,12 +94,12 @@ void write_logs() {
     (void)calls.motors().remove(*wake);
     (void)calls.advance(0.02);
     calls.reset();
-    write("event_log/calls", *log.to_bytes());
+    write("event_log/calls", log.to_bytes());
     log.clear();
     (void)calls.set_velocity(std::vector<glm::vec4>(27, glm::vec4(1.0f, 0.0f, 0.0f, 0.0f)));
     (void)calls.set_gusts({.intensity = 0.2f});
     (void)calls.step(1.0 / 60.0);
-    write("event_log/fields", *log.to_bytes());
+    write("event_log/fields", log.to_bytes());
 }
 
 } // namespace
