@@ -94,6 +94,11 @@ void JsonMutator::learn(const std::vector<scene::KnownKey>& keys) {
     }
 }
 
+const json* JsonMutator::known_value(const std::string& key) {
+    const auto known = values_.find(key);
+    return known == values_.end() || known->second.empty() ? nullptr : &known->second[below(known->second.size())];
+}
+
 double JsonMutator::number_near(double value) {
     switch (below(5)) {
     case 0:
@@ -132,8 +137,8 @@ void JsonMutator::change_text(Node& node) {
         const std::size_t begin = mark + k_mark.size();
         for (std::uint32_t n = 1 + below(3); n > 0 && text.size() > begin; --n)
             text[begin + below(text.size() - begin)] = k_signs[below(k_signs.size())];
-    } else if (const auto known = values_.find(node.key); known != values_.end() && below(3) != 0) {
-        *node.value = known->second[below(known->second.size())];
+    } else if (const json* const known = known_value(node.key); known != nullptr && below(3) != 0) {
+        *node.value = *known;
         return;
     } else {
         change_bytes(text, text.size() + 16);
@@ -166,9 +171,8 @@ void JsonMutator::change_object(json& value, const std::string& key) {
     const auto known = keys_.find(key);
     if (known != keys_.end() && below(4) != 0) {
         const std::string& member = known->second[below(known->second.size())];
-        const auto& values = values_[member];
-        if (!values.empty())
-            value[member] = values[below(values.size())];
+        if (const json* const known_member = known_value(member))
+            value[member] = *known_member;
         return;
     }
     if (value.empty())
@@ -214,9 +218,9 @@ void JsonMutator::mutate(json& document, std::uint32_t seed) {
     json& value = *node.value;
     if (below(40) == 0) {
         value = odd_value();
-    } else if (const auto known = values_.find(node.key);
-               known != values_.end() && below(8) == 0 && node.parent != nullptr && node.parent->is_object()) {
-        value = known->second[below(known->second.size())];
+    } else if (const json* const known = known_value(node.key);
+               known != nullptr && below(8) == 0 && node.parent != nullptr && node.parent->is_object()) {
+        value = *known;
     } else if (value.is_number()) {
         change_number(value);
     } else if (value.is_string()) {

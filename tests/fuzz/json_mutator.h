@@ -38,6 +38,8 @@ class JsonMutator {
 
     void learn_member(const std::string& parent_key, const std::string& key, const nlohmann::json& value);
     std::uint32_t below(std::size_t count) { return static_cast<std::uint32_t>(random_() % (count == 0 ? 1 : count)); }
+    /// One of the values that a key had; null where none is known.
+    [[nodiscard]] const nlohmann::json* known_value(const std::string& key);
     [[nodiscard]] double number_near(double value);
     void change_number(nlohmann::json& value);
     void change_text(Node& node);
