@@ -38,7 +38,7 @@ class Motors {
 
     Motors();
 
-    /// Adds a motor; refuses what `validate` refuses and a full list. Without memory it fails and the list stays as it was.
+    /// Adds a motor. Rejects what `validate` rejects and a full list. Without memory it fails and the list stays as it was.
     [[nodiscard]] Result<MotorId> add(const Motor& motor);
     /// Replaces a motor whole, its position and its age too; a wake starts a new path there and sweeps nothing in between. The
     /// kind may change. Without memory it fails and the motor stays as it was.

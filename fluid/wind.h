@@ -137,8 +137,8 @@ class Wind {
     /// Advances by a frame of dt [s] in fixed ticks (Config::ticks), so that the air does not depend on the frame rate: `follow`
     /// and `Motors::move` tell where things are at the end of this frame, and each tick sees them at its own time on the way.
     /// What is sampled afterwards is the wind blended between the last two ticks, up to a tick old. The first call allocates
-    /// three fields; later ones nothing beyond what `step` may. Where memory is missing nothing is done and `last` says so. A dt
-    /// that is negative or not finite does nothing. Mixing with `step` ends the blending.
+    /// three fields; later ones nothing beyond what `step` may. Where memory is missing nothing is done and
+    /// `last.out_of_memory` is true. A dt that is negative or not finite does nothing. Mixing with `step` ends the blending.
     Advance advance(double dt);
 
     // --- What acts on the air: without memory each call fails and the wind stays as it was -----------------------------------

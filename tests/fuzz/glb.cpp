@@ -1,5 +1,5 @@
 // Meshes: glTF as binary (GLB).
-#include "tests/fuzz/json_words.h"
+#include "tests/fuzz/json_mutator.h"
 #include "tests/fuzz/mesh_bytes.h"
 
 namespace windrow::fuzz {

@@ -14,6 +14,10 @@
 
 namespace windrow::fuzz {
 
+/// Defined by each target that the mutator is linked to. The keys that its parser asks of this text; empty where it keeps no list
+/// of them.
+[[nodiscard]] std::vector<scene::KnownKey> known_keys(std::string_view text);
+
 class JsonMutator {
   public:
     /// Learns the members of an input: which keys an object has, and which values a key.

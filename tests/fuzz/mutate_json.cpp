@@ -1,7 +1,6 @@
 // libFuzzer's mutator for parsers of JSON, and for GLB, whose first chunk is JSON.
 #include "tests/fuzz/fuzz_target.h"
 #include "tests/fuzz/json_mutator.h"
-#include "tests/fuzz/json_words.h"
 
 #include <algorithm>
 #include <cstring>

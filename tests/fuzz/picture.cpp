@@ -1,6 +1,6 @@
 // Scene files with a picture: windrow-draw's JSON.
 #include "tests/fuzz/fuzz_target.h"
-#include "tests/fuzz/json_words.h"
+#include "tests/fuzz/json_mutator.h"
 #include "tests/fuzz/scratch_folder.h"
 #include "vegetation/program/picture_reader.h"
 

@@ -1,7 +1,7 @@
 // Scene files: `windrow run`'s JSON.
 #include "scene/scene_reader.h"
 #include "tests/fuzz/fuzz_target.h"
-#include "tests/fuzz/json_words.h"
+#include "tests/fuzz/json_mutator.h"
 #include "tests/fuzz/scratch_folder.h"
 
 namespace windrow::fuzz {
