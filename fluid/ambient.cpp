@@ -1,7 +1,7 @@
 #include "fluid/ambient.h"
 
 #include "fluid/ambient_numerics.h"
-#include "fluid/message.h"
+#include "fluid/validation.h"
 #include "fluid/window.h"
 
 #include <algorithm>
@@ -12,35 +12,8 @@
 namespace windrow {
 namespace {
 
-constexpr float k_most_speed = 1e4f;
-constexpr double k_farthest = 1e12; // [m] beyond it a double no longer tells millimetres apart
-
-// Refuses NaN too, which fails every comparison.
-void require(detail::Reasons& reasons, std::string_view field, float value, float low, float high, std::string_view unit,
-             std::string_view fix) {
-    if (!(value >= low && value <= high))
-        reasons.add(field, " is ", value, unit, ": ", fix);
-}
-
-Result<void> outcome(detail::Reasons& reasons) {
-    if (!reasons.empty())
-        return Error{reasons.take()};
-    return {};
-}
-
-template <class Vector>
-bool finite(const Vector& v) {
+bool finite(const glm::dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-void check_mean(detail::Reasons& reasons, glm::vec3 mean) {
-    if (!(std::abs(mean.x) <= k_most_speed && std::abs(mean.y) <= k_most_speed && std::abs(mean.z) <= k_most_speed))
-        reasons.add("mean is ", mean, " m/s: give finite numbers, at most 1e4 m/s in size.");
-}
-
-void check_ground(detail::Reasons& reasons, double height) {
-    if (!(std::abs(height) <= k_farthest))
-        reasons.add("ground is ", height, " m: give a finite height within 1e12 m.");
 }
 
 // Exact: fmod rounds nothing, so a place a whole number of periods away gives the same bits.
@@ -49,28 +22,21 @@ double wrapped(double value, double period) {
     return rest < 0.0 ? rest + period : rest;
 }
 
-struct SamplingField {
-    const char* name;
-    float Sampling::*value;
-    float low, high;
-    const char *unit, *fix;
-
-    [[nodiscard]] bool holds(const Sampling& sampling) const { // not for NaN
-        return sampling.*value >= low && sampling.*value <= high;
-    }
-};
-constexpr SamplingField k_sampling[] = {
-    {"strength", &Sampling::strength, 0.0f, 1000.0f, "", "give 0 to 1000."},
-    {"limit", &Sampling::limit, 0.0f, 1e6f, " m/s", "give 0 to 1e6 m/s."},
-    {"detail", &Sampling::detail, 0.0f, 1.0f, "", "give 0 (none) to 1, a share of the local speed."},
-    {"detail_length", &Sampling::detail_length, 1e-3f, 1e6f, " m", "give 1e-3 to 1e6 m from ripple to ripple."}};
-
 // Replaces each field that validate() rejects by its default: a NaN would spread through the shaders.
 Sampling usable(Sampling sampling) {
-    for (const SamplingField& field : k_sampling)
-        if (!field.holds(sampling))
-            sampling.*field.value = Sampling{}.*field.value;
+    for_each_setting(sampling, [](const auto& field, float& value) {
+        if (!field.range.holds(value))
+            value = Sampling{}.*field.member;
+    });
     return sampling;
+}
+
+// One field of AmbientWind::Settings, given by itself.
+template <class Value>
+Result<void> validate_alone(const char* name, const Value& value, const Range& range) {
+    detail::Reasons reasons;
+    check_value(reasons, detail::FieldPath{nullptr, name}, value, range);
+    return reasons.outcome();
 }
 
 numerics::TileView view(const std::shared_ptr<const GustTile>& tile) {
@@ -85,27 +51,13 @@ numerics::WindrowAmbient shared(const AmbientBlock& block) {
 } // namespace
 
 Result<void> validate(const LogProfile& profile) {
-    detail::Reasons reasons;
-    require(reasons, "profile.roughness_length", profile.roughness_length, 1e-6f, 100.0f, " m",
-            "give 1e-6 to 100 m, about a tenth of what stands on the ground.");
-    require(reasons, "profile.reference_height", profile.reference_height, 0.01f, 1e4f, " m", "give 0.01 to 1e4 m.");
-    return outcome(reasons);
+    return detail::validate_settings(profile, "profile");
 }
-
 Result<void> validate(const Gusts& gusts) {
-    detail::Reasons reasons;
-    require(reasons, "gusts.intensity", gusts.intensity, 0.0f, 1.0f, "",
-            "give 0 (none) to 1, the standard deviation over the mean speed.");
-    require(reasons, "gusts.length", gusts.length, 0.01f, 1e6f, " m", "give 0.01 to 1e6 m from gust to gust.");
-    return outcome(reasons);
+    return detail::validate_settings(gusts, "gusts");
 }
-
 Result<void> validate(const Sampling& sampling) {
-    detail::Reasons reasons;
-    for (const SamplingField& field : k_sampling)
-        if (!field.holds(sampling))
-            reasons.add("sampling.", field.name, " is ", sampling.*field.value, field.unit, ": ", field.fix);
-    return outcome(reasons);
+    return detail::validate_settings(sampling, "sampling");
 }
 
 glm::vec3 UniformGust::velocity(double time) const {
@@ -116,16 +68,8 @@ glm::vec3 UniformGust::velocity(double time) const {
 }
 
 Result<AmbientWind> AmbientWind::create(const Settings& settings) {
-    detail::Reasons reasons;
-    check_mean(reasons, settings.mean);
-    if (settings.profile)
-        if (auto profile = validate(*settings.profile); !profile)
-            reasons.add(profile.error());
-    if (auto gusts = validate(settings.gusts); !gusts)
-        reasons.add(gusts.error());
-    check_ground(reasons, settings.ground);
-    if (!reasons.empty())
-        return Error{reasons.take()};
+    if (auto valid = detail::validate_settings(settings); !valid)
+        return Error{valid.error()};
     AmbientWind wind(settings);
     if (settings.gusts.intensity > 0.0f && settings.gusts.tile == nullptr)
         wind.settings_.gusts.tile = GustTile::bake(settings.gusts.seed);
@@ -157,7 +101,7 @@ AmbientBlock AmbientWind::block(glm::dvec3 anchor, const Sampling& asked) const 
         block.profile.x = settings_.profile->roughness_length;
         block.profile.y = settings_.profile->reference_height;
     }
-    block.profile.z = static_cast<float>(std::clamp(anchor.y - settings_.ground, -k_farthest, k_farthest));
+    block.profile.z = static_cast<float>(std::clamp(anchor.y - settings_.ground, k_world_range.least, k_world_range.most));
     block.profile.w = sampling.strength;
     block.gust_texel.w = static_cast<float>(1.0 / texel());
     block.gust_fraction.w = tile() ? tile()->bound() : 1.0f;
@@ -201,19 +145,17 @@ void AmbientWind::advance(double dt) {
 }
 
 Result<void> AmbientWind::set_mean(glm::vec3 mean) {
-    detail::Reasons reasons;
-    check_mean(reasons, mean);
-    if (reasons.empty())
+    auto valid = validate_alone("mean", mean, k_speed_range);
+    if (valid)
         settings_.mean = mean;
-    return outcome(reasons);
+    return valid;
 }
 
 Result<void> AmbientWind::set_ground(double height) {
-    detail::Reasons reasons;
-    check_ground(reasons, height);
-    if (reasons.empty())
+    auto valid = validate_alone("ground", height, k_world_range);
+    if (valid)
         settings_.ground = height;
-    return outcome(reasons);
+    return valid;
 }
 
 void AmbientWind::set_phase(glm::dvec3 phase) {
@@ -242,8 +184,9 @@ float AmbientWind::gust_strength() const {
 float AmbientWind::profile_at(double height) const {
     if (!settings_.profile)
         return 1.0f;
-    return numerics::windrow_profile(static_cast<float>(std::clamp(height - settings_.ground, -k_farthest, k_farthest)),
-                                     settings_.profile->roughness_length, settings_.profile->reference_height);
+    return numerics::windrow_profile(
+        static_cast<float>(std::clamp(height - settings_.ground, k_world_range.least, k_world_range.most)),
+        settings_.profile->roughness_length, settings_.profile->reference_height);
 }
 
 } // namespace windrow

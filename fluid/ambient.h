@@ -15,49 +15,78 @@
 
 #include "fluid/gust_tile.h"
 #include "fluid/result.h"
+#include "fluid/setting.h"
 
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
 #include <optional>
+#include <tuple>
 
 namespace windrow {
 
 /// Wind over open ground: log((z + z0) / z0), 0 at the ground and below, the mean wind at the reference height, more above.
 struct LogProfile {
-    /// [m] z0, 1e-6 to 100. About a tenth of what stands on the ground. Default 0.03: short grass (0.0002 water, 1 wood).
     float roughness_length = 0.03f;
-    /// [m] Height at which the wind is the mean, 0.01 to 1e4. Default 10: where weather services measure.
     float reference_height = 10.0f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("roughness_length", &LogProfile::roughness_length, {1e-6, 100.0, "m"},
+                    "z0: about a tenth of the height of what is on the ground. 0.0002 water, 0.03 short grass, 1 wood."),
+            Setting("reference_height", &LogProfile::reference_height, {0.01, 1e4, "m"},
+                    "Height at which the wind is the mean. 10 is where weather services measure."),
+        };
+    }
 };
 
+/// Gusts: a frozen pattern that the mean wind carries along. Over a profile they fade to 0 at the ground with the mean and do not
+/// grow above the reference height.
 struct Gusts {
-    /// Standard deviation of each level component over the mean level speed, 0 to 1. Default 0: none, and they cost nothing. 0.15
-    /// is open country, 0.3 a gusty day. Over a profile they fade to 0 at the ground with the mean and do not grow above the
-    /// reference height.
     float intensity = 0.0f;
-    /// [m] From one gust to the next, 0.01 to 1e6; a texel is a twelfth, the pattern repeats after 128 texels. Default 24: a
-    /// texel of 2 m, which cells of 1 m resolve, and 256 m until it repeats.
     float length = 24.0f;
-    /// Which pattern. Default 1; any value.
     std::uint32_t seed = 1;
     /// The pattern itself, to share one among many winds (4 MiB each). Default empty: made from `seed` if intensity is above 0.
     std::shared_ptr<const GustTile> tile{};
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting(
+                "intensity", &Gusts::intensity, {.least = 0.0, .most = 1.0, .zero = "none"},
+                "Standard deviation of each horizontal component over the mean horizontal speed. 0 costs nothing, 0.15 is open "
+                "country, 0.3 a gusty day."),
+            Setting(
+                "length", &Gusts::length, {0.01, 1e6, "m"},
+                "From one gust to the next. A texel is a twelfth of it, the pattern repeats after 128 texels; 24 makes texels of "
+                "2 m, which cells of 1 m resolve, and 256 m until it repeats."),
+            Setting("seed", &Gusts::seed, k_seed_range, "Which pattern."),
+            Setting("tile", &Gusts::tile, "The pattern itself.", k_not_stored),
+        };
+    }
 };
 
 /// How a plant feels the wind, whether from the fluid or from here.
 struct Sampling {
-    /// Factor on the wind, 0 to 1000. Default 1; 0 stills everything.
     float strength = 1.0f;
-    /// [m/s] Speed that is never exceeded, after the strength; 0 to 1e6. Default 60: no storm is stronger, a fault may be.
     float limit = 60.0f;
-    /// Small-scale detail as a share of the local speed, 0 to 1; a bound, typical detail is a quarter of it. Default 0: none.
-    /// Needs a tile (AmbientWind::tile): without gusts, give Gusts::tile.
     float detail = 0.0f;
-    /// [m] From one ripple to the next, 1e-3 to 1e6, rounded so that a whole number of ripples fits a gust (at most its length):
-    /// then one phase moves both. Default 1: what cells of 1 m leave out.
     float detail_length = 1.0f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("strength", &Sampling::strength, {0.0, 1000.0}, "Factor on the wind; 0 stills everything."),
+            Setting("limit", &Sampling::limit, {0.0, 1e6, "m/s"},
+                    "Speed that is never exceeded, after the strength. At 60 no storm is stronger, a fault may be."),
+            Setting("detail", &Sampling::detail, {.least = 0.0, .most = 1.0, .zero = "none"},
+                    "Small-scale detail over the local speed; a bound, typical detail is a quarter of it. Needs a tile "
+                    "(AmbientWind::tile): without gusts, give Gusts::tile."),
+            Setting(
+                "detail_length", &Sampling::detail_length, {1e-3, 1e6, "m"},
+                "From one ripple to the next, rounded so that a whole number of ripples fits a gust (at most its length): then "
+                "one phase moves both. 1 is what cells of 1 m leave out."),
+        };
+    }
 };
 
 /// Every reason why they cannot be used, a line each.
@@ -103,14 +132,21 @@ struct UniformGust {
 class AmbientWind {
   public:
     struct Settings {
-        /// [m/s] Mean wind, at the reference height if there is a profile. Default 0: still air, which has no gusts either. At
-        /// most 1e4.
         glm::vec3 mean{0.0f};
-        /// Default none: the same wind at all heights.
         std::optional<LogProfile> profile{};
         Gusts gusts{};
-        /// [m] World height of the ground: where the profile begins and gusts are mirrored. Default 0.
         double ground = 0.0;
+
+        static constexpr auto settings() {
+            return std::tuple{
+                Setting("mean", &Settings::mean, k_speed_range,
+                        "Mean wind, at the reference height if there is a profile. 0 is still air, which has no gusts either."),
+                Setting("profile", &Settings::profile, "Default none: the same wind at all heights."),
+                Setting("gusts", &Settings::gusts, "Default none."),
+                Setting("ground", &Settings::ground, k_world_range,
+                        "World height of the ground: where the profile begins and gusts are mirrored."),
+            };
+        }
     };
 
     /// Refuses what `validate` refuses, and a mean or a ground that is not finite or far too large. Bakes a tile if gusts need

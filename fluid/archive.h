@@ -1,17 +1,16 @@
-// One description of each struct's fields, read by the writer and by the reader of bytes, so that the two cannot drift apart.
+// Structs as bytes and back, by the rows of their fields (setting.h). What has no rows is described by one function for both
+// directions, so that writer and reader cannot drift apart:
 //
-//     void fields(auto& archive, Like<Sphere> auto& sphere) {
-//         auto& [radius] = sphere;
-//         archive(radius);
+//     void fields(auto& archive, Like<Stepped> auto& event) {
+//         auto& [dt] = event;
+//         archive(dt);
 //     }
 //
-// A struct is taken apart by name: one that gains a member no longer compiles here. That each name is also handed on is
-// for the tests of the round trip. Variants and enumerations go by index, optionals by a flag before them.
+// Variants and enumerations go by index, optionals by a flag before them.
 #pragma once
 
 #include "fluid/bytes.h"
-#include "fluid/motor.h"
-#include "fluid/sides.h"
+#include "fluid/validation.h"
 
 #include <cmath>
 #include <concepts>
@@ -19,6 +18,7 @@
 #include <glm/vec4.hpp>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -28,11 +28,64 @@ namespace windrow::detail {
 template <class T, class U>
 concept Like = std::same_as<std::remove_const_t<T>, U>;
 
-/// How many values an enumeration has, from 0 on.
-template <class Enumeration>
-inline constexpr std::uint8_t k_values_of = 0;
-template <>
-inline constexpr std::uint8_t k_values_of<SideKind> = 4;
+/// Hands every stored field of a struct to the archive.
+template <class Archive, class Struct>
+void pass_fields(Archive& archive, Struct& value) {
+    if constexpr (HasSettings<Struct>)
+        for_each_setting(value, [&]<class Row>(const Row&, auto& member) {
+            if constexpr (Row::k_stored != Stored::nowhere)
+                archive(member);
+        });
+    else
+        fields(archive, value);
+}
+
+/// Names the layout of structs in bytes: another name, kind, word or type of a stored setting is another layout.
+class Layout {
+  public:
+    /// `rest` names what is stored beside settings; change it with that.
+    explicit constexpr Layout(std::string_view rest) { mix(rest); }
+
+    template <class Value>
+    constexpr Layout& with() {
+        if constexpr (HasSettings<Value>) {
+            std::apply([&](const auto&... rows) { (row(rows), ...); }, Value::settings());
+        } else if constexpr (std::is_enum_v<Value>) {
+            for (const char* word : k_words<Value>)
+                mix(word);
+        } else if constexpr (k_is_optional<Value>) {
+            mix("?");
+            with<typename Value::value_type>();
+        } else if constexpr (k_is_variant<Value>) {
+            [&]<class... Kinds>(std::type_identity<std::variant<Kinds...>>) {
+                ((mix(Kinds::k_name), with<Kinds>()), ...);
+            }(std::type_identity<Value>());
+        } else {
+            mix(std::is_floating_point_v<Value> ? "f" : "i");
+            hash_ = (hash_ ^ static_cast<std::uint32_t>(sizeof(Value))) * k_prime;
+        }
+        return *this;
+    }
+    [[nodiscard]] constexpr std::uint32_t version() const { return hash_; }
+
+  private:
+    static constexpr std::uint32_t k_prime = 0x01000193; // FNV-1a
+
+    template <class Row>
+    constexpr void row(const Row& row) {
+        if constexpr (Row::k_stored != Stored::nowhere) {
+            mix(row.name);
+            with<std::remove_cvref_t<decltype(std::declval<typename Row::Owner>().*row.member)>>();
+        }
+    }
+    constexpr void mix(std::string_view text) {
+        for (const char letter : text)
+            hash_ = (hash_ ^ static_cast<std::uint8_t>(letter)) * k_prime;
+        hash_ = (hash_ ^ 0xffu) * k_prime; // no letter: where one ends
+    }
+
+    std::uint32_t hash_ = 0x811c9dc5;
+};
 
 class Writer {
   public:
@@ -70,10 +123,7 @@ class Writer {
     void put(const Number& value) { store_number(grow(sizeof value), value); }
     template <class Enumeration>
     requires std::is_enum_v<Enumeration>
-    void put(const Enumeration& value) {
-        static_assert(k_values_of<Enumeration> > 0, "say how many values it has");
-        put(static_cast<std::uint8_t>(value));
-    }
+    void put(const Enumeration& value) { put(static_cast<std::uint8_t>(value)); }
     template <class Number, glm::qualifier Q>
     void put(const glm::vec<3, Number, Q>& vector) {
         (*this)(vector.x, vector.y, vector.z);
@@ -91,7 +141,7 @@ class Writer {
     }
     template <class Struct>
     void put(const Struct& value) {
-        fields(*this, value);
+        pass_fields(*this, value);
     }
 
     std::vector<std::byte> bytes_;
@@ -156,10 +206,7 @@ class Reader {
     void get(bool& value) { value = index(2, "a flag") != 0; }
     template <class Enumeration>
     requires std::is_enum_v<Enumeration>
-    void get(Enumeration& value) {
-        static_assert(k_values_of<Enumeration> > 0, "say how many values it has");
-        value = static_cast<Enumeration>(index(k_values_of<Enumeration>, "a choice"));
-    }
+    void get(Enumeration& value) { value = static_cast<Enumeration>(index(k_words<Enumeration>.size(), "a choice")); }
     template <class Number, glm::qualifier Q>
     void get(glm::vec<3, Number, Q>& vector) {
         (*this)(vector.x, vector.y, vector.z);
@@ -182,7 +229,7 @@ class Reader {
     }
     template <class Struct>
     void get(Struct& value) {
-        fields(*this, value);
+        pass_fields(*this, value);
     }
 
     /// One of `count` values; 0 where it is none of them.
@@ -202,97 +249,5 @@ class Reader {
 /// What only a reader does: making room, checking.
 template <class Archive>
 concept Reading = std::same_as<std::remove_cvref_t<Archive>, Reader>;
-
-// --- What snapshots and logs share ----------------------------------------------------------------------------------------
-
-void fields(auto& archive, Like<Side> auto& side) {
-    auto& [kind, wall_velocity] = side;
-    archive(kind, wall_velocity);
-}
-
-void fields(auto& archive, Like<Sides> auto& sides) {
-    auto& [x_low, x_high, y_low, y_high, z_low, z_high] = sides;
-    archive(x_low, x_high, y_low, y_high, z_low, z_high);
-}
-
-void fields(auto& archive, Like<Sphere> auto& sphere) {
-    auto& [radius] = sphere;
-    archive(radius);
-}
-
-void fields(auto& archive, Like<Capsule> auto& capsule) {
-    auto& [half_axis, radius] = capsule;
-    archive(half_axis, radius);
-}
-
-void fields(auto& archive, Like<AlignedBox> auto& box) {
-    auto& [half_size] = box;
-    archive(half_size);
-}
-
-void fields(auto& archive, Like<Cone> auto& cone) {
-    auto& [axis, start_radius, end_radius] = cone;
-    archive(axis, start_radius, end_radius);
-}
-
-void fields(auto& archive, Like<Force> auto& force) {
-    auto& [acceleration] = force;
-    archive(acceleration);
-}
-
-void fields(auto& archive, Like<Drive> auto& drive) {
-    auto& [speed, rate] = drive;
-    archive(speed, rate);
-}
-
-void fields(auto& archive, Like<WakeForce> auto& force) {
-    auto& [strength] = force;
-    archive(strength);
-}
-
-void fields(auto& archive, Like<WakeDrive> auto& drive) {
-    auto& [per_metre, entrainment] = drive;
-    archive(per_metre, entrainment);
-}
-
-void fields(auto& archive, Like<Envelope> auto& envelope) {
-    auto& [attack, hold, decay] = envelope;
-    archive(attack, hold, decay);
-}
-
-void fields(auto& archive, Like<Turbulence> auto& turbulence) {
-    auto& [intensity, length, seed] = turbulence;
-    archive(intensity, length, seed);
-}
-
-void fields(auto& archive, Like<DirectionalMotor> auto& motor) {
-    auto& [position, direction, region, law, envelope, turbulence] = motor;
-    archive(position, direction, region, law, envelope, turbulence);
-}
-
-void fields(auto& archive, Like<WakeMotor> auto& motor) {
-    auto& [position, radius, law, envelope, turbulence] = motor;
-    archive(position, radius, law, envelope, turbulence);
-}
-
-void fields(auto& archive, Like<JetMotor> auto& motor) {
-    auto& [position, direction, length, start_radius, end_radius, law, envelope, turbulence] = motor;
-    archive(position, direction, length, start_radius, end_radius, law, envelope, turbulence);
-}
-
-void fields(auto& archive, Like<VortexMotor> auto& motor) {
-    auto& [position, axis, radius, half_length, lift, law, envelope] = motor;
-    archive(position, axis, radius, half_length, lift, law, envelope);
-}
-
-void fields(auto& archive, Like<OmniMotor> auto& motor) {
-    auto& [position, radius, speed, envelope] = motor;
-    archive(position, radius, speed, envelope);
-}
-
-void fields(auto& archive, Like<PressureMotor> auto& motor) {
-    auto& [position, radius, speed, duration] = motor;
-    archive(position, radius, speed, duration);
-}
 
 } // namespace windrow::detail

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <glm/vec3.hpp>
+#include <tuple>
 
 namespace windrow {
 
@@ -18,11 +19,20 @@ inline constexpr int k_max_axis_cells = 2048;
 inline constexpr std::size_t k_max_cells = std::size_t{1} << 26;
 
 struct Box {
-    /// Cells along x, y, z, each 1 to k_max_axis_cells; odd sizes too. Default 32 x 16 x 32: wind is mostly level.
+    static constexpr Range k_cells_range{1.0, k_max_axis_cells, "cells"};
+    static constexpr Range k_cell_size_range{1e-6, 1e6, "m"};
+
     glm::ivec3 cells{32, 16, 32};
-    /// [m] Edge of a cell, 1e-6 to 1e6. Default 1.
     float cell_size = 1.0f;
     Sides sides{};
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("cells", &Box::cells, k_cells_range, "Cells along x, y, z; odd sizes too. Wind is mostly horizontal."),
+            Setting("cell_size", &Box::cell_size, k_cell_size_range, "Edge of a cell."),
+            Setting("sides", &Box::sides, "What the air meets at each side."),
+        };
+    }
 
     [[nodiscard]] std::size_t cell_count() const {
         return static_cast<std::size_t>(cells.x) * static_cast<std::size_t>(cells.y) * static_cast<std::size_t>(cells.z);
@@ -36,5 +46,6 @@ struct Box {
 
 /// Every reason why the box cannot be used, a line each.
 [[nodiscard]] Result<void> validate(const Box& box);
+void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const Box& box);
 
 } // namespace windrow

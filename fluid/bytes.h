@@ -1,7 +1,7 @@
 // Numbers as bytes and back: little-endian, fixed width, whatever the machine; and the envelope that guards them in a file.
 //
 //     0   8 letters    what it is
-//     8   u32          version of the format
+//     8   u32          layout of the content
 //     12  u64          n, bytes of content
 //     20  n bytes      content
 //     20+n  u64        checksum of all before it
@@ -26,10 +26,19 @@ namespace windrow::detail {
 /// One kind of file.
 struct Format {
     std::string_view letters; ///< 8 of them
-    std::uint32_t version;
-    std::string_view name;   ///< for sentences
-    std::string_view writer; ///< which call makes one
+    std::uint32_t version;    ///< names the layout of its content
+    std::string_view name;    ///< for sentences
+    std::string_view writer;  ///< which call makes one
 };
+
+/// A number as eight hexadecimal digits, for sentences.
+struct Hex {
+    std::uint32_t value;
+};
+inline void append(std::string& text, const Hex& hex) {
+    for (int shift = 28; shift >= 0; shift -= 4)
+        text += "0123456789abcdef"[hex.value >> shift & 15];
+}
 
 inline constexpr std::size_t k_letters = 8, k_header_bytes = 20, k_checksum_bytes = 8;
 
@@ -102,7 +111,7 @@ inline void seal(std::vector<std::byte>& bytes, const Format& format) {
         return Error{message(format.name, " is truncated: it has ", bytes.size(), " bytes, fewer than any; give all that ",
                              format.writer, " returned.")};
     if (const auto version = load_number<std::uint32_t>(&bytes[k_letters]); version != format.version)
-        return Error{message(format.name, " is of format version ", version, ", this library reads version ", format.version,
+        return Error{message(format.name, " has the layout ", Hex{version}, ", this library reads ", Hex{format.version},
                              ": use the release that wrote it.")};
     const auto wanted = load_number<std::uint64_t>(&bytes[k_letters + 4]);
     const std::uint64_t there = bytes.size() - k_header_bytes - k_checksum_bytes;

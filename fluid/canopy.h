@@ -5,18 +5,29 @@
 #pragma once
 
 #include "fluid/result.h"
+#include "fluid/setting.h"
+
+#include <tuple>
 
 namespace windrow {
 
 /// A field of plants on the ground, as high and as dense everywhere. The ground is that of the wind profile: the box's floor, or
 /// height 0 without one. Within it du/dt = -drag |u| u. Costs one pass over the rows of cells that it reaches.
 struct Canopy {
-    /// [m] Height of the plants, 0 to 1000. Default 0.8: ripe wheat. A cell that it fills in part is slowed by that share.
     float height = 0.8f;
-    /// [1/m] Drag coefficient, 0.15 to 0.3, times leaf area in a volume of air; 0 to 1000. Default 0.6: 0.2 in wheat whose leaves
-    /// have 2.4 times the area of its ground. Short grass 2 to 5, a forest 0.03 to 0.1. Based on: Shaw & Schumann 1992,
-    /// Boundary-Layer Meteorology 61 (0.15).
     float drag = 0.6f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("height", &Canopy::height, {.least = 0.0, .most = 1000.0, .unit = "m", .zero = "none"},
+                    "Height of the plants; 0.8 is ripe wheat. A cell that it fills in part is slowed by that fraction."),
+            Setting(
+                "drag", &Canopy::drag, {.least = 0.0, .most = 1000.0, .unit = "1/m", .zero = "none"},
+                "Drag coefficient, 0.15 to 0.3, times leaf area in a volume of air: wheat 0.6 (0.2 times leaves of 2.4 times the "
+                "area of its ground), short grass 2 to 5, a forest 0.03 to 0.1. Based on: Shaw & Schumann 1992, Boundary-Layer "
+                "Meteorology 61 (0.15)."),
+        };
+    }
 };
 
 /// Every reason why it cannot be used, a line each.

@@ -86,7 +86,8 @@ void fields(auto& archive, Like<Advanced> auto& event) {
 
 namespace {
 
-constexpr detail::Format k_format{"WINDLOGS", 2, "event log", "EventLog::to_bytes"};
+constexpr detail::Format k_format{"WINDLOGS", detail::Layout("events 2").with<Motor>().with<Sides>().version(), "event log",
+                                  "EventLog::to_bytes"};
 
 const char* name_of(const Event& event) {
     constexpr const char* k_names[] = {"add",       "set",       "move",         "remove", "follow", "set_floor", "set_ambient",

@@ -6,6 +6,7 @@
 
 #include <charconv>
 #include <concepts>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <new>
 #include <stdexcept>
@@ -26,21 +27,24 @@ void append(std::string& text, Number value) {
     text.append(digits, end);
 }
 
-template <class Number, glm::qualifier Q>
-void append(std::string& text, const glm::vec<3, Number, Q>& value) {
-    text += '(';
-    append(text, value.x);
-    text += ", ";
-    append(text, value.y);
-    text += ", ";
-    append(text, value.z);
+template <int Count, class Number, glm::qualifier Q>
+void append(std::string& text, const glm::vec<Count, Number, Q>& value) {
+    for (int n = 0; n < Count; ++n) {
+        text += n == 0 ? "(" : ", ";
+        append(text, value[n]);
+    }
     text += ')';
+}
+
+template <class... Parts>
+void append_each(std::string& text, const Parts&... parts) {
+    (append(text, parts), ...);
 }
 
 template <class... Parts>
 void append_all(std::string& text, const Parts&... parts) noexcept {
     try {
-        (append(text, parts), ...);
+        append_each(text, parts...);
     } catch (...) {
         text = Error::k_out_of_memory;
     }
@@ -85,8 +89,17 @@ class Reasons {
     void add(const Parts&... parts) noexcept {
         append_all(text_, std::string_view(text_.empty() ? "" : "\n"), parts...);
     }
+    void add_all_of(const Result<void>& judged) noexcept {
+        if (!judged)
+            add(std::string_view(judged.error()));
+    }
     [[nodiscard]] bool empty() const { return text_.empty(); }
     [[nodiscard]] std::string take() { return std::move(text_); }
+    [[nodiscard]] Result<void> outcome() {
+        if (empty())
+            return {};
+        return Error{take()};
+    }
 
   private:
     std::string text_;

@@ -11,10 +11,12 @@
 #pragma once
 
 #include "fluid/result.h"
+#include "fluid/setting.h"
 
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <tuple>
 #include <variant>
 
 namespace windrow {
@@ -23,26 +25,56 @@ namespace windrow {
 
 /// Ball: w = (1 - d^2/radius^2)^2.
 struct Sphere {
-    float radius = 2.0f; ///< [m] > 0
+    static constexpr const char* k_name = "sphere";
+    static constexpr const char* k_meaning = "A ball.";
+    float radius = 2.0f;
+
+    static constexpr auto settings() { return std::tuple{Setting("radius", &Sphere::radius, k_size_range, "Radius.")}; }
 };
 
 /// All points within `radius` of the segment centre - half_axis .. centre + half_axis; d is the distance to the segment.
 struct Capsule {
-    glm::vec3 half_axis{2.0f, 0.0f, 0.0f}; ///< [m] any finite vector; 0 makes a sphere
-    float radius = 1.0f;                   ///< [m] > 0
+    static constexpr const char* k_name = "capsule";
+    static constexpr const char* k_meaning = "A ball drawn out along a segment.";
+    glm::vec3 half_axis{2.0f, 0.0f, 0.0f};
+    float radius = 1.0f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("half_axis", &Capsule::half_axis, Range::length(0.0, 1e6, "m"),
+                    "From the centre to the middle of an end; 0 makes a sphere."),
+            Setting("radius", &Capsule::radius, k_size_range, "Radius."),
+        };
+    }
 };
 
 /// Axis-aligned box: w = product over the axes of (1 - d^2/half_size^2)^2.
 struct AlignedBox {
-    glm::vec3 half_size{2.0f}; ///< [m] each > 0
+    static constexpr const char* k_name = "box";
+    static constexpr const char* k_meaning = "A box along the axes.";
+    glm::vec3 half_size{2.0f};
+
+    static constexpr auto settings() {
+        return std::tuple{Setting("half_size", &AlignedBox::half_size, k_size_range, "From the centre to the faces.")};
+    }
 };
 
 /// Cone or cylinder that begins at the motor's position: w = (1 - (2 z/L - 1)^2)^2 (1 - d^2/r(z)^2)^2, z along the axis of length
 /// L and r(z) growing evenly. Equal radii make a cylinder.
 struct Cone {
-    glm::vec3 axis{6.0f, 0.0f, 0.0f}; ///< [m] from the first end to the second; any finite vector but 0
-    float start_radius = 0.5f;        ///< [m] > 0, at the motor's position
-    float end_radius = 2.0f;          ///< [m] > 0, at the other end
+    static constexpr const char* k_name = "cone";
+    static constexpr const char* k_meaning = "A cone or cylinder that begins at the motor's position.";
+    glm::vec3 axis{6.0f, 0.0f, 0.0f};
+    float start_radius = 0.5f;
+    float end_radius = 2.0f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("axis", &Cone::axis, Range::length(1e-6, 1e6, "m"), "From the motor's position to the other end."),
+            Setting("start_radius", &Cone::start_radius, k_size_range, "Radius at the motor's position."),
+            Setting("end_radius", &Cone::end_radius, k_size_range, "Radius at the other end."),
+        };
+    }
 };
 
 using Region = std::variant<Sphere, Capsule, AlignedBox, Cone>;
@@ -51,26 +83,60 @@ using Region = std::variant<Sphere, Capsule, AlignedBox, Cone>;
 
 /// A constant acceleration along the motor's direction.
 struct Force {
-    float acceleration = 10.0f; ///< [m/s^2] any sign, at most 1e6 in size
+    static constexpr const char* k_name = "force";
+    static constexpr const char* k_meaning = "A constant acceleration.";
+    float acceleration = 10.0f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("acceleration", &Force::acceleration, {-1e6, 1e6, "m/s^2"}, "Acceleration along the motor's direction.")};
+    }
 };
 
 /// Pulls the air toward a speed along the motor's direction.
 struct Drive {
-    float speed = 8.0f; ///< [m/s] any sign, at most 1e4 in size
-    float rate = 4.0f;  ///< [1/s] how fast: 63 % of the way in 1/rate seconds where w = 1; 0 to 1e6
+    static constexpr const char* k_name = "drive";
+    static constexpr const char* k_meaning = "Pulls the air toward a speed.";
+    float speed = 8.0f;
+    float rate = 4.0f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("speed", &Drive::speed, k_speed_range, "Speed along the motor's direction that the air is pulled toward."),
+            Setting("rate", &Drive::rate, {0.0, 1e6, "1/s"}, "How fast: 63 % of the way in 1/rate seconds where w = 1."),
+        };
+    }
 };
 
 /// A wake that pushes: along its path it adds `strength * w` metres per second for each metre that the body passes, so the
 /// impulse per metre is fixed and the impulse per second grows in proportion to the speed.
 struct WakeForce {
-    float strength = 1.0f; ///< [1/s] 0 to 1e4
+    static constexpr const char* k_name = "force";
+    static constexpr const char* k_meaning = "Pushes: the same impulse for each metre that the body passes.";
+    float strength = 1.0f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("strength", &WakeForce::strength, {0.0, 1e4, "1/s"}, "Speed that each metre of the path adds where w = 1.")};
+    }
 };
 
 /// A wake that drags: the air is pulled toward `entrainment` times the body's velocity; the exponent is the path integral of
 /// `per_metre * w`, so cutting the path into steps changes nothing.
 struct WakeDrive {
-    float per_metre = 0.5f;   ///< [1/m] 0 to 1e4
-    float entrainment = 1.0f; ///< share of the body's velocity, 0 to 2
+    static constexpr const char* k_name = "drive";
+    static constexpr const char* k_meaning = "Drags: pulls the air toward a fraction of the body's velocity.";
+    float per_metre = 0.5f;
+    float entrainment = 1.0f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("per_metre", &WakeDrive::per_metre, {0.0, 1e4, "1/m"},
+                    "How fast: 63 % of the way when the body has passed 1/per_metre metres where w = 1."),
+            Setting("entrainment", &WakeDrive::entrainment, {0.0, 2.0},
+                    "Fraction of the body's velocity that the air is pulled toward."),
+        };
+    }
 };
 
 // --- Time ------------------------------------------------------------------------------------------------------------
@@ -79,15 +145,32 @@ struct WakeDrive {
 /// each). Steps take its mean over the step, so an impulse does not depend on the frame rate. When it has ended the motor is
 /// removed by itself and its handle is stale: a gust needs no keeper.
 struct Envelope {
-    float attack = 0.0f;                                 ///< [s] >= 0
-    float hold = std::numeric_limits<float>::infinity(); ///< [s] >= 0; infinity, the default: until it is removed
-    float decay = 0.0f;                                  ///< [s] >= 0
+    static constexpr Range k_time_range{0.0, 1e9, "s"};
+    float attack = 0.0f;
+    float hold = std::numeric_limits<float>::infinity();
+    float decay = 0.0f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("attack", &Envelope::attack, k_time_range, "Time in which it rises."),
+            Setting("hold", &Envelope::hold, {.least = 0.0, .unit = "s"},
+                    "Time at full strength. Default infinity: until the motor is removed."),
+            Setting("decay", &Envelope::decay, k_time_range, "Time in which it falls, after the hold."),
+        };
+    }
 
     /// Mean strength between two ages [s], 0 to 1.
     [[nodiscard]] double mean(double from, double to) const;
     /// [s] Age at which it has ended.
     [[nodiscard]] double end() const;
 };
+
+namespace detail {
+class Reasons;
+struct FieldPath;
+} // namespace detail
+/// Rejects an envelope that lasts no time.
+void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const Envelope& envelope);
 
 // --- Turbulence ------------------------------------------------------------------------------------------------------
 
@@ -99,63 +182,127 @@ struct Envelope {
 /// leaves a jet of 5 cells a radius has the intensity asked for. For a force, U is the speed that it gives air over a radius. A
 /// body's wake takes eddies that rest in the world, without w.
 struct Turbulence {
-    /// Standard deviation over U of a level component of what leaves the region, 0 to 1. 0: none, and it costs nothing. At 0.05
-    /// jets spread as measured ones do.
     float intensity = 0.05f;
-    /// [m] Of the longest eddies, 0 to 1e6; most are a third of that. Default 0: two radii of the region (of a box, two of its
-    /// smallest half sizes).
     float length = 0.0f;
-    /// Which stretch of the pattern: motors that share a kind, an age and a seed blow alike. Default 0; any value.
     std::uint32_t seed = 0;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting(
+                "intensity", &Turbulence::intensity, {.least = 0.0, .most = 1.0, .zero = "none"},
+                "Standard deviation over U of a horizontal component of what leaves the region. At 0.05 jets spread as measured "
+                "ones do. 0 costs nothing."),
+            Setting(
+                "length", &Turbulence::length, {0.0, 1e6, "m", "two radii"},
+                "Size of the largest eddies; most are a third of that. 0: two radii of the region (of a box, two of its smallest "
+                "half sizes)."),
+            Setting("seed", &Turbulence::seed, k_seed_range,
+                    "Which part of the pattern: motors of the same kind, age and seed blow alike."),
+        };
+    }
 };
 
 // --- Motors ----------------------------------------------------------------------------------------------------------
 
 /// A fan, a gust, a draught: pushes along one direction within a region.
 struct DirectionalMotor {
-    glm::dvec3 position{0.0};              ///< [m] world; centre of the region (first end of a cone)
-    glm::vec3 direction{1.0f, 0.0f, 0.0f}; ///< any length but 0; normalised on creation
+    static constexpr const char* k_name = "directional";
+    static constexpr const char* k_meaning = "A fan, a gust, a draught: pushes along one direction within a region.";
+    glm::dvec3 position{0.0};
+    glm::vec3 direction{1.0f, 0.0f, 0.0f};
     Region region = Sphere{};
     std::variant<Force, Drive> law = Drive{};
     Envelope envelope{};
     Turbulence turbulence{};
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("position", &DirectionalMotor::position, k_world_range, "Centre of the region; first end of a cone."),
+            Setting("direction", &DirectionalMotor::direction, Range::direction(), "Any length; normalised on creation."),
+            Setting("region", &DirectionalMotor::region,
+                    "Where it acts: fully in the middle, falling smoothly to 0 at the border."),
+            Setting("law", &DirectionalMotor::law, "How it acts."),
+            Setting("envelope", &DirectionalMotor::envelope, "Strength over time."),
+            Setting("turbulence", &DirectionalMotor::turbulence, "Eddies in what it blows."),
+        };
+    }
 };
 
 /// A moving body: acts only while it moves, along the path through all positions that `Motors::move` gave since the last step.
 /// Several moves between two steps make a curved path.
 struct WakeMotor {
-    glm::dvec3 position{0.0}; ///< [m] world; where the path begins
-    float radius = 0.5f;      ///< [m] > 0
+    static constexpr const char* k_name = "wake";
+    static constexpr const char* k_meaning = "A moving body: acts only while it moves, along its path.";
+    glm::dvec3 position{0.0};
+    float radius = 0.5f;
     std::variant<WakeForce, WakeDrive> law = WakeDrive{};
     Envelope envelope{};
-    Turbulence turbulence{.intensity = 0.0f}; ///< default none: a wake makes its own
+    Turbulence turbulence{.intensity = 0.0f};
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("position", &WakeMotor::position, k_world_range, "Where the path begins."),
+            Setting("radius", &WakeMotor::radius, k_size_range, "Radius of the body."),
+            Setting("law", &WakeMotor::law, "How it acts."),
+            Setting("envelope", &WakeMotor::envelope, "Strength over time."),
+            Setting("turbulence", &WakeMotor::turbulence, "Eddies in the wake. Default none: a wake makes its own."),
+        };
+    }
 };
 
 /// A nozzle: blows along a cone or cylinder whose rays spread from the cone's tip and slow as it widens, so that each section
 /// passes the same momentum. `speed` and `acceleration` hold at the nozzle.
 struct JetMotor {
-    glm::dvec3 position{0.0};              ///< [m] world; the nozzle
-    glm::vec3 direction{1.0f, 0.0f, 0.0f}; ///< any length but 0; normalised on creation
-    float length = 6.0f;                   ///< [m] > 0; how far it pushes. The air carries the jet on beyond it.
-    float start_radius = 0.5f;             ///< [m] > 0, at the nozzle
-    float end_radius = 1.5f;               ///< [m] > 0, at the end; equal to start_radius: a cylinder
+    static constexpr const char* k_name = "jet";
+    static constexpr const char* k_meaning = "A nozzle: blows along a cone or cylinder.";
+    glm::dvec3 position{0.0};
+    glm::vec3 direction{1.0f, 0.0f, 0.0f};
+    float length = 6.0f;
+    float start_radius = 0.5f;
+    float end_radius = 1.5f;
     std::variant<Force, Drive> law = Drive{.speed = 12.0f, .rate = 8.0f};
     Envelope envelope{};
     Turbulence turbulence{};
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("position", &JetMotor::position, k_world_range, "The nozzle."),
+            Setting("direction", &JetMotor::direction, Range::direction(), "Any length; normalised on creation."),
+            Setting("length", &JetMotor::length, k_size_range, "How far it pushes. The air carries the jet on beyond it."),
+            Setting("start_radius", &JetMotor::start_radius, k_size_range, "Radius at the nozzle."),
+            Setting("end_radius", &JetMotor::end_radius, k_size_range, "Radius at the end; equal to start_radius: a cylinder."),
+            Setting("law", &JetMotor::law, "How it acts, at the nozzle."),
+            Setting("envelope", &JetMotor::envelope, "Strength over time."),
+            Setting("turbulence", &JetMotor::turbulence, "Eddies in the jet: they make it roll up and spread."),
+        };
+    }
 };
 
-/// A whirl: turns the air right-handed about an axis, fastest at 0.447 of the radius. A negative speed or acceleration turns it
-/// the other way.
+/// A vortex: turns the air right-handed about an axis, fastest at 0.447 of the radius. A negative speed or acceleration turns it
+/// the other way. The circulation is within 5 % where the fastest ring, at 0.447 of the radius, is 3.5 cells or wider.
 struct VortexMotor {
-    glm::dvec3 position{0.0};         ///< [m] world; the middle
-    glm::vec3 axis{0.0f, 1.0f, 0.0f}; ///< any length but 0; normalised on creation
-    /// [m] > 0; beyond it nothing acts. Circulation comes out within 5 % where the fastest ring, at 0.447 of it, is 3.5 cells or
-    /// wider.
+    static constexpr const char* k_name = "vortex";
+    static constexpr const char* k_meaning = "Turns the air right-handed about an axis.";
+    glm::dvec3 position{0.0};
+    glm::vec3 axis{0.0f, 1.0f, 0.0f};
     float radius = 4.0f;
-    float half_length = 4.0f; ///< [m] > 0; along the axis, to each end
-    float lift = 0.0f;        ///< push along the axis in the middle over the swirl; -10 to 10. A dust devil has about 0.5.
+    float half_length = 4.0f;
+    float lift = 0.0f;
     std::variant<Force, Drive> law = Drive{.speed = 8.0f, .rate = 8.0f};
     Envelope envelope{};
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("position", &VortexMotor::position, k_world_range, "The middle."),
+            Setting("axis", &VortexMotor::axis, Range::direction(), "Any length; normalised on creation."),
+            Setting("radius", &VortexMotor::radius, k_size_range, "Distance from the axis beyond which nothing acts."),
+            Setting("half_length", &VortexMotor::half_length, k_size_range, "Along the axis, from the middle to each end."),
+            Setting("lift", &VortexMotor::lift, {-10.0, 10.0},
+                    "Speed along the axis in the middle over the swirl. A dust devil has about 0.5."),
+            Setting("law", &VortexMotor::law, "How it acts, where it is fastest."),
+            Setting("envelope", &VortexMotor::envelope, "Strength over time."),
+        };
+    }
 };
 
 /// Air that comes out of a ball (a blast, a vent) or vanishes in it (suction). In incompressible air a radial push is a pure
@@ -163,20 +310,44 @@ struct VortexMotor {
 /// radius and falls as 1/distance^2 beyond: in a box every axis of which is open at one end at least, with walls as mirrors. There
 /// a source outside the box blows into it too.
 struct OmniMotor {
-    glm::dvec3 position{0.0}; ///< [m] world
-    float radius = 2.0f;      ///< [m] > 0
-    float speed = 5.0f;       ///< [m/s] outward at the radius, at most 1e4 in size; negative draws in
+    static constexpr const char* k_name = "omni";
+    static constexpr const char* k_meaning = "Air that comes out of a ball or vanishes in it.";
+    glm::dvec3 position{0.0};
+    float radius = 2.0f;
+    float speed = 5.0f;
     Envelope envelope{};
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("position", &OmniMotor::position, k_world_range, "Centre of the ball."),
+            Setting("radius", &OmniMotor::radius, k_size_range, "Radius of the ball."),
+            Setting("speed", &OmniMotor::speed, k_speed_range, "Outward speed at the radius; negative draws in."),
+            Setting("envelope", &OmniMotor::envelope, "Strength over time."),
+        };
+    }
 };
 
 /// A burst of pressure: air is thrown out, then drawn back, as behind a blast wave: outflow (1 - t/T) exp(-t/T) times its start,
 /// which leaves no air over. It begins when it is added, and removes itself 12 durations later, when 1e-4 of it is left. Based
 /// on: Friedlander 1946, Proceedings of the Royal Society A 186 (the wave's form in time).
 struct PressureMotor {
-    glm::dvec3 position{0.0}; ///< [m] world
-    float radius = 2.0f;      ///< [m] > 0
-    float speed = 20.0f;      ///< [m/s] outward at the radius in the first moment, at most 1e4 in size; negative: implosion
-    float duration = 0.2f;    ///< [s] T > 0: how long it throws out before it draws back
+    static constexpr const char* k_name = "pressure";
+    static constexpr const char* k_meaning = "A burst: air is thrown out, then drawn back.";
+    glm::dvec3 position{0.0};
+    float radius = 2.0f;
+    float speed = 20.0f;
+    float duration = 0.2f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("position", &PressureMotor::position, k_world_range, "Centre of the ball."),
+            Setting("radius", &PressureMotor::radius, k_size_range, "Radius of the ball."),
+            Setting("speed", &PressureMotor::speed, k_speed_range,
+                    "Outward speed at the radius in the first moment; negative: an implosion."),
+            Setting("duration", &PressureMotor::duration, Range::above(0.0, 1e9, "s"),
+                    "T: how long it throws out before it draws back."),
+        };
+    }
 
     /// Mean of the outflow's form between two ages [s].
     [[nodiscard]] double mean(double from, double to) const;
@@ -189,7 +360,7 @@ using Motor = std::variant<DirectionalMotor, WakeMotor, JetMotor, VortexMotor, O
 /// Every reason why a motor cannot be used, a line each.
 [[nodiscard]] Result<void> validate(const Motor& motor);
 
-/// [m] Where a motor stands.
+/// [m] Where a motor is.
 [[nodiscard]] glm::dvec3 position_of(const Motor& motor);
 
 namespace detail {

@@ -64,6 +64,9 @@ enum class Interpolation : std::uint8_t {
     cubic,  ///< Lagrange, 4x4x4: third order, overshoots by at most 1.25 an axis. The default.
 };
 
+template <>
+inline constexpr std::array<const char*, 2> k_words<Interpolation>{"linear", "cubic"};
+
 /// What `advect` moves and by which wind. All spans hold one value a cell.
 struct Transport {
     /// [m/s] The velocity to move; beyond open sides it is the ambient wind.
@@ -111,6 +114,8 @@ enum class DiffusionMethod : std::uint8_t {
     one_pass, ///< r <= 1/12: u + r L u, factor 1 - 4 r sum sin^2(kh/2) a mode.
     implicit, ///< above: backward Euler solved directly, factor 1 / (1 + 4 r sum sin^2(kh/2)); stable for any r.
 };
+template <>
+inline constexpr std::array<const char*, 3> k_words<DiffusionMethod>{"none", "one_pass", "implicit"};
 [[nodiscard]] DiffusionMethod diffusion_method(float viscosity, float dt, float cell_size);
 
 /// result = field after dt of diffusion with `viscosity` [m^2/s], walls and open sides as sides.h says. First order in time,

@@ -12,22 +12,34 @@
 #pragma once
 
 #include "fluid/result.h"
+#include "fluid/setting.h"
 
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <tuple>
 
 namespace windrow {
 
 enum class SideKind : std::uint8_t { open, free_slip, no_slip, periodic };
+template <>
+inline constexpr std::array<const char*, 4> k_words<SideKind>{"open", "free_slip", "no_slip", "periodic"};
 
 /// One side of the box.
 struct Side {
-    /// Default open: a window around a player lies in free air.
     SideKind kind = SideKind::open;
-    /// [m/s] Velocity of a no-slip wall, in the wall's own plane: a component along its normal is refused, and so is any
-    /// velocity on another kind, where it would do nothing. May change in every step.
     glm::vec3 wall_velocity{0.0f};
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("kind", &Side::kind,
+                    "open: the ambient wind is beyond. free_slip: a wall that holds no air back. no_slip: a wall that carries "
+                    "the air "
+                    "along. periodic: the far side of the box is beyond."),
+            Setting("wall_velocity", &Side::wall_velocity, k_speed_range,
+                    "Velocity of a no-slip wall, in its own plane; 0 on every other kind. May change in every step."),
+        };
+    }
 
     [[nodiscard]] bool solid() const { return kind == SideKind::free_slip || kind == SideKind::no_slip; }
     friend bool operator==(const Side&, const Side&) = default;
@@ -36,6 +48,14 @@ struct Side {
 /// The six sides in the order x low, x high, y low, y high, z low, z high. Any mix per face; periodic sides come in pairs.
 struct Sides {
     Side x_low{}, x_high{}, y_low{}, y_high{}, z_low{}, z_high{};
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("x_low", &Sides::x_low, "At the low end of x."), Setting("x_high", &Sides::x_high, "At its high end."),
+            Setting("y_low", &Sides::y_low, "Below: the floor."),    Setting("y_high", &Sides::y_high, "Above."),
+            Setting("z_low", &Sides::z_low, "At the low end of z."), Setting("z_high", &Sides::z_high, "At its high end."),
+        };
+    }
 
     /// end 0 is the low side, 1 the high side.
     [[nodiscard]] const Side& at(int axis, int end) const;
@@ -52,8 +72,13 @@ struct Sides {
     friend bool operator==(const Sides&, const Sides&) = default;
 };
 
-/// Refuses periodic sides without their partner and wall velocities that are not finite, leave the wall or lie on a wrong kind.
+/// Rejects periodic sides without their partner and wall velocities that are not finite, leave the wall or are of another kind.
 [[nodiscard]] Result<void> validate(const Sides& sides);
+namespace detail {
+class Reasons;
+struct FieldPath;
+} // namespace detail
+void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const Sides& sides);
 
 /// `ambient` without its components along axes that a wall closes: the wind that the open sides of such a box can carry.
 [[nodiscard]] glm::vec3 admissible_ambient(const Sides& sides, glm::vec3 ambient);

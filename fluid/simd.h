@@ -2,6 +2,8 @@
 // result, whatever the number of threads, and levels differ by rounding.
 #pragma once
 
+#include "fluid/setting.h"
+
 #include <cstdint>
 
 namespace windrow {
@@ -14,6 +16,9 @@ enum class Simd : std::uint8_t {
     avx2,   ///< AVX2 with FMA.
     avx512, ///< AVX-512 F, VL, DQ.
 };
+
+template <>
+inline constexpr std::array<const char*, 4> k_words<Simd>{"best", "baseline", "avx2", "avx512"};
 
 /// Whether this machine runs a level; `best` always.
 [[nodiscard]] bool runs(Simd level);

@@ -17,7 +17,8 @@
 namespace windrow {
 namespace {
 
-constexpr detail::Format k_format{"WINDSNAP", 3, "snapshot", "Wind::save"};
+constexpr detail::Format k_format{"WINDSNAP", detail::Layout("state 3").with<Config>().with<Motor>().version(), "snapshot",
+                                  "Wind::save"};
 constexpr double k_farthest_cells = 1e12;
 
 bool in_range(glm::dvec3 point, double most) {
@@ -33,47 +34,6 @@ bool in_range(CellIndex origin) {
 // --- Fields -----------------------------------------------------------------------------------------------------------------
 
 namespace detail {
-
-template <>
-inline constexpr std::uint8_t k_values_of<Scheme> = 2;
-template <>
-inline constexpr std::uint8_t k_values_of<Simd> = 4;
-template <>
-inline constexpr std::uint8_t k_values_of<Interpolation> = 2;
-template <>
-inline constexpr std::uint8_t k_values_of<DiffusionMethod> = 3;
-
-void fields(auto& archive, Like<LogProfile> auto& profile) {
-    auto& [roughness_length, reference_height] = profile;
-    archive(roughness_length, reference_height);
-}
-
-void fields(auto& archive, Like<Gusts> auto& gusts) { // a tile goes by its seed, see Wind::save
-    auto& [intensity, length, seed, tile] = gusts;
-    archive(intensity, length, seed);
-}
-
-void fields(auto& archive, Like<Canopy> auto& canopy) {
-    auto& [height, drag] = canopy;
-    archive(height, drag);
-}
-
-void fields(auto& archive, Like<Stages> auto& stages) {
-    auto& [sources, settling, diffusion, advection, projection] = stages;
-    archive(sources, settling, diffusion, advection, projection);
-}
-
-void fields(auto& archive, Like<Ticks> auto& ticks) {
-    auto& [hz, most] = ticks;
-    archive(hz, most);
-}
-
-void fields(auto& archive, Like<Config> auto& config) { // threads are the host's
-    auto& [cells, cell_size, sides, centre, follow_axes, ambient, profile, gusts, canopy, rim, viscosity, settling_time,
-           sleep_speed, scheme, interpolation, max_cfl, max_substeps, stages, ticks, simd, parallel_for] = config;
-    archive(cells, cell_size, sides, centre, follow_axes, ambient, profile, gusts, canopy, rim, viscosity, settling_time,
-            sleep_speed, scheme, interpolation, max_cfl, max_substeps, stages, ticks, simd);
-}
 
 void fields(auto& archive, Like<Diagnostics> auto& report) { // of a sleeper, whose times are 0
     auto& [stepped, out_of_memory, max_speed, cfl, substeps, substeps_capped, limited_cells, repaired_cells, motors_in_reach,

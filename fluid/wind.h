@@ -32,6 +32,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <vector>
 
 namespace windrow {
@@ -41,6 +42,9 @@ enum class Scheme : std::uint8_t {
     stable_fluids, ///< The classic split (Stam 1999): forces, diffusion, advection, projection, each whole: order 1.
 };
 
+template <>
+inline constexpr std::array<const char*, 2> k_words<Scheme>{"second_order", "stable_fluids"};
+
 /// Stages that run. A stage whose parameter is off costs nothing anyway; these switch off what a test does not want.
 /// Without advection there is no trajectory to centre forces on: the whole f dt acts in the step.
 struct Stages {
@@ -49,72 +53,137 @@ struct Stages {
     bool diffusion = true;
     bool advection = true;
     bool projection = true;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("sources", &Stages::sources, "Motors and the canopy."),
+            Setting("settling", &Stages::settling, "The return to the ambient wind."),
+            Setting("diffusion", &Stages::diffusion, "Viscosity."),
+            Setting("advection", &Stages::advection, "Transport of the air by itself."),
+            Setting("projection", &Stages::projection, "The pressure, which makes the air incompressible."),
+        };
+    }
 };
 
 /// Fixed ticks of `advance`.
 struct Ticks {
-    /// Ticks a second, 1 to 10000. Default 30: blended between ticks, no leaf tells it from 144, at a fifth of the cost.
     double hz = 30.0;
-    /// Most ticks in one call, 1 to 1000. Default 4. Time beyond them is dropped and reported: a slow machine gets a slower wind,
-    /// not an ever longer frame.
     int most = 4;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("hz", &Ticks::hz, {1.0, 1e4},
+                    "Ticks a second. At 30, blended between ticks, no leaf shows a difference from 144, at a fifth of the cost."),
+            Setting("most", &Ticks::most, {1.0, 1000.0},
+                    "Most ticks in one call. Time beyond them is dropped and reported: a slow machine gets a slower wind, not an "
+                    "ever "
+                    "longer frame."),
+        };
+    }
 };
 
 struct Config {
-    /// Cells along x, y, z; 1 to 2048 each. Default 32 x 16 x 32: 32 m around a player at 1 m, half as high.
     glm::ivec3 cells{32, 16, 32};
-    /// [m] Edge of a cell. Default 1: a gust that a person notices spans several.
     float cell_size = 1.0f;
-    /// Default open on all sides; Sides::open_over_floor() adds ground.
     Sides sides{};
-    /// [m] World position that the box is centred on at the start, to whole cells. On axes that do not follow, the centre for
-    /// good.
     glm::dvec3 centre{0.0};
-    /// Axes that `follow` moves. Default: every axis with two open sides. Asking it of another axis is refused.
     std::optional<glm::bvec3> follow_axes{};
-    /// [m/s] Mean wind: the start, what enters through open sides, what new cells get.
     glm::vec3 ambient{0.0f};
-    /// Default none: the mean wind is the same at all heights. With one it is `ambient` at the reference height and 0 at the
-    /// ground: the box's floor, or height 0 without one.
     std::optional<LogProfile> profile{};
-    /// Default none. With gusts the mean wind carries a pattern of them, outside the box and through it. The pattern does not
-    /// know periodic sides: it is torn where they meet.
     Gusts gusts{};
-    /// Default none: plants bend, but the wind does not feel them. With one it is slowed among them; what comes in through the
-    /// sides, and what settling returns to, is still the ambient wind. Off it costs nothing.
     std::optional<Canopy> canopy{};
-    /// [cells] Width over which sampled wind fades to ambient at the rim of a box that follows, 0 to 64. Default 2. It ends one
-    /// cell before the box does (two with ticks), so that a shift of the box moves nothing. 0: no rim, as axes of fewer than 8
-    /// cells (10 with ticks) have none.
     float rim = 2.0f;
-    /// [m^2/s] Kinematic viscosity, >= 0. Default that of air, which at 1 m cells is below what the solver resolves and costs
-    /// nothing.
     float viscosity = 1.5e-5f;
-    /// [s] Time in which air left alone comes back to ambient; 0: never (analytic cases). Default 20: no collocated solver damps
-    /// the checkerboard in still air by itself.
     float settling_time = 20.0f;
-    /// [m/s] Air that differs from ambient by less everywhere, with no motor in reach and no gusts, sleeps: it becomes ambient
-    /// and a step costs microseconds until something acts. Default 1e-3; 0: never. Nor does it sleep without a settling time or
-    /// while viscosity acts.
     float sleep_speed = 1e-3f;
     Scheme scheme = Scheme::second_order;
     Interpolation interpolation = Interpolation::cubic;
-    /// Cells that the air may cross in one sub-step, > 0. Above 2 the backtrace swallows thin motors; raise it to see the raw
-    /// step.
     float max_cfl = 2.0f;
-    /// Most sub-steps in a step, 1 to 64. Beyond max_cfl * max_substeps cells a step, speeds are limited (and counted).
     int max_substeps = 8;
     Stages stages{};
     Ticks ticks{};
-    /// Instructions of the hot loops. Default the best that this machine runs; each level gives one result, `baseline` the same
-    /// on all machines.
     Simd simd = Simd::best;
     /// Threads of the host; default serial. Results do not depend on it.
     ParallelFor parallel_for{};
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("cells", &Config::cells, Box::k_cells_range,
+                    "Cells along x, y, z; at most 67,108,864 in all. Odd sizes too. The default is 32 m around a player at 1 m, "
+                    "half as "
+                    "high."),
+            Setting("cell_size", &Config::cell_size, Box::k_cell_size_range,
+                    "Edge of a cell. At 1 m a gust that a person notices spans several."),
+            Setting("sides", &Config::sides,
+                    "What the air meets at each side of the box. Default: open everywhere; Sides::open_over_floor() adds ground. "
+                    "Periodic sides come in pairs."),
+            Setting("centre", &Config::centre, k_world_range,
+                    "Point that the box is centred on at the start, to whole cells; for good on axes that do not follow."),
+            Setting("follow_axes", &Config::follow_axes,
+                    "Axes x, y, z along which the box follows. Default: those with two open sides; others cannot."),
+            Setting(
+                "ambient", &Config::ambient, k_speed_range,
+                "Mean wind: the air at the start, what enters through open sides, what new cells get. Along an axis that a wall "
+                "closes it is dropped."),
+            Setting("profile", &Config::profile,
+                    "Wind over open ground: log((z + z0) / z0), 0 at the ground (the box's floor, or height 0 without one), the "
+                    "ambient wind at the reference height, more above. Default none: the same wind at all heights; {} for the "
+                    "profile with its own defaults."),
+            Setting(
+                "gusts", &Config::gusts,
+                "A frozen pattern that the ambient wind carries along, outside the box and through it. Calm air has none. The "
+                "pattern does not know periodic sides: it is torn where they meet."),
+            Setting(
+                "canopy", &Config::canopy,
+                "Plants that slow the wind among them, as high and as dense everywhere; on the floor, or at height 0 without "
+                "one. "
+                "What comes in through the sides, and what settling returns to, is still the ambient wind. Default none, which "
+                "costs nothing: plants bend, but the wind does not feel them; {} for wheat."),
+            Setting(
+                "rim", &Config::rim, {.least = 0.0, .most = 64.0, .unit = "cells", .zero = "none"},
+                "Width over which sampled wind fades to ambient at the sides along which the box follows. It ends one cell "
+                "before "
+                "the box does (two with ticks), so that a shift of the box moves nothing. Axes of fewer than 8 cells (10 with "
+                "ticks) have none."),
+            Setting("viscosity", &Config::viscosity, {0.0, 1e9, "m^2/s"},
+                    "Kinematic viscosity. Default: that of air, which at 1 m cells is below what the solver resolves and costs "
+                    "nothing."),
+            Setting(
+                "settling_time", &Config::settling_time, {0.0, 1e9, "s", "never"},
+                "Time in which air left alone comes back to ambient. Default 20: no collocated solver damps the checkerboard in "
+                "still air by itself. 0 is for analytic cases."),
+            Setting(
+                "sleep_speed", &Config::sleep_speed, {0.0, 1e4, "m/s", "never"},
+                "Air that differs from ambient by less everywhere, with no motor in reach and no gusts, sleeps: it becomes "
+                "ambient, and a step costs microseconds until something acts. It does not sleep without a settling time or while "
+                "viscosity acts."),
+            Setting(
+                "scheme", &Config::scheme,
+                "How a step is cut in time. second_order: semi-implicit semi-Lagrangian. stable_fluids: the classic split, first "
+                "order."),
+            Setting("interpolation", &Config::interpolation,
+                    "How the advection reads between cells. linear: never overshoots, smooths. cubic: third order."),
+            Setting(
+                "max_cfl", &Config::max_cfl, Range::above(0.0, 1e6),
+                "Cells that the air may cross in one sub-step. Above 2 the backtrace swallows thin motors; more shows the raw "
+                "step."),
+            Setting("max_substeps", &Config::max_substeps, {1.0, 64.0},
+                    "Most sub-steps in a step. Beyond max_cfl * max_substeps cells a step, speeds are limited (and counted)."),
+            Setting("stages", &Config::stages, "Stages that run.", k_in_snapshots),
+            Setting("ticks", &Config::ticks, "Fixed ticks of `advance`.", k_in_snapshots),
+            Setting(
+                "simd", &Config::simd,
+                "Instructions of the hot loops. Default: the best that this machine runs. Each level gives one result, baseline "
+                "the same on all machines.",
+                k_in_snapshots),
+            Setting("parallel_for", &Config::parallel_for, "Threads of the host.", k_not_stored),
+        };
+    }
 };
 
 /// Every reason why a config cannot be used, a line each.
 [[nodiscard]] Result<void> validate(const Config& config);
+void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const Config& config);
 
 /// What a call of `advance` did.
 struct Advance {

@@ -1,9 +1,8 @@
 #include "scene/json_object.h"
 
-#include "fluid/message.h"
+#include "fluid/validation.h"
 #include "scene/json_document.h"
 #include "scene/nearest_word.h"
-#include "scene/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,26 +10,12 @@
 namespace windrow::scene {
 namespace {
 
-using detail::message;
+using detail::Figure, detail::message;
 using nlohmann::json;
 
-std::string with_unit(double number, const char* unit) {
-    return message(figure(number), *unit == '\0' ? "" : " ", unit);
-}
-
-/// "give a number above 0, at most 1000 m"
-std::string describe(const NumberRule& rule) {
-    const bool low = std::isfinite(rule.least);
-    const bool high = std::isfinite(rule.most);
-    if (low && rule.above_least && high)
-        return message("give a number above ", figure(rule.least), ", at most ", with_unit(rule.most, rule.unit));
-    if (low && rule.above_least)
-        return message("give a number above ", with_unit(rule.least, rule.unit));
-    if (low && high)
-        return message("give ", figure(rule.least), " to ", with_unit(rule.most, rule.unit));
-    if (low)
-        return message("give at least ", with_unit(rule.least, rule.unit));
-    return high ? message("give at most ", with_unit(rule.most, rule.unit)) : std::string("give a number");
+/// A default that a file can hold.
+std::optional<json> finite(float value) {
+    return std::isfinite(value) ? std::optional<json>(value) : std::nullopt;
 }
 
 } // namespace
@@ -47,60 +32,59 @@ JsonObject::JsonObject(const json& value, std::string path, std::string pattern,
 
 // --- Values ----------------------------------------------------------------------------------------------------------
 
-std::optional<double> JsonObject::check_number(const json& value, const std::string& path, const NumberRule& rule, ReadLog& log) {
+std::optional<double> JsonObject::check_number(const json& value, const std::string& path, const Range& rule, ReadLog& log) {
     if (!value.is_number()) {
         log.refuse(path, message("is ", quote_json(value), ": give a number."));
         return std::nullopt;
     }
     const auto number = value.get<double>();
-    const bool low = rule.above_least ? number > rule.least : number >= rule.least;
-    if (!low || number > rule.most || !std::isfinite(number)) {
-        log.refuse(path, message("is ", with_unit(number, rule.unit), ": ", describe(rule), "."));
+    if (!rule.holds(number) || !std::isfinite(number)) {
+        log.refuse(path, message("is ", Figure{number}, detail::Unit{rule.unit}, ": give ", detail::Bounds{rule}, "."));
         return std::nullopt;
     }
     return number;
 }
 
-double JsonObject::number(const char* key, double fallback, const NumberRule& rule) {
+double JsonObject::number(const Key& key, double fallback, const Range& rule) {
     const json* const value = note({.type = "number", .fallback = fallback, .rule = rule}, key);
     return value == nullptr ? fallback : check_number(*value, path_of(key), rule, *log_).value_or(fallback);
 }
 
-std::optional<double> JsonObject::optional_number(const char* key, const NumberRule& rule) {
+std::optional<double> JsonObject::optional_number(const Key& key, const Range& rule) {
     const json* const value = note({.type = "number", .rule = rule}, key);
     return value == nullptr ? std::nullopt : check_number(*value, path_of(key), rule, *log_);
 }
 
-double JsonObject::required_number(const char* key, const NumberRule& rule) {
+double JsonObject::required_number(const Key& key, const Range& rule) {
     const json* const value = note({.type = "number", .required = true, .rule = rule}, key);
     return value == nullptr ? rule.least : check_number(*value, path_of(key), rule, *log_).value_or(rule.least);
 }
 
-float JsonObject::real(const char* key, float fallback, const NumberRule& rule) {
-    const json* const value = note({.type = "number", .fallback = fallback, .rule = rule}, key);
+float JsonObject::real(const Key& key, float fallback, const Range& rule) {
+    const json* const value = note({.type = "number", .fallback = finite(fallback), .rule = rule}, key);
     if (value == nullptr)
         return fallback;
     const auto number = check_number(*value, path_of(key), rule, *log_);
     return number ? static_cast<float>(*number) : fallback;
 }
 
-std::int64_t JsonObject::whole(const char* key, std::int64_t fallback, const NumberRule& rule) {
+std::int64_t JsonObject::whole(const Key& key, std::int64_t fallback, const Range& rule) {
     const json* const value = note({.type = "integer", .fallback = fallback, .rule = rule}, key);
     if (value == nullptr)
         return fallback;
     const auto number = check_number(*value, path_of(key), rule, *log_);
     if (number && *number != std::floor(*number)) {
-        refuse(key, message("is ", figure(*number), ": give a whole number."));
+        refuse(key, message("is ", Figure{*number}, ": give a whole number."));
         return fallback;
     }
     return number ? static_cast<std::int64_t>(*number) : fallback;
 }
 
-int JsonObject::integer(const char* key, int fallback, const NumberRule& rule) {
+int JsonObject::integer(const Key& key, int fallback, const Range& rule) {
     return static_cast<int>(whole(key, fallback, rule));
 }
 
-bool JsonObject::boolean(const char* key, bool fallback) {
+bool JsonObject::boolean(const Key& key, bool fallback) {
     const json* const value = note({.type = "boolean", .fallback = fallback}, key);
     if (value == nullptr || value->is_boolean())
         return value == nullptr ? fallback : value->get<bool>();
@@ -108,15 +92,15 @@ bool JsonObject::boolean(const char* key, bool fallback) {
     return fallback;
 }
 
-std::string JsonObject::text(const char* key, const std::string& fallback) {
-    const json* const value = note({.type = "string", .fallback = fallback}, key);
+std::string JsonObject::text(const Key& key, const std::string& fallback, const char* type) {
+    const json* const value = note({.type = type, .fallback = fallback}, key);
     if (value == nullptr || value->is_string())
         return value == nullptr ? fallback : value->get<std::string>();
     refuse(key, message("is ", quote_json(*value), ": give a text in double quotes."));
     return fallback;
 }
 
-std::size_t JsonObject::word_index(const char* key, const std::string& fallback, std::vector<std::string> words) {
+std::size_t JsonObject::word_index(const Key& key, const std::string& fallback, std::vector<std::string> words) {
     KnownKey known{.type = "string", .required = fallback.empty(), .words = words};
     if (!fallback.empty())
         known.fallback = fallback;
@@ -133,8 +117,7 @@ std::size_t JsonObject::word_index(const char* key, const std::string& fallback,
     return words.size();
 }
 
-std::optional<std::size_t> JsonObject::name(const char* key, std::span<const std::string> names, const char* what,
-                                            bool required) {
+std::optional<std::size_t> JsonObject::name(const Key& key, std::span<const std::string> names, const char* what, bool required) {
     const json* const value = note({.type = "name", .required = required}, key);
     if (value == nullptr)
         return std::nullopt;
@@ -155,16 +138,16 @@ std::optional<std::size_t> JsonObject::name(const char* key, std::span<const std
 
 // --- What holds more -------------------------------------------------------------------------------------------------
 
-JsonObject JsonObject::object(const char* key) {
+JsonObject JsonObject::object(const Key& key) {
     static const json k_empty = json::object();
     const json* const value = note({.type = "object"}, key);
-    JsonObject child(value == nullptr ? k_empty : *value, path_of(key), join_json_path(pattern_, key), *log_);
+    JsonObject child(value == nullptr ? k_empty : *value, path_of(key), join_json_path(pattern_, key.name), *log_);
     child.broken_ = child.broken_ || broken_;
     return child;
 }
 
-std::span<const json> JsonObject::array(const char* key, std::size_t most) {
-    const json* const value = note({.type = "array"}, key);
+std::span<const json> JsonObject::array(const Key& key, std::size_t most, const char* type, const Range& rule) {
+    const json* const value = note({.type = type, .rule = rule, .most_items = most}, key);
     if (value == nullptr)
         return {};
     if (!value->is_array()) {
@@ -191,6 +174,7 @@ std::size_t JsonObject::one_of(std::initializer_list<const char*> keys, const ch
         }
         asked_.emplace_back(key);
     }
+    log_->know({.pattern = pattern_, .type = "one of", .required = fallback == nullptr});
     if (held == 1)
         return chosen;
     if (held == 0 && fallback != nullptr && value_->empty())
@@ -204,15 +188,29 @@ std::size_t JsonObject::one_of(std::initializer_list<const char*> keys, const ch
     return keys.size();
 }
 
-const json* JsonObject::find(const char* key, const char* type) {
-    return note({.type = type}, key);
+void JsonObject::not_both(const char* one, const char* other) {
+    log_->know({.pattern = pattern_, .type = "not both", .words = {one, other}});
+    if (value_->contains(one) && value_->contains(other))
+        refuse(message("holds both \"", one, "\" and \"", other, "\": keep one of them."));
 }
 
-const json* JsonObject::note(KnownKey key, const char* name) {
+void JsonObject::needs(const char* key, const char* wanted, std::string_view why) {
+    log_->know({.pattern = pattern_, .type = "needs", .words = {wanted, key}});
+    if (value_->contains(key) && !value_->contains(wanted))
+        refuse(key, why);
+}
+
+const json* JsonObject::find(const Key& key, const char* type, const Range& rule) {
+    return note({.type = type, .rule = rule}, key);
+}
+
+const json* JsonObject::note(KnownKey key, const Key& asked) {
+    const char* const name = asked.name;
     if (std::find(asked_.begin(), asked_.end(), name) == asked_.end())
         asked_.emplace_back(name);
     const bool required = key.required;
     key.pattern = join_json_path(pattern_, name);
+    key.meaning = asked.meaning;
     log_->know(std::move(key));
     const auto found = value_->find(name);
     if (found != value_->end())
@@ -237,14 +235,15 @@ void JsonObject::finish() {
 void JsonObject::refuse(std::string_view rest) {
     log_->refuse(path_, rest);
 }
-void JsonObject::refuse(const char* key, std::string_view rest) {
+void JsonObject::refuse(const Key& key, std::string_view rest) {
     log_->refuse(path_of(key), rest);
 }
-void JsonObject::set_kind(std::string_view kind) {
+void JsonObject::set_kind(std::string_view kind, const char* meaning) {
     pattern_ += message("(", kind, ")");
+    log_->know({.pattern = pattern_, .type = "kind", .meaning = meaning});
 }
-std::string JsonObject::path_of(const char* key) const {
-    return join_json_path(path_, key);
+std::string JsonObject::path_of(const Key& key) const {
+    return join_json_path(path_, key.name);
 }
 
 } // namespace windrow::scene

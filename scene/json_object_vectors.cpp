@@ -1,8 +1,7 @@
 // What a JsonObject reads as several numbers: vectors, pairs, flags of the axes.
-#include "fluid/message.h"
+#include "fluid/validation.h"
 #include "scene/json_document.h"
 #include "scene/json_object.h"
-#include "scene/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,33 +18,39 @@ json to_json(glm::dvec3 vector) {
 
 } // namespace
 
-std::optional<glm::dvec3> JsonObject::check_vector(const json& value, const std::string& path, const NumberRule& rule,
-                                                   ReadLog& log) {
+std::optional<glm::dvec3> JsonObject::check_vector(const json& value, const std::string& path, const Range& rule, ReadLog& log) {
     if (!value.is_array() || value.size() != 3) {
         log.refuse(path, message("is ", quote_json(value), ": give three numbers, [x, y, z]."));
         return std::nullopt;
     }
+    Range each = rule;
+    if (rule.measure == Measure::length)
+        each.least = -rule.most;
     glm::dvec3 vector{0.0};
     bool good = true;
     for (int axis = 0; axis < 3; ++axis) {
-        const auto number = check_number(value[static_cast<std::size_t>(axis)], message(path, "[", axis, "]"), rule, log);
+        const auto number = check_number(value[static_cast<std::size_t>(axis)], message(path, "[", axis, "]"), each, log);
         good = good && number.has_value();
         vector[axis] = number.value_or(0.0);
+    }
+    if (good && rule.measure != Measure::component && !detail::holds(rule, vector)) {
+        log.refuse(path, message("is ", value.dump(), ": give ", detail::VectorBounds{rule}, "."));
+        good = false;
     }
     return good ? std::optional(vector) : std::nullopt;
 }
 
-glm::dvec3 JsonObject::vector(const char* key, glm::dvec3 fallback, const NumberRule& rule) {
+glm::dvec3 JsonObject::vector(const Key& key, glm::dvec3 fallback, const Range& rule) {
     const json* const value = note({.type = "vector", .fallback = to_json(fallback), .rule = rule}, key);
     return value == nullptr ? fallback : check_vector(*value, path_of(key), rule, *log_).value_or(fallback);
 }
 
-std::optional<glm::dvec3> JsonObject::optional_vector(const char* key, const NumberRule& rule) {
+std::optional<glm::dvec3> JsonObject::optional_vector(const Key& key, const Range& rule) {
     const json* const value = note({.type = "vector", .rule = rule}, key);
     return value == nullptr ? std::nullopt : check_vector(*value, path_of(key), rule, *log_);
 }
 
-glm::ivec3 JsonObject::integers(const char* key, glm::ivec3 fallback, const NumberRule& rule) {
+glm::ivec3 JsonObject::integers(const Key& key, glm::ivec3 fallback, const Range& rule) {
     const json* const value =
         note({.type = "integers", .fallback = json::array({fallback.x, fallback.y, fallback.z}), .rule = rule}, key);
     const auto numbers = value == nullptr ? std::nullopt : check_vector(*value, path_of(key), rule, *log_);
@@ -54,13 +59,13 @@ glm::ivec3 JsonObject::integers(const char* key, glm::ivec3 fallback, const Numb
     for (int axis = 0; axis < 3; ++axis)
         if ((*numbers)[axis] != std::floor((*numbers)[axis])) {
             log_->refuse(message(path_of(key), "[", axis, "]"),
-                         message("is ", figure((*numbers)[axis]), ": give a whole number."));
+                         message("is ", detail::Figure{(*numbers)[axis]}, ": give a whole number."));
             return fallback;
         }
     return glm::ivec3(*numbers);
 }
 
-std::optional<glm::dvec2> JsonObject::check_pair(const char* key, const json* value, const NumberRule& rule, const char* names) {
+std::optional<glm::dvec2> JsonObject::check_pair(const Key& key, const json* value, const Range& rule, const char* names) {
     if (value == nullptr)
         return std::nullopt;
     if (!value->is_array() || value->size() != 2) {
@@ -72,25 +77,26 @@ std::optional<glm::dvec2> JsonObject::check_pair(const char* key, const json* va
     return first && second ? std::optional(glm::dvec2(*first, *second)) : std::nullopt;
 }
 
-glm::dvec2 JsonObject::pair(const char* key, glm::dvec2 fallback, const NumberRule& rule, const char* names) {
+glm::dvec2 JsonObject::pair(const Key& key, glm::dvec2 fallback, const Range& rule, const char* names) {
     const json* const value = note({.type = "pair", .fallback = json::array({fallback.x, fallback.y}), .rule = rule}, key);
     return check_pair(key, value, rule, names).value_or(fallback);
 }
 
-glm::ivec2 JsonObject::whole_pair(const char* key, glm::ivec2 fallback, const NumberRule& rule, const char* names) {
+glm::ivec2 JsonObject::whole_pair(const Key& key, glm::ivec2 fallback, const Range& rule, const char* names) {
     const json* const value = note({.type = "whole pair", .fallback = json::array({fallback.x, fallback.y}), .rule = rule}, key);
     const auto numbers = check_pair(key, value, rule, names);
     if (!numbers)
         return fallback;
     for (int n = 0; n < 2; ++n)
         if ((*numbers)[n] != std::floor((*numbers)[n])) {
-            log_->refuse(message(path_of(key), "[", n, "]"), message("is ", figure((*numbers)[n]), ": give a whole number."));
+            log_->refuse(message(path_of(key), "[", n, "]"),
+                         message("is ", detail::Figure{(*numbers)[n]}, ": give a whole number."));
             return fallback;
         }
     return glm::ivec2(*numbers);
 }
 
-std::optional<glm::bvec3> JsonObject::optional_flags(const char* key) {
+std::optional<glm::bvec3> JsonObject::optional_flags(const Key& key) {
     const json* const value = note({.type = "flags"}, key);
     if (value == nullptr)
         return std::nullopt;

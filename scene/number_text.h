@@ -1,6 +1,8 @@
 // Numbers from text and back, the same in every locale: a decimal comma in the user's settings must not change a scene.
 #pragma once
 
+#include "fluid/validation.h"
+
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -37,21 +39,7 @@ namespace windrow::scene {
 
 /// A number as a person writes it: 500000, 0.25, 1e6, 1e-9.
 [[nodiscard]] inline std::string figure(double value) {
-    char digits[64];
-    const bool whole = value == std::trunc(value) && std::abs(value) < 1e6;
-    const auto end = whole ? std::to_chars(digits, digits + sizeof digits, static_cast<long>(value)).ptr
-                           : std::to_chars(digits, digits + sizeof digits, value).ptr;
-    std::string text(digits, end);
-    // The standard's exponent has a sign and two digits at least.
-    if (const std::size_t exponent = text.find('e'); exponent != text.npos) {
-        const std::size_t first = exponent + 1;
-        if (text[first] == '+')
-            text.erase(first, 1);
-        const std::size_t digit = text[first] == '-' ? first + 1 : first;
-        if (text[digit] == '0' && digit + 1 < text.size())
-            text.erase(digit, 1);
-    }
-    return text;
+    return detail::message(detail::Figure{value});
 }
 
 } // namespace windrow::scene

@@ -1,10 +1,8 @@
-#include "scene/path_reader.h"
-
+#include "fluid/input_file.h"
 #include "fluid/message.h"
-#include "scene/air_reader.h"
-#include "scene/file_beside.h"
 #include "scene/json_document.h"
 #include "scene/path_csv.h"
+#include "scene/scene_parts.h"
 
 #include <cmath>
 
@@ -18,7 +16,9 @@ constexpr std::size_t k_most_paths = 4096;
 
 MotionPath read_points(JsonObject& object) {
     std::vector<PathPoint> points;
-    const auto items = object.array("points", MotionPath::k_most_points);
+    const auto items = object.array(
+        {"points", "A time and a position each, [t, x, y, z] in s and m, each number at most 1e9 in size; times increase."},
+        MotionPath::k_most_points, "points", {-MotionPath::k_farthest, MotionPath::k_farthest});
     const std::size_t faults_before = object.log().faults();
     for (std::size_t i = 0; i < items.size(); ++i) {
         const json& item = items[i];
@@ -29,7 +29,7 @@ MotionPath read_points(JsonObject& object) {
         }
         double values[4] = {};
         for (std::size_t k = 0; k < 4; ++k) {
-            const NumberRule rule{.least = -MotionPath::k_farthest, .most = MotionPath::k_farthest, .unit = k == 0 ? "s" : "m"};
+            const Range rule{.least = -MotionPath::k_farthest, .most = MotionPath::k_farthest, .unit = k == 0 ? "s" : "m"};
             values[k] = JsonObject::check_number(item[k], message(path, "[", k, "]"), rule, object.log()).value_or(0.0);
         }
         if (!points.empty() && !(values[0] > points.back().time) && object.log().faults() == faults_before)
@@ -43,7 +43,11 @@ MotionPath read_points(JsonObject& object) {
 }
 
 MotionPath read_table(JsonObject& object, const std::filesystem::path& folder) {
-    const auto file = file_beside(object, "file", folder);
+    const auto file =
+        file_beside(object,
+                    {"file", "A table t,x,y,z with a point a line, in the scene's folder and named relative to it. A "
+                             "line of the columns' names, lines that begin with # and empty lines are skipped."},
+                    folder);
     if (!file)
         return {};
     auto path = read_path_csv(*file, folder, object.log().budget());
@@ -56,9 +60,24 @@ MotionPath read_table(JsonObject& object, const std::filesystem::path& folder) {
 
 } // namespace
 
+std::optional<std::filesystem::path> file_beside(JsonObject& object, const Key& key, const std::filesystem::path& folder) {
+    const std::string name = object.text(key, "", "file");
+    const auto value = object.value().find(key.name);
+    if (value == object.value().end() || !value->is_string())
+        return std::nullopt;
+    if (detail::is_name_inside(name))
+        return folder / std::filesystem::path(name).lexically_normal();
+    object.refuse(key, detail::message("is ", quote_json(*value),
+                                       ": name a file in the scene's folder, relative to it, so that the folder can be handed on "
+                                       "as a whole."));
+    return std::nullopt;
+}
+
 std::vector<ScenePath> read_paths(JsonObject& scene, const std::filesystem::path& folder) {
     std::vector<ScenePath> paths;
-    JsonObject list = scene.object("paths");
+    JsonObject list =
+        scene.object({"paths", "Paths by name, for follow, floor and motors: straight lines between points. Before the first "
+                               "point it waits there, after the last it stays there."});
     if (list.value().size() > k_most_paths) {
         list.refuse(message("holds ", list.value().size(), " paths: give at most ", k_most_paths, "."));
         return paths;

@@ -2,6 +2,8 @@
 
 #include "fluid/message.h"
 
+#include <algorithm>
+
 namespace windrow::scene {
 
 void ReadLog::refuse(std::string_view path, std::string_view rest) {
@@ -17,6 +19,14 @@ void ReadLog::refuse_as_is(std::string sentence) {
     if (!text_.empty())
         text_ += '\n';
     text_ += sentence;
+}
+
+void ReadLog::refuse_lines(std::string_view lines) {
+    while (!lines.empty()) {
+        const std::size_t end = std::min(lines.find('\n'), lines.size());
+        refuse_as_is(detail::message(file_, ": ", lines.substr(0, end)));
+        lines.remove_prefix(std::min(end + 1, lines.size()));
+    }
 }
 
 void ReadLog::know(KnownKey key) {

@@ -3,8 +3,8 @@
 
 #include "fluid/input_budget.h"
 #include "fluid/result.h"
+#include "fluid/setting.h"
 
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -13,24 +13,20 @@
 
 namespace windrow::scene {
 
-/// What a number may be.
-struct NumberRule {
-    double least = -std::numeric_limits<double>::infinity();
-    double most = std::numeric_limits<double>::infinity();
-    bool above_least = false; ///< `least` itself is refused
-    const char* unit = "";    ///< for the sentence
-};
-
 /// A key that the reader asked for. `pattern` is its path with [] for an index, * for a free name and (kind) behind an object
 /// that comes in kinds: `$.motors[](wake).law.drive.per_metre`.
 struct KnownKey {
     std::string pattern = {};
-    /// number, integer, boolean, string, name, vector, integers, pair, whole pair, flags, object, array, or two with "or"
+    /// number, integer, boolean, string, name, file, vector, integers, pair, whole pair, flags, points, object, array, or two with "or";
+    /// of the object itself: "one of", where it holds one key at most; "not both", of the two keys in `words`; "needs", of the first
+    /// key where it holds the second; "kind", what it is
     std::string type = {};
     bool required = false;
     std::optional<nlohmann::json> fallback = {};
-    NumberRule rule = {};
+    Range rule = {};
     std::vector<std::string> words = {}; ///< what a string may be
+    std::string meaning = {};            ///< for people who write scenes
+    std::size_t most_items = 0;          ///< of an array
 };
 
 class ReadLog {
@@ -44,6 +40,8 @@ class ReadLog {
     void refuse(std::string_view path, std::string_view rest);
     /// Notes a fault that names its own place.
     void refuse_as_is(std::string sentence);
+    /// Notes the faults of a validation, a line each.
+    void refuse_lines(std::string_view lines);
     void know(KnownKey key);
 
     [[nodiscard]] const std::string& file() const { return file_; }

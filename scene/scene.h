@@ -12,8 +12,20 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <variant>
 #include <vector>
+
+namespace windrow {
+namespace scene {
+enum class VdbPrecision : std::uint8_t { full, half };
+enum class VdbUp : std::uint8_t { y, z };
+} // namespace scene
+template <>
+inline constexpr std::array<const char*, 2> k_words<scene::VdbPrecision>{"full", "half"};
+template <>
+inline constexpr std::array<const char*, 2> k_words<scene::VdbUp>{"y", "z"};
+} // namespace windrow
 
 namespace windrow::scene {
 
@@ -33,16 +45,21 @@ struct ScenePath {
 };
 
 struct PicturesSetting {
-    /// [m] Height of the level slice above the floor, or above the followed point in a box without a floor.
     double slice_height = 1.0;
-    /// [m/s] Speed at the top of the colour bar.
     float speed_scale = 10.0f;
-    /// [pixels] The height follows from the box's shape.
     int width = 1600;
-};
 
-enum class VdbPrecision : std::uint8_t { full, half };
-enum class VdbUp : std::uint8_t { y, z };
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("slice_height", &PicturesSetting::slice_height, {-MotionPath::k_farthest, MotionPath::k_farthest, "m"},
+                    "Height of the horizontal slice above the floor, or above the followed point in a box without a floor."),
+            Setting("speed_scale", &PicturesSetting::speed_scale, {0.001, 1e4, "m/s"},
+                    "Speed at the top of the colour bar, the same for all frames."),
+            Setting("width", &PicturesSetting::width, {640.0, 8000.0, "pixels"},
+                    "Width of a picture; the height follows from the box's shape. An odd one loses a pixel."),
+        };
+    }
+};
 
 /// What windrow::vdb::Options takes; kept apart so that scenes are read, and checked, without OpenVDB too.
 struct VdbSetting {
@@ -50,6 +67,16 @@ struct VdbSetting {
     bool three_scalars = false;
     VdbPrecision precision = VdbPrecision::full;
     VdbUp up = VdbUp::y;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("name", &VdbSetting::name, "Name of the grid. Blender and Houdini know vel."),
+            Setting("three_scalars", &VdbSetting::three_scalars,
+                    "Three grids name.x, name.y, name.z instead of one grid of vectors."),
+            Setting("precision", &VdbSetting::precision, "full: 32 bits, the solver's values. half: 16 bits, half the disk."),
+            Setting("up", &VdbSetting::up, "The axis that points up. y: as in the scene and in Houdini. z: as in Blender."),
+        };
+    }
 };
 
 struct Scene {

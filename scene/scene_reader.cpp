@@ -1,13 +1,10 @@
 #include "scene/scene_reader.h"
 
 #include "fluid/message.h"
-#include "scene/air_reader.h"
 #include "scene/json_document.h"
-#include "scene/json_object.h"
-#include "scene/motor_reader.h"
 #include "scene/nearest_word.h"
-#include "scene/number_text.h"
-#include "scene/path_reader.h"
+#include "scene/scene_parts.h"
+#include "scene/setting_reader.h"
 #include "scene/text_file.h"
 
 #include <algorithm>
@@ -15,7 +12,7 @@
 namespace windrow::scene {
 namespace {
 
-using detail::message;
+using detail::Figure, detail::message;
 using nlohmann::json;
 
 /// The name becomes a folder's.
@@ -36,7 +33,10 @@ std::string read_name(JsonObject& object, const std::filesystem::path& file) {
     std::string fallback = file.stem().string();
     if (fault_of_name(fallback) != nullptr)
         fallback = "scene";
-    std::string name = object.text("name", fallback);
+    std::string name =
+        object.text({"name", "Names the output folder and is written over the pictures; no slash, no control character, does not "
+                             "begin with a dot, a minus or a space. Default: the file's name."},
+                    fallback, "file name");
     if (const char* fix = fault_of_name(name)) {
         object.refuse("name", message("is ", quote_json(json(name)), ": ", fix, "."));
         return fallback;
@@ -57,7 +57,10 @@ std::optional<std::size_t> path_index(JsonObject& object, const char* key, const
 }
 
 void read_follow(JsonObject& object, Scene& scene, std::span<const std::string> names) {
-    const json* const value = object.find("follow", "name or vector");
+    const json* const value = object.find(
+        {"follow",
+         "What the box follows: the name of a path, or a fixed point [m]. Default: nothing; the box stays at air.centre."},
+        "name or vector", k_place_rule);
     if (value == nullptr)
         return;
     if (value->is_string()) {
@@ -79,7 +82,11 @@ void read_follow(JsonObject& object, Scene& scene, std::span<const std::string> 
 }
 
 void read_floor(JsonObject& object, Scene& scene, std::span<const std::string> names) {
-    const json* const value = object.find("floor", "number or name");
+    const json* const value = object.find(
+        {"floor",
+         "Height of the ground [m], which the low y side of the box is put at, to whole cells: a number, or the name of a path "
+         "whose height it takes. Only with a wall at air.sides.y_low; then the default is 0."},
+        "number or name", k_place_rule);
     if (value == nullptr)
         return;
     if (value->is_string()) {
@@ -98,41 +105,43 @@ void read_floor(JsonObject& object, Scene& scene, std::span<const std::string> n
 
 void read_times(JsonObject& object, Scene& scene) {
     const std::size_t faults_before = object.log().faults();
-    scene.duration = object.number("duration", scene.duration, {.least = 0.0, .most = 1e6, .above_least = true, .unit = "s"});
-    scene.tick_hz = object.number("tick_hz", scene.tick_hz, {.least = 1.0, .most = 10'000.0, .unit = "Hz"});
-    scene.frames_per_second =
-        object.number("frames_per_second", scene.frames_per_second, {.least = 0.001, .most = 10'000.0, .unit = "1/s"});
+    scene.duration =
+        object.number({"duration", "Time from the first frame to the last; at most 100,000 frames and 10,000,000 ticks."},
+                      scene.duration, Range::above(0.0, 1e6, "s"));
+    scene.tick_hz = object.number({"tick_hz", "Steps of the solver a second."}, scene.tick_hz, {1.0, 10'000.0, "Hz"});
+    scene.frames_per_second = object.number(
+        {"frames_per_second", "Frames that are kept a second, at most tick_hz. Frame i is the air at the tick nearest to "
+                              "i / frames_per_second; frame 0 is the air before the first step."},
+        scene.frames_per_second, {0.001, 10'000.0, "1/s"});
     if (object.log().faults() != faults_before)
         return;
     if (scene.frames_per_second > scene.tick_hz)
-        object.refuse("frames_per_second", message("is ", figure(scene.frames_per_second), " 1/s, more than tick_hz, ",
-                                                   figure(scene.tick_hz), " Hz: give at most that, or raise tick_hz."));
+        object.refuse("frames_per_second", message("is ", Figure{scene.frames_per_second}, " 1/s, more than tick_hz, ",
+                                                   Figure{scene.tick_hz}, " Hz: give at most that, or raise tick_hz."));
     else if (scene.frame_count() > k_most_frames)
-        object.refuse("duration", message("is ", figure(scene.duration), " s, ", scene.frame_count(), " frames: give at most ",
+        object.refuse("duration", message("is ", Figure{scene.duration}, " s, ", scene.frame_count(), " frames: give at most ",
                                           k_most_frames, " frames, by a shorter duration or fewer frames_per_second."));
     else if (scene.tick_of_frame(scene.frame_count() - 1) > k_most_ticks)
         object.refuse("duration",
-                      message("is ", figure(scene.duration), " s, ", scene.tick_of_frame(scene.frame_count() - 1),
+                      message("is ", Figure{scene.duration}, " s, ", scene.tick_of_frame(scene.frame_count() - 1),
                               " ticks: give at most ", k_most_ticks, " ticks, by a shorter duration or a lower tick_hz."));
 }
 
 void read_outputs(JsonObject& object, Scene& scene) {
-    JsonObject pictures = object.object("pictures");
-    scene.pictures.slice_height = pictures.number("slice_height", scene.pictures.slice_height, k_place_rule);
-    scene.pictures.speed_scale =
-        pictures.real("speed_scale", scene.pictures.speed_scale, {.least = 0.001, .most = 1e4, .unit = "m/s"});
-    scene.pictures.width = pictures.integer("width", scene.pictures.width, {.least = 640, .most = 8000, .unit = "pixels"});
-    pictures.finish();
+    read_object(object.object({"pictures", "How frames are drawn."}), scene.pictures);
 
-    JsonObject vdb = object.object("vdb");
-    scene.vdb.name = vdb.text("name", scene.vdb.name);
-    if (const char* fix = fault_of_name(scene.vdb.name); fix != nullptr)
-        vdb.refuse("name", message("is ", quote_json(json(scene.vdb.name)),
-                                   ": leave out slashes and control characters, 1 to 100 bytes."));
-    scene.vdb.three_scalars = vdb.boolean("three_scalars", scene.vdb.three_scalars);
-    scene.vdb.precision =
-        vdb.word("precision", scene.vdb.precision, {{"full", VdbPrecision::full}, {"half", VdbPrecision::half}});
-    scene.vdb.up = vdb.word("up", scene.vdb.up, {{"y", VdbUp::y}, {"z", VdbUp::z}});
+    JsonObject vdb = object.object({"vdb", "How VDB files are written."});
+    read_settings(vdb, scene.vdb, [&](const auto& row, auto& member) {
+        if constexpr (std::same_as<std::remove_cvref_t<decltype(member)>, std::string>) {
+            member = vdb.text({row.name, row.meaning}, member, "file name");
+            if (const char* fix = fault_of_name(member); fix != nullptr)
+                vdb.refuse(row.name, message("is ", quote_json(json(member)),
+                                             ": leave out slashes and control characters, 1 to 100 bytes."));
+            return true;
+        } else {
+            return false;
+        }
+    });
     vdb.finish();
 }
 
@@ -161,12 +170,11 @@ Result<Scene> read_scene_json(const json& document, const std::filesystem::path&
     Scene scene;
     scene.file = file;
     // Editors find the schema by this key; it means nothing to a run.
-    (void)object.text("$schema", "");
+    (void)object.text({"$schema", "Where an editor finds the schema. Means nothing to a run."}, "");
     scene.name = read_name(object, file);
-    scene.description = object.text("description", "");
+    scene.description = object.text({"description", "What the scene shows, for people."}, "");
     read_times(object, scene);
-    JsonObject air = object.object("air");
-    ReadAir read = read_air(air);
+    const ReadAir read = read_air(object.object({"air", "The box of cells and how the air in it moves."}));
     scene.air = read.config;
     scene.paths = read_paths(object, file.parent_path());
     std::vector<std::string> names;
@@ -174,10 +182,11 @@ Result<Scene> read_scene_json(const json& document, const std::filesystem::path&
         names.push_back(path.name);
     read_follow(object, scene, names);
     read_floor(object, scene, names);
-    scene.motors = read_motors(object, {.paths = scene.paths, .path_names = names});
+    scene.motors = read_motors(object, names);
     read_outputs(object, scene);
     // What else a renderer needs (windrow-draw reads it); the air does without.
-    (void)object.object("picture");
+    (void)object.object(
+        {"picture", "What a renderer adds: plants, light, a camera. A run without pictures of plants does without."});
     object.finish();
 
     if (log.faults() > 0)

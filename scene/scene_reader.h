@@ -1,5 +1,5 @@
-// Reads a scene file. What each key means, its unit, default and range stand in examples/scenes/scene.schema.json and
-// docs/scenes.md; a test holds the three together.
+// Reads a scene file. What each key means, its unit, default and range: the tables of the settings (fluid/setting.h), as text in
+// docs/scene_keys.md.
 #pragma once
 
 #include "fluid/result.h"

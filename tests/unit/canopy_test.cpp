@@ -162,9 +162,9 @@ TEST(Canopy, WhatCannotBeIsRefusedByName) {
         EXPECT_FALSE(wind);
         return wind.error();
     };
-    EXPECT_EQ(error_of({.height = -1.0f}), "canopy.height is -1 m: give 0 to 1000.");
+    EXPECT_EQ(error_of({.height = -1.0f}), "canopy.height is -1 m: give 0 (none) to 1000 m.");
     EXPECT_NE(error_of({.height = std::numeric_limits<float>::quiet_NaN()}).find("canopy.height"), std::string::npos);
-    EXPECT_EQ(error_of({.drag = 1e4f}), "canopy.drag is 10000 1/m: give 0 (none) to 1000.");
+    EXPECT_EQ(error_of({.drag = 1e4f}), "canopy.drag is 10000 1/m: give 0 (none) to 1000 1/m.");
 }
 
 } // namespace

@@ -188,8 +188,11 @@ std::vector<Refusal> every_refusal() {
     directional("motor.direction is (0, 0, 0)", {.direction = glm::vec3(0.0f)});
     directional("motor.direction is (0, nan, 1)", {.direction = {0.0f, k_nan, 1.0f}});
     directional("motor.direction is (inf, 0, 0)", {.direction = {k_infinity, 0.0f, 0.0f}});
-    for (const auto& [text, radius] :
-         {std::pair{" is 0:", 0.0f}, {" is -1:", -1.0f}, {" is nan:", k_nan}, {" is inf:", k_infinity}, {" is 2e+06:", 2e6f}}) {
+    for (const auto& [text, radius] : {std::pair{" is 0 m:", 0.0f},
+                                       {" is -1 m:", -1.0f},
+                                       {" is nan m:", k_nan},
+                                       {" is inf m:", k_infinity},
+                                       {" is 2e+06 m:", 2e6f}}) {
         static std::vector<std::string> kept(64); // The list keeps pointers.
         static std::size_t used = 0;
         const auto field = [&, end = text](const char* name) {

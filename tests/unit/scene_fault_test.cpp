@@ -74,8 +74,8 @@ TEST(SceneFault, WrongTypes) {
 }
 
 TEST(SceneFault, Ranges) {
-    expect_refusal(R"({"air": {"cells": [0, 16, 32]}})", "a.json: $.air.cells[0] is 0: give 1 to 2048.");
-    expect_refusal(R"({"air": {"cells": [32, 16, 500000]}})", "a.json: $.air.cells[2] is 500000: give 1 to 2048.");
+    expect_refusal(R"({"air": {"cells": [0, 16, 32]}})", "a.json: $.air.cells[0] is 0 cells: give 1 to 2048 cells.");
+    expect_refusal(R"({"air": {"cells": [32, 16, 500000]}})", "a.json: $.air.cells[2] is 500000 cells: give 1 to 2048 cells.");
     expect_refusal(R"({"air": {"cells": [2048, 2048, 2048]}})",
                    "a.json: $.air.cells is (2048, 2048, 2048), 8589934592 in all: a box holds at most 67108864.");
     expect_refusal(R"({"air": {"cell_size": 1e308}})", "a.json: $.air.cell_size is 1e308 m: give 1e-6 to 1e6 m.");
@@ -92,11 +92,10 @@ TEST(SceneFault, Ranges) {
     expect_refusal(R"({"motors": [{"kind": "directional", "region": {"sphere": {"radius": -1}}}]})",
                    "a.json: $.motors[0].region.sphere.radius is -1 m: give a number above 0, at most 1e6 m.");
     expect_refusal(R"({"motors": [{"kind": "directional", "direction": [0, 0, 0]}]})",
-                   "a.json: $.motors[0].direction is [0, 0, 0]: give a vector of any length but 0.");
+                   "a.json: $.motors[0].direction is [0,0,0]: give a finite vector that is not 0.");
     // Small enough for each number alone, too long together: the library's own words with the scene's place.
-    expect_refusal(
-        R"({"motors": [{"kind": "directional", "region": {"capsule": {"half_axis": [1e6, 1e6, 0]}}}]})",
-        "a.json: $.motors[0].region.capsule.half_axis is (1e+06, 1e+06, 0) m: give finite numbers, at most 1e6 m long.");
+    expect_refusal(R"({"motors": [{"kind": "directional", "region": {"capsule": {"half_axis": [1e6, 1e6, 0]}}}]})",
+                   "a.json: $.motors[0].region.capsule.half_axis is [1000000.0,1000000.0,0]: give a length of 0 to 1e6 m.");
 }
 
 TEST(SceneFault, MotorsOfEachKind) {
@@ -105,7 +104,7 @@ TEST(SceneFault, MotorsOfEachKind) {
                    "a.json: $.motors[0].length is -1 m: give a number above 0, at most 1e6 m.\n"
                    "a.json: $.motors[0].start_radius is 0 m: give a number above 0, at most 1e6 m.");
     expect_refusal(motor(R"("kind": "vortex", "axis": [0, 0, 0], "lift": 11)"),
-                   "a.json: $.motors[0].axis is [0, 0, 0]: give a vector of any length but 0.\n"
+                   "a.json: $.motors[0].axis is [0,0,0]: give a finite vector that is not 0.\n"
                    "a.json: $.motors[0].lift is 11: give -10 to 10.");
     expect_refusal(motor(R"("kind": "omni", "speed": 1e5)"),
                    "a.json: $.motors[0].speed is 100000 m/s: give -10000 to 10000 m/s.");
@@ -119,7 +118,7 @@ TEST(SceneFault, MotorsOfEachKind) {
         "a.json: $.motors[0].envelope is not a known key (known: kind, name, from, until, position, path, radius, speed, "
         "duration): rename or remove it.");
     expect_refusal(motor(R"("kind": "directional", "region": {"cone": {"axis": [0, 0, 0]}})"),
-                   "a.json: $.motors[0].region.cone.axis is [0, 0, 0]: give a vector of any length but 0.");
+                   "a.json: $.motors[0].region.cone.axis is [0,0,0]: give a length of 1e-6 to 1e6 m.");
 }
 
 TEST(SceneFault, Envelopes) {
@@ -134,10 +133,11 @@ TEST(SceneFault, AmbientWind) {
     expect_refusal(R"({"air": {"profile": {"roughness_length": 0}}})",
                    "a.json: $.air.profile.roughness_length is 0 m: give 1e-6 to 100 m.");
     expect_refusal(R"({"air": {"gusts": {"intensity": 2, "seed": 1.5}}})",
-                   "a.json: $.air.gusts.intensity is 2: give 0 to 1.\n"
+                   "a.json: $.air.gusts.intensity is 2: give 0 (none) to 1.\n"
                    "a.json: $.air.gusts.seed is 1.5: give a whole number.");
-    expect_refusal(R"({"air": {"rim": -1, "sleep_speed": -1}})", "a.json: $.air.rim is -1: give 0 to 64.\n"
-                                                                 "a.json: $.air.sleep_speed is -1 m/s: give 0 to 10000 m/s.");
+    expect_refusal(R"({"air": {"rim": -1, "sleep_speed": -1}})",
+                   "a.json: $.air.rim is -1 cells: give 0 (none) to 64 cells.\n"
+                   "a.json: $.air.sleep_speed is -1 m/s: give 0 (never) to 10000 m/s.");
 }
 
 TEST(SceneFault, KeysThatNobodyKnows) {

@@ -1,8 +1,8 @@
-// Reader and schema say the same: every key, with its default, range and words.
+// The schema of scene files holds for every scene, and rejects what the reader rejects. That it is what the reader asks for, the
+// tests of pictures show (PictureSchema), which know all keys.
 #include "scene/json_document.h"
-#include "scene/motor_reader.h"
 #include "scene/scene_reader.h"
-#include "tests/schema_walk.h"
+#include "tests/scene_schema.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,42 +17,9 @@ namespace windrow::scene {
 namespace {
 
 using nlohmann::json;
-using test::expect_same_keys;
-using test::Keys;
-using test::keys_of;
-using test::load_schema;
-using test::SchemaWalk;
+using test::k_scene_with_every_key;
 
 const std::filesystem::path k_scenes = std::filesystem::path(WINDROW_SOURCE_DIR) / "examples" / "scenes";
-
-/// One of each kind of thing, so that each key is asked for.
-constexpr const char* k_specimen = R"({
-    "air": {"sides": {"x_low": {"kind": "open"}, "x_high": {}, "y_low": {"kind": "free_slip"}, "y_high": {}, "z_low": {}, "z_high": {}}, "profile": {}, "gusts": {}},
-    "paths": {"a": {"points": [[0, 0, 0, 0]]}, "b": {"file": "walk_player.csv"}},
-    "motors": [
-        {"kind": "directional", "region": {"sphere": {}}, "law": {"force": {}}},
-        {"kind": "directional", "region": {"capsule": {}}, "law": {"drive": {}}},
-        {"kind": "directional", "region": {"box": {}}},
-        {"kind": "directional", "region": {"cone": {}}, "envelope": {"attack": 1, "hold": 1, "decay": 1},
-         "turbulence": {}},
-        {"kind": "wake", "path": "a", "law": {"force": {}}, "envelope": {}, "turbulence": {}},
-        {"kind": "wake", "path": "a", "law": {"drive": {}}},
-        {"kind": "jet", "law": {"force": {}}, "envelope": {}, "turbulence": {}},
-        {"kind": "jet", "law": {"drive": {}}},
-        {"kind": "vortex", "law": {"force": {}}, "envelope": {}},
-        {"kind": "vortex", "law": {"drive": {}}},
-        {"kind": "omni", "envelope": {}},
-        {"kind": "pressure"}
-    ]})";
-
-Keys keys_of_reader() {
-    std::vector<KnownKey> known;
-    for (const char* text : {k_specimen, "{}"}) {
-        const auto scene = read_scene_text(text, k_scenes / "specimen.json", &known);
-        EXPECT_TRUE(scene) << scene.error();
-    }
-    return keys_of(known);
-}
 
 /// Every scene that comes with the project.
 std::vector<std::filesystem::path> scenes() {
@@ -63,23 +30,15 @@ std::vector<std::filesystem::path> scenes() {
     return files;
 }
 
-TEST(Schema, KnowsTheReadersKeysWithTheirDefaultsAndRanges) {
-    Keys stated = SchemaWalk(load_schema()).keys();
-    // vegetation/tests/program tests these.
-    std::erase_if(stated, [](const auto& key) { return key.first.starts_with("$.picture."); });
-    const Keys read = keys_of_reader();
-    expect_same_keys(stated, read, {"$.name"}); // the name's default is the file's, which no schema can state
-}
-
 TEST(Schema, SpecimenHoldsEachKindOfMotor) {
-    for (const MotorKind& kind : motor_kinds())
-        EXPECT_NE(std::string(k_specimen).find(std::string("\"kind\": \"") + kind.name + "\""), std::string::npos)
-            << kind.name << ": add one to the specimen, so that its keys are compared";
+    for (const char* kind : k_alternatives<Motor>)
+        EXPECT_NE(std::string(k_scene_with_every_key).find(std::string("\"kind\": \"") + kind + "\""), std::string::npos)
+            << kind << ": add one to the specimen, so that the schema has its keys";
 }
 
 TEST(Schema, EveryObjectRefusesUnknownKeys) {
     // Each object of the specimen in turn gets a key that nobody knows; both reader and schema must refuse it.
-    const json specimen = json::parse(k_specimen);
+    const json specimen = json::parse(k_scene_with_every_key);
     std::vector<std::string> pointers = {""};
     const json flat = specimen.flatten();
     for (const auto& [pointer, value] : flat.items()) {
@@ -119,7 +78,7 @@ TEST(Schema, ScenesKeepTheSchema) {
     const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "windrow_schema_test";
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "check.py") << script;
-    std::ofstream(folder / "specimen.json") << k_specimen;
+    std::ofstream(folder / "specimen.json") << k_scene_with_every_key;
     std::string command = "python3 '" + (folder / "check.py").string() + "' '" + (k_scenes / "scene.schema.json").string() +
                           "' '" + (folder / "specimen.json").string() + "'";
     for (const std::filesystem::path& scene : scenes())

@@ -15,7 +15,10 @@ namespace {
 using namespace windrow;
 using namespace windrow::test;
 
-constexpr detail::Format k_format{"WINDSNAP", 3, "snapshot", "Wind::save"};
+// With the layout that a snapshot of today has.
+const detail::Format k_format{
+    "WINDSNAP", detail::load_number<std::uint32_t>(Wind::create({.cells = {1, 1, 1}})->save()->data() + detail::k_letters),
+    "snapshot", "Wind::save"};
 
 std::string refusal(std::span<const std::byte> bytes) {
     const auto wind = Wind::load(bytes);
@@ -53,8 +56,9 @@ TEST(SnapshotRefusal, SaysWhatIsWrong) {
     EXPECT_EQ(refusal({}), "these bytes are not a Windrow snapshot: give what Wind::save returned.");
     const std::string_view words = "A letter to somebody, long enough for a header.";
     EXPECT_EQ(refusal(std::as_bytes(std::span(words))), "these bytes are not a Windrow snapshot: give what Wind::save returned.");
-    EXPECT_EQ(refusal(sealed(content_of(bytes), {"WINDSNAP", 4, "", ""})),
-              "snapshot is of format version 4, this library reads version 3: use the release that wrote it.");
+    EXPECT_EQ(refusal(sealed(content_of(bytes), {"WINDSNAP", 0x00c0ffee, "", ""})),
+              detail::message("snapshot has the layout 00c0ffee, this library reads ", detail::Hex{k_format.version},
+                              ": use the release that wrote it."));
     EXPECT_NE(refusal(std::span(bytes).first(bytes.size() - 1)).find("snapshot is truncated: it holds "), std::string::npos);
     Bytes longer = bytes;
     longer.push_back(std::byte{0});

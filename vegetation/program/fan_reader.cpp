@@ -25,7 +25,7 @@ Fan read_fan(JsonObject object) {
 
 std::vector<Fan> read_fans(JsonObject& picture) {
     std::vector<Fan> fans;
-    const auto items = picture.array("fans", k_most_fans);
+    const auto items = picture.array({"fans", "Fans that are drawn; what they blow is a motor of $.motors."}, k_most_fans);
     for (std::size_t i = 0; i < items.size(); ++i)
         fans.push_back(read_fan(JsonObject(items[i], picture.path() + ".fans[" + std::to_string(i) + "]",
                                            picture.pattern() + ".fans[]", picture.log())));

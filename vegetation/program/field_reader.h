@@ -15,33 +15,34 @@
 namespace windrow::vegetation::program {
 
 using windrow::scene::JsonObject;
+using windrow::scene::Key;
 
 class FieldReader {
   public:
-    using Rule = windrow::scene::NumberRule;
+    using Rule = windrow::Range;
 
     explicit FieldReader(JsonObject& object) : object_(object) {}
 
-    void real(const char* key, float& value, const Rule& rule) { value = object_.real(key, value, rule); }
-    void number(const char* key, double& value, const Rule& rule) { value = object_.number(key, value, rule); }
-    void integer(const char* key, int& value, const Rule& rule) { value = object_.integer(key, value, rule); }
-    void whole(const char* key, std::uint32_t& value, const Rule& rule) {
+    void real(const Key& key, float& value, const Rule& rule) { value = object_.real(key, value, rule); }
+    void number(const Key& key, double& value, const Rule& rule) { value = object_.number(key, value, rule); }
+    void integer(const Key& key, int& value, const Rule& rule) { value = object_.integer(key, value, rule); }
+    void whole(const Key& key, std::uint32_t& value, const Rule& rule) {
         value = static_cast<std::uint32_t>(object_.whole(key, value, rule));
     }
-    void place(const char* key, glm::dvec3& value, const Rule& rule) { value = object_.vector(key, value, rule); }
-    void colour(const char* key, glm::vec3& value) { value = object_.vector(key, value, {.least = 0.0, .most = 1.0}); }
-    void pair(const char* key, glm::dvec2& value, const Rule& rule, const char* names) {
+    void place(const Key& key, glm::dvec3& value, const Rule& rule) { value = object_.vector(key, value, rule); }
+    void colour(const Key& key, glm::vec3& value) { value = object_.vector(key, value, {.least = 0.0, .most = 1.0}); }
+    void pair(const Key& key, glm::dvec2& value, const Rule& rule, const char* names) {
         value = object_.pair(key, value, rule, names);
     }
-    void pair(const char* key, glm::vec2& value, const Rule& rule, const char* names) {
+    void pair(const Key& key, glm::vec2& value, const Rule& rule, const char* names) {
         value = object_.pair(key, value, rule, names);
     }
-    void flag(const char* key, bool& value) { value = object_.boolean(key, value); }
-    void position(const char* key, glm::vec3& value, const Rule& rule) { value = object_.vector(key, value, rule); }
+    void flag(const Key& key, bool& value) { value = object_.boolean(key, value); }
+    void position(const Key& key, glm::vec3& value, const Rule& rule) { value = object_.vector(key, value, rule); }
     /// Of any length but 0, which the structure's `validate` tells.
-    void direction(const char* key, glm::vec3& value) { position(key, value, {.least = -1e6, .most = 1e6}); }
+    void direction(const Key& key, glm::vec3& value) { position(key, value, {.least = -1e6, .most = 1e6}); }
     template <class Value>
-    void word(const char* key, Value& value, std::initializer_list<windrow::scene::Word<Value>> words) {
+    void word(const Key& key, Value& value, std::initializer_list<windrow::scene::Word<Value>> words) {
         value = object_.word(key, value, words);
     }
 
@@ -59,11 +60,11 @@ void read_part(JsonObject object, Part& part) {
 
 /// The items of an array of objects.
 template <class Read>
-void each(JsonObject& object, const char* key, std::size_t most, Read read) {
+void each(JsonObject& object, const Key& key, std::size_t most, Read read) {
     const auto items = object.array(key, most);
     for (std::size_t i = 0; i < items.size(); ++i)
-        read(JsonObject(items[i], object.path() + "." + key + "[" + std::to_string(i) + "]", object.pattern() + "." + key + "[]",
-                        object.log()));
+        read(JsonObject(items[i], object.path() + "." + key.name + "[" + std::to_string(i) + "]",
+                        object.pattern() + "." + key.name + "[]", object.log()));
 }
 
 /// Notes what a `validate` says of a structure whose single values were found good. Its lines begin with `owner` and a field,

@@ -16,6 +16,7 @@
 namespace windrow::vegetation::program {
 
 using nlohmann::json;
+using windrow::scene::Key;
 
 inline json written(double value) {
     // Whole numbers as a person writes them: 30, not 30.0.
@@ -39,22 +40,22 @@ json written(const glm::vec<Count, Number, glm::defaultp>& values) {
 /// The counterpart of FieldReader.
 class FieldWriter {
   public:
-    void real(const char* key, float value, const windrow::scene::NumberRule&) { object[key] = written(value); }
-    void number(const char* key, double value, const windrow::scene::NumberRule&) { object[key] = written(value); }
-    void integer(const char* key, int value, const windrow::scene::NumberRule&) { object[key] = value; }
-    void whole(const char* key, std::uint32_t value, const windrow::scene::NumberRule&) { object[key] = value; }
-    void place(const char* key, glm::dvec3 value, const windrow::scene::NumberRule&) { object[key] = written(value); }
-    void colour(const char* key, glm::vec3 value) { object[key] = written(value); }
-    void pair(const char* key, glm::dvec2 value, const windrow::scene::NumberRule&, const char*) { object[key] = written(value); }
-    void pair(const char* key, glm::vec2 value, const windrow::scene::NumberRule&, const char*) { object[key] = written(value); }
-    void flag(const char* key, bool value) { object[key] = value; }
-    void position(const char* key, glm::vec3 value, const windrow::scene::NumberRule&) { object[key] = written(value); }
-    void direction(const char* key, glm::vec3 value) { object[key] = written(value); }
+    void real(const Key& key, float value, const windrow::Range&) { object[key.name] = written(value); }
+    void number(const Key& key, double value, const windrow::Range&) { object[key.name] = written(value); }
+    void integer(const Key& key, int value, const windrow::Range&) { object[key.name] = value; }
+    void whole(const Key& key, std::uint32_t value, const windrow::Range&) { object[key.name] = value; }
+    void place(const Key& key, glm::dvec3 value, const windrow::Range&) { object[key.name] = written(value); }
+    void colour(const Key& key, glm::vec3 value) { object[key.name] = written(value); }
+    void pair(const Key& key, glm::dvec2 value, const windrow::Range&, const char*) { object[key.name] = written(value); }
+    void pair(const Key& key, glm::vec2 value, const windrow::Range&, const char*) { object[key.name] = written(value); }
+    void flag(const Key& key, bool value) { object[key.name] = value; }
+    void position(const Key& key, glm::vec3 value, const windrow::Range&) { object[key.name] = written(value); }
+    void direction(const Key& key, glm::vec3 value) { object[key.name] = written(value); }
     template <class Value>
-    void word(const char* key, Value value, std::initializer_list<windrow::scene::Word<Value>> words) {
+    void word(const Key& key, Value value, std::initializer_list<windrow::scene::Word<Value>> words) {
         for (const auto& [text, meaning] : words)
             if (meaning == value)
-                object[key] = text;
+                object[key.name] = text;
     }
 
     json object = json::object();

@@ -1,8 +1,8 @@
 #include "vegetation/program/ground_reader.h"
 
-#include "scene/file_beside.h"
 #include "scene/json_document.h"
 #include "scene/number_text.h"
+#include "scene/scene_parts.h"
 #include "vegetation/program/field_reader.h"
 #include "vegetation/program/mask_reader.h"
 #include "vegetation/program/picture_fields.h"
@@ -93,10 +93,14 @@ Ground read_ground(JsonObject object, const std::filesystem::path& folder) {
     const std::size_t faults_before = object.log().faults();
     FieldReader fields(object);
     list_fields(fields, ground);
-    const auto file = windrow::scene::file_beside(object, "heights", folder);
+    const auto file = windrow::scene::file_beside(
+        object,
+        {"heights", "Binary PGM of 8 or 16 bits in the scene's folder, named relative to it, first row at the lowest z; at most "
+                    "4097 pixels a side, which the extent must make square. Default: level at low."},
+        folder);
     if (file)
         ground.file = object.value()["heights"].get<std::string>();
-    read_part(object.object("hills"), ground.hills);
+    read_part(object.object({"hills", "Rolling ground by chance, upon the heights or upon low."}), ground.hills);
     if (file && !(ground.low < ground.high) && object.log().faults() == faults_before)
         object.refuse("high", "is " + figure(ground.high) + " m, not above \"low\", " + figure(ground.low) + " m: give more.");
     if (object.log().faults() == faults_before) {

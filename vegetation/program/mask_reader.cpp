@@ -1,8 +1,8 @@
 #include "vegetation/program/mask_reader.h"
 
 #include "fluid/input_file.h"
-#include "scene/file_beside.h"
 #include "scene/json_document.h"
+#include "scene/scene_parts.h"
 #include "vegetation/program/field_reader.h"
 #include "vegetation/program/picture_fields.h"
 
@@ -18,7 +18,8 @@ Stroke read_stroke(const nlohmann::json& value, const std::string& path, const s
     const std::size_t kind = object.one_of({"paint", "erase"});
     stroke.erases = kind == 1;
     if (kind < 2)
-        read_part(object.object(stroke.erases ? "erase" : "paint"), stroke.brush);
+        read_part(object.object(stroke.erases ? Key{"erase", "Takes it, down to 0."} : Key{"paint", "Adds alpha, up to 1."}),
+                  stroke.brush);
     object.finish();
     return stroke;
 }
@@ -57,19 +58,22 @@ windrow::Result<grass::PlacementMask> read_pgm(const std::filesystem::path& file
 MaskSource read_mask(JsonObject object, glm::vec2 extent, std::uint32_t seed, const std::filesystem::path& folder) {
     MaskSource source;
     const std::size_t faults_before = object.log().faults();
-    const auto file = windrow::scene::file_beside(object, "file", folder);
+    const auto file = windrow::scene::file_beside(object,
+                                                  {"file", "Binary PGM of 8 or 16 bits in the scene's folder, named relative to "
+                                                           "it, stretched over the ground. Default: an even alpha."},
+                                                  folder);
     if (file)
         source.file = object.value()["file"].get<std::string>();
-    source.corners = object.whole_pair("corners", source.corners, {.least = 2.0, .most = 4097.0}, "x, z");
-    source.even = object.real("even", source.even, k_share_rule);
-    for (const char* key : {"corners", "even"})
-        if (object.value().contains("file") && object.value().contains(key))
-            object.refuse(key, "is given beside \"file\", which says it already: keep one of them.");
+    source.corners = object.whole_pair({"corners", "Samples along x and z, without a file."}, source.corners,
+                                       {.least = 2.0, .most = 4097.0}, "x, z");
+    source.even = object.real({"even", "Alpha before the rest, without a file."}, source.even, k_share_rule);
+    object.not_both("file", "corners");
+    object.not_both("file", "even");
     FieldReader fields(object);
     list_fields(fields, source.bare);
     source.bare.seed = seed;
-    read_part(object.object("path"), source.path);
-    const auto items = object.array("strokes", k_most_strokes);
+    read_part(object.object({"path", "A path on which it does not grow, winding along z."}), source.path);
+    const auto items = object.array({"strokes", "Brushes upon it, in their order."}, k_most_strokes);
     for (std::size_t i = 0; i < items.size(); ++i)
         source.strokes.push_back(read_stroke(items[i], object.path() + ".strokes[" + std::to_string(i) + "]",
                                              object.pattern() + ".strokes[]", object.log()));

@@ -18,6 +18,7 @@ namespace {
 
 using nlohmann::json;
 using windrow::scene::figure;
+using windrow::scene::Key;
 using windrow::scene::ReadLog;
 
 /// As Scene::paths will have them, whether the rest of the scene can be used or not.
@@ -32,15 +33,18 @@ std::vector<std::string> path_names(const json& document) {
 
 CameraSource read_camera(JsonObject object, std::span<const std::string> names) {
     CameraSource camera;
-    const auto place = [&](const char* key, const char* path_key, glm::dvec3& where, std::optional<std::size_t>& path) {
+    const auto place = [&](const Key& key, const Key& path_key, glm::dvec3& where, std::optional<std::size_t>& path) {
         where = object.vector(key, where, k_place_rule);
         path = object.name(path_key, names, "paths");
-        if (object.value().contains(key) && object.value().contains(path_key))
-            object.refuse("holds both \"" + std::string(key) + "\" and \"" + path_key + "\": keep one of them.");
+        object.not_both(key.name, path_key.name);
     };
-    place("position", "path", camera.lens.position, camera.path);
-    place("target", "target_path", camera.lens.target, camera.target_path);
-    camera.above_ground = object.boolean("above_ground", camera.above_ground);
+    place({"position", "Where it is."}, {"path", "Name of the path that it moves along instead."}, camera.lens.position,
+          camera.path);
+    place({"target", "What it looks at; not straight above or below."},
+          {"target_path", "Name of the path that the target moves along instead."}, camera.lens.target, camera.target_path);
+    camera.above_ground = object.boolean(
+        {"above_ground", "Whether heights of position and target, or of their paths, count from the ground below each."},
+        camera.above_ground);
     FieldReader fields(object);
     list_fields(fields, camera.lens);
     object.finish();
@@ -72,14 +76,18 @@ void judge(const PictureScene& scene, JsonObject& picture) {
 
 Picture read_picture(JsonObject& object, std::span<const std::string> names, const std::filesystem::path& folder) {
     Picture picture;
-    picture.size = object.whole_pair("size", picture.size, {.least = 16.0, .most = 8192.0, .unit = "px"}, "width, height");
-    picture.frames_per_second = object.optional_number("frames_per_second", {.least = 0.001, .most = 10'000.0, .unit = "1/s"});
-    picture.settle = object.number("settle", picture.settle, {.least = 0.0, .most = 3600.0, .unit = "s"});
-    picture.camera = read_camera(object.object("camera"), names);
-    read_part(object.object("sun"), picture.sun);
-    read_part(object.object("fog"), picture.fog);
-    read_part(object.object("clouds"), picture.clouds);
-    picture.ground = read_ground(object.object("ground"), folder);
+    picture.size = object.whole_pair({"size", "Width and height."}, picture.size, {.least = 16.0, .most = 8192.0, .unit = "px"},
+                                     "width, height");
+    picture.frames_per_second = object.optional_number({"frames_per_second", "Pictures. Default: the scene's."},
+                                                       {.least = 0.001, .most = 10'000.0, .unit = "1/s"});
+    picture.settle = object.number({"settle", "Of wind before the first picture, so that gusts have come in."}, picture.settle,
+                                   {.least = 0.0, .most = 3600.0, .unit = "s"});
+    picture.camera = read_camera(object.object({"camera", "The eye."}), names);
+    read_part(object.object({"sun", "The sun and the air that it shines through."}), picture.sun);
+    read_part(object.object({"fog", "What the air takes from the sight of far things."}), picture.fog);
+    read_part(object.object({"clouds", "A level sheet of clouds that drifts and shades the ground."}), picture.clouds);
+    picture.ground =
+        read_ground(object.object({"ground", "The ground. Default: level, 100 m x 100 m about the origin."}), folder);
     picture.grass = read_grass(object, picture.ground.heights->extent(), folder);
     picture.trees = read_trees(object);
     picture.walkers = read_walkers(object, names);
@@ -87,7 +95,7 @@ Picture read_picture(JsonObject& object, std::span<const std::string> names, con
     picture.ground_memory = read_ground_memory(object);
     picture.bodies = read_bodies(object, names, folder);
     picture.lamps = read_lamps(object);
-    read_part(object.object("sampling"), picture.sampling);
+    read_part(object.object({"sampling", "How plants read the wind."}), picture.sampling);
     object.finish();
     return picture;
 }

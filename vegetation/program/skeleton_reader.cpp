@@ -12,8 +12,8 @@ constexpr std::size_t k_most_swings = 4;
 /// `before`: the bones that may be its parent.
 fur::Bone read_bone(JsonObject object, const std::vector<fur::Bone>& before) {
     fur::Bone bone;
-    bone.name = object.text("name", "");
-    const std::string parent = object.text("parent", "");
+    bone.name = object.text({"name", "For others to name as their parent."}, "");
+    const std::string parent = object.text({"parent", "Name of a bone before it. Default: none."}, "");
     for (std::size_t n = 0; n < before.size(); ++n)
         if (before[n].name == parent)
             bone.parent = static_cast<int>(n);
@@ -21,7 +21,7 @@ fur::Bone read_bone(JsonObject object, const std::vector<fur::Bone>& before) {
         object.refuse("parent", "is \"" + parent + "\", and no bone before it has that name: list parents first.");
     FieldReader fields(object);
     list_fields(fields, bone);
-    each(object, "swings", k_most_swings, [&](JsonObject item) {
+    each(object, {"swings", "Turns to and fro about its head, the first applied last."}, k_most_swings, [&](JsonObject item) {
         fur::Swing swing;
         read_part(std::move(item), swing);
         bone.swings.push_back(swing);
@@ -37,7 +37,7 @@ BodySkeleton read_skeleton(JsonObject object) {
     const std::size_t faults_before = object.log().faults();
     FieldReader fields(object);
     list_fields(fields, skeleton);
-    each(object, "bones", fur::k_most_bones,
+    each(object, {"bones", "The scene's own, parents first."}, fur::k_most_bones,
          [&](JsonObject item) { skeleton.bones.push_back(read_bone(std::move(item), skeleton.bones)); });
     object.finish();
     if (object.log().faults() != faults_before)

@@ -15,7 +15,7 @@ trees::TreeScatter read_scatter(JsonObject object) {
     const std::size_t faults_before = object.log().faults();
     FieldReader fields(object);
     list_fields(fields, scatter);
-    each(object, "clear", k_most_places, [&](JsonObject item) {
+    each(object, {"clear", "Circles where none stand."}, k_most_places, [&](JsonObject item) {
         trees::ClearCircle circle;
         read_part(std::move(item), circle);
         scatter.clear.push_back(circle);
@@ -31,18 +31,19 @@ TreeStand read_stand(JsonObject object) {
     std::vector<std::string> kinds;
     for (const std::string_view kind : trees::preset_names())
         kinds.emplace_back(kind);
-    const std::size_t chosen = object.word_index("kind", stand.kind, kinds);
+    const std::size_t chosen = object.word_index({"kind", "Which trees."}, stand.kind, kinds);
     if (chosen < kinds.size())
         stand.kind = kinds[chosen];
     FieldReader fields(object);
     list_fields(fields, stand);
-    stand.springs = object.boolean("springs", stand.springs);
-    each(object, "places", k_most_places, [&](JsonObject item) {
+    stand.springs = object.boolean(
+        {"springs", "Whether trunks, limbs and twigs swing; else they take the bend that the wind holds."}, stand.springs);
+    each(object, {"places", "Trees at places of their own."}, k_most_places, [&](JsonObject item) {
         StandPlace place;
         read_part(std::move(item), place);
         stand.places.push_back(place);
     });
-    stand.scatter = read_scatter(object.object("scatter"));
+    stand.scatter = read_scatter(object.object({"scatter", "And more by chance."}));
     object.finish();
     return stand;
 }
@@ -51,7 +52,8 @@ TreeStand read_stand(JsonObject object) {
 
 std::vector<TreeStand> read_trees(JsonObject& picture) {
     std::vector<TreeStand> stands;
-    each(picture, "trees", k_most_stands, [&](JsonObject item) { stands.push_back(read_stand(std::move(item))); });
+    each(picture, {"trees", "Stands of trees."}, k_most_stands,
+         [&](JsonObject item) { stands.push_back(read_stand(std::move(item))); });
     return stands;
 }
 

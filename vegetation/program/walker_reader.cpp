@@ -13,12 +13,12 @@ constexpr std::size_t k_most_walkers = 256; // GroundConfig::most_walkers
 constexpr std::size_t k_most_jumps = 1024;
 
 Jump read_jump(JsonObject object) {
-    constexpr NumberRule k_time_rule{.least = -1e9, .most = 1e9, .unit = "s"};
+    constexpr Range k_time_rule{.least = -1e9, .most = 1e9, .unit = "s"};
     Jump jump;
     const std::size_t faults_before = object.log().faults();
-    jump.from = object.required_number("from", k_time_rule);
-    jump.until = object.required_number("until", k_time_rule);
-    jump.height = object.real("height", jump.height, {.least = 0.0, .most = 100.0, .unit = "m"});
+    jump.from = object.required_number({"from", "[s]"}, k_time_rule);
+    jump.until = object.required_number({"until", "Later than from."}, k_time_rule);
+    jump.height = object.real({"height", "Of the feet in its middle."}, jump.height, {.least = 0.0, .most = 100.0, .unit = "m"});
     object.finish();
     if (!(jump.from < jump.until) && object.log().faults() == faults_before)
         object.refuse("until",
@@ -28,11 +28,13 @@ Jump read_jump(JsonObject object) {
 
 Walker read_walker(JsonObject object, std::span<const std::string> path_names) {
     Walker walker;
-    walker.path = object.name("path", path_names, "paths", true).value_or(0);
+    walker.path =
+        object.name({"path", "Name of the path that it walks on; x and z count."}, path_names, "paths", true).value_or(0);
     FieldReader fields(object);
     list_fields(fields, walker);
-    walker.figure = object.boolean("figure", walker.figure);
-    const auto items = object.array("airborne", k_most_jumps);
+    walker.figure = object.boolean({"figure", "Whether someone in a cloak is drawn there."}, walker.figure);
+    const auto items =
+        object.array({"airborne", "Times at which its feet leave the ground, on a parabola as a jump does."}, k_most_jumps);
     for (std::size_t i = 0; i < items.size(); ++i)
         walker.airborne.push_back(read_jump(JsonObject(items[i], object.path() + ".airborne[" + std::to_string(i) + "]",
                                                        object.pattern() + ".airborne[]", object.log())));
@@ -44,7 +46,7 @@ Walker read_walker(JsonObject object, std::span<const std::string> path_names) {
 
 std::vector<Walker> read_walkers(JsonObject& picture, std::span<const std::string> path_names) {
     std::vector<Walker> walkers;
-    const auto items = picture.array("walkers", k_most_walkers);
+    const auto items = picture.array({"walkers", "Who presses the grass down; needs ground_memory."}, k_most_walkers);
     for (std::size_t i = 0; i < items.size(); ++i)
         walkers.push_back(read_walker(JsonObject(items[i], picture.path() + ".walkers[" + std::to_string(i) + "]",
                                                  picture.pattern() + ".walkers[]", picture.log()),
@@ -56,12 +58,13 @@ std::vector<Walker> read_walkers(JsonObject& picture, std::span<const std::strin
 }
 
 std::optional<windrow::GroundConfig> read_ground_memory(JsonObject& picture) {
-    JsonObject object = picture.object("ground_memory");
+    JsonObject object =
+        picture.object({"ground_memory", "A ground that remembers walkers and wind. Default: none; {} for its defaults."});
     windrow::GroundConfig config;
     const std::size_t faults_before = object.log().faults();
     FieldReader fields(object);
     list_fields(fields, config);
-    read_part(object.object("spring"), config.spring);
+    read_part(object.object({"spring", "How the plants swing. Default: grass."}), config.spring);
     object.finish();
     if (!picture.value().contains("ground_memory"))
         return std::nullopt;

@@ -81,7 +81,7 @@ TEST(PictureFault, ValuesThatDoNotFitTogether) {
     expect_refusal(R"({"ground_memory": {}, "walkers": [{"path": "walk", "airborne": [{"from": 2, "until": 2}]}]})",
                    "a.json: $.picture.walkers[0].airborne[0].until is 2 s, not after \"from\", 2 s: give a later time.");
     expect_refusal(R"({"grass": [{"mask": {"file": "mask.pgm", "even": 1}}]})",
-                   "a.json: $.picture.grass[0].mask.even is given beside \"file\", which says it already: keep one of them.");
+                   "a.json: $.picture.grass[0].mask holds both \"file\" and \"even\": keep one of them.");
     expect_refusal(R"({"grass": [{"mask": {"strokes": [{}, {"paint": {}, "erase": {}}]}}]})",
                    "a.json: $.picture.grass[0].mask.strokes[0] holds neither \"paint\" or \"erase\": give one of them.\n"
                    "a.json: $.picture.grass[0].mask.strokes[1] holds more than one of \"paint\" or \"erase\": keep one of them.");

@@ -1,5 +1,6 @@
-// The picture's reader and the schema say the same: every key, with its default, range and words.
-#include "tests/schema_walk.h"
+// The schema of scene files and the tables of their keys are what the readers ask for: every key, with its default, range and words.
+#include "scene/scene_reader.h"
+#include "tests/scene_schema.h"
 #include "vegetation/program/grass_reader.h"
 #include "vegetation/program/picture_writer.h"
 #include "vegetation/tests/program/specimen.h"
@@ -21,14 +22,38 @@ constexpr const char* k_bare = R"({"paths": {"a": {"points": [[0, 0, 0, 0]]}}, "
     "lamps": [{}],
     "walkers": [{"path": "a", "airborne": [{"from": 0, "until": 1}]}]}})";
 
-TEST(PictureSchema, KnowsTheReadersKeysWithTheirDefaultsAndRanges) {
-    auto stated = windrow::test::SchemaWalk(windrow::test::load_schema()).keys();
-    std::erase_if(stated, [](const auto& key) { return !key.first.starts_with("$.picture."); });
+TEST(PictureSchema, IsMadeOfTheReadersKeys) {
     std::vector<windrow::scene::KnownKey> known;
+    for (const char* text : {windrow::test::k_scene_with_every_key, "{}"}) {
+        const auto scene =
+            windrow::scene::read_scene_text(text, std::filesystem::path(WINDROW_SOURCE_DIR) / "examples/scenes/a.json", &known);
+        ASSERT_TRUE(scene) << scene.error();
+    }
     const auto scene = read_picture_scene_text(k_bare, "a.json", &known);
     ASSERT_TRUE(scene) << scene.error();
-    windrow::test::expect_same_keys(stated, windrow::test::keys_of(known));
-    EXPECT_GE(stated.size(), 250u);
+    EXPECT_GE(known.size(), 350u);
+    windrow::test::SchemaNode root;
+    for (const windrow::scene::KnownKey& key : known) {
+        EXPECT_FALSE(key.meaning.empty() && windrow::test::SchemaNode::is_value(key)) << key.pattern << " has no meaning";
+        root.add(key);
+    }
+    windrow::test::OrderedJson schema{
+        {"$schema", "https://json-schema.org/draft/2020-12/schema"},
+        {"title", "Windrow scene"},
+        {"description",
+         "The air around a follower, what moves in it and acts on it, and what is kept of a run. Right-handed, y up, "
+         "metres and seconds. Every key may be left out unless it is required; an unknown key is rejected. Made by "
+         "./dev schema."}};
+    schema.update(root.object_schema());
+    std::string text;
+    windrow::test::write_json(text, schema);
+    const std::filesystem::path source = WINDROW_SOURCE_DIR;
+    windrow::test::expect_file(source / "examples/scenes/scene.schema.json", text + "\n");
+    std::string tables =
+        "# Keys of a scene\n\nEvery key of a scene file, made by `./dev schema` from the tables that validation, reader and "
+        "schema share.\nA name in brackets is a kind: `motors[](wake)`.\n";
+    root.write_tables(tables);
+    windrow::test::expect_file(source / "docs/scene_keys.md", tables);
 }
 
 TEST(PictureSchema, EveryObjectRefusesUnknownKeys) {

@@ -1,0 +1,71 @@
+#include "fluid/validation.h"
+
+namespace windrow::detail {
+
+void append(std::string& text, const FieldPath& path) {
+    if (path.owner != nullptr) {
+        append(text, *path.owner);
+        if (path.owner->owner != nullptr || !path.owner->name.empty())
+            text += path.name.empty() ? "" : ".";
+    }
+    text += path.name;
+}
+
+void append(std::string& text, const Unit& unit) {
+    if (!unit.name.empty())
+        text += ' ';
+    text += unit.name;
+}
+
+void append(std::string& text, const Figure& figure) {
+    const double value = figure.value;
+    if (value == std::trunc(value) && std::abs(value) < 1e6)
+        return append(text, static_cast<long>(value));
+    std::size_t digit = text.size();
+    append(text, value);
+    // The standard's exponent has a sign and two digits at least.
+    digit = text.find('e', digit);
+    if (digit == text.npos)
+        return;
+    ++digit;
+    if (text[digit] == '+')
+        text.erase(digit, 1);
+    else if (text[digit] == '-')
+        ++digit;
+    if (text[digit] == '0' && digit + 1 < text.size())
+        text.erase(digit, 1);
+}
+
+void append(std::string& text, const Bounds& bounds) {
+    const Range& range = bounds.range;
+    const bool low = std::isfinite(range.least), high = std::isfinite(range.most), open = low && range.above_least;
+    if (open)
+        text += "a number above ";
+    else if (low && !high)
+        text += "at least ";
+    else if (!low)
+        text += high ? "at most " : "a number";
+    if (low)
+        append(text, Figure{range.least});
+    if (range.least == 0.0 && *range.zero != '\0')
+        append_each(text, " (", range.zero, ")");
+    if (low && high)
+        text += open ? ", at most " : " to ";
+    if (high)
+        append(text, Figure{range.most});
+    append(text, Unit{range.unit});
+}
+
+void append(std::string& text, const VectorBounds& bounds) {
+    if (bounds.range.measure == Measure::direction)
+        text += "a finite vector that is not 0";
+    else
+        append_each(text, bounds.range.measure == Measure::length ? "a length of " : "each component ", Bounds{bounds.range});
+}
+
+void append(std::string& text, const Choice& choice) {
+    for (std::size_t n = 0; n < choice.words.size(); ++n)
+        append_each(text, n == 0 ? "" : n + 1 < choice.words.size() ? ", " : " or ", choice.words[n]);
+}
+
+} // namespace windrow::detail

@@ -1,0 +1,111 @@
+// Reads settings from JSON by their tables (fluid/setting.h): each keeps its default where the file says nothing.
+#pragma once
+
+#include "fluid/validation.h"
+#include "fluid/wind.h"
+#include "scene/json_object.h"
+#include "scene/motion_path.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace windrow::scene {
+
+/// Places of a scene, nearer than what the library takes: files carry them as text.
+inline constexpr Range k_place_rule{-MotionPath::k_farthest, MotionPath::k_farthest, "m"};
+
+template <class Value>
+void read_value(JsonObject& object, const Key& key, Value& value, const Range& range);
+
+/// `special(row, value)` reads a setting by itself where it returns true.
+template <class Struct, class Special>
+void read_settings(JsonObject& object, Struct& value, const Special& special) {
+    for_each_setting(value, [&]<class Row>(const Row& row, auto& member) {
+        if constexpr (Row::k_stored == Stored::everywhere)
+            if (!special(row, member))
+                read_value(object, Key{row.name, row.meaning}, member, row.range);
+    });
+}
+
+/// All settings of an object of their own; rejects other keys.
+template <class Struct>
+void read_object(JsonObject object, Struct& value) {
+    read_settings(object, value, [](const auto&, const auto&) { return false; });
+    if constexpr (requires { check_object(object, value); })
+        check_object(object, value);
+    object.finish();
+}
+
+/// A side of the box: a word is enough for a kind; the object is for a wall that moves.
+void read_side(JsonObject& sides, const Key& key, Side& side);
+/// A decay that no hold would ever let begin.
+void check_object(JsonObject& object, const Envelope& envelope);
+
+/// What one alternative of a variant holds, by its name: {"sphere": {"radius": 2}}.
+template <class... Kinds>
+void read_kind(JsonObject object, std::variant<Kinds...>& value) {
+    const char* const fallback = std::visit([](const auto& kind) { return kind.k_name; }, value);
+    const std::size_t chosen = object.one_of({Kinds::k_name...}, fallback);
+    const auto read = [&]<class Kind>(Kind kind) {
+        if (const Kind* const own = std::get_if<Kind>(&value)) // the struct's own default
+            kind = *own;
+        read_object(object.object({Kind::k_name, Kind::k_meaning}), kind);
+        value = kind;
+    };
+    std::size_t index = 0;
+    ((index++ == chosen ? read(Kinds{}) : void()), ...);
+    object.finish();
+}
+
+template <class Value>
+void read_value(JsonObject& object, const Key& key, Value& value, const Range& range) {
+    if constexpr (std::same_as<Value, bool>) {
+        value = object.boolean(key, value);
+    } else if constexpr (std::same_as<Value, std::string>) {
+        value = object.text(key, value);
+    } else if constexpr (std::same_as<Value, float>) {
+        value = object.real(key, value, range);
+    } else if constexpr (std::same_as<Value, double>) {
+        value = object.number(key, value, range);
+    } else if constexpr (std::integral<Value>) {
+        value = static_cast<Value>(object.whole(key, value, range));
+    } else if constexpr (std::same_as<Value, glm::ivec3>) {
+        value = object.integers(key, value, range);
+    } else if constexpr (std::same_as<Value, glm::dvec3>) {
+        value = object.vector(key, value, k_place_rule);
+    } else if constexpr (std::same_as<Value, glm::vec3>) {
+        value = glm::vec3(object.vector(key, glm::dvec3(value), range));
+    } else if constexpr (std::same_as<Value, std::optional<glm::bvec3>>) {
+        value = object.optional_flags(key);
+    } else if constexpr (std::is_enum_v<Value>) {
+        const auto& words = k_words<Value>;
+        const std::size_t chosen =
+            object.word_index(key, words.at(static_cast<std::size_t>(value)), {words.begin(), words.end()});
+        if (chosen < words.size())
+            value = static_cast<Value>(chosen);
+    } else if constexpr (std::same_as<Value, Side>) {
+        read_side(object, key, value);
+    } else if constexpr (detail::k_is_optional<Value>) {
+        typename Value::value_type given;
+        read_object(object.object(key), given);
+        if (object.value().contains(key.name))
+            value = given;
+    } else if constexpr (detail::k_is_variant<Value>) {
+        read_kind(object.object(key), value);
+    } else {
+        read_object(object.object(key), value);
+    }
+}
+
+/// Notes what validation finds in a struct whose single values were read without a fault: the rules between them.
+template <class Struct>
+void check_read(JsonObject& object, const Struct& value) {
+    detail::Reasons reasons;
+    check_settings(reasons, detail::FieldPath{nullptr, object.path()}, value);
+    object.log().refuse_lines(reasons.take());
+}
+
+} // namespace windrow::scene
