@@ -1,16 +1,16 @@
 #include "cli/bench/grid_bench.h"
 
+#include "cases/reference/copy.h"
+#include "cases/reference/jacobi.h"
+#include "cases/reference/stam.h"
 #include "cli/bench/jets.h"
 #include "cli/bench/residual.h"
 #include "cli/bench/vdb_bench.h"
 #include "cli/bench/wind_contestant.h"
 #include "fluid/cpu/aligned.h"
 #include "fluid/pieces.h"
-#include "tests/bench/reference/copy.h"
-#include "tests/bench/reference/jacobi.h"
-#include "tests/bench/reference/stam.h"
-#if WINDROW_BENCH_FFTW
-#include "tests/bench/reference/fftw_projection.h"
+#if WINDROW_CASES_FFTW
+#include "cases/reference/fftw_projection.h"
 #endif
 
 #include <algorithm>
@@ -84,9 +84,9 @@ Result<std::optional<GridResult>> measure_grid(glm::ivec3 cells, const BenchRequ
     // In memory like the fields'.
     cpu::Buffer<glm::vec4> original(flow.size()), copied(flow.size());
     std::copy(flow.begin(), flow.end(), original.data());
-    const std::size_t copy = contest.add({.run = [&] { bench::copy_cells(cells, original, copied, loop); }});
+    const std::size_t copy = contest.add({.run = [&] { reference::copy_cells(cells, original, copied, loop); }});
 
-    bench::StamStep stam(cells, box.cell_size, k_sweeps, loop, request.simd);
+    reference::StamStep stam(cells, box.cell_size, k_sweeps, loop, request.simd);
     stam.set_ambient(k_bench_ambient);
     int stam_age = k_steps_of_flow;
     const std::size_t stam_number = contest.add({.run =
@@ -108,19 +108,19 @@ Result<std::optional<GridResult>> measure_grid(glm::ivec3 cells, const BenchRequ
         return Error{work.error()};
     std::vector<float> rhs(box.cell_count());
     divergence(*work, flow, rhs);
-    bench::Jacobi jacobi(cells, request.simd);
+    reference::Jacobi jacobi(cells, request.simd);
     const std::size_t jacobi_number = contest.add({.run = [&] { jacobi.solve(rhs, k_sweeps, loop); }});
     DirectContestant direct(std::move(*work), rhs);
     const std::size_t direct_number = contest.add(direct.contestant());
 
     GridResult result{.cells = cells};
-#if WINDROW_BENCH_FFTW
+#if WINDROW_CASES_FFTW
     auto serial_work = Workspace::create({.box = box, .ambient = k_bench_ambient, .simd = request.simd});
     if (!serial_work)
         return Error{serial_work.error()};
     DirectContestant serial(std::move(*serial_work), rhs);
     const std::size_t serial_number = contest.add(serial.contestant());
-    bench::FftwProjection fftw(cells, box.cell_size);
+    reference::FftwProjection fftw(cells, box.cell_size);
     const std::size_t fftw_number = contest.add({.run = [&] { fftw.solve(); },
                                                  .prepare = [&] { std::copy(rhs.begin(), rhs.end(), fftw.values().begin()); },
                                                  .note = [] {},
@@ -150,7 +150,7 @@ Result<std::optional<GridResult>> measure_grid(glm::ivec3 cells, const BenchRequ
     result.jacobi40 = {contest.milliseconds(jacobi_number), relative_residual(box, rhs, iterated)};
     result.jacobi40_gradient_error = relative_gradient_error(box, iterated, exact);
     result.direct_vs_jacobi40 = contest.ratio(direct_number, jacobi_number);
-#if WINDROW_BENCH_FFTW
+#if WINDROW_CASES_FFTW
     result.direct_one_thread =
         SolverResult{contest.milliseconds(serial_number), relative_residual(box, rhs, dense(box, serial.phi()))};
     result.fftw = SolverResult{contest.milliseconds(fftw_number), relative_residual(box, rhs, dense(box, fftw.values()))};

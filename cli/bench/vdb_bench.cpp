@@ -4,8 +4,8 @@
 #include "cli/timings.h"
 #include "fluid/message.h"
 
-#if WINDROW_BENCH_OPENVDB
-#include "tests/bench/reference/vdb_poisson.h"
+#if WINDROW_CASES_OPENVDB
+#include "cases/reference/vdb_poisson.h"
 #endif
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace windrow::cli {
 
-#if WINDROW_BENCH_OPENVDB
+#if WINDROW_CASES_OPENVDB
 
 namespace {
 
@@ -39,10 +39,11 @@ std::optional<SolverResult> measure_vdb(const Box& box, std::span<const float> r
         left_out += message("OpenVDB's solver would take about ", to_fixed(expected, 0), " s a run. ");
         return std::nullopt;
     }
-    bench::VdbPoisson solver(box.cells, box.cell_size, threads);
+    reference::VdbPoisson solver(box.cells, box.cell_size, threads);
     std::vector<float> phi(rhs.size()), milliseconds;
     for (int run = 0; run < k_runs && !stopped(); ++run)
-        milliseconds.push_back(static_cast<float>(1000.0 * solver.solve(rhs, phi, bench::VdbOutside::open_and_floor).seconds));
+        milliseconds.push_back(
+            static_cast<float>(1000.0 * solver.solve(rhs, phi, reference::VdbOutside::open_and_floor).seconds));
     const auto at = [&](int i, int j, int k) { return static_cast<double>(phi[box.index(i, j, k)]); };
     return SolverResult{spread_of(milliseconds), relative_residual(box, rhs, at)};
 }

@@ -23,7 +23,7 @@ Result<std::optional<GridErrors>> find_errors(const ParetoFlow& flow, glm::ivec3
                                               const ParetoRequest& request, const FlowTruth& truth,
                                               const ParallelFor& parallel_for, const Backend& backend,
                                               const std::function<bool()>& stopped) {
-    std::optional<bench::ComposedStep> composed;
+    std::optional<reference::ComposedStep> composed;
     if (solves_of(flow, backend.kind()) == Solves::all) {
         auto made = composed_step(flow, cells, request.simd, parallel_for);
         if (!made)

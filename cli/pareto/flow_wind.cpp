@@ -54,12 +54,13 @@ void FlowWind::step(double dt) {
     wind_->step(dt);
 }
 
-Result<bench::ComposedStep> composed_step(const ParetoFlow& flow, glm::ivec3 cells, Simd simd, const ParallelFor& parallel_for) {
-    return bench::ComposedStep::create({.box = box_of(flow, cells),
-                                        .ambient = glm::vec3(flow.mean),
-                                        .motors = flow.motors,
-                                        .simd = simd,
-                                        .parallel_for = parallel_for});
+Result<reference::ComposedStep> composed_step(const ParetoFlow& flow, glm::ivec3 cells, Simd simd,
+                                              const ParallelFor& parallel_for) {
+    return reference::ComposedStep::create({.box = box_of(flow, cells),
+                                            .ambient = glm::vec3(flow.mean),
+                                            .motors = flow.motors,
+                                            .simd = simd,
+                                            .parallel_for = parallel_for});
 }
 
 } // namespace windrow::cli

@@ -40,7 +40,7 @@ class FlowWind {
 };
 
 /// For flows that do not need a wind.
-[[nodiscard]] Result<bench::ComposedStep> composed_step(const ParetoFlow& flow, glm::ivec3 cells, Simd simd,
-                                                        const ParallelFor& parallel_for);
+[[nodiscard]] Result<reference::ComposedStep> composed_step(const ParetoFlow& flow, glm::ivec3 cells, Simd simd,
+                                                            const ParallelFor& parallel_for);
 
 } // namespace windrow::cli

@@ -1,9 +1,9 @@
 // The methods that `windrow pareto` compares: each time scheme with each interpolation and each pressure solve.
 #pragma once
 
+#include "cases/reference/composed_step.h"
 #include "cli/backend/backend_request.h"
 #include "cli/pareto/pareto_flow.h"
-#include "tests/bench/reference/composed_step.h"
 
 #include <array>
 #include <string>
@@ -11,8 +11,8 @@
 
 namespace windrow::cli {
 
-using bench::Pressure;
-using Method = bench::StepMethod;
+using reference::Pressure;
+using Method = reference::StepMethod;
 
 inline constexpr std::array k_schemes = {Scheme::second_order, Scheme::stable_fluids};
 inline constexpr std::array k_advections = {Interpolation::cubic, Interpolation::linear};

@@ -1,9 +1,9 @@
 #include "cli/pareto/step_times.h"
 
+#include "cases/reference/stam.h"
 #include "cli/bench/contest.h"
 #include "cli/pareto/flow_wind.h"
 #include "cli/verify/cell_values.h"
-#include "tests/bench/reference/stam.h"
 
 #include <algorithm>
 #include <deque>
@@ -66,7 +66,7 @@ Result<std::optional<GridTimes>> measure_steps(const ParetoFlow& flow, glm::ivec
         FlowWind& wind = winds.emplace_back(*std::move(made));
         return contest.add(steppers.emplace_back(most_age, [&wind] { wind.begin(); }).contestant([&wind, dt] { wind.step(dt); }));
     };
-    std::optional<bench::ComposedStep> composed;
+    std::optional<reference::ComposedStep> composed;
     if (solves == Solves::all) {
         auto made = composed_step(flow, cells, simd, parallel_for);
         if (!made)
@@ -92,7 +92,7 @@ Result<std::optional<GridTimes>> measure_steps(const ParetoFlow& flow, glm::ivec
     const auto wind_number = wind_too ? enter(k_default_method, {}) : Result<std::size_t>(0);
     if (!wind_number)
         return Error{wind_number.error()};
-    bench::StamStep stam(cells, box.cell_size, k_sweeps, parallel_for, simd);
+    reference::StamStep stam(cells, box.cell_size, k_sweeps, parallel_for, simd);
     stam.set_ambient(glm::vec3(flow.mean));
     Stepper stam_stepper(most_age, [&] { std::copy(start.begin(), start.end(), stam.velocity().begin()); });
     const std::size_t stam_number = contest.add(stam_stepper.contestant([&] { stam.step(static_cast<float>(dt)); }));

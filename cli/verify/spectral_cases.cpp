@@ -1,4 +1,4 @@
-// The whole step against a pseudo-spectral solution of the same flow (tests/bench/reference/spectral_flow.h), where no closed
+// The whole step against a pseudo-spectral solution of the same flow (cases/reference/spectral_flow.h), where no closed
 // form is known.
 //
 //   Taylor and Green in space   u = sin x cos y cos z, v = -cos x sin y cos z, w = 0, nu = 1/200, CFL 1, to T = 3,
@@ -12,8 +12,8 @@
 // Based on: Brachet, Meiron, Orszag, Nickel, Morf & Frisch 1983, Journal of Fluid Mechanics 130 (the flow in space).
 #include "cli/verify/whole_step.h"
 
-#if WINDROW_BENCH_FFTW
-#include "tests/bench/reference/spectral_flow.h"
+#if WINDROW_CASES_FFTW
+#include "cases/reference/spectral_flow.h"
 #endif
 
 #include <functional>
@@ -21,7 +21,7 @@
 
 namespace windrow::cli {
 
-#if WINDROW_BENCH_FFTW
+#if WINDROW_CASES_FFTW
 
 namespace {
 

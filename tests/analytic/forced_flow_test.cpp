@@ -7,9 +7,9 @@
 //
 // Every kind of drive, and plants: a motor that moves and speeds up, moved as a host moves it, to where it is at the end of each
 // step, against the same on four times as many cells.
+#include "cases/reference/spectral_flow.h"
 #include "figures.h"
 #include "flows.h"
-#include "tests/bench/reference/spectral_flow.h"
 #include "tests/fields.h"
 
 #include <optional>

@@ -4,9 +4,9 @@
 // Reference: pseudo-spectral, spectral_flow.h, at the cell centres. Error = |u - u_ref|_2 / |u_ref|_2, order 2 and more.
 // 64^3 points are themselves 0.003 from converged, so the bounds are held against 80^3 and the error against 64^3 is reported
 // beside it.
+#include "cases/reference/spectral_flow.h"
 #include "figures.h"
 #include "flows.h"
-#include "tests/bench/reference/spectral_flow.h"
 
 #include <memory>
 

@@ -156,13 +156,13 @@ TEST_F(BenchCommand, FiguresAreToldAndKept) {
         expect_spread(reference, key);
     for (const char* key : {"jacobi40_residual", "jacobi40_gradient_error", "direct_residual", "direct_vs_jacobi40"})
         expect_positive(reference, key);
-    if (WINDROW_BENCH_FFTW) {
+    if (WINDROW_CASES_FFTW) {
         expect_spread(reference, "fftw_ms");
         expect_spread(reference, "direct_one_thread_ms");
         expect_positive(reference, "fftw_residual");
         expect_positive(reference, "direct_vs_fftw");
     }
-    if (WINDROW_BENCH_OPENVDB) {
+    if (WINDROW_CASES_OPENVDB) {
         expect_spread(reference, "vdb_ms");
         expect_positive(reference, "vdb_residual");
     }

@@ -1,17 +1,17 @@
 // The methods that the benchmarks compare with do what they claim: a yardstick that is wrong is worth nothing.
+#include "cases/reference/copy.h"
+#include "cases/reference/jacobi.h"
+#include "cases/reference/stam.h"
 #include "cli/bench/jets.h"
 #include "cli/bench/residual.h"
 #include "fluid/pieces.h"
 #include "fluid/thread_pool.h"
 #include "fluid/wind.h"
-#include "tests/bench/reference/copy.h"
-#include "tests/bench/reference/jacobi.h"
-#include "tests/bench/reference/stam.h"
-#if WINDROW_BENCH_FFTW
-#include "tests/bench/reference/fftw_projection.h"
+#if WINDROW_CASES_FFTW
+#include "cases/reference/fftw_projection.h"
 #endif
-#if WINDROW_BENCH_OPENVDB
-#include "tests/bench/reference/vdb_poisson.h"
+#if WINDROW_CASES_OPENVDB
+#include "cases/reference/vdb_poisson.h"
 #endif
 
 #include <algorithm>
@@ -24,7 +24,7 @@
 #include <span>
 #include <vector>
 
-namespace windrow::bench {
+namespace windrow::reference {
 namespace {
 
 constexpr glm::ivec3 k_cells{24, 16, 40}; // rows that end within a block of lanes
@@ -209,7 +209,7 @@ TEST(BenchReference, ResidualIsThatOfTheSolution) {
     EXPECT_DOUBLE_EQ(cli::relative_gradient_error(box, none, exact), 1.0);
 }
 
-#if WINDROW_BENCH_FFTW
+#if WINDROW_CASES_FFTW
 TEST(BenchReference, FftwIsTheDirectSolveButForRounding) {
     for (const glm::ivec3 cells : {glm::ivec3(1), glm::ivec3(3, 2, 5), k_cells}) {
         const Box box = cli::bench_box(cells);
@@ -222,7 +222,7 @@ TEST(BenchReference, FftwIsTheDirectSolveButForRounding) {
 }
 #endif
 
-#if WINDROW_BENCH_OPENVDB
+#if WINDROW_CASES_OPENVDB
 TEST(BenchReference, OpenVdbIsTheDirectSolveWithinItsTolerance) {
     const Box box = cli::bench_box(k_cells);
     const Solved solved = solve(box);
@@ -235,4 +235,4 @@ TEST(BenchReference, OpenVdbIsTheDirectSolveWithinItsTolerance) {
 #endif
 
 } // namespace
-} // namespace windrow::bench
+} // namespace windrow::reference

@@ -173,7 +173,7 @@ TEST(ParetoFlows, AnExactFlowBeginsWhereItShould) {
         // At a time of 0 the start is the end; nothing of that is built into the flow, so the error of a short run tells.
         const glm::ivec3 cells = flow.grids.front();
         const Box box = box_of(flow, cells);
-        auto step = bench::ComposedStep::create({.box = box, .ambient = glm::vec3(flow.mean)});
+        auto step = reference::ComposedStep::create({.box = box, .ambient = glm::vec3(flow.mean)});
         ASSERT_TRUE(step);
         ASSERT_TRUE(step->start(velocities_of(box, flow.start)));
         const auto truth = FlowTruth::find(flow, Simd::best, {}, [] { return false; });
@@ -193,7 +193,7 @@ TEST(ParetoFlows, AReferenceIsReadWhereItLies) {
     const auto truth = FlowTruth::find(flow, Simd::best, {}, never);
     ASSERT_TRUE(truth && *truth);
     const Box box = box_of(flow, flow.reference);
-    auto step = bench::ComposedStep::create({.box = box, .ambient = glm::vec3(flow.mean), .motors = flow.motors});
+    auto step = reference::ComposedStep::create({.box = box, .ambient = glm::vec3(flow.mean), .motors = flow.motors});
     ASSERT_TRUE(step);
     ASSERT_TRUE(step->start(velocities_of(box, flow.start)));
     const int steps = steps_of(flow, flow.reference, 1.0);

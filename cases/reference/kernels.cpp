@@ -1,9 +1,9 @@
 // The level is the solver's word for it, so that both run on the same instructions.
-#include "tests/bench/reference/kernels.h"
+#include "cases/reference/kernels.h"
 
 #include <string_view>
 
-namespace windrow::bench {
+namespace windrow::reference {
 
 const Kernels& kernels_for(Simd level) {
     const std::string_view name = name_of(level);
@@ -17,4 +17,4 @@ const Kernels& kernels_for(Simd level) {
     return baseline::k_kernels;
 }
 
-} // namespace windrow::bench
+} // namespace windrow::reference

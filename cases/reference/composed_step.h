@@ -7,6 +7,8 @@
 // Not in it: settling, gusts, sources of air, sub-steps.
 #pragma once
 
+#include "cases/reference/jacobi.h"
+#include "cases/reference/multigrid.h"
 #include "fluid/cpu/acting.h"
 #include "fluid/cpu/workspace.h"
 #include "fluid/motors.h"
@@ -14,8 +16,6 @@
 #include "fluid/result.h"
 #include "fluid/wind.h"
 #include "fluid/window.h"
-#include "tests/bench/reference/jacobi.h"
-#include "tests/bench/reference/multigrid.h"
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -23,7 +23,7 @@
 #include <span>
 #include <vector>
 
-namespace windrow::bench {
+namespace windrow::reference {
 
 enum class Pressure : std::uint8_t { direct, multigrid, jacobi80, jacobi40, jacobi20 };
 
@@ -83,4 +83,4 @@ class ComposedStep {
     float largest_speed_ = 0.0f;
 };
 
-} // namespace windrow::bench
+} // namespace windrow::reference

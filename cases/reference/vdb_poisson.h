@@ -8,7 +8,7 @@
 #include <memory>
 #include <span>
 
-namespace windrow::bench {
+namespace windrow::reference {
 
 /// What lies outside the box.
 enum class VdbOutside : std::uint8_t {
@@ -23,7 +23,7 @@ struct VdbOutcome {
     bool converged = false;
 };
 
-/// Built where WINDROW_BENCH_OPENVDB is 1. A dense box as a tree of leaves of 8^3 cells. OpenVDB's solver uses at most `threads`.
+/// Built where WINDROW_CASES_OPENVDB is 1. A dense box as a tree of leaves of 8^3 cells. OpenVDB's solver uses at most `threads`.
 class VdbPoisson {
   public:
     VdbPoisson(glm::ivec3 cells, float cell_size, int threads = 1);
@@ -40,4 +40,4 @@ class VdbPoisson {
     std::unique_ptr<State> state_;
 };
 
-} // namespace windrow::bench
+} // namespace windrow::reference

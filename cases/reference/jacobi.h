@@ -3,11 +3,11 @@
 // solver's SIMD levels.
 #pragma once
 
+#include "cases/reference/kernels.h"
 #include "fluid/box.h"
 #include "fluid/cpu/aligned.h"
 #include "fluid/parallel.h"
 #include "fluid/simd.h"
-#include "tests/bench/reference/kernels.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -15,7 +15,7 @@
 #include <span>
 #include <utility>
 
-namespace windrow::bench {
+namespace windrow::reference {
 
 class Jacobi {
   public:
@@ -86,4 +86,4 @@ class Jacobi {
     cpu::Buffer<float> now_, next_;
 };
 
-} // namespace windrow::bench
+} // namespace windrow::reference

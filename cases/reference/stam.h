@@ -9,11 +9,11 @@
 // Based on: Stam 1999, Stable Fluids, SIGGRAPH; Stam 2003, Real-Time Fluid Dynamics for Games.
 #pragma once
 
+#include "cases/reference/jacobi.h"
+#include "cases/reference/kernels.h"
 #include "fluid/cpu/aligned.h"
 #include "fluid/parallel.h"
 #include "fluid/simd.h"
-#include "tests/bench/reference/jacobi.h"
-#include "tests/bench/reference/kernels.h"
 
 #include <cstddef>
 #include <glm/vec3.hpp>
@@ -21,7 +21,7 @@
 #include <span>
 #include <vector>
 
-namespace windrow::bench {
+namespace windrow::reference {
 
 class StamStep {
   public:
@@ -63,4 +63,4 @@ class StamStep {
     bool touched_ = false;         ///< the caller may have changed `dense_`
 };
 
-} // namespace windrow::bench
+} // namespace windrow::reference

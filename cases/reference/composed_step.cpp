@@ -1,4 +1,4 @@
-#include "tests/bench/reference/composed_step.h"
+#include "cases/reference/composed_step.h"
 
 #include "fluid/cpu/workspace.h"
 
@@ -6,7 +6,7 @@
 #include <new>
 #include <utility>
 
-namespace windrow::bench {
+namespace windrow::reference {
 namespace {
 
 int sweeps_of(Pressure pressure) {
@@ -166,4 +166,4 @@ void ComposedStep::subtract_gradient(const float* rows, int pitch, std::span<glm
     settings_.parallel_for(settings_.box.cells.z, [&](int plane) { around.kernels->gradient_plane(task, plane); });
 }
 
-} // namespace windrow::bench
+} // namespace windrow::reference

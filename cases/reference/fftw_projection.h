@@ -14,9 +14,9 @@
 #include <memory>
 #include <span>
 
-namespace windrow::bench {
+namespace windrow::reference {
 
-/// Built where WINDROW_BENCH_FFTW is 1. One thread. Not to be created in two threads at once: FFTW's planner is shared.
+/// Built where WINDROW_CASES_FFTW is 1. One thread. Not to be created in two threads at once: FFTW's planner is shared.
 class FftwProjection {
   public:
     /// Plans with FFTW_MEASURE, which takes up to some seconds. `cells` each >= 1; `cell_size` [m] > 0.
@@ -34,4 +34,4 @@ class FftwProjection {
     std::unique_ptr<State> state_;
 };
 
-} // namespace windrow::bench
+} // namespace windrow::reference

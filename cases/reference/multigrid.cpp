@@ -1,14 +1,14 @@
 // Levels and cycles of Multigrid; the passes themselves lie in multigrid_planes.inl.
 //
 // Memory a cycle on the finest level: 64 B a cell, where 40 Jacobi sweeps move 480.
-#include "tests/bench/reference/multigrid.h"
+#include "cases/reference/multigrid.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
-namespace windrow::bench {
+namespace windrow::reference {
 namespace {
 
 static_assert(k_longest_row == k_max_axis_cells);
@@ -241,4 +241,4 @@ void Multigrid::add_correction(Level& fine, const Level& coarse, const ParallelF
     loop_for(fine.cells, parallel_for)(fine.cells[2], [&](int k) { kernels_.multigrid_prolong(task, k); });
 }
 
-} // namespace windrow::bench
+} // namespace windrow::reference

@@ -14,17 +14,17 @@
 // Brezina, Hu & Tuminaro 2003, Journal of Computational Physics 188 (Chebyshev smoothing).
 #pragma once
 
+#include "cases/reference/kernels.h"
 #include "fluid/box.h"
 #include "fluid/cpu/aligned.h"
 #include "fluid/parallel.h"
 #include "fluid/simd.h"
-#include "tests/bench/reference/kernels.h"
 
 #include <array>
 #include <cstddef>
 #include <vector>
 
-namespace windrow::bench {
+namespace windrow::reference {
 
 class Multigrid {
   public:
@@ -76,4 +76,4 @@ class Multigrid {
     std::vector<Level> levels_; ///< fine to coarse
 };
 
-} // namespace windrow::bench
+} // namespace windrow::reference

@@ -18,7 +18,7 @@
 #define WINDROW_INDEPENDENT _Pragma("GCC ivdep")
 #endif
 
-namespace windrow::bench {
+namespace windrow::reference {
 
 /// Most cells of a row, as k_max_axis_cells of fluid/box.h, which a level's file must not include.
 inline constexpr int k_longest_row = 2048;
@@ -124,4 +124,4 @@ namespace avx512 {
 extern const Kernels k_kernels;
 }
 
-} // namespace windrow::bench
+} // namespace windrow::reference

@@ -1,11 +1,11 @@
 // Copy of a field: one memcpy a plane, the fastest that the machine's C library knows. copy.h says what for.
-#include "tests/bench/reference/copy.h"
+#include "cases/reference/copy.h"
 
 #include <cassert>
 #include <cstddef>
 #include <cstring>
 
-namespace windrow::bench {
+namespace windrow::reference {
 
 void copy_cells(glm::ivec3 cells, std::span<const glm::vec4> from, std::span<glm::vec4> to, const ParallelFor& parallel_for) {
     const std::size_t plane = static_cast<std::size_t>(cells.x) * static_cast<std::size_t>(cells.y);
@@ -18,4 +18,4 @@ void copy_cells(glm::ivec3 cells, std::span<const glm::vec4> from, std::span<glm
     });
 }
 
-} // namespace windrow::bench
+} // namespace windrow::reference

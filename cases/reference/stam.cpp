@@ -2,12 +2,12 @@
 // psi = p / h, so that no spacing appears in the sweeps.
 //
 // Memory a step: 64 B a cell + 24 (divergence, gradient) + 12 a sweep.
-#include "tests/bench/reference/stam.h"
+#include "cases/reference/stam.h"
 
 #include <cstdint>
 #include <cstring>
 
-namespace windrow::bench {
+namespace windrow::reference {
 namespace {
 
 // Cells outside that a trilinear read at a legal position touches: position -1 needs cell -1, position n needs n and n + 1.
@@ -90,4 +90,4 @@ void StamStep::unpack_plane(int k) {
                     velocity_.data() + row(j, k), row_bytes);
 }
 
-} // namespace windrow::bench
+} // namespace windrow::reference

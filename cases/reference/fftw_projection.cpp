@@ -1,7 +1,7 @@
 // FFTW's part of fftw_projection.h: two arrays, a plan there and a plan back, and the columns between them.
-#include "tests/bench/reference/fftw_projection.h"
+#include "cases/reference/fftw_projection.h"
 
-#include "tests/bench/reference/kernels.h"
+#include "cases/reference/kernels.h"
 
 #include <cmath>
 #include <cstddef>
@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-namespace windrow::bench {
+namespace windrow::reference {
 namespace {
 
 struct Free {
@@ -88,4 +88,4 @@ void FftwProjection::solve() {
     fftwf_execute(state_->back.get());
 }
 
-} // namespace windrow::bench
+} // namespace windrow::reference

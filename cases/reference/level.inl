@@ -1,12 +1,12 @@
 // One SIMD level: every kernel compiled into the namespace of its level, and the table that names them.
-#include "tests/bench/reference/kernels.h"
+#include "cases/reference/kernels.h"
 
-namespace windrow::bench::WINDROW_LEVEL {
+namespace windrow::reference::WINDROW_LEVEL {
 namespace {
-#include "tests/bench/reference/jacobi_plane.inl"
-#include "tests/bench/reference/jacobi_sides.inl"
-#include "tests/bench/reference/multigrid_planes.inl"
-#include "tests/bench/reference/stam_planes.inl"
+#include "cases/reference/jacobi_plane.inl"
+#include "cases/reference/jacobi_sides.inl"
+#include "cases/reference/multigrid_planes.inl"
+#include "cases/reference/stam_planes.inl"
 
 void solve_columns(float* plane, const float* pivots, float scale, int row, int rows) {
     for (int i = 0; i < row; ++i)
@@ -31,4 +31,4 @@ void solve_columns(float* plane, const float* pivots, float scale, int row, int 
 const Kernels k_kernels = {jacobi_plane, jacobi_plane_any_sides, multigrid_smooth, multigrid_restrict, multigrid_prolong,
                            advect_plane, divergence_plane,       gradient_plane,   mirror_floor,       solve_columns};
 
-} // namespace windrow::bench::WINDROW_LEVEL
+} // namespace windrow::reference::WINDROW_LEVEL

@@ -1,6 +1,6 @@
 // OpenVDB's part of vdb_poisson.h. The operator is the 7-point one of a staggered grid, as `solve` calls it: the other has its
 // neighbours two cells away. Lengths are in cells, so the right-hand side is scaled by h^2.
-#include "tests/bench/reference/vdb_poisson.h"
+#include "cases/reference/vdb_poisson.h"
 
 #include <cassert>
 #include <chrono>
@@ -9,7 +9,7 @@
 #include <openvdb/tools/PoissonSolver.h>
 #include <tbb/task_arena.h>
 
-namespace windrow::bench {
+namespace windrow::reference {
 namespace {
 
 namespace poisson = openvdb::tools::poisson;
@@ -82,4 +82,4 @@ VdbOutcome VdbPoisson::solve(std::span<const float> rhs, std::span<float> phi, V
     return outcome;
 }
 
-} // namespace windrow::bench
+} // namespace windrow::reference
