@@ -185,8 +185,9 @@ ReadCommand read_command_line(int count, const char* const* arguments, const Con
     add_check(app, check_flags);
     std::string plants_out;
     CLI::App* const plants =
-        app.add_subcommand("plants", "Tell how far plants bend in which wind, and how they move; table and plots");
-    plants->add_option("--out", plants_out, "Folder for the plots, .svg; default out/plants")->type_name("DIR");
+        app.add_subcommand("plants", "Tell how far plants bend in which wind, and how they move; table and curves");
+    plants->add_option("--out", plants_out, "Folder for plants.csv, which ./dev plots draws; default out/plants")
+        ->type_name("DIR");
     app.add_subcommand("info", "Tell version, compiler, SIMD level, cores, Vulkan devices and what is built in");
     try {
         app.parse(count, arguments);

@@ -20,6 +20,5 @@ target_sources(windrow_cli_support PRIVATE
   drawing/overlay.cpp
   drawing/slice.cpp
   drawing/text.cpp
-  drawing/world_map.cpp
-  pareto/plot_image.cpp)
+  drawing/world_map.cpp)
 target_link_libraries(windrow_cli_support PRIVATE PkgConfig::cairo PUBLIC windrow_pictures)

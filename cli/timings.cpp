@@ -1,19 +1,15 @@
 #include "cli/timings.h"
 
+#include "cli/table.h"
 #include "fluid/message.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numeric>
 #include <string_view>
 
 namespace windrow::cli {
 namespace {
-
-std::string right(std::string_view text, std::size_t width) {
-    return std::string(text.size() < width ? width - text.size() : 0, ' ') + std::string(text);
-}
 
 double sum(const std::vector<float>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0);
@@ -79,12 +75,6 @@ float quantile(std::vector<float> values, double q) {
     const auto nth = values.begin() + static_cast<std::ptrdiff_t>(std::clamp(rank, 0.0, static_cast<double>(values.size() - 1)));
     std::nth_element(values.begin(), nth, values.end());
     return *nth;
-}
-
-std::string to_fixed(double value, int digits) {
-    char text[400];
-    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, digits).ptr;
-    return std::string(text, end);
 }
 
 } // namespace windrow::cli

@@ -61,7 +61,4 @@ class Timings {
 /// The value that a share `q` of the values lies at or below: the nearest rank. 0 without values.
 [[nodiscard]] float quantile(std::vector<float> values, double q);
 
-/// A number for people: `digits` behind the point, whatever the locale.
-[[nodiscard]] std::string to_fixed(double value, int digits);
-
 } // namespace windrow::cli

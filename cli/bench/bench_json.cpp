@@ -1,6 +1,6 @@
 #include "cli/bench/bench_json.h"
 
-#include "fluid/message.h"
+#include "cli/table.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -17,10 +17,6 @@ double rounded(double ms) {
 
 Json spread(const Spread& ms) {
     return {{"min", rounded(ms.min)}, {"median", rounded(ms.median)}, {"p99", rounded(ms.p99)}, {"samples", ms.samples}};
-}
-
-std::string grid_name(glm::ivec3 cells) {
-    return detail::message(cells.x, "x", cells.y, "x", cells.z);
 }
 
 Json entry(const GridResult& grid, const SchemeResult& scheme) {

@@ -1,9 +1,9 @@
 #include "cli/bench/bench_report.h"
 
+#include "cli/table.h"
 #include "fluid/message.h"
 
 #include <algorithm>
-#include <charconv>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -13,42 +13,28 @@ namespace {
 
 using detail::message;
 
-constexpr std::size_t k_name_width = 20, k_width = 11;
+constexpr TableFormat k_table;
 
-std::string left(std::string_view text) {
-    return "  " + std::string(text) + std::string(text.size() < k_name_width ? k_name_width - text.size() : 0, ' ');
-}
-std::string line(std::string_view name, std::initializer_list<std::string> columns) {
-    std::string text = left(name);
-    for (const std::string& column : columns)
-        text += std::string(column.size() < k_width ? k_width - column.size() : 1, ' ') + column;
-    return text + "\n";
-}
 std::string count(std::size_t number) {
     return message(number);
 }
-std::string scientific(double value) {
-    char text[32];
-    return std::string(text, std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, 1).ptr);
-}
-
 std::string times(std::string_view name, const Spread& ms) {
-    return line(name, {to_fixed(ms.min, 3), to_fixed(ms.median, 3), to_fixed(ms.p99, 3), count(ms.samples)});
+    return k_table.line(name, {to_fixed(ms.min, 3), to_fixed(ms.median, 3), to_fixed(ms.p99, 3), count(ms.samples)});
 }
 std::string solver(std::string_view name, const SolverResult& result) {
-    return line(name, {to_fixed(result.ms.min, 3), to_fixed(result.ms.median, 3), to_fixed(result.ms.p99, 3),
-                       count(result.ms.samples), scientific(result.residual)});
+    return k_table.line(name, {to_fixed(result.ms.min, 3), to_fixed(result.ms.median, 3), to_fixed(result.ms.p99, 3),
+                               count(result.ms.samples), to_scientific(result.residual, 1)});
 }
 
 std::string schemes(const GridResult& grid) {
     const double cells = static_cast<double>(grid.cells.x) * grid.cells.y * grid.cells.z;
-    std::string text = line(
+    std::string text = k_table.line(
         "whole step", {"min ms", "median ms", "99 % ms", "samples", "Mcells/s", "bytes/cell", "barriers", "/ copy", "/ Stam"});
     for (const SchemeResult& scheme : grid.schemes) {
         const Spread& ms = scheme.step_ms;
-        text += line(scheme.name, {to_fixed(ms.min, 3), to_fixed(ms.median, 3), to_fixed(ms.p99, 3), count(ms.samples),
-                                   to_fixed(cells / ms.median / 1000.0, 1), to_fixed(scheme.bytes_per_cell, 0),
-                                   message(scheme.loops), to_fixed(scheme.vs_copy16, 1), to_fixed(scheme.vs_stam40, 2)});
+        text += k_table.line(scheme.name, {to_fixed(ms.min, 3), to_fixed(ms.median, 3), to_fixed(ms.p99, 3), count(ms.samples),
+                                           to_fixed(cells / ms.median / 1000.0, 1), to_fixed(scheme.bytes_per_cell, 0),
+                                           message(scheme.loops), to_fixed(scheme.vs_copy16, 1), to_fixed(scheme.vs_stam40, 2)});
     }
     text += times("Stam, 40 sweeps", grid.stam40_ms);
     text += times("copy of 16 B a cell", grid.copy16_ms);
@@ -56,14 +42,14 @@ std::string schemes(const GridResult& grid) {
 }
 
 std::string stages(const SchemeResult& scheme) {
-    std::string text = line(message(scheme.name, ", stages"), {"min ms", "median ms", "99 % ms", "samples"});
+    std::string text = k_table.line(message(scheme.name, ", stages"), {"min ms", "median ms", "99 % ms", "samples"});
     for (std::size_t n = 0; n < scheme.stages_ms.size(); ++n)
         text += times(message("  ", k_stages[n].name), scheme.stages_ms[n]);
     return text;
 }
 
 std::string pressure(const GridResult& grid) {
-    std::string text = line("pressure alone", {"min ms", "median ms", "99 % ms", "samples", "residual"});
+    std::string text = k_table.line("pressure alone", {"min ms", "median ms", "99 % ms", "samples", "residual"});
     text += solver("direct", grid.direct);
     text += solver("40 Jacobi sweeps", grid.jacobi40);
     if (grid.direct_one_thread)
@@ -122,12 +108,13 @@ void report_grid(const GridResult& grid, const Console& console) {
 void report_volumes(const VolumesResult& volumes, bool first, const Console& console) {
     if (first)
         console.out << "\nWindows of 32 x 16 x 32, each stepped by one thread\n"
-                    << line("volumes at once", {"min ms", "median ms", "99 % ms", "samples", "volumes/s", "a core", "MiB each"});
+                    << k_table.line("volumes at once",
+                                    {"min ms", "median ms", "99 % ms", "samples", "volumes/s", "a core", "MiB each"});
     const Spread& ms = volumes.round_ms;
-    console.out << line(message(volumes.volumes),
-                        {to_fixed(ms.min, 3), to_fixed(ms.median, 3), to_fixed(ms.p99, 3), count(ms.samples),
-                         to_fixed(volumes.volumes_per_s, 0), to_fixed(volumes.volumes_per_s_core, 0),
-                         to_fixed(static_cast<double>(volumes.bytes_per_volume) / (1 << 20), 2)});
+    console.out << k_table.line(message(volumes.volumes),
+                                {to_fixed(ms.min, 3), to_fixed(ms.median, 3), to_fixed(ms.p99, 3), count(ms.samples),
+                                 to_fixed(volumes.volumes_per_s, 0), to_fixed(volumes.volumes_per_s_core, 0),
+                                 to_fixed(static_cast<double>(volumes.bytes_per_volume) / (1 << 20), 2)});
     console.out.flush();
 }
 

@@ -1,7 +1,7 @@
 #include "cli/bench/vdb_bench.h"
 
 #include "cli/bench/residual.h"
-#include "cli/timings.h"
+#include "cli/table.h"
 #include "fluid/message.h"
 
 #if WINDROW_CASES_OPENVDB

@@ -3,10 +3,10 @@
 #include "cli/bench/vulkan/device_json.h"
 #include "cli/build_facts.h"
 #include "cli/info_command.h"
+#include "cli/table.h"
 #include "cli/vulkan_facts.h"
 #include "fluid/message.h"
 
-#include <charconv>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <string_view>
@@ -16,23 +16,7 @@ namespace {
 
 using detail::message;
 
-constexpr std::size_t k_name_width = 22, k_width = 12;
-
-std::string line(std::string_view name, std::initializer_list<std::string> columns) {
-    std::string text = "  " + std::string(name) + std::string(name.size() < k_name_width ? k_name_width - name.size() : 0, ' ');
-    for (const std::string& column : columns)
-        text += std::string(column.size() < k_width ? k_width - column.size() : 1, ' ') + column;
-    return text + "\n";
-}
-
-std::string scientific(double value) {
-    char text[32];
-    return std::string(text, std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, 1).ptr);
-}
-
-std::string grid_name(glm::ivec3 cells) {
-    return message(cells.x, "x", cells.y, "x", cells.z);
-}
+constexpr TableFormat k_table{.name_width = 22, .width = 12};
 
 } // namespace
 
@@ -45,16 +29,16 @@ void report_check_start(const vulkan::DeviceFacts& device, const Console& consol
 void report_stories_start(const CheckedStories& run, const Console& console) {
     console.out << "\nThe device against the CPU, largest difference over the largest velocity; validation: " << run.validation
                 << "\n"
-                << line("story", {"cells", "steps", "first step", "bound", "any step", "bound", "sub-steps", "dispatches",
-                                  "messages", "verdict"});
+                << k_table.line("story", {"cells", "steps", "first step", "bound", "any step", "bound", "sub-steps", "dispatches",
+                                          "messages", "verdict"});
     console.out.flush();
 }
 
 void report_story(const ParityResult& story, const Console& console) {
-    console.out << line(story.name,
-                        {grid_name(story.cells), message(story.steps), scientific(story.first), scientific(story.first_bound),
-                         scientific(story.largest), scientific(story.bound), message(story.most_substeps),
-                         message(story.dispatches), message(story.messages), story.pass() ? "pass" : "FAIL"});
+    console.out << k_table.line(story.name, {grid_name(story.cells), message(story.steps), to_scientific(story.first, 1),
+                                             to_scientific(story.first_bound, 1), to_scientific(story.largest, 1),
+                                             to_scientific(story.bound, 1), message(story.most_substeps),
+                                             message(story.dispatches), message(story.messages), story.pass() ? "pass" : "FAIL"});
     console.out.flush();
 }
 

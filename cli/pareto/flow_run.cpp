@@ -3,7 +3,7 @@
 #include "cli/pareto/flow_truth.h"
 #include "cli/pareto/flow_wind.h"
 #include "cli/pareto/step_times.h"
-#include "cli/timings.h"
+#include "cli/table.h"
 #include "cli/verify/cell_values.h"
 #include "fluid/message.h"
 

@@ -5,15 +5,9 @@
 #include "cli/output_file.h"
 #include "cli/pareto/flow_run.h"
 #include "cli/pareto/pareto_csv.h"
-#include "cli/pareto/pareto_plot.h"
 #include "cli/pareto/pareto_report.h"
-#include "cli/pareto/svg.h"
 #include "fluid/message.h"
 #include "fluid/thread_pool.h"
-#if WINDROW_WITH_IMAGES
-#include "cli/pareto/plot_image.h"
-#include "cli/pictures.h"
-#endif
 
 #include <cmath>
 #include <string>
@@ -34,31 +28,6 @@ bool check_memory(const ParetoRequest& request, const Console& console) {
         }
     }
     return true;
-}
-
-Fault keep(const std::filesystem::path& file, const std::string& text) {
-    OutputFile output(file);
-    output.write(text);
-    return output.publish();
-}
-
-int keep_all(const ParetoResult& result, const std::filesystem::path& out, const Console& console) {
-    const Plot plot = pareto_plot(result);
-    if (const Fault fault = keep(out / "pareto.csv", pareto_csv(result)))
-        return complain_of(fault, console);
-    if (const Fault fault = keep(out / "pareto.svg", svg(plot)))
-        return complain_of(fault, console);
-#if WINDROW_WITH_IMAGES
-    if (const auto kept = write_plot(plot, out / "pareto.png"); !kept) {
-        const bool disk = kept.error().starts_with(k_disk_fault);
-        console.complain(disk ? kept.error().substr(k_disk_fault.size()) : kept.error());
-        return disk ? k_exit_machine : k_exit_wrong_use;
-    }
-    console.out << "\nIn " << out.string() << ": pareto.csv with all figures, pareto.svg and pareto.png with the fronts.\n";
-#else
-    console.out << "\nIn " << out.string() << ": pareto.csv with all figures, pareto.svg with the fronts.\n";
-#endif
-    return k_exit_well;
 }
 
 /// Flows on which the default method broke.
@@ -111,8 +80,12 @@ int run_pareto(const ParetoRequest& request, const Console& console, const std::
         report_front(**found, threads, console);
         result.flows.push_back(std::move(**found));
     }
-    if (const int code = keep_all(result, request.out, console); code != k_exit_well)
-        return code;
+    OutputFile csv(request.out / "pareto.csv");
+    csv.write(pareto_csv(result));
+    if (const Fault fault = csv.publish())
+        return complain_of(fault, console);
+    console.out << "\nIn " << request.out.string() << ": pareto.csv with all figures; ./dev plots " << request.out.string()
+                << " draws the fronts.\n";
     if (const std::string names = broken(result); !names.empty()) {
         console.complain(message("the default method broke on ", names, ": its error is not finite."));
         return k_exit_out_of_bounds;

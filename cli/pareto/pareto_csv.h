@@ -7,6 +7,8 @@
 //   cost_vs_stam40                         time of a step over that of Stam's with 40 Jacobi sweeps, median of neighbouring turns
 //   step_ms                                cost_vs_stam40 times the least time of Stam's step on that grid
 //   threads
+//   ms_per_second                          time for a second of the flow: step_ms * steps / flow time
+//   machine                                what ran the methods, and its SIMD level; quoted
 #pragma once
 
 #include "cli/pareto/pareto_result.h"

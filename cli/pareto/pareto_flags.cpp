@@ -8,10 +8,10 @@
 namespace windrow::cli {
 
 void add_pareto(CLI::App& app, ParetoFlags& flags) {
-    CLI::App* const pareto =
-        app.add_subcommand("pareto", "Find the least error for the time: methods, grids, steps; table, CSV, plot");
+    CLI::App* const pareto = app.add_subcommand("pareto", "Find the least error for the time: methods, grids, steps; table, CSV");
     pareto->add_flag("--quick", flags.quick, "Fewer flows, grids and steps: a minute on two cores instead of eight");
-    pareto->add_option("--out", flags.out, "Folder for pareto.csv, .svg and .png; default out/pareto")->type_name("DIR");
+    pareto->add_option("--out", flags.out, "Folder for pareto.csv, which ./dev plots draws; default out/pareto")
+        ->type_name("DIR");
     add_backend(*pareto, flags.backend);
     pareto->add_option("--threads", flags.threads, "Most threads; default one a core; errors do not depend on it")
         ->type_name("N");

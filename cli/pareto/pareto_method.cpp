@@ -47,8 +47,4 @@ std::string name_of(const Method& method) {
     return message(name_of(method.scheme), " ", name_of(method.interpolation), " ", name_of(method.pressure));
 }
 
-std::string grid_name(glm::ivec3 cells) {
-    return message(cells.x, "x", cells.y, "x", cells.z);
-}
-
 } // namespace windrow::cli

@@ -34,7 +34,5 @@ enum class Solves : std::uint8_t { direct, all };
 [[nodiscard]] const char* name_of(Pressure pressure);
 /// "second_order cubic direct"
 [[nodiscard]] std::string name_of(const Method& method);
-/// "64x32x64"
-[[nodiscard]] std::string grid_name(glm::ivec3 cells);
 
 } // namespace windrow::cli

@@ -1,11 +1,10 @@
 #include "cli/pareto/pareto_report.h"
 
-#include "cli/timings.h"
+#include "cli/table.h"
 #include "fluid/message.h"
 #include "scene/number_text.h"
 
 #include <algorithm>
-#include <charconv>
 #include <string>
 #include <string_view>
 
@@ -14,19 +13,10 @@ namespace {
 
 using detail::message;
 
-std::string padded(std::string_view text, std::size_t width) {
-    return std::string(text.size() < width ? width - text.size() : 1, ' ') + std::string(text);
-}
-
-std::string significant(double value) {
-    char text[64];
-    return std::string(text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 3).ptr);
-}
-
 std::string line(std::string_view time, std::string_view error, std::string_view grid, std::string_view cfl,
                  std::string_view cost, std::string_view method) {
-    return padded(time, 14) + padded(error, 12) + padded(grid, 13) + padded(cfl, 6) + padded(cost, 9) + "   " +
-           std::string(method) + "\n";
+    return right(time, 14) + right(error, 12) + right(grid, 13) + right(cfl, 6) + right(cost, 9) + "   " + std::string(method) +
+           "\n";
 }
 
 // "64x32x64, second_order cubic multigrid, CFL 2"
@@ -42,8 +32,8 @@ std::string standing(const std::vector<ParetoRow>& rows, const std::vector<CostE
         const std::string cfl = scene::figure(rows[n].cfl);
         if (const auto by = beaten_by(points, n)) {
             const ParetoRow& better = rows[*by];
-            beaten += message("; no at CFL ", cfl, ": ", place_of(better), " has ", significant(better.error / rows[n].error),
-                              " of its error in ", significant(better.ms_per_second / rows[n].ms_per_second), " of its time");
+            beaten += message("; no at CFL ", cfl, ": ", place_of(better), " has ", to_digits(better.error / rows[n].error, 3),
+                              " of its error in ", to_digits(better.ms_per_second / rows[n].ms_per_second, 3), " of its time");
         } else {
             on += (on.empty() ? "" : ", ") + cfl;
         }
@@ -70,8 +60,9 @@ void report_front(const FlowResult& flow, int threads, const Console& console) {
                 << line("ms/s of flow", "error", "grid", "CFL", "/ Stam", "method");
     for (const std::size_t n : front_of(points)) {
         const ParetoRow& row = rows[n];
-        console.out << line(significant(row.ms_per_second), significant(row.error), grid_name(row.cells), scene::figure(row.cfl),
-                            to_fixed(row.vs_stam40, 2), name_of(row.method) + (row.method == k_default_method ? "  *" : ""));
+        console.out << line(to_digits(row.ms_per_second, 3), to_digits(row.error, 3), grid_name(row.cells),
+                            scene::figure(row.cfl), to_fixed(row.vs_stam40, 2),
+                            name_of(row.method) + (row.method == k_default_method ? "  *" : ""));
     }
     console.out << "  the default, " << name_of(k_default_method) << " (*):\n";
     std::vector<glm::ivec3> grids;

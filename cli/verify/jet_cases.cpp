@@ -5,8 +5,6 @@
 // wind is half of that, grows by 0.094 to 0.102 a metre. From 6 to 12 d this solver, whose grid holds the large eddies and models
 // none of the small ones, is compared with that; the motor's turbulence, at its default, starts the eddies. The jet is set
 // askew to the cells. Based on: Pope 2000, Turbulent Flows, section 5.1 (experiments in its table 5.1).
-#include "cli/drawing/palette.h"
-#include "cli/plants/chart.h"
 #include "cli/verify/whole_step.h"
 
 #include <algorithm>
@@ -109,7 +107,7 @@ VerifyRows jet_spreading(const VerifySetting& setting, int size) {
     std::vector<double> speed_off(static_cast<std::size_t>(size)); // by section, of U 6 d / x: the mean of the runs
     double swing = 0.0;
     std::vector<VerifyCurve> curves;
-    for (int panel = 0; panel < 3; ++panel)
+    for (const char* const panel : {"half-width", "mean", "swing"})
         curves.push_back({.panel = panel,
                           .name = std::to_string(k_radius / box.cell_size).substr(0, 3) + " cells a radius",
                           .points = std::vector<glm::dvec2>(static_cast<std::size_t>(size))});
@@ -130,9 +128,8 @@ VerifyRows jet_spreading(const VerifySetting& setting, int size) {
         for (int i = at(0.0); i < size; ++i) {
             const Section section = section_of(box, mean, i);
             const double values[] = {section.half_width / d, section.speed / start.speed, section.swing};
-            for (VerifyCurve& curve : curves)
-                curve.points[static_cast<std::size_t>(i)] +=
-                    glm::dvec2(section.distance / d, values[curve.panel]) / double{k_runs};
+            for (std::size_t n = 0; n < curves.size(); ++n)
+                curves[n].points[static_cast<std::size_t>(i)] += glm::dvec2(section.distance / d, values[n]) / double{k_runs};
         }
         // The line of least squares through the half-widths.
         double count = 0.0, sum_x = 0.0, sum_w = 0.0, sum_xx = 0.0, sum_xw = 0.0, swings = 0.0;
@@ -168,42 +165,6 @@ VerifyRows jet_spreading(const VerifySetting& setting, int size) {
     return found;
 }
 
-// Half-width, speed on the axis and what varies of it against the distance, with what experiments found.
-Plot jet_plot(std::span<const VerifyCurve> curves) {
-    Plot plot{.width = 1240.0, .height = 440.0, .paper = k_paper, .title = "A jet beside experiments"};
-    constexpr double k_far = 14.0;
-    const ChartAxis along{"x / d", 0.0, k_far, 2.0};
-    Chart charts[] = {{plot, {80.0, 60.0, 310.0, 300.0}, along, {"r_half / d", 0.0, 1.6, 0.4}},
-                      {plot, {490.0, 60.0, 310.0, 300.0}, along, {"u_c / U", 0.0, 1.2, 0.2}},
-                      {plot, {900.0, 60.0, 310.0, 300.0}, along, {"u' / u_c", 0.0, 0.5, 0.1}}};
-    const char* const titles[] = {"Half-width", "Mean on the axis", "What varies on the axis"};
-    const Line published{.colour = k_dim_ink, .width = 1.5, .dash = 6.0, .gap = 4.0};
-    for (std::size_t panel = 0; panel < std::size(charts); ++panel)
-        charts[panel].add_axes(titles[panel]);
-    for (const double spread : {0.094, 0.102})
-        charts[0].add_line({{5.0, 5.0 * spread}, {k_far, k_far * spread}}, published);
-    std::vector<glm::dvec2> decay;
-    for (double x = 6.0; x <= k_far; x += 0.25)
-        decay.emplace_back(x, 6.0 / x);
-    charts[1].add_line(decay, published);
-    for (const double share : {0.25, 0.28})
-        charts[2].add_line({{6.0, share}, {k_far, share}}, published);
-    const char* const words[] = {"0.094 and 0.102 x / d", "6 d / x", "0.25 and 0.28"};
-    const glm::dvec2 places[] = {{0.5, 1.26}, {0.5, 0.1}, {0.5, 0.42}};
-    for (std::size_t panel = 0; panel < std::size(charts); ++panel)
-        charts[panel].add_label(std::string(words[panel]) + " (Pope 2000)", places[panel], k_dim_ink);
-    for (std::size_t n = 0; n < curves.size(); ++n) {
-        Chart& chart = charts[curves[n].panel];
-        std::vector<glm::dvec2> shown = curves[n].points;
-        std::erase_if(shown, [](glm::dvec2 point) { return !(point.x <= k_far && std::isfinite(point.y)); });
-        const Colour colour = series_colour(n / std::size(charts));
-        chart.add_line(shown, {.colour = colour, .width = 2.0});
-        if (curves[n].panel == 0)
-            chart.add_label(curves[n].name, {0.5, n < std::size(charts) ? 1.5 : 1.38}, colour);
-    }
-    return plot;
-}
-
 } // namespace
 
 std::vector<VerifyCase> jet_cases() {
@@ -216,8 +177,7 @@ std::vector<VerifyCase> jet_cases() {
          .reason = "spread 0.055 to 0.12, experiments and a scatter of 0.03; a fifth on the axis; of what varies, that the jet "
                    "does not flap as a whole, which is nearer to 0.5",
          .sizes = {64, 128},
-         .run = jet_spreading,
-         .plot = jet_plot},
+         .run = jet_spreading},
     };
 }
 

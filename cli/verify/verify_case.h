@@ -2,12 +2,12 @@
 #pragma once
 
 #include "cli/backend/backend.h"
-#include "cli/pareto/plot.h"
 #include "fluid/parallel.h"
 #include "fluid/simd.h"
 
 #include <cstdint>
 #include <functional>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 #include <string>
@@ -46,12 +46,11 @@ struct VerifyRow {
 
 /// A line of a case's plot.
 struct VerifyCurve {
-    int panel = 0;
-    std::string name;
+    std::string panel, name;
     std::vector<glm::dvec2> points;
 };
 
-/// What one resolution gave: a row, or one under each of some labels; curves of a case that has a plot.
+/// What one resolution gave: a row, or one under each of some labels; curves where there is something to plot.
 struct VerifyRows {
     std::vector<VerifyRow> rows;
     std::vector<VerifyCurve> curves{};
@@ -71,7 +70,6 @@ struct VerifyCase {
     RunsOn runs_on = RunsOn::all;
     std::vector<int> sizes{}; ///< resolutions, coarse to fine: the cell is as 1 / size
     std::function<VerifyRows(const VerifySetting& setting, int size)> run{};
-    std::function<Plot(std::span<const VerifyCurve>)> plot{}; ///< of the curves of all resolutions; most have none
 };
 
 /// A row of a case that is known to miss its bound.

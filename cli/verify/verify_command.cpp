@@ -3,7 +3,7 @@
 #include "cli/exit_code.h"
 #include "cli/machine.h"
 #include "cli/output_file.h"
-#include "cli/pareto/svg.h"
+#include "cli/plot_csv.h"
 #include "cli/verify/verify_json.h"
 #include "cli/verify/verify_report.h"
 #include "fluid/thread_pool.h"
@@ -39,7 +39,7 @@ int run_verify(const VerifyRequest& request, const Console& console, const std::
     for (const VerifyCase& one : request.cases) {
         report_case(one, console);
         verified.push_back({.name = one.name});
-        std::vector<VerifyCurve> curves;
+        std::vector<PlotCurve> curves;
         for (std::size_t level = 0; level < one.sizes.size(); ++level) {
             if (const int signal = stop_signal(); signal != 0)
                 return k_exit_signal + signal;
@@ -52,16 +52,17 @@ int run_verify(const VerifyRequest& request, const Console& console, const std::
                 verified.back().rows.push_back(judge(one, verified.back(), level, row, request.known));
                 report_row(one, verified.back().rows.back(), console);
             }
-            curves.insert(curves.end(), found.curves.begin(), found.curves.end());
+            for (const VerifyCurve& curve : found.curves)
+                curves.push_back({one.name, curve.panel, curve.name, curve.points});
         }
-        if (!request.plots || !one.plot)
+        if (!request.plots || curves.empty())
             continue;
-        const std::filesystem::path place = *request.plots / (one.name + ".svg");
+        const std::filesystem::path place = *request.plots / (one.name + ".csv");
         OutputFile page(place);
-        page.write(svg(one.plot(curves)));
+        page.write(plot_csv(curves));
         if (const Fault fault = page.publish())
             return complain_of(fault, console);
-        console.out << "In " << place.string() << ": a plot.\n";
+        console.out << "In " << place.string() << ": curves; ./dev plots " << request.plots->string() << " draws them.\n";
     }
     report_end(verified, request.left_out, console);
     if (file) {

@@ -54,7 +54,8 @@ void add_verify(CLI::App& app, VerifyFlags& flags) {
     verify->add_option("--simd", flags.simd, "Instructions: best, baseline, avx2 or avx512; levels differ by rounding")
         ->type_name("LEVEL");
     verify->add_option("--json", flags.json, "File for all errors and bounds; written whole or not at all")->type_name("FILE");
-    verify->add_option("--plots", flags.plots, "Folder for the plots of cases that have one, as SVG")->type_name("DIR");
+    verify->add_option("--plots", flags.plots, "Folder for the curves of cases that have some, as CSV for ./dev plots")
+        ->type_name("DIR");
 }
 
 std::optional<VerifyRequest> read_verify(const VerifyFlags& flags, const CLI::App& verify, std::span<const VerifyCase> known,

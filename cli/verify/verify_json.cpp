@@ -1,6 +1,6 @@
 #include "cli/verify/verify_json.h"
 
-#include "fluid/message.h"
+#include "cli/table.h"
 
 #include <nlohmann/json.hpp>
 
@@ -16,7 +16,7 @@ std::string verify_json(const VerifyRequest& request, const std::string& device,
                                {"label", one.row.label.empty() ? Json() : Json(one.row.label)},
                                {"backend", request.backend.kind == BackendKind::cpu ? "cpu" : "vulkan"},
                                {"device", device.empty() ? Json() : Json(device)},
-                               {"grid", detail::message(one.row.cells.x, "x", one.row.cells.y, "x", one.row.cells.z)},
+                               {"grid", grid_name(one.row.cells)},
                                {"cfl", one.row.cfl},
                                {"error", one.row.error}, // what is not finite becomes null
                                {"order", one.order ? Json(*one.order) : Json()},

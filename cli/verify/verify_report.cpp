@@ -1,10 +1,9 @@
 #include "cli/verify/verify_report.h"
 
-#include "cli/timings.h"
+#include "cli/table.h"
 #include "fluid/message.h"
 
 #include <algorithm>
-#include <charconv>
 #include <string>
 #include <string_view>
 
@@ -14,10 +13,6 @@ namespace {
 using detail::message;
 
 constexpr std::size_t k_grid_width = 13, k_width = 10;
-
-std::string right(std::string_view text, std::size_t width) {
-    return std::string(text.size() < width ? width - text.size() : 1, ' ') + std::string(text);
-}
 
 std::string line(std::string_view grid, std::string_view cfl, std::string_view error, std::string_view bound,
                  std::string_view order, std::string_view least, std::string_view verdict, std::string_view label) {
@@ -48,11 +43,6 @@ std::string wrapped(std::string_view label, std::string_view words) {
     return text + "\n";
 }
 
-std::string scientific(double value) {
-    char text[32];
-    return std::string(text, std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, 2).ptr);
-}
-
 } // namespace
 
 void report_list(std::span<const VerifyCase> cases, const Console& console) {
@@ -79,8 +69,8 @@ void report_case(const VerifyCase& one, const Console& console) {
 void report_row(const VerifyCase& one, const VerifiedRow& verified, const Console& console) {
     const VerifyRow& row = verified.row;
     const bool ordered = one.least_order > 0.0 && verified.order; // of rounding an order tells nothing
-    console.out << line(message(row.cells.x, "x", row.cells.y, "x", row.cells.z), row.cfl > 0.0 ? to_fixed(row.cfl, 2) : "-",
-                        scientific(row.error), scientific(row.bound), ordered ? to_fixed(*verified.order, 2) : "-",
+    console.out << line(grid_name(row.cells), row.cfl > 0.0 ? to_fixed(row.cfl, 2) : "-", to_scientific(row.error, 2),
+                        to_scientific(row.bound, 2), ordered ? to_fixed(*verified.order, 2) : "-",
                         ordered ? to_fixed(one.least_order, 2) : "-", verified.verdict(), row.label);
     console.out.flush();
 }

@@ -234,24 +234,20 @@ TEST_F(VerifyCommand, RowsAreJudgedByTheirLabel) {
     EXPECT_EQ(bad.out.find("FAIL  near\n"), std::string::npos) << bad.out;
 }
 
-TEST_F(VerifyCommand, PlotsShowTheCurvesOfAllResolutions) {
+TEST_F(VerifyCommand, PlotsHoldTheCurvesOfAllResolutions) {
     VerifyCase one = made_up({0.5, 0.25}, 1.0, 0.0);
     one.run = [run = one.run](const VerifySetting& setting, int size) {
         VerifyRows found = run(setting, size);
-        found.curves.push_back({.name = std::to_string(size) + " cells", .points = {{0.0, 1.0}, {1.0, 2.0}}});
+        found.curves.push_back({.panel = "left", .name = std::to_string(size) + " cells", .points = {{0.0, 1.0}, {1.0, 2.0}}});
         return found;
-    };
-    one.plot = [](std::span<const VerifyCurve> curves) {
-        std::string names;
-        for (const VerifyCurve& curve : curves)
-            names += curve.name + ".";
-        return Plot{.width = 10.0, .height = 10.0, .paper = k_nothing, .title = names};
     };
     const Outcome done = verify({.cases = {one, made_up({0.5}, 1.0, 0.0)}, .threads = 1, .plots = folder / "plots"});
     EXPECT_EQ(done.code, k_exit_well);
     std::stringstream page;
-    page << std::ifstream(folder / "plots" / "made_up.svg").rdbuf();
-    EXPECT_NE(page.str().find("1 cells.2 cells."), std::string::npos) << page.str();
+    page << std::ifstream(folder / "plots" / "made_up.csv").rdbuf();
+    EXPECT_EQ(page.str(), "plot,panel,line,x,y\n"
+                          "made_up,left,1 cells,0,1\nmade_up,left,1 cells,1,2\n"
+                          "made_up,left,2 cells,0,1\nmade_up,left,2 cells,1,2\n");
     expect_refusal({"--plots", ""}, "--plots is empty: name a folder.");
     expect_refusal({"--list", "--plots", "somewhere"}, "--plots is given with --list, which runs nothing: drop one of them.");
 }

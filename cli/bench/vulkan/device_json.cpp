@@ -1,6 +1,6 @@
 #include "cli/bench/vulkan/device_json.h"
 
-#include "fluid/message.h"
+#include "cli/table.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -45,7 +45,7 @@ Json device_bench(const DeviceBenchResult& result) {
                  {"commit", result.commit},      {"entries", Json::array()},    {"references", Json::array()},
                  {"passes", Json::array()}};
     for (const DeviceGridResult& grid : result.grids) {
-        const std::string name = detail::message(grid.cells.x, "x", grid.cells.y, "x", grid.cells.z);
+        const std::string name = grid_name(grid.cells);
         for (const DeviceStepResult& step : grid.steps)
             json["entries"].push_back(entry(grid, name, step));
         Json& first = json["entries"][json["entries"].size() - grid.steps.size()];

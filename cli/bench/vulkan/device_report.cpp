@@ -1,9 +1,8 @@
 #include "cli/bench/vulkan/device_report.h"
 
-#include "cli/timings.h"
+#include "cli/table.h"
 #include "fluid/message.h"
 
-#include <charconv>
 #include <initializer_list>
 #include <string_view>
 
@@ -12,14 +11,7 @@ namespace {
 
 using detail::message;
 
-constexpr std::size_t k_name_width = 20, k_width = 11;
-
-std::string line(std::string_view name, std::initializer_list<std::string> columns) {
-    std::string text = "  " + std::string(name) + std::string(name.size() < k_name_width ? k_name_width - name.size() : 0, ' ');
-    for (const std::string& column : columns)
-        text += std::string(column.size() < k_width ? k_width - column.size() : 1, ' ') + column;
-    return text + "\n";
-}
+constexpr TableFormat k_table;
 
 std::string us(double value) {
     return to_fixed(value, 1);
@@ -33,32 +25,28 @@ std::string gigabytes_a_second(std::uint64_t bytes, double microseconds) {
 }
 
 std::string times(std::string_view name, const DeviceSpread& spread) {
-    return line(name, {us(spread.mean), us(spread.median), us(spread.p99), us(spread.min), message(spread.samples)});
+    return k_table.line(name, {us(spread.mean), us(spread.median), us(spread.p99), us(spread.min), message(spread.samples)});
 }
 
 std::string steps(const DeviceGridResult& grid) {
-    std::string text = line(
+    std::string text = k_table.line(
         "whole step", {"mean us", "median us", "99 % us", "min us", "samples", "dispatches", "barriers", "/ stencil", "/ copy"});
     for (const DeviceStepResult& step : grid.steps)
-        text += line(step.name,
-                     {us(step.us.mean), us(step.us.median), us(step.us.p99), us(step.us.min), message(step.us.samples),
-                      message(step.dispatches), message(step.barriers), to_fixed(step.vs_stencil, 1), to_fixed(step.vs_copy, 1)});
+        text += k_table.line(step.name, {us(step.us.mean), us(step.us.median), us(step.us.p99), us(step.us.min),
+                                         message(step.us.samples), message(step.dispatches), message(step.barriers),
+                                         to_fixed(step.vs_stencil, 1), to_fixed(step.vs_copy, 1)});
     return text + times("plain stencil", grid.stencil_us) + times("plain copy", grid.copy_us);
 }
 
 std::string passes(const DeviceGridResult& grid) {
-    std::string text = line(
+    std::string text = k_table.line(
         "passes", {"mean us", "median us", "99 % us", "min us", "samples", "dispatches", "of them ran", "MiB moved", "GB/s"});
     for (const DevicePassResult& pass : grid.passes)
-        text += line(message("  ", pass.name), {us(pass.us.mean), us(pass.us.median), us(pass.us.p99), us(pass.us.min),
-                                                message(pass.us.samples), message(pass.dispatches), message(pass.dispatches_ran),
-                                                mebibytes(pass.bytes), gigabytes_a_second(pass.bytes, pass.us.median)});
+        text += k_table.line(message("  ", pass.name),
+                             {us(pass.us.mean), us(pass.us.median), us(pass.us.p99), us(pass.us.min), message(pass.us.samples),
+                              message(pass.dispatches), message(pass.dispatches_ran), mebibytes(pass.bytes),
+                              gigabytes_a_second(pass.bytes, pass.us.median)});
     return text + times("  between them", grid.between_us) + times("  whole, with clock", grid.timed_us);
-}
-
-std::string scientific(double value) {
-    char text[32];
-    return std::string(text, std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, 1).ptr);
 }
 
 } // namespace
@@ -82,7 +70,7 @@ void report_device_grid(const DeviceGridResult& grid, bool software, const Conso
                 << " MiB\n"
                 << message("  against the CPU after ", grid.all_steps, " steps, ", grid.parity_steps,
                            " since the flow was laid in anew: ")
-                << scientific(grid.parity) << " of the largest velocity\n";
+                << to_scientific(grid.parity, 1) << " of the largest velocity\n";
     if (grid.most_substeps > 1 || grid.slept)
         console.warn(grid.slept ? "the air slept, so that its times are those of another step."
                                 : "steps were cut into sub-steps, so that their times are those of another step.");
