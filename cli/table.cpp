@@ -12,6 +12,10 @@ std::string to_text(double value, std::chars_format format, int digits) {
     return std::string(text, std::to_chars(text, text + sizeof text, value, format, digits).ptr);
 }
 
+std::string quoted(const std::string& name) {
+    return name.find(',') == name.npos ? name : "\"" + name + "\"";
+}
+
 } // namespace
 
 std::string to_fixed(double value, int digits) {
@@ -39,6 +43,16 @@ std::string TableFormat::line(std::string_view name, std::span<const std::string
     for (const std::string& column : columns)
         text += right(column, width);
     return text + "\n";
+}
+
+std::string plot_csv(std::span<const PlotCurve> curves) {
+    std::string text = "plot,panel,line,x,y\n";
+    for (const PlotCurve& curve : curves) {
+        const std::string line = quoted(curve.plot) + "," + quoted(curve.panel) + "," + quoted(curve.line) + ",";
+        for (const glm::dvec2 point : curve.points)
+            text += line + to_digits(point.x, 6) + "," + to_digits(point.y, 6) + "\n";
+    }
+    return text;
 }
 
 } // namespace windrow::cli

@@ -1,11 +1,13 @@
-// Numbers and columns of the tables that commands print.
+// Numbers and columns of the tables that commands print, and the curves of a plot as CSV, which tools/plots.py draws.
 #pragma once
 
 #include <cstddef>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace windrow::cli {
 
@@ -29,5 +31,14 @@ struct TableFormat {
         return line(name, std::span(columns.begin(), columns.size()));
     }
 };
+
+/// A line of a plot; a plot has one panel or more.
+struct PlotCurve {
+    std::string plot, panel, line;
+    std::vector<glm::dvec2> points;
+};
+
+/// A row a point: plot, panel, line, x, y. Values of six digits.
+[[nodiscard]] std::string plot_csv(std::span<const PlotCurve> curves);
 
 } // namespace windrow::cli

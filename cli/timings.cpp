@@ -22,6 +22,17 @@ std::string row(const std::string& name, const std::vector<float>& values, doubl
                            right(to_fixed(quantile(values, 0.99), 3), 10), right(to_fixed(share, 0) + " %", 9), "\n");
 }
 
+const char* name_of(DiffusionMethod method) {
+    switch (method) {
+    case DiffusionMethod::one_pass:
+        return "one_pass";
+    case DiffusionMethod::implicit:
+        return "implicit";
+    default:
+        return "none";
+    }
+}
+
 } // namespace
 
 void Timings::add(double time, const Diagnostics& diagnostics) {
@@ -75,6 +86,25 @@ float quantile(std::vector<float> values, double q) {
     const auto nth = values.begin() + static_cast<std::ptrdiff_t>(std::clamp(rank, 0.0, static_cast<double>(values.size() - 1)));
     std::nth_element(values.begin(), nth, values.end());
     return *nth;
+}
+
+std::string timings_header() {
+    std::string text =
+        "step,time_s,stepped,max_speed_m_s,cfl,substeps,substeps_capped,limited_cells,repaired_cells,motors_in_reach,"
+        "diffusion,divergence_rms_1_s,energy_m5_s2,asleep";
+    for (const StageColumn& stage : k_stages)
+        text += detail::message(",", stage.name, "_ms");
+    return text + "\n";
+}
+
+std::string timings_row(std::int64_t step, double time, const Diagnostics& d) {
+    std::string text =
+        detail::message(step, ",", time, ",", d.stepped ? 1 : 0, ",", d.max_speed, ",", d.cfl, ",", d.substeps, ",",
+                        d.substeps_capped ? 1 : 0, ",", d.limited_cells, ",", d.repaired_cells, ",", d.motors_in_reach, ",",
+                        name_of(d.diffusion), ",", d.divergence_rms, ",", d.energy, ",", d.asleep ? 1 : 0);
+    for (const StageColumn& stage : k_stages)
+        text += detail::message(",", d.times_ms.*stage.value);
+    return text + "\n";
 }
 
 } // namespace windrow::cli

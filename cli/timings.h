@@ -61,4 +61,9 @@ class Timings {
 /// The value that a share `q` of the values lies at or below: the nearest rank. 0 without values.
 [[nodiscard]] float quantile(std::vector<float> values, double q);
 
+/// The names of the columns, with units, ended by a line break.
+[[nodiscard]] std::string timings_header();
+/// One row, ended by a line break; figures in their shortest exact form.
+[[nodiscard]] std::string timings_row(std::int64_t step, double time, const Diagnostics& diagnostics);
+
 } // namespace windrow::cli

@@ -1,10 +1,7 @@
-#include "cli/check/check_report.h"
-
-#include "cli/bench/vulkan/device_json.h"
-#include "cli/build_facts.h"
+#include "cli/bench/vulkan/device_bench.h"
+#include "cli/check/check_command.h"
 #include "cli/info_command.h"
 #include "cli/table.h"
-#include "cli/vulkan_facts.h"
 #include "fluid/message.h"
 
 #include <initializer_list>
@@ -34,7 +31,7 @@ void report_stories_start(const CheckedStories& run, const Console& console) {
     console.out.flush();
 }
 
-void report_story(const ParityResult& story, const Console& console) {
+void report_story(const cases::ParityResult& story, const Console& console) {
     console.out << k_table.line(story.name, {grid_name(story.cells), message(story.steps), to_scientific(story.first, 1),
                                              to_scientific(story.first_bound, 1), to_scientific(story.largest, 1),
                                              to_scientific(story.bound, 1), message(story.most_substeps),
@@ -59,7 +56,7 @@ void report_verdict(const CheckResult& result, const Console& console) {
         stories += run.stories.size() + run.broken.size();
         broken += run.broken.size();
         messages += run.message_count;
-        for (const ParityResult& story : run.stories)
+        for (const cases::ParityResult& story : run.stories)
             passed += story.pass() ? 1 : 0;
         validation += (validation.empty() ? "" : ", then ") + run.validation;
     }
@@ -79,7 +76,7 @@ std::string check_json(const CheckResult& result) {
                  {"pass", result.pass()},          {"runs", Json::array()}};
     for (const CheckedStories& run : result.runs) {
         Json stories = Json::array();
-        for (const ParityResult& story : run.stories)
+        for (const cases::ParityResult& story : run.stories)
             stories.push_back({{"name", story.name},
                                {"grid", grid_name(story.cells)},
                                {"steps", story.steps},

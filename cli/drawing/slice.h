@@ -5,7 +5,7 @@
 // y up. Sideways (normal x), seen from low x: z to the right, y up.
 #pragma once
 
-#include "cli/drawing/image.h"
+#include "cli/drawing/canvas.h"
 #include "fluid/box.h"
 
 #include <cstdint>
@@ -82,5 +82,17 @@ struct WindArrow {
 /// In-plane velocity on a lattice that is fixed to the world, so that arrows stand still as the box moves over them. Points
 /// whose wind is no number are left out. A box too thin for the lattice gets its middle line.
 [[nodiscard]] std::vector<WindArrow> slice_arrows(const Air& air, const Plane& plane, double spacing, float scale);
+
+/// Colour of a share of the scale, 0 calm to 1 fast; below and above it is held.
+[[nodiscard]] Rgb8 speed_colour(float share);
+
+/// Colour of a signed share of the scale, -1 to 1; below and above it is held.
+[[nodiscard]] Rgb8 signed_colour(float share);
+
+/// Colour of what is no number: far from every colour of either map.
+inline constexpr Rgb8 k_broken_colour{255, 0, 170};
+
+/// OKLab lightness (0 black, 1 white) and the two colour axes of an sRGB colour.
+[[nodiscard]] glm::dvec3 to_oklab(Rgb8 colour);
 
 } // namespace windrow::cli

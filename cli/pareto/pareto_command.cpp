@@ -1,11 +1,8 @@
 #include "cli/pareto/pareto_command.h"
 
-#include "cli/exit_code.h"
-#include "cli/machine.h"
+#include "cli/flags.h"
+#include "cli/info_command.h"
 #include "cli/output_file.h"
-#include "cli/pareto/flow_run.h"
-#include "cli/pareto/pareto_csv.h"
-#include "cli/pareto/pareto_report.h"
 #include "fluid/message.h"
 #include "fluid/thread_pool.h"
 
@@ -13,6 +10,9 @@
 #include <string>
 
 namespace windrow::cli {
+
+using namespace cases;
+
 namespace {
 
 using detail::message;
@@ -44,6 +44,28 @@ std::string broken(const ParetoResult& result) {
 
 } // namespace
 
+void add_pareto(CLI::App& app, std::function<int()>& chosen, const Console& console) {
+    CLI::App* const pareto = app.add_subcommand("pareto", "Find the least error for the time: methods, grids, steps; table, CSV");
+    const auto request = std::make_shared<ParetoRequest>();
+    const auto quick = std::make_shared<bool>(false);
+    const auto out = std::make_shared<std::optional<std::filesystem::path>>();
+    Flags flags(*pareto);
+    pareto->add_flag("--quick", *quick, "Fewer flows, grids and steps: a minute on two cores instead of eight");
+    flags.folder("--out", *out, "Folder for pareto.csv, which ./dev plots draws; default out/pareto");
+    flags.backend(request->backend);
+    flags.threads(request->threads, "Most threads; default one a core; errors do not depend on it");
+    flags.simd(request->simd, "all methods run on them");
+    pareto->callback([=, &chosen, &console] {
+        check_backend(*pareto, request->backend);
+        request->flows = pareto_flows(*quick);
+        request->cfls = *quick ? std::vector{1.0, 2.0} : std::vector{0.5, 1.0, 2.0, 4.0};
+        request->one_thread_too = !*quick;
+        request->seconds = *quick ? 0.4 : 1.5;
+        request->out = out->value_or(std::filesystem::path("out") / "pareto");
+        chosen = interruptible<ParetoRequest>(run_pareto, request, console);
+    });
+}
+
 int run_pareto(const ParetoRequest& request, const Console& console, const std::function<int()>& stop_signal) {
     if (!check_memory(request, console))
         return k_exit_machine;
@@ -51,7 +73,7 @@ int run_pareto(const ParetoRequest& request, const Console& console, const std::
     if (const Fault fault = output.open(request.out))
         return complain_of(fault, console);
     Backend backend;
-    if (const Fault fault = backend.open(request.backend))
+    if (const Fault fault = open_backend(request.backend, backend))
         return complain_of(fault, console);
     if (request.threads > usable_cores())
         console.complain(message("--threads is ", request.threads, ", more than the ", usable_cores(),

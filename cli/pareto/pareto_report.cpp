@@ -1,14 +1,19 @@
-#include "cli/pareto/pareto_report.h"
-
+#include "cli/pareto/pareto_command.h"
 #include "cli/table.h"
 #include "fluid/message.h"
 #include "scene/number_text.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace windrow::cli {
+
+using namespace cases;
+
 namespace {
 
 using detail::message;
@@ -43,6 +48,10 @@ std::string standing(const std::vector<ParetoRow>& rows, const std::vector<CostE
            (on.empty() && beaten.empty() ? ": not run" : ": " + (yes + beaten).substr(2)) + ".\n";
 }
 
+bool finite(const CostError& point) {
+    return std::isfinite(point.cost) && std::isfinite(point.error);
+}
+
 } // namespace
 
 void report_pareto_start(const ParetoResult& result, const Console& console) {
@@ -72,6 +81,59 @@ void report_front(const FlowResult& flow, int threads, const Console& console) {
     for (const glm::ivec3 cells : grids)
         console.out << standing(rows, points, cells);
     console.out.flush();
+}
+
+std::string pareto_csv(const ParetoResult& result) {
+    std::string text =
+        "backend,scheme,advection,pressure,grid,cfl,case,error,order,step_ms,cost_vs_stam40,threads,ms_per_second,machine\n";
+    const auto rounded = [](double value) { return to_digits(value, 6); }; // they hold more digits than they mean
+    const std::string machine = "\"" + result.device + ", " + result.simd + "\"";
+    for (const FlowResult& flow : result.flows)
+        for (const ParetoRow& row : flow.rows)
+            text += detail::message(result.backend == BackendKind::cpu ? "cpu," : "vulkan,", name_of(row.method.scheme), ",",
+                                    name_of(row.method.interpolation), ",", name_of(row.method.pressure), ",",
+                                    grid_name(row.cells), ",", rounded(row.cfl), ",", flow.name, ",", rounded(row.error), ",",
+                                    row.order ? rounded(*row.order) : "", ",", rounded(row.step_ms), ",", rounded(row.vs_stam40),
+                                    ",", row.threads, ",", rounded(row.ms_per_second), ",", machine, "\n");
+    return text;
+}
+
+bool beats(const CostError& a, const CostError& b) {
+    if (!finite(a) || !finite(b))
+        return finite(a);
+    return a.cost <= b.cost && a.error <= b.error && (a.cost < b.cost || a.error < b.error);
+}
+
+std::vector<std::size_t> front_of(std::span<const CostError> points) {
+    std::vector<std::size_t> order;
+    for (std::size_t n = 0; n < points.size(); ++n)
+        if (finite(points[n]))
+            order.push_back(n);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return std::pair(points[a].cost, points[a].error) < std::pair(points[b].cost, points[b].error);
+    });
+    std::vector<std::size_t> front;
+    double least = std::numeric_limits<double>::infinity(); // error of all that is cheaper
+    for (std::size_t n = 0; n < order.size();) {
+        // Of one cost, the best and its equals.
+        const double best = points[order[n]].error, cost = points[order[n]].cost;
+        for (; n < order.size() && points[order[n]].cost == cost; ++n)
+            if (best < least && points[order[n]].error == best)
+                front.push_back(order[n]);
+        least = std::min(least, best);
+    }
+    return front;
+}
+
+std::optional<std::size_t> beaten_by(std::span<const CostError> points, std::size_t point) {
+    std::optional<std::size_t> found;
+    for (std::size_t n = 0; n < points.size(); ++n) {
+        if (!beats(points[n], points[point]))
+            continue;
+        if (!found || std::pair(points[n].error, points[n].cost) < std::pair(points[*found].error, points[*found].cost))
+            found = n;
+    }
+    return found;
 }
 
 } // namespace windrow::cli

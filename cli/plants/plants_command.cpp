@@ -1,10 +1,8 @@
 // What docs/plants.md and docs/plants_motion.md show. Each curve is computed by the library's own calls.
 #include "cli/plants/plants_command.h"
 
-#include "cli/exit_code.h"
+#include "cli/flags.h"
 #include "cli/output_file.h"
-#include "cli/plants/motion_curves.h"
-#include "cli/plot_csv.h"
 #include "cli/table.h"
 #include "coupling/blade.h"
 #include "coupling/plant_classes.h"
@@ -151,6 +149,17 @@ std::string beaufort_table() {
 }
 
 } // namespace
+
+void add_plants(CLI::App& app, std::function<int()>& chosen, const Console& console) {
+    CLI::App* const plants =
+        app.add_subcommand("plants", "Tell how far plants bend in which wind, and how they move; table and curves");
+    const auto out = std::make_shared<std::optional<std::filesystem::path>>();
+    Flags(*plants).folder("--out", *out, "Folder for plants.csv, which ./dev plots draws; default out/plants");
+    plants->callback([out, &chosen, &console] {
+        const std::filesystem::path folder = out->value_or(std::filesystem::path("out") / "plants");
+        chosen = [folder, &console] { return run_plants(folder, console); };
+    });
+}
 
 int run_plants(const std::filesystem::path& out, const Console& console) {
     OutputFolder folder;

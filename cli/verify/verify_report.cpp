@@ -1,13 +1,16 @@
-#include "cli/verify/verify_report.h"
-
 #include "cli/table.h"
+#include "cli/verify/verify_command.h"
 #include "fluid/message.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
 namespace windrow::cli {
+
+using namespace cases;
+
 namespace {
 
 using detail::message;
@@ -91,7 +94,7 @@ void report_end(std::span<const VerifiedCase> cases, std::span<const std::string
     if (!missed.empty())
         console.out << "\n" << wrapped("not met, as known: ", missed + ".");
     if (!met.empty())
-        console.complain(message("met, though cli/verify/verify_cases.cpp expects a miss: ", met, ". Take it out of that file."));
+        console.complain(message("met, though cases/verify_case.cpp expects a miss: ", met, ". Take it out of that file."));
     if (!left_out.empty()) {
         std::string names;
         for (const std::string& name : left_out)
@@ -107,6 +110,28 @@ void report_end(std::span<const VerifiedCase> cases, std::span<const std::string
     else
         console.complain(message(count, " of ", all, count == 1 ? " is" : " are", " out of bounds: ", failed, "."));
     console.out.flush();
+}
+
+std::string verify_json(const VerifyRequest& request, const std::string& device, std::span<const VerifiedCase> verified) {
+    using Json = nlohmann::ordered_json;
+    Json entries = Json::array();
+    for (std::size_t n = 0; n < verified.size(); ++n)
+        for (const VerifiedRow& one : verified[n].rows) {
+            const double least_order = request.cases[n].least_order;
+            entries.push_back({{"name", verified[n].name},
+                               {"label", one.row.label.empty() ? Json() : Json(one.row.label)},
+                               {"backend", request.backend.kind == BackendKind::cpu ? "cpu" : "vulkan"},
+                               {"device", device.empty() ? Json() : Json(device)},
+                               {"grid", grid_name(one.row.cells)},
+                               {"cfl", one.row.cfl},
+                               {"error", one.row.error}, // what is not finite becomes null
+                               {"order", one.order ? Json(*one.order) : Json()},
+                               {"bound", one.row.bound},
+                               {"least_order", one.order && least_order > 0.0 ? Json(least_order) : Json()},
+                               {"pass", one.pass},
+                               {"verdict", one.verdict()}});
+        }
+    return Json{{"cases", entries}}.dump(2) + "\n";
 }
 
 } // namespace windrow::cli

@@ -1,8 +1,7 @@
 // `windrow bench --backend vulkan` and `windrow check`: flags, figures, exit codes.
 #include "cli/bench/vulkan/device_contest.h"
-#include "cli/check/check_result.h"
-#include "cli/command_line.h"
-#include "cli/exit_code.h"
+#include "cli/check/check_command.h"
+#include "cli/console.h"
 #include "tests/parity/gpu.h"
 
 #include <filesystem>
@@ -12,6 +11,9 @@
 #include <unistd.h>
 
 namespace windrow::cli {
+
+using namespace cases;
+
 namespace {
 
 struct Outcome {

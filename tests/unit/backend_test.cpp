@@ -1,9 +1,9 @@
 // The commands on a Vulkan device: the wind that they see is the CPU's to rounding, and what they report is of the step just
 // made.
-#include "cli/backend/command_wind.h"
-#include "cli/command_line.h"
-#include "cli/exit_code.h"
-#include "cli/verify/verify_case.h"
+#include "cases/backend_wind.h"
+#include "cases/verify_case.h"
+#include "cli/backend.h"
+#include "cli/console.h"
 #include "tests/figure.h"
 
 #include <algorithm>
@@ -15,6 +15,9 @@
 #include <vector>
 
 namespace windrow::cli {
+
+using namespace cases;
+
 namespace {
 
 double apart(std::span<const glm::vec4> a, std::span<const glm::vec4> b) {
@@ -29,11 +32,11 @@ double apart(std::span<const glm::vec4> a, std::span<const glm::vec4> b) {
 class OnDevice : public testing::Test {
   protected:
     void SetUp() override {
-        const Fault fault = device.open({.kind = BackendKind::vulkan});
+        const Fault fault = open_backend({.kind = BackendKind::vulkan}, device);
         ASSERT_FALSE(fault) << fault.sentence;
     }
-    [[nodiscard]] std::unique_ptr<CommandWind> wind_on(const Backend& backend, const Config& config) const {
-        auto wind = CommandWind::create(config, backend, StageClock::on);
+    [[nodiscard]] std::unique_ptr<BackendWind> wind_on(const Backend& backend, const Config& config) const {
+        auto wind = BackendWind::create(config, backend, StageClock::on);
         EXPECT_TRUE(wind) << wind.error();
         return *std::move(wind);
     }

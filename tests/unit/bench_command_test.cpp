@@ -1,8 +1,7 @@
 // `windrow bench` as a user meets it: sentences, table, file. Nothing here asks how fast anything is.
-#include "cli/bench/bench_json.h"
+#include "cli/bench/bench_command.h"
 #include "cli/bench/contest.h"
-#include "cli/command_line.h"
-#include "cli/exit_code.h"
+#include "cli/console.h"
 
 #include <chrono>
 #include <cmath>

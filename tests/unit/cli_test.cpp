@@ -1,13 +1,11 @@
 // The command as a user meets it: exit codes, sentences, files.
-#include "cli/command_line.h"
-#include "cli/exit_code.h"
+#include "cli/console.h"
 #include "cli/frame_writer.h"
-#include "cli/interrupt.h"
+#include "cli/info_command.h"
 #include "cli/output_file.h"
 #include "cli/progress.h"
 #include "cli/run_command.h"
 #include "cli/timings.h"
-#include "cli/timings_csv.h"
 
 #include <algorithm>
 #include <cerrno>

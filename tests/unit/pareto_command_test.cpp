@@ -1,11 +1,10 @@
 // `windrow pareto` as a user meets it: sentences, table, CSV. Small flows stand for the large ones; nothing here asks how
 // fast anything is.
-#include "cli/command_line.h"
-#include "cli/exit_code.h"
-#include "cli/pareto/flow_truth.h"
+#include "cases/cell_values.h"
+#include "cases/flow_truth.h"
+#include "cases/pareto_method.h"
+#include "cli/console.h"
 #include "cli/pareto/pareto_command.h"
-#include "cli/pareto/pareto_method.h"
-#include "cli/verify/cell_values.h"
 
 #include <cmath>
 #include <csignal>
@@ -21,6 +20,9 @@
 #include <vector>
 
 namespace windrow::cli {
+
+using namespace cases;
+
 namespace {
 
 namespace fs = std::filesystem;

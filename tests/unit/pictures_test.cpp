@@ -1,10 +1,9 @@
 // Pictures show the data: a slice's colours are those of the cells, arrows point where the air goes, files are whole or not
 // there.
-#include "cli/drawing/colour_map.h"
+#include "cli/drawing/canvas.h"
 #include "cli/drawing/frame.h"
-#include "cli/drawing/image.h"
 #include "cli/drawing/layout.h"
-#include "cli/drawing/motor_style.h"
+#include "cli/drawing/motor_marks.h"
 #include "cli/drawing/slice.h"
 #include "cli/pictures.h"
 
@@ -343,7 +342,7 @@ TEST(Frame, IsTheSameEveryTime) {
 }
 
 TEST_F(PicturesTest, WidthOutsideTheBoundsIsRefusedByName) {
-    auto wind = CommandWind::create({.cells = {4, 4, 4}});
+    auto wind = cases::BackendWind::create({.cells = {4, 4, 4}});
     ASSERT_TRUE(wind);
     for (const int width : {1, 639, 8001, 10000, -5}) {
         const auto drawn = draw_frame(**wind, 0.0, {}, {}, {.title = "", .width = width}, folder_ / "frame.png");
@@ -355,7 +354,8 @@ TEST_F(PicturesTest, WidthOutsideTheBoundsIsRefusedByName) {
 }
 
 TEST_F(PicturesTest, FrameOfAWindIsOneFileThatKnowsItsTime) {
-    auto wind = CommandWind::create({.cells = {8, 4, 8}, .sides = Sides::open_over_floor(), .ambient = {3.0f, 0.0f, 0.0f}});
+    auto wind =
+        cases::BackendWind::create({.cells = {8, 4, 8}, .sides = Sides::open_over_floor(), .ambient = {3.0f, 0.0f, 0.0f}});
     ASSERT_TRUE(wind);
     ASSERT_TRUE(draw_frame(**wind, 3.4, {}, {}, {.title = "meadow", .width = 800}, folder_ / "frame.png"));
     EXPECT_EQ(files(), 1u);
@@ -436,7 +436,7 @@ TEST_F(PicturesTest, ContactSheetHasTheFramesInOrder) {
 }
 
 TEST_F(PicturesTest, ContactSheetOfARunHasTheLegendOnce) {
-    auto wind = CommandWind::create({.ambient = {3.0f, 0.0f, 0.0f}});
+    auto wind = cases::BackendWind::create({.ambient = {3.0f, 0.0f, 0.0f}});
     ASSERT_TRUE(wind);
     const PictureSettings settings{.title = "run"};
     std::vector<std::filesystem::path> frames;

@@ -1,6 +1,5 @@
 // `windrow plants` as a user meets it: a table, curves of five plots, sentences.
-#include "cli/command_line.h"
-#include "cli/exit_code.h"
+#include "cli/console.h"
 
 #include <filesystem>
 #include <fstream>

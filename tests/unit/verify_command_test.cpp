@@ -1,9 +1,8 @@
 // `windrow verify` as a user meets it: sentences, table, file, exit codes. That the errors are right is what the command itself
 // asks; here a quick case stands for all, and made-up cases show that a miss is told.
-#include "cli/command_line.h"
-#include "cli/exit_code.h"
+#include "cases/verify_case.h"
+#include "cli/console.h"
 #include "cli/verify/verify_command.h"
-#include "cli/verify/verify_result.h"
 
 #include <algorithm>
 #include <array>
@@ -21,6 +20,9 @@
 #include <vector>
 
 namespace windrow::cli {
+
+using namespace cases;
+
 namespace {
 
 namespace fs = std::filesystem;
