@@ -26,15 +26,20 @@ inline Workspace workspace_of(const Box& box, const VerifySetting& setting) {
     return *Workspace::create({.box = box, .simd = setting.simd, .parallel_for = setting.parallel_for});
 }
 
+/// One side of a Sides, to write to.
+inline Side& side_of(Sides& sides, int axis, int end) {
+    Side* const ordered[6] = {&sides.x_low, &sides.x_high, &sides.y_low, &sides.y_high, &sides.z_low, &sides.z_high};
+    return *ordered[2 * axis + end];
+}
+
 /// One pair of kinds an axis, low and high.
-inline Sides sides_of(std::pair<SideKind, SideKind> x, std::pair<SideKind, SideKind> y, std::pair<SideKind, SideKind> z) {
+using Ends = std::pair<SideKind, SideKind>;
+inline Sides sides_of(Ends x, Ends y, Ends z) {
     Sides sides;
-    sides.x_low.kind = x.first;
-    sides.x_high.kind = x.second;
-    sides.y_low.kind = y.first;
-    sides.y_high.kind = y.second;
-    sides.z_low.kind = z.first;
-    sides.z_high.kind = z.second;
+    for (int axis = 0; const Ends& ends : {x, y, z}) {
+        side_of(sides, axis, 0).kind = ends.first;
+        side_of(sides, axis++, 1).kind = ends.second;
+    }
     return sides;
 }
 

@@ -1,14 +1,10 @@
-// The whole step against exact solutions of Navier and Stokes' equations in periodic boxes of 2 pi.
-//
-//   Taylor and Green   u = U + F sin(x - U t) cos(y - V t), v = V - F cos(x - U t) sin(y - V t), F = exp(-2 nu t)
-//   Beltrami (ABC)     curl u = u, so that u . grad u is a gradient and u only fades, as exp(-nu t); in a mean wind W it is
-//                      W + u(x - W t, t), since the equations do not know a steady mean wind
+// The whole step against exact solutions of Navier and Stokes' equations in periodic boxes of 2 pi (flows.h).
 //
 // Error = |u - exact|_2 / |exact - mean|_2 over the cell centres. At a fixed CFL number the second-order step is of order 2. At a
 // fixed dt that goes to 0 its error in time is out of sight. What the weights take off in a step is h^4 s (1 - s) (1 + s) (2 - s)
 // / 24 of the fourth derivative, s = |u| dt / h (cubic_factor.h), in T / dt steps |u| h^3 T / 12 of it: order 3. Numbers of steps
-// are even: after an odd one a first step without history shows differently. Based on: Taylor & Green 1937, Proceedings
-// of the Royal Society A 158; Dombre, Frisch, Greene, Henon, Mehr & Soward 1986, Journal of Fluid Mechanics 167.
+// are even: after an odd one a first step without history shows differently.
+#include "cases/flows.h"
 #include "cases/whole_step.h"
 
 #include <algorithm>
@@ -16,22 +12,15 @@
 namespace windrow::cases {
 namespace {
 
-struct Course {
-    double viscosity = 0.0; ///< [m^2/s]
-    glm::dvec3 mean{0.0};   ///< [m/s]
-    double end = 0.0;       ///< [s]
-    int steps = 0;
-};
-
 template <class Flow>
-VerifyRow run_flow(const VerifySetting& setting, const Box& box, const Course& course, Flow&& flow) {
-    const auto wind = wind_of(raw_config(box, course.viscosity, setting), setting);
+VerifyRow run_flow(const VerifySetting& setting, const Box& box, const Flow& flow, double end, int steps) {
+    const auto wind = wind_of(raw_config(box, flow.viscosity, setting), setting);
     wind->set_velocity([&](glm::dvec3 x) { return glm::vec3(flow(x, 0.0)); });
     VerifyRow row{.cells = box.cells};
-    for (int step = 0; step < course.steps; ++step)
-        row.cfl = std::max(row.cfl, static_cast<double>(wind->step(course.end / course.steps).cfl));
+    for (int step = 0; step < steps; ++step)
+        row.cfl = std::max(row.cfl, static_cast<double>(wind->step(end / steps).cfl));
     row.error = velocity_error(
-        box, wind->field(), [&](glm::dvec3 x) { return flow(x, course.end); }, course.mean);
+        box, wind->field(), [&](glm::dvec3 x) { return flow(x, end); }, flow.mean);
     return row;
 }
 
@@ -39,20 +28,12 @@ VerifyRow run_flow(const VerifySetting& setting, const Box& box, const Course& c
 VerifyRow taylor_green_2d(const VerifySetting& setting, int size, int steps) {
     VerifyRow worst{.cells = {size, size, 1}};
     for (int normal = 0; normal < 3; ++normal) {
-        const int a = (normal + 1) % 3, b = (normal + 2) % 3;
+        TaylorGreen2D flow{.viscosity = 0.01, .a = (normal + 1) % 3, .b = (normal + 2) % 3};
+        flow.mean[flow.a] = 1.0;
+        flow.mean[flow.b] = 0.5;
         glm::ivec3 cells(size);
         cells[normal] = 1;
-        Course course{.viscosity = 0.01, .end = k_pi, .steps = steps};
-        course.mean[a] = 1.0;
-        course.mean[b] = 0.5;
-        const VerifyRow row = run_flow(setting, periodic_box(cells, 2.0 * k_pi / size), course, [&](glm::dvec3 x, double t) {
-            const double fade = std::exp(-2.0 * course.viscosity * t);
-            const glm::dvec3 p = x - course.mean * t;
-            glm::dvec3 u = course.mean;
-            u[a] += fade * std::sin(p[a]) * std::cos(p[b]);
-            u[b] -= fade * std::cos(p[a]) * std::sin(p[b]);
-            return u;
-        });
+        const VerifyRow row = run_flow(setting, periodic_box(cells, 2.0 * k_pi / size), flow, k_pi, steps);
         worst.cfl = std::max(worst.cfl, row.cfl);
         worst.error = worse(worst.error, row.error);
     }
@@ -60,14 +41,8 @@ VerifyRow taylor_green_2d(const VerifySetting& setting, int size, int steps) {
 }
 
 VerifyRow abc_flow(const VerifySetting& setting, int size, double viscosity, glm::dvec3 mean) {
-    constexpr double a = 1.0, b = 0.8, c = 0.6;
-    const Course course{.viscosity = viscosity, .mean = mean, .end = 0.375 * k_pi, .steps = 6 * size / 16};
-    return run_flow(setting, periodic_box(glm::ivec3(size), 2.0 * k_pi / size), course, [&](glm::dvec3 x, double t) {
-        const glm::dvec3 p = x - course.mean * t;
-        return course.mean + std::exp(-course.viscosity * t) * glm::dvec3(a * std::sin(p.z) + c * std::cos(p.y),
-                                                                          b * std::sin(p.x) + a * std::cos(p.z),
-                                                                          c * std::sin(p.y) + b * std::cos(p.x));
-    });
+    return run_flow(setting, periodic_box(glm::ivec3(size), 2.0 * k_pi / size),
+                    ArnoldBeltramiChildress{.mean = mean, .viscosity = viscosity}, 0.375 * k_pi, 6 * size / 16);
 }
 
 } // namespace

@@ -7,19 +7,16 @@
 //   gusty_fan         a fan that circles, in gusts over a logarithmic profile
 //
 // Air at the scale of a game has no viscosity to speak of, and none is taken. The first two fill the level plane, one cell
-// high; the others fill the shape of a game's window. Based on: Taylor & Green 1937, Proceedings of the Royal Society A 158;
-// Dombre, Frisch, Greene, Henon, Mehr & Soward 1986, Journal of Fluid Mechanics 167.
+// high; the others fill the shape of a game's window.
+#include "cases/cell_values.h"
+#include "cases/flows.h"
 #include "cases/pareto_flow.h"
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
-#include <numbers>
 
 namespace windrow::cases {
 namespace {
-
-constexpr double k_pi = std::numbers::pi;
 
 std::vector<glm::ivec3> flat_grids(int count) {
     std::vector<glm::ivec3> grids;
@@ -44,22 +41,17 @@ ParetoFlow flat(double width) {
 }
 
 ParetoFlow taylor_green_2d(bool quick) {
-    constexpr double k_end = k_pi;
-    constexpr glm::dvec3 k_mean(1.0, 0.0, 0.5);
-    const auto velocity = [=](glm::dvec3 x, double t) {
-        const glm::dvec3 p = x - k_mean * t;
-        return k_mean + glm::dvec3(std::sin(p.x) * std::cos(p.z), 0.0, -std::cos(p.x) * std::sin(p.z));
-    };
+    const TaylorGreen2D vortices{.mean = {1.0, 0.0, 0.5}, .a = 0, .b = 2};
     ParetoFlow flow = flat(2.0 * k_pi);
     flow.name = "taylor_green_2d";
     flow.title = "Vortices carried by a wind (2D, periodic, exact)";
     flow.what = "Taylor and Green's vortices, carried across the cells by a mean wind; exact.";
-    flow.mean = k_mean;
-    flow.end = k_end;
+    flow.mean = vortices.mean;
+    flow.end = k_pi;
     flow.top_speed = 2.0;
     flow.grids = flat_grids(quick ? 3 : 4);
-    flow.start = [=](glm::dvec3 x) { return velocity(x, 0.0); };
-    flow.exact = [=](glm::dvec3 x) { return velocity(x, k_end); };
+    flow.start = [=](glm::dvec3 x) { return vortices(x, 0.0); };
+    flow.exact = [=](glm::dvec3 x) { return vortices(x, k_pi); };
     return flow;
 }
 
@@ -90,25 +82,20 @@ ParetoFlow vortex_pair() {
 }
 
 ParetoFlow abc_flow(bool quick) {
-    constexpr double a = 1.0, b = 0.8, c = 0.6, k_end = 2.0;
-    constexpr glm::dvec3 k_mean(0.5, -0.3, 0.4);
-    const auto velocity = [=](glm::dvec3 x, double t) {
-        const glm::dvec3 p = x - k_mean * t;
-        return k_mean + glm::dvec3(a * std::sin(p.z) + c * std::cos(p.y), b * std::sin(p.x) + a * std::cos(p.z),
-                                   c * std::sin(p.y) + b * std::cos(p.x));
-    };
+    constexpr double k_end = 2.0;
+    const ArnoldBeltramiChildress vortices{.mean = {0.5, -0.3, 0.4}};
     ParetoFlow flow;
     flow.name = "abc_flow";
     flow.title = "Interwoven vortices carried by a wind (3D, periodic, exact)";
     flow.what = "Arnold, Beltrami and Childress' flow without viscosity, carried across the cells by a mean wind; exact.";
     flow.size = {4.0 * k_pi, 2.0 * k_pi, 4.0 * k_pi};
     flow.sides = Sides::all(SideKind::periodic);
-    flow.mean = k_mean;
+    flow.mean = vortices.mean;
     flow.end = k_end;
     flow.top_speed = 2.1;
     flow.grids = window_grids(quick ? 2 : 3);
-    flow.start = [=](glm::dvec3 x) { return velocity(x, 0.0); };
-    flow.exact = [=](glm::dvec3 x) { return velocity(x, k_end); };
+    flow.start = [=](glm::dvec3 x) { return vortices(x, 0.0); };
+    flow.exact = [=](glm::dvec3 x) { return vortices(x, k_end); };
     return flow;
 }
 

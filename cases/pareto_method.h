@@ -1,9 +1,9 @@
 // The methods that `windrow pareto` compares: each time scheme with each interpolation and each pressure solve.
 #pragma once
 
+#include "cases/backend_wind.h"
 #include "cases/pareto_flow.h"
 #include "cases/reference/composed_step.h"
-#include "cases/backend_wind.h"
 
 #include <array>
 #include <string>

@@ -11,7 +11,6 @@
 namespace windrow::cases {
 namespace {
 
-using Ends = std::pair<SideKind, SideKind>;
 constexpr SideKind k_open = SideKind::open, k_slip = SideKind::free_slip, k_rough = SideKind::no_slip;
 constexpr Ends k_periodic{SideKind::periodic, SideKind::periodic};
 

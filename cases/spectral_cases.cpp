@@ -1,15 +1,13 @@
 // The whole step against a pseudo-spectral solution of the same flow (cases/reference/spectral_flow.h), where no closed
 // form is known.
 //
-//   Taylor and Green in space   u = sin x cos y cos z, v = -cos x sin y cos z, w = 0, nu = 1/200, CFL 1, to T = 3,
-//                               when the vortices have stretched into sheets
-//   forced                      vortices in a mean wind (1, 0.5) cross a motor that moves and whose force rises and falls as
-//                               sin^2(pi t / T), nu = 1/1000, T = pi; dt = h / 2. A step from t to t + dt needs the force at
-//                               t + dt: the motor is set to it first
+//   Taylor and Green in space   nu = 1/200, CFL 1, to T = 3, when the vortices have stretched into sheets
+//   forced                      dt = h / 2. A step acts with the force of its middle: the motor is set to it first
 //
 // Error = |u - reference|_2 / |reference - mean|_2 over the cell centres, order 2 at a fixed CFL number. The references: 80^3
 // points, less than 5e-4 from finer ones at the end (64^3 are 3e-3 from it); 128^2 points, 2e-4 from 96^2.
-// Based on: Brachet, Meiron, Orszag, Nickel, Morf & Frisch 1983, Journal of Fluid Mechanics 130 (the flow in space).
+// The flows: flows.h.
+#include "cases/flows.h"
 #include "cases/whole_step.h"
 
 #if WINDROW_CASES_FFTW
@@ -47,21 +45,17 @@ std::unique_ptr<const reference::SpectralFlow> solved(glm::ivec3 points, double 
 
 // --- Taylor and Green's vortices in space ------------------------------------------------------------------------------
 
-glm::dvec3 vortices(glm::dvec3 x) {
-    return {std::sin(x.x) * std::cos(x.y) * std::cos(x.z), -std::cos(x.x) * std::sin(x.y) * std::cos(x.z), 0.0};
-}
-
 VerifyRow taylor_green_3d(const VerifySetting& setting, int size) {
     constexpr double k_end = 3.0, k_viscosity = 1.0 / 200.0;
     const Box box = periodic_box(glm::ivec3(size), 2.0 * k_pi / size);
     const auto wind = wind_of(raw_config(box, k_viscosity, setting), setting);
-    wind->set_velocity([](glm::dvec3 x) { return glm::vec3(vortices(x)); });
+    wind->set_velocity([](glm::dvec3 x) { return glm::vec3(taylor_green_3d_start(x)); });
     VerifyRow row{.cells = box.cells};
     const int steps = static_cast<int>(std::ceil(k_end / static_cast<double>(box.cell_size)));
     for (int step = 0; step < steps; ++step)
         row.cfl = worse(row.cfl, wind->step(k_end / steps).cfl);
     // Solved once for all resolutions: it takes longer than they do.
-    static const auto flow = solved(glm::ivec3(80), k_viscosity, vortices, {}, k_end, 30);
+    static const auto flow = solved(glm::ivec3(80), k_viscosity, taylor_green_3d_start, {}, k_end, 30);
     row.error = error_to(wind->field(), flow->at_cell_centres(box.cells), glm::dvec3(0.0));
     row.bound = size == 16 ? 0.197 : size == 32 ? 0.033 : 0.0075;
     return row;
@@ -69,43 +63,24 @@ VerifyRow taylor_green_3d(const VerifySetting& setting, int size) {
 
 // --- A motor in a carried flow -----------------------------------------------------------------------------------------
 
-constexpr double k_forced_end = k_pi;
-constexpr glm::dvec3 k_forced_mean(1.0, 0.5, 0.0);
-
-// Wide, since the weight of its region is only once differentiable.
-DirectionalMotor gust(double t, double height) {
-    return {.position = {2.4 + 0.5 * t, 3.4 - 0.3 * t, height},
-            .direction = {0.6f, 0.8f, 0.0f},
-            .region = AlignedBox{{1.4f, 1.4f, 10.0f}},
-            .law = Force{static_cast<float>(3.0 * std::pow(std::sin(k_pi * t / k_forced_end), 2.0))},
-            .turbulence = {.intensity = 0.0f}};
-}
-
-// The same, in double and without the library: prod (1 - s^2)^2 about the motor's place.
-glm::dvec3 gust_force(glm::dvec3 x, double t) {
-    const auto weight = [](double s) { return s * s < 1.0 ? std::pow(1.0 - s * s, 2.0) : 0.0; };
-    const double strength = 3.0 * std::pow(std::sin(k_pi * t / k_forced_end), 2.0);
-    return strength * weight((x.x - 2.4 - 0.5 * t) / 1.4) * weight((x.y - 3.4 + 0.3 * t) / 1.4) * glm::dvec3(0.6, 0.8, 0.0);
-}
-
 VerifyRow forced_flow(const VerifySetting& setting, int size) {
-    constexpr double k_viscosity = 1e-3;
-    const auto start = [](glm::dvec3 x) {
-        return k_forced_mean + glm::dvec3(std::sin(x.x) * std::cos(x.y), -std::cos(x.x) * std::sin(x.y), 0.0);
-    };
+    constexpr double k_end = ForcedVortices::k_end, k_viscosity = ForcedVortices::k_viscosity;
+    const ForcedVortices forced;
     const Box box = periodic_box({size, size, 1}, 2.0 * k_pi / size);
     const double height = 0.5 * static_cast<double>(box.cell_size);
     const auto wind = wind_of(raw_config(box, k_viscosity, setting), setting);
-    wind->set_velocity([&](glm::dvec3 x) { return glm::vec3(start(x)); });
-    const MotorId motor = *wind->motors().add(gust(0.0, height));
+    wind->set_velocity([&](glm::dvec3 x) { return glm::vec3(ForcedVortices::start(x)); });
+    const MotorId motor = *wind->motors().add(forced.motor(0.0, height));
     VerifyRow row{.cells = box.cells};
     for (int step = 0; step < size; ++step) {
         // As it is in the middle of the step. Accepted once, it is accepted elsewhere: nothing to refuse.
-        static_cast<void>(wind->motors().set(motor, gust(k_forced_end * (step + 0.5) / size, height)));
-        row.cfl = worse(row.cfl, wind->step(k_forced_end / size).cfl);
+        static_cast<void>(wind->motors().set(motor, forced.motor(k_end * (step + 0.5) / size, height)));
+        row.cfl = worse(row.cfl, wind->step(k_end / size).cfl);
     }
-    static const auto flow = solved({128, 128, 1}, k_viscosity, start, gust_force, k_forced_end, 200);
-    row.error = error_to(wind->field(), flow->at_cell_centres(box.cells), k_forced_mean);
+    static const auto flow = solved(
+        {128, 128, 1}, k_viscosity, ForcedVortices::start, [](glm::dvec3 x, double t) { return ForcedVortices{}.force(x, t); },
+        k_end, 200);
+    row.error = error_to(wind->field(), flow->at_cell_centres(box.cells), ForcedVortices::k_mean);
     row.bound = falling_bound(2.45e-2, 32, 2.0, size);
     return row;
 }

@@ -9,6 +9,7 @@
 //
 // Based on: van Rees, Leonard, Pullin & Koumoutsakos 2011, Journal of Computational Physics 230; Hillewaert 2013, case C3.5 of
 // the International Workshop on High-Order CFD Methods, whose file spectral_Re1600_512.gdiag the energies are from.
+#include "cases/flows.h"
 #include "cases/whole_step.h"
 
 #include <algorithm>
@@ -71,9 +72,7 @@ double largest_error(const std::array<double, count>& values, const std::array<d
 VerifyRows taylor_green_re1600(const VerifySetting& setting, int size) {
     const Box box = periodic_box(glm::ivec3(size), 2.0 * k_pi / size);
     const auto wind = wind_of(raw_config(box, 1.0 / 1600.0, setting), setting);
-    wind->set_velocity([](glm::dvec3 x) {
-        return glm::vec3(std::sin(x.x) * std::cos(x.y) * std::cos(x.z), -std::cos(x.x) * std::sin(x.y) * std::cos(x.z), 0.0);
-    });
+    wind->set_velocity([](glm::dvec3 x) { return glm::vec3(taylor_green_3d_start(x)); });
     // Even, since a flicker from step to step would show in the rates. The first step has no history and loses energy once, by dt^2,
     // which is in the first of them.
     const int steps = 2 * static_cast<int>(std::ceil(0.5 * k_window / static_cast<double>(box.cell_size)));

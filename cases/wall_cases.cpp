@@ -26,20 +26,16 @@ struct Channel {
 Channel channel_of(int size, double width, int across, SideKind high) {
     Channel channel{.box = periodic_box(glm::ivec3(1), width / size), .across = across, .along = (across + 1) % 3};
     channel.box.cells[across] = size;
-    Side* const low_sides[3] = {&channel.box.sides.x_low, &channel.box.sides.y_low, &channel.box.sides.z_low};
-    Side* const high_sides[3] = {&channel.box.sides.x_high, &channel.box.sides.y_high, &channel.box.sides.z_high};
-    low_sides[across]->kind = SideKind::no_slip;
-    high_sides[across]->kind = high;
+    side_of(channel.box.sides, across, 0).kind = SideKind::no_slip;
+    side_of(channel.box.sides, across, 1).kind = high;
     return channel;
 }
 
 Sides sides_sliding(const Channel& channel, double low, double high) {
     Sides sides = channel.box.sides;
-    Side* const low_sides[3] = {&sides.x_low, &sides.y_low, &sides.z_low};
-    Side* const high_sides[3] = {&sides.x_high, &sides.y_high, &sides.z_high};
-    low_sides[channel.across]->wall_velocity[channel.along] = static_cast<float>(low);
+    side_of(sides, channel.across, 0).wall_velocity[channel.along] = static_cast<float>(low);
     if (high != 0.0)
-        high_sides[channel.across]->wall_velocity[channel.along] = static_cast<float>(high);
+        side_of(sides, channel.across, 1).wall_velocity[channel.along] = static_cast<float>(high);
     return sides;
 }
 
