@@ -2,11 +2,11 @@
 
 #include "cli/output_file.h"
 #include "cli/pictures.h"
+#include "cli/table.h"
 #include "fluid/message.h"
 
 #include <algorithm>
 #include <cairo.h>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -48,17 +48,13 @@ std::size_t character_length(std::string_view text) {
 std::string fixed(double value, int decimals) {
     if (!std::isfinite(value))
         return "?";
-    char digits[400]; // the largest double has 309 digits before the point
-    const auto end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::fixed, decimals).ptr;
-    return with_real_minus({digits, static_cast<std::size_t>(end - digits)});
+    return with_real_minus(to_fixed(value, decimals));
 }
 
 std::string brief(double value, int digits) {
     if (!std::isfinite(value))
         return "?";
-    char text[64];
-    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits).ptr;
-    return with_real_minus({text, static_cast<std::size_t>(end - text)});
+    return with_real_minus(to_digits(value, digits));
 }
 
 std::string printable(std::string_view text) {

@@ -107,7 +107,7 @@ Result<Image> compose_frame(const Air& air, double time, std::span<const Trail> 
     const std::array panels{&layout.level, &layout.upright};
     for (std::size_t index = 0; index < panels.size(); ++index) {
         const Panel& panel = *panels[index];
-        const SlicePicture slice = render_slice(air, panel.plane, Quantity::speed, scale, panel.width_px, panel.height_px);
+        const SlicePicture slice = render_slice(air, panel.plane, scale, panel.width_px, panel.height_px);
         largest = std::max(largest, slice.largest);
         broken = broken || slice.broken_pixels > 0;
         canvas.image(slice.image, {panel.rect.x, panel.rect.y});

@@ -1,4 +1,5 @@
-// Names of things, and motors on a slice: what each kind is called and coloured and what it covers, each kind's outline in its colour, and inside it a mark that says what it does to the air.
+// Names of things, and motors on a slice: what each kind is called and coloured and what it covers, its outline, and inside it a
+// mark that shows what it does to the air.
 #pragma once
 
 #include "cli/drawing/canvas.h"

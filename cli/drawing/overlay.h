@@ -1,5 +1,5 @@
-// What lies on a slice and around it: arrows of the wind, paths, motors, the player, their names; the outline by kind of side, ticks
-// in world metres, titles.
+// What lies on a slice and around it: arrows of the wind, paths, motors, the player, their names; the outline by kind of side,
+// ticks in world metres, titles.
 #pragma once
 
 #include "cli/drawing/canvas.h"

@@ -15,12 +15,6 @@ bool finite(glm::vec3 v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-float value_of(glm::vec3 velocity, Quantity quantity) {
-    // hypot, since a speed near the largest float would overflow as a sum of squares.
-    return quantity == Quantity::speed ? std::hypot(velocity.x, velocity.y, velocity.z)
-                                       : velocity[static_cast<int>(quantity) - 1];
-}
-
 /// Places of the lattice on one axis of the box.
 std::vector<double> lattice(double low, double extent, double cell_size, double spacing) {
     // The box moves by whole cells: what its corner has beyond whole cells stays, and so does the lattice. The quarter keeps
@@ -47,23 +41,13 @@ struct Anchor {
 };
 
 // Equal steps of lightness; chroma stays inside sRGB all the way, so that no channel is cut and no band appears.
-constexpr std::array k_speed_anchors{
+constexpr std::array k_anchors{
     Anchor{0.170, 0.050, 272.0}, // ink
     Anchor{0.329, 0.110, 266.0}, // blue
     Anchor{0.488, 0.108, 243.0}, // sea blue
     Anchor{0.647, 0.109, 190.0}, // teal
     Anchor{0.806, 0.140, 145.0}, // leaf
     Anchor{0.965, 0.105, 108.0}, // straw
-};
-
-constexpr std::array k_signed_anchors{
-    Anchor{0.300, 0.095, 262.0}, // deep blue
-    Anchor{0.520, 0.120, 250.0}, // blue
-    Anchor{0.740, 0.085, 240.0}, // sky
-    Anchor{0.960, 0.006, 90.0},  // paper
-    Anchor{0.740, 0.110, 60.0},  // sand
-    Anchor{0.520, 0.125, 45.0},  // rust
-    Anchor{0.300, 0.085, 32.0},  // deep rust
 };
 
 glm::dvec3 lab_of(const Anchor& anchor) {
@@ -91,17 +75,17 @@ double decode(std::uint8_t coded) {
 }
 
 /// The anchors joined in OKLab by a Catmull-Rom curve: no kink at an anchor, which the eye would read as an edge in the air.
-glm::dvec3 lab_at(std::span<const Anchor> anchors, double share) {
-    const int last = static_cast<int>(anchors.size()) - 1;
+glm::dvec3 lab_at(double share) {
+    const int last = static_cast<int>(k_anchors.size()) - 1;
     const double place = glm::clamp(share, 0.0, 1.0) * last;
     const int from = glm::clamp(static_cast<int>(place), 0, last - 1);
     const double t = place - from;
     const auto anchor = [&](int index) {
         if (index < 0)
-            return 2.0 * lab_of(anchors[0]) - lab_of(anchors[1]);
+            return 2.0 * lab_of(k_anchors[0]) - lab_of(k_anchors[1]);
         if (index > last)
-            return 2.0 * lab_of(anchors[last]) - lab_of(anchors[last - 1]);
-        return lab_of(anchors[index]);
+            return 2.0 * lab_of(k_anchors[last]) - lab_of(k_anchors[last - 1]);
+        return lab_of(k_anchors[index]);
     };
     const glm::dvec3 a = anchor(from - 1), b = anchor(from), c = anchor(from + 1), d = anchor(from + 2);
     return b + 0.5 * t * (c - a + t * (2.0 * a - 5.0 * b + 4.0 * c - d + t * (3.0 * (b - c) + d - a)));
@@ -111,21 +95,13 @@ glm::dvec3 lab_at(std::span<const Anchor> anchors, double share) {
 constexpr int k_entries = 2048;
 using Table = std::array<Rgb8, k_entries>;
 
-Table make_table(std::span<const Anchor> anchors) {
+Table make_table() {
     Table table;
     for (int entry = 0; entry < k_entries; ++entry) {
-        const glm::dvec3 rgb = to_linear_rgb(lab_at(anchors, entry / (k_entries - 1.0)));
+        const glm::dvec3 rgb = to_linear_rgb(lab_at(entry / (k_entries - 1.0)));
         table[entry] = {encode(rgb.x), encode(rgb.y), encode(rgb.z)};
     }
     return table;
-}
-
-Rgb8 look_up(const Table& table, float share) {
-    if (!(share > 0.0f)) // NaN too, but callers draw that in k_broken_colour
-        return table.front();
-    if (share >= 1.0f)
-        return table.back();
-    return table[static_cast<std::size_t>(share * (k_entries - 1) + 0.5f)];
 }
 
 } // namespace
@@ -144,7 +120,7 @@ Plane held_inside(Plane plane, const Air& air) {
     return plane;
 }
 
-SlicePicture render_slice(const Air& air, const Plane& plane, Quantity quantity, float scale, int width, int height) {
+SlicePicture render_slice(const Air& air, const Plane& plane, float scale, int width, int height) {
     SlicePicture picture{.image = Image(width, height)};
     const glm::dvec2 low = plane.in_plane(air.origin);
     const glm::dvec2 extent = plane.in_plane(air.extent());
@@ -162,10 +138,10 @@ SlicePicture render_slice(const Air& air, const Plane& plane, Quantity quantity,
                 ++picture.broken_pixels;
                 continue;
             }
-            const float value = value_of(velocities[column], quantity);
-            const float share = value / scale;
-            picture.largest = std::max(picture.largest, std::abs(value));
-            picture.image.set(column, row, quantity == Quantity::speed ? speed_colour(share) : signed_colour(share));
+            const glm::vec3 u = velocities[column];
+            const float speed = std::hypot(u.x, u.y, u.z); // near the largest float a sum of squares would overflow
+            picture.largest = std::max(picture.largest, speed);
+            picture.image.set(column, row, speed_colour(speed / scale));
         }
     }
     return picture;
@@ -211,13 +187,12 @@ std::vector<WindArrow> slice_arrows(const Air& air, const Plane& plane, double s
 }
 
 Rgb8 speed_colour(float share) {
-    static const Table table = make_table(k_speed_anchors);
-    return look_up(table, share);
-}
-
-Rgb8 signed_colour(float share) {
-    static const Table table = make_table(k_signed_anchors);
-    return look_up(table, 0.5f * share + 0.5f);
+    static const Table table = make_table();
+    if (!(share > 0.0f)) // NaN too, but callers draw that in k_broken_colour
+        return table.front();
+    if (share >= 1.0f)
+        return table.back();
+    return table[static_cast<std::size_t>(share * (k_entries - 1) + 0.5f)];
 }
 
 glm::dvec3 to_oklab(Rgb8 colour) {
