@@ -3,8 +3,7 @@
 
 namespace windrow::reference::WINDROW_LEVEL {
 namespace {
-#include "cases/reference/jacobi_plane.inl"
-#include "cases/reference/jacobi_sides.inl"
+#include "cases/reference/jacobi_planes.inl"
 #include "cases/reference/multigrid_planes.inl"
 #include "cases/reference/stam_planes.inl"
 
