@@ -1,6 +1,7 @@
 #include "cases/flow_truth.h"
 
 #include "cases/cell_values.h"
+#include "cases/cubic_factor.h"
 #include "cases/flow_wind.h"
 
 #include <algorithm>
@@ -23,13 +24,7 @@ Stencil stencil_at(double place, int cells) {
     if (cells < k_nodes)
         return {.first = std::clamp(static_cast<int>(std::lround(place)), 0, cells - 1)};
     Stencil stencil{.first = std::clamp(static_cast<int>(std::floor(place)) - 1, 0, cells - k_nodes), .count = k_nodes};
-    const double t = place - stencil.first;
-    for (int n = 0; n < k_nodes; ++n) {
-        stencil.weights[n] = 1.0;
-        for (int other = 0; other < k_nodes; ++other)
-            if (other != n)
-                stencil.weights[n] *= (t - other) / (n - other);
-    }
+    stencil.weights = cubic_weights(place - stencil.first - 1);
     return stencil;
 }
 

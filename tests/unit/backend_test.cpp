@@ -5,12 +5,12 @@
 #include "cli/backend.h"
 #include "cli/console.h"
 #include "tests/figure.h"
+#include "tests/unit/command_outcome.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -104,16 +104,8 @@ TEST_F(OnDevice, SleepKeepsTheBoxWhereItIs) {
     EXPECT_EQ(wind->view().origin(), wind->origin());
 }
 
-struct Outcome {
-    int code;
-    std::string out, err;
-};
 Outcome run(std::vector<const char*> arguments) {
-    arguments.insert(arguments.begin(), "windrow");
-    std::ostringstream out, err;
-    const int code =
-        run_command_line(static_cast<int>(arguments.size()), arguments.data(), {.out = out, .err = err, .progress = nullptr});
-    return {code, out.str(), err.str()};
+    return run_windrow(std::move(arguments));
 }
 
 // At the coarsest resolution of each: implicit diffusion of r = 1e4, whose systems are singular to floats, projections, motors,

@@ -2,6 +2,7 @@
 #include "cli/bench/bench_command.h"
 #include "cli/bench/contest.h"
 #include "cli/console.h"
+#include "tests/unit/command_outcome.h"
 
 #include <chrono>
 #include <cmath>
@@ -9,7 +10,6 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -20,26 +20,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Outcome {
-    int code;
-    std::string out;
-    std::string err;
-};
-
 Outcome bench(std::vector<const char*> arguments) {
-    arguments.insert(arguments.begin(), {"windrow", "bench"});
-    std::ostringstream out;
-    std::ostringstream err;
-    const int code =
-        run_command_line(static_cast<int>(arguments.size()), arguments.data(), {.out = out, .err = err, .progress = nullptr});
-    return {code, out.str(), err.str()};
+    return run_windrow("bench", std::move(arguments));
 }
 
 void expect_refusal(std::vector<const char*> arguments, const std::string& sentence) {
-    const Outcome outcome = bench(std::move(arguments));
-    EXPECT_EQ(outcome.code, k_exit_wrong_use);
-    EXPECT_EQ(outcome.err, "windrow: " + sentence + "\n");
-    EXPECT_EQ(outcome.out, "");
+    expect_refused(bench(std::move(arguments)), sentence);
 }
 
 class BenchCommand : public testing::Test {

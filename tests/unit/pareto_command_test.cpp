@@ -5,6 +5,7 @@
 #include "cases/pareto_method.h"
 #include "cli/console.h"
 #include "cli/pareto/pareto_command.h"
+#include "tests/unit/command_outcome.h"
 
 #include <cmath>
 #include <csignal>
@@ -30,31 +31,16 @@ namespace fs = std::filesystem;
 constexpr const char* k_header = "backend,scheme,advection,pressure,grid,cfl,case,error,order,step_ms,cost_vs_stam40,"
                                  "threads,ms_per_second,machine";
 
-struct Outcome {
-    int code;
-    std::string out;
-    std::string err;
-};
-
 Outcome pareto(std::vector<const char*> arguments) {
-    arguments.insert(arguments.begin(), {"windrow", "pareto"});
-    std::ostringstream out, err;
-    const int code =
-        run_command_line(static_cast<int>(arguments.size()), arguments.data(), {.out = out, .err = err, .progress = nullptr});
-    return {code, out.str(), err.str()};
+    return run_windrow("pareto", std::move(arguments));
 }
 
 Outcome pareto(const ParetoRequest& request, int signal = 0) {
-    std::ostringstream out, err;
-    const int code = run_pareto(request, {.out = out, .err = err, .progress = nullptr}, [=] { return signal; });
-    return {code, out.str(), err.str()};
+    return run_request(run_pareto, request, signal);
 }
 
 void expect_refusal(std::vector<const char*> arguments, const std::string& sentence) {
-    const Outcome outcome = pareto(std::move(arguments));
-    EXPECT_EQ(outcome.code, k_exit_wrong_use);
-    EXPECT_EQ(outcome.err, "windrow: " + sentence + "\n");
-    EXPECT_EQ(outcome.out, "");
+    expect_refused(pareto(std::move(arguments)), sentence);
 }
 
 std::string text_of(const fs::path& file) {

@@ -1,11 +1,11 @@
 // `windrow plants` as a user meets it: a table, curves of five plots, sentences.
 #include "cli/console.h"
+#include "tests/unit/command_outcome.h"
 
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
-#include <sstream>
 #include <string>
 #include <unistd.h>
 #include <vector>
@@ -15,17 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Outcome {
-    int code;
-    std::string out, err;
-};
-
 Outcome plants(std::vector<const char*> arguments) {
-    arguments.insert(arguments.begin(), {"windrow", "plants"});
-    std::ostringstream out, err;
-    const int code =
-        run_command_line(static_cast<int>(arguments.size()), arguments.data(), {.out = out, .err = err, .progress = nullptr});
-    return {code, out.str(), err.str()};
+    return run_windrow("plants", std::move(arguments));
 }
 
 TEST(PlantsCommand, WritesItsCurvesAndPrintsItsTable) {

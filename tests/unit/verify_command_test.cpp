@@ -3,6 +3,7 @@
 #include "cases/verify_case.h"
 #include "cli/console.h"
 #include "cli/verify/verify_command.h"
+#include "tests/unit/command_outcome.h"
 
 #include <algorithm>
 #include <array>
@@ -29,31 +30,16 @@ namespace fs = std::filesystem;
 
 constexpr const char* k_quick = "couette_steady";
 
-struct Outcome {
-    int code;
-    std::string out;
-    std::string err;
-};
-
 Outcome verify(std::vector<const char*> arguments) {
-    arguments.insert(arguments.begin(), {"windrow", "verify"});
-    std::ostringstream out, err;
-    const int code =
-        run_command_line(static_cast<int>(arguments.size()), arguments.data(), {.out = out, .err = err, .progress = nullptr});
-    return {code, out.str(), err.str()};
+    return run_windrow("verify", std::move(arguments));
 }
 
 Outcome verify(const VerifyRequest& request, int signal = 0) {
-    std::ostringstream out, err;
-    const int code = run_verify(request, {.out = out, .err = err, .progress = nullptr}, [=] { return signal; });
-    return {code, out.str(), err.str()};
+    return run_request(run_verify, request, signal);
 }
 
 void expect_refusal(std::vector<const char*> arguments, const std::string& sentence) {
-    const Outcome outcome = verify(std::move(arguments));
-    EXPECT_EQ(outcome.code, k_exit_wrong_use);
-    EXPECT_EQ(outcome.err, "windrow: " + sentence + "\n");
-    EXPECT_EQ(outcome.out, "");
+    expect_refused(verify(std::move(arguments)), sentence);
 }
 
 /// A case whose errors are given.
