@@ -15,7 +15,6 @@ namespace windrow::cases {
 
 struct ParetoFlow {
     std::string name;     ///< the CSV's `case`
-    std::string title;    ///< over its panel
     std::string what;     ///< the flow and its truth, in a sentence
     glm::dvec3 size{1.0}; ///< [m] of the box; cells are cubes
     Sides sides{};

@@ -44,7 +44,6 @@ ParetoFlow taylor_green_2d(bool quick) {
     const TaylorGreen2D vortices{.mean = {1.0, 0.0, 0.5}, .a = 0, .b = 2};
     ParetoFlow flow = flat(2.0 * k_pi);
     flow.name = "taylor_green_2d";
-    flow.title = "Vortices carried by a wind (2D, periodic, exact)";
     flow.what = "Taylor and Green's vortices, carried across the cells by a mean wind; exact.";
     flow.mean = vortices.mean;
     flow.end = k_pi;
@@ -60,7 +59,6 @@ ParetoFlow vortex_pair() {
     constexpr glm::dvec3 k_mean(1.5, 0.0, 0.8);
     ParetoFlow flow = flat(16.0);
     flow.name = "vortex_pair";
-    flow.title = "A pair of vortices in a wind (2D, open sides)";
     flow.what = "Two whirls that push each other along through a mean wind and open sides; truth: 768 cells a side.";
     flow.sides.x_low.kind = flow.sides.x_high.kind = flow.sides.z_low.kind = flow.sides.z_high.kind = SideKind::open;
     flow.mean = k_mean;
@@ -86,7 +84,6 @@ ParetoFlow abc_flow(bool quick) {
     const ArnoldBeltramiChildress vortices{.mean = {0.5, -0.3, 0.4}};
     ParetoFlow flow;
     flow.name = "abc_flow";
-    flow.title = "Interwoven vortices carried by a wind (3D, periodic, exact)";
     flow.what = "Arnold, Beltrami and Childress' flow without viscosity, carried across the cells by a mean wind; exact.";
     flow.size = {4.0 * k_pi, 2.0 * k_pi, 4.0 * k_pi};
     flow.sides = Sides::all(SideKind::periodic);
@@ -102,7 +99,6 @@ ParetoFlow abc_flow(bool quick) {
 ParetoFlow jet(bool quick) {
     ParetoFlow flow;
     flow.name = "jet";
-    flow.title = "A motor's jet in a wind over a floor (3D, open sides)";
     flow.what = quick ? "A jet motor blows into a mean wind over a floor; truth: 128 x 64 x 128 cells."
                       : "A jet motor blows into a mean wind over a floor; truth: 256 x 128 x 256 cells.";
     flow.size = {32.0, 16.0, 32.0};
@@ -128,7 +124,6 @@ ParetoFlow jet(bool quick) {
 ParetoFlow gusty_fan(bool quick) {
     ParetoFlow flow = jet(quick);
     flow.name = "gusty_fan";
-    flow.title = "A circling fan in gusts over a log profile (3D, open sides)";
     flow.what = quick ? "A fan on a circle blows across gusts over a floor; truth: 128 x 64 x 128 cells."
                       : "A fan on a circle blows across gusts over a floor; truth: 256 x 128 x 256 cells.";
     flow.mean = {5.0, 0.0, 2.0};

@@ -206,7 +206,7 @@ Result<std::optional<FlowResult>> run_flow(const ParetoFlow& flow, const ParetoR
     if (!*truth)
         return std::optional<FlowResult>();
 
-    FlowResult result{.name = flow.name, .title = flow.title, .rows = {}};
+    FlowResult result{.name = flow.name, .rows = {}};
     std::optional<GridErrors> coarser;
     glm::ivec3 coarser_cells(0);
     const auto methods = pareto_methods(solves_of(flow, backend.kind()));

@@ -8,9 +8,12 @@
 #include "fluid/result.h"
 #include "fluid/simd.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,10 +34,8 @@ struct ParetoRequest {
     std::filesystem::path out;
 };
 
-// The front of those that nothing beats: of a set of points, those than which no other is at once no dearer and no worse, and
-// better in one of the two.
-//
-// Based on: Kung, Luccio & Preparata 1975, Journal of the ACM 22 (the maxima of a set of vectors: sort by one figure, sweep the
+// --- The front of those that nothing beats: of a set of points, those than which no other is at once no dearer and no worse, and
+// better in one of the two. Based on: Kung, Luccio & Preparata 1975, Journal of the ACM 22 (the maxima of a set of vectors: sort by one figure, sweep the
 // other).
 struct CostError {
     double cost = 0.0;
@@ -50,6 +51,8 @@ struct CostError {
 /// Of those that beat a point the one with the least error, the cheapest of these; nothing where the point is on the front.
 [[nodiscard]] std::optional<std::size_t> beaten_by(std::span<const CostError> points, std::size_t point);
 
+// --- Figures -----------------------------------------------------------------------------------------------------------
+
 /// One method on one grid at one step, with one number of threads.
 struct ParetoRow {
     cases::Method method{};
@@ -64,7 +67,7 @@ struct ParetoRow {
 };
 
 struct FlowResult {
-    std::string name, title;
+    std::string name;
     std::vector<ParetoRow> rows;
 
     /// The rows with `threads` threads.
@@ -103,6 +106,17 @@ void report_pareto_start(const ParetoResult& result, const Console& console);
 /// `threads`: those of the front.
 void report_front(const FlowResult& flow, int threads, const Console& console);
 
+/// A row a method, grid, step, flow and number of threads:
+///
+///     backend, scheme, advection, pressure   the method
+///     grid, cfl, case                        cells along x, y, z; cells that the fastest air crosses in a step; the flow
+///     error                                  |u - truth| / |truth - mean wind| at the flow's end; inf or nan where the run broke
+///     order                                  of the error, from the next coarser grid to this one; empty on the coarsest
+///     cost_vs_stam40                         time of a step over that of Stam's with 40 Jacobi sweeps, median of neighbouring turns
+///     step_ms                                cost_vs_stam40 times the least time of Stam's step on that grid
+///     threads
+///     ms_per_second                          time for a second of the flow: step_ms * steps / flow time
+///     machine                                what ran the methods, and its SIMD level; quoted
 [[nodiscard]] std::string pareto_csv(const ParetoResult& result);
 
 /// Memory that the flow's largest grid takes. [bytes]

@@ -122,6 +122,7 @@ TEST(ParetoMethods, AreAllOfThemAndTheDefaultIsWhatAWindDoes) {
 }
 
 TEST(ParetoFlows, AreWhole) {
+    const std::string script = text_of(fs::path(WINDROW_SOURCE_DIR) / "tools" / "plots.py");
     for (const bool quick : {false, true}) {
         int in_three_dimensions = 0;
         std::set<std::string> names;
@@ -129,7 +130,8 @@ TEST(ParetoFlows, AreWhole) {
             names.insert(flow.name);
             in_three_dimensions += flow.grids.front().y > 1 ? 1 : 0;
             EXPECT_GE(flow.grids.size(), 2u) << flow.name;
-            EXPECT_FALSE(flow.title.empty() || flow.what.empty()) << flow.name;
+            EXPECT_FALSE(flow.what.empty()) << flow.name;
+            EXPECT_NE(script.find("\"" + flow.name + "\": "), std::string::npos) << flow.name << " has no title over its panel";
             for (const glm::ivec3 cells : flow.grids) {
                 EXPECT_TRUE(validate(box_of(flow, cells))) << flow.name;
                 for (const double cfl : {0.5, 1.0, 4.0}) {
