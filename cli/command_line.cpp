@@ -84,7 +84,7 @@ void parse(CLI::App& app, int count, const char* const* arguments, std::function
 #if WINDROW_WITH_VULKAN
     add_check(app, chosen, console);
 #else
-    app.add_subcommand("check", "Hold a Vulkan device against the CPU: not built in")->callback([] {
+    app.add_subcommand("check", "Hold a Vulkan device against the CPU: not built in")->allow_extras()->callback([] {
         reject("check runs on Vulkan, which is not built in: build with WINDROW_VULKAN=ON.");
     });
 #endif
