@@ -1,21 +1,15 @@
-// The whole step against a pseudo-spectral solution of the same flow (cases/reference/spectral_flow.h), where no closed
+// The whole step against a pseudo-spectral solution of the same flow (spectral_solutions.h), where no closed
 // form is known.
 //
 //   Taylor and Green in space   nu = 1/200, CFL 1, to T = 3, when the vortices have stretched into sheets
 //   forced                      dt = h / 2. A step acts with the force of its middle: the motor is set to it first
 //
-// Error = |u - reference|_2 / |reference - mean|_2 over the cell centres, order 2 at a fixed CFL number. The references: 80^3
-// points, less than 5e-4 from finer ones at the end (64^3 are 3e-3 from it); 128^2 points, 2e-4 from 96^2.
-// The flows: flows.h.
-#include "cases/flows.h"
+// Error = |u - reference|_2 / |reference - mean|_2 over the cell centres, order 2 at a fixed CFL number.
 #include "cases/whole_step.h"
 
 #if WINDROW_CASES_FFTW
-#include "cases/reference/spectral_flow.h"
+#include "cases/spectral_solutions.h"
 #endif
-
-#include <functional>
-#include <memory>
 
 namespace windrow::cases {
 
@@ -33,20 +27,10 @@ double error_to(std::span<const glm::vec4> field, const std::vector<glm::dvec3>&
     return std::sqrt(error / size);
 }
 
-std::unique_ptr<const reference::SpectralFlow> solved(glm::ivec3 points, double viscosity,
-                                                      const std::function<glm::dvec3(glm::dvec3)>& start,
-                                                      const reference::SpectralFlow::Force& force, double end, int steps) {
-    auto flow = std::make_unique<reference::SpectralFlow>(points, viscosity);
-    flow->start(start);
-    flow->set_force(force);
-    flow->run(end, steps);
-    return flow;
-}
-
 // --- Taylor and Green's vortices in space ------------------------------------------------------------------------------
 
 VerifyRow taylor_green_3d(const VerifySetting& setting, int size) {
-    constexpr double k_end = 3.0, k_viscosity = 1.0 / 200.0;
+    constexpr double k_end = k_sheets_end, k_viscosity = k_sheets_viscosity;
     const Box box = periodic_box(glm::ivec3(size), 2.0 * k_pi / size);
     const auto wind = wind_of(raw_config(box, k_viscosity, setting), setting);
     wind->set_velocity([](glm::dvec3 x) { return glm::vec3(taylor_green_3d_start(x)); });
@@ -54,9 +38,7 @@ VerifyRow taylor_green_3d(const VerifySetting& setting, int size) {
     const int steps = static_cast<int>(std::ceil(k_end / static_cast<double>(box.cell_size)));
     for (int step = 0; step < steps; ++step)
         row.cfl = worse(row.cfl, wind->step(k_end / steps).cfl);
-    // Solved once for all resolutions: it takes longer than they do.
-    static const auto flow = solved(glm::ivec3(80), k_viscosity, taylor_green_3d_start, {}, k_end, 30);
-    row.error = error_to(wind->field(), flow->at_cell_centres(box.cells), glm::dvec3(0.0));
+    row.error = error_to(wind->field(), taylor_green_3d_end().at_cell_centres(box.cells), glm::dvec3(0.0));
     row.bound = size == 16 ? 0.197 : size == 32 ? 0.033 : 0.0075;
     return row;
 }
@@ -77,10 +59,7 @@ VerifyRow forced_flow(const VerifySetting& setting, int size) {
         static_cast<void>(wind->motors().set(motor, forced.motor(k_end * (step + 0.5) / size, height)));
         row.cfl = worse(row.cfl, wind->step(k_end / size).cfl);
     }
-    static const auto flow = solved(
-        {128, 128, 1}, k_viscosity, ForcedVortices::start, [](glm::dvec3 x, double t) { return ForcedVortices{}.force(x, t); },
-        k_end, 200);
-    row.error = error_to(wind->field(), flow->at_cell_centres(box.cells), ForcedVortices::k_mean);
+    row.error = error_to(wind->field(), forced_vortices_end().at_cell_centres(box.cells), ForcedVortices::k_mean);
     row.bound = falling_bound(2.45e-2, 32, 2.0, size);
     return row;
 }

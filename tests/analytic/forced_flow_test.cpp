@@ -6,7 +6,7 @@
 // Every kind of drive, and plants: a motor that moves and speeds up, moved as a host moves it, to where it is at the end of each
 // step, against the same on four times as many cells.
 #include "case_check.h"
-#include "cases/reference/spectral_flow.h"
+#include "cases/spectral_solutions.h"
 #include "flows.h"
 #include "tests/fields.h"
 
@@ -19,16 +19,9 @@ using namespace flows;
 using figures::expect_at_least;
 using figures::expect_at_most;
 
-constexpr double k_end = cases::ForcedVortices::k_end, k_viscosity = cases::ForcedVortices::k_viscosity;
+using cases::solved;
 
-// The reference's velocity at the end, at the centres of `cells`.
-std::vector<glm::dvec3> exact_end(const cases::ForcedVortices& gust, int points, int steps, int cells) {
-    reference::SpectralFlow flow({points, points, 1}, k_viscosity);
-    flow.start(gust.start);
-    flow.set_force([&](glm::dvec3 x, double t) { return gust.force(x, t); });
-    flow.run(k_end, steps);
-    return flow.at_cell_centres({cells, cells, 1});
-}
+constexpr double k_end = cases::ForcedVortices::k_end, k_viscosity = cases::ForcedVortices::k_viscosity;
 
 double forced_error(int cells, const cases::ForcedVortices& gust, Scheme scheme, const std::vector<glm::dvec3>& exact) {
     const Box box = periodic_box({cells, cells, 1}, 2.0 * k_pi / cells);
@@ -63,10 +56,13 @@ TEST(ForcedFlow, AMovingMotorIsSecondOrderAtFixedCfl) {
     const cases::ForcedVortices gust;
     double split[3];
     expect_at_most("forced.reference_change_from_96_to_128",
-                   difference(exact_end(gust, 96, 150, 64), exact_end(gust, 128, 200, 64)), 2e-4);
+                   difference(solved(gust, 96, 150)->at_cell_centres({64, 64, 1}),
+                              cases::forced_vortices_end().at_cell_centres({64, 64, 1})),
+                   2e-4);
     for (int level = 0; level < 3; ++level) {
         const int cells = 32 << level;
-        split[level] = forced_error(cells, gust, Scheme::stable_fluids, exact_end(gust, 128, 200, cells));
+        split[level] =
+            forced_error(cells, gust, Scheme::stable_fluids, cases::forced_vortices_end().at_cell_centres({cells, cells, 1}));
         figures::report("forced.stable_fluids.error_" + std::to_string(cells), split[level]);
     }
     expect_at_least("forced.stable_fluids.order_64_128", figures::order(split[1], split[2]), 0.9);
@@ -75,10 +71,11 @@ TEST(ForcedFlow, AMovingMotorIsSecondOrderAtFixedCfl) {
 
 TEST(ForcedFlow, AMotorAtFullStrengthFromTheStartIsToo) {
     const cases::ForcedVortices gust{.at_once = true};
+    const auto exact = solved(gust, 96, 150);
     double errors[3];
     for (int level = 0; level < 3; ++level) {
         const int cells = 32 << level;
-        errors[level] = forced_error(cells, gust, Scheme::second_order, exact_end(gust, 96, 150, cells));
+        errors[level] = forced_error(cells, gust, Scheme::second_order, exact->at_cell_centres({cells, cells, 1}));
         figures::report("forced.at_once.error_" + std::to_string(cells), errors[level]);
     }
     expect_at_least("forced.at_once.order_32_64", figures::order(errors[0], errors[1]), 1.9);

@@ -2,13 +2,10 @@
 // to T = 3, where the vortices have stretched into sheets but the flow is still smooth. dt = T / ceil(T / h): CFL 1 at most.
 //
 // Reference: pseudo-spectral, spectral_flow.h, at the cell centres. Error = |u - u_ref|_2 / |u_ref|_2, order 2 and more.
-// 64^3 points are themselves 0.003 from converged, so the bounds are held against 80^3 and the error against 64^3 is reported
-// beside it.
+// 64^3 points are themselves 0.003 from converged, so the bounds are held against 80^3.
 #include "case_check.h"
-#include "cases/reference/spectral_flow.h"
+#include "cases/spectral_solutions.h"
 #include "flows.h"
-
-#include <memory>
 
 namespace windrow {
 namespace {
@@ -18,25 +15,11 @@ using figures::expect_at_least;
 using figures::expect_at_most;
 using reference::SpectralFlow;
 
-constexpr double k_viscosity = 1.0 / 200.0, k_end = 3.0;
-
+constexpr double k_viscosity = cases::k_sheets_viscosity, k_end = cases::k_sheets_end;
 constexpr auto vortices = cases::taylor_green_3d_start;
 
-SpectralFlow& solved(int points, int steps) {
-    // Kept over the tests of this file: a run costs seconds.
-    struct Run {
-        int points, steps;
-        std::unique_ptr<SpectralFlow> flow;
-    };
-    static std::vector<Run> runs;
-    for (Run& run : runs)
-        if (run.points == points && run.steps == steps)
-            return *run.flow;
-    auto flow = std::make_unique<SpectralFlow>(glm::ivec3(points), k_viscosity);
-    flow->start(vortices);
-    flow->run(k_end, steps);
-    runs.push_back({points, steps, std::move(flow)});
-    return *runs.back().flow;
+cases::SpectralSolution solved(int points, int steps) {
+    return cases::solved(glm::ivec3(points), k_viscosity, vortices, {}, k_end, steps);
 }
 
 double difference(const std::vector<glm::dvec3>& a, const std::vector<glm::dvec3>& b) {
@@ -91,10 +74,10 @@ TEST(SpectralReference, CarriesTaylorGreenAtFourthOrder) {
 TEST(SpectralReference, HasConvergedAtTheEnd) {
     const glm::ivec3 cells(32);
     expect_at_most("spectral.tg3d_change_at_half_as_many_steps",
-                   difference(solved(48, 30).at_cell_centres(cells), solved(48, 60).at_cell_centres(cells)), 1e-4);
+                   difference(solved(48, 30)->at_cell_centres(cells), solved(48, 60)->at_cell_centres(cells)), 1e-4);
     // 96^3 and 108^3 move the reference by less than a tenth of this once more.
-    const auto u = solved(80, 30).at_cell_centres(cells);
-    expect_at_most("spectral.tg3d_change_from_64_to_80_cubed", difference(solved(64, 30).at_cell_centres(cells), u), 4e-3);
+    const auto u = cases::taylor_green_3d_end().at_cell_centres(cells);
+    expect_at_most("spectral.tg3d_change_from_64_to_80_cubed", difference(solved(64, 30)->at_cell_centres(cells), u), 4e-3);
     // Mirrors of the start: u(-x) = -u(x), w odd in z, and x and y exchanged.
     double worst = 0.0;
     const auto at = [&](int i, int j, int k) { return u[(static_cast<std::size_t>(k) * 32 + j) * 32 + i]; };
@@ -122,9 +105,7 @@ double split_error(int cells) {
         u.emplace_back(v);
     figures::report("tg3d.stable_fluids.h_div_over_rms_" + std::to_string(cells),
                     last.divergence_rms * static_cast<double>(box.cell_size) / rms(wind.field()));
-    figures::report("tg3d.stable_fluids.error_against_64_cubed_" + std::to_string(cells),
-                    difference(u, solved(64, 30).at_cell_centres(glm::ivec3(cells))));
-    return difference(u, solved(80, 30).at_cell_centres(glm::ivec3(cells)));
+    return difference(u, cases::taylor_green_3d_end().at_cell_centres(glm::ivec3(cells)));
 }
 
 TEST(TaylorGreen3D, ErrorAgainstTheSpectralReference) {
