@@ -58,13 +58,6 @@ Fault fault_of(const Result<void>& drawn) {
 
 } // namespace
 
-bool built_with_vdb() {
-    return WINDROW_WITH_VDB != 0;
-}
-bool built_with_images() {
-    return WINDROW_WITH_IMAGES != 0;
-}
-
 FrameWriter::FrameWriter(const scene::Scene& scene, std::filesystem::path folder, bool images, bool vdb, std::int64_t frames)
     : scene_(&scene), folder_(std::move(folder)), images_(images), vdb_(vdb), frames_(frames), digits_(4) {
     for (std::int64_t limit = 10'000; limit < frames; limit *= 10)

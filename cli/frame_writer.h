@@ -13,10 +13,6 @@
 
 namespace windrow::cli {
 
-/// Whether the command was built with these parts (CMake options WINDROW_VDB and WINDROW_IMAGES).
-[[nodiscard]] bool built_with_vdb();
-[[nodiscard]] bool built_with_images();
-
 class FrameWriter {
   public:
     /// `folder` stands. `frames` is how many there will be: their numbers get as many digits as the last needs, at least four.

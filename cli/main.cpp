@@ -1,5 +1,4 @@
-#include "cli/command_line.h"
-#include "cli/exit_code.h"
+#include "cli/console.h"
 
 #include <csignal>
 #include <cstdio>

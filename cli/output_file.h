@@ -1,7 +1,7 @@
 // The files of a command and the folder that holds them.
 #pragma once
 
-#include "cli/fault.h"
+#include "cli/console.h"
 #include "fluid/new_file.h"
 
 #include <filesystem>

@@ -3,23 +3,13 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo)
 
 target_sources(windrow_cli_support PRIVATE
-  pictures.cpp
-  drawing/axes.cpp
   drawing/canvas.cpp
-  drawing/colour_bar.cpp
-  drawing/colour_map.cpp
   drawing/contact_sheet.cpp
   drawing/frame.cpp
-  drawing/image.cpp
   drawing/layout.cpp
   drawing/legend.cpp
   drawing/motor_marks.cpp
-  drawing/motor_style.cpp
-  drawing/names.cpp
   drawing/outline.cpp
   drawing/overlay.cpp
-  drawing/slice.cpp
-  drawing/text.cpp
-  drawing/world_map.cpp
-  pareto/plot_image.cpp)
+  drawing/slice.cpp)
 target_link_libraries(windrow_cli_support PRIVATE PkgConfig::cairo PUBLIC windrow_pictures)

@@ -1,7 +1,7 @@
 // Pictures of the air: what a person wants to see of a frame, and the contact sheet of a run.
 #pragma once
 
-#include "cli/backend/command_wind.h"
+#include "cases/backend_wind.h"
 #include "fluid/motors.h"
 #include "fluid/result.h"
 
@@ -57,14 +57,14 @@ struct FrameParts {
     PixelRect level, upright, legend;
 };
 /// The same for all frames of a run: it depends on the box's shape and the picture's width alone.
-[[nodiscard]] FrameParts frame_parts(const CommandWind& wind, const PictureSettings& settings);
+[[nodiscard]] FrameParts frame_parts(const cases::BackendWind& wind, const PictureSettings& settings);
 
 /// An error of the functions below begins with this where the disk is to blame: it is full, or a quota or size limit is reached.
 inline constexpr std::string_view k_disk_fault = "disk fault: ";
 
 /// One PNG: a level and an upright slice of speed with arrows, motors and trails on top, scale bar, colour bar, time. The file
 /// appears whole or not at all.
-[[nodiscard]] Result<void> draw_frame(const CommandWind& wind, double time, std::span<const Trail> trails,
+[[nodiscard]] Result<void> draw_frame(const cases::BackendWind& wind, double time, std::span<const Trail> trails,
                                       std::span<const NamedMotor> motors, const PictureSettings& settings,
                                       const std::filesystem::path& file);
 

@@ -1,7 +1,7 @@
 // A scene that runs: the wind, and what moves in it.
 #pragma once
 
-#include "cli/backend/command_wind.h"
+#include "cases/backend_wind.h"
 #include "scene/scene_motion.h"
 
 #include <cstdint>
@@ -12,7 +12,8 @@ namespace windrow::cli {
 class Playback {
   public:
     /// Makes the air of a scene; the scene must outlive it. `threads` may be empty: serial.
-    [[nodiscard]] static Result<Playback> create(const scene::Scene& scene, ParallelFor threads, const Backend& backend = {});
+    [[nodiscard]] static Result<Playback> create(const scene::Scene& scene, ParallelFor threads,
+                                                 const cases::Backend& backend = {});
 
     /// Advances by one tick: what moves is put where it is at the tick's end, and the air follows.
     [[nodiscard]] Result<Diagnostics> tick();
@@ -20,7 +21,7 @@ class Playback {
     /// [s] Ticks so far over tick_hz: no sum of rounded steps.
     [[nodiscard]] double time() const { return static_cast<double>(ticks_) / scene_->tick_hz; }
     [[nodiscard]] std::int64_t ticks() const { return ticks_; }
-    [[nodiscard]] const CommandWind& wind() const { return *wind_; }
+    [[nodiscard]] const cases::BackendWind& wind() const { return *wind_; }
     [[nodiscard]] const scene::Scene& scene() const { return *scene_; }
 
     using Acting = scene::SceneMotion::Acting;
@@ -28,11 +29,11 @@ class Playback {
     [[nodiscard]] std::vector<Acting> acting() const { return motion_.acting(wind().motors(), time()); }
 
   private:
-    Playback(const scene::Scene& scene, std::unique_ptr<CommandWind> wind)
+    Playback(const scene::Scene& scene, std::unique_ptr<cases::BackendWind> wind)
         : scene_(&scene), wind_(std::move(wind)), motion_(scene) {}
 
     const scene::Scene* scene_;
-    std::unique_ptr<CommandWind> wind_;
+    std::unique_ptr<cases::BackendWind> wind_;
     scene::SceneMotion motion_;
     std::int64_t ticks_ = 0;
 };

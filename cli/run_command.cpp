@@ -1,15 +1,15 @@
 #include "cli/run_command.h"
 
-#include "cli/exit_code.h"
+#include "cli/flags.h"
 #include "cli/frame_writer.h"
-#include "cli/machine.h"
+#include "cli/info_command.h"
 #include "cli/output_file.h"
 #include "cli/playback.h"
 #include "cli/progress.h"
 #include "cli/run_report.h"
 #include "cli/timings.h"
-#include "cli/timings_csv.h"
 #include "fluid/message.h"
+#include "scene/scene.h"
 #include "scene/scene_reader.h"
 
 #include <chrono>
@@ -64,7 +64,7 @@ struct Run {
     Timings timings;
 
     /// Ticks until a frame is due. Returns an exit code, k_exit_well to go on.
-    int advance_to_frame(Playback& playback, const Backend& backend, std::int64_t frame) {
+    int advance_to_frame(Playback& playback, const cases::Backend& backend, std::int64_t frame) {
         const std::int64_t due = scene.tick_of_frame(frame);
         while (playback.ticks() < due) {
             const auto diagnostics = playback.tick();
@@ -91,6 +91,33 @@ struct Run {
 
 } // namespace
 
+void add_run(CLI::App& app, std::function<int()>& chosen, const Console& console) {
+    CLI::App* const run = app.add_subcommand("run", "Play a scene; keep pictures, VDB files and timings of it");
+    const auto request = std::make_shared<RunRequest>();
+    Flags flags(*run);
+    flags
+        .value("SCENE.json", "", "Scene file; docs/scenes.md tells its keys",
+               [request](const std::string& text) {
+                   if (text.empty())
+                       reject("SCENE.json is empty: name a scene file.");
+                   request->scene = text;
+               })
+        ->required();
+    flags.value("--frames", "N", "Frames to make, from time 0, whatever the scene's duration",
+                [request](const std::string& text) { request->frames = read_count(text, "--frames", scene::k_most_frames); });
+    flags.folder("--out", request->out, "Folder for what is kept; default out/<scene name>");
+    flags.threads(request->threads, "Threads; default one a core; results do not depend on it");
+    flags.simd(request->simd, "levels differ by rounding");
+    flags.backend(request->backend);
+    run->add_flag("--images", request->images, "Keep frame_0000.png ... and contact_sheet.png");
+    run->add_flag("--vdb", request->vdb, "Keep vel_0000.vdb ... for Blender and Houdini");
+    run->add_flag("--csv", request->csv, "Keep timings.csv: a row a step with every figure it reports");
+    run->callback([run, request, &chosen, &console] {
+        check_backend(*run, request->backend);
+        chosen = interruptible<RunRequest>(run_scene, request, console);
+    });
+}
+
 int run_scene(const RunRequest& request, const Console& console, const std::function<int()>& stop_signal) {
     if (!check_parts(request, console))
         return k_exit_wrong_use;
@@ -108,8 +135,8 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
                                  " ticks of the scene: give at most ", scene::k_most_ticks, " ticks."));
         return k_exit_wrong_use;
     }
-    Backend backend;
-    if (const auto fault = backend.open(request.backend))
+    cases::Backend backend;
+    if (const auto fault = open_backend(request.backend, backend))
         return complain_of(fault, console);
     const bool keeps = request.vdb || request.images || request.csv;
     const std::filesystem::path folder = request.out.value_or(std::filesystem::path("out") / scene->name);

@@ -1,7 +1,7 @@
 // `windrow run`: plays a scene, keeps what was asked for, and tells what it cost.
 #pragma once
 
-#include "cli/backend/backend_request.h"
+#include "cli/backend.h"
 #include "cli/console.h"
 #include "fluid/simd.h"
 
@@ -10,10 +10,11 @@
 #include <functional>
 #include <optional>
 
-namespace windrow::cli {
+namespace CLI {
+class App;
+}
 
-/// Most threads that a run takes; more than cores only makes them wait for each other.
-inline constexpr int k_most_threads = 256;
+namespace windrow::cli {
 
 struct RunRequest {
     std::filesystem::path scene;
@@ -26,6 +27,9 @@ struct RunRequest {
     int threads = 0; ///< 0: one a core
     Simd simd = Simd::best;
 };
+
+/// Adds the command; where it is chosen, `chosen` runs it.
+void add_run(CLI::App& app, std::function<int()>& chosen, const Console& console);
 
 /// Returns the exit code. `stop_signal` is asked after every frame; anything but 0 ends the run there, with whole files.
 [[nodiscard]] int run_scene(const RunRequest& request, const Console& console, const std::function<int()>& stop_signal);

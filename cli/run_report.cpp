@@ -1,6 +1,7 @@
 #include "cli/run_report.h"
 
-#include "cli/machine.h"
+#include "cli/info_command.h"
+#include "cli/table.h"
 #include "fluid/message.h"
 
 #include <string>

@@ -1,19 +1,15 @@
 #include "cli/timings.h"
 
+#include "cli/table.h"
 #include "fluid/message.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numeric>
 #include <string_view>
 
 namespace windrow::cli {
 namespace {
-
-std::string right(std::string_view text, std::size_t width) {
-    return std::string(text.size() < width ? width - text.size() : 0, ' ') + std::string(text);
-}
 
 double sum(const std::vector<float>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0);
@@ -24,6 +20,17 @@ std::string row(const std::string& name, const std::vector<float>& values, doubl
     return detail::message("  ", name, std::string(name.size() < 14 ? 14 - name.size() : 0, ' '),
                            right(to_fixed(quantile(values, 0.0), 3), 10), right(to_fixed(quantile(values, 0.5), 3), 10),
                            right(to_fixed(quantile(values, 0.99), 3), 10), right(to_fixed(share, 0) + " %", 9), "\n");
+}
+
+const char* name_of(DiffusionMethod method) {
+    switch (method) {
+    case DiffusionMethod::one_pass:
+        return "one_pass";
+    case DiffusionMethod::implicit:
+        return "implicit";
+    default:
+        return "none";
+    }
 }
 
 } // namespace
@@ -81,10 +88,23 @@ float quantile(std::vector<float> values, double q) {
     return *nth;
 }
 
-std::string to_fixed(double value, int digits) {
-    char text[400];
-    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, digits).ptr;
-    return std::string(text, end);
+std::string timings_header() {
+    std::string text =
+        "step,time_s,stepped,max_speed_m_s,cfl,substeps,substeps_capped,limited_cells,repaired_cells,motors_in_reach,"
+        "diffusion,divergence_rms_1_s,energy_m5_s2,asleep";
+    for (const StageColumn& stage : k_stages)
+        text += detail::message(",", stage.name, "_ms");
+    return text + "\n";
+}
+
+std::string timings_row(std::int64_t step, double time, const Diagnostics& d) {
+    std::string text =
+        detail::message(step, ",", time, ",", d.stepped ? 1 : 0, ",", d.max_speed, ",", d.cfl, ",", d.substeps, ",",
+                        d.substeps_capped ? 1 : 0, ",", d.limited_cells, ",", d.repaired_cells, ",", d.motors_in_reach, ",",
+                        name_of(d.diffusion), ",", d.divergence_rms, ",", d.energy, ",", d.asleep ? 1 : 0);
+    for (const StageColumn& stage : k_stages)
+        text += detail::message(",", d.times_ms.*stage.value);
+    return text + "\n";
 }
 
 } // namespace windrow::cli

@@ -61,7 +61,9 @@ class Timings {
 /// The value that a share `q` of the values lies at or below: the nearest rank. 0 without values.
 [[nodiscard]] float quantile(std::vector<float> values, double q);
 
-/// A number for people: `digits` behind the point, whatever the locale.
-[[nodiscard]] std::string to_fixed(double value, int digits);
+/// The names of the columns, with units, ended by a line break.
+[[nodiscard]] std::string timings_header();
+/// One row, ended by a line break; figures in their shortest exact form.
+[[nodiscard]] std::string timings_row(std::int64_t step, double time, const Diagnostics& diagnostics);
 
 } // namespace windrow::cli

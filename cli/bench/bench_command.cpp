@@ -1,19 +1,18 @@
 #include "cli/bench/bench_command.h"
 
-#include "cli/bench/bench_json.h"
-#include "cli/bench/bench_report.h"
 #include "cli/bench/grid_bench.h"
-#include "cli/bench/volume_bench.h"
 #if WINDROW_WITH_VULKAN
 #include "cli/bench/vulkan/device_bench.h"
 #endif
-#include "cli/build_facts.h"
-#include "cli/exit_code.h"
-#include "cli/machine.h"
+#include "cli/flags.h"
+#include "cli/info_command.h"
 #include "cli/output_file.h"
+#include "fluid/box.h"
 #include "fluid/message.h"
 #include "fluid/thread_pool.h"
+#include "scene/number_text.h"
 
+#include <iterator>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -48,11 +47,57 @@ int refuse(const std::string& sentence, const Console& console) {
     return k_exit_wrong_use;
 }
 
+/// Three whole numbers with an x between them.
+glm::ivec3 read_grid(const std::string& text) {
+    glm::ivec3 cells(0);
+    std::string_view rest = text;
+    bool good = true;
+    for (int axis = 0; axis < 3 && good; ++axis) {
+        const std::size_t end = axis < 2 ? rest.find('x') : rest.size();
+        const auto number = scene::parse_whole_number(rest.substr(0, end));
+        good = end != std::string_view::npos && number && *number >= 1 && *number <= k_max_axis_cells;
+        cells[axis] = good ? static_cast<int>(*number) : 0;
+        if (good && axis < 2)
+            rest.remove_prefix(end + 1);
+    }
+    if (!good)
+        reject("--grid is ", text.empty() ? "empty" : text, ": give three whole numbers such as 64x32x64, each from 1 to ",
+               k_max_axis_cells, ".");
+    if (const std::size_t count = Box{.cells = cells}.cell_count(); count > k_max_cells)
+        reject("--grid is ", text, ", ", count, " cells: give at most ", k_max_cells, " cells.");
+    return cells;
+}
+
 } // namespace
+
+void add_bench(CLI::App& app, std::function<int()>& chosen, const Console& console) {
+    CLI::App* const bench = app.add_subcommand("bench", "Measure the step and its parts beside other methods, in turns");
+    const auto request = std::make_shared<BenchRequest>();
+    Flags flags(*bench);
+    flags.values("--grid", "NxNxN", "Cells along x, y, z; default 32x16x32 64x32x64 128x64x128",
+                 [request](const std::string& text) { request->grids.push_back(read_grid(text)); });
+    flags.backend(request->backend);
+    flags.threads(request->threads);
+    flags.simd(request->simd, "all methods of ours run on them");
+    flags.values("--volumes", "N", "Windows of 32x16x32 stepped at once; without --grid, these alone",
+                 [request](const std::string& text) {
+                     request->volumes.push_back(static_cast<int>(read_count(text, "--volumes", k_most_volumes)));
+                 });
+    flags.seconds(request->seconds, "Time a grid, default 5; longer where 100 samples of a step take it, on a GPU 1000");
+    flags.file("--json", request->json, "File for all figures; written whole or not at all");
+    bench->callback([bench, request, &chosen, &console] {
+        check_backend(*bench, request->backend);
+        if (request->backend.kind == cases::BackendKind::vulkan && !request->volumes.empty())
+            reject("--volumes is given with --backend vulkan, which measures grids: drop one of them.");
+        if (request->grids.empty() && request->volumes.empty())
+            request->grids.assign(std::begin(k_bench_grids), std::end(k_bench_grids));
+        chosen = interruptible<BenchRequest>(run_bench, request, console);
+    });
+}
 
 int run_bench(const BenchRequest& request, const Console& console, const std::function<int()>& stop_signal) {
 #if WINDROW_WITH_VULKAN
-    if (request.backend.kind == BackendKind::vulkan)
+    if (request.backend.kind == cases::BackendKind::vulkan)
         return run_device_bench(request, console, stop_signal);
 #endif
     if (!check_memory(request, console))

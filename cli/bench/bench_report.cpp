@@ -1,10 +1,11 @@
-#include "cli/bench/bench_report.h"
-
+#include "cli/bench/bench_command.h"
+#include "cli/table.h"
 #include "fluid/message.h"
 
 #include <algorithm>
-#include <charconv>
+#include <cmath>
 #include <initializer_list>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
@@ -13,42 +14,28 @@ namespace {
 
 using detail::message;
 
-constexpr std::size_t k_name_width = 20, k_width = 11;
+constexpr TableFormat k_table;
 
-std::string left(std::string_view text) {
-    return "  " + std::string(text) + std::string(text.size() < k_name_width ? k_name_width - text.size() : 0, ' ');
-}
-std::string line(std::string_view name, std::initializer_list<std::string> columns) {
-    std::string text = left(name);
-    for (const std::string& column : columns)
-        text += std::string(column.size() < k_width ? k_width - column.size() : 1, ' ') + column;
-    return text + "\n";
-}
 std::string count(std::size_t number) {
     return message(number);
 }
-std::string scientific(double value) {
-    char text[32];
-    return std::string(text, std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, 1).ptr);
-}
-
 std::string times(std::string_view name, const Spread& ms) {
-    return line(name, {to_fixed(ms.min, 3), to_fixed(ms.median, 3), to_fixed(ms.p99, 3), count(ms.samples)});
+    return k_table.line(name, {to_fixed(ms.min, 3), to_fixed(ms.median, 3), to_fixed(ms.p99, 3), count(ms.samples)});
 }
 std::string solver(std::string_view name, const SolverResult& result) {
-    return line(name, {to_fixed(result.ms.min, 3), to_fixed(result.ms.median, 3), to_fixed(result.ms.p99, 3),
-                       count(result.ms.samples), scientific(result.residual)});
+    return k_table.line(name, {to_fixed(result.ms.min, 3), to_fixed(result.ms.median, 3), to_fixed(result.ms.p99, 3),
+                               count(result.ms.samples), to_scientific(result.residual, 1)});
 }
 
 std::string schemes(const GridResult& grid) {
     const double cells = static_cast<double>(grid.cells.x) * grid.cells.y * grid.cells.z;
-    std::string text = line(
+    std::string text = k_table.line(
         "whole step", {"min ms", "median ms", "99 % ms", "samples", "Mcells/s", "bytes/cell", "barriers", "/ copy", "/ Stam"});
     for (const SchemeResult& scheme : grid.schemes) {
         const Spread& ms = scheme.step_ms;
-        text += line(scheme.name, {to_fixed(ms.min, 3), to_fixed(ms.median, 3), to_fixed(ms.p99, 3), count(ms.samples),
-                                   to_fixed(cells / ms.median / 1000.0, 1), to_fixed(scheme.bytes_per_cell, 0),
-                                   message(scheme.loops), to_fixed(scheme.vs_copy16, 1), to_fixed(scheme.vs_stam40, 2)});
+        text += k_table.line(scheme.name, {to_fixed(ms.min, 3), to_fixed(ms.median, 3), to_fixed(ms.p99, 3), count(ms.samples),
+                                           to_fixed(cells / ms.median / 1000.0, 1), to_fixed(scheme.bytes_per_cell, 0),
+                                           message(scheme.loops), to_fixed(scheme.vs_copy16, 1), to_fixed(scheme.vs_stam40, 2)});
     }
     text += times("Stam, 40 sweeps", grid.stam40_ms);
     text += times("copy of 16 B a cell", grid.copy16_ms);
@@ -56,14 +43,14 @@ std::string schemes(const GridResult& grid) {
 }
 
 std::string stages(const SchemeResult& scheme) {
-    std::string text = line(message(scheme.name, ", stages"), {"min ms", "median ms", "99 % ms", "samples"});
+    std::string text = k_table.line(message(scheme.name, ", stages"), {"min ms", "median ms", "99 % ms", "samples"});
     for (std::size_t n = 0; n < scheme.stages_ms.size(); ++n)
         text += times(message("  ", k_stages[n].name), scheme.stages_ms[n]);
     return text;
 }
 
 std::string pressure(const GridResult& grid) {
-    std::string text = line("pressure alone", {"min ms", "median ms", "99 % ms", "samples", "residual"});
+    std::string text = k_table.line("pressure alone", {"min ms", "median ms", "99 % ms", "samples", "residual"});
     text += solver("direct", grid.direct);
     text += solver("40 Jacobi sweeps", grid.jacobi40);
     if (grid.direct_one_thread)
@@ -90,6 +77,70 @@ void warn_of_flow(const GridResult& grid, const Console& console) {
                                 })->step_ms.samples;
     if (samples < k_enough_samples)
         console.warn(message(samples, " samples are few for a 99 % quantile: give more --seconds."));
+}
+
+// --- JSON -------------------------------------------------------------------------------------------------------------
+
+using Json = nlohmann::ordered_json;
+
+// To the nanosecond: the clock tells no more.
+double rounded(double ms) {
+    return std::round(ms * 1e6) / 1e6;
+}
+
+Json spread(const Spread& ms) {
+    return {{"min", rounded(ms.min)}, {"median", rounded(ms.median)}, {"p99", rounded(ms.p99)}, {"samples", ms.samples}};
+}
+
+Json entry(const GridResult& grid, const SchemeResult& scheme) {
+    Json stages;
+    for (std::size_t n = 0; n < scheme.stages_ms.size(); ++n)
+        stages[k_stages[n].name] = spread(scheme.stages_ms[n]);
+    const double cells = static_cast<double>(grid.cells.x) * grid.cells.y * grid.cells.z;
+    return {{"grid", grid_name(grid.cells)},
+            {"scheme", scheme.name},
+            {"backend", "cpu"},
+            {"step_ms", spread(scheme.step_ms)},
+            {"stages_ms", stages},
+            {"dispatches", scheme.loops},
+            {"barriers", scheme.loops},
+            {"vs_copy16", scheme.vs_copy16},
+            {"vs_stam40", scheme.vs_stam40},
+            {"cells_per_s", 1000.0 * cells / scheme.step_ms.median},
+            {"bytes_per_cell", scheme.bytes_per_cell},
+            {"largest_cfl", scheme.largest_cfl},
+            {"samples", scheme.step_ms.samples}};
+}
+
+Json reference(const GridResult& grid) {
+    Json json = {{"grid", grid_name(grid.cells)}, {"copy16_ms", spread(grid.copy16_ms)}, {"stam40_ms", spread(grid.stam40_ms)}};
+    const auto add = [&](const std::string& name, const SolverResult& solver) {
+        json[name + "_ms"] = spread(solver.ms);
+        json[name + "_residual"] = solver.residual;
+    };
+    add("jacobi40", grid.jacobi40);
+    json["jacobi40_gradient_error"] = grid.jacobi40_gradient_error;
+    add("direct", grid.direct);
+    json["direct_vs_jacobi40"] = grid.direct_vs_jacobi40;
+    if (grid.direct_one_thread)
+        add("direct_one_thread", *grid.direct_one_thread);
+    if (grid.fftw) {
+        add("fftw", *grid.fftw);
+        json["direct_vs_fftw"] = grid.direct_vs_fftw;
+    }
+    if (grid.vdb)
+        add("vdb", *grid.vdb);
+    return json;
+}
+
+Json volumes_entry(const VolumesResult& volumes) {
+    return {{"volumes", volumes.volumes},
+            {"grid", "32x16x32"},
+            {"scheme", "second_order"},
+            {"round_ms", spread(volumes.round_ms)},
+            {"volumes_per_s", volumes.volumes_per_s},
+            {"volumes_per_s_core", volumes.volumes_per_s_core},
+            {"bytes_per_volume", volumes.bytes_per_volume}};
 }
 
 } // namespace
@@ -122,13 +173,29 @@ void report_grid(const GridResult& grid, const Console& console) {
 void report_volumes(const VolumesResult& volumes, bool first, const Console& console) {
     if (first)
         console.out << "\nWindows of 32 x 16 x 32, each stepped by one thread\n"
-                    << line("volumes at once", {"min ms", "median ms", "99 % ms", "samples", "volumes/s", "a core", "MiB each"});
+                    << k_table.line("volumes at once",
+                                    {"min ms", "median ms", "99 % ms", "samples", "volumes/s", "a core", "MiB each"});
     const Spread& ms = volumes.round_ms;
-    console.out << line(message(volumes.volumes),
-                        {to_fixed(ms.min, 3), to_fixed(ms.median, 3), to_fixed(ms.p99, 3), count(ms.samples),
-                         to_fixed(volumes.volumes_per_s, 0), to_fixed(volumes.volumes_per_s_core, 0),
-                         to_fixed(static_cast<double>(volumes.bytes_per_volume) / (1 << 20), 2)});
+    console.out << k_table.line(message(volumes.volumes),
+                                {to_fixed(ms.min, 3), to_fixed(ms.median, 3), to_fixed(ms.p99, 3), count(ms.samples),
+                                 to_fixed(volumes.volumes_per_s, 0), to_fixed(volumes.volumes_per_s_core, 0),
+                                 to_fixed(static_cast<double>(volumes.bytes_per_volume) / (1 << 20), 2)});
     console.out.flush();
+}
+
+std::string bench_json(const BenchResult& result) {
+    Json json = {{"device", result.device},     {"compiler", result.compiler}, {"commit", result.commit},
+                 {"simd", result.simd},         {"threads", result.threads},   {"entries", Json::array()},
+                 {"references", Json::array()}, {"volumes", Json::array()}};
+    for (const GridResult& grid : result.grids) {
+        for (const SchemeResult& scheme : grid.schemes)
+            json["entries"].push_back(entry(grid, scheme));
+        json["references"].push_back(reference(grid));
+    }
+    for (const VolumesResult& volumes : result.volumes)
+        json["volumes"].push_back(volumes_entry(volumes));
+    // A device's name may hold any byte.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 } // namespace windrow::cli

@@ -1,22 +1,32 @@
 #include "cli/bench/grid_bench.h"
 
-#include "cli/bench/jets.h"
-#include "cli/bench/residual.h"
-#include "cli/bench/vdb_bench.h"
+#include "cases/jets.h"
+#include "cases/reference/copy.h"
+#include "cases/reference/jacobi.h"
+#include "cases/reference/residual.h"
+#include "cases/reference/stam.h"
 #include "cli/bench/wind_contestant.h"
+#include "cli/info_command.h"
+#include "cli/table.h"
 #include "fluid/cpu/aligned.h"
+#include "fluid/message.h"
 #include "fluid/pieces.h"
-#include "tests/bench/reference/copy.h"
-#include "tests/bench/reference/jacobi.h"
-#include "tests/bench/reference/stam.h"
-#if WINDROW_BENCH_FFTW
-#include "tests/bench/reference/fftw_projection.h"
+#if WINDROW_CASES_FFTW
+#include "cases/reference/fftw_projection.h"
+#endif
+#if WINDROW_CASES_OPENVDB
+#include "cases/reference/vdb_poisson.h"
 #endif
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace windrow::cli {
+
+using namespace cases;
 namespace {
 
 constexpr int k_sweeps = 40;
@@ -41,9 +51,50 @@ class DirectContestant {
     std::vector<float> phi_;
 };
 
-PressureAt dense(const Box& box, std::span<const float> phi) {
+reference::PressureAt dense(const Box& box, std::span<const float> phi) {
     return [&box, phi](int i, int j, int k) { return static_cast<double>(phi[box.index(i, j, k)]); };
 }
+
+// --- OpenVDB takes so long that it does not run among the others: the least of three runs ------------------------------
+
+#if WINDROW_CASES_OPENVDB
+
+constexpr int k_runs = 3;
+constexpr double k_longest_run = 2.0; // [s]
+
+// [s] What a run will take: the iterations grow with the cells along an axis. One microsecond a cell on 32^3 is a common
+// machine's.
+double expected_seconds(const Box& box) {
+    const double cells = static_cast<double>(box.cell_count());
+    return 1e-6 * cells * std::cbrt(cells / 32768.0);
+}
+
+// Nothing where OpenVDB would take too long, which `left_out` then holds. `rhs` with h = 1.
+std::optional<SolverResult> measure_vdb(const Box& box, std::span<const float> rhs, int threads, double seconds,
+                                        const std::function<bool()>& stopped, std::string& left_out) {
+    const double most = std::max(k_longest_run, seconds / k_runs);
+    if (const double expected = expected_seconds(box); expected > most) {
+        left_out += detail::message("OpenVDB's solver would take about ", to_fixed(expected, 0), " s a run. ");
+        return std::nullopt;
+    }
+    reference::VdbPoisson solver(box.cells, box.cell_size, threads);
+    std::vector<float> phi(rhs.size()), milliseconds;
+    for (int run = 0; run < k_runs && !stopped(); ++run)
+        milliseconds.push_back(
+            static_cast<float>(1000.0 * solver.solve(rhs, phi, reference::VdbOutside::open_and_floor).seconds));
+    const auto at = [&](int i, int j, int k) { return static_cast<double>(phi[box.index(i, j, k)]); };
+    return SolverResult{spread_of(milliseconds), reference::relative_residual(box, rhs, at)};
+}
+
+#else
+
+std::optional<SolverResult> measure_vdb(const Box&, std::span<const float>, int, double, const std::function<bool()>&,
+                                        std::string& left_out) {
+    left_out += "This windrow was built without OpenVDB. ";
+    return std::nullopt;
+}
+
+#endif
 
 } // namespace
 
@@ -84,9 +135,9 @@ Result<std::optional<GridResult>> measure_grid(glm::ivec3 cells, const BenchRequ
     // In memory like the fields'.
     cpu::Buffer<glm::vec4> original(flow.size()), copied(flow.size());
     std::copy(flow.begin(), flow.end(), original.data());
-    const std::size_t copy = contest.add({.run = [&] { bench::copy_cells(cells, original, copied, loop); }});
+    const std::size_t copy = contest.add({.run = [&] { reference::copy_cells(cells, original, copied, loop); }});
 
-    bench::StamStep stam(cells, box.cell_size, k_sweeps, loop, request.simd);
+    reference::StamStep stam(cells, box.cell_size, k_sweeps, loop, request.simd);
     stam.set_ambient(k_bench_ambient);
     int stam_age = k_steps_of_flow;
     const std::size_t stam_number = contest.add({.run =
@@ -108,19 +159,19 @@ Result<std::optional<GridResult>> measure_grid(glm::ivec3 cells, const BenchRequ
         return Error{work.error()};
     std::vector<float> rhs(box.cell_count());
     divergence(*work, flow, rhs);
-    bench::Jacobi jacobi(cells, request.simd);
+    reference::Jacobi jacobi(cells, request.simd);
     const std::size_t jacobi_number = contest.add({.run = [&] { jacobi.solve(rhs, k_sweeps, loop); }});
     DirectContestant direct(std::move(*work), rhs);
     const std::size_t direct_number = contest.add(direct.contestant());
 
     GridResult result{.cells = cells};
-#if WINDROW_BENCH_FFTW
+#if WINDROW_CASES_FFTW
     auto serial_work = Workspace::create({.box = box, .ambient = k_bench_ambient, .simd = request.simd});
     if (!serial_work)
         return Error{serial_work.error()};
     DirectContestant serial(std::move(*serial_work), rhs);
     const std::size_t serial_number = contest.add(serial.contestant());
-    bench::FftwProjection fftw(cells, box.cell_size);
+    reference::FftwProjection fftw(cells, box.cell_size);
     const std::size_t fftw_number = contest.add({.run = [&] { fftw.solve(); },
                                                  .prepare = [&] { std::copy(rhs.begin(), rhs.end(), fftw.values().begin()); },
                                                  .note = [] {},
@@ -144,22 +195,58 @@ Result<std::optional<GridResult>> measure_grid(glm::ivec3 cells, const BenchRequ
     result.copy16_ms = contest.milliseconds(copy);
     result.stam40_ms = contest.milliseconds(stam_number);
 
-    const PressureAt exact = dense(box, direct.phi());
-    const PressureAt iterated = [&](int i, int j, int k) { return static_cast<double>(jacobi.row(j, k)[i]); };
-    result.direct = {contest.milliseconds(direct_number), relative_residual(box, rhs, exact)};
-    result.jacobi40 = {contest.milliseconds(jacobi_number), relative_residual(box, rhs, iterated)};
-    result.jacobi40_gradient_error = relative_gradient_error(box, iterated, exact);
+    const reference::PressureAt exact = dense(box, direct.phi());
+    const reference::PressureAt iterated = [&](int i, int j, int k) { return static_cast<double>(jacobi.row(j, k)[i]); };
+    result.direct = {contest.milliseconds(direct_number), reference::relative_residual(box, rhs, exact)};
+    result.jacobi40 = {contest.milliseconds(jacobi_number), reference::relative_residual(box, rhs, iterated)};
+    result.jacobi40_gradient_error = reference::relative_gradient_error(box, iterated, exact);
     result.direct_vs_jacobi40 = contest.ratio(direct_number, jacobi_number);
-#if WINDROW_BENCH_FFTW
+#if WINDROW_CASES_FFTW
     result.direct_one_thread =
-        SolverResult{contest.milliseconds(serial_number), relative_residual(box, rhs, dense(box, serial.phi()))};
-    result.fftw = SolverResult{contest.milliseconds(fftw_number), relative_residual(box, rhs, dense(box, fftw.values()))};
+        SolverResult{contest.milliseconds(serial_number), reference::relative_residual(box, rhs, dense(box, serial.phi()))};
+    result.fftw =
+        SolverResult{contest.milliseconds(fftw_number), reference::relative_residual(box, rhs, dense(box, fftw.values()))};
     result.direct_vs_fftw = contest.ratio(serial_number, fftw_number);
 #endif
     result.vdb = measure_vdb(box, rhs, threads, request.seconds, stopped, result.left_out);
     if (stopped())
         return std::optional<GridResult>();
     return std::optional(std::move(result));
+}
+
+std::uint64_t volume_bench_bytes(int volumes) {
+    constexpr std::uint64_t k_bytes_a_cell = 192; // as `run` counts
+    return k_bytes_a_cell * bench_box(k_volume_cells).cell_count() * static_cast<std::uint64_t>(volumes);
+}
+
+Result<std::optional<VolumesResult>> measure_volumes(const VolumesRequest& request, const ParallelFor& parallel_for,
+                                                     const std::function<bool()>& stopped) {
+    const std::vector<glm::vec4> flow = jets(bench_box(k_volume_cells));
+    const Config config = bench_config(k_volume_cells, Scheme::second_order, request.simd, {});
+    std::vector<WindContestant> winds;
+    winds.reserve(static_cast<std::size_t>(request.volumes));
+    std::size_t bytes = 0;
+    for (int n = 0; n < request.volumes; ++n) {
+        if (stopped())
+            return std::optional<VolumesResult>();
+        auto wind = Wind::create(config);
+        if (!wind)
+            return Error{wind.error()};
+        bytes = wind->memory_bytes();
+        winds.emplace_back(std::move(*wind), flow);
+    }
+
+    Contest contest;
+    const std::size_t all = contest.add(
+        {.run = [&] { parallel_for(request.volumes, [&](int n) { winds[static_cast<std::size_t>(n)].step(); }); },
+         .prepare = [&] { parallel_for(request.volumes, [&](int n) { winds[static_cast<std::size_t>(n)].refresh(); }); }});
+    if (!contest.hold(request.seconds, stopped))
+        return std::optional<VolumesResult>();
+
+    VolumesResult result{.volumes = request.volumes, .round_ms = contest.milliseconds(all), .bytes_per_volume = bytes};
+    result.volumes_per_s = 1000.0 * request.volumes / result.round_ms.median;
+    result.volumes_per_s_core = result.volumes_per_s / std::min({request.threads, request.volumes, usable_cores()});
+    return std::optional(result);
 }
 
 } // namespace windrow::cli

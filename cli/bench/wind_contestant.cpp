@@ -1,11 +1,13 @@
 #include "cli/bench/wind_contestant.h"
 
-#include "cli/bench/jets.h"
+#include "cases/jets.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace windrow::cli {
+
+using namespace cases;
 namespace {
 
 // Stands in for a pool and counts what it is asked for.

@@ -1,8 +1,7 @@
 // The library's own step as a contestant: keeps its flow alive and gathers what its steps report.
 #pragma once
 
-#include "cli/bench/bench_result.h"
-#include "cli/bench/contest.h"
+#include "cli/bench/bench_command.h"
 #include "fluid/wind.h"
 
 #include <array>

@@ -1,9 +1,8 @@
 #include "cli/check/check_command.h"
 
-#include "cli/backend/open_device.h"
-#include "cli/bench/vulkan/device_bench.h"
-#include "cli/check/check_report.h"
-#include "cli/machine.h"
+#include "cli/backend.h"
+#include "cli/flags.h"
+#include "cli/info_command.h"
 #include "cli/output_file.h"
 #include "fluid/thread_pool.h"
 
@@ -13,6 +12,9 @@
 #include <utility>
 
 namespace windrow::cli {
+
+using namespace cases;
+
 namespace {
 
 constexpr std::size_t k_kept_messages = 5;
@@ -67,6 +69,20 @@ bool CheckResult::pass() const {
                        [](const DeviceGridResult& grid) { return grid.parity <= k_bench_parity; });
 }
 
+void add_check(CLI::App& app, std::function<int()>& chosen, const Console& console) {
+    CLI::App* const check = app.add_subcommand(
+        "check",
+        "Hold a Vulkan device against the CPU, under validation where it is installed, and time it; exit 1 where it fails");
+    const auto request = std::make_shared<CheckRequest>();
+    Flags flags(*check);
+    flags.device(request->device);
+    flags.seconds(request->seconds, "Time a grid of the benchmark, default 5; on a GPU at least 1000 samples");
+    check->add_flag("--gpu-validation", request->gpu_validation, "The stories once more, under GPU-assisted validation");
+    check->add_flag("--full", request->full, "All steps of all stories on a software device too: many minutes");
+    flags.file("--json", request->json, "File for all figures; written whole or not at all");
+    check->callback([=, &chosen, &console] { chosen = interruptible<CheckRequest>(run_check, request, console); });
+}
+
 int run_check(const CheckRequest& request, const Console& console, const std::function<int()>& stop_signal) {
     const auto file = request.json ? std::make_unique<OutputFile>(*request.json, "--json") : nullptr;
     if (file)
@@ -102,7 +118,7 @@ int run_check(const CheckRequest& request, const Console& console, const std::fu
 
     console.out << "\n";
     BenchRequest bench;
-    bench.backend = {BackendKind::vulkan, request.device};
+    bench.backend = {cases::BackendKind::vulkan, request.device};
     bench.seconds = request.seconds;
     bench.grids.assign(std::begin(k_bench_grids), std::end(k_bench_grids));
     // What the stories found is told whatever becomes of the benchmark.

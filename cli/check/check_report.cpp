@@ -1,12 +1,9 @@
-#include "cli/check/check_report.h"
-
-#include "cli/bench/vulkan/device_json.h"
-#include "cli/build_facts.h"
+#include "cli/bench/vulkan/device_bench.h"
+#include "cli/check/check_command.h"
 #include "cli/info_command.h"
-#include "cli/vulkan_facts.h"
+#include "cli/table.h"
 #include "fluid/message.h"
 
-#include <charconv>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <string_view>
@@ -16,23 +13,7 @@ namespace {
 
 using detail::message;
 
-constexpr std::size_t k_name_width = 22, k_width = 12;
-
-std::string line(std::string_view name, std::initializer_list<std::string> columns) {
-    std::string text = "  " + std::string(name) + std::string(name.size() < k_name_width ? k_name_width - name.size() : 0, ' ');
-    for (const std::string& column : columns)
-        text += std::string(column.size() < k_width ? k_width - column.size() : 1, ' ') + column;
-    return text + "\n";
-}
-
-std::string scientific(double value) {
-    char text[32];
-    return std::string(text, std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, 1).ptr);
-}
-
-std::string grid_name(glm::ivec3 cells) {
-    return message(cells.x, "x", cells.y, "x", cells.z);
-}
+constexpr TableFormat k_table{.name_width = 22, .width = 12};
 
 } // namespace
 
@@ -45,16 +26,16 @@ void report_check_start(const vulkan::DeviceFacts& device, const Console& consol
 void report_stories_start(const CheckedStories& run, const Console& console) {
     console.out << "\nThe device against the CPU, largest difference over the largest velocity; validation: " << run.validation
                 << "\n"
-                << line("story", {"cells", "steps", "first step", "bound", "any step", "bound", "sub-steps", "dispatches",
-                                  "messages", "verdict"});
+                << k_table.line("story", {"cells", "steps", "first step", "bound", "any step", "bound", "sub-steps", "dispatches",
+                                          "messages", "verdict"});
     console.out.flush();
 }
 
-void report_story(const ParityResult& story, const Console& console) {
-    console.out << line(story.name,
-                        {grid_name(story.cells), message(story.steps), scientific(story.first), scientific(story.first_bound),
-                         scientific(story.largest), scientific(story.bound), message(story.most_substeps),
-                         message(story.dispatches), message(story.messages), story.pass() ? "pass" : "FAIL"});
+void report_story(const cases::ParityResult& story, const Console& console) {
+    console.out << k_table.line(story.name, {grid_name(story.cells), message(story.steps), to_scientific(story.first, 1),
+                                             to_scientific(story.first_bound, 1), to_scientific(story.largest, 1),
+                                             to_scientific(story.bound, 1), message(story.most_substeps),
+                                             message(story.dispatches), message(story.messages), story.pass() ? "pass" : "FAIL"});
     console.out.flush();
 }
 
@@ -75,7 +56,7 @@ void report_verdict(const CheckResult& result, const Console& console) {
         stories += run.stories.size() + run.broken.size();
         broken += run.broken.size();
         messages += run.message_count;
-        for (const ParityResult& story : run.stories)
+        for (const cases::ParityResult& story : run.stories)
             passed += story.pass() ? 1 : 0;
         validation += (validation.empty() ? "" : ", then ") + run.validation;
     }
@@ -95,7 +76,7 @@ std::string check_json(const CheckResult& result) {
                  {"pass", result.pass()},          {"runs", Json::array()}};
     for (const CheckedStories& run : result.runs) {
         Json stories = Json::array();
-        for (const ParityResult& story : run.stories)
+        for (const cases::ParityResult& story : run.stories)
             stories.push_back({{"name", story.name},
                                {"grid", grid_name(story.cells)},
                                {"steps", story.steps},

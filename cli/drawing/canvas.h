@@ -4,9 +4,10 @@
 // that draws a picture speaks to this class and not to Cairo.
 #pragma once
 
-#include "cli/drawing/image.h"
 #include "fluid/result.h"
+#include "pictures/picture_files.h"
 
+#include <filesystem>
 #include <glm/vec2.hpp>
 #include <memory>
 #include <span>
@@ -17,6 +18,27 @@ struct _cairo;
 struct _cairo_surface;
 
 namespace windrow::cli {
+
+using Image = pictures::Picture8;
+using pictures::PngWords;
+using pictures::read_png;
+using pictures::Rgb8;
+
+/// What stands under the name stays until the new file is whole. Where the disk is to blame the error begins with k_disk_fault.
+[[nodiscard]] Result<void> write_png(const Image& image, const PngWords& words, const std::filesystem::path& file);
+
+/// A figure with a fixed number of decimals, a real minus sign and no minus before zero, whatever the locale.
+[[nodiscard]] std::string fixed(double value, int decimals);
+
+/// A figure with at most `digits` significant digits and no trailing zeros.
+[[nodiscard]] std::string brief(double value, int digits = 3);
+
+/// The text with bytes that are no UTF-8 replaced by U+FFFD and control characters by spaces: names come from users' files, and
+/// Cairo stops drawing for good at the first byte that it cannot read.
+[[nodiscard]] std::string printable(std::string_view text);
+
+/// The text without its last character (not byte); the text must be valid UTF-8.
+[[nodiscard]] std::string_view without_last(std::string_view text);
 
 /// sRGB, each 0 to 1.
 struct Colour {
@@ -115,5 +137,17 @@ class Canvas {
     std::unique_ptr<_cairo, Release> cairo_;
     double unit_ = 1.0;
 };
+
+inline constexpr Colour k_paper = hex(0xFBFAF7);
+inline constexpr Colour k_ink = hex(0x1C222B);
+inline constexpr Colour k_dim_ink = hex(0x69717E);
+inline constexpr Colour k_hairline = hex(0xD5D4CE);
+
+// On the air: warm colours that the map of speeds does not hold, each with a dark casing, so that they read on calm and on fast
+// air.
+inline constexpr Colour k_casing = hex(0x0B0F16, 0.72);
+inline constexpr Colour k_body = hex(0xFF6FC1); // a path and what moves on it; motors: motor_style.h
+inline constexpr Colour k_player = hex(0xFFFFFF);
+inline constexpr Colour k_plate = hex(0x10151D, 0.84); // behind names
 
 } // namespace windrow::cli

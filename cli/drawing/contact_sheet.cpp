@@ -1,7 +1,4 @@
 #include "cli/drawing/canvas.h"
-#include "cli/drawing/image.h"
-#include "cli/drawing/palette.h"
-#include "cli/drawing/text.h"
 #include "cli/pictures.h"
 #include "fluid/message.h"
 #include "pictures/sheet.h"

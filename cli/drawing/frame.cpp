@@ -1,12 +1,8 @@
 #include "cli/drawing/frame.h"
 
-#include "cli/drawing/axes.h"
-#include "cli/drawing/canvas.h"
 #include "cli/drawing/layout.h"
-#include "cli/drawing/legend.h"
 #include "cli/drawing/overlay.h"
-#include "cli/drawing/palette.h"
-#include "cli/drawing/text.h"
+#include "cli/pictures.h"
 #include "fluid/message.h"
 
 #include <algorithm>
@@ -14,7 +10,28 @@
 #include <cmath>
 
 namespace windrow::cli {
+
+using namespace cases;
+
 namespace {
+
+// The batch query is what a plant reads; the picture shows nothing else.
+Air air_of(const BackendWind& wind) {
+    const Config& config = wind.config();
+    return {.box = wind.box(),
+            .origin = wind.origin(),
+            .ambient = wind.ambient(),
+            .profile_height = config.profile ? config.profile->reference_height : 0.0f,
+            .gust_intensity = config.gusts.intensity,
+            .velocity = [&wind](std::span<const glm::dvec3> positions, std::span<glm::vec3> velocities) {
+                wind.velocity(positions, velocities);
+            }};
+}
+
+PixelRect to_pixels(const Rect& rect, double unit) {
+    const auto px = [&](double coordinate) { return static_cast<int>(std::lround(coordinate * unit)); };
+    return {px(rect.x), px(rect.y), px(rect.right()) - px(rect.x), px(rect.bottom()) - px(rect.y)};
+}
 
 constexpr std::string_view k_times = " \xc3\x97 ";
 
@@ -90,7 +107,7 @@ Result<Image> compose_frame(const Air& air, double time, std::span<const Trail> 
     const std::array panels{&layout.level, &layout.upright};
     for (std::size_t index = 0; index < panels.size(); ++index) {
         const Panel& panel = *panels[index];
-        const SlicePicture slice = render_slice(air, panel.plane, Quantity::speed, scale, panel.width_px, panel.height_px);
+        const SlicePicture slice = render_slice(air, panel.plane, scale, panel.width_px, panel.height_px);
         largest = std::max(largest, slice.largest);
         broken = broken || slice.broken_pixels > 0;
         canvas.image(slice.image, {panel.rect.x, panel.rect.y});
@@ -103,6 +120,20 @@ Result<Image> compose_frame(const Air& air, double time, std::span<const Trail> 
     draw_header(canvas, layout, air, time, settings.title);
     draw_legend(canvas, {air, layout, trails, motors, settings.motors_of_scene, scale, largest, broken});
     return canvas.finish();
+}
+
+FrameParts frame_parts(const BackendWind& wind, const PictureSettings& settings) {
+    const Layout layout = lay_out(air_of(wind), settings.slice_point, settings.width);
+    return {to_pixels(layout.level.whole(), layout.unit), to_pixels(layout.upright.whole(), layout.unit),
+            to_pixels(layout.legend.grown(14.0), layout.unit)};
+}
+
+Result<void> draw_frame(const BackendWind& wind, double time, std::span<const Trail> trails, std::span<const NamedMotor> motors,
+                        const PictureSettings& settings, const std::filesystem::path& file) {
+    const auto image = compose_frame(air_of(wind), time, trails, motors, settings);
+    if (!image)
+        return Error{detail::message("picture ", file.string(), ": ", image.error())};
+    return write_png(*image, {printable(settings.title), time_text(time)}, file);
 }
 
 } // namespace windrow::cli

@@ -1,7 +1,7 @@
-// A whole frame: the two slices with everything on and around them, as an image.
+// A whole frame: the two slices with everything on and around them, and the legend, as an image.
 #pragma once
 
-#include "cli/drawing/image.h"
+#include "cli/drawing/layout.h"
 #include "cli/drawing/slice.h"
 #include "cli/pictures.h"
 #include "fluid/result.h"
@@ -16,5 +16,18 @@ namespace windrow::cli {
 
 /// "t = 3.40 s"
 [[nodiscard]] std::string time_text(double time);
+
+struct LegendInput {
+    const Air& air;
+    const Layout& layout;
+    std::span<const Trail> trails;
+    std::span<const NamedMotor> motors;
+    MotorCounts motors_of_scene{};
+    float scale = 10.0f;     ///< [m/s] top of the colour bar
+    float largest = 0.0f;    ///< [m/s] largest speed that both slices show
+    bool broken_air = false; ///< a slice holds wind that is no number
+};
+
+void draw_legend(Canvas& canvas, const LegendInput& input);
 
 } // namespace windrow::cli

@@ -1,14 +1,58 @@
-// Motors on a slice: each kind's outline in its colour, and inside it a mark that says what it does to the air.
+// Names of things, and motors on a slice: what each kind is called and coloured and what it covers, its outline, and inside it a
+// mark that shows what it does to the air.
 #pragma once
 
 #include "cli/drawing/canvas.h"
 #include "cli/drawing/layout.h"
-#include "cli/drawing/names.h"
 #include "cli/pictures.h"
+#include "fluid/motor.h"
 
+#include <array>
+#include <cstddef>
+#include <string>
+#include <variant>
 #include <vector>
 
 namespace windrow::cli {
+
+struct MotorStyle {
+    const char* name;
+    Colour colour;
+};
+
+/// In the order of windrow::Motor. Warm colours, pink and violet: the map of speeds holds none of them. Neighbours differ by
+/// shape too.
+inline constexpr std::array<MotorStyle, std::variant_size_v<Motor>> k_motor_styles{{{"fan, gust", hex(0xFF7A45)},
+                                                                                    {"body, its wake", hex(0xFF6FC1)},
+                                                                                    {"jet", hex(0xFFC02E)},
+                                                                                    {"whirl", hex(0xBE95FF)},
+                                                                                    {"blast, suction", hex(0xFF4F55)},
+                                                                                    {"burst", hex(0xE040FB)}}};
+
+[[nodiscard]] inline const MotorStyle& style_of(const Motor& motor) {
+    return k_motor_styles[motor.index()];
+}
+
+/// Where a motor acts, as one of the regions.
+struct PlacedRegion {
+    Region region;
+    glm::dvec3 centre{0.0}; ///< [m] world; first end of a cone
+};
+[[nodiscard]] PlacedRegion region_of(const Motor& motor);
+
+/// "8 m/s": how strong it is, in few signs; nothing where no one figure says it.
+[[nodiscard]] std::string strength_text(const Motor& motor);
+
+struct Name {
+    std::string text;   ///< what it is called
+    std::string detail; ///< a few words more, in a lighter tone; may be empty
+    Colour colour;
+    Rect around; ///< what it names; the name stands beside it, or in it where there is no room beside
+};
+
+/// Writes the names on plates within `room`, first come first placed, clear of each other and of `kept_free`. A name that finds
+/// no place is left out, but for the first.
+void draw_names(Canvas& canvas, const std::vector<Name>& names, const std::vector<Rect>& kept_free, const Rect& room);
 
 /// What is drawn on one panel, and what is still to be named there.
 struct Marks {

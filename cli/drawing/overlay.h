@@ -1,14 +1,32 @@
-// What lies on the air: arrows of the wind, paths, motors, the player, their names.
+// What lies on a slice and around it: arrows of the wind, paths, motors, the player, their names; the outline by kind of side,
+// ticks in world metres, titles.
 #pragma once
 
 #include "cli/drawing/canvas.h"
 #include "cli/drawing/layout.h"
 #include "cli/drawing/slice.h"
 #include "cli/pictures.h"
+#include "fluid/sides.h"
 
 #include <span>
+#include <string>
+#include <vector>
 
 namespace windrow::cli {
+
+struct Ticks {
+    double step = 1.0;
+    int decimals = 0;
+    /// Taken off every label where coordinates are far from 0; the axis title says so. 0 elsewhere.
+    double offset = 0.0;
+    std::vector<double> places; ///< [m] world, at least one
+};
+
+/// Ticks at whole multiples of 1, 2 or 5 times a power of ten on low..low + extent, at least `apart` [m] from each other.
+[[nodiscard]] Ticks make_ticks(double low, double extent, double apart);
+
+/// Draws around the panel, never inside it.
+void draw_axes(Canvas& canvas, const Panel& panel, const Sides& sides);
 
 /// Page units between arrows at least, and the length of an arrow of full scale as a share of their spacing.
 inline constexpr double k_arrow_spacing = 27.0;

@@ -3,9 +3,14 @@
 // A picture reads the air through the same function as a plant does, so that it shows what plants see, not what cells hold.
 // On the page: level (normal y), seen from above: x to the right, z down. Upright (normal z), seen from high z: x to the right,
 // y up. Sideways (normal x), seen from low x: z to the right, y up.
+//
+// The map of speeds runs from ink blue (calm) over blue, teal and green to pale straw (fast). It is drawn in OKLab: lightness
+// rises in equal steps, so that equal steps of speed look equal, a grey print keeps the order, and an eye that does not tell
+// red from green loses nothing.
+// Based on: Ottosson 2020, "A perceptual color space for image processing" (the matrices of OKLab).
 #pragma once
 
-#include "cli/drawing/image.h"
+#include "cli/drawing/canvas.h"
 #include "fluid/box.h"
 
 #include <cstdint>
@@ -57,18 +62,15 @@ struct Plane {
 /// The plane moved into the box where it lies beyond it; through the middle where its position is no number.
 [[nodiscard]] Plane held_inside(Plane plane, const Air& air);
 
-enum class Quantity : std::uint8_t { speed, x, y, z };
-
 struct SlicePicture {
     Image image;
-    float largest = 0.0f;           ///< [m/s] largest speed, or largest size of the component, of any pixel
+    float largest = 0.0f;           ///< [m/s] largest speed of any pixel
     std::int64_t broken_pixels = 0; ///< pixels whose wind is no number, drawn in k_broken_colour
 };
 
 /// The plane as width x height pixels and nothing else, over the whole box: pixel (c, r) shows the wind at its own centre.
-/// Speed is coloured by speed_colour(value / scale), a component by signed_colour(value / scale); scale [m/s] > 0.
-[[nodiscard]] SlicePicture render_slice(const Air& air, const Plane& plane, Quantity quantity, float scale, int width,
-                                        int height);
+/// Coloured by speed_colour(speed / scale); scale [m/s] > 0.
+[[nodiscard]] SlicePicture render_slice(const Air& air, const Plane& plane, float scale, int width, int height);
 
 struct WindArrow {
     glm::dvec2 middle{0.0};    ///< [m] in the plane's coordinates
@@ -82,5 +84,14 @@ struct WindArrow {
 /// In-plane velocity on a lattice that is fixed to the world, so that arrows stand still as the box moves over them. Points
 /// whose wind is no number are left out. A box too thin for the lattice gets its middle line.
 [[nodiscard]] std::vector<WindArrow> slice_arrows(const Air& air, const Plane& plane, double spacing, float scale);
+
+/// Colour of a share of the scale, 0 calm to 1 fast; below and above it is held.
+[[nodiscard]] Rgb8 speed_colour(float share);
+
+/// Colour of what is no number: far from every colour of either map.
+inline constexpr Rgb8 k_broken_colour{255, 0, 170};
+
+/// OKLab lightness (0 black, 1 white) and the two colour axes of an sRGB colour.
+[[nodiscard]] glm::dvec3 to_oklab(Rgb8 colour);
 
 } // namespace windrow::cli

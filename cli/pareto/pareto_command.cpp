@@ -1,24 +1,18 @@
 #include "cli/pareto/pareto_command.h"
 
-#include "cli/exit_code.h"
-#include "cli/machine.h"
+#include "cli/flags.h"
+#include "cli/info_command.h"
 #include "cli/output_file.h"
-#include "cli/pareto/flow_run.h"
-#include "cli/pareto/pareto_csv.h"
-#include "cli/pareto/pareto_plot.h"
-#include "cli/pareto/pareto_report.h"
-#include "cli/pareto/svg.h"
 #include "fluid/message.h"
 #include "fluid/thread_pool.h"
-#if WINDROW_WITH_IMAGES
-#include "cli/pareto/plot_image.h"
-#include "cli/pictures.h"
-#endif
 
 #include <cmath>
 #include <string>
 
 namespace windrow::cli {
+
+using namespace cases;
+
 namespace {
 
 using detail::message;
@@ -36,31 +30,6 @@ bool check_memory(const ParetoRequest& request, const Console& console) {
     return true;
 }
 
-Fault keep(const std::filesystem::path& file, const std::string& text) {
-    OutputFile output(file);
-    output.write(text);
-    return output.publish();
-}
-
-int keep_all(const ParetoResult& result, const std::filesystem::path& out, const Console& console) {
-    const Plot plot = pareto_plot(result);
-    if (const Fault fault = keep(out / "pareto.csv", pareto_csv(result)))
-        return complain_of(fault, console);
-    if (const Fault fault = keep(out / "pareto.svg", svg(plot)))
-        return complain_of(fault, console);
-#if WINDROW_WITH_IMAGES
-    if (const auto kept = write_plot(plot, out / "pareto.png"); !kept) {
-        const bool disk = kept.error().starts_with(k_disk_fault);
-        console.complain(disk ? kept.error().substr(k_disk_fault.size()) : kept.error());
-        return disk ? k_exit_machine : k_exit_wrong_use;
-    }
-    console.out << "\nIn " << out.string() << ": pareto.csv with all figures, pareto.svg and pareto.png with the fronts.\n";
-#else
-    console.out << "\nIn " << out.string() << ": pareto.csv with all figures, pareto.svg with the fronts.\n";
-#endif
-    return k_exit_well;
-}
-
 /// Flows on which the default method broke.
 std::string broken(const ParetoResult& result) {
     std::string names;
@@ -75,6 +44,28 @@ std::string broken(const ParetoResult& result) {
 
 } // namespace
 
+void add_pareto(CLI::App& app, std::function<int()>& chosen, const Console& console) {
+    CLI::App* const pareto = app.add_subcommand("pareto", "Find the least error for the time: methods, grids, steps; table, CSV");
+    const auto request = std::make_shared<ParetoRequest>();
+    const auto quick = std::make_shared<bool>(false);
+    const auto out = std::make_shared<std::optional<std::filesystem::path>>();
+    Flags flags(*pareto);
+    pareto->add_flag("--quick", *quick, "Fewer flows, grids and steps: a minute on two cores instead of eight");
+    flags.folder("--out", *out, "Folder for pareto.csv, which ./dev plots draws; default out/pareto");
+    flags.backend(request->backend);
+    flags.threads(request->threads, "Most threads; default one a core; errors do not depend on it");
+    flags.simd(request->simd, "all methods run on them");
+    pareto->callback([=, &chosen, &console] {
+        check_backend(*pareto, request->backend);
+        request->flows = pareto_flows(*quick);
+        request->cfls = *quick ? std::vector{1.0, 2.0} : std::vector{0.5, 1.0, 2.0, 4.0};
+        request->one_thread_too = !*quick;
+        request->seconds = *quick ? 0.4 : 1.5;
+        request->out = out->value_or(std::filesystem::path("out") / "pareto");
+        chosen = interruptible<ParetoRequest>(run_pareto, request, console);
+    });
+}
+
 int run_pareto(const ParetoRequest& request, const Console& console, const std::function<int()>& stop_signal) {
     if (!check_memory(request, console))
         return k_exit_machine;
@@ -82,7 +73,7 @@ int run_pareto(const ParetoRequest& request, const Console& console, const std::
     if (const Fault fault = output.open(request.out))
         return complain_of(fault, console);
     Backend backend;
-    if (const Fault fault = backend.open(request.backend))
+    if (const Fault fault = open_backend(request.backend, backend))
         return complain_of(fault, console);
     if (request.threads > usable_cores())
         console.complain(message("--threads is ", request.threads, ", more than the ", usable_cores(),
@@ -111,8 +102,12 @@ int run_pareto(const ParetoRequest& request, const Console& console, const std::
         report_front(**found, threads, console);
         result.flows.push_back(std::move(**found));
     }
-    if (const int code = keep_all(result, request.out, console); code != k_exit_well)
-        return code;
+    OutputFile csv(request.out / "pareto.csv");
+    csv.write(pareto_csv(result));
+    if (const Fault fault = csv.publish())
+        return complain_of(fault, console);
+    console.out << "\nIn " << request.out.string() << ": pareto.csv with all figures; ./dev plots " << request.out.string()
+                << " draws the fronts.\n";
     if (const std::string names = broken(result); !names.empty()) {
         console.complain(message("the default method broke on ", names, ": its error is not finite."));
         return k_exit_out_of_bounds;

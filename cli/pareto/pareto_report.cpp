@@ -1,32 +1,27 @@
-#include "cli/pareto/pareto_report.h"
-
-#include "cli/timings.h"
+#include "cli/pareto/pareto_command.h"
+#include "cli/table.h"
 #include "fluid/message.h"
 #include "scene/number_text.h"
 
 #include <algorithm>
-#include <charconv>
+#include <cmath>
+#include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace windrow::cli {
+
+using namespace cases;
+
 namespace {
 
 using detail::message;
 
-std::string padded(std::string_view text, std::size_t width) {
-    return std::string(text.size() < width ? width - text.size() : 1, ' ') + std::string(text);
-}
-
-std::string significant(double value) {
-    char text[64];
-    return std::string(text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 3).ptr);
-}
-
 std::string line(std::string_view time, std::string_view error, std::string_view grid, std::string_view cfl,
                  std::string_view cost, std::string_view method) {
-    return padded(time, 14) + padded(error, 12) + padded(grid, 13) + padded(cfl, 6) + padded(cost, 9) + "   " +
-           std::string(method) + "\n";
+    return right(time, 14) + right(error, 12) + right(grid, 13) + right(cfl, 6) + right(cost, 9) + "   " + std::string(method) +
+           "\n";
 }
 
 // "64x32x64, second_order cubic multigrid, CFL 2"
@@ -42,8 +37,8 @@ std::string standing(const std::vector<ParetoRow>& rows, const std::vector<CostE
         const std::string cfl = scene::figure(rows[n].cfl);
         if (const auto by = beaten_by(points, n)) {
             const ParetoRow& better = rows[*by];
-            beaten += message("; no at CFL ", cfl, ": ", place_of(better), " has ", significant(better.error / rows[n].error),
-                              " of its error in ", significant(better.ms_per_second / rows[n].ms_per_second), " of its time");
+            beaten += message("; no at CFL ", cfl, ": ", place_of(better), " has ", to_digits(better.error / rows[n].error, 3),
+                              " of its error in ", to_digits(better.ms_per_second / rows[n].ms_per_second, 3), " of its time");
         } else {
             on += (on.empty() ? "" : ", ") + cfl;
         }
@@ -51,6 +46,10 @@ std::string standing(const std::vector<ParetoRow>& rows, const std::vector<CostE
     const std::string yes = on.empty() ? "" : "; yes at CFL " + on;
     return "  on the front on " + grid_name(cells) +
            (on.empty() && beaten.empty() ? ": not run" : ": " + (yes + beaten).substr(2)) + ".\n";
+}
+
+bool finite(const CostError& point) {
+    return std::isfinite(point.cost) && std::isfinite(point.error);
 }
 
 } // namespace
@@ -70,8 +69,9 @@ void report_front(const FlowResult& flow, int threads, const Console& console) {
                 << line("ms/s of flow", "error", "grid", "CFL", "/ Stam", "method");
     for (const std::size_t n : front_of(points)) {
         const ParetoRow& row = rows[n];
-        console.out << line(significant(row.ms_per_second), significant(row.error), grid_name(row.cells), scene::figure(row.cfl),
-                            to_fixed(row.vs_stam40, 2), name_of(row.method) + (row.method == k_default_method ? "  *" : ""));
+        console.out << line(to_digits(row.ms_per_second, 3), to_digits(row.error, 3), grid_name(row.cells),
+                            scene::figure(row.cfl), to_fixed(row.vs_stam40, 2),
+                            name_of(row.method) + (row.method == k_default_method ? "  *" : ""));
     }
     console.out << "  the default, " << name_of(k_default_method) << " (*):\n";
     std::vector<glm::ivec3> grids;
@@ -81,6 +81,59 @@ void report_front(const FlowResult& flow, int threads, const Console& console) {
     for (const glm::ivec3 cells : grids)
         console.out << standing(rows, points, cells);
     console.out.flush();
+}
+
+std::string pareto_csv(const ParetoResult& result) {
+    std::string text =
+        "backend,scheme,advection,pressure,grid,cfl,case,error,order,step_ms,cost_vs_stam40,threads,ms_per_second,machine\n";
+    const auto rounded = [](double value) { return to_digits(value, 6); }; // they hold more digits than they mean
+    const std::string machine = "\"" + result.device + ", " + result.simd + "\"";
+    for (const FlowResult& flow : result.flows)
+        for (const ParetoRow& row : flow.rows)
+            text += detail::message(result.backend == BackendKind::cpu ? "cpu," : "vulkan,", name_of(row.method.scheme), ",",
+                                    name_of(row.method.interpolation), ",", name_of(row.method.pressure), ",",
+                                    grid_name(row.cells), ",", rounded(row.cfl), ",", flow.name, ",", rounded(row.error), ",",
+                                    row.order ? rounded(*row.order) : "", ",", rounded(row.step_ms), ",", rounded(row.vs_stam40),
+                                    ",", row.threads, ",", rounded(row.ms_per_second), ",", machine, "\n");
+    return text;
+}
+
+bool beats(const CostError& a, const CostError& b) {
+    if (!finite(a) || !finite(b))
+        return finite(a);
+    return a.cost <= b.cost && a.error <= b.error && (a.cost < b.cost || a.error < b.error);
+}
+
+std::vector<std::size_t> front_of(std::span<const CostError> points) {
+    std::vector<std::size_t> order;
+    for (std::size_t n = 0; n < points.size(); ++n)
+        if (finite(points[n]))
+            order.push_back(n);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return std::pair(points[a].cost, points[a].error) < std::pair(points[b].cost, points[b].error);
+    });
+    std::vector<std::size_t> front;
+    double least = std::numeric_limits<double>::infinity(); // error of all that is cheaper
+    for (std::size_t n = 0; n < order.size();) {
+        // Of one cost, the best and its equals.
+        const double best = points[order[n]].error, cost = points[order[n]].cost;
+        for (; n < order.size() && points[order[n]].cost == cost; ++n)
+            if (best < least && points[order[n]].error == best)
+                front.push_back(order[n]);
+        least = std::min(least, best);
+    }
+    return front;
+}
+
+std::optional<std::size_t> beaten_by(std::span<const CostError> points, std::size_t point) {
+    std::optional<std::size_t> found;
+    for (std::size_t n = 0; n < points.size(); ++n) {
+        if (!beats(points[n], points[point]))
+            continue;
+        if (!found || std::pair(points[n].error, points[n].cost) < std::pair(points[*found].error, points[*found].cost))
+            found = n;
+    }
+    return found;
 }
 
 } // namespace windrow::cli

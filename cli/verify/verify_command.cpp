@@ -1,17 +1,92 @@
 #include "cli/verify/verify_command.h"
 
-#include "cli/exit_code.h"
-#include "cli/machine.h"
+#include "cli/flags.h"
+#include "cli/info_command.h"
 #include "cli/output_file.h"
-#include "cli/pareto/svg.h"
-#include "cli/verify/verify_json.h"
-#include "cli/verify/verify_report.h"
+#include "cli/table.h"
 #include "fluid/thread_pool.h"
+#include "scene/nearest_word.h"
 
 #include <algorithm>
 #include <memory>
 
 namespace windrow::cli {
+
+using namespace cases;
+
+namespace {
+
+const VerifyCase* find_case(std::span<const VerifyCase> cases, const std::string& name) {
+    const auto found = std::find_if(cases.begin(), cases.end(), [&](const VerifyCase& one) { return one.name == name; });
+    return found == cases.end() ? nullptr : &*found;
+}
+
+[[noreturn]] void reject_case(const std::string& name, std::span<const VerifyCase> known) {
+    if (name.empty())
+        reject("--case is empty: see windrow verify --list.");
+    std::vector<std::string> names;
+    for (const VerifyCase& one : known)
+        names.push_back(one.name);
+    const std::string near = scene::nearest_word(name, names);
+    reject("--case is ", name, ", which is no case", near.empty() ? "" : " (did you mean " + near + "?)",
+           ": see windrow verify --list.");
+}
+
+bool runs(const VerifyCase& one, BackendKind backend) {
+    return one.runs_on == RunsOn::all || (one.runs_on == RunsOn::cpu) == (backend == BackendKind::cpu);
+}
+
+[[noreturn]] void reject_backend(const VerifyCase& one) {
+    if (one.runs_on == RunsOn::cpu)
+        reject("--case is ", one.name, ", which asks for pieces that a device runs only inside a step: drop --backend vulkan.");
+    reject("--case is ", one.name, ", which compares a device with the CPU: add --backend vulkan.");
+}
+
+// The cases that are named, or all that the backend can run.
+void choose_cases(const std::vector<std::string>& names, std::span<const VerifyCase> known, VerifyRequest& request) {
+    const BackendKind backend = request.backend.kind;
+    for (const std::string& name : names) {
+        const VerifyCase* const found = find_case(known, name);
+        if (found == nullptr)
+            reject_case(name, known);
+        if (!runs(*found, backend))
+            reject_backend(*found);
+        if (find_case(request.cases, name) == nullptr)
+            request.cases.push_back(*found);
+    }
+    if (!names.empty())
+        return;
+    for (const VerifyCase& one : known) {
+        if (request.list || runs(one, backend))
+            request.cases.push_back(one);
+        else if (one.runs_on == RunsOn::cpu)
+            request.left_out.push_back(one.name);
+    }
+}
+
+} // namespace
+
+void add_verify(CLI::App& app, std::span<const VerifyCase> known, std::function<int()>& chosen, const Console& console) {
+    CLI::App* const verify = app.add_subcommand("verify", "Hold the solver against known solutions; exit 1 where one is missed");
+    const auto request = std::make_shared<VerifyRequest>();
+    const auto names = std::make_shared<std::vector<std::string>>();
+    Flags flags(*verify);
+    flags.values("--case", "NAME", "Cases to run; default all", [names](const std::string& name) { names->push_back(name); });
+    verify->add_flag("--list", request->list, "Tell the cases and run none");
+    flags.backend(request->backend);
+    flags.threads(request->threads, "Threads; default one a core; errors do not depend on it");
+    flags.simd(request->simd, "levels differ by rounding");
+    flags.file("--json", request->json, "File for all errors and bounds; written whole or not at all");
+    flags.folder("--plots", request->plots, "Folder for the curves of cases that have some, as CSV for ./dev plots");
+    verify->callback([=, &chosen, &console] {
+        check_backend(*verify, request->backend);
+        choose_cases(*names, known, *request);
+        for (const char* const output : {"--json", "--plots"})
+            if (request->list && verify->count(output) > 0)
+                reject(output, " is given with --list, which runs nothing: drop one of them.");
+        chosen = interruptible<VerifyRequest>(run_verify, request, console);
+    });
+}
 
 int run_verify(const VerifyRequest& request, const Console& console, const std::function<int()>& stop_signal) {
     if (request.list) {
@@ -28,7 +103,7 @@ int run_verify(const VerifyRequest& request, const Console& console, const std::
             return complain_of(fault, console);
 
     Backend backend;
-    if (const auto fault = backend.open(request.backend))
+    if (const auto fault = open_backend(request.backend, backend))
         return complain_of(fault, console);
     const auto pool = make_pool(request.threads, console);
     const VerifySetting setting{.simd = request.simd, .parallel_for = pool->parallel_for(), .backend = backend, .stopped = [&] {
@@ -39,7 +114,7 @@ int run_verify(const VerifyRequest& request, const Console& console, const std::
     for (const VerifyCase& one : request.cases) {
         report_case(one, console);
         verified.push_back({.name = one.name});
-        std::vector<VerifyCurve> curves;
+        std::vector<PlotCurve> curves;
         for (std::size_t level = 0; level < one.sizes.size(); ++level) {
             if (const int signal = stop_signal(); signal != 0)
                 return k_exit_signal + signal;
@@ -52,16 +127,17 @@ int run_verify(const VerifyRequest& request, const Console& console, const std::
                 verified.back().rows.push_back(judge(one, verified.back(), level, row, request.known));
                 report_row(one, verified.back().rows.back(), console);
             }
-            curves.insert(curves.end(), found.curves.begin(), found.curves.end());
+            for (const VerifyCurve& curve : found.curves)
+                curves.push_back({one.name, curve.panel, curve.name, curve.points});
         }
-        if (!request.plots || !one.plot)
+        if (!request.plots || curves.empty())
             continue;
-        const std::filesystem::path place = *request.plots / (one.name + ".svg");
+        const std::filesystem::path place = *request.plots / (one.name + ".csv");
         OutputFile page(place);
-        page.write(svg(one.plot(curves)));
+        page.write(plot_csv(curves));
         if (const Fault fault = page.publish())
             return complain_of(fault, console);
-        console.out << "In " << place.string() << ": a plot.\n";
+        console.out << "In " << place.string() << ": curves; ./dev plots " << request.plots->string() << " draws them.\n";
     }
     report_end(verified, request.left_out, console);
     if (file) {

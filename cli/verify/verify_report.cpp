@@ -1,23 +1,21 @@
-#include "cli/verify/verify_report.h"
-
-#include "cli/timings.h"
+#include "cli/table.h"
+#include "cli/verify/verify_command.h"
 #include "fluid/message.h"
 
 #include <algorithm>
-#include <charconv>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
 namespace windrow::cli {
+
+using namespace cases;
+
 namespace {
 
 using detail::message;
 
 constexpr std::size_t k_grid_width = 13, k_width = 10;
-
-std::string right(std::string_view text, std::size_t width) {
-    return std::string(text.size() < width ? width - text.size() : 1, ' ') + std::string(text);
-}
 
 std::string line(std::string_view grid, std::string_view cfl, std::string_view error, std::string_view bound,
                  std::string_view order, std::string_view least, std::string_view verdict, std::string_view label) {
@@ -48,11 +46,6 @@ std::string wrapped(std::string_view label, std::string_view words) {
     return text + "\n";
 }
 
-std::string scientific(double value) {
-    char text[32];
-    return std::string(text, std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, 2).ptr);
-}
-
 } // namespace
 
 void report_list(std::span<const VerifyCase> cases, const Console& console) {
@@ -79,8 +72,8 @@ void report_case(const VerifyCase& one, const Console& console) {
 void report_row(const VerifyCase& one, const VerifiedRow& verified, const Console& console) {
     const VerifyRow& row = verified.row;
     const bool ordered = one.least_order > 0.0 && verified.order; // of rounding an order tells nothing
-    console.out << line(message(row.cells.x, "x", row.cells.y, "x", row.cells.z), row.cfl > 0.0 ? to_fixed(row.cfl, 2) : "-",
-                        scientific(row.error), scientific(row.bound), ordered ? to_fixed(*verified.order, 2) : "-",
+    console.out << line(grid_name(row.cells), row.cfl > 0.0 ? to_fixed(row.cfl, 2) : "-", to_scientific(row.error, 2),
+                        to_scientific(row.bound, 2), ordered ? to_fixed(*verified.order, 2) : "-",
                         ordered ? to_fixed(one.least_order, 2) : "-", verified.verdict(), row.label);
     console.out.flush();
 }
@@ -101,7 +94,7 @@ void report_end(std::span<const VerifiedCase> cases, std::span<const std::string
     if (!missed.empty())
         console.out << "\n" << wrapped("not met, as known: ", missed + ".");
     if (!met.empty())
-        console.complain(message("met, though cli/verify/verify_cases.cpp expects a miss: ", met, ". Take it out of that file."));
+        console.complain(message("met, though cases/verify_case.cpp expects a miss: ", met, ". Take it out of that file."));
     if (!left_out.empty()) {
         std::string names;
         for (const std::string& name : left_out)
@@ -117,6 +110,28 @@ void report_end(std::span<const VerifiedCase> cases, std::span<const std::string
     else
         console.complain(message(count, " of ", all, count == 1 ? " is" : " are", " out of bounds: ", failed, "."));
     console.out.flush();
+}
+
+std::string verify_json(const VerifyRequest& request, const std::string& device, std::span<const VerifiedCase> verified) {
+    using Json = nlohmann::ordered_json;
+    Json entries = Json::array();
+    for (std::size_t n = 0; n < verified.size(); ++n)
+        for (const VerifiedRow& one : verified[n].rows) {
+            const double least_order = request.cases[n].least_order;
+            entries.push_back({{"name", verified[n].name},
+                               {"label", one.row.label.empty() ? Json() : Json(one.row.label)},
+                               {"backend", request.backend.kind == BackendKind::cpu ? "cpu" : "vulkan"},
+                               {"device", device.empty() ? Json() : Json(device)},
+                               {"grid", grid_name(one.row.cells)},
+                               {"cfl", one.row.cfl},
+                               {"error", one.row.error}, // what is not finite becomes null
+                               {"order", one.order ? Json(*one.order) : Json()},
+                               {"bound", one.row.bound},
+                               {"least_order", one.order && least_order > 0.0 ? Json(least_order) : Json()},
+                               {"pass", one.pass},
+                               {"verdict", one.verdict()}});
+        }
+    return Json{{"cases", entries}}.dump(2) + "\n";
 }
 
 } // namespace windrow::cli

@@ -3,9 +3,9 @@
 // Order: a Gaussian of sigma 0.1 carried through a periodic unit square by (1, 0.5), back at its start at T = 2, CFL 0.7; an
 // order of 1.8 or more is asked over N = 32, 64, 128. Bound: the departure point is found once more in double; where
 // it lies on a cell's face to rounding, the cells on either side count.
+#include "cases/reference/trajectory.h"
 #include "figures.h"
 #include "flows.h"
-#include "trajectory_reference.h"
 
 #include <algorithm>
 #include <limits>
@@ -21,7 +21,7 @@ double round_trip_error(int cells, Interpolation interpolation, bool clamped, do
     const Box box = periodic_box({cells, cells, 1}, 1.0 / cells);
     Workspace work = workspace(box);
     const Field wind(box.cell_count(), glm::vec4(1.0f, 0.5f, 0.0f, 0.0f));
-    const auto start = sample_scalar(box, [&](glm::dvec3 x) {
+    const auto start = scalars_of(box, [&](glm::dvec3 x) {
         return std::exp(-0.5 * ((x.x - 0.5) * (x.x - 0.5) + (x.y - 0.5) * (x.y - 0.5)) / (width * width));
     });
     const int steps = static_cast<int>(std::lround(2.0 * cells / 0.7));
@@ -70,12 +70,12 @@ TEST(AdvectionClamp, NeverLeavesTheRangeOfTheField) {
     const Box box = periodic_box({40, 24, 12});
     Workspace work = workspace(box);
     const glm::dvec3 size(box.cells);
-    const Field wind = sample(box, [&](glm::dvec3 x) {
+    const Field wind = velocities_of(box, [&](glm::dvec3 x) {
         const glm::dvec3 phase = 2.0 * k_pi * x / size;
         return 1.5 * glm::dvec3(std::sin(phase.y) + std::cos(phase.z), std::sin(phase.z) + std::cos(phase.x),
                                 std::sin(phase.x) + std::cos(phase.y));
     });
-    const auto block = sample_scalar(
+    const auto block = scalars_of(
         box, [&](glm::dvec3 x) { return std::abs(x.x - 20) < 7 && std::abs(x.y - 12) < 5 && std::abs(x.z - 6) < 3 ? 3.0 : 1.0; });
     float low = 1.0f, high = 3.0f, loose_high = 3.0f;
     auto values = block, loose = block, next = block;
@@ -98,13 +98,13 @@ TEST(AdvectionClamp, EachValueLiesWithinItsEightNeighbours) {
     Random random(31);
     const SideKind periodic = SideKind::periodic, open = SideKind::open, slip = SideKind::free_slip, rough = SideKind::no_slip;
     int outside = 0, checked = 0, at_bound = 0;
-    for (const Sides& sides : {Sides::all(periodic), Sides::all(open), Sides::all(slip),
-                               axis_sides({{open, slip}, {rough, rough}, {periodic, periodic}})})
+    for (const Sides& sides :
+         {Sides::all(periodic), Sides::all(open), Sides::all(slip), sides_of({open, slip}, {rough, rough}, {periodic, periodic})})
         for (const glm::ivec3 cells : {glm::ivec3(17, 9, 11), glm::ivec3(5, 1, 8), glm::ivec3(2, 70, 3)}) {
             const Box box{.cells = cells, .sides = sides};
             Workspace work = workspace(box, {0.4f, 0.2f, 0.1f});
             const Field wind = random.field(box, 2.0);
-            const auto values = sample_scalar(box, [&](glm::dvec3) { return random.uniform(); });
+            const auto values = scalars_of(box, [&](glm::dvec3) { return random.uniform(); });
             const float dt = 0.9f, beyond_value = 0.25f;
             std::vector<float> moved(values.size());
             EXPECT_TRUE(advect(

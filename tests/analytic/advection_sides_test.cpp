@@ -2,9 +2,9 @@
 //
 // The interpolant is continuous in the departure point, so a departure that rounds to the other side of a cell's face gives the
 // same value: float and double must agree everywhere to rounding, 1e-4 of fields of size 1 at trajectories of up to 6 cells.
+#include "cases/reference/trajectory.h"
 #include "figures.h"
 #include "flows.h"
-#include "trajectory_reference.h"
 
 #include <array>
 
@@ -73,7 +73,7 @@ TEST(AdvectionSides, AScalarEqualsItsDefinition) {
             const Box box{.cells = k_sizes[trial % k_sizes.size()], .cell_size = 2.0f, .sides = random_sides(random)};
             Workspace work = workspace(box, glm::vec3(random.vector()));
             const Field wind = random.field(box);
-            const auto values = sample_scalar(box, [&](glm::dvec3) { return random.uniform(); });
+            const auto values = scalars_of(box, [&](glm::dvec3) { return random.uniform(); });
             const float dt = static_cast<float>(random.uniform(0.5, 4.0)), outside = static_cast<float>(random.uniform());
             std::vector<float> moved(values.size());
             EXPECT_TRUE(

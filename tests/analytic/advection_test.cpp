@@ -4,6 +4,7 @@
 //   linear   w_0 = 1 - a, w_1 = a:      size sqrt(1 - 4 a (1 - a) sin^2(theta / 2)), variance + a (1 - a) cells^2 a step
 //   cubic    Lagrange's weights on -1..2: moments up to the third exact, so variance + 0; sum |w| <= 1.25 an axis
 // The velocity's advect() carries a field that is not its own wind here; the scalar's advect() must agree with the same forms.
+#include "cases/cubic_factor.h"
 #include "figures.h"
 #include "flows.h"
 
@@ -45,26 +46,24 @@ Field uniform_wind(const Box& box, glm::vec3 wind) {
 
 // sum_j w_j(a) exp(-i j theta) after whole cells; `cells` is how far the air moved.
 std::complex<double> mode_factor(Interpolation interpolation, double cells, double theta) {
+    if (interpolation == Interpolation::cubic)
+        return cases::cubic_factor(cells, theta);
     // The departure point lies between the cells -whole - 1 and -whole; t is its distance from the first.
     const double low = std::floor(-cells), t = -cells - low;
-    const auto wave = [&](double cell) { return std::polar(1.0, cell * theta); };
-    if (interpolation == Interpolation::linear)
-        return (1.0 - t) * wave(low) + t * wave(low + 1.0);
-    return -t * (t - 1) * (t - 2) / 6 * wave(low - 1) + (t + 1) * (t - 1) * (t - 2) / 2 * wave(low) -
-           (t + 1) * t * (t - 2) / 2 * wave(low + 1) + (t + 1) * t * (t - 1) / 6 * wave(low + 2);
+    return (1.0 - t) * std::polar(1.0, low * theta) + t * std::polar(1.0, (low + 1.0) * theta);
 }
 
 // What became of mode k along `axis`: its complex factor.
 std::complex<double> measured_factor(Workspace& work, Form form, Interpolation interpolation, int axis, int k, glm::vec3 wind) {
     const Box& box = work.box();
     const double theta = 2.0 * k_pi * k / box.cells[axis];
-    const auto cosine = sample_scalar(box, [&](glm::dvec3 x) { return std::cos(theta * (x[axis] - 0.5)); });
-    const auto sine = sample_scalar(box, [&](glm::dvec3 x) { return std::sin(theta * (x[axis] - 0.5)); });
+    const auto cosine = scalars_of(box, [&](glm::dvec3 x) { return std::cos(theta * (x[axis] - 0.5)); });
+    const auto sine = scalars_of(box, [&](glm::dvec3 x) { return std::sin(theta * (x[axis] - 0.5)); });
     const Field air = uniform_wind(box, wind);
     const auto moved_cosine = carry(work, form, cosine, air, 1.0f, interpolation);
     const auto moved_sine = carry(work, form, sine, air, 1.0f, interpolation);
     std::complex<double> factor = 0.0;
-    for_each_cell(box, [&](std::size_t n, glm::dvec3 x) {
+    visit_cells(box, [&](std::size_t n, glm::dvec3 x) {
         factor += std::complex<double>(moved_cosine[n], moved_sine[n]) * std::polar(1.0, -theta * (x[axis] - 0.5));
     });
     return factor / static_cast<double>(box.cell_count());
@@ -115,9 +114,9 @@ TEST_P(UniformWind, AnObliqueModeHasTheProductOfItsFactors) {
         std::complex<double> factor = 1.0;
         for (int axis = 0; axis < 3; ++axis)
             factor *= mode_factor(GetParam(), wind[axis], theta[axis]);
-        const auto start = sample_scalar(box, [&](glm::dvec3 x) { return std::cos(glm::dot(theta, x)); });
+        const auto start = scalars_of(box, [&](glm::dvec3 x) { return std::cos(glm::dot(theta, x)); });
         const auto moved = carry(work, k_forms[trial % 4], start, uniform_wind(box, wind), 1.0f, GetParam());
-        for_each_cell(box, [&](std::size_t n, glm::dvec3 x) {
+        visit_cells(box, [&](std::size_t n, glm::dvec3 x) {
             worst = std::max(worst, std::abs(moved[n] - (factor * std::polar(1.0, glm::dot(theta, x))).real()));
         });
     }
@@ -144,11 +143,11 @@ TEST_P(UniformWind, AGaussianSpreadsByTheVarianceOfItsWeights) {
                 return std::exp(-0.5 * off * off / k_start);
             };
             for (const Form form : {Form::vector_x, Form::scalar}) {
-                auto values = sample_scalar(box, gaussian);
+                auto values = scalars_of(box, gaussian);
                 for (int step = 0; step < k_steps; ++step)
                     values = carry(work, form, values, uniform_wind(box, wind), 1.0f, GetParam());
                 double sum = 0.0, first = 0.0, second = 0.0;
-                for_each_cell(box, [&](std::size_t n, glm::dvec3 x) {
+                visit_cells(box, [&](std::size_t n, glm::dvec3 x) {
                     const double off = std::remainder(x[axis] - middle - static_cast<double>(shift) * k_steps, k_cells);
                     sum += values[n];
                     first += values[n] * off;
@@ -179,7 +178,7 @@ TEST_P(UniformWind, AWholeCellShiftIsACopyToTheBit) {
             v = static_cast<float>(random.uniform(-5, 5));
         for (const Form form : k_forms) {
             const auto moved = carry(work, form, values, uniform_wind(box, glm::vec3(shift)), 1.0f, GetParam());
-            for_each_cell(box, [&](std::size_t n, glm::dvec3 x) {
+            visit_cells(box, [&](std::size_t n, glm::dvec3 x) {
                 const glm::ivec3 from = ((glm::ivec3(x) - shift) % box.cells + box.cells) % box.cells;
                 differing += moved[n] != values[box.index(from.x, from.y, from.z)];
             });
@@ -196,8 +195,8 @@ TEST(Advection, LinearNeverGrowsAtAnyCfl) {
     Random random(11);
     double worst = 0.0;
     const SideKind periodic = SideKind::periodic, open = SideKind::open, wall = SideKind::free_slip, rough = SideKind::no_slip;
-    for (const Sides& sides : {Sides::all(periodic), Sides::all(open), Sides::all(wall),
-                               axis_sides({{open, wall}, {rough, open}, {periodic, periodic}})})
+    for (const Sides& sides :
+         {Sides::all(periodic), Sides::all(open), Sides::all(wall), sides_of({open, wall}, {rough, open}, {periodic, periodic})})
         for (const float cfl : {0.1f, 0.5f, 1.0f, 3.0f, 10.0f, 100.0f}) {
             const Box box{.cells = {19, 8, 12}, .sides = sides};
             Workspace work = workspace(box);
@@ -223,7 +222,7 @@ TEST(Advection, CubicOvershootsByAQuarterAnAxisAtMost) {
     Workspace work = workspace(box);
     const auto pattern = [](double x) { return (static_cast<int>(x) + 1) / 2 % 2 == 0 ? 1.0 : -1.0; };
     for (int axes = 1; axes <= 3; ++axes) {
-        const auto start = sample_scalar(box, [&](glm::dvec3 x) {
+        const auto start = scalars_of(box, [&](glm::dvec3 x) {
             double value = 1.0;
             for (int axis = 0; axis < axes; ++axis)
                 value *= pattern(x[axis]);

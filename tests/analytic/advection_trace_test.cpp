@@ -28,12 +28,12 @@ double turn_error(int cells, int steps, Trace trace, const Turn& turn) {
     const SideKind open = SideKind::open, periodic = SideKind::periodic;
     const Box box{.cells = {cells, cells, 1},
                   .cell_size = static_cast<float>(2.0 / cells),
-                  .sides = axis_sides({{open, open}, {open, open}, {periodic, periodic}})};
+                  .sides = sides_of({open, open}, {open, open}, {periodic, periodic})};
     Workspace work = workspace(box);
     const auto wind_at = [&](double t) {
-        return sample(box, [&](glm::dvec3 x) { return turn.rate(t) * glm::dvec3(1.0 - x.y, x.x - 1.0, 0.0); });
+        return velocities_of(box, [&](glm::dvec3 x) { return turn.rate(t) * glm::dvec3(1.0 - x.y, x.x - 1.0, 0.0); });
     };
-    const auto start = sample(box, [](glm::dvec3 x) {
+    const auto start = velocities_of(box, [](glm::dvec3 x) {
         const double squared = (x.x - 1.35) * (x.x - 1.35) + (x.y - 1.0) * (x.y - 1.0);
         return glm::dvec3(0.0, 0.0, std::exp(-0.5 * squared / (0.13 * 0.13)));
     });

@@ -52,8 +52,8 @@ TEST(Diffusion, EachModeHasTheFactorOfItsMethod) {
                                       std::cos(glm::dot(theta[2], x - 0.5)));
                 };
                 const DiffusionMethod method = diffusion_method(static_cast<float>(r), 1.0f, 1.0f);
-                const Field result = diffused(work, sample(box, wave), r);
-                for_each_cell(box, [&](std::size_t n, glm::dvec3 x) {
+                const Field result = diffused(work, velocities_of(box, wave), r);
+                visit_cells(box, [&](std::size_t n, glm::dvec3 x) {
                     for (int c = 0; c < 3; ++c) {
                         const double off = std::abs(result[n][c] - factor_of(method, r, s[c]) * wave(x)[c]);
                         double& slot = s[c] == 0.0 ? worst_mean : worst[static_cast<int>(method)];
@@ -95,7 +95,7 @@ TEST(Diffusion, AGaussianSpreadsByTwoNuT) {
             const Box box{.cells = {48, 40, 44}, .sides = Sides::all(kind)};
             Workspace work = workspace(box);
             const glm::dvec3 middle = 0.5 * glm::dvec3(box.cells) + glm::dvec3(0.3, -0.2, 0.1);
-            Field field = sample(box, [&](glm::dvec3 x) {
+            Field field = velocities_of(box, [&](glm::dvec3 x) {
                 const double squared = glm::dot(x - middle, x - middle);
                 return std::exp(-0.5 * squared / k_start) * glm::dvec3(1.0, -2.0, 0.5);
             });
@@ -105,7 +105,7 @@ TEST(Diffusion, AGaussianSpreadsByTwoNuT) {
             for (int c = 0; c < 3; ++c)
                 for (int axis = 0; axis < 3; ++axis) {
                     double sum = 0.0, second = 0.0;
-                    for_each_cell(box, [&](std::size_t n, glm::dvec3 x) {
+                    visit_cells(box, [&](std::size_t n, glm::dvec3 x) {
                         sum += field[n][c];
                         second += field[n][c] * (x[axis] - middle[axis]) * (x[axis] - middle[axis]);
                     });
@@ -146,7 +146,7 @@ TEST(Diffusion, NothingGrowsAtAnyRatio) {
 TEST(Diffusion, TheCheckerboardIsGoneAtOnceAtALargeRatio) {
     const Box box = periodic_box({32, 16, 32});
     Workspace work = workspace(box);
-    const Field board = sample(box, [](glm::dvec3 x) {
+    const Field board = velocities_of(box, [](glm::dvec3 x) {
         return glm::dvec3((static_cast<int>(x.x) + static_cast<int>(x.y) + static_cast<int>(x.z)) % 2 == 0 ? 1.0 : -1.0);
     });
     expect_at_most("diffusion.checkerboard_left_at_1e4", rms(diffused(work, board, 1e4)) / rms(board), 1e-5);
@@ -161,9 +161,9 @@ TEST(Diffusion, TheSumOfAComponentThatNoWallTakesIsKept) {
         glm::bvec3 kept;
     };
     const Case cases[] = {{Sides::all(periodic), {true, true, true}},
-                          {axis_sides({{periodic, periodic}, {slip, slip}, {slip, slip}}), {true, false, false}},
-                          {axis_sides({{slip, slip}, {periodic, periodic}, {periodic, periodic}}), {false, true, true}},
-                          {axis_sides({{slip, slip}, {slip, slip}, {periodic, periodic}}), {false, false, true}}};
+                          {sides_of({periodic, periodic}, {slip, slip}, {slip, slip}), {true, false, false}},
+                          {sides_of({slip, slip}, {periodic, periodic}, {periodic, periodic}), {false, true, true}},
+                          {sides_of({slip, slip}, {slip, slip}, {periodic, periodic}), {false, false, true}}};
     Random random(6);
     double worst = 0.0, least_loss = 1.0;
     for (const Case& box_case : cases)

@@ -93,7 +93,7 @@ TEST(Flicker, NoneAfterAStartInTheMiddleOfAFlow) {
         const Box box = periodic_box({cells, cells, 1}, 2.0 * k_pi / cells);
         Wind wind = raw_wind(box, 0.0, Scheme::second_order, Interpolation::cubic);
         const TaylorGreen2D flow;
-        EXPECT_TRUE(wind.set_velocity(sample(box, [&](glm::dvec3 x) { return flow(x, 0.0); })));
+        EXPECT_TRUE(wind.set_velocity(velocities_of(box, [&](glm::dvec3 x) { return flow(x, 0.0); })));
         expect_at_most("flicker.start.cfl_1." + std::to_string(cells),
                        alternating_part(wind, static_cast<double>(box.cell_size), 10), 1e-3);
     }

@@ -1,15 +1,13 @@
 // What acts on the air, through the public API, second order: half of it acts where the air departs, half where it arrives.
 //
-// A periodic slab of 2 pi; vortices carried by a mean wind (1, 0.5) cross a motor that moves, turns on and off:
-//     du/dt + u . grad u = -grad p + nu L u + a(t) w(x - c(t)) d,   a = A sin^2(pi t / T),  c(t) = c0 + V t,  T = pi, dt = h / 2
-// w is the region's own weight, prod (1 - s^2)^2, wide (1.4 m) because it is only once differentiable. A step acts with the force
-// of its middle: the motor is set to it first. Reference: spectral_flow.h with the same force, 128^2.
+// Vortices in a mean wind cross a motor that moves, turns on and off (cases/flows.h), dt = h / 2. A step acts with the force of its
+// middle: the motor is set to it first. Reference: spectral_flow.h with the same force, 128^2.
 //
 // Every kind of drive, and plants: a motor that moves and speeds up, moved as a host moves it, to where it is at the end of each
 // step, against the same on four times as many cells.
-#include "figures.h"
+#include "case_check.h"
+#include "cases/spectral_solutions.h"
 #include "flows.h"
-#include "tests/bench/reference/spectral_flow.h"
 #include "tests/fields.h"
 
 #include <optional>
@@ -21,51 +19,16 @@ using namespace flows;
 using figures::expect_at_least;
 using figures::expect_at_most;
 
-constexpr double k_end = k_pi, k_acceleration = 3.0, k_viscosity = 1e-3;
-constexpr glm::dvec3 k_half_size(1.4, 1.4, 10.0);
+using cases::solved;
 
-enum class Switch { smooth, at_once };
+constexpr double k_end = cases::ForcedVortices::k_end, k_viscosity = cases::ForcedVortices::k_viscosity;
 
-struct Gust {
-    Switch kind = Switch::smooth;
-    double strength(double t) const {
-        return kind == Switch::smooth ? k_acceleration * std::pow(std::sin(k_pi * t / k_end), 2) : 0.5 * k_acceleration;
-    }
-    glm::dvec3 centre(double t) const { return {2.4 + 0.5 * t, 3.4 - 0.3 * t, 0.0}; }
-    static glm::dvec3 direction() { return {0.6, 0.8, 0.0}; }
-    double weight(glm::dvec3 x, double t) const {
-        const glm::dvec3 s = (x - centre(t)) / k_half_size;
-        const auto falloff = [](double squared) { return squared < 1.0 ? (1.0 - squared) * (1.0 - squared) : 0.0; };
-        return falloff(s.x * s.x) * falloff(s.y * s.y);
-    }
-};
-
-glm::dvec3 start(glm::dvec3 x) {
-    return TaylorGreen2D{.mean = {1.0, 0.5}}(x, 0.0);
-}
-
-// The reference's velocity at the end, at the centres of `cells`.
-std::vector<glm::dvec3> exact_end(const Gust& gust, int points, int steps, int cells) {
-    reference::SpectralFlow flow({points, points, 1}, k_viscosity);
-    flow.start(start);
-    flow.set_force([&](glm::dvec3 x, double t) { return gust.strength(t) * gust.weight(x, t) * Gust::direction(); });
-    flow.run(k_end, steps);
-    return flow.at_cell_centres({cells, cells, 1});
-}
-
-double forced_error(int cells, const Gust& gust, Scheme scheme, const std::vector<glm::dvec3>& exact) {
+double forced_error(int cells, const cases::ForcedVortices& gust, Scheme scheme, const std::vector<glm::dvec3>& exact) {
     const Box box = periodic_box({cells, cells, 1}, 2.0 * k_pi / cells);
     const double h = box.cell_size;
     Wind wind = raw_wind(box, k_viscosity, scheme, Interpolation::cubic);
-    EXPECT_TRUE(wind.set_velocity(sample(box, start)));
-    const auto motor_at = [&](double t) {
-        const glm::dvec3 centre = gust.centre(t);
-        return DirectionalMotor{.position = {centre.x, centre.y, 0.5 * h},
-                                .direction = glm::vec3(Gust::direction()),
-                                .region = AlignedBox{glm::vec3(k_half_size)},
-                                .law = Force{static_cast<float>(gust.strength(t))},
-                                .turbulence = test::k_steady};
-    };
+    EXPECT_TRUE(wind.set_velocity(velocities_of(box, gust.start)));
+    const auto motor_at = [&](double t) { return gust.motor(t, 0.5 * h); };
     const MotorId motor = *wind.motors().add(motor_at(0.0));
     for (int step = 0; step < cells; ++step) {
         EXPECT_TRUE(wind.motors().set(motor, motor_at(k_end * (step + 0.5) / cells)));
@@ -73,7 +36,7 @@ double forced_error(int cells, const Gust& gust, Scheme scheme, const std::vecto
     }
     double error = 0.0, size = 0.0;
     for (std::size_t n = 0; n < exact.size(); ++n) {
-        const glm::dvec3 off = glm::dvec3(wind.field()[n]) - exact[n], flow = exact[n] - glm::dvec3(1.0, 0.5, 0.0);
+        const glm::dvec3 off = glm::dvec3(wind.field()[n]) - exact[n], flow = exact[n] - gust.k_mean;
         error += glm::dot(off, off);
         size += glm::dot(flow, flow);
     }
@@ -90,29 +53,29 @@ double difference(const std::vector<glm::dvec3>& a, const std::vector<glm::dvec3
 }
 
 TEST(ForcedFlow, AMovingMotorIsSecondOrderAtFixedCfl) {
-    const Gust gust;
-    double errors[3], split[3];
+    const cases::ForcedVortices gust;
+    double split[3];
     expect_at_most("forced.reference_change_from_96_to_128",
-                   difference(exact_end(gust, 96, 150, 64), exact_end(gust, 128, 200, 64)), 2e-4);
+                   difference(solved(gust, 96, 150)->at_cell_centres({64, 64, 1}),
+                              cases::forced_vortices_end().at_cell_centres({64, 64, 1})),
+                   2e-4);
     for (int level = 0; level < 3; ++level) {
         const int cells = 32 << level;
-        const auto exact = exact_end(gust, 128, 200, cells);
-        errors[level] = forced_error(cells, gust, Scheme::second_order, exact);
-        split[level] = forced_error(cells, gust, Scheme::stable_fluids, exact);
-        figures::report("forced.second_order.error_" + std::to_string(cells), errors[level]);
+        split[level] =
+            forced_error(cells, gust, Scheme::stable_fluids, cases::forced_vortices_end().at_cell_centres({cells, cells, 1}));
         figures::report("forced.stable_fluids.error_" + std::to_string(cells), split[level]);
     }
-    expect_at_least("forced.second_order.order_32_64", figures::order(errors[0], errors[1]), 1.9);
-    expect_at_least("forced.second_order.order_64_128", figures::order(errors[1], errors[2]), 1.9);
     expect_at_least("forced.stable_fluids.order_64_128", figures::order(split[1], split[2]), 0.9);
+    figures::expect_case("forced_flow", {32, 64, 128});
 }
 
 TEST(ForcedFlow, AMotorAtFullStrengthFromTheStartIsToo) {
-    const Gust gust{Switch::at_once};
+    const cases::ForcedVortices gust{.at_once = true};
+    const auto exact = solved(gust, 96, 150);
     double errors[3];
     for (int level = 0; level < 3; ++level) {
         const int cells = 32 << level;
-        errors[level] = forced_error(cells, gust, Scheme::second_order, exact_end(gust, 96, 150, cells));
+        errors[level] = forced_error(cells, gust, Scheme::second_order, exact->at_cell_centres({cells, cells, 1}));
         figures::report("forced.at_once.error_" + std::to_string(cells), errors[level]);
     }
     expect_at_least("forced.at_once.order_32_64", figures::order(errors[0], errors[1]), 1.9);
@@ -131,7 +94,7 @@ TEST(ForcedFlow, TheWholeImpulseArrivesWithTheMotor) {
                                    .turbulence = test::k_steady};
         ASSERT_TRUE(wind.motors().add(fan));
         double weights = 0.0;
-        for_each_cell(box, [&](std::size_t, glm::dvec3 x) {
+        visit_cells(box, [&](std::size_t, glm::dvec3 x) {
             const double squared = glm::dot(x - fan.position, x - fan.position) / (2.5 * 2.5);
             weights += squared < 1.0 ? (1.0 - squared) * (1.0 - squared) : 0.0;
         });

@@ -316,7 +316,7 @@ TEST(MotorFlows, AJetCarriesItsMomentumOnAndSlows) {
     const int steps = 900, counted = 300; // the mean of ten seconds, when its front has long left the box
     for (int step = 0; step < steps; ++step) {
         wind.step(k_dt);
-        for_each_cell(box, [&](std::size_t n, glm::dvec3 x) {
+        visit_cells(box, [&](std::size_t n, glm::dvec3 x) {
             if (step >= steps - counted)
                 flux[static_cast<std::size_t>(x.x)] += std::pow(double(wind.field()[n].x), 2) / counted;
         });

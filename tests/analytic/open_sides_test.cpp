@@ -25,7 +25,7 @@ TEST(OpenSides, AScalarPuffLeaves) {
     Workspace work = workspace(box, ambient);
     const Field wind(box.cell_count(), glm::vec4(ambient, 0.0f));
     for (const Interpolation interpolation : {Interpolation::linear, Interpolation::cubic}) {
-        auto smoke = sample_scalar(
+        auto smoke = scalars_of(
                  box,
                  [](glm::dvec3 x) { return std::exp(-glm::dot(x - glm::dvec3(16, 5, 16), x - glm::dvec3(16, 5, 16)) / 18.0); }),
              next = smoke;

@@ -4,9 +4,9 @@
 // 12 eps |phi| / |b| with eps = 6e-8 and |phi| / |b| as large as 1 / lambda_1. Where the lowest mode of a long or closed box
 // carries much of b that is more than 1e-5; so larger boxes are held to 5e-7 of |b| + 12 |phi|, and in the error of phi and of
 // grad phi against a conjugate gradient in double.
+#include "cases/reference/stencil.h"
 #include "figures.h"
 #include "flows.h"
-#include "stencil_reference.h"
 
 #include <array>
 
@@ -29,7 +29,7 @@ constexpr std::array k_tiny = {glm::ivec3(1, 1, 1), glm::ivec3(1, 5, 7), glm::iv
 constexpr std::array k_sizes = {glm::ivec3(17, 9, 23), glm::ivec3(20, 6, 40), glm::ivec3(48, 5, 33), glm::ivec3(64, 1, 64)};
 
 Sides mix(int x, int y, int z) {
-    return axis_sides({{k_pairs[x][0], k_pairs[x][1]}, {k_pairs[y][0], k_pairs[y][1]}, {k_pairs[z][0], k_pairs[z][1]}});
+    return sides_of({k_pairs[x][0], k_pairs[x][1]}, {k_pairs[y][0], k_pairs[y][1]}, {k_pairs[z][0], k_pairs[z][1]});
 }
 
 struct Solved {
@@ -43,7 +43,7 @@ struct Solved {
 Solved solve_noise(const Box& box, Random& random) {
     Workspace work = workspace(box);
     Solved solved{.phi = {}, .left = {}, .stencil = Stencil::pressure(box)};
-    auto values = sample_scalar(box, [&](glm::dvec3) { return random.uniform(); });
+    auto values = scalars_of(box, [&](glm::dvec3) { return random.uniform(); });
     Values b(values.begin(), values.end());
     if (solved.stencil.singular())
         Stencil::remove_mean(b);
@@ -122,7 +122,7 @@ TEST(Poisson, ABoxWithoutAnOpenSideGivesMeanZero) {
                 const Box box{.cells = cells, .sides = mix(x, y, x)};
                 Workspace work = workspace(box);
                 // A large mean: it must leave no trace in phi.
-                auto values = sample_scalar(box, [&](glm::dvec3) { return 10.0 + random.uniform(); });
+                auto values = scalars_of(box, [&](glm::dvec3) { return 10.0 + random.uniform(); });
                 solve_poisson(work, values);
                 double mean = 0.0;
                 for (const float v : values)
@@ -169,14 +169,14 @@ double manufactured_error(int cells, int x, int y, int z) {
         const double h = 1.0 / cells;
         return std::array{axis_function(x, p.x, h), axis_function(y, 2.0 * p.y, 2.0 * h), axis_function(z, p.z, h)};
     };
-    auto values = sample_scalar(box, [&](glm::dvec3 p) {
+    auto values = scalars_of(box, [&](glm::dvec3 p) {
         const auto f = axes(p); // y spans half a metre
         return f[0].second * f[1].value * f[2].value + 4.0 * f[0].value * f[1].second * f[2].value +
                f[0].value * f[1].value * f[2].second;
     });
     solve_poisson(work, values);
     double error = 0.0, size = 0.0;
-    for_each_cell(box, [&](std::size_t n, glm::dvec3 p) {
+    visit_cells(box, [&](std::size_t n, glm::dvec3 p) {
         const auto f = axes(p);
         const double exact = f[0].value * f[1].value * f[2].value;
         error += (values[n] - exact) * (values[n] - exact);
@@ -205,7 +205,7 @@ Field six_jets(const Box& box) {
     };
     const Jet jets[6] = {{{9, 6, 10}, {8, 0, 0}},   {{22, 5, 21}, {-6, 0, 0}}, {{12, 9, 23}, {0, 0, 7}},
                          {{20, 10, 8}, {0, 0, -9}}, {{7, 4, 19}, {0, 5, 0}},   {{25, 11, 14}, {0, -4, 0}}};
-    return sample(box, [&](glm::dvec3 x) {
+    return velocities_of(box, [&](glm::dvec3 x) {
         glm::dvec3 wind(0.0);
         for (const Jet& jet : jets)
             wind += std::exp(-0.5 * glm::dot(x - jet.place, x - jet.place) / (1.5 * 1.5)) * jet.wind;

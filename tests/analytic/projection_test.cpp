@@ -4,7 +4,7 @@
 // removed, a solenoidal field kept and the divergence brought to zero up to h^2, and these slopes are what is asked here.
 // In Fourier's space and in one dimension the part of a gradient that stays is 1 - sin^2(theta) / (4 sin^2(theta / 2)) =
 // sin^2(theta / 2).
-#include "figures.h"
+#include "case_check.h"
 #include "flows.h"
 
 namespace windrow {
@@ -31,7 +31,7 @@ TEST(Projection, TaylorAndGreensFieldIsKept) {
     const TaylorGreen2D flow;
     // Its central divergence is zero to rounding, not only to h^2.
     expect_at_most("projection.change_of_taylor_green_64",
-                   change(work, sample(work.box(), [&](glm::dvec3 x) { return flow(x, 0.0); })), 1e-5);
+                   change(work, velocities_of(work.box(), [&](glm::dvec3 x) { return flow(x, 0.0); })), 1e-5);
 }
 
 // Solenoidal, with unlike waves along its axes, so that the central divergence is not zero but of order h^2.
@@ -47,28 +47,11 @@ glm::dvec3 gradient(glm::dvec3 x) {
 }
 
 TEST(Projection, ASolenoidalFieldIsKeptToSecondOrder) {
-    double changes[3];
-    for (int level = 0; level < 3; ++level) {
-        Workspace work = workspace(cube(16 << level));
-        changes[level] = change(work, sample(work.box(), solenoidal));
-        figures::report("projection.change_of_solenoidal_" + std::to_string(16 << level), changes[level]);
-    }
-    expect_at_least("projection.change_of_solenoidal_order_16_32", figures::order(changes[0], changes[1]), 1.9);
-    expect_at_least("projection.change_of_solenoidal_order_32_64", figures::order(changes[1], changes[2]), 1.9);
+    figures::expect_case("solenoidal_stays", {32, 64, 128});
 }
 
 TEST(Projection, AGradientIsRemovedToSecondOrder) {
-    double left[3];
-    for (int level = 0; level < 3; ++level) {
-        Workspace work = workspace(cube(24 << level));
-        Field field = sample(work.box(), gradient);
-        const double before = rms(field);
-        project(work, field);
-        left[level] = rms(field) / before;
-        figures::report("projection.gradient_left_" + std::to_string(24 << level), left[level]);
-    }
-    expect_at_least("projection.gradient_left_order_24_48", figures::order(left[0], left[1]), 1.9);
-    expect_at_least("projection.gradient_left_order_48_96", figures::order(left[1], left[2]), 1.9);
+    figures::expect_case("gradient_vanishes", {32, 64, 128});
 }
 
 // A discrete gradient of one wave: what stays is sin^2(theta / 2) of it, all of it at the checkerboard, nothing at long waves.
@@ -78,7 +61,8 @@ TEST(Projection, ADiscreteGradientLeavesTheCompactWideDifference) {
     double worst = 0.0;
     for (int k = 1; k < 16; ++k) {
         const double theta = 2.0 * k_pi * k / 32;
-        Field field = sample(box, [&](glm::dvec3 x) { return glm::dvec3(std::sin(theta) * std::cos(theta * x.x), 0.0, 0.0); });
+        Field field =
+            velocities_of(box, [&](glm::dvec3 x) { return glm::dvec3(std::sin(theta) * std::cos(theta * x.x), 0.0, 0.0); });
         const double before = rms(field);
         project(work, field);
         worst = std::max(worst, std::abs(rms(field) / before - std::pow(std::sin(0.5 * theta), 2)));
@@ -105,7 +89,7 @@ TEST(Projection, TheDivergenceFloorFallsWithTheCell) {
     const SideKind open = SideKind::open, wall = SideKind::free_slip, periodic = SideKind::periodic;
     const std::pair<const char*, Sides> boxes[] = {
         {"periodic", Sides::all(periodic)},
-        {"channel", axis_sides({{periodic, periodic}, {wall, wall}, {periodic, periodic}})},
+        {"channel", sides_of({periodic, periodic}, {wall, wall}, {periodic, periodic})},
         {"open", Sides::all(open)}};
     for (const auto& [name, sides] : boxes) {
         double floors[3];
@@ -114,7 +98,7 @@ TEST(Projection, TheDivergenceFloorFallsWithTheCell) {
             Workspace work = workspace(box);
             // Away from periodic sides the air is at rest at the sides: the flow through them is asked for below.
             const bool everywhere = sides == Sides::all(periodic);
-            Field field = sample(box, [&](glm::dvec3 x) {
+            Field field = velocities_of(box, [&](glm::dvec3 x) {
                 const glm::dvec3 u = solenoidal(x) + gradient(x);
                 return everywhere ? u : u * std::pow(std::sin(0.5 * x.x) * std::sin(0.5 * x.y) * std::sin(0.5 * x.z), 4.0);
             });
@@ -136,9 +120,8 @@ TEST(Projection, TheDivergenceFloorFallsWithTheCell) {
 // has one side only, to first.
 TEST(Projection, OpenSidesLetTheAirThroughToSecondOrder) {
     const SideKind open = SideKind::open, wall = SideKind::free_slip, periodic = SideKind::periodic;
-    const std::pair<const char*, Sides> boxes[] = {
-        {"open", axis_sides({{open, open}, {open, open}, {periodic, periodic}})},
-        {"over_floor", axis_sides({{open, open}, {wall, open}, {periodic, periodic}})}};
+    const std::pair<const char*, Sides> boxes[] = {{"open", sides_of({open, open}, {open, open}, {periodic, periodic})},
+                                                   {"over_floor", sides_of({open, open}, {wall, open}, {periodic, periodic})}};
     for (const auto& [name, sides] : boxes) {
         double inner[3], edge[3];
         for (int level = 0; level < 3; ++level) {
@@ -153,7 +136,7 @@ TEST(Projection, OpenSidesLetTheAirThroughToSecondOrder) {
             };
             // pi phi = sin(kx x) sin(ky y), or sin(kx x) cos(ky y) over a floor, x and y from where it is 0, or from the floor
             const double h = 1.0 / cells, kx = k_pi / (1.0 + h), ky = floor ? 0.5 * k_pi / (1.0 + 0.5 * h) : kx;
-            Field field = sample(box, [&](glm::dvec3 x) {
+            Field field = velocities_of(box, [&](glm::dvec3 x) {
                 const double sx = std::sin(kx * (x.x + 0.5 * h)), cx = std::cos(kx * (x.x + 0.5 * h));
                 const double y = ky * (floor ? x.y : x.y + 0.5 * h);
                 const double fy = floor ? std::cos(y) : std::sin(y), dy = floor ? -std::sin(y) : std::cos(y);
@@ -162,7 +145,7 @@ TEST(Projection, OpenSidesLetTheAirThroughToSecondOrder) {
             project(work, field);
             double squares[2] = {};
             int count[2] = {};
-            for_each_cell(box, [&](std::size_t n, glm::dvec3 x) {
+            visit_cells(box, [&](std::size_t n, glm::dvec3 x) {
                 const bool outermost = std::min({x.x, x.y, 1.0 - x.x, 1.0 - x.y}) < 1.0 / cells;
                 const glm::dvec3 off = glm::dvec3(field[n]) - through(x);
                 squares[outermost] += glm::dot(off, off);
@@ -189,14 +172,14 @@ TEST(Projection, NoSideAddsEnergy) {
         const auto& x = pairs[n % 5];
         const auto& y = pairs[n / 5 % 5];
         const auto& z = pairs[n / 25];
-        const Box box{.cells = {20, 13, 16}, .sides = axis_sides({{x[0], x[1]}, {y[0], y[1]}, {z[0], z[1]}})};
+        const Box box{.cells = {20, 13, 16}, .sides = sides_of({x[0], x[1]}, {y[0], y[1]}, {z[0], z[1]})};
         Workspace work = workspace(box);
         for (int trial = 0; trial < 6; ++trial) {
             // Noise, and long waves across each component, which have no divergence inside and blow through the sides.
             const glm::dvec2 k[3] = {
                 {random.uniform(), random.uniform()}, {random.uniform(), random.uniform()}, {random.uniform(), random.uniform()}};
             const double phase = random.uniform(-3.0, 3.0);
-            Field field = trial == 0 ? random.field(box) : sample(box, [&](glm::dvec3 p) {
+            Field field = trial == 0 ? random.field(box) : velocities_of(box, [&](glm::dvec3 p) {
                 return glm::dvec3(std::sin(k[0].x * p.y + k[0].y * p.z + phase), std::sin(k[1].x * p.x + k[1].y * p.z - phase),
                                   std::cos(k[2].x * p.x + k[2].y * p.y + phase));
             });
@@ -212,9 +195,8 @@ TEST(Projection, NoSideAddsEnergy) {
 TEST(Projection, NoAirPassesAWall) {
     Random random(14);
     for (const Sides& sides : {Sides::all(SideKind::free_slip), Sides::all(SideKind::no_slip),
-                               axis_sides({{SideKind::periodic, SideKind::periodic},
-                                           {SideKind::no_slip, SideKind::free_slip},
-                                           {SideKind::free_slip, SideKind::free_slip}})}) {
+                               sides_of({SideKind::periodic, SideKind::periodic}, {SideKind::no_slip, SideKind::free_slip},
+                                        {SideKind::free_slip, SideKind::free_slip})}) {
         const Box box{.cells = {17, 9, 23}, .sides = sides};
         Workspace work = workspace(box);
         std::vector<float> values(box.cell_count());

@@ -2,13 +2,10 @@
 // to T = 3, where the vortices have stretched into sheets but the flow is still smooth. dt = T / ceil(T / h): CFL 1 at most.
 //
 // Reference: pseudo-spectral, spectral_flow.h, at the cell centres. Error = |u - u_ref|_2 / |u_ref|_2, order 2 and more.
-// 64^3 points are themselves 0.003 from converged, so the bounds are held against 80^3 and the error against 64^3 is reported
-// beside it.
-#include "figures.h"
+// 64^3 points are themselves 0.003 from converged, so the bounds are held against 80^3.
+#include "case_check.h"
+#include "cases/spectral_solutions.h"
 #include "flows.h"
-#include "tests/bench/reference/spectral_flow.h"
-
-#include <memory>
 
 namespace windrow {
 namespace {
@@ -18,27 +15,11 @@ using figures::expect_at_least;
 using figures::expect_at_most;
 using reference::SpectralFlow;
 
-constexpr double k_viscosity = 1.0 / 200.0, k_end = 3.0;
+constexpr double k_viscosity = cases::k_sheets_viscosity, k_end = cases::k_sheets_end;
+constexpr auto vortices = cases::taylor_green_3d_start;
 
-glm::dvec3 vortices(glm::dvec3 x) {
-    return {std::sin(x.x) * std::cos(x.y) * std::cos(x.z), -std::cos(x.x) * std::sin(x.y) * std::cos(x.z), 0.0};
-}
-
-SpectralFlow& solved(int points, int steps) {
-    // Kept over the tests of this file: a run costs seconds.
-    struct Run {
-        int points, steps;
-        std::unique_ptr<SpectralFlow> flow;
-    };
-    static std::vector<Run> runs;
-    for (Run& run : runs)
-        if (run.points == points && run.steps == steps)
-            return *run.flow;
-    auto flow = std::make_unique<SpectralFlow>(glm::ivec3(points), k_viscosity);
-    flow->start(vortices);
-    flow->run(k_end, steps);
-    runs.push_back({points, steps, std::move(flow)});
-    return *runs.back().flow;
+cases::SpectralSolution solved(int points, int steps) {
+    return cases::solved(glm::ivec3(points), k_viscosity, vortices, {}, k_end, steps);
 }
 
 double difference(const std::vector<glm::dvec3>& a, const std::vector<glm::dvec3>& b) {
@@ -70,7 +51,7 @@ TEST(SpectralReference, KeepsAbcFlowExactly) {
 }
 
 TEST(SpectralReference, CarriesTaylorGreenAtFourthOrder) {
-    const TaylorGreen2D exact{.mean = {1.0, 0.5}, .viscosity = 0.05};
+    const TaylorGreen2D exact{.mean = {1.0, 0.5, 0.0}, .viscosity = 0.05};
     double errors[2];
     for (int level = 0; level < 2; ++level) {
         SpectralFlow flow({24, 24, 1}, exact.viscosity);
@@ -93,10 +74,10 @@ TEST(SpectralReference, CarriesTaylorGreenAtFourthOrder) {
 TEST(SpectralReference, HasConvergedAtTheEnd) {
     const glm::ivec3 cells(32);
     expect_at_most("spectral.tg3d_change_at_half_as_many_steps",
-                   difference(solved(48, 30).at_cell_centres(cells), solved(48, 60).at_cell_centres(cells)), 1e-4);
+                   difference(solved(48, 30)->at_cell_centres(cells), solved(48, 60)->at_cell_centres(cells)), 1e-4);
     // 96^3 and 108^3 move the reference by less than a tenth of this once more.
-    const auto u = solved(80, 30).at_cell_centres(cells);
-    expect_at_most("spectral.tg3d_change_from_64_to_80_cubed", difference(solved(64, 30).at_cell_centres(cells), u), 4e-3);
+    const auto u = cases::taylor_green_3d_end().at_cell_centres(cells);
+    expect_at_most("spectral.tg3d_change_from_64_to_80_cubed", difference(solved(64, 30)->at_cell_centres(cells), u), 4e-3);
     // Mirrors of the start: u(-x) = -u(x), w odd in z, and x and y exchanged.
     double worst = 0.0;
     const auto at = [&](int i, int j, int k) { return u[(static_cast<std::size_t>(k) * 32 + j) * 32 + i]; };
@@ -110,10 +91,10 @@ TEST(SpectralReference, HasConvergedAtTheEnd) {
     expect_at_most("spectral.tg3d_asymmetry", worst, 1e-9);
 }
 
-double tg3d_error(int cells, const char* scheme_name, Scheme scheme) {
+double split_error(int cells) {
     const Box box = periodic_box(glm::ivec3(cells), 2.0 * k_pi / cells);
-    Wind wind = raw_wind(box, k_viscosity, scheme, Interpolation::cubic);
-    EXPECT_TRUE(wind.set_velocity(sample(box, vortices)));
+    Wind wind = raw_wind(box, k_viscosity, Scheme::stable_fluids, Interpolation::cubic);
+    EXPECT_TRUE(wind.set_velocity(velocities_of(box, vortices)));
     const int steps = static_cast<int>(std::ceil(k_end / static_cast<double>(box.cell_size)));
     Diagnostics last;
     for (int step = 0; step < steps; ++step)
@@ -122,26 +103,18 @@ double tg3d_error(int cells, const char* scheme_name, Scheme scheme) {
     std::vector<glm::dvec3> u;
     for (const glm::vec4& v : wind.field())
         u.emplace_back(v);
-    const std::string name = std::string("tg3d.") + scheme_name;
-    figures::report(name + ".h_div_over_rms_" + std::to_string(cells),
+    figures::report("tg3d.stable_fluids.h_div_over_rms_" + std::to_string(cells),
                     last.divergence_rms * static_cast<double>(box.cell_size) / rms(wind.field()));
-    figures::report(name + ".error_against_64_cubed_" + std::to_string(cells),
-                    difference(u, solved(64, 30).at_cell_centres(glm::ivec3(cells))));
-    return difference(u, solved(80, 30).at_cell_centres(glm::ivec3(cells)));
+    return difference(u, cases::taylor_green_3d_end().at_cell_centres(glm::ivec3(cells)));
 }
 
 TEST(TaylorGreen3D, ErrorAgainstTheSpectralReference) {
-    const double e32 = tg3d_error(32, "second_order", Scheme::second_order),
-                 e64 = tg3d_error(64, "second_order", Scheme::second_order);
-    // 0.0326 before steps might be of any length, of which 8 % more is admitted: what the start and the damped history cost.
-    expect_at_most("tg3d.second_order.error_32", e32, 0.033);
-    expect_at_most("tg3d.second_order.error_64", e64, 0.0075);
-    expect_at_least("tg3d.second_order.order_32_64", figures::order(e32, e64), 1.9);
-    const double s32 = tg3d_error(32, "stable_fluids", Scheme::stable_fluids),
-                 s64 = tg3d_error(64, "stable_fluids", Scheme::stable_fluids);
+    const double s32 = split_error(32), s64 = split_error(64);
     figures::report("tg3d.stable_fluids.error_32", s32);
     expect_at_most("tg3d.stable_fluids.error_64", s64, 0.05);
     expect_at_least("tg3d.stable_fluids.order_32_64", figures::order(s32, s64), 0.9);
+    // 0.0326 before steps might be of any length, of which 8 % more is admitted: what the start and the damped history cost.
+    figures::expect_case("taylor_green_3d", {32, 64});
 }
 
 } // namespace

@@ -77,11 +77,11 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"over_floor_settling", Sides::open_over_floor(), {-2.7f, 0.0f, 1.1f}, Surroundings::same, 20.0f},
         Case{"periodic", Sides::all(k_periodic), {0.1f, -4.3f, 2.2f}, Surroundings::still},
         Case{"free_slip_channel",
-             axis_sides({{k_periodic, k_periodic}, {k_slip, k_slip}, {k_slip, k_slip}}),
+             sides_of({k_periodic, k_periodic}, {k_slip, k_slip}, {k_slip, k_slip}),
              {3.3f, 0.0f, 0.0f},
              Surroundings::still},
-        Case{"free_slip_duct_open_ends", axis_sides({{k_slip, k_slip}, {k_slip, k_slip}, {k_open, k_open}}), {0.0f, 0.0f, 5.7f}},
-        Case{"between_plates", axis_sides({{k_open, k_open}, {k_slip, k_slip}, {k_periodic, k_periodic}}), {1.3f, 0.0f, -0.9f}}),
+        Case{"free_slip_duct_open_ends", sides_of({k_slip, k_slip}, {k_slip, k_slip}, {k_open, k_open}), {0.0f, 0.0f, 5.7f}},
+        Case{"between_plates", sides_of({k_open, k_open}, {k_slip, k_slip}, {k_periodic, k_periodic}), {1.3f, 0.0f, -0.9f}}),
     [](const auto& suite) { return suite.param.name; });
 
 } // namespace

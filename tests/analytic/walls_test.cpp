@@ -32,8 +32,8 @@ TEST(Walls, AFreeSlipBoxIsAnEighthOfAMirroredPeriodicBox) {
             const Box closed{.cells = cells, .sides = Sides::all(k_slip)}, whole = periodic_box(2 * cells);
             Wind one = raw_wind(closed, viscosity, scheme, Interpolation::cubic),
                  eight = raw_wind(whole, viscosity, scheme, Interpolation::cubic);
-            EXPECT_TRUE(one.set_velocity(sample(closed, [&](glm::dvec3 x) { return scaled(x, cells); })));
-            EXPECT_TRUE(eight.set_velocity(sample(whole, [&](glm::dvec3 x) { return scaled(x, cells); })));
+            EXPECT_TRUE(one.set_velocity(velocities_of(closed, [&](glm::dvec3 x) { return scaled(x, cells); })));
+            EXPECT_TRUE(eight.set_velocity(velocities_of(whole, [&](glm::dvec3 x) { return scaled(x, cells); })));
             for (int step = 0; step < 60; ++step) {
                 one.step(0.25);
                 eight.step(0.25);
@@ -58,14 +58,14 @@ TEST(Walls, TaylorGreenVorticesFillAFreeSlipBox) {
         const int cells = 16 << level;
         const Box box{.cells = {cells, cells, 1},
                       .cell_size = static_cast<float>(k_pi / cells),
-                      .sides = axis_sides({{k_slip, k_slip}, {k_slip, k_slip}, {k_periodic, k_periodic}})};
+                      .sides = sides_of({k_slip, k_slip}, {k_slip, k_slip}, {k_periodic, k_periodic})};
         Wind wind = raw_wind(box, flow.viscosity, Scheme::second_order, Interpolation::cubic);
-        EXPECT_TRUE(wind.set_velocity(sample(box, [&](glm::dvec3 x) { return flow(x, 0.0); })));
+        EXPECT_TRUE(wind.set_velocity(velocities_of(box, [&](glm::dvec3 x) { return flow(x, 0.0); })));
         const int steps = 10 << level; // even, CFL 1
         const double end = 0.625 * k_pi;
         for (int step = 0; step < steps; ++step)
             wind.step(end / steps);
-        errors[level] = relative_error(box, wind.field(), [&](glm::dvec3 x) { return flow(x, end); });
+        errors[level] = velocity_error(box, wind.field(), [&](glm::dvec3 x) { return flow(x, end); });
         figures::report("walls.tg2d_error_" + std::to_string(cells), errors[level]);
     }
     expect_at_least("walls.tg2d_order_16_32", figures::order(errors[0], errors[1]), 1.9);
@@ -104,7 +104,7 @@ TEST(Walls, NothingBlowsThroughAWall) {
             const Box box{
                 .cells = {cells, cells, cells}, .cell_size = static_cast<float>(k_pi / cells), .sides = Sides::all(kind)};
             Wind wind = raw_wind(box, 0.02, Scheme::second_order, Interpolation::cubic);
-            EXPECT_TRUE(wind.set_velocity(sample(box, closed_wind)));
+            EXPECT_TRUE(wind.set_velocity(velocities_of(box, closed_wind)));
             for (int step = 0; step < (4 << level); ++step)
                 wind.step(0.5 / (4 << level));
             normal[level] = normal_velocity_at_walls(wind) / rms(wind.field());
@@ -121,18 +121,18 @@ TEST(Walls, NothingBlowsThroughAWall) {
 double shear_error(int cells, double end) {
     constexpr double k_viscosity = 0.05;
     const glm::vec3 sliding(0.5f, 0.0f, -0.25f);
-    Sides sides = axis_sides({{k_periodic, k_periodic}, {k_rough, k_rough}, {k_periodic, k_periodic}});
+    Sides sides = sides_of({k_periodic, k_periodic}, {k_rough, k_rough}, {k_periodic, k_periodic});
     sides.y_low.wall_velocity = sides.y_high.wall_velocity = sliding;
     const Box box{.cells = {4, cells, 4}, .cell_size = static_cast<float>(1.0 / cells), .sides = sides};
     Wind wind = raw_wind(box, k_viscosity, Scheme::second_order, Interpolation::cubic);
     const auto exact = [&](glm::dvec3 x, double t) {
         return glm::dvec3(sliding) + std::exp(-k_viscosity * k_pi * k_pi * t) * std::sin(k_pi * x.y) * glm::dvec3(1.0, 0.0, 0.5);
     };
-    EXPECT_TRUE(wind.set_velocity(sample(box, [&](glm::dvec3 x) { return exact(x, 0.0); })));
+    EXPECT_TRUE(wind.set_velocity(velocities_of(box, [&](glm::dvec3 x) { return exact(x, 0.0); })));
     const int steps = static_cast<int>(std::ceil(end * k_viscosity * cells * cells / 0.08));
     for (int step = 0; step < steps; ++step)
         EXPECT_EQ(wind.step(end / steps).diffusion, DiffusionMethod::one_pass);
-    return relative_error(
+    return velocity_error(
         box, wind.field(), [&](glm::dvec3 x) { return exact(x, end); }, glm::dvec3(sliding));
 }
 
@@ -149,11 +149,10 @@ TEST(Walls, ShearBetweenSlidingNoSlipWallsFadesAtItsRate) {
 TEST(Walls, AMirroredFlowStaysMirrored) {
     for (const SideKind kind : {k_slip, k_rough})
         for (const int cells : {24, 25}) {
-            const Box box{.cells = {cells, 14, 18},
-                          .sides = axis_sides({{kind, kind}, {k_slip, k_slip}, {k_periodic, k_periodic}})};
+            const Box box{.cells = {cells, 14, 18}, .sides = sides_of({kind, kind}, {k_slip, k_slip}, {k_periodic, k_periodic})};
             Wind wind = raw_wind(box, 0.0, Scheme::second_order, Interpolation::cubic);
             const glm::dvec3 size(box.cells);
-            Field start = sample(box, [&](glm::dvec3 x) {
+            Field start = velocities_of(box, [&](glm::dvec3 x) {
                 const glm::dvec3 p = x * glm::dvec3(k_pi / size.x, k_pi / size.y, 2.0 * k_pi / size.z);
                 return 1.5 * glm::dvec3(std::sin(2.0 * p.x) * std::cos(p.y),
                                         std::cos(2.0 * p.x) * std::sin(p.y) * (1.0 + std::sin(p.z)),

@@ -1,6 +1,5 @@
 // Command lines: an argument a line. Flags are read and checked; nothing is run.
-#include "cli/command_line.h"
-
+#include "cli/console.h"
 #include "tests/fuzz/fuzz_target.h"
 
 #include <algorithm>

@@ -1,37 +1,27 @@
 // `windrow bench --backend vulkan` and `windrow check`: flags, figures, exit codes.
 #include "cli/bench/vulkan/device_contest.h"
-#include "cli/check/check_result.h"
-#include "cli/command_line.h"
-#include "cli/exit_code.h"
+#include "cli/check/check_command.h"
+#include "cli/console.h"
 #include "tests/parity/gpu.h"
+#include "tests/unit/command_outcome.h"
 
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <unistd.h>
 
 namespace windrow::cli {
+
+using namespace cases;
+
 namespace {
 
-struct Outcome {
-    int code = 0;
-    std::string out, err;
-};
-
 Outcome command(std::vector<const char*> arguments) {
-    arguments.insert(arguments.begin(), "windrow");
-    std::ostringstream out, err;
-    const int code =
-        run_command_line(static_cast<int>(arguments.size()), arguments.data(), {.out = out, .err = err, .progress = nullptr});
-    return {code, out.str(), err.str()};
+    return run_windrow(std::move(arguments));
 }
 
 void expect_refusal(const std::vector<const char*>& arguments, const std::string& sentence) {
-    const Outcome outcome = command(arguments);
-    EXPECT_EQ(outcome.code, k_exit_wrong_use) << sentence;
-    EXPECT_EQ(outcome.err, "windrow: " + sentence + "\n");
-    EXPECT_TRUE(outcome.out.empty()) << outcome.out;
+    expect_refused(command(arguments), sentence);
 }
 
 TEST(DeviceCommands, WrongFlagsAreNamed) {

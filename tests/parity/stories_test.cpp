@@ -1,6 +1,6 @@
 // The stories that `windrow check` and `windrow verify` tell: that they hold what they say, and that a device which is off would
 // be found out.
-#include "cli/parity/run.h"
+#include "cases/parity_run.h"
 #include "fluid/vulkan/passes.h"
 #include "fluid/vulkan/wind.h"
 #include "tests/figure.h"
@@ -12,6 +12,9 @@
 #include <set>
 
 namespace windrow::cli {
+
+using namespace cases;
+
 namespace {
 
 class Stories : public vulkan::Gpu {

@@ -1,5 +1,5 @@
 // The curves for the plots say what the rows say: rates and numbers of shells fall together, the source's shells do not.
-#include "cli/plants/motion_curves.h"
+#include "cli/plants/plants_command.h"
 #include "tests/figure.h"
 
 #include <algorithm>

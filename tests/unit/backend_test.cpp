@@ -1,20 +1,23 @@
 // The commands on a Vulkan device: the wind that they see is the CPU's to rounding, and what they report is of the step just
 // made.
-#include "cli/backend/command_wind.h"
-#include "cli/command_line.h"
-#include "cli/exit_code.h"
-#include "cli/verify/verify_case.h"
+#include "cases/backend_wind.h"
+#include "cases/verify_case.h"
+#include "cli/backend.h"
+#include "cli/console.h"
 #include "tests/figure.h"
+#include "tests/unit/command_outcome.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
-#include <sstream>
 #include <string>
 #include <vector>
 
 namespace windrow::cli {
+
+using namespace cases;
+
 namespace {
 
 double apart(std::span<const glm::vec4> a, std::span<const glm::vec4> b) {
@@ -29,11 +32,11 @@ double apart(std::span<const glm::vec4> a, std::span<const glm::vec4> b) {
 class OnDevice : public testing::Test {
   protected:
     void SetUp() override {
-        const Fault fault = device.open({.kind = BackendKind::vulkan});
+        const Fault fault = open_backend({.kind = BackendKind::vulkan}, device);
         ASSERT_FALSE(fault) << fault.sentence;
     }
-    [[nodiscard]] std::unique_ptr<CommandWind> wind_on(const Backend& backend, const Config& config) const {
-        auto wind = CommandWind::create(config, backend, StageClock::on);
+    [[nodiscard]] std::unique_ptr<BackendWind> wind_on(const Backend& backend, const Config& config) const {
+        auto wind = BackendWind::create(config, backend, StageClock::on);
         EXPECT_TRUE(wind) << wind.error();
         return *std::move(wind);
     }
@@ -101,16 +104,8 @@ TEST_F(OnDevice, SleepKeepsTheBoxWhereItIs) {
     EXPECT_EQ(wind->view().origin(), wind->origin());
 }
 
-struct Outcome {
-    int code;
-    std::string out, err;
-};
 Outcome run(std::vector<const char*> arguments) {
-    arguments.insert(arguments.begin(), "windrow");
-    std::ostringstream out, err;
-    const int code =
-        run_command_line(static_cast<int>(arguments.size()), arguments.data(), {.out = out, .err = err, .progress = nullptr});
-    return {code, out.str(), err.str()};
+    return run_windrow(std::move(arguments));
 }
 
 // At the coarsest resolution of each: implicit diffusion of r = 1e4, whose systems are singular to floats, projections, motors,

@@ -1,8 +1,8 @@
 // `windrow bench` as a user meets it: sentences, table, file. Nothing here asks how fast anything is.
-#include "cli/bench/bench_json.h"
+#include "cli/bench/bench_command.h"
 #include "cli/bench/contest.h"
-#include "cli/command_line.h"
-#include "cli/exit_code.h"
+#include "cli/console.h"
+#include "tests/unit/command_outcome.h"
 
 #include <chrono>
 #include <cmath>
@@ -10,7 +10,6 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -21,26 +20,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Outcome {
-    int code;
-    std::string out;
-    std::string err;
-};
-
 Outcome bench(std::vector<const char*> arguments) {
-    arguments.insert(arguments.begin(), {"windrow", "bench"});
-    std::ostringstream out;
-    std::ostringstream err;
-    const int code =
-        run_command_line(static_cast<int>(arguments.size()), arguments.data(), {.out = out, .err = err, .progress = nullptr});
-    return {code, out.str(), err.str()};
+    return run_windrow("bench", std::move(arguments));
 }
 
 void expect_refusal(std::vector<const char*> arguments, const std::string& sentence) {
-    const Outcome outcome = bench(std::move(arguments));
-    EXPECT_EQ(outcome.code, k_exit_wrong_use);
-    EXPECT_EQ(outcome.err, "windrow: " + sentence + "\n");
-    EXPECT_EQ(outcome.out, "");
+    expect_refused(bench(std::move(arguments)), sentence);
 }
 
 class BenchCommand : public testing::Test {
@@ -156,13 +141,13 @@ TEST_F(BenchCommand, FiguresAreToldAndKept) {
         expect_spread(reference, key);
     for (const char* key : {"jacobi40_residual", "jacobi40_gradient_error", "direct_residual", "direct_vs_jacobi40"})
         expect_positive(reference, key);
-    if (WINDROW_BENCH_FFTW) {
+    if (WINDROW_CASES_FFTW) {
         expect_spread(reference, "fftw_ms");
         expect_spread(reference, "direct_one_thread_ms");
         expect_positive(reference, "fftw_residual");
         expect_positive(reference, "direct_vs_fftw");
     }
-    if (WINDROW_BENCH_OPENVDB) {
+    if (WINDROW_CASES_OPENVDB) {
         expect_spread(reference, "vdb_ms");
         expect_positive(reference, "vdb_residual");
     }

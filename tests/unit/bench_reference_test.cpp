@@ -1,17 +1,17 @@
 // The methods that the benchmarks compare with do what they claim: a yardstick that is wrong is worth nothing.
-#include "cli/bench/jets.h"
-#include "cli/bench/residual.h"
+#include "cases/jets.h"
+#include "cases/reference/copy.h"
+#include "cases/reference/jacobi.h"
+#include "cases/reference/residual.h"
+#include "cases/reference/stam.h"
 #include "fluid/pieces.h"
 #include "fluid/thread_pool.h"
 #include "fluid/wind.h"
-#include "tests/bench/reference/copy.h"
-#include "tests/bench/reference/jacobi.h"
-#include "tests/bench/reference/stam.h"
-#if WINDROW_BENCH_FFTW
-#include "tests/bench/reference/fftw_projection.h"
+#if WINDROW_CASES_FFTW
+#include "cases/reference/fftw_projection.h"
 #endif
-#if WINDROW_BENCH_OPENVDB
-#include "tests/bench/reference/vdb_poisson.h"
+#if WINDROW_CASES_OPENVDB
+#include "cases/reference/vdb_poisson.h"
 #endif
 
 #include <algorithm>
@@ -24,11 +24,11 @@
 #include <span>
 #include <vector>
 
-namespace windrow::bench {
+namespace windrow::reference {
 namespace {
 
 constexpr glm::ivec3 k_cells{24, 16, 40}; // rows that end within a block of lanes
-constexpr float k_dt = static_cast<float>(cli::k_bench_dt);
+constexpr float k_dt = static_cast<float>(cases::k_bench_dt);
 
 std::vector<Simd> levels() {
     std::vector<Simd> all;
@@ -48,7 +48,7 @@ std::vector<glm::vec4> waves(const Box& box) {
                 const glm::vec3 at = k_pi * (glm::vec3(i, j, k) + 0.5f) / glm::vec3(box.cells);
                 const float within = std::pow(std::sin(at.x) * std::cos(0.5f * at.y) * std::sin(at.z), 2.0f);
                 const glm::vec3 wave(std::sin(2.0f * at.z), std::sin(at.y), std::cos(2.0f * at.x));
-                velocity[box.index(i, j, k)] = glm::vec4(cli::k_bench_ambient + 8.0f * within * wave, 0.0f);
+                velocity[box.index(i, j, k)] = glm::vec4(cases::k_bench_ambient + 8.0f * within * wave, 0.0f);
             }
     return velocity;
 }
@@ -64,7 +64,7 @@ float largest_difference(std::span<const glm::vec4> a, std::span<const glm::vec4
 std::vector<glm::vec4> after_stam(const Box& box, std::span<const glm::vec4> flow, int sweeps, Simd level, ParallelFor loop = {},
                                   float dt = k_dt) {
     StamStep stam(box.cells, box.cell_size, sweeps, loop, level);
-    stam.set_ambient(cli::k_bench_ambient);
+    stam.set_ambient(cases::k_bench_ambient);
     std::copy(flow.begin(), flow.end(), stam.velocity().begin());
     stam.step(dt);
     return {stam.velocity().begin(), stam.velocity().end()};
@@ -85,9 +85,9 @@ struct Solved {
     std::vector<float> rhs, phi;
 };
 Solved solve(const Box& box) {
-    auto work = Workspace::create({.box = box, .ambient = cli::k_bench_ambient});
+    auto work = Workspace::create({.box = box, .ambient = cases::k_bench_ambient});
     Solved solved{std::vector<float>(box.cell_count()), {}};
-    divergence(*work, cli::jets(box), solved.rhs);
+    divergence(*work, cases::jets(box), solved.rhs);
     solved.phi = solved.rhs;
     solve_poisson(*work, solved.phi);
     return solved;
@@ -108,8 +108,8 @@ float largest(std::span<const float> values) {
 }
 
 TEST(BenchReference, CopyCopies) {
-    const Box box = cli::bench_box({5, 3, 7});
-    const auto from = cli::jets(box);
+    const Box box = cases::bench_box({5, 3, 7});
+    const auto from = cases::jets(box);
     std::vector<glm::vec4> to(from.size());
     copy_cells(box.cells, from, to, {});
     EXPECT_EQ(largest_difference(from, to), 0.0f);
@@ -117,15 +117,15 @@ TEST(BenchReference, CopyCopies) {
 
 TEST(BenchReference, StamKeepsAUniformWindToTheBit) {
     for (const glm::ivec3 cells : {glm::ivec3(1), glm::ivec3(3, 2, 5), k_cells}) {
-        const Box box = cli::bench_box(cells);
-        const std::vector<glm::vec4> uniform(box.cell_count(), glm::vec4(cli::k_bench_ambient, 0.0f));
+        const Box box = cases::bench_box(cells);
+        const std::vector<glm::vec4> uniform(box.cell_count(), glm::vec4(cases::k_bench_ambient, 0.0f));
         for (const Simd level : levels())
             EXPECT_EQ(largest_difference(after_stam(box, uniform, 40, level), uniform), 0.0f) << name_of(level);
     }
 }
 
 TEST(BenchReference, StamLeavesLessDivergenceWithMoreSweeps) {
-    const Box box = cli::bench_box(k_cells);
+    const Box box = cases::bench_box(k_cells);
     const auto flow = waves(box);
     double last = divergence_rms(box, after_stam(box, flow, 0, Simd::best));
     for (const int sweeps : {5, 20, 80}) {
@@ -137,11 +137,11 @@ TEST(BenchReference, StamLeavesLessDivergenceWithMoreSweeps) {
 
 /// [m/s] How far Stam's step, its pressure iterated to the end, lies from the library's own scheme with the same interpolation.
 float off_the_library(float dt, float& change) {
-    const Box box = cli::bench_box(k_cells);
+    const Box box = cases::bench_box(k_cells);
     const auto flow = waves(box);
     auto wind = Wind::create({.cells = box.cells,
                               .sides = box.sides,
-                              .ambient = cli::k_bench_ambient,
+                              .ambient = cases::k_bench_ambient,
                               .viscosity = 0.0f,
                               .settling_time = 0.0f,
                               .scheme = Scheme::stable_fluids,
@@ -163,7 +163,7 @@ TEST(BenchReference, StamIsTheLibrarysStableFluidsButForTheBentBacktrace) {
 }
 
 TEST(BenchReference, StamIsTheSameOnAllThreadsAndLevels) {
-    const Box box = cli::bench_box(k_cells);
+    const Box box = cases::bench_box(k_cells);
     const auto flow = waves(box);
     ThreadPool pool(3);
     const auto one = after_stam(box, flow, 40, Simd::best);
@@ -173,7 +173,7 @@ TEST(BenchReference, StamIsTheSameOnAllThreadsAndLevels) {
 }
 
 TEST(BenchReference, StamKeepsBrokenAirInsideItsArrays) {
-    const Box box = cli::bench_box(k_cells);
+    const Box box = cases::bench_box(k_cells);
     auto flow = waves(box);
     flow[7].x = std::numeric_limits<float>::quiet_NaN();
     flow[99].y = std::numeric_limits<float>::infinity();
@@ -184,7 +184,7 @@ TEST(BenchReference, StamKeepsBrokenAirInsideItsArrays) {
 
 TEST(BenchReference, JacobiComesToTheDirectSolve) {
     for (const glm::ivec3 cells : {glm::ivec3(1), glm::ivec3(3, 2, 5), glm::ivec3(20, 9, 17)}) {
-        const Box box = cli::bench_box(cells);
+        const Box box = cases::bench_box(cells);
         const Solved solved = solve(box);
         for (const Simd level : levels()) {
             Jacobi jacobi(cells, level);
@@ -200,19 +200,19 @@ TEST(BenchReference, JacobiComesToTheDirectSolve) {
 }
 
 TEST(BenchReference, ResidualIsThatOfTheSolution) {
-    const Box box = cli::bench_box(k_cells);
+    const Box box = cases::bench_box(k_cells);
     const Solved solved = solve(box);
-    const cli::PressureAt exact = [&](int i, int j, int k) { return static_cast<double>(solved.phi[box.index(i, j, k)]); };
-    const cli::PressureAt none = [](int, int, int) { return 0.0; };
-    EXPECT_LT(cli::relative_residual(box, solved.rhs, exact), 1e-5);
-    EXPECT_DOUBLE_EQ(cli::relative_residual(box, solved.rhs, none), 1.0);
-    EXPECT_DOUBLE_EQ(cli::relative_gradient_error(box, none, exact), 1.0);
+    const PressureAt exact = [&](int i, int j, int k) { return static_cast<double>(solved.phi[box.index(i, j, k)]); };
+    const PressureAt none = [](int, int, int) { return 0.0; };
+    EXPECT_LT(relative_residual(box, solved.rhs, exact), 1e-5);
+    EXPECT_DOUBLE_EQ(relative_residual(box, solved.rhs, none), 1.0);
+    EXPECT_DOUBLE_EQ(relative_gradient_error(box, none, exact), 1.0);
 }
 
-#if WINDROW_BENCH_FFTW
+#if WINDROW_CASES_FFTW
 TEST(BenchReference, FftwIsTheDirectSolveButForRounding) {
     for (const glm::ivec3 cells : {glm::ivec3(1), glm::ivec3(3, 2, 5), k_cells}) {
-        const Box box = cli::bench_box(cells);
+        const Box box = cases::bench_box(cells);
         const Solved solved = solve(box);
         FftwProjection fftw(cells, box.cell_size);
         std::copy(solved.rhs.begin(), solved.rhs.end(), fftw.values().begin());
@@ -222,9 +222,9 @@ TEST(BenchReference, FftwIsTheDirectSolveButForRounding) {
 }
 #endif
 
-#if WINDROW_BENCH_OPENVDB
+#if WINDROW_CASES_OPENVDB
 TEST(BenchReference, OpenVdbIsTheDirectSolveWithinItsTolerance) {
-    const Box box = cli::bench_box(k_cells);
+    const Box box = cases::bench_box(k_cells);
     const Solved solved = solve(box);
     VdbPoisson solver(k_cells, box.cell_size);
     std::vector<float> phi(solved.rhs.size());
@@ -235,4 +235,4 @@ TEST(BenchReference, OpenVdbIsTheDirectSolveWithinItsTolerance) {
 #endif
 
 } // namespace
-} // namespace windrow::bench
+} // namespace windrow::reference

@@ -1,13 +1,12 @@
 // The command as a user meets it: exit codes, sentences, files.
-#include "cli/command_line.h"
-#include "cli/exit_code.h"
+#include "cli/console.h"
 #include "cli/frame_writer.h"
-#include "cli/interrupt.h"
+#include "cli/info_command.h"
 #include "cli/output_file.h"
 #include "cli/progress.h"
 #include "cli/run_command.h"
 #include "cli/timings.h"
-#include "cli/timings_csv.h"
+#include "tests/unit/command_outcome.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -28,26 +27,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Outcome {
-    int code;
-    std::string out;
-    std::string err;
-};
-
 Outcome run(std::vector<const char*> arguments) {
-    arguments.insert(arguments.begin(), "windrow");
-    std::ostringstream out;
-    std::ostringstream err;
-    const int code =
-        run_command_line(static_cast<int>(arguments.size()), arguments.data(), {.out = out, .err = err, .progress = nullptr});
-    return {code, out.str(), err.str()};
+    return run_windrow(std::move(arguments));
 }
 
 void expect_refusal(std::vector<const char*> arguments, const std::string& sentence) {
-    const Outcome outcome = run(std::move(arguments));
-    EXPECT_EQ(outcome.code, k_exit_wrong_use);
-    EXPECT_EQ(outcome.err, "windrow: " + sentence + "\n");
-    EXPECT_EQ(outcome.out, "");
+    expect_refused(run(std::move(arguments)), sentence);
 }
 
 /// A folder of its own for each test, removed at its end.

@@ -1,7 +1,7 @@
 // The step that `windrow pareto` takes apart is the library's where nothing is exchanged.
+#include "cases/reference/composed_step.h"
 #include "fluid/thread_pool.h"
 #include "fluid/wind.h"
-#include "tests/bench/reference/composed_step.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include <numbers>
 #include <vector>
 
-namespace windrow::bench {
+namespace windrow::reference {
 namespace {
 
 constexpr glm::ivec3 k_cells{20, 9, 17};
@@ -166,4 +166,4 @@ TEST(ComposedStep, RefusesWhatTheLibraryRefuses) {
 }
 
 } // namespace
-} // namespace windrow::bench
+} // namespace windrow::reference

@@ -1,8 +1,8 @@
 // The iterations that `windrow pareto` compares with: a rival that is wrong or slow to converge proves nothing.
+#include "cases/reference/jacobi.h"
+#include "cases/reference/multigrid.h"
 #include "fluid/pieces.h"
 #include "fluid/thread_pool.h"
-#include "tests/bench/reference/jacobi.h"
-#include "tests/bench/reference/multigrid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace windrow::bench {
+namespace windrow::reference {
 namespace {
 
 std::vector<Simd> levels() {
@@ -229,4 +229,4 @@ TEST(Jacobi, ComesToTheDirectSolveOnAllSides) {
 }
 
 } // namespace
-} // namespace windrow::bench
+} // namespace windrow::reference

@@ -1,5 +1,5 @@
 // The front of `windrow pareto`: nothing beaten is on it, and whatever is off it is beaten.
-#include "cli/pareto/front.h"
+#include "cli/pareto/pareto_command.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +9,9 @@
 #include <vector>
 
 namespace windrow::cli {
+
+using namespace cases;
+
 namespace {
 
 constexpr double k_infinite = std::numeric_limits<double>::infinity();

@@ -1,8 +1,8 @@
 // The page: nothing covers anything else, whatever the box; ticks, words and paths are what they say.
-#include "cli/drawing/axes.h"
+#include "cli/drawing/canvas.h"
 #include "cli/drawing/layout.h"
 #include "cli/drawing/outline.h"
-#include "cli/drawing/text.h"
+#include "cli/drawing/overlay.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

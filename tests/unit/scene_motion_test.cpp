@@ -11,7 +11,7 @@
 namespace windrow::scene {
 namespace {
 
-static_assert(MovableWind<Wind> && MovableWind<cli::CommandWind>);
+static_assert(MovableWind<Wind> && MovableWind<cases::BackendWind>);
 
 TEST(SceneMotion, PlaysTheWalkInAPlainWindToTheBitsOfTheCommand) {
     const auto scene = read_scene(std::filesystem::path(WINDROW_SOURCE_DIR) / "examples" / "scenes" / "walk.json");

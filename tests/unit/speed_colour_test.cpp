@@ -1,5 +1,5 @@
 // The debug views' colours of speed are those of the slices that `windrow run` draws.
-#include "cli/drawing/colour_map.h"
+#include "cli/drawing/slice.h"
 #include "tests/figure.h"
 
 #include <algorithm>

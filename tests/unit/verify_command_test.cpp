@@ -1,9 +1,9 @@
 // `windrow verify` as a user meets it: sentences, table, file, exit codes. That the errors are right is what the command itself
 // asks; here a quick case stands for all, and made-up cases show that a miss is told.
-#include "cli/command_line.h"
-#include "cli/exit_code.h"
+#include "cases/verify_case.h"
+#include "cli/console.h"
 #include "cli/verify/verify_command.h"
-#include "cli/verify/verify_result.h"
+#include "tests/unit/command_outcome.h"
 
 #include <algorithm>
 #include <array>
@@ -21,37 +21,25 @@
 #include <vector>
 
 namespace windrow::cli {
+
+using namespace cases;
+
 namespace {
 
 namespace fs = std::filesystem;
 
 constexpr const char* k_quick = "couette_steady";
 
-struct Outcome {
-    int code;
-    std::string out;
-    std::string err;
-};
-
 Outcome verify(std::vector<const char*> arguments) {
-    arguments.insert(arguments.begin(), {"windrow", "verify"});
-    std::ostringstream out, err;
-    const int code =
-        run_command_line(static_cast<int>(arguments.size()), arguments.data(), {.out = out, .err = err, .progress = nullptr});
-    return {code, out.str(), err.str()};
+    return run_windrow("verify", std::move(arguments));
 }
 
 Outcome verify(const VerifyRequest& request, int signal = 0) {
-    std::ostringstream out, err;
-    const int code = run_verify(request, {.out = out, .err = err, .progress = nullptr}, [=] { return signal; });
-    return {code, out.str(), err.str()};
+    return run_request(run_verify, request, signal);
 }
 
 void expect_refusal(std::vector<const char*> arguments, const std::string& sentence) {
-    const Outcome outcome = verify(std::move(arguments));
-    EXPECT_EQ(outcome.code, k_exit_wrong_use);
-    EXPECT_EQ(outcome.err, "windrow: " + sentence + "\n");
-    EXPECT_EQ(outcome.out, "");
+    expect_refused(verify(std::move(arguments)), sentence);
 }
 
 /// A case whose errors are given.
@@ -234,24 +222,20 @@ TEST_F(VerifyCommand, RowsAreJudgedByTheirLabel) {
     EXPECT_EQ(bad.out.find("FAIL  near\n"), std::string::npos) << bad.out;
 }
 
-TEST_F(VerifyCommand, PlotsShowTheCurvesOfAllResolutions) {
+TEST_F(VerifyCommand, PlotsHoldTheCurvesOfAllResolutions) {
     VerifyCase one = made_up({0.5, 0.25}, 1.0, 0.0);
     one.run = [run = one.run](const VerifySetting& setting, int size) {
         VerifyRows found = run(setting, size);
-        found.curves.push_back({.name = std::to_string(size) + " cells", .points = {{0.0, 1.0}, {1.0, 2.0}}});
+        found.curves.push_back({.panel = "left", .name = std::to_string(size) + " cells", .points = {{0.0, 1.0}, {1.0, 2.0}}});
         return found;
-    };
-    one.plot = [](std::span<const VerifyCurve> curves) {
-        std::string names;
-        for (const VerifyCurve& curve : curves)
-            names += curve.name + ".";
-        return Plot{.width = 10.0, .height = 10.0, .paper = k_nothing, .title = names};
     };
     const Outcome done = verify({.cases = {one, made_up({0.5}, 1.0, 0.0)}, .threads = 1, .plots = folder / "plots"});
     EXPECT_EQ(done.code, k_exit_well);
     std::stringstream page;
-    page << std::ifstream(folder / "plots" / "made_up.svg").rdbuf();
-    EXPECT_NE(page.str().find("1 cells.2 cells."), std::string::npos) << page.str();
+    page << std::ifstream(folder / "plots" / "made_up.csv").rdbuf();
+    EXPECT_EQ(page.str(), "plot,panel,line,x,y\n"
+                          "made_up,left,1 cells,0,1\nmade_up,left,1 cells,1,2\n"
+                          "made_up,left,2 cells,0,1\nmade_up,left,2 cells,1,2\n");
     expect_refusal({"--plots", ""}, "--plots is empty: name a folder.");
     expect_refusal({"--list", "--plots", "somewhere"}, "--plots is given with --list, which runs nothing: drop one of them.");
 }

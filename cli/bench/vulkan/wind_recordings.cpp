@@ -1,6 +1,6 @@
 #include "cli/bench/vulkan/wind_recordings.h"
 
-#include "cli/bench/jets.h"
+#include "cases/jets.h"
 #include "fluid/vulkan/wind_state.h"
 
 #include <algorithm>
@@ -8,6 +8,8 @@
 #include <utility>
 
 namespace windrow::cli {
+
+using namespace cases;
 namespace {
 
 using vulkan::Pass;

@@ -1,7 +1,7 @@
 // The wind on a device as a contestant: keeps its flow alive and gathers what its recordings tell.
 #pragma once
 
-#include "cli/bench/vulkan/device_result.h"
+#include "cli/bench/vulkan/device_bench.h"
 #include "fluid/vulkan/wind.h"
 
 #include <glm/vec4.hpp>

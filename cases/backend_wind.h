@@ -1,0 +1,102 @@
+// A wind on the CPU or on a Vulkan device, for a caller who asks what a step did before it asks for the next: the calls of
+// windrow::Wind that such a caller makes (fluid/wind.h says more of each).
+#pragma once
+
+#include "fluid/wind.h"
+
+#include <cstdint>
+#include <functional>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+
+namespace windrow::vulkan {
+class OwnDevice;
+}
+
+namespace windrow::cases {
+
+enum class BackendKind : std::uint8_t {
+    cpu,   ///< the default
+    vulkan ///< a Vulkan device
+};
+
+[[nodiscard]] inline const char* name_of(BackendKind kind) {
+    return kind == BackendKind::vulkan ? "vulkan" : "cpu";
+}
+
+/// What runs the air: the CPU, or a device that is opened once and shared by all its winds.
+class Backend {
+  public:
+    Backend() = default; ///< the CPU
+    /// `words`: the device's name, driver and version.
+    Backend(std::shared_ptr<vulkan::OwnDevice> device, std::string words)
+        : device_(std::move(device)), words_(std::move(words)) {}
+
+    [[nodiscard]] bool is_cpu() const { return device_ == nullptr; }
+    [[nodiscard]] BackendKind kind() const { return is_cpu() ? BackendKind::cpu : BackendKind::vulkan; }
+    /// Null: the CPU.
+    [[nodiscard]] vulkan::OwnDevice* device() const { return device_.get(); }
+    /// Empty: the CPU.
+    [[nodiscard]] const std::string& device_words() const { return words_; }
+
+    /// The first thing that went wrong on the device, in a sentence; empty: nothing. A wind of a device that is lost steps no
+    /// more.
+    [[nodiscard]] const std::string& fault() const { return *fault_; }
+    void note_fault(const std::string& sentence) const {
+        if (fault_->empty())
+            *fault_ = sentence;
+    }
+
+  private:
+    std::shared_ptr<vulkan::OwnDevice> device_{};
+    std::string words_{};
+    std::shared_ptr<std::string> fault_ = std::make_shared<std::string>(); ///< one for all copies
+};
+
+/// Whether a device times the stages of its steps: its own clock holds each pass back until the one before has ended. The CPU
+/// always does.
+enum class StageClock : std::uint8_t { off, on };
+
+class BackendWind {
+  public:
+    [[nodiscard]] static Result<std::unique_ptr<BackendWind>> create(const Config& config, const Backend& backend = {},
+                                                                     StageClock clock = StageClock::off);
+    virtual ~BackendWind() = default;
+    BackendWind(const BackendWind&) = delete;
+    BackendWind& operator=(const BackendWind&) = delete;
+
+    /// Reports what this step did, on a device too: there it waits. A device that fails steps no more, and Backend::fault says
+    /// why.
+    virtual Diagnostics step(double dt) = 0;
+
+    [[nodiscard]] virtual Motors& motors() = 0;
+    [[nodiscard]] virtual const Motors& motors() const = 0;
+    [[nodiscard]] virtual Result<void> set_sides(const Sides& sides) = 0;
+    [[nodiscard]] virtual Result<void> follow(glm::dvec3 point) = 0;
+    [[nodiscard]] virtual Result<void> set_floor(double height) = 0;
+    virtual void set_velocity(const std::function<glm::vec3(glm::dvec3 centre)>& velocity_at) = 0;
+    [[nodiscard]] virtual Result<void> set_velocity(std::span<const glm::vec4> field) = 0;
+    virtual void reset() = 0;
+
+    [[nodiscard]] virtual const Config& config() const = 0;
+    [[nodiscard]] virtual glm::dvec3 origin() const = 0;
+    [[nodiscard]] virtual glm::vec3 ambient() const = 0;
+    /// Of now; good until the next step or change. Where a device failed, its cells are no numbers.
+    [[nodiscard]] virtual WindView view() const = 0;
+
+    [[nodiscard]] Box box() const { return view().box(); }
+    [[nodiscard]] std::span<const glm::vec4> field() const { return view().field(); }
+    [[nodiscard]] glm::vec3 velocity(glm::dvec3 position) const { return view().velocity(position); }
+    void velocity(std::span<const glm::dvec3> positions, std::span<glm::vec3> velocities) const {
+        view().velocity(positions, velocities);
+    }
+
+  protected:
+    BackendWind() = default;
+};
+
+} // namespace windrow::cases

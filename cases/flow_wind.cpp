@@ -1,0 +1,66 @@
+#include "cases/flow_wind.h"
+
+#include "cases/cell_values.h"
+
+namespace windrow::cases {
+
+Result<FlowWind> FlowWind::create(const ParetoFlow& flow, glm::ivec3 cells, const Settings& settings, const Backend& backend) {
+    const Box box = box_of(flow, cells);
+    auto wind = BackendWind::create({.cells = box.cells,
+                                     .cell_size = box.cell_size,
+                                     .sides = box.sides,
+                                     .centre = 0.5 * static_cast<double>(box.cell_size) * glm::dvec3(box.cells),
+                                     .ambient = glm::vec3(flow.mean),
+                                     .profile = flow.profile,
+                                     .gusts = flow.gusts,
+                                     .viscosity = 0.0f,
+                                     .settling_time = 0.0f,
+                                     .scheme = settings.method.scheme,
+                                     .interpolation = settings.method.interpolation,
+                                     .max_cfl = 1e5f,
+                                     .max_substeps = 1,
+                                     .simd = settings.simd,
+                                     .parallel_for = settings.parallel_for},
+                                    backend);
+    if (!wind)
+        return Error{wind.error()};
+    FlowWind made;
+    made.wind_ = *std::move(wind);
+    made.motion_ = flow.motion;
+    for (const Motor& motor : flow.motors) {
+        const auto added = made.wind_->motors().add(motor);
+        if (!added)
+            return Error{added.error()};
+        if (&motor == &flow.motors.front())
+            made.first_ = *added;
+    }
+    if (flow.start)
+        made.start_ = velocities_of(box, flow.start);
+    made.begin();
+    return made;
+}
+
+void FlowWind::begin() {
+    if (start_.empty())
+        wind_->reset();
+    else
+        static_cast<void>(wind_->set_velocity(start_)); // of the box's size
+}
+
+void FlowWind::step(double dt) {
+    time_ += dt;
+    if (motion_)
+        static_cast<void>(wind_->motors().move(first_, motion_(time_))); // finite, and the motor has no end
+    wind_->step(dt);
+}
+
+Result<reference::ComposedStep> composed_step(const ParetoFlow& flow, glm::ivec3 cells, Simd simd,
+                                              const ParallelFor& parallel_for) {
+    return reference::ComposedStep::create({.box = box_of(flow, cells),
+                                            .ambient = glm::vec3(flow.mean),
+                                            .motors = flow.motors,
+                                            .simd = simd,
+                                            .parallel_for = parallel_for});
+}
+
+} // namespace windrow::cases

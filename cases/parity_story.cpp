@@ -1,0 +1,151 @@
+#include "cases/parity_story.h"
+
+#include "fluid/message.h"
+
+#include <algorithm>
+
+namespace windrow::cases {
+namespace {
+
+using detail::message;
+
+constexpr glm::ivec3 k_grids[] = {{16, 16, 16}, {17, 9, 23}, {32, 16, 32}, {64, 32, 64}, {128, 64, 128}};
+
+std::string named(const char* kind, glm::ivec3 cells) {
+    return message(kind, "_", cells.x, "x", cells.y, "x", cells.z);
+}
+
+/// A place in the box, as a share of it from its low corner; cells of 1 m, the box centred on `centre`.
+glm::dvec3 place(glm::ivec3 cells, glm::dvec3 centre, glm::dvec3 share) {
+    return centre + glm::dvec3(cells) * (share - 0.5);
+}
+
+ParityStory walk(glm::ivec3 cells) {
+    const glm::dvec3 centre(0.0, 0.5 * cells.y, 0.0);
+    const auto at = [&](double x, double y, double z) { return place(cells, centre, {x, y, z}); };
+    return {.name = named("walk", cells),
+            .text = "open sides over a floor with plants, profile, gusts, a fan, a whirl and a jet; the box follows a runner, "
+                    "the wind turns",
+            .config = {.cells = cells,
+                       .sides = Sides::open_over_floor(),
+                       .centre = centre,
+                       .ambient = {4.0f, 0.0f, 1.5f},
+                       .profile = LogProfile{},
+                       .gusts = {.intensity = 0.25f},
+                       .canopy = Canopy{.height = 1.4f}},
+            .motors = {{.motor = DirectionalMotor{.position = at(0.6, 0.3, 0.5), .direction = {-1.0f, 0.2f, 0.0f}}},
+                       {.motor = VortexMotor{.position = at(0.35, 0.4, 0.3), .radius = 3.0f}},
+                       {.motor = JetMotor{.position = at(0.2, 0.3, 0.7), .direction = {1.0f, 0.3f, 0.0f}}}},
+            .walk = {3.0, 0.0, -4.0},
+            .changes = {{.step = 45, .what = StoryChange::Ambient{{2.0f, 0.0f, 3.0f}}}}};
+}
+
+Sides mixed_sides() {
+    Sides sides;
+    sides.x_low.kind = SideKind::free_slip;
+    sides.y_low.kind = sides.y_high.kind = SideKind::periodic;
+    sides.z_high = {SideKind::no_slip, {1.0f, 0.0f, 0.0f}};
+    return sides;
+}
+
+ParityStory mixed(glm::ivec3 cells) {
+    const auto at = [&](double x, double y, double z) { return place(cells, glm::dvec3(0.0), {x, y, z}); };
+    Sides later = mixed_sides();
+    later.y_low.kind = SideKind::no_slip;
+    later.y_high.kind = SideKind::open;
+    return {.name = named("mixed", cells),
+            .text = "a wall that slips, one that drags, a periodic pair that becomes a floor; a vent, a blast, a wake",
+            .config = {.cells = cells, .sides = mixed_sides(), .ambient = {0.0f, 1.0f, 0.0f}, .viscosity = 1e-3f},
+            .motors = {{.motor = OmniMotor{.position = at(0.6, 0.5, 0.4), .speed = 3.0f}},
+                       {.motor = PressureMotor{.position = at(0.3, 0.4, 0.6), .speed = 6.0f}},
+                       {.motor = WakeMotor{.position = at(0.2, 0.5, 0.3), .radius = 1.0f}, .velocity = {3.0, 0.0, 1.0}}},
+            .changes = {{.step = 60, .what = later}}};
+}
+
+ParityStory small(const char* name, const char* text) {
+    ParityStory story{.name = name, .text = text};
+    story.config.cells = {16, 12, 16};
+    return story;
+}
+
+ParityStory viscous_walls() {
+    ParityStory story = small("viscous_walls", "walls all round, one that moves, a viscosity that needs the direct solve");
+    story.config.sides = Sides::all(SideKind::no_slip);
+    story.config.sides.y_high.wall_velocity = {3.0f, 0.0f, 0.0f};
+    story.config.viscosity = 20.0f;
+    story.motors = {{.motor = DirectionalMotor{.direction = {0.0f, 0.0f, 1.0f}}}};
+    return story;
+}
+
+ParityStory stable_fluids() {
+    ParityStory story = small("stable_fluids", "the classic scheme, open sides, a dust devil");
+    story.config.ambient = {2.0f, 0.0f, 1.0f};
+    story.config.scheme = Scheme::stable_fluids;
+    story.motors = {{.motor = VortexMotor{.radius = 4.0f, .lift = 0.5f}}};
+    return story;
+}
+
+ParityStory storm() {
+    ParityStory story = small("storm", "winds so strong that the device must cut the step into sub-steps");
+    story.config.ambient = {4.0f, 0.0f, 0.0f};
+    story.steps = 24;
+    story.motors = {{.motor = DirectionalMotor{.direction = {0.0f, 0.0f, 1.0f}, .law = Drive{.speed = 400.0f, .rate = 30.0f}}}};
+    return story;
+}
+
+ParityStory frames_and_a_jump() {
+    ParityStory story = small("frames_and_a_jump", "frames blended between ticks, gusts that change, a jump far beyond the box");
+    story.config.cells = {24, 12, 20};
+    story.config.ambient = {3.0f, 0.0f, 1.0f};
+    story.config.gusts.intensity = 0.2f;
+    story.dt = 1.0 / 72.0;
+    story.frames = true;
+    story.stirred = false;
+    story.motors = {{.motor = JetMotor{.position = {-3.0, 0.0, 2.0}}}};
+    story.walk = {5.0, 1.0, 0.0};
+    story.changes = {{.step = 30, .what = Gusts{.intensity = 0.3f, .seed = 5}},
+                     {.step = 70, .what = StoryChange::Jump{{1e6, 0.0, 5.0}}}};
+    return story;
+}
+
+// Planes of 9216 cells do not fit in 32 KiB of shared memory, so that the transforms of x and z go apart there; where they fit,
+// modes_between is left out.
+ParityStory every_pass() {
+    ParityStory story =
+        small(k_every_pass_story, "each kind of pass: planes too large for shared memory, an implicit viscosity, a "
+                                  "blast, cut speeds, shifts, a wind that changes");
+    story.config.cells = {96, 4, 96};
+    story.config.ambient = {2.0f, 0.0f, 1.0f};
+    story.config.viscosity = 20.0f;
+    story.config.max_substeps = 2;
+    story.steps = 6;
+    story.motors = {{.motor = OmniMotor{.position = {2.0, 0.0, 3.0}, .speed = 3.0f}},
+                    {.motor = DirectionalMotor{.direction = {0.0f, 0.0f, 1.0f}, .law = Force{.acceleration = 20000.0f}}}};
+    story.walk = {30.0, 0.0, -10.0};
+    story.changes = {{.step = 3, .what = StoryChange::Ambient{{1.0f, 0.0f, 2.0f}}}};
+    return story;
+}
+
+} // namespace
+
+std::vector<ParityStory> parity_stories() {
+    std::vector<ParityStory> stories;
+    for (const glm::ivec3 cells : k_grids)
+        for (const auto story : {walk, mixed})
+            stories.push_back(story(cells));
+    for (const auto story : {viscous_walls, stable_fluids, storm, frames_and_a_jump, every_pass})
+        stories.push_back(story());
+    return stories;
+}
+
+ParityStory shortened(ParityStory story, double cell_steps) {
+    constexpr int k_fewest = 2; // the second has a history
+    const auto cells = static_cast<double>(Box{.cells = story.config.cells}.cell_count());
+    const int whole = story.steps;
+    story.steps = std::clamp(static_cast<int>(cell_steps / cells), std::min(k_fewest, story.steps), story.steps);
+    for (StoryChange& change : story.changes) // at their share of the way
+        change.step = change.step * story.steps / whole;
+    return story;
+}
+
+} // namespace windrow::cases

@@ -1,0 +1,2 @@
+#define WINDROW_LEVEL avx512
+#include "cases/reference/level.inl"

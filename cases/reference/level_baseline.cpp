@@ -1,0 +1,2 @@
+#define WINDROW_LEVEL baseline
+#include "cases/reference/level.inl"

@@ -1,2 +1,0 @@
-#define WINDROW_LEVEL avx512
-#include "tests/bench/reference/level.inl"

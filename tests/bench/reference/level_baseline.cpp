@@ -1,2 +1,0 @@
-#define WINDROW_LEVEL baseline
-#include "tests/bench/reference/level.inl"
