@@ -5,6 +5,7 @@
 #include "fluid/vulkan/pipeline_stages.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -30,14 +31,6 @@ VkAccessFlags reads_of(VkPipelineStageFlags stages) {
 VkAccessFlags writes_of(VkPipelineStageFlags stages) {
     return ((stages & k_compute) != 0 ? VK_ACCESS_SHADER_WRITE_BIT : 0) |
            ((stages & k_transfer) != 0 ? VK_ACCESS_TRANSFER_WRITE_BIT : 0);
-}
-
-constexpr int k_air = 1, k_before = 2; // Pass::adjust
-
-std::int32_t bits_of(float value) {
-    std::int32_t bits = 0;
-    std::memcpy(&bits, &value, sizeof(bits));
-    return bits;
 }
 
 // What a step asks for in one sub-step, the longest.
@@ -121,24 +114,31 @@ WindrowStep Air::step_of(const AirTick& tick) const {
     };
     const auto bit = [](bool on, int value) { return on ? value : 0; };
     const bool classic = config_.scheme == Scheme::stable_fluids || !config_.stages.advection;
-    step.cells = {air.cells, static_cast<int>(air.cell_count())};
-    step.shape.x = static_cast<int>(std::min<std::size_t>(tick.motors.size(), k_most_motors));
-    step.shape.y = config_.max_substeps;
-    step.shape.z = bit(fresh_, WINDROW_FRESH) | bit(classic, WINDROW_STABLE_FLUIDS) |
-                   bit(config_.interpolation == Interpolation::linear, WINDROW_LINEAR) |
-                   bit(config_.stages.advection, WINDROW_ADVECTS) | bit(config_.stages.projection, WINDROW_PROJECTS) |
-                   bit(config_.stages.settling && config_.settling_time > 0.0f, WINDROW_SETTLES) |
-                   bit(tick.ambient->gusting(), WINDROW_GUSTS) | bit(config_.profile.has_value(), WINDROW_PROFILE) |
-                   bit(tick.lets_air_in, WINDROW_LETS_AIR_IN) | bit(tick.renews_sources, WINDROW_RENEWS_AIR) |
-                   bit(diffusion_of(tick.duration) != DiffusionMethod::none, WINDROW_DIFFUSES) |
-                   bit(any(detail::MotorReach::Law::force), WINDROW_PUSHES) |
-                   bit(any(detail::MotorReach::Law::drive), WINDROW_DRIVES) |
-                   bit(any(detail::MotorReach::Law::source), WINDROW_EXPANDS) | bit(owes_nothing_, WINDROW_OWES_NOTHING) |
-                   bit(diffusion_of(tick.duration) == DiffusionMethod::one_pass, WINDROW_ONE_PASS);
-    step.shape.w = tick.substeps;
-    step.time = {static_cast<float>(tick.duration), air.cell_size, config_.settling_time, config_.max_cfl};
-    step.ambient = {tick.ambient->mean(), config_.viscosity};
-    step.canopy = {tick.canopy, 0.0f};
+    step.cells = air.cells;
+    step.motors = static_cast<int>(std::min<std::size_t>(tick.motors.size(), k_most_motors));
+    step.most_substeps = config_.max_substeps;
+    step.flags = bit(fresh_, WINDROW_FRESH) | bit(classic, WINDROW_STABLE_FLUIDS) |
+                 bit(config_.interpolation == Interpolation::linear, WINDROW_LINEAR) |
+                 bit(config_.stages.advection, WINDROW_ADVECTS) | bit(config_.stages.projection, WINDROW_PROJECTS) |
+                 bit(config_.stages.settling && config_.settling_time > 0.0f, WINDROW_SETTLES) |
+                 bit(tick.ambient->gusting(), WINDROW_GUSTS) | bit(config_.profile.has_value(), WINDROW_PROFILE) |
+                 bit(tick.lets_air_in, WINDROW_LETS_AIR_IN) | bit(tick.renews_sources, WINDROW_RENEWS_AIR) |
+                 bit(diffusion_of(tick.duration) != DiffusionMethod::none, WINDROW_DIFFUSES) |
+                 bit(any(detail::MotorReach::Law::force), WINDROW_PUSHES) |
+                 bit(any(detail::MotorReach::Law::drive), WINDROW_DRIVES) |
+                 bit(any(detail::MotorReach::Law::source), WINDROW_EXPANDS) | bit(diffused_whole_, WINDROW_DIFFUSED_WHOLE) |
+                 bit(diffusion_of(tick.duration) == DiffusionMethod::one_pass, WINDROW_ONE_PASS);
+    step.forced_substeps = tick.substeps;
+    step.duration = static_cast<float>(tick.duration);
+    step.cell_size = air.cell_size;
+    step.relaxation_time = config_.settling_time;
+    step.max_cfl = config_.max_cfl;
+    step.sleep_speed = config_.sleep_speed;
+    step.canopy_drag = tick.canopy.x;
+    step.canopy_ground = tick.canopy.y;
+    step.canopy_top = tick.canopy.z;
+    step.ambient = tick.ambient->mean();
+    step.viscosity = config_.viscosity;
     for (int axis = 0; axis < 3; ++axis) {
         const cpu::LegalPlaces legal = cpu::legal_places(air, axis);
         step.low[axis] = legal.low;
@@ -157,9 +157,8 @@ WindrowStep Air::step_of(const AirTick& tick) const {
     const AmbientBlock wind = tick.ambient->block(tick.window->origin());
     static_assert(sizeof(wind) == sizeof(step.wind));
     std::memcpy(&step.wind, &wind, sizeof(wind));
-    const glm::vec3 mean = tick.ambient->mean(); // the level part carries the gusts
-    step.carried = wind.gust_texel.w * glm::vec4(mean.x, 0.0f, mean.z, 0.0f);
-    step.carried.w = config_.sleep_speed;
+    step.gust_strength = wind.mean.w;
+    step.gust_speed = wind.gust_texel.w * glm::vec3(wind.mean.x, 0.0f, wind.mean.z); // the level part carries the gusts
     return step;
 }
 
@@ -224,7 +223,7 @@ void Air::dispatch(VkCommandBuffer commands, Pass pass, const Push& push, int fr
     ++dispatches_;
 }
 
-void Air::place(VkCommandBuffer commands, const Buffer& field, const Push& push) {
+void Air::place(VkCommandBuffer commands, const Buffer& field, const WindrowPlacePush& push) {
     copy(commands, field, fields_.arrived);
     barrier(k_transfer, k_compute);
     dispatch(commands, Pass::place, push);
@@ -237,7 +236,7 @@ void Air::fill(VkCommandBuffer commands, const AmbientWind& ambient, const Windo
     place(commands, fields_.velocity, everything());
     clear(commands, fields_.source_flow);
     barrier(k_transfer, k_compute | k_transfer);
-    fresh_ = owes_nothing_ = true;
+    fresh_ = diffused_whole_ = true;
 }
 
 void Air::fill_before(VkCommandBuffer commands, const AmbientWind& ambient, const Window& window) {
@@ -248,8 +247,8 @@ void Air::fill_before(VkCommandBuffer commands, const AmbientWind& ambient, cons
 
 void Air::shift(VkCommandBuffer commands, const Move& move, const AmbientWind& ambient, const Window& window) {
     tell(commands, step_of({.ambient = &ambient, .window = &window}), ambient);
-    const auto push = [&](int ambient_in_new_cells) {
-        return Push{static_cast<int>(move.by.x), static_cast<int>(move.by.y), static_cast<int>(move.by.z), ambient_in_new_cells};
+    const auto push = [&](int exposed_hold_ambient) {
+        return WindrowPlacePush{.shift = glm::ivec3(move.by), .exposed_hold_ambient = exposed_hold_ambient};
     };
     const int exposed = move.exposed_hold_ambient ? 1 : 0;
     place(commands, fields_.velocity, push(exposed));
@@ -266,20 +265,20 @@ void Air::shift(VkCommandBuffer commands, const Move& move, const AmbientWind& a
 
 void Air::add_wind(VkCommandBuffer commands, float factor, bool to_before, const AmbientWind& ambient, const Window& window) {
     tell(commands, step_of({.ambient = &ambient, .window = &window}), ambient);
-    adjust(commands, factor, 0, to_before ? k_air | k_before : k_air);
+    adjust(commands, {.change = {}, .factor = factor, .of_mean = 0, .to_air = 1, .to_before = to_before ? 1 : 0, .unused = 0});
 }
 
 void Air::add_change(VkCommandBuffer commands, glm::vec3 change, bool to_air, bool to_before, const AmbientWind& ambient,
                      const Window& window) {
-    WindrowStep step = step_of({.ambient = &ambient, .window = &window});
-    step.carried = {change, 0.0f};
-    tell(commands, step, ambient);
-    adjust(commands, 1.0f, 1, (to_air ? k_air : 0) | (to_before ? k_before : 0));
+    tell(commands, step_of({.ambient = &ambient, .window = &window}), ambient);
+    adjust(
+        commands,
+        {.change = change, .factor = 1.0f, .of_mean = 1, .to_air = to_air ? 1 : 0, .to_before = to_before ? 1 : 0, .unused = 0});
 }
 
-void Air::adjust(VkCommandBuffer commands, float factor, int by_change, int which) {
+void Air::adjust(VkCommandBuffer commands, const WindrowAdjustPush& push) {
     barrier(k_transfer | k_compute, k_compute);
-    dispatch(commands, Pass::adjust, {bits_of(factor), by_change, which, 0});
+    dispatch(commands, Pass::adjust, push);
     barrier(k_compute, k_compute | k_transfer);
 }
 
@@ -288,7 +287,7 @@ void Air::upload(VkCommandBuffer commands, std::span<const glm::vec4> cells) {
     write_tables(commands);
     write(commands, fields_.velocity, std::as_bytes(cells));
     keep_before(commands);
-    fresh_ = owes_nothing_ = true;
+    fresh_ = diffused_whole_ = true;
 }
 
 void Air::keep_before(VkCommandBuffer commands) {
@@ -307,20 +306,21 @@ void Air::step(VkCommandBuffer commands, const AirTick& tick) {
         write(commands, fields_.motors,
               std::as_bytes(tick.motors.first(std::min<std::size_t>(tick.motors.size(), k_most_motors))));
     // What a tick counts begins at 0; the duration of the last sub-step stays.
-    clear(commands, fields_.control, 0, sizeof(uvec4));
-    clear(commands, fields_.control, offsetof(WindrowControl, measured), tick.counts_on ? sizeof(glm::uvec2) : sizeof(uvec4));
+    clear(commands, fields_.control, 0, offsetof(WindrowControl, substep_duration));
+    constexpr std::size_t first = offsetof(WindrowControl, largest_speed), counts = offsetof(WindrowControl, repaired_cells);
+    clear(commands, fields_.control, first, (tick.counts_on ? counts : sizeof(WindrowControl)) - first);
     barrier(k_transfer, k_compute);
-    dispatch(commands, Pass::sources, {});
+    dispatch(commands, Pass::sources);
     barrier(k_compute, k_compute);
     if (tick.renews_sources) {
         for (const Passes::Stage& stage : passes_.source_solve()) {
             dispatch(commands, stage.pass, stage.push);
             barrier(k_compute, k_compute);
         }
-        dispatch(commands, Pass::source_flow, {});
+        dispatch(commands, Pass::source_flow);
         barrier(k_compute, k_compute);
     }
-    dispatch(commands, Pass::plan, {});
+    dispatch(commands, Pass::plan);
     barrier(k_compute, k_compute | k_indirect);
     std::uint32_t n = 0;
     const auto command = [&](Pass pass, const Push& push) {
@@ -336,17 +336,17 @@ void Air::step(VkCommandBuffer commands, const AirTick& tick) {
     const int most = tick.substeps > 0 ? tick.substeps : config_.stages.advection ? config_.max_substeps : 1;
     const auto part = [&](int substep) {
         for (const Passes::Stage& stage : passes_.substep(diffusion))
-            command(stage.pass, {substep, stage.push.y, stage.push.z, stage.push.w});
+            command(stage.pass, stage.push.in_substep(substep));
     };
-    if (fresh_ && (told.shape.z & WINDROW_STABLE_FLUIDS) == 0) {
-        const std::uint32_t first = n;
+    if (fresh_ && (told.flags & WINDROW_STABLE_FLUIDS) == 0) {
+        const std::uint32_t performed = n;
         part(-1);
-        n = first; // it runs as the first does
+        n = performed; // it runs as the first does
     }
     for (int substep = 0; substep < most; ++substep)
         part(substep);
-    fresh_ = (told.shape.z & WINDROW_STABLE_FLUIDS) != 0;
-    owes_nothing_ = false;
+    fresh_ = (told.flags & WINDROW_STABLE_FLUIDS) != 0;
+    diffused_whole_ = false;
 }
 
 void Air::show(VkCommandBuffer commands, float factor, int frame, bool reports) {
@@ -365,7 +365,7 @@ void Air::show(VkCommandBuffer commands, float factor, int frame, bool reports) 
     // Whoever sampled them two frames ago is done first.
     barrier(VK_PIPELINE_STAGE_ALL_COMMANDS_BIT | k_compute | k_transfer, k_compute);
     wait(commands, images);
-    dispatch(commands, Pass::show, {bits_of(factor), reports ? 1 : 0, 0, 0}, frame);
+    dispatch(commands, Pass::show, WindrowShowPush{.factor = factor, .reports = reports ? 1 : 0}, frame);
     for (VkImageMemoryBarrier& image : images) {
         image.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
         image.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;
@@ -406,18 +406,13 @@ AirReport Air::report(const Buffer& slot) const {
     WindrowControl control{};
     std::memcpy(&control, slot.mapped(), sizeof(control));
     AirReport report;
-    const auto number = [](std::uint32_t bits) {
-        float value = 0.0f;
-        std::memcpy(&value, &bits, sizeof(value));
-        return value;
-    };
-    report.largest_component = number(control.measured.x);
-    report.apart = number(control.measured.y);
-    report.cfl = control.substep.w;
-    report.substeps = control.plan.x;
-    report.substeps_capped = control.plan.y != 0;
-    report.repaired_cells = static_cast<int>(control.measured.z);
-    report.limited_cells = static_cast<int>(control.measured.w);
+    report.largest_component = std::bit_cast<float>(control.largest_speed);
+    report.apart = std::bit_cast<float>(control.farthest_from_ambient);
+    report.cfl = control.cfl;
+    report.substeps = control.substeps;
+    report.substeps_capped = control.capped != 0;
+    report.repaired_cells = static_cast<int>(control.repaired_cells);
+    report.limited_cells = static_cast<int>(control.limited_cells);
     const auto groups = fields_.sums.bytes() / sizeof(glm::vec2);
     for (std::size_t n = 0; n < groups; ++n) {
         glm::vec2 sums;

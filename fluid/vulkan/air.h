@@ -155,12 +155,12 @@ class Air {
     void wait(VkCommandBuffer commands, std::span<const VkImageMemoryBarrier> images = {});
     void copy(VkCommandBuffer commands, const Buffer& from, const Buffer& to, VkDeviceSize at = 0);
     void clear(VkCommandBuffer commands, const Buffer& buffer, VkDeviceSize at = 0, VkDeviceSize bytes = VK_WHOLE_SIZE);
-    void dispatch(VkCommandBuffer commands, Pass pass, const Push& push, int frame = 0);
-    void place(VkCommandBuffer commands, const Buffer& field, const Push& push);
+    void dispatch(VkCommandBuffer commands, Pass pass, const Push& push = {}, int frame = 0);
+    void place(VkCommandBuffer commands, const Buffer& field, const WindrowPlacePush& push);
     void write_tables(VkCommandBuffer commands);
     void make_room_for_sides();
-    void adjust(VkCommandBuffer commands, float factor, int by_change, int which);
-    [[nodiscard]] Push everything() const { return {config_.cells.x, config_.cells.y, config_.cells.z, 1}; }
+    void adjust(VkCommandBuffer commands, const WindrowAdjustPush& push);
+    [[nodiscard]] WindrowPlacePush everything() const { return {.shift = config_.cells, .exposed_hold_ambient = 1}; }
 
     std::unique_ptr<Device> device_; // before what is made from it
     Config config_;
@@ -184,7 +184,7 @@ class Air {
     std::vector<Retired> retired_;   ///< pieces that a slot in flight may still copy; with room for one a slot
     std::vector<WindrowRule> rules_; ///< how each padded cell takes its value by the boundaries
     bool fresh_ = true;
-    bool owes_nothing_ = true; ///< viscosity has acted for all time so far
+    bool diffused_whole_ = true; ///< viscosity has acted for all time so far
     bool cleared_ = false;
     int dispatches_ = 0, barriers_ = 0;
     VkPipelineStageFlags waits_from_ = 0, waits_to_ = 0; ///< of the barrier to come

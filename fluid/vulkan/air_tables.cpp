@@ -20,7 +20,9 @@ std::vector<WindrowRule> rules_in(const Box& box) {
         for (int axis = 0; axis < 3; ++axis)
             for (const cpu::HaloRule& from : rules_of(box, axis)) {
                 WindrowRule rule{};
-                rule.source = {from.source, from.ambient ? 1 : 0, from.identity ? 1 : 0, 0};
+                rule.source = from.source;
+                rule.beyond_open_side = from.ambient ? 1 : 0;
+                rule.identity = from.identity ? 1 : 0;
                 for (int n = 0; n < 3; ++n) {
                     rule.scale[n] = from.scale[n];
                     rule.offset[n] = from.offset[n];
@@ -98,7 +100,7 @@ void Air::forget() {
     tables_written_ = rules_written_ = cleared_ = false;
     tile_.reset();
     shapes_.reset();
-    fresh_ = owes_nothing_ = true;
+    fresh_ = diffused_whole_ = true;
 }
 
 // What does not change from tick to tick, told once.
