@@ -53,7 +53,7 @@ struct Stages {
 
 /// Fixed ticks of `advance`.
 struct Ticks {
-    /// Ticks a second, 1 to 10000. Default 30: blended between ticks, no leaf tells it from 144, at a fifth of the cost.
+    /// Ticks a second, 1 to 10000. Default 30: blended between ticks, leaves move as smoothly as at 144, at a fifth of the cost.
     double hz = 30.0;
     /// Most ticks in one call, 1 to 1000. Default 4. Time beyond them is dropped and reported: a slow machine gets a slower wind,
     /// not an ever longer frame.
@@ -135,7 +135,7 @@ class Wind {
     /// Diagnostics::out_of_memory.
     Diagnostics step(double dt);
     /// Advances by a frame of dt [s] in fixed ticks (Config::ticks), so that the air does not depend on the frame rate: `follow`
-    /// and `Motors::move` tell where things are at the end of this frame, and each tick sees them at its own time on the way.
+    /// and `Motors::move` give where things are at the end of this frame, and each tick sees them at its own time on the way.
     /// What is sampled afterwards is the wind blended between the last two ticks, up to a tick old. The first call allocates
     /// three fields; later ones nothing beyond what `step` may. Where memory is missing nothing is done and
     /// `last.out_of_memory` is true. A dt that is negative or not finite does nothing. Mixing with `step` ends the blending.

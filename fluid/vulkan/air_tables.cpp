@@ -1,4 +1,4 @@
-// What the device is told of the box once, and again when its sides change: the tables of the direct solves, and the rules by
+// What the device gets of the box once, and again when its sides change: the tables of the direct solves, and the rules by
 // which cells beyond the sides take their values.
 //
 // Tables of 10^4 floats and more go through a piece of host memory, which a copy in the command buffer reads. It is written
@@ -93,6 +93,7 @@ void Air::set_sides(NewSides&& sides) {
 
 void Air::begin(int slot) {
     slot_ = slot;
+    stepped_ = false;
     std::erase_if(retired_, [&](const Retired& retired) { return retired.slot == slot; });
 }
 
@@ -103,7 +104,7 @@ void Air::forget() {
     fresh_ = diffused_whole_ = true;
 }
 
-// What does not change from tick to tick, told once.
+// What does not change from tick to tick, written once.
 void Air::write_tables(VkCommandBuffer commands) {
     if (tables_written_ && rules_written_)
         return;
