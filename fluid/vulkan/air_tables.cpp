@@ -48,7 +48,7 @@ Result<Buffer> Air::piece_of(const SolveTables& tables) {
     const auto bytes = std::as_bytes(std::span(tables.values));
     if (bytes.size() <= k_most_update)
         return Buffer{};
-    auto piece = Buffer::create(*device_, bytes.size(), Place::upload);
+    auto piece = Buffer::create(*device_, bytes.size(), MemoryUse::upload);
     if (!piece)
         return Error{piece.error()};
     std::memcpy(piece->mapped(), bytes.data(), bytes.size());

@@ -52,16 +52,16 @@ Groups groups_over(glm::ivec3 cells, const Groups& size) {
 }
 
 // How planes are cut for the transforms of x and z.
-struct Tiles {
+struct PlaneTiles {
     bool whole = true;
     std::uint32_t x = 1, z = 1;  // of a whole plane; else of the pass along x: all of x, some of z
     std::uint32_t between_x = 1; // of the pass along z: some of x, all of z
 };
 
-Tiles tiles_of(const Device& device, glm::ivec3 cells) {
+PlaneTiles tiles_of(const Device& device, glm::ivec3 cells) {
     const auto nx = static_cast<std::uint32_t>(cells.x), nz = static_cast<std::uint32_t>(cells.z);
     const std::uint32_t most = device.limits().maxComputeSharedMemorySize / 4;
-    Tiles tiles;
+    PlaneTiles tiles;
     tiles.whole = nx * nz <= most;
     tiles.x = nx;
     tiles.z = tiles.whole ? nz : std::clamp(most / nx, 1u, std::min(k_tile_lines, nz));
@@ -115,7 +115,7 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
     const glm::ivec3 cells = settings.cells;
     const Groups cell = cell_group(cells), over_cells = groups_over(cells, cell);
     const Groups over_padded = groups_over(cells + WINDROW_HALO, cell);
-    const Tiles tiles = tiles_of(device, cells);
+    const PlaneTiles tiles = tiles_of(device, cells);
     const std::uint32_t solve =
         std::min({k_solve_group, device.limits().maxComputeWorkGroupInvocations, device.limits().maxComputeWorkGroupSize[0]});
     const auto nx = static_cast<std::uint32_t>(cells.x), ny = static_cast<std::uint32_t>(cells.y),

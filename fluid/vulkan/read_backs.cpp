@@ -8,7 +8,7 @@ namespace windrow::vulkan {
 Result<void> ReadBacks::make(Air& air, int slots, bool queries, const RecordedFrame& start) {
     queries_ = queries;
     for (int n = 0; n < slots; ++n) {
-        auto buffer = Buffer::create(air.device(), air.slot_bytes(queries), Place::readback);
+        auto buffer = Buffer::create(air.device(), air.slot_bytes(queries), MemoryUse::readback);
         if (!buffer)
             return Error{buffer.error()};
         slots_.push_back({.buffer = *std::move(buffer), .frame = start});
@@ -27,7 +27,7 @@ int ReadBacks::begin(const Air& air, int slot) {
 }
 
 void ReadBacks::record(Air& air, VkCommandBuffer commands, const RecordedFrame& frame) {
-    Slot& slot = slots_[static_cast<std::size_t>(last_)];
+    Reading& slot = slots_[static_cast<std::size_t>(last_)];
     air.read_back(commands, slot.buffer, queries_);
     slot.pending = true;
     slot.ticked = air.stepped();
@@ -36,7 +36,7 @@ void ReadBacks::record(Air& air, VkCommandBuffer commands, const RecordedFrame& 
 }
 
 bool ReadBacks::take(const Air& air, int number) {
-    Slot& slot = slots_[static_cast<std::size_t>(number)];
+    Reading& slot = slots_[static_cast<std::size_t>(number)];
     if (!std::exchange(slot.pending, false) || slot.buffer.invalidate() != VK_SUCCESS)
         return false;
     const AirReport found = air.report(slot.buffer);
@@ -58,7 +58,7 @@ bool ReadBacks::take(const Air& air, int number) {
 }
 
 void ReadBacks::forget() {
-    for (Slot& slot : slots_)
+    for (Reading& slot : slots_)
         slot.pending = false;
     last_ = before_last_;
     report_ = {};

@@ -41,14 +41,14 @@ class ReadBacks {
     [[nodiscard]] std::span<const glm::vec4> cells() const { return cells_; } ///< [m/s] of the frame
 
   private:
-    struct Slot {
+    struct Reading {
         Buffer buffer;
         bool pending = false;        ///< recorded, and not taken yet
         bool ticked = false;         ///< with ticks of its own, whose counts it reports
         std::uint64_t recording = 0; ///< counted from 1
         RecordedFrame frame;
     };
-    std::vector<Slot> slots_;
+    std::vector<Reading> slots_;
     bool queries_ = true;
     int last_ = -1, before_last_ = -1; ///< slots of the last two recordings
     std::uint64_t recording_ = 0, taken_recording_ = 0;

@@ -20,7 +20,7 @@ class Twin {
         auto air = Air::create(gpu.host(), config, {});
         EXPECT_TRUE(air) << air.error();
         air_ = *std::move(air);
-        slot_ = *Buffer::create(air_->device(), air_->slot_bytes(), Place::readback);
+        slot_ = *Buffer::create(air_->device(), air_->slot_bytes(), MemoryUse::readback);
         apply(CellChange::Kind::fill);
     }
 
