@@ -2,7 +2,6 @@
 
 #include "fluid/cpu/box_rules.h"
 #include "fluid/message.h"
-#include "fluid/vulkan/pipeline_stages.h"
 
 #include <algorithm>
 #include <bit>

@@ -26,6 +26,11 @@
 
 namespace windrow::vulkan {
 
+// Stages that the wind's commands run in.
+inline constexpr VkPipelineStageFlags k_compute = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
+                                      k_transfer = VK_PIPELINE_STAGE_TRANSFER_BIT,
+                                      k_indirect = VK_PIPELINE_STAGE_DRAW_INDIRECT_BIT;
+
 /// What the device found in a tick.
 struct AirReport {
     float largest_component = 0.0f; ///< [m/s] after the tick

@@ -5,7 +5,6 @@
 // before it is recorded and never again: new tables get a new piece, and the old one stays until its slot comes round.
 #include "fluid/cpu/box_rules.h"
 #include "fluid/vulkan/air.h"
-#include "fluid/vulkan/pipeline_stages.h"
 
 #include <cstring>
 #include <utility>

@@ -1,7 +1,7 @@
 #include "fluid/vulkan/instance.h"
 
 #include "fluid/message.h"
-#include "fluid/vulkan/call_error.h"
+#include "fluid/vulkan/functions.h"
 
 #include <algorithm>
 #include <cstring>
