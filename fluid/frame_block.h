@@ -1,4 +1,4 @@
-// All that a renderer's shaders are told of a frame's wind, beside its textures.
+// All that a renderer's shaders get of a frame's wind, beside its textures.
 #pragma once
 
 #include "fluid/ambient.h"

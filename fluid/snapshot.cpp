@@ -143,11 +143,11 @@ struct StateFields {
         }
     }
 
-    static void air(auto& archive, Like<Air> auto& air) {
-        auto& [velocity, velocity_old, history, fresh, dt_old, owed_diffusion] = air;
-        archive(fresh, owed_diffusion);
+    static void air(auto& archive, Like<cpu::TwoLevelAir> auto& air) {
+        auto& [velocity, velocity_old, history, fresh, dt_old, undiffused_time] = air;
+        archive(fresh, undiffused_time);
         if constexpr (Reading<decltype(archive)>)
-            archive.require(owed_diffusion >= 0.0f && owed_diffusion < 1e30f,
+            archive.require(undiffused_time >= 0.0f && undiffused_time < 1e30f,
                             "the time in which viscosity has not acted is out of range.");
         archive.cells(velocity);
         if (fresh)
@@ -159,91 +159,96 @@ struct StateFields {
             archive.require(dt_old > 0.0f, "its last step took no time.");
     }
 
-    static void frame(auto& archive, Like<Frame> auto& frame, const Config& config, Tiles& tiles) {
-        auto& [field, window, rim_point, ambient, still, held] = frame;
+    static void frame(auto& archive, Like<ShownFrame> auto& frame, Like<cpu::FrameCells::Field> auto& field, const Config& config,
+                      Tiles& tiles) {
+        auto& [window, rim_point, ambient, still] = frame;
         archive(window.origin_cells, rim_point, still); // its cells are the box's
         StateFields::ambient(archive, ambient, config, tiles);
-        archive.cells(field);
-        if constexpr (Reading<decltype(archive)>)
-            held = true;
+        archive.cells(field.cells);
         if constexpr (Reading<decltype(archive)>)
             archive.require(in_range(window.origin_cells), "a frame lies out of range.");
     }
 
-    static void frames(auto& archive, Like<Frames> auto& frames, const Config& config, Tiles& tiles) {
-        auto& [before, before_still, rim_point_before, gust_phase_before, lead, shown, shown_before, follow] = frames;
-        archive(before_still, rim_point_before, gust_phase_before, lead);
-        archive.cells(before);
-        frame(archive, shown, config, tiles);
-        frame(archive, shown_before, config, tiles);
+    static void frames(auto& archive, Like<FrameHistory> auto& frames, Like<cpu::FrameCells> auto& cells, const Config& config,
+                       Tiles& tiles) {
+        auto& [before_still, point_before, gust_phase_before, clock, shown, shown_before, follow] = frames;
+        auto& [before_cells, shown_cells, shown_before_cells] = cells;
+        archive(before_still, point_before, gust_phase_before, clock.lead);
+        archive.cells(before_cells);
+        frame(archive, shown, shown_cells, config, tiles);
+        frame(archive, shown_before, shown_before_cells, config, tiles);
         track(archive, follow);
         if constexpr (Reading<decltype(archive)>)
-            archive.require(lead >= 0.0 && lies_within(follow, k_farthest_cells * static_cast<double>(config.cell_size)),
+            archive.require(clock.lead >= 0.0 && lies_within(follow, k_farthest_cells * static_cast<double>(config.cell_size)),
                             "its frame, or the point that it follows, is out of range.");
     }
 
-    static Frames empty_frames(const WindHost& state, std::size_t cells) {
-        const auto empty = [&] { return Frame{cpu::Buffer<glm::vec4>(cells), state.window, {}, state.ambient}; };
-        return Frames{.before = cpu::Buffer<glm::vec4>(cells), .shown = empty(), .shown_before = empty(), .follow = {}};
+    static void sleep(auto& archive, Like<Sleep> auto& sleep) {
+        auto& [depth, at_rest, drift] = sleep;
+        bool calm = sleep.calm(), asleep = sleep.asleep();
+        archive(calm, asleep);
+        if constexpr (Reading<decltype(archive)>) {
+            archive.require(calm || !asleep, "its air sleeps but is not calm.");
+            depth = asleep ? Sleep::Depth::asleep : calm ? Sleep::Depth::calm : Sleep::Depth::awake;
+        }
     }
-
-    static WindHost& host_of(WindHost& host) { return host; }
-    static const WindHost& host_of(const WindHost& host) { return host; }
 
     /// All but the config, which comes first: a wind is made of it.
     static void state(auto& archive, Like<Wind::State> auto& state) {
-        auto& [config, follow_axes, window, follow_point, stepped_point, previous_point, stepped_origin_cells,
-               previous_origin_cells, ambient, motors, sources_of_air, calm, asleep, at_rest, frames, log] = host_of(state);
-        auto& air = state.air;
+        auto& [config, place, ambient, motors, source_name, sleep, frames, log, storage] = state.core;
+        auto& [window, point, stepped, previous, follow_axes] = place;
+        auto& cells = state.cells;
         Tiles tiles;
         tiles.add(ambient.tile());
-        archive(window.origin_cells, follow_point, stepped_point, previous_point, stepped_origin_cells, previous_origin_cells,
-                sources_of_air, calm, asleep);
+        archive(window.origin_cells, point, stepped.point, previous.point, stepped.origin_cells, previous.origin_cells,
+                source_name);
+        StateFields::sleep(archive, sleep);
         StateFields::ambient(archive, ambient, config, tiles);
         if constexpr (Reading<decltype(archive)>) {
             const Gusts& gusts = ambient.settings().gusts;
             archive.require(gusts.intensity == config.gusts.intensity && gusts.length == config.gusts.length,
                             "its gusts are not those of its config.");
         }
-        if (asleep)
-            archive(at_rest);
-        StateFields::air(archive, air);
-        if constexpr (Reading<decltype(archive)>)
-            state.held = state.before_held = true;
-        if constexpr (Reading<decltype(archive)>)
-            if (sources_of_air != 0 && archive.can_hold(air.velocity.size(), sizeof(glm::vec4)))
-                for (auto* field : {&state.source_flow, &state.solved})
-                    *field = cpu::Buffer<glm::vec4>(air.velocity.size());
-        if (sources_of_air != 0)
-            archive.cells(state.source_flow);
+        if (sleep.asleep())
+            archive(sleep.at_rest);
+        StateFields::air(archive, cells.air);
+        const std::size_t count = cells.air.velocity.size();
+        if constexpr (Reading<decltype(archive)>) {
+            cells.set_held();
+            if (source_name != 0 && archive.can_hold(count, sizeof(glm::vec4)))
+                for (auto* field : {&cells.source_flow, &cells.solved})
+                    *field = cpu::Buffer<glm::vec4>(count);
+        }
+        if (source_name != 0)
+            archive.cells(cells.source_flow);
         StateFields::motors(archive, motors);
         bool ticking = frames.has_value();
         archive(ticking);
         if constexpr (Reading<decltype(archive)>) {
             const double farthest = k_farthest_cells * static_cast<double>(config.cell_size);
-            archive.require(in_range(window.origin_cells) && in_range(stepped_origin_cells) && in_range(previous_origin_cells) &&
-                                in_range(follow_point, farthest) && in_range(stepped_point, farthest) &&
-                                in_range(previous_point, farthest),
+            archive.require(in_range(window.origin_cells) && in_range(stepped.origin_cells) && in_range(previous.origin_cells) &&
+                                in_range(point, farthest) && in_range(stepped.point, farthest) &&
+                                in_range(previous.point, farthest),
                             "its box lies out of range.");
-            if (ticking && archive.can_hold(3 * air.velocity.size(), sizeof(glm::vec4)))
-                frames.emplace(empty_frames(state, air.velocity.size()));
+            if (ticking && archive.can_hold(3 * count, sizeof(glm::vec4))) {
+                cells.make_room({.frames = true});
+                frames.emplace(AirNow{window, {}, ambient});
+            }
         }
         if (frames)
-            StateFields::frames(archive, *frames, config, tiles);
+            StateFields::frames(archive, *frames, cells.frames, config, tiles);
     }
 };
 
 Result<std::vector<std::byte>> Wind::save() const {
-    state_->hold_ambient();
-    state_->hold_before();
-    if (state_->frames)
-        for (Frame* frame : {&state_->frames->shown, &state_->frames->shown_before})
-            state_->hold_frame(*frame);
+    state_->cells.hold_all();
     const State& state = *state_;
-    const std::size_t fields = 1 + (state.air.fresh ? 0 : 2) + (state.sources_of_air != 0 ? 1 : 0) + (state.frames ? 3 : 0);
+    const WindCore& core = state.core;
+    const cpu::Cells& cells = state.cells;
+    const std::size_t fields = 1 + (cells.air.fresh ? 0 : 2) + (core.source_name != 0 ? 1 : 0) + (core.frames ? 3 : 0);
     return detail::where_memory_lasts([&]() -> Result<std::vector<std::byte>> {
-        detail::Writer writer(fields * state.air.velocity.size() * sizeof(glm::vec4) + 2048 + state.motors.slots().size() * 256);
-        Config config = state.config;
+        detail::Writer writer(fields * cells.air.velocity.size() * sizeof(glm::vec4) + 2048 + core.motors.slots().size() * 256);
+        Config config = core.config;
         if (config.gusts.tile)
             config.gusts.seed = config.gusts.tile->seed();
         writer(config);
@@ -275,7 +280,7 @@ Result<Wind> Wind::load(std::span<const std::byte> bytes, ParallelFor parallel_f
         reader.end();
         if (reader.refused())
             return refused(reader.reason());
-        wind->state().renew_ambient();
+        wind->state().core.renew_ambient();
         return wind;
     });
 }

@@ -29,7 +29,7 @@ class Track {
     void move_to(glm::dvec3 position);
     /// A frame of `duration` [s] begins `lead` [s] after the last tick: positions noted since the last frame get their times.
     void begin_frame(double lead, double duration);
-    /// Everything told so far happens in `factor` of the time.
+    /// Everything noted so far happens in `factor` of the time.
     void squeeze(double factor);
     /// Advances by a tick of `duration` [s] and returns the pieces that lie in it, none if it stood still. They last until the
     /// next call.
@@ -39,7 +39,7 @@ class Track {
     [[nodiscard]] glm::dvec3 here() const { return here_; }
     /// [m] Position at the middle of the last tick. A motor there is of second order in time.
     [[nodiscard]] glm::dvec3 middle() const { return middle_; }
-    /// [m] Where it was told to be.
+    /// [m] The last position that was noted.
     [[nodiscard]] glm::dvec3 target() const { return target_; }
 
   private:

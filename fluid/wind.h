@@ -73,11 +73,10 @@ struct Ticks {
     static constexpr auto settings() {
         return std::tuple{
             Setting("hz", &Ticks::hz, {1.0, 1e4},
-                    "Ticks a second. At 30, blended between ticks, no leaf shows a difference from 144, at a fifth of the cost."),
+                    "Ticks a second. At 30, blended between ticks, leaves move as smoothly as at 144, at a fifth of the cost."),
             Setting("most", &Ticks::most, {1.0, 1000.0},
                     "Most ticks in one call. Time beyond them is dropped and reported: a slow machine gets a slower wind, not an "
-                    "ever "
-                    "longer frame."),
+                    "ever longer frame."),
         };
     }
 };
@@ -139,12 +138,11 @@ struct Config {
                 "one. "
                 "What comes in through the sides, and what settling returns to, is still the ambient wind. Default none, which "
                 "costs nothing: plants bend, but the wind does not feel them; {} for wheat."),
-            Setting(
-                "rim", &Config::rim, {.least = 0.0, .most = 64.0, .unit = "cells", .zero = "none"},
-                "Width over which sampled wind fades to ambient at the sides along which the box follows. It ends one cell "
-                "before "
-                "the box does (two with ticks), so that a shift of the box moves nothing. Axes of fewer than 8 cells (10 with "
-                "ticks) have none."),
+            Setting("rim", &Config::rim, {.least = 0.0, .most = 64.0, .unit = "cells", .zero = "none"},
+                    "Width over which sampled wind fades to ambient at the sides along which the box follows. It ends one cell "
+                    "before the box does (two with ticks), so that a shift of the box moves nothing. Axes of fewer than 8 cells "
+                    "(10 with "
+                    "ticks) have none."),
             Setting("viscosity", &Config::viscosity, {0.0, 1e9, "m^2/s"},
                     "Kinematic viscosity. Default: that of air, which at 1 m cells is below what the solver resolves and costs "
                     "nothing."),
@@ -204,7 +202,7 @@ class Wind {
     /// Diagnostics::out_of_memory.
     Diagnostics step(double dt);
     /// Advances by a frame of dt [s] in fixed ticks (Config::ticks), so that the air does not depend on the frame rate: `follow`
-    /// and `Motors::move` tell where things are at the end of this frame, and each tick sees them at its own time on the way.
+    /// and `Motors::move` give where things are at the end of this frame, and each tick sees them at its own time on the way.
     /// What is sampled afterwards is the wind blended between the last two ticks, up to a tick old. The first call allocates
     /// three fields; later ones nothing beyond what `step` may. Where memory is missing nothing is done and
     /// `last.out_of_memory` is true. A dt that is negative or not finite does nothing. Mixing with `step` ends the blending.

@@ -86,7 +86,7 @@ Result<void> GroundMemory::State::make(Texel texel) {
                              {&leans, texels * sizeof(glm::vec2)}};
     std::vector<Binding> buffers;
     for (const Wanted& each : wanted) {
-        auto made = Buffer::create(*device, each.bytes, Place::device);
+        auto made = Buffer::create(*device, each.bytes, MemoryUse::device);
         if (!made)
             return Error{made.error()};
         *each.buffer = *std::move(made);

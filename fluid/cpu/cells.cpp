@@ -1,12 +1,14 @@
-// The cells of a wind on the CPU under what its host does to them: they become ambient, move with the box, blend for a frame. The
-// ambient wind lies cell by cell, halo included, where it is not the same everywhere.
+// What a wind's core does to the cells on the CPU. The ambient wind lies cell by cell, halo included, where it is not the same
+// everywhere.
+#include "fluid/cpu/cells.h"
+
 #include "fluid/cpu/workspace.h"
-#include "fluid/wind_state.h"
+#include "fluid/wind_core.h"
 
 #include <algorithm>
 #include <utility>
 
-namespace windrow {
+namespace windrow::cpu {
 namespace {
 
 // Visits the cells that a shift exposes: those whose value would come from outside.
@@ -21,60 +23,6 @@ void for_each_exposed(glm::ivec3 cells, CellIndex shift, const Visit& visit) {
                     visit(n, i, j, k);
 }
 
-} // namespace
-
-// --- The wind around the box ---------------------------------------------------------------------------------------------
-
-void Wind::State::make_room_around(const Gusts& gusts) {
-    const auto make = [&](cpu::AmbientField& field) {
-        if (field.cells() != window.cells)
-            field = cpu::AmbientField(window.cells);
-    };
-    if (config.profile)
-        make(mean_field);
-    if (!(gusts.intensity > 0.0f))
-        return;
-    make(ambient_field);
-    make(ambient_next);
-    if (config.profile)
-        profile_bends.reserve(work.state().carried_rules[1].size());
-    reserve_solved();
-}
-
-void Wind::State::around_changed() {
-    make_room_around(config.gusts);
-    work.set_ambient(config.ambient);
-    Workspace::State& around = work.state();
-    around.mean_cells = around.ambient_cells = nullptr;
-    const auto renew = [&](cpu::AmbientField& field, const AmbientWind& wind) {
-        field.fill(wind, window, config.parallel_for);
-        return field.data();
-    };
-    if (config.profile)
-        around.ambient_cells = around.mean_cells = renew(mean_field, ambient.without_gusts());
-    if (config.gusts.intensity > 0.0f) {
-        around.ambient_cells = renew(ambient_field, ambient);
-        if (config.profile)
-            bend_profile();
-    }
-}
-
-// Beyond a wall as transport sees it.
-void Wind::State::bend_profile() {
-    const std::vector<cpu::HaloRule>& rows = work.state().carried_rules[1];
-    const auto profile = [&](std::size_t row) {
-        const int j = rows[row].ambient ? static_cast<int>(row) - cpu::k_halo_low : rows[row].source;
-        return ambient.profile_at(window.centre(0, j, 0).y);
-    };
-    profile_bends.assign(rows.size(), 0.0f);
-    if (config.sides.periodic(1))
-        return;
-    for (std::size_t row = 1; row + 1 < rows.size(); ++row)
-        profile_bends[row] = profile(row - 1) - 2.0f * profile(row) + profile(row + 1);
-}
-
-namespace {
-
 // The first of the four floats of a cell in a padded field.
 std::size_t padded_index(glm::ivec3 cells, int i, int j, int k) {
     const glm::ivec3 padded = cells + cpu::k_halo, at = glm::ivec3(i, j, k) + cpu::k_halo_low;
@@ -85,23 +33,130 @@ glm::vec4 cell_at(const float* cell) {
     return {cell[0], cell[1], cell[2], 0.0f};
 }
 
+// Four floats of a cell at a time, over a box.
+template <class Visit>
+void for_each_cell(glm::ivec3 cells, const Visit& visit) {
+    for_each_exposed(cells, CellIndex(cells), visit);
+}
+
 } // namespace
 
-glm::vec4 Wind::State::ambient_at(int i, int j, int k) const {
-    if (config.gusts.intensity > 0.0f)
-        return cell_at(ambient_field.data() + padded_index(window.cells, i, j, k));
+Cells::Cells(const WindCore& wind, Workspace workspace)
+    : work(std::move(workspace)), air(box().cell_count()), sources(box().cells), wind_(wind), config_(wind.config),
+      around_(wind.ambient) {
+    make_room_around(config_.gusts);
+    // A step of up to k_longest_prepared allocates nothing: what its viscosity needs is made here.
+    make_room_for_viscosity(diffusion_method(config_.viscosity, WindCore::k_longest_prepared, config_.cell_size));
+}
+
+// --- Room --------------------------------------------------------------------------------------------------------------------
+
+void Cells::make_room(const CellNeeds& needs) {
+    if (needs.gusts != nullptr)
+        make_room_around(*needs.gusts);
+    if (needs.step > 0.0)
+        make_room_for_step(static_cast<float>(needs.step));
+    if (needs.frames && frames.before.empty()) {
+        const std::size_t cells = air.velocity.size();
+        frames = {.before = Buffer<glm::vec4>(cells),
+                  .shown = {.cells = Buffer<glm::vec4>(cells)},
+                  .shown_before = {.cells = Buffer<glm::vec4>(cells)}};
+    }
+}
+
+void Cells::make_room_around(const Gusts& gusts) {
+    const auto make = [&](AmbientField& field) {
+        if (field.cells() != box().cells)
+            field = AmbientField(box().cells);
+    };
+    if (config_.profile)
+        make(mean_field_);
+    if (!(gusts.intensity > 0.0f))
+        return;
+    make(ambient_field_);
+    make(ambient_next_);
+    if (config_.profile)
+        profile_bends_.reserve(work.state().carried_rules[1].size());
+    reserve_solved();
+}
+
+void Cells::make_room_for_step(float dt) {
+    if (config_.stages.sources && config_.stages.projection && wind_.motors.has_volume_source()) {
+        if (source_flow.empty())
+            source_flow = Buffer<glm::vec4>(air.velocity.size());
+        reserve_solved();
+        if (config_.sides.in_free_air())
+            free_air_.make_room(box());
+    }
+    if (wind_.viscous(dt))
+        make_room_for_viscosity(diffusion_method(config_.viscosity, air.undiffused_time + dt, config_.cell_size));
+}
+
+void Cells::make_room_for_viscosity(DiffusionMethod method) {
+    if (method != DiffusionMethod::none && diffused_.empty())
+        diffused_ = Buffer<glm::vec4>(air.velocity.size());
+    if (method == DiffusionMethod::implicit)
+        work.state().reserve_diffusion();
+}
+
+void Cells::reserve_solved() {
+    if (solved.empty())
+        solved = Buffer<glm::vec4>(air.velocity.size());
+}
+
+// --- The wind around the box -------------------------------------------------------------------------------------------------
+
+void Cells::renew_around(const AmbientWind& ambient, const Window& window, const ParallelFor& parallel_for) {
+    if (!around_stale_ && same_wind(around_, ambient) && around_origin_cells_ == window.origin_cells)
+        return;
+    around_ = ambient;
+    around_origin_cells_ = window.origin_cells;
+    around_stale_ = false;
+    work.set_ambient(config_.ambient);
+    Workspace::State& around = work.state();
+    around.mean_cells = around.ambient_cells = nullptr;
+    const auto renew = [&](AmbientField& field, const AmbientWind& wind) {
+        field.fill(wind, window, parallel_for);
+        return field.data();
+    };
+    if (config_.profile)
+        around.ambient_cells = around.mean_cells = renew(mean_field_, ambient.without_gusts());
+    if (ambient.settings().gusts.intensity > 0.0f) {
+        around.ambient_cells = renew(ambient_field_, ambient);
+        if (config_.profile)
+            bend_profile(window);
+    }
+}
+
+// Beyond a wall as transport sees it.
+void Cells::bend_profile(const Window& window) {
+    const std::vector<HaloRule>& rows = work.state().carried_rules[1];
+    const auto profile = [&](std::size_t row) {
+        const int j = rows[row].ambient ? static_cast<int>(row) - k_halo_low : rows[row].source;
+        return around_.profile_at(window.centre(0, j, 0).y);
+    };
+    profile_bends_.assign(rows.size(), 0.0f);
+    if (config_.sides.periodic(1))
+        return;
+    for (std::size_t row = 1; row + 1 < rows.size(); ++row)
+        profile_bends_[row] = profile(row - 1) - 2.0f * profile(row) + profile(row + 1);
+}
+
+glm::vec4 Cells::ambient_at(int i, int j, int k) const {
+    if (around_.settings().gusts.intensity > 0.0f)
+        return cell_at(ambient_field_.data() + padded_index(box().cells, i, j, k));
     return mean_at(i, j, k);
 }
 
-glm::vec4 Wind::State::mean_at(int i, int j, int k) const {
-    return config.profile ? cell_at(mean_field.data() + padded_index(window.cells, i, j, k)) : glm::vec4(work.ambient(), 0.0f);
+glm::vec4 Cells::mean_at(int i, int j, int k) const {
+    return config_.profile ? cell_at(mean_field_.data() + padded_index(box().cells, i, j, k)) : glm::vec4(work.ambient(), 0.0f);
 }
 
-void Wind::State::add_ambient(std::span<glm::vec4> field, float factor) const {
-    const glm::ivec3 cells = window.cells;
-    config.parallel_for(cells.z, [&](int k) {
+void Cells::add_ambient(std::span<glm::vec4> field, float factor) const {
+    const glm::ivec3 cells = box().cells;
+    config_.parallel_for(cells.z, [&](int k) {
         for (int j = 0; j < cells.y; ++j) {
-            const float* const around = ambient_field.data() + padded_index(cells, 0, j, k);
+            const float* const around = ambient_field_.data() + padded_index(cells, 0, j, k);
             glm::vec4* const row = field.data() + box().index(0, j, k);
             for (int i = 0; i < cells.x; ++i)
                 row[i] += factor * cell_at(around + 4 * i);
@@ -109,171 +164,230 @@ void Wind::State::add_ambient(std::span<glm::vec4> field, float factor) const {
     });
 }
 
-void Wind::State::fill(std::span<glm::vec4> field) const {
-    if (ambient.uniform())
+void Cells::fill(std::span<glm::vec4> field) const {
+    if (around_.uniform())
         std::fill(field.begin(), field.end(), ambient_at(0, 0, 0));
     else
-        for_each_exposed(window.cells, CellIndex(window.cells),
-                         [&](std::size_t n, int i, int j, int k) { field[n] = ambient_at(i, j, k); });
+        for_each_cell(box().cells, [&](std::size_t n, int i, int j, int k) { field[n] = ambient_at(i, j, k); });
 }
 
-void Wind::State::fill_exposed(std::span<glm::vec4> field, CellIndex shift) const {
-    for_each_exposed(window.cells, shift, [&](std::size_t n, int i, int j, int k) { field[n] = ambient_at(i, j, k); });
+// --- Changes -----------------------------------------------------------------------------------------------------------------
+
+Result<void> Cells::set_sides(const Sides& sides, bool kinds) {
+    hold_air(); // as the old sides have it
+    hold_before();
+    auto changed = work.set_sides(sides);
+    air.fresh = air.fresh || (changed && kinds);
+    around_stale_ = true;
+    return changed;
 }
 
-void Wind::State::fill_cells() {
-    held = false;
+void Cells::apply(const CellChange& change) {
+    renew_around(change.ambient, change.window, config_.parallel_for);
+    switch (change.kind) {
+    case CellChange::Kind::fill:
+        return fill_air();
+    case CellChange::Kind::fill_before:
+        fill(frames.before);
+        before_held_at_ = wind_.sleep.drift;
+        return;
+    case CellChange::Kind::shift:
+        return shift(change);
+    case CellChange::Kind::add_change:
+        return add_change(change);
+    case CellChange::Kind::add_wind:
+        return add_wind(change);
+    case CellChange::Kind::set:
+        return set(change.cells);
+    case CellChange::Kind::keep:
+        return keep();
+    case CellChange::Kind::begin_frames:
+        keep();
+        return show_air();
+    case CellChange::Kind::end_frames:
+        frames = {};
+        return;
+    }
+}
+
+void Cells::fill_air() {
+    held_at_ = k_unheld;
     air.fresh = true;
-    air.owed_diffusion = 0.0f;
+    air.undiffused_time = 0.0f;
     std::fill_n(source_flow.data(), source_flow.size(), glm::vec4(0.0f));
 }
 
-void Wind::State::gusts_passed() {
-    held = before_held = false;
+void Cells::set(std::span<const glm::vec4> cells) {
+    std::transform(cells.begin(), cells.end(), air.velocity.data(), [](glm::vec4 u) { return glm::vec4(u.x, u.y, u.z, 0.0f); });
+    held_at_ = wind_.sleep.drift;
+    air.fresh = true;
+    air.undiffused_time = 0.0f;
+    if (!frames.before.empty())
+        keep();
 }
 
-// Cells of air that sleeps are written by whoever reads them first, in the reader's own thread: it may stand in a loop of its own.
-void Wind::State::hold_ambient() {
-    if (held)
-        return;
-    const std::lock_guard lock(holding);
-    hold_ambient_alone({});
-}
-
-void Wind::State::hold_ambient_alone(const ParallelFor& parallel_for) {
-    if (held)
-        return;
-    if (ambient.gusting())
-        ambient_field.fill(ambient, window, parallel_for);
-    fill(air.velocity);
-    held = true;
-}
-
-void Wind::State::hold_gusts(std::span<glm::vec4> field, const AmbientWind& wind, const Window& place) {
-    ambient_next.fill(wind, place, {});
-    for_each_exposed(place.cells, CellIndex(place.cells), [&](std::size_t n, int i, int j, int k) {
-        field[n] = cell_at(ambient_next.data() + padded_index(place.cells, i, j, k));
-    });
-}
-
-void Wind::State::hold_frame(Frame& frame) {
-    const std::atomic_ref held_already(frame.held);
-    if (held_already)
-        return;
-    const std::lock_guard lock(holding);
-    if (held_already)
-        return;
-    hold_gusts(frame.field, frame.ambient, frame.window);
-    held_already = true;
-}
-
-void Wind::State::hold_before() {
-    const std::lock_guard lock(holding);
-    if (std::exchange(before_held, true) || !frames)
-        return;
-    AmbientWind then = ambient;
-    then.set_phase(frames->gust_phase_before);
-    hold_gusts(frames->before, then, window);
-}
-
-void Wind::State::fill_before() {
-    fill(frames->before);
-    before_held = true;
-}
-
-void Wind::State::add_ambient_to_cells(float factor) {
+void Cells::add_wind(const CellChange& change) {
     const auto add = [&](std::span<glm::vec4> field) {
-        for_each_exposed(window.cells, CellIndex(window.cells),
-                         [&](std::size_t n, int i, int j, int k) { field[n] += factor * ambient_at(i, j, k); });
+        for_each_cell(box().cells, [&](std::size_t n, int i, int j, int k) { field[n] += change.factor * ambient_at(i, j, k); });
     };
     add(air.velocity);
     if (!air.fresh)
         add(air.velocity_old);
-    if (frames)
-        add(frames->before);
+    if (change.kept)
+        add(frames.before);
 }
 
-void Wind::State::add_change_to_cells(glm::vec3 change, bool before_only) {
-    const auto add_change = [&](std::span<glm::vec4> field) {
+void Cells::add_change(const CellChange& change) {
+    const auto add = [&](std::span<glm::vec4> field) {
         for (std::size_t row = 0, n = 0; n < field.size(); ++row) {
-            const int j = static_cast<int>(row % static_cast<std::size_t>(window.cells.y));
-            const glm::vec4 here(ambient.profile_at(window.centre(0, j, 0).y) * change, 0.0f);
-            for (int i = 0; i < window.cells.x; ++i, ++n)
+            const int j = static_cast<int>(row % static_cast<std::size_t>(box().cells.y));
+            const glm::vec4 here(around_.profile_at(change.window.centre(0, j, 0).y) * change.change, 0.0f);
+            for (int i = 0; i < box().cells.x; ++i, ++n)
                 field[n] += here;
         }
     };
-    if (frames)
-        add_change(frames->before);
-    if (before_only)
+    if (change.kept)
+        add(frames.before);
+    if (!change.to_air)
         return;
-    add_change(air.velocity);
+    add(air.velocity);
     if (!air.fresh)
-        add_change(air.velocity_old);
+        add(air.velocity_old);
 }
 
-// --- Where the box lies -----------------------------------------------------------------------------------------------------
-
-Result<void> Wind::State::change_sides(const Sides& sides, bool kinds) {
-    hold_ambient(); // as the old sides have it
-    hold_before();
-    auto changed = work.set_sides(sides);
-    air.fresh = air.fresh || (changed && kinds);
-    return changed;
-}
-
-void Wind::State::shift_cells(CellIndex by, bool exposed_hold_ambient) {
+void Cells::shift(const CellChange& change) {
     const auto shift_air = [&](std::span<glm::vec4> field) {
-        shift_field(field, window.cells, by, exposed_hold_ambient ? ambient_at(0, 0, 0) : glm::vec4(0.0f));
-        if (!ambient.uniform() && exposed_hold_ambient)
-            fill_exposed(field, by);
+        shift_field(field, box().cells, change.by, change.exposed_hold_ambient ? ambient_at(0, 0, 0) : glm::vec4(0.0f));
+        if (!around_.uniform() && change.exposed_hold_ambient)
+            for_each_exposed(box().cells, change.by, [&](std::size_t n, int i, int j, int k) { field[n] = ambient_at(i, j, k); });
     };
     shift_air(air.velocity);
-    if (sources_of_air != 0)
-        shift_field(source_flow, window.cells, by, glm::vec4(0.0f));
-    if (frames)
-        shift_air(frames->before);
+    if (change.has_source_flow)
+        shift_field(source_flow, box().cells, change.by, glm::vec4(0.0f));
+    if (change.kept)
+        shift_air(frames.before);
     if (!air.fresh) {
         shift_air(air.velocity_old);
-        shift_field(air.history, window.cells, by, glm::vec4(0.0f));
+        shift_field(air.history, box().cells, change.by, glm::vec4(0.0f));
     }
 }
 
-// --- Between two ticks ------------------------------------------------------------------------------------------------------
-
-void Wind::State::begin_keeping() {
-    hold_ambient();
-    before_held = true;
-    const std::size_t cells = air.velocity.size();
-    for (cpu::Buffer<glm::vec4>* field : {&frames->before, &frames->shown.field, &frames->shown_before.field}) {
-        *field = cpu::Buffer<glm::vec4>(cells);
-        std::copy_n(air.velocity.data(), cells, field->data());
-    }
+void Cells::keep() {
+    hold_air_alone(config_.parallel_for);
+    before_held_at_ = wind_.sleep.drift;
+    std::copy_n(air.velocity.data(), air.velocity.size(), frames.before.data());
 }
 
-void Wind::State::keep_before() {
-    hold_ambient_alone(config.parallel_for);
-    before_held = true;
-    std::copy_n(air.velocity.data(), air.velocity.size(), frames->before.data());
+// --- Cells that are ambient are written when they are read -------------------------------------------------------------------
+
+bool Cells::has_source_flow() const {
+    return wind_.source_name != 0;
 }
 
-void Wind::State::show_ambient() {
-    frames->shown.held = !ambient.gusting();
-    if (!frames->shown.held)
+// By whoever reads them first, in the reader's own thread: it may be in a loop of its own.
+void Cells::hold_air() {
+    if (held_at_ == wind_.sleep.drift)
         return;
-    hold_ambient();
-    std::copy_n(air.velocity.data(), air.velocity.size(), frames->shown.field.data());
+    const std::lock_guard lock(holding_);
+    hold_air_alone({});
 }
 
-void Wind::State::blend(float factor) {
-    hold_ambient();
-    hold_before();
-    frames->shown.held = true;
-    const std::size_t row_plane = static_cast<std::size_t>(window.cells.x) * static_cast<std::size_t>(window.cells.y);
-    config.parallel_for(window.cells.z, [&](int plane) {
-        const std::size_t first = row_plane * static_cast<std::size_t>(plane);
-        for (std::size_t n = first; n < first + row_plane; ++n)
-            frames->shown.field[n] = frames->before[n] + factor * (air.velocity[n] - frames->before[n]);
+void Cells::hold_air_alone(const ParallelFor& parallel_for) {
+    if (held_at_ == wind_.sleep.drift)
+        return;
+    renew_around(wind_.ambient, wind_.window(), parallel_for);
+    fill(air.velocity);
+    held_at_ = wind_.sleep.drift;
+}
+
+void Cells::hold_gusts(std::span<glm::vec4> field, const AmbientWind& wind, const Window& window) {
+    ambient_next_.fill(wind, window, {});
+    for_each_cell(window.cells, [&](std::size_t n, int i, int j, int k) {
+        field[n] = cell_at(ambient_next_.data() + padded_index(window.cells, i, j, k));
     });
 }
 
-} // namespace windrow
+void Cells::hold_frame(FrameCells::Field& field, const ShownFrame& frame) {
+    const std::atomic_ref held(field.held);
+    if (held)
+        return;
+    const std::lock_guard lock(holding_);
+    if (held)
+        return;
+    hold_gusts(field.cells, frame.ambient, frame.window);
+    held = true;
+}
+
+void Cells::hold_before() {
+    const std::lock_guard lock(holding_);
+    if (std::exchange(before_held_at_, wind_.sleep.drift) == wind_.sleep.drift || !wind_.frames)
+        return;
+    AmbientWind then = wind_.ambient;
+    then.set_phase(wind_.frames->gust_phase_before);
+    hold_gusts(frames.before, then, wind_.window());
+}
+
+void Cells::set_held() {
+    held_at_ = before_held_at_ = wind_.sleep.drift;
+}
+
+void Cells::hold_all() {
+    hold_air();
+    hold_before();
+    if (!wind_.frames)
+        return;
+    hold_frame(frames.shown, wind_.frames->shown);
+    hold_frame(frames.shown_before, wind_.frames->shown_before);
+}
+
+// --- Frames ------------------------------------------------------------------------------------------------------------------
+
+void Cells::show_air() {
+    hold_air();
+    for (FrameCells::Field* field : {&frames.shown, &frames.shown_before}) {
+        field->held = true;
+        std::copy_n(air.velocity.data(), field->cells.size(), field->cells.data());
+    }
+}
+
+void Cells::show(const FrameBlend& blend) {
+    std::swap(frames.shown, frames.shown_before);
+    if (blend.unchanged)
+        return;
+    FrameCells::Field& shown = frames.shown;
+    shown.held = !blend.still || !wind_.ambient.gusting();
+    if (!shown.held)
+        return;
+    hold_air();
+    if (blend.still) {
+        std::copy_n(air.velocity.data(), air.velocity.size(), shown.cells.data());
+        return;
+    }
+    hold_before();
+    const std::size_t row_plane = static_cast<std::size_t>(box().cells.x) * static_cast<std::size_t>(box().cells.y);
+    config_.parallel_for(box().cells.z, [&](int plane) {
+        const std::size_t first = row_plane * static_cast<std::size_t>(plane);
+        for (std::size_t n = first; n < first + row_plane; ++n)
+            shown.cells[n] = frames.before[n] + blend.factor * (air.velocity[n] - frames.before[n]);
+    });
+}
+
+// --- Reading -----------------------------------------------------------------------------------------------------------------
+
+WindView Cells::air_view() {
+    hold_air();
+    return {box(), wind_.window(), wind_.rim(wind_.place.point), wind_.ambient, air.velocity};
+}
+
+WindView Cells::view(FrameCells::Field& field, const ShownFrame& frame) {
+    hold_frame(field, frame);
+    return {box(), frame.window, wind_.rim(frame.rim_point), frame.ambient, field.cells};
+}
+
+std::size_t Cells::memory_bytes() const {
+    return work.memory_bytes() + air.memory_bytes() + frames.memory_bytes() + diffused_.bytes() + sources.memory_bytes() +
+           mean_field_.memory_bytes() + ambient_field_.memory_bytes() + ambient_next_.memory_bytes() +
+           profile_bends_.size() * sizeof(float) + source_flow.bytes() + free_air_.memory_bytes() + solved.bytes();
+}
+
+} // namespace windrow::cpu

@@ -14,7 +14,7 @@ using detail::MotorReach;
 namespace {
 
 // What a motor does at a point: its weight, and the direction and size of its push there.
-struct Push {
+struct Contribution {
     float weight;
     glm::vec3 push;
 };
@@ -63,7 +63,7 @@ void for_each_cell(const MotorReach& motor, glm::vec3 first_centre, float cell_s
             if (!(weight > 0.0f))
                 continue;
             const glm::vec3 p(first_centre.x + cell_size * static_cast<float>(i), first_centre.y, first_centre.z);
-            Push at{weight, push(p)};
+            Contribution at{weight, push(p)};
             if (motor.eddies > 0.0f)
                 at.push += (motor.shape == MotorReach::Shape::path ? 1.0f : weight) * motor.eddies *
                            windrow_tile_at(tile, glm::ivec3(0), motor.tile_place + motor.texels * p);
@@ -202,11 +202,11 @@ void SourceField::gather_plane(std::span<const MotorReach> motors, float cell_si
                     std::fill_n(force_row, cells_.x, glm::vec4(0.0f));
                 holds_force = true;
                 for_each_cell(motor, first_centre, cell_size, tile,
-                              [&](int i, const Push& at) { force_row[i] += glm::vec4(at.weight * at.push, 0.0f); });
+                              [&](int i, const Contribution& at) { force_row[i] += glm::vec4(at.weight * at.push, 0.0f); });
                 break;
             case MotorReach::Law::drive:
                 clear(drives, motor.low.x, motor.high.x, cleared);
-                for_each_cell(motor, first_centre, cell_size, tile, [&](int i, const Push& at) {
+                for_each_cell(motor, first_centre, cell_size, tile, [&](int i, const Contribution& at) {
                     drive_low = std::min(drive_low, i);
                     drive_high = std::max(drive_high, i + 1);
                     const float exponent = at.weight * motor.amount;
@@ -215,7 +215,7 @@ void SourceField::gather_plane(std::span<const MotorReach> motors, float cell_si
                 break;
             case MotorReach::Law::source:
                 for_each_cell(motor, first_centre, cell_size, tile,
-                              [&](int i, const Push& at) { expansion_row[i] += at.weight * motor.amount; });
+                              [&](int i, const Contribution& at) { expansion_row[i] += at.weight * motor.amount; });
                 break;
             }
         }

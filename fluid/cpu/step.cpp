@@ -27,16 +27,17 @@
 // Stable fluids, the classic split: u' = P(A(D(u + dt f))): every stage whole and one after the other, order 1.
 //
 // Based on: Temperton & Staniforth 1987, Quarterly Journal 113; Hortal 2002, ECMWF Technical Memorandum 292; Stam 1999, SIGGRAPH.
+#include "fluid/cpu/cells.h"
 #include "fluid/cpu/workspace.h"
 #include "fluid/numerics.h"
-#include "fluid/wind_state.h"
+#include "fluid/wind_core.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <utility>
 
-namespace windrow {
+namespace windrow::cpu {
 namespace {
 
 constexpr float k_rounding = 1.00001f; // of a speed that was cut and carried along
@@ -77,76 +78,87 @@ void for_each_cell(const Box& box, const Visit& visit) {
                 visit(n, i, j, k);
 }
 
-float settling_factor(const Config& config, float dt) {
+float relaxation(const Config& config, float dt) {
     return config.stages.settling && config.settling_time > 0.0f ? 1.0f / (1.0f + dt / config.settling_time) : 1.0f;
 }
 
 } // namespace
 
-void Wind::State::step_cells(double duration, std::span<const detail::MotorReach> reached, Diagnostics& report) {
-    const auto dt = static_cast<float>(duration);
-    hold_ambient_alone(config.parallel_for);
+bool Cells::step(const CellStep& step, Diagnostics& report) {
+    const auto dt = static_cast<float>(step.duration);
+    canopy_ = step.canopy;
+    hold_air_alone(config_.parallel_for);
     hold_before();
-    AmbientWind wind = ambient;
+    renew_around(*step.ambient, *step.window, config_.parallel_for);
+    AmbientWind wind = around_;
     const glm::dvec3 phase = wind.phase();
-    add_sources(dt, reached, report);
+    add_sources(step, report);
     limit_speeds(dt, report);
     for (int part = 0; part < report.substeps; ++part) {
         const float part_dt = dt / static_cast<float>(report.substeps);
         wind.set_phase(phase);
-        wind.advance(duration * (part + 1) / report.substeps);
-        next_phase = wind.phase();
-        if (!config.stages.advection)
+        wind.advance(step.duration * (part + 1) / report.substeps);
+        next_phase_ = wind.phase();
+        if (!config_.stages.advection)
             advance_in_place(part_dt, report);
-        else if (config.scheme == Scheme::second_order)
+        else if (config_.scheme == Scheme::second_order)
             advance_second_order(part_dt, report);
         else
             advance_stable_fluids(part_dt, report);
     }
+    *step.ambient = around_;
     measure(report);
     // What forces and pressure have made of the air since.
-    if (const float most = fastest_carried(dt); config.stages.advection && report.max_speed > k_rounding * most) {
+    if (const float most = fastest_carried(dt); config_.stages.advection && report.max_speed > k_rounding * most) {
         cut_speeds(most, report);
         measure(report);
     }
+    const bool rests = step.may_rest && at_ambient();
+    if (rests) {
+        fill_air();
+        measure(report); // again: the air is ambient now
+    }
+    if (report.repaired_cells > 0 && step.kept) // what is kept of them shows nowhere
+        keep();
+    return rests;
 }
 
 // While the wind gusts, what is solved is still air beyond the open sides; trajectories alone meet the whole ambient wind there.
-class Wind::State::Solving {
+class Cells::Solving {
   public:
-    Solving(State& state, Diagnostics& report)
-        : around_(state.work.state()), ambient_(around_.ambient), mean_cells_(around_.mean_cells) {
-        if (!state.ambient.gusting())
+    Solving(Cells& cells, Diagnostics& report)
+        : workspace_(cells.work.state()), ambient_(workspace_.ambient), mean_cells_(workspace_.mean_cells) {
+        if (!cells.around_.gusting())
             return;
-        around_.ambient = glm::vec3(0.0f);
-        around_.mean_cells = nullptr;
-        state.foresee_gusts(report);
-        const float strength = state.ambient.gust_strength(), still = state.config.sleep_speed;
-        const glm::vec3 mean = state.ambient.mean();
-        around_.given = {.now = state.ambient_field.data(),
-                         .next = state.ambient_next.data(),
-                         .source_flow = state.sources_of_air != 0 ? &state.source_flow[0].x : nullptr,
-                         .gusts_squared = strength * strength,
-                         .still_squared = still * still,
-                         .legal = {},
-                         .bends = state.profile_bends.empty() ? nullptr : state.profile_bends.data(),
-                         .mean = {mean.x, mean.y, mean.z, 0.0f}};
+        workspace_.ambient = glm::vec3(0.0f);
+        workspace_.mean_cells = nullptr;
+        cells.foresee_gusts(report);
+        const float strength = cells.around_.gust_strength(), still = cells.config_.sleep_speed;
+        const glm::vec3 mean = cells.around_.mean();
+        workspace_.given = {.now = cells.ambient_field_.data(),
+                            .next = cells.ambient_next_.data(),
+                            .source_flow = cells.has_source_flow() ? &cells.source_flow[0].x : nullptr,
+                            .gusts_squared = strength * strength,
+                            .still_squared = still * still,
+                            .legal = {},
+                            .bends = cells.profile_bends_.empty() ? nullptr : cells.profile_bends_.data(),
+                            .mean = {mean.x, mean.y, mean.z, 0.0f}};
     }
     ~Solving() {
-        around_.ambient = ambient_;
-        around_.mean_cells = mean_cells_;
-        around_.given = {};
+        workspace_.ambient = ambient_;
+        workspace_.mean_cells = mean_cells_;
+        workspace_.given = {};
     }
     Solving(const Solving&) = delete;
     Solving& operator=(const Solving&) = delete;
 
   private:
-    Workspace::State& around_;
+    Workspace::State& workspace_;
     glm::vec3 ambient_;
     const float* mean_cells_;
 };
 
-void Wind::State::advance_second_order(float dt, Diagnostics& report) {
+void Cells::advance_second_order(float dt, Diagnostics& report) {
     if (air.fresh && numerics::windrow_rehearses(report.cfl, report.substeps))
         rehearse(dt, report);
     perform(dt, report);
@@ -154,26 +166,26 @@ void Wind::State::advance_second_order(float dt, Diagnostics& report) {
 
 // The first step of a flow has no pressure q and no u_old to extrapolate from. Without them it would lose energy once, by dt^2; so
 // it is done twice, and the first time gives q and u_old = 2 u - u'.
-void Wind::State::rehearse(float dt, Diagnostics& report) {
-    const float undiffused = air.owed_diffusion;
-    const glm::dvec3 phase = ambient.phase();
+void Cells::rehearse(float dt, Diagnostics& report) {
+    const float undiffused = air.undiffused_time;
+    const glm::dvec3 phase = around_.phase();
     perform(dt, report);
     std::swap(air.velocity, air.velocity_old);
     for (std::size_t n = 0; n < air.velocity.size(); ++n)
         air.velocity_old[n] = 2.0f * air.velocity[n] - air.velocity_old[n];
-    air.owed_diffusion = undiffused;
-    if (!ambient.gusting())
+    air.undiffused_time = undiffused;
+    if (!around_.gusting())
         return;
-    ambient.set_phase(phase);
-    std::swap(ambient_field, ambient_next);
-    work.state().ambient_cells = ambient_field.data();
+    around_.set_phase(phase);
+    std::swap(ambient_field_, ambient_next_);
+    work.state().ambient_cells = ambient_field_.data();
 }
 
-void Wind::State::perform(float dt, Diagnostics& report) {
+void Cells::perform(float dt, Diagnostics& report) {
     const Solving solving(*this, report);
     const std::span<const glm::vec4> carried = diffuse(without_given_flow(), dt, report);
-    Transport transport{.carried = carried, .velocity = air.velocity, .dt = dt, .interpolation = config.interpolation};
-    transport.settling = settling_factor(config, dt);
+    Transport transport{.carried = carried, .velocity = air.velocity, .dt = dt, .interpolation = config_.interpolation};
+    transport.settling = relaxation(config_, dt);
     const numerics::WindrowPast past = numerics::windrow_past(air.fresh ? 0.0f : dt / air.dt_old);
     if (!air.fresh) {
         transport.velocity_old = air.velocity_old;
@@ -181,15 +193,13 @@ void Wind::State::perform(float dt, Diagnostics& report) {
         transport.history = air.history;
         transport.history_scale = past.scale;
     }
-    const cpu::Acting acting(sources, {.cells = box().cells,
-                                       .dt = dt,
-                                       .substeps = report.substeps,
-                                       .plants = canopy_rows().value_or(cpu::CanopyRows{}),
-                                       .parallel_for = &config.parallel_for});
-    const bool gusting = ambient.gusting();
+    const Acting acting(
+        sources,
+        {.cells = box().cells, .dt = dt, .substeps = report.substeps, .plants = canopy_, .parallel_for = &config_.parallel_for});
+    const bool gusting = around_.gusting();
     const auto given = [&](std::size_t n, glm::ivec3 cell) {
         glm::vec3 u(0.0f);
-        if (sources_of_air != 0)
+        if (has_source_flow())
             u += glm::vec3(source_flow[n]);
         if (gusting)
             u += glm::vec3(ambient_at(cell.x, cell.y, cell.z));
@@ -214,14 +224,14 @@ void Wind::State::perform(float dt, Diagnostics& report) {
     const std::span<glm::vec4> arrived = air.velocity_old;
     {
         Stopwatch watch(report.times_ms.advection);
-        advect(work, transport, arrived);
+        windrow::advect(work, transport, arrived);
     }
     carry_gusts();
     if (acting.any())
         acting.arrive(given, transport.history_scale, air.history, arrived);
     {
         Stopwatch watch(report.times_ms.projection);
-        if (config.stages.projection)
+        if (config_.stages.projection)
             work.state().project(arrived, {}, {.field = air.history, .weight = past.weight, .kept = past.kept});
         else
             std::fill_n(air.history.data(), air.history.size(), glm::vec4(0.0f));
@@ -232,20 +242,20 @@ void Wind::State::perform(float dt, Diagnostics& report) {
     air.dt_old = dt;
 }
 
-void Wind::State::advance_stable_fluids(float dt, Diagnostics& report) {
+void Cells::advance_stable_fluids(float dt, Diagnostics& report) {
     const Solving solving(*this, report);
-    sources.add_force_to(air.velocity, dt, config.parallel_for);
+    sources.add_force_to(air.velocity, dt, config_.parallel_for);
     const std::span<const glm::vec4> carried = diffuse(without_given_flow(), dt, report);
     Transport transport{
-        .carried = carried, .velocity = air.velocity, .extrapolation = 0.0f, .dt = dt, .interpolation = config.interpolation};
-    transport.settling = settling_factor(config, dt);
+        .carried = carried, .velocity = air.velocity, .extrapolation = 0.0f, .dt = dt, .interpolation = config_.interpolation};
+    transport.settling = relaxation(config_, dt);
     {
         Stopwatch watch(report.times_ms.advection);
-        advect(work, transport, air.velocity_old);
+        windrow::advect(work, transport, air.velocity_old);
     }
-    if (config.stages.projection) {
+    if (config_.stages.projection) {
         Stopwatch watch(report.times_ms.projection);
-        project(work, air.velocity_old);
+        windrow::project(work, air.velocity_old);
     }
     carry_gusts();
     add_given_flow(air.velocity_old, 1.0f);
@@ -253,51 +263,50 @@ void Wind::State::advance_stable_fluids(float dt, Diagnostics& report) {
 }
 
 // Without transport there is no trajectory to centre anything on: each stage acts whole on u.
-void Wind::State::advance_in_place(float dt, Diagnostics& report) {
+void Cells::advance_in_place(float dt, Diagnostics& report) {
     const Solving solving(*this, report);
-    const ParallelFor& parallel_for = config.parallel_for;
+    const ParallelFor& parallel_for = config_.parallel_for;
     sources.add_force_to(air.velocity, dt, parallel_for);
     add_given_flow(air.velocity, -1.0f);
     if (const auto carried = diffuse(air.velocity, dt, report); carried.data() != air.velocity.data())
         std::copy(carried.begin(), carried.end(), air.velocity.data());
-    if (const float factor = settling_factor(config, dt); factor != 1.0f)
+    if (const float factor = relaxation(config_, dt); factor != 1.0f)
         for_each_cell(box(), [&](std::size_t n, int i, int j, int k) {
-            const glm::vec4 rest = ambient.gusting() ? glm::vec4(0.0f) : mean_at(i, j, k);
+            const glm::vec4 rest = around_.gusting() ? glm::vec4(0.0f) : mean_at(i, j, k);
             air.velocity[n] = rest + factor * (air.velocity[n] - rest);
         });
-    if (config.stages.projection) {
+    if (config_.stages.projection) {
         Stopwatch watch(report.times_ms.projection);
-        project(work, air.velocity);
+        windrow::project(work, air.velocity);
     }
     carry_gusts();
     add_given_flow(air.velocity, 1.0f);
     air.fresh = true;
 }
 
-void Wind::State::add_sources(float dt, std::span<const detail::MotorReach> reached, Diagnostics& report) {
+void Cells::add_sources(const CellStep& step, Diagnostics& report) {
     Stopwatch watch(report.times_ms.sources);
-    const auto& tile = motors.tile(ambient.tile());
-    sources.gather(reached, box().cell_size, air.velocity, {tile ? tile->texels().data() : nullptr}, config.parallel_for);
+    const glm::vec4* const eddies = step.tile ? step.tile->texels().data() : nullptr;
+    sources.gather(step.motors, box().cell_size, air.velocity, {eddies}, config_.parallel_for);
     if (acts_whole())
-        hold_whole(dt);
-    if (config.stages.projection)
-        let_air_in(reached);
+        act_whole(static_cast<float>(step.duration));
+    if (step.renews_sources)
+        renew_source_flow(step.motors);
 }
 
-bool Wind::State::acts_whole() const {
-    return config.scheme == Scheme::stable_fluids || !config.stages.advection;
+bool Cells::acts_whole() const {
+    return config_.scheme == Scheme::stable_fluids || !config_.stages.advection;
 }
 
 // The classic split: drives and drag of the whole step before the advection.
-void Wind::State::hold_whole(float dt) {
-    sources.drive(air.velocity, config.parallel_for);
-    const auto plants = canopy_rows();
-    if (!plants)
+void Cells::act_whole(float dt) {
+    sources.drive(air.velocity, config_.parallel_for);
+    if (!(canopy_.drag > 0.0f))
         return;
     const glm::ivec3 cells = box().cells;
-    config.parallel_for(cells.z, [&](int k) {
+    config_.parallel_for(cells.z, [&](int k) {
         for (int j = 0; j < cells.y; ++j) {
-            const float way = dt * plants->drag_of(j);
+            const float way = dt * canopy_.drag_of(j);
             if (!(way > 0.0f))
                 continue;
             glm::vec4* const row = &air.velocity[box().index(0, j, k)];
@@ -307,26 +316,24 @@ void Wind::State::hold_whole(float dt) {
     });
 }
 
-void Wind::State::foresee_gusts(Diagnostics& report) {
+void Cells::foresee_gusts(Diagnostics& report) {
     Stopwatch watch(report.times_ms.ambient);
-    AmbientWind next = ambient;
-    next.set_phase(next_phase);
-    ambient_next.fill(next, window, config.parallel_for);
+    AmbientWind next = around_;
+    next.set_phase(next_phase_);
+    ambient_next_.fill(next, wind_.window(), config_.parallel_for);
 }
 
-void Wind::State::carry_gusts() {
-    ambient.set_phase(next_phase);
-    if (!ambient.gusting())
+void Cells::carry_gusts() {
+    around_.set_phase(next_phase_);
+    if (!around_.gusting())
         return;
-    std::swap(ambient_field, ambient_next);
-    work.state().ambient_cells = ambient_field.data();
+    std::swap(ambient_field_, ambient_next_);
+    work.state().ambient_cells = ambient_field_.data();
 }
 
 // Brings the flow of the sources up to date. u_old takes the same change: the trajectories extrapolate u - u_old, which must not
 // see a jump.
-void Wind::State::let_air_in(std::span<const detail::MotorReach> reached) {
-    if (!renew_sources(reached))
-        return;
+void Cells::renew_source_flow(std::span<const detail::MotorReach> reached) {
     if (source_flow.empty()) // none came and none went
         return;
     const auto add_to_air = [&](float factor) {
@@ -336,96 +343,73 @@ void Wind::State::let_air_in(std::span<const detail::MotorReach> reached) {
     };
     add_to_air(-1.0f);
     std::fill_n(source_flow.data(), source_flow.size(), glm::vec4(0.0f));
-    if (sources_of_air == 0)
+    if (!has_source_flow())
         return;
-    const bool in_free_air = config.sides.in_free_air();
+    const bool in_free_air = config_.sides.in_free_air();
     if (in_free_air)
-        free_air.gather(reached, box(), config.parallel_for);
-    work.state().project(source_flow, sources.expansion(), {}, in_free_air ? &free_air : nullptr);
+        free_air_.gather(reached, box(), config_.parallel_for);
+    work.state().project(source_flow, sources.expansion(), {}, in_free_air ? &free_air_ : nullptr);
     add_to_air(1.0f);
 }
 
-void Wind::State::make_room(double dt) {
-    if (config.stages.sources && config.stages.projection && motors.has_volume_source()) {
-        if (source_flow.empty())
-            source_flow = cpu::Buffer<glm::vec4>(air.velocity.size());
-        reserve_solved();
-        if (config.sides.in_free_air())
-            free_air.make_room(box());
-    }
-    const auto duration = static_cast<float>(dt);
-    if (!viscous(duration))
-        return;
-    const DiffusionMethod method = diffusion_method(config.viscosity, air.owed_diffusion + duration, config.cell_size);
-    if (method != DiffusionMethod::none && diffused.empty())
-        diffused = cpu::Buffer<glm::vec4>(air.velocity.size());
-    if (method == DiffusionMethod::implicit)
-        work.state().reserve_diffusion();
-}
-
-void Wind::State::reserve_solved() {
-    if (solved.empty())
-        solved = cpu::Buffer<glm::vec4>(air.velocity.size());
-}
-
 // v; the velocity itself where nothing is given.
-std::span<const glm::vec4> Wind::State::without_given_flow() {
-    if (sources_of_air == 0 && !ambient.gusting())
+std::span<const glm::vec4> Cells::without_given_flow() {
+    if (!has_source_flow() && !around_.gusting())
         return air.velocity;
     std::copy_n(air.velocity.data(), air.velocity.size(), solved.data());
     add_given_flow(solved, -1.0f);
     return solved;
 }
 
-void Wind::State::add_given_flow(std::span<glm::vec4> field, float factor) const {
-    if (sources_of_air != 0)
+void Cells::add_given_flow(std::span<glm::vec4> field, float factor) const {
+    if (has_source_flow())
         add_scaled(field, source_flow, factor);
-    if (ambient.gusting())
+    if (around_.gusting())
         add_ambient(field, factor);
 }
 
 // The guard reads every cell before anything spreads it; the CFL number is taken after the sources, in the largest component.
-void Wind::State::limit_speeds(float dt, Diagnostics& report) {
+void Cells::limit_speeds(float dt, Diagnostics& report) {
     Stopwatch watch(report.times_ms.sources);
-    cpu::PlaneSurvey found = work.state().survey(&air.velocity[0].x);
+    PlaneSurvey found = work.state().survey(&air.velocity[0].x);
     if (found.broken_cells > 0) {
-        repair_broken_cells();
+        repair_cells();
         report.repaired_cells = found.broken_cells;
         found = work.state().survey(&air.velocity[0].x);
     }
     report.substeps = 1;
     const float largest = acts_whole() ? found.largest_component : std::max(found.largest_component, sources.largest_driven());
     report.cfl = (largest + dt * sources.largest_force()) * dt / box().cell_size;
-    if (!config.stages.advection || report.cfl <= config.max_cfl)
+    if (!config_.stages.advection || report.cfl <= config_.max_cfl)
         return;
-    const float wanted = std::ceil(report.cfl / config.max_cfl);
-    report.substeps_capped = wanted > static_cast<float>(config.max_substeps);
-    report.substeps = report.substeps_capped ? config.max_substeps : static_cast<int>(wanted);
+    const float wanted = std::ceil(report.cfl / config_.max_cfl);
+    report.substeps_capped = wanted > static_cast<float>(config_.max_substeps);
+    report.substeps = report.substeps_capped ? config_.max_substeps : static_cast<int>(wanted);
     if (!report.substeps_capped)
         return;
     sources.limit_drives(fastest_carried(dt));
     cut_speeds(fastest_carried(dt), report);
 }
 
-float Wind::State::fastest_carried(float dt) const {
-    return config.max_cfl * static_cast<float>(config.max_substeps) * box().cell_size / dt;
+float Cells::fastest_carried(float dt) const {
+    return config_.max_cfl * static_cast<float>(config_.max_substeps) * box().cell_size / dt;
 }
 
 // The flow of volume sources is scaled by the same factor as the wind that contains it.
-void Wind::State::cut_speeds(float most, Diagnostics& report) {
+void Cells::cut_speeds(float most, Diagnostics& report) {
     for (std::size_t n = 0; n < air.velocity.size(); ++n) {
         glm::vec4& u = air.velocity[n];
         const float largest = std::max({std::abs(u.x), std::abs(u.y), std::abs(u.z)});
         if (largest <= most)
             continue;
         u *= most / largest;
-        if (sources_of_air != 0)
+        if (has_source_flow())
             source_flow[n] *= most / largest;
         ++report.limited_cells;
     }
 }
 
-void Wind::State::repair_broken_cells() {
+void Cells::repair_cells() {
     for_each_cell(box(), [&](std::size_t n, int i, int j, int k) {
         if (finite(air.velocity[n]))
             return;
@@ -436,45 +420,45 @@ void Wind::State::repair_broken_cells() {
 
 // The velocity after diffusion: itself where viscosity asks for nothing. What a sub-step is too short for is owed: left out, it
 // would be left out for good, however many sub-steps follow.
-std::span<const glm::vec4> Wind::State::diffuse(std::span<const glm::vec4> field, float dt, Diagnostics& report) {
-    if (!viscous(dt))
+std::span<const glm::vec4> Cells::diffuse(std::span<const glm::vec4> field, float dt, Diagnostics& report) {
+    if (!wind_.viscous(dt))
         return field;
-    air.owed_diffusion += dt;
-    const DiffusionMethod method = diffusion_method(config.viscosity, air.owed_diffusion, box().cell_size);
+    air.undiffused_time += dt;
+    const DiffusionMethod method = diffusion_method(config_.viscosity, air.undiffused_time, box().cell_size);
     report.diffusion = method;
     if (method == DiffusionMethod::none)
         return field;
     Stopwatch watch(report.times_ms.diffusion);
-    (void)windrow::diffuse(work, field, config.viscosity, std::exchange(air.owed_diffusion, 0.0f), diffused);
-    return diffused;
+    (void)windrow::diffuse(work, field, config_.viscosity, std::exchange(air.undiffused_time, 0.0f), diffused_);
+    return diffused_;
 }
 
-void Wind::State::measure(Diagnostics& report) {
-    hold_ambient_alone(config.parallel_for);
+void Cells::measure(Diagnostics& report) {
+    hold_air_alone(config_.parallel_for);
     Stopwatch watch(report.times_ms.report);
     Workspace::State& state = work.state();
     const float h = box().cell_size;
     const float* const velocity = &air.velocity[0].x;
-    const cpu::PlaneSurvey found =
-        config.stages.projection ? state.survey_with_divergence(velocity, sources.expansion()) : state.survey(velocity);
+    const PlaneSurvey found =
+        config_.stages.projection ? state.survey_with_divergence(velocity, sources.expansion()) : state.survey(velocity);
     report.max_speed = found.largest_component;
     report.energy = 0.5 * found.squares * h * h * h;
     report.divergence_rms = std::sqrt(found.divergence_squares / static_cast<double>(box().cell_count()));
 }
 
 // Looks no further than the first cell that still moves: it costs next to nothing until the air has settled.
-bool Wind::State::at_ambient() const {
-    const glm::ivec3 cells = window.cells;
+bool Cells::at_ambient() const {
+    const glm::ivec3 cells = box().cells;
     std::size_t n = 0;
     for (int k = 0; k < cells.z; ++k)
         for (int j = 0; j < cells.y; ++j)
             for (int i = 0; i < cells.x; ++i, ++n) {
                 const glm::vec4 apart = air.velocity[n] - ambient_at(i, j, k);
-                if (!(std::abs(apart.x) < config.sleep_speed && std::abs(apart.y) < config.sleep_speed &&
-                      std::abs(apart.z) < config.sleep_speed))
+                if (!(std::abs(apart.x) < config_.sleep_speed && std::abs(apart.y) < config_.sleep_speed &&
+                      std::abs(apart.z) < config_.sleep_speed))
                     return false;
             }
     return true;
 }
 
-} // namespace windrow
+} // namespace windrow::cpu

@@ -2,9 +2,9 @@
 
 #include "fluid/cpu/box_rules.h"
 #include "fluid/message.h"
-#include "fluid/vulkan/pipeline_stages.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -30,14 +30,6 @@ VkAccessFlags reads_of(VkPipelineStageFlags stages) {
 VkAccessFlags writes_of(VkPipelineStageFlags stages) {
     return ((stages & k_compute) != 0 ? VK_ACCESS_SHADER_WRITE_BIT : 0) |
            ((stages & k_transfer) != 0 ? VK_ACCESS_TRANSFER_WRITE_BIT : 0);
-}
-
-constexpr int k_air = 1, k_before = 2; // Pass::adjust
-
-std::int32_t bits_of(float value) {
-    std::int32_t bits = 0;
-    std::memcpy(&bits, &value, sizeof(bits));
-    return bits;
 }
 
 // What a step asks for in one sub-step, the longest.
@@ -101,8 +93,7 @@ Result<void> Air::make() {
     return {};
 }
 
-// --- What the host tells
-// -----------------------------------------------------------------------------------------------------------
+// --- The block of a step -----------------------------------------------------------------------------------------------------
 
 // What a sub-step may come to, with what is owed from before it (a ratio below k_least_ratio); no more than was prepared for.
 DiffusionMethod Air::diffusion_of(double duration) const {
@@ -113,54 +104,60 @@ DiffusionMethod Air::diffusion_of(double duration) const {
     return most == DiffusionMethod::implicit ? prepared_ : DiffusionMethod::one_pass;
 }
 
-WindrowStep Air::step_of(const AirTick& tick) const {
+WindrowStep Air::block_of(const AmbientWind& ambient, const Window& window, const CellStep& step) const {
     const Box air = box();
-    WindrowStep step{};
+    WindrowStep block{};
     const auto any = [&](detail::MotorReach::Law law) {
-        return std::any_of(tick.motors.begin(), tick.motors.end(), [&](const auto& motor) { return motor.law == law; });
+        return std::any_of(step.motors.begin(), step.motors.end(), [&](const auto& motor) { return motor.law == law; });
     };
     const auto bit = [](bool on, int value) { return on ? value : 0; };
     const bool classic = config_.scheme == Scheme::stable_fluids || !config_.stages.advection;
-    step.cells = {air.cells, static_cast<int>(air.cell_count())};
-    step.shape.x = static_cast<int>(std::min<std::size_t>(tick.motors.size(), k_most_motors));
-    step.shape.y = config_.max_substeps;
-    step.shape.z = bit(fresh_, WINDROW_FRESH) | bit(classic, WINDROW_STABLE_FLUIDS) |
-                   bit(config_.interpolation == Interpolation::linear, WINDROW_LINEAR) |
-                   bit(config_.stages.advection, WINDROW_ADVECTS) | bit(config_.stages.projection, WINDROW_PROJECTS) |
-                   bit(config_.stages.settling && config_.settling_time > 0.0f, WINDROW_SETTLES) |
-                   bit(tick.ambient->gusting(), WINDROW_GUSTS) | bit(config_.profile.has_value(), WINDROW_PROFILE) |
-                   bit(tick.lets_air_in, WINDROW_LETS_AIR_IN) | bit(tick.renews_sources, WINDROW_RENEWS_AIR) |
-                   bit(diffusion_of(tick.duration) != DiffusionMethod::none, WINDROW_DIFFUSES) |
-                   bit(any(detail::MotorReach::Law::force), WINDROW_PUSHES) |
-                   bit(any(detail::MotorReach::Law::drive), WINDROW_DRIVES) |
-                   bit(any(detail::MotorReach::Law::source), WINDROW_EXPANDS) | bit(owes_nothing_, WINDROW_OWES_NOTHING) |
-                   bit(diffusion_of(tick.duration) == DiffusionMethod::one_pass, WINDROW_ONE_PASS);
-    step.shape.w = tick.substeps;
-    step.time = {static_cast<float>(tick.duration), air.cell_size, config_.settling_time, config_.max_cfl};
-    step.ambient = {tick.ambient->mean(), config_.viscosity};
-    step.canopy = {tick.canopy, 0.0f};
+    const DiffusionMethod diffusion = diffusion_of(step.duration);
+    block.cells = air.cells;
+    block.motors = static_cast<int>(std::min<std::size_t>(step.motors.size(), k_most_motors));
+    block.most_substeps = config_.max_substeps;
+    block.forced_substeps = forced_substeps_;
+    block.flags =
+        bit(fresh_, WINDROW_FRESH) | bit(classic, WINDROW_STABLE_FLUIDS) |
+        bit(config_.interpolation == Interpolation::linear, WINDROW_LINEAR) | bit(config_.stages.advection, WINDROW_ADVECTS) |
+        bit(config_.stages.projection, WINDROW_PROJECTS) |
+        bit(config_.stages.settling && config_.settling_time > 0.0f, WINDROW_SETTLES) | bit(ambient.gusting(), WINDROW_GUSTS) |
+        bit(config_.profile.has_value(), WINDROW_PROFILE) | bit(step.has_source_flow, WINDROW_LETS_AIR_IN) |
+        bit(step.renews_sources, WINDROW_RENEWS_AIR) | bit(diffusion != DiffusionMethod::none, WINDROW_DIFFUSES) |
+        bit(any(detail::MotorReach::Law::force), WINDROW_PUSHES) | bit(any(detail::MotorReach::Law::drive), WINDROW_DRIVES) |
+        bit(any(detail::MotorReach::Law::source), WINDROW_EXPANDS) | bit(diffused_whole_, WINDROW_DIFFUSED_WHOLE) |
+        bit(diffusion == DiffusionMethod::one_pass, WINDROW_ONE_PASS);
+    block.duration = static_cast<float>(step.duration);
+    block.cell_size = air.cell_size;
+    block.relaxation_time = config_.settling_time;
+    block.max_cfl = config_.max_cfl;
+    block.sleep_speed = config_.sleep_speed;
+    block.canopy_drag = step.canopy.drag;
+    block.canopy_ground = step.canopy.ground;
+    block.canopy_top = step.canopy.top;
+    block.ambient = ambient.mean();
+    block.viscosity = config_.viscosity;
     for (int axis = 0; axis < 3; ++axis) {
         const cpu::LegalPlaces legal = cpu::legal_places(air, axis);
-        step.low[axis] = legal.low;
-        step.high[axis] = legal.high;
-        step.period[axis] = legal.period;
-        step.inverse_period[axis] = legal.inverse_period;
+        block.low[axis] = legal.low;
+        block.high[axis] = legal.high;
+        block.period[axis] = legal.period;
+        block.inverse_period[axis] = legal.inverse_period;
         const cpu::NormalGhost u_low = cpu::velocity_ghost(air, axis, 0), u_high = cpu::velocity_ghost(air, axis, 1);
         const cpu::NormalGhost p_low = cpu::potential_ghost(air, axis, 0), p_high = cpu::potential_ghost(air, axis, 1);
-        step.low_source[axis] = u_low.source;
-        step.high_source[axis] = u_high.source;
-        step.velocity_low[axis] = u_low.scale;
-        step.velocity_high[axis] = u_high.scale;
-        step.potential_low[axis] = p_low.scale;
-        step.potential_high[axis] = p_high.scale;
+        block.low_source[axis] = u_low.source;
+        block.high_source[axis] = u_high.source;
+        block.velocity_low[axis] = u_low.scale;
+        block.velocity_high[axis] = u_high.scale;
+        block.potential_low[axis] = p_low.scale;
+        block.potential_high[axis] = p_high.scale;
     }
-    const AmbientBlock wind = tick.ambient->block(tick.window->origin());
-    static_assert(sizeof(wind) == sizeof(step.wind));
-    std::memcpy(&step.wind, &wind, sizeof(wind));
-    const glm::vec3 mean = tick.ambient->mean(); // the level part carries the gusts
-    step.carried = wind.gust_texel.w * glm::vec4(mean.x, 0.0f, mean.z, 0.0f);
-    step.carried.w = config_.sleep_speed;
-    return step;
+    const AmbientBlock wind = ambient.block(window.origin());
+    static_assert(sizeof(wind) == sizeof(block.wind));
+    std::memcpy(&block.wind, &wind, sizeof(wind));
+    block.gust_strength = wind.mean.w;
+    block.gust_speed = wind.gust_texel.w * glm::vec3(wind.mean.x, 0.0f, wind.mean.z); // the level part carries the gusts
+    return block;
 }
 
 void Air::write(VkCommandBuffer commands, const Buffer& to, std::span<const std::byte> bytes) {
@@ -170,8 +167,8 @@ void Air::write(VkCommandBuffer commands, const Buffer& to, std::span<const std:
                                                std::min<VkDeviceSize>(k_most_update, bytes.size() - at), bytes.data() + at);
 }
 
-void Air::tell(VkCommandBuffer commands, const WindrowStep& step, const AmbientWind& ambient,
-               std::shared_ptr<const GustTile> tile) {
+void Air::write_step(VkCommandBuffer commands, const WindrowStep& block, const AmbientWind& ambient,
+                     std::shared_ptr<const GustTile> tile) {
     if (!tile)
         tile = settings_.gusts ? ambient.tile() : tile_;
     const bool new_tile = tile && tile != tile_;
@@ -182,11 +179,10 @@ void Air::tell(VkCommandBuffer commands, const WindrowStep& step, const AmbientW
     write_tables(commands);
     if (new_tile)
         write(commands, fields_.tile, std::as_bytes(tile_->texels()));
-    write(commands, fields_.step, std::as_bytes(std::span(&step, 1)));
+    write(commands, fields_.step, std::as_bytes(std::span(&block, 1)));
 }
 
-// --- Recording
-// ------------------------------------------------------------------------------------------------------------------
+// --- Recording ---------------------------------------------------------------------------------------------------------------
 
 void Air::barrier(VkPipelineStageFlags from, VkPipelineStageFlags to) {
     waits_from_ |= from;
@@ -224,7 +220,7 @@ void Air::dispatch(VkCommandBuffer commands, Pass pass, const Push& push, int fr
     ++dispatches_;
 }
 
-void Air::place(VkCommandBuffer commands, const Buffer& field, const Push& push) {
+void Air::place(VkCommandBuffer commands, const Buffer& field, const WindrowPlacePush& push) {
     copy(commands, field, fields_.arrived);
     barrier(k_transfer, k_compute);
     dispatch(commands, Pass::place, push);
@@ -232,54 +228,57 @@ void Air::place(VkCommandBuffer commands, const Buffer& field, const Push& push)
     copy(commands, fields_.padded, field);
 }
 
-void Air::fill(VkCommandBuffer commands, const AmbientWind& ambient, const Window& window) {
-    tell(commands, step_of({.ambient = &ambient, .window = &window}), ambient);
-    place(commands, fields_.velocity, everything());
-    clear(commands, fields_.source_flow);
-    barrier(k_transfer, k_compute | k_transfer);
-    fresh_ = owes_nothing_ = true;
-}
-
-void Air::fill_before(VkCommandBuffer commands, const AmbientWind& ambient, const Window& window) {
-    tell(commands, step_of({.ambient = &ambient, .window = &window}), ambient);
-    place(commands, fields_.before, everything());
-    barrier(k_transfer, k_compute | k_transfer);
-}
-
-void Air::shift(VkCommandBuffer commands, const Move& move, const AmbientWind& ambient, const Window& window) {
-    tell(commands, step_of({.ambient = &ambient, .window = &window}), ambient);
-    const auto push = [&](int ambient_in_new_cells) {
-        return Push{static_cast<int>(move.by.x), static_cast<int>(move.by.y), static_cast<int>(move.by.z), ambient_in_new_cells};
-    };
-    const int exposed = move.exposed_hold_ambient ? 1 : 0;
-    place(commands, fields_.velocity, push(exposed));
-    if (move.kept)
-        place(commands, fields_.before, push(exposed));
-    if (move.lets_air_in)
-        place(commands, fields_.source_flow, push(0));
-    if (!fresh_) {
-        place(commands, fields_.velocity_old, push(exposed));
-        place(commands, fields_.history, push(0));
+void Air::apply(VkCommandBuffer commands, const CellChange& change) {
+    using Kind = CellChange::Kind;
+    if (change.kind == Kind::end_frames)
+        return;
+    if (change.kind == Kind::keep || change.kind == Kind::begin_frames)
+        return keep_before(commands);
+    if (change.kind == Kind::set)
+        return upload(commands, change.cells);
+    write_step(commands, block_of(change.ambient, change.window), change.ambient);
+    if (change.kind == Kind::shift)
+        return shift(commands, change);
+    if (change.kind == Kind::add_change || change.kind == Kind::add_wind)
+        return adjust(commands, change);
+    fill(commands, change.kind == Kind::fill ? fields_.velocity : fields_.before);
+    if (change.kind == Kind::fill) {
+        clear(commands, fields_.source_flow);
+        fresh_ = diffused_whole_ = true;
     }
     barrier(k_transfer, k_compute | k_transfer);
 }
 
-void Air::add_wind(VkCommandBuffer commands, float factor, bool to_before, const AmbientWind& ambient, const Window& window) {
-    tell(commands, step_of({.ambient = &ambient, .window = &window}), ambient);
-    adjust(commands, factor, 0, to_before ? k_air | k_before : k_air);
+// Moved by all of the box.
+void Air::fill(VkCommandBuffer commands, const Buffer& field) {
+    place(commands, field, {.shift = config_.cells, .exposed_hold_ambient = 1});
 }
 
-void Air::add_change(VkCommandBuffer commands, glm::vec3 change, bool to_air, bool to_before, const AmbientWind& ambient,
-                     const Window& window) {
-    WindrowStep step = step_of({.ambient = &ambient, .window = &window});
-    step.carried = {change, 0.0f};
-    tell(commands, step, ambient);
-    adjust(commands, 1.0f, 1, (to_air ? k_air : 0) | (to_before ? k_before : 0));
+void Air::shift(VkCommandBuffer commands, const CellChange& change) {
+    const WindrowPlacePush empty{.shift = glm::ivec3(change.by), .exposed_hold_ambient = 0};
+    const WindrowPlacePush exposed{.shift = empty.shift, .exposed_hold_ambient = change.exposed_hold_ambient ? 1 : 0};
+    place(commands, fields_.velocity, exposed);
+    if (change.kept)
+        place(commands, fields_.before, exposed);
+    if (change.has_source_flow)
+        place(commands, fields_.source_flow, empty);
+    if (!fresh_) {
+        place(commands, fields_.velocity_old, exposed);
+        place(commands, fields_.history, empty);
+    }
+    barrier(k_transfer, k_compute | k_transfer);
 }
 
-void Air::adjust(VkCommandBuffer commands, float factor, int by_change, int which) {
+void Air::adjust(VkCommandBuffer commands, const CellChange& change) {
+    const bool of_mean = change.kind == CellChange::Kind::add_change;
     barrier(k_transfer | k_compute, k_compute);
-    dispatch(commands, Pass::adjust, {bits_of(factor), by_change, which, 0});
+    dispatch(commands, Pass::adjust,
+             WindrowAdjustPush{.change = change.change,
+                               .factor = of_mean ? 1.0f : change.factor,
+                               .of_mean = of_mean ? 1 : 0,
+                               .to_air = change.to_air ? 1 : 0,
+                               .to_before = change.kept ? 1 : 0,
+                               .unused = 0});
     barrier(k_compute, k_compute | k_transfer);
 }
 
@@ -288,7 +287,7 @@ void Air::upload(VkCommandBuffer commands, std::span<const glm::vec4> cells) {
     write_tables(commands);
     write(commands, fields_.velocity, std::as_bytes(cells));
     keep_before(commands);
-    fresh_ = owes_nothing_ = true;
+    fresh_ = diffused_whole_ = true;
 }
 
 void Air::keep_before(VkCommandBuffer commands) {
@@ -297,30 +296,31 @@ void Air::keep_before(VkCommandBuffer commands) {
     barrier(k_transfer, k_compute | k_transfer);
 }
 
-void Air::step(VkCommandBuffer commands, const AirTick& tick) {
-    const WindrowStep told = step_of(tick);
-    tell(commands, told, *tick.ambient, tick.tile);
-    const DiffusionMethod diffusion = diffusion_of(tick.duration);
+void Air::step(VkCommandBuffer commands, const CellStep& step) {
+    const WindrowStep block = block_of(*step.ambient, *step.window, step);
+    write_step(commands, block, *step.ambient, step.tile);
+    const DiffusionMethod diffusion = diffusion_of(step.duration);
     if (std::exchange(shapes_, diffusion) != diffusion)
         write(commands, fields_.shapes, std::as_bytes(passes_.shapes(diffusion)));
-    if (!tick.motors.empty())
+    if (!step.motors.empty())
         write(commands, fields_.motors,
-              std::as_bytes(tick.motors.first(std::min<std::size_t>(tick.motors.size(), k_most_motors))));
+              std::as_bytes(step.motors.first(std::min<std::size_t>(step.motors.size(), k_most_motors))));
     // What a tick counts begins at 0; the duration of the last sub-step stays.
-    clear(commands, fields_.control, 0, sizeof(uvec4));
-    clear(commands, fields_.control, offsetof(WindrowControl, measured), tick.counts_on ? sizeof(glm::uvec2) : sizeof(uvec4));
+    clear(commands, fields_.control, 0, offsetof(WindrowControl, substep_duration));
+    constexpr std::size_t first = offsetof(WindrowControl, largest_speed), counts = offsetof(WindrowControl, repaired_cells);
+    clear(commands, fields_.control, first, (std::exchange(stepped_, true) ? counts : sizeof(WindrowControl)) - first);
     barrier(k_transfer, k_compute);
-    dispatch(commands, Pass::sources, {});
+    dispatch(commands, Pass::sources);
     barrier(k_compute, k_compute);
-    if (tick.renews_sources) {
+    if (step.renews_sources) {
         for (const Passes::Stage& stage : passes_.source_solve()) {
             dispatch(commands, stage.pass, stage.push);
             barrier(k_compute, k_compute);
         }
-        dispatch(commands, Pass::source_flow, {});
+        dispatch(commands, Pass::source_flow);
         barrier(k_compute, k_compute);
     }
-    dispatch(commands, Pass::plan, {});
+    dispatch(commands, Pass::plan);
     barrier(k_compute, k_compute | k_indirect);
     std::uint32_t n = 0;
     const auto command = [&](Pass pass, const Push& push) {
@@ -333,20 +333,20 @@ void Air::step(VkCommandBuffer commands, const AirTick& tick) {
         barrier(k_compute, k_compute);
     };
     command(Pass::limit, {});
-    const int most = tick.substeps > 0 ? tick.substeps : config_.stages.advection ? config_.max_substeps : 1;
+    const int most = forced_substeps_ > 0 ? forced_substeps_ : config_.stages.advection ? config_.max_substeps : 1;
     const auto part = [&](int substep) {
         for (const Passes::Stage& stage : passes_.substep(diffusion))
-            command(stage.pass, {substep, stage.push.y, stage.push.z, stage.push.w});
+            command(stage.pass, stage.push.in_substep(substep));
     };
-    if (fresh_ && (told.shape.z & WINDROW_STABLE_FLUIDS) == 0) {
-        const std::uint32_t first = n;
+    if (fresh_ && (block.flags & WINDROW_STABLE_FLUIDS) == 0) {
+        const std::uint32_t performed = n;
         part(-1);
-        n = first; // it runs as the first does
+        n = performed; // it runs as the first does
     }
     for (int substep = 0; substep < most; ++substep)
         part(substep);
-    fresh_ = (told.shape.z & WINDROW_STABLE_FLUIDS) != 0;
-    owes_nothing_ = false;
+    fresh_ = (block.flags & WINDROW_STABLE_FLUIDS) != 0;
+    diffused_whole_ = false;
 }
 
 void Air::show(VkCommandBuffer commands, float factor, int frame, bool reports) {
@@ -365,7 +365,7 @@ void Air::show(VkCommandBuffer commands, float factor, int frame, bool reports) 
     // Whoever sampled them two frames ago is done first.
     barrier(VK_PIPELINE_STAGE_ALL_COMMANDS_BIT | k_compute | k_transfer, k_compute);
     wait(commands, images);
-    dispatch(commands, Pass::show, {bits_of(factor), reports ? 1 : 0, 0, 0}, frame);
+    dispatch(commands, Pass::show, WindrowShowPush{.factor = factor, .reports = reports ? 1 : 0}, frame);
     for (VkImageMemoryBarrier& image : images) {
         image.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
         image.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;
@@ -399,25 +399,19 @@ void Air::read_back(VkCommandBuffer commands, const Buffer& slot, bool cells) {
     barrier(k_transfer, VK_PIPELINE_STAGE_HOST_BIT | k_compute | k_transfer);
 }
 
-// --- Reading
-// ----------------------------------------------------------------------------------------------------------------------
+// --- Reading -----------------------------------------------------------------------------------------------------------------
 
 AirReport Air::report(const Buffer& slot) const {
     WindrowControl control{};
     std::memcpy(&control, slot.mapped(), sizeof(control));
     AirReport report;
-    const auto number = [](std::uint32_t bits) {
-        float value = 0.0f;
-        std::memcpy(&value, &bits, sizeof(value));
-        return value;
-    };
-    report.largest_component = number(control.measured.x);
-    report.apart = number(control.measured.y);
-    report.cfl = control.substep.w;
-    report.substeps = control.plan.x;
-    report.substeps_capped = control.plan.y != 0;
-    report.repaired_cells = static_cast<int>(control.measured.z);
-    report.limited_cells = static_cast<int>(control.measured.w);
+    report.largest_component = std::bit_cast<float>(control.largest_speed);
+    report.apart = std::bit_cast<float>(control.farthest_from_ambient);
+    report.cfl = control.cfl;
+    report.substeps = control.substeps;
+    report.substeps_capped = control.capped != 0;
+    report.repaired_cells = static_cast<int>(control.repaired_cells);
+    report.limited_cells = static_cast<int>(control.limited_cells);
     const auto groups = fields_.sums.bytes() / sizeof(glm::vec2);
     for (std::size_t n = 0; n < groups; ++n) {
         glm::vec2 sums;

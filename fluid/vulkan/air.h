@@ -9,13 +9,12 @@
 //   gradient   u' = w - grad phi, q'
 //   show       textures of this frame, report                        once a frame
 //
-// Sub-steps are chosen on the device, so all that may be are recorded. What the host tells a tick travels inside the command
+// Sub-steps are chosen on the device, so all that may be are recorded. What the host gives to a tick travels inside the command
 // buffer (vkCmdUpdateBuffer); large tables in a piece of host memory that is written once: frames in flight share nothing that
 // the host writes while they run.
 #pragma once
 
-#include "fluid/ambient.h"
-#include "fluid/motor_reach.h"
+#include "fluid/cell_storage.h"
 #include "fluid/vulkan/blocks.h"
 #include "fluid/vulkan/pass_clock.h"
 #include "fluid/vulkan/passes.h"
@@ -27,20 +26,10 @@
 
 namespace windrow::vulkan {
 
-/// What acts in a tick.
-struct AirTick {
-    double duration = 0.0; ///< [s]
-    std::span<const detail::MotorReach> motors{};
-    std::shared_ptr<const GustTile> tile{}; ///< of their eddies; null: none has any
-    /// As it blows at the tick's start; `Air` does not keep it.
-    const AmbientWind* ambient = nullptr;
-    const Window* window = nullptr;
-    glm::vec3 canopy{0.0f};      ///< [1/m] drag, 0: none; ground and top [cells above the low side]
-    bool renews_sources = false; ///< the sources of air are not those of the last tick
-    bool lets_air_in = false;    ///< the velocity holds a flow of sources, after this tick's change
-    int substeps = 0;            ///< forced; 0: the device chooses
-    bool counts_on = false;      ///< not the first tick of its recording: the report counts their cells together
-};
+// Stages that the wind's commands run in.
+inline constexpr VkPipelineStageFlags k_compute = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
+                                      k_transfer = VK_PIPELINE_STAGE_TRANSFER_BIT,
+                                      k_indirect = VK_PIPELINE_STAGE_DRAW_INDIRECT_BIT;
 
 /// What the device found in a tick.
 struct AirReport {
@@ -68,28 +57,9 @@ class Air {
                                                              const Settings& settings);
 
     // --- Recording. Each begins and ends with the barriers that the others need; `end` records what is left of them. ---------
-    /// All cells become ambient; no past.
-    void fill(VkCommandBuffer commands, const AmbientWind& ambient, const Window& window);
-    /// The air stays where it is while the box moves by whole cells; `ambient` and `window` as they are after the move.
-    struct Move {
-        CellIndex by{0};
-        bool exposed_hold_ambient = true; ///< else 0
-        bool kept = true;                 ///< what is kept of the air moves too
-        bool lets_air_in = true;          ///< and the flow of sources, else it is 0
-    };
-    void shift(VkCommandBuffer commands, const Move& move, const AmbientWind& ambient, const Window& window);
-    /// What is kept of the air becomes ambient.
-    void fill_before(VkCommandBuffer commands, const AmbientWind& ambient, const Window& window);
-    /// Adds `factor` times the ambient wind to the air; to what is kept of it too if `to_before`.
-    void add_wind(VkCommandBuffer commands, float factor, bool to_before, const AmbientWind& ambient, const Window& window);
-    /// Adds a change of the mean wind, by its profile.
-    void add_change(VkCommandBuffer commands, glm::vec3 change, bool to_air, bool to_before, const AmbientWind& ambient,
-                    const Window& window);
-    /// The field becomes `cells`, which travel inside the command buffer; no past.
-    void upload(VkCommandBuffer commands, std::span<const glm::vec4> cells);
-    /// Keeps the air as it is for blending.
-    void keep_before(VkCommandBuffer commands);
-    void step(VkCommandBuffer commands, const AirTick& tick);
+    void apply(VkCommandBuffer commands, const CellChange& change);
+    /// The ambient wind is the caller's to advance.
+    void step(VkCommandBuffer commands, const CellStep& step);
     /// Writes the textures of set `frame` (0 or 1) from the last tick's air and the kept one, `factor` of the way; ends with a
     /// barrier to all shaders that sample them. Before it, they may be in any layout; after it, SHADER_READ_ONLY_OPTIMAL.
     void show(VkCommandBuffer commands, float factor, int frame, bool reports);
@@ -110,6 +80,10 @@ class Air {
     [[nodiscard]] int dispatches() const { return dispatches_; }
     [[nodiscard]] int barriers() const { return barriers_; }
     [[nodiscard]] bool holds_gusts() const { return settings_.gusts; }
+    /// Steps were recorded since `begin`; the report counts their cells together.
+    [[nodiscard]] bool stepped() const { return stepped_; }
+    /// Sub-steps of each step from now on; 0, as at the start: the device chooses.
+    void force_substeps(int substeps) { forced_substeps_ = substeps; }
     /// Times what is recorded from now on; null, as at the start: nothing is timed. The clock outlives the recordings.
     void set_clock(PassClock* clock) { clock_ = clock; }
 
@@ -143,10 +117,10 @@ class Air {
     [[nodiscard]] SolveTables tables_of(const Sides& sides) const;
     [[nodiscard]] Result<Buffer> piece_of(const SolveTables& tables);
     [[nodiscard]] DiffusionMethod diffusion_of(double duration) const;
-    [[nodiscard]] WindrowStep step_of(const AirTick& tick) const;
+    [[nodiscard]] WindrowStep block_of(const AmbientWind& ambient, const Window& window, const CellStep& step = {}) const;
     /// `tile` is what the passes read; null: they read none, or the wind's own.
-    void tell(VkCommandBuffer commands, const WindrowStep& step, const AmbientWind& ambient,
-              std::shared_ptr<const GustTile> tile = nullptr);
+    void write_step(VkCommandBuffer commands, const WindrowStep& block, const AmbientWind& ambient,
+                    std::shared_ptr<const GustTile> tile = nullptr);
     static constexpr VkDeviceSize k_most_update = 65536; ///< [bytes] of vkCmdUpdateBuffer
     void write(VkCommandBuffer commands, const Buffer& to, std::span<const std::byte> bytes);
     /// What was recorded so far in stages `from` is done before what follows in stages `to`. Recorded with the next command, as
@@ -155,12 +129,16 @@ class Air {
     void wait(VkCommandBuffer commands, std::span<const VkImageMemoryBarrier> images = {});
     void copy(VkCommandBuffer commands, const Buffer& from, const Buffer& to, VkDeviceSize at = 0);
     void clear(VkCommandBuffer commands, const Buffer& buffer, VkDeviceSize at = 0, VkDeviceSize bytes = VK_WHOLE_SIZE);
-    void dispatch(VkCommandBuffer commands, Pass pass, const Push& push, int frame = 0);
-    void place(VkCommandBuffer commands, const Buffer& field, const Push& push);
+    void dispatch(VkCommandBuffer commands, Pass pass, const Push& push = {}, int frame = 0);
+    void place(VkCommandBuffer commands, const Buffer& field, const WindrowPlacePush& push);
     void write_tables(VkCommandBuffer commands);
     void make_room_for_sides();
-    void adjust(VkCommandBuffer commands, float factor, int by_change, int which);
-    [[nodiscard]] Push everything() const { return {config_.cells.x, config_.cells.y, config_.cells.z, 1}; }
+    /// The whole of a field becomes ambient.
+    void fill(VkCommandBuffer commands, const Buffer& field);
+    void shift(VkCommandBuffer commands, const CellChange& change);
+    void adjust(VkCommandBuffer commands, const CellChange& change);
+    void upload(VkCommandBuffer commands, std::span<const glm::vec4> cells);
+    void keep_before(VkCommandBuffer commands);
 
     std::unique_ptr<Device> device_; // before what is made from it
     Config config_;
@@ -184,8 +162,10 @@ class Air {
     std::vector<Retired> retired_;   ///< pieces that a slot in flight may still copy; with room for one a slot
     std::vector<WindrowRule> rules_; ///< how each padded cell takes its value by the boundaries
     bool fresh_ = true;
-    bool owes_nothing_ = true; ///< viscosity has acted for all time so far
+    bool diffused_whole_ = true; ///< viscosity has acted for all time so far
     bool cleared_ = false;
+    bool stepped_ = false; ///< since `begin`
+    int forced_substeps_ = 0;
     int dispatches_ = 0, barriers_ = 0;
     VkPipelineStageFlags waits_from_ = 0, waits_to_ = 0; ///< of the barrier to come
 };

@@ -1,11 +1,10 @@
-// What the device is told of the box once, and again when its sides change: the tables of the direct solves, and the rules by
+// What the device gets of the box once, and again when its sides change: the tables of the direct solves, and the rules by
 // which cells beyond the sides take their values.
 //
 // Tables of 10^4 floats and more go through a piece of host memory, which a copy in the command buffer reads. It is written
 // before it is recorded and never again: new tables get a new piece, and the old one stays until its slot comes round.
 #include "fluid/cpu/box_rules.h"
 #include "fluid/vulkan/air.h"
-#include "fluid/vulkan/pipeline_stages.h"
 
 #include <cstring>
 #include <utility>
@@ -20,7 +19,9 @@ std::vector<WindrowRule> rules_in(const Box& box) {
         for (int axis = 0; axis < 3; ++axis)
             for (const cpu::HaloRule& from : rules_of(box, axis)) {
                 WindrowRule rule{};
-                rule.source = {from.source, from.ambient ? 1 : 0, from.identity ? 1 : 0, 0};
+                rule.source = from.source;
+                rule.beyond_open_side = from.ambient ? 1 : 0;
+                rule.identity = from.identity ? 1 : 0;
                 for (int n = 0; n < 3; ++n) {
                     rule.scale[n] = from.scale[n];
                     rule.offset[n] = from.offset[n];
@@ -46,7 +47,7 @@ Result<Buffer> Air::piece_of(const SolveTables& tables) {
     const auto bytes = std::as_bytes(std::span(tables.values));
     if (bytes.size() <= k_most_update)
         return Buffer{};
-    auto piece = Buffer::create(*device_, bytes.size(), Place::upload);
+    auto piece = Buffer::create(*device_, bytes.size(), MemoryUse::upload);
     if (!piece)
         return Error{piece.error()};
     std::memcpy(piece->mapped(), bytes.data(), bytes.size());
@@ -91,6 +92,7 @@ void Air::set_sides(NewSides&& sides) {
 
 void Air::begin(int slot) {
     slot_ = slot;
+    stepped_ = false;
     std::erase_if(retired_, [&](const Retired& retired) { return retired.slot == slot; });
 }
 
@@ -98,10 +100,10 @@ void Air::forget() {
     tables_written_ = rules_written_ = cleared_ = false;
     tile_.reset();
     shapes_.reset();
-    fresh_ = owes_nothing_ = true;
+    fresh_ = diffused_whole_ = true;
 }
 
-// What does not change from tick to tick, told once.
+// What does not change from tick to tick, written once.
 void Air::write_tables(VkCommandBuffer commands) {
     if (tables_written_ && rules_written_)
         return;

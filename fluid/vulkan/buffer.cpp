@@ -1,8 +1,8 @@
 #include "fluid/vulkan/buffer.h"
 
 #include "fluid/message.h"
-#include "fluid/vulkan/call_error.h"
 #include "fluid/vulkan/device.h"
+#include "fluid/vulkan/functions.h"
 
 #include <cassert>
 
@@ -14,13 +14,13 @@ struct Properties {
     VkMemoryPropertyFlags preferred = 0;
 };
 
-Properties properties_of(Place place) {
-    switch (place) {
-    case Place::upload:
+Properties properties_of(MemoryUse use) {
+    switch (use) {
+    case MemoryUse::upload:
         return {VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT};
-    case Place::readback:
+    case MemoryUse::readback:
         return {VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT, VK_MEMORY_PROPERTY_HOST_CACHED_BIT};
-    case Place::device:
+    case MemoryUse::device:
         break;
     }
     return {0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT};
@@ -28,7 +28,7 @@ Properties properties_of(Place place) {
 
 } // namespace
 
-Result<Buffer> Buffer::create(Device& device, VkDeviceSize bytes, Place place, VkBufferUsageFlags more_usage) {
+Result<Buffer> Buffer::create(Device& device, VkDeviceSize bytes, MemoryUse use, VkBufferUsageFlags more_usage) {
     const std::string what = detail::message("a buffer of ", bytes, " bytes");
     if (bytes == 0)
         return Error{"a buffer of 0 bytes is asked for: give at least 1."};
@@ -55,7 +55,7 @@ Result<Buffer> Buffer::create(Device& device, VkDeviceSize bytes, Place place, V
 
     VkMemoryRequirements requirements{};
     functions.vkGetBufferMemoryRequirements(host.device, buffer.handle(), &requirements);
-    const Properties properties = properties_of(place);
+    const Properties properties = properties_of(use);
     auto piece = device.memory().allocate(requirements, properties.wanted, properties.preferred, true);
     if (!piece)
         return Error{what + ": " + piece.error()};

@@ -11,7 +11,7 @@ namespace windrow::vulkan {
 class Device;
 
 /// Where a buffer's memory lies.
-enum class Place {
+enum class MemoryUse {
     device,   ///< on the device; written by copies and shaders alone
     upload,   ///< host-visible and coherent, on the device where that exists: written by the host, read by the device
     readback, ///< host-visible and cached: written by the device, read by the host
@@ -23,11 +23,11 @@ class Buffer {
     /// Empty.
     Buffer() = default;
     /// `bytes` from 1 to maxStorageBufferRange, since shaders see the whole. The error names the size, the call and its VkResult.
-    [[nodiscard]] static Result<Buffer> create(Device& device, VkDeviceSize bytes, Place place,
+    [[nodiscard]] static Result<Buffer> create(Device& device, VkDeviceSize bytes, MemoryUse use,
                                                VkBufferUsageFlags more_usage = 0);
     [[nodiscard]] VkBuffer handle() const { return buffer_.get(); }
     [[nodiscard]] VkDeviceSize bytes() const { return bytes_; }
-    /// Null for Place::device.
+    /// Null for MemoryUse::device.
     [[nodiscard]] std::byte* mapped() const { return static_cast<std::byte*>(piece_.get().mapped); }
     /// Makes the device's writes visible to the host where memory is not coherent (readback), or the other way (upload). For
     /// buffers that are mapped.

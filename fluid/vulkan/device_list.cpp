@@ -1,7 +1,7 @@
 #include "fluid/vulkan/device_list.h"
 
 #include "fluid/message.h"
-#include "fluid/vulkan/call_error.h"
+#include "fluid/vulkan/functions.h"
 
 namespace windrow::vulkan {
 namespace {

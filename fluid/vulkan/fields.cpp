@@ -13,7 +13,7 @@ Result<Fields> Fields::create(Device& device, const Sizes& sizes) {
     const auto make = [&](Buffer& buffer, const char* name, VkDeviceSize bytes, VkBufferUsageFlags more = 0) {
         if (!trouble.empty())
             return;
-        auto made = Buffer::create(device, bytes, Place::device, more);
+        auto made = Buffer::create(device, bytes, MemoryUse::device, more);
         if (made)
             buffer = *std::move(made);
         else

@@ -1,5 +1,7 @@
 #include "fluid/vulkan/functions.h"
 
+#include "fluid/message.h"
+
 #include <string>
 
 namespace windrow::vulkan {
@@ -9,6 +11,23 @@ void note_missing(std::string& missing, const char* name) {
     if (!missing.empty())
         missing += ", ";
     missing += name;
+}
+
+const char* fix_of(VkResult result) {
+    switch (result) {
+    case VK_ERROR_OUT_OF_HOST_MEMORY:
+        return "free host memory or use a smaller box.";
+    case VK_ERROR_OUT_OF_DEVICE_MEMORY:
+    case VK_ERROR_OUT_OF_POOL_MEMORY:
+    case VK_ERROR_FRAGMENTED_POOL:
+        return "free device memory or use a smaller box.";
+    case VK_ERROR_TOO_MANY_OBJECTS:
+        return "free device memory in fewer, larger pieces.";
+    case VK_ERROR_DEVICE_LOST:
+        return "make the device anew, or go on with the CPU.";
+    default:
+        return "update the driver, or use another device or the CPU.";
+    }
 }
 
 } // namespace
@@ -39,6 +58,44 @@ Result<Functions> load_functions(const Host& host) {
         return Error{"the driver lacks " + missing +
                      ": make instance and device with Vulkan 1.2 or newer, or update the driver."};
     return functions;
+}
+
+const char* name_of(VkResult result) {
+    switch (result) {
+#define WINDROW_NAME(name)                                                                                                       \
+    case name:                                                                                                                   \
+        return #name;
+        WINDROW_NAME(VK_SUCCESS)
+        WINDROW_NAME(VK_NOT_READY)
+        WINDROW_NAME(VK_TIMEOUT)
+        WINDROW_NAME(VK_EVENT_SET)
+        WINDROW_NAME(VK_EVENT_RESET)
+        WINDROW_NAME(VK_INCOMPLETE)
+        WINDROW_NAME(VK_ERROR_OUT_OF_HOST_MEMORY)
+        WINDROW_NAME(VK_ERROR_OUT_OF_DEVICE_MEMORY)
+        WINDROW_NAME(VK_ERROR_INITIALIZATION_FAILED)
+        WINDROW_NAME(VK_ERROR_DEVICE_LOST)
+        WINDROW_NAME(VK_ERROR_MEMORY_MAP_FAILED)
+        WINDROW_NAME(VK_ERROR_LAYER_NOT_PRESENT)
+        WINDROW_NAME(VK_ERROR_EXTENSION_NOT_PRESENT)
+        WINDROW_NAME(VK_ERROR_FEATURE_NOT_PRESENT)
+        WINDROW_NAME(VK_ERROR_INCOMPATIBLE_DRIVER)
+        WINDROW_NAME(VK_ERROR_TOO_MANY_OBJECTS)
+        WINDROW_NAME(VK_ERROR_FORMAT_NOT_SUPPORTED)
+        WINDROW_NAME(VK_ERROR_FRAGMENTED_POOL)
+        WINDROW_NAME(VK_ERROR_OUT_OF_POOL_MEMORY)
+        WINDROW_NAME(VK_ERROR_INVALID_EXTERNAL_HANDLE)
+        WINDROW_NAME(VK_ERROR_FRAGMENTATION)
+        WINDROW_NAME(VK_ERROR_INVALID_OPAQUE_CAPTURE_ADDRESS)
+        WINDROW_NAME(VK_ERROR_UNKNOWN)
+#undef WINDROW_NAME
+    default:
+        return "a VkResult without a name";
+    }
+}
+
+Error call_error(std::string_view function, std::string_view what, VkResult result) {
+    return {detail::message(function, " for ", what, " returned ", name_of(result), ": ", fix_of(result))};
 }
 
 } // namespace windrow::vulkan

@@ -1,9 +1,11 @@
 // The Vulkan calls that Windrow makes, as pointers of its own: no loader symbols and no globals, and a test can put its own in
-// place.
+// place. And the sentence for a call that failed.
 #pragma once
 
 #include "fluid/result.h"
 #include "fluid/vulkan/host.h"
+
+#include <string_view>
 
 namespace windrow::vulkan {
 
@@ -73,5 +75,9 @@ struct Functions {
 
 /// Fills the table for a device; names every function that is missing.
 [[nodiscard]] Result<Functions> load_functions(const Host& host);
+
+/// Of a call that failed: "vkCreateBuffer for a buffer of 64 bytes returned VK_ERROR_OUT_OF_HOST_MEMORY: free host memory or use
+/// a smaller box."
+[[nodiscard]] Error call_error(std::string_view function, std::string_view what, VkResult result);
 
 } // namespace windrow::vulkan

@@ -23,7 +23,7 @@ struct MemoryPiece {
 struct MemoryCallbacks {
     /// Memory of the type `type_index` that fits `requirements`; host-visible memory comes mapped. Size and alignment already
     /// hold what nonCoherentAtomSize and bufferImageGranularity ask, so that pieces may lie side by side. A result other than
-    /// VK_SUCCESS is told to the caller of `create`.
+    /// VK_SUCCESS is returned to the caller of `create`.
     std::function<VkResult(const VkMemoryRequirements& requirements, std::uint32_t type_index, MemoryPiece& piece)> allocate;
     std::function<void(const MemoryPiece& piece)> release;
 };
@@ -41,7 +41,7 @@ struct Host {
     MemoryCallbacks memory{};
 };
 
-/// What a device must offer, told before it is made. No extension is needed.
+/// What a device must offer, known before it is made. No extension is needed.
 struct Requirements {
     std::uint32_t api_version = VK_API_VERSION_1_2;
     /// To be enabled when the device is made. One: shaderStorageImageExtendedFormats, without which no shader writes an R16F

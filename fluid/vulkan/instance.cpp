@@ -1,7 +1,7 @@
 #include "fluid/vulkan/instance.h"
 
 #include "fluid/message.h"
-#include "fluid/vulkan/call_error.h"
+#include "fluid/vulkan/functions.h"
 
 #include <algorithm>
 #include <cstring>
@@ -26,7 +26,7 @@ bool has_layer(PFN_vkEnumerateInstanceLayerProperties enumerate) {
                        [](const VkLayerProperties& layer) { return std::strcmp(layer.layerName, k_layer) == 0; });
 }
 
-/// A copy to or from an image in the layout GENERAL, which a compute renderer keeps its images in, is told as slow. Errors of
+/// A copy to or from an image in the layout GENERAL, which a compute renderer keeps its images in, is reported as slow. Errors of
 /// layout carry the same name, but are no performance warnings.
 bool is_harmless(VkDebugUtilsMessageSeverityFlagBitsEXT severity, VkDebugUtilsMessageTypeFlagsEXT kind, const char* name) {
     return severity == VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT &&

@@ -1,8 +1,8 @@
 #include "fluid/vulkan/memory.h"
 
 #include "fluid/message.h"
-#include "fluid/vulkan/call_error.h"
 #include "fluid/vulkan/free_ranges.h"
+#include "fluid/vulkan/functions.h"
 #include "fluid/vulkan/handle.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "fluid/vulkan/own_device.h"
 
 #include "fluid/message.h"
-#include "fluid/vulkan/call_error.h"
 #include "fluid/vulkan/device_list.h"
+#include "fluid/vulkan/functions.h"
 #include "fluid/vulkan/instance.h"
 
 #include <array>

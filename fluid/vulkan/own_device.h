@@ -51,7 +51,7 @@ class OwnDevice {
     /// Messages of the validation layer so far.
     [[nodiscard]] int messages() const;
 
-    /// Records with `record`, submits, and waits: for tools. A result other than VK_SUCCESS is told.
+    /// Records with `record`, submits, and waits: for tools. A result other than VK_SUCCESS is returned.
     [[nodiscard]] Result<void> run(const std::function<void(VkCommandBuffer)>& record);
 
   private:

@@ -52,16 +52,16 @@ Groups groups_over(glm::ivec3 cells, const Groups& size) {
 }
 
 // How planes are cut for the transforms of x and z.
-struct Tiles {
+struct PlaneTiles {
     bool whole = true;
     std::uint32_t x = 1, z = 1;  // of a whole plane; else of the pass along x: all of x, some of z
     std::uint32_t between_x = 1; // of the pass along z: some of x, all of z
 };
 
-Tiles tiles_of(const Device& device, glm::ivec3 cells) {
+PlaneTiles tiles_of(const Device& device, glm::ivec3 cells) {
     const auto nx = static_cast<std::uint32_t>(cells.x), nz = static_cast<std::uint32_t>(cells.z);
     const std::uint32_t most = device.limits().maxComputeSharedMemorySize / 4;
-    Tiles tiles;
+    PlaneTiles tiles;
     tiles.whole = nx * nz <= most;
     tiles.x = nx;
     tiles.z = tiles.whole ? nz : std::clamp(most / nx, 1u, std::min(k_tile_lines, nz));
@@ -115,7 +115,7 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
     const glm::ivec3 cells = settings.cells;
     const Groups cell = cell_group(cells), over_cells = groups_over(cells, cell);
     const Groups over_padded = groups_over(cells + WINDROW_HALO, cell);
-    const Tiles tiles = tiles_of(device, cells);
+    const PlaneTiles tiles = tiles_of(device, cells);
     const std::uint32_t solve =
         std::min({k_solve_group, device.limits().maxComputeWorkGroupInvocations, device.limits().maxComputeWorkGroupSize[0]});
     const auto nx = static_cast<std::uint32_t>(cells.x), ny = static_cast<std::uint32_t>(cells.y),
@@ -215,21 +215,27 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
 
 void Passes::set_tables(const SolveTables& tables) {
     // A direct solve: forward, columns, back, with the second axis between where it has passes of its own.
-    const auto solve = [&](std::vector<Stage>& stages, Stage forward, const Stage& columns, Stage back,
-                           const SolveTables::Vectors& at) {
-        forward.push = {0, at.x_forward, at.z_forward, forward.push.w};
-        back.push = {0, at.x_back, at.z_back, back.push.w};
-        stages.push_back(forward);
-        if (!whole_planes_)
-            stages.push_back({Pass::modes_between, {0, 0, at.z_forward, 0}});
-        stages.push_back(columns);
-        if (!whole_planes_)
-            stages.push_back({Pass::modes_between, {0, 0, at.z_back, 0}});
-        stages.push_back(back);
+    struct Solve {
+        Pass forward, columns, back;
+        Push columns_push;
+        int part;
     };
-    const auto solve_pressure = [&](std::vector<Stage>& stages, std::int32_t of_air) {
-        solve(stages, {Pass::modes_forward, {0, 0, 0, of_air}},
-              {Pass::columns, {0, tables.pivots, tables.vectors, tables.singular}}, {Pass::modes_back, {}}, tables.pressure);
+    const auto add_solve = [&](std::vector<Stage>& stages, const Solve& solve, const SolveTables::Vectors& at) {
+        const auto plane = [&](Pass pass, int x, int z) {
+            stages.push_back({pass, WindrowStagePush{.substep = 0, .x_vectors = x, .z_vectors = z, .part = solve.part}});
+        };
+        plane(solve.forward, at.x_forward, at.z_forward);
+        if (!whole_planes_)
+            plane(Pass::modes_between, 0, at.z_forward);
+        stages.push_back({solve.columns, solve.columns_push});
+        if (!whole_planes_)
+            plane(Pass::modes_between, 0, at.z_back);
+        plane(solve.back, at.x_back, at.z_back);
+    };
+    const auto solve_pressure = [&](std::vector<Stage>& stages, int of_sources) {
+        const WindrowColumnsPush columns{
+            .substep = 0, .pivots = tables.pivots, .vectors = tables.vectors, .singular = tables.singular};
+        add_solve(stages, {Pass::modes_forward, Pass::columns, Pass::modes_back, columns, of_sources}, tables.pressure);
     };
     source_solve_.clear();
     solve_pressure(source_solve_, 1);
@@ -238,9 +244,11 @@ void Passes::set_tables(const SolveTables& tables) {
         stages.clear();
         if (most != DiffusionMethod::none)
             stages.push_back({Pass::diffuse, {}});
-        for (std::int32_t n = 0; most == DiffusionMethod::implicit && n < 3; ++n)
-            solve(stages, {Pass::diffuse_forward, {0, 0, 0, n}}, {Pass::diffuse_columns, {0, tables.diffusion_columns[n], 0, 0}},
-                  {Pass::diffuse_back, {0, 0, 0, n}}, tables.diffusion[n]);
+        for (int n = 0; most == DiffusionMethod::implicit && n < 3; ++n) {
+            const WindrowDiffusePush columns{.substep = 0, .eigenvalues = tables.diffusion_columns[n]};
+            add_solve(stages, {Pass::diffuse_forward, Pass::diffuse_columns, Pass::diffuse_back, columns, n},
+                      tables.diffusion[n]);
+        }
         stages.push_back({Pass::pad, {}});
         stages.push_back({Pass::advect, {}});
         if (settings_.projects)

@@ -2,10 +2,13 @@
 #pragma once
 
 #include "fluid/pieces.h"
+#include "fluid/vulkan/blocks.h"
 #include "fluid/vulkan/fields.h"
 #include "fluid/vulkan/tables.h"
 
 #include <array>
+#include <cstring>
+#include <type_traits>
 #include <vector>
 
 namespace windrow::vulkan {
@@ -37,9 +40,24 @@ inline constexpr std::size_t k_passes = static_cast<std::size_t>(Pass::count);
 /// As above: "modes_forward".
 [[nodiscard]] const char* name_of(Pass pass);
 
-/// What a pass is told at the moment it is recorded.
-struct Push {
-    std::int32_t x = 0, y = 0, z = 0, w = 0;
+/// Push constants of any pass: one of the structs for them in blocks.glsl.
+class Push {
+  public:
+    Push() = default;
+    template <class Content>
+    Push(const Content& content) {
+        static_assert(sizeof(Content) <= sizeof(words_) && std::is_trivially_copyable_v<Content>);
+        std::memcpy(words_.data(), &content, sizeof(Content));
+    }
+    /// The same with the number of a sub-step, which the structs of its passes begin with.
+    [[nodiscard]] Push in_substep(std::int32_t substep) const {
+        Push push = *this;
+        push.words_[0] = substep;
+        return push;
+    }
+
+  private:
+    std::array<std::int32_t, 8> words_{};
 };
 
 class Passes {
@@ -66,7 +84,7 @@ class Passes {
     /// What Fields::shapes holds: how many passes a sub-step has, and the work groups of each, those of Pass::limit before them.
     /// Good until the next call.
     [[nodiscard]] std::span<const std::uint32_t> shapes(DiffusionMethod most);
-    /// One dispatch of a sub-step: the pass and what it is told beside the sub-step's number.
+    /// One dispatch of a sub-step: the pass and its push constants without the sub-step's number.
     struct Stage {
         Pass pass;
         Push push;

@@ -1,8 +1,8 @@
 #include "fluid/vulkan/timestamps.h"
 
 #include "fluid/message.h"
-#include "fluid/vulkan/call_error.h"
 #include "fluid/vulkan/device.h"
+#include "fluid/vulkan/functions.h"
 
 #include <vector>
 

@@ -10,11 +10,9 @@
 
 namespace windrow::vulkan {
 
-Wind::State::State(std::unique_ptr<Air> cells, const Config& wanted, const Settings& how, const AmbientWind& wind_around)
-    : WindHost(wanted, wind_around), air(std::move(cells)), settings(how), queried_box(box()) {
-    queue_.make_room();
-    renew_ambient();
-    fill_with_ambient();
+Wind::State::State(std::unique_ptr<Air> air, const Config& config, const Settings& how, const AmbientWind& ambient)
+    : core(config, ambient, cells), cells(core, read_backs, std::move(air)), settings(how) {
+    core.start();
 }
 
 Wind::Wind(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -54,22 +52,16 @@ Result<Wind> Wind::create(const Host& host, const Config& config, const Settings
         if (!air)
             return Error{air.error()};
         auto state = std::make_unique<State>(*std::move(air), config, settings, *ambient);
-        for (int n = 0; n < settings.frames_in_flight; ++n) {
-            auto buffer = Buffer::create(state->air->device(), state->air->slot_bytes(settings.queries), Place::readback);
-            if (!buffer)
-                return Error{buffer.error()};
-            state->slots.push_back({.buffer = *std::move(buffer), .frame = state->frame_now(), .box = state->box(), .rim = {}});
-        }
+        Air& cells = *state->cells.air;
+        if (auto made = state->read_backs.make(cells, settings.frames_in_flight, settings.queries, state->frame_now()); !made)
+            return Error{made.error()};
         if (settings.timestamps) {
-            auto clock =
-                PassClock::create(state->air->device(), settings.frames_in_flight, laps_of(config, state->air->passes()));
+            auto clock = PassClock::create(cells.device(), settings.frames_in_flight, laps_of(config, cells.passes()));
             if (!clock)
                 return Error{clock.error()};
             state->clock = *std::move(clock);
-            state->air->set_clock(&*state->clock);
+            cells.set_clock(&*state->clock);
         }
-        if (settings.queries)
-            state->queried_cells.reserve(state->box().cell_count());
         return Wind(std::move(state));
     });
 }
@@ -87,39 +79,39 @@ bool Wind::collect(int slot) {
 // --- As of windrow::Wind -------------------------------------------------------------------------------------------------------
 
 Motors& Wind::motors() {
-    return state_->motors;
+    return state_->core.motors;
 }
 const Motors& Wind::motors() const {
-    return state_->motors;
+    return state_->core.motors;
 }
 Result<void> Wind::set_ambient(glm::vec3 ambient) {
-    return state_->set_ambient(ambient);
+    return state_->core.set_ambient(ambient);
 }
 glm::vec3 Wind::ambient() const {
-    return state_->mean_wind();
+    return state_->core.mean_wind();
 }
 Result<void> Wind::set_gusts(const Gusts& gusts) {
-    if ((gusts.intensity > 0.0f || gusts.tile) && !state_->air->holds_gusts())
+    if ((gusts.intensity > 0.0f || gusts.tile) && !state_->cells.air->holds_gusts())
         return Error{"This wind was made without room for gusts: set Settings::gusts, or give the config gusts."};
-    return state_->set_gusts(gusts);
+    return state_->core.set_gusts(gusts);
 }
 Result<void> Wind::set_sides(const Sides& sides) {
-    return state_->set_sides(sides);
+    return state_->core.set_sides(sides);
 }
 Result<void> Wind::follow(glm::dvec3 point) {
-    return state_->follow(point);
+    return state_->core.follow(point);
 }
 Result<void> Wind::set_floor(double height) {
-    return state_->set_floor(height);
+    return state_->core.set_floor(height);
 }
 glm::dvec3 Wind::origin() const {
-    return state_->window.origin();
+    return state_->core.window().origin();
 }
 const Config& Wind::config() const {
-    return state_->config;
+    return state_->core.config;
 }
 Box Wind::box() const {
-    return state_->box();
+    return state_->core.box();
 }
 Result<void> Wind::set_velocity(const std::function<glm::vec3(glm::dvec3)>& velocity_at) {
     const Box box = this->box();
@@ -129,11 +121,11 @@ Result<void> Wind::set_velocity(const std::function<glm::vec3(glm::dvec3)>& velo
     for (int k = 0; k < box.cells.z; ++k)
         for (int j = 0; j < box.cells.y; ++j)
             for (int i = 0; i < box.cells.x; ++i)
-                cells[box.index(i, j, k)] = glm::vec4(velocity_at(state_->window.centre(i, j, k)), 0.0f);
-    return state_->set_velocity(cells);
+                cells[box.index(i, j, k)] = glm::vec4(velocity_at(state_->core.window().centre(i, j, k)), 0.0f);
+    return state_->core.set_velocity(cells);
 }
 Result<void> Wind::set_velocity(std::span<const glm::vec4> field) {
-    return state_->set_velocity(field);
+    return state_->core.set_velocity(field);
 }
 void Wind::reset() {
     state_->reset();
@@ -158,10 +150,10 @@ Textures textures_of(const Fields& fields, int set) {
 } // namespace
 
 Textures Wind::textures() const {
-    return textures_of(state_->air->fields(), state_->set);
+    return textures_of(state_->cells.air->fields(), state_->textures.current);
 }
 Textures Wind::previous_textures() const {
-    return textures_of(state_->air->fields(), state_->set ^ 1);
+    return textures_of(state_->cells.air->fields(), state_->textures.current ^ 1);
 }
 
 namespace {
@@ -169,13 +161,13 @@ namespace {
 // Calls use(view of the frame last recorded, view of the one before), which live no longer than the call. They hold no cells.
 template <class Use>
 auto with_views(const Wind::State& state, const Use& use) {
-    const Box box = state.box();
-    const auto view = [&](const windrow::Frame& frame) {
-        return WindView(box, frame.window, state.rim(frame.rim_point), frame.ambient, {});
+    const Box box = state.core.box();
+    const auto view = [&](const ShownFrame& frame) {
+        return WindView(box, frame.window, state.core.rim(frame.rim_point), frame.ambient, {});
     };
-    const windrow::Frame unrecorded = state.frame_now();
-    const windrow::Frame& now = state.recorded ? *state.recorded : unrecorded;
-    const windrow::Frame& before = state.recorded_before ? *state.recorded_before : now;
+    const ShownFrame unrecorded = state.core.shown();
+    const ShownFrame& now = state.recorded ? *state.recorded : unrecorded;
+    const ShownFrame& before = state.recorded_before ? *state.recorded_before : now;
     return use(view(now), view(before));
 }
 
@@ -184,7 +176,7 @@ auto with_views(const Wind::State& state, const Use& use) {
 // Which of the sets of textures holds which frame depends on the recordings, pauses among them, not on the steps.
 WindowBlock Wind::window_block(glm::dvec3 anchor) const {
     return with_views(*state_, [&](const WindView& now, const WindView& before) {
-        WindowBlock block = state_->window_block(anchor, now, before);
+        WindowBlock block = state_->core.window_block(anchor, now, before);
         const WindowBlock earlier = before.block(anchor);
         block.previous_origin = {glm::vec3(earlier.origin_and_cell_size), 0.0f};
         block.previous_rim_point = {glm::vec3(earlier.rim_point), 0.0f};
@@ -193,32 +185,34 @@ WindowBlock Wind::window_block(glm::dvec3 anchor) const {
 }
 
 FrameBlock Wind::frame_block(glm::dvec3 anchor, const Sampling& sampling) const {
-    FrameBlock block = with_views(
-        *state_, [&](const WindView& now, const WindView& before) { return state_->frame_block(anchor, sampling, now, before); });
+    FrameBlock block = with_views(*state_, [&](const WindView& now, const WindView& before) {
+        return state_->core.frame_block(anchor, sampling, now, before);
+    });
     block.window = window_block(anchor);
     return block;
 }
 
 VkBuffer Wind::gust_buffer() const {
-    return state_->air->fields().tile.handle();
+    return state_->cells.air->fields().tile.handle();
 }
 
 const AmbientWind& Wind::ambient_wind() const {
-    return state_->frames ? state_->frames->shown.ambient : state_->ambient;
+    const WindCore& core = state_->core;
+    return core.frames ? core.frames->shown.ambient : core.ambient;
 }
 
 // --- For the host -----------------------------------------------------------------------------------------------------------
 
 std::optional<WindView> Wind::queried() const {
-    const State& state = *state_;
-    if (!state.queried_frame)
+    const auto& read = state_->read_backs.frame();
+    if (!read)
         return std::nullopt;
-    const windrow::Frame& frame = *state.queried_frame;
-    return WindView(state.queried_box, frame.window, state.queried_rim, frame.ambient, state.queried_cells);
+    return WindView(read->box, read->frame.window, read->rim, read->frame.ambient, state_->read_backs.cells());
 }
 
 double Wind::query_age() const {
-    return state_->queried_frame ? state_->time - state_->queried_time : 0.0;
+    const auto& read = state_->read_backs.frame();
+    return read ? state_->time - read->time : 0.0;
 }
 
 Diagnostics Wind::reported() {
@@ -245,10 +239,10 @@ std::optional<PassTimes> Wind::pass_times() const {
     return times;
 }
 std::uint64_t Wind::memory_bytes() const {
-    return state_->air->device().memory().given();
+    return state_->cells.air->device().memory().given();
 }
 std::uint64_t Wind::reserved_bytes() const {
-    return state_->air->device().memory().taken();
+    return state_->cells.air->device().memory().taken();
 }
 
 } // namespace windrow::vulkan

@@ -8,7 +8,7 @@
 //                                                                                 // shaders/coupling/windrow_wind.glsl
 //
 // The same config, motors, gusts, ticks and sides as windrow::Wind (fluid/wind.h, which says more of each call), the same step,
-// and the same velocities to rounding; only sleep begins some frames later, when a read-back has told that the air is still.
+// and the same velocities to rounding; only sleep begins some frames later, when a read-back has shown that the air is still.
 // Nothing is submitted and nothing waited for: all work goes into the host's command buffer, to run on one queue in the order of
 // recording. Each recording is submitted once (else see `forget`). What the host asks for between two frames is recorded with
 // the next.
@@ -74,8 +74,8 @@ class Wind {
     [[nodiscard]] static Result<Wind> create(const Host& host, const Config& config, const Settings& settings = {});
 
     /// Records a frame outside of a render pass: the ticks that are due, the textures, the read-back. Compute and transfer
-    /// commands alone. A dt that is negative or not finite, and a slot out of range, record nothing. Advance::last tells of the
-    /// last tick that was read back, frames_in_flight frames ago; cells that were repaired or limited are told once, with the
+    /// commands alone. A dt that is negative or not finite, and a slot out of range, record nothing. Advance::last is of the
+    /// last tick that was read back, frames_in_flight frames ago; cells that were repaired or limited are reported once, with the
     /// next frame that has a tick. What is recorded must be submitted: the next frame goes on from it.
     Advance record(VkCommandBuffer commands, const Frame& frame);
     /// Records one step of frame.dt instead of ticks; see windrow::Wind::step. A dt of 0 is a pause: what was asked for since the
@@ -89,7 +89,7 @@ class Wind {
     bool collect(int slot);
     /// After a recording that will never be submitted (its command buffer was reset, its device call failed): the air is ambient,
     /// nothing of the device's memory is trusted, and the next recording writes all of it anew. Motors, sides, place and wind
-    /// stay as they were told. To go on from the last frame that was read, give its cells to `set_velocity`. What was submitted
+    /// stay as they were set. To go on from the last frame that was read, give its cells to `set_velocity`. What was submitted
     /// before runs to its end first, as always; its read-backs are not taken.
     void forget();
 
@@ -133,8 +133,8 @@ class Wind {
     [[nodiscard]] std::optional<WindView> queried() const;
     /// [s] Time of the frames recorded since that one. With ticks each frame shows a moment up to a tick before its own.
     [[nodiscard]] double query_age() const;
-    /// What the last tick in `queried` reported; stepped = false before the first. Cells that were repaired or limited are told
-    /// once, here or by a recording.
+    /// What the last tick in `queried` reported; stepped = false before the first. Cells that were repaired or limited are
+    /// reported once, here or by a recording.
     [[nodiscard]] Diagnostics reported();
     /// [m/s] Wind at one world point as of `queried`, which it makes anew each time; the ambient wind before the first.
     [[nodiscard]] glm::vec3 velocity(glm::dvec3 position) const;

@@ -1,5 +1,7 @@
 #include "fluid/vulkan/work_queue.h"
 
+#include "fluid/vulkan/air.h"
+
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -7,12 +9,7 @@
 namespace windrow::vulkan {
 namespace {
 
-using Kind = Work::Kind;
-
-bool same_wind(const AmbientWind& a, const AmbientWind& b) {
-    return a.mean() == b.mean() && a.phase() == b.phase() && a.ground() == b.ground() && a.gust_axes() == b.gust_axes() &&
-           a.settings().gusts.intensity == b.settings().gusts.intensity && a.period() == b.period() && a.tile() == b.tile();
-}
+using Kind = CellChange::Kind;
 
 // Both leave what lies between them in the box: a shift there and back loses what left it.
 bool same_way(CellIndex a, CellIndex b) {
@@ -23,11 +20,11 @@ bool same_way(CellIndex a, CellIndex b) {
 }
 
 // What the host keeps of the air is not the same after it.
-bool changes_before(const Work& work) {
-    return work.kind == Kind::fill_before || work.kind == Kind::set || (work.kind != Kind::fill && work.kept);
+bool changes_before(const CellChange& change) {
+    return change.kind == Kind::fill_before || change.kind == Kind::set || (change.kind != Kind::fill && change.kept);
 }
 
-bool same_change(const Work& a, const Work& b) {
+bool same_change(const CellChange& a, const CellChange& b) {
     // The change goes by its profile over the ground, where there is one.
     const bool same_height = (a.window.origin_cells.y == b.window.origin_cells.y && a.ambient.ground() == b.ambient.ground()) ||
                              (a.ambient.uniform() && b.ambient.uniform());
@@ -35,111 +32,93 @@ bool same_change(const Work& a, const Work& b) {
 }
 
 // The change may be made before `earlier` too.
-bool passes(const Work& change, const Work& earlier) {
+bool passes(const CellChange& change, const CellChange& earlier) {
     if (!change.to_air)
         return earlier.kind == Kind::fill;
-    return earlier.kind == Kind::shift && earlier.kept == change.kept && earlier.move.by.y == 0 &&
-           earlier.move.exposed_hold_ambient && earlier.ambient.ground() == change.ambient.ground() &&
-           change.ambient.mean() - earlier.ambient.mean() == change.change;
+    return earlier.kind == Kind::shift && earlier.kept == change.kept && earlier.by.y == 0 && earlier.exposed_hold_ambient &&
+           earlier.ambient.ground() == change.ambient.ground() && change.ambient.mean() - earlier.ambient.mean() == change.change;
 }
 
 } // namespace
 
-void Work::record(Air& air, VkCommandBuffer commands) const {
-    switch (kind) {
-    case Kind::fill:
-        return air.fill(commands, ambient, window);
-    case Kind::fill_before:
-        return air.fill_before(commands, ambient, window);
-    case Kind::shift:
-        return air.shift(commands, move, ambient, window);
-    case Kind::add_change:
-        return air.add_change(commands, change, to_air, kept, ambient, window);
-    case Kind::add_wind:
-        return air.add_wind(commands, factor, kept, ambient, window);
-    case Kind::set:
-        return air.upload(commands, cells);
-    }
-}
-
-// True where the last work now does what this one asks too.
-bool WorkQueue::fold(const Work& work) {
-    if (works_.empty())
+// True where the last change now does what this one asks too.
+bool WorkQueue::fold(const CellChange& change) {
+    if (changes_.empty())
         return false;
-    Work& last = works_.back();
-    if (last.kind != work.kind || last.kept != work.kept)
+    CellChange& last = changes_.back();
+    if (last.kind != change.kind || last.kept != change.kept)
         return false;
-    switch (work.kind) {
+    switch (change.kind) {
     case Kind::shift: // over level ground: a floor that moves takes the wind with it
-        if (last.move.by.y != 0 || work.move.by.y != 0 || !same_way(last.move.by, work.move.by) ||
-            last.move.exposed_hold_ambient != work.move.exposed_hold_ambient || last.ambient.mean() != work.ambient.mean())
+        if (last.by.y != 0 || change.by.y != 0 || !same_way(last.by, change.by) ||
+            last.exposed_hold_ambient != change.exposed_hold_ambient || last.ambient.mean() != change.ambient.mean())
             return false;
-        last.move.by += work.move.by;
-        last.move.lets_air_in = last.move.lets_air_in || work.move.lets_air_in;
+        last.by += change.by;
+        last.has_source_flow = last.has_source_flow || change.has_source_flow;
         break;
     case Kind::add_wind: // a ramp of gusts: out with what just came in
-        if (last.factor + work.factor != 0.0f || last.window.origin_cells != work.window.origin_cells ||
-            !same_wind(last.ambient, work.ambient))
+        if (last.factor + change.factor != 0.0f || last.window.origin_cells != change.window.origin_cells ||
+            !same_wind(last.ambient, change.ambient))
             return false;
-        works_.pop_back();
+        changes_.pop_back();
         return true;
     default:
         return false;
     }
-    last.ambient = work.ambient;
-    last.window = work.window;
+    last.ambient = change.ambient;
+    last.window = change.window;
     return true;
 }
 
 // A change of the mean wind acts as well before a shift that exposes the changed wind, and before a fill where it is only of what
 // is kept. So it goes there, and into the change that it meets: a walk in a wind that turns stays one change and one shift.
-void WorkQueue::add_change(Work change) {
-    auto at = works_.end();
-    while (at != works_.begin() && passes(change, *std::prev(at)))
+void WorkQueue::add_change(const CellChange& change) {
+    auto at = changes_.end();
+    while (at != changes_.begin() && passes(change, *std::prev(at)))
         --at;
-    for (auto shift = at; shift != works_.end(); ++shift)
+    for (auto shift = at; shift != changes_.end(); ++shift)
         if (shift->kind == Kind::shift)
             shift->ambient = change.ambient;
-    if (at == works_.begin() || !same_change(*std::prev(at), change)) {
-        works_.insert(at, std::move(change));
+    if (at == changes_.begin() || !same_change(*std::prev(at), change)) {
+        changes_.insert(at, change);
         return;
     }
-    Work& before = *std::prev(at);
+    CellChange& before = *std::prev(at);
     before.change += change.change;
     before.ambient = change.ambient;
     before.window = change.window;
 }
 
-void WorkQueue::append(Work work) {
-    if (work.kind == Kind::add_change)
-        add_change(std::move(work));
-    else if (!fold(work))
-        works_.push_back(std::move(work));
+void WorkQueue::append(const CellChange& change) {
+    if (change.kind == Kind::add_change)
+        add_change(change);
+    else if (!fold(change))
+        changes_.push_back(change);
 }
 
-// Leaves of the works what can still be seen after `work`.
-void WorkQueue::drop_overwritten(const Work& work) {
-    const auto of_before_alone = [](const Work& w) {
+// Leaves of the changes what can still be seen after `change`.
+void WorkQueue::drop_overwritten(const CellChange& change) {
+    const auto of_before_alone = [](const CellChange& w) {
         return w.kind == Kind::fill_before || (w.kind == Kind::add_change && !w.to_air);
     };
-    switch (work.kind) {
+    switch (change.kind) {
     case Kind::fill: // all of the air and of the sources' flow
-        std::erase_if(works_, [&](const Work& w) { return !work.kept || !changes_before(w); });
-        for (Work& left : works_)
-            left.to_air = left.move.lets_air_in = false;
+        std::erase_if(changes_, [&](const CellChange& w) { return !change.kept || !changes_before(w); });
+        for (CellChange& left : changes_)
+            left.to_air = left.has_source_flow = false;
         return;
     case Kind::fill_before: // what is kept; what came before a fill is gone from both then
-        while (std::any_of(works_.begin() + (works_.empty() ? 0 : 1), works_.end(),
-                           [](const Work& w) { return w.kind == Kind::fill; }))
-            works_.erase(works_.begin());
-        std::erase_if(works_, of_before_alone);
+        while (std::any_of(changes_.begin() + (changes_.empty() ? 0 : 1), changes_.end(),
+                           [](const CellChange& w) { return w.kind == Kind::fill; }))
+            changes_.erase(changes_.begin());
+        std::erase_if(changes_, of_before_alone);
         return;
     case Kind::set: // both, but not what moved or ended the sources' flow: cells that are set keep it
-        std::erase_if(works_,
-                      [](const Work& w) { return w.kind != Kind::fill && !(w.kind == Kind::shift && w.move.lets_air_in); });
-        for (Work& left : works_) {
-            left.ambient = work.ambient;
-            left.window = work.window;
+        std::erase_if(changes_,
+                      [](const CellChange& w) { return w.kind != Kind::fill && !(w.kind == Kind::shift && w.has_source_flow); });
+        for (CellChange& left : changes_) {
+            left.ambient = change.ambient;
+            left.window = change.window;
         }
         return;
     default:
@@ -147,29 +126,40 @@ void WorkQueue::drop_overwritten(const Work& work) {
     }
 }
 
-void WorkQueue::make_room() {
+void WorkQueue::make_room(std::size_t cells) {
     constexpr std::size_t k_most_a_call = 8; // out with the wind, a change, a shift, in with it, what is kept
-    const std::size_t most = works_.size() + k_most_a_call;
-    if (works_.capacity() < most)
-        works_.reserve(2 * most);
-    left_.reserve(works_.capacity());
+    const std::size_t most = changes_.size() + k_most_a_call;
+    if (changes_.capacity() < most)
+        changes_.reserve(2 * most);
+    left_.reserve(changes_.capacity());
+    cells_.resize(std::max(cells, cells_.size()));
 }
 
-void WorkQueue::push(Work work) {
-    if (work.kind == Kind::fill || work.kind == Kind::fill_before || work.kind == Kind::set) {
-        drop_overwritten(work);
-        works_.swap(left_);
-        for (Work& left : left_) // neighbours now, that may fold
-            append(std::move(left));
+void WorkQueue::push(CellChange change) {
+    if (change.kind == Kind::set) { // the one that waits is overwritten
+        std::transform(change.cells.begin(), change.cells.end(), cells_.begin(),
+                       [](glm::vec4 u) { return glm::vec4(u.x, u.y, u.z, 0.0f); });
+        change.cells = cells_;
+    }
+    if (change.kind == Kind::fill || change.kind == Kind::fill_before || change.kind == Kind::set) {
+        drop_overwritten(change);
+        changes_.swap(left_);
+        for (const CellChange& left : left_) // neighbours now, that may fold
+            append(left);
         left_.clear();
     }
-    append(std::move(work));
+    append(change);
 }
 
 void WorkQueue::record(Air& air, VkCommandBuffer commands) {
-    for (const Work& work : works_)
-        work.record(air, commands);
-    works_.clear();
+    for (const CellChange& change : changes_)
+        air.apply(commands, change);
+    clear();
+}
+
+void WorkQueue::clear() {
+    changes_.clear();
+    cells_ = {};
 }
 
 } // namespace windrow::vulkan

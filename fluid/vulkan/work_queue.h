@@ -1,56 +1,36 @@
-// What a host asks of the cells between two frames, kept until the next one is recorded. A host that records nothing for long (a
-// minimised window) may go on asking, so what a later call undoes or takes further is folded into it.
+// Changes that a host asks for between two frames, kept until the next one is recorded. A host that records nothing for long (a
+// minimised window) may go on asking, so a change that a later one undoes or extends is folded into it.
 #pragma once
 
-#include "fluid/ambient.h"
-#include "fluid/vulkan/air.h"
-#include "fluid/window.h"
+#include "fluid/cell_storage.h"
 
 #include <vector>
+#include <vulkan/vulkan_core.h>
 
 namespace windrow::vulkan {
 
-/// One change of the cells, with what blew around the box when it was asked for.
-struct Work {
-    enum class Kind : std::uint8_t {
-        fill,        ///< all ambient, with no past
-        fill_before, ///< what is kept of the air too
-        shift,       ///< by `move`
-        add_change,  ///< of the mean wind, by `change`
-        add_wind,    ///< `factor` times the ambient wind
-        set,         ///< to `cells`
-    };
-    Kind kind = Kind::fill;
-    AmbientWind ambient;
-    Window window;
-    bool kept = false;   ///< the air of the tick before is kept, and changes too
-    bool to_air = true;  ///< of a change: false changes only what is kept
-    float factor = 0.0f; ///< 1 or -1
-    glm::vec3 change{0.0f};
-    Air::Move move{};
-    std::vector<glm::vec4> cells{};
-
-    void record(Air& air, VkCommandBuffer commands) const;
-};
+class Air;
 
 class WorkQueue {
   public:
-    /// Room for all that one call of the host asks for: `push` allocates nothing then.
-    void make_room();
-    void push(Work work);
+    /// Room for all that one call of the host asks for: `push` allocates nothing then. `cells`: of a CellChange::set; 0: none.
+    void make_room(std::size_t cells = 0);
+    /// Keeps a copy of the change's cells.
+    void push(CellChange change);
     /// Records all in order, and forgets it.
     void record(Air& air, VkCommandBuffer commands);
-    void clear() { works_.clear(); }
-    [[nodiscard]] bool empty() const { return works_.empty(); }
-    [[nodiscard]] std::size_t size() const { return works_.size(); }
+    void clear();
+    [[nodiscard]] bool empty() const { return changes_.empty(); }
+    [[nodiscard]] std::size_t size() const { return changes_.size(); }
 
   private:
-    [[nodiscard]] bool fold(const Work& work);
-    void add_change(Work change);
-    void append(Work work);
-    void drop_overwritten(const Work& work);
+    [[nodiscard]] bool fold(const CellChange& change);
+    void add_change(const CellChange& change);
+    void append(const CellChange& change);
+    void drop_overwritten(const CellChange& change);
 
-    std::vector<Work> works_, left_; ///< and scratch of `push`
+    std::vector<CellChange> changes_, left_; ///< and scratch of `push`
+    std::vector<glm::vec4> cells_;           ///< of the one `set` that may wait
 };
 
 } // namespace windrow::vulkan

@@ -2,34 +2,34 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define WINDROW_READS_TILE 5
+#define WINDROW_PUSH WindrowAdjustPush
+#define WINDROW_BETWEEN_TICKS
 #include "fluid/pass.glsl"
 
 layout(std430, set = 0, binding = 2) buffer Velocity { vec4 velocity[]; };
 layout(std430, set = 0, binding = 3) buffer VelocityOld { vec4 velocity_old[]; };
 layout(std430, set = 0, binding = 4) buffer Before { vec4 before[]; };
 
-// push.x: bits of the factor; push.y: 1 for a change of the mean, which lies in tick.carried; push.z: 1 the air, 2 the air before
-// it.
 void main() {
     const ivec3 cell = ivec3(gl_GlobalInvocationID);
-    if (!inside(cell, tick.cells.xyz))
+    if (!inside(cell, tick.cells))
         return;
     const int at = cell_index(cell);
     vec3 wind;
-    if (push.y != 0) {
-        wind = tick.carried.xyz;
+    if (push.of_mean != 0) {
+        wind = push.change;
         if (is_on(WINDROW_PROFILE))
-            wind *= windrow_profile(tick.wind.profile.z + tick.time.y * (float(cell.y) + 0.5f), tick.wind.profile.x,
+            wind *= windrow_profile(tick.wind.profile.z + tick.cell_size * (float(cell.y) + 0.5f), tick.wind.profile.x,
                                     tick.wind.profile.y);
     } else {
         wind = wind_at(cell, 0.0f, is_on(WINDROW_GUSTS));
     }
-    const vec4 change = vec4(intBitsToFloat(push.x) * wind, 0.0f);
-    if ((push.z & 1) != 0) {
+    const vec4 change = vec4(push.factor * wind, 0.0f);
+    if (push.to_air != 0) {
         velocity[at] += change;
         if (!is_on(WINDROW_FRESH))
             velocity_old[at] += change;
     }
-    if ((push.z & 2) != 0)
+    if (push.to_before != 0)
         before[at] += change;
 }

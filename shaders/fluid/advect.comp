@@ -83,16 +83,16 @@ vec3 given_carried(vec3 w, ivec3 cell, int at, vec3 displacement, ivec3 s) {
     vec3 v = w;
     if (is_on(WINDROW_LETS_AIR_IN))
         v += source_flow[at].xyz;
-    const float square = dot(v, v), gusts = tick.wind.mean.w * tick.wind.mean.w;
-    if (!(square > tick.carried.w * tick.carried.w))
+    const float square = dot(v, v), gusts = tick.gust_strength * tick.gust_strength;
+    if (!(square > tick.sleep_speed * tick.sleep_speed))
         return vec3(0.0f);
     const int first = 2 * s.z * (tick.cells.z + WINDROW_HALO);
     vec3 t;
     int from = first + locate(cell, displacement, s, false, t);
     const vec3 departed = sample_linear(from, t, s) + bend_at(from, t.y, s) * tick.wind.mean.xyz;
-    from = first + locate(cell, displacement + (control.substep.x / tick.time.y) * v, s, false, t);
+    from = first + locate(cell, displacement + (control.substep_duration / tick.cell_size) * v, s, false, t);
     const vec3 own = sample_linear(from, t, s) + bend_at(from, t.y, s) * tick.wind.mean.xyz;
-    const vec3 end = wind_at(cell, elapsed() + control.substep.x, true);
+    const vec3 end = wind_at(cell, elapsed() + control.substep_duration, true);
     return departed - lerp(end, own, gusts / (gusts + square));
 }
 
@@ -101,25 +101,25 @@ vec3 held(vec3 w, ivec3 cell, int at) {
     const WindrowHold hold = hold_of(cell, at);
     if (!(hold.drives.w > 0.0f || hold.way > 0.0f))
         return w;
-    const vec3 given = given_part(cell, at, elapsed() + control.substep.x);
+    const vec3 given = given_part(cell, at, elapsed() + control.substep_duration);
     const vec3 pressure = is_fresh() ? vec3(0.0f) : past().scale * history[at].xyz;
     return windrow_held_arriving(w + given, pressure, hold) - given;
 }
 
 void main() {
     const ivec3 cell = ivec3(gl_GlobalInvocationID);
-    if (!inside(cell, tick.cells.xyz))
+    if (!inside(cell, tick.cells))
         return;
     const int at = cell_index(cell);
     const ivec3 stride = strides();
-    const float dt = control.substep.x;
+    const float dt = control.substep_duration;
     const bool classic = is_on(WINDROW_STABLE_FLUIDS);
     vec3 result;
     if (is_on(WINDROW_ADVECTS)) {
         vec3 u = velocity[at].xyz;
         if (classic && is_on(WINDROW_PUSHES))
             u += dt * force[at].xyz;
-        const float cells_per_speed = dt / tick.time.y;
+        const float cells_per_speed = dt / tick.cell_size;
         const int traces = stride.z * (tick.cells.z + WINDROW_HALO);
         vec3 t;
         int from = locate(cell, -cells_per_speed * u, stride, true, t);

@@ -1,5 +1,7 @@
-// What the host tells the passes of a tick, and what they tell each other. The same text is C++ (fluid/vulkan/blocks.h): only
-// vec4s, ivec4s and uvec4s, so that both lay it out alike. numerics/ambient.glsl comes before it.
+// What the host gives to the passes of a tick, and what they give to each other. numerics/ambient.glsl comes before it.
+//
+// The same text is C++ (fluid/vulkan/blocks.h). Both lay it out alike since every row of 16 bytes is full: four scalars, a vec3
+// with the scalar behind it, or a vec4.
 #ifndef WINDROW_BLOCKS_GLSL
 #define WINDROW_BLOCKS_GLSL
 
@@ -7,62 +9,131 @@
 #define WINDROW_HALO_LOW 2
 #define WINDROW_HALO 5
 
-// Bits of WindrowStep.shape.z.
+// Bits of WindrowStep.flags.
 #define WINDROW_FRESH 1         // there is no past: the first sub-step is rehearsed
 #define WINDROW_STABLE_FLUIDS 2 // the classic split (and all that does not advect), else second order
 #define WINDROW_LINEAR 4        // trilinear, else cubic
 #define WINDROW_ADVECTS 8
 #define WINDROW_PROJECTS 16
 #define WINDROW_SETTLES 32
-#define WINDROW_GUSTS 64          // the ambient wind is given, not solved
-#define WINDROW_PROFILE 128       // the mean wind is not the same at all heights
-#define WINDROW_LETS_AIR_IN 256   // u_S is given, not solved
-#define WINDROW_RENEWS_AIR 512    // u_S changes in this tick
-#define WINDROW_DIFFUSES 1024     // viscosity may act
-#define WINDROW_PUSHES 2048       // a motor of this tick is a force
-#define WINDROW_EXPANDS 4096      // a motor of this tick is a source of air
-#define WINDROW_OWES_NOTHING 8192 // viscosity has acted for all time so far
-#define WINDROW_DRIVES 32768      // a motor of this tick is a drive
-#define WINDROW_ONE_PASS 16384    // its explicit pass is all there is: it acts for as long as that may, and owes the rest
+#define WINDROW_GUSTS 64            // the ambient wind is given, not solved
+#define WINDROW_PROFILE 128         // the mean wind is not the same at all heights
+#define WINDROW_LETS_AIR_IN 256     // u_S is given, not solved
+#define WINDROW_RENEWS_AIR 512      // u_S changes in this tick
+#define WINDROW_DIFFUSES 1024       // viscosity may act
+#define WINDROW_PUSHES 2048         // a motor of this tick is a force
+#define WINDROW_EXPANDS 4096        // a motor of this tick is a source of air
+#define WINDROW_DIFFUSED_WHOLE 8192 // viscosity has acted for all time so far
+#define WINDROW_DRIVES 32768        // a motor of this tick is a drive
+#define WINDROW_ONE_PASS                                                                                                         \
+    16384 // its explicit pass is all there is: it acts for as long as that may, and leaves the rest for later
 
-// Of a tick.
+// Of a tick. An axis is a component of the vec4s of which xyz alone are used.
 struct WindrowStep {
-    ivec4 cells;    // xyz cells an axis, w all of them
-    ivec4 shape;    // x motors, y most sub-steps, z bits (above), w sub-steps forced, 0: as many as the speeds ask
-    vec4 time;      // x [s] duration, y [m] edge of a cell, z [s] settling time, w most cells that air may cross in a sub-step
-    vec4 ambient;   // xyz [m/s] mean wind that open sides carry, w [m^2/s] viscosity
-    vec4 low, high; // xyz positions where a trajectory may end [cells, from the first centre]
-    vec4 period;    // xyz cells of a periodic axis, else 0
-    vec4 inverse_period;                // xyz 1 / period, else 0
-    ivec4 low_source;                   // xyz cell that a stencil takes beyond the low side
+    ivec3 cells; // an axis
+    int motors;  // how many
+    int flags;   // above
+    int most_substeps;
+    int forced_substeps;   // 0: as many as the speeds ask
+    float duration;        // [s]
+    float cell_size;       // [m]
+    float relaxation_time; // [s] to the ambient wind
+    float max_cfl;         // most cells that air may cross in a sub-step
+    float sleep_speed;     // [m/s] a perturbation that counts as none
+    float canopy_drag;     // [1/m] 0: none
+    float canopy_ground;   // [cells above the low side]
+    float canopy_top;      // [cells above the low side]
+    float gust_strength;   // [m/s] standard deviation; 0: none
+    vec3 ambient;          // [m/s] mean wind that open sides carry
+    float viscosity;       // [m^2/s]
+    vec3 gust_speed;       // [texels/s] at which gusts are carried
+    float unused;
+    vec4 low, high;                     // positions where a trajectory may end [cells, from the first centre]
+    vec4 period;                        // cells of a periodic axis, else 0
+    vec4 inverse_period;                // 1 / period, else 0
+    ivec4 low_source;                   // cell that a stencil takes beyond the low side
     ivec4 high_source;                  // and beyond the high side
-    vec4 velocity_low, velocity_high;   // xyz factor there on the velocity along the axis
+    vec4 velocity_low, velocity_high;   // factor there on the velocity along the axis
     vec4 potential_low, potential_high; // and on the potential
-    vec4 canopy;                        // x [1/m] drag, 0: none; y ground, z top [cells above the low side]
-    vec4 carried;        // xyz [texels/s] speed at which gusts are carried, w [m/s] a perturbation that counts as none
-    WindrowAmbient wind; // at the tick's start; local positions are from the box's low corner
+    WindrowAmbient wind;                // at the tick's start; local positions are from the box's low corner
 };
 
-// Between the passes of a tick. Lives on the device; `dt` is kept from tick to tick.
+// Between the passes of a tick. Lives on the device; the sub-step's durations are kept from tick to tick.
 struct WindrowControl {
-    // x bits of the largest speed component, y bits of the largest force component, z broken cells, w cells whose speed was cut
-    uvec4 found;
-    // x [s] duration of a sub-step, y [s] of the last tick's, z [m/s] most that a component may be, w Courant number
-    vec4 substep;
-    // x sub-steps, y 1 where more were wanted than allowed, z bits of the time [s] in which viscosity has not acted yet
-    ivec4 plan;
-    vec4 diffused[16]; // [s] for which each sub-step diffuses, four a vector; 0: it owes
-    // x bits of the largest speed component, y bits of the largest difference from ambient; found.zw of all ticks of the
-    // recording
-    uvec4 measured;
+    // Found by the passes over cells, from 0 in each tick. Speeds are the bits of floats, for atomicMax.
+    uint fastest_component; // [m/s] of the velocity
+    uint largest_force;     // [m/s^2] component
+    uint broken_cells;      // repaired
+    uint cut_cells;         // whose speed was cut
+    // Of the plan.
+    float substep_duration;  // [s]
+    float previous_duration; // [s] of the last tick's sub-steps
+    float most_speed;        // [m/s] that a component may be
+    float cfl;               // Courant number
+    int substeps;
+    int capped;            // 1: more were wanted than allowed
+    float undiffused_time; // [s] in which viscosity has not acted yet
+    int unused;
+    float diffused_time[64]; // [s] for which each sub-step diffuses; 0: left for later
+    // Reported.
+    uint largest_speed;         // [m/s] bits of the largest component after the tick
+    uint farthest_from_ambient; // [m/s] bits of the largest difference in a component
+    uint repaired_cells;        // of all ticks of the recording
+    uint limited_cells;         // as these
 };
 
 // Where a padded index takes its value from: value = scale * source + offset, or the ambient wind.
 struct WindrowRule {
-    ivec4 source; // x cell along the axis, y 1 beyond an open side, z 1 where the value is taken as it is
+    int source;           // cell along the axis
+    int beyond_open_side; // 1: the ambient wind
+    int identity;         // 1: the value is taken as it is
+    int unused;
     vec4 scale;
     vec4 offset;
     vec4 history_scale;
+};
+
+// --- Push constants of a dispatch: pass.glsl takes WindrowStagePush, or what WINDROW_PUSH names ---------------------------
+
+// A pass of a sub-step. -1 as its number: the rehearsal of the first.
+struct WindrowStagePush {
+    int substep;
+    int x_vectors; // where the eigenvectors of x begin in the tables
+    int z_vectors; // and those of z
+    int part;      // of diffusion: the component; of modes_forward: 1 for the flow of volume sources
+};
+
+// Columns along y of the direct solve of the pressure.
+struct WindrowColumnsPush {
+    int substep;
+    int pivots;   // where they begin in the tables
+    int vectors;  // where those of periodic columns begin, then their factors; -1: none
+    int singular; // the column without an inverse; -1: none
+};
+
+// The same of diffusion.
+struct WindrowDiffusePush {
+    int substep;
+    int eigenvalues; // of x, then of z, then what the low and the high end of y add to the diagonal, then 1 where y is periodic
+};
+
+struct WindrowPlacePush {
+    ivec3 shift;              // [cells]
+    int exposed_hold_ambient; // 0: exposed cells hold 0
+};
+
+struct WindrowAdjustPush {
+    vec3 change; // [m/s] of the mean wind
+    float factor;
+    int of_mean; // 1: by the change of the mean; 0: by the ambient wind as it blows
+    int to_air;
+    int to_before;
+    int unused;
+};
+
+struct WindrowShowPush {
+    float factor; // of the way from the tick before to now
+    int reports;  // 1: a tick is to be reported
 };
 
 // One motor; fluid/motor_reach.h.

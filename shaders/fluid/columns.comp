@@ -6,13 +6,11 @@
 // a closed box that has no inverse is solved for mean 0.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#define WINDROW_PUSH WindrowColumnsPush
 #include "fluid/pass.glsl"
 
 layout(std430, set = 0, binding = 2) readonly buffer Tables { float tables[]; };
 layout(std430, set = 0, binding = 3) buffer Hat { float hat[]; };
-
-// push.y: where the pivots begin; push.z: where the vectors of periodic columns do, then their factors, or -1; push.w: the column
-// without an inverse, or -1.
 
 // x[j+1] - x[j] = flux + d[0] + .. + d[j]; walls give flux 0, a periodic axis the flux that closes the ring.
 void solve_singular(int at, int plane, int rows) {
@@ -21,7 +19,7 @@ void solve_singular(int at, int plane, int rows) {
         mean += hat[at + j * plane];
     mean /= float(rows);
     float running = 0.0f, flux = 0.0f;
-    if (push.z >= 0) {
+    if (push.vectors >= 0) {
         float total = 0.0f;
         for (int j = 0; j < rows; ++j) {
             running += hat[at + j * plane] - mean;
@@ -47,11 +45,11 @@ void main() {
     const int at = int(gl_GlobalInvocationID.x);
     if (at >= plane)
         return;
-    if (at == push.w) {
+    if (at == push.singular) {
         solve_singular(at, plane, rows);
         return;
     }
-    const int pivots = push.y + at;
+    const int pivots = push.pivots + at;
     float carry = 0.0f;
     for (int j = 0; j < rows; ++j) {
         carry = (hat[at + j * plane] - carry) * tables[pivots + j * plane];
@@ -61,9 +59,9 @@ void main() {
         carry = hat[at + j * plane] - tables[pivots + j * plane] * carry;
         hat[at + j * plane] = carry;
     }
-    if (push.z < 0)
+    if (push.vectors < 0)
         return;
-    const int vectors = push.z + at, factors = push.z + rows * plane + at;
+    const int vectors = push.vectors + at, factors = push.vectors + rows * plane + at;
     const float share = tables[factors] * hat[at] + tables[factors + plane] * hat[at + (rows - 1) * plane];
     for (int j = 0; j < rows; ++j)
         hat[at + j * plane] -= share * tables[vectors + j * plane];

@@ -16,16 +16,16 @@ layout(std430, set = 0, binding = 6) writeonly buffer Diffused { vec4 diffused[]
 vec3 beside(ivec3 cell, int axis, int step) {
     const ivec3 first = ivec3(0, tick.cells.x + WINDROW_HALO, tick.cells.x + tick.cells.y + 2 * WINDROW_HALO);
     const WindrowRule rule = rules[first[axis] + cell[axis] + step + WINDROW_HALO_LOW];
-    if (rule.source.y != 0)
+    if (rule.beyond_open_side != 0)
         return still_wind();
     ivec3 from = cell;
-    from[axis] = rule.source.x;
+    from[axis] = rule.source;
     return rule.scale.xyz * solved_part(from, cell_index(from)) + rule.offset.xyz;
 }
 
 void main() {
     const ivec3 cell = ivec3(gl_GlobalInvocationID);
-    if (!inside(cell, tick.cells.xyz))
+    if (!inside(cell, tick.cells))
         return;
     const int at = cell_index(cell);
     const float ratio = diffusion_ratio();

@@ -1,5 +1,5 @@
-// Implicit diffusion of one component (push.w): last stage, modes to cells. Where the sub-step is short enough for the explicit
-// pass, that one's result stays.
+// Implicit diffusion of one component (push.part): last stage, modes to cells. Where the sub-step is short enough for the
+// explicit pass, that one's result stays.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "fluid/pass.glsl"
@@ -14,7 +14,7 @@ float load(ivec3 mode) { return hat[hat_index(mode)]; }
 
 void store(ivec3 cell, float value) {
     if (is_implicit())
-        diffused[cell_index(cell)][push.w] = value + still_wind()[push.w];
+        diffused[cell_index(cell)][push.part] = value + still_wind()[push.part];
 }
 
 #include "fluid/modes.glsl"

@@ -8,6 +8,7 @@
 // Based on: Alfa, Xue & Ye 2002, Mathematics of Computation 71 (diagonally dominant M-matrices entry by entry).
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#define WINDROW_PUSH WindrowDiffusePush
 #include "fluid/pass.glsl"
 #include "fluid/viscosity.glsl"
 
@@ -21,11 +22,9 @@ void main() {
     const int at = int(gl_GlobalInvocationID.x);
     if (at >= plane || !is_implicit())
         return;
-    // push.y: eigenvalues of x, then of z, then what the low and the high end of y add to the diagonal, then 1 where y is
-    // periodic.
-    const int facts = push.y + tick.cells.x + tick.cells.z;
-    const float s =
-        1.0f / diffusion_ratio() - tables[push.y + at % tick.cells.x] - tables[push.y + tick.cells.x + at / tick.cells.x];
+    const int facts = push.eigenvalues + tick.cells.x + tick.cells.z;
+    const float s = 1.0f / diffusion_ratio() - tables[push.eigenvalues + at % tick.cells.x] -
+                    tables[push.eigenvalues + tick.cells.x + at / tick.cells.x];
     const bool periodic = tables[facts + 2] != 0.0f, cyclic = periodic && rows > 1;
     const float gamma = 2.0f + s;
     float e = 0.0f, pivot = 0.0f, carry = 0.0f;

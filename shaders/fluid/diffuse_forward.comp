@@ -1,4 +1,4 @@
-// Implicit diffusion of one component (push.w), (L - 1/r) v' = -v/r - what no-slip walls add, with v taken about the ambient
+// Implicit diffusion of one component (push.part), (L - 1/r) v' = -v/r - what no-slip walls add, with v taken about the ambient
 // wind: first stage, right-hand side to modes. Method and order: fluid/cpu/diffusion.cpp.
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -15,12 +15,12 @@ layout(std430, set = 0, binding = 5) writeonly buffer Hat { float hat[]; };
 float wall_share(int axis, int place) {
     const ivec3 first = ivec3(0, tick.cells.x + WINDROW_HALO, tick.cells.x + tick.cells.y + 2 * WINDROW_HALO);
     const WindrowRule rule = rules[first[axis] + place + WINDROW_HALO_LOW];
-    const bool carries = axis != push.w && rule.source.y == 0 && rule.scale[push.w] < 0.0f;
-    return carries ? rule.offset[push.w] - 2.0f * still_wind()[push.w] : 0.0f;
+    const bool carries = axis != push.part && rule.beyond_open_side == 0 && rule.scale[push.part] < 0.0f;
+    return carries ? rule.offset[push.part] - 2.0f * still_wind()[push.part] : 0.0f;
 }
 
 float load(ivec3 cell) {
-    float rhs = -(diffused[cell_index(cell)][push.w] - still_wind()[push.w]) / diffusion_ratio();
+    float rhs = -(diffused[cell_index(cell)][push.part] - still_wind()[push.part]) / diffusion_ratio();
     for (int axis = 0; axis < 3; ++axis) {
         if (cell[axis] == 0)
             rhs -= wall_share(axis, -1);

@@ -17,11 +17,11 @@ float beyond(ivec3 cell, int axis, int step) {
     for (int each = 0; each < 3; ++each) {
         const bool above = tick.velocity_high[each] < 0.0f;
         walled[each] = above || tick.velocity_low[each] < 0.0f ? 1.0f : 0.0f;
-        wall[each] = above ? tick.time.y * float(tick.cells[each]) : 0.0f;
+        wall[each] = above ? tick.cell_size * float(tick.cells[each]) : 0.0f;
     }
-    const vec3 p = tick.time.y * (vec3(ghost) + 0.5f);
+    const vec3 p = tick.cell_size * (vec3(ghost) + 0.5f);
     float potential = 0.0f;
-    for (int n = 0; n < tick.shape.x; ++n) {
+    for (int n = 0; n < tick.motors; ++n) {
         if (motors[n].law != k_source || motors[n].push[0] == 0.0f)
             continue;
         const vec3 centre = vec3(motors[n].extent[0], motors[n].extent[1], motors[n].extent[2]);
@@ -34,5 +34,5 @@ float beyond(ivec3 cell, int axis, int step) {
         }
         potential += motors[n].push[0] / motors[n].radius * images;
     }
-    return potential / (12.5663706f * tick.time.y);
+    return potential / (12.5663706f * tick.cell_size);
 }

@@ -15,7 +15,7 @@ vec3 given_part(ivec3 cell, int at, float elapsed) {
 vec3 solved_part(ivec3 cell, int at) {
     vec3 u = velocity[at].xyz;
     if (is_on(WINDROW_STABLE_FLUIDS) && is_on(WINDROW_PUSHES)) // the classic split: forces act first, and whole
-        u += control.substep.x * force[at].xyz;
+        u += control.substep_duration * force[at].xyz;
     if (is_on(WINDROW_LETS_AIR_IN))
         u -= source_flow[at].xyz;
     if (is_on(WINDROW_GUSTS))

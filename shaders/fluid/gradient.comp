@@ -18,7 +18,7 @@ layout(std430, set = 0, binding = 7) buffer History { vec4 history[]; };
 
 void main() {
     const ivec3 cell = ivec3(gl_GlobalInvocationID);
-    if (!inside(cell, tick.cells.xyz))
+    if (!inside(cell, tick.cells))
         return;
     const int at = cell_index(cell);
     vec3 slope = vec3(0.0f);
@@ -40,7 +40,7 @@ void main() {
     if (is_on(WINDROW_LETS_AIR_IN))
         u += source_flow[at].xyz;
     if (is_on(WINDROW_GUSTS))
-        u += wind_at(cell, elapsed() + control.substep.x, true);
+        u += wind_at(cell, elapsed() + control.substep_duration, true);
     if (is_fresh()) {
         velocity_old[at] = vec4(2.0f * velocity[at].xyz - u, 0.0f);
         return;
@@ -48,14 +48,15 @@ void main() {
     if (!is_on(WINDROW_STABLE_FLUIDS))
         velocity_old[at] = velocity[at];
     // What forces and pressure made of it since is cut too (limit.comp).
-    if (is_on(WINDROW_ADVECTS) && push.x + 1 == control.plan.x) {
-        const float most = tick.time.w * float(tick.shape.y) * tick.time.y / tick.time.x, largest = largest_component(u);
+    if (is_on(WINDROW_ADVECTS) && push.substep + 1 == control.substeps) {
+        const float most = tick.max_cfl * float(tick.most_substeps) * tick.cell_size / tick.duration,
+                    largest = largest_component(u);
         if (largest > 1.00001f * most) { // rounding
             u *= most / largest;
             if (is_on(WINDROW_LETS_AIR_IN))
                 source_flow[at] *= most / largest;
-            atomicAdd(control.found.w, 1u);
-            atomicAdd(control.measured.w, 1u);
+            atomicAdd(control.cut_cells, 1u);
+            atomicAdd(control.limited_cells, 1u);
         }
     }
     velocity[at] = vec4(u, 0.0f);

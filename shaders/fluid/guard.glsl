@@ -6,6 +6,6 @@ bool broken(vec4 u) { return windrow_broken(u.x) || windrow_broken(u.y) || windr
 void repair(ivec3 cell, int at) {
     velocity[at] = velocity_old[at] = vec4(wind_at(cell, 0.0f, is_on(WINDROW_GUSTS)), 0.0f);
     history[at] = vec4(0.0f);
-    atomicAdd(control.found.z, 1u);
-    atomicAdd(control.measured.z, 1u);
+    atomicAdd(control.broken_cells, 1u);
+    atomicAdd(control.repaired_cells, 1u);
 }

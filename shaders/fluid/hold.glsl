@@ -3,11 +3,12 @@
 #include "numerics/motors.glsl"
 #include "numerics/splitting.glsl"
 
-bool anything_holds() { return is_on(WINDROW_DRIVES) || tick.canopy.x > 0.0f; }
+bool anything_holds() { return is_on(WINDROW_DRIVES) || tick.canopy_drag > 0.0f; }
 
 WindrowHold hold_of(ivec3 cell, int at) {
     WindrowHold hold;
-    hold.drives = is_on(WINDROW_DRIVES) ? (1.0f / float(control.plan.x)) * drives[at] : vec4(0.0f);
-    hold.way = (0.5f * control.substep.x) * (tick.canopy.x * windrow_canopy_share(float(cell.y), tick.canopy.y, tick.canopy.z));
+    hold.drives = is_on(WINDROW_DRIVES) ? (1.0f / float(control.substeps)) * drives[at] : vec4(0.0f);
+    hold.way = (0.5f * control.substep_duration) *
+               (tick.canopy_drag * windrow_canopy_share(float(cell.y), tick.canopy_ground, tick.canopy_top));
     return hold;
 }

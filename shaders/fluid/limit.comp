@@ -9,10 +9,10 @@ layout(std430, set = 0, binding = 4) buffer Drives { vec4 drives[]; };
 
 void main() {
     const ivec3 cell = ivec3(gl_GlobalInvocationID);
-    if (!inside(cell, tick.cells.xyz))
+    if (!inside(cell, tick.cells))
         return;
     const int at = cell_index(cell);
-    const float most = control.substep.z;
+    const float most = control.most_speed;
     if (is_on(WINDROW_DRIVES)) {
         const vec4 drive = drives[at];
         const float wanted = largest_component(drive.xyz);
@@ -26,6 +26,6 @@ void main() {
     velocity[at] = u * (most / largest);
     if (is_on(WINDROW_LETS_AIR_IN))
         source_flow[at] *= most / largest;
-    atomicAdd(control.found.w, 1u);
-    atomicAdd(control.measured.w, 1u);
+    atomicAdd(control.cut_cells, 1u);
+    atomicAdd(control.limited_cells, 1u);
 }

@@ -16,7 +16,7 @@ const int k_held = (k_tile + k_group - 1) / k_group;
 
 shared float tile[k_tile];
 
-// [input][output] of x and of z; where they begin is in push.y and push.z.
+// [input][output] of x and of z; where they begin is in the push.
 float eigenvector(int table, int from, int to, int count) { return tables[table + from * count + to]; }
 
 void transform_x() {
@@ -29,7 +29,7 @@ void transform_x() {
             const int to = at % k_tile_x, row = at - to;
             float sum = 0.0f;
             for (int from = 0; from < k_tile_x; ++from)
-                sum += eigenvector(push.y, from, to, k_tile_x) * tile[row + from];
+                sum += eigenvector(push.x_vectors, from, to, k_tile_x) * tile[row + from];
             held[n] = sum;
         }
     }
@@ -50,7 +50,7 @@ void transform_z() {
             const int column = at % k_tile_x, to = at / k_tile_x;
             float sum = 0.0f;
             for (int from = 0; from < k_tile_z; ++from)
-                sum += eigenvector(push.z, from, to, k_tile_z) * tile[column + from * k_tile_x];
+                sum += eigenvector(push.z_vectors, from, to, k_tile_z) * tile[column + from * k_tile_x];
             held[n] = sum;
         }
     }
@@ -67,7 +67,7 @@ void main() {
                               k_along_z ? 0 : int(gl_WorkGroupID.x) * k_tile_z);
     for (int at = t; at < k_tile; at += k_group) {
         const ivec3 cell = first + ivec3(at % k_tile_x, 0, at / k_tile_x);
-        tile[at] = inside(cell, tick.cells.xyz) ? load(cell) : 0.0f;
+        tile[at] = inside(cell, tick.cells) ? load(cell) : 0.0f;
     }
     barrier();
     if (k_along_x)
@@ -76,7 +76,7 @@ void main() {
         transform_z();
     for (int at = t; at < k_tile; at += k_group) {
         const ivec3 cell = first + ivec3(at % k_tile_x, 0, at / k_tile_x);
-        if (inside(cell, tick.cells.xyz))
+        if (inside(cell, tick.cells))
             store(cell, tile[at]);
     }
 }

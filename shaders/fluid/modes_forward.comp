@@ -17,13 +17,13 @@ layout(std430, set = 0, binding = 5) writeonly buffer Hat { float hat[]; };
 #define WINDROW_FIELD arrived
 #include "fluid/divergence.glsl"
 
-const int k_of_air = 1; // push.w: 0 the projection of w, 1 the flow of the sources of air
+const int k_of_sources = 1; // push.part: 0 the projection of w, 1 the flow of the volume sources
 
 float load(ivec3 cell) {
-    if (push.w == k_of_air) {
+    if (push.part == k_of_sources) {
         float rhs = 0.0f;
         if (is_on(WINDROW_EXPANDS)) {
-            rhs = -tick.time.y * expansion[cell_index(cell)];
+            rhs = -tick.cell_size * expansion[cell_index(cell)];
             for (int axis = 0; axis < 3; ++axis)
                 rhs -= beyond(cell, axis, -1) + beyond(cell, axis, 1);
         }

@@ -1,5 +1,7 @@
 // The wind of this frame, between the last two ticks, as three textures and as cells; and what the tick's report needs.
 #define WINDROW_READS_TILE 7
+#define WINDROW_PUSH WindrowShowPush
+#define WINDROW_BETWEEN_TICKS
 #include "fluid/pass.glsl"
 
 layout(std430, set = 0, binding = 2) readonly buffer Velocity { vec4 velocity[]; };
@@ -19,21 +21,20 @@ layout(constant_id = 3) const int k_group = 128; // invocations
 shared vec2 parts[k_group];
 shared uint group_largest, group_apart;
 
-// push.x: bits of the blend's factor; push.y: 1 where a tick is to be reported.
 void main() {
     const ivec3 cell = ivec3(gl_GlobalInvocationID);
     const int local = int(gl_LocalInvocationIndex);
-    const bool reports = push.y != 0;
+    const bool reports = push.reports != 0;
     if (local == 0)
         group_largest = group_apart = 0;
     parts[local] = vec2(0.0f);
     barrier();
-    if (inside(cell, tick.cells.xyz)) {
+    if (inside(cell, tick.cells)) {
         const int at = cell_index(cell);
         const vec4 u = velocity[at];
-        const float factor = intBitsToFloat(push.x);
+        const float factor = push.factor;
         // What was no number shows nowhere: after a repair the air is shown as it is now.
-        const vec4 now = factor == 1.0f || control.found.z > 0u ? u : before[at] + factor * (u - before[at]);
+        const vec4 now = factor == 1.0f || control.broken_cells > 0u ? u : before[at] + factor * (u - before[at]);
         shown[at] = now;
         imageStore(axis_x, cell, vec4(now.x, 0.0f, 0.0f, 0.0f));
         imageStore(axis_y, cell, vec4(now.y, 0.0f, 0.0f, 0.0f));
@@ -41,13 +42,13 @@ void main() {
         if (reports) {
             float divergence = 0.0f;
             if (is_on(WINDROW_PROJECTS)) {
-                divergence = 0.5f / tick.time.y * differences(cell);
+                divergence = 0.5f / tick.cell_size * differences(cell);
                 if (is_on(WINDROW_EXPANDS))
                     divergence -= expansion[at];
             }
             parts[local] = vec2(dot(u.xyz, u.xyz), divergence * divergence);
             atomicMax(group_largest, floatBitsToUint(largest_component(u.xyz)));
-            const vec3 around = wind_at(cell, tick.time.x, is_on(WINDROW_GUSTS));
+            const vec3 around = wind_at(cell, tick.duration, is_on(WINDROW_GUSTS));
             atomicMax(group_apart, floatBitsToUint(largest_component(u.xyz - around)));
         }
     }
@@ -63,7 +64,7 @@ void main() {
     if (local == 0) {
         const uvec3 group = gl_WorkGroupID, groups = gl_NumWorkGroups;
         sums[(group.z * groups.y + group.y) * groups.x + group.x] = parts[0];
-        atomicMax(control.measured.x, group_largest);
-        atomicMax(control.measured.y, group_apart);
+        atomicMax(control.largest_speed, group_largest);
+        atomicMax(control.farthest_from_ambient, group_apart);
     }
 }

@@ -24,8 +24,8 @@ layout(std430, set = 0, binding = 10) writeonly buffer Padded { vec4 padded[]; }
 // The mean wind's factor in a row of the padded field.
 float profile_of_row(int row, int first) {
     const WindrowRule rule = rules[first + row];
-    const float j = float(rule.source.y != 0 ? row - WINDROW_HALO_LOW : rule.source.x);
-    return windrow_profile(tick.wind.profile.z + tick.time.y * (j + 0.5f), tick.wind.profile.x, tick.wind.profile.y);
+    const float j = float(rule.beyond_open_side != 0 ? row - WINDROW_HALO_LOW : rule.source);
+    return windrow_profile(tick.wind.profile.z + tick.cell_size * (j + 0.5f), tick.wind.profile.x, tick.wind.profile.y);
 }
 
 float bend_of_row(int row, int first, int rows) {
@@ -35,7 +35,7 @@ float bend_of_row(int row, int first, int rows) {
 }
 
 void main() {
-    const ivec3 size = tick.cells.xyz + WINDROW_HALO;
+    const ivec3 size = tick.cells + WINDROW_HALO;
     const ivec3 place = ivec3(gl_GlobalInvocationID);
     if (!inside(place, size))
         return;
@@ -49,12 +49,12 @@ void main() {
     bool ambient = false, identity = true;
     for (int axis = 0; axis < 3; ++axis) {
         const WindrowRule rule = rules[first[axis] + place[axis]];
-        cell[axis] = rule.source.x;
-        ambient = ambient || rule.source.y != 0;
-        if (rule.source.z != 0)
+        cell[axis] = rule.source;
+        ambient = ambient || rule.beyond_open_side != 0;
+        if (rule.identity != 0)
             continue;
         identity = false;
-        slipped[axis] = rule.source.y != 0 ? here[axis] : rule.source.x;
+        slipped[axis] = rule.beyond_open_side != 0 ? here[axis] : rule.source;
         scale = rule.scale.xyz * scale;
         offset = rule.scale.xyz * offset + rule.offset.xyz;
         history_scale = rule.history_scale.xyz * history_scale;
@@ -70,12 +70,12 @@ void main() {
     vec3 carried = is_on(WINDROW_DIFFUSES) ? diffused[source].xyz : solved_part(cell, source);
     if (is_on(WINDROW_SETTLES)) {
         const vec3 around = solved_ambient(cell);
-        carried = around + (1.0f / (1.0f + control.substep.x / tick.time.z)) * (carried - around);
+        carried = around + (1.0f / (1.0f + control.substep_duration / tick.relaxation_time)) * (carried - around);
     }
     vec3 change = vec3(0.0f); // at departure
     if (!is_on(WINDROW_STABLE_FLUIDS)) {
         if (is_on(WINDROW_PUSHES))
-            change += (0.5f * control.substep.x) * force[source].xyz;
+            change += (0.5f * control.substep_duration) * force[source].xyz;
         if (anything_holds()) {
             const vec3 whole = carried + given_part(cell, source, elapsed());
             change += windrow_held_departing(whole, hold_of(cell, source)) - whole;
@@ -84,7 +84,7 @@ void main() {
     vec3 u = velocity[source].xyz;
     if (is_on(WINDROW_STABLE_FLUIDS)) {
         if (is_on(WINDROW_PUSHES))
-            u += control.substep.x * force[source].xyz;
+            u += control.substep_duration * force[source].xyz;
     } else if (!is_fresh()) {
         u += past().scale * (u - velocity_old[source].xyz);
     }

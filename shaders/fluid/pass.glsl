@@ -1,4 +1,5 @@
-// What every pass over cells begins with: the blocks, and which cell this invocation is.
+// What every pass over cells begins with: the blocks, and which cell this invocation is. WINDROW_BETWEEN_TICKS before it: the
+// pass is of no sub-step.
 //
 // Set 0: binding 0 the step, binding 1 the control; a pass names the rest.
 #ifndef WINDROW_PASS_GLSL
@@ -21,25 +22,32 @@ vec3 windrow_tile_texel(int tile, ivec3 texel) { return vec3(0.0f); }
 
 layout(std430, set = 0, binding = 0) readonly buffer Step { WindrowStep tick; };
 layout(std430, set = 0, binding = 1) buffer Control { WindrowControl control; };
-// x: which sub-step this is; -1: the rehearsal of the first.
-layout(push_constant) uniform Push { ivec4 push; };
+#ifndef WINDROW_PUSH
+#define WINDROW_PUSH WindrowStagePush
+#endif
+layout(push_constant) uniform Push { WINDROW_PUSH push; };
 
-bool is_on(int bit) { return (tick.shape.z & bit) != 0; }
+bool is_on(int bit) { return (tick.flags & bit) != 0; }
 
 int cell_index(ivec3 cell) { return (cell.z * tick.cells.y + cell.y) * tick.cells.x + cell.x; }
 
 bool inside(ivec3 cell, ivec3 cells) { return all(lessThan(cell, cells)); }
 
+#ifndef WINDROW_BETWEEN_TICKS
 // The first sub-step of a flow is rehearsed: without a past, for the past of its performance (fluid/cpu/step.cpp).
-bool is_fresh() { return push.x < 0; }
-int substep() { return max(push.x, 0); }
+bool is_fresh() { return push.substep < 0; }
+int substep() { return max(push.substep, 0); }
 
 // What a sub-step takes from the one before it.
 WindrowPast past() {
-    if (is_fresh() || (push.x == 0 && is_on(WINDROW_FRESH) && !windrow_rehearses(control.substep.w, control.plan.x)))
+    if (is_fresh() || (push.substep == 0 && is_on(WINDROW_FRESH) && !windrow_rehearses(control.cfl, control.substeps)))
         return windrow_past(0.0f);
-    return windrow_past(push.x == 0 && !is_on(WINDROW_FRESH) ? control.substep.x / control.substep.y : 1.0f);
+    return windrow_past(push.substep == 0 && !is_on(WINDROW_FRESH) ? control.substep_duration / control.previous_duration : 1.0f);
 }
+
+// [s] From the tick's start to this sub-step's.
+float elapsed() { return float(substep()) * control.substep_duration; }
+#endif
 
 // The ambient wind around the box at a cell's centre, `elapsed` [s] after the tick's start: the mean alone, or with its gusts.
 vec3 wind_at(ivec3 cell, float elapsed, bool gusts) {
@@ -47,17 +55,14 @@ vec3 wind_at(ivec3 cell, float elapsed, bool gusts) {
     if (!gusts)
         wind.mean.w = 0.0f;
     else
-        wind.gust_fraction.xyz -= elapsed * tick.carried.xyz;
+        wind.gust_fraction.xyz -= elapsed * tick.gust_speed;
     if (!is_on(WINDROW_PROFILE) && !gusts)
-        return tick.ambient.xyz;
-    return windrow_ambient(0, wind, tick.time.y * (vec3(cell) + 0.5f));
+        return tick.ambient;
+    return windrow_ambient(0, wind, tick.cell_size * (vec3(cell) + 0.5f));
 }
 
 // What is solved for meets beyond open sides: still air while the gusts are given.
 vec3 solved_ambient(ivec3 cell) { return is_on(WINDROW_GUSTS) ? vec3(0.0f) : wind_at(cell, 0.0f, false); }
-
-// [s] From the tick's start to this sub-step's.
-float elapsed() { return float(substep()) * control.substep.x; }
 
 float largest_component(vec3 u) {
     vec3 a = abs(u);

@@ -12,32 +12,37 @@ layout(std430, set = 0, binding = 2) readonly buffer Shapes {
 layout(std430, set = 0, binding = 3) writeonly buffer Commands { uint commands[]; };
 
 void main() {
-    const float dt = tick.time.x, h = tick.time.y, max_cfl = tick.time.w;
-    const float fastest = uintBitsToFloat(control.found.x) + dt * uintBitsToFloat(control.found.y);
+    const float dt = tick.duration, h = tick.cell_size, max_cfl = tick.max_cfl;
+    const float fastest = uintBitsToFloat(control.fastest_component) + dt * uintBitsToFloat(control.largest_force);
     const float cfl = fastest * dt / h;
-    int substeps = 1, most = tick.shape.y;
+    int substeps = 1, most = tick.most_substeps;
     bool capped = false;
     if (is_on(WINDROW_ADVECTS) && cfl > max_cfl) {
         const float wanted = ceil(cfl / max_cfl);
         capped = wanted > float(most);
         substeps = capped ? most : int(wanted);
     }
-    if (tick.shape.w > 0)
-        substeps = tick.shape.w;
+    if (tick.forced_substeps > 0)
+        substeps = tick.forced_substeps;
     if (gl_GlobalInvocationID.x == 0) {
         const float part = dt / float(substeps);
-        float owed = is_on(WINDROW_OWES_NOTHING) ? 0.0f : intBitsToFloat(control.plan.z);
+        float undiffused = is_on(WINDROW_DIFFUSED_WHOLE) ? 0.0f : control.undiffused_time;
         if (is_on(WINDROW_DIFFUSES))
             for (int n = 0; n < substeps; ++n) {
-                owed += part;
-                const bool acts = tick.ambient.w * owed / (h * h) >= 1e-4f;
+                undiffused += part;
+                const bool acts = tick.viscosity * undiffused / (h * h) >= 1e-4f;
                 // A hair below the limit, which the ratio made of it must not pass (viscosity.glsl).
-                const float most = is_on(WINDROW_ONE_PASS) ? 0.99999f / 12.0f * h * h / tick.ambient.w : owed;
-                control.diffused[n / 4][n % 4] = acts ? min(owed, most) : 0.0f;
-                owed -= control.diffused[n / 4][n % 4];
+                const float most = is_on(WINDROW_ONE_PASS) ? 0.99999f / 12.0f * h * h / tick.viscosity : undiffused;
+                control.diffused_time[n] = acts ? min(undiffused, most) : 0.0f;
+                undiffused -= control.diffused_time[n];
             }
-        control.plan = ivec4(substeps, capped ? 1 : 0, floatBitsToInt(owed), 0);
-        control.substep = vec4(part, control.substep.x, max_cfl * float(substeps) * h / dt, cfl);
+        control.substeps = substeps;
+        control.capped = capped ? 1 : 0;
+        control.undiffused_time = undiffused;
+        control.previous_duration = control.substep_duration;
+        control.substep_duration = part;
+        control.most_speed = max_cfl * float(substeps) * h / dt;
+        control.cfl = cfl;
     }
     // The first pass of all is the cut of speeds, which runs only when more sub-steps were wanted.
     const uint entries = 1u + uint(most) * passes;

@@ -22,7 +22,7 @@ void main() {
     if (gl_LocalInvocationIndex == 0)
         group_largest = 0;
     barrier();
-    if (inside(cell, tick.cells.xyz)) {
+    if (inside(cell, tick.cells)) {
         const int at = cell_index(cell);
         vec3 flow = vec3(0.0f);
         if (is_on(WINDROW_EXPANDS))
@@ -44,5 +44,5 @@ void main() {
     }
     barrier();
     if (gl_LocalInvocationIndex == 0)
-        atomicMax(control.found.x, group_largest);
+        atomicMax(control.fastest_component, group_largest);
 }

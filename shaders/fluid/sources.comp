@@ -61,13 +61,13 @@ void main() {
         group_force = 0;
     }
     barrier();
-    if (inside(cell, tick.cells.xyz)) {
+    if (inside(cell, tick.cells)) {
         const int at = cell_index(cell);
-        const vec3 p = tick.time.y * (vec3(cell) + 0.5f);
+        const vec3 p = tick.cell_size * (vec3(cell) + 0.5f);
         vec3 pushed = vec3(0.0f);
         vec4 driven = vec4(0.0f);
         float let_in = 0.0f;
-        for (int n = 0; n < tick.shape.x; ++n) {
+        for (int n = 0; n < tick.motors; ++n) {
             if (any(lessThan(cell, ivec3(motors[n].low[0], motors[n].low[1], motors[n].low[2]))) ||
                 any(greaterThanEqual(cell, ivec3(motors[n].high[0], motors[n].high[1], motors[n].high[2]))))
                 continue;
@@ -88,7 +88,8 @@ void main() {
         }
         vec4 u = velocity[at];
         if (is_on(WINDROW_STABLE_FLUIDS)) {
-            const float way = tick.canopy.x * tick.time.x * windrow_canopy_share(float(cell.y), tick.canopy.y, tick.canopy.z);
+            const float way =
+                tick.canopy_drag * tick.duration * windrow_canopy_share(float(cell.y), tick.canopy_ground, tick.canopy_top);
             u = vec4(windrow_canopy_slowed(windrow_driven(u.xyz, driven, driven.w), way), 0.0f);
             if (driven.w > 0.0f || way > 0.0f)
                 velocity[at] = u;
@@ -115,7 +116,7 @@ void main() {
     }
     barrier();
     if (gl_LocalInvocationIndex == 0) {
-        atomicMax(control.found.x, group_largest);
-        atomicMax(control.found.y, group_force);
+        atomicMax(control.fastest_component, group_largest);
+        atomicMax(control.largest_force, group_force);
     }
 }

@@ -133,7 +133,7 @@ Gift gift_of(const Motor& motor) {
         if (wake)
             (void)whole.motors().move(two.id, place);
         gift.left = whole.step(k_dt).divergence_rms;
-        const std::span<const float> expansion = alone.state().sources.expansion();
+        const std::span<const float> expansion = alone.state().cells.sources.expansion();
         std::vector<float> increment(alone.box().cell_count());
         divergence(*work, alone.field(), increment);
         gift.put_in = source ? rms(expansion) : rms(increment);

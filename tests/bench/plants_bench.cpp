@@ -163,8 +163,8 @@ void on_the_device(std::size_t count) {
     }
     const auto grass = Blades::create({});
     const VkDeviceSize bytes = 2 * count * sizeof(glm::vec4);
-    Buffer in = *Buffer::create(**device, bytes, Place::upload), out = *Buffer::create(**device, bytes, Place::device),
-           told = *Buffer::create(**device, sizeof(BladeBlock), Place::upload);
+    Buffer in = *Buffer::create(**device, bytes, MemoryUse::upload), out = *Buffer::create(**device, bytes, MemoryUse::device),
+           told = *Buffer::create(**device, sizeof(BladeBlock), MemoryUse::upload);
     test::Random random(1);
     auto* values = reinterpret_cast<glm::vec4*>(in.mapped());
     for (std::size_t n = 0; n < count; ++n) {

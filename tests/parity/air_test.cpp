@@ -20,16 +20,15 @@ class Twin {
         auto air = Air::create(gpu.host(), config, {});
         EXPECT_TRUE(air) << air.error();
         air_ = *std::move(air);
-        slot_ = *Buffer::create(air_->device(), air_->slot_bytes(), Place::readback);
-        const auto& window = wind_.state().window;
-        run([&](VkCommandBuffer commands) { air_->fill(commands, wind_.state().ambient, window); });
+        slot_ = *Buffer::create(air_->device(), air_->slot_bytes(), MemoryUse::readback);
+        apply(CellChange::Kind::fill);
     }
 
     Wind& wind() { return wind_; }
 
     void set_velocity(std::span<const glm::vec4> field) {
         ASSERT_TRUE(wind_.set_velocity(field));
-        run([&](VkCommandBuffer commands) { air_->upload(commands, field); });
+        apply(CellChange::Kind::set, field);
     }
 
     void add(const Motor& motor) {
@@ -39,22 +38,24 @@ class Twin {
 
     // Both by a step; the device by as many sub-steps as the CPU chose, unless it shall choose itself.
     void step(double dt, bool forced = true) {
-        const AmbientWind ambient = wind_.state().ambient; // as it is at the start
-        const std::uint64_t sources_before = wind_.state().sources_of_air;
+        const WindCore& core = wind_.state().core;
+        AmbientWind ambient = core.ambient; // as it is at the start
+        const std::uint64_t sources_before = core.source_name;
         diagnostics_ = wind_.step(dt);
-        const std::uint64_t sources = wind_.state().sources_of_air;
+        const std::uint64_t sources = core.source_name;
         motors_.begin_frame(0.0, dt);
-        const Window window = wind_.state().window;
-        const auto reached = motors_.tick(dt, window, wind_.state().config.sides);
+        const Window window = core.window();
+        const auto reached = motors_.tick(dt, window, core.config.sides);
         run([&](VkCommandBuffer commands) {
+            air_->begin(0);
+            air_->force_substeps(forced ? diagnostics_.substeps : 0);
             air_->step(commands, {.duration = dt,
                                   .motors = reached,
                                   .tile = motors_.tile(ambient.tile()),
                                   .ambient = &ambient,
                                   .window = &window,
                                   .renews_sources = sources != sources_before,
-                                  .lets_air_in = sources != 0,
-                                  .substeps = forced ? diagnostics_.substeps : 0});
+                                  .has_source_flow = sources != 0});
             air_->show(commands, 1.0f, frame_ ^= 1, true);
             air_->read_back(commands, slot_);
             air_->end(commands);
@@ -86,6 +87,13 @@ class Twin {
     }
 
   private:
+    void apply(CellChange::Kind kind, std::span<const glm::vec4> cells = {}) {
+        const WindCore& core = wind_.state().core;
+        run([&](VkCommandBuffer commands) {
+            air_->apply(commands, {.kind = kind, .ambient = core.ambient, .window = core.window(), .cells = cells});
+        });
+    }
+
     OwnDevice& gpu_;
     Wind wind_;
     Motors motors_;

@@ -12,8 +12,8 @@ namespace {
 class Buffers : public Gpu {};
 
 TEST_F(Buffers, KeepWhatAnUpdateWrites) {
-    const Buffer on_device = buffer(64, Place::device);
-    const Buffer back = buffer(64, Place::readback);
+    const Buffer on_device = buffer(64, MemoryUse::device);
+    const Buffer back = buffer(64, MemoryUse::readback);
     EXPECT_EQ(on_device.mapped(), nullptr);
     EXPECT_EQ(on_device.bytes(), 64u);
     std::vector<std::uint32_t> values(16);
@@ -31,9 +31,9 @@ TEST_F(Buffers, KeepWhatAnUpdateWrites) {
 
 TEST_F(Buffers, CarryWhatTheHostUploads) {
     constexpr std::size_t count = 100'003;
-    const Buffer up = buffer(count, Place::upload);
-    const Buffer on_device = buffer(count, Place::device);
-    const Buffer back = buffer(count, Place::readback);
+    const Buffer up = buffer(count, MemoryUse::upload);
+    const Buffer on_device = buffer(count, MemoryUse::device);
+    const Buffer back = buffer(count, MemoryUse::readback);
     std::mt19937 random(1);
     std::vector<std::uint8_t> values(count);
     for (auto& value : values)
@@ -61,7 +61,7 @@ TEST_F(Buffers, DoNotOverlap) {
     std::vector<Filled> all;
     for (std::uint32_t n = 0; n < 120; ++n) {
         const VkDeviceSize bytes = 4 * (1 + random() % 5000);
-        all.push_back({buffer(bytes, n % 2 == 0 ? Place::device : Place::upload), buffer(bytes, Place::readback), n});
+        all.push_back({buffer(bytes, n % 2 == 0 ? MemoryUse::device : MemoryUse::upload), buffer(bytes, MemoryUse::readback), n});
         if (n % 3 == 2)
             all.erase(all.begin() + static_cast<std::ptrdiff_t>(random() % all.size()));
     }
@@ -93,12 +93,12 @@ TEST_F(Buffers, DoNotOverlap) {
 }
 
 TEST_F(Buffers, MoveAndLeaveNothingBehind) {
-    Buffer first = buffer(256, Place::upload);
+    Buffer first = buffer(256, MemoryUse::upload);
     const VkBuffer handle = first.handle();
     Buffer second = std::move(first);
     EXPECT_EQ(first.handle(), VkBuffer{VK_NULL_HANDLE});
     EXPECT_EQ(second.handle(), handle);
-    second = buffer(512, Place::device); // frees what it held
+    second = buffer(512, MemoryUse::device); // frees what it held
     EXPECT_EQ(second.bytes(), 512u);
     second = {};
     EXPECT_EQ(device->memory().given(), 0u);

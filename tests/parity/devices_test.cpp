@@ -92,11 +92,11 @@ class Limits : public Gpu {};
 
 TEST_F(Limits, OfBuffersAreAsked) {
     const VkDeviceSize largest = device->limits().maxStorageBufferRange;
-    const auto beyond = Buffer::create(*device, largest + 1, Place::device);
+    const auto beyond = Buffer::create(*device, largest + 1, MemoryUse::device);
     ASSERT_FALSE(beyond);
     EXPECT_NE(beyond.error().find("maxStorageBufferRange"), std::string::npos) << beyond.error();
-    EXPECT_FALSE(Buffer::create(*device, 0, Place::device));
-    const auto block = Buffer::create(*device, device->limits().maxUniformBufferRange + VkDeviceSize{1}, Place::upload,
+    EXPECT_FALSE(Buffer::create(*device, 0, MemoryUse::device));
+    const auto block = Buffer::create(*device, device->limits().maxUniformBufferRange + VkDeviceSize{1}, MemoryUse::upload,
                                       VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     // Refused by one limit or the other where they are equal.
     ASSERT_FALSE(block);

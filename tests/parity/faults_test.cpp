@@ -35,9 +35,9 @@ Result<Everything> make_everything(const Host& host, const Functions& functions)
     Everything all;
     WINDROW_TRY(all.device, Device::create(host, functions))
     Device& device = *all.device;
-    WINDROW_TRY(all.upload, Buffer::create(device, 4096, Place::upload))
-    WINDROW_TRY(all.on_device, Buffer::create(device, VkDeviceSize{20} << 20, Place::device))
-    WINDROW_TRY(all.readback, Buffer::create(device, 4096, Place::readback))
+    WINDROW_TRY(all.upload, Buffer::create(device, 4096, MemoryUse::upload))
+    WINDROW_TRY(all.on_device, Buffer::create(device, VkDeviceSize{20} << 20, MemoryUse::device))
+    WINDROW_TRY(all.readback, Buffer::create(device, 4096, MemoryUse::readback))
     WINDROW_TRY(all.halves, Image3D::create(device, {8, 8, 8}, VK_FORMAT_R16_SFLOAT))
     WINDROW_TRY(all.floats, Image3D::create(device, {8, 8, 8}, VK_FORMAT_R32_SFLOAT))
     WINDROW_TRY(

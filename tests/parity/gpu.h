@@ -63,8 +63,8 @@ class Gpu : public testing::Test {
                                                  nullptr);
     }
 
-    [[nodiscard]] Buffer buffer(VkDeviceSize bytes, Place place) {
-        auto made = Buffer::create(*device, bytes, place);
+    [[nodiscard]] Buffer buffer(VkDeviceSize bytes, MemoryUse use) {
+        auto made = Buffer::create(*device, bytes, use);
         if (!made) {
             ADD_FAILURE() << made.error();
             return {};

@@ -54,7 +54,7 @@ class Images : public Gpu {
             ADD_FAILURE() << sets.error();
             return {};
         }
-        const Buffer back = buffer(k_texels * texel_bytes, Place::readback);
+        const Buffer back = buffer(k_texels * texel_bytes, MemoryUse::readback);
         run([&](VkCommandBuffer commands) {
             const Functions& functions = device->functions();
             const VkDescriptorSet set = sets->at(0);
@@ -79,8 +79,8 @@ class Images : public Gpu {
             ADD_FAILURE() << image.error();
             return {};
         }
-        const Buffer up = buffer(values.size(), Place::upload);
-        const Buffer back = buffer(values.size(), Place::readback);
+        const Buffer up = buffer(values.size(), MemoryUse::upload);
+        const Buffer back = buffer(values.size(), MemoryUse::readback);
         std::memcpy(up.mapped(), values.data(), values.size());
         EXPECT_EQ(up.flush(), VK_SUCCESS);
         run([&](VkCommandBuffer commands) {

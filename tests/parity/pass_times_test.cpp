@@ -173,7 +173,7 @@ TEST_F(PassTimesTest, AQueueThatCountsNoTimeIsRefusedAndAShortCounterRunsOver) {
 TEST_F(PassTimesTest, BytesOfAPassAreThoseOfTheFieldsThatItReadsAndWrites) {
     auto wind = make({.cells = k_cells}, false);
     ASSERT_TRUE(wind) << wind.error();
-    const Passes& passes = wind->state().air->passes();
+    const Passes& passes = wind->state().cells.air->passes();
     const std::uint64_t n = 16 * 12 * 16, padded = 21 * 17 * 21;
     // velocity, force, drives, history, source_flow, arrived; R and V
     EXPECT_EQ(passes.bytes(Pass::advect), 6 * 16 * n + 32 * padded);

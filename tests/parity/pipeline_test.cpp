@@ -42,9 +42,9 @@ class Scale : public Gpu {
                                                .name = "scale"});
         ASSERT_TRUE(made) << made.error();
         pipeline = *std::move(made);
-        upload = buffer(k_count * sizeof(float), Place::upload);
-        middle = buffer(k_count * sizeof(float), Place::device);
-        result = buffer(k_count * sizeof(float), Place::readback);
+        upload = buffer(k_count * sizeof(float), MemoryUse::upload);
+        middle = buffer(k_count * sizeof(float), MemoryUse::device);
+        result = buffer(k_count * sizeof(float), MemoryUse::readback);
         const Sets::Content contents[] = {set_of(pipeline, upload, middle), set_of(pipeline, middle, result)};
         auto bound = Sets::create(*device, contents);
         ASSERT_TRUE(bound) << bound.error();

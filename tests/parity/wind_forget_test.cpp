@@ -103,35 +103,37 @@ TEST_F(WindRecordings, ThatWaitAreFolded) {
     const AmbientWind calm = *AmbientWind::create({.mean = {1.0f, 0.0f, 0.0f}});
     WorkQueue queue;
     const Window window{.cells = {8, 8, 8}, .cell_size = 1.0f, .origin_cells = {}};
-    const auto work = [&](Work::Kind kind) { return Work{.kind = kind, .ambient = calm, .window = window}; };
+    const auto work = [&](CellChange::Kind kind) {
+        return CellChange{.kind = kind, .ambient = calm, .window = window, .has_source_flow = true};
+    };
     for (int n = 0; n < 100; ++n) {
-        Work shift = work(Work::Kind::shift);
-        shift.move.by = {1, 0, -2};
+        CellChange shift = work(CellChange::Kind::shift);
+        shift.by = {1, 0, -2};
         queue.push(shift);
     }
     EXPECT_EQ(queue.size(), 1u);
-    Work back = work(Work::Kind::shift); // loses what left the box
-    back.move.by = {-1, 0, 0};
+    CellChange back = work(CellChange::Kind::shift); // loses what left the box
+    back.by = {-1, 0, 0};
     queue.push(back);
     EXPECT_EQ(queue.size(), 2u);
     for (int n = 0; n < 100; ++n) {
-        Work change = work(Work::Kind::add_change);
+        CellChange change = work(CellChange::Kind::add_change);
         change.change = {0.1f, 0.0f, 0.0f};
         queue.push(change);
     }
     EXPECT_EQ(queue.size(), 3u);
     for (int n = 0; n < 100; ++n) // a ramp: the old wind goes, the new one comes
         for (const int step : {0, 1}) {
-            Work wind = work(Work::Kind::add_wind);
+            CellChange wind = work(CellChange::Kind::add_wind);
             wind.factor = step == 0 ? -1.0f : 1.0f;
             ASSERT_TRUE(wind.ambient.set_mean({0.1f * static_cast<float>(n + step), 0.0f, 0.0f}));
             queue.push(wind);
         }
     EXPECT_EQ(queue.size(), 5u); // the first goes, the last comes
     for (int n = 0; n < 100; ++n)
-        queue.push(work(Work::Kind::set));
+        queue.push(work(CellChange::Kind::set));
     EXPECT_EQ(queue.size(), 3u); // the shifts move what stays, the flow of sources
-    queue.push(work(Work::Kind::fill));
+    queue.push(work(CellChange::Kind::fill));
     EXPECT_EQ(queue.size(), 1u);
 }
 
@@ -140,9 +142,11 @@ TEST_F(WindRecordings, ThatWaitWithTicksAreFolded) {
     AmbientWind wind = *AmbientWind::create({.mean = {1.0f, 0.0f, 0.0f}});
     Window window{.cells = {8, 8, 8}, .cell_size = 1.0f, .origin_cells = {}};
     WorkQueue queue;
-    const auto work = [&](Work::Kind kind) { return Work{.kind = kind, .ambient = wind, .window = window, .kept = true}; };
+    const auto work = [&](CellChange::Kind kind) {
+        return CellChange{.kind = kind, .ambient = wind, .window = window, .kept = true, .has_source_flow = true};
+    };
     const auto change = [&](bool to_air) {
-        Work one = work(Work::Kind::add_change);
+        CellChange one = work(CellChange::Kind::add_change);
         const glm::vec3 mean = wind.mean();
         EXPECT_TRUE(wind.set_mean(mean + glm::vec3(0.01f, 0.0f, 0.0f)));
         one.ambient = wind;
@@ -151,34 +155,34 @@ TEST_F(WindRecordings, ThatWaitWithTicksAreFolded) {
         return one;
     };
     const auto shift = [&] {
-        Work one = work(Work::Kind::shift);
-        one.move.by = {1, 0, 0};
+        CellChange one = work(CellChange::Kind::shift);
+        one.by = {1, 0, 0};
         return one;
     };
     for (int n = 0; n < 100; ++n) { // set_ambient on calm air
         queue.push(change(false));
-        queue.push(work(Work::Kind::fill));
+        queue.push(work(CellChange::Kind::fill));
     }
     EXPECT_EQ(queue.size(), 2u);
     for (int n = 0; n < 100; ++n) { // set_floor on sleeping air
         window.origin_cells.y = n;
-        queue.push(work(Work::Kind::fill_before));
+        queue.push(work(CellChange::Kind::fill_before));
     }
     EXPECT_EQ(queue.size(), 2u); // the air, and what is kept of it
-    queue.push(work(Work::Kind::fill));
-    queue.push(work(Work::Kind::fill_before)); // a reset
+    queue.push(work(CellChange::Kind::fill));
+    queue.push(work(CellChange::Kind::fill_before)); // a reset
     EXPECT_EQ(queue.size(), 2u);
     for (int n = 0; n < 100; ++n) { // a walk while the wind turns
         queue.push(shift());
         queue.push(change(true));
     }
     EXPECT_EQ(queue.size(), 4u);
-    queue.push(work(Work::Kind::fill));
+    queue.push(work(CellChange::Kind::fill));
     EXPECT_EQ(queue.size(), 4u); // fill_before, the change and the shift of what is kept, the air anew
     queue.clear();
     for (int n = 0; n < 100; ++n) { // cells set in a box that walks
-        queue.push(work(Work::Kind::set));
-        Work walk = shift();
+        queue.push(work(CellChange::Kind::set));
+        CellChange walk = shift();
         ASSERT_TRUE(wind.set_mean({0.01f * static_cast<float>(n), 0.0f, 0.0f}));
         queue.push(walk);
     }

@@ -19,9 +19,9 @@ class WindInShaders : public WindParity {
             storage, storage, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, texture, texture, texture, texture, texture, texture, storage};
         Pipeline pipeline = *Pipeline::create(
             *device, {.code = shader_words::sample_wind, .bindings = kinds, .constants = {}, .name = "sample_wind"});
-        Buffer in = *Buffer::create(*device, places.size_bytes(), Place::upload);
-        Buffer out = *Buffer::create(*device, 3 * places.size_bytes(), Place::readback);
-        Buffer block = *Buffer::create(*device, sizeof(FrameBlock), Place::upload, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+        Buffer in = *Buffer::create(*device, places.size_bytes(), MemoryUse::upload);
+        Buffer out = *Buffer::create(*device, 3 * places.size_bytes(), MemoryUse::readback);
+        Buffer block = *Buffer::create(*device, sizeof(FrameBlock), MemoryUse::upload, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
         std::memcpy(in.mapped(), places.data(), places.size_bytes());
         const FrameBlock told = wind.frame_block(anchor, sampling);
         std::memcpy(block.mapped(), &told, sizeof(told));

@@ -116,7 +116,7 @@ class PlantsOnTheDevice : public Gpu {
     static constexpr VkDescriptorType k_storage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
 
     Buffer uploaded(const void* data, std::size_t bytes, VkBufferUsageFlags more_usage = 0) {
-        Buffer to = *Buffer::create(*device, bytes, Place::upload, more_usage);
+        Buffer to = *Buffer::create(*device, bytes, MemoryUse::upload, more_usage);
         std::memcpy(to.mapped(), data, bytes);
         EXPECT_EQ(to.flush(), VK_SUCCESS);
         return to;
@@ -144,7 +144,7 @@ TEST_F(PlantsOnTheDevice, BendAsOnTheCpu) {
         const Pipeline pipeline = *Pipeline::create(
             *device, {.code = shader_words::bend_plants, .bindings = types, .constants = {}, .name = "bend_plants"});
         const Buffer in = uploaded(cases.data(), k_count * sizeof(Case)), told = uploaded(&kinds, sizeof kinds),
-                     out = buffer(k_count * sizeof(Answer), Place::readback);
+                     out = buffer(k_count * sizeof(Answer), MemoryUse::readback);
         dispatch(pipeline,
                  {{.type = k_storage, .buffer = in.handle()},
                   {.type = k_storage, .buffer = out.handle()},
@@ -256,7 +256,7 @@ TEST_F(PlantsOnTheDevice, BendInTheWindOfABoxAsOnTheCpu) {
             const FrameBlock told = gpu->frame_block(anchor, sampling);
             const Buffer in = uploaded(places.data(), k_count * sizeof(glm::vec4)), classes_told = uploaded(&kinds, sizeof kinds),
                          block = uploaded(&told, sizeof told, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT),
-                         out = buffer(6 * k_count * sizeof(glm::vec4), Place::readback);
+                         out = buffer(6 * k_count * sizeof(glm::vec4), MemoryUse::readback);
             VkSamplerCreateInfo nearest{};
             nearest.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
             VkSampler sampler = VK_NULL_HANDLE;

@@ -50,8 +50,8 @@ class GroundDevice : public Gpu {
         const VkDescriptorType kinds[] = {k_storage, k_storage, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, k_texture, k_texture};
         Pipeline pipeline = *Pipeline::create(
             *device, {.code = shader_words::sample_ground, .bindings = kinds, .constants = {}, .name = "sample_ground"});
-        Buffer in = buffer(places.size_bytes(), Place::upload), out = buffer(2 * places.size_bytes(), Place::readback);
-        Buffer block = *Buffer::create(*device, sizeof(GroundBlock), Place::upload, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+        Buffer in = buffer(places.size_bytes(), MemoryUse::upload), out = buffer(2 * places.size_bytes(), MemoryUse::readback);
+        Buffer block = *Buffer::create(*device, sizeof(GroundBlock), MemoryUse::upload, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
         const GroundBlock told = ground.block(anchor);
         std::memcpy(in.mapped(), places.data(), places.size_bytes());
         std::memcpy(block.mapped(), &told, sizeof(told));

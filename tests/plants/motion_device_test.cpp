@@ -53,8 +53,8 @@ TEST_F(MotionDevice, FormulasAreTheSameForRandomInput) {
         *device,
         {.code = shader_words::motion, .bindings = kinds, .constants = {}, .push_bytes = sizeof(spring), .name = "motion"});
     ASSERT_TRUE(pipeline) << pipeline.error();
-    const Buffer in = buffer(k_count * sizeof(glm::mat4), Place::upload),
-                 out = buffer(k_count * sizeof(glm::mat4), Place::readback);
+    const Buffer in = buffer(k_count * sizeof(glm::mat4), MemoryUse::upload),
+                 out = buffer(k_count * sizeof(glm::mat4), MemoryUse::readback);
     std::memcpy(in.mapped(), inputs.data(), in.bytes());
     ASSERT_EQ(in.flush(), VK_SUCCESS);
     const Sets::Content content{&*pipeline,

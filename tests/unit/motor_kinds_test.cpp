@@ -199,11 +199,11 @@ TEST(MotorKinds, TheSameBitsAtTenWorldPositions) {
             return wind;
         };
         Wind first = blown(glm::dvec3(0.0));
-        const auto first_expansion = first.state().sources.expansion();
+        const auto first_expansion = first.state().cells.sources.expansion();
         for (int n = 0; n < 10; ++n) {
             Wind other = blown(glm::round(random.direction() * random.spread(10.0, 1e6)));
             EXPECT_EQ(cells_that_differ(first.field(), other.field()), 0u);
-            const auto expansion = other.state().sources.expansion();
+            const auto expansion = other.state().cells.sources.expansion();
             EXPECT_TRUE(std::equal(expansion.begin(), expansion.end(), first_expansion.begin(), first_expansion.end()));
         }
     }
@@ -376,7 +376,7 @@ TEST(MotorKinds, ASourceLetsInItsFlowAndNothingOutsideItsBall) {
         wind.step(0.1);
         const double radius = vent.radius, flow = 4.0 * k_pi * radius * radius * double(vent.speed);
         const double most = flow / (32.0 * k_pi / 105.0 * std::pow(radius, 3));
-        const auto expansion = wind.state().sources.expansion();
+        const auto expansion = wind.state().cells.sources.expansion();
         ASSERT_EQ(expansion.size(), wind.box().cell_count());
         double sum = 0.0;
         for_each_cell(wind, [&](glm::dvec3 centre, std::size_t n) {
@@ -448,7 +448,7 @@ TEST(MotorKinds, ABurstLeavesNoAirOverAndEndsAfterTwelveDurations) {
         for (const double dt : steps_of(2.5, rate)) {
             const bool stands = wind.motors().count() == 1;
             wind.step(dt);
-            const auto expansion = wind.state().sources.expansion();
+            const auto expansion = wind.state().cells.sources.expansion();
             ASSERT_TRUE(stands || expansion.empty());
             sum += expansion.empty() ? 0.0 : dt * double(expansion[middle]);
             most = std::max(most, sum);

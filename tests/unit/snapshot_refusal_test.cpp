@@ -74,8 +74,8 @@ TEST(SnapshotRefusal, SaysWhatIsWrong) {
 TEST(SnapshotRefusal, MeetsWhatValidateRefuses) {
     Wind wind = made({.cells = {4, 4, 4}});
     const MotorId id = *wind.motors().add(JetMotor{});
-    wind.state().config.rim = -1.0f;
-    wind.state().config.max_substeps = 99;
+    wind.state().core.config.rim = -1.0f;
+    wind.state().core.config.max_substeps = 99;
     const std::string config = refusal(*wind.save());
     EXPECT_NE(config.find("rim is -1"), std::string::npos) << config;
     EXPECT_NE(config.find("max_substeps is 99"), std::string::npos) << config;
@@ -89,7 +89,7 @@ TEST(SnapshotRefusal, MeetsWhatValidateRefuses) {
 
 TEST(SnapshotRefusal, BelievesNoPromiseOfCells) {
     Wind wind = made({.cells = {2, 2, 2}});
-    wind.state().config.cells = {2048, 2048, 16}; // 2^26 cells, 1 GiB a field
+    wind.state().core.config.cells = {2048, 2048, 16}; // 2^26 cells, 1 GiB a field
     const std::string reason = refusal(*wind.save());
     EXPECT_NE(reason.find("it promises 67108864 items of 16 bytes or more, but only "), std::string::npos) << reason;
 }

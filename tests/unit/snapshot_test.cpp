@@ -88,7 +88,7 @@ std::vector<Scene> scenes() {
         [](Session& session) {
             for (int n = 0; n < 5; ++n)
                 (void)session.wind.advance(0.05);
-            EXPECT_TRUE(session.wind.state().asleep);
+            EXPECT_TRUE(session.wind.state().core.sleep.asleep());
         },
         true);
     add("gusts_over_profile", gusty, flight, false);
@@ -111,7 +111,7 @@ std::vector<Scene> scenes() {
         [](Session& session) {
             (void)session.wind.step(0.02);
             (void)session.wind.step(0.02); // asleep: the phase alone moves on
-            EXPECT_EQ(session.wind.state().ambient.phase().x, session.wind.state().ambient.period());
+            EXPECT_EQ(session.wind.state().core.ambient.phase().x, session.wind.state().core.ambient.period());
         },
         false);
     add(
@@ -220,12 +220,12 @@ TEST(SnapshotScenes, AreInTheStatesThatTheyClaim) {
         scene.before(session);
         const Wind::State& state = session.wind.state();
         if (scene.name == "wake_amid_frames") {
-            EXPECT_GT(state.frames->lead, 0.0);
+            EXPECT_GT(state.core.frames->clock.lead, 0.0);
         }
         if (scene.name == "mid_flight") {
-            EXPECT_NE(state.sources_of_air, 0u);
-            EXPECT_FALSE(state.air.fresh);
-            EXPECT_LT(state.motors.count(), static_cast<int>(state.motors.slots().size()) - 1);
+            EXPECT_NE(state.core.source_name, 0u);
+            EXPECT_FALSE(state.cells.air.fresh);
+            EXPECT_LT(state.core.motors.count(), static_cast<int>(state.core.motors.slots().size()) - 1);
         }
     }
 }

@@ -26,7 +26,7 @@ Result<PlainPasses> PlainPasses::create(Device& device, glm::ivec3 cells) {
     const auto bytes = sizeof(glm::vec4) * static_cast<VkDeviceSize>(cells.x) * static_cast<VkDeviceSize>(cells.y) *
                        static_cast<VkDeviceSize>(cells.z);
     for (Buffer& field : plain.fields_) {
-        auto made = Buffer::create(device, bytes, Place::device);
+        auto made = Buffer::create(device, bytes, MemoryUse::device);
         if (!made)
             return Error{made.error()};
         field = *std::move(made);

@@ -72,7 +72,7 @@ DeviceStepResult WindRecordings::result(const char* name) const {
 }
 
 void WindRecordings::add_passes(DeviceGridResult& result) const {
-    const vulkan::Air& air = *wind_.state().air;
+    const vulkan::Air& air = *wind_.state().cells.air;
     for (std::size_t n = 0; n < vulkan::k_passes; ++n) {
         const auto pass = static_cast<Pass>(n);
         const auto found = passes_.find(name_of(pass));

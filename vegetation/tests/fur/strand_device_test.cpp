@@ -101,7 +101,7 @@ Answer answer_of(const Case& c, const Fields& all) {
 class StrandsOnTheDevice : public vulkan::Gpu {
   protected:
     vulkan::Buffer uploaded(const void* data, std::size_t bytes, VkBufferUsageFlags more_usage = 0) {
-        vulkan::Buffer to = *vulkan::Buffer::create(*device, bytes, vulkan::Place::upload, more_usage);
+        vulkan::Buffer to = *vulkan::Buffer::create(*device, bytes, vulkan::MemoryUse::upload, more_usage);
         std::memcpy(to.mapped(), data, bytes);
         EXPECT_EQ(to.flush(), VK_SUCCESS);
         return to;
@@ -130,7 +130,7 @@ TEST_F(StrandsOnTheDevice, AsOnTheCpu) {
         *device, {.code = vulkan::shader_words::strands, .bindings = types, .constants = {}, .name = "strands"});
     const vulkan::Buffer in = uploaded(cases.data(), k_count * sizeof(Case)),
                          told = uploaded(&all, sizeof all, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT),
-                         out = buffer(k_count * sizeof(Answer), vulkan::Place::readback);
+                         out = buffer(k_count * sizeof(Answer), vulkan::MemoryUse::readback);
     const std::vector<vulkan::Binding> bindings{{.type = storage, .buffer = in.handle()},
                                                 {.type = storage, .buffer = out.handle()},
                                                 {.type = uniform, .buffer = told.handle()}};

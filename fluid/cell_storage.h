@@ -1,0 +1,91 @@
+// The cells of a wind as its core uses them (wind_core.h): on the CPU (cpu/cells.h) or on a device (vulkan/device_cells.h).
+//
+// A change carries the ambient wind of its moment. So a storage may make it later, and compares what blows around the box with
+// what its cells hold instead of being notified.
+#pragma once
+
+#include "fluid/ambient.h"
+#include "fluid/cpu/acting.h"
+#include "fluid/diagnostics.h"
+#include "fluid/frame_history.h"
+#include "fluid/motor_reach.h"
+#include "fluid/sides.h"
+#include "fluid/window.h"
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <memory>
+#include <span>
+
+namespace windrow {
+
+/// One change of the cells.
+struct CellChange {
+    enum class Kind : std::uint8_t {
+        fill,         ///< the air becomes ambient, with no past and no flow of volume sources
+        fill_before,  ///< the air of the tick before becomes ambient
+        shift,        ///< the air stays where it is while the box moves by `by`; exposed cells have no past
+        add_change,   ///< of the mean wind, by its profile: `change`
+        add_wind,     ///< `factor` times the ambient wind
+        set,          ///< the air becomes `cells`, with no past, and so does that of the tick before
+        keep,         ///< the air of the tick before becomes that of now
+        begin_frames, ///< as `keep`; the frames shown become the air of now too
+        end_frames,   ///< no air but that of now is kept
+    };
+    Kind kind = Kind::fill;
+    AmbientWind ambient; ///< after the change
+    Window window;       ///< as `ambient`
+    bool kept = false;   ///< the air of the tick before is kept, and changes too
+    bool to_air = true;  ///< of add_change: false changes only the air of the tick before
+    float factor = 0.0f; ///< 1 or -1
+    glm::vec3 change{0.0f};
+    CellIndex by{0};
+    bool exposed_hold_ambient = true;   ///< else 0
+    bool has_source_flow = false;       ///< the velocity holds a flow of volume sources, which moves too
+    std::span<const glm::vec4> cells{}; ///< good during the call alone
+};
+
+/// A step of the air.
+struct CellStep {
+    double duration = 0.0; ///< [s]
+    std::span<const detail::MotorReach> motors{};
+    std::shared_ptr<const GustTile> tile{}; ///< of the motors' eddies; null: none has any
+    AmbientWind* ambient = nullptr;         ///< at the start of the step; the storage advances it to the end
+    const Window* window = nullptr;
+    cpu::CanopyRows canopy{};
+    bool renews_sources = false;  ///< the volume sources are not those of the last step
+    bool has_source_flow = false; ///< the velocity holds a flow of theirs, after this step's change
+    bool kept = false;            ///< the air of the tick before is kept
+    bool may_rest = false;        ///< air that is still becomes ambient and sleeps
+};
+
+/// What the next calls need room for.
+struct CellNeeds {
+    double step = 0.0;            ///< [s] longest step; 0: none
+    const Gusts* gusts = nullptr; ///< around the box
+    bool frames = false;          ///< CellChange::begin_frames
+    bool set = false;             ///< CellChange::set
+};
+
+class CellStorage {
+  public:
+    virtual ~CellStorage() = default;
+    /// Changes no cell; throws std::bad_alloc where memory is missing. After it the calls that it was made for do not fail.
+    virtual void make_room(const CellNeeds& needs) = 0;
+    /// Applies the boundary conditions; `kinds`: not only wall velocities differ. On an error nothing has changed.
+    [[nodiscard]] virtual Result<void> set_sides(const Sides& sides, bool kinds) = 0;
+    virtual void apply(const CellChange& change) = 0;
+    /// True where the air has come to rest: it is ambient now, with no past, and the report is that of the ambient air.
+    [[nodiscard]] virtual bool step(const CellStep& step, Diagnostics& report) = 0;
+    /// Makes the frame to show, after FrameHistory::show.
+    virtual void show(const FrameBlend& blend) = 0;
+};
+
+/// Both blow alike, at the same places.
+[[nodiscard]] inline bool same_wind(const AmbientWind& a, const AmbientWind& b) {
+    return a.mean() == b.mean() && a.phase() == b.phase() && a.ground() == b.ground() && a.gust_axes() == b.gust_axes() &&
+           a.settings().gusts.intensity == b.settings().gusts.intensity && a.period() == b.period() && a.tile() == b.tile();
+}
+
+} // namespace windrow

@@ -1,0 +1,153 @@
+// The cells of a wind on the CPU.
+//
+// cells.cpp: what the wind's core does to them: they become ambient, move with the box, blend for a frame. step.cpp: a step.
+#pragma once
+
+#include "fluid/cell_storage.h"
+#include "fluid/cpu/aligned.h"
+#include "fluid/cpu/ambient_field.h"
+#include "fluid/cpu/sources.h"
+#include "fluid/pieces.h"
+
+#include <atomic>
+#include <mutex>
+#include <vector>
+
+namespace windrow {
+class WindCore;
+}
+
+namespace windrow::cpu {
+
+/// The air of the last two steps and the second-order history; see step.cpp.
+struct TwoLevelAir {
+    explicit TwoLevelAir(std::size_t cells) : velocity(cells), velocity_old(cells), history(cells) {}
+
+    Buffer<glm::vec4> velocity;     ///< u [m/s]
+    Buffer<glm::vec4> velocity_old; ///< u one sub-step earlier; holds nothing while `fresh`
+    Buffer<glm::vec4> history;      ///< q = (dt/2) grad p of the last sub-step [m/s]; holds nothing while `fresh`
+    bool fresh = true;              ///< u_old = u and q = 0 without being written
+    float dt_old = 0.0f;            ///< [s] last sub-step
+    float undiffused_time = 0.0f;   ///< [s] in which viscosity has not acted yet
+
+    [[nodiscard]] std::size_t memory_bytes() const { return velocity.bytes() + velocity_old.bytes() + history.bytes(); }
+};
+
+/// Cells of FrameHistory's frames; empty without.
+struct FrameCells {
+    struct Field {
+        Buffer<glm::vec4> cells; ///< [m/s]
+        bool held = true;        ///< false while they are the frame's ambient wind, and not written yet
+    };
+    Buffer<glm::vec4> before; ///< [m/s] air at the tick before the last one, in the window of today
+    Field shown, shown_before;
+
+    [[nodiscard]] std::size_t memory_bytes() const { return before.bytes() + shown.cells.bytes() + shown_before.cells.bytes(); }
+};
+
+class Cells final : public CellStorage {
+  public:
+    /// `wind` outlives it.
+    Cells(const WindCore& wind, Workspace workspace);
+
+    void make_room(const CellNeeds& needs) override;
+    [[nodiscard]] Result<void> set_sides(const Sides& sides, bool kinds) override;
+    void apply(const CellChange& change) override;
+    [[nodiscard]] bool step(const CellStep& step, Diagnostics& report) override;
+    void show(const FrameBlend& blend) override;
+
+    [[nodiscard]] const Box& box() const { return work.box(); }
+    /// Views of the air, and of the frames shown; what their cells are is written to them from then on. Threads may ask at once.
+    [[nodiscard]] WindView air_view();
+    [[nodiscard]] WindView view(FrameCells::Field& field, const ShownFrame& frame);
+    /// Writes the ambient wind into cells that are known to be ambient. Threads may ask at once.
+    void hold_air();
+    void hold_all(); ///< that of frames too
+    /// Both frames show the air of now.
+    void show_air();
+    /// The cells of the air, and of the tick before, were set to what they are.
+    void set_held();
+    [[nodiscard]] std::size_t memory_bytes() const;
+
+    Workspace work;
+    TwoLevelAir air;
+    FrameCells frames;
+    SourceField sources;
+    Buffer<glm::vec4>
+        source_flow;          ///< u_S [m/s], part of the velocity; empty until the first volume source, 0 while there is none
+    Buffer<glm::vec4> solved; ///< scratch for u less its given part; empty until something is given
+
+  private:
+    static constexpr std::uint64_t k_unheld = ~std::uint64_t{0};
+
+    // --- cells.cpp ---------------------------------------------------------------------------------------------------------
+    void make_room_around(const Gusts& gusts);
+    void make_room_for_step(float dt);
+    void make_room_for_viscosity(DiffusionMethod method);
+    void reserve_solved();
+    /// Brings the ambient fields up to what blows in `window`.
+    void renew_around(const AmbientWind& ambient, const Window& window, const ParallelFor& parallel_for);
+    void bend_profile(const Window& window);
+    /// [m/s] Ambient wind of a cell of the box; without gusts.
+    [[nodiscard]] glm::vec4 ambient_at(int i, int j, int k) const;
+    [[nodiscard]] glm::vec4 mean_at(int i, int j, int k) const;
+    void fill(std::span<glm::vec4> field) const;
+    void fill_air();
+    void set(std::span<const glm::vec4> cells);
+    void shift(const CellChange& change);
+    void add_wind(const CellChange& change);
+    void add_change(const CellChange& change);
+    void keep();
+    /// For calls that change the wind, which no other thread reads meanwhile.
+    void hold_air_alone(const ParallelFor& parallel_for);
+    void hold_frame(FrameCells::Field& field, const ShownFrame& frame);
+    void hold_before();
+    void hold_gusts(std::span<glm::vec4> field, const AmbientWind& wind, const Window& window);
+    [[nodiscard]] bool has_source_flow() const;
+
+    // --- step.cpp ----------------------------------------------------------------------------------------------------------
+    class Solving;
+    void add_sources(const CellStep& step, Diagnostics& report);
+    [[nodiscard]] bool acts_whole() const;
+    void act_whole(float dt);
+    void renew_source_flow(std::span<const detail::MotorReach> reached);
+    void limit_speeds(float dt, Diagnostics& report);
+    /// [m/s] Most that a component may be where a step of dt [s] in all sub-steps allowed is to carry it.
+    [[nodiscard]] float fastest_carried(float dt) const;
+    void cut_speeds(float most, Diagnostics& report);
+    void repair_cells();
+    /// Finds the gusts at the end of the sub-step; from carry_gusts on they are those of now.
+    void foresee_gusts(Diagnostics& report);
+    void carry_gusts();
+    [[nodiscard]] std::span<const glm::vec4> without_given_flow();
+    void add_given_flow(std::span<glm::vec4> field, float factor) const;
+    void add_ambient(std::span<glm::vec4> field, float factor) const;
+    [[nodiscard]] std::span<const glm::vec4> diffuse(std::span<const glm::vec4> field, float dt, Diagnostics& report);
+    void advance_second_order(float dt, Diagnostics& report);
+    void rehearse(float dt, Diagnostics& report);
+    void perform(float dt, Diagnostics& report);
+    void advance_stable_fluids(float dt, Diagnostics& report);
+    void advance_in_place(float dt, Diagnostics& report);
+    void measure(Diagnostics& report);
+    [[nodiscard]] bool at_ambient() const;
+
+    const WindCore& wind_;
+    const Config& config_;             ///< of `wind_`
+    AmbientWind around_;               ///< what the ambient fields hold; within a step it runs ahead of the wind's own
+    CellIndex around_origin_cells_{0}; ///< where they hold it
+    bool around_stale_ = true;         ///< they hold nothing yet, or the boundary conditions have changed
+    AmbientField mean_field_;          ///< the mean wind cell by cell; empty without a profile
+    AmbientField ambient_field_;       ///< the same with gusts; empty without gusts
+    AmbientField ambient_next_;        ///< within a step: at its end
+    std::vector<float> profile_bends_; ///< second differences of the profile, one a padded row; empty without profile or gusts
+    glm::dvec3 next_phase_{0.0};       ///< [m] of the gusts at the end of the sub-step
+    CanopyRows canopy_;                ///< of the step
+    Buffer<glm::vec4> diffused_;       ///< the velocity after diffusion; empty while viscosity asks for none
+    FreeAir free_air_;                 ///< where volume sources blow; empty until then
+    /// Sleep::drift at which the air, and that of the tick before, were written. Another: they are ambient, written when read.
+    std::atomic<std::uint64_t> held_at_ = 0;
+    std::uint64_t before_held_at_ = 0;
+    std::mutex holding_; ///< of what is held, in frames too
+};
+
+} // namespace windrow::cpu

@@ -1,0 +1,137 @@
+// The device is ahead of what the host knows of it by the frames in flight. So the host decides by what it knows itself (which
+// motors reach the box, whether the box moved), the device by what only it knows (the sub-steps), and sleep, which needs both,
+// begins when a read-back shows that the air is still and nothing has acted since.
+#include "fluid/vulkan/device_cells.h"
+
+#include "fluid/message.h"
+#include "fluid/wind_core.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+namespace windrow::vulkan {
+
+using Kind = CellChange::Kind;
+
+DeviceCells::DeviceCells(const WindCore& wind, const ReadBacks& read_backs, std::unique_ptr<Air> cells)
+    : air(std::move(cells)), wind_(wind), read_backs_(read_backs) {
+    queue_.make_room();
+}
+
+void DeviceCells::make_room(const CellNeeds& needs) {
+    queue_.make_room(needs.set ? wind_.box().cell_count() : 0);
+}
+
+Result<void> DeviceCells::set_sides(const Sides& sides, bool kinds) {
+    auto prepared =
+        windrow::detail::where_memory_lasts([&] { return air->prepare(sides, kinds || (new_sides_ && new_sides_->tables)); });
+    if (!prepared)
+        return Error{prepared.error()};
+    hold_gusts(); // as the old sides have them
+    rest.filled = false;
+    rest.disturb();
+    new_sides_ = *std::move(prepared);
+    return {};
+}
+
+void DeviceCells::record(const CellChange& change) {
+    if (commands_ != VK_NULL_HANDLE)
+        air->apply(commands_, change);
+    else
+        queue_.push(change);
+}
+
+void DeviceCells::apply(const CellChange& change) {
+    record(change);
+    if (change.kind == Kind::fill || change.kind == Kind::set)
+        held_at_ = wind_.sleep.drift;
+    if (change.kind == Kind::fill)
+        rest.filled = true;
+    if (change.kind == Kind::add_wind || change.kind == Kind::add_change || change.kind == Kind::set) {
+        rest.filled = rest.filled && change.kind == Kind::add_change && !change.to_air;
+        rest.disturb();
+    }
+}
+
+bool DeviceCells::hold_gusts() {
+    if (std::exchange(held_at_, wind_.sleep.drift) == wind_.sleep.drift)
+        return false;
+    CellChange change{.kind = Kind::fill, .ambient = wind_.ambient, .window = wind_.window(), .kept = wind_.frames.has_value()};
+    record(change);
+    if (wind_.frames) {
+        change.kind = Kind::fill_before;
+        change.ambient.set_phase(wind_.frames->gust_phase_before);
+        record(change);
+    }
+    return true;
+}
+
+bool DeviceCells::step(const CellStep& step, Diagnostics& report) {
+    hold_gusts();
+    rest.begin_tick(!step.motors.empty() || step.renews_sources, step.ambient->uniform());
+    air->step(commands_, step);
+    step.ambient->advance(step.duration);
+    read_backs_.report_to(report, wind_.box());
+    report.diffusion = wind_.config.stages.diffusion
+                           ? diffusion_method(wind_.config.viscosity, static_cast<float>(step.duration), wind_.config.cell_size)
+                           : DiffusionMethod::none;
+    if (!step.may_rest || !rest.at_ambient(read_backs_.tick(), read_backs_.report().apart, wind_.config.sleep_speed))
+        return false;
+    apply({.kind = Kind::fill, .ambient = *step.ambient, .window = *step.window, .kept = step.kept});
+    report_ambient(step, report);
+    return true;
+}
+
+// Of air at rest: the ambient wind, which without gusts differs by height alone. With them the last read-back is reported: no
+// component was further from it than what counts as sleep.
+void DeviceCells::report_ambient(const CellStep& step, Diagnostics& report) const {
+    if (step.ambient->gusting())
+        return;
+    report.max_speed = 0.0f;
+    report.energy = 0.0;
+    report.divergence_rms = 0.0;
+    const glm::ivec3 cells = step.window->cells;
+    const auto h = static_cast<double>(step.window->cell_size);
+    for (int j = 0; j < cells.y; ++j) {
+        const glm::vec3 u = step.ambient->velocity(step.window->centre(0, j, 0));
+        report.max_speed = std::max({report.max_speed, std::abs(u.x), std::abs(u.y), std::abs(u.z)});
+        report.energy += 0.5 * static_cast<double>(glm::dot(u, u)) * h * h * h * cells.x * cells.z;
+    }
+}
+
+// Sleeping air is shown at the frame's own moment, between two ticks: the next tick that wakes fills anew.
+void DeviceCells::show(const FrameBlend& shown) {
+    if (shown.unchanged)
+        return;
+    blend = shown.still ? 1.0f : shown.factor;
+    if (!shown.still || !wind_.ambient.gusting())
+        return;
+    record({.kind = Kind::fill, .ambient = wind_.frames->shown.ambient, .window = wind_.window()});
+    held_at_ = k_unheld;
+}
+
+bool DeviceCells::begin(VkCommandBuffer commands, int slot) {
+    air->begin(slot);
+    commands_ = commands;
+    blend.reset();
+    const bool waited = !queue_.empty() || new_sides_;
+    if (new_sides_)
+        air->set_sides(*std::move(new_sides_));
+    new_sides_.reset();
+    queue_.record(*air, commands);
+    return waited;
+}
+
+void DeviceCells::end() {
+    air->end(commands_);
+    commands_ = VK_NULL_HANDLE;
+}
+
+void DeviceCells::forget() {
+    queue_.clear();
+    air->forget();
+}
+
+} // namespace windrow::vulkan

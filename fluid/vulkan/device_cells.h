@@ -1,0 +1,77 @@
+// The cells of a wind on a device. What its core asks of them is recorded within a frame; between two it waits for the next.
+#pragma once
+
+#include "fluid/vulkan/air.h"
+#include "fluid/vulkan/read_backs.h"
+#include "fluid/vulkan/work_queue.h"
+
+#include <memory>
+#include <optional>
+
+namespace windrow {
+class WindCore;
+}
+
+namespace windrow::vulkan {
+
+/// Whether the air on the device is at rest, as far as the host knows: it reads back frames later.
+struct DeviceRest {
+    std::uint64_t tick = 0;
+    std::uint64_t disturbed_tick = 0; ///< the last one in which something acted
+    bool filled = false;              ///< the next tick begins with the ambient wind in all cells
+    bool left_alone = false;          ///< the last one did, where it is steady, and nothing acted
+
+    /// Something acts before the next tick.
+    void disturb() { disturbed_tick = tick + 1; }
+    void begin_tick(bool acts, bool steady) {
+        ++tick;
+        if (acts)
+            disturbed_tick = tick;
+        left_alone = filled && disturbed_tick != tick && steady;
+        filled = false;
+    }
+    /// `read_tick`: of a report that differs from ambient by `apart` [m/s].
+    [[nodiscard]] bool at_ambient(std::uint64_t read_tick, float apart, float sleep_speed) const {
+        return left_alone || (read_tick > disturbed_tick && apart < sleep_speed);
+    }
+};
+
+class DeviceCells final : public CellStorage {
+  public:
+    /// Both outlive it.
+    DeviceCells(const WindCore& wind, const ReadBacks& read_backs, std::unique_ptr<Air> air);
+
+    void make_room(const CellNeeds& needs) override;
+    [[nodiscard]] Result<void> set_sides(const Sides& sides, bool kinds) override;
+    void apply(const CellChange& change) override;
+    [[nodiscard]] bool step(const CellStep& step, Diagnostics& report) override;
+    void show(const FrameBlend& blend) override;
+
+    /// Records what waits, and from now on all changes. False where nothing waited.
+    bool begin(VkCommandBuffer commands, int slot);
+    void end();
+    /// Air that sleeps becomes what blows now. False where it is that already.
+    bool hold_gusts();
+    /// Nothing that was recorded counts.
+    void forget();
+
+    std::unique_ptr<Air> air;
+    DeviceRest rest;
+    std::optional<float> blend; ///< the textures of this frame are to be written, so far between the ticks
+
+  private:
+    static constexpr std::uint64_t k_unheld = ~std::uint64_t{0};
+
+    /// Records now, or with the next frame.
+    void record(const CellChange& change);
+    void report_ambient(const CellStep& step, Diagnostics& report) const;
+
+    const WindCore& wind_;
+    const ReadBacks& read_backs_;
+    VkCommandBuffer commands_ = VK_NULL_HANDLE; ///< while a frame is recorded
+    WorkQueue queue_;
+    std::optional<Air::NewSides> new_sides_; ///< from the next recording on
+    std::uint64_t held_at_ = 0; ///< Sleep::drift at which sleeping cells were written; another: they are not what blows now
+};
+
+} // namespace windrow::vulkan

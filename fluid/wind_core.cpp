@@ -1,0 +1,224 @@
+// What a host asks of a wind, besides time: changes of the wind around the box, of its sides, place and cells.
+#include "fluid/wind_core.h"
+
+#include "fluid/message.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace windrow {
+namespace {
+
+constexpr double k_farthest_cells = 1e12;
+constexpr float k_most_wind = 1e4f;
+constexpr const char* k_axis_names[3] = {"x", "y", "z"};
+
+template <class Vector>
+bool finite(const Vector& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+} // namespace
+
+namespace detail {
+
+bool can_hold_point(const Config& config, glm::dvec3 point) {
+    if (!finite(point))
+        return false;
+    const double farthest = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
+    // A cell size that is none has a reason of its own.
+    return !(config.cell_size > 0.0f) || farthest <= k_farthest_cells * static_cast<double>(config.cell_size);
+}
+
+void check_ambient(Reasons& reasons, glm::vec3 ambient) {
+    if (!finite(ambient) || std::max({std::abs(ambient.x), std::abs(ambient.y), std::abs(ambient.z)}) > k_most_wind)
+        reasons.add("ambient is ", ambient, " m/s: give finite numbers, at most 1e4 m/s in size.");
+}
+
+void check_follow(Reasons& reasons, const std::optional<glm::bvec3>& follow, const Sides& sides) {
+    for (int axis = 0; axis < 3 && follow; ++axis)
+        if ((*follow)[axis] && !can_follow(sides, axis))
+            reasons.add("follow_axes asks the box to follow along ", k_axis_names[axis], ", where a side is ",
+                        sides.periodic(axis) ? "periodic" : "solid", ": open both sides of that axis or leave it out",
+                        axis == 1 ? " (set_floor moves a floor)." : ".");
+}
+
+} // namespace detail
+
+WindCore::WindCore(const Config& settings, const AmbientWind& wind_around, CellStorage& cells)
+    : config(settings), place(settings), ambient(wind_around), cells_(cells) {}
+
+void WindCore::start() {
+    renew_ambient();
+    fill_with_ambient();
+}
+
+// --- What a host changes -----------------------------------------------------------------------------------------------------
+
+void WindCore::change_ambient(glm::vec3 wind) {
+    if (config.gusts.intensity > 0.0f) { // gusts are as strong as the mean wind: all of it changes
+        take_ambient_out();
+        config.ambient = wind;
+        put_ambient_in();
+        return;
+    }
+    const glm::vec3 before = mean_wind();
+    config.ambient = wind;
+    renew_ambient();
+    sleep.stir();
+    CellChange mean = change(CellChange::Kind::add_change);
+    mean.change = mean_wind() - before;
+    mean.to_air = !sleep.calm();
+    cells_.apply(mean);
+    if (sleep.calm()) // still ambient, and to the bit
+        fill_with_ambient();
+}
+
+Result<void> WindCore::set_ambient(glm::vec3 wind) {
+    detail::Reasons reasons;
+    detail::check_ambient(reasons, wind);
+    if (!reasons.empty())
+        return Error{reasons.take()};
+    if (!has_room({.gusts = &config.gusts}))
+        return detail::out_of_memory();
+    change_ambient(wind);
+    note(AmbientSet{wind});
+    return {};
+}
+
+Result<void> WindCore::set_gusts(const Gusts& gusts) {
+    Gusts wanted = gusts;
+    if (!wanted.tile && ambient.tile() && ambient.tile()->seed() == gusts.seed)
+        wanted.tile = ambient.tile();
+    auto renewed = AmbientWind::create({.mean = mean_wind(), .profile = config.profile, .gusts = wanted});
+    if (!renewed)
+        return Error{renewed.error()};
+    if (!has_room({.gusts = &gusts}))
+        return detail::out_of_memory();
+    renewed->set_phase(ambient.phase());
+    take_ambient_out();
+    config.gusts = gusts;
+    ambient = *std::move(renewed);
+    put_ambient_in();
+    note(GustsSet{gusts.intensity, gusts.length, gusts.tile ? gusts.tile->seed() : gusts.seed, gusts.tile != nullptr});
+    return {};
+}
+
+Result<void> WindCore::set_sides(const Sides& sides) {
+    detail::Reasons reasons;
+    if (auto valid = validate(sides); !valid)
+        reasons.add(valid.error());
+    detail::check_follow(reasons, config.follow_axes, sides);
+    if (!reasons.empty())
+        return Error{reasons.take()};
+    if (!has_room({.gusts = &config.gusts}))
+        return detail::out_of_memory();
+    bool same_kinds = true;
+    for (int axis = 0; axis < 3; ++axis)
+        for (int end = 0; end < 2; ++end)
+            same_kinds = same_kinds && sides.at(axis, end).kind == config.sides.at(axis, end).kind;
+    if (auto changed = cells_.set_sides(sides, !same_kinds); !changed)
+        return changed;
+    config.sides = sides;
+    if (!same_kinds && source_name != 0)
+        source_name = 2; // of no set of sources: their flow is made anew
+    place.follow_axes = detail::axes_that_follow(config.follow_axes, sides);
+    renew_ambient();
+    sleep.wake();
+    note(SidesSet{sides});
+    return {};
+}
+
+Result<void> WindCore::follow(glm::dvec3 point) {
+    if (!detail::can_hold_point(config, point))
+        return Error{detail::message("follow point is ", point, " m: give finite numbers within 1e12 cells of the origin.")};
+    if (!has_room({.gusts = &config.gusts}))
+        return detail::out_of_memory();
+    if (frames)
+        frames->follow.move_to(point);
+    else
+        follow_now(point);
+    note(Followed{point});
+    return {};
+}
+
+Result<void> WindCore::set_floor(double height) {
+    const Side& floor = config.sides.y_low;
+    if (!floor.solid())
+        return Error{"set_floor needs a solid low y side: set sides.y_low to free_slip or no_slip, or use follow."};
+    if (!detail::can_hold_point(config, {0.0, height, 0.0}))
+        return Error{detail::message("floor height is ", height, " m: give a finite number within 1e12 cells of the origin.")};
+    if (!has_room({.gusts = &config.gusts}))
+        return detail::out_of_memory();
+    CellIndex origin = place.window.origin_cells;
+    origin.y = static_cast<std::int64_t>(std::floor(height / static_cast<double>(config.cell_size) + 0.5));
+    shift_to(origin);
+    place.point.y = height + 0.5 * static_cast<double>(config.cell_size) * config.cells.y;
+    note(FloorSet{height});
+    return {};
+}
+
+Result<void> WindCore::set_velocity(std::span<const glm::vec4> field) {
+    if (field.size() != box().cell_count())
+        return Error{detail::message("set_velocity got ", field.size(), " cells, but the box has ", box().cell_count(),
+                                     ": give box().cell_count().")};
+    if (!has_room({.set = true}))
+        return detail::out_of_memory();
+    CellChange set = change(CellChange::Kind::set);
+    set.cells = field;
+    cells_.apply(set);
+    sleep.wake();
+    if (frames)
+        frames->before_still = false;
+    if (log != nullptr)
+        log->note_velocity(field);
+    return {};
+}
+
+void WindCore::reset() {
+    fill_with_ambient();
+    if (frames)
+        apply(CellChange::Kind::fill_before);
+    note(WindReset{});
+}
+
+void WindCore::record_to(EventLog* to) {
+    log = to;
+    motors.record_to(to);
+}
+
+// --- Reading -----------------------------------------------------------------------------------------------------------------
+
+Rim WindCore::rim(glm::dvec3 point) const {
+    return place.rim(point, config.rim, frames ? 2.0f : 1.0f); // between ticks, the point is up to a tick behind the box
+}
+
+ShownFrame WindCore::shown() const {
+    return frames ? frames->shown : ShownFrame{place.window, place.point, ambient, sleep.asleep()};
+}
+
+WindowBlock WindCore::window_block(glm::dvec3 anchor, const WindView& view, const WindView& previous_view) const {
+    anchor = detail::usable_anchor(anchor);
+    WindowBlock block = view.block(anchor);
+    if (frames) {
+        const WindowBlock before = previous_view.block(anchor);
+        block.cells_and_factor.w = static_cast<float>(frames->clock.factor(config.ticks));
+        block.previous_origin = glm::vec4(glm::vec3(before.origin_and_cell_size), 0.0f);
+        block.previous_rim_point = glm::vec4(glm::vec3(before.rim_point), 0.0f);
+    } else {
+        const double h = config.cell_size;
+        block.previous_origin = {glm::vec3(glm::dvec3(place.previous.origin_cells) * h - anchor), 0.0f};
+        block.previous_rim_point = {glm::vec3(place.previous.point - anchor), 0.0f};
+    }
+    return block;
+}
+
+FrameBlock WindCore::frame_block(glm::dvec3 anchor, const Sampling& sampling, const WindView& view,
+                                 const WindView& previous_view) const {
+    return {.window = window_block(anchor, view, previous_view),
+            .ambient = view.ambient().block(anchor, sampling),
+            .previous_ambient = previous_view.ambient().block(anchor, sampling)};
+}
+
+} // namespace windrow

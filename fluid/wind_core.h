@@ -1,0 +1,107 @@
+// Backend-independent part of a wind: window, ambient wind, motors, ticks, sleep. The cells are a CellStorage, on the CPU or on a
+// device.
+//
+// What a step and `advance` do is in wind_advance.cpp, from top to bottom; the other calls of a host are in wind_core.cpp.
+#pragma once
+
+#include "fluid/cell_storage.h"
+#include "fluid/event_log.h"
+#include "fluid/frame_history.h"
+#include "fluid/message.h"
+#include "fluid/sleep.h"
+#include "fluid/wind.h"
+#include "fluid/window_history.h"
+
+#include <optional>
+
+namespace windrow {
+
+class WindCore {
+  public:
+    WindCore(const Config& config, const AmbientWind& ambient, CellStorage& cells);
+    WindCore(const WindCore&) = delete;
+    WindCore& operator=(const WindCore&) = delete;
+
+    static constexpr float k_longest_prepared = 1.0f; ///< [s] step that allocates nothing
+
+    Config config;
+    WindowHistory place;
+    AmbientWind ambient;
+    Motors motors;
+    std::uint64_t source_name = 0; ///< of the set of volume sources whose flow is in the velocity; 0: none
+    Sleep sleep;
+    std::optional<FrameHistory> frames; ///< with `advance`
+    EventLog* log = nullptr;
+
+    [[nodiscard]] const Window& window() const { return place.window; }
+    [[nodiscard]] Box box() const { return {config.cells, config.cell_size, config.sides}; }
+    /// [m/s] Mean wind that the open sides carry.
+    [[nodiscard]] glm::vec3 mean_wind() const { return admissible_ambient(config.sides, config.ambient); }
+    /// Viscosity does something that floats hold within a second, or within `dt` [s]; else it is left out.
+    [[nodiscard]] bool viscous(float dt = k_longest_prepared) const;
+    [[nodiscard]] Rim rim(glm::dvec3 point) const;
+    /// The wind of the last frame, or of the last step.
+    [[nodiscard]] ShownFrame shown() const;
+    [[nodiscard]] WindowBlock window_block(glm::dvec3 anchor, const WindView& view, const WindView& previous_view) const;
+    [[nodiscard]] FrameBlock frame_block(glm::dvec3 anchor, const Sampling& sampling, const WindView& view,
+                                         const WindView& previous_view) const;
+
+    /// Ambient everywhere, once the storage can hold cells.
+    void start();
+
+    // What the calls of Wind do; see there.
+    Diagnostics step(double dt);
+    Advance advance(double dt);
+    Result<void> set_ambient(glm::vec3 wind);
+    Result<void> set_gusts(const Gusts& gusts);
+    Result<void> set_sides(const Sides& sides);
+    Result<void> follow(glm::dvec3 point);
+    Result<void> set_floor(double height);
+    Result<void> set_velocity(std::span<const glm::vec4> field);
+    void reset();
+    void record_to(EventLog* to);
+
+    /// What blows around the box, after a change of sides, mean wind, gusts or place.
+    void renew_ambient();
+
+  private:
+    friend struct StateFields; // snapshot.cpp
+
+    // --- wind_advance.cpp: time --------------------------------------------------------------------------------------------
+    Diagnostics step_air(double duration);
+    void run_step(double duration, Diagnostics& report);
+    [[nodiscard]] Diagnostics tick(double duration);
+    void drop(double seconds);
+    void drift(double seconds);
+    void follow_now(glm::dvec3 point);
+    void shift_to(CellIndex origin_cells);
+    [[nodiscard]] bool renew_sources(std::span<const detail::MotorReach> reached);
+    [[nodiscard]] cpu::CanopyRows canopy_rows() const;
+    [[nodiscard]] AirNow now() const { return {place.window, place.point, ambient, sleep.asleep()}; }
+
+    // --- Changes of the cells ------------------------------------------------------------------------------------------------
+    [[nodiscard]] CellChange change(CellChange::Kind kind) const;
+    void apply(CellChange::Kind kind) { cells_.apply(change(kind)); }
+    void add_ambient(float factor);
+    void fill_with_ambient();
+    /// Before and after a change of the wind around the box, by which all air of the box changes too.
+    void take_ambient_out();
+    void put_ambient_in();
+    void change_ambient(glm::vec3 wind);
+    [[nodiscard]] bool has_room(const CellNeeds& needs);
+    void note(const auto& event) {
+        if (log != nullptr)
+            log->note(event);
+    }
+
+    CellStorage& cells_;
+};
+
+// Checks that Wind::create and the calls above use.
+namespace detail {
+[[nodiscard]] bool can_hold_point(const Config& config, glm::dvec3 point);
+void check_ambient(Reasons& reasons, glm::vec3 ambient);
+void check_follow(Reasons& reasons, const std::optional<glm::bvec3>& follow, const Sides& sides);
+} // namespace detail
+
+} // namespace windrow

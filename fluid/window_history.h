@@ -1,0 +1,69 @@
+// Where the box is, and where it was in the last two steps.
+#pragma once
+
+#include "fluid/view.h"
+#include "fluid/wind.h"
+#include "fluid/window.h"
+
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+#include <utility>
+
+namespace windrow {
+
+namespace detail {
+[[nodiscard]] inline bool can_follow(const Sides& sides, int axis) {
+    return !sides.periodic(axis) && !sides.has_solid(axis);
+}
+/// Those asked for; else all that can.
+[[nodiscard]] inline glm::bvec3 axes_that_follow(const std::optional<glm::bvec3>& follow, const Sides& sides) {
+    return follow ? *follow : glm::bvec3(can_follow(sides, 0), can_follow(sides, 1), can_follow(sides, 2));
+}
+} // namespace detail
+
+/// Where a box lies, and what it is centred on.
+struct BoxPlace {
+    glm::dvec3 point{0.0}; ///< [m] to whole cells
+    CellIndex origin_cells{0};
+};
+
+struct WindowHistory {
+    explicit WindowHistory(const Config& config)
+        : window{config.cells, config.cell_size, {}}, point(config.centre),
+          follow_axes(detail::axes_that_follow(config.follow_axes, config.sides)) {
+        window.origin_cells = window.centred_on(point);
+        previous = stepped = {point, window.origin_cells};
+    }
+
+    Window window;
+    glm::dvec3 point{0.0}; ///< [m] what the box is centred on, to whole cells
+    BoxPlace stepped;      ///< in the last step
+    BoxPlace previous;     ///< in the step before that
+    glm::bvec3 follow_axes;
+
+    void note_step() { previous = std::exchange(stepped, {point, window.origin_cells}); }
+    /// Where the box lies around a point: it keeps its place on axes that do not follow.
+    [[nodiscard]] CellIndex around(glm::dvec3 centre) const {
+        CellIndex origin = window.centred_on(centre);
+        for (int axis = 0; axis < 3; ++axis)
+            if (!follow_axes[axis])
+                origin[axis] = window.origin_cells[axis];
+        return origin;
+    }
+    /// A shift after which no cell is one that was in the box.
+    [[nodiscard]] bool leaves(CellIndex shift) const {
+        return glm::any(glm::greaterThanEqual(glm::abs(shift), CellIndex(window.cells)));
+    }
+    /// The blend zone of `width` [cells] about a point, which ends `inset` cells before the box.
+    [[nodiscard]] Rim rim(glm::dvec3 about, float width, float inset) const {
+        Rim rim{.point = about, .reach = glm::vec3(0.0f), .width = width};
+        for (int axis = 0; axis < 3; ++axis) {
+            const float reach = 0.5f * static_cast<float>(window.cells[axis]) - inset;
+            if (width > 0.0f && follow_axes[axis] && reach >= width + 1.0f)
+                rim.reach[axis] = reach;
+        }
+        return rim;
+    }
+};
+
+} // namespace windrow
