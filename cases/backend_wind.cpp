@@ -5,46 +5,77 @@
 #endif
 
 #include <utility>
+#include <variant>
 
 namespace windrow::cases {
-namespace {
 
-class CpuWind final : public BackendWind {
-  public:
-    explicit CpuWind(Wind wind) : wind_(std::move(wind)) {}
-
-    Diagnostics step(double dt) override { return wind_.step(dt); }
-    Motors& motors() override { return wind_.motors(); }
-    const Motors& motors() const override { return wind_.motors(); }
-    Result<void> set_sides(const Sides& sides) override { return wind_.set_sides(sides); }
-    Result<void> follow(glm::dvec3 point) override { return wind_.follow(point); }
-    Result<void> set_floor(double height) override { return wind_.set_floor(height); }
-    void set_velocity(const std::function<glm::vec3(glm::dvec3)>& velocity_at) override { wind_.set_velocity(velocity_at); }
-    Result<void> set_velocity(std::span<const glm::vec4> field) override { return wind_.set_velocity(field); }
-    void reset() override { wind_.reset(); }
-    const Config& config() const override { return wind_.config(); }
-    glm::dvec3 origin() const override { return wind_.origin(); }
-    glm::vec3 ambient() const override { return wind_.ambient(); }
-    WindView view() const override { return wind_.view(); }
-
-  private:
-    Wind wind_;
+#if WINDROW_WITH_VULKAN
+struct BackendWind::EitherWind : std::variant<Wind, DeviceWind> {
+    using variant::variant;
 };
+#else
+struct BackendWind::EitherWind : std::variant<Wind> {
+    using variant::variant;
+};
+#endif
 
-} // namespace
+BackendWind::BackendWind(std::unique_ptr<EitherWind> wind) : wind_(std::move(wind)) {}
+BackendWind::~BackendWind() = default;
 
 Result<std::unique_ptr<BackendWind>> BackendWind::create(const Config& config, const Backend& backend,
                                                          [[maybe_unused]] StageClock clock) {
+    const auto made = [](auto wind) -> Result<std::unique_ptr<BackendWind>> {
+        if (!wind)
+            return Error{wind.error()};
+        return std::unique_ptr<BackendWind>(new BackendWind(std::make_unique<EitherWind>(*std::move(wind))));
+    };
 #if WINDROW_WITH_VULKAN
     if (!backend.is_cpu())
-        return DeviceWind::create(config, backend, clock);
+        return made(DeviceWind::create(config, backend, clock));
 #else
     static_cast<void>(backend); // no other is ever opened
 #endif
-    auto wind = Wind::create(config);
-    if (!wind)
-        return Error{wind.error()};
-    return std::unique_ptr<BackendWind>(std::make_unique<CpuWind>(*std::move(wind)));
+    return made(Wind::create(config));
+}
+
+Diagnostics BackendWind::step(double dt) {
+    return std::visit([&](auto& wind) { return wind.step(dt); }, *wind_);
+}
+Motors& BackendWind::motors() {
+    return std::visit([](auto& wind) -> Motors& { return wind.motors(); }, *wind_);
+}
+const Motors& BackendWind::motors() const {
+    return std::visit([](const auto& wind) -> const Motors& { return wind.motors(); }, std::as_const(*wind_));
+}
+Result<void> BackendWind::set_sides(const Sides& sides) {
+    return std::visit([&](auto& wind) { return wind.set_sides(sides); }, *wind_);
+}
+Result<void> BackendWind::follow(glm::dvec3 point) {
+    return std::visit([&](auto& wind) { return wind.follow(point); }, *wind_);
+}
+Result<void> BackendWind::set_floor(double height) {
+    return std::visit([&](auto& wind) { return wind.set_floor(height); }, *wind_);
+}
+void BackendWind::set_velocity(const std::function<glm::vec3(glm::dvec3)>& velocity_at) {
+    std::visit([&](auto& wind) { wind.set_velocity(velocity_at); }, *wind_);
+}
+Result<void> BackendWind::set_velocity(std::span<const glm::vec4> field) {
+    return std::visit([&](auto& wind) { return wind.set_velocity(field); }, *wind_);
+}
+void BackendWind::reset() {
+    std::visit([](auto& wind) { wind.reset(); }, *wind_);
+}
+const Config& BackendWind::config() const {
+    return std::visit([](const auto& wind) -> const Config& { return wind.config(); }, std::as_const(*wind_));
+}
+glm::dvec3 BackendWind::origin() const {
+    return std::visit([](const auto& wind) { return wind.origin(); }, std::as_const(*wind_));
+}
+glm::vec3 BackendWind::ambient() const {
+    return std::visit([](const auto& wind) { return wind.ambient(); }, std::as_const(*wind_));
+}
+WindView BackendWind::view() const {
+    return std::visit([](const auto& wind) { return wind.view(); }, std::as_const(*wind_));
 }
 
 } // namespace windrow::cases

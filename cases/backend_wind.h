@@ -65,28 +65,28 @@ class BackendWind {
   public:
     [[nodiscard]] static Result<std::unique_ptr<BackendWind>> create(const Config& config, const Backend& backend = {},
                                                                      StageClock clock = StageClock::off);
-    virtual ~BackendWind() = default;
+    ~BackendWind();
     BackendWind(const BackendWind&) = delete;
     BackendWind& operator=(const BackendWind&) = delete;
 
     /// Reports what this step did, on a device too: there it waits. A device that fails steps no more, and Backend::fault says
     /// why.
-    virtual Diagnostics step(double dt) = 0;
+    Diagnostics step(double dt);
 
-    [[nodiscard]] virtual Motors& motors() = 0;
-    [[nodiscard]] virtual const Motors& motors() const = 0;
-    [[nodiscard]] virtual Result<void> set_sides(const Sides& sides) = 0;
-    [[nodiscard]] virtual Result<void> follow(glm::dvec3 point) = 0;
-    [[nodiscard]] virtual Result<void> set_floor(double height) = 0;
-    virtual void set_velocity(const std::function<glm::vec3(glm::dvec3 centre)>& velocity_at) = 0;
-    [[nodiscard]] virtual Result<void> set_velocity(std::span<const glm::vec4> field) = 0;
-    virtual void reset() = 0;
+    [[nodiscard]] Motors& motors();
+    [[nodiscard]] const Motors& motors() const;
+    [[nodiscard]] Result<void> set_sides(const Sides& sides);
+    [[nodiscard]] Result<void> follow(glm::dvec3 point);
+    [[nodiscard]] Result<void> set_floor(double height);
+    void set_velocity(const std::function<glm::vec3(glm::dvec3 centre)>& velocity_at);
+    [[nodiscard]] Result<void> set_velocity(std::span<const glm::vec4> field);
+    void reset();
 
-    [[nodiscard]] virtual const Config& config() const = 0;
-    [[nodiscard]] virtual glm::dvec3 origin() const = 0;
-    [[nodiscard]] virtual glm::vec3 ambient() const = 0;
+    [[nodiscard]] const Config& config() const;
+    [[nodiscard]] glm::dvec3 origin() const;
+    [[nodiscard]] glm::vec3 ambient() const;
     /// Of now; good until the next step or change. Where a device failed, its cells are no numbers.
-    [[nodiscard]] virtual WindView view() const = 0;
+    [[nodiscard]] WindView view() const;
 
     [[nodiscard]] Box box() const { return view().box(); }
     [[nodiscard]] std::span<const glm::vec4> field() const { return view().field(); }
@@ -95,8 +95,10 @@ class BackendWind {
         view().velocity(positions, velocities);
     }
 
-  protected:
-    BackendWind() = default;
+  private:
+    struct EitherWind; // a windrow::Wind, or a DeviceWind
+    explicit BackendWind(std::unique_ptr<EitherWind> wind);
+    std::unique_ptr<EitherWind> wind_;
 };
 
 } // namespace windrow::cases

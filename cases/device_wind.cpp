@@ -24,7 +24,7 @@ void add_to_stage(const vulkan::PassTimes::Pass& pass, StageTimes& times) {
 
 } // namespace
 
-Result<std::unique_ptr<BackendWind>> DeviceWind::create(const Config& config, const Backend& backend, StageClock clock) {
+Result<DeviceWind> DeviceWind::create(const Config& config, const Backend& backend, StageClock clock) {
     vulkan::Settings settings{.texel = vulkan::Texel::single, .frames_in_flight = 1};
     settings.timestamps = clock == StageClock::on;
     auto wind = vulkan::Wind::create(backend.device()->host(), config, settings);
@@ -34,7 +34,7 @@ Result<std::unique_ptr<BackendWind>> DeviceWind::create(const Config& config, co
     }
     if (!wind)
         return Error{wind.error()};
-    return std::unique_ptr<BackendWind>(new DeviceWind(backend, *std::move(wind)));
+    return DeviceWind(backend, *std::move(wind));
 }
 
 Diagnostics DeviceWind::run(double dt) const {

@@ -11,29 +11,28 @@
 
 namespace windrow::cases {
 
-class DeviceWind final : public BackendWind {
+class DeviceWind {
   public:
     /// `backend` has a device.
-    [[nodiscard]] static Result<std::unique_ptr<BackendWind>> create(const Config& config, const Backend& backend,
-                                                                     StageClock clock);
+    [[nodiscard]] static Result<DeviceWind> create(const Config& config, const Backend& backend, StageClock clock);
 
     /// times_ms.total is the time from the recording to the end on the device; the stages are by the device's clock, 0 without.
-    Diagnostics step(double dt) override { return run(dt); }
-    Motors& motors() override { return wind_.motors(); }
-    const Motors& motors() const override { return std::as_const(wind_).motors(); }
-    Result<void> set_sides(const Sides& sides) override { return changing().set_sides(sides); }
-    Result<void> follow(glm::dvec3 point) override { return changing().follow(point); }
-    Result<void> set_floor(double height) override { return changing().set_floor(height); }
-    void set_velocity(const std::function<glm::vec3(glm::dvec3)>& velocity_at) override {
+    Diagnostics step(double dt) { return run(dt); }
+    [[nodiscard]] Motors& motors() { return wind_.motors(); }
+    [[nodiscard]] const Motors& motors() const { return std::as_const(wind_).motors(); }
+    [[nodiscard]] Result<void> set_sides(const Sides& sides) { return changing().set_sides(sides); }
+    [[nodiscard]] Result<void> follow(glm::dvec3 point) { return changing().follow(point); }
+    [[nodiscard]] Result<void> set_floor(double height) { return changing().set_floor(height); }
+    void set_velocity(const std::function<glm::vec3(glm::dvec3)>& velocity_at) {
         if (!changing().set_velocity(velocity_at))
             throw std::bad_alloc();
     }
-    Result<void> set_velocity(std::span<const glm::vec4> field) override { return changing().set_velocity(field); }
-    void reset() override { changing().reset(); }
-    const Config& config() const override { return wind_.config(); }
-    glm::dvec3 origin() const override { return wind_.origin(); }
-    glm::vec3 ambient() const override { return wind_.ambient(); }
-    WindView view() const override;
+    [[nodiscard]] Result<void> set_velocity(std::span<const glm::vec4> field) { return changing().set_velocity(field); }
+    void reset() { changing().reset(); }
+    [[nodiscard]] const Config& config() const { return wind_.config(); }
+    [[nodiscard]] glm::dvec3 origin() const { return wind_.origin(); }
+    [[nodiscard]] glm::vec3 ambient() const { return wind_.ambient(); }
+    [[nodiscard]] WindView view() const;
 
   private:
     DeviceWind(const Backend& backend, vulkan::Wind wind) : backend_(backend), wind_(std::move(wind)), box_(wind_.box()) {}

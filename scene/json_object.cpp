@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace windrow::scene {
 namespace {
@@ -65,7 +66,9 @@ float JsonObject::real(const Key& key, float fallback, const Range& rule) {
     if (value == nullptr)
         return fallback;
     const auto number = check_number(*value, path_of(key), rule, *log_);
-    return number ? static_cast<float>(*number) : fallback;
+    // A float holds less than a double; where no rule bounds it, the largest one stands for more.
+    constexpr double k_most = std::numeric_limits<float>::max();
+    return number ? static_cast<float>(std::clamp(*number, -k_most, k_most)) : fallback;
 }
 
 std::int64_t JsonObject::whole(const Key& key, std::int64_t fallback, const Range& rule) {

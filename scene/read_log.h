@@ -27,6 +27,9 @@ struct KnownKey {
     std::vector<std::string> words = {}; ///< what a string may be
     std::string meaning = {};            ///< for people who write scenes
     std::size_t most_items = 0;          ///< of an array
+
+    /// A value that a file may hold, not a rule of its object.
+    [[nodiscard]] bool is_value() const { return type != "one of" && type != "not both" && type != "needs" && type != "kind"; }
 };
 
 class ReadLog {

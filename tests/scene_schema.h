@@ -45,15 +45,11 @@ inline constexpr const char* k_scene_with_every_key = R"({
 class SchemaNode {
   public:
     void add(const scene::KnownKey& key) { add(key, std::string_view(key.pattern).substr(1)); }
-    /// A value that a scene may hold, not a rule of an object.
-    [[nodiscard]] static bool is_value(const scene::KnownKey& said) {
-        return said.type != "one of" && said.type != "not both" && said.type != "needs" && said.type != "kind";
-    }
     /// What a scene may hold here.
     [[nodiscard]] OrderedJson schema() const {
         std::vector<const scene::KnownKey*> values;
         for (const scene::KnownKey& said : said_)
-            if (is_value(said))
+            if (said.is_value())
                 values.push_back(&said);
         OrderedJson schema;
         if (!values.empty() && !values.front()->meaning.empty())
@@ -82,7 +78,7 @@ class SchemaNode {
         OrderedJson required = OrderedJson::array(), rules = OrderedJson::array();
         for (const auto& [name, member] : members_)
             if (std::any_of(member.said_.begin(), member.said_.end(),
-                            [](const auto& said) { return said.required && is_value(said); }))
+                            [](const auto& said) { return said.required && said.is_value(); }))
                 required.push_back(name);
         if (!required.empty())
             schema["required"] = required;

@@ -73,8 +73,8 @@ class Cells final : public CellStorage {
     TwoLevelAir air;
     FrameCells frames;
     SourceField sources;
-    Buffer<glm::vec4>
-        source_flow;          ///< u_S [m/s], part of the velocity; empty until the first volume source, 0 while there is none
+    /// u_S [m/s], part of the velocity; empty until the first volume source, 0 while there is none.
+    Buffer<glm::vec4> source_flow;
     Buffer<glm::vec4> solved; ///< scratch for u less its given part; empty until something is given
 
   private:

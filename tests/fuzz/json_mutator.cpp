@@ -82,6 +82,8 @@ void JsonMutator::learn(const json& document) {
 
 void JsonMutator::learn(const std::vector<scene::KnownKey>& keys) {
     for (const scene::KnownKey& known : keys) {
+        if (!known.is_value())
+            continue;
         const auto [parent, key] = last_names(known.pattern);
         if (known.fallback)
             learn_member(parent, key, *known.fallback);

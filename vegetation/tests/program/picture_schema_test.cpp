@@ -34,7 +34,7 @@ TEST(PictureSchema, IsMadeOfTheReadersKeys) {
     EXPECT_GE(known.size(), 350u);
     windrow::test::SchemaNode root;
     for (const windrow::scene::KnownKey& key : known) {
-        EXPECT_FALSE(key.meaning.empty() && windrow::test::SchemaNode::is_value(key)) << key.pattern << " has no meaning";
+        EXPECT_FALSE(key.meaning.empty() && key.is_value()) << key.pattern << " has no meaning";
         root.add(key);
     }
     windrow::test::OrderedJson schema{
