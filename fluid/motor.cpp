@@ -17,11 +17,13 @@ double rise_integral(double part) {
 } // namespace
 
 double Envelope::end() const {
-    return static_cast<double>(attack) + static_cast<double>(hold) + static_cast<double>(decay);
+    return static_cast<double>(delay) + static_cast<double>(attack) + static_cast<double>(hold) + static_cast<double>(decay);
 }
 
 // The three parts of the time between two ages, each integrated in closed form.
 double Envelope::mean(double from, double to) const {
+    from -= static_cast<double>(delay);
+    to -= static_cast<double>(delay);
     const double rise = attack, held = rise + static_cast<double>(hold), fall = decay;
     double integral = std::max(0.0, std::min(to, held) - std::max(from, rise));
     if (rise > 0.0)

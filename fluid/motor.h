@@ -149,6 +149,7 @@ struct Envelope {
     float attack = 0.0f;
     float hold = std::numeric_limits<float>::infinity();
     float decay = 0.0f;
+    float delay = 0.0f;
 
     static constexpr auto settings() {
         return std::tuple{
@@ -156,6 +157,8 @@ struct Envelope {
             Setting("hold", &Envelope::hold, {.least = 0.0, .unit = "s"},
                     "Time at full strength. Default infinity: until the motor is removed."),
             Setting("decay", &Envelope::decay, k_time_range, "Time in which it falls, after the hold."),
+            Setting("delay", &Envelope::delay, k_time_range,
+                    "Time before it begins to rise, in which the motor rests: gusts that are added together come one by one."),
         };
     }
 

@@ -66,6 +66,7 @@ void add_common(std::vector<Field>& fields) {
         };
         const std::vector<float> bad_time = and_also(k_not_numbers, {-1.0f, -k_tiny, 1.0001e9f});
         fields.push_back({"motor.envelope.attack", with(&Envelope::attack), bad_time, {0.0f, k_tiny, 1e9f}});
+        fields.push_back({"motor.envelope.delay", with(&Envelope::delay), bad_time, {0.0f, k_tiny, 1e9f}});
         fields.push_back({"motor.envelope.decay", with(&Envelope::decay), bad_time, {0.0f, k_tiny, 1e9f}});
         fields.push_back({"motor.envelope.hold",
                           with(&Envelope::hold),

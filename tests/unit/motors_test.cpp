@@ -227,6 +227,38 @@ std::vector<Refusal> every_refusal() {
     return list;
 }
 
+// A motor that waits leaves the air alone, and then does to the bit what one does that is added later.
+TEST(Motors, ADelayIsAsAddingItLater) {
+    constexpr float k_delay = 0.25f;
+    const Envelope gust{.attack = 0.125f, .hold = 0.25f, .decay = 0.125f}, late{gust.attack, gust.hold, gust.decay, k_delay};
+    EXPECT_EQ(late.end(), gust.end() + 0.25);
+    EXPECT_EQ(late.mean(0.0, 0.25), 0.0);
+    EXPECT_EQ(late.mean(0.375, 0.5), gust.mean(0.125, 0.25));
+    EXPECT_EQ(late.mean(0.0, 1.0), gust.mean(0.0, 0.75) * 0.75);
+    const auto with = [&](auto motor, const Envelope& envelope) {
+        motor.envelope = envelope;
+        return Motor(motor);
+    };
+    const auto compare = [&](const auto& kind) {
+        const Config sources_only{.cells = {12, 10, 8},
+                                  .stages = {.settling = false, .diffusion = false, .advection = false, .projection = false}};
+        Wind wind = *Wind::create(sources_only), later = *Wind::create(sources_only);
+        added(wind.motors(), with(kind, late));
+        for (int n = 0; n < 8; ++n) {
+            if (n == 2)
+                added(later.motors(), with(kind, gust));
+            later.step(0.125);
+            wind.step(0.125);
+            EXPECT_TRUE(std::equal(wind.field().begin(), wind.field().end(), later.field().begin())) << "step " << n;
+            EXPECT_EQ(largest_speed(wind.field()) > 0.0, n >= 2);
+        }
+        EXPECT_EQ(wind.motors().count(), 0) << "it has removed itself";
+    };
+    compare(DirectionalMotor{.turbulence = k_steady});
+    compare(JetMotor{.turbulence = k_steady});
+    compare(VortexMotor{});
+}
+
 TEST(Motors, RefusalsNameFieldAndValueAndChangeNothing) {
     const Motor sound = DirectionalMotor{.position = {0.25, 0.5, 0.75}, .law = Force{3.0f}, .turbulence = k_steady};
     auto wind = Wind::create({.cells = {12, 10, 8}}), untouched = Wind::create({.cells = {12, 10, 8}});
