@@ -9,10 +9,8 @@
 #include <string>
 
 namespace windrow::test {
-namespace {
 
-using nlohmann::json;
-
+// With names that other files could see: a struct that has none makes clang ask for the body of what counts its members.
 enum class Shade : std::uint8_t { bright, dull };
 
 struct Bulb {
@@ -56,7 +54,6 @@ struct Lantern {
     }
 };
 
-} // namespace
 } // namespace windrow::test
 
 template <>
@@ -64,6 +61,8 @@ inline constexpr std::array<const char*, 2> windrow::k_words<windrow::test::Shad
 
 namespace windrow::test {
 namespace {
+
+using nlohmann::json;
 
 /// Reads the text; the faults, a line each.
 std::string read(const char* text, Lantern& lantern, std::vector<scene::KnownKey>* known = nullptr) {
