@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <utility>
 
 namespace windrow {
@@ -27,6 +28,21 @@ bool in_range(glm::dvec3 point, double most) {
 
 bool in_range(CellIndex origin) {
     return in_range(glm::dvec3(origin), k_farthest_cells + k_max_axis_cells);
+}
+
+// As Motors::add leaves it.
+bool has_unit_direction(const Motor& motor) {
+    const auto unit = [](const glm::vec3& direction) { return std::abs(glm::length(glm::dvec3(direction)) - 1.0) < 1e-3; };
+    return std::visit(
+        [&](const auto& kind) {
+            if constexpr (requires { kind.direction; })
+                return unit(kind.direction);
+            else if constexpr (requires { kind.axis; })
+                return unit(kind.axis);
+            else
+                return true;
+        },
+        motor);
 }
 
 } // namespace
@@ -122,6 +138,7 @@ struct StateFields {
                 continue;
             if (auto valid = validate(slot.motor); !valid)
                 reader.refuse("motor ", n, " cannot be used: ", valid.error());
+            reader.require(has_unit_direction(slot.motor), "a motor's direction is not of length 1.");
             reader.require(slot.age >= 0.0 && lies_within(slot.track, k_farthest_cells),
                            "a motor's age or path is out of range.");
         }
