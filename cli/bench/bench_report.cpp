@@ -83,7 +83,7 @@ void warn_of_flow(const GridResult& grid, const Console& console) {
 
 using Json = nlohmann::ordered_json;
 
-// To the nanosecond: the clock tells no more.
+// To the nanosecond, the resolution of the clock.
 double rounded(double ms) {
     return std::round(ms * 1e6) / 1e6;
 }

@@ -74,8 +74,9 @@ void draw_colour_bar(Canvas& canvas, const Rect& place, float scale, float large
                            glm::dvec2(snapped.right(), snapped.bottom())};
     canvas.fill(point, to_colour(speed_colour(1.0f)));
     canvas.image(ramp, {snapped.x, snapped.y});
-    const std::array rim{glm::dvec2(snapped.x, snapped.y), point[0], point[1], point[2], glm::dvec2(snapped.x, snapped.bottom())};
-    canvas.stroke(rim, {.colour = k_ink, .width = 1.0}, true);
+    const std::array outline{glm::dvec2(snapped.x, snapped.y), point[0], point[1], point[2],
+                             glm::dvec2(snapped.x, snapped.bottom())};
+    canvas.stroke(outline, {.colour = k_ink, .width = 1.0}, true);
 
     const auto x_of = [&](double speed) { return snapped.x + snapped.width * std::clamp(speed / scale, 0.0, 1.0); };
     if (largest > 0.0f && std::isfinite(largest)) {

@@ -51,7 +51,7 @@ struct Name {
 };
 
 /// Writes the names on plates within `room`, first come first placed, clear of each other and of `kept_free`. A name that finds
-/// no place is left out, but for the first.
+/// no place is left out, except the first.
 void draw_names(Canvas& canvas, const std::vector<Name>& names, const std::vector<Rect>& kept_free, const Rect& room);
 
 /// What is drawn on one panel, and what is still to be named there.

@@ -1,4 +1,4 @@
-// What lies on a slice and around it: arrows of the wind, paths, motors, the player, their names; the outline by kind of side,
+// Marks on a slice and around it: arrows of the wind, paths, motors, the player, their names; the outline by kind of side,
 // ticks in world metres, titles.
 #pragma once
 
@@ -17,7 +17,7 @@ namespace windrow::cli {
 struct Ticks {
     double step = 1.0;
     int decimals = 0;
-    /// Taken off every label where coordinates are far from 0; the axis title says so. 0 elsewhere.
+    /// Taken off every label where coordinates are far from 0; the axis title names it. 0 elsewhere.
     double offset = 0.0;
     std::vector<double> places; ///< [m] world, at least one
 };

@@ -34,7 +34,7 @@ struct DeviceGridResult {
     std::vector<DeviceStepResult> steps{};
     DeviceSpread stencil_us{}, copy_us{};
     std::vector<DevicePassResult> passes{};
-    /// Of the recording whose passes are timed: whole, and what lies between its passes (barriers, copies, the clock itself).
+    /// Of the recording whose passes are timed: its whole time, and the time between its passes (barriers, copies, the clock itself).
     DeviceSpread timed_us{}, between_us{};
     std::uint64_t pass_bytes = 0, read_back_bytes = 0;
     std::uint64_t memory_bytes = 0;

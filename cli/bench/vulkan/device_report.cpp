@@ -53,7 +53,7 @@ std::string passes(const DeviceGridResult& grid) {
 
 using Json = nlohmann::ordered_json;
 
-// To the nanosecond: no device's clock tells more.
+// To the nanosecond: no device's clock resolves less.
 double rounded(double us) {
     return std::round(us * 1e3) / 1e3;
 }
