@@ -77,7 +77,7 @@ Fault FrameWriter::write_picture([[maybe_unused]] const Playback& playback, [[ma
 #if WINDROW_WITH_IMAGES
     const auto begin = Clock::now();
     const double time = playback.time();
-    const std::vector<Playback::Acting> acting = playback.acting();
+    const std::vector<Playback::ActingMotor> acting = playback.acting();
     const bool many = scene_->paths.size() > k_most_whole_paths;
     std::vector<Trail> trails;
     for (std::size_t i = 0; i < scene_->paths.size(); ++i) {
@@ -95,7 +95,7 @@ Fault FrameWriter::write_picture([[maybe_unused]] const Playback& playback, [[ma
         trails.back().followed = leads;
     }
     std::vector<NamedMotor> motors;
-    for (const Playback::Acting& body : acting)
+    for (const Playback::ActingMotor& body : acting)
         motors.push_back({body.motor->name, body.now, body.strength});
     PictureSettings settings;
     settings.title = scene_->name;

@@ -24,9 +24,9 @@ class Playback {
     [[nodiscard]] const cases::BackendWind& wind() const { return *wind_; }
     [[nodiscard]] const scene::Scene& scene() const { return *scene_; }
 
-    using Acting = scene::SceneMotion::Acting;
+    using ActingMotor = scene::SceneMotion::ActingMotor;
     /// Those that act at this time, in the scene's order; not those that have ended by themselves.
-    [[nodiscard]] std::vector<Acting> acting() const { return motion_.acting(wind().motors(), time()); }
+    [[nodiscard]] std::vector<ActingMotor> acting() const { return motion_.acting(wind().motors(), time()); }
 
   private:
     Playback(const scene::Scene& scene, std::unique_ptr<cases::BackendWind> wind)

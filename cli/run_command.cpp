@@ -53,7 +53,7 @@ bool check_memory(const scene::Scene& scene, const Console& console) {
 }
 
 /// What lasts through a run.
-struct Run {
+struct SceneRun {
     const scene::Scene& scene;
     const RunRequest& request;
     const Console& console;
@@ -153,14 +153,14 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
         return backend.is_cpu() ? k_exit_wrong_use : k_exit_machine; // a device that has no room
     }
 
-    Run run{.scene = *scene,
-            .request = request,
-            .console = console,
-            .folder = folder,
-            .frames = frames,
-            .writer = FrameWriter(*scene, folder, request.images, request.vdb, frames),
-            .csv = request.csv ? std::make_unique<OutputFile>(folder / "timings.csv") : nullptr,
-            .timings = {}};
+    SceneRun run{.scene = *scene,
+                 .request = request,
+                 .console = console,
+                 .folder = folder,
+                 .frames = frames,
+                 .writer = FrameWriter(*scene, folder, request.images, request.vdb, frames),
+                 .csv = request.csv ? std::make_unique<OutputFile>(folder / "timings.csv") : nullptr,
+                 .timings = {}};
     if (run.csv)
         run.csv->write(timings_header());
     if (const std::size_t older = keeps ? run.writer.older_files() : 0; older > 0)

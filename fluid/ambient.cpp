@@ -96,26 +96,28 @@ AmbientBlock AmbientWind::block(glm::dvec3 anchor, const Sampling& asked) const 
     const Sampling sampling = usable(asked);
     anchor = detail::usable_anchor(anchor);
     AmbientBlock block;
-    block.mean = glm::vec4(settings_.mean, gust_strength());
+    block.mean = settings_.mean;
+    block.gust_strength = gust_strength();
     if (settings_.profile) {
-        block.profile.x = settings_.profile->roughness_length;
-        block.profile.y = settings_.profile->reference_height;
+        block.roughness_length = settings_.profile->roughness_length;
+        block.reference_height = settings_.profile->reference_height;
     }
-    block.profile.z = static_cast<float>(std::clamp(anchor.y - settings_.ground, k_world_range.least, k_world_range.most));
-    block.profile.w = sampling.strength;
-    block.gust_texel.w = static_cast<float>(1.0 / texel());
-    block.gust_fraction.w = tile() ? tile()->bound() : 1.0f;
-    block.gust_axes = glm::vec4(gust_axes_, sampling.limit);
+    block.anchor_height = static_cast<float>(std::clamp(anchor.y - settings_.ground, k_world_range.least, k_world_range.most));
+    block.felt_strength = sampling.strength;
+    block.gust_texels = static_cast<float>(1.0 / texel());
+    block.longest_gust = tile() ? tile()->bound() : 1.0f;
+    block.gust_axes = gust_axes_;
+    block.felt_limit = sampling.limit;
     // A whole number of tiles of detail fits the gusts' tile, so the wrapped phase of the one is also a phase of the other.
     const double fit = std::round(static_cast<double>(settings_.gusts.length) / static_cast<double>(sampling.detail_length));
     const int repeats = fit >= 1.0 ? static_cast<int>(std::min(fit, 1e9)) : 1; // NaN too
-    block.detail_texel.w = static_cast<float>(repeats / texel());
-    block.detail_fraction.w = tile() ? sampling.detail : 0.0f;
+    block.detail_texels = static_cast<float>(repeats / texel());
+    block.detail_share = tile() ? sampling.detail : 0.0f;
     for (int axis = 0; axis < 3; ++axis) {
-        const Place gust = gusting() ? gust_place(axis, anchor[axis]) : Place{};
+        const TilePlace gust = gusting() ? gust_place(axis, anchor[axis]) : TilePlace{};
         block.gust_texel[axis] = static_cast<float>(gust.texel);
         block.gust_fraction[axis] = gust.fraction;
-        const Place ripple = block.detail_fraction.w > 0.0f ? place(axis, anchor[axis], repeats) : Place{};
+        const TilePlace ripple = block.detail_share > 0.0f ? place(axis, anchor[axis], repeats) : TilePlace{};
         block.detail_texel[axis] = static_cast<float>(ripple.texel);
         block.detail_fraction[axis] = ripple.fraction;
     }
@@ -124,7 +126,7 @@ AmbientBlock AmbientWind::block(glm::dvec3 anchor, const Sampling& asked) const 
 
 // The coordinate is wrapped before it meets the phase, so their difference keeps its digits; and at the gusts' period whatever
 // repeats within it, so that places a whole number of tiles apart share their detail to the bit.
-AmbientWind::Place AmbientWind::place(int axis, double coordinate, int repeats) const {
+AmbientWind::TilePlace AmbientWind::place(int axis, double coordinate, int repeats) const {
     const int texels = axis == 1 ? 2 * GustTile::k_height : GustTile::k_side;
     const double origin = axis == 1 ? settings_.ground : 0.0;
     const double along = wrapped(coordinate - origin, texels * texel()) - phase_[axis];

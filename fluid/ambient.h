@@ -97,20 +97,22 @@ struct Sampling {
 /// All that a shader needs beside the tile, as a uniform block of std140 layout (seven vec4): WindrowAmbient of
 /// shaders/numerics/ambient.glsl. Positions are relative to an anchor that the host chooses near its camera.
 struct AmbientBlock {
-    /// xyz [m/s] mean wind at the reference height, w [m/s] standard deviation of the gusts; 0: none.
-    glm::vec4 mean{0.0f};
-    /// x [m] roughness length, 0: no profile; y [m] reference height; z [m] height of the anchor over the ground; w strength.
-    glm::vec4 profile{0.0f};
-    /// xyz texel below the anchor, whole numbers; w [1/m] texels a metre.
-    glm::vec4 gust_texel{0.0f};
-    /// xyz distance of the anchor from that texel's centre in texels, 0 to 1; w longest vector of the tile (1 without a tile).
-    glm::vec4 gust_fraction{0.0f};
-    /// xyz 1, or 0 where gusts have no such component; w [m/s] limit.
-    glm::vec4 gust_axes{1.0f};
-    /// As gust_texel, for the detail.
-    glm::vec4 detail_texel{0.0f};
-    /// xyz as gust_fraction, for the detail; w detail as a share of the local speed, 0 without a tile.
-    glm::vec4 detail_fraction{0.0f};
+    glm::vec3 mean{0.0f};            ///< [m/s] at the reference height
+    float gust_strength = 0.0f;      ///< [m/s] standard deviation of the gusts; 0: none
+    float roughness_length = 0.0f;   ///< [m] 0: no profile
+    float reference_height = 0.0f;   ///< [m]
+    float anchor_height = 0.0f;      ///< [m] of the anchor over the ground
+    float felt_strength = 0.0f;      ///< factor on the felt wind
+    glm::vec3 gust_texel{0.0f};      ///< texel below the anchor, whole numbers
+    float gust_texels = 0.0f;        ///< [1/m] texels a metre
+    glm::vec3 gust_fraction{0.0f};   ///< distance of the anchor from that texel's centre in texels, 0 to 1
+    float longest_gust = 0.0f;       ///< longest vector of the tile; 1 without a tile
+    glm::vec3 gust_axes{1.0f};       ///< 1, or 0 where gusts have no such component
+    float felt_limit = 1.0f;         ///< [m/s] of the felt wind
+    glm::vec3 detail_texel{0.0f};    ///< as gust_texel, for the detail
+    float detail_texels = 0.0f;      ///< [1/m] as gust_texels
+    glm::vec3 detail_fraction{0.0f}; ///< as gust_fraction
+    float detail_share = 0.0f;       ///< detail as a share of the local speed; 0: none
 };
 static_assert(sizeof(AmbientBlock) == 112);
 
@@ -200,15 +202,15 @@ class AmbientWind {
 
     /// Where a world coordinate [m] lies in the tile along one axis: the texel below, wrapped (-1 to 127; along y to 31, a whole
     /// period), and the distance from its centre, 0 to 1.
-    struct Place {
+    struct TilePlace {
         int texel = 0;
         float fraction = 0.0f;
     };
-    [[nodiscard]] Place gust_place(int axis, double coordinate) const { return place(axis, coordinate, 1); }
+    [[nodiscard]] TilePlace gust_place(int axis, double coordinate) const { return place(axis, coordinate, 1); }
 
   private:
     explicit AmbientWind(const Settings& settings) : settings_(settings) {}
-    [[nodiscard]] Place place(int axis, double coordinate, int repeats) const;
+    [[nodiscard]] TilePlace place(int axis, double coordinate, int repeats) const;
     [[nodiscard]] double texel() const { return static_cast<double>(settings_.gusts.length) / GustTile::k_gust_texels; }
 
     Settings settings_;

@@ -10,6 +10,18 @@
 namespace windrow::detail {
 namespace {
 
+// What shaders compare with.
+static_assert(numerics::windrow_sphere == static_cast<glm::uint>(MotorReach::Shape::sphere));
+static_assert(numerics::windrow_capsule == static_cast<glm::uint>(MotorReach::Shape::capsule));
+static_assert(numerics::windrow_box == static_cast<glm::uint>(MotorReach::Shape::box));
+static_assert(numerics::windrow_cone == static_cast<glm::uint>(MotorReach::Shape::cone));
+static_assert(numerics::windrow_jet == static_cast<glm::uint>(MotorReach::Shape::jet));
+static_assert(numerics::windrow_vortex == static_cast<glm::uint>(MotorReach::Shape::vortex));
+static_assert(numerics::windrow_path == static_cast<glm::uint>(MotorReach::Shape::path));
+static_assert(numerics::windrow_force == static_cast<glm::uint>(MotorReach::Law::force));
+static_assert(numerics::windrow_drive == static_cast<glm::uint>(MotorReach::Law::drive));
+static_assert(numerics::windrow_source == static_cast<glm::uint>(MotorReach::Law::source));
+
 constexpr float k_pi = 3.14159265f;
 constexpr double k_least_eddy = 1e-3; // [m] shorter ones are noise in any cell
 constexpr float k_least_felt = 1e-2f; // [m/s] of a source outside the box, where it blows into it

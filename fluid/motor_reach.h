@@ -13,6 +13,7 @@
 namespace windrow::detail {
 
 struct MotorReach {
+    /// As shaders/numerics/motors.glsl numbers them.
     enum class Shape : std::uint32_t { sphere, capsule, box, cone, jet, vortex, path };
     enum class Law : std::uint32_t { force, drive, source };
 

@@ -1,5 +1,8 @@
 #include "fluid/validation.h"
 
+#include "fluid/box.h"
+#include "fluid/canopy.h"
+
 namespace windrow::detail {
 
 void append(std::string& text, const FieldPath& path) {
@@ -69,3 +72,21 @@ void append(std::string& text, const Choice& choice) {
 }
 
 } // namespace windrow::detail
+
+namespace windrow {
+
+Result<void> validate(const Box& box) {
+    return detail::validate_settings(box);
+}
+
+void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const Box& box) {
+    if (detail::holds(Box::k_cells_range, box.cells) && box.cell_count() > k_max_cells)
+        reasons.add(detail::FieldPath{&path, "cells"}, " is ", box.cells, ", ", box.cell_count(), " in all: a box holds at most ",
+                    k_max_cells, ".");
+}
+
+Result<void> validate(const Canopy& canopy) {
+    return detail::validate_settings(canopy, "canopy");
+}
+
+} // namespace windrow

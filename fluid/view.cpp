@@ -94,17 +94,20 @@ WindowBlock WindView::block(glm::dvec3 anchor) const {
     anchor = detail::usable_anchor(anchor);
     const float h = box_->cell_size;
     WindowBlock block;
-    block.origin_and_cell_size = {glm::vec3(origin() - anchor), h};
-    block.cells_and_factor = {glm::vec3(box_->cells), 1.0f};
-    block.previous_origin = {glm::vec3(origin() - anchor), 0.0f};
-    block.ambient = {ambient_->mean(), 0.0f};
+    block.origin = glm::vec3(origin() - anchor);
+    block.cell_size = h;
+    block.cells = glm::vec3(box_->cells);
+    block.factor = 1.0f;
+    block.previous_origin = block.origin;
+    block.ambient = ambient_->mean();
     for (int axis = 0; axis < 3; ++axis) {
         block.low_sides[axis] = side_number(box_->sides.at(axis, 0));
         block.high_sides[axis] = side_number(box_->sides.at(axis, 1));
     }
-    block.rim_point = {glm::vec3(rim_.point - anchor), rim_.width * h};
-    block.rim_reach = {rim_.reach * h, 0.0f};
-    block.previous_rim_point = {glm::vec3(rim_.point - anchor), 0.0f};
+    block.rim_point = glm::vec3(rim_.point - anchor);
+    block.rim_width = rim_.width * h;
+    block.rim_reach = rim_.reach * h;
+    block.previous_rim_point = block.rim_point;
     return block;
 }
 

@@ -14,7 +14,6 @@
 #include "fluid/box.h"
 #include "fluid/canopy.h"
 #include "fluid/diagnostics.h"
-#include "fluid/frame_block.h"
 #include "fluid/motors.h"
 #include "fluid/owned.h"
 #include "fluid/parallel.h"

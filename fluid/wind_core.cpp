@@ -203,13 +203,13 @@ WindowBlock WindCore::window_block(glm::dvec3 anchor, const WindView& view, cons
     WindowBlock block = view.block(anchor);
     if (frames) {
         const WindowBlock before = previous_view.block(anchor);
-        block.cells_and_factor.w = static_cast<float>(frames->clock.factor(config.ticks));
-        block.previous_origin = glm::vec4(glm::vec3(before.origin_and_cell_size), 0.0f);
-        block.previous_rim_point = glm::vec4(glm::vec3(before.rim_point), 0.0f);
+        block.factor = static_cast<float>(frames->clock.factor(config.ticks));
+        block.previous_origin = before.origin;
+        block.previous_rim_point = before.rim_point;
     } else {
         const double h = config.cell_size;
-        block.previous_origin = {glm::vec3(glm::dvec3(place.previous.origin_cells) * h - anchor), 0.0f};
-        block.previous_rim_point = {glm::vec3(place.previous.point - anchor), 0.0f};
+        block.previous_origin = glm::vec3(glm::dvec3(place.previous.origin_cells) * h - anchor);
+        block.previous_rim_point = glm::vec3(place.previous.point - anchor);
     }
     return block;
 }

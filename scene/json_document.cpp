@@ -35,7 +35,7 @@ class Builder final : public nlohmann::json_sax<json> {
     bool end_array() override { return close(); }
 
     bool key(string_t& key) override {
-        Level& level = levels_.back();
+        OpenValue& level = levels_.back();
         level.key = std::move(key);
         if (level.value->contains(level.key)) {
             fault_ = message(name_, ": ", join_json_path(path_of(levels_.size() - 1), level.key),
@@ -57,7 +57,7 @@ class Builder final : public nlohmann::json_sax<json> {
     [[nodiscard]] json& root() { return root_; }
 
   private:
-    struct Level {
+    struct OpenValue {
         json* value;
         std::string key;
     };
@@ -73,7 +73,7 @@ class Builder final : public nlohmann::json_sax<json> {
             root_ = std::move(value);
             return &root_;
         }
-        Level& level = levels_.back();
+        OpenValue& level = levels_.back();
         if (level.value->is_array())
             return &level.value->emplace_back(std::move(value));
         return &((*level.value)[level.key] = std::move(value));
@@ -100,7 +100,7 @@ class Builder final : public nlohmann::json_sax<json> {
     [[nodiscard]] std::string path_of(std::size_t count) const {
         std::string path = "$";
         for (std::size_t i = 0; i < count; ++i) {
-            const Level& level = levels_[i];
+            const OpenValue& level = levels_[i];
             if (level.value->is_array()) {
                 const std::size_t items = level.value->size();
                 // The item that is being read is already there, unless it is the next one.
@@ -155,7 +155,7 @@ class Builder final : public nlohmann::json_sax<json> {
     std::string_view text_;
     const std::string& name_;
     json root_;
-    std::vector<Level> levels_;
+    std::vector<OpenValue> levels_;
     std::size_t values_ = 0;
     std::string fault_;
 };

@@ -2,11 +2,25 @@
 //
 // Straight, not smoothed: between two points the speed is what the points say, nothing overshoots, and a body that stands still
 // between two equal points does stand still. Before the first point it waits there, after the last one it stays there.
+//
+// As a table (CSV): one line a point, `t,x,y,z` in seconds and metres.
+//
+//     # the player's walk, recorded in the editor
+//     t,x,y,z
+//     0.0,-30.0,0.0,0.0
+//     0.5,-28.5,0.0,0.1
+//
+// The line of names is optional. Lines that begin with # and empty lines are skipped; spaces around a number do not matter; the
+// decimal sign is the point, whatever the locale.
 #pragma once
 
+#include "fluid/input_budget.h"
 #include "fluid/result.h"
 
+#include <filesystem>
 #include <glm/vec3.hpp>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace windrow::scene {
@@ -34,5 +48,13 @@ class MotionPath {
   private:
     std::vector<PathPoint> points_;
 };
+
+/// Parses a table; `name` is the file's, for the sentence, which carries the line: "player.csv:17: ...". Refuses at the first
+/// fault.
+[[nodiscard]] Result<MotionPath> parse_path_csv(std::string_view text, const std::string& name);
+
+/// Reads a file of at most 64 MiB in `folder`.
+[[nodiscard]] Result<MotionPath> read_path_csv(const std::filesystem::path& file, const std::filesystem::path& folder,
+                                               detail::InputBudget& budget);
 
 } // namespace windrow::scene

@@ -1,7 +1,7 @@
 #include "fluid/input_file.h"
 #include "fluid/message.h"
 #include "scene/json_document.h"
-#include "scene/path_csv.h"
+#include "scene/motion_path.h"
 #include "scene/scene_parts.h"
 
 #include <cmath>

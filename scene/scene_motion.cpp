@@ -27,11 +27,11 @@ double strength_of(const Motor& motor, double from, double to) {
 
 } // namespace
 
-std::vector<SceneMotion::Acting> SceneMotion::acting(const Motors& motors, double time) const {
-    std::vector<Acting> result;
+std::vector<SceneMotion::ActingMotor> SceneMotion::acting(const Motors& motors, double time) const {
+    std::vector<ActingMotor> result;
     for (std::size_t i = 0; i < scene_->motors.size(); ++i) {
         const SceneMotor& motor = scene_->motors[i];
-        const Part& part = parts_[i];
+        const MovedMotor& part = parts_[i];
         if (time < motor.from || time >= motor.until || (part.begun && motors.find(part.id) == nullptr))
             continue;
         const double age = part.begun ? time - part.since : 0.0;
@@ -52,7 +52,7 @@ Result<void> SceneMotion::place_motors(Motors& motors, double start, double end)
     return {};
 }
 
-Result<void> SceneMotion::place_motor(Motors& motors, const SceneMotor& motor, Part& part, double start, double end) {
+Result<void> SceneMotion::place_motor(Motors& motors, const SceneMotor& motor, MovedMotor& part, double start, double end) {
     const double middle = 0.5 * (start + end);
     const bool acts = motor.from <= middle && middle < motor.until;
     if (acts && !part.begun) {

@@ -49,7 +49,7 @@ class SceneMotion {
     }
 
     /// A motor of the scene as it stands now.
-    struct Acting {
+    struct ActingMotor {
         const SceneMotor* motor;
         Motor now;
         /// Share of its full strength in the coming tick: its envelope's, or a burst's form, which is below 0 while it draws
@@ -57,11 +57,11 @@ class SceneMotion {
         double strength = 1.0;
     };
     /// Those that act at a time [s], in the scene's order; not those that have ended by themselves. `motors`: the wind's.
-    [[nodiscard]] std::vector<Acting> acting(const Motors& motors, double time) const;
+    [[nodiscard]] std::vector<ActingMotor> acting(const Motors& motors, double time) const;
 
   private:
     /// A motor of the scene in the air. Its handle turns stale when the motor ends by itself; it does not begin again.
-    struct Part {
+    struct MovedMotor {
         MotorId id;
         bool begun = false;
         double since = 0.0; ///< [s] of the scene's time, when it was added
@@ -80,10 +80,10 @@ class SceneMotion {
 
     [[nodiscard]] Error refusal(const char* key, double time, const std::string& why) const;
     Result<void> place_motors(Motors& motors, double start, double end);
-    Result<void> place_motor(Motors& motors, const SceneMotor& motor, Part& part, double start, double end);
+    Result<void> place_motor(Motors& motors, const SceneMotor& motor, MovedMotor& part, double start, double end);
 
     const Scene* scene_;
-    std::vector<Part> parts_; ///< one for each of the scene's motors
+    std::vector<MovedMotor> parts_; ///< one for each of the scene's motors
 };
 
 } // namespace windrow::scene

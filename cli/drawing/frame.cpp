@@ -16,7 +16,7 @@ using namespace cases;
 namespace {
 
 // The batch query is what a plant reads; the picture shows nothing else.
-Air air_of(const BackendWind& wind) {
+SlicedAir air_of(const BackendWind& wind) {
     const Config& config = wind.config();
     return {.box = wind.box(),
             .origin = wind.origin(),
@@ -35,7 +35,7 @@ PixelRect to_pixels(const Rect& rect, double unit) {
 
 constexpr std::string_view k_times = " \xc3\x97 ";
 
-void draw_header(Canvas& canvas, const Layout& layout, const Air& air, double time, const std::string& title) {
+void draw_header(Canvas& canvas, const FrameLayout& layout, const SlicedAir& air, double time, const std::string& title) {
     const Rect& header = layout.header;
     const std::string clock = time_text(time);
     const double clock_width = canvas.width_of(clock, 26.0, true);
@@ -92,14 +92,14 @@ std::string time_text(double time) {
     return "t = " + fixed(time, 2) + " s";
 }
 
-Result<Image> compose_frame(const Air& air, double time, std::span<const Trail> trails, std::span<const NamedMotor> motors,
+Result<Image> compose_frame(const SlicedAir& air, double time, std::span<const Trail> trails, std::span<const NamedMotor> motors,
                             const PictureSettings& settings) {
     if (settings.width < k_smallest_width || settings.width > k_largest_width)
         return Error{detail::message("picture width ", settings.width, " px is outside ", k_smallest_width, " to ",
                                      k_largest_width, "; choose one within, for example 1600")};
     const float scale =
         std::isfinite(settings.speed_scale) && settings.speed_scale > 0.0f ? settings.speed_scale : PictureSettings{}.speed_scale;
-    const Layout layout = lay_out(air, settings.slice_point, settings.width);
+    const FrameLayout layout = lay_out(air, settings.slice_point, settings.width);
     Canvas canvas(layout.width_px, layout.height_px, layout.unit, k_paper);
 
     float largest = 0.0f;
@@ -123,7 +123,7 @@ Result<Image> compose_frame(const Air& air, double time, std::span<const Trail> 
 }
 
 FrameParts frame_parts(const BackendWind& wind, const PictureSettings& settings) {
-    const Layout layout = lay_out(air_of(wind), settings.slice_point, settings.width);
+    const FrameLayout layout = lay_out(air_of(wind), settings.slice_point, settings.width);
     return {to_pixels(layout.level.whole(), layout.unit), to_pixels(layout.upright.whole(), layout.unit),
             to_pixels(layout.legend.grown(14.0), layout.unit)};
 }

@@ -11,15 +11,15 @@
 namespace windrow::cli {
 
 /// Refuses a width that PictureSettings does not allow. A speed scale that is no number above 0 becomes the default.
-[[nodiscard]] Result<Image> compose_frame(const Air& air, double time, std::span<const Trail> trails,
+[[nodiscard]] Result<Image> compose_frame(const SlicedAir& air, double time, std::span<const Trail> trails,
                                           std::span<const NamedMotor> motors, const PictureSettings& settings);
 
 /// "t = 3.40 s"
 [[nodiscard]] std::string time_text(double time);
 
 struct LegendInput {
-    const Air& air;
-    const Layout& layout;
+    const SlicedAir& air;
+    const FrameLayout& layout;
     std::span<const Trail> trails;
     std::span<const NamedMotor> motors;
     MotorCounts motors_of_scene{};

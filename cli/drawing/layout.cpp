@@ -131,7 +131,7 @@ double merit(const Plan& plan, const Paper& paper) {
     return plan.scale * std::sqrt(used / (paper.width * plan.bottom));
 }
 
-Panel place(const Air& air, Plane plane, const Rect& rect, double caption_width, double unit) {
+Panel place(const SlicedAir& air, Plane plane, const Rect& rect, double caption_width, double unit) {
     Panel panel;
     panel.plane = held_inside(plane, air);
     panel.width_px = std::max(1, static_cast<int>(std::lround(rect.width * unit)));
@@ -151,8 +151,8 @@ glm::dvec2 Panel::to_page(glm::dvec2 in_plane) const {
     return {rect.x + share.x * rect.width, rect.y + (plane.grows_upward() ? 1.0 - share.y : share.y) * rect.height};
 }
 
-Layout lay_out(const Air& air, glm::dvec3 slice_point, int width_px) {
-    Layout layout;
+FrameLayout lay_out(const SlicedAir& air, glm::dvec3 slice_point, int width_px) {
+    FrameLayout layout;
     layout.width_px = width_px - width_px % 2;
     layout.unit = std::max(width_px / k_ordinary_width, k_smallest_unit);
     Paper paper{.extent = air.extent(), .width = layout.width_px / layout.unit};

@@ -41,7 +41,7 @@ struct Panel {
     }
 };
 
-struct Layout {
+struct FrameLayout {
     double unit = 1.0; ///< pixels a page unit
     int width_px = 0, height_px = 0;
     Rect page, header, legend;
@@ -52,7 +52,7 @@ struct Layout {
 [[nodiscard]] double legend_height(double width);
 
 /// `width_px` within k_smallest_width..k_largest_width; both sizes come out even, as video coders want them.
-[[nodiscard]] Layout lay_out(const Air& air, glm::dvec3 slice_point, int width_px);
+[[nodiscard]] FrameLayout lay_out(const SlicedAir& air, glm::dvec3 slice_point, int width_px);
 
 inline constexpr int k_smallest_width = 640;
 inline constexpr int k_largest_width = 8000;

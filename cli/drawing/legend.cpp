@@ -85,7 +85,7 @@ void draw_colour_bar(Canvas& canvas, const Rect& place, float scale, float large
         canvas.fill(std::array{glm::dvec2(x, y), glm::dvec2(x - 5.0, y - 8.0), glm::dvec2(x + 5.0, y - 8.0)}, k_ink);
     }
 
-    Ticks ticks = make_ticks(0.0, scale, 46.0 * scale / snapped.width);
+    AxisTicks ticks = make_ticks(0.0, scale, 46.0 * scale / snapped.width);
     const auto label = [&](double tick) { return scale >= 1e-4f && scale < 1e6f ? fixed(tick, ticks.decimals) : brief(tick); };
     const double widest = canvas.width_of(label(ticks.places.back()), 13.5) + 20.0;
     if (widest > 46.0)
@@ -123,7 +123,7 @@ void draw_colour_bar(Canvas& canvas, const Rect& place, float scale, float large
     }
 }
 
-void draw_world_map(Canvas& canvas, const Rect& place, const Air& air, std::span<const Trail> trails,
+void draw_world_map(Canvas& canvas, const Rect& place, const SlicedAir& air, std::span<const Trail> trails,
                     std::span<const NamedMotor> motors) {
     const glm::dvec2 corner(air.origin.x, air.origin.z), extent(air.extent().x, air.extent().z);
     glm::dvec2 low = corner, high = corner + extent;

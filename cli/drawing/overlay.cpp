@@ -71,11 +71,11 @@ void draw_outline(Canvas& canvas, const Panel& panel, const Sides& sides) {
 }
 
 struct PanelTicks {
-    Ticks right, height;
+    AxisTicks right, height;
 };
 
 PanelTicks ticks_of(Canvas& canvas, const Panel& panel) {
-    Ticks right = make_ticks(panel.low.x, panel.extent.x, 46.0 / panel.scale.x);
+    AxisTicks right = make_ticks(panel.low.x, panel.extent.x, 46.0 / panel.scale.x);
     double widest = 0.0;
     for (const double place : right.places)
         widest = std::max(widest, canvas.width_of(fixed(place - right.offset, right.decimals), k_label_size));
@@ -139,8 +139,8 @@ void draw_trail_head(Marks& marks, const Trail& trail, bool named_elsewhere) {
 
 } // namespace
 
-Ticks make_ticks(double low, double extent, double apart) {
-    Ticks ticks;
+AxisTicks make_ticks(double low, double extent, double apart) {
+    AxisTicks ticks;
     ticks.step = nice_step(apart);
     ticks.places = multiples(low, extent, ticks.step);
     // A strip thinner than a step: finer steps until one falls in, and only that one is kept.
@@ -171,7 +171,7 @@ void draw_axes(Canvas& canvas, const Panel& panel, const Sides& sides) {
     const Words label{.size = k_label_size, .colour = k_ink};
     constexpr double k_out = 5.0; // beyond the thickest outline
 
-    const auto minor = [](const Ticks& ticks, double low, double extent, double scale) {
+    const auto minor = [](const AxisTicks& ticks, double low, double extent, double scale) {
         const double step = ticks.step / 5.0;
         return step * scale >= 6.0 ? multiples(low, extent, step) : std::vector<double>{};
     };
@@ -222,7 +222,7 @@ void draw_wind_arrow(Canvas& canvas, glm::dvec2 middle, glm::dvec2 direction, do
     canvas.fill(shape, colour);
 }
 
-void draw_arrows(Canvas& canvas, const Panel& panel, const Air& air, const Image& slice, float scale) {
+void draw_arrows(Canvas& canvas, const Panel& panel, const SlicedAir& air, const Image& slice, float scale) {
     const double page_scale = std::min(panel.scale.x, panel.scale.y);
     const double spacing = arrow_spacing(air.box.cell_size, k_arrow_spacing / page_scale);
     const double reach = k_arrow_reach * std::min(spacing * page_scale, 2.0 * k_arrow_spacing);

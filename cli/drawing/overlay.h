@@ -14,7 +14,7 @@
 
 namespace windrow::cli {
 
-struct Ticks {
+struct AxisTicks {
     double step = 1.0;
     int decimals = 0;
     /// Taken off every label where coordinates are far from 0; the axis title names it. 0 elsewhere.
@@ -22,8 +22,8 @@ struct Ticks {
     std::vector<double> places; ///< [m] world, at least one
 };
 
-/// Ticks at whole multiples of 1, 2 or 5 times a power of ten on low..low + extent, at least `apart` [m] from each other.
-[[nodiscard]] Ticks make_ticks(double low, double extent, double apart);
+/// AxisTicks at whole multiples of 1, 2 or 5 times a power of ten on low..low + extent, at least `apart` [m] from each other.
+[[nodiscard]] AxisTicks make_ticks(double low, double extent, double apart);
 
 /// Draws around the panel, never inside it.
 void draw_axes(Canvas& canvas, const Panel& panel, const Sides& sides);
@@ -36,7 +36,7 @@ inline constexpr double k_arrow_reach = 0.92;
 void draw_wind_arrow(Canvas& canvas, glm::dvec2 middle, glm::dvec2 direction, double length, Rgb8 air);
 
 /// Arrows on the slice's own picture.
-void draw_arrows(Canvas& canvas, const Panel& panel, const Air& air, const Image& slice, float scale);
+void draw_arrows(Canvas& canvas, const Panel& panel, const SlicedAir& air, const Image& slice, float scale);
 
 /// The mark of the one that the box follows.
 void draw_player(Canvas& canvas, glm::dvec2 at);

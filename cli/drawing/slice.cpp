@@ -113,14 +113,14 @@ glm::dvec3 Plane::to_world(glm::dvec2 in_plane_position) const {
     return world;
 }
 
-Plane held_inside(Plane plane, const Air& air) {
+Plane held_inside(Plane plane, const SlicedAir& air) {
     const double low = air.origin[plane.across()];
     const double extent = air.extent()[plane.across()];
     plane.position = std::isfinite(plane.position) ? glm::clamp(plane.position, low, low + extent) : low + 0.5 * extent;
     return plane;
 }
 
-SlicePicture render_slice(const Air& air, const Plane& plane, float scale, int width, int height) {
+SlicePicture render_slice(const SlicedAir& air, const Plane& plane, float scale, int width, int height) {
     SlicePicture picture{.image = Image(width, height)};
     const glm::dvec2 low = plane.in_plane(air.origin);
     const glm::dvec2 extent = plane.in_plane(air.extent());
@@ -157,7 +157,7 @@ double arrow_spacing(float cell_size, double smallest) {
     return spacing;
 }
 
-std::vector<WindArrow> slice_arrows(const Air& air, const Plane& plane, double spacing, float scale) {
+std::vector<WindArrow> slice_arrows(const SlicedAir& air, const Plane& plane, double spacing, float scale) {
     const glm::dvec2 low = plane.in_plane(air.origin);
     const glm::dvec2 extent = plane.in_plane(air.extent());
     const double cell_size = air.box.cell_size;

@@ -23,7 +23,7 @@
 namespace windrow::cli {
 
 /// The air as a picture reads it: a Wind, or a formula in a test.
-struct Air {
+struct SlicedAir {
     Box box;
     glm::dvec3 origin{0.0};  ///< [m] world, low corner of the box
     glm::vec3 ambient{0.0f}; ///< [m/s]
@@ -60,7 +60,7 @@ struct Plane {
 };
 
 /// The plane moved into the box where it lies beyond it; through the middle where its position is no number.
-[[nodiscard]] Plane held_inside(Plane plane, const Air& air);
+[[nodiscard]] Plane held_inside(Plane plane, const SlicedAir& air);
 
 struct SlicePicture {
     Image image;
@@ -70,7 +70,7 @@ struct SlicePicture {
 
 /// The plane as width x height pixels and nothing else, over the whole box: pixel (c, r) shows the wind at its own centre.
 /// Coloured by speed_colour(speed / scale); scale [m/s] > 0.
-[[nodiscard]] SlicePicture render_slice(const Air& air, const Plane& plane, float scale, int width, int height);
+[[nodiscard]] SlicePicture render_slice(const SlicedAir& air, const Plane& plane, float scale, int width, int height);
 
 struct WindArrow {
     glm::dvec2 middle{0.0};    ///< [m] in the plane's coordinates
@@ -83,7 +83,7 @@ struct WindArrow {
 
 /// In-plane velocity on a lattice that is fixed to the world, so that arrows stand still as the box moves over them. Points
 /// whose wind is no number are left out. A box too thin for the lattice gets its middle line.
-[[nodiscard]] std::vector<WindArrow> slice_arrows(const Air& air, const Plane& plane, double spacing, float scale);
+[[nodiscard]] std::vector<WindArrow> slice_arrows(const SlicedAir& air, const Plane& plane, double spacing, float scale);
 
 /// Colour of a share of the scale, 0 calm to 1 fast; below and above it is held.
 [[nodiscard]] Rgb8 speed_colour(float share);

@@ -7,7 +7,7 @@
 namespace windrow::cpu {
 namespace {
 
-struct Mode {
+struct AxisMode {
     double theta;
     bool sine;
 };
@@ -18,9 +18,9 @@ double mirror_point(EndRule rule, bool low, int count) {
     return low ? -reach : count - 1 + reach;
 }
 
-std::vector<Mode> modes_of(int count, EndRule low, EndRule high) {
+std::vector<AxisMode> modes_of(int count, EndRule low, EndRule high) {
     const double pi = std::numbers::pi;
-    std::vector<Mode> modes;
+    std::vector<AxisMode> modes;
     if (low == EndRule::periodic) {
         modes.push_back({0.0, false});
         for (int k = 1; static_cast<int>(modes.size()) < count; ++k) {
@@ -53,7 +53,7 @@ AxisBasis::AxisBasis(int n, EndRule low, EndRule high) : count(n), folded(low ==
         odd_size = n / 2;
     }
     std::vector<double> even_values, odd_values;
-    for (const Mode& mode : modes_of(n, low, high)) {
+    for (const AxisMode& mode : modes_of(n, low, high)) {
         std::vector<double> vector(static_cast<std::size_t>(n));
         double norm = 0.0;
         for (int i = 0; i < n; ++i) {

@@ -7,15 +7,13 @@
 //
 // Crank-Nicolson would be second order, but does not damp the shortest waves at r = 1e4.
 #include "fluid/cpu/workspace.h"
+#include "fluid/numerics.h"
 
 #include <algorithm>
 #include <cassert>
 
 namespace windrow {
 namespace {
-
-constexpr float k_least_ratio = 1e-4f;
-constexpr float k_most_explicit_ratio = 1.0f / 12.0f;
 
 void diffuse_once(Workspace::State& state, std::span<const glm::vec4> field, float ratio, std::span<glm::vec4> result) {
     cpu::DiffuseTask task{};
@@ -72,9 +70,9 @@ void diffuse_component(Workspace::State& state, int component, std::span<const g
 
 DiffusionMethod diffusion_method(float viscosity, float dt, float cell_size) {
     const float ratio = viscosity * dt / (cell_size * cell_size);
-    if (!(ratio >= k_least_ratio))
+    if (!(ratio >= numerics::windrow_least_diffusion))
         return DiffusionMethod::none;
-    return ratio <= k_most_explicit_ratio ? DiffusionMethod::one_pass : DiffusionMethod::implicit;
+    return ratio <= numerics::windrow_most_explicit_diffusion ? DiffusionMethod::one_pass : DiffusionMethod::implicit;
 }
 
 Result<DiffusionMethod> diffuse(Workspace& work, std::span<const glm::vec4> field, float viscosity, float dt,

@@ -1,7 +1,6 @@
 #include "fluid/cpu/separable_solver.h"
 
 #include "fluid/box.h"
-#include "fluid/cpu/column_factors.h"
 
 #include <algorithm>
 
@@ -220,6 +219,39 @@ void SeparableSolver::solve(float* data, float* scratch, const ParallelFor& para
     parallel_for(cells_.z, [&](int plane) { rows_to_modes(plane, data, scratch); });
     parallel_for(pitch_ / k_lanes, [&](int block) { solve_block(block, data, scratch); });
     parallel_for(cells_.z, [&](int plane) { modes_to_rows(plane, data, scratch); });
+}
+
+void factor_column(double base, const std::array<EndRule, 2>& ends, std::span<double> pivot, std::span<double> vector,
+                   std::array<double, 2>& factors) {
+    const int rows = static_cast<int>(pivot.size());
+    const bool cyclic = is_cyclic(ends, rows);
+    const auto diagonal = [&](int j) {
+        if (rows == 1 && ends[0] == EndRule::periodic)
+            return base + 2.0;
+        double value = base;
+        if (!cyclic) {
+            value += j == 0 ? diagonal_correction(ends[0]) : 0.0;
+            value += j == rows - 1 ? diagonal_correction(ends[1]) : 0.0;
+        } else if (j == 0) {
+            value += base; // minus gamma = -b[0]
+        } else if (j == rows - 1) {
+            value += 1.0 / base; // minus 1 / gamma
+        }
+        return value;
+    };
+    for (int j = 0; j < rows; ++j)
+        pivot[j] = 1.0 / (diagonal(j) - (j > 0 ? pivot[j - 1] : 0.0));
+    if (!cyclic)
+        return;
+    const double gamma = -base;
+    for (int j = 0; j < rows; ++j) {
+        const double d = (j == 0 ? gamma : 0.0) + (j == rows - 1 ? 1.0 : 0.0);
+        vector[j] = (d - (j > 0 ? vector[j - 1] : 0.0)) * pivot[j];
+    }
+    for (int j = rows - 2; j >= 0; --j)
+        vector[j] -= pivot[j] * vector[j + 1];
+    const double scale = 1.0 / (1.0 + vector[0] + vector[rows - 1] / gamma);
+    factors = {scale, scale / gamma};
 }
 
 } // namespace windrow::cpu

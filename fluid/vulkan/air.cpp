@@ -12,7 +12,6 @@ namespace windrow::vulkan {
 namespace {
 
 constexpr double k_longest_prepared = 1.0; // [s] a step's viscosity
-constexpr double k_least_ratio = 1e-4;     // of a diffusion that floats hold: fluid/cpu/diffusion.cpp
 
 VkAccessFlags reads_of(VkPipelineStageFlags stages) {
     VkAccessFlags access = 0;
@@ -95,11 +94,12 @@ Result<void> Air::make() {
 
 // --- The block of a step -----------------------------------------------------------------------------------------------------
 
-// What a sub-step may come to, with what is owed from before it (a ratio below k_least_ratio); no more than was prepared for.
+// What a sub-step may come to, with what is owed from before it (a ratio below the least that acts); no more than was prepared for.
 DiffusionMethod Air::diffusion_of(double duration) const {
     if (prepared_ == DiffusionMethod::none)
         return prepared_;
-    const double h = config_.cell_size, owed = k_least_ratio * h * h / static_cast<double>(config_.viscosity);
+    const double h = config_.cell_size,
+                 owed = static_cast<double>(numerics::windrow_least_diffusion) * h * h / static_cast<double>(config_.viscosity);
     const DiffusionMethod most = method_of(config_, duration + owed);
     return most == DiffusionMethod::implicit ? prepared_ : DiffusionMethod::one_pass;
 }
@@ -155,8 +155,8 @@ WindrowStep Air::block_of(const AmbientWind& ambient, const Window& window, cons
     const AmbientBlock wind = ambient.block(window.origin());
     static_assert(sizeof(wind) == sizeof(block.wind));
     std::memcpy(&block.wind, &wind, sizeof(wind));
-    block.gust_strength = wind.mean.w;
-    block.gust_speed = wind.gust_texel.w * glm::vec3(wind.mean.x, 0.0f, wind.mean.z); // the level part carries the gusts
+    block.gust_strength = wind.gust_strength;
+    block.gust_speed = wind.gust_texels * glm::vec3(wind.mean.x, 0.0f, wind.mean.z); // the level part carries the gusts
     return block;
 }
 

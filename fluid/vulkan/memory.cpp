@@ -23,7 +23,7 @@ constexpr VkMemoryPropertyFlags k_unfit = VK_MEMORY_PROPERTY_LAZILY_ALLOCATED_BI
                                           VK_MEMORY_PROPERTY_DEVICE_COHERENT_BIT_AMD |
                                           VK_MEMORY_PROPERTY_DEVICE_UNCACHED_BIT_AMD | VK_MEMORY_PROPERTY_RDMA_CAPABLE_BIT_NV;
 
-struct Block {
+struct MemoryBlock {
     Handle<VkDeviceMemory, &Functions::vkFreeMemory> memory;
     FreeRanges ranges;
     VkDeviceSize bytes;
@@ -35,7 +35,7 @@ struct Block {
 
 /// A range of a block that has just become a piece.
 struct Taken {
-    Block* block = nullptr;
+    MemoryBlock* block = nullptr;
     VkDeviceSize offset = 0;
 };
 
@@ -61,7 +61,7 @@ struct Memory::State {
     VkDeviceSize largest_allocation = 0;
     VkDeviceSize atom = 1;        ///< nonCoherentAtomSize
     VkDeviceSize granularity = 1; ///< bufferImageGranularity
-    std::vector<Block> blocks{};
+    std::vector<MemoryBlock> blocks{};
     std::vector<HostPiece> host_pieces{};
     std::uint64_t last_id = 0;
     VkDeviceSize given = 0;
@@ -90,13 +90,13 @@ struct Memory::State {
     /// Bytes of the heap of `type` that our blocks do not hold. Asked by us, since a software driver grants what it has not.
     [[nodiscard]] VkDeviceSize heap_left(std::uint32_t type) const {
         VkDeviceSize left = heap_bytes(type);
-        for (const Block& block : blocks)
+        for (const MemoryBlock& block : blocks)
             if (properties.memoryTypes[block.type].heapIndex == properties.memoryTypes[type].heapIndex)
                 left -= std::min(left, block.bytes);
         return left;
     }
 
-    [[nodiscard]] VkResult map(Block& block) {
+    [[nodiscard]] VkResult map(MemoryBlock& block) {
         if (block.mapped != nullptr)
             return VK_SUCCESS;
         void* address = nullptr;
@@ -129,7 +129,7 @@ struct Memory::State {
 
     /// From a block of this type and use that has room, else from a new one.
     [[nodiscard]] VkResult take(const VkMemoryRequirements& asked, std::uint32_t type, bool linear, Taken& taken) {
-        for (Block& block : blocks)
+        for (MemoryBlock& block : blocks)
             if (block.type == type && block.linear == linear)
                 if (const auto offset = block.ranges.take(asked.size, asked.alignment)) {
                     taken = {&block, *offset};
@@ -239,7 +239,7 @@ void Memory::release(const MemoryPiece& piece) {
         return;
     }
     const auto block =
-        std::find_if(state.blocks.begin(), state.blocks.end(), [&](const Block& other) { return other.id == piece.user; });
+        std::find_if(state.blocks.begin(), state.blocks.end(), [&](const MemoryBlock& other) { return other.id == piece.user; });
     assert(block != state.blocks.end());
     state.given -= block->ranges.give_back(piece.offset);
     if (block->ranges.all_free())
@@ -254,7 +254,7 @@ bool Memory::has(VkMemoryPropertyFlags wanted, VkMemoryPropertyFlags without) co
 
 VkDeviceSize Memory::taken() const {
     VkDeviceSize bytes = 0;
-    for (const Block& block : state_->blocks)
+    for (const MemoryBlock& block : state_->blocks)
         bytes += block.bytes;
     for (const HostPiece& held : state_->host_pieces)
         bytes += held.bytes;

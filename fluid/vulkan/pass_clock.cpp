@@ -35,14 +35,14 @@ void PassClock::end(VkCommandBuffer commands) {
 }
 
 void PassClock::forget() {
-    for (Slot& slot : slots_)
+    for (FrameLaps& slot : slots_)
         slot.pending = false;
 }
 
 PassClock::Lap::Lap(PassClock* clock, VkCommandBuffer commands, Pass pass) : clock_(clock), commands_(commands) {
     if (clock_ == nullptr)
         return;
-    Slot& slot = *clock_->now_;
+    FrameLaps& slot = *clock_->now_;
     const auto lap = static_cast<std::uint32_t>(slot.laps.size());
     if (2 * lap + 4 > slot.timestamps.count()) {
         ++slot.untimed;
@@ -56,11 +56,11 @@ PassClock::Lap::Lap(PassClock* clock, VkCommandBuffer commands, Pass pass) : clo
 PassClock::Lap::~Lap() {
     if (clock_ == nullptr)
         return;
-    const Slot& slot = *clock_->now_;
+    const FrameLaps& slot = *clock_->now_;
     slot.timestamps.write(commands_, 2 * static_cast<std::uint32_t>(slot.laps.size()) + 1);
 }
 
-void PassClock::take(Slot& slot) {
+void PassClock::take(FrameLaps& slot) {
     if (!std::exchange(slot.pending, false) || slot.recording < taken_recording_) // slots in turns or not
         return;
     moments_.resize(2 + 2 * slot.laps.size());

@@ -41,17 +41,17 @@ class PassClock {
     [[nodiscard]] const std::optional<PassTimes>& times() const { return times_; }
 
   private:
-    struct Slot {
+    struct FrameLaps {
         Timestamps timestamps;    ///< both ends of the recording, then two a lap
         std::vector<Pass> laps{}; ///< in the order of recording
         int untimed = 0;
         bool pending = false;        ///< recorded, and not read yet
         std::uint64_t recording = 0; ///< counted from 1
     };
-    void take(Slot& slot);
+    void take(FrameLaps& slot);
 
-    std::vector<Slot> slots_;
-    Slot* now_ = nullptr; ///< while a frame is recorded
+    std::vector<FrameLaps> slots_;
+    FrameLaps* now_ = nullptr; ///< while a frame is recorded
     std::uint64_t recording_ = 0, taken_recording_ = 0;
     std::vector<std::uint64_t> moments_;
     std::optional<PassTimes> times_;

@@ -1,6 +1,6 @@
 #include "fluid/vulkan/tables.h"
 
-#include "fluid/cpu/column_factors.h"
+#include "fluid/cpu/separable_solver.h"
 
 #include <cstddef>
 

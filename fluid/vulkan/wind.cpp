@@ -178,8 +178,8 @@ WindowBlock Wind::window_block(glm::dvec3 anchor) const {
     return with_views(*state_, [&](const WindView& now, const WindView& before) {
         WindowBlock block = state_->core.window_block(anchor, now, before);
         const WindowBlock earlier = before.block(anchor);
-        block.previous_origin = {glm::vec3(earlier.origin_and_cell_size), 0.0f};
-        block.previous_rim_point = {glm::vec3(earlier.rim_point), 0.0f};
+        block.previous_origin = earlier.origin;
+        block.previous_rim_point = earlier.rim_point;
         return block;
     });
 }

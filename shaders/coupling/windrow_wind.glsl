@@ -8,7 +8,7 @@
 //     vec3 felt = windrow_apparent(u, p, v);         // what a thing feels that moves at v [m/s]
 //
 // Set WINDROW_SET (0 unless defined), bindings from WINDROW_BINDING (0 unless defined):
-//   + 0        uniform buffer    windrow::FrameBlock (fluid/frame_block.h), copied as it is; at an offset that is a multiple of
+//   + 0        uniform buffer    windrow::FrameBlock (fluid/textures.h), copied as it is; at an offset that is a multiple of
 //                                the device's minUniformBufferOffsetAlignment
 //   + 1, 2, 3  sampler3D         textures of this frame: x, y, z
 //   + 4, 5, 6  sampler3D         textures of the frame before
@@ -34,15 +34,14 @@ vec3 windrow_tile_texel(int tile, ivec3 texel) { return windrow_tile_texels[(tex
 
 // The same layout as windrow::WindowBlock (fluid/textures.h), which says more of each field.
 struct WindrowWindow {
-    vec4 origin_and_cell_size;
-    vec4 cells_and_factor;
-    vec4 previous_origin;
-    vec4 ambient;
-    vec4 low_sides;
-    vec4 high_sides;
-    vec4 rim_point;
-    vec4 rim_reach;
-    vec4 previous_rim_point;
+    vec3 origin;
+    float cell_size;
+    vec3 cells;
+    float factor;
+    vec3 previous_origin, ambient, low_sides, high_sides;
+    vec3 rim_point;
+    float rim_width;
+    vec3 rim_reach, previous_rim_point;
 };
 
 layout(std140, set = WINDROW_SET, binding = WINDROW_BINDING) uniform WindrowFrame {
@@ -59,12 +58,12 @@ layout(set = WINDROW_SET, binding = WINDROW_BINDING + 6) uniform sampler3D windr
 
 // Share of the box's wind at p, with the box's corner and the point that its rim follows, all [m] from the anchor.
 float windrow_box_share(vec3 p, vec3 origin, vec3 rim_point) {
-    vec3 local = (p - origin) / windrow_window.origin_and_cell_size.w;
+    vec3 local = (p - origin) / windrow_window.cell_size;
     float share = 1.0;
     for (int axis = 0; axis < 3; ++axis) {
         if (windrow_window.rim_reach[axis] > 0.0)
-            share *= windrow_rim_share(p[axis] - rim_point[axis], windrow_window.rim_reach[axis], windrow_window.rim_point.w);
-        share *= windrow_axis_share(local[axis], windrow_window.cells_and_factor[axis], windrow_window.low_sides[axis],
+            share *= windrow_rim_share(p[axis] - rim_point[axis], windrow_window.rim_reach[axis], windrow_window.rim_width);
+        share *= windrow_axis_share(local[axis], windrow_window.cells[axis], windrow_window.low_sides[axis],
                                     windrow_window.high_sides[axis]);
     }
     return share;
@@ -72,9 +71,9 @@ float windrow_box_share(vec3 p, vec3 origin, vec3 rim_point) {
 
 // The texels around p: the low and the high one of each axis, and how far between them it lies.
 void windrow_texels_around(vec3 p, vec3 origin, out ivec3 low, out ivec3 high, out vec3 between) {
-    vec3 local = (p - origin) / windrow_window.origin_and_cell_size.w;
+    vec3 local = (p - origin) / windrow_window.cell_size;
     for (int axis = 0; axis < 3; ++axis) {
-        float cells = windrow_window.cells_and_factor[axis];
+        float cells = windrow_window.cells[axis];
         bool wraps = windrow_window.low_sides[axis] == 2.0;
         float at = windrow_axis_sample(local[axis], cells, windrow_window.low_sides[axis]) - 0.5;
         float below = floor(at);
@@ -117,14 +116,14 @@ vec3 windrow_frame_velocity(sampler3D x, sampler3D y, sampler3D z, WindrowAmbien
 
 // [m/s] The wind at p [m] from the anchor.
 vec3 windrow_velocity(vec3 p) {
-    return windrow_frame_velocity(windrow_x, windrow_y, windrow_z, windrow_ambient_now, windrow_window.origin_and_cell_size.xyz,
-                                  windrow_window.rim_point.xyz, p);
+    return windrow_frame_velocity(windrow_x, windrow_y, windrow_z, windrow_ambient_now, windrow_window.origin,
+                                  windrow_window.rim_point, p);
 }
 
 // [m/s] The same a frame ago, at the same place.
 vec3 windrow_velocity_previous(vec3 p) {
     return windrow_frame_velocity(windrow_x_before, windrow_y_before, windrow_z_before, windrow_ambient_before,
-                                  windrow_window.previous_origin.xyz, windrow_window.previous_rim_point.xyz, p);
+                                  windrow_window.previous_origin, windrow_window.previous_rim_point, p);
 }
 
 // [m/s] What a thing at p that moves at `velocity` [m/s] feels of a wind u: with detail, strength and limit as FrameBlock says.

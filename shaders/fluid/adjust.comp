@@ -19,8 +19,8 @@ void main() {
     if (push.of_mean != 0) {
         wind = push.change;
         if (is_on(WINDROW_PROFILE))
-            wind *= windrow_profile(tick.wind.profile.z + tick.cell_size * (float(cell.y) + 0.5f), tick.wind.profile.x,
-                                    tick.wind.profile.y);
+            wind *= windrow_profile(tick.wind.anchor_height + tick.cell_size * (float(cell.y) + 0.5f), tick.wind.roughness_length,
+                                    tick.wind.reference_height);
     } else {
         wind = wind_at(cell, 0.0f, is_on(WINDROW_GUSTS));
     }

@@ -4,8 +4,6 @@
 
 layout(std430, set = 0, binding = WINDROW_MOTORS) readonly buffer Motors { WindrowMotor motors[]; };
 
-const uint k_source = 2; // as windrow::detail::MotorReach numbers laws
-
 // The potential in the ghost cell one step from `cell` along an axis; 0 if that is no ghost cell of an open boundary.
 float beyond(ivec3 cell, int axis, int step) {
     ivec3 ghost = cell;
@@ -22,7 +20,7 @@ float beyond(ivec3 cell, int axis, int step) {
     const vec3 p = tick.cell_size * (vec3(ghost) + 0.5f);
     float potential = 0.0f;
     for (int n = 0; n < tick.motors; ++n) {
-        if (motors[n].law != k_source || motors[n].push[0] == 0.0f)
+        if (motors[n].law != windrow_source || motors[n].push[0] == 0.0f)
             continue;
         const vec3 centre = vec3(motors[n].extent[0], motors[n].extent[1], motors[n].extent[2]);
         float images = 0.0f;

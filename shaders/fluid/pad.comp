@@ -25,7 +25,8 @@ layout(std430, set = 0, binding = 10) writeonly buffer Padded { vec4 padded[]; }
 float profile_of_row(int row, int first) {
     const WindrowRule rule = rules[first + row];
     const float j = float(rule.beyond_open_side != 0 ? row - WINDROW_HALO_LOW : rule.source);
-    return windrow_profile(tick.wind.profile.z + tick.cell_size * (j + 0.5f), tick.wind.profile.x, tick.wind.profile.y);
+    return windrow_profile(tick.wind.anchor_height + tick.cell_size * (j + 0.5f), tick.wind.roughness_length,
+                           tick.wind.reference_height);
 }
 
 float bend_of_row(int row, int first, int rows) {

@@ -53,7 +53,7 @@ float elapsed() { return float(substep()) * control.substep_duration; }
 vec3 wind_at(ivec3 cell, float elapsed, bool gusts) {
     WindrowAmbient wind = tick.wind;
     if (!gusts)
-        wind.mean.w = 0.0f;
+        wind.gust_strength = 0.0f;
     else
         wind.gust_fraction.xyz -= elapsed * tick.gust_speed;
     if (!is_on(WINDROW_PROFILE) && !gusts)

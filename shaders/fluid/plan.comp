@@ -3,6 +3,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "fluid/pass.glsl"
+#include "numerics/diffusion.glsl"
 
 // Work groups of each pass, and how many passes a sub-step has; then what each of them is to run, sub-step by sub-step.
 layout(std430, set = 0, binding = 2) readonly buffer Shapes {
@@ -30,9 +31,10 @@ void main() {
         if (is_on(WINDROW_DIFFUSES))
             for (int n = 0; n < substeps; ++n) {
                 undiffused += part;
-                const bool acts = tick.viscosity * undiffused / (h * h) >= 1e-4f;
+                const bool acts = tick.viscosity * undiffused / (h * h) >= windrow_least_diffusion;
                 // A hair below the limit, which the ratio made of it must not pass (viscosity.glsl).
-                const float most = is_on(WINDROW_ONE_PASS) ? 0.99999f / 12.0f * h * h / tick.viscosity : undiffused;
+                const float most =
+                    is_on(WINDROW_ONE_PASS) ? 0.99999f * windrow_most_explicit_diffusion * h * h / tick.viscosity : undiffused;
                 control.diffused_time[n] = acts ? min(undiffused, most) : 0.0f;
                 undiffused -= control.diffused_time[n];
             }

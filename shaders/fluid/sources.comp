@@ -24,10 +24,6 @@ layout(std430, set = 0, binding = 8) readonly buffer Motors { WindrowMotor motor
 shared uint group_largest;
 shared uint group_force;
 
-// As windrow::detail::MotorReach numbers them.
-const uint k_sphere = 0, k_capsule = 1, k_box = 2, k_cone = 3, k_jet = 4, k_vortex = 5, k_path = 6;
-const uint k_force = 0, k_drive = 1;
-
 vec3 from(float v[3]) { return vec3(v[0], v[1], v[2]); }
 
 // xyz the push, w the weight of a motor at a place [m from the box's low corner].
@@ -35,20 +31,20 @@ vec4 push_at(int n, vec3 p) {
     const uint shape = motors[n].shape;
     const vec3 centre = from(motors[n].centre), extent = from(motors[n].extent), push = from(motors[n].push);
     const float radius = motors[n].radius;
-    if (shape == k_sphere)
+    if (shape == windrow_sphere)
         return vec4(push, windrow_sphere_weight(p - centre, radius));
-    if (shape == k_capsule)
+    if (shape == windrow_capsule)
         return vec4(push, windrow_capsule_weight(p - centre, extent, radius));
-    if (shape == k_box)
+    if (shape == windrow_box)
         return vec4(push, windrow_box_weight(p - centre, extent));
-    if (shape == k_cone)
+    if (shape == windrow_cone)
         return vec4(push, windrow_cone_weight(p - centre, extent, radius, motors[n].end_radius));
-    if (shape == k_jet)
+    if (shape == windrow_jet)
         return vec4(push.x * windrow_jet_velocity(p - centre, extent, radius, motors[n].end_radius),
                     windrow_cone_weight(p - centre, extent, radius, motors[n].end_radius));
-    if (shape == k_vortex) {
-        const float weight = motors[n].law == k_force ? windrow_axial_weight(p - centre, extent)
-                                                      : windrow_whirl_weight(p - centre, extent, radius);
+    if (shape == windrow_vortex) {
+        const float weight = motors[n].law == windrow_force ? windrow_axial_weight(p - centre, extent)
+                                                            : windrow_whirl_weight(p - centre, extent, radius);
         return vec4(push.x * windrow_swirl_velocity(p - centre, extent, radius, motors[n].lift), weight);
     }
     return vec4(push, windrow_wake_path(p, centre, extent, radius));
@@ -75,11 +71,11 @@ void main() {
             if (!(motor.w > 0.0f))
                 continue;
             if (motors[n].eddies > 0.0f)
-                motor.xyz += (motors[n].shape == k_path ? 1.0f : motor.w) * motors[n].eddies *
+                motor.xyz += (motors[n].shape == windrow_path ? 1.0f : motor.w) * motors[n].eddies *
                              windrow_tile_at(0, ivec3(0), from(motors[n].tile_place) + motors[n].texels * p);
-            if (motors[n].law == k_force) {
+            if (motors[n].law == windrow_force) {
                 pushed += motor.w * motor.xyz;
-            } else if (motors[n].law == k_drive) {
+            } else if (motors[n].law == windrow_drive) {
                 const float exponent = motor.w * motors[n].amount;
                 driven += vec4(exponent * motor.xyz, exponent);
             } else {

@@ -29,14 +29,19 @@ WINDROW_FN vec3 windrow_tile_texel(WINDROW_TILE tile, ivec3 texel) { return texe
 
 // The same layout as windrow::AmbientBlock (fluid/ambient.h), which says more of each field. Usable in a std140 block.
 struct WindrowAmbient {
-    vec4 mean; // xyz [m/s] mean wind at the reference height, w [m/s] strength of the gusts; 0: none
-    // x [m] roughness length, 0: no profile; y [m] reference height; z [m] height of the anchor; w strength of felt wind
-    vec4 profile;
-    vec4 gust_texel;      // xyz texel below the anchor, w [1/m] texels a metre
-    vec4 gust_fraction;   // xyz distance of the anchor from that texel's centre, in texels; w longest vector of the tile
-    vec4 gust_axes;       // xyz 1, or 0 where gusts have no such component; w [m/s] limit of felt wind
-    vec4 detail_texel;    // as gust_texel, for the detail
-    vec4 detail_fraction; // xyz as gust_fraction, w detail as a share of the local speed; 0: none
+    vec3 mean;
+    float gust_strength;
+    float roughness_length, reference_height, anchor_height, felt_strength;
+    vec3 gust_texel;
+    float gust_texels;
+    vec3 gust_fraction;
+    float longest_gust;
+    vec3 gust_axes;
+    float felt_limit;
+    vec3 detail_texel;
+    float detail_texels;
+    vec3 detail_fraction;
+    float detail_share;
 };
 
 // Share of the reference wind at a height [m]. `roughness` and `reference` [m] above 0.
@@ -76,13 +81,13 @@ WINDROW_FN vec3 windrow_tile_at(WINDROW_TILE tile, ivec3 texel, vec3 offset) {
 // [m/s] The ambient wind at `local` [m] from the anchor. What is off is not fetched.
 WINDROW_FN vec3 windrow_ambient(WINDROW_TILE tile, WindrowAmbient ambient, vec3 local) {
     float share = 1.0f;
-    if (ambient.profile.x > 0.0f)
-        share = windrow_profile(ambient.profile.z + local.y, ambient.profile.x, ambient.profile.y);
-    vec3 wind = share * vec3(ambient.mean);
-    if (ambient.mean.w > 0.0f) {
-        vec3 offset = ambient.gust_texel.w * local + vec3(ambient.gust_fraction);
-        vec3 gust = windrow_tile_at(tile, ivec3(vec3(ambient.gust_texel)), offset);
-        wind += ambient.mean.w * min(share, 1.0f) * vec3(ambient.gust_axes) * gust;
+    if (ambient.roughness_length > 0.0f)
+        share = windrow_profile(ambient.anchor_height + local.y, ambient.roughness_length, ambient.reference_height);
+    vec3 wind = share * ambient.mean;
+    if (ambient.gust_strength > 0.0f) {
+        vec3 offset = ambient.gust_texels * local + ambient.gust_fraction;
+        vec3 gust = windrow_tile_at(tile, ivec3(ambient.gust_texel), offset);
+        wind += ambient.gust_strength * min(share, 1.0f) * ambient.gust_axes * gust;
     }
     return wind;
 }
@@ -95,11 +100,11 @@ WINDROW_FN float windrow_speed(vec3 u) {
 
 // [m/s] Small-scale detail of a wind `u` at `local` [m] from the anchor; never longer than its share of |u|.
 WINDROW_FN vec3 windrow_detail(WINDROW_TILE tile, WindrowAmbient ambient, vec3 u, vec3 local) {
-    if (!(ambient.detail_fraction.w > 0.0f))
+    if (!(ambient.detail_share > 0.0f))
         return vec3(0.0f);
-    vec3 offset = ambient.detail_texel.w * local + vec3(ambient.detail_fraction);
-    vec3 ripple = windrow_tile_at(tile, ivec3(vec3(ambient.detail_texel)), offset) / ambient.gust_fraction.w;
-    return ambient.detail_fraction.w * windrow_speed(u) * ripple;
+    vec3 offset = ambient.detail_texels * local + ambient.detail_fraction;
+    vec3 ripple = windrow_tile_at(tile, ivec3(ambient.detail_texel), offset) / ambient.longest_gust;
+    return ambient.detail_share * windrow_speed(u) * ripple;
 }
 
 // NaN or infinity, by the bits: a compiler may assume away a comparison.
@@ -121,7 +126,7 @@ WINDROW_FN vec3 windrow_limited(vec3 u, float strength, float limit) {
 
 // [m/s] What a plant feels of a wind `u` at `local` [m] from the anchor: detail, strength, limit.
 WINDROW_FN vec3 windrow_felt(WINDROW_TILE tile, WindrowAmbient ambient, vec3 u, vec3 local) {
-    return windrow_limited(u + windrow_detail(tile, ambient, u, local), ambient.profile.w, ambient.gust_axes.w);
+    return windrow_limited(u + windrow_detail(tile, ambient, u, local), ambient.felt_strength, ambient.felt_limit);
 }
 
 // [m/s] A gust that is the same everywhere, without a tile or a fluid: in each period the wind rises within a fifth and falls

@@ -16,6 +16,18 @@
 #define WINDROW_FN
 #endif
 
+// Regions and laws by number, as a motor's block has them.
+const uint windrow_sphere = 0u;
+const uint windrow_capsule = 1u;
+const uint windrow_box = 2u;
+const uint windrow_cone = 3u;
+const uint windrow_jet = 4u;
+const uint windrow_vortex = 5u;
+const uint windrow_path = 6u;
+const uint windrow_force = 0u;
+const uint windrow_drive = 1u;
+const uint windrow_source = 2u;
+
 // (1 - s^2)^2 from the squared relative distance.
 WINDROW_FN float windrow_falloff(float squared) {
     float rest = max(1.0f - squared, 0.0f);

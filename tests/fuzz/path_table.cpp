@@ -1,5 +1,5 @@
 // Tables of paths: CSV of t, x, y, z.
-#include "scene/path_csv.h"
+#include "scene/motion_path.h"
 #include "tests/fuzz/fuzz_target.h"
 
 namespace windrow::fuzz {

@@ -1,5 +1,5 @@
 // What the device's clock says of each pass, and what it costs where nobody asked for it.
-#include "fluid/vulkan/spirv_access.h"
+#include "fluid/vulkan/pipeline.h"
 #include "fluid/vulkan/timestamps.h"
 #include "fluid/vulkan/wind.h"
 #include "fluid/vulkan/wind_state.h"

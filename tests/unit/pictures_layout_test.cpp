@@ -11,7 +11,7 @@
 namespace windrow::cli {
 namespace {
 
-Air box_of(glm::ivec3 cells, float cell_size, glm::dvec3 origin = {}) {
+SlicedAir box_of(glm::ivec3 cells, float cell_size, glm::dvec3 origin = {}) {
     return {.box = {.cells = cells, .cell_size = cell_size, .sides = {}}, .origin = origin, .ambient = {}, .velocity = {}};
 }
 
@@ -37,7 +37,7 @@ TEST(Layout, PartsLieOnThePageAndApart) {
                                    {64, 32, 64}}) {
         for (const int width : {640, 800, 1001, 1600, 3840, 8000}) {
             SCOPED_TRACE(testing::Message() << cells.x << " x " << cells.y << " x " << cells.z << " at " << width);
-            const Layout layout = lay_out(box_of(cells, 0.5f), {0.0, 0.0, 0.0}, width);
+            const FrameLayout layout = lay_out(box_of(cells, 0.5f), {0.0, 0.0, 0.0}, width);
             EXPECT_EQ(layout.width_px, width - width % 2);
             EXPECT_EQ(layout.height_px % 2, 0);
             EXPECT_LT(layout.height_px, 2 * width);
@@ -59,8 +59,8 @@ TEST(Layout, PartsLieOnThePageAndApart) {
 }
 
 TEST(Layout, HoldsStillAsTheBoxMoves) {
-    const Layout here = lay_out(box_of({32, 16, 32}, 1.0f), {0.0, 0.0, 0.0}, 1600);
-    const Layout there = lay_out(box_of({32, 16, 32}, 1.0f, {1e6, -3.0, 77.0}), {1e6, 0.0, 80.0}, 1600);
+    const FrameLayout here = lay_out(box_of({32, 16, 32}, 1.0f), {0.0, 0.0, 0.0}, 1600);
+    const FrameLayout there = lay_out(box_of({32, 16, 32}, 1.0f, {1e6, -3.0, 77.0}), {1e6, 0.0, 80.0}, 1600);
     EXPECT_EQ(here.height_px, there.height_px);
     EXPECT_EQ(here.level.rect.x, there.level.rect.x);
     EXPECT_EQ(here.upright.rect.y, there.upright.rect.y);
@@ -68,7 +68,7 @@ TEST(Layout, HoldsStillAsTheBoxMoves) {
 }
 
 TEST(Layout, SlicesHaveOneScaleAndPassThroughThePoint) {
-    const Layout layout = lay_out(box_of({32, 16, 32}, 1.0f, {-4.0, 0.0, 2.0}), {3.0, 2.5, 100.0}, 1600);
+    const FrameLayout layout = lay_out(box_of({32, 16, 32}, 1.0f, {-4.0, 0.0, 2.0}), {3.0, 2.5, 100.0}, 1600);
     EXPECT_NEAR(layout.level.scale.x, layout.upright.scale.y, 0.01 * layout.level.scale.x);
     EXPECT_EQ(layout.level.plane.position, 2.5);
     EXPECT_EQ(layout.upright.plane.position, 34.0); // held inside the box
@@ -78,14 +78,14 @@ TEST(Layout, SlicesHaveOneScaleAndPassThroughThePoint) {
     EXPECT_DOUBLE_EQ(layout.upright.to_page(glm::dvec3(-4.0, 0.0, 2.0)).y, layout.upright.rect.bottom());
 }
 
-TEST(Ticks, AreRoundNumbersWithinTheBox) {
-    const Ticks ticks = make_ticks(-16.0, 32.0, 3.1);
+TEST(AxisTicks, AreRoundNumbersWithinTheBox) {
+    const AxisTicks ticks = make_ticks(-16.0, 32.0, 3.1);
     EXPECT_EQ(ticks.step, 5.0);
     EXPECT_EQ(ticks.places, (std::vector<double>{-15.0, -10.0, -5.0, 0.0, 5.0, 10.0, 15.0}));
     EXPECT_EQ(ticks.decimals, 0);
     EXPECT_EQ(make_ticks(0.0, 1.0, 0.15).decimals, 1);
     EXPECT_EQ(make_ticks(0.3, 1.0, 50.0).places.size(), 1u); // a strip has one
-    const Ticks far = make_ticks(1e6 + 3.0, 32.0, 4.0);
+    const AxisTicks far = make_ticks(1e6 + 3.0, 32.0, 4.0);
     EXPECT_EQ(far.offset, 1e6);
     for (const double place : far.places)
         EXPECT_EQ(std::fmod(place, 5.0), 0.0);
@@ -130,7 +130,7 @@ TEST(Outline, LinesAreCutAtThePanel) {
 }
 
 TEST(Outline, RegionsLookAsTheyAre) {
-    const Layout layout = lay_out(box_of({32, 16, 32}, 1.0f), {16.0, 4.0, 16.0}, 1600);
+    const FrameLayout layout = lay_out(box_of({32, 16, 32}, 1.0f), {16.0, 4.0, 16.0}, 1600);
     const double scale = layout.level.scale.x;
     const glm::dvec3 centre(16.0, 8.0, 16.0);
     const Rect everything{-1e6, -1e6, 2e6, 2e6};
@@ -157,7 +157,7 @@ TEST(Outline, RegionsLookAsTheyAre) {
 }
 
 TEST(Outline, PathIsSplitWhereItsBodyIs) {
-    const Layout layout = lay_out(box_of({32, 16, 32}, 1.0f), {0.0, 0.0, 0.0}, 1600);
+    const FrameLayout layout = lay_out(box_of({32, 16, 32}, 1.0f), {0.0, 0.0, 0.0}, 1600);
     const std::vector<glm::dvec3> path{{0.0, 0.0, 4.0}, {10.0, 0.0, 4.0}, {20.0, 0.0, 4.0}};
     const PathParts parts = split_path(path, {12.5, 0.3, 4.0}, layout.level);
     const double split = layout.level.to_page(glm::dvec3(12.5, 0.0, 4.0)).x;

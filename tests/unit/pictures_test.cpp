@@ -39,11 +39,11 @@ class PicturesTest : public testing::Test {
     std::filesystem::path folder_;
 };
 
-Air air_of(glm::ivec3 cells, float cell_size, glm::dvec3 origin, std::function<glm::vec3(glm::dvec3)> velocity_at) {
-    Air air{.box = {.cells = cells, .cell_size = cell_size, .sides = {}},
-            .origin = origin,
-            .ambient = {3.0f, 0.0f, 1.0f},
-            .velocity = {}};
+SlicedAir air_of(glm::ivec3 cells, float cell_size, glm::dvec3 origin, std::function<glm::vec3(glm::dvec3)> velocity_at) {
+    SlicedAir air{.box = {.cells = cells, .cell_size = cell_size, .sides = {}},
+                  .origin = origin,
+                  .ambient = {3.0f, 0.0f, 1.0f},
+                  .velocity = {}};
     air.velocity = [velocity_at](std::span<const glm::dvec3> positions, std::span<glm::vec3> velocities) {
         for (std::size_t index = 0; index < positions.size(); ++index)
             velocities[index] = velocity_at(positions[index]);
@@ -73,10 +73,10 @@ TEST_F(PicturesTest, SliceOfEachAxisEqualsTheCells) {
     auto wind = Wind::create({.cells = {13, 7, 10}, .cell_size = 0.5f, .centre = {40.0, 3.0, -9.0}, .rim = 0.0f});
     ASSERT_TRUE(wind);
     wind->set_velocity(known_wind);
-    const Air air{.box = wind->box(),
-                  .origin = wind->origin(),
-                  .ambient = wind->ambient(),
-                  .velocity = [&](std::span<const glm::dvec3> at, std::span<glm::vec3> to) { wind->velocity(at, to); }};
+    const SlicedAir air{.box = wind->box(),
+                        .origin = wind->origin(),
+                        .ambient = wind->ambient(),
+                        .velocity = [&](std::span<const glm::dvec3> at, std::span<glm::vec3> to) { wind->velocity(at, to); }};
     constexpr int k_per_cell = 5; // odd, so that the middle pixel of a cell lies on its centre
     constexpr float k_scale = 5.0f;
     const glm::ivec3 cells = wind->box().cells;
@@ -105,10 +105,10 @@ TEST_F(PicturesTest, SliceBetweenCellsIsWhatAPlantReads) {
     auto wind = Wind::create({.cells = {8, 6, 9}, .ambient = {2.0f, 0.0f, 0.0f}});
     ASSERT_TRUE(wind);
     wind->set_velocity(known_wind);
-    const Air air{.box = wind->box(),
-                  .origin = wind->origin(),
-                  .ambient = wind->ambient(),
-                  .velocity = [&](std::span<const glm::dvec3> at, std::span<glm::vec3> to) { wind->velocity(at, to); }};
+    const SlicedAir air{.box = wind->box(),
+                        .origin = wind->origin(),
+                        .ambient = wind->ambient(),
+                        .velocity = [&](std::span<const glm::dvec3> at, std::span<glm::vec3> to) { wind->velocity(at, to); }};
     const Plane plane{Normal::y, wind->origin().y + 2.2};
     const SlicePicture slice = render_slice(air, plane, 5.0f, 37, 29);
     for (int row = 0; row < 29; ++row) {
@@ -121,7 +121,8 @@ TEST_F(PicturesTest, SliceBetweenCellsIsWhatAPlantReads) {
 }
 
 TEST_F(PicturesTest, AirThatIsNoNumberIsFlagged) {
-    const Air air = air_of({4, 4, 4}, 1.0f, {}, [](glm::dvec3 p) { return p.x < 2.0 ? glm::vec3(k_nan) : glm::vec3(1.0f); });
+    const SlicedAir air =
+        air_of({4, 4, 4}, 1.0f, {}, [](glm::dvec3 p) { return p.x < 2.0 ? glm::vec3(k_nan) : glm::vec3(1.0f); });
     const SlicePicture slice = render_slice(air, {Normal::y, 2.0}, 10.0f, 8, 8);
     EXPECT_EQ(slice.broken_pixels, 32);
     EXPECT_EQ(slice.image.at(0, 0), k_broken_colour);
@@ -153,8 +154,8 @@ TEST(ColourMap, IsHeldBeyondItsEnds) {
 TEST(Arrows, FollowAKnownVortex) {
     // Solid rotation about a vertical line: the flow is across the radius and as fast as it is long.
     const glm::dvec2 centre(5.3, -3.2);
-    const Air air = air_of({16, 8, 16}, 1.0f, {-4.0, 0.0, -12.0},
-                           [&](glm::dvec3 p) { return glm::vec3(-(p.z - centre.y), 0.0, p.x - centre.x); });
+    const SlicedAir air = air_of({16, 8, 16}, 1.0f, {-4.0, 0.0, -12.0},
+                                 [&](glm::dvec3 p) { return glm::vec3(-(p.z - centre.y), 0.0, p.x - centre.x); });
     const float scale = 6.0f;
     const auto arrows = slice_arrows(air, {Normal::y, 4.0}, 2.0, scale);
     EXPECT_EQ(arrows.size(), 64u);
@@ -167,8 +168,8 @@ TEST(Arrows, FollowAKnownVortex) {
 }
 
 TEST(Arrows, UprightOnesPointUpThePage) {
-    const Air air = air_of({8, 8, 8}, 1.0f, {}, [](glm::dvec3) { return glm::vec3(0.0f, 2.0f, 9.0f); });
-    const Layout layout = lay_out(air, {4.0, 4.0, 4.0}, 1600);
+    const SlicedAir air = air_of({8, 8, 8}, 1.0f, {}, [](glm::dvec3) { return glm::vec3(0.0f, 2.0f, 9.0f); });
+    const FrameLayout layout = lay_out(air, {4.0, 4.0, 4.0}, 1600);
     for (const WindArrow& arrow : slice_arrows(air, layout.upright.plane, 1.0, 10.0f)) {
         EXPECT_NEAR(layout.upright.turned(arrow.direction).y, -1.0, 1e-6); // the page's y runs down
         EXPECT_NEAR(arrow.share, 0.2, 1e-6);                               // the part out of the plane does not count
@@ -192,23 +193,24 @@ TEST(Arrows, StandStillInTheWorldAsTheBoxMoves) {
 }
 
 TEST(Arrows, LeaveOutWhatIsNoNumberAndKeepAThinBoxesMiddle) {
-    const Air broken = air_of({4, 4, 4}, 1.0f, {}, [](glm::dvec3 p) { return p.x < 2.0 ? glm::vec3(k_nan) : glm::vec3(1.0f); });
+    const SlicedAir broken =
+        air_of({4, 4, 4}, 1.0f, {}, [](glm::dvec3 p) { return p.x < 2.0 ? glm::vec3(k_nan) : glm::vec3(1.0f); });
     EXPECT_EQ(slice_arrows(broken, {Normal::y, 2.0}, 1.0, 10.0f).size(), 8u);
-    const Air thin = air_of({64, 1, 64}, 1.0f, {}, [](glm::dvec3) { return glm::vec3(1.0f); });
+    const SlicedAir thin = air_of({64, 1, 64}, 1.0f, {}, [](glm::dvec3) { return glm::vec3(1.0f); });
     for (const WindArrow& arrow : slice_arrows(thin, {Normal::z, 2.0}, 4.0, 10.0f))
         EXPECT_DOUBLE_EQ(arrow.middle.y, 0.5);
-    const Air still = air_of({4, 4, 4}, 1.0f, {}, [](glm::dvec3) { return glm::vec3(0.0f); });
+    const SlicedAir still = air_of({4, 4, 4}, 1.0f, {}, [](glm::dvec3) { return glm::vec3(0.0f); });
     EXPECT_EQ(slice_arrows(still, {Normal::y, 2.0}, 1.0, 10.0f).front().direction, glm::dvec2(0.0));
 }
 
 // --- Frames ----------------------------------------------------------------------------------------------------------
 
 TEST(Frame, ShowsUniformWindInItsColourOnBothSlices) {
-    const Air air = air_of({32, 16, 32}, 1.0f, {-7.0, 0.0, 3.0}, [](glm::dvec3) { return glm::vec3(4.0f, 0.0f, 0.0f); });
+    const SlicedAir air = air_of({32, 16, 32}, 1.0f, {-7.0, 0.0, 3.0}, [](glm::dvec3) { return glm::vec3(4.0f, 0.0f, 0.0f); });
     const PictureSettings settings{.title = "uniform", .speed_scale = 8.0f, .slice_point = {0.0, 2.0, 9.0}};
     const auto image = compose_frame(air, 1.5, {}, {}, settings);
     ASSERT_TRUE(image);
-    const Layout layout = lay_out(air, settings.slice_point, settings.width);
+    const FrameLayout layout = lay_out(air, settings.slice_point, settings.width);
     EXPECT_EQ(image->width, 1600);
     for (const Panel* panel : {&layout.level, &layout.upright}) {
         // Arrows stand at odd metres here, and the other slice cuts elsewhere.
@@ -244,7 +246,7 @@ TEST(Frame, DrawsWhateverItIsGiven) {
     for (const glm::ivec3 cells :
          {glm::ivec3(32, 16, 32), {17, 9, 23}, {64, 64, 1}, {1, 1, 1}, {2048, 1, 1}, {1, 1, 2048}, {2, 900, 2}}) {
         for (const float scale : {0.0f, k_nan, -1.0f, 1e-30f, 1e30f}) {
-            const Air air = air_of(cells, 1.0f, {-1.0, 0.0, -1.0}, wind);
+            const SlicedAir air = air_of(cells, 1.0f, {-1.0, 0.0, -1.0}, wind);
             const PictureSettings settings{
                 .title = "\xc3\x28", .width = 640, .speed_scale = scale, .slice_point = {k_nan, 1e30, -inf}};
             const auto image = compose_frame(air, inf, trails, motors, settings);
@@ -265,10 +267,10 @@ int changed(const Image& a, const Image& b, const Rect& rect, double unit) {
 }
 
 TEST(Frame, ShowsEachKindOfMotorInItsColour) {
-    const Air air = air_of({32, 16, 32}, 1.0f, {0.0, 0.0, 0.0}, [](glm::dvec3) { return glm::vec3(0.0f); });
+    const SlicedAir air = air_of({32, 16, 32}, 1.0f, {0.0, 0.0, 0.0}, [](glm::dvec3) { return glm::vec3(0.0f); });
     const PictureSettings settings{.title = "", .slice_point = {16.0, 8.0, 16.0}};
     const glm::dvec3 middle(16.0, 8.0, 16.0);
-    const Layout layout = lay_out(air, settings.slice_point, settings.width);
+    const FrameLayout layout = lay_out(air, settings.slice_point, settings.width);
     for (const Motor& kind : {Motor(DirectionalMotor{}), Motor(WakeMotor{.radius = 2.0f}), Motor(JetMotor{}),
                               Motor(VortexMotor{}), Motor(OmniMotor{}), Motor(PressureMotor{})}) {
         Motor motor = kind;
@@ -293,9 +295,9 @@ TEST(Frame, ShowsEachKindOfMotorInItsColour) {
 }
 
 TEST(Frame, LeavesOutMotorsThatDoNothingNow) {
-    const Air air = air_of({32, 16, 32}, 1.0f, {0.0, 0.0, 0.0}, [](glm::dvec3) { return glm::vec3(0.0f); });
+    const SlicedAir air = air_of({32, 16, 32}, 1.0f, {0.0, 0.0, 0.0}, [](glm::dvec3) { return glm::vec3(0.0f); });
     const PictureSettings settings{.title = "", .slice_point = {16.0, 8.0, 16.0}};
-    const Layout layout = lay_out(air, settings.slice_point, settings.width);
+    const FrameLayout layout = lay_out(air, settings.slice_point, settings.width);
     const auto draw = [&](double strength) {
         return *compose_frame(
             air, 0.0, {}, std::vector<NamedMotor>{{"burst", PressureMotor{.position = {16.0, 8.0, 16.0}}, strength}}, settings);
@@ -307,9 +309,9 @@ TEST(Frame, LeavesOutMotorsThatDoNothingNow) {
 }
 
 TEST(Frame, ManyMotorsLeaveTheAirInSight) {
-    const Air air = air_of({32, 16, 32}, 1.0f, {0.0, 0.0, 0.0}, [](glm::dvec3) { return glm::vec3(0.0f); });
+    const SlicedAir air = air_of({32, 16, 32}, 1.0f, {0.0, 0.0, 0.0}, [](glm::dvec3) { return glm::vec3(0.0f); });
     const PictureSettings settings{.title = "", .slice_point = {16.0, 2.0, 16.0}};
-    const Layout layout = lay_out(air, settings.slice_point, settings.width);
+    const FrameLayout layout = lay_out(air, settings.slice_point, settings.width);
     std::vector<NamedMotor> motors;
     for (int i = 0; i < 300; ++i) {
         Motor motor = i % 3 == 0 ? Motor(JetMotor{}) : i % 3 == 1 ? Motor(VortexMotor{.radius = 2.0f}) : Motor(OmniMotor{});
@@ -326,7 +328,7 @@ TEST(Frame, ManyMotorsLeaveTheAirInSight) {
 }
 
 TEST(Frame, IsTheSameEveryTime) {
-    const Air air = air_of({8, 4, 8}, 1.0f, {}, known_wind);
+    const SlicedAir air = air_of({8, 4, 8}, 1.0f, {}, known_wind);
     const auto first = compose_frame(air, 0.0, {}, {}, {.title = "", .width = 641});
     const auto second = compose_frame(air, 0.0, {}, {}, {.title = "", .width = 641});
     ASSERT_TRUE(first && second);

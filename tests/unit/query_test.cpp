@@ -67,17 +67,16 @@ struct Textures {
     }
 
     [[nodiscard]] double texel(int component, const int (&cell)[3]) const {
-        const int nx = int(block.cells_and_factor.x), ny = int(block.cells_and_factor.y);
+        const int nx = int(block.cells.x), ny = int(block.cells.y);
         return axis[component][(std::size_t(cell[2]) * ny + cell[1]) * nx + cell[0]];
     }
 
     [[nodiscard]] glm::dvec3 sample(glm::dvec3 position) const {
-        const glm::dvec3 local =
-            (position - anchor - glm::dvec3(block.origin_and_cell_size)) / double(block.origin_and_cell_size.w);
+        const glm::dvec3 local = (position - anchor - glm::dvec3(block.origin)) / double(block.cell_size);
         double share = 1.0, t[3];
         int low[3], high[3];
         for (int a = 0; a < 3; ++a) {
-            const int n = int(block.cells_and_factor[a]);
+            const int n = int(block.cells[a]);
             if (block.low_sides[a] == 0.0f) // open: fades over one cell
                 share *= std::clamp(1.0 + local[a], 0.0, 1.0);
             if (block.high_sides[a] == 0.0f)
@@ -276,19 +275,20 @@ TEST(Query, TheBlockSaysWhereTheTexturesLie) {
     wind.step(0.1);
     ASSERT_TRUE(wind.follow(config.centre + glm::dvec3(1.5, 0.0, -0.75)));
     WindowBlock block = wind.window_block(anchor);
-    EXPECT_EQ(glm::vec3(block.origin_and_cell_size), glm::vec3(wind.origin() - anchor));
-    EXPECT_EQ(block.origin_and_cell_size.w, 0.75f);
+    EXPECT_EQ(block.origin, glm::vec3(wind.origin() - anchor));
+    EXPECT_EQ(block.cell_size, 0.75f);
     EXPECT_EQ(glm::vec3(block.previous_origin), glm::vec3(origin - anchor));
-    EXPECT_EQ(block.cells_and_factor, glm::vec4(13.0f, 9.0f, 17.0f, 1.0f));
+    EXPECT_EQ(block.cells, glm::vec3(13.0f, 9.0f, 17.0f));
+    EXPECT_EQ(block.factor, 1.0f);
     EXPECT_EQ(glm::vec3(block.ambient), glm::vec3(4.0f, 0.0f, 2.0f)) << "no wind through the floor";
-    EXPECT_EQ(glm::vec3(block.low_sides), glm::vec3(0.0f, 1.0f, 0.0f));
+    EXPECT_EQ(block.low_sides, glm::vec3(0.0f, 1.0f, 0.0f));
     EXPECT_EQ(glm::vec3(block.high_sides), glm::vec3(0.0f));
     wind.step(0.1);
     block = wind.window_block(anchor);
     EXPECT_EQ(glm::vec3(block.previous_origin), glm::vec3(origin - anchor)) << "the step before the last one lay there";
     wind.step(0.1);
     block = wind.window_block(anchor);
-    EXPECT_EQ(glm::vec3(block.previous_origin), glm::vec3(block.origin_and_cell_size));
+    EXPECT_EQ(block.previous_origin, block.origin);
     EXPECT_EQ(offsetof(WindowBlock, previous_origin), 32u);
     EXPECT_EQ(offsetof(WindowBlock, high_sides), 80u);
 }

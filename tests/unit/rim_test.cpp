@@ -116,7 +116,7 @@ TEST(Rim, TheBlockSaysWhatTheQueryDoes) {
     const WindowBlock block = wind.window_block(anchor);
     EXPECT_NEAR(block.rim_point.x, 0.3f, 1e-6);
     EXPECT_NEAR(block.rim_point.z, 2.1f, 1e-6);
-    EXPECT_FLOAT_EQ(block.rim_point.w, 1.0f);
+    EXPECT_FLOAT_EQ(block.rim_width, 1.0f);
     EXPECT_FLOAT_EQ(block.rim_reach.x, 7.5f);
     EXPECT_FLOAT_EQ(block.rim_reach.y, 3.5f);
     EXPECT_FLOAT_EQ(block.rim_reach.z, 5.5f);

@@ -1,5 +1,5 @@
 // Small scenes with large costs: each is rejected in a sentence, within seconds and 1 GiB.
-#include "scene/path_csv.h"
+#include "scene/motion_path.h"
 #include "scene/scene_reader.h"
 #include "tests/cost.h"
 

@@ -1,6 +1,6 @@
 // Scenes that are refused, and the sentence that each gets: file, place, value, fix.
+#include "scene/motion_path.h"
 #include "scene/nearest_word.h"
-#include "scene/path_csv.h"
 #include "scene/scene_reader.h"
 
 #include <filesystem>

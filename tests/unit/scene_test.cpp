@@ -1,6 +1,6 @@
 // Scenes: what is read, whatever the locale.
 #include "cli/playback.h"
-#include "scene/path_csv.h"
+#include "scene/motion_path.h"
 #include "scene/scene_reader.h"
 
 #include <clocale>
@@ -178,7 +178,7 @@ TEST(Playback, MotorsThatEndByThemselvesAreLetGo) {
     ASSERT_TRUE(playback) << playback.error();
     const auto names = [&] {
         std::string text;
-        for (const Playback::Acting& acting : playback->acting())
+        for (const Playback::ActingMotor& acting : playback->acting())
             text += acting.motor->name + " ";
         return text;
     };

@@ -181,7 +181,7 @@ void expect_same(const Wind& a, const Wind& b) {
     expect_same_view(a.previous_view(), b.previous_view());
     EXPECT_EQ(a.window_block(a.origin()).previous_origin, b.window_block(b.origin()).previous_origin);
     EXPECT_EQ(a.window_block(a.origin()).previous_rim_point, b.window_block(b.origin()).previous_rim_point);
-    EXPECT_EQ(a.window_block(a.origin()).cells_and_factor, b.window_block(b.origin()).cells_and_factor);
+    EXPECT_EQ(a.window_block(a.origin()).factor, b.window_block(b.origin()).factor);
     EXPECT_EQ(a.motors().count(), b.motors().count());
 }
 

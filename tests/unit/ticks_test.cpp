@@ -123,7 +123,7 @@ TEST(Ticks, AFrameIsTheBlendOfTheLastTwoTicks) {
         const Advance done = wind.advance(0.025);
         EXPECT_EQ(done.ticks, 0);
         EXPECT_NEAR(done.factor, share, 1e-6);
-        EXPECT_EQ(wind.window_block({}).cells_and_factor.w, done.factor);
+        EXPECT_EQ(wind.window_block({}).factor, done.factor);
         double worst = 0.0;
         for (std::size_t n = 0; n < before.size(); ++n)
             worst = std::max(worst, double(glm::length(wind.view().field()[n] - glm::mix(before[n], after[n], done.factor))));

@@ -19,7 +19,7 @@ inline std::ptrdiff_t padded_index(const PaddedStrides& strides, int i, int j, i
 }
 
 // A run of cells along x, from cell (i, j, k).
-struct Run {
+struct CellRun {
     int i, j, k, count;
     std::size_t first; ///< index of the first cell
 };
@@ -45,14 +45,14 @@ inline float floor_small(float value) {
 }
 
 // The cell below a place, from the low end of the axis, and the distance from its centre.
-struct Place {
+struct AxisPlace {
     float base, fraction;
 };
 
 // Of a displacement from a cell. A comparison with NaN is false, so that a broken position becomes the low end and its address
 // stays legal.
 template <int Axis>
-inline Place place_of(const Legal& legal, float cell, float displacement) {
+inline AxisPlace place_of(const Legal& legal, float cell, float displacement) {
     const float least = legal.low[Axis] - cell, most = legal.high[Axis] - cell;
     float way = displacement > least ? displacement : least;
     way = way < most ? way : most;
@@ -67,14 +67,14 @@ inline void locate_axis(const Legal& legal, float first, float advance, std::int
     for (int group = 0; group < count; group += k_lanes)
         for (int lane = 0; lane < k_lanes; ++lane) {
             const int n = group + lane;
-            const Place place = place_of<Axis>(legal, first + advance * static_cast<float>(n), displacements.axis[Axis][n]);
+            const AxisPlace place = place_of<Axis>(legal, first + advance * static_cast<float>(n), displacements.axis[Axis][n]);
             points.fraction[Axis][n] = place.fraction;
             const std::int32_t offset = (static_cast<std::int32_t>(place.base) + k_halo_low) * stride;
             points.offset[n] = Axis == 0 ? offset : points.offset[n] + offset;
         }
 }
 
-inline void locate(const Legal& legal, const PaddedStrides& strides, const Run& run, const Displacements& displacements,
+inline void locate(const Legal& legal, const PaddedStrides& strides, const CellRun& run, const Displacements& displacements,
                    Points& points) {
     locate_axis<0>(legal, static_cast<float>(run.i), 1.0f, 1, run.count, displacements, points);
     locate_axis<1>(legal, static_cast<float>(run.j), 0.0f, static_cast<std::int32_t>(strides.row), run.count, displacements,
@@ -218,8 +218,8 @@ inline std::size_t soon(const AdvectTask& task, std::size_t cell) {
 }
 
 // Departure points of a run.
-inline void trace_departures(const AdvectTask& task, const PaddedStrides& strides, const Run& run, Displacements& displacements,
-                             Points& points) {
+inline void trace_departures(const AdvectTask& task, const PaddedStrides& strides, const CellRun& run,
+                             Displacements& displacements, Points& points) {
     Displacements velocity, traced;
     split_components(task.velocity + 4 * run.first, run.count, velocity);
     const int floats = (run.count + k_lanes - 1) / k_lanes * k_lanes;
@@ -249,22 +249,22 @@ inline void for_each_run(const AdvectTask& task, int plane, const Body& body) {
     for (int j = 0; j < task.cells[1]; ++j)
         for (int i = 0; i < task.cells[0]; i += k_row_chunk) {
             const int left = task.cells[0] - i;
-            const Run run = {i, j, plane, left < k_row_chunk ? left : k_row_chunk,
-                             (static_cast<std::size_t>(plane) * task.cells[1] + j) * task.cells[0] + i};
+            const CellRun run = {i, j, plane, left < k_row_chunk ? left : k_row_chunk,
+                                 (static_cast<std::size_t>(plane) * task.cells[1] + j) * task.cells[0] + i};
             trace_departures(task, strides, run, displacements, points);
             body(strides, points, run, displacements);
         }
 }
 
 // What a cubic read of the profile has over a linear one, as a factor of the mean wind: Everett's form of the cubic.
-inline void bends_at(const AdvectTask& task, const Run& run, const Displacements& displacements, float* bends) {
+inline void bends_at(const AdvectTask& task, const CellRun& run, const Displacements& displacements, float* bends) {
     const float* const rows = task.given.bends + k_halo_low;
     const Legal& legal = task.legal;
     const auto cell = static_cast<float>(run.j);
     for (int group = 0; group < run.count; group += k_lanes)
         for (int lane = 0; lane < k_lanes; ++lane) {
             const int n = group + lane;
-            const Place place = place_of<1>(legal, cell, displacements.axis[1][n]);
+            const AxisPlace place = place_of<1>(legal, cell, displacements.axis[1][n]);
             const auto row = static_cast<std::int32_t>(place.base);
             const float t = place.fraction;
             bends[n] = (1.0f / 6.0f) * t * (t - 1.0f) * ((2.0f - t) * rows[row] + (1.0f + t) * rows[row + 1]);
@@ -297,7 +297,7 @@ inline bool any_beyond(const float* cells, int count, float squared) {
 // v is that of half way, to second order: what was carried here, without the pressure. A is read linearly, but its profile as
 // what is carried is read, so that gusts that fade leave the solution of the whole wind.
 template <class Interpolant>
-inline void carry_given(const AdvectTask& task, const PaddedStrides& strides, const Run& run, Displacements& displacements,
+inline void carry_given(const AdvectTask& task, const PaddedStrides& strides, const CellRun& run, Displacements& displacements,
                         Points& points) {
     const GivenWind& given = task.given;
     const int count = run.count, floats = (count + k_lanes - 1) / k_lanes * k_lanes;
@@ -351,12 +351,13 @@ inline void carry_given(const AdvectTask& task, const PaddedStrides& strides, co
 
 template <class Interpolant>
 void advect_plane(const AdvectTask& task, int plane) {
-    for_each_run(task, plane, [&](const PaddedStrides& strides, Points& points, const Run& run, Displacements& displacements) {
-        // And three, with the nodes of a cubic.
-        const Ahead ahead = {task.padded_carried + 4 * padded_index(strides, run.i, run.j, run.k + 3),
-                             task.result + 4 * soon(task, run.first)};
-        sample_run<Interpolant>(task.padded_carried, points, strides, run.count, ahead, task.result + 4 * run.first);
-        if (task.given.now != nullptr)
-            carry_given<Interpolant>(task, strides, run, displacements, points);
-    });
+    for_each_run(task, plane,
+                 [&](const PaddedStrides& strides, Points& points, const CellRun& run, Displacements& displacements) {
+                     // And three, with the nodes of a cubic.
+                     const Ahead ahead = {task.padded_carried + 4 * padded_index(strides, run.i, run.j, run.k + 3),
+                                          task.result + 4 * soon(task, run.first)};
+                     sample_run<Interpolant>(task.padded_carried, points, strides, run.count, ahead, task.result + 4 * run.first);
+                     if (task.given.now != nullptr)
+                         carry_given<Interpolant>(task, strides, run, displacements, points);
+                 });
 }

@@ -45,7 +45,7 @@ inline float clamp_to_corners(float value, const float* at, const PaddedStrides&
 
 template <class Interpolant>
 void advect_scalar_plane(const AdvectTask& task, int plane) {
-    for_each_run(task, plane, [&](const PaddedStrides& strides, const Points& points, const Run& run, const Displacements&) {
+    for_each_run(task, plane, [&](const PaddedStrides& strides, const Points& points, const CellRun& run, const Displacements&) {
         const typename Interpolant::Weights weights(points, run.count);
         for (int n = 0; n < run.count; ++n) {
             const float* const at = task.padded_carried + points.offset[n];
