@@ -24,6 +24,14 @@ struct TreeSettings {
     Drag trunk = small_trunk();
     Drag branch = windrow::branch();
     Drag leaf = windrow::leaf();
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("trunk", &TreeSettings::trunk, "The trunk."),
+            Setting("branch", &TreeSettings::branch, "Each branch."),
+            Setting("leaf", &TreeSettings::leaf, "Each leaf."),
+        };
+    }
 };
 
 /// For shaders: WindrowTree of shaders/numerics/tree.glsl, a std140 block of three vec4.
@@ -34,10 +42,22 @@ static_assert(sizeof(TreeBlock) == 48);
 
 /// A straight part of a tree at rest, relative to the trunk's base. The default is no part, here and in lists alike.
 struct TreePart {
-    glm::vec3 root{0.0f};             ///< [m] where it is held: on the axis of what bears it, or beside it on the bark
-    glm::vec3 axis{0.0f, 1.0f, 0.0f}; ///< unit vector along it
-    float length = 1.0f;    ///< [m] above 0. Its stiffness is its class's whatever its length: a short part needs a high one
-    float stiffness = 0.0f; ///< over its class, 1e-6 to 1e6: 1 is the class's own. Default 0: there is no such part
+    glm::vec3 root{0.0f};
+    glm::vec3 axis{0.0f, 1.0f, 0.0f};
+    float length = 1.0f;
+    float stiffness = 0.0f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("root", &TreePart::root, {-1e6, 1e6, "m"},
+                    "Where it is held: on the axis of what bears it, or beside it on the bark."),
+            Setting("axis", &TreePart::axis, Range::length(0.999, 1.001, ""), "Unit vector along it."),
+            Setting("length", &TreePart::length, {1e-4, 200.0, "m"},
+                    "Its stiffness is its class's whatever its length: a short part needs a high one."),
+            Setting("stiffness", &TreePart::stiffness, {1e-6, 1e6},
+                    "Over its class's: 1 is the class's own. Beside that range it may be 0: there is no such part."),
+        };
+    }
 };
 
 /// What bears a vertex: the last that is there bends by the vertex's own height, the ones before carry it as one rigid body.
