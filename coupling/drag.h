@@ -13,6 +13,10 @@
 #include <glm/vec4.hpp>
 
 namespace windrow {
+namespace detail {
+class Reasons;
+struct FieldPath;
+} // namespace detail
 
 /// A stalk that the wind bends, taken as even along its length.
 struct Drag {

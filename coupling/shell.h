@@ -74,10 +74,6 @@ struct ShellBlock {
 static_assert(sizeof(ShellBlock) == 64);
 
 [[nodiscard]] Result<void> validate(const ShellSettings& settings);
-namespace detail {
-class Reasons;
-struct FieldPath;
-} // namespace detail
 /// But for the strand's length, which is replaced.
 void check_settings(detail::Reasons& reasons, const detail::FieldPath& path, const ShellSettings& settings);
 

@@ -7,6 +7,7 @@
 #include "scene/motion_path.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <type_traits>
@@ -43,10 +44,10 @@ void read_settings(JsonObject& object, Struct& value, const Special& special) {
     });
 }
 
-/// The items of a list of objects; the range bounds how many.
+/// The items of a list of objects; the range bounds how many, else they are as many as a file may hold.
 template <class Read>
 void read_items(JsonObject& object, const Key& key, const Range& range, const Read& read) {
-    const auto items = object.array(key, static_cast<std::size_t>(range.most));
+    const auto items = object.array(key, std::isfinite(range.most) ? static_cast<std::size_t>(range.most) : 4096);
     for (std::size_t n = 0; n < items.size(); ++n) {
         const std::string name = std::string(".") + key.name;
         read(JsonObject(items[n], object.path() + name + "[" + std::to_string(n) + "]", object.pattern() + name + "[]",
@@ -106,8 +107,6 @@ void read_value(JsonObject& object, const Key& key, Value& value, const Range& r
         value = Value(object.pair(key, glm::dvec2(value), range, "x, z"));
     } else if constexpr (std::same_as<Value, glm::ivec2>) {
         value = object.whole_pair(key, value, range, "x, z");
-    } else if constexpr (std::same_as<Value, std::optional<double>>) {
-        value = object.optional_number(key, range);
     } else if constexpr (std::same_as<Value, std::optional<glm::bvec3>>) {
         value = object.optional_flags(key);
     } else if constexpr (std::is_enum_v<Value>) {
@@ -119,8 +118,11 @@ void read_value(JsonObject& object, const Key& key, Value& value, const Range& r
     } else if constexpr (std::same_as<Value, Side>) {
         read_side(object, key, value);
     } else if constexpr (detail::k_is_optional<Value>) {
-        typename Value::value_type given;
-        read_object(object.object(key), given);
+        typename Value::value_type given{};
+        if constexpr (std::is_arithmetic_v<typename Value::value_type>)
+            given = static_cast<typename Value::value_type>(object.optional_number(key, range).value_or(0.0));
+        else
+            read_object(object.object(key), given);
         if (object.value().contains(key.name))
             value = given;
     } else if constexpr (detail::k_is_variant<Value>) {

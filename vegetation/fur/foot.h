@@ -3,6 +3,7 @@
 #pragma once
 
 #include "fluid/result.h"
+#include "fluid/setting.h"
 
 #include <glm/vec3.hpp>
 #include <span>
@@ -10,9 +11,17 @@
 namespace windrow::vegetation::fur {
 
 struct Foot {
-    glm::dvec3 position{0.0}; ///< [m] in the world: of its sole
-    float radius = 0.3f;      ///< [m] within which strands lean away, above 0 to 1e3
-    float weight = 1.0f;      ///< share of CoatSettings::foot_push, 0 to 1
+    glm::dvec3 position{0.0};
+    float radius = 0.3f;
+    float weight = 1.0f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("position", &Foot::position, {-1e10, 1e10, "m"}, "Of its sole in the world."),
+            Setting("radius", &Foot::radius, Range::above(0.0, 1e3, "m"), "Within which strands lean away."),
+            Setting("weight", &Foot::weight, k_fraction_range, "Fraction of CoatSettings::foot_push."),
+        };
+    }
 };
 inline constexpr std::size_t k_most_feet = 8;
 
