@@ -16,6 +16,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 namespace windrow::vegetation::fur {
 namespace {

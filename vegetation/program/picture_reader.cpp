@@ -59,8 +59,7 @@ Picture read_picture(JsonObject& object, Surroundings& around) {
         } else if constexpr (std::same_as<Member, std::optional<windrow::GroundConfig>>) {
             const std::size_t faults_before = object.log().faults();
             windrow::scene::read_value(object, {row.name, row.meaning}, member, row.range);
-            JsonObject memory = object.object(row.name);
-            if (member && object.log().faults() == faults_before)
+            if (JsonObject memory = object.object({row.name, row.meaning}); member && object.log().faults() == faults_before)
                 check_read(memory, *member);
             return true;
         }

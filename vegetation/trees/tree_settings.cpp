@@ -33,7 +33,7 @@ void check_rules(Reasons& reasons, const FieldPath& path, const TreeSettings& s)
         reasons.add(FieldPath{&path, "trunk_radius"}, " is ", s.trunk_radius, " m: give at most a fifth of ",
                     FieldPath{&path, "height"}, ", which is ", s.height, " m.");
     if (reasons.empty() && vertex_bound(s) > k_most_vertices)
-        reasons.add(path, " has ", static_cast<long>(vertex_bound(s)), " vertices, of ", k_most_vertices, ": lower ",
+        reasons.add(path, " has ", static_cast<long>(vertex_bound(s)), " vertices, of ", k_most_vertices, ": give fewer ",
                     FieldPath{&path, "limbs"}, ", branches, clusters or leaves.");
 }
 

@@ -120,13 +120,14 @@ TEST(BodyReader, Refusals) {
         R"({"coats": [{"layers": {"lenght": 1}}]})",
         "a.json: $.picture.bodies[0].coats[0].layers.lenght is not a known key (did you mean `length`?): rename or remove it.");
     expect(R"({"coats": [{"comb": {"along": [0, 0, 0]}}]})",
-           "a.json: $.picture.bodies[0].coats[0].comb.along has no length; give a finite vector that is not 0.");
+           "a.json: $.picture.bodies[0].coats[0].comb.along is [0,0,0]: give a length of 1e-12 to 1e12.");
     expect(R"({"coats": [{"layers": {"down": [0, 0, 0]}}]})",
-           "a.json: $.picture.bodies[0].coats[0].layers.down is (0, 0, 0): give a finite vector that is not 0.");
+           "a.json: $.picture.bodies[0].coats[0].layers.down is [0,0,0]: give a finite vector that is not 0.");
     expect(R"({"coats": [{"strands": {"low": 0.9, "high": 0.5}}]})",
-           "a.json: $.picture.bodies[0].coats[0].strands.low is above strands.high: give them in order.");
+           "a.json: $.picture.bodies[0].coats[0].strands.low is 0.9: give at most $.picture.bodies[0].coats[0].strands.high, "
+           "which is 0.5.");
     expect(R"({"coats": [{"maps": {"noise_a": "a.pgm"}}]})",
-           "a.json: $.picture.bodies[0].coats[0].maps.noise_b is empty beside the other; give both, or none.");
+           "a.json: $.picture.bodies[0].coats[0].maps.noise_b is empty beside the other: give both, or none.");
     expect(
         R"({"coats": [{"maps": {"length": "/etc/passwd"}}]})",
         "a.json: $.picture.bodies[0].coats[0].maps.length is \"/etc/passwd\": name a file in the scene's folder, relative to it, "

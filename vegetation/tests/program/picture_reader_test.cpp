@@ -40,7 +40,7 @@ TEST(PictureReader, SceneWithoutAPictureHasTheStructuresDefaults) {
 TEST(PictureReader, LayerWithoutKeysIsMeadowGrassEverywhere) {
     const auto scene = read(R"({"grass": [{}]})");
     ASSERT_TRUE(scene) << scene.error();
-    const GrassLayer& layer = scene->picture.grass.at(0);
+    const GrassSource& layer = scene->picture.grass.at(0);
     EXPECT_EQ(layer.drawn.field.density, grass::GrassSettings{}.density);
     EXPECT_EQ(layer.drawn.field.blade.view_bend, grass::GrassSettings{}.blade.view_bend);
     EXPECT_EQ(layer.drawn.field.blade.stalk.rigidity, windrow::grass().rigidity);
@@ -66,7 +66,7 @@ TEST(PictureReader, HeightsAreTheFilesLevelsFromLowToHighAndItsHills) {
     test::write_specimen_files(folder);
     const auto scene = read_picture_scene_text(test::k_specimen, folder / "a.json");
     ASSERT_TRUE(scene) << scene.error();
-    const Ground& ground = scene->picture.ground;
+    const GroundSource& ground = scene->picture.ground;
     EXPECT_EQ(ground.heights->extent(), glm::vec2(80.0f, 40.0f));
     for (int row = 0; row < 5; ++row)
         for (int column = 0; column < 9; ++column) {
