@@ -42,7 +42,7 @@ Result<void> known(std::span<const Tree::PartIndices> bearers, std::size_t parts
 
 } // namespace
 
-Result<void> validate(const TreeSettings& settings) {
+Result<void> validate(const TreeClasses& settings) {
     return detail::validate_settings(settings, "tree");
 }
 
@@ -52,13 +52,13 @@ Result<void> validate(const TreePart& part, const char* name) {
     return detail::validate_settings(part, name);
 }
 
-Result<Tree> Tree::create(const TreeSettings& settings) {
+Result<Tree> Tree::create(const TreeClasses& settings) {
     if (auto valid = validate(settings); !valid)
         return Error{valid.error()};
     return Tree(settings);
 }
 
-Tree::Tree(const TreeSettings& settings) : settings_(settings) {
+Tree::Tree(const TreeClasses& settings) : settings_(settings) {
     block_ = {windrow::block(settings.trunk), windrow::block(settings.branch), windrow::block(settings.leaf)};
 }
 
@@ -71,7 +71,7 @@ PlantVertex Tree::vertex(const TreeBearers& bearers, glm::vec3 wind, const Plant
     return {vertex.position, vertex.normal, bent(rest.tangent).normal};
 }
 
-Result<void> Tree::vertices(std::span<const TreePart> parts, std::span<const glm::vec4> winds, const Mesh& mesh,
+Result<void> Tree::vertices(std::span<const TreePart> parts, std::span<const glm::vec4> winds, const RestMesh& mesh,
                             std::span<glm::vec4> positions, std::span<glm::vec4> normals, const ParallelFor& parallel_for) const {
     detail::Reasons reasons;
     const std::size_t count = mesh.positions.size();

@@ -20,16 +20,16 @@
 namespace windrow {
 
 /// The classes of a tree's parts. Defaults: a small tree in leaf; plant_classes.h says where their figures come from.
-struct TreeSettings {
+struct TreeClasses {
     Drag trunk = small_trunk();
     Drag branch = windrow::branch();
     Drag leaf = windrow::leaf();
 
     static constexpr auto settings() {
         return std::tuple{
-            Setting("trunk", &TreeSettings::trunk, "The trunk."),
-            Setting("branch", &TreeSettings::branch, "Each branch."),
-            Setting("leaf", &TreeSettings::leaf, "Each leaf."),
+            Setting("trunk", &TreeClasses::trunk, "The trunk."),
+            Setting("branch", &TreeClasses::branch, "Each branch."),
+            Setting("leaf", &TreeClasses::leaf, "Each leaf."),
         };
     }
 };
@@ -65,15 +65,15 @@ struct TreeBearers {
     TreePart trunk{}, branch{}, leaf{};
 };
 
-[[nodiscard]] Result<void> validate(const TreeSettings& settings);
+[[nodiscard]] Result<void> validate(const TreeClasses& settings);
 [[nodiscard]] Result<void> validate(const TreePart& part, const char* name = "part");
 
 class Tree {
   public:
     /// Refuses what `validate` refuses, with every reason.
-    [[nodiscard]] static Result<Tree> create(const TreeSettings& settings);
+    [[nodiscard]] static Result<Tree> create(const TreeClasses& settings);
 
-    [[nodiscard]] const TreeSettings& settings() const { return settings_; }
+    [[nodiscard]] const TreeClasses& settings() const { return settings_; }
     [[nodiscard]] const TreeBlock& block() const { return block_; }
 
     /// A vertex of the tree at rest, its normal and tangent, in a wind [m/s]; positions relative to the trunk's base. Bearers
@@ -87,19 +87,19 @@ class Tree {
     };
     /// A tree's vertices. Spans of vertices have one entry each; `winds` [m/s] one a part, so that each feels its own. Refuses
     /// sizes that do not fit, parts that are not valid and indices beyond the list, by their number, and touches nothing then.
-    struct Mesh {
+    struct RestMesh {
         std::span<const glm::vec4> positions; ///< xyz [m] from the trunk's base
         std::span<const glm::vec4> normals;   ///< xyz unit vectors
         std::span<const PartIndices> bearers;
     };
-    Result<void> vertices(std::span<const TreePart> parts, std::span<const glm::vec4> winds, const Mesh& mesh,
+    Result<void> vertices(std::span<const TreePart> parts, std::span<const glm::vec4> winds, const RestMesh& mesh,
                           std::span<glm::vec4> positions, std::span<glm::vec4> normals,
                           const ParallelFor& parallel_for = {}) const;
 
   private:
-    explicit Tree(const TreeSettings& settings);
+    explicit Tree(const TreeClasses& settings);
 
-    TreeSettings settings_;
+    TreeClasses settings_;
     TreeBlock block_;
 };
 

@@ -7,8 +7,6 @@
 #include "vegetation/files/mesh_folder.h"
 #include "vegetation/files/obj_text.h"
 #include "vegetation/files/three_ds_chunks.h"
-#include "vegetation/fur/mesh_simplify.h"
-#include "vegetation/fur/mesh_uv.h"
 #include "vegetation/fur/mesh_weld.h"
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 // that were understood, from memory. It opens no file.
 //
 // What then happens, in order: positions turned (y up), one vertex for each position and uv, triangles without area dropped,
-// normals (mesh_normals.h), fewer triangles if asked (mesh_simplify.h), uv of a box where there are none (mesh_uv.h), placed.
+// normals (mesh_normals.h), fewer triangles if asked (mesh.h), uv of a box where there are none (mesh.h), placed.
 #pragma once
 
 #include "fluid/input_budget.h"

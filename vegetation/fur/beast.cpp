@@ -2,7 +2,6 @@
 
 #include "fluid/validation.h"
 #include "vegetation/fur/beast_form.h"
-#include "vegetation/fur/mesh_uv.h"
 #include "vegetation/fur/surface_nets.h"
 
 #include <cmath>

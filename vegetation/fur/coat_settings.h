@@ -12,8 +12,10 @@
 #include "vegetation/fur/cloud_shell.h"
 #include "vegetation/fur/strand_field.h"
 
+#include <cstddef>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -259,6 +261,55 @@ struct CoatSettings {
 /// Every reason why it cannot be used, a line each. Maps are looked at when they are read.
 [[nodiscard]] windrow::Result<void> validate(const CoatSettings& settings);
 void check_rules(windrow::detail::Reasons& reasons, const windrow::detail::FieldPath& path, const CoatMaps& maps);
+
+/// Lamps that shine on coats beside the sun: a few points of light, without shadows of their own.
+struct Lamp {
+    glm::dvec3 position{0.0, 3.0, 0.0};
+    glm::vec3 colour{1.0f};
+    float reach = 20.0f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("position", &Lamp::position, {-1e9, 1e9, "m"}, "Where it is."),
+            Setting("colour", &Lamp::colour, {0.0, 1e6}, "Irradiance across the beam at 1 m, in the picture's units."),
+            Setting("reach", &Lamp::reach, Range::above(0.0, 1e4, "m"), "Beyond it falls smoothly to nothing."),
+        };
+    }
+};
+inline constexpr std::size_t k_most_lamps = 8;
+
+[[nodiscard]] windrow::Result<void> validate(std::span<const Lamp> lamps);
+
+/// Feet, hands and wheels that press strands aside, radially and at once. Unlike the ground's memory (coupling/ground_memory.h) a coat
+/// keeps no trail.
+struct Foot {
+    glm::dvec3 position{0.0};
+    float radius = 0.3f;
+    float weight = 1.0f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("position", &Foot::position, {-1e10, 1e10, "m"}, "Of its sole in the world."),
+            Setting("radius", &Foot::radius, Range::above(0.0, 1e3, "m"), "Within which strands lean away."),
+            Setting("weight", &Foot::weight, k_fraction_range, "Fraction of CoatSettings::foot_push."),
+        };
+    }
+};
+inline constexpr std::size_t k_most_feet = 8;
+
+[[nodiscard]] windrow::Result<void> validate(std::span<const Foot> feet);
+
+/// How many layers a coat is drawn in, by its distance.
+struct LayerCount {
+    float divisor = 1.0f; ///< of a layer's number: its place in the strand is i / divisor, held at 1
+    int layers = 1;       ///< that exist at this distance
+    int drawn = 1;        ///< the inner ones of them; the others lie above every strand's tip
+};
+
+/// At a distance [m] from the eye. Their number goes by a continuous one, n: layer i lies at i / (n - 1), so that a layer that
+/// comes with a growing n begins where the outermost already is, and nothing pops. `top` is the largest height at which any
+/// strand shows, 0 to 1.
+[[nodiscard]] LayerCount layers_at(const CoatSettings& settings, float distance, float top);
 
 } // namespace windrow::vegetation::fur
 

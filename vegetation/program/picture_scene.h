@@ -13,7 +13,6 @@
 #include "coupling/ground_config.h"
 #include "fluid/input_budget.h"
 #include "scene/scene.h"
-#include "vegetation/fur/lamps.h"
 #include "vegetation/grass/grass_settings.h"
 #include "vegetation/grass/height_map.h"
 #include "vegetation/grass/mask_patterns.h"

@@ -114,7 +114,7 @@ void Renderer::make_sets(const Scene& scene) {
     engine::make_sets(objects_, frame_layout_, k_frame_bindings, sets_);
     engine::make_sets(objects_, light_layout_, k_light_bindings, std::span(&light_set_, 1));
     const engine::Buffer heights = Terrain::heights(objects_, scene.ground);
-    blocks_ = objects_.frame_buffers(sizeof(FrameBlock), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+    blocks_ = objects_.frame_buffers(sizeof(ViewBlock), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     for (std::size_t slot = 0; slot < sets_.size(); ++slot) {
         point(device_, sets_[slot], 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, blocks_[slot].buffer);
         point(device_, sets_[slot], 1, shadow_map_.view, compare_, VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL);

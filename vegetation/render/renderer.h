@@ -90,7 +90,7 @@ class Renderer {
     [[nodiscard]] StageClock& clock() { return clock_; }
     /// Nothing without RenderSettings::counts.
     [[nodiscard]] const std::optional<VertexCounter>& counter() const { return counter_; }
-    [[nodiscard]] const FrameBlock& frame_block() const { return block_; }
+    [[nodiscard]] const ViewBlock& frame_block() const { return block_; }
 
   private:
     Renderer(engine::Device& device, const Scene& scene, const RenderSettings& settings);
@@ -120,7 +120,7 @@ class Renderer {
     engine::FrameBuffers blocks_{};
     std::optional<Terrain> terrain_{};
     std::vector<Drawable*> drawables_{};
-    FrameBlock block_{};
+    ViewBlock block_{};
     bool first_ = true;
 };
 
