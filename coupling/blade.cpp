@@ -1,7 +1,7 @@
 #include "coupling/blade.h"
 
 #include "coupling/blade_numerics.h"
-#include "coupling/checks.h"
+#include "fluid/validation.h"
 
 namespace windrow {
 
@@ -9,19 +9,7 @@ using detail::k_up;
 using detail::shared;
 
 Result<void> validate(const BladeSettings& settings) {
-    detail::Checks checks("blades");
-    checks.add(validate(settings.stalk, "blades.stalk"));
-    checks.between(".length_spread", settings.length_spread, 0.0f, 0.9f, "");
-    checks.between(".width", settings.width, 0.0f, 10.0f, "m");
-    checks.between(".tip_width", settings.tip_width, 0.0f, 1.0f, "");
-    checks.above_zero(".taper", settings.taper, 10.0f, "");
-    checks.between(".along_wind", settings.along_wind, 0.0f, 1.0f, "");
-    checks.between(".stiffness_spread", settings.stiffness_spread, 0.0f, 0.9f, "");
-    checks.between(".own_bend", settings.own_bend, -3.0f, 3.0f, "rad");
-    checks.between(".own_bend_spread", settings.own_bend_spread, 0.0f, 3.0f, "rad");
-    checks.between(".own_curve", settings.own_curve, 0.0f, 1.0f, "");
-    checks.between(".view_bend", settings.view_bend, 0.0f, 3.0f, "rad");
-    return checks.outcome();
+    return detail::validate_settings(settings, "blades");
 }
 
 Result<Blades> Blades::create(const BladeSettings& settings) {

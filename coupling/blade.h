@@ -23,32 +23,47 @@
 namespace windrow {
 
 struct BladeSettings {
-    /// What the wind bends. Default: meadow grass of 0.3 m (coupling/plant_classes.h has others).
     Drag stalk{};
-    /// Lengths vary by this share of stalk.length, 0 to 0.9. Default 0.3. A blade bends by its own length: in a light wind as
-    /// its cube, 0.34 to 2.2 times as far as the class at 0.3.
     float length_spread = 0.3f;
-    /// [m] Width of the drawn strip at its root, 0 to 10. Default 0.006: a blade of 4 mm drawn a little wider, as few are drawn.
     float width = 0.006f;
-    /// The tip's width over the root's, 0 to 1. Default 0.1.
     float tip_width = 0.1f;
-    /// How the width falls: width * (1 - (1 - tip_width) h^taper); above 0, at most 10. Default 2: wide for long, pointed at the
-    /// end.
     float taper = 2.0f;
-    /// Share of the load that bends the blade along the wind, 0 to 1; the rest bends it about its own wide axis only, by the
-    /// wind's part across its face. Default 1: what a stem and a twisted blade do, and what reads best from afar.
     float along_wind = 1.0f;
-    /// Stiffness varies by this share, 0 to 0.9. Default 0.3: no two blades move as one.
     float stiffness_spread = 0.3f;
-    /// [rad] Bend of the tip at rest, toward the face, -3 to 3. Default 0.5. 0 stands straight.
     float own_bend = 0.5f;
-    /// [rad] and its spread, 0 to 3. Default 0.3.
     float own_bend_spread = 0.3f;
-    /// Where it bends by itself: 0 an even arc, 1 all at the tip. Default 0.5.
     float own_curve = 0.5f;
-    /// [rad] Added to the own bend when seen from straight above, 0 to 3; nothing when seen level. Default 0; 0.5 covers ground
-    /// that would show between upright blades.
     float view_bend = 0.0f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("stalk", &BladeSettings::stalk,
+                    "What the wind bends, as far as it is not the class's. The defaults are those of meadow grass."),
+            Setting(
+                "length_spread", &BladeSettings::length_spread, {0.0, 0.9},
+                "Fraction by which lengths vary. A blade bends by its own length: in a light wind as its cube, 0.34 to 2.2 times "
+                "as far as the class at 0.3."),
+            Setting("width", &BladeSettings::width, {0.0, 10.0, "m"},
+                    "Of the drawn strip at its root. 0.006 is a blade of 4 mm drawn wider, as few are drawn."),
+            Setting("tip_width", &BladeSettings::tip_width, k_fraction_range, "The tip's width over the root's."),
+            Setting("taper", &BladeSettings::taper, Range::above(0.0, 10.0),
+                    "How the width falls: width (1 - (1 - tip_width) h^taper). 2 is wide for long and pointed at the end."),
+            Setting(
+                "along_wind", &BladeSettings::along_wind, k_fraction_range,
+                "Fraction of the load that bends the blade along the wind; the rest bends it about its own wide axis only. 1 is "
+                "what a stem and a twisted blade do."),
+            Setting("stiffness_spread", &BladeSettings::stiffness_spread, {0.0, 0.9},
+                    "Fraction by which stiffness varies, so that no two blades move as one."),
+            Setting("own_bend", &BladeSettings::own_bend, {-3.0, 3.0, "rad"},
+                    "Bend of the tip at rest, toward the face. 0 stands straight."),
+            Setting("own_bend_spread", &BladeSettings::own_bend_spread, {0.0, 3.0, "rad"}, "By which the own bend varies."),
+            Setting("own_curve", &BladeSettings::own_curve, k_fraction_range,
+                    "Where it bends by itself: 0 an even arc, 1 all at the tip."),
+            Setting(
+                "view_bend", &BladeSettings::view_bend, {0.0, 3.0, "rad"},
+                "Added to the own bend when seen from straight above; 0.5 covers ground that would show between upright blades."),
+        };
+    }
 };
 
 /// For shaders: WindrowBlade of shaders/numerics/blade.glsl, a std140 block of four vec4.

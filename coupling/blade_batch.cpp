@@ -1,7 +1,6 @@
 // Many blades at once (lanes.h). The blocks are cut the same way for any number of threads.
 #include "coupling/blade.h"
 #include "coupling/blade_numerics.h"
-#include "coupling/checks.h"
 #include "coupling/lanes.h"
 
 namespace windrow {
@@ -88,11 +87,11 @@ WINDROW_LEVELS void row_lanes(RowLanes& row, const PlantLanes& plants, float cur
 
 Result<void> Blades::loads(std::span<const PlantKey> keys, std::span<const glm::vec4> winds, std::span<glm::vec4> loads,
                            const ParallelFor& parallel_for) const {
-    detail::Checks checks("blades.loads");
-    checks.same_size(".winds", winds.size(), keys.size());
-    checks.same_size(".loads", loads.size(), keys.size());
-    if (auto outcome = checks.outcome(); !outcome)
-        return outcome;
+    detail::Reasons reasons;
+    detail::check_size(reasons, {nullptr, "blades.loads.winds"}, winds.size(), keys.size());
+    detail::check_size(reasons, {nullptr, "blades.loads.loads"}, loads.size(), keys.size());
+    if (!reasons.empty())
+        return reasons.outcome();
     const numerics::WindrowBlade blade = detail::shared(block_);
     detail::for_blocks(keys.size(), parallel_for, [&](std::size_t first, std::size_t count) {
         KeyLanes key_lanes{};
@@ -108,17 +107,17 @@ Result<void> Blades::loads(std::span<const PlantKey> keys, std::span<const glm::
 Result<void> Blades::vertices(std::span<const PlantKey> keys, std::span<const glm::vec4> roots, std::span<const glm::vec4> loads,
                               std::span<const float> heights, const Vertices& out, glm::vec3 view,
                               const ParallelFor& parallel_for) const {
-    detail::Checks checks("blades.vertices");
+    detail::Reasons reasons;
     const std::size_t rows = heights.size();
-    checks.same_size(".roots", roots.size(), keys.size());
-    checks.same_size(".loads", loads.size(), keys.size());
-    checks.same_size(".out.positions", out.positions.size(), 2 * rows * keys.size());
+    detail::check_size(reasons, {nullptr, "blades.vertices.roots"}, roots.size(), keys.size());
+    detail::check_size(reasons, {nullptr, "blades.vertices.loads"}, loads.size(), keys.size());
+    detail::check_size(reasons, {nullptr, "blades.vertices.out.positions"}, out.positions.size(), 2 * rows * keys.size());
     if (!out.normals.empty())
-        checks.same_size(".out.normals", out.normals.size(), 2 * rows * keys.size());
+        detail::check_size(reasons, {nullptr, "blades.vertices.out.normals"}, out.normals.size(), 2 * rows * keys.size());
     for (const float h : heights)
-        checks.between(".heights", h, 0.0f, 1.0f, "");
-    if (auto outcome = checks.outcome(); !outcome)
-        return outcome;
+        detail::check_value(reasons, {nullptr, "blades.vertices.heights"}, h, k_fraction_range);
+    if (!reasons.empty())
+        return reasons.outcome();
 
     const numerics::WindrowBlade blade = detail::shared(block_);
     detail::for_blocks(keys.size(), parallel_for, [&](std::size_t first, std::size_t count) {

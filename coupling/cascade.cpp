@@ -1,6 +1,6 @@
 #include "coupling/cascade.h"
 
-#include "fluid/message.h"
+#include "fluid/validation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,6 @@
 
 namespace windrow {
 namespace {
-
-constexpr int k_most_stages = 64;
-constexpr double k_longest_lag = 60.0;
 
 bool finite(glm::dvec3 v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -28,14 +25,7 @@ void write_parts(const Pose& pose, double* parts) {
 } // namespace
 
 Result<void> validate(const CascadeConfig& config) {
-    detail::Reasons reasons;
-    if (config.stages < 1 || config.stages > k_most_stages)
-        reasons.add("CascadeConfig::stages is ", config.stages, ": give 1 to ", k_most_stages, ".");
-    if (!(config.lag > 0.0) || !(config.lag <= k_longest_lag))
-        reasons.add("CascadeConfig::lag is ", config.lag, " s: give more than 0, at most ", k_longest_lag, ".");
-    if (!reasons.empty())
-        return Error{reasons.take()};
-    return {};
+    return detail::validate_settings(config, "cascade");
 }
 
 Result<void> validate(const Pose& pose) {
@@ -48,9 +38,7 @@ Result<void> validate(const Pose& pose) {
                     ": give a finite one that is not 0, such as (0, 0, 0, 1).");
     if (!(pose.scale > 0.0) || !std::isfinite(pose.scale))
         reasons.add("Pose::scale is ", pose.scale, ": give a number above 0.");
-    if (!reasons.empty())
-        return Error{reasons.take()};
-    return {};
+    return reasons.outcome();
 }
 
 Result<Cascade> Cascade::create(const CascadeConfig& config, const Pose& body) {

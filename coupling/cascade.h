@@ -14,6 +14,7 @@
 #include "coupling/cascade_step.h"
 #include "coupling/motion_blocks.h"
 #include "fluid/result.h"
+#include "fluid/setting.h"
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -30,12 +31,21 @@ struct Pose {
 };
 
 struct CascadeConfig {
-    /// How many follow one another, 1 to 64. More give a tip that waits and then comes as one, fewer one that drags: the lag of
-    /// the tip spreads by lag / sqrt(stages). Default: what Bloodelic's stylised fur found lively.
     int stages = 10;
-    /// [s] Mean delay of the tip, above 0, to 60. Shells lag in proportion to their height. Default: a fur that follows within a
-    /// few frames and is seen to.
     double lag = 0.25;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting(
+                "stages", &CascadeConfig::stages, {1.0, 64.0},
+                "How many follow one another. More give a tip that waits and then comes as one, fewer one that drags: its lag "
+                "spreads by lag / sqrt(stages). 10 is what Bloodelic's stylised fur found lively."),
+            Setting(
+                "lag", &CascadeConfig::lag, Range::above(0.0, 60.0, "s"),
+                "Mean delay of the tip; shells lag in proportion to their height. 0.25 follows within a few frames and is seen "
+                "to."),
+        };
+    }
 };
 
 /// Refuses stages or lag out of range.

@@ -1,7 +1,7 @@
 #include "coupling/drag.h"
 
-#include "coupling/checks.h"
 #include "coupling/plant_numerics.h"
+#include "fluid/validation.h"
 
 #include <cmath>
 
@@ -13,16 +13,7 @@ constexpr double k_pi = 3.14159265358979323846;
 } // namespace
 
 Result<void> validate(const Drag& drag, const char* name) {
-    detail::Checks checks(name);
-    checks.between(".length", drag.length, 1e-4f, 200.0f, "m");
-    checks.between(".width", drag.width, 1e-6f, 100.0f, "m");
-    checks.between(".rigidity", drag.rigidity, 1e-12f, 1e12f, "N m2");
-    checks.between(".drag_coefficient", drag.drag_coefficient, 0.0f, 10.0f, "");
-    checks.between(".air_density", drag.air_density, 0.0f, 2000.0f, "kg/m3");
-    checks.between(".vogel_exponent", drag.vogel_exponent, -2.0f, 0.0f, "");
-    checks.between(".vogel_speed", drag.vogel_speed, 1e-3f, 1e3f, "m/s");
-    checks.between(".most_bend", drag.most_bend, 0.0f, 2.5f, "rad");
-    return checks.outcome();
+    return detail::validate_settings(drag, name);
 }
 
 DragBlock block(const Drag& drag) {

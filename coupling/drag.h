@@ -8,32 +8,47 @@
 #pragma once
 
 #include "fluid/result.h"
+#include "fluid/setting.h"
 
 #include <glm/vec4.hpp>
 
 namespace windrow {
+namespace detail {
+class Reasons;
+struct FieldPath;
+} // namespace detail
 
 /// A stalk that the wind bends, taken as even along its length.
 struct Drag {
-    /// [m] L, 1e-4 to 200. Default 0.3: meadow grass. The bend grows with its cube.
     float length = 0.3f;
-    /// [m] w, what the wind meets across the stalk, leaves included; 1e-6 to 100. Default 0.004: a blade's width.
     float width = 0.004f;
-    /// [N m2] E I, 1e-12 to 1e12. Default 4.2e-5: a blade folded to a V, folded_rigidity(5e8, 0.004, 2.5e-4, 0.001).
     float rigidity = 4.2e-5f;
-    /// C_d, 0 to 10. Default 1.95: a long flat plate across the wind (Luhar & Nepf 2011). A round stem has 1.1, a crown 0.3. 0:
-    /// no wind bends it.
     float drag_coefficient = 1.95f;
-    /// [kg/m3] rho, 0 to 2000. Default 1.2: air at 20 C.
     float air_density = 1.2f;
-    /// V, -2 to 0: what the drag loses by closing up of leaves and twigs, as U^V beyond `vogel_speed`. Default 0: only what the
-    /// bend itself takes away, which makes -2/3. Crowns: -0.7 (Vogel 1989 and others: -0.2 to -1.2).
     float vogel_exponent = 0.0f;
-    /// [m/s] U_r, 1e-3 to 1e3, only with an exponent. Default 5: where leaves begin to turn and fold.
     float vogel_speed = 5.0f;
-    /// [rad] The bend that the tip never exceeds, 0 to 2.5. Default pi/2, which no wind exceeds; a spring that overshoots may.
-    /// Shells keep to pi/2 whatever stands here.
     float most_bend = 1.57079633f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("length", &Drag::length, {1e-4, 200.0, "m"},
+                    "Length of the stalk, of meadow grass 0.3; in a scene that of the class. The bend grows with its cube."),
+            Setting("width", &Drag::width, {1e-6, 100.0, "m"},
+                    "What the wind meets across the stalk, leaves included. A blade of grass has 0.004."),
+            Setting("rigidity", &Drag::rigidity, {1e-12, 1e12, "N m2"},
+                    "E I. 4.2e-5 is a blade folded to a V, folded_rigidity(5e8, 0.004, 2.5e-4, 0.001)."),
+            Setting("drag_coefficient", &Drag::drag_coefficient, {0.0, 10.0},
+                    "A flat plate has 1.95 (Luhar & Nepf 2011), a round stem 1.1, a crown 0.3; 0: no wind bends it."),
+            Setting("air_density", &Drag::air_density, {0.0, 2000.0, "kg/m3"}, "1.2 is air at 20 C."),
+            Setting(
+                "vogel_exponent", &Drag::vogel_exponent, {-2.0, 0.0},
+                "What the drag loses by closing up of leaves, as speed to this power beyond vogel_speed. 0: only what the bend "
+                "takes away, which makes -2/3. Crowns have -0.7 (Vogel 1989)."),
+            Setting("vogel_speed", &Drag::vogel_speed, {1e-3, 1e3, "m/s"}, "Where leaves begin to turn and fold."),
+            Setting("most_bend", &Drag::most_bend, {0.0, 2.5, "rad"},
+                    "That the tip never exceeds. No wind exceeds pi/2, a spring that overshoots may; shells keep to pi/2."),
+        };
+    }
 };
 
 /// For shaders: WindrowDrag of shaders/numerics/plant_drag.glsl, which says what each component is.

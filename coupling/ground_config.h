@@ -12,39 +12,56 @@
 namespace windrow {
 
 struct GroundConfig {
-    /// Texels along each side of the square window, 8 to 512. Default 128: 32 m at 0.25 m, and 1 MB on a device.
     int texels = 128;
-    /// [m] Edge of a texel, 0.01 to 100. Default 0.25: a walker's radius covers some of them. Coarser texels show a path as
-    /// beads.
     float texel_size = 0.25f;
-    /// How the plants swing. One class for the window: grass.
     SpringClass spring = springs::grass;
-    /// [rad] Lean to which a walker of weight 1 pushes what is right beside it, 0 to 2.5; pi / 2 is flat, beyond points down.
-    /// Default: 80 degrees, just short of flat.
     float push = 1.4f;
-    /// Share of that lean that stays as a trail, 0 to 1. 0: plants rise at once; 1: they stay as they were pushed, and rise with
-    /// trail_time alone. Default: half stays, so that a trail is seen and the step beside it too.
     float trail_share = 0.5f;
-    /// [s] Time in which a trail falls to 1/e, 0.01 to 1e6. Default: some 20 s, gone to the eye after a minute.
     float trail_time = 20.0f;
-    /// [s] Time in which the press itself falls to 1/e, 0.01 to 1e6; while pressed, plants do not follow the wind. Default: about
-    /// what a blade takes to stand up.
     float trample_time = 0.8f;
-    /// [m] Height of the feet above the ground at which they touch no plant more, 0.001 to 100; half of it, half the weight.
-    /// Default: knee-high grass.
     float clearance = 0.4f;
-    /// [m] Width over which the memory fades to the lean of the wind at the window's edge, 0.001 to a quarter of the window.
-    /// Default 2.
     float rim = 2.0f;
-    /// [m] A walker who comes further than this in one step was teleported and sweeps nothing, 0.01 to 1e4. Default: 20, 50 m/s
-    /// at a slow 2.5 frames a second.
     float longest_stride = 20.0f;
-    /// Walkers of a step that touch the window, 1 to 256: room on a device. Of more, the first ones count. Default 64.
     int most_walkers = 64;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("texels", &GroundConfig::texels, {8.0, 512.0},
+                    "Along each side of its square window. 128 are 32 m at 0.25 m, and 1 MB on a device."),
+            Setting("texel_size", &GroundConfig::texel_size, {0.01, 100.0, "m"},
+                    "Edge of a texel; a walker's radius covers some of 0.25. Coarser ones show a path as beads."),
+            Setting("spring", &GroundConfig::spring, "How the plants swing, one class for the window. Default: grass."),
+            Setting("push", &GroundConfig::push, {0.0, 2.5, "rad"},
+                    "Lean to which a walker of weight 1 pushes what is right beside it. pi/2 is flat, beyond points down; 1.4 is "
+                    "just "
+                    "short of flat."),
+            Setting("trail_share", &GroundConfig::trail_share, k_fraction_range,
+                    "Fraction of that lean that stays as a trail. 0: plants rise at once; 1: with trail_time alone."),
+            Setting("trail_time", &GroundConfig::trail_time, {0.01, 1e6, "s"},
+                    "In which a trail falls to 1/e. After 20 it is gone to the eye in a minute."),
+            Setting("trample_time", &GroundConfig::trample_time, {0.01, 1e6, "s"},
+                    "In which the press itself falls to 1/e, about what a blade takes to stand up; while pressed, plants do not "
+                    "follow "
+                    "the wind."),
+            Setting("clearance", &GroundConfig::clearance, {0.001, 100.0, "m"},
+                    "Height of the feet at which they touch no plant more, 0.4 of knee-high grass; half of it, half the weight."),
+            Setting("rim", &GroundConfig::rim, {0.001, 12800.0, "m"},
+                    "Over which the memory fades to the lean of the wind at the window's edge; at most a quarter of the window."),
+            Setting("longest_stride", &GroundConfig::longest_stride, {0.01, 1e4, "m"},
+                    "Who comes farther in one step was teleported and sweeps nothing. 20 is 50 m/s at 2.5 frames a second."),
+            Setting("most_walkers", &GroundConfig::most_walkers, {1.0, 256.0},
+                    "Of a step that touch the window: room on a device. Of more, the first ones count."),
+        };
+    }
 };
 
 /// Refuses fields out of range, each with its reason.
 [[nodiscard]] Result<void> validate(const GroundConfig& config);
+namespace detail {
+class Reasons;
+struct FieldPath;
+} // namespace detail
+void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const GroundConfig& config);
 
 /// A foot, a body, a wheel: a disc that was at `previous` at the step's start and is at `position` at its end.
 struct GroundWalker {

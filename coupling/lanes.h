@@ -6,6 +6,8 @@
 // stay at the baseline unless they are inlined; hence `flatten`.
 #pragma once
 
+#include "fluid/validation.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <glm/vec3.hpp>
@@ -20,6 +22,12 @@
 #endif
 
 namespace windrow::detail {
+
+/// Spans of one call, each with an entry a plant.
+inline void check_size(Reasons& reasons, const FieldPath& span, std::size_t size, std::size_t wanted) {
+    if (size != wanted)
+        reasons.add(span, " has ", size, " entries: give ", wanted, ".");
+}
 
 constexpr std::size_t k_lanes = 64; ///< plants of a block: their numbers fit the first cache
 

@@ -1,7 +1,7 @@
 #include "coupling/shell.h"
 
-#include "coupling/checks.h"
 #include "coupling/shell_numerics.h"
+#include "fluid/validation.h"
 
 #include <cmath>
 
@@ -9,21 +9,13 @@ namespace windrow {
 using detail::shared;
 
 Result<void> validate(const ShellSettings& settings) {
-    detail::Checks checks("shells");
-    checks.at_least(".shells", settings.shells, 2, 4096);
-    checks.between(".length", settings.length, 1e-6f, 100.0f, "m");
-    checks.above_zero(".spacing", settings.spacing, 10.0f, "");
-    checks.between(".bias", settings.bias, 0.0f, 1.0f, "");
-    checks.between(".push", settings.push, -100.0f, 100.0f, "m");
-    checks.above_zero(".push_exponent", settings.push_exponent, 10.0f, "");
-    checks.between(".droop", settings.droop, 0.0f, 100.0f, "m");
-    checks.between(".droop_shape", settings.droop_shape, 1e-3f, 1e3f, "");
-    checks.between(".sag", settings.sag, 0.0f, 1.5707964f, "rad");
-    checks.direction(".down", settings.down);
-    Drag strand = settings.strand;
-    strand.length = Drag{}.length; // it is replaced by the shells' own, which is judged above
-    checks.add(validate(strand, "shells.strand"));
-    return checks.outcome();
+    return detail::validate_settings(settings, "shells");
+}
+
+void check_settings(detail::Reasons& reasons, const detail::FieldPath& path, const ShellSettings& settings) {
+    ShellSettings judged = settings;
+    judged.strand.length = Drag{}.length;
+    detail::check_settings(reasons, path, judged);
 }
 
 Result<Shells> Shells::create(const ShellSettings& settings) {

@@ -20,33 +20,48 @@
 namespace windrow {
 
 struct ShellSettings {
-    /// N, 2 to 4096. Default 32.
     int shells = 32;
-    /// Whether the outermost shell lies at the tip, i / (N - 1), or short of it, i / N, as some sources have it. Default: at the
-    /// tip, so that the look does not depend on N.
     bool reaches_tip = true;
-    /// [m] L, 1e-6 to 100. Default 0.03: long fur.
     float length = 0.03f;
-    /// a: heights are (i / d)^a; above 0, at most 10. Default 1: even. Above 1 layers gather at the skin.
     float spacing = 1.0f;
-    /// Added to each layer's distance, as a share of L; 0 to 1. Default 0. A little lifts shell 0 off a skin that is drawn too.
     float bias = 0.0f;
-    /// s of the translate form: metres of the tip for a direction of length 1; -100 to 100. Default 0.015: half of the length.
     float push = 0.015f;
-    /// c: the push grows as h^c; above 0, at most 10. Default 2: roots stand, tips lean.
     float push_exponent = 2.0f;
-    /// [m] Droop of the tip in the translate form, 0 to 100. Default 0.
     float droop = 0.0f;
-    /// p of the droop, 1e-3 to 1e3: (p^h - 1) / (p - 1). Default 3: bends late; 1 is even.
     float droop_shape = 3.0f;
-    /// [rad] Sag of the tip of a level strand in the bent form, 0 to pi/2. Default 0.3. Strands that a map shortens sag by its
-    /// cube.
     float sag = 0.3f;
-    /// Where things fall to: any length but 0. Default -y.
     glm::vec3 down{0.0f, -1.0f, 0.0f};
-    /// What the wind meets, in the bent form; its length is replaced by `length`. Default: a bundle of hairs that a light wind
-    /// moves, 15 degrees at 3 m/s.
+    /// Default: a bundle of hairs that a light wind moves, 15 degrees at 3 m/s.
     Drag strand{.length = 0.03f, .width = 2e-4f, .rigidity = 2.6e-8f, .drag_coefficient = 1.5f};
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("shells", &ShellSettings::shells, {2.0, 4096.0},
+                    "How many layers. Of a mesh from a file, the default is that of the material's fur line."),
+            Setting("reaches_tip", &ShellSettings::reaches_tip,
+                    "Whether the outermost lies at the tip, i / (N - 1), so that the look does not depend on N, or short of it, "
+                    "i / N."),
+            Setting("length", &ShellSettings::length, {1e-6, 100.0, "m"},
+                    "Of the longest strands; 0.03 is long fur. Of a mesh from a file, the default is that of the material's fur "
+                    "line."),
+            Setting("spacing", &ShellSettings::spacing, Range::above(0.0, 10.0),
+                    "Heights are (i / d)^spacing: above 1 layers gather at the skin."),
+            Setting(
+                "bias", &ShellSettings::bias, k_fraction_range,
+                "Fraction of the length by which all layers are lifted: a little lifts shell 0 off a skin that is drawn too."),
+            Setting("push", &ShellSettings::push, {-100.0, 100.0, "m"},
+                    "Of the tip for a direction of length 1; where translated."),
+            Setting("push_exponent", &ShellSettings::push_exponent, Range::above(0.0, 10.0),
+                    "The push grows as height^this: at 2 roots stand and tips lean."),
+            Setting("droop", &ShellSettings::droop, {0.0, 100.0, "m"}, "Of the tip, where translated."),
+            Setting("droop_shape", &ShellSettings::droop_shape, {1e-3, 1e3},
+                    "p of the droop (p^h - 1) / (p - 1): above 1 it bends late, 1 is even."),
+            Setting("sag", &ShellSettings::sag, {0.0, 1.5707964, "rad"},
+                    "Of the tip of a level strand, where not translated. Strands that a map shortens sag by its cube."),
+            Setting("down", &ShellSettings::down, Range::direction(), "Where things fall to: any length but 0."),
+            Setting("strand", &ShellSettings::strand, "What the wind meets, where not translated; its length is the layers'."),
+        };
+    }
 };
 
 /// For shaders: WindrowShells of shaders/numerics/shell.glsl, a std140 block of four vec4.
@@ -59,6 +74,8 @@ struct ShellBlock {
 static_assert(sizeof(ShellBlock) == 64);
 
 [[nodiscard]] Result<void> validate(const ShellSettings& settings);
+/// But for the strand's length, which is replaced.
+void check_settings(detail::Reasons& reasons, const detail::FieldPath& path, const ShellSettings& settings);
 
 class Shells {
   public:

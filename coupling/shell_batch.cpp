@@ -1,5 +1,4 @@
 // A layer of shells over a whole mesh at once (lanes.h). The blocks are cut the same way for any number of threads.
-#include "coupling/checks.h"
 #include "coupling/lanes.h"
 #include "coupling/shell.h"
 #include "coupling/shell_numerics.h"
@@ -13,12 +12,13 @@ using detail::Lanes3;
 
 Result<void> fits(const char* call, const Shells::Skin& skin, const char* what, std::size_t given, const char* result,
                   std::size_t out, float h = 0.0f) {
-    detail::Checks checks(call);
-    checks.between(".h", h, 0.0f, 1.0f, "");
-    checks.same_size(".skin.normals", skin.normals.size(), skin.positions.size());
-    checks.same_size(what, given, skin.positions.size());
-    checks.same_size(result, out, skin.positions.size());
-    return checks.outcome();
+    detail::Reasons reasons;
+    const detail::FieldPath path{nullptr, call};
+    detail::check_value(reasons, {&path, "h"}, h, k_fraction_range);
+    detail::check_size(reasons, {&path, "skin.normals"}, skin.normals.size(), skin.positions.size());
+    detail::check_size(reasons, {&path, what}, given, skin.positions.size());
+    detail::check_size(reasons, {&path, result}, out, skin.positions.size());
+    return reasons.outcome();
 }
 
 struct SkinLanes {
@@ -70,7 +70,7 @@ WINDROW_LEVELS void push_lanes(Lanes3& out, numerics::WindrowShells shells, cons
 
 Result<void> Shells::loads(const Skin& skin, std::span<const glm::vec4> winds, std::span<glm::vec4> loads,
                            const ParallelFor& parallel_for) const {
-    if (auto outcome = fits("shells.loads", skin, ".winds", winds.size(), ".loads", loads.size()); !outcome)
+    if (auto outcome = fits("shells.loads", skin, "winds", winds.size(), "loads", loads.size()); !outcome)
         return outcome;
     const numerics::WindrowShells shells = detail::shared(block_);
     detail::for_blocks(loads.size(), parallel_for, [&](std::size_t first, std::size_t count) {
@@ -85,7 +85,7 @@ Result<void> Shells::loads(const Skin& skin, std::span<const glm::vec4> winds, s
 
 Result<void> Shells::bent(const Skin& skin, float h, std::span<const glm::vec4> loads, std::span<glm::vec4> out,
                           const ParallelFor& parallel_for) const {
-    if (auto outcome = fits("shells.bent", skin, ".loads", loads.size(), ".out", out.size(), h); !outcome)
+    if (auto outcome = fits("shells.bent", skin, "loads", loads.size(), "out", out.size(), h); !outcome)
         return outcome;
     const numerics::WindrowShells shells = detail::shared(block_);
     detail::for_blocks(out.size(), parallel_for, [&](std::size_t first, std::size_t count) {
@@ -100,7 +100,7 @@ Result<void> Shells::bent(const Skin& skin, float h, std::span<const glm::vec4> 
 
 Result<void> Shells::translated(const Skin& skin, float h, std::span<const glm::vec4> directions, std::span<glm::vec4> out,
                                 const ParallelFor& parallel_for) const {
-    if (auto outcome = fits("shells.translated", skin, ".directions", directions.size(), ".out", out.size(), h); !outcome)
+    if (auto outcome = fits("shells.translated", skin, "directions", directions.size(), "out", out.size(), h); !outcome)
         return outcome;
     const numerics::WindrowShells shells = detail::shared(block_);
     const Layer layer{h, shells.push.x * numerics::windrow_mask_power(h, shells.push.y),

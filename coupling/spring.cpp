@@ -1,6 +1,6 @@
 #include "coupling/spring.h"
 
-#include "fluid/message.h"
+#include "fluid/validation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,6 @@
 
 namespace windrow {
 namespace {
-
-constexpr double k_lowest_hz = 1e-4; // a swing of three hours: below, omega^2 would vanish beside 1
-constexpr double k_highest_hz = 1000.0;
-constexpr double k_most_damping = 1000.0;
 
 // What a step is made of: the unit responses and what they lack to rest.
 struct Responses {
@@ -106,15 +102,7 @@ void advance_compensated(const Numbers<Real>& s, std::size_t count, Real* __rest
 } // namespace
 
 Result<void> validate(const SpringClass& spring) {
-    detail::Reasons reasons;
-    if (!(spring.frequency_hz >= k_lowest_hz) || !(spring.frequency_hz <= k_highest_hz))
-        reasons.add("SpringClass::frequency_hz is ", spring.frequency_hz, ": give a natural frequency of ", k_lowest_hz, " to ",
-                    k_highest_hz, " Hz.");
-    if (!(spring.damping >= 0.0) || !(spring.damping <= k_most_damping))
-        reasons.add("SpringClass::damping is ", spring.damping, ": give a damping ratio of 0 to ", k_most_damping, ".");
-    if (!reasons.empty())
-        return Error{reasons.take()};
-    return {};
+    return detail::validate_settings(spring, "spring");
 }
 
 Result<SpringStep> spring_step(const SpringClass& spring, double duration) {

@@ -11,6 +11,7 @@
 #include "coupling/motion_blocks.h"
 #include "fluid/parallel.h"
 #include "fluid/result.h"
+#include "fluid/setting.h"
 
 #include <span>
 
@@ -18,11 +19,20 @@ namespace windrow {
 
 /// How a class of plants swings about its target.
 struct SpringClass {
-    /// [Hz] Natural frequency: of the swing without damping. 0.0001 to 1000. Lower is slower and follows gusts late.
     double frequency_hz = 2.5;
-    /// Damping ratio. 0: swings for ever; below 1: swings and dies down; 1: returns as fast as it can without a swing; above:
-    /// creeps. 0 to 1000. Default: what crops and trees have, drag of the leaves included.
     double damping = 0.12;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            // A swing of three hours at the least: below, omega^2 would vanish beside 1.
+            Setting("frequency_hz", &SpringClass::frequency_hz, {1e-4, 1000.0, "Hz"},
+                    "Natural frequency, of the swing without damping. Lower is slower and follows gusts late."),
+            Setting(
+                "damping", &SpringClass::damping, {0.0, 1000.0},
+                "Ratio. 0 swings for ever, below 1 it dies down, 1 returns as fast as it can without a swing, above it creeps. "
+                "0.12 is what crops and trees have, drag of the leaves included."),
+        };
+    }
 };
 
 /// Classes to begin with. docs/plants_motion.md names the source of each figure, and which of them are our choice.

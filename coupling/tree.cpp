@@ -1,6 +1,6 @@
 #include "coupling/tree.h"
 
-#include "coupling/checks.h"
+#include "coupling/lanes.h"
 #include "coupling/plant_numerics.h"
 
 #include <algorithm>
@@ -42,35 +42,23 @@ Result<void> known(std::span<const Tree::PartIndices> bearers, std::size_t parts
 
 } // namespace
 
-Result<void> validate(const TreeSettings& settings) {
-    detail::Checks checks("tree");
-    checks.add(validate(settings.trunk, "tree.trunk"));
-    checks.add(validate(settings.branch, "tree.branch"));
-    checks.add(validate(settings.leaf, "tree.leaf"));
-    return checks.outcome();
+Result<void> validate(const TreeClasses& settings) {
+    return detail::validate_settings(settings, "tree");
 }
 
 Result<void> validate(const TreePart& part, const char* name) {
-    detail::Checks checks(name);
     if (part.stiffness == 0.0f)
-        return checks.outcome(); // there is no such part
-    for (int axis = 0; axis < 3; ++axis)
-        checks.between(".root", part.root[axis], -1e6f, 1e6f, "m");
-    const float length = glm::length(part.axis);
-    if (!(std::abs(length - 1.0f) <= 1e-3f))
-        checks.between(".axis has a length that", length, 0.999f, 1.001f, "");
-    checks.between(".length", part.length, 1e-4f, 200.0f, "m");
-    checks.between(".stiffness", part.stiffness, 1e-6f, 1e6f, "");
-    return checks.outcome();
+        return {}; // there is no such part
+    return detail::validate_settings(part, name);
 }
 
-Result<Tree> Tree::create(const TreeSettings& settings) {
+Result<Tree> Tree::create(const TreeClasses& settings) {
     if (auto valid = validate(settings); !valid)
         return Error{valid.error()};
     return Tree(settings);
 }
 
-Tree::Tree(const TreeSettings& settings) : settings_(settings) {
+Tree::Tree(const TreeClasses& settings) : settings_(settings) {
     block_ = {windrow::block(settings.trunk), windrow::block(settings.branch), windrow::block(settings.leaf)};
 }
 
@@ -83,21 +71,21 @@ PlantVertex Tree::vertex(const TreeBearers& bearers, glm::vec3 wind, const Plant
     return {vertex.position, vertex.normal, bent(rest.tangent).normal};
 }
 
-Result<void> Tree::vertices(std::span<const TreePart> parts, std::span<const glm::vec4> winds, const Mesh& mesh,
+Result<void> Tree::vertices(std::span<const TreePart> parts, std::span<const glm::vec4> winds, const RestMesh& mesh,
                             std::span<glm::vec4> positions, std::span<glm::vec4> normals, const ParallelFor& parallel_for) const {
-    detail::Checks checks("tree.vertices");
+    detail::Reasons reasons;
     const std::size_t count = mesh.positions.size();
-    checks.same_size(".winds", winds.size(), parts.size());
-    checks.same_size(".mesh.normals", mesh.normals.size(), count);
-    checks.same_size(".mesh.bearers", mesh.bearers.size(), count);
-    checks.same_size(".positions", positions.size(), count);
-    checks.same_size(".normals", normals.size(), count);
+    detail::check_size(reasons, {nullptr, "tree.vertices.winds"}, winds.size(), parts.size());
+    detail::check_size(reasons, {nullptr, "tree.vertices.mesh.normals"}, mesh.normals.size(), count);
+    detail::check_size(reasons, {nullptr, "tree.vertices.mesh.bearers"}, mesh.bearers.size(), count);
+    detail::check_size(reasons, {nullptr, "tree.vertices.positions"}, positions.size(), count);
+    detail::check_size(reasons, {nullptr, "tree.vertices.normals"}, normals.size(), count);
     for (std::size_t n = 0; n < parts.size(); ++n)
         if (!validate(parts[n]))
-            checks.add(validate(parts[n], detail::message("tree.vertices.parts[", n, "]").c_str()));
-    checks.add(known(mesh.bearers, parts.size()));
-    if (auto outcome = checks.outcome(); !outcome)
-        return outcome;
+            reasons.add_all_of(validate(parts[n], detail::message("tree.vertices.parts[", n, "]").c_str()));
+    reasons.add_all_of(known(mesh.bearers, parts.size()));
+    if (!reasons.empty())
+        return reasons.outcome();
 
     const numerics::WindrowTree tree = shared(block_);
     const auto at = [&](std::uint32_t index) {

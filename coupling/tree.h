@@ -20,10 +20,18 @@
 namespace windrow {
 
 /// The classes of a tree's parts. Defaults: a small tree in leaf; plant_classes.h says where their figures come from.
-struct TreeSettings {
+struct TreeClasses {
     Drag trunk = small_trunk();
     Drag branch = windrow::branch();
     Drag leaf = windrow::leaf();
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("trunk", &TreeClasses::trunk, "The trunk."),
+            Setting("branch", &TreeClasses::branch, "Each branch."),
+            Setting("leaf", &TreeClasses::leaf, "Each leaf."),
+        };
+    }
 };
 
 /// For shaders: WindrowTree of shaders/numerics/tree.glsl, a std140 block of three vec4.
@@ -34,10 +42,22 @@ static_assert(sizeof(TreeBlock) == 48);
 
 /// A straight part of a tree at rest, relative to the trunk's base. The default is no part, here and in lists alike.
 struct TreePart {
-    glm::vec3 root{0.0f};             ///< [m] where it is held: on the axis of what bears it, or beside it on the bark
-    glm::vec3 axis{0.0f, 1.0f, 0.0f}; ///< unit vector along it
-    float length = 1.0f;    ///< [m] above 0. Its stiffness is its class's whatever its length: a short part needs a high one
-    float stiffness = 0.0f; ///< over its class, 1e-6 to 1e6: 1 is the class's own. Default 0: there is no such part
+    glm::vec3 root{0.0f};
+    glm::vec3 axis{0.0f, 1.0f, 0.0f};
+    float length = 1.0f;
+    float stiffness = 0.0f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("root", &TreePart::root, {-1e6, 1e6, "m"},
+                    "Where it is held: on the axis of what bears it, or beside it on the bark."),
+            Setting("axis", &TreePart::axis, Range::length(0.999, 1.001, ""), "Unit vector along it."),
+            Setting("length", &TreePart::length, {1e-4, 200.0, "m"},
+                    "Its stiffness is its class's whatever its length: a short part needs a high one."),
+            Setting("stiffness", &TreePart::stiffness, {1e-6, 1e6},
+                    "Over its class's: 1 is the class's own. Beside that range it may be 0: there is no such part."),
+        };
+    }
 };
 
 /// What bears a vertex: the last that is there bends by the vertex's own height, the ones before carry it as one rigid body.
@@ -45,15 +65,15 @@ struct TreeBearers {
     TreePart trunk{}, branch{}, leaf{};
 };
 
-[[nodiscard]] Result<void> validate(const TreeSettings& settings);
+[[nodiscard]] Result<void> validate(const TreeClasses& settings);
 [[nodiscard]] Result<void> validate(const TreePart& part, const char* name = "part");
 
 class Tree {
   public:
     /// Refuses what `validate` refuses, with every reason.
-    [[nodiscard]] static Result<Tree> create(const TreeSettings& settings);
+    [[nodiscard]] static Result<Tree> create(const TreeClasses& settings);
 
-    [[nodiscard]] const TreeSettings& settings() const { return settings_; }
+    [[nodiscard]] const TreeClasses& settings() const { return settings_; }
     [[nodiscard]] const TreeBlock& block() const { return block_; }
 
     /// A vertex of the tree at rest, its normal and tangent, in a wind [m/s]; positions relative to the trunk's base. Bearers
@@ -67,19 +87,19 @@ class Tree {
     };
     /// A tree's vertices. Spans of vertices have one entry each; `winds` [m/s] one a part, so that each feels its own. Refuses
     /// sizes that do not fit, parts that are not valid and indices beyond the list, by their number, and touches nothing then.
-    struct Mesh {
+    struct RestMesh {
         std::span<const glm::vec4> positions; ///< xyz [m] from the trunk's base
         std::span<const glm::vec4> normals;   ///< xyz unit vectors
         std::span<const PartIndices> bearers;
     };
-    Result<void> vertices(std::span<const TreePart> parts, std::span<const glm::vec4> winds, const Mesh& mesh,
+    Result<void> vertices(std::span<const TreePart> parts, std::span<const glm::vec4> winds, const RestMesh& mesh,
                           std::span<glm::vec4> positions, std::span<glm::vec4> normals,
                           const ParallelFor& parallel_for = {}) const;
 
   private:
-    explicit Tree(const TreeSettings& settings);
+    explicit Tree(const TreeClasses& settings);
 
-    TreeSettings settings_;
+    TreeClasses settings_;
     TreeBlock block_;
 };
 

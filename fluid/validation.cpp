@@ -9,7 +9,7 @@ void append(std::string& text, const FieldPath& path) {
     if (path.owner != nullptr) {
         append(text, *path.owner);
         if (path.owner->owner != nullptr || !path.owner->name.empty())
-            text += path.name.empty() ? "" : ".";
+            text += path.name.empty() || path.name.front() == '[' ? "" : ".";
     }
     text += path.name;
 }

@@ -1,5 +1,5 @@
 // Validation of settings by their tables (setting.h). A rule between settings is the struct's own function,
-// `void check_rules(detail::Reasons&, const detail::FieldPath&, const Struct&)` in namespace windrow.
+// `void check_rules(detail::Reasons&, const detail::FieldPath&, const Struct&)` in the struct's namespace.
 #pragma once
 
 #include "fluid/message.h"
@@ -13,13 +13,14 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 namespace windrow::detail {
 
 /// Where a setting is: "motor.region.sphere.radius". A list on the stack, since a check allocates nothing but its sentence.
 struct FieldPath {
     const FieldPath* owner = nullptr; ///< null: the outermost
-    std::string_view name;            ///< empty: its settings are named by themselves
+    std::string_view name;            ///< empty: its settings are named by themselves; "[2]": an item
 };
 void append(std::string& text, const FieldPath& path);
 
@@ -61,6 +62,10 @@ template <class T>
 inline constexpr bool k_is_variant = false;
 template <class... T>
 inline constexpr bool k_is_variant<std::variant<T...>> = true;
+template <class T>
+inline constexpr bool k_is_list = false;
+template <HasSettings T>
+inline constexpr bool k_is_list<std::vector<T>> = true;
 
 template <int Count, class Number, glm::qualifier Q>
 [[nodiscard]] bool holds(const Range& range, const glm::vec<Count, Number, Q>& vector) {
@@ -88,6 +93,15 @@ void check_settings(Reasons& reasons, const FieldPath& path, const Struct& value
         check_rules(reasons, path, value);
 }
 
+/// A list of structs; the range bounds how many.
+template <class Item>
+void check_items(Reasons& reasons, const FieldPath& path, std::span<const Item> items, const Range& range) {
+    if (!range.holds(items.size()))
+        return reasons.add(path, " has ", items.size(), " entries: give ", Bounds{range}, ".");
+    for (std::size_t n = 0; n < items.size(); ++n)
+        check_settings(reasons, FieldPath{&path, message("[", n, "]")}, items[n]);
+}
+
 template <int Count, class Number, glm::qualifier Q>
 void check_vector(Reasons& reasons, const FieldPath& path, const glm::vec<Count, Number, Q>& value, const Range& range) {
     if constexpr (!std::same_as<Number, bool>)
@@ -110,6 +124,8 @@ void check_value(Reasons& reasons, const FieldPath& path, const Value& value, co
             check_value(reasons, path, *value, range);
     } else if constexpr (k_is_variant<Value>) {
         std::visit([&](const auto& kind) { check_settings(reasons, FieldPath{&path, kind.k_name}, kind); }, value);
+    } else if constexpr (k_is_list<Value>) {
+        check_items(reasons, path, std::span(value), range);
     } else if constexpr (HasSettings<Value>) {
         check_settings(reasons, path, value);
     } else if constexpr (requires { check_vector(reasons, path, value, range); }) {

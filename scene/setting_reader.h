@@ -7,6 +7,7 @@
 #include "scene/motion_path.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <type_traits>
@@ -20,14 +21,38 @@ inline constexpr Range k_place_rule{-MotionPath::k_farthest, MotionPath::k_farth
 template <class Value>
 void read_value(JsonObject& object, const Key& key, Value& value, const Range& range);
 
-/// `special(row, value)` reads a setting by itself where it returns true.
+/// The range of a place, no wider than what a file may hold.
+[[nodiscard]] inline Range place_rule(Range range) {
+    range.least = std::max(range.least, k_place_rule.least);
+    range.most = std::min(range.most, k_place_rule.most);
+    return range;
+}
+
+/// `special(row, value)` reads a setting by itself where it returns true. The settings of a struct without a name are the object's
+/// own.
 template <class Struct, class Special>
 void read_settings(JsonObject& object, Struct& value, const Special& special) {
     for_each_setting(value, [&]<class Row>(const Row& row, auto& member) {
-        if constexpr (Row::k_stored == Stored::everywhere)
-            if (!special(row, member))
-                read_value(object, Key{row.name, row.meaning}, member, row.range);
+        if constexpr (Row::k_stored == Stored::everywhere) {
+            if (special(row, member))
+                return;
+            if constexpr (HasSettings<decltype(member)>)
+                if (*row.name == '\0')
+                    return read_settings(object, member, special);
+            read_value(object, Key{row.name, row.meaning}, member, row.range);
+        }
     });
+}
+
+/// The items of a list of objects; the range bounds how many, else they are as many as a file may hold.
+template <class Read>
+void read_items(JsonObject& object, const Key& key, const Range& range, const Read& read) {
+    const auto items = object.array(key, std::isfinite(range.most) ? static_cast<std::size_t>(range.most) : 4096);
+    for (std::size_t n = 0; n < items.size(); ++n) {
+        const std::string name = std::string(".") + key.name;
+        read(JsonObject(items[n], object.path() + name + "[" + std::to_string(n) + "]", object.pattern() + name + "[]",
+                        object.log()));
+    }
 }
 
 /// All settings of an object of their own; rejects other keys.
@@ -45,14 +70,14 @@ void read_side(JsonObject& sides, const Key& key, Side& side);
 void check_object(JsonObject& object, const Envelope& envelope);
 
 /// What one alternative of a variant holds, by its name: {"sphere": {"radius": 2}}.
-template <class... Kinds>
-void read_kind(JsonObject object, std::variant<Kinds...>& value) {
+template <class... Kinds, class Read>
+void read_kind(JsonObject object, std::variant<Kinds...>& value, const Read& read_one) {
     const char* const fallback = std::visit([](const auto& kind) { return kind.k_name; }, value);
     const std::size_t chosen = object.one_of({Kinds::k_name...}, fallback);
     const auto read = [&]<class Kind>(Kind kind) {
         if (const Kind* const own = std::get_if<Kind>(&value)) // the struct's own default
             kind = *own;
-        read_object(object.object({Kind::k_name, Kind::k_meaning}), kind);
+        read_one(object.object({Kind::k_name, Kind::k_meaning}), kind);
         value = kind;
     };
     std::size_t index = 0;
@@ -75,9 +100,13 @@ void read_value(JsonObject& object, const Key& key, Value& value, const Range& r
     } else if constexpr (std::same_as<Value, glm::ivec3>) {
         value = object.integers(key, value, range);
     } else if constexpr (std::same_as<Value, glm::dvec3>) {
-        value = object.vector(key, value, k_place_rule);
+        value = object.vector(key, value, place_rule(range));
     } else if constexpr (std::same_as<Value, glm::vec3>) {
         value = glm::vec3(object.vector(key, glm::dvec3(value), range));
+    } else if constexpr (std::same_as<Value, glm::dvec2> || std::same_as<Value, glm::vec2>) {
+        value = Value(object.pair(key, glm::dvec2(value), range, "x, z"));
+    } else if constexpr (std::same_as<Value, glm::ivec2>) {
+        value = object.whole_pair(key, value, range, "x, z");
     } else if constexpr (std::same_as<Value, std::optional<glm::bvec3>>) {
         value = object.optional_flags(key);
     } else if constexpr (std::is_enum_v<Value>) {
@@ -89,12 +118,18 @@ void read_value(JsonObject& object, const Key& key, Value& value, const Range& r
     } else if constexpr (std::same_as<Value, Side>) {
         read_side(object, key, value);
     } else if constexpr (detail::k_is_optional<Value>) {
-        typename Value::value_type given;
-        read_object(object.object(key), given);
+        typename Value::value_type given{};
+        if constexpr (std::is_arithmetic_v<typename Value::value_type>)
+            given = static_cast<typename Value::value_type>(object.optional_number(key, range).value_or(0.0));
+        else
+            read_object(object.object(key), given);
         if (object.value().contains(key.name))
             value = given;
     } else if constexpr (detail::k_is_variant<Value>) {
-        read_kind(object.object(key), value);
+        read_kind(object.object(key), value,
+                  [](JsonObject kind, auto& alternative) { read_object(std::move(kind), alternative); });
+    } else if constexpr (detail::k_is_list<Value>) {
+        read_items(object, key, range, [&](JsonObject item) { read_object(std::move(item), value.emplace_back()); });
     } else {
         read_object(object.object(key), value);
     }

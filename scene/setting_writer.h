@@ -42,13 +42,17 @@ template <class Value>
         return std::visit([](const auto& kind) { return nlohmann::json{{kind.k_name, write_object(kind)}}; }, value);
     else if constexpr (HasSettings<Value>)
         return write_object(value);
-    else if constexpr (std::same_as<Value, std::string>)
-        return value;
-    else
+    else if constexpr (detail::k_is_list<Value>) {
+        nlohmann::json list = nlohmann::json::array();
+        for (const auto& item : value)
+            list.push_back(write_object(item));
+        return list;
+    } else
         return written(value);
 }
 
-/// What a file cannot say is left out: an optional that holds nothing, a number that is infinite by default.
+/// Left out is what a file cannot hold, an optional without a value and a number that is infinite by default, and an empty text.
+/// The settings of a struct without a name are the object's own.
 template <class Struct>
 [[nodiscard]] nlohmann::json write_object(const Struct& value) {
     nlohmann::json object = nlohmann::json::object();
@@ -61,6 +65,11 @@ template <class Struct>
         } else if constexpr (std::is_floating_point_v<Member>) {
             if (std::isfinite(member))
                 object[row.name] = written(member);
+        } else if constexpr (std::same_as<Member, std::string>) {
+            if (!member.empty())
+                object[row.name] = member;
+        } else if (*row.name == '\0') {
+            object.update(write_value(member));
         } else {
             object[row.name] = write_value(member);
         }

@@ -74,9 +74,9 @@ TEST(PlantRefusal, Shells) {
 }
 
 TEST(PlantRefusal, Trees) {
-    refuses<TreeSettings>(FIELD(TreeSettings, trunk.length), {0.0f, k_nan});
-    refuses<TreeSettings>(FIELD(TreeSettings, branch.width), {0.0f, k_nan});
-    refuses<TreeSettings>(FIELD(TreeSettings, leaf.rigidity), {0.0f, k_nan});
+    refuses<TreeClasses>(FIELD(TreeClasses, trunk.length), {0.0f, k_nan});
+    refuses<TreeClasses>(FIELD(TreeClasses, branch.width), {0.0f, k_nan});
+    refuses<TreeClasses>(FIELD(TreeClasses, leaf.rigidity), {0.0f, k_nan});
     EXPECT_TRUE(validate(TreePart{}));
     EXPECT_TRUE(validate(TreePart{.stiffness = 1.0f}));
     EXPECT_FALSE(validate(TreePart{.root = glm::vec3(k_nan), .stiffness = 1.0f}));

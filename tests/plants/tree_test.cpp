@@ -48,7 +48,7 @@ TreeBearers any_tree(Random& random) {
     return made;
 }
 
-Tree tree(const TreeSettings& settings = {}) {
+Tree tree(const TreeClasses& settings = {}) {
     auto made = Tree::create(settings);
     EXPECT_TRUE(made) << made.error();
     return *made;

@@ -54,6 +54,26 @@ struct Lantern {
     }
 };
 
+struct Street {
+    Candle first{};
+    std::vector<Bulb> lamps{};
+    glm::dvec2 end{0.0};
+    glm::dvec3 sign{0.0};
+    std::optional<double> length{};
+    std::string name{};
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("", &Street::first, "Its settings are the street's own."),
+            Setting("lamps", &Street::lamps, {0.0, 2.0}, "Along it."),
+            Setting("end", &Street::end, {-10.0, 10.0, "m"}, "Where it ends."),
+            Setting("sign", &Street::sign, {-100.0, 1e12, "m"}, "Where its sign is."),
+            Setting("length", &Street::length, {0.0, 100.0, "m"}, "Where known."),
+            Setting("name", &Street::name, "For people."),
+        };
+    }
+};
+
 } // namespace windrow::test
 
 template <>
@@ -65,11 +85,12 @@ namespace {
 using nlohmann::json;
 
 /// Reads the text; the faults, a line each.
-std::string read(const char* text, Lantern& lantern, std::vector<scene::KnownKey>* known = nullptr) {
+template <class Struct>
+std::string read(const char* text, Struct& value, std::vector<scene::KnownKey>* known = nullptr) {
     detail::InputBudget budget;
     scene::ReadLog log("a.json", budget, known);
     const json document = json::parse(text);
-    scene::read_object(scene::JsonObject(document, "$", "$", log), lantern);
+    scene::read_object(scene::JsonObject(document, "$", "$", log), value);
     return log.faults() == 0 ? "" : log.error().message;
 }
 
@@ -180,6 +201,32 @@ TEST(Setting, IsInSchemaAndTables) {
     std::string tables;
     root.write_tables(tables);
     EXPECT_NE(tables.find("| `height` | 0 (on the ground) to 10 m | `2.5` | Where it hangs. |\n"), std::string::npos) << tables;
+}
+
+TEST(Setting, ListsAndStructsWithoutANameAreReadWrittenAndJudged) {
+    Street street;
+    const char* const text = R"({"end":[1,-2],"lamps":[{"power":3},{"power":40}],"length":5,"sign":[0,-100,7.5],"wicks":4})";
+    EXPECT_EQ(read(text, street), "");
+    EXPECT_EQ(street.first.wicks, 4);
+    EXPECT_EQ(street.lamps.at(0).power, 3.0f);
+    EXPECT_EQ(street.end, glm::dvec2(1.0, -2.0));
+    EXPECT_EQ(scene::write_object(street).dump(), text);
+    EXPECT_TRUE(detail::validate_settings(street, "street"));
+    EXPECT_EQ(read(R"({"end": [1, 11], "lamps": [{}, {"power": 0}], "sign": [0, -101, 2e9], "length": -1, "wicks": 0})", street),
+              "a.json: $.wicks is 0: give 1 to 9.\n"
+              "a.json: $.lamps[1].power is 0 W: give a number above 0, at most 1000 W.\n"
+              "a.json: $.end[1] is 11 m: give -10 to 10 m.\n"
+              "a.json: $.sign[1] is -101 m: give -100 to 1e9 m.\n"
+              "a.json: $.sign[2] is 2e9 m: give -100 to 1e9 m.\n"
+              "a.json: $.length is -1 m: give 0 to 100 m.");
+    EXPECT_EQ(read(R"({"lamps": [{}, {}, {}]})", street), "a.json: $.lamps holds 3 items: give at most 2.");
+    street = {.first = {0}, .lamps = {{}, {0.0f}}, .end = {0.0, NAN}};
+    EXPECT_EQ(detail::validate_settings(street, "street").error(),
+              "street.wicks is 0: give 1 to 9.\n"
+              "street.lamps[1].power is 0 W: give a number above 0, at most 1000 W.\n"
+              "street.end is (0, nan) m: give each component -10 to 10 m.");
+    street = {.lamps = std::vector<Bulb>(3)};
+    EXPECT_EQ(detail::validate_settings(street).error(), "lamps has 3 entries: give 0 to 2.");
 }
 
 } // namespace

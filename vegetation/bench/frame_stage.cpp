@@ -58,7 +58,7 @@ FrameStage::FrameStage(const FrameCase& wanted) {
     if (!read)
         must(Error{read.error()});
     scene_ = std::make_unique<program::PictureScene>(*std::move(read));
-    scene_->picture.grass.front().settings = wanted.grass;
+    scene_->picture.grass.front().drawn.field = wanted.grass;
     auto made = program::Shoot::create(*scene_, wanted.shoot);
     if (!made)
         must(Error{made.error()});

@@ -1,7 +1,7 @@
 #include "vegetation/files/assimp_import.h"
 
+#include "fluid/message.h"
 #include "vegetation/fur/mesh.h"
-#include "vegetation/fur/refusal.h"
 
 #include <assimp/BaseImporter.h>
 #include <assimp/IOSystem.hpp>
@@ -14,6 +14,8 @@
 
 namespace windrow::vegetation::fur {
 namespace {
+
+using windrow::detail::message;
 
 // Serves the given bytes and nothing of the disk.
 class MemoryFiles : public Assimp::IOSystem {
@@ -105,18 +107,19 @@ windrow::Result<Soup> import_soup(const std::map<std::string, std::string>& file
     importer.SetIOHandler(new MemoryFiles(files)); // the importer destroys it
     const aiScene* scene = importer.ReadFile(name, ending == "obj" ? static_cast<unsigned>(aiProcess_Triangulate) : 0u);
     if (scene == nullptr || scene->mRootNode == nullptr)
-        return refusal(owner, " is no mesh that Assimp reads: ", importer.GetErrorString(), ": give another file.");
+        return windrow::Error{
+            message(owner, " is no mesh that Assimp reads: ", importer.GetErrorString(), ": give another file.")};
     Soup soup;
     std::size_t corners = 0;
     if (!gather(soup, corners, *scene, *scene->mRootNode, aiMatrix4x4(), ending != "3ds"))
-        return refusal(owner, " has more than ", k_most_triangles, " triangles or ", k_most_parts,
-                       " parts, counting each place: give fewer.");
+        return windrow::Error{message(owner, " has more than ", k_most_triangles, " triangles or ", k_most_parts,
+                                      " parts, counting each place: give fewer.")};
     std::erase_if(soup, [](const SoupPart& part) { return part.corners.empty(); });
     if (soup.empty())
-        return refusal(owner, " has no triangles: give a mesh of triangles.");
+        return windrow::Error{message(owner, " has no triangles: give a mesh of triangles.")};
     return soup;
 } catch (const std::exception& fault) { // of its own Assimp lets none out, but memory may end
-    return refusal(owner, " cannot be read: ", fault.what(), ": give a smaller file.");
+    return windrow::Error{message(owner, " cannot be read: ", fault.what(), ": give a smaller file.")};
 }
 
 } // namespace windrow::vegetation::fur

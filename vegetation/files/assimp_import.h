@@ -2,7 +2,7 @@
 #pragma once
 
 #include "fluid/result.h"
-#include "vegetation/fur/soup.h"
+#include "vegetation/fur/mesh_weld.h"
 
 #include <map>
 #include <string>

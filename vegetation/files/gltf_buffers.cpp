@@ -1,13 +1,15 @@
 #include "vegetation/files/gltf_buffers.h"
 
+#include "fluid/message.h"
 #include "vegetation/files/mesh_file.h"
 #include "vegetation/files/mesh_folder.h"
-#include "vegetation/fur/refusal.h"
 
 #include <cstring>
 
 namespace windrow::vegetation::fur {
 namespace {
+
+using windrow::detail::message;
 
 std::uint32_t word(std::string_view bytes, std::size_t at) {
     std::uint32_t value = 0;
@@ -37,14 +39,14 @@ Result<std::string> bytes_of(const nlohmann::json& buffer, const std::string& pl
     if (uri == buffer.end())
         return std::string(binary);
     if (!uri->is_string())
-        return refusal(place, ".uri is not a text: name a file or give data.");
+        return windrow::Error{message(place, ".uri is not a text: name a file or give data.")};
     const std::string text = uri->get<std::string>();
     if (!text.starts_with("data:"))
         return read_beside(path, without_percents(text), budget);
     constexpr std::string_view k_mark = ";base64,";
     const std::size_t mark = text.find(k_mark);
     if (mark == std::string::npos)
-        return refusal(place, ".uri has data of another kind than base64: give base64.");
+        return windrow::Error{message(place, ".uri has data of another kind than base64: give base64.")};
     return decode_base64(std::string_view(text).substr(mark + k_mark.size()), place + ".uri");
 }
 
@@ -56,11 +58,11 @@ Result<GltfParts> split_gltf(std::string_view bytes, const std::string& name) {
     constexpr std::uint32_t k_json = 0x4e4f534a, k_binary = 0x004e4942;
     constexpr std::size_t k_header = 12, k_head = 8;
     if (bytes.size() < k_header + k_head || word(bytes, 4) != 2 || word(bytes, 8) != bytes.size())
-        return refusal(name, " is a GLB of another version or length than it says: give a whole GLB 2.");
+        return windrow::Error{message(name, " is a GLB of another version or length than it says: give a whole GLB 2.")};
     GltfParts parts;
     for (std::size_t at = k_header; at < bytes.size();) {
         if (bytes.size() - at < k_head || word(bytes, at) > bytes.size() - at - k_head)
-            return refusal(name, " has a chunk at byte ", at, " that is longer than the file: give a whole GLB.");
+            return windrow::Error{message(name, " has a chunk at byte ", at, " that is longer than the file: give a whole GLB.")};
         const std::string_view content = bytes.substr(at + k_head, word(bytes, at));
         if (at == k_header && word(bytes, at + 4) == k_json)
             parts.json = content;
@@ -73,18 +75,18 @@ Result<GltfParts> split_gltf(std::string_view bytes, const std::string& name) {
 
 Result<std::string> read_gltf_buffer(const nlohmann::json& buffer, std::size_t index, std::string_view binary,
                                      const std::filesystem::path& path, windrow::detail::InputBudget& budget) {
-    const std::string place = sentence(path.string(), ": $.buffers[", index, "]");
+    const std::string place = message(path.string(), ": $.buffers[", index, "]");
     if (!buffer.is_object())
-        return refusal(place, " is no object: give one.");
+        return windrow::Error{message(place, " is no object: give one.")};
     const auto length = buffer.find("byteLength");
     if (length == buffer.end() || !length->is_number_unsigned() || length->get<std::uint64_t>() > k_most_bytes)
-        return refusal(place, ".byteLength is missing or not a count: give 1 to ", k_most_bytes, ".");
+        return windrow::Error{message(place, ".byteLength is missing or not a count: give 1 to ", k_most_bytes, ".")};
     const std::size_t size = length->get<std::size_t>();
     auto bytes = bytes_of(buffer, place, index == 0 ? binary : std::string_view(), path, budget);
     if (!bytes)
         return bytes;
     if (bytes->size() < size)
-        return refusal(place, " has ", bytes->size(), " bytes, and says ", size, ": give them all.");
+        return windrow::Error{message(place, " has ", bytes->size(), " bytes, and says ", size, ": give them all.")};
     bytes->resize(size);
     return bytes;
 }
@@ -94,7 +96,7 @@ Result<std::string> decode_base64(std::string_view text, const std::string& name
     while (text.ends_with('='))
         text.remove_suffix(1);
     if (text.size() % 4 == 1)
-        return refusal(name, " is cut off base64: give it whole.");
+        return windrow::Error{message(name, " is cut off base64: give it whole.")};
     std::string bytes;
     bytes.reserve(text.size() / 4 * 3 + 2);
     std::uint32_t bits = 0;
@@ -102,7 +104,7 @@ Result<std::string> decode_base64(std::string_view text, const std::string& name
     for (const char sign : text) {
         const std::size_t digit = k_digits.find(sign);
         if (digit == std::string_view::npos)
-            return refusal(name, " has a sign that is not base64: give base64.");
+            return windrow::Error{message(name, " has a sign that is not base64: give base64.")};
         bits = bits << 6 | static_cast<std::uint32_t>(digit);
         if ((held += 6) >= 8)
             bytes += static_cast<char>(bits >> (held -= 8) & 0xff);

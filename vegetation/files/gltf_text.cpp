@@ -1,9 +1,9 @@
 #include "vegetation/files/gltf_text.h"
 
+#include "fluid/message.h"
 #include "scene/json_document.h"
 #include "vegetation/files/gltf_buffers.h"
 #include "vegetation/files/mesh_file.h"
-#include "vegetation/fur/refusal.h"
 
 #include <cmath>
 #include <cstring>
@@ -12,6 +12,8 @@
 
 namespace windrow::vegetation::fur {
 namespace {
+
+using windrow::detail::message;
 
 using nlohmann::json;
 
@@ -51,10 +53,10 @@ class Copier {
             const json& material = item("materials", i);
             const bool named = material.contains("name") && material["name"].is_string();
             out_["materials"].push_back(
-                {{"name", named ? material["name"].get<std::string>().substr(0, 255) : sentence("material ", i)}});
+                {{"name", named ? material["name"].get<std::string>().substr(0, 255) : message("material ", i)}});
         }
         for (std::size_t i = 0; i < list("meshes").size(); ++i)
-            out_["meshes"].push_back({{"primitives", primitives(item("meshes", i), sentence("$.meshes[", i, "]"))}});
+            out_["meshes"].push_back({{"primitives", primitives(item("meshes", i), message("$.meshes[", i, "]"))}});
         nodes();
         GltfText result;
         result.json = out_.dump(-1, ' ', true, json::error_handler_t::replace);
@@ -65,7 +67,7 @@ class Copier {
   private:
     template <class... Words>
     [[noreturn]] void fail(const std::string& place, const Words&... words) const {
-        throw Fault{sentence(path_.string(), ": ", place, " ", words...)};
+        throw Fault{message(path_.string(), ": ", place, " ", words...)};
     }
 
     const json& list(const char* key) const {
@@ -74,13 +76,13 @@ class Copier {
         if (found == source_.end())
             return none;
         if (!found->is_array() || found->size() > k_most_nodes)
-            fail(sentence("$.", key), "is no list, or one of more than ", k_most_nodes, ": give a list.");
+            fail(message("$.", key), "is no list, or one of more than ", k_most_nodes, ": give a list.");
         return *found;
     }
     const json& item(const char* key, std::size_t index) const {
         const json& items = list(key);
         if (index >= items.size() || !items[index].is_object())
-            fail(sentence("$.", key, "[", index, "]"), "is asked for and not an object: give it.");
+            fail(message("$.", key, "[", index, "]"), "is asked for and not an object: give it.");
         return items[index];
     }
     // A count or index; `missing` where there is none.
@@ -106,7 +108,7 @@ class Copier {
 
     std::size_t keep_buffer(std::string bytes) {
         const std::size_t number = buffers_.size();
-        out_["buffers"].push_back({{"byteLength", bytes.size()}, {"uri", sentence(number, ".bin")}});
+        out_["buffers"].push_back({{"byteLength", bytes.size()}, {"uri", message(number, ".bin")}});
         buffers_.push_back(std::move(bytes));
         return number;
     }
@@ -116,7 +118,7 @@ class Copier {
         constexpr std::size_t k_none = k_most_bytes + 1;
         const std::size_t index = whole(owner, key, k_none, place);
         const json& source = item("accessors", index);
-        const std::string here = sentence("$.accessors[", index, "]");
+        const std::string here = message("$.accessors[", index, "]");
         const std::size_t component = whole(source, "componentType", 0, here), count = whole(source, "count", 0, here);
         const bool indices = components == 1;
         const bool fits = indices ? component == k_byte || component == k_short || component == k_int : component == k_float;
@@ -130,7 +132,7 @@ class Copier {
 
         const std::size_t view_index = whole(source, "bufferView", 0, here);
         const json& view = item("bufferViews", view_index);
-        const std::string there = sentence("$.bufferViews[", view_index, "]");
+        const std::string there = message("$.bufferViews[", view_index, "]");
         const std::size_t entry = components * (component == k_byte ? 1 : component == k_short ? 2 : 4);
         const std::size_t stride = whole(view, "byteStride", entry, there);
         const std::size_t begin = whole(view, "byteOffset", 0, there), length = whole(view, "byteLength", 0, there);
@@ -160,7 +162,7 @@ class Copier {
             return known->second;
         // Accessors of a mesh interleave and do not overlap; others would make many times the file's bytes.
         if ((packed_bytes_ += count * entry) > bytes_)
-            fail(sentence("$.accessors[", accessor, "]"), "overlaps others with a stride: give accessors that do not overlap.");
+            fail(message("$.accessors[", accessor, "]"), "overlaps others with a stride: give accessors that do not overlap.");
         std::string entries;
         entries.reserve(count * entry);
         for (std::size_t i = 0; i < count; ++i)
@@ -260,7 +262,7 @@ class Copier {
         out_["nodes"] = json::array();
         for (std::size_t i = 0; i < sources.size(); ++i) {
             const json& source = item("nodes", i);
-            const std::string place = sentence("$.nodes[", i, "]");
+            const std::string place = message("$.nodes[", i, "]");
             json kept = json::object();
             for (const auto& [key, count] :
                  {std::pair("matrix", 16), std::pair("translation", 3), std::pair("rotation", 4), std::pair("scale", 3)})
@@ -284,7 +286,7 @@ class Copier {
             int depth = 0;
             for (std::size_t at = i; parents[at] < k_most_nodes; at = parents[at])
                 if (++depth > k_deepest_node)
-                    fail(sentence("$.nodes[", i, "]"), "lies in a circle, or deeper than ", k_deepest_node,
+                    fail(message("$.nodes[", i, "]"), "lies in a circle, or deeper than ", k_deepest_node,
                          " nodes: give a tree.");
             if (parents[i] == k_most_nodes)
                 roots.push_back(i);

@@ -1,24 +1,25 @@
 #include "vegetation/files/mesh_file.h"
 
 #include "fluid/input_file.h"
+#include "fluid/validation.h"
 #include "vegetation/files/assimp_import.h"
 #include "vegetation/files/gltf_text.h"
 #include "vegetation/files/mesh_folder.h"
 #include "vegetation/files/obj_text.h"
 #include "vegetation/files/three_ds_chunks.h"
-#include "vegetation/fur/mesh_simplify.h"
-#include "vegetation/fur/mesh_uv.h"
 #include "vegetation/fur/mesh_weld.h"
-#include "vegetation/fur/refusal.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 namespace windrow::vegetation::fur {
 namespace {
+
+using windrow::detail::message;
 
 namespace fs = std::filesystem;
 using Coats = std::map<std::string, FurLine>;
@@ -54,7 +55,7 @@ Result<Soup> read_gltf(const fs::path& path, const std::string& bytes, InputBudg
         return Error{gltf.error()};
     std::map<std::string, std::string> files{{"mesh.gltf", std::move(gltf->json)}};
     for (std::size_t i = 0; i < gltf->buffers.size(); ++i)
-        files[sentence(i, ".bin")] = std::move(gltf->buffers[i]);
+        files[message(i, ".bin")] = std::move(gltf->buffers[i]);
     return import_soup(files, "mesh.gltf", path.string());
 }
 
@@ -74,7 +75,7 @@ Result<Soup> read_three_ds(const fs::path& path, std::string bytes) {
 Result<Soup> read_soup(const fs::path& path, const std::optional<fs::path>& folder, InputBudget& budget, Coats& coats) {
     const std::string ending = ending_of(path);
     if (ending != ".obj" && ending != ".gltf" && ending != ".glb" && ending != ".3ds")
-        return refusal(path.string(), " ends in '", ending, "': give a mesh as .obj, .gltf, .glb or .3ds.");
+        return windrow::Error{message(path.string(), " ends in '", ending, "': give a mesh as .obj, .gltf, .glb or .3ds.")};
     auto bytes = windrow::detail::read_input(path, {.folder = folder, .most_bytes = k_most_bytes}, budget);
     if (!bytes)
         return Error{bytes.error()};
@@ -98,7 +99,7 @@ glm::vec3 turned(const glm::vec3& v, UpAxis up) {
 }
 
 void turn(Soup& soup, const MeshLoad& load) {
-    const float c = std::cos(load.yaw), s = std::sin(load.yaw);
+    const float yaw = glm::radians(load.yaw_deg), c = std::cos(yaw), s = std::sin(yaw);
     const auto place = [&](const glm::vec3& v) {
         const glm::vec3 w = turned(v, load.up);
         return glm::vec3(c * w.x + s * w.z, w.y, c * w.z - s * w.x);
@@ -138,14 +139,14 @@ Result<Mesh> read(const fs::path& path, const MeshLoad& load, const std::optiona
     if (mesh->triangles() > load.most_triangles) {
         simplify(*mesh, load.most_triangles);
         if (mesh->triangles() > load.most_triangles)
-            return refusal(path.string(), " cannot be simplified below ", mesh->triangles(),
-                           " triangles: give load.most_triangles of as many.");
+            return windrow::Error{message(path.string(), " cannot be simplified below ", mesh->triangles(),
+                                          " triangles: give load.most_triangles of as many.")};
         for (MeshVertex& vertex : mesh->vertices)
             vertex.normal = glm::vec3(0.0f);
     }
     const glm::vec3 edges = mesh->high - mesh->low;
     if (!((load.size_of == SizeOf::height ? edges.y : 1.0f) > 1e-6f * glm::length(edges)))
-        return refusal(path.string(), " is flat: give load.size_of the longest edge.");
+        return windrow::Error{message(path.string(), " is flat: give load.size_of the longest edge.")};
     const float scale = stand(*mesh, load);
     smooth_normals(*mesh);
     if (!mesh->has_uv)
@@ -166,13 +167,7 @@ Result<Mesh> read(const fs::path& path, const MeshLoad& load, const std::optiona
 } // namespace
 
 Result<void> validate(const MeshLoad& load) {
-    Refusals refusals;
-    refusals.between("load.up", static_cast<double>(load.up), 0, 2);
-    refusals.between("load.size", static_cast<double>(load.size), 1e-3, 1e3);
-    refusals.between("load.size_of", static_cast<double>(load.size_of), 0, 1);
-    refusals.between("load.yaw", static_cast<double>(load.yaw), -6.2831855, 6.2831855);
-    refusals.between("load.most_triangles", static_cast<double>(load.most_triangles), 4, static_cast<double>(k_most_triangles));
-    return refusals.outcome();
+    return windrow::detail::validate_settings(load, "load");
 }
 
 Result<Mesh> read_mesh(const fs::path& path, const MeshLoad& load) {

@@ -7,7 +7,7 @@
 // that were understood, from memory. It opens no file.
 //
 // What then happens, in order: positions turned (y up), one vertex for each position and uv, triangles without area dropped,
-// normals (mesh_normals.h), fewer triangles if asked (mesh_simplify.h), uv of a box where there are none (mesh_uv.h), placed.
+// normals (mesh_normals.h), fewer triangles if asked (mesh.h), uv of a box where there are none (mesh.h), placed.
 #pragma once
 
 #include "fluid/input_budget.h"
@@ -23,17 +23,22 @@ enum class UpAxis { x, y, z };
 enum class SizeOf { longest_edge, height };
 
 struct MeshLoad {
-    /// Which axis of the file points up. Default y: of glTF by its specification, of most OBJ files, and of the bunny, the horse
-    /// and the cat of Debian's glmark2-data. 3DS files mostly have z.
     UpAxis up = UpAxis::y;
-    /// [m] The mesh's box is scaled to it, 1e-3 to 1e3. Default 1. A fur line's height is scaled with it.
     float size = 1.0f;
-    /// Default the longest edge of the box.
     SizeOf size_of = SizeOf::longest_edge;
-    /// [rad] Turn about y, seen from above counter-clockwise, -2 pi to 2 pi. Default 0.
-    float yaw = 0.0f;
-    /// At most so many triangles, 4 to 4,000,000; files with more are simplified. Default: as they are.
+    float yaw_deg = 0.0f;
     std::size_t most_triangles = k_most_triangles;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("up", &MeshLoad::up,
+                    "Which axis of the file points up: y of glTF and of most OBJ files, z mostly of 3DS files."),
+            Setting("size", &MeshLoad::size, {1e-3, 1e3, "m"}, "What the mesh is scaled to, and a fur line's height with it."),
+            Setting("size_of", &MeshLoad::size_of, "What size is the length of."),
+            Setting("yaw_deg", &MeshLoad::yaw_deg, {-360.0, 360.0, "deg"}, "Turn about y, seen from above counter-clockwise."),
+            Setting("most_triangles", &MeshLoad::most_triangles, {4.0, k_most_triangles}, "Files with more are simplified."),
+        };
+    }
 };
 
 /// [byte] Of one file; a mesh of `k_most_triangles` as text is about as long.
@@ -52,3 +57,8 @@ inline constexpr std::size_t k_most_bytes = std::size_t{512} << 20;
 [[nodiscard]] Result<void> validate(const MeshLoad& load);
 
 } // namespace windrow::vegetation::fur
+
+template <>
+inline constexpr std::array<const char*, 3> windrow::k_words<windrow::vegetation::fur::UpAxis>{"x", "y", "z"};
+template <>
+inline constexpr std::array<const char*, 2> windrow::k_words<windrow::vegetation::fur::SizeOf>{"longest_edge", "height"};

@@ -1,6 +1,6 @@
 #include "vegetation/files/obj_text.h"
 
-#include "vegetation/fur/refusal.h"
+#include "fluid/message.h"
 #include "vegetation/fur/text_lines.h"
 
 #include <array>
@@ -9,6 +9,8 @@
 
 namespace windrow::vegetation::fur {
 namespace {
+
+using windrow::detail::message;
 
 constexpr std::size_t k_most_libraries = 64;
 
@@ -20,7 +22,7 @@ class Scanner {
         for (std::string_view line; fault_.empty() && lines_.next(line);)
             statement(line);
         if (fault_.empty() && triangles_ == 0)
-            return refusal(name_, " has no faces: give a mesh of triangles.");
+            return windrow::Error{message(name_, " has no faces: give a mesh of triangles.")};
         if (!fault_.empty())
             return Error{fault_};
         return std::move(out_);
@@ -32,7 +34,7 @@ class Scanner {
 
     template <class... Words>
     void fail(const Words&... words) {
-        fault_ = sentence(name_, ":", lines_.number(), ": ", words...);
+        fault_ = message(name_, ":", lines_.number(), ": ", words...);
     }
 
     void statement(std::string_view line) {
@@ -61,8 +63,8 @@ class Scanner {
             return fail("the material's name has ", words.size(), " bytes: give at most 255.");
         if (words.empty())
             words = "none";
-        append(out_.text, key);
-        append(out_.text, words);
+        windrow::detail::append(out_.text, key);
+        windrow::detail::append(out_.text, words);
         out_.text += '\n';
     }
 
@@ -76,7 +78,7 @@ class Scanner {
     void numbers(Kind kind, std::string_view key, std::string_view words, int least, int most) {
         if (++counts_[kind] > k_most_vertices)
             return fail("there are more than ", k_most_vertices, " lines ", key, ": give fewer.");
-        append(out_.text, key);
+        windrow::detail::append(out_.text, key);
         for (int i = 0; i < most; ++i) {
             std::string_view word = take_word(words);
             const std::string_view written = word;
@@ -88,7 +90,7 @@ class Scanner {
             const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), value);
             if (fault != std::errc() || end != word.data() + word.size() || !(std::abs(value) <= 1e30f))
                 return fail(key, "has '", written, "': give ", least, " finite numbers.");
-            append(out_.text, value);
+            windrow::detail::append(out_.text, value);
             out_.text += i + 1 < most ? ' ' : '\n';
         }
     }
@@ -132,7 +134,7 @@ class Scanner {
                 if (number == 0)
                     return;
                 out_.text += kind == position ? " " : kind == normal && !has[uv] ? "//" : "/";
-                append(out_.text, number);
+                windrow::detail::append(out_.text, number);
             }
         }
         if (corners < 3 || corners > k_most_corners)

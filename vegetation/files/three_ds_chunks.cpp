@@ -1,6 +1,6 @@
 #include "vegetation/files/three_ds_chunks.h"
 
-#include "vegetation/fur/refusal.h"
+#include "fluid/message.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +8,8 @@
 
 namespace windrow::vegetation::fur {
 namespace {
+
+using windrow::detail::message;
 
 constexpr std::size_t k_head = 6; // kind and length
 constexpr unsigned k_unknown = 0xfefe;
@@ -19,10 +21,10 @@ class Walker {
 
     std::string run() {
         if (bytes_.size() < k_head || word(0) != 0x4d4d)
-            return sentence(name_, " is not a 3DS file: its first chunk is of another kind; give another file.");
+            return message(name_, " is not a 3DS file: its first chunk is of another kind; give another file.");
         children(0, bytes_.size(), 0);
         if (fault_.empty() && triangles_ == 0)
-            return sentence(name_, " has no triangles: give a mesh of triangles.");
+            return message(name_, " has no triangles: give a mesh of triangles.");
         return fault_;
     }
 
@@ -46,7 +48,7 @@ class Walker {
     template <class... Words>
     void fail(std::size_t at, const Words&... words) {
         if (fault_.empty())
-            fault_ = sentence(name_, ": the chunk at byte ", at, " ", words...);
+            fault_ = message(name_, ": the chunk at byte ", at, " ", words...);
     }
 
     // The chunks from `at` to `end`, which lie in one of the kind `parent`.

@@ -1,14 +1,15 @@
 #include "vegetation/fur/beast.h"
 
+#include "fluid/validation.h"
 #include "vegetation/fur/beast_form.h"
-#include "vegetation/fur/mesh_uv.h"
-#include "vegetation/fur/refusal.h"
 #include "vegetation/fur/surface_nets.h"
 
 #include <cmath>
 
 namespace windrow::vegetation::fur {
 namespace {
+
+using windrow::detail::message;
 
 using namespace beast_form;
 
@@ -51,10 +52,7 @@ Flesh flesh_of() {
 } // namespace
 
 Result<Mesh> beast_mesh(const Beast& beast) {
-    Refusals refusals;
-    refusals.between("beast.height", static_cast<double>(beast.height), 0.1, 20.0);
-    refusals.between("beast.detail", beast.detail, 20, 120);
-    if (const auto valid = refusals.outcome(); !valid)
+    if (const auto valid = windrow::detail::validate_settings(beast, "beast"); !valid)
         return Error{valid.error()};
     const float cell = 1.0f / static_cast<float>(beast.detail);
     const float side = std::ceil(0.35f / cell) * cell; // left and right cells mirror each other
@@ -66,7 +64,8 @@ Result<Mesh> beast_mesh(const Beast& beast) {
         mesh = surface_nets(flesh_of(), {-side, -0.06f - cell * up, -1.0f - cell * back}, {side, 1.40f, 1.1f}, cell, "coat");
     }
     if (!mesh)
-        return refusal("beast.detail is ", beast.detail, ", and two limbs cross one cell wherever the grid lies: give another.");
+        return windrow::Error{
+            message("beast.detail is ", beast.detail, ", and two limbs cross one cell wherever the grid lies: give another.")};
     const float floor = mesh->low.y;
     for (MeshVertex& vertex : mesh->vertices)
         vertex.position = beast.height * (vertex.position - glm::vec3(0.0f, floor, 0.0f));

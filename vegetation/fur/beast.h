@@ -1,17 +1,26 @@
 // A wolf-like beast, far larger than a wolf: capsules for its flesh, and bones that walk. It stands on y = 0 and looks along +z.
 #pragma once
 
+#include "fluid/setting.h"
 #include "vegetation/fur/mesh.h"
 #include "vegetation/fur/skeleton.h"
 
 namespace windrow::vegetation::fur {
 
 struct Beast {
-    /// [m] At the withers, 0.1 to 20. Default 2: a wolf has 0.8.
+    static constexpr const char* k_name = "beast";
+    static constexpr const char* k_meaning = "A wolf-like beast on y = 0 that looks along +z.";
     float height = 2.0f;
-    /// Cells of the skin along that height, 20 to 120; below, the legs fall apart. Default 23: 3,236 vertices on 2,336 places,
-    /// about as many as the horse of the shell fur thesis has (3,269). 40 suits a picture from near.
     int detail = 23;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("height", &Beast::height, {0.1, 20.0, "m"}, "At the withers; a wolf has 0.8."),
+            Setting("detail", &Beast::detail, {20.0, 120.0},
+                    "Cells of the skin along that height; below 20 the legs fall apart. 23 has 3,236 vertices, about as many as "
+                    "the horse of the shell fur thesis; 40 suits a picture from near."),
+        };
+    }
 };
 
 /// Closed, normals from the flesh's slope; without a map of its own (has_uv is false, uv is a box projection).

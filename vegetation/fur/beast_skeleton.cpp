@@ -1,6 +1,6 @@
+#include "fluid/validation.h"
 #include "vegetation/fur/beast.h"
 #include "vegetation/fur/beast_form.h"
-#include "vegetation/fur/refusal.h"
 
 #include <cmath>
 #include <numbers>
@@ -54,11 +54,11 @@ class Walker {
 } // namespace
 
 Result<Skeleton> beast_skeleton(const Beast& beast, float hz) {
-    Refusals refusals;
-    refusals.between("beast.height", static_cast<double>(beast.height), 0.1, 20.0);
-    refusals.between("beast_skeleton.hz", static_cast<double>(hz), 0.0, 5.0);
-    if (const auto valid = refusals.outcome(); !valid)
-        return Error{valid.error()};
+    windrow::detail::Reasons reasons;
+    windrow::detail::check_settings(reasons, {nullptr, "beast"}, beast);
+    windrow::detail::check_value(reasons, {nullptr, "beast_skeleton.hz"}, hz, {0.0, 5.0, "Hz"});
+    if (!reasons.empty())
+        return Error{reasons.take()};
 
     Walker walk(beast.height, hz);
     const int hips = walk.add("hips", -1, k_hips, k_loin, 0.14f, {walk.sway(k_y, 0.03f, 1.0f, 0.0f)});

@@ -1,23 +1,16 @@
 #include "vegetation/fur/cloud_shell.h"
 
-#include "vegetation/render/refusals.h"
+#include "fluid/validation.h"
 
 namespace windrow::vegetation::fur {
 
 windrow::Result<void> validate(const CloudShellSettings& settings) {
-    render::Refusals refusals;
-    const auto range = [&](const char* field, float value, double low, double high) { refusals.range(field, value, low, high); };
-    range("clouds.cover", settings.cover, 0.0, 1.0);
-    range("clouds.size", settings.size, 0.01, 1e5);
-    range("clouds.base", settings.base, 0.01, 1.0);
-    range("clouds.billow", settings.billow, 0.0, 1.0);
-    refusals.range("clouds.octaves", settings.octaves, 1.0, 8.0);
-    refusals.range("clouds.seed", settings.seed, 0.0, 1e6);
-    range("clouds.half_size.x", settings.half_size.x, 0.01, 1e6);
-    range("clouds.half_size.y", settings.half_size.y, 0.01, 1e6);
-    range("clouds.fading", settings.fading, 0.01, 1e6);
-    range("clouds.height", settings.height, 1e-3, 1e5);
-    return refusals.result();
+    return windrow::detail::validate_settings(settings, "clouds");
+}
+
+void check_rules(windrow::detail::Reasons& reasons, const windrow::detail::FieldPath& path, const CloudShellSettings& settings) {
+    windrow::detail::check_value(reasons, {&path, "half_size"}, settings.half_size, {0.01, 1e6, "m"});
+    windrow::detail::check_value(reasons, {&path, "height"}, settings.height, {1e-3, 1e5, "m"});
 }
 
 CloudShellBlock block(const CloudShellSettings& settings, glm::dvec2 drift, double evolved) {

@@ -208,7 +208,7 @@ void Coat::place_pattern() {
     block_.cloud = cloud_block(settings_, box_, {own.x, own.z}, evolved_);
 }
 
-void Coat::find_seen(const render::FrameBlock& frame) {
+void Coat::find_seen(const render::ViewBlock& frame) {
     const auto scale = static_cast<float>(body_.scale);
     const glm::vec3 middle = glm::vec3(body_.position - anchor_) + turned(body_, scale * middle_);
     // Neither form takes a strand beyond its own length but the translated one's push, droop and lag.

@@ -12,7 +12,6 @@
 
 #include "coupling/cascade.h"
 #include "vegetation/fur/coat_block.h"
-#include "vegetation/fur/coat_levels.h"
 #include "vegetation/fur/coat_pictures.h"
 #include "vegetation/render/drawable.h"
 #include "vegetation/vulkan/frames.h"
@@ -89,7 +88,7 @@ class Coat final : public render::Drawable {
          std::optional<windrow::Cascade> cascade, glm::dvec3 anchor);
     void make_pipelines(const render::DrawTargets& targets);
     void fill_buffers(const PackedPictures& pictures, const PartMesh& part);
-    void find_seen(const render::FrameBlock& frame);
+    void find_seen(const render::ViewBlock& frame);
     void place_pattern();
     [[nodiscard]] Result<void> judge_bones(std::span<const glm::mat4> bones) const;
     void write_motion(std::size_t slot);

@@ -4,8 +4,6 @@
 #include "coupling/motion_blocks.h"
 #include "coupling/shell.h"
 #include "vegetation/fur/coat_settings.h"
-#include "vegetation/fur/foot.h"
-#include "vegetation/fur/lamps.h"
 #include "vegetation/fur/mesh.h"
 
 #include <array>

@@ -12,8 +12,10 @@
 #include "vegetation/fur/cloud_shell.h"
 #include "vegetation/fur/strand_field.h"
 
+#include <cstddef>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,22 +23,46 @@ namespace windrow::vegetation::fur {
 
 /// How strands lie at rest: along a direction of the mesh's own space, within the skin.
 struct Comb {
-    glm::vec3 along{0.0f, -1.0f, 0.0f}; ///< where tips point to, of any length but 0. Default: down
-    float bend = 0.0f;                  ///< [rad] of the tip, 0 to 1.5. Default 0: strands stand
-    float tousle = 0.0f;                ///< [rad] random turn of each place's comb within the skin, 0 to 3
-    float tousle_size = 0.05f;          ///< [m] over which that turn changes, above 0 to 100
+    glm::vec3 along{0.0f, -1.0f, 0.0f};
+    float bend = 0.0f;
+    float tousle = 0.0f;
+    float tousle_size = 0.05f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("along", &Comb::along, Range::length(1e-12, 1e12, ""),
+                    "Where tips point to, in the mesh's space: any length but 0."),
+            Setting("bend", &Comb::bend, {0.0, 1.5, "rad", "strands stand"}, "Of the tip."),
+            Setting("tousle", &Comb::tousle, {0.0, 3.0, "rad"}, "By which the comb turns at random within the skin."),
+            Setting("tousle_size", &Comb::tousle_size, Range::above(0.0, 100.0, "m"), "Over which that turn changes."),
+        };
+    }
 };
 
 /// A round brush in the mesh's own space: inside, strands are shorter and coloured. Between `from` and `to` it is a capsule.
 /// Evaluated in fragments, not at vertices: its border is as sharp on a coarse mesh as on a fine one.
 struct Spot {
-    glm::vec3 from{0.0f}, to{0.0f}; ///< [m]
-    float radius = 0.05f;           ///< [m] above 0, to 1000
-    float soft = 0.02f;             ///< [m] over which it fades outward, 0 to 1000
-    float length = 1.0f;            ///< factor on the strands' length, 0 (bald) to 1
-    glm::vec3 colour{0.0f};         ///< linear
-    float tint = 0.0f;              ///< fraction of `colour` in the strands', 0 to 1
-    float glow = 0.0f;              ///< light of its own where bald, times `colour`, 0 to 100: eyes
+    glm::vec3 from{0.0f};
+    glm::vec3 to{0.0f};
+    float radius = 0.05f;
+    float soft = 0.02f;
+    float length = 1.0f;
+    glm::vec3 colour{0.0f};
+    float tint = 0.0f;
+    float glow = 0.0f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("from", &Spot::from, {-1e4, 1e4, "m"}, "One end of its middle line."),
+            Setting("to", &Spot::to, {-1e4, 1e4, "m"}, "The other."),
+            Setting("radius", &Spot::radius, Range::above(0.0, 1000.0, "m"), "About that line."),
+            Setting("soft", &Spot::soft, {0.0, 1000.0, "m"}, "Over which it fades outward."),
+            Setting("length", &Spot::length, k_fraction_range, "Factor on the strands' length; 0 is bald."),
+            Setting("colour", &Spot::colour, k_fraction_range, "Linear."),
+            Setting("tint", &Spot::tint, k_fraction_range, "Fraction of the colour in the strands'."),
+            Setting("glow", &Spot::glow, {0.0, 100.0}, "Light of its own where bald, times the colour: eyes."),
+        };
+    }
 };
 inline constexpr std::size_t k_most_spots = 24;
 
@@ -50,52 +76,118 @@ enum class Projection {
 
 /// Pictures of the strands' length and colour: PNG, PGM, EXR ..., beside the scene.
 struct CoatMaps {
-    std::string length{}; ///< grey: 0 bald to 1 whole; empty: whole everywhere
-    std::string colour{}; ///< sRGB or linear by its file; multiplies root and tip; empty: white
-    /// Two grey pictures, repeated `noise_tiles` times over uv, in place of the strands' random lengths: open where
-    /// (1 - (1 - a) ia) (1 - (1 - b) ib) < h. Empty: none.
-    std::string noise_a{}, noise_b{};
-    float influence_a = 1.0f, influence_b = 1.0f; ///< 0 to 1
-    float noise_tiles = 1.0f;                     ///< above 0 to 1000
-    Projection projection = Projection::uv;       ///< of length and colour
-    float bald_below = 0.02f;                     ///< below this fraction of the length nothing grows: the skin is drawn. 0 to 1
+    std::string length{};
+    std::string colour{};
+    std::string noise_a{};
+    std::string noise_b{};
+    float influence_a = 1.0f;
+    float influence_b = 1.0f;
+    float noise_tiles = 1.0f;
+    Projection projection = Projection::uv;
+    float bald_below = 0.02f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("length", &CoatMaps::length, "Grey picture beside the scene: 0 bald to 1 whole."),
+            Setting("colour", &CoatMaps::colour,
+                    "Picture beside the scene that multiplies root and tip, sRGB or linear by its file."),
+            Setting("noise_a", &CoatMaps::noise_a,
+                    "One of two grey pictures in place of the strands' random lengths: open where (1 - (1 - a) influence_a) (1 - "
+                    "(1 - b) influence_b) < h."),
+            Setting("noise_b", &CoatMaps::noise_b, "The other."),
+            Setting("influence_a", &CoatMaps::influence_a, k_fraction_range, "Of noise_a."),
+            Setting("influence_b", &CoatMaps::influence_b, k_fraction_range, "Of noise_b."),
+            Setting("noise_tiles", &CoatMaps::noise_tiles, Range::above(0.0, 1000.0), "Times that both repeat over uv."),
+            Setting(
+                "projection", &CoatMaps::projection,
+                "How length and colour lie on the mesh: by uv, or seen from the side (along x), the top or the front (along z)."),
+            Setting("bald_below", &CoatMaps::bald_below, k_fraction_range,
+                    "Fraction of the length below which nothing grows and the skin is drawn."),
+        };
+    }
 };
 
 /// Colours are linear albedo, 0 to 1.
 struct CoatLook {
-    glm::vec3 root{0.05f, 0.04f, 0.03f}; ///< at the skin
+    glm::vec3 root{0.05f, 0.04f, 0.03f};
     glm::vec3 tip{0.45f, 0.38f, 0.30f};
-    glm::vec3 second{0.45f, 0.38f, 0.30f}; ///< tips of other patches: of each patch somewhere between `tip` and this
-    glm::vec3 skin{0.25f, 0.18f, 0.15f};   ///< where nothing grows
-    float second_size = 1.0f;              ///< [m] size of the patches, above 0 to 1e4
-    float tip_power = 1.0f;                ///< root to tip by h^k, above 0 to 10; 3: tips alone
-    float variation = 0.15f;               ///< fraction by which single strands are lighter or darker, 0 to 0.9
-    float occlusion = 0.7f;                ///< A of min(1, h^A + b): how far up the dark root reaches, 0 (none) to 5
-    float occlusion_bias = 0.15f;          ///< b, 0 to 1
-    float wrap = 1.0f;                     ///< 1: half-Lambert, 0: Lambert; between, between
-    float gloss = 0.05f;                   ///< Blinn-Phong amount, 0 to 10
-    float gloss_power = 24.0f;             ///< 1 to 1000
-    float sheen = 0.15f;                   ///< hair's light along its strands (Kajiya-Kay), 0 to 10
-    float sheen_power = 40.0f;             ///< 1 to 1000
-    float through = 0.2f;                  ///< light that shines through tips against the sun, 0 to 1
-    float strand_normals = 0.6f;           ///< how much of each strand's own roundness is seen, 0 to 1
-    float square_normals = 0.0f;           ///< 0: away from the strand's middle, 1: from the cell's edge
-    /// Normals of the strands' own form, in place of the sources' turn from its side at the root to the skin's at the tip.
+    glm::vec3 second{0.45f, 0.38f, 0.30f};
+    glm::vec3 skin{0.25f, 0.18f, 0.15f};
+    float second_size = 1.0f;
+    float tip_power = 1.0f;
+    float variation = 0.15f;
+    float occlusion = 0.7f;
+    float occlusion_bias = 0.15f;
+    float wrap = 1.0f;
+    float gloss = 0.05f;
+    float gloss_power = 24.0f;
+    float sheen = 0.15f;
+    float sheen_power = 40.0f;
+    float through = 0.2f;
+    float strand_normals = 0.6f;
+    float square_normals = 0.0f;
     bool exact_normals = false;
-    int cel_steps = 0; ///< levels of light, 0 (smooth) to 8
+    int cel_steps = 0;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("root", &CoatLook::root, k_fraction_range, "At the skin."),
+            Setting("tip", &CoatLook::tip, k_fraction_range, "At the tip."),
+            Setting("second", &CoatLook::second, k_fraction_range,
+                    "Tips of other patches: each patch is somewhere between tip and this."),
+            Setting("skin", &CoatLook::skin, k_fraction_range, "Where nothing grows."),
+            Setting("second_size", &CoatLook::second_size, Range::above(0.0, 1e4, "m"), "Of those patches."),
+            Setting("tip_power", &CoatLook::tip_power, Range::above(0.0, 10.0), "Root to tip by height^this; 3: tips alone."),
+            Setting("variation", &CoatLook::variation, {0.0, 0.9}, "Fraction by which single strands are lighter or darker."),
+            Setting("occlusion", &CoatLook::occlusion, {0.0, 5.0, "", "not at all"},
+                    "A of min(1, h^A + bias): how far up the dark root reaches."),
+            Setting("occlusion_bias", &CoatLook::occlusion_bias, k_fraction_range, "Light that reaches the root."),
+            Setting("wrap", &CoatLook::wrap, k_fraction_range, "1 half-Lambert, 0 Lambert."),
+            Setting("gloss", &CoatLook::gloss, {0.0, 10.0}, "Amount of Blinn-Phong."),
+            Setting("gloss_power", &CoatLook::gloss_power, {1.0, 1000.0}, "Its exponent."),
+            Setting("sheen", &CoatLook::sheen, {0.0, 10.0}, "Hair's light along its strands (Kajiya and Kay)."),
+            Setting("sheen_power", &CoatLook::sheen_power, {1.0, 1000.0}, "Its exponent."),
+            Setting("through", &CoatLook::through, k_fraction_range, "Light that shines through tips against the sun."),
+            Setting("strand_normals", &CoatLook::strand_normals, k_fraction_range,
+                    "How much of each strand's own roundness is seen."),
+            Setting("square_normals", &CoatLook::square_normals, k_fraction_range,
+                    "0 away from the strand's middle, 1 away from its cell's edge."),
+            Setting("exact_normals", &CoatLook::exact_normals,
+                    "Normals of the strands' own form, in place of a turn from its side at the root to the skin's at the tip."),
+            Setting("cel_steps", &CoatLook::cel_steps, {0.0, 8.0, "", "smooth"}, "Levels of light."),
+        };
+    }
 };
 
 /// How many layers are drawn, and how.
 struct CoatLevels {
-    int least_shells = 8;     ///< afar, 2 to 4096; at most the coat's own are drawn
-    float full_until = 4.0f;  ///< [m] distance up to which all shells are drawn, above 0 to 1e6; beyond, as 1 / distance
-    int march = 4;            ///< steps a fragment may look between its layer and the next inner one, 0 (none) to 16
-    bool skip_empty = true;   ///< layers above every strand's tip are not drawn
-    bool outer_first = true;  ///< order of layers: the skin, then outer ones first, which hide what lies below from being shaded
-    bool depth_first = false; ///< a pass that writes depth alone before the colours
-    bool one_draw_each = false; ///< the naive form, one draw a layer: a baseline for measurements
-    bool shadow_strands = true; ///< the shadow has the strands' form; without it the body's
-    int shadow_shells = 16;     ///< layers in the shadow's map, 0 (casts none) to 4096
+    int least_shells = 8;
+    float full_until = 4.0f;
+    int march = 4;
+    bool skip_empty = true;
+    bool outer_first = true;
+    bool depth_first = false;
+    bool one_draw_each = false;
+    bool shadow_strands = true;
+    int shadow_shells = 16;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("least_shells", &CoatLevels::least_shells, {2.0, 4096.0}, "Afar; at most the coat's own are drawn."),
+            Setting("full_until", &CoatLevels::full_until, Range::above(0.0, 1e6, "m"),
+                    "Distance up to which all shells are drawn; beyond, as 1 / distance."),
+            Setting("march", &CoatLevels::march, {0.0, 16.0},
+                    "Steps a fragment may look between its layer and the next inner one."),
+            Setting("skip_empty", &CoatLevels::skip_empty, "Layers above every tip are not drawn."),
+            Setting("outer_first", &CoatLevels::outer_first,
+                    "Outer layers first, after the skin, hide what lies below from being shaded."),
+            Setting("depth_first", &CoatLevels::depth_first, "A pass that writes depth alone before the colours."),
+            Setting("one_draw_each", &CoatLevels::one_draw_each,
+                    "The naive form, one draw a layer: a baseline for measurements."),
+            Setting("shadow_strands", &CoatLevels::shadow_strands, "Whether the shadow has the strands' form, or the body's."),
+            Setting("shadow_shells", &CoatLevels::shadow_shells, {0.0, 4096.0, "", "casts none"}, "Layers in the shadow's map."),
+        };
+    }
 };
 
 /// Where a strand feels the wind.
@@ -113,29 +205,117 @@ enum class StrandsOn {
 
 struct CoatSettings {
     windrow::ShellSettings layers{};
-    bool translated = false; ///< push and droop of the shell literature in place of strands that keep their length
+    bool translated = false;
     WindAt wind_at = WindAt::strand;
-    float wind_share = 1.0f; ///< of the wind that it feels, 0 to 100
-    /// [rad] Lean of the tip away from a foot, right beside its middle, 0 (none) to pi/2. Not in the translate form.
+    float wind_share = 1.0f;
     float foot_push = 1.2f;
-    bool mirrored = false; ///< layers on both sides of the skin, half of them each, and no skin: clouds
-    bool drifts = false;   ///< the pattern moves along with the air: clouds
-    bool bare = false;     ///< the skin alone
+    bool mirrored = false;
+    bool drifts = false;
+    bool bare = false;
     StrandsOn strands_on = StrandsOn::surface;
     StrandFieldSettings strands{};
-    float wriggle_hz = 0.3f; ///< turns a second of the strands' wriggle, and by which a cloud's heaps become others, -100 to 100
-    /// In place of strands: a cloud on a level mesh, with layers.length its half height and the mesh's box its size (those two of
-    /// its own fields are not used). Wants `mirrored`, and `drifts` to go with the air.
+    float wriggle_hz = 0.3f;
     std::optional<CloudShellSettings> cloud{};
     Comb comb{};
-    std::vector<Spot> spots{}; ///< at most k_most_spots
+    std::vector<Spot> spots{};
     CoatMaps maps{};
     CoatLook look{};
     CoatLevels levels{};
-    std::optional<windrow::CascadeConfig> inertia{}; ///< none: tips move with the body at once
+    std::optional<windrow::CascadeConfig> inertia{};
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("layers", &CoatSettings::layers, "Where the layers lie and how the wind bends them."),
+            Setting("translated", &CoatSettings::translated,
+                    "Whether layers are pushed and droop as in the shell literature, in place of strands that bend and keep "
+                    "their length."),
+            Setting("wind_at", &CoatSettings::wind_at,
+                    "Where a strand feels the wind: once a vertex, at each shell's vertex, or at each pixel's root (meshes of a "
+                    "few vertices)."),
+            Setting("wind_share", &CoatSettings::wind_share, {0.0, 100.0}, "Of the wind that it feels."),
+            Setting("foot_push", &CoatSettings::foot_push, {0.0, 1.5707964, "rad"},
+                    "Lean of the tip away from a foot, right beside its middle. Not where translated."),
+            Setting("mirrored", &CoatSettings::mirrored,
+                    "Layers on both sides of the skin, half of them each, and no skin: clouds."),
+            Setting("drifts", &CoatSettings::drifts, "The pattern moves along with the air: clouds."),
+            Setting("bare", &CoatSettings::bare, "The skin alone."),
+            Setting("strands_on", &CoatSettings::strands_on,
+                    "How strands are laid: evenly over any surface (round ones), or by the cells of the mesh's uv (all forms)."),
+            Setting("strands", &CoatSettings::strands, "What each layer leaves open."),
+            Setting("wriggle_hz", &CoatSettings::wriggle_hz, {-100.0, 100.0, "Hz"},
+                    "Turns a second of the strands' wriggle, and by which a cloud's heaps become others."),
+            Setting("cloud", &CoatSettings::cloud,
+                    "Heaps of cloud in place of strands, the layers' length high, on a level mesh; it is as large as the mesh. "
+                    "Wants mirrored, and drifts to go with the air."),
+            Setting("comb", &CoatSettings::comb, "How strands lie at rest."),
+            Setting("spots", &CoatSettings::spots, {0.0, k_most_spots},
+                    "Round brushes in the mesh's own space: inside, strands are shorter and coloured."),
+            Setting("maps", &CoatSettings::maps, "Pictures of length and colour."),
+            Setting("look", &CoatSettings::look, "Colours and light. Colours are linear."),
+            Setting("levels", &CoatSettings::levels, "How many layers are drawn, and how."),
+            Setting("inertia", &CoatSettings::inertia, "How tips lag behind the body. Without it they move with it at once."),
+        };
+    }
 };
 
 /// Every reason why it cannot be used, a line each. Maps are looked at when they are read.
 [[nodiscard]] windrow::Result<void> validate(const CoatSettings& settings);
+void check_rules(windrow::detail::Reasons& reasons, const windrow::detail::FieldPath& path, const CoatMaps& maps);
+
+/// Lamps that shine on coats beside the sun: a few points of light, without shadows of their own.
+struct Lamp {
+    glm::dvec3 position{0.0, 3.0, 0.0};
+    glm::vec3 colour{1.0f};
+    float reach = 20.0f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("position", &Lamp::position, {-1e9, 1e9, "m"}, "Where it is."),
+            Setting("colour", &Lamp::colour, {0.0, 1e6}, "Irradiance across the beam at 1 m, in the picture's units."),
+            Setting("reach", &Lamp::reach, Range::above(0.0, 1e4, "m"), "Beyond it falls smoothly to nothing."),
+        };
+    }
+};
+inline constexpr std::size_t k_most_lamps = 8;
+
+[[nodiscard]] windrow::Result<void> validate(std::span<const Lamp> lamps);
+
+/// Feet, hands and wheels that press strands aside, radially and at once. Unlike the ground's memory (coupling/ground_memory.h) a coat
+/// keeps no trail.
+struct Foot {
+    glm::dvec3 position{0.0};
+    float radius = 0.3f;
+    float weight = 1.0f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("position", &Foot::position, {-1e10, 1e10, "m"}, "Of its sole in the world."),
+            Setting("radius", &Foot::radius, Range::above(0.0, 1e3, "m"), "Within which strands lean away."),
+            Setting("weight", &Foot::weight, k_fraction_range, "Fraction of CoatSettings::foot_push."),
+        };
+    }
+};
+inline constexpr std::size_t k_most_feet = 8;
+
+[[nodiscard]] windrow::Result<void> validate(std::span<const Foot> feet);
+
+/// How many layers a coat is drawn in, by its distance.
+struct LayerCount {
+    float divisor = 1.0f; ///< of a layer's number: its place in the strand is i / divisor, held at 1
+    int layers = 1;       ///< that exist at this distance
+    int drawn = 1;        ///< the inner ones of them; the others lie above every strand's tip
+};
+
+/// At a distance [m] from the eye. Their number goes by a continuous one, n: layer i lies at i / (n - 1), so that a layer that
+/// comes with a growing n begins where the outermost already is, and nothing pops. `top` is the largest height at which any
+/// strand shows, 0 to 1.
+[[nodiscard]] LayerCount layers_at(const CoatSettings& settings, float distance, float top);
 
 } // namespace windrow::vegetation::fur
+
+template <>
+inline constexpr std::array<const char*, 4> windrow::k_words<windrow::vegetation::fur::Projection>{"uv", "side", "top", "front"};
+template <>
+inline constexpr std::array<const char*, 3> windrow::k_words<windrow::vegetation::fur::WindAt>{"strand", "shell", "pixel"};
+template <>
+inline constexpr std::array<const char*, 2> windrow::k_words<windrow::vegetation::fur::StrandsOn>{"surface", "uv"};

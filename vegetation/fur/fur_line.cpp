@@ -1,6 +1,6 @@
 #include "vegetation/fur/fur_line.h"
 
-#include "vegetation/fur/refusal.h"
+#include "fluid/validation.h"
 #include "vegetation/fur/text_lines.h"
 
 #include <array>
@@ -8,6 +8,8 @@
 
 namespace windrow::vegetation::fur {
 namespace {
+
+using windrow::detail::message;
 
 using windrow::Error;
 using windrow::Result;
@@ -24,22 +26,18 @@ Result<FurLine> fur_of(std::string_view words, const std::string& place) {
     for (std::string_view& each : word)
         each = take_word(words);
     if (word.back().empty() || !trimmed(words).empty())
-        return refusal(place, ": fur has other than four numbers: give shell count, height, thickness and resolution, as in "
-                              "`fur 48 0.419 2.753 11`.");
+        return windrow::Error{
+            message(place, ": fur has other than four numbers: give shell count, height, thickness and resolution, as in "
+                           "`fur 48 0.419 2.753 11`.")};
     FurLine fur;
     if (!read(word[0], fur.shells))
-        return refusal(place, ": fur's shell count is '", word[0], "': give a whole number, 2 to 4096.");
+        return windrow::Error{message(place, ": fur's shell count is '", word[0], "': give a whole number, 2 to 4096.")};
     const std::array<float*, 3> numbers{&fur.height, &fur.thickness, &fur.resolution};
     constexpr std::array<std::string_view, 3> names{"height", "thickness", "resolution"};
     for (std::size_t i = 0; i < numbers.size(); ++i)
         if (!read(word[i + 1], *numbers[i]))
-            return refusal(place, ": fur's ", names[i], " is '", word[i + 1], "': give a number.");
-    Refusals refusals;
-    refusals.between(place + ": fur's shell count", fur.shells, 2, 4096);
-    refusals.between(place + ": fur's height", fur.height, 1e-6f, 100.0);
-    refusals.between(place + ": fur's thickness", fur.thickness, 0.0, 10.0);
-    refusals.between(place + ": fur's resolution", fur.resolution, 1.0, 4096.0);
-    if (const auto valid = refusals.outcome(); !valid)
+            return windrow::Error{message(place, ": fur's ", names[i], " is '", word[i + 1], "': give a number.")};
+    if (const auto valid = windrow::detail::validate_settings(fur, place + ": fur"); !valid)
         return Error{valid.error()};
     return fur;
 }
@@ -56,14 +54,14 @@ Result<std::map<std::string, FurLine>> read_fur_lines(std::string_view mtl, cons
             material = trimmed(line);
         if (key != "fur")
             continue;
-        const std::string place = sentence(name, ":", lines.number());
+        const std::string place = message(name, ":", lines.number());
         if (material.empty())
-            return refusal(place, ": fur stands before any material: give it below its newmtl line.");
+            return windrow::Error{message(place, ": fur stands before any material: give it below its newmtl line.")};
         const auto fur = fur_of(line, place);
         if (!fur)
             return Error{fur.error()};
         if (!coats.emplace(material, *fur).second)
-            return refusal(place, ": fur is the second of material '", material, "': give one.");
+            return windrow::Error{message(place, ": fur is the second of material '", material, "': give one.")};
     }
     return coats;
 }

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "fluid/result.h"
+#include "fluid/setting.h"
 
 #include <map>
 #include <string>
@@ -16,10 +17,21 @@ namespace windrow::vegetation::fur {
 
 /// Defaults: Curoe's polar bear.
 struct FurLine {
-    int shells = 48;          ///< 2 to 4096, as ShellSettings
-    float height = 0.419f;    ///< of the outermost shell, in the file's own units, 1e-6 to 100, as ShellSettings.length
-    float thickness = 2.753f; ///< T of the strands' cone, 0 to 10, above which strands fill their cells whatever it is
-    float resolution = 11.0f; ///< strands along one unit of uv, 1 to 4096, above which a strand is below a texel of any map
+    int shells = 48;
+    float height = 0.419f;
+    float thickness = 2.753f;
+    float resolution = 11.0f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("shells", &FurLine::shells, {2.0, 4096.0}, "As ShellSettings."),
+            Setting("height", &FurLine::height, {1e-6, 100.0},
+                    "Of the outermost shell, in the file's own units, as ShellSettings.length."),
+            Setting("thickness", &FurLine::thickness, {0.0, 10.0}, "T of the strands' cone."),
+            Setting("resolution", &FurLine::resolution, {1.0, 4096.0},
+                    "Strands along one unit of uv; above 4096 a strand is below a texel of any map."),
+        };
+    }
 
     bool operator==(const FurLine&) const = default;
 };

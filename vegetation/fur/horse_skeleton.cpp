@@ -1,6 +1,6 @@
 #include "vegetation/fur/horse_skeleton.h"
 
-#include "vegetation/fur/refusal.h"
+#include "fluid/validation.h"
 
 namespace windrow::vegetation::fur {
 namespace {
@@ -18,11 +18,11 @@ Swing sway(const glm::vec3& axis, float amplitude, float hz, float late) {
 
 // Joints were read off pictures of the mesh from two sides, to about a hundredth of its height.
 Result<Skeleton> horse_skeleton(float size, float hz) {
-    Refusals refusals;
-    refusals.between("horse_skeleton.size", static_cast<double>(size), 1e-3, 1e3);
-    refusals.between("horse_skeleton.hz", static_cast<double>(hz), 0.0, 5.0);
-    if (const auto valid = refusals.outcome(); !valid)
-        return Error{valid.error()};
+    windrow::detail::Reasons reasons;
+    windrow::detail::check_value(reasons, {nullptr, "horse_skeleton.size"}, size, {1e-3, 1e3, "m"});
+    windrow::detail::check_value(reasons, {nullptr, "horse_skeleton.hz"}, hz, {0.0, 5.0, "Hz"});
+    if (!reasons.empty())
+        return Error{reasons.take()};
 
     Skeleton skeleton;
     const auto add = [&](const char* name, int parent, const glm::vec3& head, const glm::vec3& tail, float radius,

@@ -1,6 +1,6 @@
 #include "vegetation/fur/mesh.h"
 
-#include "vegetation/fur/refusal.h"
+#include "fluid/message.h"
 
 #include <cmath>
 #include <glm/common.hpp>
@@ -9,6 +9,8 @@
 namespace windrow::vegetation::fur {
 namespace {
 
+using windrow::detail::message;
+
 bool sound(const glm::vec3& v) {
     return std::abs(v.x) <= k_farthest && std::abs(v.y) <= k_farthest && std::abs(v.z) <= k_farthest; // false for NaN
 }
@@ -16,16 +18,16 @@ bool sound(const glm::vec3& v) {
 // What is wrong with one vertex; nothing: empty.
 std::string fault_of(const MeshVertex& vertex) {
     if (!sound(vertex.position))
-        return sentence(".position is ", vertex.position, ": give finite metres within ", k_farthest, " of the origin.");
+        return message(".position is ", vertex.position, ": give finite metres within ", k_farthest, " of the origin.");
     if (const float length = glm::length(vertex.normal); !(std::abs(length - 1.0f) <= 1e-3f))
-        return sentence(".normal has the length ", length, ": give a unit vector.");
+        return message(".normal has the length ", length, ": give a unit vector.");
     if (!std::isfinite(vertex.uv.x) || !std::isfinite(vertex.uv.y))
         return ".uv is not finite: give finite coordinates.";
     const glm::vec4 w = vertex.weights;
     const bool positive = w.x >= 0.0f && w.y >= 0.0f && w.z >= 0.0f && w.w >= 0.0f;
     const float sum = w.x + w.y + w.z + w.w;
     if (!positive || !(sum == 0.0f || std::abs(sum - 1.0f) <= 1e-4f))
-        return sentence(".weights sum to ", sum, ": give four from 0 to 1 that sum to 1, or none.");
+        return message(".weights sum to ", sum, ": give four from 0 to 1 that sum to 1, or none.");
     return {};
 }
 
@@ -34,19 +36,19 @@ std::string fault_of_parts(const Mesh& mesh) {
     for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
         const MeshPart& part = mesh.parts[i];
         if (part.first != next || part.count == 0 || part.count % 3 != 0 || part.count > mesh.indices.size() - next)
-            return sentence(".parts[", i, "] takes ", part.count, " indices from ", part.first, " on: give whole triangles from ",
-                            next, " on, of ", mesh.indices.size(), ".");
+            return message(".parts[", i, "] takes ", part.count, " indices from ", part.first, " on: give whole triangles from ",
+                           next, " on, of ", mesh.indices.size(), ".");
         next += part.count;
     }
     if (next != mesh.indices.size())
-        return sentence(".parts hold ", next, " indices: give each of ", mesh.indices.size(), " a part.");
+        return message(".parts hold ", next, " indices: give each of ", mesh.indices.size(), " a part.");
     return {};
 }
 
 } // namespace
 
 Result<void> validate(const Mesh& mesh, const char* owner) {
-    const auto refuse = [&](const auto&... words) { return refusal(owner, words...); };
+    const auto refuse = [&](const auto&... words) { return windrow::Error{message(owner, words...)}; };
     if (mesh.vertices.size() < 3 || mesh.vertices.size() > k_most_vertices)
         return refuse(".vertices has ", mesh.vertices.size(), " entries: give 3 to ", k_most_vertices, ".");
     if (mesh.indices.empty() || mesh.indices.size() % 3 != 0 || mesh.triangles() > k_most_triangles)

@@ -60,4 +60,14 @@ inline constexpr float k_farthest = 1e5f;
 /// Sets `low` and `high`.
 void measure(Mesh& mesh);
 
+/// The box projection, for meshes without a uv: each triangle is seen along the axis that its normals face most, and its vertices get
+/// the other two coordinates [m], at most stretched by sqrt(3), torn where the axis changes. Sets every uv and has_uv to false.
+/// Vertices where the axis changes are doubled; normals stay shared.
+void project_uv(Mesh& mesh);
+
+/// Down to `most` triangles, or to as few as the rules above allow; vertices that are left over are removed. It ends earlier where
+/// points with thousands of triangles each would take minutes: after 12 million looks at a triangle and 100 for each. Normals are those
+/// of the vertices that stay: make them anew. The order of collapses does not depend on the machine.
+void simplify(Mesh& mesh, std::size_t most);
+
 } // namespace windrow::vegetation::fur

@@ -1,4 +1,4 @@
-#include "vegetation/fur/mesh_uv.h"
+#include "vegetation/fur/mesh.h"
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "vegetation/fur/mesh_weld.h"
 
-#include "vegetation/fur/refusal.h"
+#include "fluid/message.h"
 
 #include <algorithm>
 #include <array>
@@ -11,6 +11,8 @@
 
 namespace windrow::vegetation::fur {
 namespace {
+
+using windrow::detail::message;
 
 // Exact: what a file writes twice it writes alike. Adding 0 makes -0 a 0.
 using Key = std::array<std::uint32_t, 5>;
@@ -46,9 +48,9 @@ double angle(const glm::dvec3& at, const glm::dvec3& one, const glm::dvec3& othe
 
 std::string fault_of(const Corner& corner) {
     if (!finite(corner.position) || glm::dot(corner.position, corner.position) > 1e30f)
-        return sentence("has the position ", corner.position, ": give finite ones.");
+        return message("has the position ", corner.position, ": give finite ones.");
     if (!finite(corner.normal))
-        return sentence("has the normal ", corner.normal, ": give finite ones.");
+        return message("has the normal ", corner.normal, ": give finite ones.");
     if (!std::isfinite(corner.uv.x) || !std::isfinite(corner.uv.y))
         return "has a uv that is not finite: give finite ones.";
     return {};
@@ -78,22 +80,22 @@ Result<Mesh> weld(const Soup& soup, const std::string& owner) {
             const Corner* corners = &part.corners[i];
             for (std::size_t k = 0; k < 3; ++k)
                 if (const std::string fault = fault_of(corners[k]); !fault.empty())
-                    return refusal(owner, fault);
+                    return windrow::Error{message(owner, fault)};
             if (facing(corners[0].position, corners[1].position, corners[2].position) == glm::dvec3(0.0))
                 continue;
             for (std::size_t k = 0; k < 3; ++k) {
                 const Corner& corner = corners[k];
                 const float length = glm::length(corner.normal);
                 if (has_normals && !(length > 1e-6f))
-                    return refusal(owner, "has a normal of length ", length, " at ", corner.position,
-                                   ": give unit vectors, or none at all.");
+                    return windrow::Error{message(owner, "has a normal of length ", length, " at ", corner.position,
+                                                  ": give unit vectors, or none at all.")};
                 const glm::vec2 uv = mesh.has_uv ? corner.uv : glm::vec2(0.0f);
                 const auto [known, is_new] =
                     numbers.try_emplace(key_of(corner.position, uv), static_cast<std::uint32_t>(mesh.vertices.size()));
                 if (is_new)
                     mesh.vertices.push_back({.position = corner.position, .normal = glm::vec3(0.0f), .uv = uv});
                 if (mesh.vertices.size() > k_most_vertices)
-                    return refusal(owner, "has more than ", k_most_vertices, " vertices: give fewer.");
+                    return windrow::Error{message(owner, "has more than ", k_most_vertices, " vertices: give fewer.")};
                 if (has_normals)
                     mesh.vertices[known->second].normal +=
                         corner.normal / length *
@@ -105,7 +107,7 @@ Result<Mesh> weld(const Soup& soup, const std::string& owner) {
             mesh.parts.push_back({part.material, first, static_cast<std::uint32_t>(mesh.indices.size()) - first, {}});
     }
     if (mesh.indices.empty())
-        return refusal(owner, "has no triangle with an area: give a mesh of triangles.");
+        return windrow::Error{message(owner, "has no triangle with an area: give a mesh of triangles.")};
     measure(mesh);
     return mesh;
 }

@@ -6,11 +6,25 @@
 #pragma once
 
 #include "vegetation/fur/mesh.h"
-#include "vegetation/fur/soup.h"
 
 #include <vector>
 
 namespace windrow::vegetation::fur {
+
+/// What a file gives before it is a mesh: three corners a triangle, not shared.
+struct Corner {
+    glm::vec3 position{0.0f};
+    glm::vec3 normal{0.0f}; ///< of the file; 0 where it has none
+    glm::vec2 uv{0.0f};
+};
+
+struct SoupPart {
+    std::string material;
+    std::vector<Corner> corners; ///< three a triangle
+    bool has_uv = false;
+};
+
+using Soup = std::vector<SoupPart>;
 
 /// For each vertex the number of its position, from 0: vertices of equal position (to the bit, -0 as 0) have the same.
 [[nodiscard]] std::vector<std::uint32_t> same_positions(const std::vector<MeshVertex>& vertices);

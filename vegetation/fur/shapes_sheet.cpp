@@ -1,5 +1,5 @@
+#include "fluid/validation.h"
 #include "vegetation/fur/mesh_grid.h"
-#include "vegetation/fur/refusal.h"
 #include "vegetation/fur/shapes.h"
 
 #include <algorithm>
@@ -9,15 +9,15 @@
 
 namespace windrow::vegetation::fur {
 
+void check_rules(windrow::detail::Reasons& reasons, const windrow::detail::FieldPath& path, const Sheet& sheet) {
+    const float most = 0.1f * std::min(sheet.size.x, sheet.size.y);
+    if (sheet.wave > most)
+        reasons.add(windrow::detail::FieldPath{&path, "wave"}, " is ", sheet.wave,
+                    " m: give at most a tenth of the shorter side, ", most, " m.");
+}
+
 Result<Mesh> sheet(const Sheet& settings) {
-    Refusals refusals;
-    refusals.between("sheet.size.x", static_cast<double>(settings.size.x), 1e-3, 1e4);
-    refusals.between("sheet.size.y", static_cast<double>(settings.size.y), 1e-3, 1e4);
-    refusals.between("sheet.columns", settings.columns, 1, 1024);
-    refusals.between("sheet.rows", settings.rows, 1, 1024);
-    refusals.between("sheet.wave", static_cast<double>(settings.wave), 0.0,
-                     0.1 * static_cast<double>(std::min(settings.size.x, settings.size.y)));
-    if (const auto valid = refusals.outcome(); !valid)
+    if (const auto valid = windrow::detail::validate_settings(settings, "sheet"); !valid)
         return Error{valid.error()};
 
     // y = wave sin(a) cos(b), with one wave and a half along x and one along z: two slopes that a hanging cloth has.

@@ -1,5 +1,5 @@
+#include "fluid/validation.h"
 #include "vegetation/fur/mesh_grid.h"
-#include "vegetation/fur/refusal.h"
 #include "vegetation/fur/shapes.h"
 
 #include <cmath>
@@ -19,11 +19,7 @@ MeshVertex on_sphere(const glm::dvec3& way, double radius, double u, double v) {
 } // namespace
 
 Result<Mesh> globe_sphere(const GlobeSphere& settings) {
-    Refusals refusals;
-    refusals.between("sphere.radius", static_cast<double>(settings.radius), 1e-3, 1e3);
-    refusals.between("sphere.sectors", settings.sectors, 3, 1024);
-    refusals.between("sphere.stacks", settings.stacks, 2, 1024);
-    if (const auto valid = refusals.outcome(); !valid)
+    if (const auto valid = windrow::detail::validate_settings(settings, "sphere"); !valid)
         return Error{valid.error()};
 
     Mesh mesh;
@@ -55,10 +51,7 @@ Result<Mesh> globe_sphere(const GlobeSphere& settings) {
 }
 
 Result<Mesh> cube_sphere(const CubeSphere& settings) {
-    Refusals refusals;
-    refusals.between("sphere.radius", static_cast<double>(settings.radius), 1e-3, 1e3);
-    refusals.between("sphere.cells", settings.cells, 1, 512);
-    if (const auto valid = refusals.outcome(); !valid)
+    if (const auto valid = windrow::detail::validate_settings(settings, "sphere"); !valid)
         return Error{valid.error()};
 
     // Outward, to the right and up of each face; right x up = outward.

@@ -1,6 +1,6 @@
+#include "fluid/validation.h"
 #include "vegetation/fur/mesh_grid.h"
 #include "vegetation/fur/mesh_weld.h"
-#include "vegetation/fur/refusal.h"
 #include "vegetation/fur/shapes.h"
 
 #include <algorithm>
@@ -47,17 +47,14 @@ class Form {
 
 } // namespace
 
+void check_rules(windrow::detail::Reasons& reasons, const windrow::detail::FieldPath& path, const Wing& wing) {
+    if (wing.chord > wing.span)
+        reasons.add(windrow::detail::FieldPath{&path, "chord"}, " is ", wing.chord, " m: give at most the span, ", wing.span,
+                    " m.");
+}
+
 Result<Mesh> wing(const Wing& settings) {
-    Refusals refusals;
-    refusals.between("wing.span", static_cast<double>(settings.span), 1e-2, 100.0);
-    refusals.between("wing.chord", static_cast<double>(settings.chord), 1e-3, static_cast<double>(settings.span));
-    refusals.between("wing.thickness", static_cast<double>(settings.thickness), 0.005, 0.3);
-    refusals.between("wing.sweep", static_cast<double>(settings.sweep), 0.0, 1.0);
-    refusals.between("wing.droop", static_cast<double>(settings.droop), 0.0, 0.5);
-    refusals.between("wing.feathers", settings.feathers, 0, 40);
-    refusals.between("wing.columns", settings.columns, 4, 512);
-    refusals.between("wing.rows", settings.rows, 2, 256);
-    if (const auto valid = refusals.outcome(); !valid)
+    if (const auto valid = windrow::detail::validate_settings(settings, "wing"); !valid)
         return Error{valid.error()};
 
     const Form form(settings);

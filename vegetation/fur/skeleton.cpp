@@ -1,6 +1,6 @@
 #include "vegetation/fur/skeleton.h"
 
-#include "vegetation/fur/refusal.h"
+#include "fluid/validation.h"
 
 #include <algorithm>
 #include <array>
@@ -13,38 +13,12 @@
 namespace windrow::vegetation::fur {
 namespace {
 
+using windrow::detail::message;
+
 constexpr double k_pi = std::numbers::pi;
 
 double wide(float value) {
     return static_cast<double>(value);
-}
-
-void judge(Refusals& refusals, const Swing& swing, const std::string& name) {
-    const double length = glm::length(glm::dvec3(swing.axis));
-    if (!(length > 1e-6 && length < 1e6))
-        refusals.add(sentence(name, ".axis is ", swing.axis, ": give a finite vector that is not 0."));
-    refusals.between(name + ".rest", wide(swing.rest), -k_pi, k_pi);
-    refusals.between(name + ".amplitude", wide(swing.amplitude), 0.0, k_pi / 2.0);
-    refusals.between(name + ".hz", wide(swing.hz), 0.0, 20.0);
-    refusals.between(name + ".phase", wide(swing.phase), -100.0, 100.0);
-    refusals.between(name + ".second", wide(swing.second), 0.0, k_pi / 2.0);
-    refusals.between(name + ".second_phase", wide(swing.second_phase), -100.0, 100.0);
-}
-
-void judge(Refusals& refusals, const Bone& bone, int index, const std::string& name) {
-    if (bone.parent < -1 || bone.parent >= index)
-        refusals.add(sentence(name, ".parent is ", bone.parent, ": give a bone before it, or -1."));
-    for (const auto& [field, value] : {std::pair(".head", bone.head), std::pair(".tail", bone.tail)})
-        for (int axis = 0; axis < 3; ++axis)
-            refusals.between(name + field + '.' + "xyz"[axis], wide(value[axis]), -wide(k_farthest), wide(k_farthest));
-    refusals.between(name + ".radius", wide(bone.radius), 1e-5, 100.0);
-    for (int axis = 0; axis < 3; ++axis)
-        refusals.between(name + ".sway." + "xyz"[axis], wide(bone.sway[axis]), -10.0, 10.0);
-    refusals.between(name + ".sway_hz", wide(bone.sway_hz), 0.0, 20.0);
-    refusals.between(name + ".sway_phase", wide(bone.sway_phase), -100.0, 100.0);
-    refusals.between(name + ".swings", static_cast<double>(bone.swings.size()), 0.0, 4.0);
-    for (std::size_t i = 0; i < std::min<std::size_t>(bone.swings.size(), 4); ++i)
-        judge(refusals, bone.swings[i], sentence(name, ".swings[", i, "]"));
 }
 
 double distance_to(const Bone& bone, const glm::dvec3& p) {
@@ -69,12 +43,13 @@ double angle_of(const Swing& swing, double seconds) {
 } // namespace
 
 Result<void> validate(const Skeleton& skeleton) {
-    if (skeleton.bones.empty() || skeleton.bones.size() > k_most_bones)
-        return refusal("skeleton.bones has ", skeleton.bones.size(), " entries: give 1 to ", k_most_bones, ".");
-    Refusals refusals;
-    for (std::size_t i = 0; i < skeleton.bones.size(); ++i)
-        judge(refusals, skeleton.bones[i], static_cast<int>(i), sentence("skeleton.bones[", i, "]"));
-    return refusals.outcome();
+    windrow::detail::Reasons reasons;
+    windrow::detail::check_items(reasons, {nullptr, "skeleton.bones"}, std::span(skeleton.bones), {1.0, k_most_bones});
+    if (skeleton.bones.size() <= k_most_bones)
+        for (std::size_t i = 0; i < skeleton.bones.size(); ++i)
+            if (const int parent = skeleton.bones[i].parent; parent < -1 || parent >= static_cast<int>(i))
+                reasons.add("skeleton.bones[", i, "].parent is ", parent, ": give a bone before it, or -1.");
+    return reasons.outcome();
 }
 
 Result<void> bind(Mesh& mesh, const Skeleton& skeleton) {
@@ -134,12 +109,13 @@ std::vector<glm::mat4> pose(const Skeleton& skeleton, double seconds) {
 Result<void> skin(const Mesh& mesh, std::span<const glm::mat4> matrices, std::span<glm::vec3> positions,
                   std::span<glm::vec3> normals) {
     if (positions.size() != mesh.vertices.size() || normals.size() != mesh.vertices.size())
-        return refusal("skin.positions and .normals have ", positions.size(), " and ", normals.size(), " entries: give ",
-                       mesh.vertices.size(), ".");
+        return windrow::Error{message("skin.positions and .normals have ", positions.size(), " and ", normals.size(),
+                                      " entries: give ", mesh.vertices.size(), ".")};
     for (const MeshVertex& vertex : mesh.vertices)
         for (int k = 0; k < 4; ++k)
             if (vertex.weights[k] > 0.0f && vertex.bones[k] >= matrices.size())
-                return refusal("skin.matrices has ", matrices.size(), " entries: give one for bone ", vertex.bones[k], ".");
+                return windrow::Error{
+                    message("skin.matrices has ", matrices.size(), " entries: give one for bone ", vertex.bones[k], ".")};
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
         const MeshVertex& vertex = mesh.vertices[i];
         positions[i] = vertex.position;

@@ -11,6 +11,7 @@
 // bone about its head, after its parent's, and may move. Without swings and sway it is the identity to the bit.
 #pragma once
 
+#include "fluid/setting.h"
 #include "vegetation/fur/mesh.h"
 
 #include <glm/mat4x4.hpp>
@@ -22,25 +23,54 @@ namespace windrow::vegetation::fur {
 
 /// One swing of a bone about an axis: angle = rest + amplitude sin(a) + second sin(2 a + second_phase), a = 2 pi hz t + phase.
 struct Swing {
-    glm::vec3 axis{1.0f, 0.0f, 0.0f}; ///< of the mesh at rest; any length but 0
-    float rest = 0.0f;                ///< [rad] held always, -pi to pi. Default 0
-    float amplitude = 0.0f;           ///< [rad] 0 to pi/2
-    float hz = 1.0f;                  ///< 0 to 20
-    float phase = 0.0f;               ///< [rad]
-    float second = 0.0f;              ///< [rad] of the double frequency, 0 to pi/2: a knee bends and stretches unevenly
-    float second_phase = 0.0f;        ///< [rad]
+    glm::vec3 axis{1.0f, 0.0f, 0.0f};
+    float rest = 0.0f;
+    float amplitude = 0.0f;
+    float hz = 1.0f;
+    float phase = 0.0f;
+    float second = 0.0f;
+    float second_phase = 0.0f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("axis", &Swing::axis, Range::length(1e-6, 1e6, ""), "Of the mesh at rest; any length but 0."),
+            Setting("rest", &Swing::rest, {-3.1415927, 3.1415927, "rad"}, "Held always."),
+            Setting("amplitude", &Swing::amplitude, {0.0, 1.5707964, "rad"}, "Of the swing."),
+            Setting("hz", &Swing::hz, {0.0, 20.0, "Hz"}, "Its frequency."),
+            Setting("phase", &Swing::phase, {-100.0, 100.0, "rad"}, "By which it is ahead."),
+            Setting("second", &Swing::second, {0.0, 1.5707964, "rad"},
+                    "Amplitude at the double frequency: a knee bends and stretches unevenly."),
+            Setting("second_phase", &Swing::second_phase, {-100.0, 100.0, "rad"}, "Of the double frequency."),
+        };
+    }
 };
 
 struct Bone {
     std::string name;
-    int parent = -1;             ///< an index before its own; -1: none
-    glm::vec3 head{0.0f};        ///< [m] in the mesh at rest: what it turns about
-    glm::vec3 tail{0.0f};        ///< [m]
-    float radius = 0.1f;         ///< [m] of the flesh around it, above 0, at most 100: thick bones hold vertices from farther
-    std::vector<Swing> swings{}; ///< at most 4, the first applied last
-    glm::vec3 sway{0.0f};        ///< [m] the bone moves by sway sin(2 pi sway_hz t + sway_phase); each at most 10
-    float sway_hz = 1.0f;        ///< 0 to 20
-    float sway_phase = 0.0f;     ///< [rad]
+    int parent = -1;
+    glm::vec3 head{0.0f};
+    glm::vec3 tail{0.0f};
+    float radius = 0.1f;
+    std::vector<Swing> swings{};
+    glm::vec3 sway{0.0f};
+    float sway_hz = 1.0f;
+    float sway_phase = 0.0f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("name", &Bone::name, "For others to name as their parent."),
+            Setting("parent", &Bone::parent, "Index of a bone before it; -1: none.", k_not_stored),
+            Setting("head", &Bone::head, {-k_farthest, k_farthest, "m"}, "In the mesh at rest: what it turns about."),
+            Setting("tail", &Bone::tail, {-k_farthest, k_farthest, "m"}, "Its other end."),
+            Setting("radius", &Bone::radius, {1e-5, 100.0, "m"},
+                    "Of the flesh around it: thick bones hold vertices from farther."),
+            Setting("swings", &Bone::swings, {0.0, 4.0}, "Turns to and fro about its head, the first applied last."),
+            Setting("sway", &Bone::sway, {-10.0, 10.0, "m"},
+                    "It moves to and fro by so much, as sway sin(2 pi sway_hz t + sway_phase)."),
+            Setting("sway_hz", &Bone::sway_hz, {0.0, 20.0, "Hz"}, "Frequency of the sway."),
+            Setting("sway_phase", &Bone::sway_phase, {-100.0, 100.0, "rad"}, "By which the sway is ahead."),
+        };
+    }
 };
 
 struct Skeleton {

@@ -1,44 +1,27 @@
 #include "vegetation/fur/strand_field.h"
 
-#include "vegetation/render/refusals.h"
+#include "fluid/validation.h"
 
 namespace windrow::vegetation::fur {
 
+using windrow::detail::FieldPath, windrow::detail::Reasons;
+
 windrow::Result<void> validate(const StrandFieldSettings& settings) {
-    render::Refusals refusals;
-    const auto range = [&](const char* field, float value, double low, double high) { refusals.range(field, value, low, high); };
-    range("strands.density", settings.density, 0.01, 1e5);
-    range("strands.stretch", settings.stretch, 0.05, 20.0);
-    range("strands.row_shift", settings.row_shift, 0.0, 0.5);
-    refusals.range("strands.seed", settings.seed, 0.0, 1e6);
-    range("strands.jitter", settings.jitter, 0.0, 1.0);
-    range("strands.wriggle", settings.wriggle, 0.0, 1.0);
-    range("strands.phase", settings.phase, -1e4, 1e4);
-    range("strands.low", settings.low, 0.0, 1.0);
-    range("strands.high", settings.high, 0.0, 1.0);
+    return windrow::detail::validate_settings(settings, "strands");
+}
+
+void check_rules(Reasons& reasons, const FieldPath& path, const StrandFieldSettings& settings) {
     if (settings.low > settings.high)
-        refusals.add("strands.low is above strands.high: give them in order.");
-    range("strands.thickness", settings.thickness, 0.0, 10.0);
-    range("strands.cut_min", settings.cut_min, 0.0, 1.0);
-    range("strands.cut_max", settings.cut_max, 0.0, 1.0);
-    range("strands.cut_exponent", settings.cut_exponent, 1e-3, 10.0);
-    range("strands.half_length", settings.half_length, 0.05, 1.0);
-    range("strands.lift", settings.lift, 0.0, 1.0);
-    range("strands.shaft", settings.shaft, 0.0, 0.5);
-    range("strands.bow", settings.bow, 0.0, 0.5);
-    range("strands.bow_turns", settings.bow_turns, -8.0, 8.0);
-    range("strands.tuft", settings.tuft, 0.0, 0.9);
-    range("strands.tuft_size", settings.tuft_size, 1.0, 1000.0);
-    if (settings.profile > StrandProfile::edge)
-        refusals.add("strands.profile is none of the three: give cone, centre or edge.");
-    if (settings.shape > StrandShape::strip)
-        refusals.add("strands.shape is none of the three: give round, oval or strip.");
-    if (settings.shape != StrandShape::round && settings.half_length + settings.bow > 1.0f)
-        refusals.add("strands.half_length and strands.bow make more than 1 cell, beyond which nothing is searched: lower one.");
-    if (settings.shape != StrandShape::round && settings.profile == StrandProfile::edge)
-        refusals.add(
-            "strands.shape is not round, and strands.profile is edge, which has the shape of its cells: give another profile.");
-    return refusals.result();
+        reasons.add(FieldPath{&path, "low"}, " is ", settings.low, ": give at most ", FieldPath{&path, "high"}, ", which is ",
+                    settings.high, ".");
+    if (settings.shape == StrandShape::round)
+        return;
+    if (settings.half_length + settings.bow > 1.0f)
+        reasons.add(FieldPath{&path, "half_length"}, " and bow make ", settings.half_length + settings.bow,
+                    " cells: lower one, as nothing is searched beyond 1.");
+    if (settings.profile == StrandProfile::edge)
+        reasons.add(FieldPath{&path, "shape"},
+                    " is not round beside the profile edge, which has the shape of its cells: give another profile.");
 }
 
 StrandFieldBlock block(const StrandFieldSettings& settings) {

@@ -7,7 +7,7 @@
 // Lengths in the plane count in cells, each of which bears one strand.
 #pragma once
 
-#include "fluid/result.h"
+#include "coupling/drag.h"
 #include "vegetation/fur/strand_numerics.h"
 
 #include <cstdint>
@@ -29,57 +29,76 @@ enum class StrandShape : std::uint8_t {
 };
 
 struct StrandFieldSettings {
-    /// Cells across a unit of uv, or across a metre of a mesh's rest space; 0.01 to 1e5. Default 100. Where u and density make
-    /// more than 1e5 cells, floats no longer tell places within a cell apart.
     float density = 100.0f;
-    /// A cell's length along v over its width, 0.05 to 20. Default 1. Not on surfaces.
     float stretch = 1.0f;
-    /// By what share of a cell every other row is shifted, 0 to 0.5. Default 0; 0.5 lays feathers as tiles lie. Not on surfaces.
     float row_shift = 0.0f;
-    /// Another pattern for each, 0 to 1e6. Default 0.
     int seed = 0;
-
-    /// How far strands stand from the middles of their cells, 0 (a grid) to 1. Default 1. Surfaces always have all of it. Costs
-    /// up to 9 hashes a point in place of 1. Rows that are shifted take a little off it: see strand_field.cpp.
     float jitter = 1.0f;
-    /// How much of the jitter wanders with `phase`, 0 to 1. Default 0. Not on surfaces.
     float wriggle = 0.0f;
-    /// [turns] Of the wriggle, -1e4 to 1e4: seconds times a rate. Default 0.
     float phase = 0.0f;
-
-    /// Lengths are even between these shares of the shell's, 0 to 1. Default 0.4 to 1. Equal ones make a clipped field.
     float low = 0.4f;
     float high = 1.0f;
-
     StrandProfile profile = StrandProfile::cone;
-    /// T of the cone, 0 to 10: the radius of a whole strand's root in half cells. Default 1: the circle that its cell holds.
-    /// Above, neighbours merge.
     float thickness = 1.0f;
-    /// Of the other profiles, 0 to 1 each. Default 0.2 to 0: the centre form narrows to its tip if min > max, the edge form if
-    /// min < max.
     float cut_min = 0.2f;
     float cut_max = 0.0f;
-    /// Above 0, at most 10. Default 1: a centre's section falls evenly. 2 makes a straight cone of a centre form without cut_max.
     float cut_exponent = 1.0f;
-
     StrandShape shape = StrandShape::round;
-    /// [cells] Half length of ovals and strips along v, 0.05 to 1. Default 0.7: feathers overlap. Not of round ones.
     float half_length = 0.7f;
-    /// How far a feather lies down, 0 to 1: 0 stands, 1 rises from the skin at its root to its whole length at its end, as scales
-    /// do. Default 0. Not of round ones.
     float lift = 0.0f;
-    /// [cells] Half width of the line along a feather's middle at its root, 0 (none) to 0.5. Default 0.
     float shaft = 0.0f;
-
-    /// [cells] How far tips stand off their roots by strands' own bow, 0 to 0.5. Default 0. Not in the edge form.
     float bow = 0.0f;
-    /// Turns that a bow winds from root to tip, -8 to 8. Default 0.25; 2 makes locks of wool.
     float bow_turns = 0.25f;
-    /// How close tips gather in tufts, 0 (none) to 0.9. Default 0. Wet fur has 0.7. Costs 18 hashes on uv, about twice as many on
-    /// surfaces.
     float tuft = 0.0f;
-    /// [cells] Mean width of a tuft, 1 to 1000. Default 6.
     float tuft_size = 6.0f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("density", &StrandFieldSettings::density, {0.01, 1e5},
+                    "Cells across a metre of the mesh's own space, or across a unit of uv. Of a mesh from a file, the default is "
+                    "that of the material's fur line. Where u and density make more than 1e5 cells, floats no longer tell places "
+                    "within a cell apart."),
+            Setting("stretch", &StrandFieldSettings::stretch, {0.05, 20.0}, "A cell's length along v over its width; on uv."),
+            Setting("row_shift", &StrandFieldSettings::row_shift, {0.0, 0.5},
+                    "Fraction of a cell by which every other row is shifted; on uv. 0.5 lays feathers as tiles lie."),
+            Setting("seed", &StrandFieldSettings::seed, {0.0, 1e6}, "Another number, another pattern."),
+            Setting("jitter", &StrandFieldSettings::jitter, k_fraction_range,
+                    "How far strands stand from the middles of their cells: 0 is a grid. Surfaces always have all of it. Costs "
+                    "up to 9 hashes a point in place of 1; rows that are shifted take a little off it."),
+            Setting("wriggle", &StrandFieldSettings::wriggle, k_fraction_range, "How much of the jitter wanders in time; on uv."),
+            Setting("phase", &StrandFieldSettings::phase, {-1e4, 1e4}, "Of the wriggle at time 0, in turns."),
+            Setting("low", &StrandFieldSettings::low, k_fraction_range, "Shortest strands, as a fraction of the length."),
+            Setting("high", &StrandFieldSettings::high, k_fraction_range,
+                    "Longest strands, as a fraction of the length. As low: a clipped field."),
+            Setting("profile", &StrandFieldSettings::profile,
+                    "How a strand narrows: cone; centre: from cut_min to cut_max; edge: spikes that touch, from the edges of "
+                    "Voronoi's cells."),
+            Setting("thickness", &StrandFieldSettings::thickness, {0.0, 10.0},
+                    "T of the cone: radius of a whole strand's root in half cells; above 1 neighbours merge. Of a mesh from a "
+                    "file, the default is that of the material's fur line."),
+            Setting("cut_min", &StrandFieldSettings::cut_min, k_fraction_range, "Of centre and edge, at the root."),
+            Setting("cut_max", &StrandFieldSettings::cut_max, k_fraction_range,
+                    "Of centre and edge, at the tip. Below cut_min the centre form narrows to its tip, above it the edge form."),
+            Setting("cut_exponent", &StrandFieldSettings::cut_exponent, {1e-3, 10.0},
+                    "Of centre and edge. At 1 a centre's section falls evenly; 2 makes a straight cone of one without cut_max."),
+            Setting("shape", &StrandFieldSettings::shape,
+                    "Section of a strand: round, oval (a feather), strip (paper); the last two on uv."),
+            Setting("half_length", &StrandFieldSettings::half_length, {0.05, 1.0, "cells"},
+                    "Half length of ovals and strips along v. At 0.7 feathers overlap."),
+            Setting("lift", &StrandFieldSettings::lift, k_fraction_range,
+                    "How far a feather lies down: 0 stands, 1 rises from the skin at its root to its whole length at its end, as "
+                    "scales do."),
+            Setting("shaft", &StrandFieldSettings::shaft, {0.0, 0.5, "cells", "none"},
+                    "Half width of the line along a feather's middle."),
+            Setting("bow", &StrandFieldSettings::bow, {0.0, 0.5, "cells"},
+                    "How far tips stand off their roots by a bow of their own. Not in the edge form."),
+            Setting("bow_turns", &StrandFieldSettings::bow_turns, {-8.0, 8.0},
+                    "Turns that a bow winds from root to tip; 2 makes locks of wool."),
+            Setting("tuft", &StrandFieldSettings::tuft, {0.0, 0.9},
+                    "How close tips gather in tufts; wet fur has 0.7. Costs 18 hashes on uv, about twice as many on surfaces."),
+            Setting("tuft_size", &StrandFieldSettings::tuft_size, {1.0, 1000.0, "cells"}, "Mean width of a tuft."),
+        };
+    }
 };
 
 /// WindrowStrandField of vegetation/shaders/numerics/strand_field.glsl says what each component is; std140.
@@ -89,6 +108,7 @@ using StrandHit = numerics::WindrowStrandHit;
 
 /// Refuses what is out of range, and bows and shapes that reach beyond the cells that are searched; every reason.
 [[nodiscard]] windrow::Result<void> validate(const StrandFieldSettings& settings);
+void check_rules(windrow::detail::Reasons& reasons, const windrow::detail::FieldPath& path, const StrandFieldSettings& settings);
 
 /// What shaders are told, of settings that `validate` takes.
 [[nodiscard]] StrandFieldBlock block(const StrandFieldSettings& settings);
@@ -103,3 +123,8 @@ using StrandHit = numerics::WindrowStrandHit;
 [[nodiscard]] bool layer_empty(const StrandFieldSettings& settings, float h);
 
 } // namespace windrow::vegetation::fur
+
+template <>
+inline constexpr std::array<const char*, 3> windrow::k_words<windrow::vegetation::fur::StrandProfile>{"cone", "centre", "edge"};
+template <>
+inline constexpr std::array<const char*, 3> windrow::k_words<windrow::vegetation::fur::StrandShape>{"round", "oval", "strip"};

@@ -1,7 +1,7 @@
 #include "vegetation/fur/surface_nets.h"
 
+#include "fluid/message.h"
 #include "vegetation/fur/mesh_grid.h"
-#include "vegetation/fur/refusal.h"
 
 #include <algorithm>
 #include <array>
@@ -12,6 +12,8 @@
 
 namespace windrow::vegetation::fur {
 namespace {
+
+using windrow::detail::message;
 
 constexpr std::uint32_t k_none = ~0u;
 constexpr int k_most_cells = 512;
@@ -143,19 +145,20 @@ Result<Mesh> surface_nets(const Flesh& flesh, const glm::vec3& low, const glm::v
     for (int axis = 0; axis < 3; ++axis) {
         const double count = std::ceil(static_cast<double>(high[axis] - low[axis]) / static_cast<double>(cell));
         if (!(count >= 2.0 && count <= k_most_cells))
-            return refusal("surface_nets.cell is ", cell, " m: give one that cuts the box into 2 to ", k_most_cells,
-                           " along each edge.");
+            return windrow::Error{message("surface_nets.cell is ", cell, " m: give one that cuts the box into 2 to ",
+                                          k_most_cells, " along each edge.")};
         cells[axis] = static_cast<int>(count);
     }
     Net net(flesh, low, cells, static_cast<double>(cell));
     if (net.touches())
-        return refusal("surface_nets.flesh comes to the box from ", low, " to ", high, ": give a greater box.");
+        return windrow::Error{message("surface_nets.flesh comes to the box from ", low, " to ", high, ": give a greater box.")};
     Mesh mesh = net.run();
     if (mesh.indices.empty())
-        return refusal("surface_nets.flesh meets no corner of the grid: give smaller cells than ", cell, " m, or a body.");
+        return windrow::Error{
+            message("surface_nets.flesh meets no corner of the grid: give smaller cells than ", cell, " m, or a body.")};
     if (!closed(mesh))
-        return refusal("surface_nets.cell is ", cell,
-                       " m, and two skins cross one cell, which has one vertex: give another, or shift the box.");
+        return windrow::Error{message("surface_nets.cell is ", cell,
+                                      " m, and two skins cross one cell, which has one vertex: give another, or shift the box.")};
     finish(mesh, material);
     return mesh;
 }

@@ -9,11 +9,11 @@ glm::ivec2 cells_of(const HeightMap& heights, const GrassSettings& settings) {
     return glm::max(glm::ivec2(glm::floor(cells + 1e-3)), glm::ivec2(1)); // rounding takes no cell away
 }
 
-float distance_to(const Box& box, glm::vec3 point) {
+float distance_to(const ChunkBox& box, glm::vec3 point) {
     return glm::length(glm::max(glm::max(box.low - point, point - box.high), glm::vec3(0.0f)));
 }
 
-bool may_see(const Planes& planes, const Box& box) {
+bool may_see(const Planes& planes, const ChunkBox& box) {
     return std::none_of(planes.begin(), planes.end(), [&](const glm::vec4& plane) {
         // The corner of the box that lies farthest along the plane's inner side.
         const glm::vec3 corner(plane.x > 0.0f ? box.high.x : box.low.x, plane.y > 0.0f ? box.high.y : box.low.y,
@@ -74,7 +74,7 @@ const ChunkTree::Node& ChunkTree::node(int level, glm::ivec2 at) const {
     return here.nodes[static_cast<std::size_t>(at.y) * here.size.x + at.x];
 }
 
-Box ChunkTree::box_of(int level, glm::ivec2 at) const {
+ChunkBox ChunkTree::box_of(int level, glm::ivec2 at) const {
     const Node& part = node(level, at);
     const float side = chunk_side_ * static_cast<float>(1 << level);
     const glm::vec2 low = side * glm::vec2(at), high = glm::min(low + side, edge_);
@@ -97,7 +97,7 @@ void ChunkTree::walk(int level, glm::ivec2 at, const Planes& planes, glm::vec3 e
     const glm::ivec2 size = levels_[static_cast<std::size_t>(level)].size;
     if (at.x >= size.x || at.y >= size.y || !node(level, at).grows())
         return;
-    const Box whole = box_of(level, at);
+    const ChunkBox whole = box_of(level, at);
     if (!(distance_to(whole, eye) < distance) || !may_see(planes, whole))
         return;
     if (level == 0) {

@@ -22,7 +22,7 @@ struct Chunk {
     bool operator==(const Chunk&) const = default;
 };
 
-struct Box {
+struct ChunkBox {
     glm::vec3 low{0.0f}, high{0.0f}; ///< [m] from the field's corner
 };
 
@@ -43,7 +43,7 @@ class ChunkTree {
     [[nodiscard]] glm::ivec2 cells() const { return cells_; }
     [[nodiscard]] bool grows(Chunk chunk) const { return node(0, chunk.at).grows(); }
     /// Widened by a blade's reach.
-    [[nodiscard]] Box box(Chunk chunk) const { return box_of(0, chunk.at); }
+    [[nodiscard]] ChunkBox box(Chunk chunk) const { return box_of(0, chunk.at); }
 
   private:
     struct Node {
@@ -55,7 +55,7 @@ class ChunkTree {
         std::vector<Node> nodes{};
     };
     [[nodiscard]] const Node& node(int level, glm::ivec2 at) const;
-    [[nodiscard]] Box box_of(int level, glm::ivec2 at) const;
+    [[nodiscard]] ChunkBox box_of(int level, glm::ivec2 at) const;
     void walk(int level, glm::ivec2 at, const Planes& planes, glm::vec3 eye, float distance, std::vector<Chunk>& found) const;
 
     glm::ivec2 cells_{0}, chunks_{0};
@@ -67,8 +67,8 @@ class ChunkTree {
 /// Whole cells of a field along x and z: those that fit into the heights' extent, one at least.
 [[nodiscard]] glm::ivec2 cells_of(const HeightMap& heights, const GrassSettings& settings);
 /// [m] Distance from a point to a box, 0 inside.
-[[nodiscard]] float distance_to(const Box& box, glm::vec3 point);
+[[nodiscard]] float distance_to(const ChunkBox& box, glm::vec3 point);
 /// False only where no point of the box is inside of all planes.
-[[nodiscard]] bool may_see(const Planes& planes, const Box& box);
+[[nodiscard]] bool may_see(const Planes& planes, const ChunkBox& box);
 
 } // namespace windrow::vegetation::grass

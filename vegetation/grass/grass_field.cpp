@@ -1,9 +1,9 @@
 #include "vegetation/grass/grass_field.h"
 
+#include "fluid/validation.h"
 #include "shader_words/cull.h"
 #include "shader_words/generate.h"
 #include "vegetation/grass/grass_field_state.h"
-#include "vegetation/grass/refusals.h"
 #include "vegetation/vulkan/descriptors.h"
 #include "vegetation/vulkan/pipeline.h"
 
@@ -33,22 +33,19 @@ GrassField::State::State(engine::Device& device, HeightMap ground, PlacementMask
 
 windrow::Result<GrassField> GrassField::create(engine::Device& device, const HeightMap& heights, const PlacementMask& mask,
                                                const GrassSettings& settings) {
-    Refusals refusals;
-    if (auto fits = validate(settings); !fits)
-        refusals.add(fits.error());
+    windrow::detail::Reasons reasons;
+    reasons.add_all_of(validate(settings));
     // A thousandth of a texel comes of dividing an extent into texels.
     if (glm::length(heights.extent() - mask.extent()) > 1e-3f * heights.grid().spacing.x)
-        refusals.add("The mask reaches " + text(static_cast<double>(mask.extent().x)) + " m x " +
-                     text(static_cast<double>(mask.extent().y)) + " m, the heights " +
-                     text(static_cast<double>(heights.extent().x)) + " m x " + text(static_cast<double>(heights.extent().y)) +
-                     " m: give the mask heights.extent().");
+        reasons.add("The mask reaches ", mask.extent().x, " m x ", mask.extent().y, " m, the heights ", heights.extent().x,
+                    " m x ", heights.extent().y, " m: give the mask heights.extent().");
     const glm::dvec2 cells = glm::dvec2(heights.extent()) * static_cast<double>(settings.density);
     const glm::dvec2 chunks = glm::ceil(cells / static_cast<double>(std::max(settings.chunk_cells, 1)));
     if (cells.x >= k_most_cells || cells.y >= k_most_cells || chunks.x * chunks.y > k_most_chunks)
-        refusals.add("The field has " + text(cells.x) + " x " + text(cells.y) + " blade places in " + text(chunks.x * chunks.y) +
-                     " chunks: give fewer than 2^28 along an axis and at most 2^22 chunks, by a lower grass.density, a larger "
-                     "grass.chunk_cells or less ground.");
-    if (auto fits = refusals.outcome(); !fits)
+        reasons.add("The field has ", cells.x, " x ", cells.y, " blade places in ", chunks.x * chunks.y,
+                    " chunks: give fewer than 2^28 along an axis and at most 2^22 chunks, by a lower grass.density, a larger "
+                    "grass.chunk_cells or less ground.");
+    if (auto fits = reasons.outcome(); !fits)
         return windrow::Error{fits.error()};
     return engine::guarded([&] {
         auto state = std::make_unique<State>(device, heights, mask, settings);
@@ -105,7 +102,8 @@ void GrassField::State::make() {
 windrow::Result<void> GrassField::place(const glm::dvec3& corner) {
     for (int axis = 0; axis < 3; ++axis)
         if (!std::isfinite(corner[axis]))
-            return windrow::Error{"The grass's corner has a coordinate of " + text(corner[axis]) + " m: give finite numbers."};
+            return windrow::Error{
+                windrow::detail::message("The grass's corner has a coordinate of ", corner[axis], " m: give finite numbers.")};
     state_->corner = corner;
     return {};
 }

@@ -1,6 +1,6 @@
 #include "vegetation/grass/height_map.h"
 
-#include "vegetation/grass/refusals.h"
+#include "fluid/validation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,15 +9,17 @@
 namespace windrow::vegetation::grass {
 namespace {
 
+using windrow::detail::message;
+
 constexpr int k_most_corners = 16384; // 1 GiB of heights
 constexpr float k_highest = 1e5f;     // [m] beyond it, a float of a height is coarser than a blade is long
 
 windrow::Result<void> check_grid(glm::ivec2 corners, float spacing) {
-    Refusals refusals;
-    refusals.between("heightmap.corners.x", corners.x, 2, k_most_corners, "");
-    refusals.between("heightmap.corners.z", corners.y, 2, k_most_corners, "");
-    refusals.between("heightmap.spacing", static_cast<double>(spacing), 1e-3, 1e3, " m");
-    return refusals.outcome();
+    windrow::detail::Reasons reasons;
+    const windrow::detail::FieldPath map{nullptr, "heightmap"};
+    windrow::detail::check_value(reasons, {&map, "corners"}, corners, {2.0, k_most_corners});
+    windrow::detail::check_value(reasons, {&map, "spacing"}, spacing, {1e-3, 1e3, "m"});
+    return reasons.outcome();
 }
 
 std::size_t count_of(glm::ivec2 corners) {
@@ -33,12 +35,12 @@ windrow::Result<HeightMap> HeightMap::create(glm::ivec2 corners, float spacing, 
     if (auto fits = check_grid(corners, spacing); !fits)
         return windrow::Error{fits.error()};
     if (heights.size() != count_of(corners))
-        return windrow::Error{"heightmap.heights has " + std::to_string(heights.size()) + " values: give " +
-                              std::to_string(count_of(corners)) + ", one a corner."};
+        return windrow::Error{
+            message("heightmap.heights has ", heights.size(), " values: give ", count_of(corners), ", one a corner.")};
     const auto wrong = std::find_if(heights.begin(), heights.end(), [](float h) { return !(std::abs(h) <= k_highest); });
     if (wrong != heights.end())
-        return windrow::Error{"heightmap.heights[" + std::to_string(wrong - heights.begin()) + "] is " +
-                              text(static_cast<double>(*wrong)) + " m: give numbers within +-1e5 m."};
+        return windrow::Error{
+            message("heightmap.heights[", wrong - heights.begin(), "] is ", *wrong, " m: give numbers within +-1e5 m.")};
     return HeightMap({corners, glm::vec2(spacing)}, std::move(heights));
 }
 

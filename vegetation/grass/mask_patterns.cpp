@@ -1,6 +1,6 @@
 #include "vegetation/grass/mask_patterns.h"
 
-#include "vegetation/grass/refusals.h"
+#include "fluid/validation.h"
 
 #include <cmath>
 #include <glm/common.hpp>
@@ -10,10 +10,7 @@ namespace windrow::vegetation::grass {
 using windrow::numerics::windrow_place_noise;
 
 windrow::Result<void> thin_out(PlacementMask& mask, const BarePatches& patches) {
-    Refusals refusals;
-    refusals.between("mask.bare", static_cast<double>(patches.share), 0.0, 0.95, "");
-    refusals.between("mask.bare_size", static_cast<double>(patches.size), 0.2, 1000.0, " m");
-    if (auto judged = refusals.outcome(); !judged || patches.share == 0.0f)
+    if (auto judged = windrow::detail::validate_settings(patches, "mask"); !judged || patches.share == 0.0f)
         return judged;
     const float shift = 13.7f * static_cast<float>(patches.seed % 64u);
     mask.apply([&](glm::vec2 place, float alpha) {
@@ -27,10 +24,7 @@ windrow::Result<void> thin_out(PlacementMask& mask, const BarePatches& patches) 
 }
 
 windrow::Result<void> tread(PlacementMask& mask, const FootPath& path) {
-    Refusals refusals;
-    refusals.between("mask.path.width", static_cast<double>(path.width), 0.0, 20.0, " m");
-    refusals.between("mask.path.at", static_cast<double>(path.at), -1e5, 1e5, " m");
-    if (auto judged = refusals.outcome(); !judged || path.width == 0.0f)
+    if (auto judged = windrow::detail::validate_settings(path, "mask.path"); !judged || path.width == 0.0f)
         return judged;
     mask.apply([&](glm::vec2 place, float alpha) {
         const float middle = path.at + 1.1f * std::sin(0.21f * place.y) + 0.5f * std::sin(0.47f * place.y + 1.0f);

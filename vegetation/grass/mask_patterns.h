@@ -12,21 +12,34 @@
 namespace windrow::vegetation::grass {
 
 struct BarePatches {
-    /// Share of the ground on which nothing grows, 0 (default: no patches) to 0.95: within 0.1 of it over many patches
-    /// (vegetation/tests/grass/mask_patterns_test.cpp). Plants grow lower at a patch's rim.
     float share = 0.0f;
-    /// [m] Size of patches, 0.2 to 1000. Default 4. Ought to be four times the mask's spacing or more: smaller ones blur.
     float size = 4.0f;
-    /// Others for another number; of 64 kinds.
     std::uint32_t seed = 0;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("bare", &BarePatches::share, {.least = 0.0, .most = 0.95, .zero = "no patches"},
+                    "Fraction of the ground on which it does not grow, in patches by the seed of the layer: within 0.1 of it "
+                    "over many patches. Plants grow lower at the rim of a patch."),
+            Setting("bare_size", &BarePatches::size, {0.2, 1000.0, "m"},
+                    "Size of those patches; ones below four times the mask's spacing blur."),
+            Setting("seed", &BarePatches::seed, "Others for another number; of 64 kinds.", k_not_stored),
+        };
+    }
 };
 
 /// Winds along z about a line, by 1.6 m at most to either side.
 struct FootPath {
-    /// [m] That is bare, 0 (default: no path) to 20; plants beside it grow lower over as much again.
     float width = 0.0f;
-    /// [m] Of the line along x, from the mask's first corner, -1e5 to 1e5. Default 50: the middle of a ground of 100 m.
     float at = 50.0f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("width", &FootPath::width, {0.0, 20.0, "m", "no path"},
+                    "That is bare; plants beside it grow lower over as much again."),
+            Setting("at", &FootPath::at, {-1e5, 1e5, "m"}, "Where along x it winds, from the ground's corner."),
+        };
+    }
 };
 
 /// Both multiply the alpha that is there. They refuse values outside of the ranges above and touch nothing then.

@@ -1,6 +1,6 @@
 #include "vegetation/grass/placement_mask.h"
 
-#include "vegetation/grass/refusals.h"
+#include "fluid/validation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,23 +15,12 @@ float whole(float alpha) {
 }
 
 windrow::Result<void> check(glm::ivec2 corners, glm::vec2 extent, float alpha) {
-    Refusals refusals;
-    refusals.between("mask.corners.x", corners.x, 2, 16384, "");
-    refusals.between("mask.corners.z", corners.y, 2, 16384, "");
-    refusals.between("mask.extent.x", static_cast<double>(extent.x), 1e-3, 1e6, " m");
-    refusals.between("mask.extent.z", static_cast<double>(extent.y), 1e-3, 1e6, " m");
-    refusals.between("mask.alpha", static_cast<double>(alpha), 0, 1, "");
-    return refusals.outcome();
-}
-
-windrow::Result<void> check(const Brush& brush) {
-    Refusals refusals;
-    refusals.between("brush.centre.x", static_cast<double>(brush.centre.x), -1e6, 1e6, " m");
-    refusals.between("brush.centre.z", static_cast<double>(brush.centre.y), -1e6, 1e6, " m");
-    refusals.between("brush.radius", static_cast<double>(brush.radius), 1e-3, 1e5, " m");
-    refusals.between("brush.strength", static_cast<double>(brush.strength), 0, 1, "");
-    refusals.between("brush.hardness", static_cast<double>(brush.hardness), 0, 1, "");
-    return refusals.outcome();
+    windrow::detail::Reasons reasons;
+    const windrow::detail::FieldPath mask{nullptr, "mask"};
+    windrow::detail::check_value(reasons, {&mask, "corners"}, corners, {2.0, 16384.0});
+    windrow::detail::check_value(reasons, {&mask, "extent"}, extent, {1e-3, 1e6, "m"});
+    windrow::detail::check_value(reasons, {&mask, "alpha"}, alpha, k_fraction_range);
+    return reasons.outcome();
 }
 
 // Share of the strength at r, 0 at the middle, 1 at the radius.
@@ -58,7 +47,7 @@ windrow::Result<PlacementMask> PlacementMask::create(glm::ivec2 corners, glm::ve
 }
 
 windrow::Result<Touched> PlacementMask::stroke(const Brush& brush, float sign) {
-    if (auto fits = check(brush); !fits)
+    if (auto fits = windrow::detail::validate_settings(brush, "brush"); !fits)
         return windrow::Error{fits.error()};
     const glm::vec2 low = brush.centre - brush.radius, high = brush.centre + brush.radius;
     const glm::vec2 last(grid_.corners - 1);

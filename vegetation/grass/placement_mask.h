@@ -11,6 +11,7 @@
 #pragma once
 
 #include "fluid/result.h"
+#include "fluid/setting.h"
 #include "vegetation/grass/grass_numerics.h"
 
 #include <cstddef>
@@ -23,14 +24,21 @@
 namespace windrow::vegetation::grass {
 
 struct Brush {
-    /// [m] From the mask's first corner, along x and z; may lie outside.
     glm::vec2 centre{0.0f};
-    /// [m] 0.001 to 1e5. Default 5.
     float radius = 5.0f;
-    /// What a stroke adds or takes at the middle, 0 to 1. Default 1. Falls to 0 at the radius.
     float strength = 1.0f;
-    /// Share of the radius that has the whole strength, 0 to 1. Default 0.5: beyond it (1 - r^2)^2, which meets both ends level.
     float hardness = 0.5f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("centre", &Brush::centre, {-1e6, 1e6, "m"}, "From the ground's corner, along x and z; may lie outside."),
+            Setting("radius", &Brush::radius, {0.001, 1e5, "m"}, "Of the stroke."),
+            Setting("strength", &Brush::strength, k_fraction_range,
+                    "What a stroke adds or takes at its middle; falls to 0 at the radius."),
+            Setting("hardness", &Brush::hardness, k_fraction_range,
+                    "Fraction of the radius that has the whole strength; beyond it (1 - r^2)^2, which meets both ends level."),
+        };
+    }
 };
 
 /// What a stroke touched, [m]; nothing where high < low.

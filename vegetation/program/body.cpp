@@ -68,7 +68,7 @@ windrow::Pose pose_of(const PictureScene& scene, const Body& body, double time) 
 }
 
 fur::CoatSettings settings_of(const BodyCoat& coat, const std::optional<fur::FurLine>& fur) {
-    fur::CoatSettings settings = coat.settings;
+    fur::CoatSettings settings = coat.coat;
     if (!fur)
         return settings;
     if (!coat.said.shells)

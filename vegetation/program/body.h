@@ -11,6 +11,7 @@
 #include "vegetation/fur/horse_skeleton.h"
 #include "vegetation/fur/shapes.h"
 #include "vegetation/fur/skeleton.h"
+#include "vegetation/render/scene.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -26,55 +27,113 @@ struct PictureScene;
 
 /// A mesh beside the scene: OBJ, glTF, GLB or 3DS. It is read when the scene is drawn, not when the scene is read.
 struct MeshSource {
-    std::string name{};             ///< of the file
-    fur::MeshLoad load{};           ///< but for the turn
-    float yaw_deg = 0.0f;           ///< turn about y, -360 to 360
-    int most_triangles = 4'000'000; ///< files with more are simplified, 4 to 4,000,000
+    static constexpr const char* k_name = "file";
+    static constexpr const char* k_meaning =
+        "A mesh beside the scene: OBJ with its mtl, glTF, GLB or 3DS. It is read when the scene is drawn. A coat whose material "
+        "has a fur line in the mtl has its shells, length, thickness and density where the scene names none.";
+    std::string name{};
+    fur::MeshLoad load{};
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("name", &MeshSource::name, "Relative to the scene's folder, and in it."),
+            Setting("", &MeshSource::load, "How it is read."),
+        };
+    }
 };
 
 using BodyMesh = std::variant<MeshSource, fur::Sheet, fur::GlobeSphere, fur::CubeSphere, fur::Wing, fur::Beast>;
 
 /// Where it is, or from where its path counts.
 struct BodyPlace {
-    glm::dvec3 position{0.0};  ///< [m] of the mesh's origin
-    float yaw_deg = 0.0f;      ///< about the vertical, -360 to 360
-    float pitch_deg = 0.0f;    ///< about its own x, then, -360 to 360
-    float roll_deg = 0.0f;     ///< about its own z, then, -360 to 360
-    float scale = 1.0f;        ///< 0.001 to 1000
-    bool above_ground = false; ///< its height counts from the ground below
+    glm::dvec3 position{0.0};
+    float yaw_deg = 0.0f;
+    float pitch_deg = 0.0f;
+    float roll_deg = 0.0f;
+    float scale = 1.0f;
+    bool above_ground = false;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("position", &BodyPlace::position, render::k_place_range, "Of the mesh's origin."),
+            Setting("yaw_deg", &BodyPlace::yaw_deg, {-360.0, 360.0, "deg"}, "Turn about the vertical."),
+            Setting("pitch_deg", &BodyPlace::pitch_deg, {-360.0, 360.0, "deg"}, "Turn about its own x, after the yaw."),
+            Setting("roll_deg", &BodyPlace::roll_deg, {-360.0, 360.0, "deg"}, "Turn about its own z, after both."),
+            Setting("scale", &BodyPlace::scale, {1e-3, 1e3}, "Factor on mesh and coat."),
+            Setting("above_ground", &BodyPlace::above_ground, "Whether its height counts from the ground below."),
+        };
+    }
 };
 
 /// To and fro, by a sine.
 struct Sway {
-    glm::dvec3 by{0.0};    ///< [m] farthest from the middle
-    double turn_deg = 0.0; ///< farthest turn about the vertical, 0 to 360
-    double nod_deg = 0.0;  ///< farthest turn about its own x, 0 to 360
-    double hz = 0.5;       ///< 0 to 100
-    double phase = 0.0;    ///< [turns] 0 to 1
+    glm::dvec3 by{0.0};
+    double turn_deg = 0.0;
+    double nod_deg = 0.0;
+    double hz = 0.5;
+    double phase = 0.0;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("by", &Sway::by, {-1e3, 1e3, "m"}, "Farthest from the middle."),
+            Setting("turn_deg", &Sway::turn_deg, {0.0, 360.0, "deg"}, "Farthest turn about the vertical."),
+            Setting("nod_deg", &Sway::nod_deg, {0.0, 360.0, "deg"}, "Farthest turn about its own x."),
+            Setting("hz", &Sway::hz, {0.0, 100.0, "Hz"}, "Of the sine."),
+            Setting("phase", &Sway::phase, k_fraction_range, "Fraction of a turn by which it is ahead."),
+        };
+    }
 };
 
 /// Jumps on a parabola, one after another, with a rest between.
 struct Hop {
-    double height = 0.0; ///< [m] 0 to 100; 0: none
-    double hz = 1.0;     ///< jumps a second, above 0 to 100
-    double rest = 0.3;   ///< share of the time on the ground, 0 to 0.95
+    double height = 0.0;
+    double hz = 1.0;
+    double rest = 0.3;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("height", &Hop::height, {0.0, 100.0, "m", "it stays on the ground"}, "Of a jump."),
+            Setting("hz", &Hop::hz, Range::above(0.0, 100.0, "Hz"), "Jumps a second."),
+            Setting("rest", &Hop::rest, {0.0, 0.95}, "Fraction of the time on the ground."),
+        };
+    }
 };
 
 struct BodyMotion {
-    std::optional<std::size_t> path{}; ///< index in Scene::paths; the place counts from it
-    bool faces = true;                 ///< its +x looks along the path
-    double spin_hz = 0.0;              ///< turns a second about the vertical, -100 to 100
+    std::optional<std::size_t> path{};
+    bool faces = true;
+    double spin_hz = 0.0;
     Sway sway{};
     Hop hop{};
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("path", &BodyMotion::path, "Name of a path of the scene's, to which the place is added."),
+            Setting("faces", &BodyMotion::faces, "Whether its +z looks along the path."),
+            Setting("spin_hz", &BodyMotion::spin_hz, {-100.0, 100.0, "Hz"}, "Turns about the vertical a second."),
+            Setting("sway", &BodyMotion::sway, "To and fro, by a sine."),
+            Setting("hop", &BodyMotion::hop, "Jumps on a parabola, one after another."),
+        };
+    }
 };
 
 enum class SkeletonKind : std::uint8_t { none, beast, horse, own };
 
 struct BodySkeleton {
     SkeletonKind kind = SkeletonKind::none;
-    double pace = 1.0;              ///< how fast it moves: 1 as made, 0 stands in its first pose; 0 to 10
-    double phase = 0.0;             ///< [s] by which it is ahead, 0 to 1000
-    std::vector<fur::Bone> bones{}; ///< of kind `own`
+    double pace = 1.0;
+    double phase = 0.0;
+    std::vector<fur::Bone> bones{};
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("kind", &BodySkeleton::kind, "Whose: none, those of the beast or of the horse, or the scene's own."),
+            Setting("pace", &BodySkeleton::pace, {0.0, 10.0},
+                    "How fast they move: 1 as they are made, 0 stands in the first pose."),
+            Setting("phase", &BodySkeleton::phase, {0.0, 1e3, "s"}, "By which the motion is ahead."),
+            Setting("bones", &BodySkeleton::bones, {0.0, fur::k_most_bones}, "The scene's own, parents first."),
+        };
+    }
 };
 
 /// Which fields of the coat the scene names. Those that it does not are the mesh's: its material's fur line.
@@ -83,9 +142,17 @@ struct FurSaid {
 };
 
 struct BodyCoat {
-    std::string material{}; ///< part of the mesh that wears it; empty: the whole mesh
-    fur::CoatSettings settings{};
+    std::string material{};
+    fur::CoatSettings coat{};
     FurSaid said{};
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("material", &BodyCoat::material, "Part of the mesh that wears it. Default: all of it."),
+            Setting("", &BodyCoat::coat, "The coat."),
+            Setting("said", &BodyCoat::said, "What of a fur line the scene says.", k_not_stored),
+        };
+    }
 };
 
 struct Body {
@@ -95,6 +162,17 @@ struct Body {
     BodyMotion motion{};
     BodySkeleton skeleton{};
     std::vector<BodyCoat> coats{};
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("name", &Body::name, "For sentences."),
+            Setting("mesh", &Body::mesh, "What it is made of. Default: a cube_sphere."),
+            Setting("place", &Body::place, "Where it is, or from where its path counts."),
+            Setting("motion", &Body::motion, "How it moves."),
+            Setting("skeleton", &Body::skeleton, "Bones that move the mesh."),
+            Setting("coats", &Body::coats, {0.0, 16.0}, "What it wears. A body without a coat is not seen."),
+        };
+    }
 };
 
 /// Where it is at a time [s].
@@ -105,3 +183,7 @@ struct Body {
 [[nodiscard]] fur::CoatSettings settings_of(const BodyCoat& coat, const std::optional<fur::FurLine>& fur);
 
 } // namespace windrow::vegetation::program
+
+template <>
+inline constexpr std::array<const char*, 4> windrow::k_words<windrow::vegetation::program::SkeletonKind>{"none", "beast", "horse",
+                                                                                                         "own"};

@@ -18,8 +18,6 @@ struct MakeMesh {
 
     Result<fur::Mesh> operator()(const MeshSource& source) const {
         fur::MeshLoad load = source.load;
-        load.yaw = glm::radians(source.yaw_deg);
-        load.most_triangles = static_cast<std::size_t>(source.most_triangles);
         return fur::read_mesh(folder / std::filesystem::path(source.name).lexically_normal(), load, folder, budget);
     }
     Result<fur::Mesh> operator()(const fur::Sheet& shape) const { return fur::sheet(shape); }

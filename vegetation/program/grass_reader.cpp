@@ -1,74 +1,122 @@
-#include "vegetation/program/grass_reader.h"
-
+// Layers of grass, each with its class of plant, its field, its look and its mask: a picture or an even alpha, bare patches, a path,
+// and strokes upon it.
 #include "coupling/plant_classes.h"
-#include "vegetation/program/field_reader.h"
-#include "vegetation/program/mask_reader.h"
-#include "vegetation/program/picture_fields.h"
+#include "fluid/input_file.h"
+#include "scene/json_document.h"
+#include "vegetation/program/part_reader.h"
 
 namespace windrow::vegetation::program {
 namespace {
 
-constexpr std::size_t k_most_layers = 16;
+/// Those of coupling/plant_classes.h, by its functions' names.
+constexpr struct {
+    const char* name;
+    windrow::Drag (*stalk)();
+} k_classes[] = {{"grass", &windrow::grass},
+                 {"wheat", &windrow::wheat},
+                 {"reed", &windrow::reed},
+                 {"leaf", &windrow::leaf},
+                 {"twig", &windrow::twig},
+                 {"branch", &windrow::branch},
+                 {"small_trunk", &windrow::small_trunk},
+                 {"large_trunk", &windrow::large_trunk}};
 
-constexpr PlantClass k_classes[] = {{"grass", &windrow::grass},
-                                    {"wheat", &windrow::wheat},
-                                    {"reed", &windrow::reed},
-                                    {"leaf", &windrow::leaf},
-                                    {"twig", &windrow::twig},
-                                    {"branch", &windrow::branch},
-                                    {"small_trunk", &windrow::small_trunk},
-                                    {"large_trunk", &windrow::large_trunk}};
-
-GrassLayer read_layer(JsonObject object, glm::vec2 extent, const std::filesystem::path& folder) {
-    GrassLayer layer;
-    const std::size_t faults_before = object.log().faults();
-    std::vector<std::string> names;
-    for (const PlantClass& known : k_classes)
-        names.emplace_back(known.name);
-    layer.name = object.text({"name", "For people."}, layer.name);
-    if (const std::size_t chosen =
-            object.word_index({"class", "The class of plant that length and stalk begin with."}, layer.plant, names);
-        chosen < names.size()) {
-        layer.plant = names[chosen];
-        layer.settings.blade.stalk = k_classes[chosen].stalk();
-    }
-    FieldReader fields(object);
-    list_fields(fields, layer.settings.blade);
-    list_fields(fields, layer.settings);
-    list_fields(fields, layer);
-    read_part(
-        object.object({"stalk", "What the wind bends, as far as it is not the class's. The defaults stated are those of grass."}),
-        layer.settings.blade.stalk);
-    JsonObject look =
-        object.object({"look", "Colours are linear albedo. What comes back and what shines through, together, are at most 0.6."});
-    FieldReader look_fields(look);
-    list_fields(look_fields, layer.look);
-    look.finish();
-    layer.mask = read_mask(
-        object.object({"mask", "Where the layer grows: alpha 0 is no blade, between 0 and 1 blades are as much smaller."}),
-        extent, layer.settings.seed, folder);
+void read_stroke(JsonObject object, Stroke& stroke) {
+    const std::size_t kind = object.one_of({"paint", "erase"});
+    stroke.erases = kind == 1;
+    if (kind < 2)
+        read_object(object.object(stroke.erases ? Key{"erase", "Takes it, down to 0."} : Key{"paint", "Adds alpha, up to 1."}),
+                    stroke.brush);
     object.finish();
-    if (object.log().faults() == faults_before) {
-        note_refusals(grass::validate(layer.settings), "grass.", object);
-        note_refusals(render::validate(layer.look), "look.", look);
-    }
-    return layer;
+}
+
+windrow::Result<grass::PlacementMask> make_mask(const MaskSource& source, const std::filesystem::path* file,
+                                                const Surroundings& around, windrow::detail::InputBudget& budget) {
+    auto mask = file != nullptr ? read_pgm(*file, around, around.extent, budget)
+                                : grass::PlacementMask::create(source.corners, around.extent, source.even);
+    if (!mask)
+        return mask;
+    if (const auto thinned = grass::thin_out(*mask, source.bare); !thinned)
+        return windrow::Error{thinned.error()};
+    if (const auto trodden = grass::tread(*mask, source.path); !trodden)
+        return windrow::Error{trodden.error()};
+    for (const Stroke& stroke : source.strokes)
+        if (const auto touched = stroke.erases ? mask->erase(stroke.brush) : mask->paint(stroke.brush); !touched)
+            return windrow::Error{touched.error()};
+    return mask;
 }
 
 } // namespace
 
-std::span<const PlantClass> plant_classes() {
-    return k_classes;
+windrow::Result<grass::PlacementMask> read_pgm(const std::filesystem::path& file, const Surroundings& around, glm::vec2 extent,
+                                               windrow::detail::InputBudget& budget) {
+    const auto bytes = windrow::detail::read_input(
+        file, {.folder = around.folder, .most_bytes = grass::PlacementMask::k_most_pgm_bytes}, budget);
+    if (!bytes)
+        return windrow::Error{bytes.error()};
+    auto mask = grass::PlacementMask::from_pgm(*bytes, extent, file.string(), budget.memory_left() / sizeof(float));
+    if (mask)
+        if (auto taken = budget.take_memory(file.string(), mask->values().size_bytes()); !taken)
+            return windrow::Error{taken.error()};
+    return mask;
 }
 
-std::vector<GrassLayer> read_grass(JsonObject& picture, glm::vec2 extent, const std::filesystem::path& folder) {
-    std::vector<GrassLayer> layers;
-    const auto items = picture.array({"grass", "Layers of blades."}, k_most_layers);
-    for (std::size_t i = 0; i < items.size(); ++i)
-        layers.push_back(read_layer(JsonObject(items[i], picture.path() + ".grass[" + std::to_string(i) + "]",
-                                               picture.pattern() + ".grass[]", picture.log()),
-                                    extent, folder));
-    return layers;
+void read_part(JsonObject object, MaskSource& source, Surroundings& around) {
+    const std::size_t faults_before = object.log().faults();
+    std::optional<std::filesystem::path> file;
+    read_parts(object, source, around, [&](const auto& row, auto& member) {
+        if constexpr (std::same_as<decltype(member), std::string&>)
+            file = read_file(object, {row.name, row.meaning}, member, around);
+        return std::same_as<decltype(member), std::string&>;
+    });
+    object.not_both("file", "corners");
+    object.not_both("file", "even");
+    read_items(object, {"strokes", "Brushes upon it, in their order."}, {0.0, 1024.0},
+               [&](JsonObject item) { read_stroke(std::move(item), source.strokes.emplace_back()); });
+    object.finish();
+    if (object.log().faults() != faults_before)
+        return;
+    if (auto mask = make_mask(source, file ? &*file : nullptr, around, object.log().budget()))
+        source.mask = *std::move(mask);
+    else if (file)
+        object.refuse("file", "is " + windrow::scene::quote_json(object.value()["file"]) + ": " + mask.error());
+    else
+        object.refuse("cannot be made: " + mask.error());
+}
+
+void read_part(JsonObject object, GrassSource& layer, Surroundings& around) {
+    const std::size_t faults_before = object.log().faults();
+    read_parts(object, layer, around, [&](const auto& row, auto& member) {
+        using Member = std::remove_cvref_t<decltype(member)>;
+        const Key key{row.name, row.meaning};
+        if constexpr (std::same_as<Member, std::string>) {
+            if (key.name != std::string_view("class"))
+                return false;
+            std::vector<std::string> names;
+            for (const auto& known : k_classes)
+                names.emplace_back(known.name);
+            if (const std::size_t chosen = object.word_index(key, member, names); chosen < names.size()) {
+                member = names[chosen];
+                layer.drawn.field.blade.stalk = k_classes[chosen].stalk();
+            }
+            return true;
+        } else if constexpr (std::same_as<Member, windrow::Drag>) { // the layer has its length
+            read_settings(object, member, [](const auto& of, const auto&) { return of.name != std::string_view("length"); });
+            read_stalk(object.object(key), member);
+            return true;
+        } else if constexpr (std::same_as<Member, MaskSource>) {
+            member.bare.seed = layer.drawn.field.seed;
+        }
+        return false;
+    });
+    object.finish();
+    if (object.log().faults() == faults_before)
+        check_read(object, layer.drawn);
+}
+
+void read_stalk(JsonObject object, windrow::Drag& stalk) {
+    read_settings(object, stalk, [](const auto& of, const auto&) { return of.name == std::string_view("length"); });
+    object.finish();
 }
 
 } // namespace windrow::vegetation::program

@@ -1,11 +1,7 @@
-#include "vegetation/program/ground_reader.h"
-
+// The ground: heights out of a picture, random hills, or level.
 #include "scene/json_document.h"
 #include "scene/number_text.h"
-#include "scene/scene_parts.h"
-#include "vegetation/program/field_reader.h"
-#include "vegetation/program/mask_reader.h"
-#include "vegetation/program/picture_fields.h"
+#include "vegetation/program/part_reader.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +34,7 @@ std::optional<glm::ivec2> level_texels(glm::dvec2 extent) {
     return std::nullopt;
 }
 
-std::optional<grass::HeightMap> rolling(const Ground& ground) {
+std::optional<grass::HeightMap> rolling(const GroundSource& ground) {
     const auto texels = level_texels(ground.extent);
     if (!texels)
         return std::nullopt;
@@ -48,11 +44,11 @@ std::optional<grass::HeightMap> rolling(const Ground& ground) {
     return made ? std::optional(*std::move(made)) : std::nullopt;
 }
 
-std::optional<grass::HeightMap> from_file(JsonObject& object, const Ground& ground, const std::filesystem::path& file,
-                                          const std::filesystem::path& folder) {
+std::optional<grass::HeightMap> from_file(JsonObject& object, const GroundSource& ground, const std::filesystem::path& file,
+                                          const Surroundings& around) {
     const std::string named = "is " + windrow::scene::quote_json(object.value()["heights"]);
     // A mask's file is the same picture of 0 to 1.
-    const auto picture = read_pgm(file, folder, glm::vec2(ground.extent), object.log().budget());
+    const auto picture = read_pgm(file, around, glm::vec2(ground.extent), object.log().budget());
     if (!picture) {
         object.refuse("heights", named + ": " + picture.error());
         return std::nullopt;
@@ -88,31 +84,27 @@ std::optional<grass::HeightMap> from_file(JsonObject& object, const Ground& grou
 
 } // namespace
 
-Ground read_ground(JsonObject object, const std::filesystem::path& folder) {
-    Ground ground;
+void read_part(JsonObject object, GroundSource& ground, Surroundings& around) {
     const std::size_t faults_before = object.log().faults();
-    FieldReader fields(object);
-    list_fields(fields, ground);
-    const auto file = windrow::scene::file_beside(
-        object,
-        {"heights", "Binary PGM of 8 or 16 bits in the scene's folder, named relative to it, first row at the lowest z; at most "
-                    "4097 pixels a side, which the extent must make square. Default: level at low."},
-        folder);
-    if (file)
-        ground.file = object.value()["heights"].get<std::string>();
-    read_part(object.object({"hills", "Rolling ground by chance, upon the heights or upon low."}), ground.hills);
+    std::optional<std::filesystem::path> file;
+    read_parts(object, ground, around, [&](const auto& row, auto& member) {
+        if constexpr (std::same_as<decltype(member), std::string&>)
+            file = read_file(object, {row.name, row.meaning}, member, around);
+        return std::same_as<decltype(member), std::string&>;
+    });
     if (file && !(ground.low < ground.high) && object.log().faults() == faults_before)
         object.refuse("high", "is " + figure(ground.high) + " m, not above \"low\", " + figure(ground.low) + " m: give more.");
     if (object.log().faults() == faults_before) {
-        ground.heights = file ? from_file(object, ground, *file, folder) : rolling(ground);
+        ground.heights = file ? from_file(object, ground, *file, around) : rolling(ground);
         if (!ground.heights && !file)
             object.refuse("extent", "is " + metres(ground.extent) +
                                         ", which no grid of square texels fits: give two lengths in a ratio of whole numbers.");
     }
     object.finish();
+    // Level where the file's are rejected, so that what stands on them can be read and judged.
     if (!ground.heights)
         ground.heights = rolling({});
-    return ground;
+    around.extent = ground.heights->extent();
 }
 
 } // namespace windrow::vegetation::program

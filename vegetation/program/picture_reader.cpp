@@ -4,21 +4,16 @@
 #include "scene/number_text.h"
 #include "scene/scene_reader.h"
 #include "scene/text_file.h"
-#include "vegetation/program/body_reader.h"
-#include "vegetation/program/fan_reader.h"
-#include "vegetation/program/field_reader.h"
-#include "vegetation/program/grass_reader.h"
-#include "vegetation/program/ground_reader.h"
-#include "vegetation/program/picture_fields.h"
-#include "vegetation/program/tree_reader.h"
-#include "vegetation/program/walker_reader.h"
+#include "vegetation/program/part_reader.h"
+#include "vegetation/trees/tree_presets.h"
+
+#include <glm/geometric.hpp>
 
 namespace windrow::vegetation::program {
 namespace {
 
 using nlohmann::json;
 using windrow::scene::figure;
-using windrow::scene::Key;
 using windrow::scene::ReadLog;
 
 /// As Scene::paths will have them, whether the rest of the scene can be used or not.
@@ -29,26 +24,6 @@ std::vector<std::string> path_names(const json& document) {
         for (const auto& [name, value] : paths.items())
             names.push_back(name);
     return names;
-}
-
-CameraSource read_camera(JsonObject object, std::span<const std::string> names) {
-    CameraSource camera;
-    const auto place = [&](const Key& key, const Key& path_key, glm::dvec3& where, std::optional<std::size_t>& path) {
-        where = object.vector(key, where, k_place_rule);
-        path = object.name(path_key, names, "paths");
-        object.not_both(key.name, path_key.name);
-    };
-    place({"position", "Where it is."}, {"path", "Name of the path that it moves along instead."}, camera.lens.position,
-          camera.path);
-    place({"target", "What it looks at; not straight above or below."},
-          {"target_path", "Name of the path that the target moves along instead."}, camera.lens.target, camera.target_path);
-    camera.above_ground = object.boolean(
-        {"above_ground", "Whether heights of position and target, or of their paths, count from the ground below each."},
-        camera.above_ground);
-    FieldReader fields(object);
-    list_fields(fields, camera.lens);
-    object.finish();
-    return camera;
 }
 
 /// What only the whole tells: each camera of the run, and how many pictures there are.
@@ -63,39 +38,36 @@ void judge(const PictureScene& scene, JsonObject& picture) {
     const bool moves = scene.picture.camera.path || scene.picture.camera.target_path;
     for (std::int64_t frame = 0; frame < (moves ? scene.frame_count() : 1); ++frame) {
         const double time = static_cast<double>(frame) / scene.frames_per_second();
-        const auto judged = render::validate(camera_at(scene, time));
-        if (judged)
+        const render::Camera seen = camera_at(scene, time);
+        if (render::validate(seen))
             continue;
         JsonObject camera = picture.object("camera");
-        note_refusals(judged, "camera.", camera);
+        check_read(camera, seen);
         if (moves)
             camera.refuse("is so at " + figure(time) + " s, where its paths have led it: move one of them aside.");
         return;
     }
 }
 
-Picture read_picture(JsonObject& object, std::span<const std::string> names, const std::filesystem::path& folder) {
+Picture read_picture(JsonObject& object, Surroundings& around) {
     Picture picture;
-    picture.size = object.whole_pair({"size", "Width and height."}, picture.size, {.least = 16.0, .most = 8192.0, .unit = "px"},
-                                     "width, height");
-    picture.frames_per_second = object.optional_number({"frames_per_second", "Pictures. Default: the scene's."},
-                                                       {.least = 0.001, .most = 10'000.0, .unit = "1/s"});
-    picture.settle = object.number({"settle", "Of wind before the first picture, so that gusts have come in."}, picture.settle,
-                                   {.least = 0.0, .most = 3600.0, .unit = "s"});
-    picture.camera = read_camera(object.object({"camera", "The eye."}), names);
-    read_part(object.object({"sun", "The sun and the air that it shines through."}), picture.sun);
-    read_part(object.object({"fog", "What the air takes from the sight of far things."}), picture.fog);
-    read_part(object.object({"clouds", "A level sheet of clouds that drifts and shades the ground."}), picture.clouds);
-    picture.ground =
-        read_ground(object.object({"ground", "The ground. Default: level, 100 m x 100 m about the origin."}), folder);
-    picture.grass = read_grass(object, picture.ground.heights->extent(), folder);
-    picture.trees = read_trees(object);
-    picture.walkers = read_walkers(object, names);
-    picture.fans = read_fans(object);
-    picture.ground_memory = read_ground_memory(object);
-    picture.bodies = read_bodies(object, names, folder);
-    picture.lamps = read_lamps(object);
-    read_part(object.object({"sampling", "How plants read the wind."}), picture.sampling);
+    read_parts(object, picture, around, [&](const auto& row, auto& member) {
+        using Member = std::remove_cvref_t<decltype(member)>;
+        if constexpr (std::same_as<Member, glm::ivec2>) {
+            member = object.whole_pair({row.name, row.meaning}, member, row.range, "width, height");
+            return true;
+        } else if constexpr (std::same_as<Member, std::optional<windrow::GroundConfig>>) {
+            const std::size_t faults_before = object.log().faults();
+            windrow::scene::read_value(object, {row.name, row.meaning}, member, row.range);
+            if (JsonObject memory = object.object({row.name, row.meaning}); member && object.log().faults() == faults_before)
+                check_read(memory, *member);
+            return true;
+        }
+        return false;
+    });
+    // A press that nothing remembers would not be seen at all.
+    if (!picture.walkers.empty() && !object.value().contains("ground_memory"))
+        object.refuse("walkers", "is given, but no ground remembers them: add \"ground_memory\": {}, or remove it.");
     object.finish();
     return picture;
 }
@@ -110,7 +82,10 @@ windrow::Result<PictureScene> read_text(std::string_view text, const std::filesy
     const bool given = document->is_object() && document->contains("picture") && (*document)["picture"].is_object();
     ReadLog log(file.string(), budget, known);
     JsonObject object(given ? (*document)["picture"] : k_none, "$.picture", "$.picture", log);
-    Picture picture = read_picture(object, path_names(*document), file.parent_path());
+    const std::vector<std::string> names = path_names(*document);
+    const std::filesystem::path folder = file.parent_path();
+    Surroundings around{.paths = names, .folder = folder};
+    Picture picture = read_picture(object, around);
     if (!air)
         return windrow::Error{log.faults() > 0 ? air.error() + "\n" + log.error().message : air.error()};
     PictureScene scene{.air = *std::move(air), .picture = std::move(picture), .inputs = budget};
@@ -122,6 +97,58 @@ windrow::Result<PictureScene> read_text(std::string_view text, const std::filesy
 }
 
 } // namespace
+
+void read_part(JsonObject object, CameraSource& camera, Surroundings& around) {
+    read_parts(object, camera, around);
+    object.not_both("position", "path");
+    object.not_both("target", "target_path");
+    object.finish();
+}
+
+void read_part(JsonObject object, StandSource& stand, Surroundings& around) {
+    const std::size_t faults_before = object.log().faults();
+    read_parts(object, stand, around, [&](const auto& row, auto& member) {
+        if constexpr (std::same_as<decltype(member), std::string&>) {
+            const auto names = trees::preset_names();
+            const std::size_t chosen = object.word_index({row.name, row.meaning}, member, {names.begin(), names.end()});
+            if (chosen < names.size())
+                member = names[chosen];
+        }
+        return std::same_as<decltype(member), std::string&>;
+    });
+    object.finish();
+    if (object.log().faults() == faults_before)
+        check_read(object, stand);
+}
+
+void read_part(JsonObject object, Jump& jump, Surroundings&) {
+    const std::size_t faults_before = object.log().faults();
+    read_settings(object, jump, [&](const auto& row, auto& member) {
+        if constexpr (std::same_as<decltype(member), double&>)
+            member = object.required_number({row.name, row.meaning}, row.range);
+        return std::same_as<decltype(member), double&>;
+    });
+    object.finish();
+    if (!(jump.from < jump.until) && object.log().faults() == faults_before)
+        object.refuse("until",
+                      "is " + figure(jump.until) + " s, not after \"from\", " + figure(jump.from) + " s: give a later time.");
+}
+
+void read_part(JsonObject object, Walker& walker, Surroundings& around) {
+    read_parts(object, walker, around, [&](const auto& row, auto& member) {
+        if constexpr (std::same_as<decltype(member), std::size_t&>)
+            member = object.name({row.name, row.meaning}, around.paths, "paths", true).value_or(0);
+        return std::same_as<decltype(member), std::size_t&>;
+    });
+    object.finish();
+}
+
+void read_part(JsonObject object, Fan& fan, Surroundings&) {
+    const std::size_t faults_before = object.log().faults();
+    read_object(object, fan);
+    if (object.log().faults() == faults_before && !(glm::length(glm::dvec2(fan.direction.x, fan.direction.z)) > 1e-3))
+        object.refuse("direction", "has no level part: give where it blows, as [1, 0, 0].");
+}
 
 windrow::Result<PictureScene> read_picture_scene(const std::filesystem::path& file) {
     windrow::detail::InputBudget budget;

@@ -16,7 +16,7 @@ float Hills::at(glm::vec2 place) const {
     return static_cast<float>(height) * noise;
 }
 
-double Ground::height(double x, double z) const {
+double GroundSource::height(double x, double z) const {
     const double above = heights ? static_cast<double>(heights->drawn_height(glm::vec2(x - corner.x, z - corner.z))) : low;
     return corner.y + above;
 }

@@ -13,7 +13,6 @@
 #include "coupling/ground_config.h"
 #include "fluid/input_budget.h"
 #include "scene/scene.h"
-#include "vegetation/fur/lamps.h"
 #include "vegetation/grass/grass_settings.h"
 #include "vegetation/grass/height_map.h"
 #include "vegetation/grass/mask_patterns.h"
@@ -31,33 +30,66 @@
 namespace windrow::vegetation::program {
 
 struct CameraSource {
-    /// Where it stands, what it looks at and how. A path says where instead, if it has one.
     render::Camera lens{};
-    std::optional<std::size_t> path{};        ///< that the position moves on: index in Scene::paths
-    std::optional<std::size_t> target_path{}; ///< that the target moves on
-    /// Heights of position and target, or of their paths, count from the ground below each. Default: from 0.
+    std::optional<std::size_t> path{};
+    std::optional<std::size_t> target_path{};
     bool above_ground = false;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("", &CameraSource::lens, "How it sees."),
+            Setting("path", &CameraSource::path, "Name of the path that it moves along instead of its position."),
+            Setting("target_path", &CameraSource::target_path, "Name of the path that the target moves along instead."),
+            Setting("above_ground", &CameraSource::above_ground,
+                    "Whether heights of position and target, or of their paths, count from the ground below each."),
+        };
+    }
 };
 
 /// Rolling ground by chance: the place noise of shaders/numerics in three octaves.
 struct Hills {
-    double height = 0.0;    ///< [m] from the lowest possible place to the highest, 0 (none) to 1e4
-    double length = 80.0;   ///< [m] of the largest octave's cells, about half of what lies between two tops; 1 to 1e5
-    std::uint32_t seed = 0; ///< others for another number; of 64 kinds
+    double height = 0.0;
+    double length = 80.0;
+    std::uint32_t seed = 0;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("height", &Hills::height, {0.0, 1e4, "m", "level"}, "From the lowest possible place to the highest."),
+            Setting("length", &Hills::length, {1.0, 1e5, "m"},
+                    "Of the largest octave's cells, about half of what lies between two tops."),
+            Setting("seed", &Hills::seed, k_seed_range, "Another number, other hills, of 64 kinds."),
+        };
+    }
 
     /// [m] At a place from the ground's corner, 0 to `height`.
     [[nodiscard]] float at(glm::vec2 place) const;
 };
 
-struct Ground {
-    std::string file{};                   ///< PGM of heights beside the scene; empty: level at `low`
-    Hills hills{};                        ///< upon either
-    double low = 0.0;                     ///< [m] height that black stands for
-    double high = 100.0;                  ///< [m] and white; above low
-    glm::dvec3 corner{-50.0, 0.0, -50.0}; ///< [m] place of the first sample; y is added to all heights
-    glm::dvec2 extent{100.0};             ///< [m] along x and z, 0.01 to 1e5; a file's pixels must come out square
-    /// What they make: heights above corner.y. Always there in a scene that was read.
+struct GroundSource {
+    std::string file{};
+    Hills hills{};
+    double low = 0.0;
+    double high = 100.0;
+    glm::dvec3 corner{-50.0, 0.0, -50.0};
+    glm::dvec2 extent{100.0};
     std::optional<grass::HeightMap> heights{};
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("heights", &GroundSource::file,
+                    "Binary PGM of 8 or 16 bits in the scene's folder, named relative to it, first row at the lowest z; at most "
+                    "4097 pixels a side, which the extent must make square. Default: level at low."),
+            Setting("hills", &GroundSource::hills, "Rolling random ground, upon the heights or upon low."),
+            Setting("low", &GroundSource::low, {-1e5, 1e5, "m"}, "Height of black."),
+            Setting("high", &GroundSource::high, {-1e5, 1e5, "m"}, "Height of white, above low."),
+            Setting("corner", &GroundSource::corner, render::k_place_range,
+                    "Place of the first sample; its y is added to all heights."),
+            Setting("extent", &GroundSource::extent, {0.01, 1e5, "m"},
+                    "Along x and z. Without heights: in a ratio of whole numbers."),
+            Setting("heights", &GroundSource::heights, "What they make, above corner.y. Always there in a scene that was read.",
+                    k_not_stored),
+        };
+    }
 
     /// [m] In the world, on the triangles that are drawn; beyond the rim that of the rim.
     [[nodiscard]] double height(double x, double z) const;
@@ -70,39 +102,80 @@ struct Stroke {
 
 /// Where a layer grows: a picture or an even alpha, less bare patches and a path, then strokes in their order.
 struct MaskSource {
-    std::string file{};        ///< PGM of alpha beside the scene, stretched over the ground; empty: even
-    glm::ivec2 corners{257};   ///< samples along x and z without a file, 2 to 4097
-    float even = 1.0f;         ///< alpha before the rest, without a file
-    grass::BarePatches bare{}; ///< with the layer's seed
+    std::string file{};
+    glm::ivec2 corners{257};
+    float even = 1.0f;
+    grass::BarePatches bare{};
     grass::FootPath path{};
     std::vector<Stroke> strokes{};
-    /// What they make. Always there in a scene that was read.
     std::optional<grass::PlacementMask> mask{};
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("file", &MaskSource::file,
+                    "Binary PGM of 8 or 16 bits in the scene's folder, named relative to it, stretched over the ground. Default: "
+                    "an even alpha."),
+            Setting("corners", &MaskSource::corners, {2.0, 4097.0}, "Samples along x and z, without a file."),
+            Setting("even", &MaskSource::even, k_fraction_range, "Alpha before the rest, without a file."),
+            Setting("", &MaskSource::bare, "With the layer's seed."),
+            Setting("path", &MaskSource::path, "A path on which it does not grow, winding along z."),
+            Setting("strokes", &MaskSource::strokes, "Brushes upon it, in their order.", k_not_stored),
+            Setting("mask", &MaskSource::mask, "What they make. Always there in a scene that was read.", k_not_stored),
+        };
+    }
 };
 
-struct GrassLayer {
+struct GrassSource {
     std::string name = "grass";
-    std::string plant = "grass";     ///< the class that stiffness and length begin with: a function of coupling/plant_classes.h
-    grass::GrassSettings settings{}; ///< with the class's stalk, and what the file changes of it
-    render::PlantLook look{};
-    int most_blades = render::GrassLayerSettings{}.most_blades; ///< as there
-    int shadows = render::GrassLayerSettings{}.shadows;
+    std::string plant = "grass";
+    render::GrassLayerSettings drawn{};
     MaskSource mask{};
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("name", &GrassSource::name, "For people."),
+            Setting("class", &GrassSource::plant,
+                    "The class of plant that length and stalk begin with: a function of coupling/plant_classes.h."),
+            Setting("", &GrassSource::drawn, "With the class's stalk, and what the file changes of it."),
+            Setting("mask", &GrassSource::mask,
+                    "Where the layer grows: alpha 0 is no blade, between 0 and 1 blades are as much smaller."),
+        };
+    }
 };
 
 /// A time at which a walker's feet leave the ground, as a jump does: on a parabola.
 struct Jump {
-    double from = 0.0, until = 0.0; ///< [s]
-    float height = 1.0f;            ///< [m] of the feet in its middle, 0 to 100
+    double from = 0.0;
+    double until = 0.0;
+    float height = 1.0f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("from", &Jump::from, {-1e9, 1e9, "s"}, "When the feet leave the ground."),
+            Setting("until", &Jump::until, {-1e9, 1e9, "s"}, "Later than from."),
+            Setting("height", &Jump::height, {0.0, 100.0, "m"}, "Of the feet in its middle."),
+        };
+    }
 };
 
 /// Who presses the grass down.
 struct Walker {
-    std::size_t path = 0; ///< index in Scene::paths; x and z count
+    std::size_t path = 0;
     float radius = windrow::GroundWalker{}.radius;
     float weight = windrow::GroundWalker{}.weight;
     std::vector<Jump> airborne{};
-    bool figure = true; ///< someone in a cloak is drawn there
+    bool figure = true;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("path", &Walker::path, "Name of the path that it walks on; x and z count."),
+            Setting("radius", &Walker::radius, Range::above(0.0, 100.0, "m"), "How far it reaches."),
+            Setting("weight", &Walker::weight, k_fraction_range, "0: presses nothing; 1: all of ground_memory.push."),
+            Setting("airborne", &Walker::airborne, {0.0, 1024.0},
+                    "Times at which its feet leave the ground, on a parabola as a jump does."),
+            Setting("figure", &Walker::figure, "Whether someone in a cloak is drawn there."),
+        };
+    }
 
     /// [m] Height of the feet above the ground.
     [[nodiscard]] float feet(double time) const;
@@ -110,46 +183,101 @@ struct Walker {
 
 /// A fan that is drawn; what it blows is a motor of the scene's.
 struct Fan {
-    glm::dvec3 position{0.0};            ///< [m] of its hub; its foot stands on the ground below
-    glm::dvec3 direction{1.0, 0.0, 0.0}; ///< where it blows
-    double radius = 0.8;                 ///< [m] 0.05 to 50
-    double turns_hz = 3.0;               ///< turns a second, 0 to 100
+    glm::dvec3 position{0.0};
+    glm::dvec3 direction{1.0, 0.0, 0.0};
+    double radius = 0.8;
+    double turns_hz = 3.0;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("position", &Fan::position, render::k_place_range, "Of the hub; its foot stands on the ground below."),
+            Setting("direction", &Fan::direction, {-1e9, 1e9}, "Where it blows; needs a level part."),
+            Setting("radius", &Fan::radius, {0.05, 50.0, "m"}, "Of its blades."),
+            Setting("turns_hz", &Fan::turns_hz, {0.0, 100.0, "Hz"}, "Turns a second."),
+        };
+    }
 };
 
 /// A tree at a place of its own; it stands on the ground there.
 struct StandPlace {
-    glm::dvec2 at{0.0};   ///< [m] x and z
-    float size = 1.0f;    ///< factor on all its lengths, 0.05 to 10
-    float yaw_deg = 0.0f; ///< turn about the vertical, -360 to 360
+    glm::dvec2 at{0.0};
+    float size = 1.0f;
+    float yaw_deg = 0.0f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("at", &StandPlace::at, render::k_place_range, "x and z; it stands on the ground there."),
+            Setting("size", &StandPlace::size, {0.05, 10.0}, "Factor on all its lengths."),
+            Setting("yaw_deg", &StandPlace::yaw_deg, {-360.0, 360.0, "deg"}, "Turn about the vertical."),
+        };
+    }
 };
 
 /// Trees of one kind (vegetation/trees/stand_settings.h).
-struct TreeStand {
-    std::string kind = "oak"; ///< of trees::preset_names
-    std::uint32_t seed = 1;   ///< another number, other trees of the kind
-    int variants = 2;         ///< different trees, 1 to 8: places take them in turn
-    bool springs = true;      ///< trunks, limbs and twigs swing
+struct StandSource {
+    std::string kind = "oak";
+    std::uint32_t seed = 1;
+    int variants = 2;
+    bool springs = true;
     std::vector<StandPlace> places{};
-    trees::TreeScatter scatter{}; ///< and more by chance
+    trees::TreeScatter scatter{};
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("kind", &StandSource::kind, "Which trees, of trees::preset_names."),
+            Setting("seed", &StandSource::seed, k_seed_range, "Another number, other trees of the kind."),
+            Setting("variants", &StandSource::variants, {1.0, 8.0}, "Different trees of the kind; places take them in turn."),
+            Setting("springs", &StandSource::springs,
+                    "Whether trunks, limbs and twigs swing; else they take the bend that the wind holds."),
+            Setting("places", &StandSource::places, "Trees at places of their own."),
+            Setting("scatter", &StandSource::scatter, "And more at random."),
+        };
+    }
 };
 
 struct Picture {
-    glm::ivec2 size{640, 360};                 ///< [px] 16 to 8192
-    std::optional<double> frames_per_second{}; ///< default: the scene's
-    double settle = 2.0;                       ///< [s] of wind before the first picture, so that gusts have come in; 0 to 3600
+    glm::ivec2 size{640, 360};
+    std::optional<double> frames_per_second{};
+    double settle = 2.0;
     CameraSource camera{};
     render::Sun sun{};
     render::Fog fog{};
     render::Clouds clouds{};
-    Ground ground{};
-    std::vector<GrassLayer> grass{}; ///< the ground has the look of the first, where that grows; elsewhere it is bare
-    std::vector<TreeStand> trees{};
+    GroundSource ground{};
+    std::vector<GrassSource> grass{};
+    std::vector<StandSource> trees{};
     std::vector<Walker> walkers{};
     std::vector<Fan> fans{};
-    std::optional<windrow::GroundConfig> ground_memory{}; ///< none: walkers and wind leave no trace
-    std::vector<Body> bodies{};                           ///< things in coats of shells
-    std::vector<fur::Lamp> lamps{};                       ///< that shine on them
+    std::optional<windrow::GroundConfig> ground_memory{};
+    std::vector<Body> bodies{};
+    std::vector<fur::Lamp> lamps{};
     windrow::Sampling sampling{};
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("size", &Picture::size, {16.0, 8192.0, "px"}, "Width and height."),
+            Setting("frames_per_second", &Picture::frames_per_second, {0.001, 1e4, "1/s"}, "Pictures. Default: the scene's."),
+            Setting("settle", &Picture::settle, {0.0, 3600.0, "s"},
+                    "Of wind before the first picture, so that gusts have come in."),
+            Setting("camera", &Picture::camera, "The eye."),
+            Setting("sun", &Picture::sun, "The sun and the air that it shines through."),
+            Setting("fog", &Picture::fog, "What the air takes from the sight of far things."),
+            Setting("clouds", &Picture::clouds, "A level sheet of clouds that drifts and shades the ground."),
+            Setting("ground", &Picture::ground, "The ground. Default: level, 100 m x 100 m about the origin."),
+            Setting("grass", &Picture::grass, {0.0, 16.0},
+                    "Layers of blades. The ground has the look of the first, where that grows; elsewhere it is bare."),
+            Setting("trees", &Picture::trees, {0.0, 256.0}, "Stands of trees."),
+            Setting("walkers", &Picture::walkers, {0.0, 256.0}, "Who presses the grass down; needs ground_memory."),
+            Setting("fans", &Picture::fans, {0.0, 64.0}, "Fans that are drawn; what they blow is a motor of $.motors."),
+            Setting("ground_memory", &Picture::ground_memory,
+                    "A ground that remembers walkers and wind. Default: none; {} for its defaults."),
+            Setting("bodies", &Picture::bodies, {0.0, 64.0},
+                    "Things that stand or move and wear coats of shells: fur, feathers, grass, spikes, clouds."),
+            Setting("lamps", &Picture::lamps, {0.0, fur::k_most_lamps},
+                    "Points of light beside the sun, which shine on coats and cast no shadow."),
+            Setting("sampling", &Picture::sampling, "How plants read the wind."),
+        };
+    }
 };
 
 struct PictureScene {

@@ -65,7 +65,7 @@ Result<void> Shoot::make() {
     scene.clouds = picture.clouds;
     scene.ground = {.corner = picture.ground.corner, .heights = *picture.ground.heights};
     if (!picture.grass.empty()) {
-        scene.look = picture.grass.front().look;
+        scene.look = picture.grass.front().drawn.look;
         scene.ground.grown = picture.grass.front().mask.mask;
     }
     scene.wind.wind = air;
@@ -106,12 +106,10 @@ Result<void> Shoot::make() {
 
 Result<void> Shoot::make_grass(const render::DrawTargets& targets) {
     const render::Ground ground{.corner = scene_.picture.ground.corner, .heights = *scene_.picture.ground.heights};
-    for (const GrassLayer& layer : scene_.picture.grass) {
-        auto made = render::GrassLayer::create(*device_, targets, ground, *layer.mask.mask,
-                                               {.field = layer.settings,
-                                                .look = layer.look,
-                                                .most_blades = settings_.most_blades.value_or(layer.most_blades),
-                                                .shadows = layer.shadows});
+    for (const GrassSource& layer : scene_.picture.grass) {
+        render::GrassLayerSettings drawn = layer.drawn;
+        drawn.most_blades = settings_.most_blades.value_or(drawn.most_blades);
+        auto made = render::GrassLayer::create(*device_, targets, ground, *layer.mask.mask, drawn);
         if (!made)
             return Error{"$.picture.grass, " + layer.name + ": " + made.error()};
         if (ground_)
@@ -124,7 +122,7 @@ Result<void> Shoot::make_grass(const render::DrawTargets& targets) {
 
 Result<void> Shoot::make_trees(const render::DrawTargets& targets) {
     const auto height = [&](double x, double z) { return scene_.picture.ground.height(x, z); };
-    for (const TreeStand& stand : scene_.picture.trees) {
+    for (const StandSource& stand : scene_.picture.trees) {
         auto kind = trees::preset(stand.kind);
         if (!kind)
             return Error{"$.picture.trees: " + kind.error()};

@@ -50,16 +50,31 @@ class BladeGrid final : public Drawable {
 
 /// Where blades grow before an eye that hardly moves: a fan of directions, denser near the eye as distance^-exponent, blades
 /// wider afar so that as much is covered. The same arguments give the same places.
-struct Fan {
-    glm::dvec3 eye{0.0};      ///< [m]
-    glm::dvec3 target{0.0};   ///< [m]
-    float half_angle = 0.75f; ///< [rad] to either side
-    float near = 0.7f;        ///< [m] to the first blade
-    float far = 45.0f;        ///< [m] to the last; over the last third they shrink to a quarter, so that no edge shows
-    float exponent = 1.5f;    ///< above 0; 0 would be even on the ground, 2 even on the picture
-    int count = 20000;        ///< 1 to 10,000,000
-    float wide_from = 3.0f;   ///< [m] from which on blades are drawn wider, in proportion to distance
+struct BladeFan {
+    glm::dvec3 eye{0.0};
+    glm::dvec3 target{0.0};
+    float half_angle = 0.75f;
+    float near = 0.7f;
+    float far = 45.0f;
+    float exponent = 1.5f;
+    int count = 20000;
+    float wide_from = 3.0f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("eye", &BladeFan::eye, k_place_range, "Where the eye is."),
+            Setting("target", &BladeFan::target, k_place_range, "What it looks at; not straight above or below."),
+            Setting("half_angle", &BladeFan::half_angle, {1e-3, 3.2, "rad"}, "To either side."),
+            Setting("near", &BladeFan::near, {1e-3, 1e5, "m"}, "To the first blade."),
+            Setting("far", &BladeFan::far, {1e-3, 1e6, "m"},
+                    "To the last, beyond near; over the last third they shrink to a quarter, so that no edge shows."),
+            Setting("exponent", &BladeFan::exponent, {0.0, 1.99}, "0 is even on the ground, 2 would be even on the picture."),
+            Setting("count", &BladeFan::count, {1.0, 1e7}, "How many."),
+            Setting("wide_from", &BladeFan::wide_from, {1e-3, 1e6, "m"},
+                    "From which on blades are drawn wider, in proportion to distance."),
+        };
+    }
 };
-[[nodiscard]] windrow::Result<std::vector<BladePlace>> scatter(const Fan& fan, const Ground& ground, glm::dvec3 anchor);
+[[nodiscard]] windrow::Result<std::vector<BladePlace>> scatter(const BladeFan& fan, const Ground& ground, glm::dvec3 anchor);
 
 } // namespace windrow::vegetation::render

@@ -30,14 +30,14 @@ class Bodies final : public Drawable {
     struct Place {
         glm::mat4 now{1.0f}, before{1.0f};
     };
-    struct Range {
+    struct Indices {
         std::uint32_t first = 0, count = 0;
     };
 
     Bodies(engine::Device& device, const DrawTargets& targets, std::span<const Solid> shapes);
 
     engine::Objects objects_;
-    std::vector<Range> ranges_{};
+    std::vector<Indices> ranges_{};
     std::vector<Place> places_{};
     std::vector<bool> placed_{};
     VkPipelineLayout layout_ = VK_NULL_HANDLE;

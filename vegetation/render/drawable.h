@@ -13,9 +13,9 @@ enum class Pass { colour, shadow };
 struct PassContext {
     VkCommandBuffer commands = VK_NULL_HANDLE;
     VkDescriptorSet frame = VK_NULL_HANDLE, wind = VK_NULL_HANDLE;
-    const FrameBlock* block = nullptr; ///< what set 0 holds: matrices of the eye and of both shadows, for culling
-    glm::dvec3 anchor{0.0};            ///< [m] in the world: where all positions of the frame count from
-    int slot = 0;                      ///< which frame in flight
+    const ViewBlock* block = nullptr; ///< what set 0 holds: matrices of the eye and of both shadows, for culling
+    glm::dvec3 anchor{0.0};           ///< [m] in the world: where all positions of the frame count from
+    int slot = 0;                     ///< which frame in flight
     Pass pass = Pass::colour;
     int cascade = 0; ///< 0 the near shadow, 1 the far one: a shadow's vertex stage multiplies by frame.shadow[cascade]
 };

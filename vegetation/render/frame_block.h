@@ -31,7 +31,7 @@ enum class GrassView : int {
 };
 
 /// A uniform block of std140 layout.
-struct FrameBlock {
+struct ViewBlock {
     glm::mat4 view_projection{1.0f}, view_projection_before{1.0f}, from_clip{1.0f};
     std::array<glm::mat4, 2> shadow{glm::mat4(1.0f), glm::mat4(1.0f)};
     glm::vec4 eye{0.0f}, eye_before{0.0f};
@@ -42,7 +42,7 @@ struct FrameBlock {
     glm::ivec4 terrain_size{0};
     CloudBlock clouds{};
 };
-static_assert(sizeof(FrameBlock) == 528);
+static_assert(sizeof(ViewBlock) == 528);
 
 /// From world to clip space of Vulkan: y down, depth 0 to 1. `anchor` [m] is where shaders count from.
 [[nodiscard]] glm::mat4 view_projection(const Camera& camera, float aspect, glm::dvec3 anchor);

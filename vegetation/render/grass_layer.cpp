@@ -1,12 +1,12 @@
 #include "vegetation/render/grass_layer.h"
 
+#include "fluid/validation.h"
 #include "shader_words/field_blade_frag.h"
 #include "shader_words/field_blade_shadow_vert.h"
 #include "shader_words/field_blade_vert.h"
 #include "shader_words/field_blades.h"
 #include "shader_words/field_ground.h"
 #include "vegetation/render/plant_look_block.h"
-#include "vegetation/render/refusals.h"
 #include "vegetation/vulkan/descriptors.h"
 
 #include <algorithm>
@@ -55,12 +55,7 @@ glm::mat4 around_both(const glm::mat4& near, const glm::mat4& far) {
 } // namespace
 
 windrow::Result<void> validate(const GrassLayerSettings& settings) {
-    Refusals refusals;
-    refusals.add(grass::validate(settings.field));
-    refusals.add(validate(settings.look));
-    refusals.range("most_blades", settings.most_blades, 1024, 4194304);
-    refusals.range("shadows", settings.shadows, 0, 2);
-    return refusals.result();
+    return windrow::detail::validate_settings(settings, "grass");
 }
 
 GrassLayer::GrassLayer(engine::Device& device, grass::GrassField field, const GrassLayerSettings& settings)
@@ -69,11 +64,11 @@ GrassLayer::GrassLayer(engine::Device& device, grass::GrassField field, const Gr
 windrow::Result<std::unique_ptr<GrassLayer>> GrassLayer::create(engine::Device& device, const DrawTargets& targets,
                                                                 const Ground& ground, const grass::PlacementMask& mask,
                                                                 const GrassLayerSettings& settings) {
-    Refusals refusals;
-    refusals.add(validate(settings));
-    refusals.add(validate(ground));
-    if (auto judged = refusals.result(); !judged)
-        return windrow::Error{judged.error()};
+    windrow::detail::Reasons reasons;
+    reasons.add_all_of(validate(settings));
+    reasons.add_all_of(validate(ground));
+    if (!reasons.empty())
+        return windrow::Error{reasons.take()};
     auto field = grass::GrassField::create(device, ground.heights, mask, settings.field);
     if (!field)
         return windrow::Error{field.error()};

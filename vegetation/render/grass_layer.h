@@ -22,12 +22,22 @@ namespace windrow::vegetation::render {
 struct GrassLayerSettings {
     grass::GrassSettings field{};
     PlantLook look{};
-    /// Blades that are looked at once a frame, those of shadows counted apart; 1024 to 4,194,304, 96 bytes each. Default 2^18:
-    /// 24 MiB. Of more visible ones those beyond take another's bend.
     int most_blades = 262144;
-    /// How many of the two shadow maps it is drawn into, 0 to 2. Default 1, the near one: a blade is far finer than a texel of
-    /// the other.
     int shadows = 1;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("", &GrassLayerSettings::field, "The field."),
+            Setting("look", &GrassLayerSettings::look,
+                    "Colours are linear albedo. What comes back and what shines through, together, are at most 0.6."),
+            Setting("most_blades", &GrassLayerSettings::most_blades, {1024.0, 4194304.0},
+                    "Visible blades that are looked at once a frame, those of shadows counted apart, 96 bytes each; more take "
+                    "the bend of others."),
+            Setting("shadows", &GrassLayerSettings::shadows, {0.0, 2.0},
+                    "How many of the two shadow maps it is drawn into. 1 is the near one: a blade is far finer than a texel of "
+                    "the other."),
+        };
+    }
 };
 [[nodiscard]] windrow::Result<void> validate(const GrassLayerSettings& settings);
 

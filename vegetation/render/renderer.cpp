@@ -1,9 +1,9 @@
 #include "vegetation/render/renderer.h"
 
+#include "fluid/validation.h"
 #include "shader_words/full_screen_vert.h"
 #include "shader_words/sky_frag.h"
 #include "shader_words/tone_frag.h"
-#include "vegetation/render/refusals.h"
 #include "vegetation/vulkan/descriptors.h"
 
 #include <cmath>
@@ -16,6 +16,7 @@ namespace windrow::vegetation::render {
 namespace {
 
 namespace words = windrow::vulkan::shader_words;
+using windrow::detail::FieldPath;
 
 constexpr VkFormat k_shadow_format = VK_FORMAT_D16_UNORM; // every device draws to it and samples it
 // [px] Thinner parts are drawn as dots: four samples show a slanted line of 1 px as beads.
@@ -39,27 +40,24 @@ float aspect_of(const RenderSettings& settings) {
 } // namespace
 
 windrow::Result<void> validate(const RenderSettings& settings) {
-    Refusals refusals;
-    refusals.range("settings.width", settings.width, 16, 8192);
-    refusals.range("settings.height", settings.height, 16, 8192);
-    if (settings.samples != 1 && settings.samples != 4)
-        refusals.add("settings.samples is " + std::to_string(settings.samples) + "; give it 1 or 4, which every device has.");
-    refusals.range("settings.shadow_texels", settings.shadow_texels, 64, 4096);
-    refusals.range("settings.near_shadow", static_cast<double>(settings.near_shadow), 0.1, 1e5);
-    refusals.range("settings.far_shadow", static_cast<double>(settings.far_shadow),
-                   1.01 * static_cast<double>(settings.near_shadow), 1e6);
-    for (int axis = 0; axis < 3; ++axis)
-        refusals.range((std::string("settings.anchor.") + "xyz"[axis]).c_str(), settings.anchor[axis], -1e9, 1e9);
-    return refusals.result();
+    return windrow::detail::validate_settings(settings, "settings");
+}
+
+void check_rules(windrow::detail::Reasons& reasons, const FieldPath& path, const RenderSettings& settings) {
+    if (settings.samples > 1 && settings.samples < 4)
+        reasons.add(FieldPath{&path, "samples"}, " is ", settings.samples, ": give 1 or 4, which every device has.");
+    if (settings.far_shadow < 1.01f * settings.near_shadow)
+        reasons.add(FieldPath{&path, "far_shadow"}, " is ", settings.far_shadow, " m: give 1.01 times ",
+                    FieldPath{&path, "near_shadow"}, " or more, which is ", settings.near_shadow, " m.");
 }
 
 windrow::Result<std::unique_ptr<Renderer>> Renderer::create(engine::Device& device, const Scene& scene,
                                                             const RenderSettings& settings) {
-    Refusals refusals;
-    refusals.add(validate(scene));
-    refusals.add(validate(settings));
-    if (auto judged = refusals.result(); !judged)
-        return windrow::Error{judged.error()};
+    windrow::detail::Reasons reasons;
+    reasons.add_all_of(validate(scene));
+    reasons.add_all_of(validate(settings));
+    if (!reasons.empty())
+        return windrow::Error{reasons.take()};
     return engine::guarded([&] { return std::unique_ptr<Renderer>(new Renderer(device, scene, settings)); });
 }
 
@@ -116,7 +114,7 @@ void Renderer::make_sets(const Scene& scene) {
     engine::make_sets(objects_, frame_layout_, k_frame_bindings, sets_);
     engine::make_sets(objects_, light_layout_, k_light_bindings, std::span(&light_set_, 1));
     const engine::Buffer heights = Terrain::heights(objects_, scene.ground);
-    blocks_ = objects_.frame_buffers(sizeof(FrameBlock), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+    blocks_ = objects_.frame_buffers(sizeof(ViewBlock), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
     for (std::size_t slot = 0; slot < sets_.size(); ++slot) {
         point(device_, sets_[slot], 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, blocks_[slot].buffer);
         point(device_, sets_[slot], 1, shadow_map_.view, compare_, VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL);

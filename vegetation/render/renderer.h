@@ -30,15 +30,33 @@
 namespace windrow::vegetation::render {
 
 struct RenderSettings {
-    int width = 1280, height = 720; ///< [px] 16 to 8192
-    int samples = 4;                ///< a pixel, 1 or 4
-    int shadow_texels = 1024;       ///< a side of each shadow, 64 to 4096
-    float near_shadow = 12.0f;      ///< [m] reach of the fine shadow, above the camera's near
-    float far_shadow = 70.0f;       ///< [m] reach of the coarse one, above near_shadow; beyond it all is lit
-    glm::dvec3 anchor{0.0};         ///< [m] where shaders count from: within some km of the camera
-    bool counts = false;            ///< vertices and fragments of the colour pass are counted, where the device can
+    int width = 1280;
+    int height = 720;
+    int samples = 4;
+    int shadow_texels = 1024;
+    float near_shadow = 12.0f;
+    float far_shadow = 70.0f;
+    glm::dvec3 anchor{0.0};
+    bool counts = false;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("width", &RenderSettings::width, {16.0, 8192.0, "px"}, "Of the picture."),
+            Setting("height", &RenderSettings::height, {16.0, 8192.0, "px"}, "Of the picture."),
+            Setting("samples", &RenderSettings::samples, {1.0, 4.0}, "A pixel, 1 or 4."),
+            Setting("shadow_texels", &RenderSettings::shadow_texels, {64.0, 4096.0}, "A side of each shadow."),
+            Setting("near_shadow", &RenderSettings::near_shadow, {0.1, 1e5, "m"},
+                    "Reach of the fine shadow, above the camera's near."),
+            Setting("far_shadow", &RenderSettings::far_shadow, {0.1, 1e6, "m"},
+                    "Reach of the coarse one, above near_shadow; beyond it all is lit."),
+            Setting("anchor", &RenderSettings::anchor, k_place_range, "Where shaders count from: within some km of the camera."),
+            Setting("counts", &RenderSettings::counts,
+                    "Vertices and fragments of the colour pass are counted, where the device can."),
+        };
+    }
 };
 [[nodiscard]] windrow::Result<void> validate(const RenderSettings& settings);
+void check_rules(windrow::detail::Reasons& reasons, const windrow::detail::FieldPath& path, const RenderSettings& settings);
 
 class Renderer {
   public:
@@ -72,7 +90,7 @@ class Renderer {
     [[nodiscard]] StageClock& clock() { return clock_; }
     /// Nothing without RenderSettings::counts.
     [[nodiscard]] const std::optional<VertexCounter>& counter() const { return counter_; }
-    [[nodiscard]] const FrameBlock& frame_block() const { return block_; }
+    [[nodiscard]] const ViewBlock& frame_block() const { return block_; }
 
   private:
     Renderer(engine::Device& device, const Scene& scene, const RenderSettings& settings);
@@ -102,7 +120,7 @@ class Renderer {
     engine::FrameBuffers blocks_{};
     std::optional<Terrain> terrain_{};
     std::vector<Drawable*> drawables_{};
-    FrameBlock block_{};
+    ViewBlock block_{};
     bool first_ = true;
 };
 

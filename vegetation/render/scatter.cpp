@@ -3,27 +3,24 @@
 // Share q of the blades lies within distance r: density falls as r^-e on the ground, so q(r) = (r^(2-e) - near^(2-e)) /
 // (far^(2-e) - near^(2-e)). Distances are stratified, one a blade; directions are by chance.
 #include "coupling/plant_vertex.h"
+#include "fluid/validation.h"
 #include "vegetation/render/blades.h"
 #include "vegetation/render/place_numerics.h"
-#include "vegetation/render/refusals.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace windrow::vegetation::render {
 
-windrow::Result<std::vector<BladePlace>> scatter(const Fan& fan, const Ground& ground, glm::dvec3 anchor) {
-    Refusals refusals;
-    refusals.range("fan.half_angle", static_cast<double>(fan.half_angle), 1e-3, 3.2);
-    refusals.range("fan.near", static_cast<double>(fan.near), 1e-3, 1e5);
-    refusals.range("fan.far", static_cast<double>(fan.far), 1.001 * static_cast<double>(fan.near), 1e6);
-    refusals.range("fan.exponent", static_cast<double>(fan.exponent), 0.0, 1.99);
-    refusals.range("fan.count", fan.count, 1, 1e7);
-    refusals.range("fan.wide_from", static_cast<double>(fan.wide_from), 1e-3, 1e6);
-    refusals.add(validate(Camera{.position = fan.eye, .target = fan.target}));
-    refusals.add(validate(ground));
-    if (auto judged = refusals.result(); !judged)
-        return windrow::Error{judged.error()};
+windrow::Result<std::vector<BladePlace>> scatter(const BladeFan& fan, const Ground& ground, glm::dvec3 anchor) {
+    windrow::detail::Reasons reasons;
+    windrow::detail::check_settings(reasons, {nullptr, "fan"}, fan);
+    if (fan.far < 1.001f * fan.near)
+        reasons.add("fan.far is ", fan.far, " m: give 1.001 times fan.near or more, which is ", fan.near, " m.");
+    reasons.add_all_of(validate(Camera{.position = fan.eye, .target = fan.target}));
+    reasons.add_all_of(validate(ground));
+    if (!reasons.empty())
+        return windrow::Error{reasons.take()};
 
     const glm::dvec3 sight = fan.target - fan.eye;
     const double ahead = std::atan2(sight.z, sight.x);

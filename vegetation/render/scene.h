@@ -15,37 +15,82 @@
 
 namespace windrow::vegetation::render {
 
+/// Of a place in a scene: beyond it a double has less than a micrometre.
+inline constexpr Range k_place_range{-1e9, 1e9, "m"};
+
 struct Camera {
-    glm::dvec3 position{0.0, 1.7, 0.0}; ///< [m]
-    glm::dvec3 target{0.0, 1.2, -10.0}; ///< [m] what it looks at; not straight above or below
-    float view_deg = 45.0f;             ///< height of the picture as an angle, 1 to 150. Default 45: a calm lens
-    float near = 0.1f;                  ///< [m] above 0. Default 0.1: a blade before the lens is cut off there
-    float far = 2000.0f;                ///< [m] beyond near, at most 1e6 near: depth is float
-    float exposure = 1.0f;              ///< factor on light before the film's curve, above 0
+    glm::dvec3 position{0.0, 1.7, 0.0};
+    glm::dvec3 target{0.0, 1.2, -10.0};
+    float view_deg = 45.0f;
+    float near = 0.1f;
+    float far = 2000.0f;
+    float exposure = 1.0f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("position", &Camera::position, k_place_range, "Where it is."),
+            Setting("target", &Camera::target, k_place_range, "What it looks at; not straight above or below."),
+            Setting("view_deg", &Camera::view_deg, {1.0, 150.0, "deg"}, "Height of the picture as an angle; 45 is a calm lens."),
+            Setting("near", &Camera::near, {1e-3, 1e3, "m"}, "What is nearer is not drawn."),
+            Setting("far", &Camera::far, {1.01e-3, 1e9, "m"},
+                    "Nor what is farther; 1.01 to 1e6 times near, since depth is float."),
+            Setting("exposure", &Camera::exposure, {1e-6, 1e6}, "Factor on light before the film's curve."),
+        };
+    }
 };
 
 /// The sun and the air that it shines through: vegetation/shaders/numerics/sky.glsl.
 struct Sun {
-    float elevation_deg = 26.0f; ///< above the horizon, 1 to 90. Default 26: long shadows and a warm light
-    float azimuth_deg = 222.0f;  ///< where it stands, from x (0) toward z (90), -360 to 360
-    float irradiance = 10.0f;    ///< above the air, in units of the picture, above 0 to 100
-    float haze = 0.06f;          ///< Angstrom's turbidity, 0 to 0.5. Default 0.06: a clear summer's day
-    float radius_deg = 0.2666f;  ///< of the disk, 0.05 to 5. Default: as seen from the earth
+    float elevation_deg = 26.0f;
+    float azimuth_deg = 222.0f;
+    float irradiance = 10.0f;
+    float haze = 0.06f;
+    float radius_deg = 0.2666f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("elevation_deg", &Sun::elevation_deg, {1.0, 90.0, "deg"},
+                    "Above the horizon. 26 gives long shadows and a warm light."),
+            Setting("azimuth_deg", &Sun::azimuth_deg, {-360.0, 360.0, "deg"}, "Where it stands, from x (0) toward z (90)."),
+            Setting("irradiance", &Sun::irradiance, {1e-6, 100.0}, "Above the air, in units of the picture."),
+            Setting("haze", &Sun::haze, {0.0, 0.5}, "Angstrom's turbidity. 0.06 is a clear summer's day."),
+            Setting("radius_deg", &Sun::radius_deg, {0.05, 5.0, "deg"}, "Of the disk, as seen from the earth."),
+        };
+    }
 };
 
 struct Fog {
-    float density = 0.0015f; ///< [1/m] at height `base`, 0 (none) to 1. Default 0.0015: e^-1 at 670 m
-    float fall = 0.02f;      ///< [1/m] it thins as exp(-fall * height), 0 to 1
-    double base = 0.0;       ///< [m] height
+    float density = 0.0015f;
+    float fall = 0.02f;
+    double base = 0.0;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("density", &Fog::density, {0.0, 1.0, "1/m", "none"}, "At height base. 0.0015 leaves 1/e at 670 m."),
+            Setting("fall", &Fog::fall, {0.0, 1.0, "1/m"}, "It thins as exp(-fall * height)."),
+            Setting("base", &Fog::base, k_place_range, "Height."),
+        };
+    }
 };
 
 /// A level sheet of clouds that drifts: vegetation/shaders/numerics/cloud_layer.glsl.
 struct Clouds {
-    float cover = 0.0f;           ///< share of the sky, 0 (none, and nothing is computed) to 1. Default 0
-    double height = 900.0;        ///< [m] in the world, -1e9 to 1e9. Default 900: cumulus on a summer's day
-    float size = 700.0f;          ///< [m] of the largest lumps, 1 to 1e5
-    float depth = 3.0f;           ///< optical depth of the thickest, 0 to 100. Default 3: the sun is a pale disk behind it
-    glm::vec2 drift{6.0f, -2.0f}; ///< [m/s] along x and z, -200 to 200: the wind up there
+    float cover = 0.0f;
+    double height = 900.0;
+    float size = 700.0f;
+    float depth = 3.0f;
+    glm::vec2 drift{6.0f, -2.0f};
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("cover", &Clouds::cover, {.least = 0.0, .most = 1.0, .zero = "none, and nothing is computed"},
+                    "Fraction of the sky."),
+            Setting("height", &Clouds::height, k_place_range, "Of the sheet, in the world: cumulus on a summer's day."),
+            Setting("size", &Clouds::size, {1.0, 1e5, "m"}, "Of the largest lumps."),
+            Setting("depth", &Clouds::depth, {0.0, 100.0}, "Optical depth of the thickest: 3 leaves a pale disk of the sun."),
+            Setting("drift", &Clouds::drift, {-200.0, 200.0, "m/s"}, "Along x and z: the wind up there."),
+        };
+    }
 };
 
 /// The ground: heights on a grid, and where they lie. The default is flat, 100 m x 100 m about the origin.
@@ -61,28 +106,59 @@ struct Ground {
 };
 
 /// Colours are linear albedo, 0 to 1. What comes back and what shines through, the latter times 1 + against_light / 10, add up to
-/// at most 0.6: leaves of all directions then give no more light than they get.
+/// at most 0.6: leaves of all directions then give no more light than they get. From `second` on only grass fields and the ground
+/// under them have it.
 struct PlantLook {
-    glm::vec3 root{0.032f, 0.052f, 0.014f};    ///< where it leaves the ground
-    glm::vec3 tip{0.120f, 0.170f, 0.045f};     ///< of a fresh one
-    glm::vec3 dry{0.280f, 0.230f, 0.110f};     ///< the driest tips
-    glm::vec3 through{0.125f, 0.170f, 0.030f}; ///< light that shines through it
-    float variation = 0.18f;                   ///< share by which single plants are lighter or darker, 0 to 0.9
-    float root_light = 0.35f;                  ///< what the neighbours leave of the sky's light at the root, 0 to 1
-    float gloss = 24.0f;                       ///< exponent, 1 to 1000
-    float against_light = 2.5f;                ///< how much more shines through against the light, 0 to 20
-    // What follows only grass fields and the ground under them have.
-    glm::vec3 second{0.085f, 0.160f, 0.050f}; ///< fresh tips of other clumps: each clump lies somewhere between `tip` and this
-    float dryness = 1.0f;                     ///< how much dry patches and single dry blades show, 0 (none) to 1
-    float fold = 0.5f;       ///< [rad] by which both halves of a blade stand out of its plane, 0 to 1.2: a crease of light
-    float midrib = 0.2f;     ///< share by which the crease is lighter, 0 to 1
-    float soften = 0.35f;    ///< share of the ground's normal in a near blade's, 0 to 1: 0 shows each blade, 1 an even meadow
-    float self_shade = 1.3f; ///< optical depth of the neighbours along the sun's beam, from tip to root, 0 (none) to 5
-    glm::vec3 head{0.240f, 0.190f, 0.100f}; ///< of seed heads and flowers
-    float head_from = 1.0f;                 ///< share of the length at which they begin, 0.3 to 1. Default 1: none
-    float head_width = 0.012f;              ///< [m] their width, 0 to 0.5
-    glm::vec3 soil{0.044f, 0.046f, 0.020f}; ///< of the ground between the roots and where nothing grows
-    float even_from = 45.0f;                ///< [m] where normals have become the ground's and ground the plants' colour, above 0
+    glm::vec3 root{0.032f, 0.052f, 0.014f};
+    glm::vec3 tip{0.120f, 0.170f, 0.045f};
+    glm::vec3 dry{0.280f, 0.230f, 0.110f};
+    glm::vec3 through{0.125f, 0.170f, 0.030f};
+    float variation = 0.18f;
+    float root_light = 0.35f;
+    float gloss = 24.0f;
+    float against_light = 2.5f;
+    glm::vec3 second{0.085f, 0.160f, 0.050f};
+    float dryness = 1.0f;
+    float fold = 0.5f;
+    float midrib = 0.2f;
+    float soften = 0.35f;
+    float self_shade = 1.3f;
+    glm::vec3 head{0.240f, 0.190f, 0.100f};
+    float head_from = 1.0f;
+    float head_width = 0.012f;
+    glm::vec3 soil{0.044f, 0.046f, 0.020f};
+    float even_from = 45.0f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("root", &PlantLook::root, k_fraction_range, "Where it leaves the ground."),
+            Setting("tip", &PlantLook::tip, k_fraction_range, "Of a fresh one."),
+            Setting("dry", &PlantLook::dry, k_fraction_range, "The driest tips."),
+            Setting("through", &PlantLook::through, k_fraction_range, "Light that shines through it."),
+            Setting("variation", &PlantLook::variation, {0.0, 0.9}, "Fraction by which single plants are lighter or darker."),
+            Setting("root_light", &PlantLook::root_light, k_fraction_range,
+                    "What the neighbours leave of the sky's light at the root."),
+            Setting("gloss", &PlantLook::gloss, {1.0, 1000.0}, "Exponent of the shine."),
+            Setting("against_light", &PlantLook::against_light, {0.0, 20.0}, "How much more shines through against the light."),
+            Setting("second", &PlantLook::second, k_fraction_range,
+                    "Fresh tips of other clumps: each clump lies between tip and this."),
+            Setting("dryness", &PlantLook::dryness, k_fraction_range, "How much dry patches and single dry blades show."),
+            Setting("fold", &PlantLook::fold, {0.0, 1.2, "rad"},
+                    "By which both halves of a blade stand out of its plane: a crease of light."),
+            Setting("midrib", &PlantLook::midrib, k_fraction_range, "Fraction by which the crease is lighter."),
+            Setting("soften", &PlantLook::soften, k_fraction_range,
+                    "Fraction of the ground's normal in a near blade's: 0 shows each blade, 1 an even meadow."),
+            Setting("self_shade", &PlantLook::self_shade, {0.0, 5.0},
+                    "Optical depth of the neighbours along the sun's beam, from tip to root."),
+            Setting("head", &PlantLook::head, k_fraction_range, "Of seed heads and flowers."),
+            Setting("head_from", &PlantLook::head_from, {0.3, 1.0}, "Fraction of the length at which they begin; 1: none."),
+            Setting("head_width", &PlantLook::head_width, {0.0, 0.5, "m"}, "Their width."),
+            Setting("soil", &PlantLook::soil, k_fraction_range,
+                    "Of the ground between the roots and where the first layer does not grow."),
+            Setting("even_from", &PlantLook::even_from, {1e-3, 1e6, "m"},
+                    "Where normals have become the ground's and ground the plants' colour."),
+        };
+    }
 };
 
 /// What blows. Motors are those at the start; a host moves them.
@@ -110,5 +186,7 @@ struct Scene {
 [[nodiscard]] windrow::Result<void> validate(const Ground& ground);
 [[nodiscard]] windrow::Result<void> validate(const PlantLook& look);
 [[nodiscard]] windrow::Result<void> validate(const Scene& scene);
+void check_rules(windrow::detail::Reasons& reasons, const windrow::detail::FieldPath& path, const Camera& camera);
+void check_rules(windrow::detail::Reasons& reasons, const windrow::detail::FieldPath& path, const PlantLook& look);
 
 } // namespace windrow::vegetation::render

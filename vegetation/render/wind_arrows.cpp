@@ -1,9 +1,9 @@
 #include "vegetation/render/wind_arrows.h"
 
+#include "fluid/validation.h"
 #include "shader_words/wind_arrow_vert.h"
 #include "shader_words/wind_lattice_frag.h"
 #include "shader_words/wind_slice_vert.h"
-#include "vegetation/render/refusals.h"
 #include "vegetation/vulkan/descriptors.h"
 
 #include <cmath>
@@ -21,18 +21,14 @@ constexpr std::array k_bindings{engine::Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFE
 } // namespace
 
 windrow::Result<void> validate(const WindArrowSettings& settings) {
-    Refusals refusals;
-    refusals.range("arrows.spacing", static_cast<double>(settings.spacing), 0.05, 1e3);
-    double places = 1.0;
-    for (int axis = 0; axis < 3; ++axis) {
-        refusals.range((std::string("arrows.count.") + "xyz"[axis]).c_str(), settings.count[axis], 1, 512);
-        places *= settings.count[axis];
-    }
-    refusals.range("arrows.count, x times y times z,", places, 1, 1e6);
-    refusals.range("arrows.lowest", static_cast<double>(settings.lowest), -1e4, 1e4);
-    refusals.range("arrows.scale", static_cast<double>(settings.scale), 1e-3, 1e3);
-    refusals.range("arrows.seconds", static_cast<double>(settings.seconds), 1e-4, 100.0);
-    return refusals.result();
+    return windrow::detail::validate_settings(settings, "arrows");
+}
+
+void check_rules(windrow::detail::Reasons& reasons, const windrow::detail::FieldPath& path, const WindArrowSettings& settings) {
+    const glm::dvec3 count(settings.count);
+    if (count.x * count.y * count.z > 1e6)
+        reasons.add(windrow::detail::FieldPath{&path, "count"}, " is ", settings.count, ", ", count.x * count.y * count.z,
+                    " in all: give at most 1e6.");
 }
 
 Result<std::unique_ptr<WindArrows>> WindArrows::create(engine::Device& device, const DrawTargets& targets,

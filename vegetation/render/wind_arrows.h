@@ -14,13 +14,27 @@ namespace windrow::vegetation::render {
 struct WindArrowSettings {
     enum class Form { arrows, slice };
     Form form = Form::arrows;
-    float spacing = 1.0f;        ///< [m] of the lattice, 0.05 to 1000
-    glm::ivec3 count{32, 3, 32}; ///< places along x, y, z, 1 to 512 each, 1e6 at most in all; a slice has one level
-    float lowest = 1.0f;         ///< [m] above the ground, -1e4 to 1e4
-    float scale = 8.0f;          ///< [m/s] at the top of the colour scale, above 0 to 1e3
-    float seconds = 0.12f;       ///< [s] an arrow is as long as the air goes in this time, above 0 to 100
+    float spacing = 1.0f;
+    glm::ivec3 count{32, 3, 32};
+    float lowest = 1.0f;
+    float scale = 8.0f;
+    float seconds = 0.12f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("form", &WindArrowSettings::form, "Arrows, or a level slice of tiles.", k_not_stored),
+            Setting("spacing", &WindArrowSettings::spacing, {0.05, 1e3, "m"}, "Of the lattice."),
+            Setting("count", &WindArrowSettings::count, {1.0, 512.0},
+                    "Places along x, y, z, 1e6 at most in all; a slice has one level."),
+            Setting("lowest", &WindArrowSettings::lowest, {-1e4, 1e4, "m"}, "Above the ground."),
+            Setting("scale", &WindArrowSettings::scale, {1e-3, 1e3, "m/s"}, "At the top of the colour scale."),
+            Setting("seconds", &WindArrowSettings::seconds, {1e-4, 100.0, "s"},
+                    "An arrow is as long as the air goes in this time."),
+        };
+    }
 };
 [[nodiscard]] windrow::Result<void> validate(const WindArrowSettings& settings);
+void check_rules(windrow::detail::Reasons& reasons, const windrow::detail::FieldPath& path, const WindArrowSettings& settings);
 
 class WindArrows final : public Drawable {
   public:
@@ -52,3 +66,7 @@ class WindArrows final : public Drawable {
 };
 
 } // namespace windrow::vegetation::render
+
+template <>
+inline constexpr std::array<const char*, 2> windrow::k_words<windrow::vegetation::render::WindArrowSettings::Form>{"arrows",
+                                                                                                                   "slice"};

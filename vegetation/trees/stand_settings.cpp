@@ -1,6 +1,6 @@
 #include "vegetation/trees/stand_settings.h"
 
-#include "vegetation/render/refusals.h"
+#include "fluid/validation.h"
 #include "vegetation/trees/chance.h"
 
 #include <algorithm>
@@ -11,8 +11,9 @@
 namespace windrow::vegetation::trees {
 namespace {
 
-constexpr double k_farthest = 1e9; // [m]
-constexpr int k_tries = 40;        // a tree, before the region counts as full
+using windrow::detail::FieldPath, windrow::detail::Reasons;
+
+constexpr int k_tries = 40; // a tree, before the region counts as full
 
 // Which of the places so far stand near: a grid whose cells are as wide as trees must be apart.
 class Neighbours {
@@ -42,44 +43,24 @@ class Neighbours {
 
 } // namespace
 
-windrow::Result<void> validate(const TreeScatter& s) {
-    render::Refusals refusals;
-    refusals.range("scatter.count", s.count, 0, 100000);
-    for (int axis = 0; axis < 2; ++axis) {
-        const std::string end = std::string(".") + "xz"[axis];
-        refusals.range(("scatter.low" + end).c_str(), s.low[axis], -k_farthest, k_farthest);
-        refusals.range(("scatter.high" + end).c_str(), s.high[axis], -k_farthest, k_farthest);
-        if (!(s.high[axis] > s.low[axis]))
-            refusals.add("scatter.high" + end + " is not beyond scatter.low" + end + "; give a region of some size.");
-    }
-    refusals.range("scatter.apart", s.apart, 0.0, 1000.0);
-    refusals.range("scatter.groves", static_cast<double>(s.groves), 0.0, 1.0);
-    refusals.range("scatter.grove_length", s.grove_length, 1.0, 1e5);
-    refusals.range("scatter.size_spread", static_cast<double>(s.size_spread), 0.0, static_cast<double>(0.9f));
-    for (std::size_t n = 0; n < s.clear.size(); ++n) {
-        const std::string field = "scatter.clear[" + std::to_string(n) + "]";
-        refusals.range((field + ".centre.x").c_str(), s.clear[n].centre.x, -k_farthest, k_farthest);
-        refusals.range((field + ".centre.z").c_str(), s.clear[n].centre.y, -k_farthest, k_farthest);
-        refusals.range((field + ".radius").c_str(), s.clear[n].radius, 0.0, 1e6);
-    }
-    return refusals.result();
+windrow::Result<void> validate(const TreeScatter& scatter) {
+    return windrow::detail::validate_settings(scatter, "scatter");
+}
+
+void check_rules(Reasons& reasons, const FieldPath& path, const TreeScatter& scatter) {
+    for (int axis = 0; axis < 2; ++axis)
+        if (!(scatter.high[axis] > scatter.low[axis]))
+            reasons.add(FieldPath{&path, axis == 0 ? "high.x" : "high.z"}, " is ", scatter.high[axis], " m: give more than ",
+                        FieldPath{&path, axis == 0 ? "low.x" : "low.z"}, ", which is ", scatter.low[axis], " m.");
 }
 
 windrow::Result<void> validate(const TreeStandSettings& stand) {
-    render::Refusals refusals;
-    refusals.add(validate(stand.kind.tree));
-    refusals.add(validate(stand.kind.look));
-    refusals.add(validate(stand.kind.levels));
-    refusals.range("stand.variants", stand.variants, 1, 8);
-    for (std::size_t n = 0; n < stand.places.size(); ++n) {
-        const std::string field = "stand.places[" + std::to_string(n) + "]";
-        for (int axis = 0; axis < 3; ++axis)
-            refusals.range((field + ".base." + "xyz"[axis]).c_str(), stand.places[n].base[axis], -k_farthest, k_farthest);
-        refusals.range((field + ".size").c_str(), static_cast<double>(stand.places[n].size), static_cast<double>(0.05f), 10.0);
-        refusals.range((field + ".yaw_deg").c_str(), static_cast<double>(stand.places[n].yaw_deg), -360.0, 360.0);
-    }
-    refusals.add(validate(stand.scatter));
-    return refusals.result();
+    Reasons reasons;
+    for (const windrow::Result<void>& judged :
+         {validate(stand.kind.tree), validate(stand.kind.look), validate(stand.kind.levels)})
+        reasons.add_all_of(judged);
+    windrow::detail::check_settings(reasons, {nullptr, "stand"}, stand);
+    return reasons.outcome();
 }
 
 windrow::Result<std::vector<TreePlace>> scatter(const TreeScatter& s, const GroundHeight& ground) {

@@ -18,36 +18,78 @@ namespace windrow::vegetation::trees {
 
 /// Where a tree stands.
 struct TreePlace {
-    glm::dvec3 base{0.0}; ///< [m] foot of the trunk
-    float size = 1.0f;    ///< factor on all its lengths, 0.05 to 10
-    float yaw_deg = 0.0f; ///< turn about the vertical, -360 to 360
+    glm::dvec3 base{0.0};
+    float size = 1.0f;
+    float yaw_deg = 0.0f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("base", &TreePlace::base, {-1e9, 1e9, "m"}, "Foot of the trunk."),
+            Setting("size", &TreePlace::size, {0.05, 10.0}, "Factor on all its lengths."),
+            Setting("yaw_deg", &TreePlace::yaw_deg, {-360.0, 360.0, "deg"}, "Turn about the vertical."),
+        };
+    }
 };
 
 /// Where none may stand.
 struct ClearCircle {
-    glm::dvec2 centre{0.0}; ///< [m] x and z
-    double radius = 5.0;    ///< [m] 0 to 1e6
+    glm::dvec2 centre{0.0};
+    double radius = 5.0;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("centre", &ClearCircle::centre, {-1e9, 1e9, "m"}, "x and z."),
+            Setting("radius", &ClearCircle::radius, {0.0, 1e6, "m"}, "Of the circle."),
+        };
+    }
 };
 
 /// Places by chance: groves rather than an even spread.
 struct TreeScatter {
-    int count = 0;                       ///< 0 to 100,000
-    glm::dvec2 low{-100.0}, high{100.0}; ///< [m] corners of the region, x and z; high beyond low
-    double apart = 4.0;                  ///< [m] least distance between two trunks, 0 to 1000
-    float groves = 0.5f;                 ///< 0 even, 1 in groves alone
-    double grove_length = 45.0;          ///< [m] size of a grove, 1 to 1e5
-    float size_spread = 0.22f;           ///< sizes are 1 - spread to 1 + spread, 0 to 0.9
-    std::uint32_t seed = 1;              ///< another number, other places
+    int count = 0;
+    glm::dvec2 low{-100.0};
+    glm::dvec2 high{100.0};
+    double apart = 4.0;
+    float groves = 0.5f;
+    double grove_length = 45.0;
+    float size_spread = 0.22f;
+    std::uint32_t seed = 1;
     std::vector<ClearCircle> clear{};
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("count", &TreeScatter::count, {0.0, 1e5}, "How many, at most: fewer where the region has no room."),
+            Setting("low", &TreeScatter::low, {-1e9, 1e9, "m"}, "Corner of the region, x and z."),
+            Setting("high", &TreeScatter::high, {-1e9, 1e9, "m"}, "The other corner, beyond low."),
+            Setting("apart", &TreeScatter::apart, {0.0, 1000.0, "m"}, "Least distance between two trunks."),
+            Setting("groves", &TreeScatter::groves, k_fraction_range, "0: evenly; 1: in groves alone."),
+            Setting("grove_length", &TreeScatter::grove_length, {1.0, 1e5, "m"}, "Size of a grove."),
+            Setting("size_spread", &TreeScatter::size_spread, {0.0, 0.9}, "Sizes are 1 - spread to 1 + spread."),
+            Setting("seed", &TreeScatter::seed, k_seed_range, "Another number, other places."),
+            Setting("clear", &TreeScatter::clear, "Circles where none stand."),
+        };
+    }
 };
 
 /// A stand. What it draws: `places`, and those of `scatter`.
 struct TreeStandSettings {
     TreeKind kind{};
-    int variants = 2; ///< different trees of the kind, 1 to 8: places take them in turn
+    int variants = 2;
     std::vector<TreePlace> places{};
     TreeScatter scatter{};
-    bool springs = true; ///< trunks, limbs and twigs swing; without, they take the bend that the wind holds
+    bool springs = true;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("kind", &TreeStandSettings::kind, "How it grows and looks.", k_not_stored),
+            Setting("variants", &TreeStandSettings::variants, {1.0, 8.0},
+                    "Different trees of the kind; places take them in turn."),
+            Setting("places", &TreeStandSettings::places, "Trees at places of their own."),
+            Setting("scatter", &TreeStandSettings::scatter, "And more by chance."),
+            Setting("springs", &TreeStandSettings::springs,
+                    "Whether trunks, limbs and twigs swing; else they take the bend that the wind holds."),
+        };
+    }
 };
 
 /// [m] The ground's height at x and z: of whatever heightmap a host has.
@@ -56,6 +98,7 @@ using GroundHeight = std::function<double(double x, double z)>;
 /// Every reason why it cannot be used, a line each.
 [[nodiscard]] windrow::Result<void> validate(const TreeScatter& scatter);
 [[nodiscard]] windrow::Result<void> validate(const TreeStandSettings& stand);
+void check_rules(windrow::detail::Reasons& reasons, const windrow::detail::FieldPath& path, const TreeScatter& scatter);
 
 /// Places of a scatter on a ground: at most `count`, fewer where the region has no room for more. The same arguments, the same
 /// places.

@@ -5,7 +5,7 @@
 // chance.
 #pragma once
 
-#include "fluid/result.h"
+#include "coupling/drag.h"
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -28,64 +28,131 @@ enum class LeafForm {
 };
 
 struct TreeSettings {
-    float height = 10.0f;       ///< [m] 0.3 to 60
-    float trunk_radius = 0.34f; ///< [m] above the root's flare, 0.005 to 3, at most a fifth of the height
-    float trunk_wander = 0.03f; ///< how far the trunk strays from a line, over its height, 0 to 0.2
-    float crown_base = 0.24f;   ///< share of the height where limbs begin, 0 to 0.9
+    float height = 10.0f;
+    float trunk_radius = 0.34f;
+    float trunk_wander = 0.03f;
+    float crown_base = 0.24f;
     CrownForm form = CrownForm::dome;
-    int limbs = 24; ///< 1 to 120, along the trunk
-    int whorl = 0;  ///< limbs that leave the trunk at one height, 0 to 12; 0: each at its own, turned by 137.5 degrees
-    float limb_crowding = 1.3f;   ///< 0.3 to 5: above 1 limbs leave the trunk closer together toward the crown's base, 1 evenly
-    float limb_length = 6.2f;     ///< [m] of the longest, 0.05 to 30
-    float limb_low_deg = 80.0f;   ///< angle from straight up at the crown's base, 0 to 150
-    float limb_high_deg = 30.0f;  ///< the same at its top, 0 to 150
-    float limb_rise = 0.42f;      ///< how limbs turn along their way, -1 (down) to 1 (up)
-    float wander = 0.18f;         ///< how crooked limbs and branches are, 0 to 1
-    int branches = 15;            ///< on the longest limb, 0 to 40; on others in proportion to the form's length
-    float branch_deg = 55.0f;     ///< angle from the limb, 0 to 150
-    float branch_share = 0.38f;   ///< longest branch over its limb, 0.02 to 1
-    float branch_rise = 0.1f;     ///< as limb_rise
-    int clusters = 4;             ///< of leaves, a branch, 1 to 20; each feels its own wind
-    float cluster_length = 0.45f; ///< [m] of the twig that holds a cluster, 0.02 to 3
-    int leaves = 5;               ///< cards a cluster, 1 to 16
-    float leaf_length = 0.52f;    ///< [m] of a card, 0.01 to 3
-    float leaf_width = 0.44f;     ///< [m] of a card, 0.005 to 3
-    float leaf_droop = 0.25f;     ///< how much twigs and cards hang, 0 to 1
+    int limbs = 24;
+    int whorl = 0;
+    float limb_crowding = 1.3f;
+    float limb_length = 6.2f;
+    float limb_low_deg = 80.0f;
+    float limb_high_deg = 30.0f;
+    float limb_rise = 0.42f;
+    float wander = 0.18f;
+    int branches = 15;
+    float branch_deg = 55.0f;
+    float branch_share = 0.38f;
+    float branch_rise = 0.1f;
+    int clusters = 4;
+    float cluster_length = 0.45f;
+    int leaves = 5;
+    float leaf_length = 0.52f;
+    float leaf_width = 0.44f;
+    float leaf_droop = 0.25f;
     LeafForm leaf_form = LeafForm::broad;
-    float wood = 5e9f;      ///< [Pa] Young's modulus, 1e8 to 5e10. Default: within what living trunks and branches have
-    std::uint32_t seed = 1; ///< another number, another tree of the kind
+    float wood = 5e9f;
+    std::uint32_t seed = 1;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("height", &TreeSettings::height, {0.3, 60.0, "m"}, "Of the tree."),
+            Setting("trunk_radius", &TreeSettings::trunk_radius, {0.005, 3.0, "m"},
+                    "Above the root's flare, at most a fifth of the height."),
+            Setting("trunk_wander", &TreeSettings::trunk_wander, {0.0, 0.2},
+                    "How far the trunk strays from a line, over its height."),
+            Setting("crown_base", &TreeSettings::crown_base, {0.0, 0.9}, "Fraction of the height where limbs begin."),
+            Setting("form", &TreeSettings::form, "How long limbs are by their height in the crown."),
+            Setting("limbs", &TreeSettings::limbs, {1.0, 120.0}, "Along the trunk."),
+            Setting("whorl", &TreeSettings::whorl, {0.0, 12.0, "", "each at its own, turned by 137.5 degrees"},
+                    "Limbs that leave the trunk at one height."),
+            Setting("limb_crowding", &TreeSettings::limb_crowding, {0.3, 5.0},
+                    "Above 1 limbs leave the trunk closer together toward the crown's base, 1 evenly."),
+            Setting("limb_length", &TreeSettings::limb_length, {0.05, 30.0, "m"}, "Of the longest."),
+            Setting("limb_low_deg", &TreeSettings::limb_low_deg, {0.0, 150.0, "deg"},
+                    "Angle from straight up at the crown's base."),
+            Setting("limb_high_deg", &TreeSettings::limb_high_deg, {0.0, 150.0, "deg"}, "The same at its top."),
+            Setting("limb_rise", &TreeSettings::limb_rise, {-1.0, 1.0}, "How limbs turn along their way, -1 (down) to 1 (up)."),
+            Setting("wander", &TreeSettings::wander, k_fraction_range, "How crooked limbs and branches are."),
+            Setting("branches", &TreeSettings::branches, {0.0, 40.0},
+                    "On the longest limb; on others in proportion to the form's length."),
+            Setting("branch_deg", &TreeSettings::branch_deg, {0.0, 150.0, "deg"}, "Angle from the limb."),
+            Setting("branch_share", &TreeSettings::branch_share, {0.02, 1.0}, "Longest branch over its limb."),
+            Setting("branch_rise", &TreeSettings::branch_rise, {-1.0, 1.0}, "As limb_rise."),
+            Setting("clusters", &TreeSettings::clusters, {1.0, 20.0}, "Of leaves, a branch; each feels its own wind."),
+            Setting("cluster_length", &TreeSettings::cluster_length, {0.02, 3.0, "m"}, "Of the twig that holds a cluster."),
+            Setting("leaves", &TreeSettings::leaves, {1.0, 16.0}, "Cards a cluster."),
+            Setting("leaf_length", &TreeSettings::leaf_length, {0.01, 3.0, "m"}, "Of a card."),
+            Setting("leaf_width", &TreeSettings::leaf_width, {0.005, 3.0, "m"}, "Of a card."),
+            Setting("leaf_droop", &TreeSettings::leaf_droop, k_fraction_range, "How much twigs and cards hang."),
+            Setting("leaf_form", &TreeSettings::leaf_form, "What a leaf card shows."),
+            Setting("wood", &TreeSettings::wood, {1e8, 5e10, "Pa"},
+                    "Young's modulus, within what living trunks and branches have."),
+            Setting("seed", &TreeSettings::seed, k_seed_range, "Another number, another tree of the kind."),
+        };
+    }
 };
 
 /// Colours are linear albedo, 0 to 1; leaf and through together at most 0.6 a channel, so that leaves give no more light than
 /// they get.
 struct TreeLook {
     glm::vec3 bark{0.150f, 0.118f, 0.088f};
-    glm::vec3 furrow{0.045f, 0.035f, 0.026f}; ///< between the bark's ridges
-    float bark_lines = 0.0f;                  ///< 0 furrows along the trunk, 1 marks across it, as a birch has
+    glm::vec3 furrow{0.045f, 0.035f, 0.026f};
+    float bark_lines = 0.0f;
     glm::vec3 leaf{0.050f, 0.082f, 0.024f};
-    glm::vec3 young{0.098f, 0.130f, 0.040f};   ///< at the crown's rim
-    glm::vec3 through{0.125f, 0.160f, 0.030f}; ///< light that shines through
-    float variation = 0.22f;                   ///< share by which leaves and trees are lighter or darker, 0 to 0.9
-    float gloss = 18.0f;                       ///< exponent, 1 to 1000
-    float against_light = 2.5f;                ///< how much more shines through against the light, 0 to 20
+    glm::vec3 young{0.098f, 0.130f, 0.040f};
+    glm::vec3 through{0.125f, 0.160f, 0.030f};
+    float variation = 0.22f;
+    float gloss = 18.0f;
+    float against_light = 2.5f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("bark", &TreeLook::bark, k_fraction_range, "The bark."),
+            Setting("furrow", &TreeLook::furrow, k_fraction_range, "Between the bark's ridges."),
+            Setting("bark_lines", &TreeLook::bark_lines, k_fraction_range,
+                    "0 furrows along the trunk, 1 marks across it, as a birch has."),
+            Setting("leaf", &TreeLook::leaf, k_fraction_range, "The leaves."),
+            Setting("young", &TreeLook::young, k_fraction_range, "Those at the crown's rim."),
+            Setting("through", &TreeLook::through, k_fraction_range, "Light that shines through."),
+            Setting("variation", &TreeLook::variation, {0.0, 0.9}, "Fraction by which leaves and trees are lighter or darker."),
+            Setting("gloss", &TreeLook::gloss, {1.0, 1000.0}, "Exponent of the shine."),
+            Setting("against_light", &TreeLook::against_light, {0.0, 20.0}, "How much more shines through against the light."),
+        };
+    }
 };
 
 /// What a tree costs afar. Distances are for a tree of size 1.
 struct TreeLevels {
-    float near = 38.0f;  ///< [m] up to which all leaves are drawn, 0.1 to 1e4
-    float far = 240.0f;  ///< [m] from which `far_leaves` are, beyond near, up to 1e5
-    int far_leaves = 34; ///< 4 to 1000. Default 34: with those that fade, and the trunk, at most 200 vertices
-    /// Growth of the leaves that stay, 0.3 to 0.5: at 0.5 all leaves together keep their area; less, since a crown hides most of
-    /// its leaves.
+    float near = 38.0f;
+    float far = 240.0f;
+    int far_leaves = 34;
     float growth = 0.41f;
-    /// [rad] of a branch's radius, below which none is drawn; 1e-5 to 0.1. Default: a pixel's width at 720 lines and 45 degrees.
     float least_angle = 0.0007f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("near", &TreeLevels::near, {0.1, 1e4, "m"}, "Up to which all leaves are drawn."),
+            Setting("far", &TreeLevels::far, {0.1, 1e5, "m"}, "From which far_leaves are, beyond near."),
+            Setting("far_leaves", &TreeLevels::far_leaves, {4.0, 1000.0},
+                    "With those of 34 that fade, and the trunk, at most 200 vertices."),
+            Setting("growth", &TreeLevels::growth, {0.3, 0.5},
+                    "Of the leaves that stay. At 0.5 all leaves together keep their area; less, since a crown hides most of its "
+                    "leaves."),
+            Setting("least_angle", &TreeLevels::least_angle, {1e-5, 0.1, "rad"},
+                    "Of a branch's radius, below which none is drawn: a pixel's width at 720 lines and 45 degrees."),
+        };
+    }
 };
 
 /// Every reason why it cannot be used, a line each: ranges, and more vertices than `k_most_vertices`.
 [[nodiscard]] windrow::Result<void> validate(const TreeSettings& settings);
 [[nodiscard]] windrow::Result<void> validate(const TreeLook& look);
 [[nodiscard]] windrow::Result<void> validate(const TreeLevels& levels);
+void check_rules(windrow::detail::Reasons& reasons, const windrow::detail::FieldPath& path, const TreeSettings& settings);
+void check_rules(windrow::detail::Reasons& reasons, const windrow::detail::FieldPath& path, const TreeLook& look);
+void check_rules(windrow::detail::Reasons& reasons, const windrow::detail::FieldPath& path, const TreeLevels& levels);
 
 /// Vertices of a near tree, at most.
 inline constexpr int k_most_vertices = 30000;
@@ -95,3 +162,9 @@ inline constexpr int k_most_far_vertices = 200;
 [[nodiscard]] double vertex_bound(const TreeSettings& settings);
 
 } // namespace windrow::vegetation::trees
+
+template <>
+inline constexpr std::array<const char*, 5> windrow::k_words<windrow::vegetation::trees::CrownForm>{"cone", "round", "dome",
+                                                                                                    "column", "flame"};
+template <>
+inline constexpr std::array<const char*, 2> windrow::k_words<windrow::vegetation::trees::LeafForm>{"broad", "needles"};

@@ -151,7 +151,7 @@ void TreeStand::set_time_step(double seconds) {
     time_step_ = std::isfinite(seconds) && seconds > 0.0 ? seconds : 0.0;
 }
 
-void TreeStand::find_seen(const render::FrameBlock& frame) {
+void TreeStand::find_seen(const render::ViewBlock& frame) {
     seen_.clear();
     drawn_vertices_ = 0;
     const glm::vec3 eye(frame.eye);

@@ -60,7 +60,7 @@ class TreeStand final : public render::Drawable {
               std::vector<TreeModel> models, std::span<const TreePlace> places, glm::dvec3 anchor);
     void make_pipelines(const render::DrawTargets& targets);
     void fill_buffers();
-    void find_seen(const render::FrameBlock& frame);
+    void find_seen(const render::ViewBlock& frame);
 
     engine::Objects objects_;
     std::vector<TreeModel> models_;

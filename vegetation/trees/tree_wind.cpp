@@ -19,8 +19,8 @@ float class_radius(const TreeSettings& s) {
 
 } // namespace
 
-windrow::TreeSettings wind_classes(const TreeSettings& s) {
-    windrow::TreeSettings classes;
+windrow::TreeClasses wind_classes(const TreeSettings& s) {
+    windrow::TreeClasses classes;
     // The crown as the wind sees it: a band as wide as its limbs reach, by the form's mean.
     float form = 0.0f;
     for (int n = 0; n < 8; ++n)

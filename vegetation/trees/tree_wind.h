@@ -12,7 +12,7 @@
 namespace windrow::vegetation::trees {
 
 /// Of valid settings: classes that windrow::Tree::create takes.
-[[nodiscard]] windrow::TreeSettings wind_classes(const TreeSettings& settings);
+[[nodiscard]] windrow::TreeClasses wind_classes(const TreeSettings& settings);
 /// A limb's stiffness over the class, by its length and its radius at the root [m].
 [[nodiscard]] float limb_stiffness(const TreeSettings& settings, float length, float radius);
 

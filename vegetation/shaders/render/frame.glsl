@@ -1,4 +1,4 @@
-// What every shader of the renderer is told of a frame: set 0. The same layout as render::FrameBlock
+// What every shader of the renderer is told of a frame: set 0. The same layout as render::ViewBlock
 // (vegetation/render/frame_block.h). Positions are [m] from the anchor of the frame, y up; light is in units of the picture,
 // before exposure.
 #ifndef WINDROW_RENDER_FRAME_GLSL

@@ -1,7 +1,7 @@
 // How many layers a coat has at a distance, what it refuses to draw, and what its pictures become.
 #include "tests/figure.h"
 #include "vegetation/files/coat_picture_files.h"
-#include "vegetation/fur/coat_levels.h"
+#include "vegetation/fur/coat_settings.h"
 #include "vegetation/tests/fur/stage.h"
 
 #include <cmath>

@@ -126,7 +126,7 @@ glm::vec3 lit(const CoatLook& look, const Point& p, glm::vec3 beam, glm::vec3 to
     const glm::vec3 along = facing * (gloss + sheen * glm::mix(glm::vec3(0.04f), p.albedo, 0.5f)) + through * p.albedo;
     return k_pi_share * beam * (p.open * facing * p.albedo + p.hair * p.t * along);
 }
-glm::vec3 expected(const CoatLook& look, const render::FrameBlock& frame, const Point& p, glm::vec3 to_eye) {
+glm::vec3 expected(const CoatLook& look, const render::ViewBlock& frame, const Point& p, glm::vec3 to_eye) {
     return lit(look, p, glm::vec3(frame.sunlight), glm::vec3(frame.sky.sun), to_eye) +
            p.open * p.albedo *
                render::numerics::windrow_around(p.normal, glm::vec3(frame.skylight), glm::vec3(frame.groundlight));

@@ -100,7 +100,7 @@ TEST(MeshFiles, TheFilesUpBecomesY) {
     }
     const auto yawed =
         read_mesh(folder.write("wedge.obj", "v 0 1 0\nv 4 0 0\nv 0 0 1\nv 0 0 0\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"),
-                  {.size = 4.0f, .yaw = 1.5707964f});
+                  {.size = 4.0f, .yaw_deg = 90.0f});
     ASSERT_TRUE(yawed);
     EXPECT_NEAR(yawed->high.z - yawed->low.z, 4.0f, 1e-5f);
     EXPECT_LT(yawed->low.z, -1.9f) << "x turned to -z";

@@ -109,7 +109,7 @@ TEST(ShellShapes, WhatIsWrongIsRefused) {
         EXPECT_NE(mesh.error().find(field), std::string::npos) << mesh.error();
         EXPECT_NE(mesh.error().find(": give "), std::string::npos) << mesh.error();
     };
-    refused(sheet({.size = {k_nan, 1.0f}}), "sheet.size.x");
+    refused(sheet({.size = {k_nan, 1.0f}}), "sheet.size is (nan, 1) m");
     refused(sheet({.columns = 0}), "sheet.columns");
     refused(sheet({.rows = 100'000}), "sheet.rows");
     refused(sheet({.wave = 0.2f}), "sheet.wave");

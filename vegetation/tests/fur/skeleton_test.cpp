@@ -213,15 +213,15 @@ TEST(Skeletons, WhatIsWrongIsRefused) {
     refused("bones[0].parent is 0", [](auto& bones) { bones[0].parent = 0; });
     refused("bones[2].parent is 3", [](auto& bones) { bones[2].parent = 3; });
     refused("bones[1].parent is -2", [](auto& bones) { bones[1].parent = -2; });
-    refused("bones[1].head.y", [](auto& bones) { bones[1].head.y = k_nan; });
-    refused("bones[1].tail.z", [](auto& bones) { bones[1].tail.z = 1e9f; });
+    refused("bones[1].head is (", [](auto& bones) { bones[1].head.y = k_nan; });
+    refused("bones[1].tail is (", [](auto& bones) { bones[1].tail.z = 1e9f; });
     refused("bones[1].radius", [](auto& bones) { bones[1].radius = 0.0f; });
     refused("bones[1].swings", [](auto& bones) { bones[1].swings.resize(5); });
     refused("bones[1].swings[0].axis", [](auto& bones) { bones[1].swings[0].axis = glm::vec3(0.0f); });
     refused("bones[1].swings[0].axis", [](auto& bones) { bones[1].swings[0].axis = glm::vec3(k_nan); });
     refused("bones[1].swings[0].amplitude", [](auto& bones) { bones[1].swings[0].amplitude = 2.0f; });
     refused("bones[1].swings[0].hz", [](auto& bones) { bones[1].swings[0].hz = -1.0f; });
-    refused("bones[0].sway.x", [](auto& bones) { bones[0].sway.x = k_nan; });
+    refused("bones[0].sway is (nan, ", [](auto& bones) { bones[0].sway.x = k_nan; });
     EXPECT_FALSE(beast_skeleton({}, 6.0f));
     EXPECT_FALSE(horse_skeleton(0.0f));
 

@@ -276,7 +276,7 @@ TEST(StrandField, RefusesWhatIsOutOfRange) {
     EXPECT_TRUE(says({.shape = StrandShape::oval, .half_length = 0.8f, .bow = 0.4f}, "strands.half_length"));
     EXPECT_TRUE(says({.profile = StrandProfile::edge, .shape = StrandShape::strip}, "strands.shape"));
     EXPECT_TRUE(says({.seed = -1}, "strands.seed"));
-    EXPECT_TRUE(says({.density = 0.0f}, "strands.density is 0; give it a value from 0.01 to 100000."));
+    EXPECT_TRUE(says({.density = 0.0f}, "strands.density is 0: give 0.01 to 100000."));
 }
 
 } // namespace

@@ -77,7 +77,7 @@ TEST(MaskPatterns, RefuseBadValuesAndTouchNothing) {
     for (const float bad : {k_nan, k_inf, -1e6f})
         EXPECT_FALSE(tread(mask, {.width = 1.0f, .at = bad})) << bad;
     EXPECT_EQ(bare_share(mask), 0.0);
-    EXPECT_EQ(thin_out(mask, {.share = 2.0f}).error(), "mask.bare is 2: give 0 to 0.95.");
+    EXPECT_EQ(thin_out(mask, {.share = 2.0f}).error(), "mask.bare is 2: give 0 (no patches) to 0.95.");
 }
 
 } // namespace

@@ -32,8 +32,8 @@ TEST(BodyReader, BodyWithoutKeysStandsAtTheOrigin) {
     const windrow::Pose pose = pose_of(*scene, body, 3.0);
     EXPECT_EQ(pose.position, glm::dvec3(0.0));
     EXPECT_EQ(pose.rotation, glm::dvec4(0.0, 0.0, 0.0, 1.0));
-    EXPECT_EQ(body.coats.at(0).settings.layers.shells, windrow::ShellSettings{}.shells);
-    EXPECT_FALSE(body.coats.at(0).settings.inertia);
+    EXPECT_EQ(body.coats.at(0).coat.layers.shells, windrow::ShellSettings{}.shells);
+    EXPECT_FALSE(body.coats.at(0).coat.inertia);
 }
 
 TEST(BodyReader, SpecimensCoatIsReadWhole) {
@@ -43,13 +43,13 @@ TEST(BodyReader, SpecimensCoatIsReadWhole) {
     ASSERT_TRUE(scene) << scene.error();
     const BodyCoat& coat = scene->picture.bodies.at(0).coats.at(0);
     EXPECT_EQ(coat.material, "fur");
-    EXPECT_EQ(coat.settings.layers.shells, 24);
-    EXPECT_EQ(coat.settings.wind_at, fur::WindAt::pixel);
-    EXPECT_EQ(coat.settings.strands.profile, fur::StrandProfile::centre);
-    EXPECT_EQ(coat.settings.maps.length, "length.pgm");
-    EXPECT_EQ(coat.settings.maps.projection, fur::Projection::side);
-    EXPECT_EQ(coat.settings.spots.at(0).glow, 4.0f);
-    EXPECT_EQ(coat.settings.inertia->lag, 0.5);
+    EXPECT_EQ(coat.coat.layers.shells, 24);
+    EXPECT_EQ(coat.coat.wind_at, fur::WindAt::pixel);
+    EXPECT_EQ(coat.coat.strands.profile, fur::StrandProfile::centre);
+    EXPECT_EQ(coat.coat.maps.length, "length.pgm");
+    EXPECT_EQ(coat.coat.maps.projection, fur::Projection::side);
+    EXPECT_EQ(coat.coat.spots.at(0).glow, 4.0f);
+    EXPECT_EQ(coat.coat.inertia->lag, 0.5);
     EXPECT_EQ(std::get<MeshSource>(scene->picture.bodies[0].mesh).name, "wolf.obj");
     EXPECT_EQ(scene->picture.bodies[0].skeleton.bones.at(1).parent, 0);
     EXPECT_EQ(scene->picture.lamps.at(0).reach, 12.0f);
@@ -120,13 +120,14 @@ TEST(BodyReader, Refusals) {
         R"({"coats": [{"layers": {"lenght": 1}}]})",
         "a.json: $.picture.bodies[0].coats[0].layers.lenght is not a known key (did you mean `length`?): rename or remove it.");
     expect(R"({"coats": [{"comb": {"along": [0, 0, 0]}}]})",
-           "a.json: $.picture.bodies[0].coats[0].comb.along has no length; give a finite vector that is not 0.");
+           "a.json: $.picture.bodies[0].coats[0].comb.along is [0,0,0]: give a length of 1e-12 to 1e12.");
     expect(R"({"coats": [{"layers": {"down": [0, 0, 0]}}]})",
-           "a.json: $.picture.bodies[0].coats[0].layers.down is (0, 0, 0): give a finite vector that is not 0.");
+           "a.json: $.picture.bodies[0].coats[0].layers.down is [0,0,0]: give a finite vector that is not 0.");
     expect(R"({"coats": [{"strands": {"low": 0.9, "high": 0.5}}]})",
-           "a.json: $.picture.bodies[0].coats[0].strands.low is above strands.high: give them in order.");
+           "a.json: $.picture.bodies[0].coats[0].strands.low is 0.9: give at most $.picture.bodies[0].coats[0].strands.high, "
+           "which is 0.5.");
     expect(R"({"coats": [{"maps": {"noise_a": "a.pgm"}}]})",
-           "a.json: $.picture.bodies[0].coats[0].maps.noise_b is empty beside the other; give both, or none.");
+           "a.json: $.picture.bodies[0].coats[0].maps.noise_b is empty beside the other: give both, or none.");
     expect(
         R"({"coats": [{"maps": {"length": "/etc/passwd"}}]})",
         "a.json: $.picture.bodies[0].coats[0].maps.length is \"/etc/passwd\": name a file in the scene's folder, relative to it, "

@@ -27,7 +27,8 @@ TEST(PictureFault, TextThatIsNoPicture) {
     expect_refusal(R"({"trees": [{"kind": "palm"}]})",
                    "a.json: $.picture.trees[0].kind is \"palm\": give one of \"oak\", \"birch\", \"spruce\", \"bush\".");
     expect_refusal(R"({"trees": [{"scatter": {"low": [5, 0], "high": [5, 1]}}]})",
-                   "a.json: $.picture.trees[0].scatter.high.x is not beyond scatter.low.x; give a region of some size.");
+                   "a.json: $.picture.trees[0].scatter.high.x is 5 m: give more than "
+                   "$.picture.trees[0].scatter.low.x, which is 5 m.");
     expect_refusal(R"({"trees": [{}, 7]})", "a.json: $.picture.trees[1] is 7: give an object, {...}.");
     expect_refusal(R"({"size": [640]})", "a.json: $.picture.size is [640]: give two numbers, [width, height].");
     expect_refusal(R"({"size": [640, 360.5]})", "a.json: $.picture.size[1] is 360.5: give a whole number.");
@@ -54,25 +55,27 @@ TEST(PictureFault, ValuesOutOfRange) {
     expect_refusal(R"({"grass": [{"mask": {"corners": [1, 20000]}}]})",
                    "a.json: $.picture.grass[0].mask.corners[0] is 1: give 2 to 4097.\n"
                    "a.json: $.picture.grass[0].mask.corners[1] is 20000: give 2 to 4097.");
-    expect_refusal(R"({"sampling": {"detail": 2}})", "a.json: $.picture.sampling.detail is 2: give 0 to 1.");
+    expect_refusal(R"({"sampling": {"detail": 2}})", "a.json: $.picture.sampling.detail is 2: give 0 (none) to 1.");
     expect_refusal(R"({"ground_memory": {"spring": {"damping": -1}}})",
                    "a.json: $.picture.ground_memory.spring.damping is -1: give 0 to 1000.");
 }
 
 TEST(PictureFault, ValuesThatDoNotFitTogether) {
     expect_refusal(R"({"camera": {"near": 10, "far": 5}})",
-                   "a.json: $.picture.camera.far is 5; give it a value from 10.1 to 1e+07.");
-    expect_refusal(R"({"camera": {"position": [0, 5, 0], "target": [0, 0, 0]}})",
-                   "a.json: $.picture.camera.target lies straight above, below or at camera.position; move it aside, so that up "
-                   "has a meaning.");
+                   "a.json: $.picture.camera.far is 5 m: give 1.01 to 1e6 times near, 10.1 to 1e7 m.");
+    expect_refusal(
+        R"({"camera": {"position": [0, 5, 0], "target": [0, 0, 0]}})",
+        "a.json: $.picture.camera.target lies straight above, below or at $.picture.camera.position: move it aside, so "
+        "that up has a meaning.");
     expect_refusal(R"({"grass": [{"split_distance": 100}]})",
                    "a.json: $.picture.grass[0].split_distance is 100 m: give less than "
-                   "grass.cut_distance, which is 90 m.");
-    expect_refusal(R"({"grass": [{}, {"look": {"tip": [0.9, 0.9, 0.9]}}]})",
-                   "a.json: $.picture.grass[1].look: look's brightest colour and (1 + against_light / 10) times what shines "
-                   "through it, together is 1.19187; give it a value from 0 to 0.6.");
+                   "$.picture.grass[0].cut_distance, which is 90 m.");
+    expect_refusal(
+        R"({"grass": [{}, {"look": {"tip": [0.9, 0.9, 0.9]}}]})",
+        "a.json: $.picture.grass[1].look has a brightest colour that makes 1.191875 with (1 + against_light / 10) times "
+        "what shines through it: give at most 0.6, by darker colours.");
     expect_refusal(R"({"ground_memory": {"texels": 8, "texel_size": 0.5}})",
-                   "a.json: $.picture.ground_memory.rim is 2 m: give 0.001 to 1.");
+                   "a.json: $.picture.ground_memory.rim is 2 m: give at most a quarter of the window, 1 m.");
     expect_refusal(R"({"frames_per_second": 10000, "settle": 0, "walkers": []})",
                    "a.json: $.picture.frames_per_second is 10000 1/s, which makes 100001 pictures: give at most 100000 of them, "
                    "by a smaller one or a shorter $.duration.");
@@ -94,17 +97,19 @@ TEST(PictureFault, PathsThatThereAreNot) {
     expect_refusal(R"({"camera": {"path": "walk", "position": [0, 0, 0]}})",
                    "a.json: $.picture.camera holds both \"position\" and \"path\": keep one of them.");
     // The eye walks over what it looks at.
-    expect_refusal(R"({"camera": {"path": "walk", "target": [2, 0, 0]}, "frames_per_second": 1})",
-                   "a.json: $.picture.camera.target lies straight above, below or at camera.position; move it aside, so that up "
-                   "has a meaning.\na.json: $.picture.camera is so at 1 s, where its paths have led it: move one of them aside.");
+    expect_refusal(
+        R"({"camera": {"path": "walk", "target": [2, 0, 0]}, "frames_per_second": 1})",
+        "a.json: $.picture.camera.target lies straight above, below or at $.picture.camera.position: move it aside, so "
+        "that up has a meaning.\na.json: $.picture.camera is so at 1 s, where its paths have led it: move one of them aside.");
 }
 
 TEST(PictureFault, PatchesPathsAndHillsOutOfRange) {
-    expect_refusal(R"({"grass": [{"mask": {"bare": 1}}]})", "a.json: $.picture.grass[0].mask.bare is 1: give 0 to 0.95.");
+    expect_refusal(R"({"grass": [{"mask": {"bare": 1}}]})",
+                   "a.json: $.picture.grass[0].mask.bare is 1: give 0 (no patches) to 0.95.");
     expect_refusal(R"({"grass": [{"mask": {"bare_size": 0}}]})",
                    "a.json: $.picture.grass[0].mask.bare_size is 0 m: give 0.2 to 1000 m.");
     expect_refusal(R"({"grass": [{"mask": {"path": {"width": -1}}}]})",
-                   "a.json: $.picture.grass[0].mask.path.width is -1 m: give 0 to 20 m.");
+                   "a.json: $.picture.grass[0].mask.path.width is -1 m: give 0 (no path) to 20 m.");
     expect_refusal(R"({"ground": {"hills": {"length": 0}}})",
                    "a.json: $.picture.ground.hills.length is 0 m: give 1 to 100000 m.");
     expect_refusal(R"({"grass": [{"most_blades": 3}]})", "a.json: $.picture.grass[0].most_blades is 3: give 1024 to 4194304.");

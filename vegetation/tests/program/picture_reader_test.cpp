@@ -40,11 +40,11 @@ TEST(PictureReader, SceneWithoutAPictureHasTheStructuresDefaults) {
 TEST(PictureReader, LayerWithoutKeysIsMeadowGrassEverywhere) {
     const auto scene = read(R"({"grass": [{}]})");
     ASSERT_TRUE(scene) << scene.error();
-    const GrassLayer& layer = scene->picture.grass.at(0);
-    EXPECT_EQ(layer.settings.density, grass::GrassSettings{}.density);
-    EXPECT_EQ(layer.settings.blade.view_bend, grass::GrassSettings{}.blade.view_bend);
-    EXPECT_EQ(layer.settings.blade.stalk.rigidity, windrow::grass().rigidity);
-    EXPECT_EQ(layer.look.tip, render::PlantLook{}.tip);
+    const GrassSource& layer = scene->picture.grass.at(0);
+    EXPECT_EQ(layer.drawn.field.density, grass::GrassSettings{}.density);
+    EXPECT_EQ(layer.drawn.field.blade.view_bend, grass::GrassSettings{}.blade.view_bend);
+    EXPECT_EQ(layer.drawn.field.blade.stalk.rigidity, windrow::grass().rigidity);
+    EXPECT_EQ(layer.drawn.look.tip, render::PlantLook{}.tip);
     ASSERT_TRUE(layer.mask.mask);
     EXPECT_EQ(layer.mask.mask->alpha({50.0f, 50.0f}), 1.0f);
 }
@@ -52,8 +52,8 @@ TEST(PictureReader, LayerWithoutKeysIsMeadowGrassEverywhere) {
 TEST(PictureReader, ClassGivesTheStalkThatKeysThenChange) {
     const auto scene = read(R"({"grass": [{"class": "reed"}, {"class": "reed", "length": 1.5, "stalk": {"rigidity": 2}}]})");
     ASSERT_TRUE(scene) << scene.error();
-    const windrow::Drag& plain = scene->picture.grass[0].settings.blade.stalk;
-    const windrow::Drag& changed = scene->picture.grass[1].settings.blade.stalk;
+    const windrow::Drag& plain = scene->picture.grass[0].drawn.field.blade.stalk;
+    const windrow::Drag& changed = scene->picture.grass[1].drawn.field.blade.stalk;
     EXPECT_EQ(plain.length, windrow::reed().length);
     EXPECT_EQ(plain.rigidity, windrow::reed().rigidity);
     EXPECT_EQ(changed.length, 1.5f);
@@ -66,7 +66,7 @@ TEST(PictureReader, HeightsAreTheFilesLevelsFromLowToHighAndItsHills) {
     test::write_specimen_files(folder);
     const auto scene = read_picture_scene_text(test::k_specimen, folder / "a.json");
     ASSERT_TRUE(scene) << scene.error();
-    const Ground& ground = scene->picture.ground;
+    const GroundSource& ground = scene->picture.ground;
     EXPECT_EQ(ground.heights->extent(), glm::vec2(80.0f, 40.0f));
     for (int row = 0; row < 5; ++row)
         for (int column = 0; column < 9; ++column) {

@@ -1,7 +1,6 @@
 // The schema of scene files and the tables of their keys are what the readers ask for: every key, with its default, range and words.
 #include "scene/scene_reader.h"
 #include "tests/scene_schema.h"
-#include "vegetation/program/grass_reader.h"
 #include "vegetation/program/picture_writer.h"
 #include "vegetation/tests/program/specimen.h"
 

@@ -45,11 +45,11 @@ TEST(PictureWriter, DefaultsWrittenOutAreTheDefaults) {
     const auto again = read_picture_scene_text(json{{"picture", written}}.dump(), "a.json");
     ASSERT_TRUE(again) << again.error();
     EXPECT_EQ(write_picture(*again), written);
-    const grass::GrassSettings defaults, &read = again->picture.grass[0].settings;
+    const grass::GrassSettings defaults, &read = again->picture.grass[0].drawn.field;
     EXPECT_EQ(read.blade.stalk.rigidity, defaults.blade.stalk.rigidity);
     EXPECT_EQ(read.least_width, defaults.least_width);
     EXPECT_EQ(again->picture.sun.radius_deg, render::Sun{}.radius_deg);
-    EXPECT_EQ(again->picture.grass[0].look.through, render::PlantLook{}.through);
+    EXPECT_EQ(again->picture.grass[0].drawn.look.through, render::PlantLook{}.through);
     EXPECT_EQ(again->picture.ground_memory->spring.damping, windrow::GroundConfig{}.spring.damping);
 }
 

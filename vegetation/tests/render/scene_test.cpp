@@ -28,7 +28,7 @@ TEST(Scene, BadInputIsRefusedByName) {
         std::function<void(Scene&)> spoil;
     };
     const Case cases[] = {
-        {"camera.position.y", [](Scene& s) { s.camera.position.y = static_cast<double>(nan); }},
+        {"camera.position is (0, nan, 0) m", [](Scene& s) { s.camera.position.y = static_cast<double>(nan); }},
         {"camera.target", [](Scene& s) { s.camera.target = s.camera.position + glm::dvec3(0.0, 5.0, 0.0); }},
         {"camera.target", [](Scene& s) { s.camera.target = s.camera.position; }},
         {"camera.view_deg", [](Scene& s) { s.camera.view_deg = 0.0f; }},
@@ -43,9 +43,9 @@ TEST(Scene, BadInputIsRefusedByName) {
         {"fog.density", [](Scene& s) { s.fog.density = -0.1f; }},
         {"fog.fall", [](Scene& s) { s.fog.fall = nan; }},
         {"fog.base", [](Scene& s) { s.fog.base = 1e300; }},
-        {"ground.corner.z", [](Scene& s) { s.ground.corner.z = 2e9; }},
-        {"look.tip.g", [](Scene& s) { s.look.tip.g = 1.5f; }},
-        {"look's brightest", [](Scene& s) { s.look.dry = glm::vec3(0.6f); }},
+        {"ground.corner is (-50, 0, 2e+09) m", [](Scene& s) { s.ground.corner.z = 2e9; }},
+        {"look.tip is (0.12, 1.5, 0.045)", [](Scene& s) { s.look.tip.g = 1.5f; }},
+        {"look has a brightest colour", [](Scene& s) { s.look.dry = glm::vec3(0.6f); }},
         {"look.gloss", [](Scene& s) { s.look.gloss = 0.0f; }},
         {"look.even_from", [](Scene& s) { s.look.even_from = -1.0f; }},
         {"width", [](Scene& s) { s.plants.width = -1.0f; }},
@@ -131,7 +131,7 @@ TEST(Shadow, TheMapHoldsTheWholeSlice) {
 
 TEST(Scatter, TheSameArgumentsGiveTheSamePlacesOnTheGroundWithinTheFan) {
     const Ground ground;
-    const Fan fan{.eye = {1.0, 1.5, 2.0}, .target = {1.0, 1.0, -8.0}, .count = 5000};
+    const BladeFan fan{.eye = {1.0, 1.5, 2.0}, .target = {1.0, 1.0, -8.0}, .count = 5000};
     const auto once = scatter(fan, ground, {0.0, 0.0, 0.0}), again = scatter(fan, ground, {0.0, 0.0, 0.0});
     ASSERT_TRUE(once) << once.error();
     ASSERT_EQ(once->size(), 5000u);

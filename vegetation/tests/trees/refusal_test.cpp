@@ -29,7 +29,7 @@ void expect_refused(const std::vector<Wrong<Settings>>& cases) {
         const auto judged = validate(settings);
         ASSERT_FALSE(judged) << each.field;
         EXPECT_NE(judged.error().find(each.field), std::string::npos) << judged.error();
-        EXPECT_NE(judged.error().find("; "), std::string::npos) << judged.error(); // the fix
+        EXPECT_NE(judged.error().find(": give "), std::string::npos) << judged.error(); // the fix
         EXPECT_EQ(std::count(judged.error().begin(), judged.error().end(), '\n'), 0) << judged.error();
     }
 }
@@ -71,10 +71,10 @@ TEST(TreeRefusals, OfTrees) {
 
 TEST(TreeRefusals, OfLooksAndLevels) {
     using L = TreeLook;
-    expect_refused<L>({{"look.bark.g", [](L& l) { l.bark.g = 1.5f; }},
-                       {"look.furrow.b", [](L& l) { l.furrow.b = k_nan; }},
+    expect_refused<L>({{"look.bark is (0.15, 1.5, 0.088)", [](L& l) { l.bark.g = 1.5f; }},
+                       {"look.furrow is (0.045, 0.035, nan)", [](L& l) { l.furrow.b = k_nan; }},
                        {"look.bark_lines", [](L& l) { l.bark_lines = 2.0f; }},
-                       {"look.leaf.r", [](L& l) { l.leaf.r = -0.1f; }},
+                       {"look.leaf is (-0.1, 0.082, 0.024)", [](L& l) { l.leaf.r = -0.1f; }},
                        {"channel g", [](L& l) { l.young.g = 0.5f; }},
                        {"look.variation", [](L& l) { l.variation = 1.0f; }},
                        {"look.gloss", [](L& l) { l.gloss = 0.0f; }}});
@@ -95,7 +95,7 @@ TEST(TreeRefusals, OfStands) {
                         [](S& s) {
                             s.places = {{}, {.size = 0.0f}};
                         }},
-                       {"stand.places[0].base.x",
+                       {"stand.places[0].base is (nan, 0, 0)",
                         [](S& s) {
                             s.places = {{.base = {std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0}}};
                         }},
