@@ -16,19 +16,19 @@ using namespace windrow;
 constexpr float k_nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float k_infinity = std::numeric_limits<float>::infinity();
 
-struct Fault {
+struct ConfigMistake {
     const char* field; ///< how the sentence begins
     const char* value; ///< what it says of the value
     const char* fix;   ///< what it asks for
     std::function<void(Config&)> make;
 };
 
-void PrintTo(const Fault& fault, std::ostream* stream) {
+void PrintTo(const ConfigMistake& fault, std::ostream* stream) {
     *stream << fault.field << fault.value;
 }
 
-std::vector<Fault> every_fault() {
-    std::vector<Fault> faults;
+std::vector<ConfigMistake> every_fault() {
+    std::vector<ConfigMistake> faults;
     const auto add = [&](const char* field, const char* value, const char* fix, std::function<void(Config&)> make) {
         faults.push_back({field, value, fix, std::move(make)});
     };
@@ -95,10 +95,10 @@ std::vector<Fault> every_fault() {
     return faults;
 }
 
-class ConfigFault : public testing::TestWithParam<Fault> {};
+class ConfigFault : public testing::TestWithParam<ConfigMistake> {};
 
 TEST_P(ConfigFault, IsNamedAloneWithValueAndFix) {
-    const Fault& fault = GetParam();
+    const ConfigMistake& fault = GetParam();
     Config config;
     fault.make(config);
     const Result<void> valid = validate(config);

@@ -1,29 +1,13 @@
 // Fixed ticks: states at tick times do not depend on the frame rate, and the wind between them is continuous.
 
-#include "fluid/wind.h"
-#include "tests/fields.h"
-#include "tests/figure.h"
+#include "tests/winds.h"
 
-#include <algorithm>
-#include <functional>
-#include <glm/geometric.hpp>
-#include <gtest/gtest.h>
-#include <limits>
 #include <map>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace {
 
 using namespace windrow;
 using namespace windrow::test;
-
-Wind made(const Config& config) {
-    auto wind = Wind::create(config);
-    EXPECT_TRUE(wind) << wind.error();
-    return *std::move(wind);
-}
 
 using FrameTime = std::function<double(int frame)>; // [s]
 

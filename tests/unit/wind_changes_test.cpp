@@ -2,53 +2,22 @@
 // behind.
 
 #include "fluid/event_log.h"
-#include "fluid/wind.h"
-#include "tests/fields.h"
-#include "tests/figure.h"
-
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <gtest/gtest.h>
-#include <limits>
-#include <string>
-#include <utility>
+#include "tests/winds.h"
 
 namespace {
 
 using namespace windrow;
 using namespace windrow::test;
 
-Wind made(const Config& config) {
-    auto wind = Wind::create(config);
-    EXPECT_TRUE(wind) << wind.error();
-    return *std::move(wind);
-}
-
-/// Largest difference of the box's air from the ambient wind.
-double off_ambient(const Wind& wind) {
-    const Window window = wind.view().window();
-    double worst = 0.0;
-    for (int k = 0; k < window.cells.z; ++k)
-        for (int j = 0; j < window.cells.y; ++j)
-            for (int i = 0; i < window.cells.x; ++i) {
-                const glm::vec3 inside(wind.view().field()[wind.box().index(i, j, k)]);
-                worst = std::max(worst, double(glm::length(inside - wind.view().ambient().velocity(window.centre(i, j, k)))));
-            }
-    return worst;
-}
-
 const Config k_gusty{.cells = {16, 8, 16}, .ambient = {3.0f, 0.0f, 1.0f}, .gusts = {.intensity = 0.3f}};
 
 TEST(WindChanges, GustsChangeWithTheMeanWind) {
     for (const glm::vec3 to : {glm::vec3(0.0f), glm::vec3(8.0f, 0.0f, 0.0f), glm::vec3(-3.0f, 0.0f, 1.0f)}) {
         Wind wind = made(k_gusty);
-        for (int n = 0; n < 30; ++n)
-            wind.step(1.0 / 60.0);
+        take_steps(wind, 30, 1.0 / 60.0);
         ASSERT_TRUE(wind.set_ambient(to));
         EXPECT_LE(off_ambient(wind), 1e-5);
-        for (int n = 0; n < 30; ++n)
-            wind.step(1.0 / 60.0);
+        take_steps(wind, 30, 1.0 / 60.0);
         EXPECT_LE(off_ambient(wind), 1e-4);
     }
 }
@@ -129,8 +98,7 @@ TEST(WindChanges, AVentThatIsTooStrongLeavesNothingBehind) {
         Wind wind = made({.settling_time = 0.0f});
         const auto vent = wind.motors().add(OmniMotor{.speed = speed});
         ASSERT_TRUE(vent);
-        for (int n = 0; n < 10; ++n)
-            wind.step(1.0 / 60.0);
+        take_steps(wind, 10, 1.0 / 60.0);
         ASSERT_TRUE(wind.motors().remove(*vent));
         wind.step(1.0 / 60.0);
         WINDROW_EXPECT_FIGURE("vent_left_behind_m_per_s_of_" + std::to_string(int(speed)), largest_speed(wind.field()),
@@ -151,8 +119,7 @@ TEST(WindChanges, AWindThatIsCutBesideAVentEnds) {
             return glm::vec3(glm::dot(away, away) < 9.0 ? 80.0f : 0.0f, 0.0f, 0.0f);
         });
         wind.step(0.5);
-        for (int n = 0; n < 600; ++n)
-            wind.step(1.0 / 60.0);
+        take_steps(wind, 600, 1.0 / 60.0);
         return static_cast<double>(glm::length(wind.velocity({10.0, 0.0, 10.0})));
     };
     const double alone = after_a_hitch(false);
@@ -188,8 +155,7 @@ TEST(WindChanges, DetailMovesOverSleepingAir) {
     Config config{.cells = {16, 8, 16}, .ambient = {3.0f, 0.0f, 0.0f}};
     config.gusts.tile = GustTile::bake(1);
     Wind wind = made(config);
-    for (int n = 0; n < 3; ++n)
-        wind.step(1.0 / 60.0);
+    take_steps(wind, 3, 1.0 / 60.0);
     ASSERT_TRUE(wind.step(1.0 / 60.0).asleep);
     const glm::vec3 before = wind.felt({0.3, 0.2, 0.1}, {.detail = 0.5f});
     wind.step(1.0 / 60.0);

@@ -2,14 +2,9 @@
 // second-order step carries, and the step put together from the public pieces.
 
 #include "fluid/cpu/acting.h"
-#include "fluid/wind.h"
-#include "tests/fields.h"
-#include "tests/figure.h"
+#include "tests/winds.h"
 
-#include <algorithm>
-#include <gtest/gtest.h>
 #include <optional>
-#include <string>
 
 namespace {
 
@@ -98,14 +93,11 @@ class AirByHand {
         Field to(from.size(), outside);
         const glm::ivec3 cells = config_.cells;
         const Box& box = work_->box();
-        for (int k = 0; k < cells.z; ++k)
-            for (int j = 0; j < cells.y; ++j)
-                for (int i = 0; i < cells.x; ++i) {
-                    const CellIndex source = CellIndex(i, j, k) + shift;
-                    if (glm::all(glm::greaterThanEqual(source, CellIndex(0))) &&
-                        glm::all(glm::lessThan(source, CellIndex(cells))))
-                        to[box.index(i, j, k)] = from[box.index(int(source.x), int(source.y), int(source.z))];
-                }
+        for_each_cell(cells, [&](int i, int j, int k) {
+            const CellIndex source = CellIndex(i, j, k) + shift;
+            if (glm::all(glm::greaterThanEqual(source, CellIndex(0))) && glm::all(glm::lessThan(source, CellIndex(cells))))
+                to[box.index(i, j, k)] = from[box.index(int(source.x), int(source.y), int(source.z))];
+        });
         return to;
     }
 
@@ -120,41 +112,30 @@ class AirByHand {
     float dt_old_ = 0.0f;
 };
 
-struct Case {
-    const char* name;
-    Config config;
-};
-
-std::vector<Case> cases() {
+std::vector<NamedConfig> cases() {
     const Config base{.cells = {17, 9, 14},
                       .ambient = {2.0f, 0.5f, -1.0f},
                       .viscosity = 0.0f,
                       .settling_time = 0.0f,
                       .sleep_speed = 0.0f,
                       .max_cfl = 1e6f};
-    std::vector<Case> list;
-    list.push_back({"inviscid", base});
-    list.push_back({"settling", base});
-    list.back().config.settling_time = 5.0f;
-    list.push_back({"one_pass", base});
-    list.back().config.viscosity = 1.0f;
-    list.push_back({"implicit", base});
-    list.back().config.viscosity = 40.0f;
-    list.push_back({"linear", base});
-    list.back().config.interpolation = Interpolation::linear;
-    list.push_back({"floor", base});
-    list.back().config.sides = Sides::open_over_floor();
-    list.push_back({"mixed", base});
-    list.back().config.sides.y_low = {SideKind::no_slip, {0.5f, 0.0f, 0.25f}};
-    list.back().config.sides.z_low.kind = list.back().config.sides.z_high.kind = SideKind::periodic;
-    list.back().config.viscosity = 1.0f;
-    list.push_back({"half_metre", base});
-    list.back().config.cell_size = 0.5f;
-    return list;
+    return {{"inviscid", base},
+            {"settling", with(base, [](Config& c) { c.settling_time = 5.0f; })},
+            {"one_pass", with(base, [](Config& c) { c.viscosity = 1.0f; })},
+            {"implicit", with(base, [](Config& c) { c.viscosity = 40.0f; })},
+            {"linear", with(base, [](Config& c) { c.interpolation = Interpolation::linear; })},
+            {"floor", with(base, [](Config& c) { c.sides = Sides::open_over_floor(); })},
+            {"mixed", with(base,
+                           [](Config& c) {
+                               c.sides.y_low = {SideKind::no_slip, {0.5f, 0.0f, 0.25f}};
+                               c.sides.z_low.kind = c.sides.z_high.kind = SideKind::periodic;
+                               c.viscosity = 1.0f;
+                           })},
+            {"half_metre", with(base, [](Config& c) { c.cell_size = 0.5f; })}};
 }
 
 TEST(WindowStep, AShiftedStepEqualsCopyThenStep) {
-    for (const Case& each : cases()) {
+    for (const NamedConfig& each : cases()) {
         auto wind = Wind::create(each.config);
         ASSERT_TRUE(wind) << wind.error();
         AirByHand by_hand(each.config, wind->origin());
@@ -192,7 +173,7 @@ TEST(WindowStep, AShiftedStepEqualsCopyThenStep) {
         }
         ASSERT_TRUE(all_finite(wind->field()));
         EXPECT_GT(largest_speed(wind->field()), 0.5);
-        WINDROW_EXPECT_FIGURE(std::string("shifted_step_cells_that_differ_") + each.name, double(differing), 0.0);
+        WINDROW_EXPECT_FIGURE("shifted_step_cells_that_differ_" + each.name, double(differing), 0.0);
     }
 }
 
