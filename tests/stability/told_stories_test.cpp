@@ -61,8 +61,7 @@ TEST(ToldStories, AStoryIsPrintedAsItIsWritten) {
     EXPECT_EQ(text_of(story), "story_of({.cells = {1, 2, 3}, .ambient = {0.100000001f, 0.0f, 0.0f}},\n"
                               "         {story::Start::Kind::shear, 2.0f, 7u, true},\n"
                               "         {story::Steps{2, 0.10000000000000001},\n"
-                              "          story::Add{OmniMotor{.position = {0.0, 0.0, 0.0}, .radius = 3.0f, .speed = -1.0f, "
-                              ".envelope = {.attack = 0.0f, .hold = std::numeric_limits<float>::infinity(), .decay = 0.0f}}},\n"
+                              "          story::Add{OmniMotor{.radius = 3.0f, .speed = -1.0f}},\n"
                               "          story::Move{1, {0.0, 0.0, 0.0}}})");
 }
 
