@@ -30,7 +30,7 @@ struct Tally {
     double energy = 0.0, max = 0.0;
 
     void tell(const Story& story, const Claims& claims = {}) {
-        const Told told = windrow::test::tell(story, claims);
+        const StoryOutcome told = windrow::test::tell(story, claims);
         if (!told.fault.empty())
             RC_FAIL(told.fault);
         steps += told.steps;

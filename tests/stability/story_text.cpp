@@ -62,9 +62,9 @@ template <class Value>
 requires std::is_enum_v<Value> std::string text(Value value) {
     return name_of<Value>() + "::" + k_words<Value>.at(static_cast<std::size_t>(value));
 }
-std::string text(const story::Start& start) {
+std::string text(const story::StartAir& start) {
     constexpr const char* k_names[] = {"ambient", "white", "smooth", "shear"};
-    return std::string("{story::Start::Kind::") + k_names[static_cast<int>(start.kind)] + ", " + text(start.speed) + ", " +
+    return std::string("{story::StartAir::Pattern::") + k_names[static_cast<int>(start.kind)] + ", " + text(start.speed) + ", " +
            text(start.seed) + ", " + text(start.projected) + '}';
 }
 /// {.first = 1.0f, .second = {...}} of the settings that are not the default.
@@ -90,7 +90,7 @@ std::string text(const std::optional<Value>& value) {
 
 struct EventText {
     std::string operator()(const story::Steps& e) const { return "Steps{" + text(e.count) + ", " + text(e.dt) + '}'; }
-    std::string operator()(const story::Frames& e) const { return "Frames{" + text(e.count) + ", " + text(e.dt) + '}'; }
+    std::string operator()(const story::Advances& e) const { return "Advances{" + text(e.count) + ", " + text(e.dt) + '}'; }
     std::string operator()(const story::Add& e) const { return "Add{" + text(e.motor) + '}'; }
     std::string operator()(const story::Replace& e) const { return "Replace{" + text(e.which) + ", " + text(e.motor) + '}'; }
     std::string operator()(const story::Move& e) const { return "Move{" + text(e.which) + ", " + text(e.position) + '}'; }
