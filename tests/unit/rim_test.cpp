@@ -172,12 +172,4 @@ TEST(Rim, AWalkPastAFanFeelsAThousandthAtMost) {
     WINDROW_EXPECT_FIGURE("window/walk_past_a_fan/at_shifts_over_max_speed", largest(jolts.at_shift) / jolts.max_speed, 1e-3);
 }
 
-TEST(Rim, IsRefusedOutOfRange) {
-    for (const float rim : {-1.0f, 65.0f, std::nanf("")}) {
-        const auto refused = Wind::create({.rim = rim});
-        ASSERT_FALSE(refused);
-        EXPECT_NE(refused.error().find("rim is "), std::string::npos) << refused.error();
-    }
-}
-
 } // namespace

@@ -181,16 +181,4 @@ TEST(Ticks, AStepEndsTheBlending) {
     EXPECT_EQ(wind.view().field().data(), wind.field().data());
 }
 
-TEST(Ticks, TheTicksAreRefusedOutOfRange) {
-    for (const auto& [ticks, word] : {std::pair{Ticks{.hz = 0.0}, "ticks.hz is 0"},
-                                      {Ticks{.hz = -1.0}, "ticks.hz is -1"},
-                                      {Ticks{.hz = std::numeric_limits<double>::quiet_NaN()}, "ticks.hz is nan"},
-                                      {Ticks{.hz = 1e5}, "ticks.hz is 1"},
-                                      {Ticks{.most = 0}, "ticks.most is 0"}}) {
-        const auto refused = Wind::create({.ticks = ticks});
-        ASSERT_FALSE(refused);
-        EXPECT_NE(refused.error().find(word), std::string::npos) << refused.error();
-    }
-}
-
 } // namespace
