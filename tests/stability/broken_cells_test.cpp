@@ -93,11 +93,10 @@ TEST(BrokenCells, StepsOfAnyFiniteLengthStayFinite) {
         Wind wind = made({.cells = {12, 8, 10}, .ambient = {3.0f, 0.0f, 1.0f}, .viscosity = 1e-3f});
         ASSERT_TRUE(wind.motors().add(DirectionalMotor{.law = Drive{20.0f, 1e6f}}));
         ASSERT_TRUE(wind.motors().add(DirectionalMotor{.position = {2.0, 0.0, 0.0}, .law = Force{10.0f}}));
-        const auto body = wind.motors().add(WakeMotor{});
-        ASSERT_TRUE(body);
+        const MotorId body = added(wind, WakeMotor{});
         bool finite = true;
         for (int n = 0; n < 5; ++n) {
-            ASSERT_TRUE(wind.motors().move(*body, {0.3 * n, 0.0, 0.0}));
+            ASSERT_TRUE(wind.motors().move(body, {0.3 * n, 0.0, 0.0}));
             wind.step(dt);
             finite = finite && all_finite(wind.field());
         }

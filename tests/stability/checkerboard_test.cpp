@@ -84,8 +84,7 @@ TEST(Checkerboard, DiesWithTheSettlingTime) {
     for (const auto& box : k_boxes) {
         Board board(Sides::all(box.kind), 20.0f);
         Watch watch(board.wind);
-        for (int n = 0; n < 3'600; ++n)
-            watch.step(k_dt);
+        take_steps(watch, 3'600, k_dt);
         const std::string name = std::string("checkerboard_settled_") + box.name;
         watch.judge(name, bounds_of(box.kind));
         WINDROW_EXPECT_FIGURE("stability/" + name + "/left_after_60_s", board.left(),
@@ -110,8 +109,7 @@ TEST(Checkerboard, DiesInAnyBreeze) {
     for (const SideKind kind : {SideKind::open, SideKind::periodic}) {
         Board board(Sides::all(kind), 0.0f, breeze);
         Watch watch(board.wind);
-        for (int n = 0; n < 600; ++n)
-            watch.step(k_dt);
+        take_steps(watch, 600, k_dt);
         const std::string name = std::string("checkerboard_breeze_") + (kind == SideKind::open ? "open" : "periodic");
         watch.judge(name, {1.001, 1.1});
         WINDROW_EXPECT_FIGURE("stability/" + name + "/board_left_after_10_s", board.mode(),

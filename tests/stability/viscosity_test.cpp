@@ -101,8 +101,7 @@ TEST(Viscosity, AUniformWindBearsAny) {
                           .settling_time = 0.0f});
         wind.set_velocity([](glm::dvec3) { return glm::vec3(1.0f, -0.5f, 0.25f); });
         Watch watch(wind);
-        for (int n = 0; n < 100; ++n)
-            watch.step(1.0);
+        take_steps(watch, 100, 1.0);
         const std::string name = name_of("viscosity_uniform_wind", ratio);
         watch.judge(name, {1.001, 1.001});
         WINDROW_EXPECT_FIGURE("stability/" + name + "/change_mps", largest_off(wind.field(), {1.0f, -0.5f, 0.25f}), 1e-4);

@@ -100,6 +100,11 @@ class Watch {
     std::string complaint_;
 };
 
+inline void take_steps(Watch& watch, int count, double dt) {
+    for (int n = 0; n < count; ++n)
+        watch.step(dt);
+}
+
 /// The worst of several runs that one case is made of.
 class Worst {
   public:

@@ -91,14 +91,13 @@ TEST(IdleStages, MotorsThatDoNotReachTheBoxRunNothing) {
 
 TEST(IdleStages, ASleepingStepRunsNothing) {
     CountedLoops counter;
-    auto wind = Wind::create({.settling_time = 0.05f, .parallel_for = counter.parallel_for()});
-    ASSERT_TRUE(wind) << wind.error();
+    Wind wind = made({.settling_time = 0.05f, .parallel_for = counter.parallel_for()});
     Diagnostics step;
     for (int n = 0; n < 10 && !step.asleep; ++n)
-        step = wind->step(1.0 / 60.0);
+        step = wind.step(1.0 / 60.0);
     ASSERT_TRUE(step.asleep);
     counter.loops = 0;
-    wind->step(1.0 / 60.0);
+    wind.step(1.0 / 60.0);
     EXPECT_EQ(counter.loops, 0);
 }
 

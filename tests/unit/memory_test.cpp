@@ -105,31 +105,29 @@ TEST(Memory, AFrameAllocatesNothing) {
         if (cell_count(scene.config.cells) > 100'000)
             continue; // shows nothing more than the smaller ones
         scene.config.parallel_for = pool.parallel_for();
-        auto wind = Wind::create(scene.config);
-        ASSERT_TRUE(wind);
+        Wind wind = made(scene.config);
         Random random(111);
         for (int n = 0; n < 40; ++n) {
             DirectionalMotor motor{.position = random.point(8.0), .direction = random.vector(1.0f)};
             if (n % 2 == 0)
                 motor.law = Force{500.0f};
-            ASSERT_TRUE(wind->motors().add(motor));
+            ASSERT_TRUE(wind.motors().add(motor));
         }
-        const auto body = wind->motors().add(WakeMotor{});
-        ASSERT_TRUE(body);
-        Field texels(wind->field().size());
+        const MotorId body = added(wind, WakeMotor{});
+        Field texels(wind.field().size());
         std::vector<float> x(texels.size()), y(texels.size()), z(texels.size());
         std::int64_t in_steps = 0, in_frames = 0;
         int substeps = 0;
         for (int n = 0; n < 100; ++n) {
             const std::int64_t frame = allocations;
-            bool accepted = wind->motors().move(*body, random.point(8.0)).has_value();
-            accepted = wind->follow(random.point(10.0)).has_value() && accepted;
-            accepted = wind->set_ambient(random.vector(2.0f)).has_value() && accepted;
+            bool accepted = wind.motors().move(body, random.point(8.0)).has_value();
+            accepted = wind.follow(random.point(10.0)).has_value() && accepted;
+            accepted = wind.set_ambient(random.vector(2.0f)).has_value() && accepted;
             const std::int64_t step = allocations;
-            substeps = std::max(substeps, wind->step(n % 3 == 0 ? 0.1 : 0.01).substeps);
+            substeps = std::max(substeps, wind.step(n % 3 == 0 ? 0.1 : 0.01).substeps);
             in_steps += allocations - step;
-            const glm::vec3 u = wind->velocity(random.point(10.0));
-            accepted = wind->write_axes(std::span(x), std::span(y), std::span(z)).has_value() && accepted;
+            const glm::vec3 u = wind.velocity(random.point(10.0));
+            accepted = wind.write_axes(std::span(x), std::span(y), std::span(z)).has_value() && accepted;
             in_frames += allocations - frame;
             ASSERT_TRUE(accepted && std::isfinite(u.x));
         }
@@ -178,11 +176,10 @@ TEST(Memory, AFrameInTicksAllocatesNothing) {
 TEST(Memory, AStepOfUpToASecondAllocatesNothing) {
     // A viscosity that asks for nothing at 60 Hz and for a pass in longer steps, and one that comes to ask for a solve.
     for (const float viscosity : {1e-4f, 5e-3f, 0.5f}) {
-        auto wind = Wind::create({.cells = {16, 8, 16}, .viscosity = viscosity});
-        ASSERT_TRUE(wind);
+        Wind wind = made({.cells = {16, 8, 16}, .viscosity = viscosity});
         const std::int64_t before = allocations;
         for (const double dt : {1.0 / 60.0, 0.1, 1.0})
-            wind->step(dt);
+            wind.step(dt);
         const std::int64_t made = allocations - before;
         WINDROW_EXPECT_FIGURE("allocations_in_long_steps_viscosity_" + std::to_string(viscosity), double(made), 0.0);
     }

@@ -75,9 +75,8 @@ struct NumberedMotors {
 
     void add(const std::vector<int>& order) {
         for (const int n : order) {
-            const auto id = wind.motors().add(motors[static_cast<std::size_t>(n)]);
-            ASSERT_TRUE(id) << id.error();
-            ids[static_cast<std::size_t>(n)] = *id;
+            const MotorId id = added(wind, motors[static_cast<std::size_t>(n)]);
+            ids[static_cast<std::size_t>(n)] = id;
         }
     }
     void remove(const std::vector<int>& order) {

@@ -277,11 +277,10 @@ TEST(MotorRefusal, WhatIsTakenKeepsTheAirFinite) {
     for (const MotorField& field : every_field())
         for (const float value : field.accepted) {
             Wind wind = *Wind::create({.cells = {8, 8, 8}});
-            const auto id = wind.motors().add(field.with(value));
-            ASSERT_TRUE(id) << id.error();
+            const MotorId id = added(wind, field.with(value));
             for (int n = 0; n < 3; ++n) {
-                if (wind.motors().find(*id) != nullptr && std::holds_alternative<WakeMotor>(*wind.motors().find(*id))) {
-                    ASSERT_TRUE(wind.motors().move(*id, {0.3 * n, 0.0, 0.0}));
+                if (wind.motors().find(id) != nullptr && std::holds_alternative<WakeMotor>(*wind.motors().find(id))) {
+                    ASSERT_TRUE(wind.motors().move(id, {0.3 * n, 0.0, 0.0}));
                 }
                 const Diagnostics report = wind.step(1.0 / 30.0);
                 ASSERT_EQ(report.repaired_cells, 0) << field.name << " = " << value;

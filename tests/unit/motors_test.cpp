@@ -82,10 +82,9 @@ TEST(Motors, AHandleOfAnotherWindIsRejected) {
 
 #ifndef NDEBUG
 TEST(WindDeathTest, AWindThatWasMovedFromIsNamed) {
-    auto wind = Wind::create({});
-    ASSERT_TRUE(wind);
-    const Wind taken = *std::move(wind);
-    EXPECT_DEATH(wind->step(0.1), "moved from");
+    Wind wind = made({});
+    const Wind taken = std::move(wind);
+    EXPECT_DEATH(wind.step(0.1), "moved from");
 }
 #endif
 

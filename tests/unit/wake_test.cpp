@@ -34,16 +34,15 @@ TEST(Wake, ABodyThatStandsAddsExactlyNothing) {
     for (const WakeMotor& body :
          {WakeMotor{.radius = 3.0f, .law = WakeForce{1e4f}}, WakeMotor{.radius = 3.0f, .law = WakeDrive{.per_metre = 1e4f}}}) {
         Wind wind = sources_only({8, 8, 8}, 1.0f, ambient);
-        const auto id = wind.motors().add(body);
-        ASSERT_TRUE(id);
+        const MotorId id = added(wind, body);
         for (int n = 0; n < 100; ++n) {
-            ASSERT_TRUE(wind.motors().move(*id, body.position));
+            ASSERT_TRUE(wind.motors().move(id, body.position));
             EXPECT_EQ(wind.step(1.0 / 60.0).motors_in_reach, 0);
         }
         EXPECT_EQ(largest_off(wind.field(), ambient), 0.0);
 
         // It did stand in reach: one step of motion shows.
-        ASSERT_TRUE(wind.motors().move(*id, {0.5, 0.0, 0.0}));
+        ASSERT_TRUE(wind.motors().move(id, {0.5, 0.0, 0.0}));
         EXPECT_EQ(wind.step(1.0 / 60.0).motors_in_reach, 1);
         EXPECT_GT(glm::length(impulse_of(wind) - 512.0 * glm::dvec3(ambient)), 0.1);
         const Field moved = copy(wind.field());
@@ -99,11 +98,10 @@ TEST(Wake, TheWholeStepGivesTheSameImpulse) {
     glm::dvec3 mean(0.0);
     std::vector<glm::dvec3> impulses;
     for (const double rate : {30.0, 45.0, 60.0, 72.0, 120.0, 144.0, 240.0}) {
-        auto wind = Wind::create(
-            {.cells = {24, 12, 24}, .sides = Sides::all(SideKind::periodic), .viscosity = 0.0f, .settling_time = 0.0f});
-        ASSERT_TRUE(wind);
-        pass(*wind, {.radius = 2.0f, .law = WakeForce{float(strength)}}, circle, 1.0, rate);
-        impulses.push_back(impulse_of(*wind));
+        Wind wind =
+            made({.cells = {24, 12, 24}, .sides = Sides::all(SideKind::periodic), .viscosity = 0.0f, .settling_time = 0.0f});
+        pass(wind, {.radius = 2.0f, .law = WakeForce{float(strength)}}, circle, 1.0, rate);
+        impulses.push_back(impulse_of(wind));
         mean += impulses.back() / 7.0;
         smallest = std::min(smallest, glm::length(impulses.back()));
         largest = std::max(largest, glm::length(impulses.back()));
@@ -211,10 +209,9 @@ TEST(Wake, MoveSweepsAndSetDoesNot) {
     const auto swept = [](bool move) {
         Wind wind = sources_only({32, 8, 8});
         WakeMotor body{.position = {-10.0, 0.0, 0.0}, .radius = 1.5f, .law = WakeForce{}};
-        const auto id = wind.motors().add(body);
-        EXPECT_TRUE(id);
+        const MotorId id = added(wind, body);
         body.position.x = 10.0;
-        EXPECT_TRUE(move ? wind.motors().move(*id, body.position) : wind.motors().set(*id, body));
+        EXPECT_TRUE(move ? wind.motors().move(id, body.position) : wind.motors().set(id, body));
         wind.step(1.0 / 60.0);
         return wind;
     };
@@ -225,11 +222,10 @@ TEST(Wake, MoveSweepsAndSetDoesNot) {
     // A path begins where the body was added, and after a set where it was set.
     Wind wind = sources_only({32, 8, 8});
     WakeMotor body{.position = {-10.0, 0.0, 0.0}, .radius = 1.5f, .law = WakeForce{}};
-    const auto id = wind.motors().add(body);
-    ASSERT_TRUE(id);
+    const MotorId id = added(wind, body);
     body.position = {2.0, 0.0, 0.0};
-    ASSERT_TRUE(wind.motors().set(*id, body));
-    ASSERT_TRUE(wind.motors().move(*id, {10.0, 0.0, 0.0}));
+    ASSERT_TRUE(wind.motors().set(id, body));
+    ASSERT_TRUE(wind.motors().move(id, {10.0, 0.0, 0.0}));
     wind.step(1.0 / 60.0);
     EXPECT_EQ(wind.velocity({-6.0, 0.0, 0.0}).x, 0.0f);
     EXPECT_GT(wind.velocity({6.0, 0.0, 0.0}).x, 0.5f);
@@ -238,10 +234,9 @@ TEST(Wake, MoveSweepsAndSetDoesNot) {
 TEST(Wake, SeveralMovesInAStepSweepTheStraightWayOnce) {
     const auto pushed = [](int moves) {
         Wind wind = sources_only({32, 8, 8});
-        const auto id = wind.motors().add(WakeMotor{.position = {-8.0, 0.0, 0.0}, .radius = 1.5f, .law = WakeForce{}});
-        EXPECT_TRUE(id);
+        const MotorId id = added(wind, WakeMotor{.position = {-8.0, 0.0, 0.0}, .radius = 1.5f, .law = WakeForce{}});
         for (int n = 1; n <= moves; ++n)
-            EXPECT_TRUE(wind.motors().move(*id, {-8.0 + 16.0 * n / moves, 0.0, 0.0}));
+            EXPECT_TRUE(wind.motors().move(id, {-8.0 + 16.0 * n / moves, 0.0, 0.0}));
         wind.step(1.0 / 60.0);
         return copy(wind.field());
     };

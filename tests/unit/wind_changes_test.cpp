@@ -96,10 +96,9 @@ TEST(WindChanges, AVentMeetsANewWall) {
 TEST(WindChanges, AVentThatIsTooStrongLeavesNothingBehind) {
     for (const float speed : {300.0f, 1000.0f, 5000.0f}) {
         Wind wind = made({.settling_time = 0.0f});
-        const auto vent = wind.motors().add(OmniMotor{.speed = speed});
-        ASSERT_TRUE(vent);
+        const MotorId vent = added(wind, OmniMotor{.speed = speed});
         take_steps(wind, 10, 1.0 / 60.0);
-        ASSERT_TRUE(wind.motors().remove(*vent));
+        ASSERT_TRUE(wind.motors().remove(vent));
         wind.step(1.0 / 60.0);
         WINDROW_EXPECT_FIGURE("vent_left_behind_m_per_s_of_" + std::to_string(int(speed)), largest_speed(wind.field()),
                               1e-2 * double(speed));
@@ -138,13 +137,12 @@ TEST(WindChanges, WhatIsNoNumberIsNeverShown) {
 
 TEST(WindChanges, AStepAfterFramesTakesUpWhatTheyTold) {
     Wind wind = made({.cells = {16, 8, 16}});
-    const auto body = wind.motors().add(WakeMotor{});
-    ASSERT_TRUE(body);
+    const MotorId body = added(wind, WakeMotor{});
     for (int n = 1; n <= 3; ++n) { // less than a tick
-        ASSERT_TRUE(wind.motors().move(*body, {0.1 * n, 0.0, 0.0}));
+        ASSERT_TRUE(wind.motors().move(body, {0.1 * n, 0.0, 0.0}));
         ASSERT_EQ(wind.advance(1.0 / 144.0).ticks, 0);
     }
-    ASSERT_TRUE(wind.motors().move(*body, {0.4, 0.0, 0.0}));
+    ASSERT_TRUE(wind.motors().move(body, {0.4, 0.0, 0.0}));
     wind.step(1.0 / 144.0);
     EXPECT_TRUE(Wind::load(*wind.save())) << Wind::load(*wind.save()).error();
     EXPECT_EQ(wind.motors().slots()[0].track.here(), glm::dvec3(0.4, 0.0, 0.0));
@@ -180,11 +178,10 @@ TEST(WindChanges, FarPlacesAndEndlessFramesAreFinite) {
             const glm::vec3 u = wind.velocity(at);
             EXPECT_TRUE(std::isfinite(u.x) && std::isfinite(u.y) && std::isfinite(u.z)) << far;
         }
-    const auto fan = wind.motors().add(DirectionalMotor{});
-    ASSERT_TRUE(fan);
+    const MotorId fan = added(wind, DirectionalMotor{});
     const Advance endless = wind.advance(1.7e308);
     EXPECT_TRUE(std::isfinite(endless.dropped));
-    EXPECT_NE(wind.motors().find(*fan), nullptr) << "it holds for good";
+    EXPECT_NE(wind.motors().find(fan), nullptr) << "it holds for good";
 }
 
 TEST(WindChanges, AResetIsSeenAtOnce) {

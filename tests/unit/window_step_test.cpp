@@ -136,14 +136,13 @@ std::vector<NamedConfig> cases() {
 
 TEST(WindowStep, AShiftedStepEqualsCopyThenStep) {
     for (const NamedConfig& each : cases()) {
-        auto wind = Wind::create(each.config);
-        ASSERT_TRUE(wind) << wind.error();
-        AirByHand by_hand(each.config, wind->origin());
+        Wind wind = made(each.config);
+        AirByHand by_hand(each.config, wind.origin());
         const Field start = white_noise(each.config.cells, 3.0f, 51);
-        ASSERT_TRUE(wind->set_velocity(start));
+        ASSERT_TRUE(wind.set_velocity(start));
         by_hand.set(start);
         std::optional<MotorId> body;
-        for (Motors* motors : {&wind->motors(), &by_hand.motors()}) {
+        for (Motors* motors : {&wind.motors(), &by_hand.motors()}) {
             ASSERT_TRUE(motors->add(DirectionalMotor{
                 .position = {0.3, -0.2, 0.9}, .region = Sphere{3.0f}, .law = Force{30.0f}, .turbulence = k_steady}));
             ASSERT_TRUE(motors->add(DirectionalMotor{
@@ -157,22 +156,22 @@ TEST(WindowStep, AShiftedStepEqualsCopyThenStep) {
         const double h = each.config.cell_size;
         for (int n = 0; n < 40; ++n) {
             if (n > 2) { // the first steps build a history that the shifts must carry
-                const glm::dvec3 centre = wind->origin() + 0.5 * h * glm::dvec3(each.config.cells);
-                ASSERT_TRUE(wind->follow(centre + h * glm::round(random.point(3.0))));
+                const glm::dvec3 centre = wind.origin() + 0.5 * h * glm::dvec3(each.config.cells);
+                ASSERT_TRUE(wind.follow(centre + h * glm::round(random.point(3.0))));
                 if (each.config.sides.y_low.solid()) {
-                    ASSERT_TRUE(wind->set_floor(h * random.integer(-4, 1)));
+                    ASSERT_TRUE(wind.set_floor(h * random.integer(-4, 1)));
                 }
-                by_hand.copy_to(wind->origin());
+                by_hand.copy_to(wind.origin());
             }
-            for (Motors* motors : {&wind->motors(), &by_hand.motors()})
+            for (Motors* motors : {&wind.motors(), &by_hand.motors()})
                 ASSERT_TRUE(motors->move(*body, {0.1 * n, 0.0, 0.3 * n}));
             const double dt = n % 7 == 6 ? 0.01 : 0.05;
-            ASSERT_EQ(wind->step(dt).substeps, 1);
+            ASSERT_EQ(wind.step(dt).substeps, 1);
             by_hand.step(static_cast<float>(dt));
-            differing += cells_that_differ(wind->field(), by_hand.field());
+            differing += cells_that_differ(wind.field(), by_hand.field());
         }
-        ASSERT_TRUE(all_finite(wind->field()));
-        EXPECT_GT(largest_speed(wind->field()), 0.5);
+        ASSERT_TRUE(all_finite(wind.field()));
+        EXPECT_GT(largest_speed(wind.field()), 0.5);
         WINDROW_EXPECT_FIGURE("shifted_step_cells_that_differ_" + each.name, double(differing), 0.0);
     }
 }
@@ -180,9 +179,8 @@ TEST(WindowStep, AShiftedStepEqualsCopyThenStep) {
 // Once the motors are gone, later steps equal those of a run without motors from the same state.
 TEST(WindowStep, SixtyFourMotorsComeAndGo) {
     const Config config{.cells = {16, 12, 14}, .ambient = {1.0f, 0.0f, 0.0f}, .max_cfl = 1e6f};
-    auto wind = Wind::create(config);
-    ASSERT_TRUE(wind);
-    AirByHand by_hand(config, wind->origin());
+    Wind wind = made(config);
+    AirByHand by_hand(config, wind.origin());
     Random random(53);
     std::vector<MotorId> ids;
     for (int n = 0; n < 64; ++n) {
@@ -191,20 +189,20 @@ TEST(WindowStep, SixtyFourMotorsComeAndGo) {
                                      .region = Sphere{random.uniform(1.0f, 3.0f)},
                                      .law = n % 2 == 0 ? decltype(DirectionalMotor::law)(Force{20.0f}) : Drive{},
                                      .turbulence = k_steady};
-        ids.push_back(*wind->motors().add(motor));
+        ids.push_back(added(wind, motor));
         ASSERT_TRUE(by_hand.motors().add(motor));
-        wind->step(0.02);
+        wind.step(0.02);
         by_hand.step(0.02f);
     }
-    ASSERT_EQ(cells_that_differ(wind->field(), by_hand.field()), 0u);
-    EXPECT_GT(largest_speed(wind->field()), 1.5);
+    ASSERT_EQ(cells_that_differ(wind.field(), by_hand.field()), 0u);
+    EXPECT_GT(largest_speed(wind.field()), 1.5);
     for (const MotorId id : ids)
-        ASSERT_TRUE(wind->motors().remove(id));
+        ASSERT_TRUE(wind.motors().remove(id));
     by_hand.motors() = Motors{};
     for (int n = 0; n < 20; ++n) {
-        EXPECT_EQ(wind->step(0.02).motors_in_reach, 0);
+        EXPECT_EQ(wind.step(0.02).motors_in_reach, 0);
         by_hand.step(0.02f);
-        ASSERT_EQ(cells_that_differ(wind->field(), by_hand.field()), 0u) << "step " << n;
+        ASSERT_EQ(cells_that_differ(wind.field(), by_hand.field()), 0u) << "step " << n;
     }
 }
 
