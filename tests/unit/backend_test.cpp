@@ -36,7 +36,7 @@ class OnDevice : public testing::Test {
         ASSERT_FALSE(fault) << fault.sentence;
     }
     [[nodiscard]] std::unique_ptr<BackendWind> wind_on(const Backend& backend, const Config& config) const {
-        auto wind = BackendWind::create(config, backend, StageClock::on);
+        auto wind = BackendWind::create(config, backend, BackendClock::on);
         EXPECT_TRUE(wind) << wind.error();
         return *std::move(wind);
     }

@@ -204,7 +204,8 @@ TEST_F(VerifyCommand, PlotsHoldTheCurvesOfAllResolutions) {
     VerifyCase one = made_up({0.5, 0.25}, 1.0, 0.0);
     one.run = [run = one.run](const VerifySetting& setting, int size) {
         VerifyRows found = run(setting, size);
-        found.curves.push_back({.panel = "left", .name = std::to_string(size) + " cells", .points = {{0.0, 1.0}, {1.0, 2.0}}});
+        found.curves.push_back(
+            {.plot = {}, .panel = "left", .line = std::to_string(size) + " cells", .points = {{0.0, 1.0}, {1.0, 2.0}}});
         return found;
     };
     const CommandOutcome done = verify({.cases = {one, made_up({0.5}, 1.0, 0.0)}, .threads = 1, .plots = folder / "plots"});
