@@ -7,9 +7,6 @@
 #include "figures.h"
 #include "flows.h"
 
-#include <algorithm>
-#include <limits>
-
 namespace windrow {
 namespace {
 

@@ -8,7 +8,6 @@
 #include "figures.h"
 #include "flows.h"
 
-#include <algorithm>
 #include <complex>
 
 namespace windrow {

@@ -9,9 +9,6 @@
 #include "flows.h"
 
 #include <glm/vector_relational.hpp>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace windrow {
 namespace {

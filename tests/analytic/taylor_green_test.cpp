@@ -10,8 +10,6 @@
 #include "case_check.h"
 #include "flows.h"
 
-#include <functional>
-
 namespace windrow {
 namespace {
 

@@ -5,7 +5,6 @@
 #include "flows.h"
 
 #include <cstdint>
-#include <ostream>
 
 namespace windrow {
 namespace {

@@ -1,8 +1,6 @@
 // Each call of a wind in the middle of its run, and each way to step it, against the CPU.
 #include "tests/parity/wind_parity.h"
 
-#include <functional>
-
 namespace windrow::vulkan {
 namespace {
 

@@ -1,8 +1,6 @@
 // Two and three frames in flight that nobody waits for, compared frame by frame as their read-backs come in.
 #include "tests/parity/wind_parity.h"
 
-#include <cstdlib>
-
 namespace windrow::vulkan {
 namespace {
 

@@ -2,7 +2,6 @@
 #include "tests/parity/wind_parity.h"
 
 #include <array>
-#include <cmath>
 #include <limits>
 
 namespace windrow::vulkan {

@@ -4,16 +4,9 @@
 #include "fluid/bytes.h"
 #include "fluid/event_log.h"
 #include "fluid/thread_pool.h"
-#include "fluid/wind.h"
-#include "tests/fields.h"
-#include "tests/figure.h"
 #include "tests/unit/snapshot_session.h"
 
 #include <array>
-#include <gtest/gtest.h>
-#include <limits>
-#include <string>
-#include <vector>
 
 namespace {
 

@@ -1,12 +1,7 @@
 // A snapshot holds every field, and little else.
 
 #include "fluid/wind_state.h"
-#include "tests/figure.h"
 #include "tests/unit/snapshot_session.h"
-
-#include <functional>
-#include <gtest/gtest.h>
-#include <vector>
 
 namespace {
 

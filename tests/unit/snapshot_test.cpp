@@ -2,14 +2,7 @@
 
 #include "fluid/thread_pool.h"
 #include "fluid/wind_state.h"
-#include "tests/fields.h"
 #include "tests/unit/snapshot_session.h"
-
-#include <functional>
-#include <gtest/gtest.h>
-#include <limits>
-#include <string>
-#include <vector>
 
 namespace {
 
