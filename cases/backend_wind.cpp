@@ -23,7 +23,7 @@ BackendWind::BackendWind(std::unique_ptr<EitherWind> wind) : wind_(std::move(win
 BackendWind::~BackendWind() = default;
 
 Result<std::unique_ptr<BackendWind>> BackendWind::create(const Config& config, const Backend& backend,
-                                                         [[maybe_unused]] StageClock clock) {
+                                                         [[maybe_unused]] BackendClock clock) {
     const auto made = [](auto wind) -> Result<std::unique_ptr<BackendWind>> {
         if (!wind)
             return Error{wind.error()};

@@ -59,12 +59,12 @@ class Backend {
 
 /// Whether a device times the stages of its steps: its own clock holds each pass back until the one before has ended. The CPU
 /// always does.
-enum class StageClock : std::uint8_t { off, on };
+enum class BackendClock : std::uint8_t { off, on };
 
 class BackendWind {
   public:
     [[nodiscard]] static Result<std::unique_ptr<BackendWind>> create(const Config& config, const Backend& backend = {},
-                                                                     StageClock clock = StageClock::off);
+                                                                     BackendClock clock = BackendClock::off);
     ~BackendWind();
     BackendWind(const BackendWind&) = delete;
     BackendWind& operator=(const BackendWind&) = delete;

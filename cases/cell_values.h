@@ -85,6 +85,29 @@ double velocity_error(const Box& box, std::span<const glm::vec4> u, Flow&& flow,
     return std::sqrt(error / size);
 }
 
+/// |a - b|_2 / |b - mean|_2 of velocities at the same cells.
+template <class Velocities, class Truth>
+double relative_error(const Velocities& a, const Truth& b, glm::dvec3 mean = glm::dvec3(0.0)) {
+    double error = 0.0, size = 0.0;
+    for (std::size_t n = 0; n < b.size(); ++n) {
+        const glm::dvec3 exact(b[n]), off = glm::dvec3(a[n]) - exact;
+        error += glm::dot(off, off);
+        size += glm::dot(exact - mean, exact - mean);
+    }
+    return std::sqrt(error / size);
+}
+
+/// Mean of speed(out) over `count` directions that are spread evenly (Fibonacci).
+template <class Speed>
+double mean_over_directions(int count, Speed&& speed) {
+    double sum = 0.0;
+    for (int n = 0; n < count; ++n) {
+        const double y = 1.0 - 2.0 * (n + 0.5) / count, across = std::sqrt(1.0 - y * y), turn = n * k_pi * (3.0 - std::sqrt(5.0));
+        sum += speed(glm::dvec3(across * std::cos(turn), y, across * std::sin(turn)));
+    }
+    return sum / count;
+}
+
 /// |s - value|_2 / |value|_2
 template <class Value>
 double scalar_error(const Box& box, std::span<const float> s, Value&& value) {

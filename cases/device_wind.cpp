@@ -24,9 +24,9 @@ void add_to_stage(const vulkan::PassTimes::Pass& pass, StageTimes& times) {
 
 } // namespace
 
-Result<DeviceWind> DeviceWind::create(const Config& config, const Backend& backend, StageClock clock) {
+Result<DeviceWind> DeviceWind::create(const Config& config, const Backend& backend, BackendClock clock) {
     vulkan::Settings settings{.texel = vulkan::Texel::single, .frames_in_flight = 1};
-    settings.timestamps = clock == StageClock::on;
+    settings.timestamps = clock == BackendClock::on;
     auto wind = vulkan::Wind::create(backend.device()->host(), config, settings);
     if (!wind && settings.timestamps) { // a queue that counts no time
         settings.timestamps = false;

@@ -14,7 +14,7 @@ namespace windrow::cases {
 class DeviceWind {
   public:
     /// `backend` has a device.
-    [[nodiscard]] static Result<DeviceWind> create(const Config& config, const Backend& backend, StageClock clock);
+    [[nodiscard]] static Result<DeviceWind> create(const Config& config, const Backend& backend, BackendClock clock);
 
     /// times_ms.total is the time from the recording to the end on the device; the stages are by the device's clock, 0 without.
     Diagnostics step(double dt) { return run(dt); }

@@ -45,6 +45,11 @@ VerifyRow abc_flow(const VerifySetting& setting, int size, double viscosity, glm
                     ArnoldBeltramiChildress{.mean = mean, .viscosity = viscosity}, 0.375 * k_pi, 6 * size / 16);
 }
 
+VerifyRow bounded(VerifyRow row, double bound) {
+    row.bound = bound;
+    return row;
+}
+
 } // namespace
 
 std::vector<VerifyCase> flow_cases() {
@@ -58,12 +63,8 @@ std::vector<VerifyCase> flow_cases() {
          .guards = true,
          .least_order = 1.9,
          .sizes = {32, 64, 128, 256},
-         .run =
-             [](const VerifySetting& setting, int size) {
-                 VerifyRow row = taylor_green_2d(setting, size, size);
-                 row.bound = falling_bound(2.5e-3, 64, 2.0, size);
-                 return row;
-             }},
+         .run = [](const VerifySetting& setting,
+                   int size) { return bounded(taylor_green_2d(setting, size, size), falling_bound(2.5e-3, 64, 2.0, size)); }},
         {.name = "taylor_green_2d_small_dt",
          .what = "The vortices of taylor_green_2d in 1024 steps at each resolution, so small that the error of space shows; the "
                  "worst error of the velocity without its mean.",
@@ -74,12 +75,8 @@ std::vector<VerifyCase> flow_cases() {
          .guards = true,
          .least_order = 2.9,
          .sizes = {16, 32, 64},
-         .run =
-             [](const VerifySetting& setting, int size) {
-                 VerifyRow row = taylor_green_2d(setting, size, 1024);
-                 row.bound = falling_bound(5.6e-4, 64, 2.9, size);
-                 return row;
-             }},
+         .run = [](const VerifySetting& setting,
+                   int size) { return bounded(taylor_green_2d(setting, size, 1024), falling_bound(5.6e-4, 64, 2.9, size)); }},
         {.name = "abc_flow",
          .what = "A flow in three dimensions that is its own curl and fades in place; error of the velocity.",
          .source = "Dombre et al. 1986, J. Fluid Mech. 167: u x curl u = 0, so that viscosity alone acts, as exp(-nu t)",
@@ -90,9 +87,7 @@ std::vector<VerifyCase> flow_cases() {
          .sizes = {16, 32, 64},
          .run =
              [](const VerifySetting& setting, int size) {
-                 VerifyRow row = abc_flow(setting, size, 0.01, {0.0, 0.0, 0.0});
-                 row.bound = falling_bound(8.2e-3, 16, 1.9, size);
-                 return row;
+                 return bounded(abc_flow(setting, size, 0.01, {0.0, 0.0, 0.0}), falling_bound(8.2e-3, 16, 1.9, size));
              }},
         {.name = "abc_flow_carried",
          .what = "A flow in three dimensions that is its own curl, without viscosity, carried across the cells by a mean wind; "
@@ -106,9 +101,7 @@ std::vector<VerifyCase> flow_cases() {
          .sizes = {16, 32, 64},
          .run =
              [](const VerifySetting& setting, int size) {
-                 VerifyRow row = abc_flow(setting, size, 0.0, {0.5, -0.3, 0.4});
-                 row.bound = falling_bound(1.5e-2, 16, 1.9, size);
-                 return row;
+                 return bounded(abc_flow(setting, size, 0.0, {0.5, -0.3, 0.4}), falling_bound(1.5e-2, 16, 1.9, size));
              }},
     };
 }

@@ -12,18 +12,18 @@ namespace windrow::cases {
 namespace {
 
 /// Four neighbouring cells along an axis and their weights.
-struct Stencil {
+struct NodeWeights {
     int first = 0;
     int count = 1;
     std::array<double, 4> weights{1.0};
 };
 
 // Lagrange's polynomial through the four cells around a place, moved inside at the ends of the axis.
-Stencil stencil_at(double place, int cells) {
+NodeWeights stencil_at(double place, int cells) {
     constexpr int k_nodes = 4;
     if (cells < k_nodes)
         return {.first = std::clamp(static_cast<int>(std::lround(place)), 0, cells - 1)};
-    Stencil stencil{.first = std::clamp(static_cast<int>(std::floor(place)) - 1, 0, cells - k_nodes), .count = k_nodes};
+    NodeWeights stencil{.first = std::clamp(static_cast<int>(std::floor(place)) - 1, 0, cells - k_nodes), .count = k_nodes};
     stencil.weights = cubic_weights(place - stencil.first - 1);
     return stencil;
 }
@@ -69,7 +69,8 @@ CellTruth FlowTruth::at_centres(glm::ivec3 cells) const {
 
 glm::dvec3 FlowTruth::sample(glm::dvec3 cell) const {
     const Box box = box_of(*flow_, flow_->reference);
-    const Stencil x = stencil_at(cell.x, box.cells.x), y = stencil_at(cell.y, box.cells.y), z = stencil_at(cell.z, box.cells.z);
+    const NodeWeights x = stencil_at(cell.x, box.cells.x), y = stencil_at(cell.y, box.cells.y),
+                      z = stencil_at(cell.z, box.cells.z);
     glm::dvec3 sum(0.0);
     for (int k = 0; k < z.count; ++k)
         for (int j = 0; j < y.count; ++j)

@@ -4,7 +4,8 @@
 
 namespace windrow::cases {
 
-Result<FlowWind> FlowWind::create(const ParetoFlow& flow, glm::ivec3 cells, const Settings& settings, const Backend& backend) {
+Result<FlowWind> FlowWind::create(const ParetoFlow& flow, glm::ivec3 cells, const FlowSettings& settings,
+                                  const Backend& backend) {
     const Box box = box_of(flow, cells);
     auto wind = BackendWind::create({.cells = box.cells,
                                      .cell_size = box.cell_size,

@@ -13,12 +13,12 @@ namespace windrow::cases {
 
 class FlowWind {
   public:
-    struct Settings {
+    struct FlowSettings {
         Method method = k_default_method; ///< of direct pressure: a wind has no other
         Simd simd = Simd::best;
         ParallelFor parallel_for{};
     };
-    [[nodiscard]] static Result<FlowWind> create(const ParetoFlow& flow, glm::ivec3 cells, const Settings& settings,
+    [[nodiscard]] static Result<FlowWind> create(const ParetoFlow& flow, glm::ivec3 cells, const FlowSettings& settings,
                                                  const Backend& backend = {});
 
     /// The flow's start again, without history. Gusts and motors go on.

@@ -106,10 +106,11 @@ VerifyRows jet_spreading(const VerifySetting& setting, int size) {
     double cfl = 0.0, slope = 0.0, least = std::numeric_limits<double>::infinity(), most = 0.0;
     std::vector<double> speed_off(static_cast<std::size_t>(size)); // by section, of U 6 d / x: the mean of the runs
     double swing = 0.0;
-    std::vector<VerifyCurve> curves;
+    std::vector<PlotCurve> curves;
     for (const char* const panel : {"half-width", "mean", "swing"})
-        curves.push_back({.panel = panel,
-                          .name = std::to_string(k_radius / box.cell_size).substr(0, 3) + " cells a radius",
+        curves.push_back({.plot = {},
+                          .panel = panel,
+                          .line = std::to_string(k_radius / box.cell_size).substr(0, 3) + " cells a radius",
                           .points = std::vector<glm::dvec2>(static_cast<std::size_t>(size))});
     for (std::uint32_t run = 0; run < k_runs; ++run) {
         const auto wind = wind_of(config, setting);
@@ -148,7 +149,7 @@ VerifyRows jet_spreading(const VerifySetting& setting, int size) {
         slope += (count * sum_xw - sum_x * sum_w) / (count * sum_xx - sum_x * sum_x) / k_runs;
         swing += swings / count / k_runs;
     }
-    for (VerifyCurve& curve : curves)
+    for (PlotCurve& curve : curves)
         std::erase_if(curve.points, [](glm::dvec2 point) { return !(point.x > 0.0); });
     double worst = 0.0;
     for (const double off : speed_off)

@@ -27,14 +27,14 @@ Config air_of(const Box& box, const VerifySetting& setting) {
 
 // --- Momentum ----------------------------------------------------------------------------------------------------------
 
-struct Push {
+struct PushedRegion {
     const char* name;
     Region region;
     glm::dvec3 position; ///< [m]
     double volume;       ///< [m^3] int w dV
 };
 
-std::vector<Push> pushes() {
+std::vector<PushedRegion> pushes() {
     const double ball = 32.0 * k_pi * std::pow(2.5, 3.0) / 105.0;
     return {{"ball", Sphere{2.5f}, {0.3, -0.2, 0.4}, ball},
             {"capsule",
@@ -51,7 +51,7 @@ VerifyRows force_momentum(const VerifySetting& setting, int size) {
     constexpr int k_steps = 8;
     std::vector<VerifyRow> rows;
     const glm::vec3 way(0.0f, 0.6f, 0.8f);
-    for (const Push& push : pushes())
+    for (const PushedRegion& push : pushes())
         for (const float acceleration : {0.25f, 4.0f}) {
             const Box box = periodic_box({size, size, size}, 24.0 / size);
             const auto wind = wind_of(air_of(box, setting), setting);
@@ -79,18 +79,10 @@ VerifyRows force_momentum(const VerifySetting& setting, int size) {
 
 // --- Sources -----------------------------------------------------------------------------------------------------------
 
-// Mean outward speed on a sphere about the origin, from points spread evenly over it (Fibonacci).
+// Mean outward speed on a sphere about the origin.
 double radial_speed(const BackendWind& wind, double radius) {
-    constexpr int k_points = 2000;
     const WindView view = wind.view();
-    double sum = 0.0;
-    for (int n = 0; n < k_points; ++n) {
-        const double y = 1.0 - 2.0 * (n + 0.5) / k_points, across = std::sqrt(1.0 - y * y),
-                     turn = n * k_pi * (3.0 - std::sqrt(5.0));
-        const glm::dvec3 out(across * std::cos(turn), y, across * std::sin(turn));
-        sum += glm::dot(glm::dvec3(view.velocity(radius * out)), out);
-    }
-    return sum / k_points;
+    return mean_over_directions(2000, [&](glm::dvec3 out) { return glm::dot(glm::dvec3(view.velocity(radius * out)), out); });
 }
 
 VerifyRows source_flux(const VerifySetting& setting, int size) {

@@ -100,7 +100,7 @@ class Twins {
             const auto told = std::visit(
                 [&](const auto& what) -> Result<void> {
                     using What = std::decay_t<decltype(what)>;
-                    if constexpr (std::is_same_v<What, StoryChange::Jump>) {
+                    if constexpr (std::is_same_v<What, StoryChange::FollowJump>) {
                         jumped_ += what.by;
                         return {};
                     } else if constexpr (std::is_same_v<What, StoryChange::Ambient>) {

@@ -104,7 +104,7 @@ ParityStory frames_and_a_jump() {
     story.motors = {{.motor = JetMotor{.position = {-3.0, 0.0, 2.0}}}};
     story.walk = {5.0, 1.0, 0.0};
     story.changes = {{.step = 30, .what = Gusts{.intensity = 0.3f, .seed = 5}},
-                     {.step = 70, .what = StoryChange::Jump{{1e6, 0.0, 5.0}}}};
+                     {.step = 70, .what = StoryChange::FollowJump{{1e6, 0.0, 5.0}}}};
     return story;
 }
 

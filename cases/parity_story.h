@@ -22,11 +22,11 @@ struct StoryChange {
     struct Ambient {
         glm::vec3 mean; ///< [m/s]
     };
-    struct Jump {
+    struct FollowJump {
         glm::dvec3 by; ///< [m] of the point that the box follows
     };
     int step = 0;
-    std::variant<Ambient, Jump, Sides, Gusts> what{};
+    std::variant<Ambient, FollowJump, Sides, Gusts> what{};
 };
 
 struct ParityStory {

@@ -3,7 +3,7 @@
 // Divergence and gradient span two cells, the Laplacian one. Of a wave c cos(k.x + p), angles theta = k h, s = sin(theta), this
 // part is taken:
 //     s (s . c) / (4 sum sin^2(theta / 2))
-// That is all of a gradient c = k and nothing of a c across k, both to order h^2. Waves do not mix, so that a sum of them has a
+// That is all of a gradient c = k and nothing of a c across k, both to order h^2. PlaneWaves do not mix, so that a sum of them has a
 // closed form. Based on: Almgren, Bell & Szymczak 1996, SIAM Journal on Scientific Computing 17 (approximate projections).
 #include "cases/one_stage.h"
 
@@ -12,45 +12,45 @@
 namespace windrow::cases {
 namespace {
 
-struct Wave {
+struct PlaneWave {
     glm::dvec3 k;    ///< [1/m]
     glm::dvec3 size; ///< [m/s]
     double phase;
 };
-using Waves = std::array<Wave, 4>;
+using PlaneWaves = std::array<PlaneWave, 4>;
 
 // No two wave vectors are alike, so that the waves are orthogonal.
-constexpr Waves k_gradients = {
+constexpr PlaneWaves k_gradients = {
     {{{1, 2, 1}, {1, 2, 1}, 0.3}, {{2, -1, 0}, {2, -1, 0}, 1.1}, {{0, 1, -3}, {0, 1, -3}, -0.7}, {{1, 0, 0}, {1, 0, 0}, 2.0}}};
-constexpr Waves k_solenoidal = {
+constexpr PlaneWaves k_solenoidal = {
     {{{1, 2, 1}, {1, 0, -1}, 0.3}, {{2, -1, 0}, {1, 2, 1}, 1.1}, {{0, 1, -3}, {0.5, 3, 1}, -0.7}, {{1, 3, 2}, {-3, 1, 0}, 2.0}}};
 
-Waves taken_from(const Waves& waves, double h) {
-    Waves taken = waves;
-    for (Wave& wave : taken) {
+PlaneWaves taken_from(const PlaneWaves& waves, double h) {
+    PlaneWaves taken = waves;
+    for (PlaneWave& wave : taken) {
         const glm::dvec3 s = glm::sin(wave.k * h), half = glm::sin(0.5 * wave.k * h);
         wave.size = s * glm::dot(s, wave.size) / (4.0 * glm::dot(half, half));
     }
     return taken;
 }
 
-Waves difference(const Waves& a, const Waves& b) {
-    Waves off = a;
+PlaneWaves difference(const PlaneWaves& a, const PlaneWaves& b) {
+    PlaneWaves off = a;
     for (std::size_t n = 0; n < off.size(); ++n)
         off[n].size -= b[n].size;
     return off;
 }
 
-double root_square(const Waves& waves) {
+double root_square(const PlaneWaves& waves) {
     double sum = 0.0;
-    for (const Wave& wave : waves)
+    for (const PlaneWave& wave : waves)
         sum += glm::dot(wave.size, wave.size);
     return std::sqrt(sum);
 }
 
-glm::dvec3 sum_at(const Waves& waves, glm::dvec3 x) {
+glm::dvec3 sum_at(const PlaneWaves& waves, glm::dvec3 x) {
     glm::dvec3 u(0.0);
-    for (const Wave& wave : waves)
+    for (const PlaneWave& wave : waves)
         u += std::cos(glm::dot(wave.k, x) + wave.phase) * wave.size;
     return u;
 }
@@ -60,7 +60,7 @@ Box box_of(int size) {
 }
 
 // rms of (projected waves - truth) over rms of the waves.
-double projection_error(const VerifySetting& setting, int size, const Waves& waves, const Waves& truth) {
+double projection_error(const VerifySetting& setting, int size, const PlaneWaves& waves, const PlaneWaves& truth) {
     const Box box = box_of(size);
     CellVelocities u = velocities_of(box, [&](glm::dvec3 x) { return sum_at(waves, x); });
     OneStage::projection(box, setting).run(u);
@@ -74,14 +74,14 @@ double projection_error(const VerifySetting& setting, int size, const Waves& wav
 }
 
 VerifyRow gradient(const VerifySetting& setting, int size) {
-    const Waves left = difference(k_gradients, taken_from(k_gradients, box_of(size).cell_size));
+    const PlaneWaves left = difference(k_gradients, taken_from(k_gradients, box_of(size).cell_size));
     return {.cells = glm::ivec3(size),
             .error = projection_error(setting, size, k_gradients, difference(k_gradients, k_gradients)),
             .bound = 1.001 * root_square(left) / root_square(k_gradients) + 1e-6};
 }
 
 VerifyRow solenoidal(const VerifySetting& setting, int size) {
-    const Waves taken = taken_from(k_solenoidal, box_of(size).cell_size);
+    const PlaneWaves taken = taken_from(k_solenoidal, box_of(size).cell_size);
     return {.cells = glm::ivec3(size),
             .error = projection_error(setting, size, k_solenoidal, k_solenoidal),
             .bound = 1.001 * root_square(taken) / root_square(k_solenoidal) + 1e-6};
@@ -89,7 +89,7 @@ VerifyRow solenoidal(const VerifySetting& setting, int size) {
 
 VerifyRow on_grid(const VerifySetting& setting, int size) {
     VerifyRow row{.cells = glm::ivec3(size), .bound = 1.5e-6};
-    for (const Waves& waves : {k_gradients, k_solenoidal})
+    for (const PlaneWaves& waves : {k_gradients, k_solenoidal})
         row.error = worse(row.error,
                           projection_error(setting, size, waves, difference(waves, taken_from(waves, box_of(size).cell_size))));
     return row;

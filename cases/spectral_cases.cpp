@@ -17,16 +17,6 @@ namespace windrow::cases {
 
 namespace {
 
-double error_to(std::span<const glm::vec4> field, const std::vector<glm::dvec3>& reference, glm::dvec3 mean) {
-    double error = 0.0, size = 0.0;
-    for (std::size_t n = 0; n < reference.size(); ++n) {
-        const glm::dvec3 off = glm::dvec3(field[n]) - reference[n], flow = reference[n] - mean;
-        error += glm::dot(off, off);
-        size += glm::dot(flow, flow);
-    }
-    return std::sqrt(error / size);
-}
-
 // --- Taylor and Green's vortices in space ------------------------------------------------------------------------------
 
 VerifyRow taylor_green_3d(const VerifySetting& setting, int size) {
@@ -38,7 +28,7 @@ VerifyRow taylor_green_3d(const VerifySetting& setting, int size) {
     const int steps = static_cast<int>(std::ceil(k_end / static_cast<double>(box.cell_size)));
     for (int step = 0; step < steps; ++step)
         row.cfl = worse(row.cfl, wind->step(k_end / steps).cfl);
-    row.error = error_to(wind->field(), taylor_green_3d_end().at_cell_centres(box.cells), glm::dvec3(0.0));
+    row.error = relative_error(wind->field(), taylor_green_3d_end().at_cell_centres(box.cells));
     row.bound = size == 16 ? 0.197 : size == 32 ? 0.033 : 0.0075;
     return row;
 }
@@ -59,7 +49,7 @@ VerifyRow forced_flow(const VerifySetting& setting, int size) {
         static_cast<void>(wind->motors().set(motor, forced.motor(k_end * (step + 0.5) / size, height)));
         row.cfl = worse(row.cfl, wind->step(k_end / size).cfl);
     }
-    row.error = error_to(wind->field(), forced_vortices_end().at_cell_centres(box.cells), ForcedVortices::k_mean);
+    row.error = relative_error(wind->field(), forced_vortices_end().at_cell_centres(box.cells), ForcedVortices::k_mean);
     row.bound = falling_bound(2.45e-2, 32, 2.0, size);
     return row;
 }

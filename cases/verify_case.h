@@ -46,16 +46,16 @@ struct VerifyRow {
     std::string label{};
 };
 
-/// A line of a case's plot.
-struct VerifyCurve {
-    std::string panel, name;
+/// A line of a plot; a plot has one panel or more.
+struct PlotCurve {
+    std::string plot, panel, line; ///< of a case's curves, the plot is named by the case
     std::vector<glm::dvec2> points;
 };
 
 /// What one resolution gave: a row, or one under each of some labels; curves where there is something to plot.
 struct VerifyRows {
     std::vector<VerifyRow> rows;
-    std::vector<VerifyCurve> curves{};
+    std::vector<PlotCurve> curves{};
 
     VerifyRows(VerifyRow row) : rows{std::move(row)} {}
     VerifyRows(std::vector<VerifyRow> all) : rows(std::move(all)) {}

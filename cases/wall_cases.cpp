@@ -13,6 +13,7 @@
 #include "cases/one_stage.h"
 
 #include <complex>
+#include <string>
 
 namespace windrow::cases {
 namespace {
@@ -158,64 +159,54 @@ VerifyRow stokes(const VerifySetting& setting, int size, double ratio, Diffusion
 } // namespace
 
 std::vector<VerifyCase> wall_cases() {
-    const auto starting = [](double ratio, DiffusionMethod method) {
-        return [=](const VerifySetting& setting, int size) {
-            VerifyRow row = couette(setting, size, ratio, 0.1);
-            row.bound = 1.01 * couette_closed_form(size, ratio, 0.1, method) + 3e-6;
-            return row;
-        };
+    struct Steps {
+        const char *name, *words;
+        double couette_ratio, stokes_ratio;
+        DiffusionMethod method;
     };
-    const auto swinging = [](double ratio, DiffusionMethod method) {
-        return [=](const VerifySetting& setting, int size) { return stokes(setting, size, ratio, method); };
-    };
-    return {
-        {.name = "couette_one_pass",
-         .what = "Air between two walls, one of which starts to slide, across each axis, in one-pass steps; error over the "
-                 "wall's speed.",
-         .source = "Schlichting & Gersten 2017, Boundary-Layer Theory: unsteady Couette flow as a Fourier series",
-         .reason = "the error of the grid's own solution, mode by mode, a hundredth more, and 3e-6 for the rounding of 5,000 "
-                   "steps; of order 2",
-         .least_order = 1.9,
-         .sizes = {16, 32, 64},
-         .run = starting(0.08, DiffusionMethod::one_pass)},
-        {.name = "couette_implicit",
-         .what = "Air between two walls, one of which starts to slide, across each axis, in implicit steps; error over the "
-                 "wall's speed.",
-         .source = "Schlichting & Gersten 2017, Boundary-Layer Theory: unsteady Couette flow as a Fourier series",
-         .reason = "the error of the grid's own solution, mode by mode, a hundredth more, and 3e-6 for the rounding of 5,000 "
-                   "steps; of order 2",
-         .least_order = 1.9,
-         .sizes = {16, 32, 64},
-         .run = starting(0.32, DiffusionMethod::implicit)},
+    std::vector<VerifyCase> couettes, swings;
+    for (const Steps& steps : {Steps{"one_pass", "one-pass", 0.08, 0.08, DiffusionMethod::one_pass},
+                               Steps{"implicit", "implicit", 0.32, 0.3, DiffusionMethod::implicit}}) {
+        couettes.push_back(
+            {.name = std::string("couette_") + steps.name,
+             .what = std::string("Air between two walls, one of which starts to slide, across each axis, in ") + steps.words +
+                     " steps; error over the wall's speed.",
+             .source = "Schlichting & Gersten 2017, Boundary-Layer Theory: unsteady Couette flow as a Fourier series",
+             .reason = "the error of the grid's own solution, mode by mode, a hundredth more, and 3e-6 for the rounding of 5,000 "
+                       "steps; of order 2",
+             .least_order = 1.9,
+             .sizes = {16, 32, 64},
+             .run = [steps](const VerifySetting& setting, int size) {
+                 VerifyRow row = couette(setting, size, steps.couette_ratio, 0.1);
+                 row.bound = 1.01 * couette_closed_form(size, steps.couette_ratio, 0.1, steps.method) + 3e-6;
+                 return row;
+             }});
+        swings.push_back(
+            {.name = std::string("stokes_second_") + steps.name,
+             .what = std::string("Air over a wall that swings, across each axis, in ") + steps.words +
+                     " steps; error within four depths over the wall's speed.",
+             .source = "Stokes 1851, Trans. Cambridge Philos. Soc. 9 (second problem); Schlichting & Gersten 2017",
+             .reason = "the error of the grid's own swing, and a fifth more for what is left of the start; of order 2",
+             .least_order = 1.9,
+             .sizes = {16, 32, 64},
+             .run = [steps](const VerifySetting& setting, int size) {
+                 return stokes(setting, size, steps.stokes_ratio, steps.method);
+             }});
+    }
+    couettes.push_back(
         {.name = "couette_steady",
          .what = "Air between two walls, one of which slides, across each axis, when it has become steady, in long implicit "
                  "steps; error over the wall's speed.",
          .source = "Couette's line u = U y, which mirrored ghosts hold exactly",
          .reason = "the line is a solution on the grid too; rounding alone is left, below ten units in a float's last place",
          .sizes = {16, 33, 64},
-         .run =
-             [](const VerifySetting& setting, int size) {
-                 VerifyRow row = couette(setting, size, 0.25 * size * size, 10.0);
-                 row.bound = 6e-7;
-                 return row;
-             }},
-        {.name = "stokes_second_one_pass",
-         .what =
-             "Air over a wall that swings, across each axis, in one-pass steps; error within four depths over the wall's speed.",
-         .source = "Stokes 1851, Trans. Cambridge Philos. Soc. 9 (second problem); Schlichting & Gersten 2017",
-         .reason = "the error of the grid's own swing, and a fifth more for what is left of the start; of order 2",
-         .least_order = 1.9,
-         .sizes = {16, 32, 64},
-         .run = swinging(0.08, DiffusionMethod::one_pass)},
-        {.name = "stokes_second_implicit",
-         .what =
-             "Air over a wall that swings, across each axis, in implicit steps; error within four depths over the wall's speed.",
-         .source = "Stokes 1851, Trans. Cambridge Philos. Soc. 9 (second problem); Schlichting & Gersten 2017",
-         .reason = "the error of the grid's own swing, and a fifth more for what is left of the start; of order 2",
-         .least_order = 1.9,
-         .sizes = {16, 32, 64},
-         .run = swinging(0.3, DiffusionMethod::implicit)},
-    };
+         .run = [](const VerifySetting& setting, int size) {
+             VerifyRow row = couette(setting, size, 0.25 * size * size, 10.0);
+             row.bound = 6e-7;
+             return row;
+         }});
+    couettes.insert(couettes.end(), swings.begin(), swings.end());
+    return couettes;
 }
 
 } // namespace windrow::cases

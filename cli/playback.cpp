@@ -11,7 +11,7 @@ using detail::message;
 Result<Playback> Playback::create(const scene::Scene& scene, ParallelFor threads, const Backend& backend) {
     Config config = scene.air;
     config.parallel_for = threads;
-    auto wind = BackendWind::create(config, backend, StageClock::on);
+    auto wind = BackendWind::create(config, backend, BackendClock::on);
     if (!wind)
         return Error{message(scene.file.string(), ": $.air: ", wind.error())};
     Playback playback(scene, *std::move(wind));

@@ -1,8 +1,9 @@
 // Numbers and columns of the tables that commands print, and the curves of a plot as CSV, which tools/plots.py draws.
 #pragma once
 
+#include "cases/verify_case.h"
+
 #include <cstddef>
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 #include <string>
@@ -32,11 +33,7 @@ struct TableFormat {
     }
 };
 
-/// A line of a plot; a plot has one panel or more.
-struct PlotCurve {
-    std::string plot, panel, line;
-    std::vector<glm::dvec2> points;
-};
+using cases::PlotCurve;
 
 /// A row a point: plot, panel, line, x, y. Values of six digits.
 [[nodiscard]] std::string plot_csv(std::span<const PlotCurve> curves);

@@ -23,11 +23,11 @@ Field white_noise(glm::ivec3 cells, float size, std::uint32_t seed) {
 
 Field smooth_noise(glm::ivec3 cells, float size, std::uint32_t seed) {
     Random random(seed);
-    struct Wave {
+    struct NoiseWave {
         glm::dvec3 number, amplitude;
         double phase;
     };
-    std::vector<Wave> waves;
+    std::vector<NoiseWave> waves;
     for (int n = 0; n < 8; ++n) {
         glm::dvec3 number;
         for (int axis = 0; axis < 3; ++axis)
@@ -45,7 +45,7 @@ Field smooth_noise(glm::ivec3 cells, float size, std::uint32_t seed) {
         for (int j = 0; j < cells.y; ++j)
             for (int i = 0; i < cells.x; ++i) {
                 glm::dvec3 u(0.0);
-                for (const Wave& wave : waves) {
+                for (const NoiseWave& wave : waves) {
                     const glm::dvec3 place = glm::dvec3(i, j, k) / glm::dvec3(cells);
                     u += wave.amplitude * std::sin(2.0 * std::numbers::pi * glm::dot(wave.number, place) + wave.phase);
                 }

@@ -30,7 +30,7 @@ Result<Motors> motors_of(const std::vector<Motor>& list) {
 
 } // namespace
 
-Result<ComposedStep> ComposedStep::create(const Settings& settings) {
+Result<ComposedStep> ComposedStep::create(const StepSettings& settings) {
     auto work = Workspace::create(
         {.box = settings.box, .ambient = settings.ambient, .simd = settings.simd, .parallel_for = settings.parallel_for});
     if (!work)
@@ -38,7 +38,7 @@ Result<ComposedStep> ComposedStep::create(const Settings& settings) {
     return ComposedStep(settings, std::move(*work));
 }
 
-ComposedStep::ComposedStep(const Settings& settings, Workspace work)
+ComposedStep::ComposedStep(const StepSettings& settings, Workspace work)
     : settings_(settings), work_(std::move(work)), sources_(settings.box.cells), velocity_(settings.box.cell_count()),
       velocity_old_(velocity_.size()), history_(velocity_.size()), diffused_(settings.viscosity > 0.0f ? velocity_.size() : 0),
       rhs_(velocity_.size()), jacobi_(settings.box, settings.simd), multigrid_(settings.box, settings.simd) {}

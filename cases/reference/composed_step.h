@@ -39,7 +39,7 @@ struct StepMethod {
 
 class ComposedStep {
   public:
-    struct Settings {
+    struct StepSettings {
         Box box{};
         glm::vec3 ambient{0.0f};     ///< [m/s] beyond open sides
         float viscosity = 0.0f;      ///< [m^2/s]
@@ -47,7 +47,7 @@ class ComposedStep {
         Simd simd = Simd::best;
         ParallelFor parallel_for{};
     };
-    [[nodiscard]] static Result<ComposedStep> create(const Settings& settings);
+    [[nodiscard]] static Result<ComposedStep> create(const StepSettings& settings);
 
     /// Lays a field in, without history; motors begin anew.
     [[nodiscard]] Result<void> start(std::span<const glm::vec4> velocity);
@@ -59,7 +59,7 @@ class ComposedStep {
     [[nodiscard]] float largest_speed() const { return largest_speed_; }
 
   private:
-    ComposedStep(const Settings& settings, Workspace work);
+    ComposedStep(const StepSettings& settings, Workspace work);
 
     [[nodiscard]] std::span<const glm::vec4> diffuse(float dt);
     void advance_second_order(const StepMethod& method, float dt);
@@ -70,7 +70,7 @@ class ComposedStep {
     void divergence_rows(std::span<const glm::vec4> velocity, float* rows, int pitch);
     void subtract_gradient(const float* rows, int pitch, std::span<glm::vec4> velocity, const GradientNote& note);
 
-    Settings settings_;
+    StepSettings settings_;
     Workspace work_;
     Motors motors_;
     cpu::SourceField sources_;

@@ -110,20 +110,16 @@ void add_shells(std::vector<PlotCurve>& curves) {
     }
 }
 
-void add_motion(std::vector<PlotCurve>& curves, const char* plot, std::vector<MotionCurve> motion) {
-    for (MotionCurve& one : motion)
-        curves.push_back({plot, "", std::move(one.name), std::move(one.points)});
-}
-
 std::vector<PlotCurve> plant_curves() {
     std::vector<PlotCurve> curves;
     add_bends(curves);
     add_blades(curves);
     add_shells(curves);
     constexpr std::array k_rates{1000, 144, 60, 30, 15}; // [Hz]
-    add_motion(curves, "spring", spring_response_curves(springs::wheat, k_rates, 2.0));
     constexpr std::array k_shells{20, 200};
-    add_motion(curves, "cascade", cascade_curves({}, k_shells, 12.0)); // the slowest needs 9 s
+    for (auto& motion :
+         {spring_response_curves(springs::wheat, k_rates, 2.0), cascade_curves({}, k_shells, 12.0)}) // the slowest: 9 s
+        curves.insert(curves.end(), motion.begin(), motion.end());
     return curves;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/console.h"
+#include "cli/table.h"
 #include "coupling/cascade.h"
 #include "coupling/spring.h"
 
@@ -26,22 +27,18 @@ void add_plants(CLI::App& app, std::function<int()>& chosen, const Console& cons
 /// Prints the table of bends and writes plants.csv into a folder (plot_csv.h). Returns the exit code.
 [[nodiscard]] int run_plants(const std::filesystem::path& out, const Console& console);
 
-/// A line of a plot.
-struct MotionCurve {
-    std::string name;
-    std::vector<glm::dvec2> points; ///< x [s] time, y [1] the share of the way that is done
-};
+// Curves of motion: x [s] time, y [1] the share of the way that is done.
 
 /// A spring at rest whose target jumps from 0 to 1 at time 0, for `seconds`, at each frame rate [Hz]. Empty for a spring that
 /// `validate` refuses.
-[[nodiscard]] inline std::vector<MotionCurve> spring_response_curves(const SpringClass& spring, std::span<const int> rates,
-                                                                     double seconds) {
-    std::vector<MotionCurve> curves;
+[[nodiscard]] inline std::vector<PlotCurve> spring_response_curves(const SpringClass& spring, std::span<const int> rates,
+                                                                   double seconds) {
+    std::vector<PlotCurve> curves;
     for (const int rate : rates) {
         const auto step = spring_step(spring, 1.0 / rate);
         if (!step)
             return {};
-        MotionCurve curve{.name = std::to_string(rate) + " Hz", .points = {{0.0, 0.0}}};
+        PlotCurve curve{"spring", "", std::to_string(rate) + " Hz", {{0.0, 0.0}}};
         double place = 0.0, velocity = 0.0;
         const double target = 1.0;
         for (int frame = 1; frame <= static_cast<int>(seconds * rate); ++frame) {
@@ -57,11 +54,11 @@ struct MotionCurve {
 /// The tip of a fur whose body jumps from 0 to 1 at time 0, at 60 Hz, for each number of shells of 2 or more: on the stages of
 /// `config`, and as fur is usually moved (Bloodelic's stylised fur), each shell going 0.3 of the way to the one inside it in each
 /// frame.
-[[nodiscard]] inline std::vector<MotionCurve> cascade_curves(const CascadeConfig& config, std::span<const int> shells,
-                                                             double seconds) {
+[[nodiscard]] inline std::vector<PlotCurve> cascade_curves(const CascadeConfig& config, std::span<const int> shells,
+                                                           double seconds) {
     constexpr int k_rate = 60;
     const int frames = static_cast<int>(seconds * k_rate);
-    std::vector<MotionCurve> curves;
+    std::vector<PlotCurve> curves;
     for (const int count : shells) {
         auto cascade = Cascade::create(config, {});
         if (!cascade)
@@ -69,8 +66,8 @@ struct MotionCurve {
         const Pose there{.position = {1.0, 0.0, 0.0}};
         if (!cascade->advance(0.0, there))
             return {};
-        MotionCurve ours{.name = std::to_string(count) + " shells", .points = {{0.0, 0.0}}};
-        MotionCurve theirs{.name = std::to_string(count) + " shells, a share a frame", .points = {{0.0, 0.0}}};
+        PlotCurve ours{"cascade", "", std::to_string(count) + " shells", {{0.0, 0.0}}};
+        PlotCurve theirs{"cascade", "", std::to_string(count) + " shells, a share a frame", {{0.0, 0.0}}};
         std::vector<double> lerped(static_cast<std::size_t>(std::max(count, 2)), 0.0);
         lerped[0] = 1.0; // glued to the body
         for (int frame = 1; frame <= frames; ++frame) {

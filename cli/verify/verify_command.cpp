@@ -127,8 +127,8 @@ int run_verify(const VerifyRequest& request, const Console& console, const std::
                 verified.back().rows.push_back(judge(one, verified.back(), level, row, request.known));
                 report_row(one, verified.back().rows.back(), console);
             }
-            for (const VerifyCurve& curve : found.curves)
-                curves.push_back({one.name, curve.panel, curve.name, curve.points});
+            for (const PlotCurve& curve : found.curves)
+                curves.push_back({one.name, curve.panel, curve.line, curve.points});
         }
         if (!request.plots || curves.empty())
             continue;

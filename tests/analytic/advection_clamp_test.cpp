@@ -7,9 +7,6 @@
 #include "figures.h"
 #include "flows.h"
 
-#include <algorithm>
-#include <limits>
-
 namespace windrow {
 namespace {
 
@@ -44,21 +41,14 @@ double round_trip_error(int cells, Interpolation interpolation, bool clamped, do
 }
 
 TEST(AdvectionClamp, KeepsItsOrderOnASmoothField) {
-    const double e32 = round_trip_error(32, Interpolation::cubic, true, 0.1);
-    const double e64 = round_trip_error(64, Interpolation::cubic, true, 0.1);
-    const double e128 = round_trip_error(128, Interpolation::cubic, true, 0.1);
-    figures::report("advection_clamp.error_32", e32);
-    figures::report("advection_clamp.error_64", e64);
-    expect_at_most("advection_clamp.error_128", e128, 0.0025);
-    expect_at_least("advection_clamp.order_32_64", figures::order(e32, e64), 1.8);
-    expect_at_least("advection_clamp.order_64_128", figures::order(e64, e128), 1.8);
+    const auto error = [](int cells) { return round_trip_error(cells, Interpolation::cubic, true, 0.1); };
+    expect_at_most("advection_clamp.finest", figures::expect_orders("advection_clamp", {32, 64, 128}, 1.8, error), 0.0025);
 }
 
 TEST(AdvectionClamp, UnclampedCubicAndLinearForComparison) {
-    const double c64 = round_trip_error(64, Interpolation::cubic, false, 0.1),
-                 c128 = round_trip_error(128, Interpolation::cubic, false, 0.1);
-    expect_at_most("advection_clamp.unclamped_error_128", c128, 0.0015);
-    expect_at_least("advection_clamp.unclamped_order_64_128", figures::order(c64, c128), 2.6);
+    const auto cubic = [](int cells) { return round_trip_error(cells, Interpolation::cubic, false, 0.1); };
+    expect_at_most("advection_clamp.unclamped.finest", figures::expect_orders("advection_clamp.unclamped", {64, 128}, 2.6, cubic),
+                   0.0015);
     const double l64 = round_trip_error(64, Interpolation::linear, false, 0.1),
                  l128 = round_trip_error(128, Interpolation::linear, false, 0.1);
     figures::report("advection_clamp.linear_error_128", l128);
@@ -103,31 +93,30 @@ TEST(AdvectionClamp, EachValueLiesWithinItsEightNeighbours) {
         for (const glm::ivec3 cells : {glm::ivec3(17, 9, 11), glm::ivec3(5, 1, 8), glm::ivec3(2, 70, 3)}) {
             const Box box{.cells = cells, .sides = sides};
             Workspace work = workspace(box, {0.4f, 0.2f, 0.1f});
-            const Field wind = random.field(box, 2.0);
-            const auto values = scalars_of(box, [&](glm::dvec3) { return random.uniform(); });
+            const Field wind = random_field(random, box, 2.0f);
+            const auto values = scalars_of(box, [&](glm::dvec3) { return random.real(-1.0, 1.0); });
             const float dt = 0.9f, beyond_value = 0.25f;
             std::vector<float> moved(values.size());
             EXPECT_TRUE(advect(
                 work, ScalarTransport{.carried = values, .velocity = wind, .dt = dt, .outside = beyond_value, .clamped = true},
                 moved));
             const Transport trace{.carried = wind, .velocity = wind, .dt = dt};
-            for (int k = 0; k < cells.z; ++k)
-                for (int j = 0; j < cells.y; ++j)
-                    for (int i = 0; i < cells.x; ++i, ++checked) {
-                        const glm::dvec3 from = reference::departure(box, glm::dvec3(work.ambient()), trace, {i, j, k});
-                        double least = std::numeric_limits<double>::infinity(), most = -least;
-                        const glm::ivec3 first(glm::floor(from - 1e-4)), last(glm::floor(from + 1e-4) + 1.0);
-                        for (int c = first.z; c <= last.z; ++c)
-                            for (int b = first.y; b <= last.y; ++b)
-                                for (int a = first.x; a <= last.x; ++a) {
-                                    const double value = reference::scalar_at(box, values, beyond_value, {a, b, c});
-                                    least = std::min(least, value);
-                                    most = std::max(most, value);
-                                }
-                        const double value = moved[box.index(i, j, k)];
-                        outside += value < least || value > most;
-                        at_bound += value == least || value == most;
-                    }
+            for_each_cell(cells, [&](int i, int j, int k) {
+                ++checked;
+                const glm::dvec3 from = reference::departure(box, glm::dvec3(work.ambient()), trace, {i, j, k});
+                double least = std::numeric_limits<double>::infinity(), most = -least;
+                const glm::ivec3 first(glm::floor(from - 1e-4)), last(glm::floor(from + 1e-4) + 1.0);
+                for (int c = first.z; c <= last.z; ++c)
+                    for (int b = first.y; b <= last.y; ++b)
+                        for (int a = first.x; a <= last.x; ++a) {
+                            const double value = reference::scalar_at(box, values, beyond_value, {a, b, c});
+                            least = std::min(least, value);
+                            most = std::max(most, value);
+                        }
+                const double value = moved[box.index(i, j, k)];
+                outside += value < least || value > most;
+                at_bound += value == least || value == most;
+            });
         }
     expect_at_most("advection_clamp.cells_outside_their_neighbours", outside, 0);
     // Random cells are rough: the clamp must have had work to do.

@@ -18,11 +18,11 @@ constexpr std::array k_sizes = {glm::ivec3(1, 1, 1), glm::ivec3(1, 5, 7),  glm::
                                 glm::ivec3(3, 1, 4), glm::ivec3(17, 9, 5), glm::ivec3(8, 4, 70)};
 
 // Where two moving walls meet, the order of their mirrors would be a matter of convention: only y's walls move.
-Sides random_sides(Random& random) {
-    Sides sides = random.sides();
+Sides random_walls(Random& random) {
+    Sides sides = random_kinds(random);
     for (int end = 0; end < 2; ++end)
         if (Side& side = side_of(sides, 1, end); side.kind == SideKind::no_slip)
-            side.wall_velocity = glm::vec3(random.vector()) * glm::vec3(1.0f, 0.0f, 1.0f);
+            side.wall_velocity = glm::vec3(random.point(1.0)) * glm::vec3(1.0f, 0.0f, 1.0f);
     return sides;
 }
 
@@ -30,27 +30,26 @@ double worst_difference(Interpolation interpolation, bool with_history) {
     Random random(with_history ? 71 : 17);
     double worst = 0.0;
     for (int trial = 0; trial < 120; ++trial) {
-        const Box box{.cells = k_sizes[trial % k_sizes.size()], .cell_size = 0.5f, .sides = random_sides(random)};
-        Workspace work = workspace(box, glm::vec3(random.vector()));
-        const Field carried = random.field(box), wind = random.field(box), old = random.field(box), history = random.field(box);
+        const Box box{.cells = k_sizes[trial % k_sizes.size()], .cell_size = 0.5f, .sides = random_walls(random)};
+        Workspace work = workspace(box, glm::vec3(random.point(1.0)));
+        const Field carried = random_field(random, box), wind = random_field(random, box), old = random_field(random, box),
+                    history = random_field(random, box);
         Transport transport{.carried = carried, .velocity = wind, .interpolation = interpolation};
-        transport.dt = static_cast<float>(random.uniform(0.1, 1.0));
+        transport.dt = static_cast<float>(random.real(0.1, 1.0));
         if (with_history) {
             transport.velocity_old = old;
-            transport.extrapolation = static_cast<float>(random.uniform(0.0, 1.0));
+            transport.extrapolation = static_cast<float>(random.real(0.0, 1.0));
             transport.history = history;
-            transport.history_scale = static_cast<float>(random.uniform(0.0, 2.0));
+            transport.history_scale = static_cast<float>(random.real(0.0, 2.0));
             transport.settling = 0.9f;
         }
         Field moved(box.cell_count());
         advect(work, transport, moved);
-        for (int k = 0; k < box.cells.z; ++k)
-            for (int j = 0; j < box.cells.y; ++j)
-                for (int i = 0; i < box.cells.x; ++i) {
-                    const glm::dvec3 exact = reference::arrival(box, glm::dvec3(work.ambient()), transport, {i, j, k});
-                    for (int axis = 0; axis < 3; ++axis)
-                        worst = std::max(worst, std::abs(moved[box.index(i, j, k)][axis] - exact[axis]));
-                }
+        for_each_cell(box.cells, [&](int i, int j, int k) {
+            const glm::dvec3 exact = reference::arrival(box, glm::dvec3(work.ambient()), transport, {i, j, k});
+            for (int axis = 0; axis < 3; ++axis)
+                worst = std::max(worst, std::abs(moved[box.index(i, j, k)][axis] - exact[axis]));
+        });
     }
     return worst;
 }
@@ -70,11 +69,11 @@ TEST(AdvectionSides, AScalarEqualsItsDefinition) {
         Random random(29);
         double worst = 0.0;
         for (int trial = 0; trial < 120; ++trial) {
-            const Box box{.cells = k_sizes[trial % k_sizes.size()], .cell_size = 2.0f, .sides = random_sides(random)};
-            Workspace work = workspace(box, glm::vec3(random.vector()));
-            const Field wind = random.field(box);
-            const auto values = scalars_of(box, [&](glm::dvec3) { return random.uniform(); });
-            const float dt = static_cast<float>(random.uniform(0.5, 4.0)), outside = static_cast<float>(random.uniform());
+            const Box box{.cells = k_sizes[trial % k_sizes.size()], .cell_size = 2.0f, .sides = random_walls(random)};
+            Workspace work = workspace(box, glm::vec3(random.point(1.0)));
+            const Field wind = random_field(random, box);
+            const auto values = scalars_of(box, [&](glm::dvec3) { return random.real(-1.0, 1.0); });
+            const float dt = static_cast<float>(random.real(0.5, 4.0)), outside = static_cast<float>(random.real(-1.0, 1.0));
             std::vector<float> moved(values.size());
             EXPECT_TRUE(
                 advect(work,
@@ -82,15 +81,12 @@ TEST(AdvectionSides, AScalarEqualsItsDefinition) {
                            .carried = values, .velocity = wind, .dt = dt, .interpolation = interpolation, .outside = outside},
                        moved));
             const Transport trace{.carried = wind, .velocity = wind, .dt = dt};
-            for (int k = 0; k < box.cells.z; ++k)
-                for (int j = 0; j < box.cells.y; ++j)
-                    for (int i = 0; i < box.cells.x; ++i) {
-                        const glm::dvec3 from = reference::departure(box, glm::dvec3(work.ambient()), trace, {i, j, k});
-                        const double exact = reference::interpolate<double>(interpolation, from, [&](glm::ivec3 index) {
-                            return reference::scalar_at(box, values, outside, index);
-                        });
-                        worst = std::max(worst, std::abs(moved[box.index(i, j, k)] - exact));
-                    }
+            for_each_cell(box.cells, [&](int i, int j, int k) {
+                const glm::dvec3 from = reference::departure(box, glm::dvec3(work.ambient()), trace, {i, j, k});
+                const double exact = reference::interpolate<double>(
+                    interpolation, from, [&](glm::ivec3 index) { return reference::scalar_at(box, values, outside, index); });
+                worst = std::max(worst, std::abs(moved[box.index(i, j, k)] - exact));
+            });
         }
         expect_at_most(std::string("advection_sides.scalar.") + (interpolation == Interpolation::linear ? "linear" : "cubic"),
                        worst, 2e-5);

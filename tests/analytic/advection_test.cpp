@@ -8,7 +8,6 @@
 #include "figures.h"
 #include "flows.h"
 
-#include <algorithm>
 #include <complex>
 
 namespace windrow {
@@ -18,14 +17,14 @@ using namespace flows;
 using figures::expect_at_least;
 using figures::expect_at_most;
 
-enum class Form { vector_x, vector_y, vector_z, scalar };
-constexpr Form k_forms[] = {Form::vector_x, Form::vector_y, Form::vector_z, Form::scalar};
+enum class CarriedForm { vector_x, vector_y, vector_z, scalar };
+constexpr CarriedForm k_forms[] = {CarriedForm::vector_x, CarriedForm::vector_y, CarriedForm::vector_z, CarriedForm::scalar};
 
 // One step of `values`, as a component of a velocity that is not the wind, or as a scalar.
-std::vector<float> carry(Workspace& work, Form form, std::span<const float> values, std::span<const glm::vec4> wind, float dt,
-                         Interpolation interpolation) {
+std::vector<float> carry(Workspace& work, CarriedForm form, std::span<const float> values, std::span<const glm::vec4> wind,
+                         float dt, Interpolation interpolation) {
     std::vector<float> result(values.size());
-    if (form == Form::scalar) {
+    if (form == CarriedForm::scalar) {
         EXPECT_TRUE(
             advect(work, ScalarTransport{.carried = values, .velocity = wind, .dt = dt, .interpolation = interpolation}, result));
         return result;
@@ -54,7 +53,8 @@ std::complex<double> mode_factor(Interpolation interpolation, double cells, doub
 }
 
 // What became of mode k along `axis`: its complex factor.
-std::complex<double> measured_factor(Workspace& work, Form form, Interpolation interpolation, int axis, int k, glm::vec3 wind) {
+std::complex<double> measured_factor(Workspace& work, CarriedForm form, Interpolation interpolation, int axis, int k,
+                                     glm::vec3 wind) {
     const Box& box = work.box();
     const double theta = 2.0 * k_pi * k / box.cells[axis];
     const auto cosine = scalars_of(box, [&](glm::dvec3 x) { return std::cos(theta * (x[axis] - 0.5)); });
@@ -82,7 +82,7 @@ TEST_P(UniformWind, EachModeOfEachAxisHasItsFactor) {
         glm::ivec3 cells(3, 2, 4);
         cells[axis] = k_cells;
         Workspace work = workspace(periodic_box(cells));
-        for (const Form form : k_forms)
+        for (const CarriedForm form : k_forms)
             for (const float shift : {0.0f, 0.125f, 0.3f, 0.5f, 0.77f, -0.4f, 2.6f, -7.25f})
                 for (const int k : {0, 1, 2, 5, 8, 13, 15, 16}) {
                     glm::vec3 wind(0.6f, -0.3f, 1.7f);
@@ -108,8 +108,8 @@ TEST_P(UniformWind, AnObliqueModeHasTheProductOfItsFactors) {
     Random random(5);
     double worst = 0.0;
     for (int trial = 0; trial < 24; ++trial) {
-        const glm::ivec3 k(random.below(16), random.below(8), random.below(10));
-        const glm::vec3 wind(random.vector(3.0));
+        const glm::ivec3 k(random.integer(0, 15), random.integer(0, 7), random.integer(0, 9));
+        const glm::vec3 wind(random.point(3.0));
         const glm::dvec3 theta = 2.0 * k_pi * glm::dvec3(k) / glm::dvec3(box.cells);
         std::complex<double> factor = 1.0;
         for (int axis = 0; axis < 3; ++axis)
@@ -142,7 +142,7 @@ TEST_P(UniformWind, AGaussianSpreadsByTheVarianceOfItsWeights) {
                 const double off = std::remainder(x[axis] - middle, k_cells);
                 return std::exp(-0.5 * off * off / k_start);
             };
-            for (const Form form : {Form::vector_x, Form::scalar}) {
+            for (const CarriedForm form : {CarriedForm::vector_x, CarriedForm::scalar}) {
                 auto values = scalars_of(box, gaussian);
                 for (int step = 0; step < k_steps; ++step)
                     values = carry(work, form, values, uniform_wind(box, wind), 1.0f, GetParam());
@@ -159,7 +159,7 @@ TEST_P(UniformWind, AGaussianSpreadsByTheVarianceOfItsWeights) {
                 worst_mean = std::max(worst_mean, std::abs(mean));
                 if (axis == 0 && shift == 0.5f)
                     figures::report(std::string("advection.variance_growth_40_half_cells.") + name_of(GetParam()) +
-                                        (form == Form::scalar ? ".scalar" : ".vector"),
+                                        (form == CarriedForm::scalar ? ".scalar" : ".vector"),
                                     growth);
             }
         }
@@ -175,8 +175,8 @@ TEST_P(UniformWind, AWholeCellShiftIsACopyToTheBit) {
     for (const glm::ivec3 shift : {glm::ivec3(0), glm::ivec3(1, 0, 0), glm::ivec3(-2, 3, 1), glm::ivec3(14, -7, 40)}) {
         std::vector<float> values(box.cell_count());
         for (float& v : values)
-            v = static_cast<float>(random.uniform(-5, 5));
-        for (const Form form : k_forms) {
+            v = static_cast<float>(random.real(-5, 5));
+        for (const CarriedForm form : k_forms) {
             const auto moved = carry(work, form, values, uniform_wind(box, glm::vec3(shift)), 1.0f, GetParam());
             visit_cells(box, [&](std::size_t n, glm::dvec3 x) {
                 const glm::ivec3 from = ((glm::ivec3(x) - shift) % box.cells + box.cells) % box.cells;
@@ -200,12 +200,12 @@ TEST(Advection, LinearNeverGrowsAtAnyCfl) {
         for (const float cfl : {0.1f, 0.5f, 1.0f, 3.0f, 10.0f, 100.0f}) {
             const Box box{.cells = {19, 8, 12}, .sides = sides};
             Workspace work = workspace(box);
-            for (const Form form : k_forms) {
+            for (const CarriedForm form : k_forms) {
                 std::vector<float> values(box.cell_count());
                 for (float& v : values)
-                    v = random.below(2) == 0 ? -1.0f : 1.0f;
+                    v = random.integer(0, 1) == 0 ? -1.0f : 1.0f;
                 for (int step = 0; step < 5; ++step) {
-                    values = carry(work, form, values, random.field(box), cfl, Interpolation::linear);
+                    values = carry(work, form, values, random_field(random, box), cfl, Interpolation::linear);
                     for (const float v : values)
                         worst = std::max(worst, std::abs(static_cast<double>(v)));
                 }
@@ -231,11 +231,11 @@ TEST(Advection, CubicOvershootsByAQuarterAnAxisAtMost) {
         glm::vec3 wind(0.0f);
         for (int axis = 0; axis < axes; ++axis)
             wind[axis] = 0.5f;
-        for (const Form form : {Form::vector_y, Form::scalar}) {
+        for (const CarriedForm form : {CarriedForm::vector_y, CarriedForm::scalar}) {
             const auto moved = carry(work, form, start, uniform_wind(box, wind), 1.0f, Interpolation::cubic);
             const double largest = *std::max_element(moved.begin(), moved.end());
             expect_at_most("advection.cubic_worst_overshoot_error." + std::to_string(axes) +
-                               (form == Form::scalar ? ".scalar" : ".vector"),
+                               (form == CarriedForm::scalar ? ".scalar" : ".vector"),
                            std::abs(largest - std::pow(1.25, axes)), 1e-5);
         }
     }
@@ -243,8 +243,8 @@ TEST(Advection, CubicOvershootsByAQuarterAnAxisAtMost) {
     for (int trial = 0; trial < 50; ++trial) {
         std::vector<float> values(box.cell_count());
         for (float& v : values)
-            v = random.below(2) == 0 ? -1.0f : 1.0f;
-        for (const float v : carry(work, k_forms[trial % 4], values, random.field(box, 3.0), 1.0f, Interpolation::cubic))
+            v = random.integer(0, 1) == 0 ? -1.0f : 1.0f;
+        for (const float v : carry(work, k_forms[trial % 4], values, random_field(random, box, 3.0f), 1.0f, Interpolation::cubic))
             worst = std::max(worst, std::abs(static_cast<double>(v)));
     }
     expect_at_most("advection.cubic_random_overshoot", worst, std::pow(1.25, 3) + 1e-5);
@@ -257,7 +257,7 @@ TEST(Advection, AWindThatCarriesItselfEqualsACopyThatItCarries) {
     Random random(21);
     const Box box{.cells = {17, 9, 23}, .sides = Sides::open_over_floor()};
     Workspace work = workspace(box, {0.3f, 0.0f, -0.2f});
-    const Field wind = random.field(box, 2.0), copy = wind;
+    const Field wind = random_field(random, box, 2.0f), copy = wind;
     for (const Interpolation interpolation : {Interpolation::linear, Interpolation::cubic}) {
         Field own(wind.size()), other(wind.size());
         advect(work, Transport{.carried = wind, .velocity = wind, .dt = 0.7f, .interpolation = interpolation}, own);

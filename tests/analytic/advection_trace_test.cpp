@@ -11,7 +11,6 @@ namespace windrow {
 namespace {
 
 using namespace flows;
-using figures::expect_at_least;
 using figures::expect_at_most;
 
 enum class Trace { scalar, vector, frozen, settls };
@@ -65,37 +64,20 @@ double turn_error(int cells, int steps, Trace trace, const Turn& turn) {
 }
 
 TEST(AdvectionTrace, SteadyRotationIsSecondOrderInTheStep) {
-    for (const Trace trace : {Trace::scalar, Trace::vector}) {
-        const std::string name = trace == Trace::scalar ? "trace.steady.scalar." : "trace.steady.vector.";
-        const double e48 = turn_error(128, 48, trace, {}), e96 = turn_error(128, 96, trace, {}),
-                     e192 = turn_error(256, 192, trace, {});
-        figures::report(name + "error_48_steps", e48);
-        figures::report(name + "error_96_steps", e96);
-        figures::report(name + "error_192_steps", e192);
-        expect_at_least(name + "order_48_96", figures::order(e48, e96), 1.9);
-        expect_at_least(name + "order_96_192", figures::order(e96, e192), 1.9);
-    }
+    for (const Trace trace : {Trace::scalar, Trace::vector})
+        figures::expect_orders(trace == Trace::scalar ? "trace.steady.scalar" : "trace.steady.vector", {48, 96, 192}, 1.9,
+                               [&](int steps) { return turn_error(steps == 192 ? 256 : 128, steps, trace, {}); });
 }
 
 TEST(AdvectionTrace, SteadyRotationIsSecondOrderAtFixedCfl) {
-    const double e64 = turn_error(64, 64, Trace::vector, {}), e128 = turn_error(128, 128, Trace::vector, {}),
-                 e256 = turn_error(256, 256, Trace::vector, {});
-    figures::report("trace.fixed_cfl.error_64", e64);
-    figures::report("trace.fixed_cfl.error_128", e128);
-    figures::report("trace.fixed_cfl.error_256", e256);
-    expect_at_least("trace.fixed_cfl.order_64_128", figures::order(e64, e128), 1.9);
-    expect_at_least("trace.fixed_cfl.order_128_256", figures::order(e128, e256), 1.9);
+    figures::expect_orders("trace.fixed_cfl", {64, 128, 256}, 1.9,
+                           [](int cells) { return turn_error(cells, cells, Trace::vector, {}); });
 }
 
 TEST(AdvectionTrace, UnsteadyRotationIsSecondOrderWithTheLastWind) {
     const Turn turn{.unsteadiness = 0.3};
-    const double e64 = turn_error(128, 64, Trace::settls, turn), e128 = turn_error(128, 128, Trace::settls, turn),
-                 e256 = turn_error(256, 256, Trace::settls, turn);
-    figures::report("trace.unsteady.error_64_steps", e64);
-    figures::report("trace.unsteady.error_128_steps", e128);
-    figures::report("trace.unsteady.error_256_steps", e256);
-    expect_at_least("trace.unsteady.order_64_128", figures::order(e64, e128), 1.9);
-    expect_at_least("trace.unsteady.order_128_256", figures::order(e128, e256), 1.9);
+    figures::expect_orders("trace.unsteady", {64, 128, 256}, 1.9,
+                           [&](int steps) { return turn_error(steps == 256 ? 256 : 128, steps, Trace::settls, turn); });
     const double f128 = turn_error(128, 128, Trace::frozen, turn), f256 = turn_error(256, 256, Trace::frozen, turn);
     figures::report("trace.frozen_wind.error_256_steps", f256);
     // What the last wind is for: without it the same run is of order 1.

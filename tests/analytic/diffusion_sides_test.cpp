@@ -1,8 +1,7 @@
 // Diffusion beside walls and open sides.
 //
 //   any mix of sides   the equations of a step, u' = u + r L u or (1 - r L) u' = u, in double with the ghosts that sides.h names
-//   Couette            between moving no-slip walls the steady flow is linear, which mirrored ghosts hold exactly
-//   Stokes' second     over a wall that swings as U cos(w t): u = U exp(-y/d) cos(w t - y/d), d = sqrt(2 nu / w); order 2 in h
+//   Couette, Stokes    flows of cases/wall_cases.cpp
 #include "case_check.h"
 #include "cases/reference/stencil.h"
 #include "flows.h"
@@ -13,7 +12,6 @@ namespace windrow {
 namespace {
 
 using namespace flows;
-using figures::expect_at_least;
 using figures::expect_at_most;
 using reference::Stencil;
 using reference::Values;
@@ -22,12 +20,12 @@ constexpr std::array k_sizes = {glm::ivec3(1, 1, 1),   glm::ivec3(1, 2, 3),  glm
                                 glm::ivec3(3, 3, 2),   glm::ivec3(1, 5, 7),  glm::ivec3(3, 1, 4),
                                 glm::ivec3(17, 9, 23), glm::ivec3(6, 12, 1), glm::ivec3(16, 8, 16)};
 
-Sides random_sides(Random& random) {
-    Sides sides = random.sides();
+Sides random_walls(Random& random) {
+    Sides sides = random_kinds(random);
     for (int axis = 0; axis < 3; ++axis)
         for (int end = 0; end < 2; ++end)
             if (Side& side = side_of(sides, axis, end); side.kind == SideKind::no_slip) {
-                side.wall_velocity = glm::vec3(random.vector());
+                side.wall_velocity = glm::vec3(random.point(1.0));
                 side.wall_velocity[axis] = 0.0f;
             }
     return sides;
@@ -48,13 +46,13 @@ TEST(DiffusionSides, EveryMixOfSidesSolvesItsEquations) {
     double worst_one_pass = 0.0, worst_implicit = 0.0, worst_scaled = 0.0, worst_error = 0.0;
     int trials[2] = {};
     for (int trial = 0; trial < 900; ++trial) {
-        const Box box{.cells = k_sizes[trial % k_sizes.size()], .cell_size = 0.5f, .sides = random_sides(random)};
-        const glm::vec3 ambient = admissible_ambient(box.sides, glm::vec3(random.vector()));
+        const Box box{.cells = k_sizes[trial % k_sizes.size()], .cell_size = 0.5f, .sides = random_walls(random)};
+        const glm::vec3 ambient = admissible_ambient(box.sides, glm::vec3(random.point(1.0)));
         Workspace work = workspace(box, ambient);
         // h^2 / dt = 1: the viscosity is the ratio.
-        const auto viscosity = static_cast<float>(std::pow(10.0, random.uniform(-3.5, 4.0)));
+        const auto viscosity = static_cast<float>(std::pow(10.0, random.real(-3.5, 4.0)));
         const double r = viscosity;
-        const Field field = random.field(box);
+        const Field field = random_field(random, box);
         Field result(field.size());
         const DiffusionMethod method = *diffuse(work, field, viscosity, 0.25f, result);
         const bool implicit = method == DiffusionMethod::implicit;
@@ -90,39 +88,9 @@ TEST(DiffusionSides, EveryMixOfSidesSolvesItsEquations) {
 }
 
 TEST(DiffusionSides, CouetteFlowReachesItsLine) {
-    const glm::vec3 low(-0.5f, 0.0f, 0.25f), high(2.0f, 0.0f, -1.0f);
-    for (const int axis : {0, 1, 2}) {
-        // The walls' velocities lie in the plane across `axis`.
-        const auto along_walls = [&](glm::vec3 v) {
-            return axis == 0 ? glm::vec3(0.0f, v.x, v.z) : axis == 1 ? v : glm::vec3(v.x, v.z, 0.0f);
-        };
-        for (const int cells : {16, 17}) {
-            Sides sides = Sides::all(SideKind::periodic);
-            side_of(sides, axis, 0) = {SideKind::no_slip, along_walls(low)};
-            side_of(sides, axis, 1) = {SideKind::no_slip, along_walls(high)};
-            Box box{.cells = {4, 4, 4}, .sides = sides};
-            box.cells[axis] = cells;
-            for (const double r : {1.0 / 12.0, 40.0}) {
-                Workspace work = workspace(box);
-                Field field(box.cell_count(), glm::vec4(0.0f)), next = field;
-                const int steps = r < 1.0 ? 8000 : 60;
-                for (int step = 0; step < steps; ++step) {
-                    ASSERT_TRUE(diffuse(work, field, static_cast<float>(r), 1.0f, next));
-                    std::swap(field, next);
-                }
-                double worst = 0.0;
-                visit_cells(box, [&](std::size_t n, glm::dvec3 x) {
-                    const glm::dvec3 line =
-                        glm::dvec3(along_walls(low)) + glm::dvec3(along_walls(high - low)) * (x[axis] / cells);
-                    for (int c = 0; c < 3; ++c)
-                        worst = std::max(worst, std::abs(field[n][c] - line[c]));
-                });
-                expect_at_most("diffusion_sides.couette_axis_" + std::to_string(axis) + "_cells_" + std::to_string(cells) +
-                                   (r < 1.0 ? ".one_pass" : ".implicit"),
-                               worst / 2.0, r < 1.0 ? 2e-5 : 1e-5);
-            }
-        }
-    }
+    figures::expect_case("couette_one_pass", {16, 32, 64});
+    figures::expect_case("couette_implicit", {16, 32, 64});
+    figures::expect_case("couette_steady", {16, 33, 64});
 }
 
 TEST(DiffusionSides, StokesSecondProblemIsSecondOrder) {

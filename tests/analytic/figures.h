@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <gtest/gtest.h>
+#include <initializer_list>
 #include <string>
 
 namespace windrow::figures {
@@ -43,6 +44,23 @@ inline void expect_at_least(const std::string& name, double value, double bound)
 /// Observed order between two errors whose grids differ by a factor 2.
 inline double order(double coarse, double fine) {
     return std::log2(coarse / fine);
+}
+
+/// Errors error(n) over sizes n, each twice the one before, reported; the order between neighbours is held against `least`. Returns
+/// the last error.
+template <class Error>
+double expect_orders(const std::string& name, std::initializer_list<int> sizes, double least, const Error& error) {
+    int coarse = 0;
+    double last = 0.0;
+    for (const int size : sizes) {
+        const double now = error(size);
+        report(name + ".error_" + std::to_string(size), now);
+        if (coarse > 0)
+            expect_at_least(name + ".order_" + std::to_string(coarse) + "_" + std::to_string(size), order(last, now), least);
+        coarse = size;
+        last = now;
+    }
+    return last;
 }
 
 } // namespace windrow::figures

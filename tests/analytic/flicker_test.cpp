@@ -8,7 +8,6 @@
 // Bound: 1e-3 of the blast ten steps after it.
 #include "figures.h"
 #include "flows.h"
-#include "tests/fields.h"
 
 namespace windrow {
 namespace {
@@ -17,17 +16,13 @@ using namespace flows;
 using figures::expect_at_least;
 using figures::expect_at_most;
 
-Field copy_of(const Wind& wind) {
-    return {wind.field().begin(), wind.field().end()};
-}
-
 // Largest alternating part of any component about the `step`-th step from now.
 double alternating_part(Wind& wind, double dt, int step) {
     std::vector<Field> fields;
     for (int n = 1; n <= step + 2; ++n) {
         wind.step(dt);
         if (n >= step - 2)
-            fields.push_back(copy_of(wind));
+            fields.push_back(test::copy(wind.field()));
     }
     double largest = 0.0;
     for (std::size_t n = 0; n < fields[0].size(); ++n)
@@ -56,15 +51,13 @@ double blast_flicker(const Sides& sides, glm::vec3 ambient, int calm_steps, floa
     const double dt = 1.0 / 60.0;
     if (calm_steps == 0)
         wind.set_velocity([&](glm::dvec3) { return wind.ambient(); });
-    for (int step = 0; step < calm_steps; ++step)
-        wind.step(dt);
+    take_steps(wind, calm_steps, dt);
     const MotorId motor = *wind.motors().add(DirectionalMotor{.position = {0.5, 0.25, -0.5},
                                                               .direction = {1.0f, 0.5f, 0.2f},
                                                               .region = Sphere{4.0f},
                                                               .law = Force{acceleration},
                                                               .turbulence = test::k_steady});
-    for (int step = 0; step < 5; ++step)
-        wind.step(dt);
+    take_steps(wind, 5, dt);
     EXPECT_TRUE(wind.motors().remove(motor));
     const double blast = largest_off_ambient(wind);
     EXPECT_GT(blast, 0.02 * static_cast<double>(acceleration) * 5.0 * dt);

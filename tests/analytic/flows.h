@@ -7,21 +7,16 @@
 #include "cases/flows.h"
 #include "cases/whole_step.h"
 #include "fluid/pieces.h"
-#include "fluid/wind.h"
+#include "tests/winds.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <glm/geometric.hpp>
-#include <random>
 #include <span>
-#include <vector>
 
 namespace windrow::flows {
 
 using cases::ArnoldBeltramiChildress;
 using cases::k_pi;
 using cases::periodic_box;
+using cases::relative_error;
 using cases::scalars_of;
 using cases::side_of;
 using cases::sides_of;
@@ -29,6 +24,11 @@ using cases::TaylorGreen2D;
 using cases::velocities_of;
 using cases::velocity_error;
 using cases::visit_cells;
+using test::for_each_cell;
+using test::largest_apart;
+using test::largest_off;
+using test::Random;
+using test::take_steps;
 using Field = cases::CellVelocities;
 
 /// Workspace of a box that is known to be legal.
@@ -44,42 +44,21 @@ inline Wind raw_wind(const Box& box, double viscosity, Scheme scheme, Interpolat
     return *Wind::create(config);
 }
 
-// --- Random fields: the same numbers with any standard library ----------------------------------------------------------
+// --- Random fields -----------------------------------------------------------------------------------------------------
 
-class Random {
-  public:
-    explicit Random(std::uint32_t seed) : engine_(seed) {}
-    /// [low, high)
-    double uniform(double low = -1.0, double high = 1.0) {
-        return low + (high - low) * (static_cast<double>(engine_()) / 4294967296.0);
+/// Any mix of kinds, a quarter of the axes periodic.
+inline Sides random_kinds(Random& random) {
+    Sides result;
+    for (int axis = 0; axis < 3; ++axis) {
+        const bool periodic = random.integer(0, 3) == 0;
+        for (int end = 0; end < 2; ++end)
+            side_of(result, axis, end).kind = periodic ? SideKind::periodic : static_cast<SideKind>(random.integer(0, 2));
     }
-    int below(int count) { return static_cast<int>(engine_() % static_cast<std::uint32_t>(count)); }
-    glm::dvec3 vector(double size = 1.0) {
-        glm::dvec3 result;
-        for (int axis = 0; axis < 3; ++axis)
-            result[axis] = uniform(-size, size);
-        return result;
-    }
-    /// Any mix of kinds, a quarter of the axes periodic.
-    Sides sides() {
-        Sides result;
-        for (int axis = 0; axis < 3; ++axis) {
-            const bool periodic = below(4) == 0;
-            for (int end = 0; end < 2; ++end)
-                side_of(result, axis, end).kind = periodic ? SideKind::periodic : static_cast<SideKind>(below(3));
-        }
-        return result;
-    }
-    Field field(const Box& box, double size = 1.0) {
-        Field result(box.cell_count());
-        for (glm::vec4& u : result)
-            u = glm::vec4(glm::vec3(vector(size)), 0.0f);
-        return result;
-    }
-
-  private:
-    std::mt19937 engine_;
-};
+    return result;
+}
+inline Field random_field(Random& random, const Box& box, float size = 1.0f) {
+    return test::white_noise(box.cells, size, random.bits());
+}
 
 // --- Norms -----------------------------------------------------------------------------------------------------------
 
@@ -95,15 +74,6 @@ inline double rms(std::span<const float> values) {
     for (const float v : values)
         squares += static_cast<double>(v) * v;
     return std::sqrt(squares / static_cast<double>(values.size()));
-}
-
-/// Largest difference of any component.
-inline double largest_difference(std::span<const glm::vec4> a, std::span<const glm::vec4> b) {
-    double largest = 0.0;
-    for (std::size_t n = 0; n < a.size(); ++n)
-        for (int axis = 0; axis < 3; ++axis)
-            largest = std::max(largest, std::abs(static_cast<double>(a[n][axis]) - b[n][axis]));
-    return largest;
 }
 
 } // namespace windrow::flows

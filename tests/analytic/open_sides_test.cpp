@@ -12,13 +12,6 @@ using namespace flows;
 using figures::expect_at_least;
 using figures::expect_at_most;
 
-double largest_off(std::span<const glm::vec4> field, glm::vec3 ambient) {
-    double largest = 0.0;
-    for (const glm::vec4& u : field)
-        largest = std::max(largest, static_cast<double>(glm::length(glm::vec3(u) - ambient)));
-    return largest;
-}
-
 TEST(OpenSides, AScalarPuffLeaves) {
     const Box box{.cells = {32, 16, 32}, .sides = Sides::open_over_floor()};
     const glm::vec3 ambient(4.0f, 0.0f, 1.5f);
@@ -56,8 +49,7 @@ TEST(OpenSides, APuffOfWindLeaves) {
                                                                         : glm::dvec3(2.0, 0.3, -1.0)));
                 });
                 const double peak = largest_off(wind.field(), config.ambient);
-                for (int step = 0; step < 240; ++step)
-                    wind.step(0.1);
+                take_steps(wind, 240, 0.1);
                 expect_at_most(
                     std::string("open_sides.puff_after_three_crossings.") + (sides.y_low.solid() ? "floor." : "open.") +
                         (scheme == Scheme::second_order ? "second_order." : "stable_fluids.") + (kind == 0 ? "ring" : "gust"),
@@ -98,7 +90,7 @@ TEST(OpenSides, AirWithoutForceGainsNoEnergy) {
                 Random random(3);
                 wind.set_velocity([&](glm::dvec3 x) {
                     return ambient + glm::vec3(noise
-                                                   ? random.vector()
+                                                   ? random.point(1.0)
                                                    : glm::dvec3(std::sin(0.4 * x.y + 0.3 * x.z), std::sin(0.5 * x.x + 0.2 * x.z),
                                                                 std::cos(0.3 * x.x + 0.6 * x.y)));
                 });

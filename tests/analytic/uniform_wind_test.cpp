@@ -5,7 +5,6 @@
 #include "flows.h"
 
 #include <cstdint>
-#include <ostream>
 
 namespace windrow {
 namespace {
@@ -17,7 +16,7 @@ constexpr SideKind k_open = SideKind::open, k_slip = SideKind::free_slip, k_peri
 
 enum class Surroundings { same, still };
 
-struct Case {
+struct UniformSetting {
     const char* name;
     Sides sides;
     glm::vec3 wind;
@@ -27,12 +26,13 @@ struct Case {
     float settling_time = 0.0f;
 };
 
-void PrintTo(const Case& value, std::ostream* out) {
+void PrintTo(const UniformSetting& value, std::ostream* out) {
     *out << value.name;
 }
 
 // Cells that are not exactly the wind.
-std::int64_t changed_cells(const Case& setting, glm::ivec3 cells, Scheme scheme, Interpolation interpolation, float viscosity) {
+std::int64_t changed_cells(const UniformSetting& setting, glm::ivec3 cells, Scheme scheme, Interpolation interpolation,
+                           float viscosity) {
     Config config{.cells = cells, .sides = setting.sides};
     config.ambient = setting.surroundings == Surroundings::same ? setting.wind : glm::vec3(0.0f);
     config.viscosity = viscosity;
@@ -49,7 +49,7 @@ std::int64_t changed_cells(const Case& setting, glm::ivec3 cells, Scheme scheme,
     return changed;
 }
 
-class UniformWindStays : public ::testing::TestWithParam<Case> {};
+class UniformWindStays : public ::testing::TestWithParam<UniformSetting> {};
 
 TEST_P(UniformWindStays, ToTheBit) {
     std::int64_t changed = 0;
@@ -71,17 +71,19 @@ TEST_P(UniformWindStays, ToTheBitWithViscosity) {
 INSTANTIATE_TEST_SUITE_P(
     Boxes, UniformWindStays,
     ::testing::Values(
-        Case{"open", Sides::all(k_open), {3.3f, 0.7f, -1.9f}},
-        Case{"open_settling", Sides::all(k_open), {3.3f, 0.7f, -1.9f}, Surroundings::same, 20.0f},
-        Case{"over_floor", Sides::open_over_floor(), {-2.7f, 0.0f, 1.1f}},
-        Case{"over_floor_settling", Sides::open_over_floor(), {-2.7f, 0.0f, 1.1f}, Surroundings::same, 20.0f},
-        Case{"periodic", Sides::all(k_periodic), {0.1f, -4.3f, 2.2f}, Surroundings::still},
-        Case{"free_slip_channel",
-             sides_of({k_periodic, k_periodic}, {k_slip, k_slip}, {k_slip, k_slip}),
-             {3.3f, 0.0f, 0.0f},
-             Surroundings::still},
-        Case{"free_slip_duct_open_ends", sides_of({k_slip, k_slip}, {k_slip, k_slip}, {k_open, k_open}), {0.0f, 0.0f, 5.7f}},
-        Case{"between_plates", sides_of({k_open, k_open}, {k_slip, k_slip}, {k_periodic, k_periodic}), {1.3f, 0.0f, -0.9f}}),
+        UniformSetting{"open", Sides::all(k_open), {3.3f, 0.7f, -1.9f}},
+        UniformSetting{"open_settling", Sides::all(k_open), {3.3f, 0.7f, -1.9f}, Surroundings::same, 20.0f},
+        UniformSetting{"over_floor", Sides::open_over_floor(), {-2.7f, 0.0f, 1.1f}},
+        UniformSetting{"over_floor_settling", Sides::open_over_floor(), {-2.7f, 0.0f, 1.1f}, Surroundings::same, 20.0f},
+        UniformSetting{"periodic", Sides::all(k_periodic), {0.1f, -4.3f, 2.2f}, Surroundings::still},
+        UniformSetting{"free_slip_channel",
+                       sides_of({k_periodic, k_periodic}, {k_slip, k_slip}, {k_slip, k_slip}),
+                       {3.3f, 0.0f, 0.0f},
+                       Surroundings::still},
+        UniformSetting{
+            "free_slip_duct_open_ends", sides_of({k_slip, k_slip}, {k_slip, k_slip}, {k_open, k_open}), {0.0f, 0.0f, 5.7f}},
+        UniformSetting{
+            "between_plates", sides_of({k_open, k_open}, {k_slip, k_slip}, {k_periodic, k_periodic}), {1.3f, 0.0f, -0.9f}}),
     [](const auto& suite) { return suite.param.name; });
 
 } // namespace

@@ -11,7 +11,6 @@ namespace windrow {
 namespace {
 
 using namespace flows;
-using figures::expect_at_least;
 using figures::expect_at_most;
 
 constexpr SideKind k_slip = SideKind::free_slip, k_rough = SideKind::no_slip, k_periodic = SideKind::periodic;
@@ -34,16 +33,13 @@ TEST(Walls, AFreeSlipBoxIsAnEighthOfAMirroredPeriodicBox) {
                  eight = raw_wind(whole, viscosity, scheme, Interpolation::cubic);
             EXPECT_TRUE(one.set_velocity(velocities_of(closed, [&](glm::dvec3 x) { return scaled(x, cells); })));
             EXPECT_TRUE(eight.set_velocity(velocities_of(whole, [&](glm::dvec3 x) { return scaled(x, cells); })));
-            for (int step = 0; step < 60; ++step) {
-                one.step(0.25);
-                eight.step(0.25);
-            }
+            take_steps(one, 60, 0.25);
+            take_steps(eight, 60, 0.25);
             double worst = 0.0;
-            for (int k = 0; k < cells.z; ++k)
-                for (int j = 0; j < cells.y; ++j)
-                    for (int i = 0; i < cells.x; ++i)
-                        worst = std::max(worst, static_cast<double>(glm::length(one.field()[closed.index(i, j, k)] -
-                                                                                eight.field()[whole.index(i, j, k)])));
+            for_each_cell(cells, [&](int i, int j, int k) {
+                worst = std::max(worst,
+                                 double(glm::length(one.field()[closed.index(i, j, k)] - eight.field()[whole.index(i, j, k)])));
+            });
             expect_at_most(std::string("walls.mirrored_box_difference.") +
                                (scheme == Scheme::second_order ? "second_order." : "stable_fluids.") +
                                figures::number_text(viscosity),
@@ -52,24 +48,18 @@ TEST(Walls, AFreeSlipBoxIsAnEighthOfAMirroredPeriodicBox) {
 }
 
 TEST(Walls, TaylorGreenVorticesFillAFreeSlipBox) {
-    double errors[3];
     const TaylorGreen2D flow{.viscosity = 0.01};
-    for (int level = 0; level < 3; ++level) {
-        const int cells = 16 << level;
+    figures::expect_orders("walls.tg2d", {16, 32, 64}, 1.9, [&](int cells) {
         const Box box{.cells = {cells, cells, 1},
                       .cell_size = static_cast<float>(k_pi / cells),
                       .sides = sides_of({k_slip, k_slip}, {k_slip, k_slip}, {k_periodic, k_periodic})};
         Wind wind = raw_wind(box, flow.viscosity, Scheme::second_order, Interpolation::cubic);
         EXPECT_TRUE(wind.set_velocity(velocities_of(box, [&](glm::dvec3 x) { return flow(x, 0.0); })));
-        const int steps = 10 << level; // even, CFL 1
+        const int steps = 10 * cells / 16; // even, CFL 1
         const double end = 0.625 * k_pi;
-        for (int step = 0; step < steps; ++step)
-            wind.step(end / steps);
-        errors[level] = velocity_error(box, wind.field(), [&](glm::dvec3 x) { return flow(x, end); });
-        figures::report("walls.tg2d_error_" + std::to_string(cells), errors[level]);
-    }
-    expect_at_least("walls.tg2d_order_16_32", figures::order(errors[0], errors[1]), 1.9);
-    expect_at_least("walls.tg2d_order_32_64", figures::order(errors[1], errors[2]), 1.9);
+        take_steps(wind, steps, end / steps);
+        return velocity_error(box, wind.field(), [&](glm::dvec3 x) { return flow(x, end); });
+    });
 }
 
 // Root mean square over all walls of the normal velocity, extrapolated to the face from the two cells beside it.
@@ -97,24 +87,16 @@ double normal_velocity_at_walls(const Wind& wind) {
 }
 
 TEST(Walls, NothingBlowsThroughAWall) {
-    for (const SideKind kind : {k_slip, k_rough}) {
-        double normal[3];
-        for (int level = 0; level < 3; ++level) {
-            const int cells = 16 << level;
-            const Box box{
-                .cells = {cells, cells, cells}, .cell_size = static_cast<float>(k_pi / cells), .sides = Sides::all(kind)};
-            Wind wind = raw_wind(box, 0.02, Scheme::second_order, Interpolation::cubic);
-            EXPECT_TRUE(wind.set_velocity(velocities_of(box, closed_wind)));
-            for (int step = 0; step < (4 << level); ++step)
-                wind.step(0.5 / (4 << level));
-            normal[level] = normal_velocity_at_walls(wind) / rms(wind.field());
-            figures::report(std::string("walls.normal_velocity.") + (kind == k_slip ? "free_slip_" : "no_slip_") +
-                                std::to_string(cells),
-                            normal[level]);
-        }
-        expect_at_least(std::string("walls.normal_velocity_order_32_64.") + (kind == k_slip ? "free_slip" : "no_slip"),
-                        figures::order(normal[1], normal[2]), 1.9);
-    }
+    for (const SideKind kind : {k_slip, k_rough})
+        figures::expect_orders(
+            std::string("walls.normal_velocity.") + (kind == k_slip ? "free_slip" : "no_slip"), {32, 64}, 1.9, [&](int cells) {
+                const Box box{
+                    .cells = glm::ivec3(cells), .cell_size = static_cast<float>(k_pi / cells), .sides = Sides::all(kind)};
+                Wind wind = raw_wind(box, 0.02, Scheme::second_order, Interpolation::cubic);
+                EXPECT_TRUE(wind.set_velocity(velocities_of(box, closed_wind)));
+                take_steps(wind, cells / 4, 2.0 / cells);
+                return normal_velocity_at_walls(wind) / rms(wind.field());
+            });
 }
 
 // u = sin(pi y / H) along the walls, carried sideways with them: the walls slide with the mean wind.
@@ -138,12 +120,8 @@ double shear_error(int cells, double end) {
 
 TEST(Walls, ShearBetweenSlidingNoSlipWallsFadesAtItsRate) {
     // At 64 cells the rounding of 5,000 steps would already show.
-    const double e8 = shear_error(8, 2.0), e16 = shear_error(16, 2.0), e32 = shear_error(32, 2.0);
-    figures::report("walls.shear_error_8", e8);
-    figures::report("walls.shear_error_16", e16);
-    expect_at_most("walls.shear_error_32", e32, 1e-3);
-    expect_at_least("walls.shear_order_8_16", figures::order(e8, e16), 1.9);
-    expect_at_least("walls.shear_order_16_32", figures::order(e16, e32), 1.9);
+    const auto error = [](int cells) { return shear_error(cells, 2.0); };
+    expect_at_most("walls.shear_error_32", figures::expect_orders("walls.shear", {8, 16, 32}, 1.9, error), 1e-3);
 }
 
 TEST(Walls, AMirroredFlowStaysMirrored) {
@@ -159,13 +137,11 @@ TEST(Walls, AMirroredFlowStaysMirrored) {
                                         std::cos(4.0 * p.x) * std::cos(p.y + p.z));
             });
             // Mirrored to the bit, whatever the sine's rounding.
-            for (int k = 0; k < box.cells.z; ++k)
-                for (int j = 0; j < box.cells.y; ++j)
-                    for (int i = 0; i < cells; ++i) {
-                        const glm::vec4 from = start[box.index(cells - 1 - i, j, k)];
-                        if (2 * i >= cells - 1)
-                            start[box.index(i, j, k)] = {2 * i == cells - 1 ? 0.0f : -from.x, from.y, from.z, 0.0f};
-                    }
+            for_each_cell(box.cells, [&](int i, int j, int k) {
+                const glm::vec4 from = start[box.index(cells - 1 - i, j, k)];
+                if (2 * i >= cells - 1)
+                    start[box.index(i, j, k)] = {2 * i == cells - 1 ? 0.0f : -from.x, from.y, from.z, 0.0f};
+            });
             EXPECT_TRUE(wind.set_velocity(start));
             double worst = 0.0;
             for (int step = 1; step <= 200; ++step) {
@@ -173,14 +149,10 @@ TEST(Walls, AMirroredFlowStaysMirrored) {
                 if (step != 1 && step != 20 && step != 200)
                     continue;
                 worst = 0.0;
-                for (int k = 0; k < box.cells.z; ++k)
-                    for (int j = 0; j < box.cells.y; ++j)
-                        for (int i = 0; i < cells; ++i) {
-                            const glm::vec4 here = wind.field()[box.index(i, j, k)],
-                                            there = wind.field()[box.index(cells - 1 - i, j, k)];
-                            worst = std::max(
-                                worst, static_cast<double>(glm::length(here - glm::vec4(-there.x, there.y, there.z, 0.0f))));
-                        }
+                for_each_cell(box.cells, [&](int i, int j, int k) {
+                    const glm::vec4 here = wind.field()[box.index(i, j, k)], there = wind.field()[box.index(cells - 1 - i, j, k)];
+                    worst = std::max(worst, static_cast<double>(glm::length(here - glm::vec4(-there.x, there.y, there.z, 0.0f))));
+                });
                 const std::string name = std::string("walls.asymmetry.") + (kind == k_slip ? "free_slip_" : "no_slip_") +
                                          std::to_string(cells) + ".step_" + std::to_string(step);
                 if (step == 200)

@@ -25,12 +25,12 @@ using windrow::Scheme;
 
 constexpr double k_viscosity = 0.01;
 
-struct Method {
+struct TimedMethod {
     const char* name;
     Scheme scheme;
     Interpolation interpolation;
 };
-constexpr Method k_methods[] = {
+constexpr TimedMethod k_methods[] = {
     {"stable_fluids linear", Scheme::stable_fluids, Interpolation::linear},
     {"stable_fluids cubic", Scheme::stable_fluids, Interpolation::cubic},
     {"second_order cubic", Scheme::second_order, Interpolation::cubic},
@@ -38,13 +38,13 @@ constexpr Method k_methods[] = {
 
 const windrow::cases::TaylorGreen2D k_flow{.mean = {1.0, 0.5, 0.0}, .viscosity = k_viscosity};
 
-struct Outcome {
+struct TimedError {
     double step_ms = 1e30;
     double error = 0.0;
     int steps = 0;
 };
 
-void run(const Method& method, int cells, const windrow::ParallelFor& parallel_for, Outcome& outcome) {
+void run(const TimedMethod& method, int cells, const windrow::ParallelFor& parallel_for, TimedError& outcome) {
     const double pi = std::numbers::pi, h = 2.0 * pi / cells;
     auto wind = windrow::Wind::create({.cells = {cells, cells, cells / 2},
                                        .cell_size = static_cast<float>(h),
@@ -77,7 +77,7 @@ int main(int argc, char** argv) {
     std::printf("Taylor-Green vortices in a mean wind to t = pi, CFL 1; %d threads\n", pool.size());
     std::printf("%-14s %-22s %6s %10s %8s %12s %10s\n", "grid", "scheme", "steps", "ms a step", "cost", "ms to t = pi", "error");
     for (const int cells : {16, 32, 64, 128}) {
-        Outcome outcomes[std::size(k_methods)];
+        TimedError outcomes[std::size(k_methods)];
         for (int round = 0; round < 3; ++round)
             for (std::size_t n = 0; n < std::size(k_methods); ++n)
                 run(k_methods[n], cells, pool.parallel_for(), outcomes[n]);

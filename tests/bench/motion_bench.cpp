@@ -114,16 +114,16 @@ double cascade_error() {
     return worst;
 }
 
-struct Contest {
+struct TurnsTaken {
     std::string name;
     double count = 0.0; // of what it moves
     std::function<void()> run;
     double least = std::numeric_limits<double>::infinity(); // [s]
 };
 
-void hold(std::vector<Contest>& contests, int rounds) {
+void hold(std::vector<TurnsTaken>& contests, int rounds) {
     for (int round = 0; round < rounds; ++round)
-        for (Contest& contest : contests) {
+        for (TurnsTaken& contest : contests) {
             const auto begin = std::chrono::steady_clock::now();
             contest.run();
             const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
@@ -187,7 +187,7 @@ void report(int threads, int rounds) {
     }
 
     const double texels = 128.0 * 128.0;
-    std::vector<Contest> contests;
+    std::vector<TurnsTaken> contests;
     contests.push_back({"copy of 24 bytes a spring", k_springs, [&] {
                             loop(16, [&](int n) {
                                 const std::size_t share = from.size() / 16, at = static_cast<std::size_t>(n) * share;
@@ -234,7 +234,7 @@ void report(int threads, int rounds) {
     const double copy = contests[0].least;
     std::printf("\n%d thread%s, least of %d rounds\n", threads, threads == 1 ? "" : "s", rounds);
     std::printf("  %-36s %10s %12s %14s\n", "", "ms", "ns each", "of the copy");
-    for (const Contest& contest : contests)
+    for (const TurnsTaken& contest : contests)
         std::printf("  %-36s %10.3f %12.3f %14.2f\n", contest.name.c_str(), 1e3 * contest.least,
                     1e9 * contest.least / contest.count, contest.least / copy);
 }

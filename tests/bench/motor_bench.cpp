@@ -38,13 +38,13 @@ constexpr Stages k_sources_only{.sources = true, .settling = false, .diffusion =
 constexpr Stages k_sources_and_projection{
     .sources = true, .settling = false, .diffusion = false, .advection = false, .projection = true};
 
-struct Kind {
+struct MotorRow {
     const char* name;
     Motor motor;
     const char* gives_unit;
 };
 
-std::vector<Kind> kinds() {
+std::vector<MotorRow> kinds() {
     return {{"directional, force", DirectionalMotor{.law = Force{}}, "m4/s2"},
             {"directional, drive", DirectionalMotor{}, "m4/s"},
             {"directional cone, drive", DirectionalMotor{.region = Cone{}}, "m4/s"},
@@ -73,13 +73,13 @@ bool is_source(const Motor& motor) {
 }
 
 // A motor in a wind, kept going: wakes go to and fro through the place where they began, bursts last.
-struct Kept {
+struct KeptMotor {
     MotorId id;
     glm::dvec3 place;
     bool wake;
 };
 
-Kept add_to(Wind& wind, Motor motor, glm::dvec3 place) {
+KeptMotor add_to(Wind& wind, Motor motor, glm::dvec3 place) {
     std::visit([&](auto& kind) { kind.position = place; }, motor);
     const auto id = wind.motors().add(motor);
     if (!id)
@@ -87,9 +87,9 @@ Kept add_to(Wind& wind, Motor motor, glm::dvec3 place) {
     return {*id, place, std::holds_alternative<WakeMotor>(motor)};
 }
 
-void move_wakes(Wind& wind, const std::vector<Kept>& motors, int step) {
+void move_wakes(Wind& wind, const std::vector<KeptMotor>& motors, int step) {
     const double turn = std::abs(static_cast<double>((step + 20) % 40 - 20)); // to and fro, ten steps to each side
-    for (const Kept& kept : motors)
+    for (const KeptMotor& kept : motors)
         if (kept.wake)
             (void)wind.motors().move(kept.id, kept.place + glm::dvec3(k_pace * k_dt * (turn - 10.0), 0.0, 0.0));
 }
@@ -121,7 +121,7 @@ Gift gift_of(const Motor& motor) {
     Gift gift;
     Wind alone = wind_with(k_sources_only), whole = wind_with(Stages{});
     const glm::dvec3 start = wake ? glm::dvec3(-0.5 * k_pace, 0.0, 0.0) : middle;
-    const Kept one = add_to(alone, motor, start), two = add_to(whole, motor, start);
+    const KeptMotor one = add_to(alone, motor, start), two = add_to(whole, motor, start);
     auto work = Workspace::create({.box = alone.box()});
     for (int step = 1; step <= 30; ++step) {
         const glm::dvec3 place = start + glm::dvec3(k_pace * k_dt * step, 0.0, 0.0);
@@ -155,7 +155,7 @@ Gift gift_of(const Motor& motor) {
 }
 
 // Least time of the sources stage in 200 steps. [ms]
-double least_sources_ms(Wind& wind, const std::vector<Kept>& motors) {
+double least_sources_ms(Wind& wind, const std::vector<KeptMotor>& motors) {
     double least = 1e30;
     wind.reset();
     for (int step = 0; step < 200; ++step) {
@@ -174,7 +174,7 @@ Cost cost_of(Motor motor, const ParallelFor& parallel_for) {
         burst->duration = 1e3f; // goes on through all the steps
     constexpr int k_counts[] = {0, 1, 30, 300};
     std::vector<Wind> winds;
-    std::vector<std::vector<Kept>> motors(4);
+    std::vector<std::vector<KeptMotor>> motors(4);
     for (int n = 0; n < 4; ++n) {
         winds.push_back(wind_with(k_sources_and_projection, parallel_for));
         Random random(1);
@@ -197,8 +197,8 @@ void whole_step(const ParallelFor& parallel_for) {
     Wind none = wind_with(Stages{}, parallel_for), crowd = wind_with(Stages{}, parallel_for);
     (void)none.motors().add(DirectionalMotor{.law = Force{0.0f}}); // awake, or there is no step to time
     Random random(2);
-    std::vector<Kept> motors;
-    const std::vector<Kind> all = kinds();
+    std::vector<KeptMotor> motors;
+    const std::vector<MotorRow> all = kinds();
     for (int m = 0; m < 300; ++m) {
         Motor motor = all[static_cast<std::size_t>(m) % all.size()].motor;
         if (auto* burst = std::get_if<PressureMotor>(&motor))
@@ -243,7 +243,7 @@ int main(int argc, char** argv) {
                 "1 motor", "30, each", "300, each");
     std::printf("%-24s %17s %9s %12s %12s %10s %10s %10s\n", "", "", "[m]", "[1/s]", "[1/s]", "[us/step]", "[us/step]",
                 "[us/step]");
-    for (const Kind& kind : kinds()) {
+    for (const MotorRow& kind : kinds()) {
         const Gift gift = gift_of(kind.motor);
         const Cost cost = cost_of(kind.motor, pool.parallel_for());
         std::printf("%-24s %11.4g %-5s %9.2f %12.3g %12.3g %10.2f %10.2f %10.2f\n", kind.name, gift.gives, kind.gives_unit,

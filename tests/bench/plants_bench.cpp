@@ -45,12 +45,12 @@ double seconds(const Body& body) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-struct Meadow {
+struct BenchMeadow {
     std::vector<PlantKey> keys;
     std::vector<glm::vec4> roots, winds, normals, loads, positions, out_normals;
     std::vector<float> heights{0.0f, 0.25f, 0.5f, 0.75f, 1.0f};
 
-    explicit Meadow(std::size_t count)
+    explicit BenchMeadow(std::size_t count)
         : keys(count), roots(count), winds(count), normals(count), loads(count), positions(k_vertices * std::min(count, k_block)),
           out_normals(positions.size()) {
         test::Random random(1);
@@ -86,7 +86,7 @@ void on_the_cpu(std::size_t count, int threads) {
     const auto fur = Shells::create({});
     if (!grass || !fur)
         std::exit(1);
-    Meadow meadow(count);
+    BenchMeadow meadow(count);
     double loads = 1e30, vertices = 1e30, bent = 1e30, pushed = 1e30, copy_loads = 1e30, copy_vertices = 1e30, copy_shell = 1e30;
     const auto blocks = [&](const auto& body) {
         for (std::size_t first = 0; first < count; first += k_block)

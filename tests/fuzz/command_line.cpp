@@ -8,7 +8,7 @@
 
 namespace windrow::fuzz {
 
-Outcome read_input(std::string_view bytes) {
+ReadOutcome read_input(std::string_view bytes) {
     // As from a shell: an argument holds no zero byte.
     std::string text(bytes.substr(0, bytes.find('\0')));
     std::vector<const char*> arguments{"windrow"};

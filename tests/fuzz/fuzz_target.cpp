@@ -65,11 +65,11 @@ void require(bool kept, const char* promise) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace windrow::fuzz;
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-    const Outcome outcome = read_input(bytes);
-    if (outcome == Outcome::skipped)
+    const ReadOutcome outcome = read_input(bytes);
+    if (outcome == ReadOutcome::skipped)
         return 0;
     ++counts().executions;
-    if (outcome == Outcome::accepted) {
+    if (outcome == ReadOutcome::accepted) {
         ++counts().accepted;
         if (size <= k_longest)
             remembered(remembered_count++) = bytes;

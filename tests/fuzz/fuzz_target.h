@@ -10,17 +10,17 @@
 
 namespace windrow::fuzz {
 
-enum class Outcome {
+enum class ReadOutcome {
     skipped,  ///< the target's own bound: the parser was not called, and the input is not counted
     rejected, ///< the parser returned an error
     accepted
 };
 
 /// Defined by each target. Must come back for any bytes, without a leak.
-[[nodiscard]] Outcome read_input(std::string_view bytes);
+[[nodiscard]] ReadOutcome read_input(std::string_view bytes);
 
-[[nodiscard]] inline Outcome outcome_of(bool accepted) {
-    return accepted ? Outcome::accepted : Outcome::rejected;
+[[nodiscard]] inline ReadOutcome outcome_of(bool accepted) {
+    return accepted ? ReadOutcome::accepted : ReadOutcome::rejected;
 }
 
 /// One of the inputs that were accepted lately; empty while there are none. A mutator that begins with it stays near what the

@@ -4,7 +4,7 @@
 
 namespace windrow::fuzz {
 
-Outcome read_input(std::string_view bytes) {
+ReadOutcome read_input(std::string_view bytes) {
     return read_mesh_bytes(bytes, "mesh.gltf");
 }
 

@@ -5,11 +5,11 @@
 
 namespace windrow::fuzz {
 
-Outcome read_input(std::string_view bytes) {
+ReadOutcome read_input(std::string_view bytes) {
     static const ScratchFolder folder;
     const auto mask = vegetation::grass::PlacementMask::load(folder.write("map.pgm", bytes).string(), glm::vec2(10.0f));
     if (!mask)
-        return Outcome::rejected;
+        return ReadOutcome::rejected;
     // Once more as the heights of a ground whose pixels come out square, and as a mask on it.
     const glm::ivec2 corners = mask->grid().corners;
     const nlohmann::json scene{{"picture",

@@ -7,7 +7,7 @@
 
 namespace windrow::fuzz {
 
-inline Outcome read_mesh_bytes(std::string_view bytes, const char* name) {
+inline ReadOutcome read_mesh_bytes(std::string_view bytes, const char* name) {
     static const ScratchFolder folder;
     // So few triangles that inputs of some kilobytes are simplified too.
     return outcome_of(static_cast<bool>(vegetation::fur::read_mesh(folder.write(name, bytes), {.most_triangles = 40})));

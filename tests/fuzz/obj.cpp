@@ -3,7 +3,7 @@
 
 namespace windrow::fuzz {
 
-Outcome read_input(std::string_view bytes) {
+ReadOutcome read_input(std::string_view bytes) {
     static const ScratchFolder folder;
     constexpr std::string_view k_mark = "\n#mtl\n";
     const std::size_t mark = bytes.find(k_mark);

@@ -4,7 +4,7 @@
 
 namespace windrow::fuzz {
 
-Outcome read_input(std::string_view bytes) {
+ReadOutcome read_input(std::string_view bytes) {
     return outcome_of(static_cast<bool>(scene::parse_path_csv(bytes, "path.csv")));
 }
 

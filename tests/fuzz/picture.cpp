@@ -76,9 +76,9 @@ bool large_text(std::string_view text) {
 
 } // namespace
 
-Outcome read_input(std::string_view bytes) {
+ReadOutcome read_input(std::string_view bytes) {
     if (large_text(bytes))
-        return Outcome::skipped;
+        return ReadOutcome::skipped;
     return outcome_of(static_cast<bool>(vegetation::program::read_picture_scene_text(bytes, scene_file())));
 }
 

@@ -14,7 +14,7 @@
 namespace {
 
 namespace fs = std::filesystem;
-using windrow::fuzz::Outcome;
+using windrow::fuzz::ReadOutcome;
 
 constexpr unsigned k_most_seconds = 10;
 constexpr long k_most_kilobytes = 1'000'000;
@@ -29,13 +29,13 @@ std::vector<fs::path> files_of(const fs::path& folder) {
 }
 
 /// Prints the file's name first: where the process ends, it is the last line.
-Outcome read_file(const fs::path& path) {
+ReadOutcome read_file(const fs::path& path) {
     std::printf("%s\n", path.c_str());
     std::fflush(stdout);
     std::ifstream file(path, std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     alarm(k_most_seconds);
-    const Outcome outcome = windrow::fuzz::read_input(bytes);
+    const ReadOutcome outcome = windrow::fuzz::read_input(bytes);
     alarm(0);
     return outcome;
 }
@@ -50,7 +50,7 @@ int main(int count, char** arguments) {
     const auto seeds = files_of(arguments[1]);
     int faults = seeds.empty() ? 1 : 0;
     for (const fs::path& seed : seeds)
-        if (read_file(seed) != Outcome::accepted) {
+        if (read_file(seed) != ReadOutcome::accepted) {
             std::printf("    is not accepted: write it anew\n");
             ++faults;
         }

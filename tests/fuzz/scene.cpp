@@ -18,7 +18,7 @@ const std::filesystem::path& scene_file() {
 
 } // namespace
 
-Outcome read_input(std::string_view bytes) {
+ReadOutcome read_input(std::string_view bytes) {
     return outcome_of(static_cast<bool>(scene::read_scene_text(bytes, scene_file())));
 }
 

@@ -7,12 +7,12 @@
 
 namespace windrow::fuzz {
 
-Outcome read_input(std::string_view bytes) {
+ReadOutcome read_input(std::string_view bytes) {
     // Shared by all motors with eddies as long as someone holds it; baked anew it takes 5 ms.
     static const auto tile = GustTile::standard();
     auto wind = Wind::load(std::as_bytes(std::span(bytes)));
     if (!wind)
-        return Outcome::rejected;
+        return ReadOutcome::rejected;
     (void)wind->step(1.0 / 60.0);
     const auto saved = wind->save();
     require(static_cast<bool>(saved), "a wind that was loaded can be saved");
@@ -20,7 +20,7 @@ Outcome read_input(std::string_view bytes) {
     require(static_cast<bool>(again), "a wind that was loaded and stepped comes back from its bytes");
     const auto once_more = again->save();
     require(once_more && *once_more == *saved, "a snapshot comes back to the bit");
-    return Outcome::accepted;
+    return ReadOutcome::accepted;
 }
 
 } // namespace windrow::fuzz

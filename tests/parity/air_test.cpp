@@ -1,14 +1,8 @@
 // The air on the device against the air on the CPU: the same start, the same motors, tick by tick.
 #include "fluid/vulkan/air.h"
 #include "fluid/wind_state.h"
-#include "tests/figure.h"
-#include "tests/parity/gpu.h"
-
-#include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <gtest/gtest.h>
-#include <random>
+#include "tests/parity/wind_parity.h"
+#include "tests/winds.h"
 
 namespace windrow::vulkan {
 namespace {
@@ -16,7 +10,7 @@ namespace {
 // One wind twice. What the host's side of a Wind does is taken from the CPU's: its motors, its box, its ambient wind.
 class Twin {
   public:
-    Twin(OwnDevice& gpu, const Config& config) : gpu_(gpu), wind_(*Wind::create(config)), motors_() {
+    Twin(OwnDevice& gpu, const Config& config) : gpu_(gpu), wind_(*windrow::Wind::create(config)), motors_() {
         auto air = Air::create(gpu.host(), config, {});
         EXPECT_TRUE(air) << air.error();
         air_ = *std::move(air);
@@ -24,7 +18,7 @@ class Twin {
         apply(CellChange::Kind::fill);
     }
 
-    Wind& wind() { return wind_; }
+    windrow::Wind& wind() { return wind_; }
 
     void set_velocity(std::span<const glm::vec4> field) {
         ASSERT_TRUE(wind_.set_velocity(field));
@@ -63,20 +57,7 @@ class Twin {
         ASSERT_EQ(slot_.invalidate(), VK_SUCCESS);
     }
 
-    // Largest difference in a component over the largest component of the CPU's.
-    [[nodiscard]] double difference() const {
-        const auto cpu = wind_.field(), device = air_->shown(slot_);
-        double worst = 0.0, largest = 1e-30;
-        for (std::size_t n = 0; n < cpu.size(); ++n)
-            for (int axis = 0; axis < 3; ++axis) {
-                const double apart = std::abs(static_cast<double>(cpu[n][axis]) - static_cast<double>(device[n][axis]));
-                worst = std::isnan(apart) ? apart : std::max(worst, apart);
-                largest = std::max(largest, std::abs(static_cast<double>(cpu[n][axis])));
-                if (std::isnan(worst))
-                    return worst;
-            }
-        return worst / largest;
-    }
+    [[nodiscard]] double difference() const { return apart(air_->shown(slot_), wind_.field()); }
     [[nodiscard]] AirReport report() const { return air_->report(slot_); }
     [[nodiscard]] const Diagnostics& diagnostics() const { return diagnostics_; }
     [[nodiscard]] const Air& air() const { return *air_; }
@@ -95,7 +76,7 @@ class Twin {
     }
 
     OwnDevice& gpu_;
-    Wind wind_;
+    windrow::Wind wind_;
     Motors motors_;
     std::unique_ptr<Air> air_;
     Buffer slot_;
@@ -117,76 +98,39 @@ std::vector<glm::vec4> smooth_start(const Config& config) {
     return field;
 }
 
-struct Setting {
-    const char* name;
-    Config config;
-};
-
-Config with(Config config, const std::function<void(Config&)>& change) {
-    change(config);
-    return config;
-}
-
-std::vector<Setting> settings() {
-    const Config plain{.cells = {16, 16, 16}, .ambient = {2.0f, 0.0f, 1.0f}};
+std::vector<test::NamedConfig> settings() {
+    const auto with = [](const std::function<void(Config&)>& change) {
+        return test::with({.cells = {16, 16, 16}, .ambient = {2.0f, 0.0f, 1.0f}}, change);
+    };
+    const auto closed = [](SideKind kind, float viscosity = Config{}.viscosity) {
+        return Config{.cells = {16, 16, 16}, .sides = Sides::all(kind), .viscosity = viscosity};
+    };
+    Config mixed{.cells = {12, 10, 14}, .ambient = {0.0f, 1.0f, 0.0f}};
+    mixed.sides.x_low.kind = SideKind::free_slip;
+    mixed.sides.y_low.kind = mixed.sides.y_high.kind = SideKind::periodic;
+    mixed.sides.z_high = {SideKind::no_slip, {1.0f, 0.0f, 0.0f}};
     return {
-        {"open", plain},
+        {"open", with([](Config&) {})},
         {"default", {.ambient = {3.0f, 0.2f, 1.0f}}},
         {"odd", {.cells = {17, 9, 23}, .sides = Sides::open_over_floor(), .ambient = {2.0f, 0.0f, -1.0f}}},
-        {"periodic", with(plain, [](Config& c) { c.sides = Sides::all(SideKind::periodic); })},
-        {"walls", with(plain,
-                       [](Config& c) {
-                           c.sides = Sides::all(SideKind::no_slip);
-                           c.ambient = {};
-                       })},
-        {"slip", with(plain,
-                      [](Config& c) {
-                          c.sides = Sides::all(SideKind::free_slip);
-                          c.ambient = {};
-                      })},
-        {"mixed", with(plain,
-                       [](Config& c) {
-                           c.cells = {12, 10, 14};
-                           c.sides.x_low.kind = SideKind::free_slip;
-                           c.sides.y_low.kind = c.sides.y_high.kind = SideKind::periodic;
-                           c.sides.z_high = {SideKind::no_slip, {1.0f, 0.0f, 0.0f}};
-                           c.ambient = {0.0f, 1.0f, 0.0f};
-                       })},
-        {"linear", with(plain, [](Config& c) { c.interpolation = Interpolation::linear; })},
-        {"classic", with(plain, [](Config& c) { c.scheme = Scheme::stable_fluids; })},
-        {"viscous", with(plain,
-                         [](Config& c) {
-                             c.viscosity = 1.0f;
-                             c.sides = Sides::all(SideKind::no_slip);
-                             c.ambient = {};
-                         })},
-        {"owing", with(plain, [](Config& c) { c.viscosity = 1e-3f; })},
-        {"syrup", with(plain,
-                       [](Config& c) {
-                           c.viscosity = 200.0f;
-                           c.cells = {12, 10, 14};
-                           c.sides.x_low.kind = SideKind::free_slip;
-                           c.sides.y_low.kind = c.sides.y_high.kind = SideKind::periodic;
-                           c.sides.z_high = {SideKind::no_slip, {1.0f, 0.0f, 0.0f}};
-                           c.ambient = {0.0f, 1.0f, 0.0f};
-                       })},
-        {"syrup_walls", with(plain,
-                             [](Config& c) {
-                                 c.viscosity = 20.0f;
-                                 c.sides = Sides::all(SideKind::no_slip);
-                                 c.sides.y_high.wall_velocity = {3.0f, 0.0f, 0.0f};
-                                 c.ambient = {};
-                             })},
-        {"profile", with(plain,
-                         [](Config& c) {
-                             c.sides = Sides::open_over_floor();
-                             c.profile = LogProfile{};
-                         })},
-        {"gusts", with(plain,
-                       [](Config& c) {
-                           c.sides = Sides::open_over_floor();
-                           c.gusts = {.intensity = 0.3f};
-                       })},
+        {"periodic", with([](Config& c) { c.sides = Sides::all(SideKind::periodic); })},
+        {"walls", closed(SideKind::no_slip)},
+        {"slip", closed(SideKind::free_slip)},
+        {"mixed", mixed},
+        {"linear", with([](Config& c) { c.interpolation = Interpolation::linear; })},
+        {"classic", with([](Config& c) { c.scheme = Scheme::stable_fluids; })},
+        {"viscous", closed(SideKind::no_slip, 1.0f)},
+        {"owing", with([](Config& c) { c.viscosity = 1e-3f; })},
+        {"syrup", test::with(mixed, [](Config& c) { c.viscosity = 200.0f; })},
+        {"syrup_walls", test::with(closed(SideKind::no_slip, 20.0f), [](Config& c) { c.sides.y_high.wall_velocity.x = 3.0f; })},
+        {"profile", with([](Config& c) {
+             c.sides = Sides::open_over_floor();
+             c.profile = LogProfile{};
+         })},
+        {"gusts", with([](Config& c) {
+             c.sides = Sides::open_over_floor();
+             c.gusts.intensity = 0.3f;
+         })},
     };
 }
 
@@ -201,7 +145,7 @@ void add_motors(Twin& twin, const Config& config) {
 using AirParity = Gpu;
 
 TEST_F(AirParity, EveryKindOfBoxAgreesAfterOneStepAndAfterAHundred) {
-    for (const Setting& setting : settings()) {
+    for (const test::NamedConfig& setting : settings()) {
         SCOPED_TRACE(setting.name);
         Twin twin(*own, setting.config);
         twin.set_velocity(smooth_start(setting.config));
@@ -211,8 +155,8 @@ TEST_F(AirParity, EveryKindOfBoxAgreesAfterOneStepAndAfterAHundred) {
         for (int n = 1; n < 100; ++n)
             twin.step(1.0 / 30.0);
         const double hundred = twin.difference();
-        WINDROW_EXPECT_FIGURE(std::string("parity.one_step.") + setting.name, one, 1e-5);
-        WINDROW_EXPECT_FIGURE(std::string("parity.hundred_steps.") + setting.name, hundred, 1e-5);
+        WINDROW_EXPECT_FIGURE("parity.one_step." + setting.name, one, 1e-5);
+        WINDROW_EXPECT_FIGURE("parity.hundred_steps." + setting.name, hundred, 1e-5);
     }
 }
 

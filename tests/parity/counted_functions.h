@@ -3,6 +3,7 @@
 
 #include "fluid/vulkan/functions.h"
 
+#include <gtest/gtest.h>
 #include <map>
 #include <string>
 
@@ -26,5 +27,10 @@ struct CountedCalls {
 
 /// A table whose calls go to `real`, counted. Forgets what was counted before.
 [[nodiscard]] Functions counted(const Functions& real);
+
+inline void expect_none_lives() {
+    for (const auto& [kind, count] : counted_calls().live)
+        EXPECT_EQ(count, 0) << kind << " after " << counted_calls().failed << " failed";
+}
 
 } // namespace windrow::vulkan

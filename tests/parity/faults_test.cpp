@@ -56,13 +56,7 @@ Result<Everything> make_everything(const Host& host, const Functions& functions)
     return all;
 }
 
-class Faults : public Gpu {
-  protected:
-    static void expect_none_lives() {
-        for (const auto& [kind, count] : counted_calls().live)
-            EXPECT_EQ(count, 0) << kind << " after " << counted_calls().failed << " failed";
-    }
-};
+using Faults = Gpu;
 
 TEST_F(Faults, AtEachCallLeaveNothingBehindAndAreNamed) {
     const Host host = own->host();

@@ -18,6 +18,12 @@
 
 namespace windrow::vulkan {
 
+template <class Value>
+void expect_error(const Result<Value>& result, const std::string& words) {
+    ASSERT_FALSE(result);
+    EXPECT_NE(result.error().find(words), std::string::npos) << result.error();
+}
+
 class Gpu : public testing::Test {
   protected:
     void SetUp() override { make_own({.validation = true}); }

@@ -9,7 +9,7 @@
 namespace windrow::vulkan {
 namespace {
 
-struct Push {
+struct ScalePush {
     std::uint32_t count;
     float factor;
 };
@@ -38,7 +38,7 @@ class Scale : public Gpu {
         auto made = Pipeline::create(*device, {.code = shader_words::scale,
                                                .bindings = k_two_buffers,
                                                .constants = constants,
-                                               .push_bytes = sizeof(Push),
+                                               .push_bytes = sizeof(ScalePush),
                                                .name = "scale"});
         ASSERT_TRUE(made) << made.error();
         pipeline = *std::move(made);
@@ -65,7 +65,7 @@ class Scale : public Gpu {
 
     void dispatch(VkCommandBuffer commands, std::size_t set, float factor, std::uint32_t count = k_count) const {
         const Functions& functions = device->functions();
-        const Push push{count, factor};
+        const ScalePush push{count, factor};
         const VkDescriptorSet bound = sets.at(set);
         functions.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.handle());
         functions.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.layout(), 0, 1, &bound, 0, nullptr);

@@ -6,7 +6,7 @@ namespace windrow::vulkan {
 
 Submitter::Submitter(const Host& host, int frames_in_flight) : host_(host), slots_(static_cast<std::size_t>(frames_in_flight)) {
     call<PFN_vkGetDeviceQueue>("vkGetDeviceQueue")(host_.device, host_.queue_family, 0, &queue_);
-    for (Slot& slot : slots_) {
+    for (FrameSlot& slot : slots_) {
         VkCommandPoolCreateInfo pool{};
         pool.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
         pool.queueFamilyIndex = host_.queue_family;
@@ -27,19 +27,19 @@ Submitter::Submitter(const Host& host, int frames_in_flight) : host_(host), slot
 
 Submitter::~Submitter() {
     wait();
-    for (const Slot& slot : slots_) {
+    for (const FrameSlot& slot : slots_) {
         call<PFN_vkDestroyFence>("vkDestroyFence")(host_.device, slot.done, nullptr);
         call<PFN_vkDestroyCommandPool>("vkDestroyCommandPool")(host_.device, slot.pool, nullptr);
     }
 }
 
 void Submitter::wait() {
-    for (const Slot& slot : slots_)
+    for (const FrameSlot& slot : slots_)
         EXPECT_EQ(call<PFN_vkWaitForFences>("vkWaitForFences")(host_.device, 1, &slot.done, VK_TRUE, UINT64_MAX), VK_SUCCESS);
 }
 
-const Submitter::Slot& Submitter::recorded(const std::function<void(VkCommandBuffer, int)>& record) {
-    const Slot& slot = slots_[next_];
+const Submitter::FrameSlot& Submitter::recorded(const std::function<void(VkCommandBuffer, int)>& record) {
+    const FrameSlot& slot = slots_[next_];
     EXPECT_EQ(call<PFN_vkWaitForFences>("vkWaitForFences")(host_.device, 1, &slot.done, VK_TRUE, UINT64_MAX), VK_SUCCESS);
     EXPECT_EQ(call<PFN_vkResetCommandPool>("vkResetCommandPool")(host_.device, slot.pool, 0), VK_SUCCESS);
     VkCommandBufferBeginInfo begin{};
@@ -52,14 +52,14 @@ const Submitter::Slot& Submitter::recorded(const std::function<void(VkCommandBuf
 }
 
 void Submitter::discard(const std::function<void(VkCommandBuffer, int)>& record) {
-    const Slot& slot = recorded(record);
+    const FrameSlot& slot = recorded(record);
     EXPECT_EQ(call<PFN_vkResetCommandPool>("vkResetCommandPool")(host_.device, slot.pool, 0), VK_SUCCESS);
 }
 
 void Submitter::frame(const std::function<void(VkCommandBuffer, int)>& record) {
-    const Slot& slot = recorded(record);
+    const FrameSlot& slot = recorded(record);
     bool overlaps = false;
-    for (const Slot& other : slots_)
+    for (const FrameSlot& other : slots_)
         overlaps = overlaps ||
                    (&other != &slot && call<PFN_vkGetFenceStatus>("vkGetFenceStatus")(host_.device, other.done) == VK_NOT_READY);
     overlapped_ += overlaps ? 1 : 0;

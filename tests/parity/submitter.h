@@ -28,13 +28,13 @@ class Submitter {
     [[nodiscard]] int overlapped() const { return overlapped_; }
 
   private:
-    struct Slot {
+    struct FrameSlot {
         VkCommandPool pool = VK_NULL_HANDLE;
         VkCommandBuffer commands = VK_NULL_HANDLE;
         VkFence done = VK_NULL_HANDLE;
     };
     /// The slot whose turn it is, recorded.
-    const Slot& recorded(const std::function<void(VkCommandBuffer, int)>& record);
+    const FrameSlot& recorded(const std::function<void(VkCommandBuffer, int)>& record);
     template <class Call>
     [[nodiscard]] Call call(const char* name) const {
         return reinterpret_cast<Call>(host_.get_instance_proc_addr(host_.instance, name));
@@ -42,7 +42,7 @@ class Submitter {
 
     Host host_;
     VkQueue queue_ = VK_NULL_HANDLE;
-    std::vector<Slot> slots_;
+    std::vector<FrameSlot> slots_;
     std::size_t next_ = 0;
     int overlapped_ = 0;
 };

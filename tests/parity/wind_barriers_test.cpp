@@ -12,7 +12,6 @@
 #include "tests/parity/gpu.h"
 #include "tests/parity/submitter.h"
 
-#include <cstdlib>
 #include <cstring>
 
 namespace windrow::vulkan {

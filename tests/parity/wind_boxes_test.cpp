@@ -5,7 +5,7 @@
 namespace windrow::vulkan {
 namespace {
 
-struct Story {
+struct BoxStory {
     const char* name;
     glm::ivec3 cells;
     int steps;
@@ -28,9 +28,9 @@ Config mixed_box(glm::ivec3 cells, bool floor) {
 
 class WindBoxes : public WindParity {
   protected:
-    void live(const Story& story, bool floor, bool ticks) {
+    void live(const BoxStory& story, bool floor, bool ticks) {
         const Config config = mixed_box(story.cells, floor);
-        Pair pair = make(config);
+        TwoWinds pair = make(config);
         const glm::dvec3 reach = 0.25 * glm::dvec3(story.cells);
         pair.add(DirectionalMotor{.position = {0.5 * reach.x, 0.3, -0.5 * reach.z}, .direction = {-0.3f, 0.1f, 1.0f}});
         pair.add(DirectionalMotor{
@@ -40,14 +40,11 @@ class WindBoxes : public WindParity {
         pair.add(OmniMotor{.position = {0.2, 0.4, 0.6 * reach.z}});
         pair.add(PressureMotor{.position = {-0.4 * reach.x, 0.7, -0.7 * reach.z}});
         const WakeMotor body{.position = {-reach.x, 0.0, -reach.z}, .radius = 1.0f};
-        const auto on_cpu = pair.cpu.motors().add(body), on_device = pair.device.motors().add(body);
-        ASSERT_TRUE(on_cpu && on_device);
+        const auto ids = pair.add(body);
         for (int n = 0; n <= story.steps; ++n) { // one more, by which the last is read back
             const double t = static_cast<double>(n) / story.steps;
-            const glm::dvec3 to = body.position + t * glm::dvec3(2.0 * reach.x, 2.0, 2.0 * reach.z);
-            ASSERT_TRUE(pair.cpu.motors().move(*on_cpu, to) && pair.device.motors().move(*on_device, to));
-            const glm::dvec3 player(5.3 * t, 0.0, -4.2 * t);
-            pair.both([&](auto& wind) { return wind.follow(player); });
+            pair.move(ids, body.position + t * glm::dvec3(2.0 * reach.x, 2.0, 2.0 * reach.z));
+            pair.follow({5.3 * t, 0.0, -4.2 * t});
             if (ticks)
                 frame(pair, 1.0 / 30.0);
             else

@@ -1,8 +1,6 @@
 // Each call of a wind in the middle of its run, and each way to step it, against the CPU.
 #include "tests/parity/wind_parity.h"
 
-#include <functional>
-
 namespace windrow::vulkan {
 namespace {
 
@@ -10,9 +8,9 @@ class WindCalls : public WindParity {
   protected:
     // A run with something to see, in which `at(pair, n)` acts before frame n; by ticks at another rate than the frames, or by
     // steps.
-    void live(const std::string& name, const Config& config, const std::function<void(Pair&, int)>& at, double bound = 1e-5) {
+    void live(const std::string& name, const Config& config, const std::function<void(TwoWinds&, int)>& at, double bound = 1e-5) {
         for (const bool ticks : {true, false}) {
-            Pair pair = make(config);
+            TwoWinds pair = make(config);
             pair.add(VortexMotor{.position = config.centre, .radius = 3.0f});
             pair.add(DirectionalMotor{.position = config.centre + glm::dvec3(2.0, 0.5, -1.0), .direction = {0.0f, 0.3f, -1.0f}});
             for (int n = 0; n < 60; ++n) {
@@ -28,13 +26,11 @@ class WindCalls : public WindParity {
 };
 
 TEST_F(WindCalls, ResetInTheMiddle) {
-    live("reset", {.cells = {12, 10, 11}, .ambient = {2.0f, 0.0f, 1.0f}}, [](Pair& pair, int n) {
-        if (n == 20 || n == 21 || n == 40) {
-            pair.cpu.reset();
-            pair.device.reset();
-        }
+    live("reset", {.cells = {12, 10, 11}, .ambient = {2.0f, 0.0f, 1.0f}}, [](TwoWinds& pair, int n) {
+        if (n == 20 || n == 21 || n == 40)
+            pair.reset();
         if (n == 40) // and what comes after it
-            pair.both([](auto& wind) { return wind.follow({2.0, 0.0, 0.0}); });
+            pair.follow({2.0, 0.0, 0.0});
     });
 }
 
@@ -47,23 +43,24 @@ TEST_F(WindCalls, TheFloorMoves) {
               .ambient = {3.0f, 0.0f, 1.0f},
               .profile = LogProfile{},
               .gusts = {.intensity = gusts ? 0.3f : 0.0f}},
-             [](Pair& pair, int n) {
+             [](TwoWinds& pair, int n) {
                  if (n % 10 == 5)
-                     pair.both([&](auto& wind) { return wind.set_floor(n == 45 ? 40.0 : 0.2 * n); });
+                     pair.set_floor(n == 45 ? 40.0 : 0.2 * n);
                  if (n % 20 == 5)
-                     pair.both([&](auto& wind) { return wind.set_ambient({3.0f - 0.05f * static_cast<float>(n), 0.0f, 1.0f}); });
+                     pair.set_ambient({3.0f - 0.05f * static_cast<float>(n), 0.0f, 1.0f});
              });
 }
 
 TEST_F(WindCalls, GustsComeAndGo) {
-    live("gusts", {.cells = {12, 10, 11}, .ambient = {3.0f, 0.0f, 1.0f}, .gusts = {.intensity = 0.2f}}, [](Pair& pair, int n) {
-        if (n == 10)
-            pair.both([](auto& wind) { return wind.set_gusts({}); });
-        if (n == 20)
-            pair.both([](auto& wind) { return wind.set_gusts({.intensity = 0.4f, .seed = 9}); });
-        if (n >= 30 && n < 40) // a ramp
-            pair.both([&](auto& wind) { return wind.set_gusts({.intensity = 0.04f * static_cast<float>(40 - n), .seed = 9}); });
-    });
+    live("gusts", {.cells = {12, 10, 11}, .ambient = {3.0f, 0.0f, 1.0f}, .gusts = {.intensity = 0.2f}},
+         [](TwoWinds& pair, int n) {
+             if (n == 10)
+                 pair.set_gusts({});
+             if (n == 20)
+                 pair.set_gusts({.intensity = 0.4f, .seed = 9});
+             if (n >= 30 && n < 40) // a ramp
+                 pair.set_gusts({.intensity = 0.04f * static_cast<float>(40 - n), .seed = 9});
+         });
 }
 
 TEST_F(WindCalls, CellsAreSetInTheMiddle) {
@@ -71,11 +68,11 @@ TEST_F(WindCalls, CellsAreSetInTheMiddle) {
     std::vector<glm::vec4> field(12 * 10 * 11);
     for (std::size_t n = 0; n < field.size(); ++n)
         field[n] = glm::vec4(std::sin(0.1f * static_cast<float>(n)), 0.3f, std::cos(0.07f * static_cast<float>(n)), 5.0f);
-    live("set_velocity", config, [&](Pair& pair, int n) {
+    live("set_velocity", config, [&](TwoWinds& pair, int n) {
         if (n == 15 || n == 16 || n == 33 || n == 50)
-            pair.both([&](auto& wind) { return wind.set_velocity(field); });
+            pair.set_velocity(field);
         if (n == 33)
-            pair.both([](auto& wind) { return wind.follow({0.0, 3.0, 0.0}); });
+            pair.follow({0.0, 3.0, 0.0});
     });
 }
 
@@ -83,11 +80,11 @@ TEST_F(WindCalls, ManySubSteps) {
     Config config{.cells = {12, 10, 11}, .ambient = {2.0f, 0.0f, 1.0f}};
     config.max_cfl = 0.06f; // 2 to 7 parts for these motors
     config.max_substeps = 16;
-    live("substeps", config, [](Pair&, int) {});
+    live("substeps", config, [](TwoWinds&, int) {});
 }
 
 TEST_F(WindCalls, ViscosityInEveryMethod) {
-    const auto none = [](Pair&, int) {};
+    const auto none = [](TwoWinds&, int) {};
     for (const float viscosity : {2e-3f, 1.0f, 30.0f}) {
         Config config{.cells = {12, 10, 11}, .ambient = {2.0f, 0.0f, 1.0f}, .viscosity = viscosity};
         config.max_cfl = 0.1f;
@@ -98,7 +95,7 @@ TEST_F(WindCalls, ViscosityInEveryMethod) {
 // The ratio of a tick alone lies below the limit of the explicit pass, with what it owes above it.
 TEST_F(WindCalls, ViscosityAtTheEdgeOfTheExplicitPass) {
     const double dt = 1.0 / 47.0;
-    Pair pair =
+    TwoWinds pair =
         make({.cells = {12, 10, 11}, .ambient = {2.0f, 0.0f, 1.0f}, .viscosity = static_cast<float>(0.99999 / 12.0 / dt)});
     pair.add(VortexMotor{.radius = 3.0f});
     for (int n = 0; n < 40; ++n) {
@@ -113,11 +110,11 @@ TEST_F(WindCalls, ViscosityAtTheEdgeOfTheExplicitPass) {
 TEST_F(WindCalls, ViscosityOfALongStepIsOwed) {
     Config config{.cells = {12, 10, 11}, .ambient = {0.0f, 0.0f, 0.0f}, .viscosity = 0.08f, .settling_time = 0.0f};
     config.stages.advection = false;
-    Pair pair = make(config);
+    TwoWinds pair = make(config);
     std::vector<glm::vec4> field(12 * 10 * 11);
     for (std::size_t n = 0; n < field.size(); ++n)
         field[n].x = std::sin(1.0472f * static_cast<float>(n / 12 % 10));
-    pair.both([&](auto& wind) { return wind.set_velocity(field); });
+    pair.set_velocity(field);
     run([&](VkCommandBuffer commands) { (void)pair.device.record_step(commands, {.dt = 8.0}); });
     for (int n = 0; n < 8; ++n)
         (void)pair.cpu.step(1.0);
@@ -141,16 +138,16 @@ TEST_F(WindCalls, StagesLeftOut) {
         bool* const stages[] = {&config.stages.sources, &config.stages.settling, &config.stages.diffusion,
                                 &config.stages.advection, &config.stages.projection};
         *stages[left_out] = false;
-        live("without_stage_" + std::to_string(left_out), config, [](Pair& pair, int n) {
+        live("without_stage_" + std::to_string(left_out), config, [](TwoWinds& pair, int n) {
             if (n == 5)
-                pair.both([](auto& wind) { return wind.set_ambient({1.0f, 0.0f, 2.0f}); });
+                pair.set_ambient({1.0f, 0.0f, 2.0f});
         });
     }
 }
 
 // What half textures round away is gone from them alone: not from the air, nor from queries.
 TEST_F(WindCalls, HalfTexturesLeaveTheAirAsItIs) {
-    Pair pair = make({.cells = {12, 10, 11}, .ambient = {2.0f, 0.0f, 1.0f}}, 0, {.texel = Texel::half});
+    TwoWinds pair = make({.cells = {12, 10, 11}, .ambient = {2.0f, 0.0f, 1.0f}}, 0, {.texel = Texel::half});
     pair.add(VortexMotor{});
     for (int n = 0; n < 60; ++n)
         frame(pair, 1.0 / 47.0);
@@ -160,12 +157,12 @@ TEST_F(WindCalls, HalfTexturesLeaveTheAirAsItIs) {
 // Air that sleeps reports its ambient wind, and cells that were repaired are told once.
 TEST_F(WindCalls, ReportsAreToldOnceAndSleepReportsAmbient) {
     Config config{.cells = {10, 10, 10}, .ambient = {1.0f, 0.0f, 0.5f}, .settling_time = 0.2f};
-    Pair pair = make(config);
+    TwoWinds pair = make(config);
     std::vector<glm::vec4> field(1000, glm::vec4(1.5f, 0.2f, 0.0f, 0.0f));
     field[100].x = std::nanf("");
     field[777].z = std::nanf("");
     field[778].z = std::nanf("");
-    pair.both([&](auto& wind) { return wind.set_velocity(field); });
+    pair.set_velocity(field);
     std::int64_t repaired = 0;
     Diagnostics last;
     for (int n = 0; n < 400 && !last.asleep; ++n) { // some frames have no tick, others two
@@ -187,24 +184,24 @@ TEST_F(WindCalls, ReportsAreToldOnceAndSleepReportsAmbient) {
 // Whatever a frame holds, its report has the cells that were repaired: two ticks, of which the second counts none; a step; or
 // the answer to a host that asks.
 TEST_F(WindCalls, RepairedCellsAreToldToEveryHost) {
-    enum class Host { two_ticks, one_tick, steps, asks };
-    for (const Host host : {Host::two_ticks, Host::one_tick, Host::steps, Host::asks}) {
-        Pair pair = make({.cells = {10, 10, 10}, .ambient = {1.0f, 0.0f, 0.5f}});
+    enum class HostKind { two_ticks, one_tick, steps, asks };
+    for (const HostKind host : {HostKind::two_ticks, HostKind::one_tick, HostKind::steps, HostKind::asks}) {
+        TwoWinds pair = make({.cells = {10, 10, 10}, .ambient = {1.0f, 0.0f, 0.5f}});
         std::vector<glm::vec4> field(1000, glm::vec4(1.5f, 0.2f, 0.0f, 0.0f));
         field[777].z = std::nanf("");
         ASSERT_TRUE(pair.device.set_velocity(field));
         std::int64_t repaired = 0;
         for (int n = 0; n < 4; ++n) {
             run([&](VkCommandBuffer commands) {
-                if (host == Host::steps) {
+                if (host == HostKind::steps) {
                     repaired += pair.device.record_step(commands, {.dt = 1.0 / 30.0}).repaired_cells;
                     return;
                 }
-                const Advance done = pair.device.record(commands, {.dt = host == Host::two_ticks ? 2.0 / 30.0 : 1.0 / 30.0});
-                EXPECT_EQ(done.ticks, host == Host::two_ticks ? 2 : 1);
+                const Advance done = pair.device.record(commands, {.dt = host == HostKind::two_ticks ? 2.0 / 30.0 : 1.0 / 30.0});
+                EXPECT_EQ(done.ticks, host == HostKind::two_ticks ? 2 : 1);
                 repaired += done.last.repaired_cells;
             });
-            if (host == Host::asks && n == 0) {
+            if (host == HostKind::asks && n == 0) {
                 EXPECT_TRUE(pair.device.collect(0));
                 repaired += pair.device.reported().repaired_cells;
             }

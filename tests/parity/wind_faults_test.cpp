@@ -73,11 +73,6 @@ class WindFaults : public Gpu {
             return Error{"nothing was read back"};
         return {};
     }
-
-    static void expect_none_lives() {
-        for (const auto& [kind, count] : counted_calls().live)
-            EXPECT_EQ(count, 0) << kind << " after " << counted_calls().failed << " failed";
-    }
 };
 
 TEST_F(WindFaults, AtEachCallOfALifeAreToldAndLeaveNothingBehind) {

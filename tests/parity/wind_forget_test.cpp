@@ -9,12 +9,12 @@ using WindRecordings = WindParity;
 
 // The host throws a command buffer away: the wind begins anew, as a reset one, with its motors and its sides.
 TEST_F(WindRecordings, ThatAreNeverSubmittedAreForgotten) {
-    Pair pair = make({.cells = {24, 20, 24}, .ambient = {2.0f, 0.0f, 1.0f}}, 2, // tables of more than 64 KiB
-                     {.texel = Texel::single, .timestamps = true});
+    TwoWinds pair = make({.cells = {24, 20, 24}, .ambient = {2.0f, 0.0f, 1.0f}}, 2, // tables of more than 64 KiB
+                         {.texel = Texel::single, .timestamps = true});
     pair.add(VortexMotor{});
     for (int n = 0; n < 16; ++n) {
         if (n == 5 || n == 9) {
-            pair.both([&](auto& wind) { return wind.set_sides(n == 5 ? Sides::open_over_floor() : Sides{}); });
+            pair.set_sides(n == 5 ? Sides::open_over_floor() : Sides{});
             pair.submitter->discard(
                 [&](VkCommandBuffer commands, int slot) { (void)pair.device.record_step(commands, {.dt = 0.03, .slot = slot}); });
             pair.device.forget();
@@ -192,12 +192,12 @@ TEST_F(WindRecordings, ThatWaitWithTicksAreFolded) {
 // Folded or recorded one by one, the air is the CPU's. It does not sleep, which would begin later on the device.
 TEST_F(WindRecordings, ThatAreFoldedMakeTheSameAir) {
     for (const bool ticks : {false, true}) {
-        Pair pair = make({.cells = {12, 10, 11},
-                          .sides = Sides::open_over_floor(),
-                          .centre = {0.0, 5.0, 0.0},
-                          .ambient = {2.0f, 0.0f, 1.0f},
-                          .profile = LogProfile{},
-                          .settling_time = 0.0f});
+        TwoWinds pair = make({.cells = {12, 10, 11},
+                              .sides = Sides::open_over_floor(),
+                              .centre = {0.0, 5.0, 0.0},
+                              .ambient = {2.0f, 0.0f, 1.0f},
+                              .profile = LogProfile{},
+                              .settling_time = 0.0f});
         const auto frames = [&](int count) {
             for (int n = 0; n < count; ++n)
                 ticks ? frame(pair, 1.0 / 47.0) : step(pair, 1.0 / 47.0);
@@ -207,16 +207,16 @@ TEST_F(WindRecordings, ThatAreFoldedMakeTheSameAir) {
             cells[n] = glm::vec4(std::sin(0.1f * static_cast<float>(n)), 0.3f, std::cos(0.07f * static_cast<float>(n)), 0.0f);
         const auto ramp = [&](float from) {
             for (int n = 0; n < 5; ++n) {
-                pair.both([&](auto& wind) { return wind.set_ambient({from + 0.1f * static_cast<float>(n), 0.0f, 1.0f}); });
-                pair.both([&](auto& wind) { return wind.follow({0.9 * n, 5.0, from}); });
+                pair.set_ambient({from + 0.1f * static_cast<float>(n), 0.0f, 1.0f});
+                pair.follow({0.9 * n, 5.0, from});
             }
         };
         frames(3); // calm
         ramp(2.0f);
         frames(3);
         ramp(2.5f);
-        pair.both([](auto& wind) { return wind.set_floor(3.0); });
-        pair.both([](auto& wind) { return wind.set_floor(0.0); });
+        pair.set_floor(3.0);
+        pair.set_floor(0.0);
         ramp(3.0f);
         frames(3);
         pair.add(VortexMotor{.position = {0.0, 5.0, 0.0}, .radius = 3.0f});
@@ -226,13 +226,12 @@ TEST_F(WindRecordings, ThatAreFoldedMakeTheSameAir) {
         frames(4);
         for (int n = 0; n < 3; ++n) {
             cells[0].x = static_cast<float>(n);
-            pair.both([&](auto& wind) { return wind.set_velocity(cells); });
+            pair.set_velocity(cells);
             ramp(1.0f);
         }
         frames(4);
-        pair.both([&](auto& wind) { return wind.set_velocity(cells); });
-        pair.cpu.reset();
-        pair.device.reset();
+        pair.set_velocity(cells);
+        pair.reset();
         ramp(2.0f);
         frames(6);
         report(ticks ? "folded.ticks" : "folded.steps", pair, 1e-5);

@@ -1,8 +1,6 @@
 // Two and three frames in flight that nobody waits for, compared frame by frame as their read-backs come in.
 #include "tests/parity/wind_parity.h"
 
-#include <cstdlib>
-
 namespace windrow::vulkan {
 namespace {
 
@@ -18,32 +16,32 @@ class WindInFlight : public WindParity {
 
 TEST_F(WindInFlight, EveryFrameIsTheCpus) {
     for (const int in_flight : {2, 3}) {
-        Pair pair = make({.cells = {24, 14, 20},
-                          .sides = Sides::open_over_floor(),
-                          .centre = {0.0, 7.0, 0.0},
-                          .ambient = {3.0f, 0.0f, 1.0f},
-                          .profile = LogProfile{},
-                          .gusts = {.intensity = 0.25f}},
-                         in_flight);
+        TwoWinds pair = make({.cells = {24, 14, 20},
+                              .sides = Sides::open_over_floor(),
+                              .centre = {0.0, 7.0, 0.0},
+                              .ambient = {3.0f, 0.0f, 1.0f},
+                              .profile = LogProfile{},
+                              .gusts = {.intensity = 0.25f}},
+                             in_flight);
         pair.add(DirectionalMotor{.position = {4.0, 2.0, 1.0}, .direction = {-1.0f, 0.2f, 0.0f}});
         pair.add(PressureMotor{.position = {-3.0, 3.0, 2.0}});
         std::vector<glm::vec4> field(pair.cpu.box().cell_count(), glm::vec4(1.0f, 0.2f, -1.0f, 0.0f));
         for (int n = 0; n < 100; ++n) {
-            pair.both([&](auto& wind) { return wind.follow({0.06 * n, 0.0, -0.08 * n}); });
+            pair.follow({0.06 * n, 0.0, -0.08 * n});
             if (n % 7 == 3)
-                pair.both([&](auto& wind) { return wind.set_ambient({2.0f + 0.01f * static_cast<float>(n), 0.0f, 1.5f}); });
+                pair.set_ambient({2.0f + 0.01f * static_cast<float>(n), 0.0f, 1.5f});
             if (n == 30 || n == 31 || n == 32) { // each by its own cells
                 field[static_cast<std::size_t>(n)].x = 4.0f;
-                pair.both([&](auto& wind) { return wind.set_velocity(field); });
+                pair.set_velocity(field);
             }
             if (n >= 50 && n < 54) { // each by its own tables
                 Sides sides = Sides::open_over_floor();
                 if (n % 2 == 0)
                     sides.z_low.kind = sides.z_high.kind = SideKind::periodic;
-                pair.both([&](auto& wind) { return wind.set_sides(sides); });
+                pair.set_sides(sides);
             }
             if (n == 70)
-                pair.both([](auto& wind) { return wind.set_gusts({.intensity = 0.3f, .seed = 4}); });
+                pair.set_gusts({.intensity = 0.3f, .seed = 4});
             frame(pair, 1.0 / 60.0);
         }
         test::figure("wind_parity.overlapped_" + std::to_string(in_flight), pair.submitter->overlapped());
@@ -55,10 +53,10 @@ TEST_F(WindInFlight, EveryFrameIsTheCpus) {
 }
 
 TEST_F(WindInFlight, EveryStepIsTheCpus) {
-    Pair pair = make({.cells = {16, 12, 18}, .ambient = {2.0f, 0.0f, 1.0f}, .viscosity = 1.0f}, 2);
+    TwoWinds pair = make({.cells = {16, 12, 18}, .ambient = {2.0f, 0.0f, 1.0f}, .viscosity = 1.0f}, 2);
     pair.add(VortexMotor{});
     for (int n = 0; n < 60; ++n) {
-        pair.both([&](auto& wind) { return wind.follow({0.1 * n, 0.05 * n, 0.0}); });
+        pair.follow({0.1 * n, 0.05 * n, 0.0});
         step(pair, 1.0 / 40.0);
     }
     EXPECT_EQ(pair.compared, 58);
@@ -69,7 +67,7 @@ TEST_F(WindInFlight, EveryStepIsTheCpus) {
 // A query is as old as the frames in flight.
 TEST_F(WindInFlight, TheAgeOfAQueryIsTold) {
     for (const int in_flight : {1, 2, 3}) {
-        Pair pair = make({.cells = {8, 8, 8}, .ambient = {2.0f, 0.0f, 1.0f}}, in_flight);
+        TwoWinds pair = make({.cells = {8, 8, 8}, .ambient = {2.0f, 0.0f, 1.0f}}, in_flight);
         pair.add(VortexMotor{});
         for (int n = 0; n < 12; ++n) {
             frame(pair, 1.0 / 50.0);

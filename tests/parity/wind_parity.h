@@ -14,9 +14,26 @@
 
 namespace windrow::vulkan {
 
+/// Largest difference of a component, over the largest component of `b`; not a number where `a` holds one that is none.
+[[nodiscard]] inline double apart(std::span<const glm::vec4> a, std::span<const glm::vec4> b, double least = 1e-30) {
+    EXPECT_EQ(a.size(), b.size());
+    double worst = 0.0, largest = least;
+    for (std::size_t n = 0; n < std::min(a.size(), b.size()); ++n)
+        for (int axis = 0; axis < 3; ++axis) {
+            const double x = a[n][axis], y = b[n][axis];
+            if (!std::isfinite(x) && !std::isfinite(y)) // set so, and no step since
+                continue;
+            if (!std::isfinite(x))
+                return std::nan("");
+            worst = std::max(worst, std::abs(x - y));
+            largest = std::max(largest, std::abs(y));
+        }
+    return worst / largest;
+}
+
 class WindParity : public Gpu {
   protected:
-    struct Pair {
+    struct TwoWinds {
         windrow::Wind cpu;
         Wind device;
         int in_flight = 1;
@@ -35,13 +52,41 @@ class WindParity : public Gpu {
             ASSERT_TRUE(on_cpu) << on_cpu.error();
             ASSERT_TRUE(on_device) << on_device.error();
         }
-        void add(const Motor& motor) {
-            both([&](auto& wind) { return wind.motors().add(motor); });
+        using Ids = std::pair<MotorId, MotorId>;
+        Ids add(const Motor& motor) {
+            const auto on_cpu = cpu.motors().add(motor), on_device = device.motors().add(motor);
+            EXPECT_TRUE(on_cpu && on_device);
+            return on_cpu && on_device ? Ids{*on_cpu, *on_device} : Ids{};
+        }
+        void move(const Ids& ids, glm::dvec3 to) {
+            EXPECT_TRUE(cpu.motors().move(ids.first, to) && device.motors().move(ids.second, to));
+        }
+        void follow(glm::dvec3 point) {
+            both([&](auto& wind) { return wind.follow(point); });
+        }
+        void set_ambient(glm::vec3 mean) {
+            both([&](auto& wind) { return wind.set_ambient(mean); });
+        }
+        void set_gusts(const Gusts& gusts) {
+            both([&](auto& wind) { return wind.set_gusts(gusts); });
+        }
+        void set_sides(const Sides& sides) {
+            both([&](auto& wind) { return wind.set_sides(sides); });
+        }
+        void set_floor(double height) {
+            both([&](auto& wind) { return wind.set_floor(height); });
+        }
+        void set_velocity(std::span<const glm::vec4> field) {
+            both([&](auto& wind) { return wind.set_velocity(field); });
+        }
+        void reset() {
+            cpu.reset();
+            device.reset();
         }
     };
 
     /// One frame in flight that is waited for, or `in_flight` that are not.
-    Pair make(const Config& config, int in_flight = 0, Settings settings = {.texel = Texel::single}) {
+    TwoWinds make(const Config& config, int in_flight = 0, Settings settings = {.texel = Texel::single}) {
         auto cpu = windrow::Wind::create(config);
         settings.frames_in_flight = std::max(in_flight, 1);
         auto gpu = Wind::create(own->host(), config, settings);
@@ -53,7 +98,7 @@ class WindParity : public Gpu {
 
     /// Records with `recorded(commands, slot)`, reads what came back, and lets the CPU do the same.
     template <class Recorded, class Done>
-    void frame_of(Pair& pair, const Recorded& recorded, const Done& done) {
+    void frame_of(TwoWinds& pair, const Recorded& recorded, const Done& done) {
         if (pair.submitter)
             pair.submitter->frame(recorded);
         else
@@ -64,7 +109,7 @@ class WindParity : public Gpu {
         pair.expected.emplace_back(now.begin(), now.end());
     }
 
-    void frame(Pair& pair, double dt) {
+    void frame(TwoWinds& pair, double dt) {
         Advance recorded, cpu;
         frame_of(
             pair, [&](VkCommandBuffer commands, int slot) { recorded = pair.device.record(commands, {.dt = dt, .slot = slot}); },
@@ -78,7 +123,7 @@ class WindParity : public Gpu {
     }
 
     /// The same by one step of dt.
-    void step(Pair& pair, double dt) {
+    void step(TwoWinds& pair, double dt) {
         frame_of(
             pair,
             [&](VkCommandBuffer commands, int slot) {
@@ -88,7 +133,7 @@ class WindParity : public Gpu {
     }
 
     /// What was read back of the oldest frame in flight against the CPU's.
-    static void compare(Pair& pair) {
+    static void compare(TwoWinds& pair) {
         if (pair.expected.size() < static_cast<std::size_t>(pair.in_flight))
             return;
         const std::vector<glm::vec4> expected = std::move(pair.expected.front());
@@ -102,27 +147,10 @@ class WindParity : public Gpu {
         ++pair.compared;
     }
 
-    /// Largest difference of a component, over the largest component of `b`; not a number where `a` holds one that is none.
-    static double apart(std::span<const glm::vec4> a, std::span<const glm::vec4> b, double least = 1e-30) {
-        EXPECT_EQ(a.size(), b.size());
-        double worst = 0.0, largest = least;
-        for (std::size_t n = 0; n < std::min(a.size(), b.size()); ++n)
-            for (int axis = 0; axis < 3; ++axis) {
-                const double x = a[n][axis], y = b[n][axis];
-                if (!std::isfinite(x) && !std::isfinite(y)) // set so, and no step since
-                    continue;
-                if (!std::isfinite(x))
-                    return std::nan("");
-                worst = std::max(worst, std::abs(x - y));
-                largest = std::max(largest, std::abs(y));
-            }
-        return worst / largest;
-    }
-
     /// What was recorded and not compared yet is not looked at: the two fall asleep, and wake, some frames apart.
-    static void forget_frames(Pair& pair) { pair.expected.assign(pair.expected.size(), {}); }
+    static void forget_frames(TwoWinds& pair) { pair.expected.assign(pair.expected.size(), {}); }
 
-    static void report(const std::string& name, const Pair& pair, double bound) {
+    static void report(const std::string& name, const TwoWinds& pair, double bound) {
         WINDROW_EXPECT_FIGURE("wind_parity." + name, pair.largest, bound);
         EXPECT_GT(pair.largest, 0.0) << name << ": nothing was compared";
     }

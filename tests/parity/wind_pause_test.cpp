@@ -14,11 +14,11 @@ class WindPauses : public WindParity {
 
 // Between ticks too: a pause by record_step ends no tick and shows none early.
 TEST_F(WindPauses, OfAHostWithTicksKeepTheirMomentBetweenThem) {
-    Pair pair = make({.cells = {12, 10, 11}, .ambient = {2.0f, 0.0f, 1.0f}});
+    TwoWinds pair = make({.cells = {12, 10, 11}, .ambient = {2.0f, 0.0f, 1.0f}});
     pair.add(VortexMotor{.radius = 3.0f});
     for (int n = 0; n < 20; ++n) {
         frame(pair, 1.0 / 47.0);
-        pair.both([&](auto& wind) { return wind.set_ambient({2.0f + 0.1f * static_cast<float>(n), 0.0f, 1.0f}); });
+        pair.set_ambient({2.0f + 0.1f * static_cast<float>(n), 0.0f, 1.0f});
         frame_of(
             pair, [&](VkCommandBuffer commands, int slot) { (void)pair.device.record_step(commands, {.dt = 0.0, .slot = slot}); },
             [&] { (void)pair.cpu.advance(0.0); });

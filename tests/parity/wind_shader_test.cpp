@@ -68,11 +68,11 @@ TEST_F(WindInShaders, AnOutsideShaderSamplesWhatAQueryFinds) {
          .rim = 0.0f}, // for detail alone
     }};
     for (const Config& config : configs) {
-        Pair pair = make(config);
+        TwoWinds pair = make(config);
         pair.add(VortexMotor{.position = config.centre, .radius = 3.0f});
         for (int n = 0; n < 20; ++n) {
             const glm::dvec3 player = config.centre + glm::dvec3(0.3 * n, 0.0, 0.1 * n);
-            ASSERT_TRUE(pair.cpu.follow(player) && pair.device.follow(player));
+            pair.follow(player);
             frame(pair, 1.0 / 50.0);
         }
         const std::uint32_t count = 10000;
@@ -108,7 +108,7 @@ TEST_F(WindInShaders, AnOutsideShaderSamplesWhatAQueryFinds) {
 
 // Half textures round to 11 bits: to half a unit in the last of them.
 TEST_F(WindInShaders, HalfTexturesHoldElevenBits) {
-    Pair pair = make({.cells = {12, 10, 11}, .ambient = {2.0f, 0.0f, 1.0f}, .rim = 0.0f}, 0, {.texel = Texel::half});
+    TwoWinds pair = make({.cells = {12, 10, 11}, .ambient = {2.0f, 0.0f, 1.0f}, .rim = 0.0f}, 0, {.texel = Texel::half});
     pair.add(VortexMotor{});
     for (int n = 0; n < 20; ++n)
         frame(pair, 1.0 / 50.0);

@@ -47,14 +47,14 @@ class WindStorms : public WindParity {
 
 // Both begin every second tick with the CPU's cells: the first tick without a past, the second with one.
 TEST_F(WindStorms, AgreeTickByTick) {
-    Pair pair = make(storm_box(Simd::best));
+    TwoWinds pair = make(storm_box(Simd::best));
     for (const Motor& motor : storm_motors())
         pair.add(motor);
     auto field = start(pair.cpu.box().cell_count());
     int capped = 0;
     for (int n = 0; n < 60; ++n) {
         if (n % 2 == 0)
-            pair.both([&](auto& wind) { return wind.set_velocity(field); });
+            pair.set_velocity(field);
         Diagnostics cpu;
         frame_of(
             pair,
@@ -89,7 +89,7 @@ TEST_F(WindStorms, PartNoFasterThanTheCpusInstructionSetsDo) {
         for (const Motor& motor : storm_motors())
             ASSERT_TRUE(winds.back().motors().add(motor));
     }
-    Pair pair = make(storm_box(levels.front()));
+    TwoWinds pair = make(storm_box(levels.front()));
     for (const Motor& motor : storm_motors())
         pair.add(motor);
     double spread = 0.0, worst = 0.0, expected = 0.0; // the last: the spread a frame ago, when what is read back now was made

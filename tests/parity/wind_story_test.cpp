@@ -9,9 +9,9 @@
 namespace windrow::vulkan {
 namespace {
 
-class Chance {
+class StoryChance {
   public:
-    explicit Chance(std::uint32_t seed) : random_(seed) {}
+    explicit StoryChance(std::uint32_t seed) : random_(seed) {}
     int below(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
     bool one_in(int count) { return below(count) == 0; }
     float between(float low, float high) { return std::uniform_real_distribution<float>(low, high)(random_); }
@@ -23,7 +23,7 @@ class Chance {
 
 // Periodic sides tear a wind that differs from place to place where they meet (Config::gusts): there the last bit of a trajectory
 // decides between two winds. So a story has periodic sides, or a profile and gusts.
-Sides any_sides(Chance& chance, bool periodic) {
+Sides any_sides(StoryChance& chance, bool periodic) {
     Sides sides;
     Side* const ends[3][2] = {{&sides.x_low, &sides.x_high}, {&sides.y_low, &sides.y_high}, {&sides.z_low, &sides.z_high}};
     for (auto& [low, high] : ends) {
@@ -40,7 +40,7 @@ Sides any_sides(Chance& chance, bool periodic) {
 
 // No profile where air sleeps: over one the ambient wind is no steady flow, so that air left at it drifts off unless it sleeps at
 // once.
-Config any_config(Chance& chance, bool periodic, bool sleeps) {
+Config any_config(StoryChance& chance, bool periodic, bool sleeps) {
     Config config{.cells = {3 + chance.below(12), 3 + chance.below(9), 3 + chance.below(12)},
                   .cell_size = chance.between(0.5f, 1.5f),
                   .ambient = chance.vector(3.0f)};
@@ -58,7 +58,7 @@ Config any_config(Chance& chance, bool periodic, bool sleeps) {
     return config;
 }
 
-Motor any_motor(Chance& chance) {
+Motor any_motor(StoryChance& chance) {
     const glm::dvec3 place(chance.vector(4.0f));
     switch (chance.below(6)) {
     case 0:
@@ -83,13 +83,13 @@ class WindStories : public WindParity {
 
     // The same call on both, which take it or refuse it alike.
     template <class Call>
-    void alike(Pair& pair, const char* what, const Call& call) {
+    void alike(TwoWinds& pair, const char* what, const Call& call) {
         const auto on_cpu = call(pair.cpu), on_device = call(pair.device);
         told << ' ' << what << (on_cpu ? "" : " (refused)");
         EXPECT_EQ(static_cast<bool>(on_cpu), static_cast<bool>(on_device)) << what;
     }
 
-    void ask(Pair& pair, Chance& chance, bool periodic, std::vector<std::pair<MotorId, MotorId>>& motors) {
+    void ask(TwoWinds& pair, StoryChance& chance, bool periodic, std::vector<TwoWinds::Ids>& motors) {
         switch (chance.below(10)) {
         case 0:
         case 1:
@@ -130,8 +130,7 @@ class WindStories : public WindParity {
             if (!chance.one_in(4))
                 return;
             told << " reset";
-            pair.cpu.reset();
-            pair.device.reset();
+            pair.reset();
             return;
         default:
             if (!motors.empty() && chance.one_in(2)) {
@@ -143,16 +142,15 @@ class WindStories : public WindParity {
             }
             const Motor motor = any_motor(chance);
             told << " add";
-            const auto on_cpu = pair.cpu.motors().add(motor), on_device = pair.device.motors().add(motor);
-            ASSERT_TRUE(on_cpu && on_device);
+            const auto ids = pair.add(motor);
             if (motor.index() != 5) // which ends by itself
-                motors.emplace_back(*on_cpu, *on_device);
+                motors.push_back(ids);
         }
     }
 
     // Largest difference of a story, in shares of the largest speed of its frame (of 1 m/s where there is less).
     double live(std::uint32_t seed, float sleep_speed, double bound) {
-        Chance chance(seed);
+        StoryChance chance(seed);
         told.str("");
         const bool periodic = chance.one_in(3);
         Config config = any_config(chance, periodic, sleep_speed > 0.0f);
@@ -162,15 +160,15 @@ class WindStories : public WindParity {
         auto gpu = Wind::create(own->host(), config,
                                 {.texel = Texel::single, .frames_in_flight = std::max(in_flight, 1), .gusts = true});
         EXPECT_TRUE(cpu && gpu);
-        Pair pair{*std::move(cpu), *std::move(gpu), std::max(in_flight, 1),
-                  in_flight > 0 ? std::make_unique<Submitter>(own->host(), in_flight) : nullptr};
+        TwoWinds pair{*std::move(cpu), *std::move(gpu), std::max(in_flight, 1),
+                      in_flight > 0 ? std::make_unique<Submitter>(own->host(), in_flight) : nullptr};
         pair.least = 1.0;
         told << " cells " << config.cells.x << ' ' << config.cells.y << ' ' << config.cells.z << ", viscosity "
              << config.viscosity << ", settling " << config.settling_time << ", max_cfl " << config.max_cfl << ", profile "
              << config.profile.has_value() << ", gusts " << config.gusts.intensity << ", classic "
              << (config.scheme == Scheme::stable_fluids) << ", linear " << (config.interpolation == Interpolation::linear)
              << ", in flight " << in_flight;
-        std::vector<std::pair<MotorId, MotorId>> motors;
+        std::vector<TwoWinds::Ids> motors;
         bool ticks = chance.one_in(2);
         for (int n = 0; n < 40 && !HasFailure(); ++n) {
             told << "\n  " << n << ':';

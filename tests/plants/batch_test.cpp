@@ -15,13 +15,13 @@ namespace {
 
 using test::Random;
 
-struct Meadow {
+struct BladeField {
     std::vector<PlantKey> keys;
     std::vector<glm::vec4> roots, winds, loads;
     std::vector<float> heights{0.0f, 0.3f, 0.7f, 1.0f};
     std::vector<glm::vec4> positions, normals;
 
-    explicit Meadow(std::size_t count)
+    explicit BladeField(std::size_t count)
         : keys(count), roots(count), winds(count), loads(count), positions(8 * count), normals(8 * count) {
         Random random(1);
         for (std::size_t n = 0; n < count; ++n) {
@@ -41,7 +41,7 @@ struct Meadow {
 TEST(PlantBatch, BladesAreTheSingleOnes) {
     const auto grass = Blades::create({.view_bend = 0.4f});
     ASSERT_TRUE(grass);
-    Meadow meadow(1003); // not a whole number of blocks
+    BladeField meadow(1003); // not a whole number of blocks
     meadow.make(*grass);
     double most = 0.0, normal_most = 0.0;
     for (std::size_t n = 0; n < meadow.keys.size(); ++n) {
@@ -64,7 +64,7 @@ TEST(PlantBatch, BladesAreTheSingleOnes) {
 TEST(PlantBatch, TheNumberOfThreadsChangesNoBit) {
     const auto grass = Blades::create({});
     ASSERT_TRUE(grass);
-    Meadow one(5000), three(5000);
+    BladeField one(5000), three(5000);
     ThreadPool pool(3);
     one.make(*grass);
     three.make(*grass, pool.parallel_for());
@@ -101,7 +101,7 @@ TEST(PlantBatch, RefusesSizesThatDoNotFitAndTouchesNothing) {
     const auto fur = Shells::create({});
     ASSERT_TRUE(grass);
     ASSERT_TRUE(fur);
-    Meadow meadow(10);
+    BladeField meadow(10);
     const std::vector<glm::vec4> untouched = meadow.positions;
     std::vector<glm::vec4> few(9), some(10);
     const auto refused = [](const Result<void>& result, const char* field) {

@@ -106,17 +106,17 @@ TEST(CascadeStep, TwoHalfStepsAreOneStep) {
 
 constexpr int k_seconds = 4;
 
-enum class Way { plain, compensated };
+enum class CascadeArithmetic { plain, compensated };
 
 template <class Real>
-std::vector<double> tips(int stages, double rate, int frames_a_second, std::uint32_t seed, Way way) {
+std::vector<double> tips(int stages, double rate, int frames_a_second, std::uint32_t seed, CascadeArithmetic way) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
     double targets[k_seconds + 1];
     std::generate(std::begin(targets), std::end(targets), [&] { return unit(random); });
     const CascadeStep step = step_of(stages, rate, 1.0 / frames_a_second);
     std::vector<Real> values(static_cast<std::size_t>(stages), Real{0});
-    std::vector<Real> remainder(way == Way::compensated ? values.size() : 0, Real{0});
+    std::vector<Real> remainder(way == CascadeArithmetic::compensated ? values.size() : 0, Real{0});
     std::vector<double> found;
     for (int frame = 0; frame < k_seconds * frames_a_second; ++frame) {
         const auto target = [&](int f) {
@@ -133,10 +133,10 @@ std::vector<double> tips(int stages, double rate, int frames_a_second, std::uint
 }
 
 template <class Real>
-double spread(int stages, double rate, Way way) {
+double spread(int stages, double rate, CascadeArithmetic way) {
     double worst = 0.0;
     for (std::uint32_t seed = 0; seed < 4; ++seed) {
-        const std::vector<double> truth = tips<double>(stages, rate, 1, seed, Way::plain);
+        const std::vector<double> truth = tips<double>(stages, rate, 1, seed, CascadeArithmetic::plain);
         for (const int frames : {15, 30, 60, 144, 1000}) {
             const std::vector<double> found = tips<Real>(stages, rate, frames, seed, way);
             for (std::size_t n = 0; n < truth.size(); ++n)
@@ -151,9 +151,10 @@ TEST(CascadeStep, IsTheSameAtAnyFrameRate) {
     for (const int stages : {10, 20, 200})
         for (const double lag : {0.1, 1.0}) {
             const std::string name = "cascade/rates/" + std::to_string(stages) + (lag < 0.5 ? "_short" : "_long");
-            WINDROW_EXPECT_FIGURE(name + "/double", spread<double>(stages, stages / lag, Way::plain), 1e-11);
-            WINDROW_EXPECT_FIGURE(name + "/float_with_remainders", spread<float>(stages, stages / lag, Way::compensated), 1e-6);
-            test::figure(name + "/float", spread<float>(stages, stages / lag, Way::plain)); // stated, no claim
+            WINDROW_EXPECT_FIGURE(name + "/double", spread<double>(stages, stages / lag, CascadeArithmetic::plain), 1e-11);
+            WINDROW_EXPECT_FIGURE(name + "/float_with_remainders",
+                                  spread<float>(stages, stages / lag, CascadeArithmetic::compensated), 1e-6);
+            test::figure(name + "/float", spread<float>(stages, stages / lag, CascadeArithmetic::plain)); // stated, no claim
         }
 }
 

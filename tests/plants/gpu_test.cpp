@@ -25,11 +25,11 @@ namespace {
 using test::Random;
 
 // As bend_plants.comp has them, std430.
-struct Case {
+struct PlantCase {
     glm::vec4 wind, axis, view, place;
     glm::uvec4 key;
 };
-struct Answer {
+struct PlantAnswer {
     glm::uvec4 chance;
     glm::vec4 blade_load, blade_position, blade_normal, blade_tangent, shell_load, shell_bent, shell_translated, tree_position,
         tree_normal, masks, strand;
@@ -58,7 +58,7 @@ numerics::WindrowTree shared(const TreeBlock& block) {
     return {{block.trunk.load}, {block.branch.load}, {block.leaf.load}};
 }
 
-Answer bend_case(const Case& c, const Classes& kinds) {
+PlantAnswer bend_case(const PlantCase& c, const Classes& kinds) {
     using namespace numerics;
     const auto wide = [](glm::vec3 v) { return glm::vec4(v, 0.0f); };
     const glm::vec3 wind(c.wind), axis(c.axis), view(c.view), place(c.place);
@@ -67,7 +67,7 @@ Answer bend_case(const Case& c, const Classes& kinds) {
     const WindrowTree tree = shared(kinds.tree);
     const float h = c.wind.w;
     const glm::uvec2 hash = windrow_plant_hash({c.key.x, c.key.y});
-    Answer a{};
+    PlantAnswer a{};
     a.chance = {hash.x, hash.y, std::bit_cast<std::uint32_t>(windrow_plant_yaw(hash)),
                 std::bit_cast<std::uint32_t>(windrow_plant_factor(hash, 0.5f))};
     const glm::vec3 load = windrow_blade_load(blade, axis, hash, wind);
@@ -93,9 +93,9 @@ Answer bend_case(const Case& c, const Classes& kinds) {
     return a;
 }
 
-std::vector<Case> random_cases(std::size_t count) {
+std::vector<PlantCase> random_cases(std::size_t count) {
     Random random(1);
-    std::vector<Case> cases(count);
+    std::vector<PlantCase> cases(count);
     for (std::size_t n = 0; n < count; ++n) {
         const float speed = static_cast<float>(random.spread(1e-3, 60.0));
         // Ends of the range among them: still air, roots, tips, upright blades.
@@ -137,44 +137,44 @@ class PlantsOnTheDevice : public Gpu {
 
 TEST_F(PlantsOnTheDevice, BendAsOnTheCpu) {
     constexpr std::size_t k_count = 100'000;
-    const std::vector<Case> cases = random_cases(k_count);
+    const std::vector<PlantCase> cases = random_cases(k_count);
     const Classes kinds = classes();
     const std::vector<VkDescriptorType> types(3, k_storage);
     {
         const Pipeline pipeline = *Pipeline::create(
             *device, {.code = shader_words::bend_plants, .bindings = types, .constants = {}, .name = "bend_plants"});
-        const Buffer in = uploaded(cases.data(), k_count * sizeof(Case)), told = uploaded(&kinds, sizeof kinds),
-                     out = buffer(k_count * sizeof(Answer), MemoryUse::readback);
+        const Buffer in = uploaded(cases.data(), k_count * sizeof(PlantCase)), told = uploaded(&kinds, sizeof kinds),
+                     out = buffer(k_count * sizeof(PlantAnswer), MemoryUse::readback);
         dispatch(pipeline,
                  {{.type = k_storage, .buffer = in.handle()},
                   {.type = k_storage, .buffer = out.handle()},
                   {.type = k_storage, .buffer = told.handle()}},
                  k_count);
-        const std::vector<Answer> answers = read<Answer>(out, k_count);
+        const std::vector<PlantAnswer> answers = read<PlantAnswer>(out, k_count);
 
         std::size_t chances = 0;
-        struct Kind {
+        struct ComparedMember {
             const char* name;
-            glm::vec4 Answer::*member;
+            glm::vec4 PlantAnswer::*member;
             double bound, largest = 0.0;
         };
         // Angles and unit vectors: 1e-5. Metres: of 0.4, 0.03 and 8 m. A place on a tree is known to 1e-6 m, a hundred-thousandth
         // of a leaf, along which the normal turns by up to pi/2 within a third of it.
-        Kind compared[] = {{"blade_load_rad", &Answer::blade_load, 1e-5},
-                           {"blade_position_m", &Answer::blade_position, 1e-5},
-                           {"blade_normal", &Answer::blade_normal, 1e-5},
-                           {"blade_tangent", &Answer::blade_tangent, 1e-5},
-                           {"shell_load_rad", &Answer::shell_load, 1e-5},
-                           {"shell_bent_m", &Answer::shell_bent, 1e-5},
-                           {"shell_translated_m", &Answer::shell_translated, 1e-5},
-                           {"tree_position_m", &Answer::tree_position, 1e-4},
-                           {"tree_normal", &Answer::tree_normal, 5e-5},
-                           {"masks", &Answer::masks, 1e-5},
-                           {"strand", &Answer::strand, 1e-5}};
+        ComparedMember compared[] = {{"blade_load_rad", &PlantAnswer::blade_load, 1e-5},
+                                     {"blade_position_m", &PlantAnswer::blade_position, 1e-5},
+                                     {"blade_normal", &PlantAnswer::blade_normal, 1e-5},
+                                     {"blade_tangent", &PlantAnswer::blade_tangent, 1e-5},
+                                     {"shell_load_rad", &PlantAnswer::shell_load, 1e-5},
+                                     {"shell_bent_m", &PlantAnswer::shell_bent, 1e-5},
+                                     {"shell_translated_m", &PlantAnswer::shell_translated, 1e-5},
+                                     {"tree_position_m", &PlantAnswer::tree_position, 1e-4},
+                                     {"tree_normal", &PlantAnswer::tree_normal, 5e-5},
+                                     {"masks", &PlantAnswer::masks, 1e-5},
+                                     {"strand", &PlantAnswer::strand, 1e-5}};
         for (std::size_t n = 0; n < k_count; ++n) {
-            const Answer cpu = bend_case(cases[n], kinds);
+            const PlantAnswer cpu = bend_case(cases[n], kinds);
             chances += cpu.chance != answers[n].chance;
-            for (Kind& kind : compared)
+            for (ComparedMember& kind : compared)
                 for (int axis = 0; axis < 4; ++axis) {
                     const double a = static_cast<double>((answers[n].*kind.member)[axis]);
                     const double b = static_cast<double>((cpu.*kind.member)[axis]);
@@ -182,7 +182,7 @@ TEST_F(PlantsOnTheDevice, BendAsOnTheCpu) {
                     kind.largest = std::max(kind.largest, std::abs(a - b));
                 }
         }
-        for (const Kind& kind : compared)
+        for (const ComparedMember& kind : compared)
             WINDROW_EXPECT_FIGURE(std::string("plants/gpu/") + kind.name, kind.largest, kind.bound);
         EXPECT_EQ(chances, 0u) << "hash, yaw or stiffness differs by a bit";
     }

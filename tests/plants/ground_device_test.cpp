@@ -19,12 +19,12 @@ constexpr VkDescriptorType k_storage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_text
 
 class GroundDevice : public Gpu {
   protected:
-    struct Pair {
+    struct TwoGrounds {
         windrow::GroundMemory cpu;
         GroundMemory gpu;
     };
 
-    Pair make(const GroundConfig& config, Texel texel) {
+    TwoGrounds make(const GroundConfig& config, Texel texel) {
         auto cpu = windrow::GroundMemory::create(config);
         auto gpu = GroundMemory::create(own->host(), config, texel);
         EXPECT_TRUE(cpu) << cpu.error();
@@ -32,12 +32,12 @@ class GroundDevice : public Gpu {
         return {*std::move(cpu), *std::move(gpu)};
     }
 
-    void follow(Pair& pair, glm::dvec3 point) {
+    void follow(TwoGrounds& pair, glm::dvec3 point) {
         ASSERT_TRUE(pair.cpu.follow(point));
         ASSERT_TRUE(pair.gpu.follow(point));
     }
 
-    void advance(Pair& pair, const GroundStep& step) {
+    void advance(TwoGrounds& pair, const GroundStep& step) {
         ASSERT_TRUE(pair.cpu.advance(step));
         run([&](VkCommandBuffer commands) {
             const auto recorded = pair.gpu.record(commands, step);
@@ -79,20 +79,20 @@ class GroundDevice : public Gpu {
         return read<glm::vec4>(out, 2 * places.size());
     }
 
-    struct Apart {
+    struct GroundsApart {
         double worst = 0.0;   ///< largest difference of a component
         double largest = 0.0; ///< largest component
     };
 
     // Both at random places about `anchor`, inside the window and around it.
-    Apart compare(Pair& pair, glm::dvec3 anchor, std::uint32_t seed) {
+    GroundsApart compare(TwoGrounds& pair, glm::dvec3 anchor, std::uint32_t seed) {
         std::mt19937 random(seed);
         std::uniform_real_distribution<float> place(-14.0f, 14.0f);
         std::vector<glm::vec4> places(4096);
         for (glm::vec4& p : places)
             p = {place(random), 0.0f, place(random), 0.0f};
         const auto found = sampled(pair.gpu, places, anchor);
-        Apart apart;
+        GroundsApart apart;
         for (std::size_t n = 0; n < places.size(); ++n)
             for (const bool before : {false, true}) {
                 const glm::dvec3 at = anchor + glm::dvec3(places[n]);
@@ -109,14 +109,14 @@ class GroundDevice : public Gpu {
     }
 
     // Walkers who wander, leap and jump, in gusts, while the window follows one of them.
-    Apart story(Texel texel, glm::dvec3 origin) {
-        Pair pair = make({.texels = 96}, texel);
+    GroundsApart story(Texel texel, glm::dvec3 origin) {
+        TwoGrounds pair = make({.texels = 96}, texel);
         std::mt19937 random(21);
         std::uniform_real_distribution<double> unit(-1.0, 1.0);
         std::vector<GroundWalker> walkers(12);
         for (GroundWalker& walker : walkers)
             walker.position = walker.previous = origin + 10.0 * glm::dvec3(unit(random), 0.0, unit(random));
-        Apart worst;
+        GroundsApart worst;
         for (int frame = 0; frame < 120; ++frame) {
             for (GroundWalker& walker : walkers) {
                 walker.previous = walker.position;
@@ -129,7 +129,7 @@ class GroundDevice : public Gpu {
             follow(pair, frame == 60 ? origin + glm::dvec3(1000.0) : walkers[0].position);
             advance(pair, {.duration = 1.0 / 60.0, .walkers = walkers, .wind_lean = {0.4 * unit(random), 0.4 * unit(random)}});
             if (frame % 10 == 0 || frame == 61) {
-                const Apart apart = compare(pair, walkers[0].position, static_cast<std::uint32_t>(frame));
+                const GroundsApart apart = compare(pair, walkers[0].position, static_cast<std::uint32_t>(frame));
                 worst = {std::max(worst.worst, apart.worst), std::max(worst.largest, apart.largest)};
             }
         }
@@ -139,37 +139,37 @@ class GroundDevice : public Gpu {
 
 // Bound: that of the CPU against Vulkan over 100 steps, 1e-4 of the largest value.
 TEST_F(GroundDevice, AStoryOfWalkersInGusts) {
-    const Apart near = story(Texel::single, {0.0, 0.0, 0.0});
+    const GroundsApart near = story(Texel::single, {0.0, 0.0, 0.0});
     WINDROW_EXPECT_FIGURE("ground_device/story", near.worst / near.largest, 1e-4);
     EXPECT_GT(near.largest, 0.5);
 }
 
 TEST_F(GroundDevice, AStoryFarAway) {
-    const Apart far = story(Texel::single, {1e6, 0.0, -2e6});
+    const GroundsApart far = story(Texel::single, {1e6, 0.0, -2e6});
     WINDROW_EXPECT_FIGURE("ground_device/story_far_away", far.worst / far.largest, 1e-4);
 }
 
 // A half has 11 bits: 2^-11 of values up to 2.
 TEST_F(GroundDevice, HalfTexelsHoldTheSame) {
-    const Apart half = story(Texel::half, {0.0, 0.0, 0.0});
+    const GroundsApart half = story(Texel::half, {0.0, 0.0, 0.0});
     WINDROW_EXPECT_FIGURE("ground_device/half", half.worst, 0x1p-10 + 1e-4);
 }
 
 // The largest lean that is taken, to and fro at the frequency of plants that nothing damps: they swing beyond what a half holds,
 // and every sample is a number.
 TEST_F(GroundDevice, HalfTexelsHoldTheLargestLean) {
-    Pair pair = make({.texels = 64, .spring = {1.0, 0.0}}, Texel::half);
+    TwoGrounds pair = make({.texels = 64, .spring = {1.0, 0.0}}, Texel::half);
     run([&](VkCommandBuffer commands) { EXPECT_FALSE(pair.gpu.record(commands, {.duration = 0.5, .wind_lean = {1e5f, 0.0f}})); });
     for (int frame = 0; frame < 80; ++frame)
         advance(pair, {.duration = 0.5, .wind_lean = {frame % 2 == 0 ? 1e3f : -1e3f, -1e3f}});
-    const Apart apart = compare(pair, {0.0, 0.0, 0.0}, 7);
+    const GroundsApart apart = compare(pair, {0.0, 0.0, 0.0}, 7);
     WINDROW_EXPECT_FIGURE("ground_device/half_of_the_largest", apart.worst / apart.largest, 0x1p-10);
     EXPECT_EQ(apart.largest, 1e3); // shown, of more than is shown
 }
 
 // A pass of the host's gives each texel its own wind; the record that follows waits for it.
 TEST_F(GroundDevice, EachTexelFollowsItsOwnWind) {
-    Pair pair = make({.texels = 64}, Texel::single);
+    TwoGrounds pair = make({.texels = 64}, Texel::single);
     const VkDescriptorType kinds[] = {k_storage};
     auto pipeline = Pipeline::create(*device, {.code = shader_words::fill_leans,
                                                .bindings = kinds,
@@ -200,14 +200,14 @@ TEST_F(GroundDevice, EachTexelFollowsItsOwnWind) {
             ASSERT_TRUE(pair.gpu.record(commands, {.duration = 0.05}, WindLeans::each_texel));
         });
     }
-    const Apart apart = compare(pair, anchor, 5);
+    const GroundsApart apart = compare(pair, anchor, 5);
     WINDROW_EXPECT_FIGURE("ground_device/own_wind", apart.worst / apart.largest, 1e-4);
     EXPECT_GT(apart.largest, 0.2);
 }
 
 // Several steps recorded before any is run, as a host does that catches up.
 TEST_F(GroundDevice, StepsInOneCommandBufferFollowEachOther) {
-    Pair pair = make({.texels = 64}, Texel::single);
+    TwoGrounds pair = make({.texels = 64}, Texel::single);
     GroundWalker walker{.radius = 1.0f};
     run([&](VkCommandBuffer commands) {
         for (int n = 0; n < 5; ++n) {
@@ -220,7 +220,7 @@ TEST_F(GroundDevice, StepsInOneCommandBufferFollowEachOther) {
             ASSERT_TRUE(pair.gpu.record(commands, step));
         }
     });
-    const Apart apart = compare(pair, walker.position, 6);
+    const GroundsApart apart = compare(pair, walker.position, 6);
     WINDROW_EXPECT_FIGURE("ground_device/five_steps_at_once", apart.worst / apart.largest, 1e-4);
     EXPECT_GT(apart.largest, 0.5);
 }

@@ -10,7 +10,7 @@ namespace windrow::cli {
 namespace {
 
 // First time at which a curve has done 90 % of its way [s].
-double time_of_90(const MotionCurve& curve) {
+double time_of_90(const PlotCurve& curve) {
     for (const glm::dvec2 point : curve.points)
         if (point.y >= 0.9)
             return point.x;

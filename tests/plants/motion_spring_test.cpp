@@ -144,11 +144,11 @@ double target_at(const std::vector<double>& targets, int rate, int frame) {
     return targets[second] + share * (targets[second + 1] - targets[second]);
 }
 
-enum class Way { plain, compensated };
+enum class SpringArithmetic { plain, compensated };
 
 // Places at each whole second.
 template <class Real>
-std::vector<double> history(const SpringClass& spring, int rate, Way way, std::uint32_t seed) {
+std::vector<double> history(const SpringClass& spring, int rate, SpringArithmetic way, std::uint32_t seed) {
     const std::vector<double> targets = targets_of(seed);
     const SpringStep step = step_of(spring, 1.0 / rate);
     Real place = 0, velocity = 0, place_rest = 0, velocity_rest = 0;
@@ -157,7 +157,7 @@ std::vector<double> history(const SpringClass& spring, int rate, Way way, std::u
         const Real before = static_cast<Real>(target_at(targets, rate, frame)),
                    now = static_cast<Real>(target_at(targets, rate, frame + 1));
         SpringBatch<Real> batch{std::span(&place, 1), std::span(&velocity, 1), std::span(&before, 1), std::span(&now, 1)};
-        if (way == Way::compensated) {
+        if (way == SpringArithmetic::compensated) {
             batch.place_remainder = std::span(&place_rest, 1);
             batch.velocity_remainder = std::span(&velocity_rest, 1);
         }
@@ -179,10 +179,10 @@ constexpr Named k_classes[] = {{"grass", springs::grass},   {"wheat", springs::w
 
 // The largest difference between any rate and one step a second, over 16 random targets.
 template <class Real>
-double spread(const SpringClass& spring, Way way) {
+double spread(const SpringClass& spring, SpringArithmetic way) {
     double worst = 0.0;
     for (std::uint32_t seed = 0; seed < 16; ++seed) {
-        const std::vector<double> truth = history<double>(spring, 1, Way::plain, seed);
+        const std::vector<double> truth = history<double>(spring, 1, SpringArithmetic::plain, seed);
         for (const int rate : k_rates) {
             const std::vector<double> places = history<Real>(spring, rate, way, seed);
             for (std::size_t n = 0; n < truth.size(); ++n)
@@ -195,9 +195,10 @@ double spread(const SpringClass& spring, Way way) {
 TEST(MotionSpring, IsTheSameAtAnyFrameRate) {
     for (const Named& named : k_classes) {
         const std::string name = std::string("motion/spring/rates/") + named.name;
-        WINDROW_EXPECT_FIGURE(name + "/double", spread<double>(named.spring, Way::plain), 1e-11);
-        WINDROW_EXPECT_FIGURE(name + "/float_with_remainders", spread<float>(named.spring, Way::compensated), 1e-6);
-        test::figure(name + "/float", spread<float>(named.spring, Way::plain)); // rounding of 8000 steps: stated, no claim
+        WINDROW_EXPECT_FIGURE(name + "/double", spread<double>(named.spring, SpringArithmetic::plain), 1e-11);
+        WINDROW_EXPECT_FIGURE(name + "/float_with_remainders", spread<float>(named.spring, SpringArithmetic::compensated), 1e-6);
+        test::figure(name + "/float",
+                     spread<float>(named.spring, SpringArithmetic::plain)); // rounding of 8000 steps: stated, no claim
     }
 }
 

@@ -7,18 +7,14 @@
 // admit them, on a grid of whole registers and on an odd one.
 
 #include "fluid/bytes.h"
-#include "fluid/wind.h"
-#include "tests/fields.h"
 #include "tests/stability/watch.h"
 
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
-#include <gtest/gtest.h>
 #include <map>
 #include <span>
-#include <string>
 
 namespace {
 
@@ -75,17 +71,17 @@ std::uint64_t hash_after(const Walls& walls, glm::ivec3 cells, Scheme scheme, In
 
     const glm::dvec3 start = wind.origin() + 0.5 * glm::dvec3(cells);
     drive(wind, start, {1.0f, 0.2f, 0.0f}, 12.0f);
-    const MotorId walker = add(wind, WakeMotor{.position = start, .radius = 1.5f});
-    add(wind, JetMotor{.position = start + glm::dvec3(-3.0, 0.0, 2.0), .direction = {0.0f, 0.3f, 1.0f}});
-    add(wind, VortexMotor{.position = start + glm::dvec3(2.0, 1.0, -3.0), .radius = 3.0f, .lift = 0.4f});
-    add(wind, DirectionalMotor{.position = start + glm::dvec3(0.0, 2.0, 0.0),
-                               .direction = {0.0f, 0.0f, 1.0f},
-                               .region = AlignedBox{},
-                               .law = Force{3.0f},
-                               .envelope = {.attack = 0.3f, .hold = 1.0f, .decay = 0.5f}});
+    const MotorId walker = added(wind, WakeMotor{.position = start, .radius = 1.5f});
+    added(wind, JetMotor{.position = start + glm::dvec3(-3.0, 0.0, 2.0), .direction = {0.0f, 0.3f, 1.0f}});
+    added(wind, VortexMotor{.position = start + glm::dvec3(2.0, 1.0, -3.0), .radius = 3.0f, .lift = 0.4f});
+    added(wind, DirectionalMotor{.position = start + glm::dvec3(0.0, 2.0, 0.0),
+                                 .direction = {0.0f, 0.0f, 1.0f},
+                                 .region = AlignedBox{},
+                                 .law = Force{3.0f},
+                                 .envelope = {.attack = 0.3f, .hold = 1.0f, .decay = 0.5f}});
     if (walls.sides.z_high.kind == SideKind::open) { // air that comes in must get out
-        add(wind, OmniMotor{.position = start + glm::dvec3(-2.0, 0.0, -2.0), .speed = 4.0f});
-        add(wind, PressureMotor{.position = start + glm::dvec3(3.0, 0.0, 3.0)});
+        added(wind, OmniMotor{.position = start + glm::dvec3(-2.0, 0.0, -2.0), .speed = 4.0f});
+        added(wind, PressureMotor{.position = start + glm::dvec3(3.0, 0.0, 3.0)});
     }
     for (int n = 0; n < k_steps; ++n) {
         const glm::dvec3 way = glm::dvec3(free_x ? 0.06 : 0.01, 0.0, free_z ? -0.04 : 0.01) * static_cast<double>(n);

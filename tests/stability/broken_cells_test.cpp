@@ -1,22 +1,13 @@
 // NaN, infinity, speeds and steps that a float can just hold: harmless after one step.
 
-#include "fluid/wind.h"
-#include "tests/fields.h"
 #include "tests/stability/watch.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <gtest/gtest.h>
-#include <limits>
-#include <string>
 
 namespace {
 
 using namespace windrow;
 using namespace windrow::test;
-
-constexpr float k_nan = std::numeric_limits<float>::quiet_NaN(), k_infinity = std::numeric_limits<float>::infinity();
 
 TEST(BrokenCells, DoNoMoreThanAmbientOnesWould) {
     Worst worst;
@@ -38,7 +29,7 @@ TEST(BrokenCells, DoNoMoreThanAmbientOnesWould) {
         }
         worst.meet(watch);
     }
-    worst.judge("broken_cells", {k_input_energy, 2.5}); // the factor of opposed_motors_test.cpp
+    worst.judge("broken_cells", {k_input_energy, k_opposed_factor});
 }
 
 // The guard meets them wherever they are: with gusts the wind is solved less a given part, in a thin box all is rim.
@@ -72,7 +63,7 @@ TEST(BrokenCells, InEveryStepOfEveryKindOfBox) {
                 }
             worst.judge("broken_in_every_step_" + std::to_string(cells.x) + 'x' + std::to_string(cells.y) + 'x' +
                             std::to_string(cells.z) + (scheme == Scheme::stable_fluids ? "_stable_fluids" : ""),
-                        {k_input_energy, 2.5}); // the factor of opposed_motors_test.cpp
+                        {k_input_energy, k_opposed_factor});
         }
 }
 
@@ -102,11 +93,10 @@ TEST(BrokenCells, StepsOfAnyFiniteLengthStayFinite) {
         Wind wind = made({.cells = {12, 8, 10}, .ambient = {3.0f, 0.0f, 1.0f}, .viscosity = 1e-3f});
         ASSERT_TRUE(wind.motors().add(DirectionalMotor{.law = Drive{20.0f, 1e6f}}));
         ASSERT_TRUE(wind.motors().add(DirectionalMotor{.position = {2.0, 0.0, 0.0}, .law = Force{10.0f}}));
-        const auto body = wind.motors().add(WakeMotor{});
-        ASSERT_TRUE(body);
+        const MotorId body = added(wind, WakeMotor{});
         bool finite = true;
         for (int n = 0; n < 5; ++n) {
-            ASSERT_TRUE(wind.motors().move(*body, {0.3 * n, 0.0, 0.0}));
+            ASSERT_TRUE(wind.motors().move(body, {0.3 * n, 0.0, 0.0}));
             wind.step(dt);
             finite = finite && all_finite(wind.field());
         }

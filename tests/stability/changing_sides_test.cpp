@@ -1,12 +1,7 @@
 // Sides whose kind changes while it blows through them: what was beyond a side is gone at once, and the pressure that stood
 // against a wall with it.
 
-#include "fluid/wind.h"
-#include "tests/fields.h"
 #include "tests/stability/watch.h"
-
-#include <gtest/gtest.h>
-#include <string>
 
 namespace {
 
@@ -14,7 +9,6 @@ using namespace windrow;
 using namespace windrow::test;
 
 constexpr glm::ivec3 k_cells(16, 9, 12);
-constexpr double k_factor = 2.5; // as in opposed_motors_test.cpp
 
 Side& side_of(Sides& sides, int number) {
     Side* const ordered[6] = {&sides.x_low, &sides.x_high, &sides.y_low, &sides.y_high, &sides.z_low, &sides.z_high};
@@ -55,7 +49,7 @@ TEST(ChangingSides, EveryKindToEveryKind) {
                 }
                 watch.judge(std::string("sides_") + k_kind_names[from] + "_to_" + k_kind_names[to] +
                                 (scheme == Scheme::stable_fluids ? "_stable_fluids" : ""),
-                            {k_input_energy, k_factor});
+                            {k_input_energy, k_opposed_factor});
             }
         }
 }
@@ -72,7 +66,8 @@ TEST(ChangingSides, OneSideAtATime) {
             ASSERT_TRUE(wind.set_sides(sides));
             watch.step(1.0 / 60.0);
         }
-        watch.judge(std::string("sides_one_by_one_others_") + k_kind_names[static_cast<int>(others)], {k_input_energy, k_factor});
+        watch.judge(std::string("sides_one_by_one_others_") + k_kind_names[static_cast<int>(others)],
+                    {k_input_energy, k_opposed_factor});
     }
 }
 
@@ -103,7 +98,7 @@ TEST(ChangingSides, AnyMixToAnyMix) {
         }
         watch.step(random.spread(1e-3, 0.5));
     }
-    watch.judge("sides_any_mix", {k_input_energy, k_factor});
+    watch.judge("sides_any_mix", {k_input_energy, k_opposed_factor});
 }
 
 } // namespace

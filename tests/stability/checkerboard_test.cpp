@@ -1,16 +1,7 @@
 // The checkerboard (-1)^(i+j+k): no collocated projection sees it, since neighbours but one agree. It goes with the wind that
 // carries it and with the settling time, by nothing else.
 
-#include "fluid/wind.h"
-#include "tests/fields.h"
-#include "tests/figure.h"
 #include "tests/stability/watch.h"
-
-#include <algorithm>
-#include <cmath>
-#include <glm/common.hpp>
-#include <gtest/gtest.h>
-#include <string>
 
 namespace {
 
@@ -34,11 +25,9 @@ struct Board {
                      .sleep_speed = 0.0f})),
           breeze(wind.ambient()) {
         Field field(wind.field().size());
-        for (int k = 0; k < k_cells.z; ++k)
-            for (int j = 0; j < k_cells.y; ++j)
-                for (int i = 0; i < k_cells.x; ++i)
-                    field[wind.box().index(i, j, k)] =
-                        glm::vec4(breeze + glm::vec3((i + j + k) % 2 == 0 ? k_size : -k_size), 0.0f);
+        for_each_cell(k_cells, [&](int i, int j, int k) {
+            field[wind.box().index(i, j, k)] = glm::vec4(breeze + glm::vec3((i + j + k) % 2 == 0 ? k_size : -k_size), 0.0f);
+        });
         EXPECT_TRUE(wind.set_velocity(field));
     }
     /// Root mean square of what is not breeze, over the start's.
@@ -53,10 +42,9 @@ struct Board {
     /// The board alone: largest component of the mean of (-1)^(i+j+k) u, over the start's.
     [[nodiscard]] double mode() const {
         glm::dvec3 sum(0.0);
-        for (int k = 0; k < k_cells.z; ++k)
-            for (int j = 0; j < k_cells.y; ++j)
-                for (int i = 0; i < k_cells.x; ++i)
-                    sum += ((i + j + k) % 2 == 0 ? 1.0 : -1.0) * glm::dvec3(wind.field()[wind.box().index(i, j, k)]);
+        for_each_cell(k_cells, [&](int i, int j, int k) {
+            sum += ((i + j + k) % 2 == 0 ? 1.0 : -1.0) * glm::dvec3(wind.field()[wind.box().index(i, j, k)]);
+        });
         sum = glm::abs(sum) / static_cast<double>(wind.field().size()) / static_cast<double>(k_size);
         return std::max({sum.x, sum.y, sum.z});
     }
@@ -69,8 +57,8 @@ constexpr struct {
 
 // A wind of the two finest waves is what open sides are worst at: near their edges the step adds to it until it is 2.2 times as
 // large at most (the norm of the step's powers without transport; random_stories_test.cpp), more in single cells.
-Bounds bounds_of(SideKind kind) {
-    return kind == SideKind::open ? Bounds{2.2 * 2.2, 8.0} : Bounds{1.001, 1.1};
+GrowthBounds bounds_of(SideKind kind) {
+    return kind == SideKind::open ? GrowthBounds{2.2 * 2.2, 8.0} : GrowthBounds{1.001, 1.1};
 }
 
 // In still air most of it stays, 71 % after 10 s in a prototype of this step. How much is stated; that it cannot grow is asked.
@@ -96,8 +84,7 @@ TEST(Checkerboard, DiesWithTheSettlingTime) {
     for (const auto& box : k_boxes) {
         Board board(Sides::all(box.kind), 20.0f);
         Watch watch(board.wind);
-        for (int n = 0; n < 3'600; ++n)
-            watch.step(k_dt);
+        take_steps(watch, 3'600, k_dt);
         const std::string name = std::string("checkerboard_settled_") + box.name;
         watch.judge(name, bounds_of(box.kind));
         WINDROW_EXPECT_FIGURE("stability/" + name + "/left_after_60_s", board.left(),
@@ -122,8 +109,7 @@ TEST(Checkerboard, DiesInAnyBreeze) {
     for (const SideKind kind : {SideKind::open, SideKind::periodic}) {
         Board board(Sides::all(kind), 0.0f, breeze);
         Watch watch(board.wind);
-        for (int n = 0; n < 600; ++n)
-            watch.step(k_dt);
+        take_steps(watch, 600, k_dt);
         const std::string name = std::string("checkerboard_breeze_") + (kind == SideKind::open ? "open" : "periodic");
         watch.judge(name, {1.001, 1.1});
         WINDROW_EXPECT_FIGURE("stability/" + name + "/board_left_after_10_s", board.mode(),

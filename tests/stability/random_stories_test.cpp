@@ -5,17 +5,12 @@
 // The seed is fixed so that a run can be repeated; RC_PARAMS="seed=0 max_success=10000" asks for more.
 
 #include "fluid/pieces.h"
-#include "tests/fields.h"
-#include "tests/figure.h"
 #include "tests/stability/random_story.h"
 #include "tests/stability/story.h"
 #include "tests/stability/watch.h"
 
-#include <algorithm>
 #include <cstdlib>
-#include <gtest/gtest.h>
 #include <rapidcheck.h>
-#include <string>
 
 namespace {
 
@@ -35,7 +30,7 @@ struct Tally {
     double energy = 0.0, max = 0.0;
 
     void tell(const Story& story, const Claims& claims = {}) {
-        const Told told = windrow::test::tell(story, claims);
+        const StoryOutcome told = windrow::test::tell(story, claims);
         if (!told.fault.empty())
             RC_FAIL(told.fault);
         steps += told.steps;
@@ -43,7 +38,7 @@ struct Tally {
         max = std::max(max, told.max);
     }
     /// A bound of 0: the speed has none.
-    void print(const std::string& name, Bounds bounds) const {
+    void print(const std::string& name, GrowthBounds bounds) const {
         const std::string full = "stability/" + name + '/' + std::to_string(steps) + "_steps/";
         EXPECT_GT(steps, 0);
         figure(full + "energy", energy, bounds.energy);

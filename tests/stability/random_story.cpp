@@ -199,7 +199,7 @@ struct Metres {
     void operator()(auto&) const {}
 };
 
-Story in_metres(Config config, story::Start start, std::vector<story::Event> events) {
+Story in_metres(Config config, story::StartAir start, std::vector<story::Event> events) {
     const Metres metres{static_cast<double>(config.cell_size), config.centre};
     for (story::Event& event : events)
         std::visit(metres, event);
@@ -228,7 +228,7 @@ story::Event any_event() {
     case 4:
         return some_steps();
     case 5:
-        return story::Frames{pick(1, 6), spread(1e-3, 0.3)};
+        return story::Advances{pick(1, 6), spread(1e-3, 0.3)};
     case 6:
     case 7:
     case 8:
@@ -264,8 +264,8 @@ story::Event any_event() {
     }
 }
 
-story::Start::Kind some_start(int first) {
-    return static_cast<story::Start::Kind>(pick(first, 3));
+story::StartAir::Pattern some_start(int first) {
+    return static_cast<story::StartAir::Pattern>(pick(first, 3));
 }
 
 } // namespace
@@ -307,12 +307,12 @@ rc::Gen<Story> any_story() {
         return any;
     });
     const auto start = rc::gen::exec([] {
-        const story::Start::Kind kind = some_start(0);
-        return story::Start{kind, single(spread(0.01, 100.0)), static_cast<std::uint32_t>(pick(1, 1000)), pick(0, 1) == 1};
+        const story::StartAir::Pattern kind = some_start(0);
+        return story::StartAir{kind, single(spread(0.01, 100.0)), static_cast<std::uint32_t>(pick(1, 1000)), pick(0, 1) == 1};
     });
     const auto events = rc::gen::container<std::vector<story::Event>>(rc::gen::exec([] { return any_event(); }));
     return rc::gen::map(rc::gen::tuple(config, start, events),
-                        [](std::tuple<Config, story::Start, std::vector<story::Event>> all) {
+                        [](std::tuple<Config, story::StartAir, std::vector<story::Event>> all) {
                             return in_metres(std::get<0>(all), std::get<1>(all), std::get<2>(all));
                         });
 }
@@ -326,8 +326,8 @@ rc::Gen<Story> calm_story(Config (*config)(), double most_cells) {
         return calm;
     });
     const auto start = rc::gen::exec([] {
-        const story::Start::Kind kind = some_start(1);
-        return story::Start{kind, 1.0f, static_cast<std::uint32_t>(pick(1, 1000)), true};
+        const story::StartAir::Pattern kind = some_start(1);
+        return story::StartAir{kind, 1.0f, static_cast<std::uint32_t>(pick(1, 1000)), true};
     });
     const auto event = rc::gen::exec([most_cells]() -> story::Event {
         switch (pick(0, 6)) {
@@ -344,12 +344,13 @@ rc::Gen<Story> calm_story(Config (*config)(), double most_cells) {
         }
     });
     const auto events = rc::gen::container<std::vector<story::Event>>(event);
-    return rc::gen::map(rc::gen::tuple(box, start, events), [](std::tuple<Config, story::Start, std::vector<story::Event>> all) {
-        for (story::Event& any : std::get<2>(all))
-            if (auto* steps = std::get_if<story::Steps>(&any))
-                steps->dt *= static_cast<double>(std::get<0>(all).cell_size);
-        return in_metres(std::get<0>(all), std::get<1>(all), std::get<2>(all));
-    });
+    return rc::gen::map(rc::gen::tuple(box, start, events),
+                        [](std::tuple<Config, story::StartAir, std::vector<story::Event>> all) {
+                            for (story::Event& any : std::get<2>(all))
+                                if (auto* steps = std::get_if<story::Steps>(&any))
+                                    steps->dt *= static_cast<double>(std::get<0>(all).cell_size);
+                            return in_metres(std::get<0>(all), std::get<1>(all), std::get<2>(all));
+                        });
 }
 
 } // namespace windrow::test

@@ -20,9 +20,9 @@ namespace windrow::test {
 namespace story {
 
 /// The air at the beginning.
-struct Start {
-    enum class Kind : std::uint8_t { ambient, white, smooth, shear };
-    Kind kind = Kind::ambient;
+struct StartAir {
+    enum class Pattern : std::uint8_t { ambient, white, smooth, shear };
+    Pattern kind = Pattern::ambient;
     float speed = 1.0f; ///< [m/s]
     std::uint32_t seed = 1;
     /// Without its divergence, as a step leaves it: an energy to compare with.
@@ -34,7 +34,7 @@ struct Steps {
     double dt = 0.1; ///< [s]
 };
 /// Calls of `advance`.
-struct Frames {
+struct Advances {
     int count = 1;
     double dt = 0.1; ///< [s]
 };
@@ -78,18 +78,18 @@ struct Break {
 struct SaveAndLoad {};
 struct Reset {};
 
-using Event = std::variant<Steps, Frames, Add, Replace, Move, Remove, Follow, Floor, ChangeSides, ChangeAmbient, ChangeGusts,
+using Event = std::variant<Steps, Advances, Add, Replace, Move, Remove, Follow, Floor, ChangeSides, ChangeAmbient, ChangeGusts,
                            Break, SaveAndLoad, Reset>;
 
 } // namespace story
 
 struct Story {
     Config config;
-    story::Start start;
+    story::StartAir start;
     std::vector<story::Event> events;
 };
 
-[[nodiscard]] inline Story story_of(Config config, story::Start start, std::vector<story::Event> events) {
+[[nodiscard]] inline Story story_of(Config config, story::StartAir start, std::vector<story::Event> events) {
     return {std::move(config), start, std::move(events)};
 }
 
@@ -105,7 +105,7 @@ struct Claims {
 };
 
 /// What came out. Ratios as in watch.h.
-struct Told {
+struct StoryOutcome {
     std::string fault; ///< the first thing that does not hold; empty where all does
     int steps = 0;
     double energy = 0.0; ///< largest energy over that of all the box's air at the input speed (input.h), or over the start's
@@ -116,6 +116,6 @@ struct Told {
 /// that is not, and asks of every step:
 ///   every cell holds a number; energy and largest speed are within their bounds; the report says what was done; both winds hold
 ///   the same bits.
-[[nodiscard]] Told tell(const Story& story, const Claims& claims = {});
+[[nodiscard]] StoryOutcome tell(const Story& story, const Claims& claims = {});
 
 } // namespace windrow::test

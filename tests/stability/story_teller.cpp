@@ -19,16 +19,16 @@ ThreadPool& three_threads() {
     return pool;
 }
 
-Field start_field(const Wind& wind, const story::Start& start) {
+Field start_field(const Wind& wind, const story::StartAir& start) {
     const glm::ivec3 cells = wind.box().cells;
     switch (start.kind) {
-    case story::Start::Kind::ambient:
+    case story::StartAir::Pattern::ambient:
         break;
-    case story::Start::Kind::white:
+    case story::StartAir::Pattern::white:
         return white_noise(cells, start.speed, start.seed);
-    case story::Start::Kind::smooth:
+    case story::StartAir::Pattern::smooth:
         return smooth_noise(cells, start.speed, start.seed);
-    case story::Start::Kind::shear:
+    case story::StartAir::Pattern::shear:
         return shear_layer(cells, start.speed, start.seed);
     }
     return copy(wind.field());
@@ -38,7 +38,7 @@ class Teller {
   public:
     Teller(const Story& story, const Claims& claims) : story_(story), claims_(claims) {}
 
-    Told tell() {
+    StoryOutcome tell() {
         if (begin())
             for (number_ = 0; number_ < story_.events.size() && told_.fault.empty(); ++number_)
                 std::visit([&](const auto& event) { happen(event); }, story_.events[number_]);
@@ -68,7 +68,7 @@ class Teller {
         winds_.push_back(*std::move(threaded));
         meet_outside();
         input_.meets(story_.config.sides);
-        if (story_.start.kind == story::Start::Kind::ambient)
+        if (story_.start.kind == story::StartAir::Pattern::ambient)
             return true;
         Field field = start_field(winds_[0], story_.start);
         if (story_.start.projected)
@@ -98,7 +98,7 @@ class Teller {
         }
     }
     // Ticks: several a frame or none; each sees the way that the motors have gone by then.
-    void happen(const story::Frames& event) {
+    void happen(const story::Advances& event) {
         const double tick = 1.0 / story_.config.ticks.hz;
         ticking_ = true;
         for (int n = 0; n < event.count && told_.fault.empty(); ++n) {
@@ -329,12 +329,12 @@ class Teller {
     bool asleep_ = false;
     bool ticking_ = false; ///< the last time was told by frames
     std::size_t number_ = 0;
-    Told told_;
+    StoryOutcome told_;
 };
 
 } // namespace
 
-Told tell(const Story& story, const Claims& claims) {
+StoryOutcome tell(const Story& story, const Claims& claims) {
     return Teller(story, claims).tell();
 }
 

@@ -22,7 +22,7 @@ TEST(ToldStories, TheStepThatFallsAsleepReportsTheAirThatIsLeft) {
                                   .viscosity = 0.0f,
                                   .settling_time = 0.100000001f,
                                   .max_substeps = 1},
-                                 {story::Start::Kind::white, 0.00999999978f, 1u, false},
+                                 {story::StartAir::Pattern::white, 0.00999999978f, 1u, false},
                                  {story::Steps{2, 0.14060475241299156}, story::Steps{2, 0.031622776601683798}});
     EXPECT_EQ(tell(story).fault, "");
 }
@@ -32,8 +32,8 @@ TEST(ToldStories, TheStepThatFallsAsleepReportsTheAirThatIsLeft) {
 TEST(ToldStories, ABrokenCellThatTheBoxLeavesBehindIsNotRepaired) {
     const Story story = story_of(
         {.cells = {1, 1, 1}, .cell_size = 0.0500000007f, .ambient = {-20.0f, -20.0f, -20.0f}, .ticks = {.hz = 5.0, .most = 1}},
-        {story::Start::Kind::ambient, 1.0f, 1u, false},
-        {story::Frames{1, 0.001}, story::Follow{{-1.0, -1.0, -1.0}}, story::Break{0, std::numeric_limits<float>::quiet_NaN()},
+        {story::StartAir::Pattern::ambient, 1.0f, 1u, false},
+        {story::Advances{1, 0.001}, story::Follow{{-1.0, -1.0, -1.0}}, story::Break{0, std::numeric_limits<float>::quiet_NaN()},
          story::Steps{1, 0.0001}});
     EXPECT_EQ(tell(story).fault, "");
 }
@@ -44,7 +44,7 @@ TEST(ToldStories, AFaultIsTold) {
     EXPECT_EQ(tell(still).fault, "");
     EXPECT_EQ(tell(still).steps, 2);
     Story stirred = still;
-    stirred.start = {story::Start::Kind::white, 1.0f, 1u, true};
+    stirred.start = {story::StartAir::Pattern::white, 1.0f, 1u, true};
     EXPECT_NE(tell(stirred, {.energy_of_start = 0.1}).fault, ""); // one step does not take nine tenths
     Story refused = still;
     refused.config.cell_size = -1.0f;
@@ -56,13 +56,12 @@ TEST(ToldStories, AFaultIsTold) {
 
 TEST(ToldStories, AStoryIsPrintedAsItIsWritten) {
     const Story story =
-        story_of({.cells = {1, 2, 3}, .ambient = {0.1f, 0.0f, 0.0f}}, {story::Start::Kind::shear, 2.0f, 7u, true},
+        story_of({.cells = {1, 2, 3}, .ambient = {0.1f, 0.0f, 0.0f}}, {story::StartAir::Pattern::shear, 2.0f, 7u, true},
                  {story::Steps{2, 0.1}, story::Add{OmniMotor{.radius = 3.0f, .speed = -1.0f}}, story::Move{1, {}}});
     EXPECT_EQ(text_of(story), "story_of({.cells = {1, 2, 3}, .ambient = {0.100000001f, 0.0f, 0.0f}},\n"
-                              "         {story::Start::Kind::shear, 2.0f, 7u, true},\n"
+                              "         {story::StartAir::Pattern::shear, 2.0f, 7u, true},\n"
                               "         {story::Steps{2, 0.10000000000000001},\n"
-                              "          story::Add{OmniMotor{.position = {0.0, 0.0, 0.0}, .radius = 3.0f, .speed = -1.0f, "
-                              ".envelope = {.attack = 0.0f, .hold = std::numeric_limits<float>::infinity(), .decay = 0.0f}}},\n"
+                              "          story::Add{OmniMotor{.radius = 3.0f, .speed = -1.0f}},\n"
                               "          story::Move{1, {0.0, 0.0, 0.0}}})");
 }
 

@@ -40,24 +40,24 @@ Bytes state_of(const Object&) {
 }
 
 /// A wind, what its host records, and what its host needs for the calls.
-struct Scene {
+struct HostedWind {
     Wind wind;
     EventLog log;
     Field cells;
     Bytes saved;
     MotorId fan, vent;
 
-    Scene(Wind made) : wind(std::move(made)), cells(wind.box().cell_count(), glm::vec4(1.0f, 2.0f, 0.5f, 0.0f)) {}
+    HostedWind(Wind made) : wind(std::move(made)), cells(wind.box().cell_count(), glm::vec4(1.0f, 2.0f, 0.5f, 0.0f)) {}
 };
 
-Bytes state_of(const Scene& scene) {
+Bytes state_of(const HostedWind& scene) {
     const auto bytes = scene.wind.save();
     return bytes ? *bytes : Bytes{};
 }
 
 template <class Object>
 void expect_sound(const Object&) {}
-void expect_sound(const Scene& scene) {
+void expect_sound(const HostedWind& scene) {
     EXPECT_TRUE(Wind::load(state_of(scene))) << "its own snapshot is rejected";
     EXPECT_TRUE(all_finite(scene.wind.field()));
 }
@@ -132,10 +132,10 @@ Config gusty() {
 
 enum class Past { fresh, stepped, ticking };
 
-Scene scene_of(const Config& config, Past past) {
+HostedWind scene_of(const Config& config, Past past) {
     auto wind = Wind::create(config);
     EXPECT_TRUE(wind) << wind.error();
-    Scene scene(*std::move(wind));
+    HostedWind scene(*std::move(wind));
     scene.fan = *scene.wind.motors().add(DirectionalMotor{.law = Drive{.speed = 6.0f}});
     for (int n = 0; n < 3 && past != Past::fresh; ++n)
         if (past == Past::stepped)
@@ -163,35 +163,36 @@ TEST_F(Allocations, OfAWindsCalls) {
             SCOPED_TRACE(std::string(gusts ? "gusty" : "plain") + ", past " + std::to_string(static_cast<int>(past)));
             const auto make = [&] { return scene_of(gusts ? gusty() : small(), past); };
             const auto with_vent = [&] {
-                Scene scene = make();
+                HostedWind scene = make();
                 scene.vent = *scene.wind.motors().add(OmniMotor{.radius = 2.0f});
                 return scene;
             };
-            fail_each("step", make, [](Scene& s) { return s.wind.step(0.05); });
-            fail_each("step with a vent", with_vent, [](Scene& s) { return s.wind.step(0.05); });
-            fail_each("advance", make, [](Scene& s) { return s.wind.advance(0.12); });
-            fail_each("advance with a vent", with_vent, [](Scene& s) { return s.wind.advance(0.12); });
-            fail_each("advance beyond all ticks", make, [](Scene& s) { return s.wind.advance(3.0); });
-            fail_each("set_ambient", make, [](Scene& s) { return s.wind.set_ambient({-2.0f, 0.0f, 4.0f}); });
-            fail_each("set_gusts", make, [](Scene& s) { return s.wind.set_gusts({.intensity = 0.2f}); });
-            fail_each("set_gusts of a seed", make, [](Scene& s) { return s.wind.set_gusts({.intensity = 0.2f, .seed = 9}); });
-            fail_each("set_gusts off", make, [](Scene& s) { return s.wind.set_gusts({}); });
-            fail_each("set_sides", make, [&](Scene& s) { return s.wind.set_sides(walls); });
-            fail_each("set_sides with a vent", with_vent, [&](Scene& s) { return s.wind.set_sides(walls); });
-            fail_each("follow", make, [](Scene& s) { return s.wind.follow({2.3, 0.0, -1.2}); });
-            fail_each("follow beyond", make, [](Scene& s) { return s.wind.follow({200.0, 3.0, -1.0}); });
-            fail_each("set_velocity", make, [](Scene& s) { return s.wind.set_velocity(s.cells); });
-            fail_each("set_velocity of a function", make, [](Scene& s) {
+            fail_each("step", make, [](HostedWind& s) { return s.wind.step(0.05); });
+            fail_each("step with a vent", with_vent, [](HostedWind& s) { return s.wind.step(0.05); });
+            fail_each("advance", make, [](HostedWind& s) { return s.wind.advance(0.12); });
+            fail_each("advance with a vent", with_vent, [](HostedWind& s) { return s.wind.advance(0.12); });
+            fail_each("advance beyond all ticks", make, [](HostedWind& s) { return s.wind.advance(3.0); });
+            fail_each("set_ambient", make, [](HostedWind& s) { return s.wind.set_ambient({-2.0f, 0.0f, 4.0f}); });
+            fail_each("set_gusts", make, [](HostedWind& s) { return s.wind.set_gusts({.intensity = 0.2f}); });
+            fail_each("set_gusts of a seed", make,
+                      [](HostedWind& s) { return s.wind.set_gusts({.intensity = 0.2f, .seed = 9}); });
+            fail_each("set_gusts off", make, [](HostedWind& s) { return s.wind.set_gusts({}); });
+            fail_each("set_sides", make, [&](HostedWind& s) { return s.wind.set_sides(walls); });
+            fail_each("set_sides with a vent", with_vent, [&](HostedWind& s) { return s.wind.set_sides(walls); });
+            fail_each("follow", make, [](HostedWind& s) { return s.wind.follow({2.3, 0.0, -1.2}); });
+            fail_each("follow beyond", make, [](HostedWind& s) { return s.wind.follow({200.0, 3.0, -1.0}); });
+            fail_each("set_velocity", make, [](HostedWind& s) { return s.wind.set_velocity(s.cells); });
+            fail_each("set_velocity of a function", make, [](HostedWind& s) {
                 s.wind.set_velocity([](glm::dvec3 x) { return glm::vec3(x); });
                 return true;
             });
-            fail_each("reset", make, [](Scene& s) {
+            fail_each("reset", make, [](HostedWind& s) {
                 s.wind.reset();
                 return true;
             });
-            fail_each("save", make, [](Scene& s) { return s.wind.save(); });
-            fail_each("load", make, [](Scene& s) { return Wind::load(s.saved); });
-            fail_each("reading", make, [](Scene& s) {
+            fail_each("save", make, [](HostedWind& s) { return s.wind.save(); });
+            fail_each("load", make, [](HostedWind& s) { return Wind::load(s.saved); });
+            fail_each("reading", make, [](HostedWind& s) {
                 (void)s.wind.felt({0.3, 1.0, 0.2}, {.detail = 0.4f});
                 (void)s.wind.frame_block({1.0, 0.0, 0.0}, {});
                 (void)s.wind.window_block({1.0, 0.0, 0.0});
@@ -201,16 +202,16 @@ TEST_F(Allocations, OfAWindsCalls) {
         }
     Config floor = gusty();
     fail_each(
-        "set_floor", [&] { return scene_of(floor, Past::stepped); }, [](Scene& s) { return s.wind.set_floor(3.0); });
+        "set_floor", [&] { return scene_of(floor, Past::stepped); }, [](HostedWind& s) { return s.wind.set_floor(3.0); });
     // What a step of a minute asks of this viscosity, no step of a second does.
     Config syrup = small();
     syrup.viscosity = 0.05f;
     fail_each(
-        "step of a minute", [&] { return scene_of(syrup, Past::stepped); }, [](Scene& s) { return s.wind.step(60.0); });
+        "step of a minute", [&] { return scene_of(syrup, Past::stepped); }, [](HostedWind& s) { return s.wind.step(60.0); });
     syrup.viscosity = 50.0f;
     fail_each(
         "set_sides of a viscous wind", [&] { return scene_of(syrup, Past::stepped); },
-        [&](Scene& s) { return s.wind.set_sides(walls); });
+        [&](HostedWind& s) { return s.wind.set_sides(walls); });
     fail_each(
         "set_sides that moves a wall",
         [&] {
@@ -218,7 +219,7 @@ TEST_F(Allocations, OfAWindsCalls) {
             closed.sides = walls;
             return scene_of(closed, Past::stepped);
         },
-        [&](Scene& s) { return s.wind.set_sides(blowing); });
+        [&](HostedWind& s) { return s.wind.set_sides(blowing); });
 }
 
 TEST_F(Allocations, OfCreation) {
@@ -249,19 +250,19 @@ TEST_F(Allocations, OfCreation) {
 TEST_F(Allocations, OfMotors) {
     const auto make = [] { return scene_of(small(), Past::stepped); };
     const Motor stirred = JetMotor{.turbulence = {.intensity = 0.2f}}, wake = WakeMotor{};
-    fail_each("add", make, [](Scene& s) { return s.wind.motors().add(OmniMotor{}); });
-    fail_each("add with eddies", make, [&](Scene& s) { return s.wind.motors().add(stirred); });
-    fail_each("add a wake", make, [&](Scene& s) { return s.wind.motors().add(wake); });
-    fail_each("set", make, [&](Scene& s) { return s.wind.motors().set(s.fan, wake); });
-    fail_each("move", make, [](Scene& s) { return s.wind.motors().move(s.fan, {1.0, 2.0, 0.0}); });
-    fail_each("remove", make, [](Scene& s) { return s.wind.motors().remove(s.fan); });
+    fail_each("add", make, [](HostedWind& s) { return s.wind.motors().add(OmniMotor{}); });
+    fail_each("add with eddies", make, [&](HostedWind& s) { return s.wind.motors().add(stirred); });
+    fail_each("add a wake", make, [&](HostedWind& s) { return s.wind.motors().add(wake); });
+    fail_each("set", make, [&](HostedWind& s) { return s.wind.motors().set(s.fan, wake); });
+    fail_each("move", make, [](HostedWind& s) { return s.wind.motors().move(s.fan, {1.0, 2.0, 0.0}); });
+    fail_each("remove", make, [](HostedWind& s) { return s.wind.motors().remove(s.fan); });
     const auto full = [&] {
-        Scene scene = make();
+        HostedWind scene = make();
         for (int n = 0; n < 3; ++n)
             EXPECT_TRUE(scene.wind.motors().add(WakeMotor{}));
         return scene;
     };
-    fail_each("a motor that ends in a step", full, [](Scene& s) {
+    fail_each("a motor that ends in a step", full, [](HostedWind& s) {
         const auto id = s.wind.motors().add(DirectionalMotor{.envelope = {.hold = 0.01f}});
         if (!id)
             return false;
@@ -273,34 +274,36 @@ TEST_F(Allocations, OfMotors) {
 TEST_F(Allocations, OfRejections) {
     const auto make = [] { return scene_of(small(), Past::stepped); };
     const auto rejected = [&](const char* name, const auto& call) { fail_each(name, make, call, false); };
-    rejected("Wind::create", [](Scene&) { return Wind::create({.cells = {0, -1, 9999}, .cell_size = k_nan, .rim = -1.0f}); });
-    rejected("set_ambient", [](Scene& s) { return s.wind.set_ambient({k_nan, 0.0f, 0.0f}); });
-    rejected("set_gusts", [](Scene& s) { return s.wind.set_gusts({.intensity = -1.0f, .length = k_nan}); });
-    rejected("set_sides", [](Scene& s) { return s.wind.set_sides({.x_low = {SideKind::periodic}}); });
-    rejected("follow", [](Scene& s) { return s.wind.follow({1e300, 0.0, 0.0}); });
-    rejected("set_floor", [](Scene& s) { return s.wind.set_floor(1.0); });
-    rejected("set_velocity", [](Scene& s) { return s.wind.set_velocity(std::span(s.cells).first(3)); });
-    rejected("load", [](Scene& s) { return Wind::load(std::span(s.saved).first(100)); });
-    rejected("add", [](Scene& s) { return s.wind.motors().add(OmniMotor{.radius = -1.0f, .speed = k_nan}); });
-    rejected("set", [](Scene& s) { return s.wind.motors().set(s.fan, DirectionalMotor{.direction = glm::vec3(0.0f)}); });
-    rejected("stale handle", [](Scene& s) { return s.wind.motors().move({99, 3}, {}); });
-    rejected("write_axes", [](Scene& s) { return s.wind.write_axes(std::span<float>(), {}, {}); });
-    rejected("AmbientWind::create", [](Scene&) { return AmbientWind::create({.mean = {k_nan, 0.0f, 0.0f}}); });
-    rejected("Workspace::create", [](Scene&) { return Workspace::create({.box = {.cells = {0, 1, 1}}}); });
-    rejected("validate a motor", [](Scene&) { return validate(Motor(WakeMotor{.radius = -3.0f})); });
-    rejected("validate a sampling", [](Scene&) { return validate(Sampling{.limit = k_nan}); });
-    rejected("GroundMemory::create", [](Scene&) { return GroundMemory::create({.texels = -4}); });
-    rejected("Cascade::create", [](Scene&) { return Cascade::create({.stages = -1}, {.scale = -1.0}); });
-    rejected("CascadeStep::create", [](Scene&) { return CascadeStep::create(-1); });
-    rejected("Blades::create", [](Scene&) { return Blades::create({.width = -1.0f}); });
-    rejected("Shells::create", [](Scene&) { return Shells::create({.shells = -1}); });
-    rejected("Tree::create", [](Scene&) { return Tree::create({.trunk = {.length = -1.0f}}); });
-    rejected("spring_step", [](Scene&) { return spring_step({}, -1.0); });
+    rejected("Wind::create", [](HostedWind&) {
+        return Wind::create({.cells = {0, -1, 9999}, .cell_size = k_nan, .rim = -1.0f});
+    });
+    rejected("set_ambient", [](HostedWind& s) { return s.wind.set_ambient({k_nan, 0.0f, 0.0f}); });
+    rejected("set_gusts", [](HostedWind& s) { return s.wind.set_gusts({.intensity = -1.0f, .length = k_nan}); });
+    rejected("set_sides", [](HostedWind& s) { return s.wind.set_sides({.x_low = {SideKind::periodic}}); });
+    rejected("follow", [](HostedWind& s) { return s.wind.follow({1e300, 0.0, 0.0}); });
+    rejected("set_floor", [](HostedWind& s) { return s.wind.set_floor(1.0); });
+    rejected("set_velocity", [](HostedWind& s) { return s.wind.set_velocity(std::span(s.cells).first(3)); });
+    rejected("load", [](HostedWind& s) { return Wind::load(std::span(s.saved).first(100)); });
+    rejected("add", [](HostedWind& s) { return s.wind.motors().add(OmniMotor{.radius = -1.0f, .speed = k_nan}); });
+    rejected("set", [](HostedWind& s) { return s.wind.motors().set(s.fan, DirectionalMotor{.direction = glm::vec3(0.0f)}); });
+    rejected("stale handle", [](HostedWind& s) { return s.wind.motors().move({99, 3}, {}); });
+    rejected("write_axes", [](HostedWind& s) { return s.wind.write_axes(std::span<float>(), {}, {}); });
+    rejected("AmbientWind::create", [](HostedWind&) { return AmbientWind::create({.mean = {k_nan, 0.0f, 0.0f}}); });
+    rejected("Workspace::create", [](HostedWind&) { return Workspace::create({.box = {.cells = {0, 1, 1}}}); });
+    rejected("validate a motor", [](HostedWind&) { return validate(Motor(WakeMotor{.radius = -3.0f})); });
+    rejected("validate a sampling", [](HostedWind&) { return validate(Sampling{.limit = k_nan}); });
+    rejected("GroundMemory::create", [](HostedWind&) { return GroundMemory::create({.texels = -4}); });
+    rejected("Cascade::create", [](HostedWind&) { return Cascade::create({.stages = -1}, {.scale = -1.0}); });
+    rejected("CascadeStep::create", [](HostedWind&) { return CascadeStep::create(-1); });
+    rejected("Blades::create", [](HostedWind&) { return Blades::create({.width = -1.0f}); });
+    rejected("Shells::create", [](HostedWind&) { return Shells::create({.shells = -1}); });
+    rejected("Tree::create", [](HostedWind&) { return Tree::create({.trunk = {.length = -1.0f}}); });
+    rejected("spring_step", [](HostedWind&) { return spring_step({}, -1.0); });
 }
 
 TEST_F(Allocations, OfLogs) {
     const auto recording = [] {
-        auto scene = std::make_unique<Scene>(scene_of(small(), Past::fresh));
+        auto scene = std::make_unique<HostedWind>(scene_of(small(), Past::fresh));
         scene->wind.record_to(&scene->log);
         return scene;
     };

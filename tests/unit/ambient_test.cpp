@@ -1,41 +1,20 @@
 // The mean wind changed while it blows: the air of the box changes with it and keeps its own motion.
 
-#include "fluid/wind.h"
-#include "tests/fields.h"
-#include "tests/figure.h"
-
-#include <algorithm>
-#include <gtest/gtest.h>
-#include <string>
-#include <utility>
+#include "tests/winds.h"
 
 namespace {
 
 using namespace windrow;
 using namespace windrow::test;
 
-Wind made(const Config& config) {
-    auto wind = Wind::create(config);
-    EXPECT_TRUE(wind) << wind.error();
-    return *std::move(wind);
-}
-
-double largest_difference(const Wind& wind, glm::vec3 from) {
-    double largest = 0.0;
-    for (const glm::vec4& u : wind.field())
-        largest = std::max(largest, double(glm::length(glm::vec3(u) - from)));
-    return largest;
-}
-
 TEST(Ambient, ANewWindReachesAllAirAtOnce) {
     for (const auto& [name, sides] : {std::pair{"open", Sides{}}, {"periodic", Sides::all(SideKind::periodic)}}) {
         Wind wind = made({.cells = {16, 8, 12}, .sides = sides, .ambient = {1.0f, 0.0f, 0.0f}, .settling_time = 0.0f});
         wind.step(0.1);
         ASSERT_TRUE(wind.set_ambient({3.0f, -0.5f, 0.25f}));
-        EXPECT_EQ(largest_difference(wind, {3.0f, -0.5f, 0.25f}), 0.0);
-        for (int n = 0; n < 100; ++n)
-            wind.step(0.1);
-        WINDROW_EXPECT_FIGURE(std::string("ambient_uniform_after_a_change_") + name, largest_difference(wind, wind.ambient()),
+        EXPECT_EQ(largest_off(wind.field(), {3.0f, -0.5f, 0.25f}), 0.0);
+        take_steps(wind, 100, 0.1);
+        WINDROW_EXPECT_FIGURE(std::string("ambient_uniform_after_a_change_") + name, largest_off(wind.field(), wind.ambient()),
                               1e-5);
     }
 }
@@ -60,7 +39,7 @@ TEST(Ambient, ManyChangesLeaveNoTrace) {
         ASSERT_TRUE(wind.set_ambient(random.vector(10.0f)));
         wind.step(1.0 / 60.0);
     }
-    WINDROW_EXPECT_FIGURE("ambient_after_2000_changes", largest_difference(wind, wind.ambient()),
+    WINDROW_EXPECT_FIGURE("ambient_after_2000_changes", largest_off(wind.field(), wind.ambient()),
                           1e-4); // a rounding of 10 m/s a change
 }
 
@@ -74,7 +53,7 @@ TEST(Ambient, WallsDropWhatCannotPass) {
 
     Wind floor = made({.cells = {8, 8, 8}, .sides = Sides::open_over_floor()});
     ASSERT_TRUE(floor.set_ambient({5.0f, 5.0f, 5.0f}));
-    EXPECT_EQ(largest_difference(floor, {5.0f, 0.0f, 5.0f}), 0.0);
+    EXPECT_EQ(largest_off(floor.field(), {5.0f, 0.0f, 5.0f}), 0.0);
     ASSERT_TRUE(floor.set_sides(Sides{}));
     EXPECT_EQ(floor.ambient(), glm::vec3(5.0f)) << "the wind that was asked for, once nothing stands in its way";
 }
@@ -83,10 +62,10 @@ TEST(Ambient, NewCellsGetTheNewWind) {
     Wind wind = made({.cells = {8, 8, 8}, .ambient = {1.0f, 0.0f, 0.0f}});
     ASSERT_TRUE(wind.set_ambient({2.0f, 0.0f, 3.0f}));
     ASSERT_TRUE(wind.follow({3.0, 0.0, 0.0}));
-    EXPECT_EQ(largest_difference(wind, {2.0f, 0.0f, 3.0f}), 0.0);
+    EXPECT_EQ(largest_off(wind.field(), {2.0f, 0.0f, 3.0f}), 0.0);
     EXPECT_EQ(wind.velocity({1e6, 0.0, 0.0}), glm::vec3(2.0f, 0.0f, 3.0f));
     wind.reset();
-    EXPECT_EQ(largest_difference(wind, {2.0f, 0.0f, 3.0f}), 0.0);
+    EXPECT_EQ(largest_off(wind.field(), {2.0f, 0.0f, 3.0f}), 0.0);
 }
 
 } // namespace

@@ -36,7 +36,7 @@ class OnDevice : public testing::Test {
         ASSERT_FALSE(fault) << fault.sentence;
     }
     [[nodiscard]] std::unique_ptr<BackendWind> wind_on(const Backend& backend, const Config& config) const {
-        auto wind = BackendWind::create(config, backend, StageClock::on);
+        auto wind = BackendWind::create(config, backend, BackendClock::on);
         EXPECT_TRUE(wind) << wind.error();
         return *std::move(wind);
     }
@@ -104,7 +104,7 @@ TEST_F(OnDevice, SleepKeepsTheBoxWhereItIs) {
     EXPECT_EQ(wind->view().origin(), wind->origin());
 }
 
-Outcome run(std::vector<const char*> arguments) {
+CommandOutcome run(std::vector<const char*> arguments) {
     return run_windrow(std::move(arguments));
 }
 
@@ -134,7 +134,7 @@ TEST_F(OnDevice, VerifyHoldsTheCpusBounds) {
 }
 
 TEST_F(OnDevice, VerifyNamesTheDevice) {
-    const Outcome verified = run({"verify", "--backend", "vulkan", "--case", "couette_steady"});
+    const CommandOutcome verified = run({"verify", "--backend", "vulkan", "--case", "couette_steady"});
     EXPECT_EQ(verified.code, k_exit_well) << verified.out << verified.err;
     EXPECT_NE(verified.out.find("Vulkan 1."), std::string::npos) << verified.out;
 }
@@ -145,7 +145,7 @@ TEST_F(OnDevice, ANumberThatNoDeviceHasIsWrongUse) {
         const std::string scene = WINDROW_SOURCE_DIR "/examples/scenes/still.json";
         if (words[0] == std::string("run"))
             words.push_back(scene.c_str());
-        const Outcome refused = run(words);
+        const CommandOutcome refused = run(words);
         EXPECT_EQ(refused.code, k_exit_wrong_use);
         EXPECT_NE(refused.err.find("--device is 63, and this machine has"), std::string::npos) << refused.err;
     }

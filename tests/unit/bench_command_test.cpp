@@ -6,21 +6,14 @@
 
 #include <chrono>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-#include <string>
 #include <sys/stat.h>
-#include <unistd.h>
-#include <vector>
 
 namespace windrow::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-Outcome bench(std::vector<const char*> arguments) {
+CommandOutcome bench(std::vector<const char*> arguments) {
     return run_windrow("bench", std::move(arguments));
 }
 
@@ -28,20 +21,7 @@ void expect_refusal(std::vector<const char*> arguments, const std::string& sente
     expect_refused(bench(std::move(arguments)), sentence);
 }
 
-class BenchCommand : public testing::Test {
-  protected:
-    BenchCommand() {
-        folder = fs::path(testing::TempDir()) / ("windrow_bench_test_" + std::to_string(::getpid()));
-        fs::create_directories(folder);
-    }
-    ~BenchCommand() override {
-        std::error_code ignored;
-        fs::remove_all(folder, ignored);
-    }
-    [[nodiscard]] std::string in(const char* name) const { return (folder / name).string(); }
-
-    fs::path folder;
-};
+using BenchCommand = test::FolderTest;
 
 void expect_positive(const nlohmann::json& json, const char* key) {
     ASSERT_TRUE(json.contains(key)) << key << " in " << json.dump();
@@ -85,7 +65,7 @@ TEST_F(BenchCommand, AFileThatCannotBeWrittenIsRefusedBeforeAnythingIsMeasured) 
     expect_refusal({"--json", folder.c_str()},
                    folder.string() + ": a folder stands where the file should go: remove it, or give another file with --json.");
     const std::string lost = in("none/bench.json");
-    const Outcome outcome = bench({"--json", lost.c_str()});
+    const CommandOutcome outcome = bench({"--json", lost.c_str()});
     EXPECT_EQ(outcome.code, k_exit_wrong_use);
     EXPECT_NE(outcome.err.find("give another file with --json."), std::string::npos) << outcome.err;
     EXPECT_TRUE(fs::is_empty(folder));
@@ -104,20 +84,19 @@ TEST_F(BenchCommand, WhatIsNoOrdinaryFileStaysAndALinkIsFollowed) {
     fs::create_symlink(target, link);
     ASSERT_EQ(bench({"--grid", "4x4x4", "--seconds", "0.01", "--json", link.c_str()}).code, k_exit_well);
     EXPECT_TRUE(fs::is_symlink(link));
-    EXPECT_TRUE(nlohmann::json::parse(std::ifstream(target)).contains("entries"));
+    EXPECT_TRUE(json_in(target).contains("entries"));
 }
 
 // --- Results ---------------------------------------------------------------------------------------------------------
 
 TEST_F(BenchCommand, FiguresAreToldAndKept) {
     const std::string file = in("bench.json");
-    const Outcome outcome = bench({"--grid", "8x6x10", "--threads", "2", "--seconds", "0.05", "--json", file.c_str()});
+    const CommandOutcome outcome = bench({"--grid", "8x6x10", "--threads", "2", "--seconds", "0.05", "--json", file.c_str()});
     ASSERT_EQ(outcome.code, k_exit_well) << outcome.err;
-    for (const char* word : {"8 x 6 x 10", "2 threads", "second_order", "stable_fluids", "barriers", "Stam, 40 sweeps", "copy",
-                             "advection", "projection", "direct", "40 Jacobi sweeps", "residual"})
-        EXPECT_NE(outcome.out.find(word), std::string::npos) << word << "\n" << outcome.out;
+    expect_words(outcome.out, {"8 x 6 x 10", "2 threads", "second_order", "stable_fluids", "barriers", "Stam, 40 sweeps", "copy",
+                               "advection", "projection", "direct", "40 Jacobi sweeps", "residual"});
 
-    const nlohmann::json json = nlohmann::json::parse(std::ifstream(file));
+    const nlohmann::json json = json_in(file);
     for (const char* key : {"device", "compiler", "commit", "simd"})
         EXPECT_TRUE(json.contains(key) && json[key].is_string() && !json[key].get<std::string>().empty()) << key;
     EXPECT_EQ(json["threads"], 2);
@@ -152,7 +131,7 @@ TEST_F(BenchCommand, FiguresAreToldAndKept) {
         expect_positive(reference, "vdb_residual");
     }
     EXPECT_TRUE(json["volumes"].empty());
-    EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1) << "nothing but the file is left";
+    EXPECT_EQ(entries(), 1) << "nothing but the file is left";
 }
 
 TEST_F(BenchCommand, TheSmallestGridIsMeasuredToo) {
@@ -161,10 +140,10 @@ TEST_F(BenchCommand, TheSmallestGridIsMeasuredToo) {
 
 TEST_F(BenchCommand, VolumesAloneAreMeasuredWhereNoGridIsGiven) {
     const std::string file = in("volumes.json");
-    const Outcome outcome =
+    const CommandOutcome outcome =
         bench({"--volumes", "1", "3", "--threads", "2", "--simd", "baseline", "--seconds", "0.02", "--json", file.c_str()});
     ASSERT_EQ(outcome.code, k_exit_well) << outcome.err;
-    const nlohmann::json json = nlohmann::json::parse(std::ifstream(file));
+    const nlohmann::json json = json_in(file);
     EXPECT_EQ(json["simd"], "baseline");
     EXPECT_TRUE(json["entries"].empty());
     EXPECT_TRUE(json["references"].empty());

@@ -81,12 +81,12 @@ double divergence_rms(const Box& box, std::span<const glm::vec4> velocity) {
 }
 
 /// The direct solve and its right-hand side.
-struct Solved {
+struct SolvedBox {
     std::vector<float> rhs, phi;
 };
-Solved solve(const Box& box) {
+SolvedBox solve(const Box& box) {
     auto work = Workspace::create({.box = box, .ambient = cases::k_bench_ambient});
-    Solved solved{std::vector<float>(box.cell_count()), {}};
+    SolvedBox solved{std::vector<float>(box.cell_count()), {}};
     divergence(*work, cases::jets(box), solved.rhs);
     solved.phi = solved.rhs;
     solve_poisson(*work, solved.phi);
@@ -185,7 +185,7 @@ TEST(BenchReference, StamKeepsBrokenAirInsideItsArrays) {
 TEST(BenchReference, JacobiComesToTheDirectSolve) {
     for (const glm::ivec3 cells : {glm::ivec3(1), glm::ivec3(3, 2, 5), glm::ivec3(20, 9, 17)}) {
         const Box box = cases::bench_box(cells);
-        const Solved solved = solve(box);
+        const SolvedBox solved = solve(box);
         for (const Simd level : levels()) {
             Jacobi jacobi(cells, level);
             jacobi.solve(solved.rhs, 4000, {});
@@ -201,7 +201,7 @@ TEST(BenchReference, JacobiComesToTheDirectSolve) {
 
 TEST(BenchReference, ResidualIsThatOfTheSolution) {
     const Box box = cases::bench_box(k_cells);
-    const Solved solved = solve(box);
+    const SolvedBox solved = solve(box);
     const PressureAt exact = [&](int i, int j, int k) { return static_cast<double>(solved.phi[box.index(i, j, k)]); };
     const PressureAt none = [](int, int, int) { return 0.0; };
     EXPECT_LT(relative_residual(box, solved.rhs, exact), 1e-5);
@@ -213,7 +213,7 @@ TEST(BenchReference, ResidualIsThatOfTheSolution) {
 TEST(BenchReference, FftwIsTheDirectSolveButForRounding) {
     for (const glm::ivec3 cells : {glm::ivec3(1), glm::ivec3(3, 2, 5), k_cells}) {
         const Box box = cases::bench_box(cells);
-        const Solved solved = solve(box);
+        const SolvedBox solved = solve(box);
         FftwProjection fftw(cells, box.cell_size);
         std::copy(solved.rhs.begin(), solved.rhs.end(), fftw.values().begin());
         fftw.solve();
@@ -225,7 +225,7 @@ TEST(BenchReference, FftwIsTheDirectSolveButForRounding) {
 #if WINDROW_CASES_OPENVDB
 TEST(BenchReference, OpenVdbIsTheDirectSolveWithinItsTolerance) {
     const Box box = cases::bench_box(k_cells);
-    const Solved solved = solve(box);
+    const SolvedBox solved = solve(box);
     VdbPoisson solver(k_cells, box.cell_size);
     std::vector<float> phi(solved.rhs.size());
     const VdbOutcome outcome = solver.solve(solved.rhs, phi, VdbOutside::open_and_floor, 1e-6);

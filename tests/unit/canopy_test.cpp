@@ -1,17 +1,12 @@
 // Plants that slow the wind: the exact law, its rows, its momentum, and that it is off unless asked for.
-#include "fluid/wind.h"
-#include "tests/figure.h"
+#include "tests/winds.h"
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <gtest/gtest.h>
-#include <limits>
 #include <optional>
-#include <vector>
 
 namespace windrow {
 namespace {
+
+using namespace test;
 
 Sides floor_and_lid() {
     Sides sides = Sides::all(SideKind::periodic);
@@ -27,13 +22,7 @@ Config field_of_plants() {
             .centre = {0.0, 1.5, 0.0},
             .canopy = Canopy{.height = 1.2f, .drag = 0.7f},
             .settling_time = 0.0f,
-            .stages = {.sources = true, .settling = false, .diffusion = false, .advection = false, .projection = false}};
-}
-
-Wind wind_of(const Config& config) {
-    auto wind = Wind::create(config);
-    EXPECT_TRUE(wind) << wind.error();
-    return *std::move(wind);
+            .stages = k_sources_only};
 }
 
 double share_of_row(int j) {
@@ -44,10 +33,9 @@ TEST(Canopy, SlowsByTheExactLawInItsRowsWhateverTheStep) {
     const glm::dvec3 start(6.0, -2.0, 3.0);
     double worst = 0.0;
     for (const int steps : {1, 3, 60}) {
-        Wind wind = wind_of(field_of_plants());
+        Wind wind = made(field_of_plants());
         wind.set_velocity([&](glm::dvec3) { return glm::vec3(start); });
-        for (int step = 0; step < steps; ++step)
-            wind.step(2.0 / steps);
+        take_steps(wind, steps, 2.0 / steps);
         for (int j = 0; j < 6; ++j) {
             const glm::dvec3 truth = start / (1.0 + 0.7 * 2.0 * share_of_row(j) * glm::length(start));
             const glm::dvec3 found(wind.field()[wind.box().index(2, j, 3)]);
@@ -59,7 +47,7 @@ TEST(Canopy, SlowsByTheExactLawInItsRowsWhateverTheStep) {
 
 TEST(Canopy, IsStableAtAnyStep) {
     Config config{.cells = {8, 8, 8}, .sides = floor_and_lid(), .canopy = Canopy{.height = 5.0f, .drag = 1000.0f}};
-    Wind wind = wind_of(config);
+    Wind wind = made(config);
     wind.set_velocity([](glm::dvec3 x) { return glm::vec3(1000.0 * std::sin(x.z), 0.0, 300.0); });
     double energy = std::numeric_limits<double>::infinity();
     for (const double dt : {1e-3, 1e3, 0.1, 1e6, 1.0 / 30.0}) {
@@ -75,30 +63,22 @@ TEST(Canopy, TakesTheMomentumThatTheAirLoses) {
     Config config{.cells = {24, 12, 24}, .sides = floor_and_lid(), .centre = {0.0, 6.0, 0.0}, .canopy = Canopy{.height = 3.5f}};
     config.viscosity = 0.0f;
     config.settling_time = 0.0f;
-    Wind wind = wind_of(config);
+    Wind wind = made(config);
     wind.set_velocity([](glm::dvec3 x) {
         return glm::vec3(4.0 + 2.0 * std::tanh(x.y - 3.5) + 0.3 * std::sin(x.z * 0.2618), 0.2 * std::sin(x.x * 0.2618), 0.0);
     });
-    const auto momentum = [&] {
-        glm::dvec3 sum(0.0);
-        for (const glm::vec4& u : wind.field())
-            sum += glm::dvec3(u);
-        return sum;
-    };
-    const glm::dvec3 first = momentum();
+    const glm::dvec3 first = sum_of(wind.field());
     constexpr double k_dt = 1.0 / 30.0;
     glm::dvec3 taken(0.0);
     for (int step = 0; step < 150; ++step) {
-        for (int j = 0; j < 12; ++j)
-            for (int k = 0; k < 24; ++k)
-                for (int i = 0; i < 24; ++i) {
-                    const glm::dvec3 u(wind.field()[wind.box().index(i, j, k)]);
-                    const double way = 0.6 * k_dt * std::clamp(3.5 - j, 0.0, 1.0);
-                    taken += u - u / (1.0 + way * glm::length(u));
-                }
+        for_each_cell(config.cells, [&](int i, int j, int k) {
+            const glm::dvec3 u(wind.field()[wind.box().index(i, j, k)]);
+            const double way = 0.6 * k_dt * std::clamp(3.5 - j, 0.0, 1.0);
+            taken += u - u / (1.0 + way * glm::length(u));
+        });
         wind.step(k_dt);
     }
-    const glm::dvec3 lost = first - momentum();
+    const glm::dvec3 lost = first - sum_of(wind.field());
     EXPECT_GT(lost.x, 0.05 * first.x); // it was no small thing
     WINDROW_EXPECT_FIGURE("canopy.momentum", std::abs(lost.x / taken.x - 1.0), 0.02);
 }
@@ -115,13 +95,13 @@ TEST(Canopy, StandsOnTheFloorOrAtHeightZero) {
                 found = j;
         return found;
     };
-    Wind on_floor = wind_of(config);
+    Wind on_floor = made(config);
     ASSERT_TRUE(on_floor.set_floor(40.0));
     EXPECT_EQ(slowed_row(on_floor), 0);
     config.sides.y_low.kind = config.sides.y_high.kind = SideKind::open;
     config.centre.y = 0.5; // two rows below height 0
     config.follow_axes = glm::bvec3(false, true, false);
-    Wind in_the_open = wind_of(config);
+    Wind in_the_open = made(config);
     EXPECT_EQ(slowed_row(in_the_open), 2);
     ASSERT_TRUE(in_the_open.follow({0.0, 100.0, 0.0}));
     EXPECT_EQ(slowed_row(in_the_open), -1);
@@ -130,11 +110,10 @@ TEST(Canopy, StandsOnTheFloorOrAtHeightZero) {
 TEST(Canopy, OfNoHeightOrDragChangesNoBit) {
     const auto field_with = [](std::optional<Canopy> canopy) {
         Wind wind =
-            wind_of({.cells = {8, 6, 8}, .sides = Sides::open_over_floor(), .ambient = {2.0f, 0.0f, 1.0f}, .canopy = canopy});
+            made({.cells = {8, 6, 8}, .sides = Sides::open_over_floor(), .ambient = {2.0f, 0.0f, 1.0f}, .canopy = canopy});
         EXPECT_TRUE(wind.motors().add(DirectionalMotor{}));
-        for (int step = 0; step < 5; ++step)
-            wind.step(1.0 / 30.0);
-        return std::vector<glm::vec4>(wind.field().begin(), wind.field().end());
+        take_steps(wind, 5, 1.0 / 30.0);
+        return copy(wind.field());
     };
     const auto without = field_with(std::nullopt);
     EXPECT_EQ(field_with(Canopy{.height = 0.0f}), without);
@@ -144,9 +123,9 @@ TEST(Canopy, OfNoHeightOrDragChangesNoBit) {
 
 TEST(Canopy, WindAmongPlantsDoesNotSleepStillAirDoes) {
     Config config{.cells = {8, 6, 8}, .sides = Sides::open_over_floor(), .ambient = {2.0f, 0.0f, 0.0f}, .canopy = Canopy{}};
-    Wind windy = wind_of(config);
+    Wind windy = made(config);
     config.ambient = glm::vec3(0.0f);
-    Wind still = wind_of(config);
+    Wind still = made(config);
     for (int step = 0; step < 20; ++step) {
         windy.step(0.1);
         still.step(0.1);
@@ -154,17 +133,6 @@ TEST(Canopy, WindAmongPlantsDoesNotSleepStillAirDoes) {
     EXPECT_LT(windy.velocity({0.0, -2.9, 0.0}).x, 1.9f);
     EXPECT_FALSE(windy.step(0.1).asleep);
     EXPECT_TRUE(still.step(0.1).asleep);
-}
-
-TEST(Canopy, WhatCannotBeIsRefusedByName) {
-    const auto error_of = [](const Canopy& canopy) {
-        const auto wind = Wind::create({.canopy = canopy});
-        EXPECT_FALSE(wind);
-        return wind.error();
-    };
-    EXPECT_EQ(error_of({.height = -1.0f}), "canopy.height is -1 m: give 0 (none) to 1000 m.");
-    EXPECT_NE(error_of({.height = std::numeric_limits<float>::quiet_NaN()}).find("canopy.height"), std::string::npos);
-    EXPECT_EQ(error_of({.drag = 1e4f}), "canopy.drag is 10000 1/m: give 0 (none) to 1000 1/m.");
 }
 
 } // namespace

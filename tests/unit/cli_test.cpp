@@ -11,23 +11,18 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
-#include <filesystem>
-#include <fstream>
-#include <gtest/gtest.h>
 #include <sstream>
-#include <string>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include <vector>
 
 namespace windrow::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-Outcome run(std::vector<const char*> arguments) {
+CommandOutcome run(std::vector<const char*> arguments) {
     return run_windrow(std::move(arguments));
 }
 
@@ -35,27 +30,12 @@ void expect_refusal(std::vector<const char*> arguments, const std::string& sente
     expect_refused(run(std::move(arguments)), sentence);
 }
 
-/// A folder of its own for each test, removed at its end.
-class Command : public testing::Test {
+class Command : public test::FolderTest {
   protected:
-    Command() {
-        folder = fs::path(testing::TempDir()) / ("windrow_cli_test_" + std::to_string(::getpid()));
-        fs::create_directories(folder);
-        scene =
-            write("breeze.json", R"({"duration": 0.5, "frames_per_second": 10, "air": {"cells": [8, 8, 8], "ambient": [2, 0, 0]},
-            "motors": [{"kind": "directional", "law": {"drive": {"speed": 5}}}]})");
-    }
-    ~Command() override {
-        std::error_code ignored;
-        fs::permissions(folder, fs::perms::owner_all, ignored);
-        fs::remove_all(folder, ignored);
-    }
-
     std::string write(const std::string& name, const std::string& text) {
         std::ofstream(folder / name) << text;
         return (folder / name).string();
     }
-    [[nodiscard]] std::string in(const std::string& name) const { return (folder / name).string(); }
     /// Names in a folder, sorted, with a space behind each.
     [[nodiscard]] static std::string list(const fs::path& of) {
         std::vector<std::string> names;
@@ -68,8 +48,9 @@ class Command : public testing::Test {
         return text;
     }
 
-    fs::path folder;
-    std::string scene;
+    std::string scene =
+        write("breeze.json", R"({"duration": 0.5, "frames_per_second": 10, "air": {"cells": [8, 8, 8], "ambient": [2, 0, 0]},
+            "motors": [{"kind": "directional", "law": {"drive": {"speed": 5}}}]})");
 };
 
 // --- Flags -----------------------------------------------------------------------------------------------------------
@@ -79,10 +60,9 @@ TEST_F(Command, HelpVersionAndInfoAreAnswered) {
     EXPECT_TRUE(run({"--version"}).out.starts_with("windrow 0."));
     EXPECT_NE(run({"--help"}).out.find("Exit codes"), std::string::npos);
     EXPECT_NE(run({"run", "--help"}).out.find("--threads"), std::string::npos);
-    const Outcome info = run({"info"});
+    const CommandOutcome info = run({"info"});
     EXPECT_EQ(info.code, k_exit_well);
-    for (const char* word : {"windrow 0.", "compiler", "SIMD level", "cores", "OpenVDB", "pictures", "Vulkan"})
-        EXPECT_NE(info.out.find(word), std::string::npos) << word;
+    expect_words(info.out, {"windrow 0.", "compiler", "SIMD level", "cores", "OpenVDB", "pictures", "Vulkan"});
 }
 
 TEST_F(Command, WrongFlagsAreNamed) {
@@ -122,13 +102,12 @@ TEST_F(Command, BadScenesEndWithTheirSentence) {
 
 TEST_F(Command, RunKeepsWhatWasAskedFor) {
     const std::string out = in("kept");
-    const Outcome outcome = run({"run", scene.c_str(), "--out", out.c_str(), "--csv"});
+    const CommandOutcome outcome = run({"run", scene.c_str(), "--out", out.c_str(), "--csv"});
     EXPECT_EQ(outcome.code, k_exit_well) << outcome.err;
     EXPECT_EQ(list(out), "timings.csv ");
     EXPECT_NE(outcome.out.find("In " + out + ": timings.csv."), std::string::npos) << outcome.out;
-    for (const char* word : {"breeze: 6 frames, 30 steps of 1/60 s", "median", "99 %", "advection", "whole step",
-                             "8 x 8 x 8 of 1 m (512)", "largest CFL", "limited cells  0, repaired cells 0", "times real time"})
-        EXPECT_NE(outcome.out.find(word), std::string::npos) << word << "\n" << outcome.out;
+    expect_words(outcome.out, {"breeze: 6 frames, 30 steps of 1/60 s", "median", "99 %", "advection", "whole step",
+                               "8 x 8 x 8 of 1 m (512)", "largest CFL", "limited cells  0, repaired cells 0", "times real time"});
 
     std::ifstream table(fs::path(out) / "timings.csv");
     std::string line;
@@ -143,7 +122,7 @@ TEST_F(Command, RunKeepsWhatWasAskedFor) {
 
 TEST_F(Command, RunWithoutOutputsMakesNoFolder) {
     const std::string out = in("nothing");
-    const Outcome outcome = run({"run", scene.c_str(), "--out", out.c_str()});
+    const CommandOutcome outcome = run({"run", scene.c_str(), "--out", out.c_str()});
     EXPECT_EQ(outcome.code, k_exit_well);
     EXPECT_FALSE(fs::exists(out));
     EXPECT_NE(outcome.out.find("Nothing was kept: add --images, --vdb or --csv."), std::string::npos);
@@ -157,7 +136,7 @@ TEST_F(Command, FramesMayBeFewerOrMoreThanTheScenes) {
 
 TEST_F(Command, FramesAreWrittenWhereBuiltInAndExplainedWhereNot) {
     const std::string out = in("frames");
-    const Outcome vdb = run({"run", scene.c_str(), "--out", out.c_str(), "--vdb", "--frames", "2"});
+    const CommandOutcome vdb = run({"run", scene.c_str(), "--out", out.c_str(), "--vdb", "--frames", "2"});
     if (built_with_vdb()) {
         EXPECT_EQ(vdb.code, k_exit_well) << vdb.err;
         EXPECT_EQ(list(out), "vel_0000.vdb vel_0001.vdb ");
@@ -167,7 +146,7 @@ TEST_F(Command, FramesAreWrittenWhereBuiltInAndExplainedWhereNot) {
                            "-DWINDROW_VDB=ON.\n");
     }
     fs::remove_all(out);
-    const Outcome images = run({"run", scene.c_str(), "--out", out.c_str(), "--images", "--frames", "2"});
+    const CommandOutcome images = run({"run", scene.c_str(), "--out", out.c_str(), "--images", "--frames", "2"});
     if (built_with_images()) {
         EXPECT_EQ(images.code, k_exit_well) << images.err;
         EXPECT_EQ(list(out), "contact_sheet.png frame_0000.png frame_0001.png ");
@@ -184,7 +163,7 @@ TEST_F(Command, FramesOfALongerRunAreMentioned) {
         GTEST_SKIP() << "needs --vdb";
     const std::string out = in("old");
     ASSERT_EQ(run({"run", scene.c_str(), "--out", out.c_str(), "--vdb"}).code, k_exit_well);
-    const Outcome again = run({"run", scene.c_str(), "--out", out.c_str(), "--vdb", "--frames", "4"});
+    const CommandOutcome again = run({"run", scene.c_str(), "--out", out.c_str(), "--vdb", "--frames", "4"});
     EXPECT_EQ(again.code, k_exit_well);
     EXPECT_EQ(again.err, "windrow: warning: " + out +
                              " holds 2 frames of a longer run that this one does not write: remove what you do not want in "
@@ -194,7 +173,7 @@ TEST_F(Command, FramesOfALongerRunAreMentioned) {
 TEST_F(Command, LimitedCellsAreSaid) {
     const std::string fast = write("fast.json", R"({"duration": 0.1, "tick_hz": 10, "frames_per_second": 10,
         "air": {"cells": [8, 8, 8], "cell_size": 0.1, "ambient": [100, 0, 0], "max_substeps": 2}})");
-    const Outcome outcome = run({"run", fast.c_str()});
+    const CommandOutcome outcome = run({"run", fast.c_str()});
     EXPECT_EQ(outcome.code, k_exit_well);
     EXPECT_EQ(
         outcome.err,
@@ -206,13 +185,10 @@ TEST_F(Command, SleepIsReported) {
     const std::string calm = write("calm.json", R"({"duration": 1, "air": {"cells": [8, 8, 8]},
         "motors": [{"kind": "jet", "from": 0.5, "envelope": {"hold": 0.1}}]})");
     const std::string out = in("calm");
-    const Outcome outcome = run({"run", calm.c_str(), "--csv", "--out", out.c_str()});
+    const CommandOutcome outcome = run({"run", calm.c_str(), "--csv", "--out", out.c_str()});
     EXPECT_EQ(outcome.code, k_exit_well) << outcome.err;
     EXPECT_NE(outcome.out.find(" of 60 steps; a step took "), std::string::npos) << outcome.out;
-    std::ifstream table(fs::path(out) / "timings.csv");
-    const std::string text((std::istreambuf_iterator<char>(table)), std::istreambuf_iterator<char>());
-    EXPECT_NE(text.find(",asleep,"), std::string::npos);
-    EXPECT_NE(text.find(",ambient_ms,"), std::string::npos);
+    expect_words(test::text_of(fs::path(out) / "timings.csv"), {",asleep,", ",ambient_ms,"});
 }
 
 TEST_F(Command, StopsAfterTheFrameWithWholeFiles) {
@@ -259,11 +235,11 @@ TEST_F(Command, AFaultAtAFrameKeepsTheStepsBefore) {
         GTEST_SKIP() << "needs --vdb";
     const std::string out = in("fault");
     fs::create_directories(fs::path(out) / "vel_0002.vdb");
-    const Outcome outcome = run({"run", scene.c_str(), "--csv", "--vdb", "--out", out.c_str()});
+    const CommandOutcome outcome = run({"run", scene.c_str(), "--csv", "--vdb", "--out", out.c_str()});
     EXPECT_EQ(outcome.code, k_exit_wrong_use);
     EXPECT_EQ(list(out), "timings.csv vel_0000.vdb vel_0001.vdb vel_0002.vdb ");
-    std::ifstream table(fs::path(out) / "timings.csv");
-    EXPECT_EQ(std::count(std::istreambuf_iterator<char>(table), std::istreambuf_iterator<char>(), '\n'), 1 + 12);
+    const std::string table = test::text_of(fs::path(out) / "timings.csv");
+    EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 12);
 }
 
 TEST_F(Command, FoldersThatCannotBeWritten) {
@@ -313,32 +289,11 @@ TEST(VersionOfTheCommand, NeedsNoThread) {
 }
 #endif
 
-/// While it lives, no file may grow beyond some bytes: a full disk without a disk.
-class FileLimit {
-  public:
-    explicit FileLimit(rlim_t bytes) {
-        handler_ = std::signal(SIGXFSZ, SIG_IGN);
-        ::getrlimit(RLIMIT_FSIZE, &before_);
-        const rlimit limit{bytes, before_.rlim_max};
-        ::setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    ~FileLimit() {
-        ::setrlimit(RLIMIT_FSIZE, &before_);
-        std::signal(SIGXFSZ, handler_);
-    }
-    FileLimit(const FileLimit&) = delete;
-    FileLimit& operator=(const FileLimit&) = delete;
-
-  private:
-    rlimit before_{};
-    void (*handler_)(int) = nullptr;
-};
-
 TEST_F(Command, DiskThatTakesNothingIsFoundBeforeTheRun) {
     const std::string out = in("full");
-    Outcome outcome;
+    CommandOutcome outcome;
     {
-        const FileLimit limit(100);
+        const test::FileSizeLimit limit(100);
         outcome = run({"run", scene.c_str(), "--csv", "--out", out.c_str()});
     }
     EXPECT_EQ(outcome.code, k_exit_machine);
@@ -348,9 +303,9 @@ TEST_F(Command, DiskThatTakesNothingIsFoundBeforeTheRun) {
 
 TEST_F(Command, DiskThatFillsUpLeavesWholeFilesOnly) {
     const std::string out = in("filling");
-    Outcome outcome;
+    CommandOutcome outcome;
     {
-        const FileLimit limit(6000);
+        const test::FileSizeLimit limit(6000);
         outcome = run({"run", scene.c_str(), "--csv", "--frames", "100", "--out", out.c_str()});
     }
     EXPECT_EQ(outcome.code, k_exit_machine);
@@ -362,15 +317,12 @@ TEST_F(Command, DiskThatFillsUpLeavesWholeFilesOnly) {
 TEST_F(Command, ExistingFileStaysWhenTheNewOneDoesNotFit) {
     const std::string name = write("kept.txt", "old");
     {
-        const FileLimit limit(100);
+        const test::FileSizeLimit limit(100);
         OutputFile file(name);
         file.write(std::string(10'000, 'x'));
         EXPECT_TRUE(file.publish().machine);
     }
-    std::ifstream kept(name);
-    std::string text;
-    kept >> text;
-    EXPECT_EQ(text, "old");
+    EXPECT_EQ(test::text_of(name), "old");
     EXPECT_EQ(list(folder), "breeze.json kept.txt ");
     EXPECT_EQ(write_fault("x", ENOSPC).machine, true);
     EXPECT_EQ(write_fault("x", EACCES).machine, false);

@@ -36,13 +36,13 @@ std::vector<Motor> motors() {
                 .position = {6.0, 2.0, 5.0}, .direction = {0.0f, 0.0f, 1.0f}, .region = Sphere{1.8f}, .law = Force{6.0f}}};
 }
 
-struct Case {
+struct ComposedBox {
     Sides sides;
     float viscosity;
     bool moved;
 };
 
-std::vector<Case> cases() {
+std::vector<ComposedBox> cases() {
     return {{Sides::all(SideKind::periodic), 0.0f, false},
             {Sides::all(SideKind::periodic), 0.05f, false},
             {Sides::open_over_floor(), 0.0f, true},
@@ -50,7 +50,7 @@ std::vector<Case> cases() {
             {Sides::all(SideKind::no_slip), 2.0f, true}};
 }
 
-ComposedStep composed(const Case& one, glm::vec3 ambient, const ParallelFor& loop = {}) {
+ComposedStep composed(const ComposedBox& one, glm::vec3 ambient, const ParallelFor& loop = {}) {
     return *ComposedStep::create({.box = {k_cells, k_cell, one.sides},
                                   .ambient = ambient,
                                   .viscosity = one.viscosity,
@@ -64,7 +64,7 @@ bool same_bits(std::span<const glm::vec4> a, std::span<const glm::vec4> b) {
 
 TEST(ComposedStep, WithTheDirectSolveIsTheWindsStepToTheBit) {
     const glm::vec3 ambient(3.0f, 0.0f, 1.0f);
-    for (const Case& one : cases())
+    for (const ComposedBox& one : cases())
         for (const Scheme scheme : {Scheme::second_order, Scheme::stable_fluids})
             for (const Interpolation interpolation : {Interpolation::linear, Interpolation::cubic}) {
                 auto wind = Wind::create({.cells = k_cells,
@@ -107,7 +107,7 @@ double rms_difference(std::span<const glm::vec4> a, std::span<const glm::vec4> b
 // A solve that is not done to the end leaves something, the less the more it does.
 TEST(ComposedStep, OtherSolvesComeToTheDirectOne) {
     const glm::vec3 ambient(3.0f, 0.0f, 1.0f);
-    for (const Case& one : cases()) {
+    for (const ComposedBox& one : cases()) {
         const auto after = [&](Pressure pressure) {
             ComposedStep step = composed(one, ambient);
             EXPECT_TRUE(step.start(waves({k_cells, k_cell, one.sides}, ambient)));
@@ -131,7 +131,7 @@ TEST(ComposedStep, OtherSolvesComeToTheDirectOne) {
 
 TEST(ComposedStep, DoesNotDependOnTheThreads) {
     ThreadPool pool(3);
-    const Case one{Sides::open_over_floor(), 0.0f, true};
+    const ComposedBox one{Sides::open_over_floor(), 0.0f, true};
     for (const Pressure pressure : {Pressure::multigrid, Pressure::jacobi20}) {
         ComposedStep alone = composed(one, glm::vec3(2.0f, 0.0f, 0.0f));
         ComposedStep together = composed(one, glm::vec3(2.0f, 0.0f, 0.0f), pool.parallel_for());

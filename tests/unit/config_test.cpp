@@ -16,19 +16,19 @@ using namespace windrow;
 constexpr float k_nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float k_infinity = std::numeric_limits<float>::infinity();
 
-struct Fault {
+struct ConfigMistake {
     const char* field; ///< how the sentence begins
     const char* value; ///< what it says of the value
     const char* fix;   ///< what it asks for
     std::function<void(Config&)> make;
 };
 
-void PrintTo(const Fault& fault, std::ostream* stream) {
+void PrintTo(const ConfigMistake& fault, std::ostream* stream) {
     *stream << fault.field << fault.value;
 }
 
-std::vector<Fault> every_fault() {
-    std::vector<Fault> faults;
+std::vector<ConfigMistake> every_fault() {
+    std::vector<ConfigMistake> faults;
     const auto add = [&](const char* field, const char* value, const char* fix, std::function<void(Config&)> make) {
         faults.push_back({field, value, fix, std::move(make)});
     };
@@ -92,13 +92,24 @@ std::vector<Fault> every_fault() {
     add("max_cfl", " is inf", "at most 1e6", [](Config& c) { c.max_cfl = k_infinity; });
     add("max_substeps", " is 0", "1 to 64", [](Config& c) { c.max_substeps = 0; });
     add("max_substeps", " is 65", "1 to 64", [](Config& c) { c.max_substeps = 65; });
+    add("rim", " is -1", "0 (none) to 64", [](Config& c) { c.rim = -1.0f; });
+    add("rim", " is 65", "0 (none) to 64", [](Config& c) { c.rim = 65.0f; });
+    add("rim", " is nan", "0 (none) to 64", [](Config& c) { c.rim = k_nan; });
+    add("canopy.height", " is -1 m", "0 (none) to 1000 m", [](Config& c) { c.canopy = Canopy{.height = -1.0f}; });
+    add("canopy.height", " is nan m", "0 (none) to 1000 m", [](Config& c) { c.canopy = Canopy{.height = k_nan}; });
+    add("canopy.drag", " is 10000 1/m", "0 (none) to 1000 1/m", [](Config& c) { c.canopy = Canopy{.drag = 1e4f}; });
+    add("ticks.hz", " is 0 Hz", "give", [](Config& c) { c.ticks.hz = 0.0; });
+    add("ticks.hz", " is -1 Hz", "give", [](Config& c) { c.ticks.hz = -1.0; });
+    add("ticks.hz", " is nan Hz", "give", [](Config& c) { c.ticks.hz = std::numeric_limits<double>::quiet_NaN(); });
+    add("ticks.hz", " is 100000 Hz", "give", [](Config& c) { c.ticks.hz = 1e5; });
+    add("ticks.most", " is 0", "give", [](Config& c) { c.ticks.most = 0; });
     return faults;
 }
 
-class ConfigFault : public testing::TestWithParam<Fault> {};
+class ConfigFault : public testing::TestWithParam<ConfigMistake> {};
 
 TEST_P(ConfigFault, IsNamedAloneWithValueAndFix) {
-    const Fault& fault = GetParam();
+    const ConfigMistake& fault = GetParam();
     Config config;
     fault.make(config);
     const Result<void> valid = validate(config);

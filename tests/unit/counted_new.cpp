@@ -18,7 +18,7 @@ bool is_in_program(const void* code) {
 }
 
 // What this thread's next allocations do: `left` succeed, then one fails, or all.
-struct Plan {
+struct FailurePlan {
     bool armed = false, onward = false, failed = false, all = true;
     int left = 0;
 
@@ -31,7 +31,7 @@ struct Plan {
         return true;
     }
 };
-thread_local Plan plan;
+thread_local FailurePlan plan;
 
 } // namespace
 

@@ -1,29 +1,11 @@
 // What a step reports, against the same asked of the cells by hand; and that a dt that is none does nothing.
 
-#include "fluid/wind.h"
-#include "tests/fields.h"
-#include "tests/figure.h"
-
-#include <algorithm>
-#include <cmath>
-#include <gtest/gtest.h>
-#include <limits>
-#include <string>
-#include <vector>
+#include "tests/winds.h"
 
 namespace {
 
 using namespace windrow;
 using namespace windrow::test;
-
-constexpr float k_nan = std::numeric_limits<float>::quiet_NaN();
-constexpr float k_infinity = std::numeric_limits<float>::infinity();
-
-Wind made(const Config& config) {
-    auto wind = Wind::create(config);
-    EXPECT_TRUE(wind) << wind.error();
-    return *std::move(wind);
-}
 
 TEST(Diagnostics, SubstepsAreTheCflOverWhatOneMayCross) {
     Random random(121);
@@ -60,12 +42,11 @@ TEST(Diagnostics, ForcesCountIntoTheCfl) {
 
 TEST(Diagnostics, CappedSpeedsAreCountedAndLimited) {
     // All stages that could change a speed after the limit are off, and the limited air is uniform along its own way.
-    Wind wind =
-        made({.cells = {8, 8, 8},
-              .sides = Sides::all(SideKind::periodic),
-              .viscosity = 0.0f,
-              .settling_time = 0.0f,
-              .stages = {.sources = true, .settling = false, .diffusion = false, .advection = true, .projection = false}});
+    Wind wind = made({.cells = {8, 8, 8},
+                      .sides = Sides::all(SideKind::periodic),
+                      .viscosity = 0.0f,
+                      .settling_time = 0.0f,
+                      .stages = {.settling = false, .diffusion = false, .projection = false}});
     Field field(512, glm::vec4(0.0f));
     for (int i = 0; i < 8; ++i) // rows of their own speed, along x
         for (int row = 0; row < 64; ++row)
@@ -89,10 +70,7 @@ TEST(Diagnostics, BrokenCellsAreCountedAndMended) {
     const glm::vec3 ambient(1.0f, -2.0f, 0.5f);
     Random random(122);
     for (int trial = 0; trial < 20; ++trial) {
-        Wind wind =
-            made({.cells = {13, 7, 9},
-                  .ambient = ambient,
-                  .stages = {.sources = false, .settling = false, .diffusion = false, .advection = false, .projection = false}});
+        Wind wind = made({.cells = {13, 7, 9}, .ambient = ambient, .stages = k_no_stages});
         Field field = white_noise({13, 7, 9}, 2.0f, random.bits());
         std::vector<bool> broken(field.size(), false);
         const int count = random.integer(0, 60);
@@ -114,28 +92,26 @@ TEST(Diagnostics, BrokenCellsAreCountedAndMended) {
 double divergence_rms(const Wind& wind) {
     const Box& box = wind.box();
     double squares = 0.0;
-    for (int k = 0; k < box.cells.z; ++k)
-        for (int j = 0; j < box.cells.y; ++j)
-            for (int i = 0; i < box.cells.x; ++i) {
-                double sum = 0.0;
-                for (int axis = 0; axis < 3; ++axis)
-                    for (int end = 0; end < 2; ++end) {
-                        glm::ivec3 cell(i, j, k);
-                        const int n = box.cells[axis], next = cell[axis] + (end == 0 ? -1 : 1);
-                        const bool outside = next < 0 || next >= n;
-                        const SideKind kind = box.sides.at(axis, end).kind;
-                        double sign = end == 0 ? -1.0 : 1.0;
-                        if (!outside) {
-                            cell[axis] = next;
-                        } else if (kind == SideKind::periodic) {
-                            cell[axis] = end == 0 ? n - 1 : 0;
-                        } else if (kind != SideKind::open) { // beyond an open side lies the cell itself
-                            sign = -sign;                    // mirrored with its sign turned
-                        }
-                        sum += sign * double(wind.field()[box.index(cell.x, cell.y, cell.z)][axis]);
-                    }
-                squares += sum * sum * 0.25 / (double(box.cell_size) * box.cell_size);
+    for_each_cell(box.cells, [&](int i, int j, int k) {
+        double sum = 0.0;
+        for (int axis = 0; axis < 3; ++axis)
+            for (int end = 0; end < 2; ++end) {
+                glm::ivec3 cell(i, j, k);
+                const int n = box.cells[axis], next = cell[axis] + (end == 0 ? -1 : 1);
+                const bool outside = next < 0 || next >= n;
+                const SideKind kind = box.sides.at(axis, end).kind;
+                double sign = end == 0 ? -1.0 : 1.0;
+                if (!outside) {
+                    cell[axis] = next;
+                } else if (kind == SideKind::periodic) {
+                    cell[axis] = end == 0 ? n - 1 : 0;
+                } else if (kind != SideKind::open) { // beyond an open side lies the cell itself
+                    sign = -sign;                    // mirrored with its sign turned
+                }
+                sum += sign * double(wind.field()[box.index(cell.x, cell.y, cell.z)][axis]);
             }
+        squares += sum * sum * 0.25 / (double(box.cell_size) * box.cell_size);
+    });
     return std::sqrt(squares / double(box.cell_count()));
 }
 
@@ -165,13 +141,16 @@ TEST(Diagnostics, EnergySpeedAndDivergenceAreThoseOfTheCells) {
 }
 
 TEST(Diagnostics, ADtThatIsNoneDoesNothing) {
-    Wind wind = made({.cells = {8, 8, 8}, .viscosity = 1.0f});
-    ASSERT_TRUE(wind.set_velocity(white_noise({8, 8, 8}, 5.0f, 124)));
-    const auto body = wind.motors().add(WakeMotor{.position = {-2.0, 0.0, 0.0}, .radius = 1.5f, .law = WakeForce{}});
-    ASSERT_TRUE(body);
-    ASSERT_TRUE(wind.motors().add(DirectionalMotor{.turbulence = k_steady}));
-    wind.step(0.1);
-    ASSERT_TRUE(wind.motors().move(*body, {2.0, 0.0, 0.0}));
+    const auto with_a_wake_on_its_way = [] {
+        Wind wind = made({.cells = {8, 8, 8}, .viscosity = 1.0f});
+        EXPECT_TRUE(wind.set_velocity(white_noise({8, 8, 8}, 5.0f, 124)));
+        const MotorId body = added(wind, WakeMotor{.position = {-2.0, 0.0, 0.0}, .radius = 1.5f, .law = WakeForce{}});
+        added(wind, DirectionalMotor{.turbulence = k_steady});
+        wind.step(0.1);
+        EXPECT_TRUE(wind.motors().move(body, {2.0, 0.0, 0.0}));
+        return wind;
+    };
+    Wind wind = with_a_wake_on_its_way();
     const Field before = copy(wind.field());
     const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
     for (const double dt :
@@ -182,12 +161,7 @@ TEST(Diagnostics, ADtThatIsNoneDoesNothing) {
         ASSERT_EQ(cells_that_differ(before, wind.field()), 0u) << dt;
     }
     // The pause did not eat the wake's path, nor the history: the next step is that of a wind that never paused.
-    Wind steady = made({.cells = {8, 8, 8}, .viscosity = 1.0f});
-    ASSERT_TRUE(steady.set_velocity(white_noise({8, 8, 8}, 5.0f, 124)));
-    const auto same = steady.motors().add(WakeMotor{.position = {-2.0, 0.0, 0.0}, .radius = 1.5f, .law = WakeForce{}});
-    ASSERT_TRUE(same && steady.motors().add(DirectionalMotor{.turbulence = k_steady}));
-    steady.step(0.1);
-    ASSERT_TRUE(steady.motors().move(*same, {2.0, 0.0, 0.0}));
+    Wind steady = with_a_wake_on_its_way();
     EXPECT_EQ(steady.step(0.1).motors_in_reach, 2);
     wind.step(0.1);
     EXPECT_EQ(cells_that_differ(steady.field(), wind.field()), 0u);

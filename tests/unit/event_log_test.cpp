@@ -4,16 +4,9 @@
 #include "fluid/bytes.h"
 #include "fluid/event_log.h"
 #include "fluid/thread_pool.h"
-#include "fluid/wind.h"
-#include "tests/fields.h"
-#include "tests/figure.h"
 #include "tests/unit/snapshot_session.h"
 
 #include <array>
-#include <gtest/gtest.h>
-#include <limits>
-#include <string>
-#include <vector>
 
 namespace {
 
@@ -51,9 +44,9 @@ Motor random_motor(Random& random) {
 }
 
 /// Any call that a host can make, with handles that may be stale: what is refused leaves no trace in the log.
-class Host {
+class AnyHost {
   public:
-    Host(Wind& wind, std::uint32_t seed) : wind_(wind), random_(seed) {}
+    AnyHost(Wind& wind, std::uint32_t seed) : wind_(wind), random_(seed) {}
 
     void call() {
         switch (random_.integer(0, 19)) {
@@ -135,7 +128,7 @@ struct Recording {
 
     explicit Recording(std::uint32_t seed, std::size_t calls = 300) {
         Wind wind = made(windy());
-        Host host(wind, seed);
+        AnyHost host(wind, seed);
         for (int n = 0; n < 40; ++n)
             host.call();
         (void)wind.advance(0.05);

@@ -1,8 +1,8 @@
 // Files that are no files, and what all files of a scene may cost together.
 #include "fluid/input_file.h"
 #include "tests/cost.h"
+#include "tests/own_folder.h"
 
-#include <fstream>
 #include <sys/stat.h>
 
 namespace windrow::detail {
@@ -13,14 +13,9 @@ namespace fs = std::filesystem;
 class InputFile : public testing::Test {
   protected:
     InputFile() {
-        fs::remove_all(folder.parent_path());
         fs::create_directories(folder);
         std::ofstream(folder / "plain") << "0123456789";
-        std::ofstream(folder.parent_path() / "outside") << "secret";
-    }
-    ~InputFile() override {
-        std::error_code ignored;
-        fs::remove_all(folder.parent_path(), ignored);
+        std::ofstream(own / "outside") << "secret";
     }
 
     /// The bytes, or the sentence without the folder.
@@ -32,7 +27,8 @@ class InputFile : public testing::Test {
         });
     }
 
-    fs::path folder = fs::path(testing::TempDir()) / ("windrow_input_" + std::to_string(::getpid())) / "inner";
+    const test::OwnFolder own;
+    const fs::path folder = own / "inner";
 };
 
 TEST_F(InputFile, ARegularFileIsReadToItsBound) {

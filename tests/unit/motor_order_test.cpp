@@ -2,17 +2,10 @@
 // of them at one place is too many.
 
 #include "fluid/thread_pool.h"
-#include "fluid/wind.h"
-#include "tests/fields.h"
-#include "tests/figure.h"
+#include "tests/winds.h"
 
-#include <algorithm>
-#include <cmath>
-#include <gtest/gtest.h>
 #include <numeric>
-#include <string>
 #include <variant>
-#include <vector>
 
 namespace {
 
@@ -72,19 +65,18 @@ std::vector<int> numbers(int count) {
 }
 
 // A wind with motors under known names.
-struct Scene {
+struct NumberedMotors {
     const std::vector<Motor>& motors;
     Wind wind;
     std::vector<MotorId> ids;
 
-    Scene(const std::vector<Motor>& given, const ParallelFor& parallel_for)
+    NumberedMotors(const std::vector<Motor>& given, const ParallelFor& parallel_for)
         : motors(given), wind(*Wind::create({.ambient = {2.0f, 0.0f, 1.0f}, .parallel_for = parallel_for})), ids(given.size()) {}
 
     void add(const std::vector<int>& order) {
         for (const int n : order) {
-            const auto id = wind.motors().add(motors[static_cast<std::size_t>(n)]);
-            ASSERT_TRUE(id) << id.error();
-            ids[static_cast<std::size_t>(n)] = *id;
+            const MotorId id = added(wind, motors[static_cast<std::size_t>(n)]);
+            ids[static_cast<std::size_t>(n)] = id;
         }
     }
     void remove(const std::vector<int>& order) {
@@ -109,7 +101,7 @@ struct Scene {
 
 TEST(MotorOrder, NeitherTheOrderOfAddingNorTheThreadsChangeABit) {
     const std::vector<Motor> motors = some_motors(300, 60);
-    Scene first(motors, {});
+    NumberedMotors first(motors, {});
     first.add(numbers(300));
     first.step(0, 20);
     EXPECT_TRUE(all_finite(first.wind.field()));
@@ -119,7 +111,7 @@ TEST(MotorOrder, NeitherTheOrderOfAddingNorTheThreadsChangeABit) {
         const std::vector<int> order = shuffled(numbers(300), random);
         for (const int threads : {1, 2, 3, 8}) {
             ThreadPool pool(threads);
-            Scene scene(motors, pool.parallel_for());
+            NumberedMotors scene(motors, pool.parallel_for());
             scene.add(order);
             EXPECT_FALSE(scene.ids[0] == first.ids[0] && scene.ids[1] == first.ids[1])
                 << "the handles differ, or this shows nothing";
@@ -142,9 +134,9 @@ TEST(MotorOrder, RemovedAndAddedAgainEqualsAListMadeFresh) {
             half.push_back(n);
     }
     EXPECT_NEAR(static_cast<double>(half.size()), 150.0, 30.0);
-    Scene again(motors, {}), fresh(motors, {});
+    NumberedMotors again(motors, {}), fresh(motors, {});
     const std::vector<int> order = shuffled(numbers(300), random);
-    for (Scene* scene : {&again, &fresh}) {
+    for (NumberedMotors* scene : {&again, &fresh}) {
         scene->add(order);
         scene->step(0, 10);
     }
@@ -164,12 +156,6 @@ TEST(MotorOrder, RemovedAndAddedAgainEqualsAListMadeFresh) {
 // A plane keeps a list of the 512 motors that reach it; beyond that it looks all of them up again in each row.
 class MotorCrowd : public testing::TestWithParam<int> {};
 
-constexpr Stages k_sources_only{.sources = true, .settling = false, .diffusion = false, .advection = false, .projection = false};
-
-double biweight(double squared) {
-    return squared < 1.0 ? (1.0 - squared) * (1.0 - squared) : 0.0;
-}
-
 TEST_P(MotorCrowd, EqualsTheSumByBruteForce) {
     const int count = GetParam();
     Random random(64);
@@ -188,32 +174,28 @@ TEST_P(MotorCrowd, EqualsTheSumByBruteForce) {
     const double dt = 0.125;
     EXPECT_EQ(wind.step(dt).motors_in_reach, count);
     double worst = 0.0;
-    const Box& box = wind.box();
-    for (int k = 0; k < box.cells.z; ++k)
-        for (int j = 0; j < box.cells.y; ++j)
-            for (int i = 0; i < box.cells.x; ++i) {
-                const glm::dvec3 centre = wind.origin() + glm::dvec3(i, j, k) + 0.5;
-                glm::dvec3 force(0.0), toward(0.0);
-                double exponent = 0.0, size = 10.0;
-                for (const DirectionalMotor& motor : motors) {
-                    const glm::dvec3 p = centre - motor.position;
-                    const double weight = biweight(glm::dot(p, p) / std::pow(double(std::get<Sphere>(motor.region).radius), 2));
-                    if (const auto* push = std::get_if<Force>(&motor.law)) {
-                        force += weight * double(push->acceleration) * glm::dvec3(motor.direction);
-                        size += weight * std::abs(double(push->acceleration)) * dt;
-                    } else {
-                        const auto& drive = std::get<Drive>(motor.law);
-                        exponent += weight * double(drive.rate) * dt;
-                        toward += weight * double(drive.rate) * dt * double(drive.speed) * glm::dvec3(motor.direction);
-                    }
-                }
-                glm::dvec3 expected(1.0, 2.0, 3.0);
-                if (exponent > 0.0)
-                    expected -= std::expm1(-exponent) * (toward / exponent - expected);
-                expected += dt * force;
-                const glm::dvec3 u(wind.field()[box.index(i, j, k)]);
-                worst = std::max(worst, glm::length(u - expected) / size);
+    for_each_cell(wind, [&](glm::dvec3 centre, std::size_t cell) {
+        glm::dvec3 force(0.0), toward(0.0);
+        double exponent = 0.0, size = 10.0;
+        for (const DirectionalMotor& motor : motors) {
+            const glm::dvec3 p = centre - motor.position;
+            const double weight = biweight(glm::dot(p, p) / std::pow(double(std::get<Sphere>(motor.region).radius), 2));
+            if (const auto* push = std::get_if<Force>(&motor.law)) {
+                force += weight * double(push->acceleration) * glm::dvec3(motor.direction);
+                size += weight * std::abs(double(push->acceleration)) * dt;
+            } else {
+                const auto& drive = std::get<Drive>(motor.law);
+                exponent += weight * double(drive.rate) * dt;
+                toward += weight * double(drive.rate) * dt * double(drive.speed) * glm::dvec3(motor.direction);
             }
+        }
+        glm::dvec3 expected(1.0, 2.0, 3.0);
+        if (exponent > 0.0)
+            expected -= std::expm1(-exponent) * (toward / exponent - expected);
+        expected += dt * force;
+        const glm::dvec3 u(wind.field()[cell]);
+        worst = std::max(worst, glm::length(u - expected) / size);
+    });
     WINDROW_EXPECT_FIGURE("crowd_of_" + std::to_string(count), worst, 1e-5); // positions are kept to 1/65536 m, sums to float
 }
 

@@ -3,29 +3,20 @@
 
 #include "fluid/message.h"
 #include "fluid/motors.h"
-#include "fluid/wind.h"
-#include "tests/fields.h"
+#include "tests/winds.h"
 
-#include <algorithm>
-#include <functional>
-#include <gtest/gtest.h>
-#include <limits>
-#include <string>
 #include <type_traits>
 #include <variant>
-#include <vector>
 
 namespace {
 
 using namespace windrow;
 using namespace windrow::test;
 
-constexpr float k_nan = std::numeric_limits<float>::quiet_NaN();
-constexpr float k_infinity = std::numeric_limits<float>::infinity();
 constexpr float k_huge = std::numeric_limits<float>::max(), k_tiny = std::numeric_limits<float>::denorm_min();
 
 // One number of a motor.
-struct Field {
+struct MotorField {
     std::string name;
     std::function<Motor(float)> with;
     std::vector<float> refused, accepted;
@@ -42,27 +33,31 @@ std::vector<float> and_also(std::vector<float> values, std::initializer_list<flo
 const std::vector<float> k_bad_size = and_also(k_not_numbers, {0.0f, -0.0f, -1.0f, -k_tiny, 1.0001e6f});
 const std::vector<float> k_good_size{k_tiny, 1e-6f, 1.0f, 1e6f};
 
+/// A motor of the kind with one number changed.
+template <class Kind, class Change>
+auto changing(const Change& change) {
+    return [change](float value) {
+        Kind kind;
+        change(kind, value);
+        return Motor(kind);
+    };
+}
+
 // What all kinds of one type share: the place, and the envelope where there is one.
 template <class Kind>
-void add_common(std::vector<Field>& fields) {
+void add_common(std::vector<MotorField>& fields) {
     for (int axis = 0; axis < 3; ++axis)
         fields.push_back({"motor.position",
-                          [axis](float value) {
-                              Kind kind;
-                              kind.position[axis] = value;
-                              return kind;
-                          },
+                          changing<Kind>([axis](Kind& kind, float value) { kind.position[axis] = value; }),
                           and_also(k_not_numbers, {1.0001e12f}),
                           {0.0f, -1.0f, -1e12f, 1e11f},
                           true});
     if constexpr (requires(Kind kind) { kind.envelope; }) {
         const auto with = [](float Envelope::*part) {
-            return [part](float value) {
-                Kind kind;
+            return changing<Kind>([part](Kind& kind, float value) {
                 kind.envelope = {.attack = 1.0f, .hold = 1.0f, .decay = 1.0f};
                 kind.envelope.*part = value;
-                return kind;
-            };
+            });
         };
         const std::vector<float> bad_time = and_also(k_not_numbers, {-1.0f, -k_tiny, 1.0001e9f});
         fields.push_back({"motor.envelope.attack", with(&Envelope::attack), bad_time, {0.0f, k_tiny, 1e9f}});
@@ -77,53 +72,35 @@ void add_common(std::vector<Field>& fields) {
 
 // A direction: each component in turn, the others 0, so that 0 makes it no direction.
 template <class Kind>
-void add_direction(std::vector<Field>& fields, const std::string& name, glm::vec3 Kind::*direction) {
+void add_direction(std::vector<MotorField>& fields, const std::string& name, glm::vec3 Kind::*direction) {
     for (int axis = 0; axis < 3; ++axis)
         fields.push_back({name,
-                          [=](float value) {
-                              Kind kind;
+                          changing<Kind>([=](Kind& kind, float value) {
                               kind.*direction = glm::vec3(0.0f);
                               (kind.*direction)[axis] = value;
-                              return kind;
-                          },
+                          }),
                           {0.0f, -0.0f, k_nan, k_infinity, -k_infinity},
                           {k_tiny, -1.0f, k_huge, -k_huge},
                           true});
 }
 
 template <class Kind>
-void add_size(std::vector<Field>& fields, const std::string& name, float Kind::*size) {
-    fields.push_back({name,
-                      [=](float value) {
-                          Kind kind;
-                          kind.*size = value;
-                          return kind;
-                      },
-                      k_bad_size, k_good_size});
+void add_size(std::vector<MotorField>& fields, const std::string& name, float Kind::*size) {
+    fields.push_back({name, changing<Kind>([=](Kind& kind, float value) { kind.*size = value; }), k_bad_size, k_good_size});
 }
 
 template <class Kind>
-void add_speed(std::vector<Field>& fields, float Kind::*speed) {
+void add_speed(std::vector<MotorField>& fields, float Kind::*speed) {
     fields.push_back({"motor.speed",
-                      [=](float value) {
-                          Kind kind;
-                          kind.*speed = value;
-                          return kind;
-                      },
+                      changing<Kind>([=](Kind& kind, float value) { kind.*speed = value; }),
                       and_also(k_not_numbers, {1.0001e4f, -1.0001e4f}),
                       {0.0f, -1e4f, 1e4f}});
 }
 
 // Force and Drive, of any kind that has the two.
 template <class Kind>
-void add_laws(std::vector<Field>& fields) {
-    const auto with = [](auto law_of) {
-        return [law_of](float value) {
-            Kind kind;
-            kind.law = law_of(value);
-            return kind;
-        };
-    };
+void add_laws(std::vector<MotorField>& fields) {
+    const auto with = [](auto law_of) { return changing<Kind>([law_of](Kind& kind, float value) { kind.law = law_of(value); }); };
     fields.push_back({"motor.law.force.acceleration",
                       with([](float value) { return Force{value}; }),
                       and_also(k_not_numbers, {1.0001e6f, -1.0001e6f}),
@@ -138,7 +115,7 @@ void add_laws(std::vector<Field>& fields) {
                       {0.0f, -0.0f, 1e6f}});
 }
 
-void add_regions(std::vector<Field>& fields) {
+void add_regions(std::vector<MotorField>& fields) {
     const auto with = [](auto region_of) {
         return [region_of](float value) { return DirectionalMotor{.region = region_of(value)}; };
     };
@@ -170,7 +147,7 @@ void add_regions(std::vector<Field>& fields) {
     }
 }
 
-void add_wake_laws(std::vector<Field>& fields) {
+void add_wake_laws(std::vector<MotorField>& fields) {
     const std::vector<float> bad = and_also(k_not_numbers, {-1.0f, -k_tiny, 1.0001e4f}), good{0.0f, -0.0f, 1e4f};
     fields.push_back({"motor.law.force.strength", [](float value) { return WakeMotor{.law = WakeForce{value}}; }, bad, good});
     fields.push_back(
@@ -181,8 +158,8 @@ void add_wake_laws(std::vector<Field>& fields) {
                       {0.0f, -0.0f, 2.0f}});
 }
 
-std::vector<Field> every_field() {
-    std::vector<Field> fields;
+std::vector<MotorField> every_field() {
+    std::vector<MotorField> fields;
     add_common<DirectionalMotor>(fields);
     add_direction(fields, "motor.direction", &DirectionalMotor::direction);
     add_regions(fields);
@@ -238,7 +215,7 @@ TEST(MotorRefusal, EachNamesTheFieldItsValueAndAFixAndChangesNothing) {
     Motors& motors = refusing.wind.motors();
     const std::size_t memory = motors.memory_bytes();
     int refusals = 0;
-    for (const Field& field : every_field())
+    for (const MotorField& field : every_field())
         for (const float value : field.refused) {
             const Motor motor = field.with(value);
             const auto valid = validate(motor);
@@ -257,6 +234,7 @@ TEST(MotorRefusal, EachNamesTheFieldItsValueAndAFixAndChangesNothing) {
                     << text << " does not state " << number;
             }
             EXPECT_EQ(text.back(), '.') << text;
+            EXPECT_NE(text.find(": give "), std::string::npos) << text;
 
             const auto add = motors.add(motor);
             const auto set = motors.set(refusing.ids[refusals % refusing.ids.size()], motor);
@@ -272,6 +250,7 @@ TEST(MotorRefusal, EachNamesTheFieldItsValueAndAFixAndChangesNothing) {
             ++refusals;
         }
     EXPECT_GT(refusals, 500);
+    EXPECT_EQ(validate(WakeMotor{.radius = -1.0f}).error().find("motor.radius is -1 m: give "), 0u) << "with its unit";
 
     EXPECT_EQ(motors.count(), 5);
     EXPECT_EQ(motors.memory_bytes(), memory);
@@ -286,7 +265,7 @@ TEST(MotorRefusal, EachNamesTheFieldItsValueAndAFixAndChangesNothing) {
 }
 
 TEST(MotorRefusal, LimitsThemselvesAreTaken) {
-    for (const Field& field : every_field())
+    for (const MotorField& field : every_field())
         for (const float value : field.accepted) {
             const auto valid = validate(field.with(value));
             EXPECT_TRUE(valid) << field.name << " refused " << value << ": " << valid.error();
@@ -295,14 +274,13 @@ TEST(MotorRefusal, LimitsThemselvesAreTaken) {
 
 // Whatever is taken may act: no value makes the air anything but finite.
 TEST(MotorRefusal, WhatIsTakenKeepsTheAirFinite) {
-    for (const Field& field : every_field())
+    for (const MotorField& field : every_field())
         for (const float value : field.accepted) {
             Wind wind = *Wind::create({.cells = {8, 8, 8}});
-            const auto id = wind.motors().add(field.with(value));
-            ASSERT_TRUE(id) << id.error();
+            const MotorId id = added(wind, field.with(value));
             for (int n = 0; n < 3; ++n) {
-                if (wind.motors().find(*id) != nullptr && std::holds_alternative<WakeMotor>(*wind.motors().find(*id))) {
-                    ASSERT_TRUE(wind.motors().move(*id, {0.3 * n, 0.0, 0.0}));
+                if (wind.motors().find(id) != nullptr && std::holds_alternative<WakeMotor>(*wind.motors().find(id))) {
+                    ASSERT_TRUE(wind.motors().move(id, {0.3 * n, 0.0, 0.0}));
                 }
                 const Diagnostics report = wind.step(1.0 / 30.0);
                 ASSERT_EQ(report.repaired_cells, 0) << field.name << " = " << value;

@@ -23,15 +23,15 @@ std::vector<Simd> levels() {
     return all;
 }
 
-struct Ends {
+struct AxisEnds {
     SideKind low, high;
 };
-constexpr Ends k_open{SideKind::open, SideKind::open}, k_walls{SideKind::no_slip, SideKind::free_slip};
-constexpr Ends k_floor{SideKind::free_slip, SideKind::open}, k_lid{SideKind::open, SideKind::free_slip};
-constexpr Ends k_periodic{SideKind::periodic, SideKind::periodic};
-constexpr Ends k_all_ends[] = {k_open, k_walls, k_floor, k_lid, k_periodic};
+constexpr AxisEnds k_open{SideKind::open, SideKind::open}, k_walls{SideKind::no_slip, SideKind::free_slip};
+constexpr AxisEnds k_floor{SideKind::free_slip, SideKind::open}, k_lid{SideKind::open, SideKind::free_slip};
+constexpr AxisEnds k_periodic{SideKind::periodic, SideKind::periodic};
+constexpr AxisEnds k_all_ends[] = {k_open, k_walls, k_floor, k_lid, k_periodic};
 
-Box box_of(glm::ivec3 cells, Ends x, Ends y, Ends z) {
+Box box_of(glm::ivec3 cells, AxisEnds x, AxisEnds y, AxisEnds z) {
     Box box{.cells = cells};
     box.sides.x_low.kind = x.low;
     box.sides.x_high.kind = x.high;
@@ -138,9 +138,9 @@ double off_without_mean(std::vector<float> a, std::vector<float> b) {
 
 std::vector<Box> all_mixes(glm::ivec3 cells) {
     std::vector<Box> boxes;
-    for (const Ends& x : k_all_ends)
-        for (const Ends& y : k_all_ends)
-            for (const Ends& z : k_all_ends)
+    for (const AxisEnds& x : k_all_ends)
+        for (const AxisEnds& y : k_all_ends)
+            for (const AxisEnds& z : k_all_ends)
                 boxes.push_back(box_of(cells, x, y, z));
     return boxes;
 }

@@ -1,13 +1,9 @@
 // A file has its name only when it is complete, whoever else writes it and whoever dies meanwhile.
 #include "fluid/new_file.h"
+#include "tests/own_folder.h"
 
 #include <cerrno>
 #include <csignal>
-#include <filesystem>
-#include <fstream>
-#include <gtest/gtest.h>
-#include <iterator>
-#include <string>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,22 +13,9 @@ namespace {
 namespace fs = std::filesystem;
 using detail::NewFile;
 
-class NewFiles : public testing::Test {
-  protected:
-    NewFiles() : folder(fs::path(testing::TempDir()) / ("windrow_new_file_test_" + std::to_string(::getpid()))) {
-        fs::create_directories(folder);
-    }
-    ~NewFiles() override { fs::remove_all(folder); }
+using NewFiles = test::FolderTest;
 
-    [[nodiscard]] long entries() const { return std::distance(fs::directory_iterator(folder), fs::directory_iterator()); }
-
-    const fs::path folder;
-};
-
-std::string text_of(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
+using test::text_of;
 
 // Runs `work` in a process of its own.
 template <class Work>

@@ -9,16 +9,10 @@
 
 #include <cmath>
 #include <csignal>
-#include <filesystem>
-#include <fstream>
-#include <gtest/gtest.h>
 #include <limits>
 #include <map>
 #include <set>
 #include <sstream>
-#include <string>
-#include <unistd.h>
-#include <vector>
 
 namespace windrow::cli {
 
@@ -31,11 +25,11 @@ namespace fs = std::filesystem;
 constexpr const char* k_header = "backend,scheme,advection,pressure,grid,cfl,case,error,order,step_ms,cost_vs_stam40,"
                                  "threads,ms_per_second,machine";
 
-Outcome pareto(std::vector<const char*> arguments) {
+CommandOutcome pareto(std::vector<const char*> arguments) {
     return run_windrow("pareto", std::move(arguments));
 }
 
-Outcome pareto(const ParetoRequest& request, int signal = 0) {
+CommandOutcome pareto(const ParetoRequest& request, int signal = 0) {
     return run_request(run_pareto, request, signal);
 }
 
@@ -43,10 +37,7 @@ void expect_refusal(std::vector<const char*> arguments, const std::string& sente
     expect_refused(pareto(std::move(arguments)), sentence);
 }
 
-std::string text_of(const fs::path& file) {
-    std::ifstream stream(file);
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
+using test::text_of;
 
 std::vector<std::vector<std::string>> rows_of(const fs::path& file) {
     std::vector<std::vector<std::string>> rows;
@@ -76,21 +67,11 @@ std::vector<ParetoFlow> small_flows() {
     return flows;
 }
 
-class ParetoCommand : public testing::Test {
+class ParetoCommand : public test::FolderTest {
   protected:
-    ParetoCommand() {
-        folder = fs::path(testing::TempDir()) / ("windrow_pareto_test_" + std::to_string(::getpid()));
-        fs::create_directories(folder);
-    }
-    ~ParetoCommand() override {
-        std::error_code ignored;
-        fs::remove_all(folder, ignored);
-    }
     [[nodiscard]] ParetoRequest small(const char* out, int threads = 2) const {
         return {.flows = small_flows(), .cfls = {1.0, 2.0}, .seconds = 0.001, .threads = threads, .out = folder / out};
     }
-
-    fs::path folder;
 };
 
 // --- Flags -----------------------------------------------------------------------------------------------------------
@@ -195,12 +176,11 @@ TEST(ParetoFlows, AReferenceIsReadWhereItLies) {
 // --- Results ---------------------------------------------------------------------------------------------------------
 
 TEST_F(ParetoCommand, FiguresAreToldAndKept) {
-    const Outcome outcome = pareto(small("run"));
+    const CommandOutcome outcome = pareto(small("run"));
     ASSERT_EQ(outcome.code, k_exit_well) << outcome.out << outcome.err;
-    for (const char* word :
-         {"taylor_green_2d", "jet", "ms/s of flow", "front of 80 runs", "the default, second_order cubic direct",
-          "on the front on 8x1x8: ", "on the front on 12x6x12: ", "pareto.csv"})
-        EXPECT_NE(outcome.out.find(word), std::string::npos) << word << "\n" << outcome.out;
+    expect_words(outcome.out,
+                 {"taylor_green_2d", "jet", "ms/s of flow", "front of 80 runs", "the default, second_order cubic direct",
+                  "on the front on 8x1x8: ", "on the front on 12x6x12: ", "pareto.csv"});
 
     const fs::path out = folder / "run";
     const auto rows = rows_of(out / "pareto.csv");
@@ -255,7 +235,7 @@ TEST_F(ParetoCommand, ABrokenFlowIsTold) {
     ParetoRequest request = small("broken", 1);
     request.flows.pop_back();
     request.flows.front().start = [](glm::dvec3) { return glm::dvec3(std::numeric_limits<double>::quiet_NaN()); };
-    const Outcome outcome = pareto(request);
+    const CommandOutcome outcome = pareto(request);
     EXPECT_EQ(outcome.code, k_exit_out_of_bounds);
     EXPECT_EQ(outcome.err, "windrow: the default method broke on taylor_green_2d: its error is not finite.\n");
     const auto rows = rows_of(folder / "broken" / "pareto.csv");
@@ -272,7 +252,7 @@ TEST_F(ParetoCommand, AGustyFlowIsRunByWinds) {
     ASSERT_TRUE(flow.needs_wind());
     flow.grids = {{12, 6, 12}, {24, 12, 24}};
     flow.reference = {48, 24, 48};
-    const Outcome outcome = pareto(request);
+    const CommandOutcome outcome = pareto(request);
     ASSERT_EQ(outcome.code, k_exit_well) << outcome.out << outcome.err;
     EXPECT_EQ(outcome.out.find("composed"), std::string::npos);
     const auto rows = rows_of(folder / "gusty" / "pareto.csv");

@@ -6,38 +6,25 @@
 #include "cli/drawing/motor_marks.h"
 #include "cli/drawing/slice.h"
 #include "cli/pictures.h"
+#include "tests/own_folder.h"
 
 #include <cmath>
-#include <csignal>
-#include <cstdlib>
-#include <fstream>
 #include <glm/geometric.hpp>
-#include <gtest/gtest.h>
 #include <limits>
 #include <random>
-#include <sys/resource.h>
 
 namespace windrow::cli {
 namespace {
 
 constexpr float k_nan = std::numeric_limits<float>::quiet_NaN();
 
-/// An empty folder of its own, removed at the end.
-class PicturesTest : public testing::Test {
-  protected:
-    PicturesTest() {
-        std::string name = (std::filesystem::temp_directory_path() / "windrow-pictures-XXXXXX").string();
-        folder_ = ::mkdtemp(name.data());
-    }
-    ~PicturesTest() override { std::filesystem::remove_all(folder_); }
+using PicturesTest = test::FolderTest;
 
-    [[nodiscard]] std::size_t files() const {
-        return static_cast<std::size_t>(
-            std::distance(std::filesystem::directory_iterator(folder_), std::filesystem::directory_iterator()));
-    }
-
-    std::filesystem::path folder_;
-};
+SlicedAir air_of(const Wind& wind) {
+    return {.box = wind.box(), .origin = wind.origin(), .ambient = wind.ambient(), .velocity = [&](auto at, auto to) {
+                wind.velocity(at, to);
+            }};
+}
 
 SlicedAir air_of(glm::ivec3 cells, float cell_size, glm::dvec3 origin, std::function<glm::vec3(glm::dvec3)> velocity_at) {
     SlicedAir air{.box = {.cells = cells, .cell_size = cell_size, .sides = {}},
@@ -49,6 +36,11 @@ SlicedAir air_of(glm::ivec3 cells, float cell_size, glm::dvec3 origin, std::func
             velocities[index] = velocity_at(positions[index]);
     };
     return air;
+}
+
+/// The default box, still.
+SlicedAir still_air() {
+    return air_of({32, 16, 32}, 1.0f, {}, [](glm::dvec3) { return glm::vec3(0.0f); });
 }
 
 /// A field in which every component differs from cell to cell.
@@ -73,10 +65,7 @@ TEST_F(PicturesTest, SliceOfEachAxisEqualsTheCells) {
     auto wind = Wind::create({.cells = {13, 7, 10}, .cell_size = 0.5f, .centre = {40.0, 3.0, -9.0}, .rim = 0.0f});
     ASSERT_TRUE(wind);
     wind->set_velocity(known_wind);
-    const SlicedAir air{.box = wind->box(),
-                        .origin = wind->origin(),
-                        .ambient = wind->ambient(),
-                        .velocity = [&](std::span<const glm::dvec3> at, std::span<glm::vec3> to) { wind->velocity(at, to); }};
+    const SlicedAir air = air_of(*wind);
     constexpr int k_per_cell = 5; // odd, so that the middle pixel of a cell lies on its centre
     constexpr float k_scale = 5.0f;
     const glm::ivec3 cells = wind->box().cells;
@@ -86,8 +75,8 @@ TEST_F(PicturesTest, SliceOfEachAxisEqualsTheCells) {
         const int columns = cells[plane.right()], rows = cells[plane.along_height()];
         const SlicePicture slice = render_slice(air, plane, k_scale, columns * k_per_cell, rows * k_per_cell);
         EXPECT_EQ(slice.broken_pixels, 0);
-        ASSERT_TRUE(write_png(slice.image, {}, folder_ / "slice.png"));
-        const auto png = read_png(folder_ / "slice.png");
+        ASSERT_TRUE(write_png(slice.image, {}, folder / "slice.png"));
+        const auto png = read_png(folder / "slice.png");
         ASSERT_TRUE(png);
         for (int row = 0; row < rows; ++row) {
             for (int column = 0; column < columns; ++column) {
@@ -105,10 +94,7 @@ TEST_F(PicturesTest, SliceBetweenCellsIsWhatAPlantReads) {
     auto wind = Wind::create({.cells = {8, 6, 9}, .ambient = {2.0f, 0.0f, 0.0f}});
     ASSERT_TRUE(wind);
     wind->set_velocity(known_wind);
-    const SlicedAir air{.box = wind->box(),
-                        .origin = wind->origin(),
-                        .ambient = wind->ambient(),
-                        .velocity = [&](std::span<const glm::dvec3> at, std::span<glm::vec3> to) { wind->velocity(at, to); }};
+    const SlicedAir air = air_of(*wind);
     const Plane plane{Normal::y, wind->origin().y + 2.2};
     const SlicePicture slice = render_slice(air, plane, 5.0f, 37, 29);
     for (int row = 0; row < 29; ++row) {
@@ -267,7 +253,7 @@ int changed(const Image& a, const Image& b, const Rect& rect, double unit) {
 }
 
 TEST(Frame, ShowsEachKindOfMotorInItsColour) {
-    const SlicedAir air = air_of({32, 16, 32}, 1.0f, {0.0, 0.0, 0.0}, [](glm::dvec3) { return glm::vec3(0.0f); });
+    const SlicedAir air = still_air();
     const PictureSettings settings{.title = "", .slice_point = {16.0, 8.0, 16.0}};
     const glm::dvec3 middle(16.0, 8.0, 16.0);
     const FrameLayout layout = lay_out(air, settings.slice_point, settings.width);
@@ -295,7 +281,7 @@ TEST(Frame, ShowsEachKindOfMotorInItsColour) {
 }
 
 TEST(Frame, LeavesOutMotorsThatDoNothingNow) {
-    const SlicedAir air = air_of({32, 16, 32}, 1.0f, {0.0, 0.0, 0.0}, [](glm::dvec3) { return glm::vec3(0.0f); });
+    const SlicedAir air = still_air();
     const PictureSettings settings{.title = "", .slice_point = {16.0, 8.0, 16.0}};
     const FrameLayout layout = lay_out(air, settings.slice_point, settings.width);
     const auto draw = [&](double strength) {
@@ -309,7 +295,7 @@ TEST(Frame, LeavesOutMotorsThatDoNothingNow) {
 }
 
 TEST(Frame, ManyMotorsLeaveTheAirInSight) {
-    const SlicedAir air = air_of({32, 16, 32}, 1.0f, {0.0, 0.0, 0.0}, [](glm::dvec3) { return glm::vec3(0.0f); });
+    const SlicedAir air = still_air();
     const PictureSettings settings{.title = "", .slice_point = {16.0, 2.0, 16.0}};
     const FrameLayout layout = lay_out(air, settings.slice_point, settings.width);
     std::vector<NamedMotor> motors;
@@ -340,22 +326,22 @@ TEST_F(PicturesTest, WidthOutsideTheBoundsIsRefusedByName) {
     auto wind = cases::BackendWind::create({.cells = {4, 4, 4}});
     ASSERT_TRUE(wind);
     for (const int width : {1, 639, 8001, 10000, -5}) {
-        const auto drawn = draw_frame(**wind, 0.0, {}, {}, {.title = "", .width = width}, folder_ / "frame.png");
+        const auto drawn = draw_frame(**wind, 0.0, {}, {}, {.title = "", .width = width}, folder / "frame.png");
         ASSERT_FALSE(drawn);
         EXPECT_NE(drawn.error().find("width " + std::to_string(width)), std::string::npos) << drawn.error();
         EXPECT_NE(drawn.error().find("frame.png"), std::string::npos) << drawn.error();
     }
-    EXPECT_EQ(files(), 0u);
+    EXPECT_EQ(entries(), 0);
 }
 
 TEST_F(PicturesTest, FrameOfAWindIsOneFileThatKnowsItsTime) {
     auto wind =
         cases::BackendWind::create({.cells = {8, 4, 8}, .sides = Sides::open_over_floor(), .ambient = {3.0f, 0.0f, 0.0f}});
     ASSERT_TRUE(wind);
-    ASSERT_TRUE(draw_frame(**wind, 3.4, {}, {}, {.title = "meadow", .width = 800}, folder_ / "frame.png"));
-    EXPECT_EQ(files(), 1u);
+    ASSERT_TRUE(draw_frame(**wind, 3.4, {}, {}, {.title = "meadow", .width = 800}, folder / "frame.png"));
+    EXPECT_EQ(entries(), 1);
     PngWords words;
-    const auto png = read_png(folder_ / "frame.png", &words);
+    const auto png = read_png(folder / "frame.png", &words);
     ASSERT_TRUE(png);
     EXPECT_EQ(png->width, 800);
     EXPECT_EQ(words.title, "meadow");
@@ -366,17 +352,17 @@ TEST_F(PicturesTest, FrameOfAWindIsOneFileThatKnowsItsTime) {
 
 TEST_F(PicturesTest, FailedWriteNamesTheFileAndLeavesNothing) {
     const Image image(16, 16);
-    const auto missing = write_png(image, {}, folder_ / "none" / "a.png");
+    const auto missing = write_png(image, {}, folder / "none" / "a.png");
     ASSERT_FALSE(missing);
     EXPECT_NE(missing.error().find("a.png"), std::string::npos) << missing.error();
     EXPECT_FALSE(missing.error().starts_with(k_disk_fault));
-    std::filesystem::create_directory(folder_ / "b.png");
-    EXPECT_FALSE(write_png(image, {}, folder_ / "b.png"));
-    EXPECT_EQ(files(), 1u);
+    std::filesystem::create_directory(folder / "b.png");
+    EXPECT_FALSE(write_png(image, {}, folder / "b.png"));
+    EXPECT_EQ(entries(), 1);
 }
 
 TEST_F(PicturesTest, DiskThatTakesNoMoreKeepsTheOldFileAndSaysSo) {
-    const std::filesystem::path file = folder_ / "frame.png";
+    const std::filesystem::path file = folder / "frame.png";
     ASSERT_TRUE(write_png(Image(4, 4), {}, file));
     const auto old_size = std::filesystem::file_size(file);
     Image large(600, 600);
@@ -385,19 +371,14 @@ TEST_F(PicturesTest, DiskThatTakesNoMoreKeepsTheOldFileAndSaysSo) {
         value = static_cast<std::uint8_t>(noise());
 
     // A size limit stops the write midway, as a full disk does.
-    rlimit limit{};
-    ::getrlimit(RLIMIT_FSIZE, &limit);
-    const rlimit small{20000, limit.rlim_max};
-    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-    ::setrlimit(RLIMIT_FSIZE, &small);
-    const auto written = write_png(large, {}, file);
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-    std::signal(SIGXFSZ, handler);
-
+    const auto written = [&] {
+        const test::FileSizeLimit limit(20000);
+        return write_png(large, {}, file);
+    }();
     ASSERT_FALSE(written);
     EXPECT_TRUE(written.error().starts_with(k_disk_fault)) << written.error();
     EXPECT_NE(written.error().find("frame.png"), std::string::npos) << written.error();
-    EXPECT_EQ(files(), 1u);
+    EXPECT_EQ(entries(), 1);
     EXPECT_EQ(std::filesystem::file_size(file), old_size);
     EXPECT_TRUE(read_png(file));
 }
@@ -410,11 +391,11 @@ TEST_F(PicturesTest, ContactSheetHasTheFramesInOrder) {
         Image image(820, 451); // shrinks to 800 x 440
         for (std::size_t index = 0; index < image.values.size(); ++index)
             image.values[index] = static_cast<std::uint8_t>(40 * frame);
-        frames.push_back(folder_ / (std::to_string(frame) + ".png"));
+        frames.push_back(folder / (std::to_string(frame) + ".png"));
         ASSERT_TRUE(write_png(image, {"run", "t"}, frames.back()));
     }
-    ASSERT_TRUE(draw_contact_sheet(frames, folder_ / "sheet.png"));
-    const auto sheet = read_png(folder_ / "sheet.png");
+    ASSERT_TRUE(draw_contact_sheet(frames, folder / "sheet.png"));
+    const auto sheet = read_png(folder / "sheet.png");
     ASSERT_TRUE(sheet);
     // Three columns of 800 px with gaps of 28 and margins of 48; two rows of 440 px, each under a caption of 44; a title of 64.
     EXPECT_EQ(sheet->width, 2 * 48 + 3 * 800 + 2 * 28);
@@ -424,10 +405,10 @@ TEST_F(PicturesTest, ContactSheetHasTheFramesInOrder) {
         const auto shade = static_cast<std::uint8_t>(40 * frame);
         expect_colour(sheet->at(column, row), {shade, shade, shade}, 1);
     }
-    ASSERT_TRUE(draw_contact_sheet(std::span(frames).first(1), folder_ / "one.png"));
-    EXPECT_EQ(read_png(folder_ / "one.png")->width, 2 * 48 + 800);
-    ASSERT_TRUE(draw_contact_sheet(std::span(frames).first(4), folder_ / "four.png"));
-    EXPECT_EQ(read_png(folder_ / "four.png")->width, 2 * 48 + 2 * 800 + 28);
+    ASSERT_TRUE(draw_contact_sheet(std::span(frames).first(1), folder / "one.png"));
+    EXPECT_EQ(read_png(folder / "one.png")->width, 2 * 48 + 800);
+    ASSERT_TRUE(draw_contact_sheet(std::span(frames).first(4), folder / "four.png"));
+    EXPECT_EQ(read_png(folder / "four.png")->width, 2 * 48 + 2 * 800 + 28);
 }
 
 TEST_F(PicturesTest, ContactSheetOfARunHasTheLegendOnce) {
@@ -436,7 +417,7 @@ TEST_F(PicturesTest, ContactSheetOfARunHasTheLegendOnce) {
     const PictureSettings settings{.title = "run"};
     std::vector<std::filesystem::path> frames;
     for (int frame = 0; frame < 4; ++frame) {
-        frames.push_back(folder_ / (std::to_string(frame) + ".png"));
+        frames.push_back(folder / (std::to_string(frame) + ".png"));
         ASSERT_TRUE(draw_frame(**wind, frame, {}, {}, settings, frames.back()));
     }
     const FrameParts parts = frame_parts(**wind, settings);
@@ -448,8 +429,8 @@ TEST_F(PicturesTest, ContactSheetOfARunHasTheLegendOnce) {
         EXPECT_LE(part.x + part.width, page->width);
         EXPECT_LE(part.y + part.height, page->height);
     }
-    ASSERT_TRUE(draw_contact_sheet(frames, folder_ / "sheet.png", parts));
-    const auto sheet = read_png(folder_ / "sheet.png");
+    ASSERT_TRUE(draw_contact_sheet(frames, folder / "sheet.png", parts));
+    const auto sheet = read_png(folder / "sheet.png");
     ASSERT_TRUE(sheet);
     // Two by two tiles of both slices, 800 px at most, with one legend at the foot.
     const double tall = parts.level.height + parts.upright.height;
@@ -457,15 +438,15 @@ TEST_F(PicturesTest, ContactSheetOfARunHasTheLegendOnce) {
     EXPECT_EQ(sheet->width, 2 * 48 + std::max(2 * tile_width + 28, parts.legend.width));
     EXPECT_EQ(sheet->height, 2 * 48 + 64 + 2 * (44 + 800) + 28 + 28 + 44 + parts.legend.height);
     // Parts that do not fit the pictures at hand are held inside them.
-    ASSERT_TRUE(write_png(Image(30, 20), {}, folder_ / "small.png"));
-    EXPECT_TRUE(draw_contact_sheet(std::vector{folder_ / "small.png"}, folder_ / "sheet.png", parts));
+    ASSERT_TRUE(write_png(Image(30, 20), {}, folder / "small.png"));
+    EXPECT_TRUE(draw_contact_sheet(std::vector{folder / "small.png"}, folder / "sheet.png", parts));
 }
 
 TEST_F(PicturesTest, ContactSheetRefusesWhatItCannotRead) {
-    const std::filesystem::path sheet = folder_ / "sheet.png", damaged = folder_ / "damaged.png";
+    const std::filesystem::path sheet = folder / "sheet.png", damaged = folder / "damaged.png";
     EXPECT_FALSE(draw_contact_sheet({}, sheet));
     EXPECT_FALSE(draw_contact_sheet(std::vector<std::filesystem::path>(65, damaged), sheet));
-    const std::vector missing{folder_ / "missing.png"};
+    const std::vector missing{folder / "missing.png"};
     const auto none = draw_contact_sheet(missing, sheet);
     ASSERT_FALSE(none);
     EXPECT_NE(none.error().find("missing.png"), std::string::npos) << none.error();

@@ -1,66 +1,47 @@
 // Reading the air: velocity() is what a vertex stage gets from the three textures and the window block; written here a second
 // time, in double, from textures.h and wind.h.
 
-#include "fluid/wind.h"
-#include "tests/fields.h"
-#include "tests/figure.h"
+#include "tests/winds.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstring>
-#include <gtest/gtest.h>
-#include <limits>
-#include <string>
-#include <vector>
 
 namespace {
 
 using namespace windrow;
 using namespace windrow::test;
 
-Wind made(const Config& config, float noise = 5.0f) {
-    auto wind = Wind::create(config);
-    EXPECT_TRUE(wind) << wind.error();
-    EXPECT_TRUE(wind->set_velocity(white_noise(config.cells, noise, 81)));
-    return *std::move(wind);
+Wind noisy(const Config& config) {
+    Wind wind = made(config);
+    EXPECT_TRUE(wind.set_velocity(white_noise(config.cells, 5.0f, 81)));
+    return wind;
 }
 
-struct Scene {
-    std::string name;
-    Config config;
-};
-
-std::vector<Scene> scenes() {
+std::vector<NamedConfig> scenes() {
     const Config base{
         .cells = {13, 9, 17}, .cell_size = 0.75f, .centre = {3.0, -2.0, 1.0}, .ambient = {4.0f, -1.0f, 2.0f}, .rim = 0.0f};
-    std::vector<Scene> list;
-    for (const auto& [name, kind] : {std::pair{"open", SideKind::open},
-                                     {"free_slip", SideKind::free_slip},
-                                     {"no_slip", SideKind::no_slip},
-                                     {"periodic", SideKind::periodic}}) {
-        list.push_back({name, base});
-        list.back().config.sides = Sides::all(kind);
-    }
-    list.push_back({"mixed", base});
-    list.back().config.sides.x_low.kind = SideKind::no_slip;
-    list.back().config.sides.y_low.kind = SideKind::free_slip;
-    list.back().config.sides.z_low.kind = list.back().config.sides.z_high.kind = SideKind::periodic;
-    list.push_back({"one_cell", base});
-    list.back().config.cells = {1, 6, 1};
-    list.push_back({"million_metres_away", base});
-    list.back().config.centre = {1e6, 3.0, -1e6};
-    return list;
+    const auto sides = [&](SideKind kind) { return with(base, [&](Config& c) { c.sides = Sides::all(kind); }); };
+    return {{"open", sides(SideKind::open)},
+            {"free_slip", sides(SideKind::free_slip)},
+            {"no_slip", sides(SideKind::no_slip)},
+            {"periodic", sides(SideKind::periodic)},
+            {"mixed", with(base,
+                           [](Config& c) {
+                               c.sides = {.x_low = {SideKind::no_slip}, .y_low = {SideKind::free_slip}};
+                               c.sides.z_low.kind = c.sides.z_high.kind = SideKind::periodic;
+                           })},
+            {"one_cell", with(base, [](Config& c) { c.cells = glm::ivec3(1, 6, 1); })},
+            {"million_metres_away", with(base, [](Config& c) { c.centre = glm::dvec3(1e6, 3.0, -1e6); })}};
 }
 
 /// The textures, as a shader would hold them.
-struct Textures {
+struct AxisTextures {
     std::vector<float> axis[3];
     WindowBlock block;
     glm::dvec3 anchor;
 
-    Textures(const Wind& wind, glm::dvec3 at) : block(wind.window_block(at)), anchor(at) {
+    AxisTextures(const Wind& wind, glm::dvec3 at) : block(wind.window_block(at)), anchor(at) {
         for (auto& texels : axis)
             texels.resize(wind.field().size());
         EXPECT_TRUE(wind.write_axes(std::span(axis[0]), std::span(axis[1]), std::span(axis[2])));
@@ -111,9 +92,9 @@ glm::dvec3 extent_of(const Wind& wind) {
 }
 
 TEST(Query, EqualsATrilinearSampleOfTheTextures) {
-    for (const Scene& scene : scenes()) {
-        const Wind wind = made(scene.config);
-        const Textures textures(wind, scene.config.centre + glm::dvec3(1.0, -2.0, 0.5));
+    for (const NamedConfig& scene : scenes()) {
+        const Wind wind = noisy(scene.config);
+        const AxisTextures textures(wind, scene.config.centre + glm::dvec3(1.0, -2.0, 0.5));
         Random random(82);
         double worst = 0.0;
         for (int n = 0; n < 10'000; ++n) {
@@ -130,24 +111,19 @@ TEST(Query, EqualsATrilinearSampleOfTheTextures) {
 }
 
 TEST(Query, CellCentresAreTheCells) {
-    for (const Scene& scene : scenes()) {
-        const Wind wind = made(scene.config);
-        const glm::ivec3 cells = wind.box().cells;
+    for (const NamedConfig& scene : scenes()) {
+        const Wind wind = noisy(scene.config);
         double worst = 0.0;
-        for (int k = 0; k < cells.z; ++k)
-            for (int j = 0; j < cells.y; ++j)
-                for (int i = 0; i < cells.x; ++i) {
-                    const glm::dvec3 centre = wind.origin() + (glm::dvec3(i, j, k) + 0.5) * double(wind.box().cell_size);
-                    worst = std::max(
-                        worst, double(glm::length(wind.velocity(centre) - glm::vec3(wind.field()[wind.box().index(i, j, k)]))));
-                }
+        for_each_cell(wind, [&](glm::dvec3 centre, std::size_t n) {
+            worst = std::max(worst, double(glm::length(wind.velocity(centre) - glm::vec3(wind.field()[n]))));
+        });
         WINDROW_EXPECT_FIGURE("query_centres_" + scene.name, worst, 1e-6 * largest_speed(wind.field()));
     }
 }
 
 TEST(Query, IsContinuousAcrossTheRim) {
-    for (const Scene& scene : scenes()) {
-        const Wind wind = made(scene.config);
+    for (const NamedConfig& scene : scenes()) {
+        const Wind wind = noisy(scene.config);
         const double h = wind.box().cell_size, stride = 1e-3 * h;
         // Along an axis the wind changes by at most twice its size a cell, and beyond an open side by all that ambient differs.
         const double speed = largest_speed(wind.field()),
@@ -169,11 +145,11 @@ TEST(Query, IsContinuousAcrossTheRim) {
 }
 
 TEST(Query, OutsideIsAmbientWallOrTheOtherSide) {
-    const std::vector<Scene> list = scenes();
+    const std::vector<NamedConfig> list = scenes();
     Random random(84);
-    const Wind open = made(list[0].config);
-    const Wind walls = made(list[1].config);
-    const Wind ring = made(list[3].config);
+    const Wind open = noisy(list[0].config);
+    const Wind walls = noisy(list[1].config);
+    const Wind ring = noisy(list[3].config);
     double worst = 0.0;
     for (int n = 0; n < 1000; ++n) {
         // A point inside, sent out along one axis.
@@ -194,8 +170,8 @@ TEST(Query, OutsideIsAmbientWallOrTheOtherSide) {
 
 TEST(Query, APointThatIsNoneGetsAmbientAndFarOnesAreFinite) {
     const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
-    for (const Scene& scene : scenes()) {
-        const Wind wind = made(scene.config);
+    for (const NamedConfig& scene : scenes()) {
+        const Wind wind = noisy(scene.config);
         for (const double bad : {nan, infinity, -infinity})
             for (int axis = 0; axis < 3; ++axis) {
                 glm::dvec3 position = scene.config.centre;
@@ -215,7 +191,7 @@ TEST(Query, APointThatIsNoneGetsAmbientAndFarOnesAreFinite) {
 }
 
 TEST(Query, ManyPointsEqualSinglePoints) {
-    const Wind wind = made(scenes()[4].config);
+    const Wind wind = noisy(scenes()[4].config);
     Random random(85);
     std::vector<glm::dvec3> points(1000);
     for (glm::dvec3& point : points)
@@ -229,7 +205,7 @@ TEST(Query, ManyPointsEqualSinglePoints) {
 // --- The textures of the axes hold the bits of the cells -------------------------------------------------------------
 
 TEST(Query, AxesEqualTheCellsToTheBit) {
-    Wind wind = made(scenes()[0].config);
+    Wind wind = noisy(scenes()[0].config);
     wind.step(0.1);
     const std::size_t count = wind.field().size();
     std::vector<float> whole[3];
@@ -248,7 +224,7 @@ TEST(Query, AxesEqualTheCellsToTheBit) {
 }
 
 TEST(Query, RoomOfAnotherSizeIsRefusedAndUntouched) {
-    const Wind wind = made(scenes()[0].config);
+    const Wind wind = noisy(scenes()[0].config);
     const std::size_t count = wind.field().size();
     std::vector<float> right(count, 7.0f), wrong(count - 1, 7.0f);
     std::vector<std::uint16_t> half_right(count, 7), half_wrong(count + 1, 7);
@@ -260,7 +236,7 @@ TEST(Query, RoomOfAnotherSizeIsRefusedAndUntouched) {
     EXPECT_TRUE(std::all_of(right.begin(), right.end(), [](float texel) { return texel == 7.0f; }));
     EXPECT_TRUE(std::all_of(half_right.begin(), half_right.end(), [](std::uint16_t texel) { return texel == 7; }));
 
-    Wind writable = made(scenes()[0].config);
+    Wind writable = noisy(scenes()[0].config);
     const Field before = copy(writable.field());
     EXPECT_FALSE(writable.set_velocity(Field(count - 1)));
     EXPECT_EQ(cells_that_differ(before, writable.field()), 0u);
@@ -270,7 +246,7 @@ TEST(Query, TheBlockSaysWhereTheTexturesLie) {
     Config config = scenes()[4].config;
     config.follow_axes.reset();
     config.sides = Sides::open_over_floor();
-    Wind wind = made(config);
+    Wind wind = noisy(config);
     const glm::dvec3 anchor(2.0, 1.0, -7.0), origin = wind.origin();
     wind.step(0.1);
     ASSERT_TRUE(wind.follow(config.centre + glm::dvec3(1.5, 0.0, -0.75)));
@@ -294,7 +270,6 @@ TEST(Query, TheBlockSaysWhereTheTexturesLie) {
 }
 
 TEST(Query, WhatShadersReadIsFiniteWhateverIsAsked) {
-    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     const auto bits = [](const FrameBlock& block) {
         std::array<float, sizeof(FrameBlock) / sizeof(float)> values;
         std::memcpy(values.data(), &block, sizeof block);
@@ -302,9 +277,9 @@ TEST(Query, WhatShadersReadIsFiniteWhateverIsAsked) {
     };
     Wind wind = *Wind::create({.cells = {8, 8, 8}, .ambient = {3.0f, 0.0f, 1.0f}, .gusts = {.intensity = 0.2f}});
     const auto standard = bits(wind.frame_block(glm::dvec3(0.0)));
-    for (const float bad : {nan, -1.0f, std::numeric_limits<float>::infinity()}) {
+    for (const float bad : {k_nan, -1.0f, k_infinity}) {
         const Sampling sampling{.strength = bad, .limit = bad, .detail = bad, .detail_length = bad};
-        EXPECT_EQ(bits(wind.frame_block(glm::dvec3(nan), sampling)), standard) << bad;
+        EXPECT_EQ(bits(wind.frame_block(glm::dvec3(k_nan), sampling)), standard) << bad;
         EXPECT_EQ(wind.felt({1.0, 2.0, 3.0}, sampling), wind.felt({1.0, 2.0, 3.0}, Sampling{})) << bad;
     }
     EXPECT_NE(bits(wind.frame_block({2.0, 0.0, 0.0})), standard);

@@ -1,36 +1,19 @@
 // The wind of the box fades to the ambient wind by the distance from the point that it follows, so that a shift of the box
 // moves nothing that is seen.
 
-#include "fluid/wind.h"
-#include "tests/fields.h"
-#include "tests/figure.h"
-
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <gtest/gtest.h>
-#include <string>
-#include <utility>
-#include <vector>
+#include "tests/winds.h"
 
 namespace {
 
 using namespace windrow;
 using namespace windrow::test;
 
-Wind made(const Config& config) {
-    auto wind = Wind::create(config);
-    EXPECT_TRUE(wind) << wind.error();
-    return *std::move(wind);
-}
-
 /// Air in strong motion to the very edge, so that anything that jumps there shows.
 Wind stormy(Config config) {
     config.ambient = {2.0f, 0.0f, -1.0f};
     Wind wind = made(config);
     EXPECT_TRUE(wind.set_velocity(smooth_noise(wind.box().cells, 8.0f, 42)));
-    for (int n = 0; n < 3; ++n)
-        wind.step(1.0 / 60.0);
+    take_steps(wind, 3, 1.0 / 60.0);
     return wind;
 }
 
@@ -187,14 +170,6 @@ TEST(Rim, AWalkPastAFanFeelsAThousandthAtMost) {
     const Jolts jolts = walk(wind);
     figure("window/walk_past_a_fan/at_shifts_over_median", largest(jolts.at_shift) / median(jolts.calm));
     WINDROW_EXPECT_FIGURE("window/walk_past_a_fan/at_shifts_over_max_speed", largest(jolts.at_shift) / jolts.max_speed, 1e-3);
-}
-
-TEST(Rim, IsRefusedOutOfRange) {
-    for (const float rim : {-1.0f, 65.0f, std::nanf("")}) {
-        const auto refused = Wind::create({.rim = rim});
-        ASSERT_FALSE(refused);
-        EXPECT_NE(refused.error().find("rim is "), std::string::npos) << refused.error();
-    }
 }
 
 } // namespace

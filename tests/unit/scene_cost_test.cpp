@@ -2,8 +2,8 @@
 #include "scene/motion_path.h"
 #include "scene/scene_reader.h"
 #include "tests/cost.h"
+#include "tests/own_folder.h"
 
-#include <fstream>
 #include <sys/stat.h>
 
 namespace windrow::scene {
@@ -11,14 +11,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class SceneCost : public testing::Test {
+class SceneCost : public test::FolderTest {
   protected:
-    SceneCost() { fs::create_directories(folder); }
-    ~SceneCost() override {
-        std::error_code ignored;
-        fs::remove_all(folder, ignored);
-    }
-
     [[nodiscard]] std::string fault(const std::string& text) const {
         return test::sentence_of_cheap([&] {
             const auto scene = read_scene_text(text, folder / "a.json");
@@ -29,8 +23,6 @@ class SceneCost : public testing::Test {
         const std::string found = fault(text);
         EXPECT_NE(found.find(sentence), std::string::npos) << found;
     }
-
-    fs::path folder = fs::path(testing::TempDir()) / ("windrow_scene_cost_" + std::to_string(::getpid()));
 };
 
 std::string repeated(const std::string& item, int count) {

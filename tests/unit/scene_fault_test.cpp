@@ -2,11 +2,7 @@
 #include "scene/motion_path.h"
 #include "scene/nearest_word.h"
 #include "scene/scene_reader.h"
-
-#include <filesystem>
-#include <fstream>
-#include <gtest/gtest.h>
-#include <string>
+#include "tests/own_folder.h"
 
 namespace windrow::scene {
 namespace {
@@ -37,8 +33,7 @@ TEST(SceneFault, TextThatIsNoJson) {
 }
 
 TEST(SceneFault, EveryBeginningOfASceneIsRefusedWithItsPlace) {
-    std::ifstream file(std::filesystem::path(WINDROW_SOURCE_DIR) / "examples" / "scenes" / "walk.json");
-    const std::string whole((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    const std::string whole = test::text_of(WINDROW_SOURCE_DIR "/examples/scenes/walk.json");
     const std::size_t end = whole.find_last_of('}');
     ASSERT_GT(end, 1000u);
     for (std::size_t size = 0; size < end; ++size)
@@ -197,14 +192,13 @@ TEST(SceneFault, TablesOutsideTheFolder) {
 }
 
 TEST(SceneFault, FilesThatCannotBeRead) {
-    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "windrow_scene_test";
-    std::filesystem::create_directories(folder);
+    const test::OwnFolder folder;
     const auto fault = [&](const std::string& name) {
         const auto scene = read_scene(folder / name);
-        return scene ? std::string("taken") : scene.error().substr(folder.string().size() + 1);
+        return scene ? std::string("taken") : scene.error().substr(folder.path().string().size() + 1);
     };
     EXPECT_EQ(fault("none.json"), "none.json: there is no such file: check the name and the folder that you run from.");
-    EXPECT_EQ(read_scene(folder).error(), folder.string() + ": is a folder: name a file in it.");
+    EXPECT_EQ(read_scene(folder.path()).error(), folder.path().string() + ": is a folder: name a file in it.");
     std::ofstream(folder / "empty.json") << "\n  \n";
     EXPECT_EQ(fault("empty.json"), "empty.json: is empty: name the right file, or write something in it.");
     std::ofstream(folder / "latin1.json") << "{\n\"name\": \"Wiese b\xe4uerlich\"}";
@@ -214,7 +208,6 @@ TEST(SceneFault, FilesThatCannotBeRead) {
     EXPECT_EQ(fault("mark.json"), "taken") << "a byte-order mark is no fault";
     std::ofstream(folder / "large.json") << std::string(17 << 20, ' ') << "{}";
     EXPECT_EQ(fault("large.json"), "large.json: is larger than 16 MiB, the most that is read: give a smaller file.");
-    std::filesystem::remove_all(folder);
 }
 
 TEST(PathCsv, NamesTheLineOfAFault) {

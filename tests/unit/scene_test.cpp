@@ -2,15 +2,11 @@
 #include "cli/playback.h"
 #include "scene/motion_path.h"
 #include "scene/scene_reader.h"
+#include "tests/own_folder.h"
 
 #include <clocale>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <gtest/gtest.h>
-#include <iterator>
-#include <string>
 #include <variant>
 
 namespace windrow::cli {
@@ -49,8 +45,7 @@ TEST(Scene, ExampleIsRead) {
 }
 
 TEST(Scene, ExampleOfTheDocumentsIsRead) {
-    std::ifstream file(std::filesystem::path(WINDROW_SOURCE_DIR) / "docs" / "scenes.md");
-    const std::string page((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    const std::string page = test::text_of(WINDROW_SOURCE_DIR "/docs/scenes.md");
     const std::size_t begin = page.find("```json\n") + 8;
     ASSERT_LT(begin, page.size());
     const auto scene = scene::read_scene_text(page.substr(begin, page.find("```", begin) - begin), k_scenes / "walk.json");

@@ -2,36 +2,21 @@
 // solver does.
 
 #include "fluid/thread_pool.h"
-#include "fluid/wind.h"
-#include "tests/fields.h"
-#include "tests/figure.h"
+#include "tests/winds.h"
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <gtest/gtest.h>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace {
 
 using namespace windrow;
 using namespace windrow::test;
 
-Wind made(const Config& config) {
-    auto wind = Wind::create(config);
-    EXPECT_TRUE(wind) << wind.error();
-    return *std::move(wind);
-}
-
 /// Stirs the air for half a second, then lets it settle; returns the steps until it sleeps.
 int stir_until_asleep(Wind& wind, int most = 20'000) {
-    const auto fan = wind.motors().add(DirectionalMotor{.position = wind.config().centre, .law = Drive{6.0f, 8.0f}});
-    EXPECT_TRUE(fan);
+    const MotorId fan = added(wind, DirectionalMotor{.position = wind.config().centre, .law = Drive{6.0f, 8.0f}});
     for (int n = 0; n < 30; ++n)
         EXPECT_FALSE(wind.step(1.0 / 60.0).asleep);
-    EXPECT_TRUE(wind.motors().remove(*fan));
+    EXPECT_TRUE(wind.motors().remove(fan));
     for (int n = 1; n <= most; ++n)
         if (wind.step(1.0 / 60.0).asleep)
             return n;
@@ -39,47 +24,30 @@ int stir_until_asleep(Wind& wind, int most = 20'000) {
     return most;
 }
 
-std::vector<std::pair<std::string, Config>> places() {
+std::vector<NamedConfig> places() {
+    const Config small{.cells = {16, 8, 16}, .settling_time = 2.0f}, windy = with(small, [](Config&c) {
+                                                                         c.ambient = {3.0f, 0.0f, 1.0f};
+                                                                     });
+    const Config floor = with(small, [](Config& c) {
+        c.sides = Sides::open_over_floor();
+        c.ambient = {4.0f, 0.0f, 0.0f};
+    });
+    const Config profile = with(floor, [](Config& c) { c.profile = LogProfile{}; });
     return {{"still_air", {.settling_time = 2.0f}},
-            {"mean_wind", {.cells = {16, 8, 16}, .ambient = {3.0f, 0.0f, 1.0f}, .settling_time = 2.0f}},
-            {"over_floor",
-             {.cells = {16, 8, 16}, .sides = Sides::open_over_floor(), .ambient = {2.0f, 0.0f, 0.0f}, .settling_time = 2.0f}},
-            {"profile",
-             {.cells = {16, 8, 16},
-              .sides = Sides::open_over_floor(),
-              .ambient = {4.0f, 0.0f, 0.0f},
-              .profile = LogProfile{},
-              .settling_time = 2.0f}},
-            {"gusts", {.cells = {16, 8, 16}, .ambient = {3.0f, 0.0f, 1.0f}, .gusts = {.intensity = 0.3f}, .settling_time = 2.0f}},
-            {"gusts_over_a_profile",
-             {.cells = {16, 8, 16},
-              .sides = Sides::open_over_floor(),
-              .ambient = {4.0f, 0.0f, 0.0f},
-              .profile = LogProfile{},
-              .gusts = {.intensity = 0.2f},
-              .settling_time = 2.0f}},
+            {"mean_wind", windy},
+            {"over_floor", with(floor, [](Config& c) { c.ambient.x = 2.0f; })},
+            {"profile", profile},
+            {"gusts", with(windy, [](Config& c) { c.gusts.intensity = 0.3f; })},
+            {"gusts_over_a_profile", with(profile, [](Config& c) { c.gusts.intensity = 0.2f; })},
             {"stable_fluids", {.cells = {16, 8, 16}, .settling_time = 1.0f, .scheme = Scheme::stable_fluids}}};
-}
-
-/// [m/s] Of the cells as they are read from the ambient wind around them.
-double largest_difference_from_ambient(const Wind& wind) {
-    const WindView view = wind.view();
-    double largest = 0.0;
-    for (int k = 0; k < view.box().cells.z; ++k)
-        for (int j = 0; j < view.box().cells.y; ++j)
-            for (int i = 0; i < view.box().cells.x; ++i)
-                largest = std::max(largest, double(glm::length(glm::vec3(view.field()[view.box().index(i, j, k)]) -
-                                                               view.ambient().velocity(view.window().centre(i, j, k)))));
-    return largest;
 }
 
 TEST(Sleep, TheStepThatFallsAsleepReportsTheAirThatIsLeft) {
     for (const auto& [name, config] : places()) {
         Wind wind = made(config);
-        const auto fan = wind.motors().add(DirectionalMotor{.law = Drive{6.0f, 8.0f}});
-        ASSERT_TRUE(fan);
+        const MotorId fan = added(wind, DirectionalMotor{.law = Drive{6.0f, 8.0f}});
         wind.step(0.1);
-        ASSERT_TRUE(wind.motors().remove(*fan));
+        ASSERT_TRUE(wind.motors().remove(fan));
         Diagnostics falls;
         for (int n = 0; n < 20'000 && !falls.asleep; ++n)
             falls = wind.step(1.0 / 60.0);
@@ -128,7 +96,7 @@ TEST(Sleep, FollowsAndIsSampledInItsSleep) {
         if (!wind.view().ambient().gusting()) {
             EXPECT_EQ(cells_that_differ(wind.field(), made(there).field()), 0u) << name;
         }
-        EXPECT_LT(largest_difference_from_ambient(wind), 1e-5) << name;
+        EXPECT_LT(off_ambient(wind), 1e-5) << name;
     }
 }
 
@@ -140,16 +108,15 @@ TEST(Sleep, WhatActsWakesIt) {
         return wind;
     };
     Wind moved = asleep(config);
-    const auto body = moved.motors().add(WakeMotor{});
-    ASSERT_TRUE(body);
+    const MotorId body = added(moved, WakeMotor{});
     EXPECT_TRUE(moved.step(0.02).asleep) << "a body that stands does nothing";
-    ASSERT_TRUE(moved.motors().move(*body, {1.0, 0.0, 0.0}));
+    ASSERT_TRUE(moved.motors().move(body, {1.0, 0.0, 0.0}));
     EXPECT_FALSE(moved.step(0.02).asleep);
 
     Wind gusty = asleep(config);
     ASSERT_TRUE(gusty.set_gusts({.intensity = 0.2f}));
     EXPECT_GT(gusty.step(0.02).substeps, 0) << "a step that looks whether anything is left to do";
-    EXPECT_LT(largest_difference_from_ambient(gusty), 1e-5);
+    EXPECT_LT(off_ambient(gusty), 1e-5);
 
     Wind set = asleep(config);
     set.set_velocity([](glm::dvec3) { return glm::vec3(0.0f, 1.0f, 0.0f); });
@@ -157,8 +124,7 @@ TEST(Sleep, WhatActsWakesIt) {
 
     Wind new_wind = asleep(config);
     ASSERT_TRUE(new_wind.set_ambient({2.0f, 0.0f, 0.0f}));
-    for (const glm::vec4& u : new_wind.field())
-        ASSERT_EQ(u, glm::vec4(2.0f, 0.0f, 0.0f, 0.0f));
+    EXPECT_EQ(largest_off(new_wind.field(), {2.0f, 0.0f, 0.0f}), 0.0);
     EXPECT_EQ(new_wind.step(0.02).max_speed, 2.0f);
 
     Wind blast = asleep(config);
@@ -167,10 +133,9 @@ TEST(Sleep, WhatActsWakesIt) {
 }
 
 TEST(Sleep, StaysAwakeWhereItMust) {
-    for (const auto& [name, config] :
-         {std::pair<std::string, Config>{"never_settles", {.cells = {16, 8, 16}, .settling_time = 0.0f}},
-          {"switched_off", {.cells = {16, 8, 16}, .sleep_speed = 0.0f}},
-          {"viscous", {.cells = {16, 8, 16}, .viscosity = 1.0f}}}) {
+    for (const auto& [name, config] : {NamedConfig{"never_settles", {.cells = {16, 8, 16}, .settling_time = 0.0f}},
+                                       {"switched_off", {.cells = {16, 8, 16}, .sleep_speed = 0.0f}},
+                                       {"viscous", {.cells = {16, 8, 16}, .viscosity = 1.0f}}}) {
         Wind wind = made(config);
         for (int n = 0; n < 50; ++n)
             EXPECT_FALSE(wind.step(1.0 / 60.0).asleep) << name;
@@ -195,9 +160,8 @@ TEST(Sleep, GustsBlowOnThroughFramesOfAirThatSleeps) {
             wind->advance(dt);
         }
         if (n % 40 == 20) { // a body's step, far from where it is looked at
-            const auto wake = wakes.motors().add(WakeMotor{.position = {0.1 * n - 12.0, 0.0, -12.0}, .radius = 0.3f});
-            ASSERT_TRUE(wake);
-            ASSERT_TRUE(wakes.motors().move(*wake, {0.1 * n - 12.0, 0.001, -12.0}));
+            const MotorId wake = added(wakes, WakeMotor{.position = {0.1 * n - 12.0, 0.0, -12.0}, .radius = 0.3f});
+            ASSERT_TRUE(wakes.motors().move(wake, {0.1 * n - 12.0, 0.001, -12.0}));
             wakes.advance(0.0);
         }
         if (n % 3 != 0) // who does not look pays nothing
@@ -206,7 +170,7 @@ TEST(Sleep, GustsBlowOnThroughFramesOfAirThatSleeps) {
         frames_apart = std::max(frames_apart, double(glm::length(sleeps.velocity(place) - never.velocity(place))));
         awake_apart = std::max(awake_apart, double(glm::length(wakes.velocity(place) - never.velocity(place))));
         if (n > 20) { // it slept at both ticks around the frame
-            EXPECT_LT(largest_difference_from_ambient(sleeps), 1e-5);
+            EXPECT_LT(off_ambient(sleeps), 1e-5);
         }
     }
     // Of a frame between two ticks, 1/30 s apart: straight between them, or where the pattern is.
@@ -216,19 +180,14 @@ TEST(Sleep, GustsBlowOnThroughFramesOfAirThatSleeps) {
 
 TEST(Sleep, NothingThatIsSeenJumpsAsItFallsAsleep) {
     Wind wind = made({.settling_time = 2.0f});
-    const auto fan = wind.motors().add(DirectionalMotor{});
-    ASSERT_TRUE(fan);
-    for (int n = 0; n < 30; ++n)
-        wind.step(1.0 / 60.0);
-    ASSERT_TRUE(wind.motors().remove(*fan));
+    const MotorId fan = added(wind, DirectionalMotor{});
+    take_steps(wind, 30, 1.0 / 60.0);
+    ASSERT_TRUE(wind.motors().remove(fan));
     Field before;
     do
         before = copy(wind.field());
     while (!wind.step(1.0 / 60.0).asleep);
-    double largest = 0.0;
-    for (std::size_t n = 0; n < before.size(); ++n)
-        largest = std::max(largest, double(glm::length(glm::vec3(wind.field()[n]) - glm::vec3(before[n]))));
-    WINDROW_EXPECT_FIGURE("sleep_jump_m_per_s", largest, 2e-3);
+    WINDROW_EXPECT_FIGURE("sleep_jump_m_per_s", largest_apart(wind.field(), before), 2e-3);
 }
 
 /// Not a timing test: the work that a sleeping step does is counted by what it may not touch, the field. The ratio is stated.

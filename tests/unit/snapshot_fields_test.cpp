@@ -1,12 +1,7 @@
 // A snapshot holds every field, and little else.
 
 #include "fluid/wind_state.h"
-#include "tests/figure.h"
 #include "tests/unit/snapshot_session.h"
-
-#include <functional>
-#include <gtest/gtest.h>
-#include <vector>
 
 namespace {
 
@@ -89,9 +84,15 @@ template <class Kind>
 void each_of_a_motor_counts(const std::vector<std::function<void(Kind&)>>& changes) {
     each_counts<Kind>({}, changes, [](const Kind& motor) {
         Wind wind = made({.cells = {2, 2, 2}});
-        EXPECT_TRUE(wind.motors().add(motor));
+        added(wind, motor);
         return *wind.save();
     });
+}
+
+template <class Kind>
+void add_numbers(std::vector<std::function<void(Kind&)>>& list, std::initializer_list<float Kind::*> numbers) {
+    for (float Kind::*const number : numbers)
+        list.push_back([=](Kind& m) { m.*number = 0.25f; });
 }
 
 template <class Kind>
@@ -123,69 +124,42 @@ std::vector<std::function<void(Kind&)>> changes_of_law() {
 
 TEST(SnapshotFields, EachOfAMotorCounts) {
     auto directional = changes_of_law<DirectionalMotor>();
-    directional.insert(directional.end(),
-                       {[](DirectionalMotor& m) {
-                            m.direction = {0.0f, 1.0f, 0.0f};
-                        },
-                        [](DirectionalMotor& m) {
-                            m.direction = {0.0f, 0.0f, 1.0f};
-                        },
-                        [](DirectionalMotor& m) { m.region = Sphere{0.5f}; }, [](DirectionalMotor& m) { m.region = Capsule{}; },
-                        [](DirectionalMotor& m) {
-                            m.region = Capsule{.half_axis = {0.0f, 1.0f, 0.0f}};
-                        },
-                        [](DirectionalMotor& m) { m.region = Capsule{.radius = 0.5f}; },
-                        [](DirectionalMotor& m) { m.region = AlignedBox{}; },
-                        [](DirectionalMotor& m) {
-                            m.region = AlignedBox{{1.0f, 2.0f, 2.0f}};
-                        },
-                        [](DirectionalMotor& m) {
-                            m.region = AlignedBox{{2.0f, 1.0f, 2.0f}};
-                        },
-                        [](DirectionalMotor& m) {
-                            m.region = AlignedBox{{2.0f, 2.0f, 1.0f}};
-                        },
-                        [](DirectionalMotor& m) { m.region = Cone{}; },
-                        [](DirectionalMotor& m) {
-                            m.region = Cone{.axis = {0.0f, 1.0f, 0.0f}};
-                        },
-                        [](DirectionalMotor& m) { m.region = Cone{.start_radius = 0.25f}; },
-                        [](DirectionalMotor& m) { m.region = Cone{.end_radius = 0.25f}; }});
+    for (const glm::vec3 direction : {glm::vec3(0.0f, 1.0f, 0.0f), glm::vec3(0.0f, 0.0f, 1.0f)})
+        directional.push_back([=](DirectionalMotor& m) { m.direction = direction; });
+    const glm::vec3 up(0.0f, 1.0f, 0.0f);
+    for (const Region& region :
+         std::vector<Region>{Sphere{0.5f}, Capsule{}, Capsule{.half_axis = up}, Capsule{.radius = 0.5f}, AlignedBox{},
+                             AlignedBox{{1.0f, 2.0f, 2.0f}}, AlignedBox{{2.0f, 1.0f, 2.0f}}, AlignedBox{{2.0f, 2.0f, 1.0f}},
+                             Cone{}, Cone{.axis = up}, Cone{.start_radius = 0.25f}, Cone{.end_radius = 0.25f}})
+        directional.push_back([=](DirectionalMotor& m) { m.region = region; });
     add_changes_of_turbulence(directional);
     each_of_a_motor_counts<DirectionalMotor>(directional);
 
     auto wake = changes_of_envelope<WakeMotor>();
-    wake.insert(wake.end(),
-                {[](WakeMotor& m) { m.radius = 0.25f; }, [](WakeMotor& m) { m.law = WakeForce{}; },
-                 [](WakeMotor& m) { m.law = WakeForce{0.25f}; }, [](WakeMotor& m) { m.law = WakeDrive{.per_metre = 0.25f}; },
-                 [](WakeMotor& m) { m.law = WakeDrive{.entrainment = 0.25f}; }});
+    add_numbers(wake, {&WakeMotor::radius});
+    for (const decltype(WakeMotor::law)& law : std::vector<decltype(WakeMotor::law)>{
+             WakeForce{}, WakeForce{0.25f}, WakeDrive{.per_metre = 0.25f}, WakeDrive{.entrainment = 0.25f}})
+        wake.push_back([=](WakeMotor& m) { m.law = law; });
     add_changes_of_turbulence(wake);
     each_of_a_motor_counts<WakeMotor>(wake);
 
     auto jet = changes_of_law<JetMotor>();
-    jet.insert(jet.end(), {[](JetMotor& m) {
-                               m.direction = {0.0f, 1.0f, 0.0f};
-                           },
-                           [](JetMotor& m) { m.length = 0.25f; }, [](JetMotor& m) { m.start_radius = 0.25f; },
-                           [](JetMotor& m) { m.end_radius = 0.25f; }});
+    jet.push_back([=](JetMotor& m) { m.direction = up; });
+    add_numbers(jet, {&JetMotor::length, &JetMotor::start_radius, &JetMotor::end_radius});
     add_changes_of_turbulence(jet);
     each_of_a_motor_counts<JetMotor>(jet);
 
     auto vortex = changes_of_law<VortexMotor>();
-    vortex.insert(vortex.end(), {[](VortexMotor& m) {
-                                     m.axis = {1.0f, 0.0f, 0.0f};
-                                 },
-                                 [](VortexMotor& m) { m.radius = 0.25f; }, [](VortexMotor& m) { m.half_length = 0.25f; },
-                                 [](VortexMotor& m) { m.lift = 0.25f; }});
+    vortex.push_back([](VortexMotor& m) { m.axis = glm::vec3(1.0f, 0.0f, 0.0f); });
+    add_numbers(vortex, {&VortexMotor::radius, &VortexMotor::half_length, &VortexMotor::lift});
     each_of_a_motor_counts<VortexMotor>(vortex);
 
     auto omni = changes_of_envelope<OmniMotor>();
-    omni.insert(omni.end(), {[](OmniMotor& m) { m.radius = 0.25f; }, [](OmniMotor& m) { m.speed = 0.25f; }});
+    add_numbers(omni, {&OmniMotor::radius, &OmniMotor::speed});
     each_of_a_motor_counts<OmniMotor>(omni);
 
     auto pressure = changes_of_place<PressureMotor>();
-    pressure.insert(pressure.end(), {[](PressureMotor& m) { m.radius = 0.25f; }, [](PressureMotor& m) { m.speed = 0.25f; },
-                                     [](PressureMotor& m) { m.duration = 0.25f; }});
+    add_numbers(pressure, {&PressureMotor::radius, &PressureMotor::speed, &PressureMotor::duration});
     each_of_a_motor_counts<PressureMotor>(pressure);
 }
 

@@ -2,13 +2,7 @@
 
 #include "fluid/bytes.h"
 #include "fluid/wind_state.h"
-#include "tests/figure.h"
 #include "tests/unit/snapshot_session.h"
-
-#include <gtest/gtest.h>
-#include <limits>
-#include <string>
-#include <vector>
 
 namespace {
 

@@ -1,21 +1,11 @@
 // A wind with a host that moves it, for the tests of snapshots.
 #pragma once
 
-#include "fluid/wind.h"
-#include "tests/fields.h"
-
-#include <gtest/gtest.h>
-#include <vector>
+#include "tests/winds.h"
 
 namespace windrow::test {
 
 using Bytes = std::vector<std::byte>;
-
-inline Wind made(const Config& config) {
-    auto wind = Wind::create(config);
-    EXPECT_TRUE(wind) << wind.error();
-    return *std::move(wind);
-}
 
 inline Wind loaded(const Bytes& bytes, ParallelFor parallel_for = {}) {
     auto wind = Wind::load(bytes, parallel_for);
@@ -33,11 +23,7 @@ struct Session {
     std::vector<MotorId> motors;
     Random random{17};
 
-    void add(const Motor& motor) {
-        const auto id = wind.motors().add(motor);
-        ASSERT_TRUE(id) << id.error();
-        motors.push_back(*id);
-    }
+    void add(const Motor& motor) { motors.push_back(added(wind, motor)); }
     void add_all_kinds() {
         const glm::vec3 aslant(1.0f, 0.5f, -2.0f);
         add(DirectionalMotor{.position = {2.0, 1.0, 0.0}, .direction = aslant, .region = Sphere{3.0f}, .law = Force{12.0f}});

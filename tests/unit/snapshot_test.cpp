@@ -2,32 +2,25 @@
 
 #include "fluid/thread_pool.h"
 #include "fluid/wind_state.h"
-#include "tests/fields.h"
 #include "tests/unit/snapshot_session.h"
-
-#include <functional>
-#include <gtest/gtest.h>
-#include <limits>
-#include <string>
-#include <vector>
 
 namespace {
 
 using namespace windrow;
 using namespace windrow::test;
 
-struct Scene {
+struct SavedFlight {
     std::string name;
     Config config{};
     std::function<void(Session&)> before{};
     bool ticks = false;
 };
 
-void PrintTo(const Scene& scene, std::ostream* stream) {
+void PrintTo(const SavedFlight& scene, std::ostream* stream) {
     *stream << scene.name;
 }
 
-void go_on(Session& session, const Scene& scene, int count) {
+void go_on(Session& session, const SavedFlight& scene, int count) {
     session.act(count);
     if (scene.ticks)
         (void)session.wind.advance(session.random.real(0.0, 0.08));
@@ -35,9 +28,9 @@ void go_on(Session& session, const Scene& scene, int count) {
         (void)session.wind.step(count % 5 == 0 ? 0.15 : 1.0 / 60.0);
 }
 
-std::vector<Scene> scenes() {
+std::vector<SavedFlight> scenes() {
     const Config base{.cells = {17, 9, 14}, .ambient = {3.0f, 0.0f, -1.0f}};
-    std::vector<Scene> list;
+    std::vector<SavedFlight> list;
     const auto add = [&](std::string name, const std::function<void(Config&)>& change, std::function<void(Session&)> before,
                          bool ticks) {
         list.push_back({std::move(name), base, std::move(before), ticks});
@@ -185,10 +178,10 @@ void expect_same(const Wind& a, const Wind& b) {
     EXPECT_EQ(a.motors().count(), b.motors().count());
 }
 
-class Snapshot : public testing::TestWithParam<Scene> {};
+class Snapshot : public testing::TestWithParam<SavedFlight> {};
 
 TEST_P(Snapshot, GoesOnToTheSameBits) {
-    const Scene& scene = GetParam();
+    const SavedFlight& scene = GetParam();
     Session first{made(scene.config), {}};
     scene.before(first);
     const Bytes bytes = *first.wind.save();
@@ -215,7 +208,7 @@ TEST_P(Snapshot, GoesOnToTheSameBits) {
 INSTANTIATE_TEST_SUITE_P(Scenes, Snapshot, testing::ValuesIn(scenes()), [](const auto& instance) { return instance.param.name; });
 
 TEST(SnapshotScenes, AreInTheStatesThatTheyClaim) {
-    for (const Scene& scene : scenes()) {
+    for (const SavedFlight& scene : scenes()) {
         Session session{made(scene.config), {}};
         scene.before(session);
         const Wind::State& state = session.wind.state();
@@ -234,8 +227,7 @@ TEST(SnapshotScenes, AreInTheStatesThatTheyClaim) {
 TEST(SnapshotOfGusts, CallsBeforeTheNextStepSeeTheSameGusts) {
     for (const bool broken : {false, true}) {
         Wind wind = made({.cells = {8, 6, 8}, .ambient = {4.0f, 0.0f, 1.0f}, .gusts = {.intensity = 0.3f}});
-        for (int n = 0; n < 5; ++n)
-            (void)wind.step(0.05);
+        take_steps(wind, 5, 0.05);
         Wind again = loaded(*wind.save());
         for (Wind* const each : {&wind, &again}) {
             if (!broken) {

@@ -1,26 +1,16 @@
 // Stages: what is off does nothing, and a stage whose parameter is off is the same as one switched off, to the bit.
 
-#include "fluid/wind.h"
-#include "tests/fields.h"
-#include "tests/figure.h"
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <gtest/gtest.h>
+#include "tests/winds.h"
 
 namespace {
 
 using namespace windrow;
 using namespace windrow::test;
 
-constexpr Stages k_none{.sources = false, .settling = false, .diffusion = false, .advection = false, .projection = false};
-
-Wind made(const Config& config) {
-    auto wind = Wind::create(config);
-    EXPECT_TRUE(wind) << wind.error();
-    EXPECT_TRUE(wind->set_velocity(white_noise(config.cells, 3.0f, 131)));
-    return *std::move(wind);
+Wind noisy(const Config& config) {
+    Wind wind = made(config);
+    EXPECT_TRUE(wind.set_velocity(white_noise(config.cells, 3.0f, 131)));
+    return wind;
 }
 
 void blow(Wind& wind) {
@@ -41,13 +31,11 @@ std::size_t difference(Wind a, Wind b, int steps = 10, double dt = 0.05) {
 }
 
 Config with(const std::function<void(Config&)>& change) {
-    Config config{.cells = {12, 9, 10}, .ambient = {1.0f, 0.5f, 0.0f}, .viscosity = 2.0f, .settling_time = 2.0f};
-    change(config);
-    return config;
+    return test::with({.cells = {12, 9, 10}, .ambient = {1.0f, 0.5f, 0.0f}, .viscosity = 2.0f, .settling_time = 2.0f}, change);
 }
 
 TEST(Stages, WithAllOffNothingMoves) {
-    Wind wind = made(with([](Config& c) { c.stages = k_none; }));
+    Wind wind = noisy(with([](Config& c) { c.stages = k_no_stages; }));
     blow(wind);
     const Field before = copy(wind.field());
     for (int n = 0; n < 20; ++n)
@@ -59,7 +47,7 @@ TEST(Stages, OffEqualsItsParameterOff) {
     for (const Scheme scheme : {Scheme::second_order, Scheme::stable_fluids})
         for (const bool advection : {true, false}) {
             const auto base = [&](const std::function<void(Config&)>& change) {
-                return made(with([&](Config& c) {
+                return noisy(with([&](Config& c) {
                     c.scheme = scheme;
                     c.stages.advection = advection;
                     change(c);
@@ -86,8 +74,8 @@ TEST(Stages, OffEqualsItsParameterOff) {
 }
 
 TEST(Stages, WithoutAdvectionNothingIsCarried) {
-    Wind wind = made(with([](Config& c) {
-        c.stages = k_none;
+    Wind wind = noisy(with([](Config& c) {
+        c.stages = k_no_stages;
         c.stages.sources = true;
     }));
     ASSERT_TRUE(wind.motors().add(
@@ -102,29 +90,26 @@ TEST(Stages, WithoutAdvectionNothingIsCarried) {
     EXPECT_EQ(wind.field()[0], before[0]);
 
     // With it the force is centred: half at departure, half at arrival, and nothing later.
-    auto centred =
-        Wind::create({.cells = {16, 16, 16}, .sides = Sides::all(SideKind::periodic), .viscosity = 0.0f, .settling_time = 0.0f});
-    ASSERT_TRUE(centred);
-    const auto id = centred->motors().add(
-        DirectionalMotor{.region = AlignedBox{glm::vec3(1e6f)}, .law = Force{1.0f}, .turbulence = k_steady});
-    ASSERT_TRUE(id);
-    centred->step(0.25);
-    EXPECT_NEAR(centred->field()[0].x, 0.25, 1e-6);
-    ASSERT_TRUE(centred->motors().remove(*id));
-    centred->step(0.25);
-    EXPECT_NEAR(centred->field()[0].x, 0.25, 1e-6) << "and no more";
+    Wind centred =
+        made({.cells = {16, 16, 16}, .sides = Sides::all(SideKind::periodic), .viscosity = 0.0f, .settling_time = 0.0f});
+    const MotorId id =
+        added(centred, DirectionalMotor{.region = AlignedBox{glm::vec3(1e6f)}, .law = Force{1.0f}, .turbulence = k_steady});
+    centred.step(0.25);
+    EXPECT_NEAR(centred.field()[0].x, 0.25, 1e-6);
+    ASSERT_TRUE(centred.motors().remove(id));
+    centred.step(0.25);
+    EXPECT_NEAR(centred.field()[0].x, 0.25, 1e-6) << "and no more";
 }
 
 TEST(Stages, SettlingAloneIsItsImplicitFactor) {
     const glm::vec3 ambient(1.0f, 0.5f, 0.0f);
-    Wind wind = made(with([](Config& c) {
-        c.stages = k_none;
+    Wind wind = noisy(with([](Config& c) {
+        c.stages = k_no_stages;
         c.stages.settling = true;
     }));
     const Field before = copy(wind.field());
     const int steps = 30;
-    for (int n = 0; n < steps; ++n)
-        wind.step(0.1);
+    take_steps(wind, steps, 0.1);
     const double factor = std::pow(1.0 / (1.0 + 0.1 / 2.0), steps);
     double worst = 0.0;
     for (std::size_t n = 0; n < before.size(); ++n) {
@@ -135,8 +120,8 @@ TEST(Stages, SettlingAloneIsItsImplicitFactor) {
 }
 
 TEST(Stages, ProjectionAloneTakesTheDivergenceAndNothingElse) {
-    Wind wind = made(with([](Config& c) {
-        c.stages = k_none;
+    Wind wind = noisy(with([](Config& c) {
+        c.stages = k_no_stages;
         c.stages.projection = true;
     }));
     Field by_hand = copy(wind.field());
@@ -148,25 +133,20 @@ TEST(Stages, ProjectionAloneTakesTheDivergenceAndNothingElse) {
 }
 
 TEST(Stages, WithoutProjectionADivergentWindStaysSo) {
-    Wind wind = made(with([](Config& c) {
-        c.stages.projection = false;
-        c.sides = Sides::all(SideKind::periodic);
-    }));
-    Field source(wind.field().size(), glm::vec4(0.0f));
+    Field source(12 * 9 * 10, glm::vec4(0.0f));
     for (int i = 0; i < 12; ++i) // a wave along x that only a projection takes away
         for (std::size_t row = 0; row < 90; ++row)
             source[row * 12 + static_cast<std::size_t>(i)].x = 0.1f * std::sin(0.523599f * (static_cast<float>(i) + 0.5f));
     const auto share_left = [&](bool projection) {
-        Wind air = made(with([&](Config& c) {
-            c.stages = k_none;
+        Wind air = noisy(with([&](Config& c) {
+            c.stages = k_no_stages;
             c.stages.advection = true;
             c.stages.projection = projection;
             c.sides = Sides::all(SideKind::periodic);
         }));
         EXPECT_TRUE(air.set_velocity(source));
         const double before = energy_of(air.field());
-        for (int n = 0; n < 3; ++n)
-            air.step(0.01);
+        take_steps(air, 3, 0.01);
         return energy_of(air.field()) / before;
     };
     EXPECT_GT(share_left(false), 0.99);
@@ -175,16 +155,14 @@ TEST(Stages, WithoutProjectionADivergentWindStaysSo) {
 
 TEST(Stages, ResetIsAFreshSolverInPlace) {
     const Config config = with([](Config&) {});
-    Wind used = made(config);
+    Wind used = noisy(config);
     blow(used);
-    for (int n = 0; n < 5; ++n)
-        used.step(0.05);
+    take_steps(used, 5, 0.05);
     used.reset();
-    auto fresh = Wind::create(config);
-    ASSERT_TRUE(fresh);
-    EXPECT_EQ(cells_that_differ(used.field(), fresh->field()), 0u);
-    blow(*fresh);
-    EXPECT_EQ(difference(std::move(used), *std::move(fresh)), 0u);
+    Wind fresh = made(config);
+    EXPECT_EQ(cells_that_differ(used.field(), fresh.field()), 0u);
+    blow(fresh);
+    EXPECT_EQ(difference(std::move(used), std::move(fresh)), 0u);
 }
 
 } // namespace

@@ -5,15 +5,9 @@
 #include "tests/unit/vdb_fixture.h"
 
 #include <array>
-#include <csignal>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <gtest/gtest.h>
 #include <sched.h>
-#include <string>
 #include <sys/mount.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <thread>
 #include <unistd.h>
@@ -26,32 +20,11 @@ using namespace windrow;
 using namespace windrow::vdb_test;
 using vdb::Problem;
 
-/// The largest file that this process may write, until the end of the scope.
-class FileSizeLimit {
-  public:
-    explicit FileSizeLimit(rlim_t bytes) {
-        ::getrlimit(RLIMIT_FSIZE, &before_);
-        handler_ = std::signal(SIGXFSZ, SIG_IGN);
-        const rlimit limit{bytes, before_.rlim_max};
-        ::setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    ~FileSizeLimit() {
-        ::setrlimit(RLIMIT_FSIZE, &before_);
-        std::signal(SIGXFSZ, handler_);
-    }
-    FileSizeLimit(const FileSizeLimit&) = delete;
-    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-
-  private:
-    rlimit before_{};
-    void (*handler_)(int) = nullptr;
-};
-
 TEST(VdbDisk, WhereverTheDiskEndsTheOldFileStays) {
-    const Folder folder;
+    const OwnFolder folder;
     const fs::path file = folder / "wind.vdb";
     std::ofstream(file) << "precious";
-    const Air air = random_air({32, 16, 24});
+    const WindBox air = random_air({32, 16, 24});
     ASSERT_TRUE(vdb::write(air.grid(), folder / "whole.vdb"));
     const std::uintmax_t whole = fs::file_size(folder / "whole.vdb");
     ASSERT_GT(whole, 100'000u); // Several flushes of the buffer.
@@ -61,28 +34,28 @@ TEST(VdbDisk, WhereverTheDiskEndsTheOldFileStays) {
     for (std::uintmax_t bytes = 0; bytes < whole; bytes = bytes + 1009 < whole || bytes == whole - 1 ? bytes + 1009 : whole - 1) {
         vdb::WriteResult written;
         {
-            const FileSizeLimit limit(bytes);
+            const test::FileSizeLimit limit(bytes);
             written = vdb::write(air.grid(), file);
         }
         ++failures;
         ASSERT_EQ(written.problem(), Problem::disk_full) << bytes << ": " << written.error();
         ASSERT_NE(written.error().find("wind.vdb: File too large"), std::string::npos) << written.error();
-        ASSERT_EQ(bytes_of(file), "precious") << bytes;
+        ASSERT_EQ(text_of(file), "precious") << bytes;
         ASSERT_EQ(folder.entries(), 2) << bytes;
     }
     EXPECT_GT(failures, 100);
 
-    const FileSizeLimit limit(whole);
+    const test::FileSizeLimit limit(whole);
     EXPECT_TRUE(vdb::write(air.grid(), file));
     EXPECT_EQ(fs::file_size(file), whole);
 }
 
 TEST(VdbDisk, AFullDiskSaysSo) {
-    const Air air = random_air({32, 16, 32});
+    const WindBox air = random_air({32, 16, 32});
     bool mounted = false;
     // A thread of its own may see a small disk that nobody else sees and that ends with it.
     std::thread([&] {
-        const Folder folder;
+        const OwnFolder folder;
         if (::unshare(CLONE_FS | CLONE_NEWNS) != 0 || ::mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0 ||
             ::mount("tmpfs", folder.path().c_str(), "tmpfs", 0, "size=64k") != 0)
             return;
@@ -91,7 +64,7 @@ TEST(VdbDisk, AFullDiskSaysSo) {
         const vdb::WriteResult written = vdb::write(air.grid(), folder / "wind.vdb");
         EXPECT_EQ(written.problem(), Problem::disk_full);
         EXPECT_NE(written.error().find("wind.vdb: No space left on device"), std::string::npos) << written.error();
-        EXPECT_EQ(bytes_of(folder / "wind.vdb"), "precious");
+        EXPECT_EQ(text_of(folder / "wind.vdb"), "precious");
         EXPECT_EQ(folder.entries(), 1);
         EXPECT_TRUE(vdb::write(uniform_air({4, 4, 4}, glm::vec3(1.0f)).grid(), folder / "wind.vdb"));
         ::umount(folder.path().c_str());
@@ -101,8 +74,8 @@ TEST(VdbDisk, AFullDiskSaysSo) {
 }
 
 TEST(VdbDisk, AFolderThatCannotBeWrittenSaysWhy) {
-    const Folder folder;
-    const Air air = uniform_air({4, 4, 4}, glm::vec3(1.0f));
+    const OwnFolder folder;
+    const WindBox air = uniform_air({4, 4, 4}, glm::vec3(1.0f));
     const auto expect = [&](const fs::path& file, const char* reason) {
         const vdb::WriteResult written = vdb::write(air.grid(), file);
         EXPECT_EQ(written.problem(), Problem::cannot_write);
@@ -131,14 +104,14 @@ TEST(VdbDisk, AFolderThatCannotBeWrittenSaysWhy) {
 
 /// Without the unique name that OpenVDB gives each file: 36 bytes after 21 of the header.
 std::string nameless_bytes_of(const fs::path& file) {
-    std::string bytes = bytes_of(file);
+    std::string bytes = text_of(file);
     return bytes.size() < 57 ? bytes : bytes.replace(21, 36, 36, '-');
 }
 
 TEST(VdbDisk, ANewFileReplacesTheOld) {
-    const Folder folder;
+    const OwnFolder folder;
     std::ofstream(folder / "a.vdb") << "old";
-    const Air air = random_air({8, 8, 8});
+    const WindBox air = random_air({8, 8, 8});
     ASSERT_TRUE(vdb::write(air.grid(), folder / "a.vdb"));
     EXPECT_EQ(folder.entries(), 1);
     ASSERT_TRUE(vdb::write(air.grid(), folder / "b.vdb"));
@@ -146,8 +119,8 @@ TEST(VdbDisk, ANewFileReplacesTheOld) {
 }
 
 TEST(VdbDisk, EightThreadsWriteTheSameBytes) {
-    const Folder folder;
-    const Air air = random_air({16, 9, 12});
+    const OwnFolder folder;
+    const WindBox air = random_air({16, 9, 12});
     std::array<vdb::WriteResult, 8> written;
     std::array<std::string, 8> bytes;
     std::vector<std::thread> threads;
@@ -167,8 +140,8 @@ TEST(VdbDisk, EightThreadsWriteTheSameBytes) {
 
 // Each allocation of a write failed in turn: no exception, the old file stays, no part is left, and the next write succeeds.
 TEST(VdbDisk, WhereverMemoryEndsTheOldFileStays) {
-    const Folder folder;
-    const Air air = random_air({5, 4, 3});
+    const OwnFolder folder;
+    const WindBox air = random_air({5, 4, 3});
     const vdb::Sequence sequence{.folder = folder.path()};
     const fs::path file = folder / "wind_0002.vdb";
     ASSERT_TRUE(sequence.write(air.grid(), 2, 0.0));
@@ -190,7 +163,7 @@ TEST(VdbDisk, WhereverMemoryEndsTheOldFileStays) {
             }
             failures += failed;
             ASSERT_FALSE(threw) << "after " << after << " allocations";
-            ASSERT_TRUE(done ? nameless_bytes_of(file) == written : bytes_of(file) == "precious") << "after " << after;
+            ASSERT_TRUE(done ? nameless_bytes_of(file) == written : text_of(file) == "precious") << "after " << after;
             ASSERT_EQ(folder.entries(), 1) << "after " << after;
         }
     EXPECT_GT(failures, 100);

@@ -9,16 +9,8 @@
 #include <array>
 #include <cmath>
 #include <csignal>
-#include <filesystem>
-#include <fstream>
-#include <gtest/gtest.h>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
-#include <string>
-#include <unistd.h>
-#include <vector>
 
 namespace windrow::cli {
 
@@ -30,11 +22,11 @@ namespace fs = std::filesystem;
 
 constexpr const char* k_quick = "couette_steady";
 
-Outcome verify(std::vector<const char*> arguments) {
+CommandOutcome verify(std::vector<const char*> arguments) {
     return run_windrow("verify", std::move(arguments));
 }
 
-Outcome verify(const VerifyRequest& request, int signal = 0) {
+CommandOutcome verify(const VerifyRequest& request, int signal = 0) {
     return run_request(run_verify, request, signal);
 }
 
@@ -56,20 +48,7 @@ VerifyCase made_up(std::vector<double> errors, double bound, double least_order)
     return one;
 }
 
-class VerifyCommand : public testing::Test {
-  protected:
-    VerifyCommand() {
-        folder = fs::path(testing::TempDir()) / ("windrow_verify_test_" + std::to_string(::getpid()));
-        fs::create_directories(folder);
-    }
-    ~VerifyCommand() override {
-        std::error_code ignored;
-        fs::remove_all(folder, ignored);
-    }
-    [[nodiscard]] std::string in(const char* name) const { return (folder / name).string(); }
-
-    fs::path folder;
-};
+using VerifyCommand = test::FolderTest;
 
 // --- Flags -----------------------------------------------------------------------------------------------------------
 
@@ -102,7 +81,7 @@ TEST_F(VerifyCommand, AFileThatCannotBeWrittenIsRefusedBeforeAnythingRuns) {
 }
 
 TEST_F(VerifyCommand, TheListNamesEachCase) {
-    const Outcome outcome = verify({"--list"});
+    const CommandOutcome outcome = verify({"--list"});
     EXPECT_EQ(outcome.code, k_exit_well);
     EXPECT_EQ(outcome.err, "");
     for (const VerifyCase& one : verify_cases())
@@ -124,15 +103,14 @@ TEST_F(VerifyCommand, EachCaseIsWhole) {
 
 TEST_F(VerifyCommand, AQuickCasePassesAndIsKept) {
     const std::string file = in("verify.json");
-    const Outcome outcome =
+    const CommandOutcome outcome =
         verify({"--case", k_quick, "--case", "fourier_transit", "--backend", "cpu", "--threads", "2", "--json", file.c_str()});
     ASSERT_EQ(outcome.code, k_exit_well) << outcome.out << outcome.err;
-    for (const char* word : {k_quick, "grid", "CFL", "error", "at most", "order", "at least", "truth: ", "bound: ", "pass",
-                             "2 cases: each within its bounds."})
-        EXPECT_NE(outcome.out.find(word), std::string::npos) << word << "\n" << outcome.out;
+    expect_words(outcome.out, {k_quick, "grid", "CFL", "error", "at most", "order", "at least", "truth: ", "bound: ", "pass",
+                               "2 cases: each within its bounds."});
     EXPECT_EQ(outcome.out.find("FAIL"), std::string::npos);
 
-    const nlohmann::json json = nlohmann::json::parse(std::ifstream(file));
+    const nlohmann::json json = json_in(file);
     ASSERT_EQ(json["cases"].size(), 6u);
     for (std::size_t n = 0; n < 6; ++n) {
         const nlohmann::json& entry = json["cases"][n];
@@ -148,14 +126,14 @@ TEST_F(VerifyCommand, AQuickCasePassesAndIsKept) {
         EXPECT_LE(entry["error"], entry["bound"]);
     }
     EXPECT_EQ(json["cases"][4]["grid"], "80x2x4");
-    EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1) << "nothing but the file is left";
+    EXPECT_EQ(entries(), 1) << "nothing but the file is left";
 }
 
 TEST_F(VerifyCommand, ErrorsDoNotDependOnTheThreads) {
     const std::string one = in("one.json"), three = in("three.json");
     ASSERT_EQ(verify({"--case", "poisson_mixed", "--threads", "1", "--json", one.c_str()}).code, k_exit_well);
     ASSERT_EQ(verify({"--case", "poisson_mixed", "--threads", "3", "--json", three.c_str()}).code, k_exit_well);
-    EXPECT_EQ(nlohmann::json::parse(std::ifstream(one)), nlohmann::json::parse(std::ifstream(three)));
+    EXPECT_EQ(json_in(one), json_in(three));
 }
 
 TEST_F(VerifyCommand, AMissedBoundOrOrderIsToldAndKept) {
@@ -173,14 +151,14 @@ TEST_F(VerifyCommand, AMissedBoundOrOrderIsToldAndKept) {
                            {{0.0, 0.1, 0.025}, 1.0, 1.9, {true, false, true}}};
     for (const Miss& miss : misses) {
         const std::string file = in("miss.json");
-        const Outcome outcome =
+        const CommandOutcome outcome =
             verify({.cases = {made_up({0.4, 0.1, 0.025}, 1.0, 1.9), made_up(miss.errors, miss.bound, miss.least_order)},
                     .threads = 1,
                     .json = file});
         EXPECT_EQ(outcome.code, k_exit_out_of_bounds);
         EXPECT_EQ(outcome.err, "windrow: 1 of 2 cases is out of bounds: made_up.\n");
         EXPECT_NE(outcome.out.find("FAIL"), std::string::npos) << outcome.out;
-        const nlohmann::json json = nlohmann::json::parse(std::ifstream(file));
+        const nlohmann::json json = json_in(file);
         for (std::size_t n = 0; n < 3; ++n) {
             EXPECT_EQ(json["cases"][n]["pass"], true);
             EXPECT_EQ(json["cases"][3 + n]["pass"], miss.passes[n]) << n << "\n" << outcome.out;
@@ -203,10 +181,10 @@ VerifyCase made_up_of_two(double second_order) {
 
 TEST_F(VerifyCommand, RowsAreJudgedByTheirLabel) {
     const std::string file = in("labels.json");
-    const Outcome good = verify({.cases = {made_up_of_two(3.0)}, .threads = 1, .json = file});
+    const CommandOutcome good = verify({.cases = {made_up_of_two(3.0)}, .threads = 1, .json = file});
     EXPECT_EQ(good.code, k_exit_well) << good.out;
     EXPECT_NE(good.out.find("pass  far\n"), std::string::npos) << good.out;
-    const nlohmann::json json = nlohmann::json::parse(std::ifstream(file));
+    const nlohmann::json json = json_in(file);
     ASSERT_EQ(json["cases"].size(), 6u);
     for (std::size_t n = 0; n < 6; ++n) {
         const nlohmann::json& entry = json["cases"][n];
@@ -216,7 +194,7 @@ TEST_F(VerifyCommand, RowsAreJudgedByTheirLabel) {
             EXPECT_NEAR(entry["order"].get<double>(), n % 2 == 0 ? 2.0 : 3.0, 1e-9);
         }
     }
-    const Outcome bad = verify({.cases = {made_up_of_two(1.0)}, .threads = 1});
+    const CommandOutcome bad = verify({.cases = {made_up_of_two(1.0)}, .threads = 1});
     EXPECT_EQ(bad.code, k_exit_out_of_bounds);
     EXPECT_NE(bad.out.find("FAIL  far\n"), std::string::npos) << bad.out;
     EXPECT_EQ(bad.out.find("FAIL  near\n"), std::string::npos) << bad.out;
@@ -226,16 +204,15 @@ TEST_F(VerifyCommand, PlotsHoldTheCurvesOfAllResolutions) {
     VerifyCase one = made_up({0.5, 0.25}, 1.0, 0.0);
     one.run = [run = one.run](const VerifySetting& setting, int size) {
         VerifyRows found = run(setting, size);
-        found.curves.push_back({.panel = "left", .name = std::to_string(size) + " cells", .points = {{0.0, 1.0}, {1.0, 2.0}}});
+        found.curves.push_back(
+            {.plot = {}, .panel = "left", .line = std::to_string(size) + " cells", .points = {{0.0, 1.0}, {1.0, 2.0}}});
         return found;
     };
-    const Outcome done = verify({.cases = {one, made_up({0.5}, 1.0, 0.0)}, .threads = 1, .plots = folder / "plots"});
+    const CommandOutcome done = verify({.cases = {one, made_up({0.5}, 1.0, 0.0)}, .threads = 1, .plots = folder / "plots"});
     EXPECT_EQ(done.code, k_exit_well);
-    std::stringstream page;
-    page << std::ifstream(folder / "plots" / "made_up.csv").rdbuf();
-    EXPECT_EQ(page.str(), "plot,panel,line,x,y\n"
-                          "made_up,left,1 cells,0,1\nmade_up,left,1 cells,1,2\n"
-                          "made_up,left,2 cells,0,1\nmade_up,left,2 cells,1,2\n");
+    EXPECT_EQ(test::text_of(folder / "plots" / "made_up.csv"), "plot,panel,line,x,y\n"
+                                                               "made_up,left,1 cells,0,1\nmade_up,left,1 cells,1,2\n"
+                                                               "made_up,left,2 cells,0,1\nmade_up,left,2 cells,1,2\n");
     expect_refusal({"--plots", ""}, "--plots is empty: name a folder.");
     expect_refusal({"--list", "--plots", "somewhere"}, "--plots is given with --list, which runs nothing: drop one of them.");
 }
@@ -251,8 +228,8 @@ TEST_F(VerifyCommand, KnownMissesAreToldApartFromFaults) {
         };
         return verify({.cases = {one}, .known = known, .threads = 1});
     };
-    const Outcome misses = with_error(2.0, "a label"), meets = with_error(0.5, "a label"),
-                  another = with_error(2.0, "another label");
+    const CommandOutcome misses = with_error(2.0, "a label"), meets = with_error(0.5, "a label"),
+                         another = with_error(2.0, "another label");
     EXPECT_EQ(misses.code, k_exit_well);
     EXPECT_NE(misses.out.find("not met"), std::string::npos);
     EXPECT_EQ(misses.out.find("pass"), std::string::npos) << misses.out;
@@ -269,7 +246,7 @@ TEST_F(VerifyCommand, KnownMissesAreToldApartFromFaults) {
     EXPECT_NE(verify({.cases = {guard}, .threads = 1}).out.find("unchanged"), std::string::npos);
     VerifyCase changed = made_up({1.5}, 1.0, 0.0);
     changed.guards = true;
-    const Outcome fault = verify({.cases = {changed}, .threads = 1});
+    const CommandOutcome fault = verify({.cases = {changed}, .threads = 1});
     EXPECT_NE(fault.out.find("CHANGED"), std::string::npos);
     EXPECT_EQ(fault.code, k_exit_out_of_bounds);
 }
@@ -284,7 +261,7 @@ TEST_F(VerifyCommand, AWrongExpectationOfARealCaseFails) {
 }
 
 TEST_F(VerifyCommand, AStoppedRunLeavesNoFile) {
-    const Outcome outcome =
+    const CommandOutcome outcome =
         verify({.cases = {made_up({0.4, 0.1, 0.025}, 1.0, 1.9)}, .threads = 1, .json = in("stopped.json")}, SIGINT);
     EXPECT_EQ(outcome.code, k_exit_signal + SIGINT);
     EXPECT_TRUE(fs::is_empty(folder));

@@ -1,33 +1,14 @@
 // Bodies on curved paths: several moves between two steps, what is kept of more than a tick can take, and the times of a track.
 
 #include "fluid/track.h"
-#include "fluid/wind.h"
-#include "tests/fields.h"
-#include "tests/figure.h"
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <gtest/gtest.h>
-#include <limits>
-#include <numbers>
-#include <string>
-#include <vector>
+#include "tests/winds.h"
 
 namespace {
 
 using namespace windrow;
 using namespace windrow::test;
 
-constexpr Stages k_sources_only{.sources = true, .settling = false, .diffusion = false, .advection = false, .projection = false};
-constexpr double k_pi = std::numbers::pi;
 constexpr glm::dvec3 k_middle(0.1, 0.2, -0.3); // of circles: nothing special about the cells there
-
-Wind sources_only(glm::ivec3 cells, glm::vec3 ambient = glm::vec3(0.0f)) {
-    auto wind = Wind::create({.cells = cells, .ambient = ambient, .stages = k_sources_only});
-    EXPECT_TRUE(wind) << wind.error();
-    return *std::move(wind);
-}
 
 using Path = std::function<glm::dvec3(double)>; ///< t from 0 to 1
 
@@ -39,11 +20,10 @@ Path circle(double radius) {
 Wind passed(WakeMotor body, const Path& path, double seconds, int steps, int moves) {
     Wind wind = sources_only({24, 10, 24});
     body.position = path(0.0);
-    const auto id = wind.motors().add(body);
-    EXPECT_TRUE(id);
+    const MotorId id = added(wind, body);
     for (int n = 0; n < steps; ++n) {
         for (int m = 1; m <= moves; ++m)
-            EXPECT_TRUE(wind.motors().move(*id, path((n + static_cast<double>(m) / moves) / steps)));
+            EXPECT_TRUE(wind.motors().move(id, path((n + static_cast<double>(m) / moves) / steps)));
         wind.step(seconds / steps);
     }
     return wind;
@@ -51,17 +31,7 @@ Wind passed(WakeMotor body, const Path& path, double seconds, int steps, int mov
 
 // Largest difference of a cell, of the largest speed.
 double difference(const Wind& a, const Wind& b) {
-    double worst = 0.0;
-    for (std::size_t n = 0; n < a.field().size(); ++n)
-        worst = std::max(worst, glm::length(glm::dvec3(a.field()[n]) - glm::dvec3(b.field()[n])));
-    return worst / largest_speed(b.field());
-}
-
-glm::dvec3 impulse_of(const Wind& wind) {
-    glm::dvec3 sum(0.0);
-    for (const glm::vec4& u : wind.field())
-        sum += glm::dvec3(u);
-    return sum;
+    return largest_apart(a.field(), b.field()) / largest_speed(b.field());
 }
 
 // --- Curves ----------------------------------------------------------------------------------------------------------
@@ -83,16 +53,12 @@ TEST(WakeCurve, EightPiecesAStepMakeTheCircleOfEightyFineSteps) {
 // Tangential impulse of the sectors of 15 degrees (1.6 m) around the circle's middle.
 std::vector<double> sectors_of(const Wind& wind) {
     std::vector<double> sectors(24);
-    const Box& box = wind.box();
-    for (int k = 0; k < box.cells.z; ++k)
-        for (int j = 0; j < box.cells.y; ++j)
-            for (int i = 0; i < box.cells.x; ++i) {
-                const glm::dvec3 p = wind.origin() + glm::dvec3(i, j, k) + 0.5 - k_middle;
-                const glm::dvec3 u(wind.field()[box.index(i, j, k)]);
-                const double across = std::hypot(p.x, p.z), turn = std::atan2(p.z, p.x) / (2.0 * k_pi);
-                const auto sector = static_cast<std::size_t>(24.0 * (turn < 0.0 ? turn + 1.0 : turn)) % 24;
-                sectors[sector] += (p.x * u.z - p.z * u.x) / across;
-            }
+    for_each_cell(wind, [&](glm::dvec3 centre, std::size_t n) {
+        const glm::dvec3 p = centre - k_middle, u(wind.field()[n]);
+        const double across = std::hypot(p.x, p.z), turn = std::atan2(p.z, p.x) / (2.0 * k_pi);
+        const auto sector = static_cast<std::size_t>(24.0 * (turn < 0.0 ? turn + 1.0 : turn)) % 24;
+        sectors[sector] += (p.x * u.z - p.z * u.x) / across;
+    });
     return sectors;
 }
 
@@ -118,19 +84,17 @@ TEST(WakeCurve, NoGapsOnATightFastCircle) {
 TEST(WakeCurve, ABodyThatStandsAddsExactlyNothingHoweverOftenItIsTold) {
     const glm::vec3 ambient(1.0f, 2.0f, 3.0f);
     for (const bool frames : {false, true}) {
-        Wind wind = sources_only({8, 8, 8}, ambient);
-        const auto id = wind.motors().add(WakeMotor{.position = {0.1, 0.2, 0.3}, .radius = 3.0f, .law = WakeForce{1e4f}});
-        ASSERT_TRUE(id);
+        Wind wind = sources_only({8, 8, 8}, 1.0f, ambient);
+        const MotorId id = added(wind, WakeMotor{.position = {0.1, 0.2, 0.3}, .radius = 3.0f, .law = WakeForce{1e4f}});
         for (int n = 0; n < 30; ++n) {
             for (int m = 0; m < 20; ++m)
-                ASSERT_TRUE(wind.motors().move(*id, {0.1, 0.2, 0.3}));
+                ASSERT_TRUE(wind.motors().move(id, {0.1, 0.2, 0.3}));
             if (frames)
                 EXPECT_EQ(wind.advance(1.0 / 144.0).last.motors_in_reach, 0);
             else
                 EXPECT_EQ(wind.step(1.0 / 60.0).motors_in_reach, 0);
         }
-        for (const glm::vec4& u : wind.field())
-            ASSERT_EQ(u, glm::vec4(ambient, 0.0f));
+        EXPECT_EQ(largest_off(wind.field(), ambient), 0.0);
     }
 }
 
@@ -206,7 +170,8 @@ TEST(WakeCurve, AFastHostGetsTheWakeOfASlowOne) {
         const Wind once = passed(body, straight, 1.0, 10, 1), often = passed(body, straight, 1.0, 10, 40);
         WINDROW_EXPECT_FIGURE(drives ? "forty_moves_drive" : "forty_moves_force", difference(often, once), 1e-5);
         WINDROW_EXPECT_FIGURE(drives ? "forty_moves_drive_impulse" : "forty_moves_force_impulse",
-                              glm::length(impulse_of(often) - impulse_of(once)) / glm::length(impulse_of(once)), 1e-5);
+                              glm::length(sum_of(often.field()) - sum_of(once.field())) / glm::length(sum_of(once.field())),
+                              1e-5);
     }
     // A circle of forty moves a step, thinned to eight: as good as eight chords.
     const WakeMotor body{.radius = 1.5f, .law = WakeForce{}};
@@ -218,7 +183,7 @@ TEST(WakeCurve, AFastHostGetsTheWakeOfASlowOne) {
 
 // --- The track itself --------------------------------------------------------------------------------------------------
 
-struct Frames {
+struct TrackInFrames {
     Track track;
     double lead = 0.0, tick = 1.0 / 30.0;
     std::vector<Track::Piece> pieces{};
@@ -248,7 +213,7 @@ struct Frames {
 // Errors of an even motion, seen in frames of any length: way, time, and the velocity of each piece.
 void expect_even(const std::string& name, const std::function<double(int)>& frame_of) {
     const glm::dvec3 start(1e3, 2.0, -3.0), velocity(3.0, -4.0, 12.0);
-    Frames frames{.track = Track(start)};
+    TrackInFrames frames{.track = Track(start)};
     double now = 0.0, worst = 0.0;
     for (int n = 0; now < 4.0; ++n) {
         const double dt = frame_of(n);
@@ -282,7 +247,7 @@ TEST(Track, EvenMotionMakesTheSamePathAtAnyFrameRate) {
 
 TEST(Track, RestThenMoveStartsWhereTheFrameBegins) {
     for (const double hz : {30.0, 60.0, 144.0}) {
-        Frames frames{.track = Track(glm::dvec3(5.0, 0.0, 0.0))};
+        TrackInFrames frames{.track = Track(glm::dvec3(5.0, 0.0, 0.0))};
         int rested = 0;
         for (double now = 0.0; now < 0.51; now += 1.0 / hz, ++rested)
             frames.frame(1.0 / hz); // nothing is told
@@ -302,7 +267,7 @@ TEST(Track, RestThenMoveStartsWhereTheFrameBegins) {
 TEST(Track, ManyMovesInFramesThatSpanATickLoseNothing) {
     Random random(72);
     for (int trial = 0; trial < 200; ++trial) {
-        Frames frames{.track = Track(glm::dvec3(0.0))};
+        TrackInFrames frames{.track = Track(glm::dvec3(0.0))};
         glm::dvec3 place(0.0);
         double now = 0.0;
         while (now < 1.0) {

@@ -1,22 +1,13 @@
 // The path integral of a wake, as the shared text has it in float, against quadrature in double; and its sums over pieces.
 
 #include "fluid/numerics.h"
-#include "tests/fields.h"
-#include "tests/figure.h"
-
-#include <algorithm>
-#include <cmath>
-#include <gtest/gtest.h>
-#include <limits>
+#include "tests/winds.h"
 
 namespace {
 
 using namespace windrow::numerics;
+using windrow::test::biweight;
 using windrow::test::Random;
-
-double biweight(double squared) {
-    return squared < 1.0 ? (1.0 - squared) * (1.0 - squared) : 0.0;
-}
 
 // Gauss-Legendre with five points a panel: exact for the polynomial of degree four inside the ball, so the panels only have to
 // meet its rim, where the integrand has a kink in its second derivative.

@@ -2,53 +2,22 @@
 // behind.
 
 #include "fluid/event_log.h"
-#include "fluid/wind.h"
-#include "tests/fields.h"
-#include "tests/figure.h"
-
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <gtest/gtest.h>
-#include <limits>
-#include <string>
-#include <utility>
+#include "tests/winds.h"
 
 namespace {
 
 using namespace windrow;
 using namespace windrow::test;
 
-Wind made(const Config& config) {
-    auto wind = Wind::create(config);
-    EXPECT_TRUE(wind) << wind.error();
-    return *std::move(wind);
-}
-
-/// Largest difference of the box's air from the ambient wind.
-double off_ambient(const Wind& wind) {
-    const Window window = wind.view().window();
-    double worst = 0.0;
-    for (int k = 0; k < window.cells.z; ++k)
-        for (int j = 0; j < window.cells.y; ++j)
-            for (int i = 0; i < window.cells.x; ++i) {
-                const glm::vec3 inside(wind.view().field()[wind.box().index(i, j, k)]);
-                worst = std::max(worst, double(glm::length(inside - wind.view().ambient().velocity(window.centre(i, j, k)))));
-            }
-    return worst;
-}
-
 const Config k_gusty{.cells = {16, 8, 16}, .ambient = {3.0f, 0.0f, 1.0f}, .gusts = {.intensity = 0.3f}};
 
 TEST(WindChanges, GustsChangeWithTheMeanWind) {
     for (const glm::vec3 to : {glm::vec3(0.0f), glm::vec3(8.0f, 0.0f, 0.0f), glm::vec3(-3.0f, 0.0f, 1.0f)}) {
         Wind wind = made(k_gusty);
-        for (int n = 0; n < 30; ++n)
-            wind.step(1.0 / 60.0);
+        take_steps(wind, 30, 1.0 / 60.0);
         ASSERT_TRUE(wind.set_ambient(to));
         EXPECT_LE(off_ambient(wind), 1e-5);
-        for (int n = 0; n < 30; ++n)
-            wind.step(1.0 / 60.0);
+        take_steps(wind, 30, 1.0 / 60.0);
         EXPECT_LE(off_ambient(wind), 1e-4);
     }
 }
@@ -127,11 +96,9 @@ TEST(WindChanges, AVentMeetsANewWall) {
 TEST(WindChanges, AVentThatIsTooStrongLeavesNothingBehind) {
     for (const float speed : {300.0f, 1000.0f, 5000.0f}) {
         Wind wind = made({.settling_time = 0.0f});
-        const auto vent = wind.motors().add(OmniMotor{.speed = speed});
-        ASSERT_TRUE(vent);
-        for (int n = 0; n < 10; ++n)
-            wind.step(1.0 / 60.0);
-        ASSERT_TRUE(wind.motors().remove(*vent));
+        const MotorId vent = added(wind, OmniMotor{.speed = speed});
+        take_steps(wind, 10, 1.0 / 60.0);
+        ASSERT_TRUE(wind.motors().remove(vent));
         wind.step(1.0 / 60.0);
         WINDROW_EXPECT_FIGURE("vent_left_behind_m_per_s_of_" + std::to_string(int(speed)), largest_speed(wind.field()),
                               1e-2 * double(speed));
@@ -151,8 +118,7 @@ TEST(WindChanges, AWindThatIsCutBesideAVentEnds) {
             return glm::vec3(glm::dot(away, away) < 9.0 ? 80.0f : 0.0f, 0.0f, 0.0f);
         });
         wind.step(0.5);
-        for (int n = 0; n < 600; ++n)
-            wind.step(1.0 / 60.0);
+        take_steps(wind, 600, 1.0 / 60.0);
         return static_cast<double>(glm::length(wind.velocity({10.0, 0.0, 10.0})));
     };
     const double alone = after_a_hitch(false);
@@ -171,13 +137,12 @@ TEST(WindChanges, WhatIsNoNumberIsNeverShown) {
 
 TEST(WindChanges, AStepAfterFramesTakesUpWhatTheyTold) {
     Wind wind = made({.cells = {16, 8, 16}});
-    const auto body = wind.motors().add(WakeMotor{});
-    ASSERT_TRUE(body);
+    const MotorId body = added(wind, WakeMotor{});
     for (int n = 1; n <= 3; ++n) { // less than a tick
-        ASSERT_TRUE(wind.motors().move(*body, {0.1 * n, 0.0, 0.0}));
+        ASSERT_TRUE(wind.motors().move(body, {0.1 * n, 0.0, 0.0}));
         ASSERT_EQ(wind.advance(1.0 / 144.0).ticks, 0);
     }
-    ASSERT_TRUE(wind.motors().move(*body, {0.4, 0.0, 0.0}));
+    ASSERT_TRUE(wind.motors().move(body, {0.4, 0.0, 0.0}));
     wind.step(1.0 / 144.0);
     EXPECT_TRUE(Wind::load(*wind.save())) << Wind::load(*wind.save()).error();
     EXPECT_EQ(wind.motors().slots()[0].track.here(), glm::dvec3(0.4, 0.0, 0.0));
@@ -188,8 +153,7 @@ TEST(WindChanges, DetailMovesOverSleepingAir) {
     Config config{.cells = {16, 8, 16}, .ambient = {3.0f, 0.0f, 0.0f}};
     config.gusts.tile = GustTile::bake(1);
     Wind wind = made(config);
-    for (int n = 0; n < 3; ++n)
-        wind.step(1.0 / 60.0);
+    take_steps(wind, 3, 1.0 / 60.0);
     ASSERT_TRUE(wind.step(1.0 / 60.0).asleep);
     const glm::vec3 before = wind.felt({0.3, 0.2, 0.1}, {.detail = 0.5f});
     wind.step(1.0 / 60.0);
@@ -214,11 +178,10 @@ TEST(WindChanges, FarPlacesAndEndlessFramesAreFinite) {
             const glm::vec3 u = wind.velocity(at);
             EXPECT_TRUE(std::isfinite(u.x) && std::isfinite(u.y) && std::isfinite(u.z)) << far;
         }
-    const auto fan = wind.motors().add(DirectionalMotor{});
-    ASSERT_TRUE(fan);
+    const MotorId fan = added(wind, DirectionalMotor{});
     const Advance endless = wind.advance(1.7e308);
     EXPECT_TRUE(std::isfinite(endless.dropped));
-    EXPECT_NE(wind.motors().find(*fan), nullptr) << "it holds for good";
+    EXPECT_NE(wind.motors().find(fan), nullptr) << "it holds for good";
 }
 
 TEST(WindChanges, AResetIsSeenAtOnce) {

@@ -2,14 +2,9 @@
 // second-order step carries, and the step put together from the public pieces.
 
 #include "fluid/cpu/acting.h"
-#include "fluid/wind.h"
-#include "tests/fields.h"
-#include "tests/figure.h"
+#include "tests/winds.h"
 
-#include <algorithm>
-#include <gtest/gtest.h>
 #include <optional>
-#include <string>
 
 namespace {
 
@@ -98,14 +93,11 @@ class AirByHand {
         Field to(from.size(), outside);
         const glm::ivec3 cells = config_.cells;
         const Box& box = work_->box();
-        for (int k = 0; k < cells.z; ++k)
-            for (int j = 0; j < cells.y; ++j)
-                for (int i = 0; i < cells.x; ++i) {
-                    const CellIndex source = CellIndex(i, j, k) + shift;
-                    if (glm::all(glm::greaterThanEqual(source, CellIndex(0))) &&
-                        glm::all(glm::lessThan(source, CellIndex(cells))))
-                        to[box.index(i, j, k)] = from[box.index(int(source.x), int(source.y), int(source.z))];
-                }
+        for_each_cell(cells, [&](int i, int j, int k) {
+            const CellIndex source = CellIndex(i, j, k) + shift;
+            if (glm::all(glm::greaterThanEqual(source, CellIndex(0))) && glm::all(glm::lessThan(source, CellIndex(cells))))
+                to[box.index(i, j, k)] = from[box.index(int(source.x), int(source.y), int(source.z))];
+        });
         return to;
     }
 
@@ -120,49 +112,37 @@ class AirByHand {
     float dt_old_ = 0.0f;
 };
 
-struct Case {
-    const char* name;
-    Config config;
-};
-
-std::vector<Case> cases() {
+std::vector<NamedConfig> cases() {
     const Config base{.cells = {17, 9, 14},
                       .ambient = {2.0f, 0.5f, -1.0f},
                       .viscosity = 0.0f,
                       .settling_time = 0.0f,
                       .sleep_speed = 0.0f,
                       .max_cfl = 1e6f};
-    std::vector<Case> list;
-    list.push_back({"inviscid", base});
-    list.push_back({"settling", base});
-    list.back().config.settling_time = 5.0f;
-    list.push_back({"one_pass", base});
-    list.back().config.viscosity = 1.0f;
-    list.push_back({"implicit", base});
-    list.back().config.viscosity = 40.0f;
-    list.push_back({"linear", base});
-    list.back().config.interpolation = Interpolation::linear;
-    list.push_back({"floor", base});
-    list.back().config.sides = Sides::open_over_floor();
-    list.push_back({"mixed", base});
-    list.back().config.sides.y_low = {SideKind::no_slip, {0.5f, 0.0f, 0.25f}};
-    list.back().config.sides.z_low.kind = list.back().config.sides.z_high.kind = SideKind::periodic;
-    list.back().config.viscosity = 1.0f;
-    list.push_back({"half_metre", base});
-    list.back().config.cell_size = 0.5f;
-    return list;
+    return {{"inviscid", base},
+            {"settling", with(base, [](Config& c) { c.settling_time = 5.0f; })},
+            {"one_pass", with(base, [](Config& c) { c.viscosity = 1.0f; })},
+            {"implicit", with(base, [](Config& c) { c.viscosity = 40.0f; })},
+            {"linear", with(base, [](Config& c) { c.interpolation = Interpolation::linear; })},
+            {"floor", with(base, [](Config& c) { c.sides = Sides::open_over_floor(); })},
+            {"mixed", with(base,
+                           [](Config& c) {
+                               c.sides.y_low = {SideKind::no_slip, {0.5f, 0.0f, 0.25f}};
+                               c.sides.z_low.kind = c.sides.z_high.kind = SideKind::periodic;
+                               c.viscosity = 1.0f;
+                           })},
+            {"half_metre", with(base, [](Config& c) { c.cell_size = 0.5f; })}};
 }
 
 TEST(WindowStep, AShiftedStepEqualsCopyThenStep) {
-    for (const Case& each : cases()) {
-        auto wind = Wind::create(each.config);
-        ASSERT_TRUE(wind) << wind.error();
-        AirByHand by_hand(each.config, wind->origin());
+    for (const NamedConfig& each : cases()) {
+        Wind wind = made(each.config);
+        AirByHand by_hand(each.config, wind.origin());
         const Field start = white_noise(each.config.cells, 3.0f, 51);
-        ASSERT_TRUE(wind->set_velocity(start));
+        ASSERT_TRUE(wind.set_velocity(start));
         by_hand.set(start);
         std::optional<MotorId> body;
-        for (Motors* motors : {&wind->motors(), &by_hand.motors()}) {
+        for (Motors* motors : {&wind.motors(), &by_hand.motors()}) {
             ASSERT_TRUE(motors->add(DirectionalMotor{
                 .position = {0.3, -0.2, 0.9}, .region = Sphere{3.0f}, .law = Force{30.0f}, .turbulence = k_steady}));
             ASSERT_TRUE(motors->add(DirectionalMotor{
@@ -176,32 +156,31 @@ TEST(WindowStep, AShiftedStepEqualsCopyThenStep) {
         const double h = each.config.cell_size;
         for (int n = 0; n < 40; ++n) {
             if (n > 2) { // the first steps build a history that the shifts must carry
-                const glm::dvec3 centre = wind->origin() + 0.5 * h * glm::dvec3(each.config.cells);
-                ASSERT_TRUE(wind->follow(centre + h * glm::round(random.point(3.0))));
+                const glm::dvec3 centre = wind.origin() + 0.5 * h * glm::dvec3(each.config.cells);
+                ASSERT_TRUE(wind.follow(centre + h * glm::round(random.point(3.0))));
                 if (each.config.sides.y_low.solid()) {
-                    ASSERT_TRUE(wind->set_floor(h * random.integer(-4, 1)));
+                    ASSERT_TRUE(wind.set_floor(h * random.integer(-4, 1)));
                 }
-                by_hand.copy_to(wind->origin());
+                by_hand.copy_to(wind.origin());
             }
-            for (Motors* motors : {&wind->motors(), &by_hand.motors()})
+            for (Motors* motors : {&wind.motors(), &by_hand.motors()})
                 ASSERT_TRUE(motors->move(*body, {0.1 * n, 0.0, 0.3 * n}));
             const double dt = n % 7 == 6 ? 0.01 : 0.05;
-            ASSERT_EQ(wind->step(dt).substeps, 1);
+            ASSERT_EQ(wind.step(dt).substeps, 1);
             by_hand.step(static_cast<float>(dt));
-            differing += cells_that_differ(wind->field(), by_hand.field());
+            differing += cells_that_differ(wind.field(), by_hand.field());
         }
-        ASSERT_TRUE(all_finite(wind->field()));
-        EXPECT_GT(largest_speed(wind->field()), 0.5);
-        WINDROW_EXPECT_FIGURE(std::string("shifted_step_cells_that_differ_") + each.name, double(differing), 0.0);
+        ASSERT_TRUE(all_finite(wind.field()));
+        EXPECT_GT(largest_speed(wind.field()), 0.5);
+        WINDROW_EXPECT_FIGURE("shifted_step_cells_that_differ_" + each.name, double(differing), 0.0);
     }
 }
 
 // Once the motors are gone, later steps equal those of a run without motors from the same state.
 TEST(WindowStep, SixtyFourMotorsComeAndGo) {
     const Config config{.cells = {16, 12, 14}, .ambient = {1.0f, 0.0f, 0.0f}, .max_cfl = 1e6f};
-    auto wind = Wind::create(config);
-    ASSERT_TRUE(wind);
-    AirByHand by_hand(config, wind->origin());
+    Wind wind = made(config);
+    AirByHand by_hand(config, wind.origin());
     Random random(53);
     std::vector<MotorId> ids;
     for (int n = 0; n < 64; ++n) {
@@ -210,20 +189,20 @@ TEST(WindowStep, SixtyFourMotorsComeAndGo) {
                                      .region = Sphere{random.uniform(1.0f, 3.0f)},
                                      .law = n % 2 == 0 ? decltype(DirectionalMotor::law)(Force{20.0f}) : Drive{},
                                      .turbulence = k_steady};
-        ids.push_back(*wind->motors().add(motor));
+        ids.push_back(added(wind, motor));
         ASSERT_TRUE(by_hand.motors().add(motor));
-        wind->step(0.02);
+        wind.step(0.02);
         by_hand.step(0.02f);
     }
-    ASSERT_EQ(cells_that_differ(wind->field(), by_hand.field()), 0u);
-    EXPECT_GT(largest_speed(wind->field()), 1.5);
+    ASSERT_EQ(cells_that_differ(wind.field(), by_hand.field()), 0u);
+    EXPECT_GT(largest_speed(wind.field()), 1.5);
     for (const MotorId id : ids)
-        ASSERT_TRUE(wind->motors().remove(id));
+        ASSERT_TRUE(wind.motors().remove(id));
     by_hand.motors() = Motors{};
     for (int n = 0; n < 20; ++n) {
-        EXPECT_EQ(wind->step(0.02).motors_in_reach, 0);
+        EXPECT_EQ(wind.step(0.02).motors_in_reach, 0);
         by_hand.step(0.02f);
-        ASSERT_EQ(cells_that_differ(wind->field(), by_hand.field()), 0u) << "step " << n;
+        ASSERT_EQ(cells_that_differ(wind.field(), by_hand.field()), 0u) << "step " << n;
     }
 }
 

@@ -1,50 +1,33 @@
 // The box that follows: nothing inside is lost, what is new is ambient, and where in the world it happens makes no difference.
 
-#include "fluid/wind.h"
-#include "tests/fields.h"
-#include "tests/figure.h"
-
-#include <algorithm>
-#include <cmath>
-#include <gtest/gtest.h>
-#include <limits>
-#include <vector>
+#include "tests/winds.h"
 
 namespace {
 
 using namespace windrow;
 using namespace windrow::test;
 
-Wind made(const Config& config) {
-    auto wind = Wind::create(config);
-    EXPECT_TRUE(wind) << wind.error();
-    return *std::move(wind);
-}
-
 glm::dvec3 origin_cells(const Wind& wind) {
     return glm::round(wind.origin() / double(wind.box().cell_size));
 }
 
 /// The air with its place, as a world would remember it.
-struct Memory {
-    explicit Memory(const Wind& wind) : field(copy(wind.field())), origin(origin_cells(wind)) {}
+struct AirInPlace {
+    explicit AirInPlace(const Wind& wind) : field(copy(wind.field())), origin(origin_cells(wind)) {}
     Field field;
     glm::dvec3 origin;
 };
 
 // Against what each cell must hold if the box was moved and nothing else happened: the value that stood at its place, or ambient.
-std::size_t cells_not_as_expected(const Wind& wind, const Memory& before) {
+std::size_t cells_not_as_expected(const Wind& wind, const AirInPlace& before) {
     const Box& box = wind.box();
     const glm::dvec3 moved = origin_cells(wind) - before.origin;
     Field expected(wind.field().size(), glm::vec4(wind.ambient(), 0.0f));
-    for (int k = 0; k < box.cells.z; ++k)
-        for (int j = 0; j < box.cells.y; ++j)
-            for (int i = 0; i < box.cells.x; ++i) {
-                const glm::dvec3 there = glm::dvec3(i, j, k) + moved;
-                if (glm::all(glm::greaterThanEqual(there, glm::dvec3(0.0))) &&
-                    glm::all(glm::lessThan(there, glm::dvec3(box.cells))))
-                    expected[box.index(i, j, k)] = before.field[box.index(int(there.x), int(there.y), int(there.z))];
-            }
+    for_each_cell(box.cells, [&](int i, int j, int k) {
+        const glm::dvec3 there = glm::dvec3(i, j, k) + moved;
+        if (glm::all(glm::greaterThanEqual(there, glm::dvec3(0.0))) && glm::all(glm::lessThan(there, glm::dvec3(box.cells))))
+            expected[box.index(i, j, k)] = before.field[box.index(int(there.x), int(there.y), int(there.z))];
+    });
     return cells_that_differ(wind.field(), expected);
 }
 
@@ -64,7 +47,7 @@ TEST(Window, AThousandShiftsKeepTheOverlapToTheBit) {
         if (n % 5 == 0) {
             ASSERT_TRUE(wind.set_velocity(white_noise(wind.box().cells, 5.0f, random.bits())));
         }
-        const Memory before(wind);
+        const AirInPlace before(wind);
         const int most = n % 10 == 9 ? 40 : 8;
         const glm::ivec3 shift(random.integer(-most, most), random.integer(-most, most) / 3, random.integer(-most, most));
         beyond += std::abs(shift.x) >= 17 || std::abs(shift.y) >= 9 || std::abs(shift.z) >= 23;
@@ -81,8 +64,7 @@ TEST(Window, AThousandShiftsKeepTheOverlapToTheBit) {
 TEST(Window, APointInsideFeelsNoShift) {
     Wind wind = made({.ambient = {2.0f, 0.0f, -1.0f}, .rim = 0.0f, .viscosity = 0.0f, .settling_time = 0.0f});
     ASSERT_TRUE(wind.set_velocity(smooth_noise(wind.box().cells, 4.0f, 42)));
-    for (int n = 0; n < 5; ++n)
-        wind.step(1.0 / 60.0);
+    take_steps(wind, 5, 1.0 / 60.0);
     Random random(43);
     std::vector<glm::dvec3> points;
     for (int n = 0; n < 2000; ++n) {
@@ -122,8 +104,7 @@ TEST(Window, AJumpBeyondItStartsAfresh) {
          {glm::dvec3(12.0, 0.0, 0.0), glm::dvec3(0.0, -8.0, 0.0), glm::dvec3(1e9, 0.0, 0.0), glm::dvec3(0.0, 0.0, 1e12)}) {
         Wind wind = made(config);
         ASSERT_TRUE(wind.set_velocity(white_noise(config.cells, 3.0f, 44)));
-        for (int n = 0; n < 3; ++n)
-            wind.step(0.1);
+        take_steps(wind, 3, 0.1);
         ASSERT_TRUE(wind.follow(jump));
         Config there = config;
         there.centre = jump;
@@ -132,8 +113,7 @@ TEST(Window, AJumpBeyondItStartsAfresh) {
         EXPECT_EQ(cells_that_differ(wind.field(), fresh.field()), 0u) << "ambient in one call";
         const auto blow = [&](Wind& air) {
             ASSERT_TRUE(air.motors().add(DirectionalMotor{.position = jump, .law = Force{20.0f}}));
-            for (int n = 0; n < 3; ++n)
-                air.step(0.1);
+            take_steps(air, 3, 0.1);
         };
         blow(wind);
         blow(fresh);
@@ -145,7 +125,7 @@ TEST(Window, APointThatIsNoneIsRefused) {
     const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
     Wind wind = made({.cells = {8, 8, 8}, .cell_size = 0.5f});
     ASSERT_TRUE(wind.set_velocity(white_noise({8, 8, 8}, 3.0f, 45)));
-    const Memory before(wind);
+    const AirInPlace before(wind);
     for (const glm::dvec3 point : {glm::dvec3(nan, 0.0, 0.0), glm::dvec3(0.0, infinity, 0.0), glm::dvec3(0.0, 0.0, -infinity),
                                    glm::dvec3(6e11, 0.0, 0.0)}) {
         const auto refused = wind.follow(point);
@@ -183,7 +163,7 @@ TEST(Window, TheFloorFollowsItsHeight) {
     ASSERT_TRUE(wind.set_velocity(white_noise({8, 10, 8}, 3.0f, 46)));
     for (const auto& [height, low] :
          {std::pair{3.1, 3.0}, {3.3, 3.5}, {-0.2, 0.0}, {-7.6, -7.5}, {-5.0, -5.0}, {1e6 + 0.1, 1e6}}) {
-        const Memory before(wind);
+        const AirInPlace before(wind);
         ASSERT_TRUE(wind.set_floor(height));
         EXPECT_EQ(wind.origin().y, low);
         EXPECT_EQ(cells_not_as_expected(wind, before), 0u);
@@ -214,11 +194,9 @@ Field walk(glm::dvec3 place, float cell_size) {
         EXPECT_TRUE(wind.motors().add(DirectionalMotor{
             .position = at, .direction = random.vector(1.0f), .region = Capsule{random.vector(cell_size), radius}}));
     }
-    const auto body =
-        wind.motors().add(WakeMotor{.position = place + h * glm::dvec3(-6.3, 0.7, 0.1), .radius = 1.1f * cell_size});
-    EXPECT_TRUE(body);
+    const MotorId body = added(wind, WakeMotor{.position = place + h * glm::dvec3(-6.3, 0.7, 0.1), .radius = 1.1f * cell_size});
     for (int n = 1; n <= 50; ++n) {
-        EXPECT_TRUE(wind.motors().move(*body, place + h * glm::dvec3(-6.3 + 0.231 * n, 0.7, 0.1 + 0.05 * n)));
+        EXPECT_TRUE(wind.motors().move(body, place + h * glm::dvec3(-6.3 + 0.231 * n, 0.7, 0.1 + 0.05 * n)));
         EXPECT_TRUE(wind.follow(place + h * glm::dvec3(0.13 * n, 0.017 * n, -0.071 * n)));
         wind.step(1.0 / 60.0);
     }

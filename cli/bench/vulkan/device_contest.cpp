@@ -1,10 +1,10 @@
 #include "cli/bench/vulkan/device_contest.h"
 
+#include "cli/timings.h"
 #include "fluid/vulkan/device.h"
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <utility>
@@ -13,14 +13,6 @@ namespace windrow::cli {
 namespace {
 
 constexpr std::size_t k_idle_rounds = 1; // pipelines are compiled and memory is touched in it
-
-double quantile(std::vector<float> values, double share) {
-    if (values.empty())
-        return 0.0;
-    std::sort(values.begin(), values.end());
-    const double rank = std::ceil(share * static_cast<double>(values.size()));
-    return static_cast<double>(values[static_cast<std::size_t>(std::max(rank, 1.0)) - 1]);
-}
 
 } // namespace
 
@@ -48,7 +40,7 @@ std::size_t DeviceContest::add(DeviceContestant contestant) {
     return entries_.size() - 1;
 }
 
-Result<void> DeviceContest::turn(Entry& entry, bool counts) {
+Result<void> DeviceContest::turn(DeviceEntry& entry, bool counts) {
     const auto ran = own_->run([&](VkCommandBuffer commands) {
         timestamps_.reset(commands);
         entry.contestant.warm(commands);

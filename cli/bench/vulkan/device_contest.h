@@ -47,17 +47,17 @@ class DeviceContest {
     [[nodiscard]] std::size_t rounds() const { return rounds_; }
 
   private:
-    struct Entry {
+    struct DeviceEntry {
         DeviceContestant contestant;
         std::vector<float> us{};
     };
     /// False where it was stopped in its midst.
     Result<bool> round(std::size_t number, bool counts, const std::function<bool()>& stopped);
-    Result<void> turn(Entry& entry, bool counts);
+    Result<void> turn(DeviceEntry& entry, bool counts);
 
     vulkan::OwnDevice* own_ = nullptr;
     vulkan::Timestamps timestamps_;
-    std::vector<Entry> entries_;
+    std::vector<DeviceEntry> entries_;
     std::size_t rounds_ = 0;
 };
 
