@@ -35,7 +35,7 @@ INSTEAD = {
 }
 WORDS = re.compile("|".join(f"(?P<w{n}>\\b(?:{words})\\b)" for n, words in enumerate(INSTEAD)), re.IGNORECASE)
 # A point after these ends no sentence.
-ABBREVIATIONS = re.compile(r"\b(?:et al|e\.g|i\.e|cf|vs|eq|Fig|No|[A-Z])\.$")
+ABBREVIATIONS = re.compile(r"\b(?:al|e\.g|i\.e|cf|vs|eq|Fig|No|[A-Z])\.$")
 ITEM = re.compile(r"^\s*(?:[-*+]|\d+\.)\s+")
 
 
