@@ -2,8 +2,8 @@
 """make_gallery.py PROGRAM [NAME ...]: draws the looks into out/gallery and writes docs/gallery.md with their small pictures.
 
 PROGRAM is the program build/release/windrow-draw. With names only those looks are drawn anew; the page always lists all whose
-picture lies in docs/gallery. A look that cannot be drawn, since its mesh is not there, is told and left out, and the exit code is
-1. Needs Python alone; ./dev gallery makes what the scenes name first.
+picture is in docs/gallery. A look that cannot be drawn, since its mesh is missing, is reported and left out, and the
+exit code is 1. Needs Python alone; ./dev gallery makes what the scenes name first.
 """
 import json
 import pathlib
@@ -19,15 +19,15 @@ SIZE = "1280x720"
 # Heading; then scene, moment [s], what to look at.
 LOOKS = (
     ("Fur", (
-        ("fur/bunny", 0.6, "the fur's side away from its turn trails; bare inner ear, short face; no layers on the outline."),
+        ("fur/bunny", 0.6, "the fur trails behind its turn; bare inner ear, short face; no layers on the outline."),
         ("fur/horse", 0.6, "mane and tail stream with the wind, the legs' hair does not; hooves are bare."),
         ("fur/bear", 0.6, "shells, length, thickness and density are the fur line of bear.mtl: the scene names none of them."),
         ("fur/beast", 1.0, "long tufts from close below: dark at the root, light through the tips against the sun."),
     )),
     ("Grass and floors", (
         ("fur/grass16", 1.0, "the lane that the fan blows: only a solver gives it. Below, the same grass without one."),
-        ("fur/grass16_uniform", 1.0, "every blade leans alike: what the sources' one vector does."),
-        ("fur/field", 1.0, "bands of lighter green are gusts on their way."),
+        ("fur/grass16_uniform", 1.0, "every blade leans alike, by one vector."),
+        ("fur/field", 1.0, "bands of lighter green are moving gusts."),
         ("fur/carpet", 0.6, "the mesh has four vertices; the draught and what the ball presses are read at each root."),
         ("fur/snow", 0.6, "short strands that merge are powder; boulders are bare below by a spot."),
     )),
@@ -37,7 +37,7 @@ LOOKS = (
         ("fur/king", 0.6, "Voronoi's edges make the spikes; two lamps and the sun add up; tips come after the hop."),
     )),
     ("Clouds", (
-        ("fur/clouds128", 1.0, "the same heaps as below, with 128 shells: no steps on their sides."),
+        ("fur/clouds128", 1.0, "the same heaps as below, with 128 shells: no steps."),
         ("fur/clouds16", 1.0, "16 shells and four levels of light."),
     )),
     ("Where it began", (
@@ -74,16 +74,17 @@ def draw(program, names):
 
 
 def page():
-    lines = ["# Gallery", "", "Fur and meadows in the wind of the solver: each picture is one scene file, drawn by `windrow-draw`. All of them anew:",
+    lines = ["# Gallery", "", "Fur and meadows in the wind of the solver. Each picture is one scene file of `examples/scenes`. To draw all of them:",
              "", "    ./dev gallery", ""]
     for heading, looks in LOOKS:
         shown = [(look, text) for look, _, text in looks if (SMALL / f"{look.split('/')[-1]}.jpg").is_file()]
         if shown:
-            lines += [f"## {heading}", ""]
+            lines += [f"## {heading}", "", "| picture | scene, and what to look at |", "|---|---|"]
         for look, text in shown:
             name = look.split("/")[-1]
             about = json.loads((SCENES / f"{look}.json").read_text(encoding="utf-8")).get("description", "")
-            lines += [f"![{about}](gallery/{name}.jpg)", f"*`examples/scenes/{look}.json`: {about} Look at: {text}*", ""]
+            lines += [f"| ![{name}](gallery/{name}.jpg) | `{look}.json`: {about} Look at: {text} |"]
+        lines += [""] if shown else []
     PAGE.write_text("\n".join(lines[:-1]) + "\n", encoding="utf-8")
 
 
@@ -92,14 +93,14 @@ def main():
     known = {look.split("/")[-1] for _, looks in LOOKS for look, _, _ in looks}
     unknown = [name for name in names if name not in known]
     if len(sys.argv) < 2 or unknown:
-        told = f"{unknown[0]} is no look; give some of: {', '.join(sorted(known))}." if unknown else "usage: make_gallery.py PROGRAM [NAME ...]"
-        print(f"make_gallery.py: {told}", file=sys.stderr)
+        fault = f"{unknown[0]} is not a look; give some of: {', '.join(sorted(known))}." if unknown else "usage: make_gallery.py PROGRAM [NAME ...]"
+        print(f"make_gallery.py: {fault}", file=sys.stderr)
         sys.exit(2)
     failed = draw(sys.argv[1], names)
     page()
     print(f"{PAGE.relative_to(ROOT)}: {sum(1 for _ in SMALL.glob('*.jpg'))} pictures")
     if failed:
-        print(f"make_gallery.py: not drawn: {', '.join(failed)}; what is told above says why.", file=sys.stderr)
+        print(f"make_gallery.py: not drawn: {', '.join(failed)}; see above.", file=sys.stderr)
         sys.exit(1)
 
 

@@ -128,7 +128,7 @@ def draw_shells(plt, rows, folder):
 def draw_spring(plt, rows, folder):
     page = Page(plt, 1000, 520)
     axes = page.axes(90, 60, 770, 380, "Wheat in a gust that comes at once: the same swing at 15 to 1000 Hz", "time [s]",
-                     "share of the steady lean", (0, 2), (0, 1.8))
+                     "fraction of the steady lean", (0, 2), (0, 1.8))
     axes.set_xticks(steps(0, 2, 0.25))
     axes.set_yticks(steps(0, 1.75, 0.25))
     for n, (name, x, y) in enumerate(lines_of(rows, "spring")):
@@ -146,8 +146,8 @@ def draw_cascade(plt, rows, folder):
                      "way of the tip", (0, 12), (0, 1.1))
     axes.set_xticks(range(13))
     axes.set_yticks(steps(0, 1, 0.25))
-    names = ("stages, 20 shells (wide)", "a share a frame, 20 shells", "stages, 200 shells: on the same line",
-             "a share a frame, 200 shells")
+    names = ("stages, 20 shells (wide)", "a fraction a frame, 20 shells", "stages, 200 shells: on the same line",
+             "a fraction a frame, 200 shells")
     for n, (name, (_, x, y)) in enumerate(zip(names, lines_of(rows, "cascade"))):
         # Where the two on stages lie on each other, the wide one shows beside the narrow one.
         axes.plot(x, y, color=SERIES[n], linewidth=4.5 if n == 0 else 1.5)
@@ -187,10 +187,10 @@ def draw_jets(plt, rows, folder):
 # --- Fronts: what `windrow pareto` found --------------------------------------------------------------------------------
 
 TITLES = {"taylor_green_2d": "Vortices carried by a wind (2D, periodic, exact)",
-          "vortex_pair": "A pair of vortices in a wind (2D, open sides)",
+          "vortex_pair": "A pair of vortices in a wind (2D, open boundaries)",
           "abc_flow": "Interwoven vortices carried by a wind (3D, periodic, exact)",
-          "jet": "A motor's jet in a wind over a floor (3D, open sides)",
-          "gusty_fan": "A circling fan in gusts over a log profile (3D, open sides)"}
+          "jet": "A motor's jet in a wind over a floor (3D, open boundaries)",
+          "gusty_fan": "A circling fan in gusts over a log profile (3D, open boundaries)"}
 # Two blues and two oranges that eyes of all kinds tell apart. Based on: Okabe & Ito 2008, Color Universal Design.
 COLOURS = {("second_order", "cubic"): ("#0060A8", "second-order step, cubic advection"),
            ("second_order", "linear"): ("#56B4E9", "second-order step, linear advection"),
