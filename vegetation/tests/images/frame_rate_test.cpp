@@ -55,7 +55,7 @@ TEST_P(FrameRateUntouched, EndsInTheSamePicture) {
     auto scene = test::read_scene(name);
     ASSERT_TRUE(scene) << scene.error();
     scene->picture.walkers.clear(); // their wakes stay
-    for (TreeStand& stand : scene->picture.trees)
+    for (StandSource& stand : scene->picture.trees)
         stand.springs = false;
     const test::Apart off = between_rates(*scene, name + "_untouched");
     WINDROW_EXPECT_FIGURE("images/frame_rate/" + name + "_untouched/mean", off.mean, k_mean);
