@@ -98,10 +98,10 @@ std::vector<ConfigMistake> every_fault() {
     add("canopy.height", " is -1 m", "0 (none) to 1000 m", [](Config& c) { c.canopy = Canopy{.height = -1.0f}; });
     add("canopy.height", " is nan m", "0 (none) to 1000 m", [](Config& c) { c.canopy = Canopy{.height = k_nan}; });
     add("canopy.drag", " is 10000 1/m", "0 (none) to 1000 1/m", [](Config& c) { c.canopy = Canopy{.drag = 1e4f}; });
-    add("ticks.hz", " is 0 Hz", "give", [](Config& c) { c.ticks.hz = 0.0; });
-    add("ticks.hz", " is -1 Hz", "give", [](Config& c) { c.ticks.hz = -1.0; });
-    add("ticks.hz", " is nan Hz", "give", [](Config& c) { c.ticks.hz = std::numeric_limits<double>::quiet_NaN(); });
-    add("ticks.hz", " is 100000 Hz", "give", [](Config& c) { c.ticks.hz = 1e5; });
+    add("ticks.hz", " is 0", "1 to 10000", [](Config& c) { c.ticks.hz = 0.0; });
+    add("ticks.hz", " is -1", "1 to 10000", [](Config& c) { c.ticks.hz = -1.0; });
+    add("ticks.hz", " is nan", "1 to 10000", [](Config& c) { c.ticks.hz = std::numeric_limits<double>::quiet_NaN(); });
+    add("ticks.hz", " is 1e+05", "1 to 10000", [](Config& c) { c.ticks.hz = 1e5; });
     add("ticks.most", " is 0", "give", [](Config& c) { c.ticks.most = 0; });
     return faults;
 }
