@@ -47,8 +47,8 @@ Motors& BackendWind::motors() {
 const Motors& BackendWind::motors() const {
     return std::visit([](const auto& wind) -> const Motors& { return wind.motors(); }, std::as_const(*wind_));
 }
-Result<void> BackendWind::set_sides(const Sides& sides) {
-    return std::visit([&](auto& wind) { return wind.set_sides(sides); }, *wind_);
+Result<void> BackendWind::set_boundaries(const Boundaries& boundaries) {
+    return std::visit([&](auto& wind) { return wind.set_boundaries(boundaries); }, *wind_);
 }
 Result<void> BackendWind::follow(glm::dvec3 point) {
     return std::visit([&](auto& wind) { return wind.follow(point); }, *wind_);

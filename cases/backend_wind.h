@@ -75,7 +75,7 @@ class BackendWind {
 
     [[nodiscard]] Motors& motors();
     [[nodiscard]] const Motors& motors() const;
-    [[nodiscard]] Result<void> set_sides(const Sides& sides);
+    [[nodiscard]] Result<void> set_boundaries(const Boundaries& boundaries);
     [[nodiscard]] Result<void> follow(glm::dvec3 point);
     [[nodiscard]] Result<void> set_floor(double height);
     void set_velocity(const std::function<glm::vec3(glm::dvec3 centre)>& velocity_at);

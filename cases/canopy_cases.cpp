@@ -14,16 +14,16 @@
 namespace windrow::cases {
 namespace {
 
-Sides over_floor() {
-    return sides_of({SideKind::periodic, SideKind::periodic}, {SideKind::free_slip, SideKind::free_slip},
-                    {SideKind::periodic, SideKind::periodic});
+Boundaries over_floor() {
+    return sides_of({BoundaryKind::periodic, BoundaryKind::periodic}, {BoundaryKind::free_slip, BoundaryKind::free_slip},
+                    {BoundaryKind::periodic, BoundaryKind::periodic});
 }
 
 VerifyRows canopy_law(const VerifySetting& setting, int size) {
-    Box box{.cells = {size, 4, size}, .cell_size = 0.5f, .sides = over_floor()};
+    Box box{.cells = {size, 4, size}, .cell_size = 0.5f, .boundaries = over_floor()};
     Config config = raw_config(box, 0.0, setting);
     config.canopy = Canopy{.height = 1.25f, .drag = 0.7f}; // two rows, and half of one
-    config.stages = {.sources = true, .settling = false, .diffusion = false, .advection = false, .projection = false};
+    config.stages = {.sources = true, .relaxation = false, .diffusion = false, .advection = false, .projection = false};
     const glm::dvec3 start(6.0, -2.0, 3.0);
     VerifyRow row{.cells = box.cells, .bound = 2e-6};
     for (const int steps : {1, 7, 100}) {
@@ -56,7 +56,7 @@ void add_spectrum(const std::vector<double>& line, std::vector<double>& energy) 
 VerifyRow canopy_waves(const VerifySetting& setting, int size, int first_wave, int last_wave) {
     constexpr double k_height = 0.8, k_wind = 3.0, k_published = 8.1, k_begin = 40.0, k_end = 120.0;
     const double h = k_height / size;
-    Box box{.cells = {16 * size, 4 * size, 4 * size}, .cell_size = static_cast<float>(h), .sides = over_floor()};
+    Box box{.cells = {16 * size, 4 * size, 4 * size}, .cell_size = static_cast<float>(h), .boundaries = over_floor()};
     Config config = raw_config(box, 0.0, setting);
     config.canopy = Canopy{.height = static_cast<float>(k_height)};
     const auto wind = wind_of(config, setting);

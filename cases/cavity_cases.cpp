@@ -18,21 +18,21 @@
 namespace windrow::cases {
 namespace {
 
-constexpr double k_steady = 1e-5;     ///< [1/s] change of a speed, the lid's being 1
-constexpr double k_most_time = 200.0; ///< [s] Re 1000 needs 75
+constexpr double k_steady = 1e-5;    ///< [1/s] change of a speed, the lid's being 1
+constexpr double k_max_time = 200.0; ///< [s] Re 1000 needs 75
 
 std::unique_ptr<BackendWind> cavity_of(const VerifySetting& setting, int size, double reynolds) {
     Box box = periodic_box({size, size, 1}, 1.0 / size);
-    for (Side* const side : {&box.sides.x_low, &box.sides.x_high, &box.sides.y_low, &box.sides.y_high})
-        side->kind = SideKind::no_slip;
-    box.sides.y_high.wall_velocity = {1.0f, 0.0f, 0.0f};
+    for (Boundary* const side : {&box.boundaries.x_low, &box.boundaries.x_high, &box.boundaries.y_low, &box.boundaries.y_high})
+        side->kind = BoundaryKind::no_slip;
+    box.boundaries.y_high.wall_velocity = {1.0f, 0.0f, 0.0f};
     return wind_of(raw_config(box, 1.0 / reynolds, setting), setting);
 }
 
 // Steps until the air is steady; returns the largest CFL number, or a NaN where it never becomes so.
 double settle(BackendWind& wind, int steps_a_second) {
     double cfl = 0.0, change = std::numeric_limits<double>::infinity();
-    for (double time = 0.0; time < k_most_time && change > k_steady; time += 1.0) {
+    for (double time = 0.0; time < k_max_time && change > k_steady; time += 1.0) {
         const std::span<const glm::vec4> start = wind.field();
         const CellVelocities before(start.begin(), start.end());
         for (int step = 0; step < steps_a_second; ++step)

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "cases/verify_case.h"
-#include "fluid/pieces.h"
+#include "fluid/operators.h"
 
 #include <cmath>
 #include <glm/common.hpp>
@@ -26,25 +26,26 @@ inline Workspace workspace_of(const Box& box, const VerifySetting& setting) {
     return *Workspace::create({.box = box, .simd = setting.simd, .parallel_for = setting.parallel_for});
 }
 
-/// One side of a Sides, to write to.
-inline Side& side_of(Sides& sides, int axis, int end) {
-    Side* const ordered[6] = {&sides.x_low, &sides.x_high, &sides.y_low, &sides.y_high, &sides.z_low, &sides.z_high};
+/// One side of a Boundaries, to write to.
+inline Boundary& side_of(Boundaries& boundaries, int axis, int end) {
+    Boundary* const ordered[6] = {&boundaries.x_low,  &boundaries.x_high, &boundaries.y_low,
+                                  &boundaries.y_high, &boundaries.z_low,  &boundaries.z_high};
     return *ordered[2 * axis + end];
 }
 
 /// One pair of kinds an axis, low and high.
-using Ends = std::pair<SideKind, SideKind>;
-inline Sides sides_of(Ends x, Ends y, Ends z) {
-    Sides sides;
+using Ends = std::pair<BoundaryKind, BoundaryKind>;
+inline Boundaries sides_of(Ends x, Ends y, Ends z) {
+    Boundaries boundaries;
     for (int axis = 0; const Ends& ends : {x, y, z}) {
-        side_of(sides, axis, 0).kind = ends.first;
-        side_of(sides, axis++, 1).kind = ends.second;
+        side_of(boundaries, axis, 0).kind = ends.first;
+        side_of(boundaries, axis++, 1).kind = ends.second;
     }
-    return sides;
+    return boundaries;
 }
 
 inline Box periodic_box(glm::ivec3 cells, double cell_size = 1.0) {
-    return {.cells = cells, .cell_size = static_cast<float>(cell_size), .sides = Sides::all(SideKind::periodic)};
+    return {.cells = cells, .cell_size = static_cast<float>(cell_size), .boundaries = Boundaries::all(BoundaryKind::periodic)};
 }
 
 /// Calls visit(place in the layout, centre) for each cell.

@@ -77,7 +77,7 @@ WindView DeviceWind::view() const {
     if (const auto read = wind_.queried(); read && backend_.fault().empty())
         return *read;
     broken_.assign(box_.cell_count(), glm::vec4(std::numeric_limits<float>::quiet_NaN()));
-    return {box_, Window{.cells = box_.cells, .cell_size = box_.cell_size}, Rim{}, wind_.ambient_wind(), broken_};
+    return {box_, Window{.cells = box_.cells, .cell_size = box_.cell_size}, BlendZone{}, wind_.ambient_wind(), broken_};
 }
 
 } // namespace windrow::cases

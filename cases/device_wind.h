@@ -20,7 +20,7 @@ class DeviceWind {
     Diagnostics step(double dt) { return run(dt); }
     [[nodiscard]] Motors& motors() { return wind_.motors(); }
     [[nodiscard]] const Motors& motors() const { return std::as_const(wind_).motors(); }
-    [[nodiscard]] Result<void> set_sides(const Sides& sides) { return changing().set_sides(sides); }
+    [[nodiscard]] Result<void> set_boundaries(const Boundaries& boundaries) { return changing().set_boundaries(boundaries); }
     [[nodiscard]] Result<void> follow(glm::dvec3 point) { return changing().follow(point); }
     [[nodiscard]] Result<void> set_floor(double height) { return changing().set_floor(height); }
     void set_velocity(const std::function<glm::vec3(glm::dvec3)>& velocity_at) {

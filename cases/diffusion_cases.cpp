@@ -13,7 +13,7 @@ double mode_factor(double ratio, double s, DiffusionMethod method) {
     return method == DiffusionMethod::one_pass ? 1.0 - 4.0 * ratio * s : 1.0 / (1.0 + 4.0 * ratio * s);
 }
 
-// The ghost of a periodic side is the far side, so that these waves are the operator's own.
+// The ghost of a periodic boundary is the far side, so that these waves are the operator's own.
 VerifyRow diffusion_modes(const VerifySetting& setting, int size) {
     constexpr double k_ratios[] = {1e-3, 1e-2, 0.08, 0.09, 1.0, 30.0, 1e3, 1e4};
     const Box box = periodic_box({size, size / 2 + 1, size + 2}); // one odd axis
@@ -114,7 +114,7 @@ std::vector<VerifyCase> diffusion_cases() {
          .what = "A Gaussian ball of air spreads in one-pass steps of r = 0.04; error of the velocity.",
          .source = "the heat kernel: variance + 2 nu t",
          .reason = "the error that the factors of its waves give, and a hundredth more; of order 2",
-         .least_order = 1.9,
+         .min_order = 1.9,
          .sizes = {24, 48, 96},
          .run = [](const VerifySetting& setting,
                    int size) { return gaussian_spreading(setting, size, 0.04, DiffusionMethod::one_pass); }},
@@ -122,7 +122,7 @@ std::vector<VerifyCase> diffusion_cases() {
          .what = "A Gaussian ball of air spreads in implicit steps of r = 0.32; error of the velocity.",
          .source = "the heat kernel: variance + 2 nu t",
          .reason = "the error that the factors of its waves give, and a hundredth more; of order 2",
-         .least_order = 1.9,
+         .min_order = 1.9,
          .sizes = {24, 48, 96},
          .run = [](const VerifySetting& setting,
                    int size) { return gaussian_spreading(setting, size, 0.32, DiffusionMethod::implicit); }},

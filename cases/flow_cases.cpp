@@ -61,7 +61,7 @@ std::vector<VerifyCase> flow_cases() {
          .reason = "the step is of order 2 in time and space; the bound is what it gave before steps of any length, 2.1e-3 at 64 "
                    "cells, and a fifth more, falling as h^2",
          .guards = true,
-         .least_order = 1.9,
+         .min_order = 1.9,
          .sizes = {32, 64, 128, 256},
          .run = [](const VerifySetting& setting,
                    int size) { return bounded(taylor_green_2d(setting, size, size), falling_bound(2.5e-3, 64, 2.0, size)); }},
@@ -73,7 +73,7 @@ std::vector<VerifyCase> flow_cases() {
                    "gradient and divergence, of order 2, hardly show in these waves; measured are 4.7e-4 at 64 cells, of which a "
                    "fifth more is admitted, falling as h^2.9",
          .guards = true,
-         .least_order = 2.9,
+         .min_order = 2.9,
          .sizes = {16, 32, 64},
          .run = [](const VerifySetting& setting,
                    int size) { return bounded(taylor_green_2d(setting, size, 1024), falling_bound(5.6e-4, 64, 2.9, size)); }},
@@ -83,7 +83,7 @@ std::vector<VerifyCase> flow_cases() {
          .reason = "the step is of order 2; the bound is what it gave before steps of any length, 6.8e-3 at 16 cells, and "
                    "a fifth more, falling as h^1.9",
          .guards = true,
-         .least_order = 1.9,
+         .min_order = 1.9,
          .sizes = {16, 32, 64},
          .run =
              [](const VerifySetting& setting, int size) {
@@ -97,7 +97,7 @@ std::vector<VerifyCase> flow_cases() {
          .reason =
              "the step is of order 2; measured are 1.24e-2 at 16 cells, of which a fifth more is admitted, falling as h^1.9",
          .guards = true,
-         .least_order = 1.9,
+         .min_order = 1.9,
          .sizes = {16, 32, 64},
          .run =
              [](const VerifySetting& setting, int size) {

@@ -16,9 +16,9 @@ inline constexpr int k_steps_of_flow = 60;
 /// [m/s]
 inline constexpr glm::vec3 k_bench_ambient{6.0f, 0.0f, 2.0f};
 
-/// The box of `cells` cells of 1 m with open sides over a floor.
+/// The box of `cells` cells of 1 m with open boundaries over a floor.
 [[nodiscard]] inline Box bench_box(glm::ivec3 cells) {
-    return {.cells = cells, .cell_size = 1.0f, .sides = Sides::open_over_floor()};
+    return {.cells = cells, .cell_size = 1.0f, .boundaries = Boundaries::open_over_floor()};
 }
 
 /// [m/s] Jets of Gaussian cross-section on the mean wind: CFL number about 0.5 at k_bench_dt.

@@ -21,7 +21,7 @@ constexpr double k_dt = 1.0 / 30.0;
 Config air_of(const Box& box, const VerifySetting& setting) {
     Config config = raw_config(box, 0.0, setting);
     config.centre = glm::dvec3(0.0);
-    config.rim = 0.0f;
+    config.blend_width = 0.0f;
     return config;
 }
 

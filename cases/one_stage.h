@@ -1,4 +1,4 @@
-// One stage of the step alone: on the CPU the piece itself (fluid/pieces.h), on a device a wind whose other stages are off.
+// One stage of the step alone: on the CPU the piece itself (fluid/operators.h), on a device a wind whose other stages are off.
 #pragma once
 
 #include "cases/whole_step.h"
@@ -14,18 +14,18 @@ class OneStage {
     /// Diffusion of `viscosity` [m^2/s].
     [[nodiscard]] static OneStage diffusion(const Box& box, double viscosity, const VerifySetting& setting) {
         OneStage stage(box, viscosity, setting);
-        stage.make_wind({.sources = false, .settling = false, .diffusion = true, .advection = false, .projection = false});
+        stage.make_wind({.sources = false, .relaxation = false, .diffusion = true, .advection = false, .projection = false});
         return stage;
     }
     [[nodiscard]] static OneStage projection(const Box& box, const VerifySetting& setting) {
         OneStage stage(box, std::nullopt, setting);
-        stage.make_wind({.sources = false, .settling = false, .diffusion = false, .advection = false, .projection = true});
+        stage.make_wind({.sources = false, .relaxation = false, .diffusion = false, .advection = false, .projection = true});
         return stage;
     }
 
     /// Legal sides of the same kinds.
-    void set_sides(const Sides& sides) {
-        const auto changed = wind_ ? wind_->set_sides(sides) : work_->set_sides(sides);
+    void set_boundaries(const Boundaries& boundaries) {
+        const auto changed = wind_ ? wind_->set_boundaries(boundaries) : work_->set_boundaries(boundaries);
         if (!changed)
             setting_.backend.note_fault(changed.error());
     }

@@ -17,7 +17,7 @@ struct ParetoFlow {
     std::string name;     ///< the CSV's `case`
     std::string what;     ///< the flow and its truth, in a sentence
     glm::dvec3 size{1.0}; ///< [m] of the box; cells are cubes
-    Sides sides{};
+    Boundaries boundaries{};
     glm::dvec3 mean{0.0}; ///< [m/s] mean wind; beyond open boundaries too
     std::optional<LogProfile> profile{};
     Gusts gusts{};

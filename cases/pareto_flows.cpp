@@ -1,7 +1,7 @@
 // The flows.
 //
 //   taylor_green_2d   u = U + sin(x - U t) cos(z - W t), w = W - cos(x - U t) sin(z - W t): exact
-//   vortex_pair       stream function of two Gaussian whirls that turn against each other, blown through a box with open sides
+//   vortex_pair       stream function of two Gaussian whirls that turn against each other, blown through a box with open boundaries
 //   abc_flow          curl u = u, so that u . grad u is a gradient: steady without viscosity, and carried by a mean wind: exact
 //   jet               a motor blows into a wind over a floor
 //   gusty_fan         a fan that circles, in gusts over a logarithmic profile
@@ -36,7 +36,7 @@ std::vector<glm::ivec3> window_grids(int count) {
 ParetoFlow flat(double width) {
     ParetoFlow flow;
     flow.size = {width, 0.0, width};
-    flow.sides = Sides::all(SideKind::periodic);
+    flow.boundaries = Boundaries::all(BoundaryKind::periodic);
     return flow;
 }
 
@@ -59,8 +59,9 @@ ParetoFlow vortex_pair() {
     constexpr glm::dvec3 k_mean(1.5, 0.0, 0.8);
     ParetoFlow flow = flat(16.0);
     flow.name = "vortex_pair";
-    flow.what = "Two whirls that push each other along through a mean wind and open sides; truth: 768 cells a side.";
-    flow.sides.x_low.kind = flow.sides.x_high.kind = flow.sides.z_low.kind = flow.sides.z_high.kind = SideKind::open;
+    flow.what = "Two whirls that push each other along through a mean wind and open boundaries; truth: 768 cells a side.";
+    flow.boundaries.x_low.kind = flow.boundaries.x_high.kind = flow.boundaries.z_low.kind = flow.boundaries.z_high.kind =
+        BoundaryKind::open;
     flow.mean = k_mean;
     flow.end = 3.0;
     flow.top_speed = 8.0; // at the start, in the shear between the two
@@ -86,7 +87,7 @@ ParetoFlow abc_flow(bool quick) {
     flow.name = "abc_flow";
     flow.what = "Arnold, Beltrami and Childress' flow without viscosity, carried across the cells by a mean wind; exact.";
     flow.size = {4.0 * k_pi, 2.0 * k_pi, 4.0 * k_pi};
-    flow.sides = Sides::all(SideKind::periodic);
+    flow.boundaries = Boundaries::all(BoundaryKind::periodic);
     flow.mean = vortices.mean;
     flow.end = k_end;
     flow.top_speed = 2.1;
@@ -102,7 +103,7 @@ ParetoFlow jet(bool quick) {
     flow.what = quick ? "A jet motor blows into a mean wind over a floor; truth: 128 x 64 x 128 cells."
                       : "A jet motor blows into a mean wind over a floor; truth: 256 x 128 x 256 cells.";
     flow.size = {32.0, 16.0, 32.0};
-    flow.sides = Sides::open_over_floor();
+    flow.boundaries = Boundaries::open_over_floor();
     flow.mean = {3.0, 0.0, 1.0};
     flow.end = 1.5;
     flow.top_speed = 9.0; // reached in the nozzle
@@ -148,7 +149,7 @@ ParetoFlow gusty_fan(bool quick) {
 } // namespace
 
 Box box_of(const ParetoFlow& flow, glm::ivec3 cells) {
-    return {.cells = cells, .cell_size = static_cast<float>(flow.size.x / cells.x), .sides = flow.sides};
+    return {.cells = cells, .cell_size = static_cast<float>(flow.size.x / cells.x), .boundaries = flow.boundaries};
 }
 
 int steps_of(const ParetoFlow& flow, glm::ivec3 cells, double cfl) {

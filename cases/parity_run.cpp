@@ -15,7 +15,7 @@ using detail::message;
 
 /// Sines of one to two waves a box: no symmetry that would hide a swapped axis.
 std::vector<glm::vec4> stirred(const Config& config) {
-    const Box box{config.cells, config.cell_size, config.sides};
+    const Box box{config.cells, config.cell_size, config.boundaries};
     std::vector<glm::vec4> field(box.cell_count());
     for (int k = 0; k < config.cells.z; ++k)
         for (int j = 0; j < config.cells.y; ++j)
@@ -70,8 +70,8 @@ class Twins {
         result.barriers = std::max(result.barriers, gpu_.barriers());
         compare(result);
         const Diagnostics done = story_.frames ? cpu_.advance(story_.dt).last : cpu_.step(story_.dt);
-        result.most_substeps = std::max(result.most_substeps, done.substeps);
-        result.most_limited_cells = std::max(result.most_limited_cells, done.limited_cells);
+        result.max_substeps = std::max(result.max_substeps, done.substeps);
+        result.max_limited_cells = std::max(result.max_limited_cells, done.limited_cells);
         const auto cells = story_.frames ? cpu_.view().field() : cpu_.field();
         cells_.assign(cells.begin(), cells.end());
         return {};
@@ -105,8 +105,8 @@ class Twins {
                         return {};
                     } else if constexpr (std::is_same_v<What, StoryChange::Ambient>) {
                         return both([&](auto& wind) { return wind.set_ambient(what.mean); });
-                    } else if constexpr (std::is_same_v<What, Sides>) {
-                        return both([&](auto& wind) { return wind.set_sides(what); });
+                    } else if constexpr (std::is_same_v<What, Boundaries>) {
+                        return both([&](auto& wind) { return wind.set_boundaries(what); });
                     } else {
                         return both([&](auto& wind) { return wind.set_gusts(what); });
                     }

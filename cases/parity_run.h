@@ -21,10 +21,10 @@ struct ParityResult {
     double first_bound = 0.0, bound = 0.0; ///< the story's
     /// [m/s] Largest component of the CPU's velocity over the story.
     double largest_component = 0.0;
-    int most_substeps = 0;               ///< that the CPU took in a step
-    std::int64_t most_limited_cells = 0; ///< whose speed the CPU cut in a step
-    int dispatches = 0, barriers = 0;    ///< of the recording that had the most of them
-    int messages = 0;                    ///< of the validation layer, where the device has it, while the story ran
+    int max_substeps = 0;               ///< that the CPU took in a step
+    std::int64_t max_limited_cells = 0; ///< whose speed the CPU cut in a step
+    int dispatches = 0, barriers = 0;   ///< of the recording that had the most of them
+    int messages = 0;                   ///< of the validation layer, where the device has it, while the story ran
 
     /// Within its bounds, and the layer silent.
     [[nodiscard]] bool pass() const;
@@ -37,7 +37,7 @@ struct ParitySettings {
     std::function<bool()> stopped{};
 };
 
-/// The error names the story and what failed: a wind that was refused, a call of the device.
+/// The error names the story and what failed: a wind that was rejected, a call of the device.
 [[nodiscard]] Result<ParityResult> run_parity(vulkan::OwnDevice& device, const ParityStory& story,
                                               const ParitySettings& settings = {});
 

@@ -24,10 +24,11 @@ ParityStory walk(glm::ivec3 cells) {
     const glm::dvec3 centre(0.0, 0.5 * cells.y, 0.0);
     const auto at = [&](double x, double y, double z) { return place(cells, centre, {x, y, z}); };
     return {.name = named("walk", cells),
-            .text = "open sides over a floor with plants, profile, gusts, a fan, a whirl and a jet; the box follows a runner, "
-                    "the wind turns",
+            .text =
+                "open boundaries over a floor with plants, profile, gusts, a fan, a whirl and a jet; the box follows a runner, "
+                "the wind turns",
             .config = {.cells = cells,
-                       .sides = Sides::open_over_floor(),
+                       .boundaries = Boundaries::open_over_floor(),
                        .centre = centre,
                        .ambient = {4.0f, 0.0f, 1.5f},
                        .profile = LogProfile{},
@@ -40,22 +41,22 @@ ParityStory walk(glm::ivec3 cells) {
             .changes = {{.step = 45, .what = StoryChange::Ambient{{2.0f, 0.0f, 3.0f}}}}};
 }
 
-Sides mixed_sides() {
-    Sides sides;
-    sides.x_low.kind = SideKind::free_slip;
-    sides.y_low.kind = sides.y_high.kind = SideKind::periodic;
-    sides.z_high = {SideKind::no_slip, {1.0f, 0.0f, 0.0f}};
-    return sides;
+Boundaries mixed_sides() {
+    Boundaries boundaries;
+    boundaries.x_low.kind = BoundaryKind::free_slip;
+    boundaries.y_low.kind = boundaries.y_high.kind = BoundaryKind::periodic;
+    boundaries.z_high = {BoundaryKind::no_slip, {1.0f, 0.0f, 0.0f}};
+    return boundaries;
 }
 
 ParityStory mixed(glm::ivec3 cells) {
     const auto at = [&](double x, double y, double z) { return place(cells, glm::dvec3(0.0), {x, y, z}); };
-    Sides later = mixed_sides();
-    later.y_low.kind = SideKind::no_slip;
-    later.y_high.kind = SideKind::open;
+    Boundaries later = mixed_sides();
+    later.y_low.kind = BoundaryKind::no_slip;
+    later.y_high.kind = BoundaryKind::open;
     return {.name = named("mixed", cells),
             .text = "a wall that slips, one that drags, a periodic pair that becomes a floor; a vent, a blast, a wake",
-            .config = {.cells = cells, .sides = mixed_sides(), .ambient = {0.0f, 1.0f, 0.0f}, .viscosity = 1e-3f},
+            .config = {.cells = cells, .boundaries = mixed_sides(), .ambient = {0.0f, 1.0f, 0.0f}, .viscosity = 1e-3f},
             .motors = {{.motor = OmniMotor{.position = at(0.6, 0.5, 0.4), .speed = 3.0f}},
                        {.motor = PressureMotor{.position = at(0.3, 0.4, 0.6), .speed = 6.0f}},
                        {.motor = WakeMotor{.position = at(0.2, 0.5, 0.3), .radius = 1.0f}, .velocity = {3.0, 0.0, 1.0}}},
@@ -70,15 +71,15 @@ ParityStory small(const char* name, const char* text) {
 
 ParityStory viscous_walls() {
     ParityStory story = small("viscous_walls", "walls all round, one that moves, a viscosity that needs the direct solve");
-    story.config.sides = Sides::all(SideKind::no_slip);
-    story.config.sides.y_high.wall_velocity = {3.0f, 0.0f, 0.0f};
+    story.config.boundaries = Boundaries::all(BoundaryKind::no_slip);
+    story.config.boundaries.y_high.wall_velocity = {3.0f, 0.0f, 0.0f};
     story.config.viscosity = 20.0f;
     story.motors = {{.motor = DirectionalMotor{.direction = {0.0f, 0.0f, 1.0f}}}};
     return story;
 }
 
 ParityStory stable_fluids() {
-    ParityStory story = small("stable_fluids", "the classic scheme, open sides, a dust devil");
+    ParityStory story = small("stable_fluids", "the classic scheme, open boundaries, a dust devil");
     story.config.ambient = {2.0f, 0.0f, 1.0f};
     story.config.scheme = Scheme::stable_fluids;
     story.motors = {{.motor = VortexMotor{.radius = 4.0f, .lift = 0.5f}}};

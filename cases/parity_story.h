@@ -26,7 +26,7 @@ struct StoryChange {
         glm::dvec3 by; ///< [m] of the point that the box follows
     };
     int step = 0;
-    std::variant<Ambient, FollowJump, Sides, Gusts> what{};
+    std::variant<Ambient, FollowJump, Boundaries, Gusts> what{};
 };
 
 struct ParityStory {

@@ -1,6 +1,6 @@
 // The pressure: a Poisson equation whose solution is known.
 //
-// L phi = lap(f), f a product of waves that obey each axis' pair of ends: 0 at the ghosts beyond open sides, of slope 0 at walls.
+// L phi = lap(f), f a product of waves that obey each axis' pair of ends: 0 at the ghosts beyond open boundaries, of slope 0 at walls.
 // Such ghosts make these waves the grid's own, so that a wave k of f comes out times k^2 / sum (2 / h sin(k h / 2))^2: phi - f has a closed
 // form and falls as h^2.
 // Based on: Roache 2002, Journal of Fluids Engineering 124 (manufactured solutions).
@@ -11,8 +11,8 @@
 namespace windrow::cases {
 namespace {
 
-constexpr SideKind k_open = SideKind::open, k_slip = SideKind::free_slip, k_rough = SideKind::no_slip;
-constexpr Ends k_periodic{SideKind::periodic, SideKind::periodic};
+constexpr BoundaryKind k_open = BoundaryKind::open, k_slip = BoundaryKind::free_slip, k_rough = BoundaryKind::no_slip;
+constexpr Ends k_periodic{BoundaryKind::periodic, BoundaryKind::periodic};
 
 struct Mix {
     const char* name;
@@ -20,10 +20,10 @@ struct Mix {
     std::array<Ends, 3> ends;
 };
 constexpr Mix k_mixes[] = {
-    {"poisson_open", "all sides open", {{{k_open, k_open}, {k_open, k_open}, {k_open, k_open}}}},
+    {"poisson_open", "all boundaries open", {{{k_open, k_open}, {k_open, k_open}, {k_open, k_open}}}},
     {"poisson_closed", "walls all round", {{{k_slip, k_rough}, {k_slip, k_slip}, {k_rough, k_rough}}}},
-    {"poisson_periodic", "all sides periodic", {{k_periodic, k_periodic, k_periodic}}},
-    {"poisson_over_floor", "sides open over a floor", {{{k_open, k_open}, {k_slip, k_open}, {k_open, k_open}}}},
+    {"poisson_periodic", "all boundaries periodic", {{k_periodic, k_periodic, k_periodic}}},
+    {"poisson_over_floor", "boundaries open over a floor", {{{k_open, k_open}, {k_slip, k_open}, {k_open, k_open}}}},
     {"poisson_mixed",
      "a wall facing an open side, periodic y, an open side facing a wall",
      {{{k_slip, k_open}, k_periodic, {k_open, k_rough}}}}};
@@ -53,10 +53,10 @@ constexpr glm::ivec3 k_metres(9, 5, 11);
 Box poisson_box(const Mix& mix, int size) {
     return {.cells = size * k_metres,
             .cell_size = static_cast<float>(1.0 / size),
-            .sides = sides_of(mix.ends[0], mix.ends[1], mix.ends[2])};
+            .boundaries = sides_of(mix.ends[0], mix.ends[1], mix.ends[2])};
 }
 
-// Where an axis' waves begin and how long they are [m]: beyond an open side they reach half a cell out of the box.
+// Where an axis' waves begin and how long they are [m]: beyond an open boundary they reach half a cell out of the box.
 struct Span {
     double begin, length;
     Span(const Mix& mix, int axis, int size) {
@@ -145,19 +145,20 @@ VerifyRow on_grid(const VerifySetting& setting, int size) {
 std::vector<VerifyCase> poisson_cases() {
     std::vector<VerifyCase> cases;
     for (const Mix& mix : k_mixes)
-        cases.push_back({.name = mix.name,
-                         .what = std::string("The pressure of a known right side, ") + mix.words +
-                                 ", odd numbers of cells; error of the pressure.",
-                         .source = "a product of waves that obey the sides: manufactured as in Roache 2002, J. Fluids Eng. 124",
-                         .reason = "the error that the waves' closed form gives, and a thousandth more; of order 2 in cells over "
-                                   "the waves' length, which is up to a cell more than the box's: 1.78 from 5 cells to 15",
-                         .least_order = Span(mix, 0, 1).length + Span(mix, 2, 1).length > k_metres.x + k_metres.z ? 1.75 : 1.9,
-                         .runs_on = RunsOn::cpu,
-                         .sizes = {1, 3, 9},
-                         .run = [mix](const VerifySetting& setting, int size) { return manufactured(setting, mix, size); }});
+        cases.push_back(
+            {.name = mix.name,
+             .what = std::string("The pressure of a known right side, ") + mix.words +
+                     ", odd numbers of cells; error of the pressure.",
+             .source = "a product of waves that obey the boundaries: manufactured as in Roache 2002, J. Fluids Eng. 124",
+             .reason = "the error that the waves' closed form gives, and a thousandth more; of order 2 in cells over "
+                       "the waves' length, which is up to a cell more than the box's: 1.78 from 5 cells to 15",
+             .min_order = Span(mix, 0, 1).length + Span(mix, 2, 1).length > k_metres.x + k_metres.z ? 1.75 : 1.9,
+             .runs_on = RunsOn::cpu,
+             .sizes = {1, 3, 9},
+             .run = [mix](const VerifySetting& setting, int size) { return manufactured(setting, mix, size); }});
     cases.push_back({.name = "poisson_on_grid",
                      .what = "The pressures of the other Poisson cases beside the grid's own solutions; worst error of the "
-                             "pressure over all sides.",
+                             "pressure over all boundaries.",
                      .source = "k^2 / sum (2 / h sin(k h / 2))^2 times each wave, written out",
                      .reason = "a direct solve is exact but for rounding, which the longest waves amplify: measured to 2.2e-6, "
                                "twice as much is admitted",

@@ -45,7 +45,7 @@ VerifyRow forced_flow(const VerifySetting& setting, int size) {
     const MotorId motor = *wind->motors().add(forced.motor(0.0, height));
     VerifyRow row{.cells = box.cells};
     for (int step = 0; step < size; ++step) {
-        // As it is in the middle of the step. Accepted once, it is accepted elsewhere: nothing to refuse.
+        // As it is in the middle of the step. Accepted once, it is accepted elsewhere: nothing to reject.
         static_cast<void>(wind->motors().set(motor, forced.motor(k_end * (step + 0.5) / size, height)));
         row.cfl = worse(row.cfl, wind->step(k_end / size).cfl);
     }
@@ -64,7 +64,7 @@ std::vector<VerifyCase> spectral_cases() {
          .reason =
              "0.033 at 32 cells and 0.0075 at 64 are what the method was chosen for; measured are 0.164 at 16, of which a fifth "
              "more is admitted; of order 2",
-         .least_order = 1.9,
+         .min_order = 1.9,
          .sizes = {16, 32, 64},
          .run = taylor_green_3d},
         {.name = "forced_flow",
@@ -75,7 +75,7 @@ std::vector<VerifyCase> spectral_cases() {
              "half of a force acts where the air departs, half where it arrives, which is of order 2; measured are 0.0203 at 32 "
              "cells, of which a fifth more is admitted, falling as h^2",
          .guards = true,
-         .least_order = 1.9,
+         .min_order = 1.9,
          .sizes = {32, 64, 128},
          .run = forced_flow},
     };

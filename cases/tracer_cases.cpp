@@ -63,10 +63,11 @@ VerifyRow carry(const VerifySetting& setting, const Box& box, const Journey& jou
     return row;
 }
 
-Box square(int size, SideKind sides) {
+Box square(int size, BoundaryKind boundaries) {
     return {.cells = {size, size, 1},
             .cell_size = static_cast<float>(1.0 / size),
-            .sides = sides_of({sides, sides}, {sides, sides}, {SideKind::periodic, SideKind::periodic})};
+            .boundaries =
+                sides_of({boundaries, boundaries}, {boundaries, boundaries}, {BoundaryKind::periodic, BoundaryKind::periodic})};
 }
 
 double distance(glm::dvec3 x, double to_x, double to_y) {
@@ -81,7 +82,7 @@ int gaussian_steps(int size) {
 VerifyRow gaussian(const VerifySetting& setting, int size, int steps, Limiter limiter) {
     const Journey journey{.end = 2.0, .steps = steps, .limiter = limiter};
     return carry(
-        setting, square(size, SideKind::periodic), journey, [](glm::dvec3, double) { return glm::dvec3(1.0, 0.5, 0.0); },
+        setting, square(size, BoundaryKind::periodic), journey, [](glm::dvec3, double) { return glm::dvec3(1.0, 0.5, 0.0); },
         [](glm::dvec3 x) { return std::exp(-0.5 * std::pow(distance(x, 0.5, 0.5) / k_sigma, 2.0)); });
 }
 
@@ -109,7 +110,7 @@ VerifyRow gaussian_in(const VerifySetting& setting, int size, int steps) {
 template <class Value>
 VerifyRow turn(const VerifySetting& setting, int size, Norm norm, Value&& value) {
     return carry(
-        setting, square(size, SideKind::open), {.end = 1.0, .steps = 4 * size, .norm = norm},
+        setting, square(size, BoundaryKind::open), {.end = 1.0, .steps = 4 * size, .norm = norm},
         [](glm::dvec3 x, double) { return 2.0 * k_pi * glm::dvec3(0.5 - x.y, x.x - 0.5, 0.0); }, value);
 }
 
@@ -127,7 +128,7 @@ VerifyRow slotted_disc(const VerifySetting& setting, int size) {
 VerifyRow deformation(const VerifySetting& setting, int size) {
     constexpr double k_period = 1.5;
     return carry(
-        setting, square(size, SideKind::periodic), {.end = k_period, .steps = 2 * size, .blow = Blow::changing},
+        setting, square(size, BoundaryKind::periodic), {.end = k_period, .steps = 2 * size, .blow = Blow::changing},
         [](glm::dvec3 x, double t) {
             const double sx = std::sin(k_pi * x.x), sy = std::sin(k_pi * x.y);
             return std::cos(k_pi * t / k_period) *
@@ -152,7 +153,7 @@ std::vector<VerifyCase> tracer_cases() {
                  "scalar.",
          .source = "uniform translation: the truth is the start",
          .reason = "the error that the closed form gives for its waves, and a hundredth more; of order 3, as the weights are",
-         .least_order = 2.9,
+         .min_order = 2.9,
          .runs_on = RunsOn::cpu,
          .sizes = {64, 128, 256},
          .run = [](const VerifySetting& setting, int size) { return gaussian_in(setting, size, gaussian_steps(size)); }},
@@ -162,7 +163,7 @@ std::vector<VerifyCase> tracer_cases() {
          .source = "uniform translation: the truth is the start",
          .reason = "the error that the closed form gives for its waves, and a hundredth more and 1e-6 for rounding; of order 4, "
                    "since the steps do not grow in number",
-         .least_order = 3.9,
+         .min_order = 3.9,
          .runs_on = RunsOn::cpu,
          .sizes = {64, 128, 256},
          .run = [](const VerifySetting& setting, int size) { return gaussian_in(setting, size, 192); }},
@@ -172,7 +173,7 @@ std::vector<VerifyCase> tracer_cases() {
          .source = "uniform translation: the truth is the start",
          .reason = "the error that the closed form gives for its waves, and a hundredth more and 1e-6 for rounding; of order 3, "
                    "since what a step takes off falls with the part of a cell that it carries",
-         .least_order = 2.9,
+         .min_order = 2.9,
          .runs_on = RunsOn::cpu,
          .sizes = {64, 128, 256},
          .run = [](const VerifySetting& setting, int size) { return gaussian_in(setting, size, 2048); }},
@@ -182,7 +183,7 @@ std::vector<VerifyCase> tracer_cases() {
          .reason = "the clamp cuts the crest, which costs some of the order 3; measured are 1.13e-2 at 64 cells, of which a "
                    "fifth more is admitted, falling as h^2.5",
          .guards = true,
-         .least_order = 2.5,
+         .min_order = 2.5,
          .runs_on = RunsOn::cpu,
          .sizes = {64, 128, 256},
          .run = bounded([](const VerifySetting& setting,
@@ -194,7 +195,7 @@ std::vector<VerifyCase> tracer_cases() {
          .reason = "9/8 is the order of a kink (Brenner, Thomee & Wahlbin 1975); measured are 0.070 at 64 cells, of which a "
                    "fifth more is admitted, falling as h^1.1",
          .guards = true,
-         .least_order = 1.1,
+         .min_order = 1.1,
          .runs_on = RunsOn::cpu,
          .sizes = {64, 128, 256},
          .run = bounded(rotating_cone, 0.084, 64, 1.1)},
@@ -205,7 +206,7 @@ std::vector<VerifyCase> tracer_cases() {
                    "edges wide make it 0.6 to 0.74, measured to 640 cells; 0.56 at 64 cells, of which a fifth more is admitted, "
                    "falling as h^0.6",
          .guards = true,
-         .least_order = 0.6,
+         .min_order = 0.6,
          .runs_on = RunsOn::cpu,
          .sizes = {64, 128, 256},
          .run = bounded(slotted_disc, 0.67, 64, 0.6)},
@@ -215,7 +216,7 @@ std::vector<VerifyCase> tracer_cases() {
          .reason = "15/8 is the order of the hump, whose curvature jumps at its rim (Brenner, Thomee & Wahlbin 1975); measured "
                    "are 0.113 at 64 cells, of which a fifth more is admitted, falling as h^1.85",
          .guards = true,
-         .least_order = 1.85,
+         .min_order = 1.85,
          .runs_on = RunsOn::cpu,
          .sizes = {64, 128, 256},
          .run = bounded(deformation, 0.136, 64, 1.85)},

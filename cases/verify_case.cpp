@@ -71,8 +71,8 @@ VerifiedRow judge(const VerifyCase& one, const VerifiedCase& verified, std::size
     const double order = std::log(coarser->row.error / row.error) / std::log(refined);
     if (std::isfinite(order))
         judged.order = order;
-    if (one.least_order > 0.0 && row.error > 0.0)
-        judged.pass = judged.pass && order >= one.least_order;
+    if (one.min_order > 0.0 && row.error > 0.0)
+        judged.pass = judged.pass && order >= one.min_order;
     return judged;
 }
 

@@ -68,7 +68,7 @@ struct VerifyCase {
     std::string reason; ///< why these bounds
     /// Its bounds only guard against change: figures of this library and a fifth more. What holds it to the truth is the order.
     bool guards = false;
-    double least_order = 0.0; ///< between neighbouring resolutions; 0: none is asked, since the error is rounding
+    double min_order = 0.0; ///< between neighbouring resolutions; 0: none is asked, since the error is rounding
     RunsOn runs_on = RunsOn::all;
     std::vector<int> sizes{}; ///< resolutions, coarse to fine: the cell is as 1 / size
     std::function<VerifyRows(const VerifySetting& setting, int size)> run{};

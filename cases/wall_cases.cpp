@@ -24,20 +24,20 @@ struct Channel {
     int across, along;
 };
 
-Channel channel_of(int size, double width, int across, SideKind high) {
+Channel channel_of(int size, double width, int across, BoundaryKind high) {
     Channel channel{.box = periodic_box(glm::ivec3(1), width / size), .across = across, .along = (across + 1) % 3};
     channel.box.cells[across] = size;
-    side_of(channel.box.sides, across, 0).kind = SideKind::no_slip;
-    side_of(channel.box.sides, across, 1).kind = high;
+    side_of(channel.box.boundaries, across, 0).kind = BoundaryKind::no_slip;
+    side_of(channel.box.boundaries, across, 1).kind = high;
     return channel;
 }
 
-Sides sides_sliding(const Channel& channel, double low, double high) {
-    Sides sides = channel.box.sides;
-    side_of(sides, channel.across, 0).wall_velocity[channel.along] = static_cast<float>(low);
+Boundaries sides_sliding(const Channel& channel, double low, double high) {
+    Boundaries boundaries = channel.box.boundaries;
+    side_of(boundaries, channel.across, 0).wall_velocity[channel.along] = static_cast<float>(low);
     if (high != 0.0)
-        side_of(sides, channel.across, 1).wall_velocity[channel.along] = static_cast<float>(high);
-    return sides;
+        side_of(boundaries, channel.across, 1).wall_velocity[channel.along] = static_cast<float>(high);
+    return boundaries;
 }
 
 double couette_at(double y, double t) {
@@ -80,8 +80,8 @@ VerifyRow couette(const VerifySetting& setting, int size, double ratio, double e
     VerifyRow row{.cells = {1, size, 1}};
     double squares = 0.0;
     for (int across = 0; across < 3; ++across) {
-        Channel channel = channel_of(size, 1.0, across, SideKind::no_slip);
-        channel.box.sides = sides_sliding(channel, 0.0, 1.0);
+        Channel channel = channel_of(size, 1.0, across, BoundaryKind::no_slip);
+        channel.box.boundaries = sides_sliding(channel, 0.0, 1.0);
         OneStage diffusion = OneStage::diffusion(channel.box, 1.0, setting);
         CellVelocities now(channel.box.cell_count(), glm::vec4(0.0f));
         for (int step = 0; step < steps; ++step)
@@ -129,7 +129,7 @@ VerifyRow stokes(const VerifySetting& setting, int size, double ratio, Diffusion
     double squares = 0.0;
     int count = 0;
     for (int across = 0; across < 3; ++across) {
-        const Channel channel = channel_of(size, k_width, across, SideKind::free_slip);
+        const Channel channel = channel_of(size, k_width, across, BoundaryKind::free_slip);
         OneStage diffusion = OneStage::diffusion(channel.box, k_viscosity, setting);
         const auto exact = [&](glm::dvec3 x, double t) {
             glm::dvec3 u(0.0);
@@ -140,7 +140,7 @@ VerifyRow stokes(const VerifySetting& setting, int size, double ratio, Diffusion
         for (int step = 0; step < steps; ++step) {
             // The wall as it is at the time whose neighbours the method reads: the old one in one pass, the new one implicitly.
             const double t = (method == DiffusionMethod::one_pass ? step : step + 1) * dt;
-            diffusion.set_sides(sides_sliding(channel, std::cos(k_frequency * t), 0.0));
+            diffusion.set_boundaries(sides_sliding(channel, std::cos(k_frequency * t), 0.0));
             diffusion.run(now, static_cast<float>(dt));
         }
         visit_cells(channel.box, [&](std::size_t n, glm::dvec3 x) {
@@ -174,7 +174,7 @@ std::vector<VerifyCase> wall_cases() {
              .source = "Schlichting & Gersten 2017, Boundary-Layer Theory: unsteady Couette flow as a Fourier series",
              .reason = "the error of the grid's own solution, mode by mode, a hundredth more, and 3e-6 for the rounding of 5,000 "
                        "steps; of order 2",
-             .least_order = 1.9,
+             .min_order = 1.9,
              .sizes = {16, 32, 64},
              .run = [steps](const VerifySetting& setting, int size) {
                  VerifyRow row = couette(setting, size, steps.couette_ratio, 0.1);
@@ -187,7 +187,7 @@ std::vector<VerifyCase> wall_cases() {
                      " steps; error within four depths over the wall's speed.",
              .source = "Stokes 1851, Trans. Cambridge Philos. Soc. 9 (second problem); Schlichting & Gersten 2017",
              .reason = "the error of the grid's own swing, and a fifth more for what is left of the start; of order 2",
-             .least_order = 1.9,
+             .min_order = 1.9,
              .sizes = {16, 32, 64},
              .run = [steps](const VerifySetting& setting, int size) {
                  return stokes(setting, size, steps.stokes_ratio, steps.method);

@@ -123,7 +123,7 @@ std::vector<VerifyCase> wave_cases() {
          .what = "Two waves that cross the box once, along each axis, as a velocity and as a scalar; worst |amplitude - 1|.",
          .source = "Staniforth & Cote 1991, Mon. Weather Rev. 119; the truth is the wave at its start",
          .reason = "the error that the closed form gives, and a hundredth more; of order 3, as the weights are",
-         .least_order = 2.9,
+         .min_order = 2.9,
          .runs_on = RunsOn::cpu,
          .sizes = {40, 80, 160},
          .run = fourier_transit},

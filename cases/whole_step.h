@@ -10,10 +10,10 @@ namespace windrow::cases {
 
 /// No settling, no sub-steps; the box's low corner lies at the origin.
 inline Config raw_config(const Box& box, double viscosity, const VerifySetting& setting) {
-    Config config{.cells = box.cells, .cell_size = box.cell_size, .sides = box.sides};
+    Config config{.cells = box.cells, .cell_size = box.cell_size, .boundaries = box.boundaries};
     config.centre = 0.5 * static_cast<double>(box.cell_size) * glm::dvec3(box.cells);
     config.viscosity = static_cast<float>(viscosity);
-    config.settling_time = 0.0f;
+    config.relaxation_time = 0.0f;
     config.max_cfl = 1e5f;
     config.max_substeps = 1;
     config.simd = setting.simd;

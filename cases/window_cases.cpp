@@ -1,4 +1,4 @@
-// What open sides cost: a small window that follows a player, beside the same air in a grid so large that its sides are far; and
+// What open boundaries cost: a small window that follows a player, beside the same air in a grid so large that its sides are far; and
 // a vortex that blows out.
 //
 //   window   32 x 16 x 32 cells of 1 m that walk at 1.4 m/s through a wind of 2 m/s past motors, beside 96 x 48 x 96 cells that
@@ -24,7 +24,7 @@ namespace {
 enum class Stir { fans, vent };
 
 void stir(BackendWind& wind, Stir kind) {
-    // Motors that are known to be legal: nothing to refuse.
+    // Motors that are known to be legal: nothing to reject.
     if (kind == Stir::vent) {
         static_cast<void>(wind.motors().add(OmniMotor{.position = {0.0, 1.0, 2.0}, .radius = 2.0f, .speed = 5.0f}));
         return;
@@ -61,7 +61,7 @@ VerifyRows window_in_large_grid(const VerifySetting& setting, int size) {
     for (const Stir kind : {Stir::fans, Stir::vent}) {
         Config config{.cells = {size, size / 2, size}, .ambient = {2.0f, 0.0f, 0.0f}};
         config.viscosity = 0.0f;
-        config.settling_time = 0.0f;
+        config.relaxation_time = 0.0f;
         config.simd = setting.simd;
         config.parallel_for = setting.parallel_for;
         const auto window = wind_of(config, setting);
@@ -107,8 +107,8 @@ VerifyRows vortex_leaves(const VerifySetting& setting, int size) {
     std::vector<VerifyRow> rows;
     for (const double share : {0.25, 1.0}) {
         Box box = periodic_box({size, size, 1}, k_width / size);
-        box.sides = sides_of({SideKind::open, SideKind::open}, {SideKind::open, SideKind::open},
-                             {SideKind::periodic, SideKind::periodic});
+        box.boundaries = sides_of({BoundaryKind::open, BoundaryKind::open}, {BoundaryKind::open, BoundaryKind::open},
+                                  {BoundaryKind::periodic, BoundaryKind::periodic});
         Config config = raw_config(box, 0.0, setting);
         config.ambient = {static_cast<float>(k_speed), 0.0f, 0.0f};
         const auto wind = wind_of(config, setting);
@@ -146,9 +146,9 @@ std::vector<VerifyCase> window_cases() {
          .what = "A window that walks through the wind past motors, beside a grid three times as wide and high that holds the "
                  "same motors; error by distance from the border, over the motors' own air there.",
          .source = "the same step in 96 x 48 x 96 cells that stand still",
-         .reason =
-             "what sides in free space leave, with the pressure 0 at the ghost's centre and the flow of a vent projected as if "
-             "nothing stood around it: measured with another solver, and a tenth to three fifths more",
+         .reason = "what boundaries in free space leave, with the pressure 0 at the ghost's centre and the flow of a vent "
+                   "projected as if "
+                   "nothing stood around it: measured with another solver, and a tenth to three fifths more",
          .sizes = {32},
          .run = window_in_large_grid},
         {.name = "vortex_leaves",

@@ -63,7 +63,7 @@ void Flags::values(const std::string& name, const char* type, const std::string&
 
 void Flags::threads(int& threads, const std::string& help) {
     value("--threads", "N", help,
-          [&threads](const std::string& text) { threads = static_cast<int>(read_count(text, "--threads", k_most_threads)); });
+          [&threads](const std::string& text) { threads = static_cast<int>(read_count(text, "--threads", k_max_threads)); });
 }
 
 void Flags::simd(Simd& simd, const std::string& help) {
@@ -74,8 +74,8 @@ void Flags::simd(Simd& simd, const std::string& help) {
 void Flags::seconds(double& seconds, const std::string& help) {
     value("--seconds", "S", help, [&seconds](const std::string& text) {
         const auto number = scene::parse_number(text);
-        if (!number || !(*number > 0.0 && *number <= k_most_seconds))
-            reject("--seconds is ", shown(text), ": give a number above 0, at most ", scene::figure(k_most_seconds), " s.");
+        if (!number || !(*number > 0.0 && *number <= k_max_seconds))
+            reject("--seconds is ", shown(text), ": give a number above 0, at most ", scene::figure(k_max_seconds), " s.");
         seconds = *number;
     });
 }
@@ -109,9 +109,9 @@ void Flags::backend(BackendRequest& backend) {
 void Flags::device(int& device) {
     value("--device", "N", "Vulkan device by its number in windrow info; default the first GPU",
           [&device](const std::string& text) {
-              constexpr std::int64_t k_most_devices = 64;
+              constexpr std::int64_t k_max_devices = 64;
               const auto place = scene::parse_whole_number(text);
-              if (!place || *place < 0 || *place >= k_most_devices)
+              if (!place || *place < 0 || *place >= k_max_devices)
                   reject("--device is ", shown(text), ": give a device's number in windrow info, from 0.");
               device = static_cast<int>(*place);
           });

@@ -28,9 +28,9 @@ template <class... Parts>
 }
 
 /// Most threads that a command takes; more than cores only makes them wait for each other.
-inline constexpr int k_most_threads = 256;
+inline constexpr int k_max_threads = 256;
 /// [s] The longest that a measurement is asked to take.
-inline constexpr double k_most_seconds = 3600.0;
+inline constexpr double k_max_seconds = 3600.0;
 
 /// Adds flags to a command and reads their values into places that outlive the parsing.
 class Flags {

@@ -23,7 +23,7 @@ using Clock = std::chrono::steady_clock;
 
 #if WINDROW_WITH_IMAGES
 /// More paths than this would fill the picture: then a body draws its last second only, and none before and after it acts.
-constexpr std::size_t k_most_whole_paths = 8;
+constexpr std::size_t k_max_whole_paths = 8;
 
 /// The part of a path that its body has just passed.
 Trail fresh_trail_of(const std::string& name, const scene::ScenePath& path, double time) {
@@ -38,9 +38,9 @@ Trail fresh_trail_of(const std::string& name, const scene::ScenePath& path, doub
 
 /// A path as the pictures draw it; a recording of an hour is thinned to what a picture can show.
 Trail trail_of(const std::string& name, const scene::ScenePath& path, double time) {
-    constexpr std::size_t k_most_drawn = 2000;
+    constexpr std::size_t k_max_drawn = 2000;
     const auto& points = path.path.points();
-    const std::size_t stride = points.size() / k_most_drawn + 1;
+    const std::size_t stride = points.size() / k_max_drawn + 1;
     Trail trail{.name = name, .points = {}, .now = path.path.at(time), .followed = false};
     for (std::size_t i = 0; i < points.size(); i += stride)
         trail.points.push_back(points[i].position);
@@ -78,7 +78,7 @@ Fault FrameWriter::write_picture([[maybe_unused]] const Playback& playback, [[ma
     const auto begin = Clock::now();
     const double time = playback.time();
     const std::vector<Playback::ActingMotor> acting = playback.acting();
-    const bool many = scene_->paths.size() > k_most_whole_paths;
+    const bool many = scene_->paths.size() > k_max_whole_paths;
     std::vector<Trail> trails;
     for (std::size_t i = 0; i < scene_->paths.size(); ++i) {
         const auto* followed = std::get_if<std::size_t>(&scene_->follow);
@@ -144,8 +144,8 @@ Fault FrameWriter::write_contact_sheet() {
     if (pictures_.empty())
         return {};
     const auto begin = Clock::now();
-    constexpr std::size_t k_most_on_sheet = 12;
-    const std::size_t count = std::min(k_most_on_sheet, pictures_.size());
+    constexpr std::size_t k_max_on_sheet = 12;
+    const std::size_t count = std::min(k_max_on_sheet, pictures_.size());
     std::vector<std::filesystem::path> chosen;
     for (std::size_t i = 0; i < count; ++i)
         chosen.push_back(pictures_[count == 1 ? 0 : i * (pictures_.size() - 1) / (count - 1)]);

@@ -65,7 +65,7 @@ Fault OutputFolder::open(const std::filesystem::path& folder) {
         return {message(folder.string(),
                         ": another windrow writes into this folder: wait for it, or give another folder with --out.")};
     detail::clear_dead_parts(folder);
-    // Rights alone do not tell: a full disk lets a file be made and refuses its first byte.
+    // Rights alone do not tell: a full disk lets a file be made and rejects its first byte.
     detail::NewFile trial(folder / ".windrow-trial");
     const char block[4096] = {};
     trial.sputn(block, sizeof block);

@@ -22,7 +22,7 @@ namespace {
 
 using detail::message;
 
-/// Refuses a flag whose part was not built in, before anything else is done.
+/// Rejects a flag whose part was not built in, before anything else is done.
 bool check_parts(const RunRequest& request, const Console& console) {
     bool good = true;
     const auto lacks = [&](bool wanted, bool built, const char* flag, const char* what, const char* option,
@@ -104,7 +104,7 @@ void add_run(CLI::App& app, std::function<int()>& chosen, const Console& console
                })
         ->required();
     flags.value("--frames", "N", "Frames to make, from time 0, whatever the scene's duration",
-                [request](const std::string& text) { request->frames = read_count(text, "--frames", scene::k_most_frames); });
+                [request](const std::string& text) { request->frames = read_count(text, "--frames", scene::k_max_frames); });
     flags.folder("--out", request->out, "Folder for what is kept; default out/<scene name>");
     flags.threads(request->threads, "Threads; default one a core; results do not depend on it");
     flags.simd(request->simd, "levels differ by rounding");
@@ -130,9 +130,9 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
     if (!check_memory(*scene, console))
         return k_exit_machine;
     const std::int64_t frames = request.frames.value_or(scene->frame_count());
-    if (scene->tick_of_frame(frames - 1) > scene::k_most_ticks) {
+    if (scene->tick_of_frame(frames - 1) > scene::k_max_ticks) {
         console.complain(message("--frames is ", frames, ", ", scene->tick_of_frame(frames - 1),
-                                 " ticks of the scene: give at most ", scene::k_most_ticks, " ticks."));
+                                 " ticks of the scene: give at most ", scene::k_max_ticks, " ticks."));
         return k_exit_wrong_use;
     }
     cases::Backend backend;

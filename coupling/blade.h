@@ -30,9 +30,9 @@ struct BladeSettings {
     float taper = 2.0f;
     float along_wind = 1.0f;
     float stiffness_spread = 0.3f;
-    float own_bend = 0.5f;
-    float own_bend_spread = 0.3f;
-    float own_curve = 0.5f;
+    float rest_bend = 0.5f;
+    float rest_bend_spread = 0.3f;
+    float rest_curve = 0.5f;
     float view_bend = 0.0f;
 
     static constexpr auto settings() {
@@ -54,10 +54,10 @@ struct BladeSettings {
                 "what a stem and a twisted blade do."),
             Setting("stiffness_spread", &BladeSettings::stiffness_spread, {0.0, 0.9},
                     "Fraction by which stiffness varies, so that no two blades move as one."),
-            Setting("own_bend", &BladeSettings::own_bend, {-3.0, 3.0, "rad"},
+            Setting("rest_bend", &BladeSettings::rest_bend, {-3.0, 3.0, "rad"},
                     "Bend of the tip at rest, toward the face. 0 stands straight."),
-            Setting("own_bend_spread", &BladeSettings::own_bend_spread, {0.0, 3.0, "rad"}, "By which the own bend varies."),
-            Setting("own_curve", &BladeSettings::own_curve, k_fraction_range,
+            Setting("rest_bend_spread", &BladeSettings::rest_bend_spread, {0.0, 3.0, "rad"}, "By which the own bend varies."),
+            Setting("rest_curve", &BladeSettings::rest_curve, k_fraction_range,
                     "Where it bends by itself: 0 an even arc, 1 all at the tip."),
             Setting(
                 "view_bend", &BladeSettings::view_bend, {0.0, 3.0, "rad"},
@@ -80,7 +80,7 @@ static_assert(sizeof(BladeBlock) == 64);
 /// A class of blades. Small; copy it.
 class Blades {
   public:
-    /// Refuses what `validate` refuses, with every reason.
+    /// Rejects what `validate` rejects, with every reason.
     [[nodiscard]] static Result<Blades> create(const BladeSettings& settings);
 
     [[nodiscard]] const BladeSettings& settings() const { return settings_; }
@@ -96,7 +96,7 @@ class Blades {
                                      glm::vec3 view = {0.0f, 0.0f, 1.0f}) const;
 
     /// `load` for many: keys, winds and loads have one entry a blade; of vec4 the first three count. The result does not depend
-    /// on the number of threads. Refuses spans of different sizes and touches nothing then.
+    /// on the number of threads. Rejects spans of different sizes and touches nothing then.
     Result<void> loads(std::span<const PlantKey> keys, std::span<const glm::vec4> winds, std::span<glm::vec4> loads,
                        const ParallelFor& parallel_for = {}) const;
 
@@ -106,7 +106,7 @@ class Blades {
         std::span<glm::vec4> normals;   ///< xyz unit vectors, w 0; empty: not wanted
     };
     /// Vertices of many blades: `heights` of the rows, 0 to 1, two vertices each. `roots` [m], `loads` [rad] and keys have one
-    /// entry a blade; positions (and normals) have blades * rows * 2. Refuses sizes that do not fit and heights outside 0 to 1.
+    /// entry a blade; positions (and normals) have blades * rows * 2. Rejects sizes that do not fit and heights outside 0 to 1.
     Result<void> vertices(std::span<const PlantKey> keys, std::span<const glm::vec4> roots, std::span<const glm::vec4> loads,
                           std::span<const float> heights, const Vertices& out, glm::vec3 view = {0.0f, 0.0f, 1.0f},
                           const ParallelFor& parallel_for = {}) const;

@@ -103,7 +103,7 @@ Result<void> Cascade::move(glm::dvec3 offset) {
     return {};
 }
 
-// As windrow_cascade_stage, windrow_cascade_share and windrow_pose_between, in double.
+// As windrow_cascade_stage, windrow_cascade_fraction and windrow_pose_between, in double.
 Pose Cascade::read(const Row& row, double height) const {
     const double at = std::clamp(height >= 0.0 ? height : 0.0, 0.0, 1.0) * config_.stages;
     const auto low = std::min(static_cast<std::size_t>(at), static_cast<std::size_t>(config_.stages) - 1);

@@ -48,9 +48,9 @@ struct CascadeConfig {
     }
 };
 
-/// Refuses stages or lag out of range.
+/// Rejects stages or lag out of range.
 [[nodiscard]] Result<void> validate(const CascadeConfig& config);
-/// Refuses what is not finite, a rotation of length 0, a scale that is not above 0.
+/// Rejects what is not finite, a rotation of length 0, a scale that is not above 0.
 [[nodiscard]] Result<void> validate(const Pose& pose);
 
 class Cascade {
@@ -58,12 +58,12 @@ class Cascade {
     /// All stages rest at the body.
     [[nodiscard]] static Result<Cascade> create(const CascadeConfig& config, const Pose& body);
 
-    /// The body has moved to `body` within `duration` [s], 0 or more. Refuses a pose or a duration that is no such thing; nothing
+    /// The body has moved to `body` within `duration` [s], 0 or more. Rejects a pose or a duration that is no such thing; nothing
     /// has changed then. Does not allocate.
     Result<void> advance(double duration, const Pose& body);
-    /// A teleport: all stages at the body, at rest, with no motion vector. Refuses as `validate`.
+    /// A teleport: all stages at the body, at rest, with no motion vector. Rejects as `validate`.
     Result<void> reset(const Pose& body);
-    /// A teleport that takes the lag along: all positions, the last frame's too, move by `offset` [m]. Refuses what is not
+    /// A teleport that takes the lag along: all positions, the last frame's too, move by `offset` [m]. Rejects what is not
     /// finite.
     Result<void> move(glm::dvec3 offset);
 

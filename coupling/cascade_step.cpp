@@ -8,7 +8,7 @@
 namespace windrow {
 namespace {
 
-constexpr int k_most_stages = 4096;
+constexpr int k_max_stages = 4096;
 constexpr double k_nothing = 1e-18; // of a weight: the sum of all that are left out stays below a double's last digit
 
 // p_j; exponent first, since e^-z alone underflows from z = 745 on.
@@ -31,8 +31,8 @@ double tail_over_weight(double z, double i) {
 } // namespace
 
 Result<CascadeStep> CascadeStep::create(int stages) {
-    if (stages < 1 || stages > k_most_stages)
-        return Error{detail::message("A cascade of ", stages, " stages is asked for: give 1 to ", k_most_stages, ".")};
+    if (stages < 1 || stages > k_max_stages)
+        return Error{detail::message("A cascade of ", stages, " stages is asked for: give 1 to ", k_max_stages, ".")};
     return detail::where_memory_lasts([&]() -> Result<CascadeStep> {
         CascadeStep step;
         step.weights_.resize(static_cast<std::size_t>(stages));

@@ -23,9 +23,9 @@ namespace windrow {
 /// The numbers of a step, the same for all rows with one rate and number of stages. Made once a frame; `set` does not allocate.
 class CascadeStep {
   public:
-    /// For `stages` of 1 to 4096; no time has passed. Refuses others.
+    /// For `stages` of 1 to 4096; no time has passed. Rejects others.
     [[nodiscard]] static Result<CascadeStep> create(int stages);
-    /// A step of `duration` [s], 0 or more, at `rate` [1/s] above 0. Refuses what is no such number.
+    /// A step of `duration` [s], 0 or more, at `rate` [1/s] above 0. Rejects what is no such number.
     Result<void> set(double rate, double duration);
 
     [[nodiscard]] int stages() const { return static_cast<int>(body_before_.size()); }
@@ -54,7 +54,7 @@ struct CascadeBatch {
 };
 
 /// Advances all rows by one step, in place, `Real` float or double; any number of threads gives the same bits. What falls below
-/// 1e-20 is 0. Refuses arrays whose lengths do not fit. In float a stage that is closer to the one before it than rounding over z
+/// 1e-20 is 0. Rejects arrays whose lengths do not fit. In float a stage that is closer to the one before it than rounding over z
 /// stays there: some 1e-5 of its size at 1000 Hz. With remainders, or in double, it does not.
 template <class Real>
 Result<void> advance_cascades(const CascadeStep& step, const CascadeBatch<Real>& batch, ParallelFor parallel_for = {});

@@ -27,7 +27,7 @@ struct Drag {
     float air_density = 1.2f;
     float vogel_exponent = 0.0f;
     float vogel_speed = 5.0f;
-    float most_bend = 1.57079633f;
+    float max_bend = 1.57079633f;
 
     static constexpr auto settings() {
         return std::tuple{
@@ -45,7 +45,7 @@ struct Drag {
                 "What the drag loses by closing up of leaves, as speed to this power beyond vogel_speed. 0: only what the bend "
                 "takes away, which makes -2/3. Crowns have -0.7 (Vogel 1989)."),
             Setting("vogel_speed", &Drag::vogel_speed, {1e-3, 1e3, "m/s"}, "Where leaves begin to turn and fold."),
-            Setting("most_bend", &Drag::most_bend, {0.0, 2.5, "rad"},
+            Setting("max_bend", &Drag::max_bend, {0.0, 2.5, "rad"},
                     "That the tip never exceeds. No wind exceeds pi/2, a spring that overshoots may; shells keep to pi/2."),
         };
     }

@@ -19,9 +19,9 @@ Result<void> validate(const GroundConfig& config) {
 
 void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const GroundConfig& config) {
     const float quarter = 0.25f * static_cast<float>(config.texels) * config.texel_size;
-    if (config.rim > quarter)
-        reasons.add(detail::FieldPath{&path, "rim"}, " is ", config.rim, " m: give at most a quarter of the window, ", quarter,
-                    " m.");
+    if (config.blend_width > quarter)
+        reasons.add(detail::FieldPath{&path, "blend_width"}, " is ", config.blend_width,
+                    " m: give at most a quarter of the window, ", quarter, " m.");
 }
 
 Result<void> validate(const GroundWalker& walker) {

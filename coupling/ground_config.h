@@ -16,13 +16,13 @@ struct GroundConfig {
     float texel_size = 0.25f;
     SpringClass spring = springs::grass;
     float push = 1.4f;
-    float trail_share = 0.5f;
+    float trail_fraction = 0.5f;
     float trail_time = 20.0f;
     float trample_time = 0.8f;
     float clearance = 0.4f;
     float rim = 2.0f;
-    float longest_stride = 20.0f;
-    int most_walkers = 64;
+    float max_stride = 20.0f;
+    int max_walkers = 64;
 
     static constexpr auto settings() {
         return std::tuple{
@@ -35,7 +35,7 @@ struct GroundConfig {
                     "Lean to which a walker of weight 1 pushes what is right beside it. pi/2 is flat, beyond points down; 1.4 is "
                     "just "
                     "short of flat."),
-            Setting("trail_share", &GroundConfig::trail_share, k_fraction_range,
+            Setting("trail_fraction", &GroundConfig::trail_fraction, k_fraction_range,
                     "Fraction of that lean that stays as a trail. 0: plants rise at once; 1: with trail_time alone."),
             Setting("trail_time", &GroundConfig::trail_time, {0.01, 1e6, "s"},
                     "In which a trail falls to 1/e. After 20 it is gone to the eye in a minute."),
@@ -45,17 +45,17 @@ struct GroundConfig {
                     "the wind."),
             Setting("clearance", &GroundConfig::clearance, {0.001, 100.0, "m"},
                     "Height of the feet at which they touch no plant more, 0.4 of knee-high grass; half of it, half the weight."),
-            Setting("rim", &GroundConfig::rim, {0.001, 12800.0, "m"},
+            Setting("blend_width", &GroundConfig::blend_width, {0.001, 12800.0, "m"},
                     "Over which the memory fades to the lean of the wind at the window's edge; at most a quarter of the window."),
-            Setting("longest_stride", &GroundConfig::longest_stride, {0.01, 1e4, "m"},
+            Setting("max_stride", &GroundConfig::max_stride, {0.01, 1e4, "m"},
                     "Who comes farther in one step was teleported and sweeps nothing. 20 is 50 m/s at 2.5 frames a second."),
-            Setting("most_walkers", &GroundConfig::most_walkers, {1.0, 256.0},
+            Setting("max_walkers", &GroundConfig::max_walkers, {1.0, 256.0},
                     "Of a step that touch the window: room on a device. Of more, the first ones count."),
         };
     }
 };
 
-/// Refuses fields out of range, each with its reason.
+/// Rejects fields out of range, each with its reason.
 [[nodiscard]] Result<void> validate(const GroundConfig& config);
 namespace detail {
 class Reasons;
@@ -75,7 +75,7 @@ struct GroundWalker {
     float weight = 1.0f; ///< 0 (nothing) to 1 (all of GroundConfig::push)
 };
 
-/// Refuses what counts and is not finite, and a radius or weight out of range.
+/// Rejects what counts and is not finite, and a radius or weight out of range.
 [[nodiscard]] Result<void> validate(const GroundWalker& walker);
 
 /// Where the lean of the wind comes from.
@@ -87,7 +87,7 @@ enum class WindLeans : std::uint8_t {
 /// What the ground is told of a step.
 struct GroundStep {
     double duration = 0.0;                   ///< [s] 0 or more
-    std::span<const GroundWalker> walkers{}; ///< the nearest first, where there may be more than GroundConfig::most_walkers
+    std::span<const GroundWalker> walkers{}; ///< the nearest first, where there may be more than GroundConfig::max_walkers
     glm::vec2 wind_lean{0.0f}; ///< [rad] bend (x and z) that the wind of now holds plants at, everywhere; within 1e3
 };
 

@@ -56,7 +56,7 @@ std::optional<numerics::WindrowWalker> GroundHost::local(const GroundWalker& wal
     };
     const glm::dvec2 to = place(walker.position);
     const glm::dvec2 stride(walker.position.x - walker.previous.x, walker.position.z - walker.previous.z);
-    const bool jumped = glm::length(stride) > static_cast<double>(config_.longest_stride);
+    const bool jumped = glm::length(stride) > static_cast<double>(config_.max_stride);
     const glm::dvec2 from = jumped ? to : place(walker.previous);
     // Each place lies within 0.71 texels of a centre; at one texel, a foot there still has a quarter of its weight.
     const double radius = std::max(static_cast<double>(walker.radius) / size, 1.0);
@@ -109,7 +109,7 @@ Result<numerics::WindrowGroundStep> GroundHost::begin(const GroundStep& step, Wi
     told.window = {config_.texels, slot.x, slot.y, static_cast<int>(walker_count_)};
     told.moved = {begun_ ? clamped(by.x) : config_.texels, begun_ ? clamped(by.y) : config_.texels,
                   leans == WindLeans::each_texel ? 1 : 0, 0};
-    told.contact = {config_.clearance, config_.push, config_.trail_share, 0.0f};
+    told.contact = {config_.clearance, config_.push, config_.trail_fraction, 0.0f};
     told.fading = glm::vec4(glm::dvec4(std::expm1(trail), std::expm1(trample), trail, trample));
     const FadingResponse rises = fading_response(config_.spring, step.duration, config_.trail_time);
     const FadingResponse released = fading_response(config_.spring, step.duration, config_.trample_time);
@@ -129,7 +129,7 @@ GroundPlaceBlock GroundHost::place_block(const Place& place, glm::dvec3 anchor) 
     GroundPlaceBlock block;
     block.corner = glm::vec4(corner.x, corner.y, size, config_.texels);
     // The point lies within half a texel of the window's middle, and the outermost centres half a texel within its edge.
-    block.rim = glm::vec4(point.x, point.y, (config_.texels / 2 - 1) * size, config_.rim);
+    block.blend_width = glm::vec4(point.x, point.y, (config_.texels / 2 - 1) * size, config_.blend_width);
     block.slot = glm::vec4(slot.x, slot.y, place.lean.x, place.lean.y);
     return block;
 }

@@ -18,7 +18,7 @@ namespace windrow::detail {
 class GroundHost {
   public:
     /// A valid config. The window lies about the origin.
-    explicit GroundHost(const GroundConfig& config) : config_(config), walkers_(static_cast<std::size_t>(config.most_walkers)) {}
+    explicit GroundHost(const GroundConfig& config) : config_(config), walkers_(static_cast<std::size_t>(config.max_walkers)) {}
 
     [[nodiscard]] const GroundConfig& config() const { return config_; }
     [[nodiscard]] std::size_t texel_count() const {
@@ -29,7 +29,7 @@ class GroundHost {
     /// [m] World place (x, z) of the texel that `slot` will hold in the next step.
     [[nodiscard]] glm::dvec2 next_centre(glm::ivec2 slot) const;
 
-    /// Moves the window and says what the texels do. Refuses what is not finite or out of range; nothing has changed then.
+    /// Moves the window and says what the texels do. Rejects what is not finite or out of range; nothing has changed then.
     [[nodiscard]] Result<numerics::WindrowGroundStep> begin(const GroundStep& step, WindLeans leans);
     /// Of the step that was begun last: those whose sweep may touch the window, the first of them where there are more than the
     /// config has room for.

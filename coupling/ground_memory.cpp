@@ -84,7 +84,7 @@ void GroundMemory::State::advance_row(const numerics::WindrowGroundStep& step, i
     const glm::ivec2 corner(step.window.y, step.window.z);
     const auto walkers = host.walkers();
     const float z = static_cast<float>(numerics::windrow_ground_in_slot({0, row}, corner, n).y) + 0.5f;
-    // Walkers whose sweep may touch the row; GroundConfig::most_walkers is 256 at most.
+    // Walkers whose sweep may touch the row; GroundConfig::max_walkers is 256 at most.
     std::uint16_t near[256];
     std::size_t near_count = 0;
     for (std::size_t w = 0; w < walkers.size(); ++w)

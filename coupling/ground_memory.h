@@ -32,17 +32,17 @@ struct GroundSample {
 
 class GroundMemory {
   public:
-    /// No trail, no trample, plants at rest. Refuses as `validate`. Threads through `parallel_for`; any number gives the same
+    /// No trail, no trample, plants at rest. Rejects as `validate`. Threads through `parallel_for`; any number gives the same
     /// bits.
     [[nodiscard]] static Result<GroundMemory> create(const GroundConfig& config, ParallelFor parallel_for = {});
 
     /// The window's middle, from the next `advance` on, to the nearest texel [m]. A point beyond the window begins anew there.
     Result<void> follow(glm::dvec3 point);
-    /// One step: the window moves, plants swing and rise, walkers push. Does not allocate. Refuses what is not finite or out of
-    /// range, with nothing changed. Of more walkers than GroundConfig::most_walkers that touch the window the first ones count.
+    /// One step: the window moves, plants swing and rise, walkers push. Does not allocate. Rejects what is not finite or out of
+    /// range, with nothing changed. Of more walkers than GroundConfig::max_walkers that touch the window the first ones count.
     Result<void> advance(const GroundStep& step);
     /// The same with a wind lean for each texel, in slots: texels x texels, x fastest; slot (i, j) will lie at next_centre({i,
-    /// j}). Outside of the window step.wind_lean holds. Refuses another number of them; a lean that is no number, or beyond 1e3,
+    /// j}). Outside of the window step.wind_lean holds. Rejects another number of them; a lean that is no number, or beyond 1e3,
     /// counts as 0.
     Result<void> advance(const GroundStep& step, std::span<const glm::vec2> wind_leans);
     /// Walkers who touched the window in the last `advance` and did not count, for lack of room.

@@ -79,7 +79,7 @@ void check_settings(detail::Reasons& reasons, const detail::FieldPath& path, con
 
 class Shells {
   public:
-    /// Refuses what `validate` refuses, with every reason.
+    /// Rejects what `validate` rejects, with every reason.
     [[nodiscard]] static Result<Shells> create(const ShellSettings& settings);
 
     [[nodiscard]] const ShellSettings& settings() const { return settings_; }
@@ -100,7 +100,7 @@ class Shells {
         std::span<const glm::vec4> positions; ///< xyz [m]; w length of strands there, 0 to 1
         std::span<const glm::vec4> normals;   ///< xyz unit vectors
     };
-    /// `load`, `bent` and `translated` for one layer of a whole mesh. Spans have one entry a vertex; refuses others and touches
+    /// `load`, `bent` and `translated` for one layer of a whole mesh. Spans have one entry a vertex; rejects others and touches
     /// nothing then. The result does not depend on the number of threads.
     Result<void> loads(const Skin& skin, std::span<const glm::vec4> winds, std::span<glm::vec4> loads,
                        const ParallelFor& parallel_for = {}) const;

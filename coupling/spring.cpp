@@ -59,7 +59,7 @@ Responses long_step(double omega, double a, double t) {
 }
 
 // Springs of a thread's share, a multiple of any SIMD width.
-constexpr std::size_t k_share = 16384;
+constexpr std::size_t k_fraction = 16384;
 
 // 0 for what is far below all that counts: the swing of a spring at rest would end in denormal numbers, a hundred times as slow.
 template <class Real>
@@ -158,9 +158,9 @@ Result<void> advance_springs(const SpringStep& step, const SpringBatch<Real>& ba
     const auto r = [](double value) { return static_cast<Real>(value); };
     const Numbers<Real> s{r(step.place_place),    r(step.place_velocity),    r(step.place_target),
                           r(step.velocity_place), r(step.velocity_velocity), r(step.velocity_target)};
-    const auto shares = static_cast<int>((count + k_share - 1) / k_share);
+    const auto shares = static_cast<int>((count + k_fraction - 1) / k_fraction);
     parallel_for(shares, [&](int share) {
-        const std::size_t at = static_cast<std::size_t>(share) * k_share, n = std::min(k_share, count - at);
+        const std::size_t at = static_cast<std::size_t>(share) * k_fraction, n = std::min(k_fraction, count - at);
         if (!batch.place_previous.empty())
             std::copy_n(&batch.place[at], n, &batch.place_previous[at]);
         if (compensated)

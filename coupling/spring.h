@@ -47,7 +47,7 @@ inline constexpr SpringClass branch{1.2, 0.1};
 inline constexpr SpringClass trunk{0.3, 0.08};
 } // namespace springs
 
-/// Refuses a frequency or a damping that is out of range or no number.
+/// Rejects a frequency or a damping that is out of range or no number.
 [[nodiscard]] Result<void> validate(const SpringClass& spring);
 
 /// The six numbers of a step (spring.glsl), in double.
@@ -63,7 +63,7 @@ struct SpringStep {
     [[nodiscard]] SpringBlock block() const;
 };
 
-/// The step of `duration` [s], 0 or more: 0 leaves all as it is, a huge one ends at the target. Refuses what `validate` refuses,
+/// The step of `duration` [s], 0 or more: 0 leaves all as it is, a huge one ends at the target. Rejects what `validate` rejects,
 /// and a duration that is negative or not finite.
 [[nodiscard]] Result<SpringStep> spring_step(const SpringClass& spring, double duration);
 
@@ -79,7 +79,7 @@ struct SpringBatch {
     std::span<Real> place_previous{};     ///< gets `place` as it was: this frame's motion vectors. Empty: nobody asks
 };
 
-/// Advances all springs by one step, `Real` float or double. What falls below 1e-20 is 0. Refuses arrays of different lengths.
+/// Advances all springs by one step, `Real` float or double. What falls below 1e-20 is 0. Rejects arrays of different lengths.
 /// Any number of threads gives the same bits. In float a step rounds each place once: after thousands of short steps some 1e-6 of
 /// the largest place. With the remainders, or in double, it is below that.
 template <class Real>

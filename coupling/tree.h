@@ -70,7 +70,7 @@ struct TreeBearers {
 
 class Tree {
   public:
-    /// Refuses what `validate` refuses, with every reason.
+    /// Rejects what `validate` rejects, with every reason.
     [[nodiscard]] static Result<Tree> create(const TreeClasses& settings);
 
     [[nodiscard]] const TreeClasses& settings() const { return settings_; }
@@ -85,7 +85,7 @@ class Tree {
         static constexpr std::uint32_t k_none = 0xffffffffu;
         std::uint32_t trunk = k_none, branch = k_none, leaf = k_none;
     };
-    /// A tree's vertices. Spans of vertices have one entry each; `winds` [m/s] one a part, so that each feels its own. Refuses
+    /// A tree's vertices. Spans of vertices have one entry each; `winds` [m/s] one a part, so that each feels its own. Rejects
     /// sizes that do not fit, parts that are not valid and indices beyond the list, by their number, and touches nothing then.
     struct RestMesh {
         std::span<const glm::vec4> positions; ///< xyz [m] from the trunk's base

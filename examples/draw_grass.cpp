@@ -52,12 +52,12 @@ render::Scene grassland() {
     scene.camera.target = scene.camera.position + glm::dvec3(0.0, -0.85, -10.0);
     scene.camera.exposure = 0.72f;
     scene.fog.base = k_field.y;
-    scene.plants = {.stalk = windrow::grass(), .width = 0.009f, .own_bend = 0.6f, .own_bend_spread = 0.35f, .view_bend = 0.3f};
+    scene.plants = {.stalk = windrow::grass(), .width = 0.009f, .rest_bend = 0.6f, .rest_bend_spread = 0.35f, .view_bend = 0.3f};
     scene.plants.stalk.length = 0.36f;
     windrow::Config& wind = scene.wind.wind;
     wind.cells = {48, 12, 48};
     wind.cell_size = 0.5f;
-    wind.sides = windrow::Sides::open_over_floor();
+    wind.boundaries = windrow::Boundaries::open_over_floor();
     wind.centre = k_field + glm::dvec3(0.0, 3.0, -8.0);
     wind.ambient = {2.8f, 0.0f, -1.1f};
     wind.profile = windrow::LogProfile{};

@@ -83,7 +83,7 @@ render::Scene scene_of(float speed) {
     windrow::Config& wind = scene.wind.wind;
     wind.cells = {32, 12, 32};
     wind.cell_size = 1.5f;
-    wind.sides = windrow::Sides::open_over_floor();
+    wind.boundaries = windrow::Boundaries::open_over_floor();
     wind.centre = k_field + glm::dvec3(0.0, 9.0, -24.0);
     wind.ambient = {0.93f * speed, 0.0f, -0.37f * speed};
     wind.gusts = {.intensity = speed > 0.0f ? 0.35f : 0.0f, .length = 18.0f};

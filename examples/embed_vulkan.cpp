@@ -66,7 +66,7 @@ void draw_meadow(int frames_wanted, const std::string& file) {
     auto wind = engine::must(windrow::vulkan::Wind::create(device->host(),
                                                            {.cells = {48, 12, 48},
                                                             .cell_size = 0.5f,
-                                                            .sides = windrow::Sides::open_over_floor(),
+                                                            .boundaries = windrow::Boundaries::open_over_floor(),
                                                             .centre = k_field + k_start + glm::dvec3(0.0, 3.0, 0.0),
                                                             .ambient = {-0.8f, 0.0f, 3.0f},
                                                             .profile = windrow::LogProfile{},

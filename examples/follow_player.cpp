@@ -35,7 +35,7 @@ glm::dvec3 player_at(double time) {
 
 int main() {
     windrow::Config config;
-    config.sides = windrow::Sides::open_over_floor();
+    config.boundaries = windrow::Boundaries::open_over_floor();
     config.centre = player_at(0.0);
     config.ambient = {3.0f, 0.0f, 0.5f};
     config.profile = windrow::LogProfile{.roughness_length = 0.05f};

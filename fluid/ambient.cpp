@@ -102,7 +102,7 @@ AmbientBlock AmbientWind::block(glm::dvec3 anchor, const Sampling& asked) const 
         block.roughness_length = settings_.profile->roughness_length;
         block.reference_height = settings_.profile->reference_height;
     }
-    block.anchor_height = static_cast<float>(std::clamp(anchor.y - settings_.ground, k_world_range.least, k_world_range.most));
+    block.anchor_height = static_cast<float>(std::clamp(anchor.y - settings_.ground, k_world_range.min, k_world_range.max));
     block.felt_strength = sampling.strength;
     block.gust_texels = static_cast<float>(1.0 / texel());
     block.longest_gust = tile() ? tile()->bound() : 1.0f;
@@ -112,12 +112,12 @@ AmbientBlock AmbientWind::block(glm::dvec3 anchor, const Sampling& asked) const 
     const double fit = std::round(static_cast<double>(settings_.gusts.length) / static_cast<double>(sampling.detail_length));
     const int repeats = fit >= 1.0 ? static_cast<int>(std::min(fit, 1e9)) : 1; // NaN too
     block.detail_texels = static_cast<float>(repeats / texel());
-    block.detail_share = tile() ? sampling.detail : 0.0f;
+    block.detail_fraction = tile() ? sampling.detail : 0.0f;
     for (int axis = 0; axis < 3; ++axis) {
         const TilePlace gust = gusting() ? gust_place(axis, anchor[axis]) : TilePlace{};
         block.gust_texel[axis] = static_cast<float>(gust.texel);
         block.gust_fraction[axis] = gust.fraction;
-        const TilePlace ripple = block.detail_share > 0.0f ? place(axis, anchor[axis], repeats) : TilePlace{};
+        const TilePlace ripple = block.detail_fraction > 0.0f ? place(axis, anchor[axis], repeats) : TilePlace{};
         block.detail_texel[axis] = static_cast<float>(ripple.texel);
         block.detail_fraction[axis] = ripple.fraction;
     }
@@ -187,7 +187,7 @@ float AmbientWind::profile_at(double height) const {
     if (!settings_.profile)
         return 1.0f;
     return numerics::windrow_profile(
-        static_cast<float>(std::clamp(height - settings_.ground, k_world_range.least, k_world_range.most)),
+        static_cast<float>(std::clamp(height - settings_.ground, k_world_range.min, k_world_range.max)),
         settings_.profile->roughness_length, settings_.profile->reference_height);
 }
 

@@ -1,6 +1,6 @@
 // The ambient wind: the mean wind, how it grows with height, and its gusts, as a function of place and time.
 //
-// It blows where no fluid is computed, and enters the box of a Wind through its open sides. By itself it is the cheapest wind
+// It blows where no fluid is computed, and enters the box of a Wind through its open boundaries. By itself it is the cheapest wind
 // that this library has:
 //
 //     auto wind = windrow::AmbientWind::create({.mean = {6.0f, 0.0f, 0.0f}, .gusts = {.intensity = 0.3f}});
@@ -53,7 +53,7 @@ struct Gusts {
     static constexpr auto settings() {
         return std::tuple{
             Setting(
-                "intensity", &Gusts::intensity, {.least = 0.0, .most = 1.0, .zero = "none"},
+                "intensity", &Gusts::intensity, {.min = 0.0, .max = 1.0, .zero = "none"},
                 "Standard deviation of each horizontal component over the mean horizontal speed. 0 costs nothing, 0.15 is open "
                 "country, 0.3 a gusty day."),
             Setting(
@@ -78,7 +78,7 @@ struct Sampling {
             Setting("strength", &Sampling::strength, {0.0, 1000.0}, "Factor on the wind; 0 stills everything."),
             Setting("limit", &Sampling::limit, {0.0, 1e6, "m/s"},
                     "Speed that is never exceeded, after the strength. At 60 no storm is stronger, a fault may be."),
-            Setting("detail", &Sampling::detail, {.least = 0.0, .most = 1.0, .zero = "none"},
+            Setting("detail", &Sampling::detail, {.min = 0.0, .max = 1.0, .zero = "none"},
                     "Small-scale detail over the local speed; a bound, typical detail is a quarter of it. Needs a tile "
                     "(AmbientWind::tile): without gusts, give Gusts::tile."),
             Setting(
@@ -112,7 +112,7 @@ struct AmbientBlock {
     glm::vec3 detail_texel{0.0f};    ///< as gust_texel, for the detail
     float detail_texels = 0.0f;      ///< [1/m] as gust_texels
     glm::vec3 detail_fraction{0.0f}; ///< as gust_fraction
-    float detail_share = 0.0f;       ///< detail as a share of the local speed; 0: none
+    float detail_fraction = 0.0f;    ///< detail as a share of the local speed; 0: none
 };
 static_assert(sizeof(AmbientBlock) == 112);
 
@@ -151,7 +151,7 @@ class AmbientWind {
         }
     };
 
-    /// Refuses what `validate` refuses, and a mean or a ground that is not finite or far too large. Bakes a tile if gusts need
+    /// Rejects what `validate` rejects, and a mean or a ground that is not finite or far too large. Bakes a tile if gusts need
     /// one (5 ms).
     [[nodiscard]] static Result<AmbientWind> create(const Settings& settings);
 
@@ -169,9 +169,9 @@ class AmbientWind {
 
     /// Carries the gusts along for dt [s]; a negative dt runs back. A dt that is not finite does nothing.
     void advance(double dt);
-    /// Refuses what is not finite or above 1e4 m/s. Gusts stay where they are, with the strength that the new wind gives them.
+    /// Rejects what is not finite or above 1e4 m/s. Gusts stay where they are, with the strength that the new wind gives them.
     Result<void> set_mean(glm::vec3 mean);
-    /// Refuses what is not finite or beyond 1e12 m.
+    /// Rejects what is not finite or beyond 1e12 m.
     Result<void> set_ground(double height);
     /// A factor on each component of the gusts: 0 drops it, where a wall closes the axis.
     void set_gust_axes(glm::vec3 axes) { gust_axes_ = axes; }

@@ -62,15 +62,15 @@ class Tiles {
     return phase;
 }
 
-/// Refuses, through the reader, what AmbientWind does.
+/// Rejects, through the reader, what AmbientWind does.
 inline void restore(AmbientWind& wind, const AmbientRecord& record, const std::optional<LogProfile>& profile, Tiles& tiles,
                     Reader& reader) {
     Gusts gusts{.intensity = record.intensity, .length = record.length, .seed = record.seed};
-    if (auto valid = validate(gusts); valid && !reader.refused() && record.has_tile)
+    if (auto valid = validate(gusts); valid && !reader.rejected() && record.has_tile)
         gusts.tile = tiles.of_seed(record.seed);
     auto made = AmbientWind::create({.mean = record.mean, .profile = profile, .gusts = gusts, .ground = record.ground});
     if (!made)
-        return reader.refuse("its ambient wind cannot be used: ", made.error());
+        return reader.reject("its ambient wind cannot be used: ", made.error());
     made->set_gust_axes(record.gust_axes);
     made->set_phase(unwrapped(record.phase, made->period()));
     wind = *std::move(made);

@@ -147,7 +147,7 @@ class Writer {
     std::vector<std::byte> bytes_;
 };
 
-/// Once refused, it reads nothing more: values stay as they are, and the first reason stands.
+/// Once rejected, it reads nothing more: values stay as they are, and the first reason stands.
 class Reader {
   public:
     explicit Reader(std::span<const std::byte> content) : rest_(content) {}
@@ -168,27 +168,27 @@ class Reader {
     }
     /// Asked before room is made for what a count promises: whether so many items of at least `bytes_each` can follow.
     [[nodiscard]] bool can_hold(std::uint64_t count, std::size_t bytes_each) {
-        if (!refused() && count > rest_.size() / bytes_each)
-            refuse("it promises ", count, " items of ", bytes_each, " bytes or more, but only ", rest_.size(), " bytes follow.");
-        return !refused();
+        if (!rejected() && count > rest_.size() / bytes_each)
+            reject("it promises ", count, " items of ", bytes_each, " bytes or more, but only ", rest_.size(), " bytes follow.");
+        return !rejected();
     }
     template <class... Parts>
-    void refuse(const Parts&... parts) {
+    void reject(const Parts&... parts) {
         if (reason_.empty())
             reason_ = message(parts...);
     }
     void require(bool valid, std::string_view reason) {
         if (!valid)
-            refuse(reason);
+            reject(reason);
     }
-    [[nodiscard]] bool refused() const { return !reason_.empty(); }
+    [[nodiscard]] bool rejected() const { return !reason_.empty(); }
     [[nodiscard]] const std::string& reason() const { return reason_; }
-    /// Refuses what is left over.
+    /// Rejects what is left over.
     void end() { require(rest_.empty(), "bytes follow its last field."); }
 
   private:
     [[nodiscard]] const std::byte* take(std::size_t size) {
-        if (refused() || !can_hold(size, 1))
+        if (rejected() || !can_hold(size, 1))
             return nullptr;
         const std::byte* const from = rest_.data();
         rest_ = rest_.subspan(size);
@@ -238,7 +238,7 @@ class Reader {
         get(value);
         if (value < count)
             return value;
-        refuse(what, " has the unknown value ", value, ".");
+        reject(what, " has the unknown value ", value, ".");
         return 0;
     }
 

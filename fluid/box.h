@@ -4,8 +4,8 @@
 // cells.z values, x fastest, then y, then z: index = (k * cells.y + j) * cells.x + i.
 #pragma once
 
+#include "fluid/boundaries.h"
 #include "fluid/result.h"
-#include "fluid/sides.h"
 
 #include <cstddef>
 #include <glm/vec3.hpp>
@@ -24,13 +24,13 @@ struct Box {
 
     glm::ivec3 cells{32, 16, 32};
     float cell_size = 1.0f;
-    Sides sides{};
+    Boundaries boundaries{};
 
     static constexpr auto settings() {
         return std::tuple{
             Setting("cells", &Box::cells, k_cells_range, "Cells along x, y, z; odd sizes too. Wind is mostly horizontal."),
             Setting("cell_size", &Box::cell_size, k_cell_size_range, "Edge of a cell."),
-            Setting("sides", &Box::sides, "What the air meets at each side."),
+            Setting("boundaries", &Box::boundaries, "What the air meets at each side."),
         };
     }
 

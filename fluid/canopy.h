@@ -1,6 +1,6 @@
 // Plants that slow the wind among them.
 //
-//     auto wind = windrow::Wind::create({.sides = windrow::Sides::open_over_floor(), .ambient = {6.0f, 0.0f, 0.0f},
+//     auto wind = windrow::Wind::create({.sides = windrow::Boundaries::open_over_floor(), .ambient = {6.0f, 0.0f, 0.0f},
 //                                        .profile = windrow::LogProfile{}, .canopy = windrow::Canopy{.height = 0.8f}});
 #pragma once
 
@@ -19,10 +19,10 @@ struct Canopy {
 
     static constexpr auto settings() {
         return std::tuple{
-            Setting("height", &Canopy::height, {.least = 0.0, .most = 1000.0, .unit = "m", .zero = "none"},
+            Setting("height", &Canopy::height, {.min = 0.0, .max = 1000.0, .unit = "m", .zero = "none"},
                     "Height of the plants; 0.8 is ripe wheat. A cell that it fills in part is slowed by that fraction."),
             Setting(
-                "drag", &Canopy::drag, {.least = 0.0, .most = 1000.0, .unit = "1/m", .zero = "none"},
+                "drag", &Canopy::drag, {.min = 0.0, .max = 1000.0, .unit = "1/m", .zero = "none"},
                 "Drag coefficient, 0.15 to 0.3, times leaf area in a volume of air: wheat 0.6 (0.2 times leaves of 2.4 times the "
                 "area of its ground), short grass 2 to 5, a forest 0.03 to 0.1. Based on: Shaw & Schumann 1992, Boundary-Layer "
                 "Meteorology 61 (0.15)."),

@@ -5,11 +5,11 @@
 #pragma once
 
 #include "fluid/ambient.h"
+#include "fluid/boundaries.h"
 #include "fluid/cpu/acting.h"
 #include "fluid/diagnostics.h"
 #include "fluid/frame_history.h"
 #include "fluid/motor_reach.h"
-#include "fluid/sides.h"
 #include "fluid/window.h"
 
 #include <cstdint>
@@ -74,7 +74,7 @@ class CellStorage {
     /// Changes no cell; throws std::bad_alloc where memory is missing. After it the calls that it was made for do not fail.
     virtual void make_room(const CellNeeds& needs) = 0;
     /// Applies the boundary conditions; `kinds`: not only wall velocities differ. On an error nothing has changed.
-    [[nodiscard]] virtual Result<void> set_sides(const Sides& sides, bool kinds) = 0;
+    [[nodiscard]] virtual Result<void> set_boundaries(const Boundaries& boundaries, bool kinds) = 0;
     virtual void apply(const CellChange& change) = 0;
     /// True where the air has come to rest: it is ambient now, with no past, and the report is that of the ambient air.
     [[nodiscard]] virtual bool step(const CellStep& step, Diagnostics& report) = 0;

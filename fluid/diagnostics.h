@@ -1,7 +1,7 @@
 // What every step reports: nothing that the solver does to the air beyond its equations is silent.
 #pragma once
 
-#include "fluid/pieces.h"
+#include "fluid/operators.h"
 
 #include <cstdint>
 

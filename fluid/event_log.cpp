@@ -54,8 +54,8 @@ void fields(auto& archive, Like<GustsSet> auto& event) {
 }
 
 void fields(auto& archive, Like<SidesSet> auto& event) {
-    auto& [sides] = event;
-    archive(sides);
+    auto& [boundaries] = event;
+    archive(boundaries);
 }
 
 void fields(auto& archive, Like<VelocitySet> auto& event) {
@@ -86,12 +86,13 @@ void fields(auto& archive, Like<Advanced> auto& event) {
 
 namespace {
 
-constexpr detail::Format k_format{"WINDLOGS", detail::Layout("events 2").with<Motor>().with<Sides>().version(), "event log",
+constexpr detail::Format k_format{"WINDLOGS", detail::Layout("events 2").with<Motor>().with<Boundaries>().version(), "event log",
                                   "EventLog::to_bytes"};
 
 const char* name_of(const Event& event) {
-    constexpr const char* k_names[] = {"add",       "set",       "move",         "remove", "follow", "set_floor", "set_ambient",
-                                       "set_gusts", "set_sides", "set_velocity", "reset",  "step",   "advance"};
+    constexpr const char* k_names[] = {"add",       "set",         "move",      "remove",         "follow",
+                                       "set_floor", "set_ambient", "set_gusts", "set_boundaries", "set_velocity",
+                                       "reset",     "step",        "advance"};
     static_assert(std::size(k_names) == std::variant_size_v<Event>);
     return k_names[event.index()];
 }
@@ -123,7 +124,7 @@ struct Repeat {
             return out_of_memory();
         return wind.set_gusts({.intensity = event.intensity, .length = event.length, .seed = event.seed, .tile = tile});
     }
-    Result<void> operator()(const SidesSet& event) const { return wind.set_sides(event.sides); }
+    Result<void> operator()(const SidesSet& event) const { return wind.set_boundaries(event.boundaries); }
     Result<void> operator()(const VelocitySet& event) const { return wind.set_velocity(event.field); }
     Result<void> operator()(const WindReset&) const {
         wind.reset();
@@ -210,10 +211,10 @@ Result<EventLog> EventLog::read(std::span<const std::byte> bytes) {
     reader(count);
     EventLog log;
     if (reader.can_hold(count, 1)) // memory grows with what has been read
-        for (std::uint64_t n = 0; n < count && !reader.refused(); ++n)
+        for (std::uint64_t n = 0; n < count && !reader.rejected(); ++n)
             reader(log.events_.emplace_back());
     reader.end();
-    if (reader.refused())
+    if (reader.rejected())
         return Error{detail::message("event log cannot be used: ", reader.reason())};
     return log;
 }

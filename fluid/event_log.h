@@ -8,9 +8,9 @@
 //     auto done = windrow::replay(log, *again);    // the same bits, for any number of threads on the same SIMD level
 #pragma once
 
+#include "fluid/boundaries.h"
 #include "fluid/motors.h"
 #include "fluid/result.h"
-#include "fluid/sides.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -57,7 +57,7 @@ struct GustsSet {
     bool tile; ///< a tile was handed in, which stands without gusts too
 };
 struct SidesSet {
-    Sides sides;
+    Boundaries boundaries;
 };
 struct VelocitySet {
     std::vector<glm::vec4> field;
@@ -86,7 +86,7 @@ class EventLog {
 
     /// The log as bytes, little-endian, with a version and a checksum. Fails for an incomplete log, and without memory.
     [[nodiscard]] Result<std::vector<std::byte>> to_bytes() const;
-    /// Refuses bytes that are truncated, changed, or of another version.
+    /// Rejects bytes that are truncated, changed, or of another version.
     [[nodiscard]] static Result<EventLog> from_bytes(std::span<const std::byte> bytes);
 
   private:
@@ -99,7 +99,7 @@ class EventLog {
 };
 
 /// Does everything again, in order. `wind` must be in the state in which the log began (Wind::save, Wind::load). Stops at the
-/// first call that is refused or whose handle comes out otherwise, and says which.
+/// first call that is rejected or whose handle comes out otherwise, and says which.
 [[nodiscard]] Result<void> replay(const EventLog& log, Wind& wind);
 
 } // namespace windrow

@@ -15,7 +15,7 @@ namespace windrow {
 /// The wind of one frame, without its cells.
 struct ShownFrame {
     Window window;
-    glm::dvec3 rim_point{0.0}; ///< [m]
+    glm::dvec3 blend_centre{0.0}; ///< [m]
     AmbientWind ambient;
     bool still = false; ///< the air slept: its cells are `ambient` in `window`
 };

@@ -29,8 +29,8 @@ namespace windrow {
 namespace {
 
 constexpr int k_side = GustTile::k_side;
-constexpr int k_most_waves = k_side / 8; // the shortest wave: 8 texels
-constexpr int k_turn = 1024;             // angles that the table holds
+constexpr int k_max_waves = k_side / 8; // the shortest wave: 8 texels
+constexpr int k_turn = 1024;            // angles that the table holds
 // Power by number of half waves over the tile's height: flatter than it is wide, and mostly tall gusts, so that the mean square
 // near the ground, where every cos(q y) is 1, stays near that aloft.
 constexpr std::array k_turning_power{0.55, 0.24, 0.14, 0.07};
@@ -74,7 +74,7 @@ double hump(double distance, double radius) {
 // Power of a ring of waves of which `m` fit the tile's side.
 double ring_power(double m) {
     const double peak = double(k_side) / GustTile::k_gust_texels;
-    return hump(m - peak, k_most_waves - peak) + 0.15 * hump(m - 6.5, 3.3);
+    return hump(m - peak, k_max_waves - peak) + 0.15 * hump(m - 6.5, 3.3);
 }
 
 // All bits of the result depend on all bits of the key (the finaliser of MurmurHash3, Appleby, public domain).
@@ -122,8 +122,8 @@ void GustTile::make_modes() {
     const Circle circle;
     double turning_sum = 0.0, rising_sum = 0.0, rising_level_sum = 0.0; // powers that amplitudes of 1 would give
     const auto for_each_wave = [](const auto& visit) {
-        for (int a = 0; a <= k_most_waves; ++a)
-            for (int c = a == 0 ? 1 : -k_most_waves; c <= k_most_waves; ++c)
+        for (int a = 0; a <= k_max_waves; ++a)
+            for (int c = a == 0 ? 1 : -k_max_waves; c <= k_max_waves; ++c)
                 if (const double m = std::sqrt(double(a * a + c * c)); ring_power(m) > 0.0)
                     for (int b = 0; b < k_layers; ++b)
                         visit(a, b, c, m, ring_power(m) / m);
@@ -163,15 +163,15 @@ void GustTile::bake_texels() {
     const Circle circle;
     const auto at_centre = [&](int waves, int texel) { return circle(waves * (2 * texel + 1) * (k_turn / (2 * k_side))); };
     using Row = std::array<double, k_side>;
-    std::vector<Row> cosines(k_most_waves + 1), sines(k_most_waves + 1);
-    for (int a = 0; a <= k_most_waves; ++a)
+    std::vector<Row> cosines(k_max_waves + 1), sines(k_max_waves + 1);
+    for (int a = 0; a <= k_max_waves; ++a)
         for (int x = 0; x < k_side; ++x) {
             const Complex wave = at_centre(a, x);
             cosines[a][x] = wave.real;
             sines[a][x] = wave.imaginary;
         }
-    std::array<double, k_most_waves + 1> gains{};
-    for (int a = 0; a <= k_most_waves; ++a)
+    std::array<double, k_max_waves + 1> gains{};
+    for (int a = 0; a <= k_max_waves; ++a)
         gains[a] = raised(circle, a * (k_turn / k_side));
     struct Sum {
         glm::dvec3 real{0.0}, imaginary{0.0};
@@ -180,7 +180,7 @@ void GustTile::bake_texels() {
     texels_.resize(static_cast<std::size_t>(k_side) * k_height * k_side);
     double largest = 0.0;
     for (int z = 0; z < k_side; ++z) {
-        std::array<std::array<Sum, k_most_waves + 1>, k_layers> sums{};
+        std::array<std::array<Sum, k_max_waves + 1>, k_layers> sums{};
         for (const Mode& mode : modes_) {
             const Complex wave = at_centre(mode.c, z);
             const double gain = gains[mode.a] * gains[std::abs(mode.c)];
@@ -192,7 +192,7 @@ void GustTile::bake_texels() {
             for (int b = 0; b < k_layers; ++b) {
                 Row& row = rows[component * k_layers + b];
                 row.fill(0.0);
-                for (int a = 0; a <= k_most_waves; ++a) {
+                for (int a = 0; a <= k_max_waves; ++a) {
                     const double real = sums[b][a].real[component], imaginary = sums[b][a].imaginary[component];
                     for (int x = 0; x < k_side; ++x)
                         row[x] += real * cosines[a][x] - imaginary * sines[a][x];

@@ -13,24 +13,24 @@ namespace windrow::detail {
 class InputBudget {
   public:
     /// A table for each of 4096 paths, and as many meshes and maps.
-    static constexpr std::size_t k_most_files = 8192;
+    static constexpr std::size_t k_max_files = 8192;
     /// [byte] Read from files. The largest mesh has 512 MiB.
-    static constexpr std::size_t k_most_bytes = std::size_t{768} << 20;
+    static constexpr std::size_t k_max_bytes = std::size_t{768} << 20;
     /// Of paths from tables: 8 of the longest. A million takes up to half a second to read.
-    static constexpr std::size_t k_most_points = 8'000'000;
+    static constexpr std::size_t k_max_points = 8'000'000;
     /// [byte] Of memory for masks, heights, meshes and maps. One file more is in memory while it is read.
-    static constexpr std::size_t k_most_memory = std::size_t{768} << 20;
+    static constexpr std::size_t k_max_memory = std::size_t{768} << 20;
 
     /// Each takes its part, or returns a sentence that begins with the file's `name`. After the first that is too much, all is.
-    Result<void> take_file(std::string_view name) { return take(files_, 1, name, k_most_files, " files"); }
+    Result<void> take_file(std::string_view name) { return take(files_, 1, name, k_max_files, " files"); }
     Result<void> take_bytes(std::string_view name, std::size_t bytes) {
-        return take(bytes_, bytes, name, k_most_bytes >> 20, " MiB of files");
+        return take(bytes_, bytes, name, k_max_bytes >> 20, " MiB of files");
     }
     Result<void> take_points(std::string_view name, std::size_t points) {
-        return take(points_, points, name, k_most_points, " points in tables");
+        return take(points_, points, name, k_max_points, " points in tables");
     }
     Result<void> take_memory(std::string_view name, std::size_t bytes) {
-        return take(memory_, bytes, name, k_most_memory >> 20, " MiB of masks, heights, meshes and maps");
+        return take(memory_, bytes, name, k_max_memory >> 20, " MiB of masks, heights, meshes and maps");
     }
     [[nodiscard]] std::size_t memory_left() const { return memory_; }
 
@@ -44,7 +44,7 @@ class InputBudget {
         return {};
     }
 
-    std::size_t files_ = k_most_files, bytes_ = k_most_bytes, points_ = k_most_points, memory_ = k_most_memory;
+    std::size_t files_ = k_max_files, bytes_ = k_max_bytes, points_ = k_max_points, memory_ = k_max_memory;
     std::string spent_; ///< the sentence's end, once one of them was too little
 };
 

@@ -69,15 +69,15 @@ Result<std::string> read_input(const std::filesystem::path& file, const InputRul
     if (!S_ISREG(opened.st_mode))
         return Error{message(name, ": is a pipe or a device: name a regular file.")};
     const auto size = static_cast<std::uintmax_t>(opened.st_size);
-    if (size > rule.most_bytes)
-        return too_long(name, rule.most_bytes);
+    if (size > rule.max_bytes)
+        return too_long(name, rule.max_bytes);
     if (auto taken = budget.take_bytes(name, static_cast<std::size_t>(size)); !taken)
         return Error{taken.error()};
     // Files of /proc have the size 0, and any file may grow: the end is where nothing more comes.
     std::string bytes;
     bytes.reserve(static_cast<std::size_t>(size));
     char block[65536];
-    while (bytes.size() <= rule.most_bytes) {
+    while (bytes.size() <= rule.max_bytes) {
         const ssize_t got = ::read(descriptor.number(), block, sizeof block);
         if (got < 0 && errno == EINTR)
             continue;
@@ -87,7 +87,7 @@ Result<std::string> read_input(const std::filesystem::path& file, const InputRul
             return bytes;
         bytes.append(block, static_cast<std::size_t>(got));
     }
-    return too_long(name, rule.most_bytes);
+    return too_long(name, rule.max_bytes);
 }
 
 bool is_name_inside(const std::filesystem::path& name) {

@@ -1,6 +1,6 @@
 // A file that is read: opened without waiting, found to be a regular file, and read to a bound.
 //
-//     const auto bytes = detail::read_input("walk.csv", {.folder = scene_folder, .most_bytes = 64 << 20}, budget);
+//     const auto bytes = detail::read_input("walk.csv", {.folder = scene_folder, .max_bytes = 64 << 20}, budget);
 //     if (!bytes)
 //         return Error{bytes.error()};
 //
@@ -20,11 +20,11 @@ namespace windrow::detail {
 struct InputRule {
     /// The file must be in this folder when all links are followed. Default: anywhere, for a file that the user named.
     std::optional<std::filesystem::path> folder{};
-    std::size_t most_bytes = 0;
+    std::size_t max_bytes = 0;
 };
 
 /// The whole file. The checks and the reading use one descriptor, so that nobody can exchange the file in between. Errors begin
-/// with the file's name: missing, unreadable, no regular file, a link out of the folder, longer than `most_bytes` or than what
+/// with the file's name: missing, unreadable, no regular file, a link out of the folder, longer than `max_bytes` or than what
 /// `budget` has left. No memory is taken for a file that is too long.
 [[nodiscard]] Result<std::string> read_input(const std::filesystem::path& file, const InputRule& rule, InputBudget& budget);
 

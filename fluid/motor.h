@@ -154,7 +154,7 @@ struct Envelope {
     static constexpr auto settings() {
         return std::tuple{
             Setting("attack", &Envelope::attack, k_time_range, "Time in which it rises."),
-            Setting("hold", &Envelope::hold, {.least = 0.0, .unit = "s"},
+            Setting("hold", &Envelope::hold, {.min = 0.0, .unit = "s"},
                     "Time at full strength. Default infinity: until the motor is removed."),
             Setting("decay", &Envelope::decay, k_time_range, "Time in which it falls, after the hold."),
             Setting("delay", &Envelope::delay, k_time_range,
@@ -192,7 +192,7 @@ struct Turbulence {
     static constexpr auto settings() {
         return std::tuple{
             Setting(
-                "intensity", &Turbulence::intensity, {.least = 0.0, .most = 1.0, .zero = "none"},
+                "intensity", &Turbulence::intensity, {.min = 0.0, .max = 1.0, .zero = "none"},
                 "Standard deviation over U of a horizontal component of what leaves the region. At 0.05 jets spread as measured "
                 "ones do. 0 costs nothing."),
             Setting(

@@ -23,8 +23,8 @@ static_assert(numerics::windrow_drive == static_cast<glm::uint>(MotorReach::Law:
 static_assert(numerics::windrow_source == static_cast<glm::uint>(MotorReach::Law::source));
 
 constexpr float k_pi = 3.14159265f;
-constexpr double k_least_eddy = 1e-3; // [m] shorter ones are noise in any cell
-constexpr float k_least_felt = 1e-2f; // [m/s] of a source outside the box, where it blows into it
+constexpr double k_min_eddy = 1e-3; // [m] shorter ones are noise in any cell
+constexpr float k_min_felt = 1e-2f; // [m/s] of a source outside the box, where it blows into it
 
 // The cells whose centres lie within `low`..`high` [m from the box's corner]; false if there are none.
 bool cover(MotorReach& reach, glm::vec3 low, glm::vec3 high, const Window& window) {
@@ -133,7 +133,7 @@ void stir(MotorReach& reach, const Turbulence& turbulence, float eddies, glm::dv
           float radius) {
     reach.eddies = eddies;
     const float length = turbulence.length > 0.0f ? turbulence.length : 2.0f * radius;
-    const double texel = std::max(static_cast<double>(length), k_least_eddy) / GustTile::k_longest_texels;
+    const double texel = std::max(static_cast<double>(length), k_min_eddy) / GustTile::k_longest_texels;
     reach.texels = static_cast<float>(1.0 / texel);
     // Irrational steps: seeds that follow each other lie far apart in the tile.
     const glm::dvec3 stretch = static_cast<double>(turbulence.seed) * glm::dvec3(0.6180339887498949, 0.0, 0.4142135623730950);
@@ -166,7 +166,7 @@ void stir(MotorReach& reach, const Turbulence& turbulence, const std::variant<Fo
 }
 
 // The smallest radius of a region as it is widened.
-float least_radius(const MotorReach& reach) {
+float min_radius(const MotorReach& reach) {
     if (reach.shape == MotorReach::Shape::box)
         return std::min({reach.extent.x, reach.extent.y, reach.extent.z});
     return reach.radius;
@@ -174,13 +174,13 @@ float least_radius(const MotorReach& reach) {
 
 // Where a source in free air stands and what comes out of it, less what a wall cuts off: over a ball cut at s radii the weight is
 // (1 - s^2)^3 / 3. Several walls are taken one by one. False where the box does not feel it.
-bool blow_into(MotorReach& reach, float flow, const Window& window, const Sides& sides) {
+bool blow_into(MotorReach& reach, float flow, const Window& window, const Boundaries& boundaries) {
     reach.extent = reach.centre;
     const glm::vec3 size = window.cell_size * glm::vec3(window.cells);
     for (int axis = 0; axis < 3; ++axis) {
-        if (!sides.has_solid(axis))
+        if (!boundaries.has_solid(axis))
             continue;
-        const bool low = sides.at(axis, 0).solid();
+        const bool low = boundaries.at(axis, 0).solid();
         const float depth = low ? reach.centre[axis] : size[axis] - reach.centre[axis];
         const float s = std::clamp(depth / reach.radius, -1.0f, 1.0f), s2 = s * s;
         constexpr float k_half = 16.0f / 35.0f;
@@ -193,16 +193,17 @@ bool blow_into(MotorReach& reach, float flow, const Window& window, const Sides&
     }
     reach.push.x = flow;
     const glm::vec3 apart = reach.extent - glm::clamp(reach.extent, glm::vec3(0.0f), size);
-    return std::abs(flow) > k_least_felt * 4.0f * k_pi * glm::dot(apart, apart);
+    return std::abs(flow) > k_min_felt * 4.0f * k_pi * glm::dot(apart, apart);
 }
 
 // S0 of a ball from which 4 pi R^2 v cubic metres of air come out a second: that over the volume of its weight, 32 pi r^3 / 105.
-bool shape_source(MotorReach& reach, float radius, float speed, float strength, const Window& window, const Sides& sides) {
+bool shape_source(MotorReach& reach, float radius, float speed, float strength, const Window& window,
+                  const Boundaries& boundaries) {
     reach.law = MotorReach::Law::source;
     const bool inside = RegionReach{reach, window}(Sphere{radius}) > 0.0f;
     const float flow = strength * 4.0f * k_pi * radius * radius * speed;
     reach.amount = flow / (32.0f * k_pi / 105.0f * cubed(reach.radius));
-    const bool felt = sides.in_free_air() && blow_into(reach, flow, window, sides);
+    const bool felt = boundaries.in_free_air() && blow_into(reach, flow, window, boundaries);
     if (!inside)
         reach.low = reach.high = glm::ivec3(0);
     return (inside || felt) && reach.amount != 0.0f;
@@ -210,10 +211,10 @@ bool shape_source(MotorReach& reach, float radius, float speed, float strength, 
 
 struct Preparation {
     const Track& track;
-    std::span<const Track::Piece> path;
+    std::span<const Track::Segment> path;
     double age, duration;
     const Window& window;
-    const Sides& sides;
+    const Boundaries& boundaries;
     std::span<MotorReach> reach;
 
     int operator()(const DirectionalMotor& motor) const {
@@ -222,7 +223,7 @@ struct Preparation {
         const float share = std::visit(RegionReach{reach[0], window}, motor.region);
         apply_law(reach[0], motor.law, motor.direction, strength * share, duration);
         stir(reach[0], motor.turbulence, motor.law, strength * share, motor.direction, age + 0.5 * duration,
-             least_radius(reach[0]));
+             min_radius(reach[0]));
         return strength * share > 0.0f ? 1 : 0;
     }
     int operator()(const JetMotor& motor) const {
@@ -257,12 +258,12 @@ struct Preparation {
     int operator()(const OmniMotor& motor) const {
         reach[0].centre = metres(window, track.here());
         const auto strength = static_cast<float>(motor.envelope.mean(age, age + duration));
-        return shape_source(reach[0], motor.radius, motor.speed, strength, window, sides) ? 1 : 0;
+        return shape_source(reach[0], motor.radius, motor.speed, strength, window, boundaries) ? 1 : 0;
     }
     int operator()(const PressureMotor& motor) const {
         reach[0].centre = metres(window, track.here());
         const auto strength = static_cast<float>(motor.mean(age, age + duration));
-        return shape_source(reach[0], motor.radius, motor.speed, strength, window, sides) ? 1 : 0;
+        return shape_source(reach[0], motor.radius, motor.speed, strength, window, boundaries) ? 1 : 0;
     }
 
     // A piece of the path each. The force law shares the tick's impulse out by length; the drive's target is the body's velocity
@@ -272,7 +273,7 @@ struct Preparation {
         const float radius = widened(motor.radius, window);
         const float share = strength * cubed(motor.radius / radius);
         int count = 0;
-        for (const Track::Piece& piece : path) {
+        for (const Track::Segment& piece : path) {
             MotorReach& swept = reach[static_cast<std::size_t>(count)];
             swept = {};
             swept.shape = MotorReach::Shape::path;
@@ -305,10 +306,10 @@ struct Preparation {
 
 } // namespace
 
-int prepare(const Motor& motor, const Track& track, std::span<const Track::Piece> path, double age, double duration,
-            const Window& window, const Sides& sides, std::span<MotorReach> reach) {
+int prepare(const Motor& motor, const Track& track, std::span<const Track::Segment> path, double age, double duration,
+            const Window& window, const Boundaries& boundaries, std::span<MotorReach> reach) {
     reach[0] = {};
-    return std::visit(Preparation{track, path, age, duration, window, sides, reach}, motor);
+    return std::visit(Preparation{track, path, age, duration, window, boundaries, reach}, motor);
 }
 
 bool before(const MotorReach& a, const MotorReach& b) {

@@ -1,8 +1,8 @@
 // One motor as the sources stage evaluates it: plain data, relative to the box, with the cells that it can touch.
 #pragma once
 
+#include "fluid/boundaries.h"
 #include "fluid/motor.h"
-#include "fluid/sides.h"
 #include "fluid/track.h"
 #include "fluid/window.h"
 
@@ -40,10 +40,10 @@ struct MotorReach {
 static_assert(sizeof(MotorReach) == 4 * (2 + 3 + 3 + 3 + 3 + 1 + 5 + 6), "no padding: compared as bytes");
 
 /// Prepares one motor for a tick of `duration` [s] that it begins at `age` [s], having moved along `path`. Writes at most
-/// Track::k_most_pieces entries to `reach`; returns how many. In free air (sides.h) a source is felt from outside the box too, with
+/// Track::k_max_segments entries to `reach`; returns how many. In free air (boundaries.h) a source is felt from outside the box too, with
 /// no cell of its own.
-int prepare(const Motor& motor, const Track& track, std::span<const Track::Piece> path, double age, double duration,
-            const Window& window, const Sides& sides, std::span<MotorReach> reach);
+int prepare(const Motor& motor, const Track& track, std::span<const Track::Segment> path, double age, double duration,
+            const Window& window, const Boundaries& boundaries, std::span<MotorReach> reach);
 
 /// A total order by content: equal only where all is equal.
 [[nodiscard]] bool before(const MotorReach& a, const MotorReach& b);

@@ -163,7 +163,7 @@ void Motors::reserve_reach(const Motor* more) {
     const auto count = [&](const Motor& motor) {
         if (!tile_ && stirs(motor) && !(tile_ = GustTile::standard()))
             throw std::bad_alloc();
-        most += std::holds_alternative<WakeMotor>(motor) ? std::size_t{Track::k_most_pieces} : 1;
+        most += std::holds_alternative<WakeMotor>(motor) ? std::size_t{Track::k_max_segments} : 1;
     };
     for (const Slot& slot : slots_)
         if (slot.used)
@@ -197,15 +197,15 @@ void Motors::squeeze(double factor) {
             slot.track.squeeze(factor);
 }
 
-std::span<const detail::MotorReach> Motors::tick(double duration, const Window& window, const Sides& sides) {
+std::span<const detail::MotorReach> Motors::tick(double duration, const Window& window, const Boundaries& boundaries) {
     std::size_t count = 0;
     for (std::uint32_t index = 0; index < slots_.size(); ++index) {
         Slot& slot = slots_[index];
         if (!slot.used)
             continue;
         const auto path = slot.track.tick(duration);
-        count += static_cast<std::size_t>(
-            detail::prepare(slot.motor, slot.track, path, slot.age, duration, window, sides, std::span(reach_).subspan(count)));
+        count += static_cast<std::size_t>(detail::prepare(slot.motor, slot.track, path, slot.age, duration, window, boundaries,
+                                                          std::span(reach_).subspan(count)));
         slot.age += duration;
         if (slot.age >= end_of(slot.motor))
             release(index);

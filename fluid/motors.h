@@ -1,5 +1,5 @@
 // The motors of one wind: a list in world space (double) that changes while the wind runs. Each is named by a handle with a
-// generation, so that a stale handle is refused instead of moving a stranger.
+// generation, so that a stale handle is rejected instead of moving a stranger.
 //
 // What the air feels does not depend on the order in which motors were added: a cell sums them in an order of their own.
 #pragma once
@@ -46,7 +46,7 @@ class Motors {
     /// Moves a motor to where it is at the end of the coming step (or frame, with Wind::advance). A wake sweeps the path through
     /// all positions given since the last one.
     [[nodiscard]] Result<void> move(MotorId id, glm::dvec3 position);
-    /// Removes a motor; a stale handle is refused.
+    /// Removes a motor; a stale handle is rejected.
     Result<void> remove(MotorId id);
 
     /// The motor as it stands, direction normalised; null for a stale handle.
@@ -71,7 +71,7 @@ class Motors {
     void squeeze(double factor);
     /// Advances every motor by a tick, ends those whose time is over, and returns what reaches the box, in an order that does not
     /// depend on the list's. Does not allocate. The span lasts until the next call.
-    [[nodiscard]] std::span<const detail::MotorReach> tick(double duration, const Window& window, const Sides& sides);
+    [[nodiscard]] std::span<const detail::MotorReach> tick(double duration, const Window& window, const Boundaries& boundaries);
     [[nodiscard]] std::span<const Slot> slots() const { return slots_; }
     /// Some motor is a volume source, whether or not it reaches the box.
     [[nodiscard]] bool has_volume_source() const;

@@ -18,12 +18,12 @@ namespace {
 
 constexpr std::size_t k_buffer_bytes = std::size_t{1} << 16;
 constexpr std::string_view k_part_suffix = ".windrow-part";
-constexpr std::size_t k_most_name_bytes = 200; // of 255 that a part's name may have
+constexpr std::size_t k_max_name_bytes = 200; // of 255 that a part's name may have
 
 std::filesystem::path next_part(const std::filesystem::path& name) {
     static std::atomic<unsigned> count{0};
     std::string own = name.filename().string();
-    own.resize(std::min(own.size(), k_most_name_bytes));
+    own.resize(std::min(own.size(), k_max_name_bytes));
     return name.parent_path() / message(own, ".", ::getpid(), ".", count.fetch_add(1), k_part_suffix);
 }
 
@@ -49,8 +49,8 @@ NewFile::NewFile(const std::filesystem::path& name) : name_(name), buffer_(k_buf
 
 // Takes the next name where a part exists: of another process, of one that ended, or of another machine on a shared disk.
 void NewFile::open_part() {
-    constexpr int k_most_attempts = 1000;
-    for (int attempt = 0; attempt < k_most_attempts; ++attempt) {
+    constexpr int k_max_attempts = 1000;
+    for (int attempt = 0; attempt < k_max_attempts; ++attempt) {
         part_ = next_part(name_);
         descriptor_ = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666);
         if (descriptor_ < 0 && errno == EEXIST)

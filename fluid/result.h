@@ -10,7 +10,7 @@
 
 namespace windrow {
 
-/// Why a call was refused. `message` is one sentence (or several, one a line) written for the person who must mend it.
+/// Why a call was rejected. `message` is one sentence (or several, one a line) written for the person who must mend it.
 /// Made without throwing: where memory for the sentence is missing, it is "out of memory", which no string allocates.
 struct Error {
     Error() = default;

@@ -30,11 +30,11 @@ enum class Measure : std::uint8_t {
 
 /// What a number may be.
 struct Range {
-    double least = -std::numeric_limits<double>::infinity();
-    double most = std::numeric_limits<double>::infinity();
-    const char* unit = "";    ///< "m/s"; empty: none
-    const char* zero = "";    ///< what 0 means where that is special: "never"
-    bool above_least = false; ///< `least` itself is rejected
+    double min = -std::numeric_limits<double>::infinity();
+    double max = std::numeric_limits<double>::infinity();
+    const char* unit = "";  ///< "m/s"; empty: none
+    const char* zero = "";  ///< what 0 means where that is special: "never"
+    bool above_min = false; ///< `min` itself is rejected
     Measure measure = Measure::component;
 
     /// False for NaN. A float is compared with the bounds as floats, so that 0.9f holds a bound of 0.9.
@@ -42,14 +42,14 @@ struct Range {
     [[nodiscard]] constexpr bool holds(Number value) const {
         using Compared = std::conditional_t<std::is_floating_point_v<Number>, Number, double>;
         const auto number = static_cast<Compared>(value);
-        return (above_least ? number > static_cast<Compared>(least) : number >= static_cast<Compared>(least)) &&
-               number <= static_cast<Compared>(most);
+        return (above_min ? number > static_cast<Compared>(min) : number >= static_cast<Compared>(min)) &&
+               number <= static_cast<Compared>(max);
     }
-    [[nodiscard]] static constexpr Range above(double least, double most, const char* unit = "") {
-        return {least, most, unit, "", true};
+    [[nodiscard]] static constexpr Range above(double min, double max, const char* unit = "") {
+        return {min, max, unit, "", true};
     }
-    [[nodiscard]] static constexpr Range length(double least, double most, const char* unit) {
-        return {least, most, unit, "", false, Measure::length};
+    [[nodiscard]] static constexpr Range length(double min, double max, const char* unit) {
+        return {min, max, unit, "", false, Measure::length};
     }
     /// Components of any finite size.
     [[nodiscard]] static constexpr Range direction() {

@@ -64,16 +64,16 @@ using detail::AmbientRecord, detail::Like, detail::Reading, detail::Tiles;
 
 /// What keeps its members to itself.
 struct StateFields {
-    static constexpr std::size_t k_least_slot_bytes = 5;
+    static constexpr std::size_t k_min_slot_bytes = 5;
 
     static void track(auto& archive, Like<Track> auto& track) {
         auto& [here, target, points, count, timed, moves, pieces, middle] = track;
         archive(here, target, count, timed, moves);
         if constexpr (Reading<decltype(archive)>) {
-            archive.require(timed >= 0 && timed <= count && count <= Track::k_most_pieces && moves >= count - timed &&
+            archive.require(timed >= 0 && timed <= count && count <= Track::k_max_segments && moves >= count - timed &&
                                 moves <= 1'000'000,
                             "a path has an impossible number of points.");
-            if (archive.refused())
+            if (archive.rejected())
                 count = timed = 0; // whoever looks at it yet finds it whole
         }
         for (int n = 0; n < count; ++n) {
@@ -106,7 +106,7 @@ struct StateFields {
         archive(size);
         if constexpr (Reading<decltype(archive)>) {
             archive.require(size <= Motors::k_capacity, "it has more motors than fit.");
-            if (!archive.can_hold(size, k_least_slot_bytes))
+            if (!archive.can_hold(size, k_min_slot_bytes))
                 return;
             slots.resize(size);
         }
@@ -131,21 +131,21 @@ struct StateFields {
     }
 
     static void check(detail::Reader& reader, const Motors& motors) {
-        for (std::size_t n = 0; n < motors.slots_.size() && !reader.refused(); ++n) {
+        for (std::size_t n = 0; n < motors.slots_.size() && !reader.rejected(); ++n) {
             const Motors::Slot& slot = motors.slots_[n];
             reader.require(slot.generation > 0, "a motor has no generation.");
             if (!slot.used)
                 continue;
             if (auto valid = validate(slot.motor); !valid)
-                reader.refuse("motor ", n, " cannot be used: ", valid.error());
+                reader.reject("motor ", n, " cannot be used: ", valid.error());
             reader.require(has_unit_direction(slot.motor), "a motor's direction is not of length 1.");
             reader.require(slot.age >= 0.0 && lies_within(slot.track, k_farthest_cells),
                            "a motor's age or path is out of range.");
         }
         std::vector<bool> listed(motors.slots_.size());
         for (const std::uint32_t index : motors.free_) {
-            if (reader.refused() || index >= listed.size() || listed[index] || motors.slots_[index].used)
-                return reader.refuse("its list of free motors does not match its motors.");
+            if (reader.rejected() || index >= listed.size() || listed[index] || motors.slots_[index].used)
+                return reader.reject("its list of free motors does not match its motors.");
             listed[index] = true;
         }
     }
@@ -178,8 +178,8 @@ struct StateFields {
 
     static void frame(auto& archive, Like<ShownFrame> auto& frame, Like<cpu::FrameCells::Field> auto& field, const Config& config,
                       Tiles& tiles) {
-        auto& [window, rim_point, ambient, still] = frame;
-        archive(window.origin_cells, rim_point, still); // its cells are the box's
+        auto& [window, blend_centre, ambient, still] = frame;
+        archive(window.origin_cells, blend_centre, still); // its cells are the box's
         StateFields::ambient(archive, ambient, config, tiles);
         archive.cells(field.cells);
         if constexpr (Reading<decltype(archive)>)
@@ -279,24 +279,24 @@ Result<Wind> Wind::load(std::span<const std::byte> bytes, ParallelFor parallel_f
         const auto content = detail::unseal(bytes, k_format);
         if (!content)
             return Error{content.error()};
-        const auto refused = [](std::string_view reason) { return Error{detail::message("snapshot cannot be used: ", reason)}; };
+        const auto rejected = [](std::string_view reason) { return Error{detail::message("snapshot cannot be used: ", reason)}; };
         detail::Reader reader(*content);
         Config config;
         reader(config);
-        if (reader.refused())
-            return refused(reader.reason());
+        if (reader.rejected())
+            return rejected(reader.reason());
         if (auto valid = validate(config); !valid)
-            return refused(valid.error());
+            return rejected(valid.error());
         if (!reader.can_hold(Box{.cells = config.cells}.cell_count(), sizeof(glm::vec4)))
-            return refused(reader.reason());
+            return rejected(reader.reason());
         config.parallel_for = parallel_for;
         auto wind = create(config);
         if (!wind)
-            return refused(wind.error());
+            return rejected(wind.error());
         StateFields::state(reader, wind->state());
         reader.end();
-        if (reader.refused())
-            return refused(reader.reason());
+        if (reader.rejected())
+            return rejected(reader.reason());
         wind->state().core.renew_ambient();
         return wind;
     });

@@ -23,13 +23,13 @@ struct WindowBlock {
     /// [m] Low corner of the last frame's box, minus the anchor: for motion vectors. Without ticks, of the step before, with
     /// `follow` called before `step`.
     alignas(16) glm::vec3 previous_origin{0.0f};
-    alignas(16) glm::vec3 ambient{0.0f};    ///< [m/s] mean wind outside the box; with a profile or gusts see AmbientBlock
-    alignas(16) glm::vec3 low_sides{0.0f};  ///< kind of the low side of x, y, z: 0 open, 1 wall, 2 periodic
-    alignas(16) glm::vec3 high_sides{0.0f}; ///< kind of the high sides
-    alignas(16) glm::vec3 rim_point{0.0f};  ///< [m] that the rim follows, minus the anchor
-    float rim_width = 0.0f;                 ///< [m] over which the box's wind fades to ambient
-    alignas(16) glm::vec3 rim_reach{0.0f};  ///< [m] distance from that point at which it has faded; 0: no rim on that axis
-    alignas(16) glm::vec3 previous_rim_point{0.0f}; ///< [m] the point in the last frame, minus the anchor
+    alignas(16) glm::vec3 ambient{0.0f};         ///< [m/s] mean wind outside the box; with a profile or gusts see AmbientBlock
+    alignas(16) glm::vec3 low_boundaries{0.0f};  ///< kind of the low side of x, y, z: 0 open, 1 wall, 2 periodic
+    alignas(16) glm::vec3 high_boundaries{0.0f}; ///< kind of the high sides
+    alignas(16) glm::vec3 blend_centre{0.0f};    ///< [m] that the rim follows, minus the anchor
+    float blend_width = 0.0f;                    ///< [m] over which the box's wind fades to ambient
+    alignas(16) glm::vec3 blend_reach{0.0f};     ///< [m] distance from that point at which it has faded; 0: no rim on that axis
+    alignas(16) glm::vec3 previous_blend_centre{0.0f}; ///< [m] the point in the last frame, minus the anchor
 };
 static_assert(sizeof(WindowBlock) == 144);
 

@@ -57,7 +57,7 @@ struct Share {
         return (static_cast<std::uint64_t>(loop) << 32) | (static_cast<std::uint64_t>(next) << 16) | end;
     }
 };
-constexpr int k_most_blocks = 0xffff; ///< of a loop
+constexpr int k_max_blocks = 0xffff; ///< of a loop
 
 struct alignas(k_cache_line) ShareWord {
     std::atomic<std::uint64_t> word{0};
@@ -78,7 +78,7 @@ struct ThreadPool::State {
     std::atomic<Task> task{nullptr};
     std::atomic<void*> argument{nullptr};
     std::atomic<int> count{0};
-    std::atomic<int> block{1}; ///< indices that are taken together: 1, but for loops of more than k_most_blocks
+    std::atomic<int> block{1}; ///< indices that are taken together: 1, but for loops of more than k_max_blocks
     std::atomic<bool> stop{false};
     alignas(k_cache_line) std::atomic<int> left{0}; ///< blocks whose tasks have not returned
 
@@ -174,7 +174,7 @@ struct ThreadPool::State {
     void run(int wanted, Task wanted_task, void* wanted_argument) {
         assert(running != this && "a task of a pool's loop asked the same pool for a loop: it would wait for itself");
         const std::lock_guard my_turn(turn);
-        const int size = (wanted - 1) / k_most_blocks + 1, blocks = (wanted - 1) / size + 1;
+        const int size = (wanted - 1) / k_max_blocks + 1, blocks = (wanted - 1) / size + 1;
         task.store(wanted_task, std::memory_order_release);
         argument.store(wanted_argument, std::memory_order_release);
         count.store(wanted, std::memory_order_release);

@@ -19,7 +19,7 @@ struct TickClock {
     /// Adds a frame of dt [s] and spends all whole ticks.
     [[nodiscard]] Due spend(double dt, const Ticks& ticks) {
         constexpr double k_rounding = 1e-9; // of a tick: sums of frame times meet tick times only so nearly
-        const double duration = 1.0 / ticks.hz, most = ticks.most;
+        const double duration = 1.0 / ticks.hz, most = ticks.max_per_call;
         lead += dt;
         const double due = std::floor(lead * ticks.hz + k_rounding);
         Due spent{.ticks = static_cast<int>(std::min(due, most))};

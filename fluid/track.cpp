@@ -11,7 +11,7 @@ namespace {
 constexpr double k_rounding = 1e-9; // of a tick: sums of frame times meet tick times only so nearly
 
 // Whether a piece that ends at `end` after `duration` keeps the velocity of the one before it, but for rounding of positions.
-bool goes_on(const Track::Piece& before, glm::dvec3 end, double duration) {
+bool goes_on(const Track::Segment& before, glm::dvec3 end, double duration) {
     const double share = before.duration / (before.duration + duration);
     const glm::dvec3 bend = before.end - (before.start + share * (end - before.start));
     return glm::length(bend) <= 1e-6 * glm::length(end - before.start);
@@ -26,7 +26,7 @@ void Track::move_to(glm::dvec3 position) {
 
 // When full, the point goes whose absence bends the path least; the newest stays, for it is the target.
 void Track::push(Point point) {
-    if (count_ == k_most_pieces) {
+    if (count_ == k_max_segments) {
         int spare = 0;
         double least = std::numeric_limits<double>::infinity();
         for (int n = 0; n < count_; ++n) {
@@ -52,7 +52,7 @@ void Track::begin_frame(double lead, double duration) {
         return;
     // It rested until this frame began.
     const double last = timed_ > 0 ? points_[timed_ - 1].time : 0.0;
-    if (last < lead - 1e-9 * duration && count_ < k_most_pieces) {
+    if (last < lead - 1e-9 * duration && count_ < k_max_segments) {
         const glm::dvec3 resting = timed_ > 0 ? points_[timed_ - 1].position : here_;
         std::copy_backward(points_.begin() + timed_, points_.begin() + count_, points_.begin() + count_ + 1);
         points_[timed_++] = {lead, resting};
@@ -69,7 +69,7 @@ void Track::squeeze(double factor) {
         points_[n].time *= factor;
 }
 
-std::span<const Track::Piece> Track::tick(double duration) {
+std::span<const Track::Segment> Track::tick(double duration) {
     int pieces = 0, taken = 0;
     double time = 0.0;
     glm::dvec3 place = here_;
@@ -88,7 +88,7 @@ std::span<const Track::Piece> Track::tick(double duration) {
             if (pieces > 0 && pieces_[pieces - 1].end == place && goes_on(pieces_[pieces - 1], end, length)) {
                 pieces_[pieces - 1].end = end;
                 pieces_[pieces - 1].duration += length;
-            } else if (pieces < k_most_pieces) {
+            } else if (pieces < k_max_segments) {
                 pieces_[pieces++] = {place, end, length};
             }
         }

@@ -15,7 +15,7 @@ namespace windrow {
 class Track {
   public:
     /// Pieces that a tick may take; more positions are thinned, those that lie nearest to the straight line first.
-    static constexpr int k_most_pieces = 8;
+    static constexpr int k_max_segments = 8;
 
     struct Piece {
         glm::dvec3 start, end; ///< [m]
@@ -54,11 +54,11 @@ class Track {
 
     glm::dvec3 here_{0.0};
     glm::dvec3 target_{0.0};
-    std::array<Point, k_most_pieces> points_{};
+    std::array<Point, k_max_segments> points_{};
     int count_ = 0;
-    int timed_ = 0;                             ///< points that have a time
-    int moves_ = 0;                             ///< since the last frame began
-    std::array<Piece, k_most_pieces> pieces_{}; ///< as is what follows, of the last tick
+    int timed_ = 0;                              ///< points that have a time
+    int moves_ = 0;                              ///< since the last frame began
+    std::array<Piece, k_max_segments> pieces_{}; ///< as is what follows, of the last tick
     glm::dvec3 middle_{0.0};
 };
 

@@ -41,7 +41,7 @@ void append(std::string& text, const Figure& figure) {
 
 void append(std::string& text, const Bounds& bounds) {
     const Range& range = bounds.range;
-    const bool low = std::isfinite(range.least), high = std::isfinite(range.most), open = low && range.above_least;
+    const bool low = std::isfinite(range.min), high = std::isfinite(range.max), open = low && range.above_min;
     if (open)
         text += "a number above ";
     else if (low && !high)
@@ -49,13 +49,13 @@ void append(std::string& text, const Bounds& bounds) {
     else if (!low)
         text += high ? "at most " : "a number";
     if (low)
-        append(text, Figure{range.least});
-    if (range.least == 0.0 && *range.zero != '\0')
+        append(text, Figure{range.min});
+    if (range.min == 0.0 && *range.zero != '\0')
         append_each(text, " (", range.zero, ")");
     if (low && high)
         text += open ? ", at most " : " to ";
     if (high)
-        append(text, Figure{range.most});
+        append(text, Figure{range.max});
     append(text, Unit{range.unit});
 }
 

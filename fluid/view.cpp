@@ -9,8 +9,8 @@
 namespace windrow {
 namespace {
 
-float side_number(const Side& side) {
-    return side.kind == SideKind::open ? 0.0f : side.kind == SideKind::periodic ? 2.0f : 1.0f;
+float side_number(const Boundary& side) {
+    return side.kind == BoundaryKind::open ? 0.0f : side.kind == BoundaryKind::periodic ? 2.0f : 1.0f;
 }
 
 template <class Texel>
@@ -27,12 +27,12 @@ Result<void> write_texels(std::span<const glm::vec4> field, std::span<Texel> x, 
 
 } // namespace
 
-float WindView::rim_share(glm::dvec3 position) const {
+float WindView::blend_fraction(glm::dvec3 position) const {
     float share = 1.0f;
     for (int axis = 0; axis < 3; ++axis)
-        if (rim_.reach[axis] > 0.0f) {
-            const double cells = (position[axis] - rim_.point[axis]) / static_cast<double>(box_->cell_size);
-            share *= numerics::windrow_rim_share(static_cast<float>(cells), rim_.reach[axis], rim_.width);
+        if (blend_zone_.reach[axis] > 0.0f) {
+            const double cells = (position[axis] - blend_zone_.point[axis]) / static_cast<double>(box_->cell_size);
+            share *= numerics::windrow_blend_fraction(static_cast<float>(cells), blend_zone_.reach[axis], blend_zone_.width);
         }
     return share;
 }
@@ -42,16 +42,16 @@ glm::vec3 WindView::velocity(glm::dvec3 position) const {
     if (!(std::isfinite(exact.x) && std::isfinite(exact.y) && std::isfinite(exact.z)))
         return ambient_->mean();
     for (int axis = 0; axis < 3; ++axis) // wrapped in double: a float far away holds no share of a cell
-        if (box_->sides.periodic(axis))
+        if (box_->boundaries.periodic(axis))
             exact[axis] = std::fmod(exact[axis], static_cast<double>(box_->cells[axis]));
     const glm::vec3 local(exact);
-    float share = rim_share(position);
+    float share = blend_fraction(position);
     glm::ivec3 low(0), high(0);
     glm::vec3 between(0.0f);
     for (int axis = 0; axis < 3 && share > 0.0f; ++axis) {
         const auto cells = static_cast<float>(box_->cells[axis]);
-        const float low_kind = side_number(box_->sides.at(axis, 0)), high_kind = side_number(box_->sides.at(axis, 1));
-        share *= numerics::windrow_axis_share(local[axis], cells, low_kind, high_kind);
+        const float low_kind = side_number(box_->boundaries.at(axis, 0)), high_kind = side_number(box_->boundaries.at(axis, 1));
+        share *= numerics::windrow_axis_fraction(local[axis], cells, low_kind, high_kind);
         const float sample = numerics::windrow_axis_sample(local[axis], cells, low_kind) - 0.5f;
         const float below = std::floor(sample);
         between[axis] = sample - below;
@@ -101,13 +101,13 @@ WindowBlock WindView::block(glm::dvec3 anchor) const {
     block.previous_origin = block.origin;
     block.ambient = ambient_->mean();
     for (int axis = 0; axis < 3; ++axis) {
-        block.low_sides[axis] = side_number(box_->sides.at(axis, 0));
-        block.high_sides[axis] = side_number(box_->sides.at(axis, 1));
+        block.low_boundaries[axis] = side_number(box_->boundaries.at(axis, 0));
+        block.high_boundaries[axis] = side_number(box_->boundaries.at(axis, 1));
     }
-    block.rim_point = glm::vec3(rim_.point - anchor);
-    block.rim_width = rim_.width * h;
-    block.rim_reach = rim_.reach * h;
-    block.previous_rim_point = block.rim_point;
+    block.blend_centre = glm::vec3(blend_zone_.point - anchor);
+    block.blend_width = blend_zone_.width * h;
+    block.blend_reach = blend_zone_.reach * h;
+    block.previous_blend_centre = block.blend_centre;
     return block;
 }
 

@@ -1,8 +1,8 @@
 // The wind at one moment, as renderers sample it: the box's cells, where they lie, and the ambient wind around them.
 //
-// Inside the box the wind is trilinear between cell centres. Near an open side along which the box follows a point it fades to
+// Inside the box the wind is trilinear between cell centres. Near an open boundary along which the box follows a point it fades to
 // the ambient wind over the rim: by the distance from the point itself, which moves smoothly, while the box jumps by cells; so a
-// jump moves nothing. Other open sides fade over the one cell beyond them; beyond a wall it is the wind at the wall.
+// jump moves nothing. Other open boundaries fade over the one cell beyond them; beyond a wall it is the wind at the wall.
 #pragma once
 
 #include "fluid/ambient.h"
@@ -18,7 +18,7 @@
 namespace windrow {
 
 /// How the wind of a box fades to the ambient wind.
-struct Rim {
+struct BlendZone {
     glm::dvec3 point{0.0}; ///< [m] world; what the box follows
     glm::vec3 reach{0.0f}; ///< [cells] from the point, where the box's wind has faded; 0: no rim on that axis
     float width = 1.0f;    ///< [cells]
@@ -27,8 +27,9 @@ struct Rim {
 /// A view of a Wind's own memory: cheap to copy, good until the wind next changes.
 class WindView {
   public:
-    WindView(const Box& box, const Window& window, const Rim& rim, const AmbientWind& ambient, std::span<const glm::vec4> field)
-        : box_(&box), window_(window), rim_(rim), ambient_(&ambient), field_(field) {}
+    WindView(const Box& box, const Window& window, const BlendZone& rim, const AmbientWind& ambient,
+             std::span<const glm::vec4> field)
+        : box_(&box), window_(window), blend_zone_(rim), ambient_(&ambient), field_(field) {}
 
     /// [m/s] Wind at a world point. A point that is not finite gets the mean wind.
     [[nodiscard]] glm::vec3 velocity(glm::dvec3 position) const;
@@ -38,25 +39,25 @@ class WindView {
     [[nodiscard]] glm::vec3 felt(glm::dvec3 position, const Sampling& sampling) const;
     /// [m/s] The cells themselves, laid out as box.h says; w = 0.
     [[nodiscard]] std::span<const glm::vec4> field() const { return field_; }
-    /// Three textures, one an axis, as float or half; each span holds box().cell_count() texels or the call is refused.
+    /// Three textures, one an axis, as float or half; each span holds box().cell_count() texels or the call is rejected.
     Result<void> write_axes(std::span<float> x, std::span<float> y, std::span<float> z) const;
     Result<void> write_axes(std::span<std::uint16_t> x, std::span<std::uint16_t> y, std::span<std::uint16_t> z) const;
     /// [m] World position of the box's low corner.
     [[nodiscard]] glm::dvec3 origin() const { return window_.origin(); }
     [[nodiscard]] Window window() const { return window_; }
     [[nodiscard]] const Box& box() const { return *box_; }
-    [[nodiscard]] Rim rim() const { return rim_; }
+    [[nodiscard]] BlendZone blend_zone() const { return blend_zone_; }
     /// The wind around the box at this moment.
     [[nodiscard]] const AmbientWind& ambient() const { return *ambient_; }
     /// Where the textures lie, relative to `anchor` [m]; the fields of the frame before are those of this one.
     [[nodiscard]] WindowBlock block(glm::dvec3 anchor) const;
 
   private:
-    [[nodiscard]] float rim_share(glm::dvec3 position) const;
+    [[nodiscard]] float blend_fraction(glm::dvec3 position) const;
 
     const Box* box_;
     Window window_;
-    Rim rim_;
+    BlendZone blend_zone_;
     const AmbientWind* ambient_;
     std::span<const glm::vec4> field_;
 };

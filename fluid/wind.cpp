@@ -15,7 +15,7 @@ void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const 
     check_rules(reasons, path, Box{config.cells, config.cell_size, {}});
     if (detail::holds(k_world_range, config.centre) && !detail::can_hold_point(config, config.centre))
         reasons.add("centre is ", config.centre, " m: give finite numbers within 1e12 cells of the origin.");
-    detail::check_follow(reasons, config.follow_axes, config.sides);
+    detail::check_follow(reasons, config.follow_axes, config.boundaries);
     if (static_cast<std::size_t>(config.simd) < k_words<Simd>.size() && !runs(config.simd))
         reasons.add("simd is ", name_of(config.simd), ", which this machine does not run: give best or baseline.");
 }
@@ -34,7 +34,7 @@ Result<Wind> Wind::create(const Config& config) {
     if (auto valid = validate(config); !valid)
         return Error{valid.error()};
     return detail::where_memory_lasts([&]() -> Result<Wind> {
-        auto workspace = Workspace::create({.box = {config.cells, config.cell_size, config.sides},
+        auto workspace = Workspace::create({.box = {config.cells, config.cell_size, config.boundaries},
                                             .ambient = config.ambient,
                                             .simd = config.simd,
                                             .parallel_for = config.parallel_for});
@@ -62,8 +62,8 @@ Result<void> Wind::set_gusts(const Gusts& gusts) {
 glm::vec3 Wind::ambient() const {
     return state_->core.mean_wind();
 }
-Result<void> Wind::set_sides(const Sides& sides) {
-    return state_->core.set_sides(sides);
+Result<void> Wind::set_boundaries(const Boundaries& boundaries) {
+    return state_->core.set_boundaries(boundaries);
 }
 Result<void> Wind::follow(glm::dvec3 point) {
     return state_->core.follow(point);

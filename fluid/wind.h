@@ -1,6 +1,6 @@
 // The wind around a player: the header an embedder includes.
 //
-//     auto wind = windrow::Wind::create({.ambient = {3.0f, 0.0f, 0.0f}});          // 32 x 16 x 32 cells of 1 m, open sides
+//     auto wind = windrow::Wind::create({.ambient = {3.0f, 0.0f, 0.0f}});          // 32 x 16 x 32 cells of 1 m, open boundaries
 //     auto fan  = wind->motors().add(windrow::DirectionalMotor{.position = {4.0, 1.0, 0.0}});
 //     wind->follow(player_position);                                               // whole cells, nothing is lost
 //     wind->advance(frame_seconds);                                                // fixed ticks, blended for this frame
@@ -15,9 +15,9 @@
 #include "fluid/canopy.h"
 #include "fluid/diagnostics.h"
 #include "fluid/motors.h"
+#include "fluid/operators.h"
 #include "fluid/owned.h"
 #include "fluid/parallel.h"
-#include "fluid/pieces.h"
 #include "fluid/result.h"
 #include "fluid/simd.h"
 #include "fluid/textures.h"
@@ -48,7 +48,7 @@ inline constexpr std::array<const char*, 2> k_words<Scheme>{"second_order", "sta
 /// Without advection there is no trajectory to centre forces on: the whole f dt acts in the step.
 struct Stages {
     bool sources = true;
-    bool settling = true;
+    bool relaxation = true;
     bool diffusion = true;
     bool advection = true;
     bool projection = true;
@@ -56,7 +56,7 @@ struct Stages {
     static constexpr auto settings() {
         return std::tuple{
             Setting("sources", &Stages::sources, "Motors and the canopy."),
-            Setting("settling", &Stages::settling, "The return to the ambient wind."),
+            Setting("relaxation", &Stages::relaxation, "The return to the ambient wind."),
             Setting("diffusion", &Stages::diffusion, "Viscosity."),
             Setting("advection", &Stages::advection, "Transport of the air by itself."),
             Setting("projection", &Stages::projection, "The pressure, which makes the air incompressible."),
@@ -67,13 +67,13 @@ struct Stages {
 /// Fixed ticks of `advance`.
 struct Ticks {
     double hz = 30.0;
-    int most = 4;
+    int max_per_call = 4;
 
     static constexpr auto settings() {
         return std::tuple{
             Setting("hz", &Ticks::hz, {1.0, 1e4},
                     "Ticks a second. At 30, blended between ticks, leaves move as smoothly as at 144, at a fifth of the cost."),
-            Setting("most", &Ticks::most, {1.0, 1000.0},
+            Setting("max_per_call", &Ticks::max_per_call, {1.0, 1000.0},
                     "Most ticks in one call. Time beyond them is dropped and reported: a slow machine gets a slower wind, not an "
                     "ever longer frame."),
         };
@@ -83,7 +83,7 @@ struct Ticks {
 struct Config {
     glm::ivec3 cells{32, 16, 32};
     float cell_size = 1.0f;
-    Sides sides{};
+    Boundaries boundaries{};
     glm::dvec3 centre{0.0};
     std::optional<glm::bvec3> follow_axes{};
     glm::vec3 ambient{0.0f};
@@ -92,7 +92,7 @@ struct Config {
     std::optional<Canopy> canopy{};
     float rim = 2.0f;
     float viscosity = 1.5e-5f;
-    float settling_time = 20.0f;
+    float relaxation_time = 20.0f;
     float sleep_speed = 1e-3f;
     Scheme scheme = Scheme::second_order;
     Interpolation interpolation = Interpolation::cubic;
@@ -112,17 +112,18 @@ struct Config {
                     "high."),
             Setting("cell_size", &Config::cell_size, Box::k_cell_size_range,
                     "Edge of a cell. At 1 m a gust that a person notices spans several."),
-            Setting("sides", &Config::sides,
-                    "What the air meets at each side of the box. Default: open everywhere; Sides::open_over_floor() adds ground. "
-                    "Periodic sides come in pairs."),
+            Setting("boundaries", &Config::boundaries,
+                    "What the air meets at each side of the box. Default: open everywhere; Boundaries::open_over_floor() adds "
+                    "ground. "
+                    "Periodic boundaries come in pairs."),
             Setting("centre", &Config::centre, k_world_range,
                     "Point that the box is centred on at the start, to whole cells; for good on axes that do not follow."),
             Setting("follow_axes", &Config::follow_axes,
-                    "Axes x, y, z along which the box follows. Default: those with two open sides; others cannot."),
-            Setting(
-                "ambient", &Config::ambient, k_speed_range,
-                "Mean wind: the air at the start, what enters through open sides, what new cells get. Along an axis that a wall "
-                "closes it is dropped."),
+                    "Axes x, y, z along which the box follows. Default: those with two open boundaries; others cannot."),
+            Setting("ambient", &Config::ambient, k_speed_range,
+                    "Mean wind: the air at the start, what enters through open boundaries, what new cells get. Along an axis "
+                    "that a wall "
+                    "closes it is dropped."),
             Setting("profile", &Config::profile,
                     "Wind over open ground: log((z + z0) / z0), 0 at the ground (the box's floor, or height 0 without one), the "
                     "ambient wind at the reference height, more above. Default none: the same wind at all heights; {} for the "
@@ -130,30 +131,31 @@ struct Config {
             Setting(
                 "gusts", &Config::gusts,
                 "A frozen pattern that the ambient wind carries along, outside the box and through it. Calm air has none. The "
-                "pattern does not know periodic sides: it is torn where they meet."),
+                "pattern does not know periodic boundaries: it is torn where they meet."),
+            Setting("canopy", &Config::canopy,
+                    "Plants that slow the wind among them, as high and as dense everywhere; on the floor, or at height 0 without "
+                    "one. "
+                    "What comes in through the boundaries, and what relaxation returns to, is still the ambient wind. Default "
+                    "none, which "
+                    "costs nothing: plants bend, but the wind does not feel them; {} for wheat."),
             Setting(
-                "canopy", &Config::canopy,
-                "Plants that slow the wind among them, as high and as dense everywhere; on the floor, or at height 0 without "
-                "one. "
-                "What comes in through the sides, and what settling returns to, is still the ambient wind. Default none, which "
-                "costs nothing: plants bend, but the wind does not feel them; {} for wheat."),
-            Setting("rim", &Config::rim, {.least = 0.0, .most = 64.0, .unit = "cells", .zero = "none"},
-                    "Width over which sampled wind fades to ambient at the sides along which the box follows. It ends one cell "
-                    "before the box does (two with ticks), so that a shift of the box moves nothing. Axes of fewer than 8 cells "
-                    "(10 with "
-                    "ticks) have none."),
+                "blend_width", &Config::blend_width, {.min = 0.0, .max = 64.0, .unit = "cells", .zero = "none"},
+                "Width over which sampled wind fades to ambient at the boundaries along which the box follows. It ends one cell "
+                "before the box does (two with ticks), so that a shift of the box moves nothing. Axes of fewer than 8 cells "
+                "(10 with "
+                "ticks) have none."),
             Setting("viscosity", &Config::viscosity, {0.0, 1e9, "m^2/s"},
                     "Kinematic viscosity. Default: that of air, which at 1 m cells is below what the solver resolves and costs "
                     "nothing."),
             Setting(
-                "settling_time", &Config::settling_time, {0.0, 1e9, "s", "never"},
+                "relaxation_time", &Config::relaxation_time, {0.0, 1e9, "s", "never"},
                 "Time in which air left alone comes back to ambient. Default 20: no collocated solver damps the checkerboard in "
                 "still air by itself. 0 is for analytic cases."),
-            Setting(
-                "sleep_speed", &Config::sleep_speed, {0.0, 1e4, "m/s", "never"},
-                "Air that differs from ambient by less everywhere, with no motor in reach and no gusts, sleeps: it becomes "
-                "ambient, and a step costs microseconds until something acts. It does not sleep without a settling time or while "
-                "viscosity acts."),
+            Setting("sleep_speed", &Config::sleep_speed, {0.0, 1e4, "m/s", "never"},
+                    "Air that differs from ambient by less everywhere, with no motor in reach and no gusts, sleeps: it becomes "
+                    "ambient, and a step costs microseconds until something acts. It does not sleep without a relaxation time or "
+                    "while "
+                    "viscosity acts."),
             Setting(
                 "scheme", &Config::scheme,
                 "How a step is cut in time. second_order: semi-implicit semi-Lagrangian. stable_fluids: the classic split, first "
@@ -212,19 +214,19 @@ class Wind {
     [[nodiscard]] const Motors& motors() const;
     /// Changes the mean wind [m/s]. All air of the box changes by the difference at once, as under a pressure gradient that is
     /// far wider than the box; entering through the sides alone, a new wind would never reach still air. Ramp it for a gust.
-    /// Components along axes that a wall closes are dropped. Refuses what is not finite or above 1e4 m/s.
+    /// Components along axes that a wall closes are dropped. Rejects what is not finite or above 1e4 m/s.
     [[nodiscard]] Result<void> set_ambient(glm::vec3 ambient);
     [[nodiscard]] glm::vec3 ambient() const;
-    /// Changes the gusts; the air of the box changes with them at once, so ramp the intensity. Refuses what `validate` refuses.
+    /// Changes the gusts; the air of the box changes with them at once, so ramp the intensity. Rejects what `validate` rejects.
     /// Allocates when gusts begin.
     [[nodiscard]] Result<void> set_gusts(const Gusts& gusts);
-    /// Changes kinds or wall velocities between steps. A changed kind starts the second-order history anew. Refuses what
-    /// `validate` refuses and a wall across an axis that follows.
-    [[nodiscard]] Result<void> set_sides(const Sides& sides);
+    /// Changes kinds or wall velocities between steps. A changed kind starts the second-order history anew. Rejects what
+    /// `validate` rejects and a wall across an axis that follows.
+    [[nodiscard]] Result<void> set_boundaries(const Boundaries& boundaries);
 
     // --- Where the box lies -------------------------------------------------------------------------------------------
     /// Centres the box on a point, to whole cells, on the axes that follow. Air that stays inside keeps its values to the bit;
-    /// new cells hold the ambient wind. A jump beyond the box starts afresh. Refuses a point that is not finite or beyond 1e12
+    /// new cells hold the ambient wind. A jump beyond the box starts afresh. Rejects a point that is not finite or beyond 1e12
     /// cells. With `advance` the box moves in its ticks, with `step` at once.
     Result<void> follow(glm::dvec3 point);
     /// Puts the box's low y side at a height [m], to whole cells: the ground under a player. For boxes whose low y side is solid.
@@ -243,7 +245,7 @@ class Wind {
     }
     /// [m/s] What a plant there feels: scaled, limited, with small-scale detail.
     [[nodiscard]] glm::vec3 felt(glm::dvec3 position, const Sampling& sampling) const { return view().felt(position, sampling); }
-    /// Three textures, one an axis, as float or half; each span holds box().cell_count() texels or the call is refused.
+    /// Three textures, one an axis, as float or half; each span holds box().cell_count() texels or the call is rejected.
     Result<void> write_axes(std::span<float> x, std::span<float> y, std::span<float> z) const {
         return view().write_axes(x, y, z);
     }
@@ -266,7 +268,7 @@ class Wind {
     /// the next frame shows these cells alone, not blended with what was before. Values that are not finite are caught by the
     /// next step.
     void set_velocity(const std::function<glm::vec3(glm::dvec3 centre)>& velocity_at);
-    /// The same from an array laid out as box.h says; refuses another size.
+    /// The same from an array laid out as box.h says; rejects another size.
     Result<void> set_velocity(std::span<const glm::vec4> field);
     /// Back to ambient everywhere, history too: a fresh solver in place.
     void reset();
@@ -275,7 +277,7 @@ class Wind {
     /// The whole state as bytes: config, air, motors, gusts, ticks. Little-endian, with a version and a checksum. Fails without
     /// memory for them.
     [[nodiscard]] Result<std::vector<std::byte>> save() const;
-    /// A wind that goes on from there to the same bits (on the same SIMD level). Refuses bytes that are truncated, changed, or of
+    /// A wind that goes on from there to the same bits (on the same SIMD level). Rejects bytes that are truncated, changed, or of
     /// another version.
     [[nodiscard]] static Result<Wind> load(std::span<const std::byte> bytes, ParallelFor parallel_for = {});
     /// Notes every accepted call that changes the wind in `log` from now on; null: no longer. See event_log.h.

@@ -40,8 +40,9 @@ std::uint64_t name_of_sources(std::span<const detail::MotorReach> reached, CellI
 }
 
 // Gusts have no component along an axis that a wall closes; the ground alone is their mirror, which they already respect.
-glm::vec3 gust_axes(const Sides& sides) {
-    return {sides.has_solid(0) ? 0.0f : 1.0f, sides.y_high.solid() ? 0.0f : 1.0f, sides.has_solid(2) ? 0.0f : 1.0f};
+glm::vec3 gust_axes(const Boundaries& boundaries) {
+    return {boundaries.has_solid(0) ? 0.0f : 1.0f, boundaries.y_high.solid() ? 0.0f : 1.0f,
+            boundaries.has_solid(2) ? 0.0f : 1.0f};
 }
 
 } // namespace
@@ -105,7 +106,7 @@ bool WindCore::has_room(const CellNeeds& needs) {
 
 // Nothing acts on the air in dropped time, but the world went on: bodies are where they are, gusts have passed.
 void WindCore::drop(double seconds) {
-    (void)motors.tick(seconds, place.window, config.sides);
+    (void)motors.tick(seconds, place.window, config.boundaries);
     (void)frames->follow.tick(seconds);
     if (sleep.asleep() || !ambient.gusting()) {
         drift(seconds);
@@ -140,7 +141,7 @@ void WindCore::shift_to(CellIndex origin_cells) {
     if (shift.y != 0 && !ambient.uniform())
         sleep.stir(); // at another height, another wind to report
     // Gusts stay over the ground: where it moves, so do they, and what the air holds of them with it.
-    const bool gusts_move = shift.y != 0 && config.sides.y_low.solid() && config.gusts.intensity > 0.0f && !calm;
+    const bool gusts_move = shift.y != 0 && config.boundaries.y_low.solid() && config.gusts.intensity > 0.0f && !calm;
     if (gusts_move)
         add_ambient(-1.0f);
     place.window.origin_cells = origin_cells;
@@ -175,7 +176,7 @@ Diagnostics WindCore::step_air(double duration) {
 void WindCore::run_step(double duration, Diagnostics& report) {
     std::span<const detail::MotorReach> reached;
     if (config.stages.sources)
-        reached = motors.tick(duration, place.window, config.sides);
+        reached = motors.tick(duration, place.window, config.boundaries);
     place.note_step();
     if (sleep.asleep() && reached.empty()) {
         drift(duration);
@@ -187,7 +188,7 @@ void WindCore::run_step(double duration, Diagnostics& report) {
     report.motors_in_reach = static_cast<int>(reached.size());
     const bool renews_sources = config.stages.projection && renew_sources(reached);
     const cpu::CanopyRows canopy = canopy_rows();
-    const Sleep::Conditions conditions{.relaxation_time = config.stages.settling ? config.settling_time : 0.0f,
+    const Sleep::Conditions conditions{.relaxation_time = config.stages.relaxation ? config.relaxation_time : 0.0f,
                                        .sleep_speed = config.sleep_speed,
                                        .motors = report.motors_in_reach,
                                        .source_flow = source_name != 0,
@@ -246,9 +247,9 @@ cpu::CanopyRows WindCore::canopy_rows() const {
 // It is the mean wind, the same everywhere or by its profile, and gusts.
 
 void WindCore::renew_ambient() {
-    ambient.set_gust_axes(gust_axes(config.sides));
+    ambient.set_gust_axes(gust_axes(config.boundaries));
     (void)ambient.set_mean(mean_wind());
-    (void)ambient.set_ground(config.sides.y_low.solid() ? place.window.origin().y : 0.0);
+    (void)ambient.set_ground(config.boundaries.y_low.solid() ? place.window.origin().y : 0.0);
 }
 
 CellChange WindCore::change(CellChange::Kind kind) const {

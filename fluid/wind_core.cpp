@@ -11,7 +11,7 @@ namespace windrow {
 namespace {
 
 constexpr double k_farthest_cells = 1e12;
-constexpr float k_most_wind = 1e4f;
+constexpr float k_max_wind = 1e4f;
 constexpr const char* k_axis_names[3] = {"x", "y", "z"};
 
 template <class Vector>
@@ -32,15 +32,15 @@ bool can_hold_point(const Config& config, glm::dvec3 point) {
 }
 
 void check_ambient(Reasons& reasons, glm::vec3 ambient) {
-    if (!finite(ambient) || std::max({std::abs(ambient.x), std::abs(ambient.y), std::abs(ambient.z)}) > k_most_wind)
+    if (!finite(ambient) || std::max({std::abs(ambient.x), std::abs(ambient.y), std::abs(ambient.z)}) > k_max_wind)
         reasons.add("ambient is ", ambient, " m/s: give finite numbers, at most 1e4 m/s in size.");
 }
 
-void check_follow(Reasons& reasons, const std::optional<glm::bvec3>& follow, const Sides& sides) {
+void check_follow(Reasons& reasons, const std::optional<glm::bvec3>& follow, const Boundaries& boundaries) {
     for (int axis = 0; axis < 3 && follow; ++axis)
-        if ((*follow)[axis] && !can_follow(sides, axis))
+        if ((*follow)[axis] && !can_follow(boundaries, axis))
             reasons.add("follow_axes asks the box to follow along ", k_axis_names[axis], ", where a side is ",
-                        sides.periodic(axis) ? "periodic" : "solid", ": open both sides of that axis or leave it out",
+                        boundaries.periodic(axis) ? "periodic" : "solid", ": open both boundaries of that axis or leave it out",
                         axis == 1 ? " (set_floor moves a floor)." : ".");
 }
 
@@ -105,11 +105,11 @@ Result<void> WindCore::set_gusts(const Gusts& gusts) {
     return {};
 }
 
-Result<void> WindCore::set_sides(const Sides& sides) {
+Result<void> WindCore::set_boundaries(const Boundaries& boundaries) {
     detail::Reasons reasons;
-    if (auto valid = validate(sides); !valid)
+    if (auto valid = validate(boundaries); !valid)
         reasons.add(valid.error());
-    detail::check_follow(reasons, config.follow_axes, sides);
+    detail::check_follow(reasons, config.follow_axes, boundaries);
     if (!reasons.empty())
         return Error{reasons.take()};
     if (!has_room({.gusts = &config.gusts}))
@@ -117,16 +117,16 @@ Result<void> WindCore::set_sides(const Sides& sides) {
     bool same_kinds = true;
     for (int axis = 0; axis < 3; ++axis)
         for (int end = 0; end < 2; ++end)
-            same_kinds = same_kinds && sides.at(axis, end).kind == config.sides.at(axis, end).kind;
-    if (auto changed = cells_.set_sides(sides, !same_kinds); !changed)
+            same_kinds = same_kinds && boundaries.at(axis, end).kind == config.boundaries.at(axis, end).kind;
+    if (auto changed = cells_.set_boundaries(boundaries, !same_kinds); !changed)
         return changed;
-    config.sides = sides;
+    config.boundaries = boundaries;
     if (!same_kinds && source_name != 0)
         source_name = 2; // of no set of sources: their flow is made anew
-    place.follow_axes = detail::axes_that_follow(config.follow_axes, sides);
+    place.follow_axes = detail::axes_that_follow(config.follow_axes, boundaries);
     renew_ambient();
     sleep.wake();
-    note(SidesSet{sides});
+    note(SidesSet{boundaries});
     return {};
 }
 
@@ -144,9 +144,9 @@ Result<void> WindCore::follow(glm::dvec3 point) {
 }
 
 Result<void> WindCore::set_floor(double height) {
-    const Side& floor = config.sides.y_low;
+    const Boundary& floor = config.boundaries.y_low;
     if (!floor.solid())
-        return Error{"set_floor needs a solid low y side: set sides.y_low to free_slip or no_slip, or use follow."};
+        return Error{"set_floor needs a solid low y side: set boundaries.y_low to free_slip or no_slip, or use follow."};
     if (!detail::can_hold_point(config, {0.0, height, 0.0}))
         return Error{detail::message("floor height is ", height, " m: give a finite number within 1e12 cells of the origin.")};
     if (!has_room({.gusts = &config.gusts}))
@@ -190,8 +190,9 @@ void WindCore::record_to(EventLog* to) {
 
 // --- Reading -----------------------------------------------------------------------------------------------------------------
 
-Rim WindCore::rim(glm::dvec3 point) const {
-    return place.rim(point, config.rim, frames ? 2.0f : 1.0f); // between ticks, the point is up to a tick behind the box
+BlendZone WindCore::blend_zone(glm::dvec3 point) const {
+    return place.blend_zone(point, config.blend_width,
+                            frames ? 2.0f : 1.0f); // between ticks, the point is up to a tick behind the box
 }
 
 ShownFrame WindCore::shown() const {
@@ -205,11 +206,11 @@ WindowBlock WindCore::window_block(glm::dvec3 anchor, const WindView& view, cons
         const WindowBlock before = previous_view.block(anchor);
         block.factor = static_cast<float>(frames->clock.factor(config.ticks));
         block.previous_origin = before.origin;
-        block.previous_rim_point = before.rim_point;
+        block.previous_blend_centre = before.blend_centre;
     } else {
         const double h = config.cell_size;
         block.previous_origin = glm::vec3(glm::dvec3(place.previous.origin_cells) * h - anchor);
-        block.previous_rim_point = glm::vec3(place.previous.point - anchor);
+        block.previous_blend_centre = glm::vec3(place.previous.point - anchor);
     }
     return block;
 }

@@ -34,12 +34,12 @@ class WindCore {
     EventLog* log = nullptr;
 
     [[nodiscard]] const Window& window() const { return place.window; }
-    [[nodiscard]] Box box() const { return {config.cells, config.cell_size, config.sides}; }
-    /// [m/s] Mean wind that the open sides carry.
-    [[nodiscard]] glm::vec3 mean_wind() const { return admissible_ambient(config.sides, config.ambient); }
+    [[nodiscard]] Box box() const { return {config.cells, config.cell_size, config.boundaries}; }
+    /// [m/s] Mean wind that the open boundaries carry.
+    [[nodiscard]] glm::vec3 mean_wind() const { return admissible_ambient(config.boundaries, config.ambient); }
     /// Viscosity does something that floats hold within a second, or within `dt` [s]; else it is left out.
     [[nodiscard]] bool viscous(float dt = k_longest_prepared) const;
-    [[nodiscard]] Rim rim(glm::dvec3 point) const;
+    [[nodiscard]] BlendZone blend_zone(glm::dvec3 point) const;
     /// The wind of the last frame, or of the last step.
     [[nodiscard]] ShownFrame shown() const;
     [[nodiscard]] WindowBlock window_block(glm::dvec3 anchor, const WindView& view, const WindView& previous_view) const;
@@ -54,7 +54,7 @@ class WindCore {
     Advance advance(double dt);
     Result<void> set_ambient(glm::vec3 wind);
     Result<void> set_gusts(const Gusts& gusts);
-    Result<void> set_sides(const Sides& sides);
+    Result<void> set_boundaries(const Boundaries& boundaries);
     Result<void> follow(glm::dvec3 point);
     Result<void> set_floor(double height);
     Result<void> set_velocity(std::span<const glm::vec4> field);
@@ -101,7 +101,7 @@ class WindCore {
 namespace detail {
 [[nodiscard]] bool can_hold_point(const Config& config, glm::dvec3 point);
 void check_ambient(Reasons& reasons, glm::vec3 ambient);
-void check_follow(Reasons& reasons, const std::optional<glm::bvec3>& follow, const Sides& sides);
+void check_follow(Reasons& reasons, const std::optional<glm::bvec3>& follow, const Boundaries& boundaries);
 } // namespace detail
 
 } // namespace windrow

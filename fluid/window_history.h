@@ -12,12 +12,12 @@
 namespace windrow {
 
 namespace detail {
-[[nodiscard]] inline bool can_follow(const Sides& sides, int axis) {
-    return !sides.periodic(axis) && !sides.has_solid(axis);
+[[nodiscard]] inline bool can_follow(const Boundaries& boundaries, int axis) {
+    return !boundaries.periodic(axis) && !boundaries.has_solid(axis);
 }
 /// Those asked for; else all that can.
-[[nodiscard]] inline glm::bvec3 axes_that_follow(const std::optional<glm::bvec3>& follow, const Sides& sides) {
-    return follow ? *follow : glm::bvec3(can_follow(sides, 0), can_follow(sides, 1), can_follow(sides, 2));
+[[nodiscard]] inline glm::bvec3 axes_that_follow(const std::optional<glm::bvec3>& follow, const Boundaries& boundaries) {
+    return follow ? *follow : glm::bvec3(can_follow(boundaries, 0), can_follow(boundaries, 1), can_follow(boundaries, 2));
 }
 } // namespace detail
 
@@ -30,7 +30,7 @@ struct BoxPlace {
 struct WindowHistory {
     explicit WindowHistory(const Config& config)
         : window{config.cells, config.cell_size, {}}, point(config.centre),
-          follow_axes(detail::axes_that_follow(config.follow_axes, config.sides)) {
+          follow_axes(detail::axes_that_follow(config.follow_axes, config.boundaries)) {
         window.origin_cells = window.centred_on(point);
         previous = stepped = {point, window.origin_cells};
     }
@@ -55,8 +55,8 @@ struct WindowHistory {
         return glm::any(glm::greaterThanEqual(glm::abs(shift), CellIndex(window.cells)));
     }
     /// The blend zone of `width` [cells] about a point, which ends `inset` cells before the box.
-    [[nodiscard]] Rim rim(glm::dvec3 about, float width, float inset) const {
-        Rim rim{.point = about, .reach = glm::vec3(0.0f), .width = width};
+    [[nodiscard]] BlendZone blend_zone(glm::dvec3 about, float width, float inset) const {
+        BlendZone rim{.point = about, .reach = glm::vec3(0.0f), .width = width};
         for (int axis = 0; axis < 3; ++axis) {
             const float reach = 0.5f * static_cast<float>(window.cells[axis]) - inset;
             if (width > 0.0f && follow_axes[axis] && reach >= width + 1.0f)

@@ -16,7 +16,7 @@ using detail::message;
 using Bytes = std::vector<unsigned char>;
 
 constexpr int k_largest_side = 16384;
-constexpr std::size_t k_most_file_bytes = std::size_t{512} << 20;
+constexpr std::size_t k_max_file_bytes = std::size_t{512} << 20;
 
 Result<void> check_size(const std::filesystem::path& file, std::size_t has, int width, int height, int channels) {
     if (width > 0 && height > 0 &&
@@ -112,7 +112,7 @@ Result<void> write_exr(const PictureF& light, const PictureF& motion, const std:
 Result<Picture8> read_png(const std::filesystem::path& file, PngWords* words) {
     const std::string name = file.string();
     detail::InputBudget budget;
-    const auto bytes = detail::read_input(file, {.most_bytes = k_most_file_bytes}, budget);
+    const auto bytes = detail::read_input(file, {.max_bytes = k_max_file_bytes}, budget);
     if (!bytes)
         return Error{message("picture ", bytes.error())};
     OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes->data()), bytes->size());

@@ -36,10 +36,10 @@ enum class PngRows {
 /// the frame before, x right and y down; an empty one: none.
 [[nodiscard]] Result<void> write_exr(const PictureF& light, const PictureF& motion, const std::filesystem::path& file);
 
-/// Any PNG of at most 8 bits a channel's worth of colour, without its alpha; refuses one above 16384 pixels a side.
+/// Any PNG of at most 8 bits a channel's worth of colour, without its alpha; rejects one above 16384 pixels a side.
 [[nodiscard]] Result<Picture8> read_png(const std::filesystem::path& file, PngWords* words = nullptr);
 
-/// The picture in another size, filtered so that thin lines stay; refused only without memory.
+/// The picture in another size, filtered so that thin lines stay; rejected only without memory.
 [[nodiscard]] Result<Picture8> resized(const Picture8& picture, int width, int height);
 
 } // namespace windrow::pictures

@@ -3,14 +3,14 @@
 
 namespace windrow::scene {
 
-void read_side(JsonObject& sides, const Key& key, Side& side) {
-    const auto given = sides.value().find(key.name);
-    const bool is_object = given != sides.value().end() && given->is_object();
+void read_side(JsonObject& boundaries, const Key& key, Boundary& side) {
+    const auto given = boundaries.value().find(key.name);
+    const bool is_object = given != boundaries.value().end() && given->is_object();
     // Both ways to write a side are known, whichever the file takes.
-    if (is_object || !sides.value().contains(key.name))
-        read_object(sides.object(key), side);
+    if (is_object || !boundaries.value().contains(key.name))
+        read_object(boundaries.object(key), side);
     if (!is_object)
-        read_value(sides, key, side.kind, {});
+        read_value(boundaries, key, side.kind, {});
 }
 
 ReadAir read_air(JsonObject air) {

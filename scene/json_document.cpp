@@ -65,8 +65,8 @@ class Builder final : public nlohmann::json_sax<json> {
     bool put(json&& value) { return place(std::move(value)) != nullptr; }
 
     json* place(json&& value) {
-        if (++values_ > k_most_json_values) {
-            fault_ = message(name_, ": has more than ", k_most_json_values, " values: give fewer, or put paths in tables.");
+        if (++values_ > k_max_json_values) {
+            fault_ = message(name_, ": has more than ", k_max_json_values, " values: give fewer, or put paths in tables.");
             return nullptr;
         }
         if (levels_.empty()) {

@@ -1,4 +1,4 @@
-// JSON text, strictly read: what a lenient parser lets pass without a word is refused with its place.
+// JSON text, strictly read: what a lenient parser lets pass without a word is rejected with its place.
 #pragma once
 
 #include "fluid/result.h"
@@ -13,10 +13,10 @@ namespace windrow::scene {
 /// Deeper than any scene; beyond it a file is an accident or an attack.
 inline constexpr std::size_t k_max_json_depth = 32;
 /// A value of 2 bytes in the text may take 100 bytes in memory. A path of 1,000,000 points has 5,000,000.
-inline constexpr std::size_t k_most_json_values = 6'000'000;
+inline constexpr std::size_t k_max_json_values = 6'000'000;
 
-/// Parses JSON text. Refuses syntax errors (with line and column), NaN and Infinity, numbers that do not fit a double, keys that
-/// stand twice in an object, nesting beyond k_max_json_depth, and more than k_most_json_values. `name` is the file's, for the sentence.
+/// Parses JSON text. Rejects syntax errors (with line and column), NaN and Infinity, numbers that do not fit a double, keys that
+/// stand twice in an object, nesting beyond k_max_json_depth, and more than k_max_json_values. `name` is the file's, for the sentence.
 [[nodiscard]] Result<nlohmann::json> parse_json(std::string_view text, const std::string& name);
 
 /// `$.motors` and `drive speed` make `$.motors["drive speed"]`; a plain word is joined by a dot.

@@ -25,7 +25,7 @@ JsonObject::JsonObject(const json& value, std::string path, std::string pattern,
     : value_(&value), path_(std::move(path)), pattern_(std::move(pattern)), log_(&log) {
     if (!value.is_object()) {
         static const json k_empty = json::object();
-        log.refuse(path_, message("is ", quote_json(value), ": give an object, {...}."));
+        log.reject(path_, message("is ", quote_json(value), ": give an object, {...}."));
         value_ = &k_empty;
         broken_ = true;
     }
@@ -35,12 +35,12 @@ JsonObject::JsonObject(const json& value, std::string path, std::string pattern,
 
 std::optional<double> JsonObject::check_number(const json& value, const std::string& path, const Range& rule, ReadLog& log) {
     if (!value.is_number()) {
-        log.refuse(path, message("is ", quote_json(value), ": give a number."));
+        log.reject(path, message("is ", quote_json(value), ": give a number."));
         return std::nullopt;
     }
     const auto number = value.get<double>();
     if (!rule.holds(number) || !std::isfinite(number)) {
-        log.refuse(path, message("is ", Figure{number}, detail::Unit{rule.unit}, ": give ", detail::Bounds{rule}, "."));
+        log.reject(path, message("is ", Figure{number}, detail::Unit{rule.unit}, ": give ", detail::Bounds{rule}, "."));
         return std::nullopt;
     }
     return number;
@@ -58,7 +58,7 @@ std::optional<double> JsonObject::optional_number(const Key& key, const Range& r
 
 double JsonObject::required_number(const Key& key, const Range& rule) {
     const json* const value = note({.type = "number", .required = true, .rule = rule}, key);
-    return value == nullptr ? rule.least : check_number(*value, path_of(key), rule, *log_).value_or(rule.least);
+    return value == nullptr ? rule.min : check_number(*value, path_of(key), rule, *log_).value_or(rule.min);
 }
 
 float JsonObject::real(const Key& key, float fallback, const Range& rule) {
@@ -77,7 +77,7 @@ std::int64_t JsonObject::whole(const Key& key, std::int64_t fallback, const Rang
         return fallback;
     const auto number = check_number(*value, path_of(key), rule, *log_);
     if (number && *number != std::floor(*number)) {
-        refuse(key, message("is ", Figure{*number}, ": give a whole number."));
+        reject(key, message("is ", Figure{*number}, ": give a whole number."));
         return fallback;
     }
     return number ? static_cast<std::int64_t>(*number) : fallback;
@@ -91,7 +91,7 @@ bool JsonObject::boolean(const Key& key, bool fallback) {
     const json* const value = note({.type = "boolean", .fallback = fallback}, key);
     if (value == nullptr || value->is_boolean())
         return value == nullptr ? fallback : value->get<bool>();
-    refuse(key, message("is ", quote_json(*value), ": give true or false."));
+    reject(key, message("is ", quote_json(*value), ": give true or false."));
     return fallback;
 }
 
@@ -99,7 +99,7 @@ std::string JsonObject::text(const Key& key, const std::string& fallback, const 
     const json* const value = note({.type = type, .fallback = fallback}, key);
     if (value == nullptr || value->is_string())
         return value == nullptr ? fallback : value->get<std::string>();
-    refuse(key, message("is ", quote_json(*value), ": give a text in double quotes."));
+    reject(key, message("is ", quote_json(*value), ": give a text in double quotes."));
     return fallback;
 }
 
@@ -116,7 +116,7 @@ std::size_t JsonObject::word_index(const Key& key, const std::string& fallback, 
     std::string choice;
     for (const std::string& word : words)
         choice += (choice.empty() ? "\"" : ", \"") + word + "\"";
-    refuse(key, message("is ", quote_json(*value), ": give ", words.size() > 1 ? "one of " : "", choice, "."));
+    reject(key, message("is ", quote_json(*value), ": give ", words.size() > 1 ? "one of " : "", choice, "."));
     return words.size();
 }
 
@@ -125,7 +125,7 @@ std::optional<std::size_t> JsonObject::name(const Key& key, std::span<const std:
     if (value == nullptr)
         return std::nullopt;
     if (!value->is_string()) {
-        refuse(key, message("is ", quote_json(*value), ": give a name out of $.", what, " in double quotes."));
+        reject(key, message("is ", quote_json(*value), ": give a name out of $.", what, " in double quotes."));
         return std::nullopt;
     }
     const auto& word = value->get_ref<const std::string&>();
@@ -134,7 +134,7 @@ std::optional<std::size_t> JsonObject::name(const Key& key, std::span<const std:
     if (log_->is_full())
         log_->count_fault();
     else
-        refuse(key, message("is ", quote_json(*value), ", which names none of $.", what, suggestion(word, names),
+        reject(key, message("is ", quote_json(*value), ", which names none of $.", what, suggestion(word, names),
                             ": add it there or name another."));
     return std::nullopt;
 }
@@ -150,15 +150,15 @@ JsonObject JsonObject::object(const Key& key) {
 }
 
 std::span<const json> JsonObject::array(const Key& key, std::size_t most, const char* type, const Range& rule) {
-    const json* const value = note({.type = type, .rule = rule, .most_items = most}, key);
+    const json* const value = note({.type = type, .rule = rule, .max_items = most}, key);
     if (value == nullptr)
         return {};
     if (!value->is_array()) {
-        refuse(key, message("is ", quote_json(*value), ": give a list, [...]."));
+        reject(key, message("is ", quote_json(*value), ": give a list, [...]."));
         return {};
     }
     if (value->size() > most) {
-        refuse(key, message("holds ", value->size(), " items: give at most ", most, "."));
+        reject(key, message("holds ", value->size(), " items: give at most ", most, "."));
         return {};
     }
     return value->get_ref<const json::array_t&>();
@@ -185,22 +185,22 @@ std::size_t JsonObject::one_of(std::initializer_list<const char*> keys, const ch
             std::find_if(keys.begin(), keys.end(), [&](const char* key) { return std::string_view(key) == fallback; }) -
             keys.begin());
     if (held == 0 && !broken_)
-        refuse(message("holds neither ", choice, ": give one of them."));
+        reject(message("holds neither ", choice, ": give one of them."));
     else if (held > 1)
-        refuse(message("holds more than one of ", choice, ": keep one of them."));
+        reject(message("holds more than one of ", choice, ": keep one of them."));
     return keys.size();
 }
 
 void JsonObject::not_both(const char* one, const char* other) {
     log_->know({.pattern = pattern_, .type = "not both", .words = {one, other}});
     if (value_->contains(one) && value_->contains(other))
-        refuse(message("holds both \"", one, "\" and \"", other, "\": keep one of them."));
+        reject(message("holds both \"", one, "\" and \"", other, "\": keep one of them."));
 }
 
 void JsonObject::needs(const char* key, const char* wanted, std::string_view why) {
     log_->know({.pattern = pattern_, .type = "needs", .words = {wanted, key}});
     if (value_->contains(key) && !value_->contains(wanted))
-        refuse(key, why);
+        reject(key, why);
 }
 
 const json* JsonObject::find(const Key& key, const char* type, const Range& rule) {
@@ -219,7 +219,7 @@ const json* JsonObject::note(KnownKey key, const Key& asked) {
     if (found != value_->end())
         return &*found;
     if (required && !broken_)
-        refuse(message("has no \"", name, "\": add it."));
+        reject(message("has no \"", name, "\": add it."));
     return nullptr;
 }
 
@@ -230,16 +230,16 @@ void JsonObject::finish() {
         if (log_->is_full()) // a suggestion takes longer than the rest of the reading
             log_->count_fault();
         else
-            log_->refuse(join_json_path(path_, key),
+            log_->reject(join_json_path(path_, key),
                          message("is not a known key", suggestion(key, asked_), ": rename or remove it."));
     }
 }
 
-void JsonObject::refuse(std::string_view rest) {
-    log_->refuse(path_, rest);
+void JsonObject::reject(std::string_view rest) {
+    log_->reject(path_, rest);
 }
-void JsonObject::refuse(const Key& key, std::string_view rest) {
-    log_->refuse(path_of(key), rest);
+void JsonObject::reject(const Key& key, std::string_view rest) {
+    log_->reject(path_of(key), rest);
 }
 void JsonObject::set_kind(std::string_view kind, const char* meaning) {
     pattern_ += message("(", kind, ")");

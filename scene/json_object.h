@@ -1,8 +1,8 @@
 // Typed reading of one JSON object: each access says what it expects, a fault names its path, and a key that nobody asked for
-// is refused, because a misspelt one would otherwise fall back to its default without a word.
+// is rejected, because a misspelt one would otherwise fall back to its default without a word.
 //
 //     JsonObject air = scene.object("air");
-//     config.cell_size = air.real("cell_size", config.cell_size, {.least = 1e-6, .most = 1e6, .unit = "m"});
+//     config.cell_size = air.real("cell_size", config.cell_size, {.min = 1e-6, .max = 1e6, .unit = "m"});
 //     air.finish();
 //
 // A fault is noted in the ReadLog and the fallback is returned, so that one reading finds all faults.
@@ -36,7 +36,7 @@ using Word = std::pair<const char*, Value>;
 
 class JsonObject {
   public:
-    /// Refuses a value that is no object; reading goes on as if it were empty, and says no more about it.
+    /// Rejects a value that is no object; reading goes on as if it were empty, and says no more about it.
     JsonObject(const nlohmann::json& value, std::string path, std::string pattern, ReadLog& log);
 
     // --- Values; an absent key gives the fallback ---------------------------------------------------------------------
@@ -69,7 +69,7 @@ class JsonObject {
         const std::size_t chosen = word_index(key, fallback_word, std::move(spelt));
         return chosen < words.size() ? words.begin()[chosen].second : fallback;
     }
-    /// Index of the word; words.size() where absent or refused. An empty fallback makes the key required.
+    /// Index of the word; words.size() where absent or rejected. An empty fallback makes the key required.
     [[nodiscard]] std::size_t word_index(const Key& key, const std::string& fallback, std::vector<std::string> words);
     /// A name that must be one of `names`, as its index: a reference to something else in the file. `what` says of what.
     [[nodiscard]] std::optional<std::size_t> name(const Key& key, std::span<const std::string> names, const char* what,
@@ -81,7 +81,7 @@ class JsonObject {
     /// Items of an array; empty where absent.
     [[nodiscard]] std::span<const nlohmann::json> array(const Key& key, std::size_t most, const char* type = "array",
                                                         const Range& rule = {});
-    /// Which one of `keys` the object holds; refuses none (unless `fallback` names one) and several. Returns keys.size() then.
+    /// Which one of `keys` the object holds; rejects none (unless `fallback` names one) and several. Returns keys.size() then.
     [[nodiscard]] std::size_t one_of(std::initializer_list<const char*> keys, const char* fallback = nullptr);
     /// Of two keys the object may hold one; rejects both.
     void not_both(const char* one, const char* other);
@@ -90,12 +90,12 @@ class JsonObject {
     /// The value as it stands, or null; the key is then known, and `type` describes it.
     [[nodiscard]] const nlohmann::json* find(const Key& key, const char* type, const Range& rule = {});
 
-    /// Refuses every key that nobody asked for.
+    /// Rejects every key that nobody asked for.
     void finish();
 
     /// Notes a fault in this object, or at a key of it: "path rest".
-    void refuse(std::string_view rest);
-    void refuse(const Key& key, std::string_view rest);
+    void reject(std::string_view rest);
+    void reject(const Key& key, std::string_view rest);
 
     [[nodiscard]] const std::string& path() const { return path_; }
     [[nodiscard]] const std::string& pattern() const { return pattern_; }

@@ -20,12 +20,12 @@ json to_json(glm::dvec3 vector) {
 
 std::optional<glm::dvec3> JsonObject::check_vector(const json& value, const std::string& path, const Range& rule, ReadLog& log) {
     if (!value.is_array() || value.size() != 3) {
-        log.refuse(path, message("is ", quote_json(value), ": give three numbers, [x, y, z]."));
+        log.reject(path, message("is ", quote_json(value), ": give three numbers, [x, y, z]."));
         return std::nullopt;
     }
     Range each = rule;
     if (rule.measure == Measure::length)
-        each.least = -rule.most;
+        each.min = -rule.max;
     glm::dvec3 vector{0.0};
     bool good = true;
     for (int axis = 0; axis < 3; ++axis) {
@@ -34,7 +34,7 @@ std::optional<glm::dvec3> JsonObject::check_vector(const json& value, const std:
         vector[axis] = number.value_or(0.0);
     }
     if (good && rule.measure != Measure::component && !detail::holds(rule, vector)) {
-        log.refuse(path, message("is ", value.dump(), ": give ", detail::VectorBounds{rule}, "."));
+        log.reject(path, message("is ", value.dump(), ": give ", detail::VectorBounds{rule}, "."));
         good = false;
     }
     return good ? std::optional(vector) : std::nullopt;
@@ -58,7 +58,7 @@ glm::ivec3 JsonObject::integers(const Key& key, glm::ivec3 fallback, const Range
         return fallback;
     for (int axis = 0; axis < 3; ++axis)
         if ((*numbers)[axis] != std::floor((*numbers)[axis])) {
-            log_->refuse(message(path_of(key), "[", axis, "]"),
+            log_->reject(message(path_of(key), "[", axis, "]"),
                          message("is ", detail::Figure{(*numbers)[axis]}, ": give a whole number."));
             return fallback;
         }
@@ -69,7 +69,7 @@ std::optional<glm::dvec2> JsonObject::check_pair(const Key& key, const json* val
     if (value == nullptr)
         return std::nullopt;
     if (!value->is_array() || value->size() != 2) {
-        refuse(key, message("is ", quote_json(*value), ": give two numbers, [", names, "]."));
+        reject(key, message("is ", quote_json(*value), ": give two numbers, [", names, "]."));
         return std::nullopt;
     }
     const auto first = check_number((*value)[0], path_of(key) + "[0]", rule, *log_);
@@ -89,7 +89,7 @@ glm::ivec2 JsonObject::whole_pair(const Key& key, glm::ivec2 fallback, const Ran
         return fallback;
     for (int n = 0; n < 2; ++n)
         if ((*numbers)[n] != std::floor((*numbers)[n])) {
-            log_->refuse(message(path_of(key), "[", n, "]"),
+            log_->reject(message(path_of(key), "[", n, "]"),
                          message("is ", detail::Figure{(*numbers)[n]}, ": give a whole number."));
             return fallback;
         }
@@ -102,7 +102,7 @@ std::optional<glm::bvec3> JsonObject::optional_flags(const Key& key) {
         return std::nullopt;
     if (!value->is_array() || value->size() != 3 ||
         !std::all_of(value->begin(), value->end(), [](const json& flag) { return flag.is_boolean(); })) {
-        refuse(key, message("is ", quote_json(*value), ": give true or false for each axis, [x, y, z]."));
+        reject(key, message("is ", quote_json(*value), ": give true or false for each axis, [x, y, z]."));
         return std::nullopt;
     }
     return glm::bvec3((*value)[0].get<bool>(), (*value)[1].get<bool>(), (*value)[2].get<bool>());

@@ -14,7 +14,7 @@ namespace {
 
 using detail::message;
 
-constexpr std::size_t k_most_bytes = std::size_t{64} << 20;
+constexpr std::size_t k_max_bytes = std::size_t{64} << 20;
 
 std::string_view trim(std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t\r");
@@ -113,9 +113,9 @@ Result<MotionPath> parse_path_csv(std::string_view text, const std::string& name
         if (!points.empty() && !(point->time > points.back().time))
             return Error{message(name, ":", line_number, ": t is ", point->time, " s after ", points.back().time,
                                  " s: times must increase from line to line.")};
-        if (points.size() == MotionPath::k_most_points)
-            return Error{message(name, ":", line_number, ": a path holds at most ", MotionPath::k_most_points,
-                                 " points: leave some out.")};
+        if (points.size() == MotionPath::k_max_points)
+            return Error{
+                message(name, ":", line_number, ": a path holds at most ", MotionPath::k_max_points, " points: leave some out.")};
         points.push_back(*point);
     }
     if (points.empty())
@@ -125,7 +125,7 @@ Result<MotionPath> parse_path_csv(std::string_view text, const std::string& name
 
 Result<MotionPath> read_path_csv(const std::filesystem::path& file, const std::filesystem::path& folder,
                                  detail::InputBudget& budget) {
-    const auto text = read_text_file(file, {.folder = folder, .most_bytes = k_most_bytes}, budget);
+    const auto text = read_text_file(file, {.folder = folder, .max_bytes = k_max_bytes}, budget);
     if (!text)
         return Error{text.error()};
     auto path = parse_path_csv(*text, file.string());

@@ -34,7 +34,7 @@ struct PathPoint {
 class MotionPath {
   public:
     /// Most points of a path: an hour at 250 a second.
-    static constexpr std::size_t k_most_points = 1'000'000;
+    static constexpr std::size_t k_max_points = 1'000'000;
     /// [m] and [s] Farthest place and time that a path takes.
     static constexpr double k_farthest = 1e9;
 
@@ -49,7 +49,7 @@ class MotionPath {
     std::vector<PathPoint> points_;
 };
 
-/// Parses a table; `name` is the file's, for the sentence, which carries the line: "player.csv:17: ...". Refuses at the first
+/// Parses a table; `name` is the file's, for the sentence, which carries the line: "player.csv:17: ...". Rejects at the first
 /// fault.
 [[nodiscard]] Result<MotionPath> parse_path_csv(std::string_view text, const std::string& name);
 

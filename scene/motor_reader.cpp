@@ -55,7 +55,7 @@ SceneMotor read_motor(const json& value, const std::string& path, std::span<cons
             object.optional_number({"until", "Time at which it ends, later than from. Default: never."}, k_time_rule)) {
         motor.until = *until;
         if (!(motor.from < motor.until))
-            object.refuse("until",
+            object.reject("until",
                           message("is ", motor.until, " s but the motor begins at ", motor.from, " s: give a later time."));
     }
     [&]<class... Kinds>(std::variant<Kinds...>*) {

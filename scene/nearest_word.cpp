@@ -51,10 +51,10 @@ std::string suggestion(std::string_view word, std::span<const std::string> known
     if (known.empty())
         return {};
     // A scene may have thousands of names, or one of megabytes.
-    constexpr std::size_t k_most_bytes = 1000;
+    constexpr std::size_t k_max_bytes = 1000;
     std::string text = " (known:";
     for (std::size_t i = 0; i < known.size(); ++i) {
-        if (text.size() + known[i].size() > k_most_bytes)
+        if (text.size() + known[i].size() > k_max_bytes)
             return text + (i == 0 ? " " : ", ") + "...)";
         text += (i == 0 ? " " : ", ") + known[i];
     }

@@ -12,33 +12,33 @@ namespace {
 using detail::message;
 using nlohmann::json;
 
-constexpr std::size_t k_most_paths = 4096;
+constexpr std::size_t k_max_paths = 4096;
 
 MotionPath read_points(JsonObject& object) {
     std::vector<PathPoint> points;
     const auto items = object.array(
         {"points", "A time and a position each, [t, x, y, z] in s and m, each number at most 1e9 in size; times increase."},
-        MotionPath::k_most_points, "points", {-MotionPath::k_farthest, MotionPath::k_farthest});
+        MotionPath::k_max_points, "points", {-MotionPath::k_farthest, MotionPath::k_farthest});
     const std::size_t faults_before = object.log().faults();
     for (std::size_t i = 0; i < items.size(); ++i) {
         const json& item = items[i];
         const std::string path = message(object.path(), ".points[", i, "]");
         if (!item.is_array() || item.size() != 4) {
-            object.log().refuse(path, message("is ", quote_json(item), ": give a time and a place, [t, x, y, z]."));
+            object.log().reject(path, message("is ", quote_json(item), ": give a time and a place, [t, x, y, z]."));
             continue;
         }
         double values[4] = {};
         for (std::size_t k = 0; k < 4; ++k) {
-            const Range rule{.least = -MotionPath::k_farthest, .most = MotionPath::k_farthest, .unit = k == 0 ? "s" : "m"};
+            const Range rule{.min = -MotionPath::k_farthest, .max = MotionPath::k_farthest, .unit = k == 0 ? "s" : "m"};
             values[k] = JsonObject::check_number(item[k], message(path, "[", k, "]"), rule, object.log()).value_or(0.0);
         }
         if (!points.empty() && !(values[0] > points.back().time) && object.log().faults() == faults_before)
-            object.log().refuse(path, message("has t = ", values[0], " s after ", points.back().time,
+            object.log().reject(path, message("has t = ", values[0], " s after ", points.back().time,
                                               " s: times must increase from point to point."));
         points.push_back({.time = values[0], .position = {values[1], values[2], values[3]}});
     }
     if (points.empty() && object.log().faults() == faults_before && object.value()["points"].is_array())
-        object.refuse("points", "is empty: give at least one point, [t, x, y, z].");
+        object.reject("points", "is empty: give at least one point, [t, x, y, z].");
     return MotionPath(std::move(points));
 }
 
@@ -52,7 +52,7 @@ MotionPath read_table(JsonObject& object, const std::filesystem::path& folder) {
         return {};
     auto path = read_path_csv(*file, folder, object.log().budget());
     if (!path) {
-        object.log().refuse_as_is(path.error());
+        object.log().reject_as_is(path.error());
         return {};
     }
     return std::move(*path);
@@ -67,7 +67,7 @@ std::optional<std::filesystem::path> file_beside(JsonObject& object, const Key& 
         return std::nullopt;
     if (detail::is_name_inside(name))
         return folder / std::filesystem::path(name).lexically_normal();
-    object.refuse(key, detail::message("is ", quote_json(*value),
+    object.reject(key, detail::message("is ", quote_json(*value),
                                        ": name a file in the scene's folder, relative to it, so that the folder can be handed on "
                                        "as a whole."));
     return std::nullopt;
@@ -78,8 +78,8 @@ std::vector<ScenePath> read_paths(JsonObject& scene, const std::filesystem::path
     JsonObject list =
         scene.object({"paths", "Paths by name, for follow, floor and motors: straight lines between points. Before the first "
                                "point it waits there, after the last it stays there."});
-    if (list.value().size() > k_most_paths) {
-        list.refuse(message("holds ", list.value().size(), " paths: give at most ", k_most_paths, "."));
+    if (list.value().size() > k_max_paths) {
+        list.reject(message("holds ", list.value().size(), " paths: give at most ", k_max_paths, "."));
         return paths;
     }
     for (const auto& [name, value] : list.value().items()) {

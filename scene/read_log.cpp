@@ -6,13 +6,13 @@
 
 namespace windrow::scene {
 
-void ReadLog::refuse(std::string_view path, std::string_view rest) {
+void ReadLog::reject(std::string_view path, std::string_view rest) {
     if (is_full())
         return count_fault();
-    refuse_as_is(detail::message(file_, ": ", path, " ", rest));
+    reject_as_is(detail::message(file_, ": ", path, " ", rest));
 }
 
-void ReadLog::refuse_as_is(std::string sentence) {
+void ReadLog::reject_as_is(std::string sentence) {
     if (is_full())
         return count_fault();
     count_fault();
@@ -21,10 +21,10 @@ void ReadLog::refuse_as_is(std::string sentence) {
     text_ += sentence;
 }
 
-void ReadLog::refuse_lines(std::string_view lines) {
+void ReadLog::reject_lines(std::string_view lines) {
     while (!lines.empty()) {
         const std::size_t end = std::min(lines.find('\n'), lines.size());
-        refuse_as_is(detail::message(file_, ": ", lines.substr(0, end)));
+        reject_as_is(detail::message(file_, ": ", lines.substr(0, end)));
         lines.remove_prefix(std::min(end + 1, lines.size()));
     }
 }
@@ -35,9 +35,9 @@ void ReadLog::know(KnownKey key) {
 }
 
 Error ReadLog::error() const {
-    if (count_ <= k_most_sentences)
+    if (count_ <= k_max_sentences)
         return Error{text_};
-    return Error{detail::message(text_, "\n", file_, ": ", count_ - k_most_sentences, " more faults of this sort.")};
+    return Error{detail::message(text_, "\n", file_, ": ", count_ - k_max_sentences, " more faults of this sort.")};
 }
 
 } // namespace windrow::scene

@@ -26,7 +26,7 @@ struct KnownKey {
     Range rule = {};
     std::vector<std::string> words = {}; ///< what a string may be
     std::string meaning = {};            ///< for people who write scenes
-    std::size_t most_items = 0;          ///< of an array
+    std::size_t max_items = 0;           ///< of an array
 
     /// A value that a file may hold, not a rule of its object.
     [[nodiscard]] bool is_value() const { return type != "one of" && type != "not both" && type != "needs" && type != "kind"; }
@@ -40,24 +40,24 @@ class ReadLog {
         : file_(std::move(file)), budget_(&budget), known_(known) {}
 
     /// Notes a fault: "file: path rest".
-    void refuse(std::string_view path, std::string_view rest);
+    void reject(std::string_view path, std::string_view rest);
     /// Notes a fault that names its own place.
-    void refuse_as_is(std::string sentence);
+    void reject_as_is(std::string sentence);
     /// Notes the faults of a validation, a line each.
-    void refuse_lines(std::string_view lines);
+    void reject_lines(std::string_view lines);
     void know(KnownKey key);
 
     [[nodiscard]] const std::string& file() const { return file_; }
     [[nodiscard]] std::size_t faults() const { return count_; }
     /// Whether further faults are only counted: their sentences need not be made.
-    [[nodiscard]] bool is_full() const { return count_ >= k_most_sentences; }
+    [[nodiscard]] bool is_full() const { return count_ >= k_max_sentences; }
     void count_fault() { ++count_; }
     [[nodiscard]] detail::InputBudget& budget() { return *budget_; }
     /// All sentences, one a line; the first 20 where there are more.
     [[nodiscard]] Error error() const;
 
   private:
-    static constexpr std::size_t k_most_sentences = 20;
+    static constexpr std::size_t k_max_sentences = 20;
 
     std::string file_;
     detail::InputBudget* budget_;

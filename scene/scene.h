@@ -96,7 +96,7 @@ struct Scene {
     PicturesSetting pictures;
     VdbSetting vdb;
 
-    [[nodiscard]] bool has_floor() const { return air.sides.y_low.solid(); }
+    [[nodiscard]] bool has_floor() const { return air.boundaries.y_low.solid(); }
     /// [m] What the box follows at a time; the centre where it follows nothing.
     [[nodiscard]] glm::dvec3 followed_point(double time) const;
     /// [m] Height of the floor at a time.
@@ -110,7 +110,7 @@ struct Scene {
 };
 
 /// Most frames and ticks of one run; more is an accident with a unit, and would fill any disk.
-inline constexpr std::int64_t k_most_frames = 100'000;
-inline constexpr std::int64_t k_most_ticks = 10'000'000;
+inline constexpr std::int64_t k_max_frames = 100'000;
+inline constexpr std::int64_t k_max_ticks = 10'000'000;
 
 } // namespace windrow::scene

@@ -41,7 +41,7 @@ std::vector<SceneMotion::ActingMotor> SceneMotion::acting(const Motors& motors, 
     return result;
 }
 
-Error SceneMotion::refusal(const char* key, double time, const std::string& why) const {
+Error SceneMotion::rejection(const char* key, double time, const std::string& why) const {
     return Error{message(scene_->file.string(), ": $.", key, " at ", time, " s: ", why)};
 }
 

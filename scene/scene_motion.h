@@ -32,7 +32,7 @@ class SceneMotion {
     /// The scene must outlive it.
     explicit SceneMotion(const Scene& scene) : scene_(&scene), parts_(scene.motors.size()) {}
 
-    /// Puts the box where the scene has it at time 0; no motor acts yet. Refusals begin with the scene's file and path.
+    /// Puts the box where the scene has it at time 0; no motor acts yet. Rejections begin with the scene's file and path.
     template <MovableWind Air>
     Result<void> begin(Air& air) {
         return place_box(air, 0.0);
@@ -71,14 +71,14 @@ class SceneMotion {
     Result<void> place_box(Air& air, double time) {
         if (!std::holds_alternative<std::monostate>(scene_->follow))
             if (const auto followed = air.follow(scene_->followed_point(time)); !followed)
-                return refusal("follow", time, followed.error());
+                return rejection("follow", time, followed.error());
         if (scene_->has_floor())
             if (const auto placed = air.set_floor(scene_->floor_height(time)); !placed)
-                return refusal("floor", time, placed.error());
+                return rejection("floor", time, placed.error());
         return {};
     }
 
-    [[nodiscard]] Error refusal(const char* key, double time, const std::string& why) const;
+    [[nodiscard]] Error rejection(const char* key, double time, const std::string& why) const;
     Result<void> place_motors(Motors& motors, double start, double end);
     Result<void> place_motor(Motors& motors, const SceneMotor& motor, MovedMotor& part, double start, double end);
 

@@ -38,7 +38,7 @@ std::string read_name(JsonObject& object, const std::filesystem::path& file) {
                              "begin with a dot, a minus or a space. Default: the file's name."},
                     fallback, "file name");
     if (const char* fix = fault_of_name(name)) {
-        object.refuse("name", message("is ", quote_json(json(name)), ": ", fix, "."));
+        object.reject("name", message("is ", quote_json(json(name)), ": ", fix, "."));
         return fallback;
     }
     return name;
@@ -51,7 +51,7 @@ std::optional<std::size_t> path_index(JsonObject& object, const char* key, const
     const auto found = std::find(names.begin(), names.end(), word);
     if (found != names.end())
         return static_cast<std::size_t>(found - names.begin());
-    object.refuse(key, message("is ", quote_json(value), ", which names none of $.paths", suggestion(word, names),
+    object.reject(key, message("is ", quote_json(value), ", which names none of $.paths", suggestion(word, names),
                                ": add it there or name another."));
     return std::nullopt;
 }
@@ -70,22 +70,23 @@ void read_follow(JsonObject& object, Scene& scene, std::span<const std::string> 
         if (const auto point = JsonObject::check_vector(*value, "$.follow", k_place_rule, object.log()))
             scene.follow = *point;
     } else {
-        object.refuse("follow", message("is ", quote_json(*value), ": give the name of a path, or a point [x, y, z]."));
+        object.reject("follow", message("is ", quote_json(*value), ": give the name of a path, or a point [x, y, z]."));
     }
     const Config& air = scene.air;
-    const glm::bvec3 open(!air.sides.has_solid(0) && air.sides.has_open(0), !air.sides.has_solid(1) && air.sides.has_open(1),
-                          !air.sides.has_solid(2) && air.sides.has_open(2));
+    const glm::bvec3 open(!air.boundaries.has_solid(0) && air.boundaries.has_open(0),
+                          !air.boundaries.has_solid(1) && air.boundaries.has_open(1),
+                          !air.boundaries.has_solid(2) && air.boundaries.has_open(2));
     const glm::bvec3 axes = air.follow_axes.value_or(open);
     if (!axes.x && !axes.y && !axes.z)
-        object.refuse("follow",
-                      "is given, but no axis of the box follows: open both sides of an axis, or give air.centre instead.");
+        object.reject("follow",
+                      "is given, but no axis of the box follows: open both boundaries of an axis, or give air.centre instead.");
 }
 
 void read_floor(JsonObject& object, Scene& scene, std::span<const std::string> names) {
     const json* const value = object.find(
         {"floor",
          "Height of the ground [m], which the low y side of the box is put at, to whole cells: a number, or the name of a path "
-         "whose height it takes. Only with a wall at air.sides.y_low; then the default is 0."},
+         "whose height it takes. Only with a wall at air.boundaries.y_low; then the default is 0."},
         "number or name", k_place_rule);
     if (value == nullptr)
         return;
@@ -95,12 +96,12 @@ void read_floor(JsonObject& object, Scene& scene, std::span<const std::string> n
     } else if (value->is_number()) {
         scene.floor = JsonObject::check_number(*value, "$.floor", k_place_rule, object.log()).value_or(0.0);
     } else {
-        object.refuse("floor", message("is ", quote_json(*value),
+        object.reject("floor", message("is ", quote_json(*value),
                                        ": give a height in metres, or the name of a path whose height it takes."));
     }
     if (!scene.has_floor())
-        object.refuse("floor",
-                      "is given, but the box has none: set air.sides.y_low to \"free_slip\" or \"no_slip\", or remove it.");
+        object.reject("floor",
+                      "is given, but the box has none: set air.boundaries.y_low to \"free_slip\" or \"no_slip\", or remove it.");
 }
 
 void read_times(JsonObject& object, Scene& scene) {
@@ -116,15 +117,15 @@ void read_times(JsonObject& object, Scene& scene) {
     if (object.log().faults() != faults_before)
         return;
     if (scene.frames_per_second > scene.tick_hz)
-        object.refuse("frames_per_second", message("is ", Figure{scene.frames_per_second}, " 1/s, more than tick_hz, ",
+        object.reject("frames_per_second", message("is ", Figure{scene.frames_per_second}, " 1/s, more than tick_hz, ",
                                                    Figure{scene.tick_hz}, " Hz: give at most that, or raise tick_hz."));
-    else if (scene.frame_count() > k_most_frames)
-        object.refuse("duration", message("is ", Figure{scene.duration}, " s, ", scene.frame_count(), " frames: give at most ",
-                                          k_most_frames, " frames, by a shorter duration or fewer frames_per_second."));
-    else if (scene.tick_of_frame(scene.frame_count() - 1) > k_most_ticks)
-        object.refuse("duration",
+    else if (scene.frame_count() > k_max_frames)
+        object.reject("duration", message("is ", Figure{scene.duration}, " s, ", scene.frame_count(), " frames: give at most ",
+                                          k_max_frames, " frames, by a shorter duration or fewer frames_per_second."));
+    else if (scene.tick_of_frame(scene.frame_count() - 1) > k_max_ticks)
+        object.reject("duration",
                       message("is ", Figure{scene.duration}, " s, ", scene.tick_of_frame(scene.frame_count() - 1),
-                              " ticks: give at most ", k_most_ticks, " ticks, by a shorter duration or a lower tick_hz."));
+                              " ticks: give at most ", k_max_ticks, " ticks, by a shorter duration or a lower tick_hz."));
 }
 
 void read_outputs(JsonObject& object, Scene& scene) {
@@ -135,7 +136,7 @@ void read_outputs(JsonObject& object, Scene& scene) {
         if constexpr (std::same_as<std::remove_cvref_t<decltype(member)>, std::string>) {
             member = vdb.text({row.name, row.meaning}, member, "file name");
             if (const char* fix = fault_of_name(member); fix != nullptr)
-                vdb.refuse(row.name, message("is ", quote_json(json(member)),
+                vdb.reject(row.name, message("is ", quote_json(json(member)),
                                              ": leave out slashes and control characters, 1 to 100 bytes."));
             return true;
         } else {
@@ -149,7 +150,7 @@ void read_outputs(JsonObject& object, Scene& scene) {
 
 Result<Scene> read_scene(const std::filesystem::path& file) {
     detail::InputBudget budget;
-    const auto text = read_text_file(file, {.most_bytes = k_most_scene_bytes}, budget);
+    const auto text = read_text_file(file, {.max_bytes = k_max_scene_bytes}, budget);
     if (!text)
         return Error{text.error()};
     const auto document = parse_json(*text, file.string());

@@ -14,7 +14,7 @@
 namespace windrow::scene {
 
 /// Beyond it a scene is an accident.
-inline constexpr std::size_t k_most_scene_bytes = std::size_t{16} << 20;
+inline constexpr std::size_t k_max_scene_bytes = std::size_t{16} << 20;
 
 /// Reads a scene of at most 16 MiB and the paths that it names. Tells every fault, a line each: file, JSON path, value, fix.
 [[nodiscard]] Result<Scene> read_scene(const std::filesystem::path& file);

@@ -23,8 +23,8 @@ void read_value(JsonObject& object, const Key& key, Value& value, const Range& r
 
 /// The range of a place, no wider than what a file may hold.
 [[nodiscard]] inline Range place_rule(Range range) {
-    range.least = std::max(range.least, k_place_rule.least);
-    range.most = std::min(range.most, k_place_rule.most);
+    range.min = std::max(range.min, k_place_rule.min);
+    range.max = std::min(range.max, k_place_rule.max);
     return range;
 }
 
@@ -47,7 +47,7 @@ void read_settings(JsonObject& object, Struct& value, const Special& special) {
 /// The items of a list of objects; the range bounds how many, else they are as many as a file may hold.
 template <class Read>
 void read_items(JsonObject& object, const Key& key, const Range& range, const Read& read) {
-    const auto items = object.array(key, std::isfinite(range.most) ? static_cast<std::size_t>(range.most) : 4096);
+    const auto items = object.array(key, std::isfinite(range.max) ? static_cast<std::size_t>(range.max) : 4096);
     for (std::size_t n = 0; n < items.size(); ++n) {
         const std::string name = std::string(".") + key.name;
         read(JsonObject(items[n], object.path() + name + "[" + std::to_string(n) + "]", object.pattern() + name + "[]",
@@ -65,7 +65,7 @@ void read_object(JsonObject object, Struct& value) {
 }
 
 /// A side of the box: a word is enough for a kind; the object is for a wall that moves.
-void read_side(JsonObject& sides, const Key& key, Side& side);
+void read_side(JsonObject& boundaries, const Key& key, Boundary& side);
 /// A decay that no hold would ever let begin.
 void check_object(JsonObject& object, const Envelope& envelope);
 
@@ -115,7 +115,7 @@ void read_value(JsonObject& object, const Key& key, Value& value, const Range& r
             object.word_index(key, words.at(static_cast<std::size_t>(value)), {words.begin(), words.end()});
         if (chosen < words.size())
             value = static_cast<Value>(chosen);
-    } else if constexpr (std::same_as<Value, Side>) {
+    } else if constexpr (std::same_as<Value, Boundary>) {
         read_side(object, key, value);
     } else if constexpr (detail::k_is_optional<Value>) {
         typename Value::value_type given{};
@@ -140,7 +140,7 @@ template <class Struct>
 void check_read(JsonObject& object, const Struct& value) {
     detail::Reasons reasons;
     check_settings(reasons, detail::FieldPath{nullptr, object.path()}, value);
-    object.log().refuse_lines(reasons.take());
+    object.log().reject_lines(reasons.take());
 }
 
 } // namespace windrow::scene

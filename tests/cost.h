@@ -15,17 +15,17 @@ namespace windrow::test {
 /// What `read` returned, an error's sentence. The test fails unless it ends within 10 s of processor time, 30 s of the clock and
 /// 1 GiB of memory; under a sanitizer, which takes many times as much, within 300 s of the clock.
 inline std::string sentence_of_cheap(const std::function<std::string()>& read) {
-    constexpr unsigned k_most_seconds = 10;
-    constexpr long k_most_kibibytes = 1L << 20;
+    constexpr unsigned k_max_seconds = 10;
+    constexpr long k_max_kibibytes = 1L << 20;
     int ends[2] = {};
     if (::pipe(ends) != 0)
         return "no pipe";
     const pid_t child = ::fork();
     if (child == 0) {
-        ::alarm(k_sanitized ? 300 : 3 * k_most_seconds);
+        ::alarm(k_sanitized ? 300 : 3 * k_max_seconds);
         if (!k_sanitized) {
             // More than is allowed, so that the excess is seen, but not all of the machine.
-            const rlimit seconds{k_most_seconds, k_most_seconds}, bytes{rlim_t{4} << 30, rlim_t{4} << 30};
+            const rlimit seconds{k_max_seconds, k_max_seconds}, bytes{rlim_t{4} << 30, rlim_t{4} << 30};
             ::setrlimit(RLIMIT_CPU, &seconds);
             ::setrlimit(RLIMIT_AS, &bytes);
         }
@@ -43,7 +43,7 @@ inline std::string sentence_of_cheap(const std::function<std::string()>& read) {
     EXPECT_EQ(::wait4(child, &status, 0, &used), child);
     EXPECT_FALSE(WIFSIGNALED(status)) << "ended by signal " << WTERMSIG(status) << ": too slow, too large or a hang";
     if (!k_sanitized) {
-        EXPECT_LT(used.ru_maxrss, k_most_kibibytes) << sentence;
+        EXPECT_LT(used.ru_maxrss, k_max_kibibytes) << sentence;
     }
     return sentence;
 }

@@ -1,6 +1,6 @@
 #include "tests/fields.h"
 
-#include "fluid/pieces.h"
+#include "fluid/operators.h"
 
 #include <algorithm>
 #include <cstring>

@@ -23,7 +23,7 @@ using OrderedJson = nlohmann::ordered_json;
 
 /// One of each kind of thing but pictures, so that each key is asked for.
 inline constexpr const char* k_scene_with_every_key = R"({
-    "air": {"sides": {"x_low": {"kind": "open"}, "x_high": {}, "y_low": {"kind": "free_slip"}, "y_high": {}, "z_low": {}, "z_high": {}}, "profile": {}, "gusts": {}},
+    "air": {"boundaries": {"x_low": {"kind": "open"}, "x_high": {}, "y_low": {"kind": "free_slip"}, "y_high": {}, "z_low": {}, "z_high": {}}, "profile": {}, "gusts": {}},
     "paths": {"a": {"points": [[0, 0, 0, 0]]}, "b": {"file": "walk_player.csv"}},
     "motors": [
         {"kind": "directional", "region": {"sphere": {}}, "law": {"force": {}}},
@@ -158,11 +158,11 @@ class SchemaNode {
         OrderedJson schema{{"type", type}};
         if (range.measure == Measure::direction)
             return schema;
-        if (std::isfinite(range.least))
-            schema[range.above_least ? "exclusiveMinimum" : "minimum"] =
-                plain(range.measure == Measure::length ? -range.most : range.least);
-        if (std::isfinite(range.most))
-            schema["maximum"] = plain(range.most);
+        if (std::isfinite(range.min))
+            schema[range.above_min ? "exclusiveMinimum" : "minimum"] =
+                plain(range.measure == Measure::length ? -range.max : range.min);
+        if (std::isfinite(range.max))
+            schema["maximum"] = plain(range.max);
         return schema;
     }
     static OrderedJson several(const OrderedJson& item, int count) {
@@ -216,8 +216,8 @@ class SchemaNode {
             schema = {{"type", "string"}, {"minLength", 1}};
         else
             schema = {{"type", "string"}};
-        if (key.most_items > 0)
-            schema["maxItems"] = key.most_items;
+        if (key.max_items > 0)
+            schema["maxItems"] = key.max_items;
         if (!key.words.empty())
             schema["enum"] = key.words;
         if (key.fallback && type != "file" && type != "file name")
@@ -248,7 +248,7 @@ class SchemaNode {
         for (const scene::KnownKey& said : said_) {
             if (meaning.empty())
                 meaning = said.meaning;
-            if (range.empty() && said.type != "array" && (std::isfinite(said.rule.least) || std::isfinite(said.rule.most)))
+            if (range.empty() && said.type != "array" && (std::isfinite(said.rule.min) || std::isfinite(said.rule.max)))
                 range = said.rule.measure == Measure::component ? detail::message(detail::Bounds{said.rule})
                                                                 : detail::message(detail::VectorBounds{said.rule});
             if (range.empty())

@@ -56,7 +56,7 @@ Result<void> ComposedStep::start(std::span<const glm::vec4> velocity) {
 void ComposedStep::step(const StepMethod& method, double dt) {
     const Box& box = settings_.box;
     const Window window{.cells = box.cells, .cell_size = box.cell_size, .origin_cells = {}};
-    const auto reached = motors_.tick(dt, window, box.sides);
+    const auto reached = motors_.tick(dt, window, box.boundaries);
     const auto& tile = motors_.tile({});
     sources_.gather(reached, box.cell_size, velocity_, {tile ? tile->texels().data() : nullptr}, settings_.parallel_for);
     Workspace::State& around = work_.state();

@@ -12,7 +12,7 @@
 #include "fluid/cpu/acting.h"
 #include "fluid/cpu/workspace.h"
 #include "fluid/motors.h"
-#include "fluid/pieces.h"
+#include "fluid/operators.h"
 #include "fluid/result.h"
 #include "fluid/wind.h"
 #include "fluid/window.h"
@@ -41,7 +41,7 @@ class ComposedStep {
   public:
     struct StepSettings {
         Box box{};
-        glm::vec3 ambient{0.0f};     ///< [m/s] beyond open sides
+        glm::vec3 ambient{0.0f};     ///< [m/s] beyond open boundaries
         float viscosity = 0.0f;      ///< [m^2/s]
         std::vector<Motor> motors{}; ///< positions from the box's low corner; none that lets air in
         Simd simd = Simd::best;

@@ -1,6 +1,6 @@
 // The pressure equation by fast transforms of FFTW: exact as the solver's direct solve is, and what most texts would take.
 //
-//   L phi = rhs,  L the 7-point Laplacian [1/m^2],  phi = 0 at the ghosts of open sides,  d phi/dy = 0 on the floor (y low)
+//   L phi = rhs,  L the 7-point Laplacian [1/m^2],  phi = 0 at the ghosts of open boundaries,  d phi/dy = 0 on the floor (y low)
 //
 // Open at both ends (x, z), the eigenvectors are sin(pi (k + 1) (i + 1) / (n + 1)), FFTW's RODFT00, its own inverse. Floor below
 // and open above (y) FFTW has no transform for: a tridiagonal system of each pair of modes.

@@ -21,17 +21,17 @@ class Jacobi {
   public:
     /// Open sides over a solid floor.
     explicit Jacobi(glm::ivec3 cells, Simd simd = Simd::best)
-        : Jacobi(Box{.cells = cells, .sides = Sides::open_over_floor()}, simd) {}
+        : Jacobi(Box{.cells = cells, .boundaries = Boundaries::open_over_floor()}, simd) {}
     explicit Jacobi(const Box& box, Simd simd = Simd::best)
         : kernels_(kernels_for(simd)), cells_(box.cells), pitch_(pitch_of(box.cells)),
           now_(k_first + pitch_ * box.cells.y * box.cells.z), next_(now_.size()) {
         int axes = 3;
         for (int axis = 0; axis < 3; ++axis) {
             sweep_.cells[axis] = box.cells[axis];
-            sweep_.periodic[axis] = box.sides.periodic(axis);
+            sweep_.periodic[axis] = box.boundaries.periodic(axis);
             for (int end = 0; end < 2; ++end)
-                sweep_.ghost[axis][end] = box.sides.at(axis, end).kind == SideKind::open ? 0.0f : 1.0f;
-            if (box.cells[axis] > 1 || box.sides.has_open(axis))
+                sweep_.ghost[axis][end] = box.boundaries.at(axis, end).kind == BoundaryKind::open ? 0.0f : 1.0f;
+            if (box.cells[axis] > 1 || box.boundaries.has_open(axis))
                 continue;
             // One cell between walls, or its own neighbour: nothing differs along this axis, and a box of two axes is swept as
             // one.
@@ -39,7 +39,7 @@ class Jacobi {
             sweep_.periodic[axis] = false;
             sweep_.ghost[axis][0] = sweep_.ghost[axis][1] = 0.0f;
         }
-        open_over_floor_ = box.sides == Sides::open_over_floor();
+        open_over_floor_ = box.boundaries == Boundaries::open_over_floor();
         sweep_.weight = axes > 0 ? 1.0f / static_cast<float>(2 * axes) : 0.0f;
     }
 

@@ -10,7 +10,7 @@ void jacobi_plane(const JacobiTask& task, int k) {
     const auto row = [&](int j, int plane) { return (static_cast<std::size_t>(plane) * ny + j) * task.pitch; };
     for (int j = 0; j < ny; ++j) {
         const float* const here = task.now + row(j, k);
-        // p = 0 at a ghost beyond an open side; a floor mirrors the cell inside.
+        // p = 0 at a ghost beyond an open boundary; a floor mirrors the cell inside.
         const Neighbour below = j > 0 ? Neighbour{task.now + row(j - 1, k), 1.0f} : Neighbour{here, 1.0f};
         const Neighbour above = j + 1 < ny ? Neighbour{task.now + row(j + 1, k), 1.0f} : Neighbour{here, 0.0f};
         const Neighbour back = k > 0 ? Neighbour{task.now + row(j, k - 1), 1.0f} : Neighbour{here, 0.0f};

@@ -22,8 +22,8 @@ std::size_t count_of(const int (&cells)[3]) {
 }
 
 // Nothing differs along such an axis.
-bool idle(std::size_t cells, const Sides& sides, int axis) {
-    return cells == 1 && !sides.has_open(axis);
+bool idle(std::size_t cells, const Boundaries& boundaries, int axis) {
+    return cells == 1 && !boundaries.has_open(axis);
 }
 
 // 1 / roots of the Chebyshev polynomial of degree 2 on [1/d, 2].
@@ -45,8 +45,8 @@ ParallelFor loop_for(const int (&cells)[3], const ParallelFor& parallel_for) {
 } // namespace
 
 // A second difference in finite volumes: flux between two centres over their distance, divided by the cell's width. Beyond an
-// open side 0 lies at the centre of a cell of the finest grid.
-Multigrid::Axis Multigrid::make_axis(std::vector<double> width, const Sides& sides, int axis) {
+// open boundary 0 lies at the centre of a cell of the finest grid.
+Multigrid::Axis Multigrid::make_axis(std::vector<double> width, const Boundaries& boundaries, int axis) {
     Axis result;
     result.width = std::move(width);
     const std::size_t n = result.width.size();
@@ -55,9 +55,9 @@ Multigrid::Axis Multigrid::make_axis(std::vector<double> width, const Sides& sid
         double diagonal = 0.0;
         const auto weight_of = [&](int end) {
             const bool inside = end == 0 ? i > 0 : i + 1 < n;
-            if (idle(n, sides, axis) || (!inside && sides.at(axis, end).solid()))
+            if (idle(n, boundaries, axis) || (!inside && boundaries.at(axis, end).solid()))
                 return 0.0f;
-            if (!inside && !sides.periodic(axis)) {
+            if (!inside && !boundaries.periodic(axis)) {
                 diagonal += 2.0 / (here * (here + k_finest));
                 return 0.0f;
             }
@@ -76,8 +76,8 @@ Multigrid::Axis Multigrid::make_axis(std::vector<double> width, const Sides& sid
     return result;
 }
 
-// Interpolation is linear between the centres of coarse cells, between centre and 0 beyond an open side, constant to a wall.
-void Multigrid::connect(Axis& fine, const Axis& coarse, const Sides& sides, int axis) {
+// Interpolation is linear between the centres of coarse cells, between centre and 0 beyond an open boundary, constant to a wall.
+void Multigrid::connect(Axis& fine, const Axis& coarse, const Boundaries& boundaries, int axis) {
     const std::size_t n = fine.width.size(), coarse_n = coarse.width.size();
     double low = 0.0, coarse_low = 0.0; // where the cells begin
     for (std::size_t i = 0; i < n; ++i) {
@@ -90,11 +90,11 @@ void Multigrid::connect(Axis& fine, const Axis& coarse, const Sides& sides, int 
         const bool inside = end == 0 ? parent > 0 : parent + 1 < coarse_n;
         double own = 1.0, other = 0.0;
         std::size_t beside = parent;
-        if (off != 0.0 && (inside || sides.periodic(axis))) {
+        if (off != 0.0 && (inside || boundaries.periodic(axis))) {
             beside = end == 0 ? (parent + coarse_n - 1) % coarse_n : (parent + 1) % coarse_n;
             other = std::abs(off) / (0.5 * (coarse.width[parent] + coarse.width[beside]));
             own = 1.0 - other;
-        } else if (off != 0.0 && !sides.at(axis, end).solid()) {
+        } else if (off != 0.0 && !boundaries.at(axis, end).solid()) {
             own = 1.0 - std::abs(off) / (0.5 * (coarse.width[parent] + k_finest));
         }
         fine.share.push_back(static_cast<float>(fine.width[i] / coarse.width[parent]));
@@ -104,13 +104,13 @@ void Multigrid::connect(Axis& fine, const Axis& coarse, const Sides& sides, int 
     }
 }
 
-Multigrid::Level Multigrid::make_level(std::array<Axis, 3> axes, const Sides& sides) {
+Multigrid::Level Multigrid::make_level(std::array<Axis, 3> axes, const Boundaries& boundaries) {
     Level level;
     level.axes = std::move(axes);
     int live = 0;
     for (int axis = 0; axis < 3; ++axis) {
         level.cells[axis] = static_cast<int>(level.axes[axis].width.size());
-        level.periodic[axis] = sides.periodic(axis);
+        level.periodic[axis] = boundaries.periodic(axis);
         live += level.cells[axis] > 1 ? 1 : 0;
     }
     level.weights = smoothing_weights(live);
@@ -133,8 +133,8 @@ Multigrid::Level Multigrid::make_level(std::array<Axis, 3> axes, const Sides& si
 Multigrid::Multigrid(const Box& box, Simd simd) : kernels_(kernels_for(simd)) {
     std::array<Axis, 3> axes;
     for (int axis = 0; axis < 3; ++axis)
-        axes[axis] = make_axis(std::vector<double>(box.cells[axis], k_finest), box.sides, axis);
-    levels_.push_back(make_level(std::move(axes), box.sides));
+        axes[axis] = make_axis(std::vector<double>(box.cells[axis], k_finest), box.boundaries, axis);
+    levels_.push_back(make_level(std::move(axes), box.boundaries));
     while (count_of(levels_.back().cells) > 1) {
         Level& fine = levels_.back();
         for (int axis = 0; axis < 3; ++axis) {
@@ -142,10 +142,10 @@ Multigrid::Multigrid(const Box& box, Simd simd) : kernels_(kernels_for(simd)) {
             std::vector<double> coarse(std::max<std::size_t>(width.size() / 2, 1), 0.0);
             for (std::size_t i = 0; i < width.size(); ++i)
                 coarse[parent_of(i, coarse.size())] += width[i];
-            axes[axis] = make_axis(std::move(coarse), box.sides, axis);
-            connect(fine.axes[axis], axes[axis], box.sides, axis);
+            axes[axis] = make_axis(std::move(coarse), box.boundaries, axis);
+            connect(fine.axes[axis], axes[axis], box.boundaries, axis);
         }
-        Level coarse = make_level(std::move(axes), box.sides);
+        Level coarse = make_level(std::move(axes), box.boundaries);
         levels_.push_back(std::move(coarse));
     }
 }

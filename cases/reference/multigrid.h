@@ -7,7 +7,7 @@
 //   dimensions: they damp those waves to 0.34 in a pair where two sweeps of the best single weight leave 0.51.
 //
 // Values at cell centres. Coarse operators are finite volumes on the coarse cells; the last coarse cell of an odd axis holds
-// three cells, so that no cell ever is twice as wide as another along its axis. phi = 0 at the ghosts' centres beyond open sides, d phi/dn = 0 on walls.
+// three cells, so that no cell ever is twice as wide as another along its axis. phi = 0 at the ghosts' centres beyond open boundaries, d phi/dn = 0 on walls.
 // Where no side is open, the mean of phi is what it comes to be.
 //
 // Based on: Brandt 1977, Mathematics of Computation 31; Trottenberg, Oosterlee & Schueller 2001, Multigrid, chapter 2; Adams,
@@ -62,9 +62,9 @@ class Multigrid {
         [[nodiscard]] MultigridLevel task() const;
     };
 
-    static Axis make_axis(std::vector<double> width, const Sides& sides, int axis);
-    static void connect(Axis& fine, const Axis& coarse, const Sides& sides, int axis);
-    static Level make_level(std::array<Axis, 3> axes, const Sides& sides);
+    static Axis make_axis(std::vector<double> width, const Boundaries& boundaries, int axis);
+    static void connect(Axis& fine, const Axis& coarse, const Boundaries& boundaries, int axis);
+    static Level make_level(std::array<Axis, 3> axes, const Boundaries& boundaries);
     [[nodiscard]] std::size_t place(int j, int k) const;
 
     void cycle(std::size_t level, bool from_zero, const ParallelFor& parallel_for);

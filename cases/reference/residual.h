@@ -1,4 +1,4 @@
-// How wrong a pressure is, evaluated in double: the figure that belongs beside a solver's time. h = 1, open sides over a floor.
+// How wrong a pressure is, evaluated in double: the figure that belongs beside a solver's time. h = 1, open boundaries over a floor.
 #pragma once
 
 #include "fluid/box.h"
@@ -12,7 +12,7 @@ namespace windrow::reference {
 /// phi of a cell; a solver may keep it in rows of its own.
 using PressureAt = std::function<double(int i, int j, int k)>;
 
-/// L phi of a cell. Beyond open sides phi is 0, the floor (y low) mirrors it.
+/// L phi of a cell. Beyond open boundaries phi is 0, the floor (y low) mirrors it.
 [[nodiscard]] inline double laplacian(const Box& box, const PressureAt& phi, int i, int j, int k) {
     const double here = phi(i, j, k);
     const auto beyond = [&](int a, int b, int c) {

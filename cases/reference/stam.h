@@ -2,7 +2,7 @@
 //
 //   u* = u(x - dt u(x)) (trilinear),   L p = div u*  by N Jacobi sweeps from zero,   u = u* - grad p
 //
-// First order in time; the error of the pressure grows with the grid. Values at cell centres; open sides with p = 0 and
+// First order in time; the error of the pressure grows with the grid. Values at cell centres; open boundaries with p = 0 and
 // beyond them the ambient wind; a free-slip floor (y low). A broken or far position is clamped as in the solver, so that no
 // address leaves the array; nothing more guards against NaN.
 //
@@ -35,7 +35,7 @@ class StamStep {
     /// it. The state itself has a halo, so each call unpacks it and the next step packs it: not for a timed loop.
     [[nodiscard]] std::span<glm::vec4> velocity();
 
-    /// [m/s] The wind beyond the open sides; its vertical part is dropped, since the floor holds it back. Default still air.
+    /// [m/s] The wind beyond the open boundaries; its vertical part is dropped, since the floor holds it back. Default still air.
     void set_ambient(glm::vec3 ambient);
 
     [[nodiscard]] glm::ivec3 cells() const { return cells_; }

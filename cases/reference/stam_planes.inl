@@ -152,7 +152,7 @@ void advect_plane(const StamTask& task, int k) {
                       trilinear(task.velocity + 4 * static_cast<std::ptrdiff_t>(points.offset[n]), task.row_stride,
                                 task.plane_stride, points.fraction[0][n], points.fraction[1][n], points.fraction[2][n]));
         }
-        // For the divergence, whose ghost at an open side is the cell inside.
+        // For the divergence, whose ghost at an open boundary is the cell inside.
         store(result - 4, load<Cell>(result));
         store(result + 4 * nx, load<Cell>(result + 4 * (nx - 1)));
     }
@@ -192,7 +192,7 @@ void divergence_plane(const StamTask& task, int k) {
 void gradient_plane(const StamTask& task, int k) {
     const int nx = task.cells[0], ny = task.cells[1], nz = task.cells[2];
     for (int j = 0; j < ny; ++j) {
-        // p = 0 at the ghosts beyond open sides; the floor mirrors it. Along x, jacobi.h keeps ghosts.
+        // p = 0 at the ghosts beyond open boundaries; the floor mirrors it. Along x, jacobi.h keeps ghosts.
         const float* const here = pressure_row(task, j, k);
         const float* const below = pressure_row(task, larger(j - 1, 0), k);
         const float* const above = pressure_row(task, smaller(j + 1, ny - 1), k);

@@ -1,4 +1,4 @@
-// The 7-point Laplacian in double, neighbour by neighbour from the words of sides.h, with a conjugate gradient to invert it.
+// The 7-point Laplacian in double, neighbour by neighbour from the words of boundaries.h, with a conjugate gradient to invert it.
 //
 //     (L v)[i] = sum over the axes of v[i-1] - 2 v[i] + v[i+1]      (h = 1)
 //
@@ -10,7 +10,7 @@
 // Every ghost is scale * v + offset of one cell inside; the part without offsets is symmetric, so conjugate gradients apply.
 #pragma once
 
-#include "fluid/pieces.h"
+#include "fluid/operators.h"
 
 #include <cmath>
 #include <glm/vec3.hpp>
@@ -28,7 +28,7 @@ class Stencil {
         stencil.singular_ = true;
         for (int axis = 0; axis < 3; ++axis)
             for (int end = 0; end < 2; ++end) {
-                const bool open = box.sides.at(axis, end).kind == SideKind::open;
+                const bool open = box.boundaries.at(axis, end).kind == BoundaryKind::open;
                 stencil.ghosts_[axis][end] = {open ? 0.0 : 1.0, 0.0};
                 stencil.singular_ = stencil.singular_ && !open;
             }
@@ -39,11 +39,11 @@ class Stencil {
         Stencil stencil(box);
         for (int axis = 0; axis < 3; ++axis)
             for (int end = 0; end < 2; ++end) {
-                const Side& side = box.sides.at(axis, end);
+                const Boundary& side = box.boundaries.at(axis, end);
                 Ghost& ghost = stencil.ghosts_[axis][end];
-                if (side.kind == SideKind::open)
+                if (side.kind == BoundaryKind::open)
                     ghost = {0.0, static_cast<double>(ambient[component])};
-                else if (side.kind == SideKind::no_slip)
+                else if (side.kind == BoundaryKind::no_slip)
                     ghost = {-1.0, 2.0 * static_cast<double>(side.wall_velocity[component])};
                 else
                     ghost = {axis == component ? -1.0 : 1.0, 0.0};
@@ -71,7 +71,7 @@ class Stencil {
                             const bool edge = at[axis] == (end == 0 ? 0 : last);
                             if (!edge)
                                 sum += v[n + (end == 0 ? -strides[axis] : strides[axis])];
-                            else if (box_.sides.periodic(axis))
+                            else if (box_.boundaries.periodic(axis))
                                 sum += v[n + (end == 0 ? last : -last) * strides[axis]];
                             else
                                 sum += ghosts_[axis][end].scale * v[n] +

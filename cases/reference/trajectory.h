@@ -1,13 +1,13 @@
-// Semi-Lagrangian transport once more, in double and cell by cell, from the words of pieces.h and sides.h alone:
+// Semi-Lagrangian transport once more, in double and cell by cell, from the words of operators.h and boundaries.h alone:
 //
 //     x0 = x - dt u(x),  xd = x - dt/2 (u(x) + V(x0)),  V = (1 + a) u - a u_old,  result(x) = R(xd)
 //     R  = ambient + g (carried - ambient) - s q
 //
 // Positions are cell indices (a centre is a whole number). A position stays within one cell beyond the outermost centres at an
-// open side and within the face at a wall. Slow on purpose: every read walks through the sides by itself.
+// open boundary and within the face at a wall. Slow on purpose: every read walks through the sides by itself.
 #pragma once
 
-#include "fluid/pieces.h"
+#include "fluid/operators.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ namespace windrow::reference {
 /// A cell's index brought inside the box, with what the sides do to a value on its way back out.
 struct Beyond {
     glm::ivec3 inside{0};
-    bool open = false; ///< beyond an open side: nothing inside is read
+    bool open = false; ///< beyond an open boundary: nothing inside is read
     glm::dvec3 scale{1.0};
     glm::dvec3 history_scale{1.0};
 };
@@ -30,17 +30,17 @@ inline Beyond beyond(const Box& box, glm::ivec3 index) {
     for (int axis = 2; axis >= 0; --axis) {
         const int count = box.cells[axis];
         while (index[axis] < 0 || index[axis] >= count) {
-            const Side& side = box.sides.at(axis, index[axis] < 0 ? 0 : 1);
-            if (side.kind == SideKind::open) {
+            const Boundary& side = box.boundaries.at(axis, index[axis] < 0 ? 0 : 1);
+            if (side.kind == BoundaryKind::open) {
                 result.open = true;
                 return result;
             }
-            if (side.kind == SideKind::periodic) {
+            if (side.kind == BoundaryKind::periodic) {
                 index[axis] += index[axis] < 0 ? count : -count;
                 continue;
             }
             index[axis] = (index[axis] < 0 ? -1 : 2 * count - 1) - index[axis];
-            result.scale[axis] = -result.scale[axis]; // carried air slips along every wall (sides.h)
+            result.scale[axis] = -result.scale[axis]; // carried air slips along every wall (boundaries.h)
             result.history_scale[axis] = -result.history_scale[axis];
         }
     }
@@ -50,10 +50,10 @@ inline Beyond beyond(const Box& box, glm::ivec3 index) {
 
 inline glm::dvec3 legal(const Box& box, glm::dvec3 position) {
     for (int axis = 0; axis < 3; ++axis) {
-        if (box.sides.periodic(axis))
+        if (box.boundaries.periodic(axis))
             continue;
-        const double low = box.sides.at(axis, 0).kind == SideKind::open ? -1.0 : -0.5;
-        const double high = box.cells[axis] - (box.sides.at(axis, 1).kind == SideKind::open ? 0.0 : 0.5);
+        const double low = box.boundaries.at(axis, 0).kind == BoundaryKind::open ? -1.0 : -0.5;
+        const double high = box.cells[axis] - (box.boundaries.at(axis, 1).kind == BoundaryKind::open ? 0.0 : 0.5);
         position[axis] = std::clamp(position[axis], low, high);
     }
     return position;
@@ -109,7 +109,7 @@ inline glm::dvec3 arrival(const Box& box, glm::dvec3 ambient, const Transport& t
             return ambient;
         const std::size_t n = box.index(from.inside.x, from.inside.y, from.inside.z);
         const glm::dvec3 settled =
-            ambient + static_cast<double>(transport.settling) * (glm::dvec3(transport.carried[n]) - ambient);
+            ambient + static_cast<double>(transport.relaxation) * (glm::dvec3(transport.carried[n]) - ambient);
         const glm::dvec3 value = from.scale * settled;
         if (transport.history.empty())
             return value;
@@ -118,7 +118,7 @@ inline glm::dvec3 arrival(const Box& box, glm::dvec3 ambient, const Transport& t
     return interpolate<glm::dvec3>(transport.interpolation, departure(box, ambient, transport, cell), carried);
 }
 
-/// A scalar as the sides hold it: mirrored at walls, `outside` beyond open sides.
+/// A scalar as the sides hold it: mirrored at walls, `outside` beyond open boundaries.
 inline double scalar_at(const Box& box, std::span<const float> values, double outside, glm::ivec3 index) {
     const Beyond from = beyond(box, index);
     return from.open ? outside : static_cast<double>(values[box.index(from.inside.x, from.inside.y, from.inside.z)]);

@@ -42,7 +42,7 @@ bool check_memory(const BenchRequest& request, const Console& console) {
     return true;
 }
 
-int refuse(const std::string& sentence, const Console& console) {
+int reject(const std::string& sentence, const Console& console) {
     console.complain(sentence);
     return k_exit_wrong_use;
 }
@@ -81,7 +81,7 @@ void add_bench(CLI::App& app, std::function<int()>& chosen, const Console& conso
     flags.simd(request->simd, "all methods of ours run on them");
     flags.values("--volumes", "N", "Windows of 32x16x32 stepped at once; without --grid, these alone",
                  [request](const std::string& text) {
-                     request->volumes.push_back(static_cast<int>(read_count(text, "--volumes", k_most_volumes)));
+                     request->volumes.push_back(static_cast<int>(read_count(text, "--volumes", k_max_volumes)));
                  });
     flags.seconds(request->seconds, "Time a grid, default 5; longer where 100 samples of a step take it, on a GPU 1000");
     flags.file("--json", request->json, "File for all figures; written whole or not at all");
@@ -124,7 +124,7 @@ int run_bench(const BenchRequest& request, const Console& console, const std::fu
     for (const glm::ivec3 cells : request.grids) {
         auto grid = measure_grid(cells, request, threads, pool->parallel_for(), stopped);
         if (!grid)
-            return refuse(grid.error(), console);
+            return reject(grid.error(), console);
         if (!*grid)
             return k_exit_signal + stop_signal();
         report_grid(**grid, console);
@@ -135,7 +135,7 @@ int run_bench(const BenchRequest& request, const Console& console, const std::fu
             measure_volumes({.volumes = count, .threads = threads, .simd = request.simd, .seconds = request.seconds},
                             pool->parallel_for(), stopped);
         if (!volumes)
-            return refuse(volumes.error(), console);
+            return reject(volumes.error(), console);
         if (!*volumes)
             return k_exit_signal + stop_signal();
         report_volumes(**volumes, result.volumes.empty(), console);

@@ -26,7 +26,7 @@ inline constexpr glm::ivec3 k_bench_grids[] = {{32, 16, 32}, {64, 32, 64}, {128,
 /// The window of one player, as Config has it by default.
 inline constexpr glm::ivec3 k_volume_cells{32, 16, 32};
 /// Most volumes at once; memory ends earlier.
-inline constexpr int k_most_volumes = 65536;
+inline constexpr int k_max_volumes = 65536;
 /// [s] A grid, or a number of volumes, is measured at least so long by default.
 inline constexpr double k_bench_seconds = 5.0;
 
@@ -48,7 +48,7 @@ struct SchemeResult {
     double bytes_per_cell = 0.0;                         ///< held
     double vs_copy16 = 0.0, vs_stam40 = 0.0;             ///< time of a step over that of a copy, of Stam's step
     float largest_cfl = 0.0f;
-    int most_substeps = 0;
+    int max_substeps = 0;
     bool slept = false;
 };
 

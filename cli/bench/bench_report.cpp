@@ -68,7 +68,7 @@ std::string pressure(const GridResult& grid) {
 
 void warn_of_flow(const GridResult& grid, const Console& console) {
     for (const SchemeResult& scheme : grid.schemes) {
-        if (scheme.most_substeps > 1 || scheme.slept)
+        if (scheme.max_substeps > 1 || scheme.slept)
             console.warn(message(scheme.name, scheme.slept ? ": the air slept" : ": steps were cut into sub-steps",
                                  ", so that its times are those of another step."));
     }

@@ -15,8 +15,8 @@ using Clock = std::chrono::steady_clock;
 constexpr double k_sample_ms = 0.02; // a sample is at least so long: a hundred times what reading the clock takes
 constexpr double k_turn_ms = 1.0;
 constexpr double k_long_call_ms = 5.0; // such a call walks through more memory than what a cache keeps from the turn before
-constexpr std::size_t k_most_in_turn = 32;
-constexpr int k_most_runs = 1000;
+constexpr std::size_t k_max_in_turn = 32;
+constexpr int k_max_runs = 1000;
 constexpr double k_patience = 10.0; // budgets
 
 double since(Clock::time_point start) {
@@ -47,7 +47,7 @@ void Contest::take_turn(Entry& entry) {
         timed(1);
         const double once = timed(1);
         entry.runs_a_sample =
-            contestant.repeats ? std::clamp(static_cast<int>(std::ceil(k_sample_ms / std::max(once, 1e-5))), 1, k_most_runs) : 1;
+            contestant.repeats ? std::clamp(static_cast<int>(std::ceil(k_sample_ms / std::max(once, 1e-5))), 1, k_max_runs) : 1;
         entry.expected_ms = once;
     } else if (entry.expected_ms < k_long_call_ms) {
         timed(1);
@@ -59,7 +59,7 @@ void Contest::take_turn(Entry& entry) {
         contestant.note();
         spent += sample;
         turn.push_back(static_cast<float>(sample / entry.runs_a_sample));
-    } while (spent < k_turn_ms && turn.size() < k_most_in_turn);
+    } while (spent < k_turn_ms && turn.size() < k_max_in_turn);
     entry.samples.insert(entry.samples.end(), turn.begin(), turn.end());
     entry.turns.push_back(quantile(std::move(turn), 0.5));
 }

@@ -10,7 +10,7 @@
 #include "cli/table.h"
 #include "fluid/cpu/aligned.h"
 #include "fluid/message.h"
-#include "fluid/pieces.h"
+#include "fluid/operators.h"
 #if WINDROW_CASES_FFTW
 #include "cases/reference/fftw_projection.h"
 #endif

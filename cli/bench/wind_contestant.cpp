@@ -27,7 +27,7 @@ Config bench_config(glm::ivec3 cells, Scheme scheme, Simd simd, const ParallelFo
     const Box box = bench_box(cells);
     return {.cells = box.cells,
             .cell_size = box.cell_size,
-            .sides = box.sides,
+            .boundaries = box.boundaries,
             .ambient = k_bench_ambient,
             .scheme = scheme,
             .simd = simd,
@@ -54,7 +54,7 @@ void WindContestant::note() {
     for (std::size_t n = 0; n < stage_ms_.size(); ++n)
         stage_ms_[n].push_back(static_cast<float>(last_.times_ms.*k_stages[n].value));
     largest_cfl_ = std::max(largest_cfl_, last_.cfl);
-    most_substeps_ = std::max(most_substeps_, last_.substeps);
+    max_substeps_ = std::max(max_substeps_, last_.substeps);
     slept_ = slept_ || last_.asleep;
 }
 
@@ -68,7 +68,7 @@ SchemeResult WindContestant::result(const char* name) const {
         result.stages_ms[n] = spread_of(stage_ms_[n]);
     result.bytes_per_cell = static_cast<double>(wind_.memory_bytes()) / static_cast<double>(wind_.box().cell_count());
     result.largest_cfl = largest_cfl_;
-    result.most_substeps = most_substeps_;
+    result.max_substeps = max_substeps_;
     result.slept = slept_;
     return result;
 }

@@ -37,7 +37,7 @@ class WindContestant {
     Diagnostics last_;
     std::array<std::vector<float>, k_stages.size() - 1> stage_ms_;
     float largest_cfl_ = 0.0f;
-    int most_substeps_ = 0;
+    int max_substeps_ = 0;
     bool slept_ = false;
 };
 

@@ -34,7 +34,7 @@ void report_stories_start(const CheckedStories& run, const Console& console) {
 void report_story(const cases::ParityResult& story, const Console& console) {
     console.out << k_table.line(story.name, {grid_name(story.cells), message(story.steps), to_scientific(story.first, 1),
                                              to_scientific(story.first_bound, 1), to_scientific(story.largest, 1),
-                                             to_scientific(story.bound, 1), message(story.most_substeps),
+                                             to_scientific(story.bound, 1), message(story.max_substeps),
                                              message(story.dispatches), message(story.messages), story.pass() ? "pass" : "FAIL"});
     console.out.flush();
 }
@@ -86,7 +86,7 @@ std::string check_json(const CheckResult& result) {
                                {"largest", story.largest},
                                {"bound", story.bound},
                                {"largest_component", story.largest_component},
-                               {"most_substeps", story.most_substeps},
+                               {"max_substeps", story.max_substeps},
                                {"dispatches", story.dispatches},
                                {"barriers", story.barriers},
                                {"messages", story.messages},

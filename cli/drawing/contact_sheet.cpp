@@ -9,7 +9,7 @@
 namespace windrow::cli {
 namespace {
 
-constexpr std::size_t k_most_frames = 64;
+constexpr std::size_t k_max_frames = 64;
 constexpr int k_tile = 800; // [px] longest of a tile: letters of a frame of 1600 px can just be read
 constexpr int k_gap = 28;
 constexpr int k_margin = 48;
@@ -50,8 +50,8 @@ Result<void> draw_contact_sheet(std::span<const std::filesystem::path> frames, c
     using detail::message;
     if (frames.empty())
         return Error{message("contact sheet ", file.string(), " has no frames; give at least one")};
-    if (frames.size() > k_most_frames)
-        return Error{message("contact sheet ", file.string(), " has ", frames.size(), " frames, more than ", k_most_frames,
+    if (frames.size() > k_max_frames)
+        return Error{message("contact sheet ", file.string(), " has ", frames.size(), " frames, more than ", k_max_frames,
                              "; choose every nth of them")};
 
     // Read and shrunk one by one: the frames of a sheet at full size could fill the memory.

@@ -113,7 +113,7 @@ Result<Image> compose_frame(const SlicedAir& air, double time, std::span<const T
         canvas.image(slice.image, {panel.rect.x, panel.rect.y});
         draw_arrows(canvas, panel, air, slice.image, scale);
         draw_cut(canvas, panel, panels[1 - index]->plane);
-        draw_axes(canvas, panel, air.box.sides);
+        draw_axes(canvas, panel, air.box.boundaries);
         draw_things(canvas, panel, trails, motors); // over the frame: a mark may stand on the floor's line
         draw_caption(canvas, panel, air.box.cell_size);
     }

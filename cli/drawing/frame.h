@@ -10,7 +10,7 @@
 
 namespace windrow::cli {
 
-/// Refuses a width that PictureSettings does not allow. A speed scale that is no number above 0 becomes the default.
+/// Rejects a width that PictureSettings does not allow. A speed scale that is no number above 0 becomes the default.
 [[nodiscard]] Result<Image> compose_frame(const SlicedAir& air, double time, std::span<const Trail> trails,
                                           std::span<const NamedMotor> motors, const PictureSettings& settings);
 

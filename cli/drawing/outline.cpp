@@ -181,7 +181,7 @@ bool cuts(const Panel& panel, const Region& region, const glm::dvec3& centre) {
 PathParts split_path(std::span<const glm::dvec3> points, const glm::dvec3& now, const Panel& panel) {
     // Nearest point of the path to `now`, as a segment and a share of it.
     std::size_t best_segment = 0;
-    double best_share = 1.0, best_distance = std::numeric_limits<double>::infinity();
+    double best_fraction = 1.0, best_distance = std::numeric_limits<double>::infinity();
     for (std::size_t index = 1; index < points.size(); ++index) {
         const glm::dvec3 way = points[index] - points[index - 1];
         const double length2 = glm::dot(way, way);
@@ -190,7 +190,7 @@ PathParts split_path(std::span<const glm::dvec3> points, const glm::dvec3& now, 
         if (const double distance = glm::dot(gap, gap); distance < best_distance) {
             best_distance = distance;
             best_segment = index;
-            best_share = share;
+            best_fraction = share;
         }
     }
 
@@ -207,7 +207,7 @@ PathParts split_path(std::span<const glm::dvec3> points, const glm::dvec3& now, 
     }
     for (std::size_t index = 0; index < best_segment; ++index)
         add(parts.past, panel.to_page(points[index]));
-    const glm::dvec3 split = points[best_segment - 1] + best_share * (points[best_segment] - points[best_segment - 1]);
+    const glm::dvec3 split = points[best_segment - 1] + best_fraction * (points[best_segment] - points[best_segment - 1]);
     if (finite(split)) {
         parts.past.push_back(panel.to_page(split));
         parts.future.push_back(panel.to_page(split));

@@ -44,17 +44,17 @@ std::string axis_title(int axis, double offset) {
     return name + (offset > 0.0 ? " \xe2\x88\x92 " : " + ") + fixed(std::abs(offset), 0) + " [m]";
 }
 
-/// What a side is shows in its line: a wall is thick, open air thin, a periodic side dashed.
-Line line_of(const Side& side) {
+/// What a side is shows in its line: a wall is thick, open air thin, a periodic boundary dashed.
+Line line_of(const Boundary& side) {
     if (side.solid())
         return {.colour = k_ink, .width = 4.0};
-    if (side.kind == SideKind::periodic)
+    if (side.kind == BoundaryKind::periodic)
         return {.colour = k_ink, .width = 1.6, .dash = 7.0, .gap = 4.0};
     return {.colour = k_ink, .width = 1.0};
 }
 
-void draw_outline(Canvas& canvas, const Panel& panel, const Sides& sides) {
-    const auto edge = [&](const Side& side, glm::dvec2 from, glm::dvec2 to, glm::dvec2 outward) {
+void draw_outline(Canvas& canvas, const Panel& panel, const Boundaries& boundaries) {
+    const auto edge = [&](const Boundary& side, glm::dvec2 from, glm::dvec2 to, glm::dvec2 outward) {
         const Line line = line_of(side);
         const glm::dvec2 shift = outward * 0.5 * line.width;
         // Lengthened by its own width, so that the corners close.
@@ -64,10 +64,10 @@ void draw_outline(Canvas& canvas, const Panel& panel, const Sides& sides) {
     const Rect& r = panel.rect;
     const int right = panel.plane.right(), along = panel.plane.along_height();
     const int top_end = panel.plane.grows_upward() ? 1 : 0;
-    edge(sides.at(right, 0), {r.x, r.y}, {r.x, r.bottom()}, {-1.0, 0.0});
-    edge(sides.at(right, 1), {r.right(), r.y}, {r.right(), r.bottom()}, {1.0, 0.0});
-    edge(sides.at(along, top_end), {r.x, r.y}, {r.right(), r.y}, {0.0, -1.0});
-    edge(sides.at(along, 1 - top_end), {r.x, r.bottom()}, {r.right(), r.bottom()}, {0.0, 1.0});
+    edge(boundaries.at(right, 0), {r.x, r.y}, {r.x, r.bottom()}, {-1.0, 0.0});
+    edge(boundaries.at(right, 1), {r.right(), r.y}, {r.right(), r.bottom()}, {1.0, 0.0});
+    edge(boundaries.at(along, top_end), {r.x, r.y}, {r.right(), r.y}, {0.0, -1.0});
+    edge(boundaries.at(along, 1 - top_end), {r.x, r.bottom()}, {r.right(), r.bottom()}, {0.0, 1.0});
 }
 
 struct PanelTicks {
@@ -88,7 +88,7 @@ PanelTicks ticks_of(Canvas& canvas, const Panel& panel) {
 }
 
 /// More motors than this are drawn small and without names.
-constexpr std::size_t k_most_named = 24;
+constexpr std::size_t k_max_named = 24;
 
 bool finite(glm::dvec3 v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -163,8 +163,8 @@ AxisTicks make_ticks(double low, double extent, double apart) {
     return ticks;
 }
 
-void draw_axes(Canvas& canvas, const Panel& panel, const Sides& sides) {
-    draw_outline(canvas, panel, sides);
+void draw_axes(Canvas& canvas, const Panel& panel, const Boundaries& boundaries) {
+    draw_outline(canvas, panel, boundaries);
     const Rect& r = panel.rect;
     const Line tick{.colour = k_ink, .width = 1.2};
     const Line small_tick{.colour = k_dim_ink, .width = 0.8};
@@ -247,7 +247,7 @@ void draw_player(Canvas& canvas, glm::dvec2 at) {
 
 void draw_things(Canvas& canvas, const Panel& panel, std::span<const Trail> trails, std::span<const NamedMotor> motors) {
     Marks marks{
-        .canvas = canvas, .panel = panel, .crowded = motors.size() > k_most_named, .bodies = {}, .devices = {}, .kept_free = {}};
+        .canvas = canvas, .panel = panel, .crowded = motors.size() > k_max_named, .bodies = {}, .devices = {}, .kept_free = {}};
     canvas.clip(panel.rect);
     for (const Trail& trail : trails)
         draw_trail(marks, trail);

@@ -6,7 +6,7 @@
 #include "cli/drawing/layout.h"
 #include "cli/drawing/slice.h"
 #include "cli/pictures.h"
-#include "fluid/sides.h"
+#include "fluid/boundaries.h"
 
 #include <span>
 #include <string>
@@ -26,7 +26,7 @@ struct AxisTicks {
 [[nodiscard]] AxisTicks make_ticks(double low, double extent, double apart);
 
 /// Draws around the panel, never inside it.
-void draw_axes(Canvas& canvas, const Panel& panel, const Sides& sides);
+void draw_axes(Canvas& canvas, const Panel& panel, const Boundaries& boundaries);
 
 /// Page units between arrows at least, and the length of an arrow of full scale as a share of their spacing.
 inline constexpr double k_arrow_spacing = 27.0;

@@ -37,13 +37,13 @@ struct GridTimes {
 };
 
 constexpr int k_sweeps = 40;
-constexpr int k_most_age = 60; // steps before the field is laid in anew
+constexpr int k_max_age = 60; // steps before the field is laid in anew
 
 /// Steps a field that is laid in anew before it grows old. A first step has no history and costs less, so one is made that is
 /// not timed.
 class Stepper {
   public:
-    Stepper(int most_age, std::function<void()> lay_in) : most_age_(most_age), age_(most_age), lay_in_(std::move(lay_in)) {}
+    Stepper(int max_age, std::function<void()> lay_in) : max_age_(max_age), age_(max_age), lay_in_(std::move(lay_in)) {}
 
     [[nodiscard]] Contestant contestant(std::function<void()> step) {
         return {.run =
@@ -53,7 +53,7 @@ class Stepper {
                     },
                 .prepare =
                     [this, step] {
-                        if (age_ < most_age_)
+                        if (age_ < max_age_)
                             return;
                         lay_in_();
                         step();
@@ -62,7 +62,7 @@ class Stepper {
     }
 
   private:
-    int most_age_, age_;
+    int max_age_, age_;
     std::function<void()> lay_in_;
 };
 
@@ -73,7 +73,7 @@ Result<std::optional<GridTimes>> measure_steps(const ParetoFlow& flow, glm::ivec
                                                const ParallelFor& parallel_for, const Backend& backend,
                                                const std::function<bool()>& stopped) {
     const Box box = box_of(flow, cells);
-    const int steps = steps_of(flow, cells, 1.0), most_age = std::min(steps, k_most_age);
+    const int steps = steps_of(flow, cells, 1.0), max_age = std::min(steps, k_max_age);
     const double dt = flow.end / steps;
     const Solves solves = solves_of(flow, backend.kind());
     const auto methods = pareto_methods(solves);
@@ -88,7 +88,7 @@ Result<std::optional<GridTimes>> measure_steps(const ParetoFlow& flow, glm::ivec
         if (!made)
             return Error{made.error()};
         FlowWind& wind = winds.emplace_back(*std::move(made));
-        return contest.add(steppers.emplace_back(most_age, [&wind] { wind.begin(); }).contestant([&wind, dt] { wind.step(dt); }));
+        return contest.add(steppers.emplace_back(max_age, [&wind] { wind.begin(); }).contestant([&wind, dt] { wind.step(dt); }));
     };
     std::optional<reference::ComposedStep> composed;
     if (solves == Solves::all) {
@@ -99,7 +99,7 @@ Result<std::optional<GridTimes>> measure_steps(const ParetoFlow& flow, glm::ivec
             return Error{fits.error()};
         composed.emplace(*std::move(made));
     }
-    Stepper composed_stepper(most_age, [&] { static_cast<void>(composed->start(start)); }); // the motors were accepted
+    Stepper composed_stepper(max_age, [&] { static_cast<void>(composed->start(start)); }); // the motors were accepted
     std::vector<std::size_t> numbers;
     for (const Method& method : methods) {
         if (solves == Solves::all) {
@@ -118,7 +118,7 @@ Result<std::optional<GridTimes>> measure_steps(const ParetoFlow& flow, glm::ivec
         return Error{wind_number.error()};
     reference::StamStep stam(cells, box.cell_size, k_sweeps, parallel_for, simd);
     stam.set_ambient(glm::vec3(flow.mean));
-    Stepper stam_stepper(most_age, [&] { std::copy(start.begin(), start.end(), stam.velocity().begin()); });
+    Stepper stam_stepper(max_age, [&] { std::copy(start.begin(), start.end(), stam.velocity().begin()); });
     const std::size_t stam_number = contest.add(stam_stepper.contestant([&] { stam.step(static_cast<float>(dt)); }));
     if (!contest.hold(seconds, stopped))
         return std::optional<GridTimes>();

@@ -54,7 +54,7 @@ void add_bends(std::vector<PlotCurve>& curves) {
 void add_blades(std::vector<PlotCurve>& curves) {
     // A blade that is what its class says: no chance, no bend of its own.
     const Blades grass =
-        *Blades::create({.length_spread = 0.0f, .stiffness_spread = 0.0f, .own_bend = 0.0f, .own_bend_spread = 0.0f});
+        *Blades::create({.length_spread = 0.0f, .stiffness_spread = 0.0f, .rest_bend = 0.0f, .rest_bend_spread = 0.0f});
     for (const float speed : {0.5f, 1.0f, 2.0f, 4.0f, 8.0f, 16.0f}) {
         const glm::vec3 load = grass.load({0, 0}, {speed, 0.0f, 0.0f});
         const auto at = [&](double h) { return glm::dvec2(grass.vertex({0, 0}, load, static_cast<float>(h), 0.0f).position); };

@@ -30,7 +30,7 @@ void add_plants(CLI::App& app, std::function<int()>& chosen, const Console& cons
 // Curves of motion: x [s] time, y [1] the share of the way that is done.
 
 /// A spring at rest whose target jumps from 0 to 1 at time 0, for `seconds`, at each frame rate [Hz]. Empty for a spring that
-/// `validate` refuses.
+/// `validate` rejects.
 [[nodiscard]] inline std::vector<PlotCurve> spring_response_curves(const SpringClass& spring, std::span<const int> rates,
                                                                    double seconds) {
     std::vector<PlotCurve> curves;

@@ -49,9 +49,9 @@ void report_row(const cases::VerifyCase& one, const cases::VerifiedRow& row, con
 /// `left_out` are cases that the backend cannot run.
 void report_end(std::span<const cases::VerifiedCase> cases, std::span<const std::string> left_out, const Console& console);
 
-/// {"cases": [{name, label, backend, device, grid, cfl, error, order, bound, least_order, pass}, ...]}: an entry a row. `device`
+/// {"cases": [{name, label, backend, device, grid, cfl, error, order, bound, min_order, pass}, ...]}: an entry a row. `device`
 /// is null on the CPU. `label` tells rows of one resolution apart and is null where there is one; `bound` is the largest error
-/// admitted; `order` is null at the first resolution, `least_order` also where no order is asked.
+/// admitted; `order` is null at the first resolution, `min_order` also where no order is asked.
 [[nodiscard]] std::string verify_json(const VerifyRequest& request, const std::string& device,
                                       std::span<const cases::VerifiedCase> verified);
 

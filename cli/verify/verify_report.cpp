@@ -71,10 +71,10 @@ void report_case(const VerifyCase& one, const Console& console) {
 
 void report_row(const VerifyCase& one, const VerifiedRow& verified, const Console& console) {
     const VerifyRow& row = verified.row;
-    const bool ordered = one.least_order > 0.0 && verified.order; // of rounding an order tells nothing
+    const bool ordered = one.min_order > 0.0 && verified.order; // of rounding an order tells nothing
     console.out << line(grid_name(row.cells), row.cfl > 0.0 ? to_fixed(row.cfl, 2) : "-", to_scientific(row.error, 2),
                         to_scientific(row.bound, 2), ordered ? to_fixed(*verified.order, 2) : "-",
-                        ordered ? to_fixed(one.least_order, 2) : "-", verified.verdict(), row.label);
+                        ordered ? to_fixed(one.min_order, 2) : "-", verified.verdict(), row.label);
     console.out.flush();
 }
 
@@ -117,7 +117,7 @@ std::string verify_json(const VerifyRequest& request, const std::string& device,
     Json entries = Json::array();
     for (std::size_t n = 0; n < verified.size(); ++n)
         for (const VerifiedRow& one : verified[n].rows) {
-            const double least_order = request.cases[n].least_order;
+            const double min_order = request.cases[n].min_order;
             entries.push_back({{"name", verified[n].name},
                                {"label", one.row.label.empty() ? Json() : Json(one.row.label)},
                                {"backend", request.backend.kind == BackendKind::cpu ? "cpu" : "vulkan"},
@@ -127,7 +127,7 @@ std::string verify_json(const VerifyRequest& request, const std::string& device,
                                {"error", one.row.error}, // what is not finite becomes null
                                {"order", one.order ? Json(*one.order) : Json()},
                                {"bound", one.row.bound},
-                               {"least_order", one.order && least_order > 0.0 ? Json(least_order) : Json()},
+                               {"min_order", one.order && min_order > 0.0 ? Json(min_order) : Json()},
                                {"pass", one.pass},
                                {"verdict", one.verdict()}});
         }

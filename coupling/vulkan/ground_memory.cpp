@@ -79,7 +79,7 @@ Result<void> GroundMemory::State::make(Texel texel) {
         VkDeviceSize bytes;
     };
     const Wanted wanted[] = {{&step, sizeof(numerics::WindrowGroundStep)},
-                             {&walkers, sizeof(numerics::WindrowWalker) * static_cast<VkDeviceSize>(config.most_walkers)},
+                             {&walkers, sizeof(numerics::WindrowWalker) * static_cast<VkDeviceSize>(config.max_walkers)},
                              {&motion, texels * sizeof(glm::vec4)},
                              {&memory, texels * sizeof(glm::vec4)},
                              {&leans_before, texels * sizeof(glm::vec2)},

@@ -28,14 +28,14 @@ struct GroundTexture {
 
 class GroundMemory {
   public:
-    /// Makes all buffers, images and pipelines; textures of RGBA16F, or of RGBA32F. Refuses what `validate` refuses, and a device
+    /// Makes all buffers, images and pipelines; textures of RGBA16F, or of RGBA32F. Rejects what `validate` rejects, and a device
     /// that lacks something, with the reason. The host's device outlives the memory.
     [[nodiscard]] static Result<GroundMemory> create(const Host& host, const GroundConfig& config, Texel texel = Texel::half);
 
     /// As windrow::GroundMemory::follow.
     Result<void> follow(glm::dvec3 point);
-    /// Records a step outside of a render pass: one dispatch, a copy of some hundred bytes, barriers. Refuses what
-    /// windrow::GroundMemory::advance refuses; nothing is recorded then. What is recorded must be submitted: the next step goes
+    /// Records a step outside of a render pass: one dispatch, a copy of some hundred bytes, barriers. Rejects what
+    /// windrow::GroundMemory::advance rejects; nothing is recorded then. What is recorded must be submitted: the next step goes
     /// on from it.
     Result<void> record(VkCommandBuffer commands, const GroundStep& step, WindLeans leans = WindLeans::everywhere);
 

@@ -16,7 +16,7 @@ const float k_near = 1.6;        // [m] from the eye to the first blade
 const float k_far = 75.0;        // [m] to the last
 const float k_half_angle = 0.72; // [rad] half the fan of directions that the eye sees
 const float k_stiff_speed = 2.4; // [m/s] wind in which drag and stiffness are equal
-const float k_most_bend = 2.1;   // [rad] as the wind grows without end: the tip points down a little
+const float k_max_bend = 2.1;   // [rad] as the wind grows without end: the tip points down a little
 
 void main() {
     // Where it grows, around an eye that stands still: denser near it, as the inverse of distance to the power 3/2.
@@ -38,7 +38,7 @@ void main() {
     // Drag grows with the square of the speed. It adds to the way in which this blade leans by itself.
     vec2 pull = wind.xz * length(wind.xz) / (k_stiff_speed * k_stiff_speed) + 0.22 * vec2(cos(3.0 * turned), sin(3.0 * turned));
     float strength = length(pull) * mix(1.25, 0.8, kind);
-    float bend = k_most_bend * strength / (1.0 + strength);
+    float bend = k_max_bend * strength / (1.0 + strength);
     vec2 toward = pull / max(length(pull), 1e-6);
 
     float s = float(gl_VertexIndex / 2) / float(k_segments);

@@ -18,7 +18,7 @@ struct CanopyRows {
     float ground = 0.0f, top = 0.0f;
     /// [1/m] Of a row.
     [[nodiscard]] float drag_of(int row) const {
-        return drag > 0.0f ? drag * numerics::windrow_canopy_share(static_cast<float>(row), ground, top) : 0.0f;
+        return drag > 0.0f ? drag * numerics::windrow_canopy_fraction(static_cast<float>(row), ground, top) : 0.0f;
     }
 };
 

@@ -1,4 +1,4 @@
-// Semi-Lagrangian advection of the velocity: gather with halo, then trace and interpolate. pieces.h states the method.
+// Semi-Lagrangian advection of the velocity: gather with halo, then trace and interpolate. operators.h states the method.
 #include "fluid/cpu/box_rules.h"
 #include "fluid/cpu/workspace.h"
 
@@ -23,7 +23,7 @@ void advect(Workspace& work, const Transport& transport, std::span<glm::vec4> re
     assert(transport.carried.size() == state.box.cell_count() && transport.velocity.size() == state.box.cell_count());
     assert(result.size() == state.box.cell_count() && result.data() != transport.velocity.data());
 
-    const bool own_trace = !transport.velocity_old.empty() || !transport.history.empty() || transport.settling != 1.0f ||
+    const bool own_trace = !transport.velocity_old.empty() || !transport.history.empty() || transport.relaxation != 1.0f ||
                            transport.carried.data() != transport.velocity.data();
     cpu::PadTask pad{};
     for (int axis = 0; axis < 3; ++axis) {
@@ -36,7 +36,7 @@ void advect(Workspace& work, const Transport& transport, std::span<glm::vec4> re
     pad.carried = cpu::floats(transport.carried);
     pad.history = cpu::floats(transport.history);
     pad.history_scale = transport.history_scale;
-    pad.settling = transport.settling;
+    pad.relaxation = transport.relaxation;
     pad.velocity = cpu::floats(transport.velocity);
     pad.velocity_old = cpu::floats(transport.velocity_old);
     pad.extrapolation = transport.extrapolation;
@@ -57,9 +57,9 @@ void advect(Workspace& work, const Transport& transport, std::span<glm::vec4> re
         // would feed the perturbation for good.
         cpu::Legal& legal = task.given.legal;
         for (int axis = 0; axis < 3; ++axis) {
-            if (state.box.sides.at(axis, 0).kind != SideKind::open)
+            if (state.box.boundaries.at(axis, 0).kind != BoundaryKind::open)
                 legal.low[axis] = 0.0f;
-            if (state.box.sides.at(axis, 1).kind != SideKind::open)
+            if (state.box.boundaries.at(axis, 1).kind != BoundaryKind::open)
                 legal.high[axis] = static_cast<float>(state.box.cells[axis] - 1);
             legal.period[axis] = legal.inverse_period[axis] = 0.0f;
         }

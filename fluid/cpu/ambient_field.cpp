@@ -67,8 +67,8 @@ void AmbientField::make_tables(const AmbientWind& wind, const Window& window) {
     for (std::size_t j = 0; j < layers_.size(); ++j) {
         const double height = centre(1, j);
         Layer layer;
-        layer.mean_share = wind.profile_at(height);
-        layer.gust_share = strength * std::min(layer.mean_share, 1.0f);
+        layer.mean_fraction = wind.profile_at(height);
+        layer.gust_fraction = strength * std::min(layer.mean_fraction, 1.0f);
         if (gusting) {
             const auto [texel, fraction] = wind.gust_place(1, height);
             const auto mirrored = [](int y, int& row, float& sign) {
@@ -109,7 +109,7 @@ void AmbientField::fill_plane(const AmbientWind& wind, int plane) {
         const Layer& layer = layers_[j];
         float* const row = values_.data() + 4 * row_cells * (plane * layers_.size() + j);
         TexelRows around{};
-        around.base = splat(layer.mean_share) * Cell{mean.x, mean.y, mean.z, 0.0f};
+        around.base = splat(layer.mean_fraction) * Cell{mean.x, mean.y, mean.z, 0.0f};
         if (!gusting) {
             for (std::size_t i = 0; i < row_cells; ++i)
                 store(row + 4 * i, around.base);
@@ -118,7 +118,7 @@ void AmbientField::fill_plane(const AmbientWind& wind, int plane) {
         const Slice& slice = slices_[plane];
         const auto set_row = [&](int n, int y, float y_sign, float y_weight, int z, float z_weight) {
             around.rows[n] = &wind.tile()->texels()[static_cast<std::size_t>(z * k_height + y) * k_side].x;
-            around.weights[n] = splat(layer.gust_share * y_weight * z_weight) * Cell{axes.x, y_sign * axes.y, axes.z, 0.0f};
+            around.weights[n] = splat(layer.gust_fraction * y_weight * z_weight) * Cell{axes.x, y_sign * axes.y, axes.z, 0.0f};
         };
         set_row(0, layer.low, layer.low_sign, 1.0f - layer.fraction, slice.low, 1.0f - slice.fraction);
         set_row(1, layer.high, layer.high_sign, layer.fraction, slice.low, 1.0f - slice.fraction);

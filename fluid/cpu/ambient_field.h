@@ -38,7 +38,7 @@ class AmbientField {
     struct Layer {
         int low = 0, high = 0;
         float low_sign = 1.0f, high_sign = 1.0f, fraction = 0.0f;
-        float mean_share = 1.0f, gust_share = 1.0f;
+        float mean_fraction = 1.0f, gust_fraction = 1.0f;
     };
     /// Which two slices of the tile a plane lies between.
     struct Slice {

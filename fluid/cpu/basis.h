@@ -15,7 +15,7 @@ namespace windrow::cpu {
 
 /// What lies beyond one end of an axis.
 enum class EndRule {
-    zero_at_ghost, ///< value 0 at the ghost's centre, at an open side: pressure, velocity relative to ambient
+    zero_at_ghost, ///< value 0 at the ghost's centre, at an open boundary: pressure, velocity relative to ambient
     zero_at_face,  ///< odd about the face: velocity at a wall
     even_at_face,  ///< mirrored about the face: pressure at a wall, tangential velocity at a free-slip wall
     periodic,

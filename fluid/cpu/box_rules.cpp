@@ -9,10 +9,10 @@ namespace {
 constexpr float k_farthest_wrap = 65536.0f;
 
 // Applies one wall's mirror to a rule.
-void mirror(HaloRule& rule, const Side& side, int axis) {
+void mirror(HaloRule& rule, const Boundary& side, int axis) {
     for (int component = 0; component < 3; ++component) {
         const bool normal = component == axis;
-        const bool odd = normal || side.kind == SideKind::no_slip;
+        const bool odd = normal || side.kind == BoundaryKind::no_slip;
         if (odd) {
             rule.scale[component] = -rule.scale[component];
             rule.offset[component] = 2.0f * side.wall_velocity[component] - rule.offset[component];
@@ -23,21 +23,21 @@ void mirror(HaloRule& rule, const Side& side, int axis) {
     rule.identity = false;
 }
 
-// Follows an index outside [0, count) through mirrors and wraps until it is inside, or beyond an open side.
-HaloRule rule_at(const Sides& sides, int axis, int index, int count) {
+// Follows an index outside [0, count) through mirrors and wraps until it is inside, or beyond an open boundary.
+HaloRule rule_at(const Boundaries& boundaries, int axis, int index, int count) {
     // The mirrors nearest to the ghost act last on the value: gather them outermost first, then apply in reverse.
-    const Side* passed[16];
+    const Boundary* passed[16];
     int passes = 0;
     HaloRule rule;
     while (index < 0 || index >= count) {
-        const Side& side = sides.at(axis, index < 0 ? 0 : 1);
-        if (side.kind == SideKind::open) {
+        const Boundary& side = boundaries.at(axis, index < 0 ? 0 : 1);
+        if (side.kind == BoundaryKind::open) {
             rule.ambient = true;
             rule.identity = false;
             index = index < 0 ? 0 : count - 1;
             break;
         }
-        if (side.kind == SideKind::periodic) {
+        if (side.kind == BoundaryKind::periodic) {
             index += index < 0 ? count : -count;
             continue;
         }
@@ -53,70 +53,70 @@ HaloRule rule_at(const Sides& sides, int axis, int index, int count) {
 
 } // namespace
 
-EndRule pressure_end(const Side& side) {
+EndRule pressure_end(const Boundary& side) {
     switch (side.kind) {
-    case SideKind::open:
+    case BoundaryKind::open:
         return EndRule::zero_at_ghost;
-    case SideKind::periodic:
+    case BoundaryKind::periodic:
         return EndRule::periodic;
     default:
         return EndRule::even_at_face;
     }
 }
 
-EndRule velocity_end(const Side& side, bool normal) {
+EndRule velocity_end(const Boundary& side, bool normal) {
     switch (side.kind) {
-    case SideKind::open:
+    case BoundaryKind::open:
         return EndRule::zero_at_ghost;
-    case SideKind::periodic:
+    case BoundaryKind::periodic:
         return EndRule::periodic;
-    case SideKind::no_slip:
+    case BoundaryKind::no_slip:
         return EndRule::zero_at_face;
     default:
         return normal ? EndRule::zero_at_face : EndRule::even_at_face;
     }
 }
 
-std::array<std::array<EndRule, 2>, 3> pressure_ends(const Sides& sides) {
+std::array<std::array<EndRule, 2>, 3> pressure_ends(const Boundaries& boundaries) {
     std::array<std::array<EndRule, 2>, 3> ends{};
     for (int axis = 0; axis < 3; ++axis)
         for (int end = 0; end < 2; ++end)
-            ends[axis][end] = pressure_end(sides.at(axis, end));
+            ends[axis][end] = pressure_end(boundaries.at(axis, end));
     return ends;
 }
 
-std::array<std::array<EndRule, 2>, 3> velocity_ends(const Sides& sides, int component) {
+std::array<std::array<EndRule, 2>, 3> velocity_ends(const Boundaries& boundaries, int component) {
     std::array<std::array<EndRule, 2>, 3> ends{};
     for (int axis = 0; axis < 3; ++axis)
         for (int end = 0; end < 2; ++end)
-            ends[axis][end] = velocity_end(sides.at(axis, end), axis == component);
+            ends[axis][end] = velocity_end(boundaries.at(axis, end), axis == component);
     return ends;
 }
 
 std::vector<HaloRule> halo_rules(const Box& box, int axis) {
     std::vector<HaloRule> rules(static_cast<std::size_t>(box.cells[axis] + k_halo));
     for (int padded = 0; padded < box.cells[axis] + k_halo; ++padded)
-        rules[padded] = rule_at(box.sides, axis, padded - k_halo_low, box.cells[axis]);
+        rules[padded] = rule_at(box.boundaries, axis, padded - k_halo_low, box.cells[axis]);
     return rules;
 }
 
 std::vector<HaloRule> carried_rules(const Box& box, int axis) {
     Box slip = box;
-    for (Side* side :
-         {&slip.sides.x_low, &slip.sides.x_high, &slip.sides.y_low, &slip.sides.y_high, &slip.sides.z_low, &slip.sides.z_high})
+    for (Boundary* side : {&slip.boundaries.x_low, &slip.boundaries.x_high, &slip.boundaries.y_low, &slip.boundaries.y_high,
+                           &slip.boundaries.z_low, &slip.boundaries.z_high})
         if (side->solid())
-            *side = Side{SideKind::free_slip};
+            *side = Boundary{BoundaryKind::free_slip};
     return halo_rules(slip, axis);
 }
 
 namespace {
 
 NormalGhost ghost(const Box& box, int axis, int end, float open, float wall) {
-    const Side& side = box.sides.at(axis, end);
+    const Boundary& side = box.boundaries.at(axis, end);
     const int last = box.cells[axis] - 1, edge = end == 0 ? 0 : last;
-    if (side.kind == SideKind::periodic)
+    if (side.kind == BoundaryKind::periodic)
         return {last - edge, 1.0f};
-    return {edge, side.kind == SideKind::open ? open : wall};
+    return {edge, side.kind == BoundaryKind::open ? open : wall};
 }
 
 } // namespace
@@ -131,10 +131,10 @@ NormalGhost potential_ghost(const Box& box, int axis, int end) {
 
 LegalPlaces legal_places(const Box& box, int axis) {
     const auto cells = static_cast<float>(box.cells[axis]);
-    if (box.sides.periodic(axis))
+    if (box.boundaries.periodic(axis))
         return {-k_farthest_wrap, k_farthest_wrap, cells, 1.0f / cells};
-    return {box.sides.at(axis, 0).kind == SideKind::open ? -1.0f : -0.5f,
-            cells - (box.sides.at(axis, 1).kind == SideKind::open ? 0.0f : 0.5f), 0.0f, 0.0f};
+    return {box.boundaries.at(axis, 0).kind == BoundaryKind::open ? -1.0f : -0.5f,
+            cells - (box.boundaries.at(axis, 1).kind == BoundaryKind::open ? 0.0f : 0.5f), 0.0f, 0.0f};
 }
 
 } // namespace windrow::cpu

@@ -85,7 +85,7 @@ void Cells::make_room_for_step(float dt) {
         if (source_flow.empty())
             source_flow = Buffer<glm::vec4>(air.velocity.size());
         reserve_solved();
-        if (config_.sides.in_free_air())
+        if (config_.boundaries.in_free_air())
             free_air_.make_room(box());
     }
     if (wind_.viscous(dt))
@@ -136,7 +136,7 @@ void Cells::bend_profile(const Window& window) {
         return around_.profile_at(window.centre(0, j, 0).y);
     };
     profile_bends_.assign(rows.size(), 0.0f);
-    if (config_.sides.periodic(1))
+    if (config_.boundaries.periodic(1))
         return;
     for (std::size_t row = 1; row + 1 < rows.size(); ++row)
         profile_bends_[row] = profile(row - 1) - 2.0f * profile(row) + profile(row + 1);
@@ -173,10 +173,10 @@ void Cells::fill(std::span<glm::vec4> field) const {
 
 // --- Changes -----------------------------------------------------------------------------------------------------------------
 
-Result<void> Cells::set_sides(const Sides& sides, bool kinds) {
+Result<void> Cells::set_boundaries(const Boundaries& boundaries, bool kinds) {
     hold_air(); // as the old sides have it
     hold_before();
-    auto changed = work.set_sides(sides);
+    auto changed = work.set_boundaries(boundaries);
     air.fresh = air.fresh || (changed && kinds);
     around_stale_ = true;
     return changed;
@@ -376,12 +376,12 @@ void Cells::show(const FrameBlend& blend) {
 
 WindView Cells::air_view() {
     hold_air();
-    return {box(), wind_.window(), wind_.rim(wind_.place.point), wind_.ambient, air.velocity};
+    return {box(), wind_.window(), wind_.blend_zone(wind_.place.point), wind_.ambient, air.velocity};
 }
 
 WindView Cells::view(FrameCells::Field& field, const ShownFrame& frame) {
     hold_frame(field, frame);
-    return {box(), frame.window, wind_.rim(frame.rim_point), frame.ambient, field.cells};
+    return {box(), frame.window, wind_.blend_zone(frame.blend_centre), frame.ambient, field.cells};
 }
 
 std::size_t Cells::memory_bytes() const {

@@ -7,7 +7,7 @@
 #include "fluid/cpu/aligned.h"
 #include "fluid/cpu/ambient_field.h"
 #include "fluid/cpu/sources.h"
-#include "fluid/pieces.h"
+#include "fluid/operators.h"
 
 #include <atomic>
 #include <mutex>
@@ -51,7 +51,7 @@ class Cells final : public CellStorage {
     Cells(const WindCore& wind, Workspace workspace);
 
     void make_room(const CellNeeds& needs) override;
-    [[nodiscard]] Result<void> set_sides(const Sides& sides, bool kinds) override;
+    [[nodiscard]] Result<void> set_boundaries(const Boundaries& boundaries, bool kinds) override;
     void apply(const CellChange& change) override;
     [[nodiscard]] bool step(const CellStep& step, Diagnostics& report) override;
     void show(const FrameBlend& blend) override;

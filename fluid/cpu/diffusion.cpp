@@ -29,8 +29,8 @@ void diffuse_once(Workspace::State& state, std::span<const glm::vec4> field, flo
 }
 
 // What the ghost beyond one side adds to L v at its outermost cell: the part that does not depend on v.
-float wall_share(const Side& side, int component, float ambient) {
-    return side.kind == SideKind::no_slip ? 2.0f * (side.wall_velocity[component] - ambient) : 0.0f;
+float wall_fraction(const Boundary& side, int component, float ambient) {
+    return side.kind == BoundaryKind::no_slip ? 2.0f * (side.wall_velocity[component] - ambient) : 0.0f;
 }
 
 void diffuse_component(Workspace::State& state, int component, std::span<const glm::vec4> field, float ratio,
@@ -42,7 +42,7 @@ void diffuse_component(Workspace::State& state, int component, std::span<const g
     float shares[3][2];
     for (int axis = 0; axis < 3; ++axis)
         for (int end = 0; end < 2; ++end)
-            shares[axis][end] = axis == component ? 0.0f : wall_share(box.sides.at(axis, end), component, ambient);
+            shares[axis][end] = axis == component ? 0.0f : wall_fraction(box.boundaries.at(axis, end), component, ambient);
     const auto edge = [&](int axis, int index) {
         return (index == 0 ? shares[axis][0] : 0.0f) + (index == box.cells[axis] - 1 ? shares[axis][1] : 0.0f);
     };

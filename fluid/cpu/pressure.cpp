@@ -39,7 +39,7 @@ void Workspace::State::subtract_from_potential(std::span<const float> field, flo
     });
 }
 
-// Calls visit(cell, axis, step) where a step leads out of an open side.
+// Calls visit(cell, axis, step) where a step leads out of an open boundary.
 template <class Visit>
 void Workspace::State::for_each_open_end(const Visit& visit) const {
     const glm::ivec3 last = box.cells - 1;
@@ -50,7 +50,7 @@ void Workspace::State::for_each_open_end(const Visit& visit) const {
                 const glm::ivec3 cell(i, j, k);
                 for (int axis = 0; axis < 3; ++axis)
                     for (const int end : {0, 1})
-                        if (cell[axis] == end * last[axis] && box.sides.at(axis, end).kind == SideKind::open)
+                        if (cell[axis] == end * last[axis] && box.boundaries.at(axis, end).kind == BoundaryKind::open)
                             visit(cell, axis, end);
             }
         }

@@ -1,4 +1,4 @@
-// A scalar on the wind's trajectories. Walls mirror it, open sides hold the caller's outside value.
+// A scalar on the wind's trajectories. Walls mirror it, open boundaries hold the caller's outside value.
 #include "fluid/cpu/workspace.h"
 #include "fluid/message.h"
 
@@ -23,7 +23,7 @@ Result<void> advect(Workspace& work, const ScalarTransport& transport, std::span
         pad.ambient[axis] = state.ambient[axis];
     }
     pad.carried = pad.velocity = cpu::floats(transport.velocity);
-    pad.settling = 1.0f;
+    pad.relaxation = 1.0f;
     pad.padded_carried = state.padded_carried.data();
     const glm::ivec3 padded = box.cells + cpu::k_halo;
     state.parallel_for(padded.z, [&](int plane) {

@@ -242,7 +242,8 @@ void FreeAir::make_room(const Box& box) {
     for (int axis = 0; axis < 3; ++axis) {
         const std::size_t size = box.cell_count() / static_cast<std::size_t>(box.cells[axis]);
         for (int end = 0; end < 2; ++end)
-            if (Buffer<float>& side = ghosts_[axis][end]; box.sides.at(axis, end).kind == SideKind::open && side.size() != size)
+            if (Buffer<float>& side = ghosts_[axis][end];
+                box.boundaries.at(axis, end).kind == BoundaryKind::open && side.size() != size)
                 side = Buffer<float>(size);
     }
 }
@@ -252,7 +253,7 @@ void FreeAir::gather(std::span<const MotorReach> motors, const Box& box, const P
     const float h = box.cell_size;
     for (int axis = 0; axis < 3; ++axis)
         for (int end = 0; end < 2; ++end) {
-            if (box.sides.at(axis, end).kind != SideKind::open)
+            if (box.boundaries.at(axis, end).kind != BoundaryKind::open)
                 continue;
             const int along = axis == 0 ? 1 : 0, across = axis == 2 ? 1 : 2, count = cells_[along];
             Buffer<float>& side = ghosts_[axis][end];
@@ -272,8 +273,9 @@ void FreeAir::gather(std::span<const MotorReach> motors, const Box& box, const P
                         for (int turned = 0; turned < 3; ++turned) {
                             if ((image >> turned & 1) == 0)
                                 continue;
-                            stands = stands && box.sides.has_solid(turned);
-                            const float wall = box.sides.at(turned, 1).solid() ? h * static_cast<float>(cells_[turned]) : 0.0f;
+                            stands = stands && box.boundaries.has_solid(turned);
+                            const float wall =
+                                box.boundaries.at(turned, 1).solid() ? h * static_cast<float>(cells_[turned]) : 0.0f;
                             from[turned] = h * p[turned] - (2.0f * wall - motor.extent[turned]);
                         }
                         if (!stands)

@@ -3,7 +3,7 @@
 // Second order (two-time-level semi-implicit semi-Lagrangian, the practice of weather models), du/dt = -grad p + nu L u + f:
 //
 //   R  = u - s q + (dt/2) f                    half of pressure and force act at departure, half at arrival
-//   xd = departure of x                        SETTLS, advect() in pieces.h
+//   xd = departure of x                        SETTLS, advect() in operators.h
 //   w  = R(xd) + (dt/2) f
 //   u' = w - grad phi,  L phi = div w          project()
 //   q' = (dt/2) grad p                         and s: shaders/numerics/history.glsl
@@ -43,7 +43,7 @@ namespace {
 constexpr float k_rounding = 1.00001f; // of a speed that was cut and carried along
 
 // For a smaller s the history is negligible, and a division by s would lose the forces to rounding.
-constexpr float k_least_scale = 1e-6f;
+constexpr float k_min_scale = 1e-6f;
 
 // Adds the time of a scope to a stage's figure.
 class Stopwatch {
@@ -79,7 +79,7 @@ void for_each_cell(const Box& box, const Visit& visit) {
 }
 
 float relaxation(const Config& config, float dt) {
-    return config.stages.settling && config.settling_time > 0.0f ? 1.0f / (1.0f + dt / config.settling_time) : 1.0f;
+    return config.stages.relaxation && config.relaxation_time > 0.0f ? 1.0f / (1.0f + dt / config.relaxation_time) : 1.0f;
 }
 
 } // namespace
@@ -123,7 +123,7 @@ bool Cells::step(const CellStep& step, Diagnostics& report) {
     return rests;
 }
 
-// While the wind gusts, what is solved is still air beyond the open sides; trajectories alone meet the whole ambient wind there.
+// While the wind gusts, what is solved is still air beyond the open boundaries; trajectories alone meet the whole ambient wind there.
 class Cells::Solving {
   public:
     Solving(Cells& cells, Diagnostics& report)
@@ -185,7 +185,7 @@ void Cells::perform(float dt, Diagnostics& report) {
     const Solving solving(*this, report);
     const std::span<const glm::vec4> carried = diffuse(without_given_flow(), dt, report);
     Transport transport{.carried = carried, .velocity = air.velocity, .dt = dt, .interpolation = config_.interpolation};
-    transport.settling = relaxation(config_, dt);
+    transport.relaxation = relaxation(config_, dt);
     const numerics::WindrowPast past = numerics::windrow_past(air.fresh ? 0.0f : dt / air.dt_old);
     if (!air.fresh) {
         transport.velocity_old = air.velocity_old;
@@ -207,14 +207,14 @@ void Cells::perform(float dt, Diagnostics& report) {
     };
     const auto departing = [&](std::size_t n, glm::ivec3 cell) {
         glm::vec3 u(carried[n]);
-        if (transport.settling != 1.0f) {
+        if (transport.relaxation != 1.0f) {
             const glm::vec3 rest = gusting ? glm::vec3(0.0f) : glm::vec3(mean_at(cell.x, cell.y, cell.z));
-            u = rest + transport.settling * (u - rest);
+            u = rest + transport.relaxation * (u - rest);
         }
         return u + given(n, cell);
     };
     if (acting.any()) {
-        if (!(transport.history_scale > k_least_scale)) {
+        if (!(transport.history_scale > k_min_scale)) {
             std::fill_n(air.history.data(), air.history.size(), glm::vec4(0.0f));
             transport.history_scale = 1.0f;
         }
@@ -248,7 +248,7 @@ void Cells::advance_stable_fluids(float dt, Diagnostics& report) {
     const std::span<const glm::vec4> carried = diffuse(without_given_flow(), dt, report);
     Transport transport{
         .carried = carried, .velocity = air.velocity, .extrapolation = 0.0f, .dt = dt, .interpolation = config_.interpolation};
-    transport.settling = relaxation(config_, dt);
+    transport.relaxation = relaxation(config_, dt);
     {
         Stopwatch watch(report.times_ms.advection);
         windrow::advect(work, transport, air.velocity_old);
@@ -345,7 +345,7 @@ void Cells::renew_source_flow(std::span<const detail::MotorReach> reached) {
     std::fill_n(source_flow.data(), source_flow.size(), glm::vec4(0.0f));
     if (!has_source_flow())
         return;
-    const bool in_free_air = config_.sides.in_free_air();
+    const bool in_free_air = config_.boundaries.in_free_air();
     if (in_free_air)
         free_air_.gather(reached, box(), config_.parallel_for);
     work.state().project(source_flow, sources.expansion(), {}, in_free_air ? &free_air_ : nullptr);
@@ -372,9 +372,9 @@ void Cells::add_given_flow(std::span<glm::vec4> field, float factor) const {
 void Cells::limit_speeds(float dt, Diagnostics& report) {
     Stopwatch watch(report.times_ms.sources);
     PlaneSurvey found = work.state().survey(&air.velocity[0].x);
-    if (found.broken_cells > 0) {
+    if (found.nonfinite_cells > 0) {
         repair_cells();
-        report.repaired_cells = found.broken_cells;
+        report.repaired_cells = found.nonfinite_cells;
         found = work.state().survey(&air.velocity[0].x);
     }
     report.substeps = 1;

@@ -9,7 +9,7 @@
 namespace windrow {
 namespace {
 
-bool same_kinds(const Sides& a, const Sides& b) {
+bool same_kinds(const Boundaries& a, const Boundaries& b) {
     for (int axis = 0; axis < 3; ++axis)
         for (int end = 0; end < 2; ++end)
             if (a.at(axis, end).kind != b.at(axis, end).kind)
@@ -22,14 +22,14 @@ Workspace::State::Rules rules_of(const Box& box, std::vector<cpu::HaloRule> (*of
 }
 
 cpu::SeparableSolver pressure_of(const Box& box, const cpu::Kernels& kernels, const ParallelFor& parallel_for) {
-    cpu::SeparableSolver solver(box.cells, cpu::pressure_ends(box.sides), kernels);
+    cpu::SeparableSolver solver(box.cells, cpu::pressure_ends(box.boundaries), kernels);
     solver.set_shift(0.0, parallel_for);
     return solver;
 }
 
 std::array<cpu::SeparableSolver, 3> diffusion_of(const Box& box, const cpu::Kernels& kernels) {
     const auto solver = [&](int component) {
-        return cpu::SeparableSolver(box.cells, cpu::velocity_ends(box.sides, component), kernels);
+        return cpu::SeparableSolver(box.cells, cpu::velocity_ends(box.boundaries, component), kernels);
     };
     return {solver(0), solver(1), solver(2)};
 }
@@ -37,10 +37,11 @@ std::array<cpu::SeparableSolver, 3> diffusion_of(const Box& box, const cpu::Kern
 } // namespace
 
 Workspace::State::State(const Settings& settings, const cpu::Kernels& table)
-    : box(settings.box), requested_ambient(settings.ambient), ambient(admissible_ambient(settings.box.sides, settings.ambient)),
-      parallel_for(settings.parallel_for), kernels(&table), rules(rules_of(box, cpu::halo_rules)),
-      carried_rules(rules_of(box, cpu::carried_rules)), padded_carried(4 * padded_cells()), padded_trace(4 * padded_cells()),
-      pressure(pressure_of(box, table, parallel_for)), surveys(static_cast<std::size_t>(box.cells.z)) {
+    : box(settings.box), requested_ambient(settings.ambient),
+      ambient(admissible_ambient(settings.box.boundaries, settings.ambient)), parallel_for(settings.parallel_for),
+      kernels(&table), rules(rules_of(box, cpu::halo_rules)), carried_rules(rules_of(box, cpu::carried_rules)),
+      padded_carried(4 * padded_cells()), padded_trace(4 * padded_cells()), pressure(pressure_of(box, table, parallel_for)),
+      surveys(static_cast<std::size_t>(box.cells.z)) {
     build_ghosts();
     grow_solver_buffers(pressure);
 }
@@ -74,12 +75,12 @@ void Workspace::State::reserve_diffusion() {
     diffusion = std::move(made);
 }
 
-void Workspace::State::set_sides(const Sides& sides) {
+void Workspace::State::set_boundaries(const Boundaries& boundaries) {
     static_assert(std::is_nothrow_move_assignable_v<cpu::SeparableSolver>, "all is made before anything changes");
     Box wanted = box;
-    wanted.sides = sides;
+    wanted.boundaries = boundaries;
     Rules wanted_rules = rules_of(wanted, cpu::halo_rules), wanted_carried = rules_of(wanted, cpu::carried_rules);
-    const bool kinds_changed = !same_kinds(box.sides, sides);
+    const bool kinds_changed = !same_kinds(box.boundaries, boundaries);
     if (kinds_changed) {
         auto wanted_pressure = pressure_of(wanted, *kernels, parallel_for);
         grow_solver_buffers(wanted_pressure);
@@ -101,7 +102,7 @@ void Workspace::State::set_sides(const Sides& sides) {
 
 void Workspace::State::set_ambient(glm::vec3 wind) {
     requested_ambient = wind;
-    ambient = admissible_ambient(box.sides, wind);
+    ambient = admissible_ambient(box.boundaries, wind);
 }
 
 std::size_t Workspace::State::memory_bytes() const {
@@ -173,11 +174,11 @@ Result<Workspace> Workspace::create(const Settings& settings) {
         [&]() -> Result<Workspace> { return Workspace(std::make_unique<State>(settings, *kernels)); });
 }
 
-Result<void> Workspace::set_sides(const Sides& sides) {
-    if (auto valid = validate(sides); !valid)
+Result<void> Workspace::set_boundaries(const Boundaries& boundaries) {
+    if (auto valid = validate(boundaries); !valid)
         return valid;
     return detail::where_memory_lasts([&]() -> Result<void> {
-        state_->set_sides(sides);
+        state_->set_boundaries(boundaries);
         return {};
     });
 }

@@ -4,7 +4,7 @@
 #include "fluid/cpu/aligned.h"
 #include "fluid/cpu/kernels/kernels.h"
 #include "fluid/cpu/separable_solver.h"
-#include "fluid/pieces.h"
+#include "fluid/operators.h"
 
 #include <array>
 #include <optional>
@@ -23,10 +23,10 @@ struct Workspace::State {
 
     Box box;
     glm::vec3 requested_ambient; ///< as the caller gave it
-    glm::vec3 ambient;           ///< what the open sides carry: without components that a wall closes
+    glm::vec3 ambient;           ///< what the open boundaries carry: without components that a wall closes
     /// The mean wind of each padded cell, four floats each, where it is not the same everywhere; null: `ambient`.
     const float* mean_cells = nullptr;
-    /// The same with gusts: what trajectories meet beyond an open side.
+    /// The same with gusts: what trajectories meet beyond an open boundary.
     const float* ambient_cells = nullptr;
     /// The prescribed background wind, within a step in gusts; its `legal` is the advection's to fill.
     cpu::GivenWind given{};
@@ -50,7 +50,7 @@ struct Workspace::State {
     cpu::Buffer<float> scratch;                                   ///< scratch of the direct solves
     cpu::Buffer<cpu::PlaneSurvey> surveys;                        ///< one a plane
 
-    void set_sides(const Sides& sides);
+    void set_boundaries(const Boundaries& boundaries);
     void set_ambient(glm::vec3 wind);
     void reserve_diffusion();
     [[nodiscard]] std::size_t padded_cells() const;
@@ -69,7 +69,7 @@ struct Workspace::State {
         std::span<glm::vec4> field{}; ///< empty: no output
         float weight = 1.0f, kept = 0.0f;
     };
-    /// As project() in pieces.h, with phi / h beyond open sides as `beyond` has it; null: 0.
+    /// As project() in operators.h, with phi / h beyond open boundaries as `beyond` has it; null: 0.
     void project(std::span<glm::vec4> velocity, std::span<const float> expansion, const GradientNote& note,
                  const cpu::FreeAir* beyond = nullptr);
     /// Sum of the planes' surveys, in order of the planes.

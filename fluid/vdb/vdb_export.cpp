@@ -31,7 +31,7 @@ using detail::NewFile;
 
 constexpr float k_largest_half = 65504.0f;
 
-// --- What is refused -------------------------------------------------------------------------------------------------
+// --- What is rejected -------------------------------------------------------------------------------------------------
 
 bool is_plain_name(const std::string& name) {
     return std::none_of(name.begin(), name.end(),
@@ -83,7 +83,7 @@ Result<void> check(const VelocityGrid& grid, const std::filesystem::path& file, 
         reasons.add("origin is ", grid.origin, " m: give a finite place.");
     if (!is_finite(grid.outside))
         reasons.add("outside is ", grid.outside, " m/s: give a finite wind, such as the ambient.");
-    const Box box{.cells = grid.cells, .cell_size = grid.cell_size, .sides = {}};
+    const Box box{.cells = grid.cells, .cell_size = grid.cell_size, .boundaries = {}};
     if (auto valid = validate(box); !valid)
         reasons.add(valid.error());
     else if (grid.field.size() != box.cell_count())
@@ -139,7 +139,7 @@ openvdb::GridBase::Ptr dense_grid(const VelocityGrid& source, const Options& opt
 
     using Leaf = typename GridType::TreeType::LeafNodeType;
     constexpr int size = static_cast<int>(Leaf::DIM);
-    const Box box{.cells = source.cells, .cell_size = source.cell_size, .sides = {}};
+    const Box box{.cells = source.cells, .cell_size = source.cell_size, .boundaries = {}};
     const glm::ivec3 voxels = voxels_of(source.cells, options.up);
     for (int a = 0; a < voxels.x; a += size)
         for (int b = 0; b < voxels.y; b += size)
@@ -235,7 +235,7 @@ WriteResult out_of_memory(const std::string& file, const VelocityGrid& grid) {
 WriteResult write(const VelocityGrid& grid, const std::filesystem::path& file, const Options& options) {
     try {
         if (auto valid = check(grid, file, options); !valid)
-            return {Problem::refused, valid.error()};
+            return {Problem::rejected, valid.error()};
         NewFile out(file);
         if (out.error() != 0)
             return failure(file, out.error());
@@ -277,7 +277,7 @@ WriteResult Sequence::write(const VelocityGrid& grid, int frame, double time) co
     if (!is_plain_name(prefix) || (!prefix.empty() && prefix.back() >= '0' && prefix.back() <= '9'))
         reasons.add("prefix is \"", prefix, "\": leave out '/' and control characters and end it in no digit, such as wind_.");
     if (!reasons.empty())
-        return {Problem::refused, reasons.take()};
+        return {Problem::rejected, reasons.take()};
     try {
         Options frame_options = options;
         frame_options.time = time;

@@ -30,7 +30,7 @@ struct VelocityGrid {
     float cell_size = 1.0f;
     /// [m] World position of the low corner of the box, finite. Stored in double: exact 10^6 m away.
     glm::dvec3 origin{0.0};
-    /// [m/s] One value a cell at its centre, x fastest, then y, then z; w is ignored. Refused unless it is cells.x * cells.y *
+    /// [m/s] One value a cell at its centre, x fastest, then y, then z; w is ignored. Rejected unless it is cells.x * cells.y *
     /// cells.z values, all finite: one NaN would spread through a reader's filters without a word.
     std::span<const glm::vec4> field{};
     /// [m/s] What readers see beyond the cells, and fade to within half a cell of the rim. Default 0; grid_of gives ambient.
@@ -54,7 +54,7 @@ enum class Form : std::uint8_t {
 
 enum class Precision : std::uint8_t {
     full, ///< 32 bits: the solver's values to the bit. The default.
-    half, ///< 16 bits, half the disk: within 2^-11 of the value above 6.1e-5 m/s, within 3e-8 m/s below; refused above 65504 m/s.
+    half, ///< 16 bits, half the disk: within 2^-11 of the value above 6.1e-5 m/s, within 3e-8 m/s below; rejected above 65504 m/s.
 };
 
 enum class UpAxis : std::uint8_t {
@@ -77,7 +77,7 @@ struct Options {
 
 enum class Problem : std::uint8_t {
     none,          ///< It is written.
-    refused,       ///< A field of the grid, the options or the sequence cannot be used.
+    rejected,      ///< A field of the grid, the options or the sequence cannot be used.
     cannot_write,  ///< The file cannot be made there: no such folder, no permission, a folder in its place.
     disk_full,     ///< The disk cannot hold it: full, broken, a quota or a limit reached.
     out_of_memory, ///< No memory, or no file handle. The grid needs about as much memory again as the field, and there was none.
@@ -97,7 +97,7 @@ class [[nodiscard]] WriteResult : public Result<void> {
 
 /// Writes one file, all cells active, also where the wind is uniform. Cell (0, 0, 0) is voxel (0, 0, 0), its centre where the
 /// voxel's is; with UpAxis::z cell (i, j, k) is voxel (i, cells.z - 1 - k, j). Folders are not made. Tells every reason for a
-/// refusal, a line each.
+/// rejection, a line each.
 WriteResult write(const VelocityGrid& grid, const std::filesystem::path& file, const Options& options = {});
 
 /// Names the frames of a sequence: folder / prefix 0001 .vdb, as Blender and Houdini ($F4) number theirs.
@@ -115,7 +115,7 @@ struct Sequence {
     Options options{};
 
     [[nodiscard]] std::filesystem::path path(int frame) const;
-    /// Writes one frame; refuses a negative number, and what vdb::write refuses.
+    /// Writes one frame; rejects a negative number, and what vdb::write rejects.
     WriteResult write(const VelocityGrid& grid, int frame, double time) const;
 };
 

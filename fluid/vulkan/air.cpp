@@ -61,20 +61,20 @@ Result<void> Air::make() {
     const glm::dvec3 padded = glm::dvec3(config_.cells + WINDROW_HALO);
     const double floats =
         std::max((settings_.gusts ? 12.0 : 8.0) * padded.x * padded.y * padded.z,
-                 static_cast<double>(SolveTables::most_floats(config_.cells, prepared_ == DiffusionMethod::implicit)));
+                 static_cast<double>(SolveTables::max_floats(config_.cells, prepared_ == DiffusionMethod::implicit)));
     if (4.0 * floats > static_cast<double>(device_->limits().maxStorageBufferRange))
         return Error{detail::message("A box of ", config_.cells.x, " x ", config_.cells.y, " x ", config_.cells.z,
                                      " cells takes a buffer of ", 4.0 * floats, " bytes, but the device allows ",
                                      device_->limits().maxStorageBufferRange, ": give fewer cells, or use the CPU.")};
     make_room_for_sides();
-    tables_.emplace(tables_of(config_.sides));
+    tables_.emplace(tables_of(config_.boundaries));
     auto piece = piece_of(*tables_);
     if (!piece)
         return Error{piece.error()};
     piece_ = *std::move(piece);
     auto fields = Fields::create(*device_, {.cells = config_.cells,
                                             .table_floats = static_cast<std::uint32_t>(
-                                                SolveTables::most_floats(config_.cells, prepared_ == DiffusionMethod::implicit)),
+                                                SolveTables::max_floats(config_.cells, prepared_ == DiffusionMethod::implicit)),
                                             .commands = Passes::commands(config_.max_substeps),
                                             .sums = Passes::sums(*device_, config_.cells),
                                             .diffuses = prepared_ != DiffusionMethod::none,
@@ -114,22 +114,22 @@ WindrowStep Air::block_of(const AmbientWind& ambient, const Window& window, cons
     const bool classic = config_.scheme == Scheme::stable_fluids || !config_.stages.advection;
     const DiffusionMethod diffusion = diffusion_of(step.duration);
     block.cells = air.cells;
-    block.motors = static_cast<int>(std::min<std::size_t>(step.motors.size(), k_most_motors));
-    block.most_substeps = config_.max_substeps;
+    block.motors = static_cast<int>(std::min<std::size_t>(step.motors.size(), k_max_motors));
+    block.max_substeps = config_.max_substeps;
     block.forced_substeps = forced_substeps_;
     block.flags =
         bit(fresh_, WINDROW_FRESH) | bit(classic, WINDROW_STABLE_FLUIDS) |
         bit(config_.interpolation == Interpolation::linear, WINDROW_LINEAR) | bit(config_.stages.advection, WINDROW_ADVECTS) |
         bit(config_.stages.projection, WINDROW_PROJECTS) |
-        bit(config_.stages.settling && config_.settling_time > 0.0f, WINDROW_SETTLES) | bit(ambient.gusting(), WINDROW_GUSTS) |
-        bit(config_.profile.has_value(), WINDROW_PROFILE) | bit(step.has_source_flow, WINDROW_LETS_AIR_IN) |
-        bit(step.renews_sources, WINDROW_RENEWS_AIR) | bit(diffusion != DiffusionMethod::none, WINDROW_DIFFUSES) |
-        bit(any(detail::MotorReach::Law::force), WINDROW_PUSHES) | bit(any(detail::MotorReach::Law::drive), WINDROW_DRIVES) |
-        bit(any(detail::MotorReach::Law::source), WINDROW_EXPANDS) | bit(diffused_whole_, WINDROW_DIFFUSED_WHOLE) |
-        bit(diffusion == DiffusionMethod::one_pass, WINDROW_ONE_PASS);
+        bit(config_.stages.relaxation && config_.relaxation_time > 0.0f, WINDROW_RELAXES) |
+        bit(ambient.gusting(), WINDROW_GUSTS) | bit(config_.profile.has_value(), WINDROW_PROFILE) |
+        bit(step.has_source_flow, WINDROW_HAS_SOURCE_FLOW) | bit(step.renews_sources, WINDROW_RENEWS_SOURCE_FLOW) |
+        bit(diffusion != DiffusionMethod::none, WINDROW_DIFFUSES) | bit(any(detail::MotorReach::Law::force), WINDROW_PUSHES) |
+        bit(any(detail::MotorReach::Law::drive), WINDROW_DRIVES) | bit(any(detail::MotorReach::Law::source), WINDROW_EXPANDS) |
+        bit(diffused_whole_, WINDROW_DIFFUSED_WHOLE) | bit(diffusion == DiffusionMethod::one_pass, WINDROW_ONE_PASS);
     block.duration = static_cast<float>(step.duration);
     block.cell_size = air.cell_size;
-    block.relaxation_time = config_.settling_time;
+    block.relaxation_time = config_.relaxation_time;
     block.max_cfl = config_.max_cfl;
     block.sleep_speed = config_.sleep_speed;
     block.canopy_drag = step.canopy.drag;
@@ -162,9 +162,9 @@ WindrowStep Air::block_of(const AmbientWind& ambient, const Window& window, cons
 
 void Air::write(VkCommandBuffer commands, const Buffer& to, std::span<const std::byte> bytes) {
     wait(commands);
-    for (std::size_t at = 0; at < bytes.size(); at += k_most_update)
-        device_->functions().vkCmdUpdateBuffer(commands, to.handle(), at,
-                                               std::min<VkDeviceSize>(k_most_update, bytes.size() - at), bytes.data() + at);
+    for (std::size_t at = 0; at < bytes.size(); at += k_max_update)
+        device_->functions().vkCmdUpdateBuffer(commands, to.handle(), at, std::min<VkDeviceSize>(k_max_update, bytes.size() - at),
+                                               bytes.data() + at);
 }
 
 void Air::write_step(VkCommandBuffer commands, const WindrowStep& block, const AmbientWind& ambient,
@@ -304,7 +304,7 @@ void Air::step(VkCommandBuffer commands, const CellStep& step) {
         write(commands, fields_.shapes, std::as_bytes(passes_.shapes(diffusion)));
     if (!step.motors.empty())
         write(commands, fields_.motors,
-              std::as_bytes(step.motors.first(std::min<std::size_t>(step.motors.size(), k_most_motors))));
+              std::as_bytes(step.motors.first(std::min<std::size_t>(step.motors.size(), k_max_motors))));
     // What a tick counts begins at 0; the duration of the last sub-step stays.
     clear(commands, fields_.control, 0, offsetof(WindrowControl, substep_duration));
     constexpr std::size_t first = offsetof(WindrowControl, largest_speed), counts = offsetof(WindrowControl, repaired_cells);

@@ -46,7 +46,7 @@ struct AirReport {
 
 class Air {
   public:
-    /// Refuses what the device cannot hold or run. The fields hold nothing yet: `fill` first.
+    /// Rejects what the device cannot hold or run. The fields hold nothing yet: `fill` first.
     struct Settings {
         bool half = true;  ///< R16F textures, else R32F
         bool gusts = true; ///< there is room for a tile of gusts
@@ -87,19 +87,19 @@ class Air {
     /// Times what is recorded from now on; null, as at the start: nothing is timed. The clock outlives the recordings.
     void set_clock(PassClock* clock) { clock_ = clock; }
 
-    // --- Sides -----------------------------------------------------------------------------------------------------------------
-    /// Sides to come, with the tables of their solves where their kinds are others, and where these lie on their way to the
+    // --- Boundaries -----------------------------------------------------------------------------------------------------------------
+    /// Boundaries to come, with the tables of their solves where their kinds are others, and where these lie on their way to the
     /// device.
-    struct NewSides {
-        Sides sides;
+    struct NewBoundaries {
+        Boundaries boundaries;
         std::optional<SolveTables> tables;
         Buffer piece;
         std::vector<WindrowRule> rules;
     };
-    /// Refuses where there is no memory for the tables.
-    [[nodiscard]] Result<NewSides> prepare(const Sides& sides, bool kinds);
+    /// Rejects where there is no memory for the tables.
+    [[nodiscard]] Result<NewBoundaries> prepare(const Boundaries& boundaries, bool kinds);
     /// From the next recording on. Another kind of side leaves the air without a past.
-    void set_sides(NewSides&& sides);
+    void set_boundaries(NewBoundaries&& boundaries);
 
     // --- Frames in flight ------------------------------------------------------------------------------------------------------
     /// What follows is recorded for this slot, and what was recorded for it before is done.
@@ -113,15 +113,15 @@ class Air {
     Air(std::unique_ptr<Device> device, const Config& config, const Settings& settings)
         : device_(std::move(device)), config_(config), settings_(settings) {}
     [[nodiscard]] Result<void> make();
-    [[nodiscard]] Box box() const { return {config_.cells, config_.cell_size, config_.sides}; }
-    [[nodiscard]] SolveTables tables_of(const Sides& sides) const;
+    [[nodiscard]] Box box() const { return {config_.cells, config_.cell_size, config_.boundaries}; }
+    [[nodiscard]] SolveTables tables_of(const Boundaries& boundaries) const;
     [[nodiscard]] Result<Buffer> piece_of(const SolveTables& tables);
     [[nodiscard]] DiffusionMethod diffusion_of(double duration) const;
     [[nodiscard]] WindrowStep block_of(const AmbientWind& ambient, const Window& window, const CellStep& step = {}) const;
     /// `tile` is what the passes read; null: they read none, or the wind's own.
     void write_step(VkCommandBuffer commands, const WindrowStep& block, const AmbientWind& ambient,
                     std::shared_ptr<const GustTile> tile = nullptr);
-    static constexpr VkDeviceSize k_most_update = 65536; ///< [bytes] of vkCmdUpdateBuffer
+    static constexpr VkDeviceSize k_max_update = 65536; ///< [bytes] of vkCmdUpdateBuffer
     void write(VkCommandBuffer commands, const Buffer& to, std::span<const std::byte> bytes);
     /// What was recorded so far in stages `from` is done before what follows in stages `to`. Recorded with the next command, as
     /// one with all that are asked for before it.

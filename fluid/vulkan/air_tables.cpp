@@ -34,18 +34,18 @@ std::vector<WindrowRule> rules_in(const Box& box) {
 
 } // namespace
 
-SolveTables Air::tables_of(const Sides& sides) const {
-    SolveTables tables(config_.cells, cpu::pressure_ends(sides));
+SolveTables Air::tables_of(const Boundaries& boundaries) const {
+    SolveTables tables(config_.cells, cpu::pressure_ends(boundaries));
     if (prepared_ == DiffusionMethod::implicit)
-        tables.add_diffusion(config_.cells,
-                             {cpu::velocity_ends(sides, 0), cpu::velocity_ends(sides, 1), cpu::velocity_ends(sides, 2)});
+        tables.add_diffusion(config_.cells, {cpu::velocity_ends(boundaries, 0), cpu::velocity_ends(boundaries, 1),
+                                             cpu::velocity_ends(boundaries, 2)});
     return tables;
 }
 
 // Empty where the tables travel inside the command buffer.
 Result<Buffer> Air::piece_of(const SolveTables& tables) {
     const auto bytes = std::as_bytes(std::span(tables.values));
-    if (bytes.size() <= k_most_update)
+    if (bytes.size() <= k_max_update)
         return Buffer{};
     auto piece = Buffer::create(*device_, bytes.size(), MemoryUse::upload);
     if (!piece)
@@ -55,18 +55,18 @@ Result<Buffer> Air::piece_of(const SolveTables& tables) {
 }
 
 void Air::make_room_for_sides() {
-    constexpr std::size_t k_most_slots = 16; // of frames in flight, twice over
+    constexpr std::size_t k_max_slots = 16; // of frames in flight, twice over
     rules_ = rules_in(box());
-    retired_.reserve(k_most_slots);
+    retired_.reserve(k_max_slots);
 }
 
-Result<Air::NewSides> Air::prepare(const Sides& sides, bool kinds) {
+Result<Air::NewBoundaries> Air::prepare(const Boundaries& boundaries, bool kinds) {
     Box changed = box();
-    changed.sides = sides;
-    NewSides prepared{.sides = sides, .tables = {}, .piece = {}, .rules = rules_in(changed)};
+    changed.boundaries = boundaries;
+    NewBoundaries prepared{.boundaries = boundaries, .tables = {}, .piece = {}, .rules = rules_in(changed)};
     if (!kinds)
         return prepared;
-    prepared.tables.emplace(tables_of(sides));
+    prepared.tables.emplace(tables_of(boundaries));
     auto piece = piece_of(*prepared.tables);
     if (!piece)
         return Error{piece.error()};
@@ -74,17 +74,17 @@ Result<Air::NewSides> Air::prepare(const Sides& sides, bool kinds) {
     return prepared;
 }
 
-void Air::set_sides(NewSides&& sides) {
-    config_.sides = sides.sides;
-    rules_ = std::move(sides.rules);
+void Air::set_boundaries(NewBoundaries&& boundaries) {
+    config_.boundaries = boundaries.boundaries;
+    rules_ = std::move(boundaries.rules);
     rules_written_ = false;
-    if (!sides.tables)
+    if (!boundaries.tables)
         return;
-    tables_ = std::move(sides.tables);
+    tables_ = std::move(boundaries.tables);
     passes_.set_tables(*tables_);
     if (piece_slot_ >= 0 && piece_slot_ != slot_)
         retired_.push_back({std::move(piece_), piece_slot_});
-    piece_ = std::move(sides.piece);
+    piece_ = std::move(boundaries.piece);
     piece_slot_ = -1;
     tables_written_ = false;
     fresh_ = true;

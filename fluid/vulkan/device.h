@@ -29,7 +29,7 @@ class Device {
     [[nodiscard]] const VkPhysicalDeviceLimits& limits() const { return limits_; }
     [[nodiscard]] Memory& memory() { return memory_; }
 
-    /// Refuses a dispatch that the device cannot run: groups on an axis, invocations of a group, shared memory. `name` of the
+    /// Rejects a dispatch that the device cannot run: groups on an axis, invocations of a group, shared memory. `name` of the
     /// pass.
     struct Dispatch {
         std::array<std::uint32_t, 3> groups{1, 1, 1};

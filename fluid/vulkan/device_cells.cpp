@@ -24,9 +24,9 @@ void DeviceCells::make_room(const CellNeeds& needs) {
     queue_.make_room(needs.set ? wind_.box().cell_count() : 0);
 }
 
-Result<void> DeviceCells::set_sides(const Sides& sides, bool kinds) {
-    auto prepared =
-        windrow::detail::where_memory_lasts([&] { return air->prepare(sides, kinds || (new_sides_ && new_sides_->tables)); });
+Result<void> DeviceCells::set_boundaries(const Boundaries& boundaries, bool kinds) {
+    auto prepared = windrow::detail::where_memory_lasts(
+        [&] { return air->prepare(boundaries, kinds || (new_sides_ && new_sides_->tables)); });
     if (!prepared)
         return Error{prepared.error()};
     hold_gusts(); // as the old sides have them
@@ -118,7 +118,7 @@ bool DeviceCells::begin(VkCommandBuffer commands, int slot) {
     blend.reset();
     const bool waited = !queue_.empty() || new_sides_;
     if (new_sides_)
-        air->set_sides(*std::move(new_sides_));
+        air->set_boundaries(*std::move(new_sides_));
     new_sides_.reset();
     queue_.record(*air, commands);
     return waited;

@@ -42,7 +42,7 @@ class DeviceCells final : public CellStorage {
     DeviceCells(const WindCore& wind, const ReadBacks& read_backs, std::unique_ptr<Air> air);
 
     void make_room(const CellNeeds& needs) override;
-    [[nodiscard]] Result<void> set_sides(const Sides& sides, bool kinds) override;
+    [[nodiscard]] Result<void> set_boundaries(const Boundaries& boundaries, bool kinds) override;
     void apply(const CellChange& change) override;
     [[nodiscard]] bool step(const CellStep& step, Diagnostics& report) override;
     void show(const FrameBlend& blend) override;
@@ -70,7 +70,7 @@ class DeviceCells final : public CellStorage {
     const ReadBacks& read_backs_;
     VkCommandBuffer commands_ = VK_NULL_HANDLE; ///< while a frame is recorded
     WorkQueue queue_;
-    std::optional<Air::NewSides> new_sides_; ///< from the next recording on
+    std::optional<Air::NewBoundaries> new_sides_; ///< from the next recording on
     std::uint64_t held_at_ = 0; ///< Sleep::drift at which sleeping cells were written; another: they are not what blows now
 };
 

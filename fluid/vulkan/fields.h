@@ -17,7 +17,7 @@
 namespace windrow::vulkan {
 
 struct Fields {
-    /// Throws nothing, refuses what the device cannot hold. `motors` and `sums` count entries; `commands` counts dispatches of a
+    /// Throws nothing, rejects what the device cannot hold. `motors` and `sums` count entries; `commands` counts dispatches of a
     /// tick.
     struct Sizes {
         glm::ivec3 cells{0};
@@ -38,6 +38,6 @@ struct Fields {
 };
 
 /// Most motors of a tick: what Motors can hold, wakes in pieces.
-inline constexpr std::uint32_t k_most_motors = Motors::k_capacity * std::uint32_t{Track::k_most_pieces};
+inline constexpr std::uint32_t k_max_motors = Motors::k_capacity * std::uint32_t{Track::k_max_segments};
 
 } // namespace windrow::vulkan

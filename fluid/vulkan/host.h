@@ -18,7 +18,7 @@ struct MemoryPiece {
     std::uint64_t user = 0;  ///< the host's own; given back with the piece
 };
 
-/// The host's allocator in place of ours (memory.h). Both or neither. Called from `create`, from `Wind::set_sides` where a kind
+/// The host's allocator in place of ours (memory.h). Both or neither. Called from `create`, from `Wind::set_boundaries` where a kind
 /// of side changes, and, to give back, from recording and destruction.
 struct MemoryCallbacks {
     /// Memory of the type `type_index` that fits `requirements`; host-visible memory comes mapped. Size and alignment already

@@ -13,7 +13,7 @@ class Image3D {
   public:
     /// Empty.
     Image3D() = default;
-    /// Refuses an extent that is 0 or beyond the device's limits, and a format that cannot do all of k_image_usage.
+    /// Rejects an extent that is 0 or beyond the device's limits, and a format that cannot do all of k_image_usage.
     [[nodiscard]] static Result<Image3D> create(Device& device, VkExtent3D extent, VkFormat format);
     [[nodiscard]] VkImage handle() const { return image_.get(); }
     [[nodiscard]] VkImageView view() const { return view_.get(); }

@@ -31,7 +31,7 @@ class OwnDevice {
   public:
     struct Settings {
         int device = -1;         ///< place in list_devices(); -1: the first that is no software, else the first
-        bool validation = false; ///< core and synchronisation checks of VK_LAYER_KHRONOS_validation, refused where it is absent
+        bool validation = false; ///< core and synchronisation checks of VK_LAYER_KHRONOS_validation, rejected where it is absent
         bool gpu_validation = false; ///< and GPU-assisted ones
         /// Called for each message of the layer (warnings and errors). Default: counted alone.
         std::function<void(const std::string& text)> on_message{};

@@ -1,7 +1,7 @@
 // The passes of a tick as pipelines, each with what it reads and writes and how many work groups it takes.
 #pragma once
 
-#include "fluid/pieces.h"
+#include "fluid/operators.h"
 #include "fluid/vulkan/blocks.h"
 #include "fluid/vulkan/fields.h"
 #include "fluid/vulkan/tables.h"
@@ -35,7 +35,7 @@ enum class Pass : std::uint8_t {
     count
 };
 /// Most dispatches of a sub-step: three solves of diffusion, one of pressure, each in five, and four more.
-inline constexpr std::uint32_t k_most_stages = 24;
+inline constexpr std::uint32_t k_max_stages = 24;
 inline constexpr std::size_t k_passes = static_cast<std::size_t>(Pass::count);
 /// As above: "modes_forward".
 [[nodiscard]] const char* name_of(Pass pass);
@@ -73,7 +73,7 @@ class Passes {
     /// How many work groups of cells there are: the entries of Fields::sums.
     [[nodiscard]] static std::uint32_t sums(const Device& device, glm::ivec3 cells);
     /// Most dispatches that the plan commands in a tick of `substeps`.
-    [[nodiscard]] static std::uint32_t commands(int substeps) { return 1 + k_most_stages * static_cast<std::uint32_t>(substeps); }
+    [[nodiscard]] static std::uint32_t commands(int substeps) { return 1 + k_max_stages * static_cast<std::uint32_t>(substeps); }
 
     using Groups = std::array<std::uint32_t, 3>;
     [[nodiscard]] Groups groups(Pass pass) const { return groups_[static_cast<std::size_t>(pass)]; }

@@ -24,7 +24,7 @@ class Pipeline {
     };
     /// Empty.
     Pipeline() = default;
-    /// Refuses more push constants or bindings than the device takes. The error names the pass, the call and its VkResult.
+    /// Rejects more push constants or bindings than the device takes. The error names the pass, the call and its VkResult.
     [[nodiscard]] static Result<Pipeline> create(Device& device, const Description& description);
     [[nodiscard]] VkPipeline handle() const { return pipeline_.get(); }
     [[nodiscard]] VkPipelineLayout layout() const { return layout_.get(); }

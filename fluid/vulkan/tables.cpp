@@ -42,7 +42,7 @@ SolveTables::Vectors append_both(const AxisBasis& x, const AxisBasis& z, std::ve
 
 } // namespace
 
-std::size_t SolveTables::most_floats(glm::ivec3 cells, bool diffusion) {
+std::size_t SolveTables::max_floats(glm::ivec3 cells, bool diffusion) {
     const auto x = static_cast<std::size_t>(cells.x), y = static_cast<std::size_t>(cells.y),
                z = static_cast<std::size_t>(cells.z);
     const std::size_t vectors = 2 * (x * x + z * z);

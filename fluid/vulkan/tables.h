@@ -18,7 +18,7 @@ struct SolveTables {
 
     std::vector<float> values;
     /// Floats that any mix of sides takes, with and without diffusion.
-    [[nodiscard]] static std::size_t most_floats(glm::ivec3 cells, bool diffusion);
+    [[nodiscard]] static std::size_t max_floats(glm::ivec3 cells, bool diffusion);
     /// Appends what implicit diffusion of the velocity's components needs.
     void add_diffusion(glm::ivec3 cells, const std::array<Ends, 3>& ends);
     // Where each table begins in `values`.

@@ -16,7 +16,7 @@ class Timestamps {
   public:
     /// Empty.
     Timestamps() = default;
-    /// `count` moments. Refuses a queue family that counts no time (timestampValidBits is 0).
+    /// `count` moments. Rejects a queue family that counts no time (timestampValidBits is 0).
     [[nodiscard]] static Result<Timestamps> create(Device& device, std::uint32_t count);
 
     /// Forgets all moments; before the first `write`, outside of a render pass. By a command, not from the host: Vulkan 1.2 has

@@ -29,7 +29,7 @@ std::uint32_t laps_of(const Config& config, const Passes& passes) {
     const std::uint64_t substep = passes.substep(DiffusionMethod::implicit).size();
     const std::uint64_t tick =
         k_a_tick + passes.source_solve().size() + static_cast<std::uint64_t>(config.max_substeps) * substep;
-    return static_cast<std::uint32_t>(std::min(k_most, k_beside + static_cast<std::uint64_t>(config.ticks.most) * tick));
+    return static_cast<std::uint32_t>(std::min(k_most, k_beside + static_cast<std::uint64_t>(config.ticks.max_per_call) * tick));
 }
 
 } // namespace
@@ -43,7 +43,7 @@ Result<Wind> Wind::create(const Host& host, const Config& config, const Settings
             reasons.add("frames_in_flight is ", settings.frames_in_flight, ": give 1 to 8, as many as the host has.");
         if (!reasons.empty())
             return Error{reasons.take()};
-        const glm::vec3 mean = admissible_ambient(config.sides, config.ambient);
+        const glm::vec3 mean = admissible_ambient(config.boundaries, config.ambient);
         auto ambient = AmbientWind::create({.mean = mean, .profile = config.profile, .gusts = config.gusts});
         if (!ambient)
             return Error{ambient.error()};
@@ -95,8 +95,8 @@ Result<void> Wind::set_gusts(const Gusts& gusts) {
         return Error{"This wind was made without room for gusts: set Settings::gusts, or give the config gusts."};
     return state_->core.set_gusts(gusts);
 }
-Result<void> Wind::set_sides(const Sides& sides) {
-    return state_->core.set_sides(sides);
+Result<void> Wind::set_boundaries(const Boundaries& boundaries) {
+    return state_->core.set_boundaries(boundaries);
 }
 Result<void> Wind::follow(glm::dvec3 point) {
     return state_->core.follow(point);
@@ -163,7 +163,7 @@ template <class Use>
 auto with_views(const Wind::State& state, const Use& use) {
     const Box box = state.core.box();
     const auto view = [&](const ShownFrame& frame) {
-        return WindView(box, frame.window, state.core.rim(frame.rim_point), frame.ambient, {});
+        return WindView(box, frame.window, state.core.blend_zone(frame.blend_centre), frame.ambient, {});
     };
     const ShownFrame unrecorded = state.core.shown();
     const ShownFrame& now = state.recorded ? *state.recorded : unrecorded;
@@ -179,7 +179,7 @@ WindowBlock Wind::window_block(glm::dvec3 anchor) const {
         WindowBlock block = state_->core.window_block(anchor, now, before);
         const WindowBlock earlier = before.block(anchor);
         block.previous_origin = earlier.origin;
-        block.previous_rim_point = earlier.rim_point;
+        block.previous_blend_centre = earlier.blend_centre;
         return block;
     });
 }

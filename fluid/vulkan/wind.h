@@ -41,7 +41,7 @@ struct Settings {
     /// only where the config has them.
     bool gusts = false;
     /// Times each pass on the device (pass_times). Default off: it costs two timestamps a dispatch, and holds a pass back until
-    /// the one before it has ended. Refused where the queue family counts no time (timestampValidBits is 0).
+    /// the one before it has ended. Rejected where the queue family counts no time (timestampValidBits is 0).
     bool timestamps = false;
     /// The cells come back to the host for `queried` and `velocity`: 16 bytes a cell a frame, but while the air sleeps, and
     /// in a pause between ticks that asks for nothing. Default true. False: only reports do, and `queried` holds nothing.
@@ -69,7 +69,7 @@ struct Textures {
 
 class Wind {
   public:
-    /// Makes all buffers, images and pipelines. Refuses what `windrow::validate` refuses, a device that lacks something, and a
+    /// Makes all buffers, images and pipelines. Rejects what `windrow::validate` rejects, a device that lacks something, and a
     /// box that it cannot hold, each with the reason. The host's device outlives the wind.
     [[nodiscard]] static Result<Wind> create(const Host& host, const Config& config, const Settings& settings = {});
 
@@ -100,7 +100,7 @@ class Wind {
     [[nodiscard]] glm::vec3 ambient() const;
     /// Gusts that begin after a wind without any need Settings::gusts.
     [[nodiscard]] Result<void> set_gusts(const Gusts& gusts);
-    [[nodiscard]] Result<void> set_sides(const Sides& sides);
+    [[nodiscard]] Result<void> set_boundaries(const Boundaries& boundaries);
     Result<void> follow(glm::dvec3 point);
     Result<void> set_floor(double height);
     [[nodiscard]] glm::dvec3 origin() const;
@@ -109,7 +109,7 @@ class Wind {
     /// Sets every cell from a function of its centre's world position; the cells travel inside the next recording's command
     /// buffer. Without memory for them it fails and nothing changes.
     Result<void> set_velocity(const std::function<glm::vec3(glm::dvec3 centre)>& velocity_at);
-    /// The same from an array laid out as box.h says; refuses another size.
+    /// The same from an array laid out as box.h says; rejects another size.
     Result<void> set_velocity(std::span<const glm::vec4> field);
     /// Back to ambient everywhere.
     void reset();

@@ -53,7 +53,11 @@ void Wind::State::end(VkCommandBuffer commands, const Frame& frame) {
 
 RecordedFrame Wind::State::frame_now() const {
     const ShownFrame shown = core.shown();
-    return {.frame = shown, .box = core.box(), .rim = core.rim(shown.rim_point), .time = time, .tick = cells.rest.tick};
+    return {.frame = shown,
+            .box = core.box(),
+            .blend_width = core.blend_zone(shown.blend_centre),
+            .time = time,
+            .tick = cells.rest.tick};
 }
 
 bool Wind::State::collect(int slot) {

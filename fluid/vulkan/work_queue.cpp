@@ -127,8 +127,8 @@ void WorkQueue::drop_overwritten(const CellChange& change) {
 }
 
 void WorkQueue::make_room(std::size_t cells) {
-    constexpr std::size_t k_most_a_call = 8; // out with the wind, a change, a shift, in with it, what is kept
-    const std::size_t most = changes_.size() + k_most_a_call;
+    constexpr std::size_t k_max_a_call = 8; // out with the wind, a change, a shift, in with it, what is kept
+    const std::size_t most = changes_.size() + k_max_a_call;
     if (changes_.capacity() < most)
         changes_.reserve(2 * most);
     left_.reserve(changes_.capacity());

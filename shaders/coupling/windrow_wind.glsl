@@ -38,10 +38,10 @@ struct WindrowWindow {
     float cell_size;
     vec3 cells;
     float factor;
-    vec3 previous_origin, ambient, low_sides, high_sides;
-    vec3 rim_point;
-    float rim_width;
-    vec3 rim_reach, previous_rim_point;
+    vec3 previous_origin, ambient, low_boundaries, high_boundaries;
+    vec3 blend_centre;
+    float blend_width;
+    vec3 blend_reach, previous_blend_centre;
 };
 
 layout(std140, set = WINDROW_SET, binding = WINDROW_BINDING) uniform WindrowFrame {
@@ -57,14 +57,15 @@ layout(set = WINDROW_SET, binding = WINDROW_BINDING + 5) uniform sampler3D windr
 layout(set = WINDROW_SET, binding = WINDROW_BINDING + 6) uniform sampler3D windrow_z_before;
 
 // Share of the box's wind at p, with the box's corner and the point that its rim follows, all [m] from the anchor.
-float windrow_box_share(vec3 p, vec3 origin, vec3 rim_point) {
+float windrow_box_fraction(vec3 p, vec3 origin, vec3 blend_centre) {
     vec3 local = (p - origin) / windrow_window.cell_size;
     float share = 1.0;
     for (int axis = 0; axis < 3; ++axis) {
-        if (windrow_window.rim_reach[axis] > 0.0)
-            share *= windrow_rim_share(p[axis] - rim_point[axis], windrow_window.rim_reach[axis], windrow_window.rim_width);
-        share *= windrow_axis_share(local[axis], windrow_window.cells[axis], windrow_window.low_sides[axis],
-                                    windrow_window.high_sides[axis]);
+        if (windrow_window.blend_reach[axis] > 0.0)
+            share *= windrow_blend_fraction(p[axis] - blend_centre[axis], windrow_window.blend_reach[axis],
+                                            windrow_window.blend_width);
+        share *= windrow_axis_fraction(local[axis], windrow_window.cells[axis], windrow_window.low_boundaries[axis],
+                                       windrow_window.high_boundaries[axis]);
     }
     return share;
 }
@@ -74,8 +75,8 @@ void windrow_texels_around(vec3 p, vec3 origin, out ivec3 low, out ivec3 high, o
     vec3 local = (p - origin) / windrow_window.cell_size;
     for (int axis = 0; axis < 3; ++axis) {
         float cells = windrow_window.cells[axis];
-        bool wraps = windrow_window.low_sides[axis] == 2.0;
-        float at = windrow_axis_sample(local[axis], cells, windrow_window.low_sides[axis]) - 0.5;
+        bool wraps = windrow_window.low_boundaries[axis] == 2.0;
+        float at = windrow_axis_sample(local[axis], cells, windrow_window.low_boundaries[axis]) - 0.5;
         float below = floor(at);
         between[axis] = at - below;
         int last = int(cells) - 1;
@@ -102,8 +103,9 @@ float windrow_component(sampler3D texels, ivec3 low, ivec3 high, vec3 between) {
 }
 
 // One frame's wind at p: its textures within its box, its ambient wind around it.
-vec3 windrow_frame_velocity(sampler3D x, sampler3D y, sampler3D z, WindrowAmbient ambient, vec3 origin, vec3 rim_point, vec3 p) {
-    float share = windrow_box_share(p, origin, rim_point);
+vec3 windrow_frame_velocity(sampler3D x, sampler3D y, sampler3D z, WindrowAmbient ambient, vec3 origin, vec3 blend_centre,
+                            vec3 p) {
+    float share = windrow_box_fraction(p, origin, blend_centre);
     if (!(share > 0.0))
         return windrow_ambient(0, ambient, p);
     ivec3 low, high;
@@ -117,13 +119,13 @@ vec3 windrow_frame_velocity(sampler3D x, sampler3D y, sampler3D z, WindrowAmbien
 // [m/s] The wind at p [m] from the anchor.
 vec3 windrow_velocity(vec3 p) {
     return windrow_frame_velocity(windrow_x, windrow_y, windrow_z, windrow_ambient_now, windrow_window.origin,
-                                  windrow_window.rim_point, p);
+                                  windrow_window.blend_centre, p);
 }
 
 // [m/s] The same a frame ago, at the same place.
 vec3 windrow_velocity_previous(vec3 p) {
     return windrow_frame_velocity(windrow_x_before, windrow_y_before, windrow_z_before, windrow_ambient_before,
-                                  windrow_window.previous_origin, windrow_window.previous_rim_point, p);
+                                  windrow_window.previous_origin, windrow_window.previous_blend_centre, p);
 }
 
 // [m/s] What a thing at p that moves at `velocity` [m/s] feels of a wind u: with detail, strength and limit as FrameBlock says.

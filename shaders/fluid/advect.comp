@@ -81,7 +81,7 @@ float bend_at(int at, float t, ivec3 s) {
 // fluid/cpu/kernels/advect.inl, carry_given.
 vec3 given_carried(vec3 w, ivec3 cell, int at, vec3 displacement, ivec3 s) {
     vec3 v = w;
-    if (is_on(WINDROW_LETS_AIR_IN))
+    if (is_on(WINDROW_HAS_SOURCE_FLOW))
         v += source_flow[at].xyz;
     const float square = dot(v, v), gusts = tick.gust_strength * tick.gust_strength;
     if (!(square > tick.sleep_speed * tick.sleep_speed))

@@ -15,16 +15,16 @@
 #define WINDROW_LINEAR 4        // trilinear, else cubic
 #define WINDROW_ADVECTS 8
 #define WINDROW_PROJECTS 16
-#define WINDROW_SETTLES 32
-#define WINDROW_GUSTS 64            // the ambient wind is given, not solved
-#define WINDROW_PROFILE 128         // the mean wind is not the same at all heights
-#define WINDROW_LETS_AIR_IN 256     // u_S is given, not solved
-#define WINDROW_RENEWS_AIR 512      // u_S changes in this tick
-#define WINDROW_DIFFUSES 1024       // viscosity may act
-#define WINDROW_PUSHES 2048         // a motor of this tick is a force
-#define WINDROW_EXPANDS 4096        // a motor of this tick is a source of air
-#define WINDROW_DIFFUSED_WHOLE 8192 // viscosity has acted for all time so far
-#define WINDROW_DRIVES 32768        // a motor of this tick is a drive
+#define WINDROW_RELAXES 32
+#define WINDROW_GUSTS 64               // the ambient wind is given, not solved
+#define WINDROW_PROFILE 128            // the mean wind is not the same at all heights
+#define WINDROW_HAS_SOURCE_FLOW 256    // u_S is given, not solved
+#define WINDROW_RENEWS_SOURCE_FLOW 512 // u_S changes in this tick
+#define WINDROW_DIFFUSES 1024          // viscosity may act
+#define WINDROW_PUSHES 2048            // a motor of this tick is a force
+#define WINDROW_EXPANDS 4096           // a motor of this tick is a source of air
+#define WINDROW_DIFFUSED_WHOLE 8192    // viscosity has acted for all time so far
+#define WINDROW_DRIVES 32768           // a motor of this tick is a drive
 #define WINDROW_ONE_PASS                                                                                                         \
     16384 // its explicit pass is all there is: it acts for as long as that may, and leaves the rest for later
 
@@ -33,7 +33,7 @@ struct WindrowStep {
     ivec3 cells; // an axis
     int motors;  // how many
     int flags;   // above
-    int most_substeps;
+    int max_substeps;
     int forced_substeps;   // 0: as many as the speeds ask
     float duration;        // [s]
     float cell_size;       // [m]
@@ -44,7 +44,7 @@ struct WindrowStep {
     float canopy_ground;   // [cells above the low side]
     float canopy_top;      // [cells above the low side]
     float gust_strength;   // [m/s] standard deviation; 0: none
-    vec3 ambient;          // [m/s] mean wind that open sides carry
+    vec3 ambient;          // [m/s] mean wind that open boundaries carry
     float viscosity;       // [m^2/s]
     vec3 gust_speed;       // [texels/s] at which gusts are carried
     float unused;
@@ -63,12 +63,12 @@ struct WindrowControl {
     // Found by the passes over cells, from 0 in each tick. Speeds are the bits of floats, for atomicMax.
     uint fastest_component; // [m/s] of the velocity
     uint largest_force;     // [m/s^2] component
-    uint broken_cells;      // repaired
+    uint nonfinite_cells;   // repaired
     uint cut_cells;         // whose speed was cut
     // Of the plan.
     float substep_duration;  // [s]
     float previous_duration; // [s] of the last tick's sub-steps
-    float most_speed;        // [m/s] that a component may be
+    float max_speed;         // [m/s] that a component may be
     float cfl;               // Courant number
     int substeps;
     int capped;            // 1: more were wanted than allowed

@@ -28,7 +28,7 @@ void main() {
     const bool periodic = tables[facts + 2] != 0.0f, cyclic = periodic && rows > 1;
     const float gamma = 2.0f + s;
     float e = 0.0f, pivot = 0.0f, carry = 0.0f;
-    vec2 sides = vec2(0.0f); // v, o
+    vec2 boundaries = vec2(0.0f); // v, o
     for (int j = 0; j < rows; ++j) {
         const bool first = j == 0, last = j == rows - 1;
         float end = first ? 1.0f : 0.0f; // no row above
@@ -42,16 +42,16 @@ void main() {
         e = end + rest;
         pivot = -1.0f / ((1.0f + end) + rest);
         carry = (hat[at + j * plane] - carry) * pivot;
-        sides = (vec2((first ? gamma : 0.0f) + (last ? 1.0f : 0.0f), 1.0f) - sides) * pivot;
+        boundaries = (vec2((first ? gamma : 0.0f) + (last ? 1.0f : 0.0f), 1.0f) - boundaries) * pivot;
         pivots[at + j * plane] = pivot;
         hat[at + j * plane] = carry;
-        vectors[at + j * plane].xy = sides;
+        vectors[at + j * plane].xy = boundaries;
     }
     for (int j = rows - 2; j >= 0; --j) {
         carry = hat[at + j * plane] - pivots[at + j * plane] * carry;
-        sides = vectors[at + j * plane].xy - pivots[at + j * plane] * sides;
+        boundaries = vectors[at + j * plane].xy - pivots[at + j * plane] * boundaries;
         hat[at + j * plane] = carry;
-        vectors[at + j * plane].xy = sides;
+        vectors[at + j * plane].xy = boundaries;
     }
     if (!cyclic)
         return;

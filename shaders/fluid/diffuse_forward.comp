@@ -12,7 +12,7 @@ layout(std430, set = 0, binding = 4) readonly buffer Rules { WindrowRule rules[]
 layout(std430, set = 0, binding = 5) writeonly buffer Hat { float hat[]; };
 
 // What the ghost beyond a side adds at an outermost cell: the part that does not depend on v.
-float wall_share(int axis, int place) {
+float wall_fraction(int axis, int place) {
     const ivec3 first = ivec3(0, tick.cells.x + WINDROW_HALO, tick.cells.x + tick.cells.y + 2 * WINDROW_HALO);
     const WindrowRule rule = rules[first[axis] + place + WINDROW_HALO_LOW];
     const bool carries = axis != push.part && rule.beyond_open_side == 0 && rule.scale[push.part] < 0.0f;
@@ -23,9 +23,9 @@ float load(ivec3 cell) {
     float rhs = -(diffused[cell_index(cell)][push.part] - still_wind()[push.part]) / diffusion_ratio();
     for (int axis = 0; axis < 3; ++axis) {
         if (cell[axis] == 0)
-            rhs -= wall_share(axis, -1);
+            rhs -= wall_fraction(axis, -1);
         if (cell[axis] == tick.cells[axis] - 1)
-            rhs -= wall_share(axis, tick.cells[axis]);
+            rhs -= wall_fraction(axis, tick.cells[axis]);
     }
     return rhs;
 }

@@ -1,4 +1,4 @@
-// Free-space potential of the volume sources in ghost cells, phi / h [m/s], as cpu::FreeAir; 0 without free air (sides.h).
+// Free-space potential of the volume sources in ghost cells, phi / h [m/s], as cpu::FreeAir; 0 without free air (boundaries.h).
 // Before this text: WINDROW_MOTORS, the binding of the motors.
 #include "numerics/motors.glsl"
 

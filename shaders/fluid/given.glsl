@@ -4,7 +4,7 @@
 // [m/s] Prescribed background wind of a cell, `elapsed` [s] after the start of the tick.
 vec3 given_part(ivec3 cell, int at, float elapsed) {
     vec3 u = vec3(0.0f);
-    if (is_on(WINDROW_LETS_AIR_IN))
+    if (is_on(WINDROW_HAS_SOURCE_FLOW))
         u += source_flow[at].xyz;
     if (is_on(WINDROW_GUSTS))
         u += wind_at(cell, elapsed, true);
@@ -16,7 +16,7 @@ vec3 solved_part(ivec3 cell, int at) {
     vec3 u = velocity[at].xyz;
     if (is_on(WINDROW_STABLE_FLUIDS) && is_on(WINDROW_PUSHES)) // the classic split: forces act first, and whole
         u += control.substep_duration * force[at].xyz;
-    if (is_on(WINDROW_LETS_AIR_IN))
+    if (is_on(WINDROW_HAS_SOURCE_FLOW))
         u -= source_flow[at].xyz;
     if (is_on(WINDROW_GUSTS))
         u -= wind_at(cell, elapsed(), true);

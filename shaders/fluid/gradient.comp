@@ -37,7 +37,7 @@ void main() {
             q += p.kept * history[at].xyz;
         history[at] = vec4(q, 0.0f);
     }
-    if (is_on(WINDROW_LETS_AIR_IN))
+    if (is_on(WINDROW_HAS_SOURCE_FLOW))
         u += source_flow[at].xyz;
     if (is_on(WINDROW_GUSTS))
         u += wind_at(cell, elapsed() + control.substep_duration, true);
@@ -49,11 +49,11 @@ void main() {
         velocity_old[at] = velocity[at];
     // What forces and pressure made of it since is cut too (limit.comp).
     if (is_on(WINDROW_ADVECTS) && push.substep + 1 == control.substeps) {
-        const float most = tick.max_cfl * float(tick.most_substeps) * tick.cell_size / tick.duration,
+        const float most = tick.max_cfl * float(tick.max_substeps) * tick.cell_size / tick.duration,
                     largest = largest_component(u);
         if (largest > 1.00001f * most) { // rounding
             u *= most / largest;
-            if (is_on(WINDROW_LETS_AIR_IN))
+            if (is_on(WINDROW_HAS_SOURCE_FLOW))
                 source_flow[at] *= most / largest;
             atomicAdd(control.cut_cells, 1u);
             atomicAdd(control.limited_cells, 1u);

@@ -9,6 +9,6 @@ WindrowHold hold_of(ivec3 cell, int at) {
     WindrowHold hold;
     hold.drives = is_on(WINDROW_DRIVES) ? (1.0f / float(control.substeps)) * drives[at] : vec4(0.0f);
     hold.way = (0.5f * control.substep_duration) *
-               (tick.canopy_drag * windrow_canopy_share(float(cell.y), tick.canopy_ground, tick.canopy_top));
+               (tick.canopy_drag * windrow_canopy_fraction(float(cell.y), tick.canopy_ground, tick.canopy_top));
     return hold;
 }

@@ -12,7 +12,7 @@ void main() {
     if (!inside(cell, tick.cells))
         return;
     const int at = cell_index(cell);
-    const float most = control.most_speed;
+    const float most = control.max_speed;
     if (is_on(WINDROW_DRIVES)) {
         const vec4 drive = drives[at];
         const float wanted = largest_component(drive.xyz);
@@ -24,7 +24,7 @@ void main() {
     if (largest <= most)
         return;
     velocity[at] = u * (most / largest);
-    if (is_on(WINDROW_LETS_AIR_IN))
+    if (is_on(WINDROW_HAS_SOURCE_FLOW))
         source_flow[at] *= most / largest;
     atomicAdd(control.cut_cells, 1u);
     atomicAdd(control.limited_cells, 1u);

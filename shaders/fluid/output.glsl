@@ -34,7 +34,7 @@ void main() {
         const vec4 u = velocity[at];
         const float factor = push.factor;
         // What was no number shows nowhere: after a repair the air is shown as it is now.
-        const vec4 now = factor == 1.0f || control.broken_cells > 0u ? u : before[at] + factor * (u - before[at]);
+        const vec4 now = factor == 1.0f || control.nonfinite_cells > 0u ? u : before[at] + factor * (u - before[at]);
         shown[at] = now;
         imageStore(axis_x, cell, vec4(now.x, 0.0f, 0.0f, 0.0f));
         imageStore(axis_y, cell, vec4(now.y, 0.0f, 0.0f, 0.0f));

@@ -69,7 +69,7 @@ void main() {
     }
     const int source = cell_index(cell);
     vec3 carried = is_on(WINDROW_DIFFUSES) ? diffused[source].xyz : solved_part(cell, source);
-    if (is_on(WINDROW_SETTLES)) {
+    if (is_on(WINDROW_RELAXES)) {
         const vec3 around = solved_ambient(cell);
         carried = around + (1.0f / (1.0f + control.substep_duration / tick.relaxation_time)) * (carried - around);
     }

@@ -16,7 +16,7 @@ void main() {
     const float dt = tick.duration, h = tick.cell_size, max_cfl = tick.max_cfl;
     const float fastest = uintBitsToFloat(control.fastest_component) + dt * uintBitsToFloat(control.largest_force);
     const float cfl = fastest * dt / h;
-    int substeps = 1, most = tick.most_substeps;
+    int substeps = 1, most = tick.max_substeps;
     bool capped = false;
     if (is_on(WINDROW_ADVECTS) && cfl > max_cfl) {
         const float wanted = ceil(cfl / max_cfl);
@@ -43,7 +43,7 @@ void main() {
         control.undiffused_time = undiffused;
         control.previous_duration = control.substep_duration;
         control.substep_duration = part;
-        control.most_speed = max_cfl * float(substeps) * h / dt;
+        control.max_speed = max_cfl * float(substeps) * h / dt;
         control.cfl = cfl;
     }
     // The first pass of all is the cut of speeds, which runs only when more sub-steps were wanted.

@@ -85,13 +85,13 @@ void main() {
         vec4 u = velocity[at];
         if (is_on(WINDROW_STABLE_FLUIDS)) {
             const float way =
-                tick.canopy_drag * tick.duration * windrow_canopy_share(float(cell.y), tick.canopy_ground, tick.canopy_top);
+                tick.canopy_drag * tick.duration * windrow_canopy_fraction(float(cell.y), tick.canopy_ground, tick.canopy_top);
             u = vec4(windrow_canopy_slowed(windrow_driven(u.xyz, driven, driven.w), way), 0.0f);
             if (driven.w > 0.0f || way > 0.0f)
                 velocity[at] = u;
         }
         float fastest = 0.0f;
-        if (!is_on(WINDROW_RENEWS_AIR)) { // else once their flow is in the velocity
+        if (!is_on(WINDROW_RENEWS_SOURCE_FLOW)) { // else once their flow is in the velocity
             if (broken(u)) {
                 repair(cell, at);
                 u = velocity[at];

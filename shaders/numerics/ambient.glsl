@@ -41,7 +41,7 @@ struct WindrowAmbient {
     vec3 detail_texel;
     float detail_texels;
     vec3 detail_fraction;
-    float detail_share;
+    float detail_fraction;
 };
 
 // Share of the reference wind at a height [m]. `roughness` and `reference` [m] above 0.
@@ -100,20 +100,20 @@ WINDROW_FN float windrow_speed(vec3 u) {
 
 // [m/s] Small-scale detail of a wind `u` at `local` [m] from the anchor; never longer than its share of |u|.
 WINDROW_FN vec3 windrow_detail(WINDROW_TILE tile, WindrowAmbient ambient, vec3 u, vec3 local) {
-    if (!(ambient.detail_share > 0.0f))
+    if (!(ambient.detail_fraction > 0.0f))
         return vec3(0.0f);
     vec3 offset = ambient.detail_texels * local + ambient.detail_fraction;
     vec3 ripple = windrow_tile_at(tile, ivec3(ambient.detail_texel), offset) / ambient.longest_gust;
-    return ambient.detail_share * windrow_speed(u) * ripple;
+    return ambient.detail_fraction * windrow_speed(u) * ripple;
 }
 
 // NaN or infinity, by the bits: a compiler may assume away a comparison.
-WINDROW_FN bool windrow_broken(float value) { return (floatBitsToUint(value) & 0x7f800000u) == 0x7f800000u; }
+WINDROW_FN bool windrow_not_finite(float value) { return (floatBitsToUint(value) & 0x7f800000u) == 0x7f800000u; }
 
 // u times `strength`, shortened to `limit` [m/s] if longer; 0 for what is not finite. Below the limit it is linear to the bit.
 // The limit is met from below, by a margin of half a millionth, so that no rounding exceeds it.
 WINDROW_FN vec3 windrow_limited(vec3 u, float strength, float limit) {
-    if (windrow_broken(u.x) || windrow_broken(u.y) || windrow_broken(u.z))
+    if (windrow_not_finite(u.x) || windrow_not_finite(u.y) || windrow_not_finite(u.z))
         return vec3(0.0f);
     float most = 0.9999995f * limit;
     float largest = max(max(abs(u.x), abs(u.y)), max(abs(u.z), 1e-30f));

@@ -45,8 +45,8 @@ struct WindrowVertex {
 WINDROW_FN vec2 windrow_yaw_vector(float yaw) {
     float half_angle = 0.5f * (yaw - 3.14159265f);
     float m = half_angle * half_angle;
-    float s = half_angle * windrow_sine_share(m);
-    float c = 1.0f - m * windrow_cosine_share(m);
+    float s = half_angle * windrow_sine_fraction(m);
+    float c = 1.0f - m * windrow_cosine_fraction(m);
     return vec2(s * s - c * c, -2.0f * s * c); // cos(yaw), sin(yaw)
 }
 
@@ -60,23 +60,23 @@ WINDROW_FN vec3 windrow_blade_facing(vec3 axis, uvec2 hash) {
 }
 
 // Length of a blade over its class's.
-WINDROW_FN float windrow_blade_length_share(WindrowBlade blade, uvec2 hash) {
-    return 1.0f + blade.size.y * (2.0f * windrow_share(hash.x * 2654435761u) - 1.0f);
+WINDROW_FN float windrow_blade_length_fraction(WindrowBlade blade, uvec2 hash) {
+    return 1.0f + blade.size.y * (2.0f * windrow_fraction(hash.x * 2654435761u) - 1.0f);
 }
 
 // [rad] The bend that the apparent wind u [m/s] holds: what a spring follows, or the load itself where nothing swings. The Cauchy
 // number grows with the cube of the blade's own length: a short blade stands where a long one lies.
 WINDROW_FN vec3 windrow_blade_load(WindrowBlade blade, vec3 axis, uvec2 hash, vec3 u) {
-    float share = windrow_blade_length_share(blade, hash);
+    float share = windrow_blade_length_fraction(blade, hash);
     return windrow_drag_bend(blade.drag, axis, u, windrow_plant_factor(hash, blade.form.z) / (share * share * share));
 }
 
 // Share of the most view bend: 0 seen level or from below, 1 seen from straight above. `view` is the unit vector from the eye.
-WINDROW_FN float windrow_view_share(vec3 view, vec3 axis) { return clamp(-dot(view, axis), 0.0f, 1.0f); }
+WINDROW_FN float windrow_view_fraction(vec3 view, vec3 axis) { return clamp(-dot(view, axis), 0.0f, 1.0f); }
 
 // [m] Length of a blade of the class.
 WINDROW_FN float windrow_blade_length(WindrowBlade blade, uvec2 hash) {
-    return blade.size.x * windrow_blade_length_share(blade, hash);
+    return blade.size.x * windrow_blade_length_fraction(blade, hash);
 }
 
 // One blade: `load` [rad] from windrow_blade_load or from a spring, `view` the unit vector from the eye.
@@ -85,7 +85,7 @@ WINDROW_FN WindrowBladePlant windrow_blade_plant(WindrowBlade blade, vec3 axis, 
     WindrowBladePlant plant;
     plant.facing = windrow_blade_facing(axis, hash);
     plant.width = cross(axis, plant.facing);
-    float own = clamp(blade.own.x + blade.own.y * chance + blade.own.z * windrow_view_share(view, axis), -3.0f, 3.0f);
+    float own = clamp(blade.own.x + blade.own.y * chance + blade.own.z * windrow_view_fraction(view, axis), -3.0f, 3.0f);
     vec3 about_own_axis = dot(load, plant.facing) * plant.facing;
     vec3 bend = about_own_axis + blade.form.y * (load - about_own_axis);
     plant.stem = windrow_stem(axis, windrow_blade_length(blade, hash), bend, own * plant.facing, blade.form.w, blade.drag.load.w);

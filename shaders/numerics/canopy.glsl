@@ -12,7 +12,7 @@
 
 // Share of a row of cells, `row` to `row` + 1, that lies between the ground and the canopy's top. All in cells above the box's
 // low side.
-WINDROW_FN float windrow_canopy_share(float row, float ground, float top) {
+WINDROW_FN float windrow_canopy_fraction(float row, float ground, float top) {
     return clamp(min(row + 1.0f, top) - max(row, ground), 0.0f, 1.0f);
 }
 

@@ -31,7 +31,7 @@ WINDROW_FN int windrow_cascade_stage(float height, int stages) {
 }
 
 // Share of the next stage, 0 to 1.
-WINDROW_FN float windrow_cascade_share(float height, int stages) {
+WINDROW_FN float windrow_cascade_fraction(float height, int stages) {
     return clamp(height * float(stages) - float(windrow_cascade_stage(height, stages)), 0.0f, 1.0f);
 }
 

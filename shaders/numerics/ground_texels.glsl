@@ -31,8 +31,8 @@ struct WindrowGroundPlace {
 // (lean x, lean z, trample, trail) at `p` [m] from the anchor, of which x and z count.
 WINDROW_FN vec4 windrow_ground_at(WINDROW_GROUND texels, WindrowGroundPlace place, vec3 p) {
     vec4 outside = vec4(place.slot.z, place.slot.w, 0.0f, 0.0f);
-    float share = windrow_rim_share(p.x - place.rim.x, place.rim.z, place.rim.w) *
-                  windrow_rim_share(p.z - place.rim.y, place.rim.z, place.rim.w);
+    float share = windrow_blend_fraction(p.x - place.blend_width.x, place.blend_width.z, place.blend_width.w) *
+                  windrow_blend_fraction(p.z - place.blend_width.y, place.blend_width.z, place.blend_width.w);
     if (!(share > 0.0f))
         return outside;
     vec2 at = (vec2(p.x, p.z) - vec2(place.corner.x, place.corner.y)) / place.corner.z - vec2(0.5f, 0.5f);

@@ -27,7 +27,7 @@ struct WindrowDrag {
 };
 
 // Tip angle over pi/2 as a function of the Cauchy number, 0 or more; held at 1e6, where it is 1 within 1e-3.
-WINDROW_FN float windrow_tip_share(float cauchy) {
+WINDROW_FN float windrow_tip_fraction(float cauchy) {
     float c = min(cauchy, 1e6f);
     float rise = c * (0.1061032954f + c * (0.02558361462f + c * (0.0028873041f + c * 1.046902554e-5f)));
     float fall = 1.0f + c * (0.2411198872f + c * (0.05854303149f + c * (0.003269139167f + c * 1.046902554e-5f)));
@@ -36,8 +36,8 @@ WINDROW_FN float windrow_tip_share(float cauchy) {
 
 // Sharpness b of the shape whose tip has this share of pi/2; a spring may swing beyond 1. Held where Ca = 2400: the root of a
 // stalk that is pressed flatter would bend within less than the four points of its integral see.
-WINDROW_FN float windrow_sharpness(float tip_share) {
-    float q = min(tip_share, 0.985f);
+WINDROW_FN float windrow_sharpness(float tip_fraction) {
+    float q = min(tip_fraction, 0.985f);
     return 0.157094423f * q * q * q / (1.0f - 0.957184039f * q * q);
 }
 
@@ -58,7 +58,7 @@ WINDROW_FN vec3 windrow_drag_bend(WindrowDrag drag, vec3 axis, vec3 u, float sti
     bool known = square <= 1e12f; // false for NaN and infinity
     square = known ? square : 0.0f;
     float speed = sqrt(square);
-    float tip = 1.57079633f * windrow_tip_share(windrow_load_at(drag, speed, stiffness) * square);
+    float tip = 1.57079633f * windrow_tip_fraction(windrow_load_at(drag, speed, stiffness) * square);
     vec3 bend = across * (min(tip, drag.load.w) / max(speed, 1e-12f));
     return known ? bend : vec3(0.0f);
 }

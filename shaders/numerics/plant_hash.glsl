@@ -36,22 +36,22 @@ WINDROW_FN uvec2 windrow_place_key(float x, float z) {
 }
 
 // 0 to 1, 1 left out.
-WINDROW_FN float windrow_share(uint word) {
+WINDROW_FN float windrow_fraction(uint word) {
     return float(int(word >> 8u)) * 5.9604644775390625e-8f; // by int: what vector instructions convert
 }
 
 // [rad] Yaw of a plant, 0 to 2 pi, from the first word of its hash. One rounding, hence one result in every language.
-WINDROW_FN float windrow_plant_yaw(uvec2 hash) { return windrow_share(hash.x) * 6.28318530718f; }
+WINDROW_FN float windrow_plant_yaw(uvec2 hash) { return windrow_fraction(hash.x) * 6.28318530718f; }
 
 // A factor between 1 - spread and 1 + spread from the second word; `spread` 0 to 1. One rounding of the product, one of the sum.
 WINDROW_FN float windrow_plant_factor(uvec2 hash, float spread) {
-    float chance = 2.0f * windrow_share(hash.y) - 1.0f;
+    float chance = 2.0f * windrow_fraction(hash.y) - 1.0f;
     return 1.0f + spread * chance;
 }
 
 // A second chance that belongs to the same plant, from -1 to 1: for what should not follow its stiffness.
 WINDROW_FN float windrow_plant_chance(uvec2 hash) {
-    return 2.0f * windrow_share((hash.x << 11u) ^ (hash.y * 2654435761u)) - 1.0f;
+    return 2.0f * windrow_fraction((hash.x << 11u) ^ (hash.y * 2654435761u)) - 1.0f;
 }
 
 #endif

@@ -33,12 +33,12 @@ struct WindrowStem {
 };
 
 // sin|B| / |B| for m = |B|^2 up to 9.
-WINDROW_FN float windrow_sine_share(float m) {
+WINDROW_FN float windrow_sine_fraction(float m) {
     return 1.0f - m * (0.166666642f + m * (-0.00833323691f + m * (1.98327383e-4f + m * (-2.7292117e-6f + m * 2.1644718e-8f))));
 }
 
 // (1 - cos|B|) / |B|^2 for m = |B|^2 up to 9.
-WINDROW_FN float windrow_cosine_share(float m) {
+WINDROW_FN float windrow_cosine_fraction(float m) {
     return 0.5f - m * (0.0416666642f + m * (-0.00138888194f + m * (2.4795414e-5f + m * (-2.73656838e-7f + m * 1.84216975e-9f))));
 }
 
@@ -67,7 +67,7 @@ WINDROW_FN vec3 windrow_stem_bend(WindrowStem stem, float h) {
 WINDROW_FN vec3 windrow_stem_lean(WindrowStem stem, float h) {
     vec3 bend = windrow_stem_bend(stem, h);
     float m = dot(bend, bend);
-    return bend * windrow_sine_share(m) - stem.axis * (m * windrow_cosine_share(m));
+    return bend * windrow_sine_fraction(m) - stem.axis * (m * windrow_cosine_fraction(m));
 }
 
 // [m] How far the middle line has moved at height h, 0 to 1.
@@ -80,8 +80,8 @@ WINDROW_FN vec3 windrow_stem_shift(WindrowStem stem, float h) {
 // R v for the bend B.
 WINDROW_FN vec3 windrow_stem_turn(vec3 axis, vec3 bend, vec3 v) {
     float m = dot(bend, bend);
-    float sine = windrow_sine_share(m);
-    float cosine = windrow_cosine_share(m);
+    float sine = windrow_sine_fraction(m);
+    float cosine = windrow_cosine_fraction(m);
     float across = dot(bend, v);
     float along = dot(axis, v);
     return v + bend * (along * sine - across * cosine) - axis * (across * sine + along * m * cosine);

@@ -9,8 +9,8 @@
 #define WINDROW_FN
 #endif
 
-// Share of the box's wind on one axis: 1 inside, falling to 0 over one cell beyond an open side; 1 beyond a wall.
-WINDROW_FN float windrow_axis_share(float local, float cells, float low_kind, float high_kind) {
+// Share of the box's wind on one axis: 1 inside, falling to 0 over one cell beyond an open boundary; 1 beyond a wall.
+WINDROW_FN float windrow_axis_fraction(float local, float cells, float low_kind, float high_kind) {
     float low = low_kind == 0.0f ? clamp(1.0f + local, 0.0f, 1.0f) : 1.0f;
     float high = high_kind == 0.0f ? clamp(1.0f + cells - local, 0.0f, 1.0f) : 1.0f;
     return low * high;
@@ -19,7 +19,7 @@ WINDROW_FN float windrow_axis_share(float local, float cells, float low_kind, fl
 // Share of the box's wind near the rim of an axis along which the box follows a point: 1 up to `width` before `reach`, falling
 // smoothly to 0 there. `from_point` is the distance from the point itself, not from the box, which jumps by cells: so a jump of
 // the box moves nothing.
-WINDROW_FN float windrow_rim_share(float from_point, float reach, float width) {
+WINDROW_FN float windrow_blend_fraction(float from_point, float reach, float width) {
     float t = clamp((reach - abs(from_point)) / width, 0.0f, 1.0f);
     return t * t * (3.0f - 2.0f * t);
 }

@@ -78,7 +78,7 @@ TEST(AdvectionClamp, NeverLeavesTheRangeOfTheField) {
         std::swap(loose, next);
         loose_high = std::max(loose_high, *std::max_element(loose.begin(), loose.end()));
     }
-    expect_at_least("advection_clamp.least_value_of_a_block_1_to_3", low, 1.0);
+    expect_at_least("advection_clamp.min_value_of_a_block_1_to_3", low, 1.0);
     expect_at_most("advection_clamp.largest_value_of_a_block_1_to_3", high, 3.0);
     // Without the clamp the same block does overshoot: the bound above is not empty.
     expect_at_least("advection_clamp.largest_value_without_clamp", loose_high, 3.05);
@@ -86,12 +86,13 @@ TEST(AdvectionClamp, NeverLeavesTheRangeOfTheField) {
 
 TEST(AdvectionClamp, EachValueLiesWithinItsEightNeighbours) {
     Random random(31);
-    const SideKind periodic = SideKind::periodic, open = SideKind::open, slip = SideKind::free_slip, rough = SideKind::no_slip;
+    const BoundaryKind periodic = BoundaryKind::periodic, open = BoundaryKind::open, slip = BoundaryKind::free_slip,
+                       rough = BoundaryKind::no_slip;
     int outside = 0, checked = 0, at_bound = 0;
-    for (const Sides& sides :
-         {Sides::all(periodic), Sides::all(open), Sides::all(slip), sides_of({open, slip}, {rough, rough}, {periodic, periodic})})
+    for (const Boundaries& boundaries : {Boundaries::all(periodic), Boundaries::all(open), Boundaries::all(slip),
+                                         sides_of({open, slip}, {rough, rough}, {periodic, periodic})})
         for (const glm::ivec3 cells : {glm::ivec3(17, 9, 11), glm::ivec3(5, 1, 8), glm::ivec3(2, 70, 3)}) {
-            const Box box{.cells = cells, .sides = sides};
+            const Box box{.cells = cells, .boundaries = boundaries};
             Workspace work = workspace(box, {0.4f, 0.2f, 0.1f});
             const Field wind = random_field(random, box, 2.0f);
             const auto values = scalars_of(box, [&](glm::dvec3) { return random.real(-1.0, 1.0); });

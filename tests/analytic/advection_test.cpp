@@ -194,11 +194,12 @@ INSTANTIATE_TEST_SUITE_P(Interpolations, UniformWind, ::testing::Values(Interpol
 TEST(Advection, LinearNeverGrowsAtAnyCfl) {
     Random random(11);
     double worst = 0.0;
-    const SideKind periodic = SideKind::periodic, open = SideKind::open, wall = SideKind::free_slip, rough = SideKind::no_slip;
-    for (const Sides& sides :
-         {Sides::all(periodic), Sides::all(open), Sides::all(wall), sides_of({open, wall}, {rough, open}, {periodic, periodic})})
+    const BoundaryKind periodic = BoundaryKind::periodic, open = BoundaryKind::open, wall = BoundaryKind::free_slip,
+                       rough = BoundaryKind::no_slip;
+    for (const Boundaries& boundaries : {Boundaries::all(periodic), Boundaries::all(open), Boundaries::all(wall),
+                                         sides_of({open, wall}, {rough, open}, {periodic, periodic})})
         for (const float cfl : {0.1f, 0.5f, 1.0f, 3.0f, 10.0f, 100.0f}) {
-            const Box box{.cells = {19, 8, 12}, .sides = sides};
+            const Box box{.cells = {19, 8, 12}, .boundaries = boundaries};
             Workspace work = workspace(box);
             for (const CarriedForm form : k_forms) {
                 std::vector<float> values(box.cell_count());
@@ -255,7 +256,7 @@ TEST(Advection, CubicOvershootsByAQuarterAnAxisAtMost) {
 // The step reads one padded field where a wind carries itself; two where they differ. Both must be the same advection.
 TEST(Advection, AWindThatCarriesItselfEqualsACopyThatItCarries) {
     Random random(21);
-    const Box box{.cells = {17, 9, 23}, .sides = Sides::open_over_floor()};
+    const Box box{.cells = {17, 9, 23}, .boundaries = Boundaries::open_over_floor()};
     Workspace work = workspace(box, {0.3f, 0.0f, -0.2f});
     const Field wind = random_field(random, box, 2.0f), copy = wind;
     for (const Interpolation interpolation : {Interpolation::linear, Interpolation::cubic}) {

@@ -24,10 +24,10 @@ struct Turn {
 
 // |value - start| / |start| of a Gaussian after one turn about the middle of a 2 m square.
 double turn_error(int cells, int steps, Trace trace, const Turn& turn) {
-    const SideKind open = SideKind::open, periodic = SideKind::periodic;
+    const BoundaryKind open = BoundaryKind::open, periodic = BoundaryKind::periodic;
     const Box box{.cells = {cells, cells, 1},
                   .cell_size = static_cast<float>(2.0 / cells),
-                  .sides = sides_of({open, open}, {open, open}, {periodic, periodic})};
+                  .boundaries = sides_of({open, open}, {open, open}, {periodic, periodic})};
     Workspace work = workspace(box);
     const auto wind_at = [&](double t) {
         return velocities_of(box, [&](glm::dvec3 x) { return turn.rate(t) * glm::dvec3(1.0 - x.y, x.x - 1.0, 0.0); });

@@ -27,8 +27,8 @@ inline void expect_case(const std::string& name, const std::vector<int>& sizes) 
             const cases::VerifiedRow& judged = verified.rows.back();
             const std::string label = name + (row.label.empty() ? "" : "." + row.label) + "." + std::to_string(sizes[level]);
             expect_at_most(label + ".error", row.error, row.bound);
-            if (judged.order && one.least_order > 0.0)
-                expect_at_least(label + ".order", *judged.order, one.least_order);
+            if (judged.order && one.min_order > 0.0)
+                expect_at_least(label + ".order", *judged.order, one.min_order);
             EXPECT_TRUE(judged.pass) << label;
         }
     }

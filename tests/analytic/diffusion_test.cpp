@@ -31,8 +31,9 @@ TEST(Diffusion, MethodsMeetTheirThresholds) {
 
 TEST(Diffusion, BelowTheLeastRatioItIsACopyToTheBit) {
     Random random(2);
-    for (const Sides& sides : {Sides::all(SideKind::periodic), Sides::open_over_floor(), Sides::all(SideKind::no_slip)}) {
-        const Box box{.cells = {7, 6, 5}, .sides = sides};
+    for (const Boundaries& boundaries :
+         {Boundaries::all(BoundaryKind::periodic), Boundaries::open_over_floor(), Boundaries::all(BoundaryKind::no_slip)}) {
+        const Box box{.cells = {7, 6, 5}, .boundaries = boundaries};
         Workspace work = workspace(box);
         const Field field = random_field(random, box, 10.0f);
         EXPECT_EQ(diffused(work, field, 9e-5), field);
@@ -48,10 +49,11 @@ TEST(Diffusion, AGaussianSpreadsByTwoNuT) {
 TEST(Diffusion, NothingGrowsAtAnyRatio) {
     Random random(4);
     double worst = 0.0, worst_squares = 0.0;
-    for (const Sides& sides : {Sides::all(SideKind::periodic), Sides::all(SideKind::open), Sides::all(SideKind::free_slip),
-                               Sides::all(SideKind::no_slip), Sides::open_over_floor()})
+    for (const Boundaries& boundaries :
+         {Boundaries::all(BoundaryKind::periodic), Boundaries::all(BoundaryKind::open), Boundaries::all(BoundaryKind::free_slip),
+          Boundaries::all(BoundaryKind::no_slip), Boundaries::open_over_floor()})
         for (const glm::ivec3 cells : {glm::ivec3(32, 16, 32), glm::ivec3(17, 9, 23), glm::ivec3(24, 1, 3)}) {
-            const Box box{.cells = cells, .sides = sides};
+            const Box box{.cells = cells, .boundaries = boundaries};
             Workspace work = workspace(box);
             for (const double r : {1e-4, 1e-3, 0.02, 1.0 / 12.0, 0.1, 0.2, 0.7, 10.0, 1e3, 1e4}) {
                 const Field field = random_field(random, box);
@@ -82,21 +84,21 @@ TEST(Diffusion, TheCheckerboardIsGoneAtOnceAtALargeRatio) {
 // Momentum: all of it in a periodic box; between free-slip walls, the components along both walls. (A wall takes the component
 // across it, and its neighbour's share of it is no loss of the method.)
 TEST(Diffusion, TheSumOfAComponentThatNoWallTakesIsKept) {
-    const SideKind periodic = SideKind::periodic, slip = SideKind::free_slip;
+    const BoundaryKind periodic = BoundaryKind::periodic, slip = BoundaryKind::free_slip;
     struct KeptMomentum {
-        Sides sides;
+        Boundaries boundaries;
         glm::bvec3 kept;
     };
-    const KeptMomentum kept_in[] = {{Sides::all(periodic), {true, true, true}},
+    const KeptMomentum kept_in[] = {{Boundaries::all(periodic), {true, true, true}},
                                     {sides_of({periodic, periodic}, {slip, slip}, {slip, slip}), {true, false, false}},
                                     {sides_of({slip, slip}, {periodic, periodic}, {periodic, periodic}), {false, true, true}},
                                     {sides_of({slip, slip}, {slip, slip}, {periodic, periodic}), {false, false, true}}};
     Random random(6);
-    double worst = 0.0, least_loss = 1.0;
+    double worst = 0.0, min_loss = 1.0;
     for (const KeptMomentum& box_case : kept_in)
         for (const glm::ivec3 cells : {glm::ivec3(32, 16, 32), glm::ivec3(17, 9, 23)})
             for (const double r : {1e-3, 0.05, 1.0 / 12.0, 0.2, 2.0, 50.0, 1e4}) {
-                const Box box{.cells = cells, .sides = box_case.sides};
+                const Box box{.cells = cells, .boundaries = box_case.boundaries};
                 Workspace work = workspace(box);
                 Field field = random_field(random, box);
                 for (glm::vec4& u : field)
@@ -108,12 +110,12 @@ TEST(Diffusion, TheSumOfAComponentThatNoWallTakesIsKept) {
                     if (box_case.kept[c])
                         worst = std::max(worst, loss);
                     else if (r >= 1.0)
-                        least_loss = std::min(least_loss, loss);
+                        min_loss = std::min(min_loss, loss);
                 }
             }
     expect_at_most("diffusion.momentum_error", worst, 1e-6);
     // And a wall does take what runs against it.
-    expect_at_least("diffusion.momentum_that_walls_take", least_loss, 0.05);
+    expect_at_least("diffusion.momentum_that_walls_take", min_loss, 0.05);
 }
 
 // --- Owed diffusion ----------------------------------------------------------------------------------------------------
@@ -123,9 +125,9 @@ TEST(Diffusion, TheSumOfAComponentThatNoWallTakesIsKept) {
 // 1000 Hz have r = 3.3e-4, 8.3e-5 and 1e-5; below 1e-4 a single one is less than what floats hold.
 double height_after(double seconds, double hz) {
     const Config config{.cells = {1, 8, 1},
-                        .sides = Sides::all(SideKind::periodic),
+                        .boundaries = Boundaries::all(BoundaryKind::periodic),
                         .viscosity = 0.01f,
-                        .settling_time = 0.0f,
+                        .relaxation_time = 0.0f,
                         .stages = {.advection = false}};
     Wind wind = test::made(config);
     const auto wave = [](double y) { return std::sin(2.0 * k_pi * y / 8.0); };

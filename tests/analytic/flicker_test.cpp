@@ -45,8 +45,8 @@ double largest_off_ambient(const Wind& wind) {
 }
 
 // A strong motor for five steps; `calm_steps` before it, so that it meets a wind with or without a history.
-double blast_flicker(const Sides& sides, glm::vec3 ambient, int calm_steps, float acceleration) {
-    Config config{.sides = sides, .ambient = ambient, .settling_time = 0.0f, .max_cfl = 1e5f};
+double blast_flicker(const Boundaries& boundaries, glm::vec3 ambient, int calm_steps, float acceleration) {
+    Config config{.boundaries = boundaries, .ambient = ambient, .relaxation_time = 0.0f, .max_cfl = 1e5f};
     Wind wind = *Wind::create(config);
     const double dt = 1.0 / 60.0;
     if (calm_steps == 0)
@@ -65,17 +65,17 @@ double blast_flicker(const Sides& sides, glm::vec3 ambient, int calm_steps, floa
 }
 
 TEST(Flicker, NoneTenStepsAfterABlast) {
-    const std::pair<const char*, Sides> boxes[] = {{"periodic", Sides::all(SideKind::periodic)},
-                                                   {"open", {}},
-                                                   {"over_floor", Sides::open_over_floor()},
-                                                   {"closed", Sides::all(SideKind::free_slip)}};
-    for (const auto& [name, sides] : boxes)
+    const std::pair<const char*, Boundaries> boxes[] = {{"periodic", Boundaries::all(BoundaryKind::periodic)},
+                                                        {"open", {}},
+                                                        {"over_floor", Boundaries::open_over_floor()},
+                                                        {"closed", Boundaries::all(BoundaryKind::free_slip)}};
+    for (const auto& [name, boundaries] : boxes)
         for (const float acceleration : {60.0f, 600.0f})
             for (const int calm_steps : {0, 20}) {
                 const std::string label = std::string("flicker.blast.") + name + "." + figures::number_text(acceleration) +
                                           (calm_steps == 0 ? ".from_start" : ".into_history");
-                expect_at_most(label + ".still", blast_flicker(sides, glm::vec3(0.0f), calm_steps, acceleration), 1e-3);
-                expect_at_most(label + ".wind", blast_flicker(sides, {3.0f, 0.0f, 1.0f}, calm_steps, acceleration), 1e-3);
+                expect_at_most(label + ".still", blast_flicker(boundaries, glm::vec3(0.0f), calm_steps, acceleration), 1e-3);
+                expect_at_most(label + ".wind", blast_flicker(boundaries, {3.0f, 0.0f, 1.0f}, calm_steps, acceleration), 1e-3);
             }
 }
 

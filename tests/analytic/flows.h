@@ -6,7 +6,7 @@
 #include "cases/cell_values.h"
 #include "cases/flows.h"
 #include "cases/whole_step.h"
-#include "fluid/pieces.h"
+#include "fluid/operators.h"
 #include "tests/winds.h"
 
 #include <span>
@@ -47,12 +47,12 @@ inline Wind raw_wind(const Box& box, double viscosity, Scheme scheme, Interpolat
 // --- Random fields -----------------------------------------------------------------------------------------------------
 
 /// Any mix of kinds, a quarter of the axes periodic.
-inline Sides random_kinds(Random& random) {
-    Sides result;
+inline Boundaries random_kinds(Random& random) {
+    Boundaries result;
     for (int axis = 0; axis < 3; ++axis) {
         const bool periodic = random.integer(0, 3) == 0;
         for (int end = 0; end < 2; ++end)
-            side_of(result, axis, end).kind = periodic ? SideKind::periodic : static_cast<SideKind>(random.integer(0, 2));
+            side_of(result, axis, end).kind = periodic ? BoundaryKind::periodic : static_cast<BoundaryKind>(random.integer(0, 2));
     }
     return result;
 }

@@ -77,14 +77,14 @@ std::vector<glm::dvec3> driven_end(const Driven& driven, int cells, double step_
     const double length = 2.0 * k_pi, h = length / cells;
     Config config{.cells = {cells, cells, 1},
                   .cell_size = static_cast<float>(h),
-                  .sides = Sides::all(SideKind::periodic),
+                  .boundaries = Boundaries::all(BoundaryKind::periodic),
                   .centre = {0.5 * length, 0.5 * length, 0.0},
                   .viscosity = 0.0f,
-                  .settling_time = 0.0f,
+                  .relaxation_time = 0.0f,
                   .max_cfl = 1e6f,
                   .max_substeps = 1};
     if (!driven.motor) { // plants as high as the box: what their sharp top does is no matter of time
-        config.sides.y_low.kind = config.sides.y_high.kind = SideKind::free_slip;
+        config.boundaries.y_low.kind = config.boundaries.y_high.kind = BoundaryKind::free_slip;
         config.ambient = {1.0f, 0.0f, 0.0f};
         config.canopy = Canopy{.height = 10.0f, .drag = 1.0f};
     }

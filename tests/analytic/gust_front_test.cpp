@@ -1,4 +1,4 @@
-// A gust that comes with the wind: through the rim and the open sides of the box, while the box moves, as if there were no box.
+// A gust that comes with the wind: through the rim and the open boundaries of the box, while the box moves, as if there were no box.
 
 #include "tests/winds.h"
 
@@ -65,7 +65,7 @@ TEST(GustFront, TheBoxCarriesTheGustsAsTheyAreOutside) {
     for (const auto& [name, config] :
          {NamedConfig{"open", {.ambient = {3.0f, 0.0f, -1.0f}, .gusts = {.intensity = 0.3f}}},
           {"profile_over_floor",
-           {.sides = Sides::open_over_floor(),
+           {.boundaries = Boundaries::open_over_floor(),
            .ambient = {5.0f, 0.0f, 1.0f},
            .profile = LogProfile{},
            .gusts = {.intensity = 0.25f}}},
@@ -88,7 +88,7 @@ TEST(GustFront, FadingGustsLeaveAFanInAProfileAsItIsWithout) {
     const glm::ivec3 cells(40, 24, 40);
     const auto mean_field = [&](float intensity) {
         Wind wind = made({.cells = cells,
-                          .sides = Sides::open_over_floor(),
+                          .boundaries = Boundaries::open_over_floor(),
                           .centre = {0.0, 12.0, 0.0},
                           .ambient = {6.0f, 0.0f, 0.0f},
                           .profile = LogProfile{},
@@ -147,7 +147,7 @@ std::vector<double> variations(Wind& wind, const std::vector<glm::dvec3>& places
 // Behind what stands in the wind its gusts die away. Without v . grad A they varied more there than in the open: 1.1 to 1.2 behind
 // the blocks, .65 in the canopy. Bounds: measured with another solver, with a tenth to a sixth for the choice of scene.
 TEST(GustFront, AShelterIsCalmerThanTheOpen) {
-    const Config open{.sides = Sides::open_over_floor(),
+    const Config open{.boundaries = Boundaries::open_over_floor(),
                       .centre = {0.0, 8.0, 0.0},
                       .ambient = {6.0f, 0.0f, 0.0f},
                       .gusts = {.intensity = 0.3f}};

@@ -21,11 +21,11 @@ using figures::report;
 constexpr double k_dt = 1.0 / 30.0;
 
 // A box of 1 m cells about the origin; no settling, no sleep.
-Wind wind_of(glm::ivec3 cells, glm::vec3 ambient = glm::vec3(0.0f), const Sides& sides = {}) {
-    Config config{.cells = cells, .sides = sides, .ambient = ambient};
-    config.settling_time = 0.0f;
+Wind wind_of(glm::ivec3 cells, glm::vec3 ambient = glm::vec3(0.0f), const Boundaries& boundaries = {}) {
+    Config config{.cells = cells, .boundaries = boundaries, .ambient = ambient};
+    config.relaxation_time = 0.0f;
     config.viscosity = 0.0f;
-    config.rim = 0.0f;
+    config.blend_width = 0.0f;
     return *Wind::create(config);
 }
 
@@ -98,12 +98,12 @@ TEST(MotorFlows, AVentInASteadyWindStaysTheHalfBody) {
 TEST(MotorFlows, ASourceInAClosedBoxStaysBounded) {
     const struct {
         const char* name;
-        Sides sides;
-    } boxes[] = {{"slip", Sides::all(SideKind::free_slip)},
-                 {"no_slip", Sides::all(SideKind::no_slip)},
-                 {"periodic", Sides::all(SideKind::periodic)}};
-    for (const auto& [name, sides] : boxes) {
-        Wind wind = wind_of({24, 16, 20}, glm::vec3(0.0f), sides), open = wind_of({24, 16, 20});
+        Boundaries boundaries;
+    } boxes[] = {{"slip", Boundaries::all(BoundaryKind::free_slip)},
+                 {"no_slip", Boundaries::all(BoundaryKind::no_slip)},
+                 {"periodic", Boundaries::all(BoundaryKind::periodic)}};
+    for (const auto& [name, boundaries] : boxes) {
+        Wind wind = wind_of({24, 16, 20}, glm::vec3(0.0f), boundaries), open = wind_of({24, 16, 20});
         for (Wind* one : {&wind, &open})
             ASSERT_TRUE(one->motors().add(OmniMotor{.position = {2.0, 1.0, -3.0}, .radius = 2.0f, .speed = 5.0f}));
         ASSERT_TRUE(wind.motors().add(PressureMotor{.position = {-4.0, 0.0, 2.0}}));
@@ -123,12 +123,12 @@ TEST(MotorFlows, ASourceInAClosedBoxStaysBounded) {
 // blow. Truth: point sources spread over the ball as its weight is, with their images. At the border a side with p = 0 and no
 // more left half of the vent's speed wrong (bounds: the border of a window in numerics of section 14, measured elsewhere).
 TEST(MotorFlows, AVentBlowsAsInFreeAir) {
-    const Side wall{.kind = SideKind::free_slip}, rough{.kind = SideKind::no_slip};
-    const Sides floor = Sides::open_over_floor(), corner{.x_high = wall, .y_low = rough, .z_low = wall};
+    const Boundary wall{.kind = BoundaryKind::free_slip}, rough{.kind = BoundaryKind::no_slip};
+    const Boundaries floor = Boundaries::open_over_floor(), corner{.x_high = wall, .y_low = rough, .z_low = wall};
     const glm::ivec3 cells(32, 16, 32);
     const struct {
         const char* name;
-        Sides sides;
+        Boundaries boundaries;
         glm::dvec3 place; // from the box's low corner
     } cases[] = {{"open", {}, {13.3, 9.2, 17.7}},
                  {"near_a_side", {}, {4.2, 8.0, 16.0}},
@@ -138,8 +138,8 @@ TEST(MotorFlows, AVentBlowsAsInFreeAir) {
                  {"on_the_floor", floor, {14.0, 0.0, 16.4}},
                  {"cut_by_the_floor", floor, {14.0, 0.9, 16.4}},
                  {"corner", corner, {25.0, 5.0, 7.0}}};
-    for (const auto& [name, sides, place] : cases) {
-        Wind wind = wind_of(cells, glm::vec3(0.0f), sides);
+    for (const auto& [name, boundaries, place] : cases) {
+        Wind wind = wind_of(cells, glm::vec3(0.0f), boundaries);
         constexpr double k_radius = 2.0, k_speed = 5.0, k_spacing = 0.25;
         ASSERT_TRUE(wind.motors().add(OmniMotor{.position = wind.origin() + place, .radius = 2.0f, .speed = 5.0f}));
         wind.step(k_dt);
@@ -149,9 +149,9 @@ TEST(MotorFlows, AVentBlowsAsInFreeAir) {
         };
         std::vector<SourcePoint> points;
         double whole = 0.0;
-        const glm::dvec3 low(sides.x_low.solid() ? 0.0 : -1e9, sides.y_low.solid() ? 0.0 : -1e9,
-                             sides.z_low.solid() ? 0.0 : -1e9),
-            high(sides.x_high.solid() ? 32.0 : 1e9, 1e9, 1e9);
+        const glm::dvec3 low(boundaries.x_low.solid() ? 0.0 : -1e9, boundaries.y_low.solid() ? 0.0 : -1e9,
+                             boundaries.z_low.solid() ? 0.0 : -1e9),
+            high(boundaries.x_high.solid() ? 32.0 : 1e9, 1e9, 1e9);
         for (double x = 0.5 * k_spacing - k_radius; x < k_radius; x += k_spacing)
             for (double y = 0.5 * k_spacing - k_radius; y < k_radius; y += k_spacing)
                 for (double z = 0.5 * k_spacing - k_radius; z < k_radius; z += k_spacing) {
@@ -170,7 +170,7 @@ TEST(MotorFlows, AVentBlowsAsInFreeAir) {
                 bool stands = true;
                 for (int axis = 0; axis < 3; ++axis)
                     if ((image >> axis & 1) != 0) {
-                        stands = stands && sides.has_solid(axis);
+                        stands = stands && boundaries.has_solid(axis);
                         mirrored.place[axis] = 2.0 * (low[axis] > -1e9 ? low[axis] : high[axis]) - mirrored.place[axis];
                     }
                 if (stands)
@@ -315,8 +315,8 @@ TEST(MotorFlows, MomentumInEqualsImpulseOutInAPeriodicBox) {
             {"jet", JetMotor{.direction = way, .start_radius = 1.6f, .end_radius = 2.5f, .law = law}}};
     };
     const auto error_of = [](const Motor& motor, bool advected, Scheme scheme = Scheme::second_order) {
-        Config config{.cells = {24, 20, 28}, .sides = Sides::all(SideKind::periodic)};
-        config.settling_time = 0.0f;
+        Config config{.cells = {24, 20, 28}, .boundaries = Boundaries::all(BoundaryKind::periodic)};
+        config.relaxation_time = 0.0f;
         config.viscosity = 0.0f;
         config.scheme = scheme;
         config.stages.advection = advected;

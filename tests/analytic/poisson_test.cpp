@@ -18,16 +18,16 @@ using figures::expect_at_most;
 using reference::Stencil;
 using reference::Values;
 
-constexpr SideKind k_open = SideKind::open, k_slip = SideKind::free_slip, k_rough = SideKind::no_slip,
-                   k_periodic = SideKind::periodic;
+constexpr BoundaryKind k_open = BoundaryKind::open, k_slip = BoundaryKind::free_slip, k_rough = BoundaryKind::no_slip,
+                       k_periodic = BoundaryKind::periodic;
 // Every pair of ends that an axis may have; the first five differ for the pressure, to which both walls are one.
-constexpr SideKind k_pairs[10][2] = {{k_open, k_open},         {k_slip, k_slip},  {k_open, k_slip},  {k_slip, k_open},
-                                     {k_periodic, k_periodic}, {k_slip, k_rough}, {k_rough, k_slip}, {k_rough, k_rough},
-                                     {k_open, k_rough},        {k_rough, k_open}};
+constexpr BoundaryKind k_pairs[10][2] = {{k_open, k_open},         {k_slip, k_slip},  {k_open, k_slip},  {k_slip, k_open},
+                                         {k_periodic, k_periodic}, {k_slip, k_rough}, {k_rough, k_slip}, {k_rough, k_rough},
+                                         {k_open, k_rough},        {k_rough, k_open}};
 constexpr std::array k_tiny = {glm::ivec3(1, 1, 1), glm::ivec3(1, 5, 7), glm::ivec3(2, 2, 2), glm::ivec3(3, 1, 4)};
 constexpr std::array k_sizes = {glm::ivec3(17, 9, 23), glm::ivec3(20, 6, 40), glm::ivec3(48, 5, 33), glm::ivec3(64, 1, 64)};
 
-Sides mix(int x, int y, int z) {
+Boundaries mix(int x, int y, int z) {
     return sides_of({k_pairs[x][0], k_pairs[x][1]}, {k_pairs[y][0], k_pairs[y][1]}, {k_pairs[z][0], k_pairs[z][1]});
 }
 
@@ -52,7 +52,7 @@ SolvedNoise solve_noise(const Box& box, Random& random) {
     for (std::size_t n = 0; n < b.size(); ++n)
         solved.left[n] = b[n] - solved.left[n];
     const double size = Stencil::norm(b), residual = Stencil::norm(solved.left);
-    // A single cell without an open side has nothing to solve: b is its mean, phi is 0.
+    // A single cell without an open boundary has nothing to solve: b is its mean, phi is 0.
     solved.residual = size > 0.0 ? residual / size : residual + Stencil::norm(solved.phi);
     solved.scaled = residual / (size + 12.0 * Stencil::norm(solved.phi) + 1e-300);
     return solved;
@@ -64,7 +64,8 @@ TEST(Poisson, EveryMixOfSidesOfATinyBoxIsSolved) {
     int count = 0;
     for (const glm::ivec3 cells : k_tiny)
         for (int n = 0; n < 1000; ++n, ++count)
-            worst = std::max(worst, solve_noise({.cells = cells, .sides = mix(n % 10, n / 10 % 10, n / 100)}, random).residual);
+            worst =
+                std::max(worst, solve_noise({.cells = cells, .boundaries = mix(n % 10, n / 10 % 10, n / 100)}, random).residual);
     figures::report("poisson.tiny_boxes", count);
     expect_at_most("poisson.tiny_residual", worst, 1e-5);
 }
@@ -74,7 +75,7 @@ TEST(Poisson, EveryMixOfSidesOfALargerBoxIsSolved) {
     for (const glm::ivec3 cells : k_sizes) {
         double worst = 0.0, worst_scaled = 0.0;
         for (int n = 0; n < 125; ++n) {
-            const SolvedNoise solved = solve_noise({.cells = cells, .sides = mix(n % 5, n / 5 % 5, n / 25)}, random);
+            const SolvedNoise solved = solve_noise({.cells = cells, .boundaries = mix(n % 5, n / 5 % 5, n / 25)}, random);
             worst = std::max(worst, solved.residual);
             worst_scaled = std::max(worst_scaled, solved.scaled);
         }
@@ -92,7 +93,7 @@ TEST(Poisson, PhiAndItsGradientAgreeWithADoubleSolve) {
     double worst_phi = 0.0, worst_gradient = 0.0, worst_slender = 0.0, worst_over_rounding = 0.0;
     for (const glm::ivec3 cells : k_sizes)
         for (int n = 0; n < 125; ++n) {
-            const SolvedNoise solved = solve_noise({.cells = cells, .sides = mix(n % 5, n / 5 % 5, n / 25)}, random);
+            const SolvedNoise solved = solve_noise({.cells = cells, .boundaries = mix(n % 5, n / 5 % 5, n / 25)}, random);
             const Stencil& stencil = solved.stencil;
             const Values error = stencil.solve(0.0, solved.left, 1e-3);
             Values rounding(error.size());
@@ -118,7 +119,7 @@ TEST(Poisson, ABoxWithoutAnOpenSideGivesMeanZero) {
     for (const int y : {1, 4})
         for (const int x : {1, 4, 7})
             for (const glm::ivec3 cells : k_sizes) {
-                const Box box{.cells = cells, .sides = mix(x, y, x)};
+                const Box box{.cells = cells, .boundaries = mix(x, y, x)};
                 Workspace work = workspace(box);
                 // A large mean: it must leave no trace in phi.
                 auto values = scalars_of(box, [&](glm::dvec3) { return 10.0 + random.real(-1.0, 1.0); });
@@ -157,7 +158,7 @@ TEST(Poisson, SixJetsOverAFloor) {
     for (const auto& [cells, bound] : {std::pair(32, 1e-5), std::pair(64, 3e-5), std::pair(128, 2e-4)}) {
         const Box box{.cells = {cells, cells / 2, cells},
                       .cell_size = 32.0f / static_cast<float>(cells),
-                      .sides = Sides::open_over_floor()};
+                      .boundaries = Boundaries::open_over_floor()};
         Workspace work = workspace(box);
         std::vector<float> values(box.cell_count());
         divergence(work, six_jets(box), values);

@@ -14,8 +14,8 @@ using namespace flows;
 using figures::expect_at_least;
 using figures::expect_at_most;
 
-Box cube(int cells, const Sides& sides = Sides::all(SideKind::periodic)) {
-    return {.cells = {cells, cells, cells}, .cell_size = static_cast<float>(2.0 * k_pi / cells), .sides = sides};
+Box cube(int cells, const Boundaries& boundaries = Boundaries::all(BoundaryKind::periodic)) {
+    return {.cells = {cells, cells, cells}, .cell_size = static_cast<float>(2.0 * k_pi / cells), .boundaries = boundaries};
 }
 
 double change(Workspace& work, const Field& before) {
@@ -72,8 +72,9 @@ TEST(Projection, ADiscreteGradientLeavesTheCompactWideDifference) {
 
 TEST(Projection, TheGradientHandedOutIsWhatWasTaken) {
     Random random(9);
-    for (const Sides& sides : {Sides::all(SideKind::periodic), Sides::open_over_floor(), Sides::all(SideKind::no_slip)}) {
-        const Box box{.cells = {17, 9, 23}, .cell_size = 0.3f, .sides = sides};
+    for (const Boundaries& boundaries :
+         {Boundaries::all(BoundaryKind::periodic), Boundaries::open_over_floor(), Boundaries::all(BoundaryKind::no_slip)}) {
+        const Box box{.cells = {17, 9, 23}, .cell_size = 0.3f, .boundaries = boundaries};
         Workspace work = workspace(box, {1.0f, 0.0f, 0.5f});
         const Field before = random_field(random, box);
         Field after = before, taken(before.size());
@@ -86,42 +87,44 @@ TEST(Projection, TheGradientHandedOutIsWhatWasTaken) {
 
 // Left over after one projection of a smooth field that is half gradient: div u / rms(u) falls as h^2.
 TEST(Projection, TheDivergenceFloorFallsWithTheCell) {
-    const SideKind open = SideKind::open, wall = SideKind::free_slip, periodic = SideKind::periodic;
-    const std::pair<const char*, Sides> boxes[] = {
-        {"periodic", Sides::all(periodic)},
+    const BoundaryKind open = BoundaryKind::open, wall = BoundaryKind::free_slip, periodic = BoundaryKind::periodic;
+    const std::pair<const char*, Boundaries> boxes[] = {
+        {"periodic", Boundaries::all(periodic)},
         {"channel", sides_of({periodic, periodic}, {wall, wall}, {periodic, periodic})},
-        {"open", Sides::all(open)}};
-    for (const auto& [name, sides] : boxes)
-        figures::expect_orders(std::string("projection.floor_div.") + name, {48, 96}, 1.9, [&, sides = sides](int cells) {
-            const Box box = cube(cells, sides);
-            Workspace work = workspace(box);
-            // Away from periodic sides the air is at rest at the sides: the flow through them is asked for below.
-            const bool everywhere = sides == Sides::all(periodic);
-            Field field = velocities_of(box, [&](glm::dvec3 x) {
-                const glm::dvec3 u = solenoidal(x) + gradient(x);
-                return everywhere ? u : u * std::pow(std::sin(0.5 * x.x) * std::sin(0.5 * x.y) * std::sin(0.5 * x.z), 4.0);
+        {"open", Boundaries::all(open)}};
+    for (const auto& [name, boundaries] : boxes)
+        figures::expect_orders(
+            std::string("projection.floor_div.") + name, {48, 96}, 1.9, [&, boundaries = boundaries](int cells) {
+                const Box box = cube(cells, boundaries);
+                Workspace work = workspace(box);
+                // Away from periodic boundaries the air is at rest at the sides: the flow through them is asked for below.
+                const bool everywhere = boundaries == Boundaries::all(periodic);
+                Field field = velocities_of(box, [&](glm::dvec3 x) {
+                    const glm::dvec3 u = solenoidal(x) + gradient(x);
+                    return everywhere ? u : u * std::pow(std::sin(0.5 * x.x) * std::sin(0.5 * x.y) * std::sin(0.5 * x.z), 4.0);
+                });
+                project(work, field);
+                std::vector<float> left(box.cell_count());
+                divergence(work, field, left);
+                return rms(std::span<const float>(left)) / rms(field);
             });
-            project(work, field);
-            std::vector<float> left(box.cell_count());
-            divergence(work, field, left);
-            return rms(std::span<const float>(left)) / rms(field);
-        });
 }
 
 // Air that blows through the sides: phi is 0 at the ghosts' centres, the air is free to leave. What project() leaves of a
 // solenoidal wind plus a gradient must be the wind: to second order inside, and in the outermost cells, whose central difference
 // has one side only, to first.
 TEST(Projection, OpenSidesLetTheAirThroughToSecondOrder) {
-    const SideKind open = SideKind::open, wall = SideKind::free_slip, periodic = SideKind::periodic;
-    const std::pair<const char*, Sides> boxes[] = {{"open", sides_of({open, open}, {open, open}, {periodic, periodic})},
-                                                   {"over_floor", sides_of({open, open}, {wall, open}, {periodic, periodic})}};
-    for (const auto& [name, sides] : boxes) {
+    const BoundaryKind open = BoundaryKind::open, wall = BoundaryKind::free_slip, periodic = BoundaryKind::periodic;
+    const std::pair<const char*, Boundaries> boxes[] = {
+        {"open", sides_of({open, open}, {open, open}, {periodic, periodic})},
+        {"over_floor", sides_of({open, open}, {wall, open}, {periodic, periodic})}};
+    for (const auto& [name, boundaries] : boxes) {
         double inner[2], edge[2];
         for (int level = 0; level < 2; ++level) {
             const int cells = 64 << level;
-            const Box box{.cells = {cells, cells, 1}, .cell_size = static_cast<float>(1.0 / cells), .sides = sides};
+            const Box box{.cells = {cells, cells, 1}, .cell_size = static_cast<float>(1.0 / cells), .boundaries = boundaries};
             Workspace work = workspace(box);
-            const bool floor = sides.y_low.solid();
+            const bool floor = boundaries.y_low.solid();
             const auto through = [&](glm::dvec3 x) { // solenoidal; over a floor its v is 0 at y = 0
                 return floor ? glm::dvec3(std::sin(2.0 * x.x + 1.0) * std::cos(2.0 * x.y),
                                           -std::cos(2.0 * x.x + 1.0) * std::sin(2.0 * x.y), 0.0)
@@ -158,14 +161,14 @@ TEST(Projection, OpenSidesLetTheAirThroughToSecondOrder) {
 // energy from the air. Where they are not adjoint, a smooth wind gains.
 TEST(Projection, NoSideAddsEnergy) {
     Random random(15);
-    const SideKind open = SideKind::open, wall = SideKind::free_slip, periodic = SideKind::periodic;
-    const SideKind pairs[5][2] = {{open, open}, {wall, wall}, {open, wall}, {wall, open}, {periodic, periodic}};
+    const BoundaryKind open = BoundaryKind::open, wall = BoundaryKind::free_slip, periodic = BoundaryKind::periodic;
+    const BoundaryKind pairs[5][2] = {{open, open}, {wall, wall}, {open, wall}, {wall, open}, {periodic, periodic}};
     double worst = 0.0;
     for (int n = 0; n < 125; ++n) {
         const auto& x = pairs[n % 5];
         const auto& y = pairs[n / 5 % 5];
         const auto& z = pairs[n / 25];
-        const Box box{.cells = {20, 13, 16}, .sides = sides_of({x[0], x[1]}, {y[0], y[1]}, {z[0], z[1]})};
+        const Box box{.cells = {20, 13, 16}, .boundaries = sides_of({x[0], x[1]}, {y[0], y[1]}, {z[0], z[1]})};
         Workspace work = workspace(box);
         for (int trial = 0; trial < 6; ++trial) {
             // Noise, and long waves across each component, which have no divergence inside and blow through the sides.
@@ -188,10 +191,11 @@ TEST(Projection, NoSideAddsEnergy) {
 // In a closed box no air comes or goes: the divergence of any field whatever sums to nothing.
 TEST(Projection, NoAirPassesAWall) {
     Random random(14);
-    for (const Sides& sides : {Sides::all(SideKind::free_slip), Sides::all(SideKind::no_slip),
-                               sides_of({SideKind::periodic, SideKind::periodic}, {SideKind::no_slip, SideKind::free_slip},
-                                        {SideKind::free_slip, SideKind::free_slip})}) {
-        const Box box{.cells = {17, 9, 23}, .sides = sides};
+    for (const Boundaries& boundaries :
+         {Boundaries::all(BoundaryKind::free_slip), Boundaries::all(BoundaryKind::no_slip),
+          sides_of({BoundaryKind::periodic, BoundaryKind::periodic}, {BoundaryKind::no_slip, BoundaryKind::free_slip},
+                   {BoundaryKind::free_slip, BoundaryKind::free_slip})}) {
+        const Box box{.cells = {17, 9, 23}, .boundaries = boundaries};
         Workspace work = workspace(box);
         std::vector<float> values(box.cell_count());
         divergence(work, random_field(random, box), values);

@@ -89,7 +89,7 @@ void expect_orders(const std::string& flow_name, const StepScheme& method, const
 }
 
 // What a method owes.
-double least_order_of(const StepScheme& method) {
+double min_order_of(const StepScheme& method) {
     return method.scheme == Scheme::second_order ? 1.9 : method.interpolation == Interpolation::cubic ? 0.9 : 0.7;
 }
 
@@ -98,16 +98,16 @@ constexpr glm::bvec3 k_slab(true, true, false), k_cube(true, true, true);
 TEST(TaylorGreen, AmplitudeOfStandingVortices) {
     for (const StepScheme& method : {k_second_order, k_split_linear, k_split_cubic})
         expect_orders("tg2d.standing", method, TaylorGreen2D{.viscosity = 0.01}, k_slab, 32, 0.625 * k_pi, 10,
-                      least_order_of(method));
+                      min_order_of(method));
 }
 
 TEST(TaylorGreen, AmplitudeOfAbcFlow) {
     for (const StepScheme& method : {k_second_order, k_split_linear, k_split_cubic})
         expect_orders("abc", method, ArnoldBeltramiChildress{.viscosity = 0.01}, k_cube, 16, 0.375 * k_pi, 6,
-                      least_order_of(method));
+                      min_order_of(method));
 }
 
-// Viscosity alone is first order in time (pieces.h). Where it is strong that shows on fine grids, in any scheme.
+// Viscosity alone is first order in time (operators.h). Where it is strong that shows on fine grids, in any scheme.
 TEST(TaylorGreen, StrongViscosityShowsItsFirstOrder) {
     expect_orders("tg2d.viscosity_0.05", k_second_order, TaylorGreen2D{.viscosity = 0.05}, k_slab, 32, 0.625 * k_pi, 10, 0.9);
     expect_orders("abc.viscosity_0.05", k_second_order, ArnoldBeltramiChildress{.viscosity = 0.05}, k_cube, 16, 0.375 * k_pi, 6,

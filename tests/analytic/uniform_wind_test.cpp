@@ -12,18 +12,18 @@ namespace {
 using namespace flows;
 using figures::expect_at_most;
 
-constexpr SideKind k_open = SideKind::open, k_slip = SideKind::free_slip, k_periodic = SideKind::periodic;
+constexpr BoundaryKind k_open = BoundaryKind::open, k_slip = BoundaryKind::free_slip, k_periodic = BoundaryKind::periodic;
 
 enum class Surroundings { same, still };
 
 struct UniformSetting {
     const char* name;
-    Sides sides;
+    Boundaries boundaries;
     glm::vec3 wind;
     /// The ambient wind: the same wind, or none.
     Surroundings surroundings = Surroundings::same;
     /// Settling needs an ambient wind to settle to.
-    float settling_time = 0.0f;
+    float relaxation_time = 0.0f;
 };
 
 void PrintTo(const UniformSetting& value, std::ostream* out) {
@@ -33,10 +33,10 @@ void PrintTo(const UniformSetting& value, std::ostream* out) {
 // Cells that are not exactly the wind.
 std::int64_t changed_cells(const UniformSetting& setting, glm::ivec3 cells, Scheme scheme, Interpolation interpolation,
                            float viscosity) {
-    Config config{.cells = cells, .sides = setting.sides};
+    Config config{.cells = cells, .boundaries = setting.boundaries};
     config.ambient = setting.surroundings == Surroundings::same ? setting.wind : glm::vec3(0.0f);
     config.viscosity = viscosity;
-    config.settling_time = setting.settling_time;
+    config.relaxation_time = setting.relaxation_time;
     config.scheme = scheme;
     config.interpolation = interpolation;
     Wind wind = *Wind::create(config);
@@ -71,11 +71,11 @@ TEST_P(UniformWindStays, ToTheBitWithViscosity) {
 INSTANTIATE_TEST_SUITE_P(
     Boxes, UniformWindStays,
     ::testing::Values(
-        UniformSetting{"open", Sides::all(k_open), {3.3f, 0.7f, -1.9f}},
-        UniformSetting{"open_settling", Sides::all(k_open), {3.3f, 0.7f, -1.9f}, Surroundings::same, 20.0f},
-        UniformSetting{"over_floor", Sides::open_over_floor(), {-2.7f, 0.0f, 1.1f}},
-        UniformSetting{"over_floor_settling", Sides::open_over_floor(), {-2.7f, 0.0f, 1.1f}, Surroundings::same, 20.0f},
-        UniformSetting{"periodic", Sides::all(k_periodic), {0.1f, -4.3f, 2.2f}, Surroundings::still},
+        UniformSetting{"open", Boundaries::all(k_open), {3.3f, 0.7f, -1.9f}},
+        UniformSetting{"open_settling", Boundaries::all(k_open), {3.3f, 0.7f, -1.9f}, Surroundings::same, 20.0f},
+        UniformSetting{"over_floor", Boundaries::open_over_floor(), {-2.7f, 0.0f, 1.1f}},
+        UniformSetting{"over_floor_settling", Boundaries::open_over_floor(), {-2.7f, 0.0f, 1.1f}, Surroundings::same, 20.0f},
+        UniformSetting{"periodic", Boundaries::all(k_periodic), {0.1f, -4.3f, 2.2f}, Surroundings::still},
         UniformSetting{"free_slip_channel",
                        sides_of({k_periodic, k_periodic}, {k_slip, k_slip}, {k_slip, k_slip}),
                        {3.3f, 0.0f, 0.0f},

@@ -13,7 +13,7 @@ namespace {
 using namespace flows;
 using figures::expect_at_most;
 
-constexpr SideKind k_slip = SideKind::free_slip, k_rough = SideKind::no_slip, k_periodic = SideKind::periodic;
+constexpr BoundaryKind k_slip = BoundaryKind::free_slip, k_rough = BoundaryKind::no_slip, k_periodic = BoundaryKind::periodic;
 
 // A smooth solenoidal wind of a closed box of pi: its normal component is 0 on every wall, its others are even about them.
 glm::dvec3 closed_wind(glm::dvec3 x) {
@@ -28,7 +28,7 @@ TEST(Walls, AFreeSlipBoxIsAnEighthOfAMirroredPeriodicBox) {
     const auto scaled = [](glm::dvec3 x, glm::ivec3 half) { return closed_wind(x * k_pi / glm::dvec3(half)); };
     for (const Scheme scheme : {Scheme::second_order, Scheme::stable_fluids})
         for (const double viscosity : {0.0, 0.05, 1.0}) {
-            const Box closed{.cells = cells, .sides = Sides::all(k_slip)}, whole = periodic_box(2 * cells);
+            const Box closed{.cells = cells, .boundaries = Boundaries::all(k_slip)}, whole = periodic_box(2 * cells);
             Wind one = raw_wind(closed, viscosity, scheme, Interpolation::cubic),
                  eight = raw_wind(whole, viscosity, scheme, Interpolation::cubic);
             EXPECT_TRUE(one.set_velocity(velocities_of(closed, [&](glm::dvec3 x) { return scaled(x, cells); })));
@@ -52,7 +52,7 @@ TEST(Walls, TaylorGreenVorticesFillAFreeSlipBox) {
     figures::expect_orders("walls.tg2d", {16, 32, 64}, 1.9, [&](int cells) {
         const Box box{.cells = {cells, cells, 1},
                       .cell_size = static_cast<float>(k_pi / cells),
-                      .sides = sides_of({k_slip, k_slip}, {k_slip, k_slip}, {k_periodic, k_periodic})};
+                      .boundaries = sides_of({k_slip, k_slip}, {k_slip, k_slip}, {k_periodic, k_periodic})};
         Wind wind = raw_wind(box, flow.viscosity, Scheme::second_order, Interpolation::cubic);
         EXPECT_TRUE(wind.set_velocity(velocities_of(box, [&](glm::dvec3 x) { return flow(x, 0.0); })));
         const int steps = 10 * cells / 16; // even, CFL 1
@@ -87,25 +87,26 @@ double normal_velocity_at_walls(const Wind& wind) {
 }
 
 TEST(Walls, NothingBlowsThroughAWall) {
-    for (const SideKind kind : {k_slip, k_rough})
-        figures::expect_orders(
-            std::string("walls.normal_velocity.") + (kind == k_slip ? "free_slip" : "no_slip"), {32, 64}, 1.9, [&](int cells) {
-                const Box box{
-                    .cells = glm::ivec3(cells), .cell_size = static_cast<float>(k_pi / cells), .sides = Sides::all(kind)};
-                Wind wind = raw_wind(box, 0.02, Scheme::second_order, Interpolation::cubic);
-                EXPECT_TRUE(wind.set_velocity(velocities_of(box, closed_wind)));
-                take_steps(wind, cells / 4, 2.0 / cells);
-                return normal_velocity_at_walls(wind) / rms(wind.field());
-            });
+    for (const BoundaryKind kind : {k_slip, k_rough})
+        figures::expect_orders(std::string("walls.normal_velocity.") + (kind == k_slip ? "free_slip" : "no_slip"), {32, 64}, 1.9,
+                               [&](int cells) {
+                                   const Box box{.cells = glm::ivec3(cells),
+                                                 .cell_size = static_cast<float>(k_pi / cells),
+                                                 .boundaries = Boundaries::all(kind)};
+                                   Wind wind = raw_wind(box, 0.02, Scheme::second_order, Interpolation::cubic);
+                                   EXPECT_TRUE(wind.set_velocity(velocities_of(box, closed_wind)));
+                                   take_steps(wind, cells / 4, 2.0 / cells);
+                                   return normal_velocity_at_walls(wind) / rms(wind.field());
+                               });
 }
 
 // u = sin(pi y / H) along the walls, carried sideways with them: the walls slide with the mean wind.
 double shear_error(int cells, double end) {
     constexpr double k_viscosity = 0.05;
     const glm::vec3 sliding(0.5f, 0.0f, -0.25f);
-    Sides sides = sides_of({k_periodic, k_periodic}, {k_rough, k_rough}, {k_periodic, k_periodic});
-    sides.y_low.wall_velocity = sides.y_high.wall_velocity = sliding;
-    const Box box{.cells = {4, cells, 4}, .cell_size = static_cast<float>(1.0 / cells), .sides = sides};
+    Boundaries boundaries = sides_of({k_periodic, k_periodic}, {k_rough, k_rough}, {k_periodic, k_periodic});
+    boundaries.y_low.wall_velocity = boundaries.y_high.wall_velocity = sliding;
+    const Box box{.cells = {4, cells, 4}, .cell_size = static_cast<float>(1.0 / cells), .boundaries = boundaries};
     Wind wind = raw_wind(box, k_viscosity, Scheme::second_order, Interpolation::cubic);
     const auto exact = [&](glm::dvec3 x, double t) {
         return glm::dvec3(sliding) + std::exp(-k_viscosity * k_pi * k_pi * t) * std::sin(k_pi * x.y) * glm::dvec3(1.0, 0.0, 0.5);
@@ -125,9 +126,10 @@ TEST(Walls, ShearBetweenSlidingNoSlipWallsFadesAtItsRate) {
 }
 
 TEST(Walls, AMirroredFlowStaysMirrored) {
-    for (const SideKind kind : {k_slip, k_rough})
+    for (const BoundaryKind kind : {k_slip, k_rough})
         for (const int cells : {24, 25}) {
-            const Box box{.cells = {cells, 14, 18}, .sides = sides_of({kind, kind}, {k_slip, k_slip}, {k_periodic, k_periodic})};
+            const Box box{.cells = {cells, 14, 18},
+                          .boundaries = sides_of({kind, kind}, {k_slip, k_slip}, {k_periodic, k_periodic})};
             Wind wind = raw_wind(box, 0.0, Scheme::second_order, Interpolation::cubic);
             const glm::dvec3 size(box.cells);
             Field start = velocities_of(box, [&](glm::dvec3 x) {

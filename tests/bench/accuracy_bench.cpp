@@ -48,10 +48,10 @@ void run(const TimedMethod& method, int cells, const windrow::ParallelFor& paral
     const double pi = std::numbers::pi, h = 2.0 * pi / cells;
     auto wind = windrow::Wind::create({.cells = {cells, cells, cells / 2},
                                        .cell_size = static_cast<float>(h),
-                                       .sides = windrow::Sides::all(windrow::SideKind::periodic),
+                                       .boundaries = windrow::Boundaries::all(windrow::BoundaryKind::periodic),
                                        .centre = 0.5 * h * glm::dvec3(cells, cells, cells / 2),
                                        .viscosity = static_cast<float>(k_viscosity),
-                                       .settling_time = 0.0f,
+                                       .relaxation_time = 0.0f,
                                        .scheme = method.scheme,
                                        .interpolation = method.interpolation,
                                        .parallel_for = parallel_for});

@@ -127,7 +127,7 @@ void hold(std::vector<TurnsTaken>& contests, int rounds) {
             const auto begin = std::chrono::steady_clock::now();
             contest.run();
             const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-            contest.least = std::min(contest.least, took.count());
+            contest.min = std::min(contest.min, took.count());
         }
 }
 
@@ -215,8 +215,8 @@ void report(int threads, int rounds) {
                                 for (int i = 0; i < k_shells; ++i) {
                                     const float height = static_cast<float>(i) / (k_shells - 1);
                                     const int low = numerics::windrow_cascade_stage(height, k_stages);
-                                    into[i] = numerics::windrow_pose_between(own[low], own[low + 1],
-                                                                             numerics::windrow_cascade_share(height, k_stages));
+                                    into[i] = numerics::windrow_pose_between(
+                                        own[low], own[low + 1], numerics::windrow_cascade_fraction(height, k_stages));
                                 }
                                 read_by_someone(into);
                             });
@@ -231,12 +231,12 @@ void report(int threads, int rounds) {
                             }});
     hold(contests, rounds);
 
-    const double copy = contests[0].least;
+    const double copy = contests[0].min;
     std::printf("\n%d thread%s, least of %d rounds\n", threads, threads == 1 ? "" : "s", rounds);
     std::printf("  %-36s %10s %12s %14s\n", "", "ms", "ns each", "of the copy");
     for (const TurnsTaken& contest : contests)
-        std::printf("  %-36s %10.3f %12.3f %14.2f\n", contest.name.c_str(), 1e3 * contest.least,
-                    1e9 * contest.least / contest.count, contest.least / copy);
+        std::printf("  %-36s %10.3f %12.3f %14.2f\n", contest.name.c_str(), 1e3 * contest.min, 1e9 * contest.min / contest.count,
+                    contest.min / copy);
 }
 
 } // namespace

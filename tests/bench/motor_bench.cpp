@@ -13,7 +13,7 @@
 //                 steps take turns, three rounds, least times. Sources bring the projection of their own flow along when S
 //                 changes: bursts, in every step.
 // Last, the whole step with 300 motors of all kinds against none.
-#include "fluid/pieces.h"
+#include "fluid/operators.h"
 #include "fluid/thread_pool.h"
 #include "fluid/wind.h"
 #include "fluid/wind_state.h"
@@ -34,9 +34,10 @@ using namespace windrow;
 using test::Random;
 
 constexpr double k_dt = 1.0 / 30.0, k_pace = 5.0; // [s], [m/s] of wakes
-constexpr Stages k_sources_only{.sources = true, .settling = false, .diffusion = false, .advection = false, .projection = false};
+constexpr Stages k_sources_only{
+    .sources = true, .relaxation = false, .diffusion = false, .advection = false, .projection = false};
 constexpr Stages k_sources_and_projection{
-    .sources = true, .settling = false, .diffusion = false, .advection = false, .projection = true};
+    .sources = true, .relaxation = false, .diffusion = false, .advection = false, .projection = true};
 
 struct MotorRow {
     const char* name;
@@ -155,7 +156,7 @@ Gift gift_of(const Motor& motor) {
 }
 
 // Least time of the sources stage in 200 steps. [ms]
-double least_sources_ms(Wind& wind, const std::vector<KeptMotor>& motors) {
+double min_sources_ms(Wind& wind, const std::vector<KeptMotor>& motors) {
     double least = 1e30;
     wind.reset();
     for (int step = 0; step < 200; ++step) {
@@ -186,7 +187,7 @@ Cost cost_of(Motor motor, const ParallelFor& parallel_for) {
     double least[4] = {1e30, 1e30, 1e30, 1e30};
     for (int round = 0; round < 3; ++round)
         for (std::size_t n = 0; n < 4; ++n)
-            least[n] = std::min(least[n], least_sources_ms(winds[n], motors[n]));
+            least[n] = std::min(least[n], min_sources_ms(winds[n], motors[n]));
     Cost cost{};
     for (int n = 0; n < 3; ++n)
         cost.each_us[n] = 1e3 * (least[n + 1] - least[0]) / k_counts[n + 1];

@@ -77,7 +77,7 @@ class DrawGrass(unittest.TestCase):
         one, other = ((self.folder / name / "frame_0002.ppm").read_bytes() for name in ("one", "other"))
         self.assertEqual(pixels_of(one), pixels_of(other))
 
-    def test_wrong_use_is_refused(self):
+    def test_wrong_use_is_rejected(self):
         for arguments in (("0",), ("many",), ("3x",), ("3", "folder", "more")):
             with self.subTest(arguments):
                 run = self.run_program(*arguments)

@@ -50,7 +50,7 @@ class DrawTrees(unittest.TestCase):
             pictures.append((self.folder / "trees" / "frame_0002.ppm").read_bytes())
         self.assertEqual(*pictures)
 
-    def test_wrong_use_is_refused(self):
+    def test_wrong_use_is_rejected(self):
         for arguments in (("oak", "fast"), ("oak", "-1"), ("oak", "nan"), ("oak", 3, 0), ("oak", 3, 1, "more")):
             with self.subTest(arguments):
                 run = self.run_program(*arguments)

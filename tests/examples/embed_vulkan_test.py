@@ -67,7 +67,7 @@ class EmbedVulkan(unittest.TestCase):
         print(f"{moved / (len(early) / 3):.0%} of the pixels changed")
         self.assertGreater(moved, 0.05 * len(early) / 3)
 
-    def test_wrong_use_is_refused(self):
+    def test_wrong_use_is_rejected(self):
         for arguments in (("2",), ("many",), ("3x",), ("3", "picture.ppm", "more")):
             with self.subTest(arguments):
                 run = self.run_program(*arguments)

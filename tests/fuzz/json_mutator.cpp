@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t k_most_values = 64;
+constexpr std::size_t k_max_values = 64;
 constexpr std::size_t k_longest_value = 1024;
 
 /// libFuzzer's own changes of bytes, with its dictionary.
@@ -60,15 +60,15 @@ void JsonMutator::collect(json& value, json* parent, const std::string& key, con
 
 void JsonMutator::learn_member(const std::string& parent_key, const std::string& key, const json& value) {
     auto& keys = keys_[parent_key];
-    if (keys.size() < k_most_values && std::find(keys.begin(), keys.end(), key) == keys.end())
+    if (keys.size() < k_max_values && std::find(keys.begin(), keys.end(), key) == keys.end())
         keys.push_back(key);
     auto& values = values_[key];
     if (value.dump(-1, ' ', false, json::error_handler_t::replace).size() > k_longest_value)
         return;
-    if (values.size() < k_most_values)
+    if (values.size() < k_max_values)
         values.push_back(value);
     else
-        values[below(k_most_values)] = value;
+        values[below(k_max_values)] = value;
 }
 
 void JsonMutator::learn(const json& document) {
@@ -90,7 +90,7 @@ void JsonMutator::learn(const std::vector<scene::KnownKey>& keys) {
         for (const std::string& word : known.words)
             learn_member(parent, key, word);
         if (known.type == "number" || known.type == "integer")
-            for (const double bound : {known.rule.least, known.rule.most})
+            for (const double bound : {known.rule.min, known.rule.max})
                 if (std::isfinite(bound))
                     learn_member(parent, key, known.type == "integer" ? json(static_cast<std::int64_t>(bound)) : json(bound));
     }

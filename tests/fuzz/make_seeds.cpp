@@ -53,7 +53,7 @@ void add_motors(Wind& wind) {
 /// Snapshots of the smallest boxes: most bytes are then state and not cells.
 void write_snapshots() {
     write("snapshot/fresh", made({.cells = {3, 3, 3}}).save());
-    Wind stepped = made({.cells = {3, 4, 3}, .sides = Sides::open_over_floor(), .ambient = {2.0f, 0.0f, 1.0f}});
+    Wind stepped = made({.cells = {3, 4, 3}, .boundaries = Boundaries::open_over_floor(), .ambient = {2.0f, 0.0f, 1.0f}});
     add_motors(stepped);
     for (int n = 0; n < 3; ++n)
         (void)stepped.step(1.0 / 60.0);
@@ -62,7 +62,7 @@ void write_snapshots() {
     (void)ticking.follow({0.5, 0.0, 0.0});
     (void)ticking.advance(0.05);
     write("snapshot/ticks", ticking.save());
-    Config config{.cells = {2, 3, 2}, .sides = Sides::open_over_floor(), .ambient = {3.0f, 0.0f, 0.0f}};
+    Config config{.cells = {2, 3, 2}, .boundaries = Boundaries::open_over_floor(), .ambient = {3.0f, 0.0f, 0.0f}};
     config.profile = LogProfile{};
     config.canopy = Canopy{};
     config.gusts.intensity = 0.25f;
@@ -88,7 +88,7 @@ void write_logs() {
     (void)calls.motors().move(*wake, {1.0, 0.0, 0.5});
     (void)calls.follow({0.25, 0.0, 0.0});
     (void)calls.set_ambient({1.0f, 0.0f, 2.0f});
-    (void)calls.set_sides(Sides::open_over_floor());
+    (void)calls.set_boundaries(Boundaries::open_over_floor());
     (void)calls.set_floor(-1.0);
     (void)calls.step(1.0 / 60.0);
     (void)calls.motors().remove(*wake);

@@ -10,7 +10,7 @@ namespace windrow::fuzz {
 inline ReadOutcome read_mesh_bytes(std::string_view bytes, const char* name) {
     static const ScratchFolder folder;
     // So few triangles that inputs of some kilobytes are simplified too.
-    return outcome_of(static_cast<bool>(vegetation::fur::read_mesh(folder.write(name, bytes), {.most_triangles = 40})));
+    return outcome_of(static_cast<bool>(vegetation::fur::read_mesh(folder.write(name, bytes), {.max_triangles = 40})));
 }
 
 } // namespace windrow::fuzz

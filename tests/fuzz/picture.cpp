@@ -34,7 +34,7 @@ const std::filesystem::path& scene_file() {
 
 /// The reader makes the ground and the masks, up to 4097 corners a side. The values there follow the same code whatever their
 /// number, so only the number is bounded: at seconds an execution nothing else would be read.
-constexpr double k_most_corners = 65.0;
+constexpr double k_max_corners = 65.0;
 
 bool pair_of_numbers(const json& value) {
     return value.is_array() && value.size() == 2 && value[0].is_number() && value[1].is_number();
@@ -55,7 +55,7 @@ bool large_ground(const json& extent) {
 
 bool large(const json& value) {
     if (value.is_object() && value.contains("corners") && pair_of_numbers(value["corners"]) &&
-        (value["corners"][0] > k_most_corners || value["corners"][1] > k_most_corners))
+        (value["corners"][0] > k_max_corners || value["corners"][1] > k_max_corners))
         return true;
     if (value.is_object() && value.contains("extent") && large_ground(value["extent"]))
         return true;

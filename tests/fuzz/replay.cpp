@@ -16,8 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 using windrow::fuzz::ReadOutcome;
 
-constexpr unsigned k_most_seconds = 10;
-constexpr long k_most_kilobytes = 1'000'000;
+constexpr unsigned k_max_seconds = 10;
+constexpr long k_max_kilobytes = 1'000'000;
 
 std::vector<fs::path> files_of(const fs::path& folder) {
     std::vector<fs::path> files;
@@ -34,7 +34,7 @@ ReadOutcome read_file(const fs::path& path) {
     std::fflush(stdout);
     std::ifstream file(path, std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    alarm(k_most_seconds);
+    alarm(k_max_seconds);
     const ReadOutcome outcome = windrow::fuzz::read_input(bytes);
     alarm(0);
     return outcome;
@@ -59,5 +59,5 @@ int main(int count, char** arguments) {
     rusage used{};
     getrusage(RUSAGE_SELF, &used);
     std::printf("%zu seeds, %d faults, %ld kB\n", seeds.size(), faults, used.ru_maxrss);
-    return faults == 0 && used.ru_maxrss <= k_most_kilobytes ? 0 : 1;
+    return faults == 0 && used.ru_maxrss <= k_max_kilobytes ? 0 : 1;
 }

@@ -52,6 +52,6 @@ if(VDB AND NOT EXISTS ${WORK}/wind.vdb)
 endif()
 
 run_expecting_failure("A component that there is not" "windrow has no component 'ocean'; it has fluid"
-  ${configure} -B ${WORK}/refused -D VERSION=${VERSION} -D COMPONENTS=fluid,ocean)
+  ${configure} -B ${WORK}/rejected -D VERSION=${VERSION} -D COMPONENTS=fluid,ocean)
 run_expecting_failure("Another minor version" "version \"0\\.9\""
-  ${configure} -B ${WORK}/refused -D VERSION=0.9 -D COMPONENTS=fluid)
+  ${configure} -B ${WORK}/rejected -D VERSION=0.9 -D COMPONENTS=fluid)

@@ -39,7 +39,7 @@ class Twin {
         const std::uint64_t sources = core.source_name;
         motors_.begin_frame(0.0, dt);
         const Window window = core.window();
-        const auto reached = motors_.tick(dt, window, core.config.sides);
+        const auto reached = motors_.tick(dt, window, core.config.boundaries);
         run([&](VkCommandBuffer commands) {
             air_->begin(0);
             air_->force_substeps(forced ? diagnostics_.substeps : 0);
@@ -85,7 +85,7 @@ class Twin {
 };
 
 std::vector<glm::vec4> smooth_start(const Config& config) {
-    const Box box{config.cells, config.cell_size, config.sides};
+    const Box box{config.cells, config.cell_size, config.boundaries};
     std::vector<glm::vec4> field(box.cell_count());
     for (int k = 0; k < config.cells.z; ++k)
         for (int j = 0; j < config.cells.y; ++j)
@@ -102,33 +102,34 @@ std::vector<test::NamedConfig> settings() {
     const auto with = [](const std::function<void(Config&)>& change) {
         return test::with({.cells = {16, 16, 16}, .ambient = {2.0f, 0.0f, 1.0f}}, change);
     };
-    const auto closed = [](SideKind kind, float viscosity = Config{}.viscosity) {
-        return Config{.cells = {16, 16, 16}, .sides = Sides::all(kind), .viscosity = viscosity};
+    const auto closed = [](BoundaryKind kind, float viscosity = Config{}.viscosity) {
+        return Config{.cells = {16, 16, 16}, .boundaries = Boundaries::all(kind), .viscosity = viscosity};
     };
     Config mixed{.cells = {12, 10, 14}, .ambient = {0.0f, 1.0f, 0.0f}};
-    mixed.sides.x_low.kind = SideKind::free_slip;
-    mixed.sides.y_low.kind = mixed.sides.y_high.kind = SideKind::periodic;
-    mixed.sides.z_high = {SideKind::no_slip, {1.0f, 0.0f, 0.0f}};
+    mixed.boundaries.x_low.kind = BoundaryKind::free_slip;
+    mixed.boundaries.y_low.kind = mixed.boundaries.y_high.kind = BoundaryKind::periodic;
+    mixed.boundaries.z_high = {BoundaryKind::no_slip, {1.0f, 0.0f, 0.0f}};
     return {
         {"open", with([](Config&) {})},
         {"default", {.ambient = {3.0f, 0.2f, 1.0f}}},
-        {"odd", {.cells = {17, 9, 23}, .sides = Sides::open_over_floor(), .ambient = {2.0f, 0.0f, -1.0f}}},
-        {"periodic", with([](Config& c) { c.sides = Sides::all(SideKind::periodic); })},
-        {"walls", closed(SideKind::no_slip)},
-        {"slip", closed(SideKind::free_slip)},
+        {"odd", {.cells = {17, 9, 23}, .boundaries = Boundaries::open_over_floor(), .ambient = {2.0f, 0.0f, -1.0f}}},
+        {"periodic", with([](Config& c) { c.boundaries = Boundaries::all(BoundaryKind::periodic); })},
+        {"walls", closed(BoundaryKind::no_slip)},
+        {"slip", closed(BoundaryKind::free_slip)},
         {"mixed", mixed},
         {"linear", with([](Config& c) { c.interpolation = Interpolation::linear; })},
         {"classic", with([](Config& c) { c.scheme = Scheme::stable_fluids; })},
-        {"viscous", closed(SideKind::no_slip, 1.0f)},
+        {"viscous", closed(BoundaryKind::no_slip, 1.0f)},
         {"owing", with([](Config& c) { c.viscosity = 1e-3f; })},
         {"syrup", test::with(mixed, [](Config& c) { c.viscosity = 200.0f; })},
-        {"syrup_walls", test::with(closed(SideKind::no_slip, 20.0f), [](Config& c) { c.sides.y_high.wall_velocity.x = 3.0f; })},
+        {"syrup_walls",
+         test::with(closed(BoundaryKind::no_slip, 20.0f), [](Config& c) { c.boundaries.y_high.wall_velocity.x = 3.0f; })},
         {"profile", with([](Config& c) {
-             c.sides = Sides::open_over_floor();
+             c.boundaries = Boundaries::open_over_floor();
              c.profile = LogProfile{};
          })},
         {"gusts", with([](Config& c) {
-             c.sides = Sides::open_over_floor();
+             c.boundaries = Boundaries::open_over_floor();
              c.gusts.intensity = 0.3f;
          })},
     };

@@ -20,23 +20,23 @@ Outcome command(std::vector<const char*> arguments) {
     return run_windrow(std::move(arguments));
 }
 
-void expect_refusal(const std::vector<const char*>& arguments, const std::string& sentence) {
-    expect_refused(command(arguments), sentence);
+void expect_rejection(const std::vector<const char*>& arguments, const std::string& sentence) {
+    expect_rejected(command(arguments), sentence);
 }
 
 TEST(DeviceCommands, WrongFlagsAreNamed) {
     const std::string device = ": give a device's number in windrow info, from 0.";
-    expect_refusal({"bench", "--backend", "gpu"}, "--backend is gpu: give cpu or vulkan.");
-    expect_refusal({"bench", "--backend", ""}, "--backend is empty: give cpu or vulkan.");
-    expect_refusal({"bench", "--device", "0"},
-                   "--device is given, but the air runs on the CPU: add --backend vulkan, or drop it.");
-    expect_refusal({"bench", "--backend", "vulkan", "--device", "one"}, "--device is one" + device);
-    expect_refusal({"bench", "--backend", "vulkan", "--device", "-1"}, "--device is -1" + device);
-    expect_refusal({"bench", "--backend", "vulkan", "--volumes", "4"},
-                   "--volumes is given with --backend vulkan, which measures grids: drop one of them.");
-    expect_refusal({"check", "--device", ""}, "--device is empty" + device);
-    expect_refusal({"check", "--seconds", "-1"}, "--seconds is -1: give a number above 0, at most 3600 s.");
-    expect_refusal({"check", "--json", ""}, "--json is empty: name a file.");
+    expect_rejection({"bench", "--backend", "gpu"}, "--backend is gpu: give cpu or vulkan.");
+    expect_rejection({"bench", "--backend", ""}, "--backend is empty: give cpu or vulkan.");
+    expect_rejection({"bench", "--device", "0"},
+                     "--device is given, but the air runs on the CPU: add --backend vulkan, or drop it.");
+    expect_rejection({"bench", "--backend", "vulkan", "--device", "one"}, "--device is one" + device);
+    expect_rejection({"bench", "--backend", "vulkan", "--device", "-1"}, "--device is -1" + device);
+    expect_rejection({"bench", "--backend", "vulkan", "--volumes", "4"},
+                     "--volumes is given with --backend vulkan, which measures grids: drop one of them.");
+    expect_rejection({"check", "--device", ""}, "--device is empty" + device);
+    expect_rejection({"check", "--seconds", "-1"}, "--seconds is -1: give a number above 0, at most 3600 s.");
+    expect_rejection({"check", "--json", ""}, "--json is empty: name a file.");
 }
 
 TEST(DeviceCommands, APlaceWithoutADeviceIsWrongUse) {

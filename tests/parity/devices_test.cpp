@@ -1,4 +1,4 @@
-// What the machine's devices are told to be, and what is refused before anything is made.
+// What the machine's devices are told to be, and what is rejected before anything is made.
 #include "fluid/vulkan/functions.h"
 #include "tests/parity/gpu.h"
 
@@ -18,7 +18,7 @@ TEST(Devices, AreListedWithTheirDrivers) {
     }
 }
 
-TEST(Devices, APlaceThatThereIsNotIsRefused) {
+TEST(Devices, APlaceThatThereIsNotIsRejected) {
     const auto devices = list_devices();
     ASSERT_TRUE(devices) << devices.error();
     expect_error(OwnDevice::create({.device = static_cast<int>(devices->size())}), "give one from 0 to ");
@@ -39,7 +39,7 @@ TEST(Devices, TheDefaultIsOneThatCanRunTheWind) {
 
 class AHost : public Gpu {};
 
-TEST_F(AHost, ThatIsNotWholeIsRefused) {
+TEST_F(AHost, ThatIsNotWholeIsRejected) {
     Host host = own->host();
     host.device = VK_NULL_HANDLE;
     expect_error(Device::create(host), "device is null");
@@ -87,7 +87,7 @@ TEST_F(Limits, OfBuffersAreAsked) {
     EXPECT_FALSE(Buffer::create(*device, 0, MemoryUse::device));
     const auto block = Buffer::create(*device, device->limits().maxUniformBufferRange + VkDeviceSize{1}, MemoryUse::upload,
                                       VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
-    // Refused by one limit or the other where they are equal.
+    // Rejected by one limit or the other where they are equal.
     ASSERT_FALSE(block);
     EXPECT_NE(block.error().find("BufferRange"), std::string::npos) << block.error();
 }
@@ -107,19 +107,19 @@ TEST_F(Limits, OfImagesAreAsked) {
 TEST_F(Limits, OfDispatchesAreAsked) {
     const VkPhysicalDeviceLimits& limits = device->limits();
     EXPECT_TRUE(device->check({.groups = {1, 1, 1}, .local_size = {64, 1, 1}, .shared_bytes = 1024, .name = "a"}));
-    const auto refused = device->check({.groups = {1, 1, limits.maxComputeWorkGroupCount[2] + 1},
-                                        .local_size = {limits.maxComputeWorkGroupInvocations, 2, 1},
-                                        .shared_bytes = limits.maxComputeSharedMemorySize + 4,
-                                        .name = "advection"});
+    const auto rejected = device->check({.groups = {1, 1, limits.maxComputeWorkGroupCount[2] + 1},
+                                         .local_size = {limits.maxComputeWorkGroupInvocations, 2, 1},
+                                         .shared_bytes = limits.maxComputeSharedMemorySize + 4,
+                                         .name = "advection"});
     const bool expressible = limits.maxComputeWorkGroupCount[2] != UINT32_MAX;
-    ASSERT_FALSE(refused);
+    ASSERT_FALSE(rejected);
     for (const char* limit : {"maxComputeWorkGroupInvocations", "maxComputeSharedMemorySize", "the pass advection"})
-        EXPECT_NE(refused.error().find(limit), std::string::npos) << refused.error();
-    EXPECT_EQ(refused.error().find("maxComputeWorkGroupCount") != std::string::npos, expressible) << refused.error();
+        EXPECT_NE(rejected.error().find(limit), std::string::npos) << rejected.error();
+    EXPECT_EQ(rejected.error().find("maxComputeWorkGroupCount") != std::string::npos, expressible) << rejected.error();
 }
 
 TEST_F(Limits, OfPipelinesAreAsked) {
-    const std::uint32_t code[] = {0}; // refused before it is read
+    const std::uint32_t code[] = {0}; // rejected before it is read
     expect_error(Pipeline::create(*device, {.code = code,
                                             .bindings = {},
                                             .constants = {},

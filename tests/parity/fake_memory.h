@@ -1,4 +1,4 @@
-// A device of memory alone, with heaps and types as GPUs have them and a software driver has not; it grants, counts and refuses.
+// A device of memory alone, with heaps and types as GPUs have them and a software driver has not; it grants, counts and rejects.
 #pragma once
 
 #include "fluid/vulkan/functions.h"
@@ -56,10 +56,10 @@ class FakeMemory {
     static constexpr VkDeviceSize k_granularity = 1024;
     static constexpr VkDeviceSize k_largest = VkDeviceSize{64} << 20;
 
-    VkResult refusal = VK_SUCCESS;     ///< of vkAllocateMemory
-    VkResult map_refusal = VK_SUCCESS; ///< of vkMapMemory
-    int grants = 0;                    ///< allocations so far
-    int maps = 0;                      ///< mappings so far
+    VkResult rejection = VK_SUCCESS;     ///< of vkAllocateMemory
+    VkResult map_rejection = VK_SUCCESS; ///< of vkMapMemory
+    int grants = 0;                      ///< allocations so far
+    int maps = 0;                        ///< mappings so far
 
   private:
     static FakeMemory*& self() {
@@ -80,8 +80,8 @@ class FakeMemory {
     }
     static VKAPI_ATTR VkResult VKAPI_CALL allocate(VkDevice, const VkMemoryAllocateInfo* info, const VkAllocationCallbacks*,
                                                    VkDeviceMemory* memory) {
-        if (self()->refusal != VK_SUCCESS)
-            return self()->refusal;
+        if (self()->rejection != VK_SUCCESS)
+            return self()->rejection;
         *memory = reinterpret_cast<VkDeviceMemory>(++self()->last_);
         self()->allocations_[*memory] = {.bytes = info->allocationSize, .type = info->memoryTypeIndex};
         ++self()->grants;
@@ -93,8 +93,8 @@ class FakeMemory {
     }
     static VKAPI_ATTR VkResult VKAPI_CALL map(VkDevice, VkDeviceMemory memory, VkDeviceSize, VkDeviceSize, VkMemoryMapFlags,
                                               void** address) {
-        if (self()->map_refusal != VK_SUCCESS)
-            return self()->map_refusal;
+        if (self()->map_rejection != VK_SUCCESS)
+            return self()->map_rejection;
         ++self()->maps;
         Allocation& allocation = self()->allocations_.at(memory);
         allocation.host = std::make_unique_for_overwrite<std::byte[]>(allocation.bytes);

@@ -43,7 +43,7 @@ TEST(FreeRanges, GiveEachByteOnce) {
     FreeRanges ranges(size);
     std::vector<int> owner(size, 0);
     std::map<std::uint64_t, std::uint64_t> held;
-    int refused = 0;
+    int rejected = 0;
     for (int n = 1; n <= 20'000; ++n) {
         if (random() % 2 == 0 && !held.empty()) {
             auto piece = held.begin();
@@ -65,14 +65,14 @@ TEST(FreeRanges, GiveEachByteOnce) {
         const auto offset = ranges.take(bytes, alignment);
         ASSERT_EQ(offset.has_value(), wanted + bytes <= size);
         if (!offset) {
-            ++refused;
+            ++rejected;
             continue;
         }
         ASSERT_EQ(*offset, wanted);
         std::fill_n(owner.begin() + static_cast<std::ptrdiff_t>(*offset), bytes, n);
         held[*offset] = bytes;
     }
-    EXPECT_GT(refused, 100); // it was full now and then
+    EXPECT_GT(rejected, 100); // it was full now and then
     for (const auto& [offset, bytes] : held)
         ranges.give_back(offset);
     EXPECT_TRUE(ranges.all_free());
@@ -163,14 +163,14 @@ TEST_F(ACard, GivesALargePieceABlockOfItsSize) {
 
 // --- Limits, which a software driver does not keep --------------------------------------------------------------------
 
-TEST_F(ACard, RefusesMoreAtOnceThanTheDeviceGrants) {
-    const auto refused = memory.allocate(of_bytes(FakeMemory::k_largest + 1), 0, k_local, true);
-    ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().find("maxMemoryAllocationSize"), std::string::npos) << refused.error();
+TEST_F(ACard, RejectsMoreAtOnceThanTheDeviceGrants) {
+    const auto rejected = memory.allocate(of_bytes(FakeMemory::k_largest + 1), 0, k_local, true);
+    ASSERT_FALSE(rejected);
+    EXPECT_NE(rejected.error().find("maxMemoryAllocationSize"), std::string::npos) << rejected.error();
     EXPECT_EQ(fake.count(), 0u);
 }
 
-TEST_F(ACard, TakesTheNextHeapWhereOneIsFullAndRefusesWhereAllAre) {
+TEST_F(ACard, TakesTheNextHeapWhereOneIsFullAndRejectsWhereAllAre) {
     std::vector<std::uint32_t> types;
     for (;;) {
         const auto piece = memory.allocate(of_bytes(60 * k_mebi), k_visible | k_coherent, k_local, true);
@@ -188,18 +188,18 @@ TEST_F(ACard, TakesTheNextHeapWhereOneIsFullAndRefusesWhereAllAre) {
 
 TEST_F(ACard, LeavesNothingBehindWhereACallFails) {
     for (const VkResult code : {VK_ERROR_OUT_OF_HOST_MEMORY, VK_ERROR_OUT_OF_DEVICE_MEMORY, VK_ERROR_DEVICE_LOST}) {
-        fake.refusal = code;
-        const auto refused = memory.allocate(of_bytes(1000), 0, k_local, true);
-        ASSERT_FALSE(refused);
+        fake.rejection = code;
+        const auto rejected = memory.allocate(of_bytes(1000), 0, k_local, true);
+        ASSERT_FALSE(rejected);
         for (const std::string word : {"1000 bytes of device memory", "vkAllocateMemory", name_of(code)})
-            EXPECT_NE(refused.error().find(word), std::string::npos) << refused.error();
-        fake.refusal = VK_SUCCESS;
-        fake.map_refusal = code;
+            EXPECT_NE(rejected.error().find(word), std::string::npos) << rejected.error();
+        fake.rejection = VK_SUCCESS;
+        fake.map_rejection = code;
         const auto unmapped = memory.allocate(of_bytes(1000), k_visible, 0, true);
         ASSERT_FALSE(unmapped);
         for (const std::string word : {"host-visible", "vkMapMemory", name_of(code)})
             EXPECT_NE(unmapped.error().find(word), std::string::npos) << unmapped.error();
-        fake.map_refusal = VK_SUCCESS;
+        fake.map_rejection = VK_SUCCESS;
         EXPECT_EQ(memory.given(), 0u);
         EXPECT_EQ(fake.count(), 0u);
     }
@@ -239,9 +239,9 @@ TEST(HostsAllocator, IsAskedInPlaceOfOurs) {
         EXPECT_EQ(memory.taken(), memory.given());
         EXPECT_EQ(memory.blocks(), 0);
         answer = VK_ERROR_OUT_OF_DEVICE_MEMORY;
-        const auto refused = memory.allocate(of_bytes(100), 0, k_local, true);
-        ASSERT_FALSE(refused);
-        EXPECT_NE(refused.error().find("Host::memory.allocate"), std::string::npos) << refused.error();
+        const auto rejected = memory.allocate(of_bytes(100), 0, k_local, true);
+        ASSERT_FALSE(rejected);
+        EXPECT_NE(rejected.error().find("Host::memory.allocate"), std::string::npos) << rejected.error();
         memory.release(*second);
         EXPECT_EQ(released, std::vector<std::uint64_t>{2});
     }

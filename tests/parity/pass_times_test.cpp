@@ -146,7 +146,7 @@ VkResult VKAPI_CALL wrapped_moments(VkDevice, VkQueryPool, std::uint32_t, std::u
     return VK_SUCCESS;
 }
 
-TEST_F(PassTimesTest, AQueueThatCountsNoTimeIsRefusedAndAShortCounterRunsOver) {
+TEST_F(PassTimesTest, AQueueThatCountsNoTimeIsRejectedAndAShortCounterRunsOver) {
     Functions functions = device->functions();
     functions.vkGetPhysicalDeviceQueueFamilyProperties = &short_families;
     functions.vkGetQueryPoolResults = &wrapped_moments;

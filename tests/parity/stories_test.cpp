@@ -46,7 +46,7 @@ TEST_F(Stories, SmallOnesAreWithinTheirBounds) {
         EXPECT_GE(result->steps, test::k_sanitized ? 4 : 23) << story.name;
         EXPECT_GT(result->largest_component, 0.1) << story.name << ": nothing moved";
         if (story.name == "storm") {
-            EXPECT_GT(result->most_substeps, 1);
+            EXPECT_GT(result->max_substeps, 1);
         }
         WINDROW_EXPECT_FIGURE("stories." + story.name, result->largest, story.bound);
     }
@@ -58,8 +58,8 @@ TEST_F(Stories, EachKindOfPassIsWithinItsBounds) {
     const auto result = tell(story, story.steps);
     ASSERT_TRUE(result) << result.error();
     EXPECT_TRUE(result->pass());
-    EXPECT_EQ(result->most_substeps, 2);
-    EXPECT_GT(result->most_limited_cells, 0) << "no speed was cut";
+    EXPECT_EQ(result->max_substeps, 2);
+    EXPECT_GT(result->max_limited_cells, 0) << "no speed was cut";
     // Ten of a step, four of viscosity and a solve more for each component, sub-steps, blast, shifts.
     EXPECT_GT(result->dispatches, 40);
     WINDROW_EXPECT_FIGURE("stories.every_pass", result->largest, story.bound);

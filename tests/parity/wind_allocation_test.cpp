@@ -18,11 +18,11 @@ class WindAllocations : public Gpu {
     static constexpr glm::ivec3 k_cells{8, 6, 8};
 
     std::optional<Wind> wind;
-    int refused = 0; ///< calls that returned an error
+    int rejected = 0; ///< calls that returned an error
 
     template <class Done>
     void note(const Done& done) {
-        refused += done ? 0 : 1;
+        rejected += done ? 0 : 1;
     }
 
     // Each call may fail; what was recorded before and after must run.
@@ -39,13 +39,13 @@ class WindAllocations : public Gpu {
             note(wind->follow({2.7 * frame, 0.0, 0.0}));
             note(wind->set_ambient({2.0f, 0.0f, 1.0f * static_cast<float>(frame)}));
             if (frame == 1) {
-                note(wind->set_sides(Sides::open_over_floor()));
+                note(wind->set_boundaries(Boundaries::open_over_floor()));
                 note(wind->set_gusts({.intensity = 0.2f, .tile = GustTile::standard()}));
             }
             if (frame == 2)
                 wind->reset();
             frame_ = frame;
-            own->run(record_).has_value() ? void() : void(++refused);
+            own->run(record_).has_value() ? void() : void(++rejected);
         }
         (void)wind->queried();
     }
@@ -56,20 +56,20 @@ class WindAllocations : public Gpu {
         std::vector<glm::vec4>(static_cast<std::size_t>(k_cells.x * k_cells.y * k_cells.z), glm::vec4(1.0f));
     // Made once: a function that is made anew would be one more allocation, of the test's.
     const std::function<void(VkCommandBuffer)> record_ = [this](VkCommandBuffer commands) {
-        refused += wind->record(commands, {.dt = 1.0 / 30.0, .slot = frame_ % 2}).last.out_of_memory ? 1 : 0;
+        rejected += wind->record(commands, {.dt = 1.0 / 30.0, .slot = frame_ % 2}).last.out_of_memory ? 1 : 0;
     };
 };
 
 TEST_F(WindAllocations, EachThatFailsLeavesTheWindUsable) {
     const auto tile = GustTile::standard();
     live();
-    ASSERT_EQ(refused, 0);
+    ASSERT_EQ(rejected, 0);
     wind.reset();
     const int stride = test::whole_sweeps() ? 37 : 197; // of some 4,300 allocations; a life takes 0.2 s and more
     int failures = 0, seen = 0;
     for (const Failing failing : {Failing::once, Failing::from_then_on})
         for (int after = failing == Failing::once ? 0 : stride / 2, failed = 1; failed != 0; after += stride) {
-            refused = 0;
+            rejected = 0;
             bool threw = false;
             {
                 const FailingMemory memory(after, failing, Whose::of_the_program);
@@ -82,7 +82,7 @@ TEST_F(WindAllocations, EachThatFailsLeavesTheWindUsable) {
             }
             ASSERT_FALSE(threw) << "an exception left a call after " << after << " allocations";
             failures += failed;
-            seen += refused > 0 ? 1 : 0;
+            seen += rejected > 0 ? 1 : 0;
             if (wind) { // it goes on
                 run([&](VkCommandBuffer commands) { (void)wind->record(commands, {.dt = 1.0 / 30.0}); });
                 EXPECT_TRUE(wind->set_ambient({1.0f, 0.0f, 0.0f}));

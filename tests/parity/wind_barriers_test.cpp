@@ -83,7 +83,7 @@ class WindBarriers : public Gpu {
                     if (n == 3) {
                         (void)wind.motors().remove(blast);
                         (void)wind.set_gusts({.intensity = 0.2f, .seed = static_cast<std::uint32_t>(++turns_)});
-                        (void)wind.set_sides(turns_ % 2 == 0 ? Sides{} : Sides::open_over_floor());
+                        (void)wind.set_boundaries(turns_ % 2 == 0 ? Boundaries{} : Boundaries::open_over_floor());
                     }
                     (void)wind.record(commands, {.dt = n == 1 ? 1.0 / 15.0 : 1.0 / 30.0, .slot = n});
                 }
@@ -130,7 +130,7 @@ class WindBarriers : public Gpu {
 TEST_F(WindBarriers, EachIsMissedWhereItIsLeftOut) {
     try_all("plain", {.cells = {8, 6, 8}, .ambient = {2.0f, 0.0f, 0.0f}, .max_substeps = 2});
     try_all("viscous", {.cells = {8, 6, 8},
-                        .sides = Sides::open_over_floor(),
+                        .boundaries = Boundaries::open_over_floor(),
                         .ambient = {2.0f, 0.0f, 0.0f},
                         .viscosity = 9.0f,
                         .max_substeps = 1});

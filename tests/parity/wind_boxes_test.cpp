@@ -12,16 +12,16 @@ struct BoxStory {
     double bound = 1e-5;
 };
 
-// Sides of every kind in two mixes, each with an axis that follows.
+// Boundaries of every kind in two mixes, each with an axis that follows.
 Config mixed_box(glm::ivec3 cells, bool floor) {
     Config config{.cells = cells, .ambient = {2.0f, 0.0f, 1.0f}};
     if (floor) { // x open and following, y ground and sky, z periodic
-        config.sides = Sides::open_over_floor();
-        config.sides.z_low.kind = config.sides.z_high.kind = SideKind::periodic;
+        config.boundaries = Boundaries::open_over_floor();
+        config.boundaries.z_low.kind = config.boundaries.z_high.kind = BoundaryKind::periodic;
     } else { // x a moving wall and a slipping one, y a slipping ceiling, z open and following
-        config.sides.x_low = {SideKind::no_slip, {0.0f, 0.5f, 1.0f}};
-        config.sides.x_high.kind = SideKind::free_slip;
-        config.sides.y_high.kind = SideKind::free_slip;
+        config.boundaries.x_low = {BoundaryKind::no_slip, {0.0f, 0.5f, 1.0f}};
+        config.boundaries.x_high.kind = BoundaryKind::free_slip;
+        config.boundaries.y_high.kind = BoundaryKind::free_slip;
     }
     return config;
 }

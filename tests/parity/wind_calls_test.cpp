@@ -38,7 +38,7 @@ TEST_F(WindCalls, TheFloorMoves) {
     for (const bool gusts : {false, true})
         live(gusts ? "floor_gusts" : "floor",
              {.cells = {12, 10, 11},
-              .sides = Sides::open_over_floor(),
+              .boundaries = Boundaries::open_over_floor(),
               .centre = {0.0, 5.0, 0.0},
               .ambient = {3.0f, 0.0f, 1.0f},
               .profile = LogProfile{},
@@ -108,7 +108,7 @@ TEST_F(WindCalls, ViscosityAtTheEdgeOfTheExplicitPass) {
 // A step of several seconds is beyond what the device prepares for: what one explicit pass may not carry is owed, and not lost.
 // The CPU takes the same time in steps of a second, whose passes are as long as the device's to one part in 25.
 TEST_F(WindCalls, ViscosityOfALongStepIsOwed) {
-    Config config{.cells = {12, 10, 11}, .ambient = {0.0f, 0.0f, 0.0f}, .viscosity = 0.08f, .settling_time = 0.0f};
+    Config config{.cells = {12, 10, 11}, .ambient = {0.0f, 0.0f, 0.0f}, .viscosity = 0.08f, .relaxation_time = 0.0f};
     config.stages.advection = false;
     TwoWinds pair = make(config);
     std::vector<glm::vec4> field(12 * 10 * 11);
@@ -129,13 +129,13 @@ TEST_F(WindCalls, ViscosityOfALongStepIsOwed) {
 TEST_F(WindCalls, StagesLeftOut) {
     for (const int left_out : {0, 1, 2, 3, 4}) {
         Config config{.cells = {12, 10, 11},
-                      .sides = Sides::open_over_floor(),
+                      .boundaries = Boundaries::open_over_floor(),
                       .centre = {0.0, 5.0, 0.0},
                       .ambient = {2.0f, 0.0f, 1.0f},
                       .profile = LogProfile{},
                       .viscosity = 0.5f,
-                      .settling_time = 2.0f};
-        bool* const stages[] = {&config.stages.sources, &config.stages.settling, &config.stages.diffusion,
+                      .relaxation_time = 2.0f};
+        bool* const stages[] = {&config.stages.sources, &config.stages.relaxation, &config.stages.diffusion,
                                 &config.stages.advection, &config.stages.projection};
         *stages[left_out] = false;
         live("without_stage_" + std::to_string(left_out), config, [](TwoWinds& pair, int n) {
@@ -156,7 +156,7 @@ TEST_F(WindCalls, HalfTexturesLeaveTheAirAsItIs) {
 
 // Air that sleeps reports its ambient wind, and cells that were repaired are told once.
 TEST_F(WindCalls, ReportsAreToldOnceAndSleepReportsAmbient) {
-    Config config{.cells = {10, 10, 10}, .ambient = {1.0f, 0.0f, 0.5f}, .settling_time = 0.2f};
+    Config config{.cells = {10, 10, 10}, .ambient = {1.0f, 0.0f, 0.5f}, .relaxation_time = 0.2f};
     TwoWinds pair = make(config);
     std::vector<glm::vec4> field(1000, glm::vec4(1.5f, 0.2f, 0.0f, 0.0f));
     field[100].x = std::nanf("");

@@ -53,15 +53,15 @@ class WindFaults : public Gpu {
         if (auto set = wind->set_velocity(start); !set)
             return set;
         if (!wind->motors().add(DirectionalMotor{}) || !wind->motors().add(OmniMotor{.position = {1.0, 0.0, 1.0}}))
-            return Error{"a motor was refused"};
+            return Error{"a motor was rejected"};
         for (; frames < 4; ++frames) {
             (void)wind->follow({0.7 * frames, 0.0, 0.0});
             const std::uint64_t bytes = wind->memory_bytes();
             if (frames == 1) {
-                if (auto changed = wind->set_sides(Sides::open_over_floor()); !changed)
+                if (auto changed = wind->set_boundaries(Boundaries::open_over_floor()); !changed)
                     return changed;
                 if (wind->memory_bytes() <= bytes)
-                    return Error{"the tables of new sides took no memory: give the box more cells"};
+                    return Error{"the tables of new boundaries took no memory: give the box more cells"};
             }
             run([&](VkCommandBuffer commands) { (void)wind->record(commands, {.dt = 1.0 / 30.0, .slot = frames % 2}); });
             if (frames == 0)
@@ -144,7 +144,7 @@ TEST_F(WindFaults, TheHostGoesOnWithTheCpu) {
     ASSERT_TRUE(last);
     auto rescue = windrow::Wind::create(config);
     ASSERT_TRUE(rescue);
-    (void)rescue->follow(last->rim().point);
+    (void)rescue->follow(last->blend_zone().point);
     ASSERT_TRUE(rescue->set_velocity(last->field()));
     for (const MotorId motor : {*rescue->motors().add(DirectionalMotor{})})
         EXPECT_NE(rescue->motors().find(motor), nullptr);

@@ -14,7 +14,7 @@ TEST_F(WindRecordings, ThatAreNeverSubmittedAreForgotten) {
     pair.add(VortexMotor{});
     for (int n = 0; n < 16; ++n) {
         if (n == 5 || n == 9) {
-            pair.set_sides(n == 5 ? Sides::open_over_floor() : Sides{});
+            pair.set_boundaries(n == 5 ? Boundaries::open_over_floor() : Boundaries{});
             pair.submitter->discard(
                 [&](VkCommandBuffer commands, int slot) { (void)pair.device.record_step(commands, {.dt = 0.03, .slot = slot}); });
             pair.device.forget();
@@ -193,11 +193,11 @@ TEST_F(WindRecordings, ThatWaitWithTicksAreFolded) {
 TEST_F(WindRecordings, ThatAreFoldedMakeTheSameAir) {
     for (const bool ticks : {false, true}) {
         TwoWinds pair = make({.cells = {12, 10, 11},
-                              .sides = Sides::open_over_floor(),
+                              .boundaries = Boundaries::open_over_floor(),
                               .centre = {0.0, 5.0, 0.0},
                               .ambient = {2.0f, 0.0f, 1.0f},
                               .profile = LogProfile{},
-                              .settling_time = 0.0f});
+                              .relaxation_time = 0.0f});
         const auto frames = [&](int count) {
             for (int n = 0; n < count; ++n)
                 ticks ? frame(pair, 1.0 / 47.0) : step(pair, 1.0 / 47.0);

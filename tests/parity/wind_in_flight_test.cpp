@@ -17,7 +17,7 @@ class WindInFlight : public WindParity {
 TEST_F(WindInFlight, EveryFrameIsTheCpus) {
     for (const int in_flight : {2, 3}) {
         TwoWinds pair = make({.cells = {24, 14, 20},
-                              .sides = Sides::open_over_floor(),
+                              .boundaries = Boundaries::open_over_floor(),
                               .centre = {0.0, 7.0, 0.0},
                               .ambient = {3.0f, 0.0f, 1.0f},
                               .profile = LogProfile{},
@@ -35,10 +35,10 @@ TEST_F(WindInFlight, EveryFrameIsTheCpus) {
                 pair.set_velocity(field);
             }
             if (n >= 50 && n < 54) { // each by its own tables
-                Sides sides = Sides::open_over_floor();
+                Boundaries boundaries = Boundaries::open_over_floor();
                 if (n % 2 == 0)
-                    sides.z_low.kind = sides.z_high.kind = SideKind::periodic;
-                pair.set_sides(sides);
+                    boundaries.z_low.kind = boundaries.z_high.kind = BoundaryKind::periodic;
+                pair.set_boundaries(boundaries);
             }
             if (n == 70)
                 pair.set_gusts({.intensity = 0.3f, .seed = 4});

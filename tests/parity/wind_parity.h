@@ -70,8 +70,8 @@ class WindParity : public Gpu {
         void set_gusts(const Gusts& gusts) {
             both([&](auto& wind) { return wind.set_gusts(gusts); });
         }
-        void set_sides(const Sides& sides) {
-            both([&](auto& wind) { return wind.set_sides(sides); });
+        void set_boundaries(const Boundaries& boundaries) {
+            both([&](auto& wind) { return wind.set_boundaries(boundaries); });
         }
         void set_floor(double height) {
             both([&](auto& wind) { return wind.set_floor(height); });
@@ -142,7 +142,7 @@ class WindParity : public Gpu {
             return;
         const auto view = pair.device.queried();
         ASSERT_TRUE(view);
-        pair.last = apart(view->field(), expected, pair.least);
+        pair.last = apart(view->field(), expected, pair.min);
         pair.largest = std::isnan(pair.last) ? pair.last : std::max(pair.largest, pair.last);
         ++pair.compared;
     }

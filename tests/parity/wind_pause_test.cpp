@@ -8,8 +8,8 @@ class WindPauses : public WindParity {
   protected:
     static glm::vec3 place(const Wind& wind) { return wind.window_block({}).origin; }
     static glm::vec3 place_before(const Wind& wind) { return glm::vec3(wind.window_block({}).previous_origin); }
-    static glm::vec3 rim_point(const Wind& wind) { return wind.window_block({}).rim_point; }
-    static glm::vec3 rim_point_before(const Wind& wind) { return wind.window_block({}).previous_rim_point; }
+    static glm::vec3 blend_centre(const Wind& wind) { return wind.window_block({}).blend_centre; }
+    static glm::vec3 rim_point_before(const Wind& wind) { return wind.window_block({}).previous_blend_centre; }
 };
 
 // Between ticks too: a pause by record_step ends no tick and shows none early.
@@ -48,12 +48,12 @@ TEST_F(WindPauses, LieWhereTheirTexturesWereWritten) {
                 wind->reset();
             if (n == 9)
                 wind->forget();
-            const glm::vec3 was = place(*wind), rim_was = rim_point(*wind);
+            const glm::vec3 was = place(*wind), rim_was = blend_centre(*wind);
             record(n == 3 || n == 4 || n == 7 ? 0.0 : 1.0 / 30.0);
             if (n == 0)
                 continue;
             EXPECT_EQ(place_before(*wind), anew ? place(*wind) : was) << n;
-            EXPECT_EQ(rim_point_before(*wind), anew ? rim_point(*wind) : rim_was) << n;
+            EXPECT_EQ(rim_point_before(*wind), anew ? blend_centre(*wind) : rim_was) << n;
         }
     }
 }

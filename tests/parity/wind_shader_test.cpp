@@ -56,16 +56,19 @@ class WindInShaders : public WindParity {
 TEST_F(WindInShaders, AnOutsideShaderSamplesWhatAQueryFinds) {
     const std::array<Config, 3> configs = {{
         {.cells = {20, 12, 16},
-         .sides = Sides::open_over_floor(),
+         .boundaries = Boundaries::open_over_floor(),
          .centre = {1e6, 6.0, -1e6},
          .ambient = {3.0f, 0.0f, 1.0f},
          .profile = LogProfile{},
          .gusts = {.intensity = 0.25f}},
-        {.cells = {9, 7, 11}, .cell_size = 0.5f, .sides = Sides::all(SideKind::periodic), .ambient = {1.0f, 0.5f, -2.0f}},
+        {.cells = {9, 7, 11},
+         .cell_size = 0.5f,
+         .boundaries = Boundaries::all(BoundaryKind::periodic),
+         .ambient = {1.0f, 0.5f, -2.0f}},
         {.cells = {12, 12, 12},
          .ambient = {0.0f, 0.0f, 2.0f},
          .gusts = {.tile = GustTile::bake(3)},
-         .rim = 0.0f}, // for detail alone
+         .blend_width = 0.0f}, // for detail alone
     }};
     for (const Config& config : configs) {
         TwoWinds pair = make(config);
@@ -108,7 +111,7 @@ TEST_F(WindInShaders, AnOutsideShaderSamplesWhatAQueryFinds) {
 
 // Half textures round to 11 bits: to half a unit in the last of them.
 TEST_F(WindInShaders, HalfTexturesHoldElevenBits) {
-    TwoWinds pair = make({.cells = {12, 10, 11}, .ambient = {2.0f, 0.0f, 1.0f}, .rim = 0.0f}, 0, {.texel = Texel::half});
+    TwoWinds pair = make({.cells = {12, 10, 11}, .ambient = {2.0f, 0.0f, 1.0f}, .blend_width = 0.0f}, 0, {.texel = Texel::half});
     pair.add(VortexMotor{});
     for (int n = 0; n < 20; ++n)
         frame(pair, 1.0 / 50.0);

@@ -13,7 +13,7 @@ namespace {
 Config storm_box(Simd simd) {
     return {.cells = {20, 14, 18},
             .cell_size = 0.25f,
-            .sides = Sides::open_over_floor(),
+            .boundaries = Boundaries::open_over_floor(),
             .ambient = {6.0f, 0.0f, -3.0f},
             .max_substeps = 2,
             .simd = simd};

@@ -22,20 +22,22 @@ class StoryChance {
 };
 
 // Periodic sides tear a wind that differs from place to place where they meet (Config::gusts): there the last bit of a trajectory
-// decides between two winds. So a story has periodic sides, or a profile and gusts.
-Sides any_sides(StoryChance& chance, bool periodic) {
-    Sides sides;
-    Side* const ends[3][2] = {{&sides.x_low, &sides.x_high}, {&sides.y_low, &sides.y_high}, {&sides.z_low, &sides.z_high}};
+// decides between two winds. So a story has periodic boundaries, or a profile and gusts.
+Boundaries any_sides(StoryChance& chance, bool periodic) {
+    Boundaries boundaries;
+    Boundary* const ends[3][2] = {{&boundaries.x_low, &boundaries.x_high},
+                                  {&boundaries.y_low, &boundaries.y_high},
+                                  {&boundaries.z_low, &boundaries.z_high}};
     for (auto& [low, high] : ends) {
         if (periodic && chance.one_in(3)) {
-            low->kind = high->kind = SideKind::periodic;
+            low->kind = high->kind = BoundaryKind::periodic;
             continue;
         }
-        for (Side* side : {low, high})
+        for (Boundary* side : {low, high})
             if (chance.one_in(3))
-                side->kind = chance.one_in(2) ? SideKind::no_slip : SideKind::free_slip;
+                side->kind = chance.one_in(2) ? BoundaryKind::no_slip : BoundaryKind::free_slip;
     }
-    return sides;
+    return boundaries;
 }
 
 // No profile where air sleeps: over one the ambient wind is no steady flow, so that air left at it drifts off unless it sleeps at
@@ -46,12 +48,12 @@ Config any_config(StoryChance& chance, bool periodic, bool sleeps) {
                   .ambient = chance.vector(3.0f)};
     if (!periodic && !sleeps && chance.one_in(2))
         config.profile = LogProfile{};
-    config.sides = any_sides(chance, periodic);
+    config.boundaries = any_sides(chance, periodic);
     if (!periodic && chance.one_in(2))
         config.gusts.intensity = chance.between(0.0f, 0.4f);
     constexpr float viscosities[] = {1.5e-5f, 1.5e-5f, 0.0f, 3e-3f, 0.5f, 20.0f};
     config.viscosity = viscosities[chance.below(6)];
-    config.settling_time = chance.one_in(4) ? 0.0f : chance.between(0.3f, 20.0f);
+    config.relaxation_time = chance.one_in(4) ? 0.0f : chance.between(0.3f, 20.0f);
     config.scheme = chance.one_in(4) ? Scheme::stable_fluids : Scheme::second_order;
     config.interpolation = chance.one_in(4) ? Interpolation::linear : Interpolation::cubic;
     config.max_cfl = chance.one_in(3) ? 0.3f : 2.0f;
@@ -81,11 +83,11 @@ class WindStories : public WindParity {
   protected:
     std::ostringstream told;
 
-    // The same call on both, which take it or refuse it alike.
+    // The same call on both, which take it or reject it alike.
     template <class Call>
     void alike(TwoWinds& pair, const char* what, const Call& call) {
         const auto on_cpu = call(pair.cpu), on_device = call(pair.device);
-        told << ' ' << what << (on_cpu ? "" : " (refused)");
+        told << ' ' << what << (on_cpu ? "" : " (rejected)");
         EXPECT_EQ(static_cast<bool>(on_cpu), static_cast<bool>(on_device)) << what;
     }
 
@@ -109,8 +111,8 @@ class WindStories : public WindParity {
             return alike(pair, "set_gusts", [&](auto& wind) { return wind.set_gusts(gusts); });
         }
         case 5: {
-            const Sides sides = any_sides(chance, periodic);
-            return alike(pair, "set_sides", [&](auto& wind) { return wind.set_sides(sides); });
+            const Boundaries boundaries = any_sides(chance, periodic);
+            return alike(pair, "set_boundaries", [&](auto& wind) { return wind.set_boundaries(boundaries); });
         }
         case 6: {
             const double height = static_cast<double>(chance.between(-6.0f, 3.0f));
@@ -162,9 +164,9 @@ class WindStories : public WindParity {
         EXPECT_TRUE(cpu && gpu);
         TwoWinds pair{*std::move(cpu), *std::move(gpu), std::max(in_flight, 1),
                       in_flight > 0 ? std::make_unique<Submitter>(own->host(), in_flight) : nullptr};
-        pair.least = 1.0;
+        pair.min = 1.0;
         told << " cells " << config.cells.x << ' ' << config.cells.y << ' ' << config.cells.z << ", viscosity "
-             << config.viscosity << ", settling " << config.settling_time << ", max_cfl " << config.max_cfl << ", profile "
+             << config.viscosity << ", relaxation " << config.relaxation_time << ", max_cfl " << config.max_cfl << ", profile "
              << config.profile.has_value() << ", gusts " << config.gusts.intensity << ", classic "
              << (config.scheme == Scheme::stable_fluids) << ", linear " << (config.interpolation == Interpolation::linear)
              << ", in flight " << in_flight;

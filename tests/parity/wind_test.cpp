@@ -9,7 +9,7 @@ namespace {
 
 TEST_F(WindParity, AWalkWithGustsAFanAndATurningWind) {
     TwoWinds pair = make({.cells = {24, 12, 20},
-                          .sides = Sides::open_over_floor(),
+                          .boundaries = Boundaries::open_over_floor(),
                           .centre = {0.0, 6.0, 0.0},
                           .ambient = {3.0f, 0.0f, 1.0f},
                           .profile = LogProfile{},
@@ -42,32 +42,33 @@ TEST_F(WindParity, SidesThatChangeAndAJumpBeyondTheBox) {
     pair.add(VortexMotor{.position = {0.0, 0.0, 0.0}, .radius = 3.0f});
     for (int n = 0; n < 80; ++n) {
         if (n == 20)
-            pair.set_sides(Sides::open_over_floor());
+            pair.set_boundaries(Boundaries::open_over_floor());
         if (n == 35)
-            pair.set_sides(Sides::all(SideKind::periodic));
+            pair.set_boundaries(Boundaries::all(BoundaryKind::periodic));
         if (n == 50)
-            pair.set_sides(Sides::all(SideKind::free_slip));
+            pair.set_boundaries(Boundaries::all(BoundaryKind::free_slip));
         if (n == 60)
-            pair.set_sides({});
+            pair.set_boundaries({});
         if (n == 70)
             pair.follow({1e6, 0.0, 5.0});
         frame(pair, 1.0 / 30.0);
     }
-    report("sides", pair, 1e-5);
+    report("boundaries", pair, 1e-5);
 }
 
 // In free air a vent blows beyond the box and into it from outside; walls mirror and cut it, and between two of them, or in a
 // periodic box, there is no free air.
 TEST_F(WindParity, AVentInEverySortOfFreeAir) {
-    const Side wall{.kind = SideKind::free_slip}, rough{.kind = SideKind::no_slip};
-    const Sides corner{.x_low = wall, .y_high = rough, .z_low = wall}, slab{.z_low = wall, .z_high = rough};
-    const Sides sequence[] = {{}, Sides::open_over_floor(), corner, slab, {.x_high = wall}, Sides::all(SideKind::free_slip), {}};
+    const Boundary wall{.kind = BoundaryKind::free_slip}, rough{.kind = BoundaryKind::no_slip};
+    const Boundaries corner{.x_low = wall, .y_high = rough, .z_low = wall}, slab{.z_low = wall, .z_high = rough};
+    const Boundaries sequence[] = {
+        {}, Boundaries::open_over_floor(), corner, slab, {.x_high = wall}, Boundaries::all(BoundaryKind::free_slip), {}};
     TwoWinds pair = make({.cells = {12, 10, 14}, .ambient = {2.0f, 0.0f, 1.0f}});
     pair.add(OmniMotor{.position = {-4.5, -3.5, 1.0}});
     pair.add(OmniMotor{.position = {9.0, 0.0, 0.0}, .speed = -4.0f});
     int n = 0;
-    for (const Sides& sides : sequence) {
-        pair.set_sides(sides);
+    for (const Boundaries& boundaries : sequence) {
+        pair.set_boundaries(boundaries);
         for (int frames = 0; frames < 8; ++frames, ++n) {
             pair.follow({0.4 * n, 0.0, -0.2 * n});
             frame(pair, 1.0 / 30.0);
@@ -79,7 +80,7 @@ TEST_F(WindParity, AVentInEverySortOfFreeAir) {
 // Everything at once, a hundred steps: uneven ones, gusts over a profile, plants, drives and a force with eddies, a fan and a vent
 // that move, a burst.
 TEST_F(WindParity, UnevenStepsDrivesEddiesAndGustsTogether) {
-    Config config{.cells = {32, 16, 32}, .sides = Sides::open_over_floor(), .ambient = {4.0f, 0.0f, 1.5f}};
+    Config config{.cells = {32, 16, 32}, .boundaries = Boundaries::open_over_floor(), .ambient = {4.0f, 0.0f, 1.5f}};
     config.profile = LogProfile{};
     config.gusts.intensity = 0.3f;
     config.canopy = Canopy{.height = 1.5f, .drag = 0.4f};
@@ -112,7 +113,7 @@ TEST_F(WindParity, AStormInSubStepsThatTheDeviceChooses) {
             .position = {0.0, 0.0, 0.0}, .direction = {0.0f, 0.0f, 1.0f}, .law = Drive{.speed = 900.0f, .rate = 30.0f}});
         pair.add(DirectionalMotor{
             .position = {3.0, 1.0, 2.0}, .direction = {1.0f, 0.5f, 0.0f}, .law = Force{.acceleration = 3000.0f}});
-        int most_cpu = 0;
+        int max_cpu = 0;
         Diagnostics last;
         for (int n = 0; n < 12; ++n) {
             Advance recorded, cpu;
@@ -131,9 +132,9 @@ TEST_F(WindParity, AStormInSubStepsThatTheDeviceChooses) {
                 EXPECT_NEAR(recorded.last.divergence_rms, last.divergence_rms, 1e-3 * last.divergence_rms);
             }
             last = cpu.last;
-            most_cpu = std::max(most_cpu, cpu.last.substeps);
+            max_cpu = std::max(max_cpu, cpu.last.substeps);
         }
-        EXPECT_GE(most_cpu, most == 8 ? 4 : 2);
+        EXPECT_GE(max_cpu, most == 8 ? 4 : 2);
         report(most == 8 ? "storm" : "storm_capped", pair, 1e-5);
     }
 }
@@ -152,7 +153,7 @@ TEST_F(WindParity, CellsThatAreNoNumberBecomeAmbient) {
 
 // Still air costs nothing: nothing is recorded. What wakes it finds the wind as a fresh one.
 TEST_F(WindParity, StillAirSleepsAndWakes) {
-    const Config config{.cells = {12, 12, 12}, .ambient = {0.0f, 0.0f, 0.0f}, .settling_time = 0.3f};
+    const Config config{.cells = {12, 12, 12}, .ambient = {0.0f, 0.0f, 0.0f}, .relaxation_time = 0.3f};
     TwoWinds pair = make(config);
     std::vector<glm::vec4> field(12 * 12 * 12, glm::vec4(0.5f, 0.1f, 0.0f, 0.0f));
     pair.set_velocity(field);
@@ -197,11 +198,11 @@ TEST_F(WindParity, AskedForBetweenTwoFrames) {
 
 // Walls that open on sleeping air let the wind in; they do not throw it.
 TEST_F(WindParity, WallsThatOpenWakeTheAir) {
-    const Sides walls = Sides::all(SideKind::free_slip);
-    TwoWinds pair = make({.cells = {10, 8, 10}, .sides = walls, .ambient = {3.0f, 0.0f, 0.0f}, .settling_time = 5.0f});
+    const Boundaries walls = Boundaries::all(BoundaryKind::free_slip);
+    TwoWinds pair = make({.cells = {10, 8, 10}, .boundaries = walls, .ambient = {3.0f, 0.0f, 0.0f}, .relaxation_time = 5.0f});
     for (int n = 0; n < 10; ++n)
         frame(pair, 1.0 / 30.0);
-    pair.set_sides({});
+    pair.set_boundaries({});
     forget_frames(pair);
     for (int n = 0; n < 30; ++n)
         frame(pair, 1.0 / 30.0);
@@ -221,8 +222,8 @@ TEST_F(WindParity, ThinBoxes) {
     }
 }
 
-// What is too large for the device is refused before anything of its size is made.
-TEST_F(WindParity, ABoxThatNoDeviceHoldsIsRefused) {
+// What is too large for the device is rejected before anything of its size is made.
+TEST_F(WindParity, ABoxThatNoDeviceHoldsIsRejected) {
     expect_error(Wind::create(own->host(), {.cells = {2048, 16, 2048}}), "2048 x 16 x 2048");
     expect_error(Wind::create(own->host(), {}, {.frames_in_flight = 0}), "frames_in_flight is 0");
 }

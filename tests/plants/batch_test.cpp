@@ -1,4 +1,4 @@
-// Many plants at once: the same as one by one, whatever the number of threads; sizes that do not fit are refused.
+// Many plants at once: the same as one by one, whatever the number of threads; sizes that do not fit are rejected.
 #include "coupling/blade.h"
 #include "coupling/shell.h"
 #include "fluid/thread_pool.h"
@@ -96,7 +96,7 @@ TEST(PlantBatch, ShellsAreTheSingleOnes) {
     }
 }
 
-TEST(PlantBatch, RefusesSizesThatDoNotFitAndTouchesNothing) {
+TEST(PlantBatch, RejectsSizesThatDoNotFitAndTouchesNothing) {
     const auto grass = Blades::create({});
     const auto fur = Shells::create({});
     ASSERT_TRUE(grass);
@@ -104,27 +104,27 @@ TEST(PlantBatch, RefusesSizesThatDoNotFitAndTouchesNothing) {
     BladeField meadow(10);
     const std::vector<glm::vec4> untouched = meadow.positions;
     std::vector<glm::vec4> few(9), some(10);
-    const auto refused = [](const Result<void>& result, const char* field) {
+    const auto rejected = [](const Result<void>& result, const char* field) {
         ASSERT_FALSE(result);
         EXPECT_NE(result.error().find(field), std::string::npos) << result.error();
     };
-    refused(grass->loads(meadow.keys, few, meadow.loads), "winds");
-    refused(grass->loads(meadow.keys, meadow.winds, few), "loads");
-    refused(grass->vertices(meadow.keys, few, meadow.loads, meadow.heights, {meadow.positions, {}}), "roots");
-    refused(grass->vertices(meadow.keys, meadow.roots, few, meadow.heights, {meadow.positions, {}}), "loads");
-    refused(grass->vertices(meadow.keys, meadow.roots, meadow.loads, meadow.heights, {few, {}}), "positions");
-    refused(grass->vertices(meadow.keys, meadow.roots, meadow.loads, meadow.heights, {meadow.positions, few}), "normals");
+    rejected(grass->loads(meadow.keys, few, meadow.loads), "winds");
+    rejected(grass->loads(meadow.keys, meadow.winds, few), "loads");
+    rejected(grass->vertices(meadow.keys, few, meadow.loads, meadow.heights, {meadow.positions, {}}), "roots");
+    rejected(grass->vertices(meadow.keys, meadow.roots, few, meadow.heights, {meadow.positions, {}}), "loads");
+    rejected(grass->vertices(meadow.keys, meadow.roots, meadow.loads, meadow.heights, {few, {}}), "positions");
+    rejected(grass->vertices(meadow.keys, meadow.roots, meadow.loads, meadow.heights, {meadow.positions, few}), "normals");
     for (const float h : {-0.1f, 1.1f, std::nanf("")}) {
         meadow.heights[2] = h;
-        refused(grass->vertices(meadow.keys, meadow.roots, meadow.loads, meadow.heights, {meadow.positions, {}}), "heights");
+        rejected(grass->vertices(meadow.keys, meadow.roots, meadow.loads, meadow.heights, {meadow.positions, {}}), "heights");
     }
     EXPECT_EQ(meadow.positions, untouched);
-    refused(fur->bent({some, few}, 0.5f, some, some), "normals");
-    refused(fur->bent({some, some}, 2.0f, some, some), ".h");
-    refused(fur->translated({some, some}, 0.5f, few, some), "directions");
-    refused(fur->loads({some, few}, some, some), "normals");
-    refused(fur->loads({some, some}, few, some), "winds");
-    refused(fur->loads({some, some}, some, few), "loads");
+    rejected(fur->bent({some, few}, 0.5f, some, some), "normals");
+    rejected(fur->bent({some, some}, 2.0f, some, some), ".h");
+    rejected(fur->translated({some, some}, 0.5f, few, some), "directions");
+    rejected(fur->loads({some, few}, some, some), "normals");
+    rejected(fur->loads({some, some}, few, some), "winds");
+    rejected(fur->loads({some, some}, some, few), "loads");
 }
 
 } // namespace

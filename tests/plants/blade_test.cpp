@@ -43,8 +43,8 @@ double arc_change(const Blades& grass, PlantKey key, glm::vec3 load, float side 
 
 TEST(Blade, ItsRootStaysWhateverBlows) {
     Random random(1);
-    const Blades grass = blades({.width = 0.0f, .own_bend = 1.5f, .view_bend = 1.0f});
-    const Blades wide = blades({.own_bend = 1.5f});
+    const Blades grass = blades({.width = 0.0f, .rest_bend = 1.5f, .view_bend = 1.0f});
+    const Blades wide = blades({.rest_bend = 1.5f});
     for (int n = 0; n < 1000; ++n) {
         const PlantKey key{random.bits(), random.bits()};
         const glm::vec3 wind = random.vector(60.0f);
@@ -56,7 +56,7 @@ TEST(Blade, ItsRootStaysWhateverBlows) {
 }
 
 TEST(Blade, WithoutWindAndBendItIsTheRestShapeToTheBit) {
-    const Blades grass = blades({.own_bend = 0.0f, .own_bend_spread = 0.0f});
+    const Blades grass = blades({.rest_bend = 0.0f, .rest_bend_spread = 0.0f});
     Random random(2);
     for (int n = 0; n < 1000; ++n) {
         const PlantKey key{random.bits(), random.bits()};
@@ -72,7 +72,7 @@ TEST(Blade, TheTranslateFormIsLinearInTheWindTheBendIsMonotone) {
     const glm::vec3 wind{3.0f, 0.0f, -1.0f};
     EXPECT_EQ(numerics::windrow_translated(2.0f * wind, 0.7f, 0.01f, 2.0f),
               2.0f * numerics::windrow_translated(wind, 0.7f, 0.01f, 2.0f));
-    const Blades grass = blades({.own_bend = 0.0f, .own_bend_spread = 0.0f});
+    const Blades grass = blades({.rest_bend = 0.0f, .rest_bend_spread = 0.0f});
     const PlantKey key{3, 5};
     double before = -1.0;
     for (int n = 0; n <= 600; ++n) {
@@ -87,15 +87,15 @@ TEST(Blade, TheTranslateFormIsLinearInTheWindTheBendIsMonotone) {
 TEST(Blade, KeepsItsLengthAtFullClamp) {
     Random random(3);
     double by_wind = 0.0, by_itself = 0.0, both = 0.0, edge = 0.0, by_spring = 0.0;
-    const BladeSettings plain{.own_bend = 0.0f, .own_bend_spread = 0.0f};
+    const BladeSettings plain{.rest_bend = 0.0f, .rest_bend_spread = 0.0f};
     for (int n = 0; n < 300; ++n) {
         const PlantKey key{random.bits(), random.bits()};
         const glm::vec3 storm = 60.0f * glm::vec3(random.direction());
         BladeSettings curly = plain;
-        curly.own_bend = n % 2 == 0 ? 3.0f : -3.0f;
-        curly.own_curve = random.uniform(0.0f, 1.0f);
+        curly.rest_bend = n % 2 == 0 ? 3.0f : -3.0f;
+        curly.rest_curve = random.uniform(0.0f, 1.0f);
         BladeSettings springy = curly;
-        springy.stalk.most_bend = 2.5f;
+        springy.stalk.max_bend = 2.5f;
         const Blades straight = blades(plain), bent = blades(curly), swung = blades(springy);
         const float angle = random.uniform(0.0f, 6.2832f), size = n % 3 == 0 ? 3.0f : random.uniform(0.0f, 3.0f);
         const glm::vec3 swing = size * glm::vec3(std::cos(angle), 0.0f, std::sin(angle));
@@ -140,7 +140,7 @@ TEST(Blade, BendsByItsOwnLengthAsAClassOfThatLengthDoes) {
 
 TEST(Blade, LeansAlongTheWind) {
     Random random(4);
-    const Blades straight = blades({.own_bend = 0.0f, .own_bend_spread = 0.0f});
+    const Blades straight = blades({.rest_bend = 0.0f, .rest_bend_spread = 0.0f});
     const Blades grass = blades({});
     double most = 0.0, own_in_storm = 0.0, out_of_plane = 0.0;
     for (int n = 0; n < 20000; ++n) {
@@ -166,7 +166,7 @@ TEST(Blade, LeansAlongTheWind) {
 }
 
 TEST(Blade, BendsAboutItsOwnAxisWhenAskedTo) {
-    const Blades flat = blades({.along_wind = 0.0f, .own_bend = 0.0f, .own_bend_spread = 0.0f});
+    const Blades flat = blades({.along_wind = 0.0f, .rest_bend = 0.0f, .rest_bend_spread = 0.0f});
     Random random(5);
     for (int n = 0; n < 1000; ++n) {
         const PlantKey key{random.bits(), random.bits()};
@@ -185,7 +185,7 @@ TEST(Blade, NormalsAndTangentsAreThePositionsDerivatives) {
     Random random(6);
     for (int n = 0; n < 2000; ++n) {
         const bool own = n % 2 == 1;
-        const Blades grass = blades({.stalk = wheat(), .width = 0.1f, .own_bend = own ? 0.8f : 0.0f, .own_bend_spread = 0.0f});
+        const Blades grass = blades({.stalk = wheat(), .width = 0.1f, .rest_bend = own ? 0.8f : 0.0f, .rest_bend_spread = 0.0f});
         const PlantKey key{random.bits(), random.bits()};
         const glm::vec3 load = grass.load(key, glm::vec3(random.direction()) * random.uniform(0.0f, 15.0f));
         const float h = random.uniform(0.05f, 0.95f), side = random.uniform(-1.0f, 1.0f);

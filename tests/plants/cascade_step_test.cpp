@@ -195,7 +195,7 @@ TEST(CascadeStep, ParallelRowsHaveTheSameBits) {
     }
 }
 
-TEST(CascadeStep, RefusesWhatIsNoStep) {
+TEST(CascadeStep, RejectsWhatIsNoStep) {
     const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
     for (const int stages : {0, -3, 5000})
         EXPECT_FALSE(CascadeStep::create(stages));

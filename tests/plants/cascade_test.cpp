@@ -78,7 +78,7 @@ std::vector<numerics::WindrowPose> shells_of(Cascade& cascade, int shells) {
         const auto stage = static_cast<std::size_t>(numerics::windrow_cascade_stage(height, stages));
         const auto pose = [&](std::size_t n) { return std::bit_cast<numerics::WindrowPose>(poses[n]); };
         found.push_back(
-            numerics::windrow_pose_between(pose(stage), pose(stage + 1), numerics::windrow_cascade_share(height, stages)));
+            numerics::windrow_pose_between(pose(stage), pose(stage + 1), numerics::windrow_cascade_fraction(height, stages)));
     }
     return found;
 }
@@ -325,7 +325,7 @@ TEST(Cascade, ShaderTextReadsTheSamePoses) {
     EXPECT_NEAR(glm::length(posed - glm::vec3(1.0f, 3.0f, 1.0f)), 0.0f, 1e-6f);
 }
 
-TEST(Cascade, RefusesWhatIsNoPose) {
+TEST(Cascade, RejectsWhatIsNoPose) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_NE(Cascade::create({.stages = 0}, {}).error().find("stages"), std::string::npos);
     EXPECT_NE(Cascade::create({.stages = 65}, {}).error().find("stages"), std::string::npos);

@@ -83,7 +83,7 @@ TEST(PlantChance, YawsAndStiffnessesAreEven) {
 }
 
 TEST(PlantChance, AllVerticesOfABladeShareItsYaw) {
-    const auto grass = Blades::create({.own_bend = 0.0f, .own_bend_spread = 0.0f});
+    const auto grass = Blades::create({.rest_bend = 0.0f, .rest_bend_spread = 0.0f});
     ASSERT_TRUE(grass);
     Random random(1);
     double off = 0.0;
@@ -101,17 +101,17 @@ TEST(PlantChance, AllVerticesOfABladeShareItsYaw) {
 
 TEST(ViewBend, IsNothingSeenLevelAndMostSeenFromAbove) {
     const glm::vec3 up{0.0f, 1.0f, 0.0f};
-    EXPECT_EQ(numerics::windrow_view_share({1.0f, 0.0f, 0.0f}, up), 0.0f);
-    EXPECT_EQ(numerics::windrow_view_share({0.0f, 1.0f, 0.0f}, up), 0.0f);
-    EXPECT_EQ(numerics::windrow_view_share({0.0f, -1.0f, 0.0f}, up), 1.0f);
+    EXPECT_EQ(numerics::windrow_view_fraction({1.0f, 0.0f, 0.0f}, up), 0.0f);
+    EXPECT_EQ(numerics::windrow_view_fraction({0.0f, 1.0f, 0.0f}, up), 0.0f);
+    EXPECT_EQ(numerics::windrow_view_fraction({0.0f, -1.0f, 0.0f}, up), 1.0f);
     float before = -1.0f;
     for (int n = 0; n <= 90; ++n) {
         const float down = static_cast<float>(n) * 3.14159265f / 180.0f;
-        const float share = numerics::windrow_view_share({std::cos(down), -std::sin(down), 0.0f}, up);
+        const float share = numerics::windrow_view_fraction({std::cos(down), -std::sin(down), 0.0f}, up);
         ASSERT_GT(share, before);
         before = share;
     }
-    const auto grass = Blades::create({.own_bend = 0.2f, .own_bend_spread = 0.0f, .view_bend = 0.7f});
+    const auto grass = Blades::create({.rest_bend = 0.2f, .rest_bend_spread = 0.0f, .view_bend = 0.7f});
     ASSERT_TRUE(grass);
     const auto lean = [&](glm::vec3 view) {
         return std::acos(static_cast<double>(grass->vertex({1, 1}, glm::vec3(0.0f), 1.0f, 0.0f, view).tangent.y));
@@ -122,7 +122,7 @@ TEST(ViewBend, IsNothingSeenLevelAndMostSeenFromAbove) {
 
 // Fraction of a square metre that 400 blades cover, seen from straight above: the strips, drawn into 512 x 512 points.
 double coverage(float view_bend) {
-    const auto grass = Blades::create({.own_bend = 0.2f, .own_bend_spread = 0.1f, .view_bend = view_bend});
+    const auto grass = Blades::create({.rest_bend = 0.2f, .rest_bend_spread = 0.1f, .view_bend = view_bend});
     EXPECT_TRUE(grass);
     constexpr int k_side = 512, k_rows = 12;
     std::vector<bool> covered(k_side * k_side);

@@ -19,7 +19,7 @@ constexpr double k_half_turn = 3.14159265358979323846;
 constexpr double k_degrees = 180.0 / k_half_turn;
 
 double tip_of(double cauchy) {
-    return 0.5 * k_half_turn * static_cast<double>(numerics::windrow_tip_share(static_cast<float>(cauchy)));
+    return 0.5 * k_half_turn * static_cast<double>(numerics::windrow_tip_fraction(static_cast<float>(cauchy)));
 }
 
 // Middle line of a stem of length 1 whose tip bears this bend along x.
@@ -58,16 +58,16 @@ TEST(Elastica, TheReferenceLosesDragByReconfiguration) {
 }
 
 TEST(Elastica, TheTipAngleIsWithinAFractionOfADegree) {
-    double most = 0.0, most_relative = 0.0;
+    double most = 0.0, max_relative = 0.0;
     for (int i = 0; i <= 60; ++i) {
         const double cauchy = std::pow(10.0, -3.0 + 0.1 * i);
         const double exact = elastica(cauchy, 4e-3).tip;
         most = std::max(most, std::abs(tip_of(cauchy) - exact));
-        most_relative = std::max(most_relative, std::abs(tip_of(cauchy) / exact - 1.0));
+        max_relative = std::max(max_relative, std::abs(tip_of(cauchy) / exact - 1.0));
     }
     // Bounds: what the fit left when it was made (0.098 degrees, 0.24 %), rounded up.
     WINDROW_EXPECT_FIGURE("plants/elastica/tip_error_degrees", most * k_degrees, 0.1);
-    WINDROW_EXPECT_FIGURE("plants/elastica/tip_error_relative", most_relative, 0.0025);
+    WINDROW_EXPECT_FIGURE("plants/elastica/tip_error_relative", max_relative, 0.0025);
 }
 
 TEST(Elastica, TheTipAngleGrowsWithTheWindAndEndsAlongIt) {
@@ -82,19 +82,19 @@ TEST(Elastica, TheTipAngleGrowsWithTheWindAndEndsAlongIt) {
 }
 
 TEST(Elastica, TheShapeFollowsTheTip) {
-    double most = 0.0, most_from_wind = 0.0;
+    double most = 0.0, max_from_wind = 0.0;
     for (int i = 0; i <= 24; ++i) {
         const double cauchy = std::pow(10.0, -3.0 + 0.25 * i);
         const Elastica exact = elastica(cauchy, 4e-3);
         for (int n = 1; n <= 20; ++n) {
             const double h = n / 20.0;
             most = std::max(most, glm::length(stem_at(exact.tip, h) - exact.at(h)));
-            most_from_wind = std::max(most_from_wind, glm::length(stem_at(tip_of(cauchy), h) - exact.at(h)));
+            max_from_wind = std::max(max_from_wind, glm::length(stem_at(tip_of(cauchy), h) - exact.at(h)));
         }
     }
     // 0.5 % of the length is what the family of shapes leaves when its sharpness is fitted.
     WINDROW_EXPECT_FIGURE("plants/elastica/shape_error_over_length_from_exact_tip", most, 0.005);
-    WINDROW_EXPECT_FIGURE("plants/elastica/shape_error_over_length_from_wind", most_from_wind,
+    WINDROW_EXPECT_FIGURE("plants/elastica/shape_error_over_length_from_wind", max_from_wind,
                           0.0065); // and 0.1 degrees of the tip
 }
 

@@ -225,11 +225,11 @@ TEST_F(GroundDevice, StepsInOneCommandBufferFollowEachOther) {
     EXPECT_GT(apart.largest, 0.5);
 }
 
-TEST_F(GroundDevice, RefusesWhatTheCpuRefuses) {
+TEST_F(GroundDevice, RejectsWhatTheCpuRejects) {
     const auto bad = GroundMemory::create(own->host(), {.texels = 3});
     ASSERT_FALSE(bad);
     EXPECT_NE(bad.error().find("texels"), std::string::npos);
-    auto ground = GroundMemory::create(own->host(), {.texels = 16, .rim = 0.5f});
+    auto ground = GroundMemory::create(own->host(), {.texels = 16, .blend_width = 0.5f});
     ASSERT_TRUE(ground) << ground.error();
     EXPECT_FALSE(ground->record(VK_NULL_HANDLE, {}));
     run([&](VkCommandBuffer commands) { EXPECT_FALSE(ground->record(commands, {.duration = -1.0})); });

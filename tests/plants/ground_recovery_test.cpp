@@ -34,7 +34,7 @@ void advance(GroundMemory& ground, double duration, glm::vec2 lean = {0.0f, 0.0f
 TEST(GroundRecovery, TrailFadesByItsTimeConstantAndHasNoEnd) {
     for (const int rate : {15, 60, 1000}) {
         const float tau = rate == 1000 ? 2.0f : 20.0f; // fewer frames of 1 ms
-        GroundMemory ground = trodden({.texels = 16, .trail_time = tau, .rim = 0.5f});
+        GroundMemory ground = trodden({.texels = 16, .trail_time = tau, .blend_width = 0.5f});
         const double first = static_cast<double>(ground.at(k_place).trail);
         ASSERT_GT(first, 0.1);
         // Least squares of log(trail) over ten time constants, to 1/22000 of where it began.
@@ -64,7 +64,7 @@ TEST(GroundRecovery, TrailFadesByItsTimeConstantAndHasNoEnd) {
 // After twenty minutes the fading has long passed what can be seen, by nine digits and more, and is 0, not a denormal number for
 // ever.
 TEST(GroundRecovery, NothingIsLeftInTheEnd) {
-    GroundMemory ground = trodden({.texels = 8, .rim = 0.3f});
+    GroundMemory ground = trodden({.texels = 8, .blend_width = 0.3f});
     int lasted = 0;
     for (int frame = 0; frame < 72000; ++frame) {
         advance(ground, 1.0 / 60.0);
@@ -97,7 +97,7 @@ TEST(GroundRecovery, TrailOutlivesShiftsOfTheWindow) {
 
 // Released, plants swing about the trail with the period of their class, and come to rest on it.
 TEST(GroundRecovery, ReleasedPlantsSwingAtTheirFrequency) {
-    const GroundConfig config{.texels = 16, .spring = {2.0, 0.1}, .trail_time = 1e5f, .rim = 0.5f};
+    const GroundConfig config{.texels = 16, .spring = {2.0, 0.1}, .trail_time = 1e5f, .blend_width = 0.5f};
     GroundMemory ground = trodden(config);
     // The walker stood at 0; the trail points away from it.
     const float rest = ground.at(k_place).trail * static_cast<float>(k_place.z / glm::length(k_place));
@@ -118,7 +118,7 @@ TEST(GroundRecovery, ReleasedPlantsSwingAtTheirFrequency) {
 
 // Trampled plants do not follow the wind; as they rise they do.
 TEST(GroundRecovery, PressedPlantsDoNotFollowTheWind) {
-    auto made = GroundMemory::create({.texels = 16, .trail_share = 0.0f, .rim = 0.5f});
+    auto made = GroundMemory::create({.texels = 16, .trail_fraction = 0.0f, .blend_width = 0.5f});
     ASSERT_TRUE(made);
     const GroundWalker walker{.position = {0.125, 0.0, 0.125}, .previous = {0.125, 0.0, 0.125}, .radius = 1.0f};
     const glm::dvec3 right_under(0.125, 0.0, 0.125);
@@ -133,7 +133,7 @@ TEST(GroundRecovery, PressedPlantsDoNotFollowTheWind) {
 // How far a released texel's lean strays from its equation at the frames of 2 s; the equation by Runge and Kutta's fourth order
 // in double, from the same state. A wind that turns to and fro, linear between the frames of 5 Hz.
 double released_off(int rate, float trample_time) {
-    auto made = GroundMemory::create({.texels = 16, .trample_time = trample_time, .rim = 0.5f});
+    auto made = GroundMemory::create({.texels = 16, .trample_time = trample_time, .blend_width = 0.5f});
     EXPECT_TRUE(made);
     const GroundWalker walker{.radius = 1.0f};
     EXPECT_TRUE(made->advance({.duration = 0.1, .walkers = std::span(&walker, 1), .wind_lean = {0.5f, 0.0f}}));
@@ -217,7 +217,7 @@ TEST(GroundRecovery, FadingIsFollowedAtAnySetting) {
 // second, a fiftieth of what a half-float texture can show of it.
 TEST(GroundRecovery, WindMovesTheGroundAlikeAtAnyFrameRate) {
     const auto history = [](int rate) {
-        auto made = GroundMemory::create({.texels = 8, .rim = 0.4f});
+        auto made = GroundMemory::create({.texels = 8, .blend_width = 0.4f});
         EXPECT_TRUE(made);
         std::vector<glm::vec2> found;
         advance(*made, 0.0);
@@ -245,7 +245,7 @@ TEST(GroundRecovery, WindMovesTheGroundAlikeAtAnyFrameRate) {
 
 // A lean of the wind for each texel, in slots.
 TEST(GroundRecovery, EachTexelFollowsItsOwnWind) {
-    auto made = GroundMemory::create({.texels = 32, .rim = 1.0f});
+    auto made = GroundMemory::create({.texels = 32, .blend_width = 1.0f});
     ASSERT_TRUE(made);
     ASSERT_TRUE(made->follow({3.3, 0.0, -7.1}));
     std::vector<glm::vec2> leans(32 * 32);
@@ -264,7 +264,7 @@ TEST(GroundRecovery, EachTexelFollowsItsOwnWind) {
 
 // What a host's wind gives where it breaks is no wind, and is forgotten in the next step.
 TEST(GroundRecovery, ABrokenWindIsNone) {
-    auto made = GroundMemory::create({.texels = 16, .rim = 0.5f});
+    auto made = GroundMemory::create({.texels = 16, .blend_width = 0.5f});
     ASSERT_TRUE(made);
     const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
     std::vector<glm::vec2> leans(16 * 16, glm::vec2(0.2f, 0.0f));

@@ -135,7 +135,7 @@ TEST(Ground, AFastWalkerLeavesNoGaps) {
     }
     test::figure("ground/sweep/most", most);
     // The row lies 0.075 m off: (1 - 1/16)^2 of the walker's push; the oldest part has faded for 0.32 s of 20 s.
-    const double expected = static_cast<double>(config.push * config.trail_share) * std::pow(1.0 - 1.0 / 16.0, 2);
+    const double expected = static_cast<double>(config.push * config.trail_fraction) * std::pow(1.0 - 1.0 / 16.0, 2);
     EXPECT_NEAR(most, expected, 1e-3 * expected);
     WINDROW_EXPECT_FIGURE("ground/sweep/lost_along_the_path", 1.0 - least / expected, 1.0 - 0.999 * std::exp(-0.32 / 20.0));
 }
@@ -145,8 +145,8 @@ TEST(Ground, AFastWalkerLeavesNoGaps) {
 // turns it, for which a trail is renewed beyond the closest place, until its fading is outrun; and of the press what fades in the
 // few milliseconds around that place.
 TEST(Ground, AWalkLeavesTheSameTrailAtAnyFrameRate) {
-    const GroundConfig small{.texels = 32, .rim = 1.0f};
-    const double deepest = static_cast<double>(small.push * small.trail_share);
+    const GroundConfig small{.texels = 32, .blend_width = 1.0f};
+    const double deepest = static_cast<double>(small.push * small.trail_fraction);
     const GroundMemory truth = walked(small, 2.0, 1.5, 1000, 0.5f);
     double trail = 0.0, trample = 0.0;
     for (const int rate : {15, 30, 60, 144}) {
@@ -296,7 +296,7 @@ TEST(Ground, AJumpOfTheWindowIsNotSeen) {
     WINDROW_EXPECT_FIGURE("ground/jump_of_the_window", worst, 6e-6);
 }
 
-// --- Threads, refusals
+// --- Threads, rejections
 // ----------------------------------------------------------------------------------------------------------
 
 TEST(Ground, ParallelRowsHaveTheSameBits) {
@@ -311,7 +311,7 @@ TEST(Ground, ParallelRowsHaveTheSameBits) {
         ASSERT_TRUE(same_bits(detail::GroundState::of(serial)[n], detail::GroundState::of(parallel)[n])) << n;
 }
 
-TEST(Ground, RefusesWhatIsNoGround) {
+TEST(Ground, RejectsWhatIsNoGround) {
     const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
     const auto names = [](const GroundConfig& config, const char* field) {
         const auto made = GroundMemory::create(config);
@@ -324,25 +324,25 @@ TEST(Ground, RefusesWhatIsNoGround) {
         EXPECT_TRUE(names({.trail_time = bad}, "trail_time"));
         EXPECT_TRUE(names({.trample_time = bad}, "trample_time"));
         EXPECT_TRUE(names({.clearance = bad}, "clearance"));
-        EXPECT_TRUE(names({.rim = bad}, "rim"));
-        EXPECT_TRUE(names({.longest_stride = bad}, "longest_stride"));
+        EXPECT_TRUE(names({.blend_width = bad}, "blend_width"));
+        EXPECT_TRUE(names({.max_stride = bad}, "max_stride"));
     }
     EXPECT_TRUE(names({.spring = {-1.0, 0.1}}, "frequency_hz"));
     EXPECT_TRUE(names({.push = -0.1f}, "push"));
-    EXPECT_TRUE(names({.trail_share = 1.5f}, "trail_share"));
-    EXPECT_TRUE(names({.rim = 9.0f}, "rim")); // wider than a quarter of the window
-    EXPECT_TRUE(names({.most_walkers = 0}, "most_walkers"));
+    EXPECT_TRUE(names({.trail_fraction = 1.5f}, "trail_fraction"));
+    EXPECT_TRUE(names({.blend_width = 9.0f}, "blend_width")); // wider than a quarter of the window
+    EXPECT_TRUE(names({.max_walkers = 0}, "max_walkers"));
 
-    GroundMemory ground = ground_of({.most_walkers = 2});
-    const auto refuses = [&](const GroundWalker& walker, const char* field) {
+    GroundMemory ground = ground_of({.max_walkers = 2});
+    const auto rejects = [&](const GroundWalker& walker, const char* field) {
         const auto done = ground.advance({.duration = 0.1, .walkers = std::span(&walker, 1)});
         return !done && done.error().find(field) != std::string::npos;
     };
-    EXPECT_TRUE(refuses({.position = {std::nan(""), 0.0, 0.0}}, "position"));
-    EXPECT_TRUE(refuses({.previous = {0.0, 0.0, std::nan("")}}, "previous"));
-    EXPECT_TRUE(refuses({.feet = nan}, "feet"));
-    EXPECT_TRUE(refuses({.radius = 0.0f}, "radius"));
-    EXPECT_TRUE(refuses({.weight = 2.0f}, "weight"));
+    EXPECT_TRUE(rejects({.position = {std::nan(""), 0.0, 0.0}}, "position"));
+    EXPECT_TRUE(rejects({.previous = {0.0, 0.0, std::nan("")}}, "previous"));
+    EXPECT_TRUE(rejects({.feet = nan}, "feet"));
+    EXPECT_TRUE(rejects({.radius = 0.0f}, "radius"));
+    EXPECT_TRUE(rejects({.weight = 2.0f}, "weight"));
     EXPECT_FALSE(ground.advance({.duration = -0.1}));
     EXPECT_FALSE(ground.advance({.wind_lean = {nan, 0.0f}}));
     EXPECT_FALSE(ground.advance({.wind_lean = {0.0f, 2e3f}}));
@@ -357,7 +357,7 @@ TEST(Ground, RefusesWhatIsNoGround) {
 // -----------------------------------------------------------------------------------------------------------------------
 
 TEST(Ground, WhatWasMovedFromMayBeAssignedTo) {
-    GroundMemory a = ground_of({.texels = 16, .rim = 0.5f});
+    GroundMemory a = ground_of({.texels = 16, .blend_width = 0.5f});
     const GroundWalker walker;
     advance(a, 0.1, std::span(&walker, 1));
     GroundMemory b = std::move(a);

@@ -87,7 +87,7 @@ TEST(GroundWalkers, InACrowdTheTrailIsOfTheStrongestThatHasNotFaded) {
 
 // A lean is a bend in radians, as stems take it: grass that the default walker has pressed lies, the bend's tip 80 degrees down.
 TEST(GroundWalkers, PressedGrassLies) {
-    GroundMemory ground = ground_of({.texel_size = 0.01f, .rim = 0.1f});
+    GroundMemory ground = ground_of({.texel_size = 0.01f, .blend_width = 0.1f});
     const GroundWalker walker{.position = {0.055, 0.0, 0.005}, .previous = {0.055, 0.0, 0.005}};
     advance(ground, 1.0 / 60.0, std::span(&walker, 1));
     const glm::vec2 lean = ground.at({0.005, 0.0, 0.005}).lean; // five texels beside the middle
@@ -138,7 +138,7 @@ TEST(GroundWalkers, ASmallFootBetweenTexelsIsFelt) {
 
 // More than there is room for: the first ones count, and the host is told.
 TEST(GroundWalkers, OneTooManyIsLeftOutAlone) {
-    GroundMemory ground = ground_of({.most_walkers = 2});
+    GroundMemory ground = ground_of({.max_walkers = 2});
     const GroundWalker crowd[] = {standing({-4.0, 0.0, 0.0}), standing({100.0, 0.0, 0.0}), standing({0.0, 0.0, 0.0}),
                                   standing({4.0, 0.0, 0.0})}; // the second is out of the window and takes no room
     advance(ground, 0.1, crowd);

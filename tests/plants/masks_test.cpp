@@ -110,7 +110,7 @@ TEST(Droop, OfTheTipDoesNotDependOnTheNumberOfShells) {
     EXPECT_EQ(tips[0], -0.02f);
 }
 
-TEST(Droop, RefusesAShapeOfZeroOrLess) {
+TEST(Droop, RejectsAShapeOfZeroOrLess) {
     for (const float shape : {0.0f, -1.0f, std::nanf(""), std::numeric_limits<float>::infinity()}) {
         const auto shells = Shells::create({.droop_shape = shape});
         ASSERT_FALSE(shells);

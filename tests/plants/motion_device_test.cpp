@@ -28,7 +28,7 @@ glm::mat4 on_the_cpu(const glm::mat4& i, const WindrowSpringStep& spring) {
                        0.0f);
     const float height = std::abs(i[3].w);
     const WindrowPose low{i[0], i[1]}, high{i[2], i[3]};
-    const WindrowPose pose = windrow_pose_between(low, high, windrow_cascade_share(height, 7));
+    const WindrowPose pose = windrow_pose_between(low, high, windrow_cascade_fraction(height, 7));
     out[2] = glm::vec4(windrow_posed(pose, glm::vec3(i[1])), static_cast<float>(windrow_cascade_stage(height, 7)));
     out[3] = pose.rotation;
     return out;
@@ -77,7 +77,7 @@ TEST_F(MotionDevice, FormulasAreTheSameForRandomInput) {
         const glm::mat4 wanted = on_the_cpu(inputs[n], spring);
         spring_apart = std::max(spring_apart, static_cast<double>(glm::length(outputs[n][0] - wanted[0])));
         direction_apart = std::max(direction_apart, static_cast<double>(glm::length(outputs[n][1] - wanted[1])));
-        const float share = windrow_cascade_share(std::abs(inputs[n][3].w), 7);
+        const float share = windrow_cascade_fraction(std::abs(inputs[n][3].w), 7);
         if (glm::length(inputs[n][1] + share * (inputs[n][3] - inputs[n][1])) > 0.1f)
             pose_apart = std::max({pose_apart, static_cast<double>(glm::length(outputs[n][2] - wanted[2])),
                                    static_cast<double>(glm::length(outputs[n][3] - wanted[3]))});

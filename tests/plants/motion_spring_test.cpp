@@ -300,7 +300,7 @@ TEST(MotionSpring, TellsThePlacesOfTheLastFrame) {
     EXPECT_NE(place, start);
 }
 
-TEST(MotionSpring, RefusesWhatIsNoSpring) {
+TEST(MotionSpring, RejectsWhatIsNoSpring) {
     const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
     for (const double frequency : {0.0, -1.0, 2000.0, nan, infinity})
         EXPECT_NE(validate(SpringClass{frequency, 0.1}).error().find("frequency_hz"), std::string::npos);
@@ -312,9 +312,9 @@ TEST(MotionSpring, RefusesWhatIsNoSpring) {
         EXPECT_TRUE(validate(named.spring)) << named.name;
     float two[2] = {}, three[3] = {};
     const SpringStep step = step_of(springs::grass, 0.1);
-    const auto refused = advance_springs<float>(step, {two, three, two, two});
-    ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().find("velocity holds 3"), std::string::npos) << refused.error();
+    const auto rejected = advance_springs<float>(step, {two, three, two, two});
+    ASSERT_FALSE(rejected);
+    EXPECT_NE(rejected.error().find("velocity holds 3"), std::string::npos) << rejected.error();
     EXPECT_FALSE(advance_springs<float>(step, {two, two, three, two}));
     EXPECT_FALSE(advance_springs<float>(step, {two, two, two, three}));
     EXPECT_FALSE(advance_springs<float>(step, {two, two, two, two, two, {}}));

@@ -207,7 +207,7 @@ TEST(Tree, ManyVerticesAreTheSingleOnes) {
     }
 }
 
-TEST(Tree, TellsWhichVertexAndWhichPartItRefuses) {
+TEST(Tree, TellsWhichVertexAndWhichPartItRejects) {
     const Tree oak = tree();
     const TreeBearers all = small_tree();
     std::vector<TreePart> parts{all.trunk, all.branch, all.leaf, {}};
@@ -219,10 +219,10 @@ TEST(Tree, TellsWhichVertexAndWhichPartItRefuses) {
     out = turned = untouched;
     bearers[7].leaf = 4;
     parts[1].length = -1.0f;
-    const auto refused = oak.vertices(parts, winds, {rest, rest, bearers}, out, turned);
-    ASSERT_FALSE(refused);
+    const auto rejected = oak.vertices(parts, winds, {rest, rest, bearers}, out, turned);
+    ASSERT_FALSE(rejected);
     for (const char* told : {"tree.vertices.mesh.bearers[7].leaf is 4", "below 4", "tree.vertices.parts[1].length is -1"})
-        EXPECT_NE(refused.error().find(told), std::string::npos) << refused.error();
+        EXPECT_NE(rejected.error().find(told), std::string::npos) << rejected.error();
     EXPECT_EQ(out, untouched);
     EXPECT_EQ(turned, untouched);
 }

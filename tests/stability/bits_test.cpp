@@ -26,40 +26,41 @@ constexpr int k_steps = 240;
 
 struct Walls {
     const char* name;
-    Sides sides;
+    Boundaries boundaries;
 };
 
-Sides moving_lid() {
-    Sides sides = Sides::all(SideKind::no_slip);
-    sides.y_high.wall_velocity = {2.0f, 0.0f, -1.0f};
-    return sides;
+Boundaries moving_lid() {
+    Boundaries boundaries = Boundaries::all(BoundaryKind::no_slip);
+    boundaries.y_high.wall_velocity = {2.0f, 0.0f, -1.0f};
+    return boundaries;
 }
 
-Sides duct() {
-    Sides sides = Sides::all(SideKind::free_slip);
-    sides.x_low.kind = sides.x_high.kind = SideKind::periodic;
-    sides.z_high.kind = SideKind::open;
-    sides.y_low.kind = SideKind::no_slip;
-    return sides;
+Boundaries duct() {
+    Boundaries boundaries = Boundaries::all(BoundaryKind::free_slip);
+    boundaries.x_low.kind = boundaries.x_high.kind = BoundaryKind::periodic;
+    boundaries.z_high.kind = BoundaryKind::open;
+    boundaries.y_low.kind = BoundaryKind::no_slip;
+    return boundaries;
 }
 
-const Walls k_walls[] = {{"open", Sides{}},
-                         {"open_over_floor", Sides::open_over_floor()},
-                         {"free_slip", Sides::all(SideKind::free_slip)},
+const Walls k_walls[] = {{"open", Boundaries{}},
+                         {"open_over_floor", Boundaries::open_over_floor()},
+                         {"free_slip", Boundaries::all(BoundaryKind::free_slip)},
                          {"no_slip_moving_lid", moving_lid()},
-                         {"periodic", Sides::all(SideKind::periodic)},
+                         {"periodic", Boundaries::all(BoundaryKind::periodic)},
                          {"duct_of_four_kinds", duct()}};
 
 std::uint64_t hash_after(const Walls& walls, glm::ivec3 cells, Scheme scheme, Interpolation interpolation, Simd level) {
     Config config{.cells = cells,
-                  .sides = walls.sides,
-                  .ambient = admissible_ambient(walls.sides, {4.0f, 0.0f, 1.5f}),
+                  .boundaries = walls.boundaries,
+                  .ambient = admissible_ambient(walls.boundaries, {4.0f, 0.0f, 1.5f}),
                   .viscosity = 0.05f,
                   .scheme = scheme,
                   .interpolation = interpolation,
                   .simd = level};
-    const bool floor = walls.sides.y_low.solid();
-    const bool free_x = walls.sides.x_low.kind == SideKind::open, free_z = walls.sides.z_low.kind == SideKind::open;
+    const bool floor = walls.boundaries.y_low.solid();
+    const bool free_x = walls.boundaries.x_low.kind == BoundaryKind::open,
+               free_z = walls.boundaries.z_low.kind == BoundaryKind::open;
     if (free_x)
         config.gusts = {.intensity = 0.2f, .length = 12.0f};
     if (floor && free_x) {
@@ -79,7 +80,7 @@ std::uint64_t hash_after(const Walls& walls, glm::ivec3 cells, Scheme scheme, In
                                  .region = AlignedBox{},
                                  .law = Force{3.0f},
                                  .envelope = {.attack = 0.3f, .hold = 1.0f, .decay = 0.5f}});
-    if (walls.sides.z_high.kind == SideKind::open) { // air that comes in must get out
+    if (walls.boundaries.z_high.kind == BoundaryKind::open) { // air that comes in must get out
         added(wind, OmniMotor{.position = start + glm::dvec3(-2.0, 0.0, -2.0), .speed = 4.0f});
         added(wind, PressureMotor{.position = start + glm::dvec3(3.0, 0.0, 3.0)});
     }

@@ -29,7 +29,7 @@ TEST(BrokenCells, DoNoMoreThanAmbientOnesWould) {
         }
         worst.meet(watch);
     }
-    worst.judge("broken_cells", {k_input_energy, k_opposed_factor});
+    worst.judge("nonfinite_cells", {k_input_energy, k_opposed_factor});
 }
 
 // The guard meets them wherever they are: with gusts the wind is solved less a given part, in a thin box all is rim.
@@ -37,10 +37,10 @@ TEST(BrokenCells, InEveryStepOfEveryKindOfBox) {
     for (const glm::ivec3 cells : {glm::ivec3(12, 8, 10), glm::ivec3(12, 1, 10), glm::ivec3(1, 1, 1)})
         for (const Scheme scheme : {Scheme::second_order, Scheme::stable_fluids}) {
             Worst worst;
-            for (const SideKind kind : k_kinds)
+            for (const BoundaryKind kind : k_kinds)
                 for (const float gusts : {0.0f, 0.4f}) {
                     Wind wind = made({.cells = cells,
-                                      .sides = Sides::all(kind),
+                                      .boundaries = Boundaries::all(kind),
                                       .ambient = {6.0f, 0.0f, 2.0f},
                                       .gusts = {.intensity = gusts},
                                       .scheme = scheme});

@@ -1,5 +1,5 @@
 // The checkerboard (-1)^(i+j+k): no collocated projection sees it, since neighbours but one agree. It goes with the wind that
-// carries it and with the settling time, by nothing else.
+// carries it and with the relaxation time, by nothing else.
 
 #include "tests/stability/watch.h"
 
@@ -16,12 +16,12 @@ struct Board {
     Wind wind;
     glm::vec3 breeze;
 
-    Board(const Sides& sides, float settling_time, glm::vec3 wind_outside = glm::vec3(0.0f))
+    Board(const Boundaries& boundaries, float relaxation_time, glm::vec3 wind_outside = glm::vec3(0.0f))
         : wind(made({.cells = k_cells,
-                     .sides = sides,
+                     .boundaries = boundaries,
                      .ambient = wind_outside,
                      .viscosity = 0.0f,
-                     .settling_time = settling_time,
+                     .relaxation_time = relaxation_time,
                      .sleep_speed = 0.0f})),
           breeze(wind.ambient()) {
         Field field(wind.field().size());
@@ -52,19 +52,19 @@ struct Board {
 
 constexpr struct {
     const char* name;
-    SideKind kind;
-} k_boxes[] = {{"open", SideKind::open}, {"walls", SideKind::free_slip}, {"periodic", SideKind::periodic}};
+    BoundaryKind kind;
+} k_boxes[] = {{"open", BoundaryKind::open}, {"walls", BoundaryKind::free_slip}, {"periodic", BoundaryKind::periodic}};
 
-// A wind of the two finest waves is what open sides are worst at: near their edges the step adds to it until it is 2.2 times as
+// A wind of the two finest waves is what open boundaries are worst at: near their edges the step adds to it until it is 2.2 times as
 // large at most (the norm of the step's powers without transport; random_stories_test.cpp), more in single cells.
-GrowthBounds bounds_of(SideKind kind) {
-    return kind == SideKind::open ? GrowthBounds{2.2 * 2.2, 8.0} : GrowthBounds{1.001, 1.1};
+GrowthBounds bounds_of(BoundaryKind kind) {
+    return kind == BoundaryKind::open ? GrowthBounds{2.2 * 2.2, 8.0} : GrowthBounds{1.001, 1.1};
 }
 
 // In still air most of it stays, 71 % after 10 s in a prototype of this step. How much is stated; that it cannot grow is asked.
 TEST(Checkerboard, StaysInStillAirThatDoesNotSettle) {
     for (const auto& box : k_boxes) {
-        Board board(Sides::all(box.kind), 0.0f);
+        Board board(Boundaries::all(box.kind), 0.0f);
         Watch watch(board.wind);
         const std::string name = std::string("checkerboard_unsettled_") + box.name;
         for (int n = 0; n < shortened(3'600); ++n) {
@@ -82,13 +82,13 @@ TEST(Checkerboard, DiesWithTheSettlingTime) {
     if (k_sanitized)
         GTEST_SKIP() << "only the whole time tells";
     for (const auto& box : k_boxes) {
-        Board board(Sides::all(box.kind), 20.0f);
+        Board board(Boundaries::all(box.kind), 20.0f);
         Watch watch(board.wind);
         take_steps(watch, 3'600, k_dt);
         const std::string name = std::string("checkerboard_settled_") + box.name;
         watch.judge(name, bounds_of(box.kind));
         WINDROW_EXPECT_FIGURE("stability/" + name + "/left_after_60_s", board.left(),
-                              (box.kind == SideKind::open ? 2.2 : 1.01) * std::exp(-60.0 / 20.0));
+                              (box.kind == BoundaryKind::open ? 2.2 : 1.01) * std::exp(-60.0 / 20.0));
     }
 }
 
@@ -106,11 +106,11 @@ TEST(Checkerboard, DiesInAnyBreeze) {
         factor *= (1.0 - 2.0 * t) * (3.0 + 2.0 * t * (1.0 - t)) / 3.0;
     }
     const double rounding = 0.5 * std::ldexp(1.0, -24) / (1.0 - factor) / static_cast<double>(k_size); // of 0.5 m/s
-    for (const SideKind kind : {SideKind::open, SideKind::periodic}) {
-        Board board(Sides::all(kind), 0.0f, breeze);
+    for (const BoundaryKind kind : {BoundaryKind::open, BoundaryKind::periodic}) {
+        Board board(Boundaries::all(kind), 0.0f, breeze);
         Watch watch(board.wind);
         take_steps(watch, 600, k_dt);
-        const std::string name = std::string("checkerboard_breeze_") + (kind == SideKind::open ? "open" : "periodic");
+        const std::string name = std::string("checkerboard_breeze_") + (kind == BoundaryKind::open ? "open" : "periodic");
         watch.judge(name, {1.001, 1.1});
         WINDROW_EXPECT_FIGURE("stability/" + name + "/board_left_after_10_s", board.mode(),
                               2.0 * std::pow(factor, 600) + rounding);

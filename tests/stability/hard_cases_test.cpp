@@ -32,9 +32,9 @@ struct Growth {
 void grow(Growth& growth, const HardStart& start, int steps, const std::function<double(int step)>& cells_per_step,
           Scheme scheme = Scheme::second_order, std::uint32_t seed = 7) {
     Wind wind = made({.cells = k_cells,
-                      .sides = Sides::all(SideKind::periodic),
+                      .boundaries = Boundaries::all(BoundaryKind::periodic),
                       .viscosity = 0.0f,
-                      .settling_time = 0.0f,
+                      .relaxation_time = 0.0f,
                       .scheme = scheme,
                       .max_cfl = 1e6f,
                       .max_substeps = 1});
@@ -49,7 +49,7 @@ void grow(Growth& growth, const HardStart& start, int steps, const std::function
         least = std::min(least, watch.energy());
         growth.rise = std::max(growth.rise, watch.energy() / least);
     }
-    EXPECT_EQ(watch.most_substeps(), 1);
+    EXPECT_EQ(watch.max_substeps(), 1);
     growth.energy_at_end = watch.energy();
     growth.worst.meet(watch);
 }

@@ -1,7 +1,7 @@
 // What was put into the air, as a speed: what a run is measured by where forces act.
 //
 // Without pressure every rule of the step pulls the air toward something or adds an impulse: transport brings what was
-// elsewhere, a side, a wall, viscosity or the settling time pull toward the wind outside or the wall, a drive toward its target.
+// elsewhere, a side, a wall, viscosity or the relaxation time pull toward the wind outside or the wall, a drive toward its target.
 // So along each path
 //   |u| <= V = max(start, winds outside, walls, targets) + sum of the impulses + 2 max(flow of the sources of air)
 // The flow of sources counts twice: a drive pulls the whole wind toward its target while the flow stands in it, so that what is
@@ -9,7 +9,7 @@
 //
 // Pressure shares speed out: projecting takes energy, never adds any. So two bounds are asked, both stated here once:
 //   energy     that of the whole box at V: it could be passed only by air that is driven while it is faster than its target;
-//   largest    k_speed_factor V: a cubic read overshoots by at most 1.25 an axis (pieces.h), 1.95 in all, and shear rolls up to
+//   largest    k_speed_factor V: a cubic read overshoots by at most 1.25 an axis (operators.h), 1.95 in all, and shear rolls up to
 //              1.5 of its speed (hard_cases_test.cpp): 2.93 together. 1.8 was seen where jets meet.
 #pragma once
 
@@ -106,10 +106,10 @@ class Input {
     /// Something that the air is pulled toward. [m/s]
     void meets(double speed) { fastest_ = std::max(fastest_, speed); }
     void meets(glm::vec3 velocity) { meets(glm::length(glm::dvec3(velocity))); }
-    void meets(const Sides& sides) {
+    void meets(const Boundaries& boundaries) {
         for (int axis = 0; axis < 3; ++axis)
             for (int end = 0; end < 2; ++end)
-                meets(sides.at(axis, end).wall_velocity);
+                meets(boundaries.at(axis, end).wall_velocity);
     }
     /// A change that adds to what is there. [m/s]
     void adds(double speed) { added_ += speed; }

@@ -48,7 +48,7 @@ Motor some_motor(Random& random) {
 TEST(MotorChurn, BornAndKilledInEveryStep) {
     for (int kind = 0; kind < 4; ++kind)
         for (const Scheme scheme : {Scheme::second_order, Scheme::stable_fluids}) {
-            Wind wind = made({.cells = k_cells, .sides = Sides::all(k_kinds[kind]), .scheme = scheme});
+            Wind wind = made({.cells = k_cells, .boundaries = Boundaries::all(k_kinds[kind]), .scheme = scheme});
             Watch watch(wind, double(k_speed));
             Random random(61);
             std::vector<MotorId> living;
@@ -73,7 +73,7 @@ TEST(MotorChurn, BornAndKilledInEveryStep) {
 
 TEST(MotorChurn, MovedFarInEveryStep) {
     for (int kind = 0; kind < 4; ++kind) {
-        Wind wind = made({.cells = k_cells, .sides = Sides::all(k_kinds[kind])});
+        Wind wind = made({.cells = k_cells, .boundaries = Boundaries::all(k_kinds[kind])});
         Random random(62);
         std::vector<MotorId> motors;
         for (int n = 0; n < 12; ++n)

@@ -42,7 +42,7 @@ TEST(MovingWindow, GustsAndJumpsOfAnyLength) {
          {WindowJump{"3_m", 3.0, true}, {"30_m", 30.0, true}, {"1e6_m", 1e6, true}, {"1e11_m", 1e11, false}})
         for (const bool floor : {false, true}) {
             Wind wind = made({.cells = k_cells,
-                              .sides = floor ? Sides::open_over_floor() : Sides{},
+                              .boundaries = floor ? Boundaries::open_over_floor() : Boundaries{},
                               .ambient = {12.0f, 0.0f, -5.0f},
                               .gusts = {.intensity = 0.5f}});
             drive(wind, {1.0, 0.0, 2.0}, {-1.0f, 0.3f, 0.0f}, 30.0f, 3.0f);

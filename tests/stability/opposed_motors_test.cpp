@@ -81,8 +81,8 @@ TEST(OpposedMotors, OfAThousandMetresASecond) {
     for (const auto& opponents : k_opponents)
         for (const auto& manner : k_manners) {
             Worst worst;
-            for (const SideKind kind : k_kinds) {
-                Wind wind = made({.cells = k_cells, .sides = Sides::all(kind), .max_cfl = manner.max_cfl});
+            for (const BoundaryKind kind : k_kinds) {
+                Wind wind = made({.cells = k_cells, .boundaries = Boundaries::all(kind), .max_cfl = manner.max_cfl});
                 const auto prepare = opponents.add(wind);
                 const double carried = std::sqrt(3.0) * 8.0 * static_cast<double>(manner.max_cfl) / manner.dt;
                 Watch watch(wind, std::min(double(k_speed), carried));
@@ -90,7 +90,7 @@ TEST(OpposedMotors, OfAThousandMetresASecond) {
                     prepare(manner.dt);
                     watch.step(manner.dt);
                 }
-                EXPECT_EQ(watch.most_substeps() > 1, manner.max_cfl == 2.0f);
+                EXPECT_EQ(watch.max_substeps() > 1, manner.max_cfl == 2.0f);
                 if (manner.capped) {
                     EXPECT_GT(watch.capped_steps(), 0);
                 }
@@ -103,7 +103,7 @@ TEST(OpposedMotors, OfAThousandMetresASecond) {
 TEST(OpposedMotors, OfAStorm) {
     for (int kind = 0; kind < 4; ++kind)
         for (const bool raw : {false, true}) {
-            Wind wind = made({.cells = k_cells, .sides = Sides::all(k_kinds[kind]), .max_cfl = raw ? 1e6f : 2.0f});
+            Wind wind = made({.cells = k_cells, .boundaries = Boundaries::all(k_kinds[kind]), .max_cfl = raw ? 1e6f : 2.0f});
             drive(wind, {-3.0, 0.0, 0.0}, {1.0f, 0.0f, 0.0f}, 50.0f);
             drive(wind, {3.0, 0.0, 0.0}, {-1.0f, 0.0f, 0.0f}, 50.0f);
             drive(wind, {0.0, 2.0, 0.0}, {0.0f, -1.0f, 0.2f}, 50.0f, 1.0f);
@@ -116,7 +116,7 @@ TEST(OpposedMotors, OfAStorm) {
 
 TEST(OpposedMotors, OneAloneOfAThousandMetresASecond) {
     for (int kind = 0; kind < 4; ++kind) {
-        Wind wind = made({.cells = k_cells, .sides = Sides::all(k_kinds[kind])});
+        Wind wind = made({.cells = k_cells, .boundaries = Boundaries::all(k_kinds[kind])});
         drive(wind, {0.3, 0.2, 0.1}, {1.0f, 0.1f, 0.0f}, k_speed, 1.0f);
         Watch watch(wind, double(k_speed));
         watch.run(1'000, 1.0 / 60.0);

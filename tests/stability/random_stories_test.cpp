@@ -4,7 +4,7 @@
 //
 // The seed is fixed so that a run can be repeated; RC_PARAMS="seed=0 max_success=10000" asks for more.
 
-#include "fluid/pieces.h"
+#include "fluid/operators.h"
 #include "tests/stability/random_story.h"
 #include "tests/stability/story.h"
 #include "tests/stability/watch.h"
@@ -57,8 +57,8 @@ TEST(RandomStories, StayWithinWhatWasPutIn) {
 // Most energy over the start's with open boundaries, ProjectingAddsNoEnergy: of one projection, and of any number of them.
 constexpr double k_open_projection = 1.032 * 1.032, k_open_projections = 2.2 * 2.2;
 
-void gains_no_energy(Tally& tally, Config (*config)(), double most_cells) {
-    const Story story = *calm_story(config, most_cells);
+void gains_no_energy(Tally& tally, Config (*config)(), double max_cells) {
+    const Story story = *calm_story(config, max_cells);
     auto wind = Wind::create(story.config);
     RC_ASSERT(wind.has_value());
     // Else there is nothing but rounding to compare with: a box one cell across may hold no wind at all.
@@ -103,13 +103,13 @@ TEST(RandomStories, CubicOnesGainNoEnergyByThemselves) {
 
 // --- The projection by itself --------------------------------------------------------------------------------------------
 
-// A projection adds nothing to the square norm, once or repeated. Beyond an open side p is 0 at the ghost's centre and the
+// A projection adds nothing to the square norm, once or repeated. Beyond an open boundary p is 0 at the ghost's centre and the
 // divergence sees the cell itself there, no adjoint pair: the norm of the matrix is 1.032 at most (boxes of 4 to 20 cells an axis,
 // of one to three axes), that of its powers 2.2.
 TEST(RandomStories, ProjectingAddsNoEnergy) {
     double worst = 0.0;
     EXPECT_TRUE(check("a projection never adds more than its norm to the square norm", [&] {
-        const Box box{.cells = {pick(1, 16), pick(1, 16), pick(1, 16)}, .cell_size = 1.0f, .sides = some_sides(0.0)};
+        const Box box{.cells = {pick(1, 16), pick(1, 16), pick(1, 16)}, .cell_size = 1.0f, .boundaries = some_sides(0.0)};
         auto work = Workspace::create({.box = box});
         RC_ASSERT(work.has_value());
         const auto seed = static_cast<std::uint32_t>(pick(1, 1000));
@@ -120,7 +120,7 @@ TEST(RandomStories, ProjectingAddsNoEnergy) {
             project(*work, field);
             const double energy = energy_of(field);
             worst = std::max(worst, energy / last);
-            const bool open = box.sides.has_open(0) || box.sides.has_open(1) || box.sides.has_open(2);
+            const bool open = box.boundaries.has_open(0) || box.boundaries.has_open(1) || box.boundaries.has_open(2);
             RC_ASSERT(energy <= last * (open ? k_open_projection : 1.0 + 1e-5));
             RC_ASSERT(energy <= start * (open ? k_open_projections : 1.0 + 1e-5));
             last = energy;

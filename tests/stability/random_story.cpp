@@ -28,21 +28,22 @@ int around(int most) {
 
 } // namespace
 
-Sides some_sides(double wall_speed) {
-    Sides sides;
-    Side* const ordered[6] = {&sides.x_low, &sides.x_high, &sides.y_low, &sides.y_high, &sides.z_low, &sides.z_high};
+Boundaries some_sides(double wall_speed) {
+    Boundaries boundaries;
+    Boundary* const ordered[6] = {&boundaries.x_low,  &boundaries.x_high, &boundaries.y_low,
+                                  &boundaries.y_high, &boundaries.z_low,  &boundaries.z_high};
     for (int axis = 0; axis < 3; ++axis) {
         const bool periodic = pick(0, 3) == 3;
         for (int end = 0; end < 2; ++end) {
-            Side& side = *ordered[2 * axis + end];
-            side.kind = periodic ? SideKind::periodic : static_cast<SideKind>(pick(0, 2));
-            if (side.kind != SideKind::no_slip || wall_speed == 0.0)
+            Boundary& side = *ordered[2 * axis + end];
+            side.kind = periodic ? BoundaryKind::periodic : static_cast<BoundaryKind>(pick(0, 2));
+            if (side.kind != BoundaryKind::no_slip || wall_speed == 0.0)
                 continue;
             for (int along = 0; along < 3; ++along)
                 side.wall_velocity[along] = along == axis ? 0.0f : static_cast<float>(around(10) * wall_speed / 10.0);
         }
     }
-    return sides;
+    return boundaries;
 }
 
 namespace {
@@ -277,7 +278,7 @@ Config any_config() {
     config.cells = {pick(1, most), pick(1, most), pick(1, most)};
     config.cell_size = single(spread(0.05, 20.0));
     config.viscosity = pick(0, 2) == 0 ? 0.0f : single(spread(1e-5, 1e4));
-    config.settling_time = pick(0, 1) == 0 ? 0.0f : single(spread(0.1, 100.0));
+    config.relaxation_time = pick(0, 1) == 0 ? 0.0f : single(spread(0.1, 100.0));
     config.scheme = pick(0, 3) == 3 ? Scheme::stable_fluids : Scheme::second_order;
     config.interpolation = pick(0, 3) == 3 ? Interpolation::linear : Interpolation::cubic;
     return config;
@@ -286,22 +287,22 @@ Config any_config() {
 rc::Gen<Story> any_story() {
     const auto config = rc::gen::exec([] {
         Config any = any_config();
-        any.sides = some_sides(10.0);
+        any.boundaries = some_sides(10.0);
         any.ambient = glm::vec3(point(20.0));
         any.centre = point(pick(0, 3) < 3 ? 100.0 : 1e6) * static_cast<double>(any.cell_size);
         if (pick(0, 2) == 2)
             any.profile = LogProfile{single(spread(1e-3, 1.0)), single(spread(1.0, 100.0))};
         if (pick(0, 2) == 2)
             any.gusts = some_gusts(static_cast<double>(any.cell_size));
-        any.rim = single(pick(0, 4));
+        any.blend_width = single(pick(0, 4));
         any.sleep_speed = pick(0, 2) < 2 ? 1e-3f : 0.0f;
         any.max_cfl = pick(0, 1) == 0 ? 2.0f : single(spread(0.5, 50.0));
         any.max_substeps = pick(1, 8);
         any.ticks.hz = spread(5.0, 200.0);
-        any.ticks.most = pick(1, 6);
+        any.ticks.max_per_call = pick(1, 6);
         if (const int off = pick(0, 19); off >= 15) {
             Stages& stages = any.stages;
-            bool* const all[] = {&stages.sources, &stages.settling, &stages.diffusion, &stages.advection, &stages.projection};
+            bool* const all[] = {&stages.sources, &stages.relaxation, &stages.diffusion, &stages.advection, &stages.projection};
             *all[off - 15] = false;
         }
         return any;
@@ -317,10 +318,10 @@ rc::Gen<Story> any_story() {
                         });
 }
 
-rc::Gen<Story> calm_story(Config (*config)(), double most_cells) {
+rc::Gen<Story> calm_story(Config (*config)(), double max_cells) {
     const auto box = rc::gen::exec([config] {
         Config calm = config();
-        calm.sides = some_sides(0.0);
+        calm.boundaries = some_sides(0.0);
         calm.max_cfl = 1e6f; // the raw step
         calm.sleep_speed = 0.0f;
         return calm;
@@ -329,7 +330,7 @@ rc::Gen<Story> calm_story(Config (*config)(), double most_cells) {
         const story::StartAir::Pattern kind = some_start(1);
         return story::StartAir{kind, 1.0f, static_cast<std::uint32_t>(pick(1, 1000)), true};
     });
-    const auto event = rc::gen::exec([most_cells]() -> story::Event {
+    const auto event = rc::gen::exec([max_cells]() -> story::Event {
         switch (pick(0, 6)) {
         case 4:
             return story::Follow{point(3.0)};
@@ -339,7 +340,7 @@ rc::Gen<Story> calm_story(Config (*config)(), double most_cells) {
             return story::SaveAndLoad{};
         default: {
             const int count = pick(1, 20);
-            return story::Steps{count, spread(1e-3, most_cells)}; // in steps of one cell at 1 m/s
+            return story::Steps{count, spread(1e-3, max_cells)}; // in steps of one cell at 1 m/s
         }
         }
     });

@@ -11,8 +11,8 @@ namespace windrow::test {
 /// A story of all kinds of events, in which motors push.
 [[nodiscard]] rc::Gen<Story> any_story();
 /// The same without motors, in still air between still walls. `config` draws the box and the solver; a step takes at most
-/// `most_cells` (at the start's speed).
-[[nodiscard]] rc::Gen<Story> calm_story(Config (*config)(), double most_cells);
+/// `max_cells` (at the start's speed).
+[[nodiscard]] rc::Gen<Story> calm_story(Config (*config)(), double max_cells);
 
 /// Any box and solver.
 [[nodiscard]] Config any_config();
@@ -24,6 +24,6 @@ namespace windrow::test {
 [[nodiscard]] double real(double low, double high);
 /// Uniform in the logarithm.
 [[nodiscard]] double spread(double low, double high);
-[[nodiscard]] Sides some_sides(double wall_speed);
+[[nodiscard]] Boundaries some_sides(double wall_speed);
 
 } // namespace windrow::test

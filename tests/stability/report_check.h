@@ -22,7 +22,7 @@ struct StepTaken {
 };
 
 /// Cells of which a component is NaN or infinite.
-[[nodiscard]] inline std::int64_t broken_cells(std::span<const glm::vec4> field) {
+[[nodiscard]] inline std::int64_t nonfinite_cells(std::span<const glm::vec4> field) {
     return std::count_if(field.begin(), field.end(), [](const glm::vec4& u) {
         return !(std::isfinite(u.x) && std::isfinite(u.y) && std::isfinite(u.z) && std::isfinite(u.w));
     });

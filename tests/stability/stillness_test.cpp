@@ -1,4 +1,4 @@
-// Air left alone: open sides must not feed it, and the settling time brings it to rest.
+// Air left alone: open boundaries must not feed it, and the relaxation time brings it to rest.
 
 #include "tests/stability/watch.h"
 
@@ -9,8 +9,8 @@ using namespace windrow::test;
 
 constexpr glm::ivec3 k_cells(32, 16, 32);
 
-Wind still(const Sides& sides, float settling_time) {
-    return made({.cells = k_cells, .sides = sides, .viscosity = 0.0f, .settling_time = settling_time});
+Wind still(const Boundaries& boundaries, float relaxation_time) {
+    return made({.cells = k_cells, .boundaries = boundaries, .viscosity = 0.0f, .relaxation_time = relaxation_time});
 }
 
 double rms(const Wind& wind) {
@@ -22,8 +22,8 @@ void start_with_noise(Wind& wind) {
 }
 
 // No force: no more energy than at the start. Speeds have the bound of white starts (hard_cases_test.cpp).
-void expect_five_minutes_without_gain(const std::string& name, const Sides& sides, double rate_hz) {
-    Wind wind = still(sides, 0.0f);
+void expect_five_minutes_without_gain(const std::string& name, const Boundaries& boundaries, double rate_hz) {
+    Wind wind = still(boundaries, 0.0f);
     start_with_noise(wind);
     Watch watch(wind);
     take_steps(watch, shortened(static_cast<int>(300.0 * rate_hz)), 1.0 / rate_hz);
@@ -33,20 +33,20 @@ void expect_five_minutes_without_gain(const std::string& name, const Sides& side
 
 // 18,000 steps of 1/60 s. Edge copies instead of ambient beyond the sides fail this by a factor of 8.
 TEST(Stillness, FiveMinutesWithOpenSidesNeverGainEnergy) {
-    expect_five_minutes_without_gain("still_open_60_hz", Sides{}, 60.0);
-    expect_five_minutes_without_gain("still_floor_30_hz", Sides::open_over_floor(), 30.0); // 9,000 steps
+    expect_five_minutes_without_gain("still_open_60_hz", Boundaries{}, 60.0);
+    expect_five_minutes_without_gain("still_floor_30_hz", Boundaries::open_over_floor(), 30.0); // 9,000 steps
 }
 
 TEST(Stillness, FiveMinutesInAClosedBoxNeverGainEnergy) {
-    expect_five_minutes_without_gain("still_periodic_30_hz", Sides::all(SideKind::periodic), 30.0);
-    expect_five_minutes_without_gain("still_walls_30_hz", Sides::all(SideKind::no_slip), 30.0);
+    expect_five_minutes_without_gain("still_periodic_30_hz", Boundaries::all(BoundaryKind::periodic), 30.0);
+    expect_five_minutes_without_gain("still_walls_30_hz", Boundaries::all(BoundaryKind::no_slip), 30.0);
 }
 
 // Not only noise: a stream that crosses the sides, in steps so short that only the projection acts.
 TEST(Stillness, StreamsThroughOpenSidesGainNoEnergy) {
-    for (const auto& [name, sides] : {std::pair{"open", Sides{}}, {"floor", Sides::open_over_floor()}})
+    for (const auto& [name, boundaries] : {std::pair{"open", Boundaries{}}, {"floor", Boundaries::open_over_floor()}})
         for (const double dt : {0.001, 1.0 / 60.0, 0.5}) {
-            Wind wind = still(sides, 0.0f);
+            Wind wind = still(boundaries, 0.0f);
             ASSERT_TRUE(wind.set_velocity(projected(shear_layer(k_cells, 1.0f, 25), wind.box())));
             Watch watch(wind);
             watch.run(600, dt);
@@ -58,9 +58,10 @@ TEST(Stillness, StreamsThroughOpenSidesGainNoEnergy) {
 TEST(Stillness, TheSettlingTimeBringsItToRest) {
     if (k_sanitized)
         GTEST_SKIP() << "only the whole time tells";
-    for (const auto& [name, sides] :
-         {std::pair{"open", Sides{}}, {"periodic", Sides::all(SideKind::periodic)}, {"walls", Sides::all(SideKind::free_slip)}}) {
-        Wind wind = still(sides, 20.0f);
+    for (const auto& [name, boundaries] : {std::pair{"open", Boundaries{}},
+                                           {"periodic", Boundaries::all(BoundaryKind::periodic)},
+                                           {"walls", Boundaries::all(BoundaryKind::free_slip)}}) {
+        Wind wind = still(boundaries, 20.0f);
         start_with_noise(wind);
         Watch watch(wind);
         take_steps(watch, 9'000, 1.0 / 30.0);

@@ -19,7 +19,7 @@ TEST(Storms, CflHundredWithAndWithoutViscosity) {
             Wind wind = made({.cells = cells,
                               .ambient = {100.0f, 0.0f, 0.0f},
                               .viscosity = viscosity,
-                              .settling_time = 0.0f,
+                              .relaxation_time = 0.0f,
                               .max_cfl = raw ? 1e6f : 2.0f});
             Field start = white_noise(cells, 20.0f, 31);
             for (glm::vec4& u : start)
@@ -77,10 +77,10 @@ void expect_bounded_with_all_at_once(const std::string& name, glm::ivec3 cells, 
         ASSERT_TRUE(wind.follow(random.point(n % 200 == 0 ? 1e6 : 3.0)));
         ASSERT_TRUE(wind.motors().move(body, random.point(1.0)));
         if (n % 50 == 0) {
-            Sides sides;
-            sides.y_low.kind = sides.x_high.kind = k_kinds[(n / 50) % 3];
-            sides.z_low.kind = sides.z_high.kind = k_kinds[(n / 150) % 4];
-            ASSERT_TRUE(wind.set_sides(sides));
+            Boundaries boundaries;
+            boundaries.y_low.kind = boundaries.x_high.kind = k_kinds[(n / 50) % 3];
+            boundaries.z_low.kind = boundaries.z_high.kind = k_kinds[(n / 150) % 4];
+            ASSERT_TRUE(wind.set_boundaries(boundaries));
         }
         const bool broken = n % 20 == 7;
         if (broken) {

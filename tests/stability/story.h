@@ -61,7 +61,7 @@ struct Floor {
     double height = 0.0; ///< [m]
 };
 struct ChangeSides {
-    Sides sides;
+    Boundaries boundaries;
 };
 struct ChangeAmbient {
     glm::vec3 ambient{0.0f}; ///< [m/s]

@@ -63,11 +63,11 @@ class Teller {
         config.parallel_for = three_threads().parallel_for();
         auto threaded = Wind::create(config);
         if (!alone || !threaded)
-            return fail("the config is refused: " + alone.error());
+            return fail("the config is rejected: " + alone.error());
         winds_.push_back(*std::move(alone));
         winds_.push_back(*std::move(threaded));
         meet_outside();
-        input_.meets(story_.config.sides);
+        input_.meets(story_.config.boundaries);
         if (story_.start.kind == story::StartAir::Pattern::ambient)
             return true;
         Field field = start_field(winds_[0], story_.start);
@@ -84,7 +84,7 @@ class Teller {
     // --- Events ---------------------------------------------------------------------------------------------------------
     void happen(const story::Steps& event) {
         for (int n = 0; n < event.count && told_.fault.empty(); ++n) {
-            const std::int64_t broken = broken_cells(winds_[0].field());
+            const std::int64_t broken = nonfinite_cells(winds_[0].field());
             const bool was_asleep = asleep_;
             // A frame that was begun is ended by a step: what was told in it happens in this step, the way of the box too.
             const bool moved = std::exchange(ticking_, false);
@@ -102,7 +102,7 @@ class Teller {
         const double tick = 1.0 / story_.config.ticks.hz;
         ticking_ = true;
         for (int n = 0; n < event.count && told_.fault.empty(); ++n) {
-            const std::int64_t broken = broken_cells(winds_[0].field());
+            const std::int64_t broken = nonfinite_cells(winds_[0].field());
             sweep(event.dt, 1.0);
             act(event.dt + tick);
             const Advance done = winds_[0].advance(event.dt);
@@ -161,7 +161,7 @@ class Teller {
         meet_outside();
     }
     void happen(const story::Floor& event) {
-        if (!winds_[0].box().sides.y_low.solid())
+        if (!winds_[0].box().boundaries.y_low.solid())
             return;
         for (Wind& wind : winds_)
             expect(wind.set_floor(event.height), "set_floor");
@@ -169,10 +169,10 @@ class Teller {
     }
     void happen(const story::ChangeSides& event) {
         for (Wind& wind : winds_)
-            expect(wind.set_sides(event.sides), "set_sides");
-        input_.meets(event.sides);
+            expect(wind.set_boundaries(event.boundaries), "set_boundaries");
+        input_.meets(event.boundaries);
         meet_outside();
-        // Walls take gusts away along their axis, open sides give them back, while the air stays as it is.
+        // Walls take gusts away along their axis, open boundaries give them back, while the air stays as it is.
         input_.adds(gust());
     }
     // The air of the box changes with it.
@@ -221,7 +221,7 @@ class Teller {
         if (!profile)
             return 1.0;
         const double z0 = profile->roughness_length, reference = profile->reference_height;
-        const double ground = winds_[0].box().sides.y_low.solid() ? winds_[0].origin().y : 0.0;
+        const double ground = winds_[0].box().boundaries.y_low.solid() ? winds_[0].origin().y : 0.0;
         const double top = winds_[0].origin().y + (winds_[0].box().cells.y + 2) * h() - ground;
         return std::max(1.0, std::log((std::max(top, 0.0) + z0) / z0) / std::log((reference + z0) / z0));
     }
@@ -280,7 +280,7 @@ class Teller {
         const Wind& wind = winds_[0];
         const std::span<const glm::vec4> field = wind.field();
         meet_outside(); // the box may have moved
-        if (broken_cells(field) > 0)
+        if (nonfinite_cells(field) > 0)
             return void(fail("a cell holds no number"));
         if (report != nullptr)
             if (const std::string found = disagreement(wind, *report, step); !found.empty())

@@ -97,7 +97,7 @@ struct EventText {
     std::string operator()(const story::Remove& e) const { return "Remove{" + text(e.which) + '}'; }
     std::string operator()(const story::Follow& e) const { return "Follow{" + text(e.point) + '}'; }
     std::string operator()(const story::Floor& e) const { return "Floor{" + text(e.height) + '}'; }
-    std::string operator()(const story::ChangeSides& e) const { return "ChangeSides{Sides" + text(e.sides) + '}'; }
+    std::string operator()(const story::ChangeSides& e) const { return "ChangeSides{Boundaries" + text(e.boundaries) + '}'; }
     std::string operator()(const story::ChangeAmbient& e) const { return "ChangeAmbient{" + text(e.ambient) + '}'; }
     std::string operator()(const story::ChangeGusts& e) const { return "ChangeGusts{Gusts" + text(e.gusts) + '}'; }
     std::string operator()(const story::Break& e) const { return "Break{" + text(e.cell) + ", " + text(e.value) + '}'; }

@@ -13,22 +13,22 @@ std::string name_of(glm::ivec3 cells) {
     return std::to_string(cells.x) + 'x' + std::to_string(cells.y) + 'x' + std::to_string(cells.z);
 }
 
-std::vector<Sides> kinds_and_mixes() {
-    std::vector<Sides> list;
-    for (const SideKind kind : k_kinds)
-        list.push_back(Sides::all(kind));
-    list.push_back(Sides::open_over_floor());
-    Sides tunnel = Sides::all(SideKind::no_slip); // open ends, walls that run along
-    tunnel.x_low = tunnel.x_high = Side{};
+std::vector<Boundaries> kinds_and_mixes() {
+    std::vector<Boundaries> list;
+    for (const BoundaryKind kind : k_kinds)
+        list.push_back(Boundaries::all(kind));
+    list.push_back(Boundaries::open_over_floor());
+    Boundaries tunnel = Boundaries::all(BoundaryKind::no_slip); // open ends, walls that run along
+    tunnel.x_low = tunnel.x_high = Boundary{};
     tunnel.y_low.wall_velocity = {10.0f, 0.0f, -5.0f};
     list.push_back(tunnel);
-    Sides ring = Sides::all(SideKind::periodic); // with a floor and a lid of another kind
-    ring.y_low.kind = SideKind::no_slip;
-    ring.y_high.kind = SideKind::open;
+    Boundaries ring = Boundaries::all(BoundaryKind::periodic); // with a floor and a lid of another kind
+    ring.y_low.kind = BoundaryKind::no_slip;
+    ring.y_high.kind = BoundaryKind::open;
     list.push_back(ring);
-    Sides corner; // a wall opposite each open side
-    corner.x_low.kind = corner.z_high.kind = SideKind::free_slip;
-    corner.y_low.kind = SideKind::no_slip;
+    Boundaries corner; // a wall opposite each open boundary
+    corner.x_low.kind = corner.z_high.kind = BoundaryKind::free_slip;
+    corner.y_low.kind = BoundaryKind::no_slip;
     list.push_back(corner);
     return list;
 }
@@ -42,11 +42,11 @@ double uneven(int n) {
 }
 
 /// Three cells across at most, and itself beyond some of its sides: see Lines.
-bool a_line_of_its_own(glm::ivec3 cells, const Sides& sides) {
+bool a_line_of_its_own(glm::ivec3 cells, const Boundaries& boundaries) {
     int narrow = 0, wrapped = 0;
     for (int axis = 0; axis < 3; ++axis) {
         narrow += cells[axis] <= 3 ? 1 : 0;
-        wrapped += sides.periodic(axis) ? 1 : 0;
+        wrapped += boundaries.periodic(axis) ? 1 : 0;
     }
     return narrow >= 2 && wrapped > 0 && wrapped < 3;
 }
@@ -66,13 +66,13 @@ TEST(ThinBoxes, BearAMotorAndEveryViscosity) {
           glm::ivec3(1, 24, 1), glm::ivec3(1, 1, 1), glm::ivec3(2, 2, 2), glm::ivec3(3, 2, 1)})
         for (const Scheme scheme : {Scheme::second_order, Scheme::stable_fluids}) {
             Worst worst;
-            for (const Sides& sides : kinds_and_mixes())
+            for (const Boundaries& boundaries : kinds_and_mixes())
                 for (const float viscosity : {0.0f, 1.0f, 1e3f})
                     for (double (*const dt_of)(int) : {even, uneven})
-                        if (!a_line_of_its_own(cells, sides))
+                        if (!a_line_of_its_own(cells, boundaries))
                             run(worst,
                                 {.cells = cells,
-                                 .sides = sides,
+                                 .boundaries = boundaries,
                                  .ambient = {3.0f, 1.0f, -2.0f},
                                  .viscosity = viscosity,
                                  .scheme = scheme},
@@ -88,8 +88,8 @@ TEST(ThinBoxes, NarrowRooms) {
     for (const glm::ivec3 cells : {glm::ivec3(2, 24, 24), glm::ivec3(4, 24, 4), glm::ivec3(6, 24, 6)})
         for (const float rate : {4.0f, 1e6f}) {
             Worst worst;
-            for (const Sides& sides : kinds_and_mixes())
-                run(worst, {.cells = cells, .sides = sides, .ambient = {3.0f, 1.0f, -2.0f}}, rate, even, 300);
+            for (const Boundaries& boundaries : kinds_and_mixes())
+                run(worst, {.cells = cells, .boundaries = boundaries, .ambient = {3.0f, 1.0f, -2.0f}}, rate, even, 300);
             worst.judge("narrow_" + name_of(cells) + (rate > 4.0f ? "_rate_1e6" : "_rate_4"), {k_input_energy, k_opposed_factor});
         }
 }
@@ -101,11 +101,14 @@ TEST(ThinBoxes, Lines) {
     for (const glm::ivec3 cells : {glm::ivec3(1, 24, 1), glm::ivec3(2, 24, 2), glm::ivec3(24, 1, 1), glm::ivec3(1, 1, 24)})
         for (const Interpolation interpolation : {Interpolation::cubic, Interpolation::linear}) {
             Worst worst;
-            for (const Sides& sides : kinds_and_mixes())
+            for (const Boundaries& boundaries : kinds_and_mixes())
                 for (double (*const dt_of)(int) : {even, uneven})
-                    if (a_line_of_its_own(cells, sides))
+                    if (a_line_of_its_own(cells, boundaries))
                         run(worst,
-                            {.cells = cells, .sides = sides, .ambient = {3.0f, 1.0f, -2.0f}, .interpolation = interpolation},
+                            {.cells = cells,
+                             .boundaries = boundaries,
+                             .ambient = {3.0f, 1.0f, -2.0f},
+                             .interpolation = interpolation},
                             1e6f, dt_of, 1'000);
             const std::string name = "line_" + name_of(cells);
             if (interpolation == Interpolation::linear) {
@@ -126,8 +129,8 @@ TEST(ThinBoxes, WhiteNoise) {
             for (const double dt : {0.1, 0.5, 2.0})
                 for (const bool settles : {true, false}) {
                     Wind wind = made({.cells = cells,
-                                      .sides = Sides::all(SideKind::periodic),
-                                      .settling_time = settles ? 20.0f : 0.0f,
+                                      .boundaries = Boundaries::all(BoundaryKind::periodic),
+                                      .relaxation_time = settles ? 20.0f : 0.0f,
                                       .max_cfl = settles ? 2.0f : 1e6f});
                     ASSERT_TRUE(wind.set_velocity(projected(white_noise(cells, 1.0f, seed), wind.box())));
                     Watch watch(wind);

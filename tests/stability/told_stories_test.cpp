@@ -14,13 +14,13 @@ using namespace windrow::test;
 TEST(ToldStories, TheStepThatFallsAsleepReportsTheAirThatIsLeft) {
     const Story story = story_of({.cells = {1, 1, 1},
                                   .cell_size = 0.133569673f,
-                                  .sides = {.y_low = {.kind = SideKind::periodic},
-                                            .y_high = {.kind = SideKind::periodic},
-                                            .z_low = {.kind = SideKind::periodic},
-                                            .z_high = {.kind = SideKind::periodic}},
-                                  .rim = 0.0f,
+                                  .boundaries = {.y_low = {.kind = BoundaryKind::periodic},
+                                                 .y_high = {.kind = BoundaryKind::periodic},
+                                                 .z_low = {.kind = BoundaryKind::periodic},
+                                                 .z_high = {.kind = BoundaryKind::periodic}},
+                                  .blend_width = 0.0f,
                                   .viscosity = 0.0f,
-                                  .settling_time = 0.100000001f,
+                                  .relaxation_time = 0.100000001f,
                                   .max_substeps = 1},
                                  {story::StartAir::Pattern::white, 0.00999999978f, 1u, false},
                                  {story::Steps{2, 0.14060475241299156}, story::Steps{2, 0.031622776601683798}});
@@ -31,7 +31,7 @@ TEST(ToldStories, TheStepThatFallsAsleepReportsTheAirThatIsLeft) {
 // leaves a broken cell behind, unrepaired.
 TEST(ToldStories, ABrokenCellThatTheBoxLeavesBehindIsNotRepaired) {
     const Story story = story_of(
-        {.cells = {1, 1, 1}, .cell_size = 0.0500000007f, .ambient = {-20.0f, -20.0f, -20.0f}, .ticks = {.hz = 5.0, .most = 1}},
+        {.cells = {1, 1, 1}, .cell_size = 0.0500000007f, .ambient = {-20.0f, -20.0f, -20.0f}, .ticks = {.hz = 5.0, .max = 1}},
         {story::StartAir::Pattern::ambient, 1.0f, 1u, false},
         {story::Advances{1, 0.001}, story::Follow{{-1.0, -1.0, -1.0}}, story::Break{0, std::numeric_limits<float>::quiet_NaN()},
          story::Steps{1, 0.0001}});
@@ -46,12 +46,12 @@ TEST(ToldStories, AFaultIsTold) {
     Story stirred = still;
     stirred.start = {story::StartAir::Pattern::white, 1.0f, 1u, true};
     EXPECT_NE(tell(stirred, {.energy_of_start = 0.1}).fault, ""); // one step does not take nine tenths
-    Story refused = still;
-    refused.config.cell_size = -1.0f;
-    EXPECT_NE(tell(refused).fault, "");
-    refused = still;
-    refused.events.push_back(story::Add{OmniMotor{.radius = -1.0f}});
-    EXPECT_NE(tell(refused).fault, "");
+    Story rejected = still;
+    rejected.config.cell_size = -1.0f;
+    EXPECT_NE(tell(rejected).fault, "");
+    rejected = still;
+    rejected.events.push_back(story::Add{OmniMotor{.radius = -1.0f}});
+    EXPECT_NE(tell(rejected).fault, "");
 }
 
 TEST(ToldStories, AStoryIsPrintedAsItIsWritten) {

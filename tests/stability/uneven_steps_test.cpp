@@ -54,10 +54,11 @@ constexpr UnevenStart k_starts[] = {{"smooth", smooth_noise},
                                     {"taylor_green", taylor_green}};
 
 // Largest energy over the start's while steps that cross `cells_per_step` cells alternate with some shorter by `ratio`.
-double largest_energy(const UnevenStart& start, SideKind sides, Config config, double cells_per_step, double ratio, int steps) {
+double largest_energy(const UnevenStart& start, BoundaryKind boundaries, Config config, double cells_per_step, double ratio,
+                      int steps) {
     config.cells = {32, 16, 32};
-    config.sides = Sides::all(sides);
-    config.viscosity = config.settling_time = 0.0f;
+    config.boundaries = Boundaries::all(boundaries);
+    config.viscosity = config.relaxation_time = 0.0f;
     Wind wind = made(config);
     EXPECT_TRUE(wind.set_velocity(projected(start.field(config.cells, 1.0f, 7), wind.box())));
     float component = 0.0f;
@@ -74,9 +75,9 @@ double largest_energy(const UnevenStart& start, SideKind sides, Config config, d
 
 double worst_energy(const Config& config, double cells_per_step, double ratio, int steps) {
     double worst = 0.0;
-    for (const SideKind sides : k_kinds)
+    for (const BoundaryKind boundaries : k_kinds)
         for (const UnevenStart& start : k_starts)
-            worst = std::max(worst, largest_energy(start, sides, config, cells_per_step, ratio, steps));
+            worst = std::max(worst, largest_energy(start, boundaries, config, cells_per_step, ratio, steps));
     return worst;
 }
 
@@ -113,9 +114,9 @@ TEST(LongUnevenSteps, TenThousandRawStepsStayBounded) {
     for (const double cfl : {5.0, 10.0, 50.0})
         for (const double ratio : {1.0, 1.5, 2.0, 3.0}) {
             double worst = 0.0;
-            for (const SideKind sides : {SideKind::periodic, SideKind::free_slip})
+            for (const BoundaryKind boundaries : {BoundaryKind::periodic, BoundaryKind::free_slip})
                 for (const UnevenStart& start : {k_starts[2], k_starts[3]})
-                    worst = std::max(worst, largest_energy(start, sides, raw(), cfl, ratio, 10'000));
+                    worst = std::max(worst, largest_energy(start, boundaries, raw(), cfl, ratio, 10'000));
             WINDROW_EXPECT_FIGURE(name_of("raw_long", cfl, ratio), worst, 10.0);
         }
 }
@@ -124,7 +125,7 @@ void expect_bounded(const std::string& name, int steps, float max_cfl, const std
     for (int kind = 0; kind < 4; ++kind)
         for (const Scheme scheme : {Scheme::second_order, Scheme::stable_fluids}) {
             Wind wind = made({.cells = {20, 12, 16},
-                              .sides = Sides::all(k_kinds[kind]),
+                              .boundaries = Boundaries::all(k_kinds[kind]),
                               .viscosity = 0.1f,
                               .scheme = scheme,
                               .max_cfl = max_cfl});

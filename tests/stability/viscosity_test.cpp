@@ -1,4 +1,4 @@
-// Viscosity from nothing to 10^4 h^2/dt, across each border between the methods of diffusion (pieces.h), with each kind of side.
+// Viscosity from nothing to 10^4 h^2/dt, across each border between the methods of diffusion (operators.h), with each kind of side.
 
 #include "tests/stability/watch.h"
 
@@ -35,9 +35,9 @@ TEST(Viscosity, FromNothingToTenThousand) {
                                                 {100.0, DiffusionMethod::implicit},
                                                 {1e4, DiffusionMethod::implicit}}) {
                 Wind wind = made({.cells = k_cells,
-                                  .sides = Sides::all(k_kinds[kind]),
+                                  .boundaries = Boundaries::all(k_kinds[kind]),
                                   .viscosity = static_cast<float>(ratio / k_dt),
-                                  .settling_time = 0.0f,
+                                  .relaxation_time = 0.0f,
                                   .scheme = scheme,
                                   .max_cfl = 1e6f});
                 ASSERT_TRUE(wind.set_velocity(projected(white_noise(k_cells, 10.0f, 36), wind.box())));
@@ -57,12 +57,12 @@ TEST(Viscosity, FromNothingToTenThousand) {
             }
 }
 
-Sides running_walls() {
-    Sides sides = Sides::all(SideKind::no_slip);
-    sides.y_low.wall_velocity = {-4.0f, 0.0f, 3.0f};
-    sides.y_high.wall_velocity = {5.0f, 0.0f, 0.0f};
-    sides.x_low = sides.x_high = Side{};
-    return sides;
+Boundaries running_walls() {
+    Boundaries boundaries = Boundaries::all(BoundaryKind::no_slip);
+    boundaries.y_low.wall_velocity = {-4.0f, 0.0f, 3.0f};
+    boundaries.y_high.wall_velocity = {5.0f, 0.0f, 0.0f};
+    boundaries.x_low = boundaries.x_high = Boundary{};
+    return boundaries;
 }
 
 // Walls that run and a wind from outside, mixed, at cells of another size: what is pulled toward them all passes none of them.
@@ -72,7 +72,7 @@ TEST(Viscosity, BetweenWallsThatRun) {
         for (const double ratio : {1e-3, 0.08, 0.084, 1.0, 1e4}) {
             Wind wind = made({.cells = k_cells,
                               .cell_size = cell_size,
-                              .sides = running_walls(),
+                              .boundaries = running_walls(),
                               .ambient = {5.0f, 0.0f, 0.0f},
                               .viscosity = static_cast<float>(ratio * cell_size * cell_size / k_dt)});
             Watch watch(wind, 5.0);
@@ -85,8 +85,11 @@ TEST(Viscosity, BetweenWallsThatRun) {
 // The same in a long duct, where such ghosts let the wind at the walls grow with each cell that it passed, to 6.6 times at the
 // end.
 TEST(Viscosity, AlongWallsThatRun) {
-    Wind wind = made(
-        {.cells = {128, 12, 20}, .cell_size = 0.1f, .sides = running_walls(), .ambient = {5.0f, 0.0f, 0.0f}, .viscosity = 1e-4f});
+    Wind wind = made({.cells = {128, 12, 20},
+                      .cell_size = 0.1f,
+                      .boundaries = running_walls(),
+                      .ambient = {5.0f, 0.0f, 0.0f},
+                      .viscosity = 1e-4f});
     Watch watch(wind, 5.0);
     watch.run(400, k_dt);
     watch.judge("viscosity_long_duct", {k_input_energy, 1.5});
@@ -96,9 +99,9 @@ TEST(Viscosity, AUniformWindBearsAny) {
     // Nothing to diffuse, nothing to project: the stiffest solve must give it back, though ambient is still.
     for (const double ratio : {1.0, 100.0, 1e4, 1e6, 1e8}) {
         Wind wind = made({.cells = k_cells,
-                          .sides = Sides::all(SideKind::periodic),
+                          .boundaries = Boundaries::all(BoundaryKind::periodic),
                           .viscosity = static_cast<float>(ratio),
-                          .settling_time = 0.0f});
+                          .relaxation_time = 0.0f});
         wind.set_velocity([](glm::dvec3) { return glm::vec3(1.0f, -0.5f, 0.25f); });
         Watch watch(wind);
         take_steps(watch, 100, 1.0);

@@ -24,7 +24,8 @@ namespace windrow::test {
     return sampled(steps, k_sanitized ? 20 : 500);
 }
 
-inline constexpr SideKind k_kinds[] = {SideKind::open, SideKind::free_slip, SideKind::no_slip, SideKind::periodic};
+inline constexpr BoundaryKind k_kinds[] = {BoundaryKind::open, BoundaryKind::free_slip, BoundaryKind::no_slip,
+                                           BoundaryKind::periodic};
 inline constexpr const char* k_kind_names[] = {"open", "free_slip", "no_slip", "periodic"};
 
 /// Of motors that oppose each other: jets that meet squeeze air aside faster than either blew. Up to 1.8 times was seen, of a
@@ -57,7 +58,7 @@ class Watch {
         const Diagnostics report = wind_->step(dt);
         ++steps_;
         const std::span<const glm::vec4> field = wind_->field();
-        ratio_ = broken_cells(field) == 0 ? energy_of(field) / energy_ : std::numeric_limits<double>::infinity();
+        ratio_ = nonfinite_cells(field) == 0 ? energy_of(field) / energy_ : std::numeric_limits<double>::infinity();
         largest_energy_ = std::max(largest_energy_, ratio_);
         const double speed = std::isfinite(ratio_) ? largest_speed(field) / speed_ : ratio_;
         largest_speed_ = std::max(largest_speed_, speed);
@@ -65,7 +66,7 @@ class Watch {
             if (const std::string found = disagreement(*wind_, report, {dt, broken, was_asleep_}); !found.empty())
                 complaint_ = "step " + std::to_string(steps_) + ": " + found;
         was_asleep_ = report.asleep;
-        most_substeps_ = std::max(most_substeps_, report.substeps);
+        max_substeps_ = std::max(max_substeps_, report.substeps);
         capped_ += report.substeps_capped ? 1 : 0;
         return report;
     }
@@ -85,7 +86,7 @@ class Watch {
     [[nodiscard]] double largest_energy() const { return largest_energy_; } ///< of all steps
     [[nodiscard]] double largest_max() const { return largest_speed_; }
     [[nodiscard]] int steps() const { return steps_; }
-    [[nodiscard]] int most_substeps() const { return most_substeps_; }
+    [[nodiscard]] int max_substeps() const { return max_substeps_; }
     [[nodiscard]] int capped_steps() const { return capped_; }
     [[nodiscard]] const std::string& complaint() const { return complaint_; }
 
@@ -95,7 +96,7 @@ class Watch {
     Wind* wind_;
     double energy_, speed_;
     double ratio_ = 1.0, largest_energy_ = 0.0, largest_speed_ = 0.0;
-    int steps_ = 0, most_substeps_ = 0, capped_ = 0;
+    int steps_ = 0, max_substeps_ = 0, capped_ = 0;
     bool was_asleep_ = false;
     std::string complaint_;
 };

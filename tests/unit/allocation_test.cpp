@@ -123,7 +123,7 @@ Config small() {
 
 Config gusty() {
     Config config = small();
-    config.sides = Sides::open_over_floor();
+    config.boundaries = Boundaries::open_over_floor();
     config.profile = LogProfile{};
     config.gusts = {.intensity = 0.3f, .tile = GustTile::standard()};
     config.canopy = Canopy{};
@@ -156,7 +156,7 @@ class Allocations : public ::testing::Test {
 };
 
 TEST_F(Allocations, OfAWindsCalls) {
-    Sides walls = Sides::all(SideKind::no_slip), blowing = walls;
+    Boundaries walls = Boundaries::all(BoundaryKind::no_slip), blowing = walls;
     blowing.z_high.wall_velocity = {1.0f, 0.0f, 0.0f};
     for (const bool gusts : {false, true})
         for (const Past past : {Past::fresh, Past::stepped, Past::ticking}) {
@@ -177,8 +177,8 @@ TEST_F(Allocations, OfAWindsCalls) {
             fail_each("set_gusts of a seed", make,
                       [](HostedWind& s) { return s.wind.set_gusts({.intensity = 0.2f, .seed = 9}); });
             fail_each("set_gusts off", make, [](HostedWind& s) { return s.wind.set_gusts({}); });
-            fail_each("set_sides", make, [&](HostedWind& s) { return s.wind.set_sides(walls); });
-            fail_each("set_sides with a vent", with_vent, [&](HostedWind& s) { return s.wind.set_sides(walls); });
+            fail_each("set_boundaries", make, [&](HostedWind& s) { return s.wind.set_boundaries(walls); });
+            fail_each("set_boundaries with a vent", with_vent, [&](HostedWind& s) { return s.wind.set_boundaries(walls); });
             fail_each("follow", make, [](HostedWind& s) { return s.wind.follow({2.3, 0.0, -1.2}); });
             fail_each("follow beyond", make, [](HostedWind& s) { return s.wind.follow({200.0, 3.0, -1.0}); });
             fail_each("set_velocity", make, [](HostedWind& s) { return s.wind.set_velocity(s.cells); });
@@ -210,16 +210,16 @@ TEST_F(Allocations, OfAWindsCalls) {
         "step of a minute", [&] { return scene_of(syrup, Past::stepped); }, [](HostedWind& s) { return s.wind.step(60.0); });
     syrup.viscosity = 50.0f;
     fail_each(
-        "set_sides of a viscous wind", [&] { return scene_of(syrup, Past::stepped); },
-        [&](HostedWind& s) { return s.wind.set_sides(walls); });
+        "set_boundaries of a viscous wind", [&] { return scene_of(syrup, Past::stepped); },
+        [&](HostedWind& s) { return s.wind.set_boundaries(walls); });
     fail_each(
-        "set_sides that moves a wall",
+        "set_boundaries that moves a wall",
         [&] {
             Config closed = small();
-            closed.sides = walls;
+            closed.boundaries = walls;
             return scene_of(closed, Past::stepped);
         },
-        [&](HostedWind& s) { return s.wind.set_sides(blowing); });
+        [&](HostedWind& s) { return s.wind.set_boundaries(blowing); });
 }
 
 TEST_F(Allocations, OfCreation) {
@@ -229,7 +229,7 @@ TEST_F(Allocations, OfCreation) {
     Config viscous = small();
     viscous.viscosity = 50.0f;
     Config periodic = small();
-    periodic.sides = Sides::all(SideKind::periodic);
+    periodic.boundaries = Boundaries::all(BoundaryKind::periodic);
     for (const Config& config : {small(), gusty(), own_tile, viscous, periodic})
         fail_each("Wind::create", nothing, [&](int) { return Wind::create(config); });
     fail_each("AmbientWind::create", nothing, [](int) {
@@ -275,11 +275,11 @@ TEST_F(Allocations, OfRejections) {
     const auto make = [] { return scene_of(small(), Past::stepped); };
     const auto rejected = [&](const char* name, const auto& call) { fail_each(name, make, call, false); };
     rejected("Wind::create", [](HostedWind&) {
-        return Wind::create({.cells = {0, -1, 9999}, .cell_size = k_nan, .rim = -1.0f});
+        return Wind::create({.cells = {0, -1, 9999}, .cell_size = k_nan, .blend_width = -1.0f});
     });
     rejected("set_ambient", [](HostedWind& s) { return s.wind.set_ambient({k_nan, 0.0f, 0.0f}); });
     rejected("set_gusts", [](HostedWind& s) { return s.wind.set_gusts({.intensity = -1.0f, .length = k_nan}); });
-    rejected("set_sides", [](HostedWind& s) { return s.wind.set_sides({.x_low = {SideKind::periodic}}); });
+    rejected("set_boundaries", [](HostedWind& s) { return s.wind.set_boundaries({.x_low = {BoundaryKind::periodic}}); });
     rejected("follow", [](HostedWind& s) { return s.wind.follow({1e300, 0.0, 0.0}); });
     rejected("set_floor", [](HostedWind& s) { return s.wind.set_floor(1.0); });
     rejected("set_velocity", [](HostedWind& s) { return s.wind.set_velocity(std::span(s.cells).first(3)); });
@@ -361,7 +361,7 @@ Bytes state_of(const Work& work) {
     all.insert(all.end(), bytes(work.moved).begin(), bytes(work.moved).end());
     for (int axis = 0; axis < 3; ++axis)
         for (int end = 0; end < 2; ++end)
-            all.push_back(static_cast<std::byte>(work.work.box().sides.at(axis, end).kind));
+            all.push_back(static_cast<std::byte>(work.work.box().boundaries.at(axis, end).kind));
     return all;
 }
 
@@ -373,8 +373,8 @@ TEST_F(Allocations, OfOperators) {
         return Work{*std::move(work), white_noise({8, 6, 7}, 2.0f, 5), Field(cells), std::vector<float>(cells, 1.0f),
                     std::vector<float>(cells)};
     };
-    const Sides walls = Sides::all(SideKind::no_slip);
-    fail_each("set_sides", make, [&](Work& w) { return w.work.set_sides(walls); });
+    const Boundaries walls = Boundaries::all(BoundaryKind::no_slip);
+    fail_each("set_boundaries", make, [&](Work& w) { return w.work.set_boundaries(walls); });
     fail_each("reserve_diffusion", make, [](Work& w) { return reserve_diffusion(w.work); });
     fail_each("diffuse", make, [](Work& w) { return diffuse(w.work, w.velocity, 5.0f, 1.0f, w.result); });
     fail_each("advect a scalar", make, [](Work& w) {
@@ -385,7 +385,7 @@ TEST_F(Allocations, OfOperators) {
         EXPECT_TRUE(reserve_diffusion(work.work));
         return work;
     };
-    fail_each("set_sides with diffusion", viscous, [&](Work& w) { return w.work.set_sides(walls); });
+    fail_each("set_boundaries with diffusion", viscous, [&](Work& w) { return w.work.set_boundaries(walls); });
     fail_each("advect, project", make, [](Work& w) {
         advect(w.work, Transport{.carried = w.velocity, .velocity = w.velocity, .dt = 0.2f}, w.result);
         project(w.work, w.result);

@@ -8,8 +8,10 @@ using namespace windrow;
 using namespace windrow::test;
 
 TEST(Ambient, ANewWindReachesAllAirAtOnce) {
-    for (const auto& [name, sides] : {std::pair{"open", Sides{}}, {"periodic", Sides::all(SideKind::periodic)}}) {
-        Wind wind = made({.cells = {16, 8, 12}, .sides = sides, .ambient = {1.0f, 0.0f, 0.0f}, .settling_time = 0.0f});
+    for (const auto& [name, boundaries] :
+         {std::pair{"open", Boundaries{}}, {"periodic", Boundaries::all(BoundaryKind::periodic)}}) {
+        Wind wind =
+            made({.cells = {16, 8, 12}, .boundaries = boundaries, .ambient = {1.0f, 0.0f, 0.0f}, .relaxation_time = 0.0f});
         wind.step(0.1);
         ASSERT_TRUE(wind.set_ambient({3.0f, -0.5f, 0.25f}));
         EXPECT_EQ(largest_off(wind.field(), {3.0f, -0.5f, 0.25f}), 0.0);
@@ -44,17 +46,17 @@ TEST(Ambient, ManyChangesLeaveNoTrace) {
 }
 
 TEST(Ambient, WallsDropWhatCannotPass) {
-    Wind room = made({.cells = {8, 8, 8}, .sides = Sides::all(SideKind::free_slip)});
+    Wind room = made({.cells = {8, 8, 8}, .boundaries = Boundaries::all(BoundaryKind::free_slip)});
     ASSERT_TRUE(room.set_velocity(white_noise({8, 8, 8}, 1.0f, 144)));
     const Field before = copy(room.field());
     ASSERT_TRUE(room.set_ambient({5.0f, 5.0f, 5.0f}));
     EXPECT_EQ(room.ambient(), glm::vec3(0.0f));
     EXPECT_EQ(cells_that_differ(before, room.field()), 0u);
 
-    Wind floor = made({.cells = {8, 8, 8}, .sides = Sides::open_over_floor()});
+    Wind floor = made({.cells = {8, 8, 8}, .boundaries = Boundaries::open_over_floor()});
     ASSERT_TRUE(floor.set_ambient({5.0f, 5.0f, 5.0f}));
     EXPECT_EQ(largest_off(floor.field(), {5.0f, 0.0f, 5.0f}), 0.0);
-    ASSERT_TRUE(floor.set_sides(Sides{}));
+    ASSERT_TRUE(floor.set_boundaries(Boundaries{}));
     EXPECT_EQ(floor.ambient(), glm::vec3(5.0f)) << "the wind that was asked for, once nothing stands in its way";
 }
 

@@ -45,7 +45,7 @@ class OnDevice : public testing::Test {
 };
 
 TEST_F(OnDevice, TheWindAndItsReportAreTheCpusAtEachStep) {
-    const Config config{.cells = {16, 12, 20}, .sides = Sides::open_over_floor(), .ambient = {3.0f, 0.0f, 1.0f}};
+    const Config config{.cells = {16, 12, 20}, .boundaries = Boundaries::open_over_floor(), .ambient = {3.0f, 0.0f, 1.0f}};
     const auto here = wind_on(cpu, config), there = wind_on(device, config);
     ASSERT_TRUE(here && there);
     EXPECT_EQ(apart(here->field(), there->field()), 0.0); // before any step
@@ -145,9 +145,9 @@ TEST_F(OnDevice, ANumberThatNoDeviceHasIsWrongUse) {
         const std::string scene = WINDROW_SOURCE_DIR "/examples/scenes/still.json";
         if (words[0] == std::string("run"))
             words.push_back(scene.c_str());
-        const CommandOutcome refused = run(words);
-        EXPECT_EQ(refused.code, k_exit_wrong_use);
-        EXPECT_NE(refused.err.find("--device is 63, and this machine has"), std::string::npos) << refused.err;
+        const CommandOutcome rejected = run(words);
+        EXPECT_EQ(rejected.code, k_exit_wrong_use);
+        EXPECT_NE(rejected.err.find("--device is 63, and this machine has"), std::string::npos) << rejected.err;
     }
 }
 

@@ -4,7 +4,7 @@
 #include "cases/reference/jacobi.h"
 #include "cases/reference/residual.h"
 #include "cases/reference/stam.h"
-#include "fluid/pieces.h"
+#include "fluid/operators.h"
 #include "fluid/thread_pool.h"
 #include "fluid/wind.h"
 #if WINDROW_CASES_FFTW
@@ -38,7 +38,7 @@ std::vector<Simd> levels() {
     return all;
 }
 
-/// A smooth flow over the floor that goes over into the mean wind at the open sides.
+/// A smooth flow over the floor that goes over into the mean wind at the open boundaries.
 std::vector<glm::vec4> waves(const Box& box) {
     constexpr float k_pi = std::numbers::pi_v<float>;
     std::vector<glm::vec4> velocity(box.cell_count());
@@ -140,10 +140,10 @@ float off_the_library(float dt, float& change) {
     const Box box = cases::bench_box(k_cells);
     const auto flow = waves(box);
     auto wind = Wind::create({.cells = box.cells,
-                              .sides = box.sides,
+                              .boundaries = box.boundaries,
                               .ambient = cases::k_bench_ambient,
                               .viscosity = 0.0f,
-                              .settling_time = 0.0f,
+                              .relaxation_time = 0.0f,
                               .scheme = Scheme::stable_fluids,
                               .interpolation = Interpolation::linear});
     if (!wind || !wind->set_velocity(flow))

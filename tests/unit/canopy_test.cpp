@@ -8,20 +8,20 @@ namespace {
 
 using namespace test;
 
-Sides floor_and_lid() {
-    Sides sides = Sides::all(SideKind::periodic);
-    sides.y_low.kind = sides.y_high.kind = SideKind::free_slip;
-    return sides;
+Boundaries floor_and_lid() {
+    Boundaries boundaries = Boundaries::all(BoundaryKind::periodic);
+    boundaries.y_low.kind = boundaries.y_high.kind = BoundaryKind::free_slip;
+    return boundaries;
 }
 
 // Six rows of 0.5 m over a floor at height 0, the canopy 1.2 m high: two rows whole, one to two fifths.
 Config field_of_plants() {
     return {.cells = {5, 6, 7},
             .cell_size = 0.5f,
-            .sides = floor_and_lid(),
+            .boundaries = floor_and_lid(),
             .centre = {0.0, 1.5, 0.0},
             .canopy = Canopy{.height = 1.2f, .drag = 0.7f},
-            .settling_time = 0.0f,
+            .relaxation_time = 0.0f,
             .stages = k_sources_only};
 }
 
@@ -46,7 +46,7 @@ TEST(Canopy, SlowsByTheExactLawInItsRowsWhateverTheStep) {
 }
 
 TEST(Canopy, IsStableAtAnyStep) {
-    Config config{.cells = {8, 8, 8}, .sides = floor_and_lid(), .canopy = Canopy{.height = 5.0f, .drag = 1000.0f}};
+    Config config{.cells = {8, 8, 8}, .boundaries = floor_and_lid(), .canopy = Canopy{.height = 5.0f, .drag = 1000.0f}};
     Wind wind = made(config);
     wind.set_velocity([](glm::dvec3 x) { return glm::vec3(1000.0 * std::sin(x.z), 0.0, 300.0); });
     double energy = std::numeric_limits<double>::infinity();
@@ -60,9 +60,10 @@ TEST(Canopy, IsStableAtAnyStep) {
 
 // What the air loses in whole steps is what the plants took: their impulse by the law from the air that each step meets.
 TEST(Canopy, TakesTheMomentumThatTheAirLoses) {
-    Config config{.cells = {24, 12, 24}, .sides = floor_and_lid(), .centre = {0.0, 6.0, 0.0}, .canopy = Canopy{.height = 3.5f}};
+    Config config{
+        .cells = {24, 12, 24}, .boundaries = floor_and_lid(), .centre = {0.0, 6.0, 0.0}, .canopy = Canopy{.height = 3.5f}};
     config.viscosity = 0.0f;
-    config.settling_time = 0.0f;
+    config.relaxation_time = 0.0f;
     Wind wind = made(config);
     wind.set_velocity([](glm::dvec3 x) {
         return glm::vec3(4.0 + 2.0 * std::tanh(x.y - 3.5) + 0.3 * std::sin(x.z * 0.2618), 0.2 * std::sin(x.x * 0.2618), 0.0);
@@ -98,7 +99,7 @@ TEST(Canopy, StandsOnTheFloorOrAtHeightZero) {
     Wind on_floor = made(config);
     ASSERT_TRUE(on_floor.set_floor(40.0));
     EXPECT_EQ(slowed_row(on_floor), 0);
-    config.sides.y_low.kind = config.sides.y_high.kind = SideKind::open;
+    config.boundaries.y_low.kind = config.boundaries.y_high.kind = BoundaryKind::open;
     config.centre.y = 0.5; // two rows below height 0
     config.follow_axes = glm::bvec3(false, true, false);
     Wind in_the_open = made(config);
@@ -109,8 +110,8 @@ TEST(Canopy, StandsOnTheFloorOrAtHeightZero) {
 
 TEST(Canopy, OfNoHeightOrDragChangesNoBit) {
     const auto field_with = [](std::optional<Canopy> canopy) {
-        Wind wind =
-            made({.cells = {8, 6, 8}, .sides = Sides::open_over_floor(), .ambient = {2.0f, 0.0f, 1.0f}, .canopy = canopy});
+        Wind wind = made(
+            {.cells = {8, 6, 8}, .boundaries = Boundaries::open_over_floor(), .ambient = {2.0f, 0.0f, 1.0f}, .canopy = canopy});
         EXPECT_TRUE(wind.motors().add(DirectionalMotor{}));
         take_steps(wind, 5, 1.0 / 30.0);
         return copy(wind.field());
@@ -122,7 +123,8 @@ TEST(Canopy, OfNoHeightOrDragChangesNoBit) {
 }
 
 TEST(Canopy, WindAmongPlantsDoesNotSleepStillAirDoes) {
-    Config config{.cells = {8, 6, 8}, .sides = Sides::open_over_floor(), .ambient = {2.0f, 0.0f, 0.0f}, .canopy = Canopy{}};
+    Config config{
+        .cells = {8, 6, 8}, .boundaries = Boundaries::open_over_floor(), .ambient = {2.0f, 0.0f, 0.0f}, .canopy = Canopy{}};
     Wind windy = made(config);
     config.ambient = glm::vec3(0.0f);
     Wind still = made(config);

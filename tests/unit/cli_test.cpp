@@ -26,8 +26,8 @@ CommandOutcome run(std::vector<const char*> arguments) {
     return run_windrow(std::move(arguments));
 }
 
-void expect_refusal(std::vector<const char*> arguments, const std::string& sentence) {
-    expect_refused(run(std::move(arguments)), sentence);
+void expect_rejection(std::vector<const char*> arguments, const std::string& sentence) {
+    expect_rejected(run(std::move(arguments)), sentence);
 }
 
 class Command : public test::FolderTest {
@@ -66,36 +66,37 @@ TEST_F(Command, HelpVersionAndInfoAreAnswered) {
 }
 
 TEST_F(Command, WrongFlagsAreNamed) {
-    expect_refusal({}, "name a command, run, bench, verify, pareto, plants, check or info: see windrow --help.");
-    expect_refusal({"runn", "x"}, "runn is no command (did you mean run?): see windrow --help.");
-    expect_refusal({"--verion"}, "--verion is no flag (did you mean --version?): see windrow --help.");
-    expect_refusal({"run"}, "SCENE.json is required: see windrow run --help.");
-    expect_refusal({"run", "x.json", "--frame", "3"}, "--frame is no flag (did you mean --frames?): see windrow run --help.");
-    expect_refusal({"run", "x.json", "y.json"}, "y.json is one word too many: see windrow run --help.");
-    expect_refusal({"run", "x.json", "--frames"}, "--frames: 1 required N missing: see windrow run --help.");
-    expect_refusal({"run", "x.json", "--out", "--vdb"},
-                   "--out has no value: --vdb is a flag; write ./--vdb for a file of that name.");
-    expect_refusal({"run", "x.json", "--frames", "0"}, "--frames is 0: give a whole number from 1 to 100000.");
-    expect_refusal({"run", "x.json", "--frames", "1000000000"}, "--frames is 1000000000: give a whole number from 1 to 100000.");
-    expect_refusal({"run", "x.json", "--frames", "ten"}, "--frames is ten: give a whole number from 1 to 100000.");
-    expect_refusal({"run", "x.json", "--frames=-5"}, "--frames is -5: give a whole number from 1 to 100000.");
-    expect_refusal({"run", "x.json", "--threads", "0"}, "--threads is 0: give a whole number from 1 to 256.");
-    expect_refusal({"run", "x.json", "--out", ""}, "--out is empty: name a folder.");
-    expect_refusal({"run", ""}, "SCENE.json is empty: name a scene file.");
+    expect_rejection({}, "name a command, run, bench, verify, pareto, plants, check or info: see windrow --help.");
+    expect_rejection({"runn", "x"}, "runn is no command (did you mean run?): see windrow --help.");
+    expect_rejection({"--verion"}, "--verion is no flag (did you mean --version?): see windrow --help.");
+    expect_rejection({"run"}, "SCENE.json is required: see windrow run --help.");
+    expect_rejection({"run", "x.json", "--frame", "3"}, "--frame is no flag (did you mean --frames?): see windrow run --help.");
+    expect_rejection({"run", "x.json", "y.json"}, "y.json is one word too many: see windrow run --help.");
+    expect_rejection({"run", "x.json", "--frames"}, "--frames: 1 required N missing: see windrow run --help.");
+    expect_rejection({"run", "x.json", "--out", "--vdb"},
+                     "--out has no value: --vdb is a flag; write ./--vdb for a file of that name.");
+    expect_rejection({"run", "x.json", "--frames", "0"}, "--frames is 0: give a whole number from 1 to 100000.");
+    expect_rejection({"run", "x.json", "--frames", "1000000000"},
+                     "--frames is 1000000000: give a whole number from 1 to 100000.");
+    expect_rejection({"run", "x.json", "--frames", "ten"}, "--frames is ten: give a whole number from 1 to 100000.");
+    expect_rejection({"run", "x.json", "--frames=-5"}, "--frames is -5: give a whole number from 1 to 100000.");
+    expect_rejection({"run", "x.json", "--threads", "0"}, "--threads is 0: give a whole number from 1 to 256.");
+    expect_rejection({"run", "x.json", "--out", ""}, "--out is empty: name a folder.");
+    expect_rejection({"run", ""}, "SCENE.json is empty: name a scene file.");
 }
 
 TEST_F(Command, BadScenesEndWithTheirSentence) {
     const std::string none = in("none.json");
-    expect_refusal({"run", none.c_str()}, none + ": there is no such file: check the name and the folder that you run from.");
+    expect_rejection({"run", none.c_str()}, none + ": there is no such file: check the name and the folder that you run from.");
     const std::string bad = write("bad.json", R"({"duration": -1, "tick_hz": "x"})");
-    expect_refusal({"run", bad.c_str()}, bad + ": $.duration is -1 s: give a number above 0, at most 1e6 s.\nwindrow: " + bad +
-                                             ": $.tick_hz is \"x\": give a number.");
+    expect_rejection({"run", bad.c_str()}, bad + ": $.duration is -1 s: give a number above 0, at most 1e6 s.\nwindrow: " + bad +
+                                               ": $.tick_hz is \"x\": give a number.");
     const std::string table = write("lines.csv", "0,0,0,0\n1,0,0\n");
     const std::string walk = write("walk.json", R"({"paths": {"p": {"file": "lines.csv"}}})");
-    expect_refusal({"run", walk.c_str()}, table + ":2: has 3 fields: give four, t,x,y,z, with commas between them.");
+    expect_rejection({"run", walk.c_str()}, table + ":2: has 3 fields: give four, t,x,y,z, with commas between them.");
     const std::string pipe = in("pipe.json"); // a reader that waits for its other end would wait for ever
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-    expect_refusal({"run", pipe.c_str()}, pipe + ": is a pipe or a device: name a regular file.");
+    expect_rejection({"run", pipe.c_str()}, pipe + ": is a pipe or a device: name a regular file.");
 }
 
 // --- Runs ------------------------------------------------------------------------------------------------------------
@@ -223,7 +224,8 @@ TEST_F(Command, AFolderBelongsToOneRun) {
     {
         OutputFolder other;
         ASSERT_FALSE(other.open(out));
-        expect_refusal(again, out + ": another windrow writes into this folder: wait for it, or give another folder with --out.");
+        expect_rejection(again,
+                         out + ": another windrow writes into this folder: wait for it, or give another folder with --out.");
         EXPECT_EQ(list(out), "");
     }
     EXPECT_EQ(run(again).code, k_exit_well);
@@ -244,21 +246,21 @@ TEST_F(Command, AFaultAtAFrameKeepsTheStepsBefore) {
 
 TEST_F(Command, FoldersThatCannotBeWritten) {
     const std::string below = scene + "/out"; // a file stands where a folder is needed
-    expect_refusal({"run", scene.c_str(), "--csv", "--out", below.c_str()},
-                   below + ": a file stands where a folder is needed: remove it, or give another folder with --out.");
-    expect_refusal({"run", scene.c_str(), "--csv", "--out", scene.c_str()},
-                   scene + ": a file stands where a folder is needed: remove it, or give another folder with --out.");
+    expect_rejection({"run", scene.c_str(), "--csv", "--out", below.c_str()},
+                     below + ": a file stands where a folder is needed: remove it, or give another folder with --out.");
+    expect_rejection({"run", scene.c_str(), "--csv", "--out", scene.c_str()},
+                     scene + ": a file stands where a folder is needed: remove it, or give another folder with --out.");
     const std::string name(300, 'n');
     const std::string lengthy = in(name);
-    expect_refusal({"run", scene.c_str(), "--csv", "--out", lengthy.c_str()},
-                   lengthy + ": the name is too long for the system: give a shorter one with --out.");
+    expect_rejection({"run", scene.c_str(), "--csv", "--out", lengthy.c_str()},
+                     lengthy + ": the name is too long for the system: give a shorter one with --out.");
     if (::geteuid() == 0)
         return; // rights do not bind root
     const std::string closed = in("closed");
     fs::create_directory(closed);
     fs::permissions(closed, fs::perms::owner_read | fs::perms::owner_exec);
-    expect_refusal({"run", scene.c_str(), "--csv", "--out", closed.c_str()},
-                   closed + ": may not be written: give yourself the right, or another folder with --out.");
+    expect_rejection({"run", scene.c_str(), "--csv", "--out", closed.c_str()},
+                     closed + ": may not be written: give yourself the right, or another folder with --out.");
 }
 
 #if !defined(__SANITIZE_ADDRESS__)

@@ -51,7 +51,7 @@ inline void expect_words(const std::string& text, std::initializer_list<const ch
 }
 
 /// Wrong use: one sentence, and nothing else.
-inline void expect_refused(const CommandOutcome& outcome, const std::string& sentence) {
+inline void expect_rejected(const CommandOutcome& outcome, const std::string& sentence) {
     EXPECT_EQ(outcome.code, k_exit_wrong_use);
     EXPECT_EQ(outcome.err, "windrow: " + sentence + "\n");
     EXPECT_EQ(outcome.out, "");

@@ -37,21 +37,21 @@ std::vector<Motor> motors() {
 }
 
 struct ComposedBox {
-    Sides sides;
+    Boundaries boundaries;
     float viscosity;
     bool moved;
 };
 
 std::vector<ComposedBox> cases() {
-    return {{Sides::all(SideKind::periodic), 0.0f, false},
-            {Sides::all(SideKind::periodic), 0.05f, false},
-            {Sides::open_over_floor(), 0.0f, true},
-            {Sides::all(SideKind::open), 0.3f, true},
-            {Sides::all(SideKind::no_slip), 2.0f, true}};
+    return {{Boundaries::all(BoundaryKind::periodic), 0.0f, false},
+            {Boundaries::all(BoundaryKind::periodic), 0.05f, false},
+            {Boundaries::open_over_floor(), 0.0f, true},
+            {Boundaries::all(BoundaryKind::open), 0.3f, true},
+            {Boundaries::all(BoundaryKind::no_slip), 2.0f, true}};
 }
 
 ComposedStep composed(const ComposedBox& one, glm::vec3 ambient, const ParallelFor& loop = {}) {
-    return *ComposedStep::create({.box = {k_cells, k_cell, one.sides},
+    return *ComposedStep::create({.box = {k_cells, k_cell, one.boundaries},
                                   .ambient = ambient,
                                   .viscosity = one.viscosity,
                                   .motors = one.moved ? motors() : std::vector<Motor>{},
@@ -69,11 +69,11 @@ TEST(ComposedStep, WithTheDirectSolveIsTheWindsStepToTheBit) {
             for (const Interpolation interpolation : {Interpolation::linear, Interpolation::cubic}) {
                 auto wind = Wind::create({.cells = k_cells,
                                           .cell_size = k_cell,
-                                          .sides = one.sides,
+                                          .boundaries = one.boundaries,
                                           .centre = 0.5 * k_cell * glm::dvec3(k_cells),
                                           .ambient = ambient,
                                           .viscosity = one.viscosity,
-                                          .settling_time = 0.0f,
+                                          .relaxation_time = 0.0f,
                                           .scheme = scheme,
                                           .interpolation = interpolation,
                                           .max_cfl = 1e5f});
@@ -110,7 +110,7 @@ TEST(ComposedStep, OtherSolvesComeToTheDirectOne) {
     for (const ComposedBox& one : cases()) {
         const auto after = [&](Pressure pressure) {
             ComposedStep step = composed(one, ambient);
-            EXPECT_TRUE(step.start(waves({k_cells, k_cell, one.sides}, ambient)));
+            EXPECT_TRUE(step.start(waves({k_cells, k_cell, one.boundaries}, ambient)));
             for (int n = 0; n < 4; ++n)
                 step.step({.pressure = pressure}, k_dt);
             return std::vector<glm::vec4>(step.velocity().begin(), step.velocity().end());
@@ -131,12 +131,12 @@ TEST(ComposedStep, OtherSolvesComeToTheDirectOne) {
 
 TEST(ComposedStep, DoesNotDependOnTheThreads) {
     ThreadPool pool(3);
-    const ComposedBox one{Sides::open_over_floor(), 0.0f, true};
+    const ComposedBox one{Boundaries::open_over_floor(), 0.0f, true};
     for (const Pressure pressure : {Pressure::multigrid, Pressure::jacobi20}) {
         ComposedStep alone = composed(one, glm::vec3(2.0f, 0.0f, 0.0f));
         ComposedStep together = composed(one, glm::vec3(2.0f, 0.0f, 0.0f), pool.parallel_for());
         for (ComposedStep* step : {&alone, &together}) {
-            ASSERT_TRUE(step->start(waves({k_cells, k_cell, one.sides}, glm::vec3(2.0f, 0.0f, 0.0f))));
+            ASSERT_TRUE(step->start(waves({k_cells, k_cell, one.boundaries}, glm::vec3(2.0f, 0.0f, 0.0f))));
             step->step({.pressure = pressure}, k_dt);
             step->step({.pressure = pressure}, k_dt);
         }
@@ -145,8 +145,8 @@ TEST(ComposedStep, DoesNotDependOnTheThreads) {
 }
 
 TEST(ComposedStep, StartsAnew) {
-    ComposedStep step = composed({Sides::open_over_floor(), 0.0f, true}, glm::vec3(0.0f));
-    const auto start = waves({k_cells, k_cell, Sides::open_over_floor()}, glm::vec3(0.0f));
+    ComposedStep step = composed({Boundaries::open_over_floor(), 0.0f, true}, glm::vec3(0.0f));
+    const auto start = waves({k_cells, k_cell, Boundaries::open_over_floor()}, glm::vec3(0.0f));
     std::vector<glm::vec4> first;
     for (int turn = 0; turn < 2; ++turn) {
         ASSERT_TRUE(step.start(start));
@@ -158,7 +158,7 @@ TEST(ComposedStep, StartsAnew) {
     EXPECT_TRUE(same_bits(step.velocity(), first));
 }
 
-TEST(ComposedStep, RefusesWhatTheLibraryRefuses) {
+TEST(ComposedStep, RejectsWhatTheLibraryRejects) {
     EXPECT_FALSE(ComposedStep::create({.box = {.cells = {0, 4, 4}}}));
     auto step = ComposedStep::create({.box = {.cells = {8, 8, 8}}, .motors = {JetMotor{.length = -1.0f}}});
     ASSERT_TRUE(step);

@@ -1,4 +1,4 @@
-// What a Config is refused for: each reason by itself, with the field, its value and the fix, and all of them at once.
+// What a Config is rejected for: each reason by itself, with the field, its value and the fix, and all of them at once.
 
 #include "fluid/wind.h"
 
@@ -44,37 +44,40 @@ std::vector<ConfigMistake> every_fault() {
     add("cell_size", " is 1e-07 m", "1e-6 to 1e6", [](Config& c) { c.cell_size = 1e-7f; });
     add("cell_size", " is nan m", "1e-6 to 1e6", [](Config& c) { c.cell_size = k_nan; });
     add("cell_size", " is inf m", "1e-6 to 1e6", [](Config& c) { c.cell_size = k_infinity; });
-    add("sides.x_high", " is not periodic", "both sides", [](Config& c) { c.sides.x_low.kind = SideKind::periodic; });
-    add("sides.z_low", " is not periodic", "both sides", [](Config& c) { c.sides.z_high.kind = SideKind::periodic; });
-    add("sides.y_low.wall_velocity", " is (nan, 0, 0) m/s", "-10000 to 10000 m/s", [](Config& c) {
-        c.sides.y_low = {SideKind::no_slip, {k_nan, 0.0f, 0.0f}};
+    add("boundaries.x_high", " is not periodic", "both boundaries",
+        [](Config& c) { c.boundaries.x_low.kind = BoundaryKind::periodic; });
+    add("boundaries.z_low", " is not periodic", "both boundaries",
+        [](Config& c) { c.boundaries.z_high.kind = BoundaryKind::periodic; });
+    add("boundaries.y_low.wall_velocity", " is (nan, 0, 0) m/s", "-10000 to 10000 m/s", [](Config& c) {
+        c.boundaries.y_low = {BoundaryKind::no_slip, {k_nan, 0.0f, 0.0f}};
     });
-    add("sides.y_low.wall_velocity", " is (3e+38, 0, 0) m/s", "-10000 to 10000 m/s", [](Config& c) {
-        c.sides.y_low = {SideKind::no_slip, {3e38f, 0.0f, 0.0f}};
+    add("boundaries.y_low.wall_velocity", " is (3e+38, 0, 0) m/s", "-10000 to 10000 m/s", [](Config& c) {
+        c.boundaries.y_low = {BoundaryKind::no_slip, {3e38f, 0.0f, 0.0f}};
     });
-    add("sides.z_low.kind", " is 77", "periodic", [](Config& c) { c.sides.z_low.kind = static_cast<SideKind>(77); });
+    add("boundaries.z_low.kind", " is 77", "periodic",
+        [](Config& c) { c.boundaries.z_low.kind = static_cast<BoundaryKind>(77); });
     add("scheme", " is 9", "second_order", [](Config& c) { c.scheme = static_cast<Scheme>(9); });
     add("interpolation", " is 9", "cubic", [](Config& c) { c.interpolation = static_cast<Interpolation>(9); });
     add("simd", " is 9", "baseline", [](Config& c) { c.simd = static_cast<Simd>(9); });
-    add("sides.y_low.wall_velocity", " is (0, 2, 0) m/s", "normal to 0", [](Config& c) {
-        c.sides.y_low = {SideKind::no_slip, {0.0f, 2.0f, 0.0f}};
+    add("boundaries.y_low.wall_velocity", " is (0, 2, 0) m/s", "normal to 0", [](Config& c) {
+        c.boundaries.y_low = {BoundaryKind::no_slip, {0.0f, 2.0f, 0.0f}};
     });
-    add("sides.y_low.wall_velocity", " is (1, 0, 0) m/s", "no_slip", [](Config& c) {
-        c.sides.y_low = {SideKind::free_slip, {1.0f, 0.0f, 0.0f}};
+    add("boundaries.y_low.wall_velocity", " is (1, 0, 0) m/s", "no_slip", [](Config& c) {
+        c.boundaries.y_low = {BoundaryKind::free_slip, {1.0f, 0.0f, 0.0f}};
     });
     add("centre", " is (nan, 0, 0) m", "1e12", [](Config& c) { c.centre.x = std::numeric_limits<double>::quiet_NaN(); });
     add("centre", " is (0, -inf, 0) m", "1e12", [](Config& c) { c.centre.y = -std::numeric_limits<double>::infinity(); });
     add("centre", " is (0, 0, 1e+13) m", "1e12", [](Config& c) { c.centre.z = 1e13; });
-    add("follow_axes", " asks the box to follow along x, where a side is solid", "open both sides", [](Config& c) {
-        c.sides.x_high.kind = SideKind::free_slip;
+    add("follow_axes", " asks the box to follow along x, where a side is solid", "open both boundaries", [](Config& c) {
+        c.boundaries.x_high.kind = BoundaryKind::free_slip;
         c.follow_axes = glm::bvec3(true, false, false);
     });
     add("follow_axes", " asks the box to follow along y, where a side is solid", "set_floor", [](Config& c) {
-        c.sides = Sides::open_over_floor();
+        c.boundaries = Boundaries::open_over_floor();
         c.follow_axes = glm::bvec3(true);
     });
-    add("follow_axes", " asks the box to follow along z, where a side is periodic", "open both sides", [](Config& c) {
-        c.sides.z_low.kind = c.sides.z_high.kind = SideKind::periodic;
+    add("follow_axes", " asks the box to follow along z, where a side is periodic", "open both boundaries", [](Config& c) {
+        c.boundaries.z_low.kind = c.boundaries.z_high.kind = BoundaryKind::periodic;
         c.follow_axes = glm::bvec3(true);
     });
     add("ambient", " is (0, nan, 0) m/s", "10000 m/s", [](Config& c) { c.ambient.y = k_nan; });
@@ -83,18 +86,18 @@ std::vector<ConfigMistake> every_fault() {
     add("viscosity", " is -0.1 m^2/s", "0 to 1e9", [](Config& c) { c.viscosity = -0.1f; });
     add("viscosity", " is nan m^2/s", "0 to 1e9", [](Config& c) { c.viscosity = k_nan; });
     add("viscosity", " is 2e+09 m^2/s", "0 to 1e9", [](Config& c) { c.viscosity = 2e9f; });
-    add("settling_time", " is -1 s", "0 (never) to 1e9", [](Config& c) { c.settling_time = -1.0f; });
-    add("settling_time", " is nan s", "0 (never) to 1e9", [](Config& c) { c.settling_time = k_nan; });
-    add("settling_time", " is inf s", "0 (never) to 1e9", [](Config& c) { c.settling_time = k_infinity; });
+    add("relaxation_time", " is -1 s", "0 (never) to 1e9", [](Config& c) { c.relaxation_time = -1.0f; });
+    add("relaxation_time", " is nan s", "0 (never) to 1e9", [](Config& c) { c.relaxation_time = k_nan; });
+    add("relaxation_time", " is inf s", "0 (never) to 1e9", [](Config& c) { c.relaxation_time = k_infinity; });
     add("max_cfl", " is 0", "above 0", [](Config& c) { c.max_cfl = 0.0f; });
     add("max_cfl", " is -2", "above 0", [](Config& c) { c.max_cfl = -2.0f; });
     add("max_cfl", " is nan", "above 0", [](Config& c) { c.max_cfl = k_nan; });
     add("max_cfl", " is inf", "at most 1e6", [](Config& c) { c.max_cfl = k_infinity; });
     add("max_substeps", " is 0", "1 to 64", [](Config& c) { c.max_substeps = 0; });
     add("max_substeps", " is 65", "1 to 64", [](Config& c) { c.max_substeps = 65; });
-    add("rim", " is -1", "0 (none) to 64", [](Config& c) { c.rim = -1.0f; });
-    add("rim", " is 65", "0 (none) to 64", [](Config& c) { c.rim = 65.0f; });
-    add("rim", " is nan", "0 (none) to 64", [](Config& c) { c.rim = k_nan; });
+    add("blend_width", " is -1", "0 (none) to 64", [](Config& c) { c.blend_width = -1.0f; });
+    add("blend_width", " is 65", "0 (none) to 64", [](Config& c) { c.blend_width = 65.0f; });
+    add("blend_width", " is nan", "0 (none) to 64", [](Config& c) { c.blend_width = k_nan; });
     add("canopy.height", " is -1 m", "0 (none) to 1000 m", [](Config& c) { c.canopy = Canopy{.height = -1.0f}; });
     add("canopy.height", " is nan m", "0 (none) to 1000 m", [](Config& c) { c.canopy = Canopy{.height = k_nan}; });
     add("canopy.drag", " is 10000 1/m", "0 (none) to 1000 1/m", [](Config& c) { c.canopy = Canopy{.drag = 1e4f}; });
@@ -102,7 +105,7 @@ std::vector<ConfigMistake> every_fault() {
     add("ticks.hz", " is -1", "1 to 10000", [](Config& c) { c.ticks.hz = -1.0; });
     add("ticks.hz", " is nan", "1 to 10000", [](Config& c) { c.ticks.hz = std::numeric_limits<double>::quiet_NaN(); });
     add("ticks.hz", " is 1e+05", "1 to 10000", [](Config& c) { c.ticks.hz = 1e5; });
-    add("ticks.most", " is 0", "give", [](Config& c) { c.ticks.most = 0; });
+    add("ticks.max_per_call", " is 0", "give", [](Config& c) { c.ticks.max_per_call = 0; });
     return faults;
 }
 
@@ -130,19 +133,19 @@ TEST(Config, AllReasonsComeAtOnce) {
     Config config;
     config.cells = {0, 16, 32};
     config.cell_size = -1.0f;
-    config.sides.x_low.kind = SideKind::periodic;
-    config.sides.y_low = {SideKind::no_slip, {0.0f, 1.0f, 0.0f}};
+    config.boundaries.x_low.kind = BoundaryKind::periodic;
+    config.boundaries.y_low = {BoundaryKind::no_slip, {0.0f, 1.0f, 0.0f}};
     config.centre.x = std::numeric_limits<double>::quiet_NaN();
     config.follow_axes = glm::bvec3(true);
     config.ambient.x = k_nan;
     config.viscosity = -1.0f;
-    config.settling_time = -1.0f;
+    config.relaxation_time = -1.0f;
     config.max_cfl = 0.0f;
     config.max_substeps = 0;
     const std::string sentences = validate(config).error();
     for (const char* field :
-         {"cells is", "cell_size is", "sides.x_high is", "sides.y_low.wall_velocity is", "centre is", "along x", "along y",
-          "ambient is", "viscosity is", "settling_time is", "max_cfl is", "max_substeps is"})
+         {"cells is", "cell_size is", "boundaries.x_high is", "boundaries.y_low.wall_velocity is", "centre is", "along x",
+          "along y", "ambient is", "viscosity is", "relaxation_time is", "max_cfl is", "max_substeps is"})
         EXPECT_NE(sentences.find(field), std::string::npos) << field << " is missing from:\n" << sentences;
     EXPECT_EQ(std::count(sentences.begin(), sentences.end(), '\n'), 11) << sentences;
 }
@@ -164,15 +167,15 @@ TEST(Config, LimitsThemselvesAreAccepted) {
     accepted([](Config& c) { c.ambient = {1e4f, -1e4f, 0.0f}; });
     accepted([](Config& c) { c.viscosity = 0.0f; });
     accepted([](Config& c) { c.viscosity = 1e9f; });
-    accepted([](Config& c) { c.settling_time = 0.0f; });
-    accepted([](Config& c) { c.settling_time = 1e9f; });
+    accepted([](Config& c) { c.relaxation_time = 0.0f; });
+    accepted([](Config& c) { c.relaxation_time = 1e9f; });
     accepted([](Config& c) { c.max_cfl = 1e-30f; });
     accepted([](Config& c) { c.max_cfl = 1e6f; });
     accepted([](Config& c) { c.max_substeps = 1; });
     accepted([](Config& c) { c.max_substeps = 64; });
     accepted([](Config& c) { c.follow_axes = glm::bvec3(false); });
     accepted([](Config& c) {
-        c.sides = Sides::open_over_floor();
+        c.boundaries = Boundaries::open_over_floor();
         c.follow_axes = glm::bvec3(true, false, true);
     });
 }
@@ -191,28 +194,28 @@ TEST(Config, IsCopiedOnCreation) {
     EXPECT_EQ(wind->field().size(), 5u * 6u * 7u);
 }
 
-TEST(Config, RefusedChangesLeaveEverythingAsItWas) {
+TEST(Config, RejectedChangesLeaveEverythingAsItWas) {
     auto wind = Wind::create({.follow_axes = glm::bvec3(true, false, true), .ambient = {1.0f, 0.0f, 2.0f}});
     ASSERT_TRUE(wind);
-    Sides broken;
-    broken.x_low.kind = SideKind::periodic;
-    Sides wall_across;
-    wall_across.z_low.kind = SideKind::no_slip;
-    wall_across.y_low.kind = SideKind::periodic;
+    Boundaries broken;
+    broken.x_low.kind = BoundaryKind::periodic;
+    Boundaries wall_across;
+    wall_across.z_low.kind = BoundaryKind::no_slip;
+    wall_across.y_low.kind = BoundaryKind::periodic;
     EXPECT_FALSE(wind->set_ambient({k_nan, 0.0f, 0.0f}));
     EXPECT_FALSE(wind->set_ambient({0.0f, 2e4f, 0.0f}));
-    EXPECT_FALSE(wind->set_sides(broken));
-    const auto refused = wind->set_sides(wall_across);
-    ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().find("sides.y_high is not periodic"), std::string::npos) << refused.error();
-    EXPECT_NE(refused.error().find("along z"), std::string::npos) << refused.error();
+    EXPECT_FALSE(wind->set_boundaries(broken));
+    const auto rejected = wind->set_boundaries(wall_across);
+    ASSERT_FALSE(rejected);
+    EXPECT_NE(rejected.error().find("boundaries.y_high is not periodic"), std::string::npos) << rejected.error();
+    EXPECT_NE(rejected.error().find("along z"), std::string::npos) << rejected.error();
     EXPECT_EQ(wind->ambient(), glm::vec3(1.0f, 0.0f, 2.0f));
-    EXPECT_EQ(wind->config().sides, Sides{});
-    EXPECT_EQ(wind->box().sides, Sides{});
+    EXPECT_EQ(wind->config().boundaries, Boundaries{});
+    EXPECT_EQ(wind->box().boundaries, Boundaries{});
 
-    EXPECT_TRUE(wind->set_sides(Sides::open_over_floor()));
-    EXPECT_EQ(wind->box().sides, Sides::open_over_floor());
-    EXPECT_EQ(wind->config().sides, Sides::open_over_floor());
+    EXPECT_TRUE(wind->set_boundaries(Boundaries::open_over_floor()));
+    EXPECT_EQ(wind->box().boundaries, Boundaries::open_over_floor());
+    EXPECT_EQ(wind->config().boundaries, Boundaries::open_over_floor());
 }
 
 } // namespace

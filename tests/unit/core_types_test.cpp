@@ -13,7 +13,7 @@ namespace {
 using namespace windrow;
 
 TEST(TickClock, SpendsWholeTicksOfAnyFrames) {
-    constexpr Ticks k_ticks{.hz = 30.0, .most = 1000};
+    constexpr Ticks k_ticks{.hz = 30.0, .max = 1000};
     for (const double hz : {7.0, 30.0, 59.94, 144.0, 1000.0}) {
         TickClock clock;
         int ticks = 0;
@@ -33,18 +33,18 @@ TEST(TickClock, ATickThatIsDueExceptForRoundingIsDue) {
     TickClock clock;
     int ticks = 0;
     for (int n = 0; n < 10; ++n)
-        ticks += clock.spend(0.1, {.hz = 1.0, .most = 4}).ticks; // ten tenths are a hair below 1
+        ticks += clock.spend(0.1, {.hz = 1.0, .max = 4}).ticks; // ten tenths are a hair below 1
     EXPECT_EQ(ticks, 1);
     EXPECT_EQ(clock.lead, 0.0);
 }
 
 TEST(TickClock, DropsWholeTicksBeyondTheMost) {
     TickClock clock;
-    const TickClock::Due due = clock.spend(1.25, {.hz = 10.0, .most = 4});
+    const TickClock::Due due = clock.spend(1.25, {.hz = 10.0, .max = 4});
     EXPECT_EQ(due.ticks, 4);
     EXPECT_NEAR(due.dropped, 0.8, 1e-12);
     EXPECT_NEAR(clock.lead, 0.05, 1e-12);
-    EXPECT_EQ(clock.spend(1e9, {.hz = 1e4, .most = 1}).ticks, 1);
+    EXPECT_EQ(clock.spend(1e9, {.hz = 1e4, .max = 1}).ticks, 1);
     EXPECT_LT(clock.lead, 1e-4);
 }
 
@@ -99,13 +99,13 @@ TEST(WindowHistory, KeepsTheLastTwoSteps) {
 }
 
 TEST(WindowHistory, MovesOnAxesThatFollowAlone) {
-    WindowHistory place({.cells = {16, 16, 16}, .sides = Sides::open_over_floor()});
+    WindowHistory place({.cells = {16, 16, 16}, .boundaries = Boundaries::open_over_floor()});
     EXPECT_EQ(place.follow_axes, glm::bvec3(true, false, true));
     EXPECT_EQ(place.around({3.0, 9.0, -2.0}), CellIndex(-5, -8, -10));
-    const Rim rim = place.rim({0.0, 0.0, 0.0}, 2.0f, 1.0f);
+    const BlendZone rim = place.blend_zone({0.0, 0.0, 0.0}, 2.0f, 1.0f);
     EXPECT_EQ(rim.reach, glm::vec3(7.0f, 0.0f, 7.0f));
-    EXPECT_EQ(place.rim({0.0, 0.0, 0.0}, 7.0f, 1.0f).reach, glm::vec3(0.0f)) << "no room for it";
-    EXPECT_EQ(place.rim({0.0, 0.0, 0.0}, 0.0f, 1.0f).reach, glm::vec3(0.0f));
+    EXPECT_EQ(place.blend_zone({0.0, 0.0, 0.0}, 7.0f, 1.0f).reach, glm::vec3(0.0f)) << "no room for it";
+    EXPECT_EQ(place.blend_zone({0.0, 0.0, 0.0}, 0.0f, 1.0f).reach, glm::vec3(0.0f));
 }
 
 TEST(FrameHistory, BlendsTheLastTwoTicks) {
@@ -118,9 +118,9 @@ TEST(FrameHistory, BlendsTheLastTwoTicks) {
     const FrameBlend blend = frames.show({window, {3.0, 0.0, 0.0}, wind}, 0.25);
     EXPECT_EQ(blend.factor, 0.25f);
     EXPECT_FALSE(blend.still);
-    EXPECT_EQ(frames.shown.rim_point.x, 1.5);
+    EXPECT_EQ(frames.shown.blend_centre.x, 1.5);
     EXPECT_NEAR(frames.shown.ambient.phase().x, 0.5, 1e-12);
-    EXPECT_EQ(frames.shown_before.rim_point.x, 1.0);
+    EXPECT_EQ(frames.shown_before.blend_centre.x, 1.0);
 }
 
 // Cells of the frame before the last one are written over, unless they are those of this frame.

@@ -22,12 +22,12 @@ std::vector<NamedConfig> scenes() {
         add("viscous_one_pass", [](Config& c) { c.viscosity = 1.0f; });
         add("viscous_implicit_floor", [](Config& c) {
             c.viscosity = 50.0f;
-            c.sides = Sides::open_over_floor();
+            c.boundaries = Boundaries::open_over_floor();
         });
-        add("periodic", [](Config& c) { c.sides = Sides::all(SideKind::periodic); });
+        add("periodic", [](Config& c) { c.boundaries = Boundaries::all(BoundaryKind::periodic); });
         add("stable_fluids_walls", [](Config& c) {
             c.scheme = Scheme::stable_fluids;
-            c.sides = Sides::all(SideKind::no_slip);
+            c.boundaries = Boundaries::all(BoundaryKind::no_slip);
         });
     }
     return list;

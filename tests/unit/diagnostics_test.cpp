@@ -43,10 +43,10 @@ TEST(Diagnostics, ForcesCountIntoTheCfl) {
 TEST(Diagnostics, CappedSpeedsAreCountedAndLimited) {
     // All stages that could change a speed after the limit are off, and the limited air is uniform along its own way.
     Wind wind = made({.cells = {8, 8, 8},
-                      .sides = Sides::all(SideKind::periodic),
+                      .boundaries = Boundaries::all(BoundaryKind::periodic),
                       .viscosity = 0.0f,
-                      .settling_time = 0.0f,
-                      .stages = {.settling = false, .diffusion = false, .projection = false}});
+                      .relaxation_time = 0.0f,
+                      .stages = {.relaxation = false, .diffusion = false, .projection = false}});
     Field field(512, glm::vec4(0.0f));
     for (int i = 0; i < 8; ++i) // rows of their own speed, along x
         for (int row = 0; row < 64; ++row)
@@ -88,7 +88,7 @@ TEST(Diagnostics, BrokenCellsAreCountedAndMended) {
     }
 }
 
-// Central divergence from sides.h, in double.
+// Central divergence from boundaries.h, in double.
 double divergence_rms(const Wind& wind) {
     const Box& box = wind.box();
     double squares = 0.0;
@@ -99,14 +99,14 @@ double divergence_rms(const Wind& wind) {
                 glm::ivec3 cell(i, j, k);
                 const int n = box.cells[axis], next = cell[axis] + (end == 0 ? -1 : 1);
                 const bool outside = next < 0 || next >= n;
-                const SideKind kind = box.sides.at(axis, end).kind;
+                const BoundaryKind kind = box.boundaries.at(axis, end).kind;
                 double sign = end == 0 ? -1.0 : 1.0;
                 if (!outside) {
                     cell[axis] = next;
-                } else if (kind == SideKind::periodic) {
+                } else if (kind == BoundaryKind::periodic) {
                     cell[axis] = end == 0 ? n - 1 : 0;
-                } else if (kind != SideKind::open) { // beyond an open side lies the cell itself
-                    sign = -sign;                    // mirrored with its sign turned
+                } else if (kind != BoundaryKind::open) { // beyond an open boundary lies the cell itself
+                    sign = -sign;                        // mirrored with its sign turned
                 }
                 sum += sign * double(wind.field()[box.index(cell.x, cell.y, cell.z)][axis]);
             }
@@ -120,7 +120,7 @@ TEST(Diagnostics, EnergySpeedAndDivergenceAreThoseOfTheCells) {
     for (const glm::ivec3 cells : {glm::ivec3(16, 16, 16), glm::ivec3(17, 9, 23), glm::ivec3(1, 5, 8), glm::ivec3(6, 1, 1)})
         for (int kind = 0; kind < 5; ++kind) {
             Config config{.cells = cells, .cell_size = 0.4f, .ambient = {2.0f, 1.0f, -1.0f}};
-            config.sides = kind < 4 ? Sides::all(static_cast<SideKind>(kind)) : Sides::open_over_floor();
+            config.boundaries = kind < 4 ? Boundaries::all(static_cast<BoundaryKind>(kind)) : Boundaries::open_over_floor();
             Wind wind = made(config);
             ASSERT_TRUE(wind.set_velocity(white_noise(cells, 5.0f, 123)));
             for (int n = 0; n < 5; ++n) {

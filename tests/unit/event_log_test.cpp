@@ -15,7 +15,7 @@ using namespace windrow::test;
 
 Config windy() {
     Config config{.cells = {13, 8, 10}, .ambient = {3.0f, 0.0f, -1.0f}};
-    config.sides.y_low.kind = SideKind::no_slip;
+    config.boundaries.y_low.kind = BoundaryKind::no_slip;
     config.profile = LogProfile{};
     config.gusts = {.intensity = 0.2f, .length = 8.0f};
     return config;
@@ -43,7 +43,7 @@ Motor random_motor(Random& random) {
     }
 }
 
-/// Any call that a host can make, with handles that may be stale: what is refused leaves no trace in the log.
+/// Any call that a host can make, with handles that may be stale: what is rejected leaves no trace in the log.
 class AnyHost {
   public:
     AnyHost(Wind& wind, std::uint32_t seed) : wind_(wind), random_(seed) {}
@@ -104,10 +104,11 @@ class AnyHost {
                                : motors_[static_cast<std::size_t>(random_.integer(0, static_cast<int>(motors_.size()) - 1))];
     }
     void change_floor() {
-        Sides sides = wind_.config().sides;
-        sides.y_low = random_.integer(0, 2) == 0 ? Side{SideKind::free_slip}
-                                                 : Side{SideKind::no_slip, {random_.uniform(-2.0f, 2.0f), 0.0f, 0.0f}};
-        EXPECT_TRUE(wind_.set_sides(sides));
+        Boundaries boundaries = wind_.config().boundaries;
+        boundaries.y_low = random_.integer(0, 2) == 0
+                               ? Boundary{BoundaryKind::free_slip}
+                               : Boundary{BoundaryKind::no_slip, {random_.uniform(-2.0f, 2.0f), 0.0f, 0.0f}};
+        EXPECT_TRUE(wind_.set_boundaries(boundaries));
     }
     void set_velocity() {
         if (random_.integer(0, 1) == 0)
@@ -187,7 +188,7 @@ TEST(Replay, RecordsTheSameLogAgain) {
     EXPECT_EQ(*once_more.save(), recording.end);
 }
 
-TEST(Replay, NamesTheEventThatIsRefused) {
+TEST(Replay, NamesTheEventThatIsRejected) {
     EventLog log;
     log.note(Stepped{0.1});
     log.note(MotorMoved{{3, 2}, glm::dvec3(0.0)});
@@ -203,9 +204,9 @@ TEST(Replay, NamesTheEventThatIsRefused) {
         "the state in which the log began: load the snapshot taken there.");
 }
 
-TEST(Replay, RefusesWhatTheCallsRefuse) {
+TEST(Replay, RejectsWhatTheCallsReject) {
     const double broken = std::numeric_limits<double>::quiet_NaN();
-    const std::pair<Event, std::string> refused[] = {
+    const std::pair<Event, std::string> rejected[] = {
         {MotorAdded{{0, 1}, OmniMotor{.radius = -1.0f}}, "(add): motor.radius is -1"},
         {MotorSet{{7, 1}, OmniMotor{}}, "(set): motor 7"},
         {MotorRemoved{{7, 1}}, "(remove): motor 7"},
@@ -213,13 +214,13 @@ TEST(Replay, RefusesWhatTheCallsRefuse) {
         {FloorSet{broken}, "(set_floor): floor height"},
         {AmbientSet{glm::vec3(1e9f)}, "(set_ambient): ambient is"},
         {GustsSet{2.0f, 8.0f, 1, false}, "(set_gusts): gusts.intensity is 2"},
-        {SidesSet{{.x_low = {SideKind::periodic}}}, "(set_sides): sides.x_high is not periodic"},
+        {SidesSet{{.x_low = {BoundaryKind::periodic}}}, "(set_boundaries): boundaries.x_high is not periodic"},
         {VelocitySet{Field(3)}, "(set_velocity): set_velocity got 3 cells"},
         {Stepped{-1.0}, "(step): dt is -1 s"},
         {Stepped{broken}, "(step): dt is nan s"},
         {Advanced{-1.0}, "(advance): dt is -1 s"},
     };
-    for (const auto& [event, reason] : refused) {
+    for (const auto& [event, reason] : rejected) {
         Wind wind = made(windy());
         EventLog log;
         log.note(WindReset{});
@@ -229,7 +230,7 @@ TEST(Replay, RefusesWhatTheCallsRefuse) {
     }
 }
 
-TEST(EventLogBytes, AreRefusedUnlessWholeAndUnchanged) {
+TEST(EventLogBytes, AreRejectedUnlessWholeAndUnchanged) {
     const EventLog log = Recording(6, 60).log;
     const Bytes bytes = *log.to_bytes();
     ASSERT_TRUE(EventLog::from_bytes(bytes));

@@ -468,7 +468,7 @@ TEST(AmbientField, DoesNotDependOnThreads) {
     EXPECT_EQ(std::memcmp(serial.data(), threaded.data(), 16 * cell_count(window.cells + cpu::k_halo)), 0);
 }
 
-TEST(Gusts, SettingsThatMakeNoSenseAreRefused) {
+TEST(Gusts, SettingsThatMakeNoSenseAreRejected) {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     const auto begins = [](const Result<void>& result, const std::string& start) {
         return !result && result.error().rfind(start, 0) == 0 && result.error().back() == '.';
@@ -486,15 +486,15 @@ TEST(Gusts, SettingsThatMakeNoSenseAreRefused) {
     EXPECT_FALSE(validate(LogProfile{.roughness_length = 0.0f}) || validate(Gusts{.length = 0.0f}));
     EXPECT_TRUE(validate(LogProfile{}) && validate(Gusts{}) && validate(Sampling{}));
     const LogProfile bald{.roughness_length = 0.0f};
-    const auto refused =
+    const auto rejected =
         AmbientWind::create({.mean = glm::vec3(nan), .profile = bald, .gusts = {.intensity = 2.0f}, .ground = nan});
-    ASSERT_FALSE(refused);
-    EXPECT_EQ(std::count(refused.error().begin(), refused.error().end(), '\n'), 3) << refused.error();
+    ASSERT_FALSE(rejected);
+    EXPECT_EQ(std::count(rejected.error().begin(), rejected.error().end(), '\n'), 3) << rejected.error();
     AmbientWind wind = made({1.0f, 0.0f, 0.0f}, 0.5f);
     EXPECT_TRUE(begins(wind.set_mean({1e5f, 0.0f, 0.0f}), "mean is "));
     EXPECT_TRUE(begins(wind.set_ground(nan), "ground is "));
     wind.advance(nan);
-    EXPECT_TRUE(wind.mean().x == 1.0f && wind.ground() == 0.0 && wind.phase() == glm::dvec3(0.0)) << "refused changes nothing";
+    EXPECT_TRUE(wind.mean().x == 1.0f && wind.ground() == 0.0 && wind.phase() == glm::dvec3(0.0)) << "rejected changes nothing";
 }
 
 } // namespace

@@ -91,7 +91,7 @@ TEST(IdleStages, MotorsThatDoNotReachTheBoxRunNothing) {
 
 TEST(IdleStages, ASleepingStepRunsNothing) {
     CountedLoops counter;
-    Wind wind = made({.settling_time = 0.05f, .parallel_for = counter.parallel_for()});
+    Wind wind = made({.relaxation_time = 0.05f, .parallel_for = counter.parallel_for()});
     Diagnostics step;
     for (int n = 0; n < 10 && !step.asleep; ++n)
         step = wind.step(1.0 / 60.0);

@@ -22,7 +22,7 @@ class InputFile : public testing::Test {
     [[nodiscard]] std::string read(const std::string& name, std::size_t most = 100) const {
         return test::sentence_of_cheap([&] {
             InputBudget budget;
-            const auto bytes = read_input(folder / name, {.folder = folder, .most_bytes = most}, budget);
+            const auto bytes = read_input(folder / name, {.folder = folder, .max_bytes = most}, budget);
             return bytes ? *bytes : bytes.error().substr(folder.string().size() + 1);
         });
     }
@@ -53,7 +53,7 @@ TEST_F(InputFile, WhatIsNoRegularFileIsRejectedAtOnce) {
     fs::create_directory(folder / "sub");
     EXPECT_EQ(read("sub"), "sub: is a folder: name a file in it.");
     InputBudget budget;
-    const auto endless = read_input("/dev/zero", {.most_bytes = 100}, budget);
+    const auto endless = read_input("/dev/zero", {.max_bytes = 100}, budget);
     ASSERT_FALSE(endless);
     EXPECT_EQ(endless.error(), "/dev/zero: is a pipe or a device: name a regular file.");
 }
@@ -66,29 +66,29 @@ TEST_F(InputFile, LinksOutOfTheFolderAreRejected) {
         EXPECT_EQ(read(name), std::string(name) + ": is a link out of its folder: put the file itself there.");
     // Without a folder to stay in, the user has named the file.
     InputBudget budget;
-    EXPECT_TRUE(read_input(folder / "link", {.most_bytes = 100}, budget));
+    EXPECT_TRUE(read_input(folder / "link", {.max_bytes = 100}, budget));
 }
 
 // The system gives a size of 0 for them, and more bytes than that.
 TEST_F(InputFile, AFileWithoutASizeIsReadToItsEnd) {
     InputBudget budget;
-    const auto bytes = read_input("/proc/self/status", {.most_bytes = 1 << 20}, budget);
+    const auto bytes = read_input("/proc/self/status", {.max_bytes = 1 << 20}, budget);
     ASSERT_TRUE(bytes) << bytes.error();
     EXPECT_NE(bytes->find("Pid:"), std::string::npos);
-    EXPECT_FALSE(read_input("/proc/self/status", {.most_bytes = 16}, budget));
+    EXPECT_FALSE(read_input("/proc/self/status", {.max_bytes = 16}, budget));
 }
 
 TEST_F(InputFile, TheBudgetIsOfAllFilesTogether) {
     InputBudget budget;
-    EXPECT_TRUE(budget.take_bytes("a", InputBudget::k_most_bytes));
-    const auto spent = read_input(folder / "plain", {.most_bytes = 100}, budget);
+    EXPECT_TRUE(budget.take_bytes("a", InputBudget::k_max_bytes));
+    const auto spent = read_input(folder / "plain", {.max_bytes = 100}, budget);
     ASSERT_FALSE(spent);
     EXPECT_EQ(spent.error(),
               (folder / "plain").string() + ": a scene takes at most 768 MiB of files: give fewer or smaller files.");
     // From then on no file is opened.
-    EXPECT_FALSE(read_input(folder / "none", {.most_bytes = 100}, budget));
+    EXPECT_FALSE(read_input(folder / "none", {.max_bytes = 100}, budget));
     InputBudget points;
-    EXPECT_FALSE(points.take_points("a", InputBudget::k_most_points + 1));
+    EXPECT_FALSE(points.take_points("a", InputBudget::k_max_points + 1));
     EXPECT_FALSE(points.take_file("b"));
 }
 

@@ -21,12 +21,14 @@ std::vector<NamedConfig> scenes() {
             {"odd", {.cells = {17, 9, 23}}},
             {"unlike_ends",
              {.cells = {32, 16, 20},
-              .sides = {.x_low = {SideKind::no_slip}, .y_low = {SideKind::free_slip}, .z_high = {SideKind::no_slip}}}},
-            {"periodic", {.cells = {20, 10, 12}, .sides = Sides::all(SideKind::periodic)}},
+              .boundaries = {.x_low = {BoundaryKind::no_slip},
+                             .y_low = {BoundaryKind::free_slip},
+                             .z_high = {BoundaryKind::no_slip}}}},
+            {"periodic", {.cells = {20, 10, 12}, .boundaries = Boundaries::all(BoundaryKind::periodic)}},
             {"one_pass", {.viscosity = 0.5f}},
             {"implicit", {.viscosity = 50.0f}},
             {"gusty",
-             {.sides = Sides::open_over_floor(),
+             {.boundaries = Boundaries::open_over_floor(),
               .ambient = {3.0f, 0.0f, 1.0f},
               .profile = LogProfile{},
               .gusts = {.intensity = 0.3f}}},
@@ -74,7 +76,7 @@ TEST(Memory, AWindSaysWhatItHasAllocated) {
             wind->step(0.1);
             with_motors = unsaid(*wind, before);
 
-            accepted = wind->set_sides(Sides::all(SideKind::no_slip)).has_value() && accepted;
+            accepted = wind->set_boundaries(Boundaries::all(BoundaryKind::no_slip)).has_value() && accepted;
             wind->step(0.1);
             with_other_sides = unsaid(*wind, before);
             ASSERT_TRUE(accepted);
@@ -89,7 +91,8 @@ TEST(Memory, AWindSaysWhatItHasAllocated) {
 
 TEST(Memory, AWorkspaceSaysWhatItHasAllocated) {
     const std::int64_t before = live_bytes;
-    auto work = Workspace::create({.box = {.cells = {21, 12, 34}, .cell_size = 0.5f, .sides = Sides::open_over_floor()}});
+    auto work =
+        Workspace::create({.box = {.cells = {21, 12, 34}, .cell_size = 0.5f, .boundaries = Boundaries::open_over_floor()}});
     ASSERT_TRUE(work);
     const double created = unsaid(*work, before);
     ASSERT_TRUE(reserve_diffusion(*work));

@@ -1,6 +1,6 @@
 // Regions, jets, whirls and sources of air, asked of the sources stage alone: closed forms of weights, laws and times, in double.
 
-#include "fluid/pieces.h"
+#include "fluid/operators.h"
 #include "fluid/wind_state.h"
 #include "tests/winds.h"
 

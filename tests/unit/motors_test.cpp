@@ -1,4 +1,4 @@
-// The list of motors: handles, capacity, directions, delays. What is refused is in motor_refusal_test.cpp.
+// The list of motors: handles, capacity, directions, delays. What is rejected is in motor_rejection_test.cpp.
 
 #include "tests/winds.h"
 
@@ -32,7 +32,7 @@ TEST(Motors, AHandleNamesItsMotorUntilItIsRemoved) {
     EXPECT_EQ(motors.count(), 1);
 }
 
-TEST(Motors, AStaleHandleIsRefusedAndMovesNoStranger) {
+TEST(Motors, AStaleHandleIsRejectedAndMovesNoStranger) {
     Motors motors;
     const MotorId first = added(motors, DirectionalMotor{.turbulence = k_steady});
     ASSERT_TRUE(motors.remove(first));
@@ -42,12 +42,12 @@ TEST(Motors, AStaleHandleIsRefusedAndMovesNoStranger) {
 
     const MotorId unknown{.slot = 77, .generation = 1};
     for (const MotorId id : {first, MotorId{}, unknown}) {
-        const auto refused = motors.move(id, {0.0, 0.0, 0.0});
-        ASSERT_FALSE(refused);
-        EXPECT_NE(refused.error().find("motor " + std::to_string(id.slot) + " of generation " + std::to_string(id.generation)),
+        const auto rejected = motors.move(id, {0.0, 0.0, 0.0});
+        ASSERT_FALSE(rejected);
+        EXPECT_NE(rejected.error().find("motor " + std::to_string(id.slot) + " of generation " + std::to_string(id.generation)),
                   std::string::npos)
-            << refused.error();
-        EXPECT_NE(refused.error().find("add()"), std::string::npos) << refused.error();
+            << rejected.error();
+        EXPECT_NE(rejected.error().find("add()"), std::string::npos) << rejected.error();
         EXPECT_FALSE(motors.set(id, DirectionalMotor{.turbulence = k_steady}));
         EXPECT_FALSE(motors.remove(id));
         EXPECT_EQ(motors.find(id), nullptr);

@@ -1,7 +1,7 @@
 // The iterations that `windrow pareto` compares with: a rival that is wrong or slow to converge proves nothing.
 #include "cases/reference/jacobi.h"
 #include "cases/reference/multigrid.h"
-#include "fluid/pieces.h"
+#include "fluid/operators.h"
 #include "fluid/thread_pool.h"
 
 #include <algorithm>
@@ -24,26 +24,26 @@ std::vector<Simd> levels() {
 }
 
 struct AxisEnds {
-    SideKind low, high;
+    BoundaryKind low, high;
 };
-constexpr AxisEnds k_open{SideKind::open, SideKind::open}, k_walls{SideKind::no_slip, SideKind::free_slip};
-constexpr AxisEnds k_floor{SideKind::free_slip, SideKind::open}, k_lid{SideKind::open, SideKind::free_slip};
-constexpr AxisEnds k_periodic{SideKind::periodic, SideKind::periodic};
+constexpr AxisEnds k_open{BoundaryKind::open, BoundaryKind::open}, k_walls{BoundaryKind::no_slip, BoundaryKind::free_slip};
+constexpr AxisEnds k_floor{BoundaryKind::free_slip, BoundaryKind::open}, k_lid{BoundaryKind::open, BoundaryKind::free_slip};
+constexpr AxisEnds k_periodic{BoundaryKind::periodic, BoundaryKind::periodic};
 constexpr AxisEnds k_all_ends[] = {k_open, k_walls, k_floor, k_lid, k_periodic};
 
 Box box_of(glm::ivec3 cells, AxisEnds x, AxisEnds y, AxisEnds z) {
     Box box{.cells = cells};
-    box.sides.x_low.kind = x.low;
-    box.sides.x_high.kind = x.high;
-    box.sides.y_low.kind = y.low;
-    box.sides.y_high.kind = y.high;
-    box.sides.z_low.kind = z.low;
-    box.sides.z_high.kind = z.high;
+    box.boundaries.x_low.kind = x.low;
+    box.boundaries.x_high.kind = x.high;
+    box.boundaries.y_low.kind = y.low;
+    box.boundaries.y_high.kind = y.high;
+    box.boundaries.z_low.kind = z.low;
+    box.boundaries.z_high.kind = z.high;
     return box;
 }
 
 bool fixes_value(const Box& box) {
-    return box.sides.has_open(0) || box.sides.has_open(1) || box.sides.has_open(2);
+    return box.boundaries.has_open(0) || box.boundaries.has_open(1) || box.boundaries.has_open(2);
 }
 
 std::string name_of(const Box& box) {
@@ -51,7 +51,7 @@ std::string name_of(const Box& box) {
     for (int axis = 0; axis < 3; ++axis) {
         name += std::to_string(box.cells[axis]) + " cells ";
         for (int end = 0; end < 2; ++end)
-            name += "osnp"[static_cast<int>(box.sides.at(axis, end).kind)];
+            name += "osnp"[static_cast<int>(box.boundaries.at(axis, end).kind)];
         name += ' ';
     }
     return name;
@@ -84,10 +84,10 @@ double residual(const Box& box, const std::vector<float>& rhs, const std::vector
                     for (int end = 0; end < 2; ++end) {
                         glm::ivec3 at(i, j, k);
                         at[axis] += end == 0 ? -1 : 1;
-                        if (box.sides.periodic(axis))
+                        if (box.boundaries.periodic(axis))
                             at[axis] = (at[axis] + box.cells[axis]) % box.cells[axis];
                         const bool inside = at[axis] >= 0 && at[axis] < box.cells[axis];
-                        const double ghost = box.sides.at(axis, end).kind == SideKind::open ? 0.0 : here;
+                        const double ghost = box.boundaries.at(axis, end).kind == BoundaryKind::open ? 0.0 : here;
                         sum += (inside ? phi[box.index(at.x, at.y, at.z)] : ghost) - here;
                     }
                 squares += sum * sum;

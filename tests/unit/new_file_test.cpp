@@ -114,7 +114,7 @@ TEST_F(NewFiles, NamesMayBeAsLongAsTheSystemAllows) {
     EXPECT_EQ(entries(), 1);
 }
 
-TEST_F(NewFiles, WhatIsNoRegularFileIsRefused) {
+TEST_F(NewFiles, WhatIsNoRegularFileIsRejected) {
     EXPECT_EQ(NewFile("/dev/null").error(), ENXIO);
     EXPECT_EQ(NewFile(folder).error(), EISDIR);
     EXPECT_EQ(NewFile(folder / "missing" / "name").error(), ENOENT);

@@ -33,8 +33,8 @@ CommandOutcome pareto(const ParetoRequest& request, int signal = 0) {
     return run_request(run_pareto, request, signal);
 }
 
-void expect_refusal(std::vector<const char*> arguments, const std::string& sentence) {
-    expect_refused(pareto(std::move(arguments)), sentence);
+void expect_rejection(std::vector<const char*> arguments, const std::string& sentence) {
+    expect_rejected(pareto(std::move(arguments)), sentence);
 }
 
 using test::text_of;
@@ -77,17 +77,17 @@ class ParetoCommand : public test::FolderTest {
 // --- Flags -----------------------------------------------------------------------------------------------------------
 
 TEST_F(ParetoCommand, WrongFlagsAreNamed) {
-    expect_refusal({"--threads", "0"}, "--threads is 0: give a whole number from 1 to 256.");
-    expect_refusal({"--simd", "sse"}, "--simd is sse: give best, baseline, avx2 or avx512.");
-    expect_refusal({"--out", ""}, "--out is empty: name a folder.");
-    expect_refusal({"--qick"}, "--qick is no flag (did you mean --quick?): see windrow pareto --help.");
+    expect_rejection({"--threads", "0"}, "--threads is 0: give a whole number from 1 to 256.");
+    expect_rejection({"--simd", "sse"}, "--simd is sse: give best, baseline, avx2 or avx512.");
+    expect_rejection({"--out", ""}, "--out is empty: name a folder.");
+    expect_rejection({"--qick"}, "--qick is no flag (did you mean --quick?): see windrow pareto --help.");
 }
 
-TEST_F(ParetoCommand, AFolderThatCannotBeWrittenIsRefusedBeforeAnythingRuns) {
+TEST_F(ParetoCommand, AFolderThatCannotBeWrittenIsRejectedBeforeAnythingRuns) {
     const std::string file = (folder / "file").string();
     std::ofstream(file) << "x";
-    expect_refusal({"--out", file.c_str()},
-                   file + ": a file stands where a folder is needed: remove it, or give another folder with --out.");
+    expect_rejection({"--out", file.c_str()},
+                     file + ": a file stands where a folder is needed: remove it, or give another folder with --out.");
 }
 
 // --- What is compared ------------------------------------------------------------------------------------------------

@@ -12,7 +12,7 @@ namespace windrow::cli {
 namespace {
 
 SlicedAir box_of(glm::ivec3 cells, float cell_size, glm::dvec3 origin = {}) {
-    return {.box = {.cells = cells, .cell_size = cell_size, .sides = {}}, .origin = origin, .ambient = {}, .velocity = {}};
+    return {.box = {.cells = cells, .cell_size = cell_size, .boundaries = {}}, .origin = origin, .ambient = {}, .velocity = {}};
 }
 
 void expect_within(const Rect& inner, const Rect& outer) {

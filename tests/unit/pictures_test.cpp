@@ -27,7 +27,7 @@ SlicedAir air_of(const Wind& wind) {
 }
 
 SlicedAir air_of(glm::ivec3 cells, float cell_size, glm::dvec3 origin, std::function<glm::vec3(glm::dvec3)> velocity_at) {
-    SlicedAir air{.box = {.cells = cells, .cell_size = cell_size, .sides = {}},
+    SlicedAir air{.box = {.cells = cells, .cell_size = cell_size, .boundaries = {}},
                   .origin = origin,
                   .ambient = {3.0f, 0.0f, 1.0f},
                   .velocity = {}};
@@ -62,7 +62,7 @@ Rgb8 colour_of(glm::vec3 velocity, float scale) {
 
 TEST_F(PicturesTest, SliceOfEachAxisEqualsTheCells) {
     // Without a rim: over it the cells fade to the ambient wind.
-    auto wind = Wind::create({.cells = {13, 7, 10}, .cell_size = 0.5f, .centre = {40.0, 3.0, -9.0}, .rim = 0.0f});
+    auto wind = Wind::create({.cells = {13, 7, 10}, .cell_size = 0.5f, .centre = {40.0, 3.0, -9.0}, .blend_width = 0.0f});
     ASSERT_TRUE(wind);
     wind->set_velocity(known_wind);
     const SlicedAir air = air_of(*wind);
@@ -322,7 +322,7 @@ TEST(Frame, IsTheSameEveryTime) {
     EXPECT_EQ(first->values, second->values);
 }
 
-TEST_F(PicturesTest, WidthOutsideTheBoundsIsRefusedByName) {
+TEST_F(PicturesTest, WidthOutsideTheBoundsIsRejectedByName) {
     auto wind = cases::BackendWind::create({.cells = {4, 4, 4}});
     ASSERT_TRUE(wind);
     for (const int width : {1, 639, 8001, 10000, -5}) {
@@ -335,8 +335,8 @@ TEST_F(PicturesTest, WidthOutsideTheBoundsIsRefusedByName) {
 }
 
 TEST_F(PicturesTest, FrameOfAWindIsOneFileThatKnowsItsTime) {
-    auto wind =
-        cases::BackendWind::create({.cells = {8, 4, 8}, .sides = Sides::open_over_floor(), .ambient = {3.0f, 0.0f, 0.0f}});
+    auto wind = cases::BackendWind::create(
+        {.cells = {8, 4, 8}, .boundaries = Boundaries::open_over_floor(), .ambient = {3.0f, 0.0f, 0.0f}});
     ASSERT_TRUE(wind);
     ASSERT_TRUE(draw_frame(**wind, 3.4, {}, {}, {.title = "meadow", .width = 800}, folder / "frame.png"));
     EXPECT_EQ(entries(), 1);
@@ -442,7 +442,7 @@ TEST_F(PicturesTest, ContactSheetOfARunHasTheLegendOnce) {
     EXPECT_TRUE(draw_contact_sheet(std::vector{folder / "small.png"}, folder / "sheet.png", parts));
 }
 
-TEST_F(PicturesTest, ContactSheetRefusesWhatItCannotRead) {
+TEST_F(PicturesTest, ContactSheetRejectsWhatItCannotRead) {
     const std::filesystem::path sheet = folder / "sheet.png", damaged = folder / "damaged.png";
     EXPECT_FALSE(draw_contact_sheet({}, sheet));
     EXPECT_FALSE(draw_contact_sheet(std::vector<std::filesystem::path>(65, damaged), sheet));

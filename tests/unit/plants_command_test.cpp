@@ -24,7 +24,7 @@ TEST_F(PlantsCommand, WritesItsCurvesAndPrintsItsTable) {
     EXPECT_EQ(text.find("inf"), std::string::npos);
 }
 
-TEST_F(PlantsCommand, RefusesAFolderThatTakesNothing) {
+TEST_F(PlantsCommand, RejectsAFolderThatTakesNothing) {
     EXPECT_EQ(plants({"--out", ""}).code, k_exit_wrong_use);
     const CommandOutcome outcome = plants({"--out", "/dev/null/plants"});
     EXPECT_EQ(outcome.code, k_exit_wrong_use);

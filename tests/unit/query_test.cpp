@@ -19,17 +19,22 @@ Wind noisy(const Config& config) {
 }
 
 std::vector<NamedConfig> scenes() {
-    const Config base{
-        .cells = {13, 9, 17}, .cell_size = 0.75f, .centre = {3.0, -2.0, 1.0}, .ambient = {4.0f, -1.0f, 2.0f}, .rim = 0.0f};
-    const auto sides = [&](SideKind kind) { return with(base, [&](Config& c) { c.sides = Sides::all(kind); }); };
-    return {{"open", sides(SideKind::open)},
-            {"free_slip", sides(SideKind::free_slip)},
-            {"no_slip", sides(SideKind::no_slip)},
-            {"periodic", sides(SideKind::periodic)},
+    const Config base{.cells = {13, 9, 17},
+                      .cell_size = 0.75f,
+                      .centre = {3.0, -2.0, 1.0},
+                      .ambient = {4.0f, -1.0f, 2.0f},
+                      .blend_width = 0.0f};
+    const auto boundaries = [&](BoundaryKind kind) {
+        return with(base, [&](Config& c) { c.boundaries = Boundaries::all(kind); });
+    };
+    return {{"open", boundaries(BoundaryKind::open)},
+            {"free_slip", boundaries(BoundaryKind::free_slip)},
+            {"no_slip", boundaries(BoundaryKind::no_slip)},
+            {"periodic", boundaries(BoundaryKind::periodic)},
             {"mixed", with(base,
                            [](Config& c) {
-                               c.sides = {.x_low = {SideKind::no_slip}, .y_low = {SideKind::free_slip}};
-                               c.sides.z_low.kind = c.sides.z_high.kind = SideKind::periodic;
+                               c.boundaries = {.x_low = {BoundaryKind::no_slip}, .y_low = {BoundaryKind::free_slip}};
+                               c.boundaries.z_low.kind = c.boundaries.z_high.kind = BoundaryKind::periodic;
                            })},
             {"one_cell", with(base, [](Config& c) { c.cells = glm::ivec3(1, 6, 1); })},
             {"million_metres_away", with(base, [](Config& c) { c.centre = glm::dvec3(1e6, 3.0, -1e6); })}};
@@ -58,13 +63,13 @@ struct AxisTextures {
         int low[3], high[3];
         for (int a = 0; a < 3; ++a) {
             const int n = int(block.cells[a]);
-            if (block.low_sides[a] == 0.0f) // open: fades over one cell
+            if (block.low_boundaries[a] == 0.0f) // open: fades over one cell
                 share *= std::clamp(1.0 + local[a], 0.0, 1.0);
-            if (block.high_sides[a] == 0.0f)
+            if (block.high_boundaries[a] == 0.0f)
                 share *= std::clamp(1.0 + n - local[a], 0.0, 1.0);
             const double at = local[a] - 0.5;
             t[a] = at - std::floor(at);
-            if (block.low_sides[a] == 2.0f) {
+            if (block.low_boundaries[a] == 2.0f) {
                 const double wrapped = std::floor(at) - n * std::floor(std::floor(at) / n);
                 low[a] = int(wrapped);
                 high[a] = (low[a] + 1) % n;
@@ -125,7 +130,7 @@ TEST(Query, IsContinuousAcrossTheRim) {
     for (const NamedConfig& scene : scenes()) {
         const Wind wind = noisy(scene.config);
         const double h = wind.box().cell_size, stride = 1e-3 * h;
-        // Along an axis the wind changes by at most twice its size a cell, and beyond an open side by all that ambient differs.
+        // Along an axis the wind changes by at most twice its size a cell, and beyond an open boundary by all that ambient differs.
         const double speed = largest_speed(wind.field()),
                      steepest = std::sqrt(3.0) * (3.0 * speed + glm::length(glm::dvec3(wind.ambient())));
         Random random(83);
@@ -223,15 +228,15 @@ TEST(Query, AxesEqualTheCellsToTheBit) {
         }
 }
 
-TEST(Query, RoomOfAnotherSizeIsRefusedAndUntouched) {
+TEST(Query, RoomOfAnotherSizeIsRejectedAndUntouched) {
     const Wind wind = noisy(scenes()[0].config);
     const std::size_t count = wind.field().size();
     std::vector<float> right(count, 7.0f), wrong(count - 1, 7.0f);
     std::vector<std::uint16_t> half_right(count, 7), half_wrong(count + 1, 7);
-    const auto refused = wind.write_axes(std::span(right), std::span(right), std::span(wrong));
-    ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().find(std::to_string(count - 1) + " texels"), std::string::npos) << refused.error();
-    EXPECT_NE(refused.error().find(std::to_string(count) + " cells"), std::string::npos) << refused.error();
+    const auto rejected = wind.write_axes(std::span(right), std::span(right), std::span(wrong));
+    ASSERT_FALSE(rejected);
+    EXPECT_NE(rejected.error().find(std::to_string(count - 1) + " texels"), std::string::npos) << rejected.error();
+    EXPECT_NE(rejected.error().find(std::to_string(count) + " cells"), std::string::npos) << rejected.error();
     EXPECT_FALSE(wind.write_axes(std::span(half_wrong), std::span(half_right), std::span(half_right)));
     EXPECT_TRUE(std::all_of(right.begin(), right.end(), [](float texel) { return texel == 7.0f; }));
     EXPECT_TRUE(std::all_of(half_right.begin(), half_right.end(), [](std::uint16_t texel) { return texel == 7; }));
@@ -245,7 +250,7 @@ TEST(Query, RoomOfAnotherSizeIsRefusedAndUntouched) {
 TEST(Query, TheBlockSaysWhereTheTexturesLie) {
     Config config = scenes()[4].config;
     config.follow_axes.reset();
-    config.sides = Sides::open_over_floor();
+    config.boundaries = Boundaries::open_over_floor();
     Wind wind = noisy(config);
     const glm::dvec3 anchor(2.0, 1.0, -7.0), origin = wind.origin();
     wind.step(0.1);
@@ -257,8 +262,8 @@ TEST(Query, TheBlockSaysWhereTheTexturesLie) {
     EXPECT_EQ(block.cells, glm::vec3(13.0f, 9.0f, 17.0f));
     EXPECT_EQ(block.factor, 1.0f);
     EXPECT_EQ(glm::vec3(block.ambient), glm::vec3(4.0f, 0.0f, 2.0f)) << "no wind through the floor";
-    EXPECT_EQ(block.low_sides, glm::vec3(0.0f, 1.0f, 0.0f));
-    EXPECT_EQ(glm::vec3(block.high_sides), glm::vec3(0.0f));
+    EXPECT_EQ(block.low_boundaries, glm::vec3(0.0f, 1.0f, 0.0f));
+    EXPECT_EQ(glm::vec3(block.high_boundaries), glm::vec3(0.0f));
     wind.step(0.1);
     block = wind.window_block(anchor);
     EXPECT_EQ(glm::vec3(block.previous_origin), glm::vec3(origin - anchor)) << "the step before the last one lay there";
@@ -266,7 +271,7 @@ TEST(Query, TheBlockSaysWhereTheTexturesLie) {
     block = wind.window_block(anchor);
     EXPECT_EQ(block.previous_origin, block.origin);
     EXPECT_EQ(offsetof(WindowBlock, previous_origin), 32u);
-    EXPECT_EQ(offsetof(WindowBlock, high_sides), 80u);
+    EXPECT_EQ(offsetof(WindowBlock, high_boundaries), 80u);
 }
 
 TEST(Query, WhatShadersReadIsFiniteWhateverIsAsked) {

@@ -1,4 +1,4 @@
-// Scenes that are refused, and the sentence that each gets: file, place, value, fix.
+// Scenes that are rejected, and the sentence that each gets: file, place, value, fix.
 #include "scene/motion_path.h"
 #include "scene/nearest_word.h"
 #include "scene/scene_reader.h"
@@ -7,188 +7,190 @@
 namespace windrow::scene {
 namespace {
 
-/// The sentences with which a text is refused; empty where it is taken.
-std::string refusal(const std::string& text) {
+/// The sentences with which a text is rejected; empty where it is taken.
+std::string rejection(const std::string& text) {
     const auto scene = read_scene_text(text, "a.json");
     return scene ? std::string() : scene.error();
 }
 
-void expect_refusal(const std::string& text, const std::string& sentence) {
-    EXPECT_EQ(refusal(text), sentence) << text;
+void expect_rejection(const std::string& text, const std::string& sentence) {
+    EXPECT_EQ(rejection(text), sentence) << text;
 }
 
 TEST(SceneFault, TextThatIsNoJson) {
-    expect_refusal(R"({"name": "x",)",
-                   "a.json:1:14: the file ends in the middle of the JSON: was it cut short, or is a closing bracket missing?");
-    expect_refusal("{\n  \"duration\": NaN\n}", "a.json:2:15: NaN is no number in JSON: give a finite one.");
-    expect_refusal("{\"duration\": -Infinity}", "a.json:1:15: -Infinity is no number in JSON: give a finite one.");
-    expect_refusal("{\"duration\": 1e999}",
-                   "a.json:1:18: the number 1e999 is too large: give one that fits a double (up to 1.8e308).");
-    expect_refusal("{\n  \"duration\": 3,\n}", "a.json:3:1: a comma stands before '}': remove it.");
-    expect_refusal("{\n// fast\n}", "a.json:2:1: JSON has no comments: remove it, or write it in \"description\".");
-    expect_refusal("{'a': 1}", "a.json:1:2: JSON takes double quotes only: write \" instead of '.");
-    EXPECT_TRUE(refusal("{\"a\" 1}").starts_with("a.json:1:6: is not JSON: ")) << refusal("{\"a\" 1}");
-    EXPECT_TRUE(refusal("{} {}").starts_with("a.json:1:4: is not JSON: ")) << refusal("{} {}");
-    expect_refusal("[]", "a.json: $ is []: give an object, {...}.");
+    expect_rejection(R"({"name": "x",)",
+                     "a.json:1:14: the file ends in the middle of the JSON: was it cut short, or is a closing bracket missing?");
+    expect_rejection("{\n  \"duration\": NaN\n}", "a.json:2:15: NaN is no number in JSON: give a finite one.");
+    expect_rejection("{\"duration\": -Infinity}", "a.json:1:15: -Infinity is no number in JSON: give a finite one.");
+    expect_rejection("{\"duration\": 1e999}",
+                     "a.json:1:18: the number 1e999 is too large: give one that fits a double (up to 1.8e308).");
+    expect_rejection("{\n  \"duration\": 3,\n}", "a.json:3:1: a comma stands before '}': remove it.");
+    expect_rejection("{\n// fast\n}", "a.json:2:1: JSON has no comments: remove it, or write it in \"description\".");
+    expect_rejection("{'a': 1}", "a.json:1:2: JSON takes double quotes only: write \" instead of '.");
+    EXPECT_TRUE(rejection("{\"a\" 1}").starts_with("a.json:1:6: is not JSON: ")) << rejection("{\"a\" 1}");
+    EXPECT_TRUE(rejection("{} {}").starts_with("a.json:1:4: is not JSON: ")) << rejection("{} {}");
+    expect_rejection("[]", "a.json: $ is []: give an object, {...}.");
 }
 
-TEST(SceneFault, EveryBeginningOfASceneIsRefusedWithItsPlace) {
+TEST(SceneFault, EveryBeginningOfASceneIsRejectedWithItsPlace) {
     const std::string whole = test::text_of(WINDROW_SOURCE_DIR "/examples/scenes/walk.json");
     const std::size_t end = whole.find_last_of('}');
     ASSERT_GT(end, 1000u);
     for (std::size_t size = 0; size < end; ++size)
-        EXPECT_TRUE(refusal(whole.substr(0, size)).starts_with("a.json:")) << size;
+        EXPECT_TRUE(rejection(whole.substr(0, size)).starts_with("a.json:")) << size;
 }
 
 TEST(SceneFault, KeyThatStandsTwice) {
-    expect_refusal(R"({"motors": [{"kind": "wake"}, {"law": {"force": {}, "force": {}}}]})",
-                   "a.json: $.motors[1].law.force stands twice in its object: keep one of the two.");
-    expect_refusal(R"({"paths": {"a b": {"points": []}, "a b": {}}})",
-                   "a.json: $.paths[\"a b\"] stands twice in its object: keep one of the two.");
+    expect_rejection(R"({"motors": [{"kind": "wake"}, {"law": {"force": {}, "force": {}}}]})",
+                     "a.json: $.motors[1].law.force stands twice in its object: keep one of the two.");
+    expect_rejection(R"({"paths": {"a b": {"points": []}, "a b": {}}})",
+                     "a.json: $.paths[\"a b\"] stands twice in its object: keep one of the two.");
 }
 
 TEST(SceneFault, NestingWithoutEnd) {
     const std::string deep = R"({"air": )" + std::string(100'000, '[');
-    EXPECT_TRUE(refusal(deep).ends_with("is nested deeper than 32 levels: a scene needs no more than 8.")) << refusal(deep);
+    EXPECT_TRUE(rejection(deep).ends_with("is nested deeper than 32 levels: a scene needs no more than 8.")) << rejection(deep);
 }
 
 TEST(SceneFault, WrongTypes) {
-    expect_refusal(R"({"duration": "20"})", "a.json: $.duration is \"20\": give a number.");
-    expect_refusal(R"({"name": 3})", "a.json: $.name is 3: give a text in double quotes.");
-    expect_refusal(R"({"air": [1]})", "a.json: $.air is [1]: give an object, {...}.");
-    expect_refusal(R"({"air": null})", "a.json: $.air is null: give an object, {...}.");
-    expect_refusal(R"({"motors": {}})", "a.json: $.motors is {}: give a list, [...].");
-    expect_refusal(R"({"air": {"ambient": [1, 2]}})", "a.json: $.air.ambient is [1,2]: give three numbers, [x, y, z].");
-    expect_refusal(R"({"air": {"ambient": [1, 2, true]}})", "a.json: $.air.ambient[2] is true: give a number.");
-    expect_refusal(R"({"air": {"follow_axes": [1, 0, 1]}})",
-                   "a.json: $.air.follow_axes is [1,0,1]: give true or false for each axis, [x, y, z].");
-    expect_refusal(R"({"air": {"scheme": "stam"}})",
-                   "a.json: $.air.scheme is \"stam\": give one of \"second_order\", \"stable_fluids\".");
-    expect_refusal(R"({"vdb": {"three_scalars": 1}})", "a.json: $.vdb.three_scalars is 1: give true or false.");
-    expect_refusal(R"({"air": {"cells": [32, 16.5, 32]}})", "a.json: $.air.cells[1] is 16.5: give a whole number.");
+    expect_rejection(R"({"duration": "20"})", "a.json: $.duration is \"20\": give a number.");
+    expect_rejection(R"({"name": 3})", "a.json: $.name is 3: give a text in double quotes.");
+    expect_rejection(R"({"air": [1]})", "a.json: $.air is [1]: give an object, {...}.");
+    expect_rejection(R"({"air": null})", "a.json: $.air is null: give an object, {...}.");
+    expect_rejection(R"({"motors": {}})", "a.json: $.motors is {}: give a list, [...].");
+    expect_rejection(R"({"air": {"ambient": [1, 2]}})", "a.json: $.air.ambient is [1,2]: give three numbers, [x, y, z].");
+    expect_rejection(R"({"air": {"ambient": [1, 2, true]}})", "a.json: $.air.ambient[2] is true: give a number.");
+    expect_rejection(R"({"air": {"follow_axes": [1, 0, 1]}})",
+                     "a.json: $.air.follow_axes is [1,0,1]: give true or false for each axis, [x, y, z].");
+    expect_rejection(R"({"air": {"scheme": "stam"}})",
+                     "a.json: $.air.scheme is \"stam\": give one of \"second_order\", \"stable_fluids\".");
+    expect_rejection(R"({"vdb": {"three_scalars": 1}})", "a.json: $.vdb.three_scalars is 1: give true or false.");
+    expect_rejection(R"({"air": {"cells": [32, 16.5, 32]}})", "a.json: $.air.cells[1] is 16.5: give a whole number.");
 }
 
 TEST(SceneFault, Ranges) {
-    expect_refusal(R"({"air": {"cells": [0, 16, 32]}})", "a.json: $.air.cells[0] is 0 cells: give 1 to 2048 cells.");
-    expect_refusal(R"({"air": {"cells": [32, 16, 500000]}})", "a.json: $.air.cells[2] is 500000 cells: give 1 to 2048 cells.");
-    expect_refusal(R"({"air": {"cells": [2048, 2048, 2048]}})",
-                   "a.json: $.air.cells is (2048, 2048, 2048), 8589934592 in all: a box holds at most 67108864.");
-    expect_refusal(R"({"air": {"cell_size": 1e308}})", "a.json: $.air.cell_size is 1e308 m: give 1e-6 to 1e6 m.");
-    expect_refusal(R"({"air": {"ambient": [1e308, 0, 0]}})", "a.json: $.air.ambient[0] is 1e308 m/s: give -10000 to 10000 m/s.");
-    expect_refusal(R"({"tick_hz": 0})", "a.json: $.tick_hz is 0 Hz: give 1 to 10000 Hz.");
-    expect_refusal(R"({"frames_per_second": 100})",
-                   "a.json: $.frames_per_second is 100 1/s, more than tick_hz, 60 Hz: give at most that, or raise tick_hz.");
-    expect_refusal(R"({"duration": 1e6, "tick_hz": 1000, "frames_per_second": 1000})",
-                   "a.json: $.duration is 1e6 s, 1000000001 frames: give at most 100000 frames, by a shorter duration or fewer "
-                   "frames_per_second.");
-    expect_refusal(
+    expect_rejection(R"({"air": {"cells": [0, 16, 32]}})", "a.json: $.air.cells[0] is 0 cells: give 1 to 2048 cells.");
+    expect_rejection(R"({"air": {"cells": [32, 16, 500000]}})", "a.json: $.air.cells[2] is 500000 cells: give 1 to 2048 cells.");
+    expect_rejection(R"({"air": {"cells": [2048, 2048, 2048]}})",
+                     "a.json: $.air.cells is (2048, 2048, 2048), 8589934592 in all: a box holds at most 67108864.");
+    expect_rejection(R"({"air": {"cell_size": 1e308}})", "a.json: $.air.cell_size is 1e308 m: give 1e-6 to 1e6 m.");
+    expect_rejection(R"({"air": {"ambient": [1e308, 0, 0]}})",
+                     "a.json: $.air.ambient[0] is 1e308 m/s: give -10000 to 10000 m/s.");
+    expect_rejection(R"({"tick_hz": 0})", "a.json: $.tick_hz is 0 Hz: give 1 to 10000 Hz.");
+    expect_rejection(R"({"frames_per_second": 100})",
+                     "a.json: $.frames_per_second is 100 1/s, more than tick_hz, 60 Hz: give at most that, or raise tick_hz.");
+    expect_rejection(R"({"duration": 1e6, "tick_hz": 1000, "frames_per_second": 1000})",
+                     "a.json: $.duration is 1e6 s, 1000000001 frames: give at most 100000 frames, by a shorter duration or fewer "
+                     "frames_per_second.");
+    expect_rejection(
         R"({"duration": 1e6, "tick_hz": 1000, "frames_per_second": 0.01})",
         "a.json: $.duration is 1e6 s, 1000000000 ticks: give at most 10000000 ticks, by a shorter duration or a lower tick_hz.");
-    expect_refusal(R"({"motors": [{"kind": "directional", "region": {"sphere": {"radius": -1}}}]})",
-                   "a.json: $.motors[0].region.sphere.radius is -1 m: give a number above 0, at most 1e6 m.");
-    expect_refusal(R"({"motors": [{"kind": "directional", "direction": [0, 0, 0]}]})",
-                   "a.json: $.motors[0].direction is [0,0,0]: give a finite vector that is not 0.");
+    expect_rejection(R"({"motors": [{"kind": "directional", "region": {"sphere": {"radius": -1}}}]})",
+                     "a.json: $.motors[0].region.sphere.radius is -1 m: give a number above 0, at most 1e6 m.");
+    expect_rejection(R"({"motors": [{"kind": "directional", "direction": [0, 0, 0]}]})",
+                     "a.json: $.motors[0].direction is [0,0,0]: give a finite vector that is not 0.");
     // Small enough for each number alone, too long together: the library's own words with the scene's place.
-    expect_refusal(R"({"motors": [{"kind": "directional", "region": {"capsule": {"half_axis": [1e6, 1e6, 0]}}}]})",
-                   "a.json: $.motors[0].region.capsule.half_axis is [1000000.0,1000000.0,0]: give a length of 0 to 1e6 m.");
+    expect_rejection(R"({"motors": [{"kind": "directional", "region": {"capsule": {"half_axis": [1e6, 1e6, 0]}}}]})",
+                     "a.json: $.motors[0].region.capsule.half_axis is [1000000.0,1000000.0,0]: give a length of 0 to 1e6 m.");
 }
 
 TEST(SceneFault, MotorsOfEachKind) {
     const auto motor = [](const std::string& keys) { return R"({"motors": [{)" + keys + "}]}"; };
-    expect_refusal(motor(R"("kind": "jet", "start_radius": 0, "length": -1)"),
-                   "a.json: $.motors[0].length is -1 m: give a number above 0, at most 1e6 m.\n"
-                   "a.json: $.motors[0].start_radius is 0 m: give a number above 0, at most 1e6 m.");
-    expect_refusal(motor(R"("kind": "vortex", "axis": [0, 0, 0], "lift": 11)"),
-                   "a.json: $.motors[0].axis is [0,0,0]: give a finite vector that is not 0.\n"
-                   "a.json: $.motors[0].lift is 11: give -10 to 10.");
-    expect_refusal(motor(R"("kind": "omni", "speed": 1e5)"),
-                   "a.json: $.motors[0].speed is 100000 m/s: give -10000 to 10000 m/s.");
-    expect_refusal(motor(R"("kind": "omni", "law": {})"),
-                   "a.json: $.motors[0].law is not a known key (known: kind, name, from, until, position, path, radius, speed, "
-                   "envelope): rename or remove it.");
-    expect_refusal(motor(R"("kind": "pressure", "duration": 0)"),
-                   "a.json: $.motors[0].duration is 0 s: give a number above 0, at most 1e9 s.");
-    expect_refusal(
+    expect_rejection(motor(R"("kind": "jet", "start_radius": 0, "length": -1)"),
+                     "a.json: $.motors[0].length is -1 m: give a number above 0, at most 1e6 m.\n"
+                     "a.json: $.motors[0].start_radius is 0 m: give a number above 0, at most 1e6 m.");
+    expect_rejection(motor(R"("kind": "vortex", "axis": [0, 0, 0], "lift": 11)"),
+                     "a.json: $.motors[0].axis is [0,0,0]: give a finite vector that is not 0.\n"
+                     "a.json: $.motors[0].lift is 11: give -10 to 10.");
+    expect_rejection(motor(R"("kind": "omni", "speed": 1e5)"),
+                     "a.json: $.motors[0].speed is 100000 m/s: give -10000 to 10000 m/s.");
+    expect_rejection(motor(R"("kind": "omni", "law": {})"),
+                     "a.json: $.motors[0].law is not a known key (known: kind, name, from, until, position, path, radius, speed, "
+                     "envelope): rename or remove it.");
+    expect_rejection(motor(R"("kind": "pressure", "duration": 0)"),
+                     "a.json: $.motors[0].duration is 0 s: give a number above 0, at most 1e9 s.");
+    expect_rejection(
         motor(R"("kind": "pressure", "envelope": {})"),
         "a.json: $.motors[0].envelope is not a known key (known: kind, name, from, until, position, path, radius, speed, "
         "duration): rename or remove it.");
-    expect_refusal(motor(R"("kind": "directional", "region": {"cone": {"axis": [0, 0, 0]}})"),
-                   "a.json: $.motors[0].region.cone.axis is [0,0,0]: give a length of 1e-6 to 1e6 m.");
+    expect_rejection(motor(R"("kind": "directional", "region": {"cone": {"axis": [0, 0, 0]}})"),
+                     "a.json: $.motors[0].region.cone.axis is [0,0,0]: give a length of 1e-6 to 1e6 m.");
 }
 
 TEST(SceneFault, Envelopes) {
     const auto envelope = [](const std::string& keys) { return R"({"motors": [{"kind": "jet", "envelope": {)" + keys + "}}]}"; };
-    expect_refusal(envelope(R"("decay": 2)"),
-                   "a.json: $.motors[0].envelope.decay never begins without a \"hold\": say how long the motor acts before it.");
-    expect_refusal(envelope(R"("hold": 0)"), "a.json: $.motors[0].envelope lasts 0 s: give attack, hold or decay a time.");
-    expect_refusal(envelope(R"("attack": -1)"), "a.json: $.motors[0].envelope.attack is -1 s: give 0 to 1e9 s.");
+    expect_rejection(
+        envelope(R"("decay": 2)"),
+        "a.json: $.motors[0].envelope.decay never begins without a \"hold\": say how long the motor acts before it.");
+    expect_rejection(envelope(R"("hold": 0)"), "a.json: $.motors[0].envelope lasts 0 s: give attack, hold or decay a time.");
+    expect_rejection(envelope(R"("attack": -1)"), "a.json: $.motors[0].envelope.attack is -1 s: give 0 to 1e9 s.");
 }
 
 TEST(SceneFault, AmbientWind) {
-    expect_refusal(R"({"air": {"profile": {"roughness_length": 0}}})",
-                   "a.json: $.air.profile.roughness_length is 0 m: give 1e-6 to 100 m.");
-    expect_refusal(R"({"air": {"gusts": {"intensity": 2, "seed": 1.5}}})",
-                   "a.json: $.air.gusts.intensity is 2: give 0 (none) to 1.\n"
-                   "a.json: $.air.gusts.seed is 1.5: give a whole number.");
-    expect_refusal(R"({"air": {"rim": -1, "sleep_speed": -1}})",
-                   "a.json: $.air.rim is -1 cells: give 0 (none) to 64 cells.\n"
-                   "a.json: $.air.sleep_speed is -1 m/s: give 0 (never) to 10000 m/s.");
+    expect_rejection(R"({"air": {"profile": {"roughness_length": 0}}})",
+                     "a.json: $.air.profile.roughness_length is 0 m: give 1e-6 to 100 m.");
+    expect_rejection(R"({"air": {"gusts": {"intensity": 2, "seed": 1.5}}})",
+                     "a.json: $.air.gusts.intensity is 2: give 0 (none) to 1.\n"
+                     "a.json: $.air.gusts.seed is 1.5: give a whole number.");
+    expect_rejection(R"({"air": {"blend_width": -1, "sleep_speed": -1}})",
+                     "a.json: $.air.blend_width is -1 cells: give 0 (none) to 64 cells.\n"
+                     "a.json: $.air.sleep_speed is -1 m/s: give 0 (never) to 10000 m/s.");
 }
 
 TEST(SceneFault, KeysThatNobodyKnows) {
-    expect_refusal(R"({"durration": 3})",
-                   "a.json: $.durration is not a known key (did you mean `duration`?): rename or remove it.");
-    expect_refusal(R"({"air": {"cell_sise": 3}})",
-                   "a.json: $.air.cell_sise is not a known key (did you mean `cell_size`?): rename or remove it.");
+    expect_rejection(R"({"durration": 3})",
+                     "a.json: $.durration is not a known key (did you mean `duration`?): rename or remove it.");
+    expect_rejection(R"({"air": {"cell_sise": 3}})",
+                     "a.json: $.air.cell_sise is not a known key (did you mean `cell_size`?): rename or remove it.");
     EXPECT_TRUE(
-        refusal(R"({"pictures": {"zebra": 3}})")
+        rejection(R"({"pictures": {"zebra": 3}})")
             .starts_with(
                 "a.json: $.pictures.zebra is not a known key (known: slice_height, speed_scale, width): rename or remove it."));
-    expect_refusal(R"({"motors": [{"kind": "wake", "path": "p", "raduis": 1}], "paths": {"p": {"points": [[0, 0, 0, 0]]}}})",
-                   "a.json: $.motors[0].raduis is not a known key (did you mean `radius`?): rename or remove it.");
+    expect_rejection(R"({"motors": [{"kind": "wake", "path": "p", "raduis": 1}], "paths": {"p": {"points": [[0, 0, 0, 0]]}}})",
+                     "a.json: $.motors[0].raduis is not a known key (did you mean `radius`?): rename or remove it.");
 }
 
 TEST(SceneFault, AllFaultsAreTold) {
-    expect_refusal(R"({"duration": 0, "air": {"cell_size": 0, "viscosity": -1}, "frame": 2})",
-                   "a.json: $.duration is 0 s: give a number above 0, at most 1e6 s.\n"
-                   "a.json: $.air.cell_size is 0 m: give 1e-6 to 1e6 m.\n"
-                   "a.json: $.air.viscosity is -1 m^2/s: give 0 to 1e9 m^2/s.\n"
-                   "a.json: $.frame is not a known key (did you mean `frames_per_second`?): rename or remove it.");
+    expect_rejection(R"({"duration": 0, "air": {"cell_size": 0, "viscosity": -1}, "frame": 2})",
+                     "a.json: $.duration is 0 s: give a number above 0, at most 1e6 s.\n"
+                     "a.json: $.air.cell_size is 0 m: give 1e-6 to 1e6 m.\n"
+                     "a.json: $.air.viscosity is -1 m^2/s: give 0 to 1e9 m^2/s.\n"
+                     "a.json: $.frame is not a known key (did you mean `frames_per_second`?): rename or remove it.");
 }
 
 TEST(SceneFault, WhatDoesNotFitTogether) {
-    expect_refusal(
+    expect_rejection(
         R"({"follow": "plyer", "paths": {"player": {"points": [[0, 0, 0, 0]]}}})",
         "a.json: $.follow is \"plyer\", which names none of $.paths (did you mean `player`?): add it there or name another.");
-    expect_refusal(
-        R"({"floor": 1})",
-        "a.json: $.floor is given, but the box has none: set air.sides.y_low to \"free_slip\" or \"no_slip\", or remove it.");
-    expect_refusal(R"({"motors": [{"kind": "wake"}]})", "a.json: $.motors[0] has no \"path\": add it.");
-    expect_refusal(R"({"motors": [{}]})", "a.json: $.motors[0] has no \"kind\": add it.");
-    expect_refusal(R"({"motors": [{"kind": "whirl"}]})",
-                   "a.json: $.motors[0].kind is \"whirl\": give one of \"directional\", \"wake\", \"jet\", \"vortex\", \"omni\", "
-                   "\"pressure\".");
-    expect_refusal(R"({"motors": [{"kind": "directional", "law": {"force": {}, "drive": {}}}]})",
-                   "a.json: $.motors[0].law holds more than one of \"force\" or \"drive\": keep one of them.");
-    expect_refusal(R"({"motors": [{"kind": "directional", "from": 3, "until": 2}]})",
-                   "a.json: $.motors[0].until is 2 s but the motor begins at 3 s: give a later time.");
-    expect_refusal(R"({"paths": {"p": {"points": [[0, 0, 0, 0], [2, 0, 0, 0], [1, 0, 0, 0]]}}})",
-                   "a.json: $.paths.p.points[2] has t = 1 s after 2 s: times must increase from point to point.");
-    expect_refusal(R"({"paths": {"p": {"points": []}}})",
-                   "a.json: $.paths.p.points is empty: give at least one point, [t, x, y, z].");
-    expect_refusal(R"({"paths": {"p": {}}})", "a.json: $.paths.p holds neither \"points\" or \"file\": give one of them.");
-    expect_refusal(
-        R"({"air": {"sides": {"x_low": "periodic"}}})",
-        "a.json: $.air.sides.x_high is not periodic but its partner is: make both sides of the axis periodic, or neither.");
+    expect_rejection(R"({"floor": 1})", "a.json: $.floor is given, but the box has none: set air.boundaries.y_low to "
+                                        "\"free_slip\" or \"no_slip\", or remove it.");
+    expect_rejection(R"({"motors": [{"kind": "wake"}]})", "a.json: $.motors[0] has no \"path\": add it.");
+    expect_rejection(R"({"motors": [{}]})", "a.json: $.motors[0] has no \"kind\": add it.");
+    expect_rejection(
+        R"({"motors": [{"kind": "whirl"}]})",
+        "a.json: $.motors[0].kind is \"whirl\": give one of \"directional\", \"wake\", \"jet\", \"vortex\", \"omni\", "
+        "\"pressure\".");
+    expect_rejection(R"({"motors": [{"kind": "directional", "law": {"force": {}, "drive": {}}}]})",
+                     "a.json: $.motors[0].law holds more than one of \"force\" or \"drive\": keep one of them.");
+    expect_rejection(R"({"motors": [{"kind": "directional", "from": 3, "until": 2}]})",
+                     "a.json: $.motors[0].until is 2 s but the motor begins at 3 s: give a later time.");
+    expect_rejection(R"({"paths": {"p": {"points": [[0, 0, 0, 0], [2, 0, 0, 0], [1, 0, 0, 0]]}}})",
+                     "a.json: $.paths.p.points[2] has t = 1 s after 2 s: times must increase from point to point.");
+    expect_rejection(R"({"paths": {"p": {"points": []}}})",
+                     "a.json: $.paths.p.points is empty: give at least one point, [t, x, y, z].");
+    expect_rejection(R"({"paths": {"p": {}}})", "a.json: $.paths.p holds neither \"points\" or \"file\": give one of them.");
+    expect_rejection(R"({"air": {"boundaries": {"x_low": "periodic"}}})",
+                     "a.json: $.air.boundaries.x_high is not periodic but its partner is: make both boundaries of the axis "
+                     "periodic, or neither.");
 }
 
 TEST(SceneFault, TablesOutsideTheFolder) {
     for (const char* file : {"/etc/passwd", "../player.csv", "a/../../player.csv", ".", ""})
-        EXPECT_EQ(refusal(std::string(R"({"paths": {"p": {"file": ")") + file + "\"}}}"),
+        EXPECT_EQ(rejection(std::string(R"({"paths": {"p": {"file": ")") + file + "\"}}}"),
                   std::string("a.json: $.paths.p.file is \"") + file +
                       "\": name a file in the scene's folder, relative to it, so that the folder can be handed on as a whole.");
-    expect_refusal(R"({"paths": {"p": {"file": "none.csv"}}})",
-                   "none.csv: there is no such file: check the name and the folder that you run from.");
+    expect_rejection(R"({"paths": {"p": {"file": "none.csv"}}})",
+                     "none.csv: there is no such file: check the name and the folder that you run from.");
 }
 
 TEST(SceneFault, FilesThatCannotBeRead) {

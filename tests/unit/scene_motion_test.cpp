@@ -36,16 +36,16 @@ TEST(SceneMotion, PlaysTheWalkInAPlainWindToTheBitsOfTheCommand) {
     EXPECT_FALSE(playback->acting().empty());
 }
 
-TEST(SceneMotion, RefusalsNameTheSceneTheKeyAndTheTime) {
+TEST(SceneMotion, RejectionsNameTheSceneTheKeyAndTheTime) {
     auto scene = read_scene_text(R"({"follow": [0, 0, 0]})", "a.json");
     ASSERT_TRUE(scene) << scene.error();
     auto wind = Wind::create(scene->air);
     ASSERT_TRUE(wind) << wind.error();
     scene->follow = glm::dvec3(std::numeric_limits<double>::quiet_NaN()); // no reader lets it through
     SceneMotion motion(*scene);
-    const auto refused = motion.place(*wind, 0.0, 0.5);
-    ASSERT_FALSE(refused);
-    EXPECT_TRUE(refused.error().starts_with("a.json: $.follow at 0.5 s: ")) << refused.error();
+    const auto rejected = motion.place(*wind, 0.0, 0.5);
+    ASSERT_FALSE(rejected);
+    EXPECT_TRUE(rejected.error().starts_with("a.json: $.follow at 0.5 s: ")) << rejected.error();
 }
 
 } // namespace

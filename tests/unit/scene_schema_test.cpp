@@ -36,8 +36,8 @@ TEST(Schema, SpecimenHoldsEachKindOfMotor) {
             << kind << ": add one to the specimen, so that the schema has its keys";
 }
 
-TEST(Schema, EveryObjectRefusesUnknownKeys) {
-    // Each object of the specimen in turn gets a key that nobody knows; both reader and schema must refuse it.
+TEST(Schema, EveryObjectRejectsUnknownKeys) {
+    // Each object of the specimen in turn gets a key that nobody knows; both reader and schema must reject it.
     const json specimen = json::parse(k_scene_with_every_key);
     std::vector<std::string> pointers = {""};
     const json flat = specimen.flatten();

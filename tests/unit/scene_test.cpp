@@ -25,9 +25,9 @@ TEST(Scene, EmptyObjectHasTheDefaultsOfTheHeaders) {
     EXPECT_EQ(scene->name, "a");
     EXPECT_EQ(scene->air.cells, defaults.cells);
     EXPECT_EQ(scene->air.cell_size, defaults.cell_size);
-    EXPECT_EQ(scene->air.sides, defaults.sides);
+    EXPECT_EQ(scene->air.boundaries, defaults.boundaries);
     EXPECT_EQ(scene->air.viscosity, defaults.viscosity);
-    EXPECT_EQ(scene->air.settling_time, defaults.settling_time);
+    EXPECT_EQ(scene->air.relaxation_time, defaults.relaxation_time);
     EXPECT_EQ(scene->air.max_substeps, defaults.max_substeps);
     EXPECT_TRUE(std::holds_alternative<std::monostate>(scene->follow));
     EXPECT_TRUE(scene->motors.empty());
@@ -39,7 +39,7 @@ TEST(Scene, ExampleIsRead) {
     ASSERT_TRUE(scene) << scene.error();
     EXPECT_EQ(scene->frame_count(), 201);
     EXPECT_EQ(scene->motors.size(), 4u);
-    EXPECT_EQ(scene->air.sides, Sides::open_over_floor());
+    EXPECT_EQ(scene->air.boundaries, Boundaries::open_over_floor());
     EXPECT_EQ(scene->air.centre, scene->followed_point(0.0)) << "a box that follows begins where it will follow";
     EXPECT_NEAR(scene->followed_point(10.0).x, 0.0, 1e-9);
 }
@@ -126,7 +126,7 @@ TEST(Scene, MotorsOfTheOtherKindsAreReadWhole) {
 
 TEST(Scene, AmbientWindIsReadWhole) {
     const auto scene = read(R"({"air": {"ambient": [6, 0, 0], "profile": {"roughness_length": 0.1, "reference_height": 2},
-        "gusts": {"intensity": 0.3, "length": 12, "seed": 7}, "rim": 3, "sleep_speed": 0.01}})");
+        "gusts": {"intensity": 0.3, "length": 12, "seed": 7}, "blend_width": 3, "sleep_speed": 0.01}})");
     ASSERT_TRUE(scene) << scene.error();
     ASSERT_TRUE(scene->air.profile);
     EXPECT_EQ(scene->air.profile->roughness_length, 0.1f);
@@ -134,7 +134,7 @@ TEST(Scene, AmbientWindIsReadWhole) {
     EXPECT_EQ(scene->air.gusts.intensity, 0.3f);
     EXPECT_EQ(scene->air.gusts.length, 12.0f);
     EXPECT_EQ(scene->air.gusts.seed, 7u);
-    EXPECT_EQ(scene->air.rim, 3.0f);
+    EXPECT_EQ(scene->air.blend_width, 3.0f);
     EXPECT_EQ(scene->air.sleep_speed, 0.01f);
     EXPECT_FALSE(read("{}")->air.profile);
     EXPECT_TRUE(read(R"({"air": {"profile": {}}})")->air.profile) << "an empty one has the profile's own defaults";
@@ -192,7 +192,7 @@ TEST(Playback, MotorsThatEndByThemselvesAreLetGo) {
 
 TEST(Playback, FirstFrameIsTheAmbientWindAtItsHeight) {
     const auto scene = read(R"({"air": {"cells": [16, 16, 16], "ambient": [4, 0, 1], "profile": {}, "gusts": {"intensity": 0.3},
-        "sides": {"y_low": "free_slip"}}, "follow": [5, 3, 5], "floor": 40})");
+        "boundaries": {"y_low": "free_slip"}}, "follow": [5, 3, 5], "floor": 40})");
     ASSERT_TRUE(scene) << scene.error();
     const auto playback = Playback::create(*scene, {});
     ASSERT_TRUE(playback) << playback.error();
@@ -222,11 +222,11 @@ TEST(Playback, TellsHowStrongAMotorIs) {
 
 TEST(Scene, SidesAreAWordOrAnObject) {
     const auto scene = read(
-        R"({"air": {"sides": {"y_low": {"kind": "no_slip", "wall_velocity": [3, 0, 1]}, "z_low": "periodic", "z_high": "periodic"}}})");
+        R"({"air": {"boundaries": {"y_low": {"kind": "no_slip", "wall_velocity": [3, 0, 1]}, "z_low": "periodic", "z_high": "periodic"}}})");
     ASSERT_TRUE(scene) << scene.error();
-    EXPECT_EQ(scene->air.sides.y_low.kind, SideKind::no_slip);
-    EXPECT_EQ(scene->air.sides.y_low.wall_velocity, glm::vec3(3, 0, 1));
-    EXPECT_TRUE(scene->air.sides.periodic(2));
+    EXPECT_EQ(scene->air.boundaries.y_low.kind, BoundaryKind::no_slip);
+    EXPECT_EQ(scene->air.boundaries.y_low.wall_velocity, glm::vec3(3, 0, 1));
+    EXPECT_TRUE(scene->air.boundaries.periodic(2));
 }
 
 TEST(Scene, PictureIsForARendererToRead) {
@@ -272,7 +272,7 @@ TEST(Scene, DecimalCommaOfTheLocaleDoesNotMatter) {
             break;
     const auto scene = read(R"({"duration": 2.5, "air": {"cell_size": 0.25, "cells": [1e1, 8, 8]}})");
     const auto path = scene::parse_path_csv("0.5,1.5,2.5,3.5\n", "p.csv");
-    const auto refused = read(R"({"duration": -2.5})");
+    const auto rejected = read(R"({"duration": -2.5})");
     std::setlocale(LC_ALL, before.c_str());
     ASSERT_TRUE(scene) << scene.error();
     EXPECT_EQ(scene->duration, 2.5);
@@ -280,8 +280,8 @@ TEST(Scene, DecimalCommaOfTheLocaleDoesNotMatter) {
     EXPECT_EQ(scene->air.cells.x, 10);
     ASSERT_TRUE(path);
     EXPECT_EQ(path->points()[0].position.z, 3.5);
-    ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error(), "a.json: $.duration is -2.5 s: give a number above 0, at most 1e6 s.");
+    ASSERT_FALSE(rejected);
+    EXPECT_EQ(rejected.error(), "a.json: $.duration is -2.5 s: give a number above 0, at most 1e6 s.");
 }
 
 } // namespace

@@ -144,7 +144,7 @@ TEST(Setting, IsStoredInBytesUnlessItIsTheHosts) {
     Lantern again;
     reader(again);
     reader.end();
-    EXPECT_FALSE(reader.refused()) << reader.reason();
+    EXPECT_FALSE(reader.rejected()) << reader.reason();
     EXPECT_EQ(scene::write_object(again), scene::write_object(lantern));
     EXPECT_EQ(again.age, 12.0);
     EXPECT_EQ(again.host, nullptr);

@@ -61,15 +61,15 @@ TEST(SimdLevels, TheBestIsOneOfThem) {
     EXPECT_STREQ(name_of(Simd::best), name_of(levels().back()));
 }
 
-TEST(SimdLevels, OneThatTheMachineLacksIsRefused) {
+TEST(SimdLevels, OneThatTheMachineLacksIsRejected) {
     if (runs(Simd::avx2) && runs(Simd::avx512))
         GTEST_SKIP() << "this machine runs them all";
     for (const Simd level : {Simd::avx2, Simd::avx512}) {
         if (runs(level))
             continue;
-        const auto refused = Wind::create({.simd = level});
-        ASSERT_FALSE(refused);
-        EXPECT_NE(refused.error().find("which this machine does not run"), std::string::npos) << refused.error();
+        const auto rejected = Wind::create({.simd = level});
+        ASSERT_FALSE(rejected);
+        EXPECT_NE(rejected.error().find("which this machine does not run"), std::string::npos) << rejected.error();
     }
 }
 

@@ -25,21 +25,21 @@ int stir_until_asleep(Wind& wind, int most = 20'000) {
 }
 
 std::vector<NamedConfig> places() {
-    const Config small{.cells = {16, 8, 16}, .settling_time = 2.0f}, windy = with(small, [](Config&c) {
-                                                                         c.ambient = {3.0f, 0.0f, 1.0f};
-                                                                     });
+    const Config small{.cells = {16, 8, 16}, .relaxation_time = 2.0f}, windy = with(small, [](Config&c) {
+                                                                           c.ambient = {3.0f, 0.0f, 1.0f};
+                                                                       });
     const Config floor = with(small, [](Config& c) {
-        c.sides = Sides::open_over_floor();
+        c.boundaries = Boundaries::open_over_floor();
         c.ambient = {4.0f, 0.0f, 0.0f};
     });
     const Config profile = with(floor, [](Config& c) { c.profile = LogProfile{}; });
-    return {{"still_air", {.settling_time = 2.0f}},
+    return {{"still_air", {.relaxation_time = 2.0f}},
             {"mean_wind", windy},
             {"over_floor", with(floor, [](Config& c) { c.ambient.x = 2.0f; })},
             {"profile", profile},
             {"gusts", with(windy, [](Config& c) { c.gusts.intensity = 0.3f; })},
             {"gusts_over_a_profile", with(profile, [](Config& c) { c.gusts.intensity = 0.2f; })},
-            {"stable_fluids", {.cells = {16, 8, 16}, .settling_time = 1.0f, .scheme = Scheme::stable_fluids}}};
+            {"stable_fluids", {.cells = {16, 8, 16}, .relaxation_time = 1.0f, .scheme = Scheme::stable_fluids}}};
 }
 
 TEST(Sleep, TheStepThatFallsAsleepReportsTheAirThatIsLeft) {
@@ -91,7 +91,7 @@ TEST(Sleep, FollowsAndIsSampledInItsSleep) {
             ASSERT_TRUE(wind.step(1.0 / 60.0).asleep) << name;
         }
         Config there = config;
-        there.centre = {1.3 * 49, config.sides.y_low.solid() ? 0.0 : 0.7 * 49, -2.1 * 49};
+        there.centre = {1.3 * 49, config.boundaries.y_low.solid() ? 0.0 : 0.7 * 49, -2.1 * 49};
         EXPECT_EQ(wind.origin(), made(there).origin()) << name;
         if (!wind.view().ambient().gusting()) {
             EXPECT_EQ(cells_that_differ(wind.field(), made(there).field()), 0u) << name;
@@ -101,7 +101,7 @@ TEST(Sleep, FollowsAndIsSampledInItsSleep) {
 }
 
 TEST(Sleep, WhatActsWakesIt) {
-    const Config config{.cells = {16, 8, 16}, .ambient = {1.0f, 0.0f, 0.0f}, .settling_time = 1.0f};
+    const Config config{.cells = {16, 8, 16}, .ambient = {1.0f, 0.0f, 0.0f}, .relaxation_time = 1.0f};
     const auto asleep = [&](const Config& each) {
         Wind wind = made(each);
         stir_until_asleep(wind);
@@ -133,7 +133,7 @@ TEST(Sleep, WhatActsWakesIt) {
 }
 
 TEST(Sleep, StaysAwakeWhereItMust) {
-    for (const auto& [name, config] : {NamedConfig{"never_settles", {.cells = {16, 8, 16}, .settling_time = 0.0f}},
+    for (const auto& [name, config] : {NamedConfig{"never_settles", {.cells = {16, 8, 16}, .relaxation_time = 0.0f}},
                                        {"switched_off", {.cells = {16, 8, 16}, .sleep_speed = 0.0f}},
                                        {"viscous", {.cells = {16, 8, 16}, .viscosity = 1.0f}}}) {
         Wind wind = made(config);
@@ -179,7 +179,7 @@ TEST(Sleep, GustsBlowOnThroughFramesOfAirThatSleeps) {
 }
 
 TEST(Sleep, NothingThatIsSeenJumpsAsItFallsAsleep) {
-    Wind wind = made({.settling_time = 2.0f});
+    Wind wind = made({.relaxation_time = 2.0f});
     const MotorId fan = added(wind, DirectionalMotor{});
     take_steps(wind, 30, 1.0 / 60.0);
     ASSERT_TRUE(wind.motors().remove(fan));
@@ -192,7 +192,7 @@ TEST(Sleep, NothingThatIsSeenJumpsAsItFallsAsleep) {
 
 /// Not a timing test: the work that a sleeping step does is counted by what it may not touch, the field. The ratio is stated.
 TEST(Sleep, CostsNextToNothing) {
-    Wind wind = made({.settling_time = 2.0f});
+    Wind wind = made({.relaxation_time = 2.0f});
     stir_until_asleep(wind);
     double asleep = 1e9, awake = 1e9;
     for (int n = 0; n < 200; ++n) {

@@ -26,8 +26,8 @@ void each_counts(const T& start, const std::vector<std::function<void(T&)>>& cha
 
 TEST(SnapshotFields, EachOfTheConfigCounts) {
     Config start{.cells = {3, 4, 5}};
-    start.sides.x_low.kind = start.sides.x_high.kind = start.sides.y_low.kind = SideKind::no_slip;
-    start.sides.y_high.kind = SideKind::no_slip;
+    start.boundaries.x_low.kind = start.boundaries.x_high.kind = start.boundaries.y_low.kind = BoundaryKind::no_slip;
+    start.boundaries.y_high.kind = BoundaryKind::no_slip;
     start.profile = LogProfile{};
     start.gusts.intensity = 0.25f;
     using Change = std::function<void(Config&)>;
@@ -36,14 +36,14 @@ TEST(SnapshotFields, EachOfTheConfigCounts) {
         [](Config& c) { c.cells.y = 6; },
         [](Config& c) { c.cells.z = 6; },
         [](Config& c) { c.cell_size = 0.5f; },
-        [](Config& c) { c.sides.x_low.kind = SideKind::free_slip; },
-        [](Config& c) { c.sides.x_high.wall_velocity.y = 1.0f; },
-        [](Config& c) { c.sides.x_high.wall_velocity.z = 1.0f; },
-        [](Config& c) { c.sides.y_low.kind = SideKind::free_slip; },
-        [](Config& c) { c.sides.y_high.wall_velocity.x = 2.0f; },
-        [](Config& c) { c.sides.z_low.kind = SideKind::free_slip; },
-        [](Config& c) { c.sides.z_high.kind = SideKind::free_slip; },
-        [](Config& c) { c.sides.z_low.kind = c.sides.z_high.kind = SideKind::periodic; },
+        [](Config& c) { c.boundaries.x_low.kind = BoundaryKind::free_slip; },
+        [](Config& c) { c.boundaries.x_high.wall_velocity.y = 1.0f; },
+        [](Config& c) { c.boundaries.x_high.wall_velocity.z = 1.0f; },
+        [](Config& c) { c.boundaries.y_low.kind = BoundaryKind::free_slip; },
+        [](Config& c) { c.boundaries.y_high.wall_velocity.x = 2.0f; },
+        [](Config& c) { c.boundaries.z_low.kind = BoundaryKind::free_slip; },
+        [](Config& c) { c.boundaries.z_high.kind = BoundaryKind::free_slip; },
+        [](Config& c) { c.boundaries.z_low.kind = c.boundaries.z_high.kind = BoundaryKind::periodic; },
         [](Config& c) { c.centre.x = 0.25; },
         [](Config& c) { c.centre.y = 0.25; },
         [](Config& c) { c.centre.z = 0.25; },
@@ -61,21 +61,21 @@ TEST(SnapshotFields, EachOfTheConfigCounts) {
         [](Config& c) { c.canopy = Canopy{}; },
         [](Config& c) { c.canopy = Canopy{.height = 2.0f}; },
         [](Config& c) { c.canopy = Canopy{.drag = 2.0f}; },
-        [](Config& c) { c.rim = 1.0f; },
+        [](Config& c) { c.blend_width = 1.0f; },
         [](Config& c) { c.viscosity = 0.5f; },
-        [](Config& c) { c.settling_time = 3.0f; },
+        [](Config& c) { c.relaxation_time = 3.0f; },
         [](Config& c) { c.sleep_speed = 0.5f; },
         [](Config& c) { c.scheme = Scheme::stable_fluids; },
         [](Config& c) { c.interpolation = Interpolation::linear; },
         [](Config& c) { c.max_cfl = 1.0f; },
         [](Config& c) { c.max_substeps = 2; },
         [](Config& c) { c.stages.sources = false; },
-        [](Config& c) { c.stages.settling = false; },
+        [](Config& c) { c.stages.relaxation = false; },
         [](Config& c) { c.stages.diffusion = false; },
         [](Config& c) { c.stages.advection = false; },
         [](Config& c) { c.stages.projection = false; },
         [](Config& c) { c.ticks.hz = 50.0; },
-        [](Config& c) { c.ticks.most = 7; },
+        [](Config& c) { c.ticks.max_per_call = 7; },
     };
     each_counts<Config>(start, changes, [](const Config& config) { return *made(config).save(); });
 }

@@ -49,7 +49,7 @@ std::vector<SavedFlight> scenes() {
             go_on(session, {.name = {}, .ticks = true}, n);
     };
     const auto gusty = [](Config& config) {
-        config.sides = Sides::open_over_floor();
+        config.boundaries = Boundaries::open_over_floor();
         config.profile = LogProfile{.roughness_length = 0.05f, .reference_height = 6.0f};
         config.gusts = {.intensity = 0.3f, .length = 9.0f, .seed = 5};
     };
@@ -129,7 +129,7 @@ std::vector<SavedFlight> scenes() {
         "stable_fluids",
         [](Config& config) {
             config.scheme = Scheme::stable_fluids;
-            config.sides = Sides::all(SideKind::no_slip);
+            config.boundaries = Boundaries::all(BoundaryKind::no_slip);
             config.interpolation = Interpolation::linear;
         },
         [=](Session& session) {
@@ -146,12 +146,12 @@ std::vector<SavedFlight> scenes() {
     add(
         "without_advection", [](Config& config) { config.stages.advection = false; }, flight, false);
     add(
-        "sides_and_wind_changed", [](Config& config) { config.sides.y_low.kind = SideKind::free_slip; },
+        "sides_and_wind_changed", [](Config& config) { config.boundaries.y_low.kind = BoundaryKind::free_slip; },
         [=](Session& session) {
             flight(session);
-            Sides sides = session.wind.config().sides;
-            sides.y_low = {SideKind::no_slip, {1.0f, 0.0f, 0.5f}};
-            EXPECT_TRUE(session.wind.set_sides(sides));
+            Boundaries boundaries = session.wind.config().boundaries;
+            boundaries.y_low = {BoundaryKind::no_slip, {1.0f, 0.0f, 0.5f}};
+            EXPECT_TRUE(session.wind.set_boundaries(boundaries));
             EXPECT_TRUE(session.wind.set_ambient({1.0f, 2.0f, 3.0f}));
         },
         false);
@@ -173,7 +173,7 @@ void expect_same(const Wind& a, const Wind& b) {
     expect_same_view(a.view(), b.view());
     expect_same_view(a.previous_view(), b.previous_view());
     EXPECT_EQ(a.window_block(a.origin()).previous_origin, b.window_block(b.origin()).previous_origin);
-    EXPECT_EQ(a.window_block(a.origin()).previous_rim_point, b.window_block(b.origin()).previous_rim_point);
+    EXPECT_EQ(a.window_block(a.origin()).previous_blend_centre, b.window_block(b.origin()).previous_blend_centre);
     EXPECT_EQ(a.window_block(a.origin()).factor, b.window_block(b.origin()).factor);
     EXPECT_EQ(a.motors().count(), b.motors().count());
 }
@@ -190,7 +190,7 @@ TEST_P(Snapshot, GoesOnToTheSameBits) {
         threaded{loaded(bytes, pool.parallel_for()), first.motors, first.random};
     ASSERT_EQ(*serial.wind.save(), bytes);
     expect_same(first.wind, serial.wind);
-    const bool boxed_in = scene.config.sides == Sides::all(SideKind::no_slip);
+    const bool boxed_in = scene.config.boundaries == Boundaries::all(BoundaryKind::no_slip);
     for (int n = 0; n < 20; ++n) {
         for (Session* const session : {&first, &serial, &threaded}) {
             if (boxed_in)

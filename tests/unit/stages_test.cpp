@@ -31,7 +31,7 @@ std::size_t difference(Wind a, Wind b, int steps = 10, double dt = 0.05) {
 }
 
 Config with(const std::function<void(Config&)>& change) {
-    return test::with({.cells = {12, 9, 10}, .ambient = {1.0f, 0.5f, 0.0f}, .viscosity = 2.0f, .settling_time = 2.0f}, change);
+    return test::with({.cells = {12, 9, 10}, .ambient = {1.0f, 0.5f, 0.0f}, .viscosity = 2.0f, .relaxation_time = 2.0f}, change);
 }
 
 TEST(Stages, WithAllOffNothingMoves) {
@@ -54,9 +54,9 @@ TEST(Stages, OffEqualsItsParameterOff) {
                 }));
             };
             const auto as_it_is = [](Config&) {};
-            EXPECT_EQ(
-                difference(base([](Config& c) { c.stages.settling = false; }), base([](Config& c) { c.settling_time = 0.0f; })),
-                0u);
+            EXPECT_EQ(difference(base([](Config& c) { c.stages.relaxation = false; }),
+                                 base([](Config& c) { c.relaxation_time = 0.0f; })),
+                      0u);
             EXPECT_EQ(
                 difference(base([](Config& c) { c.stages.diffusion = false; }), base([](Config& c) { c.viscosity = 0.0f; })), 0u);
             Wind off = base([](Config& c) { c.stages.sources = false; });
@@ -64,7 +64,7 @@ TEST(Stages, OffEqualsItsParameterOff) {
             EXPECT_EQ(difference(std::move(off), base(as_it_is)), 0u);
 
             // And each of them does something where it is on.
-            EXPECT_GT(difference(base(as_it_is), base([](Config& c) { c.stages.settling = false; })), 0u);
+            EXPECT_GT(difference(base(as_it_is), base([](Config& c) { c.stages.relaxation = false; })), 0u);
             EXPECT_GT(difference(base(as_it_is), base([](Config& c) { c.stages.diffusion = false; })), 0u);
             EXPECT_GT(difference(base(as_it_is), base([](Config& c) { c.stages.projection = false; })), 0u);
             Wind blown = base(as_it_is);
@@ -90,8 +90,10 @@ TEST(Stages, WithoutAdvectionNothingIsCarried) {
     EXPECT_EQ(wind.field()[0], before[0]);
 
     // With it the force is centred: half at departure, half at arrival, and nothing later.
-    Wind centred =
-        made({.cells = {16, 16, 16}, .sides = Sides::all(SideKind::periodic), .viscosity = 0.0f, .settling_time = 0.0f});
+    Wind centred = made({.cells = {16, 16, 16},
+                         .boundaries = Boundaries::all(BoundaryKind::periodic),
+                         .viscosity = 0.0f,
+                         .relaxation_time = 0.0f});
     const MotorId id =
         added(centred, DirectionalMotor{.region = AlignedBox{glm::vec3(1e6f)}, .law = Force{1.0f}, .turbulence = k_steady});
     centred.step(0.25);
@@ -105,7 +107,7 @@ TEST(Stages, SettlingAloneIsItsImplicitFactor) {
     const glm::vec3 ambient(1.0f, 0.5f, 0.0f);
     Wind wind = noisy(with([](Config& c) {
         c.stages = k_no_stages;
-        c.stages.settling = true;
+        c.stages.relaxation = true;
     }));
     const Field before = copy(wind.field());
     const int steps = 30;
@@ -142,7 +144,7 @@ TEST(Stages, WithoutProjectionADivergentWindStaysSo) {
             c.stages = k_no_stages;
             c.stages.advection = true;
             c.stages.projection = projection;
-            c.sides = Sides::all(SideKind::periodic);
+            c.boundaries = Boundaries::all(BoundaryKind::periodic);
         }));
         EXPECT_TRUE(air.set_velocity(source));
         const double before = energy_of(air.field());

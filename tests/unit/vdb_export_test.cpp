@@ -1,4 +1,4 @@
-// The export to OpenVDB, read back with OpenVDB: values, places, names and refusals.
+// The export to OpenVDB, read back with OpenVDB: values, places, names and rejections.
 
 #include "fluid/vdb/vdb_export.h"
 #include "tests/unit/vdb_fixture.h"
@@ -157,7 +157,7 @@ TEST(VdbExport, ZUpTurnsPlacesAndVelocitiesAlike) {
     WindBox air = random_air({6, 4, 9});
     air.cell_size = 0.5f;
     air.origin = {10.0, 20.0, 30.0};
-    air.field[Box{.cells = air.cells, .sides = {}}.index(1, 2, 3)] = {1.0f, 2.0f, 3.0f, 0.0f};
+    air.field[Box{.cells = air.cells, .boundaries = {}}.index(1, 2, 3)] = {1.0f, 2.0f, 3.0f, 0.0f};
     ASSERT_TRUE(vdb::write(air.grid(), folder / "z.vdb", {.up = vdb::UpAxis::z}));
     const auto grid = read<openvdb::Vec3SGrid>(folder / "z.vdb", "vel");
 
@@ -228,24 +228,24 @@ TEST(VdbExport, SequenceOfTenFrames) {
     }
 }
 
-TEST(VdbExport, SequenceRefusesNamesThatReadersCannotCount) {
+TEST(VdbExport, SequenceRejectsNamesThatReadersCannotCount) {
     const OwnFolder folder;
     const WindBox air = uniform_air({2, 2, 2}, glm::vec3(0.0f));
-    const auto refusal = [&](const vdb::Sequence& sequence, int frame) {
+    const auto rejection = [&](const vdb::Sequence& sequence, int frame) {
         const vdb::WriteResult written = sequence.write(air.grid(), frame, 0.0);
-        EXPECT_EQ(written.problem(), Problem::refused);
+        EXPECT_EQ(written.problem(), Problem::rejected);
         return written.error();
     };
-    EXPECT_NE(refusal({.folder = folder.path()}, -1).find("frame is -1"), std::string::npos);
-    EXPECT_NE(refusal({.folder = folder.path(), .digits = 0}, 1).find("digits is 0"), std::string::npos);
-    EXPECT_NE(refusal({.folder = folder.path(), .prefix = "fan2"}, 1).find("prefix is \"fan2\""), std::string::npos);
-    EXPECT_NE(refusal({.folder = folder.path(), .prefix = "a/b_"}, 1).find("prefix is \"a/b_\""), std::string::npos);
+    EXPECT_NE(rejection({.folder = folder.path()}, -1).find("frame is -1"), std::string::npos);
+    EXPECT_NE(rejection({.folder = folder.path(), .digits = 0}, 1).find("digits is 0"), std::string::npos);
+    EXPECT_NE(rejection({.folder = folder.path(), .prefix = "fan2"}, 1).find("prefix is \"fan2\""), std::string::npos);
+    EXPECT_NE(rejection({.folder = folder.path(), .prefix = "a/b_"}, 1).find("prefix is \"a/b_\""), std::string::npos);
     EXPECT_EQ(folder.entries(), 0);
 }
 
-// --- Refusals --------------------------------------------------------------------------------------------------------
+// --- Rejections --------------------------------------------------------------------------------------------------------
 
-TEST(VdbExport, RefusalsNameTheFieldAndLeaveNothing) {
+TEST(VdbExport, RejectionsNameTheFieldAndLeaveNothing) {
     const OwnFolder folder;
     const WindBox air = uniform_air({4, 3, 2}, glm::vec3(1.0f));
     const float infinity = std::numeric_limits<float>::infinity();
@@ -255,7 +255,7 @@ TEST(VdbExport, RefusalsNameTheFieldAndLeaveNothing) {
         vdb::VelocityGrid grid = changed.grid();
         change(grid, options, changed.field);
         const vdb::WriteResult written = vdb::write(grid, folder / "a.vdb", options);
-        EXPECT_EQ(written.problem(), Problem::refused) << part;
+        EXPECT_EQ(written.problem(), Problem::rejected) << part;
         EXPECT_NE(written.error().find(part), std::string::npos) << written.error();
         EXPECT_EQ(folder.entries(), 0);
     };

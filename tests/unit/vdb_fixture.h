@@ -25,7 +25,7 @@ struct WindBox {
         return {.cells = cells, .cell_size = cell_size, .origin = origin, .field = field};
     }
     [[nodiscard]] glm::vec3 at(int i, int j, int k) const {
-        return field[Box{.cells = cells, .cell_size = cell_size, .sides = {}}.index(i, j, k)];
+        return field[Box{.cells = cells, .cell_size = cell_size, .boundaries = {}}.index(i, j, k)];
     }
     /// visit(i, j, k) for each cell
     template <class Visit>

@@ -30,13 +30,13 @@ CommandOutcome verify(const VerifyRequest& request, int signal = 0) {
     return run_request(run_verify, request, signal);
 }
 
-void expect_refusal(std::vector<const char*> arguments, const std::string& sentence) {
-    expect_refused(verify(std::move(arguments)), sentence);
+void expect_rejection(std::vector<const char*> arguments, const std::string& sentence) {
+    expect_rejected(verify(std::move(arguments)), sentence);
 }
 
 /// A case whose errors are given.
-VerifyCase made_up(std::vector<double> errors, double bound, double least_order) {
-    VerifyCase one{.name = "made_up", .what = "Errors as given.", .source = "none", .reason = "none", .least_order = least_order};
+VerifyCase made_up(std::vector<double> errors, double bound, double min_order) {
+    VerifyCase one{.name = "made_up", .what = "Errors as given.", .source = "none", .reason = "none", .min_order = min_order};
     for (std::size_t n = 0; n < errors.size(); ++n)
         one.sizes.push_back(1 << n);
     one.run = [=](const VerifySetting&, int size) {
@@ -53,31 +53,34 @@ using VerifyCommand = test::FolderTest;
 // --- Flags -----------------------------------------------------------------------------------------------------------
 
 TEST_F(VerifyCommand, WrongFlagsAreNamed) {
-    expect_refusal({"--backend", "gpu"}, "--backend is gpu: give cpu or vulkan.");
-    expect_refusal({"--backend", ""}, "--backend is empty: give cpu or vulkan.");
-    expect_refusal({"--device", "0"}, "--device is given, but the air runs on the CPU: add --backend vulkan, or drop it.");
-    expect_refusal({"--backend", "vulkan", "--device", "-1"}, "--device is -1: give a device's number in windrow info, from 0.");
-    expect_refusal({"--backend", "vulkan", "--device", ""}, "--device is empty: give a device's number in windrow info, from 0.");
-    expect_refusal(
+    expect_rejection({"--backend", "gpu"}, "--backend is gpu: give cpu or vulkan.");
+    expect_rejection({"--backend", ""}, "--backend is empty: give cpu or vulkan.");
+    expect_rejection({"--device", "0"}, "--device is given, but the air runs on the CPU: add --backend vulkan, or drop it.");
+    expect_rejection({"--backend", "vulkan", "--device", "-1"},
+                     "--device is -1: give a device's number in windrow info, from 0.");
+    expect_rejection({"--backend", "vulkan", "--device", ""},
+                     "--device is empty: give a device's number in windrow info, from 0.");
+    expect_rejection(
         {"--backend", "vulkan", "--case", "fourier_modes"},
         "--case is fourier_modes, which asks for pieces that a device runs only inside a step: drop --backend vulkan.");
-    expect_refusal({"--threads", "0"}, "--threads is 0: give a whole number from 1 to 256.");
-    expect_refusal({"--simd", "sse"}, "--simd is sse: give best, baseline, avx2 or avx512.");
-    expect_refusal({"--json", ""}, "--json is empty: name a file.");
-    expect_refusal({"--case", ""}, "--case is empty: see windrow verify --list.");
-    expect_refusal({"--list", "--json", "x.json"}, "--json is given with --list, which runs nothing: drop one of them.");
-    expect_refusal({"--csae", "abc_flow"}, "--csae is no flag (did you mean --case?): see windrow verify --help.");
+    expect_rejection({"--threads", "0"}, "--threads is 0: give a whole number from 1 to 256.");
+    expect_rejection({"--simd", "sse"}, "--simd is sse: give best, baseline, avx2 or avx512.");
+    expect_rejection({"--json", ""}, "--json is empty: name a file.");
+    expect_rejection({"--case", ""}, "--case is empty: see windrow verify --list.");
+    expect_rejection({"--list", "--json", "x.json"}, "--json is given with --list, which runs nothing: drop one of them.");
+    expect_rejection({"--csae", "abc_flow"}, "--csae is no flag (did you mean --case?): see windrow verify --help.");
 }
 
-TEST_F(VerifyCommand, AnUnknownCaseIsRefusedWithTheNearestName) {
-    expect_refusal({"--case", "taylor_gren_2d"},
-                   "--case is taylor_gren_2d, which is no case (did you mean taylor_green_2d?): see windrow verify --list.");
-    expect_refusal({"--case", k_quick, "--case", "qqqqqq"}, "--case is qqqqqq, which is no case: see windrow verify --list.");
+TEST_F(VerifyCommand, AnUnknownCaseIsRejectedWithTheNearestName) {
+    expect_rejection({"--case", "taylor_gren_2d"},
+                     "--case is taylor_gren_2d, which is no case (did you mean taylor_green_2d?): see windrow verify --list.");
+    expect_rejection({"--case", k_quick, "--case", "qqqqqq"}, "--case is qqqqqq, which is no case: see windrow verify --list.");
 }
 
-TEST_F(VerifyCommand, AFileThatCannotBeWrittenIsRefusedBeforeAnythingRuns) {
-    expect_refusal({"--json", folder.c_str()},
-                   folder.string() + ": a folder stands where the file should go: remove it, or give another file with --json.");
+TEST_F(VerifyCommand, AFileThatCannotBeWrittenIsRejectedBeforeAnythingRuns) {
+    expect_rejection({"--json", folder.c_str()},
+                     folder.string() +
+                         ": a folder stands where the file should go: remove it, or give another file with --json.");
 }
 
 TEST_F(VerifyCommand, TheListNamesEachCase) {
@@ -93,7 +96,7 @@ TEST_F(VerifyCommand, EachCaseIsWhole) {
     for (const VerifyCase& one : verify_cases()) {
         EXPECT_TRUE(names.insert(one.name).second) << one.name << " is there twice";
         EXPECT_FALSE(one.what.empty() || one.source.empty() || one.reason.empty() || !one.run) << one.name;
-        EXPECT_GE(one.sizes.size(), one.least_order > 0.0 ? 3u : 1u) << one.name << ": a slope needs three resolutions";
+        EXPECT_GE(one.sizes.size(), one.min_order > 0.0 ? 3u : 1u) << one.name << ": a slope needs three resolutions";
         EXPECT_TRUE(std::is_sorted(one.sizes.begin(), one.sizes.end())) << one.name;
     }
     EXPECT_GE(names.size(), 30u);
@@ -121,7 +124,7 @@ TEST_F(VerifyCommand, AQuickCasePassesAndIsKept) {
         for (const char* key : {"cfl", "error", "bound"})
             EXPECT_TRUE(entry[key].is_number()) << key;
         EXPECT_EQ(entry["order"].is_null(), n % 3 == 0) << entry.dump();
-        EXPECT_EQ(entry["least_order"].is_number(), n > 3) << entry.dump();
+        EXPECT_EQ(entry["min_order"].is_number(), n > 3) << entry.dump();
         EXPECT_EQ(entry["pass"], true);
         EXPECT_LE(entry["error"], entry["bound"]);
     }
@@ -139,7 +142,7 @@ TEST_F(VerifyCommand, ErrorsDoNotDependOnTheThreads) {
 TEST_F(VerifyCommand, AMissedBoundOrOrderIsToldAndKept) {
     struct Miss {
         std::vector<double> errors;
-        double bound, least_order;
+        double bound, min_order;
         std::vector<bool> passes;
     };
     const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
@@ -152,7 +155,7 @@ TEST_F(VerifyCommand, AMissedBoundOrOrderIsToldAndKept) {
     for (const Miss& miss : misses) {
         const std::string file = in("miss.json");
         const CommandOutcome outcome =
-            verify({.cases = {made_up({0.4, 0.1, 0.025}, 1.0, 1.9), made_up(miss.errors, miss.bound, miss.least_order)},
+            verify({.cases = {made_up({0.4, 0.1, 0.025}, 1.0, 1.9), made_up(miss.errors, miss.bound, miss.min_order)},
                     .threads = 1,
                     .json = file});
         EXPECT_EQ(outcome.code, k_exit_out_of_bounds);
@@ -213,8 +216,8 @@ TEST_F(VerifyCommand, PlotsHoldTheCurvesOfAllResolutions) {
     EXPECT_EQ(test::text_of(folder / "plots" / "made_up.csv"), "plot,panel,line,x,y\n"
                                                                "made_up,left,1 cells,0,1\nmade_up,left,1 cells,1,2\n"
                                                                "made_up,left,2 cells,0,1\nmade_up,left,2 cells,1,2\n");
-    expect_refusal({"--plots", ""}, "--plots is empty: name a folder.");
-    expect_refusal({"--list", "--plots", "somewhere"}, "--plots is given with --list, which runs nothing: drop one of them.");
+    expect_rejection({"--plots", ""}, "--plots is empty: name a folder.");
+    expect_rejection({"--list", "--plots", "somewhere"}, "--plots is given with --list, which runs nothing: drop one of them.");
 }
 
 // A miss that not_met() names does not pass, but is no fault; once it meets its bound, it must leave that file. A case that only
@@ -256,7 +259,7 @@ TEST_F(VerifyCommand, AWrongExpectationOfARealCaseFails) {
     for (const VerifyCase& one : verify_cases())
         if (one.name == "fourier_transit")
             wrong = one;
-    wrong.least_order = 4.0; // it is of order 3
+    wrong.min_order = 4.0; // it is of order 3
     EXPECT_EQ(verify({.cases = {wrong}, .threads = 1}).code, k_exit_out_of_bounds);
 }
 

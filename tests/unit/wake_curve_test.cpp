@@ -67,16 +67,16 @@ TEST(WakeCurve, NoGapsOnATightFastCircle) {
     for (const float radius : {0.3f, 1.5f, 2.5f}) {
         const WakeMotor body{.radius = radius, .law = WakeForce{}};
         const Wind fast = passed(body, circle(6.0), 22.0 / 30.0, 22, 8), slow = passed(body, circle(6.0), 32.0, 960, 1);
-        double least_sector = 1e30, least = 1e30;
+        double min_sector = 1e30, least = 1e30;
         const std::vector<double> sectors = sectors_of(fast), full = sectors_of(slow);
         for (std::size_t n = 0; n < sectors.size(); ++n)
-            least_sector = std::min(least_sector, sectors[n] / full[n]);
+            min_sector = std::min(min_sector, sectors[n] / full[n]);
         for (int n = 0; n < 720; ++n) { // on the way itself
             const glm::dvec3 place = circle(6.0)(n / 720.0);
             least = std::min(least, double(glm::length(fast.velocity(place)) / glm::length(slow.velocity(place))));
         }
         const std::string name = "circle_50_mps_radius_" + std::to_string(radius).substr(0, 3);
-        EXPECT_GE(figure(name + "_least_sector", least_sector, 0.995), 0.995);
+        EXPECT_GE(figure(name + "_least_sector", min_sector, 0.995), 0.995);
         EXPECT_GE(figure(name + "_least_on_the_way", least, 0.995), 0.995);
     }
 }
@@ -100,7 +100,7 @@ TEST(WakeCurve, ABodyThatStandsAddsExactlyNothingHoweverOftenItIsTold) {
 
 // --- More moves than a tick takes --------------------------------------------------------------------------------------
 
-std::vector<Track::Piece> pieces_of(Track& track, const std::vector<glm::dvec3>& moves, double duration) {
+std::vector<Track::Segment> pieces_of(Track& track, const std::vector<glm::dvec3>& moves, double duration) {
     for (const glm::dvec3& place : moves)
         track.move_to(place);
     track.begin_frame(0.0, duration);
@@ -128,7 +128,7 @@ TEST(WakeCurve, ThinningKeepsTheCorner) {
                 EXPECT_EQ(pieces.front().start, glm::dvec3(0.0));
                 EXPECT_EQ(pieces.back().end, path.back()) << "the newest position is the target";
                 double nearest = std::numeric_limits<double>::infinity(), length = 0.0;
-                for (const Track::Piece& piece : pieces) {
+                for (const Track::Segment& piece : pieces) {
                     nearest = std::min(nearest, glm::length(piece.end - path[static_cast<std::size_t>(corner) - 1]));
                     length += glm::length(piece.end - piece.start);
                 }
@@ -148,7 +148,7 @@ TEST(WakeCurve, ThinningKeepsTheVelocityOfAnEvenMotion) {
         for (int n = 1; n <= moves; ++n)
             path.push_back({3.0 * n / moves, 0.0, 0.0});
         double fastest = 0.0, slowest = std::numeric_limits<double>::infinity(), seconds = 0.0;
-        for (const Track::Piece& piece : pieces_of(track, path, 0.1)) {
+        for (const Track::Segment& piece : pieces_of(track, path, 0.1)) {
             const double speed = glm::length(piece.end - piece.start) / piece.duration;
             fastest = std::max(fastest, speed);
             slowest = std::min(slowest, speed);
@@ -186,25 +186,25 @@ TEST(WakeCurve, AFastHostGetsTheWakeOfASlowOne) {
 struct TrackInFrames {
     Track track;
     double lead = 0.0, tick = 1.0 / 30.0;
-    std::vector<Track::Piece> pieces{};
-    double most_speed = 0.0;
+    std::vector<Track::Segment> pieces{};
+    double max_speed = 0.0;
 
     // A frame as Wind::advance makes it.
     void frame(double dt) {
         track.begin_frame(lead, dt);
         for (lead += dt; lead >= tick * (1.0 - 1e-9); lead -= tick)
-            for (const Track::Piece& piece : track.tick(tick))
+            for (const Track::Segment& piece : track.tick(tick))
                 pieces.push_back(piece);
     }
     [[nodiscard]] glm::dvec3 way() const {
         glm::dvec3 sum(0.0);
-        for (const Track::Piece& piece : pieces)
+        for (const Track::Segment& piece : pieces)
             sum += piece.end - piece.start;
         return sum;
     }
     [[nodiscard]] double moving() const {
         double sum = 0.0;
-        for (const Track::Piece& piece : pieces)
+        for (const Track::Segment& piece : pieces)
             sum += piece.duration;
         return sum;
     }
@@ -222,7 +222,7 @@ void expect_even(const std::string& name, const std::function<double(int)>& fram
         frames.frame(dt);
     }
     glm::dvec3 place = start;
-    for (const Track::Piece& piece : frames.pieces) {
+    for (const Track::Segment& piece : frames.pieces) {
         EXPECT_EQ(piece.start, place) << "no gap between pieces";
         EXPECT_GT(piece.duration, 0.0);
         place = piece.end;
@@ -258,7 +258,7 @@ TEST(Track, RestThenMoveStartsWhereTheFrameBegins) {
             frames.frame(1.0 / hz);
         EXPECT_NEAR(frames.way().x, 1.0, 1e-12);
         EXPECT_NEAR(frames.moving(), 1.0 / hz, 1e-9) << "it moved for that one frame";
-        for (const Track::Piece& piece : frames.pieces)
+        for (const Track::Segment& piece : frames.pieces)
             EXPECT_NEAR(glm::length(piece.end - piece.start) / piece.duration, hz, 1e-5 * hz);
         EXPECT_EQ(frames.track.here(), glm::dvec3(6.0, 0.0, 0.0));
     }
@@ -283,7 +283,7 @@ TEST(Track, ManyMovesInFramesThatSpanATickLoseNothing) {
         EXPECT_EQ(frames.track.here(), place);
         EXPECT_EQ(frames.track.target(), place);
         glm::dvec3 at(0.0);
-        for (const Track::Piece& piece : frames.pieces) {
+        for (const Track::Segment& piece : frames.pieces) {
             ASSERT_LE(glm::length(piece.start - at), 0.0) << "pieces join";
             at = piece.end;
         }

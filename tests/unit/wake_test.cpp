@@ -98,8 +98,10 @@ TEST(Wake, TheWholeStepGivesTheSameImpulse) {
     glm::dvec3 mean(0.0);
     std::vector<glm::dvec3> impulses;
     for (const double rate : {30.0, 45.0, 60.0, 72.0, 120.0, 144.0, 240.0}) {
-        Wind wind =
-            made({.cells = {24, 12, 24}, .sides = Sides::all(SideKind::periodic), .viscosity = 0.0f, .settling_time = 0.0f});
+        Wind wind = made({.cells = {24, 12, 24},
+                          .boundaries = Boundaries::all(BoundaryKind::periodic),
+                          .viscosity = 0.0f,
+                          .relaxation_time = 0.0f});
         pass(wind, {.radius = 2.0f, .law = WakeForce{float(strength)}}, circle, 1.0, rate);
         impulses.push_back(impulse_of(wind));
         mean += impulses.back() / 7.0;

@@ -49,7 +49,7 @@ TEST(WindChanges, AHitchWhileThePlayerRunsLeavesNoFalseGusts) {
 TEST(WindChanges, GustsStandOnTheGroundThatMoves) {
     for (const bool profile : {false, true}) {
         Config config = k_gusty;
-        config.sides = Sides::open_over_floor();
+        config.boundaries = Boundaries::open_over_floor();
         if (profile)
             config.profile = LogProfile{};
         Wind wind = made(config);
@@ -62,8 +62,10 @@ TEST(WindChanges, GustsStandOnTheGroundThatMoves) {
 }
 
 TEST(WindChanges, AFloorSetAtOnceStandsInTheProfile) {
-    Wind wind =
-        made({.cells = {8, 16, 8}, .sides = Sides::open_over_floor(), .ambient = {5.0f, 0.0f, 0.0f}, .profile = LogProfile{}});
+    Wind wind = made({.cells = {8, 16, 8},
+                      .boundaries = Boundaries::open_over_floor(),
+                      .ambient = {5.0f, 0.0f, 0.0f},
+                      .profile = LogProfile{}});
     ASSERT_TRUE(wind.set_floor(0.0));
     EXPECT_LE(off_ambient(wind), 1e-6);
     EXPECT_EQ(wind.view().ambient().ground(), 0.0);
@@ -79,13 +81,13 @@ TEST(WindChanges, AVentMeetsANewWall) {
         return flow;
     };
     Config walled{.cells = {24, 12, 24}};
-    walled.sides.z_high.kind = SideKind::free_slip;
+    walled.boundaries.z_high.kind = BoundaryKind::free_slip;
     Wind from_start = made(walled), changed = made({.cells = {24, 12, 24}});
     for (Wind* wind : {&from_start, &changed})
         ASSERT_TRUE(wind->motors().add(OmniMotor{.position = {0.0, 0.0, 8.0}}));
     for (int n = 0; n < 60; ++n) {
         if (n == 30) {
-            ASSERT_TRUE(changed.set_sides(walled.sides));
+            ASSERT_TRUE(changed.set_boundaries(walled.boundaries));
         }
         from_start.step(1.0 / 60.0);
         changed.step(1.0 / 60.0);
@@ -95,7 +97,7 @@ TEST(WindChanges, AVentMeetsANewWall) {
 
 TEST(WindChanges, AVentThatIsTooStrongLeavesNothingBehind) {
     for (const float speed : {300.0f, 1000.0f, 5000.0f}) {
-        Wind wind = made({.settling_time = 0.0f});
+        Wind wind = made({.relaxation_time = 0.0f});
         const MotorId vent = added(wind, OmniMotor{.speed = speed});
         take_steps(wind, 10, 1.0 / 60.0);
         ASSERT_TRUE(wind.motors().remove(vent));
@@ -109,7 +111,7 @@ TEST(WindChanges, AVentThatIsTooStrongLeavesNothingBehind) {
 // ends.
 TEST(WindChanges, AWindThatIsCutBesideAVentEnds) {
     const auto after_a_hitch = [](bool vent) {
-        Wind wind = made({.settling_time = 0.0f});
+        Wind wind = made({.relaxation_time = 0.0f});
         if (vent) {
             EXPECT_TRUE(wind.motors().add(OmniMotor{.position = {-12.0, 0.0, -12.0}, .speed = 2.0f}));
         }
@@ -165,8 +167,8 @@ TEST(WindChanges, TheLastFramesRimIsTold) {
     wind.step(0.01);
     ASSERT_TRUE(wind.follow({3.0, 0.0, 0.0}));
     wind.step(0.01);
-    EXPECT_EQ(wind.window_block({}).rim_point.x, 3.0f);
-    EXPECT_EQ(wind.window_block({}).previous_rim_point.x, 0.0f);
+    EXPECT_EQ(wind.window_block({}).blend_centre.x, 3.0f);
+    EXPECT_EQ(wind.window_block({}).previous_blend_centre.x, 0.0f);
     EXPECT_EQ(wind.window_block({}).previous_origin.x, -16.0f);
 }
 

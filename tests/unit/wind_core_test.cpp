@@ -21,7 +21,7 @@ class FakeCells final : public CellStorage {
         if (!has_memory)
             throw std::bad_alloc();
     }
-    Result<void> set_sides(const Sides&, bool kinds) override {
+    Result<void> set_boundaries(const Boundaries&, bool kinds) override {
         if (!has_memory)
             return Error{"out of memory"};
         calls += kinds ? 'K' : 'W';
@@ -66,7 +66,7 @@ struct Fixture {
     WindCore core;
 };
 
-const Config k_windy{.cells = {8, 8, 8}, .ambient = {2.0f, 0.0f, 0.0f}, .ticks = {.hz = 10.0, .most = 4}};
+const Config k_windy{.cells = {8, 8, 8}, .ambient = {2.0f, 0.0f, 0.0f}, .ticks = {.hz = 10.0, .max = 4}};
 
 Config gusty() {
     Config config = k_windy;
@@ -145,7 +145,7 @@ TEST(WindCore, SleepsUntilSomethingActs) {
     ASSERT_TRUE(wind.core.set_velocity(still));
     EXPECT_FALSE(wind.core.sleep.calm()) << "cells that were set are not known to be ambient";
     ASSERT_TRUE(wind.core.step(0.1).asleep);
-    ASSERT_TRUE(wind.core.set_sides(Sides::open_over_floor()));
+    ASSERT_TRUE(wind.core.set_boundaries(Boundaries::open_over_floor()));
     EXPECT_FALSE(wind.core.sleep.calm());
 }
 
@@ -193,7 +193,7 @@ TEST(WindCore, ShiftsTheAirWithTheWindow) {
 
 TEST(WindCore, GustsGoWithAGroundThatMoves) {
     Config config = gusty();
-    config.sides = Sides::open_over_floor();
+    config.boundaries = Boundaries::open_over_floor();
     Fixture wind(config);
     wind.core.step(0.1);
     (void)wind.cells.take();
@@ -230,7 +230,7 @@ TEST(WindCore, RenewsTheFlowOfVolumeSources) {
 TEST(WindCore, WithoutMemoryEveryCallLeavesTheWindAsItWas) {
     for (const bool frames : {false, true}) {
         Config config = gusty();
-        config.sides = Sides::open_over_floor();
+        config.boundaries = Boundaries::open_over_floor();
         Fixture wind(config);
         WindCore& core = wind.core;
         frames ? (void)core.advance(0.13) : (void)core.step(0.1);
@@ -244,7 +244,7 @@ TEST(WindCore, WithoutMemoryEveryCallLeavesTheWindAsItWas) {
         EXPECT_TRUE(core.advance(0.3).last.out_of_memory);
         EXPECT_FALSE(core.set_ambient({5.0f, 0.0f, 0.0f}));
         EXPECT_FALSE(core.set_gusts({}));
-        EXPECT_FALSE(core.set_sides(Sides{}));
+        EXPECT_FALSE(core.set_boundaries(Boundaries{}));
         EXPECT_FALSE(core.follow({30.0, 0.0, 0.0}));
         EXPECT_FALSE(core.set_floor(3.0));
         EXPECT_FALSE(core.set_velocity(field));
@@ -254,7 +254,7 @@ TEST(WindCore, WithoutMemoryEveryCallLeavesTheWindAsItWas) {
         EXPECT_EQ(core.window().origin_cells, origin);
         EXPECT_EQ(core.config.ambient, config.ambient);
         EXPECT_EQ(core.config.gusts.intensity, config.gusts.intensity);
-        EXPECT_TRUE(core.config.sides.y_low.solid());
+        EXPECT_TRUE(core.config.boundaries.y_low.solid());
         ASSERT_EQ(core.frames.has_value(), frames);
         if (frames) {
             EXPECT_EQ(core.frames->clock.lead, lead);

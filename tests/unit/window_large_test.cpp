@@ -50,9 +50,9 @@ void compare_beyond_reach(const std::string& name, double dt, glm::dvec3 walk, i
     const Config base{.cells = k_large,
                       .ambient = ambient,
                       .viscosity = 0.0f,
-                      .settling_time = 0.0f,
+                      .relaxation_time = 0.0f,
                       .max_cfl = 1e6f,
-                      .stages = {.settling = false, .diffusion = false, .projection = false}};
+                      .stages = {.relaxation = false, .diffusion = false, .projection = false}};
     Wind large = made(base);
     Config small = base;
     small.cells = k_window;
@@ -112,7 +112,7 @@ TEST(WindowLarge, BeyondTheReachOfTheRimTheAirIsTheSame) {
 
 // The pressure reaches everywhere. A breeze with a fan in it, a player who walks: the inner half must be good.
 TEST(WindowLarge, WithPressureTheErrorFallsAwayFromTheRim) {
-    const Config base{.cells = k_large, .ambient = {2.0f, 0.0f, 0.0f}, .viscosity = 0.0f, .settling_time = 0.0f};
+    const Config base{.cells = k_large, .ambient = {2.0f, 0.0f, 0.0f}, .viscosity = 0.0f, .relaxation_time = 0.0f};
     Wind large = made(base);
     Config small = base;
     small.cells = k_window;

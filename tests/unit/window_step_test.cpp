@@ -16,7 +16,7 @@ class AirByHand {
   public:
     AirByHand(const Config& config, glm::dvec3 origin)
         : config_(config),
-          work_(Workspace::create({.box = {config.cells, config.cell_size, config.sides}, .ambient = config.ambient})),
+          work_(Workspace::create({.box = {config.cells, config.cell_size, config.boundaries}, .ambient = config.ambient})),
           window_{config.cells, config.cell_size, CellIndex(glm::round(origin / double(config.cell_size)))},
           sources_(config.cells), ambient_(work_->ambient(), 0.0f), u_(cell_count(config.cells), ambient_), old_(u_),
           history_(u_.size(), glm::vec4(0.0f)), diffused_(u_) {}
@@ -30,7 +30,7 @@ class AirByHand {
 
     void step(float dt) {
         motors_.begin_frame(0.0, dt);
-        const auto reached = motors_.tick(dt, window_, config_.sides);
+        const auto reached = motors_.tick(dt, window_, config_.boundaries);
         const auto& tile = motors_.tile({});
         sources_.gather(reached, window_.cell_size, u_, {tile ? tile->texels().data() : nullptr}, {});
         if (fresh_) {
@@ -46,8 +46,8 @@ class AirByHand {
         const bool spreads = *diffuse(*work_, u_, config_.viscosity, dt, diffused_) != DiffusionMethod::none;
         Transport transport{
             .carried = spreads ? diffused_ : u_, .velocity = u_, .dt = dt, .interpolation = config_.interpolation};
-        if (config_.settling_time > 0.0f)
-            transport.settling = 1.0f / (1.0f + dt / config_.settling_time);
+        if (config_.relaxation_time > 0.0f)
+            transport.relaxation = 1.0f / (1.0f + dt / config_.relaxation_time);
         const numerics::WindrowPast past = numerics::windrow_past(fresh_ ? 0.0f : dt / dt_old_);
         if (fresh_)
             history_.assign(u_.size(), glm::vec4(0.0f));
@@ -59,10 +59,10 @@ class AirByHand {
         const ParallelFor serial;
         const cpu::Acting acting(sources_, {.cells = config_.cells, .dt = dt, .parallel_for = &serial});
         const auto departing = [&](std::size_t n, glm::ivec3) {
-            return glm::vec3(ambient_) + transport.settling * (glm::vec3(transport.carried[n]) - glm::vec3(ambient_));
+            return glm::vec3(ambient_) + transport.relaxation * (glm::vec3(transport.carried[n]) - glm::vec3(ambient_));
         };
         const auto whole = [&](std::size_t n, glm::ivec3 cell) {
-            return transport.settling != 1.0f ? departing(n, cell) : glm::vec3(transport.carried[n]);
+            return transport.relaxation != 1.0f ? departing(n, cell) : glm::vec3(transport.carried[n]);
         };
         acting.depart(whole, transport.history_scale, history_);
         Field arrived(u_.size());
@@ -116,19 +116,19 @@ std::vector<NamedConfig> cases() {
     const Config base{.cells = {17, 9, 14},
                       .ambient = {2.0f, 0.5f, -1.0f},
                       .viscosity = 0.0f,
-                      .settling_time = 0.0f,
+                      .relaxation_time = 0.0f,
                       .sleep_speed = 0.0f,
                       .max_cfl = 1e6f};
     return {{"inviscid", base},
-            {"settling", with(base, [](Config& c) { c.settling_time = 5.0f; })},
+            {"relaxation", with(base, [](Config& c) { c.relaxation_time = 5.0f; })},
             {"one_pass", with(base, [](Config& c) { c.viscosity = 1.0f; })},
             {"implicit", with(base, [](Config& c) { c.viscosity = 40.0f; })},
             {"linear", with(base, [](Config& c) { c.interpolation = Interpolation::linear; })},
-            {"floor", with(base, [](Config& c) { c.sides = Sides::open_over_floor(); })},
+            {"floor", with(base, [](Config& c) { c.boundaries = Boundaries::open_over_floor(); })},
             {"mixed", with(base,
                            [](Config& c) {
-                               c.sides.y_low = {SideKind::no_slip, {0.5f, 0.0f, 0.25f}};
-                               c.sides.z_low.kind = c.sides.z_high.kind = SideKind::periodic;
+                               c.boundaries.y_low = {BoundaryKind::no_slip, {0.5f, 0.0f, 0.25f}};
+                               c.boundaries.z_low.kind = c.boundaries.z_high.kind = BoundaryKind::periodic;
                                c.viscosity = 1.0f;
                            })},
             {"half_metre", with(base, [](Config& c) { c.cell_size = 0.5f; })}};
@@ -158,7 +158,7 @@ TEST(WindowStep, AShiftedStepEqualsCopyThenStep) {
             if (n > 2) { // the first steps build a history that the shifts must carry
                 const glm::dvec3 centre = wind.origin() + 0.5 * h * glm::dvec3(each.config.cells);
                 ASSERT_TRUE(wind.follow(centre + h * glm::round(random.point(3.0))));
-                if (each.config.sides.y_low.solid()) {
+                if (each.config.boundaries.y_low.solid()) {
                     ASSERT_TRUE(wind.set_floor(h * random.integer(-4, 1)));
                 }
                 by_hand.copy_to(wind.origin());

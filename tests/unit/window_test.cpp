@@ -62,7 +62,7 @@ TEST(Window, AThousandShiftsKeepTheOverlapToTheBit) {
 }
 
 TEST(Window, APointInsideFeelsNoShift) {
-    Wind wind = made({.ambient = {2.0f, 0.0f, -1.0f}, .rim = 0.0f, .viscosity = 0.0f, .settling_time = 0.0f});
+    Wind wind = made({.ambient = {2.0f, 0.0f, -1.0f}, .blend_width = 0.0f, .viscosity = 0.0f, .relaxation_time = 0.0f});
     ASSERT_TRUE(wind.set_velocity(smooth_noise(wind.box().cells, 4.0f, 42)));
     take_steps(wind, 5, 1.0 / 60.0);
     Random random(43);
@@ -86,9 +86,9 @@ TEST(Window, APointInsideFeelsNoShift) {
 }
 
 TEST(Window, OnlyTheAxesThatFollowMove) {
-    Sides sides = Sides::open_over_floor();
-    sides.z_low.kind = sides.z_high.kind = SideKind::periodic;
-    Wind wind = made({.cells = {16, 8, 16}, .sides = sides});
+    Boundaries boundaries = Boundaries::open_over_floor();
+    boundaries.z_low.kind = boundaries.z_high.kind = BoundaryKind::periodic;
+    Wind wind = made({.cells = {16, 8, 16}, .boundaries = boundaries});
     const glm::dvec3 origin = wind.origin();
     ASSERT_TRUE(wind.follow({5.0, 5.0, 5.0}));
     EXPECT_EQ(wind.origin(), origin + glm::dvec3(5.0, 0.0, 0.0));
@@ -121,17 +121,17 @@ TEST(Window, AJumpBeyondItStartsAfresh) {
     }
 }
 
-TEST(Window, APointThatIsNoneIsRefused) {
+TEST(Window, APointThatIsNoneIsRejected) {
     const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
     Wind wind = made({.cells = {8, 8, 8}, .cell_size = 0.5f});
     ASSERT_TRUE(wind.set_velocity(white_noise({8, 8, 8}, 3.0f, 45)));
     const AirInPlace before(wind);
     for (const glm::dvec3 point : {glm::dvec3(nan, 0.0, 0.0), glm::dvec3(0.0, infinity, 0.0), glm::dvec3(0.0, 0.0, -infinity),
                                    glm::dvec3(6e11, 0.0, 0.0)}) {
-        const auto refused = wind.follow(point);
-        ASSERT_FALSE(refused);
-        EXPECT_EQ(refused.error().find("follow point is ("), 0u) << refused.error();
-        EXPECT_NE(refused.error().find("finite"), std::string::npos) << refused.error();
+        const auto rejected = wind.follow(point);
+        ASSERT_FALSE(rejected);
+        EXPECT_EQ(rejected.error().find("follow point is ("), 0u) << rejected.error();
+        EXPECT_NE(rejected.error().find("finite"), std::string::npos) << rejected.error();
     }
     EXPECT_EQ(wind.origin(), glm::dvec3(-2.0));
     EXPECT_EQ(cells_not_as_expected(wind, before), 0u);
@@ -159,7 +159,8 @@ TEST(Window, ZeroIsAPlaceLikeAnyOther) {
 }
 
 TEST(Window, TheFloorFollowsItsHeight) {
-    Wind wind = made({.cells = {8, 10, 8}, .cell_size = 0.5f, .sides = Sides::open_over_floor(), .ambient = {2.0f, 0.0f, 0.0f}});
+    Wind wind = made(
+        {.cells = {8, 10, 8}, .cell_size = 0.5f, .boundaries = Boundaries::open_over_floor(), .ambient = {2.0f, 0.0f, 0.0f}});
     ASSERT_TRUE(wind.set_velocity(white_noise({8, 10, 8}, 3.0f, 46)));
     for (const auto& [height, low] :
          {std::pair{3.1, 3.0}, {3.3, 3.5}, {-0.2, 0.0}, {-7.6, -7.5}, {-5.0, -5.0}, {1e6 + 0.1, 1e6}}) {
@@ -173,9 +174,9 @@ TEST(Window, TheFloorFollowsItsHeight) {
     EXPECT_FALSE(wind.set_floor(1e13));
     EXPECT_EQ(wind.origin().y, 1e6);
     Wind open = made({});
-    const auto refused = open.set_floor(0.0);
-    ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().find("y_low"), std::string::npos) << refused.error();
+    const auto rejected = open.set_floor(0.0);
+    ASSERT_FALSE(rejected);
+    EXPECT_NE(rejected.error().find("y_low"), std::string::npos) << rejected.error();
 }
 
 // --- The bits are the same anywhere in the world ---------------------------------------------------------------------

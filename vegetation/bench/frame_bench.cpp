@@ -109,7 +109,7 @@ void by_stage(const Run& run) {
     const auto stands = stages[0]->stages(), walks = stages[1]->stages();
     for (std::size_t n = 0; n < std::min(stands.size(), walks.size()); ++n)
         std::printf("| %-9s | %8.3f | %8.3f | %8.3f | %8.3f | %8.3f | %8.3f |\n", stands[n].name.c_str(), stands[n].mean,
-                    stands[n].median, stands[n].most, walks[n].mean, walks[n].median, walks[n].most);
+                    stands[n].median, stands[n].max, walks[n].mean, walks[n].median, walks[n].max);
     std::printf("| %-9s | %8.3f |          |          | %8.3f |          |          |\n", "wall", stages[0]->wall(),
                 stages[1]->wall());
 }
@@ -228,7 +228,7 @@ void ablation(const Run& run) {
         if (!kind.cut) {
             wanted.grass.cut_distance = 2.0f * static_cast<float>(wanted.metres);
             wanted.grass.fade_from = 0.98f;
-            wanted.grass.most_chunks = std::max(160, side * side);
+            wanted.grass.max_chunks = std::max(160, side * side);
         }
         if (!kind.levels) {
             wanted.grass.split_distance = 0.999f * wanted.grass.cut_distance;
@@ -236,8 +236,7 @@ void ablation(const Run& run) {
         }
         wanted.shoot.counts = true;
         // A record for each blade that stands; where a device has no buffer for that many, those beyond share one.
-        wanted.shoot.most_blades =
-            static_cast<int>(std::min(4194304.0, std::max(262144.0, 36.0 * wanted.metres * wanted.metres)));
+        wanted.shoot.max_blades = static_cast<int>(std::min(4194304.0, std::max(262144.0, 36.0 * wanted.metres * wanted.metres)));
         stages.push_back(std::make_unique<FrameStage>(wanted));
     }
     draw_in_turn(stages, run.warm, run.frames);

@@ -23,7 +23,7 @@ std::string scene_of(const FrameCase& wanted) {
         text, sizeof text, R"({
         "duration": 120,
         "frames_per_second": 60,
-        "air": {"cells": [%d, %d, %d], "cell_size": 0.5, "sides": {"y_low": "free_slip"}, "ambient": [3.4, 0, 1.3],
+        "air": {"cells": [%d, %d, %d], "cell_size": 0.5, "boundaries": {"y_low": "free_slip"}, "ambient": [3.4, 0, 1.3],
                 "profile": {"roughness_length": 0.05, "reference_height": 10}, "gusts": {"intensity": 0.35, "length": 14}},
         "paths": {"eye": {"points": [[0, %g, 1.7, %g], [%g, %g, 1.7, %g]]},
                   "target": {"points": [[0, %g, 0.8, %g], [%g, %g, 0.8, %g]]},
@@ -32,7 +32,7 @@ std::string scene_of(const FrameCase& wanted) {
         "floor": 0,
         "motors": [%s],
         "picture": {
-            "settle": 0.5,
+            "warm_up": 0.5,
             "camera": {"path": "eye", "target_path": "target", "view_deg": 50, "far": 2000},
             "clouds": {"cover": 0.4},
             "ground": {"corner": [0, 0, 0], "extent": [%g, %g]},
@@ -63,7 +63,7 @@ FrameStage::FrameStage(const FrameCase& wanted) {
     if (!made)
         must(Error{made.error()});
     shoot_ = *std::move(made);
-    must(shoot_->settle());
+    must(shoot_->warm_up());
     must(shoot_->draw(false));
     table_ = program::StageTable(*shoot_);
 }

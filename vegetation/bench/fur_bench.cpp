@@ -31,7 +31,7 @@ constexpr struct {
                 {"wind_at", windrow::vegetation::bench::wind_at_table}, {"plane", windrow::vegetation::bench::plane_table},
                 {"wind", windrow::vegetation::bench::wind_table}};
 
-[[noreturn]] void refuse(const std::string& why) {
+[[noreturn]] void reject(const std::string& why) {
     std::fprintf(stderr,
                  "windrow_fur_bench: %s\nwindrow_fur_bench [--quick] [--frames N] [--pictures FOLDER] [--only TABLE], where "
                  "TABLE is one of",
@@ -57,25 +57,25 @@ Wanted wanted_of(std::span<char*> arguments) {
             continue;
         }
         if (flag != "--frames" && flag != "--only" && flag != "--pictures")
-            refuse("there is no flag " + flag + ".");
+            reject("there is no flag " + flag + ".");
         if (++n == arguments.size())
-            refuse(flag + " wants a value.");
+            reject(flag + " wants a value.");
         const std::string value = arguments[n];
         if (flag == "--frames") {
             const auto read = std::from_chars(value.data(), value.data() + value.size(), made.frames);
             if (read.ec != std::errc() || read.ptr != value.data() + value.size() || made.frames < 1 || made.frames > 100000)
-                refuse("--frames is " + value + "; give 1 to 100000.");
+                reject("--frames is " + value + "; give 1 to 100000.");
         } else if (flag == "--only") {
             made.only = value;
             bool known = false;
             for (const auto& table : k_tables)
                 known = known || table.name == value;
             if (!known)
-                refuse("--only is " + value + ", which is no table.");
+                reject("--only is " + value + ", which is no table.");
         } else {
             made.pictures = value;
             if (std::error_code none; !std::filesystem::is_directory(value, none))
-                refuse("--pictures is " + value + "; give a folder that is there.");
+                reject("--pictures is " + value + "; give a folder that is there.");
         }
     }
     return made;

@@ -62,7 +62,7 @@ fur::CoatSettings cloud(int layers) {
     fur::CoatSettings coat;
     coat.cloud.emplace().size = 50.0f;
     coat.mirrored = coat.drifts = true;
-    coat.wind_share = 0.0f;
+    coat.wind_fraction = 0.0f;
     coat.layers.shells = layers;
     coat.layers.sag = 0.0f;
     set_length(coat, 14.0f);

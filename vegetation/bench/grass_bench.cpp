@@ -49,7 +49,7 @@ void held(const windrow::Result<void>& result) {
 // Vertices that the draws of the colour's view come to.
 double vertices_of(engine::Device& device, const grass::GrassField& field, const std::vector<grass::Chunk>& chunks) {
     const auto draws = held(
-        device.read<VkDrawIndirectCommand>(field.draw_buffer(), 0, 4 * static_cast<std::size_t>(field.settings().most_chunks)));
+        device.read<VkDrawIndirectCommand>(field.draw_buffer(), 0, 4 * static_cast<std::size_t>(field.settings().max_chunks)));
     double vertices = 0.0;
     for (const grass::Chunk chunk : chunks)
         for (int level = 0; level < 2; ++level) {

@@ -38,7 +38,7 @@ class MemoryFiles : public Assimp::IOSystem {
     const std::map<std::string, std::string>& files_;
 };
 
-// Of its many importers only those of this ending: another would be tried on a file that this one refuses.
+// Of its many importers only those of this ending: another would be tried on a file that this one rejects.
 void keep_importers(Assimp::Importer& importer, const std::string& ending) {
     for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
         Assimp::BaseImporter* const each = importer.GetImporter(i);
@@ -85,7 +85,7 @@ bool gather(Soup& soup, std::size_t& corners, const aiScene& scene, const aiNode
     for (unsigned i = 0; i < node.mNumMeshes; ++i) {
         const aiMesh& mesh = *scene.mMeshes[node.mMeshes[i]];
         corners += std::size_t{3} * mesh.mNumFaces;
-        if (corners > 3 * k_most_triangles || soup.size() == k_most_parts)
+        if (corners > 3 * k_max_triangles || soup.size() == k_max_parts)
             return false;
         const bool named = mesh.mMaterialIndex < scene.mNumMaterials;
         add(soup.emplace_back(SoupPart{named ? scene.mMaterials[mesh.mMaterialIndex]->GetName().C_Str() : "none", {}, false}),
@@ -112,7 +112,7 @@ windrow::Result<Soup> import_soup(const std::map<std::string, std::string>& file
     Soup soup;
     std::size_t corners = 0;
     if (!gather(soup, corners, *scene, *scene->mRootNode, aiMatrix4x4(), ending != "3ds"))
-        return windrow::Error{message(owner, " has more than ", k_most_triangles, " triangles or ", k_most_parts,
+        return windrow::Error{message(owner, " has more than ", k_max_triangles, " triangles or ", k_max_parts,
                                       " parts, counting each place: give fewer.")};
     std::erase_if(soup, [](const SoupPart& part) { return part.corners.empty(); });
     if (soup.empty())

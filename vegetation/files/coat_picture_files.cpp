@@ -14,11 +14,11 @@ using windrow::Error;
 using windrow::Result;
 
 // [byte] Of a file: the largest picture of four floats a texel, uncompressed.
-constexpr std::size_t k_most_picture_bytes = std::size_t{320} << 20;
+constexpr std::size_t k_max_picture_bytes = std::size_t{320} << 20;
 // [byte] Of a picture as its file holds it, decoded.
-constexpr std::size_t k_most_decoded_bytes = std::size_t{512} << 20;
+constexpr std::size_t k_max_decoded_bytes = std::size_t{512} << 20;
 // [texels] 64 MB of 16 floats each.
-constexpr int k_most_tile_side = 1024;
+constexpr int k_max_tile_side = 1024;
 
 float linear(float encoded) {
     return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
@@ -27,7 +27,7 @@ float linear(float encoded) {
 Result<CoatPicture> read(const std::filesystem::path& file, const std::filesystem::path& folder, bool colour,
                          windrow::detail::InputBudget& budget) {
     const std::string name = file.string();
-    const auto bytes = windrow::detail::read_input(file, {.folder = folder, .most_bytes = k_most_picture_bytes}, budget);
+    const auto bytes = windrow::detail::read_input(file, {.folder = folder, .max_bytes = k_max_picture_bytes}, budget);
     if (!bytes)
         return Error{bytes.error()};
     // From memory: OpenImageIO opens no file by itself.
@@ -38,17 +38,17 @@ Result<CoatPicture> read(const std::filesystem::path& file, const std::filesyste
         return Error{name + " cannot be read as a picture (" + why.substr(0, why.find('\n')) + "); give a PNG, PGM or EXR."};
     }
     const OIIO::ImageSpec& spec = input->spec();
-    if (spec.width < 1 || spec.height < 1 || spec.width > k_most_picture_side || spec.height > k_most_picture_side ||
+    if (spec.width < 1 || spec.height < 1 || spec.width > k_max_picture_side || spec.height > k_max_picture_side ||
         spec.depth > 1 || spec.nchannels < 1 || spec.nchannels > 16)
         return Error{name + " is " + std::to_string(spec.width) + " x " + std::to_string(spec.height) + " texels of " +
-                     std::to_string(spec.nchannels) + " channels; give 1 to " + std::to_string(k_most_picture_side) +
+                     std::to_string(spec.nchannels) + " channels; give 1 to " + std::to_string(k_max_picture_side) +
                      " a side, of 1 to 16 channels."};
     // Some codecs decode all channels of a tile, or of the whole picture, at once.
-    if (spec.image_bytes(true) > k_most_decoded_bytes)
+    if (spec.image_bytes(true) > k_max_decoded_bytes)
         return Error{name + " holds " + std::to_string(spec.image_bytes(true) >> 20) + " MiB; give at most " +
-                     std::to_string(k_most_decoded_bytes >> 20) + " MiB, by fewer texels or channels."};
-    if (spec.deep || spec.tile_width > k_most_tile_side || spec.tile_height > k_most_tile_side)
-        return Error{name + " has deep texels or tiles of more than " + std::to_string(k_most_tile_side) +
+                     std::to_string(k_max_decoded_bytes >> 20) + " MiB, by fewer texels or channels."};
+    if (spec.deep || spec.tile_width > k_max_tile_side || spec.tile_height > k_max_tile_side)
+        return Error{name + " has deep texels or tiles of more than " + std::to_string(k_max_tile_side) +
                      " texels a side; save it as plain rows."};
     const auto count = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
     // A coat keeps 8 bytes a texel.

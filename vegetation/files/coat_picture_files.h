@@ -18,7 +18,7 @@ namespace windrow::vegetation::fur {
 /// Files are relative to `folder`. A colour is converted to linear where its file has 8 bits and does not declare itself linear.
 /// Rejects, with the file's name:
 /// - a file that is not a picture, or that is outside of the folder;
-/// - no texel, or more than k_most_picture_side of them along a side;
+/// - no texel, or more than k_max_picture_side of them along a side;
 /// - a texel that is not finite.
 /// A map without a name gives an empty picture. The files and their texels take their part of a scene's `budget`.
 [[nodiscard]] windrow::Result<CoatPictures> read_pictures(const CoatMaps& maps, const std::filesystem::path& folder,

@@ -79,8 +79,8 @@ Result<std::string> read_gltf_buffer(const nlohmann::json& buffer, std::size_t i
     if (!buffer.is_object())
         return windrow::Error{message(place, " is no object: give one.")};
     const auto length = buffer.find("byteLength");
-    if (length == buffer.end() || !length->is_number_unsigned() || length->get<std::uint64_t>() > k_most_bytes)
-        return windrow::Error{message(place, ".byteLength is missing or not a count: give 1 to ", k_most_bytes, ".")};
+    if (length == buffer.end() || !length->is_number_unsigned() || length->get<std::uint64_t>() > k_max_bytes)
+        return windrow::Error{message(place, ".byteLength is missing or not a count: give 1 to ", k_max_bytes, ".")};
     const std::size_t size = length->get<std::size_t>();
     auto bytes = bytes_of(buffer, place, index == 0 ? binary : std::string_view(), path, budget);
     if (!bytes)

@@ -23,7 +23,7 @@ struct GltfParts {
 [[nodiscard]] Result<std::string> read_gltf_buffer(const nlohmann::json& buffer, std::size_t index, std::string_view binary,
                                                    const std::filesystem::path& path, windrow::detail::InputBudget& budget);
 
-/// RFC 4648, section 4. Refuses other signs and lengths.
+/// RFC 4648, section 4. Rejects other signs and lengths.
 [[nodiscard]] Result<std::string> decode_base64(std::string_view text, const std::string& name);
 
 } // namespace windrow::vegetation::fur

@@ -17,11 +17,11 @@ using windrow::detail::message;
 
 using nlohmann::json;
 
-constexpr std::size_t k_most_nodes = 65536;
+constexpr std::size_t k_max_nodes = 65536;
 constexpr int k_deepest_node = 24; // Assimp walks them by recursion
 // Assimp copies the numbers of an accessor for each primitive that names it. Some files share their vertices among parts: so many
 // vertices, and as many corners, beside those that the bytes of the buffers can hold.
-constexpr std::size_t k_most_copies = 2 * k_most_vertices;
+constexpr std::size_t k_max_copies = 2 * k_max_vertices;
 enum ComponentType : std::size_t { k_byte = 5121, k_short = 5123, k_int = 5125, k_float = 5126 };
 
 // Stops the walk at the first fault; caught in check_gltf, so that no exception leaves this file.
@@ -75,8 +75,8 @@ class Copier {
         const auto found = source_.find(key);
         if (found == source_.end())
             return none;
-        if (!found->is_array() || found->size() > k_most_nodes)
-            fail(message("$.", key), "is no list, or one of more than ", k_most_nodes, ": give a list.");
+        if (!found->is_array() || found->size() > k_max_nodes)
+            fail(message("$.", key), "is no list, or one of more than ", k_max_nodes, ": give a list.");
         return *found;
     }
     const json& item(const char* key, std::size_t index) const {
@@ -90,8 +90,8 @@ class Copier {
         const auto found = object.find(key);
         if (found == object.end())
             return missing;
-        if (!found->is_number_unsigned() || found->get<std::uint64_t>() > k_most_bytes)
-            fail(place + "." + key, "is not a count: give 0 to ", k_most_bytes, ".");
+        if (!found->is_number_unsigned() || found->get<std::uint64_t>() > k_max_bytes)
+            fail(place + "." + key, "is not a count: give 0 to ", k_max_bytes, ".");
         return found->get<std::size_t>();
     }
 
@@ -101,8 +101,8 @@ class Copier {
         auto bytes = read_gltf_buffer(item("buffers", index), index, binary_, path_, budget_);
         if (!bytes)
             throw Fault{bytes.error()};
-        if ((bytes_ += bytes->size()) > k_most_bytes)
-            fail("$.buffers", "have more than ", k_most_bytes, " bytes: give fewer.");
+        if ((bytes_ += bytes->size()) > k_max_bytes)
+            fail("$.buffers", "have more than ", k_max_bytes, " bytes: give fewer.");
         return buffer_numbers_[index] = keep_buffer(*std::move(bytes));
     }
 
@@ -115,7 +115,7 @@ class Copier {
 
     // An accessor of this type, copied with a view of its own.
     Accessor accessor(const json& owner, const char* key, const char* type, std::size_t components, const std::string& place) {
-        constexpr std::size_t k_none = k_most_bytes + 1;
+        constexpr std::size_t k_none = k_max_bytes + 1;
         const std::size_t index = whole(owner, key, k_none, place);
         const json& source = item("accessors", index);
         const std::string here = message("$.accessors[", index, "]");
@@ -127,8 +127,8 @@ class Copier {
                  indices ? "SCALAR of unsigned integers" : std::string(type) + " of floats", ": give those.");
         if (source.contains("sparse") || !source.contains("bufferView"))
             fail(here, "is sparse or has no view: give all of its numbers.");
-        if (count == 0 || count > 3 * k_most_triangles || (!indices && count > k_most_vertices))
-            fail(here + ".count", "is ", count, ": give at least 1, and at most ", k_most_vertices, " vertices.");
+        if (count == 0 || count > 3 * k_max_triangles || (!indices && count > k_max_vertices))
+            fail(here + ".count", "is ", count, ": give at least 1, and at most ", k_max_vertices, " vertices.");
 
         const std::size_t view_index = whole(source, "bufferView", 0, here);
         const json& view = item("bufferViews", view_index);
@@ -194,8 +194,8 @@ class Copier {
 
     json primitives(const json& mesh, const std::string& place) {
         json kept = json::array();
-        if (!mesh.contains("primitives") || !mesh["primitives"].is_array() || mesh["primitives"].size() > k_most_parts)
-            fail(place + ".primitives", "is missing, or a list of more than ", k_most_parts, ": give a list.");
+        if (!mesh.contains("primitives") || !mesh["primitives"].is_array() || mesh["primitives"].size() > k_max_parts)
+            fail(place + ".primitives", "is missing, or a list of more than ", k_max_parts, ": give a list.");
         for (const json& source : mesh["primitives"]) {
             if (!source.is_object() || !source.contains("attributes") || !source["attributes"].is_object())
                 fail(place + ".primitives", "has one without attributes: give them.");
@@ -233,7 +233,7 @@ class Copier {
         }
         vertices_ += positions.count;
         corners_ += corners;
-        if (vertices_ > k_most_copies + bytes_ / sizeof(glm::vec3) || corners_ > k_most_copies + bytes_)
+        if (vertices_ > k_max_copies + bytes_ / sizeof(glm::vec3) || corners_ > k_max_copies + bytes_)
             fail(place, "take ", vertices_, " vertices and ", corners_, " corners, counting each use of an accessor, from ",
                  bytes_, " bytes: name each accessor once, or a few times.");
         if (corners % 3 != 0)
@@ -258,7 +258,7 @@ class Copier {
 
     void nodes() {
         const json& sources = list("nodes");
-        std::vector<std::size_t> parents(sources.size(), k_most_nodes);
+        std::vector<std::size_t> parents(sources.size(), k_max_nodes);
         out_["nodes"] = json::array();
         for (std::size_t i = 0; i < sources.size(); ++i) {
             const json& source = item("nodes", i);
@@ -284,11 +284,11 @@ class Copier {
         json roots = json::array();
         for (std::size_t i = 0; i < parents.size(); ++i) {
             int depth = 0;
-            for (std::size_t at = i; parents[at] < k_most_nodes; at = parents[at])
+            for (std::size_t at = i; parents[at] < k_max_nodes; at = parents[at])
                 if (++depth > k_deepest_node)
                     fail(message("$.nodes[", i, "]"), "lies in a circle, or deeper than ", k_deepest_node,
                          " nodes: give a tree.");
-            if (parents[i] == k_most_nodes)
+            if (parents[i] == k_max_nodes)
                 roots.push_back(i);
         }
         out_["scenes"] = {{{"nodes", roots}}};
@@ -300,7 +300,7 @@ class Copier {
             if (!values.is_array() || !child.is_number_unsigned() || child.get<std::uint64_t>() >= parents.size())
                 fail(place + ".children", "names no node: give 0 to ", parents.size() - 1, ".");
             std::size_t& known = parents[child.get<std::size_t>()];
-            if (known != k_most_nodes)
+            if (known != k_max_nodes)
                 fail(place + ".children", "names a node that has a parent: give each node one.");
             known = parent;
         }

@@ -19,7 +19,7 @@ struct GltfText {
     std::vector<std::string> buffers; ///< their bytes
 };
 
-/// `bytes` are those of the file `path`, whose folder has the buffers. Refuses, with the file's name and the JSON's path: what is
+/// `bytes` are those of the file `path`, whose folder has the buffers. Rejects, with the file's name and the JSON's path: what is
 /// no JSON, extensions that are required, buffers that are missing, too short or outside of the folder, views and accessors that
 /// reach beyond what they lie in, attributes of other types than floats, indices without a vertex, nodes in a circle or deeper
 /// than 24, and absurd counts.

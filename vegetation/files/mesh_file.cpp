@@ -76,7 +76,7 @@ Result<Soup> read_soup(const fs::path& path, const std::optional<fs::path>& fold
     const std::string ending = ending_of(path);
     if (ending != ".obj" && ending != ".gltf" && ending != ".glb" && ending != ".3ds")
         return windrow::Error{message(path.string(), " ends in '", ending, "': give a mesh as .obj, .gltf, .glb or .3ds.")};
-    auto bytes = windrow::detail::read_input(path, {.folder = folder, .most_bytes = k_most_bytes}, budget);
+    auto bytes = windrow::detail::read_input(path, {.folder = folder, .max_bytes = k_max_bytes}, budget);
     if (!bytes)
         return Error{bytes.error()};
     if (ending == ".obj")
@@ -136,11 +136,11 @@ Result<Mesh> read(const fs::path& path, const MeshLoad& load, const std::optiona
         return mesh;
     soup->clear();
 
-    if (mesh->triangles() > load.most_triangles) {
-        simplify(*mesh, load.most_triangles);
-        if (mesh->triangles() > load.most_triangles)
+    if (mesh->triangles() > load.max_triangles) {
+        simplify(*mesh, load.max_triangles);
+        if (mesh->triangles() > load.max_triangles)
             return windrow::Error{message(path.string(), " cannot be simplified below ", mesh->triangles(),
-                                          " triangles: give load.most_triangles of as many.")};
+                                          " triangles: give load.max_triangles of as many.")};
         for (MeshVertex& vertex : mesh->vertices)
             vertex.normal = glm::vec3(0.0f);
     }

@@ -1,6 +1,6 @@
 // Meshes from files: OBJ (with the fur line of its mtl), glTF and GLB, 3DS.
 //
-//     auto bunny = fur::read_mesh("bunny.obj", {.size = 1.0f, .most_triangles = 8'000});
+//     auto bunny = fur::read_mesh("bunny.obj", {.size = 1.0f, .max_triangles = 8'000});
 //
 // Assimp turns a file into triangles, and has had memory faults on hostile files. So each file is read here first (obj_text.h,
 // gltf_text.h, three_ds_chunks.h): counts, sizes, indices and names of files are checked, and assimp is handed only the parts
@@ -27,7 +27,7 @@ struct MeshLoad {
     float size = 1.0f;
     SizeOf size_of = SizeOf::longest_edge;
     float yaw_deg = 0.0f;
-    std::size_t most_triangles = k_most_triangles;
+    std::size_t max_triangles = k_max_triangles;
 
     static constexpr auto settings() {
         return std::tuple{
@@ -36,18 +36,18 @@ struct MeshLoad {
             Setting("size", &MeshLoad::size, {1e-3, 1e3, "m"}, "What the mesh is scaled to, and a fur line's height with it."),
             Setting("size_of", &MeshLoad::size_of, "What size is the length of."),
             Setting("yaw_deg", &MeshLoad::yaw_deg, {-360.0, 360.0, "deg"}, "Turn about y, seen from above counter-clockwise."),
-            Setting("most_triangles", &MeshLoad::most_triangles, {4.0, k_most_triangles}, "Files with more are simplified."),
+            Setting("max_triangles", &MeshLoad::max_triangles, {4.0, k_max_triangles}, "Files with more are simplified."),
         };
     }
 };
 
-/// [byte] Of one file; a mesh of `k_most_triangles` as text is about as long.
-inline constexpr std::size_t k_most_bytes = std::size_t{512} << 20;
+/// [byte] Of one file; a mesh of `k_max_triangles` as text is about as long.
+inline constexpr std::size_t k_max_bytes = std::size_t{512} << 20;
 
-/// It stands on y = 0, centred in x and z. Refused with the file's name: no such file, not a mesh of these kinds, no triangles,
+/// It stands on y = 0, centred in x and z. Rejected with the file's name: no such file, not a mesh of these kinds, no triangles,
 /// bad indices, what is not finite, normals of length 0 beside others, more vertices, triangles or bytes than above, files beside
 /// it that are missing or lie outside of its folder: absolute names, `..`, and links that lead out. A place whose triangles face
-/// each other (a sheet folded onto itself) is not refused: it has the normal of the first of them.
+/// each other (a sheet folded onto itself) is not rejected: it has the normal of the first of them.
 [[nodiscard]] Result<Mesh> read_mesh(const std::filesystem::path& path, const MeshLoad& load = {});
 
 /// The same for a mesh that a scene names: its file must be in `folder`, links followed, and takes its part of the scene's budget.

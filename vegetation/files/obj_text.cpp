@@ -12,7 +12,7 @@ namespace {
 
 using windrow::detail::message;
 
-constexpr std::size_t k_most_libraries = 64;
+constexpr std::size_t k_max_libraries = 64;
 
 class Scanner {
   public:
@@ -69,15 +69,15 @@ class Scanner {
     }
 
     void library(std::string_view words) {
-        if (out_.libraries.size() == k_most_libraries)
-            return fail("mtllib stands more than ", k_most_libraries, " times: give fewer.");
+        if (out_.libraries.size() == k_max_libraries)
+            return fail("mtllib stands more than ", k_max_libraries, " times: give fewer.");
         out_.libraries.emplace_back(words);
     }
 
     // The first of these are needed, those up to `most` kept, and the rest (w, colours) left out.
     void numbers(Kind kind, std::string_view key, std::string_view words, int least, int most) {
-        if (++counts_[kind] > k_most_vertices)
-            return fail("there are more than ", k_most_vertices, " lines ", key, ": give fewer.");
+        if (++counts_[kind] > k_max_vertices)
+            return fail("there are more than ", k_max_vertices, " lines ", key, ": give fewer.");
         windrow::detail::append(out_.text, key);
         for (int i = 0; i < most; ++i) {
             std::string_view word = take_word(words);
@@ -95,7 +95,7 @@ class Scanner {
         }
     }
 
-    // One index of a corner, from 1; 0: refused.
+    // One index of a corner, from 1; 0: rejected.
     std::size_t index(Kind kind, std::string_view word) {
         long long value = 0;
         const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), value);
@@ -137,11 +137,11 @@ class Scanner {
                 windrow::detail::append(out_.text, number);
             }
         }
-        if (corners < 3 || corners > k_most_corners)
-            return fail("the face has ", corners, " corners: give 3 to ", k_most_corners, ".");
+        if (corners < 3 || corners > k_max_corners)
+            return fail("the face has ", corners, " corners: give 3 to ", k_max_corners, ".");
         triangles_ += corners - 2;
-        if (triangles_ > k_most_triangles)
-            return fail("there are more than ", k_most_triangles, " triangles: give fewer.");
+        if (triangles_ > k_max_triangles)
+            return fail("there are more than ", k_max_triangles, " triangles: give fewer.");
         out_.text += '\n';
     }
 

@@ -18,10 +18,10 @@ struct ObjText {
 };
 
 /// More corners in one face are no face; cutting it into triangles takes the square of their number.
-inline constexpr std::size_t k_most_corners = 64;
+inline constexpr std::size_t k_max_corners = 64;
 
-/// Refuses, with `name` and the line's number: numbers that are none or not finite, indices without a vertex, faces of fewer than
-/// 3 or more than k_most_corners corners or with different kinds of corners, more vertices or triangles than k_most_*, lines that
+/// Rejects, with `name` and the line's number: numbers that are none or not finite, indices without a vertex, faces of fewer than
+/// 3 or more than k_max_corners corners or with different kinds of corners, more vertices or triangles than k_most_*, lines that
 /// go on after a backslash, and zero bytes.
 [[nodiscard]] Result<ObjText> check_obj(std::string_view text, const std::string& name);
 

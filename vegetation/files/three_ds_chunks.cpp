@@ -107,8 +107,8 @@ class Walker {
             return fail(at, "has ", lists_.uvs, " uv: give one for each of ", lists_.vertices, " vertices.");
         triangles_ += lists_.faces;
         vertices_ += lists_.vertices;
-        if (triangles_ > k_most_triangles || vertices_ > k_most_vertices)
-            fail(at, "is one too many: give at most ", k_most_vertices, " vertices and ", k_most_triangles, " triangles.");
+        if (triangles_ > k_max_triangles || vertices_ > k_max_vertices)
+            fail(at, "is one too many: give at most ", k_max_vertices, " vertices and ", k_max_triangles, " triangles.");
     }
 
     // A list that begins with its number of entries, which it must hold (and fill, if it is `alone`), once.

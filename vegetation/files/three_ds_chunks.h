@@ -15,7 +15,7 @@
 
 namespace windrow::vegetation::fur {
 
-/// The file's bytes, with the chunks that a mesh does not need made unknown. Refuses chunks that are longer than what they lie
+/// The file's bytes, with the chunks that a mesh does not need made unknown. Rejects chunks that are longer than what they lie
 /// in, lists that do not fill their chunk, faces whose vertices are not there, uv of another number than the vertices, and absurd
 /// counts.
 [[nodiscard]] Result<std::string> check_three_ds(std::string bytes, const std::string& name);

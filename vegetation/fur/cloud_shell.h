@@ -23,7 +23,7 @@ struct CloudShellSettings {
 
     static constexpr auto settings() {
         return std::tuple{
-            Setting("cover", &CloudShellSettings::cover, {.least = 0.0, .most = 1.0, .zero = "none"},
+            Setting("cover", &CloudShellSettings::cover, {.min = 0.0, .max = 1.0, .zero = "none"},
                     "Fraction of the plane that is covered, roughly; 0.45 is fair weather."),
             Setting("size", &CloudShellSettings::size, {0.01, 1e5, "m"}, "Of a heap."),
             Setting("base", &CloudShellSettings::base, {0.01, 1.0},
@@ -49,7 +49,7 @@ struct CloudShellSettings {
 using CloudShellBlock = numerics::WindrowCloudShells;
 static_assert(sizeof(CloudShellBlock) == 4 * 16);
 
-/// Refuses what is out of range; every reason.
+/// Rejects what is out of range; every reason.
 [[nodiscard]] windrow::Result<void> validate(const CloudShellSettings& settings);
 void check_rules(windrow::detail::Reasons& reasons, const windrow::detail::FieldPath& path, const CloudShellSettings& settings);
 

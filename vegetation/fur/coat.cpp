@@ -14,7 +14,7 @@ namespace windrow::vegetation::fur {
 namespace {
 
 constexpr std::uint32_t k_group = 64;
-constexpr std::size_t k_most_drawn = 1'000'000'000; // triangles a frame: beyond it a device looks hung
+constexpr std::size_t k_max_drawn = 1'000'000'000; // triangles a frame: beyond it a device looks hung
 
 glm::vec3 turned(const windrow::Pose& pose, glm::vec3 v) {
     const glm::dquat turn = glm::normalize(glm::dquat(pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z));
@@ -38,10 +38,10 @@ Result<std::unique_ptr<Coat>> Coat::create(engine::Device& device, const render:
     const std::size_t triangles = mesh.indices.size() / 3;
     const auto layers =
         static_cast<std::size_t>(settings.bare ? 1 : std::max(settings.layers.shells, settings.levels.shadow_shells));
-    if (triangles * layers > k_most_drawn)
+    if (triangles * layers > k_max_drawn)
         return Error{"coat.layers.shells is " + std::to_string(settings.layers.shells) + " over " + std::to_string(triangles) +
                      " triangles, " + std::to_string(triangles * layers) +
-                     " to draw; give fewer layers or a mesh of fewer: at most " + std::to_string(k_most_drawn) + "."};
+                     " to draw; give fewer layers or a mesh of fewer: at most " + std::to_string(k_max_drawn) + "."};
     const std::uint64_t reach = device.limits().maxStorageBufferRange;
     if (2 * sizeof(CoatSkinBlock) * mesh.vertices.size() > reach)
         return Error{"coat.mesh has " + std::to_string(mesh.vertices.size()) + " vertices; this device takes " +

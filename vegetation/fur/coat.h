@@ -41,7 +41,7 @@ struct CoatAhead {
 
 class Coat final : public render::Drawable {
   public:
-    /// `parts` of the mesh are drawn, all of it if there are none. Refuses what `validate` refuses of settings, mesh, pictures
+    /// `parts` of the mesh are drawn, all of it if there are none. Rejects what `validate` rejects of settings, mesh, pictures
     /// and body, and parts that are not the mesh's. `anchor` [m] is the renderer's.
     [[nodiscard]] static Result<std::unique_ptr<Coat>> create(engine::Device& device, const render::DrawTargets& targets,
                                                               const Mesh& mesh, std::span<const MeshPart> parts,
@@ -49,14 +49,14 @@ class Coat final : public render::Drawable {
                                                               const windrow::Pose& body, glm::dvec3 anchor);
 
     /// The body is at `body` now, `seconds` after the last call; 0: it was put there, and has no speed. `bones` are from the
-    /// mesh's space at rest to that of its pose, one each that the mesh's vertices name, or none. Refuses what is not finite;
+    /// mesh's space at rest to that of its pose, one each that the mesh's vertices name, or none. Rejects what is not finite;
     /// then nothing has changed. Without `ahead` the skin's speed is that of the way since the last frame: half a frame late.
     /// Tips lag behind a straight way from call to call: call it in several steps a frame where the way is curved.
     Result<void> move(double seconds, const windrow::Pose& body, std::span<const glm::mat4> bones = {},
                       const std::optional<CoatAhead>& ahead = {});
-    /// At most k_most_lamps; refuses what `validate` refuses.
+    /// At most k_max_lamps; rejects what `validate` rejects.
     Result<void> set_lamps(std::span<const Lamp> lamps);
-    /// Who presses strands aside, from the next frame on; at most k_most_feet. Refuses what `validate` refuses.
+    /// Who presses strands aside, from the next frame on; at most k_max_feet. Rejects what `validate` rejects.
     Result<void> set_feet(std::span<const Foot> feet);
     /// [s] of the animated cells; default 0. What is not finite counts as 0.
     void set_time(double seconds);

@@ -41,7 +41,7 @@ CoatBlock coat_block(const CoatSettings& settings, const Mesh& mesh, int samples
     CoatBlock made;
     made.shells = windrow::Shells::create(settings.layers)->block(); // was validated
     made.field = block(settings.strands);
-    made.levels.z = settings.wind_share;
+    made.levels.z = settings.wind_fraction;
     made.layers = {0, levels.outer_first ? 1 : 0, settings.mirrored ? 1 : 0, 0};
     made.form = form_of(settings);
     made.drawing = {levels.march, samples, static_cast<int>(settings.spots.size()), 0};
@@ -58,7 +58,7 @@ CoatBlock coat_block(const CoatSettings& settings, const Mesh& mesh, int samples
     made.extent = glm::vec4(1.0f / glm::max(mesh.high - mesh.low, glm::vec3(1e-6f)), settings.maps.noise_tiles);
     made.influence = {settings.maps.influence_a, settings.maps.influence_b, settings.foot_push, look.exact_normals ? 1.0f : 0.0f};
     made.cloud = cloud_block(settings, mesh, glm::dvec2(0.0), 0.0);
-    for (std::size_t n = 0; n < std::min(settings.spots.size(), k_most_spots); ++n) {
+    for (std::size_t n = 0; n < std::min(settings.spots.size(), k_max_spots); ++n) {
         const Spot& spot = settings.spots[n];
         made.spots[n] = {.from = glm::vec4(spot.from, spot.radius),
                          .to = glm::vec4(spot.to, spot.soft),

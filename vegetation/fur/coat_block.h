@@ -53,9 +53,9 @@ struct CoatBlock {
     glm::vec4 influence{0.0f}; ///< x, y of the noise pictures; z [rad] push of feet; w 1: exact normals
     CloudShellBlock cloud{};
     std::array<glm::ivec4, 4> pictures{}; ///< x first texel; y columns; z rows; w levels, 0: none
-    std::array<SpotBlock, k_most_spots> spots{};
-    std::array<LampBlock, k_most_lamps> lamps{};
-    std::array<FootBlock, k_most_feet> feet{}, feet_before{};
+    std::array<SpotBlock, k_max_spots> spots{};
+    std::array<LampBlock, k_max_lamps> lamps{};
+    std::array<FootBlock, k_max_feet> feet{}, feet_before{};
     glm::ivec4 ahead{0};  ///< x the pose of a moment later; y its first bone; z 1: there is one
     glm::vec4 gone{0.0f}; ///< xyz [m] in the world that the pattern has gone since the last frame; w 1 / [s] of that moment
 };

@@ -12,9 +12,9 @@ using windrow::Result;
 
 Result<void> judged(const CoatPicture& picture, const char* name) {
     const std::string field = std::string("pictures.") + name;
-    if (picture.columns < 0 || picture.rows < 0 || picture.columns > k_most_picture_side || picture.rows > k_most_picture_side)
+    if (picture.columns < 0 || picture.rows < 0 || picture.columns > k_max_picture_side || picture.rows > k_max_picture_side)
         return Error{field + " is " + std::to_string(picture.columns) + " x " + std::to_string(picture.rows) +
-                     " texels; give at most " + std::to_string(k_most_picture_side) + " a side."};
+                     " texels; give at most " + std::to_string(k_max_picture_side) + " a side."};
     const auto wanted = static_cast<std::size_t>(picture.columns) * static_cast<std::size_t>(picture.rows);
     if (picture.texels.size() != wanted)
         return Error{field + " has " + std::to_string(picture.texels.size()) + " texels; give columns times rows, " +

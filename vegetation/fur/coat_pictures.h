@@ -21,13 +21,13 @@ struct CoatPicture {
     std::vector<glm::vec4> texels{};
 };
 /// [texels] 16 million texels of 8 bytes each, and a third more for their levels
-inline constexpr int k_most_picture_side = 4096;
+inline constexpr int k_max_picture_side = 4096;
 
 struct CoatPictures {
     CoatPicture length{}, colour{}, noise_a{}, noise_b{};
 };
 
-/// Refuses pictures whose texels are not columns times rows, are too many or not finite.
+/// Rejects pictures whose texels are not columns times rows, are too many or not finite.
 [[nodiscard]] windrow::Result<void> validate(const CoatPictures& pictures);
 
 /// All levels of all pictures as texels of four halves, each level half as wide as the one before, by the mean of four.

@@ -21,13 +21,13 @@ void check_rules(Reasons& reasons, const FieldPath& path, const CoatMaps& maps) 
 
 windrow::Result<void> validate(std::span<const Lamp> lamps) {
     Reasons reasons;
-    windrow::detail::check_items(reasons, {nullptr, "lamps"}, lamps, {0.0, k_most_lamps});
+    windrow::detail::check_items(reasons, {nullptr, "lamps"}, lamps, {0.0, k_max_lamps});
     return reasons.outcome();
 }
 
 windrow::Result<void> validate(std::span<const Foot> feet) {
     Reasons reasons;
-    windrow::detail::check_items(reasons, {nullptr, "feet"}, feet, {0.0, k_most_feet});
+    windrow::detail::check_items(reasons, {nullptr, "feet"}, feet, {0.0, k_max_feet});
     return reasons.outcome();
 }
 
@@ -37,7 +37,7 @@ LayerCount layers_at(const CoatSettings& settings, float distance, float top) {
     const CoatLevels& levels = settings.levels;
     const auto all = static_cast<float>(settings.layers.shells);
     const float afar = all * levels.full_until / std::max(distance, levels.full_until);
-    const float n = std::clamp(afar, std::min(static_cast<float>(levels.least_shells), all), all);
+    const float n = std::clamp(afar, std::min(static_cast<float>(levels.min_shells), all), all);
     LayerCount made;
     made.layers = static_cast<int>(std::ceil(n - 1e-4f));
     made.divisor = settings.layers.reaches_tip || settings.mirrored ? std::max(n - 1.0f, 1.0f) : n;

@@ -64,7 +64,7 @@ struct Spot {
         };
     }
 };
-inline constexpr std::size_t k_most_spots = 24;
+inline constexpr std::size_t k_max_spots = 24;
 
 /// How a picture lies on a mesh.
 enum class Projection {
@@ -161,7 +161,7 @@ struct CoatLook {
 
 /// How many layers are drawn, and how.
 struct CoatLevels {
-    int least_shells = 8;
+    int min_shells = 8;
     float full_until = 4.0f;
     int march = 4;
     bool skip_empty = true;
@@ -173,7 +173,7 @@ struct CoatLevels {
 
     static constexpr auto settings() {
         return std::tuple{
-            Setting("least_shells", &CoatLevels::least_shells, {2.0, 4096.0}, "Afar; at most the coat's own are drawn."),
+            Setting("min_shells", &CoatLevels::min_shells, {2.0, 4096.0}, "Afar; at most the coat's own are drawn."),
             Setting("full_until", &CoatLevels::full_until, Range::above(0.0, 1e6, "m"),
                     "Distance up to which all shells are drawn; beyond, as 1 / distance."),
             Setting("march", &CoatLevels::march, {0.0, 16.0},
@@ -207,7 +207,7 @@ struct CoatSettings {
     windrow::ShellSettings layers{};
     bool translated = false;
     WindAt wind_at = WindAt::strand;
-    float wind_share = 1.0f;
+    float wind_fraction = 1.0f;
     float foot_push = 1.2f;
     bool mirrored = false;
     bool drifts = false;
@@ -232,7 +232,7 @@ struct CoatSettings {
             Setting("wind_at", &CoatSettings::wind_at,
                     "Where a strand feels the wind: once a vertex, at each shell's vertex, or at each pixel's root (meshes of a "
                     "few vertices)."),
-            Setting("wind_share", &CoatSettings::wind_share, {0.0, 100.0}, "Of the wind that it feels."),
+            Setting("wind_fraction", &CoatSettings::wind_fraction, {0.0, 100.0}, "Of the wind that it feels."),
             Setting("foot_push", &CoatSettings::foot_push, {0.0, 1.5707964, "rad"},
                     "Lean of the tip away from a foot, right beside its middle. Not where translated."),
             Setting("mirrored", &CoatSettings::mirrored,
@@ -248,7 +248,7 @@ struct CoatSettings {
                     "Heaps of cloud in place of strands, the layers' length high, on a level mesh; it is as large as the mesh. "
                     "Wants mirrored, and drifts to go with the air."),
             Setting("comb", &CoatSettings::comb, "How strands lie at rest."),
-            Setting("spots", &CoatSettings::spots, {0.0, k_most_spots},
+            Setting("spots", &CoatSettings::spots, {0.0, k_max_spots},
                     "Round brushes in the mesh's own space: inside, strands are shorter and coloured."),
             Setting("maps", &CoatSettings::maps, "Pictures of length and colour."),
             Setting("look", &CoatSettings::look, "Colours and light. Colours are linear."),
@@ -276,7 +276,7 @@ struct Lamp {
         };
     }
 };
-inline constexpr std::size_t k_most_lamps = 8;
+inline constexpr std::size_t k_max_lamps = 8;
 
 [[nodiscard]] windrow::Result<void> validate(std::span<const Lamp> lamps);
 
@@ -295,7 +295,7 @@ struct Foot {
         };
     }
 };
-inline constexpr std::size_t k_most_feet = 8;
+inline constexpr std::size_t k_max_feet = 8;
 
 [[nodiscard]] windrow::Result<void> validate(std::span<const Foot> feet);
 

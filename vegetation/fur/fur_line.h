@@ -3,7 +3,7 @@
 //     newmtl coat
 //     fur 48 0.419 2.753 11
 //
-// Based on: Curoe 2024, Shell-textured worlds: the line that his model format adds to the mtl, here with limits and refusals.
+// Based on: Curoe 2024, Shell-textured worlds: the line that his model format adds to the mtl, here with limits and rejections.
 #pragma once
 
 #include "fluid/result.h"
@@ -36,7 +36,7 @@ struct FurLine {
     bool operator==(const FurLine&) const = default;
 };
 
-/// The coats of an mtl text by material; materials without the line are not in it. Refuses, with `name` and the line's number:
+/// The coats of an mtl text by material; materials without the line are not in it. Rejects, with `name` and the line's number:
 /// a line with other than four numbers, numbers out of range, a second coat of one material, a coat before any newmtl.
 [[nodiscard]] windrow::Result<std::map<std::string, FurLine>> read_fur_lines(std::string_view mtl, const std::string& name);
 

@@ -48,29 +48,29 @@ std::string fault_of_parts(const Mesh& mesh) {
 } // namespace
 
 Result<void> validate(const Mesh& mesh, const char* owner) {
-    const auto refuse = [&](const auto&... words) { return windrow::Error{message(owner, words...)}; };
-    if (mesh.vertices.size() < 3 || mesh.vertices.size() > k_most_vertices)
-        return refuse(".vertices has ", mesh.vertices.size(), " entries: give 3 to ", k_most_vertices, ".");
-    if (mesh.indices.empty() || mesh.indices.size() % 3 != 0 || mesh.triangles() > k_most_triangles)
-        return refuse(".indices has ", mesh.indices.size(), " entries: give three a triangle, 1 to ", k_most_triangles,
+    const auto reject = [&](const auto&... words) { return windrow::Error{message(owner, words...)}; };
+    if (mesh.vertices.size() < 3 || mesh.vertices.size() > k_max_vertices)
+        return reject(".vertices has ", mesh.vertices.size(), " entries: give 3 to ", k_max_vertices, ".");
+    if (mesh.indices.empty() || mesh.indices.size() % 3 != 0 || mesh.triangles() > k_max_triangles)
+        return reject(".indices has ", mesh.indices.size(), " entries: give three a triangle, 1 to ", k_max_triangles,
                       " triangles.");
-    if (mesh.parts.empty() || mesh.parts.size() > k_most_parts)
-        return refuse(".parts has ", mesh.parts.size(), " entries: give 1 to ", k_most_parts, ".");
+    if (mesh.parts.empty() || mesh.parts.size() > k_max_parts)
+        return reject(".parts has ", mesh.parts.size(), " entries: give 1 to ", k_max_parts, ".");
     for (std::size_t i = 0; i < mesh.indices.size(); ++i)
         if (mesh.indices[i] >= mesh.vertices.size())
-            return refuse(".indices[", i, "] is ", mesh.indices[i], ": give 0 to ", mesh.vertices.size() - 1, ".");
+            return reject(".indices[", i, "] is ", mesh.indices[i], ": give 0 to ", mesh.vertices.size() - 1, ".");
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
         if (const std::string fault = fault_of(mesh.vertices[i]); !fault.empty())
-            return refuse(".vertices[", i, "]", fault);
+            return reject(".vertices[", i, "]", fault);
     if (const std::string fault = fault_of_parts(mesh); !fault.empty())
-        return refuse(fault);
+        return reject(fault);
     glm::vec3 low = mesh.vertices.front().position, high = low;
     for (const MeshVertex& vertex : mesh.vertices) {
         low = glm::min(low, vertex.position);
         high = glm::max(high, vertex.position);
     }
     if (low != mesh.low || high != mesh.high)
-        return refuse(".low and .high are ", mesh.low, " and ", mesh.high, ": give the box of the positions, ", low, " and ",
+        return reject(".low and .high are ", mesh.low, " and ", mesh.high, ": give the box of the positions, ", low, " and ",
                       high, ".");
     return {};
 }

@@ -49,11 +49,11 @@ struct Mesh {
 };
 
 /// More than a coat can be drawn on; a shell draws each again.
-inline constexpr std::size_t k_most_vertices = 2'000'000, k_most_triangles = 4'000'000, k_most_parts = 4096;
+inline constexpr std::size_t k_max_vertices = 2'000'000, k_max_triangles = 4'000'000, k_max_parts = 4096;
 /// [m] No coordinate is farther from the origin.
 inline constexpr float k_farthest = 1e5f;
 
-/// Refuses indices without a vertex, parts that are not the list of triangles, what is not finite, normals whose length is not 1
+/// Rejects indices without a vertex, parts that are not the list of triangles, what is not finite, normals whose length is not 1
 /// within 1e-3, weights that do not sum to 1 within 1e-4 (or are not all 0), a box that is not the positions', and absurd counts.
 [[nodiscard]] Result<void> validate(const Mesh& mesh, const char* owner = "mesh");
 

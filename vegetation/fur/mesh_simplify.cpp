@@ -3,7 +3,7 @@
 // The error of a vertex moved to p is the sum of its planes' squared distances times their triangles' areas, p^T Q p with
 // homogeneous p; a collapse keeps one end of its edge where it is, so that all vertices are the file's own, and gives it both
 // quadrics. Vertices on borders, on seams of the uv and between parts stay, but others may collapse onto them. A collapse is
-// refused that would turn a triangle by more than 75 degrees, or pinch the surface.
+// rejected that would turn a triangle by more than 75 degrees, or pinch the surface.
 // Based on: Garland & Heckbert 1997, Surface simplification using quadric error metrics, sections 4 and 5; Dey et al. 1999,
 // Topology preserving edge contraction (the link condition).
 #include "vegetation/fur/mesh.h"
@@ -44,7 +44,7 @@ struct Quadric {
 
 // Triangles looked at around points. A usual mesh takes 40 a triangle, one with a fan of 4096 triangles 220. A point with tens of
 // thousands would take the square of their number, so the collapses end when this work is done.
-constexpr std::size_t k_least_work = 12'000'000, k_work_a_triangle = 100;
+constexpr std::size_t k_min_work = 12'000'000, k_work_a_triangle = 100;
 
 struct Collapse {
     double cost;
@@ -80,8 +80,8 @@ class Simplifier {
     }
 
     void run(std::size_t most) {
-        const std::size_t most_work = k_least_work + k_work_a_triangle * left_;
-        while (left_ > most && !queue_.empty() && work_ < most_work) {
+        const std::size_t max_work = k_min_work + k_work_a_triangle * left_;
+        while (left_ > most && !queue_.empty() && work_ < max_work) {
             std::pop_heap(queue_.begin(), queue_.end(), std::greater<>());
             const Collapse next = queue_.back();
             queue_.pop_back();

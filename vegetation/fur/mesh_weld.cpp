@@ -94,8 +94,8 @@ Result<Mesh> weld(const Soup& soup, const std::string& owner) {
                     numbers.try_emplace(key_of(corner.position, uv), static_cast<std::uint32_t>(mesh.vertices.size()));
                 if (is_new)
                     mesh.vertices.push_back({.position = corner.position, .normal = glm::vec3(0.0f), .uv = uv});
-                if (mesh.vertices.size() > k_most_vertices)
-                    return windrow::Error{message(owner, "has more than ", k_most_vertices, " vertices: give fewer.")};
+                if (mesh.vertices.size() > k_max_vertices)
+                    return windrow::Error{message(owner, "has more than ", k_max_vertices, " vertices: give fewer.")};
                 if (has_normals)
                     mesh.vertices[known->second].normal +=
                         corner.normal / length *

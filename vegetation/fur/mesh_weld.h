@@ -30,8 +30,8 @@ using Soup = std::vector<SoupPart>;
 [[nodiscard]] std::vector<std::uint32_t> same_positions(const std::vector<MeshVertex>& vertices);
 
 /// Triangles without area (a sine of 1e-6 between their edges) are left out. A vertex's normal is the sum of the file's normals
-/// at it, times angles: not of length 1 yet, and 0 where the file has none; smooth_normals ends it. Refuses what is not finite,
-/// normals of the file of length 0 beside others, more vertices than k_most_vertices, and what has no triangle left.
+/// at it, times angles: not of length 1 yet, and 0 where the file has none; smooth_normals ends it. Rejects what is not finite,
+/// normals of the file of length 0 beside others, more vertices than k_max_vertices, and what has no triangle left.
 [[nodiscard]] Result<Mesh> weld(const Soup& soup, const std::string& owner);
 
 /// Sets all normals to unit vectors: of the sums that the vertices hold, or, where a position's sum is 0, of its triangles. A

@@ -44,8 +44,8 @@ double angle_of(const Swing& swing, double seconds) {
 
 Result<void> validate(const Skeleton& skeleton) {
     windrow::detail::Reasons reasons;
-    windrow::detail::check_items(reasons, {nullptr, "skeleton.bones"}, std::span(skeleton.bones), {1.0, k_most_bones});
-    if (skeleton.bones.size() <= k_most_bones)
+    windrow::detail::check_items(reasons, {nullptr, "skeleton.bones"}, std::span(skeleton.bones), {1.0, k_max_bones});
+    if (skeleton.bones.size() <= k_max_bones)
         for (std::size_t i = 0; i < skeleton.bones.size(); ++i)
             if (const int parent = skeleton.bones[i].parent; parent < -1 || parent >= static_cast<int>(i))
                 reasons.add("skeleton.bones[", i, "].parent is ", parent, ": give a bone before it, or -1.");

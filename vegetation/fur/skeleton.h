@@ -77,20 +77,20 @@ struct Skeleton {
     std::vector<Bone> bones; ///< 1 to 128, parents first
 };
 
-inline constexpr std::size_t k_most_bones = 128;
+inline constexpr std::size_t k_max_bones = 128;
 
-/// Refuses parents that do not come before (so circles too), what is not finite, and fields out of range.
+/// Rejects parents that do not come before (so circles too), what is not finite, and fields out of range.
 [[nodiscard]] Result<void> validate(const Skeleton& skeleton);
 
 /// Gives each vertex its four nearest bones. With d the distance to the bone's segment over its radius, the weight falls as
 /// 1 / d^4 beyond the flesh and is made 0 at the fifth bone, so that no vertex jumps where a neighbour has other bones; weights
-/// sum to 1 within 2^-22. Refuses what validate refuses.
+/// sum to 1 within 2^-22. Rejects what validate rejects.
 [[nodiscard]] Result<void> bind(Mesh& mesh, const Skeleton& skeleton);
 
 /// One rigid matrix a bone, for mesh positions [m]; any finite time. Of a valid skeleton.
 [[nodiscard]] std::vector<glm::mat4> pose(const Skeleton& skeleton, double seconds);
 
-/// One entry a vertex. Vertices without weights stay where they are. Refuses spans of other sizes, and bones without a matrix.
+/// One entry a vertex. Vertices without weights stay where they are. Rejects spans of other sizes, and bones without a matrix.
 [[nodiscard]] Result<void> skin(const Mesh& mesh, std::span<const glm::mat4> matrices, std::span<glm::vec3> positions,
                                 std::span<glm::vec3> normals);
 

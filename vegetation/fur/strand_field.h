@@ -106,7 +106,7 @@ using StrandFieldBlock = numerics::WindrowStrandField;
 static_assert(sizeof(StrandFieldBlock) == 6 * 16);
 using StrandHit = numerics::WindrowStrandHit;
 
-/// Refuses what is out of range, and bows and shapes that reach beyond the cells that are searched; every reason.
+/// Rejects what is out of range, and bows and shapes that reach beyond the cells that are searched; every reason.
 [[nodiscard]] windrow::Result<void> validate(const StrandFieldSettings& settings);
 void check_rules(windrow::detail::Reasons& reasons, const windrow::detail::FieldPath& path, const StrandFieldSettings& settings);
 

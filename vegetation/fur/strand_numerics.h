@@ -11,10 +11,10 @@
 namespace windrow::vegetation::fur::numerics {
 using namespace glm;
 using render::numerics::windrow_half_lambert;
+using windrow::numerics::windrow_fraction;
 using windrow::numerics::windrow_mask_power;
 using windrow::numerics::windrow_plant_hash;
-using windrow::numerics::windrow_share;
-using windrow::numerics::windrow_sine_share;
+using windrow::numerics::windrow_sine_fraction;
 #include "vegetation/shaders/numerics/cloud_shells.glsl"
 #include "vegetation/shaders/numerics/strand_light.glsl"
 } // namespace windrow::vegetation::fur::numerics

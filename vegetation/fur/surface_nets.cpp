@@ -16,7 +16,7 @@ namespace {
 using windrow::detail::message;
 
 constexpr std::uint32_t k_none = ~0u;
-constexpr int k_most_cells = 512;
+constexpr int k_max_cells = 512;
 
 class Net {
   public:
@@ -144,9 +144,9 @@ Result<Mesh> surface_nets(const Flesh& flesh, const glm::vec3& low, const glm::v
     glm::ivec3 cells(0);
     for (int axis = 0; axis < 3; ++axis) {
         const double count = std::ceil(static_cast<double>(high[axis] - low[axis]) / static_cast<double>(cell));
-        if (!(count >= 2.0 && count <= k_most_cells))
-            return windrow::Error{message("surface_nets.cell is ", cell, " m: give one that cuts the box into 2 to ",
-                                          k_most_cells, " along each edge.")};
+        if (!(count >= 2.0 && count <= k_max_cells))
+            return windrow::Error{message("surface_nets.cell is ", cell, " m: give one that cuts the box into 2 to ", k_max_cells,
+                                          " along each edge.")};
         cells[axis] = static_cast<int>(count);
     }
     Net net(flesh, low, cells, static_cast<double>(cell));

@@ -11,7 +11,7 @@
 namespace windrow::vegetation::fur {
 
 /// Of cells of `cell` metres; without uv, of the material `material`. The body must lie within `low` to `high` [m]; the box must
-/// have at most 512 cells along an edge. Refuses a body that touches the box or is nowhere, boxes of other sizes, and a skin that
+/// have at most 512 cells along an edge. Rejects a body that touches the box or is nowhere, boxes of other sizes, and a skin that
 /// is not closed, since two parts of it cross one cell.
 [[nodiscard]] Result<Mesh> surface_nets(const Flesh& flesh, const glm::vec3& low, const glm::vec3& high, float cell,
                                         const char* material);

@@ -23,15 +23,15 @@ float blade_reach(const GrassSettings& settings) {
     const float longest = 1.004f * settings.blade.stalk.length * (1.0f + settings.blade.length_spread);
     // Where blades thin out, those that are left are wider.
     const glm::vec4 thin(settings.thin_from, settings.thin_power, settings.thin_widen, 0.0f);
-    const float share = windrow::numerics::windrow_grass_share(thin, settings.cut_distance);
+    const float share = windrow::numerics::windrow_grass_fraction(thin, settings.cut_distance);
     const float width = settings.blade.width * windrow::numerics::windrow_grass_wider(thin, share);
-    return longest + 0.5f * std::max(width, settings.least_width * settings.cut_distance);
+    return longest + 0.5f * std::max(width, settings.min_width * settings.cut_distance);
 }
 
 Block block_of(const GrassSettings& settings, const HeightMap& heights, const PlacementMask& mask) {
     Block block{};
     block.corner.w = blade_reach(settings);
-    block.eye.w = settings.least_width;
+    block.eye.w = settings.min_width;
     block.reach = {settings.morph_from * settings.split_distance, settings.split_distance,
                    settings.fade_from * settings.cut_distance, settings.cut_distance};
     block.ground = {settings.density, settings.jitter, std::min(settings.shadow_distance, settings.cut_distance), 0.0f};

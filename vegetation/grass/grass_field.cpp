@@ -16,8 +16,8 @@ namespace windrow::vegetation::grass {
 namespace {
 
 // A cell's number leaves 4 bits for the stream (vegetation/shaders/numerics/grass.glsl).
-constexpr double k_most_cells = 268435456.0;
-constexpr double k_most_chunks = 4194304.0; // 45 MB of quadtree
+constexpr double k_max_cells = 268435456.0;
+constexpr double k_max_chunks = 4194304.0; // 45 MB of quadtree
 
 } // namespace
 
@@ -28,7 +28,7 @@ GrassField::~GrassField() = default;
 
 GrassField::State::State(engine::Device& device, HeightMap ground, PlacementMask grows, const GrassSettings& wanted)
     : settings(wanted), heights(std::move(ground)), mask(std::move(grows)), tree(heights, mask, settings, blade_reach(settings)),
-      cache(tree.chunks(), settings.most_chunks), block(block_of(settings, heights, mask)), objects(device),
+      cache(tree.chunks(), settings.max_chunks), block(block_of(settings, heights, mask)), objects(device),
       mask_rows(0, mask.grid().corners.y - 1) {}
 
 windrow::Result<GrassField> GrassField::create(engine::Device& device, const HeightMap& heights, const PlacementMask& mask,
@@ -41,7 +41,7 @@ windrow::Result<GrassField> GrassField::create(engine::Device& device, const Hei
                     " m x ", heights.extent().y, " m: give the mask heights.extent().");
     const glm::dvec2 cells = glm::dvec2(heights.extent()) * static_cast<double>(settings.density);
     const glm::dvec2 chunks = glm::ceil(cells / static_cast<double>(std::max(settings.chunk_cells, 1)));
-    if (cells.x >= k_most_cells || cells.y >= k_most_cells || chunks.x * chunks.y > k_most_chunks)
+    if (cells.x >= k_max_cells || cells.y >= k_max_cells || chunks.x * chunks.y > k_max_chunks)
         reasons.add("The field has ", cells.x, " x ", cells.y, " blade places in ", chunks.x * chunks.y,
                     " chunks: give fewer than 2^28 along an axis and at most 2^22 chunks, by a lower grass.density, a larger "
                     "grass.chunk_cells or less ground.");
@@ -55,7 +55,7 @@ windrow::Result<GrassField> GrassField::create(engine::Device& device, const Hei
 }
 
 void GrassField::State::make() {
-    const auto slots = static_cast<VkDeviceSize>(settings.most_chunks);
+    const auto slots = static_cast<VkDeviceSize>(settings.max_chunks);
     const VkDeviceSize places = slots * static_cast<VkDeviceSize>(settings.chunk_cells * settings.chunk_cells);
     constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
     constexpr VkBufferUsageFlags filled = VK_BUFFER_USAGE_TRANSFER_DST_BIT, counted = VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
@@ -76,7 +76,7 @@ void GrassField::State::make() {
     constexpr VkShaderStageFlags computes = VK_SHADER_STAGE_COMPUTE_BIT, draws_too = computes | VK_SHADER_STAGE_VERTEX_BIT;
     std::vector<engine::Binding> of_passes, of_draws;
     for (const auto& each : wanted) {
-        *each.buffer = objects.storage(each.name, "lower grass.most_chunks, or give fewer corners", each.bytes, each.usage);
+        *each.buffer = objects.storage(each.name, "lower grass.max_chunks, or give fewer corners", each.bytes, each.usage);
         const VkDescriptorType type =
             each.buffer == &frame ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
         of_passes.push_back({type, computes});

@@ -46,24 +46,24 @@ struct GrassReport {
     int colour_chunks = 0; ///< drawn for the camera
     int shadow_chunks = 0; ///< and for the shadow
     int made_chunks = 0;   ///< that had no blades yet
-    int left_out = 0;      ///< asked for beyond GrassSettings::most_chunks: the farthest
+    int left_out = 0;      ///< asked for beyond GrassSettings::max_chunks: the farthest
     int first_order = 0;   ///< where the chunks that are drawn stand in the orders (vegetation/shaders/grass/field.glsl)
     int orders = 0;        ///< and how many
 };
 
 class GrassField {
   public:
-    /// Makes buffers and pipelines. Refuses what `validate` refuses, a mask of another extent than the heights', and a device
+    /// Makes buffers and pipelines. Rejects what `validate` rejects, a mask of another extent than the heights', and a device
     /// that lacks memory, each with the reason. Copies heights and mask. The device outlives the field.
     [[nodiscard]] static windrow::Result<GrassField> create(engine::Device& device, const HeightMap& heights,
                                                             const PlacementMask& mask, const GrassSettings& settings);
 
-    /// [m] Where the first corner of the heights lies in the world. Default: the origin. Refuses what is not finite.
+    /// [m] Where the first corner of the heights lies in the world. Default: the origin. Rejects what is not finite.
     windrow::Result<void> place(const glm::dvec3& corner);
     /// A changed mask, of the same corners and extent: chunks in what was touched are made again.
     windrow::Result<void> repaint(const PlacementMask& mask, const Touched& touched);
 
-    /// Records what the draws of this frame need, outside of a render pass. Refuses a camera that is not finite; nothing is
+    /// Records what the draws of this frame need, outside of a render pass. Rejects a camera that is not finite; nothing is
     /// recorded then.
     windrow::Result<GrassReport> record_cull(VkCommandBuffer commands, const GrassCamera& camera);
     /// Within a render pass, after `record_cull` in the same queue, with a pipeline bound: binds the set and draws a view.

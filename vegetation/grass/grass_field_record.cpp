@@ -77,7 +77,7 @@ GrassReport GrassField::State::choose(const GrassCamera& camera) {
     made_orders.clear();
     cull_orders.clear();
     // Those that have a slot keep it, unless there are too few: then the nearest come first.
-    if (seen.size() + shaded.size() <= static_cast<std::size_t>(settings.most_chunks))
+    if (seen.size() + shaded.size() <= static_cast<std::size_t>(settings.max_chunks))
         for (const auto* chunks : {&seen, &shaded})
             for (const Chunk chunk : *chunks)
                 if (cache.slot_of(chunk) >= 0)

@@ -26,7 +26,7 @@ struct GrassSettings {
     float morph_from = 0.6f;
     float fade_from = 0.75f;
     float shadow_distance = 40.0f;
-    float least_width = 0.0007f;
+    float min_width = 0.0007f;
     float thin_from = 10.0f;
     float thin_power = 0.0f;
     float thin_widen = 1.0f;
@@ -36,7 +36,7 @@ struct GrassSettings {
     float clump_fan = 0.0f;
     float patch_size = 6.0f;
     float patch_height = 0.0f;
-    int most_chunks = 160;
+    int max_chunks = 160;
     Culling culling = Culling::blades;
 
     static constexpr auto settings() {
@@ -62,7 +62,7 @@ struct GrassSettings {
                     "Fraction of cut_distance at which blades begin to shrink into the ground."),
             Setting("shadow_distance", &GrassSettings::shadow_distance, {0.0, 1e4, "m", "none do"},
                     "As far as blades cast shadows; no more than cut_distance counts."),
-            Setting("least_width", &GrassSettings::least_width, {0.0, 0.01, "rad"},
+            Setting("min_width", &GrassSettings::min_width, {0.0, 0.01, "rad"},
                     "Least width at which a blade is drawn. 0.0007 is about a pixel at 1080p; thinner ones flicker."),
             Setting("thin_from", &GrassSettings::thin_from, {0.1, 1e4, "m"},
                     "From here on fewer blades are drawn, each wider for it."),
@@ -82,7 +82,7 @@ struct GrassSettings {
                     "How much blades face outward from their clump's middle: a tuft that opens."),
             Setting("patch_size", &GrassSettings::patch_size, {0.1, 1000.0, "m"}, "Size of patches that grow lower."),
             Setting("patch_height", &GrassSettings::patch_height, {0.0, 0.9}, "Fraction by which the lowest patches are lower."),
-            Setting("most_chunks", &GrassSettings::most_chunks, {1.0, 32767.0},
+            Setting("max_chunks", &GrassSettings::max_chunks, {1.0, 32767.0},
                     "Chunks that have memory at once. 160 are a view of 90 degrees to 90 m and its shadows; where a view needs "
                     "more, the farthest are left out and counted (GrassReport::left_out)."),
             Setting("culling", &GrassSettings::culling,

@@ -11,13 +11,13 @@ namespace {
 
 using windrow::detail::message;
 
-constexpr int k_most_corners = 16384; // 1 GiB of heights
-constexpr float k_highest = 1e5f;     // [m] beyond it, a float of a height is coarser than a blade is long
+constexpr int k_max_corners = 16384; // 1 GiB of heights
+constexpr float k_highest = 1e5f;    // [m] beyond it, a float of a height is coarser than a blade is long
 
 windrow::Result<void> check_grid(glm::ivec2 corners, float spacing) {
     windrow::detail::Reasons reasons;
     const windrow::detail::FieldPath map{nullptr, "heightmap"};
-    windrow::detail::check_value(reasons, {&map, "corners"}, corners, {2.0, k_most_corners});
+    windrow::detail::check_value(reasons, {&map, "corners"}, corners, {2.0, k_max_corners});
     windrow::detail::check_value(reasons, {&map, "spacing"}, spacing, {1e-3, 1e3, "m"});
     return reasons.outcome();
 }

@@ -20,7 +20,7 @@ namespace windrow::vegetation::grass {
 
 class HeightMap {
   public:
-    /// `heights` [m] at the corners, x fastest: corners.x * corners.y of them, each within +-1e5. Refuses fewer than 2 corners or
+    /// `heights` [m] at the corners, x fastest: corners.x * corners.y of them, each within +-1e5. Rejects fewer than 2 corners or
     /// more than 16384 along an axis, a spacing [m] that is not 1e-3 to 1e3, another number of heights, and heights that are no
     /// numbers or larger.
     [[nodiscard]] static windrow::Result<HeightMap> create(glm::ivec2 corners, float spacing, std::vector<float> heights);

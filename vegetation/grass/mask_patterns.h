@@ -18,7 +18,7 @@ struct BarePatches {
 
     static constexpr auto settings() {
         return std::tuple{
-            Setting("bare", &BarePatches::share, {.least = 0.0, .most = 0.95, .zero = "no patches"},
+            Setting("bare", &BarePatches::share, {.min = 0.0, .max = 0.95, .zero = "no patches"},
                     "Fraction of the ground on which it does not grow, in patches by the seed of the layer: within 0.1 of it "
                     "over many patches. Plants grow lower at the rim of a patch."),
             Setting("bare_size", &BarePatches::size, {0.2, 1000.0, "m"},
@@ -42,7 +42,7 @@ struct FootPath {
     }
 };
 
-/// Both multiply the alpha that is there. They refuse values outside of the ranges above and touch nothing then.
+/// Both multiply the alpha that is there. They reject values outside of the ranges above and touch nothing then.
 windrow::Result<void> thin_out(PlacementMask& mask, const BarePatches& patches);
 windrow::Result<void> tread(PlacementMask& mask, const FootPath& path);
 

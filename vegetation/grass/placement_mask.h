@@ -49,20 +49,20 @@ struct Touched {
 
 class PlacementMask {
   public:
-    /// An even mask. Refuses fewer than 2 corners or more than 16384 along an axis, an extent [m] that is not 1e-3 to 1e6, and an
+    /// An even mask. Rejects fewer than 2 corners or more than 16384 along an axis, an extent [m] that is not 1e-3 to 1e6, and an
     /// alpha that is not 0 to 1. Default: nothing painted.
     [[nodiscard]] static windrow::Result<PlacementMask> create(glm::ivec2 corners, glm::vec2 extent, float alpha = 0.0f);
     /// From a binary PGM of 8 or 16 bits, first row at z = 0. Says why a file is none.
     [[nodiscard]] static windrow::Result<PlacementMask> load(const std::string& path, glm::vec2 extent);
-    /// The same from a file's bytes. `name` begins the sentence. Rejects more than `most_values` pixels before it takes memory.
+    /// The same from a file's bytes. `name` begins the sentence. Rejects more than `max_values` pixels before it takes memory.
     [[nodiscard]] static windrow::Result<PlacementMask> from_pgm(std::string_view bytes, glm::vec2 extent,
-                                                                 const std::string& name, std::size_t most_values);
+                                                                 const std::string& name, std::size_t max_values);
     /// [byte] Of a PGM's file: the largest mask of 16 bits, and its header.
-    static constexpr std::size_t k_most_pgm_bytes = (std::size_t{512} << 20) + 4096;
+    static constexpr std::size_t k_max_pgm_bytes = (std::size_t{512} << 20) + 4096;
     /// As a binary PGM of 16 bits, written beside its name and renamed.
     [[nodiscard]] windrow::Result<void> save(const std::string& path) const;
 
-    /// Adds alpha up to 1, or takes it down to 0. Refuses brushes outside of the ranges above and touches nothing then.
+    /// Adds alpha up to 1, or takes it down to 0. Rejects brushes outside of the ranges above and touches nothing then.
     windrow::Result<Touched> paint(const Brush& brush);
     windrow::Result<Touched> erase(const Brush& brush);
     /// Each corner's alpha by a function of its place [m] and its alpha; results are held within 0 to 1, NaN as 0.

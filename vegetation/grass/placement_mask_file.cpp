@@ -24,14 +24,14 @@ windrow::Result<void> PlacementMask::save(const std::string& path) const {
 
 windrow::Result<PlacementMask> PlacementMask::load(const std::string& path, glm::vec2 extent) {
     windrow::detail::InputBudget budget;
-    const auto bytes = windrow::detail::read_input(path, {.most_bytes = k_most_pgm_bytes}, budget);
+    const auto bytes = windrow::detail::read_input(path, {.max_bytes = k_max_pgm_bytes}, budget);
     if (!bytes)
         return windrow::Error{bytes.error()};
     return from_pgm(*bytes, extent, path, std::numeric_limits<std::size_t>::max());
 }
 
 windrow::Result<PlacementMask> PlacementMask::from_pgm(std::string_view bytes, glm::vec2 extent, const std::string& name,
-                                                       std::size_t most_values) {
+                                                       std::size_t max_values) {
     const windrow::Error no_image{name + " is no binary PGM of up to 65535 levels: save the image as PGM (P5)."};
     std::istringstream header(std::string(bytes.substr(0, 256)));
     std::string kind;
@@ -56,9 +56,9 @@ windrow::Result<PlacementMask> PlacementMask::from_pgm(std::string_view bytes, g
     if (bytes.size() < begin + width * pixels(0) * pixels(1))
         return windrow::Error{name + " ends early: it has " + std::to_string(bytes.size()) + " bytes of " +
                               std::to_string(begin + width * pixels(0) * pixels(1)) + "; save it again."};
-    if (pixels(0) * pixels(1) > most_values)
+    if (pixels(0) * pixels(1) > max_values)
         return windrow::Error{name + " has " + std::to_string(numbers[0]) + " x " + std::to_string(numbers[1]) +
-                              " pixels: give at most " + std::to_string(most_values) + " in all."};
+                              " pixels: give at most " + std::to_string(max_values) + " in all."};
     auto mask = create({numbers[0], numbers[1]}, extent);
     if (!mask)
         return windrow::Error{name + ": " + mask.error()};

@@ -131,7 +131,7 @@ struct BodySkeleton {
             Setting("pace", &BodySkeleton::pace, {0.0, 10.0},
                     "How fast they move: 1 as they are made, 0 stands in the first pose."),
             Setting("phase", &BodySkeleton::phase, {0.0, 1e3, "s"}, "By which the motion is ahead."),
-            Setting("bones", &BodySkeleton::bones, {0.0, fur::k_most_bones}, "The scene's own, parents first."),
+            Setting("bones", &BodySkeleton::bones, {0.0, fur::k_max_bones}, "The scene's own, parents first."),
         };
     }
 };

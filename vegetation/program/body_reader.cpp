@@ -13,7 +13,7 @@ void read_bone(JsonObject object, fur::Bone& bone, std::span<const fur::Bone> be
         if (before[n].name == parent)
             bone.parent = static_cast<int>(n);
     if (bone.parent < 0 && !parent.empty())
-        object.refuse("parent", "is \"" + parent + "\", and no bone before it has that name: list parents first.");
+        object.reject("parent", "is \"" + parent + "\", and no bone before it has that name: list parents first.");
     object.finish();
 }
 
@@ -31,7 +31,7 @@ void read_part(JsonObject object, MeshSource& mesh, Surroundings& around) {
     read_parts(object, mesh, around, [&](const auto& row, auto& member) {
         if constexpr (std::same_as<decltype(member), std::string&>)
             if (!read_file(object, {row.name, row.meaning}, member, around) && !object.value().contains(row.name))
-                object.refuse(row.name, "is missing: name a mesh in the scene's folder, OBJ, glTF, GLB or 3DS.");
+                object.reject(row.name, "is missing: name a mesh in the scene's folder, OBJ, glTF, GLB or 3DS.");
         return std::same_as<decltype(member), std::string&>;
     });
     object.finish();
@@ -55,9 +55,9 @@ void read_part(JsonObject object, BodySkeleton& skeleton, Surroundings& around) 
         return;
     const bool own = skeleton.kind == SkeletonKind::own;
     if (own && skeleton.bones.empty())
-        object.refuse("bones", "has none, and \"kind\" is \"own\": list them, parents first, or name another kind.");
+        object.reject("bones", "has none, and \"kind\" is \"own\": list them, parents first, or name another kind.");
     else if (!own && !skeleton.bones.empty())
-        object.refuse("bones", "is given beside a \"kind\" that has its own: give \"own\", or remove them.");
+        object.reject("bones", "is given beside a \"kind\" that has its own: give \"own\", or remove them.");
 }
 
 void read_part(JsonObject object, windrow::ShellSettings& layers, Surroundings& around) {

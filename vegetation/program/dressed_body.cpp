@@ -171,7 +171,7 @@ Result<void> DressedBodies::move(const Dressed& dressed, double time, double sec
 std::vector<fur::Foot> feet_of(const PictureScene& scene, double time) {
     std::vector<fur::Foot> feet;
     for (const Walker& walker : scene.picture.walkers) {
-        if (feet.size() == fur::k_most_feet)
+        if (feet.size() == fur::k_max_feet)
             break;
         const windrow::GroundWalker now = walker_at(scene, walker, time, time);
         const double floor = scene.picture.ground.height(now.position.x, now.position.z);

@@ -20,23 +20,23 @@ struct BodyModel {
     fur::Mesh mesh{};
     std::optional<fur::Skeleton> skeleton{};
 };
-/// Refuses what the mesh's reader refuses, and bones that do not hang together. The mesh's file takes its part of `budget`.
+/// Rejects what the mesh's reader rejects, and bones that do not hang together. The mesh's file takes its part of `budget`.
 [[nodiscard]] windrow::Result<BodyModel> model_of(const PictureScene& scene, const Body& body,
                                                   windrow::detail::InputBudget& budget);
 
-/// Those parts of the mesh that a coat is for; all where it names no material. Refuses a material that the mesh has not.
+/// Those parts of the mesh that a coat is for; all where it names no material. Rejects a material that the mesh has not.
 [[nodiscard]] windrow::Result<std::vector<fur::MeshPart>> parts_of(const fur::Mesh& mesh, const BodyCoat& coat);
 
 /// [m] By which the mean wind at a body has carried a pattern until a time [s], along x and z: their product, so that it is as
 /// exact at any time as the wind itself, a float (6e-8 of the way). Gusts are left out: over time they carry nothing.
 [[nodiscard]] glm::dvec2 drift_of(const PictureScene& scene, const Body& body, double time);
 
-/// The feet of the first fur::k_most_feet walkers, on the ground or as high above it as they jump.
+/// The feet of the first fur::k_max_feet walkers, on the ground or as high above it as they jump.
 [[nodiscard]] std::vector<fur::Foot> feet_of(const PictureScene& scene, double time);
 
 class DressedBodies {
   public:
-    /// All bodies where they are at time 0. Refuses what any part refuses, with the body's name. The scene outlives it.
+    /// All bodies where they are at time 0. Rejects what any part rejects, with the body's name. The scene outlives it.
     [[nodiscard]] static windrow::Result<DressedBodies> create(engine::Device& device, const render::DrawTargets& targets,
                                                                const PictureScene& scene, glm::dvec3 anchor);
 

@@ -50,8 +50,8 @@ windrow::Result<grass::PlacementMask> make_mask(const MaskSource& source, const 
 
 windrow::Result<grass::PlacementMask> read_pgm(const std::filesystem::path& file, const Surroundings& around, glm::vec2 extent,
                                                windrow::detail::InputBudget& budget) {
-    const auto bytes = windrow::detail::read_input(
-        file, {.folder = around.folder, .most_bytes = grass::PlacementMask::k_most_pgm_bytes}, budget);
+    const auto bytes =
+        windrow::detail::read_input(file, {.folder = around.folder, .max_bytes = grass::PlacementMask::k_max_pgm_bytes}, budget);
     if (!bytes)
         return windrow::Error{bytes.error()};
     auto mask = grass::PlacementMask::from_pgm(*bytes, extent, file.string(), budget.memory_left() / sizeof(float));
@@ -79,9 +79,9 @@ void read_part(JsonObject object, MaskSource& source, Surroundings& around) {
     if (auto mask = make_mask(source, file ? &*file : nullptr, around, object.log().budget()))
         source.mask = *std::move(mask);
     else if (file)
-        object.refuse("file", "is " + windrow::scene::quote_json(object.value()["file"]) + ": " + mask.error());
+        object.reject("file", "is " + windrow::scene::quote_json(object.value()["file"]) + ": " + mask.error());
     else
-        object.refuse("cannot be made: " + mask.error());
+        object.reject("cannot be made: " + mask.error());
 }
 
 void read_part(JsonObject object, GrassSource& layer, Surroundings& around) {

@@ -11,7 +11,7 @@ namespace {
 
 using windrow::scene::figure;
 
-constexpr int k_most_samples = 4097; // a side: what a renderer draws as one piece
+constexpr int k_max_samples = 4097; // a side: what a renderer draws as one piece
 
 std::string metres(glm::dvec2 extent) {
     return std::string("[") + figure(extent.x) + ", " + figure(extent.y) + "] m";
@@ -19,7 +19,7 @@ std::string metres(glm::dvec2 extent) {
 
 /// Texels of a spacing that fits both sides, about a metre or a 500th of the ground. Nothing where no grid of square texels does.
 std::optional<glm::ivec2> level_texels(glm::dvec2 extent) {
-    const double most = k_most_samples - 1.0;
+    const double most = k_max_samples - 1.0;
     for (double x = 1.0; x <= most; ++x) {
         const double z = x * extent.y / extent.x;
         if (z > most)
@@ -50,18 +50,18 @@ std::optional<grass::HeightMap> from_file(JsonObject& object, const GroundSource
     // A mask's file is the same picture of 0 to 1.
     const auto picture = read_pgm(file, around, glm::vec2(ground.extent), object.log().budget());
     if (!picture) {
-        object.refuse("heights", named + ": " + picture.error());
+        object.reject("heights", named + ": " + picture.error());
         return std::nullopt;
     }
     const glm::ivec2 corners = picture->grid().corners;
-    if (std::max(corners.x, corners.y) > k_most_samples) {
-        object.refuse("heights", named + ", which has " + std::to_string(corners.x) + " x " + std::to_string(corners.y) +
-                                     " pixels: give at most " + std::to_string(k_most_samples) + " a side.");
+    if (std::max(corners.x, corners.y) > k_max_samples) {
+        object.reject("heights", named + ", which has " + std::to_string(corners.x) + " x " + std::to_string(corners.y) +
+                                     " pixels: give at most " + std::to_string(k_max_samples) + " a side.");
         return std::nullopt;
     }
     const double spacing = ground.extent.x / (corners.x - 1), wanted = spacing * (corners.y - 1);
     if (std::abs(ground.extent.y - wanted) > 1e-3 * spacing) {
-        object.refuse("extent", "is " + metres(ground.extent) + ", which makes the " + std::to_string(corners.x) + " x " +
+        object.reject("extent", "is " + metres(ground.extent) + ", which makes the " + std::to_string(corners.x) + " x " +
                                     std::to_string(corners.y) + " pixels of \"heights\" oblong: give " +
                                     metres({ground.extent.x, wanted}) + ", whose pixels are square.");
         return std::nullopt;
@@ -76,7 +76,7 @@ std::optional<grass::HeightMap> from_file(JsonObject& object, const GroundSource
     }
     auto made = grass::HeightMap::create(corners, static_cast<float>(spacing), std::move(heights));
     if (!made) {
-        object.refuse(made.error());
+        object.reject(made.error());
         return std::nullopt;
     }
     return *std::move(made);
@@ -93,11 +93,11 @@ void read_part(JsonObject object, GroundSource& ground, Surroundings& around) {
         return std::same_as<decltype(member), std::string&>;
     });
     if (file && !(ground.low < ground.high) && object.log().faults() == faults_before)
-        object.refuse("high", "is " + figure(ground.high) + " m, not above \"low\", " + figure(ground.low) + " m: give more.");
+        object.reject("high", "is " + figure(ground.high) + " m, not above \"low\", " + figure(ground.low) + " m: give more.");
     if (object.log().faults() == faults_before) {
         ground.heights = file ? from_file(object, ground, *file, around) : rolling(ground);
         if (!ground.heights && !file)
-            object.refuse("extent", "is " + metres(ground.extent) +
+            object.reject("extent", "is " + metres(ground.extent) +
                                         ", which no grid of square texels fits: give two lengths in a ratio of whole numbers.");
     }
     object.finish();

@@ -28,10 +28,10 @@ std::vector<std::string> path_names(const json& document) {
 
 /// What only the whole tells: each camera of the run, and how many pictures there are.
 void judge(const PictureScene& scene, JsonObject& picture) {
-    if (scene.frame_count() > windrow::scene::k_most_frames) {
-        picture.refuse("frames_per_second", "is " + figure(scene.frames_per_second()) + " 1/s, which makes " +
+    if (scene.frame_count() > windrow::scene::k_max_frames) {
+        picture.reject("frames_per_second", "is " + figure(scene.frames_per_second()) + " 1/s, which makes " +
                                                 std::to_string(scene.frame_count()) + " pictures: give at most " +
-                                                std::to_string(windrow::scene::k_most_frames) +
+                                                std::to_string(windrow::scene::k_max_frames) +
                                                 " of them, by a smaller one or a shorter $.duration.");
         return;
     }
@@ -44,7 +44,7 @@ void judge(const PictureScene& scene, JsonObject& picture) {
         JsonObject camera = picture.object("camera");
         check_read(camera, seen);
         if (moves)
-            camera.refuse("is so at " + figure(time) + " s, where its paths have led it: move one of them aside.");
+            camera.reject("is so at " + figure(time) + " s, where its paths have led it: move one of them aside.");
         return;
     }
 }
@@ -67,7 +67,7 @@ Picture read_picture(JsonObject& object, Surroundings& around) {
     });
     // A press that nothing remembers would not be seen at all.
     if (!picture.walkers.empty() && !object.value().contains("ground_memory"))
-        object.refuse("walkers", "is given, but no ground remembers them: add \"ground_memory\": {}, or remove it.");
+        object.reject("walkers", "is given, but no ground remembers them: add \"ground_memory\": {}, or remove it.");
     object.finish();
     return picture;
 }
@@ -130,7 +130,7 @@ void read_part(JsonObject object, Jump& jump, Surroundings&) {
     });
     object.finish();
     if (!(jump.from < jump.until) && object.log().faults() == faults_before)
-        object.refuse("until",
+        object.reject("until",
                       "is " + figure(jump.until) + " s, not after \"from\", " + figure(jump.from) + " s: give a later time.");
 }
 
@@ -147,12 +147,12 @@ void read_part(JsonObject object, Fan& fan, Surroundings&) {
     const std::size_t faults_before = object.log().faults();
     read_object(object, fan);
     if (object.log().faults() == faults_before && !(glm::length(glm::dvec2(fan.direction.x, fan.direction.z)) > 1e-3))
-        object.refuse("direction", "has no level part: give where it blows, as [1, 0, 0].");
+        object.reject("direction", "has no level part: give where it blows, as [1, 0, 0].");
 }
 
 windrow::Result<PictureScene> read_picture_scene(const std::filesystem::path& file) {
     windrow::detail::InputBudget budget;
-    const auto text = windrow::scene::read_text_file(file, {.most_bytes = windrow::scene::k_most_scene_bytes}, budget);
+    const auto text = windrow::scene::read_text_file(file, {.max_bytes = windrow::scene::k_max_scene_bytes}, budget);
     if (!text)
         return windrow::Error{text.error()};
     return read_text(*text, file, budget, nullptr);

@@ -238,7 +238,7 @@ struct StandSource {
 struct Picture {
     glm::ivec2 size{640, 360};
     std::optional<double> frames_per_second{};
-    double settle = 2.0;
+    double warm_up = 2.0;
     CameraSource camera{};
     render::Sun sun{};
     render::Fog fog{};
@@ -257,7 +257,7 @@ struct Picture {
         return std::tuple{
             Setting("size", &Picture::size, {16.0, 8192.0, "px"}, "Width and height."),
             Setting("frames_per_second", &Picture::frames_per_second, {0.001, 1e4, "1/s"}, "Pictures. Default: the scene's."),
-            Setting("settle", &Picture::settle, {0.0, 3600.0, "s"},
+            Setting("warm_up", &Picture::warm_up, {0.0, 3600.0, "s"},
                     "Of wind before the first picture, so that gusts have come in."),
             Setting("camera", &Picture::camera, "The eye."),
             Setting("sun", &Picture::sun, "The sun and the air that it shines through."),
@@ -273,7 +273,7 @@ struct Picture {
                     "A ground that remembers walkers and wind. Default: none; {} for its defaults."),
             Setting("bodies", &Picture::bodies, {0.0, 64.0},
                     "Things that stand or move and wear coats of shells: fur, feathers, grass, spikes, clouds."),
-            Setting("lamps", &Picture::lamps, {0.0, fur::k_most_lamps},
+            Setting("lamps", &Picture::lamps, {0.0, fur::k_max_lamps},
                     "Points of light beside the sun, which shine on coats and cast no shadow."),
             Setting("sampling", &Picture::sampling, "How plants read the wind."),
         };

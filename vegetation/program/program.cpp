@@ -30,7 +30,7 @@ namespace {
 using windrow::Error;
 using windrow::Result;
 
-constexpr std::size_t k_most_on_sheet = 24;
+constexpr std::size_t k_max_on_sheet = 24;
 
 struct Options {
     std::vector<std::filesystem::path> scenes{};
@@ -73,12 +73,12 @@ Result<Kept> draw(const Options& options, const program::PictureScene& scene, pr
         return Error{"--from is " + std::to_string(options.from) + " s, after the scene's end at " +
                      std::to_string(scene.air.duration) + " s; give an earlier moment."};
     const std::int64_t end = options.frames > 0 ? std::min(total, first + options.frames) : total;
-    if (auto settled = shoot.settle(); !settled)
+    if (auto settled = shoot.warm_up(); !settled)
         return Error{settled.error()};
     Kept kept;
     kept.stages = program::StageTable(shoot);
-    const std::int64_t every = std::max<std::int64_t>(1, (end - first + static_cast<std::int64_t>(k_most_on_sheet) - 1) /
-                                                             static_cast<std::int64_t>(k_most_on_sheet));
+    const std::int64_t every = std::max<std::int64_t>(1, (end - first + static_cast<std::int64_t>(k_max_on_sheet) - 1) /
+                                                             static_cast<std::int64_t>(k_max_on_sheet));
     const bool told = ::isatty(STDERR_FILENO) != 0;
     for (std::int64_t frame = 0; frame < end; ++frame) {
         if (auto done = frame < first ? shoot.skip() : shoot.draw(); !done)
@@ -113,12 +113,12 @@ Result<void> write_sheet(const std::vector<render::Picture8>& pictures, int widt
 
 /// A picture of 640 px in at most 60 kB: what a page of many pictures can bear.
 Result<void> write_small(const render::Picture8& picture, const std::filesystem::path& file) {
-    constexpr std::uintmax_t k_most_bytes = 60'000;
+    constexpr std::uintmax_t k_max_bytes = 60'000;
     for (int quality = 85;; quality -= 5) {
         if (auto written = windrow::pictures::write_jpeg(windrow::pictures::shrunk(picture, 640), quality, file); !written)
             return written;
         std::error_code error;
-        if (quality <= 50 || std::filesystem::file_size(file, error) <= k_most_bytes)
+        if (quality <= 50 || std::filesystem::file_size(file, error) <= k_max_bytes)
             return {};
     }
 }
@@ -237,7 +237,7 @@ int main(int argument_count, char** arguments) {
     app.add_option("--frames", options.frames, "how many frames; default: to the scene's end")->check(within(1, 100000));
     app.add_option("--from", options.from, "[s] the moment of the first; what is before is blown, not drawn")
         ->check(within(0.0, 1e6));
-    app.add_option("--settle", options.shoot.settle, "[s] of wind before the first picture; default: the scene's")
+    app.add_option("--warm-up", options.shoot.warm_up, "[s] of wind before the first picture; default: the scene's")
         ->check(within(0.0, 3600.0));
     app.add_option("--fps", frames_per_second, "frames a second; default: the scene's")->check(within(0.1, 10000.0));
     app.add_option("--size", size, "of a picture in pixels, as 1280x720; default: the scene's");

@@ -11,7 +11,7 @@ namespace {
 using windrow::Error;
 using windrow::Result;
 
-constexpr int k_most_ticks = 1000; // of windrow::Ticks in one frame
+constexpr int k_max_ticks = 1000; // of windrow::Ticks in one frame
 
 } // namespace
 
@@ -36,11 +36,11 @@ Result<void> Shoot::make() {
     windrow::Config air = scene_.air.air;
     // As `windrow run` ticks; and no frame is so long that the air would fall behind.
     const double due = std::ceil(scene_.air.tick_hz / frames_per_second_) + 1.0;
-    if (due > k_most_ticks)
-        return Error{"$.tick_hz is " + std::to_string(scene_.air.tick_hz) + " Hz, more than " + std::to_string(k_most_ticks - 1) +
+    if (due > k_max_ticks)
+        return Error{"$.tick_hz is " + std::to_string(scene_.air.tick_hz) + " Hz, more than " + std::to_string(k_max_ticks - 1) +
                      " ticks in each of " + std::to_string(frames_per_second_) +
                      " frames a second; give fewer ticks or more frames a second."};
-    air.ticks = {.hz = scene_.air.tick_hz, .most = static_cast<int>(due)};
+    air.ticks = {.hz = scene_.air.tick_hz, .max = static_cast<int>(due)};
     if (!settings_.wind) {
         air.ambient = glm::vec3(0.0f);
         air.gusts = {};
@@ -108,7 +108,7 @@ Result<void> Shoot::make_grass(const render::DrawTargets& targets) {
     const render::Ground ground{.corner = scene_.picture.ground.corner, .heights = *scene_.picture.ground.heights};
     for (const GrassSource& layer : scene_.picture.grass) {
         render::GrassLayerSettings drawn = layer.drawn;
-        drawn.most_blades = settings_.most_blades.value_or(drawn.most_blades);
+        drawn.max_blades = settings_.max_blades.value_or(drawn.max_blades);
         auto made = render::GrassLayer::create(*device_, targets, ground, *layer.mask.mask, drawn);
         if (!made)
             return Error{"$.picture.grass, " + layer.name + ": " + made.error()};
@@ -268,10 +268,10 @@ Result<void> Shoot::swing(const engine::Frame& frame, double time, double second
     return renderer_->keep_up(frame, camera_at(scene_, time), *wind_, swinging);
 }
 
-Result<void> Shoot::settle() {
+Result<void> Shoot::warm_up() {
     const double step = 1.0 / frames_per_second_;
     const auto steps =
-        static_cast<std::int64_t>(std::ceil(settings_.settle.value_or(scene_.picture.settle) * frames_per_second_));
+        static_cast<std::int64_t>(std::ceil(settings_.warm_up.value_or(scene_.picture.warm_up) * frames_per_second_));
     for (std::int64_t n = 0; n < steps; ++n) {
         if (auto placed = motion_.place(*wind_, 0.0, 0.0); !placed)
             return placed;

@@ -1,7 +1,7 @@
 // A scene before the camera: the device, the air, the ground's memory and all that is drawn, frame by frame.
 //
 //     auto shoot = program::Shoot::create(*scene, {});
-//     if (auto ready = (*shoot)->settle(); !ready) ...                            // gusts come in
+//     if (auto ready = (*shoot)->warm_up(); !ready) ...                            // gusts come in
 //     while ((*shoot)->frame() < scene->frame_count())
 //         if (auto drawn = (*shoot)->draw(); drawn) write_png((*shoot)->images().picture(), ...);
 //
@@ -36,14 +36,14 @@ enum class Show { plants, arrows, slice, lean, levels, chunks };
 struct ShootSettings {
     std::optional<glm::ivec2> size{};          ///< [px] default: the scene's
     std::optional<double> frames_per_second{}; ///< default: the scene's
-    std::optional<double> settle{};            ///< [s] of wind before the first picture; default: the scene's
+    std::optional<double> warm_up{};           ///< [s] of wind before the first picture; default: the scene's
     int samples = 4;                           ///< a pixel, 1 or 4
     Show show = Show::plants;
-    bool wind = true;                 ///< false: nothing blows and no step is recorded, to tell what the wind costs
-    bool pass_times = false;          ///< the wind times each of its passes
-    bool counts = false;              ///< vertices and fragments of the colour pass are counted
-    std::optional<int> most_blades{}; ///< of each layer, looked at once a frame; default: the layer's own
-    bool staged = false;              ///< engine::DeviceSettings::staged
+    bool wind = true;                ///< false: nothing blows and no step is recorded, to tell what the wind costs
+    bool pass_times = false;         ///< the wind times each of its passes
+    bool counts = false;             ///< vertices and fragments of the colour pass are counted
+    std::optional<int> max_blades{}; ///< of each layer, looked at once a frame; default: the layer's own
+    bool staged = false;             ///< engine::DeviceSettings::staged
 };
 
 /// Device memory by what it is for, [bytes].
@@ -56,11 +56,11 @@ struct ShootMemory {
 
 class Shoot {
   public:
-    /// Refuses what any part refuses. The scene outlives it.
+    /// Rejects what any part rejects. The scene outlives it.
     [[nodiscard]] static windrow::Result<std::unique_ptr<Shoot>> create(const PictureScene& scene, const ShootSettings& settings);
 
-    /// The air before the first picture, Picture::settle seconds of it, with all that acts at time 0.
-    windrow::Result<void> settle();
+    /// The air before the first picture, Picture::warm_up seconds of it, with all that acts at time 0.
+    windrow::Result<void> warm_up();
     /// The next frame, done when this returns: frame 0 is at time 0. `copied`: its pictures are for the host to read.
     windrow::Result<void> draw(bool copied = true);
     /// Lets a frame's time pass without a picture.

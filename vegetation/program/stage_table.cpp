@@ -23,7 +23,7 @@ StageFigures figures_of(std::string name, std::vector<double> times) {
     return {.name = std::move(name),
             .mean = std::accumulate(times.begin(), times.end(), 0.0) / static_cast<double>(times.size()),
             .median = times.size() % 2 == 1 ? times[middle] : 0.5 * (times[middle - 1] + times[middle]),
-            .most = at(0.99)};
+            .max = at(0.99)};
 }
 
 } // namespace
@@ -78,8 +78,7 @@ std::string StageTable::text() const {
     std::snprintf(line, sizeof line, "%-10s %10s %10s %10s  over %zu frames\n", "ms", "mean", "median", "99 %", rows_.size());
     text += line;
     for (const StageFigures& stage : all) {
-        std::snprintf(line, sizeof line, "%-10s %10.2f %10.2f %10.2f\n", stage.name.c_str(), stage.mean, stage.median,
-                      stage.most);
+        std::snprintf(line, sizeof line, "%-10s %10.2f %10.2f %10.2f\n", stage.name.c_str(), stage.mean, stage.median, stage.max);
         text += line;
     }
     return text;

@@ -24,7 +24,7 @@ static_assert(sizeof(BladePlace) == 32);
 
 class BladeGrid final : public Drawable {
   public:
-    /// At least one place. Refuses what windrow::Blades::create refuses.
+    /// At least one place. Rejects what windrow::Blades::create rejects.
     [[nodiscard]] static Result<std::unique_ptr<BladeGrid>> create(engine::Device& device, const DrawTargets& targets,
                                                                    const windrow::BladeSettings& plants, const PlantLook& look,
                                                                    std::span<const BladePlace> places);

@@ -83,11 +83,11 @@ windrow::Result<std::unique_ptr<GrassLayer>> GrassLayer::create(engine::Device& 
 
 void GrassLayer::make(const DrawTargets& targets) {
     constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-    blades_ = objects_.storage("The grass's visible blades", "lower most_blades",
-                               sizeof(FieldBlade) * static_cast<VkDeviceSize>(settings_.most_blades),
+    blades_ = objects_.storage("The grass's visible blades", "lower max_blades",
+                               sizeof(FieldBlade) * static_cast<VkDeviceSize>(settings_.max_blades),
                                storage | VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
-    const VkBuffer bases = objects_.storage("The grass's lists' places", "lower grass.most_chunks",
-                                            16 * static_cast<VkDeviceSize>(settings_.field.most_chunks), storage);
+    const VkBuffer bases = objects_.storage("The grass's lists' places", "lower grass.max_chunks",
+                                            16 * static_cast<VkDeviceSize>(settings_.field.max_chunks), storage);
     const engine::Buffer look = filled_block(objects_, PlantLookBlock(settings_.look), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
 
     const auto pass = [&](std::span<const engine::Binding> bindings, std::span<const std::uint32_t> shader) {

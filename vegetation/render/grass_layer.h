@@ -22,7 +22,7 @@ namespace windrow::vegetation::render {
 struct GrassLayerSettings {
     grass::GrassSettings field{};
     PlantLook look{};
-    int most_blades = 262144;
+    int max_blades = 262144;
     int shadows = 1;
 
     static constexpr auto settings() {
@@ -30,7 +30,7 @@ struct GrassLayerSettings {
             Setting("", &GrassLayerSettings::field, "The field."),
             Setting("look", &GrassLayerSettings::look,
                     "Colours are linear albedo. What comes back and what shines through, together, are at most 0.6."),
-            Setting("most_blades", &GrassLayerSettings::most_blades, {1024.0, 4194304.0},
+            Setting("max_blades", &GrassLayerSettings::max_blades, {1024.0, 4194304.0},
                     "Visible blades that are looked at once a frame, those of shadows counted apart, 96 bytes each; more take "
                     "the bend of others."),
             Setting("shadows", &GrassLayerSettings::shadows, {0.0, 2.0},
@@ -54,7 +54,7 @@ static_assert(sizeof(FieldBlade) == 96);
 
 class GrassLayer final : public Drawable {
   public:
-    /// Refuses what `validate` and GrassField::create refuse. The mask has the heights' extent. The device outlives it.
+    /// Rejects what `validate` and GrassField::create reject. The mask has the heights' extent. The device outlives it.
     [[nodiscard]] static windrow::Result<std::unique_ptr<GrassLayer>> create(engine::Device& device, const DrawTargets& targets,
                                                                              const Ground& ground,
                                                                              const grass::PlacementMask& mask,

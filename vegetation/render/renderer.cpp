@@ -20,7 +20,7 @@ using windrow::detail::FieldPath;
 
 constexpr VkFormat k_shadow_format = VK_FORMAT_D16_UNORM; // every device draws to it and samples it
 // [px] Thinner parts are drawn as dots: four samples show a slanted line of 1 px as beads.
-constexpr float k_least_width = 1.5f;
+constexpr float k_min_width = 1.5f;
 constexpr glm::vec3 k_meadow_albedo{0.10f, 0.14f, 0.05f}; // of what lies around: light from below is green
 
 constexpr std::array k_frame_bindings{
@@ -158,7 +158,7 @@ void Renderer::fill(const Camera& camera) {
         first_ = false;
     }
     const float pixel = 2.0f * std::tan(0.5f * glm::radians(camera.view_deg)) / static_cast<float>(settings_.height);
-    block_.eye_before.w = 0.5f * k_least_width * pixel;
+    block_.eye_before.w = 0.5f * k_min_width * pixel;
     const float reach[3] = {camera.near, settings_.near_shadow, settings_.far_shadow};
     for (int cascade = 0; cascade < 2; ++cascade) {
         const ShadowView view = shadow_view(camera, aspect, settings_.anchor, block_.sky, reach[cascade], reach[cascade + 1],

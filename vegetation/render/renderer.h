@@ -60,7 +60,7 @@ void check_rules(windrow::detail::Reasons& reasons, const windrow::detail::Field
 
 class Renderer {
   public:
-    /// Refuses what `validate` refuses of scene and settings, and a device that lacks memory. The device outlives it.
+    /// Rejects what `validate` rejects of scene and settings, and a device that lacks memory. The device outlives it.
     [[nodiscard]] static windrow::Result<std::unique_ptr<Renderer>> create(engine::Device& device, const Scene& scene,
                                                                            const RenderSettings& settings);
 
@@ -71,7 +71,7 @@ class Renderer {
 
     /// Begins the frame's clock, before the wind is recorded.
     void begin(const engine::Frame& frame);
-    /// Records all passes, after the wind's. The camera is one that `validate` passes; another draws nothing and is refused.
+    /// Records all passes, after the wind's. The camera is one that `validate` passes; another draws nothing and is rejected.
     windrow::Result<void> record(const engine::Frame& frame, const Camera& camera, const windrow::vulkan::Wind& wind);
     /// A frame without a picture: what these drawables keep from one frame to the next (trees that swing) goes on as in `record`.
     windrow::Result<void> keep_up(const engine::Frame& frame, const Camera& camera, const windrow::vulkan::Wind& wind,

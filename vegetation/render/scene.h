@@ -83,7 +83,7 @@ struct Clouds {
 
     static constexpr auto settings() {
         return std::tuple{
-            Setting("cover", &Clouds::cover, {.least = 0.0, .most = 1.0, .zero = "none, and nothing is computed"},
+            Setting("cover", &Clouds::cover, {.min = 0.0, .max = 1.0, .zero = "none, and nothing is computed"},
                     "Fraction of the sky."),
             Setting("height", &Clouds::height, k_place_range, "Of the sheet, in the world: cumulus on a summer's day."),
             Setting("size", &Clouds::size, {1.0, 1e5, "m"}, "Of the largest lumps."),

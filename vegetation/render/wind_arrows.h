@@ -38,7 +38,7 @@ void check_rules(windrow::detail::Reasons& reasons, const windrow::detail::Field
 
 class WindArrows final : public Drawable {
   public:
-    /// Refuses what `validate` refuses.
+    /// Rejects what `validate` rejects.
     [[nodiscard]] static Result<std::unique_ptr<WindArrows>> create(engine::Device& device, const DrawTargets& targets,
                                                                     const WindArrowSettings& settings);
 

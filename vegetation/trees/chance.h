@@ -15,7 +15,7 @@ class Chance {
     /// 0 to 1, 1 left out.
     float share() {
         ++count_;
-        return numerics::windrow_share(
+        return numerics::windrow_fraction(
             numerics::windrow_plant_hash(glm::uvec2(key_.x ^ (count_ * 0x85ebca6bu), key_.y + count_)).x);
     }
     float between(float low, float high) { return low + (high - low) * share(); }

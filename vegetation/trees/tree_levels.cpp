@@ -22,7 +22,7 @@ LevelBlock level_block(const TreeLevels& levels, int leaves) {
     const float least = std::min(static_cast<float>(levels.far_leaves) / static_cast<float>(leaves), 1.0f);
     const float power = least < 1.0f ? std::log(1.0f / least) / std::log(levels.far / levels.near) : 0.0f;
     return {.leaves = {levels.near, power, least, k_band},
-            .stems = {levels.least_angle, levels.far, levels.growth, k_coarse_from * levels.far}};
+            .stems = {levels.min_angle, levels.far, levels.growth, k_coarse_from * levels.far}};
 }
 
 float keep(const LevelBlock& levels, float distance) {

@@ -65,7 +65,7 @@ struct TreeModel {
     [[nodiscard]] windrow::TreePart part(std::uint32_t index) const;
 };
 
-/// The model of a tree. Refuses what `validate` refuses.
+/// The model of a tree. Rejects what `validate` rejects.
 [[nodiscard]] windrow::Result<TreeModel> build(const TreeSettings& settings);
 
 } // namespace windrow::vegetation::trees

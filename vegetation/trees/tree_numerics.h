@@ -6,10 +6,10 @@
 #define WINDROW_FN inline
 namespace windrow::vegetation::trees::numerics {
 using namespace glm;
+using windrow::numerics::windrow_fraction;
 using windrow::numerics::windrow_place_noise;
 using windrow::numerics::windrow_plant_chance;
 using windrow::numerics::windrow_plant_hash;
-using windrow::numerics::windrow_share;
 #include "vegetation/shaders/numerics/tree_levels.glsl"
 } // namespace windrow::vegetation::trees::numerics
 #undef WINDROW_FN

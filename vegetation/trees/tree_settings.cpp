@@ -32,8 +32,8 @@ void check_rules(Reasons& reasons, const FieldPath& path, const TreeSettings& s)
     if (s.trunk_radius > 0.2f * s.height && s.height > 0.0f)
         reasons.add(FieldPath{&path, "trunk_radius"}, " is ", s.trunk_radius, " m: give at most a fifth of ",
                     FieldPath{&path, "height"}, ", which is ", s.height, " m.");
-    if (reasons.empty() && vertex_bound(s) > k_most_vertices)
-        reasons.add(path, " has ", static_cast<long>(vertex_bound(s)), " vertices, of ", k_most_vertices, ": give fewer ",
+    if (reasons.empty() && vertex_bound(s) > k_max_vertices)
+        reasons.add(path, " has ", static_cast<long>(vertex_bound(s)), " vertices, of ", k_max_vertices, ": give fewer ",
                     FieldPath{&path, "limbs"}, ", branches, clusters or leaves.");
 }
 

@@ -43,7 +43,7 @@ struct TreeSettings {
     float wander = 0.18f;
     int branches = 15;
     float branch_deg = 55.0f;
-    float branch_share = 0.38f;
+    float branch_fraction = 0.38f;
     float branch_rise = 0.1f;
     int clusters = 4;
     float cluster_length = 0.45f;
@@ -78,7 +78,7 @@ struct TreeSettings {
             Setting("branches", &TreeSettings::branches, {0.0, 40.0},
                     "On the longest limb; on others in proportion to the form's length."),
             Setting("branch_deg", &TreeSettings::branch_deg, {0.0, 150.0, "deg"}, "Angle from the limb."),
-            Setting("branch_share", &TreeSettings::branch_share, {0.02, 1.0}, "Longest branch over its limb."),
+            Setting("branch_fraction", &TreeSettings::branch_fraction, {0.02, 1.0}, "Longest branch over its limb."),
             Setting("branch_rise", &TreeSettings::branch_rise, {-1.0, 1.0}, "As limb_rise."),
             Setting("clusters", &TreeSettings::clusters, {1.0, 20.0}, "Of leaves, a branch; each feels its own wind."),
             Setting("cluster_length", &TreeSettings::cluster_length, {0.02, 3.0, "m"}, "Of the twig that holds a cluster."),
@@ -129,7 +129,7 @@ struct TreeLevels {
     float far = 240.0f;
     int far_leaves = 34;
     float growth = 0.41f;
-    float least_angle = 0.0007f;
+    float min_angle = 0.0007f;
 
     static constexpr auto settings() {
         return std::tuple{
@@ -140,13 +140,13 @@ struct TreeLevels {
             Setting("growth", &TreeLevels::growth, {0.3, 0.5},
                     "Of the leaves that stay. At 0.5 all leaves together keep their area; less, since a crown hides most of its "
                     "leaves."),
-            Setting("least_angle", &TreeLevels::least_angle, {1e-5, 0.1, "rad"},
+            Setting("min_angle", &TreeLevels::min_angle, {1e-5, 0.1, "rad"},
                     "Of a branch's radius, below which none is drawn: a pixel's width at 720 lines and 45 degrees."),
         };
     }
 };
 
-/// Every reason why it cannot be used, a line each: ranges, and more vertices than `k_most_vertices`.
+/// Every reason why it cannot be used, a line each: ranges, and more vertices than `k_max_vertices`.
 [[nodiscard]] windrow::Result<void> validate(const TreeSettings& settings);
 [[nodiscard]] windrow::Result<void> validate(const TreeLook& look);
 [[nodiscard]] windrow::Result<void> validate(const TreeLevels& levels);
@@ -155,9 +155,9 @@ void check_rules(windrow::detail::Reasons& reasons, const windrow::detail::Field
 void check_rules(windrow::detail::Reasons& reasons, const windrow::detail::FieldPath& path, const TreeLevels& levels);
 
 /// Vertices of a near tree, at most.
-inline constexpr int k_most_vertices = 30000;
+inline constexpr int k_max_vertices = 30000;
 /// Of a tree beyond TreeLevels::far by the default levels, at most.
-inline constexpr int k_most_far_vertices = 200;
+inline constexpr int k_max_far_vertices = 200;
 /// What such a tree has.
 [[nodiscard]] double vertex_bound(const TreeSettings& settings);
 

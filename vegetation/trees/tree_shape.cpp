@@ -123,7 +123,7 @@ Stem grow_branch(const TreeSettings& s, const Stem& limb, int n, int count, floa
     Way way;
     way.from = point_on(limb, t);
     way.direction = glm::normalize(std::cos(angle) * along + std::sin(angle) * side + glm::vec3(0.0f, 1e-4f, 0.0f));
-    way.length = limb_length * s.branch_share * (last ? 0.55f : 1.0f - 0.55f * t) * chance.between(0.8f, 1.2f);
+    way.length = limb_length * s.branch_fraction * (last ? 0.55f : 1.0f - 0.55f * t) * chance.between(0.8f, 1.2f);
     const float by_length = limb.radii.front() * std::pow(way.length / std::max(limb_length, 1e-3f), k_radius_power);
     way.radius = std::clamp(by_length, 0.003f, 0.8f * radius_on(limb, t) + 0.003f);
     way.tip = 0.3f;

@@ -25,8 +25,8 @@ namespace {
 namespace words = windrow::vulkan::shader_words;
 
 constexpr std::uint32_t k_group = 64;
-constexpr std::size_t k_most_groups = 65535; // of a dispatch on any device; states of 256 MiB
-constexpr float k_reach = 0.3f;              // of its height that a tree may lean beyond its ball at rest, culling allows
+constexpr std::size_t k_max_groups = 65535; // of a dispatch on any device; states of 256 MiB
+constexpr float k_reach = 0.3f;             // of its height that a tree may lean beyond its ball at rest, culling allows
 
 constexpr VkShaderStageFlags k_all = VK_SHADER_STAGE_ALL_GRAPHICS | VK_SHADER_STAGE_COMPUTE_BIT;
 constexpr VkShaderStageFlags k_vertices = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_COMPUTE_BIT;
@@ -64,9 +64,9 @@ windrow::Result<std::unique_ptr<TreeStand>> TreeStand::create(engine::Device& de
     std::size_t groups = 1;
     for (const TreeModel& model : models)
         groups = std::max(groups, (model.parts.size() + k_group - 1) / k_group);
-    if (groups * places.size() > k_most_groups)
+    if (groups * places.size() > k_max_groups)
         return windrow::Error{"stand.places has " + std::to_string(places.size()) + " trees; give at most " +
-                              std::to_string(k_most_groups / groups) + " of this kind, or several stands."};
+                              std::to_string(k_max_groups / groups) + " of this kind, or several stands."};
     return engine::guarded(
         [&] { return std::unique_ptr<TreeStand>(new TreeStand(device, targets, settings, std::move(models), places, anchor)); });
 }
@@ -132,12 +132,12 @@ void TreeStand::fill_buffers() {
     indices_ = engine::filled(objects_, indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
     const std::size_t states = places_.back().first.y + model(places_.size() - 1).parts.size();
     states_ = engine::filled(objects_, std::vector<PartState>(states), storage | VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
-    std::size_t most_groups = 0;
+    std::size_t max_groups = 0;
     for (std::size_t n = 0; n < places_.size(); ++n)
-        most_groups += (model(n).parts.size() + k_group - 1) / k_group;
+        max_groups += (model(n).parts.size() + k_group - 1) / k_group;
     engine::make_sets(objects_, own_, k_bindings, sets_);
     blocks_ = objects_.frame_buffers(sizeof(StandBlock), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
-    jobs_ = objects_.frame_buffers(sizeof(glm::uvec4) * most_groups, storage);
+    jobs_ = objects_.frame_buffers(sizeof(glm::uvec4) * max_groups, storage);
     const engine::Device& device = objects_.device();
     for (std::size_t slot = 0; slot < sets_.size(); ++slot) {
         engine::point(device, sets_[slot], 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, blocks_[slot].buffer);

@@ -23,7 +23,7 @@ namespace windrow::vegetation::trees {
 
 class TreeStand final : public render::Drawable {
   public:
-    /// Refuses what `validate` refuses, no places, and more trees than a dispatch takes (some 3,800 oaks). Shaders
+    /// Rejects what `validate` rejects, no places, and more trees than a dispatch takes (some 3,800 oaks). Shaders
     /// count from `anchor` [m], the renderer's.
     [[nodiscard]] static windrow::Result<std::unique_ptr<TreeStand>> create(engine::Device& device,
                                                                             const render::DrawTargets& targets,

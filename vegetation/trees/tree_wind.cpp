@@ -9,9 +9,9 @@
 namespace windrow::vegetation::trees {
 namespace {
 
-constexpr float k_mean_radius = 0.56f;   // of a taper to an eighth, over that at the root
-constexpr float k_foliage_share = 0.24f; // width of a limb's foliage over its length: windrow::branch()'s 0.6 m of 2.5
-constexpr float k_limb_wood = 0.5f;      // of the trunk's modulus: Cannell & Morgan 1987, as coupling/plant_classes.h cites them
+constexpr float k_mean_radius = 0.56f;      // of a taper to an eighth, over that at the root
+constexpr float k_foliage_fraction = 0.24f; // width of a limb's foliage over its length: windrow::branch()'s 0.6 m of 2.5
+constexpr float k_limb_wood = 0.5f; // of the trunk's modulus: Cannell & Morgan 1987, as coupling/plant_classes.h cites them
 
 float class_radius(const TreeSettings& s) {
     return s.trunk_radius * std::pow(s.limb_length / s.height, 1.2f);
@@ -31,7 +31,7 @@ windrow::TreeClasses wind_classes(const TreeSettings& s) {
     classes.trunk.width = std::clamp(crown + 2.0f * s.trunk_radius * s.crown_base, 1e-3f, 100.0f);
     classes.trunk.rigidity = std::clamp(windrow::rod_rigidity(s.wood, 2.0f * k_mean_radius * s.trunk_radius), 1e-6f, 1e12f);
     classes.branch.length = s.limb_length;
-    classes.branch.width = k_foliage_share * s.limb_length;
+    classes.branch.width = k_foliage_fraction * s.limb_length;
     classes.branch.rigidity =
         std::clamp(windrow::rod_rigidity(k_limb_wood * s.wood, 2.0f * k_mean_radius * class_radius(s)), 1e-9f, 1e12f);
     // Twigs of any length are of one form, as stiff against the wind as the library's.

@@ -80,7 +80,7 @@ Result<std::optional<DeviceGridResult>> measure_device_grid(vulkan::OwnDevice& o
     winds[2].wind->add_passes(result);
     WindRecordings& first = *winds[0].wind;
     result.memory_bytes = first.wind().memory_bytes();
-    result.most_substeps = first.most_substeps();
+    result.max_substeps = first.max_substeps();
     result.slept = first.slept();
 
     auto cpu = windrow::Wind::create(usual);

@@ -38,7 +38,7 @@ struct DeviceGridResult {
     DeviceSpread timed_us{}, between_us{};
     std::uint64_t pass_bytes = 0, read_back_bytes = 0;
     std::uint64_t memory_bytes = 0;
-    int most_substeps = 0;
+    int max_substeps = 0;
     bool slept = false;
     /// Against the CPU, from the same flow by as many steps: largest difference in a component over the largest component.
     double parity = 0.0;

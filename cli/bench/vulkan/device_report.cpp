@@ -102,7 +102,7 @@ void report_device_grid(const DeviceGridResult& grid, bool software, const Conso
                 << message("  against the CPU after ", grid.all_steps, " steps, ", grid.parity_steps,
                            " since the flow was laid in anew: ")
                 << to_scientific(grid.parity, 1) << " of the largest velocity\n";
-    if (grid.most_substeps > 1 || grid.slept)
+    if (grid.max_substeps > 1 || grid.slept)
         console.warn(grid.slept ? "the air slept, so that its times are those of another step."
                                 : "steps were cut into sub-steps, so that their times are those of another step.");
     if (grid.rounds < k_device_samples)

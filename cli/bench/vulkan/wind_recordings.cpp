@@ -30,7 +30,7 @@ WindRecordings::WindRecordings(vulkan::Wind wind, std::span<const glm::vec4> flo
 
 void WindRecordings::record(VkCommandBuffer commands, int slot) {
     const Diagnostics told = wind_.record_step(commands, {.dt = k_bench_dt, .slot = slot});
-    most_substeps_ = std::max(most_substeps_, told.substeps);
+    max_substeps_ = std::max(max_substeps_, told.substeps);
     slept_ = slept_ || told.asleep;
     ++age_;
     ++all_steps_;

@@ -24,7 +24,7 @@ class WindRecordings {
     /// Reads the last step back and compares it with the CPU's, stepped as often from the same flow.
     [[nodiscard]] Result<void> compare(vulkan::OwnDevice& own, windrow::Wind& cpu, DeviceGridResult& result);
 
-    [[nodiscard]] int most_substeps() const { return most_substeps_; }
+    [[nodiscard]] int max_substeps() const { return max_substeps_; }
     [[nodiscard]] bool slept() const { return slept_; }
     [[nodiscard]] vulkan::Wind& wind() { return wind_; }
 
@@ -36,7 +36,7 @@ class WindRecordings {
     std::span<const glm::vec4> flow_;
     int age_; ///< steps since the flow was set
     std::uint64_t all_steps_ = 0;
-    int dispatches_ = 0, barriers_ = 0, most_substeps_ = 0;
+    int dispatches_ = 0, barriers_ = 0, max_substeps_ = 0;
     bool slept_ = false;
     struct Samples {
         std::vector<float> us{};

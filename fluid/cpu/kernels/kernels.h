@@ -28,7 +28,7 @@ inline constexpr int k_max_row = 2048;
 /// Where a padded index takes its value from: value = scale * source + offset, or the ambient wind.
 struct HaloRule {
     int source = 0;       ///< cell index along the axis, always inside
-    bool ambient = false; ///< beyond an open side
+    bool ambient = false; ///< beyond an open boundary
     bool identity = true; ///< inside or periodic: the source's value as it is
     float scale[4] = {1, 1, 1, 1};
     float offset[4] = {0, 0, 0, 0};
@@ -42,7 +42,7 @@ struct PadTask {
     const float* carried;
     const float* history; ///< null: none
     float history_scale;
-    float settling; ///< 1: none
+    float relaxation; ///< 1: none
     float ambient[4];
     const float* ambient_cells;       ///< four floats a padded cell, for `carried`; null: `ambient` everywhere
     const float* trace_ambient_cells; ///< the same for the trace
@@ -121,14 +121,14 @@ struct DiffuseTask {
 
 /// What one plane holds, or a part of it.
 struct PlaneSurvey {
-    float largest_component;   ///< of the finite cells
-    std::int64_t broken_cells; ///< cells with NaN or infinity
-    double squares;            ///< sum of |u|^2 of the finite cells
-    double divergence_squares; ///< 0 where nobody asked
+    float largest_component;      ///< of the finite cells
+    std::int64_t nonfinite_cells; ///< cells with NaN or infinity
+    double squares;               ///< sum of |u|^2 of the finite cells
+    double divergence_squares;    ///< 0 where nobody asked
 };
 inline void add(const PlaneSurvey& part, PlaneSurvey& whole) {
     whole.largest_component = part.largest_component > whole.largest_component ? part.largest_component : whole.largest_component;
-    whole.broken_cells += part.broken_cells;
+    whole.nonfinite_cells += part.nonfinite_cells;
     whole.squares += part.squares;
     whole.divergence_squares += part.divergence_squares;
 }

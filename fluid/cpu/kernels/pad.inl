@@ -26,14 +26,14 @@ struct CombinedRule {
 template <class V>
 struct CarriedRun {
     const float *values, *history, *ambient_cells;
-    V ambient, settling, history_scale, scale, offset, rule_history_scale;
+    V ambient, relaxation, history_scale, scale, offset, rule_history_scale;
     bool settles, remembers, identity;
 
     V at(std::ptrdiff_t n) const {
         V value = load<V>(values + n);
         if (settles) {
             const V around = ambient_cells != nullptr ? load<V>(ambient_cells + n) : ambient;
-            value = around + settling * (value - around);
+            value = around + relaxation * (value - around);
         }
         if (!identity)
             value = scale * value + offset;
@@ -68,10 +68,10 @@ CarriedRun<V> carried_run(const PadTask& task, std::size_t cell, std::ptrdiff_t 
     run.values = task.carried + 4 * cell;
     run.remembers = task.history != nullptr;
     run.history = run.remembers ? task.history + 4 * cell : nullptr;
-    run.settles = task.settling != 1.0f;
+    run.settles = task.relaxation != 1.0f;
     run.ambient_cells = task.ambient_cells != nullptr ? task.ambient_cells + 4 * padded : nullptr;
     run.ambient = repeat<V>(load_cell(task.ambient));
-    run.settling = repeat<V>(splat(task.settling));
+    run.relaxation = repeat<V>(splat(task.relaxation));
     run.history_scale = repeat<V>(splat(task.history_scale));
     run.identity = rule.identity;
     run.scale = repeat<V>(rule.scale);

@@ -43,7 +43,7 @@ PlaneSurvey survey(const float* velocity, std::size_t cells) {
                 __builtin_memcpy(&bits, velocity + n + axis, sizeof bits);
                 bad |= (bits & 0x7fffffff) > 0x7f7fffff ? 1 : 0;
             }
-            found.broken_cells += bad;
+            found.nonfinite_cells += bad;
         }
     }
     std::int32_t most = 0;

@@ -35,7 +35,7 @@ render::Scene level_ground() {
     scene.camera.target = {0.0, 0.9, 10.0};
     windrow::Config& wind = scene.wind.wind;
     wind.cells = {16, 8, 16};
-    wind.sides = windrow::Sides::open_over_floor();
+    wind.boundaries = windrow::Boundaries::open_over_floor();
     wind.centre = {0.0, 4.0, 14.0};
     wind.ambient = {4.0f, 0.0f, -1.0f};
     return scene;

@@ -21,7 +21,7 @@ void main() {
     outputs[n][1] = vec4(windrow_direction_memory(0.5 * i[2].xyz, normalize(i[3].xyz), 10.0, abs(i[2].w)), 0.0);
     WindrowPose low = WindrowPose(i[0], i[1]), high = WindrowPose(i[2], i[3]);
     float height = abs(i[3].w);
-    WindrowPose pose = windrow_pose_between(low, high, windrow_cascade_share(height, 7));
+    WindrowPose pose = windrow_pose_between(low, high, windrow_cascade_fraction(height, 7));
     outputs[n][2] = vec4(windrow_posed(pose, i[1].xyz), float(windrow_cascade_stage(height, 7)));
     outputs[n][3] = pose.rotation;
 }

@@ -80,7 +80,7 @@ void main() {
         int stages = coat.counts.w;
         vec3 tip = windrow_across(windrow_posed(pose_at(stages - 1, 1.0), at) - position, up);
         int stage = windrow_cascade_stage(0.5, stages);
-        vec3 middle = windrow_across(windrow_posed(pose_at(stage, windrow_cascade_share(0.5, stages)), at) - position, up);
+        vec3 middle = windrow_across(windrow_posed(pose_at(stage, windrow_cascade_fraction(0.5, stages)), at) - position, up);
         skin.lag.xyz = 4.0 * middle - tip;
         skin.lag_more.xyz = 2.0 * tip - 4.0 * middle;
     }

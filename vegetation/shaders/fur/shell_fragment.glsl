@@ -49,7 +49,7 @@ ShellFragment shell_fragment() {
     f.sight = normalize(position - frame.eye.xyz);
     f.bald = coat.form.w == 1 || map < coat.tousle.w;
     uvec2 pixel = windrow_plant_hash(uvec2(ivec2(gl_FragCoord.xy)) + uvec2(floatBitsToUint(h), 0u));
-    float chance = windrow_share(pixel.x);
+    float chance = windrow_fraction(pixel.x);
     if (h <= 0.0 && coat.layers.z == 0) { // the skin
         f.hit.root = root;
         f.hit.height = 0.0;

@@ -28,8 +28,8 @@ void main() {
         discard;
     // Strands thinner than a texel: as many texels as their share.
     float far = smoothstep(0.6, 1.4, pixel);
-    float chance = windrow_share(windrow_plant_hash(uvec2(ivec2(gl_FragCoord.xy)) + uvec2(floatBitsToUint(h), 0u)).x);
-    bool open = far >= 0.5 ? mean_share(h, map) <= chance : strand_at(root, h, map).inside < 0.0;
+    float chance = windrow_fraction(windrow_plant_hash(uvec2(ivec2(gl_FragCoord.xy)) + uvec2(floatBitsToUint(h), 0u)).x);
+    bool open = far >= 0.5 ? mean_fraction(h, map) <= chance : strand_at(root, h, map).inside < 0.0;
     if (open)
         discard;
 }

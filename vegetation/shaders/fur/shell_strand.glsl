@@ -82,7 +82,7 @@ float cells_across(ShellRoot dx, ShellRoot dy) {
 }
 
 // Share of a layer that strands fill at h: what is seen of those thinner than a pixel. Over the three lengths of Simpson's rule.
-float mean_share(float h, float map) {
+float mean_fraction(float h, float map) {
     WindrowStrandField field = coat_field();
     float own = h / max(map, 1e-4);
     float sum = 0.0;
@@ -220,7 +220,7 @@ ShellHit shell_hit(ShellRoot root, ShellRoot dx, ShellRoot dy, float h, float ma
     if (far > 0.0 && grows) {
         float middle = 0.5 * (h + ray.target);
         float open = coat.drawing.x > 0 ? 1.0 + 2.0 * crossed : 1.0;
-        float mean = 1.0 - pow(1.0 - min(mean_share(coat.drawing.x > 0 ? middle : h, map), 0.999), open);
+        float mean = 1.0 - pow(1.0 - min(mean_fraction(coat.drawing.x > 0 ? middle : h, map), 0.999), open);
         hit.coverage = mix(hit.coverage, mean, far);
     }
     if (hit.coverage >= 0.5 || far >= 1.0 || !k_march)

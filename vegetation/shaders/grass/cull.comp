@@ -27,7 +27,7 @@ int level_of(vec4 blade, uint view, ivec2 cell) {
     if (!(blade.w > 0.0) || (view == 1u && !(square < grass.ground.z * grass.ground.z)) || !is_seen(blade, view))
         return WINDROW_GRASS_NONE;
     if (grass.thin.y > 0.0 && square > grass.thin.x * grass.thin.x &&
-        !(windrow_grass_chance(cell, uint(grass.cells.w)) < windrow_grass_share(grass.thin, sqrt(square))))
+        !(windrow_grass_chance(cell, uint(grass.cells.w)) < windrow_grass_fraction(grass.thin, sqrt(square))))
         return WINDROW_GRASS_NONE;
     return level;
 }

@@ -53,12 +53,12 @@ GrassBlade grass_blade_seen(uvec2 told, uint instance, vec3 eye) {
     blade.key = windrow_grass_key(cell, uint(grass.cells.w), 0u);
     WindrowClump clump = windrow_grass_clump(grass, record.xz);
     blade.hash = windrow_grass_facing(grass, windrow_plant_hash(blade.key), clump);
-    blade.clump = vec2(windrow_share(clump.chance.x * 2246822519u), windrow_share(clump.chance.y * 3266489917u));
+    blade.clump = vec2(windrow_fraction(clump.chance.x * 2246822519u), windrow_fraction(clump.chance.y * 3266489917u));
     blade.kind = windrow_grass_thinned(grass, record.w, distance, windrow_grass_chance(cell, uint(grass.cells.w)));
     blade.size = record.w;
     blade.morph = windrow_grass_ramp(distance, grass.reach.x, grass.reach.y);
     uvec2 hash = windrow_plant_hash(windrow_grass_key(cell, uint(grass.cells.w), 2u));
-    blade.looks = vec2(windrow_share(hash.x), windrow_share(hash.y));
+    blade.looks = vec2(windrow_fraction(hash.x), windrow_fraction(hash.y));
     return blade;
 }
 GrassBlade grass_blade(uvec2 told, int instance) { return grass_blade_seen(told, uint(instance), grass.eye.xyz); }

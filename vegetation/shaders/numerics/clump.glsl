@@ -31,7 +31,7 @@ WINDROW_FN WindrowClump windrow_clump(vec2 at, uvec2 key) {
         for (int x = 0; x <= 2; ++x) {
             ivec2 cell = here + ivec2(x, z); // one more than the cell itself: from 0 up
             uvec2 chance = windrow_plant_hash(uvec2(cell) ^ key);
-            vec2 middle = vec2(cell) - 0.5f + 0.8f * (vec2(windrow_share(chance.x), windrow_share(chance.y)) - 0.5f);
+            vec2 middle = vec2(cell) - 0.5f + 0.8f * (vec2(windrow_fraction(chance.x), windrow_fraction(chance.y)) - 0.5f);
             vec2 offset = at - middle;
             float square = dot(offset, offset);
             if (square < least) {

@@ -60,7 +60,7 @@ WINDROW_FN vec3 windrow_coat_bend(WindrowCoatStrand strand, float h) {
 WINDROW_FN vec3 windrow_coat_tangent(WindrowCoatStrand strand, float h) {
     vec3 bend = windrow_coat_bend(strand, h);
     float m = dot(bend, bend);
-    return bend * windrow_sine_share(m) - strand.stem.axis * (m * windrow_cosine_share(m));
+    return bend * windrow_sine_fraction(m) - strand.stem.axis * (m * windrow_cosine_fraction(m));
 }
 
 // [m] How far the point at height h has moved from where it is on a straight strand.

@@ -70,7 +70,7 @@ WINDROW_FN uvec2 windrow_grass_key(ivec2 cell, uint seed, uint stream) {
 // [m] Where a cell's blade stands.
 WINDROW_FN vec2 windrow_grass_place(ivec2 cell, float density, float jitter, uint seed) {
     uvec2 hash = windrow_plant_hash(windrow_grass_key(cell, seed, 1u));
-    vec2 chance = vec2(windrow_share(hash.x), windrow_share(hash.y)) - 0.5f;
+    vec2 chance = vec2(windrow_fraction(hash.x), windrow_fraction(hash.y)) - 0.5f;
     return (vec2(cell) + 0.5f + jitter * chance) / density;
 }
 
@@ -87,7 +87,7 @@ WINDROW_FN float windrow_grass_growth(WindrowGrass grass, vec2 place) {
     float grown = 1.0f;
     if (grass.clump.y > 0.0f) {
         WindrowClump clump = windrow_grass_clump(grass, place);
-        grown -= grass.clump.y * windrow_share(clump.chance.x * 2654435761u);
+        grown -= grass.clump.y * windrow_fraction(clump.chance.x * 2654435761u);
     }
     if (grass.patches.y > 0.0f)
         grown *= 1.0f - grass.patches.y * windrow_place_noise(place * grass.patches.x);
@@ -107,7 +107,7 @@ WINDROW_FN uvec2 windrow_grass_facing(WindrowGrass grass, uvec2 hash, WindrowClu
 }
 
 // Share of the blades at a distance [m], times 1 + b: s(d).
-WINDROW_FN float windrow_grass_share(vec4 thin, float distance) {
+WINDROW_FN float windrow_grass_fraction(vec4 thin, float distance) {
     return (1.0f + WINDROW_GRASS_SHRINK) * pow(min(thin.x / max(distance, 1e-6f), 1.0f), thin.y);
 }
 
@@ -129,7 +129,7 @@ WINDROW_FN float windrow_grass_wider(vec4 thin, float s) { return pow(windrow_gr
 
 // A cell's chance to be left out afar.
 WINDROW_FN float windrow_grass_chance(ivec2 cell, uint seed) {
-    return windrow_share(windrow_plant_hash(windrow_grass_key(cell, seed, 4u)).x);
+    return windrow_fraction(windrow_plant_hash(windrow_grass_key(cell, seed, 4u)).x);
 }
 
 // Whether a ball lies wholly on the outer side of a plane.
@@ -179,7 +179,7 @@ WINDROW_FN WindrowBlade windrow_grass_class(WindrowGrass grass, float size, floa
 WINDROW_FN WindrowBlade windrow_grass_thinned(WindrowGrass grass, float size, float distance, float chance) {
     if (!(grass.thin.y > 0.0f))
         return windrow_grass_class(grass, size, distance);
-    float s = windrow_grass_share(grass.thin, distance);
+    float s = windrow_grass_fraction(grass.thin, distance);
     float kept = windrow_grass_presence(chance, s);
     grass.blade.size.z *= windrow_grass_wider(grass.thin, s);
     return windrow_grass_class(grass, size * kept, distance);

@@ -12,7 +12,7 @@
 #endif
 
 // Irradiance over that at 1 m, for an offset [m] from the point to the lamp.
-WINDROW_FN float windrow_lamp_share(vec3 offset, float reach) {
+WINDROW_FN float windrow_lamp_fraction(vec3 offset, float reach) {
     float square = dot(offset, offset);
     float share = square / (reach * reach);
     float window = max(1.0f - share * share, 0.0f);

@@ -13,7 +13,7 @@
 
 #include "shaders/numerics/plant_hash.glsl"
 
-WINDROW_FN float windrow_place_chance(ivec2 cell) { return windrow_share(windrow_plant_hash(uvec2(cell)).x); }
+WINDROW_FN float windrow_place_chance(ivec2 cell) { return windrow_fraction(windrow_plant_hash(uvec2(cell)).x); }
 
 WINDROW_FN float windrow_place_noise(vec2 at) {
     vec2 below = floor(at);

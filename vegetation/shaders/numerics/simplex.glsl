@@ -24,8 +24,8 @@ WINDROW_FN vec4 windrow_simplex_corner(uint seed, ivec3 corner, vec3 d) {
     if (!(t > 0.0f))
         return vec4(0.0f);
     uvec2 hash = windrow_space_hash(seed, corner);
-    float z = 2.0f * windrow_share(hash.x) - 1.0f;
-    float turn = windrow_share(hash.y);
+    float z = 2.0f * windrow_fraction(hash.x) - 1.0f;
+    float turn = windrow_fraction(hash.y);
     float across = sqrt(max(1.0f - z * z, 0.0f));
     vec3 g = vec3(across * windrow_turn_cosine(turn), across * windrow_turn_sine(turn), z);
     float along = dot(g, d);

@@ -60,7 +60,7 @@ WINDROW_FN vec3 windrow_sun_irradiance(WindrowSky sky) {
 }
 
 // m_v (exp(-tau m_s) - exp(-tau m_v)) / (tau (m_v - m_s)); near m_v = m_s the quotient is its limit, exp(-tau m_s) m_v.
-WINDROW_FN float windrow_scattered_share(float tau, float m_s, float m_v) {
+WINDROW_FN float windrow_scattered_fraction(float tau, float m_s, float m_v) {
     float x = tau * (m_v - m_s);
     float falling = abs(x) < 1e-3f ? 1.0f - 0.5f * x : (1.0f - exp(-x)) / x;
     return m_v * exp(-tau * m_s) * falling;
@@ -76,8 +76,8 @@ WINDROW_FN vec3 windrow_sky_radiance(WindrowSky sky, vec3 direction) {
     vec3 air = vec3(sky.rayleigh);
     vec3 haze = vec3(sky.haze);
     vec3 depth = air + haze;
-    vec3 share = vec3(windrow_scattered_share(depth.x, m_s, m_v), windrow_scattered_share(depth.y, m_s, m_v),
-                      windrow_scattered_share(depth.z, m_s, m_v));
+    vec3 share = vec3(windrow_scattered_fraction(depth.x, m_s, m_v), windrow_scattered_fraction(depth.y, m_s, m_v),
+                      windrow_scattered_fraction(depth.z, m_s, m_v));
     vec3 once = (air * windrow_rayleigh_phase(cosine) + haze * windrow_haze_phase(cosine, sky.haze.w)) * share;
     vec3 again = 0.0795774715f * sky.sun.y * (1.0f - exp(-depth * m_s)) * (1.0f - exp(-depth * m_v));
     return sky.rayleigh.w * (once + again);

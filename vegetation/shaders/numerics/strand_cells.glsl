@@ -41,9 +41,9 @@ WINDROW_FN uvec2 windrow_strand_key(uint seed, ivec2 cell) {
     return windrow_plant_hash(uvec2(cell) + uvec2(seed * 0x9e3779b9u, seed * 0x85ebca6bu));
 }
 
-// Two more chances of a key, 0 to 1, beside windrow_share of its words, which place the point.
-WINDROW_FN float windrow_strand_chance(uvec2 key) { return windrow_share((key.x << 11u) ^ (key.y * 2654435761u)); }
-WINDROW_FN float windrow_strand_other_chance(uvec2 key) { return windrow_share((key.y << 13u) ^ (key.x * 2246822519u)); }
+// Two more chances of a key, 0 to 1, beside windrow_fraction of its words, which place the point.
+WINDROW_FN float windrow_strand_chance(uvec2 key) { return windrow_fraction((key.x << 11u) ^ (key.y * 2654435761u)); }
+WINDROW_FN float windrow_strand_other_chance(uvec2 key) { return windrow_fraction((key.y << 13u) ^ (key.x * 2246822519u)); }
 
 // The cell that holds q in the row `rows` above q's own.
 WINDROW_FN ivec2 windrow_strand_home(WindrowStrandLattice lattice, vec2 q, int rows) {
@@ -57,8 +57,8 @@ WINDROW_FN vec2 windrow_strand_centre(WindrowStrandLattice lattice, ivec2 cell) 
 
 // From the cell's centre to its point.
 WINDROW_FN vec2 windrow_strand_jitter(WindrowStrandLattice lattice, uvec2 key) {
-    float a = windrow_share(key.x) - 0.5f;
-    float b = windrow_share(key.y) - 0.5f;
+    float a = windrow_fraction(key.x) - 0.5f;
+    float b = windrow_fraction(key.y) - 0.5f;
     if (lattice.wriggle > 0.0f) {
         float wave = 0.5f * windrow_turn_sine(b + lattice.phase);
         b = mix(b, 0.5f * windrow_turn_sine(a + lattice.phase), lattice.wriggle);
@@ -139,7 +139,7 @@ WINDROW_FN WindrowTuft windrow_space_tuft(uint seed, vec3 q) {
         if (dot(away, away) > 2.46f) // (1.22 + 0.35)^2
             continue;
         uvec2 key = windrow_space_hash(seed, cell);
-        vec3 chance = vec3(windrow_share(key.x), windrow_share(key.y), windrow_strand_chance(key));
+        vec3 chance = vec3(windrow_fraction(key.x), windrow_fraction(key.y), windrow_strand_chance(key));
         vec3 offset = away - 0.4f * (chance - 0.5f);
         float square = dot(offset, offset);
         if (square < least) {

@@ -280,7 +280,7 @@ WINDROW_FN WindrowStrandHit windrow_strand_space_hit(WindrowStrandField field, v
                 if (abs(above) > slab || (aside > 0.0f && aside * aside + beyond * beyond > 0.75f))
                     continue;
                 uvec2 key = windrow_space_hash(seed, cell);
-                vec3 jitter = vec3(windrow_share(key.x), windrow_share(key.y), windrow_strand_other_chance(key)) - 0.5f;
+                vec3 jitter = vec3(windrow_fraction(key.x), windrow_fraction(key.y), windrow_strand_other_chance(key)) - 0.5f;
                 vec3 d = away - jitter;
                 float off = dot(d, n);
                 float reach = windrow_strand_reach(field, key) * windrow_strand_slab(abs(off));

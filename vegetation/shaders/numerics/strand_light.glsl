@@ -38,7 +38,7 @@ WINDROW_FN float windrow_strand_occlusion(float h, float attenuation, float bias
 
 // A factor between 1 - spread and 1 + spread that belongs to a strand, for its colour. Its length follows another chance.
 WINDROW_FN float windrow_strand_tone(uvec2 key, float spread) {
-    return 1.0f + spread * (2.0f * windrow_share(key.x * 747796405u + key.y) - 1.0f);
+    return 1.0f + spread * (2.0f * windrow_fraction(key.x * 747796405u + key.y) - 1.0f);
 }
 
 // How much of the second colour a place has, 0 to 1, in patches of about one unit of `place`.
@@ -48,8 +48,8 @@ WINDROW_FN float windrow_strand_patch(uint seed, vec3 place) {
 }
 
 // `t` 0 to 1 over the strand, `power` k above 0: 1 evenly, 3 the tip alone.
-WINDROW_FN vec3 windrow_strand_colour(vec3 root, vec3 tip, vec3 second, float second_share, float t, float power, float tone) {
-    return mix(root, mix(tip, second, second_share), windrow_mask_power(t, power)) * tone;
+WINDROW_FN vec3 windrow_strand_colour(vec3 root, vec3 tip, vec3 second, float second_fraction, float t, float power, float tone) {
+    return mix(root, mix(tip, second, second_fraction), windrow_mask_power(t, power)) * tone;
 }
 
 // What two noise pictures leave standing: a strand reaches up to this height. Influence 0 has no effect.

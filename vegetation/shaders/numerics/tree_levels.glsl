@@ -7,7 +7,7 @@
 //   A = integral over r of shown^2,  wide = A^(-q)         of all sizes, in closed form. q = 1/2 keeps the leaves' area; less,
 //                                                          since in a crown of several layers most of it is hidden: the outline
 //                                                          needs one
-//   stem = clamp(radius / (d least_angle) - 1, 0, 1) clamp((1 - d / d_far) / 0.3, 0, 1)
+//   stem = clamp(radius / (d min_angle) - 1, 0, 1) clamp((1 - d / d_far) / 0.3, 0, 1)
 //                                                          a branch shrinks to its middle line while its radius is two to one
 //                                                          least angles, and before d_far, where leaves hide it
 //   morph = smoothstep(0.6 d_coarse, d_coarse, d)          of the trunk's fine rings into the coarse ones, which then take over

@@ -12,7 +12,7 @@
 WINDROW_FN float windrow_turn_sine(float x) {
     float f = x - floor(x + 0.5f);
     float folded = 6.28318530718f * (abs(f) > 0.25f ? (f < 0.0f ? -0.5f : 0.5f) - f : f);
-    return folded * windrow_sine_share(folded * folded);
+    return folded * windrow_sine_fraction(folded * folded);
 }
 
 // cos 2 pi x.

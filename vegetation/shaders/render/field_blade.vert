@@ -55,7 +55,7 @@ void main() {
     // dotted.
     vec3 face =
         mix(normalize(sight + vec3(0.0, 1.0, 0.0)), facing < 0.0 ? -now.normal : now.normal, smoothstep(0.0, 0.4, abs(facing)));
-    normal = vec4(face, sun_share(now.position, to_sun) * own_shade);
+    normal = vec4(face, sun_fraction(now.position, to_sun) * own_shade);
     across = vec4(look.second.w * shows * cross(now.tangent, now.normal), grass_open(look, tall));
     fog = blade.fog;
     if (frame.terrain_size.z != 0) { // as it is, whatever the light

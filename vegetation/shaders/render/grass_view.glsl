@@ -14,7 +14,7 @@ vec3 grass_view(int view, vec2 bend, uint level, float morph, uint slot) {
     if (view == k_view_levels)
         return level == 1u ? vec3(0.02, 0.09, 0.45) : mix(vec3(0.10, 0.42, 0.05), vec3(0.70, 0.42, 0.03), morph);
     uvec2 hash = windrow_plant_hash(uvec2(slot, 77u));
-    return 0.08 + 0.5 * vec3(windrow_share(hash.x), windrow_share(hash.y), windrow_share(hash.x ^ (hash.y << 7)));
+    return 0.08 + 0.5 * vec3(windrow_fraction(hash.x), windrow_fraction(hash.y), windrow_fraction(hash.x ^ (hash.y << 7)));
 }
 
 #endif

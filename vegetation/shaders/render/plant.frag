@@ -39,7 +39,7 @@ void main() {
     leaf *= mix(vec3(1.0), vec3(0.78, 0.96, 1.15), clamp(-kind.z, 0.0, 1.0)); // some are bluer
     vec3 through = mix(look.through.rgb, look.dry.rgb, 0.7 * aged) * (0.4 + 0.6 * h);
 
-    float lit = sun_share(position, to_sun);
+    float lit = sun_fraction(position, to_sun);
     float open = mix(look.root.w, 1.0, h * (2.0 - h)); // what the neighbours leave of the sky
     float cosine = dot(n, to_sun);
     vec3 sun = frame.sunlight.rgb * lit * mix(0.55, 1.0, h);

@@ -7,7 +7,7 @@
 #include "../numerics/leaf_light.glsl"
 
 // Share of the sun that reaches `at`, by one of the two maps: nine bilinear comparisons, a tent of four texels.
-float shadow_share(int cascade, vec3 at) {
+float shadow_fraction(int cascade, vec3 at) {
     vec3 clip = (frame.shadow[cascade] * vec4(at, 1.0)).xyz;
     vec2 uv = 0.5 * clip.xy + 0.5;
     float texel = frame.shadow_texel.z;
@@ -23,18 +23,18 @@ float shadow_share(int cascade, vec3 at) {
 
 // Of the sun's beam, past what stands in the maps and past the clouds. `lift` is the unit vector along which the point is moved
 // off its surface, by texels, so that it does not shade itself.
-float sun_share(vec3 position, vec3 lift) {
+float sun_fraction(vec3 position, vec3 lift) {
     float distance = length(position - frame.eye.xyz);
     float reach = frame.shadow_texel.w;
     float far = smoothstep(0.8 * reach, reach, distance);
     float lit = 0.0;
     if (far < 1.0)
-        lit += (1.0 - far) * shadow_share(0, position + 1.5 * frame.shadow_texel.x * lift);
+        lit += (1.0 - far) * shadow_fraction(0, position + 1.5 * frame.shadow_texel.x * lift);
     if (far > 0.0) {
         vec3 at = position + 1.5 * frame.shadow_texel.y * lift;
         vec3 clip = (frame.shadow[1] * vec4(at, 1.0)).xyz;
         float edge = smoothstep(0.9, 1.0, max(abs(clip.x), abs(clip.y))); // beyond the map all is lit
-        lit += far * mix(shadow_share(1, at), 1.0, edge);
+        lit += far * mix(shadow_fraction(1, at), 1.0, edge);
     }
     return lit * windrow_cloud_light(frame.clouds, frame.sky.sun.xyz, position);
 }

@@ -17,7 +17,7 @@ void main() {
     n = dot(n, frame.eye.xyz - position) < 0.0 ? -n : n;
     vec3 to_sun = frame.sky.sun.xyz;
     float facing = max(dot(n, to_sun), 0.0);
-    vec3 radiance = albedo * (0.318309886 * frame.sunlight.rgb * facing * sun_share(position, n) +
+    vec3 radiance = albedo * (0.318309886 * frame.sunlight.rgb * facing * sun_fraction(position, n) +
                               windrow_around(n, frame.skylight.rgb, frame.groundlight.rgb));
     colour = vec4(fogged(radiance, position), 1.0);
     motion = windrow_motion_vector(clip_now, clip_before);

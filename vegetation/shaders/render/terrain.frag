@@ -38,7 +38,7 @@ void main() {
     vec3 leaf = grass_albedo(look, k_seen_height, clump, own, windrow_dryness(place));
     vec3 soil = mix(look.soil.rgb, 0.5 * look.soil.rgb + 0.5 * look.root.rgb, stands) * mix(0.55, 1.25, grain);
 
-    float lit = sun_share(position, n);
+    float lit = sun_fraction(position, n);
     vec3 to_eye = (frame.eye.xyz - position) / distance;
     vec3 sun = frame.sunlight.rgb * lit;
     float shade = grass_self_shade(look, k_seen_height), open = grass_open(look, k_seen_height);

@@ -2,7 +2,7 @@
 //
 // u runs along the card from root to tip, v across it from -1 to 1; the card is the kite |v| + |2 u - 1| <= 1. Leaves: two grids
 // of cells, a leaf turned by chance in each, left out where its cell is beyond the kite. A card that has grown to stand for many
-// has more cells, up to k_most_wide times, so that leaves stay as large as they are. Needles: side twigs leave the twig at a
+// has more cells, up to k_max_wide times, so that leaves stay as large as they are. Needles: side twigs leave the twig at a
 // slant, u - s |v| is constant along one, and bear combs. Where leaves are smaller than a pixel, their mean. Ours.
 #ifndef WINDROW_LEAF_MASK_GLSL
 #define WINDROW_LEAF_MASK_GLSL
@@ -16,7 +16,7 @@ struct LeafMask {
     float along;    // on that leaf, 0 to 1
 };
 
-const float k_most_wide = 5.0;
+const float k_max_wide = 5.0;
 const float k_cells = 4.4; // along a card
 
 // One grid of leaves: `at` in cells, `pixel` the size of a pixel there.
@@ -29,7 +29,7 @@ void add_leaves(inout LeafMask mask, vec2 at, vec2 card_cells, float pixel, int 
     float rim = abs(2.0 * middle.x - 1.0) + abs(2.0 * middle.y);
     if (rim > 1.02)
         return;
-    float turn = 6.28318531 * windrow_share(hash.x);
+    float turn = 6.28318531 * windrow_fraction(hash.x);
     vec2 off = at - below - 0.5;
     vec2 on = vec2(cos(turn) * off.x + sin(turn) * off.y, cos(turn) * off.y - sin(turn) * off.x);
     float along = clamp(on.x / 1.05 + 0.5, 0.0, 1.0);
@@ -37,13 +37,13 @@ void add_leaves(inout LeafMask mask, vec2 at, vec2 card_cells, float pixel, int 
     float shown = clamp((half_width - abs(on.y)) / pixel + 0.5, 0.0, 1.0) * step(abs(on.x), 0.52);
     if (shown > mask.coverage) {
         mask.coverage = shown;
-        mask.leaf = windrow_share(hash.y);
+        mask.leaf = windrow_fraction(hash.y);
         mask.along = along;
     }
 }
 
 LeafMask broad_mask(float u, float v, float wide, float chance) {
-    vec2 card_cells = vec2(1.0, 0.8) * k_cells * min(wide, k_most_wide);
+    vec2 card_cells = vec2(1.0, 0.8) * k_cells * min(wide, k_max_wide);
     vec2 at = vec2(u, 0.5 * v) * card_cells;
     float pixel = max(length(vec2(fwidth(at.x), fwidth(at.y))), 1e-4);
     LeafMask mask = LeafMask(0.0, 0.5, 0.5);

@@ -36,7 +36,7 @@ void main() {
     vec3 albedo = mix(kind.furrow.rgb, kind.bark.rgb, ridge) * (1.0 + 0.15 * wood.w);
 
     float through_crown = clamp(open.w + dot(open.xyz, to_sun), 0.0, 1.0);
-    float lit = sun_share(position, n) * mix(0.4, 1.0, through_crown);
+    float lit = sun_fraction(position, n) * mix(0.4, 1.0, through_crown);
     float sky = clamp(open.w + 0.6 * open.y, 0.08, 1.0);
     vec3 radiance = albedo * (0.318309886 * frame.sunlight.rgb * (max(dot(n, to_sun), 0.0) * lit) +
                               sky * windrow_around(n, frame.skylight.rgb, frame.groundlight.rgb));

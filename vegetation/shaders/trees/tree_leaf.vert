@@ -29,7 +29,7 @@ void main() {
     // The map has sharp shade of branches and of other trees; the crown's own is smoother and holds where the map ends. A leaf of
     // the rim is looked up a little outside of it: the map has whole cards where there are leaves with gaps.
     vec3 outside = at + 0.35 * place.base.w * out_of_crown / max(length(out_of_crown), 0.3);
-    float lit = sun_share(outside, to_sun) * mix(0.3, 1.0, through_crown);
+    float lit = sun_fraction(outside, to_sun) * mix(0.3, 1.0, through_crown);
     sun = vec4(frame.sunlight.rgb * lit, clamp(vertex.open.w + 0.6 * out_of_crown.y, 0.04, 1.0));
     shade = vec2(clamp(vertex.open.w + 0.5 * length(vertex.open.xyz), 0.0, 1.0), place.turn.z);
     normal = now.normal;

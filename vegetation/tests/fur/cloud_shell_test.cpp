@@ -120,7 +120,7 @@ TEST(CloudShell, NormalsFollowTheHeap) {
     EXPECT_GT(windrow::test::figure("shells/cloud/fall_along_normal_over_steepest", worst), 0.9);
 }
 
-TEST(CloudShell, RefusesWhatIsOutOfRange) {
+TEST(CloudShell, RejectsWhatIsOutOfRange) {
     EXPECT_TRUE(validate(CloudShellSettings{}));
     for (const float value : {std::nanf(""), INFINITY, -1e9f, 1e9f})
         for (const auto field : {&CloudShellSettings::cover, &CloudShellSettings::size, &CloudShellSettings::base,

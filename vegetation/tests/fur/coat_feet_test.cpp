@@ -17,7 +17,7 @@ CoatSettings lawn() {
     CoatSettings grass = bare_bones();
     grass.layers.length = 0.2f;
     grass.layers.shells = 8;
-    grass.wind_share = 0.0f;
+    grass.wind_fraction = 0.0f;
     return grass;
 }
 
@@ -93,18 +93,18 @@ TEST(CoatFeet, AreSeenOnFourVertices) {
     WINDROW_EXPECT_FIGURE("shells/feet/pixels_changed_beyond", beyond, 0);
 }
 
-TEST(CoatFeet, RefuseWhatIsNoFoot) {
-    const auto refused = [](const Foot& foot, const char* field) {
+TEST(CoatFeet, RejectWhatIsNoFoot) {
+    const auto rejected = [](const Foot& foot, const char* field) {
         const auto judged = validate(std::span(&foot, 1));
         ASSERT_FALSE(judged) << field;
         EXPECT_NE(judged.error().find(field), std::string::npos) << judged.error();
     };
-    refused({.radius = 0.0f}, "feet[0].radius");
-    refused({.radius = std::numeric_limits<float>::quiet_NaN()}, "feet[0].radius");
-    refused({.weight = 1.5f}, "feet[0].weight");
-    refused({.position = {0.0, std::numeric_limits<double>::infinity(), 0.0}}, "feet[0].position.y");
-    EXPECT_FALSE(validate(std::vector<Foot>(k_most_feet + 1)));
-    EXPECT_TRUE(validate(std::vector<Foot>(k_most_feet)));
+    rejected({.radius = 0.0f}, "feet[0].radius");
+    rejected({.radius = std::numeric_limits<float>::quiet_NaN()}, "feet[0].radius");
+    rejected({.weight = 1.5f}, "feet[0].weight");
+    rejected({.position = {0.0, std::numeric_limits<double>::infinity(), 0.0}}, "feet[0].position.y");
+    EXPECT_FALSE(validate(std::vector<Foot>(k_max_feet + 1)));
+    EXPECT_TRUE(validate(std::vector<Foot>(k_max_feet)));
 }
 
 } // namespace

@@ -17,7 +17,7 @@ CoatSettings marked(int shells, int march) {
     coat.layers.shells = shells;
     coat.layers.length = 0.06f;
     coat.layers.sag = 0.0f;
-    coat.wind_share = 0.0f;
+    coat.wind_fraction = 0.0f;
     coat.strands = {.density = 60.0f, .low = 0.6f, .high = 1.0f, .thickness = 0.8f};
     coat.look.root = {0.8f, 0.0f, 0.0f};
     coat.look.tip = coat.look.second = {0.0f, 0.8f, 0.0f};
@@ -30,7 +30,7 @@ CoatSettings marked(int shells, int march) {
 }
 
 // Shares of the skin's pixels through which the skin is seen.
-double skin_share(Stage& stage, const render::Camera& camera) {
+double skin_fraction(Stage& stage, const render::Camera& camera) {
     stage.draw(camera);
     const render::PictureF light = stage.light();
     int skin = 0, all = 0;
@@ -53,7 +53,7 @@ TEST(CoatGaps, TheWalkBetweenLayersClosesGapsOfAPlane) {
         const auto share = [&](int shells, int march) {
             Stage stage({.width = k_side, .height = k_side});
             stage.dress(square(4.0f), marked(shells, march), at({}));
-            return skin_share(stage, camera);
+            return skin_fraction(stage, camera);
         };
         const double truth = share(256, 0);
         const std::string name = "shells/gaps/plane/" + std::to_string(static_cast<int>(deg));
@@ -74,7 +74,7 @@ TEST(CoatGaps, TheWalkBetweenLayersClosesGapsOfAPlane) {
 TEST(CoatGaps, TheWalkBetweenLayersClosesTheSilhouette) {
     const render::Camera camera = camera_at({0.0, 0.0, 3.0}, {0.0, 0.0, 0.0}, 22.0f);
     const double radius = 0.45;
-    const auto open_share = [&](int shells, int march) {
+    const auto open_fraction = [&](int shells, int march) {
         Stage stage({.width = k_ring, .height = k_ring});
         CoatSettings settings = marked(shells, march);
         stage.dress(*globe_sphere({.radius = static_cast<float>(radius), .sectors = 40, .stacks = 30}), settings, at({}));
@@ -82,7 +82,7 @@ TEST(CoatGaps, TheWalkBetweenLayersClosesTheSilhouette) {
         const render::PictureF light = stage.light();
         const double pixels = 0.5 * k_ring / std::tan(0.5 * 22.0 * 3.14159265358979 / 180.0); // of a tangent of 1
         const auto rim = [&](double r) { return pixels * std::tan(std::asin(r / 3.0)); };
-        const double low = rim(radius) + 1.0, high = rim(radius + 0.6 * 0.06);
+        const double low = blend_zone(radius) + 1.0, high = blend_zone(radius + 0.6 * 0.06);
         int open = 0, all = 0;
         for (int row = 0; row < k_ring; ++row)
             for (int column = 0; column < k_ring; ++column) {
@@ -95,10 +95,10 @@ TEST(CoatGaps, TheWalkBetweenLayersClosesTheSilhouette) {
             }
         return static_cast<double>(open) / all;
     };
-    const double truth = open_share(256, 0);
+    const double truth = open_fraction(256, 0);
     windrow::test::figure("shells/gaps/rim/truth", truth);
     for (const int shells : {16, 32}) {
-        const double before = open_share(shells, 0), after = open_share(shells, 8);
+        const double before = open_fraction(shells, 0), after = open_fraction(shells, 8);
         const std::string of = "shells/gaps/rim/" + std::to_string(shells);
         windrow::test::figure(of + "/before", before);
         windrow::test::figure(of + "/after", after);

@@ -1,4 +1,4 @@
-// How many layers a coat has at a distance, what it refuses to draw, and what its pictures become.
+// How many layers a coat has at a distance, what it rejects to draw, and what its pictures become.
 #include "tests/figure.h"
 #include "vegetation/files/coat_picture_files.h"
 #include "vegetation/fur/coat_settings.h"
@@ -16,7 +16,7 @@ TEST(CoatLevels, NoLayerPopsAsTheirNumberGrows) {
     CoatSettings settings;
     settings.layers.shells = 40;
     settings.layers.spacing = 1.5f;
-    settings.levels = {.least_shells = 6, .full_until = 2.0f};
+    settings.levels = {.min_shells = 6, .full_until = 2.0f};
     const auto height = [&](const LayerCount& count, int layer) {
         return layer < count.layers ? std::pow(std::min(static_cast<float>(layer) / count.divisor, 1.0f), settings.layers.spacing)
                                     : 1.0f;
@@ -64,7 +64,7 @@ TEST(CoatPictures, LevelsAreMeansOfFour) {
     EXPECT_EQ(glm::unpackHalf2x16(made.texels[10].x).x, 3.5f);
 }
 
-TEST(CoatPictures, BadOnesAreRefusedInASentence) {
+TEST(CoatPictures, BadOnesAreRejectedInASentence) {
     CoatPictures pictures;
     pictures.colour = {2, 2, std::vector<glm::vec4>(3)};
     auto judged = validate(pictures);
@@ -82,10 +82,10 @@ TEST(CoatPictures, BadOnesAreRefusedInASentence) {
     EXPECT_NE(missing.error().find("nowhere.png"), std::string::npos);
 }
 
-TEST(Coat, RefusesWhatItCannotDraw) {
+TEST(Coat, RejectsWhatItCannotDraw) {
     Stage stage({.width = 16, .height = 16});
-    const auto refused = [&](const CoatSettings& settings, const Mesh& mesh, std::span<const MeshPart> parts,
-                             const windrow::Pose& body, const char* word) {
+    const auto rejected = [&](const CoatSettings& settings, const Mesh& mesh, std::span<const MeshPart> parts,
+                              const windrow::Pose& body, const char* word) {
         const auto made = Coat::create(*stage.device, stage.renderer->draw_targets(), mesh, parts, settings, {}, body, k_anchor);
         EXPECT_FALSE(made);
         EXPECT_NE((made ? std::string() : made.error()).find(word), std::string::npos) << word;
@@ -93,19 +93,19 @@ TEST(Coat, RefusesWhatItCannotDraw) {
     const Mesh mesh = square();
     CoatSettings bad;
     bad.layers.shells = 1;
-    refused(bad, mesh, {}, at({}), "shells");
+    rejected(bad, mesh, {}, at({}), "shells");
     bad = {};
     bad.look.tip.r = std::numeric_limits<float>::quiet_NaN();
-    refused(bad, mesh, {}, at({}), "tip");
+    rejected(bad, mesh, {}, at({}), "tip");
     bad = {};
-    bad.spots.resize(k_most_spots + 1);
-    refused(bad, mesh, {}, at({}), "spots");
+    bad.spots.resize(k_max_spots + 1);
+    rejected(bad, mesh, {}, at({}), "spots");
     Mesh broken = mesh;
     broken.indices[0] = 77;
-    refused({}, broken, {}, at({}), "77");
+    rejected({}, broken, {}, at({}), "77");
     const MeshPart part{.material = {}, .first = 3, .count = 6};
-    refused({}, mesh, std::span(&part, 1), at({}), "coat.parts");
-    refused({}, mesh, {}, at({}, -1.0), "scale");
+    rejected({}, mesh, std::span(&part, 1), at({}), "coat.parts");
+    rejected({}, mesh, {}, at({}, -1.0), "scale");
 
     Coat& coat = stage.dress(mesh, {}, at({}));
     EXPECT_FALSE(coat.move(-1.0, at({})));
@@ -113,7 +113,7 @@ TEST(Coat, RefusesWhatItCannotDraw) {
     EXPECT_FALSE(coat.move(k_frame, at({}, 0.0)));
     const std::vector<glm::mat4> bones(1, glm::mat4(std::numeric_limits<float>::infinity()));
     EXPECT_FALSE(coat.move(k_frame, at({}), bones));
-    const std::vector<Lamp> many(k_most_lamps + 1);
+    const std::vector<Lamp> many(k_max_lamps + 1);
     EXPECT_FALSE(coat.set_lamps(many));
     EXPECT_TRUE(coat.move(k_frame, at({})));
     // What lies behind the eye is not drawn.

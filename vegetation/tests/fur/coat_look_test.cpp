@@ -13,7 +13,7 @@ namespace {
 using namespace numerics;
 
 constexpr double k_byte = 1.0 / 255.0; // of full scale, radiance 1
-constexpr float k_pi_share = 0.318309886f;
+constexpr float k_pi_fraction = 0.318309886f;
 
 render::Camera from_above(double height, float view_deg) {
     return camera_at({0.0, height, 0.01 * height}, {0.0, 0.0, 0.0}, view_deg);
@@ -24,7 +24,7 @@ CoatSettings still(const StrandFieldSettings& strands) {
     coat.layers.shells = 9;
     coat.layers.length = 0.01f;
     coat.layers.sag = 0.0f;
-    coat.wind_share = 0.0f;
+    coat.wind_fraction = 0.0f;
     coat.strands_on = StrandsOn::uv;
     coat.strands = strands;
     coat.look.variation = 0.0f;
@@ -124,7 +124,7 @@ glm::vec3 lit(const CoatLook& look, const Point& p, glm::vec3 beam, glm::vec3 to
     const float sheen = look.sheen * windrow_hair_sheen(p.tangent, half_way, look.sheen_power);
     const float through = look.through * windrow_tips_through(p.t, -glm::dot(to_eye, to_light));
     const glm::vec3 along = facing * (gloss + sheen * glm::mix(glm::vec3(0.04f), p.albedo, 0.5f)) + through * p.albedo;
-    return k_pi_share * beam * (p.open * facing * p.albedo + p.hair * p.t * along);
+    return k_pi_fraction * beam * (p.open * facing * p.albedo + p.hair * p.t * along);
 }
 glm::vec3 expected(const CoatLook& look, const render::ViewBlock& frame, const Point& p, glm::vec3 to_eye) {
     return lit(look, p, glm::vec3(frame.sunlight), glm::vec3(frame.sky.sun), to_eye) +

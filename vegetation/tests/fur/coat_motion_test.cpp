@@ -38,7 +38,7 @@ TEST(CoatMotion, LagNeitherEntersTheSkinNorCrossesLayers) {
     settings.comb.bend = 0.8f;
     settings.inertia.emplace();
     Coat& coat = stage.dress(*globe_sphere({}), settings, at({}));
-    double inward = 0.0, crossed = 0.0, most_lag = 0.0, longest = 0.0;
+    double inward = 0.0, crossed = 0.0, max_lag = 0.0, longest = 0.0;
     double tip_before = 1e9;
     for (int frame = 0; frame < 24; ++frame) {
         windrow::Pose body = at({frame < 6 ? 0.25 * frame : 1.25, frame == 3 ? 0.5 : 0.0, 0.0});
@@ -62,13 +62,13 @@ TEST(CoatMotion, LagNeitherEntersTheSkinNorCrossesLayers) {
             longest = std::max(longest, way / 0.1);
             lag = std::max(lag, static_cast<double>(glm::length(glm::vec3(skin.lag + skin.lag_more))));
         }
-        most_lag = std::max(most_lag, lag);
+        max_lag = std::max(max_lag, lag);
         if (frame > 12) { // the body rests: tips come after it
             EXPECT_LE(lag, tip_before + 1e-6);
             tip_before = lag;
         }
     }
-    EXPECT_GT(windrow::test::figure("shells/lag/most_m", most_lag), 0.1);
+    EXPECT_GT(windrow::test::figure("shells/lag/max_m", max_lag), 0.1);
     WINDROW_EXPECT_FIGURE("shells/lag/inward", inward, 1e-6);
     WINDROW_EXPECT_FIGURE("shells/lag/crossed", crossed, 1e-5);
     WINDROW_EXPECT_FIGURE("shells/lag/stretched", longest - 1.0, 0.01); // strands keep their length within 1 %
@@ -125,7 +125,7 @@ void expect_motion(const std::string& name, bool translated) {
     windrow::test::figure("shells/motion/" + name + "/compared", compared);
     EXPECT_GT(compared, 60);
     EXPECT_GT(windrow::test::figure("shells/motion/" + name + "/of_wind_rad", of_wind), 1e-4);
-    windrow::test::figure("shells/motion/" + name + "/most_px", most);
+    windrow::test::figure("shells/motion/" + name + "/max_px", most);
     // A pixel's middle lies up to 0.7 px from the vertex, where the motion is another: a twentieth of the largest.
     WINDROW_EXPECT_FIGURE("shells/motion/" + name + "/apart_px", worst, 0.05 * most);
 }

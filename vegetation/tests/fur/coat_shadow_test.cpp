@@ -20,7 +20,7 @@ TEST(CoatShadow, AConesShadowOverlapsItsSilhouette) {
     cone.layers.shells = 96;
     cone.layers.length = 0.6f;
     cone.layers.sag = 0.0f;
-    cone.wind_share = 0.0f;
+    cone.wind_fraction = 0.0f;
     cone.strands_on = StrandsOn::uv;
     cone.strands = {.density = 1.0f, .jitter = 0.0f, .low = 1.0f, .high = 1.0f, .thickness = 0.9f};
     cone.look.root = cone.look.tip = cone.look.second = cone.look.skin = {0.8f, 0.0f, 0.0f};

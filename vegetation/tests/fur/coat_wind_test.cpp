@@ -50,7 +50,7 @@ TEST(CoatWind, StrandsLeanOneByOneOnFourVertices) {
     for (int row = 0; row < side; ++row)
         for (int column = 0; column < side; ++column)
             most = std::max(most, light.at(column, row, 1) - light.at(column, row, 2));
-    double worst = 0.0, least_lean = 1e9, most_lean = 0.0;
+    double worst = 0.0, min_lean = 1e9, max_lean = 0.0;
     int found = 0;
     const auto shells = windrow::detail::shared(reference.block().shells);
     for (const CoatSkinBlock& root : engine::must(reference.skin())) {
@@ -72,13 +72,13 @@ TEST(CoatWind, StrandsLeanOneByOneOnFourVertices) {
             continue;
         ++found;
         worst = std::max(worst, glm::length(sum / weight - wanted));
-        least_lean = std::min(least_lean, static_cast<double>(glm::length(shift)));
-        most_lean = std::max(most_lean, static_cast<double>(glm::length(shift)));
+        min_lean = std::min(min_lean, static_cast<double>(glm::length(shift)));
+        max_lean = std::max(max_lean, static_cast<double>(glm::length(shift)));
     }
-    windrow::test::figure("shells/pixel_lean/least_m", least_lean);
-    windrow::test::figure("shells/pixel_lean/most_m", most_lean);
+    windrow::test::figure("shells/pixel_lean/min_m", min_lean);
+    windrow::test::figure("shells/pixel_lean/max_m", max_lean);
     EXPECT_GE(windrow::test::figure("shells/pixel_lean/strands", found, 95), 95);
-    EXPECT_GT(most_lean - least_lean, 0.01); // the wind is not even
+    EXPECT_GT(max_lean - min_lean, 0.01); // the wind is not even
     WINDROW_EXPECT_FIGURE("shells/pixel_lean/worst_pixels", worst, 1.0);
 }
 
@@ -89,7 +89,7 @@ TEST(CoatWind, TheDriftIsTheShiftOfThePattern) {
     CoatSettings sky = bare_bones();
     sky.layers.shells = 12;
     sky.layers.length = 0.5f;
-    sky.wind_share = 0.0f;
+    sky.wind_fraction = 0.0f;
     sky.mirrored = sky.drifts = true;
     sky.wriggle_hz = 0.0f;
     sky.look.root = sky.look.tip = sky.look.second = {0.8f, 0.0f, 0.0f};

@@ -22,7 +22,7 @@ TEST(FurLines, ASecondMaterialHasItsOwn) {
     EXPECT_EQ(coats->at("c"), (FurLine{4096, 100.0f, 10.0f, 4096.0f}));
 }
 
-TEST(FurLines, WhatIsWrongIsRefusedWithFileAndLine) {
+TEST(FurLines, WhatIsWrongIsRejectedWithFileAndLine) {
     const std::pair<const char*, const char*> wrong[] = {{"fur 48 0.419 2.753", "four numbers"},
                                                          {"fur 48 0.419 2.753 11 1", "four numbers"},
                                                          {"fur", "four numbers"},

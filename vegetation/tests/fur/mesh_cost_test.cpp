@@ -35,7 +35,7 @@ TEST(MeshCost, FansAreNotSimplifiedForMinutes) {
         const std::string one = std::to_string(3 + i) + " ", next = std::to_string(3 + (i + 1) % k_rim) + " ";
         text += "f 1 " + next + one + "\nf 2 " + one + next + "\n";
     }
-    expect_cheap(folder.write("fan.obj", text), "cannot be simplified below", {.most_triangles = 100});
+    expect_cheap(folder.write("fan.obj", text), "cannot be simplified below", {.max_triangles = 100});
 }
 
 TEST(MeshCost, PrimitivesThatShareAnAccessorCountEachUse) {

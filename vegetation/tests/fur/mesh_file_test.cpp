@@ -124,7 +124,7 @@ TEST(MeshFiles, TheBunnyIsSimplified) {
     ASSERT_TRUE(whole) << whole.error();
     EXPECT_EQ(surface_of(*whole).points, 34'835u);
     EXPECT_EQ(whole->triangles(), 69'666u);
-    const auto few = read_mesh(test::glmark2("bunny.obj"), {.most_triangles = 8'000});
+    const auto few = read_mesh(test::glmark2("bunny.obj"), {.max_triangles = 8'000});
     ASSERT_TRUE(few) << few.error();
     const auto surface = surface_of(*few), before = surface_of(*whole);
     EXPECT_EQ(few->triangles(), 8'000u);
@@ -145,7 +145,7 @@ TEST(MeshFiles, TheHorseAndTheCat) {
     ASSERT_TRUE(horse) << horse.error();
     EXPECT_TRUE(horse->has_uv);
     EXPECT_EQ(horse->vertices.size(), 3'582u);
-    const auto cat = read_mesh(test::glmark2("cat.3ds"), {.most_triangles = 6'000});
+    const auto cat = read_mesh(test::glmark2("cat.3ds"), {.max_triangles = 6'000});
     ASSERT_TRUE(cat) << cat.error();
     EXPECT_EQ(cat->triangles(), 6'000u);
 }

@@ -38,7 +38,7 @@ void expect_outside(const Posed& posed, const std::string& name) {
     ASSERT_TRUE(shells) << shells.error();
     std::mt19937 chance(19);
     std::normal_distribution<float> gauss;
-    double lowest = 1.0, least_step = 1.0;
+    double lowest = 1.0, min_step = 1.0;
     for (int i = 0; i < k_pushes; ++i) {
         const std::size_t v = chance() % posed.positions.size();
         const glm::vec3 p = posed.positions[v], n = posed.normals[v];
@@ -54,14 +54,14 @@ void expect_outside(const Posed& posed, const std::string& name) {
                 const double over = glm::dot(glm::dvec3(moved - p), glm::dvec3(n)) / static_cast<double>(k_length);
                 lowest = std::min(lowest, over);
                 if (shell > 0)
-                    least_step = std::min(least_step, over - below);
+                    min_step = std::min(min_step, over - below);
                 below = over;
             }
         }
     }
     // Rounding of positions of some metres, over L.
     WINDROW_EXPECT_FIGURE("shells/push/" + name + "/into_surface_L", -lowest, 1e-5);
-    WINDROW_EXPECT_FIGURE("shells/push/" + name + "/passes_inner_L", -least_step, 1e-5);
+    WINDROW_EXPECT_FIGURE("shells/push/" + name + "/passes_inner_L", -min_step, 1e-5);
 }
 
 TEST(PosedPush, TheBeastInThreePoses) {
@@ -87,7 +87,7 @@ TEST(PosedPush, TheBeastInThreePoses) {
 
 TEST(PosedPush, TheBunnyAtRest) {
     WINDROW_NEEDS_GLMARK2("bunny.obj");
-    const auto bunny = read_mesh(test::glmark2("bunny.obj"), {.most_triangles = 8'000});
+    const auto bunny = read_mesh(test::glmark2("bunny.obj"), {.max_triangles = 8'000});
     ASSERT_TRUE(bunny) << bunny.error();
     expect_outside(still(*bunny), "bunny");
 }

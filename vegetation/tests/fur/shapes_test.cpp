@@ -1,4 +1,4 @@
-// Shapes from formulas: counts, closedness, outside outwards; what a host may get wrong is refused.
+// Shapes from formulas: counts, closedness, outside outwards; what a host may get wrong is rejected.
 #include "tests/figure.h"
 #include "vegetation/fur/shapes.h"
 #include "vegetation/tests/fur/surface.h"
@@ -73,13 +73,13 @@ TEST(ShellShapes, SpheresAreClosed) {
     expect_round(globe, "globe");
     EXPECT_EQ(globe->vertices.size(), 515u);
     EXPECT_EQ(globe->triangles(), 988u);
-    expect_closed(globe_sphere({.sectors = 3, .stacks = 2}), "least_globe");
+    expect_closed(globe_sphere({.sectors = 3, .stacks = 2}), "min_globe");
     const auto cube = cube_sphere({});
     expect_closed(cube, "cube_sphere");
     expect_round(cube, "cube_sphere");
     EXPECT_EQ(surface_of(*cube).points, 386u);
     EXPECT_EQ(cube->triangles(), 768u);
-    expect_closed(cube_sphere({.cells = 1}), "least_cube_sphere");
+    expect_closed(cube_sphere({.cells = 1}), "min_cube_sphere");
     expect_closed(cube_sphere({.cells = 37}), "odd_cube_sphere");
 }
 
@@ -95,7 +95,7 @@ TEST(ShellShapes, SpheresHaveTheirVolume) {
 TEST(ShellShapes, AWingIsClosedAndThin) {
     const auto bird = wing({});
     expect_closed(bird, "wing");
-    expect_closed(wing({.feathers = 0, .columns = 4, .rows = 2}), "least_wing");
+    expect_closed(wing({.feathers = 0, .columns = 4, .rows = 2}), "min_wing");
     expect_closed(wing({.left = true}), "left_wing");
     // At a sharp corner of a sheet one normal stands for faces of opposite sides, and cannot lie before all.
     WINDROW_EXPECT_FIGURE("shells/shapes/wing/behind", surface_of(*bird).behind, 1e-3);
@@ -103,23 +103,23 @@ TEST(ShellShapes, AWingIsClosedAndThin) {
     WINDROW_EXPECT_FIGURE("shells/shapes/wing_mean_thickness_m", surface_of(*bird).volume / area, 0.035);
 }
 
-TEST(ShellShapes, WhatIsWrongIsRefused) {
-    const auto refused = [](const Result<Mesh>& mesh, const char* field) {
+TEST(ShellShapes, WhatIsWrongIsRejected) {
+    const auto rejected = [](const Result<Mesh>& mesh, const char* field) {
         ASSERT_FALSE(mesh) << field;
         EXPECT_NE(mesh.error().find(field), std::string::npos) << mesh.error();
         EXPECT_NE(mesh.error().find(": give "), std::string::npos) << mesh.error();
     };
-    refused(sheet({.size = {k_nan, 1.0f}}), "sheet.size is (nan, 1) m");
-    refused(sheet({.columns = 0}), "sheet.columns");
-    refused(sheet({.rows = 100'000}), "sheet.rows");
-    refused(sheet({.wave = 0.2f}), "sheet.wave");
-    refused(globe_sphere({.radius = -1.0f}), "sphere.radius");
-    refused(globe_sphere({.sectors = 2}), "sphere.sectors");
-    refused(globe_sphere({.stacks = 5000}), "sphere.stacks");
-    refused(cube_sphere({.cells = 0}), "sphere.cells");
-    refused(wing({.chord = 2.0f}), "wing.chord");
-    refused(wing({.thickness = 0.0f}), "wing.thickness");
-    refused(wing({.feathers = -1}), "wing.feathers");
+    rejected(sheet({.size = {k_nan, 1.0f}}), "sheet.size is (nan, 1) m");
+    rejected(sheet({.columns = 0}), "sheet.columns");
+    rejected(sheet({.rows = 100'000}), "sheet.rows");
+    rejected(sheet({.wave = 0.2f}), "sheet.wave");
+    rejected(globe_sphere({.radius = -1.0f}), "sphere.radius");
+    rejected(globe_sphere({.sectors = 2}), "sphere.sectors");
+    rejected(globe_sphere({.stacks = 5000}), "sphere.stacks");
+    rejected(cube_sphere({.cells = 0}), "sphere.cells");
+    rejected(wing({.chord = 2.0f}), "wing.chord");
+    rejected(wing({.thickness = 0.0f}), "wing.thickness");
+    rejected(wing({.feathers = -1}), "wing.feathers");
 }
 
 } // namespace

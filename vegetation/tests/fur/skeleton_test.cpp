@@ -1,4 +1,4 @@
-// Bones: weights, rigid poses, rest; the walk; what is refused.
+// Bones: weights, rigid poses, rest; the walk; what is rejected.
 #include "tests/figure.h"
 #include "vegetation/files/mesh_file.h"
 #include "vegetation/fur/beast.h"
@@ -196,10 +196,10 @@ TEST(Skeletons, TheHorseIsBoundWhole) {
     EXPECT_GT(moved, 0.05f);
 }
 
-TEST(Skeletons, WhatIsWrongIsRefused) {
+TEST(Skeletons, WhatIsWrongIsRejected) {
     constexpr float k_nan = std::numeric_limits<float>::quiet_NaN();
     Mesh ball = *globe_sphere({});
-    const auto refused = [&](const char* field, auto&& spoil) {
+    const auto rejected = [&](const char* field, auto&& spoil) {
         Skeleton bones = *beast_skeleton();
         spoil(bones.bones);
         const auto valid = validate(bones);
@@ -208,20 +208,20 @@ TEST(Skeletons, WhatIsWrongIsRefused) {
         EXPECT_NE(valid.error().find(": give "), std::string::npos) << valid.error();
         EXPECT_FALSE(bind(ball, bones));
     };
-    refused("bones has 0", [](auto& bones) { bones.clear(); });
-    refused("bones has 129", [](auto& bones) { bones.resize(129); });
-    refused("bones[0].parent is 0", [](auto& bones) { bones[0].parent = 0; });
-    refused("bones[2].parent is 3", [](auto& bones) { bones[2].parent = 3; });
-    refused("bones[1].parent is -2", [](auto& bones) { bones[1].parent = -2; });
-    refused("bones[1].head is (", [](auto& bones) { bones[1].head.y = k_nan; });
-    refused("bones[1].tail is (", [](auto& bones) { bones[1].tail.z = 1e9f; });
-    refused("bones[1].radius", [](auto& bones) { bones[1].radius = 0.0f; });
-    refused("bones[1].swings", [](auto& bones) { bones[1].swings.resize(5); });
-    refused("bones[1].swings[0].axis", [](auto& bones) { bones[1].swings[0].axis = glm::vec3(0.0f); });
-    refused("bones[1].swings[0].axis", [](auto& bones) { bones[1].swings[0].axis = glm::vec3(k_nan); });
-    refused("bones[1].swings[0].amplitude", [](auto& bones) { bones[1].swings[0].amplitude = 2.0f; });
-    refused("bones[1].swings[0].hz", [](auto& bones) { bones[1].swings[0].hz = -1.0f; });
-    refused("bones[0].sway is (nan, ", [](auto& bones) { bones[0].sway.x = k_nan; });
+    rejected("bones has 0", [](auto& bones) { bones.clear(); });
+    rejected("bones has 129", [](auto& bones) { bones.resize(129); });
+    rejected("bones[0].parent is 0", [](auto& bones) { bones[0].parent = 0; });
+    rejected("bones[2].parent is 3", [](auto& bones) { bones[2].parent = 3; });
+    rejected("bones[1].parent is -2", [](auto& bones) { bones[1].parent = -2; });
+    rejected("bones[1].head is (", [](auto& bones) { bones[1].head.y = k_nan; });
+    rejected("bones[1].tail is (", [](auto& bones) { bones[1].tail.z = 1e9f; });
+    rejected("bones[1].radius", [](auto& bones) { bones[1].radius = 0.0f; });
+    rejected("bones[1].swings", [](auto& bones) { bones[1].swings.resize(5); });
+    rejected("bones[1].swings[0].axis", [](auto& bones) { bones[1].swings[0].axis = glm::vec3(0.0f); });
+    rejected("bones[1].swings[0].axis", [](auto& bones) { bones[1].swings[0].axis = glm::vec3(k_nan); });
+    rejected("bones[1].swings[0].amplitude", [](auto& bones) { bones[1].swings[0].amplitude = 2.0f; });
+    rejected("bones[1].swings[0].hz", [](auto& bones) { bones[1].swings[0].hz = -1.0f; });
+    rejected("bones[0].sway is (nan, ", [](auto& bones) { bones[0].sway.x = k_nan; });
     EXPECT_FALSE(beast_skeleton({}, 6.0f));
     EXPECT_FALSE(horse_skeleton(0.0f));
 

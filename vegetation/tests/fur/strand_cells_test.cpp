@@ -66,7 +66,7 @@ TEST(StrandCells, AreThoseOfBruteForce) {
         const numerics::WindrowStrandLattice lattice{kind.jitter, kind.wriggle, 0.37f, kind.shift, 11u};
         Random random(1);
         constexpr int k_places = 100'000;
-        double nearest_apart = 0.0, edge_apart = 0.0, least_edge = 1e9, widest = 0.0;
+        double nearest_apart = 0.0, edge_apart = 0.0, min_edge = 1e9, widest = 0.0;
         int other_cell = 0, missed = 0;
         for (int n = 0; n < k_places; ++n) {
             const glm::vec2 q(random.uniform(-30.0f, 30.0f), random.uniform(-30.0f, 30.0f));
@@ -76,7 +76,7 @@ TEST(StrandCells, AreThoseOfBruteForce) {
             nearest_apart = std::max(nearest_apart, std::abs(distance - truth.nearest));
             other_cell += cell.key != truth.key && truth.second - truth.nearest > 1e-5;
             const double edge = static_cast<double>(cell.edge);
-            least_edge = std::min(least_edge, edge);
+            min_edge = std::min(min_edge, edge);
             widest = std::max(widest, truth.edge);
             if (cell.key != truth.key)
                 continue; // on the edge itself, to the last digit
@@ -90,7 +90,7 @@ TEST(StrandCells, AreThoseOfBruteForce) {
         WINDROW_EXPECT_FIGURE(name + "/nearest_cells", nearest_apart, 1e-5);
         WINDROW_EXPECT_FIGURE(name + "/edge_cells", edge_apart, 2e-5);
         WINDROW_EXPECT_FIGURE(name + "/edges_missed", static_cast<double>(missed) / k_places, kind.missed);
-        EXPECT_GE(windrow::test::figure(name + "/least_edge", least_edge), 0.0);
+        EXPECT_GE(windrow::test::figure(name + "/min_edge", min_edge), 0.0);
         // What windrow_strand_top takes for the widest: layers above are skipped.
         WINDROW_EXPECT_FIGURE(name + "/widest_cell", widest, 0.55 + 0.25 * static_cast<double>(kind.jitter));
     }
@@ -150,7 +150,7 @@ TEST(StrandCells, TuftsInSpaceAreThoseOfBruteForce) {
         for (int cell = 0; cell < 343; ++cell) {
             const glm::ivec3 at = glm::ivec3(glm::floor(q)) + glm::ivec3(cell % 7, cell / 7 % 7, cell / 49) - 3;
             const glm::uvec2 key = numerics::windrow_space_hash(9u, at);
-            const glm::dvec3 chance(numerics::windrow_share(key.x), numerics::windrow_share(key.y),
+            const glm::dvec3 chance(numerics::windrow_fraction(key.x), numerics::windrow_fraction(key.y),
                                     numerics::windrow_strand_chance(key));
             least = std::min(least, glm::length(glm::dvec3(q) - (glm::dvec3(at) + 0.5 + 0.4 * (chance - 0.5))));
         }

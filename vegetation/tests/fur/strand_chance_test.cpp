@@ -48,8 +48,8 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b, g
 
 TEST(StrandChance, IsEvenAndNoNeighboursFollowOneAnother) {
     const std::function<double(glm::uvec2)> kinds[] = {
-        [](glm::uvec2 key) { return static_cast<double>(numerics::windrow_share(key.x)); },
-        [](glm::uvec2 key) { return static_cast<double>(numerics::windrow_share(key.y)); },
+        [](glm::uvec2 key) { return static_cast<double>(numerics::windrow_fraction(key.x)); },
+        [](glm::uvec2 key) { return static_cast<double>(numerics::windrow_fraction(key.y)); },
         [](glm::uvec2 key) { return static_cast<double>(numerics::windrow_strand_chance(key)); },
         [](glm::uvec2 key) { return static_cast<double>(numerics::windrow_strand_other_chance(key)); }};
     for (const glm::ivec2 corner : {glm::ivec2(0, 0), glm::ivec2(-500, -500), glm::ivec2(123456, -654321)}) {

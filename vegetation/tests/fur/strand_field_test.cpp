@@ -251,7 +251,7 @@ TEST(StrandField, LyingFeathersRiseAlongV) {
     WINDROW_EXPECT_FIGURE("shells/field/lift_off", off, 1e-5);
 }
 
-TEST(StrandField, RefusesWhatIsOutOfRange) {
+TEST(StrandField, RejectsWhatIsOutOfRange) {
     EXPECT_TRUE(validate(StrandFieldSettings{}));
     const float bad[] = {std::nanf(""), INFINITY, -INFINITY, -1e9f, 1e9f};
     float StrandFieldSettings::*const fields[] = {

@@ -65,7 +65,7 @@ TEST(StrandLight, ColourIsItsFormula) {
     }
     WINDROW_EXPECT_FIGURE("shells/light/colour_off", off, k_level);
     // Tones are even between 1 - spread and 1 + spread.
-    EXPECT_NEAR(windrow::test::figure("shells/light/least_tone", least), 0.7, 0.002);
+    EXPECT_NEAR(windrow::test::figure("shells/light/min_tone", least), 0.7, 0.002);
     EXPECT_NEAR(windrow::test::figure("shells/light/largest_tone", most), 1.3, 0.002);
     EXPECT_NEAR(windrow::test::figure("shells/light/mean_tone", sum / 20'000), 1.0, 0.006);
 }
@@ -92,7 +92,7 @@ TEST(StrandLight, PatchesHaveBothColours) {
         pure += share < 0.1 || share > 0.9;
     }
     EXPECT_NEAR(windrow::test::figure("shells/light/mean_patch", sum / 50'000), 0.5, 0.02);
-    EXPECT_GT(windrow::test::figure("shells/light/pure_share", pure / 50'000.0), 0.3);
+    EXPECT_GT(windrow::test::figure("shells/light/pure_fraction", pure / 50'000.0), 0.3);
 }
 
 // Half-Lambert and Blinn-Phong light on a sphere, for every normal and light.

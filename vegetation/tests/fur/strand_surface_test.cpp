@@ -23,8 +23,8 @@ inline glm::uvec2 windrow_plant_hash(glm::uvec2 key) {
     return numerics::windrow_plant_hash(key);
 }
 using namespace glm;
+using numerics::windrow_fraction;
 using numerics::windrow_mask_power;
-using numerics::windrow_share;
 using numerics::windrow_turn_cosine;
 using numerics::windrow_turn_sine;
 #include "vegetation/shaders/numerics/strand_field.glsl"
@@ -68,7 +68,7 @@ TEST(StrandSurface, NoStrandIsCutByTheSearch) {
             for (int k = 0; k < 343; ++k) {
                 const glm::ivec3 cell = glm::ivec3(glm::floor(q)) + glm::ivec3(k % 7, k / 7 % 7, k / 49) - 3;
                 const glm::uvec2 key = numerics::windrow_space_hash(0u, cell);
-                const glm::vec3 jitter = glm::vec3(numerics::windrow_share(key.x), numerics::windrow_share(key.y),
+                const glm::vec3 jitter = glm::vec3(numerics::windrow_fraction(key.x), numerics::windrow_fraction(key.y),
                                                    numerics::windrow_strand_other_chance(key)) -
                                          0.5f;
                 glm::vec3 d = q - glm::vec3(cell) - 0.5f - jitter;
@@ -120,23 +120,23 @@ TEST(StrandSurface, DensityIsTheSameOnPlanesOfAnyTiltAndDepth) {
     double least = 1e9, most = 0.0, sum = 0.0;
     int planes = 0;
     for (const glm::dvec3 tilt : tilts) {
-        double least_here = 1e9, most_here = 0.0;
+        double min_here = 1e9, max_here = 0.0;
         for (int k = 0; k < 8; ++k) {
             const double density = strands_on_plane(field, frame_of(glm::normalize(tilt)), 3.0 + 0.125 * k, 0.5f);
-            least_here = std::min(least_here, density);
-            most_here = std::max(most_here, density);
+            min_here = std::min(min_here, density);
+            max_here = std::max(max_here, density);
             sum += density;
             ++planes;
         }
-        windrow::test::figure("shells/surface/density/spread_" + std::to_string(planes / 8), most_here / least_here - 1.0);
-        least = std::min(least, least_here);
-        most = std::max(most, most_here);
+        windrow::test::figure("shells/surface/density/spread_" + std::to_string(planes / 8), max_here / min_here - 1.0);
+        least = std::min(least, min_here);
+        most = std::max(most, max_here);
     }
     const double mean = sum / planes;
     EXPECT_NEAR(windrow::test::figure("shells/surface/density/mean_at_half_length", mean), 1.0, 0.08);
     // 784 strands by chance alone spread by 3.6 %; 48 such planes by about five times that from end to end.
     WINDROW_EXPECT_FIGURE("shells/surface/density/largest_over_mean", most / mean - 1.0, 0.12);
-    WINDROW_EXPECT_FIGURE("shells/surface/density/least_under_mean", 1.0 - least / mean, 0.12);
+    WINDROW_EXPECT_FIGURE("shells/surface/density/min_under_mean", 1.0 - least / mean, 0.12);
 }
 
 TEST(StrandSurface, ASphereIsCoveredEvenly) {
@@ -158,8 +158,8 @@ TEST(StrandSurface, ASphereIsCoveredEvenly) {
             most = std::max(most, static_cast<double>(drawn) / k_count);
         }
         const std::string name = "shells/surface/sphere_" + std::to_string(static_cast<int>(radius));
-        windrow::test::figure(name + "/least_share", least);
-        windrow::test::figure(name + "/largest_share", most);
+        windrow::test::figure(name + "/min_fraction", least);
+        windrow::test::figure(name + "/largest_fraction", most);
         if (radius > 10.0) { // on the small one a ring has some ten strands
             WINDROW_EXPECT_FIGURE(name + "/ratio", most / least, 1.25);
         }
@@ -236,7 +236,7 @@ TEST(StrandSurface, CostsOfUv) {
         constexpr int k_count = 20'000;
         for (int n = 0; n < k_count; ++n)
             (void)counted::windrow_strand_uv(same, {random.uniform(-20.0f, 20.0f), random.uniform(-20.0f, 20.0f)}, kind.h);
-        const double most = static_cast<double>(kind.most);
+        const double most = static_cast<double>(kind.max);
         WINDROW_EXPECT_FIGURE(std::string("shells/uv/hashes/") + kind.name, static_cast<double>(counted::hashes) / k_count, most);
     }
 }

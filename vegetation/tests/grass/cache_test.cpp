@@ -22,9 +22,9 @@ TEST(GrassMemory, StaysOverALongWalk) {
     const PlacementMask mask = *PlacementMask::create({65, 65}, heights.extent(), 1.0f);
     const GrassSettings settings;
     const ChunkTree tree(heights, mask, settings, blade_reach(settings));
-    ChunkCache cache(tree.chunks(), settings.most_chunks);
+    ChunkCache cache(tree.chunks(), settings.max_chunks);
     std::vector<Chunk> found;
-    std::size_t refused = 0, shared = 0, made = 0, asked = 0;
+    std::size_t rejected = 0, shared = 0, made = 0, asked = 0;
     int most = 0;
     for (int step = 0; step < 1000; ++step) { // a loop through the field, turning
         const float way = static_cast<float>(step) * 0.00628f;
@@ -38,15 +38,15 @@ TEST(GrassMemory, StaysOverALongWalk) {
         for (const Chunk chunk : found) {
             const ChunkCache::Given given = cache.ask(chunk);
             ++asked;
-            refused += given.slot < 0;
+            rejected += given.slot < 0;
             made += given.made;
             shared += !slots.insert(given.slot).second; // two chunks of one frame in one slot
-            refused += given.slot >= settings.most_chunks || cache.slot_of(chunk) != given.slot;
+            rejected += given.slot >= settings.max_chunks || cache.slot_of(chunk) != given.slot;
         }
         most = std::max(most, cache.resident());
     }
     windrow::test::figure("grass/memory/walk_most_chunks", most);
-    WINDROW_EXPECT_FIGURE("grass/memory/walk_refused", static_cast<double>(refused), 0);
+    WINDROW_EXPECT_FIGURE("grass/memory/walk_rejected", static_cast<double>(rejected), 0);
     WINDROW_EXPECT_FIGURE("grass/memory/walk_slots_shared", static_cast<double>(shared), 0);
     windrow::test::figure("grass/memory/walk_most_bytes", static_cast<double>(most) * static_cast<double>(chunk_bytes(settings)));
     windrow::test::figure("grass/memory/walk_made_over_asked", static_cast<double>(made) / static_cast<double>(asked));

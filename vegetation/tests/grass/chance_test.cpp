@@ -15,7 +15,7 @@ using namespace windrow::numerics;
 
 constexpr int k_side = 1200; // of a field of 200 m at 6 a metre: 1.44e6 blades, whose chance correlation is 8e-4
 constexpr std::size_t k_traits = 7;
-constexpr std::array<const char*, k_traits> k_names{"x", "z", "yaw", "length", "stiffness", "own_bend", "looks"};
+constexpr std::array<const char*, k_traits> k_names{"x", "z", "yaw", "length", "stiffness", "rest_bend", "looks"};
 
 std::array<double, k_traits> traits_of(glm::ivec2 cell, std::uint32_t seed) {
     const glm::vec2 place = windrow_grass_place(cell, 6.0f, 1.0f, seed) * 6.0f - glm::vec2(cell);
@@ -29,7 +29,7 @@ std::array<double, k_traits> traits_of(glm::ivec2 cell, std::uint32_t seed) {
             static_cast<double>(windrow_blade_length(kind, hash)),
             static_cast<double>(windrow_plant_factor(hash, 0.5f)),
             static_cast<double>(windrow_plant_chance(hash)),
-            static_cast<double>(windrow_share(looks.x))};
+            static_cast<double>(windrow_fraction(looks.x))};
 }
 
 double correlation(const std::vector<double>& a, const std::vector<double>& b, std::size_t shift) {

@@ -181,7 +181,7 @@ TEST(GrassChunks, OfALargeFieldAreFew) {
         most = std::max(most, found.size());
     }
     // The default slots hold any of these views.
-    WINDROW_EXPECT_FIGURE("grass/large/most_chunks_of_a_view", static_cast<double>(most), settings.most_chunks);
+    WINDROW_EXPECT_FIGURE("grass/large/max_chunks_of_a_view", static_cast<double>(most), settings.max_chunks);
 }
 
 } // namespace

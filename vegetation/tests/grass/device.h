@@ -46,7 +46,7 @@ class GrassOnTheDevice : public windrow::vulkan::Gpu {
     [[nodiscard]] std::size_t places() const {
         return static_cast<std::size_t>(field->settings().chunk_cells) * static_cast<std::size_t>(field->settings().chunk_cells);
     }
-    [[nodiscard]] std::size_t slots() const { return static_cast<std::size_t>(field->settings().most_chunks); }
+    [[nodiscard]] std::size_t slots() const { return static_cast<std::size_t>(field->settings().max_chunks); }
     std::vector<VkDrawIndirectCommand> draws() { return values_of<VkDrawIndirectCommand>(field->draw_buffer(), 4 * slots()); }
 
     HeightMap heights = hills();

@@ -96,7 +96,7 @@ TEST_F(GrassOnTheDevice, KeepsTheBladesOfTheCpuInOrder) {
 
 TEST_F(GrassOnTheDevice, NeedsNoMoreMemoryOverAWalk) {
     GrassSettings settings = test::small_field();
-    settings.most_chunks = 60; // fewer than the field has, so that slots change hands
+    settings.max_chunks = 60; // fewer than the field has, so that slots change hands
     make_field(settings);
     const std::uint64_t before = field->memory_bytes();
     Random random(29);
@@ -134,7 +134,7 @@ TEST_F(GrassOnTheDevice, NeedsNoMoreMemoryOverAWalk) {
 
 TEST_F(GrassOnTheDevice, LeavesTheFarthestOutWhereSlotsAreFew) {
     GrassSettings settings = test::small_field();
-    settings.most_chunks = 5;
+    settings.max_chunks = 5;
     make_field(settings);
     const test::Eye eye = test::eye_at({40.0f, 8.0f, 20.0f}, {0.0f, -0.2f, 1.0f}, 1.2f);
     std::vector<Chunk> chunks;
@@ -177,7 +177,7 @@ TEST_F(GrassOnTheDevice, FollowsAMaskThatChanges) {
     WINDROW_EXPECT_FIGURE("grass/gpu/sizes_wrong_after_a_stroke", static_cast<double>(wrong), 0);
 }
 
-TEST_F(GrassOnTheDevice, RefusesWhatItCannotUse) {
+TEST_F(GrassOnTheDevice, RejectsWhatItCannotUse) {
     make_field();
     const auto other = *PlacementMask::create({9, 9}, {10.0f, 10.0f});
     const auto unfit = GrassField::create(*renders, heights, other, {.density = -1.0f});
@@ -185,11 +185,11 @@ TEST_F(GrassOnTheDevice, RefusesWhatItCannotUse) {
     EXPECT_NE(unfit.error().find("grass.density"), std::string::npos);
     EXPECT_NE(unfit.error().find("heights.extent()"), std::string::npos);
     GrassSettings huge;
-    huge.most_chunks = 32767; // 4.8 GB of blades
+    huge.max_chunks = 32767; // 4.8 GB of blades
     huge.chunk_cells = 256;
     const auto too_large = GrassField::create(*renders, heights, mask, huge);
     ASSERT_FALSE(too_large);
-    EXPECT_NE(too_large.error().find("grass.most_chunks"), std::string::npos);
+    EXPECT_NE(too_large.error().find("grass.max_chunks"), std::string::npos);
     const auto steppe = *HeightMap::create({2, 2}, 1e3f, [](glm::vec2) { return 0.0f; });
     const auto endless = GrassField::create(*renders, steppe, *PlacementMask::create({2, 2}, steppe.extent()),
                                             {.density = 64.0f, .chunk_cells = 8});

@@ -30,7 +30,7 @@ inline PlacementMask glades(const HeightMap& heights) {
 
 /// Chunks of 8 m, so that a small field has a hundred; cut and split well within it.
 inline GrassSettings small_field() {
-    return {.chunk_cells = 48, .split_distance = 12.0f, .cut_distance = 45.0f, .shadow_distance = 20.0f, .most_chunks = 140};
+    return {.chunk_cells = 48, .split_distance = 12.0f, .cut_distance = 45.0f, .shadow_distance = 20.0f, .max_chunks = 140};
 }
 
 struct Eye {

@@ -99,7 +99,7 @@ TEST(GrassPlaces, AreAsManyAsSizeAndDensitySay) {
     WINDROW_EXPECT_FIGURE("grass/places/height_error_over_a_texel_step", largest / step, 1.0);
 }
 
-TEST(GrassHeights, RefuseWhatIsNoGround) {
+TEST(GrassHeights, RejectWhatIsNoGround) {
     const auto flat = [](glm::vec2) { return 0.0f; };
     const auto says = [](const auto& result, const char* field) {
         return !result && result.error().find(field) != std::string::npos;
@@ -114,7 +114,7 @@ TEST(GrassHeights, RefuseWhatIsNoGround) {
         EXPECT_TRUE(says(HeightMap::create({2, 2}, 1.0f, {0.0f, 0.0f, height, 0.0f}), "heightmap.heights[2]")) << height;
 }
 
-TEST(GrassSettingsRefusal, NamesEveryField) {
+TEST(GrassSettingsRejection, NamesEveryField) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const GrassSettings wrong{.density = nan,
                               .jitter = 1.5f,
@@ -124,12 +124,12 @@ TEST(GrassSettingsRefusal, NamesEveryField) {
                               .morph_from = 1.0f,
                               .fade_from = -1.0f,
                               .shadow_distance = nan,
-                              .least_width = 1.0f,
-                              .most_chunks = 0};
+                              .min_width = 1.0f,
+                              .max_chunks = 0};
     const auto outcome = validate(wrong);
     ASSERT_FALSE(outcome);
     for (const char* field : {"density", "jitter", "chunk_cells", "split_distance", "morph_from", "fade_from", "shadow_distance",
-                              "least_width", "most_chunks"})
+                              "min_width", "max_chunks"})
         EXPECT_NE(outcome.error().find("grass." + std::string(field)), std::string::npos) << field;
     EXPECT_TRUE(validate(GrassSettings{}));
     EXPECT_FALSE(validate(GrassSettings{.blade = {.width = -1.0f}}));

@@ -17,7 +17,7 @@ PlacementMask even(float alpha = 1.0f) {
     return *std::move(mask);
 }
 
-double bare_share(const PlacementMask& mask) {
+double bare_fraction(const PlacementMask& mask) {
     const auto bare = std::count_if(mask.values().begin(), mask.values().end(), [](float alpha) { return alpha < 0.5f; });
     return static_cast<double>(bare) / static_cast<double>(mask.values().size());
 }
@@ -27,7 +27,7 @@ TEST(MaskPatterns, PatchesLeaveAboutTheirShareBare) {
     for (const float share : {0.25f, 0.5f, 0.75f, 0.95f}) {
         PlacementMask mask = even();
         ASSERT_TRUE(thin_out(mask, {.share = share, .size = 4.0f}));
-        const double measured = bare_share(mask);
+        const double measured = bare_fraction(mask);
         WINDROW_EXPECT_FIGURE("grass/mask/bare_" + std::to_string(static_cast<int>(100.0f * share)),
                               std::abs(measured - static_cast<double>(share)), 0.1);
         EXPECT_GT(measured, before);
@@ -59,13 +59,13 @@ TEST(MaskPatterns, ZeroIsNoPatternAndSeedsDiffer) {
     PlacementMask none = even(), one = even(), other = even();
     ASSERT_TRUE(thin_out(none, {}));
     ASSERT_TRUE(tread(none, {}));
-    EXPECT_EQ(bare_share(none), 0.0);
+    EXPECT_EQ(bare_fraction(none), 0.0);
     ASSERT_TRUE(thin_out(one, {.share = 0.5f, .seed = 1}));
     ASSERT_TRUE(thin_out(other, {.share = 0.5f, .seed = 2}));
     EXPECT_FALSE(std::equal(one.values().begin(), one.values().end(), other.values().begin()));
 }
 
-TEST(MaskPatterns, RefuseBadValuesAndTouchNothing) {
+TEST(MaskPatterns, RejectBadValuesAndTouchNothing) {
     constexpr float k_nan = std::numeric_limits<float>::quiet_NaN(), k_inf = std::numeric_limits<float>::infinity();
     PlacementMask mask = even();
     for (const float bad : {k_nan, k_inf, -0.1f, 0.96f})
@@ -76,7 +76,7 @@ TEST(MaskPatterns, RefuseBadValuesAndTouchNothing) {
         EXPECT_FALSE(tread(mask, {.width = bad})) << bad;
     for (const float bad : {k_nan, k_inf, -1e6f})
         EXPECT_FALSE(tread(mask, {.width = 1.0f, .at = bad})) << bad;
-    EXPECT_EQ(bare_share(mask), 0.0);
+    EXPECT_EQ(bare_fraction(mask), 0.0);
     EXPECT_EQ(thin_out(mask, {.share = 2.0f}).error(), "mask.bare is 2: give 0 (no patches) to 0.95.");
 }
 

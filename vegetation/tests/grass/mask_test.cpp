@@ -112,7 +112,7 @@ TEST(GrassMask, ComesBackFromItsImageToTheBit) {
     std::filesystem::remove(small);
 }
 
-TEST(GrassMask, RefusesWhatItCannotUse) {
+TEST(GrassMask, RejectsWhatItCannotUse) {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     PlacementMask mask = even(0.5f);
     for (const Brush& wrong : {Brush{.centre = {nan, 0.0f}}, Brush{.radius = 0.0f}, Brush{.radius = nan}, Brush{.strength = 1.5f},

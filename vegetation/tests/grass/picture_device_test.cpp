@@ -14,13 +14,13 @@ using windrow::test::Random;
 using Pixels = std::vector<std::uint32_t>;
 
 // A pixel and a half of these pictures, so that blades have pixels at all distances.
-constexpr float k_least_width = 0.005f;
+constexpr float k_min_width = 0.005f;
 
 class GrassPictures : public test::GrassOnTheDevice {
   protected:
     static GrassSettings wide_blades() {
         GrassSettings settings = test::small_field();
-        settings.least_width = k_least_width;
+        settings.min_width = k_min_width;
         return settings;
     }
     // Over the field, looking at grass or past it.

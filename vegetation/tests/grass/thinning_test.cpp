@@ -13,7 +13,7 @@ using namespace windrow::numerics;
 
 GrassSettings thinning_field() {
     return {
-        .density = 12.0f, .cut_distance = 60.0f, .fade_from = 0.99f, .least_width = 0.0f, .thin_from = 4.0f, .thin_power = 1.6f};
+        .density = 12.0f, .cut_distance = 60.0f, .fade_from = 0.99f, .min_width = 0.0f, .thin_from = 4.0f, .thin_power = 1.6f};
 }
 
 Block block_of_level_ground(const GrassSettings& settings, float size = 16.0f) {
@@ -66,7 +66,7 @@ TEST(GrassThinning, RingsOfAFieldAreAsCoveredByFewerBlades) {
         // Each kept blade stands for all / kept of them: the sum's own scatter, of which four are allowed.
         worst = std::max(worst, std::abs(covered / all - 1.0) / (4.0 / std::sqrt(static_cast<double>(kept))));
         const double share = static_cast<double>(kept) / all;
-        const double told = std::min(1.0, static_cast<double>(windrow_grass_share(block.thin, 1.03f * ring)));
+        const double told = std::min(1.0, static_cast<double>(windrow_grass_fraction(block.thin, 1.03f * ring)));
         windrow::test::figure("grass/thinning/share_of_the_ring", share);
         EXPECT_NEAR(share, told, 0.05 * told + 4.0 * std::sqrt(told / all)); // the share over the ring's width
         const int a_thousand = static_cast<int>(1000.0 * share);
@@ -145,7 +145,7 @@ TEST(GrassClumps, MakeBladesSmallerAndFaceOneWay) {
     }
     EXPECT_LE(most, 1.0f); // culling's balls hold
     EXPECT_GE(least, 0.6f * 0.7f - 1e-5f);
-    windrow::test::figure("grass/clumps/least_growth", static_cast<double>(least));
+    windrow::test::figure("grass/clumps/min_growth", static_cast<double>(least));
     windrow::test::figure("grass/clumps/facing_of_neighbours_within", within / pairs);
     windrow::test::figure("grass/clumps/facing_of_neighbours_between", between / strangers);
     EXPECT_GT(within / pairs, 0.9);

@@ -15,7 +15,7 @@ using GrassInTheWind = test::GrassOnTheDevice;
 
 TEST_F(GrassInTheWind, LeansAsTheAirBlows) {
     GrassSettings settings = test::small_field();
-    settings.least_width = 0.005f;
+    settings.min_width = 0.005f;
     make_field(settings);
     const glm::dvec3 corner(3.0e4, 0.0, -2.0e4), middle = corner + glm::dvec3(16.0, 2.0, 25.0);
     ASSERT_TRUE(field->place(corner));

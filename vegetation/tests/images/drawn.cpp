@@ -33,7 +33,7 @@ Result<render::Picture8> last_picture(const PictureScene& scene, const ShootSett
     auto shoot = Shoot::create(scene, settings);
     if (!shoot)
         return Error{shoot.error()};
-    if (auto settled = (*shoot)->settle(); !settled)
+    if (auto settled = (*shoot)->warm_up(); !settled)
         return Error{settled.error()};
     const auto frames = static_cast<std::int64_t>(std::llround(scene.air.duration * (*shoot)->frames_per_second())) + 1;
     while ((*shoot)->frame() < frames)
@@ -52,7 +52,7 @@ Apart apart(const render::Picture8& a, const render::Picture8& b) {
             most = std::max(most, off);
         }
         found.far += most > Apart::k_far ? 1.0 : 0.0;
-        found.most = std::max(found.most, most);
+        found.max = std::max(found.max, most);
     }
     found.mean /= static_cast<double>(a.values.size());
     found.far /= static_cast<double>(a.values.size() / 3);

@@ -64,7 +64,7 @@ TEST(DressedBody, PatternDriftsAsTheWindTimesTheTime) {
     }
     WINDROW_EXPECT_FIGURE("images/dressed_body/drift_m", worst, 1e-9);
     const auto sheared = read_picture_scene_text(
-        R"({"air": {"ambient": [9, 0, 0], "profile": {}, "sides": {"y_low": "free_slip"}}, "picture": {"bodies": [{"place": {"position": [0, 70, 0]}}]}})",
+        R"({"air": {"ambient": [9, 0, 0], "profile": {}, "boundaries": {"y_low": "free_slip"}}, "picture": {"bodies": [{"place": {"position": [0, 70, 0]}}]}})",
         "a.json");
     ASSERT_TRUE(sheared) << sheared.error();
     const windrow::LogProfile profile;

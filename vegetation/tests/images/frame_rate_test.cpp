@@ -28,13 +28,13 @@ test::Apart between_rates(const PictureScene& scene, const std::string& name, do
     const auto fast = test::last_picture(scene, {.frames_per_second = 144.0}, 1);
     if (!slow || !fast) {
         ADD_FAILURE() << (slow ? fast.error() : slow.error());
-        return {.mean = 255.0, .far = 1.0, .most = 255};
+        return {.mean = 255.0, .far = 1.0, .max = 255};
     }
     EXPECT_TRUE(pictures::write_png(*slow, test::left_behind(name, "30_hz")));
     EXPECT_TRUE(pictures::write_png(*fast, test::left_behind(name, "144_hz")));
     EXPECT_TRUE(pictures::write_png(test::difference(*slow, *fast), test::left_behind(name, "rates")));
     const test::Apart off = test::apart(*slow, *fast);
-    windrow::test::figure("images/frame_rate/" + name + "/most", off.most);
+    windrow::test::figure("images/frame_rate/" + name + "/most", off.max);
     return off;
 }
 
@@ -43,11 +43,11 @@ TEST_P(FrameRate, EndsInTheSamePicture) {
     const auto scene = test::read_scene(name);
     ASSERT_TRUE(scene) << scene.error();
     const bool touched = !scene->picture.walkers.empty(), swings = !scene->picture.trees.empty();
-    const double most_mean = swings ? k_swinging_mean : touched ? k_touched_mean : k_mean;
-    const double most_far = swings ? k_swinging_far : touched ? k_touched_far : k_far;
+    const double max_mean = swings ? k_swinging_mean : touched ? k_touched_mean : k_mean;
+    const double max_far = swings ? k_swinging_far : touched ? k_touched_far : k_far;
     const test::Apart off = between_rates(*scene, name);
-    WINDROW_EXPECT_FIGURE("images/frame_rate/" + name + "/mean", off.mean, most_mean);
-    WINDROW_EXPECT_FIGURE("images/frame_rate/" + name + "/far_share", off.far, most_far);
+    WINDROW_EXPECT_FIGURE("images/frame_rate/" + name + "/mean", off.mean, max_mean);
+    WINDROW_EXPECT_FIGURE("images/frame_rate/" + name + "/far_fraction", off.far, max_far);
 }
 
 TEST_P(FrameRateUntouched, EndsInTheSamePicture) {
@@ -59,7 +59,7 @@ TEST_P(FrameRateUntouched, EndsInTheSamePicture) {
         stand.springs = false;
     const test::Apart off = between_rates(*scene, name + "_untouched");
     WINDROW_EXPECT_FIGURE("images/frame_rate/" + name + "_untouched/mean", off.mean, k_mean);
-    WINDROW_EXPECT_FIGURE("images/frame_rate/" + name + "_untouched/far_share", off.far, k_far);
+    WINDROW_EXPECT_FIGURE("images/frame_rate/" + name + "_untouched/far_fraction", off.far, k_far);
 }
 
 // More ticks a frame than windrow::Ticks runs unless told: no time may be lost.
@@ -69,7 +69,7 @@ TEST(FrameRateOfASlideShow, EndsInTheSamePicture) {
     scene->picture.walkers.clear();
     const test::Apart off = between_rates(*scene, "slide_show", 6.0);
     WINDROW_EXPECT_FIGURE("images/frame_rate/slide_show/mean", off.mean, k_mean);
-    WINDROW_EXPECT_FIGURE("images/frame_rate/slide_show/far_share", off.far, k_far);
+    WINDROW_EXPECT_FIGURE("images/frame_rate/slide_show/far_fraction", off.far, k_far);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, FrameRate, testing::Values("steady_trail", "gusts_fan", "far_hills", "grove"),

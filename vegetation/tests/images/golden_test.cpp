@@ -56,8 +56,8 @@ TEST_P(Golden, IsWhatWasAccepted) {
         << drawn->height << how;
     const test::Apart off = test::apart(*drawn, *wanted);
     WINDROW_EXPECT_FIGURE("images/golden/" + name + "/mean", off.mean, k_mean);
-    WINDROW_EXPECT_FIGURE("images/golden/" + name + "/far_share", off.far, k_far);
-    windrow::test::figure("images/golden/" + name + "/most", off.most);
+    WINDROW_EXPECT_FIGURE("images/golden/" + name + "/far_fraction", off.far, k_far);
+    windrow::test::figure("images/golden/" + name + "/most", off.max);
     const std::filesystem::path told = test::left_behind(name, "difference");
     std::filesystem::remove(told);
     if (HasFailure()) {

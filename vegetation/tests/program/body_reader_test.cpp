@@ -1,4 +1,4 @@
-// Bodies in coats of shells: what their keys say, what is refused, where a body is at a time.
+// Bodies in coats of shells: what their keys say, what is rejected, where a body is at a time.
 #include "vegetation/program/body.h"
 #include "vegetation/program/picture_writer.h"
 #include "vegetation/tests/program/specimen.h"
@@ -19,7 +19,7 @@ windrow::Result<PictureScene> read(const std::string& body, const std::string& r
         "a.json");
 }
 
-std::string refusal(const std::string& body, const std::string& rest = "") {
+std::string rejection(const std::string& body, const std::string& rest = "") {
     const auto scene = read(body, rest);
     return scene ? std::string() : scene.error();
 }
@@ -98,9 +98,9 @@ TEST(BodyReader, EachKindOfMeshComesBackIdentical) {
     }
 }
 
-TEST(BodyReader, Refusals) {
+TEST(BodyReader, Rejections) {
     const auto expect = [](const std::string& body, const std::string& sentence, const std::string& rest = "") {
-        EXPECT_EQ(refusal(body, rest), sentence) << body;
+        EXPECT_EQ(rejection(body, rest), sentence) << body;
     };
     expect("3", "a.json: $.picture.bodies[0] is 3: give an object, {...}.");
     expect(
@@ -145,26 +145,26 @@ TEST(BodyReader, Refusals) {
            R"(, "lamps": [{"reach": 0}])");
 }
 
-TEST(BodyReader, WhatValidateRefusesCannotBeRead) {
+TEST(BodyReader, WhatValidateRejectsCannotBeRead) {
     // Each field at twice its largest: the reader's ranges are those of the structure.
     fur::CoatSettings coat;
     coat.look.cel_steps = 9;
     coat.levels.march = 17;
-    coat.wind_share = std::numeric_limits<float>::quiet_NaN();
+    coat.wind_fraction = std::numeric_limits<float>::quiet_NaN();
     coat.maps.noise_tiles = 0.0f;
     coat.spots.push_back({.radius = 0.0f});
     coat.comb.bend = 1.6f;
     const auto judged = fur::validate(coat);
     ASSERT_FALSE(judged);
-    for (const char* field : {"coat.look.cel_steps is 9", "coat.levels.march is 17", "coat.wind_share is nan",
+    for (const char* field : {"coat.look.cel_steps is 9", "coat.levels.march is 17", "coat.wind_fraction is nan",
                               "coat.maps.noise_tiles is 0", "coat.spots[0].radius is 0", "coat.comb.bend is 1.6"})
         EXPECT_NE(judged.error().find(field), std::string::npos) << field << " in\n" << judged.error();
     coat = {};
-    coat.spots.resize(fur::k_most_spots + 1);
+    coat.spots.resize(fur::k_max_spots + 1);
     EXPECT_FALSE(fur::validate(coat));
     EXPECT_TRUE(fur::validate(fur::CoatSettings{}));
-    EXPECT_TRUE(fur::validate(std::vector<fur::Lamp>(fur::k_most_lamps)));
-    EXPECT_FALSE(fur::validate(std::vector<fur::Lamp>(fur::k_most_lamps + 1)));
+    EXPECT_TRUE(fur::validate(std::vector<fur::Lamp>(fur::k_max_lamps)));
+    EXPECT_FALSE(fur::validate(std::vector<fur::Lamp>(fur::k_max_lamps + 1)));
 }
 
 TEST(BodyPose, FollowsItsPathAndFacesAlongIt) {

@@ -54,7 +54,7 @@ class UnderTheLayer(unittest.TestCase):
 class OneScene(UnderTheLayer):
     def test_it_draws_a_frame_without_a_word_from_the_layer(self):
         # Each step of the wind before the picture is recorded as the one before it.
-        settle = () if os.environ.get("WINDROW_TIER") == "all" else ("--settle", 0.1)
+        settle = () if os.environ.get("WINDROW_TIER") == "all" else ("--warm-up", 0.1)
         run = self.run_program(SCENE, "--frames", 1, "--size", "64x36", "--out", "drawn", *settle)
         self.assertEqual(run.returncode, 0, run.stdout)
         self.assertTrue(LINES.fullmatch(run.stdout), run.stdout)
@@ -78,33 +78,33 @@ class AllScenes(UnderTheLayer):
         # Two of 64 px with margins of 6.
         self.assertEqual(struct.unpack(">II", (self.folder / "sheet.png").read_bytes()[16:24]), (6 + 2 * (64 + 6), 6 + 36 + 6))
 
-    def refused(self, *arguments):
+    def rejected(self, *arguments):
         """What it says: one line that begins with its name."""
         run = self.run_program(*arguments)
         self.assertEqual(run.returncode, 2, (arguments, run.stdout))
         self.assertRegex(run.stdout, r"\Awindrow-draw: [^\n]+\n\Z", arguments)
         return run.stdout
 
-    def test_bad_flags_are_refused(self):
+    def test_bad_flags_are_rejected(self):
         for flag, values in {"--frames": ("0", "-1", "1e9", "nan", "x"), "--from": ("-1", "nan", "inf", "x", "99"),
-                             "--settle": ("-1", "nan", "x", "4000"), "--fps": ("0", "nan", "inf", "-5", "1e9"), "--samples": ("0", "2", "x"), "--show": ("zebra", "3"),
+                             "--warm-up": ("-1", "nan", "x", "4000"), "--fps": ("0", "nan", "inf", "-5", "1e9"), "--samples": ("0", "2", "x"), "--show": ("zebra", "3"),
                              "--size": ("64", "0x0", "64x", "9999x9999", "-64x36", "64x36x2", "nanxnan")}.items():
             for value in values:
                 with self.subTest((flag, value)):
-                    self.assertIn(flag, self.refused("small.json", "--frames=1", f"{flag}={value}"))
-        self.assertIn("--zebra", self.refused("small.json", "--zebra"))
-        self.assertIn("scene", self.refused())
+                    self.assertIn(flag, self.rejected("small.json", "--frames=1", f"{flag}={value}"))
+        self.assertIn("--zebra", self.rejected("small.json", "--zebra"))
+        self.assertIn("scene", self.rejected())
 
-    def test_missing_and_faulty_scenes_are_refused(self):
-        self.assertIn("none.json", self.refused("none.json"))
+    def test_missing_and_faulty_scenes_are_rejected(self):
+        self.assertIn("none.json", self.rejected("none.json"))
         (self.folder / "cut.json").write_text('{"picture": ')
-        self.assertIn("cut.json", self.refused("cut.json"))
+        self.assertIn("cut.json", self.rejected("cut.json"))
         (self.folder / "bad.json").write_text('{"picture": {"sun": {"haze": 7}}}')
-        self.assertIn("$.picture.sun.haze is 7", self.refused("bad.json"))
+        self.assertIn("$.picture.sun.haze is 7", self.rejected("bad.json"))
 
     def test_folders_that_cannot_be_made_are_told(self):
         (self.folder / "file").write_text("")
-        self.assertIn("--out file/folder", self.refused("small.json", "--frames", 1, "--out", "file/folder"))
+        self.assertIn("--out file/folder", self.rejected("small.json", "--frames", 1, "--out", "file/folder"))
         run = self.run_program("small.json", "--frames", 1, "--sheet", "file/sheet.png")
         self.assertEqual(run.returncode, 2)
         self.assertIn("file/sheet.png", run.stdout)

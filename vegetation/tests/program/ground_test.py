@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""ground_test.py MAKE_GROUND: makes the meadow's ground from the survey and compares the two; then refusals.
+"""ground_test.py MAKE_GROUND: makes the meadow's ground from the survey and compares the two; then rejections.
 
 Needs the survey (Debian: python-matplotlib-data); without it the test fails.
 """
@@ -64,7 +64,7 @@ class Ground(unittest.TestCase):
         self.assertLess(worst, steepest)
         self.assertLess(mean, 0.1)  # read half a sample aside it is 0.44
 
-    def test_what_is_no_survey_is_refused(self):
+    def test_what_is_no_survey_is_rejected(self):
         other = self.folder / "other.npz"
         target = self.folder / "ground.pgm"
         whole = pathlib.Path(SURVEY).read_bytes()

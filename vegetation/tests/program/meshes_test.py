@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""meshes_test.py MAKE_MESHES MAKE_MAPS: what the looks of shells name is made whole, the same each time, or refused.
+"""meshes_test.py MAKE_MESHES MAKE_MAPS: what the looks of shells name is made whole, the same each time, or rejected.
 
 Copies need glmark2-data; where it is not there, only the bear is looked at.
 """

@@ -75,7 +75,7 @@ TEST_F(PictureCost, AnImageOfManyChannels) {
 
 TEST_F(PictureCost, ManyMapsTogether) {
     windrow::detail::InputBudget budget;
-    ASSERT_TRUE(budget.take_memory("masks", windrow::detail::InputBudget::k_most_memory - 100));
+    ASSERT_TRUE(budget.take_memory("masks", windrow::detail::InputBudget::k_max_memory - 100));
     std::ofstream(folder / "map.pgm") << "P5\n4 4\n255\n0123456789abcdef";
     const auto pictures = fur::read_pictures({.length = "map.pgm"}, folder, budget);
     ASSERT_FALSE(pictures);

@@ -55,7 +55,7 @@ TEST(PictureSchema, IsMadeOfTheReadersKeys) {
     windrow::test::expect_file(source / "docs/scene_keys.md", tables);
 }
 
-TEST(PictureSchema, EveryObjectRefusesUnknownKeys) {
+TEST(PictureSchema, EveryObjectRejectsUnknownKeys) {
     const Folder folder;
     test::write_specimen_files(folder);
     const json specimen = json::parse(test::k_specimen);

@@ -47,7 +47,7 @@ TEST(PictureWriter, DefaultsWrittenOutAreTheDefaults) {
     EXPECT_EQ(write_picture(*again), written);
     const grass::GrassSettings defaults, &read = again->picture.grass[0].drawn.field;
     EXPECT_EQ(read.blade.stalk.rigidity, defaults.blade.stalk.rigidity);
-    EXPECT_EQ(read.least_width, defaults.least_width);
+    EXPECT_EQ(read.min_width, defaults.min_width);
     EXPECT_EQ(again->picture.sun.radius_deg, render::Sun{}.radius_deg);
     EXPECT_EQ(again->picture.grass[0].drawn.look.through, render::PlantLook{}.through);
     EXPECT_EQ(again->picture.ground_memory->spring.damping, windrow::GroundConfig{}.spring.damping);

@@ -61,7 +61,7 @@ inline constexpr const char* k_specimen = R"({
     "picture": {
         "size": [320, 200],
         "frames_per_second": 24.5,
-        "settle": 3.25,
+        "warm_up": 3.25,
         "camera": {"path": "eye", "target_path": "sight", "above_ground": true, "view_deg": 52.5, "near": 0.2, "far": 900, "exposure": 0.72},
         "sun": {"elevation_deg": 31.5, "azimuth_deg": -120, "irradiance": 8.5, "haze": 0.1, "radius_deg": 0.3},
         "fog": {"density": 0.002, "fall": 0.03, "base": 12.5},
@@ -70,12 +70,12 @@ inline constexpr const char* k_specimen = R"({
                    "hills": {"height": 2, "length": 25, "seed": 3}},
         "grass": [
             {"name": "wheat", "class": "wheat", "length": 0.7, "length_spread": 0.2, "width": 0.008, "tip_width": 0.3, "taper": 1.5,
-             "along_wind": 0.6, "stiffness_spread": 0.25, "own_bend": 0.2, "own_bend_spread": 0.15, "own_curve": 0.8, "view_bend": 0.1,
+             "along_wind": 0.6, "stiffness_spread": 0.25, "rest_bend": 0.2, "rest_bend_spread": 0.15, "rest_curve": 0.8, "view_bend": 0.1,
              "density": 7.5, "jitter": 0.9, "seed": 4294967295, "chunk_cells": 64, "split_distance": 20, "cut_distance": 80,
-             "morph_from": 0.5, "fade_from": 0.7, "shadow_distance": 30, "least_width": 0.001, "most_chunks": 200, "thin_from": 12, "thin_power": 1.2, "thin_widen": 0.6, "most_blades": 65536, "shadows": 2, "clump_size": 0.5,
+             "morph_from": 0.5, "fade_from": 0.7, "shadow_distance": 30, "min_width": 0.001, "max_chunks": 200, "thin_from": 12, "thin_power": 1.2, "thin_widen": 0.6, "max_blades": 65536, "shadows": 2, "clump_size": 0.5,
              "clump_height": 0.3, "clump_lean": 0.4, "clump_fan": 0.2, "patch_size": 5, "patch_height": 0.25,
              "stalk": {"width": 0.009, "rigidity": 0.05, "drag_coefficient": 1.2, "air_density": 1.1, "vogel_exponent": -0.5,
-                       "vogel_speed": 6, "most_bend": 1.4},
+                       "vogel_speed": 6, "max_bend": 1.4},
              "look": {"root": [0.03, 0.04, 0.02], "tip": [0.2, 0.18, 0.05], "dry": [0.22, 0.2, 0.1], "through": [0.1, 0.09, 0.02],
                       "variation": 0.25, "root_light": 0.4, "gloss": 30, "against_light": 2, "even_from": 60,
                       "second": [0.1, 0.12, 0.06], "dryness": 0.7, "fold": 0.4, "midrib": 0.3, "soften": 0.45, "self_shade": 1.7,
@@ -95,7 +95,7 @@ inline constexpr const char* k_specimen = R"({
         "fans": [{"position": [2, 1.5, -3], "direction": [0.5, 0.25, -1], "radius": 0.6, "turns_hz": 2.5}],
         "bodies": [
             {"name": "wolf",
-             "mesh": {"file": {"name": "wolf.obj", "up": "z", "size": 1.5, "size_of": "height", "yaw_deg": 90, "most_triangles": 4000}},
+             "mesh": {"file": {"name": "wolf.obj", "up": "z", "size": 1.5, "size_of": "height", "yaw_deg": 90, "max_triangles": 4000}},
              "place": {"position": [1, 2, -3], "yaw_deg": 10, "pitch_deg": -5, "roll_deg": 15, "scale": 1.25, "above_ground": true},
              "motion": {"path": "eye", "faces": false, "spin_hz": 0.25, "sway": {"by": [0.5, 0.25, -1], "turn_deg": 20, "nod_deg": 8, "hz": 1.5, "phase": 0.25},
                         "hop": {"height": 0.4, "hz": 2, "rest": 0.5}},
@@ -104,10 +104,10 @@ inline constexpr const char* k_specimen = R"({
                   "swings": [{"axis": [0, 1, 0], "rest": 0.1, "amplitude": 0.2, "hz": 2, "phase": 0.5, "second": 0.125, "second_phase": 1.5}]},
                  {"name": "tail", "parent": "hip", "head": [0, 1, -0.5], "tail": [0, 1, -1], "radius": 0.05, "sway": [0, 0, 0], "sway_hz": 1, "sway_phase": 0, "swings": []}]},
              "coats": [
-                 {"material": "fur", "strands_on": "uv", "wriggle_hz": 0.75, "translated": true, "wind_at": "pixel", "wind_share": 0.8, "foot_push": 0.5, "mirrored": true, "drifts": true, "bare": true,
+                 {"material": "fur", "strands_on": "uv", "wriggle_hz": 0.75, "translated": true, "wind_at": "pixel", "wind_fraction": 0.8, "foot_push": 0.5, "mirrored": true, "drifts": true, "bare": true,
                   "layers": {"shells": 24, "length": 0.06, "reaches_tip": false, "spacing": 1.5, "bias": 0.01, "push": 0.03, "push_exponent": 1.5, "droop": 0.01,
                              "droop_shape": 2, "sag": 0.4, "down": [0, -1, 0.5],
-                             "strand": {"width": 0.0003, "rigidity": 2e-8, "drag_coefficient": 1.25, "air_density": 1.1, "vogel_exponent": -0.5, "vogel_speed": 6, "most_bend": 1.4}},
+                             "strand": {"width": 0.0003, "rigidity": 2e-8, "drag_coefficient": 1.25, "air_density": 1.1, "vogel_exponent": -0.5, "vogel_speed": 6, "max_bend": 1.4}},
                   "strands": {"density": 200, "stretch": 2, "row_shift": 0.5, "seed": 7, "jitter": 0.75, "wriggle": 0.5, "phase": 0.25, "low": 0.25, "high": 0.875,
                               "profile": "centre", "thickness": 1.5, "cut_min": 0.25, "cut_max": 0.05, "cut_exponent": 2, "shape": "oval", "half_length": 0.5,
                               "lift": 0.5, "shaft": 0.1, "bow": 0.2, "bow_turns": 1.5, "tuft": 0.4, "tuft_size": 8},
@@ -118,7 +118,7 @@ inline constexpr const char* k_specimen = R"({
                   "look": {"root": [0.1, 0.05, 0.02], "tip": [0.5, 0.4, 0.2], "second": [0.2, 0.3, 0.4], "skin": [0.3, 0.2, 0.1], "second_size": 0.5, "tip_power": 3,
                            "variation": 0.3, "occlusion": 1.5, "occlusion_bias": 0.25, "wrap": 0.5, "gloss": 0.2, "gloss_power": 50, "sheen": 0.4, "sheen_power": 60,
                            "through": 0.5, "strand_normals": 0.8, "square_normals": 0.5, "exact_normals": true, "cel_steps": 3},
-                  "levels": {"least_shells": 6, "full_until": 8, "march": 2, "skip_empty": false, "outer_first": false, "depth_first": true, "one_draw_each": true,
+                  "levels": {"min_shells": 6, "full_until": 8, "march": 2, "skip_empty": false, "outer_first": false, "depth_first": true, "one_draw_each": true,
                              "shadow_strands": false, "shadow_shells": 12},
                   "inertia": {"stages": 6, "lag": 0.5},
                   "cloud": {"cover": 0.25, "size": 30, "base": 0.5, "billow": 0.5, "octaves": 3, "seed": 5, "fading": 20, "round_rim": false}}]},
@@ -130,8 +130,8 @@ inline constexpr const char* k_specimen = R"({
         ],
         "lamps": [{"position": [1, 2, 3], "colour": [20, 5, 2], "reach": 12}],
         "ground_memory": {"texels": 64, "texel_size": 0.5, "spring": {"frequency_hz": 2.5, "damping": 0.12}, "push": 1.2,
-                          "trail_share": 0.6, "trail_time": 15, "trample_time": 0.9, "clearance": 0.5, "rim": 1.5,
-                          "longest_stride": 10, "most_walkers": 16},
+                          "trail_fraction": 0.6, "trail_time": 15, "trample_time": 0.9, "clearance": 0.5, "blend_width": 1.5,
+                          "max_stride": 10, "max_walkers": 16},
         "sampling": {"strength": 0.9, "limit": 50, "detail": 0.5, "detail_length": 0.6}
     }
 })";

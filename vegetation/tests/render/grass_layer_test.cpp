@@ -28,7 +28,7 @@ Scene scene_of(const Ground& ground) {
     windrow::Config& config = scene.wind.wind;
     config.cells = {16, 8, 16};
     config.centre = k_corner + glm::dvec3(12.0, 4.0, 12.0);
-    config.sides = windrow::Sides::open_over_floor();
+    config.boundaries = windrow::Boundaries::open_over_floor();
     config.ambient = {2.0f, 0.0f, 0.7f};
     config.gusts = {.intensity = 0.5f, .length = 6.0f};
     return scene;
@@ -134,7 +134,7 @@ TEST(GrassLayer, MotionIsTheDifferenceOfPlacesInBothFramesWinds) {
     auto mask = *grass::PlacementMask::create({97, 97}, ground.heights.extent());
     mask.apply([](glm::vec2 p, float) { return std::abs(p.y - 18.5f) < 0.4f ? 1.0f : 0.0f; });
     grass::GrassSettings field{.density = 1.0f, .jitter = 0.0f, .shadow_distance = 0.0f};
-    field.blade = {.width = 0.3f, .own_bend = 0.0f, .own_bend_spread = 0.0f};
+    field.blade = {.width = 0.3f, .rest_bend = 0.0f, .rest_bend_spread = 0.0f};
     field.blade.stalk.length = 1.0f;
     field.blade.stalk.rigidity *= 300.0f;
     GrassLayer& grass = stage.grow(mask, {.field = field, .shadows = 0});
@@ -190,18 +190,18 @@ TEST(GrassLayer, MotionIsTheDifferenceOfPlacesInBothFramesWinds) {
     WINDROW_EXPECT_FIGURE("render/grass/motion", worst, most / 50.0);
 }
 
-TEST(GrassLayer, RefusesWhatItCannotDraw) {
+TEST(GrassLayer, RejectsWhatItCannotDraw) {
     const Ground ground = bumps();
     EXPECT_FALSE(validate(GrassLayerSettings{.field = {.density = -1.0f}}));
-    EXPECT_FALSE(validate(GrassLayerSettings{.most_blades = 0}));
+    EXPECT_FALSE(validate(GrassLayerSettings{.max_blades = 0}));
     EXPECT_FALSE(validate(GrassLayerSettings{.shadows = 3}));
     EXPECT_FALSE(validate(GrassLayerSettings{.look = {.gloss = 0.0f}}));
     EXPECT_TRUE(validate(GrassLayerSettings{}));
     test::GrassStage stage(scene_of(ground), small_picture());
     const auto other = *grass::PlacementMask::create({33, 33}, {10.0f, 10.0f}, 1.0f);
-    const auto refused = GrassLayer::create(*stage.device, stage.renderer->draw_targets(), ground, other, {});
-    ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().find("mask"), std::string::npos);
+    const auto rejected = GrassLayer::create(*stage.device, stage.renderer->draw_targets(), ground, other, {});
+    ASSERT_FALSE(rejected);
+    EXPECT_NE(rejected.error().find("mask"), std::string::npos);
 }
 
 } // namespace

@@ -64,7 +64,7 @@ struct GrassStage {
     std::size_t drawn(GrassLayer& layer) {
         std::size_t count = 0;
         const auto draws = values_of<VkDrawIndirectCommand>(layer.field().draw_buffer(),
-                                                            4 * static_cast<std::size_t>(layer.field().settings().most_chunks));
+                                                            4 * static_cast<std::size_t>(layer.field().settings().max_chunks));
         for (int z = 0; z < layer.field().tree().chunks().y; ++z)
             for (int x = 0; x < layer.field().tree().chunks().x; ++x)
                 if (const int slot = layer.field().slot_of({{x, z}}); slot >= 0)

@@ -42,7 +42,7 @@ TEST_F(LentDevice, DrawsInTheHostsCommandBuffer) {
     EXPECT_EQ((*lent)->memory_bytes(), 0u); // all of it went with its owners
 }
 
-TEST_F(LentDevice, IsRefusedWithAReason) {
+TEST_F(LentDevice, IsRejectedWithAReason) {
     const auto no_queue = engine::Device::adopt(own->host(), VK_NULL_HANDLE);
     ASSERT_FALSE(no_queue);
     EXPECT_NE(no_queue.error().find("queue is null"), std::string::npos) << no_queue.error();

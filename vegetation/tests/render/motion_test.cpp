@@ -29,12 +29,12 @@ struct Stage {
         scene.plants.stalk.length = 1.0f;
         scene.plants.stalk.rigidity *= 300.0f; // stays nearly upright: no blade hides another, a pixel is a hundredth of one
         scene.plants.length_spread = 0.0f;
-        scene.plants.own_bend = 0.0f;
-        scene.plants.own_bend_spread = 0.0f;
+        scene.plants.rest_bend = 0.0f;
+        scene.plants.rest_bend_spread = 0.0f;
         windrow::Config& config = scene.wind.wind;
         config.cells = {16, 8, 16};
         config.centre = k_anchor + glm::dvec3(0.0, 4.0, -4.0);
-        config.sides = windrow::Sides::open_over_floor();
+        config.boundaries = windrow::Boundaries::open_over_floor();
         config.ambient = {2.0f, 0.0f, 0.7f};
         config.gusts = {.intensity = 0.5f, .length = 6.0f};
         auto made = windrow::vulkan::Wind::create(device->host(), config, {.frames_in_flight = engine::k_frames_in_flight});
@@ -188,8 +188,8 @@ TEST(Motion, OfTheFirstFrameIsNone) {
     EXPECT_TRUE(std::all_of(motion.values.begin(), motion.values.end(), [](float value) { return std::abs(value) < 1e-6f; }));
 }
 
-// The stages' times add up to the frame, and a camera that is refused is told.
-TEST(Renderer, TellsItsStagesAndRefusesABadCamera) {
+// The stages' times add up to the frame, and a camera that is rejected is told.
+TEST(Renderer, TellsItsStagesAndRejectsABadCamera) {
     Stage stage;
     stage.draw(camera_at(0.0, 0.0));
     if (stage.renderer->clock().counts()) {

@@ -1,4 +1,4 @@
-// What a scene refuses, where its ground lies, and shadows that stand still.
+// What a scene rejects, where its ground lies, and shadows that stand still.
 #include "tests/figure.h"
 #include "vegetation/render/blades.h"
 #include "vegetation/render/frame_block.h"
@@ -21,7 +21,7 @@ TEST(Scene, TheDefaultOneIsDrawn) {
     EXPECT_TRUE(validate(RenderSettings{}));
 }
 
-TEST(Scene, BadInputIsRefusedByName) {
+TEST(Scene, BadInputIsRejectedByName) {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
     struct Case {
         const char* field;

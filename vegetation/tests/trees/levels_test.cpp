@@ -107,15 +107,15 @@ TEST(TreeLevels, TheTrunkMorphsIntoTheCoarseOne) {
         EXPECT_EQ(trunk_morph(levels, 0.5f * from), 0.0f);
         float worst = 0.0f, without = 0.0f;
         for (std::size_t n = 0; n < shape::k_trunk_vertices; ++n) {
-            float least = 1e9f, least_without = 1e9f;
+            float least = 1e9f, min_without = 1e9f;
             const glm::vec3 fine(model.vertices[n].position), morphed = fine + glm::vec3(model.vertices[n].home);
             for (std::uint32_t i = model.coarse_trunk.first; i < model.coarse_trunk.first + model.coarse_trunk.count; i += 3) {
                 const auto at = [&](std::uint32_t k) { return glm::vec3(model.vertices[model.indices[i + k]].position); };
                 least = std::min(least, distance_to(morphed, at(0), at(1), at(2)));
-                least_without = std::min(least_without, distance_to(fine, at(0), at(1), at(2)));
+                min_without = std::min(min_without, distance_to(fine, at(0), at(1), at(2)));
             }
             worst = std::max(worst, least);
-            without = std::max(without, least_without);
+            without = std::max(without, min_without);
         }
         const std::string figure = "trees/levels/" + std::string(name) + "/trunk_px";
         constexpr float pixel = 0.00115f; // [rad] of 720 in 45 degrees

@@ -53,13 +53,13 @@ TEST(TreeModel, PresetsAreSoundAndWithinTheirBounds) {
         const TreeModel model = model_of(kind.tree);
         expect_sound(model);
         const std::string figure = "trees/" + std::string(name) + "/";
-        WINDROW_EXPECT_FIGURE(figure + "vertices", static_cast<double>(model.vertices.size()), k_most_vertices);
+        WINDROW_EXPECT_FIGURE(figure + "vertices", static_cast<double>(model.vertices.size()), k_max_vertices);
         EXPECT_EQ(static_cast<double>(model.vertices.size()), vertex_bound(kind.tree)); // rejected by the same number
         const LevelBlock levels = level_block(kind.levels, static_cast<int>(model.leaf_parts.size()));
         std::uint32_t most = 0;
         for (float distance = kind.levels.far; distance < 4.0f * kind.levels.far; distance += 1.0f)
             most = std::max(most, model.drawn(levels, distance).vertices);
-        WINDROW_EXPECT_FIGURE(figure + "vertices_afar", most, k_most_far_vertices);
+        WINDROW_EXPECT_FIGURE(figure + "vertices_afar", most, k_max_far_vertices);
         EXPECT_TRUE(windrow::Tree::create(wind_classes(kind.tree)));
         EXPECT_TRUE(validate(kind.look));
         EXPECT_TRUE(validate(kind.levels));
@@ -90,7 +90,7 @@ TEST(TreeModel, ExtremeSettingsGiveSoundTrees) {
         s.wander = pick(0.0f, 1.0f);
         s.branches = random.integer(0, 4);
         s.branch_deg = pick(0.0f, 150.0f);
-        s.branch_share = pick(0.02f, 1.0f);
+        s.branch_fraction = pick(0.02f, 1.0f);
         s.branch_rise = pick(-1.0f, 1.0f);
         s.clusters = random.integer(1, 3);
         s.cluster_length = pick(0.02f, 3.0f);

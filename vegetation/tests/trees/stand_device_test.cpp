@@ -36,7 +36,7 @@ TEST(TreeStand, VerticesAreThoseOfTheLibrarysTree) {
     for (const char* const kind : {"oak", "spruce"}) {
         Stage stage(wind, 0.0f);
         TreeStandSettings settings = one(kind, false);
-        settings.kind.levels.least_angle = 1e-5f; // twigs have all of their thickness
+        settings.kind.levels.min_angle = 1e-5f; // twigs have all of their thickness
         stage.plant(settings);
         stage.draw(camera_at(0.0, 0.0));
         const TreeModel& model = stage.stand->model(0);
@@ -207,7 +207,7 @@ TEST(TreeStand, DrawsWhatIsSeenAndLittleAfar) {
     stage.draw(camera_at(0.0, 0.0));
     EXPECT_GT(stage.stand->drawn_vertices(), 0u);
     WINDROW_EXPECT_FIGURE("trees/device/far_vertices", static_cast<double>(stage.stand->drawn_vertices()),
-                          40.0 * k_most_far_vertices);
+                          40.0 * k_max_far_vertices);
 
     const auto none = TreeStand::create(*stage.device, stage.renderer->draw_targets(), settings, {}, k_anchor);
     ASSERT_FALSE(none);

@@ -13,7 +13,7 @@ using figures::expect_at_least;
 using figures::expect_at_most;
 
 TEST(OpenSides, AScalarPuffLeaves) {
-    const Box box{.cells = {32, 16, 32}, .sides = Sides::open_over_floor()};
+    const Box box{.cells = {32, 16, 32}, .boundaries = Boundaries::open_over_floor()};
     const glm::vec3 ambient(4.0f, 0.0f, 1.5f);
     Workspace work = workspace(box, ambient);
     const Field wind(box.cell_count(), glm::vec4(ambient, 0.0f));
@@ -38,10 +38,10 @@ TEST(OpenSides, AScalarPuffLeaves) {
 
 // Two puffs of wind: a ring that turns on itself, and a gust along the mean wind with a pressure of its own.
 TEST(OpenSides, APuffOfWindLeaves) {
-    for (const Sides& sides : {Sides::all(SideKind::open), Sides::open_over_floor()})
+    for (const Boundaries& boundaries : {Boundaries::all(BoundaryKind::open), Boundaries::open_over_floor()})
         for (const Scheme scheme : {Scheme::second_order, Scheme::stable_fluids})
             for (const int kind : {0, 1}) {
-                Config config{.sides = sides, .ambient = {4.0f, 0.0f, 1.0f}, .settling_time = 0.0f, .scheme = scheme};
+                Config config{.boundaries = boundaries, .ambient = {4.0f, 0.0f, 1.0f}, .relaxation_time = 0.0f, .scheme = scheme};
                 Wind wind = *Wind::create(config);
                 wind.set_velocity([&](glm::dvec3 x) {
                     const double bump = std::exp(-glm::dot(x, x) / 18.0);
@@ -51,7 +51,7 @@ TEST(OpenSides, APuffOfWindLeaves) {
                 const double peak = largest_off(wind.field(), config.ambient);
                 take_steps(wind, 240, 0.1);
                 expect_at_most(
-                    std::string("open_sides.puff_after_three_crossings.") + (sides.y_low.solid() ? "floor." : "open.") +
+                    std::string("open_sides.puff_after_three_crossings.") + (boundaries.y_low.solid() ? "floor." : "open.") +
                         (scheme == Scheme::second_order ? "second_order." : "stable_fluids.") + (kind == 0 ? "ring" : "gust"),
                     largest_off(wind.field(), config.ambient) / peak, 0.02);
             }
@@ -80,12 +80,12 @@ double largest_energy(Wind& wind, int steps, double dt) {
 }
 
 TEST(OpenSides, AirWithoutForceGainsNoEnergy) {
-    const std::pair<const char*, Sides> boxes[] = {{"open", Sides::all(SideKind::open)},
-                                                   {"over_floor", Sides::open_over_floor()}};
-    for (const auto& [name, sides] : boxes)
+    const std::pair<const char*, Boundaries> boxes[] = {{"open", Boundaries::all(BoundaryKind::open)},
+                                                        {"over_floor", Boundaries::open_over_floor()}};
+    for (const auto& [name, boundaries] : boxes)
         for (const glm::vec3 ambient : {glm::vec3(0.0f), glm::vec3(2.0f, 0.0f, 1.0f)})
             for (const bool noise : {false, true}) {
-                Config config{.sides = sides, .ambient = ambient, .settling_time = 0.0f};
+                Config config{.boundaries = boundaries, .ambient = ambient, .relaxation_time = 0.0f};
                 Wind wind = *Wind::create(config);
                 Random random(3);
                 wind.set_velocity([&](glm::dvec3 x) {
@@ -104,7 +104,7 @@ TEST(OpenSides, AirWithoutForceGainsNoEnergy) {
 TEST(OpenSides, ANewAmbientWindBlowsIn) {
     for (const Scheme scheme : {Scheme::second_order, Scheme::stable_fluids})
         for (const float share : {0.5f, 1.5f}) {
-            Config config{.settling_time = 0.0f, .scheme = scheme};
+            Config config{.relaxation_time = 0.0f, .scheme = scheme};
             Wind wind = *Wind::create(config);
             const glm::vec3 ambient(3.0f, 0.0f, 1.0f);
             EXPECT_TRUE(wind.set_ambient(ambient));

@@ -17,7 +17,7 @@ Wind stormy(Config config) {
     return wind;
 }
 
-TEST(Rim, AShiftMovesNothing) {
+TEST(BlendZone, AShiftMovesNothing) {
     Wind wind = stormy({});
     Random random(43);
     std::vector<glm::dvec3> points;
@@ -51,8 +51,8 @@ TEST(Rim, AShiftMovesNothing) {
     WINDROW_EXPECT_FIGURE("window/shift_changes_sampled_wind_over_max_speed", worst, 1e-6);
 }
 
-TEST(Rim, WithoutItAShiftShows) {
-    Wind wind = stormy({.rim = 0.0f});
+TEST(BlendZone, WithoutItAShiftShows) {
+    Wind wind = stormy({.blend_width = 0.0f});
     ASSERT_TRUE(wind.follow({0.4999, 0.0, 0.0}));
     const glm::vec3 before = wind.velocity({15.8, 0.0, 0.0});
     ASSERT_TRUE(wind.follow({0.5001, 0.0, 0.0}));
@@ -60,8 +60,8 @@ TEST(Rim, WithoutItAShiftShows) {
     EXPECT_GT(glm::length(wind.velocity({15.8, 0.0, 0.0}) - before), 0.01f) << "this test would not see a jump";
 }
 
-TEST(Rim, FadesFromTheBoxToAmbient) {
-    Wind wind = made({.ambient = {1.0f, 0.0f, 0.0f}, .rim = 4.0f});
+TEST(BlendZone, FadesFromTheBoxToAmbient) {
+    Wind wind = made({.ambient = {1.0f, 0.0f, 0.0f}, .blend_width = 4.0f});
     wind.set_velocity([](glm::dvec3) { return glm::vec3(5.0f, 0.0f, 0.0f); });
     // Half of 32 cells less one is where it has faded, four cells before that it begins.
     for (const auto& [x, expected] :
@@ -79,31 +79,31 @@ TEST(Rim, FadesFromTheBoxToAmbient) {
     }
 }
 
-TEST(Rim, SmallBoxesAndAxesThatStayHaveNone) {
+TEST(BlendZone, SmallBoxesAndAxesThatStayHaveNone) {
     for (const auto& [config, axis] : {std::pair{Config{.cells = {6, 6, 6}}, 0},
                                        {Config{.cells = {32, 16, 1}}, 2},
-                                       {Config{.sides = Sides::open_over_floor()}, 1}}) {
+                                       {Config{.boundaries = Boundaries::open_over_floor()}, 1}}) {
         Wind wind = made(config);
         wind.set_velocity([](glm::dvec3) { return glm::vec3(5.0f, 0.0f, 0.0f); });
         glm::dvec3 edge = wind.origin() + 0.5 * glm::dvec3(wind.box().cells) * double(wind.box().cell_size);
         edge[axis] = wind.origin()[axis] + double(wind.box().cells[axis]) - 1e-3;
         EXPECT_NEAR(wind.velocity(edge).x, 5.0f, 1e-5);
-        EXPECT_EQ(wind.window_block({}).rim_reach[axis], 0.0f);
+        EXPECT_EQ(wind.window_block({}).blend_reach[axis], 0.0f);
     }
 }
 
-TEST(Rim, TheBlockSaysWhatTheQueryDoes) {
+TEST(BlendZone, TheBlockSaysWhatTheQueryDoes) {
     Wind wind = stormy({.cells = {32, 16, 24}, .cell_size = 0.5f});
     ASSERT_TRUE(wind.follow({1e6 + 0.3, -0.2, 7.1}));
     const glm::dvec3 anchor(1e6, 0.0, 5.0);
     const WindowBlock block = wind.window_block(anchor);
-    EXPECT_NEAR(block.rim_point.x, 0.3f, 1e-6);
-    EXPECT_NEAR(block.rim_point.z, 2.1f, 1e-6);
-    EXPECT_FLOAT_EQ(block.rim_width, 1.0f);
-    EXPECT_FLOAT_EQ(block.rim_reach.x, 7.5f);
-    EXPECT_FLOAT_EQ(block.rim_reach.y, 3.5f);
-    EXPECT_FLOAT_EQ(block.rim_reach.z, 5.5f);
-    const glm::dvec3 beyond = anchor + glm::dvec3(block.rim_point) + glm::dvec3(block.rim_reach.x + 1e-3, 0.0, 0.0);
+    EXPECT_NEAR(block.blend_centre.x, 0.3f, 1e-6);
+    EXPECT_NEAR(block.blend_centre.z, 2.1f, 1e-6);
+    EXPECT_FLOAT_EQ(block.blend_width, 1.0f);
+    EXPECT_FLOAT_EQ(block.blend_reach.x, 7.5f);
+    EXPECT_FLOAT_EQ(block.blend_reach.y, 3.5f);
+    EXPECT_FLOAT_EQ(block.blend_reach.z, 5.5f);
+    const glm::dvec3 beyond = anchor + glm::dvec3(block.blend_centre) + glm::dvec3(block.blend_reach.x + 1e-3, 0.0, 0.0);
     EXPECT_EQ(wind.velocity(beyond), wind.ambient());
 }
 
@@ -155,7 +155,7 @@ Jolts walk(Wind& wind) {
     return jolts;
 }
 
-TEST(Rim, AWalkThroughGustsFeelsNoShift) {
+TEST(BlendZone, AWalkThroughGustsFeelsNoShift) {
     Wind wind = made({.ambient = {2.0f, 0.0f, 0.5f}, .gusts = {.intensity = 0.3f}});
     const Jolts jolts = walk(wind);
     figure("window/walk_in_gusts/second_difference_median_m_per_s", median(jolts.calm));
@@ -164,7 +164,7 @@ TEST(Rim, AWalkThroughGustsFeelsNoShift) {
 }
 
 // The air of a motor reaches the open boundaries. Where these move, the pressure of the whole box changes a little.
-TEST(Rim, AWalkPastAFanFeelsAThousandthAtMost) {
+TEST(BlendZone, AWalkPastAFanFeelsAThousandthAtMost) {
     Wind wind = made({.ambient = {2.0f, 0.0f, 0.5f}});
     ASSERT_TRUE(wind.motors().add(DirectionalMotor{.position = {4.0, 0.0, 1.0}, .direction = {-1.0f, 0.0f, 1.0f}}));
     const Jolts jolts = walk(wind);

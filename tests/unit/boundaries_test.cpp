@@ -1,7 +1,7 @@
-// The six sides: what is refused, what ambient wind they admit, and what lies beyond each kind.
+// The six sides: what is rejected, what ambient wind they admit, and what lies beyond each kind.
 
-#include "fluid/pieces.h"
-#include "fluid/sides.h"
+#include "fluid/boundaries.h"
+#include "fluid/operators.h"
 #include "tests/fields.h"
 #include "tests/figure.h"
 
@@ -15,21 +15,23 @@ namespace {
 using namespace windrow;
 using namespace windrow::test;
 
-constexpr const char* k_names[6] = {"sides.x_low", "sides.x_high", "sides.y_low", "sides.y_high", "sides.z_low", "sides.z_high"};
+constexpr const char* k_names[6] = {"boundaries.x_low",  "boundaries.x_high", "boundaries.y_low",
+                                    "boundaries.y_high", "boundaries.z_low",  "boundaries.z_high"};
 
-Side& side_of(Sides& sides, int axis, int end) {
-    Side* const ordered[6] = {&sides.x_low, &sides.x_high, &sides.y_low, &sides.y_high, &sides.z_low, &sides.z_high};
+Boundary& side_of(Boundaries& boundaries, int axis, int end) {
+    Boundary* const ordered[6] = {&boundaries.x_low,  &boundaries.x_high, &boundaries.y_low,
+                                  &boundaries.y_high, &boundaries.z_low,  &boundaries.z_high};
     return *ordered[2 * axis + end];
 }
 
-TEST(Sides, EachFaceIsNamedInItsRefusal) {
+TEST(Boundaries, EachFaceIsNamedInItsRejection) {
     for (int axis = 0; axis < 3; ++axis)
         for (int end = 0; end < 2; ++end) {
             const std::string name = k_names[2 * axis + end], partner = k_names[2 * axis + 1 - end];
-            const auto refusal = [&](Side side) {
-                Sides sides;
-                side_of(sides, axis, end) = side;
-                const auto valid = validate(sides);
+            const auto rejection = [&](Boundary side) {
+                Boundaries boundaries;
+                side_of(boundaries, axis, end) = side;
+                const auto valid = validate(boundaries);
                 EXPECT_FALSE(valid) << name;
                 EXPECT_EQ(std::count(valid.error().begin(), valid.error().end(), '\n'), 0) << valid.error();
                 return valid.error();
@@ -37,77 +39,77 @@ TEST(Sides, EachFaceIsNamedInItsRefusal) {
             glm::vec3 across(0.0f), along(0.0f), broken(0.0f);
             across[axis] = along[(axis + 1) % 3] = 1.0f;
             broken[(axis + 2) % 3] = std::numeric_limits<float>::quiet_NaN();
-            EXPECT_EQ(refusal({SideKind::periodic}).find(partner + " is not periodic but its partner is"), 0u);
-            EXPECT_EQ(refusal({SideKind::no_slip, across}).find(name + ".wall_velocity is "), 0u);
-            EXPECT_EQ(refusal({SideKind::no_slip, broken}).find(name + ".wall_velocity is "), 0u);
-            for (const SideKind kind : {SideKind::open, SideKind::free_slip})
-                EXPECT_NE(refusal({kind, along}).find("no_slip"), std::string::npos);
+            EXPECT_EQ(rejection({BoundaryKind::periodic}).find(partner + " is not periodic but its partner is"), 0u);
+            EXPECT_EQ(rejection({BoundaryKind::no_slip, across}).find(name + ".wall_velocity is "), 0u);
+            EXPECT_EQ(rejection({BoundaryKind::no_slip, broken}).find(name + ".wall_velocity is "), 0u);
+            for (const BoundaryKind kind : {BoundaryKind::open, BoundaryKind::free_slip})
+                EXPECT_NE(rejection({kind, along}).find("no_slip"), std::string::npos);
 
-            Sides sound;
-            side_of(sound, axis, end) = {SideKind::no_slip, along};
+            Boundaries sound;
+            side_of(sound, axis, end) = {BoundaryKind::no_slip, along};
             EXPECT_TRUE(validate(sound));
         }
 }
 
-TEST(Sides, AllReasonsComeAtOnce) {
-    Sides sides = Sides::all(SideKind::free_slip);
+TEST(Boundaries, AllReasonsComeAtOnce) {
+    Boundaries boundaries = Boundaries::all(BoundaryKind::free_slip);
     for (int axis = 0; axis < 3; ++axis)
         for (int end = 0; end < 2; ++end)
-            side_of(sides, axis, end).wall_velocity = glm::vec3(1.0f);
-    sides.z_high.kind = SideKind::periodic;
-    const std::string sentences = validate(sides).error();
+            side_of(boundaries, axis, end).wall_velocity = glm::vec3(1.0f);
+    boundaries.z_high.kind = BoundaryKind::periodic;
+    const std::string sentences = validate(boundaries).error();
     EXPECT_EQ(std::count(sentences.begin(), sentences.end(), '\n'), 6) << sentences;
     for (const char* name : k_names)
         EXPECT_NE(sentences.find(name), std::string::npos) << name;
 }
 
-TEST(Sides, PresetsAndQuestions) {
-    const Sides floor = Sides::open_over_floor();
+TEST(Boundaries, PresetsAndQuestions) {
+    const Boundaries floor = Boundaries::open_over_floor();
     EXPECT_TRUE(validate(floor));
     EXPECT_TRUE(floor.has_solid(1) && floor.has_open(1) && !floor.has_solid(0) && !floor.periodic(2));
-    EXPECT_EQ(floor.at(1, 0).kind, SideKind::free_slip);
-    EXPECT_EQ(floor.at(1, 1).kind, SideKind::open);
-    for (const SideKind kind : {SideKind::open, SideKind::free_slip, SideKind::no_slip, SideKind::periodic}) {
-        const Sides sides = Sides::all(kind);
-        EXPECT_TRUE(validate(sides));
+    EXPECT_EQ(floor.at(1, 0).kind, BoundaryKind::free_slip);
+    EXPECT_EQ(floor.at(1, 1).kind, BoundaryKind::open);
+    for (const BoundaryKind kind : {BoundaryKind::open, BoundaryKind::free_slip, BoundaryKind::no_slip, BoundaryKind::periodic}) {
+        const Boundaries boundaries = Boundaries::all(kind);
+        EXPECT_TRUE(validate(boundaries));
         for (int axis = 0; axis < 3; ++axis) {
-            EXPECT_EQ(sides.periodic(axis), kind == SideKind::periodic);
-            EXPECT_EQ(sides.has_open(axis), kind == SideKind::open);
-            EXPECT_EQ(sides.has_solid(axis), kind == SideKind::free_slip || kind == SideKind::no_slip);
+            EXPECT_EQ(boundaries.periodic(axis), kind == BoundaryKind::periodic);
+            EXPECT_EQ(boundaries.has_open(axis), kind == BoundaryKind::open);
+            EXPECT_EQ(boundaries.has_solid(axis), kind == BoundaryKind::free_slip || kind == BoundaryKind::no_slip);
         }
     }
-    Sides mixed;
+    Boundaries mixed;
     for (int axis = 0; axis < 3; ++axis)
         for (int end = 0; end < 2; ++end) {
-            Sides one;
-            side_of(one, axis, end).kind = SideKind::no_slip;
-            EXPECT_EQ(one.at(axis, end).kind, SideKind::no_slip);
+            Boundaries one;
+            side_of(one, axis, end).kind = BoundaryKind::no_slip;
+            EXPECT_EQ(one.at(axis, end).kind, BoundaryKind::no_slip);
             EXPECT_FALSE(one == mixed);
         }
 }
 
-TEST(Sides, AWallTakesTheAmbientComponentAcrossIt) {
+TEST(Boundaries, AWallTakesTheAmbientComponentAcrossIt) {
     const glm::vec3 wind(3.0f, -2.0f, 5.0f);
-    EXPECT_EQ(admissible_ambient(Sides{}, wind), wind);
-    EXPECT_EQ(admissible_ambient(Sides::all(SideKind::periodic), wind), wind);
-    EXPECT_EQ(admissible_ambient(Sides::open_over_floor(), wind), glm::vec3(3.0f, 0.0f, 5.0f));
-    EXPECT_EQ(admissible_ambient(Sides::all(SideKind::no_slip), wind), glm::vec3(0.0f));
-    Sides wall;
-    wall.x_high.kind = SideKind::no_slip;
+    EXPECT_EQ(admissible_ambient(Boundaries{}, wind), wind);
+    EXPECT_EQ(admissible_ambient(Boundaries::all(BoundaryKind::periodic), wind), wind);
+    EXPECT_EQ(admissible_ambient(Boundaries::open_over_floor(), wind), glm::vec3(3.0f, 0.0f, 5.0f));
+    EXPECT_EQ(admissible_ambient(Boundaries::all(BoundaryKind::no_slip), wind), glm::vec3(0.0f));
+    Boundaries wall;
+    wall.x_high.kind = BoundaryKind::no_slip;
     EXPECT_EQ(admissible_ambient(wall, wind), glm::vec3(0.0f, -2.0f, 5.0f));
 }
 
 // --- What lies beyond ------------------------------------------------------------------------------------------------
 
-// The velocity half a cell beyond a face, written from the list at the top of sides.h.
-glm::dvec3 ghost(const Side& side, int axis, glm::dvec3 edge, glm::dvec3 far_edge, glm::dvec3 ambient) {
+// The velocity half a cell beyond a face, written from the list at the top of boundaries.h.
+glm::dvec3 ghost(const Boundary& side, int axis, glm::dvec3 edge, glm::dvec3 far_edge, glm::dvec3 ambient) {
     glm::dvec3 mirrored = edge;
     switch (side.kind) {
-    case SideKind::open:
+    case BoundaryKind::open:
         return ambient;
-    case SideKind::periodic:
+    case BoundaryKind::periodic:
         return far_edge;
-    case SideKind::free_slip:
+    case BoundaryKind::free_slip:
         mirrored[axis] = -edge[axis];
         return mirrored;
     default:
@@ -116,17 +118,17 @@ glm::dvec3 ghost(const Side& side, int axis, glm::dvec3 edge, glm::dvec3 far_edg
 }
 
 // One explicit pass of diffusion is u + r (sum of six neighbours - 6 u): it shows the ghosts of every face and every kind.
-TEST(Sides, DiffusionSeesTheGhostsOfTheList) {
+TEST(Boundaries, DiffusionSeesTheGhostsOfTheList) {
     Random random(11);
     double worst = 0.0;
     for (int trial = 0; trial < 200; ++trial) {
-        Box box{.cells = {random.integer(1, 5), random.integer(1, 5), random.integer(1, 5)}, .cell_size = 0.5f, .sides = {}};
+        Box box{.cells = {random.integer(1, 5), random.integer(1, 5), random.integer(1, 5)}, .cell_size = 0.5f, .boundaries = {}};
         for (int axis = 0; axis < 3; ++axis) {
             const int choice = random.integer(0, 9);
             for (int end = 0; end < 2; ++end) {
-                Side& side = side_of(box.sides, axis, end);
-                side.kind = choice == 0 ? SideKind::periodic : static_cast<SideKind>(random.integer(0, 2));
-                if (side.kind == SideKind::no_slip) {
+                Boundary& side = side_of(box.boundaries, axis, end);
+                side.kind = choice == 0 ? BoundaryKind::periodic : static_cast<BoundaryKind>(random.integer(0, 2));
+                if (side.kind == BoundaryKind::no_slip) {
                     side.wall_velocity = random.vector(2.0f);
                     side.wall_velocity[axis] = 0.0f;
                 }
@@ -135,7 +137,7 @@ TEST(Sides, DiffusionSeesTheGhostsOfTheList) {
         const glm::vec3 wind = random.vector(3.0f);
         auto work = Workspace::create({.box = box, .ambient = wind});
         ASSERT_TRUE(work) << work.error();
-        const glm::dvec3 ambient(admissible_ambient(box.sides, wind));
+        const glm::dvec3 ambient(admissible_ambient(box.boundaries, wind));
         const Field field = white_noise(box.cells, 1.0f, random.bits());
         Field result(field.size());
         const double ratio = 0.0625; // r = nu dt / h^2
@@ -149,7 +151,7 @@ TEST(Sides, DiffusionSeesTheGhostsOfTheList) {
                 return at(next);
             glm::ivec3 far_edge = cell;
             far_edge[axis] = end == 0 ? box.cells[axis] - 1 : 0;
-            return ghost(box.sides.at(axis, end), axis, at(cell), at(far_edge), ambient);
+            return ghost(box.boundaries.at(axis, end), axis, at(cell), at(far_edge), ambient);
         };
         for (int k = 0; k < box.cells.z; ++k)
             for (int j = 0; j < box.cells.y; ++j)

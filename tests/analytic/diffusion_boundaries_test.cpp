@@ -1,6 +1,6 @@
-// Diffusion beside walls and open sides.
+// Diffusion beside walls and open boundaries.
 //
-//   any mix of sides   the equations of a step, u' = u + r L u or (1 - r L) u' = u, in double with the ghosts that sides.h names
+//   any mix of sides   the equations of a step, u' = u + r L u or (1 - r L) u' = u, in double with the ghosts that boundaries.h names
 //   Couette, Stokes    flows of cases/wall_cases.cpp
 #include "case_check.h"
 #include "cases/reference/stencil.h"
@@ -20,15 +20,15 @@ constexpr std::array k_sizes = {glm::ivec3(1, 1, 1),   glm::ivec3(1, 2, 3),  glm
                                 glm::ivec3(3, 3, 2),   glm::ivec3(1, 5, 7),  glm::ivec3(3, 1, 4),
                                 glm::ivec3(17, 9, 23), glm::ivec3(6, 12, 1), glm::ivec3(16, 8, 16)};
 
-Sides random_walls(Random& random) {
-    Sides sides = random_kinds(random);
+Boundaries random_walls(Random& random) {
+    Boundaries boundaries = random_kinds(random);
     for (int axis = 0; axis < 3; ++axis)
         for (int end = 0; end < 2; ++end)
-            if (Side& side = side_of(sides, axis, end); side.kind == SideKind::no_slip) {
+            if (Boundary& side = side_of(boundaries, axis, end); side.kind == BoundaryKind::no_slip) {
                 side.wall_velocity = glm::vec3(random.point(1.0));
                 side.wall_velocity[axis] = 0.0f;
             }
-    return sides;
+    return boundaries;
 }
 
 Values component_of(const Field& field, int c) {
@@ -46,8 +46,8 @@ TEST(DiffusionSides, EveryMixOfSidesSolvesItsEquations) {
     double worst_one_pass = 0.0, worst_implicit = 0.0, worst_scaled = 0.0, worst_error = 0.0;
     int trials[2] = {};
     for (int trial = 0; trial < 900; ++trial) {
-        const Box box{.cells = k_sizes[trial % k_sizes.size()], .cell_size = 0.5f, .sides = random_walls(random)};
-        const glm::vec3 ambient = admissible_ambient(box.sides, glm::vec3(random.point(1.0)));
+        const Box box{.cells = k_sizes[trial % k_sizes.size()], .cell_size = 0.5f, .boundaries = random_walls(random)};
+        const glm::vec3 ambient = admissible_ambient(box.boundaries, glm::vec3(random.point(1.0)));
         Workspace work = workspace(box, ambient);
         // h^2 / dt = 1: the viscosity is the ratio.
         const auto viscosity = static_cast<float>(std::pow(10.0, random.real(-3.5, 4.0)));

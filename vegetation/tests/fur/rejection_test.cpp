@@ -1,4 +1,4 @@
-// Meshes that a host may be handed: wrong, absurd, hostile. Each is refused by a sentence with the file's name, or read whole.
+// Meshes that a host may be handed: wrong, absurd, hostile. Each is rejected by a sentence with the file's name, or read whole.
 #include "tests/figure.h"
 #include "vegetation/files/mesh_file.h"
 #include "vegetation/tests/fur/fixtures.h"
@@ -13,7 +13,7 @@ namespace {
 
 using test::Folder;
 
-void expect_refused(const std::filesystem::path& path, const std::string& why, const MeshLoad& load = {}) {
+void expect_rejected(const std::filesystem::path& path, const std::string& why, const MeshLoad& load = {}) {
     const auto mesh = read_mesh(path, load);
     ASSERT_FALSE(mesh) << why;
     EXPECT_NE(mesh.error().find(path.string()), std::string::npos) << mesh.error();
@@ -21,28 +21,28 @@ void expect_refused(const std::filesystem::path& path, const std::string& why, c
     EXPECT_EQ(mesh.error().find('\n'), std::string::npos) << mesh.error();
 }
 
-TEST(MeshRefusals, WhatIsNoMesh) {
+TEST(MeshRejections, WhatIsNoMesh) {
     const Folder folder;
-    expect_refused(folder.at("none.obj"), "there is no such file");
-    expect_refused(folder.at(""), "give a mesh as .obj");
+    expect_rejected(folder.at("none.obj"), "there is no such file");
+    expect_rejected(folder.at(""), "give a mesh as .obj");
     std::filesystem::create_directory(folder.at("folder.obj"));
-    expect_refused(folder.at("folder.obj"), "is a folder");
-    expect_refused(folder.write("mesh.stl", "solid"), "give a mesh as .obj");
-    expect_refused(folder.write("empty.obj", ""), "has no faces");
-    expect_refused(folder.write("words.obj", "this is\nno mesh\n"), "has no faces");
-    expect_refused(folder.write("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"), "has no faces");
-    expect_refused(folder.write("empty.3ds", ""), "is not a 3DS file");
-    expect_refused(folder.write("none.3ds", test::chunk(0x4d4d, test::chunk(0x3d3d, ""))), "has no triangles");
-    expect_refused(folder.write("empty.gltf", ""), "empty.gltf");
-    expect_refused(folder.write("list.gltf", "[]"), "is no object");
-    expect_refused(folder.write("empty.glb", "glTF"), "whole GLB");
-    expect_refused(folder.write("bare.gltf", R"({"asset":{"version":"2.0"}})"), "has no triangles");
-    // A long file is refused by its length; a sparse one takes no disk.
-    std::filesystem::resize_file(folder.write("long.obj", ""), k_most_bytes + 1);
-    expect_refused(folder.at("long.obj"), "is larger than 512 MiB");
+    expect_rejected(folder.at("folder.obj"), "is a folder");
+    expect_rejected(folder.write("mesh.stl", "solid"), "give a mesh as .obj");
+    expect_rejected(folder.write("empty.obj", ""), "has no faces");
+    expect_rejected(folder.write("words.obj", "this is\nno mesh\n"), "has no faces");
+    expect_rejected(folder.write("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"), "has no faces");
+    expect_rejected(folder.write("empty.3ds", ""), "is not a 3DS file");
+    expect_rejected(folder.write("none.3ds", test::chunk(0x4d4d, test::chunk(0x3d3d, ""))), "has no triangles");
+    expect_rejected(folder.write("empty.gltf", ""), "empty.gltf");
+    expect_rejected(folder.write("list.gltf", "[]"), "is no object");
+    expect_rejected(folder.write("empty.glb", "glTF"), "whole GLB");
+    expect_rejected(folder.write("bare.gltf", R"({"asset":{"version":"2.0"}})"), "has no triangles");
+    // A long file is rejected by its length; a sparse one takes no disk.
+    std::filesystem::resize_file(folder.write("long.obj", ""), k_max_bytes + 1);
+    expect_rejected(folder.at("long.obj"), "is larger than 512 MiB");
 }
 
-TEST(MeshRefusals, OfObj) {
+TEST(MeshRejections, OfObj) {
     const Folder folder;
     const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     const std::pair<std::string, const char*> wrong[] = {
@@ -68,14 +68,14 @@ TEST(MeshRefusals, OfObj) {
         {triangle + "vn 0 0 0\nvn 0 0 1\nf 1//1 2//2 3//2\n", "normal of length 0"},
         {triangle + "usemtl " + std::string(300, 'x') + "\nf 1 2 3\n", "300 bytes"}};
     for (const auto& [text, why] : wrong)
-        expect_refused(folder.write("wrong.obj", text), why);
+        expect_rejected(folder.write("wrong.obj", text), why);
     std::string polygon = triangle + "f";
     for (int i = 0; i < 65; ++i)
         polygon += " 1";
-    expect_refused(folder.write("polygon.obj", polygon), "65 corners");
+    expect_rejected(folder.write("polygon.obj", polygon), "65 corners");
 }
 
-TEST(MeshRefusals, FilesOutsideOfTheFolder) {
+TEST(MeshRejections, FilesOutsideOfTheFolder) {
     const Folder folder;
     folder.write("../outside.mtl", "newmtl coat\n");
     folder.write("../outside.bin", test::cube_buffer());
@@ -87,25 +87,25 @@ TEST(MeshRefusals, FilesOutsideOfTheFolder) {
     };
     for (const std::string& name : {outside, std::string("../outside.mtl"), std::string("inner/../../outside.mtl"),
                                     std::string("..\\outside.mtl"), std::string("C:outside.mtl"), std::string(".")})
-        expect_refused(obj(name), "in its own folder");
-    expect_refused(obj("missing.mtl"), "there is no such file");
+        expect_rejected(obj(name), "in its own folder");
+    expect_rejected(obj("missing.mtl"), "there is no such file");
     for (const std::string& name : {std::string("link.mtl"), std::string("up/outside.mtl")})
-        expect_refused(obj(name), "a link out of its folder");
+        expect_rejected(obj(name), "a link out of its folder");
     folder.write("coat.mtl", "newmtl coat\nfur 1 2 3 4\n");
     const auto bad_coat = read_mesh(obj("coat.mtl"));
     ASSERT_FALSE(bad_coat);
     EXPECT_NE(bad_coat.error().find("coat.mtl:2: fur.shells is 1"), std::string::npos) << bad_coat.error();
     for (const char* uri : {"../outside.bin", "%2e%2e/outside.bin", "%2E%2E%2Foutside.bin", "/etc/passwd", "file:///etc/passwd",
                             "http://example.org/cube.bin"})
-        expect_refused(folder.write("mesh.gltf", test::cube_gltf(std::string(R"(,"uri":")") + uri + "\"")), "in its own folder");
-    expect_refused(folder.write("mesh.gltf", test::cube_gltf(R"(,"uri":"missing.bin")")), "there is no such file");
-    expect_refused(folder.write("mesh.gltf", test::cube_gltf(R"(,"uri":"data:application/octet-stream;base64,!!!!")")),
-                   "not base64");
-    expect_refused(folder.write("mesh.gltf", test::cube_gltf(R"(,"uri":"data:text/plain,cube")")), "base64");
+        expect_rejected(folder.write("mesh.gltf", test::cube_gltf(std::string(R"(,"uri":")") + uri + "\"")), "in its own folder");
+    expect_rejected(folder.write("mesh.gltf", test::cube_gltf(R"(,"uri":"missing.bin")")), "there is no such file");
+    expect_rejected(folder.write("mesh.gltf", test::cube_gltf(R"(,"uri":"data:application/octet-stream;base64,!!!!")")),
+                    "not base64");
+    expect_rejected(folder.write("mesh.gltf", test::cube_gltf(R"(,"uri":"data:text/plain,cube")")), "base64");
 }
 
 // The cube's glTF with one text in it replaced.
-TEST(MeshRefusals, OfGltf) {
+TEST(MeshRejections, OfGltf) {
     const Folder folder;
     folder.write("cube.bin", test::cube_buffer());
     struct Change {
@@ -147,16 +147,16 @@ TEST(MeshRefusals, OfGltf) {
         const std::size_t at = text.find(change.from);
         ASSERT_NE(at, std::string::npos) << change.from;
         text.replace(at, std::string_view(change.from).size(), change.to);
-        expect_refused(folder.write("wrong.gltf", text), change.why);
+        expect_rejected(folder.write("wrong.gltf", text), change.why);
     }
     std::string buffer = test::cube_buffer();
     const float nan = std::nanf("");
     std::memcpy(buffer.data() + 4, &nan, 4);
     folder.write("cube.bin", buffer);
-    expect_refused(folder.write("whole.gltf", whole), "not finite");
+    expect_rejected(folder.write("whole.gltf", whole), "not finite");
 }
 
-TEST(MeshRefusals, OfThreeDs) {
+TEST(MeshRejections, OfThreeDs) {
     const Folder folder;
     const std::string whole = test::cube_three_ds();
     const auto with = [&](std::string_view mark, std::size_t offset, std::uint16_t value) {
@@ -165,38 +165,38 @@ TEST(MeshRefusals, OfThreeDs) {
         return folder.write("wrong.3ds", bytes);
     };
     const std::string_view vertices("\x10\x41", 2), faces("\x20\x41", 2), uv("\x40\x41", 2);
-    expect_refused(with(vertices, 6, 9), "give a whole list");
-    expect_refused(with(vertices, 6, 7), "give a whole list");
-    expect_refused(with(faces, 8, 8), "with the vertex 8");
-    expect_refused(with(faces, 6, 60000), "give a whole list");
-    expect_refused(with(uv, 6, 7), "give a whole list");
-    expect_refused(with(faces, 4, 60000), "does not fit");
-    expect_refused(with(vertices, 10, 0x7f80), "not finite");
+    expect_rejected(with(vertices, 6, 9), "give a whole list");
+    expect_rejected(with(vertices, 6, 7), "give a whole list");
+    expect_rejected(with(faces, 8, 8), "with the vertex 8");
+    expect_rejected(with(faces, 6, 60000), "give a whole list");
+    expect_rejected(with(uv, 6, 7), "give a whole list");
+    expect_rejected(with(faces, 4, 60000), "does not fit");
+    expect_rejected(with(vertices, 10, 0x7f80), "not finite");
 }
 
-TEST(MeshRefusals, OfLoads) {
+TEST(MeshRejections, OfLoads) {
     const Folder folder;
     const auto cube = folder.write("cube.glb", test::cube_glb());
-    const auto refused = [&](const MeshLoad& load, const char* field) {
+    const auto rejected = [&](const MeshLoad& load, const char* field) {
         const auto mesh = read_mesh(cube, load);
         ASSERT_FALSE(mesh) << field;
         EXPECT_NE(mesh.error().find(field), std::string::npos) << mesh.error();
     };
-    refused({.up = static_cast<UpAxis>(3)}, "load.up");
-    refused({.size = 0.0f}, "load.size");
-    refused({.size = std::nanf("")}, "load.size");
-    refused({.size_of = static_cast<SizeOf>(2)}, "load.size_of");
-    refused({.yaw_deg = 361.0f}, "load.yaw_deg");
-    refused({.most_triangles = 3}, "load.most_triangles");
-    expect_refused(folder.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 3 2\n"), "is flat", {.size_of = SizeOf::height});
-    expect_refused(folder.write("open.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nv 1 0 1\nv 0 0 2\nv 1 0 2\nv 2 0 2\n"
-                                            "f 1 3 2\nf 2 3 4\nf 3 5 4\nf 4 5 6\nf 4 6 7\n"),
-                   "cannot be simplified", {.most_triangles = 4});
+    rejected({.up = static_cast<UpAxis>(3)}, "load.up");
+    rejected({.size = 0.0f}, "load.size");
+    rejected({.size = std::nanf("")}, "load.size");
+    rejected({.size_of = static_cast<SizeOf>(2)}, "load.size_of");
+    rejected({.yaw_deg = 361.0f}, "load.yaw_deg");
+    rejected({.max_triangles = 3}, "load.max_triangles");
+    expect_rejected(folder.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 3 2\n"), "is flat", {.size_of = SizeOf::height});
+    expect_rejected(folder.write("open.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nv 1 0 1\nv 0 0 2\nv 1 0 2\nv 2 0 2\n"
+                                             "f 1 3 2\nf 2 3 4\nf 3 5 4\nf 4 5 6\nf 4 6 7\n"),
+                    "cannot be simplified", {.max_triangles = 4});
 }
 
-// Truncations and flipped bytes of each kind of file: refused with a sentence, or read to a mesh that holds; never a fault of
+// Truncations and flipped bytes of each kind of file: rejected with a sentence, or read to a mesh that holds; never a fault of
 // memory, which a build with sanitizers would tell.
-TEST(MeshRefusals, BrokenFilesAreRefusedOrSound) {
+TEST(MeshRejections, BrokenFilesAreRejectedOrSound) {
     const Folder folder;
     folder.write("cube.mtl", test::k_cube_mtl);
     folder.write("cube.bin", test::cube_buffer());
@@ -205,7 +205,7 @@ TEST(MeshRefusals, BrokenFilesAreRefusedOrSound) {
                                                          {"broken.glb", test::cube_glb()},
                                                          {"broken.3ds", test::cube_three_ds()}};
     std::mt19937 chance(9); // the same on every machine
-    int read = 0, refused = 0;
+    int read = 0, rejected = 0;
     const auto attempt = [&](const char* name, const std::string& bytes) {
         const auto mesh = read_mesh(folder.write(name, bytes));
         if (mesh) {
@@ -214,7 +214,7 @@ TEST(MeshRefusals, BrokenFilesAreRefusedOrSound) {
         } else {
             EXPECT_NE(mesh.error().find("inner"), std::string::npos) << mesh.error(); // the file's folder
         }
-        ++(mesh ? read : refused);
+        ++(mesh ? read : rejected);
     };
     for (const auto& [name, whole] : files) {
         for (int i = 0; i < 100; ++i)
@@ -226,11 +226,11 @@ TEST(MeshRefusals, BrokenFilesAreRefusedOrSound) {
             attempt(name, bytes);
         }
     }
-    windrow::test::figure("shells/broken_files/refused", refused);
+    windrow::test::figure("shells/broken_files/rejected", rejected);
     windrow::test::figure("shells/broken_files/read", read);
-    EXPECT_EQ(read + refused, 1200);
+    EXPECT_EQ(read + rejected, 1200);
     EXPECT_GT(read, 0);
-    EXPECT_GT(refused, 0);
+    EXPECT_GT(rejected, 0);
 }
 
 } // namespace

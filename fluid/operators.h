@@ -27,7 +27,7 @@ class Workspace {
   public:
     struct Settings {
         Box box{};
-        /// [m/s] The wind beyond open sides. Components along axes that a wall closes are dropped.
+        /// [m/s] The wind beyond open boundaries. Components along axes that a wall closes are dropped.
         glm::vec3 ambient{0.0f};
         /// Instructions of the hot loops. Default the best that this machine runs.
         Simd simd = Simd::best;
@@ -39,7 +39,7 @@ class Workspace {
 
     /// Changes kinds or wall velocities; rebuilds the tables (and allocates) only when a kind changed. Without memory it fails and
     /// the workspace stays as it was.
-    [[nodiscard]] Result<void> set_sides(const Sides& sides);
+    [[nodiscard]] Result<void> set_boundaries(const Boundaries& boundaries);
     void set_ambient(glm::vec3 ambient);
 
     [[nodiscard]] const Box& box() const;
@@ -69,7 +69,7 @@ inline constexpr std::array<const char*, 2> k_words<Interpolation>{"linear", "cu
 
 /// What `advect` moves and by which wind. All spans hold one value a cell.
 struct Transport {
-    /// [m/s] The velocity to move; beyond open sides it is the ambient wind.
+    /// [m/s] The velocity to move; beyond open boundaries it is the ambient wind.
     std::span<const glm::vec4> carried{};
     /// [m/s] Wind at the start of the step.
     std::span<const glm::vec4> velocity{};
@@ -85,8 +85,8 @@ struct Transport {
     /// read. Empty: none.
     std::span<const glm::vec4> history{};
     float history_scale = 0.0f;
-    /// Factor on carried - ambient as it is read, 1 / (1 + dt / settling time); 1: none.
-    float settling = 1.0f;
+    /// Factor on carried - ambient as it is read, 1 / (1 + dt / relaxation time); 1: none.
+    float relaxation = 1.0f;
 };
 
 /// result(x) = carried(xd), xd = x - dt/2 (u(x) + (1 + a) u(x0) - a u_old(x0)), x0 = x - dt u(x)   (SETTLS).
@@ -100,7 +100,7 @@ struct ScalarTransport {
     std::span<const glm::vec4> velocity{}; ///< [m/s]
     float dt = 0.0f;                       ///< [s]
     Interpolation interpolation = Interpolation::cubic;
-    /// Value beyond open sides; walls mirror the scalar.
+    /// Value beyond open boundaries; walls mirror the scalar.
     float outside = 0.0f;
     /// Keeps each result within the eight values around its departure point: no overshoot, order 2.6 instead of 3.
     bool clamped = false;
@@ -118,7 +118,7 @@ template <>
 inline constexpr std::array<const char*, 3> k_words<DiffusionMethod>{"none", "one_pass", "implicit"};
 [[nodiscard]] DiffusionMethod diffusion_method(float viscosity, float dt, float cell_size);
 
-/// result = field after dt of diffusion with `viscosity` [m^2/s], walls and open sides as sides.h says. First order in time,
+/// result = field after dt of diffusion with `viscosity` [m^2/s], walls and open boundaries as boundaries.h says. First order in time,
 /// second in space. `result` must not overlap `field`; with DiffusionMethod::none it is a copy. Allocates once at the first
 /// implicit call (see reserve_diffusion); an error, with `result` untouched, where memory is missing.
 Result<DiffusionMethod> diffuse(Workspace& work, std::span<const glm::vec4> field, float viscosity, float dt,
@@ -126,19 +126,19 @@ Result<DiffusionMethod> diffuse(Workspace& work, std::span<const glm::vec4> fiel
 /// Allocates what implicit diffusion needs, so that no later call allocates.
 [[nodiscard]] Result<void> reserve_diffusion(Workspace& work);
 
-/// [1/s] Central divergence at cell centres. Beyond a wall the normal velocity turns its sign; beyond an open side it is that of
+/// [1/s] Central divergence at cell centres. Beyond a wall the normal velocity turns its sign; beyond an open boundary it is that of
 /// the cell inside.
 void divergence(Workspace& work, std::span<const glm::vec4> velocity, std::span<float> result);
 
-/// Solves L phi = rhs in place, L the 7-point Laplacian [1/m^2] with phi = 0 at the ghosts' centres beyond open sides and
-/// d phi/dn = 0 on walls: direct, by fast diagonalisation. In a box without an open side the mean of rhs is dropped and phi has mean 0. Based on: Lynch, Rice &
+/// Solves L phi = rhs in place, L the 7-point Laplacian [1/m^2] with phi = 0 at the ghosts' centres beyond open boundaries and
+/// d phi/dn = 0 on walls: direct, by fast diagonalisation. In a box without an open boundary the mean of rhs is dropped and phi has mean 0. Based on: Lynch, Rice &
 /// Thomas 1964, Numerische Mathematik 6.
 void solve_poisson(Workspace& work, std::span<float> rhs_then_phi);
 
 /// velocity -= grad phi with L phi = div velocity - expansion. Collocated, so approximate: what is left of the divergence falls
 /// as h^2. Adds nothing to the kinetic energy; where a side is open, waves of a few cells along an edge may gain: 1.065 times at
 /// most, 4.4 times however often repeated (norms of the matrix and of its powers for 8 x 8 x 8 cells). `gradient`, where not
-/// empty, receives grad phi [m/s]. `expansion`, where not empty, is the divergence wanted [1/s]: air that comes out (> 0) or vanishes; in a box without an open side its mean is dropped.
+/// empty, receives grad phi [m/s]. `expansion`, where not empty, is the divergence wanted [1/s]: air that comes out (> 0) or vanishes; in a box without an open boundary its mean is dropped.
 void project(Workspace& work, std::span<glm::vec4> velocity, std::span<glm::vec4> gradient = {},
              std::span<const float> expansion = {});
 

@@ -14,7 +14,7 @@ const detail::Format k_format{
     "WINDSNAP", detail::load_number<std::uint32_t>(Wind::create({.cells = {1, 1, 1}})->save()->data() + detail::k_letters),
     "snapshot", "Wind::save"};
 
-std::string refusal(std::span<const std::byte> bytes) {
+std::string rejection(std::span<const std::byte> bytes) {
     const auto wind = Wind::load(bytes);
     EXPECT_FALSE(wind);
     return wind ? std::string() : wind.error();
@@ -45,50 +45,51 @@ Bytes small_snapshot(float gust_intensity = 0.0f) {
     return *session.wind.save();
 }
 
-TEST(SnapshotRefusal, SaysWhatIsWrong) {
+TEST(SnapshotRejection, SaysWhatIsWrong) {
     const Bytes bytes = small_snapshot();
-    EXPECT_EQ(refusal({}), "these bytes are not a Windrow snapshot: give what Wind::save returned.");
+    EXPECT_EQ(rejection({}), "these bytes are not a Windrow snapshot: give what Wind::save returned.");
     const std::string_view words = "A letter to somebody, long enough for a header.";
-    EXPECT_EQ(refusal(std::as_bytes(std::span(words))), "these bytes are not a Windrow snapshot: give what Wind::save returned.");
-    EXPECT_EQ(refusal(sealed(content_of(bytes), {"WINDSNAP", 0x00c0ffee, "", ""})),
+    EXPECT_EQ(rejection(std::as_bytes(std::span(words))),
+              "these bytes are not a Windrow snapshot: give what Wind::save returned.");
+    EXPECT_EQ(rejection(sealed(content_of(bytes), {"WINDSNAP", 0x00c0ffee, "", ""})),
               detail::message("snapshot has the layout 00c0ffee, this library reads ", detail::Hex{k_format.version},
                               ": use the release that wrote it."));
-    EXPECT_NE(refusal(std::span(bytes).first(bytes.size() - 1)).find("snapshot is truncated: it holds "), std::string::npos);
+    EXPECT_NE(rejection(std::span(bytes).first(bytes.size() - 1)).find("snapshot is truncated: it holds "), std::string::npos);
     Bytes longer = bytes;
     longer.push_back(std::byte{0});
-    EXPECT_NE(refusal(longer).find("has changed since it was written: its length"), std::string::npos);
+    EXPECT_NE(rejection(longer).find("has changed since it was written: its length"), std::string::npos);
     Bytes changed = bytes;
     changed[bytes.size() / 2] ^= std::byte{1};
-    EXPECT_EQ(refusal(changed), "snapshot has changed since it was written: its checksum does not match; take another copy.");
+    EXPECT_EQ(rejection(changed), "snapshot has changed since it was written: its checksum does not match; take another copy.");
     Bytes content(content_of(bytes).begin(), content_of(bytes).end());
     content.push_back(std::byte{0});
-    EXPECT_EQ(refusal(sealed(content)), "snapshot cannot be used: bytes follow its last field.");
+    EXPECT_EQ(rejection(sealed(content)), "snapshot cannot be used: bytes follow its last field.");
 }
 
-TEST(SnapshotRefusal, MeetsWhatValidateRefuses) {
+TEST(SnapshotRejection, MeetsWhatValidateRejects) {
     Wind wind = made({.cells = {4, 4, 4}});
     const MotorId id = *wind.motors().add(JetMotor{});
-    wind.state().core.config.rim = -1.0f;
+    wind.state().core.config.blend_width = -1.0f;
     wind.state().core.config.max_substeps = 99;
-    const std::string config = refusal(*wind.save());
+    const std::string config = rejection(*wind.save());
     EXPECT_NE(config.find("rim is -1"), std::string::npos) << config;
     EXPECT_NE(config.find("max_substeps is 99"), std::string::npos) << config;
     wind = made({.cells = {4, 4, 4}});
     const MotorId again = *wind.motors().add(JetMotor{});
     ASSERT_EQ(again, id);
     std::get<JetMotor>(const_cast<Motor&>(*wind.motors().find(again))).length = std::numeric_limits<float>::quiet_NaN();
-    const std::string motor = refusal(*wind.save());
+    const std::string motor = rejection(*wind.save());
     EXPECT_NE(motor.find("motor 0 cannot be used: motor.length is nan"), std::string::npos) << motor;
 }
 
-TEST(SnapshotRefusal, BelievesNoPromiseOfCells) {
+TEST(SnapshotRejection, BelievesNoPromiseOfCells) {
     Wind wind = made({.cells = {2, 2, 2}});
     wind.state().core.config.cells = {2048, 2048, 16}; // 2^26 cells, 1 GiB a field
-    const std::string reason = refusal(*wind.save());
+    const std::string reason = rejection(*wind.save());
     EXPECT_NE(reason.find("it promises 67108864 items of 16 bytes or more, but only "), std::string::npos) << reason;
 }
 
-TEST(SnapshotRefusal, EveryTruncation) {
+TEST(SnapshotRejection, EveryTruncation) {
     const Bytes bytes = small_snapshot();
     for (std::size_t size = 0; size < bytes.size(); ++size)
         ASSERT_FALSE(Wind::load(std::span(bytes).first(size))) << size;
@@ -96,7 +97,7 @@ TEST(SnapshotRefusal, EveryTruncation) {
         ASSERT_FALSE(Wind::load(sealed(content_of(bytes).first(size)))) << size << ", sealed anew";
 }
 
-TEST(SnapshotRefusal, EveryChangedByte) {
+TEST(SnapshotRejection, EveryChangedByte) {
     const Bytes bytes = small_snapshot();
     Random random(31);
     for (int n = 0; n < 2000; ++n) {
@@ -107,8 +108,8 @@ TEST(SnapshotRefusal, EveryChangedByte) {
     }
 }
 
-// Nobody but a forger makes these: they load or are refused, and what loads can be used.
-TEST(SnapshotRefusal, ForgedBytesDoNoHarm) {
+// Nobody but a forger makes these: they load or are rejected, and what loads can be used.
+TEST(SnapshotRejection, ForgedBytesDoNoHarm) {
     const Bytes calm = small_snapshot(), gusty = small_snapshot(0.2f);
     Random random(32);
     int usable = 0;

@@ -18,19 +18,19 @@ constexpr std::array k_sizes = {glm::ivec3(1, 1, 1), glm::ivec3(1, 5, 7),  glm::
                                 glm::ivec3(3, 1, 4), glm::ivec3(17, 9, 5), glm::ivec3(8, 4, 70)};
 
 // Where two moving walls meet, the order of their mirrors would be a matter of convention: only y's walls move.
-Sides random_walls(Random& random) {
-    Sides sides = random_kinds(random);
+Boundaries random_walls(Random& random) {
+    Boundaries boundaries = random_kinds(random);
     for (int end = 0; end < 2; ++end)
-        if (Side& side = side_of(sides, 1, end); side.kind == SideKind::no_slip)
+        if (Boundary& side = side_of(boundaries, 1, end); side.kind == BoundaryKind::no_slip)
             side.wall_velocity = glm::vec3(random.point(1.0)) * glm::vec3(1.0f, 0.0f, 1.0f);
-    return sides;
+    return boundaries;
 }
 
 double worst_difference(Interpolation interpolation, bool with_history) {
     Random random(with_history ? 71 : 17);
     double worst = 0.0;
     for (int trial = 0; trial < 120; ++trial) {
-        const Box box{.cells = k_sizes[trial % k_sizes.size()], .cell_size = 0.5f, .sides = random_walls(random)};
+        const Box box{.cells = k_sizes[trial % k_sizes.size()], .cell_size = 0.5f, .boundaries = random_walls(random)};
         Workspace work = workspace(box, glm::vec3(random.point(1.0)));
         const Field carried = random_field(random, box), wind = random_field(random, box), old = random_field(random, box),
                     history = random_field(random, box);
@@ -41,7 +41,7 @@ double worst_difference(Interpolation interpolation, bool with_history) {
             transport.extrapolation = static_cast<float>(random.real(0.0, 1.0));
             transport.history = history;
             transport.history_scale = static_cast<float>(random.real(0.0, 2.0));
-            transport.settling = 0.9f;
+            transport.relaxation = 0.9f;
         }
         Field moved(box.cell_count());
         advect(work, transport, moved);
@@ -69,7 +69,7 @@ TEST(AdvectionSides, AScalarEqualsItsDefinition) {
         Random random(29);
         double worst = 0.0;
         for (int trial = 0; trial < 120; ++trial) {
-            const Box box{.cells = k_sizes[trial % k_sizes.size()], .cell_size = 2.0f, .sides = random_walls(random)};
+            const Box box{.cells = k_sizes[trial % k_sizes.size()], .cell_size = 2.0f, .boundaries = random_walls(random)};
             Workspace work = workspace(box, glm::vec3(random.point(1.0)));
             const Field wind = random_field(random, box);
             const auto values = scalars_of(box, [&](glm::dvec3) { return random.real(-1.0, 1.0); });

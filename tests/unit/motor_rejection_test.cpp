@@ -1,4 +1,4 @@
-// Every field of every kind of motor against 0, negative values, NaN, infinities and huge ones: what is refused says which field,
+// Every field of every kind of motor against 0, negative values, NaN, infinities and huge ones: what is rejected says which field,
 // what value and what to do instead, all reasons at once; and leaves the list as it was.
 
 #include "fluid/message.h"
@@ -19,7 +19,7 @@ constexpr float k_huge = std::numeric_limits<float>::max(), k_tiny = std::numeri
 struct MotorField {
     std::string name;
     std::function<Motor(float)> with;
-    std::vector<float> refused, accepted;
+    std::vector<float> rejected, accepted;
     bool vector = false; ///< stands in a vector, which is stated whole
 };
 
@@ -210,13 +210,13 @@ struct Blowing {
     }
 };
 
-TEST(MotorRefusal, EachNamesTheFieldItsValueAndAFixAndChangesNothing) {
-    Blowing refusing, untouched;
-    Motors& motors = refusing.wind.motors();
+TEST(MotorRejection, EachNamesTheFieldItsValueAndAFixAndChangesNothing) {
+    Blowing rejecting, untouched;
+    Motors& motors = rejecting.wind.motors();
     const std::size_t memory = motors.memory_bytes();
-    int refusals = 0;
+    int rejections = 0;
     for (const MotorField& field : every_field())
-        for (const float value : field.refused) {
+        for (const float value : field.rejected) {
             const Motor motor = field.with(value);
             const auto valid = validate(motor);
             ASSERT_FALSE(valid) << field.name << " took " << value;
@@ -237,43 +237,43 @@ TEST(MotorRefusal, EachNamesTheFieldItsValueAndAFixAndChangesNothing) {
             EXPECT_NE(text.find(": give "), std::string::npos) << text;
 
             const auto add = motors.add(motor);
-            const auto set = motors.set(refusing.ids[refusals % refusing.ids.size()], motor);
+            const auto set = motors.set(rejecting.ids[rejections % rejecting.ids.size()], motor);
             ASSERT_FALSE(add);
             ASSERT_FALSE(set);
             EXPECT_EQ(add.error(), text);
             EXPECT_EQ(set.error(), text);
             if (field.name == "motor.position") {
-                const auto move = motors.move(refusing.ids.front(), position_of(motor));
+                const auto move = motors.move(rejecting.ids.front(), position_of(motor));
                 ASSERT_FALSE(move);
                 EXPECT_EQ(move.error(), text);
             }
-            ++refusals;
+            ++rejections;
         }
-    EXPECT_GT(refusals, 500);
+    EXPECT_GT(rejections, 500);
     EXPECT_EQ(validate(WakeMotor{.radius = -1.0f}).error().find("motor.radius is -1 m: give "), 0u) << "with its unit";
 
     EXPECT_EQ(motors.count(), 5);
     EXPECT_EQ(motors.memory_bytes(), memory);
     for (int n = 0; n < 5; ++n) {
-        refusing.wind.step(0.05);
+        rejecting.wind.step(0.05);
         untouched.wind.step(0.05);
     }
-    EXPECT_EQ(cells_that_differ(refusing.wind.field(), untouched.wind.field()), 0u);
+    EXPECT_EQ(cells_that_differ(rejecting.wind.field(), untouched.wind.field()), 0u);
     const auto next = motors.add(JetMotor{}), other_next = untouched.wind.motors().add(JetMotor{});
     ASSERT_TRUE(next && other_next);
-    EXPECT_TRUE(*next == *other_next) << "refused motors used up no handle";
+    EXPECT_TRUE(*next == *other_next) << "rejected motors used up no handle";
 }
 
-TEST(MotorRefusal, LimitsThemselvesAreTaken) {
+TEST(MotorRejection, LimitsThemselvesAreTaken) {
     for (const MotorField& field : every_field())
         for (const float value : field.accepted) {
             const auto valid = validate(field.with(value));
-            EXPECT_TRUE(valid) << field.name << " refused " << value << ": " << valid.error();
+            EXPECT_TRUE(valid) << field.name << " rejected " << value << ": " << valid.error();
         }
 }
 
 // Whatever is taken may act: no value makes the air anything but finite.
-TEST(MotorRefusal, WhatIsTakenKeepsTheAirFinite) {
+TEST(MotorRejection, WhatIsTakenKeepsTheAirFinite) {
     for (const MotorField& field : every_field())
         for (const float value : field.accepted) {
             Wind wind = *Wind::create({.cells = {8, 8, 8}});
@@ -289,7 +289,7 @@ TEST(MotorRefusal, WhatIsTakenKeepsTheAirFinite) {
         }
 }
 
-TEST(MotorRefusal, AllReasonsComeAtOnce) {
+TEST(MotorRejection, AllReasonsComeAtOnce) {
     const Envelope bad{-1.0f, k_nan, k_infinity};
     const glm::dvec3 nowhere(1e13, 0.0, 0.0);
     const glm::vec3 none(0.0f);

@@ -21,66 +21,69 @@
 
 namespace windrow {
 
-enum class SideKind : std::uint8_t { open, free_slip, no_slip, periodic };
+enum class BoundaryKind : std::uint8_t { open, free_slip, no_slip, periodic };
 template <>
-inline constexpr std::array<const char*, 4> k_words<SideKind>{"open", "free_slip", "no_slip", "periodic"};
+inline constexpr std::array<const char*, 4> k_words<BoundaryKind>{"open", "free_slip", "no_slip", "periodic"};
 
 /// One side of the box.
-struct Side {
-    SideKind kind = SideKind::open;
+struct Boundary {
+    BoundaryKind kind = BoundaryKind::open;
     glm::vec3 wall_velocity{0.0f};
 
     static constexpr auto settings() {
         return std::tuple{
-            Setting("kind", &Side::kind,
+            Setting("kind", &Boundary::kind,
                     "open: the ambient wind is beyond. free_slip: a wall that holds no air back. no_slip: a wall that carries "
                     "the air "
                     "along. periodic: the far side of the box is beyond."),
-            Setting("wall_velocity", &Side::wall_velocity, k_speed_range,
+            Setting("wall_velocity", &Boundary::wall_velocity, k_speed_range,
                     "Velocity of a no-slip wall, in its own plane; 0 on every other kind. May change in every step."),
         };
     }
 
-    [[nodiscard]] bool solid() const { return kind == SideKind::free_slip || kind == SideKind::no_slip; }
-    friend bool operator==(const Side&, const Side&) = default;
+    [[nodiscard]] bool solid() const { return kind == BoundaryKind::free_slip || kind == BoundaryKind::no_slip; }
+    friend bool operator==(const Boundary&, const Boundary&) = default;
 };
 
-/// The six sides in the order x low, x high, y low, y high, z low, z high. Any mix per face; periodic sides come in pairs.
-struct Sides {
-    Side x_low{}, x_high{}, y_low{}, y_high{}, z_low{}, z_high{};
+/// The six sides in the order x low, x high, y low, y high, z low, z high. Any mix per face; periodic boundaries come in pairs.
+struct Boundaries {
+    Boundary x_low{}, x_high{}, y_low{}, y_high{}, z_low{}, z_high{};
 
     static constexpr auto settings() {
         return std::tuple{
-            Setting("x_low", &Sides::x_low, "At the low end of x."), Setting("x_high", &Sides::x_high, "At its high end."),
-            Setting("y_low", &Sides::y_low, "Below: the floor."),    Setting("y_high", &Sides::y_high, "Above."),
-            Setting("z_low", &Sides::z_low, "At the low end of z."), Setting("z_high", &Sides::z_high, "At its high end."),
+            Setting("x_low", &Boundaries::x_low, "At the low end of x."),
+            Setting("x_high", &Boundaries::x_high, "At its high end."),
+            Setting("y_low", &Boundaries::y_low, "Below: the floor."),
+            Setting("y_high", &Boundaries::y_high, "Above."),
+            Setting("z_low", &Boundaries::z_low, "At the low end of z."),
+            Setting("z_high", &Boundaries::z_high, "At its high end."),
         };
     }
 
     /// end 0 is the low side, 1 the high side.
-    [[nodiscard]] const Side& at(int axis, int end) const;
-    [[nodiscard]] bool periodic(int axis) const { return at(axis, 0).kind == SideKind::periodic; }
+    [[nodiscard]] const Boundary& at(int axis, int end) const;
+    [[nodiscard]] bool periodic(int axis) const { return at(axis, 0).kind == BoundaryKind::periodic; }
     [[nodiscard]] bool has_solid(int axis) const { return at(axis, 0).solid() || at(axis, 1).solid(); }
     [[nodiscard]] bool has_open(int axis) const;
     /// Every axis is open at one end at least: free air lies around the box, with a wall an axis at most.
     [[nodiscard]] bool in_free_air() const { return has_open(0) && has_open(1) && has_open(2); }
 
-    static Sides all(SideKind kind);
+    static Boundaries all(BoundaryKind kind);
     /// Open air over a free-slip floor.
-    static Sides open_over_floor();
+    static Boundaries open_over_floor();
 
-    friend bool operator==(const Sides&, const Sides&) = default;
+    friend bool operator==(const Boundaries&, const Boundaries&) = default;
 };
 
-/// Rejects periodic sides without their partner and wall velocities that are not finite, leave the wall or are of another kind.
-[[nodiscard]] Result<void> validate(const Sides& sides);
+/// Rejects periodic boundaries without their partner and wall velocities that are not finite, leave the wall or are of another kind.
+[[nodiscard]] Result<void> validate(const Boundaries& boundaries);
 namespace detail {
 class Reasons;
 struct FieldPath;
 } // namespace detail
-void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const Sides& sides);
+void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const Boundaries& boundaries);
 
-/// `ambient` without its components along axes that a wall closes: the wind that the open sides of such a box can carry.
-[[nodiscard]] glm::vec3 admissible_ambient(const Sides& sides, glm::vec3 ambient);
+/// `ambient` without its components along axes that a wall closes: the wind that the open boundaries of such a box can carry.
+[[nodiscard]] glm::vec3 admissible_ambient(const Boundaries& boundaries, glm::vec3 ambient);
 
 } // namespace windrow
