@@ -20,7 +20,7 @@ struct GroundConfig {
     float trail_time = 20.0f;
     float trample_time = 0.8f;
     float clearance = 0.4f;
-    float rim = 2.0f;
+    float blend_width = 2.0f;
     float max_stride = 20.0f;
     int max_walkers = 64;
 

@@ -112,12 +112,12 @@ AmbientBlock AmbientWind::block(glm::dvec3 anchor, const Sampling& asked) const 
     const double fit = std::round(static_cast<double>(settings_.gusts.length) / static_cast<double>(sampling.detail_length));
     const int repeats = fit >= 1.0 ? static_cast<int>(std::min(fit, 1e9)) : 1; // NaN too
     block.detail_texels = static_cast<float>(repeats / texel());
-    block.detail_fraction = tile() ? sampling.detail : 0.0f;
+    block.detail_amount = tile() ? sampling.detail : 0.0f;
     for (int axis = 0; axis < 3; ++axis) {
         const TilePlace gust = gusting() ? gust_place(axis, anchor[axis]) : TilePlace{};
         block.gust_texel[axis] = static_cast<float>(gust.texel);
         block.gust_fraction[axis] = gust.fraction;
-        const TilePlace ripple = block.detail_fraction > 0.0f ? place(axis, anchor[axis], repeats) : TilePlace{};
+        const TilePlace ripple = block.detail_amount > 0.0f ? place(axis, anchor[axis], repeats) : TilePlace{};
         block.detail_texel[axis] = static_cast<float>(ripple.texel);
         block.detail_fraction[axis] = ripple.fraction;
     }

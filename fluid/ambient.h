@@ -112,7 +112,7 @@ struct AmbientBlock {
     glm::vec3 detail_texel{0.0f};    ///< as gust_texel, for the detail
     float detail_texels = 0.0f;      ///< [1/m] as gust_texels
     glm::vec3 detail_fraction{0.0f}; ///< as gust_fraction
-    float detail_fraction = 0.0f;    ///< detail as a share of the local speed; 0: none
+    float detail_amount = 0.0f;      ///< detail as a fraction of the local speed; 0: none
 };
 static_assert(sizeof(AmbientBlock) == 112);
 

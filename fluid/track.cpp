@@ -85,11 +85,11 @@ std::span<const Track::Segment> Track::tick(double duration) {
             middle_ = length > 0.0 ? place + (half - time) / length * (end - place) : end;
         }
         if (end != place && length > 0.0) {
-            if (pieces > 0 && pieces_[pieces - 1].end == place && goes_on(pieces_[pieces - 1], end, length)) {
-                pieces_[pieces - 1].end = end;
-                pieces_[pieces - 1].duration += length;
+            if (pieces > 0 && segments_[pieces - 1].end == place && goes_on(segments_[pieces - 1], end, length)) {
+                segments_[pieces - 1].end = end;
+                segments_[pieces - 1].duration += length;
             } else if (pieces < k_max_segments) {
-                pieces_[pieces++] = {place, end, length};
+                segments_[pieces++] = {place, end, length};
             }
         }
         place = end;
@@ -111,9 +111,9 @@ std::span<const Track::Segment> Track::tick(double duration) {
     for (int n = 0; n < timed_; ++n)
         points_[n].time -= duration;
     here_ = place;
-    if (pieces == 1 && std::abs(pieces_[0].duration - duration) <= k_rounding * duration)
-        pieces_[0].duration = duration;
-    return {pieces_.data(), static_cast<std::size_t>(pieces)};
+    if (pieces == 1 && std::abs(segments_[0].duration - duration) <= k_rounding * duration)
+        segments_[0].duration = duration;
+    return {segments_.data(), static_cast<std::size_t>(pieces)};
 }
 
 } // namespace windrow

@@ -17,7 +17,7 @@ class Track {
     /// Pieces that a tick may take; more positions are thinned, those that lie nearest to the straight line first.
     static constexpr int k_max_segments = 8;
 
-    struct Piece {
+    struct Segment {
         glm::dvec3 start, end; ///< [m]
         double duration;       ///< [s] > 0
     };
@@ -33,7 +33,7 @@ class Track {
     void squeeze(double factor);
     /// Advances by a tick of `duration` [s] and returns the pieces that lie in it, none if it stood still. They last until the
     /// next call.
-    std::span<const Piece> tick(double duration);
+    std::span<const Segment> tick(double duration);
 
     /// [m] Where it was at the last tick.
     [[nodiscard]] glm::dvec3 here() const { return here_; }
@@ -58,7 +58,7 @@ class Track {
     int count_ = 0;
     int timed_ = 0;                              ///< points that have a time
     int moves_ = 0;                              ///< since the last frame began
-    std::array<Piece, k_max_segments> pieces_{}; ///< as is what follows, of the last tick
+    std::array<Segment, k_max_segments> segments_{}; ///< as is what follows, of the last tick
     glm::dvec3 middle_{0.0};
 };
 

@@ -27,9 +27,9 @@ struct BlendZone {
 /// A view of a Wind's own memory: cheap to copy, good until the wind next changes.
 class WindView {
   public:
-    WindView(const Box& box, const Window& window, const BlendZone& rim, const AmbientWind& ambient,
+    WindView(const Box& box, const Window& window, const BlendZone& blend_zone, const AmbientWind& ambient,
              std::span<const glm::vec4> field)
-        : box_(&box), window_(window), blend_zone_(rim), ambient_(&ambient), field_(field) {}
+        : box_(&box), window_(window), blend_zone_(blend_zone), ambient_(&ambient), field_(field) {}
 
     /// [m/s] Wind at a world point. A point that is not finite gets the mean wind.
     [[nodiscard]] glm::vec3 velocity(glm::dvec3 position) const;

@@ -90,7 +90,7 @@ struct Config {
     std::optional<LogProfile> profile{};
     Gusts gusts{};
     std::optional<Canopy> canopy{};
-    float rim = 2.0f;
+    float blend_width = 2.0f;
     float viscosity = 1.5e-5f;
     float relaxation_time = 20.0f;
     float sleep_speed = 1e-3f;

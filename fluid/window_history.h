@@ -56,13 +56,13 @@ struct WindowHistory {
     }
     /// The blend zone of `width` [cells] about a point, which ends `inset` cells before the box.
     [[nodiscard]] BlendZone blend_zone(glm::dvec3 about, float width, float inset) const {
-        BlendZone rim{.point = about, .reach = glm::vec3(0.0f), .width = width};
+        BlendZone zone{.point = about, .reach = glm::vec3(0.0f), .width = width};
         for (int axis = 0; axis < 3; ++axis) {
             const float reach = 0.5f * static_cast<float>(window.cells[axis]) - inset;
             if (width > 0.0f && follow_axes[axis] && reach >= width + 1.0f)
-                rim.reach[axis] = reach;
+                zone.reach[axis] = reach;
         }
-        return rim;
+        return zone;
     }
 };
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace windrow::scene {
 namespace {
@@ -17,6 +18,17 @@ using nlohmann::json;
 /// A default that a file can hold.
 std::optional<json> finite(float value) {
     return std::isfinite(value) ? std::optional<json>(value) : std::nullopt;
+}
+
+/// Why a key is rejected that nobody asked for.
+std::string unknown_key(std::string_view key, std::span<const std::string> known) {
+    constexpr std::pair<const char*, const char*> k_renamed[] = {
+#include "scene/renamed_keys.inl"
+    };
+    for (const auto& [before, now] : k_renamed)
+        if (key == before && std::find(known.begin(), known.end(), now) != known.end())
+            return message("is now called \"", now, "\": rename it, or run ./dev rename-scene on the file.");
+    return message("is not a known key", suggestion(key, known), ": rename or remove it.");
 }
 
 } // namespace
@@ -230,8 +242,7 @@ void JsonObject::finish() {
         if (log_->is_full()) // a suggestion takes longer than the rest of the reading
             log_->count_fault();
         else
-            log_->reject(join_json_path(path_, key),
-                         message("is not a known key", suggestion(key, asked_), ": rename or remove it."));
+            log_->reject(join_json_path(path_, key), unknown_key(key, asked_));
     }
 }
 

@@ -42,7 +42,7 @@ bool check_memory(const BenchRequest& request, const Console& console) {
     return true;
 }
 
-int reject(const std::string& sentence, const Console& console) {
+int complain(const std::string& sentence, const Console& console) {
     console.complain(sentence);
     return k_exit_wrong_use;
 }
@@ -124,7 +124,7 @@ int run_bench(const BenchRequest& request, const Console& console, const std::fu
     for (const glm::ivec3 cells : request.grids) {
         auto grid = measure_grid(cells, request, threads, pool->parallel_for(), stopped);
         if (!grid)
-            return reject(grid.error(), console);
+            return complain(grid.error(), console);
         if (!*grid)
             return k_exit_signal + stop_signal();
         report_grid(**grid, console);
@@ -135,7 +135,7 @@ int run_bench(const BenchRequest& request, const Console& console, const std::fu
             measure_volumes({.volumes = count, .threads = threads, .simd = request.simd, .seconds = request.seconds},
                             pool->parallel_for(), stopped);
         if (!volumes)
-            return reject(volumes.error(), console);
+            return complain(volumes.error(), console);
         if (!*volumes)
             return k_exit_signal + stop_signal();
         report_volumes(**volumes, result.volumes.empty(), console);

@@ -12,7 +12,7 @@ namespace windrow::vulkan {
 struct RecordedFrame {
     ShownFrame frame;
     Box box{}; ///< with the sides of its time
-    BlendZone rim{};
+    BlendZone blend_zone{};
     double time = 0.0;      ///< [s] of the wind's own clock
     std::uint64_t tick = 0; ///< the last one in it or before
 };

@@ -207,7 +207,7 @@ std::optional<WindView> Wind::queried() const {
     const auto& read = state_->read_backs.frame();
     if (!read)
         return std::nullopt;
-    return WindView(read->box, read->frame.window, read->rim, read->frame.ambient, state_->read_backs.cells());
+    return WindView(read->box, read->frame.window, read->blend_zone, read->frame.ambient, state_->read_backs.cells());
 }
 
 double Wind::query_age() const {

@@ -55,7 +55,7 @@ RecordedFrame Wind::State::frame_now() const {
     const ShownFrame shown = core.shown();
     return {.frame = shown,
             .box = core.box(),
-            .blend_width = core.blend_zone(shown.blend_centre),
+            .blend_zone = core.blend_zone(shown.blend_centre),
             .time = time,
             .tick = cells.rest.tick};
 }

@@ -41,7 +41,7 @@ struct WindrowAmbient {
     vec3 detail_texel;
     float detail_texels;
     vec3 detail_fraction;
-    float detail_fraction;
+    float detail_amount;
 };
 
 // Share of the reference wind at a height [m]. `roughness` and `reference` [m] above 0.
@@ -100,11 +100,11 @@ WINDROW_FN float windrow_speed(vec3 u) {
 
 // [m/s] Small-scale detail of a wind `u` at `local` [m] from the anchor; never longer than its share of |u|.
 WINDROW_FN vec3 windrow_detail(WINDROW_TILE tile, WindrowAmbient ambient, vec3 u, vec3 local) {
-    if (!(ambient.detail_fraction > 0.0f))
+    if (!(ambient.detail_amount > 0.0f))
         return vec3(0.0f);
     vec3 offset = ambient.detail_texels * local + ambient.detail_fraction;
     vec3 ripple = windrow_tile_at(tile, ivec3(ambient.detail_texel), offset) / ambient.longest_gust;
-    return ambient.detail_fraction * windrow_speed(u) * ripple;
+    return ambient.detail_amount * windrow_speed(u) * ripple;
 }
 
 // NaN or infinity, by the bits: a compiler may assume away a comparison.

@@ -24,15 +24,15 @@ struct WindrowGroundPlace {
     vec4 corner; // xy [m] low corner (x and z) from the anchor, z [m] edge of a texel, w texels an axis
     // xy [m] the point that the rim follows, from the anchor; z [m] reach: distance at which all has faded; w [m] width of the
     // fading
-    vec4 rim;
+    vec4 blend_zone;
     vec4 slot; // xy slot of the low corner; zw lean of the wind outside
 };
 
 // (lean x, lean z, trample, trail) at `p` [m] from the anchor, of which x and z count.
 WINDROW_FN vec4 windrow_ground_at(WINDROW_GROUND texels, WindrowGroundPlace place, vec3 p) {
     vec4 outside = vec4(place.slot.z, place.slot.w, 0.0f, 0.0f);
-    float share = windrow_blend_fraction(p.x - place.blend_width.x, place.blend_width.z, place.blend_width.w) *
-                  windrow_blend_fraction(p.z - place.blend_width.y, place.blend_width.z, place.blend_width.w);
+    float share = windrow_blend_fraction(p.x - place.blend_zone.x, place.blend_zone.z, place.blend_zone.w) *
+                  windrow_blend_fraction(p.z - place.blend_zone.y, place.blend_zone.z, place.blend_zone.w);
     if (!(share > 0.0f))
         return outside;
     vec2 at = (vec2(p.x, p.z) - vec2(place.corner.x, place.corner.y)) / place.corner.z - vec2(0.5f, 0.5f);

@@ -118,7 +118,7 @@ struct TurnsTaken {
     std::string name;
     double count = 0.0; // of what it moves
     std::function<void()> run;
-    double least = std::numeric_limits<double>::infinity(); // [s]
+    double min = std::numeric_limits<double>::infinity(); // [s]
 };
 
 void hold(std::vector<TurnsTaken>& contests, int rounds) {

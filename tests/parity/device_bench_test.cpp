@@ -16,7 +16,7 @@ using namespace cases;
 
 namespace {
 
-Outcome command(std::vector<const char*> arguments) {
+CommandOutcome command(std::vector<const char*> arguments) {
     return run_windrow(std::move(arguments));
 }
 
@@ -40,7 +40,7 @@ TEST(DeviceCommands, WrongFlagsAreNamed) {
 }
 
 TEST(DeviceCommands, APlaceWithoutADeviceIsWrongUse) {
-    const Outcome outcome = command({"bench", "--backend", "vulkan", "--device", "63"});
+    const CommandOutcome outcome = command({"bench", "--backend", "vulkan", "--device", "63"});
     EXPECT_EQ(outcome.code, k_exit_wrong_use);
     EXPECT_TRUE(outcome.err.starts_with("windrow: --device is 63, and this machine has ")) << outcome.err;
 }
@@ -49,7 +49,7 @@ TEST(DeviceCommands, NoDriverIsTheMachines) {
     ASSERT_EQ(setenv("VK_ICD_FILENAMES", "/none.json", 1), 0); // of older loaders
     ASSERT_EQ(setenv("VK_DRIVER_FILES", "/none.json", 1), 0);
     for (const auto& arguments : {std::vector<const char*>{"bench", "--backend", "vulkan"}, {"check"}}) {
-        const Outcome outcome = command(arguments);
+        const CommandOutcome outcome = command(arguments);
         EXPECT_EQ(outcome.code, k_exit_machine);
         EXPECT_NE(outcome.err.find("driver"), std::string::npos) << outcome.err;
     }
@@ -59,7 +59,7 @@ TEST(DeviceCommands, NoDriverIsTheMachines) {
 
 TEST(DeviceCommands, FiguresAreToldAndKept) {
     const auto file = std::filesystem::temp_directory_path() / ("windrow_device_" + std::to_string(::getpid()) + ".json");
-    const Outcome outcome =
+    const CommandOutcome outcome =
         command({"bench", "--backend", "vulkan", "--grid", "8x6x10", "--seconds", "0.05", "--json", file.c_str()});
     ASSERT_EQ(outcome.code, k_exit_well) << outcome.err;
     for (const char* word : {"8 x 6 x 10", "second_order", "one_substep", "plain stencil", "plain copy", "modes_forward",

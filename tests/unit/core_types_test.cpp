@@ -13,7 +13,7 @@ namespace {
 using namespace windrow;
 
 TEST(TickClock, SpendsWholeTicksOfAnyFrames) {
-    constexpr Ticks k_ticks{.hz = 30.0, .max = 1000};
+    constexpr Ticks k_ticks{.hz = 30.0, .max_per_call = 1000};
     for (const double hz : {7.0, 30.0, 59.94, 144.0, 1000.0}) {
         TickClock clock;
         int ticks = 0;
@@ -33,18 +33,18 @@ TEST(TickClock, ATickThatIsDueExceptForRoundingIsDue) {
     TickClock clock;
     int ticks = 0;
     for (int n = 0; n < 10; ++n)
-        ticks += clock.spend(0.1, {.hz = 1.0, .max = 4}).ticks; // ten tenths are a hair below 1
+        ticks += clock.spend(0.1, {.hz = 1.0, .max_per_call = 4}).ticks; // ten tenths are a hair below 1
     EXPECT_EQ(ticks, 1);
     EXPECT_EQ(clock.lead, 0.0);
 }
 
 TEST(TickClock, DropsWholeTicksBeyondTheMost) {
     TickClock clock;
-    const TickClock::Due due = clock.spend(1.25, {.hz = 10.0, .max = 4});
+    const TickClock::Due due = clock.spend(1.25, {.hz = 10.0, .max_per_call = 4});
     EXPECT_EQ(due.ticks, 4);
     EXPECT_NEAR(due.dropped, 0.8, 1e-12);
     EXPECT_NEAR(clock.lead, 0.05, 1e-12);
-    EXPECT_EQ(clock.spend(1e9, {.hz = 1e4, .max = 1}).ticks, 1);
+    EXPECT_EQ(clock.spend(1e9, {.hz = 1e4, .max_per_call = 1}).ticks, 1);
     EXPECT_LT(clock.lead, 1e-4);
 }
 

@@ -142,6 +142,8 @@ TEST(SceneFault, KeysThatNobodyKnows) {
                      "a.json: $.durration is not a known key (did you mean `duration`?): rename or remove it.");
     expect_rejection(R"({"air": {"cell_sise": 3}})",
                      "a.json: $.air.cell_sise is not a known key (did you mean `cell_size`?): rename or remove it.");
+    expect_rejection(R"({"air": {"sides": {}}})",
+                     "a.json: $.air.sides is now called \"boundaries\": rename it, or run ./dev rename-scene on the file.");
     EXPECT_TRUE(
         rejection(R"({"pictures": {"zebra": 3}})")
             .starts_with(

@@ -15,7 +15,7 @@ using FrameTime = std::function<double(int frame)>; // [s]
 /// frame.
 std::map<int, Field> states(const FrameTime& frame_time, double seconds = 1.5) {
     Wind wind = made(
-        {.cells = {24, 12, 24}, .ambient = {3.0f, 0.0f, 1.0f}, .gusts = {.intensity = 0.3f}, .ticks = {.hz = 30.0, .max = 100}});
+        {.cells = {24, 12, 24}, .ambient = {3.0f, 0.0f, 1.0f}, .gusts = {.intensity = 0.3f}, .ticks = {.hz = 30.0, .max_per_call = 100}});
     EXPECT_TRUE(wind.motors().add(DirectionalMotor{.position = {5.0, 0.0, 2.0}, .direction = {0.0f, 0.0f, 1.0f}}));
     EXPECT_TRUE(wind.motors().add(PressureMotor{.position = {0.0, 0.0, -4.0}, .speed = 8.0f}));
     EXPECT_TRUE(wind.motors().add(VortexMotor{.envelope = {.attack = 0.2f, .hold = 0.3f, .decay = 0.4f}}));
@@ -57,7 +57,7 @@ TEST(Ticks, StatesAtTickTimesDoNotDependOnTheFrameRate) {
 
 /// The wind at a plant, frame by frame, while a body passes it and a fan blows.
 std::vector<glm::vec3> at_plant(double tick_hz, double frame_hz, double seconds) {
-    Wind wind = made({.ambient = {3.0f, 0.0f, 1.0f}, .gusts = {.intensity = 0.3f}, .ticks = {.hz = tick_hz, .max = 100}});
+    Wind wind = made({.ambient = {3.0f, 0.0f, 1.0f}, .gusts = {.intensity = 0.3f}, .ticks = {.hz = tick_hz, .max_per_call = 100}});
     EXPECT_TRUE(wind.motors().add(DirectionalMotor{.position = {2.0, 0.0, 2.0}, .direction = {0.0f, 0.0f, -1.0f}}));
     const MotorId body = added(wind, WakeMotor{.position = {-8.0, 0.0, 0.5}, .radius = 0.8f, .law = WakeDrive{8.0f, 1.0f}});
     std::vector<glm::vec3> seen;
@@ -144,7 +144,7 @@ TEST(Ticks, WhatIsDrawnIsContinuousAcrossTicksAndShifts) {
 }
 
 TEST(Ticks, TimeBeyondTheMostIsDroppedAndReported) {
-    Wind wind = made({.cells = {8, 8, 8}, .ticks = {.hz = 50.0, .max = 3}});
+    Wind wind = made({.cells = {8, 8, 8}, .ticks = {.hz = 50.0, .max_per_call = 3}});
     const Advance long_frame = wind.advance(0.2);
     EXPECT_EQ(long_frame.ticks, 3);
     EXPECT_NEAR(long_frame.dropped, 7 * 0.02, 1e-12);

@@ -66,7 +66,7 @@ struct Fixture {
     WindCore core;
 };
 
-const Config k_windy{.cells = {8, 8, 8}, .ambient = {2.0f, 0.0f, 0.0f}, .ticks = {.hz = 10.0, .max = 4}};
+const Config k_windy{.cells = {8, 8, 8}, .ambient = {2.0f, 0.0f, 0.0f}, .ticks = {.hz = 10.0, .max_per_call = 4}};
 
 Config gusty() {
     Config config = k_windy;

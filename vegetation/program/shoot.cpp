@@ -40,7 +40,7 @@ Result<void> Shoot::make() {
         return Error{"$.tick_hz is " + std::to_string(scene_.air.tick_hz) + " Hz, more than " + std::to_string(k_max_ticks - 1) +
                      " ticks in each of " + std::to_string(frames_per_second_) +
                      " frames a second; give fewer ticks or more frames a second."};
-    air.ticks = {.hz = scene_.air.tick_hz, .max = static_cast<int>(due)};
+    air.ticks = {.hz = scene_.air.tick_hz, .max_per_call = static_cast<int>(due)};
     if (!settings_.wind) {
         air.ambient = glm::vec3(0.0f);
         air.gusts = {};

@@ -153,11 +153,11 @@ class Builder {
         model_.stems.first = static_cast<std::uint32_t>(model_.indices.size());
         const auto before = static_cast<std::uint32_t>(model_.vertices.size());
         for (const Listed& each : listed) {
-            const auto sides = static_cast<std::uint32_t>(each.boundaries);
+            const auto sides = static_cast<std::uint32_t>(each.sides);
             const auto limb = static_cast<std::uint32_t>(each.stem->limb) + 1u; // part 0 is the trunk
-            const std::uint32_t first = add_rings(*each.stem, each.boundaries, limb, each.stem->radii.front());
+            const std::uint32_t first = add_rings(*each.stem, each.sides, limb, each.stem->radii.front());
             for (std::uint32_t n = 1; n < each.stem->points.size(); ++n)
-                add_quads(first + (n - 1) * sides, first + n * sides, each.boundaries, 1);
+                add_quads(first + (n - 1) * sides, first + n * sides, each.sides, 1);
             model_.stem_radii.push_back(each.stem->radii.front());
             model_.stem_ends.push_back(static_cast<std::uint32_t>(model_.indices.size()) - model_.stems.first);
             model_.stem_vertices.push_back(static_cast<std::uint32_t>(model_.vertices.size()) - before);

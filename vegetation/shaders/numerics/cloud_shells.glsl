@@ -33,13 +33,13 @@ struct WindrowCloudShells {
 
 // 0 at the plane's rim and beyond, 1 from the fading's width inward.
 WINDROW_FN float windrow_cloud_rim(WindrowCloudShells cloud, vec2 place) {
-    vec2 inward = vec2(cloud.blend_width) - abs(place);
+    vec2 inward = vec2(cloud.rim) - abs(place);
     float distance = min(inward.x, inward.y);
-    if (cloud.blend_width.w > 0.5f) {
-        vec2 share = place / vec2(cloud.blend_width);
-        distance = (1.0f - sqrt(dot(share, share))) * min(cloud.blend_width.x, cloud.blend_width.y);
+    if (cloud.rim.w > 0.5f) {
+        vec2 share = place / vec2(cloud.rim);
+        distance = (1.0f - sqrt(dot(share, share))) * min(cloud.rim.x, cloud.rim.y);
     }
-    float s = clamp(distance / cloud.blend_width.z, 0.0f, 1.0f);
+    float s = clamp(distance / cloud.rim.z, 0.0f, 1.0f);
     return s * s * (3.0f - 2.0f * s);
 }
 
