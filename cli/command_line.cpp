@@ -89,7 +89,7 @@ void parse(CLI::App& app, int count, const char* const* arguments, std::function
     });
 #endif
     add_plants(app, chosen, console);
-    app.add_subcommand("info", "Tell version, compiler, SIMD level, cores, Vulkan devices and what is built in")->callback([&] {
+    app.add_subcommand("info", "Print version, compiler, SIMD level, cores, Vulkan devices and the options of this build")->callback([&] {
         chosen = [&console] { return run_info(console); };
     });
     app.parse(count, arguments);

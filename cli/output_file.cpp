@@ -29,7 +29,7 @@ Fault write_fault(const std::filesystem::path& file, int reason, std::string_vie
     case EPERM:
         return {message(name, ": may not be written: give yourself the right, or another ", place, " with ", flag, ".")};
     case EROFS:
-        return {message(name, ": lies on a file system that is read-only: give another ", place, " with ", flag, ".")};
+        return {message(name, ": is on a read-only file system: give another ", place, " with ", flag, ".")};
     case EISDIR:
         return {
             message(name, ": a folder stands where the file should go: remove it, or give another ", place, " with ", flag, ".")};

@@ -96,7 +96,7 @@ void add_run(CLI::App& app, std::function<int()>& chosen, const Console& console
     const auto request = std::make_shared<RunRequest>();
     Flags flags(*run);
     flags
-        .value("SCENE.json", "", "Scene file; docs/scenes.md tells its keys",
+        .value("SCENE.json", "", "Scene file; its keys are in docs/scenes.md",
                [request](const std::string& text) {
                    if (text.empty())
                        reject("SCENE.json is empty: name a scene file.");

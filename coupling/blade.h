@@ -69,7 +69,7 @@ struct BladeSettings {
 /// For shaders: WindrowBlade of shaders/numerics/blade.glsl, a std140 block of four vec4.
 struct BladeBlock {
     glm::vec4 size{0.0f}; ///< x [m] length, y its spread; z [m] half of the root's width, w the tip's width over the root's
-    glm::vec4 form{0.0f}; ///< x taper; y share along the wind; z spread of the stiffness; w curve of the own bend
+    glm::vec4 form{0.0f}; ///< x taper; y fraction along the wind; z spread of the stiffness; w curve of the own bend
     glm::vec4 own{0.0f};  ///< x [rad] own bend, y its spread, z view bend
     DragBlock drag{};
 };

@@ -36,7 +36,7 @@ struct Drag {
             Setting("width", &Drag::width, {1e-6, 100.0, "m"},
                     "What the wind meets across the stalk, leaves included. A blade of grass has 0.004."),
             Setting("rigidity", &Drag::rigidity, {1e-12, 1e12, "N m2"},
-                    "E I. 4.2e-5 is a blade folded to a V, folded_rigidity(5e8, 0.004, 2.5e-4, 0.001)."),
+                    "E I. 4.2e-5 is a blade creased to a V, folded_rigidity(5e8, 0.004, 2.5e-4, 0.001)."),
             Setting("drag_coefficient", &Drag::drag_coefficient, {0.0, 10.0},
                     "A flat plate has 1.95 (Luhar & Nepf 2011), a round stem 1.1, a crown 0.3; 0: no wind bends it."),
             Setting("air_density", &Drag::air_density, {0.0, 2000.0, "kg/m3"}, "1.2 is air at 20 C."),
@@ -44,7 +44,7 @@ struct Drag {
                 "vogel_exponent", &Drag::vogel_exponent, {-2.0, 0.0},
                 "What the drag loses by closing up of leaves, as speed to this power beyond vogel_speed. 0: only what the bend "
                 "takes away, which makes -2/3. Crowns have -0.7 (Vogel 1989)."),
-            Setting("vogel_speed", &Drag::vogel_speed, {1e-3, 1e3, "m/s"}, "Where leaves begin to turn and fold."),
+            Setting("vogel_speed", &Drag::vogel_speed, {1e-3, 1e3, "m/s"}, "Speed above which leaves turn and close up."),
             Setting("max_bend", &Drag::max_bend, {0.0, 2.5, "rad"},
                     "That the tip never exceeds. No wind exceeds pi/2, a spring that overshoots may; shells keep to pi/2."),
         };
@@ -69,8 +69,8 @@ static_assert(sizeof(DragBlock) == 16);
 
 /// [N m2] E I of sections of one material of Young's modulus E [Pa]; all lengths [m].
 [[nodiscard]] float rectangle_rigidity(float young, float width, float thickness);
-/// A strip of this width and thickness folded along its middle to a V of this depth: 16 times as stiff as flat, if the depth is 4
-/// times the thickness.
+/// E I of a strip of this width and thickness, creased along its middle to a V of this depth. 16 times that of the flat strip
+/// where the depth is 4 times the thickness.
 [[nodiscard]] float folded_rigidity(float young, float width, float thickness, float depth);
 [[nodiscard]] float rod_rigidity(float young, float diameter);
 [[nodiscard]] float tube_rigidity(float young, float outer_diameter, float inner_diameter);

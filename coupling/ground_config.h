@@ -84,7 +84,7 @@ enum class WindLeans : std::uint8_t {
     each_texel  ///< the host gives each texel its own; GroundStep::wind_lean outside of the window
 };
 
-/// What the ground is told of a step.
+/// Input of one step of the ground memory.
 struct GroundStep {
     double duration = 0.0;                   ///< [s] 0 or more
     std::span<const GroundWalker> walkers{}; ///< the nearest first, where there may be more than GroundConfig::max_walkers

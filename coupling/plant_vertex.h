@@ -14,8 +14,8 @@ struct PlantVertex {
     glm::vec3 tangent{0.0f, 1.0f, 0.0f}; ///< unit vector toward the tip
 };
 
-/// What tells one plant from another: its own place as it is stored, a cell or the bits of its coordinates; never a place
-/// relative to a camera. Two plants with different keys have different chances.
+/// Identifier of a plant, the seed of its random numbers: its own place as it is stored, a cell or the bits of its coordinates,
+/// never a place relative to a camera.
 using PlantKey = glm::uvec2;
 
 /// The key of a place [m], the same in shaders (windrow_place_key).

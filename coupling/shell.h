@@ -39,8 +39,8 @@ struct ShellSettings {
             Setting("shells", &ShellSettings::shells, {2.0, 4096.0},
                     "How many layers. Of a mesh from a file, the default is that of the material's fur line."),
             Setting("reaches_tip", &ShellSettings::reaches_tip,
-                    "Whether the outermost lies at the tip, i / (N - 1), so that the look does not depend on N, or short of it, "
-                    "i / N."),
+                    "Whether the outermost layer is at the tip, layer i at i / (N - 1), so that the look does not depend on N; else layer i "
+                    "is at i / N."),
             Setting("length", &ShellSettings::length, {1e-6, 100.0, "m"},
                     "Of the longest strands; 0.03 is long fur. Of a mesh from a file, the default is that of the material's fur "
                     "line."),
@@ -74,7 +74,7 @@ struct ShellBlock {
 static_assert(sizeof(ShellBlock) == 64);
 
 [[nodiscard]] Result<void> validate(const ShellSettings& settings);
-/// But for the strand's length, which is replaced.
+/// Leaves out the strand's length, which is replaced.
 void check_settings(detail::Reasons& reasons, const detail::FieldPath& path, const ShellSettings& settings);
 
 class Shells {

@@ -47,7 +47,7 @@ struct Gusts {
     float intensity = 0.0f;
     float length = 24.0f;
     std::uint32_t seed = 1;
-    /// The pattern itself, to share one among many winds (4 MiB each). Default empty: made from `seed` if intensity is above 0.
+    /// The pattern itself, for many winds to use one (4 MiB each). Default empty: made from `seed` if intensity is above 0.
     std::shared_ptr<const GustTile> tile{};
 
     static constexpr auto settings() {
@@ -112,7 +112,7 @@ struct AmbientBlock {
     glm::vec3 detail_texel{0.0f};    ///< as gust_texel, for the detail
     float detail_texels = 0.0f;      ///< [1/m] as gust_texels
     glm::vec3 detail_fraction{0.0f}; ///< as gust_fraction
-    float detail_fraction = 0.0f;    ///< detail as a share of the local speed; 0: none
+    float detail_fraction = 0.0f;    ///< detail as a fraction of the local speed; 0: none
 };
 static_assert(sizeof(AmbientBlock) == 112);
 
@@ -200,7 +200,7 @@ class AmbientWind {
     /// Shared by all copies; empty where nothing needs it. For a 3D texture of 128 x 16 x 128.
     [[nodiscard]] const std::shared_ptr<const GustTile>& tile() const { return settings_.gusts.tile; }
 
-    /// Where a world coordinate [m] lies in the tile along one axis: the texel below, wrapped (-1 to 127; along y to 31, a whole
+    /// Position of a world coordinate [m] in the tile along one axis: the texel below, wrapped (-1 to 127; along y to 31, a whole
     /// period), and the distance from its centre, 0 to 1.
     struct TilePlace {
         int texel = 0;

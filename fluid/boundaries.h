@@ -1,6 +1,6 @@
-// The six sides of the box: what the air meets there.
+// Boundary conditions of the six faces of the box.
 //
-// With u the velocity, n the side's normal and p the pressure, beyond a side lies
+// With u the velocity, n the face's normal and p the pressure, the ghost cells beyond a face hold
 //   open       the ambient wind: every read beyond it returns ambient, and p = 0 at the ghost's centre (the divergence sees the
 //              cell itself there, so that air passes through);
 //   free_slip  a wall that holds no air back: u.n mirrored with its sign turned, the rest mirrored, dp/dn = 0;
@@ -45,7 +45,7 @@ struct Boundary {
     friend bool operator==(const Boundary&, const Boundary&) = default;
 };
 
-/// The six sides in the order x low, x high, y low, y high, z low, z high. Any mix per face; periodic boundaries come in pairs.
+/// The six boundaries in the order x low, x high, y low, y high, z low, z high. Any mix per face; periodic boundaries come in pairs.
 struct Boundaries {
     Boundary x_low{}, x_high{}, y_low{}, y_high{}, z_low{}, z_high{};
 
@@ -65,7 +65,7 @@ struct Boundaries {
     [[nodiscard]] bool periodic(int axis) const { return at(axis, 0).kind == BoundaryKind::periodic; }
     [[nodiscard]] bool has_solid(int axis) const { return at(axis, 0).solid() || at(axis, 1).solid(); }
     [[nodiscard]] bool has_open(int axis) const;
-    /// Every axis is open at one end at least: free air lies around the box, with a wall an axis at most.
+    /// Every axis has an open boundary: the box is in free air, with at most one wall per axis.
     [[nodiscard]] bool in_free_air() const { return has_open(0) && has_open(1) && has_open(2); }
 
     static Boundaries all(BoundaryKind kind);

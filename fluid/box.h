@@ -1,4 +1,4 @@
-// The box of cells that the solver works on: its size and its sides.
+// The box of cells that the solver works on: size, cell size, boundary conditions.
 //
 // Cell (i, j, k) has its centre at ((i, j, k) + 1/2) h from the box's low corner. Fields are arrays of cells.x * cells.y *
 // cells.z values, x fastest, then y, then z: index = (k * cells.y + j) * cells.x + i.

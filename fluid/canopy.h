@@ -1,6 +1,6 @@
-// Plants that slow the wind among them.
+// Drag of a uniform plant canopy on the wind inside it.
 //
-//     auto wind = windrow::Wind::create({.sides = windrow::Boundaries::open_over_floor(), .ambient = {6.0f, 0.0f, 0.0f},
+//     auto wind = windrow::Wind::create({.boundaries = windrow::Boundaries::open_over_floor(), .ambient = {6.0f, 0.0f, 0.0f},
 //                                        .profile = windrow::LogProfile{}, .canopy = windrow::Canopy{.height = 0.8f}});
 #pragma once
 

@@ -32,16 +32,16 @@ struct Diagnostics {
     /// pressure had made them faster, after it.
     std::int64_t limited_cells = 0;
     std::int64_t repaired_cells = 0; ///< Cells that held NaN or infinity and were set to ambient.
-    /// Motors whose region meets the box and that acted; a wake counts once a piece of its path. In free air a source outside the
-    /// box too, where it makes 1 cm/s in it.
+    /// Motors that acted in the box; a wake counts once per segment of its path. In free air also a volume source outside of the
+    /// box that makes 1 cm/s in it.
     int motors_in_reach = 0;
     DiffusionMethod diffusion = DiffusionMethod::none;
     /// [1/s] Root mean square of the central divergence that the collocated projection leaves.
     double divergence_rms = 0.0;
     /// [m^5/s^2] Kinetic energy of the box per unit of density: sum of |u|^2 / 2 h^3.
     double energy = 0.0;
-    /// The air had settled and nothing acted: the step did nothing. The other figures stay those of the step that fell asleep, of
-    /// gusts too, which blow on.
+    /// The air had relaxed to the ambient wind and no motor acted: the step did nothing. The other figures, those of gusts too,
+    /// stay as in the step that fell asleep. Gusts go on.
     bool asleep = false;
     StageTimes times_ms;
 };

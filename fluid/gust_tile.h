@@ -1,11 +1,11 @@
-// A block of turbulence that repeats: baked once, read by every gust and every ripple of detail.
+// The gust tile: a periodic block of turbulence, made once and read by all gusts and by the detail.
 //
 // A sum of waves on the tile's own lattice, so that no seam exists. Each wave is free of divergence as it stands: a part that
 // turns about the vertical, and a part that rises and sinks. The ground is a mirror: level components are even about it, the
 // vertical one is odd, so the tile stores half a period along y and no gust blows through the ground.
 //
 //     z 128 texels     index = (z * 16 + y) * 128 + x, four floats a texel (x, y, z, 0): 4 MiB
-//     y  16 texels     texel i lies at i + 1/2; x and z wrap at 128, y is mirrored at 0 and at 16
+//     y  16 texels     texel i is at i + 1/2; x and z wrap at 128, y is mirrored at 0 and at 16
 //     x 128 texels
 #pragma once
 
@@ -19,7 +19,7 @@
 
 namespace windrow {
 
-/// Never changes once it is made: any number of winds and threads share one.
+/// Constant after creation: any number of winds and threads may read one.
 class GustTile {
   public:
     static constexpr int k_side = 128;  ///< texels along x and z, a whole period

@@ -1,10 +1,10 @@
-// What pushes the air: fans, gusts, bodies that pass, jets, whirls, blasts.
+// Motors, the sources of momentum and volume: fans, gusts, passing bodies, jets, vortices, blasts.
 //
 // A motor acts by one of three laws:
 //   a force    adds an acceleration w(x) f,
 //   a drive    pulls the air toward a velocity U: du = (1 - exp(-k w dt)) (U - u), stable for any strength and step,
-//   a source   lets air come out of a ball or vanish in it: div u = S0 w(x),
-// with the weight w(x) of its region: 1 in its middle, falling as (1 - s^2)^2 to exactly 0 at the rim (s = distance over
+//   a source   adds or removes volume in a ball: div u = S0 w(x),
+// with the weight w(x) of its region: 1 in its middle, falling as (1 - s^2)^2 to exactly 0 at its edge (s = distance over
 // radius), smooth there. The formulas stand in shaders/numerics/motors.glsl, one text for C++ and GLSL.
 // A region thinner than 1.5 cells in radius would fall between the cells; it is widened to that and weakened so that its impulse
 // stays.

@@ -67,7 +67,7 @@ class Motors {
     // --- Called by Wind -----------------------------------------------------------------------------------------------
     /// A frame of `duration` [s] begins `lead` [s] after the last tick; see track.h.
     void begin_frame(double lead, double duration);
-    /// What was told happens in `factor` of the time.
+    /// Scales the times of the positions given in this frame by `factor`.
     void squeeze(double factor);
     /// Advances every motor by a tick, ends those whose time is over, and returns what reaches the box, in an order that does not
     /// depend on the list's. Does not allocate. The span lasts until the next call.

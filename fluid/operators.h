@@ -1,8 +1,8 @@
-// The pieces that a step is made of, as functions on the caller's own fields.
+// The operators of a step (advection, diffusion, projection, sources) on the caller's own fields.
 //
-// `Wind::step` calls these and nothing else for the air, so that an analyst tests what runs, and others reuse it: a
-// scalar for smoke or seeds carried by the same wind, a projection of their own field. Fields are laid out as box.h
-// says; a velocity is a glm::vec4 a cell, xyz in m/s and w = 0 (one aligned load brings a whole cell).
+// `Wind::step` calls these and nothing else for the air, so an analyst tests the code that runs. Others reuse it: a scalar
+// for smoke or seeds carried by the same wind, a projection of their own field. Fields are laid out as in box.h. A velocity is
+// a glm::vec4 per cell, xyz in m/s and w = 0 (one aligned load reads a whole cell).
 //
 //     auto work = windrow::Workspace::create({.box = {.cells = {64, 64, 1}, .cell_size = 0.1f}});
 //     windrow::project(*work, velocity);
@@ -22,7 +22,7 @@
 
 namespace windrow {
 
-/// Tables and scratch for one box. Move-only; holds no field. Calls that share a workspace must not overlap in time.
+/// Tables and scratch for one box. Move-only; holds no field. Calls with the same workspace must not overlap in time.
 class Workspace {
   public:
     struct Settings {

@@ -58,7 +58,7 @@ struct Range {
     }
 };
 
-/// Ranges that several structs share.
+/// Ranges of settings in several structs.
 inline constexpr Range k_fraction_range{0.0, 1.0};
 inline constexpr Range k_size_range = Range::above(0.0, 1e6, "m");
 inline constexpr Range k_speed_range{-1e4, 1e4, "m/s"};

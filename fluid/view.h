@@ -1,8 +1,8 @@
-// The wind at one moment, as renderers sample it: the box's cells, where they lie, and the ambient wind around them.
+// Read-only view of the wind at one time, for sampling: the box's cells, their position, and the ambient wind around them.
 //
-// Inside the box the wind is trilinear between cell centres. Near an open boundary along which the box follows a point it fades to
-// the ambient wind over the rim: by the distance from the point itself, which moves smoothly, while the box jumps by cells; so a
-// jump moves nothing. Other open boundaries fade over the one cell beyond them; beyond a wall it is the wind at the wall.
+// Inside the box the wind is trilinear between cell centres. Near an open boundary of an axis that follows a point it fades to the
+// ambient wind over a blend zone. The weight depends on the distance from the point itself, which moves smoothly while the box
+// moves by whole cells, so a shift of the box changes no value. Other open boundaries fade over the one cell beyond them; beyond a wall it is the wind at the wall.
 #pragma once
 
 #include "fluid/ambient.h"
@@ -20,7 +20,7 @@ namespace windrow {
 /// How the wind of a box fades to the ambient wind.
 struct BlendZone {
     glm::dvec3 point{0.0}; ///< [m] world; what the box follows
-    glm::vec3 reach{0.0f}; ///< [cells] from the point, where the box's wind has faded; 0: no rim on that axis
+    glm::vec3 reach{0.0f}; ///< [cells] from the point, where the box's wind has faded; 0: no blend zone on that axis
     float width = 1.0f;    ///< [cells]
 };
 

@@ -7,7 +7,7 @@
 //     glm::vec3 at_leaf = wind->velocity(leaf_position);                           // [m/s]
 //
 // Right-handed, y up, metres and seconds. Positions are double; the solver works relative to the box, so 10^6 m away is
-// as exact as the origin. One Wind is used by one thread at a time; two Winds share nothing.
+// as exact as the origin. One thread at a time may use a Wind; two Winds have no common state.
 #pragma once
 
 #include "fluid/ambient.h"
@@ -131,7 +131,7 @@ struct Config {
             Setting(
                 "gusts", &Config::gusts,
                 "A frozen pattern that the ambient wind carries along, outside the box and through it. Calm air has none. The "
-                "pattern does not know periodic boundaries: it is torn where they meet."),
+                "pattern is not periodic in the box: it jumps at periodic boundaries."),
             Setting("canopy", &Config::canopy,
                     "Plants that slow the wind among them, as high and as dense everywhere; on the floor, or at height 0 without "
                     "one. "
@@ -187,8 +187,8 @@ void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const 
 /// What a call of `advance` did.
 struct Advance {
     int ticks = 0;        ///< ticks that ran
-    double dropped = 0.0; ///< [s] time beyond Ticks::most that the air did not live through
-    float factor = 0.0f;  ///< where this frame lies between the last two ticks, 0 to 1
+    double dropped = 0.0; ///< [s] time beyond Ticks::most that was not simulated
+    float factor = 0.0f;  ///< position of this frame between the last two ticks, 0 to 1
     Diagnostics last{};   ///< of the last tick that ran; stepped = false if none did
 };
 
@@ -213,7 +213,7 @@ class Wind {
     [[nodiscard]] Motors& motors();
     [[nodiscard]] const Motors& motors() const;
     /// Changes the mean wind [m/s]. All air of the box changes by the difference at once, as under a pressure gradient that is
-    /// far wider than the box; entering through the sides alone, a new wind would never reach still air. Ramp it for a gust.
+    /// far wider than the box; entering through the boundaries alone, a new wind would never reach still air. Ramp it for a gust.
     /// Components along axes that a wall closes are dropped. Rejects what is not finite or above 1e4 m/s.
     [[nodiscard]] Result<void> set_ambient(glm::vec3 ambient);
     [[nodiscard]] glm::vec3 ambient() const;
@@ -224,7 +224,7 @@ class Wind {
     /// `validate` rejects and a wall across an axis that follows.
     [[nodiscard]] Result<void> set_boundaries(const Boundaries& boundaries);
 
-    // --- Where the box lies -------------------------------------------------------------------------------------------
+    // --- Position of the box ------------------------------------------------------------------------------------------
     /// Centres the box on a point, to whole cells, on the axes that follow. Air that stays inside keeps its values to the bit;
     /// new cells hold the ambient wind. A jump beyond the box starts afresh. Rejects a point that is not finite or beyond 1e12
     /// cells. With `advance` the box moves in its ticks, with `step` at once.
@@ -237,7 +237,7 @@ class Wind {
 
     // --- Reading the air: of this frame with `advance`, of the last step with `step` ----------------------------------------
     /// [m/s] Wind at a world point: trilinear between cell centres, as a vertex stage samples the textures; it fades to ambient
-    /// over the rim (view.h). A point that is not finite gets the mean wind.
+    /// over the blend zone (view.h). A point that is not finite gets the mean wind.
     [[nodiscard]] glm::vec3 velocity(glm::dvec3 position) const { return view().velocity(position); }
     /// The same for many points; `velocities` holds as many.
     void velocity(std::span<const glm::dvec3> positions, std::span<glm::vec3> velocities) const {

@@ -14,7 +14,7 @@ using CellIndex = glm::vec<3, std::int64_t>;
 struct Window {
     glm::ivec3 cells{0};
     float cell_size = 1.0f;
-    /// World cell that cell (0, 0, 0) of the box is; its low corner lies at origin_cells * cell_size.
+    /// World cell that cell (0, 0, 0) of the box is; its low corner is at origin_cells * cell_size.
     CellIndex origin_cells{0};
 
     /// [m] World position of the low corner.

@@ -64,7 +64,7 @@ Result<void> check(VkInstance instance, VkPhysicalDevice physical_device, PFN_vk
     VkPhysicalDeviceProperties properties{};
     queries.properties(physical_device, &properties);
     if (properties.apiVersion < wanted.api_version)
-        reasons.add("the device knows Vulkan ", VK_API_VERSION_MAJOR(properties.apiVersion), ".",
+        reasons.add("the device supports Vulkan ", VK_API_VERSION_MAJOR(properties.apiVersion), ".",
                     VK_API_VERSION_MINOR(properties.apiVersion), " and 1.2 is needed: update the driver.");
     const VkPhysicalDeviceLimits& limits = properties.limits;
     check_limit("maxComputeSharedMemorySize", limits.maxComputeSharedMemorySize, wanted.shared_bytes, reasons);

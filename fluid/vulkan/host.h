@@ -10,19 +10,19 @@
 
 namespace windrow::vulkan {
 
-/// A piece of device memory that the host's own allocator gives.
+/// A block of device memory from the host's own allocator.
 struct MemoryPiece {
     VkDeviceMemory memory = VK_NULL_HANDLE;
     VkDeviceSize offset = 0; ///< [bytes] aligned as asked
-    void* mapped = nullptr;  ///< address of the piece where host-visible memory was asked for
-    std::uint64_t user = 0;  ///< the host's own; given back with the piece
+    void* mapped = nullptr;  ///< address of the block where host-visible memory was asked for
+    std::uint64_t user = 0;  ///< the host's own; given back with the block
 };
 
 /// The host's allocator in place of ours (memory.h). Both or neither. Called from `create`, from `Wind::set_boundaries` where a kind
 /// of side changes, and, to give back, from recording and destruction.
 struct MemoryCallbacks {
     /// Memory of the type `type_index` that fits `requirements`; host-visible memory comes mapped. Size and alignment already
-    /// hold what nonCoherentAtomSize and bufferImageGranularity ask, so that pieces may lie side by side. A result other than
+    /// hold what nonCoherentAtomSize and bufferImageGranularity ask, so that blocks may be adjacent. A result other than
     /// VK_SUCCESS is returned to the caller of `create`.
     std::function<VkResult(const VkMemoryRequirements& requirements, std::uint32_t type_index, MemoryPiece& piece)> allocate;
     std::function<void(const MemoryPiece& piece)> release;

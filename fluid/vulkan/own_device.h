@@ -1,6 +1,6 @@
-// A device of our own, for the command and the tests: a host in small. An engine brings its own (host.h).
+// A Vulkan device owned by the library, for the command, the tests and small hosts. An engine brings its own (host.h).
 //
-// The loader (libvulkan.so.1) is opened at run time, so that a program starts, and says so, where there is none.
+// The loader (libvulkan.so.1) is opened at run time, so that a program starts without it and reports an error.
 #pragma once
 
 #include "fluid/result.h"

@@ -7,8 +7,8 @@
 //     bind(wind->textures(), wind->previous_textures(), wind->frame_block(camera_position));
 //                                                                                 // shaders/coupling/windrow_wind.glsl
 //
-// The same config, motors, gusts, ticks and sides as windrow::Wind (fluid/wind.h, which says more of each call), the same step,
-// and the same velocities to rounding; only sleep begins some frames later, when a read-back has shown that the air is still.
+// Config, motors, gusts, ticks, boundaries and step are those of windrow::Wind (fluid/wind.h documents each call), and
+// velocities are the same to rounding. Only sleep begins some frames later, when a read-back has shown that the air is still.
 // Nothing is submitted and nothing waited for: all work goes into the host's command buffer, to run on one queue in the order of
 // recording. Each recording is submitted once (else see `forget`). What the host asks for between two frames is recorded with
 // the next.
@@ -52,9 +52,9 @@ struct Settings {
 struct Frame {
     /// [s] Its duration, as of `windrow::Wind::advance`.
     double dt = 0.0;
-    /// Which of the frames in flight it is, 0 to frames_in_flight - 1. The host knows that what was recorded for this slot before
-    /// is done: its read-back is taken now. Once a submission, not twice. Slots may come in any order; what is older than what
-    /// was taken already is not taken. Default -1: the one after the last, in turns, which is right for a host that waits for
+    /// Which of the frames in flight it is, 0 to frames_in_flight - 1. The host guarantees that the work recorded for this slot
+    /// before is done: its read-back is taken now, once per submission. Slots may come in any order; results older than those
+    /// taken already are dropped. Default -1: the one after the last, in turns, which is right for a host that waits for
     /// the frame before the last frames_in_flight. A recording that `forget` follows counts as none: its slot's turn is still to
     /// come. Where more than one was thrown away, name the slot.
     int slot = -1;
@@ -82,13 +82,13 @@ class Wind {
     /// last frame is recorded, and the textures show it; after `record` they stay at its moment between two ticks. Its
     /// Diagnostics are as old as those of `record`. In a step above 1 s viscosity acts no further than it may in shorter ones:
     /// where these need no direct solve of it, for as long as one explicit pass carries (viscosity * time = cell_size^2 / 12),
-    /// and it owes the rest to the next steps.
+    /// and the rest stays as accumulated diffusion time for the next steps.
     Diagnostics record_step(VkCommandBuffer commands, const Frame& frame);
     /// Takes the read-back of a slot before its turn comes: for a host that has waited for what it recorded there, as tools do.
     /// False where there is none to take.
     bool collect(int slot);
     /// After a recording that will never be submitted (its command buffer was reset, its device call failed): the air is ambient,
-    /// nothing of the device's memory is trusted, and the next recording writes all of it anew. Motors, sides, place and wind
+    /// nothing of the device's memory is trusted, and the next recording writes all of it anew. Motors, boundaries, place and wind
     /// stay as they were set. To go on from the last frame that was read, give its cells to `set_velocity`. What was submitted
     /// before runs to its end first, as always; its read-backs are not taken.
     void forget();

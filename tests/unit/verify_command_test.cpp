@@ -62,7 +62,7 @@ TEST_F(VerifyCommand, WrongFlagsAreNamed) {
                      "--device is empty: give a device's number in windrow info, from 0.");
     expect_rejection(
         {"--backend", "vulkan", "--case", "fourier_modes"},
-        "--case is fourier_modes, which asks for pieces that a device runs only inside a step: drop --backend vulkan.");
+        "--case is fourier_modes, which runs on the CPU only: drop --backend vulkan.");
     expect_rejection({"--threads", "0"}, "--threads is 0: give a whole number from 1 to 256.");
     expect_rejection({"--simd", "sse"}, "--simd is sse: give best, baseline, avx2 or avx512.");
     expect_rejection({"--json", ""}, "--json is empty: name a file.");

@@ -286,7 +286,7 @@ class Copier {
             int depth = 0;
             for (std::size_t at = i; parents[at] < k_max_nodes; at = parents[at])
                 if (++depth > k_deepest_node)
-                    fail(message("$.nodes[", i, "]"), "lies in a circle, or deeper than ", k_deepest_node,
+                    fail(message("$.nodes[", i, "]"), "is in a cycle, or deeper than ", k_deepest_node,
                          " nodes: give a tree.");
             if (parents[i] == k_max_nodes)
                 roots.push_back(i);

@@ -55,7 +55,7 @@ class Walker {
     void children(std::size_t at, std::size_t end, unsigned parent) {
         while (fault_.empty() && at < end) {
             if (end - at < k_head || length(at) < k_head || length(at) > end - at)
-                return fail(at, "does not fit in what it lies in: give a whole file.");
+                return fail(at, "does not fit into its parent chunk: give the whole file.");
             chunk(at, at + length(at), parent);
             at += length(at);
         }

@@ -65,7 +65,7 @@ Result<Mesh> beast_mesh(const Beast& beast) {
     }
     if (!mesh)
         return windrow::Error{
-            message("beast.detail is ", beast.detail, ", and two limbs cross one cell wherever the grid lies: give another.")};
+            message("beast.detail is ", beast.detail, ", and two limbs cross one cell at every grid offset: give another detail.")};
     const float floor = mesh->low.y;
     for (MeshVertex& vertex : mesh->vertices)
         vertex.position = beast.height * (vertex.position - glm::vec3(0.0f, floor, 0.0f));

@@ -34,7 +34,7 @@ struct CoatCounts {
 
 /// Where a body is a moment after the one that it is drawn at: how fast its skin is, for the wind that it feels.
 struct CoatAhead {
-    double seconds = 2e-3; ///< above 0; so short that the way is straight, so long that floats tell it
+    double seconds = 2e-3; ///< above 0; short enough for a straight path, long enough for floats to resolve it
     windrow::Pose body{};
     std::span<const glm::mat4> bones{};
 };

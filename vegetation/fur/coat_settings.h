@@ -66,7 +66,7 @@ struct Spot {
 };
 inline constexpr std::size_t k_max_spots = 24;
 
-/// How a picture lies on a mesh.
+/// Projection of a picture onto a mesh.
 enum class Projection {
     uv,   ///< by the mesh's texture coordinates
     side, ///< along x: u to -z .. z, v downward, over the mesh's box
@@ -180,7 +180,7 @@ struct CoatLevels {
                     "Steps a fragment may look between its layer and the next inner one."),
             Setting("skip_empty", &CoatLevels::skip_empty, "Layers above every tip are not drawn."),
             Setting("outer_first", &CoatLevels::outer_first,
-                    "Outer layers first, after the skin, hide what lies below from being shaded."),
+                    "Outer layers are drawn first, after the skin, so that layers hidden below them are not shaded."),
             Setting("depth_first", &CoatLevels::depth_first, "A pass that writes depth alone before the colours."),
             Setting("one_draw_each", &CoatLevels::one_draw_each,
                     "The naive form, one draw a layer: a baseline for measurements."),
@@ -236,7 +236,7 @@ struct CoatSettings {
             Setting("foot_push", &CoatSettings::foot_push, {0.0, 1.5707964, "rad"},
                     "Lean of the tip away from a foot, right beside its middle. Not where translated."),
             Setting("mirrored", &CoatSettings::mirrored,
-                    "Layers on both sides of the skin, half of them each, and no skin: clouds."),
+                    "Half of the layers above and half below the skin, which is not drawn: clouds."),
             Setting("drifts", &CoatSettings::drifts, "The pattern moves along with the air: clouds."),
             Setting("bare", &CoatSettings::bare, "The skin alone."),
             Setting("strands_on", &CoatSettings::strands_on,
@@ -306,7 +306,7 @@ struct LayerCount {
     int drawn = 1;        ///< the inner ones of them; the others lie above every strand's tip
 };
 
-/// At a distance [m] from the eye. Their number goes by a continuous one, n: layer i lies at i / (n - 1), so that a layer that
+/// At a distance [m] from the eye. Their number goes by a continuous one, n: layer i is at i / (n - 1), so that a layer that
 /// comes with a growing n begins where the outermost already is, and nothing pops. `top` is the largest height at which any
 /// strand shows, 0 to 1.
 [[nodiscard]] LayerCount layers_at(const CoatSettings& settings, float distance, float top);

@@ -1,5 +1,5 @@
-// A field of strands on a skin: where they stand, how long each is, how it narrows. The equations, and what a shader is told of
-// one point, stand in vegetation/shaders/numerics/strand_field.glsl; where the layers lie is windrow::Shells (coupling/shell.h).
+// A field of strands on a skin: position, length and taper of each strand. The equations and the shader block of one point are in
+// vegetation/shaders/numerics/strand_field.glsl; windrow::Shells (coupling/shell.h) places the layers.
 //
 //     const fur::StrandFieldBlock fur = fur::block({.density = 300.0f, .low = 0.5f});
 //     fur::StrandHit hit = fur::strand_at(fur, uv, h);         // hit.inside > 0: a strand
@@ -56,8 +56,8 @@ struct StrandFieldSettings {
         return std::tuple{
             Setting("density", &StrandFieldSettings::density, {0.01, 1e5},
                     "Cells across a metre of the mesh's own space, or across a unit of uv. Of a mesh from a file, the default is "
-                    "that of the material's fur line. Where u and density make more than 1e5 cells, floats no longer tell places "
-                    "within a cell apart."),
+                    "that of the material's fur line. With more than 1e5 cells along u, floats no longer resolve places "
+                    "within a cell."),
             Setting("stretch", &StrandFieldSettings::stretch, {0.05, 20.0}, "A cell's length along v over its width; on uv."),
             Setting("row_shift", &StrandFieldSettings::row_shift, {0.0, 0.5},
                     "Fraction of a cell by which every other row is shifted; on uv. 0.5 lays feathers as tiles lie."),
@@ -86,7 +86,7 @@ struct StrandFieldSettings {
             Setting("half_length", &StrandFieldSettings::half_length, {0.05, 1.0, "cells"},
                     "Half length of ovals and strips along v. At 0.7 feathers overlap."),
             Setting("lift", &StrandFieldSettings::lift, k_fraction_range,
-                    "How far a feather lies down: 0 stands, 1 rises from the skin at its root to its whole length at its end, as "
+                    "Slope of a feather: 0 is upright; at 1 it rises from the skin at its root to its whole length at its end, as "
                     "scales do."),
             Setting("shaft", &StrandFieldSettings::shaft, {0.0, 0.5, "cells", "none"},
                     "Half width of the line along a feather's middle."),
@@ -110,7 +110,7 @@ using StrandHit = numerics::WindrowStrandHit;
 [[nodiscard]] windrow::Result<void> validate(const StrandFieldSettings& settings);
 void check_rules(windrow::detail::Reasons& reasons, const windrow::detail::FieldPath& path, const StrandFieldSettings& settings);
 
-/// What shaders are told, of settings that `validate` takes.
+/// Shader block of valid settings.
 [[nodiscard]] StrandFieldBlock block(const StrandFieldSettings& settings);
 
 /// The strand at uv, on the layer of height h, 0 to 1 of the length there.

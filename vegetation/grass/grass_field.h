@@ -27,7 +27,7 @@ namespace windrow::vegetation::grass {
 
 enum class View { colour, shadow };
 
-/// How the host's pipeline is told which blades to draw.
+/// Draw arguments of one pass, for the host's pipeline.
 struct GrassPass {
     /// Of the pipeline that is bound.
     VkPipelineLayout layout = VK_NULL_HANDLE;
@@ -58,7 +58,7 @@ class GrassField {
     [[nodiscard]] static windrow::Result<GrassField> create(engine::Device& device, const HeightMap& heights,
                                                             const PlacementMask& mask, const GrassSettings& settings);
 
-    /// [m] Where the first corner of the heights lies in the world. Default: the origin. Rejects what is not finite.
+    /// [m] World position of the first corner of the heights. Default: the origin. Rejects values that are not finite.
     windrow::Result<void> place(const glm::dvec3& corner);
     /// A changed mask, of the same corners and extent: chunks in what was touched are made again.
     windrow::Result<void> repaint(const PlacementMask& mask, const Touched& touched);

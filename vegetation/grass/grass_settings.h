@@ -8,9 +8,9 @@
 
 namespace windrow::vegetation::grass {
 
-/// What is left out of a frame before it is drawn.
+/// Culling of a frame before it is drawn.
 enum class Culling {
-    none,   ///< nothing but what lies beyond the cut: every chunk, every blade
+    none,   ///< only the distance cut: every chunk and blade within it is drawn
     chunks, ///< chunks out of view, by the quadtree
     blades  ///< and of the others each blade out of view, on the GPU
 };

@@ -56,7 +56,7 @@ struct Hills {
         return std::tuple{
             Setting("height", &Hills::height, {0.0, 1e4, "m", "level"}, "From the lowest possible place to the highest."),
             Setting("length", &Hills::length, {1.0, 1e5, "m"},
-                    "Of the largest octave's cells, about half of what lies between two tops."),
+                    "Cell size of the largest octave, about half of the distance between two hilltops."),
             Setting("seed", &Hills::seed, k_seed_range, "Another number, other hills, of 64 kinds."),
         };
     }

@@ -161,7 +161,7 @@ std::string fault_of(const Options& options) {
         std::error_code error;
         const std::filesystem::path folder = options.sheet.has_parent_path() ? options.sheet.parent_path() : ".";
         if (!std::filesystem::is_directory(folder, error))
-            return "--sheet " + options.sheet.string() + " lies in no folder that there is; make it first, or name another.";
+            return "--sheet " + options.sheet.string() + " is in a folder that does not exist; create it first, or name another.";
         if (options.sheet.extension() != ".png")
             return "--sheet " + options.sheet.string() + " is no PNG; give a name that ends in .png.";
     }

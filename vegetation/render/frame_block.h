@@ -1,4 +1,4 @@
-// What every shader of the renderer is told of a frame, and how it comes from a scene: vegetation/shaders/render/frame.glsl.
+// Frame block of all shaders of the renderer (vegetation/shaders/render/frame.glsl), and its conversion from a scene.
 #pragma once
 
 #include "vegetation/render/scene.h"

@@ -48,7 +48,7 @@ struct FieldBlade {
     glm::vec4 size{0.0f};  ///< [m] length of its class and half its width now; the same a frame ago
     glm::uvec4 traits{0u}; ///< xy its hash; z bits of its morph (float), w of the morph a frame ago
     glm::vec4 looks{0.0f}; ///< chances, 0 to 1: xy its clump's, z its own; w size over its class's
-    glm::vec4 fog{0.0f};   ///< rgb light of the air before it, w share of its own light that comes through
+    glm::vec4 fog{0.0f};   ///< rgb light of the air before it, w fraction of its own light that comes through
 };
 static_assert(sizeof(FieldBlade) == 96);
 

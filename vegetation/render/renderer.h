@@ -95,7 +95,7 @@ class Renderer {
   private:
     Renderer(engine::Device& device, const Scene& scene, const RenderSettings& settings);
     void fill(const Camera& camera);
-    /// The frame's blocks and sets, told of this camera.
+    /// The frame's blocks and descriptor sets, filled for this camera.
     [[nodiscard]] PassContext context_of(const engine::Frame& frame, const Camera& camera, const windrow::vulkan::Wind& wind);
     void draw_shadows(PassContext context);
     void make_sets(const Scene& scene);

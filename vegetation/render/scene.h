@@ -1,6 +1,6 @@
-// What a picture is of: where the eye is, where the sun stands, what the air holds, the ground, the plants' look, the wind.
-// Right-handed, y up, metres; places are double, since shaders work relative to the anchor. `validate` tells every reason why a
-// scene cannot be drawn, a line each, field, value and fix.
+// The scene of a picture: camera, sun, haze, ground, look of the plants, wind.
+// Right-handed, y up, metres; places are double, since shaders work relative to the anchor. `validate` returns every reason why a
+// scene cannot be drawn, one per line, with field, value and fix.
 #pragma once
 
 #include "coupling/blade.h"
@@ -101,7 +101,7 @@ struct Ground {
     /// colour afar; elsewhere it is bare. Default: everywhere.
     std::optional<grass::PlacementMask> grown{};
 
-    /// [m] In the world, on the triangles that are drawn; beyond the rim that of the rim.
+    /// [m] World height of the triangles that are drawn; beyond the edge that of the edge.
     [[nodiscard]] double height(double x, double z) const;
 };
 
@@ -141,7 +141,7 @@ struct PlantLook {
             Setting("gloss", &PlantLook::gloss, {1.0, 1000.0}, "Exponent of the shine."),
             Setting("against_light", &PlantLook::against_light, {0.0, 20.0}, "How much more shines through against the light."),
             Setting("second", &PlantLook::second, k_fraction_range,
-                    "Fresh tips of other clumps: each clump lies between tip and this."),
+                    "Fresh tips of other clumps: the colour of each clump is between tip and this."),
             Setting("dryness", &PlantLook::dryness, k_fraction_range, "How much dry patches and single dry blades show."),
             Setting("fold", &PlantLook::fold, {0.0, 1.2, "rad"},
                     "By which both halves of a blade stand out of its plane: a crease of light."),

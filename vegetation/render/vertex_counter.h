@@ -17,7 +17,7 @@ class VertexCounter {
   public:
     explicit VertexCounter(engine::Objects& objects);
 
-    /// Whether the device counts; without it nothing is recorded and nothing told.
+    /// Whether the device has pipeline statistics; without them nothing is recorded or reported.
     [[nodiscard]] bool counts() const { return pool_ != VK_NULL_HANDLE; }
     /// Begins a frame, outside of a render pass; what was recorded for its slot before is done.
     void begin(VkCommandBuffer commands, int slot);

@@ -44,7 +44,7 @@ struct ClearCircle {
     }
 };
 
-/// Places by chance: groves rather than an even spread.
+/// Random places: groves rather than an even spread.
 struct TreeScatter {
     int count = 0;
     glm::dvec2 low{-100.0};
@@ -85,7 +85,7 @@ struct TreeStandSettings {
             Setting("variants", &TreeStandSettings::variants, {1.0, 8.0},
                     "Different trees of the kind; places take them in turn."),
             Setting("places", &TreeStandSettings::places, "Trees at places of their own."),
-            Setting("scatter", &TreeStandSettings::scatter, "And more by chance."),
+            Setting("scatter", &TreeStandSettings::scatter, "More trees at random places."),
             Setting("springs", &TreeStandSettings::springs,
                     "Whether trunks, limbs and twigs swing; else they take the bend that the wind holds."),
         };

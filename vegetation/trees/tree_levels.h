@@ -16,7 +16,7 @@ static_assert(sizeof(LevelBlock) == 32);
 
 /// Of valid levels, for trees with so many leaf cards, at least 1.
 [[nodiscard]] LevelBlock level_block(const TreeLevels& levels, int leaves);
-/// Share of the leaves at full size at a distance [m].
+/// Fraction of the leaves at full size at a distance [m].
 [[nodiscard]] float keep(const LevelBlock& levels, float distance);
 /// A leaf's size by its rank, and a stem's thickness, over that of the near tree; the trunk, a radius below 0, stays.
 [[nodiscard]] float leaf_scale(const LevelBlock& levels, float distance, float rank);

@@ -114,7 +114,7 @@ struct TreeLook {
             Setting("bark_lines", &TreeLook::bark_lines, k_fraction_range,
                     "0 furrows along the trunk, 1 marks across it, as a birch has."),
             Setting("leaf", &TreeLook::leaf, k_fraction_range, "The leaves."),
-            Setting("young", &TreeLook::young, k_fraction_range, "Those at the crown's rim."),
+            Setting("young", &TreeLook::young, k_fraction_range, "The leaves at the crown's outer edge."),
             Setting("through", &TreeLook::through, k_fraction_range, "Light that shines through."),
             Setting("variation", &TreeLook::variation, {0.0, 0.9}, "Fraction by which leaves and trees are lighter or darker."),
             Setting("gloss", &TreeLook::gloss, {1.0, 1000.0}, "Exponent of the shine."),

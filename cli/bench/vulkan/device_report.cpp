@@ -83,7 +83,7 @@ Json entry(const DeviceGridResult& grid, const std::string& name, const DeviceSt
 } // namespace
 
 void report_device(const DeviceBenchResult& result, const Console& console) {
-    console.out << result.device << (result.software ? " (software device: its times tell nothing of a GPU)" : "") << "; driver "
+    console.out << result.device << (result.software ? " (software device: its times say nothing about a GPU)" : "") << "; driver "
                 << result.driver << "; Vulkan " << result.api_version << "\n"
                 << "host " << result.cpu << "; " << result.compiler << "; commit " << result.commit << "\n";
     console.out.flush();

@@ -66,8 +66,8 @@ TEST(PictureFault, ValuesThatDoNotFitTogether) {
                      "a.json: $.picture.camera.far is 5 m: give 1.01 to 1e6 times near, 10.1 to 1e7 m.");
     expect_rejection(
         R"({"camera": {"position": [0, 5, 0], "target": [0, 0, 0]}})",
-        "a.json: $.picture.camera.target lies straight above, below or at $.picture.camera.position: move it aside, so "
-        "that up has a meaning.");
+        "a.json: $.picture.camera.target is straight above, below or at $.picture.camera.position: move it aside, so "
+        "that the picture has an up direction.");
     expect_rejection(R"({"grass": [{"split_distance": 100}]})",
                      "a.json: $.picture.grass[0].split_distance is 100 m: give less than "
                      "$.picture.grass[0].cut_distance, which is 90 m.");
@@ -103,8 +103,8 @@ TEST(PictureFault, PathsThatThereAreNot) {
     // The eye walks over what it looks at.
     expect_rejection(
         R"({"camera": {"path": "walk", "target": [2, 0, 0]}, "frames_per_second": 1})",
-        "a.json: $.picture.camera.target lies straight above, below or at $.picture.camera.position: move it aside, so "
-        "that up has a meaning.\na.json: $.picture.camera is so at 1 s, where its paths have led it: move one of them aside.");
+        "a.json: $.picture.camera.target is straight above, below or at $.picture.camera.position: move it aside, so "
+        "that the picture has an up direction.\na.json: $.picture.camera is so at 1 s, where its paths have led it: move one of them aside.");
 }
 
 TEST(PictureFault, PatchesPathsAndHillsOutOfRange) {
