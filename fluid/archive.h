@@ -169,7 +169,8 @@ class Reader {
     /// Asked before room is made for what a count promises: whether so many items of at least `bytes_each` can follow.
     [[nodiscard]] bool can_hold(std::uint64_t count, std::size_t bytes_each) {
         if (!rejected() && count > rest_.size() / bytes_each)
-            reject("it promises ", count, " items of ", bytes_each, " bytes or more, but only ", rest_.size(), " bytes follow.");
+            reject("its length is ", count, " items of ", bytes_each, " bytes or more, but only ", rest_.size(),
+                   " bytes follow.");
         return !rejected();
     }
     template <class... Parts>

@@ -28,7 +28,7 @@ const VerifyCase* find_case(std::span<const VerifyCase> cases, const std::string
     for (const VerifyCase& one : known)
         names.push_back(one.name);
     const std::string near = scene::nearest_word(name, names);
-    reject("--case is ", name, ", which is no case", near.empty() ? "" : " (did you mean " + near + "?)",
+    reject("--case is ", name, ", which is unknown", near.empty() ? "" : " (did you mean " + near + "?)",
            ": see windrow verify --list.");
 }
 

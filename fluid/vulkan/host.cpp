@@ -30,7 +30,7 @@ void check_format(const Queries& queries, VkPhysicalDevice physical_device, VkFo
     const VkResult result =
         queries.image_format(physical_device, format, VK_IMAGE_TYPE_3D, VK_IMAGE_TILING_OPTIMAL, k_image_usage, 0, &properties);
     if (result != VK_SUCCESS)
-        reasons.add(name, " makes no 3D image that is stored to, sampled and copied (", name_of(result),
+        reasons.add(name, " has no 3D images that can be stored to, sampled and copied (", name_of(result),
                     "): use another device.");
 }
 

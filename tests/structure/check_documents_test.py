@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Plants faults in small documents and asks check_words.py and check_examples.py to find each, and nothing in those without."""
+"""Plants faults in small documents and asks the checkers of words, messages and examples to find each."""
 import argparse
 import pathlib
 import tempfile
 import unittest
 
 import check_examples
+import check_messages
 import check_words
 
 COMPILER = None
@@ -68,6 +69,15 @@ class Words(unittest.TestCase):
             faults = []
             check_words.check_code(root, faults)
         self.assertEqual([fault.split(": ")[0] for fault in faults], ["fluid/wind.cpp:2", "fluid/wind.h:1"])
+
+
+class Messages(unittest.TestCase):
+    def test_messages_are_sentences_with_their_values_left_out(self):
+        text = """reasons.add(path, " is ", value, // a comment "with. words"
+                              ": give v//vn.");
+        return fault("$.floor", "is \\"none\\": add it.\\n");
+        console.out << message("one heading ", value);"""
+        self.assertEqual(list(check_messages.messages(text)), ["is <>: give v//vn.", '$.floor is "none": add it.'])
 
 
 class Examples(unittest.TestCase):
