@@ -30,7 +30,7 @@ struct Box {
         return std::tuple{
             Setting("cells", &Box::cells, k_cells_range, "Cells along x, y, z; odd sizes too. Wind is mostly horizontal."),
             Setting("cell_size", &Box::cell_size, k_cell_size_range, "Edge of a cell."),
-            Setting("boundaries", &Box::boundaries, "What the air meets at each side."),
+            Setting("boundaries", &Box::boundaries, "Boundary conditions of the six faces."),
         };
     }
 
@@ -44,7 +44,7 @@ struct Box {
     }
 };
 
-/// Every reason why the box cannot be used, a line each.
+/// All reasons why the box is invalid, one per line.
 [[nodiscard]] Result<void> validate(const Box& box);
 void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const Box& box);
 

@@ -1,4 +1,4 @@
-// What every step reports: nothing that the solver does to the air beyond its equations is silent.
+// Report of a step: figures of the air, and each correction beyond the equations (limits, repairs, sleep).
 #pragma once
 
 #include "fluid/operators.h"
@@ -20,14 +20,14 @@ struct StageTimes {
 
 struct Diagnostics {
     bool stepped = false; ///< false: dt was 0, negative or not finite, or out_of_memory; nothing was done.
-    /// The step asks for memory that the system does not give: the wind is as it was. Free some and call again.
+    /// The system has no memory that the step needs: the wind is unchanged. Free some and call again.
     bool out_of_memory = false;
     /// [m/s] Largest component of the velocity after the step.
     float max_speed = 0.0f;
     /// Largest component * dt / h after the sources, before sub-steps and limit: how many cells the air would cross at once.
     float cfl = 0.0f;
-    int substeps = 0; ///< Parts that the step was cut into: ceil(cfl / Config::max_cfl), at most Config::max_substeps.
-    bool substeps_capped = false; ///< More parts were needed than allowed: speeds were limited.
+    int substeps = 0;             ///< Number of sub-steps: ceil(cfl / Config::max_cfl), at most Config::max_substeps.
+    bool substeps_capped = false; ///< More sub-steps were needed than allowed: speeds were limited.
     /// Cells whose speed was scaled down to max_cfl * max_substeps cells a step, before the air moved or, where forces and
     /// pressure had made them faster, after it.
     std::int64_t limited_cells = 0;

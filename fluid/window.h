@@ -1,4 +1,4 @@
-// The box's place in the world: whole cells, counted in 64 bits, so that following loses nothing and distance costs nothing.
+// Position of the box in the world, in whole cells of 64 bits: exact at any distance.
 #pragma once
 
 #include <cmath>
