@@ -1,5 +1,4 @@
-// What a ground memory is but for its texels: where the window lies, and what a step is told. One text for the CPU and for a
-// device.
+// Backend-independent part of a ground memory: position of the window, and parameters of a step.
 #pragma once
 
 #include "coupling/ground_config.h"

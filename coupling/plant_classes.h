@@ -1,5 +1,5 @@
-// Plants to begin with: what the wind meets of each, from measured stiffness and typical sizes. docs/plants.md compares what they
-// do with Beaufort's descriptions; the frequencies and dampings of the same classes are the springs' matter.
+// Predefined plants: their drag and stiffness, from measured moduli and typical sizes. docs/plants.md compares them with
+// Beaufort's descriptions. The frequencies and dampings of the same classes are in spring.h.
 //
 // Young's moduli: wheat straw 4.8 GPa (O'Dogherty, Huber, Dyson & Marshall 1995: 4.76 to 6.58 GPa); reed 8 GPa (Albrecht and
 // others 2023, The suitability of common reed for load-bearing structural materials); living branches 0.7 to 4.6 GPa, trunks at

@@ -1,4 +1,4 @@
-// What the plants' formulas give a renderer.
+// Vertices and keys of plants, for a renderer.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace windrow {
 
-/// Where a vertex of a plant goes.
+/// Vertex of a plant.
 struct PlantVertex {
     glm::vec3 position{0.0f};            ///< [m] from the plant's root
     glm::vec3 normal{0.0f, 0.0f, 1.0f};  ///< unit vector

@@ -1,5 +1,5 @@
-// Structs as bytes and back, by the rows of their fields (setting.h). What has no rows is described by one function for both
-// directions, so that writer and reader cannot drift apart:
+// Serialisation of structs by the rows of their fields (setting.h). A struct without rows has one function for both directions,
+// so that writer and reader cannot differ:
 //
 //     void fields(auto& archive, Like<Stepped> auto& event) {
 //         auto& [dt] = event;

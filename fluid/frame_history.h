@@ -1,4 +1,4 @@
-// What frames between ticks show: the wind of the last two ticks, blended, and of the frame before.
+// Wind of a frame between ticks: a blend of the last two ticks, and that of the frame before.
 //
 //   u = u_before + factor (u_now - u_before)
 //

@@ -1,5 +1,5 @@
-// One sentence out of words and figures; figures in their shortest exact form, whatever the locale. Nothing here throws: a sentence
-// that finds no memory is "out of memory".
+// Message of words and figures; figures in their shortest exact form in every locale. Nothing here throws: without memory the
+// message is "out of memory".
 #pragma once
 
 #include "fluid/result.h"

@@ -1,4 +1,4 @@
-// Whether the air moves: awake, calm or asleep.
+// Sleep state of the air: awake, calm or asleep.
 #pragma once
 
 #include "fluid/diagnostics.h"

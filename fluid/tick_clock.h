@@ -1,4 +1,4 @@
-// Time of frames, spent in fixed ticks.
+// Clock that divides the time of frames into fixed ticks.
 #pragma once
 
 #include "fluid/wind.h"

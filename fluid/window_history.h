@@ -1,4 +1,4 @@
-// Where the box is, and where it was in the last two steps.
+// Position of the box, now and in the last two steps.
 #pragma once
 
 #include "fluid/view.h"

@@ -1,4 +1,4 @@
-// The ambient wind at every cell of a box and of its halo: what a padded field holds where nothing else blows.
+// The ambient wind at every cell of a box and of its halo.
 #pragma once
 
 #include "fluid/ambient.h"

@@ -1,4 +1,4 @@
-// The sources stage: what motors do to the air, gathered a cell at a time from the motors that reach it.
+// The sources stage: effect of the motors on the air, gathered per cell from the motors that reach it.
 #pragma once
 
 #include "fluid/ambient_numerics.h"
@@ -71,8 +71,8 @@ class SourceField {
     float largest_driven_ = 0.0f;
 };
 
-/// Free-space potential of the volume sources, phi / h [m/s], in the ghost cells of open boundaries: the potential of each ball and
-/// of its mirror images in walls.
+/// Free-space potential of the volume sources, phi / h [m/s], in the ghost cells of open boundaries: the potential of each ball
+/// and of its mirror images in walls.
 class FreeAir {
   public:
     /// Allocates for a box, unless there is room.

@@ -1,7 +1,7 @@
 // The air on the device: the step of fluid/cpu/step.cpp as compute passes, recorded into the host's command buffer.
 //
 //   place      fields move with the box                              only when it moves
-//   sources    motors, guard, survey: u, f, S                        once a tick
+//   sources    motors, guard, reduction: u, f, S                        once a tick
 //   plan       n sub-steps, from the largest speed                   once a tick; sub-steps that do not run get no work groups
 //   pad        R = ambient + g (u - ambient) - s q + (dt/2) f, V     each sub-step, in six dispatches; eight where planes are
 //   advect     w = R(xd) + (dt/2) f                                  split, up to 24 with implicit viscosity
@@ -9,9 +9,9 @@
 //   gradient   u' = w - grad phi, q'
 //   show       textures of this frame, report                        once a frame
 //
-// Sub-steps are chosen on the device, so all that may be are recorded. What the host gives to a tick travels inside the command
-// buffer (vkCmdUpdateBuffer); large tables in a piece of host memory that is written once: frames in flight share nothing that
-// the host writes while they run.
+// The device chooses the number of sub-steps, so the maximal number is recorded. Parameters of a tick are in the command buffer
+// (vkCmdUpdateBuffer), large tables in a block of host memory that is written once: the host writes no memory that frames in
+// flight use.
 #pragma once
 
 #include "fluid/cell_storage.h"

@@ -1,4 +1,4 @@
-// What the passes read and write, bound once.
+// Descriptor sets of the passes, written once.
 #pragma once
 
 #include "fluid/vulkan/handle.h"

@@ -1,4 +1,4 @@
-// The passes of a tick as pipelines, each with what it reads and writes and how many work groups it takes.
+// The passes of a tick: pipelines with their bindings and work group counts.
 #pragma once
 
 #include "fluid/operators.h"

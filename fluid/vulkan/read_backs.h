@@ -1,4 +1,4 @@
-// What frames in flight read back for the host, a slot each, and the last of it.
+// Read-backs of the frames in flight, one slot each, and the latest result.
 #pragma once
 
 #include "fluid/vulkan/air.h"

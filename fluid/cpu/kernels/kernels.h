@@ -1,6 +1,6 @@
 // The hot loops as a table of function pointers, one table per SIMD level.
 //
-// The same text (level.inl and what it includes) is compiled once per level and chosen at run time. Everything
+// The same source (level.inl and its includes) is compiled once per level and selected at run time. Everything
 // here is plain data: a level's file is compiled for instructions that the machine may lack, so it must not emit inline
 // functions of the standard library or GLM that the linker could hand to the rest of the program.
 //
