@@ -87,7 +87,7 @@ class Air {
     /// Times what is recorded from now on; null, as at the start: nothing is timed. The clock outlives the recordings.
     void set_clock(PassClock* clock) { clock_ = clock; }
 
-    // --- Boundaries -----------------------------------------------------------------------------------------------------------------
+    // --- Boundaries ------------------------------------------------------------------------------------------------------
     /// Boundaries to come, with the tables of their solves where their kinds are others, and where these lie on their way to the
     /// device.
     struct NewBoundaries {
