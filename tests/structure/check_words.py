@@ -11,8 +11,6 @@ import re
 import sys
 
 LONGEST_LINE, LONGEST_SENTENCE, LONGEST_MEAN = 120, 40, 18.0
-# Made by `./dev schema` out of the code's own sentences, which --code searches.
-MADE_FROM_CODE = ("docs/scene_keys.md",)
 CODE_FOLDERS = ("fluid", "coupling", "scene", "pictures", "vegetation", "cases", "cli")
 
 INSTEAD = {
@@ -99,10 +97,9 @@ def check_page(name, text, faults):
         bare = re.sub(r"\]\([^)]*\)", "]()", line)
         if len(bare) > LONGEST_LINE and number not in table_lines:
             faults.append(f"{name}:{number}: {len(bare)} characters: break the line at {LONGEST_LINE}.")
-    if name not in MADE_FROM_CODE:
-        for number, line, _, _ in prose(text):
-            for word, instead in words_to_replace(line):
-                faults.append(f"{name}:{number}: '{word}': write {instead}.")
+    for number, line, _, _ in prose(text):
+        for word, instead in words_to_replace(line):
+            faults.append(f"{name}:{number}: '{word}': write {instead}.")
     lengths = []
     for number, sentence in sentences(text):
         lengths.append(len(sentence))
