@@ -33,7 +33,7 @@ class GroundHost {
     /// Of the step that was begun last: those whose sweep may touch the window, the first of them where there are more than the
     /// config has room for.
     [[nodiscard]] std::span<const numerics::WindrowWalker> walkers() const { return std::span(walkers_).first(walker_count_); }
-    /// How many more there were.
+    /// Number of further ones.
     [[nodiscard]] int left_out() const { return left_out_; }
 
     [[nodiscard]] GroundBlock block(glm::dvec3 anchor) const;

@@ -19,7 +19,7 @@ struct PoseBlock {
 };
 static_assert(sizeof(PoseBlock) == 32);
 
-/// Where a frame's ground texels lie: WindrowGroundPlace of shaders/numerics/ground_texels.glsl.
+/// Position of a frame's ground texels: WindrowGroundPlace of shaders/numerics/ground_texels.glsl.
 struct GroundPlaceBlock {
     glm::vec4 corner{0.0f}; ///< xy [m] low corner (x and z) minus the anchor, z [m] edge of a texel, w texels an axis
     glm::vec4 rim{0.0f};    ///< xy [m] centre of the blend zone, minus the anchor; z [m] reach, w [m] width of the fading

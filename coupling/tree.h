@@ -81,7 +81,7 @@ class Tree {
     /// must be valid.
     [[nodiscard]] PlantVertex vertex(const TreeBearers& bearers, glm::vec3 wind, const PlantVertex& rest) const;
 
-    /// Which parts of a list bear a vertex. Default k_none: no such part, as an entry of stiffness 0 is.
+    /// Indices of the parts that bear a vertex. Default k_none: no part, as an entry of stiffness 0 is.
     struct PartIndices {
         static constexpr std::uint32_t k_none = 0xffffffffu;
         std::uint32_t trunk = k_none, branch = k_none, leaf = k_none;

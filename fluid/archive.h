@@ -247,7 +247,7 @@ class Reader {
     std::string reason_;
 };
 
-/// What only a reader does: making room, checking.
+/// Operations of a reader only: allocation and checks.
 template <class Archive>
 concept Reading = std::same_as<std::remove_cvref_t<Archive>, Reader>;
 

@@ -60,7 +60,7 @@ struct CellStep {
     bool may_rest = false;        ///< air that is still becomes ambient and sleeps
 };
 
-/// What the next calls need room for.
+/// Memory needs of the next calls.
 struct CellNeeds {
     double step = 0.0;            ///< [s] longest step; 0: none
     const Gusts* gusts = nullptr; ///< around the box

@@ -61,7 +61,7 @@ template <class... Parts>
     return Error{"out of memory: use a smaller box or fewer items, or free memory and call again."};
 }
 
-/// What `call` returns, or an Error where it finds no memory. `call` has to make room before it changes anything.
+/// Result of `call`, or an Error without memory. `call` must allocate before it changes anything.
 template <class Call>
 [[nodiscard]] auto where_memory_lasts(const Call& call) -> decltype(call()) {
     try {

@@ -13,7 +13,7 @@
 
 namespace windrow {
 
-/// Where the three textures lie, as a uniform block of std140 layout (nine vec4). Positions are relative to an
+/// Position of the three textures, as a uniform block of std140 layout (nine vec4). Positions are relative to an
 /// anchor that the host chooses near its camera, so that a shader in float is as exact 10^6 m away as at the origin.
 struct WindowBlock {
     glm::vec3 origin{0.0f}; ///< [m] low corner of the box minus the anchor
@@ -28,7 +28,8 @@ struct WindowBlock {
     alignas(16) glm::vec3 high_boundaries{0.0f}; ///< as low_boundaries
     alignas(16) glm::vec3 blend_centre{0.0f};    ///< [m] centre of the blend zone, minus the anchor
     float blend_width = 0.0f;                    ///< [m] over which the box's wind fades to ambient
-    alignas(16) glm::vec3 blend_reach{0.0f};     ///< [m] distance from that point at which it has faded; 0: no blend zone on that axis
+    alignas(16) glm::vec3 blend_reach{
+        0.0f}; ///< [m] distance from that point at which it has faded; 0: no blend zone on that axis
     alignas(16) glm::vec3 previous_blend_centre{0.0f}; ///< [m] the point in the last frame, minus the anchor
 };
 static_assert(sizeof(WindowBlock) == 144);

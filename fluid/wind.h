@@ -203,7 +203,7 @@ class Wind {
     Diagnostics step(double dt);
     /// Advances by a frame of dt [s] in fixed ticks (Config::ticks), so that the air does not depend on the frame rate: `follow`
     /// and `Motors::move` give where things are at the end of this frame, and each tick sees them at its own time on the way.
-    /// What is sampled afterwards is the wind blended between the last two ticks, up to a tick old. The first call allocates
+    /// Sampling then returns the wind blended between the last two ticks, up to a tick old. The first call allocates
     /// three fields; later ones nothing beyond what `step` may. Where memory is missing nothing is done and
     /// `last.out_of_memory` is true. A dt that is negative or not finite does nothing. Mixing with `step` ends the blending.
     Advance advance(double dt);

@@ -61,7 +61,7 @@ class WindCore {
     void reset();
     void record_to(EventLog* to);
 
-    /// What blows around the box, after a change of sides, mean wind, gusts or place.
+    /// The ambient wind after a change of boundaries, mean wind, gusts or position.
     void renew_ambient();
 
   private:

@@ -30,7 +30,7 @@ struct Window {
     [[nodiscard]] glm::dvec3 centre(int i, int j, int k) const {
         return (glm::dvec3(origin_cells) + glm::dvec3(i + 0.5, j + 0.5, k + 0.5)) * static_cast<double>(cell_size);
     }
-    /// Where the origin must lie for `point` to be the box's centre, to the nearest whole cell.
+    /// Origin for `point` to be the box's centre, to the nearest whole cell.
     [[nodiscard]] CellIndex centred_on(glm::dvec3 point) const;
 };
 
@@ -38,7 +38,7 @@ struct Window {
 void shift_field(std::span<glm::vec4> field, glm::ivec3 cells, CellIndex shift, glm::vec4 fresh);
 
 namespace detail {
-/// What shaders' positions are relative to: an anchor that is not finite counts as 0.
+/// Origin of shaders' positions: an anchor that is not finite counts as 0.
 [[nodiscard]] inline glm::dvec3 usable_anchor(glm::dvec3 anchor) {
     return std::isfinite(anchor.x) && std::isfinite(anchor.y) && std::isfinite(anchor.z) ? anchor : glm::dvec3(0.0);
 }

@@ -46,13 +46,13 @@ class GroundMemory {
     [[nodiscard]] VkBuffer lean_buffer() const;
     /// Walkers who touched the window in the last `record` and did not count, for lack of room.
     [[nodiscard]] int walkers_left_out() const;
-    /// Where the texels of the next step will lie, relative to `anchor` [m].
+    /// Position of the texels of the next step, relative to `anchor` [m].
     [[nodiscard]] GroundPlaceBlock next_place(glm::dvec3 anchor) const;
 
     /// Of the step last recorded, and of the one before; nothing before the first.
     [[nodiscard]] GroundTexture texture() const;
     [[nodiscard]] GroundTexture previous_texture() const;
-    /// Where they lie, relative to `anchor` [m]: the uniform buffer of the include.
+    /// Their position relative to `anchor` [m]: the uniform buffer of the include.
     [[nodiscard]] GroundBlock block(glm::dvec3 anchor) const;
     [[nodiscard]] const GroundConfig& config() const;
     /// [bytes] Device memory in use.

@@ -13,7 +13,7 @@
 
 namespace windrow::cpu {
 
-/// What lies beyond one end of an axis.
+/// Kind of one end of an axis.
 enum class EndRule {
     zero_at_ghost, ///< value 0 at the ghost's centre, at an open boundary: pressure, velocity relative to ambient
     zero_at_face,  ///< odd about the face: velocity at a wall
@@ -21,7 +21,7 @@ enum class EndRule {
     periodic,
 };
 
-/// What the end adds to the diagonal -2 of the second difference.
+/// Contribution of the end to the diagonal -2 of the second difference.
 [[nodiscard]] constexpr double diagonal_correction(EndRule rule) {
     return rule == EndRule::zero_at_face ? -1.0 : rule == EndRule::even_at_face ? 1.0 : 0.0;
 }

@@ -11,7 +11,7 @@
 
 namespace windrow::cpu {
 
-/// What lies beyond a side, for the pressure and for a component of the velocity.
+/// Ghost values beyond a boundary, for the pressure and for a component of the velocity.
 [[nodiscard]] EndRule pressure_end(const Boundary& side);
 [[nodiscard]] EndRule velocity_end(const Boundary& side, bool normal);
 /// The same for all sides, of the pressure and of a component of the velocity.
@@ -26,14 +26,14 @@ namespace windrow::cpu {
 /// the speed of what drove them. So carried air slips, and viscosity alone holds it back.
 [[nodiscard]] std::vector<HaloRule> carried_rules(const Box& box, int axis);
 
-/// What a stencil takes beyond one end of an axis. Beyond an open boundary the divergence takes the cell itself and p is 0 at the
-/// ghost's centre, which is no adjoint pair: the projection can add to waves of a few cells along an edge (operators.h). Both
-/// pairs that cannot cost more. p = 0 at the face: a fifth more error against a larger box. The ambient wind as the ghost: a
+/// Ghost values of a stencil beyond one end of an axis. Beyond an open boundary the divergence takes the cell itself and p is 0
+/// at the ghost's centre, which is no adjoint pair: the projection can add to waves of a few cells along an edge (operators.h).
+/// Both pairs that cannot cost more. p = 0 at the face: a fifth more error against a larger box. The ambient wind as the ghost: a
 /// stream through the box loses 1 / (cells + 1) of what is not ambient in each step, however short.
 [[nodiscard]] NormalGhost velocity_ghost(const Box& box, int axis, int end);
 [[nodiscard]] NormalGhost potential_ghost(const Box& box, int axis, int end);
 
-/// Where a trajectory may end on an axis, in cells from the first centre. An open boundary lets it end one cell beyond the
+/// Range of departure points on an axis, in cells from the first centre. An open boundary lets it end one cell beyond the
 /// outermost centre, where everything read is ambient; a wall stops it at the face; a periodic axis wraps.
 struct LegalPlaces {
     float low = 0.0f, high = 0.0f;

@@ -13,8 +13,8 @@
 
 namespace windrow::cpu {
 
-/// What motors leave for the step: the acceleration f of those that push, what those that drive pull toward, the divergence S of
-/// those that let air in. Rows that no motor reaches hold nothing and are never read.
+/// Result of the motors for the step: the acceleration f of those that push, what those that drive pull toward, the divergence S
+/// of those that let air in. Rows that no motor reaches hold nothing and are never read.
 class SourceField {
   public:
     explicit SourceField(glm::ivec3 cells);

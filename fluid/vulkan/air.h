@@ -31,7 +31,7 @@ inline constexpr VkPipelineStageFlags k_compute = VK_PIPELINE_STAGE_COMPUTE_SHAD
                                       k_transfer = VK_PIPELINE_STAGE_TRANSFER_BIT,
                                       k_indirect = VK_PIPELINE_STAGE_DRAW_INDIRECT_BIT;
 
-/// What the device found in a tick.
+/// Report of the device for a tick.
 struct AirReport {
     float largest_component = 0.0f; ///< [m/s] after the tick
     float cfl = 0.0f;
@@ -102,11 +102,11 @@ class Air {
     void set_boundaries(NewBoundaries&& boundaries);
 
     // --- Frames in flight ------------------------------------------------------------------------------------------------------
-    /// What follows is recorded for this slot, and what was recorded for it before is done.
+    /// The following commands are of this slot; the earlier ones of this slot are done.
     void begin(int slot);
     /// After all else in a command buffer.
     void end(VkCommandBuffer commands) { wait(commands); }
-    /// What the device holds is not known: all of it is written anew by the next `fill`.
+    /// The contents of the device memory are unknown: the next `fill` writes all of it.
     void forget();
 
   private:
@@ -123,7 +123,7 @@ class Air {
                     std::shared_ptr<const GustTile> tile = nullptr);
     static constexpr VkDeviceSize k_max_update = 65536; ///< [bytes] of vkCmdUpdateBuffer
     void write(VkCommandBuffer commands, const Buffer& to, std::span<const std::byte> bytes);
-    /// What was recorded so far in stages `from` is done before what follows in stages `to`. Recorded with the next command, as
+    /// Barrier: earlier commands in stages `from` are done before later ones in stages `to`. Recorded with the next command, as
     /// one with all that are asked for before it.
     void barrier(VkPipelineStageFlags from, VkPipelineStageFlags to);
     void wait(VkCommandBuffer commands, std::span<const VkImageMemoryBarrier> images = {});

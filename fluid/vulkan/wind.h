@@ -51,7 +51,7 @@ struct Settings {
 struct Frame {
     /// [s] Its duration, as of `windrow::Wind::advance`.
     double dt = 0.0;
-    /// Which of the frames in flight it is, 0 to frames_in_flight - 1. The host guarantees that the work recorded for this slot
+    /// Slot of the frame in flight, 0 to frames_in_flight - 1. The host guarantees that the work recorded for this slot
     /// before is done: its read-back is taken now, once per submission. Slots may come in any order; results older than those
     /// taken already are dropped. Default -1: the one after the last, in turns, which is right for a host that waits for
     /// the frame before the last frames_in_flight. A recording that `forget` follows counts as none: its slot's turn is still to

@@ -1,4 +1,4 @@
-// A cloud of shells: what it covers, how it heaps up, how it ends before its plane does. The equations stand in
+// A cloud of shells: cover, heaps, and fading before the edge of its plane. The equations are in
 // vegetation/shaders/numerics/cloud_shells.glsl; the layers lie above and below a plane.
 #pragma once
 
@@ -36,7 +36,8 @@ struct CloudShellSettings {
                     "Half sizes [m] of the plane along x and z, 0.01 to 1e6. Of a coat, those of the mesh.", k_not_stored),
             Setting("fading", &CloudShellSettings::fading, {0.01, 1e6, "m"},
                     "Width over which clouds thin out toward the plane's edge. More than a half size thins the whole cloud."),
-            Setting("round_rim", &CloudShellSettings::round_rim, "Whether the edge is an ellipse; else it is the rectangle itself."),
+            Setting("round_rim", &CloudShellSettings::round_rim,
+                    "Whether the edge is an ellipse; else it is the rectangle itself."),
             Setting("height", &CloudShellSettings::height,
                     "Half of the cloud's height [m], 1e-3 to 1e5: the height of the layer h = 1 above the plane. Of a coat, the "
                     "layers' length.",

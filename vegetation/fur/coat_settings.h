@@ -1,4 +1,4 @@
-// What describes a coat: layers over a mesh whose patterns make fur, feathers, grass, spikes, paper or clouds. One structure with
+// Settings of a coat: layers over a mesh whose patterns make fur, feathers, grass, spikes, paper or clouds. One structure with
 // ranges and defaults, that a scene file holds as it is:
 //
 //     const fur::CoatSettings settings{.layers = {.shells = 40, .length = 0.04f}, .look = {.gloss = 0.1f}};
@@ -21,7 +21,7 @@
 
 namespace windrow::vegetation::fur {
 
-/// How strands lie at rest: along a direction of the mesh's own space, within the skin.
+/// Lie of strands at rest: along a direction of the mesh's own space, within the skin.
 struct Comb {
     glm::vec3 along{0.0f, -1.0f, 0.0f};
     float bend = 0.0f;
@@ -159,7 +159,7 @@ struct CoatLook {
     }
 };
 
-/// How many layers are drawn, and how.
+/// Number and order of the drawn layers.
 struct CoatLevels {
     int min_shells = 8;
     float full_until = 4.0f;
@@ -190,14 +190,14 @@ struct CoatLevels {
     }
 };
 
-/// Where a strand feels the wind.
+/// Point at which the wind acts on a strand.
 enum class WindAt {
     strand, ///< once a vertex, halfway up the strand
     shell,  ///< at each shell's own vertex
     pixel   ///< at each fragment's root: strands lean one by one on meshes of a few vertices (bent form, rigid meshes)
 };
 
-/// How strands are laid over the mesh.
+/// Mapping of strands onto the mesh.
 enum class StrandsOn {
     surface, ///< evenly over any mesh, whatever its texture coordinates: round cones and centre forms
     uv       ///< by the cells of its texture coordinates: all forms, and shapes that lie along v
@@ -280,8 +280,8 @@ inline constexpr std::size_t k_max_lamps = 8;
 
 [[nodiscard]] windrow::Result<void> validate(std::span<const Lamp> lamps);
 
-/// Feet, hands and wheels that press strands aside, radially and at once. Unlike the ground's memory (coupling/ground_memory.h) a coat
-/// keeps no trail.
+/// Feet, hands and wheels that press strands aside, radially and at once. Unlike the ground's memory (coupling/ground_memory.h) a
+/// coat keeps no trail.
 struct Foot {
     glm::dvec3 position{0.0};
     float radius = 0.3f;
@@ -299,7 +299,7 @@ inline constexpr std::size_t k_max_feet = 8;
 
 [[nodiscard]] windrow::Result<void> validate(std::span<const Foot> feet);
 
-/// How many layers a coat is drawn in, by its distance.
+/// Number of layers of a coat by distance.
 struct LayerCount {
     float divisor = 1.0f; ///< of a layer's number: its place in the strand is i / divisor, held at 1
     int layers = 1;       ///< that exist at this distance

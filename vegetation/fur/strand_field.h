@@ -14,7 +14,7 @@
 
 namespace windrow::vegetation::fur {
 
-/// How a strand narrows. With h over the strand's own length as t:
+/// Taper of a strand. With h over the strand's own length as t:
 enum class StrandProfile : std::uint8_t {
     cone,   ///< radius thickness / 2 (length - h): the plain one; long strands are thicker than short ones
     centre, ///< radius^2 from cut_min at the root to cut_max at the tip as t^cut_exponent; equal ones make cylinders
@@ -85,9 +85,10 @@ struct StrandFieldSettings {
                     "Section of a strand: round, oval (a feather), strip (paper); the last two on uv."),
             Setting("half_length", &StrandFieldSettings::half_length, {0.05, 1.0, "cells"},
                     "Half length of ovals and strips along v. At 0.7 feathers overlap."),
-            Setting("lift", &StrandFieldSettings::lift, k_fraction_range,
-                    "Slope of a feather: 0 is upright; at 1 it rises from the skin at its root to its whole length at its end, as "
-                    "scales do."),
+            Setting(
+                "lift", &StrandFieldSettings::lift, k_fraction_range,
+                "Slope of a feather: 0 is upright; at 1 it rises from the skin at its root to its whole length at its end, as "
+                "scales do."),
             Setting("shaft", &StrandFieldSettings::shaft, {0.0, 0.5, "cells", "none"},
                     "Half width of the line along a feather's middle."),
             Setting("bow", &StrandFieldSettings::bow, {0.0, 0.5, "cells"},

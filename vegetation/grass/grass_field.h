@@ -31,7 +31,7 @@ enum class View { colour, shadow };
 struct GrassPass {
     /// Of the pipeline that is bound.
     VkPipelineLayout layout = VK_NULL_HANDLE;
-    /// Where `layout()` stands in it. Default 1: the wind's is 0.
+    /// Index of the set `layout()` in it. Default 1: the wind's is 0.
     std::uint32_t set = 1;
     /// [bytes] Where the eight bytes lie within the push constants of `push_stages`. Default 64: after a matrix.
     std::uint32_t push_offset = 64;
@@ -41,7 +41,7 @@ struct GrassPass {
     View view = View::colour;
 };
 
-/// What the frame recorded last needed.
+/// Figures of the frame recorded last.
 struct GrassReport {
     int colour_chunks = 0; ///< drawn for the camera
     int shadow_chunks = 0; ///< and for the shadow

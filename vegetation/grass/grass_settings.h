@@ -1,4 +1,4 @@
-// All that describes a field of grass but its ground and its mask.
+// Settings of a field of grass, without its ground and its mask.
 #pragma once
 
 #include "coupling/blade.h"

@@ -1,4 +1,4 @@
-// Where grass grows, and how tall: an image of alpha over the field. 0 is no blade; between 0 and 1 blades are as much smaller,
+// Placement mask of grass: an alpha image over the field. 0 is no blade; between 0 and 1 blades are as much smaller,
 // so that a painted edge falls off by itself.
 //
 //     auto mask = grass::PlacementMask::create({257, 257}, hills->extent());
@@ -41,7 +41,7 @@ struct Brush {
     }
 };
 
-/// What a stroke touched, [m]; nothing where high < low.
+/// Area of a stroke [m]; nothing where high < low.
 struct Touched {
     glm::vec2 low{0.0f};
     glm::vec2 high{-1.0f};

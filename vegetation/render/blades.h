@@ -48,7 +48,7 @@ class BladeGrid final : public Drawable {
     engine::Buffer bends_{};
 };
 
-/// Where blades grow before an eye that hardly moves: a fan of directions, denser near the eye as distance^-exponent, blades
+/// Places of blades for a nearly fixed eye: a fan of directions, denser near the eye as distance^-exponent, blades
 /// wider afar so that as much is covered. The same arguments give the same places.
 struct BladeFan {
     glm::dvec3 eye{0.0};

@@ -1,4 +1,4 @@
-// Solid things that move: a walker, a fan. Each has a shape and, frame by frame, a place.
+// Moving solid bodies, such as a walker or a fan. Each has a shape and, per frame, a placement.
 //
 //     auto bodies = render::Bodies::create(device, renderer->draw_targets(), std::array{render::walker_solid()});
 //     renderer->add(**bodies);

@@ -22,7 +22,7 @@ struct CloudBlock {
     glm::vec4 form{0.0f};
 };
 
-/// What grass shows in place of its colours: vegetation/shaders/render/grass_view.glsl.
+/// Debug view of the grass instead of its colours: vegetation/shaders/render/grass_view.glsl.
 enum class GrassView : int {
     plants, ///< its colours
     lean,   ///< how far blades lean, by the colours of speed: straw at 1.5 rad

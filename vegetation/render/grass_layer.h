@@ -1,4 +1,4 @@
-// A field of grass as a thing that the renderer draws: vegetation/grass in its light, wind and shadows.
+// A field of grass as a drawable of the renderer: vegetation/grass with its light, wind and shadows.
 //
 //     auto grass = render::GrassLayer::create(device, renderer->draw_targets(), scene.ground, mask, {.field = ..., .look = ...});
 //     renderer->add(**grass);                                  // before the first frame

@@ -64,7 +64,7 @@ class Renderer {
     [[nodiscard]] static windrow::Result<std::unique_ptr<Renderer>> create(engine::Device& device, const Scene& scene,
                                                                            const RenderSettings& settings);
 
-    /// What drawables must fit.
+    /// Targets that drawables must match.
     [[nodiscard]] DrawTargets draw_targets() const;
     /// Drawn in each frame from now on, after the ground. It outlives the renderer's last recording.
     void add(Drawable& drawable) { drawables_.push_back(&drawable); }
@@ -81,7 +81,7 @@ class Renderer {
 
     /// [s] Where the clouds are from now on. Default 0.
     void set_time(double seconds);
-    /// What grass shows from now on.
+    /// Sets the debug view of the grass.
     void show(GrassView view) { block_.terrain_size.z = static_cast<int>(view); }
     /// The sun from now on.
     windrow::Result<void> set_sun(const Sun& sun);

@@ -97,7 +97,7 @@ struct Clouds {
 struct Ground {
     glm::dvec3 corner{-50.0, 0.0, -50.0}; ///< [m] place of the first corner; y is added to all heights
     grass::HeightMap heights = grass::HeightMap::level();
-    /// Where plants stand, 0 to 1, over the heights' extent: there the ground has their roots' colour near the eye and their own
+    /// Density of plants, 0 to 1, over the heights' extent: there the ground has their roots' colour near the eye and their own
     /// colour afar; elsewhere it is bare. Default: everywhere.
     std::optional<grass::PlacementMask> grown{};
 
@@ -161,7 +161,7 @@ struct PlantLook {
     }
 };
 
-/// What blows. Motors are those at the start; a host moves them.
+/// The wind. Motors are those at the start; a host moves them.
 struct WindScene {
     windrow::Config wind{};
     std::vector<windrow::Motor> motors{};

@@ -1,4 +1,4 @@
-// What the stages of a frame took on the device, by its own clock.
+// Times of the stages of a frame, by the device's clock.
 #pragma once
 
 #include "vegetation/vulkan/frames.h"

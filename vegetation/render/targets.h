@@ -1,5 +1,5 @@
-// What is drawn to, offscreen: light and motion with several samples a pixel, resolved; depth; the toned picture; and the way of
-// all three to the host.
+// Offscreen render targets: light and motion with multisampling and their resolves, depth, the toned picture, and read-back to
+// the host.
 #pragma once
 
 #include "vegetation/render/picture.h"

@@ -1,4 +1,4 @@
-// How often the stages of the colour pass ran, by the device's own counters: what it drew, and what its vertex cache saved of it.
+// Pipeline statistics of the colour pass: invocations of its stages, and the savings of the vertex cache.
 //
 // Not of the shadow's pass: it has no fragment stage, where Mesa 22.3's llvmpipe ends with a fault while it counts.
 #pragma once

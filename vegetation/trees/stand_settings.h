@@ -16,7 +16,7 @@
 
 namespace windrow::vegetation::trees {
 
-/// Where a tree stands.
+/// Place of a tree.
 struct TreePlace {
     glm::dvec3 base{0.0};
     float size = 1.0f;
@@ -31,7 +31,7 @@ struct TreePlace {
     }
 };
 
-/// Where none may stand.
+/// Area without trees.
 struct ClearCircle {
     glm::dvec2 centre{0.0};
     double radius = 5.0;

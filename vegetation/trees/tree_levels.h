@@ -23,7 +23,7 @@ static_assert(sizeof(LevelBlock) == 32);
 [[nodiscard]] float stem_scale(const LevelBlock& levels, float distance, float radius);
 /// [m] Where the coarse trunk takes over: by then the fine one has become the same surface.
 [[nodiscard]] float coarse_trunk_from(const LevelBlock& levels);
-/// How far the fine trunk has become the coarse one, 0 to 1.
+/// Blend factor from the fine trunk to the coarse one, 0 to 1.
 [[nodiscard]] float trunk_morph(const LevelBlock& levels, float distance);
 
 } // namespace windrow::vegetation::trees

@@ -1,4 +1,4 @@
-// All that describes a kind of tree: how it grows, how it looks, how it thins out with distance. Plain structs, so that a scene
+// Settings of a kind of tree: growth, look, and thinning with distance. Plain structs, so that a scene
 // file can hold them; tree_presets.h has kinds by name.
 //
 // Lengths are of a tree of size 1; a place scales all of them. Angles are at the middle of their range: each limb strays by
@@ -12,7 +12,7 @@
 
 namespace windrow::vegetation::trees {
 
-/// How long limbs are by their height in the crown (Weber & Penn 1995 name these forms).
+/// Length of limbs by their height in the crown (Weber & Penn 1995 name these forms).
 enum class CrownForm {
     cone,   ///< longest at the crown's base, a fifth at its top
     round,  ///< longest in the middle
@@ -21,7 +21,7 @@ enum class CrownForm {
     flame   ///< longest below the middle, pointed above
 };
 
-/// What a leaf card shows.
+/// Picture of a leaf card.
 enum class LeafForm {
     broad,  ///< leaves in pairs along a twig
     needles ///< a comb of needles along a twig
@@ -123,7 +123,7 @@ struct TreeLook {
     }
 };
 
-/// What a tree costs afar. Distances are for a tree of size 1.
+/// Levels of detail. Distances are for a tree of size 1.
 struct TreeLevels {
     float near = 38.0f;
     float far = 240.0f;
@@ -158,7 +158,7 @@ void check_rules(windrow::detail::Reasons& reasons, const windrow::detail::Field
 inline constexpr int k_max_vertices = 30000;
 /// Of a tree beyond TreeLevels::far by the default levels, at most.
 inline constexpr int k_max_far_vertices = 200;
-/// What such a tree has.
+/// Figures of such a tree.
 [[nodiscard]] double vertex_bound(const TreeSettings& settings);
 
 } // namespace windrow::vegetation::trees

@@ -7,7 +7,7 @@
 
 namespace windrow::vegetation::engine {
 
-/// What a pipeline must fit: a render pass and what is drawn to in it.
+/// Targets of a pipeline: a render pass and its attachments.
 struct PassTarget {
     VkRenderPass render_pass = VK_NULL_HANDLE;
     VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
