@@ -56,7 +56,7 @@ struct BladeSettings {
             Setting("stiffness_spread", &BladeSettings::stiffness_spread, {0.0, 0.9},
                     "Fraction by which stiffness varies, so that blades move differently."),
             Setting("rest_bend", &BladeSettings::rest_bend, {-3.0, 3.0, "rad"},
-                    "Bend of the tip at rest, toward the face. 0 stands straight."),
+                    "Bend of the tip at rest, toward the face. 0 is straight."),
             Setting("rest_bend_spread", &BladeSettings::rest_bend_spread, {0.0, 3.0, "rad"}, "Spread of the rest bend."),
             Setting("rest_curve", &BladeSettings::rest_curve, k_fraction_range,
                     "Shape of the rest bend: 0 a uniform arc, 1 all at the tip."),

@@ -200,7 +200,7 @@ struct Turbulence {
                 "Size of the largest eddies; most are a third of that. 0: two radii of the region (of a box, two of its smallest "
                 "half sizes)."),
             Setting("seed", &Turbulence::seed, k_seed_range,
-                    "Which part of the pattern: motors of the same kind, age and seed blow alike."),
+                    "Selects a part of the pattern: motors of the same kind, age and seed have the same eddies."),
         };
     }
 };
@@ -224,7 +224,7 @@ struct DirectionalMotor {
             Setting("direction", &DirectionalMotor::direction, Range::direction(), "Any length; normalised on creation."),
             Setting("region", &DirectionalMotor::region,
                     "Region in which it acts: fully in the middle, falling smoothly to 0 at the edge."),
-            Setting("law", &DirectionalMotor::law, "How it acts."),
+            Setting("law", &DirectionalMotor::law, "Law of its action on the air."),
             Setting("envelope", &DirectionalMotor::envelope, "Strength over time."),
             Setting("turbulence", &DirectionalMotor::turbulence, "Eddies in what it blows."),
         };
@@ -244,9 +244,9 @@ struct WakeMotor {
 
     static constexpr auto settings() {
         return std::tuple{
-            Setting("position", &WakeMotor::position, k_world_range, "Where the path begins."),
+            Setting("position", &WakeMotor::position, k_world_range, "Start of the path."),
             Setting("radius", &WakeMotor::radius, k_size_range, "Radius of the body."),
-            Setting("law", &WakeMotor::law, "How it acts."),
+            Setting("law", &WakeMotor::law, "Law of its action on the air."),
             Setting("envelope", &WakeMotor::envelope, "Strength over time."),
             Setting("turbulence", &WakeMotor::turbulence, "Eddies in the wake. Default none: a wake makes its own."),
         };
@@ -271,10 +271,11 @@ struct JetMotor {
         return std::tuple{
             Setting("position", &JetMotor::position, k_world_range, "The nozzle."),
             Setting("direction", &JetMotor::direction, Range::direction(), "Any length; normalised on creation."),
-            Setting("length", &JetMotor::length, k_size_range, "How far it pushes. The air carries the jet on beyond it."),
+            Setting("length", &JetMotor::length, k_size_range,
+                    "Length over which it pushes. The air carries the jet on beyond it."),
             Setting("start_radius", &JetMotor::start_radius, k_size_range, "Radius at the nozzle."),
             Setting("end_radius", &JetMotor::end_radius, k_size_range, "Radius at the end; equal to start_radius: a cylinder."),
-            Setting("law", &JetMotor::law, "How it acts, at the nozzle."),
+            Setting("law", &JetMotor::law, "Law of its action on the air, at the nozzle."),
             Setting("envelope", &JetMotor::envelope, "Strength over time."),
             Setting("turbulence", &JetMotor::turbulence, "Eddies in the jet: they make it roll up and spread."),
         };
@@ -302,7 +303,7 @@ struct VortexMotor {
             Setting("half_length", &VortexMotor::half_length, k_size_range, "Along the axis, from the middle to each end."),
             Setting("lift", &VortexMotor::lift, {-10.0, 10.0},
                     "Speed along the axis in the middle over the swirl. A dust devil has about 0.5."),
-            Setting("law", &VortexMotor::law, "How it acts, where it is fastest."),
+            Setting("law", &VortexMotor::law, "Law of its action on the air, where it is fastest."),
             Setting("envelope", &VortexMotor::envelope, "Strength over time."),
         };
     }

@@ -63,15 +63,16 @@ struct StrandFieldSettings {
                     "Fraction of a cell by which every other row is shifted; on uv. 0.5 lays feathers as tiles lie."),
             Setting("seed", &StrandFieldSettings::seed, {0.0, 1e6}, "Another number, another pattern."),
             Setting("jitter", &StrandFieldSettings::jitter, k_fraction_range,
-                    "How far strands stand from the middles of their cells: 0 is a grid. Surfaces always have all of it. Costs "
+                    "Distance of strands from the centres of their cells: 0 is a grid. Surfaces always have all of it. Costs "
                     "up to 9 hashes a point in place of 1; rows that are shifted take a little off it."),
-            Setting("wriggle", &StrandFieldSettings::wriggle, k_fraction_range, "How much of the jitter wanders in time; on uv."),
+            Setting("wriggle", &StrandFieldSettings::wriggle, k_fraction_range,
+                    "Fraction of the jitter that changes in time; on uv."),
             Setting("phase", &StrandFieldSettings::phase, {-1e4, 1e4}, "Of the wriggle at time 0, in turns."),
             Setting("low", &StrandFieldSettings::low, k_fraction_range, "Shortest strands, as a fraction of the length."),
             Setting("high", &StrandFieldSettings::high, k_fraction_range,
                     "Longest strands, as a fraction of the length. As low: a clipped field."),
             Setting("profile", &StrandFieldSettings::profile,
-                    "How a strand narrows: cone; centre: from cut_min to cut_max; edge: spikes that touch, from the edges of "
+                    "Taper of a strand: cone; centre: from cut_min to cut_max; edge: spikes that touch, from the edges of "
                     "Voronoi's cells."),
             Setting("thickness", &StrandFieldSettings::thickness, {0.0, 10.0},
                     "T of the cone: radius of a whole strand's root in half cells; above 1 neighbours merge. Of a mesh from a "
@@ -96,7 +97,7 @@ struct StrandFieldSettings {
             Setting("bow_turns", &StrandFieldSettings::bow_turns, {-8.0, 8.0},
                     "Turns that a bow winds from root to tip; 2 makes locks of wool."),
             Setting("tuft", &StrandFieldSettings::tuft, {0.0, 0.9},
-                    "How close tips gather in tufts; wet fur has 0.7. Costs 18 hashes on uv, about twice as many on surfaces."),
+                    "Closeness of tips in tufts; wet fur has 0.7. Costs 18 hashes on uv, about twice as many on surfaces."),
             Setting("tuft_size", &StrandFieldSettings::tuft_size, {1.0, 1000.0, "cells"}, "Mean width of a tuft."),
         };
     }

@@ -37,7 +37,7 @@ struct FootPath {
         return std::tuple{
             Setting("width", &FootPath::width, {0.0, 20.0, "m", "no path"},
                     "That is bare; plants beside it grow lower over as much again."),
-            Setting("at", &FootPath::at, {-1e5, 1e5, "m"}, "Where along x it winds, from the ground's corner."),
+            Setting("at", &FootPath::at, {-1e5, 1e5, "m"}, "Its position along x, from the ground's corner."),
         };
     }
 };

@@ -34,7 +34,7 @@ struct Brush {
             Setting("centre", &Brush::centre, {-1e6, 1e6, "m"}, "From the ground's corner, along x and z; may lie outside."),
             Setting("radius", &Brush::radius, {0.001, 1e5, "m"}, "Of the stroke."),
             Setting("strength", &Brush::strength, k_fraction_range,
-                    "What a stroke adds or takes at its middle; falls to 0 at the radius."),
+                    "Change by a stroke at its middle; falls to 0 at the radius."),
             Setting("hardness", &Brush::hardness, k_fraction_range,
                     "Fraction of the radius that has the whole strength; beyond it (1 - r^2)^2, which meets both ends level."),
         };

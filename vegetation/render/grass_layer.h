@@ -33,9 +33,10 @@ struct GrassLayerSettings {
             Setting("max_blades", &GrassLayerSettings::max_blades, {1024.0, 4194304.0},
                     "Visible blades that are looked at once a frame, those of shadows counted apart, 96 bytes each; more take "
                     "the bend of others."),
-            Setting("shadows", &GrassLayerSettings::shadows, {0.0, 2.0},
-                    "How many of the two shadow maps it is drawn into. 1 is the near one: a blade is far finer than a texel of "
-                    "the other."),
+            Setting(
+                "shadows", &GrassLayerSettings::shadows, {0.0, 2.0},
+                "Number of shadow maps, of two, that it is drawn into. 1 is the near one: a blade is far finer than a texel of "
+                "the other."),
         };
     }
 };

@@ -49,7 +49,8 @@ struct RenderSettings {
                     "Reach of the fine shadow, above the camera's near."),
             Setting("far_shadow", &RenderSettings::far_shadow, {0.1, 1e6, "m"},
                     "Reach of the coarse one, above near_shadow; beyond it all is lit."),
-            Setting("anchor", &RenderSettings::anchor, k_place_range, "Where shaders count from: within some km of the camera."),
+            Setting("anchor", &RenderSettings::anchor, k_place_range,
+                    "Origin of shader positions: within some km of the camera."),
             Setting("counts", &RenderSettings::counts,
                     "Vertices and fragments of the colour pass are counted, where the device can."),
         };
