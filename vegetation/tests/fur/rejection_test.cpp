@@ -34,8 +34,8 @@ TEST(MeshRejections, WhatIsNoMesh) {
     expect_rejected(folder.write("empty.3ds", ""), "is not a 3DS file");
     expect_rejected(folder.write("none.3ds", test::chunk(0x4d4d, test::chunk(0x3d3d, ""))), "has no triangles");
     expect_rejected(folder.write("empty.gltf", ""), "empty.gltf");
-    expect_rejected(folder.write("list.gltf", "[]"), "is no object");
-    expect_rejected(folder.write("empty.glb", "glTF"), "whole GLB");
+    expect_rejected(folder.write("list.gltf", "[]"), "is not an object");
+    expect_rejected(folder.write("empty.glb", "glTF"), "complete GLB");
     expect_rejected(folder.write("bare.gltf", R"({"asset":{"version":"2.0"}})"), "has no triangles");
     // A long file is rejected by its length; a sparse one takes no disk.
     std::filesystem::resize_file(folder.write("long.obj", ""), k_max_bytes + 1);
@@ -133,7 +133,7 @@ TEST(MeshRejections, OfGltf) {
         {R"("material":0)", R"("material":1)", "is missing or not an object"},
         {R"("material":0)", R"("material":0,"mode":5)", "mode 5"},
         {R"("mesh":0)", R"("mesh":1)", "is missing or not an object"},
-        {R"("children":[1])", R"("children":[2])", "names no node"},
+        {R"("children":[1])", R"("children":[2])", "names a node that does not exist"},
         {R"("children":[1])", R"("children":[1,1])", "has a parent"},
         {R"("children":[1])", R"("children":[0])", "circle"},
         {R"("scale":[1,2,1])", R"("scale":[1,2])", "finite numbers"},
