@@ -139,7 +139,7 @@ std::vector<VerifyCase> motor_cases() {
          .source = "conservation of mass: 4 pi R^2 v (Batchelor 1967, An Introduction to Fluid Dynamics, section 2.5)",
          .reason =
              "the ball is sampled at the centres: measured are 4.5e-3 where it has 2 cells a radius, of which a fifth more is "
-             "admitted, falling as h, since its edge lies anywhere between the cells",
+             "admitted, falling as h, since the position of its edge between cell centres is arbitrary",
          .guards = true,
          .sizes = {24, 48, 96},
          .run = source_flux},

@@ -49,9 +49,9 @@ std::vector<int> story_sizes() {
 std::vector<VerifyCase> parity_cases() {
     return {
         {.name = "parity",
-         .what =
-             "The device beside the CPU, told the same: motors, shifts, mixed boundaries, gusts, storms; largest difference of a "
-             "component over the largest component, after the first step and after all.",
+         .what = "The device and the CPU with the same calls: motors, shifts, mixed boundaries, gusts, storms; largest "
+                 "difference of a "
+                 "component over the largest component, after the first step and after all.",
          .source = "the CPU's step, in this very run",
          .reason = "rounding, some 1e-7 a step, which a hundred steps of chaotic flow stretch",
          .runs_on = RunsOn::device,

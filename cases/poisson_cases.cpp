@@ -25,7 +25,7 @@ constexpr Mix k_mixes[] = {
     {"poisson_periodic", "all boundaries periodic", {{k_periodic, k_periodic, k_periodic}}},
     {"poisson_over_floor", "boundaries open over a floor", {{{k_open, k_open}, {k_slip, k_open}, {k_open, k_open}}}},
     {"poisson_mixed",
-     "a wall facing an open side, periodic y, an open side facing a wall",
+     "wall and open boundary on x, periodic y, open boundary and wall on z",
      {{{k_slip, k_open}, k_periodic, {k_open, k_rough}}}}};
 
 // Along an axis f has two waves, on [0, 1] from where it is 0 or of slope 0 to where it is again.
@@ -160,7 +160,7 @@ std::vector<VerifyCase> poisson_cases() {
                      .what = "The pressures of the other Poisson cases beside the grid's own solutions; worst error of the "
                              "pressure over all boundaries.",
                      .source = "k^2 / sum (2 / h sin(k h / 2))^2 times each wave, written out",
-                     .reason = "a direct solve is exact but for rounding, which the longest waves amplify: measured to 2.2e-6, "
+                     .reason = "a direct solve is exact up to rounding, which the longest waves amplify: 2.2e-6 is measured, "
                                "twice as much is admitted",
                      .runs_on = RunsOn::cpu,
                      .sizes = {1, 3, 9},

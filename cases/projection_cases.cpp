@@ -119,7 +119,7 @@ std::vector<VerifyCase> projection_cases() {
          .what =
              "A gradient and a field without divergence, projected, beside what the grid makes of their waves; the worse error.",
          .source = source,
-         .reason = "a direct solve is exact but for rounding: measured to 7.5e-7, twice as much is admitted",
+         .reason = "a direct solve is exact up to rounding: 7.5e-7 is measured, twice as much is admitted",
          .sizes = {32, 64, 128},
          .run = on_grid}};
 }

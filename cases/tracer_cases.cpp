@@ -213,7 +213,7 @@ std::vector<VerifyCase> tracer_cases() {
         {.name = "reversed_deformation",
          .what = "A hump drawn out by a wind that turns about, and back at its start; error of the scalar.",
          .source = "LeVeque 1996, SIAM J. Numer. Anal. 33 (swirling deformation flow, T = 1.5): the truth is the start",
-         .reason = "15/8 is the order of the hump, whose curvature jumps at its rim (Brenner, Thomee & Wahlbin 1975); measured "
+         .reason = "15/8 is the order of the hump, whose curvature jumps at its edge (Brenner, Thomee & Wahlbin 1975); measured "
                    "are 0.113 at 64 cells, of which a fifth more is admitted, falling as h^1.85",
          .guards = true,
          .min_order = 1.85,

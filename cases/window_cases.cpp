@@ -152,8 +152,9 @@ std::vector<VerifyCase> window_cases() {
          .sizes = {32},
          .run = window_in_large_grid},
         {.name = "vortex_leaves",
-         .what = "A vortex that the wind carries out through an open side, its fastest ring a quarter of the wind and as fast; "
-                 "what is left of its energy.",
+         .what =
+             "A vortex that the wind carries out through an open boundary, its fastest ring a quarter of the wind and as fast; "
+             "what is left of its energy.",
          .source =
              "a steady vortex of Euler's equations, carried (Batchelor 1967, An Introduction to Fluid Dynamics): nothing is "
              "left",

@@ -45,24 +45,23 @@ std::string sentence_of(const CLI::ParseError& fault, const CLI::App& app, int c
     const auto chosen = app.get_subcommands();
     const CLI::App& asked = chosen.empty() ? app : *chosen.front();
     const std::string help = message("see windrow ", chosen.empty() ? "" : asked.get_name() + " ", "--help.");
-    const auto unknown = [&](const std::string& word, const char* what) {
+    const auto unknown = [&](const char* what, const std::string& word) {
         const std::string near = scene::nearest_word(word, words_of(asked));
-        return message(word, what, near.empty() ? "" : " (did you mean " + near + "?)", ": ", help);
+        return message(what, word, near.empty() ? "" : " (did you mean " + near + "?)", ": ", help);
     };
     const auto extras = app.remaining(true);
     if (dynamic_cast<const CLI::ExtrasError*>(&fault) != nullptr && !extras.empty()) {
         // A flag that is not known leaves its value over too: the flag is the one to name.
         const auto flag =
             std::find_if(extras.begin(), extras.end(), [](const std::string& word) { return word.starts_with('-'); });
-        return unknown(flag != extras.end() ? *flag : extras.front(),
-                       flag != extras.end() ? " is no flag" : " is one word too many");
+        return flag != extras.end() ? unknown("unknown option ", *flag) : unknown("unexpected argument ", extras.front());
     }
     if (chosen.empty()) {
         const std::string word = unknown_command(count, arguments);
         if (!word.empty())
-            return unknown(word, " is no command");
+            return unknown("unknown command ", word);
         if (count > 1)
-            return unknown(arguments[1], " is no flag");
+            return unknown("unknown option ", arguments[1]);
         return message("name a command, run, bench, verify, pareto, plants, check or info: ", help);
     }
     std::string words = fault.what();
@@ -89,9 +88,8 @@ void parse(CLI::App& app, int count, const char* const* arguments, std::function
     });
 #endif
     add_plants(app, chosen, console);
-    app.add_subcommand("info", "Tell version, compiler, SIMD level, cores, Vulkan devices and what is built in")->callback([&] {
-        chosen = [&console] { return run_info(console); };
-    });
+    app.add_subcommand("info", "Print version, compiler, SIMD level, cores, Vulkan devices and the options of this build")
+        ->callback([&] { chosen = [&console] { return run_info(console); }; });
     app.parse(count, arguments);
 }
 

@@ -27,18 +27,16 @@ Fault write_fault(const std::filesystem::path& file, int reason, std::string_vie
         return {message(name, ": is larger than the system allows a file to be: raise the limit (ulimit -f)."), true};
     case EACCES:
     case EPERM:
-        return {message(name, ": may not be written: give yourself the right, or another ", place, " with ", flag, ".")};
+        return {message(name, ": permission denied: allow writing, or give another ", place, " with ", flag, ".")};
     case EROFS:
-        return {message(name, ": lies on a file system that is read-only: give another ", place, " with ", flag, ".")};
+        return {message(name, ": is on a read-only file system: give another ", place, " with ", flag, ".")};
     case EISDIR:
-        return {
-            message(name, ": a folder stands where the file should go: remove it, or give another ", place, " with ", flag, ".")};
+        return {message(name, ": is a folder where a file is needed: remove it, or give another ", place, " with ", flag, ".")};
     case ENOTDIR:
     case EEXIST:
-        return {
-            message(name, ": a file stands where a folder is needed: remove it, or give another ", place, " with ", flag, ".")};
+        return {message(name, ": is a file where a folder is needed: remove it, or give another ", place, " with ", flag, ".")};
     case ENXIO:
-        return {message(name, ": is no ordinary file: give another ", place, " with ", flag, ".")};
+        return {message(name, ": is not a regular file: give another ", place, " with ", flag, ".")};
     case ENAMETOOLONG:
         return {message(name, ": the name is too long for the system: give a shorter one with ", flag, ".")};
     default:

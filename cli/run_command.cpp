@@ -96,7 +96,7 @@ void add_run(CLI::App& app, std::function<int()>& chosen, const Console& console
     const auto request = std::make_shared<RunRequest>();
     Flags flags(*run);
     flags
-        .value("SCENE.json", "", "Scene file; docs/scenes.md tells its keys",
+        .value("SCENE.json", "", "Scene file; its keys are in docs/scenes.md",
                [request](const std::string& text) {
                    if (text.empty())
                        reject("SCENE.json is empty: name a scene file.");
@@ -165,7 +165,7 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
         run.csv->write(timings_header());
     if (const std::size_t older = keeps ? run.writer.older_files() : 0; older > 0)
         console.warn(message(folder.string(), " holds ", older, older == 1 ? " frame" : " frames",
-                             " of a longer run that this one does not write: remove what you do not want in a sequence."));
+                             " of a longer run, which this run does not replace: remove those that you do not want."));
 
     int code = k_exit_well;
     std::int64_t done = 0;
@@ -214,7 +214,7 @@ int run_scene(const RunRequest& request, const Console& console, const std::func
                console);
     if (signal != 0 && done < frames) {
         console.complain(message("stopped by ", signal == SIGINT ? "Ctrl-C" : "a signal", " after ", done, " of ", frames,
-                                 " frames: what was written is whole."));
+                                 " frames: all files written so far are complete."));
         return k_exit_signal + signal;
     }
     return code;

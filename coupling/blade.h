@@ -1,4 +1,4 @@
-// Blades of grass on the CPU: the bend of each in its wind, and the vertices of each. Shaders have the same by one text
+// Blades of grass on the CPU: bend in the wind, and vertices. Shaders use the same source
 // (shaders/coupling/windrow_plants.glsl).
 //
 //     auto grass = windrow::Blades::create({});                                    // or {.stalk = windrow::wheat()}
@@ -8,8 +8,8 @@
 //     const glm::vec3 load = grass->load(key, {5.0f, 0.0f, 0.0f});                  // [rad] in a wind of 5 m/s along x
 //     const windrow::PlantVertex tip = grass->vertex(key, load, 1.0f, 0.0f);        // [m] from the root
 //
-// The load is the bend that a steady wind holds. A spring may follow it and give its own state as the load instead. The equations
-// stand in shaders/numerics/blade.glsl, stem.glsl and plant_drag.glsl; docs/plants.md draws them.
+// The load is the bend in a steady wind. A spring may follow it; its state is then the load. The equations are
+// in shaders/numerics/blade.glsl, stem.glsl and plant_drag.glsl; docs/plants.md draws them.
 #pragma once
 
 #include "coupling/drag.h"
@@ -38,27 +38,28 @@ struct BladeSettings {
     static constexpr auto settings() {
         return std::tuple{
             Setting("stalk", &BladeSettings::stalk,
-                    "What the wind bends, as far as it is not the class's. The defaults are those of meadow grass."),
+                    "Properties of the stalk that the class does not set. The defaults are those of meadow grass."),
             Setting(
                 "length_spread", &BladeSettings::length_spread, {0.0, 0.9},
                 "Fraction by which lengths vary. A blade bends by its own length: in a light wind as its cube, 0.34 to 2.2 times "
                 "as far as the class at 0.3."),
             Setting("width", &BladeSettings::width, {0.0, 10.0, "m"},
-                    "Of the drawn strip at its root. 0.006 is a blade of 4 mm drawn wider, as few are drawn."),
+                    "Width of the drawn strip at its root. 0.006 is a blade of 4 mm, drawn wider since only a few are drawn."),
             Setting("tip_width", &BladeSettings::tip_width, k_fraction_range, "The tip's width over the root's."),
             Setting("taper", &BladeSettings::taper, Range::above(0.0, 10.0),
-                    "How the width falls: width (1 - (1 - tip_width) h^taper). 2 is wide for long and pointed at the end."),
+                    "Exponent of the width over height: width (1 - (1 - tip_width) h^taper). 2 is wide for long and pointed at "
+                    "the end."),
             Setting(
                 "along_wind", &BladeSettings::along_wind, k_fraction_range,
                 "Fraction of the load that bends the blade along the wind; the rest bends it about its own wide axis only. 1 is "
-                "what a stem and a twisted blade do."),
+                "for stems and twisted blades."),
             Setting("stiffness_spread", &BladeSettings::stiffness_spread, {0.0, 0.9},
-                    "Fraction by which stiffness varies, so that no two blades move as one."),
+                    "Fraction by which stiffness varies, so that blades move differently."),
             Setting("rest_bend", &BladeSettings::rest_bend, {-3.0, 3.0, "rad"},
-                    "Bend of the tip at rest, toward the face. 0 stands straight."),
-            Setting("rest_bend_spread", &BladeSettings::rest_bend_spread, {0.0, 3.0, "rad"}, "By which the own bend varies."),
+                    "Bend of the tip at rest, toward the face. 0 is straight."),
+            Setting("rest_bend_spread", &BladeSettings::rest_bend_spread, {0.0, 3.0, "rad"}, "Spread of the rest bend."),
             Setting("rest_curve", &BladeSettings::rest_curve, k_fraction_range,
-                    "Where it bends by itself: 0 an even arc, 1 all at the tip."),
+                    "Shape of the rest bend: 0 a uniform arc, 1 all at the tip."),
             Setting(
                 "view_bend", &BladeSettings::view_bend, {0.0, 3.0, "rad"},
                 "Added to the own bend when seen from straight above; 0.5 covers ground that would show between upright blades."),
@@ -66,10 +67,10 @@ struct BladeSettings {
     }
 };
 
-/// For shaders: WindrowBlade of shaders/numerics/blade.glsl, a std140 block of four vec4.
+/// Shader block: WindrowBlade of shaders/numerics/blade.glsl, a std140 block of four vec4.
 struct BladeBlock {
     glm::vec4 size{0.0f}; ///< x [m] length, y its spread; z [m] half of the root's width, w the tip's width over the root's
-    glm::vec4 form{0.0f}; ///< x taper; y share along the wind; z spread of the stiffness; w curve of the own bend
+    glm::vec4 form{0.0f}; ///< x taper; y fraction along the wind; z spread of the stiffness; w curve of the own bend
     glm::vec4 own{0.0f};  ///< x [rad] own bend, y its spread, z view bend
     DragBlock drag{};
 };
@@ -100,7 +101,7 @@ class Blades {
     Result<void> loads(std::span<const PlantKey> keys, std::span<const glm::vec4> winds, std::span<glm::vec4> loads,
                        const ParallelFor& parallel_for = {}) const;
 
-    /// What `vertices` writes.
+    /// Output of `vertices`.
     struct Vertices {
         std::span<glm::vec4> positions; ///< [m] xyz roots + the blade's, w h; blade by blade, row by row, left then right
         std::span<glm::vec4> normals;   ///< xyz unit vectors, w 0; empty: not wanted

@@ -1,14 +1,14 @@
-// Soft lag of fur and shells behind the body that carries them: each stage follows the one inside it, exactly in time.
+// Lag of fur and shells behind their body: a cascade of first-order stages, each following the one inside it, solved exactly.
 //
 //     auto tail = windrow::Cascade::create({.stages = 10, .lag = 0.25}, body_pose);
 //     (void)tail->advance(frame_seconds, body_pose);
 //     upload(tail->shader_poses(anchor), tail->previous_shader_poses(anchor));        // shaders/numerics/cascade.glsl
 //     windrow::Pose tip = tail->at(1.0);                                              // or here, at any height
 //
-// Why stages and not shells: were each shell a stage, 200 shells would lag ten times as long as 20. Here the stages make a fixed
-// profile over the height of the fur, and any number of shells reads it. Positions and rotations ride the cascade, scale is the
-// body's own. The body moves in straight lines between two frames; its rotation as a quaternion along the chord, which is not
-// followed along the arc: turn less than a radian a frame and the difference is below 1 % of the turn.
+// Stages are not shells: if each shell were a stage, 200 shells would lag ten times as long as 20. Here the stages give a fixed
+// profile over the height of the fur, and any number of shells reads it. Positions and rotations go through the cascade; scale is
+// the body's own. The body moves in straight lines between two frames. Its rotation goes as a quaternion along the chord, not the
+// arc: below a radian per frame the difference is below 1 % of the turn.
 #pragma once
 
 #include "coupling/cascade_step.h"
@@ -23,7 +23,7 @@
 
 namespace windrow {
 
-/// Where a body or a shell is.
+/// Pose of a body or a shell.
 struct Pose {
     glm::dvec3 position{0.0};                ///< [m] in the world
     glm::dvec4 rotation{0.0, 0.0, 0.0, 1.0}; ///< quaternion x, y, z, w; any length but 0 on input, 1 on output
@@ -36,14 +36,12 @@ struct CascadeConfig {
 
     static constexpr auto settings() {
         return std::tuple{
-            Setting(
-                "stages", &CascadeConfig::stages, {1.0, 64.0},
-                "How many follow one another. More give a tip that waits and then comes as one, fewer one that drags: its lag "
-                "spreads by lag / sqrt(stages). 10 is what Bloodelic's stylised fur found lively."),
-            Setting(
-                "lag", &CascadeConfig::lag, Range::above(0.0, 60.0, "s"),
-                "Mean delay of the tip; shells lag in proportion to their height. 0.25 follows within a few frames and is seen "
-                "to."),
+            Setting("stages", &CascadeConfig::stages, {1.0, 64.0},
+                    "Number of stages. With more the tip waits and then moves at once, with fewer it drags: its lag spreads by "
+                    "lag / sqrt(stages). 10 is the choice of Bloodelic's stylised fur."),
+            Setting("lag", &CascadeConfig::lag, Range::above(0.0, 60.0, "s"),
+                    "Mean delay of the tip; shells lag in proportion to their height. 0.25 is visible and "
+                    "ends within a few frames."),
         };
     }
 };
@@ -58,8 +56,8 @@ class Cascade {
     /// All stages rest at the body.
     [[nodiscard]] static Result<Cascade> create(const CascadeConfig& config, const Pose& body);
 
-    /// The body has moved to `body` within `duration` [s], 0 or more. Rejects a pose or a duration that is no such thing; nothing
-    /// has changed then. Does not allocate.
+    /// The body has moved to `body` within `duration` [s], 0 or more. Rejects an invalid pose or duration and changes nothing
+    /// then. Does not allocate.
     Result<void> advance(double duration, const Pose& body);
     /// A teleport: all stages at the body, at rest, with no motion vector. Rejects as `validate`.
     Result<void> reset(const Pose& body);

@@ -32,7 +32,7 @@ double tail_over_weight(double z, double i) {
 
 Result<CascadeStep> CascadeStep::create(int stages) {
     if (stages < 1 || stages > k_max_stages)
-        return Error{detail::message("A cascade of ", stages, " stages is asked for: give 1 to ", k_max_stages, ".")};
+        return Error{detail::message("A cascade of ", stages, " stages is not possible: give 1 to ", k_max_stages, ".")};
     return detail::where_memory_lasts([&]() -> Result<CascadeStep> {
         CascadeStep step;
         step.weights_.resize(static_cast<std::size_t>(stages));

@@ -1,4 +1,4 @@
-// A row of stages, each following the one before it, over a step of any length, exactly:
+// Exact step of any length of a row of stages, each following the one before it:
 //
 //   y_i' = lambda (y_(i-1) - y_i),  i = 1 .. n,     y_0 = g(t), the body, linear from `before` to `now` over the step h
 //
@@ -20,12 +20,13 @@
 
 namespace windrow {
 
-/// The numbers of a step, the same for all rows with one rate and number of stages. Made once a frame; `set` does not allocate.
+/// The coefficients of a step, the same for all rows with one rate and number of stages. Made once a frame; `set` does not
+/// allocate.
 class CascadeStep {
   public:
     /// For `stages` of 1 to 4096; no time has passed. Rejects others.
     [[nodiscard]] static Result<CascadeStep> create(int stages);
-    /// A step of `duration` [s], 0 or more, at `rate` [1/s] above 0. Rejects what is no such number.
+    /// A step of `duration` [s], 0 or more, at `rate` [1/s] above 0. Rejects other values.
     Result<void> set(double rate, double duration);
 
     [[nodiscard]] int stages() const { return static_cast<int>(body_before_.size()); }

@@ -1,4 +1,4 @@
-// How a wind in metres per second becomes a bend: drag against stiffness.
+// Bend of a plant in a wind: drag against stiffness.
 //
 //     windrow::Drag stem{.length = 0.8f, .width = 0.008f, .rigidity = windrow::tube_rigidity(4.8e9f, 0.004f, 0.003f)};
 //     float lean = windrow::bend_angle(stem, 5.0f);     // [rad] of the tip in 5 m/s
@@ -18,7 +18,7 @@ class Reasons;
 struct FieldPath;
 } // namespace detail
 
-/// A stalk that the wind bends, taken as even along its length.
+/// Mechanical properties of a stalk, uniform along its length.
 struct Drag {
     float length = 0.3f;
     float width = 0.004f;
@@ -31,35 +31,37 @@ struct Drag {
 
     static constexpr auto settings() {
         return std::tuple{
-            Setting("length", &Drag::length, {1e-4, 200.0, "m"},
-                    "Length of the stalk, of meadow grass 0.3; in a scene that of the class. The bend grows with its cube."),
+            Setting(
+                "length", &Drag::length, {1e-4, 200.0, "m"},
+                "Length of the stalk; 0.3 is meadow grass. In a scene it is that of the class. The bend grows with its cube."),
             Setting("width", &Drag::width, {1e-6, 100.0, "m"},
-                    "What the wind meets across the stalk, leaves included. A blade of grass has 0.004."),
+                    "Width across the wind, leaves included. A blade of grass has 0.004."),
             Setting("rigidity", &Drag::rigidity, {1e-12, 1e12, "N m2"},
-                    "E I. 4.2e-5 is a blade folded to a V, folded_rigidity(5e8, 0.004, 2.5e-4, 0.001)."),
+                    "E I. 4.2e-5 is a blade creased to a V, folded_rigidity(5e8, 0.004, 2.5e-4, 0.001)."),
             Setting("drag_coefficient", &Drag::drag_coefficient, {0.0, 10.0},
                     "A flat plate has 1.95 (Luhar & Nepf 2011), a round stem 1.1, a crown 0.3; 0: no wind bends it."),
             Setting("air_density", &Drag::air_density, {0.0, 2000.0, "kg/m3"}, "1.2 is air at 20 C."),
+            Setting("vogel_exponent", &Drag::vogel_exponent, {-2.0, 0.0},
+                    "Loss of drag as leaves close up: speed to this power above vogel_speed. 0: only the loss by the bend, which "
+                    "is -2/3. Crowns have -0.7 (Vogel 1989)."),
+            Setting("vogel_speed", &Drag::vogel_speed, {1e-3, 1e3, "m/s"}, "Speed above which leaves turn and close up."),
             Setting(
-                "vogel_exponent", &Drag::vogel_exponent, {-2.0, 0.0},
-                "What the drag loses by closing up of leaves, as speed to this power beyond vogel_speed. 0: only what the bend "
-                "takes away, which makes -2/3. Crowns have -0.7 (Vogel 1989)."),
-            Setting("vogel_speed", &Drag::vogel_speed, {1e-3, 1e3, "m/s"}, "Where leaves begin to turn and fold."),
-            Setting("max_bend", &Drag::max_bend, {0.0, 2.5, "rad"},
-                    "That the tip never exceeds. No wind exceeds pi/2, a spring that overshoots may; shells keep to pi/2."),
+                "max_bend", &Drag::max_bend, {0.0, 2.5, "rad"},
+                "Upper bound of the tip's bend. No steady wind exceeds pi/2, a spring that overshoots may; shells stay within "
+                "pi/2."),
         };
     }
 };
 
-/// For shaders: WindrowDrag of shaders/numerics/plant_drag.glsl, which says what each component is.
+/// Shader block: WindrowDrag of shaders/numerics/plant_drag.glsl, which documents each component.
 struct DragBlock {
     glm::vec4 load{0.0f};
 };
 static_assert(sizeof(DragBlock) == 16);
 
-/// Every reason why it cannot be used, a line each; `name` stands before each field.
+/// All reasons why it is invalid, one per line; `name` is put before each field.
 [[nodiscard]] Result<void> validate(const Drag& drag, const char* name = "drag");
-/// Of a valid one.
+/// The block of valid properties.
 [[nodiscard]] DragBlock block(const Drag& drag);
 
 /// Ca at a speed [m/s] across the stalk.
@@ -69,8 +71,8 @@ static_assert(sizeof(DragBlock) == 16);
 
 /// [N m2] E I of sections of one material of Young's modulus E [Pa]; all lengths [m].
 [[nodiscard]] float rectangle_rigidity(float young, float width, float thickness);
-/// A strip of this width and thickness folded along its middle to a V of this depth: 16 times as stiff as flat, if the depth is 4
-/// times the thickness.
+/// E I of a strip of this width and thickness, creased along its middle to a V of this depth. 16 times that of the flat strip
+/// where the depth is 4 times the thickness.
 [[nodiscard]] float folded_rigidity(float young, float width, float thickness, float depth);
 [[nodiscard]] float rod_rigidity(float young, float diameter);
 [[nodiscard]] float tube_rigidity(float young, float outer_diameter, float inner_diameter);

@@ -1,4 +1,4 @@
-// What a ground memory is made of, and who walks on it. The formulas: shaders/numerics/ground.glsl.
+// Settings of a ground memory, its walkers and its steps. The formulas: shaders/numerics/ground.glsl.
 #pragma once
 
 #include "coupling/spring.h"
@@ -27,30 +27,31 @@ struct GroundConfig {
     static constexpr auto settings() {
         return std::tuple{
             Setting("texels", &GroundConfig::texels, {8.0, 512.0},
-                    "Along each side of its square window. 128 are 32 m at 0.25 m, and 1 MB on a device."),
+                    "Texels along each edge of its square window. 128 are 32 m at 0.25 m, and 1 MB on a device."),
             Setting("texel_size", &GroundConfig::texel_size, {0.01, 100.0, "m"},
-                    "Edge of a texel; a walker's radius covers some of 0.25. Coarser ones show a path as beads."),
-            Setting("spring", &GroundConfig::spring, "How the plants swing, one class for the window. Default: grass."),
+                    "Edge of a texel. At 0.25 a walker's radius covers several; with coarser ones a path looks like beads."),
+            Setting("spring", &GroundConfig::spring, "Spring of the plants, one class for the window. Default: grass."),
             Setting("push", &GroundConfig::push, {0.0, 2.5, "rad"},
-                    "Lean to which a walker of weight 1 pushes what is right beside it. pi/2 is flat, beyond points down; 1.4 is "
-                    "just "
-                    "short of flat."),
+                    "Lean of plants right beside a walker of weight 1. pi/2 is flat, more points down; 1.4 is nearly flat."),
             Setting("trail_fraction", &GroundConfig::trail_fraction, k_fraction_range,
                     "Fraction of that lean that stays as a trail. 0: plants rise at once; 1: with trail_time alone."),
             Setting("trail_time", &GroundConfig::trail_time, {0.01, 1e6, "s"},
-                    "In which a trail falls to 1/e. After 20 it is gone to the eye in a minute."),
-            Setting("trample_time", &GroundConfig::trample_time, {0.01, 1e6, "s"},
-                    "In which the press itself falls to 1/e, about what a blade takes to stand up; while pressed, plants do not "
-                    "follow "
-                    "the wind."),
+                    "Time in which a trail falls to 1/e. With 20 it is invisible after a minute."),
+            Setting(
+                "trample_time", &GroundConfig::trample_time, {0.01, 1e6, "s"},
+                "Time in which the pressing falls to 1/e, about the time in which a blade rises. Pressed plants do not follow "
+                "the wind."),
             Setting("clearance", &GroundConfig::clearance, {0.001, 100.0, "m"},
-                    "Height of the feet at which they touch no plant more, 0.4 of knee-high grass; half of it, half the weight."),
+                    "Height of the feet above which they do not touch plants; 0.4 is knee-high grass. At half of it the weight "
+                    "is half."),
             Setting("blend_width", &GroundConfig::blend_width, {0.001, 12800.0, "m"},
-                    "Over which the memory fades to the lean of the wind at the window's edge; at most a quarter of the window."),
+                    "Width over which the memory fades to the lean of the wind at the window's edge; at most a quarter of the "
+                    "window."),
             Setting("max_stride", &GroundConfig::max_stride, {0.01, 1e4, "m"},
-                    "Who comes farther in one step was teleported and sweeps nothing. 20 is 50 m/s at 2.5 frames a second."),
+                    "Longest way of a walker in a step; a longer one is a teleport and sweeps nothing. 20 is 50 m/s at 2.5 "
+                    "frames a second."),
             Setting("max_walkers", &GroundConfig::max_walkers, {1.0, 256.0},
-                    "Of a step that touch the window: room on a device. Of more, the first ones count."),
+                    "Maximal number of walkers in the window per step. Of more, only the first ones count."),
         };
     }
 };
@@ -78,13 +79,13 @@ struct GroundWalker {
 /// Rejects what counts and is not finite, and a radius or weight out of range.
 [[nodiscard]] Result<void> validate(const GroundWalker& walker);
 
-/// Where the lean of the wind comes from.
+/// Source of the lean of the wind.
 enum class WindLeans : std::uint8_t {
     everywhere, ///< GroundStep::wind_lean
     each_texel  ///< the host gives each texel its own; GroundStep::wind_lean outside of the window
 };
 
-/// What the ground is told of a step.
+/// Input of one step of the ground memory.
 struct GroundStep {
     double duration = 0.0;                   ///< [s] 0 or more
     std::span<const GroundWalker> walkers{}; ///< the nearest first, where there may be more than GroundConfig::max_walkers

@@ -1,5 +1,4 @@
-// How a spring answers what fades while it swings: the part of the ground's step that a target linear over the step does not
-// have.
+// Response of a spring to a fading target: the part of the ground's step that a target linear over the step lacks.
 //
 //   x'' + 2 zeta omega x' + omega^2 (x - f(t)) = 0 from rest,   f = e^(-t / tau) - 1   or   f = t / h (e^(-t / tau) - 1)
 //

@@ -1,5 +1,4 @@
-// What a ground memory is but for its texels: where the window lies, and what a step is told. One text for the CPU and for a
-// device.
+// Backend-independent part of a ground memory: position of the window, and parameters of a step.
 #pragma once
 
 #include "coupling/ground_config.h"
@@ -34,7 +33,7 @@ class GroundHost {
     /// Of the step that was begun last: those whose sweep may touch the window, the first of them where there are more than the
     /// config has room for.
     [[nodiscard]] std::span<const numerics::WindrowWalker> walkers() const { return std::span(walkers_).first(walker_count_); }
-    /// How many more there were.
+    /// Number of further ones.
     [[nodiscard]] int left_out() const { return left_out_; }
 
     [[nodiscard]] GroundBlock block(glm::dvec3 anchor) const;

@@ -1,4 +1,4 @@
-// What the ground remembers around a player: plants that swing, that were trodden on, that rise again.
+// Ground memory around a player: plants that swing in the wind, are trodden down and rise again.
 //
 //     auto ground = windrow::GroundMemory::create({});
 //     (void)ground->follow(player);
@@ -6,8 +6,9 @@
 //         log(done.error());
 //     windrow::GroundSample here = ground->at(blade_root);
 //
-// A square window of texels over the plane xz that follows a point by whole texels; nothing is copied when it moves, and what
-// stays in it keeps its bits. The same on a device: coupling/vulkan/ground_memory.h. The formulas: shaders/numerics/ground.glsl.
+// A square window of texels over the plane xz that follows a point by whole texels. A move copies nothing, and texels that stay
+// in the window keep their bits. The same on a device: coupling/vulkan/ground_memory.h. The formulas:
+// shaders/numerics/ground.glsl.
 #pragma once
 
 #include "coupling/ground_config.h"

@@ -1,5 +1,5 @@
-// How many plants are bent at once: a block of them with each number in an array of its own, so that the compiler makes vector
-// instructions of the shared text, one plant a lane.
+// Blocks of plants for SIMD: each quantity in an array of its own, so that the compiler vectorises the shared source, one plant
+// per lane.
 //
 // WINDROW_LEVELS before a function compiles it once for each level of x86's vectors, and the program takes the widest that the
 // machine has when it starts. No product is fused into a sum, so that each level gives the same bits. Functions that are called

@@ -1,4 +1,4 @@
-// What shaders are told of plants in motion, laid out as the structs of shaders/numerics: usable in std140 and std430 blocks.
+// Shader blocks of moving plants, laid out as the structs of shaders/numerics, for std140 and std430.
 #pragma once
 
 #include <glm/vec4.hpp>
@@ -19,11 +19,11 @@ struct PoseBlock {
 };
 static_assert(sizeof(PoseBlock) == 32);
 
-/// Where a frame's ground texels lie: WindrowGroundPlace of shaders/numerics/ground_texels.glsl.
+/// Position of a frame's ground texels: WindrowGroundPlace of shaders/numerics/ground_texels.glsl.
 struct GroundPlaceBlock {
-    glm::vec4 corner{0.0f}; ///< xy [m] low corner (x and z) minus the anchor, z [m] edge of a texel, w texels an axis
-    glm::vec4 blend_zone{0.0f};    ///< xy [m] the point that the rim follows, minus the anchor; z [m] reach, w [m] width of the fading
-    glm::vec4 slot{0.0f};   ///< xy slot of the low corner; zw lean of the wind outside
+    glm::vec4 corner{0.0f};     ///< xy [m] low corner (x and z) minus the anchor, z [m] edge of a texel, w texels an axis
+    glm::vec4 blend_zone{0.0f}; ///< xy [m] centre of the blend zone, minus the anchor; z [m] reach, w [m] width of the fading
+    glm::vec4 slot{0.0f};       ///< xy slot of the low corner; zw lean of the wind outside
 };
 static_assert(sizeof(GroundPlaceBlock) == 48);
 

@@ -1,10 +1,10 @@
-// Plants to begin with: what the wind meets of each, from measured stiffness and typical sizes. docs/plants.md compares what they
-// do with Beaufort's descriptions; the frequencies and dampings of the same classes are the springs' matter.
+// Predefined plants: their drag and stiffness, from measured moduli and typical sizes. docs/plants.md compares them with
+// Beaufort's descriptions. The frequencies and dampings of the same classes are in spring.h.
 //
 // Young's moduli: wheat straw 4.8 GPa (O'Dogherty, Huber, Dyson & Marshall 1995: 4.76 to 6.58 GPa); reed 8 GPa (Albrecht and
 // others 2023, The suitability of common reed for load-bearing structural materials); living branches 0.7 to 4.6 GPa, trunks at
 // the lower end of 2.4 to 7.5 GPa (Cannell & Morgan 1987, Young's modulus of sections of living branches and tree trunks). Grass
-// 0.5 GPa is our assumption: with the fold it is what holds a blade of 0.3 m upright. Sizes and foliage widths are typical ones,
+// 0.5 GPa is our assumption: with its V section a blade of 0.3 m then stands upright. Sizes and foliage widths are typical ones,
 // ours. Drag coefficients: flat plate 1.95, round stem 1.1, crown 0.3.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace windrow {
 
-/// A meadow's blade: 0.3 m, 4 mm wide, 0.25 mm thick, folded 1 mm deep.
+/// A meadow's blade: 0.3 m, 4 mm wide, 0.25 mm thick, creased to a V 1 mm deep.
 [[nodiscard]] inline Drag grass() {
     return {};
 }

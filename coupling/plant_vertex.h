@@ -1,4 +1,4 @@
-// What the plants' formulas give a renderer.
+// Vertices and keys of plants, for a renderer.
 #pragma once
 
 #include <cstdint>
@@ -7,15 +7,15 @@
 
 namespace windrow {
 
-/// Where a vertex of a plant goes.
+/// Vertex of a plant.
 struct PlantVertex {
     glm::vec3 position{0.0f};            ///< [m] from the plant's root
     glm::vec3 normal{0.0f, 0.0f, 1.0f};  ///< unit vector
     glm::vec3 tangent{0.0f, 1.0f, 0.0f}; ///< unit vector toward the tip
 };
 
-/// What tells one plant from another: its own place as it is stored, a cell or the bits of its coordinates; never a place
-/// relative to a camera. Two plants with different keys have different chances.
+/// Identifier of a plant, the seed of its random numbers: its own place as it is stored, a cell or the bits of its coordinates,
+/// never a place relative to a camera.
 using PlantKey = glm::uvec2;
 
 /// The key of a place [m], the same in shaders (windrow_place_key).

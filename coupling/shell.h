@@ -1,5 +1,5 @@
-// Shells of fur or grass on the CPU: where the vertices of each layer go. Shaders have the same by one text
-// (shaders/coupling/windrow_plants.glsl); the equations and the sources' forms stand in shaders/numerics/shell.glsl.
+// Shells of fur or grass on the CPU: the vertices of each layer. Shaders use the same source
+// (shaders/coupling/windrow_plants.glsl); the equations and the forms of the literature are in shaders/numerics/shell.glsl.
 //
 //     auto fur = windrow::Shells::create({.shells = 40, .length = 0.03f});
 //     for (int i = 0; i < 40; ++i)
@@ -37,12 +37,14 @@ struct ShellSettings {
     static constexpr auto settings() {
         return std::tuple{
             Setting("shells", &ShellSettings::shells, {2.0, 4096.0},
-                    "How many layers. Of a mesh from a file, the default is that of the material's fur line."),
+                    "Number of layers. Of a mesh from a file, the default is that of the material's fur line."),
             Setting("reaches_tip", &ShellSettings::reaches_tip,
-                    "Whether the outermost lies at the tip, i / (N - 1), so that the look does not depend on N, or short of it, "
-                    "i / N."),
+                    "Whether the outermost layer is at the tip, layer i at i / (N - 1), so that the look does not depend on N; "
+                    "else layer i "
+                    "is at i / N."),
             Setting("length", &ShellSettings::length, {1e-6, 100.0, "m"},
-                    "Of the longest strands; 0.03 is long fur. Of a mesh from a file, the default is that of the material's fur "
+                    "Length of the longest strands; 0.03 is long fur. Of a mesh from a file, the default is that of the "
+                    "material's fur "
                     "line."),
             Setting("spacing", &ShellSettings::spacing, Range::above(0.0, 10.0),
                     "Heights are (i / d)^spacing: above 1 layers gather at the skin."),
@@ -50,21 +52,21 @@ struct ShellSettings {
                 "bias", &ShellSettings::bias, k_fraction_range,
                 "Fraction of the length by which all layers are lifted: a little lifts shell 0 off a skin that is drawn too."),
             Setting("push", &ShellSettings::push, {-100.0, 100.0, "m"},
-                    "Of the tip for a direction of length 1; where translated."),
+                    "Displacement of the tip for a direction of length 1, in the translated form."),
             Setting("push_exponent", &ShellSettings::push_exponent, Range::above(0.0, 10.0),
-                    "The push grows as height^this: at 2 roots stand and tips lean."),
-            Setting("droop", &ShellSettings::droop, {0.0, 100.0, "m"}, "Of the tip, where translated."),
+                    "The push grows as height^this: at 2 roots stay upright and tips lean."),
+            Setting("droop", &ShellSettings::droop, {0.0, 100.0, "m"}, "Droop of the tip, in the translated form."),
             Setting("droop_shape", &ShellSettings::droop_shape, {1e-3, 1e3},
-                    "p of the droop (p^h - 1) / (p - 1): above 1 it bends late, 1 is even."),
+                    "p of the droop (p^h - 1) / (p - 1): above 1 it bends toward the tip, 1 is linear."),
             Setting("sag", &ShellSettings::sag, {0.0, 1.5707964, "rad"},
-                    "Of the tip of a level strand, where not translated. Strands that a map shortens sag by its cube."),
-            Setting("down", &ShellSettings::down, Range::direction(), "Where things fall to: any length but 0."),
-            Setting("strand", &ShellSettings::strand, "What the wind meets, where not translated; its length is the layers'."),
+                    "Sag of the tip of a horizontal strand, in the bent form. Strands that a map shortens sag by its cube."),
+            Setting("down", &ShellSettings::down, Range::direction(), "Direction of gravity, of any length above 0."),
+            Setting("strand", &ShellSettings::strand, "Strand of the bent form; its length is that of the layers."),
         };
     }
 };
 
-/// For shaders: WindrowShells of shaders/numerics/shell.glsl, a std140 block of four vec4.
+/// Shader block: WindrowShells of shaders/numerics/shell.glsl, a std140 block of four vec4.
 struct ShellBlock {
     glm::vec4 form{0.0f}; ///< x [m] L; y a; z bias; w divisor of i
     glm::vec4 push{0.0f}; ///< x s; y c; z [m] droop; w ln p, taken in double
@@ -74,7 +76,7 @@ struct ShellBlock {
 static_assert(sizeof(ShellBlock) == 64);
 
 [[nodiscard]] Result<void> validate(const ShellSettings& settings);
-/// But for the strand's length, which is replaced.
+/// Leaves out the strand's length, which is replaced.
 void check_settings(detail::Reasons& reasons, const detail::FieldPath& path, const ShellSettings& settings);
 
 class Shells {

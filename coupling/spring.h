@@ -1,5 +1,4 @@
-// Damped oscillators that follow a target, for plants that a host moves on the CPU, and the numbers that shaders need for the
-// same.
+// Damped oscillators that follow a target, for plants on the CPU, and the step coefficients for shaders.
 //
 //     const auto step = windrow::spring_step(windrow::springs::wheat, frame_seconds);    // once a frame and class
 //     (void)windrow::advance_springs<float>(*step, {places, velocities, targets_before, targets_now});
@@ -17,7 +16,7 @@
 
 namespace windrow {
 
-/// How a class of plants swings about its target.
+/// Frequency and damping of a class of plants.
 struct SpringClass {
     double frequency_hz = 2.5;
     double damping = 0.12;
@@ -26,16 +25,16 @@ struct SpringClass {
         return std::tuple{
             // A swing of three hours at the least: below, omega^2 would vanish beside 1.
             Setting("frequency_hz", &SpringClass::frequency_hz, {1e-4, 1000.0, "Hz"},
-                    "Natural frequency, of the swing without damping. Lower is slower and follows gusts late."),
+                    "Natural frequency without damping. A lower one follows gusts later."),
             Setting(
                 "damping", &SpringClass::damping, {0.0, 1000.0},
-                "Ratio. 0 swings for ever, below 1 it dies down, 1 returns as fast as it can without a swing, above it creeps. "
-                "0.12 is what crops and trees have, drag of the leaves included."),
+                "Damping ratio. 0: undamped; below 1: decaying oscillation; 1: critical; above 1: slow return. Crops and trees "
+                "have 0.12, drag of the leaves included."),
         };
     }
 };
 
-/// Classes to begin with. docs/plants_motion.md names the source of each figure, and which of them are our choice.
+/// Predefined classes. docs/plants_motion.md names the source of each figure, and which of them are our choice.
 namespace springs {
 inline constexpr SpringClass grass{3.5, 0.2};
 inline constexpr SpringClass wheat{2.5, 0.12};
@@ -47,10 +46,10 @@ inline constexpr SpringClass branch{1.2, 0.1};
 inline constexpr SpringClass trunk{0.3, 0.08};
 } // namespace springs
 
-/// Rejects a frequency or a damping that is out of range or no number.
+/// Rejects a frequency or a damping that is out of range or NaN.
 [[nodiscard]] Result<void> validate(const SpringClass& spring);
 
-/// The six numbers of a step (spring.glsl), in double.
+/// The six coefficients of a step (spring.glsl), in double.
 struct SpringStep {
     double place_place = 0.0;       ///< A - 1
     double place_velocity = 0.0;    ///< [s] B
@@ -76,7 +75,7 @@ struct SpringBatch {
     std::span<const Real> target_now;    ///< at its end; may be the same array: a target that stays
     std::span<Real> place_remainder{};   ///< of as many: what rounding took, given back in the next step; 0 at first. Empty: none
     std::span<Real> velocity_remainder{}; ///< likewise; both or neither
-    std::span<Real> place_previous{};     ///< gets `place` as it was: this frame's motion vectors. Empty: nobody asks
+    std::span<Real> place_previous{};     ///< receives the old `place`, for motion vectors. Empty: not needed
 };
 
 /// Advances all springs by one step, `Real` float or double. What falls below 1e-20 is 0. Rejects arrays of different lengths.

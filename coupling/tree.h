@@ -1,4 +1,4 @@
-// Trees on the CPU: leaf on branch on trunk, by the same bend as blades. The equations stand in shaders/numerics/tree.glsl.
+// Trees on the CPU: trunk, branch and leaf, each bent as a blade is. The equations are in shaders/numerics/tree.glsl.
 //
 //     auto oak = windrow::Tree::create({});
 //     windrow::TreePart trunk{.length = 8.0f, .stiffness = 1.0f};
@@ -19,7 +19,7 @@
 
 namespace windrow {
 
-/// The classes of a tree's parts. Defaults: a small tree in leaf; plant_classes.h says where their figures come from.
+/// Classes of a tree's parts. Defaults: a small tree in leaf; plant_classes.h has the sources of the figures.
 struct TreeClasses {
     Drag trunk = small_trunk();
     Drag branch = windrow::branch();
@@ -34,7 +34,7 @@ struct TreeClasses {
     }
 };
 
-/// For shaders: WindrowTree of shaders/numerics/tree.glsl, a std140 block of three vec4.
+/// Shader block: WindrowTree of shaders/numerics/tree.glsl, a std140 block of three vec4.
 struct TreeBlock {
     DragBlock trunk{}, branch{}, leaf{};
 };
@@ -50,17 +50,18 @@ struct TreePart {
     static constexpr auto settings() {
         return std::tuple{
             Setting("root", &TreePart::root, {-1e6, 1e6, "m"},
-                    "Where it is held: on the axis of what bears it, or beside it on the bark."),
+                    "Point at which it is held: on its bearer's axis, or beside it on the bark."),
             Setting("axis", &TreePart::axis, Range::length(0.999, 1.001, ""), "Unit vector along it."),
             Setting("length", &TreePart::length, {1e-4, 200.0, "m"},
-                    "Its stiffness is its class's whatever its length: a short part needs a high one."),
+                    "The class's stiffness does not depend on it: a short part needs a higher `stiffness`."),
             Setting("stiffness", &TreePart::stiffness, {1e-6, 1e6},
-                    "Over its class's: 1 is the class's own. Beside that range it may be 0: there is no such part."),
+                    "Factor on the class's stiffness: 1 is the class's own. 0, outside of the range, is for a part that does not "
+                    "exist."),
         };
     }
 };
 
-/// What bears a vertex: the last that is there bends by the vertex's own height, the ones before carry it as one rigid body.
+/// Bearers of a vertex: the last existing one bends by the vertex's own height, those before it carry it as a rigid body.
 struct TreeBearers {
     TreePart trunk{}, branch{}, leaf{};
 };
@@ -80,7 +81,7 @@ class Tree {
     /// must be valid.
     [[nodiscard]] PlantVertex vertex(const TreeBearers& bearers, glm::vec3 wind, const PlantVertex& rest) const;
 
-    /// Which parts of a list bear a vertex. Default k_none: no such part, as an entry of stiffness 0 is.
+    /// Indices of the parts that bear a vertex. Default k_none: no part, as an entry of stiffness 0 is.
     struct PartIndices {
         static constexpr std::uint32_t k_none = 0xffffffffu;
         std::uint32_t trunk = k_none, branch = k_none, leaf = k_none;

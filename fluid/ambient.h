@@ -1,16 +1,16 @@
-// The ambient wind: the mean wind, how it grows with height, and its gusts, as a function of place and time.
+// The ambient wind as a function of place and time: mean wind, log profile over height, gusts.
 //
-// It blows where no fluid is computed, and enters the box of a Wind through its open boundaries. By itself it is the cheapest wind
-// that this library has:
+// It is the wind outside of the box of a Wind, and enters the box through its open boundaries. It also works without a Wind, as
+// the cheapest wind of this library:
 //
 //     auto wind = windrow::AmbientWind::create({.mean = {6.0f, 0.0f, 0.0f}, .gusts = {.intensity = 0.3f}});
 //     wind->advance(1.0 / 60.0);
 //     glm::vec3 at_leaf = wind->velocity(leaf_position);          // [m/s]
 //     windrow::AmbientBlock block = wind->block(camera_position); // the same on the GPU, by the same text
 //
-// Gusts are a frozen pattern (gust_tile.h) that the level part of the mean wind carries along; u(x, t) = u(x - V d, t - d). How
-// far it has been carried is the phase: in double, wrapped at the tile, so that neither time nor distance costs digits.
-// The formulas stand in shaders/numerics/ambient.glsl, one text for C++ and GLSL.
+// Gusts are a frozen pattern (gust_tile.h), advected by the horizontal mean wind: u(x, t) = u(x - V d, t - d). The distance that
+// it was carried is the phase, stored in double and wrapped at the tile, so that neither time nor distance costs digits. The
+// formulas are in shaders/numerics/ambient.glsl, one text for C++ and GLSL.
 #pragma once
 
 #include "fluid/gust_tile.h"
@@ -47,7 +47,7 @@ struct Gusts {
     float intensity = 0.0f;
     float length = 24.0f;
     std::uint32_t seed = 1;
-    /// The pattern itself, to share one among many winds (4 MiB each). Default empty: made from `seed` if intensity is above 0.
+    /// The pattern itself, for many winds to use one (4 MiB each). Default empty: made from `seed` if intensity is above 0.
     std::shared_ptr<const GustTile> tile{};
 
     static constexpr auto settings() {
@@ -56,17 +56,17 @@ struct Gusts {
                 "intensity", &Gusts::intensity, {.min = 0.0, .max = 1.0, .zero = "none"},
                 "Standard deviation of each horizontal component over the mean horizontal speed. 0 costs nothing, 0.15 is open "
                 "country, 0.3 a gusty day."),
-            Setting(
-                "length", &Gusts::length, {0.01, 1e6, "m"},
-                "From one gust to the next. A texel is a twelfth of it, the pattern repeats after 128 texels; 24 makes texels of "
-                "2 m, which cells of 1 m resolve, and 256 m until it repeats."),
-            Setting("seed", &Gusts::seed, k_seed_range, "Which pattern."),
+            Setting("length", &Gusts::length, {0.01, 1e6, "m"},
+                    "Distance from one gust to the next. A texel is a twelfth of it, the pattern repeats after 128 texels; 24 "
+                    "makes texels of "
+                    "2 m, which cells of 1 m resolve, and 256 m until it repeats."),
+            Setting("seed", &Gusts::seed, k_seed_range, "Seed of the pattern."),
             Setting("tile", &Gusts::tile, "The pattern itself.", k_not_stored),
         };
     }
 };
 
-/// How a plant feels the wind, whether from the fluid or from here.
+/// Conversion of the wind, from the fluid or from here, to the wind that acts on a plant.
 struct Sampling {
     float strength = 1.0f;
     float limit = 60.0f;
@@ -75,26 +75,26 @@ struct Sampling {
 
     static constexpr auto settings() {
         return std::tuple{
-            Setting("strength", &Sampling::strength, {0.0, 1000.0}, "Factor on the wind; 0 stills everything."),
+            Setting("strength", &Sampling::strength, {0.0, 1000.0}, "Factor on the wind; 0: no wind acts."),
             Setting("limit", &Sampling::limit, {0.0, 1e6, "m/s"},
-                    "Speed that is never exceeded, after the strength. At 60 no storm is stronger, a fault may be."),
+                    "Upper bound of the speed, after the strength. 60 is the strongest storm."),
             Setting("detail", &Sampling::detail, {.min = 0.0, .max = 1.0, .zero = "none"},
                     "Small-scale detail over the local speed; a bound, typical detail is a quarter of it. Needs a tile "
                     "(AmbientWind::tile): without gusts, give Gusts::tile."),
-            Setting(
-                "detail_length", &Sampling::detail_length, {1e-3, 1e6, "m"},
-                "From one ripple to the next, rounded so that a whole number of ripples fits a gust (at most its length): then "
-                "one phase moves both. 1 is what cells of 1 m leave out."),
+            Setting("detail_length", &Sampling::detail_length, {1e-3, 1e6, "m"},
+                    "Distance from one ripple to the next, rounded so that a whole number of ripples fits a gust (at most its "
+                    "length): then "
+                    "one phase moves both. 1 is what cells of 1 m leave out."),
         };
     }
 };
 
-/// Every reason why they cannot be used, a line each.
+/// All reasons why they are invalid, one per line.
 [[nodiscard]] Result<void> validate(const LogProfile& profile);
 [[nodiscard]] Result<void> validate(const Gusts& gusts);
 [[nodiscard]] Result<void> validate(const Sampling& sampling);
 
-/// All that a shader needs beside the tile, as a uniform block of std140 layout (seven vec4): WindrowAmbient of
+/// Shader parameters of the ambient wind beside the tile, as a uniform block of std140 layout (seven vec4): WindrowAmbient of
 /// shaders/numerics/ambient.glsl. Positions are relative to an anchor that the host chooses near its camera.
 struct AmbientBlock {
     glm::vec3 mean{0.0f};            ///< [m/s] at the reference height
@@ -116,7 +116,7 @@ struct AmbientBlock {
 };
 static_assert(sizeof(AmbientBlock) == 112);
 
-/// A gust that is the same everywhere, from a closed curve: what a scene needs that wants movement and no fluid.
+/// A spatially uniform gust by a closed formula, for a scene that needs motion and no fluid.
 struct UniformGust {
     /// [m/s] Mean over a period, exactly. Default 4: leaves move.
     float mean = 4.0f;
@@ -157,10 +157,10 @@ class AmbientWind {
 
     /// [m/s] Wind at a world point. A point that is not finite gets the mean.
     [[nodiscard]] glm::vec3 velocity(glm::dvec3 position) const;
-    /// [m/s] What a plant at a world point feels of a wind, from here or from the fluid: detail added, scaled, limited. 0 for a
-    /// wind that is not finite; no detail at a point that is not finite.
+    /// [m/s] Wind that acts on a plant at a world point: a wind from here or from the fluid, with detail, scaled, limited. 0 for
+    /// a wind that is not finite; no detail at a point that is not finite.
     [[nodiscard]] glm::vec3 felt(glm::vec3 velocity, glm::dvec3 position, const Sampling& sampling = {}) const;
-    /// What shaders need for the same two, relative to `anchor` [m]; one that is not finite counts as 0. A field of
+    /// Shader block for the same two functions, relative to `anchor` [m]; one that is not finite counts as 0. A field of
     /// `sampling` that `validate` rejects counts as its default, here and in `felt`.
     [[nodiscard]] AmbientBlock block(glm::dvec3 anchor, const Sampling& sampling = {}) const;
 
@@ -176,18 +176,18 @@ class AmbientWind {
     /// A factor on each component of the gusts: 0 drops it, where a wall closes the axis.
     void set_gust_axes(glm::vec3 axes) { gust_axes_ = axes; }
 
-    /// [m] How far the gusts have been carried, each component in [0, period()): with the settings, the whole state.
+    /// [m] Phase: the distance that the gusts were carried, each component in [0, period()). With the settings, the whole state.
     [[nodiscard]] glm::dvec3 phase() const { return phase_; }
     /// Wraps; a component that is not finite counts as 0.
     void set_phase(glm::dvec3 phase);
-    /// [m] After which the gusts repeat along x and z: 128 texels.
+    /// [m] Period of the gusts along x and z: 128 texels.
     [[nodiscard]] double period() const;
-    /// The phase between two ticks, the short way round: a at factor 0, b at 1.
+    /// Interpolated phase between two ticks, along the shorter way: a at factor 0, b at 1.
     [[nodiscard]] static glm::dvec3 between(glm::dvec3 a, glm::dvec3 b, double factor, double period);
 
-    /// Neither profile nor gusts were asked for: the wind is the mean everywhere, to the bit.
+    /// Without profile and gusts: the wind is the mean everywhere, to the bit.
     [[nodiscard]] bool uniform() const { return !settings_.profile && settings_.gusts.intensity == 0.0f; }
-    /// Gusts were asked for and a level mean wind carries them: the wind changes in time.
+    /// With gusts and a horizontal mean wind that carries them: the wind changes in time.
     [[nodiscard]] bool gusting() const { return gust_strength() > 0.0f; }
     [[nodiscard]] glm::vec3 mean() const { return settings_.mean; }
     [[nodiscard]] double ground() const { return settings_.ground; }
@@ -197,10 +197,10 @@ class AmbientWind {
     [[nodiscard]] glm::vec3 gust_axes() const { return gust_axes_; }
     /// Factor of the mean wind at a world height [m]; 1 without a profile.
     [[nodiscard]] float profile_at(double height) const;
-    /// Shared by all copies; empty where nothing needs it. For a 3D texture of 128 x 16 x 128.
+    /// The tile, one for all copies; empty where nothing needs it. For a 3D texture of 128 x 16 x 128.
     [[nodiscard]] const std::shared_ptr<const GustTile>& tile() const { return settings_.gusts.tile; }
 
-    /// Where a world coordinate [m] lies in the tile along one axis: the texel below, wrapped (-1 to 127; along y to 31, a whole
+    /// Position of a world coordinate [m] in the tile along one axis: the texel below, wrapped (-1 to 127; along y to 31, a whole
     /// period), and the distance from its centre, 0 to 1.
     struct TilePlace {
         int texel = 0;

@@ -1,4 +1,4 @@
-// An ambient wind as a snapshot keeps it: its settings and its phase, and its tile by the seed.
+// Snapshot record of an ambient wind: settings, phase, and the tile by its seed.
 #pragma once
 
 #include "fluid/ambient.h"

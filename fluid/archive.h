@@ -1,5 +1,5 @@
-// Structs as bytes and back, by the rows of their fields (setting.h). What has no rows is described by one function for both
-// directions, so that writer and reader cannot drift apart:
+// Serialisation of structs by the rows of their fields (setting.h). A struct without rows has one function for both directions,
+// so that writer and reader cannot differ:
 //
 //     void fields(auto& archive, Like<Stepped> auto& event) {
 //         auto& [dt] = event;
@@ -169,7 +169,8 @@ class Reader {
     /// Asked before room is made for what a count promises: whether so many items of at least `bytes_each` can follow.
     [[nodiscard]] bool can_hold(std::uint64_t count, std::size_t bytes_each) {
         if (!rejected() && count > rest_.size() / bytes_each)
-            reject("it promises ", count, " items of ", bytes_each, " bytes or more, but only ", rest_.size(), " bytes follow.");
+            reject("its length is ", count, " items of ", bytes_each, " bytes or more, but only ", rest_.size(),
+                   " bytes follow.");
         return !rejected();
     }
     template <class... Parts>
@@ -246,7 +247,7 @@ class Reader {
     std::string reason_;
 };
 
-/// What only a reader does: making room, checking.
+/// Operations of a reader only: allocation and checks.
 template <class Archive>
 concept Reading = std::same_as<std::remove_cvref_t<Archive>, Reader>;
 

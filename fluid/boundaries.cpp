@@ -39,7 +39,7 @@ void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const 
         const bool high = boundaries.at(axis, 1).kind == BoundaryKind::periodic;
         if (low != high)
             reasons.add(detail::FieldPath{&path, k_side_names[axis][low ? 1 : 0]},
-                        " is not periodic but its partner is: make both boundaries of the axis periodic, or neither.");
+                        " is not periodic, but the opposite boundary is: make both boundaries of the axis periodic, or neither.");
         for (int end = 0; end < 2; ++end) {
             const Boundary& side = boundaries.at(axis, end);
             const detail::FieldPath name{&path, k_side_names[axis][end]}, velocity{&name, "wall_velocity"};
@@ -47,10 +47,10 @@ void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const 
                 continue;
             if (side.kind != BoundaryKind::no_slip && side.wall_velocity != glm::vec3(0.0f))
                 reasons.add(velocity, " is ", side.wall_velocity,
-                            " m/s but only a no-slip wall drags the air: make the side no_slip or the velocity 0.");
+                            " m/s, but only a no_slip wall may move: set the kind to no_slip or the velocity to 0.");
             else if (side.wall_velocity[axis] != 0.0f)
                 reasons.add(velocity, " is ", side.wall_velocity,
-                            " m/s and leaves the wall's plane: set its component along the normal to 0.");
+                            " m/s, with a component normal to the wall: set that component to 0.");
         }
     }
 }

@@ -1,13 +1,13 @@
-// The six sides of the box: what the air meets there.
+// Boundary conditions of the six faces of the box.
 //
-// With u the velocity, n the side's normal and p the pressure, beyond a side lies
+// With u the velocity, n the face's normal and p the pressure, the ghost cells beyond a face hold
 //   open       the ambient wind: every read beyond it returns ambient, and p = 0 at the ghost's centre (the divergence sees the
 //              cell itself there, so that air passes through);
-//   free_slip  a wall that holds no air back: u.n mirrored with its sign turned, the rest mirrored, dp/dn = 0;
-//   no_slip    a wall that carries the air along: for viscosity u mirrored about the wall's velocity, dp/dn = 0; transport slips
-//              along it as along free_slip, so that where viscosity acts on nothing neither does the wall's velocity
-//              (while gusts blow, of the air that motors move alone: gusts slip along every wall)
-//   periodic   the far side of the box.
+//   free_slip  a wall without friction: u.n mirrored with its sign turned, the rest mirrored, dp/dn = 0;
+//   no_slip    a wall that drags the air: for viscosity, u mirrored about the wall's velocity, dp/dn = 0. Advection slips along
+//              it as along free_slip, so without viscosity the wall's velocity has no effect. With gusts, viscosity acts on the
+//              perturbation of the motors only: gusts slip along every wall.
+//   periodic   the cells at the opposite face.
 // Mirrored ghosts put the wall on the face, half a cell beyond the last centre: second order.
 #pragma once
 
@@ -25,7 +25,7 @@ enum class BoundaryKind : std::uint8_t { open, free_slip, no_slip, periodic };
 template <>
 inline constexpr std::array<const char*, 4> k_words<BoundaryKind>{"open", "free_slip", "no_slip", "periodic"};
 
-/// One side of the box.
+/// Boundary condition of one face of the box.
 struct Boundary {
     BoundaryKind kind = BoundaryKind::open;
     glm::vec3 wall_velocity{0.0f};
@@ -33,9 +33,8 @@ struct Boundary {
     static constexpr auto settings() {
         return std::tuple{
             Setting("kind", &Boundary::kind,
-                    "open: the ambient wind is beyond. free_slip: a wall that holds no air back. no_slip: a wall that carries "
-                    "the air "
-                    "along. periodic: the far side of the box is beyond."),
+                    "open: the ambient wind is beyond. free_slip: a wall without friction. no_slip: a wall that drags the air. "
+                    "periodic: the opposite face is beyond."),
             Setting("wall_velocity", &Boundary::wall_velocity, k_speed_range,
                     "Velocity of a no-slip wall, in its own plane; 0 on every other kind. May change in every step."),
         };
@@ -45,7 +44,8 @@ struct Boundary {
     friend bool operator==(const Boundary&, const Boundary&) = default;
 };
 
-/// The six sides in the order x low, x high, y low, y high, z low, z high. Any mix per face; periodic boundaries come in pairs.
+/// The six boundaries in the order x low, x high, y low, y high, z low, z high. Any mix per face; periodic boundaries come in
+/// pairs.
 struct Boundaries {
     Boundary x_low{}, x_high{}, y_low{}, y_high{}, z_low{}, z_high{};
 
@@ -60,12 +60,12 @@ struct Boundaries {
         };
     }
 
-    /// end 0 is the low side, 1 the high side.
+    /// end 0 is the low boundary, 1 the high one.
     [[nodiscard]] const Boundary& at(int axis, int end) const;
     [[nodiscard]] bool periodic(int axis) const { return at(axis, 0).kind == BoundaryKind::periodic; }
     [[nodiscard]] bool has_solid(int axis) const { return at(axis, 0).solid() || at(axis, 1).solid(); }
     [[nodiscard]] bool has_open(int axis) const;
-    /// Every axis is open at one end at least: free air lies around the box, with a wall an axis at most.
+    /// Every axis has an open boundary: the box is in free air, with at most one wall per axis.
     [[nodiscard]] bool in_free_air() const { return has_open(0) && has_open(1) && has_open(2); }
 
     static Boundaries all(BoundaryKind kind);
@@ -75,7 +75,8 @@ struct Boundaries {
     friend bool operator==(const Boundaries&, const Boundaries&) = default;
 };
 
-/// Rejects periodic boundaries without their partner and wall velocities that are not finite, leave the wall or are of another kind.
+/// Rejects a periodic boundary opposite to another kind, and wall velocities that are not finite, have a normal component or
+/// belong to another kind.
 [[nodiscard]] Result<void> validate(const Boundaries& boundaries);
 namespace detail {
 class Reasons;

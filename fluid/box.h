@@ -1,4 +1,4 @@
-// The box of cells that the solver works on: its size and its sides.
+// The box of cells that the solver works on: size, cell size, boundary conditions.
 //
 // Cell (i, j, k) has its centre at ((i, j, k) + 1/2) h from the box's low corner. Fields are arrays of cells.x * cells.y *
 // cells.z values, x fastest, then y, then z: index = (k * cells.y + j) * cells.x + i.
@@ -30,7 +30,7 @@ struct Box {
         return std::tuple{
             Setting("cells", &Box::cells, k_cells_range, "Cells along x, y, z; odd sizes too. Wind is mostly horizontal."),
             Setting("cell_size", &Box::cell_size, k_cell_size_range, "Edge of a cell."),
-            Setting("boundaries", &Box::boundaries, "What the air meets at each side."),
+            Setting("boundaries", &Box::boundaries, "Boundary conditions of the six faces."),
         };
     }
 
@@ -44,7 +44,7 @@ struct Box {
     }
 };
 
-/// Every reason why the box cannot be used, a line each.
+/// All reasons why the box is invalid, one per line.
 [[nodiscard]] Result<void> validate(const Box& box);
 void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const Box& box);
 

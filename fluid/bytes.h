@@ -1,4 +1,4 @@
-// Numbers as bytes and back: little-endian, fixed width, whatever the machine; and the envelope that guards them in a file.
+// Numbers as bytes: little-endian, fixed width on every machine. And the file envelope with a checksum:
 //
 //     0   8 letters    what it is
 //     8   u32          layout of the content

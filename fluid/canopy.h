@@ -1,6 +1,6 @@
-// Plants that slow the wind among them.
+// Drag of a uniform plant canopy on the wind inside it.
 //
-//     auto wind = windrow::Wind::create({.sides = windrow::Boundaries::open_over_floor(), .ambient = {6.0f, 0.0f, 0.0f},
+//     auto wind = windrow::Wind::create({.boundaries = windrow::Boundaries::open_over_floor(), .ambient = {6.0f, 0.0f, 0.0f},
 //                                        .profile = windrow::LogProfile{}, .canopy = windrow::Canopy{.height = 0.8f}});
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace windrow {
 
-/// A field of plants on the ground, as high and as dense everywhere. The ground is that of the wind profile: the box's floor, or
+/// A field of plants on the ground, of uniform height and density. The ground is that of the wind profile: the box's floor, or
 /// height 0 without one. Within it du/dt = -drag |u| u. Costs one pass over the rows of cells that it reaches.
 struct Canopy {
     float height = 0.8f;
@@ -30,7 +30,7 @@ struct Canopy {
     }
 };
 
-/// Every reason why it cannot be used, a line each.
+/// All reasons why it is invalid, one per line.
 [[nodiscard]] Result<void> validate(const Canopy& canopy);
 
 } // namespace windrow

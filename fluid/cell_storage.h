@@ -1,7 +1,7 @@
 // The cells of a wind as its core uses them (wind_core.h): on the CPU (cpu/cells.h) or on a device (vulkan/device_cells.h).
 //
-// A change carries the ambient wind of its moment. So a storage may make it later, and compares what blows around the box with
-// what its cells hold instead of being notified.
+// A change carries the ambient wind of its time. So a storage may apply it later; it compares the ambient wind with that of its
+// cells instead of being notified.
 #pragma once
 
 #include "fluid/ambient.h"
@@ -60,7 +60,7 @@ struct CellStep {
     bool may_rest = false;        ///< air that is still becomes ambient and sleeps
 };
 
-/// What the next calls need room for.
+/// Memory needs of the next calls.
 struct CellNeeds {
     double step = 0.0;            ///< [s] longest step; 0: none
     const Gusts* gusts = nullptr; ///< around the box

@@ -1,4 +1,4 @@
-// What every step reports: nothing that the solver does to the air beyond its equations is silent.
+// Report of a step: figures of the air, and each correction beyond the equations (limits, repairs, sleep).
 #pragma once
 
 #include "fluid/operators.h"
@@ -20,28 +20,28 @@ struct StageTimes {
 
 struct Diagnostics {
     bool stepped = false; ///< false: dt was 0, negative or not finite, or out_of_memory; nothing was done.
-    /// The step asks for memory that the system does not give: the wind is as it was. Free some and call again.
+    /// The system has no memory that the step needs: the wind is unchanged. Free some and call again.
     bool out_of_memory = false;
     /// [m/s] Largest component of the velocity after the step.
     float max_speed = 0.0f;
     /// Largest component * dt / h after the sources, before sub-steps and limit: how many cells the air would cross at once.
     float cfl = 0.0f;
-    int substeps = 0; ///< Parts that the step was cut into: ceil(cfl / Config::max_cfl), at most Config::max_substeps.
-    bool substeps_capped = false; ///< More parts were needed than allowed: speeds were limited.
+    int substeps = 0;             ///< Number of sub-steps: ceil(cfl / Config::max_cfl), at most Config::max_substeps.
+    bool substeps_capped = false; ///< More sub-steps were needed than allowed: speeds were limited.
     /// Cells whose speed was scaled down to max_cfl * max_substeps cells a step, before the air moved or, where forces and
     /// pressure had made them faster, after it.
     std::int64_t limited_cells = 0;
     std::int64_t repaired_cells = 0; ///< Cells that held NaN or infinity and were set to ambient.
-    /// Motors whose region meets the box and that acted; a wake counts once a piece of its path. In free air a source outside the
-    /// box too, where it makes 1 cm/s in it.
+    /// Motors that acted in the box; a wake counts once per segment of its path. In free air also a volume source outside of the
+    /// box that makes 1 cm/s in it.
     int motors_in_reach = 0;
     DiffusionMethod diffusion = DiffusionMethod::none;
     /// [1/s] Root mean square of the central divergence that the collocated projection leaves.
     double divergence_rms = 0.0;
     /// [m^5/s^2] Kinetic energy of the box per unit of density: sum of |u|^2 / 2 h^3.
     double energy = 0.0;
-    /// The air had settled and nothing acted: the step did nothing. The other figures stay those of the step that fell asleep, of
-    /// gusts too, which blow on.
+    /// The air had relaxed to the ambient wind and no motor acted: the step did nothing. The other figures, those of gusts too,
+    /// stay as in the step that fell asleep. Gusts go on.
     bool asleep = false;
     StageTimes times_ms;
 };

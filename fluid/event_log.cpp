@@ -107,7 +107,7 @@ struct Repeat {
             return Error{id.error()};
         if (*id != event.id)
             return Error{
-                detail::message("the motor came out in slot ", id->slot, " of generation ", id->generation, ", not in slot ",
+                detail::message("the motor got slot ", id->slot, " of generation ", id->generation, ", not in slot ",
                                 event.id.slot, " of generation ", event.id.generation,
                                 ", so the wind was not in the state in which the log began: load the snapshot taken there.")};
         return {};
@@ -136,11 +136,11 @@ struct Repeat {
             return out_of_memory();
         if (report.stepped)
             return {};
-        return Error{detail::message("dt is ", event.dt, " s: a step takes a finite time above 0.")};
+        return Error{detail::message("dt is ", event.dt, " s: give a finite time above 0.")};
     }
     Result<void> operator()(const Advanced& event) const {
         if (!(event.dt >= 0.0 && std::isfinite(event.dt)))
-            return Error{detail::message("dt is ", event.dt, " s: a frame takes a finite time, 0 or more.")};
+            return Error{detail::message("dt is ", event.dt, " s: give a finite time, 0 or more.")};
         if (wind.advance(event.dt).last.out_of_memory)
             return out_of_memory();
         return {};

@@ -1,4 +1,4 @@
-// What a host did to a wind, call by call, and how to do it again: so that a bug or a match can be reproduced.
+// Log of the calls that change a wind, and its replay, to reproduce a bug or a match.
 //
 //     windrow::EventLog log;
 //     const auto start = wind->save();             // bytes of the whole state
@@ -25,7 +25,7 @@ namespace windrow {
 
 class Wind;
 
-// One struct a call, named by what was done.
+// One struct per call, named by its effect.
 struct MotorAdded {
     MotorId id; ///< what add() returned; a replay must get the same
     Motor motor;
@@ -54,7 +54,7 @@ struct GustsSet {
     float intensity;
     float length;
     std::uint32_t seed;
-    bool tile; ///< a tile was handed in, which stands without gusts too
+    bool tile; ///< the host gave a tile, which stays without gusts too
 };
 struct SidesSet {
     Boundaries boundaries;
@@ -75,12 +75,12 @@ using Event = std::variant<MotorAdded, MotorSet, MotorMoved, MotorRemoved, Follo
 
 class EventLog {
   public:
-    /// Adds an event. Where memory is missing the wind goes on and the log ends before this event: `complete` is false from then
-    /// on, and nothing more is noted.
+    /// Adds an event. Without memory the wind goes on and the log ends before this event: `complete` is false from then on, and
+    /// no further event is added.
     void note(Event event) noexcept;
     void note_velocity(std::span<const glm::vec4> field) noexcept;
     [[nodiscard]] std::span<const Event> events() const { return events_; }
-    /// All that happened is noted. An incomplete log is neither written nor replayed.
+    /// True if the log has all events. An incomplete log is neither written nor replayed.
     [[nodiscard]] bool complete() const { return complete_; }
     void clear();
 
@@ -98,8 +98,8 @@ class EventLog {
     bool complete_ = true;
 };
 
-/// Does everything again, in order. `wind` must be in the state in which the log began (Wind::save, Wind::load). Stops at the
-/// first call that is rejected or whose handle comes out otherwise, and says which.
+/// Repeats all calls in order. `wind` must be in the state in which the log began (Wind::save, Wind::load). Stops at the first
+/// call that is rejected or returns another handle; the error names it.
 [[nodiscard]] Result<void> replay(const EventLog& log, Wind& wind);
 
 } // namespace windrow

@@ -1,4 +1,4 @@
-// What frames between ticks show: the wind of the last two ticks, blended, and of the frame before.
+// Wind of a frame between ticks: a blend of the last two ticks, and that of the frame before.
 //
 //   u = u_before + factor (u_now - u_before)
 //
@@ -20,7 +20,7 @@ struct ShownFrame {
     bool still = false; ///< the air slept: its cells are `ambient` in `window`
 };
 
-/// How the cells of a frame are made.
+/// Source of the cells of a frame.
 struct FrameBlend {
     float factor = 0.0f;    ///< of the way from the tick before to now
     bool still = false;     ///< the air slept in both: the cells are the ambient wind of the frame's moment

@@ -1,11 +1,11 @@
-// A block of turbulence that repeats: baked once, read by every gust and every ripple of detail.
+// The gust tile: a periodic block of turbulence, made once and read by all gusts and by the detail.
 //
-// A sum of waves on the tile's own lattice, so that no seam exists. Each wave is free of divergence as it stands: a part that
-// turns about the vertical, and a part that rises and sinks. The ground is a mirror: level components are even about it, the
-// vertical one is odd, so the tile stores half a period along y and no gust blows through the ground.
+// A sum of waves on the tile's own lattice, so it has no seam. Each wave is free of divergence by itself: one part turns about
+// the vertical, one rises and sinks. The ground is a mirror: horizontal components are even about it, the vertical one is odd. So
+// the tile stores half a period along y, and no gust blows through the ground.
 //
 //     z 128 texels     index = (z * 16 + y) * 128 + x, four floats a texel (x, y, z, 0): 4 MiB
-//     y  16 texels     texel i lies at i + 1/2; x and z wrap at 128, y is mirrored at 0 and at 16
+//     y  16 texels     texel i is at i + 1/2; x and z wrap at 128, y is mirrored at 0 and at 16
 //     x 128 texels
 #pragma once
 
@@ -19,7 +19,7 @@
 
 namespace windrow {
 
-/// Never changes once it is made: any number of winds and threads share one.
+/// Constant after creation: any number of winds and threads may read one.
 class GustTile {
   public:
     static constexpr int k_side = 128;  ///< texels along x and z, a whole period
@@ -31,8 +31,8 @@ class GustTile {
 
     /// Makes a tile: some 5 ms. The same seed gives the same bits on every machine. Null where memory is missing.
     [[nodiscard]] static std::shared_ptr<const GustTile> bake(std::uint32_t seed);
-    /// The tile of seed 1, one for all who hold it at a time: what motors take their eddies from where the wind has no tile.
-    /// Null where memory is missing.
+    /// The tile of seed 1, one object for all its users: the source of motors' eddies where the wind has no tile. Null without
+    /// memory.
     [[nodiscard]] static std::shared_ptr<const GustTile> standard();
 
     /// All texels. Blended, each level component has standard deviation 1 over the tile (about 1.2 at the ground, where mirror
@@ -42,7 +42,7 @@ class GustTile {
     [[nodiscard]] float bound() const { return bound_; }
     /// The tile at a place counted in texels, as a plant's shader blends it. Any finite place.
     [[nodiscard]] glm::vec3 sample(glm::dvec3 place) const;
-    /// The waves themselves at a place counted in texels, summed one by one: what the texels stand for. Slow (tens of
+    /// Exact sum of the waves at a place in texels, which the texels sample. Slow (tens of
     /// microseconds).
     [[nodiscard]] glm::vec3 procedural(glm::dvec3 place) const;
     [[nodiscard]] std::uint32_t seed() const { return seed_; }

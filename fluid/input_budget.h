@@ -1,4 +1,4 @@
-// What all files of one scene may cost together: a small scene may name many large files, or one file many times.
+// Cost limit for all files of one scene together: a small scene may name many large files, or one file many times.
 #pragma once
 
 #include "fluid/message.h"

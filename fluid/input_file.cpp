@@ -32,9 +32,9 @@ class Descriptor {
 
 Error unreadable(const std::string& name, int reason) {
     if (reason == ENOENT || reason == ENOTDIR)
-        return Error{message(name, ": there is no such file: check the name and the folder that you run from.")};
+        return Error{message(name, ": no such file: check the name and the current folder.")};
     if (reason == EACCES)
-        return Error{message(name, ": may not be read: give yourself the right with chmod +r, or name another file.")};
+        return Error{message(name, ": permission denied: allow reading with chmod +r, or name another file.")};
     return Error{message(name, ": cannot be read (", reason_of(reason), "): name another file.")};
 }
 

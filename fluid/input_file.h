@@ -1,4 +1,4 @@
-// A file that is read: opened without waiting, found to be a regular file, and read to a bound.
+// Input file: opened without blocking, checked to be a regular file, and read up to a limit.
 //
 //     const auto bytes = detail::read_input("walk.csv", {.folder = scene_folder, .max_bytes = 64 << 20}, budget);
 //     if (!bytes)

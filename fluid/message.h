@@ -1,5 +1,5 @@
-// One sentence out of words and figures; figures in their shortest exact form, whatever the locale. Nothing here throws: a sentence
-// that finds no memory is "out of memory".
+// Message of words and figures; figures in their shortest exact form in every locale. Nothing here throws: without memory the
+// message is "out of memory".
 #pragma once
 
 #include "fluid/result.h"
@@ -61,7 +61,7 @@ template <class... Parts>
     return Error{"out of memory: use a smaller box or fewer items, or free memory and call again."};
 }
 
-/// What `call` returns, or an Error where it finds no memory. `call` has to make room before it changes anything.
+/// Result of `call`, or an Error without memory. `call` must allocate before it changes anything.
 template <class Call>
 [[nodiscard]] auto where_memory_lasts(const Call& call) -> decltype(call()) {
     try {

@@ -42,7 +42,7 @@ double PressureMotor::mean(double from, double to) const {
 
 void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const Envelope& envelope) {
     if (envelope.attack == 0.0f && envelope.hold == 0.0f && envelope.decay == 0.0f)
-        reasons.add(path, " lasts 0 s: give attack, hold or decay a time.");
+        reasons.add(path, " lasts 0 s: set attack, hold or decay above 0.");
 }
 
 Result<void> validate(const Motor& motor) {

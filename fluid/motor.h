@@ -1,10 +1,10 @@
-// What pushes the air: fans, gusts, bodies that pass, jets, whirls, blasts.
+// Motors, the sources of momentum and volume: fans, gusts, passing bodies, jets, vortices, blasts.
 //
 // A motor acts by one of three laws:
 //   a force    adds an acceleration w(x) f,
 //   a drive    pulls the air toward a velocity U: du = (1 - exp(-k w dt)) (U - u), stable for any strength and step,
-//   a source   lets air come out of a ball or vanish in it: div u = S0 w(x),
-// with the weight w(x) of its region: 1 in its middle, falling as (1 - s^2)^2 to exactly 0 at the rim (s = distance over
+//   a source   adds or removes volume in a ball: div u = S0 w(x),
+// with the weight w(x) of its region: 1 in its middle, falling as (1 - s^2)^2 to exactly 0 at its edge (s = distance over
 // radius), smooth there. The formulas stand in shaders/numerics/motors.glsl, one text for C++ and GLSL.
 // A region thinner than 1.5 cells in radius would fall between the cells; it is widened to that and weakened so that its impulse
 // stays.
@@ -93,7 +93,7 @@ struct Force {
     }
 };
 
-/// Pulls the air toward a speed along the motor's direction.
+/// Relaxation of the air to a speed along the motor's direction.
 struct Drive {
     static constexpr const char* k_name = "drive";
     static constexpr const char* k_meaning = "Pulls the air toward a speed.";
@@ -102,13 +102,13 @@ struct Drive {
 
     static constexpr auto settings() {
         return std::tuple{
-            Setting("speed", &Drive::speed, k_speed_range, "Speed along the motor's direction that the air is pulled toward."),
+            Setting("speed", &Drive::speed, k_speed_range, "Target speed along the motor's direction."),
             Setting("rate", &Drive::rate, {0.0, 1e6, "1/s"}, "How fast: 63 % of the way in 1/rate seconds where w = 1."),
         };
     }
 };
 
-/// A wake that pushes: along its path it adds `strength * w` metres per second for each metre that the body passes, so the
+/// Force of a wake: along its path it adds `strength * w` metres per second for each metre that the body passes, so the
 /// impulse per metre is fixed and the impulse per second grows in proportion to the speed.
 struct WakeForce {
     static constexpr const char* k_name = "force";
@@ -121,7 +121,7 @@ struct WakeForce {
     }
 };
 
-/// A wake that drags: the air is pulled toward `entrainment` times the body's velocity; the exponent is the path integral of
+/// Drive of a wake: the air is pulled toward `entrainment` times the body's velocity; the exponent is the path integral of
 /// `per_metre * w`, so cutting the path into steps changes nothing.
 struct WakeDrive {
     static constexpr const char* k_name = "drive";
@@ -142,8 +142,8 @@ struct WakeDrive {
 // --- Time ------------------------------------------------------------------------------------------------------------
 
 /// Strength over time, from the moment at which the motor is added: a smooth rise, full strength, a smooth fall (3 s^2 - 2 s^3
-/// each). Steps take its mean over the step, so an impulse does not depend on the frame rate. When it has ended the motor is
-/// removed by itself and its handle is stale: a gust needs no keeper.
+/// each). Steps take its mean over the step, so an impulse does not depend on the frame rate. At its end the motor is
+/// removed by itself and its handle is stale.
 struct Envelope {
     static constexpr Range k_time_range{0.0, 1e9, "s"};
     float attack = 0.0f;
@@ -177,13 +177,13 @@ void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const 
 
 // --- Turbulence ------------------------------------------------------------------------------------------------------
 
-/// Eddies in what a motor blows. Without them a jet stays a rod for ten diameters: what makes it roll up and spread is missing.
+/// Turbulence of the air that a motor moves. Without it a jet stays straight for ten diameters and does not roll up and spread.
 /// The law's velocity (or acceleration) becomes
 ///   U + 2.8 w intensity |U| n((x - x_motor - 0.7 U t) / s),
 /// n the gust tile (gust_tile.h) of standard deviation 1, w the region's weight, U the law's own, t the motor's age at the middle
-/// of the step. 0.7 is about the speed at which eddies travel in the shear layer of a round jet; 2.8 makes up for the weight: what
-/// leaves a jet of 5 cells a radius has the intensity asked for. For a force, U is the speed that it gives air over a radius. A
-/// body's wake takes eddies that rest in the world, without w.
+/// of the step. 0.7 is about the speed at which eddies travel in the shear layer of a round jet; 2.8 makes up for the weight:
+/// what leaves a jet of 5 cells a radius has the intensity asked for. For a force, U is the speed that it gives air over a
+/// radius. A body's wake takes eddies that rest in the world, without w.
 struct Turbulence {
     float intensity = 0.05f;
     float length = 0.0f;
@@ -200,7 +200,7 @@ struct Turbulence {
                 "Size of the largest eddies; most are a third of that. 0: two radii of the region (of a box, two of its smallest "
                 "half sizes)."),
             Setting("seed", &Turbulence::seed, k_seed_range,
-                    "Which part of the pattern: motors of the same kind, age and seed blow alike."),
+                    "Selects a part of the pattern: motors of the same kind, age and seed have the same eddies."),
         };
     }
 };
@@ -223,16 +223,16 @@ struct DirectionalMotor {
             Setting("position", &DirectionalMotor::position, k_world_range, "Centre of the region; first end of a cone."),
             Setting("direction", &DirectionalMotor::direction, Range::direction(), "Any length; normalised on creation."),
             Setting("region", &DirectionalMotor::region,
-                    "Where it acts: fully in the middle, falling smoothly to 0 at the border."),
-            Setting("law", &DirectionalMotor::law, "How it acts."),
+                    "Region in which it acts: fully in the middle, falling smoothly to 0 at the edge."),
+            Setting("law", &DirectionalMotor::law, "Law of its action on the air."),
             Setting("envelope", &DirectionalMotor::envelope, "Strength over time."),
             Setting("turbulence", &DirectionalMotor::turbulence, "Eddies in what it blows."),
         };
     }
 };
 
-/// A moving body: acts only while it moves, along the path through all positions that `Motors::move` gave since the last step.
-/// Several moves between two steps make a curved path.
+/// Wake of a moving body: acts only while it moves, along the path through all positions that `Motors::move` gave since the last
+/// step. Several moves between two steps make a curved path.
 struct WakeMotor {
     static constexpr const char* k_name = "wake";
     static constexpr const char* k_meaning = "A moving body: acts only while it moves, along its path.";
@@ -244,17 +244,17 @@ struct WakeMotor {
 
     static constexpr auto settings() {
         return std::tuple{
-            Setting("position", &WakeMotor::position, k_world_range, "Where the path begins."),
+            Setting("position", &WakeMotor::position, k_world_range, "Start of the path."),
             Setting("radius", &WakeMotor::radius, k_size_range, "Radius of the body."),
-            Setting("law", &WakeMotor::law, "How it acts."),
+            Setting("law", &WakeMotor::law, "Law of its action on the air."),
             Setting("envelope", &WakeMotor::envelope, "Strength over time."),
             Setting("turbulence", &WakeMotor::turbulence, "Eddies in the wake. Default none: a wake makes its own."),
         };
     }
 };
 
-/// A nozzle: blows along a cone or cylinder whose rays spread from the cone's tip and slow as it widens, so that each section
-/// passes the same momentum. `speed` and `acceleration` hold at the nozzle.
+/// A jet from a nozzle: blows along a cone or cylinder whose rays spread from the cone's tip and slow as it widens, so that each
+/// section passes the same momentum. `speed` and `acceleration` hold at the nozzle.
 struct JetMotor {
     static constexpr const char* k_name = "jet";
     static constexpr const char* k_meaning = "A nozzle: blows along a cone or cylinder.";
@@ -271,10 +271,11 @@ struct JetMotor {
         return std::tuple{
             Setting("position", &JetMotor::position, k_world_range, "The nozzle."),
             Setting("direction", &JetMotor::direction, Range::direction(), "Any length; normalised on creation."),
-            Setting("length", &JetMotor::length, k_size_range, "How far it pushes. The air carries the jet on beyond it."),
+            Setting("length", &JetMotor::length, k_size_range,
+                    "Length over which it pushes. The air carries the jet on beyond it."),
             Setting("start_radius", &JetMotor::start_radius, k_size_range, "Radius at the nozzle."),
             Setting("end_radius", &JetMotor::end_radius, k_size_range, "Radius at the end; equal to start_radius: a cylinder."),
-            Setting("law", &JetMotor::law, "How it acts, at the nozzle."),
+            Setting("law", &JetMotor::law, "Law of its action on the air, at the nozzle."),
             Setting("envelope", &JetMotor::envelope, "Strength over time."),
             Setting("turbulence", &JetMotor::turbulence, "Eddies in the jet: they make it roll up and spread."),
         };
@@ -302,16 +303,16 @@ struct VortexMotor {
             Setting("half_length", &VortexMotor::half_length, k_size_range, "Along the axis, from the middle to each end."),
             Setting("lift", &VortexMotor::lift, {-10.0, 10.0},
                     "Speed along the axis in the middle over the swirl. A dust devil has about 0.5."),
-            Setting("law", &VortexMotor::law, "How it acts, where it is fastest."),
+            Setting("law", &VortexMotor::law, "Law of its action on the air, where it is fastest."),
             Setting("envelope", &VortexMotor::envelope, "Strength over time."),
         };
     }
 };
 
-/// Air that comes out of a ball (a blast, a vent) or vanishes in it (suction). In incompressible air a radial push is a pure
-/// gradient, which the pressure takes back whole; only a source can blow outward. In free air the speed is `speed` at the ball's
-/// radius and falls as 1/distance^2 beyond: in a box every axis of which is open at one end at least, with walls as mirrors. There
-/// a source outside the box blows into it too.
+/// Volume source in a ball (a blast, a vent), or sink (suction). In incompressible air a radial force is a pure gradient, which
+/// the pressure cancels; only a volume source can blow outward. In free air, a box with an open boundary on every axis, the speed
+/// is `speed` at the ball's radius and falls as 1/distance^2 beyond, with walls as mirrors. There a source outside of the box
+/// acts in it too.
 struct OmniMotor {
     static constexpr const char* k_name = "omni";
     static constexpr const char* k_meaning = "Air that comes out of a ball or vanishes in it.";
@@ -330,8 +331,8 @@ struct OmniMotor {
     }
 };
 
-/// A burst of pressure: air is thrown out, then drawn back, as behind a blast wave: outflow (1 - t/T) exp(-t/T) times its start,
-/// which leaves no air over. It begins when it is added, and removes itself 12 durations later, when 1e-4 of it is left. Based
+/// A pressure burst: outflow, then inflow, as behind a blast wave: (1 - t/T) exp(-t/T) times the initial outflow, whose integral
+/// is 0. It begins when it is added, and is removed 12 durations later, when 1e-4 of it is left. Based
 /// on: Friedlander 1946, Proceedings of the Royal Society A 186 (the wave's form in time).
 struct PressureMotor {
     static constexpr const char* k_name = "pressure";
@@ -348,7 +349,7 @@ struct PressureMotor {
             Setting("speed", &PressureMotor::speed, k_speed_range,
                     "Outward speed at the radius in the first moment; negative: an implosion."),
             Setting("duration", &PressureMotor::duration, Range::above(0.0, 1e9, "s"),
-                    "T: how long it throws out before it draws back."),
+                    "T: duration of the outflow before the inflow."),
         };
     }
 
@@ -360,10 +361,10 @@ struct PressureMotor {
 
 using Motor = std::variant<DirectionalMotor, WakeMotor, JetMotor, VortexMotor, OmniMotor, PressureMotor>;
 
-/// Every reason why a motor cannot be used, a line each.
+/// All reasons why a motor is invalid, one per line.
 [[nodiscard]] Result<void> validate(const Motor& motor);
 
-/// [m] Where a motor is.
+/// [m] Position of a motor.
 [[nodiscard]] glm::dvec3 position_of(const Motor& motor);
 
 namespace detail {

@@ -1,4 +1,4 @@
-// One motor as the sources stage evaluates it: plain data, relative to the box, with the cells that it can touch.
+// Motor as the sources stage evaluates it: plain data relative to the box, with the range of its cells.
 #pragma once
 
 #include "fluid/boundaries.h"
@@ -40,8 +40,8 @@ struct MotorReach {
 static_assert(sizeof(MotorReach) == 4 * (2 + 3 + 3 + 3 + 3 + 1 + 5 + 6), "no padding: compared as bytes");
 
 /// Prepares one motor for a tick of `duration` [s] that it begins at `age` [s], having moved along `path`. Writes at most
-/// Track::k_max_segments entries to `reach`; returns how many. In free air (boundaries.h) a source is felt from outside the box too, with
-/// no cell of its own.
+/// Track::k_max_segments entries to `reach`; returns how many. In free air (boundaries.h) a source is felt from outside the box
+/// too, with no cell of its own.
 int prepare(const Motor& motor, const Track& track, std::span<const Track::Segment> path, double age, double duration,
             const Window& window, const Boundaries& boundaries, std::span<MotorReach> reach);
 

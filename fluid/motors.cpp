@@ -68,7 +68,7 @@ Result<MotorId> Motors::add(const Motor& motor) {
     if (auto valid = validate(motor); !valid)
         return Error{valid.error()};
     if (free_.empty() && slots_.size() >= k_capacity)
-        return Error{detail::message("motors is full with ", count_, " motors: remove some; the list takes ", k_capacity, ".")};
+        return Error{detail::message("there are already ", count_, " motors: remove some; a wind has at most ", k_capacity, ".")};
     const bool has_room = detail::memory_lasts([&] {
         if (free_.empty() && slots_.size() == slots_.capacity())
             slots_.reserve(std::max<std::size_t>(1, 2 * slots_.capacity()));

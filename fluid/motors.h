@@ -1,7 +1,7 @@
-// The motors of one wind: a list in world space (double) that changes while the wind runs. Each is named by a handle with a
-// generation, so that a stale handle is rejected instead of moving a stranger.
+// The motors of one wind: a list in world space (double) that may change while the wind runs. A handle has a generation, so that
+// a stale handle is rejected and never moves another motor.
 //
-// What the air feels does not depend on the order in which motors were added: a cell sums them in an order of their own.
+// The effect on the air does not depend on the order in which motors were added: a cell sums them in a fixed order.
 #pragma once
 
 #include "fluid/gust_tile.h"
@@ -19,12 +19,12 @@ namespace windrow {
 
 class EventLog;
 
-/// Names a motor of one Motors object. A default one names none.
+/// Handle of a motor of one Motors object. A default handle names none.
 struct MotorId {
     std::uint32_t slot = 0;
     std::uint32_t generation = 0; ///< 0 names no motor
-    /// Of which Motors object, unique in the process, so that the handle of another wind is rejected. Default 0: not checked, for a
-    /// handle that was sent as slot and generation.
+    /// Number of the Motors object, unique in the process, so that a handle of another wind is rejected. Default 0: not checked,
+    /// for a handle that was sent as slot and generation.
     std::uint32_t owner = 0;
     /// The same slot and generation: also of a wind and of its copy that was loaded.
     friend bool operator==(MotorId a, MotorId b) { return a.slot == b.slot && a.generation == b.generation; }
@@ -67,7 +67,7 @@ class Motors {
     // --- Called by Wind -----------------------------------------------------------------------------------------------
     /// A frame of `duration` [s] begins `lead` [s] after the last tick; see track.h.
     void begin_frame(double lead, double duration);
-    /// What was told happens in `factor` of the time.
+    /// Scales the times of the positions given in this frame by `factor`.
     void squeeze(double factor);
     /// Advances every motor by a tick, ends those whose time is over, and returns what reaches the box, in an order that does not
     /// depend on the list's. Does not allocate. The span lasts until the next call.
@@ -75,7 +75,7 @@ class Motors {
     [[nodiscard]] std::span<const Slot> slots() const { return slots_; }
     /// Some motor is a volume source, whether or not it reaches the box.
     [[nodiscard]] bool has_volume_source() const;
-    /// What motors' eddies are read from: the wind's own tile, else the standard one. May be null where no motor has eddies.
+    /// Tile of the motors' eddies: the wind's own, else the standard one. May be null where no motor has eddies.
     [[nodiscard]] const std::shared_ptr<const GustTile>& tile(const std::shared_ptr<const GustTile>& of_wind) const {
         return of_wind ? of_wind : tile_;
     }

@@ -1,8 +1,8 @@
-// The pieces that a step is made of, as functions on the caller's own fields.
+// The operators of a step (advection, diffusion, projection, sources) on the caller's own fields.
 //
-// `Wind::step` calls these and nothing else for the air, so that an analyst tests what runs, and others reuse it: a
-// scalar for smoke or seeds carried by the same wind, a projection of their own field. Fields are laid out as box.h
-// says; a velocity is a glm::vec4 a cell, xyz in m/s and w = 0 (one aligned load brings a whole cell).
+// `Wind::step` calls these and nothing else for the air, so an analyst tests the code that runs. Others reuse it: a scalar
+// for smoke or seeds carried by the same wind, a projection of their own field. Fields are laid out as in box.h. A velocity is
+// a glm::vec4 per cell, xyz in m/s and w = 0 (one aligned load reads a whole cell).
 //
 //     auto work = windrow::Workspace::create({.box = {.cells = {64, 64, 1}, .cell_size = 0.1f}});
 //     windrow::project(*work, velocity);
@@ -22,7 +22,7 @@
 
 namespace windrow {
 
-/// Tables and scratch for one box. Move-only; holds no field. Calls that share a workspace must not overlap in time.
+/// Tables and scratch for one box. Move-only; holds no field. Calls with the same workspace must not overlap in time.
 class Workspace {
   public:
     struct Settings {
@@ -37,8 +37,8 @@ class Workspace {
 
     [[nodiscard]] static Result<Workspace> create(const Settings& settings);
 
-    /// Changes kinds or wall velocities; rebuilds the tables (and allocates) only when a kind changed. Without memory it fails and
-    /// the workspace stays as it was.
+    /// Changes kinds or wall velocities; rebuilds the tables (and allocates) only when a kind changed. Without memory it fails
+    /// and the workspace stays as it was.
     [[nodiscard]] Result<void> set_boundaries(const Boundaries& boundaries);
     void set_ambient(glm::vec3 ambient);
 
@@ -67,7 +67,7 @@ enum class Interpolation : std::uint8_t {
 template <>
 inline constexpr std::array<const char*, 2> k_words<Interpolation>{"linear", "cubic"};
 
-/// What `advect` moves and by which wind. All spans hold one value a cell.
+/// Fields of `advect`: the one to move and the wind that moves it. All spans have one value per cell.
 struct Transport {
     /// [m/s] The velocity to move; beyond open boundaries it is the ambient wind.
     std::span<const glm::vec4> carried{};
@@ -108,7 +108,7 @@ struct ScalarTransport {
 /// Allocates once, at the first call; an error, with `result` untouched, where memory is missing.
 Result<void> advect(Workspace& work, const ScalarTransport& transport, std::span<float> result);
 
-/// Which method a viscosity asks for, by r = viscosity * dt / h^2.
+/// Method of diffusion for a viscosity, by r = viscosity * dt / h^2.
 enum class DiffusionMethod : std::uint8_t {
     none,     ///< r < 1e-4: less than round-off of the advection; nothing is done.
     one_pass, ///< r <= 1/12: u + r L u, factor 1 - 4 r sum sin^2(kh/2) a mode.
@@ -118,27 +118,28 @@ template <>
 inline constexpr std::array<const char*, 3> k_words<DiffusionMethod>{"none", "one_pass", "implicit"};
 [[nodiscard]] DiffusionMethod diffusion_method(float viscosity, float dt, float cell_size);
 
-/// result = field after dt of diffusion with `viscosity` [m^2/s], walls and open boundaries as boundaries.h says. First order in time,
-/// second in space. `result` must not overlap `field`; with DiffusionMethod::none it is a copy. Allocates once at the first
+/// result = field after dt of diffusion with `viscosity` [m^2/s], boundaries as in boundaries.h. First order in time, second in
+/// space. `result` must not overlap `field`; with DiffusionMethod::none it is a copy. Allocates once at the first
 /// implicit call (see reserve_diffusion); an error, with `result` untouched, where memory is missing.
 Result<DiffusionMethod> diffuse(Workspace& work, std::span<const glm::vec4> field, float viscosity, float dt,
                                 std::span<glm::vec4> result);
-/// Allocates what implicit diffusion needs, so that no later call allocates.
+/// Allocates the memory of implicit diffusion, so that no later call allocates.
 [[nodiscard]] Result<void> reserve_diffusion(Workspace& work);
 
-/// [1/s] Central divergence at cell centres. Beyond a wall the normal velocity turns its sign; beyond an open boundary it is that of
-/// the cell inside.
+/// [1/s] Central divergence at cell centres. Beyond a wall the normal velocity turns its sign; beyond an open boundary it is that
+/// of the cell inside.
 void divergence(Workspace& work, std::span<const glm::vec4> velocity, std::span<float> result);
 
 /// Solves L phi = rhs in place, L the 7-point Laplacian [1/m^2] with phi = 0 at the ghosts' centres beyond open boundaries and
-/// d phi/dn = 0 on walls: direct, by fast diagonalisation. In a box without an open boundary the mean of rhs is dropped and phi has mean 0. Based on: Lynch, Rice &
-/// Thomas 1964, Numerische Mathematik 6.
+/// d phi/dn = 0 on walls: direct, by fast diagonalisation. In a box without an open boundary the mean of rhs is dropped and phi
+/// has mean 0. Based on: Lynch, Rice & Thomas 1964, Numerische Mathematik 6.
 void solve_poisson(Workspace& work, std::span<float> rhs_then_phi);
 
-/// velocity -= grad phi with L phi = div velocity - expansion. Collocated, so approximate: what is left of the divergence falls
-/// as h^2. Adds nothing to the kinetic energy; where a side is open, waves of a few cells along an edge may gain: 1.065 times at
+/// velocity -= grad phi with L phi = div velocity - expansion. Collocated, so approximate: the remaining divergence falls as h^2.
+/// The kinetic energy does not grow, except at open boundaries, where waves of a few cells along an edge may gain: 1.065 times at
 /// most, 4.4 times however often repeated (norms of the matrix and of its powers for 8 x 8 x 8 cells). `gradient`, where not
-/// empty, receives grad phi [m/s]. `expansion`, where not empty, is the divergence wanted [1/s]: air that comes out (> 0) or vanishes; in a box without an open boundary its mean is dropped.
+/// empty, receives grad phi [m/s]. `expansion`, where not empty, is the target divergence [1/s] of volume sources (> 0) and
+/// sinks; in a box without an open boundary its mean is dropped.
 void project(Workspace& work, std::span<glm::vec4> velocity, std::span<glm::vec4> gradient = {},
              std::span<const float> expansion = {});
 

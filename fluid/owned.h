@@ -1,4 +1,4 @@
-// The state behind a move-only object of the library.
+// Owning pointer to the state of a move-only object of the library.
 #pragma once
 
 #include <cassert>
@@ -7,8 +7,7 @@
 
 namespace windrow::detail {
 
-/// A unique_ptr whose uses assert that the object was not moved from: a wind that was moved away has no air to step. Only moving
-/// into it and destroying it stay legal then.
+/// A unique_ptr whose uses assert that the object was not moved from. After a move only assignment and destruction are legal.
 template <class State>
 class Owned {
   public:

@@ -1,7 +1,7 @@
-// How the solver asks for threads: the host supplies a parallel loop, or nothing and the solver runs serially.
+// Parallel loop of the host for the solver; without one the solver runs serially.
 //
-// The library starts no thread by itself. A host with a job system hands in two words; `ThreadPool` (thread_pool.h) is
-// there for hosts that have none. The work is cut the same way whatever the number of threads, so results do not depend on it.
+// The library starts no thread by itself. A host with a job system passes a function pointer and a context; other hosts use
+// `ThreadPool` (thread_pool.h). The work is divided in the same way for any number of threads, so results do not depend on it.
 #pragma once
 
 #include <type_traits>

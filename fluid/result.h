@@ -1,5 +1,5 @@
-// What a call that can fail returns: the value, or one sentence that names the field, its value and the fix.
-// No exception crosses the API: a call that finds no memory returns an Error too, and leaves its object as it was.
+// Result of a call that can fail: a value, or an error sentence with the field, its value and the fix.
+// No exception crosses the API: a call without memory returns an Error too, and leaves its object unchanged.
 #pragma once
 
 #include <concepts>
@@ -10,8 +10,8 @@
 
 namespace windrow {
 
-/// Why a call was rejected. `message` is one sentence (or several, one a line) written for the person who must mend it.
-/// Made without throwing: where memory for the sentence is missing, it is "out of memory", which no string allocates.
+/// Reason of a failure. `message` is one sentence (or several, one per line) with the fix.
+/// Creation does not throw: without memory for the sentence it is "out of memory", which does not allocate.
 struct Error {
     Error() = default;
     Error(std::string&& text) noexcept : message(std::move(text)) {}
@@ -45,7 +45,7 @@ class [[nodiscard]] Result {
     T* operator->() { return std::get_if<0>(&content_); }
     const T* operator->() const { return std::get_if<0>(&content_); }
 
-    /// The sentence; only where has_value() is false.
+    /// The message; valid only where has_value() is false.
     [[nodiscard]] const std::string& error() const { return std::get_if<1>(&content_)->message; }
 
   private:

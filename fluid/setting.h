@@ -21,14 +21,14 @@
 
 namespace windrow {
 
-/// What of a vector a range bounds.
+/// Quantity of a vector that a range bounds.
 enum class Measure : std::uint8_t {
     component, ///< each component
     length,    ///< the length
     direction, ///< each component, and the length is not 0
 };
 
-/// What a number may be.
+/// Range of a number.
 struct Range {
     double min = -std::numeric_limits<double>::infinity();
     double max = std::numeric_limits<double>::infinity();
@@ -58,7 +58,7 @@ struct Range {
     }
 };
 
-/// Ranges that several structs share.
+/// Ranges of settings in several structs.
 inline constexpr Range k_fraction_range{0.0, 1.0};
 inline constexpr Range k_size_range = Range::above(0.0, 1e6, "m");
 inline constexpr Range k_speed_range{-1e4, 1e4, "m/s"};
@@ -66,7 +66,7 @@ inline constexpr Range k_seed_range{0.0, std::numeric_limits<std::uint32_t>::max
 /// Of a position in the world: beyond it a double no longer resolves millimetres.
 inline constexpr Range k_world_range{-1e12, 1e12, "m"};
 
-/// Where the value of a setting is stored.
+/// Places where the value of a setting is stored.
 enum class Stored : std::uint8_t {
     everywhere,   ///< in scene files and in snapshots
     in_snapshots, ///< in snapshots alone
@@ -118,7 +118,7 @@ struct AnyMember {
     template <class Value>
     operator Value() const; // in unevaluated code only
 };
-/// How many members an aggregate has.
+/// Number of members of an aggregate.
 template <class Struct, class... Members>
 consteval std::size_t member_count() {
     if constexpr (requires { Struct{Members{}..., AnyMember{}}; })

@@ -1,5 +1,5 @@
-// Which instructions the hot loops use. The same text is compiled for each level and chosen at run time; each level gives one
-// result, whatever the number of threads, and levels differ by rounding.
+// SIMD level of the hot loops. The same source is compiled for each level and selected at run time. Each level gives one result
+// for any number of threads; levels differ by rounding.
 #pragma once
 
 #include "fluid/setting.h"
@@ -9,7 +9,7 @@
 namespace windrow {
 
 enum class Simd : std::uint8_t {
-    /// The best that this machine runs. The default.
+    /// The best level of this machine. The default.
     best,
     /// Of every machine of this architecture (SSE2 on x86): the same bits everywhere, for replays across machines.
     baseline,
@@ -20,7 +20,7 @@ enum class Simd : std::uint8_t {
 template <>
 inline constexpr std::array<const char*, 4> k_words<Simd>{"best", "baseline", "avx2", "avx512"};
 
-/// Whether this machine runs a level; `best` always.
+/// True if this machine supports a level; `best` always.
 [[nodiscard]] bool runs(Simd level);
 /// "baseline", "avx2", "avx512"; for `best` the level that it stands for here.
 [[nodiscard]] const char* name_of(Simd level);

@@ -1,4 +1,4 @@
-// Whether the air moves: awake, calm or asleep.
+// Sleep state of the air: awake, calm or asleep.
 #pragma once
 
 #include "fluid/diagnostics.h"
@@ -22,7 +22,7 @@ struct Sleep {
 
     /// Something acts on the air, or its cells were set.
     void wake() { depth = Depth::awake; }
-    /// What blows around the box is another: the next step runs.
+    /// The ambient wind has changed: the next step runs.
     void stir() { depth = calm() ? Depth::calm : Depth::awake; }
     /// The cells became ambient, with no past.
     void fill() { depth = asleep() ? Depth::asleep : Depth::calm; }
@@ -38,7 +38,7 @@ struct Sleep {
                    .times_ms = {}};
     }
 
-    /// What keeps air awake, or lets it come to rest.
+    /// Conditions that keep air awake.
     struct Conditions {
         float relaxation_time = 0.0f;   ///< [s] to the ambient wind; 0: never
         float sleep_speed = 0.0f;       ///< [m/s] 0: never

@@ -183,7 +183,7 @@ struct StateFields {
         StateFields::ambient(archive, ambient, config, tiles);
         archive.cells(field.cells);
         if constexpr (Reading<decltype(archive)>)
-            archive.require(in_range(window.origin_cells), "a frame lies out of range.");
+            archive.require(in_range(window.origin_cells), "a frame is out of range.");
     }
 
     static void frames(auto& archive, Like<FrameHistory> auto& frames, Like<cpu::FrameCells> auto& cells, const Config& config,
@@ -246,7 +246,7 @@ struct StateFields {
             archive.require(in_range(window.origin_cells) && in_range(stepped.origin_cells) && in_range(previous.origin_cells) &&
                                 in_range(point, farthest) && in_range(stepped.point, farthest) &&
                                 in_range(previous.point, farthest),
-                            "its box lies out of range.");
+                            "its box is out of range.");
             if (ticking && archive.can_hold(3 * count, sizeof(glm::vec4))) {
                 cells.make_room({.frames = true});
                 frames.emplace(AirNow{window, {}, ambient});

@@ -1,4 +1,4 @@
-// What the vertex stage samples: one scalar 3D texture an axis, and the block that says where in the world they lie.
+// Textures of the wind for a vertex stage: one scalar 3D texture per axis, and the block that places them in the world.
 //
 // Texel (i, j, k) of a texture is the velocity component of cell (i, j, k) at its centre, x fastest, then y, then z.
 #pragma once
@@ -13,7 +13,7 @@
 
 namespace windrow {
 
-/// Where the three textures lie, as a uniform block of std140 layout (nine vec4). Positions are relative to an
+/// Position of the three textures, as a uniform block of std140 layout (nine vec4). Positions are relative to an
 /// anchor that the host chooses near its camera, so that a shader in float is as exact 10^6 m away as at the origin.
 struct WindowBlock {
     glm::vec3 origin{0.0f}; ///< [m] low corner of the box minus the anchor
@@ -24,11 +24,12 @@ struct WindowBlock {
     /// `follow` called before `step`.
     alignas(16) glm::vec3 previous_origin{0.0f};
     alignas(16) glm::vec3 ambient{0.0f};         ///< [m/s] mean wind outside the box; with a profile or gusts see AmbientBlock
-    alignas(16) glm::vec3 low_boundaries{0.0f};  ///< kind of the low side of x, y, z: 0 open, 1 wall, 2 periodic
-    alignas(16) glm::vec3 high_boundaries{0.0f}; ///< kind of the high sides
-    alignas(16) glm::vec3 blend_centre{0.0f};    ///< [m] that the rim follows, minus the anchor
+    alignas(16) glm::vec3 low_boundaries{0.0f};  ///< kind of the low boundary of x, y, z: 0 open, 1 wall, 2 periodic
+    alignas(16) glm::vec3 high_boundaries{0.0f}; ///< as low_boundaries
+    alignas(16) glm::vec3 blend_centre{0.0f};    ///< [m] centre of the blend zone, minus the anchor
     float blend_width = 0.0f;                    ///< [m] over which the box's wind fades to ambient
-    alignas(16) glm::vec3 blend_reach{0.0f};     ///< [m] distance from that point at which it has faded; 0: no rim on that axis
+    alignas(16) glm::vec3 blend_reach{
+        0.0f}; ///< [m] distance from that point at which it has faded; 0: no blend zone on that axis
     alignas(16) glm::vec3 previous_blend_centre{0.0f}; ///< [m] the point in the last frame, minus the anchor
 };
 static_assert(sizeof(WindowBlock) == 144);

@@ -3,8 +3,8 @@
 //     windrow::ThreadPool pool(4);
 //     auto wind = windrow::Wind::create({.parallel_for = pool.parallel_for()});
 //
-// The calling thread works too. Waiting threads look for work for at most 20 microseconds, then sleep: a loop that finds
-// the cores busy with another program gets its share of them and burns none of it.
+// The calling thread works too. Waiting threads look for work for at most 20 microseconds, then sleep: when
+// another program keeps the cores busy, waiting threads take no time from it.
 #pragma once
 
 #include "fluid/parallel.h"

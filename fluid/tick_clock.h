@@ -1,4 +1,4 @@
-// Time of frames, spent in fixed ticks.
+// Clock that divides the time of frames into fixed ticks.
 #pragma once
 
 #include "fluid/wind.h"
@@ -11,10 +11,10 @@ namespace windrow {
 struct TickClock {
     double lead = 0.0; ///< [s] time of the frame after the last tick, 0 <= lead < one tick
 
-    /// What a frame spends.
+    /// Ticks of a frame.
     struct Due {
         int ticks = 0;        ///< to run
-        double dropped = 0.0; ///< [s] beyond Ticks::most
+        double dropped = 0.0; ///< [s] beyond Ticks::max_per_call
     };
     /// Adds a frame of dt [s] and spends all whole ticks.
     [[nodiscard]] Due spend(double dt, const Ticks& ticks) {
@@ -31,7 +31,7 @@ struct TickClock {
         lead = std::max(0.0, lead);
         return spent;
     }
-    /// Where the frame lies between the last two ticks, 0 to 1.
+    /// Position of the frame between the last two ticks, 0 to 1.
     [[nodiscard]] double factor(const Ticks& ticks) const { return lead * ticks.hz; }
 };
 

@@ -1,9 +1,7 @@
-// Where something moves in the time between two ticks: the positions that a host gave, frame by frame, as straight pieces in
-// time.
+// Path of a moving object between two ticks: the positions that the host gave frame by frame, as linear segments in time.
 //
-// A position counts for the end of the frame in which it was given; several in one frame are spread evenly over it. A tick
-// takes the pieces up to its own time, whatever the frame rate: so a body that moves evenly makes the same path at 30 and at 144
-// Hz.
+// A position is valid at the end of the frame in which it was given; several in one frame are spread evenly over it. A tick
+// takes the segments up to its own time, so a uniform motion makes the same path at 30 and at 144 Hz.
 #pragma once
 
 #include <array>
@@ -14,7 +12,7 @@ namespace windrow {
 
 class Track {
   public:
-    /// Pieces that a tick may take; more positions are thinned, those that lie nearest to the straight line first.
+    /// Maximal number of segments per tick. More positions are thinned, those nearest to the straight line first.
     static constexpr int k_max_segments = 8;
 
     struct Segment {
@@ -29,10 +27,10 @@ class Track {
     void move_to(glm::dvec3 position);
     /// A frame of `duration` [s] begins `lead` [s] after the last tick: positions noted since the last frame get their times.
     void begin_frame(double lead, double duration);
-    /// Everything noted so far happens in `factor` of the time.
+    /// Scales the times of all positions noted so far by `factor`.
     void squeeze(double factor);
-    /// Advances by a tick of `duration` [s] and returns the pieces that lie in it, none if it stood still. They last until the
-    /// next call.
+    /// Advances by a tick of `duration` [s] and returns the segments in it, none if the object did not move. They are valid
+    /// until the next call.
     std::span<const Segment> tick(double duration);
 
     /// [m] Where it was at the last tick.
@@ -56,8 +54,8 @@ class Track {
     glm::dvec3 target_{0.0};
     std::array<Point, k_max_segments> points_{};
     int count_ = 0;
-    int timed_ = 0;                              ///< points that have a time
-    int moves_ = 0;                              ///< since the last frame began
+    int timed_ = 0;                                  ///< points that have a time
+    int moves_ = 0;                                  ///< since the last frame began
     std::array<Segment, k_max_segments> segments_{}; ///< as is what follows, of the last tick
     glm::dvec3 middle_{0.0};
 };

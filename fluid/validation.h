@@ -17,26 +17,26 @@
 
 namespace windrow::detail {
 
-/// Where a setting is: "motor.region.sphere.radius". A list on the stack, since a check allocates nothing but its sentence.
+/// Path of a setting: "motor.region.sphere.radius". A list on the stack, since a check allocates nothing but its sentence.
 struct FieldPath {
     const FieldPath* owner = nullptr; ///< null: the outermost
     std::string_view name;            ///< empty: its settings are named by themselves; "[2]": an item
 };
 void append(std::string& text, const FieldPath& path);
 
-/// What a number may be: "0 (never) to 1e9 s".
+/// Range of a number as text: "0 (never) to 1e9 s".
 struct Bounds {
     Range range;
 };
 void append(std::string& text, const Bounds& bounds);
 
-/// What a vector may be: "each component -1e4 to 1e4 m/s".
+/// Range of a vector as text: "each component -1e4 to 1e4 m/s".
 struct VectorBounds {
     Range range;
 };
 void append(std::string& text, const VectorBounds& bounds);
 
-/// What a choice may be: "open, free_slip or periodic".
+/// Names of a choice as text: "open, free_slip or periodic".
 struct Choice {
     std::span<const char* const> words;
 };

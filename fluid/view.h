@@ -1,8 +1,9 @@
-// The wind at one moment, as renderers sample it: the box's cells, where they lie, and the ambient wind around them.
+// Read-only view of the wind at one time, for sampling: the box's cells, their position, and the ambient wind around them.
 //
-// Inside the box the wind is trilinear between cell centres. Near an open boundary along which the box follows a point it fades to
-// the ambient wind over the rim: by the distance from the point itself, which moves smoothly, while the box jumps by cells; so a
-// jump moves nothing. Other open boundaries fade over the one cell beyond them; beyond a wall it is the wind at the wall.
+// Inside the box the wind is trilinear between cell centres. Near an open boundary of an axis that follows a point it fades to
+// the ambient wind over a blend zone. The weight depends on the distance from the point itself, which moves smoothly while the
+// box moves by whole cells, so a shift of the box changes no value. Other open boundaries fade over the one cell beyond them.
+// Beyond a wall the wind is that at the wall.
 #pragma once
 
 #include "fluid/ambient.h"
@@ -17,14 +18,14 @@
 
 namespace windrow {
 
-/// How the wind of a box fades to the ambient wind.
+/// Blend zone of a box, over which its wind fades to the ambient wind.
 struct BlendZone {
     glm::dvec3 point{0.0}; ///< [m] world; what the box follows
-    glm::vec3 reach{0.0f}; ///< [cells] from the point, where the box's wind has faded; 0: no rim on that axis
+    glm::vec3 reach{0.0f}; ///< [cells] from the point, where the box's wind has faded; 0: no blend zone on that axis
     float width = 1.0f;    ///< [cells]
 };
 
-/// A view of a Wind's own memory: cheap to copy, good until the wind next changes.
+/// View of a Wind's own memory: cheap to copy, valid until the next change of the wind.
 class WindView {
   public:
     WindView(const Box& box, const Window& window, const BlendZone& blend_zone, const AmbientWind& ambient,
@@ -35,7 +36,7 @@ class WindView {
     [[nodiscard]] glm::vec3 velocity(glm::dvec3 position) const;
     /// The same for many points; `velocities` holds as many.
     void velocity(std::span<const glm::dvec3> positions, std::span<glm::vec3> velocities) const;
-    /// [m/s] What a plant there feels: scaled, limited, with small-scale detail; see Sampling.
+    /// [m/s] Wind that acts on a plant there: scaled, limited, with small-scale detail; see Sampling.
     [[nodiscard]] glm::vec3 felt(glm::dvec3 position, const Sampling& sampling) const;
     /// [m/s] The cells themselves, laid out as box.h says; w = 0.
     [[nodiscard]] std::span<const glm::vec4> field() const { return field_; }
@@ -47,9 +48,9 @@ class WindView {
     [[nodiscard]] Window window() const { return window_; }
     [[nodiscard]] const Box& box() const { return *box_; }
     [[nodiscard]] BlendZone blend_zone() const { return blend_zone_; }
-    /// The wind around the box at this moment.
+    /// The ambient wind around the box at the time of the view.
     [[nodiscard]] const AmbientWind& ambient() const { return *ambient_; }
-    /// Where the textures lie, relative to `anchor` [m]; the fields of the frame before are those of this one.
+    /// Position of the textures, relative to `anchor` [m]; the fields of the frame before are those of this one.
     [[nodiscard]] WindowBlock block(glm::dvec3 anchor) const;
 
   private:

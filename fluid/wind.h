@@ -1,13 +1,13 @@
-// The wind around a player: the header an embedder includes.
+// The wind in a box that follows a player, on the CPU: the main header of the library.
 //
 //     auto wind = windrow::Wind::create({.ambient = {3.0f, 0.0f, 0.0f}});          // 32 x 16 x 32 cells of 1 m, open boundaries
 //     auto fan  = wind->motors().add(windrow::DirectionalMotor{.position = {4.0, 1.0, 0.0}});
-//     wind->follow(player_position);                                               // whole cells, nothing is lost
+//     wind->follow(player_position);                                               // moves by whole cells, without loss
 //     wind->advance(frame_seconds);                                                // fixed ticks, blended for this frame
 //     glm::vec3 at_leaf = wind->velocity(leaf_position);                           // [m/s]
 //
 // Right-handed, y up, metres and seconds. Positions are double; the solver works relative to the box, so 10^6 m away is
-// as exact as the origin. One Wind is used by one thread at a time; two Winds share nothing.
+// as exact as the origin. One thread at a time may use a Wind; two Winds have no common state.
 #pragma once
 
 #include "fluid/ambient.h"
@@ -44,7 +44,7 @@ enum class Scheme : std::uint8_t {
 template <>
 inline constexpr std::array<const char*, 2> k_words<Scheme>{"second_order", "stable_fluids"};
 
-/// Stages that run. A stage whose parameter is off costs nothing anyway; these switch off what a test does not want.
+/// Stages of a step, to switch off in tests. A stage whose parameter is 0 costs nothing anyway.
 /// Without advection there is no trajectory to centre forces on: the whole f dt acts in the step.
 struct Stages {
     bool sources = true;
@@ -58,7 +58,7 @@ struct Stages {
             Setting("sources", &Stages::sources, "Motors and the canopy."),
             Setting("relaxation", &Stages::relaxation, "The return to the ambient wind."),
             Setting("diffusion", &Stages::diffusion, "Viscosity."),
-            Setting("advection", &Stages::advection, "Transport of the air by itself."),
+            Setting("advection", &Stages::advection, "Transport of the velocity by itself."),
             Setting("projection", &Stages::projection, "The pressure, which makes the air incompressible."),
         };
     }
@@ -74,7 +74,8 @@ struct Ticks {
             Setting("hz", &Ticks::hz, {1.0, 1e4},
                     "Ticks a second. At 30, blended between ticks, leaves move as smoothly as at 144, at a fifth of the cost."),
             Setting("max_per_call", &Ticks::max_per_call, {1.0, 1000.0},
-                    "Most ticks in one call. Time beyond them is dropped and reported: a slow machine gets a slower wind, not an "
+                    "Maximal number of ticks in one call. Time beyond them is dropped and reported: a slow machine gets a slower "
+                    "wind, not an "
                     "ever longer frame."),
         };
     }
@@ -113,17 +114,16 @@ struct Config {
             Setting("cell_size", &Config::cell_size, Box::k_cell_size_range,
                     "Edge of a cell. At 1 m a gust that a person notices spans several."),
             Setting("boundaries", &Config::boundaries,
-                    "What the air meets at each side of the box. Default: open everywhere; Boundaries::open_over_floor() adds "
-                    "ground. "
+                    "Boundary conditions of the six faces. Default: open everywhere; Boundaries::open_over_floor() adds ground. "
                     "Periodic boundaries come in pairs."),
             Setting("centre", &Config::centre, k_world_range,
                     "Point that the box is centred on at the start, to whole cells; for good on axes that do not follow."),
             Setting("follow_axes", &Config::follow_axes,
                     "Axes x, y, z along which the box follows. Default: those with two open boundaries; others cannot."),
-            Setting("ambient", &Config::ambient, k_speed_range,
-                    "Mean wind: the air at the start, what enters through open boundaries, what new cells get. Along an axis "
-                    "that a wall "
-                    "closes it is dropped."),
+            Setting(
+                "ambient", &Config::ambient, k_speed_range,
+                "Mean wind: of the air at the start, of the inflow through open boundaries, of new cells. Its component along an "
+                "axis that a wall closes is dropped."),
             Setting("profile", &Config::profile,
                     "Wind over open ground: log((z + z0) / z0), 0 at the ground (the box's floor, or height 0 without one), the "
                     "ambient wind at the reference height, more above. Default none: the same wind at all heights; {} for the "
@@ -131,13 +131,12 @@ struct Config {
             Setting(
                 "gusts", &Config::gusts,
                 "A frozen pattern that the ambient wind carries along, outside the box and through it. Calm air has none. The "
-                "pattern does not know periodic boundaries: it is torn where they meet."),
-            Setting("canopy", &Config::canopy,
-                    "Plants that slow the wind among them, as high and as dense everywhere; on the floor, or at height 0 without "
-                    "one. "
-                    "What comes in through the boundaries, and what relaxation returns to, is still the ambient wind. Default "
-                    "none, which "
-                    "costs nothing: plants bend, but the wind does not feel them; {} for wheat."),
+                "pattern is not periodic in the box: it jumps at periodic boundaries."),
+            Setting(
+                "canopy", &Config::canopy,
+                "Drag of plants of uniform height and density on the floor, or at height 0 without one. The inflow, and the "
+                "wind to which the air relaxes, is still the ambient wind. Default none, which costs nothing: plants then bend "
+                "in the wind and do not slow it; {} for wheat."),
             Setting(
                 "blend_width", &Config::blend_width, {.min = 0.0, .max = 64.0, .unit = "cells", .zero = "none"},
                 "Width over which sampled wind fades to ambient at the boundaries along which the box follows. It ends one cell "
@@ -147,27 +146,27 @@ struct Config {
             Setting("viscosity", &Config::viscosity, {0.0, 1e9, "m^2/s"},
                     "Kinematic viscosity. Default: that of air, which at 1 m cells is below what the solver resolves and costs "
                     "nothing."),
-            Setting(
-                "relaxation_time", &Config::relaxation_time, {0.0, 1e9, "s", "never"},
-                "Time in which air left alone comes back to ambient. Default 20: no collocated solver damps the checkerboard in "
-                "still air by itself. 0 is for analytic cases."),
+            Setting("relaxation_time", &Config::relaxation_time, {0.0, 1e9, "s", "never"},
+                    "Time constant of the relaxation to the ambient wind. Default 20: a collocated solver has no other damping "
+                    "of the "
+                    "checkerboard mode in still air. 0 is for analytic cases."),
             Setting("sleep_speed", &Config::sleep_speed, {0.0, 1e4, "m/s", "never"},
                     "Air that differs from ambient by less everywhere, with no motor in reach and no gusts, sleeps: it becomes "
                     "ambient, and a step costs microseconds until something acts. It does not sleep without a relaxation time or "
                     "while "
                     "viscosity acts."),
-            Setting(
-                "scheme", &Config::scheme,
-                "How a step is cut in time. second_order: semi-implicit semi-Lagrangian. stable_fluids: the classic split, first "
-                "order."),
+            Setting("scheme", &Config::scheme,
+                    "Time scheme. second_order: semi-implicit semi-Lagrangian. stable_fluids: the classic split, first "
+                    "order."),
             Setting("interpolation", &Config::interpolation,
-                    "How the advection reads between cells. linear: never overshoots, smooths. cubic: third order."),
-            Setting(
-                "max_cfl", &Config::max_cfl, Range::above(0.0, 1e6),
-                "Cells that the air may cross in one sub-step. Above 2 the backtrace swallows thin motors; more shows the raw "
-                "step."),
+                    "Interpolation of the advection. linear: never overshoots, smooths. cubic: third order."),
+            Setting("max_cfl", &Config::max_cfl, Range::above(0.0, 1e6),
+                    "Cells that the air may cross in one sub-step. Above 2 the backtrace may miss thin motors; large values are "
+                    "for tests "
+                    "of the raw step."),
             Setting("max_substeps", &Config::max_substeps, {1.0, 64.0},
-                    "Most sub-steps in a step. Beyond max_cfl * max_substeps cells a step, speeds are limited (and counted)."),
+                    "Maximal number of sub-steps in a step. Beyond max_cfl * max_substeps cells a step, speeds are limited (and "
+                    "counted)."),
             Setting("stages", &Config::stages, "Stages that run.", k_in_snapshots),
             Setting("ticks", &Config::ticks, "Fixed ticks of `advance`.", k_in_snapshots),
             Setting(
@@ -180,15 +179,15 @@ struct Config {
     }
 };
 
-/// Every reason why a config cannot be used, a line each.
+/// All reasons why a config is invalid, one per line.
 [[nodiscard]] Result<void> validate(const Config& config);
 void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const Config& config);
 
-/// What a call of `advance` did.
+/// Result of `advance`.
 struct Advance {
     int ticks = 0;        ///< ticks that ran
-    double dropped = 0.0; ///< [s] time beyond Ticks::most that the air did not live through
-    float factor = 0.0f;  ///< where this frame lies between the last two ticks, 0 to 1
+    double dropped = 0.0; ///< [s] time beyond Ticks::max_per_call that was not simulated
+    float factor = 0.0f;  ///< position of this frame between the last two ticks, 0 to 1
     Diagnostics last{};   ///< of the last tick that ran; stepped = false if none did
 };
 
@@ -204,16 +203,16 @@ class Wind {
     Diagnostics step(double dt);
     /// Advances by a frame of dt [s] in fixed ticks (Config::ticks), so that the air does not depend on the frame rate: `follow`
     /// and `Motors::move` give where things are at the end of this frame, and each tick sees them at its own time on the way.
-    /// What is sampled afterwards is the wind blended between the last two ticks, up to a tick old. The first call allocates
+    /// Sampling then returns the wind blended between the last two ticks, up to a tick old. The first call allocates
     /// three fields; later ones nothing beyond what `step` may. Where memory is missing nothing is done and
     /// `last.out_of_memory` is true. A dt that is negative or not finite does nothing. Mixing with `step` ends the blending.
     Advance advance(double dt);
 
-    // --- What acts on the air: without memory each call fails and the wind stays as it was -----------------------------------
+    // --- Motors, ambient wind, boundaries: without memory each call fails and the wind is unchanged --------------------------
     [[nodiscard]] Motors& motors();
     [[nodiscard]] const Motors& motors() const;
     /// Changes the mean wind [m/s]. All air of the box changes by the difference at once, as under a pressure gradient that is
-    /// far wider than the box; entering through the sides alone, a new wind would never reach still air. Ramp it for a gust.
+    /// far wider than the box; entering through the boundaries alone, a new wind would never reach still air. Ramp it for a gust.
     /// Components along axes that a wall closes are dropped. Rejects what is not finite or above 1e4 m/s.
     [[nodiscard]] Result<void> set_ambient(glm::vec3 ambient);
     [[nodiscard]] glm::vec3 ambient() const;
@@ -224,12 +223,12 @@ class Wind {
     /// `validate` rejects and a wall across an axis that follows.
     [[nodiscard]] Result<void> set_boundaries(const Boundaries& boundaries);
 
-    // --- Where the box lies -------------------------------------------------------------------------------------------
+    // --- Position of the box ------------------------------------------------------------------------------------------
     /// Centres the box on a point, to whole cells, on the axes that follow. Air that stays inside keeps its values to the bit;
     /// new cells hold the ambient wind. A jump beyond the box starts afresh. Rejects a point that is not finite or beyond 1e12
     /// cells. With `advance` the box moves in its ticks, with `step` at once.
     Result<void> follow(glm::dvec3 point);
-    /// Puts the box's low y side at a height [m], to whole cells: the ground under a player. For boxes whose low y side is solid.
+    /// Sets the height [m] of the box's low y face, to whole cells: the ground under a player. For boxes with a wall there.
     Result<void> set_floor(double height);
     /// [m] World position of the box's low corner.
     [[nodiscard]] glm::dvec3 origin() const;
@@ -237,13 +236,13 @@ class Wind {
 
     // --- Reading the air: of this frame with `advance`, of the last step with `step` ----------------------------------------
     /// [m/s] Wind at a world point: trilinear between cell centres, as a vertex stage samples the textures; it fades to ambient
-    /// over the rim (view.h). A point that is not finite gets the mean wind.
+    /// over the blend zone (view.h). A point that is not finite gets the mean wind.
     [[nodiscard]] glm::vec3 velocity(glm::dvec3 position) const { return view().velocity(position); }
     /// The same for many points; `velocities` holds as many.
     void velocity(std::span<const glm::dvec3> positions, std::span<glm::vec3> velocities) const {
         view().velocity(positions, velocities);
     }
-    /// [m/s] What a plant there feels: scaled, limited, with small-scale detail.
+    /// [m/s] Wind that acts on a plant there: scaled, limited, with small-scale detail.
     [[nodiscard]] glm::vec3 felt(glm::dvec3 position, const Sampling& sampling) const { return view().felt(position, sampling); }
     /// Three textures, one an axis, as float or half; each span holds box().cell_count() texels or the call is rejected.
     Result<void> write_axes(std::span<float> x, std::span<float> y, std::span<float> z) const {
@@ -252,9 +251,9 @@ class Wind {
     Result<void> write_axes(std::span<std::uint16_t> x, std::span<std::uint16_t> y, std::span<std::uint16_t> z) const {
         return view().write_axes(x, y, z);
     }
-    /// Where the textures lie, relative to `anchor` [m] (one that is not finite counts as 0), and where they lay in the frame before.
+    /// Position of the textures relative to `anchor` [m] (one that is not finite counts as 0), now and in the frame before.
     [[nodiscard]] WindowBlock window_block(glm::dvec3 anchor) const;
-    /// The same with what blows around the box: all that shaders/coupling/windrow_wind.glsl wants beside the textures.
+    /// The same with the ambient wind: all inputs of shaders/coupling/windrow_wind.glsl beside the textures.
     [[nodiscard]] FrameBlock frame_block(glm::dvec3 anchor, const Sampling& sampling = {}) const;
     /// All of the above of this moment, and of the frame before, for motion vectors. Without `advance` both are the last step: a
     /// host that steps by itself keeps the textures of its last frame.
@@ -270,17 +269,17 @@ class Wind {
     void set_velocity(const std::function<glm::vec3(glm::dvec3 centre)>& velocity_at);
     /// The same from an array laid out as box.h says; rejects another size.
     Result<void> set_velocity(std::span<const glm::vec4> field);
-    /// Back to ambient everywhere, history too: a fresh solver in place.
+    /// Sets all cells and the history to the ambient wind, as after creation.
     void reset();
 
-    // --- Keeping it ---------------------------------------------------------------------------------------------------
+    // --- Snapshots and logs -------------------------------------------------------------------------------------------
     /// The whole state as bytes: config, air, motors, gusts, ticks. Little-endian, with a version and a checksum. Fails without
     /// memory for them.
     [[nodiscard]] Result<std::vector<std::byte>> save() const;
-    /// A wind that goes on from there to the same bits (on the same SIMD level). Rejects bytes that are truncated, changed, or of
-    /// another version.
+    /// A wind that continues from there with the same bits (on the same SIMD level). Rejects bytes that are truncated, changed,
+    /// or of another version.
     [[nodiscard]] static Result<Wind> load(std::span<const std::byte> bytes, ParallelFor parallel_for = {});
-    /// Notes every accepted call that changes the wind in `log` from now on; null: no longer. See event_log.h.
+    /// Adds every accepted call that changes the wind to `log` from now on; null: no longer. See event_log.h.
     void record_to(EventLog* log);
 
     [[nodiscard]] const Config& config() const;

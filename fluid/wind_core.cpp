@@ -39,7 +39,7 @@ void check_ambient(Reasons& reasons, glm::vec3 ambient) {
 void check_follow(Reasons& reasons, const std::optional<glm::bvec3>& follow, const Boundaries& boundaries) {
     for (int axis = 0; axis < 3 && follow; ++axis)
         if ((*follow)[axis] && !can_follow(boundaries, axis))
-            reasons.add("follow_axes asks the box to follow along ", k_axis_names[axis], ", where a side is ",
+            reasons.add("follow_axes has ", k_axis_names[axis], ", where a boundary is ",
                         boundaries.periodic(axis) ? "periodic" : "solid", ": open both boundaries of that axis or leave it out",
                         axis == 1 ? " (set_floor moves a floor)." : ".");
 }

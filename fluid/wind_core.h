@@ -1,7 +1,7 @@
 // Backend-independent part of a wind: window, ambient wind, motors, ticks, sleep. The cells are a CellStorage, on the CPU or on a
 // device.
 //
-// What a step and `advance` do is in wind_advance.cpp, from top to bottom; the other calls of a host are in wind_core.cpp.
+// `step` and `advance` are in wind_advance.cpp, from top to bottom; the other calls of a host are in wind_core.cpp.
 #pragma once
 
 #include "fluid/cell_storage.h"
@@ -61,7 +61,7 @@ class WindCore {
     void reset();
     void record_to(EventLog* to);
 
-    /// What blows around the box, after a change of sides, mean wind, gusts or place.
+    /// The ambient wind after a change of boundaries, mean wind, gusts or position.
     void renew_ambient();
 
   private:

@@ -1,4 +1,4 @@
-// The box's place in the world: whole cells, counted in 64 bits, so that following loses nothing and distance costs nothing.
+// Position of the box in the world, in whole cells of 64 bits: exact at any distance.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@ using CellIndex = glm::vec<3, std::int64_t>;
 struct Window {
     glm::ivec3 cells{0};
     float cell_size = 1.0f;
-    /// World cell that cell (0, 0, 0) of the box is; its low corner lies at origin_cells * cell_size.
+    /// World cell that cell (0, 0, 0) of the box is; its low corner is at origin_cells * cell_size.
     CellIndex origin_cells{0};
 
     /// [m] World position of the low corner.
@@ -30,7 +30,7 @@ struct Window {
     [[nodiscard]] glm::dvec3 centre(int i, int j, int k) const {
         return (glm::dvec3(origin_cells) + glm::dvec3(i + 0.5, j + 0.5, k + 0.5)) * static_cast<double>(cell_size);
     }
-    /// Where the origin must lie for `point` to be the box's centre, to the nearest whole cell.
+    /// Origin for `point` to be the box's centre, to the nearest whole cell.
     [[nodiscard]] CellIndex centred_on(glm::dvec3 point) const;
 };
 
@@ -38,7 +38,7 @@ struct Window {
 void shift_field(std::span<glm::vec4> field, glm::ivec3 cells, CellIndex shift, glm::vec4 fresh);
 
 namespace detail {
-/// What shaders' positions are relative to: an anchor that is not finite counts as 0.
+/// Origin of shaders' positions: an anchor that is not finite counts as 0.
 [[nodiscard]] inline glm::dvec3 usable_anchor(glm::dvec3 anchor) {
     return std::isfinite(anchor.x) && std::isfinite(anchor.y) && std::isfinite(anchor.z) ? anchor : glm::dvec3(0.0);
 }

@@ -1,4 +1,4 @@
-// Where the box is, and where it was in the last two steps.
+// Position of the box, now and in the last two steps.
 #pragma once
 
 #include "fluid/view.h"
@@ -21,7 +21,7 @@ namespace detail {
 }
 } // namespace detail
 
-/// Where a box lies, and what it is centred on.
+/// Position of a box, and the point that it follows.
 struct BoxPlace {
     glm::dvec3 point{0.0}; ///< [m] to whole cells
     CellIndex origin_cells{0};
@@ -42,7 +42,7 @@ struct WindowHistory {
     glm::bvec3 follow_axes;
 
     void note_step() { previous = std::exchange(stepped, {point, window.origin_cells}); }
-    /// Where the box lies around a point: it keeps its place on axes that do not follow.
+    /// Position of the box around a point: it keeps its place on axes that do not follow.
     [[nodiscard]] CellIndex around(glm::dvec3 centre) const {
         CellIndex origin = window.centred_on(centre);
         for (int axis = 0; axis < 3; ++axis)

@@ -89,7 +89,7 @@ Result<void> write_exr(const PictureF& light, const PictureF& motion, const std:
     const bool moves = !motion.values.empty();
     if (moves && (motion.width != light.width || motion.height != light.height || motion.channels != 2))
         return Error{message("picture ", file.string(), ": motion is ", motion.width, " x ", motion.height, " px of ",
-                             motion.channels, " channels; give it light's size and two.")};
+                             motion.channels, " channels; give it the size of light and two channels.")};
     OIIO::ImageSpec spec(light.width, light.height, moves ? 5 : 3, OIIO::TypeDesc::HALF);
     spec.channelnames = {"R", "G", "B"};
     if (moves)
@@ -123,7 +123,7 @@ Result<Picture8> read_png(const std::filesystem::path& file, PngWords* words) {
     // Checked before anything is allocated: a header may promise what no file holds.
     if (spec.width < 1 || spec.height < 1 || spec.width > k_largest_side || spec.height > k_largest_side)
         return Error{message("picture ", name, " of ", spec.width, " x ", spec.height, " px is beyond ", k_largest_side,
-                             " px a side; draw it smaller")};
+                             " px a side; draw a smaller one")};
     Picture8 picture(spec.width, spec.height);
     const int channels = spec.nchannels < 3 ? 1 : 3;
     if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8, picture.values.data(), 3))
@@ -141,8 +141,8 @@ Result<Picture8> resized(const Picture8& picture, int width, int height) {
     Picture8 smaller(width, height);
     OIIO::ImageBuf target = wrap(smaller);
     if (!OIIO::ImageBufAlgo::resize(target, wrap(picture), "lanczos3", 0.0f, OIIO::ROI(0, width, 0, height, 0, 1, 0, 3)))
-        return Error{
-            message("a picture cannot be resized to ", width, " x ", height, " px (", target.geterror(), "); draw it smaller")};
+        return Error{message("a picture cannot be resized to ", width, " x ", height, " px (", target.geterror(),
+                             "); draw a smaller one")};
     return smaller;
 }
 

@@ -69,7 +69,7 @@ Result<Picture8> contact_sheet(std::span<const Picture8> pictures, int columns, 
                      " columns of " + std::to_string(width) + " px cannot be made; give it at least one of each."};
     for (const Picture8& picture : pictures)
         if (picture.width != pictures.front().width || picture.height != pictures.front().height || picture.values.empty())
-            return Error{"a contact sheet wants pictures of one size."};
+            return Error{"a contact sheet needs pictures of one size."};
     columns = std::min(columns, static_cast<int>(pictures.size()));
     width = std::min(width, pictures.front().width);
     const int height = shrunk(pictures.front(), width).height;

@@ -39,7 +39,7 @@ class Builder final : public nlohmann::json_sax<json> {
         level.key = std::move(key);
         if (level.value->contains(level.key)) {
             fault_ = message(name_, ": ", join_json_path(path_of(levels_.size() - 1), level.key),
-                             " stands twice in its object: keep one of the two.");
+                             " is a duplicate key: remove one of the two.");
             return false;
         }
         return true;
@@ -126,7 +126,7 @@ class Builder final : public nlohmann::json_sax<json> {
         for (const char* word :
              {"NaN", "nan", "NAN", "-NaN", "-nan", "Infinity", "-Infinity", "+Infinity", "inf", "-inf", "+inf", "Inf", "-Inf"})
             if (rest.starts_with(word))
-                return message(word, " is no number in JSON: give a finite one.");
+                return message(word, " is not a JSON number: give a finite number.");
         if (rest.empty() || text_.find_first_not_of(" \t\r\n", offset) == std::string_view::npos)
             return "the file ends in the middle of the JSON: was it cut short, or is a closing bracket missing?";
         if (rest.starts_with("//") || rest.starts_with("/*") || rest.starts_with("#"))
@@ -135,7 +135,7 @@ class Builder final : public nlohmann::json_sax<json> {
             return "JSON takes double quotes only: write \" instead of '.";
         if (const std::size_t before = text_.find_last_not_of(" \t\r\n", offset > 0 ? offset - 1 : 0);
             before != std::string_view::npos && text_[before] == ',' && (text_[offset] == '}' || text_[offset] == ']'))
-            return message("a comma stands before '", text_.substr(offset, 1), "': remove it.");
+            return message("trailing comma before '", text_.substr(offset, 1), "': remove it.");
         return message("is not JSON: ", words_of(thrown), ".");
     }
 

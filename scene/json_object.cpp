@@ -111,7 +111,7 @@ std::string JsonObject::text(const Key& key, const std::string& fallback, const 
     const json* const value = note({.type = type, .fallback = fallback}, key);
     if (value == nullptr || value->is_string())
         return value == nullptr ? fallback : value->get<std::string>();
-    reject(key, message("is ", quote_json(*value), ": give a text in double quotes."));
+    reject(key, message("is ", quote_json(*value), ": give a string in double quotes."));
     return fallback;
 }
 
@@ -137,7 +137,7 @@ std::optional<std::size_t> JsonObject::name(const Key& key, std::span<const std:
     if (value == nullptr)
         return std::nullopt;
     if (!value->is_string()) {
-        reject(key, message("is ", quote_json(*value), ": give a name out of $.", what, " in double quotes."));
+        reject(key, message("is ", quote_json(*value), ": give a name of $.", what, " in double quotes."));
         return std::nullopt;
     }
     const auto& word = value->get_ref<const std::string&>();
@@ -146,7 +146,7 @@ std::optional<std::size_t> JsonObject::name(const Key& key, std::span<const std:
     if (log_->is_full())
         log_->count_fault();
     else
-        reject(key, message("is ", quote_json(*value), ", which names none of $.", what, suggestion(word, names),
+        reject(key, message("is ", quote_json(*value), ", which is not in $.", what, suggestion(word, names),
                             ": add it there or name another."));
     return std::nullopt;
 }

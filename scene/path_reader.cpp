@@ -68,7 +68,7 @@ std::optional<std::filesystem::path> file_beside(JsonObject& object, const Key& 
     if (detail::is_name_inside(name))
         return folder / std::filesystem::path(name).lexically_normal();
     object.reject(key, detail::message("is ", quote_json(*value),
-                                       ": name a file in the scene's folder, relative to it, so that the folder can be handed on "
+                                       ": name a file in the scene's folder, relative to it, so that the folder can be copied "
                                        "as a whole."));
     return std::nullopt;
 }

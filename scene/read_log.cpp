@@ -37,7 +37,7 @@ void ReadLog::know(KnownKey key) {
 Error ReadLog::error() const {
     if (count_ <= k_max_sentences)
         return Error{text_};
-    return Error{detail::message(text_, "\n", file_, ": ", count_ - k_max_sentences, " more faults of this sort.")};
+    return Error{detail::message(text_, "\n", file_, ": ", count_ - k_max_sentences, " more faults of this kind.")};
 }
 
 } // namespace windrow::scene

@@ -70,7 +70,7 @@ struct VdbSetting {
 
     static constexpr auto settings() {
         return std::tuple{
-            Setting("name", &VdbSetting::name, "Name of the grid. Blender and Houdini know vel."),
+            Setting("name", &VdbSetting::name, "Name of the grid. Blender and Houdini expect vel."),
             Setting("three_scalars", &VdbSetting::three_scalars,
                     "Three grids name.x, name.y, name.z instead of one grid of vectors."),
             Setting("precision", &VdbSetting::precision, "full: 32 bits, the solver's values. half: 16 bits, half the disk."),

@@ -51,7 +51,7 @@ std::optional<std::size_t> path_index(JsonObject& object, const char* key, const
     const auto found = std::find(names.begin(), names.end(), word);
     if (found != names.end())
         return static_cast<std::size_t>(found - names.begin());
-    object.reject(key, message("is ", quote_json(value), ", which names none of $.paths", suggestion(word, names),
+    object.reject(key, message("is ", quote_json(value), ", which is not in $.paths", suggestion(word, names),
                                ": add it there or name another."));
     return std::nullopt;
 }

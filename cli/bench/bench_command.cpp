@@ -84,7 +84,7 @@ void add_bench(CLI::App& app, std::function<int()>& chosen, const Console& conso
                      request->volumes.push_back(static_cast<int>(read_count(text, "--volumes", k_max_volumes)));
                  });
     flags.seconds(request->seconds, "Time a grid, default 5; longer where 100 samples of a step take it, on a GPU 1000");
-    flags.file("--json", request->json, "File for all figures; written whole or not at all");
+    flags.file("--json", request->json, "File for all figures; written atomically");
     bench->callback([bench, request, &chosen, &console] {
         check_backend(*bench, request->backend);
         if (request->backend.kind == cases::BackendKind::vulkan && !request->volumes.empty())
@@ -109,7 +109,7 @@ int run_bench(const BenchRequest& request, const Console& console, const std::fu
 
     if (request.threads > usable_cores())
         console.complain(message("--threads is ", request.threads, ", more than the ", usable_cores(),
-                                 " cores: the threads wait for each other, and ratios tell of that."));
+                                 " cores: the threads wait for each other, which distorts the ratios."));
     const auto pool = make_pool(request.threads, console);
     const int threads = pool->size();
     const std::function<bool()> stopped = [&] { return stop_signal() != 0; };

@@ -79,7 +79,7 @@ void add_check(CLI::App& app, std::function<int()>& chosen, const Console& conso
     flags.seconds(request->seconds, "Time a grid of the benchmark, default 5; on a GPU at least 1000 samples");
     check->add_flag("--gpu-validation", request->gpu_validation, "The stories once more, under GPU-assisted validation");
     check->add_flag("--full", request->full, "All steps of all stories on a software device too: many minutes");
-    flags.file("--json", request->json, "File for all figures; written whole or not at all");
+    flags.file("--json", request->json, "File for all figures; written atomically");
     check->callback([=, &chosen, &console] { chosen = interruptible<CheckRequest>(run_check, request, console); });
 }
 

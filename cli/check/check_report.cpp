@@ -45,7 +45,7 @@ void report_messages(const CheckedStories& run, const Console& console) {
     for (const std::string& text : run.messages)
         console.complain("the validation layer says: " + text);
     if (run.message_count > static_cast<int>(run.messages.size()))
-        console.complain(message("the validation layer said ", run.message_count, " things in all."));
+        console.complain(message("the validation layer reported ", run.message_count, " messages."));
 }
 
 void report_verdict(const CheckResult& result, const Console& console) {

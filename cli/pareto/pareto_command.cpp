@@ -77,7 +77,7 @@ int run_pareto(const ParetoRequest& request, const Console& console, const std::
         return complain_of(fault, console);
     if (request.threads > usable_cores())
         console.complain(message("--threads is ", request.threads, ", more than the ", usable_cores(),
-                                 " cores: the threads wait for each other, and times tell of that."));
+                                 " cores: the threads wait for each other, which makes the times longer."));
     const auto pool = make_pool(request.threads, console);
     const int threads = pool->size();
     const std::function<bool()> stopped = [&] { return stop_signal() != 0; };

@@ -148,7 +148,7 @@ std::string beaufort_table() {
 
 void add_plants(CLI::App& app, std::function<int()>& chosen, const Console& console) {
     CLI::App* const plants =
-        app.add_subcommand("plants", "Tell how far plants bend in which wind, and how they move; table and curves");
+        app.add_subcommand("plants", "Print how far plants bend at each wind speed and how they move; tables and curves");
     const auto out = std::make_shared<std::optional<std::filesystem::path>>();
     Flags(*plants).folder("--out", *out, "Folder for plants.csv, which ./dev plots draws; default out/plants");
     plants->callback([out, &chosen, &console] {

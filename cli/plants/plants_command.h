@@ -67,7 +67,7 @@ void add_plants(CLI::App& app, std::function<int()>& chosen, const Console& cons
         if (!cascade->advance(0.0, there))
             return {};
         PlotCurve ours{"cascade", "", std::to_string(count) + " shells", {{0.0, 0.0}}};
-        PlotCurve theirs{"cascade", "", std::to_string(count) + " shells, a share a frame", {{0.0, 0.0}}};
+        PlotCurve theirs{"cascade", "", std::to_string(count) + " shells, lerp per frame", {{0.0, 0.0}}};
         std::vector<double> lerped(static_cast<std::size_t>(std::max(count, 2)), 0.0);
         lerped[0] = 1.0; // glued to the body
         for (int frame = 1; frame <= frames; ++frame) {

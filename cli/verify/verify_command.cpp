@@ -28,7 +28,7 @@ const VerifyCase* find_case(std::span<const VerifyCase> cases, const std::string
     for (const VerifyCase& one : known)
         names.push_back(one.name);
     const std::string near = scene::nearest_word(name, names);
-    reject("--case is ", name, ", which is no case", near.empty() ? "" : " (did you mean " + near + "?)",
+    reject("--case is ", name, ", which is unknown", near.empty() ? "" : " (did you mean " + near + "?)",
            ": see windrow verify --list.");
 }
 
@@ -38,7 +38,7 @@ bool runs(const VerifyCase& one, BackendKind backend) {
 
 [[noreturn]] void reject_backend(const VerifyCase& one) {
     if (one.runs_on == RunsOn::cpu)
-        reject("--case is ", one.name, ", which asks for pieces that a device runs only inside a step: drop --backend vulkan.");
+        reject("--case is ", one.name, ", which runs on the CPU only: drop --backend vulkan.");
     reject("--case is ", one.name, ", which compares a device with the CPU: add --backend vulkan.");
 }
 
@@ -72,11 +72,11 @@ void add_verify(CLI::App& app, std::span<const VerifyCase> known, std::function<
     const auto names = std::make_shared<std::vector<std::string>>();
     Flags flags(*verify);
     flags.values("--case", "NAME", "Cases to run; default all", [names](const std::string& name) { names->push_back(name); });
-    verify->add_flag("--list", request->list, "Tell the cases and run none");
+    verify->add_flag("--list", request->list, "List the cases and run none");
     flags.backend(request->backend);
     flags.threads(request->threads, "Threads; default one a core; errors do not depend on it");
     flags.simd(request->simd, "levels differ by rounding");
-    flags.file("--json", request->json, "File for all errors and bounds; written whole or not at all");
+    flags.file("--json", request->json, "File for all errors and bounds; written atomically");
     flags.folder("--plots", request->plots, "Folder for the curves of cases that have some, as CSV for ./dev plots");
     verify->callback([=, &chosen, &console] {
         check_backend(*verify, request->backend);

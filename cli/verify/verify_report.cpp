@@ -99,8 +99,7 @@ void report_end(std::span<const VerifiedCase> cases, std::span<const std::string
         std::string names;
         for (const std::string& name : left_out)
             names += (names.empty() ? "" : ", ") + name;
-        console.out << "\n"
-                    << wrapped("left out: ", message(names, ", which ask for pieces that a device runs only inside a step."));
+        console.out << "\n" << wrapped("left out: ", message(names, ", which run on the CPU only."));
     }
     const std::string all = message(cases.size(), cases.size() == 1 ? " case" : " cases");
     if (count == 0)

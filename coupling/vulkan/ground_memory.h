@@ -6,8 +6,8 @@
 //         log(done.error());
 //     bind(ground->texture(), ground->previous_texture(), ground->block(camera));         // shaders/coupling/windrow_ground.glsl
 //
-// The same config, walkers and steps as windrow::GroundMemory, and the same texels to rounding. Nothing is submitted and nothing
-// waited for: all work goes into the host's command buffer, to run on one queue in the order of recording.
+// Config, walkers and steps are those of windrow::GroundMemory, and texels are the same to rounding. It does not submit or
+// wait: all work goes into the host's command buffer, to run on one queue in the order of recording.
 #pragma once
 
 #include "coupling/ground_config.h"
@@ -46,13 +46,13 @@ class GroundMemory {
     [[nodiscard]] VkBuffer lean_buffer() const;
     /// Walkers who touched the window in the last `record` and did not count, for lack of room.
     [[nodiscard]] int walkers_left_out() const;
-    /// Where the texels of the next step will lie, relative to `anchor` [m].
+    /// Position of the texels of the next step, relative to `anchor` [m].
     [[nodiscard]] GroundPlaceBlock next_place(glm::dvec3 anchor) const;
 
     /// Of the step last recorded, and of the one before; nothing before the first.
     [[nodiscard]] GroundTexture texture() const;
     [[nodiscard]] GroundTexture previous_texture() const;
-    /// Where they lie, relative to `anchor` [m]: the uniform buffer that the include wants.
+    /// Their position relative to `anchor` [m]: the uniform buffer of the include.
     [[nodiscard]] GroundBlock block(glm::dvec3 anchor) const;
     [[nodiscard]] const GroundConfig& config() const;
     /// [bytes] Device memory in use.

@@ -1,4 +1,4 @@
-// Owned arrays that start on a cache line, large ones on a huge page, and are zero at first.
+// Owned arrays, aligned to a cache line (large ones to a huge page), initially zero.
 #pragma once
 
 #include <cstddef>

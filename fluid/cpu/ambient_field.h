@@ -1,4 +1,4 @@
-// The ambient wind at every cell of a box and of its halo: what a padded field holds where nothing else blows.
+// The ambient wind at every cell of a box and of its halo.
 #pragma once
 
 #include "fluid/ambient.h"
@@ -28,19 +28,19 @@ class AmbientField {
     [[nodiscard]] std::size_t memory_bytes() const;
 
   private:
-    /// Which column of blended texels a cell reads, in floats from the row's first, and how far it is to the next.
+    /// Column of blended texels of a cell, in floats from the row's first, and how far it is to the next.
     struct Column {
         int first = 0;
         float fraction = 0.0f;
     };
-    /// Which two layers of the tile a cell lies between, -1 or 1 for the sign of their vertical component, and the wind's factors
+    /// The two layers of the tile around a cell, -1 or 1 for the sign of their vertical component, and the wind's factors
     /// there.
     struct Layer {
         int low = 0, high = 0;
         float low_sign = 1.0f, high_sign = 1.0f, fraction = 0.0f;
         float mean_fraction = 1.0f, gust_fraction = 1.0f;
     };
-    /// Which two slices of the tile a plane lies between.
+    /// The two slices of the tile around a plane.
     struct Slice {
         int low = 0, high = 0;
         float fraction = 0.0f;

@@ -5,7 +5,7 @@
 // What lies beyond an end decides the phase: a value that is odd about the ghost's centre or the face gives a sine that vanishes
 // there, one that is even about the face a cosine. With both points `length` cells apart, theta is pi/length times
 // k + 1 (odd, odd), k (even, even), k + 1/2 (one of each); a periodic axis has the real Fourier basis.
-// Like ends give vectors that are even or odd about the middle, so that a transform folds into two of half the size.
+// Like ends give vectors that are even or odd about the middle, so that an even-odd split makes two transforms of half the size.
 // Based on: Strang 1999, "The discrete cosine transform", SIAM Review 41.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace windrow::cpu {
 
-/// What lies beyond one end of an axis.
+/// Kind of one end of an axis.
 enum class EndRule {
     zero_at_ghost, ///< value 0 at the ghost's centre, at an open boundary: pressure, velocity relative to ambient
     zero_at_face,  ///< odd about the face: velocity at a wall
@@ -21,7 +21,7 @@ enum class EndRule {
     periodic,
 };
 
-/// What the end adds to the diagonal -2 of the second difference.
+/// Contribution of the end to the diagonal -2 of the second difference.
 [[nodiscard]] constexpr double diagonal_correction(EndRule rule) {
     return rule == EndRule::zero_at_face ? -1.0 : rule == EndRule::even_at_face ? 1.0 : 0.0;
 }

@@ -1,5 +1,5 @@
-// What a box's sides mean for each stage: where values beyond a side come from, and where trajectories may end. One text for the
-// kernels of the CPU and for the tables of the GPU.
+// Boundary rules of each stage: the source of ghost values, and the bounds of trajectories. One source for the kernels of the CPU
+// and the tables of the GPU.
 #pragma once
 
 #include "fluid/box.h"
@@ -11,7 +11,7 @@
 
 namespace windrow::cpu {
 
-/// What lies beyond a side, for the pressure and for a component of the velocity.
+/// Ghost values beyond a boundary, for the pressure and for a component of the velocity.
 [[nodiscard]] EndRule pressure_end(const Boundary& side);
 [[nodiscard]] EndRule velocity_end(const Boundary& side, bool normal);
 /// The same for all sides, of the pressure and of a component of the velocity.
@@ -26,15 +26,15 @@ namespace windrow::cpu {
 /// the speed of what drove them. So carried air slips, and viscosity alone holds it back.
 [[nodiscard]] std::vector<HaloRule> carried_rules(const Box& box, int axis);
 
-/// What a stencil takes beyond one end of an axis. Beyond an open boundary the divergence takes the cell itself and p is 0 at the
-/// ghost's centre, which is no adjoint pair: the projection can add to waves of a few cells along an edge (operators.h). Both pairs
-/// that cannot cost more. p = 0 at the face: a fifth more error against a larger box. The ambient wind as the ghost: a stream
-/// through the box loses 1 / (cells + 1) of what is not ambient in each step, however short.
+/// Ghost values of a stencil beyond one end of an axis. Beyond an open boundary the divergence takes the cell itself and p is 0
+/// at the ghost's centre, which is no adjoint pair: the projection can add to waves of a few cells along an edge (operators.h).
+/// Both pairs that cannot cost more. p = 0 at the face: a fifth more error against a larger box. The ambient wind as the ghost: a
+/// stream through the box loses 1 / (cells + 1) of what is not ambient in each step, however short.
 [[nodiscard]] NormalGhost velocity_ghost(const Box& box, int axis, int end);
 [[nodiscard]] NormalGhost potential_ghost(const Box& box, int axis, int end);
 
-/// Where a trajectory may end on an axis, in cells from the first centre. An open boundary lets it end one cell beyond the outermost
-/// centre, where everything read is ambient; a wall stops it at the face; a periodic axis wraps.
+/// Range of departure points on an axis, in cells from the first centre. An open boundary lets it end one cell beyond the
+/// outermost centre, where everything read is ambient; a wall stops it at the face; a periodic axis wraps.
 struct LegalPlaces {
     float low = 0.0f, high = 0.0f;
     float period = 0.0f, inverse_period = 0.0f; ///< 0 where the axis is not periodic

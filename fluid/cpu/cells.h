@@ -1,6 +1,6 @@
 // The cells of a wind on the CPU.
 //
-// cells.cpp: what the wind's core does to them: they become ambient, move with the box, blend for a frame. step.cpp: a step.
+// cells.cpp: the operations of the wind's core: set to ambient, move with the box, blend for a frame. step.cpp: a step.
 #pragma once
 
 #include "fluid/cell_storage.h"

@@ -13,7 +13,7 @@
 //
 // Memory of `data` and of the scratch, in floats (x fastest):
 //   data     [cells.z][cells.y][pitch]                        rows padded to k_lanes; modes in place of cells after stage 1
-//   scratch  [pitch / k_lanes][block_size]                    blocks of modes; the folded rows of a plane in stages 1 and 3
+//   scratch  [pitch / k_lanes][block_size]                    blocks of modes; split rows of a plane in stages 1 and 3
 //   block    [cells.z][cells.y + 1][k_lanes], then one line of each mode: [cells.z][k_lanes]
 #pragma once
 

@@ -1,4 +1,4 @@
-// The sources stage: what motors do to the air, gathered a cell at a time from the motors that reach it.
+// The sources stage: effect of the motors on the air, gathered per cell from the motors that reach it.
 #pragma once
 
 #include "fluid/ambient_numerics.h"
@@ -13,8 +13,8 @@
 
 namespace windrow::cpu {
 
-/// What motors leave for the step: the acceleration f of those that push, what those that drive pull toward, the divergence S of
-/// those that let air in. Rows that no motor reaches hold nothing and are never read.
+/// Result of the motors for the step: the acceleration f of those that push, what those that drive pull toward, the divergence S
+/// of those that let air in. Rows that no motor reaches hold nothing and are never read.
 class SourceField {
   public:
     explicit SourceField(glm::ivec3 cells);
@@ -71,8 +71,8 @@ class SourceField {
     float largest_driven_ = 0.0f;
 };
 
-/// Free-space potential of the volume sources, phi / h [m/s], in the ghost cells of open boundaries: the potential of each ball and
-/// of its mirror images in walls.
+/// Free-space potential of the volume sources, phi / h [m/s], in the ghost cells of open boundaries: the potential of each ball
+/// and of its mirror images in walls.
 class FreeAir {
   public:
     /// Allocates for a box, unless there is room.

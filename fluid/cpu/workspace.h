@@ -1,4 +1,4 @@
-// What a Workspace holds: the tables of one box and the scratch of its passes.
+// State of a Workspace: the tables of one box and the scratch memory of its passes.
 #pragma once
 
 #include "fluid/cpu/aligned.h"

@@ -80,7 +80,7 @@ Result<void> check(const VelocityGrid& grid, const std::filesystem::path& file, 
     if (!std::isfinite(options.time))
         reasons.add("time is ", options.time, " s: give a finite time.");
     if (!is_finite(grid.origin))
-        reasons.add("origin is ", grid.origin, " m: give a finite place.");
+        reasons.add("origin is ", grid.origin, " m: give finite coordinates.");
     if (!is_finite(grid.outside))
         reasons.add("outside is ", grid.outside, " m/s: give a finite wind, such as the ambient.");
     const Box box{.cells = grid.cells, .cell_size = grid.cell_size, .boundaries = {}};
@@ -227,7 +227,7 @@ WriteResult failure(const std::filesystem::path& file, int error) {
 
 WriteResult out_of_memory(const std::string& file, const VelocityGrid& grid) {
     return {Problem::out_of_memory, message(file, ": the memory for ", grid.cells,
-                                            " cells could not be had: free some or write fewer cells; nothing was changed.")};
+                                            " cells is not available: free some or write fewer cells; nothing was changed.")};
 }
 
 } // namespace

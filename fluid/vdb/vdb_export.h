@@ -5,8 +5,8 @@
 //         std::cerr << written.error() << '\n';
 //
 // A file is written beside its name, checked, and renamed (fluid/new_file.h): a full disk leaves the file of that name as it was
-// and nothing else behind, and of two writers of one name the last wins. Files of the same wind differ in 36 bytes, a unique name that OpenVDB gives each file.
-// Different files may be written by different threads at once.
+// and nothing else behind, and of two writers of one name the last wins. Files of the same wind differ in 36 bytes, a unique name
+// that OpenVDB gives each file. Different files may be written by different threads at once.
 #pragma once
 
 #include "fluid/box.h"
@@ -22,7 +22,7 @@
 
 namespace windrow::vdb {
 
-/// What is written: a box of cells with its wind. Looks at memory that the caller keeps while it is written.
+/// The wind to write: a box of cells, in memory of the caller.
 struct VelocityGrid {
     /// Cells along x, y, z; the limits of Box::cells.
     glm::ivec3 cells{0};
@@ -33,7 +33,8 @@ struct VelocityGrid {
     /// [m/s] One value a cell at its centre, x fastest, then y, then z; w is ignored. Rejected unless it is cells.x * cells.y *
     /// cells.z values, all finite: one NaN would spread through a reader's filters without a word.
     std::span<const glm::vec4> field{};
-    /// [m/s] What readers see beyond the cells, and fade to within half a cell of the rim. Default 0; grid_of gives ambient.
+    /// [m/s] Background value of the grid, which readers blend to within half a cell of the edge. Default 0; grid_of gives
+    /// ambient.
     glm::vec3 outside{0.0f};
 };
 
@@ -49,7 +50,7 @@ template <class Source>
 
 enum class Form : std::uint8_t {
     one_vector,    ///< One grid of vectors, `name`: what Blender, Houdini and renderers look for first. The default.
-    three_scalars, ///< Three grids of floats, `name`.x, `name`.y, `name`.z, for readers that know no vectors.
+    three_scalars, ///< Three grids of floats, `name`.x, `name`.y, `name`.z, for readers without vector grids.
 };
 
 enum class Precision : std::uint8_t {
@@ -96,8 +97,8 @@ class [[nodiscard]] WriteResult : public Result<void> {
 };
 
 /// Writes one file, all cells active, also where the wind is uniform. Cell (0, 0, 0) is voxel (0, 0, 0), its centre where the
-/// voxel's is; with UpAxis::z cell (i, j, k) is voxel (i, cells.z - 1 - k, j). Folders are not made. Tells every reason for a
-/// rejection, a line each.
+/// voxel's is; with UpAxis::z cell (i, j, k) is voxel (i, cells.z - 1 - k, j). Folders are not made. The error lists every
+/// reason, one per line.
 WriteResult write(const VelocityGrid& grid, const std::filesystem::path& file, const Options& options = {});
 
 /// Names the frames of a sequence: folder / prefix 0001 .vdb, as Blender and Houdini ($F4) number theirs.
@@ -105,7 +106,7 @@ WriteResult write(const VelocityGrid& grid, const std::filesystem::path& file, c
 ///     const windrow::vdb::Sequence sequence{.folder = "out", .options = {.up = windrow::vdb::UpAxis::z}};
 ///     sequence.write(windrow::vdb::grid_of(wind), frame, time);
 struct Sequence {
-    /// Where the files go; must exist. Default: the current folder.
+    /// Folder of the files; must exist. Default: the current folder.
     std::filesystem::path folder{};
     /// Begins each file's name. Without '/' and control characters, and not ending in a digit, which would run into the number.
     std::string prefix = "wind_";

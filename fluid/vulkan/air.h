@@ -1,7 +1,7 @@
 // The air on the device: the step of fluid/cpu/step.cpp as compute passes, recorded into the host's command buffer.
 //
 //   place      fields move with the box                              only when it moves
-//   sources    motors, guard, survey: u, f, S                        once a tick
+//   sources    motors, guard, reduction: u, f, S                        once a tick
 //   plan       n sub-steps, from the largest speed                   once a tick; sub-steps that do not run get no work groups
 //   pad        R = ambient + g (u - ambient) - s q + (dt/2) f, V     each sub-step, in six dispatches; eight where planes are
 //   advect     w = R(xd) + (dt/2) f                                  split, up to 24 with implicit viscosity
@@ -9,9 +9,9 @@
 //   gradient   u' = w - grad phi, q'
 //   show       textures of this frame, report                        once a frame
 //
-// Sub-steps are chosen on the device, so all that may be are recorded. What the host gives to a tick travels inside the command
-// buffer (vkCmdUpdateBuffer); large tables in a piece of host memory that is written once: frames in flight share nothing that
-// the host writes while they run.
+// The device chooses the number of sub-steps, so the maximal number is recorded. Parameters of a tick are in the command buffer
+// (vkCmdUpdateBuffer), large tables in a block of host memory that is written once: the host writes no memory that frames in
+// flight use.
 #pragma once
 
 #include "fluid/cell_storage.h"
@@ -31,7 +31,7 @@ inline constexpr VkPipelineStageFlags k_compute = VK_PIPELINE_STAGE_COMPUTE_SHAD
                                       k_transfer = VK_PIPELINE_STAGE_TRANSFER_BIT,
                                       k_indirect = VK_PIPELINE_STAGE_DRAW_INDIRECT_BIT;
 
-/// What the device found in a tick.
+/// Report of the device for a tick.
 struct AirReport {
     float largest_component = 0.0f; ///< [m/s] after the tick
     float cfl = 0.0f;
@@ -87,7 +87,7 @@ class Air {
     /// Times what is recorded from now on; null, as at the start: nothing is timed. The clock outlives the recordings.
     void set_clock(PassClock* clock) { clock_ = clock; }
 
-    // --- Boundaries -----------------------------------------------------------------------------------------------------------------
+    // --- Boundaries ------------------------------------------------------------------------------------------------------
     /// Boundaries to come, with the tables of their solves where their kinds are others, and where these lie on their way to the
     /// device.
     struct NewBoundaries {
@@ -102,11 +102,11 @@ class Air {
     void set_boundaries(NewBoundaries&& boundaries);
 
     // --- Frames in flight ------------------------------------------------------------------------------------------------------
-    /// What follows is recorded for this slot, and what was recorded for it before is done.
+    /// The following commands are of this slot; the earlier ones of this slot are done.
     void begin(int slot);
     /// After all else in a command buffer.
     void end(VkCommandBuffer commands) { wait(commands); }
-    /// What the device holds is not known: all of it is written anew by the next `fill`.
+    /// The contents of the device memory are unknown: the next `fill` writes all of it.
     void forget();
 
   private:
@@ -123,7 +123,7 @@ class Air {
                     std::shared_ptr<const GustTile> tile = nullptr);
     static constexpr VkDeviceSize k_max_update = 65536; ///< [bytes] of vkCmdUpdateBuffer
     void write(VkCommandBuffer commands, const Buffer& to, std::span<const std::byte> bytes);
-    /// What was recorded so far in stages `from` is done before what follows in stages `to`. Recorded with the next command, as
+    /// Barrier: earlier commands in stages `from` are done before later ones in stages `to`. Recorded with the next command, as
     /// one with all that are asked for before it.
     void barrier(VkPipelineStageFlags from, VkPipelineStageFlags to);
     void wait(VkCommandBuffer commands, std::span<const VkImageMemoryBarrier> images = {});

@@ -1,4 +1,4 @@
-// shaders/fluid/blocks.glsl as C++: what the host gives to the passes of a tick.
+// Parameter blocks of the passes of a tick: shaders/fluid/blocks.glsl as C++.
 #pragma once
 
 #include "fluid/ambient_numerics.h"

@@ -31,7 +31,7 @@ Properties properties_of(MemoryUse use) {
 Result<Buffer> Buffer::create(Device& device, VkDeviceSize bytes, MemoryUse use, VkBufferUsageFlags more_usage) {
     const std::string what = detail::message("a buffer of ", bytes, " bytes");
     if (bytes == 0)
-        return Error{"a buffer of 0 bytes is asked for: give at least 1."};
+        return Error{"a buffer has 0 bytes: give at least 1."};
     if (bytes > device.limits().maxStorageBufferRange)
         return Error{detail::message(what, " is larger than shaders of this device can see (",
                                      device.limits().maxStorageBufferRange, ", maxStorageBufferRange): use a smaller box.")};

@@ -10,7 +10,7 @@ namespace windrow::vulkan {
 
 class Device;
 
-/// Where a buffer's memory lies.
+/// Kind of a buffer's memory.
 enum class MemoryUse {
     device,   ///< on the device; written by copies and shaders alone
     upload,   ///< host-visible and coherent, on the device where that exists: written by the host, read by the device

@@ -1,4 +1,4 @@
-// What the passes read and write, bound once.
+// Descriptor sets of the passes, written once.
 #pragma once
 
 #include "fluid/vulkan/handle.h"
@@ -12,7 +12,7 @@ namespace windrow::vulkan {
 class Device;
 class Pipeline;
 
-/// What a descriptor set holds, in the order of its bindings.
+/// Contents of a descriptor set, in the order of its bindings.
 struct Binding {
     VkDescriptorType type;
     VkBuffer buffer = VK_NULL_HANDLE;  ///< whole

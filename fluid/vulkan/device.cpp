@@ -66,8 +66,9 @@ Result<void> Device::check(const Dispatch& dispatch) const {
         reasons.add("the pass ", dispatch.name, " has groups of ", invocations, " where the device takes ",
                     limits_.maxComputeWorkGroupInvocations, " (maxComputeWorkGroupInvocations): use another device or the CPU.");
     if (dispatch.shared_bytes > limits_.maxComputeSharedMemorySize)
-        reasons.add("the pass ", dispatch.name, " shares ", dispatch.shared_bytes, " bytes in a group where the device takes ",
-                    limits_.maxComputeSharedMemorySize, " (maxComputeSharedMemorySize): use another device or the CPU.");
+        reasons.add("the pass ", dispatch.name, " uses ", dispatch.shared_bytes,
+                    " bytes of shared memory in a group where the device takes ", limits_.maxComputeSharedMemorySize,
+                    " (maxComputeSharedMemorySize): use another device or the CPU.");
     if (!reasons.empty())
         return Error{reasons.take()};
     return {};

@@ -1,4 +1,4 @@
-// The cells of a wind on a device. What its core asks of them is recorded within a frame; between two it waits for the next.
+// The cells of a wind on a device. Operations of the core are recorded within a frame; between two frames they are queued.
 #pragma once
 
 #include "fluid/vulkan/air.h"

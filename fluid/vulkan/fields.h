@@ -1,4 +1,4 @@
-// The memory of one wind on the device: its fields, its tables, and what the host and the passes give to each other.
+// Device memory of one wind: fields, tables, and buffers between host and passes.
 //
 // A field of cells holds four floats a cell, laid out as box.h says. With N cells and P padded cells (five more an axis), in
 // bytes:

@@ -1,4 +1,4 @@
-// Which bytes of a block are free: first fit, and neighbours merge when they come back.
+// Free byte ranges of a block: first fit; freed neighbours merge.
 #pragma once
 
 #include <cstdint>

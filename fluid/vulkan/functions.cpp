@@ -22,7 +22,7 @@ const char* fix_of(VkResult result) {
     case VK_ERROR_FRAGMENTED_POOL:
         return "free device memory or use a smaller box.";
     case VK_ERROR_TOO_MANY_OBJECTS:
-        return "free device memory in fewer, larger pieces.";
+        return "free device memory, or allocate fewer and larger blocks.";
     case VK_ERROR_DEVICE_LOST:
         return "make the device anew, or go on with the CPU.";
     default:

@@ -1,5 +1,5 @@
-// The Vulkan calls that Windrow makes, as pointers of its own: no loader symbols and no globals, and a test can put its own in
-// place. And the sentence for a call that failed.
+// Table of the Vulkan functions that Windrow calls, without loader symbols or globals; a test can replace them. And the message
+// of a failed call.
 #pragma once
 
 #include "fluid/result.h"

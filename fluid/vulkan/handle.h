@@ -1,4 +1,4 @@
-// A Vulkan object that destroys itself: what std::unique_ptr is for memory.
+// Owning handle of a Vulkan object, as std::unique_ptr for memory.
 #pragma once
 
 #include "fluid/vulkan/functions.h"

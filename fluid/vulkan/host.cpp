@@ -30,7 +30,7 @@ void check_format(const Queries& queries, VkPhysicalDevice physical_device, VkFo
     const VkResult result =
         queries.image_format(physical_device, format, VK_IMAGE_TYPE_3D, VK_IMAGE_TILING_OPTIMAL, k_image_usage, 0, &properties);
     if (result != VK_SUCCESS)
-        reasons.add(name, " makes no 3D image that is stored to, sampled and copied (", name_of(result),
+        reasons.add(name, " has no 3D images that can be stored to, sampled and copied (", name_of(result),
                     "): use another device.");
 }
 
@@ -64,7 +64,7 @@ Result<void> check(VkInstance instance, VkPhysicalDevice physical_device, PFN_vk
     VkPhysicalDeviceProperties properties{};
     queries.properties(physical_device, &properties);
     if (properties.apiVersion < wanted.api_version)
-        reasons.add("the device knows Vulkan ", VK_API_VERSION_MAJOR(properties.apiVersion), ".",
+        reasons.add("the device supports Vulkan ", VK_API_VERSION_MAJOR(properties.apiVersion), ".",
                     VK_API_VERSION_MINOR(properties.apiVersion), " and 1.2 is needed: update the driver.");
     const VkPhysicalDeviceLimits& limits = properties.limits;
     check_limit("maxComputeSharedMemorySize", limits.maxComputeSharedMemorySize, wanted.shared_bytes, reasons);

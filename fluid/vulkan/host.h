@@ -1,5 +1,5 @@
-// What the host lends: its Vulkan device. Windrow makes no instance, device, queue or command buffer of its own, submits nothing
-// and waits for nothing; it calls no symbol of the loader, only what the host's vkGetInstanceProcAddr gives.
+// The host's Vulkan device. Windrow creates no instance, device, queue or command buffer, and does not submit or wait. It calls
+// only functions from the host's vkGetInstanceProcAddr, no symbol of the loader.
 #pragma once
 
 #include "fluid/result.h"
@@ -10,19 +10,19 @@
 
 namespace windrow::vulkan {
 
-/// A piece of device memory that the host's own allocator gives.
+/// A block of device memory from the host's own allocator.
 struct MemoryPiece {
     VkDeviceMemory memory = VK_NULL_HANDLE;
     VkDeviceSize offset = 0; ///< [bytes] aligned as asked
-    void* mapped = nullptr;  ///< address of the piece where host-visible memory was asked for
-    std::uint64_t user = 0;  ///< the host's own; given back with the piece
+    void* mapped = nullptr;  ///< address of the block where host-visible memory was asked for
+    std::uint64_t user = 0;  ///< the host's own; given back with the block
 };
 
-/// The host's allocator in place of ours (memory.h). Both or neither. Called from `create`, from `Wind::set_boundaries` where a kind
-/// of side changes, and, to give back, from recording and destruction.
+/// The host's allocator in place of ours (memory.h). Both or neither. Called from `create`, from `Wind::set_boundaries` where a
+/// kind of boundary changes, and, to give back, from recording and destruction.
 struct MemoryCallbacks {
     /// Memory of the type `type_index` that fits `requirements`; host-visible memory comes mapped. Size and alignment already
-    /// hold what nonCoherentAtomSize and bufferImageGranularity ask, so that pieces may lie side by side. A result other than
+    /// hold what nonCoherentAtomSize and bufferImageGranularity ask, so that blocks may be adjacent. A result other than
     /// VK_SUCCESS is returned to the caller of `create`.
     std::function<VkResult(const VkMemoryRequirements& requirements, std::uint32_t type_index, MemoryPiece& piece)> allocate;
     std::function<void(const MemoryPiece& piece)> release;
@@ -41,7 +41,7 @@ struct Host {
     MemoryCallbacks memory{};
 };
 
-/// What a device must offer, known before it is made. No extension is needed.
+/// Requirements of the device, for its creation. No extension is needed.
 struct Requirements {
     std::uint32_t api_version = VK_API_VERSION_1_2;
     /// To be enabled when the device is made. One: shaderStorageImageExtendedFormats, without which no shader writes an R16F
@@ -54,16 +54,16 @@ struct Requirements {
 };
 [[nodiscard]] Requirements requirements();
 
-/// What the images of the wind are used for, and their formats must allow.
+/// Usage of the images of the wind, which their formats must support.
 inline constexpr VkImageUsageFlags k_image_usage =
     VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
 
-/// Every reason why a physical device cannot run the wind, a line each: version, limits, features,
+/// All reasons why a physical device cannot run the wind, one per line: version, limits, features,
 /// formats. `get_instance_proc_addr` as in Host.
 [[nodiscard]] Result<void> check(VkInstance instance, VkPhysicalDevice physical_device,
                                  PFN_vkGetInstanceProcAddr get_instance_proc_addr);
 
-/// What a VkResult is called, for sentences.
+/// Name of a VkResult, for messages.
 [[nodiscard]] const char* name_of(VkResult result);
 
 } // namespace windrow::vulkan

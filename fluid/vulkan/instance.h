@@ -12,7 +12,7 @@
 
 namespace windrow::vulkan {
 
-/// Which checks an instance runs on the calls made with it.
+/// Validation checks of an instance.
 struct Checks {
     bool validation = false;     ///< core and synchronisation
     bool gpu_validation = false; ///< GPU-assisted

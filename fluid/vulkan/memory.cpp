@@ -167,11 +167,11 @@ Result<MemoryPiece> Memory::allocate(const VkMemoryRequirements& requirements, V
     const bool visible = (wanted & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT) != 0;
     const std::string what = detail::message(requirements.size, " bytes of ", kind_of(wanted));
     if (requirements.size > state.largest_allocation)
-        return Error{detail::message(what, " are more than the device grants at once (", state.largest_allocation,
+        return Error{detail::message(what, " are more than the device allocates at once (", state.largest_allocation,
                                      ", maxMemoryAllocationSize): use a smaller box.")};
     const std::vector<std::uint32_t> types = state.types_for(requirements.memoryTypeBits, wanted, preferred, avoided);
     if (types.empty())
-        return Error{detail::message(what, " are asked for and the device has no such type: use another device.")};
+        return Error{detail::message(what, " are needed, and the device has no such memory type: use another device.")};
 
     // Whole atoms, so that flushing one piece never touches its neighbour.
     VkMemoryRequirements asked = requirements;
@@ -219,8 +219,7 @@ Result<MemoryPiece> Memory::allocate(const VkMemoryRequirements& requirements, V
     }
     const auto is_full = [&](std::uint32_t type) { return state.heap_left(type) < asked.size; };
     if (std::all_of(types.begin(), types.end(), is_full))
-        return Error{what +
-                     " do not fit beside the wind's other memory into the device's: free device memory or use a smaller box."};
+        return Error{what + " do not fit into the device's memory: free device memory or use a smaller box."};
     return call_error("vkAllocateMemory", what, result);
 }
 

@@ -1,4 +1,4 @@
-// Device memory in a few large blocks, cut into pieces: a driver grants some thousand allocations at most.
+// Device memory allocator: a few large blocks, divided, since a driver allows only some thousand allocations.
 #pragma once
 
 #include "fluid/result.h"

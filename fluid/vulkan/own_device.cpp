@@ -97,7 +97,7 @@ Result<FoundDevice> choose(const std::vector<FoundDevice>& found, int place) {
         return asked;
     }
     if (place != -1)
-        return Error{detail::message("device is ", place, ": give a place in the list from 0, or -1 for the best.")};
+        return Error{detail::message("device is ", place, ": give an index of the list from 0, or -1 for the best.")};
     for (const bool software : {false, true})
         for (const FoundDevice& device : found)
             if (device.facts.software == software && device.facts.trouble.empty())
@@ -194,7 +194,7 @@ struct OwnDevice::State {
         WINDROW_OWN_FUNCTIONS(WINDROW_LOAD)
 #undef WINDROW_LOAD
         if (!complete)
-            return Error{chosen.facts.name + " lacks calls of Vulkan 1.0: update its driver."};
+            return Error{chosen.facts.name + " lacks functions of Vulkan 1.0: update its driver."};
         return {};
     }
 

@@ -1,6 +1,6 @@
-// A device of our own, for the command and the tests: a host in small. An engine brings its own (host.h).
+// A Vulkan device owned by the library, for the command, the tests and small hosts. An engine brings its own (host.h).
 //
-// The loader (libvulkan.so.1) is opened at run time, so that a program starts, and says so, where there is none.
+// The loader (libvulkan.so.1) is opened at run time, so that a program starts without it and reports an error.
 #pragma once
 
 #include "fluid/result.h"
@@ -24,13 +24,13 @@ struct DeviceFacts {
 /// The devices of this machine, in the driver's order; an error where there is no loader, no driver or no device.
 [[nodiscard]] Result<std::vector<DeviceFacts>> list_devices();
 
-/// Whether this machine has the validation layer, which OwnDevice::Settings::validation asks for.
+/// True if this machine has the validation layer of OwnDevice::Settings::validation.
 [[nodiscard]] bool has_validation_layer();
 
 class OwnDevice {
   public:
     struct Settings {
-        int device = -1;         ///< place in list_devices(); -1: the first that is no software, else the first
+        int device = -1;         ///< index in list_devices(); -1: the first hardware device, else the first
         bool validation = false; ///< core and synchronisation checks of VK_LAYER_KHRONOS_validation, rejected where it is absent
         bool gpu_validation = false; ///< and GPU-assisted ones
         /// Called for each message of the layer (warnings and errors). Default: counted alone.

@@ -1,4 +1,4 @@
-// Times each pass of a recording on the device: a moment before and after each dispatch, one more at both ends of the recording.
+// Timer of the passes of a recording: a timestamp before and after each dispatch, and at both ends of the recording.
 #pragma once
 
 #include "fluid/vulkan/pass_times.h"

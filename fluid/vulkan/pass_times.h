@@ -1,4 +1,4 @@
-// What the passes of a recording took on the device, by its own clock.
+// Times of the passes of a recording, by the device's clock.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// The passes of a tick as pipelines, each with what it reads and writes and how many work groups it takes.
+// The passes of a tick: pipelines with their bindings and work group counts.
 #pragma once
 
 #include "fluid/operators.h"
@@ -68,9 +68,9 @@ class Passes {
         bool half = true; ///< R16F textures, else R32F
     };
     [[nodiscard]] static Result<Passes> create(Device& device, const Fields& fields, const Settings& settings);
-    /// Where the direct solve finds its tables; before a sub-step is asked for.
+    /// Sets the tables of the direct solve; call it before the first sub-step.
     void set_tables(const SolveTables& tables);
-    /// How many work groups of cells there are: the entries of Fields::sums.
+    /// Number of work groups of cells: the entries of Fields::sums.
     [[nodiscard]] static std::uint32_t sums(const Device& device, glm::ivec3 cells);
     /// Most dispatches that the plan commands in a tick of `substeps`.
     [[nodiscard]] static std::uint32_t commands(int substeps) { return 1 + k_max_stages * static_cast<std::uint32_t>(substeps); }
@@ -81,7 +81,7 @@ class Passes {
     /// that it binds, once if it reads or writes it and twice for both, and its textures. Left out are the tables, the rules, the
     /// motors and the gust tile, which stay in caches. A pass that finds a field empty, as where no air is let in, moves less.
     [[nodiscard]] std::uint64_t bytes(Pass pass) const { return bytes_[static_cast<std::size_t>(pass)]; }
-    /// What Fields::shapes holds: how many passes a sub-step has, and the work groups of each, those of Pass::limit before them.
+    /// Contents of Fields::shapes: number of passes of a sub-step, and the work groups of each, those of Pass::limit before them.
     /// Good until the next call.
     [[nodiscard]] std::span<const std::uint32_t> shapes(DiffusionMethod most);
     /// One dispatch of a sub-step: the pass and its push constants without the sub-step's number.

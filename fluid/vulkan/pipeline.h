@@ -1,4 +1,4 @@
-// A compute pipeline with the layout of what it reads and writes.
+// A compute pipeline with the layout of its bindings.
 #pragma once
 
 #include "fluid/vulkan/handle.h"
@@ -39,7 +39,8 @@ class Pipeline {
     Handle<VkPipeline, &Functions::vkDestroyPipeline> pipeline_;
 };
 
-/// What a shader does with one binding of set 0, as its own decorations tell. Both where the shader's text says neither readonly nor writeonly.
+/// What a shader does with one binding of set 0, as its own decorations tell. Both where the shader's text says neither readonly
+/// nor writeonly.
 struct Access {
     bool reads = true, writes = true;
 };

@@ -1,4 +1,4 @@
-// What frames in flight read back for the host, a slot each, and the last of it.
+// Read-backs of the frames in flight, one slot each, and the latest result.
 #pragma once
 
 #include "fluid/vulkan/air.h"
@@ -28,7 +28,7 @@ class ReadBacks {
     void record(Air& air, VkCommandBuffer commands, const RecordedFrame& frame);
     /// False where nothing waits there, or what is newer was taken already.
     bool take(const Air& air, int slot);
-    /// What waits is not taken, and the last slot has its turn again.
+    /// Drops waiting read-backs; the last slot has its turn again.
     void forget();
 
     /// Of the last tick that was read, without counts.

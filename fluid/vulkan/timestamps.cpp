@@ -24,8 +24,8 @@ std::uint32_t valid_bits(const Device& device) {
 Result<Timestamps> Timestamps::create(Device& device, std::uint32_t count) {
     const std::uint32_t bits = valid_bits(device);
     if (bits == 0)
-        return Error{detail::message("timestamps were asked for, but queue family ", device.host().queue_family,
-                                     " of this device counts no time: leave them off, or give a family whose timestampValidBits "
+        return Error{detail::message("timestamps are on, but queue family ", device.host().queue_family,
+                                     " of this device has none: leave them off, or give a family whose timestampValidBits "
                                      "is above 0.")};
     VkQueryPoolCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO;

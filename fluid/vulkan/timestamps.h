@@ -1,5 +1,4 @@
-// Moments on the device's clock: a pool of timestamp queries, written by commands and read back when the host knows that those
-// are done. Nothing here waits.
+// Pool of timestamp queries, written by commands and read back when the host reports that these are done. Nothing here waits.
 #pragma once
 
 #include "fluid/vulkan/handle.h"

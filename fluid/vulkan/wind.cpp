@@ -92,7 +92,7 @@ glm::vec3 Wind::ambient() const {
 }
 Result<void> Wind::set_gusts(const Gusts& gusts) {
     if ((gusts.intensity > 0.0f || gusts.tile) && !state_->cells.air->holds_gusts())
-        return Error{"This wind was made without room for gusts: set Settings::gusts, or give the config gusts."};
+        return Error{"This wind was created without memory for gusts: set Settings::gusts, or give the config gusts."};
     return state_->core.set_gusts(gusts);
 }
 Result<void> Wind::set_boundaries(const Boundaries& boundaries) {

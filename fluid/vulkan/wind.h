@@ -1,4 +1,4 @@
-// The wind around a player on the GPU, inside the host's renderer.
+// The wind in a box that follows a player, on the GPU, inside the host's renderer.
 //
 //     auto wind = windrow::vulkan::Wind::create(host, {.ambient = {3.0f, 0.0f, 0.0f}});    // host.h: your device
 //     auto fan  = wind->motors().add(windrow::DirectionalMotor{.position = {4.0, 1.0, 0.0}});
@@ -7,11 +7,10 @@
 //     bind(wind->textures(), wind->previous_textures(), wind->frame_block(camera_position));
 //                                                                                 // shaders/coupling/windrow_wind.glsl
 //
-// The same config, motors, gusts, ticks and sides as windrow::Wind (fluid/wind.h, which says more of each call), the same step,
-// and the same velocities to rounding; only sleep begins some frames later, when a read-back has shown that the air is still.
-// Nothing is submitted and nothing waited for: all work goes into the host's command buffer, to run on one queue in the order of
-// recording. Each recording is submitted once (else see `forget`). What the host asks for between two frames is recorded with
-// the next.
+// Config, motors, gusts, ticks, boundaries and step are those of windrow::Wind (fluid/wind.h documents each call), and
+// velocities are the same to rounding. Only sleep begins some frames later, when a read-back has shown that the air is still.
+// It does not submit or wait: all work goes into the host's command buffer, to run on one queue in the order of
+// recording. Each recording is submitted once (else see `forget`). Changes between two frames are recorded with the next.
 #pragma once
 
 #include "fluid/owned.h"
@@ -27,9 +26,9 @@
 
 namespace windrow::vulkan {
 
-/// How the textures are stored.
+/// Format of the textures.
 enum class Texel : std::uint8_t {
-    half,  ///< R16F: 11 bits, more than any plant shows. The default.
+    half,  ///< R16F: 11 bits, enough for plants. The default.
     single ///< R32F
 };
 
@@ -37,14 +36,14 @@ struct Settings {
     Texel texel = Texel::half;
     /// Frames that the host keeps in flight, 1 to 8: as many read-backs wait for their turn. Default 2.
     int frames_in_flight = 2;
-    /// Room for gusts, or for detail (Gusts::tile), that begin later than the wind itself (16 bytes a cell and its halo). Default:
-    /// only where the config has them.
+    /// Room for gusts, or for detail (Gusts::tile), that begin later than the wind itself (16 bytes a cell and its halo).
+    /// Default: only where the config has them.
     bool gusts = false;
     /// Times each pass on the device (pass_times). Default off: it costs two timestamps a dispatch, and holds a pass back until
-    /// the one before it has ended. Rejected where the queue family counts no time (timestampValidBits is 0).
+    /// the one before it has ended. Rejected where the queue family has no timestamps (timestampValidBits is 0).
     bool timestamps = false;
-    /// The cells come back to the host for `queried` and `velocity`: 16 bytes a cell a frame, but while the air sleeps, and
-    /// in a pause between ticks that asks for nothing. Default true. False: only reports do, and `queried` holds nothing.
+    /// The cells come back to the host for `queried` and `velocity`: 16 bytes per cell and frame, except while the air sleeps and
+    /// in a pause without changes. Default true. False: only reports come back, and `queried` is empty.
     bool queries = true;
 };
 
@@ -52,9 +51,9 @@ struct Settings {
 struct Frame {
     /// [s] Its duration, as of `windrow::Wind::advance`.
     double dt = 0.0;
-    /// Which of the frames in flight it is, 0 to frames_in_flight - 1. The host knows that what was recorded for this slot before
-    /// is done: its read-back is taken now. Once a submission, not twice. Slots may come in any order; what is older than what
-    /// was taken already is not taken. Default -1: the one after the last, in turns, which is right for a host that waits for
+    /// Slot of the frame in flight, 0 to frames_in_flight - 1. The host guarantees that the work recorded for this slot
+    /// before is done: its read-back is taken now, once per submission. Slots may come in any order; results older than those
+    /// taken already are dropped. Default -1: the one after the last, in turns, which is right for a host that waits for
     /// the frame before the last frames_in_flight. A recording that `forget` follows counts as none: its slot's turn is still to
     /// come. Where more than one was thrown away, name the slot.
     int slot = -1;
@@ -82,15 +81,15 @@ class Wind {
     /// last frame is recorded, and the textures show it; after `record` they stay at its moment between two ticks. Its
     /// Diagnostics are as old as those of `record`. In a step above 1 s viscosity acts no further than it may in shorter ones:
     /// where these need no direct solve of it, for as long as one explicit pass carries (viscosity * time = cell_size^2 / 12),
-    /// and it owes the rest to the next steps.
+    /// and the rest stays as accumulated diffusion time for the next steps.
     Diagnostics record_step(VkCommandBuffer commands, const Frame& frame);
     /// Takes the read-back of a slot before its turn comes: for a host that has waited for what it recorded there, as tools do.
     /// False where there is none to take.
     bool collect(int slot);
     /// After a recording that will never be submitted (its command buffer was reset, its device call failed): the air is ambient,
-    /// nothing of the device's memory is trusted, and the next recording writes all of it anew. Motors, sides, place and wind
-    /// stay as they were set. To go on from the last frame that was read, give its cells to `set_velocity`. What was submitted
-    /// before runs to its end first, as always; its read-backs are not taken.
+    /// nothing of the device's memory is trusted, and the next recording writes all of it anew. Motors, boundaries, place and
+    /// wind stay as they were set. To go on from the last frame that was read, give its cells to `set_velocity`. What was
+    /// submitted before runs to its end first, as always; its read-backs are not taken.
     void forget();
 
     // --- As of windrow::Wind -----------------------------------------------------------------------------------------------
@@ -111,29 +110,29 @@ class Wind {
     Result<void> set_velocity(const std::function<glm::vec3(glm::dvec3 centre)>& velocity_at);
     /// The same from an array laid out as box.h says; rejects another size.
     Result<void> set_velocity(std::span<const glm::vec4> field);
-    /// Back to ambient everywhere.
+    /// Sets all cells to the ambient wind.
     void reset();
 
     // --- For shaders: shaders/coupling/windrow_wind.glsl -------------------------------------------------------------------
     /// Of the frame last recorded, and of the one before; after the first recording. Before it they hold nothing, in no layout.
     [[nodiscard]] Textures textures() const;
     [[nodiscard]] Textures previous_textures() const;
-    /// Where they lie, relative to `anchor` [m].
+    /// Their position relative to `anchor` [m].
     [[nodiscard]] WindowBlock window_block(glm::dvec3 anchor) const;
-    /// The same with what blows around the box: the uniform buffer that the include wants.
+    /// The same with the ambient wind: the uniform buffer of the include.
     [[nodiscard]] FrameBlock frame_block(glm::dvec3 anchor, const Sampling& sampling = {}) const;
-    /// The storage buffer of the gust tile that the include wants.
+    /// The storage buffer of the gust tile, for the include.
     [[nodiscard]] VkBuffer gust_buffer() const;
-    /// What blows around the box in this frame.
+    /// The ambient wind of this frame.
     [[nodiscard]] const AmbientWind& ambient_wind() const;
 
     // --- For the host: what was read back ----------------------------------------------------------------------------------
     /// The wind of the last frame whose read-back is in, to sample on the CPU; nothing before the first. Good until the next
-    /// recording. For many points, and for what plants feel, keep the view: it has both (fluid/view.h).
+    /// recording. For many points, and for the wind that acts on plants, keep the view: it has both (fluid/view.h).
     [[nodiscard]] std::optional<WindView> queried() const;
     /// [s] Time of the frames recorded since that one. With ticks each frame shows a moment up to a tick before its own.
     [[nodiscard]] double query_age() const;
-    /// What the last tick in `queried` reported; stepped = false before the first. Cells that were repaired or limited are
+    /// Diagnostics of the last tick in `queried`; stepped = false before the first. Cells that were repaired or limited are
     /// reported once, here or by a recording.
     [[nodiscard]] Diagnostics reported();
     /// [m/s] Wind at one world point as of `queried`, which it makes anew each time; the ambient wind before the first.
@@ -143,7 +142,7 @@ class Wind {
     /// have no work groups.
     [[nodiscard]] int dispatches() const;
     [[nodiscard]] int barriers() const;
-    /// What the passes took in the last recording whose times are in, frames_in_flight frames ago; nothing before the first,
+    /// Times of the passes in the last recording that was read back, frames_in_flight frames ago; nothing before the first,
     /// without Settings::timestamps, and without memory for them.
     [[nodiscard]] std::optional<PassTimes> pass_times() const;
     /// [bytes] Device memory in use.

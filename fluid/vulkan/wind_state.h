@@ -28,7 +28,7 @@ struct Wind::State {
     std::optional<PassClock> clock; ///< where passes are timed; its address is the air's
     double time = 0.0;              ///< [s] of the frames recorded, less what was dropped
     int dispatches = 0, barriers = 0;
-    /// Where the textures of the last recording lie, and of the one before it.
+    /// Position of the textures of the last recording, and of the one before it.
     std::optional<ShownFrame> recorded, recorded_before;
 
     Advance record(VkCommandBuffer commands, const Frame& frame);

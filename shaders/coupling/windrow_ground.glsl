@@ -1,5 +1,4 @@
-// The ground's memory in a shader: how far plants lean, from wind and walkers together, and what is left of walkers. For any
-// stage.
+// The ground memory in a shader: lean of the plants by wind and walkers, and the traces of walkers. For any stage.
 //
 //     #define WINDROW_GROUND_SET 2                       // yours; default 0
 //     #include "coupling/windrow_ground.glsl"

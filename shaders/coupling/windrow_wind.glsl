@@ -1,11 +1,11 @@
-// The wind in a shader: what the box holds, faded over its rim to what blows around it. For any stage.
+// The wind in a shader: the box's wind, faded over the blend zone to the ambient wind. For any stage.
 //
 //     #extension GL_GOOGLE_include_directive : require
 //     #define WINDROW_SET 2                          // yours; default 0
 //     #include "coupling/windrow_wind.glsl"
 //     vec3 u = windrow_velocity(p);                  // [m/s] at p [m] from the anchor
 //     vec3 before = windrow_velocity_previous(p);    // a frame ago, for motion vectors
-//     vec3 felt = windrow_apparent(u, p, v);         // what a thing feels that moves at v [m/s]
+//     vec3 felt = windrow_apparent(u, p, v);         // relative to an object that moves at v [m/s]
 //
 // Set WINDROW_SET (0 unless defined), bindings from WINDROW_BINDING (0 unless defined):
 //   + 0        uniform buffer    windrow::FrameBlock (fluid/textures.h), copied as it is; at an offset that is a multiple of

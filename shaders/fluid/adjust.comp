@@ -1,4 +1,4 @@
-// Adds a wind to the air, and to what is kept of it: the ambient wind as it blows now, or a change of the mean wind.
+// Addition of a wind to the air and its history: the current ambient wind, or a change of the mean wind.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define WINDROW_READS_TILE 5

@@ -1,7 +1,7 @@
-// What the host gives to the passes of a tick, and what they give to each other. numerics/ambient.glsl comes before it.
+// Parameter blocks of the passes of a tick, from the host and between passes. Include numerics/ambient.glsl before it.
 //
-// The same text is C++ (fluid/vulkan/blocks.h). Both lay it out alike since every row of 16 bytes is full: four scalars, a vec3
-// with the scalar behind it, or a vec4.
+// The same source is C++ (fluid/vulkan/blocks.h). Both have the same layout since every row of 16 bytes is full: four scalars, a
+// vec3 with the scalar behind it, or a vec4.
 #ifndef WINDROW_BLOCKS_GLSL
 #define WINDROW_BLOCKS_GLSL
 
@@ -10,7 +10,7 @@
 #define WINDROW_HALO 5
 
 // Bits of WindrowStep.flags.
-#define WINDROW_FRESH 1         // there is no past: the first sub-step is rehearsed
+#define WINDROW_FRESH 1         // no history yet: the first sub-step is rehearsed
 #define WINDROW_STABLE_FLUIDS 2 // the classic split (and all that does not advect), else second order
 #define WINDROW_LINEAR 4        // trilinear, else cubic
 #define WINDROW_ADVECTS 8
@@ -22,7 +22,7 @@
 #define WINDROW_RENEWS_SOURCE_FLOW 512 // u_S changes in this tick
 #define WINDROW_DIFFUSES 1024          // viscosity may act
 #define WINDROW_PUSHES 2048            // a motor of this tick is a force
-#define WINDROW_EXPANDS 4096           // a motor of this tick is a source of air
+#define WINDROW_EXPANDS 4096           // a motor of this tick is a volume source
 #define WINDROW_DIFFUSED_WHOLE 8192    // viscosity has acted for all time so far
 #define WINDROW_DRIVES 32768           // a motor of this tick is a drive
 #define WINDROW_ONE_PASS                                                                                                         \

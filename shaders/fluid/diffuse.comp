@@ -1,5 +1,5 @@
-// Diffusion of what is solved, one explicit pass: v + r L v, r = viscosity dt / h^2; nothing below r = 1e-4, nor where it must be
-// implicit (fluid/cpu/diffusion.cpp).
+// Explicit diffusion of the perturbation velocity, one pass: v + r L v, r = viscosity dt / h^2; nothing below r = 1e-4, nor where
+// it must be implicit (fluid/cpu/diffusion.cpp).
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define WINDROW_READS_TILE 7

@@ -1,4 +1,4 @@
-// The part of the wind that is given, not solved: the flow of the sources of air, and the ambient wind while it gusts.
+// Prescribed background wind: the flow of the volume sources, and the ambient wind while it gusts.
 // Before this text: Velocity as `velocity`, SourceFlow as `source_flow`, Force as `force`.
 
 // [m/s] Prescribed background wind of a cell, `elapsed` [s] after the start of the tick.

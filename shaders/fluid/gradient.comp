@@ -1,6 +1,6 @@
-// What a sub-step ends with:
+// Last pass of a sub-step:
 //
-//   u' = w - grad phi + what is given,   u_old = u,   q' by history.glsl
+//   u' = w - grad phi + background wind,   u_old = u,   q' by history.glsl
 //
 // and a rehearsal: u stays, u_old = 2 u - u'.
 #version 460

@@ -1,4 +1,4 @@
-// The guard against cells that are no number: they become ambient, with no past. Before this text: Velocity as `velocity`,
+// Guard against non-finite cells: they become ambient, without history. Before this text: Velocity as `velocity`,
 // VelocityOld as `velocity_old`, History as `history`.
 
 bool broken(vec4 u) { return windrow_not_finite(u.x) || windrow_not_finite(u.y) || windrow_not_finite(u.z); }

@@ -1,4 +1,5 @@
-// Cuts speeds, and those that drives pull toward, to what the sub-steps can carry. The sources' flow is cut by the same share as the wind that it is part of.
+// Limit of speeds, and of the target speeds of drives, to the Courant limit of the sub-steps. The flow of the volume sources is
+// scaled by the same factor as the wind that contains it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "fluid/pass.glsl"

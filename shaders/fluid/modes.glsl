@@ -1,9 +1,9 @@
-// Values at cells to modes of the axes x and z, or back: products with the axes' eigenvectors, a tile of a plane of constant y at
-// a time in shared memory. Where a whole plane fits, both axes in one pass; else each in a pass of its own.
+// Transform of cell values to modes of the axes x and z, or back: products with the axes' eigenvectors, a tile of a plane of
+// constant y at a time in shared memory. Where a whole plane fits, both axes in one pass; else each in a pass of its own.
 //
 //   forward   hat[m] = sum_c E[m][c] value[c]        back   value[c] = sum_m E[m][c] hat[m]
 //
-// Modes lie as [y][mode of z][mode of x], so that the columns of the next pass are read side by side.
+// Modes are stored as [y][mode of z][mode of x], so that neighbouring columns are contiguous for the next pass.
 // Before this text: float load(ivec3 cell) and void store(ivec3 cell, float value), `cell` in cells or modes.
 
 layout(constant_id = 3) const int k_tile_x = 32; // cells of a tile: whole axes where they are transformed

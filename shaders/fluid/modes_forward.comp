@@ -1,7 +1,7 @@
 // First stage of a direct solve: the right-hand side, made here, to modes of x and z.
 //
 //   projection        rhs = (differences of w) / 2        (phi / h, so that no h appears; w is without the sources' flow)
-//   sources of air    rhs = -h S, less phi beyond open boundaries
+//   volume sources    rhs = -h S, less phi beyond open boundaries
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "fluid/pass.glsl"

@@ -1,4 +1,4 @@
-// The wind of this frame, between the last two ticks, as three textures and as cells; and what the tick's report needs.
+// Output of a frame: the wind between the last two ticks as three textures and as cells, and the figures of the tick's report.
 #define WINDROW_READS_TILE 7
 #define WINDROW_PUSH WindrowShowPush
 #define WINDROW_BETWEEN_TICKS
@@ -33,7 +33,7 @@ void main() {
         const int at = cell_index(cell);
         const vec4 u = velocity[at];
         const float factor = push.factor;
-        // What was no number shows nowhere: after a repair the air is shown as it is now.
+        // Non-finite values are not shown: after a repair the output is the current air.
         const vec4 now = factor == 1.0f || control.nonfinite_cells > 0u ? u : before[at] + factor * (u - before[at]);
         shown[at] = now;
         imageStore(axis_x, cell, vec4(now.x, 0.0f, 0.0f, 0.0f));

@@ -1,9 +1,9 @@
-// Gathers the fields that an advection reads, with their halo:
+// Padded fields of an advection, with their halo:
 //
 //   R = ambient + g (carried - ambient) - s q + change at departure      V = (1 + s) u - s u_old
 //
-// A halo cell takes the value of a cell inside, mirrored or wrapped by the product of its axes' rules, or the ambient wind. While it
-// gusts, A too: the ambient wind, beyond a wall that of the outermost cell, and as w the second difference of its profile.
+// A halo cell takes the value of a cell inside, mirrored or wrapped by the product of its axes' rules, or the ambient wind. With
+// gusts it has A too: the ambient wind, beyond a wall that of the outermost cell, and in w the second difference of its profile.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define WINDROW_READS_TILE 11

@@ -1,5 +1,5 @@
-// What every pass over cells begins with: the blocks, and which cell this invocation is. WINDROW_BETWEEN_TICKS before it: the
-// pass is of no sub-step.
+// Common head of the passes over cells: the blocks, and the cell of this invocation. Define WINDROW_BETWEEN_TICKS before it for a
+// pass outside of sub-steps.
 //
 // Set 0: binding 0 the step, binding 1 the control; a pass names the rest.
 #ifndef WINDROW_PASS_GLSL
@@ -34,7 +34,7 @@ int cell_index(ivec3 cell) { return (cell.z * tick.cells.y + cell.y) * tick.cell
 bool inside(ivec3 cell, ivec3 cells) { return all(lessThan(cell, cells)); }
 
 #ifndef WINDROW_BETWEEN_TICKS
-// The first sub-step of a flow is rehearsed: without a past, for the past of its performance (fluid/cpu/step.cpp).
+// The first sub-step of a flow is rehearsed: a step without history makes the history of the real one (fluid/cpu/step.cpp).
 bool is_fresh() { return push.substep < 0; }
 int substep() { return max(push.substep, 0); }
 

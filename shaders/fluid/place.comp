@@ -1,5 +1,4 @@
-// Moves a field with the box: cell x takes what was at x + shift. Cells that the move exposes, or all of them, hold the ambient
-// wind or 0.
+// Shift of a field with the box: cell x takes the value of x + shift. New cells, or all cells, get the ambient wind or 0.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define WINDROW_READS_TILE 4

@@ -1,5 +1,5 @@
-// Chooses the sub-steps: as many as keep the Courant number below its limit, or all that are allowed, with speeds cut to what
-// these can carry. The passes of a sub-step that does not run get no work groups.
+// Choice of the number of sub-steps: as many as keep the Courant number below its limit, or the maximal number with limited
+// speeds. The passes of a sub-step that does not run get no work groups.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "fluid/pass.glsl"

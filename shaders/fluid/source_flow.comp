@@ -1,5 +1,5 @@
-// The flow of the sources of air, u_S = -grad phi, takes the place of what it was before, in the wind of this tick and of the
-// last: the trajectories extrapolate u - u_old, which must not see a jump. Then the guard and the survey, which waited for it.
+// Update of the volume sources' flow, u_S = -grad phi, in the wind of this tick and of the last: the trajectories extrapolate
+// u - u_old, which must not jump. Then the guard and the reduction, which need the new flow.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define WINDROW_READS_TILE 7

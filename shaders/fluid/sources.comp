@@ -1,9 +1,9 @@
-// Sources, guard and survey: what the motors do to a cell, gathered from those that reach it; cells that are no number become
-// ambient; the largest speed and force decide the sub-steps.
+// Sources, guard and reduction: the effect of the motors on a cell, gathered from those that reach it; non-finite cells become
+// ambient; the largest speed and force determine the sub-steps.
 //
 //   drives          E and E U summed over the motors; the classic split acts on u at once, u += (1 - exp(-E)) (U - u)
 //   force           f = sum w f_m
-//   source of air   S = sum w S0
+//   volume source   S = sum w S0
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define WINDROW_READS_TILE 9

@@ -1,4 +1,4 @@
-// Neighbours beyond a side, as NormalGhost of fluid/cpu/kernels/kernels.h.
+// Ghost values beyond a boundary, as NormalGhost of fluid/cpu/kernels/kernels.h.
 
 // The cell next to `cell` along an axis, and the factor on its value.
 ivec3 neighbour(ivec3 cell, int axis, int step, vec4 low, vec4 high, out float factor) {

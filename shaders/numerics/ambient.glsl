@@ -1,7 +1,7 @@
-// The ambient wind: what blows where nothing stands in its way, as a function of place and time.
+// The ambient wind as a function of place and time.
 //
 //   profile    P(z) = log((z + z0) / z0) / log((zref + z0) / z0)         0 at the ground, 1 at the reference height
-//   ambient    u(x, t) = P U + min(P, 1) A n((x - t V) / s)              V the level part of U, s [m] the edge of a texel
+//   ambient    u(x, t) = P U + min(P, 1) A n((x - t V) / s)              V the horizontal part of U, s [m] the edge of a texel
 //   detail     d = share |u| n((x - t V) / s_d) / max|n|                 |d| <= share |u|: still air gives exactly 0
 //   felt       (u + d) times a strength, its length kept below a limit
 //

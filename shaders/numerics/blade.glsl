@@ -1,7 +1,7 @@
-// A blade of grass: a strip that the wind bends and that keeps its length.
+// A blade of grass: a bent strip of constant length.
 //
 //   facing f     the yaw of its hash; the strip's width lies along w = axis x f
-//   load         windrow_drag_bend, or a spring that follows it; a share of it along the wind, the rest about the strip's own
+//   load         windrow_drag_bend, or a spring that follows it; a fraction of it along the wind, the rest about the strip's own
 //                wide axis
 //   own bend     toward f: a base, a spread by chance, and more the steeper one looks down on it, so that grass seen from above
 //                is no dots

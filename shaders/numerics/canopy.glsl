@@ -1,4 +1,4 @@
-// Plants that slow the wind: du/dt = -c |u| u among them, c their drag per metre of way.
+// Canopy drag: du/dt = -c |u| u inside the canopy, c its drag per metre.
 //
 // Alone it has the exact solution u / (1 + c t |u|), which keeps the direction and is stable for any time; the step takes it
 // whole, before the air moves. Based on: Raupach & Shaw 1982, Boundary-Layer Meteorology 22; Finnigan 2000, Annual Review of

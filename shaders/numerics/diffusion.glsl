@@ -1,4 +1,4 @@
-// Which diffusion a sub-step takes, by the ratio r = viscosity dt / h^2 (fluid/cpu/diffusion.cpp).
+// Choice of the diffusion method of a sub-step, by the ratio r = viscosity dt / h^2 (fluid/cpu/diffusion.cpp).
 #ifndef WINDROW_DIFFUSION_GLSL
 #define WINDROW_DIFFUSION_GLSL
 

@@ -1,5 +1,4 @@
-// Ground memory: what the ground beneath the plants remembers of the wind and of who walked there, a texel of the plane xz at a
-// time.
+// Ground memory: one texel of the plane xz, with the lean of its plants in the wind and the traces of walkers.
 //
 //   lean     vec2 [rad], the plants' bend as stems take it (stem.glsl): its direction and how far, pi / 2 pressed flat. A damped
 //            spring (spring.glsl) whose target is (1 - trample) (lean of the wind) + trail, the fading within a step included

@@ -1,6 +1,6 @@
-// The ground memory as it is sampled: texels of (lean x, lean z, trample, length of the trail), blended linearly, and faded over
-// the window's rim to the lean of the wind alone. The rim follows the point that the window follows, not the window, which jumps
-// by texels: a jump moves nothing.
+// Sampling of the ground memory: texels of (lean x, lean z, trample, length of the trail), blended linearly, and faded over the
+// blend zone to the lean of the wind alone. The blend zone follows the point, not the window, which moves by whole texels, so a
+// shift of the window changes no value.
 //
 // A language that keeps texels elsewhere than in a sampler3D (of one layer) defines WINDROW_GROUND, the type of the parameter
 // that stands for them, and windrow_ground_texel, before this text.

@@ -1,10 +1,10 @@
-// Motors: what a region weighs at a point, and what a law does to the air there.
+// Motors: weight of a region at a point, and effect of a law on the air there.
 //
 //   weight of a region   w = (1 - s^2)^2 for s < 1, else 0;  s = distance / radius
 //   force                u += dt w f
 //   drive                u += (1 - exp(-E)) (U - u),  E = k w dt;  several: E and E U add up before they act
 //   wake                 the same with the path integral of w in place of w dt
-//   source of air        div u = S,  S = S0 w with the volume of w times S0 the air that comes out [m^3/s]
+//   volume source        div u = S,  S = S0 w; the integral of w times S0 is the outflow [m^3/s]
 //
 // The kernel (1 - s^2)^2 is 1 at the centre, has slope 0 there and at the rim, is a polynomial in the squared distance (no
 // root) and so has a path integral in closed form. Volume of a sphere's weight: 32 pi R^3 / 105.

@@ -1,4 +1,4 @@
-// How far a wind bends a stalk: drag against stiffness.
+// Bend of a stalk in a wind: drag against stiffness.
 //
 //   Ca = rho C_d w L^3 U^2 / (2 E I)                     Cauchy number: drag over what the stiffness bears; k U^2 with k of the
 //                                                        host

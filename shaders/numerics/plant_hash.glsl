@@ -1,6 +1,6 @@
-// Chance that belongs to a place: the same plant has the same yaw and stiffness in every frame, on every machine, to the bit.
+// Random numbers of a place: the same plant has the same yaw and stiffness in every frame, on every machine, to the bit.
 //
-//   hash    a bijection of pairs of 32-bit words: two plants with different keys never share their pair of words
+//   hash    a bijection of pairs of 32-bit words: two plants with different keys never have the same pair of words
 //   share   word >> 8, times 2^-24: 0 to 1, 1 left out; exact
 //
 // The key is an instance's own place, as it is stored: its cell, or the bits of its coordinates. A place relative to a camera or

@@ -1,5 +1,5 @@
-// Masks by height: how much of a bend or a push reaches the place h of a strand, 0 at its root, 1 at its tip. Blades, shells and
-// trees share them; each is exactly 0 at h = 0 and exactly 1 at h = 1.
+// Masks by height: fraction of a bend or a push at the place h of a strand, 0 at its root, 1 at its tip. Blades, shells and trees
+// use the same masks; each is exactly 0 at h = 0 and exactly 1 at h = 1.
 //
 //   power      h^c                                        a push that grows toward the tip; c = 1 even, above 1 bends the tip
 //   own bend   h (1 + c (h - 1))                          a strand's own bend: c = 0 an arc, c = 1 all of it at the tip

@@ -1,5 +1,5 @@
-// How a foot, a hand or a wheel presses on what is around it: 1 at its middle, (1 - r^2 / R^2)^2 within its radius R, 0 from
-// there on. The slope is 0 at both ends, so that nothing shows where the push begins.
+// Radial weight of a foot, a hand or a wheel: 1 at its middle, (1 - r^2 / R^2)^2 within its radius R, 0 from
+// there on. The slope is 0 at both ends, so that the edge of the push is invisible.
 #ifndef WINDROW_RADIAL_GLSL
 #define WINDROW_RADIAL_GLSL
 

@@ -1,4 +1,4 @@
-// Strands that lean on planes with few vertices: the fragment looks its strand up where the strand stands, not where it is.
+// Leaning strands on planes with few vertices: the fragment reads its strand at the strand's root, not at its own place.
 //
 //   root = uv - lean(uv) m(h)         the strand that is seen at uv on the shell of height h
 //   root' = uv - lean(root) m(h)      once more, with the lean at the root: the error falls by |grad lean| each time

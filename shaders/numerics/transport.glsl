@@ -1,4 +1,4 @@
-// Where a trajectory ends, and the weights of what is read there.
+// Departure point of a trajectory, and interpolation weights there.
 //
 // Displacements are kept apart from the cell's index, so that a flow gives the same bits wherever in the box it is. Interpolation
 // is written as c + sum w (value - c): float weights do not sum to 1, and a uniform wind must stay uniform to the bit. The

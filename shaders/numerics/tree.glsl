@@ -1,5 +1,4 @@
-// A tree: leaf on branch on trunk, each a stem (stem.glsl) with its own stiffness, bent at rest and carried along by what bears
-// it.
+// A tree: trunk, branch and leaf, each a stem (stem.glsl) with its own stiffness, bent at rest and carried along by its bearer.
 //
 //   x = T(B(F(X)))               X a vertex of the tree at rest; F bends the leaf about its root, B the branch, T the trunk
 //

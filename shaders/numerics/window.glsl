@@ -1,7 +1,7 @@
-// Where a world point lies in the box, and how far the box's wind reaches there.
+// Position of a world point in the box, and weight of the box's wind there.
 //
 // `local` is the position in cells from the box's low corner: (world - origin) / cell size; cell (i, j, k) has its centre
-// at (i, j, k) + 1/2. Side kinds come as numbers: 0 open, 1 closed by a wall, 2 periodic.
+// at (i, j, k) + 1/2. Boundary kinds are numbers: 0 open, 1 closed by a wall, 2 periodic.
 #ifndef WINDROW_WINDOW_GLSL
 #define WINDROW_WINDOW_GLSL
 

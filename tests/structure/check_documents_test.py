@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Plants faults in small documents and asks check_words.py and check_examples.py to find each, and nothing in those without."""
+"""Plants faults in small documents and asks the checkers of words, messages and examples to find each."""
 import argparse
 import pathlib
 import tempfile
 import unittest
 
 import check_examples
+import check_messages
 import check_words
 
 COMPILER = None
@@ -25,9 +26,9 @@ The box follows the player. It has a `rim` in code, and [a link](docs/shares.md#
 rim();
 ```
 """
-WORDS = {"sides": "Open the sides.", "open side": "Beyond an open side.", "settling time": "The settling time.", "blend_width": "Near its rim.",
+WORDS = {"sides": "Open the sides.", "open side": "Beyond an open side.", "settling time": "The settling time.", "rim": "Near its rim.",
          "pieces": "The pieces of a step.", "source of air": "A source of air.", "lets": "It lets air in.", "owed": "It is owed.",
-         "survey": "The survey.", "share": "A share of it.", "told": "It is told.", "says so": "It says so.", "rejects": "It rejects.",
+         "survey": "The survey.", "share": "A share of it.", "told": "It is told.", "says so": "It says so.", "refuses": "It refuses.",
          "whole or not": "Whole or not at all.", "fold": "They fold.", "knows": "It knows.", "but for": "None but for one.",
          "table": "| a rim | in a table |", "two lines": "It has\nsides."}
 
@@ -63,11 +64,20 @@ class Words(unittest.TestCase):
             (root / "cmake").mkdir()
             (root / "fluid").mkdir()
             (root / "cmake/public_headers.txt").write_text("# made by hand\nfluid/wind.h\n")
-            (root / "fluid/wind.h").write_text('int rim; ///< near the rim\n#include "fluid/a share.h"\n')
-            (root / "fluid/wind.cpp").write_text('// a rim\nerror("blend_width"); error("the rim is wide");\n')
+            (root / "fluid/wind.h").write_text('int rim; ///< near the rim\n//     create({.share = 1});\n#include "fluid/a share.h"\n')
+            (root / "fluid/wind.cpp").write_text('// a rim\nerror("rim"); error("the rim is wide");\n')
             faults = []
             check_words.check_code(root, faults)
         self.assertEqual([fault.split(": ")[0] for fault in faults], ["fluid/wind.cpp:2", "fluid/wind.h:1"])
+
+
+class Messages(unittest.TestCase):
+    def test_messages_are_sentences_with_their_values_left_out(self):
+        text = """reasons.add(path, " is ", value, // a comment "with. words"
+                              ": give v//vn.");
+        return fault("$.floor", "is \\"none\\": add it.\\n");
+        console.out << message("one heading ", value);"""
+        self.assertEqual(list(check_messages.messages(text)), ["is <>: give v//vn.", '$.floor is "none": add it.'])
 
 
 class Examples(unittest.TestCase):

@@ -65,7 +65,7 @@ class Plots(unittest.TestCase):
             folder = pathlib.Path(name)
             (folder / "pareto.csv").write_text(PARETO, encoding="utf-8")
             rows = ["bend,,grass", "blades,bent,0.5", "blades,translated,0.5", "shells,stems,shell 0", "shells,stems,strand 0",
-                    "spring,,1000 Hz", "spring,,15 Hz", 'cascade,,"20 shells, a share a frame"']
+                    "spring,,1000 Hz", "spring,,15 Hz", 'cascade,,"20 shells, lerp per frame"']
             head = "plot,panel,line,x,y\n"
             (folder / "plants.csv").write_text(head + "".join(f"{row},0,0\n{row},1,0.5\n" for row in rows), encoding="utf-8")
             (folder / "jet_spreading.csv").write_text(head + "jet_spreading,mean,2.5 cells a radius,1,1\n", encoding="utf-8")

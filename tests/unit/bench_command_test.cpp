@@ -58,13 +58,12 @@ TEST_F(BenchCommand, WrongFlagsAreNamed) {
     expect_rejection({"--seconds", "0"}, "--seconds is 0: give a number above 0, at most 3600 s.");
     expect_rejection({"--seconds", "nan"}, "--seconds is nan: give a number above 0, at most 3600 s.");
     expect_rejection({"--json", ""}, "--json is empty: name a file.");
-    expect_rejection({"--gird", "8x8x8"}, "--gird is no flag (did you mean --grid?): see windrow bench --help.");
+    expect_rejection({"--gird", "8x8x8"}, "unknown option --gird (did you mean --grid?): see windrow bench --help.");
 }
 
 TEST_F(BenchCommand, AFileThatCannotBeWrittenIsRejectedBeforeAnythingIsMeasured) {
     expect_rejection({"--json", folder.c_str()},
-                     folder.string() +
-                         ": a folder stands where the file should go: remove it, or give another file with --json.");
+                     folder.string() + ": is a folder where a file is needed: remove it, or give another file with --json.");
     const std::string lost = in("none/bench.json");
     const CommandOutcome outcome = bench({"--json", lost.c_str()});
     EXPECT_EQ(outcome.code, k_exit_wrong_use);
@@ -77,7 +76,7 @@ TEST_F(BenchCommand, AFileThatCannotBeWrittenIsRejectedBeforeAnythingIsMeasured)
 TEST_F(BenchCommand, WhatIsNoOrdinaryFileStaysAndALinkIsFollowed) {
     const std::string pipe = in("pipe");
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-    expect_rejection({"--json", pipe.c_str()}, pipe + ": is no ordinary file: give another file with --json.");
+    expect_rejection({"--json", pipe.c_str()}, pipe + ": is not a regular file: give another file with --json.");
     EXPECT_TRUE(fs::is_fifo(pipe));
 
     const std::string target = in("target.json"), link = in("link.json");

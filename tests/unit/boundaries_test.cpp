@@ -39,7 +39,7 @@ TEST(Boundaries, EachFaceIsNamedInItsRejection) {
             glm::vec3 across(0.0f), along(0.0f), broken(0.0f);
             across[axis] = along[(axis + 1) % 3] = 1.0f;
             broken[(axis + 2) % 3] = std::numeric_limits<float>::quiet_NaN();
-            EXPECT_EQ(rejection({BoundaryKind::periodic}).find(partner + " is not periodic but its partner is"), 0u);
+            EXPECT_EQ(rejection({BoundaryKind::periodic}).find(partner + " is not periodic, but the opposite boundary is"), 0u);
             EXPECT_EQ(rejection({BoundaryKind::no_slip, across}).find(name + ".wall_velocity is "), 0u);
             EXPECT_EQ(rejection({BoundaryKind::no_slip, broken}).find(name + ".wall_velocity is "), 0u);
             for (const BoundaryKind kind : {BoundaryKind::open, BoundaryKind::free_slip})

@@ -67,11 +67,12 @@ TEST_F(Command, HelpVersionAndInfoAreAnswered) {
 
 TEST_F(Command, WrongFlagsAreNamed) {
     expect_rejection({}, "name a command, run, bench, verify, pareto, plants, check or info: see windrow --help.");
-    expect_rejection({"runn", "x"}, "runn is no command (did you mean run?): see windrow --help.");
-    expect_rejection({"--verion"}, "--verion is no flag (did you mean --version?): see windrow --help.");
+    expect_rejection({"runn", "x"}, "unknown command runn (did you mean run?): see windrow --help.");
+    expect_rejection({"--verion"}, "unknown option --verion (did you mean --version?): see windrow --help.");
     expect_rejection({"run"}, "SCENE.json is required: see windrow run --help.");
-    expect_rejection({"run", "x.json", "--frame", "3"}, "--frame is no flag (did you mean --frames?): see windrow run --help.");
-    expect_rejection({"run", "x.json", "y.json"}, "y.json is one word too many: see windrow run --help.");
+    expect_rejection({"run", "x.json", "--frame", "3"},
+                     "unknown option --frame (did you mean --frames?): see windrow run --help.");
+    expect_rejection({"run", "x.json", "y.json"}, "unexpected argument y.json: see windrow run --help.");
     expect_rejection({"run", "x.json", "--frames"}, "--frames: 1 required N missing: see windrow run --help.");
     expect_rejection({"run", "x.json", "--out", "--vdb"},
                      "--out has no value: --vdb is a flag; write ./--vdb for a file of that name.");
@@ -87,7 +88,7 @@ TEST_F(Command, WrongFlagsAreNamed) {
 
 TEST_F(Command, BadScenesEndWithTheirSentence) {
     const std::string none = in("none.json");
-    expect_rejection({"run", none.c_str()}, none + ": there is no such file: check the name and the folder that you run from.");
+    expect_rejection({"run", none.c_str()}, none + ": no such file: check the name and the current folder.");
     const std::string bad = write("bad.json", R"({"duration": -1, "tick_hz": "x"})");
     expect_rejection({"run", bad.c_str()}, bad + ": $.duration is -1 s: give a number above 0, at most 1e6 s.\nwindrow: " + bad +
                                                ": $.tick_hz is \"x\": give a number.");
@@ -167,8 +168,8 @@ TEST_F(Command, FramesOfALongerRunAreMentioned) {
     const CommandOutcome again = run({"run", scene.c_str(), "--out", out.c_str(), "--vdb", "--frames", "4"});
     EXPECT_EQ(again.code, k_exit_well);
     EXPECT_EQ(again.err, "windrow: warning: " + out +
-                             " holds 2 frames of a longer run that this one does not write: remove what you do not want in "
-                             "a sequence.\n");
+                             " holds 2 frames of a longer run, which this run does not replace: remove those that you do not "
+                             "want.\n");
 }
 
 TEST_F(Command, LimitedCellsAreSaid) {
@@ -200,7 +201,7 @@ TEST_F(Command, StopsAfterTheFrameWithWholeFiles) {
     const RunRequest request{.scene = scene, .frames = {}, .out = out, .csv = true};
     const int code = run_scene(request, {.out = text, .err = err, .progress = nullptr}, [&] { return ++asked > 3 ? SIGINT : 0; });
     EXPECT_EQ(code, 128 + SIGINT);
-    EXPECT_EQ(err.str(), "windrow: stopped by Ctrl-C after 3 of 6 frames: what was written is whole.\n");
+    EXPECT_EQ(err.str(), "windrow: stopped by Ctrl-C after 3 of 6 frames: all files written so far are complete.\n");
     EXPECT_EQ(list(out), "timings.csv ");
     EXPECT_NE(text.str().find("breeze: 3 frames, 12 steps"), std::string::npos) << text.str();
 }
@@ -247,9 +248,9 @@ TEST_F(Command, AFaultAtAFrameKeepsTheStepsBefore) {
 TEST_F(Command, FoldersThatCannotBeWritten) {
     const std::string below = scene + "/out"; // a file stands where a folder is needed
     expect_rejection({"run", scene.c_str(), "--csv", "--out", below.c_str()},
-                     below + ": a file stands where a folder is needed: remove it, or give another folder with --out.");
+                     below + ": is a file where a folder is needed: remove it, or give another folder with --out.");
     expect_rejection({"run", scene.c_str(), "--csv", "--out", scene.c_str()},
-                     scene + ": a file stands where a folder is needed: remove it, or give another folder with --out.");
+                     scene + ": is a file where a folder is needed: remove it, or give another folder with --out.");
     const std::string name(300, 'n');
     const std::string lengthy = in(name);
     expect_rejection({"run", scene.c_str(), "--csv", "--out", lengthy.c_str()},
@@ -260,7 +261,7 @@ TEST_F(Command, FoldersThatCannotBeWritten) {
     fs::create_directory(closed);
     fs::permissions(closed, fs::perms::owner_read | fs::perms::owner_exec);
     expect_rejection({"run", scene.c_str(), "--csv", "--out", closed.c_str()},
-                     closed + ": may not be written: give yourself the right, or another folder with --out.");
+                     closed + ": permission denied: allow writing, or give another folder with --out.");
 }
 
 #if !defined(__SANITIZE_ADDRESS__)

@@ -68,15 +68,15 @@ std::vector<ConfigMistake> every_fault() {
     add("centre", " is (nan, 0, 0) m", "1e12", [](Config& c) { c.centre.x = std::numeric_limits<double>::quiet_NaN(); });
     add("centre", " is (0, -inf, 0) m", "1e12", [](Config& c) { c.centre.y = -std::numeric_limits<double>::infinity(); });
     add("centre", " is (0, 0, 1e+13) m", "1e12", [](Config& c) { c.centre.z = 1e13; });
-    add("follow_axes", " asks the box to follow along x, where a side is solid", "open both boundaries", [](Config& c) {
+    add("follow_axes", " has x, where a boundary is solid", "open both boundaries", [](Config& c) {
         c.boundaries.x_high.kind = BoundaryKind::free_slip;
         c.follow_axes = glm::bvec3(true, false, false);
     });
-    add("follow_axes", " asks the box to follow along y, where a side is solid", "set_floor", [](Config& c) {
+    add("follow_axes", " has y, where a boundary is solid", "set_floor", [](Config& c) {
         c.boundaries = Boundaries::open_over_floor();
         c.follow_axes = glm::bvec3(true);
     });
-    add("follow_axes", " asks the box to follow along z, where a side is periodic", "open both boundaries", [](Config& c) {
+    add("follow_axes", " has z, where a boundary is periodic", "open both boundaries", [](Config& c) {
         c.boundaries.z_low.kind = c.boundaries.z_high.kind = BoundaryKind::periodic;
         c.follow_axes = glm::bvec3(true);
     });

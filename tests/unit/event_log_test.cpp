@@ -198,10 +198,9 @@ TEST(Replay, NamesTheEventThatIsRejected) {
               "add() returned.");
     log.clear();
     log.note(MotorAdded{{0, 2}, OmniMotor{}});
-    EXPECT_EQ(
-        reason_of(log, wind),
-        "event 0 (add): the motor came out in slot 0 of generation 1, not in slot 0 of generation 2, so the wind was not in "
-        "the state in which the log began: load the snapshot taken there.");
+    EXPECT_EQ(reason_of(log, wind),
+              "event 0 (add): the motor got slot 0 of generation 1, not in slot 0 of generation 2, so the wind was not in "
+              "the state in which the log began: load the snapshot taken there.");
 }
 
 TEST(Replay, RejectsWhatTheCallsReject) {
@@ -285,7 +284,7 @@ TEST(EventLogBytes, BelieveNoPromiseOfEvents) {
     bytes.resize(bytes.size() + 8, std::byte{0xff}); // 2^64 - 1 events
     detail::seal(bytes, {"WINDLOGS", layout(), "", ""});
     EXPECT_EQ(EventLog::from_bytes(bytes).error(),
-              "event log cannot be used: it promises 18446744073709551615 items of 1 bytes or more, but only 0 bytes follow.");
+              "event log cannot be used: its length is 18446744073709551615 items of 1 bytes or more, but only 0 bytes follow.");
 }
 
 TEST(EventLogBytes, AreFew) {

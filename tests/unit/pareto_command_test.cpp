@@ -80,14 +80,14 @@ TEST_F(ParetoCommand, WrongFlagsAreNamed) {
     expect_rejection({"--threads", "0"}, "--threads is 0: give a whole number from 1 to 256.");
     expect_rejection({"--simd", "sse"}, "--simd is sse: give best, baseline, avx2 or avx512.");
     expect_rejection({"--out", ""}, "--out is empty: name a folder.");
-    expect_rejection({"--qick"}, "--qick is no flag (did you mean --quick?): see windrow pareto --help.");
+    expect_rejection({"--qick"}, "unknown option --qick (did you mean --quick?): see windrow pareto --help.");
 }
 
 TEST_F(ParetoCommand, AFolderThatCannotBeWrittenIsRejectedBeforeAnythingRuns) {
     const std::string file = (folder / "file").string();
     std::ofstream(file) << "x";
     expect_rejection({"--out", file.c_str()},
-                     file + ": a file stands where a folder is needed: remove it, or give another folder with --out.");
+                     file + ": is a file where a folder is needed: remove it, or give another folder with --out.");
 }
 
 // --- What is compared ------------------------------------------------------------------------------------------------

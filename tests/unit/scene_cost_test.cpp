@@ -65,10 +65,10 @@ TEST_F(SceneCost, ManyNamesThatNameNothing) {
         paths += (i == 0 ? "\"p" : ",\"p") + name + R"(":{"points":[[0,0,0,0]]})";
         motors += (i == 0 ? R"({"kind":"wake","path":"m)" : R"(,{"kind":"wake","path":"m)") + name + "\"}";
     }
-    expect_fault(R"({"paths":{)" + paths + R"(},"motors":[)" + motors + "]}", "names none of $.paths");
+    expect_fault(R"({"paths":{)" + paths + R"(},"motors":[)" + motors + "]}", "which is not in $.paths");
     // One name of megabytes.
     expect_fault(R"({"paths":{")" + std::string(15'000'000, 'n') + R"(":{"points":[[0,0,0,0]]}},"floor":"x"})",
-                 "names none of $.paths");
+                 "which is not in $.paths");
 }
 
 TEST_F(SceneCost, TextThatIsManyValues) {

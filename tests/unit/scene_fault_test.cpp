@@ -20,11 +20,11 @@ void expect_rejection(const std::string& text, const std::string& sentence) {
 TEST(SceneFault, TextThatIsNoJson) {
     expect_rejection(R"({"name": "x",)",
                      "a.json:1:14: the file ends in the middle of the JSON: was it cut short, or is a closing bracket missing?");
-    expect_rejection("{\n  \"duration\": NaN\n}", "a.json:2:15: NaN is no number in JSON: give a finite one.");
-    expect_rejection("{\"duration\": -Infinity}", "a.json:1:15: -Infinity is no number in JSON: give a finite one.");
+    expect_rejection("{\n  \"duration\": NaN\n}", "a.json:2:15: NaN is not a JSON number: give a finite number.");
+    expect_rejection("{\"duration\": -Infinity}", "a.json:1:15: -Infinity is not a JSON number: give a finite number.");
     expect_rejection("{\"duration\": 1e999}",
                      "a.json:1:18: the number 1e999 is too large: give one that fits a double (up to 1.8e308).");
-    expect_rejection("{\n  \"duration\": 3,\n}", "a.json:3:1: a comma stands before '}': remove it.");
+    expect_rejection("{\n  \"duration\": 3,\n}", "a.json:3:1: trailing comma before '}': remove it.");
     expect_rejection("{\n// fast\n}", "a.json:2:1: JSON has no comments: remove it, or write it in \"description\".");
     expect_rejection("{'a': 1}", "a.json:1:2: JSON takes double quotes only: write \" instead of '.");
     EXPECT_TRUE(rejection("{\"a\" 1}").starts_with("a.json:1:6: is not JSON: ")) << rejection("{\"a\" 1}");
@@ -42,9 +42,9 @@ TEST(SceneFault, EveryBeginningOfASceneIsRejectedWithItsPlace) {
 
 TEST(SceneFault, KeyThatStandsTwice) {
     expect_rejection(R"({"motors": [{"kind": "wake"}, {"law": {"force": {}, "force": {}}}]})",
-                     "a.json: $.motors[1].law.force stands twice in its object: keep one of the two.");
+                     "a.json: $.motors[1].law.force is a duplicate key: remove one of the two.");
     expect_rejection(R"({"paths": {"a b": {"points": []}, "a b": {}}})",
-                     "a.json: $.paths[\"a b\"] stands twice in its object: keep one of the two.");
+                     "a.json: $.paths[\"a b\"] is a duplicate key: remove one of the two.");
 }
 
 TEST(SceneFault, NestingWithoutEnd) {
@@ -54,7 +54,7 @@ TEST(SceneFault, NestingWithoutEnd) {
 
 TEST(SceneFault, WrongTypes) {
     expect_rejection(R"({"duration": "20"})", "a.json: $.duration is \"20\": give a number.");
-    expect_rejection(R"({"name": 3})", "a.json: $.name is 3: give a text in double quotes.");
+    expect_rejection(R"({"name": 3})", "a.json: $.name is 3: give a string in double quotes.");
     expect_rejection(R"({"air": [1]})", "a.json: $.air is [1]: give an object, {...}.");
     expect_rejection(R"({"air": null})", "a.json: $.air is null: give an object, {...}.");
     expect_rejection(R"({"motors": {}})", "a.json: $.motors is {}: give a list, [...].");
@@ -72,7 +72,7 @@ TEST(SceneFault, Ranges) {
     expect_rejection(R"({"air": {"cells": [0, 16, 32]}})", "a.json: $.air.cells[0] is 0 cells: give 1 to 2048 cells.");
     expect_rejection(R"({"air": {"cells": [32, 16, 500000]}})", "a.json: $.air.cells[2] is 500000 cells: give 1 to 2048 cells.");
     expect_rejection(R"({"air": {"cells": [2048, 2048, 2048]}})",
-                     "a.json: $.air.cells is (2048, 2048, 2048), 8589934592 in all: a box holds at most 67108864.");
+                     "a.json: $.air.cells is (2048, 2048, 2048), 8589934592 in all: give at most 67108864.");
     expect_rejection(R"({"air": {"cell_size": 1e308}})", "a.json: $.air.cell_size is 1e308 m: give 1e-6 to 1e6 m.");
     expect_rejection(R"({"air": {"ambient": [1e308, 0, 0]}})",
                      "a.json: $.air.ambient[0] is 1e308 m/s: give -10000 to 10000 m/s.");
@@ -122,7 +122,7 @@ TEST(SceneFault, Envelopes) {
     expect_rejection(
         envelope(R"("decay": 2)"),
         "a.json: $.motors[0].envelope.decay never begins without a \"hold\": say how long the motor acts before it.");
-    expect_rejection(envelope(R"("hold": 0)"), "a.json: $.motors[0].envelope lasts 0 s: give attack, hold or decay a time.");
+    expect_rejection(envelope(R"("hold": 0)"), "a.json: $.motors[0].envelope lasts 0 s: set attack, hold or decay above 0.");
     expect_rejection(envelope(R"("attack": -1)"), "a.json: $.motors[0].envelope.attack is -1 s: give 0 to 1e9 s.");
 }
 
@@ -163,7 +163,7 @@ TEST(SceneFault, AllFaultsAreTold) {
 TEST(SceneFault, WhatDoesNotFitTogether) {
     expect_rejection(
         R"({"follow": "plyer", "paths": {"player": {"points": [[0, 0, 0, 0]]}}})",
-        "a.json: $.follow is \"plyer\", which names none of $.paths (did you mean `player`?): add it there or name another.");
+        "a.json: $.follow is \"plyer\", which is not in $.paths (did you mean `player`?): add it there or name another.");
     expect_rejection(R"({"floor": 1})", "a.json: $.floor is given, but the box has none: set air.boundaries.y_low to "
                                         "\"free_slip\" or \"no_slip\", or remove it.");
     expect_rejection(R"({"motors": [{"kind": "wake"}]})", "a.json: $.motors[0] has no \"path\": add it.");
@@ -181,18 +181,19 @@ TEST(SceneFault, WhatDoesNotFitTogether) {
     expect_rejection(R"({"paths": {"p": {"points": []}}})",
                      "a.json: $.paths.p.points is empty: give at least one point, [t, x, y, z].");
     expect_rejection(R"({"paths": {"p": {}}})", "a.json: $.paths.p holds neither \"points\" or \"file\": give one of them.");
-    expect_rejection(R"({"air": {"boundaries": {"x_low": "periodic"}}})",
-                     "a.json: $.air.boundaries.x_high is not periodic but its partner is: make both boundaries of the axis "
-                     "periodic, or neither.");
+    expect_rejection(
+        R"({"air": {"boundaries": {"x_low": "periodic"}}})",
+        "a.json: $.air.boundaries.x_high is not periodic, but the opposite boundary is: make both boundaries of the axis "
+        "periodic, or neither.");
 }
 
 TEST(SceneFault, TablesOutsideTheFolder) {
     for (const char* file : {"/etc/passwd", "../player.csv", "a/../../player.csv", ".", ""})
         EXPECT_EQ(rejection(std::string(R"({"paths": {"p": {"file": ")") + file + "\"}}}"),
                   std::string("a.json: $.paths.p.file is \"") + file +
-                      "\": name a file in the scene's folder, relative to it, so that the folder can be handed on as a whole.");
+                      "\": name a file in the scene's folder, relative to it, so that the folder can be copied as a whole.");
     expect_rejection(R"({"paths": {"p": {"file": "none.csv"}}})",
-                     "none.csv: there is no such file: check the name and the folder that you run from.");
+                     "none.csv: no such file: check the name and the current folder.");
 }
 
 TEST(SceneFault, FilesThatCannotBeRead) {
@@ -201,7 +202,7 @@ TEST(SceneFault, FilesThatCannotBeRead) {
         const auto scene = read_scene(folder / name);
         return scene ? std::string("taken") : scene.error().substr(folder.path().string().size() + 1);
     };
-    EXPECT_EQ(fault("none.json"), "none.json: there is no such file: check the name and the folder that you run from.");
+    EXPECT_EQ(fault("none.json"), "none.json: no such file: check the name and the current folder.");
     EXPECT_EQ(read_scene(folder.path()).error(), folder.path().string() + ": is a folder: name a file in it.");
     std::ofstream(folder / "empty.json") << "\n  \n";
     EXPECT_EQ(fault("empty.json"), "empty.json: is empty: name the right file, or write something in it.");

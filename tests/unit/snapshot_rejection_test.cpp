@@ -86,7 +86,7 @@ TEST(SnapshotRejection, BelievesNoPromiseOfCells) {
     Wind wind = made({.cells = {2, 2, 2}});
     wind.state().core.config.cells = {2048, 2048, 16}; // 2^26 cells, 1 GiB a field
     const std::string reason = rejection(*wind.save());
-    EXPECT_NE(reason.find("it promises 67108864 items of 16 bytes or more, but only "), std::string::npos) << reason;
+    EXPECT_NE(reason.find("its length is 67108864 items of 16 bytes or more, but only "), std::string::npos) << reason;
 }
 
 TEST(SnapshotRejection, EveryTruncation) {

@@ -60,27 +60,25 @@ TEST_F(VerifyCommand, WrongFlagsAreNamed) {
                      "--device is -1: give a device's number in windrow info, from 0.");
     expect_rejection({"--backend", "vulkan", "--device", ""},
                      "--device is empty: give a device's number in windrow info, from 0.");
-    expect_rejection(
-        {"--backend", "vulkan", "--case", "fourier_modes"},
-        "--case is fourier_modes, which asks for pieces that a device runs only inside a step: drop --backend vulkan.");
+    expect_rejection({"--backend", "vulkan", "--case", "fourier_modes"},
+                     "--case is fourier_modes, which runs on the CPU only: drop --backend vulkan.");
     expect_rejection({"--threads", "0"}, "--threads is 0: give a whole number from 1 to 256.");
     expect_rejection({"--simd", "sse"}, "--simd is sse: give best, baseline, avx2 or avx512.");
     expect_rejection({"--json", ""}, "--json is empty: name a file.");
     expect_rejection({"--case", ""}, "--case is empty: see windrow verify --list.");
     expect_rejection({"--list", "--json", "x.json"}, "--json is given with --list, which runs nothing: drop one of them.");
-    expect_rejection({"--csae", "abc_flow"}, "--csae is no flag (did you mean --case?): see windrow verify --help.");
+    expect_rejection({"--csae", "abc_flow"}, "unknown option --csae (did you mean --case?): see windrow verify --help.");
 }
 
 TEST_F(VerifyCommand, AnUnknownCaseIsRejectedWithTheNearestName) {
     expect_rejection({"--case", "taylor_gren_2d"},
-                     "--case is taylor_gren_2d, which is no case (did you mean taylor_green_2d?): see windrow verify --list.");
-    expect_rejection({"--case", k_quick, "--case", "qqqqqq"}, "--case is qqqqqq, which is no case: see windrow verify --list.");
+                     "--case is taylor_gren_2d, which is unknown (did you mean taylor_green_2d?): see windrow verify --list.");
+    expect_rejection({"--case", k_quick, "--case", "qqqqqq"}, "--case is qqqqqq, which is unknown: see windrow verify --list.");
 }
 
 TEST_F(VerifyCommand, AFileThatCannotBeWrittenIsRejectedBeforeAnythingRuns) {
     expect_rejection({"--json", folder.c_str()},
-                     folder.string() +
-                         ": a folder stands where the file should go: remove it, or give another file with --json.");
+                     folder.string() + ": is a folder where a file is needed: remove it, or give another file with --json.");
 }
 
 TEST_F(VerifyCommand, TheListNamesEachCase) {

@@ -108,7 +108,7 @@ windrow::Result<Soup> import_soup(const std::map<std::string, std::string>& file
     const aiScene* scene = importer.ReadFile(name, ending == "obj" ? static_cast<unsigned>(aiProcess_Triangulate) : 0u);
     if (scene == nullptr || scene->mRootNode == nullptr)
         return windrow::Error{
-            message(owner, " is no mesh that Assimp reads: ", importer.GetErrorString(), ": give another file.")};
+            message(owner, " is not a mesh that Assimp reads: ", importer.GetErrorString(), ": give another file.")};
     Soup soup;
     std::size_t corners = 0;
     if (!gather(soup, corners, *scene, *scene->mRootNode, aiMatrix4x4(), ending != "3ds"))

@@ -49,7 +49,7 @@ Result<CoatPicture> read(const std::filesystem::path& file, const std::filesyste
                      std::to_string(k_max_decoded_bytes >> 20) + " MiB, by fewer texels or channels."};
     if (spec.deep || spec.tile_width > k_max_tile_side || spec.tile_height > k_max_tile_side)
         return Error{name + " has deep texels or tiles of more than " + std::to_string(k_max_tile_side) +
-                     " texels a side; save it as plain rows."};
+                     " texels a side; save it as scan lines."};
     const auto count = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
     // A coat keeps 8 bytes a texel.
     if (auto taken = budget.take_memory(name, 8 * count); !taken)
@@ -58,7 +58,7 @@ Result<CoatPicture> read(const std::filesystem::path& file, const std::filesyste
     const int channels = spec.nchannels < 3 ? 1 : 3;
     // No more channels than are used, each in its place.
     if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, made.texels.data(), sizeof(glm::vec4)))
-        return Error{name + " cannot be read to its end (" + input->geterror() + "); write it anew."};
+        return Error{name + " cannot be read completely (" + input->geterror() + "); write it again."};
     const bool encoded =
         colour && spec.format.basetype == OIIO::TypeDesc::UINT8 && spec.get_string_attribute("oiio:ColorSpace") != "Linear";
     for (glm::vec4& texel : made.texels)

@@ -39,7 +39,7 @@ Result<std::string> bytes_of(const nlohmann::json& buffer, const std::string& pl
     if (uri == buffer.end())
         return std::string(binary);
     if (!uri->is_string())
-        return windrow::Error{message(place, ".uri is not a text: name a file or give data.")};
+        return windrow::Error{message(place, ".uri is not a string: name a file or give data.")};
     const std::string text = uri->get<std::string>();
     if (!text.starts_with("data:"))
         return read_beside(path, without_percents(text), budget);
@@ -58,11 +58,12 @@ Result<GltfParts> split_gltf(std::string_view bytes, const std::string& name) {
     constexpr std::uint32_t k_json = 0x4e4f534a, k_binary = 0x004e4942;
     constexpr std::size_t k_header = 12, k_head = 8;
     if (bytes.size() < k_header + k_head || word(bytes, 4) != 2 || word(bytes, 8) != bytes.size())
-        return windrow::Error{message(name, " is a GLB of another version or length than it says: give a whole GLB 2.")};
+        return windrow::Error{message(name, " is not a GLB 2, or has another length than its header: give a complete GLB 2.")};
     GltfParts parts;
     for (std::size_t at = k_header; at < bytes.size();) {
         if (bytes.size() - at < k_head || word(bytes, at) > bytes.size() - at - k_head)
-            return windrow::Error{message(name, " has a chunk at byte ", at, " that is longer than the file: give a whole GLB.")};
+            return windrow::Error{
+                message(name, " has a chunk at byte ", at, " that is longer than the file: give a complete GLB.")};
         const std::string_view content = bytes.substr(at + k_head, word(bytes, at));
         if (at == k_header && word(bytes, at + 4) == k_json)
             parts.json = content;
@@ -77,7 +78,7 @@ Result<std::string> read_gltf_buffer(const nlohmann::json& buffer, std::size_t i
                                      const std::filesystem::path& path, windrow::detail::InputBudget& budget) {
     const std::string place = message(path.string(), ": $.buffers[", index, "]");
     if (!buffer.is_object())
-        return windrow::Error{message(place, " is no object: give one.")};
+        return windrow::Error{message(place, " is not an object: give one.")};
     const auto length = buffer.find("byteLength");
     if (length == buffer.end() || !length->is_number_unsigned() || length->get<std::uint64_t>() > k_max_bytes)
         return windrow::Error{message(place, ".byteLength is missing or not a count: give 1 to ", k_max_bytes, ".")};
@@ -96,7 +97,7 @@ Result<std::string> decode_base64(std::string_view text, const std::string& name
     while (text.ends_with('='))
         text.remove_suffix(1);
     if (text.size() % 4 == 1)
-        return windrow::Error{message(name, " is cut off base64: give it whole.")};
+        return windrow::Error{message(name, " is truncated base64: give all of it.")};
     std::string bytes;
     bytes.reserve(text.size() / 4 * 3 + 2);
     std::uint32_t bits = 0;
@@ -104,7 +105,7 @@ Result<std::string> decode_base64(std::string_view text, const std::string& name
     for (const char sign : text) {
         const std::size_t digit = k_digits.find(sign);
         if (digit == std::string_view::npos)
-            return windrow::Error{message(name, " has a sign that is not base64: give base64.")};
+            return windrow::Error{message(name, " has a character that is not base64: give base64.")};
         bits = bits << 6 | static_cast<std::uint32_t>(digit);
         if ((held += 6) >= 8)
             bytes += static_cast<char>(bits >> (held -= 8) & 0xff);

@@ -41,7 +41,7 @@ class Copier {
 
     GltfText run() {
         if (!source_.is_object())
-            fail("$", "is no object: give a glTF 2.0.");
+            fail("$", "is not an object: give a glTF 2.0 file.");
         if (source_.contains("extensionsRequired") && !source_["extensionsRequired"].empty())
             fail("$.extensionsRequired", "is not empty: save the file without compression and other extensions.");
         out_ = {{"asset", {{"version", "2.0"}}},
@@ -76,13 +76,13 @@ class Copier {
         if (found == source_.end())
             return none;
         if (!found->is_array() || found->size() > k_max_nodes)
-            fail(message("$.", key), "is no list, or one of more than ", k_max_nodes, ": give a list.");
+            fail(message("$.", key), "is not a list, or has more items than ", k_max_nodes, ": give a list.");
         return *found;
     }
     const json& item(const char* key, std::size_t index) const {
         const json& items = list(key);
         if (index >= items.size() || !items[index].is_object())
-            fail(message("$.", key, "[", index, "]"), "is asked for and not an object: give it.");
+            fail(message("$.", key, "[", index, "]"), "is missing or not an object: add it.");
         return items[index];
     }
     // A count or index; `missing` where there is none.
@@ -286,8 +286,7 @@ class Copier {
             int depth = 0;
             for (std::size_t at = i; parents[at] < k_max_nodes; at = parents[at])
                 if (++depth > k_deepest_node)
-                    fail(message("$.nodes[", i, "]"), "lies in a circle, or deeper than ", k_deepest_node,
-                         " nodes: give a tree.");
+                    fail(message("$.nodes[", i, "]"), "is in a cycle, or deeper than ", k_deepest_node, " nodes: give a tree.");
             if (parents[i] == k_max_nodes)
                 roots.push_back(i);
         }
@@ -298,7 +297,7 @@ class Copier {
     json children(const json& values, std::size_t parent, std::vector<std::size_t>& parents, const std::string& place) const {
         for (const json& child : values) {
             if (!values.is_array() || !child.is_number_unsigned() || child.get<std::uint64_t>() >= parents.size())
-                fail(place + ".children", "names no node: give 0 to ", parents.size() - 1, ".");
+                fail(place + ".children", "names a node that does not exist: give 0 to ", parents.size() - 1, ".");
             std::size_t& known = parents[child.get<std::size_t>()];
             if (known != k_max_nodes)
                 fail(place + ".children", "names a node that has a parent: give each node one.");

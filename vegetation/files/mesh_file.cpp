@@ -146,7 +146,7 @@ Result<Mesh> read(const fs::path& path, const MeshLoad& load, const std::optiona
     }
     const glm::vec3 edges = mesh->high - mesh->low;
     if (!((load.size_of == SizeOf::height ? edges.y : 1.0f) > 1e-6f * glm::length(edges)))
-        return windrow::Error{message(path.string(), " is flat: give load.size_of the longest edge.")};
+        return windrow::Error{message(path.string(), " is flat: set load.size_of to the longest edge.")};
     const float scale = stand(*mesh, load);
     smooth_normals(*mesh);
     if (!mesh->has_uv)

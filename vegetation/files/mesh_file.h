@@ -32,9 +32,10 @@ struct MeshLoad {
     static constexpr auto settings() {
         return std::tuple{
             Setting("up", &MeshLoad::up,
-                    "Which axis of the file points up: y of glTF and of most OBJ files, z mostly of 3DS files."),
-            Setting("size", &MeshLoad::size, {1e-3, 1e3, "m"}, "What the mesh is scaled to, and a fur line's height with it."),
-            Setting("size_of", &MeshLoad::size_of, "What size is the length of."),
+                    "Axis of the file that points up: y of glTF and of most OBJ files, z mostly of 3DS files."),
+            Setting("size", &MeshLoad::size, {1e-3, 1e3, "m"},
+                    "Size to which the mesh is scaled, and a fur line's height with it."),
+            Setting("size_of", &MeshLoad::size_of, "The length that `size` sets."),
             Setting("yaw_deg", &MeshLoad::yaw_deg, {-360.0, 360.0, "deg"}, "Turn about y, seen from above counter-clockwise."),
             Setting("max_triangles", &MeshLoad::max_triangles, {4.0, k_max_triangles}, "Files with more are simplified."),
         };

@@ -42,7 +42,7 @@ class Scanner {
             return fail("the line has a zero byte: give text.");
         const std::string_view key = take_word(line);
         if (!key.empty() && key.front() != '#' && !line.empty() && line.back() == '\\')
-            return fail("the line goes on after a backslash: join it with the next.");
+            return fail("the line ends in a backslash: join it with the next.");
         if (key == "v")
             numbers(position, "v ", line, 3, 3);
         else if (key == "vt")
@@ -70,7 +70,7 @@ class Scanner {
 
     void library(std::string_view words) {
         if (out_.libraries.size() == k_max_libraries)
-            return fail("mtllib stands more than ", k_max_libraries, " times: give fewer.");
+            return fail("there are more than ", k_max_libraries, " mtllib lines: give fewer.");
         out_.libraries.emplace_back(words);
     }
 

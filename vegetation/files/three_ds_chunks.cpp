@@ -55,7 +55,7 @@ class Walker {
     void children(std::size_t at, std::size_t end, unsigned parent) {
         while (fault_.empty() && at < end) {
             if (end - at < k_head || length(at) < k_head || length(at) > end - at)
-                return fail(at, "does not fit in what it lies in: give a whole file.");
+                return fail(at, "does not fit into its parent chunk: give the whole file.");
             chunk(at, at + length(at), parent);
             at += length(at);
         }
@@ -108,7 +108,7 @@ class Walker {
         triangles_ += lists_.faces;
         vertices_ += lists_.vertices;
         if (triangles_ > k_max_triangles || vertices_ > k_max_vertices)
-            fail(at, "is one too many: give at most ", k_max_vertices, " vertices and ", k_max_triangles, " triangles.");
+            fail(at, "exceeds the limits: give at most ", k_max_vertices, " vertices and ", k_max_triangles, " triangles.");
     }
 
     // A list that begins with its number of entries, which it must hold (and fill, if it is `alone`), once.
@@ -116,7 +116,7 @@ class Walker {
         const std::size_t count = end - content >= 2 ? word(content) : 0;
         const std::size_t size = 2 + count * entry;
         if (end - content < size || (alone && end - content != size) || before != 0) {
-            fail(at, "has a list of ", count, " entries in ", end - content, " bytes, or a second one: give a whole list, once.");
+            fail(at, "has a list of ", count, " entries in ", end - content, " bytes, or a second one: give one complete list.");
             return 0;
         }
         return count;
@@ -143,7 +143,7 @@ class Walker {
     std::size_t text(std::size_t at, std::size_t content, std::size_t end) {
         const std::size_t zero = bytes_.find('\0', content);
         if (zero >= std::min(end, content + k_longest_name)) {
-            fail(at, "has a name without an end: give one of at most ", k_longest_name - 1, " bytes.");
+            fail(at, "has an unterminated name: give one of at most ", k_longest_name - 1, " bytes.");
             return end;
         }
         return zero + 1;

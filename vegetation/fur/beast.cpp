@@ -64,8 +64,8 @@ Result<Mesh> beast_mesh(const Beast& beast) {
         mesh = surface_nets(flesh_of(), {-side, -0.06f - cell * up, -1.0f - cell * back}, {side, 1.40f, 1.1f}, cell, "coat");
     }
     if (!mesh)
-        return windrow::Error{
-            message("beast.detail is ", beast.detail, ", and two limbs cross one cell wherever the grid lies: give another.")};
+        return windrow::Error{message("beast.detail is ", beast.detail,
+                                      ", and two limbs cross one cell at every grid offset: give another detail.")};
     const float floor = mesh->low.y;
     for (MeshVertex& vertex : mesh->vertices)
         vertex.position = beast.height * (vertex.position - glm::vec3(0.0f, floor, 0.0f));

@@ -1,4 +1,4 @@
-// A cloud of shells: what it covers, how it heaps up, how it ends before its plane does. The equations stand in
+// A cloud of shells: cover, heaps, and fading before the edge of its plane. The equations are in
 // vegetation/shaders/numerics/cloud_shells.glsl; the layers lie above and below a plane.
 #pragma once
 
@@ -28,17 +28,19 @@ struct CloudShellSettings {
             Setting("size", &CloudShellSettings::size, {0.01, 1e5, "m"}, "Of a heap."),
             Setting("base", &CloudShellSettings::base, {0.01, 1.0},
                     "How far a heap hangs below its plane over how far it stands above: a flat base; 1 mirrors."),
-            Setting("billow", &CloudShellSettings::billow, k_fraction_range, "How much a finer noise eats of the heaps' form."),
+            Setting("billow", &CloudShellSettings::billow, k_fraction_range,
+                    "Strength of the finer noise in the form of the heaps."),
             Setting("octaves", &CloudShellSettings::octaves, {1.0, 8.0},
                     "Of the heaps' noise. Each costs four hashes a fragment."),
             Setting("seed", &CloudShellSettings::seed, {0.0, 1e6}, "Another number, another sky."),
             Setting("half_size", &CloudShellSettings::half_size,
                     "Half sizes [m] of the plane along x and z, 0.01 to 1e6. Of a coat, those of the mesh.", k_not_stored),
             Setting("fading", &CloudShellSettings::fading, {0.01, 1e6, "m"},
-                    "Over which clouds thin out toward the plane's rim. More than a half size thins the whole cloud."),
-            Setting("round_rim", &CloudShellSettings::round_rim, "Whether the rim is an ellipse, or the rectangle itself."),
+                    "Width over which clouds thin out toward the plane's edge. More than a half size thins the whole cloud."),
+            Setting("round_rim", &CloudShellSettings::round_rim,
+                    "Whether the edge is an ellipse; else it is the rectangle itself."),
             Setting("height", &CloudShellSettings::height,
-                    "Half of the cloud's height [m], 1e-3 to 1e5: what a layer of h = 1 lies above the plane. Of a coat, the "
+                    "Half of the cloud's height [m], 1e-3 to 1e5: the height of the layer h = 1 above the plane. Of a coat, the "
                     "layers' length.",
                     k_not_stored),
         };
@@ -53,8 +55,8 @@ static_assert(sizeof(CloudShellBlock) == 4 * 16);
 [[nodiscard]] windrow::Result<void> validate(const CloudShellSettings& settings);
 void check_rules(windrow::detail::Reasons& reasons, const windrow::detail::FieldPath& path, const CloudShellSettings& settings);
 
-/// What shaders are told, of settings that `validate` takes. `drift` [m] is how far the air has gone: summed up in double, since
-/// floats hold it to a hundredth of a metre at 1e5 m. `evolved` counts in sizes of a heap: the heaps change wholly within about
+/// Shader block of valid settings. `drift` [m] is the distance that the air has gone, summed in double, since floats resolve only
+/// a hundredth of a metre at 1e5 m. `evolved` counts in sizes of a heap: the heaps change wholly within about
 /// one.
 [[nodiscard]] CloudShellBlock block(const CloudShellSettings& settings, glm::dvec2 drift = glm::dvec2(0.0), double evolved = 0.0);
 

@@ -120,7 +120,7 @@ Coat::Coat(engine::Device& device, const render::DrawTargets& targets, const Mes
 
 Result<void> Coat::judge_bones(std::span<const glm::mat4> bones) const {
     if (!bones.empty() && bones.size() < bones_.size())
-        return Error{"coat.move has " + std::to_string(bones.size()) + " bones; the mesh's vertices name " +
+        return Error{"coat.move has " + std::to_string(bones.size()) + " bones; give as many as the mesh's vertices name, " +
                      std::to_string(bones_.size()) + "."};
     for (const glm::mat4& bone : bones)
         for (int column = 0; column < 4; ++column)
@@ -142,7 +142,8 @@ Result<void> Coat::move(double seconds, const windrow::Pose& body, std::span<con
         if (auto judged = judge_bones(ahead->bones); !judged)
             return judged;
         if (!(ahead->seconds > 0.0 && ahead->seconds <= 1.0))
-            return Error{"coat.move's ahead.seconds is " + std::to_string(ahead->seconds) + "; give a moment, above 0 to 1 s."};
+            return Error{"coat.move's ahead.seconds is " + std::to_string(ahead->seconds) +
+                         "; give a time above 0, at most 1 s."};
     }
     if (!std::isfinite(seconds) || seconds < 0.0)
         return Error{"coat.move's seconds is " + std::to_string(seconds) + "; give the time since the last call, 0 or more."};

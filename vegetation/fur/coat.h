@@ -24,7 +24,7 @@
 
 namespace windrow::vegetation::fur {
 
-/// What the last frame drew.
+/// Figures of the last frame.
 struct CoatCounts {
     int layers = 0;             ///< in the colour pass, 0: not seen
     int skipped = 0;            ///< empty ones, above every strand
@@ -32,9 +32,9 @@ struct CoatCounts {
     float divisor = 1.0f;       ///< of a layer's number (coat_levels.h)
 };
 
-/// Where a body is a moment after the one that it is drawn at: how fast its skin is, for the wind that it feels.
+/// Pose of a body shortly after that of the frame, for the velocity of its skin in the wind.
 struct CoatAhead {
-    double seconds = 2e-3; ///< above 0; so short that the way is straight, so long that floats tell it
+    double seconds = 2e-3; ///< above 0; short enough for a straight path, long enough for floats to resolve it
     windrow::Pose body{};
     std::span<const glm::mat4> bones{};
 };
@@ -56,7 +56,7 @@ class Coat final : public render::Drawable {
                       const std::optional<CoatAhead>& ahead = {});
     /// At most k_max_lamps; rejects what `validate` rejects.
     Result<void> set_lamps(std::span<const Lamp> lamps);
-    /// Who presses strands aside, from the next frame on; at most k_max_feet. Rejects what `validate` rejects.
+    /// Feet that press strands aside, from the next frame on; at most k_max_feet. Rejects what `validate` rejects.
     Result<void> set_feet(std::span<const Foot> feet);
     /// [s] of the animated cells; default 0. What is not finite counts as 0.
     void set_time(double seconds);

@@ -1,4 +1,4 @@
-// What shaders are told of a coat: the layouts of vegetation/shaders/fur/coat.glsl, and how they come from its settings.
+// Shader blocks of a coat, laid out as in vegetation/shaders/fur/coat.glsl, and their conversion from its settings.
 #pragma once
 
 #include "coupling/motion_blocks.h"
@@ -15,8 +15,8 @@ namespace windrow::vegetation::fur {
 
 struct SpotBlock {
     glm::vec4 from{0.0f}; ///< xyz [m] in the mesh's space; w radius
-    glm::vec4 to{0.0f};   ///< xyz; w soft rim
-    glm::vec4 tint{0.0f}; ///< rgb; w share
+    glm::vec4 to{0.0f};   ///< xyz; w soft edge
+    glm::vec4 tint{0.0f}; ///< rgb; w weight
     glm::vec4 more{0.0f}; ///< x factor on the length; y glow
 };
 struct LampBlock {
@@ -33,7 +33,7 @@ struct FootBlock {
 struct CoatBlock {
     windrow::ShellBlock shells{}; ///< lengths times the body's scale
     StrandFieldBlock field{};
-    glm::vec4 levels{0.0f};    ///< x divisor of a layer's number; y [m] length over the mesh's metres; z wind share; w [s]
+    glm::vec4 levels{0.0f};    ///< x divisor of a layer's number; y [m] length over the mesh's metres; z wind fraction; w [s]
     glm::ivec4 counts{0};      ///< x vertices; y, z first entry of this and of the last frame's skin; w stages
     glm::ivec4 layers{0};      ///< x drawn; y 1: outer first; z 1: mirrored; w those of the shadow
     glm::ivec4 form{0};        ///< x 1: translated; y WindAt; z 1: strands by the surface; w 1: bare
@@ -46,7 +46,7 @@ struct CoatBlock {
     glm::vec4 skin{0.0f};      ///< rgb; w bias of the occlusion
     glm::vec4 light{0.0f};     ///< x occlusion exponent; y wrap; z gloss; w its power
     glm::vec4 sheen{0.0f};     ///< x sheen; y its power; z through; w strand normals
-    glm::vec4 cel{0.0f};       ///< x levels; y square normals; z 1: clouds; w 1: far sides are hidden by the skin
+    glm::vec4 cel{0.0f};       ///< x levels; y square normals; z 1: clouds; w 1: the skin hides the far half
     glm::vec4 drift{0.0f};     ///< xy [m] along x and z of the mesh where the strands' pattern has gone; z, w feet now and before
     glm::vec4 low{0.0f};       ///< xyz corner of the mesh's box; w Projection
     glm::vec4 extent{0.0f};    ///< xyz 1 / its size; w noise tiles

@@ -16,7 +16,7 @@ windrow::Result<void> validate(const CoatSettings& settings) {
 void check_rules(Reasons& reasons, const FieldPath& path, const CoatMaps& maps) {
     if (maps.noise_a.empty() != maps.noise_b.empty())
         reasons.add(FieldPath{&path, maps.noise_a.empty() ? "noise_a" : "noise_b"},
-                    " is empty beside the other: give both, or none.");
+                    " is empty and the other is not: give both, or none.");
 }
 
 windrow::Result<void> validate(std::span<const Lamp> lamps) {

@@ -1,4 +1,4 @@
-// What describes a coat: layers over a mesh whose patterns make fur, feathers, grass, spikes, paper or clouds. One structure with
+// Settings of a coat: layers over a mesh whose patterns make fur, feathers, grass, spikes, paper or clouds. One structure with
 // ranges and defaults, that a scene file holds as it is:
 //
 //     const fur::CoatSettings settings{.layers = {.shells = 40, .length = 0.04f}, .look = {.gloss = 0.1f}};
@@ -21,7 +21,7 @@
 
 namespace windrow::vegetation::fur {
 
-/// How strands lie at rest: along a direction of the mesh's own space, within the skin.
+/// Lie of strands at rest: along a direction of the mesh's own space, within the skin.
 struct Comb {
     glm::vec3 along{0.0f, -1.0f, 0.0f};
     float bend = 0.0f;
@@ -31,7 +31,7 @@ struct Comb {
     static constexpr auto settings() {
         return std::tuple{
             Setting("along", &Comb::along, Range::length(1e-12, 1e12, ""),
-                    "Where tips point to, in the mesh's space: any length but 0."),
+                    "Direction of the tips in the mesh's space, of any length above 0."),
             Setting("bend", &Comb::bend, {0.0, 1.5, "rad", "strands stand"}, "Of the tip."),
             Setting("tousle", &Comb::tousle, {0.0, 3.0, "rad"}, "By which the comb turns at random within the skin."),
             Setting("tousle_size", &Comb::tousle_size, Range::above(0.0, 100.0, "m"), "Over which that turn changes."),
@@ -66,7 +66,7 @@ struct Spot {
 };
 inline constexpr std::size_t k_max_spots = 24;
 
-/// How a picture lies on a mesh.
+/// Projection of a picture onto a mesh.
 enum class Projection {
     uv,   ///< by the mesh's texture coordinates
     side, ///< along x: u to -z .. z, v downward, over the mesh's box
@@ -98,9 +98,9 @@ struct CoatMaps {
             Setting("influence_a", &CoatMaps::influence_a, k_fraction_range, "Of noise_a."),
             Setting("influence_b", &CoatMaps::influence_b, k_fraction_range, "Of noise_b."),
             Setting("noise_tiles", &CoatMaps::noise_tiles, Range::above(0.0, 1000.0), "Times that both repeat over uv."),
-            Setting(
-                "projection", &CoatMaps::projection,
-                "How length and colour lie on the mesh: by uv, or seen from the side (along x), the top or the front (along z)."),
+            Setting("projection", &CoatMaps::projection,
+                    "Projection of length and colour onto the mesh: by uv, or seen from the side (along x), the top or the front "
+                    "(along z)."),
             Setting("bald_below", &CoatMaps::bald_below, k_fraction_range,
                     "Fraction of the length below which nothing grows and the skin is drawn."),
         };
@@ -135,9 +135,9 @@ struct CoatLook {
             Setting("tip", &CoatLook::tip, k_fraction_range, "At the tip."),
             Setting("second", &CoatLook::second, k_fraction_range,
                     "Tips of other patches: each patch is somewhere between tip and this."),
-            Setting("skin", &CoatLook::skin, k_fraction_range, "Where nothing grows."),
+            Setting("skin", &CoatLook::skin, k_fraction_range, "Skin colour where no strands grow."),
             Setting("second_size", &CoatLook::second_size, Range::above(0.0, 1e4, "m"), "Of those patches."),
-            Setting("tip_power", &CoatLook::tip_power, Range::above(0.0, 10.0), "Root to tip by height^this; 3: tips alone."),
+            Setting("tip_power", &CoatLook::tip_power, Range::above(0.0, 10.0), "Root to tip by height^this; 3: tips only."),
             Setting("variation", &CoatLook::variation, {0.0, 0.9}, "Fraction by which single strands are lighter or darker."),
             Setting("occlusion", &CoatLook::occlusion, {0.0, 5.0, "", "not at all"},
                     "A of min(1, h^A + bias): how far up the dark root reaches."),
@@ -148,8 +148,7 @@ struct CoatLook {
             Setting("sheen", &CoatLook::sheen, {0.0, 10.0}, "Hair's light along its strands (Kajiya and Kay)."),
             Setting("sheen_power", &CoatLook::sheen_power, {1.0, 1000.0}, "Its exponent."),
             Setting("through", &CoatLook::through, k_fraction_range, "Light that shines through tips against the sun."),
-            Setting("strand_normals", &CoatLook::strand_normals, k_fraction_range,
-                    "How much of each strand's own roundness is seen."),
+            Setting("strand_normals", &CoatLook::strand_normals, k_fraction_range, "Weight of each strand's own round normals."),
             Setting("square_normals", &CoatLook::square_normals, k_fraction_range,
                     "0 away from the strand's middle, 1 away from its cell's edge."),
             Setting("exact_normals", &CoatLook::exact_normals,
@@ -159,7 +158,7 @@ struct CoatLook {
     }
 };
 
-/// How many layers are drawn, and how.
+/// Number and order of the drawn layers.
 struct CoatLevels {
     int min_shells = 8;
     float full_until = 4.0f;
@@ -180,8 +179,8 @@ struct CoatLevels {
                     "Steps a fragment may look between its layer and the next inner one."),
             Setting("skip_empty", &CoatLevels::skip_empty, "Layers above every tip are not drawn."),
             Setting("outer_first", &CoatLevels::outer_first,
-                    "Outer layers first, after the skin, hide what lies below from being shaded."),
-            Setting("depth_first", &CoatLevels::depth_first, "A pass that writes depth alone before the colours."),
+                    "Outer layers are drawn first, after the skin, so that layers hidden below them are not shaded."),
+            Setting("depth_first", &CoatLevels::depth_first, "A pass that writes only depth before the colours."),
             Setting("one_draw_each", &CoatLevels::one_draw_each,
                     "The naive form, one draw a layer: a baseline for measurements."),
             Setting("shadow_strands", &CoatLevels::shadow_strands, "Whether the shadow has the strands' form, or the body's."),
@@ -190,14 +189,14 @@ struct CoatLevels {
     }
 };
 
-/// Where a strand feels the wind.
+/// Point at which the wind acts on a strand.
 enum class WindAt {
     strand, ///< once a vertex, halfway up the strand
     shell,  ///< at each shell's own vertex
     pixel   ///< at each fragment's root: strands lean one by one on meshes of a few vertices (bent form, rigid meshes)
 };
 
-/// How strands are laid over the mesh.
+/// Mapping of strands onto the mesh.
 enum class StrandsOn {
     surface, ///< evenly over any mesh, whatever its texture coordinates: round cones and centre forms
     uv       ///< by the cells of its texture coordinates: all forms, and shapes that lie along v
@@ -225,35 +224,36 @@ struct CoatSettings {
 
     static constexpr auto settings() {
         return std::tuple{
-            Setting("layers", &CoatSettings::layers, "Where the layers lie and how the wind bends them."),
+            Setting("layers", &CoatSettings::layers, "Positions of the layers, and their bend in the wind."),
             Setting("translated", &CoatSettings::translated,
                     "Whether layers are pushed and droop as in the shell literature, in place of strands that bend and keep "
                     "their length."),
             Setting("wind_at", &CoatSettings::wind_at,
-                    "Where a strand feels the wind: once a vertex, at each shell's vertex, or at each pixel's root (meshes of a "
+                    "Point at which a strand samples the wind: once a vertex, at each shell's vertex, or at each pixel's root "
+                    "(meshes of a "
                     "few vertices)."),
-            Setting("wind_fraction", &CoatSettings::wind_fraction, {0.0, 100.0}, "Of the wind that it feels."),
+            Setting("wind_fraction", &CoatSettings::wind_fraction, {0.0, 100.0}, "Fraction of the wind that acts on it."),
             Setting("foot_push", &CoatSettings::foot_push, {0.0, 1.5707964, "rad"},
                     "Lean of the tip away from a foot, right beside its middle. Not where translated."),
             Setting("mirrored", &CoatSettings::mirrored,
-                    "Layers on both sides of the skin, half of them each, and no skin: clouds."),
+                    "Half of the layers above and half below the skin, which is not drawn: clouds."),
             Setting("drifts", &CoatSettings::drifts, "The pattern moves along with the air: clouds."),
-            Setting("bare", &CoatSettings::bare, "The skin alone."),
+            Setting("bare", &CoatSettings::bare, "Draws only the skin."),
             Setting("strands_on", &CoatSettings::strands_on,
-                    "How strands are laid: evenly over any surface (round ones), or by the cells of the mesh's uv (all forms)."),
-            Setting("strands", &CoatSettings::strands, "What each layer leaves open."),
+                    "Placement of strands: evenly over any surface (round ones), or by the cells of the mesh's uv (all forms)."),
+            Setting("strands", &CoatSettings::strands, "Pattern of strands in each layer."),
             Setting("wriggle_hz", &CoatSettings::wriggle_hz, {-100.0, 100.0, "Hz"},
                     "Turns a second of the strands' wriggle, and by which a cloud's heaps become others."),
             Setting("cloud", &CoatSettings::cloud,
                     "Heaps of cloud in place of strands, the layers' length high, on a level mesh; it is as large as the mesh. "
                     "Wants mirrored, and drifts to go with the air."),
-            Setting("comb", &CoatSettings::comb, "How strands lie at rest."),
+            Setting("comb", &CoatSettings::comb, "Direction of strands at rest."),
             Setting("spots", &CoatSettings::spots, {0.0, k_max_spots},
                     "Round brushes in the mesh's own space: inside, strands are shorter and coloured."),
             Setting("maps", &CoatSettings::maps, "Pictures of length and colour."),
             Setting("look", &CoatSettings::look, "Colours and light. Colours are linear."),
-            Setting("levels", &CoatSettings::levels, "How many layers are drawn, and how."),
-            Setting("inertia", &CoatSettings::inertia, "How tips lag behind the body. Without it they move with it at once."),
+            Setting("levels", &CoatSettings::levels, "Number and order of the drawn layers."),
+            Setting("inertia", &CoatSettings::inertia, "Lag of tips behind the body. Without it they move with the body."),
         };
     }
 };
@@ -270,7 +270,7 @@ struct Lamp {
 
     static constexpr auto settings() {
         return std::tuple{
-            Setting("position", &Lamp::position, {-1e9, 1e9, "m"}, "Where it is."),
+            Setting("position", &Lamp::position, {-1e9, 1e9, "m"}, "Its position."),
             Setting("colour", &Lamp::colour, {0.0, 1e6}, "Irradiance across the beam at 1 m, in the picture's units."),
             Setting("reach", &Lamp::reach, Range::above(0.0, 1e4, "m"), "Beyond it falls smoothly to nothing."),
         };
@@ -280,8 +280,8 @@ inline constexpr std::size_t k_max_lamps = 8;
 
 [[nodiscard]] windrow::Result<void> validate(std::span<const Lamp> lamps);
 
-/// Feet, hands and wheels that press strands aside, radially and at once. Unlike the ground's memory (coupling/ground_memory.h) a coat
-/// keeps no trail.
+/// Feet, hands and wheels that press strands aside, radially and at once. Unlike the ground's memory (coupling/ground_memory.h) a
+/// coat keeps no trail.
 struct Foot {
     glm::dvec3 position{0.0};
     float radius = 0.3f;
@@ -299,14 +299,14 @@ inline constexpr std::size_t k_max_feet = 8;
 
 [[nodiscard]] windrow::Result<void> validate(std::span<const Foot> feet);
 
-/// How many layers a coat is drawn in, by its distance.
+/// Number of layers of a coat by distance.
 struct LayerCount {
     float divisor = 1.0f; ///< of a layer's number: its place in the strand is i / divisor, held at 1
     int layers = 1;       ///< that exist at this distance
     int drawn = 1;        ///< the inner ones of them; the others lie above every strand's tip
 };
 
-/// At a distance [m] from the eye. Their number goes by a continuous one, n: layer i lies at i / (n - 1), so that a layer that
+/// At a distance [m] from the eye. Their number goes by a continuous one, n: layer i is at i / (n - 1), so that a layer that
 /// comes with a growing n begins where the outermost already is, and nothing pops. `top` is the largest height at which any
 /// strand shows, 0 to 1.
 [[nodiscard]] LayerCount layers_at(const CoatSettings& settings, float distance, float top);

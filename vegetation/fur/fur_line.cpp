@@ -26,9 +26,9 @@ Result<FurLine> fur_of(std::string_view words, const std::string& place) {
     for (std::string_view& each : word)
         each = take_word(words);
     if (word.back().empty() || !trimmed(words).empty())
-        return windrow::Error{
-            message(place, ": fur has other than four numbers: give shell count, height, thickness and resolution, as in "
-                           "`fur 48 0.419 2.753 11`.")};
+        return windrow::Error{message(place,
+                                      ": fur needs four numbers: give shell count, height, thickness and resolution, as in "
+                                      "`fur 48 0.419 2.753 11`.")};
     FurLine fur;
     if (!read(word[0], fur.shells))
         return windrow::Error{message(place, ": fur's shell count is '", word[0], "': give a whole number, 2 to 4096.")};
@@ -56,12 +56,12 @@ Result<std::map<std::string, FurLine>> read_fur_lines(std::string_view mtl, cons
             continue;
         const std::string place = message(name, ":", lines.number());
         if (material.empty())
-            return windrow::Error{message(place, ": fur stands before any material: give it below its newmtl line.")};
+            return windrow::Error{message(place, ": fur line before any newmtl line: move it below the line of its material.")};
         const auto fur = fur_of(line, place);
         if (!fur)
             return Error{fur.error()};
         if (!coats.emplace(material, *fur).second)
-            return windrow::Error{message(place, ": fur is the second of material '", material, "': give one.")};
+            return windrow::Error{message(place, ": duplicate fur line of material '", material, "': remove one.")};
     }
     return coats;
 }

@@ -1,8 +1,8 @@
 // A mesh that wears shells: an indexed list of triangles, cut into parts that wear one coat each.
 //
 // y is up, metres, triangles counter-clockwise seen from outside. A vertex has one normal, the one that shells are extruded
-// along. Vertices that share a position but not a uv (a seam of the map) share that normal, because shells would tear open along
-// the seam otherwise; hence no hard edges.
+// along. Vertices with the same position and different uv (a seam of the map) have the same normal, because shells would tear
+// open along the seam otherwise; hence no hard edges.
 #pragma once
 
 #include "fluid/result.h"

@@ -86,7 +86,7 @@ struct Wing {
             Setting("span", &Wing::span, {1e-2, 100.0, "m"}, "From root to tip."),
             Setting("chord", &Wing::chord, {1e-3, 100.0, "m"}, "At the root, at most the span."),
             Setting("thickness", &Wing::thickness, {0.005, 0.3}, "Fraction of the chord, at a fifth of it."),
-            Setting("sweep", &Wing::sweep, k_fraction_range, "Fraction of the span by which the tip lies behind the root."),
+            Setting("sweep", &Wing::sweep, k_fraction_range, "Fraction of the span by which the tip is behind the root."),
             Setting("droop", &Wing::droop, {0.0, 0.5}, "Fraction of the span by which the tip hangs down."),
             Setting("feathers", &Wing::feathers, {0.0, 40.0}, "Notches of the trailing edge."),
             Setting("columns", &Wing::columns, {4.0, 512.0}, "Cells along the span; 6 a feather make all notches alike."),

@@ -18,7 +18,7 @@ void check_rules(Reasons& reasons, const FieldPath& path, const StrandFieldSetti
         return;
     if (settings.half_length + settings.bow > 1.0f)
         reasons.add(FieldPath{&path, "half_length"}, " and bow make ", settings.half_length + settings.bow,
-                    " cells: lower one, as nothing is searched beyond 1.");
+                    " cells: lower one, since the search ends at 1.");
     if (settings.profile == StrandProfile::edge)
         reasons.add(FieldPath{&path, "shape"},
                     " is not round beside the profile edge, which has the shape of its cells: give another profile.");

@@ -1,5 +1,5 @@
-// A field of strands on a skin: where they stand, how long each is, how it narrows. The equations, and what a shader is told of
-// one point, stand in vegetation/shaders/numerics/strand_field.glsl; where the layers lie is windrow::Shells (coupling/shell.h).
+// A field of strands on a skin: position, length and taper of each strand. The equations and the shader block of one point are in
+// vegetation/shaders/numerics/strand_field.glsl; windrow::Shells (coupling/shell.h) places the layers.
 //
 //     const fur::StrandFieldBlock fur = fur::block({.density = 300.0f, .low = 0.5f});
 //     fur::StrandHit hit = fur::strand_at(fur, uv, h);         // hit.inside > 0: a strand
@@ -14,7 +14,7 @@
 
 namespace windrow::vegetation::fur {
 
-/// How a strand narrows. With h over the strand's own length as t:
+/// Taper of a strand. With h over the strand's own length as t:
 enum class StrandProfile : std::uint8_t {
     cone,   ///< radius thickness / 2 (length - h): the plain one; long strands are thicker than short ones
     centre, ///< radius^2 from cut_min at the root to cut_max at the tip as t^cut_exponent; equal ones make cylinders
@@ -56,22 +56,23 @@ struct StrandFieldSettings {
         return std::tuple{
             Setting("density", &StrandFieldSettings::density, {0.01, 1e5},
                     "Cells across a metre of the mesh's own space, or across a unit of uv. Of a mesh from a file, the default is "
-                    "that of the material's fur line. Where u and density make more than 1e5 cells, floats no longer tell places "
-                    "within a cell apart."),
+                    "that of the material's fur line. With more than 1e5 cells along u, floats no longer resolve places "
+                    "within a cell."),
             Setting("stretch", &StrandFieldSettings::stretch, {0.05, 20.0}, "A cell's length along v over its width; on uv."),
             Setting("row_shift", &StrandFieldSettings::row_shift, {0.0, 0.5},
                     "Fraction of a cell by which every other row is shifted; on uv. 0.5 lays feathers as tiles lie."),
             Setting("seed", &StrandFieldSettings::seed, {0.0, 1e6}, "Another number, another pattern."),
             Setting("jitter", &StrandFieldSettings::jitter, k_fraction_range,
-                    "How far strands stand from the middles of their cells: 0 is a grid. Surfaces always have all of it. Costs "
+                    "Distance of strands from the centres of their cells: 0 is a grid. Surfaces always have all of it. Costs "
                     "up to 9 hashes a point in place of 1; rows that are shifted take a little off it."),
-            Setting("wriggle", &StrandFieldSettings::wriggle, k_fraction_range, "How much of the jitter wanders in time; on uv."),
+            Setting("wriggle", &StrandFieldSettings::wriggle, k_fraction_range,
+                    "Fraction of the jitter that changes in time; on uv."),
             Setting("phase", &StrandFieldSettings::phase, {-1e4, 1e4}, "Of the wriggle at time 0, in turns."),
             Setting("low", &StrandFieldSettings::low, k_fraction_range, "Shortest strands, as a fraction of the length."),
             Setting("high", &StrandFieldSettings::high, k_fraction_range,
                     "Longest strands, as a fraction of the length. As low: a clipped field."),
             Setting("profile", &StrandFieldSettings::profile,
-                    "How a strand narrows: cone; centre: from cut_min to cut_max; edge: spikes that touch, from the edges of "
+                    "Taper of a strand: cone; centre: from cut_min to cut_max; edge: spikes that touch, from the edges of "
                     "Voronoi's cells."),
             Setting("thickness", &StrandFieldSettings::thickness, {0.0, 10.0},
                     "T of the cone: radius of a whole strand's root in half cells; above 1 neighbours merge. Of a mesh from a "
@@ -85,9 +86,10 @@ struct StrandFieldSettings {
                     "Section of a strand: round, oval (a feather), strip (paper); the last two on uv."),
             Setting("half_length", &StrandFieldSettings::half_length, {0.05, 1.0, "cells"},
                     "Half length of ovals and strips along v. At 0.7 feathers overlap."),
-            Setting("lift", &StrandFieldSettings::lift, k_fraction_range,
-                    "How far a feather lies down: 0 stands, 1 rises from the skin at its root to its whole length at its end, as "
-                    "scales do."),
+            Setting(
+                "lift", &StrandFieldSettings::lift, k_fraction_range,
+                "Slope of a feather: 0 is upright; at 1 it rises from the skin at its root to its whole length at its end, as "
+                "scales do."),
             Setting("shaft", &StrandFieldSettings::shaft, {0.0, 0.5, "cells", "none"},
                     "Half width of the line along a feather's middle."),
             Setting("bow", &StrandFieldSettings::bow, {0.0, 0.5, "cells"},
@@ -95,7 +97,7 @@ struct StrandFieldSettings {
             Setting("bow_turns", &StrandFieldSettings::bow_turns, {-8.0, 8.0},
                     "Turns that a bow winds from root to tip; 2 makes locks of wool."),
             Setting("tuft", &StrandFieldSettings::tuft, {0.0, 0.9},
-                    "How close tips gather in tufts; wet fur has 0.7. Costs 18 hashes on uv, about twice as many on surfaces."),
+                    "Closeness of tips in tufts; wet fur has 0.7. Costs 18 hashes on uv, about twice as many on surfaces."),
             Setting("tuft_size", &StrandFieldSettings::tuft_size, {1.0, 1000.0, "cells"}, "Mean width of a tuft."),
         };
     }
@@ -110,7 +112,7 @@ using StrandHit = numerics::WindrowStrandHit;
 [[nodiscard]] windrow::Result<void> validate(const StrandFieldSettings& settings);
 void check_rules(windrow::detail::Reasons& reasons, const windrow::detail::FieldPath& path, const StrandFieldSettings& settings);
 
-/// What shaders are told, of settings that `validate` takes.
+/// Shader block of valid settings.
 [[nodiscard]] StrandFieldBlock block(const StrandFieldSettings& settings);
 
 /// The strand at uv, on the layer of height h, 0 to 1 of the length there.

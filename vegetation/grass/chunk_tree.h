@@ -1,9 +1,9 @@
-// Which chunks of a field a view needs: a quadtree over them whose nodes know where grass is and how high its ground lies.
+// Quadtree over the chunks of a field, for culling. Its nodes hold where grass is and the height range of the ground.
 //
 //   level 0     chunks; a node of level n has the four of level n - 1 below it; the highest level is one node
 //   a node      [m] lowest and highest ground, for what of it has grass; nothing where nothing grows
 //
-// A walk goes from the highest node down and leaves a node out whose box, widened by a blade's reach, lies beyond a plane or the
+// A walk goes from the highest node down and leaves a node out whose box, widened by a blade's reach, is beyond a plane or the
 // distance. Only chunks are ever drawn, so each blade place is drawn once or not at all.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What the passes and the vertex stage of a field are told, and the same blades on the CPU.
+// Shader blocks of the passes and the vertex stage of a grass field, and the same blades on the CPU.
 #pragma once
 
 #include "vegetation/grass/chunk_tree.h"

@@ -27,11 +27,11 @@ namespace windrow::vegetation::grass {
 
 enum class View { colour, shadow };
 
-/// How the host's pipeline is told which blades to draw.
+/// Draw arguments of one pass, for the host's pipeline.
 struct GrassPass {
     /// Of the pipeline that is bound.
     VkPipelineLayout layout = VK_NULL_HANDLE;
-    /// Where `layout()` stands in it. Default 1: the wind's is 0.
+    /// Index of the set `layout()` in it. Default 1: the wind's is 0.
     std::uint32_t set = 1;
     /// [bytes] Where the eight bytes lie within the push constants of `push_stages`. Default 64: after a matrix.
     std::uint32_t push_offset = 64;
@@ -41,7 +41,7 @@ struct GrassPass {
     View view = View::colour;
 };
 
-/// What the frame recorded last needed.
+/// Figures of the frame recorded last.
 struct GrassReport {
     int colour_chunks = 0; ///< drawn for the camera
     int shadow_chunks = 0; ///< and for the shadow
@@ -58,7 +58,7 @@ class GrassField {
     [[nodiscard]] static windrow::Result<GrassField> create(engine::Device& device, const HeightMap& heights,
                                                             const PlacementMask& mask, const GrassSettings& settings);
 
-    /// [m] Where the first corner of the heights lies in the world. Default: the origin. Rejects what is not finite.
+    /// [m] World position of the first corner of the heights. Default: the origin. Rejects values that are not finite.
     windrow::Result<void> place(const glm::dvec3& corner);
     /// A changed mask, of the same corners and extent: chunks in what was touched are made again.
     windrow::Result<void> repaint(const PlacementMask& mask, const Touched& touched);

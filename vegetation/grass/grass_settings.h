@@ -1,4 +1,4 @@
-// All that describes a field of grass but its ground and its mask.
+// Settings of a field of grass, without its ground and its mask.
 #pragma once
 
 #include "coupling/blade.h"
@@ -8,9 +8,9 @@
 
 namespace windrow::vegetation::grass {
 
-/// What is left out of a frame before it is drawn.
+/// Culling of a frame before it is drawn.
 enum class Culling {
-    none,   ///< nothing but what lies beyond the cut: every chunk, every blade
+    none,   ///< only the distance cut: every chunk and blade within it is drawn
     chunks, ///< chunks out of view, by the quadtree
     blades  ///< and of the others each blade out of view, on the GPU
 };
@@ -55,7 +55,7 @@ struct GrassSettings {
                     "Distance of the eye where 15 vertices become 7; below cut_distance. At 25 a blade of 0.3 m has 14 pixels at "
                     "1080p and 50 degrees, and the strip of 7 is off by a pixel at most."),
             Setting("cut_distance", &GrassSettings::cut_distance, {1e-3, 1e4, "m"},
-                    "Where no blade is drawn. At 90 a blade has 4 pixels and the ground's colour takes over."),
+                    "Distance beyond which no blade is drawn. At 90 a blade has 4 pixels and the ground's colour takes over."),
             Setting("morph_from", &GrassSettings::morph_from, {0.0, 0.99},
                     "Fraction of split_distance at which near blades begin to morph into far ones. Later is sudden."),
             Setting("fade_from", &GrassSettings::fade_from, {0.0, 0.99},
@@ -86,7 +86,7 @@ struct GrassSettings {
                     "Chunks that have memory at once. 160 are a view of 90 degrees to 90 m and its shadows; where a view needs "
                     "more, the farthest are left out and counted (GrassReport::left_out)."),
             Setting("culling", &GrassSettings::culling,
-                    "What is left out of a frame. All draw the same picture; the others measure what it saves.", k_not_stored),
+                    "Culling of a frame. All draw the same picture; the others measure what it saves.", k_not_stored),
         };
     }
 };

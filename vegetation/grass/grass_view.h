@@ -1,4 +1,4 @@
-// What a frame sees of the grass: a camera, and what the sun's shadow map covers.
+// View of a frame on the grass: camera, and extent of the sun's shadow map.
 #pragma once
 
 #include <array>

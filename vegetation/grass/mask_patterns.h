@@ -1,4 +1,4 @@
-// Where grass does not grow by itself: patches by chance, and a path that feet keep bare. For masks that nobody paints.
+// Procedural bare ground for placement masks: random patches, and a trodden path.
 //
 //     auto mask = grass::PlacementMask::create({601, 601}, hills->extent(), 1.0f);
 //     (void)grass::thin_out(*mask, {.share = 0.6f, .size = 3.0f});     // flowers here and there
@@ -20,7 +20,7 @@ struct BarePatches {
         return std::tuple{
             Setting("bare", &BarePatches::share, {.min = 0.0, .max = 0.95, .zero = "no patches"},
                     "Fraction of the ground on which it does not grow, in patches by the seed of the layer: within 0.1 of it "
-                    "over many patches. Plants grow lower at the rim of a patch."),
+                    "over many patches. Plants grow lower at the edge of a patch."),
             Setting("bare_size", &BarePatches::size, {0.2, 1000.0, "m"},
                     "Size of those patches; ones below four times the mask's spacing blur."),
             Setting("seed", &BarePatches::seed, "Others for another number; of 64 kinds.", k_not_stored),
@@ -37,7 +37,7 @@ struct FootPath {
         return std::tuple{
             Setting("width", &FootPath::width, {0.0, 20.0, "m", "no path"},
                     "That is bare; plants beside it grow lower over as much again."),
-            Setting("at", &FootPath::at, {-1e5, 1e5, "m"}, "Where along x it winds, from the ground's corner."),
+            Setting("at", &FootPath::at, {-1e5, 1e5, "m"}, "Its position along x, from the ground's corner."),
         };
     }
 };

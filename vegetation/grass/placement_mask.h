@@ -1,4 +1,4 @@
-// Where grass grows, and how tall: an image of alpha over the field. 0 is no blade; between 0 and 1 blades are as much smaller,
+// Placement mask of grass: an alpha image over the field. 0 is no blade; between 0 and 1 blades are as much smaller,
 // so that a painted edge falls off by itself.
 //
 //     auto mask = grass::PlacementMask::create({257, 257}, hills->extent());
@@ -34,14 +34,14 @@ struct Brush {
             Setting("centre", &Brush::centre, {-1e6, 1e6, "m"}, "From the ground's corner, along x and z; may lie outside."),
             Setting("radius", &Brush::radius, {0.001, 1e5, "m"}, "Of the stroke."),
             Setting("strength", &Brush::strength, k_fraction_range,
-                    "What a stroke adds or takes at its middle; falls to 0 at the radius."),
+                    "Change by a stroke at its middle; falls to 0 at the radius."),
             Setting("hardness", &Brush::hardness, k_fraction_range,
                     "Fraction of the radius that has the whole strength; beyond it (1 - r^2)^2, which meets both ends level."),
         };
     }
 };
 
-/// What a stroke touched, [m]; nothing where high < low.
+/// Area of a stroke [m]; nothing where high < low.
 struct Touched {
     glm::vec2 low{0.0f};
     glm::vec2 high{-1.0f};

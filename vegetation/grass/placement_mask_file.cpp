@@ -32,7 +32,7 @@ windrow::Result<PlacementMask> PlacementMask::load(const std::string& path, glm:
 
 windrow::Result<PlacementMask> PlacementMask::from_pgm(std::string_view bytes, glm::vec2 extent, const std::string& name,
                                                        std::size_t max_values) {
-    const windrow::Error no_image{name + " is no binary PGM of up to 65535 levels: save the image as PGM (P5)."};
+    const windrow::Error no_image{name + " is not a binary PGM of up to 65535 levels: save the image as PGM (P5)."};
     std::istringstream header(std::string(bytes.substr(0, 256)));
     std::string kind;
     std::vector<int> numbers;

@@ -37,7 +37,7 @@ struct MeshSource {
     static constexpr auto settings() {
         return std::tuple{
             Setting("name", &MeshSource::name, "Relative to the scene's folder, and in it."),
-            Setting("", &MeshSource::load, "How it is read."),
+            Setting("", &MeshSource::load, "Options of the reader."),
         };
     }
 };
@@ -128,8 +128,7 @@ struct BodySkeleton {
     static constexpr auto settings() {
         return std::tuple{
             Setting("kind", &BodySkeleton::kind, "Whose: none, those of the beast or of the horse, or the scene's own."),
-            Setting("pace", &BodySkeleton::pace, {0.0, 10.0},
-                    "How fast they move: 1 as they are made, 0 stands in the first pose."),
+            Setting("pace", &BodySkeleton::pace, {0.0, 10.0}, "Speed factor of the motion: 1 as made, 0 keeps the first pose."),
             Setting("phase", &BodySkeleton::phase, {0.0, 1e3, "s"}, "By which the motion is ahead."),
             Setting("bones", &BodySkeleton::bones, {0.0, fur::k_max_bones}, "The scene's own, parents first."),
         };
@@ -166,11 +165,11 @@ struct Body {
     static constexpr auto settings() {
         return std::tuple{
             Setting("name", &Body::name, "For sentences."),
-            Setting("mesh", &Body::mesh, "What it is made of. Default: a cube_sphere."),
-            Setting("place", &Body::place, "Where it is, or from where its path counts."),
-            Setting("motion", &Body::motion, "How it moves."),
+            Setting("mesh", &Body::mesh, "Mesh of the body. Default: a cube_sphere."),
+            Setting("place", &Body::place, "Its place, or the origin of its path."),
+            Setting("motion", &Body::motion, "Motion of the body."),
             Setting("skeleton", &Body::skeleton, "Bones that move the mesh."),
-            Setting("coats", &Body::coats, {0.0, 16.0}, "What it wears. A body without a coat is not seen."),
+            Setting("coats", &Body::coats, {0.0, 16.0}, "Its coats. A body without a coat is invisible."),
         };
     }
 };

@@ -62,7 +62,7 @@ std::optional<grass::HeightMap> from_file(JsonObject& object, const GroundSource
     const double spacing = ground.extent.x / (corners.x - 1), wanted = spacing * (corners.y - 1);
     if (std::abs(ground.extent.y - wanted) > 1e-3 * spacing) {
         object.reject("extent", "is " + metres(ground.extent) + ", which makes the " + std::to_string(corners.x) + " x " +
-                                    std::to_string(corners.y) + " pixels of \"heights\" oblong: give " +
+                                    std::to_string(corners.y) + " pixels of \"heights\" not square: give " +
                                     metres({ground.extent.x, wanted}) + ", whose pixels are square.");
         return std::nullopt;
     }

@@ -44,7 +44,7 @@ void judge(const PictureScene& scene, JsonObject& picture) {
         JsonObject camera = picture.object("camera");
         check_read(camera, seen);
         if (moves)
-            camera.reject("is so at " + figure(time) + " s, where its paths have led it: move one of them aside.");
+            camera.reject("has this fault at " + figure(time) + " s on its paths: change one of them.");
         return;
     }
 }
@@ -67,7 +67,7 @@ Picture read_picture(JsonObject& object, Surroundings& around) {
     });
     // A press that nothing remembers would not be seen at all.
     if (!picture.walkers.empty() && !object.value().contains("ground_memory"))
-        object.reject("walkers", "is given, but no ground remembers them: add \"ground_memory\": {}, or remove it.");
+        object.reject("walkers", "is given, but \"ground_memory\" is not: add \"ground_memory\": {}, or remove it.");
     object.finish();
     return picture;
 }
@@ -147,7 +147,7 @@ void read_part(JsonObject object, Fan& fan, Surroundings&) {
     const std::size_t faults_before = object.log().faults();
     read_object(object, fan);
     if (object.log().faults() == faults_before && !(glm::length(glm::dvec2(fan.direction.x, fan.direction.z)) > 1e-3))
-        object.reject("direction", "has no level part: give where it blows, as [1, 0, 0].");
+        object.reject("direction", "has no horizontal component: give one, as in [1, 0, 0].");
 }
 
 windrow::Result<PictureScene> read_picture_scene(const std::filesystem::path& file) {

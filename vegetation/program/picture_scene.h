@@ -37,7 +37,7 @@ struct CameraSource {
 
     static constexpr auto settings() {
         return std::tuple{
-            Setting("", &CameraSource::lens, "How it sees."),
+            Setting("", &CameraSource::lens, "Lens of the camera."),
             Setting("path", &CameraSource::path, "Name of the path that it moves along instead of its position."),
             Setting("target_path", &CameraSource::target_path, "Name of the path that the target moves along instead."),
             Setting("above_ground", &CameraSource::above_ground,
@@ -56,7 +56,7 @@ struct Hills {
         return std::tuple{
             Setting("height", &Hills::height, {0.0, 1e4, "m", "level"}, "From the lowest possible place to the highest."),
             Setting("length", &Hills::length, {1.0, 1e5, "m"},
-                    "Of the largest octave's cells, about half of what lies between two tops."),
+                    "Cell size of the largest octave, about half of the distance between two hilltops."),
             Setting("seed", &Hills::seed, k_seed_range, "Another number, other hills, of 64 kinds."),
         };
     }
@@ -86,8 +86,8 @@ struct GroundSource {
                     "Place of the first sample; its y is added to all heights."),
             Setting("extent", &GroundSource::extent, {0.01, 1e5, "m"},
                     "Along x and z. Without heights: in a ratio of whole numbers."),
-            Setting("heights", &GroundSource::heights, "What they make, above corner.y. Always there in a scene that was read.",
-                    k_not_stored),
+            Setting("heights", &GroundSource::heights,
+                    "The resulting heights, above corner.y. Always there in a scene that was read.", k_not_stored),
         };
     }
 
@@ -120,7 +120,7 @@ struct MaskSource {
             Setting("", &MaskSource::bare, "With the layer's seed."),
             Setting("path", &MaskSource::path, "A path on which it does not grow, winding along z."),
             Setting("strokes", &MaskSource::strokes, "Brushes upon it, in their order.", k_not_stored),
-            Setting("mask", &MaskSource::mask, "What they make. Always there in a scene that was read.", k_not_stored),
+            Setting("mask", &MaskSource::mask, "The resulting mask. Always there in a scene that was read.", k_not_stored),
         };
     }
 };
@@ -138,7 +138,7 @@ struct GrassSource {
                     "The class of plant that length and stalk begin with: a function of coupling/plant_classes.h."),
             Setting("", &GrassSource::drawn, "With the class's stalk, and what the file changes of it."),
             Setting("mask", &GrassSource::mask,
-                    "Where the layer grows: alpha 0 is no blade, between 0 and 1 blades are as much smaller."),
+                    "Placement of the layer: alpha 0 is no blade, between 0 and 1 blades are as much smaller."),
         };
     }
 };
@@ -169,7 +169,7 @@ struct Walker {
     static constexpr auto settings() {
         return std::tuple{
             Setting("path", &Walker::path, "Name of the path that it walks on; x and z count."),
-            Setting("radius", &Walker::radius, Range::above(0.0, 100.0, "m"), "How far it reaches."),
+            Setting("radius", &Walker::radius, Range::above(0.0, 100.0, "m"), "Radius of its effect."),
             Setting("weight", &Walker::weight, k_fraction_range, "0: presses nothing; 1: all of ground_memory.push."),
             Setting("airborne", &Walker::airborne, {0.0, 1024.0},
                     "Times at which its feet leave the ground, on a parabola as a jump does."),
@@ -190,8 +190,8 @@ struct Fan {
 
     static constexpr auto settings() {
         return std::tuple{
-            Setting("position", &Fan::position, render::k_place_range, "Of the hub; its foot stands on the ground below."),
-            Setting("direction", &Fan::direction, {-1e9, 1e9}, "Where it blows; needs a level part."),
+            Setting("position", &Fan::position, render::k_place_range, "Position of the hub; its foot is on the ground below."),
+            Setting("direction", &Fan::direction, {-1e9, 1e9}, "Direction of its wind; needs a horizontal component."),
             Setting("radius", &Fan::radius, {0.05, 50.0, "m"}, "Of its blades."),
             Setting("turns_hz", &Fan::turns_hz, {0.0, 100.0, "Hz"}, "Turns a second."),
         };
@@ -206,7 +206,7 @@ struct StandPlace {
 
     static constexpr auto settings() {
         return std::tuple{
-            Setting("at", &StandPlace::at, render::k_place_range, "x and z; it stands on the ground there."),
+            Setting("at", &StandPlace::at, render::k_place_range, "x and z; it is on the ground there."),
             Setting("size", &StandPlace::size, {0.05, 10.0}, "Factor on all its lengths."),
             Setting("yaw_deg", &StandPlace::yaw_deg, {-360.0, 360.0, "deg"}, "Turn about the vertical."),
         };
@@ -224,7 +224,7 @@ struct StandSource {
 
     static constexpr auto settings() {
         return std::tuple{
-            Setting("kind", &StandSource::kind, "Which trees, of trees::preset_names."),
+            Setting("kind", &StandSource::kind, "Kind of tree, of trees::preset_names."),
             Setting("seed", &StandSource::seed, k_seed_range, "Another number, other trees of the kind."),
             Setting("variants", &StandSource::variants, {1.0, 8.0}, "Different trees of the kind; places take them in turn."),
             Setting("springs", &StandSource::springs,
@@ -261,21 +261,21 @@ struct Picture {
                     "Of wind before the first picture, so that gusts have come in."),
             Setting("camera", &Picture::camera, "The eye."),
             Setting("sun", &Picture::sun, "The sun and the air that it shines through."),
-            Setting("fog", &Picture::fog, "What the air takes from the sight of far things."),
+            Setting("fog", &Picture::fog, "Fog that hides distant objects."),
             Setting("clouds", &Picture::clouds, "A level sheet of clouds that drifts and shades the ground."),
             Setting("ground", &Picture::ground, "The ground. Default: level, 100 m x 100 m about the origin."),
             Setting("grass", &Picture::grass, {0.0, 16.0},
                     "Layers of blades. The ground has the look of the first, where that grows; elsewhere it is bare."),
             Setting("trees", &Picture::trees, {0.0, 256.0}, "Stands of trees."),
-            Setting("walkers", &Picture::walkers, {0.0, 256.0}, "Who presses the grass down; needs ground_memory."),
+            Setting("walkers", &Picture::walkers, {0.0, 256.0}, "Walkers that press the grass down; needs ground_memory."),
             Setting("fans", &Picture::fans, {0.0, 64.0}, "Fans that are drawn; what they blow is a motor of $.motors."),
             Setting("ground_memory", &Picture::ground_memory,
                     "A ground that remembers walkers and wind. Default: none; {} for its defaults."),
             Setting("bodies", &Picture::bodies, {0.0, 64.0},
-                    "Things that stand or move and wear coats of shells: fur, feathers, grass, spikes, clouds."),
+                    "Standing or moving bodies with coats of shells: fur, feathers, grass, spikes, clouds."),
             Setting("lamps", &Picture::lamps, {0.0, fur::k_max_lamps},
                     "Points of light beside the sun, which shine on coats and cast no shadow."),
-            Setting("sampling", &Picture::sampling, "How plants read the wind."),
+            Setting("sampling", &Picture::sampling, "Sampling of the wind by plants."),
         };
     }
 };

@@ -161,13 +161,13 @@ std::string fault_of(const Options& options) {
         std::error_code error;
         const std::filesystem::path folder = options.sheet.has_parent_path() ? options.sheet.parent_path() : ".";
         if (!std::filesystem::is_directory(folder, error))
-            return "--sheet " + options.sheet.string() + " lies in no folder that there is; make it first, or name another.";
+            return "--sheet " + options.sheet.string() + " is in a folder that does not exist; create it first, or name another.";
         if (options.sheet.extension() != ".png")
-            return "--sheet " + options.sheet.string() + " is no PNG; give a name that ends in .png.";
+            return "--sheet " + options.sheet.string() + " is not a PNG; give a name that ends in .png.";
     }
     std::error_code absent;
     if (!options.jpeg.empty() && !std::filesystem::is_directory(options.jpeg, absent))
-        return "--jpeg " + options.jpeg.string() + " is no folder that there is; make it first, or name another.";
+        return "--jpeg " + options.jpeg.string() + " is not a folder; create it first, or name another.";
     std::set<std::filesystem::path> stems;
     for (const std::filesystem::path& scene : options.scenes)
         if (!stems.insert(scene.stem()).second)
@@ -203,7 +203,7 @@ CLI::Validator within(double least, double most) {
             if (CLI::detail::lexical_cast(text, value) && value >= least && value <= most)
                 return std::string();
             char sentence[96];
-            std::snprintf(sentence, sizeof sentence, "\" is no number from %g to %g; give one.", least, most);
+            std::snprintf(sentence, sizeof sentence, "\" is not a number from %g to %g; give one.", least, most);
             return '"' + text + sentence;
         },
         "NUMBER");

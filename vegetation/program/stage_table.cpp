@@ -74,7 +74,7 @@ std::string StageTable::text() const {
     char line[128];
     const std::vector<StageFigures> all = figures();
     if (all.empty())
-        return text + "this device counts no time: no stage is timed\n";
+        return text + "this device has no timestamps: no stage is timed\n";
     std::snprintf(line, sizeof line, "%-10s %10s %10s %10s  over %zu frames\n", "ms", "mean", "median", "99 %", rows_.size());
     text += line;
     for (const StageFigures& stage : all) {

@@ -12,7 +12,7 @@ namespace windrow::vegetation::program {
 /// Over the frames that were added.
 struct StageFigures {
     std::string name;
-    double mean = 0.0, median = 0.0, most = 0.0; ///< [ms]; `most`: 99 % of the frames took no more
+    double mean = 0.0, median = 0.0, max = 0.0; ///< [ms]; `max`: 99 % of the frames took no more
 };
 
 class StageTable {

@@ -48,7 +48,7 @@ class BladeGrid final : public Drawable {
     engine::Buffer bends_{};
 };
 
-/// Where blades grow before an eye that hardly moves: a fan of directions, denser near the eye as distance^-exponent, blades
+/// Places of blades for a nearly fixed eye: a fan of directions, denser near the eye as distance^-exponent, blades
 /// wider afar so that as much is covered. The same arguments give the same places.
 struct BladeFan {
     glm::dvec3 eye{0.0};
@@ -62,14 +62,14 @@ struct BladeFan {
 
     static constexpr auto settings() {
         return std::tuple{
-            Setting("eye", &BladeFan::eye, k_place_range, "Where the eye is."),
-            Setting("target", &BladeFan::target, k_place_range, "What it looks at; not straight above or below."),
+            Setting("eye", &BladeFan::eye, k_place_range, "Position of the eye."),
+            Setting("target", &BladeFan::target, k_place_range, "Point that it looks at; not straight above or below."),
             Setting("half_angle", &BladeFan::half_angle, {1e-3, 3.2, "rad"}, "To either side."),
             Setting("near", &BladeFan::near, {1e-3, 1e5, "m"}, "To the first blade."),
             Setting("far", &BladeFan::far, {1e-3, 1e6, "m"},
                     "To the last, beyond near; over the last third they shrink to a quarter, so that no edge shows."),
             Setting("exponent", &BladeFan::exponent, {0.0, 1.99}, "0 is even on the ground, 2 would be even on the picture."),
-            Setting("count", &BladeFan::count, {1.0, 1e7}, "How many."),
+            Setting("count", &BladeFan::count, {1.0, 1e7}, "Number of blades."),
             Setting("wide_from", &BladeFan::wide_from, {1e-3, 1e6, "m"},
                     "From which on blades are drawn wider, in proportion to distance."),
         };

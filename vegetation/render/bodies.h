@@ -1,4 +1,4 @@
-// Solid things that move: a walker, a fan. Each has a shape and, frame by frame, a place.
+// Moving solid bodies, such as a walker or a fan. Each has a shape and, per frame, a placement.
 //
 //     auto bodies = render::Bodies::create(device, renderer->draw_targets(), std::array{render::walker_solid()});
 //     renderer->add(**bodies);
@@ -19,8 +19,8 @@ class Bodies final : public Drawable {
     [[nodiscard]] static Result<std::unique_ptr<Bodies>> create(engine::Device& device, const DrawTargets& targets,
                                                                 std::span<const Solid> shapes);
 
-    /// From the shape's own positions to positions relative to the anchor, from the next frame on; motion vectors tell of the
-    /// way from the place before.
+    /// From the shape's own positions to positions relative to the anchor, from the next frame on; motion vectors are taken
+    /// from the place before.
     void place(std::size_t body, const glm::mat4& placed);
     Result<void> prepare(const PassContext& context) override;
     void draw(const PassContext& context) override;

@@ -1,4 +1,4 @@
-// A thing that the renderer draws: what it prepares before the passes, and its draws in each.
+// Interface of what the renderer draws: preparation before the passes, and draws in each pass.
 #pragma once
 
 #include "vegetation/render/frame_block.h"
@@ -6,7 +6,7 @@
 
 namespace windrow::vegetation::render {
 
-/// Which pass is recorded.
+/// Kind of the recorded pass.
 enum class Pass { colour, shadow };
 
 /// A pass that is being recorded. Set 0 is the frame's, set 1 the wind's; set 2 is the drawable's own.
@@ -23,7 +23,8 @@ struct PassContext {
 class Drawable {
   public:
     virtual ~Drawable() = default;
-    /// Outside of a render pass, before all of them: culling, bends. It ends with a barrier of its own. What fails draws nothing of this frame.
+    /// Outside of a render pass, before all of them: culling, bends. It ends with a barrier of its own. What fails draws nothing
+    /// of this frame.
     virtual Result<void> prepare(const PassContext&) { return {}; }
     /// Within the render pass of `context.pass`.
     virtual void draw(const PassContext& context) = 0;

@@ -1,4 +1,4 @@
-// What every shader of the renderer is told of a frame, and how it comes from a scene: vegetation/shaders/render/frame.glsl.
+// Frame block of all shaders of the renderer (vegetation/shaders/render/frame.glsl), and its conversion from a scene.
 #pragma once
 
 #include "vegetation/render/scene.h"
@@ -22,7 +22,7 @@ struct CloudBlock {
     glm::vec4 form{0.0f};
 };
 
-/// What grass shows in place of its colours: vegetation/shaders/render/grass_view.glsl.
+/// Debug view of the grass instead of its colours: vegetation/shaders/render/grass_view.glsl.
 enum class GrassView : int {
     plants, ///< its colours
     lean,   ///< how far blades lean, by the colours of speed: straw at 1.5 rad

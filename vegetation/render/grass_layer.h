@@ -1,4 +1,4 @@
-// A field of grass as a thing that the renderer draws: vegetation/grass in its light, wind and shadows.
+// A field of grass as a drawable of the renderer: vegetation/grass with its light, wind and shadows.
 //
 //     auto grass = render::GrassLayer::create(device, renderer->draw_targets(), scene.ground, mask, {.field = ..., .look = ...});
 //     renderer->add(**grass);                                  // before the first frame
@@ -33,9 +33,10 @@ struct GrassLayerSettings {
             Setting("max_blades", &GrassLayerSettings::max_blades, {1024.0, 4194304.0},
                     "Visible blades that are looked at once a frame, those of shadows counted apart, 96 bytes each; more take "
                     "the bend of others."),
-            Setting("shadows", &GrassLayerSettings::shadows, {0.0, 2.0},
-                    "How many of the two shadow maps it is drawn into. 1 is the near one: a blade is far finer than a texel of "
-                    "the other."),
+            Setting(
+                "shadows", &GrassLayerSettings::shadows, {0.0, 2.0},
+                "Number of shadow maps, of two, that it is drawn into. 1 is the near one: a blade is far finer than a texel of "
+                "the other."),
         };
     }
 };
@@ -48,7 +49,7 @@ struct FieldBlade {
     glm::vec4 size{0.0f};  ///< [m] length of its class and half its width now; the same a frame ago
     glm::uvec4 traits{0u}; ///< xy its hash; z bits of its morph (float), w of the morph a frame ago
     glm::vec4 looks{0.0f}; ///< chances, 0 to 1: xy its clump's, z its own; w size over its class's
-    glm::vec4 fog{0.0f};   ///< rgb light of the air before it, w share of its own light that comes through
+    glm::vec4 fog{0.0f};   ///< rgb light of the air before it, w fraction of its own light that comes through
 };
 static_assert(sizeof(FieldBlade) == 96);
 

@@ -49,7 +49,8 @@ struct RenderSettings {
                     "Reach of the fine shadow, above the camera's near."),
             Setting("far_shadow", &RenderSettings::far_shadow, {0.1, 1e6, "m"},
                     "Reach of the coarse one, above near_shadow; beyond it all is lit."),
-            Setting("anchor", &RenderSettings::anchor, k_place_range, "Where shaders count from: within some km of the camera."),
+            Setting("anchor", &RenderSettings::anchor, k_place_range,
+                    "Origin of shader positions: within some km of the camera."),
             Setting("counts", &RenderSettings::counts,
                     "Vertices and fragments of the colour pass are counted, where the device can."),
         };
@@ -64,7 +65,7 @@ class Renderer {
     [[nodiscard]] static windrow::Result<std::unique_ptr<Renderer>> create(engine::Device& device, const Scene& scene,
                                                                            const RenderSettings& settings);
 
-    /// What drawables must fit.
+    /// Targets that drawables must match.
     [[nodiscard]] DrawTargets draw_targets() const;
     /// Drawn in each frame from now on, after the ground. It outlives the renderer's last recording.
     void add(Drawable& drawable) { drawables_.push_back(&drawable); }
@@ -81,7 +82,7 @@ class Renderer {
 
     /// [s] Where the clouds are from now on. Default 0.
     void set_time(double seconds);
-    /// What grass shows from now on.
+    /// Sets the debug view of the grass.
     void show(GrassView view) { block_.terrain_size.z = static_cast<int>(view); }
     /// The sun from now on.
     windrow::Result<void> set_sun(const Sun& sun);
@@ -95,7 +96,7 @@ class Renderer {
   private:
     Renderer(engine::Device& device, const Scene& scene, const RenderSettings& settings);
     void fill(const Camera& camera);
-    /// The frame's blocks and sets, told of this camera.
+    /// The frame's blocks and descriptor sets, filled for this camera.
     [[nodiscard]] PassContext context_of(const engine::Frame& frame, const Camera& camera, const windrow::vulkan::Wind& wind);
     void draw_shadows(PassContext context);
     void make_sets(const Scene& scene);

@@ -37,8 +37,8 @@ void check_rules(Reasons& reasons, const FieldPath& path, const Camera& camera) 
     const glm::dvec3 sight = camera.target - camera.position;
     const double level = glm::length(glm::dvec2(sight.x, sight.z));
     if (!(level > 1e-3 * glm::length(sight)) || !(level > 0.0))
-        reasons.add(FieldPath{&path, "target"}, " lies straight above, below or at ", FieldPath{&path, "position"},
-                    ": move it aside, so that up has a meaning.");
+        reasons.add(FieldPath{&path, "target"}, " is straight above, below or at ", FieldPath{&path, "position"},
+                    ": move it aside, so that the picture has an up direction.");
 }
 
 void check_rules(Reasons& reasons, const FieldPath& path, const PlantLook& look) {

@@ -1,6 +1,6 @@
-// What a picture is of: where the eye is, where the sun stands, what the air holds, the ground, the plants' look, the wind.
-// Right-handed, y up, metres; places are double, since shaders work relative to the anchor. `validate` tells every reason why a
-// scene cannot be drawn, a line each, field, value and fix.
+// The scene of a picture: camera, sun, haze, ground, look of the plants, wind.
+// Right-handed, y up, metres; places are double, since shaders work relative to the anchor. `validate` returns every reason why a
+// scene cannot be drawn, one per line, with field, value and fix.
 #pragma once
 
 #include "coupling/blade.h"
@@ -28,10 +28,10 @@ struct Camera {
 
     static constexpr auto settings() {
         return std::tuple{
-            Setting("position", &Camera::position, k_place_range, "Where it is."),
-            Setting("target", &Camera::target, k_place_range, "What it looks at; not straight above or below."),
+            Setting("position", &Camera::position, k_place_range, "Its position."),
+            Setting("target", &Camera::target, k_place_range, "Point that it looks at; not straight above or below."),
             Setting("view_deg", &Camera::view_deg, {1.0, 150.0, "deg"}, "Height of the picture as an angle; 45 is a calm lens."),
-            Setting("near", &Camera::near, {1e-3, 1e3, "m"}, "What is nearer is not drawn."),
+            Setting("near", &Camera::near, {1e-3, 1e3, "m"}, "Near plane: nearer objects are not drawn."),
             Setting("far", &Camera::far, {1.01e-3, 1e9, "m"},
                     "Nor what is farther; 1.01 to 1e6 times near, since depth is float."),
             Setting("exposure", &Camera::exposure, {1e-6, 1e6}, "Factor on light before the film's curve."),
@@ -51,7 +51,7 @@ struct Sun {
         return std::tuple{
             Setting("elevation_deg", &Sun::elevation_deg, {1.0, 90.0, "deg"},
                     "Above the horizon. 26 gives long shadows and a warm light."),
-            Setting("azimuth_deg", &Sun::azimuth_deg, {-360.0, 360.0, "deg"}, "Where it stands, from x (0) toward z (90)."),
+            Setting("azimuth_deg", &Sun::azimuth_deg, {-360.0, 360.0, "deg"}, "Azimuth, from x (0) toward z (90)."),
             Setting("irradiance", &Sun::irradiance, {1e-6, 100.0}, "Above the air, in units of the picture."),
             Setting("haze", &Sun::haze, {0.0, 0.5}, "Angstrom's turbidity. 0.06 is a clear summer's day."),
             Setting("radius_deg", &Sun::radius_deg, {0.05, 5.0, "deg"}, "Of the disk, as seen from the earth."),
@@ -97,11 +97,11 @@ struct Clouds {
 struct Ground {
     glm::dvec3 corner{-50.0, 0.0, -50.0}; ///< [m] place of the first corner; y is added to all heights
     grass::HeightMap heights = grass::HeightMap::level();
-    /// Where plants stand, 0 to 1, over the heights' extent: there the ground has their roots' colour near the eye and their own
+    /// Density of plants, 0 to 1, over the heights' extent: there the ground has their roots' colour near the eye and their own
     /// colour afar; elsewhere it is bare. Default: everywhere.
     std::optional<grass::PlacementMask> grown{};
 
-    /// [m] In the world, on the triangles that are drawn; beyond the rim that of the rim.
+    /// [m] World height of the triangles that are drawn; beyond the edge that of the edge.
     [[nodiscard]] double height(double x, double z) const;
 };
 
@@ -131,20 +131,21 @@ struct PlantLook {
 
     static constexpr auto settings() {
         return std::tuple{
-            Setting("root", &PlantLook::root, k_fraction_range, "Where it leaves the ground."),
+            Setting("root", &PlantLook::root, k_fraction_range, "Colour at the root."),
             Setting("tip", &PlantLook::tip, k_fraction_range, "Of a fresh one."),
             Setting("dry", &PlantLook::dry, k_fraction_range, "The driest tips."),
             Setting("through", &PlantLook::through, k_fraction_range, "Light that shines through it."),
             Setting("variation", &PlantLook::variation, {0.0, 0.9}, "Fraction by which single plants are lighter or darker."),
             Setting("root_light", &PlantLook::root_light, k_fraction_range,
-                    "What the neighbours leave of the sky's light at the root."),
+                    "Fraction of the sky's light that reaches the root between its neighbours."),
             Setting("gloss", &PlantLook::gloss, {1.0, 1000.0}, "Exponent of the shine."),
-            Setting("against_light", &PlantLook::against_light, {0.0, 20.0}, "How much more shines through against the light."),
+            Setting("against_light", &PlantLook::against_light, {0.0, 20.0},
+                    "Additional light that shines through against the sun."),
             Setting("second", &PlantLook::second, k_fraction_range,
-                    "Fresh tips of other clumps: each clump lies between tip and this."),
-            Setting("dryness", &PlantLook::dryness, k_fraction_range, "How much dry patches and single dry blades show."),
+                    "Fresh tips of other clumps: the colour of each clump is between tip and this."),
+            Setting("dryness", &PlantLook::dryness, k_fraction_range, "Visibility of dry patches and single dry blades."),
             Setting("fold", &PlantLook::fold, {0.0, 1.2, "rad"},
-                    "By which both halves of a blade stand out of its plane: a crease of light."),
+                    "Angle of both halves of a blade to its plane, which makes a crease of light."),
             Setting("midrib", &PlantLook::midrib, k_fraction_range, "Fraction by which the crease is lighter."),
             Setting("soften", &PlantLook::soften, k_fraction_range,
                     "Fraction of the ground's normal in a near blade's: 0 shows each blade, 1 an even meadow."),
@@ -156,12 +157,12 @@ struct PlantLook {
             Setting("soil", &PlantLook::soil, k_fraction_range,
                     "Of the ground between the roots and where the first layer does not grow."),
             Setting("even_from", &PlantLook::even_from, {1e-3, 1e6, "m"},
-                    "Where normals have become the ground's and ground the plants' colour."),
+                    "Distance at which normals are the ground's and the ground has the plants' colour."),
         };
     }
 };
 
-/// What blows. Motors are those at the start; a host moves them.
+/// The wind. Motors are those at the start; a host moves them.
 struct WindScene {
     windrow::Config wind{};
     std::vector<windrow::Motor> motors{};

@@ -1,4 +1,4 @@
-// What the stages of a frame took on the device, by its own clock.
+// Times of the stages of a frame, by the device's clock.
 #pragma once
 
 #include "vegetation/vulkan/frames.h"
@@ -17,11 +17,11 @@ class StageClock {
   public:
     explicit StageClock(engine::Objects& objects);
 
-    /// Whether the queue counts time; without it nothing is recorded and nothing told.
+    /// Whether the queue has timestamps; without them nothing is recorded or reported.
     [[nodiscard]] bool counts() const { return tick_us_ > 0.0; }
     /// Begins a frame, outside of a render pass. What was recorded for its slot before is done: its times are taken now.
     void begin(VkCommandBuffer commands, int slot);
-    /// Ends the stage of this name, which began where the last one ended. A string that lives on. At most 15 a frame.
+    /// Ends the stage of this name, which began where the last one ended. The string must outlive the clock. At most 15 a frame.
     void mark(VkCommandBuffer commands, const char* name);
     /// Takes the times of a slot before its turn comes: for a host that has waited for it.
     void collect(int slot);

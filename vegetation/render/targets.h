@@ -1,5 +1,5 @@
-// What is drawn to, offscreen: light and motion with several samples a pixel, resolved; depth; the toned picture; and the way of
-// all three to the host.
+// Offscreen render targets: light and motion with multisampling and their resolves, depth, the toned picture, and read-back to
+// the host.
 #pragma once
 
 #include "vegetation/render/picture.h"
@@ -29,7 +29,7 @@ class Targets {
     /// After the copy is done.
     [[nodiscard]] Picture8 picture() const;
     [[nodiscard]] PictureF light_picture() const;  ///< three channels, linear, before exposure
-    [[nodiscard]] PictureF motion_picture() const; ///< two channels: shares of the picture's size, x right, y down
+    [[nodiscard]] PictureF motion_picture() const; ///< two channels: fractions of the picture's size, x right, y down
 
   private:
     [[nodiscard]] const engine::Image& resolved_light() const { return samples_ == VK_SAMPLE_COUNT_1_BIT ? light_ : light_one_; }

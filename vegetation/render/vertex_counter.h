@@ -1,4 +1,4 @@
-// How often the stages of the colour pass ran, by the device's own counters: what it drew, and what its vertex cache saved of it.
+// Pipeline statistics of the colour pass: invocations of its stages, and the savings of the vertex cache.
 //
 // Not of the shadow's pass: it has no fragment stage, where Mesa 22.3's llvmpipe ends with a fault while it counts.
 #pragma once
@@ -17,7 +17,7 @@ class VertexCounter {
   public:
     explicit VertexCounter(engine::Objects& objects);
 
-    /// Whether the device counts; without it nothing is recorded and nothing told.
+    /// Whether the device has pipeline statistics; without them nothing is recorded or reported.
     [[nodiscard]] bool counts() const { return pool_ != VK_NULL_HANDLE; }
     /// Begins a frame, outside of a render pass; what was recorded for its slot before is done.
     void begin(VkCommandBuffer commands, int slot);

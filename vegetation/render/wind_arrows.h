@@ -1,5 +1,5 @@
-// The wind itself, drawn into the scene: arrows on a lattice of places, or a level slice of coloured tiles. For those who want to
-// see what the plants feel; both sample the wind as plants do.
+// The wind itself, drawn into the scene: arrows on a lattice of places, or a horizontal slice of coloured tiles. Both
+// sample the wind as plants do.
 #pragma once
 
 #include "vegetation/render/drawable.h"

@@ -1,4 +1,4 @@
-// What shaders are told of a stand of trees: the layouts of vegetation/shaders/trees/tree_parts.glsl.
+// Shader blocks of a stand of trees, laid out as in vegetation/shaders/trees/tree_parts.glsl.
 #pragma once
 
 #include "coupling/motion_blocks.h"

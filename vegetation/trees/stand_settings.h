@@ -16,7 +16,7 @@
 
 namespace windrow::vegetation::trees {
 
-/// Where a tree stands.
+/// Place of a tree.
 struct TreePlace {
     glm::dvec3 base{0.0};
     float size = 1.0f;
@@ -31,7 +31,7 @@ struct TreePlace {
     }
 };
 
-/// Where none may stand.
+/// Area without trees.
 struct ClearCircle {
     glm::dvec2 centre{0.0};
     double radius = 5.0;
@@ -44,7 +44,7 @@ struct ClearCircle {
     }
 };
 
-/// Places by chance: groves rather than an even spread.
+/// Random places: groves rather than an even spread.
 struct TreeScatter {
     int count = 0;
     glm::dvec2 low{-100.0};
@@ -58,15 +58,15 @@ struct TreeScatter {
 
     static constexpr auto settings() {
         return std::tuple{
-            Setting("count", &TreeScatter::count, {0.0, 1e5}, "How many, at most: fewer where the region has no room."),
+            Setting("count", &TreeScatter::count, {0.0, 1e5}, "Maximal number; fewer where the region has no room."),
             Setting("low", &TreeScatter::low, {-1e9, 1e9, "m"}, "Corner of the region, x and z."),
             Setting("high", &TreeScatter::high, {-1e9, 1e9, "m"}, "The other corner, beyond low."),
             Setting("apart", &TreeScatter::apart, {0.0, 1000.0, "m"}, "Least distance between two trunks."),
-            Setting("groves", &TreeScatter::groves, k_fraction_range, "0: evenly; 1: in groves alone."),
+            Setting("groves", &TreeScatter::groves, k_fraction_range, "0: evenly; 1: only in groves."),
             Setting("grove_length", &TreeScatter::grove_length, {1.0, 1e5, "m"}, "Size of a grove."),
             Setting("size_spread", &TreeScatter::size_spread, {0.0, 0.9}, "Sizes are 1 - spread to 1 + spread."),
             Setting("seed", &TreeScatter::seed, k_seed_range, "Another number, other places."),
-            Setting("clear", &TreeScatter::clear, "Circles where none stand."),
+            Setting("clear", &TreeScatter::clear, "Circles without trees."),
         };
     }
 };
@@ -81,11 +81,11 @@ struct TreeStandSettings {
 
     static constexpr auto settings() {
         return std::tuple{
-            Setting("kind", &TreeStandSettings::kind, "How it grows and looks.", k_not_stored),
+            Setting("kind", &TreeStandSettings::kind, "Growth and look of the trees.", k_not_stored),
             Setting("variants", &TreeStandSettings::variants, {1.0, 8.0},
                     "Different trees of the kind; places take them in turn."),
             Setting("places", &TreeStandSettings::places, "Trees at places of their own."),
-            Setting("scatter", &TreeStandSettings::scatter, "And more by chance."),
+            Setting("scatter", &TreeStandSettings::scatter, "More trees at random places."),
             Setting("springs", &TreeStandSettings::springs,
                     "Whether trunks, limbs and twigs swing; else they take the bend that the wind holds."),
         };

@@ -39,7 +39,7 @@ struct IndexRange {
     std::uint32_t first = 0, count = 0;
 };
 
-/// What of a tree is drawn at a distance.
+/// Drawn parts of a tree at a distance.
 struct Drawn {
     IndexRange wood{}, more_wood{}, leaves{}; ///< more_wood: stems beside the coarse trunk, where any are left
     std::uint32_t vertices = 0;               ///< that these name
@@ -59,7 +59,7 @@ struct TreeModel {
     float radius = 1.0f;                        ///< [m] of that ball
     float wind_reach = 1.0f;                    ///< [m] how far beyond the ball the wind may bend it: its height
 
-    /// What is drawn at a distance [m] over the tree's size.
+    /// Drawn parts at a distance [m] over the tree's size.
     [[nodiscard]] Drawn drawn(const LevelBlock& levels, float distance) const;
     /// As windrow::Tree has them.
     [[nodiscard]] windrow::TreePart part(std::uint32_t index) const;

@@ -15,7 +15,7 @@ struct TreeKind {
 };
 
 /// "oak": broad, crooked, dark. "birch": slender, light, hanging twigs, a white stem. "spruce": a cone of whorls. "bush": hazel
-/// from the ground up. Rejects other names, and tells which there are.
+/// from the ground up. Rejects other names with a list of these.
 [[nodiscard]] windrow::Result<TreeKind> preset(std::string_view name);
 [[nodiscard]] std::span<const std::string_view> preset_names();
 

@@ -1,4 +1,4 @@
-// All that describes a kind of tree: how it grows, how it looks, how it thins out with distance. Plain structs, so that a scene
+// Settings of a kind of tree: growth, look, and thinning with distance. Plain structs, so that a scene
 // file can hold them; tree_presets.h has kinds by name.
 //
 // Lengths are of a tree of size 1; a place scales all of them. Angles are at the middle of their range: each limb strays by
@@ -12,7 +12,7 @@
 
 namespace windrow::vegetation::trees {
 
-/// How long limbs are by their height in the crown (Weber & Penn 1995 name these forms).
+/// Length of limbs by their height in the crown (Weber & Penn 1995 name these forms).
 enum class CrownForm {
     cone,   ///< longest at the crown's base, a fifth at its top
     round,  ///< longest in the middle
@@ -21,7 +21,7 @@ enum class CrownForm {
     flame   ///< longest below the middle, pointed above
 };
 
-/// What a leaf card shows.
+/// Picture of a leaf card.
 enum class LeafForm {
     broad,  ///< leaves in pairs along a twig
     needles ///< a comb of needles along a twig
@@ -61,9 +61,9 @@ struct TreeSettings {
             Setting("trunk_radius", &TreeSettings::trunk_radius, {0.005, 3.0, "m"},
                     "Above the root's flare, at most a fifth of the height."),
             Setting("trunk_wander", &TreeSettings::trunk_wander, {0.0, 0.2},
-                    "How far the trunk strays from a line, over its height."),
+                    "Deviation of the trunk from a line, over its height."),
             Setting("crown_base", &TreeSettings::crown_base, {0.0, 0.9}, "Fraction of the height where limbs begin."),
-            Setting("form", &TreeSettings::form, "How long limbs are by their height in the crown."),
+            Setting("form", &TreeSettings::form, "Length of limbs by their height in the crown."),
             Setting("limbs", &TreeSettings::limbs, {1.0, 120.0}, "Along the trunk."),
             Setting("whorl", &TreeSettings::whorl, {0.0, 12.0, "", "each at its own, turned by 137.5 degrees"},
                     "Limbs that leave the trunk at one height."),
@@ -73,20 +73,21 @@ struct TreeSettings {
             Setting("limb_low_deg", &TreeSettings::limb_low_deg, {0.0, 150.0, "deg"},
                     "Angle from straight up at the crown's base."),
             Setting("limb_high_deg", &TreeSettings::limb_high_deg, {0.0, 150.0, "deg"}, "The same at its top."),
-            Setting("limb_rise", &TreeSettings::limb_rise, {-1.0, 1.0}, "How limbs turn along their way, -1 (down) to 1 (up)."),
-            Setting("wander", &TreeSettings::wander, k_fraction_range, "How crooked limbs and branches are."),
+            Setting("limb_rise", &TreeSettings::limb_rise, {-1.0, 1.0}, "Turn of limbs along their length, -1 (down) to 1 (up)."),
+            Setting("wander", &TreeSettings::wander, k_fraction_range, "Crookedness of limbs and branches."),
             Setting("branches", &TreeSettings::branches, {0.0, 40.0},
                     "On the longest limb; on others in proportion to the form's length."),
             Setting("branch_deg", &TreeSettings::branch_deg, {0.0, 150.0, "deg"}, "Angle from the limb."),
             Setting("branch_fraction", &TreeSettings::branch_fraction, {0.02, 1.0}, "Longest branch over its limb."),
             Setting("branch_rise", &TreeSettings::branch_rise, {-1.0, 1.0}, "As limb_rise."),
-            Setting("clusters", &TreeSettings::clusters, {1.0, 20.0}, "Of leaves, a branch; each feels its own wind."),
+            Setting("clusters", &TreeSettings::clusters, {1.0, 20.0},
+                    "Clusters of leaves per branch; the wind acts on each separately."),
             Setting("cluster_length", &TreeSettings::cluster_length, {0.02, 3.0, "m"}, "Of the twig that holds a cluster."),
             Setting("leaves", &TreeSettings::leaves, {1.0, 16.0}, "Cards a cluster."),
             Setting("leaf_length", &TreeSettings::leaf_length, {0.01, 3.0, "m"}, "Of a card."),
             Setting("leaf_width", &TreeSettings::leaf_width, {0.005, 3.0, "m"}, "Of a card."),
-            Setting("leaf_droop", &TreeSettings::leaf_droop, k_fraction_range, "How much twigs and cards hang."),
-            Setting("leaf_form", &TreeSettings::leaf_form, "What a leaf card shows."),
+            Setting("leaf_droop", &TreeSettings::leaf_droop, k_fraction_range, "Droop of twigs and cards."),
+            Setting("leaf_form", &TreeSettings::leaf_form, "Picture of a leaf card."),
             Setting("wood", &TreeSettings::wood, {1e8, 5e10, "Pa"},
                     "Young's modulus, within what living trunks and branches have."),
             Setting("seed", &TreeSettings::seed, k_seed_range, "Another number, another tree of the kind."),
@@ -114,16 +115,17 @@ struct TreeLook {
             Setting("bark_lines", &TreeLook::bark_lines, k_fraction_range,
                     "0 furrows along the trunk, 1 marks across it, as a birch has."),
             Setting("leaf", &TreeLook::leaf, k_fraction_range, "The leaves."),
-            Setting("young", &TreeLook::young, k_fraction_range, "Those at the crown's rim."),
+            Setting("young", &TreeLook::young, k_fraction_range, "The leaves at the crown's outer edge."),
             Setting("through", &TreeLook::through, k_fraction_range, "Light that shines through."),
             Setting("variation", &TreeLook::variation, {0.0, 0.9}, "Fraction by which leaves and trees are lighter or darker."),
             Setting("gloss", &TreeLook::gloss, {1.0, 1000.0}, "Exponent of the shine."),
-            Setting("against_light", &TreeLook::against_light, {0.0, 20.0}, "How much more shines through against the light."),
+            Setting("against_light", &TreeLook::against_light, {0.0, 20.0},
+                    "Additional light that shines through against the sun."),
         };
     }
 };
 
-/// What a tree costs afar. Distances are for a tree of size 1.
+/// Levels of detail. Distances are for a tree of size 1.
 struct TreeLevels {
     float near = 38.0f;
     float far = 240.0f;
@@ -158,7 +160,7 @@ void check_rules(windrow::detail::Reasons& reasons, const windrow::detail::Field
 inline constexpr int k_max_vertices = 30000;
 /// Of a tree beyond TreeLevels::far by the default levels, at most.
 inline constexpr int k_max_far_vertices = 200;
-/// What such a tree has.
+/// Figures of such a tree.
 [[nodiscard]] double vertex_bound(const TreeSettings& settings);
 
 } // namespace windrow::vegetation::trees

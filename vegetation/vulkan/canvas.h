@@ -14,7 +14,7 @@ class Canvas {
     /// `format` of four bytes a pixel; `samples` 1 or 4, which every device has. Depth has 16 bits.
     Canvas(Objects& objects, VkExtent2D extent, VkFormat format, VkSampleCountFlagBits samples);
 
-    /// What a pipeline must fit.
+    /// Targets that a pipeline must match.
     [[nodiscard]] PassTarget target() const { return {.render_pass = pass_->handle(), .samples = samples_}; }
     /// Begins the render pass over black.
     void begin(VkCommandBuffer commands) const { pass_->begin(commands); }

@@ -23,7 +23,7 @@ namespace windrow::vegetation::engine {
 
 inline constexpr int k_frames_in_flight = 2;
 
-/// What a buffer is for.
+/// Usage of a buffer.
 enum class Use {
     fixed,    ///< filled once: vertices, indices, heights, texels, tables
     work,     ///< written and read by the device alone
@@ -45,7 +45,7 @@ struct DeviceSettings {
 
 struct Buffer {
     VkBuffer buffer = VK_NULL_HANDLE;
-    /// Where the host writes a frame's buffer until the frame is submitted, or reads a read-back; else null.
+    /// Address at which the host writes a frame's buffer until the frame is submitted, or reads a read-back; else null.
     void* mapped = nullptr;
     VkDeviceMemory memory = VK_NULL_HANDLE;
     VkDeviceSize offset = 0, bytes = 0; ///< [bytes]
@@ -78,7 +78,7 @@ class Device {
     /// calls it; a host with command buffers of its own calls it once in each frame, before all of this library's.
     void begin_frame(VkCommandBuffer commands, int slot);
 
-    /// What the device has written to `count` values of a buffer with VK_BUFFER_USAGE_TRANSFER_SRC_BIT, from the first on.
+    /// Reads back `count` values of a buffer with VK_BUFFER_USAGE_TRANSFER_SRC_BIT, from the first on.
     /// Submits a copy and waits for it: for tools and tests.
     template <class Value>
     [[nodiscard]] Result<std::vector<Value>> read(VkBuffer from, std::size_t first, std::size_t count) {

@@ -14,7 +14,7 @@
 
 namespace windrow::vegetation::engine {
 
-/// What the makers throw: one sentence.
+/// Exception of the makers: one sentence.
 class Failure final : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
@@ -38,7 +38,7 @@ inline void must(const Result<void>& result) {
         throw Failure(result.error());
 }
 
-/// What `make` returns, or the sentence of the failure that it throws.
+/// Result of `make`, or the sentence of the failure that it throws.
 template <class Make>
 [[nodiscard]] Result<std::invoke_result_t<Make>> guarded(const Make& make) {
     try {

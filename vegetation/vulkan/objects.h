@@ -20,7 +20,7 @@ struct ImageRecipe {
     VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT;
 };
 
-/// How a sampler reads: single texels, or the share of four texels that are not nearer than a depth.
+/// Kind of a sampler: single texels, or the fraction of four texels that are not nearer than a depth.
 enum class Sampler { texels, depth };
 
 /// One buffer a frame in flight.

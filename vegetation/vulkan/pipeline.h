@@ -7,7 +7,7 @@
 
 namespace windrow::vegetation::engine {
 
-/// What a pipeline must fit: a render pass and what is drawn to in it.
+/// Targets of a pipeline: a render pass and its attachments.
 struct PassTarget {
     VkRenderPass render_pass = VK_NULL_HANDLE;
     VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
@@ -31,7 +31,7 @@ inline constexpr std::uint32_t k_push_bytes = 16;
 [[nodiscard]] VkPipelineLayout make_pipeline_layout(Objects& objects, std::span<const VkDescriptorSetLayout> sets,
                                                     std::uint32_t push_bytes = k_push_bytes);
 
-/// Triangles of both sides, viewport and scissor dynamic, depth LESS_OR_EQUAL, no blending.
+/// Triangles without face culling, viewport and scissor dynamic, depth LESS_OR_EQUAL, no blending.
 [[nodiscard]] VkPipeline make_pipeline(Objects& objects, const PipelineRecipe& recipe);
 [[nodiscard]] VkPipeline make_compute_pipeline(Objects& objects, VkPipelineLayout layout, std::span<const std::uint32_t> words);
 

@@ -1,4 +1,4 @@
-// The descriptor set that shaders/coupling/windrow_wind.glsl wants: what an engine adds to its own sets to have the wind.
+// Descriptor set of shaders/coupling/windrow_wind.glsl, which an engine adds to its own sets.
 #pragma once
 
 #include "fluid/vulkan/wind.h"
@@ -13,7 +13,8 @@ class WindSet {
     explicit WindSet(Objects& objects);
 
     [[nodiscard]] VkDescriptorSetLayout layout() const { return layout_; }
-    /// The set of a frame in flight, told where the wind lies now. Positions in shaders are relative to `anchor` [m].
+    /// The set of a frame in flight, filled for the current position of the wind. Positions in shaders are relative to `anchor`
+    /// [m].
     [[nodiscard]] VkDescriptorSet of(int slot, const vulkan::Wind& wind, glm::dvec3 anchor, const Sampling& sampling);
 
   private:

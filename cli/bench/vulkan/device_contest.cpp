@@ -52,7 +52,7 @@ Result<void> DeviceContest::turn(DeviceEntry& entry, bool counts) {
         return ran;
     std::uint64_t moments[2] = {};
     if (!timestamps_.read(moments))
-        return Error{"the device's timestamps were not in after its work was done: update its driver."};
+        return Error{"the device's timestamps were not available after its work: update its driver."};
     if (counts) {
         entry.us.push_back(static_cast<float>(timestamps_.microseconds(moments[0], moments[1])));
         entry.contestant.note();

@@ -83,8 +83,8 @@ Json entry(const DeviceGridResult& grid, const std::string& name, const DeviceSt
 } // namespace
 
 void report_device(const DeviceBenchResult& result, const Console& console) {
-    console.out << result.device << (result.software ? " (software device: its times tell nothing of a GPU)" : "") << "; driver "
-                << result.driver << "; Vulkan " << result.api_version << "\n"
+    console.out << result.device << (result.software ? " (software device: its times say nothing about a GPU)" : "")
+                << "; driver " << result.driver << "; Vulkan " << result.api_version << "\n"
                 << "host " << result.cpu << "; " << result.compiler << "; commit " << result.commit << "\n";
     console.out.flush();
 }
@@ -106,7 +106,7 @@ void report_device_grid(const DeviceGridResult& grid, bool software, const Conso
         console.warn(grid.slept ? "the air slept, so that its times are those of another step."
                                 : "steps were cut into sub-steps, so that their times are those of another step.");
     if (grid.rounds < k_device_samples)
-        console.warn(message(grid.rounds, " samples are fewer than the ", k_device_samples, " that a 99 % quantile deserves",
+        console.warn(message(grid.rounds, " samples are fewer than the ", k_device_samples, " that a 99 % quantile needs",
                              software ? ": a software device gives what fits --seconds." : "."));
     console.out.flush();
 }

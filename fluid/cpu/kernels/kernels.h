@@ -1,6 +1,6 @@
 // The hot loops as a table of function pointers, one table per SIMD level.
 //
-// The same text (level.inl and what it includes) is compiled once per level and chosen at run time. Everything
+// The same source (level.inl and its includes) is compiled once per level and selected at run time. Everything
 // here is plain data: a level's file is compiled for instructions that the machine may lack, so it must not emit inline
 // functions of the standard library or GLM that the linker could hand to the rest of the program.
 //
@@ -25,7 +25,7 @@ inline constexpr int k_lanes = 16;
 /// Most cells of a row, as k_max_axis_cells of fluid/box.h, which a level's file must not include.
 inline constexpr int k_max_row = 2048;
 
-/// Where a padded index takes its value from: value = scale * source + offset, or the ambient wind.
+/// Source of a padded value: value = scale * source + offset, or the ambient wind.
 struct HaloRule {
     int source = 0;       ///< cell index along the axis, always inside
     bool ambient = false; ///< beyond an open boundary
@@ -53,7 +53,7 @@ struct PadTask {
     float* padded_trace; ///< null: the trace reads padded_carried
 };
 
-/// Where a read may lie, in cells from the first centre; w unused. Periods are 0 where the axis is not periodic.
+/// Range of reads, in cells from the first centre; w unused. Periods are 0 where the axis is not periodic.
 struct Legal {
     float low[4], high[4];
     float period[4], inverse_period[4];
@@ -119,7 +119,7 @@ struct DiffuseTask {
     float* result;
 };
 
-/// What one plane holds, or a part of it.
+/// Figures of one plane, or of a part of it.
 struct PlaneSurvey {
     float largest_component;      ///< of the finite cells
     std::int64_t nonfinite_cells; ///< cells with NaN or infinity

@@ -46,8 +46,9 @@ TEST(FurLines, WhatIsWrongIsRejectedWithFileAndLine) {
         EXPECT_EQ(coats.error().find("wrong.mtl:3: fur"), 0u) << coats.error();
         EXPECT_NE(coats.error().find(field), std::string::npos) << coats.error();
     }
-    EXPECT_NE(read_fur_lines("fur 48 0.419 2.753 11", "a.mtl").error().find("a.mtl:1: fur stands before"), std::string::npos);
-    EXPECT_NE(read_fur_lines("newmtl a\nfur 9 1 1 1\nfur 9 1 1 1", "a.mtl").error().find("a.mtl:3: fur is the second"),
+    EXPECT_NE(read_fur_lines("fur 48 0.419 2.753 11", "a.mtl").error().find("a.mtl:1: fur line before any newmtl"),
+              std::string::npos);
+    EXPECT_NE(read_fur_lines("newmtl a\nfur 9 1 1 1\nfur 9 1 1 1", "a.mtl").error().find("a.mtl:3: duplicate fur line"),
               std::string::npos);
 }
 

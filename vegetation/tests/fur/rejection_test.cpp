@@ -23,7 +23,7 @@ void expect_rejected(const std::filesystem::path& path, const std::string& why, 
 
 TEST(MeshRejections, WhatIsNoMesh) {
     const Folder folder;
-    expect_rejected(folder.at("none.obj"), "there is no such file");
+    expect_rejected(folder.at("none.obj"), "no such file");
     expect_rejected(folder.at(""), "give a mesh as .obj");
     std::filesystem::create_directory(folder.at("folder.obj"));
     expect_rejected(folder.at("folder.obj"), "is a folder");
@@ -34,8 +34,8 @@ TEST(MeshRejections, WhatIsNoMesh) {
     expect_rejected(folder.write("empty.3ds", ""), "is not a 3DS file");
     expect_rejected(folder.write("none.3ds", test::chunk(0x4d4d, test::chunk(0x3d3d, ""))), "has no triangles");
     expect_rejected(folder.write("empty.gltf", ""), "empty.gltf");
-    expect_rejected(folder.write("list.gltf", "[]"), "is no object");
-    expect_rejected(folder.write("empty.glb", "glTF"), "whole GLB");
+    expect_rejected(folder.write("list.gltf", "[]"), "is not an object");
+    expect_rejected(folder.write("empty.glb", "glTF"), "complete GLB");
     expect_rejected(folder.write("bare.gltf", R"({"asset":{"version":"2.0"}})"), "has no triangles");
     // A long file is rejected by its length; a sparse one takes no disk.
     std::filesystem::resize_file(folder.write("long.obj", ""), k_max_bytes + 1);
@@ -88,7 +88,7 @@ TEST(MeshRejections, FilesOutsideOfTheFolder) {
     for (const std::string& name : {outside, std::string("../outside.mtl"), std::string("inner/../../outside.mtl"),
                                     std::string("..\\outside.mtl"), std::string("C:outside.mtl"), std::string(".")})
         expect_rejected(obj(name), "in its own folder");
-    expect_rejected(obj("missing.mtl"), "there is no such file");
+    expect_rejected(obj("missing.mtl"), "no such file");
     for (const std::string& name : {std::string("link.mtl"), std::string("up/outside.mtl")})
         expect_rejected(obj(name), "a link out of its folder");
     folder.write("coat.mtl", "newmtl coat\nfur 1 2 3 4\n");
@@ -98,7 +98,7 @@ TEST(MeshRejections, FilesOutsideOfTheFolder) {
     for (const char* uri : {"../outside.bin", "%2e%2e/outside.bin", "%2E%2E%2Foutside.bin", "/etc/passwd", "file:///etc/passwd",
                             "http://example.org/cube.bin"})
         expect_rejected(folder.write("mesh.gltf", test::cube_gltf(std::string(R"(,"uri":")") + uri + "\"")), "in its own folder");
-    expect_rejected(folder.write("mesh.gltf", test::cube_gltf(R"(,"uri":"missing.bin")")), "there is no such file");
+    expect_rejected(folder.write("mesh.gltf", test::cube_gltf(R"(,"uri":"missing.bin")")), "no such file");
     expect_rejected(folder.write("mesh.gltf", test::cube_gltf(R"(,"uri":"data:application/octet-stream;base64,!!!!")")),
                     "not base64");
     expect_rejected(folder.write("mesh.gltf", test::cube_gltf(R"(,"uri":"data:text/plain,cube")")), "base64");
@@ -127,18 +127,18 @@ TEST(MeshRejections, OfGltf) {
         {R"("type":"VEC3")", R"("type":"VEC2")", "VEC3 of floats"},
         {R"("componentType":5123)", R"("componentType":5126)", "SCALAR of unsigned"},
         {R"("componentType":5126)", R"("componentType":5123)", "VEC3 of floats"},
-        {R"("bufferView":0)", R"("bufferView":9)", "is asked for"},
-        {R"("buffer":0)", R"("buffer":1)", "is asked for"},
-        {R"("indices":1)", R"("indices":2)", "is asked for"},
-        {R"("material":0)", R"("material":1)", "is asked for"},
+        {R"("bufferView":0)", R"("bufferView":9)", "is missing or not an object"},
+        {R"("buffer":0)", R"("buffer":1)", "is missing or not an object"},
+        {R"("indices":1)", R"("indices":2)", "is missing or not an object"},
+        {R"("material":0)", R"("material":1)", "is missing or not an object"},
         {R"("material":0)", R"("material":0,"mode":5)", "mode 5"},
-        {R"("mesh":0)", R"("mesh":1)", "is asked for"},
-        {R"("children":[1])", R"("children":[2])", "names no node"},
+        {R"("mesh":0)", R"("mesh":1)", "is missing or not an object"},
+        {R"("children":[1])", R"("children":[2])", "names a node that does not exist"},
         {R"("children":[1])", R"("children":[1,1])", "has a parent"},
         {R"("children":[1])", R"("children":[0])", "circle"},
         {R"("scale":[1,2,1])", R"("scale":[1,2])", "finite numbers"},
         {R"("scale":[1,2,1])", R"("scale":[0,0,0])", "no triangle with an area"},
-        {R"("attributes":{"POSITION":0})", R"("attributes":{})", "is asked for"},
+        {R"("attributes":{"POSITION":0})", R"("attributes":{})", "is missing or not an object"},
         {R"("scene":0)", R"("extensionsRequired":["KHR_draco_mesh_compression"],"scene":0)", "without compression"}};
     const std::string whole = test::cube_gltf(R"(,"uri":"cube.bin")");
     ASSERT_TRUE(read_mesh(folder.write("whole.gltf", whole)));
@@ -165,11 +165,11 @@ TEST(MeshRejections, OfThreeDs) {
         return folder.write("wrong.3ds", bytes);
     };
     const std::string_view vertices("\x10\x41", 2), faces("\x20\x41", 2), uv("\x40\x41", 2);
-    expect_rejected(with(vertices, 6, 9), "give a whole list");
-    expect_rejected(with(vertices, 6, 7), "give a whole list");
+    expect_rejected(with(vertices, 6, 9), "give one complete list");
+    expect_rejected(with(vertices, 6, 7), "give one complete list");
     expect_rejected(with(faces, 8, 8), "with the vertex 8");
-    expect_rejected(with(faces, 6, 60000), "give a whole list");
-    expect_rejected(with(uv, 6, 7), "give a whole list");
+    expect_rejected(with(faces, 6, 60000), "give one complete list");
+    expect_rejected(with(uv, 6, 7), "give one complete list");
     expect_rejected(with(faces, 4, 60000), "does not fit");
     expect_rejected(with(vertices, 10, 0x7f80), "not finite");
 }

@@ -106,13 +106,13 @@ TEST(BodyReader, Rejections) {
     expect(
         R"({"mesh": {"file": {"name": "../a.obj"}}})",
         "a.json: $.picture.bodies[0].mesh.file.name is \"../a.obj\": name a file in the scene's folder, relative to it, so that "
-        "the folder can be handed on as a whole.");
+        "the folder can be copied as a whole.");
     expect(R"({"mesh": {"file": {}}})",
            "a.json: $.picture.bodies[0].mesh.file.name is missing: name a mesh in the scene's folder, "
            "OBJ, glTF, GLB or 3DS.");
     expect(R"({"mesh": {"wing": {"span": 0}}})", "a.json: $.picture.bodies[0].mesh.wing.span is 0 m: give 0.01 to 100 m.");
     expect(R"({"motion": {"path": "wey"}})",
-           "a.json: $.picture.bodies[0].motion.path is \"wey\", which names none of $.paths (did you mean `way`?): "
+           "a.json: $.picture.bodies[0].motion.path is \"wey\", which is not in $.paths (did you mean `way`?): "
            "add it there or name another.");
     expect(R"({"coats": [{"layers": {"shells": 1}}]})",
            "a.json: $.picture.bodies[0].coats[0].layers.shells is 1: give 2 to 4096.");
@@ -127,11 +127,11 @@ TEST(BodyReader, Rejections) {
            "a.json: $.picture.bodies[0].coats[0].strands.low is 0.9: give at most $.picture.bodies[0].coats[0].strands.high, "
            "which is 0.5.");
     expect(R"({"coats": [{"maps": {"noise_a": "a.pgm"}}]})",
-           "a.json: $.picture.bodies[0].coats[0].maps.noise_b is empty beside the other: give both, or none.");
+           "a.json: $.picture.bodies[0].coats[0].maps.noise_b is empty and the other is not: give both, or none.");
     expect(
         R"({"coats": [{"maps": {"length": "/etc/passwd"}}]})",
         "a.json: $.picture.bodies[0].coats[0].maps.length is \"/etc/passwd\": name a file in the scene's folder, relative to it, "
-        "so that the folder can be handed on as a whole.");
+        "so that the folder can be copied as a whole.");
     expect(R"({"coats": [{"inertia": {"lag": 0}}]})",
            "a.json: $.picture.bodies[0].coats[0].inertia.lag is 0 s: give a number above 0, at most 60 s.");
     expect(

@@ -18,7 +18,7 @@ void expect_rejection(const std::string& picture, const std::string& sentence) {
 
 TEST(PictureFault, TextThatIsNoPicture) {
     expect_rejection("3", "a.json: $.picture is 3: give an object, {...}.");
-    EXPECT_TRUE(rejection(R"({"camera": {"view_deg": NaN}})").ends_with("NaN is no number in JSON: give a finite one."));
+    EXPECT_TRUE(rejection(R"({"camera": {"view_deg": NaN}})").ends_with("NaN is not a JSON number: give a finite number."));
     EXPECT_TRUE(rejection(R"({"fog": {"base": 1e999}})").ends_with("give one that fits a double (up to 1.8e308)."));
     expect_rejection(R"({"camera": []})", "a.json: $.picture.camera is []: give an object, {...}.");
     expect_rejection(R"({"grass": {}})", "a.json: $.picture.grass is {}: give a list, [...].");
@@ -66,8 +66,8 @@ TEST(PictureFault, ValuesThatDoNotFitTogether) {
                      "a.json: $.picture.camera.far is 5 m: give 1.01 to 1e6 times near, 10.1 to 1e7 m.");
     expect_rejection(
         R"({"camera": {"position": [0, 5, 0], "target": [0, 0, 0]}})",
-        "a.json: $.picture.camera.target lies straight above, below or at $.picture.camera.position: move it aside, so "
-        "that up has a meaning.");
+        "a.json: $.picture.camera.target is straight above, below or at $.picture.camera.position: move it aside, so "
+        "that the picture has an up direction.");
     expect_rejection(R"({"grass": [{"split_distance": 100}]})",
                      "a.json: $.picture.grass[0].split_distance is 100 m: give less than "
                      "$.picture.grass[0].cut_distance, which is 90 m.");
@@ -82,7 +82,7 @@ TEST(PictureFault, ValuesThatDoNotFitTogether) {
         "a.json: $.picture.frames_per_second is 10000 1/s, which makes 100001 pictures: give at most 100000 of them, "
         "by a smaller one or a shorter $.duration.");
     expect_rejection(R"({"walkers": [{"path": "walk"}]})",
-                     "a.json: $.picture.walkers is given, but no ground remembers them: add "
+                     "a.json: $.picture.walkers is given, but \"ground_memory\" is not: add "
                      "\"ground_memory\": {}, or remove it.");
     expect_rejection(R"({"ground_memory": {}, "walkers": [{"path": "walk", "airborne": [{"from": 2, "until": 2}]}]})",
                      "a.json: $.picture.walkers[0].airborne[0].until is 2 s, not after \"from\", 2 s: give a later time.");
@@ -95,7 +95,7 @@ TEST(PictureFault, ValuesThatDoNotFitTogether) {
 }
 
 TEST(PictureFault, PathsThatThereAreNot) {
-    expect_rejection(R"({"camera": {"path": "wolk"}})", "a.json: $.picture.camera.path is \"wolk\", which names none of $.paths "
+    expect_rejection(R"({"camera": {"path": "wolk"}})", "a.json: $.picture.camera.path is \"wolk\", which is not in $.paths "
                                                         "(did you mean `walk`?): add it there or name another.");
     expect_rejection(R"({"ground_memory": {}, "walkers": [{}]})", "a.json: $.picture.walkers[0] has no \"path\": add it.");
     expect_rejection(R"({"camera": {"path": "walk", "position": [0, 0, 0]}})",
@@ -103,8 +103,9 @@ TEST(PictureFault, PathsThatThereAreNot) {
     // The eye walks over what it looks at.
     expect_rejection(
         R"({"camera": {"path": "walk", "target": [2, 0, 0]}, "frames_per_second": 1})",
-        "a.json: $.picture.camera.target lies straight above, below or at $.picture.camera.position: move it aside, so "
-        "that up has a meaning.\na.json: $.picture.camera is so at 1 s, where its paths have led it: move one of them aside.");
+        "a.json: $.picture.camera.target is straight above, below or at $.picture.camera.position: move it aside, so "
+        "that the picture has an up direction.\na.json: $.picture.camera has this fault at 1 s on its paths: change one of "
+        "them.");
 }
 
 TEST(PictureFault, PatchesPathsAndHillsOutOfRange) {
@@ -146,8 +147,7 @@ TEST(PictureFault, FilesThatAreMissingCutOrNone) {
     const auto ground = [&](const std::string& keys) { return rejection(R"({"ground": {)" + keys + "}}", folder / "a.json"); };
     const std::string start = (folder / "a.json").string() + ": $.picture.ground.", at = (folder / "").string();
     EXPECT_EQ(ground(R"("heights": "hils.pgm")"),
-              start + "heights is \"hils.pgm\": " + at +
-                  "hils.pgm: there is no such file: check the name and the folder that you run from.");
+              start + "heights is \"hils.pgm\": " + at + "hils.pgm: no such file: check the name and the current folder.");
     EXPECT_EQ(ground(R"("heights": "cut.pgm", "extent": [80, 40])"),
               start + "heights is \"cut.pgm\": " + at + "cut.pgm ends early: it has 17 bytes of 103; save it again.");
     EXPECT_EQ(ground(R"("heights": "huge.pgm")"),
@@ -155,17 +155,17 @@ TEST(PictureFault, FilesThatAreMissingCutOrNone) {
                   "huge.pgm ends early: it has 31 bytes of 9223372028264841249; save it again.");
     EXPECT_EQ(ground(R"("heights": "text.pgm")"),
               start + "heights is \"text.pgm\": " + at +
-                  "text.pgm is no binary PGM of up to 65535 levels: save the image as PGM (P5).");
+                  "text.pgm is not a binary PGM of up to 65535 levels: save the image as PGM (P5).");
     EXPECT_EQ(ground(R"("heights": "wide.pgm")"),
               start + "heights is \"wide.pgm\", which has 5000 x 2 pixels: give at most 4097 a side.");
-    EXPECT_EQ(ground(R"("heights": "tall.pgm")"),
-              start +
-                  "extent is [100, 100] m, which makes the 3 x 2 pixels of \"heights\" oblong: give [100, 50] m, whose pixels "
-                  "are square.");
+    EXPECT_EQ(
+        ground(R"("heights": "tall.pgm")"),
+        start + "extent is [100, 100] m, which makes the 3 x 2 pixels of \"heights\" not square: give [100, 50] m, whose pixels "
+                "are square.");
     EXPECT_EQ(ground(R"("heights": "../hills.pgm")"),
               start + "heights is \"../hills.pgm\": name a file in the scene's folder, relative to it, so that the folder can be "
-                      "handed on as a whole.");
-    EXPECT_EQ(ground(R"("heights": 3)"), start + "heights is 3: give a text in double quotes.");
+                      "copied as a whole.");
+    EXPECT_EQ(ground(R"("heights": 3)"), start + "heights is 3: give a string in double quotes.");
     EXPECT_EQ(ground(R"("heights": "hills.pgm", "extent": [80, 40], "low": 5, "high": 5)"),
               start + "high is 5 m, not above \"low\", 5 m: give more.");
     EXPECT_EQ(ground(R"("extent": [1, 3.14159])"),
@@ -173,7 +173,7 @@ TEST(PictureFault, FilesThatAreMissingCutOrNone) {
                       "numbers.");
     EXPECT_EQ(rejection(R"({"grass": [{"mask": {"file": "none.pgm"}}]})", folder / "a.json"),
               (folder / "a.json").string() + ": $.picture.grass[0].mask.file is \"none.pgm\": " + at +
-                  "none.pgm: there is no such file: check the name and the folder that you run from.");
+                  "none.pgm: no such file: check the name and the current folder.");
     EXPECT_FALSE(read_picture_scene(folder / "none.json"));
 }
 

@@ -49,8 +49,8 @@ TEST(PictureSchema, IsMadeOfTheReadersKeys) {
     const std::filesystem::path source = WINDROW_SOURCE_DIR;
     windrow::test::expect_file(source / "examples/scenes/scene.schema.json", text + "\n");
     std::string tables =
-        "# Keys of a scene\n\nEvery key of a scene file, made by `./dev schema` from the tables that validation, reader and "
-        "schema share.\nA name in brackets is a kind: `motors[](wake)`.\n";
+        "# Keys of a scene\n\nEvery key of a scene file, made by `./dev schema` from the tables of validation, reader and "
+        "schema.\nA name in brackets is a kind: `motors[](wake)`.\n";
     root.write_tables(tables);
     windrow::test::expect_file(source / "docs/scene_keys.md", tables);
 }
