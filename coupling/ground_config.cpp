@@ -30,10 +30,10 @@ Result<void> validate(const GroundWalker& walker) {
         reasons.add("GroundWalker::position is ", walker.position, ": give finite x and z.");
     if (!level_finite(walker.previous))
         reasons.add("GroundWalker::previous is ", walker.previous, ": give finite x and z.");
-    if (!std::isfinite(walker.feet))
-        reasons.add("GroundWalker::feet is ", walker.feet, " m: give a finite height.");
-    if (!std::isfinite(walker.previous_feet))
-        reasons.add("GroundWalker::previous_feet is ", walker.previous_feet, " m: give a finite height.");
+    if (!std::isfinite(walker.foot_height))
+        reasons.add("GroundWalker::foot_height is ", walker.foot_height, " m: give a finite height.");
+    if (!std::isfinite(walker.previous_foot_height))
+        reasons.add("GroundWalker::previous_foot_height is ", walker.previous_foot_height, " m: give a finite height.");
     if (!(walker.radius > 0.0f) || !(walker.radius <= 100.0f))
         reasons.add("GroundWalker::radius is ", walker.radius, " m: give more than 0, at most 100.");
     if (!k_fraction_range.holds(walker.weight))

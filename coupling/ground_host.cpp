@@ -64,8 +64,8 @@ std::optional<numerics::WindrowWalker> GroundHost::local(const GroundWalker& wal
         if (std::max(from[axis], to[axis]) + radius < 0.0 || std::min(from[axis], to[axis]) - radius > config_.texels)
             return std::nullopt;
     numerics::WindrowWalker found;
-    found.from = glm::vec4(rounded(from.x), rounded(from.y), jumped ? walker.feet : walker.previous_feet, radius);
-    found.to = glm::vec4(rounded(to.x), rounded(to.y), walker.feet, walker.weight);
+    found.from = glm::vec4(rounded(from.x), rounded(from.y), jumped ? walker.foot_height : walker.previous_foot_height, radius);
+    found.to = glm::vec4(rounded(to.x), rounded(to.y), walker.foot_height, walker.weight);
     return found;
 }
 

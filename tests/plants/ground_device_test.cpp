@@ -120,9 +120,9 @@ class GroundDevice : public Gpu {
         for (int frame = 0; frame < 120; ++frame) {
             for (GroundWalker& walker : walkers) {
                 walker.previous = walker.position;
-                walker.previous_feet = walker.feet;
+                walker.previous_foot_height = walker.foot_height;
                 walker.position = walker.position + 0.3 * glm::dvec3(unit(random), 0.0, unit(random));
-                walker.feet = static_cast<float>(std::max(0.0, unit(random)));
+                walker.foot_height = static_cast<float>(std::max(0.0, unit(random)));
                 if (unit(random) > 0.95)
                     walker.position = walker.previous = origin + 10.0 * glm::dvec3(unit(random), 0.0, unit(random));
             }

@@ -30,7 +30,7 @@ void advance(GroundMemory& ground, double duration, std::span<const GroundWalker
 }
 
 GroundWalker standing(glm::dvec3 place, float radius, float feet = 0.0f) {
-    return {.position = place, .previous = place, .feet = feet, .previous_feet = feet, .radius = radius};
+    return {.position = place, .previous = place, .foot_height = feet, .previous_foot_height = feet, .radius = radius};
 }
 
 // --- A walker pushes outward
@@ -98,7 +98,7 @@ TEST(Ground, AirborneWalkersTouchNothing) {
     }
     // A leap: down, up and down again within one step's sweep; only what lies below the feet's clearance is touched.
     GroundMemory leaped = ground_of({.texel_size = 0.125f});
-    const GroundWalker leap{.position = {4.0, 0.0, 0.0}, .previous = {-4.0, 0.0, 0.0}, .feet = 2.0f * clearance, .radius = 0.5f};
+    const GroundWalker leap{.position = {4.0, 0.0, 0.0}, .previous = {-4.0, 0.0, 0.0}, .foot_height = 2.0f * clearance, .radius = 0.5f};
     advance(leaped, 0.1, std::span(&leap, 1));
     EXPECT_GT(leaped.at({-3.5, 0.0, 0.0}).trample, 0.7f);
     EXPECT_NEAR(leaped.at({-2.0, 0.0, 0.0}).trample, 0.5f * std::exp(-0.075f / 0.8f), 0.05f); // half the height: half the weight
@@ -340,7 +340,7 @@ TEST(Ground, RejectsWhatIsNoGround) {
     };
     EXPECT_TRUE(rejects({.position = {std::nan(""), 0.0, 0.0}}, "position"));
     EXPECT_TRUE(rejects({.previous = {0.0, 0.0, std::nan("")}}, "previous"));
-    EXPECT_TRUE(rejects({.feet = nan}, "feet"));
+    EXPECT_TRUE(rejects({.foot_height = nan}, "foot_height"));
     EXPECT_TRUE(rejects({.radius = 0.0f}, "radius"));
     EXPECT_TRUE(rejects({.weight = 2.0f}, "weight"));
     EXPECT_FALSE(ground.advance({.duration = -0.1}));

@@ -175,7 +175,7 @@ std::vector<fur::Foot> feet_of(const PictureScene& scene, double time) {
             break;
         const windrow::GroundWalker now = walker_at(scene, walker, time, time);
         const double floor = scene.picture.ground.height(now.position.x, now.position.z);
-        feet.push_back({.position = {now.position.x, floor + static_cast<double>(now.feet), now.position.z},
+        feet.push_back({.position = {now.position.x, floor + static_cast<double>(now.foot_height), now.position.z},
                         .radius = now.radius,
                         .weight = now.weight});
     }

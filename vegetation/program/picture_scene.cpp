@@ -21,7 +21,7 @@ double GroundSource::height(double x, double z) const {
     return corner.y + above;
 }
 
-float Walker::feet(double time) const {
+float Walker::foot_height(double time) const {
     double highest = 0.0;
     for (const Jump& jump : airborne) {
         const double share = std::clamp((time - jump.from) / (jump.until - jump.from), 0.0, 1.0);
@@ -53,8 +53,8 @@ windrow::GroundWalker walker_at(const PictureScene& scene, const Walker& walker,
     const windrow::scene::MotionPath& path = scene.air.paths[walker.path].path;
     return {.position = path.at(end),
             .previous = path.at(start),
-            .feet = walker.feet(end),
-            .previous_feet = walker.feet(start),
+            .foot_height = walker.foot_height(end),
+            .previous_foot_height = walker.foot_height(start),
             .radius = walker.radius,
             .weight = walker.weight};
 }

@@ -178,7 +178,7 @@ struct Walker {
     }
 
     /// [m] Height of the feet above the ground.
-    [[nodiscard]] float feet(double time) const;
+    [[nodiscard]] float foot_height(double time) const;
 };
 
 /// A fan that is drawn; what it blows is a motor of the scene's.

@@ -181,7 +181,7 @@ void Shoot::place_bodies(double time) {
         const windrow::scene::MotionPath& path = scene_.air.paths[walker.path].path;
         glm::dvec3 place = path.at(time);
         const glm::dvec3 way = path.at(time + 0.125) - path.at(time - 0.125);
-        place.y = scene_.picture.ground.height(place.x, place.z) + static_cast<double>(walker.feet(time));
+        place.y = scene_.picture.ground.height(place.x, place.z) + static_cast<double>(walker.foot_height(time));
         const double speed = glm::length(glm::dvec2(way.x, way.z)) / 0.25;
         const double bob = 0.02 * std::sin(4.0 * glm::pi<double>() * 0.9 * time) * std::min(speed, 1.0); // two steps a second
         place.y += bob;

@@ -82,7 +82,7 @@ TEST(CoatGaps, TheWalkBetweenLayersClosesTheSilhouette) {
         const render::PictureF light = stage.light();
         const double pixels = 0.5 * k_ring / std::tan(0.5 * 22.0 * 3.14159265358979 / 180.0); // of a tangent of 1
         const auto rim = [&](double r) { return pixels * std::tan(std::asin(r / 3.0)); };
-        const double low = blend_zone(radius) + 1.0, high = blend_zone(radius + 0.6 * 0.06);
+        const double low = rim(radius) + 1.0, high = rim(radius + 0.6 * 0.06);
         int open = 0, all = 0;
         for (int row = 0; row < k_ring; ++row)
             for (int column = 0; column < k_ring; ++column) {

@@ -236,7 +236,7 @@ TEST(StrandSurface, CostsOfUv) {
         constexpr int k_count = 20'000;
         for (int n = 0; n < k_count; ++n)
             (void)counted::windrow_strand_uv(same, {random.uniform(-20.0f, 20.0f), random.uniform(-20.0f, 20.0f)}, kind.h);
-        const double most = static_cast<double>(kind.max);
+        const double most = static_cast<double>(kind.most);
         WINDROW_EXPECT_FIGURE(std::string("shells/uv/hashes/") + kind.name, static_cast<double>(counted::hashes) / k_count, most);
     }
 }

@@ -158,10 +158,10 @@ TEST(PictureReader, WalkerWalksAndJumpsOnAParabola) {
     const windrow::GroundWalker step = walker_at(*scene, scene->picture.walkers.at(0), 1.25, 1.5);
     EXPECT_EQ(step.previous.x, 2.5);
     EXPECT_EQ(step.position.x, 3.0);
-    EXPECT_FLOAT_EQ(step.feet, 0.8f);
-    EXPECT_FLOAT_EQ(step.previous_feet, 0.6f); // 4 (1/4) (3/4) of it
-    EXPECT_EQ(scene->picture.walkers[0].feet(0.9), 0.0f);
-    EXPECT_EQ(scene->picture.walkers[0].feet(2.0), 0.0f);
+    EXPECT_FLOAT_EQ(step.foot_height, 0.8f);
+    EXPECT_FLOAT_EQ(step.previous_foot_height, 0.6f); // 4 (1/4) (3/4) of it
+    EXPECT_EQ(scene->picture.walkers[0].foot_height(0.9), 0.0f);
+    EXPECT_EQ(scene->picture.walkers[0].foot_height(2.0), 0.0f);
     EXPECT_EQ(step.weight, 0.5f);
 }
 
