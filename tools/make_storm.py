@@ -102,7 +102,7 @@ def main():
     print(f'    "description": "A storm made of {len(motors)} motors of all kinds, arrows at 50 m/s among them. Made by make_storm.py.",')
     print(f'    "duration": {DURATION:g},')
     print('    "frames_per_second": 10,')
-    print('    "air": {"sides": {"y_low": "free_slip"}, "ambient": [7, 0, 3], "profile": {}, "gusts": {"intensity": 0.25}, "blend_width": 4},')
+    print('    "air": {"boundaries": {"y_low": "free_slip"}, "ambient": [7, 0, 3], "profile": {}, "gusts": {"intensity": 0.25}, "blend_width": 4},')
     print('    "paths": {')
     print(",\n".join(f"        {line(name)}: {line(path)}" for name, path in paths.items()))
     print("    },")

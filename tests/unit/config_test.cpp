@@ -59,7 +59,7 @@ std::vector<ConfigMistake> every_fault() {
     add("scheme", " is 9", "second_order", [](Config& c) { c.scheme = static_cast<Scheme>(9); });
     add("interpolation", " is 9", "cubic", [](Config& c) { c.interpolation = static_cast<Interpolation>(9); });
     add("simd", " is 9", "baseline", [](Config& c) { c.simd = static_cast<Simd>(9); });
-    add("boundaries.y_low.wall_velocity", " is (0, 2, 0) m/s", "normal to 0", [](Config& c) {
+    add("boundaries.y_low.wall_velocity", " is (0, 2, 0) m/s", "normal to the wall: set that component to 0", [](Config& c) {
         c.boundaries.y_low = {BoundaryKind::no_slip, {0.0f, 2.0f, 0.0f}};
     });
     add("boundaries.y_low.wall_velocity", " is (1, 0, 0) m/s", "no_slip", [](Config& c) {
@@ -144,8 +144,8 @@ TEST(Config, AllReasonsComeAtOnce) {
     config.max_substeps = 0;
     const std::string sentences = validate(config).error();
     for (const char* field :
-         {"cells is", "cell_size is", "boundaries.x_high is", "boundaries.y_low.wall_velocity is", "centre is", "along x",
-          "along y", "ambient is", "viscosity is", "relaxation_time is", "max_cfl is", "max_substeps is"})
+         {"cells is", "cell_size is", "boundaries.x_high is", "boundaries.y_low.wall_velocity is", "centre is", "follow_axes has x",
+          "follow_axes has y", "ambient is", "viscosity is", "relaxation_time is", "max_cfl is", "max_substeps is"})
         EXPECT_NE(sentences.find(field), std::string::npos) << field << " is missing from:\n" << sentences;
     EXPECT_EQ(std::count(sentences.begin(), sentences.end(), '\n'), 11) << sentences;
 }
@@ -208,7 +208,7 @@ TEST(Config, RejectedChangesLeaveEverythingAsItWas) {
     const auto rejected = wind->set_boundaries(wall_across);
     ASSERT_FALSE(rejected);
     EXPECT_NE(rejected.error().find("boundaries.y_high is not periodic"), std::string::npos) << rejected.error();
-    EXPECT_NE(rejected.error().find("along z"), std::string::npos) << rejected.error();
+    EXPECT_NE(rejected.error().find("follow_axes has z"), std::string::npos) << rejected.error();
     EXPECT_EQ(wind->ambient(), glm::vec3(1.0f, 0.0f, 2.0f));
     EXPECT_EQ(wind->config().boundaries, Boundaries{});
     EXPECT_EQ(wind->box().boundaries, Boundaries{});

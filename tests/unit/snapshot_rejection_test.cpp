@@ -72,7 +72,7 @@ TEST(SnapshotRejection, MeetsWhatValidateRejects) {
     wind.state().core.config.blend_width = -1.0f;
     wind.state().core.config.max_substeps = 99;
     const std::string config = rejection(*wind.save());
-    EXPECT_NE(config.find("rim is -1"), std::string::npos) << config;
+    EXPECT_NE(config.find("blend_width is -1"), std::string::npos) << config;
     EXPECT_NE(config.find("max_substeps is 99"), std::string::npos) << config;
     wind = made({.cells = {4, 4, 4}});
     const MotorId again = *wind.motors().add(JetMotor{});

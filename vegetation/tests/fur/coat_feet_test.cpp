@@ -102,7 +102,7 @@ TEST(CoatFeet, RejectWhatIsNoFoot) {
     rejected({.radius = 0.0f}, "feet[0].radius");
     rejected({.radius = std::numeric_limits<float>::quiet_NaN()}, "feet[0].radius");
     rejected({.weight = 1.5f}, "feet[0].weight");
-    rejected({.position = {0.0, std::numeric_limits<double>::infinity(), 0.0}}, "feet[0].position.y");
+    rejected({.position = {0.0, std::numeric_limits<double>::infinity(), 0.0}}, "feet[0].position");
     EXPECT_FALSE(validate(std::vector<Foot>(k_max_feet + 1)));
     EXPECT_TRUE(validate(std::vector<Foot>(k_max_feet)));
 }

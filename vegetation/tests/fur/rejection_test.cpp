@@ -135,7 +135,7 @@ TEST(MeshRejections, OfGltf) {
         {R"("mesh":0)", R"("mesh":1)", "is missing or not an object"},
         {R"("children":[1])", R"("children":[2])", "names a node that does not exist"},
         {R"("children":[1])", R"("children":[1,1])", "has a parent"},
-        {R"("children":[1])", R"("children":[0])", "circle"},
+        {R"("children":[1])", R"("children":[0])", "in a cycle"},
         {R"("scale":[1,2,1])", R"("scale":[1,2])", "finite numbers"},
         {R"("scale":[1,2,1])", R"("scale":[0,0,0])", "no triangle with an area"},
         {R"("attributes":{"POSITION":0})", R"("attributes":{})", "is missing or not an object"},

@@ -43,7 +43,7 @@ class UnderTheLayer(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
         (self.folder / "vk_layer_settings.txt").write_text(LAYER_SETTINGS)
-        (self.folder / "small.json").write_text('{"duration": 1, "air": {"cells": [8, 8, 8]}, "picture": {"size": [64, 36], "settle": 0}}')
+        (self.folder / "small.json").write_text('{"duration": 1, "air": {"cells": [8, 8, 8]}, "picture": {"size": [64, 36], "warm_up": 0}}')
 
     def run_program(self, *arguments):
         environment = {**os.environ, "VK_INSTANCE_LAYERS": "VK_LAYER_KHRONOS_validation", "VK_LAYER_SETTINGS_PATH": str(self.folder)}
