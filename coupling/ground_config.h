@@ -66,8 +66,8 @@ void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const 
 
 /// A foot, a body, a wheel: a disc that was at `previous` at the step's start and is at `position` at its end.
 struct GroundWalker {
-    glm::dvec3 position{0.0};   ///< [m] in the world; x and z count, y may be anything
-    glm::dvec3 previous{0.0};   ///< [m] the same a step ago; equal: stands
+    glm::dvec3 position{0.0};          ///< [m] in the world; x and z count, y may be anything
+    glm::dvec3 previous{0.0};          ///< [m] the same a step ago; equal: stands
     float foot_height = 0.0f;          ///< [m] height above the ground now; GroundConfig::clearance and more: airborne
     float previous_foot_height = 0.0f; ///< [m] a step ago
     /// [m] How far it reaches, above 0, to 100. Below a texel it counts as a texel: a smaller one would fall between their

@@ -16,7 +16,7 @@ const float k_near = 1.6;        // [m] from the eye to the first blade
 const float k_far = 75.0;        // [m] to the last
 const float k_half_angle = 0.72; // [rad] half the fan of directions that the eye sees
 const float k_stiff_speed = 2.4; // [m/s] wind in which drag and stiffness are equal
-const float k_max_bend = 2.1;   // [rad] as the wind grows without end: the tip points down a little
+const float k_max_bend = 2.1;    // [rad] as the wind grows without end: the tip points down a little
 
 void main() {
     // Where it grows, around an eye that stands still: denser near it, as the inverse of distance to the power 3/2.

@@ -43,7 +43,7 @@ class WindParity : public Gpu {
         double last = 0.0;                              ///< of the last frame
         int compared = 0;                               ///< frames
         bool cpu_sleeps = false, device_sleeps = false; ///< as of the last tick
-        double min = 1e-30;                           ///< [m/s] that a frame's largest component counts as, at least
+        double min = 1e-30;                             ///< [m/s] that a frame's largest component counts as, at least
 
         /// Calls the same on both, which must take it.
         template <class Call>

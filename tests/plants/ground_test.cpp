@@ -98,7 +98,8 @@ TEST(Ground, AirborneWalkersTouchNothing) {
     }
     // A leap: down, up and down again within one step's sweep; only what lies below the feet's clearance is touched.
     GroundMemory leaped = ground_of({.texel_size = 0.125f});
-    const GroundWalker leap{.position = {4.0, 0.0, 0.0}, .previous = {-4.0, 0.0, 0.0}, .foot_height = 2.0f * clearance, .radius = 0.5f};
+    const GroundWalker leap{
+        .position = {4.0, 0.0, 0.0}, .previous = {-4.0, 0.0, 0.0}, .foot_height = 2.0f * clearance, .radius = 0.5f};
     advance(leaped, 0.1, std::span(&leap, 1));
     EXPECT_GT(leaped.at({-3.5, 0.0, 0.0}).trample, 0.7f);
     EXPECT_NEAR(leaped.at({-2.0, 0.0, 0.0}).trample, 0.5f * std::exp(-0.075f / 0.8f), 0.05f); // half the height: half the weight

@@ -30,11 +30,13 @@ TEST(ToldStories, TheStepThatFallsAsleepReportsTheAirThatIsLeft) {
 // Not a fault of the wind but of its teller, who must know: a box that is told to move in ticks moves in the next step, and
 // leaves a broken cell behind, unrepaired.
 TEST(ToldStories, ABrokenCellThatTheBoxLeavesBehindIsNotRepaired) {
-    const Story story = story_of(
-        {.cells = {1, 1, 1}, .cell_size = 0.0500000007f, .ambient = {-20.0f, -20.0f, -20.0f}, .ticks = {.hz = 5.0, .max_per_call = 1}},
-        {story::StartAir::Pattern::ambient, 1.0f, 1u, false},
-        {story::Advances{1, 0.001}, story::Follow{{-1.0, -1.0, -1.0}}, story::Break{0, std::numeric_limits<float>::quiet_NaN()},
-         story::Steps{1, 0.0001}});
+    const Story story = story_of({.cells = {1, 1, 1},
+                                  .cell_size = 0.0500000007f,
+                                  .ambient = {-20.0f, -20.0f, -20.0f},
+                                  .ticks = {.hz = 5.0, .max_per_call = 1}},
+                                 {story::StartAir::Pattern::ambient, 1.0f, 1u, false},
+                                 {story::Advances{1, 0.001}, story::Follow{{-1.0, -1.0, -1.0}},
+                                  story::Break{0, std::numeric_limits<float>::quiet_NaN()}, story::Steps{1, 0.0001}});
     EXPECT_EQ(tell(story).fault, "");
 }
 

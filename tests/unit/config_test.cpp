@@ -143,9 +143,9 @@ TEST(Config, AllReasonsComeAtOnce) {
     config.max_cfl = 0.0f;
     config.max_substeps = 0;
     const std::string sentences = validate(config).error();
-    for (const char* field :
-         {"cells is", "cell_size is", "boundaries.x_high is", "boundaries.y_low.wall_velocity is", "centre is", "follow_axes has x",
-          "follow_axes has y", "ambient is", "viscosity is", "relaxation_time is", "max_cfl is", "max_substeps is"})
+    for (const char* field : {"cells is", "cell_size is", "boundaries.x_high is", "boundaries.y_low.wall_velocity is",
+                              "centre is", "follow_axes has x", "follow_axes has y", "ambient is", "viscosity is",
+                              "relaxation_time is", "max_cfl is", "max_substeps is"})
         EXPECT_NE(sentences.find(field), std::string::npos) << field << " is missing from:\n" << sentences;
     EXPECT_EQ(std::count(sentences.begin(), sentences.end(), '\n'), 11) << sentences;
 }

@@ -14,8 +14,10 @@ using FrameTime = std::function<double(int frame)>; // [s]
 /// A second and a half of a windy scene in which all that a host can move moves evenly: the air after each tick that ended a
 /// frame.
 std::map<int, Field> states(const FrameTime& frame_time, double seconds = 1.5) {
-    Wind wind = made(
-        {.cells = {24, 12, 24}, .ambient = {3.0f, 0.0f, 1.0f}, .gusts = {.intensity = 0.3f}, .ticks = {.hz = 30.0, .max_per_call = 100}});
+    Wind wind = made({.cells = {24, 12, 24},
+                      .ambient = {3.0f, 0.0f, 1.0f},
+                      .gusts = {.intensity = 0.3f},
+                      .ticks = {.hz = 30.0, .max_per_call = 100}});
     EXPECT_TRUE(wind.motors().add(DirectionalMotor{.position = {5.0, 0.0, 2.0}, .direction = {0.0f, 0.0f, 1.0f}}));
     EXPECT_TRUE(wind.motors().add(PressureMotor{.position = {0.0, 0.0, -4.0}, .speed = 8.0f}));
     EXPECT_TRUE(wind.motors().add(VortexMotor{.envelope = {.attack = 0.2f, .hold = 0.3f, .decay = 0.4f}}));
@@ -57,7 +59,8 @@ TEST(Ticks, StatesAtTickTimesDoNotDependOnTheFrameRate) {
 
 /// The wind at a plant, frame by frame, while a body passes it and a fan blows.
 std::vector<glm::vec3> at_plant(double tick_hz, double frame_hz, double seconds) {
-    Wind wind = made({.ambient = {3.0f, 0.0f, 1.0f}, .gusts = {.intensity = 0.3f}, .ticks = {.hz = tick_hz, .max_per_call = 100}});
+    Wind wind =
+        made({.ambient = {3.0f, 0.0f, 1.0f}, .gusts = {.intensity = 0.3f}, .ticks = {.hz = tick_hz, .max_per_call = 100}});
     EXPECT_TRUE(wind.motors().add(DirectionalMotor{.position = {2.0, 0.0, 2.0}, .direction = {0.0f, 0.0f, -1.0f}}));
     const MotorId body = added(wind, WakeMotor{.position = {-8.0, 0.0, 0.5}, .radius = 0.8f, .law = WakeDrive{8.0f, 1.0f}});
     std::vector<glm::vec3> seen;

@@ -24,7 +24,7 @@ namespace windrow::vegetation::program::test {
 struct Apart {
     double mean = 0.0; ///< mean absolute difference, over pixels and channels
     double far = 0.0;  ///< share of pixels with a channel that is off by more than k_far
-    int max = 0;      ///< largest difference of a channel
+    int max = 0;       ///< largest difference of a channel
 
     /// A tenth of the range: what the eye sees in one pixel beside another.
     static constexpr int k_far = 24;
