@@ -159,14 +159,14 @@ VerifyRow stokes(const VerifySetting& setting, int size, double ratio, Diffusion
 } // namespace
 
 std::vector<VerifyCase> wall_cases() {
-    struct Steps {
+    struct StepCount {
         const char *name, *words;
         double couette_ratio, stokes_ratio;
         DiffusionMethod method;
     };
     std::vector<VerifyCase> couettes, swings;
-    for (const Steps& steps : {Steps{"one_pass", "one-pass", 0.08, 0.08, DiffusionMethod::one_pass},
-                               Steps{"implicit", "implicit", 0.32, 0.3, DiffusionMethod::implicit}}) {
+    for (const StepCount& steps : {StepCount{"one_pass", "one-pass", 0.08, 0.08, DiffusionMethod::one_pass},
+                                   StepCount{"implicit", "implicit", 0.32, 0.3, DiffusionMethod::implicit}}) {
         couettes.push_back(
             {.name = std::string("couette_") + steps.name,
              .what = std::string("Air between two walls, one of which starts to slide, across each axis, in ") + steps.words +

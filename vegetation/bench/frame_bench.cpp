@@ -199,17 +199,17 @@ void against_places(const Run& run) {
     }
 }
 
-struct Kind {
+struct FrameVariant {
     const char* name;
     grass::Culling culling;
     bool levels, cut;
 };
 
-constexpr Kind k_kinds[] = {{"none", grass::Culling::none, false, false},
-                            {"quadtree", grass::Culling::chunks, false, false},
-                            {"quadtree, GPU culling by blade", grass::Culling::blades, false, false},
-                            {"quadtree, GPU culling, levels", grass::Culling::blades, true, false},
-                            {"all of it and the cut at 90 m", grass::Culling::blades, true, true}};
+constexpr FrameVariant k_kinds[] = {{"none", grass::Culling::none, false, false},
+                                    {"quadtree", grass::Culling::chunks, false, false},
+                                    {"quadtree, GPU culling by blade", grass::Culling::blades, false, false},
+                                    {"quadtree, GPU culling, levels", grass::Culling::blades, true, false},
+                                    {"all of it and the cut at 90 m", grass::Culling::blades, true, true}};
 
 void ablation(const Run& run) {
     char settings[256];
@@ -220,7 +220,7 @@ void ablation(const Run& run) {
     head(run, "What culling saves", settings);
     Stages stages;
     const int side = static_cast<int>(std::ceil(run.small_metres / 16.0));
-    for (const Kind& kind : k_kinds) {
+    for (const FrameVariant& kind : k_kinds) {
         FrameCase wanted = base(run);
         wanted.metres = run.small_metres;
         wanted.grass.culling = kind.culling;

@@ -42,14 +42,14 @@ constexpr struct {
     std::exit(2);
 }
 
-struct Wanted {
+struct BenchRequest {
     bool quick = false;
     int frames = 0; ///< 0: the device's own
     std::string only{}, pictures{};
 };
 
-Wanted wanted_of(std::span<char*> arguments) {
-    Wanted made;
+BenchRequest wanted_of(std::span<char*> arguments) {
+    BenchRequest made;
     for (std::size_t n = 1; n < arguments.size(); ++n) {
         const std::string flag = arguments[n];
         if (flag == "--quick") {
@@ -81,7 +81,7 @@ Wanted wanted_of(std::span<char*> arguments) {
     return made;
 }
 
-FurRun run_of(const Wanted& wanted) {
+FurRun run_of(const BenchRequest& wanted) {
     const auto devices = windrow::vulkan::list_devices();
     if (!devices) {
         std::fprintf(stderr, "windrow_fur_bench: %s\n", devices.error().c_str());
@@ -109,7 +109,7 @@ FurRun run_of(const Wanted& wanted) {
 
 int main(int count, char** arguments) {
     std::setvbuf(stdout, nullptr, _IOLBF, 1 << 12); // rows as they come, into a file too
-    const Wanted wanted = wanted_of({arguments, static_cast<std::size_t>(count)});
+    const BenchRequest wanted = wanted_of({arguments, static_cast<std::size_t>(count)});
     const FurRun run = run_of(wanted);
     for (const auto& table : k_tables)
         if (wanted.only.empty() || wanted.only == table.name)

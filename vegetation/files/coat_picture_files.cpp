@@ -76,15 +76,15 @@ Result<CoatPicture> read(const std::filesystem::path& file, const std::filesyste
 Result<CoatPictures> read_pictures(const CoatMaps& maps, const std::filesystem::path& folder,
                                    windrow::detail::InputBudget& budget) {
     CoatPictures pictures;
-    struct Wanted {
+    struct PictureRequest {
         const std::string& file;
         CoatPicture& into;
         bool colour;
     };
     try {
-        for (const Wanted& each :
-             {Wanted{maps.length, pictures.length, false}, Wanted{maps.colour, pictures.colour, true},
-              Wanted{maps.noise_a, pictures.noise_a, false}, Wanted{maps.noise_b, pictures.noise_b, false}}) {
+        for (const PictureRequest& each :
+             {PictureRequest{maps.length, pictures.length, false}, PictureRequest{maps.colour, pictures.colour, true},
+              PictureRequest{maps.noise_a, pictures.noise_a, false}, PictureRequest{maps.noise_b, pictures.noise_b, false}}) {
             if (each.file.empty())
                 continue;
             Result<CoatPicture> picture = read(folder / each.file, folder, each.colour, budget);

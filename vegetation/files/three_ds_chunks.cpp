@@ -15,9 +15,9 @@ constexpr std::size_t k_head = 6; // kind and length
 constexpr unsigned k_unknown = 0xfefe;
 constexpr std::size_t k_longest_name = 64;
 
-class Walker {
+class ChunkWalker {
   public:
-    Walker(std::string& bytes, const std::string& name) : bytes_(bytes), name_(name) {}
+    ChunkWalker(std::string& bytes, const std::string& name) : bytes_(bytes), name_(name) {}
 
     std::string run() {
         if (bytes_.size() < k_head || word(0) != 0x4d4d)
@@ -159,7 +159,7 @@ class Walker {
 } // namespace
 
 Result<std::string> check_three_ds(std::string bytes, const std::string& name) {
-    if (std::string fault = Walker(bytes, name).run(); !fault.empty())
+    if (std::string fault = ChunkWalker(bytes, name).run(); !fault.empty())
         return Error{std::move(fault)};
     return bytes;
 }

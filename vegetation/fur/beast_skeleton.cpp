@@ -14,9 +14,9 @@ constexpr float k_turn = 2.0f * std::numbers::pi_v<float>;
 constexpr glm::vec3 k_x{1.0f, 0.0f, 0.0f}, k_y{0.0f, 1.0f, 0.0f};
 
 // A turn about x is backwards for what hangs and downwards for what points ahead.
-class Walker {
+class Gait {
   public:
-    Walker(float height, float hz) : height_(height), hz_(hz) {}
+    Gait(float height, float hz) : height_(height), hz_(hz) {}
 
     int add(const char* name, int parent, const glm::vec3& head, const glm::vec3& tail, float radius, std::vector<Swing> swings) {
         bones.push_back({.name = name,
@@ -60,7 +60,7 @@ Result<Skeleton> beast_skeleton(const Beast& beast, float hz) {
     if (!reasons.empty())
         return Error{reasons.take()};
 
-    Walker walk(beast.height, hz);
+    Gait walk(beast.height, hz);
     const int hips = walk.add("hips", -1, k_hips, k_loin, 0.14f, {walk.sway(k_y, 0.03f, 1.0f, 0.0f)});
     walk.bones[0].sway = {0.0f, 0.012f * beast.height, 0.0f}; // the body rises over each pair of legs: twice a stride
     walk.bones[0].sway_hz = 2.0f * hz;

@@ -12,9 +12,9 @@ namespace windrow::vegetation::fur {
 namespace {
 
 // A wing's outline and section at u along the span, v along the chord.
-class Form {
+class WingForm {
   public:
-    explicit Form(const Wing& wing) : wing_(wing) {}
+    explicit WingForm(const Wing& wing) : wing_(wing) {}
 
     /// `side`: 1 the upper skin, -1 the lower; both meet where the thickness ends.
     [[nodiscard]] glm::vec3 at(float u, float v, float side) const {
@@ -57,7 +57,7 @@ Result<Mesh> wing(const Wing& settings) {
     if (const auto valid = windrow::detail::validate_settings(settings, "wing"); !valid)
         return Error{valid.error()};
 
-    const Form form(settings);
+    const WingForm form(settings);
     Mesh mesh;
     mesh.has_uv = true;
     const auto columns = static_cast<std::uint32_t>(settings.columns) + 1, rows = static_cast<std::uint32_t>(settings.rows) + 1;

@@ -15,16 +15,17 @@ constexpr glm::vec3 k_lining{0.060f, 0.050f, 0.045f};
 constexpr glm::vec3 k_metal{0.230f, 0.225f, 0.215f};
 constexpr glm::vec3 k_blade{0.420f, 0.400f, 0.350f};
 
-struct Corner {
+struct SolidCorner {
     glm::vec3 position, normal;
 };
 
-void triangle(Solid& solid, const Corner& a, const Corner& b, const Corner& c, glm::vec3 colour) {
-    for (const Corner& corner : {a, b, c})
+void triangle(Solid& solid, const SolidCorner& a, const SolidCorner& b, const SolidCorner& c, glm::vec3 colour) {
+    for (const SolidCorner& corner : {a, b, c})
         solid.push_back({glm::vec4(corner.position, 0.0f), glm::vec4(corner.normal, 0.0f), glm::vec4(colour, 0.0f)});
 }
 
-void quad(Solid& solid, const Corner& a, const Corner& b, const Corner& c, const Corner& d, glm::vec3 colour) {
+void quad(Solid& solid, const SolidCorner& a, const SolidCorner& b, const SolidCorner& c, const SolidCorner& d,
+          glm::vec3 colour) {
     triangle(solid, a, b, c, colour);
     triangle(solid, a, c, d, colour);
 }
@@ -45,8 +46,8 @@ Solid lathe(std::span<const glm::vec2> profile, int sides, glm::vec3 colour) {
         const float turn = turn_of(side, sides);
         const glm::vec3 around(std::cos(turn), 0.0f, std::sin(turn));
         const glm::vec2 normal = normal_at(n);
-        return Corner{profile[n].x * around + glm::vec3(0.0f, profile[n].y, 0.0f),
-                      normal.x * around + glm::vec3(0.0f, normal.y, 0.0f)};
+        return SolidCorner{profile[n].x * around + glm::vec3(0.0f, profile[n].y, 0.0f),
+                           normal.x * around + glm::vec3(0.0f, normal.y, 0.0f)};
     };
     Solid solid;
     for (std::size_t n = 0; n + 1 < profile.size(); ++n)
@@ -76,7 +77,7 @@ Solid ring(float radius, float tube, int sides, glm::vec3 colour) {
         const float turn = turn_of(side, sides), twist = turn_of(across, around_tube);
         const glm::vec3 out(std::cos(turn), std::sin(turn), 0.0f);
         const glm::vec3 normal = std::cos(twist) * out + glm::vec3(0.0f, 0.0f, std::sin(twist));
-        return Corner{radius * out + tube * normal, normal};
+        return SolidCorner{radius * out + tube * normal, normal};
     };
     Solid solid;
     for (int side = 0; side < sides; ++side)

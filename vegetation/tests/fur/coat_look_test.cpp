@@ -113,11 +113,11 @@ TEST(CoatLook, NothingGrowsWhereTheMapIsBaldWhateverTheVertices) {
 }
 
 // The light of vegetation/shaders/fur/shell_light.glsl for one light, and of the sky, by the same formulas.
-struct Point {
+struct LitPoint {
     glm::vec3 albedo, normal, tangent;
     float t, open, hair;
 };
-glm::vec3 lit(const CoatLook& look, const Point& p, glm::vec3 beam, glm::vec3 to_light, glm::vec3 to_eye) {
+glm::vec3 lit(const CoatLook& look, const LitPoint& p, glm::vec3 beam, glm::vec3 to_light, glm::vec3 to_eye) {
     const float facing = windrow_wrapped(glm::dot(p.normal, to_light), look.wrap);
     const glm::vec3 half_way = windrow_half_way(to_light, to_eye, p.normal);
     const float gloss = look.gloss * windrow_plain_gloss(p.normal, half_way, look.gloss_power);
@@ -126,7 +126,7 @@ glm::vec3 lit(const CoatLook& look, const Point& p, glm::vec3 beam, glm::vec3 to
     const glm::vec3 along = facing * (gloss + sheen * glm::mix(glm::vec3(0.04f), p.albedo, 0.5f)) + through * p.albedo;
     return k_pi_fraction * beam * (p.open * facing * p.albedo + p.hair * p.t * along);
 }
-glm::vec3 expected(const CoatLook& look, const render::ViewBlock& frame, const Point& p, glm::vec3 to_eye) {
+glm::vec3 expected(const CoatLook& look, const render::ViewBlock& frame, const LitPoint& p, glm::vec3 to_eye) {
     return lit(look, p, glm::vec3(frame.sunlight), glm::vec3(frame.sky.sun), to_eye) +
            p.open * p.albedo *
                render::numerics::windrow_around(p.normal, glm::vec3(frame.skylight), glm::vec3(frame.groundlight));
@@ -150,12 +150,12 @@ TEST(CoatLook, ColourAtAKnownHeightIsTheFormula) {
                 const glm::dvec3 place = on_level(camera, column, row, 64, 64, settings.layers.length * height);
                 const glm::vec3 to_eye(glm::normalize(camera.position - k_anchor - place));
                 const CoatLook& look = settings.look;
-                const Point p{windrow_strand_colour(look.root, look.tip, look.second, 0.0f, height, look.tip_power, 1.0f),
-                              {0.0f, 1.0f, 0.0f},
-                              {0.0f, 1.0f, 0.0f},
-                              height,
-                              windrow_strand_occlusion(height, look.occlusion, look.occlusion_bias),
-                              1.0f};
+                const LitPoint p{windrow_strand_colour(look.root, look.tip, look.second, 0.0f, height, look.tip_power, 1.0f),
+                                 {0.0f, 1.0f, 0.0f},
+                                 {0.0f, 1.0f, 0.0f},
+                                 height,
+                                 windrow_strand_occlusion(height, look.occlusion, look.occlusion_bias),
+                                 1.0f};
                 const glm::vec3 apart =
                     glm::abs(radiance(light, column, row) - expected(look, stage.renderer->frame_block(), p, to_eye));
                 worst = std::max({worst, double(apart.x), double(apart.y), double(apart.z)});
@@ -186,7 +186,7 @@ TEST(CoatLook, ALitSphereIsTheFormulaAndItsBackFallsSmoothly) {
             if (off > 0.9 * 0.9 * radius * radius)
                 continue;
             const glm::dvec3 place = eye + way * (along - std::sqrt(radius * radius - off));
-            const Point p{settings.look.skin, glm::vec3(place / radius), glm::vec3(place / radius), 0.0f, 1.0f, 0.0f};
+            const LitPoint p{settings.look.skin, glm::vec3(place / radius), glm::vec3(place / radius), 0.0f, 1.0f, 0.0f};
             const glm::vec3 wanted = expected(settings.look, stage.renderer->frame_block(), p, -glm::vec3(way));
             const glm::vec3 apart = glm::abs(radiance(light, column, row) - wanted);
             worst = std::max({worst, double(apart.x), double(apart.y), double(apart.z)});

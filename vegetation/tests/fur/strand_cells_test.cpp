@@ -21,11 +21,11 @@ struct Truth {
 
 // All points of the 9 x 9 cells around.
 Truth brute(const numerics::WindrowStrandLattice& lattice, glm::dvec2 q) {
-    struct Point {
+    struct CellPoint {
         glm::dvec2 at;
         glm::uvec2 key;
     };
-    std::vector<Point> points;
+    std::vector<CellPoint> points;
     for (int row = -4; row <= 4; ++row)
         for (int across = -4; across <= 4; ++across) {
             const glm::ivec2 cell{static_cast<int>(std::floor(q.x)) + across, static_cast<int>(std::floor(q.y)) + row};
@@ -36,7 +36,7 @@ Truth brute(const numerics::WindrowStrandLattice& lattice, glm::dvec2 q) {
         }
     Truth truth;
     glm::dvec2 nearest(0.0);
-    for (const Point& point : points) {
+    for (const CellPoint& point : points) {
         const double distance = glm::length(q - point.at);
         if (distance < truth.nearest) {
             truth.second = truth.nearest;
@@ -46,23 +46,24 @@ Truth brute(const numerics::WindrowStrandLattice& lattice, glm::dvec2 q) {
         } else
             truth.second = std::min(truth.second, distance);
     }
-    for (const Point& point : points)
+    for (const CellPoint& point : points)
         if (point.key != truth.key)
             truth.edge = std::min(truth.edge, glm::dot(0.5 * (nearest + point.at) - q, glm::normalize(point.at - nearest)));
     return truth;
 }
 
 TEST(StrandCells, AreThoseOfBruteForce) {
-    struct Kind {
+    struct CellPattern {
         const char* name;
         float jitter, wriggle, shift;
         double missed; // fraction of places whose nearest edge belongs to a point out of the nine cells
     };
     // At rest none of 1e5; all that wriggles stands at its diamond's rim more often. Shifted rows have 0.9 of the jitter
     // (fur::block), since the whole of it misses one.
-    for (const Kind kind : {Kind{"full", 1.0f, 0.0f, 0.0f, 0.0}, Kind{"half", 0.5f, 0.0f, 0.0f, 0.0},
-                            Kind{"shifted", 0.9f, 0.0f, 0.5f, 0.0}, Kind{"shifted_grid", 0.0f, 0.0f, 0.5f, 0.0},
-                            Kind{"wriggling", 1.0f, 1.0f, 0.0f, 1e-4}, Kind{"wriggling_shifted", 0.9f, 1.0f, 0.5f, 1e-4}}) {
+    for (const CellPattern kind :
+         {CellPattern{"full", 1.0f, 0.0f, 0.0f, 0.0}, CellPattern{"half", 0.5f, 0.0f, 0.0f, 0.0},
+          CellPattern{"shifted", 0.9f, 0.0f, 0.5f, 0.0}, CellPattern{"shifted_grid", 0.0f, 0.0f, 0.5f, 0.0},
+          CellPattern{"wriggling", 1.0f, 1.0f, 0.0f, 1e-4}, CellPattern{"wriggling_shifted", 0.9f, 1.0f, 0.5f, 1e-4}}) {
         const numerics::WindrowStrandLattice lattice{kind.jitter, kind.wriggle, 0.37f, kind.shift, 11u};
         Random random(1);
         constexpr int k_places = 100'000;

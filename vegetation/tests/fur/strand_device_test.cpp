@@ -19,7 +19,7 @@ using windrow::test::Random;
 namespace vulkan = windrow::vulkan;
 
 // As strands.comp has them, std430.
-struct Case {
+struct StrandQuery {
     glm::vec4 place, x, n, light;
     glm::ivec4 cell;
     glm::uvec4 which;
@@ -28,12 +28,12 @@ struct Answer {
     glm::uvec4 keys, chosen;
     glm::vec4 chances, uv, uv_root, uv_outward, surface, surface_root, surface_outward, slope, light, gloss, normal, cloud;
 };
-struct Fields {
+struct StrandFields {
     StrandFieldBlock fields[8];
     CloudShellBlock cloud;
 };
 
-Fields fields() {
+StrandFields fields() {
     const StrandFieldSettings settings[8] = {
         {.density = 16.0f, .jitter = 0.0f},
         {.density = 16.0f, .seed = 5, .thickness = 1.3f},
@@ -54,7 +54,7 @@ Fields fields() {
          .shape = StrandShape::strip,
          .half_length = 0.5f},
         {.density = 16.0f, .low = 0.8f, .tuft = 0.7f, .tuft_size = 4.0f}};
-    Fields all{};
+    StrandFields all{};
     for (std::size_t n = 0; n < 8; ++n) {
         EXPECT_TRUE(validate(settings[n])) << n;
         all.fields[n] = block(settings[n]);
@@ -64,7 +64,7 @@ Fields fields() {
     return all;
 }
 
-Answer answer_of(const Case& c, const Fields& all) {
+Answer answer_of(const StrandQuery& c, const StrandFields& all) {
     using namespace numerics;
     const StrandFieldBlock& field = all.fields[c.which.x];
     const glm::vec3 x(c.x), n(c.n), light(c.light);
@@ -110,11 +110,11 @@ class StrandsOnTheDevice : public vulkan::Gpu {
 
 TEST_F(StrandsOnTheDevice, AsOnTheCpu) {
     constexpr std::size_t k_count = 40'000;
-    const Fields all = fields();
+    const StrandFields all = fields();
     Random random(1);
-    std::vector<Case> cases(k_count);
+    std::vector<StrandQuery> cases(k_count);
     for (std::size_t n = 0; n < k_count; ++n) {
-        Case& c = cases[n];
+        StrandQuery& c = cases[n];
         // 24 cells from the origin at the most, where floats have steps of 2e-6 cells.
         c.place = {random.uniform(-1.5f, 1.5f), random.uniform(-1.5f, 1.5f), n % 16 == 0 ? 0.0f : random.uniform(0.0f, 1.0f),
                    random.uniform(0.0f, 1.0f)};
@@ -128,7 +128,7 @@ TEST_F(StrandsOnTheDevice, AsOnTheCpu) {
     const std::vector<VkDescriptorType> types{storage, storage, uniform};
     const vulkan::Pipeline pipeline = *vulkan::Pipeline::create(
         *device, {.code = vulkan::shader_words::strands, .bindings = types, .constants = {}, .name = "strands"});
-    const vulkan::Buffer in = uploaded(cases.data(), k_count * sizeof(Case)),
+    const vulkan::Buffer in = uploaded(cases.data(), k_count * sizeof(StrandQuery)),
                          told = uploaded(&all, sizeof all, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT),
                          out = buffer(k_count * sizeof(Answer), vulkan::MemoryUse::readback);
     const std::vector<vulkan::Binding> bindings{{.type = storage, .buffer = in.handle()},
@@ -146,7 +146,7 @@ TEST_F(StrandsOnTheDevice, AsOnTheCpu) {
     });
     const std::vector<Answer> answers = read<Answer>(out, k_count);
 
-    struct Kind {
+    struct ComparedAnswer {
         const char* name;
         glm::vec4 Answer::*member;
         bool chosen; // only where both chose the same strand
@@ -154,18 +154,18 @@ TEST_F(StrandsOnTheDevice, AsOnTheCpu) {
     };
     // Of size 1: 1e-5; normals short of the tip, where a blunt one's slope grows without bound. A slope of the noise is up to 7;
     // a root of 0 where two strands are equally near belongs to either.
-    Kind compared[] = {{"chances", &Answer::chances, false, 1e-5},
-                       {"uv", &Answer::uv, true, 1e-5},
-                       {"uv_root", &Answer::uv_root, true, 1e-5},
-                       {"uv_outward_cells", &Answer::uv_outward, true, 1e-5},
-                       {"surface", &Answer::surface, true, 1e-5},
-                       {"surface_root_m", &Answer::surface_root, true, 1e-5},
-                       {"surface_outward_cells", &Answer::surface_outward, true, 1e-5},
-                       {"noise_slope", &Answer::slope, false, 7e-5},
-                       {"light", &Answer::light, false, 1e-5},
-                       {"gloss", &Answer::gloss, false, 1e-5},
-                       {"normal", &Answer::normal, false, 1e-5},
-                       {"cloud", &Answer::cloud, false, 1e-5}};
+    ComparedAnswer compared[] = {{"chances", &Answer::chances, false, 1e-5},
+                                 {"uv", &Answer::uv, true, 1e-5},
+                                 {"uv_root", &Answer::uv_root, true, 1e-5},
+                                 {"uv_outward_cells", &Answer::uv_outward, true, 1e-5},
+                                 {"surface", &Answer::surface, true, 1e-5},
+                                 {"surface_root_m", &Answer::surface_root, true, 1e-5},
+                                 {"surface_outward_cells", &Answer::surface_outward, true, 1e-5},
+                                 {"noise_slope", &Answer::slope, false, 7e-5},
+                                 {"light", &Answer::light, false, 1e-5},
+                                 {"gloss", &Answer::gloss, false, 1e-5},
+                                 {"normal", &Answer::normal, false, 1e-5},
+                                 {"cloud", &Answer::cloud, false, 1e-5}};
     std::size_t hashes = 0, others = 0, drawn = 0, on_drawn = 0;
     for (std::size_t n = 0; n < k_count; ++n) {
         const Answer cpu = answer_of(cases[n], all);
@@ -174,7 +174,7 @@ TEST_F(StrandsOnTheDevice, AsOnTheCpu) {
         others += !same;
         drawn += cpu.uv.x > 0.0f;
         on_drawn += cpu.surface.x > 0.0f;
-        for (Kind& kind : compared) {
+        for (ComparedAnswer& kind : compared) {
             if (kind.chosen && !same)
                 continue;
             for (int axis = 0; axis < 4; ++axis) {
@@ -185,7 +185,7 @@ TEST_F(StrandsOnTheDevice, AsOnTheCpu) {
             }
         }
     }
-    for (const Kind& kind : compared)
+    for (const ComparedAnswer& kind : compared)
         WINDROW_EXPECT_FIGURE(std::string("shells/device/") + kind.name, kind.largest, kind.bound);
     EXPECT_EQ(hashes, 0u) << "a key differs by a bit";
     // Points between two strands, or at the end of what is searched, to the last digit: a few at the most.

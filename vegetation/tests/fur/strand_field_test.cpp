@@ -57,15 +57,15 @@ double radius_at(const StrandFieldBlock& field, float h) {
 }
 
 TEST(StrandField, ProfilesFollowTheirCuts) {
-    struct Form {
+    struct TaperForm {
         const char* name;
         StrandProfile profile;
         float low, high, exponent;
     };
-    for (const Form form :
-         {Form{"centre", StrandProfile::centre, 0.2f, 0.0f, 0.7f},
-          Form{"centre_square", StrandProfile::centre, 0.2f, 0.02f, 2.0f},
-          Form{"cylinder", StrandProfile::centre, 0.1f, 0.1f, 0.7f}, Form{"edge", StrandProfile::edge, 0.0f, 0.45f, 0.7f}}) {
+    for (const TaperForm form : {TaperForm{"centre", StrandProfile::centre, 0.2f, 0.0f, 0.7f},
+                                 TaperForm{"centre_square", StrandProfile::centre, 0.2f, 0.02f, 2.0f},
+                                 TaperForm{"cylinder", StrandProfile::centre, 0.1f, 0.1f, 0.7f},
+                                 TaperForm{"edge", StrandProfile::edge, 0.0f, 0.45f, 0.7f}}) {
         StrandFieldSettings settings = grid();
         settings.profile = form.profile;
         settings.cut_min = form.low;
@@ -91,7 +91,7 @@ TEST(StrandField, ProfilesFollowTheirCuts) {
 }
 
 TEST(StrandField, EmptyLayersAreToldAndNoOthers) {
-    struct Case {
+    struct GapCase {
         const char* name;
         StrandFieldSettings settings;
         int empty; // of 50 layers, i / 49
@@ -106,8 +106,8 @@ TEST(StrandField, EmptyLayersAreToldAndNoOthers) {
     jittered.density = 1.0f;
     shorter.high = shorter.low = 0.5f;
     nothing.thickness = 0.0f;
-    for (const Case& c : {Case{"edge", edge, 12}, Case{"half_length", shorter, 25}, Case{"no_thickness", nothing, 49},
-                          Case{"all", grid(), 0}, Case{"edge_jittered", jittered, 0}}) {
+    for (const GapCase& c : {GapCase{"edge", edge, 12}, GapCase{"half_length", shorter, 25}, GapCase{"no_thickness", nothing, 49},
+                             GapCase{"all", grid(), 0}, GapCase{"edge_jittered", jittered, 0}}) {
         const StrandFieldBlock field = block(c.settings);
         int empty = 0, drawn_in_empty = 0, never_drawn = 0;
         for (int layer = 0; layer < 50; ++layer) {
@@ -130,22 +130,22 @@ TEST(StrandField, EmptyLayersAreToldAndNoOthers) {
 
 // The strand at a point by all points of 7 x 7 cells around: none is cut by the search.
 TEST(StrandField, NoStrandIsCutByTheSearch) {
-    struct Kind {
+    struct NamedStrands {
         const char* name;
         StrandFieldSettings settings;
     };
-    for (const Kind& kind :
-         {Kind{"thick", {.density = 1.0f, .low = 0.5f, .thickness = 1.6f}},
-          Kind{"bowed", {.density = 1.0f, .low = 0.5f, .thickness = 1.0f, .bow = 0.5f, .bow_turns = 1.5f}},
-          Kind{"feathers",
-               {.density = 1.0f,
-               .row_shift = 0.5f,
-               .jitter = 0.5f,
-               .thickness = 0.9f,
-               .shape = StrandShape::oval,
-               .half_length = 0.9f}},
-          Kind{"strips",
-               {.density = 1.0f, .jitter = 1.0f, .thickness = 0.6f, .shape = StrandShape::strip, .half_length = 0.6f}}}) {
+    for (const NamedStrands& kind :
+         {NamedStrands{"thick", {.density = 1.0f, .low = 0.5f, .thickness = 1.6f}},
+          NamedStrands{"bowed", {.density = 1.0f, .low = 0.5f, .thickness = 1.0f, .bow = 0.5f, .bow_turns = 1.5f}},
+          NamedStrands{"feathers",
+                       {.density = 1.0f,
+                       .row_shift = 0.5f,
+                       .jitter = 0.5f,
+                       .thickness = 0.9f,
+                       .shape = StrandShape::oval,
+                       .half_length = 0.9f}},
+          NamedStrands{"strips",
+                       {.density = 1.0f, .jitter = 1.0f, .thickness = 0.6f, .shape = StrandShape::strip, .half_length = 0.6f}}}) {
         const StrandFieldBlock field = block(kind.settings);
         const auto lattice = numerics::windrow_strand_lattice(field);
         Random random(1);

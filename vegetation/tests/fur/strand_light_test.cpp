@@ -180,26 +180,26 @@ TEST(StrandLight, SlopedNormalsAreThoseOfCones) {
 
 // The slope equals differences of `inside` over h, for each profile.
 TEST(StrandLight, SlopesAreThoseOfTheField) {
-    struct Kind {
+    struct StrandsInLight {
         const char* name;
         StrandFieldSettings settings;
     };
-    for (const Kind& kind : {Kind{"cone", {.density = 1.0f, .jitter = 0.0f, .low = 0.8f, .high = 0.8f}},
-                             Kind{"centre",
-                                  {.density = 1.0f,
-                                  .jitter = 0.0f,
-                                  .low = 0.8f,
-                                  .high = 0.8f,
-                                  .profile = StrandProfile::centre,
-                                  .cut_exponent = 1.5f}},
-                             Kind{"edge",
-                                  {.density = 1.0f,
-                                  .jitter = 0.0f,
-                                  .low = 0.8f,
-                                  .high = 0.8f,
-                                  .profile = StrandProfile::edge,
-                                  .cut_min = 0.05f,
-                                  .cut_max = 0.4f}}}) {
+    for (const StrandsInLight& kind : {StrandsInLight{"cone", {.density = 1.0f, .jitter = 0.0f, .low = 0.8f, .high = 0.8f}},
+                                       StrandsInLight{"centre",
+                                                      {.density = 1.0f,
+                                                      .jitter = 0.0f,
+                                                      .low = 0.8f,
+                                                      .high = 0.8f,
+                                                      .profile = StrandProfile::centre,
+                                                      .cut_exponent = 1.5f}},
+                                       StrandsInLight{"edge",
+                                                      {.density = 1.0f,
+                                                      .jitter = 0.0f,
+                                                      .low = 0.8f,
+                                                      .high = 0.8f,
+                                                      .profile = StrandProfile::edge,
+                                                      .cut_min = 0.05f,
+                                                      .cut_max = 0.4f}}}) {
         const StrandFieldBlock field = block(kind.settings);
         double off = 0.0;
         for (int n = 1; n < 14; ++n) {

@@ -36,10 +36,10 @@ namespace {
 
 using windrow::test::Random;
 
-struct Frame {
+struct SurfaceFrame {
     glm::dvec3 across, along, normal;
 };
-Frame frame_of(glm::dvec3 normal) {
+SurfaceFrame frame_of(glm::dvec3 normal) {
     const glm::dvec3 other = std::abs(normal.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
     const glm::dvec3 across = glm::normalize(glm::cross(normal, other));
     return {across, glm::cross(normal, across), normal};
@@ -96,7 +96,7 @@ TEST(StrandSurface, NoStrandIsCutByTheSearch) {
 }
 
 // Strands an area of one cell, told apart by their keys, whose root lies in a square of a plane.
-double strands_on_plane(const StrandFieldBlock& field, const Frame& frame, double depth, float h) {
+double strands_on_plane(const StrandFieldBlock& field, const SurfaceFrame& frame, double depth, float h) {
     constexpr double k_half = 14.0, k_step = 0.125;
     std::set<std::pair<std::uint32_t, std::uint32_t>> keys;
     for (double v = -k_half - 0.5; v < k_half + 0.5; v += k_step)

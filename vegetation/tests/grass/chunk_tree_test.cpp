@@ -17,8 +17,8 @@ const Planes k_everything{glm::vec4(0.0f, 0.0f, 0.0f, 1.0f), glm::vec4(0.0f, 0.0
                           glm::vec4(0.0f, 0.0f, 0.0f, 1.0f), glm::vec4(0.0f, 0.0f, 0.0f, 1.0f)};
 
 // The field once: blades of all cells.
-struct Field {
-    explicit Field(const GrassSettings& wanted = test::small_field())
+struct ChunkField {
+    explicit ChunkField(const GrassSettings& wanted = test::small_field())
         : settings(wanted), tree(heights, mask, settings, blade_reach(settings)), block(block_of(settings, heights, mask)) {
         for (int z = 0; z < tree.cells().y; ++z)
             for (int x = 0; x < tree.cells().x; ++x)
@@ -45,7 +45,7 @@ struct Field {
 };
 
 TEST(GrassChunks, CoverTheGrassOnce) {
-    const Field field;
+    const ChunkField field;
     std::vector<Chunk> found;
     field.tree.visible(k_everything, {40.0f, 0.0f, 56.0f}, 1e4f, found);
     std::vector<int> drawn(field.blades.size());
@@ -74,7 +74,7 @@ TEST(GrassChunks, CoverTheGrassOnce) {
 }
 
 TEST(GrassChunks, OfRandomCamerasHoldEveryBladeThatIsSeenOnce) {
-    const Field field;
+    const ChunkField field;
     Random random(11);
     std::vector<Chunk> found;
     constexpr int k_cameras = 300;
@@ -121,7 +121,7 @@ TEST(GrassChunks, OfRandomCamerasHoldEveryBladeThatIsSeenOnce) {
 }
 
 TEST(GrassChunks, AreCutByTheDistanceToTheirBoxAndComeNearestFirst) {
-    const Field field;
+    const ChunkField field;
     Random random(13);
     std::vector<Chunk> found;
     std::size_t wrong = 0;
@@ -145,7 +145,7 @@ TEST(GrassChunks, AreCutByTheDistanceToTheirBoxAndComeNearestFirst) {
 }
 
 TEST(GrassChunks, FollowTheMask) {
-    Field field;
+    ChunkField field;
     std::vector<Chunk> found;
     const auto touched = field.mask.erase({.centre = {22.0f, 25.0f}, .radius = 60.0f, .hardness = 1.0f});
     ASSERT_TRUE(touched);

@@ -19,12 +19,12 @@ constexpr VkMemoryPropertyFlags k_cached = VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
 // In the order of Use: fixed, work, frame, staging, readback.
 using Types = std::array<std::uint32_t, 5>;
 
-struct Layout {
+struct MemoryLayout {
     std::vector<VkDeviceSize> heaps{};
     std::vector<vulkan::FakeMemory::Type> types{};
 };
 
-Types types_on(const Layout& layout, bool staged = false) {
+Types types_on(const MemoryLayout& layout, bool staged = false) {
     vulkan::FakeMemory fake(layout.heaps, layout.types);
     BufferMemory memory({}, vulkan::FakeMemory::functions(), staged);
     Types found{};
@@ -38,13 +38,14 @@ Types types_on(const Layout& layout, bool staged = false) {
     return found;
 }
 
-const Layout k_one{{4096 * k_mebi}, {{k_own | k_seen | k_cached, 0}}};
+const MemoryLayout k_one{{4096 * k_mebi}, {{k_own | k_seen | k_cached, 0}}};
 // As a driver lists them: of the system's memory the write-combined type stands before the cached one.
-const Layout k_separate{{8192 * k_mebi, 16384 * k_mebi}, {{0, 1}, {k_own, 0}, {k_seen, 1}, {k_seen | k_cached, 1}}};
-const Layout k_window{{8192 * k_mebi, 16384 * k_mebi, 256 * k_mebi},
-                      {{k_seen, 1}, {k_seen | k_cached, 1}, {k_own | k_seen, 2}, {k_own, 0}}};
-const Layout k_resizable{{8192 * k_mebi, 16384 * k_mebi}, {{k_own | k_seen, 0}, {k_own, 0}, {k_seen, 1}, {k_seen | k_cached, 1}}};
-const Layout k_uncached{{8192 * k_mebi, 16384 * k_mebi}, {{k_own | k_seen, 0}, {k_own, 0}, {k_seen, 1}}};
+const MemoryLayout k_separate{{8192 * k_mebi, 16384 * k_mebi}, {{0, 1}, {k_own, 0}, {k_seen, 1}, {k_seen | k_cached, 1}}};
+const MemoryLayout k_window{{8192 * k_mebi, 16384 * k_mebi, 256 * k_mebi},
+                            {{k_seen, 1}, {k_seen | k_cached, 1}, {k_own | k_seen, 2}, {k_own, 0}}};
+const MemoryLayout k_resizable{{8192 * k_mebi, 16384 * k_mebi},
+                               {{k_own | k_seen, 0}, {k_own, 0}, {k_seen, 1}, {k_seen | k_cached, 1}}};
+const MemoryLayout k_uncached{{8192 * k_mebi, 16384 * k_mebi}, {{k_own | k_seen, 0}, {k_own, 0}, {k_seen, 1}}};
 
 TEST(BufferMemory, IsOfTheOneTypeOfASoftwareDevice) {
     EXPECT_EQ(types_on(k_one), (Types{0, 0, 0, 0, 0}));

@@ -23,11 +23,11 @@ TEST(Scene, TheDefaultOneIsDrawn) {
 
 TEST(Scene, BadInputIsRejectedByName) {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
-    struct Case {
+    struct SceneFault {
         const char* field;
         std::function<void(Scene&)> spoil;
     };
-    const Case cases[] = {
+    const SceneFault cases[] = {
         {"camera.position is (0, nan, 0) m", [](Scene& s) { s.camera.position.y = static_cast<double>(nan); }},
         {"camera.target", [](Scene& s) { s.camera.target = s.camera.position + glm::dvec3(0.0, 5.0, 0.0); }},
         {"camera.target", [](Scene& s) { s.camera.target = s.camera.position; }},
@@ -51,7 +51,7 @@ TEST(Scene, BadInputIsRejectedByName) {
         {"width", [](Scene& s) { s.plants.width = -1.0f; }},
         {"cell_size", [](Scene& s) { s.wind.wind.cell_size = 0.0f; }},
     };
-    for (const Case& each : cases) {
+    for (const SceneFault& each : cases) {
         Scene scene;
         each.spoil(scene);
         const auto judged = validate(scene);
