@@ -1,4 +1,4 @@
-// Many blades at once (lanes.h). The blocks are cut the same way for any number of threads.
+// Batches of blades (lanes.h). The blocks are cut the same way for any number of threads.
 #include "coupling/blade.h"
 #include "coupling/blade_numerics.h"
 #include "coupling/lanes.h"
@@ -60,7 +60,7 @@ WINDROW_LEVELS void plant_lanes(PlantLanes& plants, numerics::WindrowBlade blade
     }
 }
 
-// Both vertices of a row of each blade, and the normal that they share.
+// Both vertices of a row of each blade, and their common normal.
 struct RowLanes {
     Lanes3 left, right, normal;
 };

@@ -70,7 +70,7 @@ Result<void> Cascade::advance(double duration, const Pose& body) {
     before_.scale = now_.scale;
     write_parts(body, now_.body);
     now_.scale = body.scale;
-    // q and -q turn alike: the one on the side of the last, so that the way between them is the short one.
+    // q and -q are the same rotation. The sign closer to the last one gives the short way between them.
     double along = 0.0;
     for (std::size_t n = 3; n < k_parts; ++n)
         along += now_.body[n] * before_.body[n];

@@ -82,7 +82,7 @@ Real settled(Real value) {
     return std::abs(value) < static_cast<Real>(1e-20) ? Real{0} : value;
 }
 
-// Rows of a thread's share: `stride` rows lie between two stages. Without remainders `rest` is null.
+// Rows of a thread's block: two stages are `stride` rows apart. Without remainders `rest` is null.
 template <class Real>
 struct Rows {
     Real* value;
@@ -137,7 +137,7 @@ void advance_compensated(const CascadeStep& step, const Rows<Real>& rows, Real* 
     }
 }
 
-constexpr std::size_t k_block = 256; // rows whose stages stay in a near cache while they are summed; also a thread's share
+constexpr std::size_t k_block = 256; // rows whose stages stay in a near cache while they are summed; also a thread's block
 
 } // namespace
 

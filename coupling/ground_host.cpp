@@ -48,7 +48,7 @@ glm::dvec2 GroundHost::next_centre(glm::ivec2 slot) const {
     return (glm::dvec2(corner) + glm::dvec2(texel) + 0.5) * static_cast<double>(config_.texel_size);
 }
 
-// In texels from the corner; nothing where the sweep's bounds lie outside of the window.
+// In texels from the corner; empty where the sweep's bounds are outside the window.
 std::optional<numerics::WindrowWalker> GroundHost::local(const GroundWalker& walker, Texel corner) const {
     const double size = config_.texel_size;
     const auto place = [&](glm::dvec3 p) {
@@ -58,7 +58,7 @@ std::optional<numerics::WindrowWalker> GroundHost::local(const GroundWalker& wal
     const glm::dvec2 stride(walker.position.x - walker.previous.x, walker.position.z - walker.previous.z);
     const bool jumped = glm::length(stride) > static_cast<double>(config_.max_stride);
     const glm::dvec2 from = jumped ? to : place(walker.previous);
-    // Each place lies within 0.71 texels of a centre; at one texel, a foot there still has a quarter of its weight.
+    // Each place is within 0.71 texels of a centre; at one texel, a foot there still has a quarter of its weight.
     const double radius = std::max(static_cast<double>(walker.radius) / size, 1.0);
     for (int axis = 0; axis < 2; ++axis)
         if (std::max(from[axis], to[axis]) + radius < 0.0 || std::min(from[axis], to[axis]) - radius > config_.texels)
@@ -128,7 +128,7 @@ GroundPlaceBlock GroundHost::place_block(const Place& place, glm::dvec3 anchor) 
     const glm::ivec2 slot = slot_of(place.corner);
     GroundPlaceBlock block;
     block.corner = glm::vec4(corner.x, corner.y, size, config_.texels);
-    // The point lies within half a texel of the window's middle, and the outermost centres half a texel within its edge.
+    // The point is within half a texel of the window's middle, and the outermost centres are half a texel within its edge.
     block.blend_zone = glm::vec4(point.x, point.y, (config_.texels / 2 - 1) * size, config_.blend_width);
     block.slot = glm::vec4(slot.x, slot.y, place.lean.x, place.lean.y);
     return block;

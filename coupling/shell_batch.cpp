@@ -1,4 +1,4 @@
-// A layer of shells over a whole mesh at once (lanes.h). The blocks are cut the same way for any number of threads.
+// A layer of shells over a whole mesh (lanes.h). The blocks are cut the same way for any number of threads.
 #include "coupling/lanes.h"
 #include "coupling/shell.h"
 #include "coupling/shell_numerics.h"
@@ -52,7 +52,7 @@ WINDROW_LEVELS void bend_lanes(Lanes3& out, numerics::WindrowShells shells, cons
         out.set(i, numerics::windrow_shell_bent(shells, skin.positions[i], skin.normals[i], h, skin.map.at[i], loads[i]));
 }
 
-// What a layer shares of the translate form.
+// Values of the translate form common to all shells of a layer.
 struct Layer {
     float h, push;
     glm::vec3 droop;

@@ -58,7 +58,7 @@ Responses long_step(double omega, double a, double t) {
     return closed;
 }
 
-// Springs of a thread's share, a multiple of any SIMD width.
+// Springs per block of a thread, a multiple of any SIMD width.
 constexpr std::size_t k_fraction = 16384;
 
 // 0 for what is far below all that counts: the swing of a spring at rest would end in denormal numbers, a hundred times as slow.

@@ -31,7 +31,7 @@ Sampling usable(Sampling sampling) {
     return sampling;
 }
 
-// One field of AmbientWind::Settings, given by itself.
+// One field of AmbientWind::Settings, passed alone.
 template <class Value>
 Result<void> validate_alone(const char* name, const Value& value, const Range& range) {
     detail::Reasons reasons;
@@ -78,7 +78,7 @@ Result<AmbientWind> AmbientWind::create(const Settings& settings) {
     return wind;
 }
 
-// The anchor is the point itself, so the place in the tile is found in double and the shared text adds nothing to it.
+// The anchor is the point itself. The place in the tile is computed in double and the shared text adds 0 to it.
 glm::vec3 AmbientWind::velocity(glm::dvec3 position) const {
     if (uniform() || !finite(position))
         return settings_.mean;
@@ -124,8 +124,8 @@ AmbientBlock AmbientWind::block(glm::dvec3 anchor, const Sampling& asked) const 
     return block;
 }
 
-// The coordinate is wrapped before it meets the phase, so their difference keeps its digits; and at the gusts' period whatever
-// repeats within it, so that places a whole number of tiles apart share their detail to the bit.
+// The coordinate is wrapped before the phase is subtracted, so the difference keeps its digits. Repeating detail is wrapped at
+// the gusts' period: places a whole number of tiles apart have the same detail to the bit.
 AmbientWind::TilePlace AmbientWind::place(int axis, double coordinate, int repeats) const {
     const int texels = axis == 1 ? 2 * GustTile::k_height : GustTile::k_side;
     const double origin = axis == 1 ? settings_.ground : 0.0;

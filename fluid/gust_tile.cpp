@@ -1,18 +1,18 @@
-// The gust tile: waves with random phases, summed onto the texels.
+// Gust tile: sum of waves with random phases on the texels.
 //
 //   wave vector        k = 2 pi (a, c) / 128 level, q = pi b / 16 vertical, e = k / |k|, e' = e turned by a quarter
 //   turning part       u = A e' cos(k x + p) cos(q y)
 //   rising part        v = B cos(k x + p') sin(q y),   u = -B (q / |k|) e sin(k x + p') cos(q y)       div = 0 for each
-//   power of a wave    S(m) / m, m = |(a, c)|: a ring of waves of one length then holds S(m). S peaks at 12 texels and is 0
-//                      from 8 texels down, which blending resolves badly; a weaker hump from 13 to 40 texels lets gusts
-//                      vary in strength. All directions alike.
-//   texels             Blending weakens a wave, by 2 % at 12 texels. The waves are stored stronger by just that, each as a
-//                      whole, so that what is felt has the declared strength and is closest to the waves in the mean square.
+//   power of a wave    S(m) / m, m = |(a, c)|: a ring of waves of one length then holds S(m). S peaks at 12 texels. S is 0
+//                      from 8 texels down, which blending resolves badly. A weaker hump from 13 to 40 texels varies the
+//                      strength of the gusts. The spectrum is isotropic.
+//   texels             Blending weakens a wave, by 2 % at 12 texels. The stored amplitude of each wave compensates for this:
+//                      blended gusts have the declared strength and the least mean square error.
 //
-// Bits: phases are whole 1024ths of a turn from an integer hash, and the only sines are of such angles, by a polynomial; the
-// rest is sums, products and roots, which IEEE arithmetic rounds alike everywhere.
-// Based on: Kraichnan 1970, Diffusion by a random velocity field (random solenoidal waves); the mirror as ground after the
-// images of Hunt & Graham 1978, Free-stream turbulence near plane boundaries.
+// Bits: phases are whole 1024ths of a turn from an integer hash. Sines are of such angles only, by a polynomial. All other
+// operations are sums, products and roots, which IEEE arithmetic rounds alike everywhere.
+// Based on: Kraichnan 1970, Diffusion by a random velocity field (random solenoidal waves); Hunt & Graham 1978, Free-stream
+// turbulence near plane boundaries (images; here the mirror at the ground).
 #include "fluid/gust_tile.h"
 
 #include "fluid/ambient_numerics.h"
@@ -71,7 +71,7 @@ double hump(double distance, double radius) {
     return rest > 0.0 ? rest * rest : 0.0;
 }
 
-// Power of a ring of waves of which `m` fit the tile's side.
+// Power of a ring of waves with `m` wavelengths per tile.
 double ring_power(double m) {
     const double peak = double(k_side) / GustTile::k_gust_texels;
     return hump(m - peak, k_max_waves - peak) + 0.15 * hump(m - 6.5, 3.3);
@@ -117,7 +117,7 @@ GustTile::GustTile(std::uint32_t seed) : seed_(seed) {
     bake_texels();
 }
 
-// One wave of each pair (a, c), (-a, -c), which are the same: amplitudes by the spectrum, phases by chance.
+// One wave of each equal pair (a, c), (-a, -c): amplitudes from the spectrum, random phases.
 void GustTile::make_modes() {
     const Circle circle;
     double turning_sum = 0.0, rising_sum = 0.0, rising_level_sum = 0.0; // powers that amplitudes of 1 would give

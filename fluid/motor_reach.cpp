@@ -26,7 +26,7 @@ constexpr float k_pi = 3.14159265f;
 constexpr double k_min_eddy = 1e-3; // [m] shorter ones are noise in any cell
 constexpr float k_min_felt = 1e-2f; // [m/s] of a source outside the box, where it blows into it
 
-// The cells whose centres lie within `low`..`high` [m from the box's corner]; false if there are none.
+// Cells with centres within `low`..`high` [m from the box's corner]; false if there are none.
 bool cover(MotorReach& reach, glm::vec3 low, glm::vec3 high, const Window& window) {
     const float h = window.cell_size;
     for (int axis = 0; axis < 3; ++axis) {
@@ -58,7 +58,7 @@ bool cover_cone(MotorReach& reach, const Window& window) {
                  glm::max(start + reach.radius, end + reach.end_radius), window);
 }
 
-// A column's axis and radii, widened; returns the share of its strength that it keeps.
+// A column's axis and radii, widened; returns the fraction of its strength that it keeps.
 float shape_cone(MotorReach& reach, glm::vec3 axis, float start_radius, float end_radius, const Window& window) {
     const float length = glm::length(axis);
     // Shorter than three cells it could fall between them too. It grows about its middle.
@@ -75,8 +75,8 @@ float shape_cone(MotorReach& reach, glm::vec3 axis, float start_radius, float en
     return volume(length, start_radius, end_radius) / volume(wide_length, reach.radius, reach.end_radius);
 }
 
-// Shape, size and cells of a region about `reach.centre`; returns the share of its strength that a widened one keeps, so that its
-// impulse stays; 0 if it meets no cell.
+// Shape, size and cells of a region about `reach.centre`. Returns the fraction of its strength that a widened region keeps, so
+// that its impulse is unchanged; 0 if it covers no cell.
 struct RegionReach {
     MotorReach& reach;
     const Window& window;
@@ -113,7 +113,7 @@ struct RegionReach {
     [[nodiscard]] bool within(glm::vec3 half) const { return cover(reach, reach.centre - half, reach.centre + half, window); }
 };
 
-// What a law asks for at full weight; `share` is what widening and envelope leave of it.
+// Effect of a law at full weight; `share` is the fraction left by widening and envelope.
 void apply_law(MotorReach& reach, const std::variant<Force, Drive>& law, glm::vec3 direction, float share, double duration) {
     if (const auto* force = std::get_if<Force>(&law)) {
         reach.law = MotorReach::Law::force;
@@ -135,7 +135,7 @@ void stir(MotorReach& reach, const Turbulence& turbulence, float eddies, glm::dv
     const float length = turbulence.length > 0.0f ? turbulence.length : 2.0f * radius;
     const double texel = std::max(static_cast<double>(length), k_min_eddy) / GustTile::k_longest_texels;
     reach.texels = static_cast<float>(1.0 / texel);
-    // Irrational steps: seeds that follow each other lie far apart in the tile.
+    // Irrational steps: consecutive seeds are far apart in the tile.
     const glm::dvec3 stretch = static_cast<double>(turbulence.seed) * glm::dvec3(0.6180339887498949, 0.0, 0.4142135623730950);
     const glm::dvec3 texels(GustTile::k_side, 2 * GustTile::k_height, GustTile::k_side);
     for (int axis = 0; axis < 3; ++axis) {
@@ -172,8 +172,8 @@ float min_radius(const MotorReach& reach) {
     return reach.radius;
 }
 
-// Where a source in free air stands and what comes out of it, less what a wall cuts off: over a ball cut at s radii the weight is
-// (1 - s^2)^3 / 3. Several walls are taken one by one. False where the box does not feel it.
+// Position of a volume source and its flow, less the part that a wall cuts off. Over a ball cut at s radii the weight is
+// (1 - s^2)^3 / 3. Each wall is treated separately. False where the source does not affect the box.
 bool blow_into(MotorReach& reach, float flow, const Window& window, const Boundaries& boundaries) {
     reach.extent = reach.centre;
     const glm::vec3 size = window.cell_size * glm::vec3(window.cells);
@@ -266,8 +266,8 @@ struct Preparation {
         return shape_source(reach[0], motor.radius, motor.speed, strength, window, boundaries) ? 1 : 0;
     }
 
-    // A piece of the path each. The force law shares the tick's impulse out by length; the drive's target is the body's velocity
-    // on the piece.
+    // One reach per segment of the path. The force law divides the tick's impulse by length; the drive's target is the body's
+    // velocity on the segment.
     int operator()(const WakeMotor& motor) const {
         const auto strength = static_cast<float>(motor.envelope.mean(age, age + duration));
         const float radius = widened(motor.radius, window);

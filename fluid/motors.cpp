@@ -156,8 +156,8 @@ void Motors::release(std::uint32_t index) {
     --count_;
 }
 
-// Called before a motor comes or changes kind, so that a step allocates nothing: a wake may reach the box with several pieces of
-// its path.
+// Called before a motor is added or changes kind, so that a step does not allocate: a wake may reach the box with several
+// segments of its path.
 void Motors::reserve_reach(const Motor* more) {
     std::size_t most = 0;
     const auto count = [&](const Motor& motor) {

@@ -35,7 +35,7 @@ NewFile::NewFile(const std::filesystem::path& name) : name_(name), buffer_(k_buf
     if (std::filesystem::is_symlink(name_, fault))
         if (auto target = std::filesystem::weakly_canonical(name_, fault); !fault)
             name_ = std::move(target);
-    // A rename would put the file in the place of a device or pipe, and tell of a folder or a long name too late.
+    // A rename would replace a device or pipe, and would report a folder or a long name too late.
     struct stat existing {};
     if (::stat(name_.c_str(), &existing) == 0) {
         if (!S_ISREG(existing.st_mode))
@@ -47,7 +47,7 @@ NewFile::NewFile(const std::filesystem::path& name) : name_(name), buffer_(k_buf
         open_part();
 }
 
-// Takes the next name where a part exists: of another process, of one that ended, or of another machine on a shared disk.
+// Takes the next name where a part exists: from another process, an ended process, or another machine on a shared disk.
 void NewFile::open_part() {
     constexpr int k_max_attempts = 1000;
     for (int attempt = 0; attempt < k_max_attempts; ++attempt) {

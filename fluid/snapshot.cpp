@@ -1,9 +1,9 @@
-// The whole state of a wind as bytes, and back.
+// Snapshot: the whole state of a wind as bytes, and back.
 //
-// Kept is what the future depends on. Scratch is not (workspace, gathered sources, diffused and own velocity, pieces of a path),
-// nor what follows from the rest: tables, axes that follow, the ambient wind cell by cell, gust tiles (from their seeds). Equal
-// states give equal bytes, so fields that hold nothing now (the second-order history of fresh air, what a sleeper reports while
-// awake) are left out.
+// It holds all state that affects the future. It omits scratch (workspace, gathered sources, diffused and own velocity, segments
+// of a path) and derived data (tables, axes that follow, the ambient wind cell by cell, gust tiles from their seeds). Equal
+// states give equal bytes: unused fields are omitted (the second-order history of fresh air, the report of a sleeping wind
+// while it is awake).
 #include "fluid/ambient_record.h"
 #include "fluid/archive.h"
 #include "fluid/cpu/workspace.h"

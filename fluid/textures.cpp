@@ -21,7 +21,7 @@ std::uint16_t to_half(float value) {
     if (magnitude > 0x7f800000u)
         return 0; // NaN
     if (magnitude < 0x38800000u) {
-        // Below 2^-14 a half counts multiples of 2^-24; adding 1/2 lets the float adder round to just those.
+        // Below 2^-14 a half counts multiples of 2^-24. Adding 1/2 makes the float adder round to these.
         const float counted = std::bit_cast<float>(magnitude) + 0.5f;
         return static_cast<std::uint16_t>(sign | (std::bit_cast<std::uint32_t>(counted) - 0x3f000000u));
     }

@@ -43,8 +43,8 @@ bool spin_until(const Ready& ready) {
     return ready();
 }
 
-// A thread's share of a loop, in one word: which loop, the first block that nobody has taken, and where the share ends. Whoever
-// wakes late and takes from a loop that has ended fails: its share is used up, or the word is another.
+// A thread's range of a loop, in one word: the loop, the first free block, and the end of the range. A thread that wakes late
+// and takes from an ended loop fails: the range is used up, or the word has changed.
 struct Share {
     std::uint32_t loop = 0;
     std::uint16_t next = 0, end = 0;
@@ -65,12 +65,12 @@ struct alignas(k_cache_line) ShareWord {
 
 } // namespace
 
-// One loop at a time. Each thread has the same share of every loop, so that what it wrote in the last one is still in its cache,
-// and takes from the others' shares when they are late: long runs first and single blocks at the end, so that a thread
-// whose core is taken away holds up little. Whoever waits spins for a moment, then sleeps.
+// One loop at a time. Each thread has the same range of every loop, so that its last results are still in its cache. It takes
+// from the ranges of late threads: long runs first and single blocks at the end, so that a thread whose core is taken away
+// delays the loop little. A waiting thread spins briefly, then sleeps.
 //
-// A loop is written before its shares open, and the next one when all of them are used up: who takes from a share has read the
-// loop that it belongs to.
+// A loop is written before its ranges open, and the next one when all ranges are used up. A thread that takes from a range has
+// read the loop of that range.
 struct ThreadPool::State {
     using Task = void (*)(void*, int);
 
@@ -78,7 +78,7 @@ struct ThreadPool::State {
     std::atomic<Task> task{nullptr};
     std::atomic<void*> argument{nullptr};
     std::atomic<int> count{0};
-    std::atomic<int> block{1}; ///< indices that are taken together: 1, but for loops of more than k_max_blocks
+    std::atomic<int> block{1}; ///< indices that are taken together: 1, except for loops of more than k_max_blocks
     std::atomic<bool> stop{false};
     alignas(k_cache_line) std::atomic<int> left{0}; ///< blocks whose tasks have not returned
 
@@ -107,7 +107,7 @@ struct ThreadPool::State {
 #endif
     }
 
-    // Runs blocks of a share until none is left, and tells how many.
+    // Runs blocks of a range until none is left; returns their number.
     int take_from(std::atomic<std::uint64_t>& share, std::uint32_t loop) {
         int taken = 0;
         std::uint64_t word = share.load(std::memory_order_acquire);
@@ -129,8 +129,7 @@ struct ThreadPool::State {
         }
     }
 
-    // The own share; then, if the others are not done with theirs in a moment, what is left of them. True if this thread ended
-    // the loop.
+    // The thread's own range first; then, after a short wait, the rest of the others' ranges. True if this thread ended the loop.
     bool take(int own, std::uint32_t loop) {
         const auto ends_with = [this](int taken) {
             return taken > 0 && left.fetch_sub(taken, std::memory_order_seq_cst) == taken;

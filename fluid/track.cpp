@@ -10,7 +10,7 @@ namespace {
 
 constexpr double k_rounding = 1e-9; // of a tick: sums of frame times meet tick times only so nearly
 
-// Whether a piece that ends at `end` after `duration` keeps the velocity of the one before it, but for rounding of positions.
+// Whether a segment that ends at `end` after `duration` keeps the velocity of the one before it, up to rounding of positions.
 bool goes_on(const Track::Segment& before, glm::dvec3 end, double duration) {
     const double share = before.duration / (before.duration + duration);
     const glm::dvec3 bend = before.end - (before.start + share * (end - before.start));
@@ -75,7 +75,7 @@ std::span<const Track::Segment> Track::tick(double duration) {
     glm::dvec3 place = here_;
     const double half = 0.5 * duration;
     bool passed_middle = false;
-    // A piece that goes on as the last one did is one with it: an even motion makes one piece a tick, the same at any frame rate.
+    // A segment with the velocity of the last one extends it: uniform motion gives one segment a tick at any frame rate.
     const auto add = [&](double end_time, glm::dvec3 end) {
         if (std::abs(end_time - duration) <= k_rounding * duration)
             end_time = duration;

@@ -41,7 +41,7 @@ glm::vec3 WindView::velocity(glm::dvec3 position) const {
     glm::dvec3 exact = window_.local(position);
     if (!(std::isfinite(exact.x) && std::isfinite(exact.y) && std::isfinite(exact.z)))
         return ambient_->mean();
-    for (int axis = 0; axis < 3; ++axis) // wrapped in double: a float far away holds no share of a cell
+    for (int axis = 0; axis < 3; ++axis) // wrapped in double: a large float does not resolve a fraction of a cell
         if (box_->boundaries.periodic(axis))
             exact[axis] = std::fmod(exact[axis], static_cast<double>(box_->cells[axis]));
     const glm::vec3 local(exact);

@@ -1,8 +1,8 @@
-// Time in a wind, from top to bottom: `advance` spends a frame in ticks, a tick is a step of the air where the box is then.
+// Time of a wind, top-down: `advance` divides a frame into ticks; a tick is one step of the air at the box's current place.
 //
-// The air has ticks of its own, the renderer its own pace (tick_clock.h, frame_history.h). What moves (motors, the point that
-// the box follows) is given per frame and seen by each tick at its own time (track.h), so the air's states are the same for any frame
-// rate. A shift moves the air that stays inside to the bit; cells that it exposes hold the ambient wind, with no past.
+// The air has its own ticks and the renderer its own pace (tick_clock.h, frame_history.h). Motion (motors, the point that the
+// box follows) is set per frame and sampled by each tick at its own time (track.h), so the air's states do not depend on the
+// frame rate. A shift keeps the cells that stay inside to the bit; exposed cells take the ambient wind without history.
 #include "fluid/message.h"
 #include "fluid/wind_core.h"
 #include "fluid/wind_state.h"
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double k_longest_frame = 1e9; // [s] beyond it times cannot be distinguished
 
-// Names the volume sources among the motors, and where the box lies: the same name, the same S. 0: there is none.
+// Key of the volume sources among the motors and of the box's place: equal keys have equal S. 0: no source.
 std::uint64_t name_of_sources(std::span<const detail::MotorReach> reached, CellIndex origin) {
     constexpr std::uint64_t k_prime = 0x100000001b3;
     std::uint64_t name = 0xcbf29ce484222325; // FNV-1a
@@ -93,7 +93,7 @@ Diagnostics WindCore::step(double dt) {
         apply(CellChange::Kind::end_frames);
     }
     motors.begin_frame(lead, dt);
-    if (lead > 0.0) // what was given since the last tick happens in this step too
+    if (lead > 0.0) // motion set since the last tick is part of this step
         motors.squeeze(dt / (lead + dt));
     const Diagnostics report = step_air(dt);
     note(Stepped{dt});
@@ -104,7 +104,7 @@ bool WindCore::has_room(const CellNeeds& needs) {
     return detail::memory_lasts([&] { cells_.make_room(needs); });
 }
 
-// Nothing acts on the air in dropped time, but the world went on: bodies are where they are, gusts have passed.
+// Nothing acts on the air in dropped time, but the rest advances: bodies are at their new places, gusts have passed.
 void WindCore::drop(double seconds) {
     (void)motors.tick(seconds, place.window, config.boundaries);
     (void)frames->follow.tick(seconds);

@@ -1,4 +1,4 @@
-// What a host asks of a wind, besides time: changes of the wind around the box, of its sides, place and cells.
+// Operations of a wind other than time: changes of the wind around the box, its boundary conditions, place and cells.
 #include "fluid/wind_core.h"
 
 #include "fluid/message.h"

@@ -6,7 +6,7 @@ namespace windrow::scene {
 void read_side(JsonObject& boundaries, const Key& key, Boundary& side) {
     const auto given = boundaries.value().find(key.name);
     const bool is_object = given != boundaries.value().end() && given->is_object();
-    // Both ways to write a side are known, whichever the file takes.
+    // Both forms of a boundary are known keys, whichever the file uses.
     if (is_object || !boundaries.value().contains(key.name))
         read_object(boundaries.object(key), side);
     if (!is_object)

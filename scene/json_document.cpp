@@ -96,7 +96,7 @@ class Builder final : public nlohmann::json_sax<json> {
         return true;
     }
 
-    /// Path of what the first `count` levels stand in.
+    /// Path of the container at the first `count` levels.
     [[nodiscard]] std::string path_of(std::size_t count) const {
         std::string path = "$";
         for (std::size_t i = 0; i < count; ++i) {
@@ -117,7 +117,7 @@ class Builder final : public nlohmann::json_sax<json> {
                                      const nlohmann::detail::exception& thrown) const {
         if (thrown.id == 406)
             return message("the number ", token.substr(0, 40), " is too large: give one that fits a double (up to 1.8e308).");
-        // The rest of the text from the word in which the fault lies.
+        // The rest of the text from the word that contains the fault.
         std::size_t start = offset;
         while (start > 0 && std::string_view("+-abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ").find(text_[start - 1]) !=
                                 std::string_view::npos)

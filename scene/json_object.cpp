@@ -78,7 +78,7 @@ float JsonObject::real(const Key& key, float fallback, const Range& rule) {
     if (value == nullptr)
         return fallback;
     const auto number = check_number(*value, path_of(key), rule, *log_);
-    // A float holds less than a double; where no rule bounds it, the largest one stands for more.
+    // A float's range is smaller than a double's; where no rule bounds the value, it is clamped to the largest float.
     constexpr double k_most = std::numeric_limits<float>::max();
     return number ? static_cast<float>(std::clamp(*number, -k_most, k_most)) : fallback;
 }

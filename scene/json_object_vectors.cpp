@@ -1,4 +1,4 @@
-// What a JsonObject reads as several numbers: vectors, pairs, flags of the axes.
+// JsonObject readers of several numbers: vectors, pairs, flags of the axes.
 #include "fluid/validation.h"
 #include "scene/json_document.h"
 #include "scene/json_object.h"

@@ -84,7 +84,7 @@ glm::dvec3 MotionPath::at(double time) const {
         return points_.back().position;
     const PathPoint& before = *(next - 1);
     const double share = (time - before.time) / (next->time - before.time);
-    // Written so that equal points give that point to the bit, and a share of 0 the point before.
+    // Written so that equal points give that point to the bit, and a fraction of 0 the point before.
     return before.position + share * (next->position - before.position);
 }
 

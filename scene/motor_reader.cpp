@@ -10,7 +10,7 @@ using nlohmann::json;
 
 constexpr Range k_time_rule{-MotionPath::k_farthest, MotionPath::k_farthest, "s"};
 
-/// Where a motor is: at a position, which need not be given, or on a path. Without a path a wake would never move, and so never act.
+/// Place of a motor: an optional position, or a path. Without a path a wake would never move, and so never act.
 template <class Kind>
 void read_place(JsonObject& object, const Key& key, std::span<const std::string> path_names, Kind& kind, SceneMotor& motor) {
     constexpr bool k_moves = std::same_as<Kind, WakeMotor>;
@@ -21,7 +21,7 @@ void read_place(JsonObject& object, const Key& key, std::span<const std::string>
     motor.path = object.name({"path", "Name of the path that the position moves along."}, path_names, "paths", k_moves);
 }
 
-/// Reads the keys of one kind; the keys that all kinds share are read before.
+/// Reads the keys of one kind; the keys common to all kinds are read before.
 template <class Kind>
 void read_motor_kind(JsonObject& object, std::span<const std::string> path_names, SceneMotor& motor) {
     Kind kind;
@@ -42,7 +42,7 @@ SceneMotor read_motor(const json& value, const std::string& path, std::span<cons
     SceneMotor motor;
     const auto& kinds = k_alternatives<Motor>;
     const std::size_t chosen = object.word_index({"kind", "What it is."}, "", {kinds.begin(), kinds.end()});
-    // Nothing is known of the other keys without a kind.
+    // Without a kind, the other keys cannot be checked.
     if (chosen == kinds.size())
         return motor;
     constexpr auto k_meanings = []<class... Kinds>(std::variant<Kinds...>*) {

@@ -192,7 +192,7 @@ Result<Scene> read_scene_json(const json& document, const std::filesystem::path&
 
     if (log.faults() > 0)
         return log.error();
-    // A box that follows nothing stands, and has no rim to fade over.
+    // A box that follows nothing is fixed, and needs no blend zone.
     if (std::holds_alternative<std::monostate>(scene.follow) && !scene.air.follow_axes)
         scene.air.follow_axes = glm::bvec3(false);
     if (!read.has_centre)

@@ -12,7 +12,7 @@
 
 namespace windrow::cpu {
 
-/// Rows of cells among plants: drag per metre, and where their ground and top lie in cells above the box's low side.
+/// Rows of cells among plants: drag per metre, and heights of ground and top in cells above the box's low boundary.
 struct CanopyRows {
     float drag = 0.0f; ///< [1/m] 0: none
     float ground = 0.0f, top = 0.0f;

@@ -1,4 +1,4 @@
-// Semi-Lagrangian advection of the velocity: gather with halo, then trace and interpolate. operators.h states the method.
+// Semi-Lagrangian advection of the velocity: gather with halo, then trace and interpolate. Method: operators.h.
 #include "fluid/cpu/box_rules.h"
 #include "fluid/cpu/workspace.h"
 

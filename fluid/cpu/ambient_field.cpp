@@ -1,9 +1,9 @@
-// Fills a padded box with the ambient wind.
+// Ambient wind on a padded box.
 //
-// Trilinear blending is separable. A row of cells has one y and one z, so the four rows of texels around it are blended first,
-// once for each of the few texels that the row covers, with the gusts' strength, their axes, the profile and the mean folded in;
-// then a cell costs one blend along x. Indices and weights come from one small table an axis. Where cells are so large
-// that a row covers more texels than it would read, only those that it reads are blended.
+// Trilinear blending is separable. A row of cells has one y and one z. The four rows of texels around it are blended first, once
+// for each texel that the row covers. This includes the gusts' strength, their axes, the profile and the mean. A cell then
+// costs one blend along x. Indices and weights come from one small table per axis. Where cells are so large that a row covers
+// more texels than it reads, only the texels read are blended.
 #include "fluid/cpu/ambient_field.h"
 
 #include <algorithm>

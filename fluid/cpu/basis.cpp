@@ -12,7 +12,7 @@ struct AxisMode {
     bool sine;
 };
 
-// Where the end's mirror lies, in cells from the first centre.
+// Mirror point of an end, in cells from the first centre.
 double mirror_point(EndRule rule, bool low, int count) {
     const double reach = rule == EndRule::zero_at_ghost ? 1.0 : 0.5;
     return low ? -reach : count - 1 + reach;

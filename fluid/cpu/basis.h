@@ -2,10 +2,10 @@
 //
 //   (D v)[i] = v[i-1] - 2 v[i] + v[i+1],   D v = lambda v,   lambda = -4 sin^2(theta / 2)
 //
-// What lies beyond an end decides the phase: a value that is odd about the ghost's centre or the face gives a sine that vanishes
+// The boundary rule at an end sets the phase: a value that is odd about the ghost's centre or the face gives a sine that vanishes
 // there, one that is even about the face a cosine. With both points `length` cells apart, theta is pi/length times
 // k + 1 (odd, odd), k (even, even), k + 1/2 (one of each); a periodic axis has the real Fourier basis.
-// Like ends give vectors that are even or odd about the middle, so that an even-odd split makes two transforms of half the size.
+// Like ends give vectors that are even or odd about the middle: an even-odd split makes two transforms of half the size.
 // Based on: Strang 1999, "The discrete cosine transform", SIAM Review 41.
 #pragma once
 
@@ -26,14 +26,14 @@ enum class EndRule {
     return rule == EndRule::zero_at_face ? -1.0 : rule == EndRule::even_at_face ? 1.0 : 0.0;
 }
 
-/// Orthonormal eigenvectors, folded where the ends are alike. In a folded basis the `even` modes come first and act on
-/// value[i] + value[n-1-i], i < even_size (the middle cell of an odd n by itself), then the odd ones on the differences.
+/// Orthonormal eigenvectors, split into even and odd where the ends are alike. In a split basis the `even` modes come first and
+/// act on value[i] + value[n-1-i], i < even_size (the middle cell of an odd n by itself), then the odd ones on the differences.
 struct AxisBasis {
     AxisBasis(int count, EndRule low, EndRule high);
 
     int count;
     bool folded;
-    int even_size; ///< modes of the first part: all of them where not folded
+    int even_size; ///< modes of the first part: all of them without an even-odd split
     int odd_size;
     /// [mode][cell of the half axis] row-major; even_size x even_size and odd_size x odd_size.
     std::vector<double> even, odd;

@@ -1,5 +1,5 @@
-// Boundary rules of each stage: the source of ghost values, and the bounds of trajectories. One source for the kernels of the CPU
-// and the tables of the GPU.
+// Boundary rules of each stage: the source of ghost values, and the bounds of trajectories. Shared by the kernels of the CPU and
+// the tables of the GPU.
 #pragma once
 
 #include "fluid/box.h"
@@ -14,11 +14,11 @@ namespace windrow::cpu {
 /// Ghost values beyond a boundary, for the pressure and for a component of the velocity.
 [[nodiscard]] EndRule pressure_end(const Boundary& side);
 [[nodiscard]] EndRule velocity_end(const Boundary& side, bool normal);
-/// The same for all sides, of the pressure and of a component of the velocity.
+/// End rules of all boundaries, for the pressure and for a component of the velocity.
 [[nodiscard]] std::array<std::array<EndRule, 2>, 3> pressure_ends(const Boundaries& boundaries);
 [[nodiscard]] std::array<std::array<EndRule, 2>, 3> velocity_ends(const Boundaries& boundaries, int component);
 
-/// An axis' rules, one a padded index: [cell + k_halo_low], as viscosity sees the sides.
+/// Rules of an axis, one per padded index [cell + k_halo_low], for viscosity.
 [[nodiscard]] std::vector<HaloRule> halo_rules(const Box& box, int axis);
 /// The same as transport sees them: along every wall the air slips. What a no-slip wall holds back is a layer that viscosity
 /// makes, thinner than a cell in all but the stiffest air. A ghost of the other sign puts that layer between the outermost cell
@@ -33,8 +33,8 @@ namespace windrow::cpu {
 [[nodiscard]] NormalGhost velocity_ghost(const Box& box, int axis, int end);
 [[nodiscard]] NormalGhost potential_ghost(const Box& box, int axis, int end);
 
-/// Range of departure points on an axis, in cells from the first centre. An open boundary lets it end one cell beyond the
-/// outermost centre, where everything read is ambient; a wall stops it at the face; a periodic axis wraps.
+/// Range of departure points on an axis, in cells from the first centre. At an open boundary it ends one cell beyond the
+/// outermost centre, where all samples are ambient. A wall ends it at the face; a periodic axis wraps.
 struct LegalPlaces {
     float low = 0.0f, high = 0.0f;
     float period = 0.0f, inverse_period = 0.0f; ///< 0 where the axis is not periodic

@@ -1,5 +1,5 @@
-// What a wind's core does to the cells on the CPU. The ambient wind lies cell by cell, halo included, where it is not the same
-// everywhere.
+// Operations of a wind's core on the cells on the CPU. The ambient wind is stored cell by cell, halo included, where it is not
+// uniform.
 #include "fluid/cpu/cells.h"
 
 #include "fluid/cpu/workspace.h"
@@ -174,7 +174,7 @@ void Cells::fill(std::span<glm::vec4> field) const {
 // --- Changes -----------------------------------------------------------------------------------------------------------------
 
 Result<void> Cells::set_boundaries(const Boundaries& boundaries, bool kinds) {
-    hold_air(); // as the old sides have it
+    hold_air(); // with the old boundaries
     hold_before();
     auto changed = work.set_boundaries(boundaries);
     air.fresh = air.fresh || (changed && kinds);
@@ -284,7 +284,7 @@ bool Cells::has_source_flow() const {
     return wind_.source_name != 0;
 }
 
-// By whoever reads them first, in the reader's own thread: it may be in a loop of its own.
+// Called by the first reader, in the reader's own thread, which may run a loop of its own.
 void Cells::hold_air() {
     if (held_at_ == wind_.sleep.drift)
         return;

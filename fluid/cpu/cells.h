@@ -57,10 +57,10 @@ class Cells final : public CellStorage {
     void show(const FrameBlend& blend) override;
 
     [[nodiscard]] const Box& box() const { return work.box(); }
-    /// Views of the air, and of the frames shown; what their cells are is written to them from then on. Threads may ask at once.
+    /// Views of the air, and of the frames shown; their cells are written from then on. Thread-safe.
     [[nodiscard]] WindView air_view();
     [[nodiscard]] WindView view(FrameCells::Field& field, const ShownFrame& frame);
-    /// Writes the ambient wind into cells that are known to be ambient. Threads may ask at once.
+    /// Writes the ambient wind into cells that are marked as ambient. Thread-safe.
     void hold_air();
     void hold_all(); ///< that of frames too
     /// Both frames show the air of now.
@@ -75,7 +75,7 @@ class Cells final : public CellStorage {
     SourceField sources;
     /// u_S [m/s], part of the velocity; empty until the first volume source, 0 while there is none.
     Buffer<glm::vec4> source_flow;
-    Buffer<glm::vec4> solved; ///< scratch for u less its given part; empty until something is given
+    Buffer<glm::vec4> solved; ///< scratch for u less its prescribed part; empty until a part is prescribed
 
   private:
     static constexpr std::uint64_t k_unheld = ~std::uint64_t{0};
@@ -142,7 +142,7 @@ class Cells final : public CellStorage {
     std::vector<float> profile_bends_; ///< second differences of the profile, one a padded row; empty without profile or gusts
     glm::dvec3 next_phase_{0.0};       ///< [m] of the gusts at the end of the sub-step
     CanopyRows canopy_;                ///< of the step
-    Buffer<glm::vec4> diffused_;       ///< the velocity after diffusion; empty while viscosity asks for none
+    Buffer<glm::vec4> diffused_;       ///< the velocity after diffusion; empty while viscosity has no effect
     FreeAir free_air_;                 ///< where volume sources blow; empty until then
     /// Sleep::drift at which the air, and that of the tick before, were written. Another: they are ambient, written when read.
     std::atomic<std::uint64_t> held_at_ = 0;

@@ -28,7 +28,7 @@ void diffuse_once(Workspace::State& state, std::span<const glm::vec4> field, flo
     state.parallel_for(state.box.cells.z, [&](int plane) { state.kernels->diffuse_plane(task, plane); });
 }
 
-// What the ghost beyond one side adds to L v at its outermost cell: the part that does not depend on v.
+// Contribution of the ghost beyond one boundary to L v at its outermost cell: the part that does not depend on v.
 float wall_fraction(const Boundary& side, int component, float ambient) {
     return side.kind == BoundaryKind::no_slip ? 2.0f * (side.wall_velocity[component] - ambient) : 0.0f;
 }

@@ -1,8 +1,8 @@
-// Projection onto divergence-free fields, collocated: L phi = div u - S, u -= grad phi; S is the divergence wanted, 0 but where
-// air comes out.
+// Projection onto divergence-free fields, collocated: L phi = div u - S, u -= grad phi. S is the prescribed divergence, nonzero
+// only in volume sources.
 //
-// Divergence and gradient are central over two cells, L is the compact 7-point Laplacian: an approximate projection. What
-// is left is (L - div grad) phi, which falls as h^2. Everything is dimensionless (phi / h), so no h appears.
+// Divergence and gradient are central over two cells, L is the compact 7-point Laplacian: an approximate projection. The
+// remaining divergence is (L - div grad) phi, which falls as h^2. Everything is dimensionless (phi / h), so no h appears.
 #include "fluid/cpu/sources.h"
 #include "fluid/cpu/workspace.h"
 

@@ -1,4 +1,4 @@
-// A scalar on the wind's trajectories. Walls mirror it, open boundaries hold the caller's outside value.
+// Advection of a scalar along the wind's trajectories. Walls mirror it, open boundaries hold the caller's outside value.
 #include "fluid/cpu/workspace.h"
 #include "fluid/message.h"
 

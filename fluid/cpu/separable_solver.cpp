@@ -175,8 +175,8 @@ void SeparableSolver::modes_to_rows(int plane, float* data, float* scratch) cons
         kernels_->unfold_row({cells_.x, odd}, folded + j * pitch, odd_offset_, rows + j * pitch);
 }
 
-// A column's lines lie a plane apart, a power of two in the usual boxes, so that they meet in the same few sets of a cache: each
-// is read once and written once, and worked on in a dense copy.
+// A column's lines are one plane apart, a power of two in the usual boxes, so that they map to the same few sets of a cache.
+// Each line is read once and written once, and processed in a dense copy.
 void SeparableSolver::solve_block(int block, float* data, float* scratch) const {
     const int rows = cells_.y, modes = cells_.z, even = basis_z_.even_size, odd = basis_z_.odd_size;
     const std::ptrdiff_t plane = static_cast<std::ptrdiff_t>(pitch_) * rows;

@@ -35,7 +35,7 @@ namespace windrow::cpu {
 // A periodic column is solved by Sherman and Morrison: the system without its corners, and a correction along `vector`.
 // Based on: Thomas 1949; Sherman & Morrison 1950, Annals of Mathematical Statistics 21.
 
-/// A ring of one cell is its own neighbour on both sides: its second difference is 0, as between two walls.
+/// A ring of one cell is its own neighbour in both directions: its second difference is 0, as between two walls.
 [[nodiscard]] inline bool is_cyclic(const std::array<EndRule, 2>& ends, int rows) {
     return ends[0] == EndRule::periodic && rows > 1;
 }

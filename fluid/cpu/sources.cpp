@@ -226,7 +226,7 @@ void SourceField::gather_plane(std::span<const MotorReach> motors, float cell_si
         if (drive_low < drive_high)
             row_driven_[row] = {static_cast<std::uint16_t>(drive_low), static_cast<std::uint16_t>(drive_high)};
         for (int i = drive_low; i < drive_high; ++i) {
-            // The driven velocity lies between u and U: the exponential is only needed where one of them is a new maximum.
+            // The driven velocity is between u and U: the exponential is only needed where one of them is a new maximum.
             const glm::vec4& u = velocity[row * cells_.x + i];
             const float most = std::max(largest_component(u) * drives[i].w, largest_component(drives[i]));
             if (!(most > plane_largest_driven_[k] * drives[i].w))

@@ -1,4 +1,4 @@
-// The sources stage: effect of the motors on the air, gathered per cell from the motors that reach it.
+// Sources stage: effect of the motors on the air, gathered per cell from the motors that reach it.
 #pragma once
 
 #include "fluid/ambient_numerics.h"
@@ -13,8 +13,8 @@
 
 namespace windrow::cpu {
 
-/// Result of the motors for the step: the acceleration f of those that push, what those that drive pull toward, the divergence S
-/// of those that let air in. Rows that no motor reaches hold nothing and are never read.
+/// Result of the motors for the step: the acceleration f of forces, the target velocities of drives, the divergence S of volume
+/// sources. Rows that no motor reaches are unset and never read.
 class SourceField {
   public:
     explicit SourceField(glm::ivec3 cells);
@@ -48,7 +48,7 @@ class SourceField {
     [[nodiscard]] float largest_force() const { return largest_force_; }
     /// [m/s] Largest component that the drives, acting whole, would leave in a cell.
     [[nodiscard]] float largest_driven() const { return largest_driven_; }
-    /// [1/s] S at every cell; empty where no motor lets air in or out.
+    /// [1/s] S at every cell; empty without volume sources.
     [[nodiscard]] std::span<const float> expansion() const;
     [[nodiscard]] std::size_t memory_bytes() const;
 

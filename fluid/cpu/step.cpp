@@ -1,6 +1,6 @@
-// One step of the air on the CPU.
+// Step of the air on the CPU.
 //
-// Second order (two-time-level semi-implicit semi-Lagrangian, the practice of weather models), du/dt = -grad p + nu L u + f:
+// Second order (two-time-level semi-implicit semi-Lagrangian, as in weather models), du/dt = -grad p + nu L u + f:
 //
 //   R  = u - s q + (dt/2) f                    half of pressure and force act at departure, half at arrival
 //   xd = departure of x                        SETTLS, advect() in operators.h
@@ -8,23 +8,25 @@
 //   u' = w - grad phi,  L phi = div w          project()
 //   q' = (dt/2) grad p                         and s: shaders/numerics/history.glsl
 //
-// All values at cell centres. Order 2 in time at fixed CFL, whatever the steps' lengths, with one cubic interpolation and one
-// projection a step. Viscosity acts on u before R is formed: added after the advection it feeds an instability at CFL 1. Drives
-// and plants hold the air for half of the step at departure and half at arrival (shaders/numerics/splitting.glsl).
+// All values at cell centres. Order 2 in time at fixed CFL for any step lengths, with one cubic interpolation and one projection
+// a step. Viscosity acts on u before R is formed: added after the advection it feeds an instability at CFL 1. Drives and plants
+// act for half of the step at departure and half at arrival (shaders/numerics/splitting.glsl).
 //
-// Two parts of u may be given, not solved; the step then carries and projects the rest, v = u - u_S - A, along the whole wind u:
+// Two parts of u may be prescribed. The step then advects and projects the perturbation v = u - u_S - A along the whole wind u:
 //
 //   dv/dt + u . grad v = -grad p + nu L v + f - (u - A) . grad A
 //
-// u_S, the flow of sources of air (blasts, vents, suction), which prescribe div u = S: the potential flow u_S = grad psi, L psi =
-// S, projected by itself when S changes; it stands at once. What is left out, v . grad u_S, is a gradient wherever v has no
-// vorticity (a vent in a steady wind comes out exact), else the straining of v's vorticity by the source. Carried with the rest,
-// u_S feeds on its errors: jets grow out of its middle within a second. A, the ambient wind while it gusts: a frozen pattern,
-// free of divergence but for what a wall drops of it, that the mean wind carries through the box as it does outside. Walls hold
-// back v, not A. Solved, A would evolve inside but not outside, and each shift of the box would be felt as a jolt (0.07 m/s in a
-// wind of 2 m/s). What the rest carries of A stands in kernels/advect.inl, carry_given: it is 0 to the bit where nothing else blows.
+// u_S is the flow of volume sources (blasts, vents, suction), which prescribe div u = S. It is the potential flow u_S = grad psi,
+// L psi = S. It is projected by itself when S changes and acts at once. The term v . grad u_S is dropped. It is a gradient
+// wherever v has no vorticity (a vent in a steady wind comes out exact), otherwise the straining of v's vorticity by the source.
+// Advected with v, u_S amplifies its own errors: jets grow out of its middle within a second.
 //
-// Stable fluids, the classic split: u' = P(A(D(u + dt f))): every stage whole and one after the other, order 1.
+// A is the ambient wind while it gusts: a frozen pattern, advected by the mean wind inside the box as outside. A is divergence-
+// free except for the part that a wall removes. Walls block v, not A. A solved A would evolve inside but not outside, and each
+// shift of the box would cause a jump (0.07 m/s in a wind of 2 m/s). Advection of A by v: kernels/advect.inl, carry_given. It
+// is 0 to the bit where v = 0.
+//
+// Stable fluids, the classic split: u' = P(A(D(u + dt f))): complete stages in sequence, order 1.
 //
 // Based on: Temperton & Staniforth 1987, Quarterly Journal 113; Hortal 2002, ECMWF Technical Memorandum 292; Stam 1999, SIGGRAPH.
 #include "fluid/cpu/cells.h"
@@ -352,7 +354,7 @@ void Cells::renew_source_flow(std::span<const detail::MotorReach> reached) {
     add_to_air(1.0f);
 }
 
-// v; the velocity itself where nothing is given.
+// v; the velocity itself where nothing is prescribed.
 std::span<const glm::vec4> Cells::without_given_flow() {
     if (!has_source_flow() && !around_.gusting())
         return air.velocity;
@@ -418,8 +420,8 @@ void Cells::repair_cells() {
     });
 }
 
-// The velocity after diffusion: itself where viscosity asks for nothing. What a sub-step is too short for is owed: left out, it
-// would be left out for good, however many sub-steps follow.
+// The velocity after diffusion; the input where viscosity has no effect. Diffusion time too short to act is accumulated:
+// dropped, it would be lost for any number of sub-steps.
 std::span<const glm::vec4> Cells::diffuse(std::span<const glm::vec4> field, float dt, Diagnostics& report) {
     if (!wind_.viscous(dt))
         return field;
@@ -446,7 +448,7 @@ void Cells::measure(Diagnostics& report) {
     report.divergence_rms = std::sqrt(found.divergence_squares / static_cast<double>(box().cell_count()));
 }
 
-// Looks no further than the first cell that still moves: it costs next to nothing until the air has settled.
+// Stops at the first cell that still moves: the cost is small until the air has relaxed to the ambient wind.
 bool Cells::at_ambient() const {
     const glm::ivec3 cells = box().cells;
     std::size_t n = 0;

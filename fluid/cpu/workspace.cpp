@@ -135,7 +135,7 @@ cpu::PlaneSurvey Workspace::State::survey(const float* velocity) {
     return sum_of(surveys);
 }
 
-// A few rows at a time, so that the survey reads what the divergence has just brought into cache.
+// A few rows at a time, so that the reduction reads rows that the divergence has just brought into cache.
 cpu::PlaneSurvey Workspace::State::survey_with_divergence(const float* velocity, std::span<const float> expansion) {
     constexpr int k_cells_at_once = 256;
     const int rows_at_once = std::max(1, k_cells_at_once / box.cells.x);

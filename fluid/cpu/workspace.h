@@ -58,7 +58,7 @@ struct Workspace::State {
 
     /// An AdvectTask with the legal positions of this box; fields and step are the caller's to fill.
     [[nodiscard]] cpu::AdvectTask advect_task() const;
-    /// A DivergenceTask with this box's sides; the result is the caller's to name.
+    /// A DivergenceTask with this box's boundaries; the caller sets its result.
     [[nodiscard]] cpu::DivergenceTask divergence_task(const float* velocity, float scale) const;
     /// Central divergence into `potential`, times `scale`.
     void divergence_to_potential(const float* velocity, float scale);
@@ -72,7 +72,7 @@ struct Workspace::State {
     /// As project() in operators.h, with phi / h beyond open boundaries as `beyond` has it; null: 0.
     void project(std::span<glm::vec4> velocity, std::span<const float> expansion, const GradientNote& note,
                  const cpu::FreeAir* beyond = nullptr);
-    /// Sum of the planes' surveys, in order of the planes.
+    /// Sum of the planes' reductions, in order of the planes.
     [[nodiscard]] cpu::PlaneSurvey survey(const float* velocity);
     /// The same, and the central divergence [1/s], less the one wanted where `expansion` is not empty.
     [[nodiscard]] cpu::PlaneSurvey survey_with_divergence(const float* velocity, std::span<const float> expansion);

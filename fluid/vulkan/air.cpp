@@ -31,7 +31,7 @@ VkAccessFlags writes_of(VkPipelineStageFlags stages) {
            ((stages & k_transfer) != 0 ? VK_ACCESS_TRANSFER_WRITE_BIT : 0);
 }
 
-// What a step asks for in one sub-step, the longest.
+// Diffusion method of one sub-step of the given duration, the longest.
 DiffusionMethod method_of(const Config& config, double duration) {
     return config.stages.diffusion ? diffusion_method(config.viscosity, static_cast<float>(duration), config.cell_size)
                                    : DiffusionMethod::none;
@@ -94,7 +94,7 @@ Result<void> Air::make() {
 
 // --- The block of a step -----------------------------------------------------------------------------------------------------
 
-// What a sub-step may come to, with what is owed from before it (a ratio below the least that acts); no more than was prepared for.
+// Diffusion method of a sub-step with the accumulated diffusion time (a ratio below the least that acts), if prepared for.
 DiffusionMethod Air::diffusion_of(double duration) const {
     if (prepared_ == DiffusionMethod::none)
         return prepared_;
@@ -362,7 +362,7 @@ void Air::show(VkCommandBuffer commands, float factor, int frame, bool reports) 
                         .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
                         .image = fields_.axes[frame][axis].handle(),
                         .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1}};
-    // Whoever sampled them two frames ago is done first.
+    // Readers of two frames ago finish first.
     barrier(VK_PIPELINE_STAGE_ALL_COMMANDS_BIT | k_compute | k_transfer, k_compute);
     wait(commands, images);
     dispatch(commands, Pass::show, WindrowShowPush{.factor = factor, .reports = reports ? 1 : 0}, frame);

@@ -1,8 +1,8 @@
-// What the device gets of the box once, and again when its sides change: the tables of the direct solves, and the rules by
-// which cells beyond the sides take their values.
+// Tables of the box on the device: the direct solves, and the rules that give values to cells beyond the boundaries. Uploaded
+// once, and again when the boundary conditions change.
 //
-// Tables of 10^4 floats and more go through a piece of host memory, which a copy in the command buffer reads. It is written
-// before it is recorded and never again: new tables get a new piece, and the old one stays until its slot comes round.
+// Tables of 10^4 floats and more go through a range of host memory, which a copy in the command buffer reads. A range is written
+// before it is recorded and never again: new tables get a new range, and the old one is kept until its slot is reused.
 #include "fluid/cpu/box_rules.h"
 #include "fluid/vulkan/air.h"
 

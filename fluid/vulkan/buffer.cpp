@@ -68,7 +68,7 @@ Result<Buffer> Buffer::create(Device& device, VkDeviceSize bytes, MemoryUse use,
     return buffer;
 }
 
-// The range is the whole piece in whole atoms, as Memory has cut it.
+// The whole allocation in whole atoms, as aligned by Memory.
 VkMappedMemoryRange Buffer::range() const {
     assert(mapped() != nullptr);
     const MemoryPiece& piece = piece_.get();

@@ -1,6 +1,6 @@
-// The device is ahead of what the host knows of it by the frames in flight. So the host decides by what it knows itself (which
-// motors reach the box, whether the box moved), the device by what only it knows (the sub-steps), and sleep, which needs both,
-// begins when a read-back shows that the air is still and nothing has acted since.
+// Cells on the device. The device is ahead of the host by the frames in flight. The host decides by its own data (motors in
+// reach of the box, a move of the box). The device decides by its own data (the sub-steps). Sleep needs both: it begins when a
+// read-back shows that the air is still and nothing has acted since.
 #include "fluid/vulkan/device_cells.h"
 
 #include "fluid/message.h"
@@ -29,7 +29,7 @@ Result<void> DeviceCells::set_boundaries(const Boundaries& boundaries, bool kind
         [&] { return air->prepare(boundaries, kinds || (new_sides_ && new_sides_->tables)); });
     if (!prepared)
         return Error{prepared.error()};
-    hold_gusts(); // as the old sides have them
+    hold_gusts(); // with the old boundaries
     rest.filled = false;
     rest.disturb();
     new_sides_ = *std::move(prepared);

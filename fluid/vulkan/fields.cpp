@@ -30,7 +30,7 @@ Result<Fields> Fields::create(Device& device, const Sizes& sizes) {
     make(fields.control, "control", sizeof(WindrowControl));
     make(fields.shapes, "shapes", 4 * (1 + 3 * (1 + 24)));
     make(fields.commands, "commands", sizes.commands * sizeof(VkDispatchIndirectCommand), VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
-    make(fields.rules, "rules", 2 * axes * sizeof(WindrowRule)); // as viscosity and as transport see the sides
+    make(fields.rules, "rules", 2 * axes * sizeof(WindrowRule)); // boundary rules of viscosity and of transport
     make(fields.motors, "motors", k_max_motors * sizeof(WindrowMotor));
     make(fields.tables, "tables", sizes.table_floats * sizeof(float));
     make(fields.tile, "tile", VkDeviceSize{128} * 16 * 128 * sizeof(vec4)); // motors' eddies are read from it too

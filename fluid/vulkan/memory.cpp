@@ -33,7 +33,7 @@ struct MemoryBlock {
     std::byte* mapped = nullptr;
 };
 
-/// A range of a block that has just become a piece.
+/// A newly allocated range of a block.
 struct Taken {
     MemoryBlock* block = nullptr;
     VkDeviceSize offset = 0;
@@ -173,7 +173,7 @@ Result<MemoryPiece> Memory::allocate(const VkMemoryRequirements& requirements, V
     if (types.empty())
         return Error{detail::message(what, " are needed, and the device has no such memory type: use another device.")};
 
-    // Whole atoms, so that flushing one piece never touches its neighbour.
+    // Whole atoms, so that flushing one allocation never touches its neighbour.
     VkMemoryRequirements asked = requirements;
     if (visible) {
         asked.alignment = std::max(asked.alignment, state.atom);

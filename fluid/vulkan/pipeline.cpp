@@ -122,7 +122,7 @@ std::vector<Access> access_of(std::span<const std::uint32_t> spirv, std::size_t 
     for (std::size_t word = k_header_words; word < spirv.size();) {
         const std::uint32_t length = spirv[word] >> 16, operation = spirv[word] & 0xffffu;
         if (length == 0 || word + length > spirv.size())
-            break; // no module: nothing more is known of it
+            break; // no module: no more data
         const auto operand = [&](std::size_t n) { return spirv[word + n]; };
         if (operation == k_op_decorate && length >= 3) {
             note(operand(1), operand(2));

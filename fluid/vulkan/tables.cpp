@@ -9,7 +9,7 @@ namespace {
 
 using cpu::AxisBasis;
 
-// A folded basis holds half of each vector: an even one is its own mirror image, an odd one the negative of it.
+// A split basis holds half of each vector: an even one is its own mirror image, an odd one the negative of it.
 float component(const AxisBasis& basis, int mode, int cell) {
     const bool even = mode < basis.even_size;
     const int size = even ? basis.even_size : basis.odd_size, row = even ? mode : mode - basis.even_size;

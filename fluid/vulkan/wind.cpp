@@ -22,8 +22,8 @@ Wind::~Wind() = default;
 
 namespace {
 
-// Dispatches that a recording may hold: its ticks with all their sub-steps and a shift of the box each, and what a host asks for
-// between two frames. Few recordings come near it; a pool of timestamps takes 8 bytes each.
+// Maximum number of dispatches in a recording: its ticks with all their sub-steps, one shift of the box per tick, and the host's
+// requests between two frames. Few recordings approach it; a pool of timestamps takes 8 bytes each.
 std::uint32_t laps_of(const Config& config, const Passes& passes) {
     constexpr std::uint64_t k_beside = 32, k_a_tick = 16, k_most = 16384;
     const std::uint64_t substep = passes.substep(DiffusionMethod::implicit).size();
@@ -158,7 +158,7 @@ Textures Wind::previous_textures() const {
 
 namespace {
 
-// Calls use(view of the frame last recorded, view of the one before), which live no longer than the call. They hold no cells.
+// Calls use(view of the frame last recorded, view of the one before). The views are valid during the call. They hold no cells.
 template <class Use>
 auto with_views(const Wind::State& state, const Use& use) {
     const Box box = state.core.box();

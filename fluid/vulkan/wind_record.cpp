@@ -1,4 +1,4 @@
-// A frame recorded: what the host asked for since the last one, the ticks that are due, the textures, the read-back.
+// Recording of a frame: the host's requests since the last one, the ticks that are due, the textures, the read-back.
 #include "fluid/vulkan/wind_state.h"
 
 #include <cmath>

@@ -11,7 +11,7 @@ namespace {
 
 using Kind = CellChange::Kind;
 
-// Both leave what lies between them in the box: a shift there and back loses what left it.
+// Both shifts keep the cells between them in the box: a shift there and back loses the cells that left it.
 bool same_way(CellIndex a, CellIndex b) {
     for (int axis = 0; axis < 3; ++axis)
         if ((a[axis] < 0 && b[axis] > 0) || (a[axis] > 0 && b[axis] < 0))
@@ -41,7 +41,7 @@ bool passes(const CellChange& change, const CellChange& earlier) {
 
 } // namespace
 
-// True where the last change now does what this one asks too.
+// True where the last change now covers this one.
 bool WorkQueue::fold(const CellChange& change) {
     if (changes_.empty())
         return false;
@@ -144,7 +144,7 @@ void WorkQueue::push(CellChange change) {
     if (change.kind == Kind::fill || change.kind == Kind::fill_before || change.kind == Kind::set) {
         drop_overwritten(change);
         changes_.swap(left_);
-        for (const CellChange& left : left_) // neighbours now, that may fold
+        for (const CellChange& left : left_) // neighbours now, which may merge
             append(left);
         left_.clear();
     }

@@ -2,9 +2,9 @@
 //
 //   x0 = x - dt u(x),  v1 = V(x0) (trilinear),  xd = x - dt/2 (u(x) + v1),  result(x) = R(xd)
 //
-// Displacements are kept apart from the cell's index, d = xd - x in cells, so that a flow gives the same bits wherever
-// in the box it is. Interpolation is written as c + sum w (value - c): float weights do not sum to 1, and a
-// uniform wind must stay uniform to the bit. A row goes through short loops, so that each keeps few registers alive.
+// Displacements are kept apart from the cell's index, d = xd - x in cells, so that a flow gives the same bits at any place in
+// the box. Interpolation is written as c + sum w (value - c): float weights do not sum to 1, and a uniform wind must stay
+// uniform to the bit. A row is processed by short loops, so that each uses few registers.
 
 struct PaddedStrides {
     std::ptrdiff_t row, plane; // in cells
@@ -26,9 +26,9 @@ struct CellRun {
 
 constexpr int k_row_chunk = 64;
 
-// Points to sample at, for a run of cells along x: the padded cell below each, and the distance from its centre in [0, 1] by
-// axis. Arrays of a run are filled in whole groups of k_lanes, so that the loops over a group have no remainder; what lies beyond
-// the run's cells is legal to read at, and not used.
+// Sample points of a run of cells along x: the padded cell below each, and the distance from its centre in [0, 1] by axis.
+// Arrays of a run are filled in whole groups of k_lanes, so that the loops over a group have no remainder. Entries beyond the
+// run's cells are legal to read at, and not used.
 struct Points {
     alignas(64) std::int32_t offset[k_row_chunk];
     alignas(64) float fraction[3][k_row_chunk];
@@ -49,8 +49,8 @@ struct AxisPlace {
     float base, fraction;
 };
 
-// Of a displacement from a cell. A comparison with NaN is false, so that a broken position becomes the low end and its address
-// stays legal.
+// Clamp of a displacement from a cell. A comparison with NaN is false, so that a non-finite position becomes the low end and its
+// address stays legal.
 template <int Axis>
 inline AxisPlace place_of(const Legal& legal, float cell, float displacement) {
     const float least = legal.low[Axis] - cell, most = legal.high[Axis] - cell;
@@ -153,7 +153,7 @@ struct Cubic {
     }
 };
 
-// As many cells as a register holds, from cell n of the run: their lines side by side, so that x is done for all at once.
+// Samples at as many cells as a register holds, from cell n of the run: their lines are adjacent, so that one operation does x.
 template <class Interpolant>
 inline Native sample(const float* field, const Points& points, const PaddedStrides& strides,
                      const typename Interpolant::Weights& w, int n) {
@@ -287,15 +287,16 @@ inline bool any_beyond(const float* cells, int count, float squared) {
     return 3.0f * largest > squared;
 }
 
-// What the perturbation v carries of the prescribed background wind A, v . grad A. With xd the departure point and x_A = xd + dt v
-// where A alone would have brought the air from,
+// Advection of the prescribed background wind A by the perturbation v, v . grad A. With xd the departure point and
+// x_A = xd + dt v the departure point under A alone,
 //
 //   result += A(xd) - (c A(x_A) + (1 - c) A'(x)),   c = g^2 / (g^2 + |v|^2)
 //
-// A(x_A) is what blows where v = 0; so is A', A at the step's end, since A is a frozen pattern that passes. The first leaves that
-// pattern alone in air that has its own way; the second lets it decay there, as gusts do behind a shelter. g is their strength.
-// v is that of half way, to second order: what was carried here, without the pressure. A is read linearly, but its profile as
-// what is carried is read, so that gusts that fade leave the solution of the whole wind.
+// A(x_A) is the wind at x where v = 0. A', which is A at the step's end, has the same value, since A is a frozen pattern that
+// passes. The first term does not change the pattern in air with a velocity of its own. The second makes it decay there, as
+// gusts do behind a shelter. g is the strength of the gusts. v is taken half way, to second order: the advected field without
+// the pressure. A is interpolated linearly, its profile like the advected field, so that fading gusts give the solution of the
+// whole wind.
 template <class Interpolant>
 inline void carry_given(const AdvectTask& task, const PaddedStrides& strides, const CellRun& run, Displacements& displacements,
                         Points& points) {

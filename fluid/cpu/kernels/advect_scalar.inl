@@ -1,4 +1,4 @@
-// The same for a scalar: one float a cell. Plain loops: a tracer is a test and a service, not the step.
+// Advection of a scalar: one float a cell. Plain loops: a tracer serves tests and hosts and is not part of the step.
 
 inline float scalar_lerp(float a, float b, float t) {
     return multiply_add(t, b - a, a);

@@ -1,7 +1,7 @@
-// Folding an axis with like ends: its modes are even or odd about the middle, so that a product with them needs sums or
-// differences of mirrored values only, half as many of each. With unlike ends there are no pairs and folding is a copy.
+// Even-odd split of an axis with like ends. Its modes are even or odd about the middle, so that a product with them needs only
+// sums or differences of mirrored values, half as many of each. With unlike ends there are no pairs and the split is a copy.
 
-// Lines of k_lanes floats, `stride` apart, to a dense block: sums, what has no partner, differences.
+// Lines of k_lanes floats, `stride` apart, to a dense block: sums, the unpaired line, differences.
 void fold_lines(const Fold& fold, const float* lines, std::ptrdiff_t stride, float* folded) {
     const int even = fold.count - fold.pairs;
     const float* const last = lines + (fold.count - 1) * stride;

@@ -1,8 +1,8 @@
 // The hot loops as a table of function pointers, one table per SIMD level.
 //
-// The same source (level.inl and its includes) is compiled once per level and selected at run time. Everything
-// here is plain data: a level's file is compiled for instructions that the machine may lack, so it must not emit inline
-// functions of the standard library or GLM that the linker could hand to the rest of the program.
+// The same source (level.inl and its includes) is compiled once per level and selected at run time. Everything here is plain
+// data: a level's file is compiled for instructions that the machine may lack, so it must not emit inline functions of the
+// standard library or GLM that the linker could also use in the rest of the program.
 //
 // A velocity is four floats a cell (x, y, z, 0). "Planes" are planes of constant k, the unit of work for threads.
 #pragma once

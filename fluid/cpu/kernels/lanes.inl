@@ -1,7 +1,7 @@
 // Small vectors: Cell (four floats, one cell's velocity) and Block (sixteen floats: four cells, or k_lanes columns).
 //
-// Written with the compiler's vector types, so one text serves SSE, AVX2, AVX-512 and NEON; intrinsics only where the
-// language has no word: the fused multiply-add.
+// Written with the compiler's vector types, so that one text serves SSE, AVX2, AVX-512 and NEON. Intrinsics are used only for
+// operations that the language lacks: the fused multiply-add.
 
 #if defined(__AVX512F__)
 constexpr int k_native_lanes = 16;
@@ -102,7 +102,7 @@ inline Cell lerp(Cell a, Cell b, float t) {
     return multiply_add(splat(t), b - a, a);
 }
 
-// Two cells side by side.
+// Two adjacent cells.
 #if defined(__AVX__)
 typedef float Pair __attribute__((vector_size(32)));
 typedef float PairUnaligned __attribute__((vector_size(32), aligned(4), may_alias));
@@ -167,8 +167,8 @@ inline Block subtract_product(const Block& a, const Block& b, Block c) {
     return c;
 }
 
-// The four cells of each of some blocks, the first ones of all blocks side by side, and so on. By shuffles, since a pointer into
-// a block would send it through memory.
+// The four cells of each of some blocks: the first cells of all blocks, then the second, and so on. By shuffles, since a pointer
+// into a block would force it into memory.
 struct Nodes {
     Native before, here, after, beyond;
 };
@@ -225,8 +225,8 @@ inline Native spread(const float* p) {
 #endif
 }
 
-// Between cells and components: four registers of cells against a register for each component. Done within the quarters of
-// registers, where shuffles are cheap: `deal` puts a row of floats into the order that this asks for, `undeal` back.
+// Transposition between cells and components: four registers of cells against one register per component. Done within the
+// quarters of registers, where shuffles are cheap. `deal` interleaves a row of floats in the required order, `undeal` inverts it.
 #if defined(__AVX512F__)
 inline Native join_low(Native a, Native b) {
     return __builtin_shufflevector(a, b, 0, 16, 1, 17, 4, 20, 5, 21, 8, 24, 9, 25, 12, 28, 13, 29);
@@ -310,7 +310,7 @@ inline CellRegisters cells_of(const Components& u) {
     const Native xy_low = join_low(x, y), xy_high = join_high(x, y), z_low = join_low(z, none), z_high = join_high(z, none);
     return {{pairs_low(xy_low, z_low), pairs_high(xy_low, z_low), pairs_low(xy_high, z_high), pairs_high(xy_high, z_high)}};
 }
-// In the order of `deal`.
+// Interleaved, in the order of `deal`.
 inline Components dealt_components_of(const CellRegisters& cells) {
     const Native* const c = cells.part;
     const Native xy_low = join_low(c[0], c[1]), xy_high = join_low(c[2], c[3]);

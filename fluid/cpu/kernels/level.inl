@@ -1,4 +1,4 @@
-// One SIMD level: every kernel compiled into the namespace of its level, and the table that names them.
+// One SIMD level: every kernel compiled into the namespace of its level, and the table of these kernels.
 #include "fluid/cpu/kernels/kernels.h"
 
 #if defined(__SSE2__)

@@ -1,4 +1,4 @@
-// Gathers the fields that an advection reads, with their halo, straight from the unpadded state: one pass, no barrier.
+// Gather of the fields that an advection reads, with their halo, directly from the unpadded state: one pass, no barrier.
 //
 //   R = ambient + g (carried - ambient) - s q      V = (1 + a) u - a u_old
 //
@@ -21,8 +21,8 @@ struct CombinedRule {
     }
 };
 
-// A run of cells along x, `values` and its companions pointing at the first of them; V is Cell or Native. What is the same for
-// the whole run stands in locals: the stores are to floats, as the task's members are, and would have them read again each time.
+// A run of cells along x. `values` and its companions point at the first cell; V is Cell or Native. Values that are constant in
+// the run are copied to locals: the stores are to floats, as the task's members are, and would force a reload each time.
 template <class V>
 struct CarriedRun {
     const float *values, *history, *ambient_cells;

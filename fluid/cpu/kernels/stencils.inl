@@ -1,5 +1,5 @@
-// Stencils on unpadded fields: divergence, gradient, seven-point diffusion. A neighbour beyond a side is an image
-// of a cell inside (NormalGhost, HaloRule), so a row's loop is the same inside and at a side.
+// Stencils on unpadded fields: divergence, gradient, seven-point diffusion. A neighbour beyond a boundary is an image of a cell
+// inside (NormalGhost, HaloRule), so a row's loop is the same inside and at a boundary.
 
 // A neighbouring row with the rule that makes its values.
 struct ScalarRow {
@@ -31,7 +31,7 @@ class DivergenceRow {
         high_ = task.ghosts[0][1].scale * here_[4 * task.ghosts[0][1].source];
         if (cells_ < k_native_lanes)
             return;
-        // The neighbours of the row's outermost registers, with what lies beyond the row.
+        // Neighbours of the row's outermost registers, including values beyond the row.
         first_[0] = low_;
         last_[4 * (k_native_cells - 1)] = high_;
         for (int cell = 1; cell < k_native_cells; ++cell) {
@@ -124,7 +124,7 @@ void gradient_plane(const GradientTask& task, int plane) {
     const std::size_t row_floats = task.pitch;
     const Native scale = task.scale - Native{}, weight = task.weight - Native{}, kept = task.kept - Native{};
     const bool keeps = task.kept != 0.0f;
-    alignas(64) float line[k_max_row + 2]; // the row and what lies beyond its ends
+    alignas(64) float line[k_max_row + 2]; // the row and the values beyond its ends
     for (int j = 0; j < ny; ++j) {
         const std::size_t row = static_cast<std::size_t>(plane) * ny + j;
         const float* const here = task.potential + row * row_floats;

@@ -1,5 +1,5 @@
-// Largest component, broken cells and sum of squares in one read. Finite is asked of the bits: an exponent of all
-// ones is infinity or NaN, whatever the arithmetic around it does. Magnitudes compare as integers, as floats of one sign do.
+// Reduction: largest component, non-finite cells and sum of squares in one read. Finiteness is tested on the bits: an exponent of
+// all ones is infinity or NaN for any compiler arithmetic mode. Magnitudes compare as integers, as floats of one sign do.
 
 PlaneSurvey survey(const float* velocity, std::size_t cells) {
     typedef std::int32_t Bits __attribute__((vector_size(k_native_lanes * 4)));
