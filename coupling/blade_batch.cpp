@@ -24,17 +24,17 @@ void gather(KeyLanes& lanes, const PlantKey* keys, std::size_t count) {
     }
 }
 
-// An upright blade: what of a WindrowBladePlant is not the class's.
+// An upright blade: the fields of a WindrowBladePlant that are not the class's.
 struct PlantLanes {
     Lanes facing_x, facing_z, load_x, load_z, own_x, own_z, reach, sharpness;
 };
 
-// Classes come by value: what is written could not be they.
+// Classes are passed by value: the outputs cannot alias them.
 WINDROW_LEVELS void load_lanes(Lanes3& loads, numerics::WindrowBlade blade, const KeyLanes& keys, const Lanes3& winds) {
     const auto bend = [&](std::size_t i) {
         loads.set(i, numerics::windrow_blade_load(blade, k_up, numerics::windrow_plant_hash(keys[i]), winds[i]));
     };
-    if (blade.drag.load.y < 0.0f) { // a power, which no vector instruction has
+    if (blade.drag.load.y < 0.0f) { // a power has no vector instruction
         for (std::size_t i = 0; i < k_lanes; ++i)
             bend(i);
         return;

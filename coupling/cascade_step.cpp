@@ -9,7 +9,7 @@ namespace windrow {
 namespace {
 
 constexpr int k_max_stages = 4096;
-constexpr double k_nothing = 1e-18; // of a weight: the sum of all that are left out stays below a double's last digit
+constexpr double k_nothing = 1e-18; // of a weight: the sum of all omitted weights is below a double's last digit
 
 // p_j; exponent first, since e^-z alone underflows from z = 745 on.
 double poisson(double z, double j) {
@@ -75,8 +75,7 @@ Result<void> CascadeStep::set(double rate, double duration) {
 
 namespace {
 
-// 0 for what is far below all that counts: a row on its way to a body at 0 would end in denormal numbers, a hundred times as
-// slow.
+// Flushes negligible values to 0: a row that approaches 0 would end in denormal numbers, a hundred times as slow.
 template <class Real>
 Real settled(Real value) {
     return std::abs(value) < static_cast<Real>(1e-20) ? Real{0} : value;
@@ -92,7 +91,7 @@ struct Rows {
     std::size_t stride, count;
 };
 
-// Stage after stage from the tip in, each from stages further in than itself, which still hold their old values.
+// Stage after stage from the tip in. Each reads stages further in than itself, which still hold their old values.
 template <class Real>
 void advance_plain(const CascadeStep& step, const Rows<Real>& rows, Real* __restrict grown) {
     const auto weights = step.weights();
@@ -101,7 +100,7 @@ void advance_plain(const CascadeStep& step, const Rows<Real>& rows, Real* __rest
         const auto p_now = static_cast<Real>(step.body_now()[i - 1]), c = static_cast<Real>(step.body_before()[i - 1]);
         for (std::size_t k = 0; k < rows.count; ++k)
             grown[k] = p_now * (rows.now[k] - at[k]) + c * (rows.before[k] - rows.now[k]);
-        // Stage i takes weights j < i; j = 0 is what stays.
+        // Stage i takes weights j < i; j = 0 is its own old value.
         for (std::size_t w = step.first() == 0 ? 1 : 0; w < weights.size() && step.first() + w < i; ++w) {
             const auto p = static_cast<Real>(weights[w]);
             const Real* const from = at - (step.first() + w) * rows.stride;
@@ -113,7 +112,7 @@ void advance_plain(const CascadeStep& step, const Rows<Real>& rows, Real* __rest
     }
 }
 
-// The same with what each sum has lost kept beside it (Kahan 1965).
+// Compensated summation (Kahan 1965): the rounding error of each sum is stored beside it.
 template <class Real>
 void advance_compensated(const CascadeStep& step, const Rows<Real>& rows, Real* __restrict grown) {
     const auto weights = step.weights();

@@ -18,7 +18,7 @@ Result<void> validate(const Drag& drag, const char* name) {
 
 DragBlock block(const Drag& drag) {
     const double k = 0.5 * drag.air_density * drag.drag_coefficient * drag.width * std::pow(drag.length, 3.0) / drag.rigidity;
-    // A load beyond what a float holds lays the stalk flat in any wind, as the largest does.
+    // A load beyond the range of a float flattens the stalk in any wind, as the largest float does.
     return {{static_cast<float>(std::fmin(k, 1e30)), drag.vogel_exponent, drag.vogel_speed, drag.max_bend}};
 }
 

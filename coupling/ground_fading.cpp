@@ -9,7 +9,7 @@
 namespace windrow::detail {
 namespace {
 
-// After as long, the slowest spring rests and the slowest fading has ended.
+// After this time the slowest spring is at rest and the slowest fading has ended.
 constexpr double k_longest = 1e9;
 
 // The system's components: place, velocity / omega, the ramp's f, e^(-t / tau) - 1, t / h, and 1.
@@ -25,7 +25,7 @@ Matrix product(const Matrix& a, const Matrix& b) {
     return c;
 }
 
-// e^m - 1: without the 1, beside which a short step's digits would be lost.
+// e^m - 1, computed without the 1, which would cost a short step's digits.
 Matrix grown(Matrix m) {
     double most = 0.0;
     for (const auto& row : m) {

@@ -10,11 +10,11 @@
 namespace windrow::detail {
 namespace {
 
-// Beyond, texels of 1 cm are no longer counted exactly in double.
+// Beyond this, texels of 1 cm are no longer exact in double.
 constexpr double k_farthest = 1e12;
 
-// Digits that a float has left of a position in texels within 1024 of the corner: differences of two are exact. Farther away,
-// where nothing of a sweep but its direction matters, they are rounded.
+// Rounds a position in texels to the digits of a float within 1024 of the corner: differences of two are exact. Farther away
+// only a sweep's direction matters, and differences are rounded.
 double rounded(double texels) {
     return std::nearbyint(texels * 16384.0) / 16384.0;
 }

@@ -130,7 +130,7 @@ GroundSample sample(const std::vector<glm::vec4>& texels, int n, const GroundPla
 
 } // namespace
 
-// With the point itself as the anchor, so that it is as exact far away as near the origin.
+// The anchor is the point itself, so that the result is as exact far away as near the origin.
 GroundSample GroundMemory::at(glm::dvec3 position) const {
     return sample(state_->shown[state_->set], config().texels, state_->host.block(position).now);
 }

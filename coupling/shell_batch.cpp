@@ -37,7 +37,7 @@ WINDROW_LEVELS void load_lanes(Lanes3& loads, numerics::WindrowShells shells, co
     const auto bend = [&](std::size_t i) {
         loads.set(i, numerics::windrow_shell_load(shells, skin.normals[i], skin.map.at[i], winds[i]));
     };
-    if (shells.drag.load.y < 0.0f) { // a power, which no vector instruction has
+    if (shells.drag.load.y < 0.0f) { // a power has no vector instruction
         for (std::size_t i = 0; i < k_lanes; ++i)
             bend(i);
         return;

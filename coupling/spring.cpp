@@ -9,7 +9,7 @@
 namespace windrow {
 namespace {
 
-// What a step is made of: the unit responses and what they lack to rest.
+// Terms of a step: the unit responses and their differences from rest.
 struct Responses {
     double gone = 0.0;         ///< 1 - A
     double speed = 0.0;        ///< B
@@ -17,8 +17,8 @@ struct Responses {
     double speed_change = 0.0; ///< D - 1
 };
 
-// Short steps by the Taylor series of B at 0, whose derivatives obey B'' = -2a B' - omega^2 B: each sum keeps all its digits,
-// which the closed forms lose to cancellation. (2a + omega) t <= 1/2, so a term is less than half of the one before it.
+// Short steps by the Taylor series of B at 0, with derivatives B'' = -2a B' - omega^2 B. Each sum keeps all its digits; the
+// closed forms lose them to cancellation. (2a + omega) t <= 1/2, so a term is less than half of the one before it.
 Responses short_step(double omega, double a, double t) {
     Responses sums;
     double earlier = 0.0, derivative = 1.0; // B^(n-1) and B^(n) at 0, n from 1
@@ -38,19 +38,19 @@ Responses short_step(double omega, double a, double t) {
 
 Responses long_step(double omega, double a, double t) {
     Responses closed;
-    if (a < omega) { // swings
+    if (a < omega) { // underdamped
         const double swing = std::sqrt((omega - a) * (omega + a));
         const double left = std::exp(-a * t);
         closed.speed = left * std::sin(swing * t) / swing;
         closed.gone = 1.0 - left * std::cos(swing * t) - a * closed.speed;
-    } else { // creeps, with the rates slow and fast; their product is omega^2
+    } else { // overdamped, with the rates slow and fast; their product is omega^2
         const double apart = std::sqrt((a - omega) * (a + omega));
         const double fast = a + apart, slow = omega * omega / fast;
         const double left = std::exp(-slow * t);
         closed.speed = apart > 0.0 ? left * -std::expm1(-2.0 * apart * t) / (2.0 * apart) : left * t;
         if (apart > 0.1 * a)
             closed.gone = (slow * std::expm1(-fast * t) - fast * std::expm1(-slow * t)) / (2.0 * apart);
-        else // near the limit: no division by what vanishes there
+        else // near the limit: no division by a vanishing difference
             closed.gone = 1.0 - 0.5 * left * (1.0 + std::exp(-2.0 * apart * t)) - a * closed.speed;
     }
     closed.mean_gone = 1.0 - (closed.speed + 2.0 * a / (omega * omega) * closed.gone) / t;
@@ -61,7 +61,7 @@ Responses long_step(double omega, double a, double t) {
 // Springs per block of a thread, a multiple of any SIMD width.
 constexpr std::size_t k_fraction = 16384;
 
-// 0 for what is far below all that counts: the swing of a spring at rest would end in denormal numbers, a hundred times as slow.
+// Flushes negligible values to 0: a spring at rest would end in denormal numbers, a hundred times as slow.
 template <class Real>
 Real settled(Real value) {
     return std::abs(value) < static_cast<Real>(1e-20) ? Real{0} : value;
@@ -82,7 +82,7 @@ void advance_plain(const Numbers<Real>& s, std::size_t count, Real* __restrict p
     }
 }
 
-// Compensated summation (Kahan 1965): `rest` is what the last sum has lost.
+// Compensated summation (Kahan 1965): `rest` is the rounding error of the last sum.
 template <class Real>
 void advance_compensated(const Numbers<Real>& s, std::size_t count, Real* __restrict place, Real* __restrict velocity,
                          const Real* __restrict before, const Real* __restrict now, Real* __restrict place_rest,

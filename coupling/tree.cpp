@@ -21,7 +21,7 @@ numerics::WindrowPart shared(const TreePart& part) {
     return {part.root, part.axis, part.length, part.stiffness};
 }
 
-// A part of a list, with the wind that it feels.
+// A part of a list, with its wind.
 struct Part {
     numerics::WindrowPart part{};
     glm::vec3 wind{0.0f};

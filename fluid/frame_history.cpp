@@ -5,7 +5,7 @@
 namespace windrow {
 namespace {
 
-// Neither gusts, and differing by height alone, over the same ground.
+// No gusts, the same mean wind and the same ground: both winds depend on height alone.
 bool same_at_all_times(const AmbientWind& a, const AmbientWind& b) {
     return !a.gusting() && !b.gusting() && a.mean() == b.mean() && a.ground() == b.ground();
 }

@@ -31,8 +31,8 @@ namespace {
 constexpr int k_side = GustTile::k_side;
 constexpr int k_max_waves = k_side / 8; // the shortest wave: 8 texels
 constexpr int k_turn = 1024;            // angles that the table holds
-// Power by number of half waves over the tile's height: flatter than it is wide, and mostly tall gusts, so that the mean square
-// near the ground, where every cos(q y) is 1, stays near that aloft.
+// Power by number of half waves over the tile's height. The spectrum is flatter than it is wide, with mostly tall gusts: the mean
+// square near the ground, where every cos(q y) is 1, is then close to that aloft.
 constexpr std::array k_turning_power{0.55, 0.24, 0.14, 0.07};
 constexpr std::array k_rising_power{0.0, 0.5, 0.35, 0.15};
 constexpr int k_layers = static_cast<int>(k_turning_power.size());
@@ -42,7 +42,7 @@ struct Complex {
     double real, imaginary;
 };
 
-// cos and sin of whole 1024ths of a turn. Up to an eighth of a turn the series below is exact to the last bit or so.
+// cos and sin of whole 1024ths of a turn. Up to an eighth of a turn the series below is exact to about the last bit.
 class Circle {
   public:
     Circle() {
@@ -65,7 +65,7 @@ class Circle {
     std::array<Complex, k_turn> table_;
 };
 
-// (1 - s^2)^2 within the radius: a hump with an end.
+// (1 - s^2)^2 within the radius, 0 beyond.
 double hump(double distance, double radius) {
     const double rest = 1.0 - (distance / radius) * (distance / radius);
     return rest > 0.0 ? rest * rest : 0.0;
@@ -84,8 +84,8 @@ std::uint32_t mixed(std::uint32_t key) {
     return key ^ (key >> 16);
 }
 
-// How much stronger than itself a wave must be stored to come out of linear blending along one axis with the least mean square
-// error: (sin(k/2) / (k/2))^2 over (2 + cos k) / 3, for k = 2 pi waves / 1024 a texel.
+// Factor on a stored wave for the least mean square error after linear blending along one axis:
+// (sin(k/2) / (k/2))^2 over (2 + cos k) / 3, for k = 2 pi waves / 1024 a texel.
 double raised(const Circle& circle, int waves) {
     if (waves == 0)
         return 1.0;
@@ -128,7 +128,7 @@ void GustTile::make_modes() {
                     for (int b = 0; b < k_layers; ++b)
                         visit(a, b, c, m, ring_power(m) / m);
     };
-    // q / |k|: what a rising wave needs of level motion.
+    // q / |k|: level motion per vertical motion of a rising wave.
     const auto slope = [](int b, double m) { return (b / (2.0 * k_height)) / (m / k_side); };
     for_each_wave([&](int, int b, int, double m, double power) {
         const std::size_t layer = static_cast<std::size_t>(b);
@@ -136,7 +136,7 @@ void GustTile::make_modes() {
         rising_sum += power * k_rising_power[layer];
         rising_level_sum += power * k_rising_power[layer] * slope(b, m) * slope(b, m);
     });
-    // The vertical's power comes first; of the level power, 1 a component, the turning part gets what the rising one leaves.
+    // The vertical's power is set first. The turning part gets the level power, 1 a component, less that of the rising part.
     const double rising = k_vertical_power / rising_sum;
     const double turning = (2.0 - rising * rising_level_sum) / turning_sum;
 
@@ -149,7 +149,7 @@ void GustTile::make_modes() {
         const double B = std::sqrt(rising * power * k_rising_power[layer] / average);
         const double ex = a / m, ez = c / m, level = B * slope(b, m);
         Mode mode{a, b, c, {}, {}};
-        // A wave -sin(w) is the real part of i exp(i w): the level part of the rising wave is turned by that i.
+        // A wave -sin(w) is the real part of i exp(i w): the level part of the rising wave is multiplied by this i.
         mode.real = {-A * ez * p.real - level * ex * rise.imaginary, B * rise.real,
                      A * ex * p.real - level * ez * rise.imaginary};
         mode.imaginary = {-A * ez * p.imaginary + level * ex * rise.real, B * rise.imaginary,
@@ -158,7 +158,7 @@ void GustTile::make_modes() {
     });
 }
 
-// Separable: for one z, the waves of each a and b are summed over c; those sums are carried along x; then layers meet along y.
+// Separable: for one z, the waves of each a and b are summed over c, then along x, then over the layers along y.
 void GustTile::bake_texels() {
     const Circle circle;
     const auto at_centre = [&](int waves, int texel) { return circle(waves * (2 * texel + 1) * (k_turn / (2 * k_side))); };

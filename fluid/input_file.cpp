@@ -15,7 +15,7 @@ namespace {
 
 class Descriptor {
   public:
-    // Not to wait for the other end of a pipe, nor to become the owner of a terminal.
+    // No wait for the other end of a pipe, and no controlling terminal.
     explicit Descriptor(const std::filesystem::path& file)
         : number_(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)) {}
     ~Descriptor() {
@@ -38,7 +38,7 @@ Error unreadable(const std::string& name, int reason) {
     return Error{message(name, ": cannot be read (", reason_of(reason), "): name another file.")};
 }
 
-/// Whether the opened file is the one that the folder holds, links followed.
+/// Whether the opened file is the one in the folder, links followed.
 bool is_inside(const std::filesystem::path& file, const std::filesystem::path& folder, const struct stat& opened) {
     std::error_code fault, none;
     const std::filesystem::path real = std::filesystem::canonical(file, fault);
@@ -73,7 +73,7 @@ Result<std::string> read_input(const std::filesystem::path& file, const InputRul
         return too_long(name, rule.max_bytes);
     if (auto taken = budget.take_bytes(name, static_cast<std::size_t>(size)); !taken)
         return Error{taken.error()};
-    // Files of /proc have the size 0, and any file may grow: the end is where nothing more comes.
+    // Files of /proc have the size 0, and any file may grow: the end is where a read returns 0 bytes.
     std::string bytes;
     bytes.reserve(static_cast<std::size_t>(size));
     char block[65536];

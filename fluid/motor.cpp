@@ -8,7 +8,7 @@
 namespace windrow {
 namespace {
 
-// Integral of 3 s^2 - 2 s^3 over s from 0 to `part`, which is held to 0..1: 1/2 of the whole rise.
+// Integral of 3 s^2 - 2 s^3 over s from 0 to `part`, clamped to 0..1: 1/2 for the whole rise.
 double rise_integral(double part) {
     const double s = std::clamp(part, 0.0, 1.0);
     return s * s * s * (1.0 - 0.5 * s);

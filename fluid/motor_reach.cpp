@@ -10,7 +10,7 @@
 namespace windrow::detail {
 namespace {
 
-// What shaders compare with.
+// Constants that the shaders compare with.
 static_assert(numerics::windrow_sphere == static_cast<glm::uint>(MotorReach::Shape::sphere));
 static_assert(numerics::windrow_capsule == static_cast<glm::uint>(MotorReach::Shape::capsule));
 static_assert(numerics::windrow_box == static_cast<glm::uint>(MotorReach::Shape::box));
@@ -24,7 +24,7 @@ static_assert(numerics::windrow_source == static_cast<glm::uint>(MotorReach::Law
 
 constexpr float k_pi = 3.14159265f;
 constexpr double k_min_eddy = 1e-3; // [m] shorter ones are noise in any cell
-constexpr float k_min_felt = 1e-2f; // [m/s] of a source outside the box, where it blows into it
+constexpr float k_min_felt = 1e-2f; // [m/s] inflow from a source outside the box
 
 // Cells with centres within `low`..`high` [m from the box's corner]; false if there are none.
 bool cover(MotorReach& reach, glm::vec3 low, glm::vec3 high, const Window& window) {
@@ -51,7 +51,7 @@ float cubed(float x) {
     return x * x * x;
 }
 
-// The smallest box around a cone's two end discs, taken as balls.
+// Smallest box around a cone's two end discs, each bounded by a ball.
 bool cover_cone(MotorReach& reach, const Window& window) {
     const glm::vec3 start = reach.centre, end = reach.centre + reach.extent;
     return cover(reach, glm::min(start - reach.radius, end - reach.end_radius),
@@ -61,7 +61,7 @@ bool cover_cone(MotorReach& reach, const Window& window) {
 // A column's axis and radii, widened; returns the fraction of its strength that it keeps.
 float shape_cone(MotorReach& reach, glm::vec3 axis, float start_radius, float end_radius, const Window& window) {
     const float length = glm::length(axis);
-    // Shorter than three cells it could fall between them too. It grows about its middle.
+    // A column shorter than three cells could also fall between them. It is lengthened about its middle.
     const float wide_length = 2.0f * widened(0.5f * length, window);
     const glm::vec3 direction = axis / length;
     reach.centre -= 0.5f * (wide_length - length) * direction;
@@ -122,13 +122,13 @@ void apply_law(MotorReach& reach, const std::variant<Force, Drive>& law, glm::ve
         const auto& drive = std::get<Drive>(law);
         reach.law = MotorReach::Law::drive;
         reach.push = drive.speed * direction;
-        // Beyond it nothing is left of the wind that was.
+        // At this limit the drive has replaced the whole wind.
         reach.amount = std::min(share * drive.rate * static_cast<float>(duration), 1e9f);
     }
 }
 
 // Eddies of standard deviation `eddies` that travel at `carried` [m/s], `time` [s] after they left `from` [m from the box's low
-// corner]; `radius` [m] what their length follows.
+// corner]. Their default length is proportional to `radius` [m].
 void stir(MotorReach& reach, const Turbulence& turbulence, float eddies, glm::dvec3 from, glm::dvec3 carried, double time,
           float radius) {
     reach.eddies = eddies;
@@ -165,7 +165,7 @@ void stir(MotorReach& reach, const Turbulence& turbulence, const std::variant<Fo
          k_carried * speed * glm::dvec3(direction), time, radius);
 }
 
-// The smallest radius of a region as it is widened.
+// Smallest radius of a widened region.
 float min_radius(const MotorReach& reach) {
     if (reach.shape == MotorReach::Shape::box)
         return std::min({reach.extent.x, reach.extent.y, reach.extent.z});
@@ -196,7 +196,7 @@ bool blow_into(MotorReach& reach, float flow, const Window& window, const Bounda
     return std::abs(flow) > k_min_felt * 4.0f * k_pi * glm::dot(apart, apart);
 }
 
-// S0 of a ball from which 4 pi R^2 v cubic metres of air come out a second: that over the volume of its weight, 32 pi r^3 / 105.
+// S0 of a ball with an outflow of 4 pi R^2 v cubic metres a second: the outflow over the volume of its weight, 32 pi r^3 / 105.
 bool shape_source(MotorReach& reach, float radius, float speed, float strength, const Window& window,
                   const Boundaries& boundaries) {
     reach.law = MotorReach::Law::source;
@@ -231,7 +231,7 @@ struct Preparation {
         reach[0].centre = metres(window, track.middle());
         shape_cone(reach[0], motor.length * motor.direction, motor.start_radius, motor.end_radius, window);
         reach[0].shape = MotorReach::Shape::jet;
-        // Weight times velocity r0 / r over a section is r0 r: over the length that makes L r0 (r0 + r1) / 2.
+        // Weight times velocity r0 / r over a section is r0 r. Integrated over the length: L r0 (r0 + r1) / 2.
         const auto impulse = [](float length, float start, float end) { return length * start * (start + end); };
         const float share = impulse(motor.length, motor.start_radius, motor.end_radius) /
                             impulse(glm::length(reach[0].extent), reach[0].radius, reach[0].end_radius);
@@ -248,7 +248,7 @@ struct Preparation {
         const float half_length = widened(motor.half_length, window);
         whirl.extent = half_length * motor.axis;
         whirl.lift = motor.lift;
-        // Its angular impulse stays: arm times volume.
+        // Conserves its angular impulse: arm times volume.
         const float share = cubed(motor.radius / whirl.radius) * (motor.half_length / half_length);
         apply_law(whirl, motor.law, {1.0f, 0.0f, 0.0f}, strength * share, duration);
         const glm::vec3 half = glm::abs(whirl.extent) + whirl.radius;

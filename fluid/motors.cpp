@@ -13,7 +13,7 @@
 namespace windrow {
 namespace {
 
-// In double, so that the direction of the longest and of the shortest float vector survives.
+// In double, so that the longest and the shortest float vector keep their direction.
 void normalise(glm::vec3& direction) {
     direction = glm::vec3(glm::normalize(glm::dvec3(direction)));
 }
@@ -50,7 +50,7 @@ bool stirs(const Motor& motor) {
         motor);
 }
 
-// As a log keeps it: for any wind that starts from the same snapshot.
+// Form of an id in a log: valid for any wind that starts from the same snapshot.
 MotorId unowned(MotorId id) {
     return {.slot = id.slot, .generation = id.generation};
 }

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t k_buffer_bytes = std::size_t{1} << 16;
 constexpr std::string_view k_part_suffix = ".windrow-part";
-constexpr std::size_t k_max_name_bytes = 200; // of 255 that a part's name may have
+constexpr std::size_t k_max_name_bytes = 200; // a part's name has at most 255
 
 std::filesystem::path next_part(const std::filesystem::path& name) {
     static std::atomic<unsigned> count{0};
@@ -57,7 +57,7 @@ void NewFile::open_part() {
             continue;
         if (!check(descriptor_ >= 0))
             return;
-        // clear_dead_parts() of another process may take the part for a dead one until it is locked.
+        // Until the part is locked, clear_dead_parts() of another process may treat it as dead.
         struct stat own {};
         const bool locked = ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
         if (locked && ::fstat(descriptor_, &own) == 0 && own.st_nlink > 0) {
@@ -79,11 +79,11 @@ NewFile::~NewFile() {
 bool NewFile::publish() {
     if (!flush())
         return false;
-    // Some file systems cannot confirm; that is no failure of the file.
+    // Some file systems cannot confirm; the file is still valid.
     if (!check(::fsync(descriptor_) == 0 || errno == EINVAL || errno == ENOTSUP))
         return false;
-    // A file system may find only at the end that it has no room. The lock stays until the part has its name: without one it could
-    // be cleared away.
+    // A file system may report only at the end that it is full. The lock is kept until the part has its name: an
+    // unlocked part could be removed.
     const int lock = ::dup(descriptor_);
     part_exists_ = !(check(::close(std::exchange(descriptor_, -1)) == 0) && check(::rename(part_.c_str(), name_.c_str()) == 0));
     if (lock >= 0)

@@ -30,7 +30,7 @@ bool in_range(CellIndex origin) {
     return in_range(glm::dvec3(origin), k_farthest_cells + k_max_axis_cells);
 }
 
-// As Motors::add leaves it.
+// The direction as normalised by Motors::add.
 bool has_unit_direction(const Motor& motor) {
     const auto unit = [](const glm::vec3& direction) { return std::abs(glm::length(glm::dvec3(direction)) - 1.0) < 1e-3; };
     return std::visit(
@@ -51,7 +51,7 @@ bool has_unit_direction(const Motor& motor) {
 
 namespace detail {
 
-void fields(auto& archive, Like<Diagnostics> auto& report) { // of a sleeper, whose times are 0
+void fields(auto& archive, Like<Diagnostics> auto& report) { // of a sleeping wind; its times are 0
     auto& [stepped, out_of_memory, max_speed, cfl, substeps, substeps_capped, limited_cells, repaired_cells, motors_in_reach,
            diffusion, divergence_rms, energy, asleep, times_ms] = report;
     archive(stepped, max_speed, cfl, substeps, substeps_capped, limited_cells, repaired_cells, motors_in_reach, diffusion,
@@ -62,7 +62,7 @@ void fields(auto& archive, Like<Diagnostics> auto& report) { // of a sleeper, wh
 
 using detail::AmbientRecord, detail::Like, detail::Reading, detail::Tiles;
 
-/// What keeps its members to itself.
+/// Access to the private members of the state.
 struct StateFields {
     static constexpr std::size_t k_min_slot_bytes = 5;
 
@@ -74,7 +74,7 @@ struct StateFields {
                                 moves <= 1'000'000,
                             "a path has an impossible number of points.");
             if (archive.rejected())
-                count = timed = 0; // whoever looks at it yet finds it whole
+                count = timed = 0; // valid for any later reader
         }
         for (int n = 0; n < count; ++n) {
             auto& [time, position] = points[static_cast<std::size_t>(n)];
@@ -84,7 +84,7 @@ struct StateFields {
         }
     }
 
-    /// The places that a track holds, for a check.
+    /// Bounds check of the places in a track.
     static bool lies_within(const Track& track, double most) {
         return in_range(track.here(), most) && in_range(track.target(), most) &&
                std::all_of(track.points_.begin(), track.points_.begin() + track.count_,
@@ -179,7 +179,7 @@ struct StateFields {
     static void frame(auto& archive, Like<ShownFrame> auto& frame, Like<cpu::FrameCells::Field> auto& field, const Config& config,
                       Tiles& tiles) {
         auto& [window, blend_centre, ambient, still] = frame;
-        archive(window.origin_cells, blend_centre, still); // its cells are the box's
+        archive(window.origin_cells, blend_centre, still); // with the box's cells
         StateFields::ambient(archive, ambient, config, tiles);
         archive.cells(field.cells);
         if constexpr (Reading<decltype(archive)>)
@@ -210,7 +210,7 @@ struct StateFields {
         }
     }
 
-    /// All but the config, which comes first: a wind is made of it.
+    /// All state except the config, which comes first: it creates the wind.
     static void state(auto& archive, Like<Wind::State> auto& state) {
         auto& [config, place, ambient, motors, source_name, sleep, frames, log, storage] = state.core;
         auto& [window, point, stepped, previous, follow_axes] = place;

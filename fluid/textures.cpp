@@ -12,8 +12,7 @@ constexpr std::uint32_t k_largest_half = 0x7bff; // 65504
 
 } // namespace
 
-// Rounds to nearest, ties to even, by integer arithmetic: the bits that the half keeps, plus what the dropped ones carry into
-// them.
+// Rounds to nearest, ties to even, by integer arithmetic: the bits kept by the half, plus the carry of the dropped bits.
 std::uint16_t to_half(float value) {
     const auto bits = std::bit_cast<std::uint32_t>(value);
     const std::uint32_t sign = (bits >> 16) & 0x8000u;

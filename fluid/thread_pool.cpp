@@ -180,7 +180,7 @@ struct ThreadPool::State {
         block.store(size, std::memory_order_release);
         left.store(blocks, std::memory_order_relaxed);
         ++loops;
-        for (int n = threads() - 1; n >= 0; --n) { // the workers first: they have further to go
+        for (int n = threads() - 1; n >= 0; --n) { // the workers first: they take longer to start
             Share share;
             share.loop = loops;
             share.next = static_cast<std::uint16_t>(static_cast<std::int64_t>(blocks) * n / threads());
@@ -204,7 +204,7 @@ struct ThreadPool::State {
 
 ThreadPool::ThreadPool(int threads) {
     const int wanted = threads > 0 ? threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    // No memory, or a limit on processes: with the threads that there are.
+    // On lack of memory or a limit on processes, the pool keeps the threads that it has.
     try {
         state_ = std::make_unique<State>();
         state_->shares = std::make_unique<ShareWord[]>(static_cast<std::size_t>(wanted));

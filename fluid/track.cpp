@@ -8,7 +8,7 @@
 namespace windrow {
 namespace {
 
-constexpr double k_rounding = 1e-9; // of a tick: sums of frame times meet tick times only so nearly
+constexpr double k_rounding = 1e-9; // of a tick: sums of frame times equal tick times up to rounding
 
 // Whether a segment that ends at `end` after `duration` keeps the velocity of the one before it, up to rounding of positions.
 bool goes_on(const Track::Segment& before, glm::dvec3 end, double duration) {
@@ -24,7 +24,7 @@ void Track::move_to(glm::dvec3 position) {
     push({static_cast<double>(++moves_), position});
 }
 
-// When full, the point goes whose absence bends the path least; the newest stays, for it is the target.
+// A full track drops the point whose removal changes the path least. The newest point is the target and is kept.
 void Track::push(Point point) {
     if (count_ == k_max_segments) {
         int spare = 0;
@@ -50,7 +50,7 @@ void Track::push(Point point) {
 void Track::begin_frame(double lead, double duration) {
     if (count_ == timed_)
         return;
-    // It rested until this frame began.
+    // The point was at rest until this frame began.
     const double last = timed_ > 0 ? points_[timed_ - 1].time : 0.0;
     if (last < lead - 1e-9 * duration && count_ < k_max_segments) {
         const glm::dvec3 resting = timed_ > 0 ? points_[timed_ - 1].position : here_;
@@ -104,7 +104,7 @@ std::span<const Track::Segment> Track::tick(double duration) {
         add(duration, place + (duration - time) / (next.time - time) * (next.position - place));
     }
     if (!passed_middle)
-        middle_ = place; // it rests
+        middle_ = place; // at rest
     std::copy(points_.begin() + taken, points_.begin() + count_, points_.begin());
     count_ -= taken;
     timed_ -= taken;

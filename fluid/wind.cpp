@@ -103,14 +103,14 @@ std::span<const glm::vec4> Wind::field() const {
 }
 
 void Wind::set_velocity(const std::function<glm::vec3(glm::dvec3)>& velocity_at) {
-    state_->cells.hold_air(); // what the gusts are now
+    state_->cells.hold_air(); // the gusts of now
     auto& velocity = state_->cells.air.velocity;
     const Box& box = this->box();
     for (int k = 0; k < box.cells.z; ++k)
         for (int j = 0; j < box.cells.y; ++j)
             for (int i = 0; i < box.cells.x; ++i)
                 velocity[box.index(i, j, k)] = glm::vec4(velocity_at(state_->core.window().centre(i, j, k)), 0.0f);
-    (void)state_->core.set_velocity(velocity); // here cells are set where they are, which needs no room
+    (void)state_->core.set_velocity(velocity); // cells are set in place, which needs no memory
 }
 
 Result<void> Wind::set_velocity(std::span<const glm::vec4> field) {

@@ -39,7 +39,7 @@ std::uint64_t name_of_sources(std::span<const detail::MotorReach> reached, CellI
     return name | 1;
 }
 
-// Gusts have no component along an axis that a wall closes; the ground alone is their mirror, which they already respect.
+// Gusts have no component along an axis closed by walls. The ground is the only mirror, and the gusts already include it.
 glm::vec3 gust_axes(const Boundaries& boundaries) {
     return {boundaries.has_solid(0) ? 0.0f : 1.0f, boundaries.y_high.solid() ? 0.0f : 1.0f,
             boundaries.has_solid(2) ? 0.0f : 1.0f};
@@ -139,8 +139,8 @@ void WindCore::shift_to(CellIndex origin_cells) {
         return;
     const bool calm = sleep.calm();
     if (shift.y != 0 && !ambient.uniform())
-        sleep.stir(); // at another height, another wind to report
-    // Gusts stay over the ground: where it moves, so do they, and what the air holds of them with it.
+        sleep.stir(); // the reported wind depends on height
+    // Gusts keep their height over the ground: where the ground moves, the gusts and their part in the air move with it.
     const bool gusts_move = shift.y != 0 && config.boundaries.y_low.solid() && config.gusts.intensity > 0.0f && !calm;
     if (gusts_move)
         add_ambient(-1.0f);
@@ -209,14 +209,14 @@ void WindCore::run_step(double duration, Diagnostics& report) {
         sleep.fall_asleep(report);
 }
 
-// Over sleeping air the gusts pass all the same.
+// Gusts also pass over sleeping air.
 void WindCore::drift(double seconds) {
-    ambient.advance(seconds); // small-scale detail is carried on too
+    ambient.advance(seconds); // small-scale detail is advected too
     if (ambient.gusting())
         ++sleep.drift;
 }
 
-// True where the volume sources among the motors, or the box around them, are not what they were.
+// True where the volume sources among the motors, or the box around them, have changed.
 bool WindCore::renew_sources(std::span<const detail::MotorReach> reached) {
     const std::uint64_t name = name_of_sources(reached, place.window.origin_cells);
     return std::exchange(source_name, name) != name;
@@ -227,7 +227,7 @@ bool WindCore::viscous(float dt) const {
     return config.stages.diffusion && diffusion_method(config.viscosity, longest, config.cell_size) != DiffusionMethod::none;
 }
 
-// Of a canopy that acts; no drag where none reaches the box.
+// Rows of an active canopy; no drag where none reaches the box.
 cpu::CanopyRows WindCore::canopy_rows() const {
     if (!config.canopy || !config.stages.sources || config.canopy->height <= 0.0f || config.canopy->drag <= 0.0f)
         return {};
@@ -236,7 +236,7 @@ cpu::CanopyRows WindCore::canopy_rows() const {
                  top = ground + static_cast<double>(config.canopy->height) / h;
     if (top <= 0.0 || ground >= config.cells.y)
         return {};
-    const double farthest = 2.0 * k_max_axis_cells; // beyond the box it matters no more, and floats hold it
+    const double farthest = 2.0 * k_max_axis_cells; // no effect beyond the box, and exact in float
     return {.drag = config.canopy->drag,
             .ground = static_cast<float>(std::max(ground, -farthest)),
             .top = static_cast<float>(std::min(top, farthest))};

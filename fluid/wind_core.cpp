@@ -27,7 +27,7 @@ bool can_hold_point(const Config& config, glm::dvec3 point) {
     if (!finite(point))
         return false;
     const double farthest = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
-    // A cell size that is none has a reason of its own.
+    // An invalid cell size is reported by its own check.
     return !(config.cell_size > 0.0f) || farthest <= k_farthest_cells * static_cast<double>(config.cell_size);
 }
 
@@ -57,7 +57,7 @@ void WindCore::start() {
 // --- What a host changes -----------------------------------------------------------------------------------------------------
 
 void WindCore::change_ambient(glm::vec3 wind) {
-    if (config.gusts.intensity > 0.0f) { // gusts are as strong as the mean wind: all of it changes
+    if (config.gusts.intensity > 0.0f) { // gusts scale with the mean wind: the whole wind changes
         take_ambient_out();
         config.ambient = wind;
         put_ambient_in();
@@ -122,7 +122,7 @@ Result<void> WindCore::set_boundaries(const Boundaries& boundaries) {
         return changed;
     config.boundaries = boundaries;
     if (!same_kinds && source_name != 0)
-        source_name = 2; // of no set of sources: their flow is made anew
+        source_name = 2; // matches no set of sources: their flow is recomputed
     place.follow_axes = detail::axes_that_follow(config.follow_axes, boundaries);
     renew_ambient();
     sleep.wake();

@@ -21,11 +21,11 @@ glm::dvec3 Window::local_rounded(glm::dvec3 position) const {
 
 CellIndex Window::centred_on(glm::dvec3 point) const {
     const glm::dvec3 corner = point / static_cast<double>(cell_size) - 0.5 * glm::dvec3(cells);
-    // Rounded first, so that a walk whose steps sum up a hair short of half a cell moves the box in the same step.
+    // Rounded first, so that steps whose sum is slightly below half a cell move the box in the same step.
     return CellIndex(glm::floor(rounded(corner) + 0.5));
 }
 
-// Rows move as a whole. Walking against the shift, no row is overwritten before it has been read.
+// Rows move as a whole. In the order against the shift, each row is read before it is overwritten.
 void shift_field(std::span<glm::vec4> field, glm::ivec3 cells, CellIndex shift, glm::vec4 fresh) {
     const auto beyond = [&](int axis) { return std::abs(shift[axis]) >= cells[axis]; };
     if (beyond(0) || beyond(1) || beyond(2)) {

@@ -15,12 +15,12 @@ namespace {
 using detail::Figure, detail::message;
 using nlohmann::json;
 
-/// A default that a file can hold.
+/// A default that JSON can represent.
 std::optional<json> finite(float value) {
     return std::isfinite(value) ? std::optional<json>(value) : std::nullopt;
 }
 
-/// Why a key is rejected that nobody asked for.
+/// Reason for the rejection of an unknown key.
 std::string unknown_key(std::string_view key, std::span<const std::string> known) {
     constexpr std::pair<const char*, const char*> k_renamed[] = {
 #include "scene/renamed_keys.inl"

@@ -23,7 +23,7 @@ std::string_view trim(std::string_view text) {
     return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-/// The first four fields of a line, and how many it has: a line may be nothing but commas.
+/// The first four fields of a line, and their total number: a line may be only commas.
 struct CsvFields {
     std::array<std::string_view, 4> text{};
     std::size_t count = 0;
@@ -52,7 +52,7 @@ bool is_header(const CsvFields& fields) {
     return fields.count == 4 && fields.text == std::array<std::string_view, 4>{"t", "x", "y", "z"};
 }
 
-/// One line's point, or why it is none.
+/// One line's point, or the reason why it is invalid.
 Result<PathPoint> read_point(const CsvFields& fields) {
     if (fields.count != 4)
         return Error{message("has ", fields.count, fields.count == 1 ? " field" : " fields",

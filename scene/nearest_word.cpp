@@ -25,7 +25,7 @@ int edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string nearest_word(std::string_view word, std::span<const std::string> known) {
-    // A long key that nobody meant must not cost a table of megabytes, nor a long name that it is compared with.
+    // Bounds the table for long unknown keys and long candidate names.
     constexpr std::size_t k_longest = 64;
     if (word.size() > k_longest)
         return {};
@@ -34,7 +34,7 @@ std::string nearest_word(std::string_view word, std::span<const std::string> kno
     for (const std::string& candidate : known) {
         if (candidate.size() > k_longest)
             continue;
-        // A word that was begun and not ended ("vel" for "velocity") is near whatever its length.
+        // A prefix of a word ("vel" for "velocity") is near at any length.
         const bool begun = word.size() >= 3 && (candidate.starts_with(word) || word.starts_with(candidate));
         const int distance = begun ? 1 : edit_distance(word, candidate);
         if (distance < least) {

@@ -56,7 +56,7 @@ Result<void> SceneMotion::place_motor(Motors& motors, const SceneMotor& motor, M
     const double middle = 0.5 * (start + end);
     const bool acts = motor.from <= middle && middle < motor.until;
     if (acts && !part.begun) {
-        // A wake begins its path where the body is at the tick's start, then is moved like any other.
+        // A wake begins its path at the body's place at the tick's start, then moves like any other motor.
         const auto added = motors.add(motor.path ? moved(motor.motor, scene_->paths[*motor.path].path.at(start)) : motor.motor);
         if (!added)
             return Error{added.error()};

@@ -15,7 +15,7 @@ namespace {
 using detail::Figure, detail::message;
 using nlohmann::json;
 
-/// The name becomes a folder's.
+/// The name must be valid as a folder name.
 const char* fault_of_name(const std::string& name) {
     if (name.empty())
         return "give at least one letter";
@@ -185,7 +185,7 @@ Result<Scene> read_scene_json(const json& document, const std::filesystem::path&
     read_floor(object, scene, names);
     scene.motors = read_motors(object, names);
     read_outputs(object, scene);
-    // What else a renderer needs (windrow-draw reads it); the air does without.
+    // Other data of a renderer (read by windrow-draw); the air does not use it.
     (void)object.object(
         {"picture", "What a renderer adds: plants, light, a camera. A run without pictures of plants does without."});
     object.finish();

@@ -13,7 +13,7 @@ bool is_continuation(char byte) {
     return (static_cast<unsigned char>(byte) & 0xc0u) == 0x80u;
 }
 
-/// Offset of the first byte that no UTF-8 text holds, or npos. Overlong forms, surrogates and points beyond U+10FFFF count.
+/// Offset of the first byte that is invalid in UTF-8, or npos. Overlong forms, surrogates and points beyond U+10FFFF are invalid.
 std::size_t first_bad_byte(std::string_view text) {
     for (std::size_t i = 0; i < text.size();) {
         const auto lead = static_cast<unsigned char>(text[i]);

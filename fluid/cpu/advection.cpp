@@ -53,8 +53,8 @@ void advect(Workspace& work, const Transport& transport, std::span<glm::vec4> re
     if (state.given.now != nullptr) {
         task.given = state.given;
         task.given.legal = task.legal;
-        // Along a wall it slips, as what is carried does. It does not repeat with a periodic box: read across that seam, its jump
-        // would feed the perturbation for good.
+        // The air slips along a wall, as the advected field does. A does not repeat with a periodic box: its jump, read across
+        // that seam, would feed the perturbation permanently.
         cpu::Legal& legal = task.given.legal;
         for (int axis = 0; axis < 3; ++axis) {
             if (state.box.boundaries.at(axis, 0).kind != BoundaryKind::open)

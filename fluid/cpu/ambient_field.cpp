@@ -30,7 +30,7 @@ inline Cell blended(Cell a, Cell b, float t) {
     return a + splat(t) * (b - a);
 }
 
-// Four rows of texels and what each counts, strength and signs included; `base` is what blows without gusts.
+// Four rows of texels and their weights, strength and signs included; `base` is the wind without gusts.
 struct TexelRows {
     const float* rows[4];
     Cell weights[4];

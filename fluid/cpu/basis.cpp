@@ -25,8 +25,8 @@ std::vector<AxisMode> modes_of(int count, EndRule low, EndRule high) {
         modes.push_back({0.0, false});
         for (int k = 1; static_cast<int>(modes.size()) < count; ++k) {
             const double theta = 2.0 * pi * k / count;
-            // At the shortest wave of an even axis one of the two vectors vanishes on the centres: the sine about the middle
-            // stays.
+            // At the shortest wave of an even axis one of the two vectors vanishes on the centres;
+            // the sine about the middle remains.
             if (2 * k != count)
                 modes.push_back({theta, false});
             modes.push_back({theta, true});

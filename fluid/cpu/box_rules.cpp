@@ -5,7 +5,7 @@
 namespace windrow::cpu {
 namespace {
 
-// Wraps handle any distance; this keeps index arithmetic within 32 bits for winds that no clamp has met.
+// Wraps accept any distance; this limit keeps index arithmetic within 32 bits for winds without a clamp.
 constexpr float k_farthest_wrap = 65536.0f;
 
 // Applies one wall's mirror to a rule.

@@ -20,16 +20,16 @@ namespace windrow::cpu {
 
 /// Rules of an axis, one per padded index [cell + k_halo_low], for viscosity.
 [[nodiscard]] std::vector<HaloRule> halo_rules(const Box& box, int axis);
-/// The same as transport sees them: along every wall the air slips. What a no-slip wall holds back is a layer that viscosity
-/// makes, thinner than a cell in all but the stiffest air. A ghost of the other sign puts that layer between the outermost cell
-/// and the one beyond it, where a cubic read takes it for a slope and feeds on it: two cells between such walls grew to 100 times
-/// the speed of what drove them. So carried air slips, and viscosity alone holds it back.
+/// The same for transport: the air slips along every wall. A no-slip wall acts through a layer made by viscosity, thinner than a
+/// cell except in very viscous air. A ghost of opposite sign puts that layer between the outermost cell and the ghost, where a
+/// cubic read takes it for a slope and amplifies it: two cells between such walls grew to 100 times the driving speed. So
+/// advected air slips, and only viscosity slows it.
 [[nodiscard]] std::vector<HaloRule> carried_rules(const Box& box, int axis);
 
 /// Ghost values of a stencil beyond one end of an axis. Beyond an open boundary the divergence takes the cell itself and p is 0
-/// at the ghost's centre, which is no adjoint pair: the projection can add to waves of a few cells along an edge (operators.h).
-/// Both pairs that cannot cost more. p = 0 at the face: a fifth more error against a larger box. The ambient wind as the ghost: a
-/// stream through the box loses 1 / (cells + 1) of what is not ambient in each step, however short.
+/// at the ghost's centre. This pair is not adjoint: the projection can amplify waves of a few cells along an edge (operators.h).
+/// Both adjoint pairs cost more. p = 0 at the face has a fifth more error against a larger box. With the ambient wind as the
+/// ghost, a stream through the box loses 1 / (cells + 1) of its excess over the ambient wind in each step of any length.
 [[nodiscard]] NormalGhost velocity_ghost(const Box& box, int axis, int end);
 [[nodiscard]] NormalGhost potential_ghost(const Box& box, int axis, int end);
 

@@ -11,7 +11,7 @@
 namespace windrow::cpu {
 namespace {
 
-// Visits the cells that a shift exposes: those whose value would come from outside.
+// Visits the cells that a shift exposes: those with a source outside the box.
 template <class Visit>
 void for_each_exposed(glm::ivec3 cells, CellIndex shift, const Visit& visit) {
     const auto outside = [&](int axis, int index) { return index + shift[axis] < 0 || index + shift[axis] >= cells[axis]; };
@@ -45,7 +45,7 @@ Cells::Cells(const WindCore& wind, Workspace workspace)
     : work(std::move(workspace)), air(box().cell_count()), sources(box().cells), wind_(wind), config_(wind.config),
       around_(wind.ambient) {
     make_room_around(config_.gusts);
-    // A step of up to k_longest_prepared allocates nothing: what its viscosity needs is made here.
+    // A step of up to k_longest_prepared does not allocate: the memory for its viscosity is allocated here.
     make_room_for_viscosity(diffusion_method(config_.viscosity, WindCore::k_longest_prepared, config_.cell_size));
 }
 
@@ -128,7 +128,7 @@ void Cells::renew_around(const AmbientWind& ambient, const Window& window, const
     }
 }
 
-// Beyond a wall as transport sees it.
+// The profile beyond a wall, for transport.
 void Cells::bend_profile(const Window& window) {
     const std::vector<HaloRule>& rows = work.state().carried_rules[1];
     const auto profile = [&](std::size_t row) {

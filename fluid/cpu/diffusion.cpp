@@ -46,8 +46,8 @@ void diffuse_component(Workspace::State& state, int component, std::span<const g
     const auto edge = [&](int axis, int index) {
         return (index == 0 ? shares[axis][0] : 0.0f) + (index == box.cells[axis] - 1 ? shares[axis][1] : 0.0f);
     };
-    // Along its own axis a wall's ghost mirrors u with its sign turned; about ambient that is -v - 2 ambient, and ambient is 0
-    // there.
+    // Along its own axis a wall's ghost mirrors u with opposite sign; about ambient this is -v - 2 ambient, with
+    // ambient = 0 there.
     float* const data = state.potential.data();
     const auto row_of = [&](int j, int k) { return data + (static_cast<std::size_t>(k) * box.cells.y + j) * solver.pitch(); };
     state.parallel_for(box.cells.z, [&](int k) {

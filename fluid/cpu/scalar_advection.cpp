@@ -15,7 +15,7 @@ Result<void> advect(Workspace& work, const ScalarTransport& transport, std::span
         !detail::memory_lasts([&] { state.padded_scalar = cpu::Buffer<float>(state.padded_cells()); }))
         return detail::out_of_memory();
 
-    // The trace reads the padded wind, so the wind is gathered as an advection of itself would.
+    // The trace reads the padded wind, so the wind is gathered as for its own advection.
     cpu::PadTask pad{};
     for (int axis = 0; axis < 3; ++axis) {
         pad.cells[axis] = box.cells[axis];

@@ -54,7 +54,7 @@ SeparableSolver::SeparableSolver(glm::ivec3 cells, const Ends& ends, const Kerne
       basis_z_(cells.z, ends[2][0], ends[2][1]), x_even_(basis_x_.even, basis_x_.even_size),
       x_odd_(basis_x_.odd, basis_x_.odd_size), z_even_(basis_z_.even, basis_z_.even_size),
       z_odd_(basis_z_.odd, basis_z_.odd_size) {
-    for (AxisBasis* const basis : {&basis_x_, &basis_z_}) { // the matrices hold them now
+    for (AxisBasis* const basis : {&basis_x_, &basis_z_}) { // copied to the matrices
         basis->even = std::vector<double>();
         basis->odd = std::vector<double>();
     }
@@ -104,7 +104,7 @@ double SeparableSolver::eigenvalue_x(int lane) const {
     const int odd = lane - odd_offset_;
     if (odd >= 0 && odd < basis_x_.odd_size)
         return basis_x_.eigenvalues[basis_x_.even_size + odd];
-    return 1.0; // padding: marked by an eigenvalue that no mode has
+    return 1.0; // padding: marked by 1, which is no mode's eigenvalue
 }
 
 void SeparableSolver::set_shift(double shift, const ParallelFor& parallel_for) {

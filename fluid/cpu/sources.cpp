@@ -13,14 +13,14 @@ using detail::MotorReach;
 
 namespace {
 
-// What a motor does at a point: its weight, and the direction and size of its push there.
+// Effect of a motor at a point: its weight, and the direction and size of its push there.
 struct Contribution {
     float weight;
     glm::vec3 push;
 };
 
 // Weights of a motor along a row of x, written to weights[0] for i = motor.low.x and on. The loops have no branches, so that a
-// compiler makes them wide.
+// compiler vectorises them.
 void weigh_row(const MotorReach& motor, glm::vec3 first_centre, float cell_size, float* weights) {
     using namespace numerics;
     const auto along = [&](const auto& weight) {
@@ -167,8 +167,8 @@ void SourceField::gather(std::span<const MotorReach> motors, float cell_size, st
 
 void SourceField::gather_plane(std::span<const MotorReach> motors, float cell_size, std::span<const glm::vec4> velocity,
                                const numerics::TileView& tile, int k) {
-    // Hundreds of motors reach a box, a few of them a plane. More than fit here are looked up again in every row: slower, not
-    // wrong.
+    // Hundreds of motors reach a box, a few of them a plane. Motors beyond this capacity are searched again in every row, which
+    // is only slower.
     std::array<std::uint16_t, 512> near;
     std::size_t near_count = 0;
     bool listed = true;

@@ -38,15 +38,15 @@ class SourceField {
     [[nodiscard]] Range driven(std::size_t row) const { return any_drive_ ? row_driven_[row] : Range{}; }
     /// Of a row, sum of E U, and of E in w; valid where it is driven.
     [[nodiscard]] const glm::vec4* drive_row(std::size_t row) const { return drives_.data() + row * cells_.x; }
-    /// Scratch of Acting: a history as it was, where something acts.
+    /// Scratch of Acting: the original history of the cells where something acts.
     [[nodiscard]] std::span<glm::vec4> kept() { return kept_; }
     /// The drives act whole on `velocity`.
     void drive(std::span<glm::vec4> velocity, const ParallelFor& parallel_for) const;
-    /// Keeps what the drives pull toward below `most` [m/s], in each component.
+    /// Limits the target velocities of drives to `most` [m/s], in each component.
     void limit_drives(float most);
     /// [m/s^2] Largest component of f.
     [[nodiscard]] float largest_force() const { return largest_force_; }
-    /// [m/s] Largest component that the drives, acting whole, would leave in a cell.
+    /// [m/s] Largest component in a cell after the drives act whole.
     [[nodiscard]] float largest_driven() const { return largest_driven_; }
     /// [1/s] S at every cell; empty without volume sources.
     [[nodiscard]] std::span<const float> expansion() const;

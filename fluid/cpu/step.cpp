@@ -42,7 +42,7 @@
 namespace windrow::cpu {
 namespace {
 
-constexpr float k_rounding = 1.00001f; // of a speed that was cut and carried along
+constexpr float k_rounding = 1.00001f; // of a speed that was cut and advected
 
 // For a smaller s the history is negligible, and a division by s would lose the forces to rounding.
 constexpr float k_min_scale = 1e-6f;
@@ -120,12 +120,12 @@ bool Cells::step(const CellStep& step, Diagnostics& report) {
         fill_air();
         measure(report); // again: the air is ambient now
     }
-    if (report.repaired_cells > 0 && step.kept) // what is kept of them shows nowhere
+    if (report.repaired_cells > 0 && step.kept) // their kept values are not visible
         keep();
     return rests;
 }
 
-// While the wind gusts, what is solved is still air beyond the open boundaries; trajectories alone meet the whole ambient wind there.
+// In gusts the perturbation is 0 beyond the open boundaries; only trajectories see the whole ambient wind there.
 class Cells::Solving {
   public:
     Solving(Cells& cells, Diagnostics& report)
@@ -166,8 +166,8 @@ void Cells::advance_second_order(float dt, Diagnostics& report) {
     perform(dt, report);
 }
 
-// The first step of a flow has no pressure q and no u_old to extrapolate from. Without them it would lose energy once, by dt^2; so
-// it is done twice, and the first time gives q and u_old = 2 u - u'.
+// The first step of a flow has no pressure q and no u_old to extrapolate from. Without them it would lose energy once, by dt^2.
+// So it is done twice, and the first time gives q and u_old = 2 u - u'.
 void Cells::rehearse(float dt, Diagnostics& report) {
     const float undiffused = air.undiffused_time;
     const glm::dvec3 phase = around_.phase();
@@ -264,7 +264,7 @@ void Cells::advance_stable_fluids(float dt, Diagnostics& report) {
     std::swap(air.velocity, air.velocity_old);
 }
 
-// Without transport there is no trajectory to centre anything on: each stage acts whole on u.
+// Without advection there are no trajectories to centre on: each stage acts whole on u.
 void Cells::advance_in_place(float dt, Diagnostics& report) {
     const Solving solving(*this, report);
     const ParallelFor& parallel_for = config_.parallel_for;
@@ -333,10 +333,10 @@ void Cells::carry_gusts() {
     work.state().ambient_cells = ambient_field_.data();
 }
 
-// Brings the flow of the sources up to date. u_old takes the same change: the trajectories extrapolate u - u_old, which must not
-// see a jump.
+// Updates the flow of the sources. u_old takes the same change: the trajectories extrapolate u - u_old, which must stay
+// continuous.
 void Cells::renew_source_flow(std::span<const detail::MotorReach> reached) {
-    if (source_flow.empty()) // none came and none went
+    if (source_flow.empty()) // no source added or removed
         return;
     const auto add_to_air = [&](float factor) {
         add_scaled(air.velocity, source_flow, factor);

@@ -57,7 +57,7 @@ Result<std::unique_ptr<Air>> Air::create(std::unique_ptr<Device> device, const C
 
 Result<void> Air::make() {
     prepared_ = method_of(config_, k_longest_prepared);
-    // Before anything of that size is made, here or there: the padded fields, and the tables of the direct solves.
+    // Size check before any allocation of that size on host or device: the padded fields, and the tables of the direct solves.
     const glm::dvec3 padded = glm::dvec3(config_.cells + WINDROW_HALO);
     const double floats =
         std::max((settings_.gusts ? 12.0 : 8.0) * padded.x * padded.y * padded.z,
@@ -174,7 +174,7 @@ void Air::write_step(VkCommandBuffer commands, const WindrowStep& block, const A
     const bool new_tile = tile && tile != tile_;
     if (new_tile)
         tile_ = std::move(tile);
-    // The host's shaders read the tile too: those of earlier frames are done with it before it changes.
+    // The host's shaders read the tile too: those of earlier frames finish before it changes.
     barrier(new_tile ? VK_PIPELINE_STAGE_ALL_COMMANDS_BIT | k_compute | k_transfer : k_compute, k_transfer);
     write_tables(commands);
     if (new_tile)
@@ -249,7 +249,7 @@ void Air::apply(VkCommandBuffer commands, const CellChange& change) {
     barrier(k_transfer, k_compute | k_transfer);
 }
 
-// Moved by all of the box.
+// A fill is a shift by the whole box.
 void Air::fill(VkCommandBuffer commands, const Buffer& field) {
     place(commands, field, {.shift = config_.cells, .exposed_hold_ambient = 1});
 }
@@ -305,7 +305,7 @@ void Air::step(VkCommandBuffer commands, const CellStep& step) {
     if (!step.motors.empty())
         write(commands, fields_.motors,
               std::as_bytes(step.motors.first(std::min<std::size_t>(step.motors.size(), k_max_motors))));
-    // What a tick counts begins at 0; the duration of the last sub-step stays.
+    // The counters of a tick begin at 0; the duration of the last sub-step is kept.
     clear(commands, fields_.control, 0, offsetof(WindrowControl, substep_duration));
     constexpr std::size_t first = offsetof(WindrowControl, largest_speed), counts = offsetof(WindrowControl, repaired_cells);
     clear(commands, fields_.control, first, (std::exchange(stepped_, true) ? counts : sizeof(WindrowControl)) - first);
@@ -341,7 +341,7 @@ void Air::step(VkCommandBuffer commands, const CellStep& step) {
     if (fresh_ && (block.flags & WINDROW_STABLE_FLUIDS) == 0) {
         const std::uint32_t performed = n;
         part(-1);
-        n = performed; // it runs as the first does
+        n = performed; // it runs like the first
     }
     for (int substep = 0; substep < most; ++substep)
         part(substep);
@@ -372,7 +372,7 @@ void Air::show(VkCommandBuffer commands, float factor, int frame, bool reports) 
         image.oldLayout = VK_IMAGE_LAYOUT_GENERAL;
         image.newLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
     }
-    // With the images goes the gust tile: the host's shaders read it too.
+    // The gust tile is made visible with the images: the host's shaders read it too.
     const VkMemoryBarrier tile{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER,
                                .pNext = nullptr,
                                .srcAccessMask = writes_of(k_compute | k_transfer),

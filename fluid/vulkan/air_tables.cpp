@@ -103,7 +103,7 @@ void Air::forget() {
     fresh_ = diffused_whole_ = true;
 }
 
-// What does not change from tick to tick, written once.
+// Data that is constant from tick to tick, written once.
 void Air::write_tables(VkCommandBuffer commands) {
     if (tables_written_ && rules_written_)
         return;
@@ -121,7 +121,7 @@ void Air::write_tables(VkCommandBuffer commands) {
     }
     if (std::exchange(cleared_, true))
         return;
-    // Read where nothing was written yet, and times 0: numbers, not what the memory held.
+    // These are read before the first write, times 0: they must hold finite numbers.
     for (const Buffer* field : {&fields_.velocity_old, &fields_.history, &fields_.force, &fields_.source_flow, &fields_.expansion,
                                 &fields_.potential, &fields_.control})
         clear(commands, *field);

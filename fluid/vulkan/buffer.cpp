@@ -79,7 +79,7 @@ VkMappedMemoryRange Buffer::range() const {
             .size = piece_bytes_};
 }
 
-// Asked of coherent memory too, where the driver has nothing to do.
+// Also called for coherent memory, where the driver does nothing.
 VkResult Buffer::invalidate() const {
     const VkMappedMemoryRange whole = range();
     return device_->functions().vkInvalidateMappedMemoryRanges(device_->host().device, 1, &whole);

@@ -84,8 +84,8 @@ bool DeviceCells::step(const CellStep& step, Diagnostics& report) {
     return true;
 }
 
-// Of air at rest: the ambient wind, which without gusts differs by height alone. With them the last read-back is reported: no
-// component was further from it than what counts as sleep.
+// Report of air at rest: the ambient wind, which without gusts differs by height alone. With gusts the last read-back is
+// reported: each component was within the sleep threshold of it.
 void DeviceCells::report_ambient(const CellStep& step, Diagnostics& report) const {
     if (step.ambient->gusting())
         return;
@@ -101,7 +101,7 @@ void DeviceCells::report_ambient(const CellStep& step, Diagnostics& report) cons
     }
 }
 
-// Sleeping air is shown at the frame's own moment, between two ticks: the next tick that wakes fills anew.
+// Sleeping air is shown at the frame's own time, between two ticks: the next waking tick fills it again.
 void DeviceCells::show(const FrameBlend& shown) {
     if (shown.unchanged)
         return;

@@ -45,7 +45,7 @@ Result<Functions> load_functions(const Host& host) {
         note_missing(missing, #name);
     WINDROW_INSTANCE_FUNCTIONS(WINDROW_LOAD)
 #undef WINDROW_LOAD
-    // Asked of the device, a call goes to its driver at once and not through the loader's choice between devices.
+    // A function pointer from the device calls its driver directly, without the loader's dispatch between devices.
     if (functions.vkGetDeviceProcAddr != nullptr) {
 #define WINDROW_LOAD(name)                                                                                                       \
     functions.name = reinterpret_cast<PFN_##name>(functions.vkGetDeviceProcAddr(host.device, #name));                            \

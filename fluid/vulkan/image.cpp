@@ -10,7 +10,7 @@
 namespace windrow::vulkan {
 namespace {
 
-// A software driver makes an image of any size, 0 included, and says that all is well.
+// A software driver accepts an image of any size, including 0, without an error.
 Result<void> check_image(const Device& device, VkExtent3D extent, VkFormat format, const std::string& what) {
     const VkDeviceSize largest = std::max({extent.width, extent.height, extent.depth});
     if (std::min({extent.width, extent.height, extent.depth}) == 0)

@@ -102,7 +102,7 @@ Result<void> Instance::make(const Checks& checks) {
     }
     VkValidationFeaturesEXT features{};
     features.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT;
-    features.pNext = &messenger; // hears what is said while the instance is made and ended
+    features.pNext = &messenger; // receives messages while the instance is created and destroyed
     features.enabledValidationFeatureCount = static_cast<std::uint32_t>(enabled.size());
     features.pEnabledValidationFeatures = enabled.data();
 
@@ -142,7 +142,7 @@ VkBool32 Instance::hear(VkDebugUtilsMessageSeverityFlagBitsEXT severity, VkDebug
     ++instance.messages_;
     if (instance.on_message_)
         instance.on_message_(data->pMessage == nullptr ? "" : data->pMessage);
-    return VK_FALSE; // the call goes on
+    return VK_FALSE; // the call continues
 }
 
 } // namespace windrow::vulkan

@@ -15,7 +15,7 @@
 namespace windrow::vulkan {
 namespace {
 
-/// [bytes] Holds all of the default window, and is little beside what a device has.
+/// [bytes] Holds all of the default window, and is small against a device's memory.
 constexpr VkDeviceSize k_block_bytes = VkDeviceSize{16} << 20;
 
 /// Memory that needs a feature to be enabled, or that is for other uses.
@@ -66,8 +66,8 @@ struct Memory::State {
     std::uint64_t last_id = 0;
     VkDeviceSize given = 0;
 
-    /// Types that fit, those with the most of the preferred properties first, then those with the fewest of the avoided ones. Of
-    /// equals the first: drivers list the better before.
+    /// Types that fit: those with the most preferred properties first, then those with the fewest avoided ones. Equal types keep
+    /// their order: drivers list the better first.
     [[nodiscard]] std::vector<std::uint32_t> types_for(std::uint32_t allowed, VkMemoryPropertyFlags wanted,
                                                        VkMemoryPropertyFlags preferred, VkMemoryPropertyFlags avoided) const {
         std::vector<std::uint32_t> types;
@@ -87,7 +87,7 @@ struct Memory::State {
     [[nodiscard]] VkDeviceSize heap_bytes(std::uint32_t type) const {
         return properties.memoryHeaps[properties.memoryTypes[type].heapIndex].size;
     }
-    /// Bytes of the heap of `type` that our blocks do not hold. Asked by us, since a software driver grants what it has not.
+    /// Bytes of the heap of `type` outside our blocks. Computed here, since a software driver grants memory that it lacks.
     [[nodiscard]] VkDeviceSize heap_left(std::uint32_t type) const {
         VkDeviceSize left = heap_bytes(type);
         for (const MemoryBlock& block : blocks)
@@ -185,7 +185,7 @@ Result<MemoryPiece> Memory::allocate(const VkMemoryRequirements& requirements, V
         asked.size = rounded_up(asked.size, state.granularity);
         for (const std::uint32_t type : types) {
             MemoryPiece piece;
-            state.host_pieces.reserve(state.host_pieces.size() + 1); // before there is something to lose
+            state.host_pieces.reserve(state.host_pieces.size() + 1); // before any allocation that a failure would lose
             result = state.host.memory.allocate(asked, type, piece);
             if (result == VK_SUCCESS) {
                 state.host_pieces.push_back({piece, asked.size});
@@ -202,7 +202,7 @@ Result<MemoryPiece> Memory::allocate(const VkMemoryRequirements& requirements, V
         Taken taken;
         result = state.take(asked, type, linear, taken);
         if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY)
-            continue; // a full heap may have a neighbour that is not
+            continue; // another heap may have room
         if (result != VK_SUCCESS)
             break;
         state.given += asked.size;

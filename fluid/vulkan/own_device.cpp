@@ -60,7 +60,7 @@ Result<std::vector<FoundDevice>> find_devices(const Instance& instance) {
     return found;
 }
 
-// What our own host calls, beside the table of functions.h, which holds only what Windrow calls on the device of any host.
+// Functions for our own host, in addition to functions.h, which holds only those that Windrow calls on the device of any host.
 // clang-format off
 #define WINDROW_OWN_FUNCTIONS(each) \
     each(vkDestroyDevice) \
@@ -85,7 +85,7 @@ struct OwnFunctions {
 #undef WINDROW_DECLARE
 };
 
-/// The first that is no software and can run the wind, else the first that can; the place asked for where one is.
+/// First hardware device that can run the wind, else the first device that can; the requested place where one is set.
 Result<FoundDevice> choose(const std::vector<FoundDevice>& found, int place) {
     if (place >= 0) {
         if (static_cast<std::size_t>(place) >= found.size())
@@ -105,7 +105,7 @@ Result<FoundDevice> choose(const std::vector<FoundDevice>& found, int place) {
     return Error{detail::message(found.front().facts.name, ": ", found.front().facts.trouble)};
 }
 
-/// The first queue family that can do what is wanted.
+/// The first queue family with the required capabilities.
 Result<std::uint32_t> choose_family(const Instance& instance, const FoundDevice& chosen, VkQueueFlags wanted) {
     const auto query = instance.load<PFN_vkGetPhysicalDeviceQueueFamilyProperties>("vkGetPhysicalDeviceQueueFamilyProperties");
     std::uint32_t count = 0;
@@ -143,7 +143,7 @@ VkPhysicalDeviceFeatures features_for(const Instance& instance, VkPhysicalDevice
 } // namespace
 
 struct OwnDevice::State {
-    std::unique_ptr<Instance> instance{}; // ends last
+    std::unique_ptr<Instance> instance{}; // destroyed last
     FoundDevice chosen{};
     std::uint32_t family = 0;
     VkPhysicalDeviceFeatures features{};
@@ -289,7 +289,7 @@ Result<void> OwnDevice::run(const std::function<void(VkCommandBuffer)>& record) 
     const OwnFunctions& functions = state_->functions;
     const VkDevice device = state_->device;
     const auto failed = [this](const char* function, VkResult result) {
-        // Nothing of what was submitted may still run when the caller frees what it used.
+        // Submitted work must be complete when the caller frees its resources.
         (void)state_->functions.vkDeviceWaitIdle(state_->device);
         return call_error(function, state_->chosen.facts.name, result);
     };

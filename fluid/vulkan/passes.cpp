@@ -38,11 +38,11 @@ std::uint32_t blocks(std::uint32_t count, std::uint32_t size) {
     return (count + size - 1) / size;
 }
 
-// Cells of a group along each axis: as long along x as memory likes, but not longer than the box.
+// Cells of a group along each axis: long along x for memory access, but not longer than the box.
 Groups cell_group(glm::ivec3 cells) {
     const auto x = std::min(32u, std::bit_ceil(static_cast<std::uint32_t>(cells.x)));
     const auto y = std::min(k_cell_group / x, std::bit_ceil(static_cast<std::uint32_t>(cells.y)));
-    // 64: as long as a group may be along z everywhere.
+    // 64: the guaranteed maximum of a group along z.
     return {x, y, std::min(64u, k_cell_group / x / y)};
 }
 
@@ -51,7 +51,7 @@ Groups groups_over(glm::ivec3 cells, const Groups& size) {
             blocks(static_cast<std::uint32_t>(cells.z), size[2])};
 }
 
-// How planes are cut for the transforms of x and z.
+// Division of planes for the transforms of x and z.
 struct PlaneTiles {
     bool whole = true;
     std::uint32_t x = 1, z = 1;  // of a whole plane; else of the pass along x: all of x, some of z

@@ -111,7 +111,7 @@ std::vector<Access> access_of(std::span<const std::uint32_t> spirv, std::size_t 
     constexpr std::uint32_t k_op_pointer = 32, k_op_variable = 59, k_op_decorate = 71, k_op_member_decorate = 72;
     constexpr std::uint32_t k_non_writable = 24, k_non_readable = 25, k_binding = 33;
     constexpr std::size_t k_header_words = 5;
-    std::map<std::uint32_t, Access> named;                  // what a variable or a block may do
+    std::map<std::uint32_t, Access> named;                  // access of a variable or a block
     std::map<std::uint32_t, std::uint32_t> at, pointee, of; // variable: binding; pointer: block; variable: pointer
     const auto note = [&](std::uint32_t id, std::uint32_t decoration) {
         if (decoration == k_non_writable)

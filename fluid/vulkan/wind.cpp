@@ -173,7 +173,7 @@ auto with_views(const Wind::State& state, const Use& use) {
 
 } // namespace
 
-// Which of the sets of textures holds which frame depends on the recordings, pauses among them, not on the steps.
+// The set of textures of a frame depends on the recordings, including pauses, not on the steps.
 WindowBlock Wind::window_block(glm::dvec3 anchor) const {
     return with_views(*state_, [&](const WindView& now, const WindView& before) {
         WindowBlock block = state_->core.window_block(anchor, now, before);

@@ -102,7 +102,7 @@ Diagnostics Wind::State::record_step(VkCommandBuffer commands, const Frame& fram
         cells.blend = 1.0f;
     if (!slept || !core.sleep.asleep() || frame.dt == 0.0) // a pause shows what changed without a step
         textures.stale = 2;
-    if (textures.stale > 0) { // asleep: until both sets of textures hold the air as it sleeps
+    if (textures.stale > 0) { // asleep: until both sets of textures hold the sleeping air
         --textures.stale;
         cells.blend = 1.0f;
     }

@@ -19,13 +19,13 @@ bool same_way(CellIndex a, CellIndex b) {
     return true;
 }
 
-// What the host keeps of the air is not the same after it.
+// True where the change alters the kept cells.
 bool changes_before(const CellChange& change) {
     return change.kind == Kind::fill_before || change.kind == Kind::set || (change.kind != Kind::fill && change.kept);
 }
 
 bool same_change(const CellChange& a, const CellChange& b) {
-    // The change goes by its profile over the ground, where there is one.
+    // The change depends on its profile over the ground, where there is one.
     const bool same_height = (a.window.origin_cells.y == b.window.origin_cells.y && a.ambient.ground() == b.ambient.ground()) ||
                              (a.ambient.uniform() && b.ambient.uniform());
     return a.kind == Kind::add_change && b.kind == Kind::add_change && a.kept == b.kept && a.to_air == b.to_air && same_height;
@@ -70,8 +70,8 @@ bool WorkQueue::fold(const CellChange& change) {
     return true;
 }
 
-// A change of the mean wind acts as well before a shift that exposes the changed wind, and before a fill where it is only of what
-// is kept. So it goes there, and into the change that it meets: a walk in a wind that turns stays one change and one shift.
+// A change of the mean wind may move before a shift that exposes the changed wind, and before a fill if it only affects kept
+// cells. It moves there and merges with an earlier change: a walk in a turning wind stays one change and one shift.
 void WorkQueue::add_change(const CellChange& change) {
     auto at = changes_.end();
     while (at != changes_.begin() && passes(change, *std::prev(at)))
@@ -96,7 +96,7 @@ void WorkQueue::append(const CellChange& change) {
         changes_.push_back(change);
 }
 
-// Leaves of the changes what can still be seen after `change`.
+// Keeps only the changes that are still visible after `change`.
 void WorkQueue::drop_overwritten(const CellChange& change) {
     const auto of_before_alone = [](const CellChange& w) {
         return w.kind == Kind::fill_before || (w.kind == Kind::add_change && !w.to_air);
@@ -136,7 +136,7 @@ void WorkQueue::make_room(std::size_t cells) {
 }
 
 void WorkQueue::push(CellChange change) {
-    if (change.kind == Kind::set) { // the one that waits is overwritten
+    if (change.kind == Kind::set) { // the waiting change is overwritten
         std::transform(change.cells.begin(), change.cells.end(), cells_.begin(),
                        [](glm::vec4 u) { return glm::vec4(u.x, u.y, u.z, 0.0f); });
         change.cells = cells_;

@@ -110,7 +110,7 @@ struct Cubic {
     using Line = Block;
     static constexpr bool k_cubic = true;
 
-    // Lagrange weights of the nodes -1, 1, 2 by axis; node 0 takes what is left of 1.
+    // Lagrange weights of the nodes -1, 1, 2 by axis; node 0 takes the rest of 1.
     struct Weights {
         alignas(64) float before[3][k_row_chunk], after[3][k_row_chunk], beyond[3][k_row_chunk];
 
@@ -165,9 +165,8 @@ inline Native sample(const float* field, const Points& points, const PaddedStrid
     return Interpolant::sample_x(lines, w, n);
 }
 
-// Runs of cells that will be wanted soon. They are asked for while others are sampled, a cache line at a time: a core keeps track
-// of a few misses only, and asking for a row at once has it wait as if it had not asked. The machine's own prefetching stops at
-// the end of each row, and rows are short.
+// Prefetch of the runs of cells needed soon, one cache line at a time while others are sampled: a core tracks only a few misses,
+// and a prefetch of a whole row stalls it. Hardware prefetching stops at the end of each row, and rows are short.
 struct Ahead {
     const float *first, *second;
 };
@@ -256,7 +255,7 @@ inline void for_each_run(const AdvectTask& task, int plane, const Body& body) {
         }
 }
 
-// What a cubic read of the profile has over a linear one, as a factor of the mean wind: Everett's form of the cubic.
+// Difference between a cubic and a linear read of the profile, as a factor of the mean wind: Everett's form of the cubic.
 inline void bends_at(const AdvectTask& task, const CellRun& run, const Displacements& displacements, float* bends) {
     const float* const rows = task.given.bends + k_halo_low;
     const Legal& legal = task.legal;
@@ -354,7 +353,7 @@ template <class Interpolant>
 void advect_plane(const AdvectTask& task, int plane) {
     for_each_run(task, plane,
                  [&](const PaddedStrides& strides, Points& points, const CellRun& run, Displacements& displacements) {
-                     // And three, with the nodes of a cubic.
+                     // The next plane's cells reach three planes beyond this one, with the nodes of a cubic.
                      const Ahead ahead = {task.padded_carried + 4 * padded_index(strides, run.i, run.j, run.k + 3),
                                           task.result + 4 * soon(task, run.first)};
                      sample_run<Interpolant>(task.padded_carried, points, strides, run.count, ahead, task.result + 4 * run.first);

@@ -31,7 +31,7 @@ inline float sample_scalar(const float* at, const PaddedStrides& s, const Cubic:
     return cubic_line(planes[0], planes[1], planes[2], planes[3], w, 2, n);
 }
 
-// `value` kept within the eight cells around the departure point.
+// `value` clamped to the eight cells around the departure point.
 inline float clamp_to_corners(float value, const float* at, const PaddedStrides& s) {
     float least = at[0], most = at[0];
     for (int corner = 1; corner < 8; ++corner) {

@@ -42,7 +42,7 @@ template <>
 inline Cell load<Cell>(const float* p) {
     return load_cell(p);
 }
-// The cell again and again.
+// The cell repeated.
 template <class V>
 inline V repeat(Cell cell);
 template <>
@@ -215,7 +215,7 @@ inline Ends transpose(const Pair (&pairs)[k_native_cells]) {
 // One float a cell, each four times.
 inline Native spread(const float* p) {
 #if defined(__AVX512F__)
-    // Widened by hand: the compiler would send it through memory.
+    // Widened by hand: the compiler would use memory.
     const __m512i lanes = _mm512_set_epi32(3, 3, 3, 3, 2, 2, 2, 2, 1, 1, 1, 1, 0, 0, 0, 0);
     return reinterpret_cast<Native>(_mm512_maskz_permutexvar_ps(0xffff, lanes, _mm512_castps128_ps512(_mm_loadu_ps(p))));
 #elif defined(__AVX__)

@@ -1,5 +1,5 @@
 // Thomas elimination with stored pivots, k_lanes systems at a time; periodic systems by Sherman and Morrison.
-// Unrolled over two modes, since each recurrence waits for its own last row.
+// Unrolled over two modes, since each recurrence depends on its own last row.
 
 template <int Modes>
 inline void eliminate(float* data, std::ptrdiff_t stride, const float* pivots, int rows) {
