@@ -21,7 +21,7 @@ namespace {
 
 constexpr auto k_spin = std::chrono::microseconds(20);
 constexpr std::size_t k_cache_line = 64;
-constexpr int k_patience = 48; ///< pauses, about a microsecond: what another core's planes cost to fetch
+constexpr int k_patience = 48; ///< pauses, about a microsecond: the cost of fetching another core's planes
 
 void relax() {
 #if defined(__x86_64__)

@@ -54,7 +54,7 @@ void WindCore::start() {
     fill_with_ambient();
 }
 
-// --- What a host changes -----------------------------------------------------------------------------------------------------
+// --- Changes by the host -----------------------------------------------------------------------------------------------------
 
 void WindCore::change_ambient(glm::vec3 wind) {
     if (config.gusts.intensity > 0.0f) { // gusts scale with the mean wind: the whole wind changes

@@ -151,7 +151,7 @@ std::optional<std::size_t> JsonObject::name(const Key& key, std::span<const std:
     return std::nullopt;
 }
 
-// --- What holds more -------------------------------------------------------------------------------------------------
+// --- Containers ------------------------------------------------------------------------------------------------------
 
 JsonObject JsonObject::object(const Key& key) {
     static const json k_empty = json::object();

@@ -1,4 +1,4 @@
-// The ambient wind at every cell of a box and of its halo.
+// Ambient wind at every cell of a box and of its halo.
 #pragma once
 
 #include "fluid/ambient.h"
@@ -11,16 +11,16 @@
 
 namespace windrow::cpu {
 
-/// Laid out as the padded fields of the advection: four floats a cell (x, y, z, 0), cells + k_halo an axis, x fastest, then
-/// y, then z; box cell (i, j, k) is at (i, j, k) + k_halo_low.
+/// Layout of the advection's padded fields: four floats a cell (x, y, z, 0), cells + k_halo an axis, x fastest, then y, then z.
+/// Box cell (i, j, k) is at (i, j, k) + k_halo_low.
 class AmbientField {
   public:
     AmbientField() = default;
     /// Allocates for a box of these cells; all zero until `fill`.
     explicit AmbientField(glm::ivec3 cells);
 
-    /// The wind at the cells' centres as it is now. The window must have the cells that were allocated for. Allocates nothing;
-    /// the result does not depend on the threads.
+    /// The wind of now at the cells' centres. The window must have the cells of the constructor. Does not allocate. The result
+    /// does not depend on the threads.
     void fill(const AmbientWind& wind, const Window& window, const ParallelFor& parallel_for);
 
     [[nodiscard]] const float* data() const { return values_.data(); }
@@ -28,7 +28,7 @@ class AmbientField {
     [[nodiscard]] std::size_t memory_bytes() const;
 
   private:
-    /// Column of blended texels of a cell, in floats from the row's first, and how far it is to the next.
+    /// Column of blended texels of a cell, in floats from the row's first, and the distance to the next.
     struct Column {
         int first = 0;
         float fraction = 0.0f;

@@ -278,7 +278,7 @@ void Cells::keep() {
     std::copy_n(air.velocity.data(), air.velocity.size(), frames.before.data());
 }
 
-// --- Cells that are ambient are written when they are read -------------------------------------------------------------------
+// --- Lazy writes of ambient cells --------------------------------------------------------------------------------------------
 
 bool Cells::has_source_flow() const {
     return wind_.source_name != 0;

@@ -1,4 +1,4 @@
-// The cells of a wind on the CPU.
+// Cells of a wind on the CPU.
 //
 // cells.cpp: the operations of the wind's core: set to ambient, move with the box, blend for a frame. step.cpp: a step.
 #pragma once
@@ -24,11 +24,11 @@ struct TwoLevelAir {
     explicit TwoLevelAir(std::size_t cells) : velocity(cells), velocity_old(cells), history(cells) {}
 
     Buffer<glm::vec4> velocity;     ///< u [m/s]
-    Buffer<glm::vec4> velocity_old; ///< u one sub-step earlier; holds nothing while `fresh`
-    Buffer<glm::vec4> history;      ///< q = (dt/2) grad p of the last sub-step [m/s]; holds nothing while `fresh`
+    Buffer<glm::vec4> velocity_old; ///< u one sub-step earlier; unset while `fresh`
+    Buffer<glm::vec4> history;      ///< q = (dt/2) grad p of the last sub-step [m/s]; unset while `fresh`
     bool fresh = true;              ///< u_old = u and q = 0 without being written
     float dt_old = 0.0f;            ///< [s] last sub-step
-    float undiffused_time = 0.0f;   ///< [s] in which viscosity has not acted yet
+    float undiffused_time = 0.0f;   ///< [s] accumulated diffusion time
 
     [[nodiscard]] std::size_t memory_bytes() const { return velocity.bytes() + velocity_old.bytes() + history.bytes(); }
 };
@@ -39,7 +39,7 @@ struct FrameCells {
         Buffer<glm::vec4> cells; ///< [m/s]
         bool held = true;        ///< false while they are the frame's ambient wind, and not written yet
     };
-    Buffer<glm::vec4> before; ///< [m/s] air at the tick before the last one, in the window of today
+    Buffer<glm::vec4> before; ///< [m/s] air at the tick before the last one, in the current window
     Field shown, shown_before;
 
     [[nodiscard]] std::size_t memory_bytes() const { return before.bytes() + shown.cells.bytes() + shown_before.cells.bytes(); }
@@ -62,10 +62,10 @@ class Cells final : public CellStorage {
     [[nodiscard]] WindView view(FrameCells::Field& field, const ShownFrame& frame);
     /// Writes the ambient wind into cells that are marked as ambient. Thread-safe.
     void hold_air();
-    void hold_all(); ///< that of frames too
-    /// Both frames show the air of now.
+    void hold_all(); ///< also in the frames
+    /// Both frames show the current air.
     void show_air();
-    /// The cells of the air, and of the tick before, were set to what they are.
+    /// Marks the cells of the air, and of the tick before, as written.
     void set_held();
     [[nodiscard]] std::size_t memory_bytes() const;
 
@@ -85,7 +85,7 @@ class Cells final : public CellStorage {
     void make_room_for_step(float dt);
     void make_room_for_viscosity(DiffusionMethod method);
     void reserve_solved();
-    /// Brings the ambient fields up to what blows in `window`.
+    /// Updates the ambient fields to the ambient wind in `window`.
     void renew_around(const AmbientWind& ambient, const Window& window, const ParallelFor& parallel_for);
     void bend_profile(const Window& window);
     /// [m/s] Ambient wind of a cell of the box; without gusts.
@@ -116,7 +116,7 @@ class Cells final : public CellStorage {
     [[nodiscard]] float fastest_carried(float dt) const;
     void cut_speeds(float most, Diagnostics& report);
     void repair_cells();
-    /// Finds the gusts at the end of the sub-step; from carry_gusts on they are those of now.
+    /// Finds the gusts at the end of the sub-step. carry_gusts makes them the current ones.
     void foresee_gusts(Diagnostics& report);
     void carry_gusts();
     [[nodiscard]] std::span<const glm::vec4> without_given_flow();
@@ -133,9 +133,9 @@ class Cells final : public CellStorage {
 
     const WindCore& wind_;
     const Config& config_;             ///< of `wind_`
-    AmbientWind around_;               ///< what the ambient fields hold; within a step it runs ahead of the wind's own
-    CellIndex around_origin_cells_{0}; ///< where they hold it
-    bool around_stale_ = true;         ///< they hold nothing yet, or the boundary conditions have changed
+    AmbientWind around_;               ///< wind of the ambient fields; within a step ahead of the wind's own
+    CellIndex around_origin_cells_{0}; ///< window of the ambient fields
+    bool around_stale_ = true;         ///< ambient fields unset, or boundary conditions changed
     AmbientField mean_field_;          ///< the mean wind cell by cell; empty without a profile
     AmbientField ambient_field_;       ///< the same with gusts; empty without gusts
     AmbientField ambient_next_;        ///< within a step: at its end
@@ -143,8 +143,8 @@ class Cells final : public CellStorage {
     glm::dvec3 next_phase_{0.0};       ///< [m] of the gusts at the end of the sub-step
     CanopyRows canopy_;                ///< of the step
     Buffer<glm::vec4> diffused_;       ///< the velocity after diffusion; empty while viscosity has no effect
-    FreeAir free_air_;                 ///< where volume sources blow; empty until then
-    /// Sleep::drift at which the air, and that of the tick before, were written. Another: they are ambient, written when read.
+    FreeAir free_air_;                 ///< potential of the volume sources; empty until the first
+    /// Sleep::drift when the air, and that of the tick before, were written. Otherwise they are ambient, written when read.
     std::atomic<std::uint64_t> held_at_ = 0;
     std::uint64_t before_held_at_ = 0;
     std::mutex holding_; ///< of what is held, in frames too

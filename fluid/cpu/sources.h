@@ -62,7 +62,7 @@ class SourceField {
     Buffer<glm::vec4> drives_, kept_;
     Buffer<Range> row_driven_;
     Buffer<float> plane_largest_;        ///< of f
-    Buffer<float> plane_largest_driven_; ///< of what the drives would leave
+    Buffer<float> plane_largest_driven_; ///< after the drives act
     Buffer<float> expansion_;
     bool any_force_ = false;
     bool any_drive_ = false;

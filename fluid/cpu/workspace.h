@@ -23,19 +23,19 @@ struct Workspace::State {
 
     Box box;
     glm::vec3 requested_ambient; ///< as the caller gave it
-    glm::vec3 ambient;           ///< what the open boundaries carry: without components that a wall closes
-    /// The mean wind of each padded cell, four floats each, where it is not the same everywhere; null: `ambient`.
+    glm::vec3 ambient;           ///< at open boundaries: without components along axes closed by walls
+    /// The mean wind of each padded cell, four floats each, where it is not uniform; null: `ambient`.
     const float* mean_cells = nullptr;
-    /// The same with gusts: what trajectories meet beyond an open boundary.
+    /// The same with gusts: the wind seen by trajectories beyond an open boundary.
     const float* ambient_cells = nullptr;
-    /// The prescribed background wind, within a step in gusts; its `legal` is the advection's to fill.
+    /// The prescribed background wind, within a step in gusts; the advection sets its `legal`.
     cpu::GivenWind given{};
     ParallelFor parallel_for;
     const cpu::Kernels* kernels;
 
-    /// rules[axis][cell + k_halo_low]: where a padded velocity comes from, as viscosity sees it.
+    /// rules[axis][cell + k_halo_low]: source of a padded velocity, for viscosity.
     Rules rules;
-    /// The same as transport sees it: along every wall the air slips.
+    /// The same for transport: the air slips along every wall.
     Rules carried_rules;
     cpu::NormalGhost velocity_ghosts[3][2];
     cpu::NormalGhost potential_ghosts[3][2];
@@ -56,7 +56,7 @@ struct Workspace::State {
     [[nodiscard]] std::size_t padded_cells() const;
     [[nodiscard]] std::size_t memory_bytes() const;
 
-    /// An AdvectTask with the legal positions of this box; fields and step are the caller's to fill.
+    /// An AdvectTask with the legal positions of this box; the caller sets fields and step.
     [[nodiscard]] cpu::AdvectTask advect_task() const;
     /// A DivergenceTask with this box's boundaries; the caller sets its result.
     [[nodiscard]] cpu::DivergenceTask divergence_task(const float* velocity, float scale) const;
@@ -69,12 +69,12 @@ struct Workspace::State {
         std::span<glm::vec4> field{}; ///< empty: no output
         float weight = 1.0f, kept = 0.0f;
     };
-    /// As project() in operators.h, with phi / h beyond open boundaries as `beyond` has it; null: 0.
+    /// As project() in operators.h, with phi / h from `beyond` beyond open boundaries; null: 0.
     void project(std::span<glm::vec4> velocity, std::span<const float> expansion, const GradientNote& note,
                  const cpu::FreeAir* beyond = nullptr);
     /// Sum of the planes' reductions, in order of the planes.
     [[nodiscard]] cpu::PlaneSurvey survey(const float* velocity);
-    /// The same, and the central divergence [1/s], less the one wanted where `expansion` is not empty.
+    /// The same, and the central divergence [1/s], less the prescribed one where `expansion` is not empty.
     [[nodiscard]] cpu::PlaneSurvey survey_with_divergence(const float* velocity, std::span<const float> expansion);
 
   private:

@@ -76,7 +76,7 @@ bool Wind::collect(int slot) {
     return state_->collect(slot);
 }
 
-// --- As of windrow::Wind -------------------------------------------------------------------------------------------------------
+// --- Interface of windrow::Wind ------------------------------------------------------------------------------------------------
 
 Motors& Wind::motors() {
     return state_->core.motors;

@@ -29,7 +29,7 @@ inline constexpr int k_max_row = 2048;
 struct HaloRule {
     int source = 0;       ///< cell index along the axis, always inside
     bool ambient = false; ///< beyond an open boundary
-    bool identity = true; ///< inside or periodic: the source's value as it is
+    bool identity = true; ///< inside or periodic: the source's value unchanged
     float scale[4] = {1, 1, 1, 1};
     float offset[4] = {0, 0, 0, 0};
     float history_scale[4] = {1, 1, 1, 1}; ///< for the second-order history: odd along the normal, even else
@@ -59,7 +59,7 @@ struct Legal {
     float period[4], inverse_period[4];
 };
 
-/// The prescribed background wind A, of which the perturbation carries v . grad A. Fields of four floats a padded cell.
+/// The prescribed background wind A, for the term v . grad A of the perturbation v. Fields of four floats a padded cell.
 struct GivenWind {
     const float* now;         ///< at the step's start; null: none
     const float* next;        ///< at its end
@@ -124,7 +124,7 @@ struct PlaneSurvey {
     float largest_component;      ///< of the finite cells
     std::int64_t nonfinite_cells; ///< cells with NaN or infinity
     double squares;               ///< sum of |u|^2 of the finite cells
-    double divergence_squares;    ///< 0 where nobody asked
+    double divergence_squares;    ///< 0 where not requested
 };
 inline void add(const PlaneSurvey& part, PlaneSurvey& whole) {
     whole.largest_component = part.largest_component > whole.largest_component ? part.largest_component : whole.largest_component;
@@ -145,7 +145,7 @@ struct Product {
     int rows, columns, depth;
 };
 
-/// Values of an axis as `pairs` sums, those without a partner, and `pairs` differences; both arrays apart.
+/// Even-odd split of an axis: `pairs` sums, the unpaired values, and `pairs` differences. Input and output do not overlap.
 struct Fold {
     int count, pairs;
 };
