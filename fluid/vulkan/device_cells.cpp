@@ -85,7 +85,7 @@ bool DeviceCells::step(const CellStep& step, Diagnostics& report) {
 }
 
 // Report of air at rest: the ambient wind, which without gusts differs by height alone. With gusts the last read-back is
-// reported: each component was within the sleep threshold of it.
+// reported: each component was within the sleep threshold of the ambient wind.
 void DeviceCells::report_ambient(const CellStep& step, Diagnostics& report) const {
     if (step.ambient->gusting())
         return;
