@@ -105,21 +105,21 @@ Result<numerics::WindrowGroundStep> GroundHost::begin(const GroundStep& step, Wi
     const auto fall = [&](float seconds) { return -step.duration / static_cast<double>(seconds); };
     const double trail = fall(config_.trail_time), trample = fall(config_.trample_time);
     const glm::ivec2 slot = slot_of(next.corner);
-    numerics::WindrowGroundStep told;
-    told.window = {config_.texels, slot.x, slot.y, static_cast<int>(walker_count_)};
-    told.moved = {begun_ ? clamped(by.x) : config_.texels, begun_ ? clamped(by.y) : config_.texels,
-                  leans == WindLeans::each_texel ? 1 : 0, 0};
-    told.contact = {config_.clearance, config_.push, config_.trail_fraction, 0.0f};
-    told.fading = glm::vec4(glm::dvec4(std::expm1(trail), std::expm1(trample), trail, trample));
+    numerics::WindrowGroundStep block;
+    block.window = {config_.texels, slot.x, slot.y, static_cast<int>(walker_count_)};
+    block.moved = {begun_ ? clamped(by.x) : config_.texels, begun_ ? clamped(by.y) : config_.texels,
+                   leans == WindLeans::each_texel ? 1 : 0, 0};
+    block.contact = {config_.clearance, config_.push, config_.trail_fraction, 0.0f};
+    block.fading = glm::vec4(glm::dvec4(std::expm1(trail), std::expm1(trample), trail, trample));
     const FadingResponse rises = fading_response(config_.spring, step.duration, config_.trail_time);
     const FadingResponse released = fading_response(config_.spring, step.duration, config_.trample_time);
     const FadingResponse released_in_gusts = fading_ramp_response(config_.spring, step.duration, config_.trample_time);
-    told.faded_place = glm::vec4(glm::dvec4(rises.place, released.place, released_in_gusts.place, 0.0));
-    told.faded_velocity = glm::vec4(glm::dvec4(rises.velocity, released.velocity, released_in_gusts.velocity, 0.0));
-    told.wind = {next.lean.x, next.lean.y, 0.0f, 0.0f};
-    told.spring = std::bit_cast<numerics::WindrowSpringStep>(spring->block());
+    block.faded_place = glm::vec4(glm::dvec4(rises.place, released.place, released_in_gusts.place, 0.0));
+    block.faded_velocity = glm::vec4(glm::dvec4(rises.velocity, released.velocity, released_in_gusts.velocity, 0.0));
+    block.wind = {next.lean.x, next.lean.y, 0.0f, 0.0f};
+    block.spring = std::bit_cast<numerics::WindrowSpringStep>(spring->block());
     begun_ = true;
-    return told;
+    return block;
 }
 
 GroundPlaceBlock GroundHost::place_block(const Place& place, glm::dvec3 anchor) const {

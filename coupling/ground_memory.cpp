@@ -68,11 +68,11 @@ Result<void> GroundMemory::advance(const GroundStep& step, std::span<const glm::
 // ----------------------------------------------------------------------------------------------------------------------
 
 Result<void> GroundMemory::State::advance(const GroundStep& step, std::span<const glm::vec2> wind_leans) {
-    const auto told = host.begin(step, wind_leans.empty() ? WindLeans::everywhere : WindLeans::each_texel);
-    if (!told)
-        return Error{told.error()};
+    const auto begun = host.begin(step, wind_leans.empty() ? WindLeans::everywhere : WindLeans::each_texel);
+    if (!begun)
+        return Error{begun.error()};
     set ^= 1;
-    parallel_for(host.config().texels, [&](int row) { advance_row(*told, row, wind_leans); });
+    parallel_for(host.config().texels, [&](int row) { advance_row(*begun, row, wind_leans); });
     if (!shown_once) // the frame before the first is the first
         shown[set ^ 1] = shown[set];
     shown_once = true;

@@ -45,7 +45,7 @@ ParallelFor loop_for(const int (&cells)[3], const ParallelFor& parallel_for) {
 } // namespace
 
 // A second difference in finite volumes: flux between two centres over their distance, divided by the cell's width. Beyond an
-// open boundary 0 lies at the centre of a cell of the finest grid.
+// open boundary the value 0 is at the centre of a cell of the finest grid.
 Multigrid::Axis Multigrid::make_axis(std::vector<double> width, const Boundaries& boundaries, int axis) {
     Axis result;
     result.width = std::move(width);

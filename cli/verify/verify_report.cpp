@@ -71,7 +71,7 @@ void report_case(const VerifyCase& one, const Console& console) {
 
 void report_row(const VerifyCase& one, const VerifiedRow& verified, const Console& console) {
     const VerifyRow& row = verified.row;
-    const bool ordered = one.min_order > 0.0 && verified.order; // of rounding an order tells nothing
+    const bool ordered = one.min_order > 0.0 && verified.order; // rounding has no order
     console.out << line(grid_name(row.cells), row.cfl > 0.0 ? to_fixed(row.cfl, 2) : "-", to_scientific(row.error, 2),
                         to_scientific(row.bound, 2), ordered ? to_fixed(*verified.order, 2) : "-",
                         ordered ? to_fixed(one.min_order, 2) : "-", verified.verdict(), row.label);

@@ -98,9 +98,9 @@ Result<void> Air::make() {
 DiffusionMethod Air::diffusion_of(double duration) const {
     if (prepared_ == DiffusionMethod::none)
         return prepared_;
-    const double h = config_.cell_size,
-                 owed = static_cast<double>(numerics::windrow_least_diffusion) * h * h / static_cast<double>(config_.viscosity);
-    const DiffusionMethod most = method_of(config_, duration + owed);
+    const double h = config_.cell_size, accumulated = static_cast<double>(numerics::windrow_least_diffusion) * h * h /
+                                                      static_cast<double>(config_.viscosity);
+    const DiffusionMethod most = method_of(config_, duration + accumulated);
     return most == DiffusionMethod::implicit ? prepared_ : DiffusionMethod::one_pass;
 }
 

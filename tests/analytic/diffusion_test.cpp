@@ -118,9 +118,9 @@ TEST(Diffusion, TheSumOfAComponentThatNoWallTakesIsKept) {
     expect_at_least("diffusion.momentum_that_walls_take", min_loss, 0.05);
 }
 
-// --- Owed diffusion ----------------------------------------------------------------------------------------------------
+// --- Accumulated diffusion time ----------------------------------------------------------------------------------------------------
 
-// Viscosity acts in full however short the steps: what a step is too short for is owed to a later one. A wave of 8 cells in a still
+// Viscosity acts in full for steps of any length: the time of steps that are too short is accumulated. A wave of 8 cells in a still
 // periodic box, nu = 0.01 m^2/s, h = 1 m, fades as exp(-nu k^2 t) with the grid's own k^2 = 4 sin^2(pi/8). Steps at 30, 120 and
 // 1000 Hz have r = 3.3e-4, 8.3e-5 and 1e-5; below 1e-4 a single one is less than what floats hold.
 double height_after(double seconds, double hz) {

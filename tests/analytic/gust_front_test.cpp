@@ -1,4 +1,4 @@
-// A gust that comes with the wind: through the rim and the open boundaries of the box, while the box moves, as if there were no box.
+// A gust passes through the blend zone and the open boundaries of a moving box as if there were no box.
 
 #include "tests/winds.h"
 
@@ -46,14 +46,14 @@ TEST(GustFront, PassesTheRimWithoutAKinkBeforeAtAndAfterAShift) {
         swing = std::max(swing, double(glm::length(at[n] - glm::vec3(4.0f, 0.0f, 0.0f))));
     }
     EXPECT_GT(swing, 1.0) << "no gust on this line";
-    // The rim itself moved by 0.2 mm; beyond that nothing may.
+    // The blend zone itself moved by 0.2 mm; beyond that nothing may.
     WINDROW_EXPECT_FIGURE("gust_front_change_at_a_shift_m_per_s", jump, 1e-4);
     wind.step(1.0 / 60.0);
     const auto after = along_line(wind, 0.25);
     WINDROW_EXPECT_FIGURE("gust_front_kink_after_over_gusts", largest_kink(after) / kink_of_gusts(), 1.6);
     if (testing::Test::HasFailure())
         return;
-    std::printf("    x [m]   u before, at and after a shift [m/s]; the rim is at -15 to -13 and 13 to 15\n");
+    std::printf("    x [m]   u before, at and after a shift [m/s]; the blend zone is at -15 to -13 and 13 to 15\n");
     for (int x = -20; x <= 20; ++x) {
         const auto n = std::size_t((x + 24) * 4);
         std::printf("    %5d   %7.4f %7.4f %7.4f\n", x, double(before[n].x), double(at[n].x), double(after[n].x));

@@ -88,7 +88,7 @@ void expect_orders(const std::string& flow_name, const StepScheme& method, const
     });
 }
 
-// What a method owes.
+// Least order of a method.
 double min_order_of(const StepScheme& method) {
     return method.scheme == Scheme::second_order ? 1.9 : method.interpolation == Interpolation::cubic ? 0.9 : 0.7;
 }

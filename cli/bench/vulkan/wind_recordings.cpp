@@ -29,9 +29,9 @@ WindRecordings::WindRecordings(vulkan::Wind wind, std::span<const glm::vec4> flo
     : wind_(std::move(wind)), flow_(flow), age_(k_steps_of_flow) {}
 
 void WindRecordings::record(VkCommandBuffer commands, int slot) {
-    const Diagnostics told = wind_.record_step(commands, {.dt = k_bench_dt, .slot = slot});
-    max_substeps_ = std::max(max_substeps_, told.substeps);
-    slept_ = slept_ || told.asleep;
+    const Diagnostics report = wind_.record_step(commands, {.dt = k_bench_dt, .slot = slot});
+    max_substeps_ = std::max(max_substeps_, report.substeps);
+    slept_ = slept_ || report.asleep;
     ++age_;
     ++all_steps_;
 }
