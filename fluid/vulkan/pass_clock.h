@@ -1,4 +1,5 @@
-// Timer of the passes of a recording: a timestamp before and after each dispatch, and at both ends of the recording.
+// Timer of the passes of a recording: a timestamp before and after each dispatch, at both ends of the recording, and before its
+// read-back.
 #pragma once
 
 #include "fluid/vulkan/pass_times.h"
@@ -18,6 +19,8 @@ class PassClock {
 
     /// A recording begins for a slot. What was recorded for it before is done: its times are read now.
     void begin(VkCommandBuffer commands, int slot);
+    /// The read-back follows.
+    void begin_read_back(VkCommandBuffer commands);
     void end(VkCommandBuffer commands);
     /// Reads the times of a slot before its turn comes: what was recorded for it is done.
     void collect(int slot) { take(slots_[static_cast<std::size_t>(slot)]); }
@@ -42,9 +45,10 @@ class PassClock {
 
   private:
     struct FrameLaps {
-        Timestamps timestamps;    ///< both ends of the recording, then two a lap
+        Timestamps timestamps;    ///< as k_start to k_first_lap count, then two a lap
         std::vector<Pass> laps{}; ///< in the order of recording
         int untimed = 0;
+        bool reads_back = false;
         bool pending = false;        ///< recorded, and not read yet
         std::uint64_t recording = 0; ///< counted from 1
     };

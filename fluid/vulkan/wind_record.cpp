@@ -37,8 +37,13 @@ void Wind::State::end(VkCommandBuffer commands, const Frame& frame) {
     bool both = false;
     if (cells.blend) {
         both = write_textures(commands);
-        if (frame.dt > 0.0 || asked_ || !core.frames || !read_backs.frame()) // a pause between ticks changes nothing
+        if (frame.dt > 0.0 || asked_ || !core.frames || !read_backs.frame()) { // a pause between ticks changes nothing
+            if (before_read_back)
+                before_read_back(commands);
+            if (clock)
+                clock->begin_read_back(commands);
             read_backs.record(*cells.air, commands, frame_now());
+        }
     }
     cells.end();
     if (clock)

@@ -26,7 +26,9 @@ struct Wind::State {
     TextureSets textures;
     Settings settings;
     std::optional<PassClock> clock; ///< where passes are timed; its address is the air's
-    double time = 0.0;              ///< [s] of the frames recorded, less what was dropped
+    /// Called while a frame is recorded, after all of it but the read-back: for a tool that times the two apart.
+    std::function<void(VkCommandBuffer)> before_read_back;
+    double time = 0.0; ///< [s] of the frames recorded, less what was dropped
     int dispatches = 0, barriers = 0;
     /// Position of the textures of the last recording, and of the one before it.
     std::optional<ShownFrame> recorded, recorded_before;

@@ -75,6 +75,7 @@ TEST(DeviceCommands, FiguresAreToldAndKept) {
             EXPECT_GT(entry[key], 0) << key;
         EXPECT_GE(entry["step_us"]["median"], entry["step_us"]["min"]);
         EXPECT_GE(entry["step_us"]["p99"], entry["step_us"]["median"]);
+        EXPECT_GT(entry["read_back_us"]["median"], 0.0) << "timed apart from the step";
     }
     EXPECT_EQ(json["entries"][1]["dispatches"], 10) << "a step of one sub-step in ten dispatches";
     EXPECT_EQ(json["entries"][1]["barriers"], 14);
@@ -83,6 +84,8 @@ TEST(DeviceCommands, FiguresAreToldAndKept) {
     EXPECT_GT(json["entries"][0]["parity"], 0.0);
     EXPECT_LT(json["entries"][0]["parity"], 1e-4);
     EXPECT_GE(json["passes"].size(), 10u);
+    for (const nlohmann::json& pass : json["passes"])
+        EXPECT_LE(pass.value("dispatches", 0), 1) << pass << ": of one sub-step, without the empty ones";
     EXPECT_GT(json["references"][0]["stencil_us"]["mean"], 0.0);
 }
 

@@ -14,6 +14,11 @@
 namespace windrow::cli {
 
 using namespace cases;
+namespace {
+
+constexpr double k_warm_fraction = 0.2; // of the time that is measured: a second of the default
+
+} // namespace
 
 Result<std::optional<DeviceGridResult>> measure_device_grid(vulkan::OwnDevice& own, const DeviceGridRequest& request,
                                                             const std::function<bool()>& stopped) {
@@ -47,20 +52,24 @@ Result<std::optional<DeviceGridResult>> measure_device_grid(vulkan::OwnDevice& o
             made = Error{wind.error()};
             return;
         }
-        winds.push_back({name, std::make_unique<WindRecordings>(*std::move(wind), flow)});
+        winds.push_back({name, std::make_unique<WindRecordings>(*std::move(wind), RecordingPlan{.flow = flow})});
         winds.back().number = contest->add(winds.back().wind->contestant());
     };
     add("second_order", usual, false);
     add("one_substep", single, false);
-    add("passes", usual, true);
+    add("passes", single, true); // empty sub-steps would be in its sums
     if (!made)
         return Error{made.error()};
-    const auto stencil_commands = [&](VkCommandBuffer commands) { plain->stencil(commands); };
-    const std::size_t stencil = contest->add({.warm = stencil_commands, .run = stencil_commands});
-    const auto copy_commands = [&](VkCommandBuffer commands) { plain->copy(commands); };
-    const std::size_t copy = contest->add({.warm = copy_commands, .run = copy_commands});
+    const auto add_plain = [&](void (PlainPasses::*pass)(VkCommandBuffer)) {
+        PlainPasses* const passes = &*plain;
+        return contest->add({.warm = [=](VkCommandBuffer commands) { (passes->*pass)(commands); },
+                             .run = [=](VkCommandBuffer commands, const auto&) { (passes->*pass)(commands); }});
+    };
+    const std::size_t stencil = add_plain(&PlainPasses::stencil), copy = add_plain(&PlainPasses::copy);
 
-    const auto held = contest->hold(request.seconds, stopped);
+    const auto held = contest->hold(
+        {.seconds = request.seconds, .warm_seconds = k_warm_fraction * request.seconds, .least_samples = k_device_samples},
+        stopped);
     if (!held)
         return Error{held.error()};
     if (*held == DeviceContest::End::stopped)
@@ -71,6 +80,7 @@ Result<std::optional<DeviceGridResult>> measure_device_grid(vulkan::OwnDevice& o
         const Own& one = winds[n];
         DeviceStepResult step = one.wind->result(one.name);
         step.us = contest->microseconds(one.number);
+        step.read_back_us = contest->microseconds(one.number, 1);
         step.vs_stencil = contest->ratio(one.number, stencil);
         step.vs_copy = contest->ratio(one.number, copy);
         result.steps.push_back(step);

@@ -11,10 +11,11 @@
 
 namespace windrow::cli {
 
-/// A step of one config, timed whole, without a timestamp in its midst.
+/// A step of one config, timed whole up to its read-back, without a timestamp in its midst.
 struct DeviceStepResult {
     const char* name = "";
     DeviceSpread us{};
+    DeviceSpread read_back_us{};
     int dispatches = 0, barriers = 0; ///< recorded; those of sub-steps that may be chosen and were not too
     double vs_stencil = 0.0, vs_copy = 0.0;
 };
@@ -34,8 +35,9 @@ struct DeviceGridResult {
     std::vector<DeviceStepResult> steps{};
     DeviceSpread stencil_us{}, copy_us{};
     std::vector<DevicePassResult> passes{};
-    /// Of the recording whose passes are timed: its whole time, and the time between its passes (barriers, copies, the clock itself).
-    DeviceSpread timed_us{}, between_us{};
+    /// Of the recording whose passes are timed, that of one sub-step: its time up to the read-back, what of it is between passes
+    /// (barriers, copies, the clock itself), and the read-back.
+    DeviceSpread timed_us{}, between_us{}, read_back_us{};
     std::uint64_t pass_bytes = 0, read_back_bytes = 0;
     std::uint64_t memory_bytes = 0;
     int max_substeps = 0;

@@ -10,11 +10,6 @@
 #include <utility>
 
 namespace windrow::cli {
-namespace {
-
-constexpr std::size_t k_idle_rounds = 1; // pipelines are compiled and memory is touched in it
-
-} // namespace
 
 DeviceSpread device_spread(const std::vector<float>& values) {
     const double sum = std::accumulate(values.begin(), values.end(), 0.0);
@@ -26,7 +21,7 @@ DeviceSpread device_spread(const std::vector<float>& values) {
 }
 
 Result<DeviceContest> DeviceContest::create(vulkan::OwnDevice& own, vulkan::Device& device) {
-    auto timestamps = vulkan::Timestamps::create(device, 2);
+    auto timestamps = vulkan::Timestamps::create(device, 1 + k_device_intervals);
     if (!timestamps)
         return Error{timestamps.error()};
     DeviceContest contest;
@@ -41,22 +36,32 @@ std::size_t DeviceContest::add(DeviceContestant contestant) {
 }
 
 Result<void> DeviceContest::turn(DeviceEntry& entry, bool counts) {
+    std::uint32_t marks = 0;
+    const auto mark = [&](VkCommandBuffer commands) {
+        if (marks <= k_device_intervals)
+            timestamps_.write(commands, marks++);
+    };
     const auto ran = own_->run([&](VkCommandBuffer commands) {
         timestamps_.reset(commands);
         entry.contestant.warm(commands);
-        timestamps_.write(commands, 0);
-        entry.contestant.run(commands);
-        timestamps_.write(commands, 1);
+        mark(commands);
+        entry.contestant.run(commands, [&](VkCommandBuffer where) {
+            if (marks < k_device_intervals)
+                mark(where);
+        });
+        while (marks <= k_device_intervals)
+            mark(commands);
     });
     if (!ran)
         return ran;
-    std::uint64_t moments[2] = {};
+    std::uint64_t moments[1 + k_device_intervals] = {};
     if (!timestamps_.read(moments))
         return Error{"the device's timestamps were not available after its work: update its driver."};
-    if (counts) {
-        entry.us.push_back(static_cast<float>(timestamps_.microseconds(moments[0], moments[1])));
-        entry.contestant.note();
-    }
+    if (!counts)
+        return {};
+    for (std::size_t n = 0; n < k_device_intervals; ++n)
+        entry.us[n].push_back(static_cast<float>(timestamps_.microseconds(moments[n], moments[n + 1])));
+    entry.contestant.note();
     return {};
 }
 
@@ -72,30 +77,32 @@ Result<bool> DeviceContest::round(std::size_t number, bool counts, const std::fu
     return true;
 }
 
-Result<DeviceContest::End> DeviceContest::hold(double seconds, const std::function<bool()>& stopped) {
-    for (std::size_t n = 0; n < k_idle_rounds; ++n)
+Result<DeviceContest::End> DeviceContest::hold(const ContestTimes& times, const std::function<bool()>& stopped) {
+    const bool software = own_->facts().software;
+    const auto now = [] { return std::chrono::steady_clock::now(); };
+    const auto past = [&](auto start) { return std::chrono::duration<double>(now() - start).count(); };
+    const auto warm_start = now();
+    for (std::size_t n = 0; n == 0 || past(warm_start) < times.warm_seconds; ++n)
         if (auto whole = round(n, false, stopped); !whole || !*whole)
             return whole ? Result<End>(End::stopped) : Error{whole.error()};
-    const bool software = own_->facts().software;
-    const auto start = std::chrono::steady_clock::now();
+    const auto start = now();
     for (rounds_ = 0;; ++rounds_) {
-        const double past = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        const bool enough = rounds_ >= k_device_samples;
-        if (rounds_ > 0 && (software ? past >= seconds || enough : past >= seconds && enough))
+        const bool time_is_up = past(start) >= times.seconds;
+        if (rounds_ > 0 && (software ? time_is_up || rounds_ >= k_device_samples : time_is_up && rounds_ >= times.least_samples))
             return End::whole;
         if (auto whole = round(rounds_, true, stopped); !whole || !*whole)
             return whole ? Result<End>(End::stopped) : Error{whole.error()};
     }
 }
 
-DeviceSpread DeviceContest::microseconds(std::size_t contestant) const {
-    return device_spread(entries_[contestant].us);
+DeviceSpread DeviceContest::microseconds(std::size_t contestant, std::size_t interval) const {
+    return device_spread(entries_[contestant].us[interval]);
 }
 
 double DeviceContest::ratio(std::size_t a, std::size_t b) const {
     std::vector<float> ratios;
     for (std::size_t n = 0; n < rounds_; ++n)
-        ratios.push_back(entries_[a].us[n] / std::max(entries_[b].us[n], 1e-3f)); // below a nanosecond no clock tells
+        ratios.push_back(entries_[a].us[0][n] / std::max(entries_[b].us[0][n], 1e-3f)); // below a nanosecond no clock tells
     return quantile(std::move(ratios), 0.5);
 }
 

@@ -1,6 +1,5 @@
 #include "cli/bench/vulkan/wind_recordings.h"
 
-#include "cases/jets.h"
 #include "fluid/vulkan/wind_state.h"
 
 #include <algorithm>
@@ -25,11 +24,13 @@ int ran_in_a_step(const vulkan::Passes& passes, Pass pass) {
 
 } // namespace
 
-WindRecordings::WindRecordings(vulkan::Wind wind, std::span<const glm::vec4> flow)
-    : wind_(std::move(wind)), flow_(flow), age_(k_steps_of_flow) {}
+WindRecordings::WindRecordings(vulkan::Wind wind, RecordingPlan plan)
+    : wind_(std::move(wind)), plan_(std::move(plan)), age_(plan_.steps_of_flow) {}
 
 void WindRecordings::record(VkCommandBuffer commands, int slot) {
-    const Diagnostics report = wind_.record_step(commands, {.dt = k_bench_dt, .slot = slot});
+    if (plan_.before_step)
+        plan_.before_step(wind_, static_cast<double>(all_steps_ + 1) * plan_.dt);
+    const Diagnostics report = wind_.record_step(commands, {.dt = plan_.dt, .slot = slot});
     max_substeps_ = std::max(max_substeps_, report.substeps);
     slept_ = slept_ || report.asleep;
     ++age_;
@@ -39,13 +40,18 @@ void WindRecordings::record(VkCommandBuffer commands, int slot) {
 DeviceContestant WindRecordings::contestant() {
     return {.warm =
                 [this](VkCommandBuffer commands) {
-                    if (age_ >= k_steps_of_flow) {
-                        static_cast<void>(wind_.set_velocity(flow_)); // of the box's size
+                    if (age_ >= plan_.steps_of_flow && !plan_.flow.empty()) {
+                        static_cast<void>(wind_.set_velocity(plan_.flow)); // of the box's size
                         age_ = 0;
                     }
                     record(commands, 0);
                 },
-            .run = [this](VkCommandBuffer commands) { record(commands, 1); },
+            .run =
+                [this](VkCommandBuffer commands, const DeviceContestant::Mark& mark) {
+                    wind_.state().before_read_back = mark;
+                    record(commands, 1);
+                    wind_.state().before_read_back = {};
+                },
             .note = [this] { note(); }};
 }
 
@@ -63,8 +69,9 @@ void WindRecordings::note() {
         samples.dispatches = pass.dispatches;
         sum += pass.us;
     }
-    timed_.push_back(static_cast<float>(times->whole_us));
-    between_.push_back(static_cast<float>(times->whole_us - sum));
+    timed_.push_back(static_cast<float>(times->whole_us - times->read_back_us));
+    between_.push_back(static_cast<float>(times->whole_us - times->read_back_us - sum));
+    read_back_.push_back(static_cast<float>(times->read_back_us));
 }
 
 DeviceStepResult WindRecordings::result(const char* name) const {
@@ -89,6 +96,7 @@ void WindRecordings::add_passes(DeviceGridResult& result) const {
     result.read_back_bytes = 2 * air.slot_bytes(); // read and written
     result.timed_us = device_spread(timed_);
     result.between_us = device_spread(between_);
+    result.read_back_us = device_spread(read_back_);
 }
 
 Result<void> WindRecordings::compare(vulkan::OwnDevice& own, windrow::Wind& cpu, DeviceGridResult& result) {
@@ -96,10 +104,10 @@ Result<void> WindRecordings::compare(vulkan::OwnDevice& own, windrow::Wind& cpu,
     const auto ran = own.run([&](VkCommandBuffer commands) { (void)wind_.record(commands, {.dt = 0.0, .slot = 1}); });
     if (!ran)
         return ran;
-    if (auto set = cpu.set_velocity(flow_); !set)
+    if (auto set = cpu.set_velocity(plan_.flow); !set)
         return set;
     for (int n = 0; n < age_; ++n)
-        cpu.step(k_bench_dt);
+        cpu.step(plan_.dt);
     const auto view = wind_.queried();
     if (!view)
         return Error{"nothing was read back from the device."};

@@ -31,22 +31,25 @@ std::string times(std::string_view name, const DeviceSpread& spread) {
 std::string steps(const DeviceGridResult& grid) {
     std::string text = k_table.line(
         "whole step", {"mean us", "median us", "99 % us", "min us", "samples", "dispatches", "barriers", "/ stencil", "/ copy"});
-    for (const DeviceStepResult& step : grid.steps)
+    for (const DeviceStepResult& step : grid.steps) {
         text += k_table.line(step.name, {us(step.us.mean), us(step.us.median), us(step.us.p99), us(step.us.min),
                                          message(step.us.samples), message(step.dispatches), message(step.barriers),
                                          to_fixed(step.vs_stencil, 1), to_fixed(step.vs_copy, 1)});
+        text += times("  its read-back", step.read_back_us);
+    }
     return text + times("plain stencil", grid.stencil_us) + times("plain copy", grid.copy_us);
 }
 
 std::string passes(const DeviceGridResult& grid) {
-    std::string text = k_table.line(
-        "passes", {"mean us", "median us", "99 % us", "min us", "samples", "dispatches", "of them ran", "MiB moved", "GB/s"});
+    std::string text = k_table.line("passes, one sub-step", {"mean us", "median us", "99 % us", "min us", "samples", "dispatches",
+                                                             "of them ran", "MiB moved", "GB/s"});
     for (const DevicePassResult& pass : grid.passes)
         text += k_table.line(message("  ", pass.name),
                              {us(pass.us.mean), us(pass.us.median), us(pass.us.p99), us(pass.us.min), message(pass.us.samples),
                               message(pass.dispatches), message(pass.dispatches_ran), mebibytes(pass.bytes),
                               gigabytes_a_second(pass.bytes, pass.us.median)});
-    return text + times("  between them", grid.between_us) + times("  whole, with clock", grid.timed_us);
+    return text + times("  between them", grid.between_us) + times("  whole, with clock", grid.timed_us) +
+           times("  read-back", grid.read_back_us);
 }
 
 // --- JSON -------------------------------------------------------------------------------------------------------------
@@ -72,6 +75,7 @@ Json entry(const DeviceGridResult& grid, const std::string& name, const DeviceSt
             {"scheme", step.name},
             {"backend", "vulkan"},
             {"step_us", spread(step.us)},
+            {"read_back_us", spread(step.read_back_us)},
             {"dispatches", step.dispatches},
             {"barriers", step.barriers},
             {"vs_stencil", step.vs_stencil},
@@ -93,7 +97,7 @@ void report_device_grid(const DeviceGridResult& grid, bool software, const Conso
     const glm::ivec3 cells = grid.cells;
     console.out << "\n"
                 << message(cells.x, " x ", cells.y, " x ", cells.z, ": recordings in turns, ", grid.rounds,
-                           " rounds after one that does not count; ratios are medians over the rounds")
+                           " rounds after a warm-up; ratios are medians over the rounds")
                 << "\n"
                 << steps(grid) << passes(grid) << "  moved by a step: " << mebibytes(grid.pass_bytes)
                 << " MiB by its passes, each field of cells that a pass binds once for reading and once for writing; "
