@@ -8,6 +8,7 @@
 #include "cli/verify/verify_command.h"
 #if WINDROW_WITH_VULKAN
 #include "cli/check/check_command.h"
+#include "cli/device_report/device_report_command.h"
 #endif
 #include "fluid/message.h"
 #include "scene/nearest_word.h"
@@ -62,7 +63,7 @@ std::string sentence_of(const CLI::ParseError& fault, const CLI::App& app, int c
             return unknown("unknown command ", word);
         if (count > 1)
             return unknown("unknown option ", arguments[1]);
-        return message("name a command, run, bench, verify, pareto, plants, check or info: ", help);
+        return message("name a command, run, bench, verify, pareto, plants, check, device-report or info: ", help);
     }
     std::string words = fault.what();
     for (char& letter : words)
@@ -82,10 +83,12 @@ void parse(CLI::App& app, int count, const char* const* arguments, std::function
     add_pareto(app, chosen, console);
 #if WINDROW_WITH_VULKAN
     add_check(app, chosen, console);
+    add_device_report(app, chosen, console);
 #else
-    app.add_subcommand("check", "Hold a Vulkan device against the CPU: not built in")->allow_extras()->callback([] {
-        reject("check runs on Vulkan, which is not built in: build with WINDROW_VULKAN=ON.");
-    });
+    for (const char* const name : {"check", "device-report"})
+        app.add_subcommand(name, "For a Vulkan device: not built in")->allow_extras()->callback([name] {
+            reject(name, " runs on Vulkan, which is not built in: build with WINDROW_VULKAN=ON.");
+        });
 #endif
     add_plants(app, chosen, console);
     app.add_subcommand("info", "Print version, compiler, SIMD level, cores, Vulkan devices and the options of this build")

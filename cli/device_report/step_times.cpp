@@ -1,0 +1,238 @@
+// Times of a step and of a walk by the device's clock, the read-back in an interval of its own, beside the time in which this
+// device copies as many bytes.
+#include "cases/parity_story.h"
+#include "cli/bench/vulkan/wind_recordings.h"
+#include "cli/bench/wind_contestant.h"
+#include "cli/device_report/report_section.h"
+#include "cli/table.h"
+#include "fluid/message.h"
+#include "fluid/vulkan/device.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace windrow::cli {
+namespace {
+
+using namespace cases;
+using detail::message;
+
+constexpr double k_warm_fraction = 0.3;
+constexpr int k_many_substeps = 8;
+
+// [GB/s] Of a footprint, between the sizes that were measured, by their logarithms; nothing where none was.
+std::optional<double> bandwidth_at(const ReportJson& sections, std::uint64_t bytes) {
+    const auto costs = sections.find("costs");
+    if (costs == sections.end() || !costs->contains("bandwidth"))
+        return std::nullopt;
+    const double at = std::log2(static_cast<double>(bytes) / 1024.0);
+    double below = 0.0, rate = 0.0;
+    bool first = true;
+    for (const ReportJson& row : (*costs)["bandwidth"]) {
+        const double size = std::log2(row["footprint_KiB"].get<double>()), here = row["GB_per_s"].get<double>();
+        if (size >= at)
+            return first ? here : rate + (here - rate) * (at - below) / (size - below);
+        below = size;
+        rate = here;
+        first = false;
+    }
+    return rate;
+}
+
+ReportJson floor_json(const SectionRun& run, std::uint64_t bytes, std::uint64_t footprint) {
+    const auto rate = bandwidth_at(run.sections, footprint);
+    return rate && bytes > 0 ? ReportJson(four_digits(1e-3 * static_cast<double>(bytes) / *rate)) : ReportJson();
+}
+
+struct Recorded {
+    const char* name;
+    std::unique_ptr<WindRecordings> wind;
+    std::size_t number = 0;
+    bool has_floor = false;
+};
+
+class GridTimes {
+  public:
+    GridTimes(SectionRun& run, glm::ivec3 cells) : run_(run), cells_(cells), flow_(jets(bench_box(cells))) {}
+
+    /// Nothing where it was stopped; else the seconds that a round took.
+    Result<std::optional<double>> measure(double seconds) {
+        auto lent = vulkan::Device::create(run_.own.host());
+        if (!lent)
+            return Error{lent.error()};
+        auto contest = DeviceContest::create(run_.own, **lent);
+        if (!contest)
+            return Error{contest.error()};
+        if (auto added = add_all(*contest); !added)
+            return Error{added.error()};
+        const double before = run_.clock.past();
+        const auto held =
+            contest->hold({.seconds = seconds, .warm_seconds = k_warm_fraction * seconds}, [&] { return run_.clock.stopped(); });
+        if (!held)
+            return Error{held.error()};
+        if (*held == DeviceContest::End::stopped)
+            return std::optional<double>();
+        report(*contest);
+        return std::optional((run_.clock.past() - before) / static_cast<double>(contest->rounds() + 1));
+    }
+
+  private:
+    Result<void> add(DeviceContest& contest, const char* name, const Config& config, const vulkan::Settings& settings,
+                     RecordingPlan plan, const std::vector<StoryMotor>& motors = {}) {
+        auto wind = vulkan::Wind::create(run_.own.host(), config, settings);
+        if (!wind)
+            return Error{wind.error()};
+        for (const StoryMotor& one : motors)
+            if (const auto id = wind->motors().add(one.motor); !id)
+                return Error{id.error()};
+        all_.push_back({.name = name, .wind = std::make_unique<WindRecordings>(*std::move(wind), std::move(plan))});
+        all_.back().number = contest.add(all_.back().wind->contestant());
+        return {};
+    }
+
+    Result<void> add_all(DeviceContest& contest) {
+        const vulkan::Settings usual{.frames_in_flight = 2};
+        Config many = bench_config(cells_, Scheme::second_order, Simd::best, run_.parallel_for);
+        many.max_substeps = k_many_substeps;
+        Config one = many;
+        one.max_substeps = 1;
+        Config fine = many; // a CFL number of 0.4 to 0.5 makes eight sub-steps of it
+        fine.max_cfl = 0.06f;
+        const RecordingPlan step{.flow = flow_};
+        RecordingPlan fresh = step;
+        fresh.steps_of_flow = 2; // before the flow slows down
+        Result<void> added = add(contest, "step, one sub-step", one, usual, step);
+        if (added)
+            added = add(contest, "step, one of up to eight", many, usual, step);
+        if (added)
+            added = add(contest, "step, eight of eight", fine, usual, fresh);
+        if (added)
+            added = add(contest, "step, one sub-step, no queries", one, {.frames_in_flight = 2, .queries = false}, step);
+        if (added)
+            added = add_walks(contest, usual);
+        if (added) {
+            added = add(contest, "passes", one, {.frames_in_flight = 2, .timestamps = true}, step);
+            all_[0].has_floor = added.has_value();
+        }
+        return added;
+    }
+
+    // The parity story of this grid: profile, canopy, gusts, three motors; the box follows a runner.
+    Result<void> add_walks(DeviceContest& contest, const vulkan::Settings& settings) {
+        const auto stories = parity_stories();
+        const std::string name = message("walk_", grid_name(cells_));
+        const auto story =
+            std::find_if(stories.begin(), stories.end(), [&](const ParityStory& each) { return each.name == name; });
+        if (story == stories.end()) {
+            run_.leave_out(message("walks at ", grid_name(cells_), ": there is no such story."));
+            return {};
+        }
+        const auto walk = [&](const char* what, int max_substeps, glm::dvec3 velocity) {
+            Config config = story->config;
+            config.max_substeps = max_substeps;
+            const glm::dvec3 centre = config.centre;
+            RecordingPlan plan;
+            plan.before_step = [=](vulkan::Wind& wind, double time) { (void)wind.follow(centre + time * velocity); };
+            return add(contest, what, config, settings, std::move(plan), story->motors);
+        };
+        Result<void> added = walk("walk, one sub-step", 1, story->walk);
+        if (added)
+            added = walk("walk, one of up to eight", k_many_substeps, story->walk);
+        const glm::dvec3 cell_a_step(static_cast<double>(story->config.cell_size) / k_bench_dt, 0.0, 0.0);
+        if (added)
+            added = walk("walk, a shift in each step", 1, cell_a_step);
+        return added;
+    }
+
+    void report(const DeviceContest& contest) {
+        const std::string grid = grid_name(cells_);
+        DeviceGridResult passes;
+        all_.back().wind->add_passes(passes);
+        const std::uint64_t footprint = all_[0].wind->wind().memory_bytes();
+        for (const Recorded& one : all_) {
+            if (&one == &all_.back())
+                break;
+            const DeviceStepResult counts = one.wind->result(one.name);
+            const DeviceSpread us = contest.microseconds(one.number);
+            const ReportJson floor = one.has_floor ? floor_json(run_, passes.pass_bytes, footprint) : ReportJson();
+            run_.json["steps"].push_back(
+                {{"recording", one.name},
+                 {"grid", grid},
+                 {"us", spread_json(us)},
+                 {"read_back_us",
+                  {{"median", four_digits(contest.microseconds(one.number, 1).median)},
+                   {"p99", four_digits(contest.microseconds(one.number, 1).p99)}}},
+                 {"substeps", one.wind->max_substeps()},
+                 {"dispatches", counts.dispatches},
+                 {"barriers", counts.barriers},
+                 {"copy_floor_us", floor},
+                 {"over_floor", floor.is_null() ? ReportJson() : ReportJson(four_digits(us.median / floor.get<double>()))}});
+        }
+        for (const DevicePassResult& pass : passes.passes) {
+            const bool moves = pass.bytes > 0 && pass.us.median > 0.0;
+            run_.json["passes"].push_back(
+                {{"pass", pass.name},
+                 {"grid", grid},
+                 {"us", spread_json(pass.us)},
+                 {"dispatches", pass.dispatches_ran},
+                 {"MiB", four_digits(static_cast<double>(pass.bytes) / (1 << 20))},
+                 {"GB_per_s",
+                  moves ? ReportJson(four_digits(1e-3 * static_cast<double>(pass.bytes) / pass.us.median)) : ReportJson()},
+                 {"copy_floor_us", floor_json(run_, pass.bytes, footprint)}});
+        }
+        const auto other = [&](const char* name, const DeviceSpread& us, ReportJson floor) {
+            run_.json["passes"].push_back({{"pass", name},
+                                           {"grid", grid},
+                                           {"us", spread_json(us)},
+                                           {"dispatches", nullptr},
+                                           {"MiB", nullptr},
+                                           {"GB_per_s", nullptr},
+                                           {"copy_floor_us", std::move(floor)}});
+        };
+        other("between them, with the clock", passes.between_us, {});
+        other("all, with the clock", passes.timed_us, floor_json(run_, passes.pass_bytes, footprint));
+        run_.json["memory"].push_back({{"grid", grid},
+                                       {"bytes", footprint},
+                                       {"bytes_moved_by_a_step", passes.pass_bytes},
+                                       {"bytes_read_back", passes.read_back_bytes}});
+    }
+
+    SectionRun& run_;
+    glm::ivec3 cells_;
+    std::vector<glm::vec4> flow_;
+    std::vector<Recorded> all_;
+};
+
+double count_of(glm::ivec3 cells) {
+    return static_cast<double>(cells.x) * cells.y * cells.z;
+}
+
+} // namespace
+
+Result<void> report_times(SectionRun& run) {
+    std::vector<glm::ivec3> grids(std::begin(k_bench_grids), std::end(k_bench_grids));
+    if (run.quick && run.own.facts().software)
+        grids.resize(1);
+    double cell_round = 0.0; // [s] of a cell in a round, at the grid before
+    for (std::size_t n = 0; n < grids.size(); ++n) {
+        // Two rounds at least: one that warms up, one that counts.
+        const double least = 2.0 * cell_round * count_of(grids[n]);
+        if (run.clock.over() || least > run.clock.left()) {
+            run.leave_out(message("times at ", grid_name(grids[n]), ": they need ", four_digits(least), " s, and ",
+                                  four_digits(std::max(0.0, run.clock.left())), " s are left."));
+            break;
+        }
+        const double seconds = run.clock.left() / (1.0 + k_warm_fraction) / static_cast<double>(grids.size() - n);
+        const auto round = GridTimes(run, grids[n]).measure(seconds);
+        if (!round)
+            return Error{round.error()};
+        if (!*round)
+            return {};
+        cell_round = std::max(cell_round, **round / count_of(grids[n]));
+    }
+    return {};
+}
+
+} // namespace windrow::cli

@@ -1,0 +1,136 @@
+// `windrow device-report`: flags, files, figures, exit codes.
+#include "cli/device_report/device_report_command.h"
+#include "cli/device_report/report_text.h"
+#include "tests/parity/gpu.h"
+#include "tests/unit/command_outcome.h"
+
+#include <filesystem>
+#include <fstream>
+
+namespace windrow::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+class DeviceReport : public testing::Test {
+  protected:
+    [[nodiscard]] CommandOutcome report(std::vector<const char*> arguments) const {
+        arguments.insert(arguments.begin(), {"device-report", "--out", out.c_str()});
+        return run_windrow(std::move(arguments));
+    }
+    [[nodiscard]] nlohmann::json json() const { return json_in(out / "report.json"); }
+
+    const test::OwnFolder folder;
+    const fs::path out = folder / "report";
+};
+
+void expect_spread(const nlohmann::json& us) {
+    EXPECT_GT(us["samples"], 0) << us;
+    EXPECT_GE(us["median"], 0.0) << us;
+    EXPECT_GE(us["p99"], us["median"]) << us;
+}
+
+TEST_F(DeviceReport, WrongFlagsAreNamed) {
+    const auto rejects = [](std::vector<const char*> arguments, const std::string& sentence) {
+        arguments.insert(arguments.begin(), "device-report");
+        expect_rejected(run_windrow(std::move(arguments)), sentence);
+    };
+    rejects({}, "--out is missing: name a folder for the report.");
+    rejects({"--out", ""}, "--out is empty: name a folder.");
+    rejects({"--out", "x", "--seconds", "0"}, "--seconds is 0: give a number above 0, at most 3600 s.");
+    rejects({"--out", "x", "--device", "first"}, "--device is first: give a device's number in windrow info, from 0.");
+    const CommandOutcome unknown = report({"--only", "speed"});
+    EXPECT_EQ(unknown.code, k_exit_wrong_use);
+    EXPECT_TRUE(unknown.err.starts_with("windrow: --only is speed: give facts, costs, times")) << unknown.err;
+    EXPECT_FALSE(fs::exists(out)) << "nothing was begun";
+}
+
+TEST_F(DeviceReport, AFileInThePlaceOfTheFolderIsNamed) {
+    std::ofstream(out) << "mine";
+    const CommandOutcome outcome = report({"--only", "facts"});
+    EXPECT_EQ(outcome.code, k_exit_wrong_use);
+    EXPECT_NE(outcome.err.find("is a file where a folder is needed"), std::string::npos) << outcome.err;
+}
+
+TEST_F(DeviceReport, NoDriverIsTheMachinesAndKeptInTheFile) {
+    ASSERT_EQ(setenv("VK_ICD_FILENAMES", "/none.json", 1), 0); // of older loaders
+    ASSERT_EQ(setenv("VK_DRIVER_FILES", "/none.json", 1), 0);
+    const CommandOutcome outcome = report({"--quick"});
+    unsetenv("VK_ICD_FILENAMES");
+    unsetenv("VK_DRIVER_FILES");
+    EXPECT_EQ(outcome.code, k_exit_machine);
+    EXPECT_NE(outcome.err.find("driver"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(json()["complete"]);
+    EXPECT_NE(json()["error"].get<std::string>().find("driver"), std::string::npos);
+}
+
+TEST_F(DeviceReport, FactsAndCostsHaveTheirFigures) {
+    const CommandOutcome outcome = report({"--only", "costs", "--seconds", "10"});
+    ASSERT_EQ(outcome.code, k_exit_well) << outcome.err;
+    const nlohmann::json found = json();
+    EXPECT_TRUE(found["complete"]);
+    for (const char* key : {"device", "driver", "vulkan", "type", "limits", "queue_families", "memory_heaps", "extensions",
+                            "clocks", "subgroup_size"})
+        EXPECT_TRUE(found["sections"]["facts"].contains(key)) << key;
+    const nlohmann::json& costs = found["sections"]["costs"];
+    EXPECT_EQ(costs["commands"].size(), 9u);
+    for (const nlohmann::json& row : costs["commands"])
+        expect_spread(row["us"]);
+    ASSERT_FALSE(costs["bandwidth"].empty());
+    EXPECT_EQ(costs["bandwidth"][0]["footprint_KiB"], 64);
+    EXPECT_GT(costs["bandwidth"][0]["GB_per_s"], 0.0);
+    EXPECT_FALSE(found["sections"].contains("times")) << "not asked for";
+    std::ifstream page(out / "report.md");
+    const std::string text{std::istreambuf_iterator<char>(page), {}};
+    expect_words(text, {"# A device", "## costs", "| launch and barrier |", "| 64 |"});
+}
+
+TEST_F(DeviceReport, ARunThatIsCutKeepsTheSectionsBeforeIt) {
+    DeviceReportRequest request{.out = out, .quick = true, .seconds = 20.0};
+    std::ostringstream text, errors;
+    int asked = 0;
+    const int code = run_device_report(request, {.out = text, .err = errors, .progress = nullptr},
+                                       [&] { return ++asked > 40 ? SIGTERM : 0; }); // within the costs
+    EXPECT_EQ(code, k_exit_signal + SIGTERM);
+    const nlohmann::json found = json();
+    EXPECT_FALSE(found["complete"]);
+    EXPECT_TRUE(found["sections"]["facts"].contains("device"));
+    EXPECT_TRUE(found["sections"].contains("costs"));
+    EXPECT_FALSE(found["sections"].contains("times"));
+    EXPECT_FALSE(fs::exists(out / "report.md"));
+    for (const fs::directory_entry& file : fs::directory_iterator(out))
+        EXPECT_EQ(file.path().filename(), "report.json") << "no part is left";
+}
+
+TEST_F(DeviceReport, TimesNameStepAndReadBackApart) {
+    const CommandOutcome outcome = report({"--quick", "--only", "times", "--seconds", "1"});
+    ASSERT_EQ(outcome.code, k_exit_well) << outcome.err;
+    const nlohmann::json times = json()["sections"]["times"];
+    ASSERT_EQ(times["steps"].size(), 7u);
+    for (const nlohmann::json& row : times["steps"]) {
+        expect_spread(row["us"]);
+        EXPECT_GT(row["read_back_us"]["median"], 0.0) << row;
+        EXPECT_EQ(row["substeps"], row["recording"] == "step, eight of eight" ? 8 : 1) << row;
+        EXPECT_GT(row["dispatches"], 0) << row;
+    }
+    EXPECT_EQ(times["steps"][0]["recording"], "step, one sub-step");
+    for (const nlohmann::json& pass : times["passes"])
+        EXPECT_LE(pass["dispatches"].is_number() ? pass["dispatches"].get<int>() : 0, 1) << pass;
+}
+
+TEST(ReportText, TablesTakeTheirColumnsFromTheFirstRow) {
+    const ReportJson section = {
+        {"seconds", 1.5},
+        {"rows", {{{"name", "a"}, {"us", {{"median", 2.0}}}}, {{"name", "long"}, {"us", {{"median", nullptr}}}}}},
+        {"left_out", {"b: no time."}}};
+    EXPECT_EQ(section_text(section), "  seconds: 1.5\n"
+                                     "  name  us median\n"
+                                     "  a             2\n"
+                                     "  long          -\n"
+                                     "  left_out: b: no time.\n");
+    EXPECT_EQ(four_digits(123456.0), 123500.0);
+    EXPECT_EQ(four_digits(0.0), 0.0);
+}
+
+} // namespace
+} // namespace windrow::cli
