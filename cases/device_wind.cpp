@@ -39,15 +39,16 @@ Result<DeviceWind> DeviceWind::create(const Config& config, const Backend& backe
 
 Diagnostics DeviceWind::run(double dt) const {
     const auto begin = std::chrono::steady_clock::now();
-    Diagnostics done;
     if (!backend_.fault().empty())
-        return done;
+        return {};
+    Result<Diagnostics> recorded = Diagnostics{};
     const auto ran =
-        backend_.device()->run([&](VkCommandBuffer commands) { done = wind_.record_step(commands, {.dt = dt, .slot = 0}); });
-    if (!ran) {
-        backend_.note_fault(ran.error());
+        backend_.device()->run([&](VkCommandBuffer commands) { recorded = wind_.record_step(commands, {.dt = dt, .slot = 0}); });
+    if (!ran || !recorded) {
+        backend_.note_fault(ran ? recorded.error() : ran.error());
         return {};
     }
+    Diagnostics done = *recorded;
     const bool taken = wind_.collect(0); // none while it sleeps
     read_ = taken || (read_ && done.asleep);
     if (!taken && !done.asleep)

@@ -61,10 +61,7 @@ class Twins {
                 return told;
         }
         const vulkan::Frame frame{.dt = story_.dt};
-        const auto ran = device_.run([&](VkCommandBuffer commands) {
-            story_.frames ? (void)gpu_.record(commands, frame) : (void)gpu_.record_step(commands, frame);
-        });
-        if (!ran)
+        if (auto ran = run(frame, story_.frames); !ran)
             return ran;
         result.dispatches = std::max(result.dispatches, gpu_.dispatches());
         result.barriers = std::max(result.barriers, gpu_.barriers());
@@ -79,13 +76,25 @@ class Twins {
 
     /// Compares the last step, which a recording without time reads back.
     Result<void> end(ParityResult& result) {
-        const auto ran = device_.run([&](VkCommandBuffer commands) { (void)gpu_.record(commands, {.dt = 0.0}); });
+        const auto ran = run({.dt = 0.0}, true);
         if (ran)
             compare(result);
         return ran;
     }
 
   private:
+    Result<void> run(const vulkan::Frame& frame, bool ticks) {
+        Result<void> recorded;
+        const auto keep = [&](const auto& done) {
+            if (!done)
+                recorded = Error{done.error()};
+        };
+        auto ran = device_.run([&](VkCommandBuffer commands) {
+            ticks ? keep(gpu_.record(commands, frame)) : keep(gpu_.record_step(commands, frame));
+        });
+        return recorded ? ran : recorded;
+    }
+
     template <class Call>
     Result<void> both(const Call& call) {
         if (auto told = call(cpu_); !told)

@@ -118,13 +118,13 @@ int main(int argument_count, char** arguments) {
     const auto frames = held(engine::Frames::create(*device), 3);
     for (double time = 0.0; time < k_settle; time += k_frame) { // gusts reach the box's middle
         const engine::Frame frame = held(frames->begin(), 1);
-        (void)wind.record(frame.commands, {.dt = k_frame, .slot = frame.slot});
+        (void)held(wind.record(frame.commands, {.dt = k_frame, .slot = frame.slot}), 1);
         check(frames->submit(frame));
     }
     for (int n = 1; n <= frames_wanted; ++n) {
         const engine::Frame frame = held(frames->begin(), 1);
         renderer->begin(frame);
-        (void)wind.record(frame.commands, {.dt = k_frame, .slot = frame.slot});
+        (void)held(wind.record(frame.commands, {.dt = k_frame, .slot = frame.slot}), 1);
         render::Camera camera = scene.camera;
         camera.position.x += 0.25 * k_frame * n; // a slow step aside
         check(renderer->record(frame, camera, wind));

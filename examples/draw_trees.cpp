@@ -127,7 +127,7 @@ int main(int argument_count, char** arguments) {
     for (int n = -59; n <= frames_wanted; ++n) { // two seconds of wind before the first picture
         const engine::Frame frame = held(frames->begin());
         renderer->begin(frame);
-        (void)wind.record(frame.commands, {.dt = k_frame, .slot = frame.slot});
+        held(wind.record(frame.commands, {.dt = k_frame, .slot = frame.slot}));
         if (n >= 1) {
             held(renderer->record(frame, scene.camera, wind));
             renderer->copy(frame);

@@ -97,7 +97,7 @@ void draw_meadow(int frames_wanted, const std::string& file) {
         // 3. The wind of this frame.
         (void)wind.motors().move(walker, body_at(n * k_frame));
         (void)wind.follow(k_field + k_start + n * k_frame * k_walk);
-        (void)wind.record(commands, {.dt = k_frame, .slot = frame.slot});
+        engine::must(wind.record(commands, {.dt = k_frame, .slot = frame.slot}));
         dispatches += wind.dispatches();
 
         // 4. What samples it. Ripples of half a metre are finer than the cells: windrow_apparent adds them.

@@ -1,5 +1,7 @@
 #include "fluid/vulkan/read_backs.h"
 
+#include "fluid/message.h"
+
 #include <cmath>
 #include <utility>
 
@@ -18,12 +20,13 @@ Result<void> ReadBacks::make(Air& air, int slots, bool queries, const RecordedFr
     return {};
 }
 
-int ReadBacks::begin(const Air& air, int slot) {
-    before_last_ = last_;
-    last_ = slot >= 0 ? slot : (last_ + 1) % static_cast<int>(slots_.size());
+Result<int> ReadBacks::begin(const Air& air, int slot) {
+    const int next = slot >= 0 ? slot : (last_ + 1) % static_cast<int>(slots_.size());
+    if (auto taken = take(air, next); !taken)
+        return Error{taken.error()};
+    before_last_ = std::exchange(last_, next);
     ++recording_;
-    take(air, last_);
-    return last_;
+    return next;
 }
 
 void ReadBacks::record(Air& air, VkCommandBuffer commands, const RecordedFrame& frame) {
@@ -35,10 +38,13 @@ void ReadBacks::record(Air& air, VkCommandBuffer commands, const RecordedFrame& 
     slot.frame = frame;
 }
 
-bool ReadBacks::take(const Air& air, int number) {
+Result<bool> ReadBacks::take(const Air& air, int number) {
     Reading& slot = slots_[static_cast<std::size_t>(number)];
-    if (!std::exchange(slot.pending, false) || slot.buffer.invalidate() != VK_SUCCESS)
+    if (!slot.pending)
         return false;
+    if (const VkResult result = slot.buffer.invalidate(); result != VK_SUCCESS)
+        return call_error("vkInvalidateMappedMemoryRanges", detail::message("the read-back of slot ", number), result);
+    slot.pending = false;
     const AirReport found = air.report(slot.buffer);
     if (slot.ticked) {
         repaired_ += found.repaired_cells;

@@ -23,11 +23,13 @@ class ReadBacks {
     [[nodiscard]] Result<void> make(Air& air, int slots, bool queries, const RecordedFrame& start);
 
     [[nodiscard]] bool has(int slot) const { return slot >= 0 && slot < static_cast<int>(slots_.size()); }
-    /// A recording begins: its slot, the next in turn for -1. What was recorded there before is taken.
-    int begin(const Air& air, int slot);
+    /// A recording begins: its slot, the next in turn for -1. What was recorded there before is taken; nothing changes where
+    /// that fails.
+    [[nodiscard]] Result<int> begin(const Air& air, int slot);
     void record(Air& air, VkCommandBuffer commands, const RecordedFrame& frame);
-    /// False where nothing waits there, or what is newer was taken already.
-    bool take(const Air& air, int slot);
+    /// False where nothing waits there, or what is newer was taken already. The error: its memory could not be made visible to
+    /// the host; it waits on.
+    [[nodiscard]] Result<bool> take(const Air& air, int slot);
     /// Drops waiting read-backs; the last slot has its turn again.
     void forget();
 

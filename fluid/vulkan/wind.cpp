@@ -66,10 +66,10 @@ Result<Wind> Wind::create(const Host& host, const Config& config, const Settings
     });
 }
 
-Advance Wind::record(VkCommandBuffer commands, const Frame& frame) {
+Result<Advance> Wind::record(VkCommandBuffer commands, const Frame& frame) {
     return state_->record(commands, frame);
 }
-Diagnostics Wind::record_step(VkCommandBuffer commands, const Frame& frame) {
+Result<Diagnostics> Wind::record_step(VkCommandBuffer commands, const Frame& frame) {
     return state_->record_step(commands, frame);
 }
 bool Wind::collect(int slot) {

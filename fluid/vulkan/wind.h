@@ -3,7 +3,9 @@
 //     auto wind = windrow::vulkan::Wind::create(host, {.ambient = {3.0f, 0.0f, 0.0f}});    // host.h: your device
 //     auto fan  = wind->motors().add(windrow::DirectionalMotor{.position = {4.0, 1.0, 0.0}});
 //     wind->follow(player_position);
-//     wind->record(command_buffer, {.dt = frame_seconds, .slot = frame_in_flight});        // before what samples it
+//     auto done = wind->record(command_buffer, {.dt = frame_seconds, .slot = frame_in_flight});     // before what samples it
+//     if (!done)
+//         log(done.error());                                                                        // and nothing was recorded
 //     bind(wind->textures(), wind->previous_textures(), wind->frame_block(camera_position));
 //                                                                                 // shaders/coupling/windrow_wind.glsl
 //
@@ -73,16 +75,18 @@ class Wind {
     [[nodiscard]] static Result<Wind> create(const Host& host, const Config& config, const Settings& settings = {});
 
     /// Records a frame outside of a render pass: the ticks that are due, the textures, the read-back. Compute and transfer
-    /// commands alone. A dt that is negative or not finite, and a slot out of range, record nothing. Advance::last is of the
-    /// last tick that was read back, frames_in_flight frames ago; cells that were repaired or limited are reported once, with the
-    /// next frame that has a tick. What is recorded must be submitted: the next frame goes on from it.
-    Advance record(VkCommandBuffer commands, const Frame& frame);
-    /// Records one step of frame.dt instead of ticks; see windrow::Wind::step. A dt of 0 is a pause: what was asked for since the
+    /// commands alone. Advance::last is of the last tick that was read back, frames_in_flight frames ago; cells that were
+    /// repaired or limited are reported once, with the next frame that has a tick. What is recorded must be submitted: the next
+    /// frame goes on from it.
+    /// The error says why nothing was recorded, and the wind is unchanged: no command buffer, a dt that is negative or not
+    /// finite, a slot out of range, no host memory, or a read-back that vkInvalidateMappedMemoryRanges does not make visible.
+    [[nodiscard]] Result<Advance> record(VkCommandBuffer commands, const Frame& frame);
+    /// Records one step of frame.dt instead of ticks; see windrow::Wind::step. Its errors are those of `record`. A dt of 0 is a pause: what was asked for since the
     /// last frame is recorded, and the textures show it; after `record` they stay at its moment between two ticks. Its
     /// Diagnostics are as old as those of `record`. In a step above 1 s viscosity acts no further than it may in shorter ones:
     /// where these need no direct solve of it, for as long as one explicit pass carries (viscosity * time = cell_size^2 / 12),
     /// and the rest stays as accumulated diffusion time for the next steps.
-    Diagnostics record_step(VkCommandBuffer commands, const Frame& frame);
+    [[nodiscard]] Result<Diagnostics> record_step(VkCommandBuffer commands, const Frame& frame);
     /// Takes the read-back of a slot before its turn comes: for a host that has waited for what it recorded there, as tools do.
     /// False where there is none to take.
     bool collect(int slot);

@@ -1,4 +1,5 @@
 // Recording of a frame: the host's requests since the last one, the ticks that are due, the textures, the read-back.
+#include "fluid/message.h"
 #include "fluid/vulkan/wind_state.h"
 
 #include <cmath>
@@ -6,18 +7,33 @@
 
 namespace windrow::vulkan {
 
-bool Wind::State::begin(VkCommandBuffer commands, const Frame& frame) {
-    if (!(frame.dt >= 0.0) || !std::isfinite(frame.dt) || commands == VK_NULL_HANDLE)
-        return false;
+Result<void> Wind::State::check(VkCommandBuffer commands, const Frame& frame) const {
+    detail::Reasons reasons;
+    if (commands == VK_NULL_HANDLE)
+        reasons.add("commands is null: give a command buffer that is being recorded.");
+    if (!(frame.dt >= 0.0) || !std::isfinite(static_cast<float>(frame.dt)))
+        reasons.add("dt is ", frame.dt, ": give the finite seconds since the last frame, from 0.");
     if (frame.slot != -1 && !read_backs.has(frame.slot))
-        return false;
-    const int slot = read_backs.begin(*cells.air, frame.slot);
+        reasons.add("slot is ", frame.slot, ": give one from 0 to ", settings.frames_in_flight - 1,
+                    " (Settings::frames_in_flight), or -1 for the next in turn.");
+    return reasons.outcome();
+}
+
+// All that can fail, before anything changes.
+Result<void> Wind::State::begin(VkCommandBuffer commands, const Frame& frame) {
+    if (auto checked = check(commands, frame); !checked)
+        return checked;
+    if (!windrow::detail::memory_lasts([&] { cells.make_room({}); }))
+        return windrow::detail::out_of_memory();
+    const auto slot = read_backs.begin(*cells.air, frame.slot);
+    if (!slot)
+        return Error{slot.error()};
     if (clock)
-        clock->begin(commands, slot);
+        clock->begin(commands, *slot);
     dispatches = -cells.air->dispatches();
     barriers = -cells.air->barriers();
-    asked_ = cells.begin(commands, slot);
-    return true;
+    asked_ = cells.begin(commands, *slot);
+    return {};
 }
 
 // True where both sets are of this frame: the frame before the first is the first.
@@ -70,7 +86,8 @@ bool Wind::State::collect(int slot) {
         return false;
     if (clock)
         clock->collect(slot);
-    return read_backs.take(*cells.air, slot);
+    const auto taken = read_backs.take(*cells.air, slot);
+    return taken && *taken;
 }
 
 Diagnostics Wind::State::reported() {
@@ -81,23 +98,26 @@ Diagnostics Wind::State::reported() {
     return diagnostics;
 }
 
-Advance Wind::State::record(VkCommandBuffer commands, const Frame& frame) {
-    if (!begin(commands, frame))
-        return {};
+Result<Advance> Wind::State::record(VkCommandBuffer commands, const Frame& frame) {
+    if (auto begun = begin(commands, frame); !begun)
+        return Error{begun.error()};
     Advance done = core.advance(frame.dt);
     if (done.ticks > 0) // a host that reads no more than its ticks' reports misses none
         read_backs.take_counts(done.last);
-    if (!done.last.out_of_memory)
-        time += frame.dt - done.dropped;
+    time += frame.dt - done.dropped;
     end(commands, frame);
     return done;
 }
 
-Diagnostics Wind::State::record_step(VkCommandBuffer commands, const Frame& frame) {
-    if (core.frames && frame.dt == 0.0) // between two ticks it stays there
-        return record(commands, frame).last;
-    if (!begin(commands, frame))
-        return {};
+Result<Diagnostics> Wind::State::record_step(VkCommandBuffer commands, const Frame& frame) {
+    if (core.frames && frame.dt == 0.0) { // between two ticks it stays there
+        auto paused = record(commands, frame);
+        if (!paused)
+            return Error{paused.error()};
+        return paused->last;
+    }
+    if (auto begun = begin(commands, frame); !begun)
+        return Error{begun.error()};
     const bool slept = core.sleep.asleep();
     Diagnostics done = core.step(frame.dt);
     if (frame.dt > 0.0)

@@ -33,8 +33,8 @@ struct Wind::State {
     /// Position of the textures of the last recording, and of the one before it.
     std::optional<ShownFrame> recorded, recorded_before;
 
-    Advance record(VkCommandBuffer commands, const Frame& frame);
-    Diagnostics record_step(VkCommandBuffer commands, const Frame& frame);
+    [[nodiscard]] Result<Advance> record(VkCommandBuffer commands, const Frame& frame);
+    [[nodiscard]] Result<Diagnostics> record_step(VkCommandBuffer commands, const Frame& frame);
     void reset();
     bool collect(int slot);
     [[nodiscard]] Diagnostics reported();
@@ -42,7 +42,8 @@ struct Wind::State {
     [[nodiscard]] RecordedFrame frame_now() const;
 
   private:
-    [[nodiscard]] bool begin(VkCommandBuffer commands, const Frame& frame);
+    [[nodiscard]] Result<void> check(VkCommandBuffer commands, const Frame& frame) const;
+    [[nodiscard]] Result<void> begin(VkCommandBuffer commands, const Frame& frame);
     void end(VkCommandBuffer commands, const Frame& frame);
     [[nodiscard]] bool write_textures(VkCommandBuffer commands);
 

@@ -51,6 +51,13 @@ class Gpu : public testing::Test {
             ADD_FAILURE() << "the validation layer says: " << message;
     }
 
+    /// The value of a call that must succeed, as a recording.
+    template <class Value>
+    static Value held(Result<Value> result) {
+        EXPECT_TRUE(result) << result.error();
+        return result ? *std::move(result) : Value{};
+    }
+
     void run(const std::function<void(VkCommandBuffer)>& record) {
         const auto done = own->run(record);
         ASSERT_TRUE(done) << done.error();

@@ -20,7 +20,7 @@ class PassTimesTest : public Gpu {
     }
 
     void frame(Wind& wind, int n) {
-        run([&](VkCommandBuffer commands) { (void)wind.record_step(commands, {.dt = 1.0 / 30.0, .slot = n % 2}); });
+        run([&](VkCommandBuffer commands) { held(wind.record_step(commands, {.dt = 1.0 / 30.0, .slot = n % 2})); });
     }
 
     static int dispatches(const PassTimes& times) {

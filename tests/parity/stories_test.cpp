@@ -76,7 +76,7 @@ TEST_F(Stories, TheStoryOfEachKindOfPassLeavesNoneOut) {
     for (int n = 0; n < 3; ++n) {
         ASSERT_TRUE(wind->follow(static_cast<double>(n) * story.dt * story.walk));
         ASSERT_TRUE(wind->set_ambient({1.0f, 0.0f, 0.1f * static_cast<float>(n)}));
-        run([&](VkCommandBuffer commands) { (void)wind->record_step(commands, {.dt = story.dt}); });
+        run([&](VkCommandBuffer commands) { held(wind->record_step(commands, {.dt = story.dt})); });
         if (const auto times = wind->pass_times())
             for (const vulkan::PassTimes::Pass& pass : times->passes)
                 ran.insert(pass.name);

@@ -56,7 +56,7 @@ class WindAllocations : public Gpu {
         std::vector<glm::vec4>(static_cast<std::size_t>(k_cells.x * k_cells.y * k_cells.z), glm::vec4(1.0f));
     // Made once: a function that is made anew would be one more allocation, of the test's.
     const std::function<void(VkCommandBuffer)> record_ = [this](VkCommandBuffer commands) {
-        rejected += wind->record(commands, {.dt = 1.0 / 30.0, .slot = frame_ % 2}).last.out_of_memory ? 1 : 0;
+        note(wind->record(commands, {.dt = 1.0 / 30.0, .slot = frame_ % 2}));
     };
 };
 
@@ -84,7 +84,7 @@ TEST_F(WindAllocations, EachThatFailsLeavesTheWindUsable) {
             failures += failed;
             seen += rejected > 0 ? 1 : 0;
             if (wind) { // it goes on
-                run([&](VkCommandBuffer commands) { (void)wind->record(commands, {.dt = 1.0 / 30.0}); });
+                run([&](VkCommandBuffer commands) { held(wind->record(commands, {.dt = 1.0 / 30.0})); });
                 EXPECT_TRUE(wind->set_ambient({1.0f, 0.0f, 0.0f}));
             }
             wind.reset();

@@ -85,7 +85,7 @@ class WindBarriers : public Gpu {
                         (void)wind.set_gusts({.intensity = 0.2f, .seed = static_cast<std::uint32_t>(++turns_)});
                         (void)wind.set_boundaries(turns_ % 2 == 0 ? Boundaries{} : Boundaries::open_over_floor());
                     }
-                    (void)wind.record(commands, {.dt = n == 1 ? 1.0 / 15.0 : 1.0 / 30.0, .slot = n});
+                    held(wind.record(commands, {.dt = n == 1 ? 1.0 / 15.0 : 1.0 / 30.0, .slot = n}));
                 }
             });
         submitter.wait();

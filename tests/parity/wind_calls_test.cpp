@@ -115,14 +115,14 @@ TEST_F(WindCalls, ViscosityOfALongStepIsOwed) {
     for (std::size_t n = 0; n < field.size(); ++n)
         field[n].x = std::sin(1.0472f * static_cast<float>(n / 12 % 10));
     pair.set_velocity(field);
-    run([&](VkCommandBuffer commands) { (void)pair.device.record_step(commands, {.dt = 8.0}); });
+    run([&](VkCommandBuffer commands) { held(pair.device.record_step(commands, {.dt = 8.0})); });
     for (int n = 0; n < 8; ++n)
         (void)pair.cpu.step(1.0);
     for (int n = 0; n < 30; ++n) // in which it is paid back
         step(pair, 0.1);
     (void)pair.cpu.step(0.1);
-    run([&](VkCommandBuffer commands) { (void)pair.device.record_step(commands, {.dt = 0.1}); });
-    run([&](VkCommandBuffer commands) { (void)pair.device.record(commands, {.dt = 0.0}); });
+    run([&](VkCommandBuffer commands) { held(pair.device.record_step(commands, {.dt = 0.1})); });
+    run([&](VkCommandBuffer commands) { held(pair.device.record(commands, {.dt = 0.0})); });
     WINDROW_EXPECT_FIGURE("wind_parity.viscosity_owed", apart(pair.device.queried()->field(), pair.cpu.field()), 0.02);
 }
 
@@ -168,7 +168,7 @@ TEST_F(WindCalls, ReportsAreToldOnceAndSleepReportsAmbient) {
     for (int n = 0; n < 400 && !last.asleep; ++n) { // some frames have no tick, others two
         const double dt = n % 3 == 0 ? 1.0 / 14.0 : 1.0 / 61.0;
         run([&](VkCommandBuffer commands) {
-            const Advance done = pair.device.record(commands, {.dt = dt, .slot = 0});
+            const Advance done = held(pair.device.record(commands, {.dt = dt, .slot = 0}));
             if (done.ticks > 0)
                 last = done.last;
             repaired += done.last.repaired_cells;
@@ -194,10 +194,11 @@ TEST_F(WindCalls, RepairedCellsAreToldToEveryHost) {
         for (int n = 0; n < 4; ++n) {
             run([&](VkCommandBuffer commands) {
                 if (host == HostKind::steps) {
-                    repaired += pair.device.record_step(commands, {.dt = 1.0 / 30.0}).repaired_cells;
+                    repaired += held(pair.device.record_step(commands, {.dt = 1.0 / 30.0})).repaired_cells;
                     return;
                 }
-                const Advance done = pair.device.record(commands, {.dt = host == HostKind::two_ticks ? 2.0 / 30.0 : 1.0 / 30.0});
+                const double dt = host == HostKind::two_ticks ? 2.0 / 30.0 : 1.0 / 30.0;
+                const Advance done = held(pair.device.record(commands, {.dt = dt}));
                 EXPECT_EQ(done.ticks, host == HostKind::two_ticks ? 2 : 1);
                 repaired += done.last.repaired_cells;
             });

@@ -16,7 +16,7 @@ TEST_F(WindRecordings, ThatAreNeverSubmittedAreForgotten) {
         if (n == 5 || n == 9) {
             pair.set_boundaries(n == 5 ? Boundaries::open_over_floor() : Boundaries{});
             pair.submitter->discard(
-                [&](VkCommandBuffer commands, int slot) { (void)pair.device.record_step(commands, {.dt = 0.03, .slot = slot}); });
+                [&](VkCommandBuffer commands, int slot) { held(pair.device.record_step(commands, {.dt = 0.03, .slot = slot})); });
             pair.device.forget();
             (void)pair.cpu.step(0.03); // the motors of both have lived through it
             pair.cpu.reset();
@@ -34,7 +34,7 @@ TEST_F(WindRecordings, ThatAreNeverSubmittedAreForgotten) {
 TEST_F(WindRecordings, ThatAreForgottenLeaveTheTurnOfTheirSlot) {
     auto wind = Wind::create(own->host(), {.cells = {8, 8, 8}, .ambient = {2.0f, 0.0f, 1.0f}}, {.frames_in_flight = 2});
     ASSERT_TRUE(wind) << wind.error();
-    const auto record = [&](VkCommandBuffer commands) { (void)wind->record(commands, {.dt = 1.0 / 30.0}); };
+    const auto record = [&](VkCommandBuffer commands) { held(wind->record(commands, {.dt = 1.0 / 30.0})); };
     run(record); // slot 0
     Submitter(own->host(), 1).discard([&](VkCommandBuffer commands, int) { record(commands); });
     wind->forget();
@@ -57,9 +57,9 @@ TEST_F(WindRecordings, ThatAreForgottenHaveNoTimes) {
                 dispatches += pass.dispatches;
         return dispatches;
     };
-    run([&](VkCommandBuffer commands) { (void)wind->record_step(commands, {.dt = 1.0 / 30.0}); });
+    run([&](VkCommandBuffer commands) { held(wind->record_step(commands, {.dt = 1.0 / 30.0})); });
     const int submitted = wind->dispatches();
-    Submitter(own->host(), 1).discard([&](VkCommandBuffer commands, int) { (void)wind->record_step(commands, {.dt = 0.0}); });
+    Submitter(own->host(), 1).discard([&](VkCommandBuffer commands, int) { held(wind->record_step(commands, {.dt = 0.0})); });
     ASSERT_NE(wind->dispatches(), submitted);
     wind->forget();
     (void)wind->collect(0);
@@ -72,7 +72,7 @@ TEST_F(WindRecordings, TakeTheirSlotsInAnyOrder) {
     ASSERT_TRUE(wind) << wind.error();
     ASSERT_TRUE(wind->motors().add(VortexMotor{}));
     const auto age_after = [&](int slot) {
-        run([&](VkCommandBuffer commands) { (void)wind->record(commands, {.dt = 1.0 / 30.0, .slot = slot}); });
+        run([&](VkCommandBuffer commands) { held(wind->record(commands, {.dt = 1.0 / 30.0, .slot = slot})); });
         return 30.0 * wind->query_age();
     };
     for (const int slot : {0, 1, 2})
@@ -81,7 +81,30 @@ TEST_F(WindRecordings, TakeTheirSlotsInAnyOrder) {
     EXPECT_NEAR(age_after(0), 2.0, 1e-9);  // not that of the first
     EXPECT_NEAR(age_after(-1), 3.0, 1e-9); // slot 1, not that of the second
     EXPECT_NEAR(age_after(-1), 3.0, 1e-9); // slot 2: the fourth
-    run([&](VkCommandBuffer commands) { EXPECT_FALSE(wind->record(commands, {.dt = 0.1, .slot = 3}).last.stepped); });
+}
+
+// Bad input records nothing, changes nothing and is named.
+TEST_F(WindRecordings, ThatAreRejectedSayWhyAndLeaveTheWindAsItWas) {
+    auto wind = Wind::create(own->host(), {.cells = {8, 8, 8}, .ambient = {2.0f, 0.0f, 1.0f}}, {.frames_in_flight = 2});
+    ASSERT_TRUE(wind) << wind.error();
+    const double infinity = std::numeric_limits<double>::infinity();
+    run([&](VkCommandBuffer commands) {
+        held(wind->record(commands, {.dt = 1.0 / 30.0})); // slot 0
+        const VkImage shown = wind->textures().images[0];
+        expect_error(wind->record(commands, {.dt = -1.0}), "dt is -1: give");
+        expect_error(wind->record(commands, {.dt = infinity}), "dt is inf: give");
+        expect_error(wind->record(commands, {.dt = std::nan("")}), "dt is nan: give");
+        expect_error(wind->record_step(commands, {.dt = 1e60}), "dt is 1e+60: give");
+        expect_error(wind->record(commands, {.dt = 0.1, .slot = 2}), "slot is 2: give one from 0 to 1 (Settings::");
+        expect_error(wind->record_step(commands, {.dt = 0.0, .slot = -2}), "slot is -2: give one from 0 to 1 (Settings::");
+        expect_error(wind->record(VK_NULL_HANDLE, {.dt = -0.1}), "commands is null: give a command buffer");
+        expect_error(wind->record(VK_NULL_HANDLE, {.dt = -0.1}), "dt is -0.1: give");
+        EXPECT_EQ(wind->textures().images[0], shown);
+    });
+    EXPECT_EQ(wind->query_age(), 0.0);                                                        // nothing was read yet
+    run([&](VkCommandBuffer commands) { held(wind->record(commands, {.dt = 1.0 / 30.0})); }); // slot 1, whose turn it is
+    EXPECT_TRUE(wind->collect(1));
+    EXPECT_EQ(wind->query_age(), 0.0);
 }
 
 TEST_F(WindRecordings, WithoutQueriesTellTheirReportsAlone) {
@@ -91,7 +114,7 @@ TEST_F(WindRecordings, WithoutQueriesTellTheirReportsAlone) {
     EXPECT_GE(with->memory_bytes(), without->memory_bytes() + 2 * 16 * 4096);
     Diagnostics told;
     for (int n = 0; n < 5; ++n) {
-        run([&](VkCommandBuffer commands) { told = without->record_step(commands, {.dt = 1.0 / 30.0}); });
+        run([&](VkCommandBuffer commands) { told = held(without->record_step(commands, {.dt = 1.0 / 30.0})); });
         EXPECT_FALSE(without->queried());
     }
     EXPECT_EQ(told.max_speed, 2.0f);

@@ -112,7 +112,8 @@ class WindParity : public Gpu {
     void frame(TwoWinds& pair, double dt) {
         Advance recorded, cpu;
         frame_of(
-            pair, [&](VkCommandBuffer commands, int slot) { recorded = pair.device.record(commands, {.dt = dt, .slot = slot}); },
+            pair,
+            [&](VkCommandBuffer commands, int slot) { recorded = held(pair.device.record(commands, {.dt = dt, .slot = slot})); },
             [&] { cpu = pair.cpu.advance(dt); });
         if (cpu.ticks > 0) {
             pair.cpu_sleeps = cpu.last.asleep;
@@ -127,7 +128,7 @@ class WindParity : public Gpu {
         frame_of(
             pair,
             [&](VkCommandBuffer commands, int slot) {
-                pair.device_sleeps = pair.device.record_step(commands, {.dt = dt, .slot = slot}).asleep;
+                pair.device_sleeps = held(pair.device.record_step(commands, {.dt = dt, .slot = slot})).asleep;
             },
             [&] { pair.cpu_sleeps = pair.cpu.step(dt).asleep; });
     }

@@ -20,7 +20,7 @@ TEST_F(WindPauses, OfAHostWithTicksKeepTheirMomentBetweenThem) {
         frame(pair, 1.0 / 47.0);
         pair.set_ambient({2.0f + 0.1f * static_cast<float>(n), 0.0f, 1.0f});
         frame_of(
-            pair, [&](VkCommandBuffer commands, int slot) { (void)pair.device.record_step(commands, {.dt = 0.0, .slot = slot}); },
+            pair, [&](VkCommandBuffer commands, int slot) { held(pair.device.record_step(commands, {.dt = 0.0, .slot = slot})); },
             [&] { (void)pair.cpu.advance(0.0); });
         EXPECT_EQ(pair.device.window_block({}).factor, pair.cpu.window_block({}).factor);
     }
@@ -36,9 +36,9 @@ TEST_F(WindPauses, LieWhereTheirTexturesWereWritten) {
         const auto record = [&](double dt) {
             run([&](VkCommandBuffer commands) {
                 if (ticks)
-                    (void)wind->record(commands, {.dt = dt});
+                    held(wind->record(commands, {.dt = dt}));
                 else
-                    (void)wind->record_step(commands, {.dt = dt});
+                    held(wind->record_step(commands, {.dt = dt}));
             });
         };
         for (int n = 0; n < 12; ++n) {

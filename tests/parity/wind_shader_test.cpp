@@ -90,7 +90,7 @@ TEST_F(WindInShaders, AnOutsideShaderSamplesWhatAQueryFinds) {
         const Sampling sampling{.strength = 1.3f, .limit = 20.0f, .detail = 0.2f};
         const std::vector<glm::vec4> winds = sampled(pair.device, places, anchor, sampling);
         // The cells of the last frame are read by an empty one.
-        run([&](VkCommandBuffer commands) { (void)pair.device.record(commands, {.dt = 0.0}); });
+        run([&](VkCommandBuffer commands) { held(pair.device.record(commands, {.dt = 0.0})); });
         const auto view = *pair.device.queried();
         const auto before = pair.cpu.previous_view();
         double worst = 0.0, worst_before = 0.0, worst_felt = 0.0;
@@ -121,7 +121,7 @@ TEST_F(WindInShaders, HalfTexturesHoldElevenBits) {
     for (glm::vec4& place : places)
         place = {along(random), along(random), along(random), 0.0f};
     const std::vector<glm::vec4> winds = sampled(pair.device, places, {}, {});
-    run([&](VkCommandBuffer commands) { (void)pair.device.record(commands, {.dt = 0.0}); });
+    run([&](VkCommandBuffer commands) { held(pair.device.record(commands, {.dt = 0.0})); });
     const auto view = *pair.device.queried();
     double worst = 0.0, fastest = 0.0;
     for (const glm::vec4& u : view.field())

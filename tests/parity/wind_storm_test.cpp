@@ -59,7 +59,7 @@ TEST_F(WindStorms, AgreeTickByTick) {
         frame_of(
             pair,
             [&](VkCommandBuffer commands, int slot) {
-                (void)pair.device.record_step(commands, {.dt = 1.0 / 30.0, .slot = slot});
+                held(pair.device.record_step(commands, {.dt = 1.0 / 30.0, .slot = slot}));
             },
             [&] { cpu = pair.cpu.step(1.0 / 30.0); });
         ASSERT_TRUE(std::isfinite(cpu.max_speed) && cpu.max_speed > 0.0f) << n;

@@ -120,7 +120,7 @@ TEST_F(WindParity, AStormInSubStepsThatTheDeviceChooses) {
             frame_of(
                 pair,
                 [&](VkCommandBuffer commands, int slot) {
-                    recorded = pair.device.record(commands, {.dt = 1.0 / 30.0, .slot = slot});
+                    recorded = held(pair.device.record(commands, {.dt = 1.0 / 30.0, .slot = slot}));
                 },
                 [&] { cpu = pair.cpu.advance(1.0 / 30.0); });
             if (n > 0) {
@@ -160,12 +160,12 @@ TEST_F(WindParity, StillAirSleepsAndWakes) {
     int asleep_after = 0;
     for (int n = 0; n < 240 && asleep_after == 0; ++n) {
         Advance done;
-        run([&](VkCommandBuffer commands) { done = pair.device.record(commands, {.dt = 1.0 / 30.0}); });
+        run([&](VkCommandBuffer commands) { done = held(pair.device.record(commands, {.dt = 1.0 / 30.0})); });
         asleep_after = done.last.asleep ? n : 0;
     }
     ASSERT_GT(asleep_after, 0);
     for (int n = 0; n < 4; ++n)
-        run([&](VkCommandBuffer commands) { (void)pair.device.record(commands, {.dt = 1.0 / 30.0}); });
+        run([&](VkCommandBuffer commands) { held(pair.device.record(commands, {.dt = 1.0 / 30.0})); });
     EXPECT_EQ(pair.device.dispatches(), 0);
     EXPECT_EQ(pair.device.barriers(), 0);
     for (int n = 0; n < 300; ++n)

@@ -243,7 +243,7 @@ TEST_F(PlantsOnTheDevice, BendInTheWindOfABoxAsOnTheCpu) {
             for (int n = 0; n < 20; ++n) {
                 for (std::size_t place = 0; n == 19 && place < k_count; ++place)
                     before[place] = on_cpu(place);
-                run([&](VkCommandBuffer commands) { (void)gpu->record(commands, {.dt = 1.0 / 30.0}); });
+                run([&](VkCommandBuffer commands) { held(gpu->record(commands, {.dt = 1.0 / 30.0})); });
                 (void)cpu->advance(1.0 / 30.0);
             }
             constexpr VkDescriptorType texture = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;

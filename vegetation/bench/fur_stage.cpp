@@ -86,7 +86,7 @@ int FurStage::record(bool copies) {
     camera.view_deg = wanted_.view_deg;
     const engine::Frame frame = held(frames_->begin());
     renderer_->begin(frame);
-    (void)wind_->record(frame.commands, {.dt = wanted_.wind ? k_frame : 0.0, .slot = frame.slot});
+    held(wind_->record(frame.commands, {.dt = wanted_.wind ? k_frame : 0.0, .slot = frame.slot}));
     held(renderer_->record(frame, camera, *wind_));
     if (copies)
         renderer_->copy(frame);

@@ -246,7 +246,9 @@ Result<void> Shoot::blow(const engine::Frame& frame, double start, double end) {
         if (auto placed = motion_.place(*wind_, start, end); !placed)
             return placed;
     }
-    (void)wind_->record(frame.commands, {.dt = settings_.wind ? end - start : 0.0, .slot = frame.slot});
+    const auto recorded = wind_->record(frame.commands, {.dt = settings_.wind ? end - start : 0.0, .slot = frame.slot});
+    if (!recorded)
+        return Error{recorded.error()};
     return walk(frame, start, end);
 }
 
@@ -278,8 +280,8 @@ Result<void> Shoot::warm_up() {
         const auto frame = frames_->begin();
         if (!frame)
             return Error{frame.error()};
-        (void)wind_->record(frame->commands, {.dt = settings_.wind ? step : 0.0, .slot = frame->slot});
-        auto walked = walk(*frame, 0.0, 0.0);
+        const auto recorded = wind_->record(frame->commands, {.dt = settings_.wind ? step : 0.0, .slot = frame->slot});
+        auto walked = recorded ? walk(*frame, 0.0, 0.0) : Result<void>(Error{recorded.error()});
         if (walked)
             walked = swing(*frame, step * static_cast<double>(n + 1 - steps), step); // bodies come along to where they begin
         const auto submitted = frames_->submit(*frame);

@@ -5,7 +5,7 @@
 //     (*renderer)->add(**grass);
 //     const engine::Frame frame = *frames->begin();
 //     (*renderer)->begin(frame);                                   // the clock
-//     wind->record(frame.commands, {.dt = dt, .slot = frame.slot});
+//     (void)wind->record(frame.commands, {.dt = dt, .slot = frame.slot});
 //     (*renderer)->record(frame, camera, *wind);                   // all passes; motion since the last recorded frame
 //     (*renderer)->copy(frame);                                    // where this frame is wanted on the host
 //     frames->finish(frame);

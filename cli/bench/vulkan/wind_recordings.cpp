@@ -30,9 +30,14 @@ WindRecordings::WindRecordings(vulkan::Wind wind, RecordingPlan plan)
 void WindRecordings::record(VkCommandBuffer commands, int slot) {
     if (plan_.before_step)
         plan_.before_step(wind_, static_cast<double>(all_steps_ + 1) * plan_.dt);
-    const Diagnostics report = wind_.record_step(commands, {.dt = plan_.dt, .slot = slot});
-    max_substeps_ = std::max(max_substeps_, report.substeps);
-    slept_ = slept_ || report.asleep;
+    const auto report = wind_.record_step(commands, {.dt = plan_.dt, .slot = slot});
+    if (!report) {
+        if (recorded_)
+            recorded_ = Error{report.error()};
+        return;
+    }
+    max_substeps_ = std::max(max_substeps_, report->substeps);
+    slept_ = slept_ || report->asleep;
     ++age_;
     ++all_steps_;
 }
@@ -101,9 +106,12 @@ void WindRecordings::add_passes(DeviceGridResult& result) const {
 
 Result<void> WindRecordings::compare(vulkan::OwnDevice& own, windrow::Wind& cpu, DeviceGridResult& result) {
     // A recording without time takes what the last one read back.
-    const auto ran = own.run([&](VkCommandBuffer commands) { (void)wind_.record(commands, {.dt = 0.0, .slot = 1}); });
-    if (!ran)
-        return ran;
+    const auto ran = own.run([&](VkCommandBuffer commands) {
+        if (const auto paused = wind_.record(commands, {.dt = 0.0, .slot = 1}); recorded_ && !paused)
+            recorded_ = Error{paused.error()};
+    });
+    if (!ran || !recorded_)
+        return ran ? recorded_ : ran;
     if (auto set = cpu.set_velocity(plan_.flow); !set)
         return set;
     for (int n = 0; n < age_; ++n)

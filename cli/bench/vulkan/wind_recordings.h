@@ -46,6 +46,7 @@ class WindRecordings {
     RecordingPlan plan_;
     int age_; ///< steps since the flow was set
     std::uint64_t all_steps_ = 0;
+    Result<void> recorded_; ///< first reason why a step was not recorded
     int dispatches_ = 0, barriers_ = 0, max_substeps_ = 0;
     bool slept_ = false;
     struct Samples {

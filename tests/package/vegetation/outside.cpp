@@ -67,7 +67,7 @@ int main(int count, char** arguments) {
     for (int n = 1; n <= k_frames; ++n) {
         const engine::Frame frame = held(frames->begin());
         renderer->begin(frame);
-        (void)wind.record(frame.commands, {.dt = k_frame, .slot = frame.slot});
+        held(wind.record(frame.commands, {.dt = k_frame, .slot = frame.slot}));
         if (n == k_frames) {
             held(renderer->record(frame, scene.camera, wind));
             renderer->copy(frame);

@@ -68,7 +68,7 @@ struct Stage {
     void draw(const render::Camera& camera, double seconds = k_frame) {
         const engine::Frame frame = engine::must(frames->begin());
         renderer->begin(frame);
-        (void)wind->record(frame.commands, {.dt = static_cast<float>(seconds), .slot = frame.slot});
+        engine::must(wind->record(frame.commands, {.dt = static_cast<float>(seconds), .slot = frame.slot}));
         const auto recorded = renderer->record(frame, camera, *wind);
         EXPECT_TRUE(recorded) << recorded.error();
         renderer->copy(frame);

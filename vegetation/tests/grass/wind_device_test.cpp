@@ -34,7 +34,7 @@ TEST_F(GrassInTheWind, LeansAsTheAirBlows) {
         const auto draw = [&](const test::Picture& picture) {
             run([&](VkCommandBuffer commands) {
                 renders->begin_frame(commands, 0);
-                (void)wind->record(commands, {.dt = 1.0 / 30.0});
+                held(wind->record(commands, {.dt = 1.0 / 30.0}));
                 const VkDescriptorSet set = wind_set.of(0, *wind, corner, {});
                 EXPECT_TRUE(field->record_cull(commands, camera));
                 picture.record(commands, *field, eye.view_projection, View::colour, &picture == &windy ? set : VK_NULL_HANDLE);
@@ -58,7 +58,7 @@ TEST_F(GrassInTheWind, LeansAsTheAirBlows) {
         ASSERT_TRUE(wind->motors().add(
             windrow::JetMotor{.position = middle + glm::dvec3(-4.0, -1.0, -6.0), .direction = {0.0f, 0.0f, 1.0f}}));
         for (int n = 0; n < 20; ++n)
-            run([&](VkCommandBuffer commands) { (void)wind->record(commands, {.dt = 1.0 / 30.0}); });
+            run([&](VkCommandBuffer commands) { held(wind->record(commands, {.dt = 1.0 / 30.0})); });
         const double moved = changed(even, draw(windy));
         windrow::test::figure("grass/wind/share_of_grass_pixels_changed_by_a_jet", moved / covered);
         EXPECT_GT(moved, 0.02 * covered);

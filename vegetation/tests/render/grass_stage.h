@@ -35,7 +35,7 @@ struct GrassStage {
     void blow(double seconds, double frame_time) {
         for (double time = 0.0; time < seconds; time += frame_time) {
             const engine::Frame frame = engine::must(frames->begin());
-            (void)wind->record(frame.commands, {.dt = frame_time, .slot = frame.slot});
+            engine::must(wind->record(frame.commands, {.dt = frame_time, .slot = frame.slot}));
             engine::must(frames->submit(frame));
         }
         engine::must(frames->wait());
@@ -44,7 +44,7 @@ struct GrassStage {
     void draw(const Camera& camera, double frame_time) {
         const engine::Frame frame = engine::must(frames->begin());
         renderer->begin(frame);
-        (void)wind->record(frame.commands, {.dt = frame_time, .slot = frame.slot});
+        engine::must(wind->record(frame.commands, {.dt = frame_time, .slot = frame.slot}));
         if (ground) {
             const auto stepped = ground->record(frame.commands, {.duration = frame_time, .walkers = walkers});
             EXPECT_TRUE(stepped) << stepped.error();

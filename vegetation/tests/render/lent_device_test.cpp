@@ -32,7 +32,7 @@ TEST_F(LentDevice, DrawsInTheHostsCommandBuffer) {
             const engine::Frame frame{.commands = commands, .slot = 0};
             (*lent)->begin_frame(commands, frame.slot);
             (*renderer)->begin(frame);
-            (void)wind->record(commands, {.dt = 1.0 / 30.0, .slot = frame.slot});
+            EXPECT_TRUE(wind->record(commands, {.dt = 1.0 / 30.0, .slot = frame.slot}));
             EXPECT_TRUE((*renderer)->record(frame, scene.camera, *wind));
             (*renderer)->copy(frame);
         });

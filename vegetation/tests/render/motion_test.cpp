@@ -51,7 +51,7 @@ struct Stage {
     void draw(const Camera& camera) {
         const engine::Frame frame = engine::must(frames->begin());
         renderer->begin(frame);
-        (void)wind->record(frame.commands, {.dt = k_frame, .slot = frame.slot});
+        engine::must(wind->record(frame.commands, {.dt = k_frame, .slot = frame.slot}));
         const auto recorded = renderer->record(frame, camera, *wind);
         EXPECT_TRUE(recorded) << recorded.error();
         renderer->copy(frame);
