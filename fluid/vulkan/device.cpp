@@ -2,6 +2,7 @@
 
 #include "fluid/message.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace windrow::vulkan {
@@ -46,6 +47,8 @@ Device::Device(const Host& host, const Functions& functions) : host_(host), func
     VkPhysicalDeviceProperties properties{};
     functions_.vkGetPhysicalDeviceProperties(host_.physical_device, &properties);
     limits_ = properties.limits;
+    if (host_.shared_bytes > 0)
+        limits_.maxComputeSharedMemorySize = std::min(limits_.maxComputeSharedMemorySize, host_.shared_bytes);
 }
 
 Result<void> Device::check(const Dispatch& dispatch) const {

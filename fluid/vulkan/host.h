@@ -28,6 +28,13 @@ struct MemoryCallbacks {
     std::function<void(const MemoryPiece& piece)> release;
 };
 
+/// For tools that look at compiled pipelines, as VK_KHR_pipeline_executable_properties does.
+struct PipelineWatch {
+    VkPipelineCreateFlags flags = 0; ///< of each pipeline, such as VK_PIPELINE_CREATE_CAPTURE_STATISTICS_BIT_KHR
+    /// Called for each pipeline that was created, with the name of its pass.
+    std::function<void(const char* name, VkPipeline pipeline)> created;
+};
+
 /// The host's device. All of it outlives what is made from it.
 struct Host {
     VkInstance instance = VK_NULL_HANDLE;
@@ -39,6 +46,10 @@ struct Host {
     /// Handed to every vkCreate and vkDestroy; null: the driver's own.
     const VkAllocationCallbacks* allocation_callbacks = nullptr;
     MemoryCallbacks memory{};
+    /// [bytes] Shared memory of a work group, at most; 0: the device's limit. Less divides planes that would fit, as a device
+    /// with less would: for tests.
+    std::uint32_t shared_bytes = 0;
+    PipelineWatch pipelines{};
 };
 
 /// Requirements of the device, for its creation. No extension is needed.

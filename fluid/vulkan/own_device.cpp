@@ -105,18 +105,20 @@ Result<FoundDevice> choose(const std::vector<FoundDevice>& found, int place) {
     return Error{detail::message(found.front().facts.name, ": ", found.front().facts.trouble)};
 }
 
-/// The first queue family with the required capabilities.
-Result<std::uint32_t> choose_family(const Instance& instance, const FoundDevice& chosen, VkQueueFlags wanted) {
+/// The first queue family with the required capabilities and none of the unwanted ones.
+Result<std::uint32_t> choose_family(const Instance& instance, const FoundDevice& chosen, VkQueueFlags wanted,
+                                    VkQueueFlags unwanted) {
     const auto query = instance.load<PFN_vkGetPhysicalDeviceQueueFamilyProperties>("vkGetPhysicalDeviceQueueFamilyProperties");
     std::uint32_t count = 0;
     query(chosen.physical_device, &count, nullptr);
     std::vector<VkQueueFamilyProperties> families(count);
     query(chosen.physical_device, &count, families.data());
     for (std::uint32_t family = 0; family < count; ++family)
-        if ((families[family].queueFlags & wanted) == wanted)
+        if ((families[family].queueFlags & wanted) == wanted && (families[family].queueFlags & unwanted) == 0)
             return family;
     return Error{chosen.facts.name + " has no queue that " +
-                 ((wanted & VK_QUEUE_GRAPHICS_BIT) != 0 ? "draws and computes" : "computes") + ": use another device."};
+                 ((wanted & VK_QUEUE_GRAPHICS_BIT) != 0 ? "draws and computes" : "computes") +
+                 ((unwanted & VK_QUEUE_GRAPHICS_BIT) != 0 ? " alone" : "") + ": use another device."};
 }
 
 VkPhysicalDeviceFeatures features_for(const Instance& instance, VkPhysicalDevice physical_device,
@@ -150,9 +152,13 @@ struct OwnDevice::State {
     VkDevice device = VK_NULL_HANDLE;
     OwnFunctions functions{};
     VkQueue queue = VK_NULL_HANDLE;
-    VkCommandPool pool = VK_NULL_HANDLE;
-    VkCommandBuffer commands = VK_NULL_HANDLE;
-    VkFence fence = VK_NULL_HANDLE;
+    struct Slot {
+        VkCommandPool pool = VK_NULL_HANDLE;
+        VkCommandBuffer commands = VK_NULL_HANDLE;
+        VkFence fence = VK_NULL_HANDLE;
+        bool pending = false; ///< submitted, and not waited for yet
+    };
+    std::vector<Slot> slots{};
 
     State() = default;
     State(const State&) = delete;
@@ -160,10 +166,10 @@ struct OwnDevice::State {
     ~State() {
         if (device == VK_NULL_HANDLE || functions.vkDestroyDevice == nullptr)
             return;
-        if (fence != VK_NULL_HANDLE)
-            functions.vkDestroyFence(device, fence, nullptr);
-        if (pool != VK_NULL_HANDLE)
-            functions.vkDestroyCommandPool(device, pool, nullptr);
+        if (!slots.empty())
+            (void)functions.vkDeviceWaitIdle(device);
+        for (const Slot& slot : slots)
+            destroy(slot);
         functions.vkDestroyDevice(device, nullptr);
     }
 
@@ -180,6 +186,9 @@ struct OwnDevice::State {
         info.queueCreateInfoCount = 1;
         info.pQueueCreateInfos = &queue_info;
         info.pEnabledFeatures = &features;
+        info.pNext = settings.next;
+        info.enabledExtensionCount = static_cast<std::uint32_t>(settings.extensions.size());
+        info.ppEnabledExtensionNames = settings.extensions.data();
         const VkResult result =
             instance->load<PFN_vkCreateDevice>("vkCreateDevice")(chosen.physical_device, &info, nullptr, &device);
         if (result != VK_SUCCESS) {
@@ -198,29 +207,53 @@ struct OwnDevice::State {
         return {};
     }
 
-    [[nodiscard]] Result<void> make_queue() {
-        functions.vkGetDeviceQueue(device, family, 0, &queue);
+    [[nodiscard]] VkResult wait(Slot& slot) const {
+        if (!std::exchange(slot.pending, false))
+            return VK_SUCCESS;
+        return functions.vkWaitForFences(device, 1, &slot.fence, VK_TRUE, UINT64_MAX);
+    }
+    /// Makes the slots up to this one.
+    [[nodiscard]] Result<void> make_slots(int last) {
+        while (static_cast<int>(slots.size()) <= last) {
+            Slot slot;
+            if (auto made = make_slot(slot); !made) {
+                destroy(slot);
+                return made;
+            }
+            slots.push_back(slot);
+        }
+        return {};
+    }
+
+  private:
+    void destroy(const Slot& slot) const {
+        if (slot.fence != VK_NULL_HANDLE)
+            functions.vkDestroyFence(device, slot.fence, nullptr);
+        if (slot.pool != VK_NULL_HANDLE)
+            functions.vkDestroyCommandPool(device, slot.pool, nullptr);
+    }
+    [[nodiscard]] Result<void> make_slot(Slot& slot) {
         VkCommandPoolCreateInfo pool_info{};
         pool_info.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
         pool_info.queueFamilyIndex = family;
-        VkResult result = functions.vkCreateCommandPool(device, &pool_info, nullptr, &pool);
+        VkResult result = functions.vkCreateCommandPool(device, &pool_info, nullptr, &slot.pool);
         if (result != VK_SUCCESS) {
-            pool = VK_NULL_HANDLE;
+            slot.pool = VK_NULL_HANDLE;
             return call_error("vkCreateCommandPool", chosen.facts.name, result);
         }
         VkCommandBufferAllocateInfo commands_info{};
         commands_info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
-        commands_info.commandPool = pool;
+        commands_info.commandPool = slot.pool;
         commands_info.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
         commands_info.commandBufferCount = 1;
-        result = functions.vkAllocateCommandBuffers(device, &commands_info, &commands);
+        result = functions.vkAllocateCommandBuffers(device, &commands_info, &slot.commands);
         if (result != VK_SUCCESS)
             return call_error("vkAllocateCommandBuffers", chosen.facts.name, result);
         VkFenceCreateInfo fence_info{};
         fence_info.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO;
-        result = functions.vkCreateFence(device, &fence_info, nullptr, &fence);
+        result = functions.vkCreateFence(device, &fence_info, nullptr, &slot.fence);
         if (result != VK_SUCCESS) {
-            fence = VK_NULL_HANDLE;
+            slot.fence = VK_NULL_HANDLE;
             return call_error("vkCreateFence", chosen.facts.name, result);
         }
         return {};
@@ -248,13 +281,14 @@ Result<std::unique_ptr<OwnDevice>> OwnDevice::create(const Settings& settings) {
     if (!chosen)
         return Error{chosen.error()};
     state->chosen = *std::move(chosen);
-    auto family = choose_family(*state->instance, state->chosen, settings.queue);
+    auto family = choose_family(*state->instance, state->chosen, settings.queue, settings.queue_without);
     if (!family)
         return Error{family.error()};
     state->family = *family;
     if (auto made = state->make_device(settings); !made)
         return Error{made.error()};
-    if (auto made = state->make_queue(); !made)
+    state->functions.vkGetDeviceQueue(state->device, state->family, 0, &state->queue);
+    if (auto made = state->make_slots(0); !made)
         return Error{made.error()};
     return std::unique_ptr<OwnDevice>(new OwnDevice(std::move(state)));
 }
@@ -286,6 +320,12 @@ int OwnDevice::messages() const {
 }
 
 Result<void> OwnDevice::run(const std::function<void(VkCommandBuffer)>& record) {
+    if (auto submitted = submit(0, record); !submitted)
+        return submitted;
+    return wait();
+}
+
+Result<void> OwnDevice::submit(int slot_number, const std::function<void(VkCommandBuffer)>& record) {
     const OwnFunctions& functions = state_->functions;
     const VkDevice device = state_->device;
     const auto failed = [this](const char* function, VkResult result) {
@@ -294,27 +334,40 @@ Result<void> OwnDevice::run(const std::function<void(VkCommandBuffer)>& record) 
         return call_error(function, state_->chosen.facts.name, result);
     };
 
-    if (const VkResult result = functions.vkResetCommandPool(device, state_->pool, 0); result != VK_SUCCESS)
+    if (auto made = state_->make_slots(slot_number); !made)
+        return made;
+    State::Slot& slot = state_->slots[static_cast<std::size_t>(slot_number)];
+    if (const VkResult result = state_->wait(slot); result != VK_SUCCESS)
+        return failed("vkWaitForFences", result);
+    if (const VkResult result = functions.vkResetCommandPool(device, slot.pool, 0); result != VK_SUCCESS)
         return failed("vkResetCommandPool", result);
     VkCommandBufferBeginInfo begin{};
     begin.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
     begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-    if (const VkResult result = functions.vkBeginCommandBuffer(state_->commands, &begin); result != VK_SUCCESS)
+    if (const VkResult result = functions.vkBeginCommandBuffer(slot.commands, &begin); result != VK_SUCCESS)
         return failed("vkBeginCommandBuffer", result);
-    record(state_->commands);
-    if (const VkResult result = functions.vkEndCommandBuffer(state_->commands); result != VK_SUCCESS)
+    record(slot.commands);
+    if (const VkResult result = functions.vkEndCommandBuffer(slot.commands); result != VK_SUCCESS)
         return failed("vkEndCommandBuffer", result);
-    if (const VkResult result = functions.vkResetFences(device, 1, &state_->fence); result != VK_SUCCESS)
+    if (const VkResult result = functions.vkResetFences(device, 1, &slot.fence); result != VK_SUCCESS)
         return failed("vkResetFences", result);
     // A fence: with timeline semaphores each wait takes 10 s under GPU-assisted validation (layer 1.3.239).
     VkSubmitInfo submit{};
     submit.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO;
     submit.commandBufferCount = 1;
-    submit.pCommandBuffers = &state_->commands;
-    if (const VkResult result = functions.vkQueueSubmit(state_->queue, 1, &submit, state_->fence); result != VK_SUCCESS)
+    submit.pCommandBuffers = &slot.commands;
+    if (const VkResult result = functions.vkQueueSubmit(state_->queue, 1, &submit, slot.fence); result != VK_SUCCESS)
         return failed("vkQueueSubmit", result);
-    if (const VkResult result = functions.vkWaitForFences(device, 1, &state_->fence, VK_TRUE, UINT64_MAX); result != VK_SUCCESS)
-        return failed("vkWaitForFences", result);
+    slot.pending = true;
+    return {};
+}
+
+Result<void> OwnDevice::wait() {
+    for (State::Slot& slot : state_->slots)
+        if (const VkResult result = state_->wait(slot); result != VK_SUCCESS) {
+            (void)state_->functions.vkDeviceWaitIdle(state_->device);
+            return call_error("vkWaitForFences", state_->chosen.facts.name, result);
+        }
     return {};
 }
 

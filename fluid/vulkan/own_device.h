@@ -36,7 +36,10 @@ class OwnDevice {
         /// Called for each message of the layer (warnings and errors). Default: counted alone.
         std::function<void(const std::string& text)> on_message{};
         VkQueueFlags queue = VK_QUEUE_COMPUTE_BIT; ///< what the queue can do; for a host that draws, VK_QUEUE_GRAPHICS_BIT too
+        VkQueueFlags queue_without = 0;            ///< what it cannot: VK_QUEUE_GRAPHICS_BIT for a queue that computes alone
         VkPhysicalDeviceFeatures wished{};         ///< features that are enabled where the device has them
+        std::vector<const char*> extensions{};     ///< of the device; a device without one is rejected
+        const void* next = nullptr;                ///< chained to VkDeviceCreateInfo: features of the extensions
     };
     [[nodiscard]] static Result<std::unique_ptr<OwnDevice>> create(const Settings& settings);
     ~OwnDevice();
@@ -53,6 +56,11 @@ class OwnDevice {
 
     /// Records with `record`, submits, and waits: for tools. A result other than VK_SUCCESS is returned.
     [[nodiscard]] Result<void> run(const std::function<void(VkCommandBuffer)>& record);
+    /// Records and submits without waiting. Each slot, from 0, has a command buffer of its own; what was submitted in it before is
+    /// waited for first.
+    [[nodiscard]] Result<void> submit(int slot, const std::function<void(VkCommandBuffer)>& record);
+    /// Until nothing that was submitted is in flight.
+    [[nodiscard]] Result<void> wait();
 
   private:
     struct State;

@@ -96,12 +96,15 @@ Result<Pipeline> Pipeline::create(Device& device, const Description& description
     info.stage.pName = "main";
     info.stage.pSpecializationInfo = entries.empty() ? nullptr : &constants;
     info.layout = pipeline.layout();
+    info.flags = host.pipelines.flags;
     VkPipeline made = VK_NULL_HANDLE;
     if (const VkResult result =
             functions.vkCreateComputePipelines(host.device, VK_NULL_HANDLE, 1, &info, host.allocation_callbacks, &made);
         result != VK_SUCCESS)
         return call_error("vkCreateComputePipelines", what, result);
     pipeline.pipeline_ = {functions, host, made};
+    if (host.pipelines.created)
+        host.pipelines.created(description.name, made);
     return pipeline;
 }
 

@@ -1,6 +1,9 @@
 // What the machine's devices are told to be, and what is rejected before anything is made.
 #include "fluid/vulkan/functions.h"
+#include "fluid/vulkan/wind.h"
 #include "tests/parity/gpu.h"
+
+#include <algorithm>
 
 namespace windrow::vulkan {
 namespace {
@@ -37,7 +40,53 @@ TEST(Devices, TheDefaultIsOneThatCanRunTheWind) {
     EXPECT_EQ((*own)->facts().software, !hardware);
 }
 
+// Each slot waits for its own work alone, and `wait` for all.
+TEST_F(Gpu, SlotsAreSubmittedWithoutWaiting) {
+    constexpr VkDeviceSize bytes = 64;
+    std::vector<Buffer> targets;
+    for (std::uint32_t n = 0; n < 6; ++n) {
+        targets.push_back(*Buffer::create(*device, bytes, MemoryUse::readback));
+        const auto submitted = own->submit(static_cast<int>(n % 3), [&](VkCommandBuffer commands) {
+            device->functions().vkCmdFillBuffer(commands, targets.back().handle(), 0, bytes, n + 1);
+            barrier(commands);
+        });
+        ASSERT_TRUE(submitted) << submitted.error();
+    }
+    ASSERT_TRUE(own->wait());
+    for (std::uint32_t n = 0; n < 6; ++n)
+        EXPECT_EQ(read<std::uint32_t>(targets[n], 1)[0], n + 1);
+}
+
+TEST(Devices, AQueueOrAnExtensionThatThereIsNotIsRejected) {
+    expect_error(OwnDevice::create({.queue_without = VK_QUEUE_COMPUTE_BIT}), "has no queue");
+    expect_error(OwnDevice::create({.extensions = {"VK_KHR_none"}}), "VK_ERROR_EXTENSION_NOT_PRESENT");
+}
+
 class AHost : public Gpu {};
+
+// For tools: what is divided where shared memory is short, and each pipeline with its name.
+TEST_F(AHost, BoundsSharedMemoryAndSeesPipelines) {
+    Host host = own->host();
+    std::vector<std::string> names;
+    host.pipelines.created = [&](const char* name, VkPipeline pipeline) {
+        EXPECT_NE(pipeline, VkPipeline{VK_NULL_HANDLE});
+        names.push_back(name);
+    };
+    const Config config{.cells = {16, 8, 16}, .max_substeps = 1};
+    int dispatches[2] = {};
+    for (const bool split : {false, true}) {
+        host.shared_bytes = split ? 512 : 0; // half a plane
+        auto wind = Wind::create(host, config);
+        ASSERT_TRUE(wind) << wind.error();
+        ASSERT_TRUE(wind->motors().add(VortexMotor{}));
+        for (int n = 0; n < 3; ++n)
+            run([&](VkCommandBuffer commands) { (void)wind->record_step(commands, {.dt = 0.01}); });
+        dispatches[split ? 1 : 0] = wind->dispatches();
+    }
+    EXPECT_EQ(dispatches[1], dispatches[0] + 2) << "the second axis, there and back";
+    EXPECT_EQ(std::count(names.begin(), names.end(), "modes_between"), 2);
+    EXPECT_GE(names.size(), 30u);
+}
 
 TEST_F(AHost, ThatIsNotWholeIsRejected) {
     Host host = own->host();
