@@ -28,11 +28,12 @@ std::vector<glm::vec4> stirred(const Config& config) {
     return field;
 }
 
-/// Both winds, told the same: one frame in flight, so that what a recording leaves is read by the next.
+/// Both winds with the same calls. A recording takes the read-back of the frame that had its slot before.
 class Twins {
   public:
-    Twins(vulkan::OwnDevice& device, const ParityStory& story, windrow::Wind cpu, vulkan::Wind gpu)
-        : device_(device), story_(story), cpu_(std::move(cpu)), gpu_(std::move(gpu)), follows_(story.walk != glm::dvec3(0.0)) {}
+    Twins(vulkan::OwnDevice& device, const ParityStory& story, int frames_in_flight, windrow::Wind cpu, vulkan::Wind gpu)
+        : device_(device), story_(story), cpu_(std::move(cpu)), gpu_(std::move(gpu)), follows_(story.walk != glm::dvec3(0.0)),
+          cells_(static_cast<std::size_t>(frames_in_flight)) {}
 
     Result<void> start() {
         if (story_.stirred) {
@@ -50,7 +51,7 @@ class Twins {
         return {};
     }
 
-    /// Step n of both; the one before is compared on the way, since its read-back is in.
+    /// Step n of both; the one that had its slot before is compared on the way, since its read-back is in.
     Result<void> step(int n, ParityResult& result) {
         if (auto told = change(n); !told)
             return told;
@@ -60,38 +61,45 @@ class Twins {
             if (auto told = both([&](auto& wind) { return wind.follow(point); }); !told)
                 return told;
         }
-        const vulkan::Frame frame{.dt = story_.dt};
-        if (auto ran = run(frame, story_.frames); !ran)
+        if (auto ran = record({.dt = story_.dt, .slot = slot_of(n)}); !ran)
             return ran;
         result.dispatches = std::max(result.dispatches, gpu_.dispatches());
         result.barriers = std::max(result.barriers, gpu_.barriers());
-        compare(result);
+        compare(n, result);
         const Diagnostics done = story_.frames ? cpu_.advance(story_.dt).last : cpu_.step(story_.dt);
         result.max_substeps = std::max(result.max_substeps, done.substeps);
         result.max_limited_cells = std::max(result.max_limited_cells, done.limited_cells);
         const auto cells = story_.frames ? cpu_.view().field() : cpu_.field();
-        cells_.assign(cells.begin(), cells.end());
+        cells_of(n).assign(cells.begin(), cells.end());
         return {};
     }
 
-    /// Compares the last step, which a recording without time reads back.
-    Result<void> end(ParityResult& result) {
-        const auto ran = run({.dt = 0.0}, true);
-        if (ran)
-            compare(result);
-        return ran;
+    /// Compares the steps that are still in flight, the first of which would be taken by step n.
+    Result<void> end(int n, ParityResult& result) {
+        auto done = device_.wait();
+        for (int last = n + static_cast<int>(cells_.size()); done && n < last; ++n) {
+            (void)gpu_.collect(slot_of(n)); // none where the air slept
+            compare(n, result);
+        }
+        return done;
     }
 
   private:
-    Result<void> run(const vulkan::Frame& frame, bool ticks) {
+    [[nodiscard]] int slot_of(int n) const { return n % static_cast<int>(cells_.size()); }
+    [[nodiscard]] std::vector<glm::vec4>& cells_of(int n) { return cells_[static_cast<std::size_t>(slot_of(n))]; }
+
+    // One frame in flight is waited for; more are not.
+    Result<void> record(const vulkan::Frame& frame) {
         Result<void> recorded;
         const auto keep = [&](const auto& done) {
             if (!done)
                 recorded = Error{done.error()};
         };
-        auto ran = device_.run([&](VkCommandBuffer commands) {
-            ticks ? keep(gpu_.record(commands, frame)) : keep(gpu_.record_step(commands, frame));
+        auto ran = device_.submit(frame.slot, [&](VkCommandBuffer commands) {
+            story_.frames ? keep(gpu_.record(commands, frame)) : keep(gpu_.record_step(commands, frame));
         });
+        if (ran && cells_.size() == 1)
+            ran = device_.wait();
         return recorded ? ran : recorded;
     }
 
@@ -139,15 +147,17 @@ class Twins {
         }
     }
 
-    void compare(ParityResult& result) const {
+    // The CPU's cells of the step that had the slot of step n before.
+    void compare(int n, ParityResult& result) {
+        const std::vector<glm::vec4>& cells = cells_of(n);
         const auto view = gpu_.queried();
-        if (!view || cells_.empty())
+        if (!view || cells.empty())
             return;
         const auto device = view->field();
         double worst = 0.0, largest = 1e-30;
-        for (std::size_t n = 0; n < cells_.size(); ++n)
+        for (std::size_t at = 0; at < cells.size(); ++at)
             for (int axis = 0; axis < 3; ++axis) {
-                const double cpu = cells_[n][axis], apart = std::abs(static_cast<double>(device[n][axis]) - cpu);
+                const double cpu = cells[at][axis], apart = std::abs(static_cast<double>(device[at][axis]) - cpu);
                 // A NaN stays: max() keeps its first where nothing compares.
                 worst = std::isfinite(apart) ? std::max(worst, apart) : std::numeric_limits<double>::quiet_NaN();
                 largest = std::max(largest, std::abs(cpu));
@@ -172,7 +182,7 @@ class Twins {
     bool follows_;
     glm::dvec3 jumped_{0.0};
     std::vector<Ids> ids_;
-    std::vector<glm::vec4> cells_; ///< of the CPU's last step
+    std::vector<std::vector<glm::vec4>> cells_; ///< of the CPU's last steps, by slot
 };
 
 } // namespace
@@ -193,13 +203,16 @@ Result<ParityResult> run_parity(vulkan::OwnDevice& device, const ParityStory& st
     const int messages = device.messages();
     const bool gusts = std::any_of(story.changes.begin(), story.changes.end(),
                                    [](const StoryChange& change) { return std::holds_alternative<Gusts>(change.what); });
-    auto gpu =
-        vulkan::Wind::create(device.host(), config, {.texel = vulkan::Texel::single, .frames_in_flight = 1, .gusts = gusts});
+    vulkan::Host host = device.host();
+    if (settings.split_planes) // 4 bytes for each of half of the cells
+        host.shared_bytes = static_cast<std::uint32_t>(2 * config.cells.x * config.cells.z);
+    auto gpu = vulkan::Wind::create(host, config,
+                                    {.texel = settings.texel, .frames_in_flight = settings.frames_in_flight, .gusts = gusts});
     if (!gpu)
         return failed(gpu.error());
     ParityResult result{.name = story.name, .cells = config.cells, .first_bound = story.first_bound, .bound = story.bound};
     {
-        Twins twins(device, story, *std::move(cpu), *std::move(gpu));
+        Twins twins(device, story, settings.frames_in_flight, *std::move(cpu), *std::move(gpu));
         if (auto told = twins.start(); !told)
             return failed(told.error());
         for (int n = 0; n < story.steps; ++n) {
@@ -208,7 +221,7 @@ Result<ParityResult> run_parity(vulkan::OwnDevice& device, const ParityStory& st
             if (auto stepped = twins.step(n, result); !stepped)
                 return failed(stepped.error());
         }
-        if (auto ended = twins.end(result); !ended)
+        if (auto ended = twins.end(story.steps, result); !ended)
             return failed(ended.error());
     } // the layer tells what was left behind
     result.messages = device.messages() - messages;

@@ -4,6 +4,7 @@
 #include "cases/parity_story.h"
 #include "fluid/parallel.h"
 #include "fluid/vulkan/own_device.h"
+#include "fluid/vulkan/wind.h"
 
 #include <cstdint>
 #include <functional>
@@ -31,6 +32,10 @@ struct ParityResult {
 };
 
 struct ParitySettings {
+    vulkan::Texel texel = vulkan::Texel::single;
+    /// 1 to 8. With more than one, frames are submitted without a wait, and each is compared as its read-back comes in.
+    int frames_in_flight = 1;
+    bool split_planes = false; ///< as on a device whose shared memory holds half a plane
     Simd simd = Simd::best;
     ParallelFor parallel_for{}; ///< of the CPU's wind; results do not depend on it
     /// Asked between steps; true ends the story with the error "stopped".

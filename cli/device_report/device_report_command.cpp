@@ -59,13 +59,11 @@ class Report {
     ReportJson json_;
 };
 
-/// The device with a queue that draws, where it has one. The flags of the queue are kept for the file.
-Fault open_for_report(int place, std::unique_ptr<vulkan::OwnDevice>& device) {
+/// The device with a queue that draws, where it has one.
+Fault open_for_report(int place, std::unique_ptr<vulkan::OwnDevice>& device, bool& draws) {
     device.reset();
-    const VkQueueFlags draws = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
-    if (!open_device({.device = place, .queue = draws}, device))
-        return {};
-    return open_device({.device = place}, device);
+    draws = !open_device({.device = place, .queue = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT}, device);
+    return draws ? Fault() : open_device({.device = place}, device);
 }
 
 } // namespace
@@ -75,6 +73,8 @@ const std::vector<ReportSection>& report_sections() {
         {"facts", "the device, its driver and its limits", 0.0, &report_facts},
         {"costs", "launch, barrier, indirect dispatch, copy; bandwidth of caches and memory", 0.1, &report_costs},
         {"times", "a step, a walk, their passes, beside the copy floor", 0.3, &report_times},
+        {"parity", "the stories of windrow check on each path, against the CPU", 0.3, &report_parity},
+        {"pipelines", "what the driver's compiler makes of each pipeline", 0.02, &report_pipelines},
     };
     return sections;
 }
@@ -108,7 +108,8 @@ int run_device_report(const DeviceReportRequest& request, const Console& console
         return complain_of(fault, console);
     Report report(folder, request);
     std::unique_ptr<vulkan::OwnDevice> device;
-    if (const Fault fault = open_for_report(request.device, device)) {
+    bool draws = false;
+    if (const Fault fault = open_for_report(request.device, device, draws)) {
         report.json()["error"] = fault.sentence;
         if (const Fault unsaved = report.save())
             return complain_of(unsaved, console);
@@ -125,7 +126,7 @@ int run_device_report(const DeviceReportRequest& request, const Console& console
             std::find(request.only.begin(), request.only.end(), section.name) == request.only.end())
             continue;
         if (device == nullptr) // lost in the section before
-            if (const Fault fault = open_for_report(request.device, device))
+            if (const Fault fault = open_for_report(request.device, device, draws))
                 return complain_of(fault, console);
         console.out << "\n" << section.name << ": " << section.text << "\n";
         console.out.flush();
@@ -133,6 +134,8 @@ int run_device_report(const DeviceReportRequest& request, const Console& console
         ReportJson& json = report.section(section.name);
         json = ReportJson::object();
         SectionRun run{.own = *device,
+                       .own_draws = draws,
+                       .device = request.device,
                        .clock = SectionClock(section.share * seconds, [&] { return stop_signal() != 0; }),
                        .quick = request.quick,
                        .folder = folder,

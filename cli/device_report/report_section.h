@@ -41,7 +41,9 @@ class SectionClock {
 
 /// What a section works with. Its figures go into `json` as they come, so that a cut section keeps what it has.
 struct SectionRun {
-    vulkan::OwnDevice& own; ///< draws and computes, or computes alone where the device draws nothing
+    vulkan::OwnDevice& own;
+    bool own_draws = false; ///< its queue does; else the device draws nothing
+    int device = -1;        ///< its place in the list of `windrow info`; -1: the best
     SectionClock clock;
     bool quick = false;           ///< the smallest set that uses each path once
     std::filesystem::path folder; ///< of the report
@@ -72,5 +74,7 @@ struct ReportSection {
 Result<void> report_facts(SectionRun& run);
 Result<void> report_costs(SectionRun& run);
 Result<void> report_times(SectionRun& run);
+Result<void> report_parity(SectionRun& run);
+Result<void> report_pipelines(SectionRun& run);
 
 } // namespace windrow::cli

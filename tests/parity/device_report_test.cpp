@@ -6,6 +6,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <set>
 
 namespace windrow::cli {
 namespace {
@@ -116,6 +118,50 @@ TEST_F(DeviceReport, TimesNameStepAndReadBackApart) {
     EXPECT_EQ(times["steps"][0]["recording"], "step, one sub-step");
     for (const nlohmann::json& pass : times["passes"])
         EXPECT_LE(pass["dispatches"].is_number() ? pass["dispatches"].get<int>() : 0, 1) << pass;
+}
+
+// The first four stories have both texels, both divisions of planes, and one to three frames in flight.
+TEST_F(DeviceReport, ParityRunsEachKindOfPath) {
+    const CommandOutcome outcome = report({"--quick", "--only", "parity", "--seconds", "40"});
+    ASSERT_EQ(outcome.code, k_exit_well) << outcome.err << outcome.out;
+    const nlohmann::json parity = json()["sections"]["parity"];
+    EXPECT_TRUE(parity["pass"]);
+    EXPECT_EQ(parity["ran"], parity["stories"].size());
+    std::set<std::string> texels, planes, frames;
+    for (const nlohmann::json& row : parity["stories"]) {
+        EXPECT_LE(row["largest"], row["bound"]) << row;
+        EXPECT_GE(row["steps"], 2) << row;
+        texels.insert(row["texel"]);
+        planes.insert(row["planes"]);
+        frames.insert(row["frames_in_flight"].dump());
+    }
+    EXPECT_EQ(texels.size(), 2u);
+    EXPECT_EQ(planes.size(), 2u);
+    EXPECT_EQ(frames.size(), 3u);
+}
+
+// Mesa's compiler for AMD runs without a device. It is in mesa-vulkan-drivers, as the software driver of the other tests.
+TEST_F(DeviceReport, PipelinesAreCompiledForADeviceThatIsNotThere) {
+    const char* const driver = "/usr/share/vulkan/icd.d/radeon_icd.x86_64.json";
+    if (!fs::exists(driver))
+        GTEST_SKIP() << driver << " is not installed";
+    ASSERT_EQ(setenv("VK_DRIVER_FILES", driver, 1), 0);
+    ASSERT_EQ(setenv("RADV_FORCE_FAMILY", "gfx1100", 1), 0);
+    const CommandOutcome outcome = report({"--only", "pipelines"});
+    unsetenv("VK_DRIVER_FILES");
+    unsetenv("RADV_FORCE_FAMILY");
+    ASSERT_EQ(outcome.code, k_exit_well) << outcome.err;
+    const nlohmann::json rows = json()["sections"]["pipelines"]["pipelines"];
+    std::map<std::string, int> grids;
+    for (const nlohmann::json& row : rows) {
+        ++grids[row["grid"]];
+        for (const char* key : {"SGPRs", "VGPRs", "Code size", "Instructions"})
+            EXPECT_GT(row[key], 0) << row;
+        EXPECT_EQ(row["Spilled VGPRs"], 0) << row;
+    }
+    EXPECT_EQ(grids.size(), 4u) << "three grids, and the ground memory";
+    EXPECT_GE(grids["128x64x128"], 10);
+    EXPECT_EQ(grids["32x16x32"], grids["128x64x128"]);
 }
 
 TEST(ReportText, TablesTakeTheirColumnsFromTheFirstRow) {
