@@ -207,7 +207,10 @@ Result<ParityResult> run_parity(vulkan::OwnDevice& device, const ParityStory& st
     if (settings.split_planes) // 4 bytes for each of half of the cells
         host.shared_bytes = static_cast<std::uint32_t>(2 * config.cells.x * config.cells.z);
     auto gpu = vulkan::Wind::create(host, config,
-                                    {.texel = settings.texel, .frames_in_flight = settings.frames_in_flight, .gusts = gusts});
+                                    {.texel = settings.texel,
+                                     .frames_in_flight = settings.frames_in_flight,
+                                     .gusts = gusts,
+                                     .queries = vulkan::ReadBack::cells});
     if (!gpu)
         return failed(gpu.error());
     ParityResult result{.name = story.name, .cells = config.cells, .first_bound = story.first_bound, .bound = story.bound};

@@ -8,7 +8,7 @@
 // 3. In each frame move things, and record the wind before what samples it, outside of a render pass.
 // 4. Draw. A shader that includes shaders/coupling/windrow_wind.glsl calls windrow_velocity(p) (examples/shaders/grass.vert). It
 //    needs one descriptor set (vegetation/vulkan/wind_set.h), and no barrier: the recording ends with one.
-// 5. Ask on the CPU too: velocity() answers from what was read back, as old as the frames in flight and up to a tick more.
+// 5. Ask on the CPU too: queried_points() has the wind at Frame::points, as old as the frames in flight and up to a tick more.
 //
 // What to see: grass leans with gusts that run over the field as pale waves, behind the walker and before the fan.
 #include "shader_words/figure_frag.h"
@@ -63,15 +63,16 @@ void draw_meadow(int frames_wanted, const std::string& file) {
 
     // 2. The wind on it: half a metre a cell around the walker, gusts over open ground.
     const auto body_at = [](double time) { return k_field + k_start + time * k_walk + glm::dvec3(0.0, 0.8, 0.0); };
-    auto wind = engine::must(windrow::vulkan::Wind::create(device->host(),
-                                                           {.cells = {48, 12, 48},
-                                                            .cell_size = 0.5f,
-                                                            .boundaries = windrow::Boundaries::open_over_floor(),
-                                                            .centre = k_field + k_start + glm::dvec3(0.0, 3.0, 0.0),
-                                                            .ambient = {-0.8f, 0.0f, 3.0f},
-                                                            .profile = windrow::LogProfile{},
-                                                            .gusts = {.intensity = 0.35f, .length = 10.0f}},
-                                                           {.frames_in_flight = engine::k_frames_in_flight}));
+    auto wind = engine::must(windrow::vulkan::Wind::create(
+        device->host(),
+        {.cells = {48, 12, 48},
+         .cell_size = 0.5f,
+         .boundaries = windrow::Boundaries::open_over_floor(),
+         .centre = k_field + k_start + glm::dvec3(0.0, 3.0, 0.0),
+         .ambient = {-0.8f, 0.0f, 3.0f},
+         .profile = windrow::LogProfile{},
+         .gusts = {.intensity = 0.35f, .length = 10.0f}},
+        {.frames_in_flight = engine::k_frames_in_flight, .queries = windrow::vulkan::ReadBack::points}));
     const auto walker = engine::must(wind.motors().add(
         windrow::WakeMotor{.position = body_at(0.0), .radius = 0.9f, .law = windrow::WakeDrive{.per_metre = 20.0f}}));
     (void)engine::must(wind.motors().add(windrow::JetMotor{.position = k_field + k_fan_hub,
@@ -97,7 +98,8 @@ void draw_meadow(int frames_wanted, const std::string& file) {
         // 3. The wind of this frame.
         (void)wind.motors().move(walker, body_at(n * k_frame));
         (void)wind.follow(k_field + k_start + n * k_frame * k_walk);
-        engine::must(wind.record(commands, {.dt = k_frame, .slot = frame.slot}));
+        const std::array asked{body_at(n * k_frame)};
+        engine::must(wind.record(commands, {.dt = k_frame, .slot = frame.slot, .points = asked}));
         dispatches += wind.dispatches();
 
         // 4. What samples it. Ripples of half a metre are finer than the cells: windrow_apparent adds them.
@@ -126,7 +128,8 @@ void draw_meadow(int frames_wanted, const std::string& file) {
         throw engine::Failure(file + " cannot be written: name a file in a folder that you may write to.");
 
     // 5. What the CPU knows.
-    const glm::dvec3 felt(wind.velocity(body_at(frames_wanted * k_frame)));
+    const auto asked = wind.queried_points();
+    const glm::dvec3 felt(asked ? asked->velocities.front() : glm::vec4(0.0f));
     std::printf("%s: %d frames, %.1f dispatches a frame, wind at the walker (%.2f, %.2f, %.2f) m/s as of %.0f ms ago, %s\n",
                 device->name().c_str(), frames_wanted, static_cast<double>(dispatches) / frames_wanted, felt.x, felt.y, felt.z,
                 1e3 * wind.query_age(), file.c_str());

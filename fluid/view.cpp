@@ -2,6 +2,7 @@
 
 #include "fluid/message.h"
 #include "fluid/numerics.h"
+#include "fluid/view_place.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,52 +26,58 @@ Result<void> write_texels(std::span<const glm::vec4> field, std::span<Texel> x, 
     return {};
 }
 
-} // namespace
-
-float WindView::blend_fraction(glm::dvec3 position) const {
+// Weight of the box's wind in the blend zone.
+float blend_fraction(const BlendZone& zone, float cell_size, glm::dvec3 position) {
     float share = 1.0f;
     for (int axis = 0; axis < 3; ++axis)
-        if (blend_zone_.reach[axis] > 0.0f) {
-            const double cells = (position[axis] - blend_zone_.point[axis]) / static_cast<double>(box_->cell_size);
-            share *= numerics::windrow_blend_fraction(static_cast<float>(cells), blend_zone_.reach[axis], blend_zone_.width);
+        if (zone.reach[axis] > 0.0f) {
+            const double cells = (position[axis] - zone.point[axis]) / static_cast<double>(cell_size);
+            share *= numerics::windrow_blend_fraction(static_cast<float>(cells), zone.reach[axis], zone.width);
         }
     return share;
 }
 
-glm::vec3 WindView::velocity(glm::dvec3 position) const {
-    glm::dvec3 exact = window_.local(position);
-    if (!(std::isfinite(exact.x) && std::isfinite(exact.y) && std::isfinite(exact.z)))
-        return ambient_->mean();
+} // namespace
+
+detail::ViewPlace detail::place_in(const Box& box, const Window& window, const BlendZone& blend_zone, const AmbientWind& ambient,
+                                   glm::dvec3 position) {
+    ViewPlace place;
+    glm::dvec3 exact = window.local(position);
+    if (!(std::isfinite(exact.x) && std::isfinite(exact.y) && std::isfinite(exact.z))) {
+        place.ambient = ambient.mean();
+        return place;
+    }
     for (int axis = 0; axis < 3; ++axis) // wrapped in double: a large float does not resolve a fraction of a cell
-        if (box_->boundaries.periodic(axis))
-            exact[axis] = std::fmod(exact[axis], static_cast<double>(box_->cells[axis]));
+        if (box.boundaries.periodic(axis))
+            exact[axis] = std::fmod(exact[axis], static_cast<double>(box.cells[axis]));
     const glm::vec3 local(exact);
-    float share = blend_fraction(position);
-    glm::ivec3 low(0), high(0);
-    glm::vec3 between(0.0f);
+    float& share = place.fraction = blend_fraction(blend_zone, box.cell_size, position);
     for (int axis = 0; axis < 3 && share > 0.0f; ++axis) {
-        const auto cells = static_cast<float>(box_->cells[axis]);
-        const float low_kind = side_number(box_->boundaries.at(axis, 0)), high_kind = side_number(box_->boundaries.at(axis, 1));
+        int& low = place.low[axis];
+        int& high = place.high[axis];
+        const auto cells = static_cast<float>(box.cells[axis]);
+        const float low_kind = side_number(box.boundaries.at(axis, 0)), high_kind = side_number(box.boundaries.at(axis, 1));
         share *= numerics::windrow_axis_fraction(local[axis], cells, low_kind, high_kind);
         const float sample = numerics::windrow_axis_sample(local[axis], cells, low_kind) - 0.5f;
         const float below = std::floor(sample);
-        between[axis] = sample - below;
-        low[axis] = static_cast<int>(below);
-        high[axis] = low[axis] + 1;
+        place.between[axis] = sample - below;
+        low = static_cast<int>(below);
+        high = low + 1;
         if (low_kind == 2.0f) {
-            low[axis] = (low[axis] + box_->cells[axis]) % box_->cells[axis];
-            high[axis] = high[axis] % box_->cells[axis];
+            low = (low + box.cells[axis]) % box.cells[axis];
+            high = high % box.cells[axis];
         }
-        low[axis] = std::clamp(low[axis], 0, box_->cells[axis] - 1);
-        high[axis] = std::clamp(high[axis], 0, box_->cells[axis] - 1);
+        low = std::clamp(low, 0, box.cells[axis] - 1);
+        high = std::clamp(high, 0, box.cells[axis] - 1);
     }
-    if (share <= 0.0f)
-        return ambient_->velocity(position);
-    const auto cell = [&](int i, int j, int k) { return glm::vec3(field_[box_->index(i, j, k)]); };
-    const auto line = [&](int j, int k) { return glm::mix(cell(low.x, j, k), cell(high.x, j, k), between.x); };
-    const auto plane = [&](int k) { return glm::mix(line(low.y, k), line(high.y, k), between.y); };
-    const glm::vec3 inside = glm::mix(plane(low.z), plane(high.z), between.z);
-    return share == 1.0f ? inside : glm::mix(ambient_->velocity(position), inside, share);
+    if (share != 1.0f)
+        place.ambient = ambient.velocity(position);
+    return place;
+}
+
+glm::vec3 WindView::velocity(glm::dvec3 position) const {
+    return detail::wind_at(detail::place_in(*box_, window_, blend_zone_, *ambient_, position),
+                           [&](int i, int j, int k) { return glm::vec3(field_[box_->index(i, j, k)]); });
 }
 
 void WindView::velocity(std::span<const glm::dvec3> positions, std::span<glm::vec3> velocities) const {

@@ -109,7 +109,8 @@ class GridTimes {
         if (added)
             added = add(contest, "step, eight of eight", fine, usual, fresh);
         if (added)
-            added = add(contest, "step, one sub-step, no queries", one, {.frames_in_flight = 2, .queries = false}, step);
+            added = add(contest, "step, one sub-step, all cells read back", one,
+                        {.frames_in_flight = 2, .queries = vulkan::ReadBack::cells}, step);
         if (added)
             added = add_walks(contest, usual);
         if (added) {

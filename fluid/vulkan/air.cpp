@@ -79,12 +79,19 @@ Result<void> Air::make() {
                                             .sums = Passes::sums(*device_, config_.cells),
                                             .diffuses = prepared_ != DiffusionMethod::none,
                                             .gusts = settings_.gusts,
-                                            .texel = settings_.half ? VK_FORMAT_R16_SFLOAT : VK_FORMAT_R32_SFLOAT});
+                                            .texel = settings_.half ? VK_FORMAT_R16_SFLOAT : VK_FORMAT_R32_SFLOAT,
+                                            .slots = static_cast<std::uint32_t>(settings_.reads.slots),
+                                            .slot_bytes = slot_bytes(settings_.reads),
+                                            .points = static_cast<std::uint32_t>(settings_.reads.points)});
     if (!fields)
         return Error{fields.error()};
     fields_ = *std::move(fields);
     auto passes = Passes::create(*device_, fields_,
-                                 {.cells = config_.cells, .projects = config_.stages.projection, .half = settings_.half});
+                                 {.cells = config_.cells,
+                                  .projects = config_.stages.projection,
+                                  .half = settings_.half,
+                                  .read_cells = settings_.reads.cells,
+                                  .read_halves = settings_.reads.kind == ReadBack::halves});
     if (!passes)
         return Error{passes.error()};
     passes_ = *std::move(passes);
@@ -365,6 +372,7 @@ void Air::show(VkCommandBuffer commands, float factor, int frame, bool reports) 
     // Readers of two frames ago finish first.
     barrier(VK_PIPELINE_STAGE_ALL_COMMANDS_BIT | k_compute | k_transfer, k_compute);
     wait(commands, images);
+    shown_factor_ = factor;
     dispatch(commands, Pass::show, WindrowShowPush{.factor = factor, .reports = reports ? 1 : 0}, frame);
     for (VkImageMemoryBarrier& image : images) {
         image.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
@@ -380,51 +388,6 @@ void Air::show(VkCommandBuffer commands, float factor, int frame, bool reports) 
     device_->functions().vkCmdPipelineBarrier(commands, k_compute | k_transfer, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 1, &tile,
                                               0, nullptr, 3, images);
     ++barriers_;
-}
-
-// A slot: the control, the sums of the work groups, the shown cells.
-VkDeviceSize Air::slot_bytes(bool cells) const {
-    return fields_.control.bytes() + fields_.sums.bytes() + (cells ? fields_.shown.bytes() : 0);
-}
-
-void Air::read_back(VkCommandBuffer commands, const Buffer& slot, bool cells) {
-    barrier(k_compute | k_transfer, k_transfer);
-    VkDeviceSize at = 0;
-    for (const Buffer* from : {&fields_.control, &fields_.sums, &fields_.shown}) {
-        if (from == &fields_.shown && !cells)
-            break;
-        copy(commands, *from, slot, at);
-        at += from->bytes();
-    }
-    barrier(k_transfer, VK_PIPELINE_STAGE_HOST_BIT | k_compute | k_transfer);
-}
-
-// --- Reading -----------------------------------------------------------------------------------------------------------------
-
-AirReport Air::report(const Buffer& slot) const {
-    WindrowControl control{};
-    std::memcpy(&control, slot.mapped(), sizeof(control));
-    AirReport report;
-    report.largest_component = std::bit_cast<float>(control.largest_speed);
-    report.apart = std::bit_cast<float>(control.farthest_from_ambient);
-    report.cfl = control.cfl;
-    report.substeps = control.substeps;
-    report.substeps_capped = control.capped != 0;
-    report.repaired_cells = static_cast<int>(control.repaired_cells);
-    report.limited_cells = static_cast<int>(control.limited_cells);
-    const auto groups = fields_.sums.bytes() / sizeof(glm::vec2);
-    for (std::size_t n = 0; n < groups; ++n) {
-        glm::vec2 sums;
-        std::memcpy(&sums, slot.mapped() + fields_.control.bytes() + n * sizeof(sums), sizeof(sums));
-        report.squares += static_cast<double>(sums.x);
-        report.divergence_squares += static_cast<double>(sums.y);
-    }
-    return report;
-}
-
-std::span<const glm::vec4> Air::shown(const Buffer& slot) const {
-    const auto* const cells = reinterpret_cast<const glm::vec4*>(slot.mapped() + fields_.control.bytes() + fields_.sums.bytes());
-    return {cells, box().cell_count()};
 }
 
 } // namespace windrow::vulkan

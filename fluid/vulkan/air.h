@@ -7,7 +7,8 @@
 //   advect     w = R(xd) + (dt/2) f                                  split, up to 24 with implicit viscosity
 //   solve      L phi = div w: modes of x and z, columns of y, back
 //   gradient   u' = w - grad phi, q'
-//   show       textures of this frame, report                        once a frame
+//   show       textures of this frame                                once a frame
+//   report     figures of the tick to the host, and what it asked for once a frame
 //
 // The device chooses the number of sub-steps, so the maximal number is recorded. Parameters of a tick are in the command buffer
 // (vkCmdUpdateBuffer), large tables in a block of host memory that is written once: the host writes no memory that frames in
@@ -18,6 +19,7 @@
 #include "fluid/vulkan/blocks.h"
 #include "fluid/vulkan/pass_clock.h"
 #include "fluid/vulkan/passes.h"
+#include "fluid/vulkan/read_back.h"
 #include "fluid/wind.h"
 #include "fluid/window.h"
 
@@ -44,12 +46,28 @@ struct AirReport {
     double divergence_squares = 0.0;
 };
 
+/// What the host reads with each frame, besides the report.
+struct Reads {
+    ReadBack kind = ReadBack::none;
+    glm::ivec3 cells{0}; ///< of the box that is read; all of them but with ReadBack::box
+    int points = 0;      ///< room for them
+    int slots = 1;       ///< that the host and the device hold together
+};
+
+/// The reading of one frame.
+struct ReadRequest {
+    int slot = 0;
+    glm::ivec3 low{0}; ///< first cell that is read
+    std::span<const WindrowPoint> points{};
+};
+
 class Air {
   public:
     /// Rejects what the device cannot hold or run. The fields hold nothing yet: `fill` first.
     struct Settings {
         bool half = true;  ///< R16F textures, else R32F
         bool gusts = true; ///< there is room for a tile of gusts
+        Reads reads{};
     };
     [[nodiscard]] static Result<std::unique_ptr<Air>> create(const Host& host, const Config& config, const Settings& settings);
     /// With calls given, as a test does that has one fail.
@@ -63,15 +81,17 @@ class Air {
     /// Writes the textures of set `frame` (0 or 1) from the last tick's air and the kept one, `factor` of the way; ends with a
     /// barrier to all shaders that sample them. Before it, they may be in any layout; after it, SHADER_READ_ONLY_OPTIMAL.
     void show(VkCommandBuffer commands, float factor, int frame, bool reports);
-    /// Copies the report and, if `cells`, the shown cells for the host; `slot` is read once the host knows that these commands
-    /// are done.
-    void read_back(VkCommandBuffer commands, const Buffer& slot, bool cells = true);
+    /// Writes the report and what is read of the last `show` into a slot, which the host reads once these commands are done.
+    void read_back(VkCommandBuffer commands, const ReadRequest& request);
 
     // --- Reading -------------------------------------------------------------------------------------------------------
-    /// Bytes of a read-back slot, with or without cells.
-    [[nodiscard]] VkDeviceSize slot_bytes(bool cells = true) const;
-    [[nodiscard]] AirReport report(const Buffer& slot) const;
-    [[nodiscard]] std::span<const glm::vec4> shown(const Buffer& slot) const;
+    /// Bytes of a slot: the report, then what is read.
+    [[nodiscard]] static VkDeviceSize slot_bytes(const Reads& reads);
+    [[nodiscard]] const Reads& reads() const { return settings_.reads; }
+    [[nodiscard]] const Buffer& slot(int slot) const { return fields_.slots[static_cast<std::size_t>(slot)]; }
+    [[nodiscard]] AirReport report(int slot) const;
+    /// What lies behind the report.
+    [[nodiscard]] std::span<const std::byte> read(int slot) const;
 
     [[nodiscard]] Device& device() { return *device_; }
     [[nodiscard]] const Fields& fields() const { return fields_; }
@@ -165,6 +185,7 @@ class Air {
     bool diffused_whole_ = true; ///< viscosity has acted for all time so far
     bool cleared_ = false;
     bool stepped_ = false; ///< since `begin`
+    float shown_factor_ = 1.0f;
     int forced_substeps_ = 0;
     int dispatches_ = 0, barriers_ = 0;
     VkPipelineStageFlags waits_from_ = 0, waits_to_ = 0; ///< of the barrier to come

@@ -24,6 +24,8 @@ static_assert(offsetof(WindrowStep, low) == 6 * 16 && offsetof(WindrowStep, wind
 static_assert(sizeof(WindrowControl) == 20 * 16 && sizeof(WindrowRule) == 4 * 16 && offsetof(WindrowRule, scale) == 16);
 static_assert(offsetof(WindrowControl, substep_duration) == 16 && offsetof(WindrowControl, substeps) == 2 * 16);
 static_assert(offsetof(WindrowControl, diffused_time) == 3 * 16 && offsetof(WindrowControl, largest_speed) == 19 * 16);
+static_assert(sizeof(WindrowReport) == 2 * 16 && sizeof(WindrowPoint) == 4 * 16 && sizeof(WindrowReadPush) == 32);
+static_assert(offsetof(WindrowPoint, high) == 16 && offsetof(WindrowPoint, ambient) == 3 * 16);
 static_assert(sizeof(WindrowPlacePush) == 16 && sizeof(WindrowAdjustPush) == 32);
 static_assert(sizeof(WindrowMotor) == sizeof(detail::MotorReach));
 

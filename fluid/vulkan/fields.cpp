@@ -10,10 +10,11 @@ namespace windrow::vulkan {
 Result<Fields> Fields::create(Device& device, const Sizes& sizes) {
     Fields fields;
     std::string trouble;
-    const auto make = [&](Buffer& buffer, const char* name, VkDeviceSize bytes, VkBufferUsageFlags more = 0) {
+    const auto make = [&](Buffer& buffer, const char* name, VkDeviceSize bytes, VkBufferUsageFlags more = 0,
+                          MemoryUse use = MemoryUse::device) {
         if (!trouble.empty())
             return;
-        auto made = Buffer::create(device, bytes, MemoryUse::device, more);
+        auto made = Buffer::create(device, bytes, use, more);
         if (made)
             buffer = *std::move(made);
         else
@@ -43,12 +44,16 @@ Result<Fields> Fields::create(Device& device, const Sizes& sizes) {
     make(fields.arrived, "arrived", cells * sizeof(vec4));
     make(fields.diffused, "diffused", sizes.diffuses ? cells * sizeof(vec4) : sizeof(vec4));
     make(fields.before, "before", cells * sizeof(vec4));
-    make(fields.shown, "shown", cells * sizeof(vec4));
     make(fields.padded, "padded", (sizes.gusts ? 3 : 2) * padded * sizeof(vec4));
     make(fields.expansion, "expansion", cells * sizeof(float));
     make(fields.hat, "hat", cells * sizeof(float));
     make(fields.potential, "potential", cells * sizeof(float));
     make(fields.sums, "sums", sizes.sums * sizeof(glm::vec2));
+    if (sizes.points > 0)
+        make(fields.points, "points", sizes.points * sizeof(WindrowPoint));
+    fields.slots.resize(sizes.slots);
+    for (Buffer& slot : fields.slots)
+        make(slot, "slots", sizes.slot_bytes, 0, MemoryUse::readback);
     const VkExtent3D extent = {static_cast<std::uint32_t>(sizes.cells.x), static_cast<std::uint32_t>(sizes.cells.y),
                                static_cast<std::uint32_t>(sizes.cells.z)};
     for (auto& frame : fields.axes)

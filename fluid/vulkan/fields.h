@@ -2,7 +2,7 @@
 //
 // A field of cells holds four floats a cell, laid out as box.h says. With N cells and P padded cells (five more an axis), in
 // bytes:
-//   velocity, velocity_old, history, force, source_flow, arrived, diffused, before, shown    16 N each
+//   velocity, velocity_old, history, force, source_flow, arrived, diffused, before           16 N each
 //   padded                                                                                    32 P, 48 P with gusts
 //   expansion, hat, potential                                                                 4 N each
 #pragma once
@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace windrow::vulkan {
 
@@ -27,12 +28,17 @@ struct Fields {
         bool diffuses = false; ///< else `diffused` is a stand-in
         bool gusts = false;    ///< else `tile` is one
         VkFormat texel = VK_FORMAT_R16_SFLOAT;
+        std::uint32_t slots = 1;      ///< that the host reads
+        VkDeviceSize slot_bytes = 32; ///< the report, then what the host asked for
+        std::uint32_t points = 0;     ///< that the host may ask for in a frame
     };
     [[nodiscard]] static Result<Fields> create(Device& device, const Sizes& sizes);
 
     Buffer step, control, shapes, commands, rules, motors, tables, tile;
-    Buffer velocity, velocity_old, history, force, drives, source_flow, arrived, diffused, before, shown;
+    Buffer velocity, velocity_old, history, force, drives, source_flow, arrived, diffused, before;
     Buffer padded, expansion, hat, potential, sums;
+    Buffer points;             ///< WindrowPoint; empty without
+    std::vector<Buffer> slots; ///< mapped; WindrowReport, then cells or winds
     /// [0] and [1]: of this frame and of the last, in turns; x, y, z.
     Image3D axes[2][3];
 };

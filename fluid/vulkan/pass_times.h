@@ -9,7 +9,7 @@ struct PassTimes {
     /// [us] From before the first command of the recording to after its last: passes, copies, barriers. It includes what the
     /// clock itself costs, which is most of it where passes take a microsecond.
     double whole_us = 0.0;
-    /// [us] Of `whole_us`: the copies to the host at the end; 0 where nothing was read back.
+    /// [us] Of `whole_us`: the report and what else comes back to the host, passes and barriers; 0 where nothing was read back.
     double read_back_us = 0.0;
     /// One kind of pass, in the order of the step.
     struct Pass {

@@ -19,6 +19,10 @@
 #include "shader_words/pad.h"
 #include "shader_words/place.h"
 #include "shader_words/plan.h"
+#include "shader_words/read_floats.h"
+#include "shader_words/read_halves.h"
+#include "shader_words/read_points.h"
+#include "shader_words/report.h"
 #include "shader_words/source_flow.h"
 #include "shader_words/sources.h"
 
@@ -76,6 +80,7 @@ struct Plan {
     Groups local, groups;
     std::vector<std::uint32_t> constants; ///< behind the three of the local size
     std::uint32_t shared_bytes = 0;
+    bool to_host = false; ///< the last buffer is one of Fields::slots
 };
 
 // Fields of cells alone; see Passes::bytes.
@@ -100,9 +105,9 @@ std::uint64_t texel_bytes(const Passes::Settings& settings) {
 
 const char* name_of(Pass pass) {
     constexpr std::array<const char*, k_passes> names = {
-        "place",         "sources",         "source_flow",     "adjust",       "plan",     "limit",
-        "diffuse",       "diffuse_forward", "diffuse_columns", "diffuse_back", "pad",      "advect",
-        "modes_forward", "modes_between",   "columns",         "modes_back",   "gradient", "show"};
+        "place",           "sources",         "source_flow",  "adjust", "plan",   "limit",         "diffuse",
+        "diffuse_forward", "diffuse_columns", "diffuse_back", "pad",    "advect", "modes_forward", "modes_between",
+        "columns",         "modes_back",      "gradient",     "show",   "report", "read_cells",    "read_points"};
     return names[static_cast<std::size_t>(pass)];
 }
 
@@ -166,7 +171,23 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
     a_cell(Pass::gradient, words::gradient,
            of(f.step, f.control, f.potential, f.arrived, f.source_flow, f.velocity, f.velocity_old, f.history, f.tile));
     over(cell, over_cells, {cell[0] * cell[1] * cell[2]})(
-        Pass::show, show, of(f.step, f.control, f.velocity, f.before, f.expansion, f.shown, f.sums, f.tile));
+        Pass::show, show, of(f.step, f.control, f.velocity, f.before, f.expansion, f.sums, f.tile));
+    const auto to_host = [&] { plans.back().to_host = true; };
+    over(line, {1, 1, 1}, {solve})(Pass::report, words::report, of(f.step, f.control, f.sums, f.slots[0]));
+    to_host();
+    if (settings.read_cells.x > 0) {
+        const Groups part = cell_group(settings.read_cells);
+        const auto read = settings.read_halves ? std::span<const std::uint32_t>(words::read_halves) : words::read_floats;
+        over(part, groups_over(settings.read_cells, part))(Pass::read_cells, read,
+                                                           of(f.step, f.control, f.velocity, f.before, f.slots[0]));
+        to_host();
+    }
+    if (f.points.bytes() > 0) {
+        const auto points = static_cast<std::uint32_t>(f.points.bytes() / sizeof(WindrowPoint));
+        over(lines, {blocks(points, lines[0]), 1, 1})(Pass::read_points, words::read_points,
+                                                      of(f.step, f.control, f.velocity, f.before, f.points, f.slots[0]));
+        to_host();
+    }
 
     Passes passes;
     passes.functions_ = &device.functions();
@@ -194,12 +215,15 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
         passes.groups_[n] = plan.groups;
         passes.bytes_[n] = bytes_of(plan, fields, images > 0 ? texel_bytes(settings) : 0);
         passes.first_set_[n] = contents.size();
-        for (int frame = 0; frame < (images > 0 ? 2 : 1); ++frame) {
+        const std::size_t sets = plan.to_host ? fields.slots.size() : images > 0 ? 2 : 1;
+        for (std::size_t one = 0; one < sets; ++one) {
             Sets::Content content{.pipeline = &passes.pipelines_[n], .bindings = {}};
             for (const Buffer* buffer : plan.buffers)
                 content.bindings.push_back({.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, .buffer = buffer->handle()});
+            if (plan.to_host)
+                content.bindings.back().buffer = fields.slots[one].handle();
             for (int axis = 0; axis < images; ++axis)
-                content.bindings.push_back({.type = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, .view = fields.axes[frame][axis].view()});
+                content.bindings.push_back({.type = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, .view = fields.axes[one][axis].view()});
             contents.push_back(std::move(content));
         }
     }
@@ -270,17 +294,17 @@ std::span<const std::uint32_t> Passes::shapes(DiffusionMethod most) {
     return shapes_;
 }
 
-void Passes::bind(VkCommandBuffer commands, Pass pass, const Push& push, int show_frame) const {
+void Passes::bind(VkCommandBuffer commands, Pass pass, const Push& push, int set_number) const {
     const auto n = static_cast<std::size_t>(pass);
     const Pipeline& pipeline = pipelines_[n];
-    const VkDescriptorSet set = sets_.at(first_set_[n] + static_cast<std::size_t>(show_frame));
+    const VkDescriptorSet set = sets_.at(first_set_[n] + static_cast<std::size_t>(set_number));
     functions_->vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.handle());
     functions_->vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.layout(), 0, 1, &set, 0, nullptr);
     functions_->vkCmdPushConstants(commands, pipeline.layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(Push), &push);
 }
 
-void Passes::record(VkCommandBuffer commands, Pass pass, const Push& push, int show_frame) const {
-    bind(commands, pass, push, show_frame);
+void Passes::record(VkCommandBuffer commands, Pass pass, const Push& push, int set) const {
+    bind(commands, pass, push, set);
     const Groups count = groups(pass);
     functions_->vkCmdDispatch(commands, count[0], count[1], count[2]);
 }

@@ -31,12 +31,19 @@ enum class Pass : std::uint8_t {
     columns,       ///< ... the systems along y, ...
     modes_back,    ///< ... and back to cells
     gradient,      ///< what a sub-step ends with
-    show,          ///< textures and report
+    show,          ///< textures, and the sums of the report
+    report,        ///< the report to the host
+    read_cells,    ///< cells to the host, ...
+    read_points,   ///< ... or the wind at points
     count
 };
 /// Most dispatches of a sub-step: three solves of diffusion, one of pressure, each in five, and four more.
 inline constexpr std::uint32_t k_max_stages = 24;
 inline constexpr std::size_t k_passes = static_cast<std::size_t>(Pass::count);
+/// The passes that write for the host: all of a read-back.
+[[nodiscard]] constexpr bool reads_back(Pass pass) {
+    return pass == Pass::report || pass == Pass::read_cells || pass == Pass::read_points;
+}
 /// As above: "modes_forward".
 [[nodiscard]] const char* name_of(Pass pass);
 
@@ -65,7 +72,9 @@ class Passes {
     struct Settings {
         glm::ivec3 cells{0};
         bool projects = true;
-        bool half = true; ///< R16F textures, else R32F
+        bool half = true;         ///< R16F textures, else R32F
+        glm::ivec3 read_cells{0}; ///< box of cells that come back to the host; 0: none
+        bool read_halves = false; ///< as halves, else floats
     };
     [[nodiscard]] static Result<Passes> create(Device& device, const Fields& fields, const Settings& settings);
     /// Sets the tables of the direct solve; call it before the first sub-step.
@@ -94,13 +103,14 @@ class Passes {
     /// The direct solve for the sources of air, in order.
     [[nodiscard]] std::span<const Stage> source_solve() const { return source_solve_; }
 
-    /// Records a pass; barriers are the caller's. `show_frame` 0 or 1 for Pass::show.
-    void record(VkCommandBuffer commands, Pass pass, const Push& push, int show_frame = 0) const;
+    /// Records a pass; barriers are the caller's. `set`: of textures, 0 or 1, for Pass::show; entry of Fields::slots for
+    /// the passes that the host reads.
+    void record(VkCommandBuffer commands, Pass pass, const Push& push, int set = 0) const;
     /// The same with work groups from Fields::commands, entry `n`.
     void record_indirect(VkCommandBuffer commands, Pass pass, const Push& push, std::uint32_t n) const;
 
   private:
-    void bind(VkCommandBuffer commands, Pass pass, const Push& push, int show_frame) const;
+    void bind(VkCommandBuffer commands, Pass pass, const Push& push, int set) const;
 
     const Functions* functions_ = nullptr;
     VkBuffer commands_ = VK_NULL_HANDLE;

@@ -1,23 +1,68 @@
 #include "fluid/vulkan/read_backs.h"
 
 #include "fluid/message.h"
+#include "fluid/view_place.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace windrow::vulkan {
+namespace {
 
-Result<void> ReadBacks::make(Air& air, int slots, bool queries, const RecordedFrame& start) {
-    queries_ = queries;
-    for (int n = 0; n < slots; ++n) {
-        auto buffer = Buffer::create(air.device(), air.slot_bytes(queries), MemoryUse::readback);
-        if (!buffer)
-            return Error{buffer.error()};
-        slots_.push_back({.buffer = *std::move(buffer), .frame = start});
+// First cell of a box of `size` cells around a point, within the wind's box.
+glm::ivec3 low_around(const RecordedFrame& frame, const std::optional<glm::dvec3>& around, glm::ivec3 size) {
+    const glm::dvec3 local = frame.frame.window.local(around.value_or(frame.frame.blend_centre));
+    glm::ivec3 low(0);
+    for (int axis = 0; axis < 3; ++axis) {
+        const double most = frame.box.cells[axis] - size[axis], wanted = std::floor(local[axis] - 0.5 * size[axis] + 0.5);
+        low[axis] = static_cast<int>(std::isfinite(wanted) ? std::clamp(wanted, 0.0, most) : std::floor(0.5 * most));
     }
-    if (queries)
-        cells_.reserve(start.box.cell_count());
-    return {};
+    return low;
+}
+
+// A part of the frame's box as a box of its own: open where it ends within the box.
+void cut(RecordedFrame& frame, glm::ivec3 low, glm::ivec3 size) {
+    Boundaries& boundaries = frame.box.boundaries;
+    const std::array<std::array<Boundary*, 2>, 3> faces = {{{&boundaries.x_low, &boundaries.x_high},
+                                                            {&boundaries.y_low, &boundaries.y_high},
+                                                            {&boundaries.z_low, &boundaries.z_high}}};
+    for (int axis = 0; axis < 3; ++axis) {
+        const bool whole = size[axis] == frame.box.cells[axis], periodic = frame.box.boundaries.periodic(axis);
+        if (low[axis] > 0 || (periodic && !whole))
+            *faces[static_cast<std::size_t>(axis)][0] = {};
+        if (low[axis] + size[axis] < frame.box.cells[axis] || (periodic && !whole))
+            *faces[static_cast<std::size_t>(axis)][1] = {};
+    }
+    frame.frame.window.origin_cells += CellIndex(low);
+    frame.box.cells = frame.frame.window.cells = size;
+}
+
+WindrowPoint point_in(const RecordedFrame& frame, glm::dvec3 position) {
+    const windrow::detail::ViewPlace place =
+        windrow::detail::place_in(frame.box, frame.frame.window, frame.blend_zone, frame.frame.ambient, position);
+    return {.low = place.low,
+            .fraction = place.fraction,
+            .high = place.high,
+            .unused_a = 0,
+            .between = place.between,
+            .unused_b = 0.0f,
+            .ambient = place.ambient,
+            .unused_c = 0.0f};
+}
+
+} // namespace
+
+void ReadBacks::make(const Air& air, int slots, const RecordedFrame& start) {
+    const auto points = static_cast<std::size_t>(air.reads().points);
+    held_ = slots;
+    for (int n = 0; n <= slots; ++n) {
+        readings_.push_back({.frame = start});
+        readings_.back().points.reserve(points);
+        if (n < slots)
+            slots_.push_back({.reading = n});
+    }
+    places_.reserve(points);
 }
 
 Result<int> ReadBacks::begin(const Air& air, int slot) {
@@ -29,23 +74,46 @@ Result<int> ReadBacks::begin(const Air& air, int slot) {
     return next;
 }
 
-void ReadBacks::record(Air& air, VkCommandBuffer commands, const RecordedFrame& frame) {
-    Reading& slot = slots_[static_cast<std::size_t>(last_)];
-    air.read_back(commands, slot.buffer, queries_);
+bool ReadBacks::asks(const Air& air, const RecordedFrame& frame, const ReadPlaces& places) const {
+    const Reads& reads = air.reads();
+    if (reads.kind == ReadBack::points)
+        return !places.points.empty();
+    return reads.kind == ReadBack::box && low_around(frame, places.around, reads.cells) != low_;
+}
+
+void ReadBacks::record(Air& air, VkCommandBuffer commands, const RecordedFrame& frame, const ReadPlaces& places) {
+    Slot& slot = slots_[static_cast<std::size_t>(last_)];
+    const Reads& reads = air.reads();
+    Reading& reading = readings_[static_cast<std::size_t>(slot.reading)];
+    reading.frame = frame;
+    ReadRequest request{.slot = slot.reading};
+    if (reads.kind == ReadBack::box) {
+        request.low = low_around(frame, places.around, reads.cells);
+        low_ = request.low;
+        cut(reading.frame, request.low, reads.cells);
+    }
+    if (reads.kind == ReadBack::points) {
+        const auto points = places.points.first(std::min(places.points.size(), static_cast<std::size_t>(reads.points)));
+        reading.points.assign(points.begin(), points.end());
+        places_.clear();
+        for (const glm::dvec3 position : points)
+            places_.push_back(point_in(frame, position));
+        request.points = places_;
+    }
+    air.read_back(commands, request);
     slot.pending = true;
     slot.ticked = air.stepped();
     slot.recording = recording_;
-    slot.frame = frame;
 }
 
 Result<bool> ReadBacks::take(const Air& air, int number) {
-    Reading& slot = slots_[static_cast<std::size_t>(number)];
+    Slot& slot = slots_[static_cast<std::size_t>(number)];
     if (!slot.pending)
         return false;
-    if (const VkResult result = slot.buffer.invalidate(); result != VK_SUCCESS)
+    if (const VkResult result = air.slot(slot.reading).invalidate(); result != VK_SUCCESS)
         return call_error("vkInvalidateMappedMemoryRanges", detail::message("the read-back of slot ", number), result);
     slot.pending = false;
-    const AirReport found = air.report(slot.buffer);
+    const AirReport found = air.report(slot.reading);
     if (slot.ticked) {
         repaired_ += found.repaired_cells;
         limited_ += found.limited_cells;
@@ -54,17 +122,13 @@ Result<bool> ReadBacks::take(const Air& air, int number) {
         return false;
     taken_recording_ = slot.recording;
     report_ = found;
-    tick_ = slot.frame.tick;
-    if (!queries_)
-        return true;
-    const auto cells = air.shown(slot.buffer);
-    cells_.assign(cells.begin(), cells.end());
-    frame_ = slot.frame;
+    std::swap(held_, slot.reading);
+    tick_ = held().frame.tick;
     return true;
 }
 
 void ReadBacks::forget() {
-    for (Reading& slot : slots_)
+    for (Slot& slot : slots_)
         slot.pending = false;
     last_ = before_last_;
     report_ = {};

@@ -1,4 +1,7 @@
-// Read-backs of the frames in flight, one slot each, and the latest result.
+// Read-backs of the frames in flight, and the latest that was taken.
+//
+// There is one buffer more than frames in flight: what was taken stays the host's, who reads it in place, until a newer one is
+// taken in exchange for it.
 #pragma once
 
 #include "fluid/vulkan/air.h"
@@ -17,16 +20,24 @@ struct RecordedFrame {
     std::uint64_t tick = 0; ///< the last one in it or before
 };
 
+/// What a frame asks to be read: a place, and points.
+struct ReadPlaces {
+    std::optional<glm::dvec3> around;     ///< [m] of ReadBack::box; none: what the box follows
+    std::span<const glm::dvec3> points{}; ///< [m] of ReadBack::points; those beyond the room for them are left out
+};
+
 class ReadBacks {
   public:
-    /// Makes the slots. `queries`: the cells are read back too; `start`: the wind before the first recording.
-    [[nodiscard]] Result<void> make(Air& air, int slots, bool queries, const RecordedFrame& start);
+    /// For `slots` frames in flight of an air with one slot more; `start`: the wind before the first recording.
+    void make(const Air& air, int slots, const RecordedFrame& start);
 
     [[nodiscard]] bool has(int slot) const { return slot >= 0 && slot < static_cast<int>(slots_.size()); }
     /// A recording begins: its slot, the next in turn for -1. What was recorded there before is taken; nothing changes where
     /// that fails.
     [[nodiscard]] Result<int> begin(const Air& air, int slot);
-    void record(Air& air, VkCommandBuffer commands, const RecordedFrame& frame);
+    /// True where the places are not those of the last read-back: it is due in a pause too.
+    [[nodiscard]] bool asks(const Air& air, const RecordedFrame& frame, const ReadPlaces& places) const;
+    void record(Air& air, VkCommandBuffer commands, const RecordedFrame& frame, const ReadPlaces& places);
     /// False where nothing waits there, or what is newer was taken already. The error: its memory could not be made visible to
     /// the host; it waits on.
     [[nodiscard]] Result<bool> take(const Air& air, int slot);
@@ -39,26 +50,36 @@ class ReadBacks {
     void take_counts(Diagnostics& diagnostics);
     [[nodiscard]] const AirReport& report() const { return report_; }
     [[nodiscard]] std::uint64_t tick() const { return tick_; } ///< of the report; 0: none was read
-    [[nodiscard]] const std::optional<RecordedFrame>& frame() const { return frame_; }
-    [[nodiscard]] std::span<const glm::vec4> cells() const { return cells_; } ///< [m/s] of the frame
+
+    /// The frame that was taken last; null before the first. Its box is the one that was read.
+    [[nodiscard]] const RecordedFrame* frame() const { return taken_recording_ > 0 ? &held().frame : nullptr; }
+    /// What lies in its buffer behind the report.
+    [[nodiscard]] std::span<const std::byte> bytes(const Air& air) const { return air.read(held_); }
+    [[nodiscard]] std::span<const glm::dvec3> points() const { return held().points; }
 
   private:
     struct Reading {
-        Buffer buffer;
+        RecordedFrame frame;
+        std::vector<glm::dvec3> points{}; ///< with room for all
+    };
+    struct Slot {
+        int reading = 0;
         bool pending = false;        ///< recorded, and not taken yet
         bool ticked = false;         ///< with ticks of its own, whose counts it reports
         std::uint64_t recording = 0; ///< counted from 1
-        RecordedFrame frame;
     };
-    std::vector<Reading> slots_;
-    bool queries_ = true;
+    [[nodiscard]] const Reading& held() const { return readings_[static_cast<std::size_t>(held_)]; }
+
+    std::vector<Reading> readings_;    ///< one for each of Fields::slots
+    std::vector<Slot> slots_;          ///< frames in flight
+    int held_ = 0;                     ///< the reading that the host holds
+    std::vector<WindrowPoint> places_; ///< scratch
     int last_ = -1, before_last_ = -1; ///< slots of the last two recordings
+    std::optional<glm::ivec3> low_;    ///< of the last recording, with ReadBack::box
     std::uint64_t recording_ = 0, taken_recording_ = 0;
     AirReport report_;
     std::uint64_t tick_ = 0;
     std::int64_t repaired_ = 0, limited_ = 0; ///< cells that were read back and not taken yet
-    std::optional<RecordedFrame> frame_;
-    std::vector<glm::vec4> cells_;
 };
 
 } // namespace windrow::vulkan

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <glm/vector_relational.hpp>
 #include <utility>
 
 namespace windrow::vulkan {
@@ -32,6 +33,26 @@ std::uint32_t laps_of(const Config& config, const Passes& passes) {
     return static_cast<std::uint32_t>(std::min(k_most, k_beside + static_cast<std::uint64_t>(config.ticks.max_per_call) * tick));
 }
 
+void check_reads(windrow::detail::Reasons& reasons, const Config& config, const Settings& settings) {
+    const glm::ivec3 size = settings.read_cells;
+    if (settings.queries == ReadBack::box &&
+        (glm::any(glm::lessThan(size, glm::ivec3(1))) || glm::any(glm::greaterThan(size, config.cells))))
+        reasons.add("read_cells is ", size.x, " x ", size.y, " x ", size.z, ": give 1 x 1 x 1 to the box's ", config.cells.x,
+                    " x ", config.cells.y, " x ", config.cells.z, ".");
+    if (settings.queries == ReadBack::points && (settings.read_points < 1 || settings.read_points > k_max_read_points))
+        reasons.add("read_points is ", settings.read_points, ": give 1 to ", k_max_read_points, ".");
+}
+
+// A slot more than frames in flight: the one that the host holds.
+Reads reads_of(const Config& config, const Settings& settings) {
+    Reads reads{.kind = settings.queries, .slots = settings.frames_in_flight + 1};
+    if (settings.queries == ReadBack::points)
+        reads.points = settings.read_points;
+    else if (settings.queries != ReadBack::none)
+        reads.cells = settings.queries == ReadBack::box ? settings.read_cells : config.cells;
+    return reads;
+}
+
 } // namespace
 
 Result<Wind> Wind::create(const Host& host, const Config& config, const Settings& settings) {
@@ -41,6 +62,7 @@ Result<Wind> Wind::create(const Host& host, const Config& config, const Settings
             reasons.add(valid.error());
         if (settings.frames_in_flight < 1 || settings.frames_in_flight > 8)
             reasons.add("frames_in_flight is ", settings.frames_in_flight, ": give 1 to 8, as many as the host has.");
+        check_reads(reasons, config, settings);
         if (!reasons.empty())
             return Error{reasons.take()};
         const glm::vec3 mean = admissible_ambient(config.boundaries, config.ambient);
@@ -48,13 +70,13 @@ Result<Wind> Wind::create(const Host& host, const Config& config, const Settings
         if (!ambient)
             return Error{ambient.error()};
         const bool gusts = settings.gusts || config.gusts.intensity > 0.0f || config.gusts.tile; // detail needs the tile alone
-        auto air = Air::create(host, config, {.half = settings.texel == Texel::half, .gusts = gusts});
+        auto air = Air::create(host, config,
+                               {.half = settings.texel == Texel::half, .gusts = gusts, .reads = reads_of(config, settings)});
         if (!air)
             return Error{air.error()};
         auto state = std::make_unique<State>(*std::move(air), config, settings, *ambient);
         Air& cells = *state->cells.air;
-        if (auto made = state->read_backs.make(cells, settings.frames_in_flight, settings.queries, state->frame_now()); !made)
-            return Error{made.error()};
+        state->read_backs.make(cells, settings.frames_in_flight, state->frame_now());
         if (settings.timestamps) {
             auto clock = PassClock::create(cells.device(), settings.frames_in_flight, laps_of(config, cells.passes()));
             if (!clock)
@@ -203,16 +225,50 @@ const AmbientWind& Wind::ambient_wind() const {
 
 // --- For the host -----------------------------------------------------------------------------------------------------------
 
-std::optional<WindView> Wind::queried() const {
-    const auto& read = state_->read_backs.frame();
-    if (!read)
+namespace {
+
+// The last read-back where it is of this kind, as a view with the cells given.
+std::optional<WindView> view_of(const Wind::State& state, std::span<const glm::vec4> cells) {
+    const RecordedFrame* const read = state.read_backs.frame();
+    if (read == nullptr)
         return std::nullopt;
-    return WindView(read->box, read->frame.window, read->blend_zone, read->frame.ambient, state_->read_backs.cells());
+    return WindView(read->box, read->frame.window, read->blend_zone, read->frame.ambient, cells);
+}
+
+template <class Value>
+std::span<const Value> values(std::span<const std::byte> bytes, std::size_t count) {
+    return {reinterpret_cast<const Value*>(bytes.data()), std::min(count, bytes.size() / sizeof(Value))};
+}
+
+} // namespace
+
+std::optional<WindView> Wind::queried() const {
+    const ReadBack kind = state_->settings.queries;
+    if (kind != ReadBack::cells && kind != ReadBack::box)
+        return std::nullopt;
+    const auto bytes = state_->read_backs.bytes(*state_->cells.air);
+    return view_of(*state_, values<glm::vec4>(bytes, bytes.size()));
+}
+
+std::optional<HalfView> Wind::queried_halves() const {
+    if (state_->settings.queries != ReadBack::halves)
+        return std::nullopt;
+    const auto place = view_of(*state_, {});
+    const auto bytes = state_->read_backs.bytes(*state_->cells.air);
+    return place ? std::optional(HalfView(*place, values<glm::u16vec4>(bytes, bytes.size()))) : std::nullopt;
+}
+
+std::optional<PointWinds> Wind::queried_points() const {
+    const ReadBacks& read = state_->read_backs;
+    if (state_->settings.queries != ReadBack::points || read.frame() == nullptr)
+        return std::nullopt;
+    return PointWinds{.positions = read.points(),
+                      .velocities = values<glm::vec4>(read.bytes(*state_->cells.air), read.points().size())};
 }
 
 double Wind::query_age() const {
-    const auto& read = state_->read_backs.frame();
-    return read ? state_->time - read->time : 0.0;
+    const RecordedFrame* const read = state_->read_backs.frame();
+    return read != nullptr ? state_->time - read->time : 0.0;
 }
 
 Diagnostics Wind::reported() {
@@ -220,8 +276,11 @@ Diagnostics Wind::reported() {
 }
 
 glm::vec3 Wind::velocity(glm::dvec3 position) const {
-    const auto view = queried();
-    return view ? view->velocity(position) : ambient_wind().velocity(position);
+    if (const auto view = queried())
+        return view->velocity(position);
+    if (const auto halves = queried_halves())
+        return halves->velocity(position);
+    return ambient_wind().velocity(position);
 }
 
 int Wind::dispatches() const {

@@ -18,6 +18,7 @@
 #include "fluid/owned.h"
 #include "fluid/vulkan/host.h"
 #include "fluid/vulkan/pass_times.h"
+#include "fluid/vulkan/read_back.h"
 #include "fluid/wind.h"
 
 #include <array>
@@ -25,6 +26,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 
 namespace windrow::vulkan {
 
@@ -44,10 +46,17 @@ struct Settings {
     /// Times each pass on the device (pass_times). Default off: it costs two timestamps a dispatch, and holds a pass back until
     /// the one before it has ended. Rejected where the queue family has no timestamps (timestampValidBits is 0).
     bool timestamps = false;
-    /// The cells come back to the host for `queried` and `velocity`: 16 bytes per cell and frame, except while the air sleeps and
-    /// in a pause without changes. Default true. False: only reports come back, and `queried` is empty.
-    bool queries = true;
+    /// What comes back to the host with each frame, besides the report of 32 bytes (read_back.h). Default none: a game that only
+    /// samples on the device reads nothing. Nothing comes back while the air sleeps, nor in a pause without changes, except for
+    /// points that are given and a box that moved.
+    ReadBack queries = ReadBack::none;
+    /// [cells] Size of ReadBack::box, at most the wind's box. Default 8 x 8 x 8: a body and its surroundings.
+    glm::ivec3 read_cells{8};
+    /// Most points of a frame with ReadBack::points, 1 to k_max_read_points. They travel inside the command buffer, 64 bytes each.
+    /// Default 64.
+    int read_points = 64;
 };
+inline constexpr int k_max_read_points = 4096;
 
 /// A frame to record.
 struct Frame {
@@ -59,6 +68,12 @@ struct Frame {
     /// the frame before the last frames_in_flight. A recording that `forget` follows counts as none: its slot's turn is still to
     /// come. Where more than one was thrown away, name the slot.
     int slot = -1;
+    /// [m] World point that ReadBack::box is centred on, to whole cells and within the wind's box. Default, and where it is not
+    /// finite: the point that the box follows, or its middle.
+    std::optional<glm::dvec3> around{};
+    /// [m] World points whose wind ReadBack::points reads. Those beyond Settings::read_points are left out. Read during the call
+    /// alone.
+    std::span<const glm::dvec3> points{};
 };
 
 /// The three textures of a frame, x, y, z, in VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL for every shader stage that comes after
@@ -131,15 +146,24 @@ class Wind {
     [[nodiscard]] const AmbientWind& ambient_wind() const;
 
     // --- For the host: what was read back ----------------------------------------------------------------------------------
-    /// The wind of the last frame whose read-back is in, to sample on the CPU; nothing before the first. Good until the next
-    /// recording. For many points, and for the wind that acts on plants, keep the view: it has both (fluid/view.h).
+    //
+    // Views read the device's memory in place. They are good until the next recording, or a `collect` that takes one.
+
+    /// The wind of the last frame whose read-back is in, to sample on the CPU: of all cells, or of ReadBack::box, which fades to
+    /// the ambient wind over one cell beyond it. Nothing before the first, and with the other kinds of read-back. For many
+    /// points, and for the wind that acts on plants, keep the view: it has both (fluid/view.h).
     [[nodiscard]] std::optional<WindView> queried() const;
+    /// The same with ReadBack::halves.
+    [[nodiscard]] std::optional<HalfView> queried_halves() const;
+    /// The wind at the points of the last frame whose read-back is in, with ReadBack::points.
+    [[nodiscard]] std::optional<PointWinds> queried_points() const;
     /// [s] Time of the frames recorded since that one. With ticks each frame shows a moment up to a tick before its own.
     [[nodiscard]] double query_age() const;
-    /// Diagnostics of the last tick in `queried`; stepped = false before the first. Cells that were repaired or limited are
+    /// Diagnostics of the last tick that was read back, with any kind of read-back; stepped = false before the first. Cells that were repaired or limited are
     /// reported once, here or by a recording.
     [[nodiscard]] Diagnostics reported();
-    /// [m/s] Wind at one world point as of `queried`, which it makes anew each time; the ambient wind before the first.
+    /// [m/s] Wind at one world point as of `queried` or `queried_halves`, which it makes anew each time. The ambient wind of this
+    /// frame where there is neither: before the first, and where no cells are read back.
     [[nodiscard]] glm::vec3 velocity(glm::dvec3 position) const;
 
     /// Dispatches and pipeline barriers of the last recording. Sub-steps that the device leaves out are counted: their dispatches

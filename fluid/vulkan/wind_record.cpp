@@ -53,13 +53,17 @@ void Wind::State::end(VkCommandBuffer commands, const Frame& frame) {
     bool both = false;
     if (cells.blend) {
         both = write_textures(commands);
-        if (frame.dt > 0.0 || asked_ || !core.frames || !read_backs.frame()) { // a pause between ticks changes nothing
-            if (before_read_back)
-                before_read_back(commands);
-            if (clock)
-                clock->begin_read_back(commands);
-            read_backs.record(*cells.air, commands, frame_now());
-        }
+    }
+    // A pause between ticks changes nothing.
+    const bool changed = cells.blend && (frame.dt > 0.0 || asked_ || !core.frames || read_backs.frame() == nullptr);
+    const RecordedFrame now = frame_now();
+    const ReadPlaces places{.around = frame.around, .points = frame.points};
+    if (changed || read_backs.asks(*cells.air, now, places)) {
+        if (before_read_back)
+            before_read_back(commands);
+        if (clock)
+            clock->begin_read_back(commands);
+        read_backs.record(*cells.air, commands, now, places);
     }
     cells.end();
     if (clock)

@@ -82,6 +82,30 @@ struct WindrowControl {
     uint limited_cells;         // as these
 };
 
+// What the host reads of the last tick of a recording: 32 bytes.
+struct WindrowReport {
+    float largest_component; // [m/s] after the tick
+    float apart;             // [m/s] largest difference from the ambient wind in a component
+    float cfl;               // Courant number
+    int substeps;            // negative: more were wanted than allowed
+    uint repaired_cells;     // of all ticks of the recording
+    uint limited_cells;      // as these
+    float squares;           // [m^2/s^2] sum of |u|^2
+    float divergence_squares; // [1/s^2] sum of the squared divergence
+};
+
+// A point whose wind the host asked for: u = ambient + fraction (trilinear - ambient).
+struct WindrowPoint {
+    ivec3 low;      // cells around it
+    float fraction; // weight of the box's wind
+    ivec3 high;
+    int unused_a;
+    vec3 between; // of the way from the low to the high cell, on each axis
+    float unused_b;
+    vec3 ambient; // [m/s]
+    float unused_c;
+};
+
 // Where a padded index takes its value from: value = scale * source + offset, or the ambient wind.
 struct WindrowRule {
     int source;           // cell along the axis
@@ -134,6 +158,22 @@ struct WindrowAdjustPush {
 struct WindrowShowPush {
     float factor; // of the way from the tick before to now
     int reports;  // 1: a tick is to be reported
+};
+
+struct WindrowReportPush {
+    int sums; // entries to reduce
+};
+
+struct WindrowReadPush {
+    ivec3 low;    // first cell that is read
+    float factor; // as WindrowShowPush
+    ivec3 size;   // cells along each axis
+    int unused;
+};
+
+struct WindrowPointsPush {
+    float factor; // as WindrowShowPush
+    int points;
 };
 
 // One motor; fluid/motor_reach.h.

@@ -1,5 +1,5 @@
-// Output of a frame: the wind between the last two ticks as three textures and as cells, and the figures of the tick's report.
-#define WINDROW_READS_TILE 7
+// Output of a frame: the wind between the last two ticks as three textures, and the figures of the tick's report.
+#define WINDROW_READS_TILE 6
 #define WINDROW_PUSH WindrowShowPush
 #define WINDROW_BETWEEN_TICKS
 #include "fluid/pass.glsl"
@@ -7,15 +7,15 @@
 layout(std430, set = 0, binding = 2) readonly buffer Velocity { vec4 velocity[]; };
 layout(std430, set = 0, binding = 3) readonly buffer Before { vec4 before[]; };
 layout(std430, set = 0, binding = 4) readonly buffer Expansion { float expansion[]; };
-layout(std430, set = 0, binding = 5) writeonly buffer Shown { vec4 shown[]; };
 // of |u|^2 and of the squared divergence, a work group each
-layout(std430, set = 0, binding = 6) writeonly buffer Sums { vec2 sums[]; };
-layout(WINDROW_TEXEL, set = 0, binding = 8) writeonly uniform image3D axis_x;
-layout(WINDROW_TEXEL, set = 0, binding = 9) writeonly uniform image3D axis_y;
-layout(WINDROW_TEXEL, set = 0, binding = 10) writeonly uniform image3D axis_z;
+layout(std430, set = 0, binding = 5) writeonly buffer Sums { vec2 sums[]; };
+layout(WINDROW_TEXEL, set = 0, binding = 7) writeonly uniform image3D axis_x;
+layout(WINDROW_TEXEL, set = 0, binding = 8) writeonly uniform image3D axis_y;
+layout(WINDROW_TEXEL, set = 0, binding = 9) writeonly uniform image3D axis_z;
 
 #define WINDROW_FIELD velocity
 #include "fluid/divergence.glsl"
+#include "fluid/shown.glsl"
 
 layout(constant_id = 3) const int k_group = 128; // invocations
 shared vec2 parts[k_group];
@@ -32,10 +32,7 @@ void main() {
     if (inside(cell, tick.cells)) {
         const int at = cell_index(cell);
         const vec4 u = velocity[at];
-        const float factor = push.factor;
-        // Non-finite values are not shown: after a repair the output is the current air.
-        const vec4 now = factor == 1.0f || control.nonfinite_cells > 0u ? u : before[at] + factor * (u - before[at]);
-        shown[at] = now;
+        const vec4 now = shown_cell(at, push.factor);
         imageStore(axis_x, cell, vec4(now.x, 0.0f, 0.0f, 0.0f));
         imageStore(axis_y, cell, vec4(now.y, 0.0f, 0.0f, 0.0f));
         imageStore(axis_z, cell, vec4(now.z, 0.0f, 0.0f, 0.0f));

@@ -16,7 +16,7 @@ namespace {
 class PassTimesTest : public Gpu {
   protected:
     [[nodiscard]] Result<Wind> make(const Config& config, bool timestamps) const {
-        return Wind::create(own->host(), config, {.frames_in_flight = 2, .timestamps = timestamps});
+        return Wind::create(own->host(), config, {.frames_in_flight = 2, .timestamps = timestamps, .queries = ReadBack::cells});
     }
 
     void frame(Wind& wind, int n) {
@@ -57,7 +57,7 @@ TEST_F(PassTimesTest, EveryPassOfARecordingHasATimeAndTheirSumIsWithinTheWhole) 
             sum += pass.us;
         }
         EXPECT_GT(times->read_back_us, 0.0);
-        EXPECT_LE(sum + times->read_back_us, times->whole_us);
+        EXPECT_LE(std::max(sum, times->read_back_us), times->whole_us);
         const auto has = [&](const char* name) {
             return std::any_of(times->passes.begin(), times->passes.end(),
                                [&](const PassTimes::Pass& pass) { return std::string(pass.name) == name; });

@@ -27,8 +27,8 @@ class WindAllocations : public Gpu {
 
     // Each call may fail; what was recorded before and after must run.
     void live() {
-        auto made =
-            Wind::create(own->host(), {.cells = k_cells, .ambient = {2.0f, 0.0f, 0.0f}, .viscosity = 1.0f}, {.gusts = true});
+        auto made = Wind::create(own->host(), {.cells = k_cells, .ambient = {2.0f, 0.0f, 0.0f}, .viscosity = 1.0f},
+                                 {.gusts = true, .queries = ReadBack::points});
         note(made);
         if (!made)
             return;

@@ -95,7 +95,7 @@ class WindBarriers : public Gpu {
     // Leaves out each barrier once: how many were, and how many of them were noticed. Under a sanitizer too: of a few of them the
     // share would tell nothing.
     void try_all(const char* name, const Config& config) {
-        auto wind = Wind::create(host, config, {.frames_in_flight = k_frames, .gusts = true});
+        auto wind = Wind::create(host, config, {.frames_in_flight = k_frames, .gusts = true, .queries = ReadBack::cells});
         ASSERT_TRUE(wind) << wind.error();
         ASSERT_TRUE(wind->motors().add(VortexMotor{}));
         ASSERT_TRUE(wind->motors().add(DirectionalMotor{.law = Force{}}));

@@ -45,7 +45,7 @@ class WindFaults : public Gpu {
     Result<void> live(const Host& host, int& frames) {
         frames = 0;
         auto wind = Wind::create(host, {.cells = k_cells, .ambient = {2.0f, 0.0f, 0.0f}, .viscosity = 1.0f},
-                                 {.gusts = true, .timestamps = true});
+                                 {.gusts = true, .timestamps = true, .queries = ReadBack::cells});
         if (!wind)
             return Error{wind.error()};
         const std::vector<glm::vec4> start(static_cast<std::size_t>(k_cells.x * k_cells.y * k_cells.z),
@@ -144,7 +144,8 @@ TEST_F(WindFaults, OfAReadBackStopTheRecordingAndNothingIsLost) {
     host.get_instance_proc_addr = &counted_instance_call;
     g_table = counted(*real);
     {
-        auto wind = Wind::create(host, {.cells = k_cells, .ambient = {2.0f, 0.0f, 0.0f}}, {.frames_in_flight = 1});
+        auto wind = Wind::create(host, {.cells = k_cells, .ambient = {2.0f, 0.0f, 0.0f}},
+                                 {.frames_in_flight = 1, .queries = ReadBack::cells});
         ASSERT_TRUE(wind) << wind.error();
         run([&](VkCommandBuffer commands) {
             held(wind->record(commands, {.dt = 1.0 / 30.0}));
@@ -164,7 +165,7 @@ TEST_F(WindFaults, OfAReadBackStopTheRecordingAndNothingIsLost) {
 // The device is gone: what was read back last goes on on the CPU.
 TEST_F(WindFaults, TheHostGoesOnWithTheCpu) {
     const Config config{.cells = k_cells, .ambient = {2.0f, 0.0f, 0.0f}};
-    auto wind = Wind::create(own->host(), config);
+    auto wind = Wind::create(own->host(), config, {.queries = ReadBack::cells});
     ASSERT_TRUE(wind) << wind.error();
     ASSERT_TRUE(wind->motors().add(DirectionalMotor{}));
     for (int frame = 0; frame < 12; ++frame)

@@ -1,4 +1,4 @@
-// Recordings that are never submitted, slots out of turn, winds without queries, and what waits while nothing is recorded.
+// Recordings that are never submitted, slots out of turn, and what waits while nothing is recorded.
 #include "fluid/vulkan/work_queue.h"
 #include "tests/parity/wind_parity.h"
 
@@ -105,20 +105,6 @@ TEST_F(WindRecordings, ThatAreRejectedSayWhyAndLeaveTheWindAsItWas) {
     run([&](VkCommandBuffer commands) { held(wind->record(commands, {.dt = 1.0 / 30.0})); }); // slot 1, whose turn it is
     EXPECT_TRUE(wind->collect(1));
     EXPECT_EQ(wind->query_age(), 0.0);
-}
-
-TEST_F(WindRecordings, WithoutQueriesTellTheirReportsAlone) {
-    const Config config{.cells = {16, 16, 16}, .ambient = {2.0f, 0.0f, 1.0f}};
-    auto with = Wind::create(own->host(), config), without = Wind::create(own->host(), config, {.queries = false});
-    ASSERT_TRUE(with && without);
-    EXPECT_GE(with->memory_bytes(), without->memory_bytes() + 2 * 16 * 4096);
-    Diagnostics told;
-    for (int n = 0; n < 5; ++n) {
-        run([&](VkCommandBuffer commands) { told = held(without->record_step(commands, {.dt = 1.0 / 30.0})); });
-        EXPECT_FALSE(without->queried());
-    }
-    EXPECT_EQ(told.max_speed, 2.0f);
-    EXPECT_EQ(without->velocity({0.0, 0.0, 0.0}), glm::vec3(2.0f, 0.0f, 1.0f)); // the ambient wind
 }
 
 // A window that is minimised for an hour: what waits stays small.

@@ -89,6 +89,8 @@ class WindParity : public Gpu {
     TwoWinds make(const Config& config, int in_flight = 0, Settings settings = {.texel = Texel::single}) {
         auto cpu = windrow::Wind::create(config);
         settings.frames_in_flight = std::max(in_flight, 1);
+        if (settings.queries == ReadBack::none)
+            settings.queries = ReadBack::cells;
         auto gpu = Wind::create(own->host(), config, settings);
         EXPECT_TRUE(cpu) << cpu.error();
         EXPECT_TRUE(gpu) << gpu.error();

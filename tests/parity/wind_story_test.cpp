@@ -159,8 +159,9 @@ class WindStories : public WindParity {
         config.sleep_speed = sleep_speed;
         const int in_flight = chance.below(4); // 0: each frame is waited for
         auto cpu = windrow::Wind::create(config);
-        auto gpu = Wind::create(own->host(), config,
-                                {.texel = Texel::single, .frames_in_flight = std::max(in_flight, 1), .gusts = true});
+        auto gpu = Wind::create(
+            own->host(), config,
+            {.texel = Texel::single, .frames_in_flight = std::max(in_flight, 1), .gusts = true, .queries = ReadBack::cells});
         EXPECT_TRUE(cpu && gpu);
         TwoWinds pair{*std::move(cpu), *std::move(gpu), std::max(in_flight, 1),
                       in_flight > 0 ? std::make_unique<Submitter>(own->host(), in_flight) : nullptr};

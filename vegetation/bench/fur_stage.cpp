@@ -36,8 +36,7 @@ windrow::vulkan::Wind wind_of(const engine::Device& device, const FurCase& wante
         air.ambient = wanted.ambient;
         air.gusts = {.intensity = wanted.gusts, .length = wanted.gust_length};
     }
-    return held(
-        windrow::vulkan::Wind::create(device.host(), air, {.frames_in_flight = engine::k_frames_in_flight, .queries = false}));
+    return held(windrow::vulkan::Wind::create(device.host(), air, {.frames_in_flight = engine::k_frames_in_flight}));
 }
 
 } // namespace

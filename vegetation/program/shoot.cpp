@@ -49,8 +49,7 @@ Result<void> Shoot::make() {
     auto wind = windrow::vulkan::Wind::create(device_->host(), air,
                                               {.frames_in_flight = engine::k_frames_in_flight,
                                                .gusts = picture.sampling.detail > 0.0f,
-                                               .timestamps = settings_.pass_times,
-                                               .queries = false});
+                                               .timestamps = settings_.pass_times});
     if (!wind)
         return Error{"$.air: " + wind.error()};
     wind_ = *std::move(wind);

@@ -46,8 +46,9 @@ Result<std::optional<DeviceGridResult>> measure_device_grid(vulkan::OwnDevice& o
     };
     std::vector<Own> winds;
     Result<void> made;
-    const auto add = [&](const char* name, const Config& config, bool timestamps) {
-        auto wind = vulkan::Wind::create(own.host(), config, {.frames_in_flight = 2, .timestamps = timestamps});
+    const auto add = [&](const char* name, const Config& config, vulkan::Settings settings) {
+        settings.frames_in_flight = 2;
+        auto wind = vulkan::Wind::create(own.host(), config, settings);
         if (!wind) {
             made = Error{wind.error()};
             return;
@@ -55,9 +56,9 @@ Result<std::optional<DeviceGridResult>> measure_device_grid(vulkan::OwnDevice& o
         winds.push_back({name, std::make_unique<WindRecordings>(*std::move(wind), RecordingPlan{.flow = flow})});
         winds.back().number = contest->add(winds.back().wind->contestant());
     };
-    add("second_order", usual, false);
-    add("one_substep", single, false);
-    add("passes", single, true); // empty sub-steps would be in its sums
+    add("second_order", usual, {.queries = vulkan::ReadBack::cells}); // compared with the CPU
+    add("one_substep", single, {});
+    add("passes", single, {.timestamps = true}); // empty sub-steps would be in its sums
     if (!made)
         return Error{made.error()};
     const auto add_plain = [&](void (PlainPasses::*pass)(VkCommandBuffer)) {
@@ -89,7 +90,7 @@ Result<std::optional<DeviceGridResult>> measure_device_grid(vulkan::OwnDevice& o
     result.copy_us = contest->microseconds(copy);
     winds[2].wind->add_passes(result);
     WindRecordings& first = *winds[0].wind;
-    result.memory_bytes = first.wind().memory_bytes();
+    result.memory_bytes = winds[1].wind->wind().memory_bytes(); // of a wind that reads back its report alone
     result.max_substeps = first.max_substeps();
     result.slept = first.slept();
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 namespace windrow::cli {
@@ -20,6 +21,10 @@ int ran_in_a_step(const vulkan::Passes& passes, Pass pass) {
         std::count_if(stages.begin(), stages.end(), [&](const vulkan::Passes::Stage& stage) { return stage.pass == pass; });
     const bool once = pass == Pass::sources || pass == Pass::plan || pass == Pass::show;
     return static_cast<int>(in_substep) + (once ? 1 : 0);
+}
+
+bool is_of_read_back(std::string_view name) {
+    return name == name_of(Pass::report) || name == name_of(Pass::read_cells) || name == name_of(Pass::read_points);
 }
 
 } // namespace
@@ -72,7 +77,7 @@ void WindRecordings::note() {
         Samples& samples = passes_[pass.name];
         samples.us.push_back(static_cast<float>(pass.us));
         samples.dispatches = pass.dispatches;
-        sum += pass.us;
+        sum += is_of_read_back(pass.name) ? 0.0 : pass.us;
     }
     timed_.push_back(static_cast<float>(times->whole_us - times->read_back_us));
     between_.push_back(static_cast<float>(times->whole_us - times->read_back_us - sum));
@@ -88,7 +93,7 @@ void WindRecordings::add_passes(DeviceGridResult& result) const {
     for (std::size_t n = 0; n < vulkan::k_passes; ++n) {
         const auto pass = static_cast<Pass>(n);
         const auto found = passes_.find(name_of(pass));
-        if (found == passes_.end())
+        if (found == passes_.end() || reads_back(pass))
             continue;
         const int ran = ran_in_a_step(air.passes(), pass);
         result.passes.push_back({.name = found->first,
@@ -98,7 +103,7 @@ void WindRecordings::add_passes(DeviceGridResult& result) const {
                                  .bytes = static_cast<std::uint64_t>(ran) * air.passes().bytes(pass)});
         result.pass_bytes += result.passes.back().bytes;
     }
-    result.read_back_bytes = 2 * air.slot_bytes(); // read and written
+    result.read_back_bytes = vulkan::Air::slot_bytes(air.reads());
     result.timed_us = device_spread(timed_);
     result.between_us = device_spread(between_);
     result.read_back_us = device_spread(read_back_);

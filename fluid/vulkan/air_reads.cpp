@@ -1,0 +1,58 @@
+// What the host reads of a frame: the report, and the cells or the wind at points that it asked for. Shaders write them into the
+// mapped memory of a slot; nothing is copied.
+#include "fluid/vulkan/air.h"
+
+#include <cstring>
+
+namespace windrow::vulkan {
+
+VkDeviceSize Air::slot_bytes(const Reads& reads) {
+    const glm::u64vec3 cells(reads.cells);
+    const VkDeviceSize count =
+        reads.kind == ReadBack::points ? static_cast<VkDeviceSize>(reads.points) : cells.x * cells.y * cells.z;
+    const VkDeviceSize each = reads.kind == ReadBack::halves ? sizeof(glm::u16vec4) : sizeof(glm::vec4);
+    return sizeof(WindrowReport) + (reads.kind == ReadBack::none ? 0 : count * each);
+}
+
+void Air::read_back(VkCommandBuffer commands, const ReadRequest& request) {
+    const ReadBack kind = settings_.reads.kind;
+    barrier(k_compute | k_transfer, k_compute);
+    const auto sums = static_cast<int>(fields_.sums.bytes() / sizeof(glm::vec2));
+    dispatch(commands, Pass::report, WindrowReportPush{.sums = sums}, request.slot);
+    if (kind == ReadBack::points) {
+        if (!request.points.empty()) {
+            barrier(k_compute, k_compute | k_transfer);
+            write(commands, fields_.points, std::as_bytes(request.points));
+            barrier(k_transfer, k_compute);
+            dispatch(commands, Pass::read_points,
+                     WindrowPointsPush{.factor = shown_factor_, .points = static_cast<int>(request.points.size())}, request.slot);
+        }
+    } else if (kind != ReadBack::none) {
+        barrier(k_compute, k_compute); // they write one buffer
+        dispatch(commands, Pass::read_cells,
+                 WindrowReadPush{.low = request.low, .factor = shown_factor_, .size = settings_.reads.cells, .unused = 0},
+                 request.slot);
+    }
+    barrier(k_compute, VK_PIPELINE_STAGE_HOST_BIT | k_compute | k_transfer);
+}
+
+AirReport Air::report(int slot) const {
+    WindrowReport read{};
+    std::memcpy(&read, this->slot(slot).mapped(), sizeof(read));
+    return {.largest_component = read.largest_component,
+            .cfl = read.cfl,
+            .substeps = std::abs(read.substeps),
+            .substeps_capped = read.substeps < 0,
+            .repaired_cells = static_cast<int>(read.repaired_cells),
+            .limited_cells = static_cast<int>(read.limited_cells),
+            .apart = read.apart,
+            .squares = static_cast<double>(read.squares),
+            .divergence_squares = static_cast<double>(read.divergence_squares)};
+}
+
+std::span<const std::byte> Air::read(int slot) const {
+    const Buffer& buffer = this->slot(slot);
+    return {buffer.mapped() + sizeof(WindrowReport), static_cast<std::size_t>(buffer.bytes()) - sizeof(WindrowReport)};
+}
+
+} // namespace windrow::vulkan
