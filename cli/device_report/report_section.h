@@ -75,6 +75,9 @@ Result<void> report_facts(SectionRun& run);
 Result<void> report_costs(SectionRun& run);
 Result<void> report_times(SectionRun& run);
 Result<void> report_parity(SectionRun& run);
+Result<void> report_queries(SectionRun& run);
 Result<void> report_pipelines(SectionRun& run);
+Result<void> report_meadow(SectionRun& run);
+Result<void> report_pictures(SectionRun& run);
 
 } // namespace windrow::cli

@@ -140,6 +140,22 @@ TEST_F(DeviceReport, ParityRunsEachKindOfPath) {
     EXPECT_EQ(frames.size(), 3u);
 }
 
+TEST_F(DeviceReport, ShadersFindTheWindAndPicturesAreDrawn) {
+    const CommandOutcome outcome = report({"--quick", "--only", "queries", "pictures", "--seconds", "20"});
+    ASSERT_EQ(outcome.code, k_exit_well) << outcome.err << outcome.out;
+    const nlohmann::json sections = json()["sections"];
+    ASSERT_EQ(sections["queries"]["queries"].size(), 4u);
+    for (const nlohmann::json& row : sections["queries"]["queries"]) {
+        EXPECT_TRUE(row["pass"]) << row;
+        EXPECT_GT(row["largest"], 0.1) << row;
+    }
+    ASSERT_EQ(sections["pictures"]["pictures"].size(), 3u);
+    for (const nlohmann::json& row : sections["pictures"]["pictures"]) {
+        const fs::path file = out / row["file"].get<std::string>();
+        EXPECT_GT(fs::file_size(file), 100'000u) << file << ": nothing but an even ground";
+    }
+}
+
 // Mesa's compiler for AMD runs without a device. It is in mesa-vulkan-drivers, as the software driver of the other tests.
 TEST_F(DeviceReport, PipelinesAreCompiledForADeviceThatIsNotThere) {
     const char* const driver = "/usr/share/vulkan/icd.d/radeon_icd.x86_64.json";
