@@ -79,7 +79,8 @@ Result<void> Air::make() {
                                             .sums = Passes::sums(*device_, config_.cells),
                                             .diffuses = prepared_ != DiffusionMethod::none,
                                             .gusts = settings_.gusts,
-                                            .texel = settings_.half ? VK_FORMAT_R16_SFLOAT : VK_FORMAT_R32_SFLOAT,
+                                            .texel = settings_.texel,
+                                            .textures = settings_.textures,
                                             .slots = static_cast<std::uint32_t>(settings_.reads.slots),
                                             .slot_bytes = slot_bytes(settings_.reads),
                                             .points = static_cast<std::uint32_t>(settings_.reads.points)});
@@ -89,7 +90,8 @@ Result<void> Air::make() {
     auto passes = Passes::create(*device_, fields_,
                                  {.cells = config_.cells,
                                   .projects = config_.stages.projection,
-                                  .half = settings_.half,
+                                  .texel = settings_.texel,
+                                  .textures = settings_.textures,
                                   .read_cells = settings_.reads.cells,
                                   .read_halves = settings_.reads.kind == ReadBack::halves});
     if (!passes)
@@ -357,9 +359,10 @@ void Air::step(VkCommandBuffer commands, const CellStep& step) {
 }
 
 void Air::show(VkCommandBuffer commands, float factor, int frame, bool reports) {
-    VkImageMemoryBarrier images[3] = {};
-    for (int axis = 0; axis < 3; ++axis)
-        images[axis] = {.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER,
+    std::array<VkImageMemoryBarrier, 4> all{};
+    std::size_t count = 0;
+    fields_.each_image(frame, [&](const Image3D& image) {
+        all[count++] = {.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER,
                         .pNext = nullptr,
                         .srcAccessMask = 0,
                         .dstAccessMask = VK_ACCESS_SHADER_WRITE_BIT,
@@ -367,8 +370,10 @@ void Air::show(VkCommandBuffer commands, float factor, int frame, bool reports) 
                         .newLayout = VK_IMAGE_LAYOUT_GENERAL,
                         .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
                         .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-                        .image = fields_.axes[frame][axis].handle(),
+                        .image = image.handle(),
                         .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1}};
+    });
+    const std::span images(all.data(), count);
     // Readers of two frames ago finish first.
     barrier(VK_PIPELINE_STAGE_ALL_COMMANDS_BIT | k_compute | k_transfer, k_compute);
     wait(commands, images);
@@ -386,7 +391,7 @@ void Air::show(VkCommandBuffer commands, float factor, int frame, bool reports) 
                                .srcAccessMask = writes_of(k_compute | k_transfer),
                                .dstAccessMask = VK_ACCESS_SHADER_READ_BIT};
     device_->functions().vkCmdPipelineBarrier(commands, k_compute | k_transfer, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 1, &tile,
-                                              0, nullptr, 3, images);
+                                              0, nullptr, static_cast<std::uint32_t>(images.size()), images.data());
     ++barriers_;
 }
 

@@ -65,7 +65,8 @@ class Air {
   public:
     /// Rejects what the device cannot hold or run. The fields hold nothing yet: `fill` first.
     struct Settings {
-        bool half = true;  ///< R16F textures, else R32F
+        Texel texel = Texel::half;
+        TextureSet textures = TextureSet::vectors;
         bool gusts = true; ///< there is room for a tile of gusts
         Reads reads{};
     };

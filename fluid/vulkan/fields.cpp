@@ -56,16 +56,21 @@ Result<Fields> Fields::create(Device& device, const Sizes& sizes) {
         make(slot, "slots", sizes.slot_bytes, 0, MemoryUse::readback);
     const VkExtent3D extent = {static_cast<std::uint32_t>(sizes.cells.x), static_cast<std::uint32_t>(sizes.cells.y),
                                static_cast<std::uint32_t>(sizes.cells.z)};
-    for (auto& frame : fields.axes)
-        for (Image3D& axis : frame) {
-            if (!trouble.empty())
-                break;
-            auto made = Image3D::create(device, extent, sizes.texel);
-            if (made)
-                axis = *std::move(made);
-            else
-                trouble = made.error();
-        }
+    const auto make_image = [&](Image3D& image, VkFormat half, VkFormat single) {
+        if (!trouble.empty())
+            return;
+        auto made = Image3D::create(device, extent, sizes.texel == Texel::half ? half : single);
+        if (made)
+            image = *std::move(made);
+        else
+            trouble = made.error();
+    };
+    for (int frame = 0; frame < 2; ++frame) {
+        if (has_vectors(sizes.textures))
+            make_image(fields.vectors[frame], VK_FORMAT_R16G16B16A16_SFLOAT, VK_FORMAT_R32G32B32A32_SFLOAT);
+        for (int axis = 0; axis < 3 && has_axes(sizes.textures); ++axis)
+            make_image(fields.axes[frame][axis], VK_FORMAT_R16_SFLOAT, VK_FORMAT_R32_SFLOAT);
+    }
     if (!trouble.empty())
         return Error{trouble};
     return fields;

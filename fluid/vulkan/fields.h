@@ -10,6 +10,7 @@
 #include "fluid/box.h"
 #include "fluid/motors.h"
 #include "fluid/vulkan/device.h"
+#include "fluid/vulkan/textures.h"
 
 #include <cstdint>
 #include <optional>
@@ -27,10 +28,11 @@ struct Fields {
         std::uint32_t sums = 1;
         bool diffuses = false; ///< else `diffused` is a stand-in
         bool gusts = false;    ///< else `tile` is one
-        VkFormat texel = VK_FORMAT_R16_SFLOAT;
-        std::uint32_t slots = 1;      ///< that the host reads
-        VkDeviceSize slot_bytes = 32; ///< the report, then what the host asked for
-        std::uint32_t points = 0;     ///< that the host may ask for in a frame
+        Texel texel = Texel::half;
+        TextureSet textures = TextureSet::vectors; ///< what it has not stays empty
+        std::uint32_t slots = 1;                   ///< that the host reads
+        VkDeviceSize slot_bytes = 32;              ///< the report, then what the host asked for
+        std::uint32_t points = 0;                  ///< that the host may ask for in a frame
     };
     [[nodiscard]] static Result<Fields> create(Device& device, const Sizes& sizes);
 
@@ -39,8 +41,15 @@ struct Fields {
     Buffer padded, expansion, hat, potential, sums;
     Buffer points;             ///< WindrowPoint; empty without
     std::vector<Buffer> slots; ///< mapped; WindrowReport, then cells or winds
-    /// [0] and [1]: of this frame and of the last, in turns; x, y, z.
-    Image3D axes[2][3];
+    /// [0] and [1]: of this frame and of the last, in turns. Four components; x, y, z.
+    Image3D vectors[2], axes[2][3];
+    /// The images of a frame that there are, at most four: the bindings of Pass::show.
+    template <class Use>
+    void each_image(int frame, const Use& use) const {
+        for (const Image3D* image : {&vectors[frame], &axes[frame][0], &axes[frame][1], &axes[frame][2]})
+            if (image->handle() != VK_NULL_HANDLE)
+                use(*image);
+    }
 };
 
 /// Most motors of a tick: what Motors can hold, wakes in pieces.

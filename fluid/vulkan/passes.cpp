@@ -15,7 +15,11 @@
 #include "shader_words/modes_between.h"
 #include "shader_words/modes_forward.h"
 #include "shader_words/output_float.h"
+#include "shader_words/output_float_axes.h"
+#include "shader_words/output_float_both.h"
 #include "shader_words/output_half.h"
+#include "shader_words/output_half_axes.h"
+#include "shader_words/output_half_both.h"
 #include "shader_words/pad.h"
 #include "shader_words/place.h"
 #include "shader_words/plan.h"
@@ -95,10 +99,27 @@ std::uint64_t bytes_of(const Plan& plan, const Fields& f, std::uint64_t image_by
     return bytes;
 }
 
-// Of the three textures of a frame.
+// Of the textures of a frame.
 std::uint64_t texel_bytes(const Passes::Settings& settings) {
     const glm::u64vec3 cells(settings.cells);
-    return 3 * (settings.half ? 2 : 4) * cells.x * cells.y * cells.z;
+    const std::uint64_t components = (has_vectors(settings.textures) ? 4 : 0) + (has_axes(settings.textures) ? 3 : 0);
+    return components * (settings.texel == Texel::half ? 2 : 4) * cells.x * cells.y * cells.z;
+}
+
+std::span<const std::uint32_t> show_code(const Passes::Settings& settings) {
+    namespace words = shader_words;
+    const bool half = settings.texel == Texel::half;
+    const auto of = [half](std::span<const std::uint32_t> with_half, std::span<const std::uint32_t> with_float) {
+        return half ? with_half : with_float;
+    };
+    switch (settings.textures) {
+    case TextureSet::axes:
+        return of(words::output_half_axes, words::output_float_axes);
+    case TextureSet::both:
+        return of(words::output_half_both, words::output_float_both);
+    default:
+        return of(words::output_half, words::output_float);
+    }
 }
 
 } // namespace
@@ -135,7 +156,6 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
     const std::vector<std::uint32_t> both_axes = {tiles.x, tiles.z, yes(true), yes(tiles.whole)};
     const std::vector<std::uint32_t> second_axis = {tiles.between_x, nz, yes(false), yes(true)};
     const Groups lines{64, 1, 1}, over_columns{blocks(nx * nz, lines[0]), 1, 1};
-    const auto show = settings.half ? std::span<const std::uint32_t>(words::output_half) : words::output_float;
     std::vector<Plan> plans;
     const auto over = [&](const Groups& local, const Groups& groups, const std::vector<std::uint32_t>& constants = {},
                           std::uint32_t shared = 0) {
@@ -171,7 +191,7 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
     a_cell(Pass::gradient, words::gradient,
            of(f.step, f.control, f.potential, f.arrived, f.source_flow, f.velocity, f.velocity_old, f.history, f.tile));
     over(cell, over_cells, {cell[0] * cell[1] * cell[2]})(
-        Pass::show, show, of(f.step, f.control, f.velocity, f.before, f.expansion, f.sums, f.tile));
+        Pass::show, show_code(settings), of(f.step, f.control, f.velocity, f.before, f.expansion, f.sums, f.tile));
     const auto to_host = [&] { plans.back().to_host = true; };
     over(line, {1, 1, 1}, {solve})(Pass::report, words::report, of(f.step, f.control, f.sums, f.slots[0]));
     to_host();
@@ -200,8 +220,9 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
             !fits)
             return Error{fits.error()};
         std::vector<VkDescriptorType> kinds(plan.buffers.size(), VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
-        const int images = plan.pass == Pass::show ? 3 : 0;
-        kinds.insert(kinds.end(), images, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
+        const bool shows = plan.pass == Pass::show;
+        if (shows)
+            fields.each_image(0, [&](const Image3D&) { kinds.push_back(VK_DESCRIPTOR_TYPE_STORAGE_IMAGE); });
         std::vector<std::uint32_t> constants(plan.local.begin(), plan.local.end());
         constants.insert(constants.end(), plan.constants.begin(), plan.constants.end());
         auto pipeline = Pipeline::create(device, {.code = plan.code,
@@ -213,17 +234,19 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
             return Error{pipeline.error()};
         passes.pipelines_[n] = *std::move(pipeline);
         passes.groups_[n] = plan.groups;
-        passes.bytes_[n] = bytes_of(plan, fields, images > 0 ? texel_bytes(settings) : 0);
+        passes.bytes_[n] = bytes_of(plan, fields, shows ? texel_bytes(settings) : 0);
         passes.first_set_[n] = contents.size();
-        const std::size_t sets = plan.to_host ? fields.slots.size() : images > 0 ? 2 : 1;
+        const std::size_t sets = plan.to_host ? fields.slots.size() : shows ? 2 : 1;
         for (std::size_t one = 0; one < sets; ++one) {
             Sets::Content content{.pipeline = &passes.pipelines_[n], .bindings = {}};
             for (const Buffer* buffer : plan.buffers)
                 content.bindings.push_back({.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, .buffer = buffer->handle()});
             if (plan.to_host)
                 content.bindings.back().buffer = fields.slots[one].handle();
-            for (int axis = 0; axis < images; ++axis)
-                content.bindings.push_back({.type = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, .view = fields.axes[one][axis].view()});
+            if (shows)
+                fields.each_image(static_cast<int>(one), [&](const Image3D& image) {
+                    content.bindings.push_back({.type = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, .view = image.view()});
+                });
             contents.push_back(std::move(content));
         }
     }

@@ -72,7 +72,8 @@ class Passes {
     struct Settings {
         glm::ivec3 cells{0};
         bool projects = true;
-        bool half = true;         ///< R16F textures, else R32F
+        Texel texel = Texel::half;
+        TextureSet textures = TextureSet::vectors;
         glm::ivec3 read_cells{0}; ///< box of cells that come back to the host; 0: none
         bool read_halves = false; ///< as halves, else floats
     };

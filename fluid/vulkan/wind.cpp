@@ -70,8 +70,9 @@ Result<Wind> Wind::create(const Host& host, const Config& config, const Settings
         if (!ambient)
             return Error{ambient.error()};
         const bool gusts = settings.gusts || config.gusts.intensity > 0.0f || config.gusts.tile; // detail needs the tile alone
-        auto air = Air::create(host, config,
-                               {.half = settings.texel == Texel::half, .gusts = gusts, .reads = reads_of(config, settings)});
+        auto air = Air::create(
+            host, config,
+            {.texel = settings.texel, .textures = settings.textures, .gusts = gusts, .reads = reads_of(config, settings)});
         if (!air)
             return Error{air.error()};
         auto state = std::make_unique<State>(*std::move(air), config, settings, *ambient);
@@ -162,10 +163,10 @@ namespace {
 
 Textures textures_of(const Fields& fields, int set) {
     Textures textures;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        textures.images[axis] = fields.axes[set][axis].handle();
-        textures.views[axis] = fields.axes[set][axis].view();
-    }
+    const auto of = [](const Image3D& image) { return Texture{image.handle(), image.view()}; };
+    textures.vectors = of(fields.vectors[set]);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        textures.axes[axis] = of(fields.axes[set][axis]);
     return textures;
 }
 

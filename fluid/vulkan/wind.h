@@ -7,7 +7,7 @@
 //     if (!done)
 //         log(done.error());                                                                        // and nothing was recorded
 //     bind(wind->textures(), wind->previous_textures(), wind->frame_block(camera_position));
-//                                                                                 // shaders/coupling/windrow_wind.glsl
+//                                                       // textures.h, for shaders/coupling/windrow_wind.glsl
 //
 // Config, motors, gusts, ticks, boundaries and step are those of windrow::Wind (fluid/wind.h documents each call), and
 // velocities are the same to rounding. Only sleep begins some frames later, when a read-back has shown that the air is still.
@@ -19,9 +19,9 @@
 #include "fluid/vulkan/host.h"
 #include "fluid/vulkan/pass_times.h"
 #include "fluid/vulkan/read_back.h"
+#include "fluid/vulkan/textures.h"
 #include "fluid/wind.h"
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -30,14 +30,10 @@
 
 namespace windrow::vulkan {
 
-/// Format of the textures.
-enum class Texel : std::uint8_t {
-    half,  ///< R16F: 11 bits, enough for plants. The default.
-    single ///< R32F
-};
-
 struct Settings {
     Texel texel = Texel::half;
+    /// Textures that each frame writes; others are not created. Default: one of four components, one fetch a sample.
+    TextureSet textures = TextureSet::vectors;
     /// Frames that the host keeps in flight, 1 to 8: as many read-backs wait for their turn. Default 2.
     int frames_in_flight = 2;
     /// Room for gusts, or for detail (Gusts::tile), that begin later than the wind itself (16 bytes a cell and its halo).
@@ -74,13 +70,6 @@ struct Frame {
     /// [m] World points whose wind ReadBack::points reads. Those beyond Settings::read_points are left out. Read during the call
     /// alone.
     std::span<const glm::dvec3> points{};
-};
-
-/// The three textures of a frame, x, y, z, in VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL for every shader stage that comes after
-/// the recording in submission order.
-struct Textures {
-    std::array<VkImage, 3> images{};
-    std::array<VkImageView, 3> views{};
 };
 
 class Wind {

@@ -25,7 +25,7 @@
 // [m/s] What a thing at p feels that moves at `velocity` [m/s]: this frame, and the one before.
 vec3 windrow_wind_on(vec3 p, vec3 velocity) { return windrow_apparent(windrow_velocity(p), p, velocity); }
 vec3 windrow_wind_on_previous(vec3 p, vec3 velocity) {
-    return windrow_felt(0, windrow_ambient_before, windrow_velocity_previous(p) - velocity, p);
+    return windrow_apparent_previous(windrow_velocity_previous(p), p, velocity);
 }
 
 // A bend that a texture or a buffer holds as x and z.

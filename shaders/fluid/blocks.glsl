@@ -84,13 +84,13 @@ struct WindrowControl {
 
 // What the host reads of the last tick of a recording: 32 bytes.
 struct WindrowReport {
-    float largest_component; // [m/s] after the tick
-    float apart;             // [m/s] largest difference from the ambient wind in a component
-    float cfl;               // Courant number
-    int substeps;            // negative: more were wanted than allowed
-    uint repaired_cells;     // of all ticks of the recording
-    uint limited_cells;      // as these
-    float squares;           // [m^2/s^2] sum of |u|^2
+    float largest_component;  // [m/s] after the tick
+    float apart;              // [m/s] largest difference from the ambient wind in a component
+    float cfl;                // Courant number
+    int substeps;             // negative: more were wanted than allowed
+    uint repaired_cells;      // of all ticks of the recording
+    uint limited_cells;       // as these
+    float squares;            // [m^2/s^2] sum of |u|^2
     float divergence_squares; // [1/s^2] sum of the squared divergence
 };
 

@@ -1,4 +1,6 @@
-// Output of a frame: the wind between the last two ticks as three textures, and the figures of the tick's report.
+// Output of a frame: the wind between the last two ticks as textures, and the figures of the tick's report.
+//
+// WINDROW_VECTORS and WINDROW_AXES are the formats of one texture of four components and of three of one; each alone, or both.
 #define WINDROW_READS_TILE 6
 #define WINDROW_PUSH WindrowShowPush
 #define WINDROW_BETWEEN_TICKS
@@ -9,9 +11,29 @@ layout(std430, set = 0, binding = 3) readonly buffer Before { vec4 before[]; };
 layout(std430, set = 0, binding = 4) readonly buffer Expansion { float expansion[]; };
 // of |u|^2 and of the squared divergence, a work group each
 layout(std430, set = 0, binding = 5) writeonly buffer Sums { vec2 sums[]; };
-layout(WINDROW_TEXEL, set = 0, binding = 7) writeonly uniform image3D axis_x;
-layout(WINDROW_TEXEL, set = 0, binding = 8) writeonly uniform image3D axis_y;
-layout(WINDROW_TEXEL, set = 0, binding = 9) writeonly uniform image3D axis_z;
+#ifdef WINDROW_VECTORS
+#define WINDROW_FIRST_AXIS 8
+layout(WINDROW_VECTORS, set = 0, binding = 7) writeonly uniform image3D vectors;
+#else
+#define WINDROW_FIRST_AXIS 7
+#endif
+#ifdef WINDROW_AXES
+layout(WINDROW_AXES, set = 0, binding = WINDROW_FIRST_AXIS) writeonly uniform image3D axis_x;
+layout(WINDROW_AXES, set = 0, binding = WINDROW_FIRST_AXIS + 1) writeonly uniform image3D axis_y;
+layout(WINDROW_AXES, set = 0, binding = WINDROW_FIRST_AXIS + 2) writeonly uniform image3D axis_z;
+#endif
+
+// Shows `u` at a cell.
+void write_texels(ivec3 cell, vec3 u) {
+#ifdef WINDROW_VECTORS
+    imageStore(vectors, cell, vec4(u, 0.0f));
+#endif
+#ifdef WINDROW_AXES
+    imageStore(axis_x, cell, vec4(u.x, 0.0f, 0.0f, 0.0f));
+    imageStore(axis_y, cell, vec4(u.y, 0.0f, 0.0f, 0.0f));
+    imageStore(axis_z, cell, vec4(u.z, 0.0f, 0.0f, 0.0f));
+#endif
+}
 
 #define WINDROW_FIELD velocity
 #include "fluid/divergence.glsl"
@@ -33,9 +55,7 @@ void main() {
         const int at = cell_index(cell);
         const vec4 u = velocity[at];
         const vec4 now = shown_cell(at, push.factor);
-        imageStore(axis_x, cell, vec4(now.x, 0.0f, 0.0f, 0.0f));
-        imageStore(axis_y, cell, vec4(now.y, 0.0f, 0.0f, 0.0f));
-        imageStore(axis_z, cell, vec4(now.z, 0.0f, 0.0f, 0.0f));
+        write_texels(cell, now.xyz);
         if (reports) {
             float divergence = 0.0f;
             if (is_on(WINDROW_PROJECTS)) {

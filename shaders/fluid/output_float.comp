@@ -1,4 +1,4 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#define WINDROW_TEXEL r32f
+#define WINDROW_VECTORS rgba32f
 #include "fluid/output.glsl"

@@ -1,4 +1,4 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#define WINDROW_TEXEL r16f
+#define WINDROW_VECTORS rgba16f
 #include "fluid/output.glsl"

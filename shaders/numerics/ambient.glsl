@@ -101,7 +101,7 @@ WINDROW_FN float windrow_speed(vec3 u) {
 // [m/s] Small-scale detail of a wind `u` at `local` [m] from the anchor; never longer than its share of |u|.
 WINDROW_FN vec3 windrow_detail(WINDROW_TILE tile, WindrowAmbient ambient, vec3 u, vec3 local) {
     if (!(ambient.detail_amount > 0.0f))
-        return vec3(0.0f);
+        return vec3(0.0f, 0.0f, 0.0f);
     vec3 offset = ambient.detail_texels * local + ambient.detail_fraction;
     vec3 ripple = windrow_tile_at(tile, ivec3(ambient.detail_texel), offset) / ambient.longest_gust;
     return ambient.detail_amount * windrow_speed(u) * ripple;
@@ -114,7 +114,7 @@ WINDROW_FN bool windrow_not_finite(float value) { return (floatBitsToUint(value)
 // The limit is met from below, by a margin of half a millionth, so that no rounding exceeds it.
 WINDROW_FN vec3 windrow_limited(vec3 u, float strength, float limit) {
     if (windrow_not_finite(u.x) || windrow_not_finite(u.y) || windrow_not_finite(u.z))
-        return vec3(0.0f);
+        return vec3(0.0f, 0.0f, 0.0f);
     float most = 0.9999995f * limit;
     float largest = max(max(abs(u.x), abs(u.y)), max(abs(u.z), 1e-30f));
     vec3 direction = u / largest;

@@ -31,4 +31,18 @@ WINDROW_FN float windrow_axis_sample(float local, float cells, float low_kind) {
     return clamp(local, 0.5f, cells - 0.5f);
 }
 
+// Both shares of an axis; `reach` 0: no blend zone along it.
+WINDROW_FN float windrow_axis_share(float local, float cells, float low_kind, float high_kind, float from_point, float reach,
+                                    float width) {
+    float blend = reach > 0.0f ? windrow_blend_fraction(from_point, reach, width) : 1.0f;
+    return blend * windrow_axis_fraction(local, cells, low_kind, high_kind);
+}
+
+// Texel of an axis for one that may be -1 or `cells`: wrapped on a periodic axis, else the outermost.
+WINDROW_FN int windrow_axis_texel(int texel, int cells, float low_kind) {
+    if (low_kind == 2.0f)
+        return texel < 0 ? cells - 1 : (texel < cells ? texel : 0);
+    return clamp(texel, 0, cells - 1);
+}
+
 #endif

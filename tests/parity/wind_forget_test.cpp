@@ -90,7 +90,7 @@ TEST_F(WindRecordings, ThatAreRejectedSayWhyAndLeaveTheWindAsItWas) {
     const double infinity = std::numeric_limits<double>::infinity();
     run([&](VkCommandBuffer commands) {
         held(wind->record(commands, {.dt = 1.0 / 30.0})); // slot 0
-        const VkImage shown = wind->textures().images[0];
+        const VkImage shown = wind->textures().vectors.image;
         expect_error(wind->record(commands, {.dt = -1.0}), "dt is -1: give");
         expect_error(wind->record(commands, {.dt = infinity}), "dt is inf: give");
         expect_error(wind->record(commands, {.dt = std::nan("")}), "dt is nan: give");
@@ -99,7 +99,7 @@ TEST_F(WindRecordings, ThatAreRejectedSayWhyAndLeaveTheWindAsItWas) {
         expect_error(wind->record_step(commands, {.dt = 0.0, .slot = -2}), "slot is -2: give one from 0 to 1 (Settings::");
         expect_error(wind->record(VK_NULL_HANDLE, {.dt = -0.1}), "commands is null: give a command buffer");
         expect_error(wind->record(VK_NULL_HANDLE, {.dt = -0.1}), "dt is -0.1: give");
-        EXPECT_EQ(wind->textures().images[0], shown);
+        EXPECT_EQ(wind->textures().vectors.image, shown);
     });
     EXPECT_EQ(wind->query_age(), 0.0);                                                        // nothing was read yet
     run([&](VkCommandBuffer commands) { held(wind->record(commands, {.dt = 1.0 / 30.0})); }); // slot 1, whose turn it is

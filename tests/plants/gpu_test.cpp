@@ -3,18 +3,15 @@
 #include "coupling/plant_numerics.h"
 #include "coupling/shell.h"
 #include "coupling/tree.h"
-#include "fluid/vulkan/wind.h"
 #include "shader_words/bend_plants.h"
 #include "shader_words/wind_plants.h"
 #include "tests/fields.h"
-#include "tests/figure.h"
-#include "tests/parity/gpu.h"
+#include "tests/parity/wind_shader.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <glm/geometric.hpp>
 #include <string>
 #include <vector>
@@ -111,46 +108,17 @@ std::vector<PlantCase> random_cases(std::size_t count) {
     return cases;
 }
 
-class PlantsOnTheDevice : public Gpu {
-  protected:
-    static constexpr VkDescriptorType k_storage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-
-    Buffer uploaded(const void* data, std::size_t bytes, VkBufferUsageFlags more_usage = 0) {
-        Buffer to = *Buffer::create(*device, bytes, MemoryUse::upload, more_usage);
-        std::memcpy(to.mapped(), data, bytes);
-        EXPECT_EQ(to.flush(), VK_SUCCESS);
-        return to;
-    }
-    void dispatch(const Pipeline& pipeline, const std::vector<Binding>& bindings, std::size_t count) {
-        const Sets::Content content{&pipeline, bindings};
-        Sets sets = *Sets::create(*device, {&content, 1});
-        run([&](VkCommandBuffer commands) {
-            const VkDescriptorSet set = sets.at(0);
-            const Functions& call = device->functions();
-            call.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.handle());
-            call.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.layout(), 0, 1, &set, 0, nullptr);
-            call.vkCmdDispatch(commands, static_cast<std::uint32_t>(count + 63) / 64, 1, 1);
-            barrier(commands);
-        });
-    }
-};
+using PlantsOnTheDevice = WindShader;
 
 TEST_F(PlantsOnTheDevice, BendAsOnTheCpu) {
     constexpr std::size_t k_count = 100'000;
     const std::vector<PlantCase> cases = random_cases(k_count);
     const Classes kinds = classes();
-    const std::vector<VkDescriptorType> types(3, k_storage);
     {
-        const Pipeline pipeline = *Pipeline::create(
-            *device, {.code = shader_words::bend_plants, .bindings = types, .constants = {}, .name = "bend_plants"});
-        const Buffer in = uploaded(cases.data(), k_count * sizeof(PlantCase)), told = uploaded(&kinds, sizeof kinds),
-                     out = buffer(k_count * sizeof(PlantAnswer), MemoryUse::readback);
-        dispatch(pipeline,
-                 {{.type = k_storage, .buffer = in.handle()},
-                  {.type = k_storage, .buffer = out.handle()},
-                  {.type = k_storage, .buffer = told.handle()}},
-                 k_count);
-        const std::vector<PlantAnswer> answers = read<PlantAnswer>(out, k_count);
+        const Buffer of_classes = uploaded(std::span(&kinds, 1));
+        const std::array others{storage(2)};
+        const std::vector<PlantAnswer> answers = dispatched<PlantAnswer>(shader_words::bend_plants, cases, 1, others,
+                                                                         [&](VkDescriptorSet set) { point(set, 2, of_classes); });
 
         std::size_t chances = 0;
         struct ComparedMember {
@@ -246,32 +214,9 @@ TEST_F(PlantsOnTheDevice, BendInTheWindOfABoxAsOnTheCpu) {
                 run([&](VkCommandBuffer commands) { held(gpu->record(commands, {.dt = 1.0 / 30.0})); });
                 (void)cpu->advance(1.0 / 30.0);
             }
-            constexpr VkDescriptorType texture = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-            std::vector<VkDescriptorType> types(3, k_storage);
-            types.push_back(VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER);
-            types.insert(types.end(), 6, texture);
-            types.push_back(k_storage);
-            const Pipeline pipeline = *Pipeline::create(
-                *device, {.code = shader_words::wind_plants, .bindings = types, .constants = {}, .name = "wind_plants"});
-            const FrameBlock told = gpu->frame_block(anchor, sampling);
-            const Buffer in = uploaded(places.data(), k_count * sizeof(glm::vec4)), classes_told = uploaded(&kinds, sizeof kinds),
-                         block = uploaded(&told, sizeof told, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT),
-                         out = buffer(6 * k_count * sizeof(glm::vec4), MemoryUse::readback);
-            VkSamplerCreateInfo nearest{};
-            nearest.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
-            VkSampler sampler = VK_NULL_HANDLE;
-            EXPECT_EQ(device->functions().vkCreateSampler(device->host().device, &nearest, nullptr, &sampler), VK_SUCCESS);
-            std::vector<Binding> bindings = {{.type = k_storage, .buffer = in.handle()},
-                                             {.type = k_storage, .buffer = out.handle()},
-                                             {.type = k_storage, .buffer = classes_told.handle()},
-                                             {.type = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, .buffer = block.handle()}};
-            for (const Textures& frame : {gpu->textures(), gpu->previous_textures()})
-                for (const VkImageView view : frame.views)
-                    bindings.push_back({.type = texture, .view = view, .sampler = sampler});
-            bindings.push_back({.type = k_storage, .buffer = gpu->gust_buffer()});
-            dispatch(pipeline, bindings, k_count);
-            device->functions().vkDestroySampler(device->host().device, sampler, nullptr);
-            return read<glm::vec4>(out, 6 * k_count);
+            const Buffer of_classes = uploaded(std::span(&kinds, 1));
+            return sampled(shader_words::wind_plants, *gpu, TextureSet::vectors, places, 6, gpu->frame_block(anchor, sampling),
+                           {storage(2)}, [&](VkDescriptorSet set) { point(set, 2, of_classes); });
         }();
 
         // Winds agree to 1e-5 m/s of both samplings and 1e-4 of the steps; a blade of 0.3 m leans by 0.1 m a metre a second at

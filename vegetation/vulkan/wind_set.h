@@ -14,13 +14,15 @@ class WindSet {
 
     [[nodiscard]] VkDescriptorSetLayout layout() const { return layout_; }
     /// The set of a frame in flight, filled for the current position of the wind. Positions in shaders are relative to `anchor`
-    /// [m].
+    /// [m]. Throws Failure where the wind writes three textures alone (Settings::textures).
     [[nodiscard]] VkDescriptorSet of(int slot, const vulkan::Wind& wind, glm::dvec3 anchor, const Sampling& sampling);
 
   private:
-    const Device& device_;
+    VkSampler sampler(const Boundaries& boundaries);
+
+    Objects& objects_;
     VkDescriptorSetLayout layout_ = VK_NULL_HANDLE;
-    VkSampler sampler_ = VK_NULL_HANDLE;
+    std::array<VkSampler, 8> samplers_{}; ///< by the axes that are periodic; made when first needed
     std::array<VkDescriptorSet, k_frames_in_flight> sets_{};
     FrameBuffers blocks_{};
 };

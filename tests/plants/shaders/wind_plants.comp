@@ -2,6 +2,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define WINDROW_BINDING 3
+#define WINDROW_EXACT
 #include "coupling/windrow_plants.glsl"
 
 layout(local_size_x = 64) in;

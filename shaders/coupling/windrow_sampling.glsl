@@ -1,0 +1,120 @@
+// The wind at a point, from textures and a block that the caller passes: no binding, any set layout, any stage. For hosts with
+// fixed bindings windrow_wind.glsl has them; HLSL has windrow_wind.hlsl. One text for all.
+//
+//     layout(set = 0, binding = 0) uniform sampler3D volumes[];                       // bindless: yours
+//     layout(std430, set = 0, binding = 1) readonly buffer Winds { WindrowFrame winds[]; };
+//
+//     #define WINDROW_TEXTURES uint                                                   // what stands for a frame's textures
+//     vec3 windrow_texture(uint volume, vec3 place) { return textureLod(volumes[nonuniformEXT(volume)], place, 0.0).xyz; }
+//     #define WINDROW_TILE uint                                                       // what stands for a gust tile
+//     vec3 windrow_tile_texel(uint tile, ivec3 texel) { ... }                         // numerics/ambient.glsl
+//     #include "coupling/windrow_sampling.glsl"
+//
+//     vec3 u = windrow_velocity_at(volume, tile, winds[i], p);                        // [m/s] at p [m] from the block's anchor
+//
+// Weights between texels, by a define before this text:
+//   (none)            the texture unit's: one fetch of a four-component texture, three of three scalar ones. The sampler is linear,
+//                     repeats along periodic axes and clamps to the edge along others (vulkan::sampler_info, fluid/vulkan/textures.h).
+//                     A unit with b bits between texels (subTexelPrecisionBits, 8 as a rule) is off by 3/2^(b+1) of the largest
+//                     difference among the eight texels, at most. Needs windrow_texture.
+//   WINDROW_EXACT     float weights, by eight fetches of a four-component texture, 24 of three; any sampler does. For tests, and
+//                     for R32F and RGBA32F where the device does not filter them. Needs windrow_texel.
+#ifndef WINDROW_SAMPLING_GLSL
+#define WINDROW_SAMPLING_GLSL
+
+#ifndef WINDROW_TEXTURES
+#define WINDROW_TEXTURES sampler3D // four components
+#ifdef WINDROW_EXACT
+// One texel; each index lies within the box.
+vec3 windrow_texel(WINDROW_TEXTURES textures, ivec3 texel) { return texelFetch(textures, texel, 0).xyz; }
+#else
+// Filtered, at a place that is 0 to 1 along each axis of the box.
+vec3 windrow_texture(WINDROW_TEXTURES textures, vec3 place) { return textureLod(textures, place, 0.0f).xyz; }
+#endif
+#endif
+
+#include "../numerics/ambient.glsl"
+#include "../numerics/window.glsl"
+
+// The same layout as windrow::WindowBlock (fluid/textures.h), which says more of each field.
+struct WindrowWindow {
+    vec3 origin;
+    float cell_size;
+    vec3 cells;
+    float factor;
+    vec3 previous_origin, ambient, low_boundaries, high_boundaries;
+    vec3 blend_centre;
+    float blend_width;
+    vec3 blend_reach, previous_blend_centre;
+};
+
+// The same layout as windrow::FrameBlock, in a uniform block (std140) and in a buffer (std430) alike: 368 bytes.
+struct WindrowFrame {
+    WindrowWindow window;
+    WindrowAmbient ambient, previous_ambient;
+};
+
+// Share of the box's wind at a point: `local` in cells from the box's corner, `from_centre` [m] from the point that the blend zone
+// follows.
+float windrow_box_fraction(WindrowWindow window, vec3 local, vec3 from_centre) {
+    return windrow_axis_share(local.x, window.cells.x, window.low_boundaries.x, window.high_boundaries.x, from_centre.x,
+                              window.blend_reach.x, window.blend_width) *
+           windrow_axis_share(local.y, window.cells.y, window.low_boundaries.y, window.high_boundaries.y, from_centre.y,
+                              window.blend_reach.y, window.blend_width) *
+           windrow_axis_share(local.z, window.cells.z, window.low_boundaries.z, window.high_boundaries.z, from_centre.z,
+                              window.blend_reach.z, window.blend_width);
+}
+
+// The textures at `local`, trilinear.
+#ifdef WINDROW_EXACT
+vec3 windrow_box_velocity(WINDROW_TEXTURES textures, WindrowWindow window, vec3 local) {
+    vec3 kinds = window.low_boundaries;
+    vec3 at = vec3(windrow_axis_sample(local.x, window.cells.x, kinds.x), windrow_axis_sample(local.y, window.cells.y, kinds.y),
+                   windrow_axis_sample(local.z, window.cells.z, kinds.z)) -
+              0.5f;
+    vec3 below = floor(at), t = at - below;
+    ivec3 cells = ivec3(window.cells), under = ivec3(below);
+    ivec3 low = ivec3(windrow_axis_texel(under.x, cells.x, kinds.x), windrow_axis_texel(under.y, cells.y, kinds.y),
+                      windrow_axis_texel(under.z, cells.z, kinds.z));
+    ivec3 high = ivec3(windrow_axis_texel(under.x + 1, cells.x, kinds.x), windrow_axis_texel(under.y + 1, cells.y, kinds.y),
+                       windrow_axis_texel(under.z + 1, cells.z, kinds.z));
+    vec3 ll = windrow_tile_blend(windrow_texel(textures, low), windrow_texel(textures, ivec3(high.x, low.y, low.z)), t.x);
+    vec3 hl = windrow_tile_blend(windrow_texel(textures, ivec3(low.x, high.y, low.z)),
+                                 windrow_texel(textures, ivec3(high.x, high.y, low.z)), t.x);
+    vec3 lh = windrow_tile_blend(windrow_texel(textures, ivec3(low.x, low.y, high.z)),
+                                 windrow_texel(textures, ivec3(high.x, low.y, high.z)), t.x);
+    vec3 hh = windrow_tile_blend(windrow_texel(textures, ivec3(low.x, high.y, high.z)), windrow_texel(textures, high), t.x);
+    return windrow_tile_blend(windrow_tile_blend(ll, hl, t.y), windrow_tile_blend(lh, hh, t.y), t.z);
+}
+#else
+vec3 windrow_box_velocity(WINDROW_TEXTURES textures, WindrowWindow window, vec3 local) {
+    return windrow_texture(textures, local / window.cells); // the sampler wraps and clamps
+}
+#endif
+
+// One frame's wind at p: its textures within its box, its ambient wind around it. What has no share is not fetched.
+vec3 windrow_blended_velocity(WINDROW_TEXTURES textures, WINDROW_TILE tile, WindrowWindow window, WindrowAmbient ambient,
+                              vec3 origin, vec3 blend_centre, vec3 p) {
+    vec3 local = (p - origin) / window.cell_size;
+    float share = windrow_box_fraction(window, local, p - blend_centre);
+    vec3 wind = vec3(0.0f, 0.0f, 0.0f);
+    if (!(share >= 1.0f))
+        wind = windrow_ambient(tile, ambient, p);
+    if (share > 0.0f)
+        wind += share * (windrow_box_velocity(textures, window, local) - wind);
+    return wind;
+}
+
+// [m/s] The wind at p [m] from the anchor of the block, of this frame's textures.
+vec3 windrow_velocity_at(WINDROW_TEXTURES textures, WINDROW_TILE tile, WindrowFrame frame, vec3 p) {
+    return windrow_blended_velocity(textures, tile, frame.window, frame.ambient, frame.window.origin, frame.window.blend_centre,
+                                    p);
+}
+
+// [m/s] The same a frame ago, at the same place, of the textures of the frame before.
+vec3 windrow_velocity_previous_at(WINDROW_TEXTURES textures, WINDROW_TILE tile, WindrowFrame frame, vec3 p) {
+    return windrow_blended_velocity(textures, tile, frame.window, frame.previous_ambient, frame.window.previous_origin,
+                                    frame.window.previous_blend_centre, p);
+}
+
+#endif
