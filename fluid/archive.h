@@ -107,6 +107,10 @@ class Writer {
                 store_number(to + 4 * n, values[n / 4][static_cast<int>(n % 4)]);
         }
     }
+    /// Leaves a gap of zeros, to be filled in later; returns where it begins.
+    [[nodiscard]] std::size_t leave(std::size_t size) { return static_cast<std::size_t>(grow(size) - bytes_.data()); }
+    /// All so far, unsealed.
+    [[nodiscard]] std::vector<std::byte> take() && { return std::move(bytes_); }
     [[nodiscard]] std::vector<std::byte> finish(const Format& format) && {
         seal(bytes_, format);
         return std::move(bytes_);

@@ -1,9 +1,12 @@
-// Snapshot: the whole state of a wind as bytes, and back.
+// Snapshot: the whole state of a wind as bytes, and back. One text serves winds on the CPU and on a device, whose cells are filled
+// in later.
 //
 // It holds all state that affects the future. It omits scratch (workspace, gathered sources, diffused and own velocity, segments
 // of a path) and derived data (tables, axes that follow, the ambient wind cell by cell, gust tiles from their seeds). Equal
 // states give equal bytes: unused fields are omitted (the second-order history of fresh air, the report of a sleeping wind
 // while it is awake).
+#include "fluid/snapshot.h"
+
 #include "fluid/ambient_record.h"
 #include "fluid/archive.h"
 #include "fluid/cpu/workspace.h"
@@ -61,6 +64,51 @@ void fields(auto& archive, Like<Diagnostics> auto& report) { // of a sleeping wi
 } // namespace detail
 
 using detail::AmbientRecord, detail::Like, detail::Reading, detail::Tiles;
+
+namespace {
+
+/// Writer that leaves gaps for what a device holds.
+class DraftWriter {
+  public:
+    DraftWriter(std::size_t expected, std::size_t cells) : writer_(expected), cells_(cells) {}
+
+    template <class... Values>
+    void operator()(const Values&... values) {
+        (put(values), ...);
+    }
+    void cells(DeviceState state) { leave(state, cells_ * sizeof(glm::vec4)); }
+    [[nodiscard]] SnapshotDraft finish() && { return {std::move(writer_).take(), std::move(gaps_)}; }
+
+  private:
+    void put(const auto& value) { writer_(value); }
+    void put(DeviceState state) { leave(state, sizeof(float)); }
+    void leave(DeviceState state, std::size_t bytes) { gaps_.push_back({state, writer_.leave(bytes), bytes}); }
+
+    detail::Writer writer_;
+    std::size_t cells_;
+    std::vector<SnapshotDraft::Gap> gaps_;
+};
+
+/// Names of what a device holds in place of cpu::Cells, in the order of its members.
+struct DeviceNames {
+    struct Air {
+        DeviceState velocity = DeviceState::velocity, velocity_old = DeviceState::velocity_old, history = DeviceState::history;
+        bool fresh = true;
+        DeviceState dt_old = DeviceState::dt_old, undiffused_time = DeviceState::undiffused_time;
+    };
+    struct Frames {
+        struct Field {
+            DeviceState cells;
+        };
+        DeviceState before = DeviceState::before;
+        Field shown{DeviceState::shown}, shown_before{DeviceState::shown_before};
+    };
+    Air air;
+    Frames frames{};
+    DeviceState source_flow = DeviceState::source_flow;
+};
+
+} // namespace
 
 /// Access to the private members of the state.
 struct StateFields {
@@ -160,7 +208,7 @@ struct StateFields {
         }
     }
 
-    static void air(auto& archive, Like<cpu::TwoLevelAir> auto& air) {
+    static void air(auto& archive, auto& air) {
         auto& [velocity, velocity_old, history, fresh, dt_old, undiffused_time] = air;
         archive(fresh, undiffused_time);
         if constexpr (Reading<decltype(archive)>)
@@ -176,8 +224,7 @@ struct StateFields {
             archive.require(dt_old > 0.0f, "its last step took no time.");
     }
 
-    static void frame(auto& archive, Like<ShownFrame> auto& frame, Like<cpu::FrameCells::Field> auto& field, const Config& config,
-                      Tiles& tiles) {
+    static void frame(auto& archive, Like<ShownFrame> auto& frame, auto& field, const Config& config, Tiles& tiles) {
         auto& [window, blend_centre, ambient, still] = frame;
         archive(window.origin_cells, blend_centre, still); // with the box's cells
         StateFields::ambient(archive, ambient, config, tiles);
@@ -186,8 +233,7 @@ struct StateFields {
             archive.require(in_range(window.origin_cells), "a frame is out of range.");
     }
 
-    static void frames(auto& archive, Like<FrameHistory> auto& frames, Like<cpu::FrameCells> auto& cells, const Config& config,
-                       Tiles& tiles) {
+    static void frames(auto& archive, Like<FrameHistory> auto& frames, auto& cells, const Config& config, Tiles& tiles) {
         auto& [before_still, point_before, gust_phase_before, clock, shown, shown_before, follow] = frames;
         auto& [before_cells, shown_cells, shown_before_cells] = cells;
         archive(before_still, point_before, gust_phase_before, clock.lead);
@@ -210,11 +256,10 @@ struct StateFields {
         }
     }
 
-    /// All state except the config, which comes first: it creates the wind.
-    static void state(auto& archive, Like<Wind::State> auto& state) {
-        auto& [config, place, ambient, motors, source_name, sleep, frames, log, storage] = state.core;
+    /// All state except the config, which comes first: it creates the wind. `cells` is a cpu::Cells, or DeviceNames.
+    static void state(auto& archive, Like<WindCore> auto& core, auto& cells) {
+        auto& [config, place, ambient, motors, source_name, sleep, frames, log, storage] = core;
         auto& [window, point, stepped, previous, follow_axes] = place;
-        auto& cells = state.cells;
         Tiles tiles;
         tiles.add(ambient.tile());
         archive(window.origin_cells, point, stepped.point, previous.point, stepped.origin_cells, previous.origin_cells,
@@ -229,8 +274,8 @@ struct StateFields {
         if (sleep.asleep())
             archive(sleep.at_rest);
         StateFields::air(archive, cells.air);
-        const std::size_t count = cells.air.velocity.size();
         if constexpr (Reading<decltype(archive)>) {
+            const std::size_t count = cells.air.velocity.size();
             cells.set_held();
             if (source_name != 0 && archive.can_hold(count, sizeof(glm::vec4)))
                 for (auto* field : {&cells.source_flow, &cells.solved})
@@ -247,15 +292,52 @@ struct StateFields {
                                 in_range(point, farthest) && in_range(stepped.point, farthest) &&
                                 in_range(previous.point, farthest),
                             "its box is out of range.");
-            if (ticking && archive.can_hold(3 * count, sizeof(glm::vec4))) {
+            if (ticking && archive.can_hold(3 * cells.air.velocity.size(), sizeof(glm::vec4))) {
                 cells.make_room({.frames = true});
                 frames.emplace(AirNow{window, {}, ambient});
             }
         }
-        if (frames)
+        if (!frames)
+            return;
+        if constexpr (std::same_as<decltype(archive), DraftWriter&>) {
+            FrameHistory once = *frames;
+            once.shown_before = once.shown;
+            StateFields::frames(archive, std::as_const(once), cells.frames, config, tiles);
+        } else {
             StateFields::frames(archive, *frames, cells.frames, config, tiles);
+        }
     }
 };
+
+namespace {
+
+Config saved_config(const WindCore& core) {
+    Config config = core.config;
+    if (config.gusts.tile)
+        config.gusts.seed = config.gusts.tile->seed();
+    return config;
+}
+
+// Bytes beside the cells, more or less.
+std::size_t bytes_beside(const WindCore& core) {
+    return 2048 + core.motors.slots().size() * 256;
+}
+
+} // namespace
+
+SnapshotDraft draft_snapshot(const WindCore& core, bool fresh) {
+    const std::size_t cells = core.box().cell_count();
+    DraftWriter writer(7 * cells * sizeof(glm::vec4) + bytes_beside(core), cells);
+    writer(saved_config(core));
+    const DeviceNames names{.air = {.fresh = fresh}};
+    StateFields::state(writer, core, names);
+    return std::move(writer).finish();
+}
+
+std::vector<std::byte> finish_snapshot(SnapshotDraft&& draft) {
+    detail::seal(draft.bytes, k_format);
+    return std::move(draft.bytes);
+}
 
 Result<std::vector<std::byte>> Wind::save() const {
     state_->cells.hold_all();
@@ -264,12 +346,9 @@ Result<std::vector<std::byte>> Wind::save() const {
     const cpu::Cells& cells = state.cells;
     const std::size_t fields = 1 + (cells.air.fresh ? 0 : 2) + (core.source_name != 0 ? 1 : 0) + (core.frames ? 3 : 0);
     return detail::where_memory_lasts([&]() -> Result<std::vector<std::byte>> {
-        detail::Writer writer(fields * cells.air.velocity.size() * sizeof(glm::vec4) + 2048 + core.motors.slots().size() * 256);
-        Config config = core.config;
-        if (config.gusts.tile)
-            config.gusts.seed = config.gusts.tile->seed();
-        writer(config);
-        StateFields::state(writer, state);
+        detail::Writer writer(fields * cells.air.velocity.size() * sizeof(glm::vec4) + bytes_beside(core));
+        writer(saved_config(core));
+        StateFields::state(writer, core, cells);
         return std::move(writer).finish(k_format);
     });
 }
@@ -293,7 +372,7 @@ Result<Wind> Wind::load(std::span<const std::byte> bytes, ParallelFor parallel_f
         auto wind = create(config);
         if (!wind)
             return rejected(wind.error());
-        StateFields::state(reader, wind->state());
+        StateFields::state(reader, wind->state().core, wind->state().cells);
         reader.end();
         if (reader.rejected())
             return rejected(reader.reason());

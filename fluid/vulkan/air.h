@@ -61,6 +61,9 @@ struct ReadRequest {
     std::span<const WindrowPoint> points{};
 };
 
+class SavedAir;
+struct RestoredAir;
+
 class Air {
   public:
     /// Rejects what the device cannot hold or run. The fields hold nothing yet: `fill` first.
@@ -84,6 +87,15 @@ class Air {
     void show(VkCommandBuffer commands, float factor, int frame, bool reports);
     /// Writes the report and what is read of the last `show` into a slot, which the host reads once these commands are done.
     void read_back(VkCommandBuffer commands, const ReadRequest& request);
+
+    // --- Save and load (air_state.cpp) -------------------------------------------------------------------------------------
+    /// Copies what the next tick needs for the host, and what the last `show` did.
+    void save(VkCommandBuffer commands, SavedAir& saved);
+    /// Writes all of it, before any other command of the air; set 0 of the textures is of the frame shown last, set 1 of the one
+    /// before. Needs `make_room_to_restore`.
+    void restore(VkCommandBuffer commands, RestoredAir&& air, const AmbientWind& ambient, const Window& window);
+    void make_room_to_restore();
+    [[nodiscard]] bool fresh() const { return fresh_; }
 
     // --- Reading -------------------------------------------------------------------------------------------------------
     /// Bytes of a slot: the report, then what is read.

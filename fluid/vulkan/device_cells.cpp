@@ -116,7 +116,10 @@ bool DeviceCells::begin(VkCommandBuffer commands, int slot) {
     air->begin(slot);
     commands_ = commands;
     blend.reset();
-    const bool waited = !queue_.empty() || new_sides_;
+    const bool waited = !queue_.empty() || new_sides_ || restored_;
+    if (restored_)
+        air->restore(commands, *std::move(restored_), wind_.ambient, wind_.window());
+    restored_.reset();
     if (new_sides_)
         air->set_boundaries(*std::move(new_sides_));
     new_sides_.reset();
@@ -129,8 +132,18 @@ void DeviceCells::end() {
     commands_ = VK_NULL_HANDLE;
 }
 
+void DeviceCells::continue_from(RestoredAir&& restored) {
+    air->make_room_to_restore();
+    queue_.clear();
+    queue_.make_room();
+    rest = {};
+    held_at_ = wind_.sleep.drift;
+    restored_ = std::move(restored);
+}
+
 void DeviceCells::forget() {
     queue_.clear();
+    restored_.reset();
     air->forget();
 }
 

@@ -3,6 +3,7 @@
 
 #include "fluid/vulkan/air.h"
 #include "fluid/vulkan/read_backs.h"
+#include "fluid/vulkan/saved_air.h"
 #include "fluid/vulkan/work_queue.h"
 
 #include <memory>
@@ -54,6 +55,8 @@ class DeviceCells final : public CellStorage {
     bool hold_gusts();
     /// Nothing that was recorded counts.
     void forget();
+    /// The next recording begins with this air; nothing else waits.
+    void continue_from(RestoredAir&& restored);
 
     std::unique_ptr<Air> air;
     DeviceRest rest;
@@ -70,6 +73,7 @@ class DeviceCells final : public CellStorage {
     const ReadBacks& read_backs_;
     VkCommandBuffer commands_ = VK_NULL_HANDLE; ///< while a frame is recorded
     WorkQueue queue_;
+    std::optional<RestoredAir> restored_;         ///< of a loaded wind, until its first recording
     std::optional<Air::NewBoundaries> new_sides_; ///< from the next recording on
     std::uint64_t held_at_ = 0; ///< Sleep::drift at which sleeping cells were written; another: they are not what blows now
 };

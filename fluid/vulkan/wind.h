@@ -27,6 +27,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace windrow::vulkan {
 
@@ -70,6 +71,10 @@ struct Frame {
     /// [m] World points whose wind ReadBack::points reads. Those beyond Settings::read_points are left out. Read during the call
     /// alone.
     std::span<const glm::dvec3> points{};
+    /// Saves the wind as this recording leaves it: `Wind::saved` returns the bytes once the slot is done. Takes 80 bytes a cell of
+    /// host-visible memory until then, and up to 112 of the host's, which this one recording allocates; a lack of either is what
+    /// `saved` returns. Default false.
+    bool save = false;
 };
 
 class Wind {
@@ -120,6 +125,16 @@ class Wind {
     Result<void> set_velocity(std::span<const glm::vec4> field);
     /// Sets all cells to the ambient wind.
     void reset();
+
+    // --- Snapshots ---------------------------------------------------------------------------------------------------------
+    /// The bytes of windrow::Wind::save, of the last recording with Frame::save; once for each. They load here and on the CPU. A
+    /// device does not hold the cells of the frame before the one saved: it is saved as that one. The error says why there are
+    /// none (yet): no recording asked, it is in flight until its slot is recorded or collected again, or there was no memory.
+    [[nodiscard]] Result<std::vector<std::byte>> saved();
+    /// A wind that continues from a snapshot of this class, with the same bits, or of the CPU. Rejects what windrow::Wind::load
+    /// rejects, and what `create` rejects of its config. The cells travel in the first recording, from host memory that is kept
+    /// until its slot comes again. Air that is about to sleep may fall asleep up to frames_in_flight ticks later than there.
+    [[nodiscard]] static Result<Wind> load(const Host& host, std::span<const std::byte> bytes, const Settings& settings = {});
 
     // --- For shaders: shaders/coupling/windrow_wind.glsl -------------------------------------------------------------------
     /// Of the frame last recorded, and of the one before; after the first recording. Before it they hold nothing, in no layout.

@@ -25,14 +25,16 @@ Result<void> Wind::State::begin(VkCommandBuffer commands, const Frame& frame) {
         return checked;
     if (!windrow::detail::memory_lasts([&] { cells.make_room({}); }))
         return windrow::detail::out_of_memory();
-    const auto slot = read_backs.begin(*cells.air, frame.slot);
-    if (!slot)
-        return Error{slot.error()};
+    const auto taken = read_backs.begin(*cells.air, frame.slot);
+    if (!taken)
+        return Error{taken.error()};
+    slot = *taken;
+    note_done(slot);
     if (clock)
-        clock->begin(commands, *slot);
+        clock->begin(commands, slot);
     dispatches = -cells.air->dispatches();
     barriers = -cells.air->barriers();
-    asked_ = cells.begin(commands, *slot);
+    asked_ = cells.begin(commands, slot);
     return {};
 }
 
@@ -65,6 +67,8 @@ void Wind::State::end(VkCommandBuffer commands, const Frame& frame) {
             clock->begin_read_back(commands);
         read_backs.record(*cells.air, commands, now, places);
     }
+    if (frame.save)
+        record_save(commands);
     cells.end();
     if (clock)
         clock->end(commands);
@@ -85,12 +89,13 @@ RecordedFrame Wind::State::frame_now() const {
             .tick = cells.rest.tick};
 }
 
-bool Wind::State::collect(int slot) {
-    if (!read_backs.has(slot))
+bool Wind::State::collect(int number) {
+    if (!read_backs.has(number))
         return false;
+    note_done(number);
     if (clock)
-        clock->collect(slot);
-    const auto taken = read_backs.take(*cells.air, slot);
+        clock->collect(number);
+    const auto taken = read_backs.take(*cells.air, number);
     return taken && *taken;
 }
 
@@ -148,6 +153,8 @@ void Wind::State::forget() {
     cells.forget();
     reset();
     read_backs.forget();
+    if (save && !save->done)
+        save.reset();
     if (clock)
         clock->forget();
     cells.rest.disturb();

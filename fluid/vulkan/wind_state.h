@@ -17,6 +17,15 @@ struct TextureSets {
     int stale = 2;   ///< sets that do not hold the sleeping air yet, in a wind without ticks
 };
 
+/// A save that was recorded.
+struct WindSave {
+    int slot = 0;
+    bool done = false; ///< the device is
+    SavedAir air;
+    SnapshotDraft draft;
+    std::optional<ShownFrame> shown; ///< with ticks
+};
+
 struct Wind::State {
     State(std::unique_ptr<Air> air, const Config& config, const Settings& settings, const AmbientWind& ambient);
 
@@ -30,6 +39,9 @@ struct Wind::State {
     std::function<void(VkCommandBuffer)> before_read_back;
     double time = 0.0; ///< [s] of the frames recorded, less what was dropped
     int dispatches = 0, barriers = 0;
+    int slot = 0; ///< of the last recording
+    std::optional<WindSave> save;
+    std::string save_error; ///< why the last recording with Frame::save has none; empty: there is none, or it has
     /// Position of the textures of the last recording, and of the one before it.
     std::optional<ShownFrame> recorded, recorded_before;
 
@@ -40,6 +52,8 @@ struct Wind::State {
     [[nodiscard]] Diagnostics reported();
     void forget();
     [[nodiscard]] RecordedFrame frame_now() const;
+    [[nodiscard]] Result<std::vector<std::byte>> saved();
+    [[nodiscard]] Result<void> continue_from(windrow::Wind::State& from);
 
   private:
     [[nodiscard]] Result<void> check(VkCommandBuffer commands, const Frame& frame) const;
@@ -47,7 +61,15 @@ struct Wind::State {
     void end(VkCommandBuffer commands, const Frame& frame);
     [[nodiscard]] bool write_textures(VkCommandBuffer commands);
 
-    bool asked_ = false; ///< in this recording: for something since the frame before it
+    void record_save(VkCommandBuffer commands);
+    /// What was recorded for this slot before is done.
+    void note_done(int slot_done) {
+        if (save && save->slot == slot_done)
+            save->done = true;
+    }
+
+    bool save_failed_ = false; ///< for lack of host memory
+    bool asked_ = false;       ///< in this recording: for something since the frame before it
 };
 
 } // namespace windrow::vulkan

@@ -2,6 +2,7 @@
 // and `before`.
 vec4 shown_cell(int at, float factor) {
     const vec4 u = velocity[at];
+    precise const vec4 between = before[at] + factor * (u - before[at]); // the bits of SavedAir::fill
     // Non-finite values are not shown: after a repair the output is the current air.
-    return factor == 1.0f || control.nonfinite_cells > 0u ? u : before[at] + factor * (u - before[at]);
+    return factor == 1.0f || control.nonfinite_cells > 0u ? u : between;
 }

@@ -1,0 +1,45 @@
+// Snapshot of a wind whose cells are elsewhere, by the text of Wind::save: the host's state is written at one time, the cells are
+// filled in later.
+#pragma once
+
+#include "fluid/wind_core.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace windrow {
+
+/// State that a device holds.
+enum class DeviceState : std::uint8_t {
+    // 16 bytes a cell
+    velocity,
+    velocity_old,
+    history,
+    source_flow,
+    before,       ///< air at the tick before the last one
+    shown,        ///< cells of the frame shown last
+    shown_before, ///< of the frame before it
+    // floats [s]
+    dt_old,
+    undiffused_time
+};
+
+/// Snapshot with gaps.
+struct SnapshotDraft {
+    struct Gap {
+        DeviceState state;
+        std::size_t at; ///< in `bytes`
+        std::size_t bytes;
+    };
+    std::vector<std::byte> bytes{};
+    std::vector<Gap> gaps{};
+};
+
+/// The state of the host now. `fresh`: the cells have no past. The frame before the one shown is written as that one: a device
+/// does not hold its cells. Throws std::bad_alloc.
+[[nodiscard]] SnapshotDraft draft_snapshot(const WindCore& core, bool fresh);
+/// The bytes of Wind::save, once all gaps are filled. Throws std::bad_alloc.
+[[nodiscard]] std::vector<std::byte> finish_snapshot(SnapshotDraft&& draft);
+
+} // namespace windrow

@@ -1,0 +1,149 @@
+// The air's state to the host's memory and back: what lies in it from one tick to the next.
+#include "fluid/vulkan/air.h"
+#include "fluid/vulkan/saved_air.h"
+
+#include <bit>
+#include <cstring>
+#include <utility>
+
+namespace windrow::vulkan {
+
+static_assert(std::endian::native == std::endian::little, "cells are copied as they lie");
+
+// --- From the device ---------------------------------------------------------------------------------------------------------
+
+Result<SavedAir> SavedAir::create(Device& device, std::size_t cells) {
+    SavedAir saved;
+    const auto make = [&](Buffer& buffer, VkDeviceSize bytes) -> Result<void> {
+        auto made = Buffer::create(device, bytes, MemoryUse::readback);
+        if (!made)
+            return Error{"the wind was not saved: " + made.error()};
+        buffer = *std::move(made);
+        return {};
+    };
+    if (auto made = make(saved.control, sizeof(WindrowControl)); !made)
+        return Error{made.error()};
+    for (Buffer* field : {&saved.velocity, &saved.velocity_old, &saved.history, &saved.source_flow, &saved.before})
+        if (auto made = make(*field, cells * sizeof(glm::vec4)); !made)
+            return Error{made.error()};
+    return saved;
+}
+
+VkResult SavedAir::invalidate() const {
+    for (const Buffer* buffer : {&control, &velocity, &velocity_old, &history, &source_flow, &before})
+        if (const VkResult result = buffer->invalidate(); result != VK_SUCCESS)
+            return result;
+    return VK_SUCCESS;
+}
+
+void SavedAir::fill(SnapshotDraft& draft, const std::optional<ShownFrame>& shown) const {
+    WindrowControl found{};
+    std::memcpy(&found, control.mapped(), sizeof(found));
+    const auto cells_of = [](const Buffer& buffer) { return reinterpret_cast<const glm::vec4*>(buffer.mapped()); };
+    const bool ambient = shown && shown->still && shown->ambient.gusting();
+    const auto shown_cell = [&](std::size_t n) { // as shown.glsl
+        if (ambient) {
+            const auto size = glm::u64vec3(shown->window.cells);
+            const glm::ivec3 cell(n % size.x, n / size.x % size.y, n / size.x / size.y);
+            return glm::vec4(shown->ambient.velocity(shown->window.centre(cell.x, cell.y, cell.z)), 0.0f);
+        }
+        const glm::vec4 u = cells_of(velocity)[n], then = cells_of(before)[n];
+        return factor == 1.0f || found.nonfinite_cells > 0 ? u : then + factor * (u - then);
+    };
+    for (const SnapshotDraft::Gap& gap : draft.gaps) {
+        std::byte* const to = draft.bytes.data() + gap.at;
+        const auto copy = [&](const void* from) { std::memcpy(to, from, gap.bytes); };
+        switch (gap.state) {
+        case DeviceState::velocity:
+            copy(velocity.mapped());
+            break;
+        case DeviceState::velocity_old:
+            copy(velocity_old.mapped());
+            break;
+        case DeviceState::history:
+            copy(history.mapped());
+            break;
+        case DeviceState::source_flow:
+            copy(source_flow.mapped());
+            break;
+        case DeviceState::before:
+            copy(before.mapped());
+            break;
+        case DeviceState::shown:
+        case DeviceState::shown_before:
+            for (std::size_t n = 0; n < gap.bytes / sizeof(glm::vec4); ++n) {
+                const glm::vec4 cell = shown_cell(n);
+                std::memcpy(to + n * sizeof(cell), &cell, sizeof(cell));
+            }
+            break;
+        case DeviceState::dt_old:
+            copy(&found.substep_duration);
+            break;
+        case DeviceState::undiffused_time: {
+            const float time = diffused_whole ? 0.0f : found.undiffused_time;
+            copy(&time);
+            break;
+        }
+        }
+    }
+}
+
+void Air::save(VkCommandBuffer commands, SavedAir& saved) {
+    barrier(k_compute | k_transfer, k_transfer);
+    copy(commands, fields_.control, saved.control);
+    copy(commands, fields_.velocity, saved.velocity);
+    copy(commands, fields_.velocity_old, saved.velocity_old);
+    copy(commands, fields_.history, saved.history);
+    copy(commands, fields_.source_flow, saved.source_flow);
+    copy(commands, fields_.before, saved.before);
+    barrier(k_transfer, VK_PIPELINE_STAGE_HOST_BIT | k_compute | k_transfer);
+    saved.factor = shown_factor_;
+    saved.diffused_whole = diffused_whole_;
+}
+
+// --- To the device -----------------------------------------------------------------------------------------------------------
+
+void Air::make_room_to_restore() {
+    retired_.reserve(retired_.capacity() + std::tuple_size_v<decltype(RestoredAir::fields)>);
+}
+
+void Air::restore(VkCommandBuffer commands, RestoredAir&& air, const AmbientWind& ambient, const Window& window) {
+    write_step(commands, block_of(ambient, window), ambient);
+    const auto load = [&](DeviceState state, const Buffer& to) {
+        const Buffer& from = air.fields[static_cast<std::size_t>(state)];
+        if (from.bytes() == 0)
+            return false;
+        barrier(k_compute | k_transfer, k_transfer);
+        copy(commands, from, to);
+        barrier(k_transfer, k_compute | k_transfer);
+        return true;
+    };
+    // Both sets of textures, from the field that then takes the air.
+    if (load(DeviceState::shown, fields_.velocity))
+        show(commands, 1.0f, 0, false);
+    if (load(DeviceState::shown_before, fields_.velocity))
+        show(commands, 1.0f, 1, false);
+    const bool frames = load(DeviceState::before, fields_.before);
+    (void)load(DeviceState::velocity, fields_.velocity);
+    if (!frames)
+        for (const int set : {0, 1})
+            show(commands, 1.0f, set, false);
+    (void)load(DeviceState::velocity_old, fields_.velocity_old);
+    (void)load(DeviceState::history, fields_.history);
+    (void)load(DeviceState::source_flow, fields_.source_flow);
+    barrier(k_compute | k_transfer, k_transfer);
+    wait(commands);
+    const auto set = [&](std::size_t at, float value) {
+        device_->functions().vkCmdUpdateBuffer(commands, fields_.control.handle(), at, sizeof(value), &value);
+    };
+    set(offsetof(WindrowControl, substep_duration), air.dt_old);
+    set(offsetof(WindrowControl, undiffused_time), air.undiffused_time);
+    barrier(k_transfer, k_compute | k_transfer);
+    fresh_ = air.fresh;
+    diffused_whole_ = false;
+    for (Buffer& field : air.fields)
+        if (field.bytes() > 0)
+            retired_.push_back({std::move(field), slot_});
+}
+
+} // namespace windrow::vulkan

@@ -1,0 +1,38 @@
+// The state of the air in the host's memory: on its way from the device to a snapshot, or from a snapshot to the device.
+#pragma once
+
+#include "fluid/snapshot.h"
+#include "fluid/vulkan/blocks.h"
+#include "fluid/vulkan/buffer.h"
+
+#include <array>
+#include <optional>
+
+namespace windrow::vulkan {
+
+/// Copies of the fields, one after another in time: `Air::save` records them, `fill` reads them once they are done.
+class SavedAir {
+  public:
+    /// 80 bytes a cell.
+    [[nodiscard]] static Result<SavedAir> create(Device& device, std::size_t cells);
+    /// Makes what the device wrote visible.
+    [[nodiscard]] VkResult invalidate() const;
+    /// Fills the gaps of a draft that was made when this was recorded. `shown`: the frame of then, with `ticks`.
+    void fill(SnapshotDraft& draft, const std::optional<ShownFrame>& shown) const;
+
+    // Of the recording:
+    Buffer control, velocity, velocity_old, history, source_flow, before;
+    float factor = 1.0f;         ///< of the frame shown
+    bool diffused_whole = false; ///< no diffusion time is accumulated, whatever the control says
+};
+
+/// What a loaded wind's first recording writes.
+struct RestoredAir {
+    /// Indexed by DeviceState, up to shown_before; empty where a wind has none.
+    std::array<Buffer, 7> fields;
+    bool fresh = true;
+    float dt_old = 0.0f;          ///< [s]
+    float undiffused_time = 0.0f; ///< [s]
+};
+
+} // namespace windrow::vulkan

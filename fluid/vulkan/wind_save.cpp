@@ -1,0 +1,137 @@
+// Save and load of a wind on a device: the host's state at the time of a recording, the cells once its slot is done.
+#include "fluid/message.h"
+#include "fluid/vulkan/wind.h"
+#include "fluid/vulkan/wind_state.h"
+#include "fluid/wind_state.h"
+
+#include <cstring>
+#include <utility>
+
+namespace windrow::vulkan {
+
+// A save that is recorded. The textures and what is read back are recorded already.
+void Wind::State::record_save(VkCommandBuffer commands) {
+    save.reset();
+    save_error.clear();
+    bool noted = windrow::detail::memory_lasts([&] {
+        auto air = SavedAir::create(cells.air->device(), core.box().cell_count());
+        if (!air) {
+            save_error = air.error();
+            return;
+        }
+        cells.hold_gusts();
+        auto draft = draft_snapshot(core, cells.air->fresh());
+        save.emplace(WindSave{.slot = slot, .air = *std::move(air), .draft = std::move(draft), .shown = {}});
+        if (core.frames)
+            save->shown.emplace(core.frames->shown);
+    });
+    if (!noted) {
+        save.reset();
+        save_failed_ = true;
+        return;
+    }
+    save_failed_ = false;
+    if (save)
+        cells.air->save(commands, save->air);
+}
+
+Result<std::vector<std::byte>> Wind::State::saved() {
+    if (save_failed_)
+        return windrow::detail::out_of_memory();
+    if (!save_error.empty())
+        return Error{save_error};
+    if (!save)
+        return Error{"no wind is saved: record a frame with Frame::save, once for each call of saved."};
+    if (!save->done)
+        return Error{detail::message("the saved frame is still in flight: record or collect its slot ", save->slot,
+                                     " again, then call saved.")};
+    return windrow::detail::where_memory_lasts([&]() -> Result<std::vector<std::byte>> {
+        if (const VkResult result = save->air.invalidate(); result != VK_SUCCESS)
+            return call_error("vkInvalidateMappedMemoryRanges", "the saved wind", result);
+        save->air.fill(save->draft, save->shown);
+        auto bytes = finish_snapshot(std::move(save->draft));
+        save.reset();
+        return bytes;
+    });
+}
+
+namespace {
+
+Result<Buffer> upload_of(Device& device, std::span<const glm::vec4> cells) {
+    auto made = Buffer::create(device, cells.size_bytes(), MemoryUse::upload);
+    if (made)
+        std::memcpy(made->mapped(), cells.data(), cells.size_bytes());
+    return made;
+}
+
+// Cells of a wind on the CPU, on their way to the device.
+Result<RestoredAir> restored(Device& device, const WindCore& core, const cpu::Cells& cells) {
+    RestoredAir air;
+    std::string trouble;
+    const auto put = [&](DeviceState state, std::span<const glm::vec4> field) {
+        if (!trouble.empty())
+            return;
+        auto made = upload_of(device, field);
+        if (made)
+            air.fields[static_cast<std::size_t>(state)] = *std::move(made);
+        else
+            trouble = made.error();
+    };
+    put(DeviceState::velocity, cells.air.velocity);
+    if (!cells.air.fresh) {
+        put(DeviceState::velocity_old, cells.air.velocity_old);
+        put(DeviceState::history, cells.air.history);
+        air.dt_old = cells.air.dt_old;
+    }
+    if (core.source_name != 0)
+        put(DeviceState::source_flow, cells.source_flow);
+    if (core.frames) {
+        put(DeviceState::before, cells.frames.before);
+        put(DeviceState::shown, cells.frames.shown.cells);
+        put(DeviceState::shown_before, cells.frames.shown_before.cells);
+    }
+    air.fresh = cells.air.fresh;
+    air.undiffused_time = cells.air.undiffused_time;
+    if (!trouble.empty())
+        return Error{"the snapshot's cells were not loaded: " + trouble};
+    return air;
+}
+
+} // namespace
+
+Result<void> Wind::State::continue_from(windrow::Wind::State& from) {
+    auto air = restored(cells.air->device(), from.core, from.cells);
+    if (!air)
+        return Error{air.error()};
+    core.place = from.core.place;
+    core.ambient = from.core.ambient;
+    core.motors = std::move(from.core.motors);
+    core.source_name = from.core.source_name;
+    core.sleep = from.core.sleep;
+    core.frames = from.core.frames;
+    cells.continue_from(*std::move(air));
+    textures.written = 2; // by the first recording, before all else
+    recorded.emplace(core.shown());
+    recorded_before.emplace(core.frames ? core.frames->shown_before : core.shown());
+    return {};
+}
+
+Result<Wind> Wind::load(const Host& host, std::span<const std::byte> bytes, const Settings& settings) {
+    return windrow::detail::where_memory_lasts([&]() -> Result<Wind> {
+        auto saved = windrow::Wind::load(bytes);
+        if (!saved)
+            return Error{saved.error()};
+        auto wind = create(host, saved->config(), settings);
+        if (!wind)
+            return wind;
+        if (auto loaded = wind->state().continue_from(saved->state()); !loaded)
+            return Error{loaded.error()};
+        return wind;
+    });
+}
+
+Result<std::vector<std::byte>> Wind::saved() {
+    return state_->saved();
+}
+
+} // namespace windrow::vulkan

@@ -1,0 +1,194 @@
+// Snapshots of winds on a device: from device to device to the bit, from and to the CPU within the bound of parity.
+#include "fluid/vulkan/wind_state.h"
+#include "tests/parity/wind_parity.h"
+
+#include <cstring>
+
+namespace windrow::vulkan {
+namespace {
+
+class WindSaves : public WindParity {
+  protected:
+    static Config stormy() {
+        return {.cells = {14, 10, 12},
+                .boundaries = Boundaries::open_over_floor(),
+                .centre = {0.0, 5.0, 0.0},
+                .ambient = {2.0f, 0.0f, 1.0f},
+                .profile = LogProfile{},
+                .gusts = {.intensity = 0.3f},
+                .viscosity = 1e-3f};
+    }
+    static constexpr Settings k_settings{.texel = Texel::single, .frames_in_flight = 1, .queries = ReadBack::cells};
+
+    static void add_motors(Motors& motors) {
+        ASSERT_TRUE(motors.add(DirectionalMotor{.position = {3.0, 3.0, 1.0}, .direction = {-1.0f, 0.2f, 0.0f}}));
+        ASSERT_TRUE(motors.add(PressureMotor{.position = {-3.0, 3.0, 2.0}}));
+        ASSERT_TRUE(motors.add(OmniMotor{.position = {1.0, 4.0, -2.0}}));
+    }
+
+    // What a host asks for before frame n.
+    template <class AnyWind>
+    static void ask(AnyWind& wind, int n) {
+        EXPECT_TRUE(wind.follow({0.09 * n, 5.0, -0.12 * n}));
+        EXPECT_TRUE(wind.motors().move({.slot = 0, .generation = 1}, {3.0 - 0.02 * n, 3.0, 1.0 + 0.01 * n}));
+        if (n % 37 == 20) {
+            EXPECT_TRUE(wind.set_ambient({2.0f, 0.0f, 1.0f + 0.01f * static_cast<float>(n)}));
+        }
+    }
+
+    void record(Wind& wind, double dt, bool ticks, bool save = false) {
+        run([&](VkCommandBuffer commands) {
+            const Frame frame{.dt = dt, .slot = 0, .save = save};
+            ticks ? (void)held(wind.record(commands, frame)) : (void)held(wind.record_step(commands, frame));
+        });
+        (void)wind.collect(0);
+    }
+
+    static std::vector<std::byte> bytes_of(Wind& wind) {
+        auto bytes = wind.saved();
+        EXPECT_TRUE(bytes) << bytes.error();
+        return bytes ? *std::move(bytes) : std::vector<std::byte>();
+    }
+
+    Wind load(std::span<const std::byte> bytes) {
+        auto wind = Wind::load(own->host(), bytes, k_settings);
+        EXPECT_TRUE(wind) << wind.error();
+        return *std::move(wind);
+    }
+
+    static bool same_cells(const Wind& a, const Wind& b) {
+        const auto x = a.queried(), y = b.queried();
+        return x && y && std::memcmp(x->field().data(), y->field().data(), x->field().size_bytes()) == 0;
+    }
+
+    static TwoWinds twins(windrow::Wind cpu, Wind gpu) { return {std::move(cpu), std::move(gpu), 1, nullptr}; }
+};
+
+TEST_F(WindSaves, ContinueToTheBit) {
+    for (const bool ticks : {true, false}) {
+        auto made = Wind::create(own->host(), stormy(), k_settings);
+        ASSERT_TRUE(made) << made.error();
+        Wind wind = *std::move(made);
+        add_motors(wind.motors());
+        int n = 0;
+        for (; n < 20; ++n) {
+            ask(wind, n);
+            record(wind, 1.0 / 47.0, ticks, n == 19);
+        }
+        EXPECT_NE(wind.state().core.source_name, 0u) << "there is no flow of sources";
+        const std::vector<std::byte> bytes = bytes_of(wind);
+        const auto on_cpu = windrow::Wind::load(bytes);
+        ASSERT_TRUE(on_cpu) << on_cpu.error();
+        EXPECT_EQ(*on_cpu->save(), bytes) << "ticks " << ticks; // the same text
+        Wind again = load(bytes);
+        for (int frame = 0; frame < 100; ++frame, ++n) {
+            for (Wind* one : {&wind, &again}) {
+                ask(*one, n);
+                record(*one, n % 11 == 5 ? 0.0 : 1.0 / 47.0, ticks, frame == 99);
+            }
+            ASSERT_TRUE(same_cells(wind, again)) << "ticks " << ticks << ", frame " << frame;
+            EXPECT_EQ(wind.window_block({}).previous_origin, again.window_block({}).previous_origin) << frame;
+        }
+        EXPECT_EQ(bytes_of(wind), bytes_of(again));
+    }
+}
+
+TEST_F(WindSaves, OfTheCpuContinueOnTheDevice) {
+    for (const bool ticks : {true, false}) {
+        auto cpu = windrow::Wind::create(stormy());
+        ASSERT_TRUE(cpu);
+        add_motors(cpu->motors());
+        for (int n = 0; n < 20; ++n) {
+            ask(*cpu, n);
+            ticks ? (void)cpu->advance(1.0 / 47.0) : (void)cpu->step(1.0 / 47.0);
+        }
+        TwoWinds pair = twins(*std::move(cpu), load(*cpu->save()));
+        for (int n = 20; n < 120; ++n) {
+            ask(pair.cpu, n);
+            ask(pair.device, n);
+            ticks ? frame(pair, 1.0 / 47.0) : step(pair, 1.0 / 47.0);
+        }
+        EXPECT_EQ(pair.compared, 99);
+        report(ticks ? "loaded.ticks" : "loaded.steps", pair, 1e-5);
+    }
+}
+
+TEST_F(WindSaves, OfTheDeviceContinueOnTheCpu) {
+    auto made = Wind::create(own->host(), stormy(), k_settings);
+    ASSERT_TRUE(made) << made.error();
+    add_motors(made->motors());
+    for (int n = 0; n < 20; ++n) {
+        ask(*made, n);
+        record(*made, 1.0 / 47.0, true, n == 19);
+    }
+    auto cpu = windrow::Wind::load(bytes_of(*made));
+    ASSERT_TRUE(cpu) << cpu.error();
+    TwoWinds pair = twins(*std::move(cpu), *std::move(made));
+    for (int n = 20; n < 120; ++n) {
+        ask(pair.cpu, n);
+        ask(pair.device, n);
+        frame(pair, 1.0 / 47.0);
+    }
+    report("saved", pair, 1e-5);
+}
+
+// Asleep, under gusts that drift, and woken again.
+TEST_F(WindSaves, OfSleepingAirSleepOn) {
+    for (const float gusts : {0.0f, 0.3f}) {
+        Config config = stormy();
+        config.viscosity = 0.0f;
+        config.gusts.intensity = gusts;
+        auto made = Wind::create(own->host(), config, k_settings);
+        ASSERT_TRUE(made) << made.error();
+        Wind wind = *std::move(made);
+        const auto asleep = [](const Wind& one) { return one.state().core.sleep.asleep(); };
+        int n = 0;
+        for (; n < 200 && !asleep(wind); ++n)
+            record(wind, 1.0 / 47.0, true);
+        record(wind, 1.0 / 47.0, true);
+        record(wind, 1.0 / 47.0, true, true);
+        ASSERT_TRUE(asleep(wind)) << gusts;
+        const std::vector<std::byte> bytes = bytes_of(wind);
+        EXPECT_EQ(*windrow::Wind::load(bytes)->save(), bytes);
+        Wind again = load(bytes);
+        EXPECT_TRUE(asleep(again));
+        for (int frame = 0; frame < 40; ++frame) {
+            for (Wind* one : {&wind, &again}) {
+                if (frame == 20) {
+                    EXPECT_TRUE(one->motors().add(VortexMotor{.position = {0.0, 4.0, 0.0}}));
+                }
+                record(*one, 1.0 / 47.0, true);
+            }
+            ASSERT_EQ(asleep(wind), asleep(again)) << gusts << ' ' << frame;
+            if (again.queried()) {
+                ASSERT_TRUE(same_cells(wind, again)) << gusts << ' ' << frame;
+            }
+        }
+        EXPECT_FALSE(asleep(again));
+    }
+}
+
+TEST_F(WindSaves, AreInFlightUntilTheirSlotIsDone) {
+    auto made = Wind::create(own->host(), {.cells = {8, 8, 8}, .ambient = {2.0f, 0.0f, 0.0f}}, {.frames_in_flight = 2});
+    ASSERT_TRUE(made) << made.error();
+    expect_error(made->saved(), "no wind is saved: record a frame with Frame::save");
+    run([&](VkCommandBuffer commands) { held(made->record(commands, {.dt = 0.02, .slot = 1, .save = true})); });
+    expect_error(made->saved(), "still in flight: record or collect its slot 1 again");
+    run([&](VkCommandBuffer commands) { held(made->record(commands, {.dt = 0.02, .slot = 0})); });
+    expect_error(made->saved(), "still in flight");
+    run([&](VkCommandBuffer commands) { held(made->record(commands, {.dt = 0.02, .slot = 1})); });
+    auto bytes = made->saved();
+    ASSERT_TRUE(bytes) << bytes.error();
+    expect_error(made->saved(), "no wind is saved");
+    EXPECT_TRUE(Wind::load(own->host(), *bytes));
+    expect_error(Wind::load(own->host(), std::span(*bytes).first(100)), "snapshot is truncated");
+    expect_error(Wind::load(own->host(), {}), "not a Windrow snapshot");
+    bytes->at(200) ^= std::byte{1};
+    expect_error(Wind::load(own->host(), *bytes), "checksum does not match");
+    run([&](VkCommandBuffer commands) { held(made->record(commands, {.dt = 0.02, .slot = 0, .save = true})); });
+    made->forget();
+    expect_error(made->saved(), "no wind is saved");
+}
+
+} // namespace
+} // namespace windrow::vulkan
