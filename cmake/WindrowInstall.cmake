@@ -82,7 +82,7 @@ foreach(component IN LISTS components)
 endforeach()
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/shaders/numerics ${PROJECT_SOURCE_DIR}/shaders/coupling DESTINATION ${shader_dir}
-        FILES_MATCHING PATTERN "*.glsl")
+        FILES_MATCHING PATTERN "*.glsl" PATTERN "*.hlsl")
 
 if(TARGET windrow_cli)
   install(TARGETS windrow_cli)

@@ -3,7 +3,8 @@
 #   #include "shader_words/advect.h"
 #   windrow::vulkan::shader_words::advect   // std::uint32_t[]
 #
-# Shaders of other stages keep their stage in the name, since they come in pairs: `grass.vert` becomes grass_vert.
+# Shaders of other stages keep their stage in the name, since they come in pairs: `grass.vert` becomes grass_vert. HLSL names its
+# language behind the stage: `seeds.vert.hlsl` becomes seeds_vert_hlsl, `sample.comp.hlsl` sample_hlsl.
 # A shader is built again when it or anything that it includes has changed, and it alone. Includes are found beside the file and
 # in shaders/, or are named from the project's root.
 set(WINDROW_SHADER_OPTIONS "" CACHE STRING "More options for glslangValidator, such as -Os")
@@ -24,11 +25,10 @@ function(windrow_shaders target)
   foreach(file IN LISTS ARGN)
     cmake_path(ABSOLUTE_PATH file BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
     cmake_path(GET file STEM name)
-    cmake_path(GET file EXTENSION LAST_ONLY stage)
-    if(NOT stage STREQUAL ".comp")
-      string(REPLACE "." "_" stage ${stage})
-      string(APPEND name ${stage})
-    endif()
+    cmake_path(GET file EXTENSION stage)
+    string(REPLACE ".comp" "" stage ${stage})
+    string(REPLACE "." "_" stage "${stage}")
+    string(APPEND name "${stage}")
     set(header ${folder}/shader_words/${name}.h)
     add_custom_command(OUTPUT ${header}
       COMMAND ${CMAKE_COMMAND} -D GLSLANG=${WINDROW_GLSLANG} -D SPIRV_VAL=${WINDROW_SPIRV_VAL} -D SOURCE=${file} -D NAME=${name}

@@ -6,13 +6,22 @@ file(MAKE_DIRECTORY ${folder})
 set(binary ${HEADER}.spv)
 separate_arguments(options UNIX_COMMAND "${OPTIONS}")
 
+# glslang's HLSL declares storage buffers in a way that SPIR-V 1.4, and so Vulkan 1.2, no longer has.
+if(SOURCE MATCHES "[.]hlsl$")
+  set(language -D -e main)
+  set(target vulkan1.1)
+else()
+  set(language "")
+  set(target vulkan1.2)
+endif()
+
 # -g0: no names and no source in what users get.
-execute_process(COMMAND ${GLSLANG} --quiet -V -g0 --target-env vulkan1.2 ${options} -I${ROOT}/shaders -I${ROOT} --depfile ${HEADER}.d.raw -o ${binary} ${SOURCE}
+execute_process(COMMAND ${GLSLANG} --quiet -V -g0 ${language} --target-env ${target} ${options} -I${ROOT}/shaders -I${ROOT} --depfile ${HEADER}.d.raw -o ${binary} ${SOURCE}
                 RESULT_VARIABLE result)
 if(NOT result EQUAL 0)
   message(FATAL_ERROR "${SOURCE} does not compile")
 endif()
-execute_process(COMMAND ${SPIRV_VAL} --target-env vulkan1.2 ${binary} RESULT_VARIABLE result)
+execute_process(COMMAND ${SPIRV_VAL} --target-env ${target} ${binary} RESULT_VARIABLE result)
 if(NOT result EQUAL 0)
   message(FATAL_ERROR "${SOURCE} compiles to SPIR-V that is not valid")
 endif()

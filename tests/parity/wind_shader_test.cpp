@@ -2,6 +2,7 @@
 #include "shader_words/sample_wind.h"
 #include "shader_words/sample_wind_exact.h"
 #include "shader_words/sample_wind_exact_three.h"
+#include "shader_words/sample_wind_hlsl.h"
 #include "shader_words/sample_wind_three.h"
 #include "tests/parity/wind_shader.h"
 
@@ -55,6 +56,12 @@ TEST_F(WindInShaders, AnOutsideShaderSamplesWhatAQueryFinds) {
             winds_at(shader_words::sample_wind_exact, pair.device, TextureSet::vectors, places, anchor, sampling);
         EXPECT_EQ(winds, winds_at(shader_words::sample_wind_exact_three, pair.device, TextureSet::axes, places, anchor, sampling))
             << "three textures hold what one holds";
+        const std::vector<glm::vec4> by_hlsl =
+            winds_at(shader_words::sample_wind_hlsl, pair.device, TextureSet::vectors, places, anchor, sampling);
+        double worst_hlsl = 0.0;
+        for (std::size_t n = 0; n < winds.size(); ++n)
+            worst_hlsl = std::max(worst_hlsl, difference(by_hlsl[n], glm::vec3(winds[n])));
+        WINDROW_EXPECT_FIGURE("shader_query.hlsl", worst_hlsl, 1e-6); // of one text
         // The cells of the last frame are read by an empty one.
         run([&](VkCommandBuffer commands) { held(pair.device.record(commands, {.dt = 0.0})); });
         const auto view = *pair.device.queried();

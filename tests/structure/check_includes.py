@@ -12,7 +12,7 @@ import sys
 LONGEST_FILE = 500
 FOLDERS = ("fluid", "coupling", "shaders", "scene", "pictures", "vegetation", "examples", "cases", "cli", "tests", "tools",
            "cmake")
-SOURCES = (".h", ".cpp", ".inl", ".glsl", ".comp", ".vert", ".frag", ".py", ".cmake", ".txt")
+SOURCES = (".h", ".cpp", ".inl", ".glsl", ".comp", ".vert", ".frag", ".hlsl", ".py", ".cmake", ".txt")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 VULKAN = ("vulkan/*", "vulkan.h", "vulkan_core.h", "volk.h", "*/volk.h")
