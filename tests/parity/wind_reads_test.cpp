@@ -125,7 +125,7 @@ TEST_F(WindReads, OfABoxKeepTheBoundariesThatAreItsOwn) {
     pair.add(VortexMotor{.radius = 3.0f});
     for (int n = 0; n < 3; ++n)
         run([&](VkCommandBuffer commands) {
-            held(pair.device.record_step(commands, {.dt = 0.02, .around = glm::dvec3(0.0, -100.0, 0.0)}));
+            held(pair.device.record_step(commands, {.dt = 0.02, .around = glm::dvec3(0.0, -100.0, -100.0)}));
         });
     (void)pair.cpu.step(0.02);
     (void)pair.cpu.step(0.02);
@@ -135,7 +135,8 @@ TEST_F(WindReads, OfABoxKeepTheBoundariesThatAreItsOwn) {
     EXPECT_TRUE(sides.periodic(0));
     EXPECT_EQ(sides.y_low.kind, config.boundaries.y_low.kind);
     EXPECT_EQ(sides.y_high.kind, BoundaryKind::open);
-    EXPECT_FALSE(sides.periodic(2));
+    EXPECT_EQ(sides.z_low.kind, BoundaryKind::open);
+    EXPECT_EQ(sides.z_high.kind, BoundaryKind::open);
     EXPECT_EQ(view->origin().y, pair.device.origin().y);
     for (const double x : {-50.0, 0.3, 5.9, 6.1, 40.0}) { // around the ring, and below the floor
         const glm::dvec3 place(x, pair.device.origin().y + 0.2, view->origin().z + 2.0);
@@ -160,6 +161,12 @@ TEST_F(WindReads, AreTheReportAloneByDefault) {
     }
     EXPECT_EQ(told.max_speed, 2.0f);
     EXPECT_NEAR(told.energy, 0.5 * 5.0 * 4096.0, 1e-2);
+    // Of more work groups than the report has invocations.
+    auto large = Wind::create(own->host(), {.cells = {48, 24, 40}, .ambient = {2.0f, 0.0f, 1.0f}});
+    ASSERT_TRUE(large) << large.error();
+    run([&](VkCommandBuffer commands) { held(large->record_step(commands, {.dt = 1.0 / 30.0, .slot = 0})); });
+    ASSERT_TRUE(large->collect(0));
+    EXPECT_NEAR(large->reported().energy, 0.5 * 5.0 * 46080.0, 1e-1);
     EXPECT_EQ(none->velocity({0.0, 0.0, 0.0}), glm::vec3(2.0f, 0.0f, 1.0f)); // the ambient wind
 }
 
