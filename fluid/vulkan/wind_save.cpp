@@ -36,16 +36,16 @@ void Wind::State::record_save(VkCommandBuffer commands) {
 }
 
 Result<std::vector<std::byte>> Wind::State::saved() {
-    if (save_failed_)
-        return windrow::detail::out_of_memory();
-    if (!save_error.empty())
-        return Error{save_error};
-    if (!save)
-        return Error{"no wind is saved: record a frame with Frame::save, once for each call of saved."};
-    if (!save->done)
-        return Error{detail::message("the saved frame is still in flight: record or collect its slot ", save->slot,
-                                     " again, then call saved.")};
     return windrow::detail::where_memory_lasts([&]() -> Result<std::vector<std::byte>> {
+        if (save_failed_)
+            return windrow::detail::out_of_memory();
+        if (!save_error.empty())
+            return Error{save_error};
+        if (!save)
+            return Error{"no wind is saved: record a frame with Frame::save, once for each call of saved."};
+        if (!save->done)
+            return Error{detail::message("the saved frame is still in flight: record or collect its slot ", save->slot,
+                                         " again, then call saved.")};
         if (const VkResult result = save->air.invalidate(); result != VK_SUCCESS)
             return call_error("vkInvalidateMappedMemoryRanges", "the saved wind", result);
         save->air.fill(save->draft, save->shown);

@@ -47,16 +47,19 @@ class WindAllocations : public Gpu {
             frame_ = frame;
             own->run(record_).has_value() ? void() : void(++rejected);
         }
-        (void)wind->queried();
+        (void)wind->collect(0);
+        note(wind->saved());
+        (void)wind->queried_points();
     }
 
   private:
     int frame_ = 0;
+    const std::array<glm::dvec3, 2> points_{};
     const std::vector<glm::vec4> start_ =
         std::vector<glm::vec4>(static_cast<std::size_t>(k_cells.x * k_cells.y * k_cells.z), glm::vec4(1.0f));
     // Made once: a function that is made anew would be one more allocation, of the test's.
     const std::function<void(VkCommandBuffer)> record_ = [this](VkCommandBuffer commands) {
-        note(wind->record(commands, {.dt = 1.0 / 30.0, .slot = frame_ % 2}));
+        note(wind->record(commands, {.dt = 1.0 / 30.0, .slot = frame_ % 2, .points = points_, .save = frame_ == 2}));
     };
 };
 
