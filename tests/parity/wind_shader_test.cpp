@@ -79,6 +79,31 @@ TEST_F(WindInShaders, AnOutsideShaderSamplesWhatAQueryFinds) {
     }
 }
 
+// The frame before the first recording of a loaded wind is the one that was saved.
+TEST_F(WindInShaders, ALoadedWindHasTheFrameBefore) {
+    auto cpu = windrow::Wind::create({.cells = {12, 10, 11}, .ambient = {2.0f, 0.0f, 1.0f}, .gusts = {.intensity = 0.3f}});
+    ASSERT_TRUE(cpu) << cpu.error();
+    ASSERT_TRUE(cpu->motors().add(VortexMotor{.radius = 3.0f}));
+    for (int n = 0; n < 10; ++n) {
+        ASSERT_TRUE(cpu->follow({0.4 * n, 0.0, 0.0}));
+        (void)cpu->advance(1.0 / 50.0);
+    }
+    auto loaded = Wind::load(own->host(), *cpu->save(), {.texel = Texel::single});
+    ASSERT_TRUE(loaded) << loaded.error();
+    const std::vector<glm::vec4> places = places_around(glm::vec3(3.6f, 0.0f, 0.0f), glm::vec3(5.0f), 500);
+    for (const double dt : {1.0 / 50.0, 0.0}) { // a pause shows the frame twice
+        run([&](VkCommandBuffer commands) { held(loaded->record(commands, {.dt = dt})); });
+        (void)cpu->advance(dt);
+        const std::vector<glm::vec4> winds = winds_at(shader_words::sample_wind_exact, *loaded, TextureSet::vectors, places);
+        double worst = 0.0;
+        for (std::size_t n = 0; n < places.size(); ++n) {
+            worst = std::max(worst, difference(winds[k_winds * n], cpu->velocity(glm::dvec3(places[n]))));
+            worst = std::max(worst, difference(winds[k_winds * n + 1], cpu->previous_view().velocity(glm::dvec3(places[n]))));
+        }
+        WINDROW_EXPECT_FIGURE("shader_query.loaded", worst, 3e-5);
+    }
+}
+
 // Half textures round to 11 bits: to half a unit in the last of them.
 TEST_F(WindInShaders, HalfTexturesHoldElevenBits) {
     TwoWinds pair = make({.cells = {12, 10, 11}, .ambient = {2.0f, 0.0f, 1.0f}, .blend_width = 0.0f}, 0,
