@@ -74,7 +74,7 @@ Section section_of(const Box& box, const MeanJet& mean, int i) {
         for (int j = 0; j < box.cells.y; ++j) {
             const std::size_t n = box.index(i, j, k);
             section.flux += mean.u_squared[n] * h * h;
-            const double r = std::hypot((j + 0.5) * h - middle.x / middle.z, (k + 0.5) * h - middle.y / middle.z);
+            const double r = glm::length(glm::dvec2((j + 0.5) * h - middle.x / middle.z, (k + 0.5) * h - middle.y / middle.z));
             if (const auto ring = static_cast<std::size_t>(r / h); ring < rings.size()) {
                 rings[ring].speed += mean.u[n];
                 rings[ring].variance += mean.u_squared[n] - mean.u[n] * mean.u[n];

@@ -71,7 +71,7 @@ Box square(int size, BoundaryKind boundaries) {
 }
 
 double distance(glm::dvec3 x, double to_x, double to_y) {
-    return std::hypot(x.x - to_x, x.y - to_y);
+    return glm::length(glm::dvec2(x.x - to_x, x.y - to_y));
 }
 
 constexpr double k_sigma = 0.1;

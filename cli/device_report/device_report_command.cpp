@@ -1,6 +1,7 @@
 #include "cli/device_report/device_report_command.h"
 
 #include "cli/backend.h"
+#include "cli/device_report/driver_search.h"
 #include "cli/device_report/report_section.h"
 #include "cli/device_report/report_text.h"
 #include "cli/flags.h"
@@ -71,9 +72,9 @@ Fault open_for_report(int place, std::unique_ptr<vulkan::OwnDevice>& device, boo
 const std::vector<ReportSection>& report_sections() {
     static const std::vector<ReportSection> sections = {
         {"facts", "the device, its driver and its limits", 0.0, &report_facts},
-        {"costs", "launch, barrier, indirect dispatch, copy; bandwidth of caches and memory", 0.1, &report_costs},
-        {"times", "a step, a walk, their passes, beside the copy floor", 0.3, &report_times},
-        {"parity", "the stories of windrow check on each path, against the CPU", 0.3, &report_parity},
+        {"costs", "launch, barrier, indirect dispatch, copy; bandwidth of caches and memory", 0.08, &report_costs},
+        {"times", "a step, a walk, their passes, beside the copy floor", 0.25, &report_times},
+        {"parity", "the stories of windrow check on each path, against the CPU", 0.37, &report_parity},
         {"queries", "wind and ground memory in a shader, against the CPU", 0.03, &report_queries},
         {"pipelines", "what the driver's compiler makes of each pipeline", 0.02, &report_pipelines},
         {"meadow", "vertices alone, and frames, of 0.25, 1 and 4 million blades", 0.2, &report_meadow},
@@ -112,11 +113,17 @@ int run_device_report(const DeviceReportRequest& request, const Console& console
     Report report(folder, request);
     std::unique_ptr<vulkan::OwnDevice> device;
     bool draws = false;
-    if (const Fault fault = open_for_report(request.device, device, draws)) {
-        report.json()["error"] = fault.sentence;
+    add_drivers();
+    Fault closed = open_for_report(request.device, device, draws);
+    if (closed && closed.machine && name_drivers_only())
+        closed = open_for_report(request.device, device, draws);
+    if (closed) {
+        report.json()["error"] = closed.sentence;
+        report.json()["places_tried"] = places_tried();
+        console.out << section_text(report.json());
         if (const Fault unsaved = report.save())
             return complain_of(unsaved, console);
-        return complain_of(fault, console);
+        return complain_of(closed, console);
     }
     console.out << version_line() << " device-report; " << compiler_name() << "; commit " << commit_name() << "\n"
                 << words_of(device->facts()) << "\n";

@@ -1,5 +1,6 @@
 // The device as its driver describes it: properties, limits, queues, memory, extensions, and its clock rates where the system has
 // them in files.
+#include "cli/device_report/driver_search.h"
 #include "cli/device_report/report_section.h"
 #include "cli/info_command.h"
 #include "fluid/message.h"
@@ -160,6 +161,7 @@ Result<void> report_facts(SectionRun& run) {
     add_queues(host, json);
     add_memory(host, json);
     add_clocks(json);
+    json["places_tried"] = places_tried();
     add_extensions(host, json);
     return {};
 }

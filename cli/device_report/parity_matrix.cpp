@@ -17,6 +17,9 @@ using detail::message;
 // Updates of a cell in a story. A GPU takes the first round of stories whole.
 constexpr double k_cell_steps = 2e7, k_software_cell_steps = 2.5e6, k_quick_cell_steps = 1e5;
 
+// Stories that run however little time there is: with them each texel, division of planes and number of frames has run.
+constexpr int k_least_stories = 4;
+
 struct Path {
     vulkan::Texel texel = vulkan::Texel::single;
     bool split = false;
@@ -58,7 +61,7 @@ class Matrix {
         if (run_.quick) {
             // A story that is left out leaves its path to the next one.
             std::size_t next = 0;
-            for (std::size_t n = 0; !run_.clock.over() && (n < stories.size() || next < paths.size()); ++n)
+            for (std::size_t n = 0; goes_on() && (n < stories.size() || next < paths.size()); ++n)
                 next += tell(shortened(stories[n % stories.size()], most), paths[next % paths.size()]) ? 1 : 0;
         } else {
             for (std::size_t path = 0; path < paths.size(); ++path)
@@ -78,7 +81,8 @@ class Matrix {
     bool tell(const ParityStory& story, const Path& path) {
         const ParityQueue& queue = queues_[path.queue];
         const double size = cell_steps(story);
-        if (run_.clock.over() || size * cost_ > run_.clock.left())
+        const bool whatever_the_time = ran_ < k_least_stories;
+        if (!whatever_the_time && (run_.clock.over() || size * cost_ > run_.clock.left()))
             return false;
         const double before = run_.clock.past();
         const auto result =
@@ -87,7 +91,9 @@ class Matrix {
                         .frames_in_flight = path.frames,
                         .split_planes = path.split,
                         .parallel_for = run_.parallel_for,
-                        .stopped = [&] { return run_.clock.stopped() || run_.clock.left() < -0.2 * run_.clock.budget(); }});
+                        .stopped = [&] {
+                            return run_.clock.stopped() || (!whatever_the_time && run_.clock.left() < -0.2 * run_.clock.budget());
+                        }});
         if (run_.clock.stopped())
             return false;
         ++ran_;
@@ -114,6 +120,7 @@ class Matrix {
         return true;
     }
 
+    [[nodiscard]] bool goes_on() const { return !run_.clock.stopped() && (ran_ < k_least_stories || !run_.clock.over()); }
     static double cell_steps(const ParityStory& story) {
         const glm::dvec3 cells(story.config.cells);
         return cells.x * cells.y * cells.z * story.steps;

@@ -2,6 +2,7 @@
 
 #include "fluid/message.h"
 #include "fluid/vulkan/functions.h"
+#include "fluid/vulkan/own_device.h"
 
 #include <algorithm>
 #include <cstring>
@@ -12,7 +13,15 @@
 namespace windrow::vulkan {
 namespace {
 
-constexpr const char* k_library = "libvulkan.so.1";
+// By the system's own search, then where a program that was linked elsewhere, or a container, does not search.
+constexpr const char* k_libraries[] = {"libvulkan.so.1",
+                                       "libvulkan.so",
+                                       "/usr/lib/x86_64-linux-gnu/libvulkan.so.1",
+                                       "/usr/lib64/libvulkan.so.1",
+                                       "/usr/lib/libvulkan.so.1",
+                                       "/usr/local/lib/libvulkan.so.1",
+                                       "/run/opengl-driver/lib/libvulkan.so.1",
+                                       "/usr/local/nvidia/lib64/libvulkan.so.1"};
 constexpr const char* k_layer = "VK_LAYER_KHRONOS_validation";
 
 bool has_layer(PFN_vkEnumerateInstanceLayerProperties enumerate) {
@@ -63,13 +72,23 @@ Instance::~Instance() {
         dlclose(library_);
 }
 
+std::span<const char* const> loader_names() {
+    return k_libraries;
+}
+
 Result<void> Instance::open_loader() {
-    library_ = dlopen(k_library, RTLD_NOW | RTLD_LOCAL);
-    if (library_ != nullptr)
+    std::string tried;
+    for (const char* const name : k_libraries) {
+        tried += (tried.empty() ? "" : ", ") + std::string(name);
+        library_ = dlopen(name, RTLD_NOW | RTLD_LOCAL);
+        if (library_ == nullptr)
+            continue;
         get_instance_proc_addr_ = reinterpret_cast<PFN_vkGetInstanceProcAddr>(dlsym(library_, "vkGetInstanceProcAddr"));
-    if (get_instance_proc_addr_ == nullptr)
-        return Error{detail::message("no Vulkan loader (", k_library, "): install it (Debian: libvulkan1).")};
-    return {};
+        if (get_instance_proc_addr_ != nullptr)
+            return {};
+        dlclose(std::exchange(library_, nullptr));
+    }
+    return Error{detail::message("no Vulkan loader (", tried, "): install it (Debian: libvulkan1).")};
 }
 
 Result<void> Instance::make(const Checks& checks) {

@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,9 @@ struct DeviceFacts {
 
 /// The devices of this machine, in the driver's order; an error where there is no loader, no driver or no device.
 [[nodiscard]] Result<std::vector<DeviceFacts>> list_devices();
+
+/// Names that the loader is opened by, in order: the first that there is.
+[[nodiscard]] std::span<const char* const> loader_names();
 
 /// True if this machine has the validation layer of OwnDevice::Settings::validation.
 [[nodiscard]] bool has_validation_layer();
