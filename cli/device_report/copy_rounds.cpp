@@ -83,8 +83,8 @@ void CopyRounds::copy(VkCommandBuffer commands, VkDeviceSize bytes) const {
     functions_->vkCmdDispatch(commands, k_groups, 1, 1);
 }
 
-void CopyRounds::transfer(VkCommandBuffer commands, VkDeviceSize bytes) const {
-    const VkBufferCopy region{.srcOffset = 0, .dstOffset = 0, .size = bytes};
+void CopyRounds::transfer(VkCommandBuffer commands, VkDeviceSize at, VkDeviceSize bytes) const {
+    const VkBufferCopy region{.srcOffset = at, .dstOffset = at, .size = bytes};
     functions_->vkCmdCopyBuffer(commands, from_.handle(), to_.handle(), 1, &region);
 }
 

@@ -23,8 +23,8 @@ class CopyRounds {
     [[nodiscard]] static VkDeviceSize copied(VkDeviceSize bytes);
     /// What compute and transfer commands wrote is done.
     void barrier(VkCommandBuffer commands) const;
-    /// The first `bytes`, by a transfer.
-    void transfer(VkCommandBuffer commands, VkDeviceSize bytes) const;
+    /// `bytes` from `at` on, by a transfer.
+    void transfer(VkCommandBuffer commands, VkDeviceSize at, VkDeviceSize bytes) const;
 
   private:
     void push(VkCommandBuffer commands, std::uint32_t count, std::uint32_t rounds) const;

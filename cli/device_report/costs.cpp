@@ -22,7 +22,8 @@ DeviceContestant contestant(Commands commands) {
 
 // Each command in a row of k_repeats, in turns.
 Result<void> measure_commands(SectionRun& run, vulkan::Device& device, double seconds) {
-    auto made = CopyRounds::create(device, 1 << 20);
+    constexpr VkDeviceSize k_piece = 4096;
+    auto made = CopyRounds::create(device, 2 * k_repeats * k_piece);
     if (!made)
         return Error{made.error()};
     const CopyRounds& pass = *made;
@@ -31,18 +32,22 @@ Result<void> measure_commands(SectionRun& run, vulkan::Device& device, double se
     auto contest = DeviceContest::create(run.own, device);
     if (!contest)
         return Error{contest.error()};
+    using Once = std::function<void(VkCommandBuffer, int n)>;
     struct Command {
         const char* what;
-        Commands once;
+        Once once;
     };
-    const auto launch = [&](VkCommandBuffer commands) { pass.launch(commands); };
-    const auto nothing = [&](VkCommandBuffer commands) { pass.launch_nothing(commands); };
-    const auto barrier = [&](VkCommandBuffer commands) { pass.barrier(commands); };
-    const auto copy = [&](VkCommandBuffer commands) { pass.transfer(commands, 4096); };
-    const auto with_barrier = [barrier](const Commands& once) {
-        return [=](VkCommandBuffer commands) {
-            once(commands);
-            barrier(commands);
+    const auto launch = [&](VkCommandBuffer commands, int) { pass.launch(commands); };
+    const auto nothing = [&](VkCommandBuffer commands, int) { pass.launch_nothing(commands); };
+    const auto barrier = [&](VkCommandBuffer commands, int) { pass.barrier(commands); };
+    // Each to a place of its own: none waits for another.
+    const auto copy = [&](VkCommandBuffer commands, int n) {
+        pass.transfer(commands, static_cast<VkDeviceSize>(n) * k_piece, k_piece);
+    };
+    const auto with_barrier = [barrier](const Once& once) {
+        return [=](VkCommandBuffer commands, int n) {
+            once(commands, n);
+            barrier(commands, n);
         };
     };
     const Command all[] = {{"launch of one work group", launch},
@@ -56,7 +61,7 @@ Result<void> measure_commands(SectionRun& run, vulkan::Device& device, double se
         contest->add(contestant([&pass, once = command.once](VkCommandBuffer commands) {
             pass.bind(commands);
             for (int n = 0; n < k_repeats; ++n)
-                once(commands);
+                once(commands, n);
             pass.barrier(commands);
         }));
     const std::size_t empty = contest->add(contestant([](VkCommandBuffer) {}));

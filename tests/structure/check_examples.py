@@ -80,7 +80,7 @@ def known_options(program):
     """Options by subcommand, of the program itself under ''."""
     text = help_of(program)
     subcommands = re.search(r"^Subcommands:\n((?: +.*\n)+)", text, re.MULTILINE)
-    names = re.findall(r"^  (\w+)", subcommands[1], re.MULTILINE) if subcommands else []
+    names = re.findall(r"^  ([\w-]+)", subcommands[1], re.MULTILINE) if subcommands else []
     return {"": set(OPTION.findall(text)), **{name: set(OPTION.findall(help_of(program, name))) for name in names}}
 
 
