@@ -38,6 +38,8 @@ struct GroundMemory::State {
     State(std::unique_ptr<Device> lent, const GroundConfig& config) : device(std::move(lent)), host(config) {}
 
     [[nodiscard]] Result<void> make(Texel texel);
+    [[nodiscard]] Result<void> make_memory(Texel texel);
+    [[nodiscard]] std::array<Buffer*, 6> buffers() { return {&step, &walkers, &motion, &memory, &leans_before, &leans}; }
     void barrier(VkCommandBuffer commands, VkPipelineStageFlags from, VkPipelineStageFlags to) const;
     void dispatch(VkCommandBuffer commands, int into) const;
 
@@ -45,7 +47,7 @@ struct GroundMemory::State {
     windrow::detail::GroundHost host;
     Buffer step, walkers, motion, memory, leans_before, leans;
     std::array<Image3D, 2> images;
-    Pipeline pipeline;
+    std::shared_ptr<const Pipeline> pipeline;
     Sets sets;
     int set = 0;
     bool recorded = false;
@@ -70,27 +72,21 @@ Result<GroundMemory> GroundMemory::create(const Host& host, const GroundConfig& 
     });
 }
 
-Result<void> GroundMemory::State::make(Texel texel) {
+// In the order of `buffers`.
+Result<void> GroundMemory::State::make_memory(Texel texel) {
     const GroundConfig& config = host.config();
     const auto n = static_cast<std::uint32_t>(config.texels);
     const VkDeviceSize texels = host.texel_count();
-    struct Wanted {
-        Buffer* buffer;
-        VkDeviceSize bytes;
-    };
-    const Wanted wanted[] = {{&step, sizeof(numerics::WindrowGroundStep)},
-                             {&walkers, sizeof(numerics::WindrowWalker) * static_cast<VkDeviceSize>(config.max_walkers)},
-                             {&motion, texels * sizeof(glm::vec4)},
-                             {&memory, texels * sizeof(glm::vec4)},
-                             {&leans_before, texels * sizeof(glm::vec2)},
-                             {&leans, texels * sizeof(glm::vec2)}};
-    std::vector<Binding> buffers;
-    for (const Wanted& each : wanted) {
-        auto made = Buffer::create(*device, each.bytes, MemoryUse::device);
+    const std::array<VkDeviceSize, 6> bytes = {
+        sizeof(numerics::WindrowGroundStep), sizeof(numerics::WindrowWalker) * static_cast<VkDeviceSize>(config.max_walkers),
+        texels * sizeof(glm::vec4),          texels * sizeof(glm::vec4),
+        texels * sizeof(glm::vec2),          texels * sizeof(glm::vec2)};
+    for (std::size_t each = 0; each < bytes.size(); ++each) {
+        auto made = Buffer::create(*device, bytes[each], MemoryUse::device);
         if (!made)
             return Error{made.error()};
-        *each.buffer = *std::move(made);
-        buffers.push_back({.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, .buffer = each.buffer->handle()});
+        *buffers()[each] = *std::move(made);
+        device->name(VK_OBJECT_TYPE_BUFFER, buffers()[each]->handle(), "ground");
     }
     const VkFormat format = texel == Texel::half ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R32G32B32A32_SFLOAT;
     for (Image3D& image : images) {
@@ -98,22 +94,37 @@ Result<void> GroundMemory::State::make(Texel texel) {
         if (!made)
             return Error{made.error()};
         image = *std::move(made);
+        device->name(VK_OBJECT_TYPE_IMAGE, image.handle(), "ground texture");
     }
+    return {};
+}
+
+Result<void> GroundMemory::State::make(Texel texel) {
+    device->memory().measure(); // once without memory, so that its blocks have the right size
+    auto made = make_memory(texel);
+    (void)device->memory().expect_measured();
+    if (made)
+        made = make_memory(texel);
+    if (!made)
+        return made;
+    const auto n = static_cast<std::uint32_t>(host.config().texels);
+    std::vector<Binding> bindings;
+    for (const Buffer* buffer : buffers())
+        bindings.push_back({.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, .buffer = buffer->handle()});
     const std::uint32_t groups = (n + k_group - 1) / k_group;
     if (auto fits = device->check({.groups = {groups, groups, 1}, .local_size = {k_group, k_group, 1}, .name = "ground"}); !fits)
         return fits;
-    std::vector<VkDescriptorType> kinds(buffers.size(), VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+    std::vector<VkDescriptorType> kinds(bindings.size(), VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
     kinds.push_back(VK_DESCRIPTOR_TYPE_STORAGE_IMAGE);
     const auto code =
         texel == Texel::half ? std::span<const std::uint32_t>(shader_words::ground_half) : shader_words::ground_float;
-    auto compute =
-        Pipeline::create(*device, {.code = code, .bindings = kinds, .constants = {}, .push_bytes = 0, .name = "ground"});
+    auto compute = device->pipeline({.code = code, .bindings = kinds, .constants = {}, .push_bytes = 0, .name = "ground"});
     if (!compute)
         return Error{compute.error()};
     pipeline = *std::move(compute);
     std::vector<Sets::Content> contents;
     for (const Image3D& image : images) {
-        contents.push_back({&pipeline, buffers});
+        contents.push_back({pipeline.get(), bindings});
         contents.back().bindings.push_back({.type = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, .view = image.view()});
     }
     auto bound = Sets::create(*device, contents);
@@ -145,17 +156,17 @@ void GroundMemory::State::dispatch(VkCommandBuffer commands, int into) const {
                                .image = images[static_cast<std::size_t>(into)].handle(),
                                .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1}};
     // Whoever sampled it two frames ago is done first.
-    call.vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, k_compute, 0, 0, nullptr, 0, nullptr, 1, &image);
+    call.vkCmdPipelineBarrier(commands, device->reader_stages() | k_compute, k_compute, 0, 0, nullptr, 0, nullptr, 1, &image);
     const VkDescriptorSet bound = sets.at(static_cast<std::size_t>(into));
-    call.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.handle());
-    call.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.layout(), 0, 1, &bound, 0, nullptr);
+    call.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline->handle());
+    call.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline->layout(), 0, 1, &bound, 0, nullptr);
     const std::uint32_t groups = (static_cast<std::uint32_t>(host.config().texels) + k_group - 1) / k_group;
     call.vkCmdDispatch(commands, groups, groups, 1);
     image.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
     image.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;
     image.oldLayout = VK_IMAGE_LAYOUT_GENERAL;
     image.newLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
-    call.vkCmdPipelineBarrier(commands, k_compute, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0, nullptr, 0, nullptr, 1, &image);
+    call.vkCmdPipelineBarrier(commands, k_compute, device->reader_stages(), 0, 0, nullptr, 0, nullptr, 1, &image);
 }
 
 Result<void> GroundMemory::follow(glm::dvec3 point) {

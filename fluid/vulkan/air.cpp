@@ -2,6 +2,7 @@
 
 #include "fluid/cpu/box_rules.h"
 #include "fluid/message.h"
+#include "fluid/vulkan/label.h"
 
 #include <algorithm>
 #include <bit>
@@ -55,7 +56,13 @@ Result<std::unique_ptr<Air>> Air::create(std::unique_ptr<Device> device, const C
     return air;
 }
 
-Result<void> Air::make() {
+Result<Memory::Measured> Air::measure(std::unique_ptr<Device> device, const Config& config, const Settings& settings) {
+    Air air(std::move(device), config, settings);
+    return air.measure();
+}
+
+// Makes all that takes memory without memory, so that its blocks have the right size.
+Result<Memory::Measured> Air::measure() {
     prepared_ = method_of(config_, k_longest_prepared);
     // Size check before any allocation of that size on host or device: the padded fields, and the tables of the direct solves.
     const glm::dvec3 padded = glm::dvec3(config_.cells + WINDROW_HALO);
@@ -68,6 +75,15 @@ Result<void> Air::make() {
                                      device_->limits().maxStorageBufferRange, ": give fewer cells, or use the CPU.")};
     make_room_for_sides();
     tables_.emplace(tables_of(config_.boundaries));
+    device_->memory().measure();
+    if (auto made = make_memory(); !made)
+        return Error{made.error()};
+    fields_ = {};
+    piece_ = {};
+    return device_->memory().expect_measured();
+}
+
+Result<void> Air::make_memory() {
     auto piece = piece_of(*tables_);
     if (!piece)
         return Error{piece.error()};
@@ -87,6 +103,14 @@ Result<void> Air::make() {
     if (!fields)
         return Error{fields.error()};
     fields_ = *std::move(fields);
+    return {};
+}
+
+Result<void> Air::make() {
+    if (auto measured = measure(); !measured)
+        return Error{measured.error()};
+    if (auto made = make_memory(); !made)
+        return made;
     auto passes = Passes::create(*device_, fields_,
                                  {.cells = config_.cells,
                                   .projects = config_.stages.projection,
@@ -184,7 +208,7 @@ void Air::write_step(VkCommandBuffer commands, const WindrowStep& block, const A
     if (new_tile)
         tile_ = std::move(tile);
     // The host's shaders read the tile too: those of earlier frames finish before it changes.
-    barrier(new_tile ? VK_PIPELINE_STAGE_ALL_COMMANDS_BIT | k_compute | k_transfer : k_compute, k_transfer);
+    barrier(new_tile ? device_->reader_stages() | k_compute | k_transfer : k_compute, k_transfer);
     write_tables(commands);
     if (new_tile)
         write(commands, fields_.tile, std::as_bytes(tile_->texels()));
@@ -224,6 +248,7 @@ void Air::clear(VkCommandBuffer commands, const Buffer& buffer, VkDeviceSize at,
 
 void Air::dispatch(VkCommandBuffer commands, Pass pass, const Push& push, int frame) {
     wait(commands);
+    const Label label(*device_, commands, name_of(pass));
     const PassClock::Lap lap(clock_, commands, pass);
     passes_.record(commands, pass, push, frame);
     ++dispatches_;
@@ -306,6 +331,7 @@ void Air::keep_before(VkCommandBuffer commands) {
 }
 
 void Air::step(VkCommandBuffer commands, const CellStep& step) {
+    const Label tick(*device_, commands, "windrow tick");
     const WindrowStep block = block_of(*step.ambient, *step.window, step);
     write_step(commands, block, *step.ambient, step.tile);
     const DiffusionMethod diffusion = diffusion_of(step.duration);
@@ -335,6 +361,7 @@ void Air::step(VkCommandBuffer commands, const CellStep& step) {
     const auto command = [&](Pass pass, const Push& push) {
         wait(commands);
         {
+            const Label label(*device_, commands, name_of(pass));
             const PassClock::Lap lap(clock_, commands, pass);
             passes_.record_indirect(commands, pass, push, n++);
         }
@@ -375,7 +402,7 @@ void Air::show(VkCommandBuffer commands, float factor, int frame, bool reports) 
     });
     const std::span images(all.data(), count);
     // Readers of two frames ago finish first.
-    barrier(VK_PIPELINE_STAGE_ALL_COMMANDS_BIT | k_compute | k_transfer, k_compute);
+    barrier(device_->reader_stages() | k_compute | k_transfer, k_compute);
     wait(commands, images);
     shown_factor_ = factor;
     dispatch(commands, Pass::show, WindrowShowPush{.factor = factor, .reports = reports ? 1 : 0}, frame);
@@ -390,8 +417,8 @@ void Air::show(VkCommandBuffer commands, float factor, int frame, bool reports) 
                                .pNext = nullptr,
                                .srcAccessMask = writes_of(k_compute | k_transfer),
                                .dstAccessMask = VK_ACCESS_SHADER_READ_BIT};
-    device_->functions().vkCmdPipelineBarrier(commands, k_compute | k_transfer, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 1, &tile,
-                                              0, nullptr, static_cast<std::uint32_t>(images.size()), images.data());
+    device_->functions().vkCmdPipelineBarrier(commands, k_compute | k_transfer, device_->reader_stages(), 0, 1, &tile, 0, nullptr,
+                                              static_cast<std::uint32_t>(images.size()), images.data());
     ++barriers_;
 }
 

@@ -78,6 +78,10 @@ class Air {
     [[nodiscard]] static Result<std::unique_ptr<Air>> create(std::unique_ptr<Device> device, const Config& config,
                                                              const Settings& settings);
 
+    /// Device memory that `create` and the read-backs take. Rejects what they reject by size.
+    [[nodiscard]] static Result<Memory::Measured> measure(std::unique_ptr<Device> device, const Config& config,
+                                                          const Settings& settings);
+
     // --- Recording. Each begins and ends with the barriers that the others need; `end` records what is left of them. ---------
     void apply(VkCommandBuffer commands, const CellChange& change);
     /// The ambient wind is the caller's to advance.
@@ -145,6 +149,8 @@ class Air {
   private:
     Air(std::unique_ptr<Device> device, const Config& config, const Settings& settings)
         : device_(std::move(device)), config_(config), settings_(settings) {}
+    [[nodiscard]] Result<Memory::Measured> measure();
+    [[nodiscard]] Result<void> make_memory();
     [[nodiscard]] Result<void> make();
     [[nodiscard]] Box box() const { return {config_.cells, config_.cell_size, config_.boundaries}; }
     [[nodiscard]] SolveTables tables_of(const Boundaries& boundaries) const;

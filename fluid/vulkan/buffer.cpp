@@ -21,6 +21,7 @@ Properties properties_of(MemoryUse use) {
     case MemoryUse::readback:
         return {VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT, VK_MEMORY_PROPERTY_HOST_CACHED_BIT};
     case MemoryUse::device:
+    case MemoryUse::shared:
         break;
     }
     return {0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT};
@@ -49,7 +50,8 @@ Result<Buffer> Buffer::create(Device& device, VkDeviceSize bytes, MemoryUse use,
     info.size = bytes;
     info.usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
                  VK_BUFFER_USAGE_TRANSFER_DST_BIT | more_usage;
-    info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
+    if (use == MemoryUse::shared)
+        device.share_with_readers(info);
     if (const VkResult result = make(functions, host, functions.vkCreateBuffer, info, buffer.buffer_); result != VK_SUCCESS)
         return call_error("vkCreateBuffer", what, result);
 
@@ -60,6 +62,8 @@ Result<Buffer> Buffer::create(Device& device, VkDeviceSize bytes, MemoryUse use,
     if (!piece)
         return Error{what + ": " + piece.error()};
     buffer.piece_ = OwnedPiece(device.memory(), *piece);
+    if (device.memory().measuring())
+        return buffer;
     const VkDeviceSize atom = device.limits().nonCoherentAtomSize;
     buffer.piece_bytes_ = (requirements.size + atom - 1) / atom * atom;
     if (const VkResult result = functions.vkBindBufferMemory(host.device, buffer.handle(), piece->memory, piece->offset);

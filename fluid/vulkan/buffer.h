@@ -13,6 +13,7 @@ class Device;
 /// Kind of a buffer's memory.
 enum class MemoryUse {
     device,   ///< on the device; written by copies and shaders alone
+    shared,   ///< the same, read by the host's shaders on Host::reader_queue_families too
     upload,   ///< host-visible and coherent, on the device where that exists: written by the host, read by the device
     readback, ///< host-visible and cached: written by the device, read by the host
 };
@@ -27,7 +28,7 @@ class Buffer {
                                                VkBufferUsageFlags more_usage = 0);
     [[nodiscard]] VkBuffer handle() const { return buffer_.get(); }
     [[nodiscard]] VkDeviceSize bytes() const { return bytes_; }
-    /// Null for MemoryUse::device.
+    /// Null for MemoryUse::device and MemoryUse::shared.
     [[nodiscard]] std::byte* mapped() const { return static_cast<std::byte*>(piece_.get().mapped); }
     /// Makes the device's writes visible to the host where memory is not coherent (readback), or the other way (upload). For
     /// buffers that are mapped.

@@ -11,6 +11,8 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <string_view>
+#include <vector>
 
 namespace windrow::vulkan {
 
@@ -28,6 +30,25 @@ class Device {
     [[nodiscard]] const Functions& functions() const { return functions_; }
     [[nodiscard]] const VkPhysicalDeviceLimits& limits() const { return limits_; }
     [[nodiscard]] Memory& memory() { return memory_; }
+    /// Host::reader_stages, or its default.
+    [[nodiscard]] VkPipelineStageFlags reader_stages() const { return reader_stages_; }
+    /// Sharing mode of an image or a buffer that the host's shaders read (Host::reader_queue_families).
+    template <class CreateInfo>
+    void share_with_readers(CreateInfo& info) const {
+        info.sharingMode = families_.size() > 1 ? VK_SHARING_MODE_CONCURRENT : VK_SHARING_MODE_EXCLUSIVE;
+        if (families_.size() <= 1)
+            return;
+        info.queueFamilyIndexCount = static_cast<std::uint32_t>(families_.size());
+        info.pQueueFamilyIndices = families_.data();
+    }
+    /// From Host::pipeline_store, or made for this device alone.
+    [[nodiscard]] Result<std::shared_ptr<const Pipeline>> pipeline(const Pipeline::Description& description);
+    /// Names an object for debuggers and validation messages: "windrow velocity". Nothing without VK_EXT_debug_utils.
+    template <class Object>
+    void name(VkObjectType type, Object object, std::string_view text) const {
+        if (functions_.vkSetDebugUtilsObjectNameEXT != nullptr && !memory_.measuring())
+            set_name(type, (std::uint64_t)object, text); // a pointer or an integer, by platform
+    }
 
     /// Rejects a dispatch that the device cannot run: groups on an axis, invocations of a group, shared memory. `name` of the
     /// pass.
@@ -41,10 +62,13 @@ class Device {
 
   private:
     Device(const Host& host, const Functions& functions);
+    void set_name(VkObjectType type, std::uint64_t object, std::string_view text) const;
 
     Host host_;
     Functions functions_;
     VkPhysicalDeviceLimits limits_{};
+    VkPipelineStageFlags reader_stages_ = 0;
+    std::vector<std::uint32_t> families_; ///< of `host_`, the queue's own first
     Memory memory_;
 };
 

@@ -10,16 +10,16 @@ namespace windrow::vulkan {
 Result<Fields> Fields::create(Device& device, const Sizes& sizes) {
     Fields fields;
     std::string trouble;
-    const auto make = [&](Buffer& buffer, const char* name, VkDeviceSize bytes, VkBufferUsageFlags more = 0,
-                          MemoryUse use = MemoryUse::device) {
+    const auto make = [&](Buffer& buffer, const char* name, VkDeviceSize bytes, MemoryUse use = MemoryUse::device) {
         if (!trouble.empty())
             return;
-        auto made = Buffer::create(device, bytes, use, more);
+        auto made = Buffer::create(device, bytes, use);
         if (made)
             buffer = *std::move(made);
         else
             trouble = detail::message("The field ", name, " of ", sizes.cells.x, " x ", sizes.cells.y, " x ", sizes.cells.z,
                                       " cells was not made: ", made.error());
+        device.name(VK_OBJECT_TYPE_BUFFER, buffer.handle(), name);
     };
     const auto count = [](glm::ivec3 cells) {
         return static_cast<VkDeviceSize>(cells.x) * static_cast<VkDeviceSize>(cells.y) * static_cast<VkDeviceSize>(cells.z);
@@ -30,11 +30,12 @@ Result<Fields> Fields::create(Device& device, const Sizes& sizes) {
     make(fields.step, "step", sizeof(WindrowStep));
     make(fields.control, "control", sizeof(WindrowControl));
     make(fields.shapes, "shapes", 4 * (1 + 3 * (1 + 24)));
-    make(fields.commands, "commands", sizes.commands * sizeof(VkDispatchIndirectCommand), VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT);
+    make(fields.commands, "commands", sizes.commands * sizeof(VkDispatchIndirectCommand));
     make(fields.rules, "rules", 2 * axes * sizeof(WindrowRule)); // boundary rules of viscosity and of transport
     make(fields.motors, "motors", k_max_motors * sizeof(WindrowMotor));
     make(fields.tables, "tables", sizes.table_floats * sizeof(float));
-    make(fields.tile, "tile", VkDeviceSize{128} * 16 * 128 * sizeof(vec4)); // motors' eddies are read from it too
+    // Motors' eddies are read from it too.
+    make(fields.tile, "tile", VkDeviceSize{128} * 16 * 128 * sizeof(vec4), MemoryUse::shared);
     make(fields.velocity, "velocity", cells * sizeof(vec4));
     make(fields.velocity_old, "velocity_old", cells * sizeof(vec4));
     make(fields.history, "history", cells * sizeof(vec4));
@@ -53,7 +54,7 @@ Result<Fields> Fields::create(Device& device, const Sizes& sizes) {
         make(fields.points, "points", sizes.points * sizeof(WindrowPoint));
     fields.slots.resize(sizes.slots);
     for (Buffer& slot : fields.slots)
-        make(slot, "slots", sizes.slot_bytes, 0, MemoryUse::readback);
+        make(slot, "read-back", sizes.slot_bytes, MemoryUse::readback);
     const VkExtent3D extent = {static_cast<std::uint32_t>(sizes.cells.x), static_cast<std::uint32_t>(sizes.cells.y),
                                static_cast<std::uint32_t>(sizes.cells.z)};
     const auto make_image = [&](Image3D& image, VkFormat half, VkFormat single) {
@@ -64,6 +65,7 @@ Result<Fields> Fields::create(Device& device, const Sizes& sizes) {
             image = *std::move(made);
         else
             trouble = made.error();
+        device.name(VK_OBJECT_TYPE_IMAGE, image.handle(), "texture");
     };
     for (int frame = 0; frame < 2; ++frame) {
         if (has_vectors(sizes.textures))

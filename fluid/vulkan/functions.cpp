@@ -54,6 +54,11 @@ Result<Functions> load_functions(const Host& host) {
         WINDROW_DEVICE_FUNCTIONS(WINDROW_LOAD)
 #undef WINDROW_LOAD
     }
+#define WINDROW_LOAD(name) functions.name = reinterpret_cast<PFN_##name>(host.get_instance_proc_addr(host.instance, #name));
+    WINDROW_DEBUG_FUNCTIONS(WINDROW_LOAD)
+#undef WINDROW_LOAD
+    if (functions.vkCmdEndDebugUtilsLabelEXT == nullptr)
+        functions.vkCmdBeginDebugUtilsLabelEXT = nullptr;
     if (!missing.empty())
         return Error{"the driver lacks " + missing +
                      ": make instance and device with Vulkan 1.2 or newer, or update the driver."};

@@ -64,12 +64,18 @@ namespace windrow::vulkan {
     each(vkCreateQueryPool) \
     each(vkDestroyQueryPool) \
     each(vkGetQueryPoolResults)
+// Of VK_EXT_debug_utils: null where the host did not enable it.
+#define WINDROW_DEBUG_FUNCTIONS(each) \
+    each(vkSetDebugUtilsObjectNameEXT) \
+    each(vkCmdBeginDebugUtilsLabelEXT) \
+    each(vkCmdEndDebugUtilsLabelEXT)
 // clang-format on
 
 struct Functions {
 #define WINDROW_DECLARE(name) PFN_##name name = nullptr;
     WINDROW_INSTANCE_FUNCTIONS(WINDROW_DECLARE)
     WINDROW_DEVICE_FUNCTIONS(WINDROW_DECLARE)
+    WINDROW_DEBUG_FUNCTIONS(WINDROW_DECLARE)
 #undef WINDROW_DECLARE
 };
 

@@ -6,6 +6,8 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <vector>
 #include <vulkan/vulkan_core.h>
 
 namespace windrow::vulkan {
@@ -28,6 +30,8 @@ struct MemoryCallbacks {
     std::function<void(const MemoryPiece& piece)> release;
 };
 
+class PipelineStore; // pipeline_store.h
+
 /// For tools that look at compiled pipelines, as VK_KHR_pipeline_executable_properties does.
 struct PipelineWatch {
     VkPipelineCreateFlags flags = 0; ///< of each pipeline, such as VK_PIPELINE_CREATE_CAPTURE_STATISTICS_BIT_KHR
@@ -40,8 +44,17 @@ struct Host {
     VkInstance instance = VK_NULL_HANDLE;
     VkPhysicalDevice physical_device = VK_NULL_HANDLE;
     VkDevice device = VK_NULL_HANDLE;
-    /// Family of the queue that will run the command buffers; it can compute.
+    /// Family of the queue that will run the command buffers; it can compute. It need not draw.
     std::uint32_t queue_family = 0;
+    /// Shader stages of that family which sample the textures or read the gust buffer. A recording waits for the earlier ones
+    /// before it overwrites and makes its textures visible to the later ones. Default 0: vertex, fragment and compute, or compute
+    /// alone where the family cannot draw. A host that samples in others (tessellation, geometry, mesh) names all that sample;
+    /// fewer stages hold back less of the frame before. Rejected where the family lacks one.
+    VkPipelineStageFlags reader_stages = 0;
+    /// Other families whose queues sample them. Default none: the textures and the gust buffer are exclusive to `queue_family`.
+    /// Else they are shared concurrently, so that no ownership is transferred: three small images, of which a frame reads each
+    /// texel a few times, lose little by it. The host orders the submissions by semaphores (docs/vulkan.md).
+    std::vector<std::uint32_t> reader_queue_families{};
     PFN_vkGetInstanceProcAddr get_instance_proc_addr = nullptr;
     /// Handed to every vkCreate and vkDestroy; null: the driver's own.
     const VkAllocationCallbacks* allocation_callbacks = nullptr;
@@ -50,6 +63,10 @@ struct Host {
     /// with less would: for tests.
     std::uint32_t shared_bytes = 0;
     PipelineWatch pipelines{};
+    /// Where the driver looks for compiled pipelines, and keeps them. Null: nowhere, each is compiled.
+    VkPipelineCache pipeline_cache = VK_NULL_HANDLE;
+    /// Pipelines of all winds made from this host, from `PipelineStore::create`. Null: each wind makes its own.
+    std::shared_ptr<PipelineStore> pipeline_store{};
 };
 
 /// Requirements of the device, for its creation. No extension is needed.

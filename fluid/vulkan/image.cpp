@@ -51,7 +51,7 @@ Result<Image3D> Image3D::create(Device& device, VkExtent3D extent, VkFormat form
     info.samples = VK_SAMPLE_COUNT_1_BIT;
     info.tiling = VK_IMAGE_TILING_OPTIMAL;
     info.usage = k_image_usage;
-    info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
+    device.share_with_readers(info);
     info.initialLayout = VK_IMAGE_LAYOUT_UNDEFINED;
     if (const VkResult result = make(functions, host, functions.vkCreateImage, info, image.image_); result != VK_SUCCESS)
         return call_error("vkCreateImage", what, result);
@@ -61,6 +61,8 @@ Result<Image3D> Image3D::create(Device& device, VkExtent3D extent, VkFormat form
     auto piece = device.memory().allocate(requirements, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, false);
     if (!piece)
         return Error{what + ": " + piece.error()};
+    if (device.memory().measuring())
+        return image;
     image.piece_ = OwnedPiece(device.memory(), *piece);
     if (const VkResult result = functions.vkBindImageMemory(host.device, image.handle(), piece->memory, piece->offset);
         result != VK_SUCCESS)

@@ -8,7 +8,8 @@ namespace windrow::vulkan {
 
 class Device;
 
-/// Move-only. A 3D image with its view: storage, sampled, copied from and to.
+/// Move-only. A 3D image with its view: storage, sampled, copied from and to; the host's shaders read it on the queue families
+/// that Host names.
 class Image3D {
   public:
     /// Empty.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <bit>
 #include <cassert>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,8 +16,10 @@
 namespace windrow::vulkan {
 namespace {
 
-/// [bytes] Holds all of the default window, and is small against a device's memory.
+/// [bytes] Of a block for pieces that come one by one; small against a device's memory.
 constexpr VkDeviceSize k_block_bytes = VkDeviceSize{16} << 20;
+/// [bytes] The same for pieces after a measured set, such as tables of new boundaries.
+constexpr VkDeviceSize k_later_block_bytes = VkDeviceSize{1} << 20;
 
 /// Memory that needs a feature to be enabled, or that is for other uses.
 constexpr VkMemoryPropertyFlags k_unfit = VK_MEMORY_PROPERTY_LAZILY_ALLOCATED_BIT | VK_MEMORY_PROPERTY_PROTECTED_BIT |
@@ -37,6 +40,13 @@ struct MemoryBlock {
 struct Taken {
     MemoryBlock* block = nullptr;
     VkDeviceSize offset = 0;
+};
+
+/// Pieces that lie in one block, measured.
+struct ExpectedBlock {
+    std::uint32_t type;
+    bool linear;
+    VkDeviceSize bytes;
 };
 
 struct HostPiece {
@@ -65,6 +75,38 @@ struct Memory::State {
     std::vector<HostPiece> host_pieces{};
     std::uint64_t last_id = 0;
     VkDeviceSize given = 0;
+    bool measuring = false;
+    std::optional<std::vector<ExpectedBlock>> expected{}; ///< blocks of the measured pieces that are still to be made
+    Measured measured{};
+
+    void measure(const VkMemoryRequirements& asked, std::uint32_t type, bool linear) {
+        measured.given += asked.size;
+        if (host.memory.allocate) {
+            measured.taken += asked.size;
+            return;
+        }
+        auto block = std::find_if(expected->begin(), expected->end(),
+                                  [&](const ExpectedBlock& other) { return other.type == type && other.linear == linear; });
+        if (block == expected->end())
+            block = expected->insert(block, {.type = type, .linear = linear, .bytes = 0});
+        const VkDeviceSize end = rounded_up(block->bytes, asked.alignment) + asked.size;
+        measured.taken += end - block->bytes;
+        block->bytes = end;
+    }
+    /// [bytes] Of the next block, where a piece needs no more.
+    [[nodiscard]] VkDeviceSize next_block(std::uint32_t type, bool linear) {
+        const VkDeviceSize usual =
+            std::min(expected ? k_later_block_bytes : k_block_bytes, rounded_up(heap_bytes(type) / 8, atom));
+        if (!expected)
+            return usual;
+        const auto block = std::find_if(expected->begin(), expected->end(),
+                                        [&](const ExpectedBlock& other) { return other.type == type && other.linear == linear; });
+        if (block == expected->end())
+            return usual;
+        const VkDeviceSize bytes = block->bytes;
+        expected->erase(block);
+        return bytes;
+    }
 
     /// Types that fit: those with the most preferred properties first, then those with the fewest avoided ones. Equal types keep
     /// their order: drivers list the better first.
@@ -108,7 +150,7 @@ struct Memory::State {
 
     /// One more block, the last of `blocks`.
     [[nodiscard]] VkResult add_block(std::uint32_t type, bool linear, VkDeviceSize piece_bytes) {
-        VkDeviceSize bytes = std::max(piece_bytes, std::min(k_block_bytes, rounded_up(heap_bytes(type) / 8, atom)));
+        VkDeviceSize bytes = std::max(piece_bytes, next_block(type, linear));
         if (bytes > heap_left(type) || bytes > largest_allocation)
             bytes = piece_bytes;
         if (bytes > heap_left(type))
@@ -179,10 +221,16 @@ Result<MemoryPiece> Memory::allocate(const VkMemoryRequirements& requirements, V
         asked.alignment = std::max(asked.alignment, state.atom);
         asked.size = rounded_up(asked.size, state.atom);
     }
-    VkResult result = VK_ERROR_OUT_OF_DEVICE_MEMORY;
     if (state.host.memory.allocate) {
         asked.alignment = std::max(asked.alignment, state.granularity);
         asked.size = rounded_up(asked.size, state.granularity);
+    }
+    if (state.measuring) {
+        state.measure(asked, types.front(), linear);
+        return MemoryPiece{};
+    }
+    VkResult result = VK_ERROR_OUT_OF_DEVICE_MEMORY;
+    if (state.host.memory.allocate) {
         for (const std::uint32_t type : types) {
             MemoryPiece piece;
             state.host_pieces.reserve(state.host_pieces.size() + 1); // before any allocation that a failure would lose
@@ -243,6 +291,21 @@ void Memory::release(const MemoryPiece& piece) {
     state.given -= block->ranges.give_back(piece.offset);
     if (block->ranges.all_free())
         state.blocks.erase(block);
+}
+
+void Memory::measure() {
+    state_->measuring = true;
+    state_->expected.emplace();
+    state_->measured = {};
+}
+
+bool Memory::measuring() const {
+    return state_->measuring;
+}
+
+Memory::Measured Memory::expect_measured() {
+    state_->measuring = false;
+    return state_->measured;
 }
 
 bool Memory::has(VkMemoryPropertyFlags wanted, VkMemoryPropertyFlags without) const {

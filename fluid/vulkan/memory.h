@@ -24,6 +24,17 @@ class Memory {
                                                VkMemoryPropertyFlags preferred, bool linear, VkMemoryPropertyFlags avoided = 0);
     void release(const MemoryPiece& piece);
 
+    /// Bytes of pieces, and of the blocks that hold them.
+    struct Measured {
+        VkDeviceSize given = 0, taken = 0;
+    };
+    /// From now on `allocate` gives pieces without memory and adds them up; objects are made and not bound.
+    void measure();
+    [[nodiscard]] bool measuring() const;
+    /// Ends it. The next blocks have the sizes that were measured, so that what is made once more fits exactly; further ones are
+    /// small.
+    Measured expect_measured();
+
     /// Whether the device has a type with all of `wanted` and none of `without`.
     [[nodiscard]] bool has(VkMemoryPropertyFlags wanted, VkMemoryPropertyFlags without) const;
 

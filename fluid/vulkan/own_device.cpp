@@ -4,6 +4,7 @@
 #include "fluid/vulkan/functions.h"
 #include "fluid/vulkan/instance.h"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <utility>
@@ -105,15 +106,35 @@ Result<FoundDevice> choose(const std::vector<FoundDevice>& found, int place) {
     return Error{detail::message(found.front().facts.name, ": ", found.front().facts.trouble)};
 }
 
-/// The first queue family with the required capabilities and none of the unwanted ones.
-Result<std::uint32_t> choose_family(const Instance& instance, const FoundDevice& chosen, VkQueueFlags wanted,
-                                    VkQueueFlags unwanted) {
+std::vector<VkQueueFamilyProperties> families_of(const Instance& instance, const FoundDevice& chosen) {
     const auto query = instance.load<PFN_vkGetPhysicalDeviceQueueFamilyProperties>("vkGetPhysicalDeviceQueueFamilyProperties");
     std::uint32_t count = 0;
     query(chosen.physical_device, &count, nullptr);
     std::vector<VkQueueFamilyProperties> families(count);
     query(chosen.physical_device, &count, families.data());
-    for (std::uint32_t family = 0; family < count; ++family)
+    families.resize(count);
+    return families;
+}
+
+/// A queue of the device.
+struct QueuePlace {
+    std::uint32_t family = 0, index = 0;
+};
+
+/// See Settings::compute_queue.
+QueuePlace compute_place(const Instance& instance, const FoundDevice& chosen, std::uint32_t first) {
+    const std::vector<VkQueueFamilyProperties> families = families_of(instance, chosen);
+    for (std::uint32_t family = 0; family < families.size(); ++family)
+        if ((families[family].queueFlags & (VK_QUEUE_COMPUTE_BIT | VK_QUEUE_GRAPHICS_BIT)) == VK_QUEUE_COMPUTE_BIT)
+            return {.family = family, .index = family == first ? std::min(1u, families[first].queueCount - 1) : 0};
+    return {.family = first, .index = std::min(1u, families[first].queueCount - 1)};
+}
+
+/// The first queue family with the required capabilities and none of the unwanted ones.
+Result<std::uint32_t> choose_family(const Instance& instance, const FoundDevice& chosen, VkQueueFlags wanted,
+                                    VkQueueFlags unwanted) {
+    const std::vector<VkQueueFamilyProperties> families = families_of(instance, chosen);
+    for (std::uint32_t family = 0; family < families.size(); ++family)
         if ((families[family].queueFlags & wanted) == wanted && (families[family].queueFlags & unwanted) == 0)
             return family;
     return Error{chosen.facts.name + " has no queue that " +
@@ -148,10 +169,11 @@ struct OwnDevice::State {
     std::unique_ptr<Instance> instance{}; // destroyed last
     FoundDevice chosen{};
     std::uint32_t family = 0;
+    QueuePlace compute{};
     VkPhysicalDeviceFeatures features{};
     VkDevice device = VK_NULL_HANDLE;
     OwnFunctions functions{};
-    VkQueue queue = VK_NULL_HANDLE;
+    VkQueue queue = VK_NULL_HANDLE, compute_queue = VK_NULL_HANDLE;
     struct Slot {
         VkCommandPool pool = VK_NULL_HANDLE;
         VkCommandBuffer commands = VK_NULL_HANDLE;
@@ -174,17 +196,21 @@ struct OwnDevice::State {
     }
 
     [[nodiscard]] Result<void> make_device(const Settings& settings) {
-        const float priority = 1.0f;
+        const float priorities[] = {1.0f, 1.0f};
         features = features_for(*instance, chosen.physical_device, settings);
-        VkDeviceQueueCreateInfo queue_info{};
-        queue_info.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
-        queue_info.queueFamilyIndex = family;
-        queue_info.queueCount = 1;
-        queue_info.pQueuePriorities = &priority;
+        VkDeviceQueueCreateInfo queue_infos[2] = {};
+        for (VkDeviceQueueCreateInfo& queue_info : queue_infos) {
+            queue_info.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
+            queue_info.queueFamilyIndex = family;
+            queue_info.queueCount = 1;
+            queue_info.pQueuePriorities = priorities;
+        }
+        queue_infos[0].queueCount = compute.family == family ? compute.index + 1 : 1;
+        queue_infos[1].queueFamilyIndex = compute.family;
         VkDeviceCreateInfo info{};
         info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
-        info.queueCreateInfoCount = 1;
-        info.pQueueCreateInfos = &queue_info;
+        info.queueCreateInfoCount = compute.family == family ? 1 : 2;
+        info.pQueueCreateInfos = queue_infos;
         info.pEnabledFeatures = &features;
         info.pNext = settings.next;
         info.enabledExtensionCount = static_cast<std::uint32_t>(settings.extensions.size());
@@ -286,9 +312,13 @@ Result<std::unique_ptr<OwnDevice>> OwnDevice::create(const Settings& settings) {
     if (!family)
         return Error{family.error()};
     state->family = *family;
+    state->compute = {.family = *family};
+    if (settings.compute_queue)
+        state->compute = compute_place(*state->instance, state->chosen, *family);
     if (auto made = state->make_device(settings); !made)
         return Error{made.error()};
     state->functions.vkGetDeviceQueue(state->device, state->family, 0, &state->queue);
+    state->functions.vkGetDeviceQueue(state->device, state->compute.family, state->compute.index, &state->compute_queue);
     return std::unique_ptr<OwnDevice>(new OwnDevice(std::move(state)));
 }
 
@@ -304,6 +334,18 @@ Host OwnDevice::host() const {
 
 VkQueue OwnDevice::queue() const {
     return state_->queue;
+}
+
+Host OwnDevice::compute_host() const {
+    Host beside = host();
+    beside.queue_family = state_->compute.family;
+    if (beside.queue_family != state_->family)
+        beside.reader_queue_families = {state_->family};
+    return beside;
+}
+
+VkQueue OwnDevice::compute_queue() const {
+    return state_->compute_queue;
 }
 
 const VkPhysicalDeviceFeatures& OwnDevice::features() const {

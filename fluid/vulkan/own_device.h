@@ -44,6 +44,9 @@ class OwnDevice {
         VkPhysicalDeviceFeatures wished{};         ///< features that are enabled where the device has them
         std::vector<const char*> extensions{};     ///< of the device; a device without one is rejected
         const void* next = nullptr;                ///< chained to VkDeviceCreateInfo: features of the extensions
+        /// A second queue for the wind beside the first: of a family that computes and cannot draw; where there is none, one more
+        /// of the first family; where that has one queue, the first queue itself. Default: none.
+        bool compute_queue = false;
     };
     [[nodiscard]] static Result<std::unique_ptr<OwnDevice>> create(const Settings& settings);
     ~OwnDevice();
@@ -52,6 +55,9 @@ class OwnDevice {
 
     [[nodiscard]] Host host() const;
     [[nodiscard]] VkQueue queue() const;
+    /// Of a wind on Settings::compute_queue, whose readers are on the first queue; without it `host` and `queue`.
+    [[nodiscard]] Host compute_host() const;
+    [[nodiscard]] VkQueue compute_queue() const;
     [[nodiscard]] const DeviceFacts& facts() const;
     /// Features that are enabled.
     [[nodiscard]] const VkPhysicalDeviceFeatures& features() const;

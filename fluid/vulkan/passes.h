@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstring>
+#include <memory>
 #include <type_traits>
 #include <vector>
 
@@ -115,7 +116,8 @@ class Passes {
 
     const Functions* functions_ = nullptr;
     VkBuffer commands_ = VK_NULL_HANDLE;
-    std::array<Pipeline, k_passes> pipelines_;
+    std::array<std::shared_ptr<const Pipeline>, k_passes>
+        pipelines_; ///< of this wind, or shared with others (Host::pipeline_store)
     std::array<std::size_t, k_passes> first_set_{};
     std::array<Groups, k_passes> groups_{};
     std::array<std::uint64_t, k_passes> bytes_{};

@@ -99,10 +99,11 @@ Result<Pipeline> Pipeline::create(Device& device, const Description& description
     info.flags = host.pipelines.flags;
     VkPipeline made = VK_NULL_HANDLE;
     if (const VkResult result =
-            functions.vkCreateComputePipelines(host.device, VK_NULL_HANDLE, 1, &info, host.allocation_callbacks, &made);
+            functions.vkCreateComputePipelines(host.device, host.pipeline_cache, 1, &info, host.allocation_callbacks, &made);
         result != VK_SUCCESS)
         return call_error("vkCreateComputePipelines", what, result);
     pipeline.pipeline_ = {functions, host, made};
+    device.name(VK_OBJECT_TYPE_PIPELINE, made, description.name);
     if (host.pipelines.created)
         host.pipelines.created(description.name, made);
     return pipeline;

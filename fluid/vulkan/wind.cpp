@@ -53,26 +53,48 @@ Reads reads_of(const Config& config, const Settings& settings) {
     return reads;
 }
 
+Result<void> check(const Config& config, const Settings& settings) {
+    detail::Reasons reasons;
+    if (auto valid = validate(config); !valid)
+        reasons.add(valid.error());
+    if (settings.frames_in_flight < 1 || settings.frames_in_flight > 8)
+        reasons.add("frames_in_flight is ", settings.frames_in_flight, ": give 1 to 8, as many as the host has.");
+    check_reads(reasons, config, settings);
+    return reasons.outcome();
+}
+
+Air::Settings air_settings(const Config& config, const Settings& settings) {
+    return {.texel = settings.texel,
+            .textures = settings.textures,
+            .gusts = settings.gusts || config.gusts.intensity > 0.0f || config.gusts.tile, // detail needs the tile alone
+            .reads = reads_of(config, settings)};
+}
+
 } // namespace
+
+Result<RequiredBytes> required_bytes(const Host& host, const Config& config, const Settings& settings) {
+    return windrow::detail::where_memory_lasts([&]() -> Result<RequiredBytes> {
+        if (auto checked = check(config, settings); !checked)
+            return Error{checked.error()};
+        auto device = Device::create(host);
+        if (!device)
+            return Error{device.error()};
+        const auto measured = Air::measure(*std::move(device), config, air_settings(config, settings));
+        if (!measured)
+            return Error{measured.error()};
+        return RequiredBytes{.memory = measured->given, .reserved = measured->taken};
+    });
+}
 
 Result<Wind> Wind::create(const Host& host, const Config& config, const Settings& settings) {
     return windrow::detail::where_memory_lasts([&]() -> Result<Wind> {
-        detail::Reasons reasons;
-        if (auto valid = validate(config); !valid)
-            reasons.add(valid.error());
-        if (settings.frames_in_flight < 1 || settings.frames_in_flight > 8)
-            reasons.add("frames_in_flight is ", settings.frames_in_flight, ": give 1 to 8, as many as the host has.");
-        check_reads(reasons, config, settings);
-        if (!reasons.empty())
-            return Error{reasons.take()};
+        if (auto checked = check(config, settings); !checked)
+            return Error{checked.error()};
         const glm::vec3 mean = admissible_ambient(config.boundaries, config.ambient);
         auto ambient = AmbientWind::create({.mean = mean, .profile = config.profile, .gusts = config.gusts});
         if (!ambient)
             return Error{ambient.error()};
-        const bool gusts = settings.gusts || config.gusts.intensity > 0.0f || config.gusts.tile; // detail needs the tile alone
-        auto air = Air::create(
-            host, config,
-            {.texel = settings.texel, .textures = settings.textures, .gusts = gusts, .reads = reads_of(config, settings)});
+        auto air = Air::create(host, config, air_settings(config, settings));
         if (!air)
             return Error{air.error()};
         auto state = std::make_unique<State>(*std::move(air), config, settings, *ambient);

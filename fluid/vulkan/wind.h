@@ -77,6 +77,13 @@ struct Frame {
     bool save = false;
 };
 
+/// [bytes] Device memory of a wind before it is made: exactly what memory_bytes and reserved_bytes return after it. Makes buffers
+/// and images without memory and no pipelines. Rejects what `Wind::create` rejects by config, settings and device.
+struct RequiredBytes {
+    std::uint64_t memory = 0, reserved = 0;
+};
+[[nodiscard]] Result<RequiredBytes> required_bytes(const Host& host, const Config& config, const Settings& settings = {});
+
 class Wind {
   public:
     /// Makes all buffers, images and pipelines. Rejects what `windrow::validate` rejects, a device that lacks something, and a
@@ -179,7 +186,8 @@ class Wind {
     [[nodiscard]] std::optional<PassTimes> pass_times() const;
     /// [bytes] Device memory in use.
     [[nodiscard]] std::uint64_t memory_bytes() const;
-    /// [bytes] Device memory that was taken from the driver for it, in blocks with room left: at least `memory_bytes`.
+    /// [bytes] Device memory that was taken from the driver for it: `memory_bytes` and what alignment leaves free. Tables of other
+    /// boundary kinds may take another MiB.
     [[nodiscard]] std::uint64_t reserved_bytes() const;
 
     Wind(Wind&&) noexcept;
