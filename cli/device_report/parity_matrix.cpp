@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace windrow::cli {
@@ -71,6 +72,9 @@ class Matrix {
         for (const ParityStory& story : stories)
             if (!names_.contains(story.name))
                 run_.leave_out(message(story.name, ": the time did not last for it."));
+        if (paths_.size() < paths.size())
+            run_.leave_out(
+                message(paths.size() - paths_.size(), " of ", paths.size(), " paths: the time did not last for them."));
         run_.json["ran"] = ran_;
         run_.json["passed"] = passed_;
         run_.json["pass"] = ran_ == passed_;
@@ -85,6 +89,7 @@ class Matrix {
         if (!whatever_the_time && (run_.clock.over() || size * cost_ > run_.clock.left()))
             return false;
         const double before = run_.clock.past();
+        bool cut = false;
         const auto result =
             run_parity(*queue.device, story,
                        {.texel = path.texel,
@@ -92,12 +97,14 @@ class Matrix {
                         .split_planes = path.split,
                         .parallel_for = run_.parallel_for,
                         .stopped = [&] {
-                            return run_.clock.stopped() || (!whatever_the_time && run_.clock.left() < -0.2 * run_.clock.budget());
+                            cut = run_.clock.stopped() || (!whatever_the_time && run_.clock.left() < -0.2 * run_.clock.budget());
+                            return cut;
                         }});
-        if (run_.clock.stopped())
+        if (cut)
             return false;
         ++ran_;
         names_.insert(story.name);
+        paths_.insert({path.texel == vulkan::Texel::half, path.split, path.frames, path.queue});
         ReportJson row = {{"story", story.name},
                           {"texel", path.texel == vulkan::Texel::half ? "half" : "single"},
                           {"planes", path.split ? "split" : "as chosen"},
@@ -131,6 +138,7 @@ class Matrix {
     double cost_ = 0.0; ///< [s] of a cell's update
     int ran_ = 0, passed_ = 0;
     std::set<std::string> names_;
+    std::set<std::tuple<bool, bool, int, std::size_t>> paths_;
 };
 
 } // namespace

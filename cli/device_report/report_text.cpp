@@ -20,8 +20,10 @@ std::string value_text(const ReportJson& value) {
         return value.get<bool>() ? "yes" : "no";
     if (value.is_null())
         return "-";
-    if (value.is_number_float())
-        return to_digits(value.get<double>(), 4);
+    if (value.is_number_float()) {
+        const double number = value.get<double>();
+        return number >= 1e3 && number < 1e9 ? to_fixed(number, 0) : to_digits(number, 4);
+    }
     return value.dump(-1, ' ', false, ReportJson::error_handler_t::replace);
 }
 
