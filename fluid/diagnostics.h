@@ -28,6 +28,8 @@ struct Diagnostics {
     float cfl = 0.0f;
     int substeps = 0;             ///< Number of sub-steps: ceil(cfl / Config::max_cfl), at most Config::max_substeps.
     bool substeps_capped = false; ///< More sub-steps were needed than allowed: speeds were limited.
+    /// [s] Time that the next steps make up for, on a device whose speeds rose further than its host could foresee; 0 on the CPU.
+    float carried_time = 0.0f;
     /// Cells whose speed was scaled down to max_cfl * max_substeps cells a step, before the air moved or, where forces and
     /// pressure had made them faster, after it.
     std::int64_t limited_cells = 0;

@@ -69,9 +69,15 @@ struct Stepped {
 struct Advanced {
     double dt;
 };
+/// A tick of the next Stepped or Advanced, on a device: what its host decided by what was read back.
+struct TickRecorded {
+    std::uint8_t substeps; ///< recorded
+    bool limits;           ///< with the pass that cuts speeds
+    bool rests;            ///< the air became ambient and sleeps
+};
 
 using Event = std::variant<MotorAdded, MotorSet, MotorMoved, MotorRemoved, Followed, FloorSet, AmbientSet, GustsSet, SidesSet,
-                           VelocitySet, WindReset, Stepped, Advanced>;
+                           VelocitySet, WindReset, Stepped, Advanced, TickRecorded>;
 
 class EventLog {
   public:

@@ -55,8 +55,8 @@ bool has_unit_direction(const Motor& motor) {
 namespace detail {
 
 void fields(auto& archive, Like<Diagnostics> auto& report) { // of a sleeping wind; its times are 0
-    auto& [stepped, out_of_memory, max_speed, cfl, substeps, substeps_capped, limited_cells, repaired_cells, motors_in_reach,
-           diffusion, divergence_rms, energy, asleep, times_ms] = report;
+    auto& [stepped, out_of_memory, max_speed, cfl, substeps, substeps_capped, carried_time, limited_cells, repaired_cells,
+           motors_in_reach, diffusion, divergence_rms, energy, asleep, times_ms] = report;
     archive(stepped, max_speed, cfl, substeps, substeps_capped, limited_cells, repaired_cells, motors_in_reach, diffusion,
             divergence_rms, energy, asleep);
 }

@@ -150,6 +150,7 @@ WindrowStep Air::block_of(const AmbientWind& ambient, const Window& window, cons
     block.motors = static_cast<int>(std::min<std::size_t>(step.motors.size(), k_max_motors));
     block.max_substeps = config_.max_substeps;
     block.forced_substeps = forced_substeps_;
+    block.torus = torus_;
     block.flags =
         bit(fresh_, WINDROW_FRESH) | bit(classic, WINDROW_STABLE_FLUIDS) |
         bit(config_.interpolation == Interpolation::linear, WINDROW_LINEAR) | bit(config_.stages.advection, WINDROW_ADVECTS) |
@@ -159,7 +160,7 @@ WindrowStep Air::block_of(const AmbientWind& ambient, const Window& window, cons
         bit(step.has_source_flow, WINDROW_HAS_SOURCE_FLOW) | bit(step.renews_sources, WINDROW_RENEWS_SOURCE_FLOW) |
         bit(diffusion != DiffusionMethod::none, WINDROW_DIFFUSES) | bit(any(detail::MotorReach::Law::force), WINDROW_PUSHES) |
         bit(any(detail::MotorReach::Law::drive), WINDROW_DRIVES) | bit(any(detail::MotorReach::Law::source), WINDROW_EXPANDS) |
-        bit(diffused_whole_, WINDROW_DIFFUSED_WHOLE) | bit(diffusion == DiffusionMethod::one_pass, WINDROW_ONE_PASS);
+        bit(diffusion == DiffusionMethod::one_pass, WINDROW_ONE_PASS);
     block.duration = static_cast<float>(step.duration);
     block.cell_size = air.cell_size;
     block.relaxation_time = config_.relaxation_time;
@@ -246,61 +247,80 @@ void Air::clear(VkCommandBuffer commands, const Buffer& buffer, VkDeviceSize at,
     device_->functions().vkCmdFillBuffer(commands, buffer.handle(), at, bytes, 0);
 }
 
-void Air::dispatch(VkCommandBuffer commands, Pass pass, const Push& push, int frame) {
+void Air::dispatch(VkCommandBuffer commands, Pass pass, const Push& push, int frame, std::optional<std::uint32_t> command) {
     wait(commands);
     const Label label(*device_, commands, name_of(pass));
     const PassClock::Lap lap(clock_, commands, pass);
-    passes_.record(commands, pass, push, frame);
+    if (command)
+        passes_.record_indirect(commands, pass, push, *command);
+    else
+        passes_.record(commands, pass, push, frame);
     ++dispatches_;
 }
 
-void Air::place(VkCommandBuffer commands, const Buffer& field, const WindrowPlacePush& push) {
-    copy(commands, field, fields_.arrived);
-    barrier(k_transfer, k_compute);
+void Air::place(VkCommandBuffer commands, const WindrowPlacePush& push) {
+    barrier(k_transfer | k_compute, k_compute);
     dispatch(commands, Pass::place, push);
-    barrier(k_compute, k_transfer);
-    copy(commands, fields_.padded, field);
+    barrier(k_compute, k_compute | k_transfer);
 }
 
 void Air::apply(VkCommandBuffer commands, const CellChange& change) {
     using Kind = CellChange::Kind;
-    if (change.kind == Kind::end_frames)
+    if (change.kind == Kind::keep || change.kind == Kind::begin_frames || change.kind == Kind::end_frames) {
+        keeps_ = change.kind != Kind::end_frames;
         return;
-    if (change.kind == Kind::keep || change.kind == Kind::begin_frames)
-        return keep_before(commands);
-    if (change.kind == Kind::set)
-        return upload(commands, change.cells);
+    }
+    place_exposed(commands);
+    if (keeps_ && (change.kind == Kind::fill || !change.to_air)) // the velocity and what is kept part here
+        keep(commands);
+    keeps_ = keeps_ && change.kind != Kind::fill_before;
+    if (change.kind == Kind::shift) {
+        shift_ = change;
+        torus_ = ((torus_ + glm::ivec3(change.by)) % config_.cells + config_.cells) % config_.cells;
+        return;
+    }
     write_step(commands, block_of(change.ambient, change.window), change.ambient);
-    if (change.kind == Kind::shift)
-        return shift(commands, change);
-    if (change.kind == Kind::add_change || change.kind == Kind::add_wind)
+    switch (change.kind) {
+    case Kind::set:
+        return upload(commands, change.cells);
+    case Kind::add_change:
+    case Kind::add_wind:
         return adjust(commands, change);
-    fill(commands, change.kind == Kind::fill ? fields_.velocity : fields_.before);
-    if (change.kind == Kind::fill) {
-        clear(commands, fields_.source_flow);
-        fresh_ = diffused_whole_ = true;
+    case Kind::fill:
+        begin_anew(commands);
+        return place_all(commands, WINDROW_PLACE_AIR | WINDROW_PLACE_SOURCE_FLOW, WINDROW_PLACE_AMBIENT);
+    default:
+        return place_all(commands, WINDROW_PLACE_BEFORE, WINDROW_PLACE_AMBIENT);
     }
-    barrier(k_transfer, k_compute | k_transfer);
 }
 
-// A fill is a shift by the whole box.
-void Air::fill(VkCommandBuffer commands, const Buffer& field) {
-    place(commands, field, {.shift = config_.cells, .exposed_hold_ambient = 1});
+void Air::keep(VkCommandBuffer commands) {
+    if (std::exchange(keeps_, false))
+        place_all(commands, WINDROW_PLACE_BEFORE, WINDROW_PLACE_NOW);
 }
 
-void Air::shift(VkCommandBuffer commands, const CellChange& change) {
-    const WindrowPlacePush empty{.shift = glm::ivec3(change.by), .exposed_hold_ambient = 0};
-    const WindrowPlacePush exposed{.shift = empty.shift, .exposed_hold_ambient = change.exposed_hold_ambient ? 1 : 0};
-    place(commands, fields_.velocity, exposed);
-    if (change.kept)
-        place(commands, fields_.before, exposed);
-    if (change.has_source_flow)
-        place(commands, fields_.source_flow, empty);
-    if (!fresh_) {
-        place(commands, fields_.velocity_old, exposed);
-        place(commands, fields_.history, empty);
-    }
+void Air::begin_anew(VkCommandBuffer commands) {
+    barrier(k_compute | k_transfer, k_transfer);
+    clear(commands, fields_.control, offsetof(WindrowControl, undiffused_time), 2 * sizeof(float)); // and carried_time
     barrier(k_transfer, k_compute | k_transfer);
+    fresh_ = true;
+}
+
+// Cells that the last shift exposed.
+WindrowPlacePush Air::exposed() const {
+    return {.shift = glm::ivec3(shift_->by),
+            .fields = WINDROW_PLACE_AIR | (fresh_ ? 0 : WINDROW_PLACE_PAST) |
+                      (shift_->kept && !keeps_ ? WINDROW_PLACE_BEFORE : 0) |
+                      (shift_->has_source_flow ? WINDROW_PLACE_SOURCE_FLOW : 0),
+            .value = shift_->exposed_hold_ambient ? WINDROW_PLACE_AMBIENT : WINDROW_PLACE_ZERO};
+}
+
+void Air::place_exposed(VkCommandBuffer commands) {
+    if (!shift_)
+        return;
+    write_step(commands, block_of(shift_->ambient, shift_->window), shift_->ambient);
+    place(commands, exposed());
+    shift_.reset();
 }
 
 void Air::adjust(VkCommandBuffer commands, const CellChange& change) {
@@ -311,31 +331,37 @@ void Air::adjust(VkCommandBuffer commands, const CellChange& change) {
                                .factor = of_mean ? 1.0f : change.factor,
                                .of_mean = of_mean ? 1 : 0,
                                .to_air = change.to_air ? 1 : 0,
-                               .to_before = change.kept ? 1 : 0,
+                               .to_before = change.kept && !keeps_ ? 1 : 0,
                                .unused = 0});
     barrier(k_compute, k_compute | k_transfer);
 }
 
 void Air::upload(VkCommandBuffer commands, std::span<const glm::vec4> cells) {
-    barrier(k_compute | k_transfer, k_transfer);
-    write_tables(commands);
-    write(commands, fields_.velocity, std::as_bytes(cells));
-    keep_before(commands);
-    fresh_ = diffused_whole_ = true;
+    begin_anew(commands);
+    write(commands, fields_.arrived, std::as_bytes(cells));
+    place_all(commands, WINDROW_PLACE_AIR, WINDROW_PLACE_GIVEN);
+    keeps_ = true;
 }
 
-void Air::keep_before(VkCommandBuffer commands) {
-    barrier(k_compute | k_transfer, k_transfer);
-    copy(commands, fields_.velocity, fields_.before);
-    barrier(k_transfer, k_compute | k_transfer);
-}
-
-void Air::step(VkCommandBuffer commands, const CellStep& step) {
+void Air::step(VkCommandBuffer commands, const CellStep& step, const Recorded& recorded) {
     const Label tick(*device_, commands, "windrow tick");
-    const WindrowStep block = block_of(*step.ambient, *step.window, step);
+    const int wanted = recorded.substeps > 0 ? std::min(recorded.substeps, config_.max_substeps) : config_.max_substeps;
+    const int substeps = forced_substeps_ > 0 ? forced_substeps_ : config_.stages.advection ? wanted : 1;
+    const bool limits = recorded.limits && forced_substeps_ == 0 && substeps == config_.max_substeps && config_.stages.advection;
+    WindrowStep block = block_of(*step.ambient, *step.window, step);
+    block.recorded_substeps = substeps;
+    if (shift_) {
+        const WindrowPlacePush push = exposed();
+        block.exposes = push.fields;
+        block.shift = push.shift;
+        block.exposed_value = push.value;
+        shift_.reset();
+    }
+    block.flags |= (limits ? WINDROW_LIMITS : 0) | (std::exchange(keeps_, false) ? WINDROW_KEEPS : 0);
     write_step(commands, block, *step.ambient, step.tile);
     const DiffusionMethod diffusion = diffusion_of(step.duration);
-    if (std::exchange(shapes_, diffusion) != diffusion)
+    const bool chosen = substeps > 1 && forced_substeps_ == 0; // by the device
+    if (chosen && std::exchange(shapes_, diffusion) != diffusion)
         write(commands, fields_.shapes, std::as_bytes(passes_.shapes(diffusion)));
     if (!step.motors.empty())
         write(commands, fields_.motors,
@@ -356,36 +382,31 @@ void Air::step(VkCommandBuffer commands, const CellStep& step) {
         barrier(k_compute, k_compute);
     }
     dispatch(commands, Pass::plan);
-    barrier(k_compute, k_compute | k_indirect);
-    std::uint32_t n = 0;
-    const auto command = [&](Pass pass, const Push& push) {
-        wait(commands);
-        {
-            const Label label(*device_, commands, name_of(pass));
-            const PassClock::Lap lap(clock_, commands, pass);
-            passes_.record_indirect(commands, pass, push, n++);
-        }
-        ++dispatches_;
+    barrier(k_compute, chosen ? k_compute | k_indirect : k_compute);
+    if (limits) {
+        dispatch(commands, Pass::limit);
         barrier(k_compute, k_compute);
-    };
-    command(Pass::limit, {});
-    const int most = forced_substeps_ > 0 ? forced_substeps_ : config_.stages.advection ? config_.max_substeps : 1;
-    const auto part = [&](int substep) {
-        for (const Passes::Stage& stage : passes_.substep(diffusion))
-            command(stage.pass, stage.push.in_substep(substep));
-    };
-    if (fresh_ && (block.flags & WINDROW_STABLE_FLUIDS) == 0) {
-        const std::uint32_t performed = n;
-        part(-1);
-        n = performed; // it runs like the first
     }
-    for (int substep = 0; substep < most; ++substep)
-        part(substep);
+    if (fresh_ && (block.flags & WINDROW_STABLE_FLUIDS) == 0)
+        substep(commands, diffusion, -1, std::nullopt);
+    const auto passes = static_cast<std::uint32_t>(passes_.substep(diffusion).size());
+    for (int n = 0; n < substeps; ++n)
+        substep(commands, diffusion, n,
+                chosen && n > 0 ? std::optional((static_cast<std::uint32_t>(n) - 1) * passes) : std::nullopt);
     fresh_ = (block.flags & WINDROW_STABLE_FLUIDS) != 0;
-    diffused_whole_ = false;
+}
+
+void Air::substep(VkCommandBuffer commands, DiffusionMethod diffusion, int number, std::optional<std::uint32_t> command) {
+    for (const Passes::Stage& stage : passes_.substep(diffusion)) {
+        dispatch(commands, stage.pass, stage.push.in_substep(number), 0, command);
+        if (command)
+            ++*command;
+        barrier(k_compute, k_compute);
+    }
 }
 
 void Air::show(VkCommandBuffer commands, float factor, int frame, bool reports) {
+    place_exposed(commands);
     std::array<VkImageMemoryBarrier, 4> all{};
     std::size_t count = 0;
     fields_.each_image(frame, [&](const Image3D& image) {
@@ -404,8 +425,8 @@ void Air::show(VkCommandBuffer commands, float factor, int frame, bool reports) 
     // Readers of two frames ago finish first.
     barrier(device_->reader_stages() | k_compute | k_transfer, k_compute);
     wait(commands, images);
-    shown_factor_ = factor;
-    dispatch(commands, Pass::show, WindrowShowPush{.factor = factor, .reports = reports ? 1 : 0}, frame);
+    shown_factor_ = keeps_ ? 1.0f : factor;
+    dispatch(commands, Pass::show, WindrowShowPush{.factor = shown_factor_, .reports = reports ? 1 : 0}, frame);
     for (VkImageMemoryBarrier& image : images) {
         image.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
         image.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;

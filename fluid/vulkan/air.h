@@ -1,8 +1,8 @@
 // The air on the device: the step of fluid/cpu/step.cpp as compute passes, recorded into the host's command buffer.
 //
-//   place      fields move with the box                              only when it moves
-//   sources    motors, guard, reduction: u, f, S                        once a tick
-//   plan       n sub-steps, from the largest speed                   once a tick; sub-steps that do not run get no work groups
+//   place      cells that the box exposes                            only when it moves: cells stay where they are stored
+//   sources    motors, guard, reduction: u, f, S                     once a tick
+//   plan       n sub-steps, from the largest speed                   once a tick
 //   pad        R = ambient + g (u - ambient) - s q + (dt/2) f, V     each sub-step, in six dispatches; eight where planes are
 //   advect     w = R(xd) + (dt/2) f                                  split, up to 24 with implicit viscosity
 //   solve      L phi = div w: modes of x and z, columns of y, back
@@ -10,7 +10,8 @@
 //   show       textures of this frame                                once a frame
 //   report     figures of the tick to the host, and what it asked for once a frame
 //
-// The device chooses the number of sub-steps, so the maximal number is recorded. Parameters of a tick are in the command buffer
+// The host records as many sub-steps as its bound of the speed asks for (speed_bound.h); the device chooses how many of them run,
+// and carries time over to the next tick where they are too few. Parameters of a tick are in the command buffer
 // (vkCmdUpdateBuffer), large tables in a block of host memory that is written once: the host writes no memory that frames in
 // flight use.
 #pragma once
@@ -39,10 +40,11 @@ struct AirReport {
     float cfl = 0.0f;
     int substeps = 0;
     bool substeps_capped = false;
-    int repaired_cells = 0; ///< of all ticks of the recording
-    int limited_cells = 0;  ///< as these
-    float apart = 0.0f;     ///< [m/s] largest difference from ambient, in a component
-    double squares = 0.0;   ///< sum of |u|^2
+    float carried_time = 0.0f; ///< [s]
+    int repaired_cells = 0;    ///< of all ticks of the recording
+    int limited_cells = 0;     ///< as these
+    float apart = 0.0f;        ///< [m/s] largest difference from ambient, in a component
+    double squares = 0.0;      ///< sum of |u|^2
     double divergence_squares = 0.0;
 };
 
@@ -84,8 +86,15 @@ class Air {
 
     // --- Recording. Each begins and ends with the barriers that the others need; `end` records what is left of them. ---------
     void apply(VkCommandBuffer commands, const CellChange& change);
+    /// What a tick is recorded with.
+    struct Recorded {
+        int substeps = 0;   ///< at most as many run; 0: Config::max_substeps
+        bool limits = true; ///< speeds beyond these are cut; else their time is carried over
+    };
     /// The ambient wind is the caller's to advance.
-    void step(VkCommandBuffer commands, const CellStep& step);
+    void step(VkCommandBuffer commands, const CellStep& step, const Recorded& recorded);
+    /// Writes the air of the tick before, where that waits for the next tick's first pass.
+    void keep(VkCommandBuffer commands);
     /// Writes the textures of set `frame` (0 or 1) from the last tick's air and the kept one, `factor` of the way; ends with a
     /// barrier to all shaders that sample them. Before it, they may be in any layout; after it, SHADER_READ_ONLY_OPTIMAL.
     void show(VkCommandBuffer commands, float factor, int frame, bool reports);
@@ -168,16 +177,25 @@ class Air {
     void wait(VkCommandBuffer commands, std::span<const VkImageMemoryBarrier> images = {});
     void copy(VkCommandBuffer commands, const Buffer& from, const Buffer& to, VkDeviceSize at = 0);
     void clear(VkCommandBuffer commands, const Buffer& buffer, VkDeviceSize at = 0, VkDeviceSize bytes = VK_WHOLE_SIZE);
-    void dispatch(VkCommandBuffer commands, Pass pass, const Push& push = {}, int frame = 0);
-    void place(VkCommandBuffer commands, const Buffer& field, const WindrowPlacePush& push);
+    /// `command`: its work groups are entry `command` of Fields::commands.
+    void dispatch(VkCommandBuffer commands, Pass pass, const Push& push = {}, int frame = 0,
+                  std::optional<std::uint32_t> command = std::nullopt);
+    /// -1: the rehearsal of the first. `command`: of its first pass.
+    void substep(VkCommandBuffer commands, DiffusionMethod diffusion, int number, std::optional<std::uint32_t> command);
+    void place(VkCommandBuffer commands, const WindrowPlacePush& push);
     void write_tables(VkCommandBuffer commands);
     void make_room_for_sides();
-    /// The whole of a field becomes ambient.
-    void fill(VkCommandBuffer commands, const Buffer& field);
-    void shift(VkCommandBuffer commands, const CellChange& change);
+    /// Writes the cells that the last shift exposed, where nothing did yet.
+    void place_exposed(VkCommandBuffer commands);
+    /// The same in all cells.
+    void place_all(VkCommandBuffer commands, int fields, int value) {
+        place(commands, {.shift = config_.cells, .fields = fields, .value = value});
+    }
+    /// The air has no past: no time that is behind, none in which viscosity has not acted.
+    void begin_anew(VkCommandBuffer commands);
+    [[nodiscard]] WindrowPlacePush exposed() const;
     void adjust(VkCommandBuffer commands, const CellChange& change);
     void upload(VkCommandBuffer commands, std::span<const glm::vec4> cells);
-    void keep_before(VkCommandBuffer commands);
 
     std::unique_ptr<Device> device_; // before what is made from it
     Config config_;
@@ -198,10 +216,12 @@ class Air {
         Buffer piece;
         int slot;
     };
-    std::vector<Retired> retired_;   ///< pieces that a slot in flight may still copy; with room for one a slot
-    std::vector<WindrowRule> rules_; ///< how each padded cell takes its value by the boundaries
+    std::vector<Retired> retired_;    ///< pieces that a slot in flight may still copy; with room for one a slot
+    std::vector<WindrowRule> rules_;  ///< how each padded cell takes its value by the boundaries
+    glm::ivec3 torus_{0};             ///< WindrowStep::torus
+    std::optional<CellChange> shift_; ///< the last one, whose exposed cells the next tick's first pass writes
     bool fresh_ = true;
-    bool diffused_whole_ = true; ///< viscosity has acted for all time so far
+    bool keeps_ = false; ///< the air of the tick before is the velocity, which the next tick's first pass keeps
     bool cleared_ = false;
     bool stepped_ = false; ///< since `begin`
     float shown_factor_ = 1.0f;

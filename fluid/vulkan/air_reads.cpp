@@ -41,8 +41,9 @@ AirReport Air::report(int slot) const {
     std::memcpy(&read, this->slot(slot).mapped(), sizeof(read));
     return {.largest_component = read.largest_component,
             .cfl = read.cfl,
-            .substeps = std::abs(read.substeps),
-            .substeps_capped = read.substeps < 0,
+            .substeps = static_cast<int>(read.substeps & 0xffu),
+            .substeps_capped = (read.substeps >> 8 & 1u) != 0,
+            .carried_time = 1e-6f * static_cast<float>(read.substeps >> 9),
             .repaired_cells = static_cast<int>(read.repaired_cells),
             .limited_cells = static_cast<int>(read.limited_cells),
             .apart = read.apart,

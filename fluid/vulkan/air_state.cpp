@@ -12,8 +12,11 @@ static_assert(std::endian::native == std::endian::little, "cells are copied as t
 
 // --- From the device ---------------------------------------------------------------------------------------------------------
 
-Result<SavedAir> SavedAir::create(Device& device, std::size_t cells) {
+Result<SavedAir> SavedAir::create(Device& device, glm::ivec3 cells) {
     SavedAir saved;
+    saved.cells = cells;
+    const glm::u64vec3 axes(cells);
+    const VkDeviceSize field = axes.x * axes.y * axes.z * sizeof(glm::vec4);
     const auto make = [&](Buffer& buffer, VkDeviceSize bytes) -> Result<void> {
         auto made = Buffer::create(device, bytes, MemoryUse::readback);
         if (!made)
@@ -23,14 +26,16 @@ Result<SavedAir> SavedAir::create(Device& device, std::size_t cells) {
     };
     if (auto made = make(saved.control, sizeof(WindrowControl)); !made)
         return Error{made.error()};
-    for (Buffer* field : {&saved.velocity, &saved.velocity_old, &saved.history, &saved.source_flow, &saved.before})
-        if (auto made = make(*field, cells * sizeof(glm::vec4)); !made)
+    if (auto made = make(saved.velocity, 2 * field); !made)
+        return Error{made.error()};
+    for (Buffer* buffer : {&saved.history, &saved.source_flow, &saved.before})
+        if (auto made = make(*buffer, field); !made)
             return Error{made.error()};
     return saved;
 }
 
 VkResult SavedAir::invalidate() const {
-    for (const Buffer* buffer : {&control, &velocity, &velocity_old, &history, &source_flow, &before})
+    for (const Buffer* buffer : {&control, &velocity, &history, &source_flow, &before})
         if (const VkResult result = buffer->invalidate(); result != VK_SUCCESS)
             return result;
     return VK_SUCCESS;
@@ -39,66 +44,77 @@ VkResult SavedAir::invalidate() const {
 void SavedAir::fill(SnapshotDraft& draft, const std::optional<ShownFrame>& shown) const {
     WindrowControl found{};
     std::memcpy(&found, control.mapped(), sizeof(found));
-    const auto cells_of = [](const Buffer& buffer) { return reinterpret_cast<const glm::vec4*>(buffer.mapped()); };
+    const auto size = glm::u64vec3(cells);
+    const std::size_t count = size.x * size.y * size.z;
+    const auto cell_of = [&](std::size_t n) { return glm::ivec3(n % size.x, n / size.x % size.y, n / size.x / size.y); };
+    const auto value = [&](const Buffer& buffer, std::size_t n, std::size_t slot = 0) { // of the cell n, as pass.glsl finds it
+        const glm::u64vec3 place((cell_of(n) + torus) % cells);
+        glm::vec4 cell;
+        std::memcpy(&cell, buffer.mapped() + (slot * count + (place.z * size.y + place.y) * size.x + place.x) * sizeof(cell),
+                    sizeof(cell));
+        return cell;
+    };
+    const std::size_t now = static_cast<std::size_t>(found.first_slot + found.substeps) % 2;
     const bool ambient = shown && shown->still && shown->ambient.gusting();
     const auto shown_cell = [&](std::size_t n) { // as shown.glsl
         if (ambient) {
-            const auto size = glm::u64vec3(shown->window.cells);
-            const glm::ivec3 cell(n % size.x, n / size.x % size.y, n / size.x / size.y);
+            const glm::ivec3 cell = cell_of(n);
             return glm::vec4(shown->ambient.velocity(shown->window.centre(cell.x, cell.y, cell.z)), 0.0f);
         }
-        const glm::vec4 u = cells_of(velocity)[n], then = cells_of(before)[n];
+        const glm::vec4 u = value(velocity, n, now), then = value(before, n);
         return factor == 1.0f || found.nonfinite_cells > 0 ? u : then + factor * (u - then);
     };
     for (const SnapshotDraft::Gap& gap : draft.gaps) {
         std::byte* const to = draft.bytes.data() + gap.at;
         const auto copy = [&](const void* from) { std::memcpy(to, from, gap.bytes); };
+        const auto fill = [&](const auto& cell) {
+            for (std::size_t n = 0; n < gap.bytes / sizeof(glm::vec4); ++n) {
+                const glm::vec4 u = cell(n);
+                std::memcpy(to + n * sizeof(u), &u, sizeof(u));
+            }
+        };
         switch (gap.state) {
         case DeviceState::velocity:
-            copy(velocity.mapped());
+            fill([&](std::size_t n) { return value(velocity, n, now); });
             break;
         case DeviceState::velocity_old:
-            copy(velocity_old.mapped());
+            fill([&](std::size_t n) { return value(velocity, n, 1 - now); });
             break;
         case DeviceState::history:
-            copy(history.mapped());
+            fill([&](std::size_t n) { return value(history, n); });
             break;
         case DeviceState::source_flow:
-            copy(source_flow.mapped());
+            fill([&](std::size_t n) { return value(source_flow, n); });
             break;
         case DeviceState::before:
-            copy(before.mapped());
+            fill([&](std::size_t n) { return value(before, n); });
             break;
         case DeviceState::shown:
         case DeviceState::shown_before:
-            for (std::size_t n = 0; n < gap.bytes / sizeof(glm::vec4); ++n) {
-                const glm::vec4 cell = shown_cell(n);
-                std::memcpy(to + n * sizeof(cell), &cell, sizeof(cell));
-            }
+            fill(shown_cell);
             break;
         case DeviceState::dt_old:
             copy(&found.substep_duration);
             break;
-        case DeviceState::undiffused_time: {
-            const float time = diffused_whole ? 0.0f : found.undiffused_time;
-            copy(&time);
+        case DeviceState::undiffused_time:
+            copy(&found.undiffused_time);
             break;
-        }
         }
     }
 }
 
 void Air::save(VkCommandBuffer commands, SavedAir& saved) {
+    place_exposed(commands);
+    keep(commands);
     barrier(k_compute | k_transfer, k_transfer);
     copy(commands, fields_.control, saved.control);
     copy(commands, fields_.velocity, saved.velocity);
-    copy(commands, fields_.velocity_old, saved.velocity_old);
     copy(commands, fields_.history, saved.history);
     copy(commands, fields_.source_flow, saved.source_flow);
     copy(commands, fields_.before, saved.before);
     barrier(k_transfer, VK_PIPELINE_STAGE_HOST_BIT | k_compute | k_transfer);
     saved.factor = shown_factor_;
-    saved.diffused_whole = diffused_whole_;
+    saved.torus = torus_;
 }
 
 // --- To the device -----------------------------------------------------------------------------------------------------------
@@ -109,12 +125,12 @@ void Air::make_room_to_restore() {
 
 void Air::restore(VkCommandBuffer commands, RestoredAir&& air, const AmbientWind& ambient, const Window& window) {
     write_step(commands, block_of(ambient, window), ambient);
-    const auto load = [&](DeviceState state, const Buffer& to) {
+    const auto load = [&](DeviceState state, const Buffer& to, VkDeviceSize at = 0) {
         const Buffer& from = air.fields[static_cast<std::size_t>(state)];
         if (from.bytes() == 0)
             return false;
         barrier(k_compute | k_transfer, k_transfer);
-        copy(commands, from, to);
+        copy(commands, from, to, at);
         barrier(k_transfer, k_compute | k_transfer);
         return true;
     };
@@ -128,7 +144,7 @@ void Air::restore(VkCommandBuffer commands, RestoredAir&& air, const AmbientWind
     if (!frames)
         for (const int set : {0, 1})
             show(commands, 1.0f, set, false);
-    (void)load(DeviceState::velocity_old, fields_.velocity_old);
+    (void)load(DeviceState::velocity_old, fields_.velocity, fields_.velocity.bytes() / 2); // the other slot
     (void)load(DeviceState::history, fields_.history);
     (void)load(DeviceState::source_flow, fields_.source_flow);
     barrier(k_compute | k_transfer, k_transfer);
@@ -140,7 +156,6 @@ void Air::restore(VkCommandBuffer commands, RestoredAir&& air, const AmbientWind
     set(offsetof(WindrowControl, undiffused_time), air.undiffused_time);
     barrier(k_transfer, k_compute | k_transfer);
     fresh_ = air.fresh;
-    diffused_whole_ = false;
     for (Buffer& field : air.fields)
         if (field.bytes() > 0)
             retired_.push_back({std::move(field), slot_});

@@ -101,7 +101,9 @@ void Air::forget() {
     tables_written_ = rules_written_ = cleared_ = false;
     tile_.reset();
     shapes_.reset();
-    fresh_ = diffused_whole_ = true;
+    shift_.reset();
+    fresh_ = true;
+    keeps_ = false;
 }
 
 // Data that is constant from tick to tick, written once.
@@ -123,7 +125,7 @@ void Air::write_tables(VkCommandBuffer commands) {
     if (std::exchange(cleared_, true))
         return;
     // These are read before the first write, times 0: they must hold finite numbers.
-    for (const Buffer* field : {&fields_.velocity_old, &fields_.history, &fields_.force, &fields_.source_flow, &fields_.expansion,
+    for (const Buffer* field : {&fields_.velocity, &fields_.history, &fields_.force, &fields_.source_flow, &fields_.expansion,
                                 &fields_.potential, &fields_.control})
         clear(commands, *field);
 }

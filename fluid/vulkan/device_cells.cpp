@@ -32,11 +32,14 @@ Result<void> DeviceCells::set_boundaries(const Boundaries& boundaries, bool kind
     hold_gusts(); // with the old boundaries
     rest.filled = false;
     rest.disturb();
+    if (kinds)
+        speed_.note_unknown();
     new_sides_ = *std::move(prepared);
     return {};
 }
 
 void DeviceCells::record(const CellChange& change) {
+    speed_.note(change);
     if (commands_ != VK_NULL_HANDLE)
         air->apply(commands_, change);
     else
@@ -71,17 +74,46 @@ bool DeviceCells::hold_gusts() {
 bool DeviceCells::step(const CellStep& step, Diagnostics& report) {
     hold_gusts();
     rest.begin_tick(!step.motors.empty() || step.renews_sources, step.ambient->uniform());
-    air->step(commands_, step);
+    speed_.note(rest.tick, step, wind_.box());
+    const bool dictated = !dictated_.empty();
+    TickRecorded tick{};
+    if (dictated) {
+        tick = dictated_.front();
+        dictated_.pop_front();
+    } else {
+        const Air::Recorded recorded = recording_of(step);
+        tick = {.substeps = static_cast<std::uint8_t>(recorded.substeps), .limits = recorded.limits, .rests = rests(step)};
+    }
+    air->step(commands_, step, {.substeps = tick.substeps, .limits = tick.limits});
+    if (wind_.log != nullptr)
+        wind_.log->note(tick);
     step.ambient->advance(step.duration);
     read_backs_.report_to(report, wind_.box());
     report.diffusion = wind_.config.stages.diffusion
                            ? diffusion_method(wind_.config.viscosity, static_cast<float>(step.duration), wind_.config.cell_size)
                            : DiffusionMethod::none;
-    if (!step.may_rest || !rest.at_ambient(read_backs_.tick(), read_backs_.report().apart, wind_.config.sleep_speed))
+    if (!tick.rests)
         return false;
     apply({.kind = Kind::fill, .ambient = *step.ambient, .window = *step.window, .kept = step.kept});
     report_ambient(step, report);
     return true;
+}
+
+Air::Recorded DeviceCells::recording_of(const CellStep& step) const {
+    const AirReport& report = read_backs_.report();
+    const double speed = speed_.after(read_backs_.tick(), report.largest_component, report.apart);
+    const auto substeps_in = [&](double time) {
+        return std::ceil(speed * time / static_cast<double>(wind_.config.cell_size * wind_.config.max_cfl));
+    };
+    const double most = wind_.config.max_substeps, behind = static_cast<double>(report.carried_time);
+    return {.substeps = static_cast<int>(std::clamp(substeps_in(step.duration + behind), 1.0, most)),
+            .limits = substeps_in(step.duration) > most};
+}
+
+bool DeviceCells::rests(const CellStep& step) const {
+    const AirReport& report = read_backs_.report();
+    return step.may_rest && report.carried_time == 0.0f &&
+           rest.at_ambient(read_backs_.tick(), report.apart, wind_.config.sleep_speed);
 }
 
 // Report of air at rest: the ambient wind, which without gusts differs by height alone. With gusts the last read-back is
@@ -137,6 +169,7 @@ void DeviceCells::continue_from(RestoredAir&& restored) {
     queue_.clear();
     queue_.make_room();
     rest = {};
+    speed_.note_unknown();
     held_at_ = wind_.sleep.drift;
     restored_ = std::move(restored);
 }

@@ -1,11 +1,14 @@
 // The cells of a wind on a device. Operations of the core are recorded within a frame; between two frames they are queued.
 #pragma once
 
+#include "fluid/event_log.h"
 #include "fluid/vulkan/air.h"
 #include "fluid/vulkan/read_backs.h"
 #include "fluid/vulkan/saved_air.h"
+#include "fluid/vulkan/speed_bound.h"
 #include "fluid/vulkan/work_queue.h"
 
+#include <deque>
 #include <memory>
 #include <optional>
 
@@ -57,6 +60,8 @@ class DeviceCells final : public CellStorage {
     void forget();
     /// The next recording begins with this air; nothing else waits.
     void continue_from(RestoredAir&& restored);
+    /// The next tick that is not dictated yet is recorded so: of a replay.
+    void dictate(const TickRecorded& tick) { dictated_.push_back(tick); }
 
     std::unique_ptr<Air> air;
     DeviceRest rest;
@@ -68,12 +73,17 @@ class DeviceCells final : public CellStorage {
     /// Records now, or with the next frame.
     void record(const CellChange& change);
     void report_ambient(const CellStep& step, Diagnostics& report) const;
+    /// As many sub-steps as the bound of the speed asks for.
+    [[nodiscard]] Air::Recorded recording_of(const CellStep& step) const;
+    [[nodiscard]] bool rests(const CellStep& step) const;
 
     const WindCore& wind_;
     const ReadBacks& read_backs_;
     VkCommandBuffer commands_ = VK_NULL_HANDLE; ///< while a frame is recorded
     WorkQueue queue_;
-    std::optional<RestoredAir> restored_;         ///< of a loaded wind, until its first recording
+    std::optional<RestoredAir> restored_; ///< of a loaded wind, until its first recording
+    SpeedBound speed_;
+    std::deque<TickRecorded> dictated_;
     std::optional<Air::NewBoundaries> new_sides_; ///< from the next recording on
     std::uint64_t held_at_ = 0; ///< Sleep::drift at which sleeping cells were written; another: they are not what blows now
 };

@@ -36,8 +36,7 @@ Result<Fields> Fields::create(Device& device, const Sizes& sizes) {
     make(fields.tables, "tables", sizes.table_floats * sizeof(float));
     // Motors' eddies are read from it too.
     make(fields.tile, "tile", VkDeviceSize{128} * 16 * 128 * sizeof(vec4), MemoryUse::shared);
-    make(fields.velocity, "velocity", cells * sizeof(vec4));
-    make(fields.velocity_old, "velocity_old", cells * sizeof(vec4));
+    make(fields.velocity, "velocity", 2 * cells * sizeof(vec4));
     make(fields.history, "history", cells * sizeof(vec4));
     make(fields.force, "force", cells * sizeof(vec4));
     make(fields.drives, "drives", cells * sizeof(vec4));

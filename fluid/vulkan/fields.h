@@ -1,10 +1,11 @@
 // Device memory of one wind: fields, tables, and buffers between host and passes.
 //
-// A field of cells holds four floats a cell, laid out as box.h says. With N cells and P padded cells (five more an axis), in
-// bytes:
-//   velocity, velocity_old, history, force, source_flow, arrived, diffused, before           16 N each
-//   padded                                                                                    32 P, 48 P with gusts
-//   expansion, hat, potential                                                                 4 N each
+// A field of cells holds four floats a cell. Its cells are in the order of box.h, from a cell that moves with the box and around
+// (WindrowStep::torus). With N cells and P padded cells (five more an axis), in bytes:
+//   velocity                                                                    32 N: now and a sub-step ago
+//   history, force, drives, source_flow, arrived, diffused, before              16 N each
+//   padded                                                                      32 P, 48 P with gusts
+//   expansion, hat, potential                                                   4 N each
 #pragma once
 
 #include "fluid/box.h"
@@ -37,7 +38,7 @@ struct Fields {
     [[nodiscard]] static Result<Fields> create(Device& device, const Sizes& sizes);
 
     Buffer step, control, shapes, commands, rules, motors, tables, tile;
-    Buffer velocity, velocity_old, history, force, drives, source_flow, arrived, diffused, before;
+    Buffer velocity, history, force, drives, source_flow, arrived, diffused, before;
     Buffer padded, expansion, hat, potential, sums;
     Buffer points;             ///< WindrowPoint; empty without
     std::vector<Buffer> slots; ///< mapped; WindrowReport, then cells or winds

@@ -66,9 +66,13 @@ struct PlaneTiles {
     std::uint32_t between_x = 1; // of the pass along z: some of x, all of z
 };
 
-PlaneTiles tiles_of(const Device& device, glm::ivec3 cells) {
+// The same on all devices with work groups of k_solve_group: 16 KiB of shared memory, which each has, so that several groups run
+// on a multiprocessor at a time whatever it declares.
+PlaneTiles tiles_of(const Device& device, std::uint32_t group, glm::ivec3 cells) {
     const auto nx = static_cast<std::uint32_t>(cells.x), nz = static_cast<std::uint32_t>(cells.z);
-    const std::uint32_t most = device.limits().maxComputeSharedMemorySize / 4;
+    // Groups of more than half the invocations compute: 32 products each (WINDROW_TILE_HELD) hold 16 times the group.
+    const std::uint32_t most = std::min<std::uint32_t>(
+        {WINDROW_TILE_FLOATS, WINDROW_TILE_HELD / 2 * group, device.limits().maxComputeSharedMemorySize / 4});
     PlaneTiles tiles;
     tiles.whole = nx * nz <= most;
     tiles.x = nx;
@@ -94,8 +98,11 @@ std::uint64_t bytes_of(const Plan& plan, const Fields& f, std::uint64_t image_by
     const std::vector<Access> access = access_of(plan.code, plan.buffers.size());
     std::uint64_t bytes = image_bytes;
     for (std::size_t n = 0; n < plan.buffers.size(); ++n)
-        if (std::find(in_caches.begin(), in_caches.end(), plan.buffers[n]) == in_caches.end())
-            bytes += plan.buffers[n]->bytes() * (std::uint64_t{access[n].reads} + std::uint64_t{access[n].writes});
+        if (std::find(in_caches.begin(), in_caches.end(), plan.buffers[n]) == in_caches.end()) {
+            // One slot of the velocity; pad reads both.
+            const std::uint64_t slots = plan.buffers[n] == &f.velocity && plan.pass != Pass::pad ? 2 : 1;
+            bytes += plan.buffers[n]->bytes() / slots * (std::uint64_t{access[n].reads} + std::uint64_t{access[n].writes});
+        }
     return bytes;
 }
 
@@ -141,9 +148,9 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
     const glm::ivec3 cells = settings.cells;
     const Groups cell = cell_group(cells), over_cells = groups_over(cells, cell);
     const Groups over_padded = groups_over(cells + WINDROW_HALO, cell);
-    const PlaneTiles tiles = tiles_of(device, cells);
     const std::uint32_t solve =
         std::min({k_solve_group, device.limits().maxComputeWorkGroupInvocations, device.limits().maxComputeWorkGroupSize[0]});
+    const PlaneTiles tiles = tiles_of(device, solve, cells);
     const auto nx = static_cast<std::uint32_t>(cells.x), ny = static_cast<std::uint32_t>(cells.y),
                nz = static_cast<std::uint32_t>(cells.z);
     const Groups line{solve, 1, 1};
@@ -167,21 +174,22 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
     const auto a_cell = over(cell, over_cells), a_padded_cell = over(cell, over_padded), a_column = over(lines, over_columns);
     const auto a_plane = over(line, over_tiles, both_axes, 4 * tiles.x * tiles.z),
                a_half_plane = over(line, over_between, second_axis, 4 * tiles.between_x * nz);
-    a_cell(Pass::place, words::place, of(f.step, f.control, f.arrived, f.padded, f.tile));
-    a_cell(Pass::sources, words::sources,
-           of(f.step, f.control, f.velocity, f.velocity_old, f.history, f.force, f.drives, f.expansion, f.motors, f.tile));
+    a_cell(Pass::place, words::place, of(f.step, f.control, f.arrived, f.velocity, f.history, f.source_flow, f.before, f.tile));
+    a_cell(
+        Pass::sources, words::sources,
+        of(f.step, f.control, f.velocity, f.before, f.history, f.source_flow, f.force, f.drives, f.expansion, f.motors, f.tile));
     a_cell(Pass::source_flow, words::source_flow,
-           of(f.step, f.control, f.potential, f.source_flow, f.velocity, f.velocity_old, f.history, f.tile, f.motors));
-    a_cell(Pass::adjust, words::adjust, of(f.step, f.control, f.velocity, f.velocity_old, f.before, f.tile));
+           of(f.step, f.control, f.potential, f.source_flow, f.velocity, f.history, f.tile, f.motors));
+    a_cell(Pass::adjust, words::adjust, of(f.step, f.control, f.velocity, f.before, f.tile));
     over(lines, {1, 1, 1})(Pass::plan, words::plan, of(f.step, f.control, f.shapes, f.commands));
     a_cell(Pass::limit, words::limit, of(f.step, f.control, f.velocity, f.source_flow, f.drives));
     a_cell(Pass::diffuse, words::diffuse, of(f.step, f.control, f.velocity, f.force, f.source_flow, f.rules, f.diffused, f.tile));
     a_plane(Pass::diffuse_forward, words::diffuse_forward, of(f.step, f.control, f.tables, f.diffused, f.rules, f.hat));
     a_column(Pass::diffuse_columns, words::diffuse_columns, of(f.step, f.control, f.tables, f.hat, f.potential, f.arrived));
     a_plane(Pass::diffuse_back, words::diffuse_back, of(f.step, f.control, f.tables, f.hat, f.diffused));
-    a_padded_cell(Pass::pad, words::pad,
-                  of(f.step, f.control, f.velocity, f.velocity_old, f.history, f.force, f.drives, f.source_flow, f.diffused,
-                     f.rules, f.padded, f.tile));
+    a_padded_cell(
+        Pass::pad, words::pad,
+        of(f.step, f.control, f.velocity, f.history, f.force, f.drives, f.source_flow, f.diffused, f.rules, f.padded, f.tile));
     a_cell(Pass::advect, words::advect,
            of(f.step, f.control, f.velocity, f.padded, f.force, f.drives, f.history, f.source_flow, f.arrived, f.tile));
     a_plane(Pass::modes_forward, words::modes_forward, of(f.step, f.control, f.tables, f.arrived, f.expansion, f.hat, f.motors));
@@ -189,7 +197,7 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
     a_column(Pass::columns, words::columns, of(f.step, f.control, f.tables, f.hat));
     a_plane(Pass::modes_back, words::modes_back, of(f.step, f.control, f.tables, f.hat, f.potential));
     a_cell(Pass::gradient, words::gradient,
-           of(f.step, f.control, f.potential, f.arrived, f.source_flow, f.velocity, f.velocity_old, f.history, f.tile));
+           of(f.step, f.control, f.potential, f.arrived, f.source_flow, f.velocity, f.history, f.tile));
     over(cell, over_cells, {cell[0] * cell[1] * cell[2]})(
         Pass::show, show_code(settings), of(f.step, f.control, f.velocity, f.before, f.expansion, f.sums, f.tile));
     const auto to_host = [&] { plans.back().to_host = true; };
@@ -268,16 +276,22 @@ void Passes::set_tables(const SolveTables& tables) {
         int part;
     };
     const auto add_solve = [&](std::vector<Stage>& stages, const Solve& solve, const SolveTables::Vectors& at) {
-        const auto plane = [&](Pass pass, int x, int z) {
-            stages.push_back({pass, WindrowStagePush{.substep = 0, .x_vectors = x, .z_vectors = z, .part = solve.part}});
+        const auto plane = [&](Pass pass, bool forward) {
+            stages.push_back({pass, WindrowStagePush{.substep = 0,
+                                                     .x_vectors = forward ? at.x_forward : at.x_back,
+                                                     .z_vectors = forward ? at.z_forward : at.z_back,
+                                                     .part = solve.part,
+                                                     .x_even = at.x_even,
+                                                     .z_even = at.z_even,
+                                                     .forward = forward ? 1 : 0}});
         };
-        plane(solve.forward, at.x_forward, at.z_forward);
+        plane(solve.forward, true);
         if (!whole_planes_)
-            plane(Pass::modes_between, 0, at.z_forward);
+            plane(Pass::modes_between, true);
         stages.push_back({solve.columns, solve.columns_push});
         if (!whole_planes_)
-            plane(Pass::modes_between, 0, at.z_back);
-        plane(solve.back, at.x_back, at.z_back);
+            plane(Pass::modes_between, false);
+        plane(solve.back, false);
     };
     const auto solve_pressure = [&](std::vector<Stage>& stages, int of_sources) {
         const WindrowColumnsPush columns{
@@ -301,19 +315,16 @@ void Passes::set_tables(const SolveTables& tables) {
         if (settings_.projects)
             solve_pressure(stages, 0);
         stages.push_back({Pass::gradient, {}});
-        shapes_.reserve(1 + 3 * (1 + stages.size())); // the last method has the most
+        shapes_.reserve(1 + 3 * stages.size()); // the last method has the most
     }
 }
 
 std::span<const std::uint32_t> Passes::shapes(DiffusionMethod most) {
     shapes_.assign(1, static_cast<std::uint32_t>(substep(most).size())); // set_tables made room
-    const auto append = [&](Pass pass) {
-        const Groups each = groups(pass);
+    for (const Stage& stage : substep(most)) {
+        const Groups each = groups(stage.pass);
         shapes_.insert(shapes_.end(), each.begin(), each.end());
-    };
-    append(Pass::limit);
-    for (const Stage& stage : substep(most))
-        append(stage.pass);
+    }
     return shapes_;
 }
 

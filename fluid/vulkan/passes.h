@@ -6,6 +6,7 @@
 #include "fluid/vulkan/fields.h"
 #include "fluid/vulkan/tables.h"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <memory>
@@ -15,8 +16,8 @@
 namespace windrow::vulkan {
 
 enum class Pass : std::uint8_t {
-    place,           ///< moves a field with the box, or fills it with ambient
-    sources,         ///< motors, guard, survey
+    place,           ///< values for cells that the box exposes
+    sources,         ///< motors, guard, reduction
     source_flow,     ///< what a solve for the sources of air gave
     adjust,          ///< adds a wind to the air
     plan,            ///< chooses the sub-steps
@@ -83,8 +84,10 @@ class Passes {
     void set_tables(const SolveTables& tables);
     /// Number of work groups of cells: the entries of Fields::sums.
     [[nodiscard]] static std::uint32_t sums(const Device& device, glm::ivec3 cells);
-    /// Most dispatches that the plan commands in a tick of `substeps`.
-    [[nodiscard]] static std::uint32_t commands(int substeps) { return 1 + k_max_stages * static_cast<std::uint32_t>(substeps); }
+    /// Most dispatches that the plan commands in a tick of `substeps`: those of all but the first.
+    [[nodiscard]] static std::uint32_t commands(int substeps) {
+        return std::max(1u, k_max_stages * static_cast<std::uint32_t>(substeps - 1));
+    }
 
     using Groups = std::array<std::uint32_t, 3>;
     [[nodiscard]] Groups groups(Pass pass) const { return groups_[static_cast<std::size_t>(pass)]; }
@@ -92,8 +95,7 @@ class Passes {
     /// that it binds, once if it reads or writes it and twice for both, and its textures. Left out are the tables, the rules, the
     /// motors and the gust tile, which stay in caches. A pass that finds a field empty, as where no air is let in, moves less.
     [[nodiscard]] std::uint64_t bytes(Pass pass) const { return bytes_[static_cast<std::size_t>(pass)]; }
-    /// Contents of Fields::shapes: number of passes of a sub-step, and the work groups of each, those of Pass::limit before them.
-    /// Good until the next call.
+    /// Contents of Fields::shapes: number of passes of a sub-step, and the work groups of each. Good until the next call.
     [[nodiscard]] std::span<const std::uint32_t> shapes(DiffusionMethod most);
     /// One dispatch of a sub-step: the pass and its push constants without the sub-step's number.
     struct Stage {

@@ -14,16 +14,16 @@ namespace windrow::vulkan {
 class SavedAir {
   public:
     /// 80 bytes a cell.
-    [[nodiscard]] static Result<SavedAir> create(Device& device, std::size_t cells);
+    [[nodiscard]] static Result<SavedAir> create(Device& device, glm::ivec3 cells);
     /// Makes what the device wrote visible.
     [[nodiscard]] VkResult invalidate() const;
     /// Fills the gaps of a draft that was made when this was recorded. `shown`: the frame of then, with `ticks`.
     void fill(SnapshotDraft& draft, const std::optional<ShownFrame>& shown) const;
 
     // Of the recording:
-    Buffer control, velocity, velocity_old, history, source_flow, before;
-    float factor = 1.0f;         ///< of the frame shown
-    bool diffused_whole = false; ///< no diffusion time is accumulated, whatever the control says
+    Buffer control, velocity, history, source_flow, before; ///< as Fields has them
+    glm::ivec3 cells{0}, torus{0};                          ///< of the box, WindrowStep::torus
+    float factor = 1.0f;                                    ///< of the frame shown
 };
 
 /// What a loaded wind's first recording writes.

@@ -9,25 +9,22 @@ namespace {
 
 using cpu::AxisBasis;
 
-// A split basis holds half of each vector: an even one is its own mirror image, an odd one the negative of it.
-float component(const AxisBasis& basis, int mode, int cell) {
-    const bool even = mode < basis.even_size;
-    const int size = even ? basis.even_size : basis.odd_size, row = even ? mode : mode - basis.even_size;
-    const std::vector<double>& part = even ? basis.even : basis.odd;
-    const auto at = [&](int column) { return static_cast<float>(part[static_cast<std::size_t>(row) * size + column]); };
-    if (cell < size)
-        return at(cell);
-    const int mirrored = basis.count - 1 - cell;
-    if (mirrored >= size)
-        return 0.0f; // the middle of an odd vector
-    return even ? at(mirrored) : -at(mirrored);
-}
-
+// Inputs are the even part, then the odd one, each from the low end (modes.glsl). What the odd part lacks of an odd count is 0.
 int append_vectors(const AxisBasis& basis, bool forward, std::vector<float>& values) {
     const auto begin = static_cast<int>(values.size());
-    for (int from = 0; from < basis.count; ++from)
-        for (int to = 0; to < basis.count; ++to)
-            values.push_back(forward ? component(basis, to, from) : component(basis, from, to));
+    const int even = basis.even_size, odd = basis.odd_size;
+    const auto at = [](const std::vector<double>& part, int size, int mode, int cell) {
+        return static_cast<float>(part[static_cast<std::size_t>(mode) * size + cell]);
+    };
+    for (int from = 0; from < even; ++from)
+        for (int to = 0; to < basis.count; ++to) {
+            if (to < even)
+                values.push_back(forward ? at(basis.even, even, to, from) : at(basis.even, even, from, to));
+            else if (from < odd)
+                values.push_back(forward ? at(basis.odd, odd, to - even, from) : at(basis.odd, odd, from, basis.count - 1 - to));
+            else
+                values.push_back(0.0f);
+        }
     return begin;
 }
 
@@ -37,6 +34,8 @@ SolveTables::Vectors append_both(const AxisBasis& x, const AxisBasis& z, std::ve
     begin.x_back = append_vectors(x, false, values);
     begin.z_forward = append_vectors(z, true, values);
     begin.z_back = append_vectors(z, false, values);
+    begin.x_even = x.even_size;
+    begin.z_even = z.even_size;
     return begin;
 }
 

@@ -23,8 +23,9 @@ struct SolveTables {
     void add_diffusion(glm::ivec3 cells, const std::array<Ends, 3>& ends);
     // Where each table begins in `values`.
     struct Vectors {
-        int x_forward = 0, x_back = 0; ///< [cell][mode] and [mode][cell]
+        int x_forward = 0, x_back = 0; ///< [input][output] of shaders/fluid/modes.glsl, cells to modes and back
         int z_forward = 0, z_back = 0;
+        int x_even = 0, z_even = 0; ///< even vectors (cpu::AxisBasis::even_size): the inputs of a table
     };
     Vectors pressure, diffusion[3];
     int diffusion_columns[3] = {}; ///< eigenvalues of x, of z, what both ends of y add, 1 where y is periodic

@@ -175,6 +175,9 @@ Result<void> Wind::set_velocity(std::span<const glm::vec4> field) {
 void Wind::reset() {
     state_->reset();
 }
+void Wind::record_to(EventLog* log) {
+    state_->core.record_to(log);
+}
 void Wind::forget() {
     state_->forget();
 }

@@ -132,6 +132,8 @@ class Wind {
     Result<void> set_velocity(std::span<const glm::vec4> field);
     /// Sets all cells to the ambient wind.
     void reset();
+    /// As windrow::Wind::record_to. The log also has what the host decided for each tick by what was read back (TickRecorded).
+    void record_to(EventLog* log);
 
     // --- Snapshots ---------------------------------------------------------------------------------------------------------
     /// The bytes of windrow::Wind::save, of the last recording with Frame::save; once for each. They load here and on the CPU. A
@@ -204,5 +206,10 @@ class Wind {
     explicit Wind(std::unique_ptr<State> state);
     windrow::detail::Owned<State> state_;
 };
+
+/// As windrow::replay. `run` records with the function that it is given, submits, and waits: OwnDevice::run. On the same device
+/// the air is the same to the bit, however many frames are in flight.
+[[nodiscard]] Result<void> replay(const EventLog& log, Wind& wind,
+                                  const std::function<Result<void>(const std::function<void(VkCommandBuffer)>&)>& run);
 
 } // namespace windrow::vulkan

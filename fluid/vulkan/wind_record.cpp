@@ -1,5 +1,6 @@
 // Recording of a frame: the host's requests since the last one, the ticks that are due, the textures, the read-back.
 #include "fluid/message.h"
+#include "fluid/replay.h"
 #include "fluid/vulkan/wind_state.h"
 
 #include <cmath>
@@ -159,6 +160,31 @@ void Wind::State::forget() {
         clock->forget();
     cells.rest.disturb();
     core.sleep.stir();
+}
+
+namespace {
+
+struct RecordedTime {
+    Wind& wind;
+    const std::function<Result<void>(const std::function<void(VkCommandBuffer)>&)>& run;
+
+    template <class Report>
+    [[nodiscard]] Result<Report> recorded(Result<Report> (Wind::*call)(VkCommandBuffer, const Frame&), double dt) const {
+        Result<Report> report{Report{}};
+        if (auto ran = run([&](VkCommandBuffer commands) { report = (wind.*call)(commands, {.dt = dt}); }); !ran)
+            return Error{ran.error()};
+        return report;
+    }
+    [[nodiscard]] Result<Diagnostics> step(double dt) const { return recorded(&Wind::record_step, dt); }
+    [[nodiscard]] Result<Advance> advance(double dt) const { return recorded(&Wind::record, dt); }
+    void record(const TickRecorded& tick) const { wind.state().cells.dictate(tick); }
+};
+
+} // namespace
+
+Result<void> replay(const EventLog& log, Wind& wind,
+                    const std::function<Result<void>(const std::function<void(VkCommandBuffer)>&)>& run) {
+    return windrow::detail::replay(log, wind, RecordedTime{wind, run});
 }
 
 } // namespace windrow::vulkan

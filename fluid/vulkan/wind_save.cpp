@@ -14,7 +14,7 @@ void Wind::State::record_save(VkCommandBuffer commands) {
     save.reset();
     save_error.clear();
     bool noted = windrow::detail::memory_lasts([&] {
-        auto air = SavedAir::create(cells.air->device(), core.box().cell_count());
+        auto air = SavedAir::create(cells.air->device(), core.config.cells);
         if (!air) {
             save_error = air.error();
             return;

@@ -1,14 +1,13 @@
 // Addition of a wind to the air and its history: the current ambient wind, or a change of the mean wind.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#define WINDROW_READS_TILE 5
+#define WINDROW_READS_TILE 4
 #define WINDROW_PUSH WindrowAdjustPush
 #define WINDROW_BETWEEN_TICKS
 #include "fluid/pass.glsl"
 
 layout(std430, set = 0, binding = 2) buffer Velocity { vec4 velocity[]; };
-layout(std430, set = 0, binding = 3) buffer VelocityOld { vec4 velocity_old[]; };
-layout(std430, set = 0, binding = 4) buffer Before { vec4 before[]; };
+layout(std430, set = 0, binding = 3) buffer Before { vec4 before[]; };
 
 void main() {
     const ivec3 cell = ivec3(gl_GlobalInvocationID);
@@ -22,13 +21,13 @@ void main() {
             wind *= windrow_profile(tick.wind.anchor_height + tick.cell_size * (float(cell.y) + 0.5f), tick.wind.roughness_length,
                                     tick.wind.reference_height);
     } else {
-        wind = wind_at(cell, 0.0f, is_on(WINDROW_GUSTS));
+        wind = wind_at(cell, elapsed(), is_on(WINDROW_GUSTS));
     }
     const vec4 change = vec4(push.factor * wind, 0.0f);
     if (push.to_air != 0) {
-        velocity[at] += change;
+        velocity[now(at)] += change;
         if (!is_on(WINDROW_FRESH))
-            velocity_old[at] += change;
+            velocity[ago(at)] += change;
     }
     if (push.to_before != 0)
         before[at] += change;

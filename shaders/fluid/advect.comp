@@ -116,7 +116,7 @@ void main() {
     const bool classic = is_on(WINDROW_STABLE_FLUIDS);
     vec3 result;
     if (is_on(WINDROW_ADVECTS)) {
-        vec3 u = velocity[at].xyz;
+        vec3 u = velocity[now(at)].xyz;
         if (classic && is_on(WINDROW_PUSHES))
             u += dt * force[at].xyz;
         const float cells_per_speed = dt / tick.cell_size;

@@ -23,15 +23,19 @@
 #define WINDROW_DIFFUSES 1024          // viscosity may act
 #define WINDROW_PUSHES 2048            // a motor of this tick is a force
 #define WINDROW_EXPANDS 4096           // a motor of this tick is a volume source
-#define WINDROW_DIFFUSED_WHOLE 8192    // viscosity has acted for all time so far
+#define WINDROW_KEEPS 8192             // the air before this tick is kept, to blend frames
 #define WINDROW_DRIVES 32768           // a motor of this tick is a drive
 #define WINDROW_ONE_PASS                                                                                                         \
     16384 // its explicit pass is all there is: it acts for as long as that may, and leaves the rest for later
+#define WINDROW_LIMITS 65536 // limit.comp is recorded: speeds may be cut
 
 // Of a tick. An axis is a component of the vec4s of which xyz alone are used.
 struct WindrowStep {
     ivec3 cells; // an axis
     int motors;  // how many
+    // Fields of cells are stored as a torus: where cell (0, 0, 0) lies. A shift of the box moves this origin, not the cells.
+    ivec3 torus;
+    int recorded_substeps; // at most as many run; the time of the others is carried over to the next tick
     int flags;   // above
     int max_substeps;
     int forced_substeps;   // 0: as many as the speeds ask
@@ -47,7 +51,9 @@ struct WindrowStep {
     vec3 ambient;          // [m/s] mean wind that open boundaries carry
     float viscosity;       // [m^2/s]
     vec3 gust_speed;       // [texels/s] at which gusts are carried
-    float unused;
+    int exposes;           // bits of WINDROW_PLACE for cells that a shift before the tick exposes; 0: none
+    ivec3 shift;           // [cells] of the box, of these
+    int exposed_value;     // WINDROW_PLACE_AMBIENT or _ZERO
     vec4 low, high;                     // positions where a trajectory may end [cells, from the first centre]
     vec4 period;                        // cells of a periodic axis, else 0
     vec4 inverse_period;                // 1 / period, else 0
@@ -64,16 +70,20 @@ struct WindrowControl {
     uint fastest_component; // [m/s] of the velocity
     uint largest_force;     // [m/s^2] component
     uint nonfinite_cells;   // repaired
-    uint cut_cells;         // whose speed was cut
+    uint unused;
     // Of the plan.
     float substep_duration;  // [s]
     float previous_duration; // [s] of the last tick's sub-steps
     float max_speed;         // [m/s] that a component may be
     float cfl;               // Courant number
+    // The velocity has two slots, in turns: now and one sub-step ago. Sub-step n begins in slot (first_slot + n) % 2.
+    int first_slot;
     int substeps;
-    int capped;            // 1: more were wanted than allowed
     float undiffused_time; // [s] in which viscosity has not acted yet
-    int unused;
+    float carried_time;    // [s] by which the air is behind the tick's end: later ticks make up for it
+    float begin;           // [s] of the first sub-step, from the tick's start: 0, or less where time was carried over
+    int capped;            // 1: more sub-steps were wanted than allowed
+    int unused_a, unused_b;
     float diffused_time[64]; // [s] for which each sub-step diffuses; 0: left for later
     // Reported.
     uint largest_speed;         // [m/s] bits of the largest component after the tick
@@ -87,7 +97,7 @@ struct WindrowReport {
     float largest_component;  // [m/s] after the tick
     float apart;              // [m/s] largest difference from the ambient wind in a component
     float cfl;                // Courant number
-    int substeps;             // negative: more were wanted than allowed
+    uint substeps;            // 8 bits; 1 bit: more were wanted than allowed; 23 bits: time carried over [us]
     uint repaired_cells;      // of all ticks of the recording
     uint limited_cells;       // as these
     float squares;            // [m^2/s^2] sum of |u|^2
@@ -125,7 +135,14 @@ struct WindrowStagePush {
     int x_vectors; // where the eigenvectors of x begin in the tables
     int z_vectors; // and those of z
     int part;      // of diffusion: the component; of modes_forward: 1 for the flow of volume sources
+    int x_even;    // even vectors of x, which come first; all where its ends differ
+    int z_even;
+    int forward; // 1: cells to modes
 };
+
+// A tile of a transform: most floats, and most products of an invocation (modes.glsl).
+#define WINDROW_TILE_FLOATS 4096
+#define WINDROW_TILE_HELD 32
 
 // Columns along y of the direct solve of the pressure.
 struct WindrowColumnsPush {
@@ -141,9 +158,21 @@ struct WindrowDiffusePush {
     int eigenvalues; // of x, then of z, then what the low and the high end of y add to the diagonal, then 1 where y is periodic
 };
 
+// Fields that place.comp writes.
+#define WINDROW_PLACE_AIR 1
+#define WINDROW_PLACE_PAST 2 // velocity a sub-step ago, history
+#define WINDROW_PLACE_SOURCE_FLOW 4
+#define WINDROW_PLACE_BEFORE 8
+// What they take. The past's history and the sources' flow become 0.
+#define WINDROW_PLACE_ZERO 0
+#define WINDROW_PLACE_AMBIENT 1
+#define WINDROW_PLACE_GIVEN 2 // the host's cells
+#define WINDROW_PLACE_NOW 3   // the air
+
 struct WindrowPlacePush {
-    ivec3 shift;              // [cells]
-    int exposed_hold_ambient; // 0: exposed cells hold 0
+    ivec3 shift; // [cells] of the box: cells that it exposes are written
+    int fields;
+    int value;
 };
 
 struct WindrowAdjustPush {

@@ -33,7 +33,8 @@ void main() {
     if (ratio > 0.0f && !is_implicit()) {
         const vec3 sum = ((beside(cell, 0, -1) + beside(cell, 0, 1)) + (beside(cell, 1, -1) + beside(cell, 1, 1))) +
                          (beside(cell, 2, -1) + beside(cell, 2, 1));
-        v += ratio * (sum - 6.0f * v);
+        precise const vec3 rest = sum - 6.0f * v;
+        v += ratio * rest; // 0 to the bit where v is uniform, since it is not contracted
     }
     diffused[at] = vec4(v, 0.0f);
 }

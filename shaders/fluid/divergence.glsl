@@ -1,4 +1,4 @@
-// Sum of central differences over two cells of WINDROW_FIELD, a buffer of cells: 2 h times the divergence.
+// Sum of central differences over two cells of WINDROW_FIELD(at), a cell's value: 2 h times the divergence.
 #include "fluid/stencil.glsl"
 
 float differences(ivec3 cell) {
@@ -7,7 +7,7 @@ float differences(ivec3 cell) {
         float below, above;
         const int low = cell_index(neighbour(cell, axis, -1, tick.velocity_low, tick.velocity_high, below));
         const int high = cell_index(neighbour(cell, axis, 1, tick.velocity_low, tick.velocity_high, above));
-        d[axis] = above * WINDROW_FIELD[high][axis] - below * WINDROW_FIELD[low][axis];
+        d[axis] = above * WINDROW_FIELD(high)[axis] - below * WINDROW_FIELD(low)[axis];
     }
     return d.x + (d.y + d.z);
 }

@@ -13,7 +13,7 @@ vec3 given_part(ivec3 cell, int at, float elapsed) {
 
 // [m/s] What the step carries and projects of a cell.
 vec3 solved_part(ivec3 cell, int at) {
-    vec3 u = velocity[at].xyz;
+    vec3 u = velocity[now(at)].xyz;
     if (is_on(WINDROW_STABLE_FLUIDS) && is_on(WINDROW_PUSHES)) // the classic split: forces act first, and whole
         u += control.substep_duration * force[at].xyz;
     if (is_on(WINDROW_HAS_SOURCE_FLOW))

@@ -1,11 +1,11 @@
 // Last pass of a sub-step:
 //
-//   u' = w - grad phi + background wind,   u_old = u,   q' by history.glsl
+//   u' = w - grad phi + background wind, in the slot of u_old,   q' by history.glsl
 //
-// and a rehearsal: u stays, u_old = 2 u - u'.
+// and a rehearsal: u_old = 2 u - u'.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#define WINDROW_READS_TILE 8
+#define WINDROW_READS_TILE 7
 #include "fluid/pass.glsl"
 #include "fluid/stencil.glsl"
 
@@ -13,8 +13,7 @@ layout(std430, set = 0, binding = 2) readonly buffer Potential { float potential
 layout(std430, set = 0, binding = 3) readonly buffer Arrived { vec4 arrived[]; };
 layout(std430, set = 0, binding = 4) buffer SourceFlow { vec4 source_flow[]; };
 layout(std430, set = 0, binding = 5) buffer Velocity { vec4 velocity[]; };
-layout(std430, set = 0, binding = 6) writeonly buffer VelocityOld { vec4 velocity_old[]; };
-layout(std430, set = 0, binding = 7) buffer History { vec4 history[]; };
+layout(std430, set = 0, binding = 6) buffer History { vec4 history[]; };
 
 void main() {
     const ivec3 cell = ivec3(gl_GlobalInvocationID);
@@ -42,11 +41,9 @@ void main() {
     if (is_on(WINDROW_GUSTS))
         u += wind_at(cell, elapsed() + control.substep_duration, true);
     if (is_fresh()) {
-        velocity_old[at] = vec4(2.0f * velocity[at].xyz - u, 0.0f);
+        velocity[ago(at)] = vec4(2.0f * velocity[now(at)].xyz - u, 0.0f);
         return;
     }
-    if (!is_on(WINDROW_STABLE_FLUIDS))
-        velocity_old[at] = velocity[at];
     // What forces and pressure made of it since is cut too (limit.comp).
     if (is_on(WINDROW_ADVECTS) && push.substep + 1 == control.substeps) {
         const float most = tick.max_cfl * float(tick.max_substeps) * tick.cell_size / tick.duration,
@@ -55,9 +52,8 @@ void main() {
             u *= most / largest;
             if (is_on(WINDROW_HAS_SOURCE_FLOW))
                 source_flow[at] *= most / largest;
-            atomicAdd(control.cut_cells, 1u);
             atomicAdd(control.limited_cells, 1u);
         }
     }
-    velocity[at] = vec4(u, 0.0f);
+    velocity[ago(at)] = vec4(u, 0.0f); // which the next sub-step begins with
 }

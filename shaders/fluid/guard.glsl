@@ -1,10 +1,10 @@
-// Guard against non-finite cells: they become ambient, without history. Before this text: Velocity as `velocity`,
-// VelocityOld as `velocity_old`, History as `history`.
+// Guard against non-finite cells: they become ambient, without history. Before this text: Velocity as `velocity`, History as
+// `history`.
 
 bool broken(vec4 u) { return windrow_not_finite(u.x) || windrow_not_finite(u.y) || windrow_not_finite(u.z); }
 
 void repair(ivec3 cell, int at) {
-    velocity[at] = velocity_old[at] = vec4(wind_at(cell, 0.0f, is_on(WINDROW_GUSTS)), 0.0f);
+    velocity[now(at)] = velocity[ago(at)] = vec4(wind_at(cell, elapsed(), is_on(WINDROW_GUSTS)), 0.0f);
     history[at] = vec4(0.0f);
     atomicAdd(control.nonfinite_cells, 1u);
     atomicAdd(control.repaired_cells, 1u);

@@ -7,7 +7,7 @@ bool anything_holds() { return is_on(WINDROW_DRIVES) || tick.canopy_drag > 0.0f;
 
 WindrowHold hold_of(ivec3 cell, int at) {
     WindrowHold hold;
-    hold.drives = is_on(WINDROW_DRIVES) ? (1.0f / float(control.substeps)) * drives[at] : vec4(0.0f);
+    hold.drives = is_on(WINDROW_DRIVES) ? (control.substep_duration / tick.duration) * drives[at] : vec4(0.0f);
     hold.way = (0.5f * control.substep_duration) *
                (tick.canopy_drag * windrow_canopy_fraction(float(cell.y), tick.canopy_ground, tick.canopy_top));
     return hold;

@@ -20,13 +20,12 @@ void main() {
         if (wanted > most * drive.w)
             drives[at] = vec4((most * drive.w / wanted) * drive.xyz, drive.w);
     }
-    const vec4 u = velocity[at];
+    const vec4 u = velocity[now(at)];
     const float largest = largest_component(u.xyz);
     if (largest <= most)
         return;
-    velocity[at] = u * (most / largest);
+    velocity[now(at)] = u * (most / largest);
     if (is_on(WINDROW_HAS_SOURCE_FLOW))
         source_flow[at] *= most / largest;
-    atomicAdd(control.cut_cells, 1u);
     atomicAdd(control.limited_cells, 1u);
 }

@@ -14,7 +14,7 @@ layout(std430, set = 0, binding = 5) writeonly buffer Hat { float hat[]; };
 
 #define WINDROW_MOTORS 6
 #include "fluid/free_air.glsl"
-#define WINDROW_FIELD arrived
+#define WINDROW_FIELD(at) arrived[at]
 #include "fluid/divergence.glsl"
 
 const int k_of_sources = 1; // push.part: 0 the projection of w, 1 the flow of the volume sources

@@ -35,7 +35,7 @@ void write_texels(ivec3 cell, vec3 u) {
 #endif
 }
 
-#define WINDROW_FIELD velocity
+#define WINDROW_FIELD(at) velocity[now(at)]
 #include "fluid/divergence.glsl"
 #include "fluid/shown.glsl"
 
@@ -53,9 +53,8 @@ void main() {
     barrier();
     if (inside(cell, tick.cells)) {
         const int at = cell_index(cell);
-        const vec4 u = velocity[at];
-        const vec4 now = shown_cell(at, push.factor);
-        write_texels(cell, now.xyz);
+        const vec4 u = velocity[now(at)];
+        write_texels(cell, shown_cell(at, push.factor).xyz);
         if (reports) {
             float divergence = 0.0f;
             if (is_on(WINDROW_PROJECTS)) {
@@ -65,7 +64,7 @@ void main() {
             }
             parts[local] = vec2(dot(u.xyz, u.xyz), divergence * divergence);
             atomicMax(group_largest, floatBitsToUint(largest_component(u.xyz)));
-            const vec3 around = wind_at(cell, tick.duration, is_on(WINDROW_GUSTS));
+            const vec3 around = wind_at(cell, tick.duration + elapsed(), is_on(WINDROW_GUSTS));
             atomicMax(group_apart, floatBitsToUint(largest_component(u.xyz - around)));
         }
     }

@@ -6,18 +6,17 @@
 // gusts it has A too: the ambient wind, beyond a wall that of the outermost cell, and in w the second difference of its profile.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#define WINDROW_READS_TILE 11
+#define WINDROW_READS_TILE 10
 #include "fluid/pass.glsl"
 
 layout(std430, set = 0, binding = 2) readonly buffer Velocity { vec4 velocity[]; };
-layout(std430, set = 0, binding = 3) readonly buffer VelocityOld { vec4 velocity_old[]; };
-layout(std430, set = 0, binding = 4) readonly buffer History { vec4 history[]; };
-layout(std430, set = 0, binding = 5) readonly buffer Force { vec4 force[]; };
-layout(std430, set = 0, binding = 6) readonly buffer Drives { vec4 drives[]; };
-layout(std430, set = 0, binding = 7) readonly buffer SourceFlow { vec4 source_flow[]; };
-layout(std430, set = 0, binding = 8) readonly buffer Diffused { vec4 diffused[]; };
-layout(std430, set = 0, binding = 9) readonly buffer Rules { WindrowRule rules[]; };
-layout(std430, set = 0, binding = 10) writeonly buffer Padded { vec4 padded[]; }; // R of all cells, then V, then A
+layout(std430, set = 0, binding = 3) readonly buffer History { vec4 history[]; };
+layout(std430, set = 0, binding = 4) readonly buffer Force { vec4 force[]; };
+layout(std430, set = 0, binding = 5) readonly buffer Drives { vec4 drives[]; };
+layout(std430, set = 0, binding = 6) readonly buffer SourceFlow { vec4 source_flow[]; };
+layout(std430, set = 0, binding = 7) readonly buffer Diffused { vec4 diffused[]; };
+layout(std430, set = 0, binding = 8) readonly buffer Rules { WindrowRule rules[]; };
+layout(std430, set = 0, binding = 9) writeonly buffer Padded { vec4 padded[]; }; // R of all cells, then V, then A
 #include "fluid/given.glsl"
 #include "fluid/hold.glsl"
 
@@ -82,12 +81,12 @@ void main() {
             change += windrow_held_departing(whole, hold_of(cell, source)) - whole;
         }
     }
-    vec3 u = velocity[source].xyz;
+    vec3 u = velocity[now(source)].xyz;
     if (is_on(WINDROW_STABLE_FLUIDS)) {
         if (is_on(WINDROW_PUSHES))
             u += control.substep_duration * force[source].xyz;
     } else if (!is_fresh()) {
-        u += past().scale * (u - velocity_old[source].xyz);
+        u += past().scale * (u - velocity[ago(source)].xyz);
     }
     if (!identity) {
         carried = scale * carried + offset;

@@ -29,7 +29,14 @@ layout(push_constant) uniform Push { WINDROW_PUSH push; };
 
 bool is_on(int bit) { return (tick.flags & bit) != 0; }
 
-int cell_index(ivec3 cell) { return (cell.z * tick.cells.y + cell.y) * tick.cells.x + cell.x; }
+// Index of a cell in an array of the box's cells in order.
+int linear_index(ivec3 cell) { return (cell.z * tick.cells.y + cell.y) * tick.cells.x + cell.x; }
+
+// Index of a cell in a field.
+int cell_index(ivec3 cell) {
+    const ivec3 place = cell + tick.torus;
+    return linear_index(place - tick.cells * ivec3(greaterThanEqual(place, tick.cells)));
+}
 
 bool inside(ivec3 cell, ivec3 cells) { return all(lessThan(cell, cells)); }
 
@@ -46,8 +53,19 @@ WindrowPast past() {
 }
 
 // [s] From the tick's start to this sub-step's.
-float elapsed() { return float(substep()) * control.substep_duration; }
+float elapsed() { return control.begin + float(substep()) * control.substep_duration; }
+
+int slot_now() { return (control.first_slot + substep()) & 1; }
+#else
+// [s] From the tick's start to the time of the air.
+float elapsed() { return -control.carried_time; }
+
+int slot_now() { return (control.first_slot + control.substeps) & 1; }
 #endif
+
+// Index of a cell's velocity, now and a sub-step ago; `at` is its cell_index.
+int now(int at) { return at + slot_now() * (tick.cells.x * tick.cells.y * tick.cells.z); }
+int ago(int at) { return at + (1 - slot_now()) * (tick.cells.x * tick.cells.y * tick.cells.z); }
 
 // The ambient wind around the box at a cell's centre, `elapsed` [s] after the tick's start: the mean alone, or with its gusts.
 vec3 wind_at(ivec3 cell, float elapsed, bool gusts) {

@@ -1,23 +1,30 @@
-// Shift of a field with the box: cell x takes the value of x + shift. New cells, or all cells, get the ambient wind or 0.
+// Values for cells that the box exposes as it moves by `shift`, or for all cells where that is the whole box.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#define WINDROW_READS_TILE 4
+#define WINDROW_READS_TILE 7
 #define WINDROW_PUSH WindrowPlacePush
 #define WINDROW_BETWEEN_TICKS
 #include "fluid/pass.glsl"
 
-layout(std430, set = 0, binding = 2) readonly buffer From { vec4 from[]; };
-layout(std430, set = 0, binding = 3) writeonly buffer To { vec4 to[]; };
+layout(std430, set = 0, binding = 2) readonly buffer Given { vec4 given[]; };
+layout(std430, set = 0, binding = 3) buffer Velocity { vec4 velocity[]; };
+layout(std430, set = 0, binding = 4) writeonly buffer History { vec4 history[]; };
+layout(std430, set = 0, binding = 5) writeonly buffer SourceFlow { vec4 source_flow[]; };
+layout(std430, set = 0, binding = 6) writeonly buffer Before { vec4 before[]; };
+
+#include "fluid/exposed.glsl"
 
 void main() {
     const ivec3 cell = ivec3(gl_GlobalInvocationID);
-    if (!inside(cell, tick.cells))
+    if (!inside(cell, tick.cells) || !is_exposed(cell, push.shift))
         return;
-    const ivec3 source = cell + push.shift;
+    const int at = cell_index(cell);
     vec4 value = vec4(0.0f);
-    if (all(greaterThanEqual(source, ivec3(0))) && inside(source, tick.cells))
-        value = from[cell_index(source)];
-    else if (push.exposed_hold_ambient != 0)
-        value.xyz = wind_at(cell, 0.0f, is_on(WINDROW_GUSTS));
-    to[cell_index(cell)] = value;
+    if (push.value == WINDROW_PLACE_AMBIENT)
+        value.xyz = wind_at(cell, elapsed(), is_on(WINDROW_GUSTS));
+    else if (push.value == WINDROW_PLACE_GIVEN)
+        value = given[linear_index(cell)];
+    else if (push.value == WINDROW_PLACE_NOW)
+        value = velocity[now(at)];
+    place(at, push.fields, value);
 }

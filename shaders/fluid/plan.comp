@@ -1,11 +1,13 @@
 // Choice of the number of sub-steps: as many as keep the Courant number below its limit, or the maximal number with limited
-// speeds. The passes of a sub-step that does not run get no work groups.
+// speeds. Where fewer are recorded, the remaining time is carried over to the next tick. The passes of a recorded sub-step that
+// does not run get no work groups; the first one always runs.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#define WINDROW_BETWEEN_TICKS
 #include "fluid/pass.glsl"
 #include "numerics/diffusion.glsl"
 
-// Work groups of each pass, and how many passes a sub-step has; then what each of them is to run, sub-step by sub-step.
+// How many passes a sub-step has, and the work groups of each; then those of each sub-step after the first.
 layout(std430, set = 0, binding = 2) readonly buffer Shapes {
     uint passes;
     uint groups[];
@@ -16,18 +18,25 @@ void main() {
     const float dt = tick.duration, h = tick.cell_size, max_cfl = tick.max_cfl;
     const float fastest = uintBitsToFloat(control.fastest_component) + dt * uintBitsToFloat(control.largest_force);
     const float cfl = fastest * dt / h;
-    int substeps = 1, most = tick.max_substeps;
-    bool capped = false;
-    if (is_on(WINDROW_ADVECTS) && cfl > max_cfl) {
-        const float wanted = ceil(cfl / max_cfl);
-        capped = wanted > float(most);
-        substeps = capped ? most : int(wanted);
-    }
-    if (tick.forced_substeps > 0)
+    const bool catches_up = control.carried_time > 0.0f;
+    const float time = dt + control.carried_time; // [s] from where the air is to the tick's end
+    const bool capped = is_on(WINDROW_ADVECTS) && ceil(cfl / max_cfl) > float(tick.max_substeps) && is_on(WINDROW_LIMITS);
+    int substeps = 1;
+    float part = time;
+    if (tick.forced_substeps > 0) {
         substeps = tick.forced_substeps;
+        part = time / float(substeps);
+    } else if (is_on(WINDROW_ADVECTS)) {
+        // Courant numbers of all this time, once speeds are cut.
+        const float courant = min(catches_up ? cfl * (time / dt) : cfl,
+                                  capped ? max_cfl * float(tick.max_substeps) * (time / dt) : 3.0e38f);
+        const float wanted = max(ceil(courant / max_cfl), 1.0f);
+        substeps = int(min(wanted, float(tick.recorded_substeps)));
+        part = courant > 1.00001f * max_cfl * float(substeps) ? time * (max_cfl / courant) : time / float(substeps);
+    }
+    barrier(); // all have read what the first now writes
     if (gl_GlobalInvocationID.x == 0) {
-        const float part = dt / float(substeps);
-        float undiffused = is_on(WINDROW_DIFFUSED_WHOLE) ? 0.0f : control.undiffused_time;
+        float undiffused = control.undiffused_time;
         if (is_on(WINDROW_DIFFUSES))
             for (int n = 0; n < substeps; ++n) {
                 undiffused += part;
@@ -38,20 +47,21 @@ void main() {
                 control.diffused_time[n] = acts ? min(undiffused, most) : 0.0f;
                 undiffused -= control.diffused_time[n];
             }
+        control.first_slot = slot_now();
         control.substeps = substeps;
         control.capped = capped ? 1 : 0;
         control.undiffused_time = undiffused;
+        control.begin = -control.carried_time;
+        control.carried_time = part * float(substeps) < 0.99999f * time ? time - part * float(substeps) : 0.0f;
         control.previous_duration = control.substep_duration;
         control.substep_duration = part;
-        control.max_speed = max_cfl * float(substeps) * h / dt;
+        control.max_speed = capped ? max_cfl * float(tick.max_substeps) * h / dt : 1.0e30f;
         control.cfl = cfl;
     }
-    // The first pass of all is the cut of speeds, which runs only when more sub-steps were wanted.
-    const uint entries = 1u + uint(most) * passes;
+    const uint entries = uint(tick.recorded_substeps - 1) * passes;
     for (uint n = gl_LocalInvocationIndex; n < entries; n += gl_WorkGroupSize.x) {
-        const uint pass = n == 0u ? 0u : 1u + (n - 1u) % passes;
-        const bool runs = n == 0u ? capped : (n - 1u) / passes < uint(substeps);
+        const bool runs = 1u + n / passes < uint(substeps);
         for (uint axis = 0u; axis < 3u; ++axis)
-            commands[3u * n + axis] = runs ? groups[3u * pass + axis] : 0u;
+            commands[3u * n + axis] = runs ? groups[3u * (n % passes) + axis] : 0u;
     }
 }

@@ -2,16 +2,16 @@
 // u - u_old, which must not jump. Then the guard and the reduction, which need the new flow.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#define WINDROW_READS_TILE 7
+#define WINDROW_READS_TILE 6
+#define WINDROW_BETWEEN_TICKS
 #include "fluid/pass.glsl"
 #include "fluid/stencil.glsl"
 
 layout(std430, set = 0, binding = 2) readonly buffer Potential { float potential[]; };
 layout(std430, set = 0, binding = 3) buffer SourceFlow { vec4 source_flow[]; };
 layout(std430, set = 0, binding = 4) buffer Velocity { vec4 velocity[]; };
-layout(std430, set = 0, binding = 5) buffer VelocityOld { vec4 velocity_old[]; };
-layout(std430, set = 0, binding = 6) writeonly buffer History { vec4 history[]; };
-#define WINDROW_MOTORS 8
+layout(std430, set = 0, binding = 5) writeonly buffer History { vec4 history[]; };
+#define WINDROW_MOTORS 7
 #include "fluid/free_air.glsl"
 #include "fluid/guard.glsl"
 
@@ -35,12 +35,15 @@ void main() {
             }
         const vec4 change = vec4(flow - source_flow[at].xyz, 0.0f);
         source_flow[at] = vec4(flow, 0.0f);
-        velocity[at] += change;
+        vec4 u = velocity[now(at)] + change;
+        velocity[now(at)] = u;
         if (!is_on(WINDROW_FRESH))
-            velocity_old[at] += change;
-        if (broken(velocity[at]))
+            velocity[ago(at)] += change;
+        if (broken(u)) {
             repair(cell, at);
-        atomicMax(group_largest, floatBitsToUint(largest_component(velocity[at].xyz)));
+            u = velocity[now(at)];
+        }
+        atomicMax(group_largest, floatBitsToUint(largest_component(u.xyz)));
     }
     barrier();
     if (gl_LocalInvocationIndex == 0)

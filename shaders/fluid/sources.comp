@@ -6,19 +6,22 @@
 //   volume source   S = sum w S0
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#define WINDROW_READS_TILE 9
+#define WINDROW_READS_TILE 10
+#define WINDROW_BETWEEN_TICKS
 #include "fluid/pass.glsl"
 #include "numerics/canopy.glsl"
 #include "numerics/motors.glsl"
 
 layout(std430, set = 0, binding = 2) buffer Velocity { vec4 velocity[]; };
-layout(std430, set = 0, binding = 3) buffer VelocityOld { vec4 velocity_old[]; };
+layout(std430, set = 0, binding = 3) writeonly buffer Before { vec4 before[]; };
 layout(std430, set = 0, binding = 4) buffer History { vec4 history[]; };
-layout(std430, set = 0, binding = 5) writeonly buffer Force { vec4 force[]; };
-layout(std430, set = 0, binding = 6) writeonly buffer Drives { vec4 drives[]; };
-layout(std430, set = 0, binding = 7) writeonly buffer Expansion { float expansion[]; };
-layout(std430, set = 0, binding = 8) readonly buffer Motors { WindrowMotor motors[]; };
+layout(std430, set = 0, binding = 5) writeonly buffer SourceFlow { vec4 source_flow[]; };
+layout(std430, set = 0, binding = 6) writeonly buffer Force { vec4 force[]; };
+layout(std430, set = 0, binding = 7) writeonly buffer Drives { vec4 drives[]; };
+layout(std430, set = 0, binding = 8) writeonly buffer Expansion { float expansion[]; };
+layout(std430, set = 0, binding = 9) readonly buffer Motors { WindrowMotor motors[]; };
 
+#include "fluid/exposed.glsl"
 #include "fluid/guard.glsl"
 
 shared uint group_largest;
@@ -82,19 +85,25 @@ void main() {
                 let_in += motor.w * motors[n].amount;
             }
         }
-        vec4 u = velocity[at];
+        if (tick.exposes != 0 && is_exposed(cell, tick.shift)) {
+            const bool ambient = tick.exposed_value == WINDROW_PLACE_AMBIENT;
+            place(at, tick.exposes, vec4(ambient ? wind_at(cell, elapsed(), is_on(WINDROW_GUSTS)) : vec3(0.0f), 0.0f));
+        }
+        vec4 u = velocity[now(at)];
+        if (is_on(WINDROW_KEEPS))
+            before[at] = u;
         if (is_on(WINDROW_STABLE_FLUIDS)) {
             const float way =
                 tick.canopy_drag * tick.duration * windrow_canopy_fraction(float(cell.y), tick.canopy_ground, tick.canopy_top);
             u = vec4(windrow_canopy_slowed(windrow_driven(u.xyz, driven, driven.w), way), 0.0f);
             if (driven.w > 0.0f || way > 0.0f)
-                velocity[at] = u;
+                velocity[now(at)] = u;
         }
         float fastest = 0.0f;
         if (!is_on(WINDROW_RENEWS_SOURCE_FLOW)) { // else once their flow is in the velocity
             if (broken(u)) {
                 repair(cell, at);
-                u = velocity[at];
+                u = velocity[now(at)];
             }
             fastest = largest_component(u.xyz);
         }

@@ -168,7 +168,7 @@ TEST(Replay, OfARandomSessionEndsInTheSameBits) {
             ASSERT_EQ(*again.save(), recording.end) << "session " << seed << ", " << threads << " threads";
         }
     }
-    for (std::size_t kind = 0; kind < seen.size(); ++kind)
+    for (std::size_t kind = 0; kind < seen.size() - 1; ++kind) // the last is of a device (TickRecorded)
         EXPECT_GT(seen[kind], 0) << "event of index " << kind;
 }
 

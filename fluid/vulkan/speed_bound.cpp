@@ -1,0 +1,131 @@
+#include "fluid/vulkan/speed_bound.h"
+
+#include "fluid/ambient_numerics.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+namespace windrow::vulkan {
+namespace {
+
+using detail::MotorReach;
+
+float largest_component(const glm::vec3& u) {
+    return std::max({std::abs(u.x), std::abs(u.y), std::abs(u.z)});
+}
+
+// Largest component of a motor's force or target velocity at any place.
+float largest_push(const MotorReach& motor, float longest_eddy) {
+    float push = largest_component(motor.push);
+    if (motor.shape == MotorReach::Shape::jet) { // its rays slant, and are faster where it narrows
+        const float slope = (motor.end_radius - motor.radius) / glm::length(motor.extent);
+        push *= std::sqrt(1.0f + slope * slope) * motor.radius / std::min(motor.radius, motor.end_radius);
+    } else if (motor.shape == MotorReach::Shape::vortex) {
+        push *= std::sqrt(1.0f + motor.lift * motor.lift);
+    }
+    return push + motor.eddies * longest_eddy;
+}
+
+// Sides that an axis is closed or periodic at reflect a source.
+int mirrors(const Boundaries& boundaries, int axis) {
+    int count = 0;
+    for (int end = 0; end < 2; ++end)
+        count += boundaries.at(axis, end).kind != BoundaryKind::open ? 1 : 0;
+    return count;
+}
+
+// A ball of S0 [1/s] and radius R in free air: at most .1247 S0 R, at .593 R (windrow_source_potential). A wall doubles it;
+// between two, all of its 32 pi / 105 S0 R^3 pass a section of the box.
+float largest_source_flow(const MotorReach& motor, const Box& box) {
+    const float strength = std::abs(motor.amount), radius = motor.radius;
+    float flow = 0.125f * strength * radius;
+    bool duct = false;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int count = mirrors(box.boundaries, axis);
+        flow *= count > 0 ? 2.0f : 1.0f;
+        duct = duct || count == 2;
+    }
+    if (duct) {
+        const glm::vec3 size = box.cell_size * glm::vec3(box.cells);
+        const float section = std::min({size.x * size.y, size.y * size.z, size.z * size.x});
+        flow += strength * 0.958f * radius * radius * radius / section;
+    }
+    return flow;
+}
+
+} // namespace
+
+float largest_ambient(const AmbientWind& ambient, const Window& window, float* gusts) {
+    const AmbientBlock block = ambient.block(window.origin());
+    const float top = block.anchor_height + window.cell_size * static_cast<float>(window.cells.y);
+    const float factor = block.roughness_length > 0.0f
+                             ? std::max(1.0f, numerics::windrow_profile(top, block.roughness_length, block.reference_height))
+                             : 1.0f;
+    const float varying = ambient.gusting() ? block.gust_strength * block.longest_gust : 0.0f;
+    if (gusts != nullptr)
+        *gusts = varying;
+    return factor * largest_component(block.mean) + varying;
+}
+
+void SpeedBound::note(const CellChange& change) {
+    using Kind = CellChange::Kind;
+    if (change.kind == Kind::fill || change.kind == Kind::add_wind || change.kind == Kind::set || change.kind == Kind::add_change)
+        ambient_ = std::max(ambient_, largest_ambient(change.ambient, change.window));
+    if (change.kind == Kind::fill) {
+        waiting_.air.reset(ambient_);
+        waiting_.apart.reset(0.0f);
+        source_flow_ = 0.0f;
+    } else if (change.kind == Kind::set) {
+        float largest = 0.0f;
+        for (const glm::vec4& u : change.cells) // cells that are not finite become ambient
+            if (const float component = largest_component(glm::vec3(u)); component < k_unknown)
+                largest = std::max(largest, component);
+        waiting_.air.reset(std::max(largest, ambient_));
+        waiting_.apart.reset(largest + ambient_);
+    } else if (change.kind == Kind::add_wind) {
+        waiting_.air.by(ambient_);
+    } else if (change.kind == Kind::add_change && change.to_air) {
+        waiting_.air.by(ambient_); // the profile at its top included
+    }
+}
+
+void SpeedBound::note(std::uint64_t tick, const CellStep& step, const Box& box) {
+    ambient_ = largest_ambient(*step.ambient, *step.window, &gusts_);
+    float target = ambient_, force = 0.0f, flow = 0.0f;
+    for (int axis = 0; axis < 3; ++axis)
+        for (int end = 0; end < 2; ++end)
+            target = std::max(target, largest_component(box.boundaries.at(axis, end).wall_velocity));
+    const float longest_eddy = step.tile ? step.tile->bound() : 0.0f;
+    for (const MotorReach& motor : step.motors) {
+        if (motor.law == MotorReach::Law::drive)
+            target = std::max(target, largest_push(motor, longest_eddy));
+        else if (motor.law == MotorReach::Law::force)
+            force += largest_push(motor, longest_eddy);
+        else
+            flow += largest_source_flow(motor, box);
+    }
+    if (step.renews_sources) // the flow of before goes, the new one comes
+        for (Rise* rise : {&waiting_.air, &waiting_.apart})
+            rise->by(source_flow_ + flow);
+    source_flow_ = step.has_source_flow ? flow : 0.0f;
+    waiting_.air.toward(target);
+    waiting_.apart.toward(target > ambient_ ? target + ambient_ : 0.0f);
+    for (Rise* rise : {&waiting_.air, &waiting_.apart})
+        rise->by(static_cast<float>(step.duration) * force);
+    last_ = tick;
+    ticks_[tick % k_ticks] = std::exchange(waiting_, {});
+}
+
+float SpeedBound::after(std::uint64_t read_tick, float largest, float apart) const {
+    if (last_ - read_tick > k_ticks)
+        return k_unknown;
+    Rises since;
+    for (std::uint64_t tick = read_tick + 1; tick <= last_; ++tick) {
+        since.air = since.air.then(ticks_[tick % k_ticks].air);
+        since.apart = since.apart.then(ticks_[tick % k_ticks].apart);
+    }
+    return std::min(k_margin * since.air.of(largest) + 2.0f * gusts_, k_margin * since.apart.of(apart) + ambient_);
+}
+
+} // namespace windrow::vulkan
