@@ -348,6 +348,8 @@ void Air::step(VkCommandBuffer commands, const CellStep& step, const Recorded& r
     const int wanted = recorded.substeps > 0 ? std::min(recorded.substeps, config_.max_substeps) : config_.max_substeps;
     const int substeps = forced_substeps_ > 0 ? forced_substeps_ : config_.stages.advection ? wanted : 1;
     const bool limits = recorded.limits && forced_substeps_ == 0 && substeps == config_.max_substeps && config_.stages.advection;
+    if (shift_ && !same_wind(shift_->ambient, *step.ambient)) // exposed cells hold the wind of then
+        place_exposed(commands);
     WindrowStep block = block_of(*step.ambient, *step.window, step);
     block.recorded_substeps = substeps;
     if (shift_) {

@@ -1,4 +1,4 @@
-// Each barrier of a recording, left out once: the layer's synchronisation checks speak for 262 or 263 of 336. Of the rest, by the
+// Each barrier of a recording, left out once: the layer's synchronisation checks notice 219 of 305. Of the rest, by the
 // commands around them (layer 1.3.239):
 //   one half     stand between passes of a direct solve that change one buffer in place. The layer takes a buffer that a pass
 //                reads and writes as written alone, and does not speak of two such writes in a row

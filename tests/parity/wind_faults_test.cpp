@@ -39,7 +39,7 @@ class WindFaults : public Gpu {
     // Without the layer, whose watch over hundreds of lives takes minutes; it watches the same calls in the other tests.
     void SetUp() override { make_own({}); }
 
-    static constexpr glm::ivec3 k_cells{28, 6, 28}; // tables of more than 64 KiB, which new sides bring in a piece of memory
+    static constexpr glm::ivec3 k_cells{40, 6, 40}; // tables of more than 64 KiB, which new sides bring in a piece of memory
 
     // Made, given a wind, recorded for some frames, given other sides, forgotten once; the error of the first thing that failed.
     Result<void> live(const Host& host, int& frames) {

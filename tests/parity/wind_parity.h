@@ -118,6 +118,7 @@ class WindParity : public Gpu {
             [&](VkCommandBuffer commands, int slot) { recorded = held(pair.device.record(commands, {.dt = dt, .slot = slot})); },
             [&] { cpu = pair.cpu.advance(dt); });
         if (cpu.ticks > 0) {
+            EXPECT_EQ(recorded.last.carried_time, 0.0f) << "the host foresaw too few sub-steps";
             pair.cpu_sleeps = cpu.last.asleep;
             pair.device_sleeps = recorded.last.asleep;
         }
@@ -130,7 +131,9 @@ class WindParity : public Gpu {
         frame_of(
             pair,
             [&](VkCommandBuffer commands, int slot) {
-                pair.device_sleeps = held(pair.device.record_step(commands, {.dt = dt, .slot = slot})).asleep;
+                const Diagnostics recorded = held(pair.device.record_step(commands, {.dt = dt, .slot = slot}));
+                EXPECT_EQ(recorded.carried_time, 0.0f) << "the host foresaw too few sub-steps";
+                pair.device_sleeps = recorded.asleep;
             },
             [&] { pair.cpu_sleeps = pair.cpu.step(dt).asleep; });
     }
