@@ -99,7 +99,8 @@ Result<void> Air::make_memory() {
                                             .textures = settings_.textures,
                                             .slots = static_cast<std::uint32_t>(settings_.reads.slots),
                                             .slot_bytes = slot_bytes(settings_.reads),
-                                            .points = static_cast<std::uint32_t>(settings_.reads.points)});
+                                            .points = static_cast<std::uint32_t>(settings_.reads.points),
+                                            .exported = settings_.exported});
     if (!fields)
         return Error{fields.error()};
     fields_ = *std::move(fields);

@@ -74,6 +74,7 @@ class Air {
         TextureSet textures = TextureSet::vectors;
         bool gusts = true; ///< there is room for a tile of gusts
         Reads reads{};
+        VkExternalMemoryHandleTypeFlagBits exported{}; ///< textures; 0: not
     };
     [[nodiscard]] static Result<std::unique_ptr<Air>> create(const Host& host, const Config& config, const Settings& settings);
     /// With calls given, as a test does that has one fail.

@@ -59,7 +59,7 @@ Result<Fields> Fields::create(Device& device, const Sizes& sizes) {
     const auto make_image = [&](Image3D& image, VkFormat half, VkFormat single) {
         if (!trouble.empty())
             return;
-        auto made = Image3D::create(device, extent, sizes.texel == Texel::half ? half : single);
+        auto made = Image3D::create(device, extent, sizes.texel == Texel::half ? half : single, sizes.exported);
         if (made)
             image = *std::move(made);
         else

@@ -30,10 +30,11 @@ struct Fields {
         bool diffuses = false; ///< else `diffused` is a stand-in
         bool gusts = false;    ///< else `tile` is one
         Texel texel = Texel::half;
-        TextureSet textures = TextureSet::vectors; ///< what it has not stays empty
-        std::uint32_t slots = 1;                   ///< that the host reads
-        VkDeviceSize slot_bytes = 32;              ///< the report, then what the host asked for
-        std::uint32_t points = 0;                  ///< that the host may ask for in a frame
+        TextureSet textures = TextureSet::vectors;     ///< what it has not stays empty
+        std::uint32_t slots = 1;                       ///< that the host reads
+        VkDeviceSize slot_bytes = 32;                  ///< the report, then what the host asked for
+        std::uint32_t points = 0;                      ///< that the host may ask for in a frame
+        VkExternalMemoryHandleTypeFlagBits exported{}; ///< textures; 0: not
     };
     [[nodiscard]] static Result<Fields> create(Device& device, const Sizes& sizes);
 

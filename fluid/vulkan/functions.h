@@ -17,7 +17,8 @@ namespace windrow::vulkan {
     each(vkGetPhysicalDeviceProperties2) \
     each(vkGetPhysicalDeviceQueueFamilyProperties) \
     each(vkGetPhysicalDeviceMemoryProperties) \
-    each(vkGetPhysicalDeviceImageFormatProperties)
+    each(vkGetPhysicalDeviceImageFormatProperties) \
+    each(vkGetPhysicalDeviceImageFormatProperties2)
 #define WINDROW_DEVICE_FUNCTIONS(each) \
     each(vkAllocateMemory) \
     each(vkFreeMemory) \

@@ -15,12 +15,17 @@ class Image3D {
     /// Empty.
     Image3D() = default;
     /// Rejects an extent that is 0 or beyond the device's limits, and a format that cannot do all of k_image_usage.
-    [[nodiscard]] static Result<Image3D> create(Device& device, VkExtent3D extent, VkFormat format);
+    /// `exported`: its memory can be exported as that handle type; 0: it cannot.
+    [[nodiscard]] static Result<Image3D> create(Device& device, VkExtent3D extent, VkFormat format,
+                                                VkExternalMemoryHandleTypeFlagBits exported = {});
     [[nodiscard]] VkImage handle() const { return image_.get(); }
     [[nodiscard]] VkImageView view() const { return view_.get(); }
+    [[nodiscard]] const MemoryPiece& memory() const { return piece_.get(); }
+    [[nodiscard]] VkDeviceSize memory_bytes() const { return memory_bytes_; }
 
   private:
     OwnedPiece piece_; // above what is bound to it, which goes first
+    VkDeviceSize memory_bytes_ = 0;
     Handle<VkImage, &Functions::vkDestroyImage> image_;
     Handle<VkImageView, &Functions::vkDestroyImageView> view_;
 };

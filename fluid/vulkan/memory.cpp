@@ -33,6 +33,7 @@ struct MemoryBlock {
     std::uint32_t type;
     bool linear;
     std::uint64_t id;
+    bool dedicated = false; ///< to one image
     std::byte* mapped = nullptr;
 };
 
@@ -148,15 +149,17 @@ struct Memory::State {
         return result;
     }
 
-    /// One more block, the last of `blocks`.
-    [[nodiscard]] VkResult add_block(std::uint32_t type, bool linear, VkDeviceSize piece_bytes) {
-        VkDeviceSize bytes = std::max(piece_bytes, next_block(type, linear));
+    /// One more block, the last of `blocks`. `dedicated`: for one image, with what VkMemoryAllocateInfo is chained to; else null.
+    [[nodiscard]] VkResult add_block(std::uint32_t type, bool linear, VkDeviceSize piece_bytes, const void* dedicated = nullptr) {
+        VkDeviceSize bytes = dedicated != nullptr ? piece_bytes : std::max(piece_bytes, next_block(type, linear));
         if (bytes > heap_left(type) || bytes > largest_allocation)
             bytes = piece_bytes;
         if (bytes > heap_left(type))
             return VK_ERROR_OUT_OF_DEVICE_MEMORY;
-        const VkMemoryAllocateInfo info{
-            .sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, .pNext = nullptr, .allocationSize = bytes, .memoryTypeIndex = type};
+        const VkMemoryAllocateInfo info{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
+                                        .pNext = dedicated,
+                                        .allocationSize = bytes,
+                                        .memoryTypeIndex = type};
         Handle<VkDeviceMemory, &Functions::vkFreeMemory> memory;
         const VkResult result = make(functions, host, functions.vkAllocateMemory, info, memory);
         if (result == VK_SUCCESS)
@@ -165,14 +168,15 @@ struct Memory::State {
                               .bytes = bytes,
                               .type = type,
                               .linear = linear,
-                              .id = ++last_id});
+                              .id = ++last_id,
+                              .dedicated = dedicated != nullptr});
         return result;
     }
 
     /// From a block of this type and use that has room, else from a new one.
     [[nodiscard]] VkResult take(const VkMemoryRequirements& asked, std::uint32_t type, bool linear, Taken& taken) {
         for (MemoryBlock& block : blocks)
-            if (block.type == type && block.linear == linear)
+            if (block.type == type && block.linear == linear && !block.dedicated)
                 if (const auto offset = block.ranges.take(asked.size, asked.alignment)) {
                     taken = {&block, *offset};
                     return VK_SUCCESS;
@@ -269,6 +273,35 @@ Result<MemoryPiece> Memory::allocate(const VkMemoryRequirements& requirements, V
     if (std::all_of(types.begin(), types.end(), is_full))
         return Error{what + " do not fit into the device's memory: free device memory or use a smaller box."};
     return call_error("vkAllocateMemory", what, result);
+}
+
+Result<MemoryPiece> Memory::allocate_exported(const VkMemoryRequirements& requirements, VkImage image,
+                                              VkExternalMemoryHandleTypeFlagBits handle_type) {
+    State& state = *state_;
+    const std::string what = detail::message(requirements.size, " bytes of memory to be exported");
+    if (state.host.memory.allocate)
+        return Error{what + " cannot come from Host::memory: leave one of Host::memory and Settings::export_textures out."};
+    const std::vector<std::uint32_t> types =
+        state.types_for(requirements.memoryTypeBits, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0);
+    if (types.empty())
+        return Error{what + " are needed, and the device has no such memory type: use another device."};
+    if (state.measuring) {
+        state.measured.given += requirements.size;
+        state.measured.taken += requirements.size;
+        return MemoryPiece{};
+    }
+    const VkMemoryDedicatedAllocateInfo alone{
+        .sType = VK_STRUCTURE_TYPE_MEMORY_DEDICATED_ALLOCATE_INFO, .pNext = nullptr, .image = image, .buffer = VK_NULL_HANDLE};
+    const VkExportMemoryAllocateInfo exported{.sType = VK_STRUCTURE_TYPE_EXPORT_MEMORY_ALLOCATE_INFO,
+                                              .pNext = &alone,
+                                              .handleTypes = static_cast<VkExternalMemoryHandleTypeFlags>(handle_type)};
+    const VkResult result = state.add_block(types.front(), false, requirements.size, &exported);
+    if (result != VK_SUCCESS)
+        return call_error("vkAllocateMemory", what, result);
+    MemoryBlock& block = state.blocks.back();
+    (void)block.ranges.take(requirements.size, 1);
+    state.given += requirements.size;
+    return MemoryPiece{.memory = block.memory.get(), .offset = 0, .mapped = nullptr, .user = block.id};
 }
 
 void Memory::release(const MemoryPiece& piece) {

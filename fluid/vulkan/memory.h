@@ -22,6 +22,9 @@ class Memory {
     /// size, kind and VkResult.
     [[nodiscard]] Result<MemoryPiece> allocate(const VkMemoryRequirements& requirements, VkMemoryPropertyFlags wanted,
                                                VkMemoryPropertyFlags preferred, bool linear, VkMemoryPropertyFlags avoided = 0);
+    /// Memory of its own for an image, which can be exported as `handle_type`; not from the host's callbacks.
+    [[nodiscard]] Result<MemoryPiece> allocate_exported(const VkMemoryRequirements& requirements, VkImage image,
+                                                        VkExternalMemoryHandleTypeFlagBits handle_type);
     void release(const MemoryPiece& piece);
 
     /// Bytes of pieces, and of the blocks that hold them.

@@ -67,7 +67,8 @@ Air::Settings air_settings(const Config& config, const Settings& settings) {
     return {.texel = settings.texel,
             .textures = settings.textures,
             .gusts = settings.gusts || config.gusts.intensity > 0.0f || config.gusts.tile, // detail needs the tile alone
-            .reads = reads_of(config, settings)};
+            .reads = reads_of(config, settings),
+            .exported = settings.export_textures};
 }
 
 } // namespace
@@ -238,6 +239,34 @@ FrameBlock Wind::frame_block(glm::dvec3 anchor, const Sampling& sampling) const 
     });
     block.window = window_block(anchor);
     return block;
+}
+
+std::vector<ExportedImage> Wind::exported_images() const {
+    const Settings& settings = state_->settings;
+    std::vector<ExportedImage> images;
+    if (settings.export_textures == VkExternalMemoryHandleTypeFlagBits{})
+        return images;
+    const glm::uvec3 cells(state_->core.config.cells);
+    const Fields& fields = state_->cells.air->fields();
+    const bool half = settings.texel == Texel::half;
+    const auto add = [&](const Image3D& image, VkFormat format) {
+        images.push_back({.image = image.handle(),
+                          .memory = image.memory().memory,
+                          .offset = image.memory().offset,
+                          .size = image.memory_bytes(),
+                          .handle_type = settings.export_textures,
+                          .format = format,
+                          .extent = {cells.x, cells.y, cells.z}});
+    };
+    (void)windrow::detail::memory_lasts([&] {
+        for (int set = 0; set < 2; ++set) {
+            if (has_vectors(settings.textures))
+                add(fields.vectors[set], half ? VK_FORMAT_R16G16B16A16_SFLOAT : VK_FORMAT_R32G32B32A32_SFLOAT);
+            for (int axis = 0; axis < 3 && has_axes(settings.textures); ++axis)
+                add(fields.axes[set][axis], half ? VK_FORMAT_R16_SFLOAT : VK_FORMAT_R32_SFLOAT);
+        }
+    });
+    return images;
 }
 
 VkBuffer Wind::gust_buffer() const {

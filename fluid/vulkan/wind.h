@@ -52,6 +52,10 @@ struct Settings {
     /// Most points of a frame with ReadBack::points, 1 to k_max_read_points. They travel inside the command buffer, 64 bytes each.
     /// Default 64.
     int read_points = 64;
+    /// Handle type that the textures' memory can be exported as (Wind::exported_images), for another API or process. Default 0:
+    /// none. Each texture has memory of its own then. Rejected where the device does not export such images, was made without
+    /// VK_KHR_external_memory_fd or _win32, or where Host::memory allocates.
+    VkExternalMemoryHandleTypeFlagBits export_textures{};
 };
 inline constexpr int k_max_read_points = 4096;
 
@@ -83,6 +87,16 @@ struct RequiredBytes {
     std::uint64_t memory = 0, reserved = 0;
 };
 [[nodiscard]] Result<RequiredBytes> required_bytes(const Host& host, const Config& config, const Settings& settings = {});
+
+/// A texture whose memory can be exported: for vkGetMemoryFdKHR or vkGetMemoryWin32HandleKHR, which the host calls.
+struct ExportedImage {
+    VkImage image = VK_NULL_HANDLE; ///< of Textures
+    VkDeviceMemory memory = VK_NULL_HANDLE;
+    VkDeviceSize offset = 0, size = 0; ///< [bytes] in the memory
+    VkExternalMemoryHandleTypeFlagBits handle_type{};
+    VkFormat format = VK_FORMAT_UNDEFINED;
+    VkExtent3D extent{}; ///< [texels]; optimal tiling, usage k_image_usage
+};
 
 class Wind {
   public:
@@ -153,6 +167,9 @@ class Wind {
     [[nodiscard]] WindowBlock window_block(glm::dvec3 anchor) const;
     /// The same with the ambient wind: the uniform buffer of the include.
     [[nodiscard]] FrameBlock frame_block(glm::dvec3 anchor, const Sampling& sampling = {}) const;
+    /// All textures of both sets, with Settings::export_textures; empty without it, and without host memory for the list. They
+    /// keep their memory as long as the wind lives.
+    [[nodiscard]] std::vector<ExportedImage> exported_images() const;
     /// The storage buffer of the gust tile, for the include.
     [[nodiscard]] VkBuffer gust_buffer() const;
     /// The ambient wind of this frame.
