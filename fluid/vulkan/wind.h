@@ -168,7 +168,7 @@ class Wind {
     /// The same with the ambient wind: the uniform buffer of the include.
     [[nodiscard]] FrameBlock frame_block(glm::dvec3 anchor, const Sampling& sampling = {}) const;
     /// All textures of both sets, with Settings::export_textures; empty without it, and without host memory for the list. They
-    /// keep their memory as long as the wind lives.
+    /// keep their memory until the wind is destroyed.
     [[nodiscard]] std::vector<ExportedImage> exported_images() const;
     /// The storage buffer of the gust tile, for the include.
     [[nodiscard]] VkBuffer gust_buffer() const;
