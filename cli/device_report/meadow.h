@@ -17,7 +17,7 @@ class Meadow {
   public:
     [[nodiscard]] static Result<std::unique_ptr<Meadow>> create(vulkan::OwnDevice& own, vulkan::Device& device);
 
-    /// Lets the wind blow until the walker has come halfway; `steps` of it. Stopped early where `stopped` says so.
+    /// Steps the wind until the walker has come halfway, at most `steps` times. Ends early where `stopped` returns true.
     [[nodiscard]] Result<void> blow(int steps, const std::function<bool()>& stopped);
 
     enum class Eye { walking, above };

@@ -117,7 +117,7 @@ class Air {
     [[nodiscard]] const Reads& reads() const { return settings_.reads; }
     [[nodiscard]] const Buffer& slot(int slot) const { return fields_.slots[static_cast<std::size_t>(slot)]; }
     [[nodiscard]] AirReport report(int slot) const;
-    /// What lies behind the report.
+    /// The bytes after the report.
     [[nodiscard]] std::span<const std::byte> read(int slot) const;
 
     [[nodiscard]] Device& device() { return *device_; }

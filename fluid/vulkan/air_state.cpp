@@ -1,4 +1,4 @@
-// The air's state to the host's memory and back: what lies in it from one tick to the next.
+// The air's state to the host's memory and back: all that is kept from one tick to the next.
 #include "fluid/vulkan/air.h"
 #include "fluid/vulkan/saved_air.h"
 

@@ -53,7 +53,7 @@ class ReadBacks {
 
     /// The frame that was taken last; null before the first. Its box is the one that was read.
     [[nodiscard]] const RecordedFrame* frame() const { return taken_recording_ > 0 ? &held().frame : nullptr; }
-    /// What lies in its buffer behind the report.
+    /// The bytes in its buffer after the report.
     [[nodiscard]] std::span<const std::byte> bytes(const Air& air) const { return air.read(held_); }
     [[nodiscard]] std::span<const glm::dvec3> points() const { return held().points; }
 

@@ -33,7 +33,7 @@
 struct WindrowStep {
     ivec3 cells; // an axis
     int motors;  // how many
-    // Fields of cells are stored as a torus: where cell (0, 0, 0) lies. A shift of the box moves this origin, not the cells.
+    // Fields of cells are stored as a torus; this is the place of cell (0, 0, 0). A shift of the box moves it, not the cells.
     ivec3 torus;
     int recorded_substeps; // at most as many run; the time of the others is carried over to the next tick
     int flags;   // above

@@ -94,7 +94,7 @@ class WindBarriers : public Gpu {
 
     // Leaves out each barrier once: how many were, and how many of them were noticed. Under a sanitizer too: of a few of them the
     // share would tell nothing.
-    void try_all(const char* name, const Config& config) {
+    void try_all(const char* name, int percent, const Config& config) {
         auto wind = Wind::create(host, config, {.frames_in_flight = k_frames, .gusts = true, .queries = ReadBack::cells});
         ASSERT_TRUE(wind) << wind.error();
         ASSERT_TRUE(wind->motors().add(VortexMotor{}));
@@ -120,20 +120,25 @@ class WindBarriers : public Gpu {
         messages.clear();
         test::figure(std::string("barriers left out: ") + name, tried);
         test::figure(std::string("barriers noticed: ") + name, caught);
-        EXPECT_GE(10 * caught, 6.5 * tried); // 68 to 79 % measured; a pass that loses its barriers takes several in a hundred
+        EXPECT_GE(100 * caught, percent * tried); // a pass that loses its barriers takes several in a hundred
+        all_tried_ += tried;
+        all_caught_ += caught;
     }
 
     Host host;
-    int turns_ = 0;
+    int turns_ = 0, all_tried_ = 0, all_caught_ = 0;
 };
 
 TEST_F(WindBarriers, EachIsMissedWhereItIsLeftOut) {
-    try_all("plain", {.cells = {8, 6, 8}, .ambient = {2.0f, 0.0f, 0.0f}, .max_substeps = 2});
-    try_all("viscous", {.cells = {8, 6, 8},
-                        .boundaries = Boundaries::open_over_floor(),
-                        .ambient = {2.0f, 0.0f, 0.0f},
-                        .viscosity = 9.0f,
-                        .max_substeps = 1});
+    try_all("plain", 75, {.cells = {8, 6, 8}, .ambient = {2.0f, 0.0f, 0.0f}, .max_substeps = 2});
+    try_all("viscous", 65,
+            {// most barriers of the implicit solves are between passes that change one buffer in place
+             .cells = {8, 6, 8},
+             .boundaries = Boundaries::open_over_floor(),
+             .ambient = {2.0f, 0.0f, 0.0f},
+             .viscosity = 9.0f,
+             .max_substeps = 1});
+    EXPECT_GE(10 * all_caught_, 7 * all_tried_);
 }
 
 } // namespace
