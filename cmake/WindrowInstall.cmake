@@ -2,7 +2,7 @@
 # vegetation):
 #
 #   include/windrow/fluid/...        public headers: consumers write #include "fluid/wind.h", as inside the project
-#   lib/libwindrow_*                 one library and one export set a component
+#   lib/libwindrow_*                 one library and one export set a component; vulkan has two libraries
 #   lib/cmake/windrow/               the package files
 #   share/windrow/shaders/numerics   the formulas as text, for GLSL
 #   share/windrow/shaders/coupling   what a host's shaders include
@@ -51,8 +51,8 @@ endif()
 
 if(TARGET windrow_vulkan)
   windrow_install_headers(fluid/vulkan)
-  install(TARGETS windrow_vulkan EXPORT windrow_vulkan)
-  set_target_properties(windrow_vulkan PROPERTIES INSTALL_RPATH "$ORIGIN")
+  install(TARGETS windrow_vulkan windrow_vulkan_loader EXPORT windrow_vulkan)
+  set_target_properties(windrow_vulkan windrow_vulkan_loader PROPERTIES INSTALL_RPATH "$ORIGIN")
   list(APPEND components vulkan)
 endif()
 

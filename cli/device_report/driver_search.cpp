@@ -1,5 +1,7 @@
 #include "cli/device_report/driver_search.h"
 
+#include "fluid/vulkan/loader.h"
+
 #include <algorithm>
 #include <cstdlib>
 
@@ -62,7 +64,7 @@ bool name_drivers_only() {
 
 ReportJson places_tried() {
     ReportJson places = ReportJson::array();
-    for (const char* const name : vulkan::loader_names())
+    for (const char* const name : vulkan::Loader::names())
         places.push_back({{"place", name}, {"is", "a name of the loader"}, {"holds", ""}});
     for (const char* const name : k_variables) {
         const char* const value = std::getenv(name);

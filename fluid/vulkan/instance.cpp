@@ -4,35 +4,20 @@
 #include "fluid/vulkan/functions.h"
 #include "fluid/vulkan/own_device.h"
 
-#include <algorithm>
-#include <cstring>
-#include <dlfcn.h>
 #include <utility>
 #include <vector>
 
 namespace windrow::vulkan {
 namespace {
 
-// By the system's own search, then where a program that was linked elsewhere, or a container, does not search.
-constexpr const char* k_libraries[] = {"libvulkan.so.1",
-                                       "libvulkan.so",
-                                       "/usr/lib/x86_64-linux-gnu/libvulkan.so.1",
-                                       "/usr/lib64/libvulkan.so.1",
-                                       "/usr/lib/libvulkan.so.1",
-                                       "/usr/local/lib/libvulkan.so.1",
-                                       "/run/opengl-driver/lib/libvulkan.so.1",
-                                       "/usr/local/nvidia/lib64/libvulkan.so.1"};
 constexpr const char* k_layer = "VK_LAYER_KHRONOS_validation";
 
+// Of VK_KHR_portability_enumeration; headers before 1.3.207 lack them.
+constexpr const char* k_portability = "VK_KHR_portability_enumeration";
+constexpr VkInstanceCreateFlags k_enumerate_portability = 1;
+
 bool has_layer(PFN_vkEnumerateInstanceLayerProperties enumerate) {
-    std::uint32_t count = 0;
-    if (enumerate(&count, nullptr) != VK_SUCCESS)
-        return false;
-    std::vector<VkLayerProperties> layers(count);
-    if (enumerate(&count, layers.data()) != VK_SUCCESS)
-        return false;
-    return std::any_of(layers.begin(), layers.end(),
-                       [](const VkLayerProperties& layer) { return std::strcmp(layer.layerName, k_layer) == 0; });
+    return lists(enumerate, &VkLayerProperties::layerName, k_layer);
 }
 
 /// A copy to or from an image in the layout GENERAL, which a compute renderer keeps its images in, is reported as slow. Errors of
@@ -45,9 +30,11 @@ bool is_harmless(VkDebugUtilsMessageSeverityFlagBitsEXT severity, VkDebugUtilsMe
 
 } // namespace
 
-Result<std::unique_ptr<Instance>> Instance::create(const Checks& checks, std::function<void(const std::string&)> on_message) {
+Result<std::unique_ptr<Instance>> Instance::create(const Checks& checks, std::function<void(const std::string&)> on_message,
+                                                   PFN_vkGetInstanceProcAddr calls) {
     std::unique_ptr<Instance> instance(new Instance);
     instance->on_message_ = std::move(on_message);
+    instance->get_instance_proc_addr_ = calls;
     if (auto opened = instance->open_loader(); !opened)
         return Error{opened.error()};
     if (auto made = instance->make(checks); !made)
@@ -68,35 +55,27 @@ Instance::~Instance() {
         load<PFN_vkDestroyDebugUtilsMessengerEXT>("vkDestroyDebugUtilsMessengerEXT")(instance_, messenger_, nullptr);
     if (instance_ != VK_NULL_HANDLE)
         load<PFN_vkDestroyInstance>("vkDestroyInstance")(instance_, nullptr);
-    if (library_ != nullptr)
-        dlclose(library_);
-}
-
-std::span<const char* const> loader_names() {
-    return k_libraries;
 }
 
 Result<void> Instance::open_loader() {
-    std::string tried;
-    for (const char* const name : k_libraries) {
-        tried += (tried.empty() ? "" : ", ") + std::string(name);
-        library_ = dlopen(name, RTLD_NOW | RTLD_LOCAL);
-        if (library_ == nullptr)
-            continue;
-        get_instance_proc_addr_ = reinterpret_cast<PFN_vkGetInstanceProcAddr>(dlsym(library_, "vkGetInstanceProcAddr"));
-        if (get_instance_proc_addr_ != nullptr)
-            return {};
-        dlclose(std::exchange(library_, nullptr));
-    }
-    return Error{detail::message("no Vulkan loader (", tried, "): install it (Debian: libvulkan1).")};
+    if (get_instance_proc_addr_ != nullptr)
+        return {};
+    auto opened = Loader::open();
+    if (!opened)
+        return Error{opened.error()};
+    loader_ = *std::move(opened);
+    get_instance_proc_addr_ = loader_.get_instance_proc_addr();
+    return {};
 }
 
 Result<void> Instance::make(const Checks& checks) {
     const auto version = load<PFN_vkEnumerateInstanceVersion>("vkEnumerateInstanceVersion");
     const auto layers = load<PFN_vkEnumerateInstanceLayerProperties>("vkEnumerateInstanceLayerProperties");
+    const auto enumerate = load<PFN_vkEnumerateInstanceExtensionProperties>("vkEnumerateInstanceExtensionProperties");
     const auto create = load<PFN_vkCreateInstance>("vkCreateInstance");
     std::uint32_t has = 0;
-    if (version == nullptr || layers == nullptr || create == nullptr || version(&has) != VK_SUCCESS || has < VK_API_VERSION_1_2)
+    if (version == nullptr || layers == nullptr || enumerate == nullptr || create == nullptr || version(&has) != VK_SUCCESS ||
+        has < VK_API_VERSION_1_2)
         return Error{"the Vulkan loader is older than 1.2: update it (Debian: libvulkan1)."};
     if (checks.validation && !has_layer(layers))
         return Error{detail::message(
@@ -126,7 +105,7 @@ Result<void> Instance::make(const Checks& checks) {
     features.pEnabledValidationFeatures = enabled.data();
 
     const char* const layer_names[] = {k_layer};
-    const char* const extension_names[] = {VK_EXT_DEBUG_UTILS_EXTENSION_NAME, VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME};
+    std::vector<const char*> extension_names;
     VkInstanceCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
     info.pApplicationInfo = &application;
@@ -134,9 +113,17 @@ Result<void> Instance::make(const Checks& checks) {
         info.pNext = &features;
         info.enabledLayerCount = 1;
         info.ppEnabledLayerNames = layer_names;
-        info.enabledExtensionCount = 2;
-        info.ppEnabledExtensionNames = extension_names;
+        extension_names = {VK_EXT_DEBUG_UTILS_EXTENSION_NAME, VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME};
     }
+    const auto extensions = [&](std::uint32_t* count, VkExtensionProperties* properties) {
+        return enumerate(nullptr, count, properties);
+    };
+    if (lists(extensions, &VkExtensionProperties::extensionName, k_portability)) {
+        info.flags |= k_enumerate_portability;
+        extension_names.push_back(k_portability);
+    }
+    info.enabledExtensionCount = static_cast<std::uint32_t>(extension_names.size());
+    info.ppEnabledExtensionNames = extension_names.data();
     VkResult result = create(&info, nullptr, &instance_);
     if (result != VK_SUCCESS)
         instance_ = VK_NULL_HANDLE;

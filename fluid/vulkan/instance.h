@@ -1,14 +1,18 @@
-// The Vulkan loader, opened while the program runs, and an instance made with it.
+// An instance, made with the system's Vulkan loader or with another's calls.
 #pragma once
 
 #include "fluid/result.h"
-#include "fluid/vulkan/host.h"
+#include "fluid/vulkan/loader.h"
 
+#include <algorithm>
 #include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <functional>
 #include <memory>
 #include <string>
-#include <vulkan/vulkan_core.h>
+#include <vector>
 
 namespace windrow::vulkan {
 
@@ -18,11 +22,25 @@ struct Checks {
     bool gpu_validation = false; ///< GPU-assisted
 };
 
+/// Whether `enumerate(&count, properties)`, one of Vulkan's enumerations, lists a name.
+template <class Properties, std::size_t length, class Enumerate>
+[[nodiscard]] bool lists(const Enumerate& enumerate, char (Properties::*field)[length], const char* name) {
+    std::uint32_t count = 0;
+    if (enumerate(&count, nullptr) != VK_SUCCESS)
+        return false;
+    std::vector<Properties> listed(count);
+    if (enumerate(&count, listed.data()) != VK_SUCCESS)
+        return false;
+    return std::any_of(listed.begin(), listed.begin() + count,
+                       [&](const Properties& each) { return std::strcmp(each.*field, name) == 0; });
+}
+
 class Instance {
   public:
-    /// `on_message` is called for each message of the validation layer, from whatever thread made the faulty call.
-    [[nodiscard]] static Result<std::unique_ptr<Instance>> create(const Checks& checks,
-                                                                  std::function<void(const std::string&)> on_message);
+    /// `on_message` is called for each message of the validation layer, from whatever thread made the faulty call. All calls come
+    /// from `calls`; null: the system's loader is opened. Drivers over another API (VK_KHR_portability_enumeration) are listed.
+    [[nodiscard]] static Result<std::unique_ptr<Instance>>
+    create(const Checks& checks, std::function<void(const std::string&)> on_message, PFN_vkGetInstanceProcAddr calls = nullptr);
     /// Whether VK_LAYER_KHRONOS_validation is installed; false where there is no loader.
     [[nodiscard]] static bool has_validation();
     ~Instance();
@@ -46,7 +64,7 @@ class Instance {
                                                VkDebugUtilsMessageTypeFlagsEXT kind,
                                                const VkDebugUtilsMessengerCallbackDataEXT* data, void* user);
 
-    void* library_ = nullptr;
+    Loader loader_{}; // closed last
     PFN_vkGetInstanceProcAddr get_instance_proc_addr_ = nullptr;
     VkInstance instance_ = VK_NULL_HANDLE;
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;

@@ -142,6 +142,17 @@ Result<std::uint32_t> choose_family(const Instance& instance, const FoundDevice&
                  ((unwanted & VK_QUEUE_GRAPHICS_BIT) != 0 ? " alone" : "") + ": use another device."};
 }
 
+// A device that lists it must be made with it; it is of beta headers.
+constexpr const char* k_portability_subset = "VK_KHR_portability_subset";
+
+bool needs_portability_subset(const Instance& instance, VkPhysicalDevice physical_device) {
+    const auto enumerate = instance.load<PFN_vkEnumerateDeviceExtensionProperties>("vkEnumerateDeviceExtensionProperties");
+    const auto extensions = [&](std::uint32_t* count, VkExtensionProperties* properties) {
+        return enumerate(physical_device, nullptr, count, properties);
+    };
+    return lists(extensions, &VkExtensionProperties::extensionName, k_portability_subset);
+}
+
 VkPhysicalDeviceFeatures features_for(const Instance& instance, VkPhysicalDevice physical_device,
                                       const OwnDevice::Settings& settings) {
     // The struct is an array of flags.
@@ -213,8 +224,11 @@ struct OwnDevice::State {
         info.pQueueCreateInfos = queue_infos;
         info.pEnabledFeatures = &features;
         info.pNext = settings.next;
-        info.enabledExtensionCount = static_cast<std::uint32_t>(settings.extensions.size());
-        info.ppEnabledExtensionNames = settings.extensions.data();
+        std::vector<const char*> extensions = settings.extensions;
+        if (needs_portability_subset(*instance, chosen.physical_device))
+            extensions.push_back(k_portability_subset);
+        info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
+        info.ppEnabledExtensionNames = extensions.data();
         const VkResult result =
             instance->load<PFN_vkCreateDevice>("vkCreateDevice")(chosen.physical_device, &info, nullptr, &device);
         if (result != VK_SUCCESS) {
@@ -297,7 +311,8 @@ OwnDevice::~OwnDevice() = default;
 Result<std::unique_ptr<OwnDevice>> OwnDevice::create(const Settings& settings) {
     auto state = std::make_unique<State>();
     const bool validation = settings.validation || settings.gpu_validation;
-    auto instance = Instance::create({.validation = validation, .gpu_validation = settings.gpu_validation}, settings.on_message);
+    auto instance = Instance::create({.validation = validation, .gpu_validation = settings.gpu_validation}, settings.on_message,
+                                     settings.get_instance_proc_addr);
     if (!instance)
         return Error{instance.error()};
     state->instance = *std::move(instance);

@@ -1,6 +1,7 @@
 // A Vulkan device owned by the library, for the command, the tests and small hosts. An engine brings its own (host.h).
 //
-// The loader (libvulkan.so.1) is opened at run time, so that a program starts without it and reports an error.
+// The loader (libvulkan.so.1, vulkan-1.dll) is opened at run time, so that a program starts without it and reports an error.
+// Drivers over another API, such as MoltenVK, are listed too. This is the library windrow::vulkan_loader.
 #pragma once
 
 #include "fluid/result.h"
@@ -8,7 +9,6 @@
 
 #include <functional>
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -25,9 +25,6 @@ struct DeviceFacts {
 /// The devices of this machine, in the driver's order; an error where there is no loader, no driver or no device.
 [[nodiscard]] Result<std::vector<DeviceFacts>> list_devices();
 
-/// Names that the loader is opened by, in order: the first that there is.
-[[nodiscard]] std::span<const char* const> loader_names();
-
 /// True if this machine has the validation layer of OwnDevice::Settings::validation.
 [[nodiscard]] bool has_validation_layer();
 
@@ -42,11 +39,15 @@ class OwnDevice {
         VkQueueFlags queue = VK_QUEUE_COMPUTE_BIT; ///< what the queue can do; for a host that draws, VK_QUEUE_GRAPHICS_BIT too
         VkQueueFlags queue_without = 0;            ///< what it cannot: VK_QUEUE_GRAPHICS_BIT for a queue that computes alone
         VkPhysicalDeviceFeatures wished{};         ///< features that are enabled where the device has them
-        std::vector<const char*> extensions{};     ///< of the device; a device without one is rejected
-        const void* next = nullptr;                ///< chained to VkDeviceCreateInfo: features of the extensions
+        /// Of the device; a device without one is rejected. VK_KHR_portability_subset is added where the device lists it.
+        std::vector<const char*> extensions{};
+        const void* next = nullptr; ///< chained to VkDeviceCreateInfo: features of the extensions
         /// A second queue for the wind beside the first: of a family that computes and cannot draw; where there is none, one more
         /// of the first family; where that has one queue, the first queue itself. Default: none.
         bool compute_queue = false;
+        /// Where all calls come from, for a program that links a loader or, as on iOS, MoltenVK. Default null: the system's loader
+        /// is opened.
+        PFN_vkGetInstanceProcAddr get_instance_proc_addr = nullptr;
     };
     [[nodiscard]] static Result<std::unique_ptr<OwnDevice>> create(const Settings& settings);
     ~OwnDevice();

@@ -10,6 +10,16 @@ file(GLOB_RECURSE headers RELATIVE ${WORK}/prefix/include/windrow ${WORK}/prefix
 if(NOT "fluid/wind.h" IN_LIST headers)
   message(FATAL_ERROR "fluid/wind.h is not installed")
 endif()
+# windrow::vulkan takes all calls from the host: it opens no library and needs no symbol of a loader.
+if(VULKAN)
+  file(GLOB_RECURSE library ${WORK}/prefix/libwindrow_vulkan.*)
+  list(GET library 0 library)
+  run("Reading what windrow::vulkan needs" nm --undefined-only ${library})
+  if(output MATCHES " U (dl[a-z]+|vk[A-Z][A-Za-z]+)")
+    message(FATAL_ERROR "${library} needs ${CMAKE_MATCH_1}")
+  endif()
+endif()
+
 # The README's program, word for word.
 file(READ ${README} text)
 string(FIND "${text}" "```cpp\n" begin)

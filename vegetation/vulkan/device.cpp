@@ -77,12 +77,11 @@ Result<std::unique_ptr<Device>> Device::create(const DeviceSettings& settings) {
                                           .validation = settings.validation,
                                           .on_message = settings.on_message,
                                           .queue = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT,
-                                          .wished = wished});
+                                          .wished = wished,
+                                          .get_instance_proc_addr = vkGetInstanceProcAddr}); // which this library links
     if (!own)
         return Error{own.error()};
-    vulkan::Host host = (*own)->host();
-    host.get_instance_proc_addr = vkGetInstanceProcAddr; // the one that this library links: tools may stand before the loader's
-    auto made = adopt(host, (*own)->queue(), settings);
+    auto made = adopt((*own)->host(), (*own)->queue(), settings);
     if (!made)
         return Error{made.error()};
     (*made)->state_->counts_vertices = (*own)->features().pipelineStatisticsQuery == VK_TRUE;
