@@ -1,5 +1,6 @@
 // A wind on a compute queue beside graphics: what a family that only computes may run and who may read the textures, on a device
 // that pretends to have such a family; then two queues, or the two of its kind that the device has, ordered by semaphores.
+#include "examples/queue_lane.h"
 #include "fluid/vulkan/wind.h"
 #include "shader_words/texels.h"
 #include "tests/parity/gpu.h"
@@ -183,89 +184,12 @@ TEST_F(ComputeFamily, RejectsWhatItCannotDo) {
 
 // --- Two queues --------------------------------------------------------------------------------------------------------------
 
-// The recordings of a queue, two in flight.
-struct Lane {
-    VkQueue queue = VK_NULL_HANDLE;
-    VkCommandPool pool = VK_NULL_HANDLE;
-    std::array<VkCommandBuffer, 2> commands{};
-    std::array<VkFence, 2> done{};
-    VkSemaphore signal = VK_NULL_HANDLE; ///< of its last submission, for the other lane's next
-};
-
 class TwoQueues : public Gpu {
   protected:
     void SetUp() override {
         setenv("VK_LAYER_ENABLES", "VALIDATION_CHECK_ENABLE_SYNCHRONIZATION_VALIDATION_QUEUE_SUBMIT", 1);
         make_own({.validation = true, .queue = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT, .compute_queue = true});
         unsetenv("VK_LAYER_ENABLES");
-    }
-
-    template <class Call>
-    [[nodiscard]] Call call(const char* name) const {
-        return reinterpret_cast<Call>(own->host().get_instance_proc_addr(own->host().instance, name));
-    }
-
-    [[nodiscard]] Lane lane(VkQueue queue, std::uint32_t family) const {
-        const VkDevice on = own->host().device;
-        Lane made{.queue = queue};
-        VkCommandPoolCreateInfo pool{};
-        pool.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
-        pool.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
-        pool.queueFamilyIndex = family;
-        EXPECT_EQ(call<PFN_vkCreateCommandPool>("vkCreateCommandPool")(on, &pool, nullptr, &made.pool), VK_SUCCESS);
-        VkCommandBufferAllocateInfo commands{};
-        commands.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
-        commands.commandPool = made.pool;
-        commands.commandBufferCount = 2;
-        EXPECT_EQ(call<PFN_vkAllocateCommandBuffers>("vkAllocateCommandBuffers")(on, &commands, made.commands.data()),
-                  VK_SUCCESS);
-        VkFenceCreateInfo fence{};
-        fence.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO;
-        fence.flags = VK_FENCE_CREATE_SIGNALED_BIT;
-        for (VkFence& done : made.done)
-            EXPECT_EQ(call<PFN_vkCreateFence>("vkCreateFence")(on, &fence, nullptr, &done), VK_SUCCESS);
-        VkSemaphoreCreateInfo semaphore{};
-        semaphore.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO;
-        EXPECT_EQ(call<PFN_vkCreateSemaphore>("vkCreateSemaphore")(on, &semaphore, nullptr, &made.signal), VK_SUCCESS);
-        return made;
-    }
-
-    void end(const Lane& lane) const {
-        const VkDevice on = own->host().device;
-        wait(lane, 0);
-        wait(lane, 1);
-        for (const VkFence done : lane.done)
-            call<PFN_vkDestroyFence>("vkDestroyFence")(on, done, nullptr);
-        call<PFN_vkDestroySemaphore>("vkDestroySemaphore")(on, lane.signal, nullptr);
-        call<PFN_vkDestroyCommandPool>("vkDestroyCommandPool")(on, lane.pool, nullptr);
-    }
-
-    void wait(const Lane& lane, std::size_t slot) const {
-        EXPECT_EQ(call<PFN_vkWaitForFences>("vkWaitForFences")(own->host().device, 1, &lane.done[slot], VK_TRUE, UINT64_MAX),
-                  VK_SUCCESS);
-    }
-
-    // Records and submits in the slot, after the other lane's last submission where `after` has one.
-    void submit(const Lane& lane, std::size_t slot, VkSemaphore after, const std::function<void(VkCommandBuffer)>& record) const {
-        const VkCommandBuffer commands = lane.commands[slot];
-        VkCommandBufferBeginInfo begin{};
-        begin.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
-        begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-        EXPECT_EQ(call<PFN_vkBeginCommandBuffer>("vkBeginCommandBuffer")(commands, &begin), VK_SUCCESS);
-        record(commands);
-        EXPECT_EQ(call<PFN_vkEndCommandBuffer>("vkEndCommandBuffer")(commands), VK_SUCCESS);
-        const VkPipelineStageFlags at = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_TRANSFER_BIT;
-        VkSubmitInfo info{};
-        info.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO;
-        info.waitSemaphoreCount = after == VK_NULL_HANDLE ? 0 : 1;
-        info.pWaitSemaphores = &after;
-        info.pWaitDstStageMask = &at;
-        info.commandBufferCount = 1;
-        info.pCommandBuffers = &commands;
-        info.signalSemaphoreCount = 1;
-        info.pSignalSemaphores = &lane.signal;
-        EXPECT_EQ(call<PFN_vkResetFences>("vkResetFences")(own->host().device, 1, &lane.done[slot]), VK_SUCCESS);
-        EXPECT_EQ(call<PFN_vkQueueSubmit>("vkQueueSubmit")(lane.queue, 1, &info, lane.done[slot]), VK_SUCCESS);
     }
 };
 
@@ -312,15 +236,15 @@ TEST_F(TwoQueues, ReadTheTexelsThatOneQueueReads) {
     nearest.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
     VkSampler sampler = VK_NULL_HANDLE;
     ASSERT_EQ(device->functions().vkCreateSampler(device->host().device, &nearest, nullptr, &sampler), VK_SUCCESS);
-    const Lane compute = lane(own->compute_queue(), own->compute_host().queue_family),
-               graphics = lane(own->queue(), own->host().queue_family);
+    constexpr VkPipelineStageFlags at = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_TRANSFER_BIT;
     {
+        const QueueLane compute(own->compute_host(), own->compute_queue()), graphics(own->host(), own->queue());
         std::optional<RowReader> reader, plain;
         int compared = 0;
         double largest = 0.0;
         std::array<std::vector<glm::vec4>, 2> expected;
         const auto compare = [&](std::size_t slot) {
-            wait(graphics, slot);
+            graphics.wait(slot);
             if (expected[slot].empty())
                 return;
             const auto texels = read<glm::vec4>(reader->rows[slot], 2 * k_cells);
@@ -333,16 +257,16 @@ TEST_F(TwoQueues, ReadTheTexelsThatOneQueueReads) {
             ASSERT_TRUE(wind->motors().add(VortexMotor{}));
         for (std::size_t n = 0; n < 12; ++n) {
             const std::size_t slot = n % 2;
-            wait(compute, slot);
+            compute.wait(slot);
             compare(slot);
             ASSERT_TRUE(beside->follow({0.4 * static_cast<double>(n), 0.0, 0.0}));
             ASSERT_TRUE(inside->follow({0.4 * static_cast<double>(n), 0.0, 0.0}));
-            submit(compute, slot, n == 0 ? VK_NULL_HANDLE : graphics.signal, [&](VkCommandBuffer commands) {
+            compute.submit(slot, n == 0 ? VK_NULL_HANDLE : graphics.signal(), at, [&](VkCommandBuffer commands) {
                 held(beside->record(commands, {.dt = 1.0 / 30.0, .slot = static_cast<int>(slot)}));
             });
             if (!reader)
                 reader.emplace(*device, *beside, sampler);
-            submit(graphics, slot, compute.signal, [&](VkCommandBuffer commands) {
+            graphics.submit(slot, compute.signal(), at, [&](VkCommandBuffer commands) {
                 reader->record(device->functions(), commands, slot);
                 barrier(commands);
             });
@@ -360,8 +284,6 @@ TEST_F(TwoQueues, ReadTheTexelsThatOneQueueReads) {
         EXPECT_EQ(compared, 12);
         EXPECT_GT(largest, 0.1);
     }
-    end(compute);
-    end(graphics);
     device->functions().vkDestroySampler(device->host().device, sampler, nullptr);
 }
 

@@ -36,8 +36,9 @@ ABOVE = {
 FILES_AND_PROGRAM = ("files", "program")
 TESTS_AND_BENCH = ("tests", "bench")
 MAKES_OBJECTS = re.compile(r"\bvk(?:Create|Allocate)\w*")
-# The layers that make Vulkan objects, and tests of them. The command draws without vegetation/, which a portable build lacks.
-MAKERS = ("fluid/vulkan/*", "vegetation/vulkan/*", "cli/device_report/*", "vegetation/bench/counted_memory.*", "tests/parity/*", "tests/plants/*")
+# The layers that make Vulkan objects, tests of them, and a host of two queues. The command draws without vegetation/, which a portable build lacks.
+MAKERS = ("fluid/vulkan/*", "vegetation/vulkan/*", "cli/device_report/*", "vegetation/bench/counted_memory.*", "examples/queue_lane.h",
+          "tests/parity/*", "tests/plants/*")
 
 
 def matches(name, patterns):
