@@ -38,8 +38,8 @@ class Twins {
     Result<void> start() {
         if (story_.stirred) {
             const std::vector<glm::vec4> field = stirred(story_.config);
-            if (auto told = both([&](auto& wind) { return wind.set_velocity(field); }); !told)
-                return told;
+            if (auto done = both([&](auto& wind) { return wind.set_velocity(field); }); !done)
+                return done;
         }
         for (const StoryMotor& one : story_.motors) {
             const auto cpu = cpu_.motors().add(one.motor);
@@ -53,13 +53,13 @@ class Twins {
 
     /// Step n of both; the one that had its slot before is compared on the way, since its read-back is in.
     Result<void> step(int n, ParityResult& result) {
-        if (auto told = change(n); !told)
-            return told;
+        if (auto done = change(n); !done)
+            return done;
         move(story_.dt * (n + 1));
         if (follows_) {
             const glm::dvec3 point = story_.config.centre + jumped_ + story_.dt * (n + 1) * story_.walk;
-            if (auto told = both([&](auto& wind) { return wind.follow(point); }); !told)
-                return told;
+            if (auto done = both([&](auto& wind) { return wind.follow(point); }); !done)
+                return done;
         }
         if (auto ran = record({.dt = story_.dt, .slot = slot_of(n)}); !ran)
             return ran;
@@ -105,8 +105,8 @@ class Twins {
 
     template <class Call>
     Result<void> both(const Call& call) {
-        if (auto told = call(cpu_); !told)
-            return told;
+        if (auto done = call(cpu_); !done)
+            return done;
         return call(gpu_);
     }
 
@@ -114,7 +114,7 @@ class Twins {
         for (const StoryChange& change : story_.changes) {
             if (change.step != n)
                 continue;
-            const auto told = std::visit(
+            const auto done = std::visit(
                 [&](const auto& what) -> Result<void> {
                     using What = std::decay_t<decltype(what)>;
                     if constexpr (std::is_same_v<What, StoryChange::FollowJump>) {
@@ -129,8 +129,8 @@ class Twins {
                     }
                 },
                 change.what);
-            if (!told)
-                return told;
+            if (!done)
+                return done;
         }
         return {};
     }
@@ -216,8 +216,8 @@ Result<ParityResult> run_parity(vulkan::OwnDevice& device, const ParityStory& st
     ParityResult result{.name = story.name, .cells = config.cells, .first_bound = story.first_bound, .bound = story.bound};
     {
         Twins twins(device, story, settings.frames_in_flight, *std::move(cpu), *std::move(gpu));
-        if (auto told = twins.start(); !told)
-            return failed(told.error());
+        if (auto done = twins.start(); !done)
+            return failed(done.error());
         for (int n = 0; n < story.steps; ++n) {
             if (settings.stopped && settings.stopped())
                 return failed("stopped");

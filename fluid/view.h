@@ -54,8 +54,6 @@ class WindView {
     [[nodiscard]] WindowBlock block(glm::dvec3 anchor) const;
 
   private:
-    [[nodiscard]] float blend_fraction(glm::dvec3 position) const;
-
     const Box* box_;
     Window window_;
     BlendZone blend_zone_;

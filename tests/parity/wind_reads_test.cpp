@@ -154,13 +154,13 @@ TEST_F(WindReads, AreTheReportAloneByDefault) {
     EXPECT_EQ(Air::slot_bytes({.kind = ReadBack::halves, .cells = {16, 16, 16}}), 32u + 8 * 4096);
     EXPECT_EQ(Air::slot_bytes({.kind = ReadBack::box, .cells = {8, 8, 8}}), 32u + 16 * 512);
     EXPECT_EQ(Air::slot_bytes({.kind = ReadBack::points, .points = 64}), 32u + 16 * 64);
-    Diagnostics told;
+    Diagnostics diagnostics;
     for (int n = 0; n < 5; ++n) {
-        run([&](VkCommandBuffer commands) { told = held(none->record_step(commands, {.dt = 1.0 / 30.0})); });
+        run([&](VkCommandBuffer commands) { diagnostics = held(none->record_step(commands, {.dt = 1.0 / 30.0})); });
         EXPECT_FALSE(none->queried() || none->queried_halves() || none->queried_points());
     }
-    EXPECT_EQ(told.max_speed, 2.0f);
-    EXPECT_NEAR(told.energy, 0.5 * 5.0 * 4096.0, 1e-2);
+    EXPECT_EQ(diagnostics.max_speed, 2.0f);
+    EXPECT_NEAR(diagnostics.energy, 0.5 * 5.0 * 4096.0, 1e-2);
     // Of more work groups than the report has invocations.
     auto large = Wind::create(own->host(), {.cells = {48, 24, 40}, .ambient = {2.0f, 0.0f, 1.0f}});
     ASSERT_TRUE(large) << large.error();

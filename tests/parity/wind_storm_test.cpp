@@ -99,8 +99,8 @@ TEST_F(WindStorms, PartNoFasterThanTheCpusInstructionSetsDo) {
         if (n > 0 && expected > 0.0)
             worst = std::max(worst, pair.last / expected);
         for (windrow::Wind& wind : winds) {
-            const Diagnostics told = wind.step(1.0 / 30.0);
-            ASSERT_TRUE(std::isfinite(told.max_speed) && told.max_speed > 0.0f) << n;
+            const Diagnostics diagnostics = wind.step(1.0 / 30.0);
+            ASSERT_TRUE(std::isfinite(diagnostics.max_speed) && diagnostics.max_speed > 0.0f) << n;
         }
         for (std::size_t a = 0; a < winds.size(); ++a)
             for (std::size_t b = 0; b < a; ++b) {

@@ -81,13 +81,13 @@ Motor any_motor(StoryChance& chance) {
 
 class WindStories : public WindParity {
   protected:
-    std::ostringstream told;
+    std::ostringstream log;
 
     // The same call on both, which take it or reject it alike.
     template <class Call>
     void alike(TwoWinds& pair, const char* what, const Call& call) {
         const auto on_cpu = call(pair.cpu), on_device = call(pair.device);
-        told << ' ' << what << (on_cpu ? "" : " (rejected)");
+        log << ' ' << what << (on_cpu ? "" : " (rejected)");
         EXPECT_EQ(static_cast<bool>(on_cpu), static_cast<bool>(on_device)) << what;
     }
 
@@ -131,19 +131,19 @@ class WindStories : public WindParity {
         case 8:
             if (!chance.one_in(4))
                 return;
-            told << " reset";
+            log << " reset";
             pair.reset();
             return;
         default:
             if (!motors.empty() && chance.one_in(2)) {
-                told << " remove";
+                log << " remove";
                 EXPECT_TRUE(pair.cpu.motors().remove(motors.back().first));
                 EXPECT_TRUE(pair.device.motors().remove(motors.back().second));
                 motors.pop_back();
                 return;
             }
             const Motor motor = any_motor(chance);
-            told << " add";
+            log << " add";
             const auto ids = pair.add(motor);
             if (motor.index() != 5) // which ends by itself
                 motors.push_back(ids);
@@ -153,7 +153,7 @@ class WindStories : public WindParity {
     // Largest difference of a story, in shares of the largest speed of its frame (of 1 m/s where there is less).
     double live(std::uint32_t seed, float sleep_speed, double bound) {
         StoryChance chance(seed);
-        told.str("");
+        log.str("");
         const bool periodic = chance.one_in(3);
         Config config = any_config(chance, periodic, sleep_speed > 0.0f);
         config.sleep_speed = sleep_speed;
@@ -166,21 +166,21 @@ class WindStories : public WindParity {
         TwoWinds pair{*std::move(cpu), *std::move(gpu), std::max(in_flight, 1),
                       in_flight > 0 ? std::make_unique<Submitter>(own->host(), in_flight) : nullptr};
         pair.min = 1.0;
-        told << " cells " << config.cells.x << ' ' << config.cells.y << ' ' << config.cells.z << ", viscosity "
-             << config.viscosity << ", relaxation " << config.relaxation_time << ", max_cfl " << config.max_cfl << ", profile "
-             << config.profile.has_value() << ", gusts " << config.gusts.intensity << ", classic "
-             << (config.scheme == Scheme::stable_fluids) << ", linear " << (config.interpolation == Interpolation::linear)
-             << ", in flight " << in_flight;
+        log << " cells " << config.cells.x << ' ' << config.cells.y << ' ' << config.cells.z << ", viscosity " << config.viscosity
+            << ", relaxation " << config.relaxation_time << ", max_cfl " << config.max_cfl << ", profile "
+            << config.profile.has_value() << ", gusts " << config.gusts.intensity << ", classic "
+            << (config.scheme == Scheme::stable_fluids) << ", linear " << (config.interpolation == Interpolation::linear)
+            << ", in flight " << in_flight;
         std::vector<TwoWinds::Ids> motors;
         bool ticks = chance.one_in(2);
         for (int n = 0; n < 40 && !HasFailure(); ++n) {
-            told << "\n  " << n << ':';
+            log << "\n  " << n << ':';
             for (int asked = chance.below(4); asked > 0; --asked)
                 ask(pair, chance, periodic, motors);
             if (chance.one_in(12))
                 ticks = !ticks;
             const double dt = ticks && chance.one_in(8) ? 0.0 : static_cast<double>(chance.between(0.004f, 0.08f));
-            told << (ticks ? " frame " : " step ") << dt;
+            log << (ticks ? " frame " : " step ") << dt;
             const auto pass = [&](double duration) { ticks ? frame(pair, duration) : step(pair, duration); };
             pass(dt);
             // Both sleep before anything acts again: what wakes the one finds it without a past, and the other with one.
@@ -188,7 +188,7 @@ class WindStories : public WindParity {
             while (pair.cpu_sleeps != pair.device_sleeps && ++waited < 30)
                 pass(1.0 / 30.0);
             EXPECT_LT(waited, 30) << "one of them stays awake";
-            told << "  [" << pair.last << ']';
+            log << "  [" << pair.last << ']';
             if (!(pair.last <= bound))
                 break;
         }
@@ -202,9 +202,9 @@ class WindStories : public WindParity {
         const auto count = static_cast<std::uint32_t>(test::sampled(40, 4));
         for (std::uint32_t seed = first; seed < first + count && !HasFailure(); ++seed) {
             const double largest = live(seed, sleep_speed, bound);
-            EXPECT_LE(largest, bound) << "seed " << seed << told.str();
+            EXPECT_LE(largest, bound) << "seed " << seed << log.str();
             if (HasFailure())
-                std::printf("seed %u%s\n", seed, told.str().c_str());
+                std::printf("seed %u%s\n", seed, log.str().c_str());
             worst = std::max(worst, largest);
         }
         WINDROW_EXPECT_FIGURE(std::string("wind_parity.stories_") + name, worst, bound);

@@ -221,8 +221,8 @@ TEST(Tree, TellsWhichVertexAndWhichPartItRejects) {
     parts[1].length = -1.0f;
     const auto rejected = oak.vertices(parts, winds, {rest, rest, bearers}, out, turned);
     ASSERT_FALSE(rejected);
-    for (const char* told : {"tree.vertices.mesh.bearers[7].leaf is 4", "below 4", "tree.vertices.parts[1].length is -1"})
-        EXPECT_NE(rejected.error().find(told), std::string::npos) << rejected.error();
+    for (const char* words : {"tree.vertices.mesh.bearers[7].leaf is 4", "below 4", "tree.vertices.parts[1].length is -1"})
+        EXPECT_NE(rejected.error().find(words), std::string::npos) << rejected.error();
     EXPECT_EQ(out, untouched);
     EXPECT_EQ(turned, untouched);
 }

@@ -30,12 +30,12 @@ struct Tally {
     double energy = 0.0, max = 0.0;
 
     void tell(const Story& story, const Claims& claims = {}) {
-        const StoryOutcome told = windrow::test::tell(story, claims);
-        if (!told.fault.empty())
-            RC_FAIL(told.fault);
-        steps += told.steps;
-        energy = std::max(energy, told.energy);
-        max = std::max(max, told.max);
+        const StoryOutcome outcome = windrow::test::tell(story, claims);
+        if (!outcome.fault.empty())
+            RC_FAIL(outcome.fault);
+        steps += outcome.steps;
+        energy = std::max(energy, outcome.energy);
+        max = std::max(max, outcome.max);
     }
     /// A bound of 0: the speed has none.
     void print(const std::string& name, GrowthBounds bounds) const {

@@ -171,9 +171,9 @@ void GrassField::draw(VkCommandBuffer commands, const GrassPass& pass) const {
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pass.layout, pass.set, 1, &state.draw_set, 0, nullptr);
     for (const int slot : state.drawn[view])
         for (std::uint32_t level = 0; level < 2; ++level) {
-            const std::uint32_t told[2] = {static_cast<std::uint32_t>(slot), level + 2 * view};
-            vkCmdPushConstants(commands, pass.layout, pass.push_stages, pass.push_offset, sizeof told, told);
-            const VkDeviceSize at = (4 * VkDeviceSize{told[0]} + 2 * view + level) * sizeof(VkDrawIndirectCommand);
+            const std::uint32_t push[2] = {static_cast<std::uint32_t>(slot), level + 2 * view};
+            vkCmdPushConstants(commands, pass.layout, pass.push_stages, pass.push_offset, sizeof push, push);
+            const VkDeviceSize at = (4 * VkDeviceSize{push[0]} + 2 * view + level) * sizeof(VkDrawIndirectCommand);
             vkCmdDrawIndirect(commands, state.draws, at, 1, sizeof(VkDrawIndirectCommand));
         }
 }

@@ -79,7 +79,7 @@ Result<Kept> draw(const Options& options, const program::PictureScene& scene, pr
     kept.stages = program::StageTable(shoot);
     const std::int64_t every = std::max<std::int64_t>(1, (end - first + static_cast<std::int64_t>(k_max_on_sheet) - 1) /
                                                              static_cast<std::int64_t>(k_max_on_sheet));
-    const bool told = ::isatty(STDERR_FILENO) != 0;
+    const bool shows_progress = ::isatty(STDERR_FILENO) != 0;
     for (std::int64_t frame = 0; frame < end; ++frame) {
         if (auto done = frame < first ? shoot.skip() : shoot.draw(); !done)
             return Error{done.error()};
@@ -91,10 +91,10 @@ Result<Kept> draw(const Options& options, const program::PictureScene& scene, pr
         if ((frame - first) % every == 0)
             kept.sheet.push_back(shoot.images().picture());
         ++kept.pictures;
-        if (told)
+        if (shows_progress)
             std::fprintf(stderr, "\rframe %d of %d ", static_cast<int>(frame - first + 1), static_cast<int>(end - first));
     }
-    if (told)
+    if (shows_progress)
         std::fputs("\r\033[K", stderr);
     kept.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return kept;

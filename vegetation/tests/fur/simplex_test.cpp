@@ -55,8 +55,8 @@ TEST(Simplex, ValueAndSlopeAreContinuous) {
         const glm::dvec3 at = from + along;
         constexpr double k_apart = 1.0 / 64.0;
         const double difference = (noise(at + k_apart * along) - noise(at - k_apart * along)) / (2.0 * k_apart);
-        const glm::vec3 told(numerics::windrow_simplex_slope(1u, glm::vec3(at)));
-        off = std::max(off, std::abs(difference - glm::dot(glm::dvec3(told), along)));
+        const glm::vec3 slope(numerics::windrow_simplex_slope(1u, glm::vec3(at)));
+        off = std::max(off, std::abs(difference - glm::dot(glm::dvec3(slope), along)));
     }
     windrow::test::figure("shells/simplex/steepest", steepest);
     WINDROW_EXPECT_FIGURE("shells/simplex/jump_in_a_thousandth", jump, 1e-3 * steepest + 1e-5);

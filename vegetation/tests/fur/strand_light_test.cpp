@@ -109,16 +109,16 @@ TEST(StrandLight, LitSphereIsItsFormula) {
                 std::abs(static_cast<double>(numerics::windrow_wrapped(static_cast<float>(cosine), static_cast<float>(wrap))) -
                          ((1.0 - wrap) * std::max(cosine, 0.0) + wrap * half_lambert)));
         const glm::dvec3 half_way = glm::normalize(light + eye);
-        const glm::vec3 told = numerics::windrow_half_way(glm::vec3(light), glm::vec3(eye), glm::vec3(normal));
+        const glm::vec3 found = numerics::windrow_half_way(glm::vec3(light), glm::vec3(eye), glm::vec3(normal));
         for (const double power : {1.0, 24.0, 200.0}) {
             gloss_off = std::max(
                 gloss_off,
-                std::abs(static_cast<double>(numerics::windrow_plain_gloss(glm::vec3(normal), told, static_cast<float>(power))) -
+                std::abs(static_cast<double>(numerics::windrow_plain_gloss(glm::vec3(normal), found, static_cast<float>(power))) -
                          std::pow(std::max(glm::dot(normal, half_way), 0.0), power)));
             const double sine = glm::length(glm::cross(normal, half_way));
             sheen_off = std::max(
                 sheen_off,
-                std::abs(static_cast<double>(numerics::windrow_hair_sheen(glm::vec3(normal), told, static_cast<float>(power))) -
+                std::abs(static_cast<double>(numerics::windrow_hair_sheen(glm::vec3(normal), found, static_cast<float>(power))) -
                          std::pow(sine, power)));
         }
         const double t = random.real(0.0, 1.0), against = -glm::dot(light, eye);

@@ -66,9 +66,9 @@ TEST(GrassThinning, RingsOfAFieldAreAsCoveredByFewerBlades) {
         // Each kept blade stands for all / kept of them: the sum's own scatter, of which four are allowed.
         worst = std::max(worst, std::abs(covered / all - 1.0) / (4.0 / std::sqrt(static_cast<double>(kept))));
         const double share = static_cast<double>(kept) / all;
-        const double told = std::min(1.0, static_cast<double>(windrow_grass_fraction(block.thin, 1.03f * ring)));
+        const double wanted = std::min(1.0, static_cast<double>(windrow_grass_fraction(block.thin, 1.03f * ring)));
         windrow::test::figure("grass/thinning/share_of_the_ring", share);
-        EXPECT_NEAR(share, told, 0.05 * told + 4.0 * std::sqrt(told / all)); // the share over the ring's width
+        EXPECT_NEAR(share, wanted, 0.05 * wanted + 4.0 * std::sqrt(wanted / all)); // the share over the ring's width
         const int a_thousand = static_cast<int>(1000.0 * share);
         EXPECT_TRUE(before == 0 || a_thousand < before);
         before = a_thousand;

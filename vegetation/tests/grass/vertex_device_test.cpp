@@ -16,12 +16,12 @@ using namespace windrow::numerics;
 
 class GrassVertices : public test::GrassOnTheDevice {
   protected:
-    struct Told {
+    struct DrawnList {
         std::uint32_t slot, level, instances;
     };
     // Position and normal of 15 vertices an instance.
-    std::vector<glm::vec4> vertices_of(const Told& told) {
-        const std::size_t count = std::size_t{30} * told.instances;
+    std::vector<glm::vec4> vertices_of(const DrawnList& list) {
+        const std::size_t count = std::size_t{30} * list.instances;
         engine::Objects objects(*renders);
         constexpr std::array bindings{engine::Binding{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_SHADER_STAGE_COMPUTE_BIT}};
         const VkBuffer out = objects
@@ -37,8 +37,8 @@ class GrassVertices : public test::GrassOnTheDevice {
         run([&](VkCommandBuffer commands) {
             vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline);
             vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout, 0, 2, sets.data(), 0, nullptr);
-            vkCmdPushConstants(commands, layout, VK_SHADER_STAGE_ALL, 0, sizeof told, &told);
-            vkCmdDispatch(commands, (told.instances + 63) / 64, 1, 1);
+            vkCmdPushConstants(commands, layout, VK_SHADER_STAGE_ALL, 0, sizeof list, &list);
+            vkCmdDispatch(commands, (list.instances + 63) / 64, 1, 1);
             barrier(commands);
         });
         return values_of<glm::vec4>(out, count);

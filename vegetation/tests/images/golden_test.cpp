@@ -58,11 +58,11 @@ TEST_P(Golden, IsWhatWasAccepted) {
     WINDROW_EXPECT_FIGURE("images/golden/" + name + "/mean", off.mean, k_mean);
     WINDROW_EXPECT_FIGURE("images/golden/" + name + "/far_fraction", off.far, k_far);
     windrow::test::figure("images/golden/" + name + "/most", off.max);
-    const std::filesystem::path told = test::left_behind(name, "difference");
-    std::filesystem::remove(told);
+    const std::filesystem::path file = test::left_behind(name, "difference");
+    std::filesystem::remove(file);
     if (HasFailure()) {
-        ASSERT_TRUE(pictures::write_png(test::difference(*drawn, *wanted), told));
-        ADD_FAILURE() << name << " is not " << golden.string() << how << "\ndifference, times 8: " << told.string();
+        ASSERT_TRUE(pictures::write_png(test::difference(*drawn, *wanted), file));
+        ADD_FAILURE() << name << " is not " << golden.string() << how << "\ndifference, times 8: " << file.string();
     }
 }
 

@@ -83,8 +83,8 @@ TEST(LeafLight, AroundIsExactForAnEvenSkyAndGround) {
             if (direction.y > 0.0f)
                 sum += std::max(0.0, static_cast<double>(glm::dot(direction, normal))) / k_pi;
         sum *= 4.0 * k_pi / static_cast<double>(directions.size());
-        const double told = k_pi * static_cast<double>(windrow_around(normal, glm::vec3(1.0f), glm::vec3(0.0f)).x);
-        WINDROW_EXPECT_FIGURE("render/light/around", std::abs(told - sum), 2e-4); // the sum's own error: 80,000 directions
+        const double around = k_pi * static_cast<double>(windrow_around(normal, glm::vec3(1.0f), glm::vec3(0.0f)).x);
+        WINDROW_EXPECT_FIGURE("render/light/around", std::abs(around - sum), 2e-4); // the sum's own error: 80,000 directions
     }
 }
 
