@@ -52,9 +52,7 @@ void CopyRounds::fill(VkCommandBuffer commands) const {
 }
 
 void CopyRounds::bind(VkCommandBuffer commands) const {
-    const VkDescriptorSet set = sets_.at(0);
-    functions_->vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_.handle());
-    functions_->vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_.layout(), 0, 1, &set, 0, nullptr);
+    pipeline_.bind(*functions_, commands, sets_.at(0));
     push(commands, 0, 0);
 }
 

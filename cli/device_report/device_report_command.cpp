@@ -1,9 +1,7 @@
 #include "cli/device_report/device_report_command.h"
 
 #include "cli/backend.h"
-#include "cli/device_report/driver_search.h"
 #include "cli/device_report/report_section.h"
-#include "cli/device_report/report_text.h"
 #include "cli/flags.h"
 #include "cli/info_command.h"
 #include "cli/output_file.h"

@@ -1,10 +1,10 @@
 #include "cli/device_report/draw_host.h"
 
 #include "fluid/message.h"
+#include "fluid/vulkan/pipeline_state.h"
 
 #include <array>
 #include <cstring>
-#include <map>
 #include <utility>
 
 namespace windrow::cli {
@@ -21,6 +21,8 @@ using namespace vulkan;
     each(vkCreateGraphicsPipelines) \
     each(vkCmdBeginRenderPass) \
     each(vkCmdEndRenderPass) \
+    each(vkCmdSetViewport) \
+    each(vkCmdSetScissor) \
     each(vkCmdDraw)
 // clang-format on
 
@@ -33,8 +35,42 @@ struct DrawHost::Calls {
 namespace {
 
 constexpr VkFormat k_colour = VK_FORMAT_R8G8B8A8_SRGB, k_depth = VK_FORMAT_D16_UNORM; // which every device draws to
+constexpr const char* k_what = "the report's renderer";                               // in sentences
 
 } // namespace
+
+std::vector<VkDescriptorType> WindBindings::kinds() {
+    std::vector<VkDescriptorType> kinds;
+    for (const VkDescriptorSetLayoutBinding& binding : set_bindings(TextureSet::vectors, VK_SHADER_STAGE_ALL))
+        kinds.push_back(binding.descriptorType);
+    return kinds;
+}
+
+Result<WindBindings> WindBindings::create(Device& device, const Boundaries& boundaries) {
+    WindBindings made;
+    auto block = Buffer::create(device, sizeof(FrameBlock), MemoryUse::upload, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+    if (!block)
+        return Error{block.error()};
+    made.block_ = *std::move(block);
+    const VkSamplerCreateInfo info = sampler_info(boundaries);
+    if (const VkResult result = make(device.functions(), device.host(), device.functions().vkCreateSampler, info, made.sampler_);
+        result != VK_SUCCESS)
+        return call_error("vkCreateSampler", "the wind's textures", result);
+    return made;
+}
+
+std::vector<Binding> WindBindings::of(const vulkan::Wind& wind, glm::dvec3 anchor, const Sampling& sampling) {
+    const FrameBlock content = wind.frame_block(anchor, sampling);
+    std::memcpy(block_.mapped(), &content, sizeof content);
+    (void)block_.flush(); // memory for uploads is coherent
+    const auto texture = [&](const Textures& frame) {
+        return Binding{.type = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, .view = frame.vectors.view, .sampler = sampler_.get()};
+    };
+    return {{.type = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, .buffer = block_.handle()},
+            texture(wind.textures()),
+            texture(wind.previous_textures()),
+            {.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, .buffer = wind.gust_buffer()}};
+}
 
 DrawHost::DrawHost(OwnDevice& own, Device& device) : own_(own), device_(device), calls_(std::make_unique<Calls>()) {}
 
@@ -54,8 +90,10 @@ Result<std::unique_ptr<DrawHost>> DrawHost::create(OwnDevice& own, Device& devic
 #undef WINDROW_LOAD
     if (!missing.empty())
         return Error{detail::message("the driver lacks ", missing, ": update it.")};
-    if (auto set = made->make_set(kinds); !set)
-        return Error{set.error()};
+    auto layout = PipelineLayout::create(device, bindings_of(kinds, VK_SHADER_STAGE_ALL_GRAPHICS), {}, k_what);
+    if (!layout)
+        return Error{layout.error()};
+    made->layout_ = *std::move(layout);
     return made;
 }
 
@@ -63,83 +101,24 @@ template <class Create, class Destroy, class Info, class Object>
 Result<void> DrawHost::make(const char* name, Create call, Destroy destroy, const Info& info, Object& object) {
     const VkDevice device = device_.host().device;
     if (const VkResult result = call(device, &info, nullptr, &object); result != VK_SUCCESS)
-        return call_error(name, "the report", result);
+        return call_error(name, k_what, result);
     at_end_.push_back([=] { destroy(device, object, nullptr); });
     return {};
 }
 
-Result<void> DrawHost::make_set(std::span<const VkDescriptorType> kinds) {
-    const Functions& call = device_.functions();
-    std::vector<VkDescriptorSetLayoutBinding> bindings;
-    std::map<VkDescriptorType, std::uint32_t> counts;
-    for (const VkDescriptorType kind : kinds) {
-        bindings.push_back({.binding = static_cast<std::uint32_t>(bindings.size()),
-                            .descriptorType = kind,
-                            .descriptorCount = 1,
-                            .stageFlags = VK_SHADER_STAGE_ALL_GRAPHICS,
-                            .pImmutableSamplers = nullptr});
-        ++counts[kind];
-    }
-    VkDescriptorSetLayoutCreateInfo set{};
-    set.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
-    set.bindingCount = static_cast<std::uint32_t>(bindings.size());
-    set.pBindings = bindings.data();
-    if (auto made = make("vkCreateDescriptorSetLayout", call.vkCreateDescriptorSetLayout, call.vkDestroyDescriptorSetLayout, set,
-                         set_layout_);
-        !made)
-        return made;
-    VkPipelineLayoutCreateInfo layout{};
-    layout.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
-    layout.setLayoutCount = 1;
-    layout.pSetLayouts = &set_layout_;
-    if (auto made = make("vkCreatePipelineLayout", call.vkCreatePipelineLayout, call.vkDestroyPipelineLayout, layout, layout_);
-        !made)
-        return made;
-    std::vector<VkDescriptorPoolSize> sizes;
-    for (const auto& [type, count] : counts)
-        sizes.push_back({type, count});
-    VkDescriptorPoolCreateInfo pool{};
-    pool.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
-    pool.maxSets = 1;
-    pool.poolSizeCount = static_cast<std::uint32_t>(sizes.size());
-    pool.pPoolSizes = sizes.data();
-    if (auto made = make("vkCreateDescriptorPool", call.vkCreateDescriptorPool, call.vkDestroyDescriptorPool, pool, pool_); !made)
-        return made;
-    VkDescriptorSetAllocateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
-    info.descriptorPool = pool_;
-    info.descriptorSetCount = 1;
-    info.pSetLayouts = &set_layout_;
-    if (const VkResult result = call.vkAllocateDescriptorSets(device_.host().device, &info, &set_); result != VK_SUCCESS)
-        return call_error("vkAllocateDescriptorSets", "the report", result);
+Result<void> DrawHost::bind(std::vector<Binding> bindings) {
+    const Sets::Content content{&layout_, std::move(bindings)};
+    auto sets = Sets::create(device_, {&content, 1});
+    if (!sets)
+        return Error{sets.error()};
+    sets_ = *std::move(sets);
     return {};
-}
-
-void DrawHost::bind(std::span<const Binding> bindings) {
-    std::vector<VkDescriptorBufferInfo> buffers(bindings.size());
-    std::vector<VkDescriptorImageInfo> images(bindings.size());
-    std::vector<VkWriteDescriptorSet> writes;
-    for (std::size_t n = 0; n < bindings.size(); ++n) {
-        const Binding& binding = bindings[n];
-        buffers[n] = {binding.buffer, 0, VK_WHOLE_SIZE};
-        images[n] = {binding.sampler, binding.view, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
-        VkWriteDescriptorSet write{};
-        write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-        write.dstSet = set_;
-        write.dstBinding = static_cast<std::uint32_t>(n);
-        write.descriptorCount = 1;
-        write.descriptorType = binding.type;
-        write.pBufferInfo = &buffers[n];
-        write.pImageInfo = &images[n];
-        writes.push_back(write);
-    }
-    device_.functions().vkUpdateDescriptorSets(device_.host().device, static_cast<std::uint32_t>(writes.size()), writes.data(), 0,
-                                               nullptr);
 }
 
 Result<DrawHost::Attachment> DrawHost::attachment(VkExtent2D extent, VkFormat format, VkSampleCountFlagBits samples,
                                                   VkImageUsageFlags usage) {
     const Functions& call = device_.functions();
+    const Host& host = device_.host();
     Attachment made;
     VkImageCreateInfo image{};
     image.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
@@ -150,32 +129,27 @@ Result<DrawHost::Attachment> DrawHost::attachment(VkExtent2D extent, VkFormat fo
     image.samples = samples;
     image.tiling = VK_IMAGE_TILING_OPTIMAL;
     image.usage = usage;
-    if (auto done = make("vkCreateImage", call.vkCreateImage, call.vkDestroyImage, image, made.image); !done)
-        return Error{done.error()};
+    if (const VkResult result = vulkan::make(call, host, call.vkCreateImage, image, made.image); result != VK_SUCCESS)
+        return call_error("vkCreateImage", k_what, result);
     VkMemoryRequirements needs{};
-    call.vkGetImageMemoryRequirements(device_.host().device, made.image, &needs);
+    call.vkGetImageMemoryRequirements(host.device, made.image.get(), &needs);
     auto piece = device_.memory().allocate(needs, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, false);
     if (!piece)
         return Error{piece.error()};
-    // The memory goes after the image, which is made before it: both ends in one.
-    std::function<void()> destroy = std::move(at_end_.back());
-    at_end_.back() = [this, destroy = std::move(destroy), given = *piece] {
-        destroy();
-        device_.memory().release(given);
-    };
-    if (const VkResult result = call.vkBindImageMemory(device_.host().device, made.image, piece->memory, piece->offset);
+    made.piece = OwnedPiece(device_.memory(), *piece);
+    if (const VkResult result = call.vkBindImageMemory(host.device, made.image.get(), piece->memory, piece->offset);
         result != VK_SUCCESS)
-        return call_error("vkBindImageMemory", "the report", result);
+        return call_error("vkBindImageMemory", k_what, result);
     VkImageViewCreateInfo view{};
     view.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
-    view.image = made.image;
+    view.image = made.image.get();
     view.viewType = VK_IMAGE_VIEW_TYPE_2D;
     view.format = format;
     const bool depth = format == k_depth;
     view.subresourceRange = {
         depth ? VkImageAspectFlags{VK_IMAGE_ASPECT_DEPTH_BIT} : VkImageAspectFlags{VK_IMAGE_ASPECT_COLOR_BIT}, 0, 1, 0, 1};
-    if (auto done = make("vkCreateImageView", call.vkCreateImageView, call.vkDestroyImageView, view, made.view); !done)
-        return Error{done.error()};
+    if (const VkResult result = vulkan::make(call, host, call.vkCreateImageView, view, made.view); result != VK_SUCCESS)
+        return call_error("vkCreateImageView", k_what, result);
     return made;
 }
 
@@ -197,8 +171,9 @@ Result<DrawHost::Target> DrawHost::target(VkExtent2D extent, VkSampleCountFlagBi
         one.stencilStoreOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
         one.finalLayout = end;
         attachments.push_back(one);
-        views.push_back(made->view);
-        return made->image;
+        views.push_back(made->view.get());
+        attachments_.push_back(*std::move(made));
+        return attachments_.back().image.get();
     };
     const bool several = samples != VK_SAMPLE_COUNT_1_BIT;
     constexpr VkImageUsageFlags drawn = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, copied = drawn | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
@@ -259,77 +234,35 @@ Result<DrawHost::Target> DrawHost::target(VkExtent2D extent, VkSampleCountFlagBi
 
 Result<VkPipeline> DrawHost::pipeline(const Target& target, const Recipe& recipe) {
     const Functions& call = device_.functions();
-    const bool rasterises = !recipe.fragment.empty();
+    const Host& host = device_.host();
     std::vector<VkPipelineShaderStageCreateInfo> stages;
+    std::array<Handle<VkShaderModule, &Functions::vkDestroyShaderModule>, 2> shaders; // end with this function
     const auto add = [&](VkShaderStageFlagBits stage, std::span<const std::uint32_t> words) {
-        VkShaderModuleCreateInfo info{};
-        info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
-        info.codeSize = words.size_bytes();
-        info.pCode = words.data();
-        VkPipelineShaderStageCreateInfo one{};
-        one.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
-        one.stage = stage;
-        one.pName = "main";
-        auto made = make("vkCreateShaderModule", call.vkCreateShaderModule, call.vkDestroyShaderModule, info, one.module);
-        stages.push_back(one);
-        return made;
+        auto& shader = shaders[stages.size()];
+        const VkResult result = vulkan::make(call, host, call.vkCreateShaderModule, module_of(words), shader);
+        stages.push_back(stage_of(stage, shader.get()));
+        return result;
     };
-    if (auto added = add(VK_SHADER_STAGE_VERTEX_BIT, recipe.vertex); !added)
-        return Error{added.error()};
-    if (rasterises)
-        if (auto added = add(VK_SHADER_STAGE_FRAGMENT_BIT, recipe.fragment); !added)
-            return Error{added.error()};
-    VkPipelineVertexInputStateCreateInfo input{};
-    input.sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO;
-    VkPipelineInputAssemblyStateCreateInfo assembly{};
-    assembly.sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO;
-    assembly.topology = recipe.topology;
-    const VkViewport view{0.0f, 0.0f, static_cast<float>(target.extent.width), static_cast<float>(target.extent.height),
-                          0.0f, 1.0f};
-    const VkRect2D all{{0, 0}, target.extent};
-    VkPipelineViewportStateCreateInfo viewport{};
-    viewport.sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO;
-    viewport.viewportCount = viewport.scissorCount = 1;
-    viewport.pViewports = &view;
-    viewport.pScissors = &all;
-    VkPipelineRasterizationStateCreateInfo raster{}; // a blade has two faces: none is culled
-    raster.sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO;
-    raster.rasterizerDiscardEnable = rasterises ? VK_FALSE : VK_TRUE;
-    raster.lineWidth = 1.0f;
-    VkPipelineMultisampleStateCreateInfo samples{};
-    samples.sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO;
-    samples.rasterizationSamples = target.samples;
-    VkPipelineDepthStencilStateCreateInfo depth{};
-    depth.sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO;
-    depth.depthTestEnable = depth.depthWriteEnable = recipe.depth ? VK_TRUE : VK_FALSE;
-    depth.depthCompareOp = VK_COMPARE_OP_LESS_OR_EQUAL;
-    VkPipelineColorBlendAttachmentState blend{};
-    blend.colorWriteMask =
-        VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
-    VkPipelineColorBlendStateCreateInfo blends{};
-    blends.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO;
-    blends.attachmentCount = target.attached ? 1 : 0;
-    blends.pAttachments = &blend;
-    VkGraphicsPipelineCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO;
-    info.stageCount = static_cast<std::uint32_t>(stages.size());
-    info.pStages = stages.data();
-    info.pVertexInputState = &input;
-    info.pInputAssemblyState = &assembly;
-    info.pViewportState = &viewport;
-    info.pRasterizationState = &raster;
-    info.pMultisampleState = &samples;
-    info.pDepthStencilState = &depth;
-    info.pColorBlendState = &blends;
-    info.layout = layout_;
-    info.renderPass = target.pass;
-    VkPipeline pipeline = VK_NULL_HANDLE;
-    const auto create_one = [&](VkDevice device, const auto* what, const VkAllocationCallbacks* callbacks, VkPipeline* made) {
-        return calls_->vkCreateGraphicsPipelines(device, VK_NULL_HANDLE, 1, what, callbacks, made);
-    };
-    if (auto made = make("vkCreateGraphicsPipelines", create_one, call.vkDestroyPipeline, info, pipeline); !made)
-        return Error{made.error()};
-    return pipeline;
+    const bool rasterises = !recipe.fragment.empty();
+    VkResult result = add(VK_SHADER_STAGE_VERTEX_BIT, recipe.vertex);
+    if (result == VK_SUCCESS && rasterises)
+        result = add(VK_SHADER_STAGE_FRAGMENT_BIT, recipe.fragment);
+    if (result != VK_SUCCESS)
+        return call_error("vkCreateShaderModule", k_what, result);
+    const GraphicsState state({.stages = stages,
+                               .layout = layout_.layout(),
+                               .render_pass = target.pass,
+                               .topology = recipe.topology,
+                               .samples = target.samples,
+                               .colours = target.attached ? 1u : 0u,
+                               .tests_depth = recipe.depth,
+                               .rasterises = rasterises});
+    VkPipeline made = VK_NULL_HANDLE;
+    result = calls_->vkCreateGraphicsPipelines(host.device, VK_NULL_HANDLE, 1, &state.info(), host.allocation_callbacks, &made);
+    if (result != VK_SUCCESS)
+        return call_error("vkCreateGraphicsPipelines", k_what, result);
+    pipelines_.emplace_back(call, host, made);
+    return made;
 }
 
 void DrawHost::record(VkCommandBuffer commands, const Target& target, std::span<const Draw> draws) const {
@@ -344,7 +277,16 @@ void DrawHost::record(VkCommandBuffer commands, const Target& target, std::span<
     begin.clearValueCount = target.attached ? 2 : 0;
     begin.pClearValues = clear.data();
     calls_->vkCmdBeginRenderPass(commands, &begin, VK_SUBPASS_CONTENTS_INLINE);
-    call.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 0, 1, &set_, 0, nullptr);
+    const VkViewport view{.x = 0.0f,
+                          .y = 0.0f,
+                          .width = static_cast<float>(target.extent.width),
+                          .height = static_cast<float>(target.extent.height),
+                          .minDepth = 0.0f,
+                          .maxDepth = 1.0f};
+    calls_->vkCmdSetViewport(commands, 0, 1, &view);
+    calls_->vkCmdSetScissor(commands, 0, 1, &begin.renderArea);
+    const VkDescriptorSet set = sets_.at(0);
+    call.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_.layout(), 0, 1, &set, 0, nullptr);
     for (const Draw& draw : draws) {
         call.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, draw.pipeline);
         calls_->vkCmdDraw(commands, draw.vertices, draw.instances, 0, 0);

@@ -4,6 +4,7 @@
 
 #include "fluid/vulkan/device.h"
 #include "fluid/vulkan/own_device.h"
+#include "fluid/vulkan/wind.h"
 
 #include <cstddef>
 #include <functional>
@@ -13,6 +14,21 @@
 #include <vector>
 
 namespace windrow::cli {
+
+/// The wind's bindings of shaders/coupling/windrow_wind.glsl, for a host that waits for each frame.
+class WindBindings {
+  public:
+    /// Kinds of the bindings, in order.
+    [[nodiscard]] static std::vector<VkDescriptorType> kinds();
+    /// For winds with these boundaries.
+    [[nodiscard]] static Result<WindBindings> create(vulkan::Device& device, const Boundaries& boundaries);
+    /// Of the frame last recorded; nothing that uses them is in flight.
+    [[nodiscard]] std::vector<vulkan::Binding> of(const vulkan::Wind& wind, glm::dvec3 anchor, const Sampling& sampling = {});
+
+  private:
+    vulkan::Buffer block_;
+    vulkan::Handle<VkSampler, &vulkan::Functions::vkDestroySampler> sampler_;
+};
 
 class DrawHost {
   public:
@@ -43,7 +59,7 @@ class DrawHost {
     [[nodiscard]] Result<VkPipeline> pipeline(const Target& target, const Recipe& recipe);
 
     /// Nothing that uses the set is in flight.
-    void bind(std::span<const vulkan::Binding> bindings);
+    [[nodiscard]] Result<void> bind(std::vector<vulkan::Binding> bindings);
 
     struct Draw {
         VkPipeline pipeline;
@@ -56,25 +72,25 @@ class DrawHost {
   private:
     struct Calls;
     DrawHost(vulkan::OwnDevice& own, vulkan::Device& device);
-    [[nodiscard]] Result<void> make_set(std::span<const VkDescriptorType> kinds);
     struct Attachment {
-        VkImage image = VK_NULL_HANDLE;
-        VkImageView view = VK_NULL_HANDLE;
+        vulkan::OwnedPiece piece; // above what is bound to it, which goes first
+        vulkan::Handle<VkImage, &vulkan::Functions::vkDestroyImage> image;
+        vulkan::Handle<VkImageView, &vulkan::Functions::vkDestroyImageView> view;
     };
     [[nodiscard]] Result<Attachment> attachment(VkExtent2D extent, VkFormat format, VkSampleCountFlagBits samples,
                                                 VkImageUsageFlags usage);
-    /// Calls of the kind vkCreate(device, info, callbacks, object); the object ends with this host.
+    /// Of the calls that the library has not; the object ends with this host.
     template <class Create, class Destroy, class Info, class Object>
     [[nodiscard]] Result<void> make(const char* name, Create call, Destroy destroy, const Info& info, Object& object);
 
     vulkan::OwnDevice& own_;
     vulkan::Device& device_;
     std::unique_ptr<Calls> calls_;
+    vulkan::PipelineLayout layout_;
+    vulkan::Sets sets_; ///< one
+    std::vector<Attachment> attachments_;
+    std::vector<vulkan::Handle<VkPipeline, &vulkan::Functions::vkDestroyPipeline>> pipelines_;
     std::vector<std::function<void()>> at_end_; ///< last first
-    VkDescriptorSetLayout set_layout_ = VK_NULL_HANDLE;
-    VkPipelineLayout layout_ = VK_NULL_HANDLE;
-    VkDescriptorPool pool_ = VK_NULL_HANDLE;
-    VkDescriptorSet set_ = VK_NULL_HANDLE;
 };
 
 } // namespace windrow::cli

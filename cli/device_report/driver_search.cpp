@@ -1,4 +1,4 @@
-#include "cli/device_report/driver_search.h"
+#include "cli/device_report/report_section.h"
 
 #include "fluid/vulkan/loader.h"
 

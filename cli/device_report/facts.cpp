@@ -1,6 +1,5 @@
 // The device as its driver describes it: properties, limits, queues, memory, extensions, and its clock rates where the system has
 // them in files.
-#include "cli/device_report/driver_search.h"
 #include "cli/device_report/report_section.h"
 #include "cli/info_command.h"
 #include "fluid/message.h"

@@ -88,7 +88,7 @@ Result<void> Meadow::blow(int steps, const std::function<bool()>& stopped) {
     return {};
 }
 
-void Meadow::look(Eye eye, VkExtent2D extent, std::uint32_t blades) {
+Result<void> Meadow::look(Eye eye, VkExtent2D extent, std::uint32_t blades) {
     const bool above = eye == Eye::above;
     const glm::vec3 at = above ? glm::vec3(0.0f, 11.0f, 5.5f) : glm::vec3(0.0f, 2.2f, 8.5f);
     const glm::vec3 ahead = above ? glm::vec3(0.0f, -1.0f, -0.62f) : glm::vec3(0.0f, -0.20f, -1.0f);
@@ -104,7 +104,7 @@ void Meadow::look(Eye eye, VkExtent2D extent, std::uint32_t blades) {
     (void)scene_.flush(); // memory for uploads is coherent
     std::vector<Binding> bindings = bindings_.of(wind_, {}, {.detail = 0.5f, .detail_length = 0.5f});
     bindings.insert(bindings.begin(), {.type = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, .buffer = scene_.handle()});
-    host_->bind(bindings);
+    return host_->bind(std::move(bindings));
 }
 
 Result<std::vector<DrawHost::Draw>> Meadow::frame(const DrawHost::Target& target, std::uint32_t blades) {

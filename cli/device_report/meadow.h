@@ -2,7 +2,6 @@
 #pragma once
 
 #include "cli/device_report/draw_host.h"
-#include "cli/device_report/wind_bindings.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
@@ -22,7 +21,7 @@ class Meadow {
 
     enum class Eye { walking, above };
     /// What the next draws show. Nothing that draws is in flight.
-    void look(Eye eye, VkExtent2D extent, std::uint32_t blades);
+    [[nodiscard]] Result<void> look(Eye eye, VkExtent2D extent, std::uint32_t blades);
 
     /// Blades before the sky.
     [[nodiscard]] Result<std::vector<DrawHost::Draw>> frame(const DrawHost::Target& target, std::uint32_t blades);

@@ -98,7 +98,8 @@ Result<void> report_meadow(SectionRun& run) {
         return Error{nothing ? picture.error() : nothing.error()};
     double blade_seconds = 0.0; // that a blade took before, vertices alone or drawn, the larger
     for (const std::uint32_t blades : k_blades) {
-        scene->meadow->look(Meadow::Eye::walking, k_full_hd, blades);
+        if (auto looked = scene->meadow->look(Meadow::Eye::walking, k_full_hd, blades); !looked)
+            return looked;
         const auto vertices = scene->meadow->vertices(*nothing, blades);
         const auto frame = scene->meadow->frame(*picture, blades);
         if (!vertices || !frame)
@@ -141,12 +142,18 @@ Result<void> report_pictures(SectionRun& run) {
     const auto frame = meadow.frame(*target, blades), slices = meadow.slices(*target);
     if (!frame || !slices)
         return Error{frame ? slices.error() : frame.error()};
-    meadow.look(Meadow::Eye::walking, extent, blades);
-    if (auto saved = save(run, host, *target, *frame, "meadow.png", "a meadow in gusts, with a walker's wake and a fan"); !saved)
-        return saved;
-    meadow.look(Meadow::Eye::above, extent, blades);
-    if (auto saved = save(run, host, *target, *frame, "meadow_above.png", "the same from above: pale blades lean"); !saved)
-        return saved;
+    struct View {
+        Meadow::Eye eye;
+        const char *file, *text;
+    };
+    constexpr View views[] = {{Meadow::Eye::walking, "meadow.png", "a meadow in gusts, with a walker's wake and a fan"},
+                              {Meadow::Eye::above, "meadow_above.png", "the same from above: pale blades lean"}};
+    for (const View& view : views) {
+        if (auto looked = meadow.look(view.eye, extent, blades); !looked)
+            return looked;
+        if (auto saved = save(run, host, *target, *frame, view.file, view.text); !saved)
+            return saved;
+    }
     return save(run, host, *target, *slices, "wind.png", "speed of its wind, from the side and from above");
 }
 

@@ -63,13 +63,34 @@ struct ReportSection {
     Result<void> (*run)(SectionRun& run);
 };
 
-/// In order.
-[[nodiscard]] const std::vector<ReportSection>& report_sections();
+// --- Text: printed as each section ends, and as Markdown at the end (report_text.cpp) ----------------------------------------
 
 /// {median, p99, samples} in microseconds, times `factor`.
 [[nodiscard]] ReportJson spread_json(const DeviceSpread& us, double factor = 1.0);
 /// As the figures of a table are printed: four digits.
 [[nodiscard]] double four_digits(double value);
+/// The figures of a section: a line for each value, a table for each list of objects, whose keys are the columns.
+[[nodiscard]] std::string section_text(const ReportJson& section);
+/// The page of a whole report: the device, times beside the copy floor, parity, pictures. Sections that did not run are named.
+[[nodiscard]] std::string report_page(const ReportJson& report);
+/// One row a grid for a README; a software device's figures are called so.
+[[nodiscard]] std::string readme_table(const ReportJson& report);
+
+// --- Drivers: where Vulkan's loader and drivers are looked for on this machine (driver_search.cpp) -------------------------------
+
+/// Names the drivers of folders that a loader does not search by itself in VK_ADD_DRIVER_FILES, unless the environment names
+/// drivers already.
+void add_drivers();
+/// For a loader that is older than that variable, after no device was found: the same in VK_DRIVER_FILES. False where there is
+/// nothing to add.
+[[nodiscard]] bool name_drivers_only();
+/// What was tried and what is there, a place each: the loader's names, the variables that name drivers, folders with their files.
+[[nodiscard]] ReportJson places_tried();
+
+// --- Sections -------------------------------------------------------------------------------------------------------------------
+
+/// In order.
+[[nodiscard]] const std::vector<ReportSection>& report_sections();
 
 Result<void> report_facts(SectionRun& run);
 Result<void> report_costs(SectionRun& run);

@@ -1,5 +1,4 @@
-#include "cli/device_report/report_text.h"
-
+#include "cli/device_report/report_section.h"
 #include "cli/table.h"
 #include "fluid/message.h"
 

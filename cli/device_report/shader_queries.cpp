@@ -1,6 +1,6 @@
 // What a shader samples against the CPU's query: the wind in both kinds of texels, and the ground memory.
+#include "cli/device_report/draw_host.h"
 #include "cli/device_report/report_section.h"
-#include "cli/device_report/wind_bindings.h"
 #include "coupling/ground_memory.h"
 #include "coupling/vulkan/ground_memory.h"
 #include "shader_words/query_ground.h"
@@ -51,10 +51,8 @@ Result<std::vector<glm::vec4>> answers_of(OwnDevice& own, Device& device, std::s
     if (!sets)
         return Error{sets.error()};
     auto ran = own.run([&](VkCommandBuffer commands) {
-        const VkDescriptorSet set = sets->at(0);
         const Functions& call = device.functions();
-        call.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline->handle());
-        call.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline->layout(), 0, 1, &set, 0, nullptr);
+        pipeline->bind(call, commands, sets->at(0));
         call.vkCmdDispatch(commands, static_cast<std::uint32_t>(places.size() + 63) / 64, 1, 1);
         const VkMemoryBarrier read{VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr, VK_ACCESS_SHADER_WRITE_BIT,
                                    VK_ACCESS_HOST_READ_BIT};

@@ -157,9 +157,7 @@ void GroundMemory::State::dispatch(VkCommandBuffer commands, int into) const {
                                .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1}};
     // Whoever sampled it two frames ago is done first.
     call.vkCmdPipelineBarrier(commands, device->reader_stages() | k_compute, k_compute, 0, 0, nullptr, 0, nullptr, 1, &image);
-    const VkDescriptorSet bound = sets.at(static_cast<std::size_t>(into));
-    call.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline->handle());
-    call.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline->layout(), 0, 1, &bound, 0, nullptr);
+    pipeline->bind(call, commands, sets.at(static_cast<std::size_t>(into)));
     const std::uint32_t groups = (static_cast<std::uint32_t>(host.config().texels) + k_group - 1) / k_group;
     call.vkCmdDispatch(commands, groups, groups, 1);
     image.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
@@ -177,13 +175,13 @@ Result<void> GroundMemory::record(VkCommandBuffer commands, const GroundStep& st
     State& state = *state_;
     if (commands == VK_NULL_HANDLE)
         return Error{"GroundMemory::record got no command buffer: give one that is being recorded."};
-    const auto told = state.host.begin(step, leans);
-    if (!told)
-        return Error{told.error()};
+    const auto begun = state.host.begin(step, leans);
+    if (!begun)
+        return Error{begun.error()};
     const Functions& call = state.device->functions();
     const bool first = !std::exchange(state.recorded, true);
     state.barrier(commands, k_compute | k_transfer, k_compute | k_transfer);
-    call.vkCmdUpdateBuffer(commands, state.step.handle(), 0, sizeof(*told), &*told);
+    call.vkCmdUpdateBuffer(commands, state.step.handle(), 0, sizeof(*begun), &*begun);
     if (const auto walkers = state.host.walkers(); !walkers.empty())
         call.vkCmdUpdateBuffer(commands, state.walkers.handle(), 0, walkers.size_bytes(), walkers.data());
     state.barrier(commands, k_transfer, k_compute);

@@ -13,9 +13,11 @@ namespace windrow::vulkan {
 namespace {
 
 [[maybe_unused]] bool matches(const Sets::Content& content) {
-    return std::equal(content.bindings.begin(), content.bindings.end(), content.pipeline->bindings().begin(),
-                      content.pipeline->bindings().end(),
-                      [](const Binding& binding, VkDescriptorType type) { return binding.type == type; });
+    const auto same = [](const Binding& binding, const VkDescriptorSetLayoutBinding& other) {
+        return binding.type == other.descriptorType && other.descriptorCount == 1;
+    };
+    return content.bindings.empty() || std::equal(content.bindings.begin(), content.bindings.end(),
+                                                  content.layout->bindings().begin(), content.layout->bindings().end(), same);
 }
 
 VkImageLayout image_layout_of(const Binding& binding) {
@@ -56,9 +58,9 @@ Result<Sets> Sets::create(Device& device, std::span<const Content> contents) {
     std::vector<VkDescriptorSetLayout> layouts;
     for (const Content& content : contents) {
         assert(matches(content));
-        layouts.push_back(content.pipeline->set_layout());
-        for (const Binding& binding : content.bindings)
-            ++counts[binding.type];
+        layouts.push_back(content.layout->set_layout());
+        for (const VkDescriptorSetLayoutBinding& binding : content.layout->bindings())
+            counts[binding.descriptorType] += binding.descriptorCount;
     }
     std::vector<VkDescriptorPoolSize> sizes;
     for (const auto& [type, count] : counts)

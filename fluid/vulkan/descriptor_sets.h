@@ -10,7 +10,7 @@
 namespace windrow::vulkan {
 
 class Device;
-class Pipeline;
+class PipelineLayout;
 
 /// Contents of a descriptor set, in the order of its bindings.
 struct Binding {
@@ -20,17 +20,17 @@ struct Binding {
     VkSampler sampler = VK_NULL_HANDLE;
 };
 
-/// Move-only. Descriptor sets, all made at once and never changed: ordinary ones, since GPU-assisted validation takes push
-/// descriptors amiss.
+/// Move-only. Descriptor sets, all made and written at once: ordinary ones, since GPU-assisted validation takes push descriptors
+/// amiss.
 class Sets {
   public:
     /// Empty.
     Sets() = default;
-    /// One set for each entry of `contents`, with the layout of the pipeline named beside it.
     struct Content {
-        const Pipeline* pipeline;
-        std::vector<Binding> bindings;
+        const PipelineLayout* layout;    ///< or a Pipeline
+        std::vector<Binding> bindings{}; ///< of the layout's kinds; none: the caller writes the set
     };
+    /// One set for each entry of `contents`.
     [[nodiscard]] static Result<Sets> create(Device& device, std::span<const Content> contents);
     [[nodiscard]] VkDescriptorSet at(std::size_t n) const { return sets_[n]; }
 

@@ -246,7 +246,7 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
         passes.first_set_[n] = contents.size();
         const std::size_t sets = plan.to_host ? fields.slots.size() : shows ? 2 : 1;
         for (std::size_t one = 0; one < sets; ++one) {
-            Sets::Content content{.pipeline = passes.pipelines_[n].get(), .bindings = {}};
+            Sets::Content content{.layout = passes.pipelines_[n].get(), .bindings = {}};
             for (const Buffer* buffer : plan.buffers)
                 content.bindings.push_back({.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, .buffer = buffer->handle()});
             if (plan.to_host)
@@ -331,9 +331,7 @@ std::span<const std::uint32_t> Passes::shapes(DiffusionMethod most) {
 void Passes::bind(VkCommandBuffer commands, Pass pass, const Push& push, int set_number) const {
     const auto n = static_cast<std::size_t>(pass);
     const Pipeline& pipeline = *pipelines_[n];
-    const VkDescriptorSet set = sets_.at(first_set_[n] + static_cast<std::size_t>(set_number));
-    functions_->vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.handle());
-    functions_->vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.layout(), 0, 1, &set, 0, nullptr);
+    pipeline.bind(*functions_, commands, sets_.at(first_set_[n] + static_cast<std::size_t>(set_number)));
     functions_->vkCmdPushConstants(commands, pipeline.layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(Push), &push);
 }
 

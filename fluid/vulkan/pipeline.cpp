@@ -3,80 +3,102 @@
 #include "fluid/message.h"
 #include "fluid/vulkan/device.h"
 #include "fluid/vulkan/functions.h"
+#include "fluid/vulkan/pipeline_state.h"
 
-#include <algorithm>
 #include <cassert>
 #include <map>
 #include <string>
+#include <utility>
 
 namespace windrow::vulkan {
 namespace {
 
-void check_count(std::span<const VkDescriptorType> bindings, VkDescriptorType type, std::uint32_t most, const char* limit,
-                 detail::Reasons& reasons, const std::string& what) {
-    const auto count = static_cast<std::uint32_t>(std::count(bindings.begin(), bindings.end(), type));
+void check_count(std::span<const VkDescriptorSetLayoutBinding> bindings, VkDescriptorType type, std::uint32_t most,
+                 const char* limit, detail::Reasons& reasons, const std::string& what) {
+    std::uint32_t count = 0;
+    for (const VkDescriptorSetLayoutBinding& binding : bindings)
+        count += binding.descriptorType == type ? binding.descriptorCount : 0;
     if (count > most)
         reasons.add(what, " binds ", count, " where the device takes ", most, " (", limit, "): use another device or the CPU.");
 }
 
-Result<void> check_pipeline(const Device& device, const Pipeline::Description& description, const std::string& what) {
+Result<void> check_layout(const Device& device, std::span<const VkDescriptorSetLayoutBinding> bindings, std::uint32_t push_bytes,
+                          const std::string& what) {
     const VkPhysicalDeviceLimits& limits = device.limits();
     detail::Reasons reasons;
-    if (description.push_bytes > limits.maxPushConstantsSize)
-        reasons.add(what, " pushes ", description.push_bytes, " bytes of constants where the device takes ",
-                    limits.maxPushConstantsSize, " (maxPushConstantsSize): use another device or the CPU.");
-    check_count(description.bindings, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, limits.maxPerStageDescriptorStorageBuffers,
+    if (push_bytes > limits.maxPushConstantsSize)
+        reasons.add(what, " pushes ", push_bytes, " bytes of constants where the device takes ", limits.maxPushConstantsSize,
+                    " (maxPushConstantsSize): use another device or the CPU.");
+    check_count(bindings, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, limits.maxPerStageDescriptorStorageBuffers,
                 "maxPerStageDescriptorStorageBuffers", reasons, what);
-    check_count(description.bindings, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, limits.maxPerStageDescriptorStorageImages,
+    check_count(bindings, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, limits.maxPerStageDescriptorStorageImages,
                 "maxPerStageDescriptorStorageImages", reasons, what);
     if (!reasons.empty())
         return Error{reasons.take()};
     return {};
 }
 
+std::string what_of(const Pipeline::Description& description) {
+    return detail::message("the pass ", description.name);
+}
+
 } // namespace
 
-Result<Pipeline> Pipeline::create(Device& device, const Description& description) {
-    assert(!description.code.empty() && description.push_bytes % 4 == 0);
-    const std::string what = detail::message("the pass ", description.name);
-    if (auto checked = check_pipeline(device, description, what); !checked)
+Result<PipelineLayout> PipelineLayout::create(Device& device, std::span<const VkDescriptorSetLayoutBinding> bindings,
+                                              const VkPushConstantRange& push, const std::string& what) {
+    assert(push.size % 4 == 0);
+    if (auto checked = check_layout(device, bindings, push.size, what); !checked)
         return Error{checked.error()};
-
     const Functions& functions = device.functions();
     const Host& host = device.host();
-    Pipeline pipeline;
-    pipeline.bindings_.assign(description.bindings.begin(), description.bindings.end());
-
-    std::vector<VkDescriptorSetLayoutBinding> bindings;
-    for (const VkDescriptorType type : description.bindings)
-        bindings.push_back({.binding = static_cast<std::uint32_t>(bindings.size()),
-                            .descriptorType = type,
-                            .descriptorCount = 1,
-                            .stageFlags = VK_SHADER_STAGE_COMPUTE_BIT,
-                            .pImmutableSamplers = nullptr});
+    PipelineLayout made;
+    made.bindings_.assign(bindings.begin(), bindings.end());
     VkDescriptorSetLayoutCreateInfo set_info{};
     set_info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
     set_info.bindingCount = static_cast<std::uint32_t>(bindings.size());
     set_info.pBindings = bindings.data();
-    if (const VkResult result = make(functions, host, functions.vkCreateDescriptorSetLayout, set_info, pipeline.set_layout_);
+    if (const VkResult result = make(functions, host, functions.vkCreateDescriptorSetLayout, set_info, made.set_layout_);
         result != VK_SUCCESS)
         return call_error("vkCreateDescriptorSetLayout", what, result);
-
-    const VkPushConstantRange push{VK_SHADER_STAGE_COMPUTE_BIT, 0, description.push_bytes};
-    VkPipelineLayoutCreateInfo layout_info{};
-    layout_info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
-    layout_info.setLayoutCount = 1;
-    layout_info.pSetLayouts = &pipeline.set_layout_.get();
-    layout_info.pushConstantRangeCount = description.push_bytes == 0 ? 0 : 1;
-    layout_info.pPushConstantRanges = &push;
-    if (const VkResult result = make(functions, host, functions.vkCreatePipelineLayout, layout_info, pipeline.layout_);
-        result != VK_SUCCESS)
+    VkPipelineLayoutCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
+    info.setLayoutCount = 1;
+    info.pSetLayouts = &made.set_layout_.get();
+    info.pushConstantRangeCount = push.size == 0 ? 0 : 1;
+    info.pPushConstantRanges = &push;
+    if (const VkResult result = make(functions, host, functions.vkCreatePipelineLayout, info, made.layout_); result != VK_SUCCESS)
         return call_error("vkCreatePipelineLayout", what, result);
+    return made;
+}
 
-    VkShaderModuleCreateInfo module_info{};
-    module_info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
-    module_info.codeSize = description.code.size_bytes();
-    module_info.pCode = description.code.data();
+std::vector<VkDescriptorSetLayoutBinding> bindings_of(std::span<const VkDescriptorType> kinds, VkShaderStageFlags stages) {
+    std::vector<VkDescriptorSetLayoutBinding> bindings;
+    for (const VkDescriptorType type : kinds)
+        bindings.push_back({.binding = static_cast<std::uint32_t>(bindings.size()),
+                            .descriptorType = type,
+                            .descriptorCount = 1,
+                            .stageFlags = stages,
+                            .pImmutableSamplers = nullptr});
+    return bindings;
+}
+
+Result<Pipeline> Pipeline::create(Device& device, const Description& description) {
+    auto layout = PipelineLayout::create(device, bindings_of(description.bindings, VK_SHADER_STAGE_COMPUTE_BIT),
+                                         {VK_SHADER_STAGE_COMPUTE_BIT, 0, description.push_bytes}, what_of(description));
+    if (!layout)
+        return Error{layout.error()};
+    return create(device, *std::move(layout), description);
+}
+
+Result<Pipeline> Pipeline::create(Device& device, PipelineLayout layout, const Description& description) {
+    assert(!description.code.empty());
+    const std::string what = what_of(description);
+    const Functions& functions = device.functions();
+    const Host& host = device.host();
+    Pipeline pipeline;
+    static_cast<PipelineLayout&>(pipeline) = std::move(layout);
+
+    const VkShaderModuleCreateInfo module_info = module_of(description.code);
     Handle<VkShaderModule, &Functions::vkDestroyShaderModule> shader;
     if (const VkResult result = make(functions, host, functions.vkCreateShaderModule, module_info, shader); result != VK_SUCCESS)
         return call_error("vkCreateShaderModule", what, result);
@@ -90,10 +112,7 @@ Result<Pipeline> Pipeline::create(Device& device, const Description& description
                                          .pData = description.constants.data()};
     VkComputePipelineCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
-    info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
-    info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
-    info.stage.module = shader.get();
-    info.stage.pName = "main";
+    info.stage = stage_of(VK_SHADER_STAGE_COMPUTE_BIT, shader.get());
     info.stage.pSpecializationInfo = entries.empty() ? nullptr : &constants;
     info.layout = pipeline.layout();
     info.flags = host.pipelines.flags;
@@ -107,6 +126,11 @@ Result<Pipeline> Pipeline::create(Device& device, const Description& description
     if (host.pipelines.created)
         host.pipelines.created(description.name, made);
     return pipeline;
+}
+
+void Pipeline::bind(const Functions& functions, VkCommandBuffer commands, VkDescriptorSet set) const {
+    functions.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, handle());
+    functions.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout(), 0, 1, &set, 0, nullptr);
 }
 
 // Based on: Khronos, SPIR-V Specification 1.6, sections 2.3 (layout of a module), 3.20 (decorations), 3.49 (instructions).

@@ -1,19 +1,42 @@
-// A compute pipeline with the layout of its bindings.
+// Pipeline layouts of one descriptor set, and compute pipelines.
 #pragma once
 
 #include "fluid/vulkan/handle.h"
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace windrow::vulkan {
 
 class Device;
 
-/// Move-only. A compute pipeline with its one descriptor set layout: set 0, bindings 0, 1, 2 ... of the kinds given, and one
-/// range of push constants.
-class Pipeline {
+/// Move-only. The layout of set 0 and of the pipelines that bind it, with one range of push constants.
+class PipelineLayout {
+  public:
+    /// Empty.
+    PipelineLayout() = default;
+    /// `push` of size 0: no push constants; its size is a multiple of 4. Rejects more push constants or bindings than the device
+    /// takes. The error begins with `what` or names it, the call and its VkResult.
+    [[nodiscard]] static Result<PipelineLayout> create(Device& device, std::span<const VkDescriptorSetLayoutBinding> bindings,
+                                                       const VkPushConstantRange& push, const std::string& what);
+    [[nodiscard]] VkPipelineLayout layout() const { return layout_.get(); }
+    [[nodiscard]] VkDescriptorSetLayout set_layout() const { return set_layout_.get(); }
+    [[nodiscard]] std::span<const VkDescriptorSetLayoutBinding> bindings() const { return bindings_; }
+
+  private:
+    std::vector<VkDescriptorSetLayoutBinding> bindings_;
+    Handle<VkDescriptorSetLayout, &Functions::vkDestroyDescriptorSetLayout> set_layout_;
+    Handle<VkPipelineLayout, &Functions::vkDestroyPipelineLayout> layout_;
+};
+
+/// Bindings 0, 1, 2 ... of these kinds, one descriptor each.
+[[nodiscard]] std::vector<VkDescriptorSetLayoutBinding> bindings_of(std::span<const VkDescriptorType> kinds,
+                                                                    VkShaderStageFlags stages);
+
+/// Move-only. A compute pipeline and its layout.
+class Pipeline : public PipelineLayout {
   public:
     struct Description {
         std::span<const std::uint32_t> code;        ///< SPIR-V, embedded at build time
@@ -24,18 +47,15 @@ class Pipeline {
     };
     /// Empty.
     Pipeline() = default;
-    /// Rejects more push constants or bindings than the device takes. The error names the pass, the call and its VkResult.
+    /// Rejects what PipelineLayout::create rejects. The error names the pass, the call and its VkResult.
     [[nodiscard]] static Result<Pipeline> create(Device& device, const Description& description);
+    /// With a layout of the caller's; `bindings` and `push_bytes` of the description are not read.
+    [[nodiscard]] static Result<Pipeline> create(Device& device, PipelineLayout layout, const Description& description);
     [[nodiscard]] VkPipeline handle() const { return pipeline_.get(); }
-    [[nodiscard]] VkPipelineLayout layout() const { return layout_.get(); }
-    [[nodiscard]] VkDescriptorSetLayout set_layout() const { return set_layout_.get(); }
-    /// As described.
-    [[nodiscard]] std::span<const VkDescriptorType> bindings() const { return bindings_; }
+    /// For the dispatches that follow.
+    void bind(const Functions& functions, VkCommandBuffer commands, VkDescriptorSet set) const;
 
   private:
-    std::vector<VkDescriptorType> bindings_;
-    Handle<VkDescriptorSetLayout, &Functions::vkDestroyDescriptorSetLayout> set_layout_;
-    Handle<VkPipelineLayout, &Functions::vkDestroyPipelineLayout> layout_;
     Handle<VkPipeline, &Functions::vkDestroyPipeline> pipeline_;
 };
 

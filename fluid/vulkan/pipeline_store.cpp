@@ -19,7 +19,8 @@ struct StoredPipeline {
 
     [[nodiscard]] bool fits(const Pipeline::Description& wanted) const {
         return push_bytes == wanted.push_bytes && std::ranges::equal(constants, wanted.constants) &&
-               std::ranges::equal(pipeline->bindings(), wanted.bindings) && std::ranges::equal(code, wanted.code);
+               std::ranges::equal(pipeline->bindings(), wanted.bindings, {}, &VkDescriptorSetLayoutBinding::descriptorType) &&
+               std::ranges::equal(code, wanted.code);
     }
 };
 

@@ -1,6 +1,7 @@
 #include "fluid/vulkan/read_backs.h"
 
 #include "fluid/message.h"
+#include "fluid/textures.h"
 #include "fluid/view_place.h"
 
 #include <algorithm>
@@ -52,6 +53,16 @@ WindrowPoint point_in(const RecordedFrame& frame, glm::dvec3 position) {
 }
 
 } // namespace
+
+glm::vec3 HalfView::velocity(glm::dvec3 position) const {
+    const Box& box = place_.box();
+    return windrow::detail::wind_at(
+        windrow::detail::place_in(box, place_.window(), place_.blend_zone(), place_.ambient(), position),
+        [&](int i, int j, int k) {
+            const glm::u16vec4 cell = cells_[box.index(i, j, k)];
+            return glm::vec3(from_half(cell.x), from_half(cell.y), from_half(cell.z));
+        });
+}
 
 void ReadBacks::make(const Air& air, int slots, const RecordedFrame& start) {
     const auto points = static_cast<std::size_t>(air.reads().points);

@@ -164,16 +164,16 @@ void on_the_device(std::size_t count) {
     const auto grass = Blades::create({});
     const VkDeviceSize bytes = 2 * count * sizeof(glm::vec4);
     Buffer in = *Buffer::create(**device, bytes, MemoryUse::upload), out = *Buffer::create(**device, bytes, MemoryUse::device),
-           told = *Buffer::create(**device, sizeof(BladeBlock), MemoryUse::upload);
+           block = *Buffer::create(**device, sizeof(BladeBlock), MemoryUse::upload);
     test::Random random(1);
     auto* values = reinterpret_cast<glm::vec4*>(in.mapped());
     for (std::size_t n = 0; n < count; ++n) {
         values[2 * n] = glm::vec4(random.vector(100.0f), 1.0f);
         values[2 * n + 1] = glm::vec4(random.vector(10.0f), random.uniform(0.0f, 1.0f));
     }
-    std::memcpy(told.mapped(), &grass->block(), sizeof(BladeBlock));
+    std::memcpy(block.mapped(), &grass->block(), sizeof(BladeBlock));
     (void)in.flush();
-    (void)told.flush();
+    (void)block.flush();
     constexpr VkDescriptorType k_storage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
     const std::vector<VkDescriptorType> three(3, k_storage), two(2, k_storage);
     Pipeline bend =
@@ -181,20 +181,17 @@ void on_the_device(std::size_t count) {
     Pipeline copied =
         *Pipeline::create(**device, {.code = shader_words::copy_plants, .bindings = two, .constants = {}, .name = "copy"});
     const Binding from{.type = k_storage, .buffer = in.handle()}, to{.type = k_storage, .buffer = out.handle()},
-        classes{.type = k_storage, .buffer = told.handle()};
+        classes{.type = k_storage, .buffer = block.handle()};
     const Sets::Content contents[] = {{&bend, {from, to, classes}}, {&copied, {from, to}}};
     Sets sets = *Sets::create(**device, contents);
     double least[2] = {1e30, 1e30};
     for (int turn = 0; turn < k_turns; ++turn)
         for (std::size_t kind = 0; kind < 2; ++kind) {
             const Pipeline& pipeline = kind == 0 ? bend : copied;
-            const VkDescriptorSet set = sets.at(kind);
             const double taken = seconds([&] {
                 const auto done = (*own)->run([&](VkCommandBuffer commands) {
                     const Functions& call = (*device)->functions();
-                    call.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.handle());
-                    call.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.layout(), 0, 1, &set, 0,
-                                                 nullptr);
+                    pipeline.bind(call, commands, sets.at(kind));
                     call.vkCmdDispatch(commands, static_cast<std::uint32_t>((count + 63) / 64), 1, 1);
                 });
                 must(done);

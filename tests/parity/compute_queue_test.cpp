@@ -218,9 +218,7 @@ struct RowReader {
     }
 
     void record(const Functions& call, VkCommandBuffer commands, std::size_t turn) const {
-        const VkDescriptorSet set = sets.at(turn);
-        call.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.handle());
-        call.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.layout(), 0, 1, &set, 0, nullptr);
+        pipeline.bind(call, commands, sets.at(turn));
         call.vkCmdDispatch(commands, 1, 1, 1);
     }
 };
@@ -232,10 +230,7 @@ TEST_F(TwoQueues, ReadTheTexelsThatOneQueueReads) {
     auto beside = Wind::create(own->compute_host(), k_gusting, settings), inside = Wind::create(own->host(), k_gusting, settings);
     ASSERT_TRUE(beside) << beside.error();
     ASSERT_TRUE(inside) << inside.error();
-    VkSamplerCreateInfo nearest{};
-    nearest.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
-    VkSampler sampler = VK_NULL_HANDLE;
-    ASSERT_EQ(device->functions().vkCreateSampler(device->host().device, &nearest, nullptr, &sampler), VK_SUCCESS);
+    const Sampler sampler = nearest_sampler();
     constexpr VkPipelineStageFlags at = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_TRANSFER_BIT;
     {
         const QueueLane compute(own->compute_host(), own->compute_queue()), graphics(own->host(), own->queue());
@@ -265,7 +260,7 @@ TEST_F(TwoQueues, ReadTheTexelsThatOneQueueReads) {
                 held(beside->record(commands, {.dt = 1.0 / 30.0, .slot = static_cast<int>(slot)}));
             });
             if (!reader)
-                reader.emplace(*device, *beside, sampler);
+                reader.emplace(*device, *beside, sampler.get());
             graphics.submit(slot, compute.signal(), at, [&](VkCommandBuffer commands) {
                 reader->record(device->functions(), commands, slot);
                 barrier(commands);
@@ -273,7 +268,7 @@ TEST_F(TwoQueues, ReadTheTexelsThatOneQueueReads) {
             run([&](VkCommandBuffer commands) {
                 held(inside->record(commands, {.dt = 1.0 / 30.0}));
                 if (!plain)
-                    plain.emplace(*device, *inside, sampler);
+                    plain.emplace(*device, *inside, sampler.get());
                 plain->record(device->functions(), commands, slot);
                 barrier(commands);
             });
@@ -284,7 +279,6 @@ TEST_F(TwoQueues, ReadTheTexelsThatOneQueueReads) {
         EXPECT_EQ(compared, 12);
         EXPECT_GT(largest, 0.1);
     }
-    device->functions().vkDestroySampler(device->host().device, sampler, nullptr);
 }
 
 } // namespace

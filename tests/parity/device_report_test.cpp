@@ -1,6 +1,6 @@
 // `windrow device-report`: flags, files, figures, exit codes.
 #include "cli/device_report/device_report_command.h"
-#include "cli/device_report/report_text.h"
+#include "cli/device_report/report_section.h"
 #include "tests/parity/gpu.h"
 #include "tests/unit/command_outcome.h"
 

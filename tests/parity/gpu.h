@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdlib>
+#include <cstring>
 #include <functional>
 #include <gtest/gtest.h>
 #include <memory>
@@ -83,6 +84,52 @@ class Gpu : public testing::Test {
             return {};
         }
         return *std::move(made);
+    }
+
+    /// A buffer with this content.
+    template <class Values>
+    [[nodiscard]] Buffer uploaded(const Values& values, VkBufferUsageFlags usage = 0) {
+        const auto bytes = std::as_bytes(std::span(values));
+        Buffer made = *Buffer::create(*device, bytes.size(), MemoryUse::upload, usage);
+        std::memcpy(made.mapped(), bytes.data(), bytes.size());
+        EXPECT_EQ(made.flush(), VK_SUCCESS);
+        return made;
+    }
+
+    using Sampler = Handle<VkSampler, &Functions::vkDestroySampler>;
+    [[nodiscard]] Sampler sampler_of(const VkSamplerCreateInfo& info) {
+        Sampler made;
+        EXPECT_EQ(vulkan::make(device->functions(), device->host(), device->functions().vkCreateSampler, info, made), VK_SUCCESS);
+        return made;
+    }
+    /// The texel itself.
+    [[nodiscard]] Sampler nearest_sampler() {
+        VkSamplerCreateInfo info{};
+        info.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
+        return sampler_of(info);
+    }
+
+    /// Runs a compute shader for `count` invocations, in groups of 64, and waits.
+    void dispatch(std::span<const std::uint32_t> code, const std::vector<Binding>& bindings, std::size_t count,
+                  std::span<const std::byte> push = {}) {
+        std::vector<VkDescriptorType> kinds;
+        for (const Binding& binding : bindings)
+            kinds.push_back(binding.type);
+        const auto push_bytes = static_cast<std::uint32_t>(push.size());
+        const auto pipeline = Pipeline::create(
+            *device, {.code = code, .bindings = kinds, .constants = {}, .push_bytes = push_bytes, .name = "of a test"});
+        ASSERT_TRUE(pipeline) << pipeline.error();
+        const Sets::Content content{&*pipeline, bindings};
+        const auto sets = Sets::create(*device, {&content, 1});
+        ASSERT_TRUE(sets) << sets.error();
+        run([&](VkCommandBuffer commands) {
+            const Functions& call = device->functions();
+            pipeline->bind(call, commands, sets->at(0));
+            if (!push.empty())
+                call.vkCmdPushConstants(commands, pipeline->layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0, push_bytes, push.data());
+            call.vkCmdDispatch(commands, static_cast<std::uint32_t>(count + 63) / 64, 1, 1);
+            barrier(commands);
+        });
     }
 
     /// The first `count` values of a readback buffer.

@@ -57,12 +57,9 @@ class Images : public Gpu {
         const Buffer back = buffer(k_texels * texel_bytes, MemoryUse::readback);
         run([&](VkCommandBuffer commands) {
             const Functions& functions = device->functions();
-            const VkDescriptorSet set = sets->at(0);
             const VkBufferImageCopy whole = whole_image();
             transition(commands, image->handle(), VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL);
-            functions.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline->handle());
-            functions.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline->layout(), 0, 1, &set, 0,
-                                              nullptr);
+            pipeline->bind(functions, commands, sets->at(0));
             functions.vkCmdDispatch(commands, (k_extent.width + 3) / 4, (k_extent.height + 3) / 4, (k_extent.depth + 3) / 4);
             barrier(commands);
             // In GENERAL, as a renderer does that keeps its images there: the layer's word on speed is no fault.

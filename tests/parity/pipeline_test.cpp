@@ -66,9 +66,7 @@ class Scale : public Gpu {
     void dispatch(VkCommandBuffer commands, std::size_t set, float factor, std::uint32_t count = k_count) const {
         const Functions& functions = device->functions();
         const ScalePush push{count, factor};
-        const VkDescriptorSet bound = sets.at(set);
-        functions.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.handle());
-        functions.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.layout(), 0, 1, &bound, 0, nullptr);
+        pipeline.bind(functions, commands, sets.at(set));
         functions.vkCmdPushConstants(commands, pipeline.layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof push, &push);
         functions.vkCmdDispatch(commands, (count + k_group - 1) / k_group, 1, 1);
     }

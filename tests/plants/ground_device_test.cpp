@@ -47,35 +47,17 @@ class GroundDevice : public Gpu {
 
     // Now and before of each place, by sample_ground.comp.
     std::vector<glm::vec4> sampled(const GroundMemory& ground, std::span<const glm::vec4> places, glm::dvec3 anchor) {
-        const VkDescriptorType kinds[] = {k_storage, k_storage, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, k_texture, k_texture};
-        Pipeline pipeline = *Pipeline::create(
-            *device, {.code = shader_words::sample_ground, .bindings = kinds, .constants = {}, .name = "sample_ground"});
-        Buffer in = buffer(places.size_bytes(), MemoryUse::upload), out = buffer(2 * places.size_bytes(), MemoryUse::readback);
-        Buffer block = *Buffer::create(*device, sizeof(GroundBlock), MemoryUse::upload, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
-        const GroundBlock told = ground.block(anchor);
-        std::memcpy(in.mapped(), places.data(), places.size_bytes());
-        std::memcpy(block.mapped(), &told, sizeof(told));
-        EXPECT_TRUE(in.flush() == VK_SUCCESS && block.flush() == VK_SUCCESS);
-        VkSamplerCreateInfo nearest{};
-        nearest.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
-        VkSampler sampler = VK_NULL_HANDLE;
-        EXPECT_EQ(device->functions().vkCreateSampler(device->host().device, &nearest, nullptr, &sampler), VK_SUCCESS);
-        const Sets::Content content{&pipeline,
-                                    {{.type = k_storage, .buffer = in.handle()},
-                                     {.type = k_storage, .buffer = out.handle()},
-                                     {.type = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, .buffer = block.handle()},
-                                     {.type = k_texture, .view = ground.texture().view, .sampler = sampler},
-                                     {.type = k_texture, .view = ground.previous_texture().view, .sampler = sampler}}};
-        Sets sets = *Sets::create(*device, {&content, 1});
-        run([&](VkCommandBuffer commands) {
-            const VkDescriptorSet set = sets.at(0);
-            const Functions& call = device->functions();
-            call.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.handle());
-            call.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.layout(), 0, 1, &set, 0, nullptr);
-            call.vkCmdDispatch(commands, static_cast<std::uint32_t>(places.size() + 63) / 64, 1, 1);
-            barrier(commands);
-        });
-        device->functions().vkDestroySampler(device->host().device, sampler, nullptr);
+        const GroundBlock of_ground = ground.block(anchor);
+        const Buffer in = uploaded(places), out = buffer(2 * places.size_bytes(), MemoryUse::readback),
+                     block = uploaded(std::span(&of_ground, 1), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+        const Sampler sampler = nearest_sampler();
+        dispatch(shader_words::sample_ground,
+                 {{.type = k_storage, .buffer = in.handle()},
+                  {.type = k_storage, .buffer = out.handle()},
+                  {.type = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, .buffer = block.handle()},
+                  {.type = k_texture, .view = ground.texture().view, .sampler = sampler.get()},
+                  {.type = k_texture, .view = ground.previous_texture().view, .sampler = sampler.get()}},
+                 places.size());
         return read<glm::vec4>(out, 2 * places.size());
     }
 
@@ -191,10 +173,8 @@ TEST_F(GroundDevice, EachTexelFollowsItsOwnWind) {
         ASSERT_TRUE(pair.cpu.advance({.duration = 0.05}, leans));
         run([&](VkCommandBuffer commands) {
             const GroundPlaceBlock next = pair.gpu.next_place(anchor);
-            const VkDescriptorSet set = sets->at(0);
             const Functions& call = device->functions();
-            call.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline->handle());
-            call.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline->layout(), 0, 1, &set, 0, nullptr);
+            pipeline->bind(call, commands, sets->at(0));
             call.vkCmdPushConstants(commands, pipeline->layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(next), &next);
             call.vkCmdDispatch(commands, 8, 8, 1);
             ASSERT_TRUE(pair.gpu.record(commands, {.duration = 0.05}, WindLeans::each_texel));

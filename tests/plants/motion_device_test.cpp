@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <glm/mat4x4.hpp>
 #include <random>
 
@@ -48,29 +47,11 @@ TEST_F(MotionDevice, FormulasAreTheSameForRandomInput) {
             input[c] = {unit(random), unit(random), unit(random), unit(random)};
     const WindrowSpringStep spring = std::bit_cast<WindrowSpringStep>(spring_step(springs::wheat, 1.0 / 60.0)->block());
 
-    const VkDescriptorType kinds[] = {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
-    auto pipeline = Pipeline::create(
-        *device,
-        {.code = shader_words::motion, .bindings = kinds, .constants = {}, .push_bytes = sizeof(spring), .name = "motion"});
-    ASSERT_TRUE(pipeline) << pipeline.error();
-    const Buffer in = buffer(k_count * sizeof(glm::mat4), MemoryUse::upload),
-                 out = buffer(k_count * sizeof(glm::mat4), MemoryUse::readback);
-    std::memcpy(in.mapped(), inputs.data(), in.bytes());
-    ASSERT_EQ(in.flush(), VK_SUCCESS);
-    const Sets::Content content{&*pipeline,
-                                {{.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, .buffer = in.handle()},
-                                 {.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, .buffer = out.handle()}}};
-    const auto sets = Sets::create(*device, {&content, 1});
-    ASSERT_TRUE(sets) << sets.error();
-    run([&](VkCommandBuffer commands) {
-        const VkDescriptorSet set = sets->at(0);
-        const Functions& call = device->functions();
-        call.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline->handle());
-        call.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline->layout(), 0, 1, &set, 0, nullptr);
-        call.vkCmdPushConstants(commands, pipeline->layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(spring), &spring);
-        call.vkCmdDispatch(commands, (k_count + 63) / 64, 1, 1);
-        barrier(commands);
-    });
+    const Buffer in = uploaded(inputs), out = buffer(k_count * sizeof(glm::mat4), MemoryUse::readback);
+    dispatch(shader_words::motion,
+             {{.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, .buffer = in.handle()},
+              {.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, .buffer = out.handle()}},
+             k_count, std::as_bytes(std::span(&spring, 1)));
     const auto outputs = read<glm::mat4>(out, k_count);
     double spring_apart = 0.0, direction_apart = 0.0, pose_apart = 0.0;
     for (std::size_t n = 0; n < k_count; ++n) {

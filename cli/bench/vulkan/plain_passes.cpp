@@ -60,10 +60,8 @@ void PlainPasses::fill(VkCommandBuffer commands) const {
 }
 
 void PlainPasses::stencil(VkCommandBuffer commands) {
-    const VkDescriptorSet set = sets_.at(static_cast<std::size_t>(from_));
     const std::int32_t push[4] = {cells_.x, cells_.y, cells_.z, 0};
-    functions_->vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_.handle());
-    functions_->vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_.layout(), 0, 1, &set, 0, nullptr);
+    pipeline_.bind(*functions_, commands, sets_.at(static_cast<std::size_t>(from_)));
     functions_->vkCmdPushConstants(commands, pipeline_.layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(push), push);
     functions_->vkCmdDispatch(commands, groups_[0], groups_[1], groups_[2]);
     barrier(commands);

@@ -98,15 +98,7 @@ Answer answer_of(const StrandQuery& c, const StrandFields& all) {
     return a;
 }
 
-class StrandsOnTheDevice : public vulkan::Gpu {
-  protected:
-    vulkan::Buffer uploaded(const void* data, std::size_t bytes, VkBufferUsageFlags more_usage = 0) {
-        vulkan::Buffer to = *vulkan::Buffer::create(*device, bytes, vulkan::MemoryUse::upload, more_usage);
-        std::memcpy(to.mapped(), data, bytes);
-        EXPECT_EQ(to.flush(), VK_SUCCESS);
-        return to;
-    }
-};
+using StrandsOnTheDevice = vulkan::Gpu;
 
 TEST_F(StrandsOnTheDevice, AsOnTheCpu) {
     constexpr std::size_t k_count = 40'000;
@@ -125,25 +117,13 @@ TEST_F(StrandsOnTheDevice, AsOnTheCpu) {
         c.which = {static_cast<std::uint32_t>(n / 16) % 8u, static_cast<std::uint32_t>(random.integer(0, 1000)), 0u, 0u};
     }
     constexpr VkDescriptorType storage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, uniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-    const std::vector<VkDescriptorType> types{storage, storage, uniform};
-    const vulkan::Pipeline pipeline = *vulkan::Pipeline::create(
-        *device, {.code = vulkan::shader_words::strands, .bindings = types, .constants = {}, .name = "strands"});
-    const vulkan::Buffer in = uploaded(cases.data(), k_count * sizeof(StrandQuery)),
-                         told = uploaded(&all, sizeof all, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT),
+    const vulkan::Buffer in = uploaded(cases), fields_block = uploaded(std::span(&all, 1), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT),
                          out = buffer(k_count * sizeof(Answer), vulkan::MemoryUse::readback);
-    const std::vector<vulkan::Binding> bindings{{.type = storage, .buffer = in.handle()},
-                                                {.type = storage, .buffer = out.handle()},
-                                                {.type = uniform, .buffer = told.handle()}};
-    const vulkan::Sets::Content content{&pipeline, bindings};
-    vulkan::Sets sets = *vulkan::Sets::create(*device, {&content, 1});
-    run([&](VkCommandBuffer commands) {
-        const VkDescriptorSet set = sets.at(0);
-        const vulkan::Functions& call = device->functions();
-        call.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.handle());
-        call.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.layout(), 0, 1, &set, 0, nullptr);
-        call.vkCmdDispatch(commands, static_cast<std::uint32_t>(k_count + 63) / 64, 1, 1);
-        barrier(commands);
-    });
+    dispatch(vulkan::shader_words::strands,
+             {{.type = storage, .buffer = in.handle()},
+              {.type = storage, .buffer = out.handle()},
+              {.type = uniform, .buffer = fields_block.handle()}},
+             k_count);
     const std::vector<Answer> answers = read<Answer>(out, k_count);
 
     struct ComparedAnswer {
