@@ -14,11 +14,12 @@ Result<Fields> Fields::create(Device& device, const Sizes& sizes) {
         if (!trouble.empty())
             return;
         auto made = Buffer::create(device, bytes, use);
-        if (made)
-            buffer = *std::move(made);
-        else
+        if (!made) {
             trouble = detail::message("The field ", name, " of ", sizes.cells.x, " x ", sizes.cells.y, " x ", sizes.cells.z,
                                       " cells was not made: ", made.error());
+            return;
+        }
+        buffer = *std::move(made);
         device.name(VK_OBJECT_TYPE_BUFFER, buffer.handle(), name);
     };
     const auto count = [](glm::ivec3 cells) {
@@ -60,10 +61,11 @@ Result<Fields> Fields::create(Device& device, const Sizes& sizes) {
         if (!trouble.empty())
             return;
         auto made = Image3D::create(device, extent, sizes.texel == Texel::half ? half : single, sizes.exported);
-        if (made)
-            image = *std::move(made);
-        else
+        if (!made) {
             trouble = made.error();
+            return;
+        }
+        image = *std::move(made);
         device.name(VK_OBJECT_TYPE_IMAGE, image.handle(), "texture");
     };
     for (int frame = 0; frame < 2; ++frame) {

@@ -4,10 +4,14 @@
 #include "tests/figure.h"
 #include "tests/parity/gpu.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <cstring>
+#include <malloc.h>
 #include <set>
 #include <thread>
+#include <utility>
 
 namespace windrow::vulkan {
 namespace {
@@ -18,9 +22,12 @@ struct Watched {
     Functions real;
     int pipelines = 0;
     std::set<VkPipelineCache> caches{};
+    std::set<const VkAllocationCallbacks*> callbacks{}; ///< of pipelines
     std::multiset<std::string> names{}, labels{};
-    int open_labels = 0;
-    bool debug = true; ///< the extension is there
+    std::vector<std::string> open{};         ///< labels
+    std::multiset<std::string> dispatches{}; ///< by the labels that are open, as "windrow tick/advect"
+    bool debug = true;                       ///< the extension is there
+    int buffers = 0, failing_buffer = -1;    ///< vkCreateBuffer so far, and the one that fails
 };
 Watched g_watched;
 
@@ -29,28 +36,51 @@ VkResult VKAPI_CALL watch_pipelines(VkDevice device, VkPipelineCache cache, std:
                                     VkPipeline* made) {
     g_watched.pipelines += static_cast<int>(count);
     g_watched.caches.insert(cache);
+    g_watched.callbacks.insert(callbacks);
     return g_watched.real.vkCreateComputePipelines(device, cache, count, infos, callbacks, made);
 }
 
 VkResult VKAPI_CALL watch_name(VkDevice device, const VkDebugUtilsObjectNameInfoEXT* info) {
     g_watched.names.insert(info->pObjectName);
+    EXPECT_NE(info->objectHandle, 0u) << info->pObjectName;
     return g_watched.real.vkSetDebugUtilsObjectNameEXT(device, info);
 }
 
 void VKAPI_CALL watch_begin(VkCommandBuffer commands, const VkDebugUtilsLabelEXT* label) {
     g_watched.labels.insert(label->pLabelName);
-    ++g_watched.open_labels;
+    g_watched.open.emplace_back(label->pLabelName);
     g_watched.real.vkCmdBeginDebugUtilsLabelEXT(commands, label);
 }
 
 void VKAPI_CALL watch_end(VkCommandBuffer commands) {
-    --g_watched.open_labels;
+    ASSERT_FALSE(g_watched.open.empty());
+    g_watched.open.pop_back();
     g_watched.real.vkCmdEndDebugUtilsLabelEXT(commands);
 }
 
+void VKAPI_CALL watch_dispatch(VkCommandBuffer commands, std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+    std::string path;
+    for (const std::string& label : g_watched.open)
+        path += (path.empty() ? "" : "/") + label;
+    g_watched.dispatches.insert(path);
+    g_watched.real.vkCmdDispatch(commands, x, y, z);
+}
+
+VkResult VKAPI_CALL watch_buffer(VkDevice device, const VkBufferCreateInfo* info, const VkAllocationCallbacks* callbacks,
+                                 VkBuffer* made) {
+    if (g_watched.buffers++ == g_watched.failing_buffer)
+        return VK_ERROR_OUT_OF_HOST_MEMORY;
+    return g_watched.real.vkCreateBuffer(device, info, callbacks, made);
+}
+
 PFN_vkVoidFunction VKAPI_CALL watched_device_call(VkDevice device, const char* name) {
-    if (std::strcmp(name, "vkCreateComputePipelines") == 0)
+    const auto is = [name](const char* call) { return std::strcmp(name, call) == 0; };
+    if (is("vkCreateComputePipelines"))
         return reinterpret_cast<PFN_vkVoidFunction>(&watch_pipelines);
+    if (is("vkCmdDispatch"))
+        return reinterpret_cast<PFN_vkVoidFunction>(&watch_dispatch);
+    if (is("vkCreateBuffer"))
+        return reinterpret_cast<PFN_vkVoidFunction>(&watch_buffer);
     return g_watched.real.vkGetDeviceProcAddr(device, name);
 }
 
@@ -67,6 +97,22 @@ PFN_vkVoidFunction VKAPI_CALL watched_instance_call(VkInstance instance, const c
     if (is("vkCmdEndDebugUtilsLabelEXT"))
         return reinterpret_cast<PFN_vkVoidFunction>(&watch_end);
     return g_watched.instance_call(instance, name);
+}
+
+// --- The host's memory, which a driver moves too -----------------------------------------------------------------------------
+
+void* VKAPI_CALL allocate(void*, std::size_t bytes, std::size_t alignment, VkSystemAllocationScope) {
+    return std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
+}
+void VKAPI_CALL release(void*, void* memory) {
+    std::free(memory);
+}
+void* VKAPI_CALL move(void* user, void* from, std::size_t bytes, std::size_t alignment, VkSystemAllocationScope scope) {
+    void* const to = allocate(user, bytes, alignment, scope);
+    if (from != nullptr && to != nullptr)
+        std::memcpy(to, from, std::min(bytes, malloc_usable_size(from)));
+    release(user, from);
+    return to;
 }
 
 class SharedPipelines : public Gpu {
@@ -139,23 +185,30 @@ TEST_F(SharedPipelines, AreMadeOnceForAllWindsOfADevice) {
 TEST_F(SharedPipelines, OutliveTheHostsHandleAndTheWindThatMadeThem) {
     auto store = PipelineStore::create(host);
     ASSERT_TRUE(store) << store.error();
+    const std::weak_ptr<PipelineStore> kept = *store;
     host.pipeline_store = *std::move(store);
     std::optional<Wind> first = wind({.cells = k_cells}), second = wind({.cells = k_cells});
     host.pipeline_store.reset();
     first.reset();
     EXPECT_FALSE(blown(*second).empty());
+    EXPECT_FALSE(kept.expired());
+    second.reset();
+    EXPECT_TRUE(kept.expired());
 }
 
 TEST_F(SharedPipelines, AreMadeByManyThreadsOnce) {
+    (void)wind({.cells = k_cells});
+    const int of_a_wind = std::exchange(g_watched.pipelines, 0);
     auto store = PipelineStore::create(host);
     ASSERT_TRUE(store) << store.error();
     host.pipeline_store = *store;
     std::vector<std::thread> threads;
     for (int n = 0; n < 4; ++n)
-        threads.emplace_back([&] { EXPECT_TRUE(Wind::create(host, {.cells = k_cells})); });
+        threads.emplace_back([&] { (void)wind({.cells = k_cells}); });
     for (std::thread& thread : threads)
         thread.join();
-    EXPECT_EQ(static_cast<std::size_t>(g_watched.pipelines), (*store)->count());
+    EXPECT_EQ(g_watched.pipelines, of_a_wind);
+    EXPECT_EQ((*store)->count(), static_cast<std::size_t>(of_a_wind));
 }
 
 TEST_F(SharedPipelines, OfAnotherDeviceAreRejected) {
@@ -167,18 +220,33 @@ TEST_F(SharedPipelines, OfAnotherDeviceAreRejected) {
     expect_error(Wind::create(host, {}), "pipeline_store is of another VkDevice: create a PipelineStore from this host.");
 }
 
-TEST_F(SharedPipelines, AreLookedForInTheHostsCache) {
+TEST_F(SharedPipelines, AreLookedForInTheHostsCacheAndTakeItsMemory) {
     (void)wind({.cells = k_cells});
     EXPECT_EQ(g_watched.caches, std::set<VkPipelineCache>{VK_NULL_HANDLE});
+    EXPECT_EQ(g_watched.callbacks, std::set<const VkAllocationCallbacks*>{nullptr});
     const auto call = [&](const char* name) { return g_watched.instance_call(host.instance, name); };
     VkPipelineCacheCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO;
     ASSERT_EQ(reinterpret_cast<PFN_vkCreatePipelineCache>(call("vkCreatePipelineCache"))(host.device, &info, nullptr,
                                                                                          &host.pipeline_cache),
               VK_SUCCESS);
-    g_watched.caches.clear();
-    (void)wind({.cells = k_cells});
-    EXPECT_EQ(g_watched.caches, std::set<VkPipelineCache>{host.pipeline_cache});
+    const VkAllocationCallbacks callbacks{.pUserData = nullptr,
+                                          .pfnAllocation = &allocate,
+                                          .pfnReallocation = &move,
+                                          .pfnFree = &release,
+                                          .pfnInternalAllocation = nullptr,
+                                          .pfnInternalFree = nullptr};
+    host.allocation_callbacks = &callbacks;
+    for (const bool stored : {false, true}) {
+        if (stored)
+            host.pipeline_store = held(PipelineStore::create(host));
+        g_watched.caches.clear();
+        g_watched.callbacks.clear();
+        (void)wind({.cells = k_cells});
+        EXPECT_EQ(g_watched.caches, std::set<VkPipelineCache>{host.pipeline_cache}) << stored;
+        EXPECT_EQ(g_watched.callbacks, std::set<const VkAllocationCallbacks*>{&callbacks}) << stored;
+    }
+    host.pipeline_store.reset();
     reinterpret_cast<PFN_vkDestroyPipelineCache>(call("vkDestroyPipelineCache"))(host.device, host.pipeline_cache, nullptr);
 }
 
@@ -190,10 +258,21 @@ TEST_F(SharedPipelines, AndAllElseHaveNames) {
         EXPECT_EQ(g_watched.names.count(name), 1u) << name;
     EXPECT_EQ(g_watched.names.count("windrow texture"), 2u);
     (void)blown(named);
-    EXPECT_EQ(g_watched.open_labels, 0);
+    EXPECT_TRUE(g_watched.open.empty());
     EXPECT_EQ(g_watched.labels.count("windrow tick"), 3u);
-    EXPECT_GE(g_watched.labels.count("advect"), 3u);
-    EXPECT_GE(g_watched.labels.count("show"), 3u);
+    EXPECT_EQ(g_watched.dispatches.count(""), 0u);
+    EXPECT_GE(g_watched.dispatches.count("windrow tick/advect"), 3u);
+    EXPECT_GE(g_watched.dispatches.count("show"), 3u);
+}
+
+// No object that was not made is named, whichever buffer fails.
+TEST_F(SharedPipelines, HaveNoNameWhereTheyAreNotMade) {
+    (void)wind({.cells = k_cells});
+    const int buffers = std::exchange(g_watched.buffers, 0);
+    for (g_watched.failing_buffer = 0; g_watched.failing_buffer < buffers; g_watched.failing_buffer += 5) {
+        EXPECT_FALSE(Wind::create(host, {.cells = k_cells})) << g_watched.failing_buffer;
+        g_watched.buffers = 0;
+    }
 }
 
 TEST_F(SharedPipelines, HaveNoNamesWithoutTheExtension) {
