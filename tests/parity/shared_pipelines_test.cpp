@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <malloc.h>
+#include <mutex>
 #include <set>
 #include <thread>
 #include <utility>
@@ -30,18 +31,25 @@ struct Watched {
     int buffers = 0, failing_buffer = -1;    ///< vkCreateBuffer so far, and the one that fails
 };
 Watched g_watched;
+std::mutex g_watching; // winds are made by several threads
 
 VkResult VKAPI_CALL watch_pipelines(VkDevice device, VkPipelineCache cache, std::uint32_t count,
                                     const VkComputePipelineCreateInfo* infos, const VkAllocationCallbacks* callbacks,
                                     VkPipeline* made) {
-    g_watched.pipelines += static_cast<int>(count);
-    g_watched.caches.insert(cache);
-    g_watched.callbacks.insert(callbacks);
+    {
+        const std::lock_guard lock(g_watching);
+        g_watched.pipelines += static_cast<int>(count);
+        g_watched.caches.insert(cache);
+        g_watched.callbacks.insert(callbacks);
+    }
     return g_watched.real.vkCreateComputePipelines(device, cache, count, infos, callbacks, made);
 }
 
 VkResult VKAPI_CALL watch_name(VkDevice device, const VkDebugUtilsObjectNameInfoEXT* info) {
-    g_watched.names.insert(info->pObjectName);
+    {
+        const std::lock_guard lock(g_watching);
+        g_watched.names.insert(info->pObjectName);
+    }
     EXPECT_NE(info->objectHandle, 0u) << info->pObjectName;
     return g_watched.real.vkSetDebugUtilsObjectNameEXT(device, info);
 }
@@ -68,8 +76,11 @@ void VKAPI_CALL watch_dispatch(VkCommandBuffer commands, std::uint32_t x, std::u
 
 VkResult VKAPI_CALL watch_buffer(VkDevice device, const VkBufferCreateInfo* info, const VkAllocationCallbacks* callbacks,
                                  VkBuffer* made) {
-    if (g_watched.buffers++ == g_watched.failing_buffer)
-        return VK_ERROR_OUT_OF_HOST_MEMORY;
+    {
+        const std::lock_guard lock(g_watching);
+        if (g_watched.buffers++ == g_watched.failing_buffer)
+            return VK_ERROR_OUT_OF_HOST_MEMORY;
+    }
     return g_watched.real.vkCreateBuffer(device, info, callbacks, made);
 }
 
