@@ -109,8 +109,30 @@ ParityStory frames_and_a_jump() {
     return story;
 }
 
-// Planes of 9216 cells do not fit in 32 KiB of shared memory, so that the transforms of x and z go apart there; where they fit,
-// modes_between is left out.
+// Lines longer than a work group of 256, so that an invocation transforms several columns of a tile, and a count of z that no tile
+// divides. First with unlike ends, whose transforms have no even and odd part.
+ParityStory long_planes(const char* name, const char* text, int z) {
+    ParityStory story = small(name, text);
+    story.config.cells = {270, 2, z};
+    story.config.boundaries = mixed_sides();
+    story.config.ambient = {0.0f, 1.0f, 0.0f};
+    story.steps = 24;
+    story.motors = {{.motor = JetMotor{.position = {-100.0, 0.0, 0.0}}}, {.motor = VortexMotor{.position = {90.0, 0.0, 0.0}}}};
+    story.changes = {{.step = 12, .what = Boundaries{}}};
+    return story;
+}
+
+// 1890 cells: both axes in one pass on every device, of 128 invocations too.
+ParityStory whole_long_planes() {
+    return long_planes("whole_long_planes", "planes that fit in shared memory, of lines longer than a work group", 7);
+}
+
+// 9990 cells, which no tile holds.
+ParityStory split_long_planes() {
+    return long_planes("split_long_planes", "planes in tiles that do not divide them, of lines longer than a work group", 37);
+}
+
+// Planes of 9216 cells fit in no tile, so that the transforms of x and z go apart.
 ParityStory every_pass() {
     ParityStory story =
         small(k_every_pass_story, "each kind of pass: planes too large for shared memory, an implicit viscosity, a "
@@ -134,7 +156,8 @@ std::vector<ParityStory> parity_stories() {
     for (const glm::ivec3 cells : k_grids)
         for (const auto story : {walk, mixed})
             stories.push_back(story(cells));
-    for (const auto story : {viscous_walls, stable_fluids, storm, frames_and_a_jump, every_pass})
+    for (const auto story :
+         {viscous_walls, stable_fluids, storm, frames_and_a_jump, whole_long_planes, split_long_planes, every_pass})
         stories.push_back(story());
     return stories;
 }

@@ -57,7 +57,7 @@ inline constexpr const char* k_every_pass_story = "every_pass";
 /// The five grids 16^3, 32x16x32, 64x32x64, 17x9x23 and 128x64x128, smallest first, each with two stories: a walk over a floor
 /// (profile, gusts, a fan, a whirl, a jet, shifts, a turning wind) and a box of mixed sides (walls that slip and drag, a periodic
 /// pair, a blast, a wake, sides that change). Then, on small grids: viscosity, the classic scheme, a storm in sub-steps, frames
-/// blended between ticks, each kind of pass.
+/// blended between ticks, planes of long lines that fit in shared memory or do not, each kind of pass.
 [[nodiscard]] std::vector<ParityStory> parity_stories();
 
 /// The story with so few steps, two at least, and its changes at their share of the way, that it takes no more than `cell_steps`
