@@ -1,5 +1,4 @@
 #include "cli/device_report/report_section.h"
-
 #include "fluid/vulkan/loader.h"
 
 #include <algorithm>
