@@ -1,6 +1,7 @@
-// Textures of the wind for a vertex stage: one scalar 3D texture per axis, and the block that places them in the world.
+// Textures of the wind for a shader: one 3D texture of four components, or one of a component per axis, and the block that places
+// them in the world.
 //
-// Texel (i, j, k) of a texture is the velocity component of cell (i, j, k) at its centre, x fastest, then y, then z.
+// Texel (i, j, k) of a texture is the velocity, or its component, of cell (i, j, k) at its centre, x fastest, then y, then z.
 #pragma once
 
 #include "fluid/ambient.h"
@@ -13,7 +14,7 @@
 
 namespace windrow {
 
-/// Position of the three textures, as a uniform block of std140 layout (nine vec4). Positions are relative to an
+/// Position of the textures, as a uniform block of std140 layout (nine vec4). Positions are relative to an
 /// anchor that the host chooses near its camera, so that a shader in float is as exact 10^6 m away as at the origin.
 struct WindowBlock {
     glm::vec3 origin{0.0f}; ///< [m] low corner of the box minus the anchor
@@ -44,13 +45,40 @@ static_assert(sizeof(WindowBlock) == 144);
 void extract_axis(std::span<const glm::vec4> field, int axis, std::span<float> texels);
 void extract_axis(std::span<const glm::vec4> field, int axis, std::span<std::uint16_t> half_texels);
 
-/// A uniform block of std140 layout (23 vec4): WindrowFrame of shaders/coupling/windrow_wind.glsl. Positions are relative to the
+/// Copies a field into the caller's memory, four numbers a cell: its velocity and 0; sizes must agree.
+void pack_vectors(std::span<const glm::vec4> field, std::span<float> texels);
+void pack_vectors(std::span<const glm::vec4> field, std::span<std::uint16_t> half_texels);
+
+/// One axis of a window as factors of the coordinate p [m] from the anchor, so that a shader divides nothing.
+struct AxisBlock {
+    float texture_scale = 0.0f; ///< [1/m] texture_scale * p + texture_offset is 0 at the box's low boundary and 1 at its high one
+    float texture_offset = 0.0f; ///< see texture_scale
+    float inner_scale = 0.0f;  ///< [1/m] where |inner_scale * p + inner_offset| <= 1 on all axes, the box's wind has the weight 1
+    float inner_offset = 0.0f; ///< see inner_scale
+    float edge_scale = 0.0f;   ///< [1/m] one over the width that the box's wind fades over
+    float low_edge = 0.0f;     ///< low_edge + edge_scale * p: distance from the low place where it has faded, in such widths
+    float high_edge = 0.0f;    ///< high_edge - edge_scale * p: the same from the high place; 1e30 where it does not fade
+    float smoothness = 0.0f;   ///< 1: it fades smoothly over a blend zone; 0: linearly over the cell beyond an open boundary
+};
+/// The three axes of a window.
+struct PlaceBlock {
+    AxisBlock x{}, y{}, z{};
+};
+static_assert(sizeof(PlaceBlock) == 96);
+
+/// A uniform block of std140 layout (35 vec4): WindrowFrame of shaders/coupling/windrow_wind.glsl. Positions are relative to the
 /// anchor that it was made for.
 struct FrameBlock {
     WindowBlock window{};
+    PlaceBlock place{};          ///< of the window
+    PlaceBlock previous_place{}; ///< of the frame before, for motion vectors
     AmbientBlock ambient{};
-    AmbientBlock previous_ambient{}; ///< of the frame before, for motion vectors
+    AmbientBlock previous_ambient{}; ///< of the frame before
 };
-static_assert(sizeof(FrameBlock) == 368);
+static_assert(sizeof(FrameBlock) == 560);
+
+/// The block of a window with its places; all of one anchor.
+[[nodiscard]] FrameBlock frame_block(const WindowBlock& window, const AmbientBlock& ambient,
+                                     const AmbientBlock& previous_ambient);
 
 } // namespace windrow

@@ -14,6 +14,15 @@ float side_number(const Boundary& side) {
     return side.kind == BoundaryKind::open ? 0.0f : side.kind == BoundaryKind::periodic ? 2.0f : 1.0f;
 }
 
+template <class Number>
+Result<void> write_numbers(std::span<const glm::vec4> field, std::span<Number> texels) {
+    if (texels.size() != 4 * field.size())
+        return Error{detail::message("write_vectors got room for ", texels.size(), " numbers, but the box has ", field.size(),
+                                     " cells: give one array of 4 * box().cell_count().")};
+    pack_vectors(field, texels);
+    return {};
+}
+
 template <class Texel>
 Result<void> write_texels(std::span<const glm::vec4> field, std::span<Texel> x, std::span<Texel> y, std::span<Texel> z) {
     for (const auto& texels : {x, y, z})
@@ -24,17 +33,6 @@ Result<void> write_texels(std::span<const glm::vec4> field, std::span<Texel> x, 
     extract_axis(field, 1, y);
     extract_axis(field, 2, z);
     return {};
-}
-
-// Weight of the box's wind in the blend zone.
-float blend_fraction(const BlendZone& zone, float cell_size, glm::dvec3 position) {
-    float share = 1.0f;
-    for (int axis = 0; axis < 3; ++axis)
-        if (zone.reach[axis] > 0.0f) {
-            const double cells = (position[axis] - zone.point[axis]) / static_cast<double>(cell_size);
-            share *= numerics::windrow_blend_fraction(static_cast<float>(cells), zone.reach[axis], zone.width);
-        }
-    return share;
 }
 
 } // namespace
@@ -51,13 +49,23 @@ detail::ViewPlace detail::place_in(const Box& box, const Window& window, const B
         if (box.boundaries.periodic(axis))
             exact[axis] = std::fmod(exact[axis], static_cast<double>(box.cells[axis]));
     const glm::vec3 local(exact);
-    float& share = place.fraction = blend_fraction(blend_zone, box.cell_size, position);
+    float& share = place.fraction = 1.0f;
     for (int axis = 0; axis < 3 && share > 0.0f; ++axis) {
         int& low = place.low[axis];
         int& high = place.high[axis];
         const auto cells = static_cast<float>(box.cells[axis]);
         const float low_kind = side_number(box.boundaries.at(axis, 0)), high_kind = side_number(box.boundaries.at(axis, 1));
-        share *= numerics::windrow_axis_fraction(local[axis], cells, low_kind, high_kind);
+        // Distances from where the box's wind has faded: a cell beyond an open boundary, or at the end of a blend zone.
+        float from_low = low_kind == 0.0f ? 1.0f + local[axis] : k_never_fades;
+        float from_high = high_kind == 0.0f ? 1.0f + cells - local[axis] : k_never_fades;
+        const float reach = blend_zone.reach[axis];
+        if (reach > 0.0f) {
+            const auto from_point =
+                static_cast<float>((position[axis] - blend_zone.point[axis]) / static_cast<double>(box.cell_size));
+            from_low = std::min(from_low, reach + from_point) / blend_zone.width;
+            from_high = std::min(from_high, reach - from_point) / blend_zone.width;
+        }
+        share *= numerics::windrow_edge_share(from_low, from_high, reach > 0.0f ? 1.0f : 0.0f);
         const float sample = numerics::windrow_axis_sample(local[axis], cells, low_kind) - 0.5f;
         const float below = std::floor(sample);
         place.between[axis] = sample - below;
@@ -90,6 +98,12 @@ glm::vec3 WindView::felt(glm::dvec3 position, const Sampling& sampling) const {
     return ambient_->felt(velocity(position), position, sampling);
 }
 
+Result<void> WindView::write_vectors(std::span<float> texels) const {
+    return write_numbers(field_, texels);
+}
+Result<void> WindView::write_vectors(std::span<std::uint16_t> texels) const {
+    return write_numbers(field_, texels);
+}
 Result<void> WindView::write_axes(std::span<float> x, std::span<float> y, std::span<float> z) const {
     return write_texels(field_, x, y, z);
 }

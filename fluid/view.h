@@ -40,7 +40,12 @@ class WindView {
     [[nodiscard]] glm::vec3 felt(glm::dvec3 position, const Sampling& sampling) const;
     /// [m/s] The cells themselves, laid out as box.h says; w = 0.
     [[nodiscard]] std::span<const glm::vec4> field() const { return field_; }
-    /// Three textures, one an axis, as float or half; each span holds box().cell_count() texels or the call is rejected.
+    /// One texture of four components, as float or half: x, y, z of the velocity and 0. The span holds four numbers for each of
+    /// box().cell_count() texels, or the call is rejected. As windrow_wind.glsl samples it by default.
+    Result<void> write_vectors(std::span<float> texels) const;
+    Result<void> write_vectors(std::span<std::uint16_t> texels) const;
+    /// Three textures, one an axis, as float or half; each span holds box().cell_count() texels or the call is rejected. For
+    /// WINDROW_THREE_TEXTURES, which takes 6 bytes a cell in half in place of 8.
     Result<void> write_axes(std::span<float> x, std::span<float> y, std::span<float> z) const;
     Result<void> write_axes(std::span<std::uint16_t> x, std::span<std::uint16_t> y, std::span<std::uint16_t> z) const;
     /// [m] World position of the box's low corner.

@@ -7,6 +7,9 @@
 
 namespace windrow::detail {
 
+/// Distance from the place where the box's wind has faded, on an axis end where it does not fade.
+inline constexpr float k_never_fades = 1e30f;
+
 struct ViewPlace {
     glm::ivec3 low{0}, high{0}; ///< cells around the point
     glm::vec3 between{0.0f};    ///< of the way from the low to the high one

@@ -244,6 +244,10 @@ class Wind {
     }
     /// [m/s] Wind that acts on a plant there: scaled, limited, with small-scale detail.
     [[nodiscard]] glm::vec3 felt(glm::dvec3 position, const Sampling& sampling) const { return view().felt(position, sampling); }
+    /// One texture of four components, as float or half: x, y, z of the velocity and 0. The span holds four numbers for each of
+    /// box().cell_count() texels, or the call is rejected.
+    Result<void> write_vectors(std::span<float> texels) const { return view().write_vectors(texels); }
+    Result<void> write_vectors(std::span<std::uint16_t> texels) const { return view().write_vectors(texels); }
     /// Three textures, one an axis, as float or half; each span holds box().cell_count() texels or the call is rejected.
     Result<void> write_axes(std::span<float> x, std::span<float> y, std::span<float> z) const {
         return view().write_axes(x, y, z);

@@ -217,9 +217,8 @@ WindowBlock WindCore::window_block(glm::dvec3 anchor, const WindView& view, cons
 
 FrameBlock WindCore::frame_block(glm::dvec3 anchor, const Sampling& sampling, const WindView& view,
                                  const WindView& previous_view) const {
-    return {.window = window_block(anchor, view, previous_view),
-            .ambient = view.ambient().block(anchor, sampling),
-            .previous_ambient = previous_view.ambient().block(anchor, sampling)};
+    return windrow::frame_block(window_block(anchor, view, previous_view), view.ambient().block(anchor, sampling),
+                                previous_view.ambient().block(anchor, sampling));
 }
 
 } // namespace windrow

@@ -234,11 +234,10 @@ WindowBlock Wind::window_block(glm::dvec3 anchor) const {
 }
 
 FrameBlock Wind::frame_block(glm::dvec3 anchor, const Sampling& sampling) const {
-    FrameBlock block = with_views(*state_, [&](const WindView& now, const WindView& before) {
-        return state_->core.frame_block(anchor, sampling, now, before);
+    return with_views(*state_, [&](const WindView& now, const WindView& before) {
+        return windrow::frame_block(window_block(anchor), now.ambient().block(anchor, sampling),
+                                    before.ambient().block(anchor, sampling));
     });
-    block.window = window_block(anchor);
-    return block;
 }
 
 std::vector<ExportedImage> Wind::exported_images() const {

@@ -48,27 +48,29 @@ struct WindrowWindow {
     vec3 blend_reach, previous_blend_centre;
 };
 
-// The same layout as windrow::FrameBlock, in a uniform block (std140) and in a buffer (std430) alike: 368 bytes.
+// The same layout as windrow::AxisBlock: factors of a coordinate p [m] from the anchor.
+struct WindrowAxis {
+    float texture_scale, texture_offset, inner_scale, inner_offset, edge_scale, low_edge, high_edge, smoothness;
+};
+struct WindrowPlace {
+    WindrowAxis x, y, z;
+};
+
+// The same layout as windrow::FrameBlock, in a uniform block (std140) and in a buffer (std430) alike: 560 bytes.
 struct WindrowFrame {
     WindrowWindow window;
+    WindrowPlace place, previous_place;
     WindrowAmbient ambient, previous_ambient;
 };
 
-// Share of the box's wind at a point: `local` in cells from the box's corner, `from_centre` [m] from the point that the blend zone
-// follows.
-float windrow_box_fraction(WindrowWindow window, vec3 local, vec3 from_centre) {
-    return windrow_axis_share(local.x, window.cells.x, window.low_boundaries.x, window.high_boundaries.x, from_centre.x,
-                              window.blend_reach.x, window.blend_width) *
-           windrow_axis_share(local.y, window.cells.y, window.low_boundaries.y, window.high_boundaries.y, from_centre.y,
-                              window.blend_reach.y, window.blend_width) *
-           windrow_axis_share(local.z, window.cells.z, window.low_boundaries.z, window.high_boundaries.z, from_centre.z,
-                              window.blend_reach.z, window.blend_width);
+float windrow_axis_share(WindrowAxis axis, float p) {
+    return windrow_edge_share(axis.low_edge + axis.edge_scale * p, axis.high_edge - axis.edge_scale * p, axis.smoothness);
 }
 
-// The textures at `local`, trilinear.
+// The textures at p, trilinear; `origin` [m] is the box's low corner.
 #ifdef WINDROW_EXACT
-vec3 windrow_box_velocity(WINDROW_TEXTURES textures, WindrowWindow window, vec3 local) {
-    vec3 kinds = window.low_boundaries;
+vec3 windrow_box_velocity(WINDROW_TEXTURES textures, WindrowWindow window, WindrowPlace place, vec3 origin, vec3 p) {
+    vec3 kinds = window.low_boundaries, local = (p - origin) / window.cell_size;
     vec3 at = vec3(windrow_axis_sample(local.x, window.cells.x, kinds.x), windrow_axis_sample(local.y, window.cells.y, kinds.y),
                    windrow_axis_sample(local.z, window.cells.z, kinds.z)) -
               0.5f;
@@ -87,34 +89,36 @@ vec3 windrow_box_velocity(WINDROW_TEXTURES textures, WindrowWindow window, vec3 
     return windrow_tile_blend(windrow_tile_blend(ll, hl, t.y), windrow_tile_blend(lh, hh, t.y), t.z);
 }
 #else
-vec3 windrow_box_velocity(WINDROW_TEXTURES textures, WindrowWindow window, vec3 local) {
-    return windrow_texture(textures, local / window.cells); // the sampler wraps and clamps
+vec3 windrow_box_velocity(WINDROW_TEXTURES textures, WindrowWindow window, WindrowPlace place, vec3 origin, vec3 p) {
+    vec3 at = vec3(place.x.texture_scale * p.x + place.x.texture_offset, place.y.texture_scale * p.y + place.y.texture_offset,
+                   place.z.texture_scale * p.z + place.z.texture_offset);
+    return windrow_texture(textures, at); // the sampler wraps and clamps
 }
 #endif
 
-// One frame's wind at p: its textures within its box, its ambient wind around it. What has no share is not fetched.
-vec3 windrow_blended_velocity(WINDROW_TEXTURES textures, WINDROW_TILE tile, WindrowWindow window, WindrowAmbient ambient,
-                              vec3 origin, vec3 blend_centre, vec3 p) {
-    vec3 local = (p - origin) / window.cell_size;
-    float share = windrow_box_fraction(window, local, p - blend_centre);
-    vec3 wind = vec3(0.0f, 0.0f, 0.0f);
-    if (!(share >= 1.0f))
-        wind = windrow_ambient(tile, ambient, p);
-    if (share > 0.0f)
-        wind += share * (windrow_box_velocity(textures, window, local) - wind);
+// One frame's wind at p: its textures within its box, its ambient wind around it, which is only evaluated where it has a share.
+vec3 windrow_blended_velocity(WINDROW_TEXTURES textures, WINDROW_TILE tile, WindrowWindow window, WindrowPlace place, vec3 origin,
+                              WindrowAmbient ambient, vec3 p) {
+    vec3 inner = vec3(place.x.inner_scale * p.x + place.x.inner_offset, place.y.inner_scale * p.y + place.y.inner_offset,
+                      place.z.inner_scale * p.z + place.z.inner_offset);
+    vec3 wind = windrow_box_velocity(textures, window, place, origin, p);
+    if (!(max(max(abs(inner.x), abs(inner.y)), abs(inner.z)) <= 1.0f)) {
+        float share = windrow_axis_share(place.x, p.x) * windrow_axis_share(place.y, p.y) * windrow_axis_share(place.z, p.z);
+        vec3 outside = windrow_ambient(tile, ambient, p);
+        wind = outside + share * (wind - outside);
+    }
     return wind;
 }
 
 // [m/s] The wind at p [m] from the anchor of the block, of this frame's textures.
 vec3 windrow_velocity_at(WINDROW_TEXTURES textures, WINDROW_TILE tile, WindrowFrame frame, vec3 p) {
-    return windrow_blended_velocity(textures, tile, frame.window, frame.ambient, frame.window.origin, frame.window.blend_centre,
-                                    p);
+    return windrow_blended_velocity(textures, tile, frame.window, frame.place, frame.window.origin, frame.ambient, p);
 }
 
 // [m/s] The same a frame ago, at the same place, of the textures of the frame before.
 vec3 windrow_velocity_previous_at(WINDROW_TEXTURES textures, WINDROW_TILE tile, WindrowFrame frame, vec3 p) {
-    return windrow_blended_velocity(textures, tile, frame.window, frame.previous_ambient, frame.window.previous_origin,
-                                    frame.window.previous_blend_centre, p);
+    return windrow_blended_velocity(textures, tile, frame.window, frame.previous_place, frame.window.previous_origin,
+                                    frame.previous_ambient, p);
 }
 
 #endif

@@ -9,11 +9,11 @@
 #define WINDROW_FN
 #endif
 
-// Share of the box's wind on one axis: 1 inside, falling to 0 over one cell beyond an open boundary; 1 beyond a wall.
-WINDROW_FN float windrow_axis_fraction(float local, float cells, float low_kind, float high_kind) {
-    float low = low_kind == 0.0f ? clamp(1.0f + local, 0.0f, 1.0f) : 1.0f;
-    float high = high_kind == 0.0f ? clamp(1.0f + cells - local, 0.0f, 1.0f) : 1.0f;
-    return low * high;
+// Share of the box's wind on one axis, by the distances from the two places where it has faded, in widths that it fades over: the
+// nearer one counts. Linear with the smoothness 0, without a kink with 1.
+WINDROW_FN float windrow_edge_share(float low, float high, float smoothness) {
+    float t = clamp(min(low, high), 0.0f, 1.0f);
+    return t + smoothness * (t * t * (3.0f - 2.0f * t) - t);
 }
 
 // Share of the box's wind near the rim of an axis along which the box follows a point: 1 up to `width` before `reach`, falling
@@ -29,13 +29,6 @@ WINDROW_FN float windrow_axis_sample(float local, float cells, float low_kind) {
     if (low_kind == 2.0f)
         return local - cells * floor(local / cells);
     return clamp(local, 0.5f, cells - 0.5f);
-}
-
-// Both shares of an axis; `reach` 0: no blend zone along it.
-WINDROW_FN float windrow_axis_share(float local, float cells, float low_kind, float high_kind, float from_point, float reach,
-                                    float width) {
-    float blend = reach > 0.0f ? windrow_blend_fraction(from_point, reach, width) : 1.0f;
-    return blend * windrow_axis_fraction(local, cells, low_kind, high_kind);
 }
 
 // Texel of an axis for one that may be -1 or `cells`: wrapped on a periodic axis, else the outermost.

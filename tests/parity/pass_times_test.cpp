@@ -177,6 +177,33 @@ TEST_F(PassTimesTest, BytesOfAPassAreThoseOfTheFieldsThatItReadsAndWrites) {
     EXPECT_EQ(passes.bytes(Pass::plan), 0u);
 }
 
+// What docs/performance.md states, by pass: a step of one sub-step without motors, viscosity or a shift.
+TEST_F(PassTimesTest, AStepMovesTheBytesThatAreStated) {
+    struct Stated {
+        glm::ivec3 cells;
+        const char* name;
+        double bytes_a_cell;
+    };
+    for (const Stated& stated :
+         {Stated{{32, 16, 32}, "32x16x32", 636.0}, {{64, 32, 64}, "64x32x64", 610.0}, {{128, 64, 128}, "128x64x128", 620.0}}) {
+        const auto wind = Wind::create(own->host(), {.cells = stated.cells});
+        ASSERT_TRUE(wind) << wind.error();
+        const Passes& passes = wind->state().cells.air->passes();
+        const double cells = static_cast<double>(wind->box().cell_count());
+        std::vector<Pass> step{Pass::sources, Pass::plan};
+        for (const Passes::Stage& stage : passes.substep(DiffusionMethod::none))
+            step.push_back(stage.pass);
+        step.push_back(Pass::show);
+        double sum = 0.0;
+        for (const Pass pass : step) {
+            const double moved = static_cast<double>(passes.bytes(pass)) / cells;
+            windrow::test::figure(std::string("bytes_a_cell.") + stated.name + "." + name_of(pass), moved);
+            sum += moved;
+        }
+        EXPECT_NEAR(windrow::test::figure(std::string("bytes_a_cell.") + stated.name, sum), stated.bytes_a_cell, 1.0);
+    }
+}
+
 TEST_F(PassTimesTest, AShaderTellsWhatItReadsAndWrites) {
     const std::vector<Access> access = access_of(shader_words::scale, 3);
     EXPECT_TRUE(access[0].reads && !access[0].writes);

@@ -288,6 +288,7 @@ TEST_F(Allocations, OfRejections) {
     rejected("set", [](HostedWind& s) { return s.wind.motors().set(s.fan, DirectionalMotor{.direction = glm::vec3(0.0f)}); });
     rejected("stale handle", [](HostedWind& s) { return s.wind.motors().move({99, 3}, {}); });
     rejected("write_axes", [](HostedWind& s) { return s.wind.write_axes(std::span<float>(), {}, {}); });
+    rejected("write_vectors", [](HostedWind& s) { return s.wind.write_vectors(std::span<float>()); });
     rejected("AmbientWind::create", [](HostedWind&) { return AmbientWind::create({.mean = {k_nan, 0.0f, 0.0f}}); });
     rejected("Workspace::create", [](HostedWind&) { return Workspace::create({.box = {.cells = {0, 1, 1}}}); });
     rejected("validate a motor", [](HostedWind&) { return validate(Motor(WakeMotor{.radius = -3.0f})); });

@@ -1,6 +1,9 @@
 // The wind of the box fades to the ambient wind by the distance from the point that it follows, so that a shift of the box
 // moves nothing that is seen.
 
+#include "fluid/numerics.h"
+#include "fluid/view_place.h"
+#include "tests/figure.h"
 #include "tests/winds.h"
 
 namespace {
@@ -105,6 +108,81 @@ TEST(BlendZone, TheBlockSaysWhatTheQueryDoes) {
     EXPECT_FLOAT_EQ(block.blend_reach.z, 5.5f);
     const glm::dvec3 beyond = anchor + glm::dvec3(block.blend_centre) + glm::dvec3(block.blend_reach.x + 1e-3, 0.0, 0.0);
     EXPECT_EQ(wind.velocity(beyond), wind.ambient());
+}
+
+// The factors of a shader give the place and the weight of a query, for each boundary kind, in this frame and in the one before.
+TEST(BlendZone, TheFactorsOfTheBlockPlaceAsTheQueryDoes) {
+    Boundaries lane = Boundaries::open_over_floor();
+    lane.x_low.kind = lane.x_high.kind = BoundaryKind::periodic;
+    const glm::dvec3 far(1e6, 40.0, -1e6);
+    for (const Config& config :
+         {Config{.cells = {20, 12, 16}, .centre = far},
+          {.cells = {20, 12, 16}, .boundaries = Boundaries::open_over_floor(), .centre = far},
+          {.cells = {20, 9, 11}, .cell_size = 0.3f, .boundaries = lane, .blend_width = 0.0f},
+          {.cells = {6, 6, 6}, .boundaries = Boundaries::all(BoundaryKind::no_slip)},
+          {.cells = {1, 5, 1}},
+          // The blend zone takes the whole way from the point to the faces: nothing is inner but the point.
+          {.cells = {16, 16, 16}, .blend_width = 6.0f}}) {
+        Wind wind = made(config);
+        wind.step(0.01);
+        ASSERT_TRUE(wind.follow(config.centre + glm::dvec3(1.3, 0.0, -2.4)));
+        wind.step(0.01);
+        const glm::dvec3 anchor = config.centre + glm::dvec3(12.3, -4.5, 6.7);
+        const FrameBlock block = wind.frame_block(anchor);
+        Random random(7);
+        double worst_place = 0.0, worst_share = 0.0;
+        int inner = 0, whole = 0;
+        for (int n = 0; n < 4000; ++n) {
+            const glm::dvec3 at = config.centre + random.point(0.7 * double(config.cell_size)) * glm::dvec3(config.cells);
+            const glm::vec3 p(at - anchor);
+            const WindView view = wind.view();
+            const double share = detail::place_in(view.box(), view.window(), view.blend_zone(), view.ambient(), at).fraction;
+            double by_block = 1.0, furthest = 0.0;
+            bool within = true;
+            const std::array axes{block.place.x, block.place.y, block.place.z};
+            for (int axis = 0; axis < 3; ++axis) {
+                const AxisBlock& of = axes[axis];
+                const double local = view.window().local(at)[axis], cells = config.cells[axis];
+                within = within && local >= 0.0 && local <= cells;
+                worst_place =
+                    std::max(worst_place, std::abs(double(of.texture_scale * p[axis] + of.texture_offset) * cells - local));
+                furthest = std::max(furthest, double(std::abs(of.inner_scale * p[axis] + of.inner_offset)));
+                by_block *= double(numerics::windrow_edge_share(of.low_edge + of.edge_scale * p[axis],
+                                                                of.high_edge - of.edge_scale * p[axis], of.smoothness));
+            }
+            worst_share = std::max(worst_share, std::abs(by_block - share));
+            if (furthest <= 1.0) {
+                ++inner;
+                EXPECT_GT(share, 1.0 - 1e-5);
+            }
+            whole += within && share == 1.0;
+        }
+        EXPECT_GE(inner, whole - 5) << "all that is the box's alone is inner";
+        WINDROW_EXPECT_FIGURE("factors.place", worst_place, 2e-5);
+        WINDROW_EXPECT_FIGURE("factors.share", worst_share, 2e-5);
+        const AxisBlock& now = block.place.x;
+        const AxisBlock& before = block.previous_place.x;
+        EXPECT_NEAR(now.texture_offset - before.texture_offset,
+                    (block.window.previous_origin.x - block.window.origin.x) * now.texture_scale, 1e-6);
+        EXPECT_EQ(now.texture_scale, before.texture_scale);
+    }
+}
+
+// A point that is far off the box, as after a jump between two ticks: no place is within both, so none is inner.
+TEST(BlendZone, ABoxThatItsPointHasLeftHasNoWeight) {
+    const FrameBlock block = frame_block({.origin = {-19.0f, -8.0f, -8.0f},
+                                          .cell_size = 1.0f,
+                                          .cells = {16.0f, 16.0f, 16.0f},
+                                          .blend_centre = {9.0f, 0.0f, 0.0f},
+                                          .blend_width = 2.0f,
+                                          .blend_reach = {7.0f, 7.0f, 7.0f}},
+                                         {}, {});
+    const AxisBlock& x = block.place.x;
+    for (float p = -40.0f; p < 40.0f; p += 0.5f) {
+        EXPECT_GT(std::abs(x.inner_scale * p + x.inner_offset), 1.0f) << p;
+        EXPECT_EQ(numerics::windrow_edge_share(x.low_edge + x.edge_scale * p, x.high_edge - x.edge_scale * p, x.smoothness), 0.0f)
+            << p;
+    }
 }
 
 /// Second differences in time of the wind at fixed points along the way of someone who walks at an even speed, frame by frame:

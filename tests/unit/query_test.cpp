@@ -228,6 +228,21 @@ TEST(Query, AxesEqualTheCellsToTheBit) {
         }
 }
 
+TEST(Query, VectorsEqualTheCellsToTheBit) {
+    Wind wind = noisy(scenes()[0].config);
+    wind.step(0.1);
+    const std::size_t count = wind.field().size();
+    std::vector<float> whole(4 * count, 7.0f);
+    std::vector<std::uint16_t> half(4 * count, 7);
+    ASSERT_TRUE(wind.write_vectors(std::span(whole)));
+    ASSERT_TRUE(wind.write_vectors(std::span(half)));
+    for (std::size_t n = 0; n < 4 * count; ++n) {
+        const float number = n % 4 < 3 ? wind.field()[n / 4][int(n % 4)] : 0.0f;
+        ASSERT_EQ(std::memcmp(&whole[n], &number, sizeof(float)), 0) << n;
+        ASSERT_EQ(half[n], to_half(number)) << n;
+    }
+}
+
 TEST(Query, RoomOfAnotherSizeIsRejectedAndUntouched) {
     const Wind wind = noisy(scenes()[0].config);
     const std::size_t count = wind.field().size();
@@ -238,6 +253,10 @@ TEST(Query, RoomOfAnotherSizeIsRejectedAndUntouched) {
     EXPECT_NE(rejected.error().find(std::to_string(count - 1) + " texels"), std::string::npos) << rejected.error();
     EXPECT_NE(rejected.error().find(std::to_string(count) + " cells"), std::string::npos) << rejected.error();
     EXPECT_FALSE(wind.write_axes(std::span(half_wrong), std::span(half_right), std::span(half_right)));
+    const auto rejected_vectors = wind.write_vectors(std::span(right));
+    ASSERT_FALSE(rejected_vectors);
+    EXPECT_NE(rejected_vectors.error().find(std::to_string(count) + " numbers"), std::string::npos) << rejected_vectors.error();
+    EXPECT_FALSE(wind.write_vectors(std::span(half_wrong)));
     EXPECT_TRUE(std::all_of(right.begin(), right.end(), [](float texel) { return texel == 7.0f; }));
     EXPECT_TRUE(std::all_of(half_right.begin(), half_right.end(), [](std::uint16_t texel) { return texel == 7; }));
 
