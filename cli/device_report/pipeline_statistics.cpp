@@ -6,7 +6,11 @@
 #include "cli/table.h"
 #include "coupling/vulkan/ground_memory.h"
 #include "fluid/message.h"
+#include "fluid/vulkan/device.h"
+#include "fluid/vulkan/pipeline.h"
 #include "fluid/vulkan/wind.h"
+#include "shader_words/place_nothing.h"
+#include "shader_words/sample_wind.h"
 
 #include <cstdint>
 #include <cstdlib>
@@ -204,6 +208,23 @@ class Statistics {
     PFN_vkGetPipelineExecutableStatisticsKHR statistics_ = nullptr;
 };
 
+/// A shader that samples the wind, and the same without the sample: their difference is what one costs.
+Result<void> compile_samples(const vulkan::Host& host) {
+    auto device = vulkan::Device::create(host);
+    if (!device)
+        return Error{device.error()};
+    std::vector<VkDescriptorType> bindings(2, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER); // places and winds
+    for (const auto& binding : vulkan::set_bindings(vulkan::TextureSet::vectors, VK_SHADER_STAGE_COMPUTE_BIT))
+        bindings.push_back(binding.descriptorType);
+    for (const auto& [name, code] :
+         {std::pair<const char*, std::span<const std::uint32_t>>("sample", vulkan::shader_words::sample_wind),
+          {"the same shader without it", vulkan::shader_words::place_nothing}})
+        if (auto made = vulkan::Pipeline::create(**device, {.code = code, .bindings = bindings, .constants = {}, .name = name});
+            !made)
+            return Error{made.error()};
+    return {};
+}
+
 } // namespace
 
 Result<void> report_pipelines(SectionRun& run) {
@@ -236,6 +257,8 @@ Result<void> report_pipelines(SectionRun& run) {
     grid = "any";
     if (auto ground = vulkan::GroundMemory::create(host, {}); !ground)
         run.leave_out("pipelines of the ground memory: " + ground.error());
+    if (auto samples = compile_samples(host); !samples)
+        run.leave_out("pipelines that sample: " + samples.error());
     return {};
 }
 

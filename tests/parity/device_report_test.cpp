@@ -176,14 +176,16 @@ TEST_F(DeviceReport, PipelinesAreCompiledForADeviceThatIsNotThere) {
     unsetenv("RADV_FORCE_FAMILY");
     ASSERT_EQ(outcome.code, k_exit_well) << outcome.err;
     const nlohmann::json rows = json()["sections"]["pipelines"]["pipelines"];
-    std::map<std::string, int> grids;
+    std::map<std::string, int> grids, instructions;
     for (const nlohmann::json& row : rows) {
         ++grids[row["grid"]];
         for (const char* key : {"SGPRs", "VGPRs", "Code size", "Instructions"})
             EXPECT_GT(row[key], 0) << row;
         EXPECT_EQ(row["Spilled VGPRs"], 0) << row;
+        instructions[row["pipeline"]] = row["Instructions"];
     }
     EXPECT_EQ(grids.size(), 4u) << "three grids, and the ground memory";
+    EXPECT_LT(instructions["sample"], 250 + instructions["the same shader without it"]) << "as docs/vulkan.md states";
     EXPECT_GE(grids["128x64x128"], 10);
     EXPECT_EQ(grids["32x16x32"], grids["128x64x128"]);
 }
