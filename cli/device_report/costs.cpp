@@ -102,6 +102,7 @@ Result<void> measure_bandwidth(SectionRun& run, vulkan::Device& device, double s
         const std::string name = message(bytes >> 10, " KiB");
         if (run.clock.over()) {
             run.leave_out(message("bandwidth at ", name, " and above: the time is up."));
+            run.leave_out_row("bandwidth", {{"footprint_KiB", bytes >> 10}}, "time");
             return {};
         }
         auto made = CopyRounds::create(device, bytes);

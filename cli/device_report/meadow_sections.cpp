@@ -16,6 +16,7 @@ using vulkan::Device;
 
 constexpr VkExtent2D k_full_hd{1920, 1080};
 constexpr std::uint32_t k_blades[] = {250'000, 1'000'000, 4'000'000};
+constexpr const char *k_drawn = "frame of 1920 x 1080", *k_vertices = "vertices alone";
 constexpr double k_warm_fraction = 0.3;
 constexpr int k_steps = 90, k_quick_steps = 45; // of the wind before it is drawn: three seconds, half of them
 
@@ -109,10 +110,11 @@ Result<void> report_meadow(SectionRun& run) {
             if (blades == k_blades[0] ? run.clock.stopped()
                                       : run.clock.over() || 2.0 * blade_seconds * blades > run.clock.left()) {
                 run.leave_out(message(drawn ? "a frame" : "vertices", " of ", blades, " blades: the time is up."));
+                run.leave_out_row("frames", {{"drawn", drawn ? k_drawn : k_vertices}, {"blades", blades}}, "time");
                 continue;
             }
             const auto took = measure(run, *scene, drawn ? *picture : *nothing, drawn ? *frame : *vertices,
-                                      drawn ? "frame of 1920 x 1080" : "vertices alone", 0.12 * run.clock.budget());
+                                      drawn ? k_drawn : k_vertices, 0.12 * run.clock.budget());
             if (!took)
                 return Error{took.error()};
             if (!*took)

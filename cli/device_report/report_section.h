@@ -53,6 +53,11 @@ struct SectionRun {
 
     /// What the time did not allow, or the device; a sentence.
     void leave_out(const std::string& what) { json["left_out"].push_back(what); }
+    /// The same in a table: a row with its names alone and "left out: time".
+    void leave_out_row(const char* table, ReportJson names, const char* why) {
+        names["left_out"] = std::string("left out: ") + why;
+        json[table].push_back(std::move(names));
+    }
 };
 
 struct ReportSection {

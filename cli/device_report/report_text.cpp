@@ -133,7 +133,9 @@ std::string readme_table(const ReportJson& report) {
     std::string text = message("| ", value_text((*facts)["device"]), software ? " (software)" : "",
                                " | step, us, median | 99 % | read-back, us | copy floor, us |\n|---|---|---|---|---|\n");
     for (const ReportJson& row : *steps)
-        if (row.value("recording", "") == "step, one sub-step")
+        if (row.contains("left_out"))
+            text += message("| ", value_text(row["grid"]), " | ", value_text(row["left_out"]), " | - | - | - |\n");
+        else if (row.value("recording", "") == "step, one sub-step")
             text += message("| ", value_text(row["grid"]), " | ", value_text(row["us"]["median"]), " | ",
                             value_text(row["us"]["p99"]), " | ", value_text(row["read_back_us"]["median"]), " | ",
                             value_text(row["copy_floor_us"]), " |\n");

@@ -21,6 +21,8 @@ using detail::message;
 
 constexpr double k_warm_fraction = 0.3;
 constexpr int k_many_substeps = 8;
+constexpr glm::ivec3 k_largest_grid{256, 128, 256}; // behind k_bench_grids, where memory allows
+constexpr double k_heap_fraction = 0.8;             // of the device's memory, that the winds of a grid may take
 
 // [GB/s] Of a footprint, between the sizes that were measured, by their logarithms; nothing where none was.
 std::optional<double> bandwidth_at(const ReportJson& sections, std::uint64_t bytes) {
@@ -31,6 +33,8 @@ std::optional<double> bandwidth_at(const ReportJson& sections, std::uint64_t byt
     double below = 0.0, rate = 0.0;
     bool first = true;
     for (const ReportJson& row : (*costs)["bandwidth"]) {
+        if (row.contains("left_out"))
+            break;
         const double size = std::log2(row["footprint_KiB"].get<double>()), here = row["GB_per_s"].get<double>();
         if (size >= at)
             return first ? here : rate + (here - rate) * (at - below) / (size - below);
@@ -38,7 +42,7 @@ std::optional<double> bandwidth_at(const ReportJson& sections, std::uint64_t byt
         rate = here;
         first = false;
     }
-    return rate;
+    return first ? std::nullopt : std::optional(rate);
 }
 
 ReportJson floor_json(const SectionRun& run, std::uint64_t bytes, std::uint64_t footprint) {
@@ -53,12 +57,25 @@ struct Recorded {
     bool has_floor = false;
 };
 
+/// Recordings of a grid, of a wind each: all, or the step and its passes where time or memory allows no more.
+enum class Recordings { all, step };
+constexpr std::uint64_t winds_of(Recordings which) {
+    return which == Recordings::all ? 8 : 2;
+}
+
+/// [s] That a round takes.
+struct RoundSeconds {
+    double all = 0.0, step = 0.0;
+    [[nodiscard]] double of(Recordings which) const { return which == Recordings::all ? all : step; }
+};
+
 class GridTimes {
   public:
-    GridTimes(SectionRun& run, glm::ivec3 cells) : run_(run), cells_(cells), flow_(jets(bench_box(cells))) {}
+    GridTimes(SectionRun& run, glm::ivec3 cells, Recordings which)
+        : run_(run), cells_(cells), which_(which), flow_(jets(bench_box(cells))) {}
 
-    /// Nothing where it was stopped; else the seconds that a round took.
-    Result<std::optional<double>> measure(double seconds) {
+    /// Nothing where it was stopped.
+    Result<std::optional<RoundSeconds>> measure(double seconds) {
         auto lent = vulkan::Device::create(run_.own.host());
         if (!lent)
             return Error{lent.error()};
@@ -73,9 +90,13 @@ class GridTimes {
         if (!held)
             return Error{held.error()};
         if (*held == DeviceContest::End::stopped)
-            return std::optional<double>();
+            return std::optional<RoundSeconds>();
         report(*contest);
-        return std::optional((run_.clock.past() - before) / static_cast<double>(contest->rounds() + 1));
+        // A turn records twice.
+        const double step =
+            2e-6 * (contest->microseconds(all_.front().number).median + contest->microseconds(all_.back().number).median);
+        const double whole = (run_.clock.past() - before) / static_cast<double>(contest->rounds() + 1);
+        return std::optional(RoundSeconds{.all = whole, .step = std::min(step, whole)});
     }
 
   private:
@@ -104,14 +125,15 @@ class GridTimes {
         RecordingPlan fresh = step;
         fresh.steps_of_flow = 2; // before the flow slows down
         Result<void> added = add(contest, "step, one sub-step", one, usual, step);
-        if (added)
+        const bool all = which_ == Recordings::all;
+        if (added && all)
             added = add(contest, "step, one of up to eight", many, usual, step);
-        if (added)
+        if (added && all)
             added = add(contest, "step, eight of eight", fine, usual, fresh);
-        if (added)
+        if (added && all)
             added = add(contest, "step, one sub-step, all cells read back", one,
                         {.frames_in_flight = 2, .queries = vulkan::ReadBack::cells}, step);
-        if (added)
+        if (added && all)
             added = add_walks(contest, usual);
         if (added) {
             added = add(contest, "passes", one, {.frames_in_flight = 2, .timestamps = true}, step);
@@ -202,6 +224,7 @@ class GridTimes {
 
     SectionRun& run_;
     glm::ivec3 cells_;
+    Recordings which_;
     std::vector<glm::vec4> flow_;
     std::vector<Recorded> all_;
 };
@@ -210,28 +233,72 @@ double count_of(glm::ivec3 cells) {
     return static_cast<double>(cells.x) * cells.y * cells.z;
 }
 
+// [bytes] Of the largest heap on the device.
+std::uint64_t device_heap(const ReportJson& sections) {
+    std::uint64_t largest = 0;
+    for (const ReportJson& heap : sections["facts"]["memory_heaps"])
+        if (heap["is"].get<std::string>().find("device local") != std::string::npos)
+            largest = std::max(largest, heap["bytes"].get<std::uint64_t>());
+    return largest;
+}
+
+// What memory allows and, with the seconds that a cell took in a round before, time; or nothing, and why.
+std::optional<Recordings> recordings_of(SectionRun& run, glm::ivec3 cells, const RoundSeconds& of_cell) {
+    const std::string grid = grid_name(cells);
+    const auto leave_out = [&](const char* what, const std::string& why) {
+        run.leave_out(message("times at ", grid, ": ", why));
+        run.leave_out_row("steps", {{"recording", "step, one sub-step"}, {"grid", grid}}, what);
+        return std::optional<Recordings>();
+    };
+    if (run.clock.over())
+        return leave_out("time", "the time is up.");
+    const auto bytes = vulkan::required_bytes(run.own.host(), bench_config(cells, Scheme::second_order, Simd::best, {}),
+                                              {.frames_in_flight = 2, .queries = vulkan::ReadBack::cells});
+    if (!bytes)
+        return leave_out("memory", bytes.error());
+    const double heap = k_heap_fraction * static_cast<double>(device_heap(run.sections));
+    const auto fits = [&](Recordings which) { return static_cast<double>(winds_of(which) * bytes->reserved) <= heap; };
+    if (!fits(Recordings::step))
+        return leave_out("memory", message("two winds reserve ", four_digits(2e-9 * static_cast<double>(bytes->reserved)),
+                                           " GB, and ", four_digits(1e-9 * heap), " GB of the device's memory are for them."));
+    // Two rounds at least: one that warms up, one that counts.
+    const auto least = [&](Recordings which) { return 2.0 * of_cell.of(which) * count_of(cells); };
+    for (const Recordings which : {Recordings::all, Recordings::step})
+        if (fits(which) && least(which) <= run.clock.left()) {
+            const std::string rest = message("all but the step at ", grid, ": ");
+            if (which == Recordings::step && !fits(Recordings::all))
+                run.leave_out(rest + "eight winds do not fit in the device's memory.");
+            else if (which == Recordings::step)
+                run.leave_out(rest + message("all need ", four_digits(least(Recordings::all)), " s, and ",
+                                             four_digits(run.clock.left()), " s are left."));
+            return which;
+        }
+    return leave_out("time", message("the step needs ", four_digits(least(Recordings::step)), " s, and ",
+                                     four_digits(run.clock.left()), " s are left."));
+}
+
 } // namespace
 
 Result<void> report_times(SectionRun& run) {
     std::vector<glm::ivec3> grids(std::begin(k_bench_grids), std::end(k_bench_grids));
-    if (run.quick && run.own.facts().software)
+    if (!run.quick)
+        grids.push_back(k_largest_grid);
+    else if (run.own.facts().software)
         grids.resize(1);
-    double cell_round = 0.0; // [s] of a cell in a round, at the grid before
+    RoundSeconds of_cell; // at the grids before
     for (std::size_t n = 0; n < grids.size(); ++n) {
-        // Two rounds at least: one that warms up, one that counts.
-        const double least = 2.0 * cell_round * count_of(grids[n]);
-        if (run.clock.over() || least > run.clock.left()) {
-            run.leave_out(message("times at ", grid_name(grids[n]), ": they need ", four_digits(least), " s, and ",
-                                  four_digits(std::max(0.0, run.clock.left())), " s are left."));
-            break;
-        }
+        const auto which = recordings_of(run, grids[n], of_cell);
+        if (!which)
+            continue;
         const double seconds = run.clock.left() / (1.0 + k_warm_fraction) / static_cast<double>(grids.size() - n);
-        const auto round = GridTimes(run, grids[n]).measure(seconds);
+        const auto round = GridTimes(run, grids[n], *which).measure(seconds);
         if (!round)
             return Error{round.error()};
         if (!*round)
             return {};
-        cell_round = std::max(cell_round, **round / count_of(grids[n]));
+        of_cell.step = std::max(of_cell.step, (*round)->step / count_of(grids[n]));
+        if (*which == Recordings::all)
+            of_cell.all = std::max(of_cell.all, (*round)->all / count_of(grids[n]));
     }
     return {};
 }

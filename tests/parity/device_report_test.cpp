@@ -152,8 +152,8 @@ TEST_F(DeviceReport, AQuickReportHasItsFigures) {
     }
     ASSERT_TRUE(sections["meadow"].contains("frames")) << sections["meadow"];
     EXPECT_GE(sections["meadow"]["frames"].size(), 2u);
-    for (const nlohmann::json& row : sections["meadow"]["frames"])
-        EXPECT_GT(row["ns_per_vertex"], 0.0) << row;
+    for (const nlohmann::json& row : sections["meadow"]["frames"]) // what the time did not allow is in the table and in words
+        EXPECT_TRUE(row.contains("left_out") ? !sections["meadow"]["left_out"].empty() : row["ns_per_vertex"] > 0.0) << row;
     ASSERT_EQ(sections["pictures"]["pictures"].size(), 3u);
     for (const nlohmann::json& row : sections["pictures"]["pictures"]) {
         const fs::path file = out / row["file"].get<std::string>();
@@ -188,6 +188,21 @@ TEST_F(DeviceReport, PipelinesAreCompiledForADeviceThatIsNotThere) {
     EXPECT_LT(instructions["sample"], 250 + instructions["the same shader without it"]) << "as docs/vulkan.md states";
     EXPECT_GE(grids["128x64x128"], 10);
     EXPECT_EQ(grids["32x16x32"], grids["128x64x128"]);
+}
+
+// A grid that time or memory did not allow has its row, in the section and for a README.
+TEST(ReportText, WhatIsLeftOutHasARow) {
+    const char* const step = "step, one sub-step";
+    ReportJson report = {{"sections", {{"facts", {{"device", "a device"}}}}}};
+    ReportJson& times = report["sections"]["times"];
+    times["steps"].push_back({{"recording", step},
+                              {"grid", "8x8x8"},
+                              {"us", {{"median", 2.0}, {"p99", 3.0}}},
+                              {"read_back_us", {{"median", 1.0}}},
+                              {"copy_floor_us", 0.5}});
+    times["steps"].push_back({{"recording", step}, {"grid", "16x16x16"}, {"left_out", "left out: memory"}});
+    expect_words(readme_table(report), {"| 8x8x8 | 2 | 3 | 1 | 0.5 |", "| 16x16x16 | left out: memory | - | - | - |"});
+    expect_words(section_text(times), {"16x16x16  left out: memory"});
 }
 
 TEST(ReportText, TablesTakeTheirColumnsFromTheFirstRow) {

@@ -4,6 +4,22 @@
 #include <vulkan/vulkan.h>
 
 namespace windrow::vegetation::engine {
+namespace {
+
+void write(const Device& device, VkDescriptorSet set, std::uint32_t binding, VkDescriptorType type,
+           const VkDescriptorBufferInfo* buffer, const VkDescriptorImageInfo* image) {
+    VkWriteDescriptorSet all{};
+    all.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+    all.dstSet = set;
+    all.dstBinding = binding;
+    all.descriptorCount = 1;
+    all.descriptorType = type;
+    all.pBufferInfo = buffer;
+    all.pImageInfo = image;
+    vkUpdateDescriptorSets(device.handle(), 1, &all, 0, nullptr);
+}
+
+} // namespace
 
 VkDescriptorSetLayout make_layout(Objects& objects, std::span<const Binding> bindings) {
     std::vector<VkDescriptorSetLayoutBinding> list;
@@ -43,27 +59,13 @@ void make_sets(Objects& objects, VkDescriptorSetLayout layout, std::span<const B
 
 void point(const Device& device, VkDescriptorSet set, std::uint32_t binding, VkDescriptorType type, VkBuffer buffer) {
     const VkDescriptorBufferInfo whole{buffer, 0, VK_WHOLE_SIZE};
-    VkWriteDescriptorSet write{};
-    write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-    write.dstSet = set;
-    write.dstBinding = binding;
-    write.descriptorCount = 1;
-    write.descriptorType = type;
-    write.pBufferInfo = &whole;
-    vkUpdateDescriptorSets(device.handle(), 1, &write, 0, nullptr);
+    write(device, set, binding, type, &whole, nullptr);
 }
 
 void point(const Device& device, VkDescriptorSet set, std::uint32_t binding, VkImageView view, VkSampler sampler,
            VkImageLayout layout) {
     const VkDescriptorImageInfo image{sampler, view, layout};
-    VkWriteDescriptorSet write{};
-    write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-    write.dstSet = set;
-    write.dstBinding = binding;
-    write.descriptorCount = 1;
-    write.descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-    write.pImageInfo = &image;
-    vkUpdateDescriptorSets(device.handle(), 1, &write, 0, nullptr);
+    write(device, set, binding, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, nullptr, &image);
 }
 
 } // namespace windrow::vegetation::engine
