@@ -55,17 +55,15 @@ detail::ViewPlace detail::place_in(const Box& box, const Window& window, const B
         int& high = place.high[axis];
         const auto cells = static_cast<float>(box.cells[axis]);
         const float low_kind = side_number(box.boundaries.at(axis, 0)), high_kind = side_number(box.boundaries.at(axis, 1));
-        // Distances from where the box's wind has faded: a cell beyond an open boundary, or at the end of a blend zone.
-        float from_low = low_kind == 0.0f ? 1.0f + local[axis] : k_never_fades;
-        float from_high = high_kind == 0.0f ? 1.0f + cells - local[axis] : k_never_fades;
-        const float reach = blend_zone.reach[axis];
-        if (reach > 0.0f) {
+        share *= numerics::windrow_edge_share(low_kind == 0.0f ? 1.0f + local[axis] : k_never_fades,
+                                              high_kind == 0.0f ? 1.0f + cells - local[axis] : k_never_fades, 0.0f);
+        // The zone of the whole box may reach beyond a box that was read out of it: both weights count.
+        if (const float reach = blend_zone.reach[axis]; reach > 0.0f) {
             const auto from_point =
                 static_cast<float>((position[axis] - blend_zone.point[axis]) / static_cast<double>(box.cell_size));
-            from_low = std::min(from_low, reach + from_point) / blend_zone.width;
-            from_high = std::min(from_high, reach - from_point) / blend_zone.width;
+            share *= numerics::windrow_edge_share((reach + from_point) / blend_zone.width,
+                                                  (reach - from_point) / blend_zone.width, 1.0f);
         }
-        share *= numerics::windrow_edge_share(from_low, from_high, reach > 0.0f ? 1.0f : 0.0f);
         const float sample = numerics::windrow_axis_sample(local[axis], cells, low_kind) - 0.5f;
         const float below = std::floor(sample);
         place.between[axis] = sample - below;
