@@ -10,6 +10,7 @@
 #include "fluid/diagnostics.h"
 #include "fluid/frame_history.h"
 #include "fluid/motor_reach.h"
+#include "fluid/obstacle.h"
 #include "fluid/window.h"
 
 #include <cstdint>
@@ -50,6 +51,9 @@ struct CellChange {
 struct CellStep {
     double duration = 0.0; ///< [s]
     std::span<const detail::MotorReach> motors{};
+    /// Those that meet the box, where they are at the end of the step.
+    std::span<const detail::PlacedObstacle> obstacles{};
+    bool obstacles_changed = false;         ///< they are not those of the last step, moved, or the box did
     std::shared_ptr<const GustTile> tile{}; ///< of the motors' eddies; null: none has any
     AmbientWind* ambient = nullptr;         ///< at the start of the step; the storage advances it to the end
     const Window* window = nullptr;

@@ -14,6 +14,7 @@ struct StageTimes {
     double diffusion = 0.0;
     double advection = 0.0; ///< Gathering the carried field included.
     double projection = 0.0;
+    double obstacles = 0.0; ///< Rasterisation; the passes over surface cells count among the stages that they belong to.
     double report = 0.0; ///< Energy, largest speed, divergence.
     double total = 0.0;
 };
@@ -38,6 +39,10 @@ struct Diagnostics {
     /// box that makes 1 cm/s in it.
     int motors_in_reach = 0;
     DiffusionMethod diffusion = DiffusionMethod::none;
+    /// Around obstacles: what the pressure's solution leaves of the divergence at their surfaces, relative to that before it, and
+    /// the number of direct solves in the last sub-step. 0 without obstacles in the box.
+    float pressure_residual = 0.0f;
+    int pressure_solves = 0;
     /// [1/s] Root mean square of the central divergence that the collocated projection leaves.
     double divergence_rms = 0.0;
     /// [m^5/s^2] Kinetic energy of the box per unit of density: sum of |u|^2 / 2 h^3.

@@ -53,6 +53,7 @@ class Workspace {
 
     struct State; // fluid/cpu/workspace.h
     [[nodiscard]] State& state() { return *state_; }
+    [[nodiscard]] const State& state() const { return *state_; }
 
   private:
     explicit Workspace(std::unique_ptr<State> state);

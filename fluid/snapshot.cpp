@@ -56,9 +56,9 @@ namespace detail {
 
 void fields(auto& archive, Like<Diagnostics> auto& report) { // of a sleeping wind; its times are 0
     auto& [stepped, out_of_memory, max_speed, cfl, substeps, substeps_capped, carried_time, limited_cells, repaired_cells,
-           motors_in_reach, diffusion, divergence_rms, energy, asleep, times_ms] = report;
+           motors_in_reach, diffusion, pressure_residual, pressure_solves, divergence_rms, energy, asleep, times_ms] = report;
     archive(stepped, max_speed, cfl, substeps, substeps_capped, limited_cells, repaired_cells, motors_in_reach, diffusion,
-            divergence_rms, energy, asleep);
+            pressure_residual, pressure_solves, divergence_rms, energy, asleep);
 }
 
 } // namespace detail

@@ -262,6 +262,7 @@ void Cells::shift(const CellChange& change) {
             for_each_exposed(box().cells, change.by, [&](std::size_t n, int i, int j, int k) { field[n] = ambient_at(i, j, k); });
     };
     shift_air(air.velocity);
+    unplaced_shift_ += glm::ivec3(change.by);
     if (change.has_source_flow)
         shift_field(source_flow, box().cells, change.by, glm::vec4(0.0f));
     if (change.kept)

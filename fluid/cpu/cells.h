@@ -7,6 +7,7 @@
 #include "fluid/cpu/aligned.h"
 #include "fluid/cpu/ambient_field.h"
 #include "fluid/cpu/sources.h"
+#include "fluid/cpu/workspace.h"
 #include "fluid/operators.h"
 
 #include <atomic>
@@ -107,6 +108,13 @@ class Cells final : public CellStorage {
 
     // --- step.cpp ----------------------------------------------------------------------------------------------------------
     class Solving;
+    /// Places the obstacles for a sub-step that ends `early` [s] before the step.
+    void place_obstacles(const CellStep& step, double early, Diagnostics& report);
+    /// Of the prescribed winds at the end of the sub-step.
+    [[nodiscard]] PrescribedFlow prescribed() const;
+    void project_around(std::span<glm::vec4> velocity, const Workspace::State::GradientNote& note, float guess_scale,
+                        Diagnostics& report);
+    void extend_into_bodies(std::span<glm::vec4> field);
     void add_sources(const CellStep& step, Diagnostics& report);
     [[nodiscard]] bool acts_whole() const;
     void act_whole(float dt);
@@ -142,6 +150,9 @@ class Cells final : public CellStorage {
     std::vector<float> profile_bends_; ///< second differences of the profile, one a padded row; empty without profile or gusts
     glm::dvec3 next_phase_{0.0};       ///< [m] of the gusts at the end of the sub-step
     CanopyRows canopy_;                ///< of the step
+    std::vector<PlacedObstacle> placed_; ///< in the sub-step
+    glm::ivec3 unplaced_shift_{0};     ///< cells by which the box has moved since the obstacles were placed
+    bool bodies_move_ = false;         ///< some obstacle in the box moves in this step
     Buffer<glm::vec4> diffused_;       ///< the velocity after diffusion; empty while viscosity has no effect
     FreeAir free_air_;                 ///< potential of the volume sources; empty until the first
     /// Sleep::drift when the air, and that of the tick before, were written. Otherwise they are ambient, written when read.

@@ -26,6 +26,8 @@ void diffuse_once(Workspace::State& state, std::span<const glm::vec4> field, flo
     task.ratio = ratio;
     task.result = cpu::floats(result);
     state.parallel_for(state.box.cells.z, [&](int plane) { state.kernels->diffuse_plane(task, plane); });
+    if (state.has_solids())
+        state.solid_flow().close_diffusion(field, ratio, result);
 }
 
 // Contribution of the ghost beyond one boundary to L v at its outermost cell: the part that does not depend on v.

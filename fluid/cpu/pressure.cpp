@@ -8,6 +8,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <glm/vector_relational.hpp>
+#include <utility>
 
 namespace windrow {
 
@@ -59,6 +62,10 @@ void Workspace::State::for_each_open_end(const Visit& visit) const {
 
 namespace {
 
+constexpr int k_most_solves = 64;              // of project() as an operator, which has no guess
+constexpr float k_rounding = 1e-6f;             // residual that floats reach
+constexpr float k_operator_tolerance = 1e-4f; // of its residual
+
 // Copies between a caller's dense field and the solver's padded rows, times a factor.
 template <class From, class To>
 void copy_rows(const Workspace::State& state, const From& from, const To& to, float factor) {
@@ -105,8 +112,113 @@ void project(Workspace& work, std::span<glm::vec4> velocity, std::span<glm::vec4
     work.state().project(velocity, expansion, {.field = gradient});
 }
 
+void Workspace::State::solve_around(std::span<const glm::vec4> velocity, SolidSolve& around, const GradientNote& note) {
+    const cpu::SolidFlow flow = solid_flow();
+    const std::span<const cpu::SurfaceCell> cells = solids->surface();
+    const auto sum = [&](const auto& term) {
+        double total = 0.0;
+        for (std::size_t n = 0; n < cells.size(); ++n)
+            total += term(n);
+        return total;
+    };
+    // Inside a body no value matters.
+    const auto norm = [&](const auto& term) {
+        return std::sqrt(sum([&](std::size_t n) { return cells[n].shut ? 0.0 : term(n) * term(n); }));
+    };
+    flow.close_divergence(velocity, around.given, around.bodies_move, potential.data());
+    const double wanted = norm([&](std::size_t n) { return static_cast<double>(potential[cells[n].potential]); });
+    const bool guessed = around.guess_scale > 0.0f;
+    for (std::size_t n = 0; n < cells.size(); ++n) {
+        residual_terms[n] = guessed ? -around.guess_scale * solid_terms[n] : 0.0f;
+        potential[cells[n].potential] -= residual_terms[n];
+    }
+    pressure.solve(potential.data(), scratch.data(), parallel_for);
+    flow.closed_slopes(potential.data(), closed_terms);
+    for (std::size_t n = 0; n < cells.size(); ++n)
+        residual_terms[n] += closed_terms[n];
+    const auto residual = [&] { return norm([&](std::size_t n) { return static_cast<double>(residual_terms[n]); }); };
+
+    around.solved = 1;
+    double left = residual(), squares_before = 1.0;
+    while (around.solved < around.solves && left > static_cast<double>(std::max(around.tolerance, k_rounding)) * wanted) {
+        std::fill_n(correction.data(), correction.size(), 0.0f);
+        for (std::size_t n = 0; n < cells.size(); ++n)
+            correction[cells[n].potential] = residual_terms[n];
+        pressure.solve(correction.data(), scratch.data(), parallel_for);
+        const double squares = sum([&](std::size_t n) {
+            return static_cast<double>(residual_terms[n]) * static_cast<double>(correction[cells[n].potential]);
+        });
+        const bool first = around.solved == 1;
+        const float beta = first ? 0.0f : static_cast<float>(squares / squares_before);
+        squares_before = squares;
+        if (!first)
+            add_to_rows(correction, direction, beta);
+        std::swap(direction, correction);
+        flow.closed_slopes(direction.data(), masked_terms);
+        for (std::size_t n = 0; n < cells.size(); ++n)
+            applied_terms[n] = first ? residual_terms[n] : residual_terms[n] + beta * applied_terms[n];
+        const double bent = sum([&](std::size_t n) {
+            return static_cast<double>(direction[cells[n].potential]) * (static_cast<double>(applied_terms[n]) - masked_terms[n]);
+        });
+        if (!(bent < 0.0))
+            break;
+        const auto alpha = static_cast<float>(squares / bent);
+        add_to_rows(potential, direction, alpha);
+        for (std::size_t n = 0; n < cells.size(); ++n)
+            residual_terms[n] -= alpha * (applied_terms[n] - masked_terms[n]);
+        left = residual();
+        ++around.solved;
+    }
+    around.residual = wanted > 0.0 ? static_cast<float>(left / wanted) : 0.0f;
+    if (!around.keeps_terms)
+        return;
+    flow.closed_slopes(potential.data(), closed_terms);
+    for (std::size_t n = 0; n < cells.size(); ++n)
+        solid_terms[n] = note.weight * closed_terms[n] + note.kept * solid_terms[n];
+}
+
+// a += factor * b over the rows of the direct solve.
+void Workspace::State::add_to_rows(cpu::Buffer<float>& a, const cpu::Buffer<float>& b, float factor) {
+    const std::size_t plane = static_cast<std::size_t>(pressure.pitch()) * box.cells.y;
+    parallel_for(box.cells.z, [&](int k) {
+        const std::size_t first = plane * static_cast<std::size_t>(k);
+        for (std::size_t n = first; n < first + plane; ++n)
+            a[n] += factor * b[n];
+    });
+}
+
+void Workspace::State::set_obstacles(std::span<const cpu::PlacedObstacle> obstacles, glm::ivec3 shift) {
+    if (!solids && obstacles.empty())
+        return;
+    if (!solids) {
+        solids = std::make_unique<cpu::Solids>(box, pressure.pitch());
+        direction = cpu::Buffer<float>(potential.size());
+        correction = cpu::Buffer<float>(potential.size());
+    }
+    for (const cpu::SurfaceCell& cell : solids->surface())
+        cells_before.push_back(cell.cell);
+    solid_terms.swap(terms_before);
+    solids->rasterise(obstacles);
+    const std::span<const cpu::SurfaceCell> cells = solids->surface();
+    for (std::vector<float>* terms : {&residual_terms, &applied_terms, &masked_terms, &closed_terms, &solid_terms})
+        terms->assign(cells.size(), 0.0f);
+    // Both lists are sorted by cell; a shift of the box does not change the order of the cells that stay.
+    std::size_t from = 0;
+    for (std::size_t n = 0; n < cells.size(); ++n) {
+        const glm::ivec3 then = solids->place_of(cells[n].cell) + shift;
+        if (glm::any(glm::lessThan(then, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(then, box.cells)))
+            continue;
+        const auto cell = static_cast<std::uint32_t>(box.index(then.x, then.y, then.z));
+        while (from < cells_before.size() && cells_before[from] < cell)
+            ++from;
+        if (from < cells_before.size() && cells_before[from] == cell)
+            solid_terms[n] = terms_before[from];
+    }
+    cells_before.clear();
+}
+
 void Workspace::State::project(std::span<glm::vec4> velocity, std::span<const float> expansion, const GradientNote& note,
-                               const cpu::FreeAir* beyond) {
+                               const cpu::FreeAir* beyond, SolidSolve* around) {
     assert(velocity.size() == box.cell_count() && (note.field.empty() || note.field.size() == velocity.size()));
     assert(expansion.empty() || expansion.size() == velocity.size());
     divergence_to_potential(cpu::floats(velocity), 0.5f);
@@ -117,7 +229,11 @@ void Workspace::State::project(std::span<glm::vec4> velocity, std::span<const fl
             potential[(static_cast<std::size_t>(cell.z) * box.cells.y + cell.y) * pressure.pitch() + cell.x] -=
                 beyond->at(cell, axis, end);
         });
-    pressure.solve(potential.data(), scratch.data(), parallel_for);
+    SolidSolve alone{.solves = k_most_solves, .tolerance = k_operator_tolerance};
+    if (has_solids())
+        solve_around(velocity, around != nullptr ? *around : alone, note);
+    else
+        pressure.solve(potential.data(), scratch.data(), parallel_for);
 
     cpu::GradientTask task{};
     for (int axis = 0; axis < 3; ++axis)
@@ -131,6 +247,10 @@ void Workspace::State::project(std::span<glm::vec4> velocity, std::span<const fl
     task.weight = note.weight;
     task.kept = note.kept;
     parallel_for(box.cells.z, [&](int plane) { kernels->gradient_plane(task, plane); });
+    if (has_solids()) {
+        solid_flow().open_gradient(potential.data(), 1.0f, velocity, note.field, note.weight);
+        solid_flow().hold_bodies((around != nullptr ? *around : alone).given, around == nullptr || around->bodies_move, velocity);
+    }
     if (beyond != nullptr)
         for_each_open_end([&](glm::ivec3 cell, int axis, int end) {
             velocity[box.index(cell.x, cell.y, cell.z)][axis] -= (end == 0 ? -0.5f : 0.5f) * beyond->at(cell, axis, end);

@@ -37,12 +37,17 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <utility>
 
 namespace windrow::cpu {
 namespace {
 
 constexpr float k_rounding = 1.00001f; // of a speed that was cut and advected
+
+constexpr int k_first_solves = 16; // of the pressure around obstacles, in the first step of a flow
+constexpr float k_first_residual = 1e-3f;
 
 // For a smaller s the history is negligible, and a division by s would lose the forces to rounding.
 constexpr float k_min_scale = 1e-6f;
@@ -101,6 +106,7 @@ bool Cells::step(const CellStep& step, Diagnostics& report) {
         wind.set_phase(phase);
         wind.advance(step.duration * (part + 1) / report.substeps);
         next_phase_ = wind.phase();
+        place_obstacles(step, step.duration * (report.substeps - part - 1) / report.substeps, report);
         if (!config_.stages.advection)
             advance_in_place(part_dt, report);
         else if (config_.scheme == Scheme::second_order)
@@ -183,7 +189,58 @@ void Cells::rehearse(float dt, Diagnostics& report) {
     work.state().ambient_cells = ambient_field_.data();
 }
 
+// --- Obstacles ---------------------------------------------------------------------------------------------------------------
+
+void Cells::place_obstacles(const CellStep& step, double early, Diagnostics& report) {
+    Stopwatch watch(report.times_ms.obstacles);
+    bodies_move_ = std::any_of(step.obstacles.begin(), step.obstacles.end(), [](const auto& body) { return body.moves(); });
+    if (!step.obstacles_changed && !(bodies_move_ && report.substeps > 1))
+        return;
+    placed_.assign(step.obstacles.begin(), step.obstacles.end());
+    for (PlacedObstacle& body : placed_) {
+        const auto back = static_cast<float>(early);
+        body.position -= back * body.velocity;
+        if (const float angle = back * glm::length(body.spin); angle > 0.0f)
+            body.axes = glm::mat3(glm::rotate(glm::mat4(1.0f), -angle, body.spin)) * body.axes;
+    }
+    work.state().set_obstacles(placed_, std::exchange(unplaced_shift_, glm::ivec3(0)));
+}
+
+PrescribedFlow Cells::prescribed() const {
+    return {.ambient = around_.gusting() ? ambient_field_.data() : nullptr,
+            .source_flow = has_source_flow() ? std::span<const glm::vec4>(source_flow) : std::span<const glm::vec4>()};
+}
+
+// One solve begins from the pressure of the last step. Two where bodies move, since theirs is another by now, and as many as a
+// flow needs that has no last step.
+void Cells::project_around(std::span<glm::vec4> velocity, const Workspace::State::GradientNote& note, float guess_scale,
+                           Diagnostics& report) {
+    Workspace::State::SolidSolve around{.keeps_terms = true,
+                                        .guess_scale = guess_scale,
+                                        .given = prescribed()};
+    if (config_.pressure_solves > 0)
+        around.solves = config_.pressure_solves;
+    else if (guess_scale == 0.0f)
+        around.solves = k_first_solves, around.tolerance = k_first_residual;
+    else
+        around.solves = bodies_move_ ? 2 : 1;
+    work.state().project(velocity, {}, note, nullptr, &around);
+    report.pressure_residual = around.residual;
+    report.pressure_solves = work.state().has_solids() ? around.solved : 0;
+}
+
+// A read of the air beside a body finds air in the body too.
+void Cells::extend_into_bodies(std::span<glm::vec4> field) {
+    if (work.state().has_solids())
+        work.state().solid_flow().extend(field);
+}
+
 void Cells::perform(float dt, Diagnostics& report) {
+    extend_into_bodies(air.velocity);
+    if (!air.fresh) {
+        extend_into_bodies(air.velocity_old);
+        extend_into_bodies(air.history);
+    }
     const Solving solving(*this, report);
     const std::span<const glm::vec4> carried = diffuse(without_given_flow(), dt, report);
     Transport transport{.carried = carried, .velocity = air.velocity, .dt = dt, .interpolation = config_.interpolation};
@@ -234,7 +291,7 @@ void Cells::perform(float dt, Diagnostics& report) {
     {
         Stopwatch watch(report.times_ms.projection);
         if (config_.stages.projection)
-            work.state().project(arrived, {}, {.field = air.history, .weight = past.weight, .kept = past.kept});
+            project_around(arrived, {.field = air.history, .weight = past.weight, .kept = past.kept}, past.scale, report);
         else
             std::fill_n(air.history.data(), air.history.size(), glm::vec4(0.0f));
     }
@@ -245,6 +302,7 @@ void Cells::perform(float dt, Diagnostics& report) {
 }
 
 void Cells::advance_stable_fluids(float dt, Diagnostics& report) {
+    extend_into_bodies(air.velocity);
     const Solving solving(*this, report);
     sources.add_force_to(air.velocity, dt, config_.parallel_for);
     const std::span<const glm::vec4> carried = diffuse(without_given_flow(), dt, report);
@@ -255,17 +313,18 @@ void Cells::advance_stable_fluids(float dt, Diagnostics& report) {
         Stopwatch watch(report.times_ms.advection);
         windrow::advect(work, transport, air.velocity_old);
     }
+    carry_gusts();
     if (config_.stages.projection) {
         Stopwatch watch(report.times_ms.projection);
-        windrow::project(work, air.velocity_old);
+        project_around(air.velocity_old, {}, 1.0f, report);
     }
-    carry_gusts();
     add_given_flow(air.velocity_old, 1.0f);
     std::swap(air.velocity, air.velocity_old);
 }
 
 // Without advection there are no trajectories to centre on: each stage acts whole on u.
 void Cells::advance_in_place(float dt, Diagnostics& report) {
+    extend_into_bodies(air.velocity);
     const Solving solving(*this, report);
     const ParallelFor& parallel_for = config_.parallel_for;
     sources.add_force_to(air.velocity, dt, parallel_for);
@@ -277,11 +336,11 @@ void Cells::advance_in_place(float dt, Diagnostics& report) {
             const glm::vec4 rest = around_.gusting() ? glm::vec4(0.0f) : mean_at(i, j, k);
             air.velocity[n] = rest + factor * (air.velocity[n] - rest);
         });
+    carry_gusts();
     if (config_.stages.projection) {
         Stopwatch watch(report.times_ms.projection);
-        windrow::project(work, air.velocity);
+        project_around(air.velocity, {}, 1.0f, report);
     }
-    carry_gusts();
     add_given_flow(air.velocity, 1.0f);
     air.fresh = true;
 }
@@ -441,8 +500,13 @@ void Cells::measure(Diagnostics& report) {
     Workspace::State& state = work.state();
     const float h = box().cell_size;
     const float* const velocity = &air.velocity[0].x;
-    const PlaneSurvey found =
+    PlaneSurvey found =
         config_.stages.projection ? state.survey_with_divergence(velocity, sources.expansion()) : state.survey(velocity);
+    if (state.has_solids()) {
+        const SolidFlow::Correction inside = state.solid_flow().correct_survey(air.velocity, sources.expansion());
+        found.divergence_squares = std::max(found.divergence_squares + inside.divergence_squares, 0.0);
+        found.squares = std::max(found.squares - inside.speed_squares, 0.0);
+    }
     report.max_speed = found.largest_component;
     report.energy = 0.5 * found.squares * h * h * h;
     report.divergence_rms = std::sqrt(found.divergence_squares / static_cast<double>(box().cell_count()));
@@ -451,10 +515,13 @@ void Cells::measure(Diagnostics& report) {
 // Stops at the first cell that still moves: the cost is small until the air has relaxed to the ambient wind.
 bool Cells::at_ambient() const {
     const glm::ivec3 cells = box().cells;
+    const bool around_bodies = work.state().has_solids();
     std::size_t n = 0;
     for (int k = 0; k < cells.z; ++k)
         for (int j = 0; j < cells.y; ++j)
             for (int i = 0; i < cells.x; ++i, ++n) {
+                if (around_bodies && work.state().solids->inside(static_cast<std::uint32_t>(n)))
+                    continue;
                 const glm::vec4 apart = air.velocity[n] - ambient_at(i, j, k);
                 if (!(std::abs(apart.x) < config_.sleep_speed && std::abs(apart.y) < config_.sleep_speed &&
                       std::abs(apart.z) < config_.sleep_speed))

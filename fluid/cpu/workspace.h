@@ -4,9 +4,11 @@
 #include "fluid/cpu/aligned.h"
 #include "fluid/cpu/kernels/kernels.h"
 #include "fluid/cpu/separable_solver.h"
+#include "fluid/cpu/solid_flow.h"
 #include "fluid/operators.h"
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -49,6 +51,11 @@ struct Workspace::State {
     cpu::Buffer<float> potential;                                 ///< data of the direct solves
     cpu::Buffer<float> scratch;                                   ///< scratch of the direct solves
     cpu::Buffer<cpu::PlaneSurvey> surveys;                        ///< one a plane
+    cpu::Buffer<float> direction, correction;                     ///< of conjugate gradients; empty without obstacles
+    /// By surface cell: the residual, L d and B d of the direction d, B phi.
+    std::vector<float> residual_terms, applied_terms, masked_terms, closed_terms;
+    std::vector<std::uint32_t> cells_before; ///< scratch of set_obstacles
+    std::vector<float> terms_before;
 
     void set_boundaries(const Boundaries& boundaries);
     void set_ambient(glm::vec3 wind);
@@ -69,9 +76,29 @@ struct Workspace::State {
         std::span<glm::vec4> field{}; ///< empty: no output
         float weight = 1.0f, kept = 0.0f;
     };
+    /// Solution around obstacles: phi = L^-1 (div w + B phi_guess), then steps of conjugate gradients preconditioned by L^-1.
+    /// The residual of such a phi is B (phi - phi_guess): 0 away from surface cells.
+    struct SolidSolve {
+        bool keeps_terms = false;    ///< solid_terms take B phi of the solution, as `note` keeps q
+        float guess_scale = 0.0f;    ///< of solid_terms, for the first solve; 0: no guess
+        cpu::PrescribedFlow given{}; ///< not in the velocity, but stopped by walls
+        bool bodies_move = true;     ///< false: walls at rest, whatever their bodies do
+        int solves = 1;              ///< most
+        float tolerance = 0.0f;      ///< residual at which it stops
+        float residual = 0.0f;       ///< result: |div w - A phi| over |div w| of the surface cells
+        int solved = 0;              ///< result
+    };
     /// As project() in operators.h, with phi / h from `beyond` beyond open boundaries; null: 0.
     void project(std::span<glm::vec4> velocity, std::span<const float> expansion, const GradientNote& note,
-                 const cpu::FreeAir* beyond = nullptr);
+                 const cpu::FreeAir* beyond = nullptr, SolidSolve* around = nullptr);
+    /// Obstacles in the box; null: none.
+    std::unique_ptr<cpu::Solids> solids;
+    /// B phi of the last step by surface cell: history of the pressure around obstacles.
+    std::vector<float> solid_terms;
+    /// Replaces the obstacles. Surface cells keep their terms; `shift`: cells by which the box has moved since.
+    void set_obstacles(std::span<const cpu::PlacedObstacle> obstacles, glm::ivec3 shift = glm::ivec3(0));
+    [[nodiscard]] cpu::SolidFlow solid_flow() const { return {*solids, box, parallel_for}; }
+    [[nodiscard]] bool has_solids() const { return solids && solids->any(); }
     /// Sum of the planes' reductions, in order of the planes.
     [[nodiscard]] cpu::PlaneSurvey survey(const float* velocity);
     /// The same, and the central divergence [1/s], less the prescribed one where `expansion` is not empty.
@@ -80,6 +107,8 @@ struct Workspace::State {
   private:
     template <class Visit>
     void for_each_open_end(const Visit& visit) const;
+    void solve_around(std::span<const glm::vec4> velocity, SolidSolve& around, const GradientNote& note);
+    void add_to_rows(cpu::Buffer<float>& a, const cpu::Buffer<float>& b, float factor);
     void build_ghosts();
     void grow_solver_buffers(const cpu::SeparableSolver& solver);
 };

@@ -1,0 +1,57 @@
+// Passes of a step over the cells at obstacles (solids.h): each visits lists, none the whole grid.
+#pragma once
+
+#include "fluid/cpu/solids.h"
+
+#include <glm/vec4.hpp>
+#include <span>
+
+namespace windrow::cpu {
+
+/// The prescribed part of the wind in the box: gusts and the flow of volume sources. The projection sees the rest of the wind,
+/// and a wall stops the whole.
+struct PrescribedFlow {
+    const float* ambient = nullptr; ///< four floats a padded cell; null: none
+    std::span<const glm::vec4> source_flow{};
+};
+
+class SolidFlow {
+  public:
+    SolidFlow(const Solids& solids, const Box& box, const ParallelFor& parallel_for)
+        : solids_(solids), box_(box), parallel_for_(parallel_for) {}
+
+    /// Writes the air's values into the ghost cells, so that a read beside a body finds air.
+    void extend(std::span<glm::vec4> field) const;
+    /// Divergence of surface and inside cells, as their closed faces have it; `potential` holds that of the empty box.
+    void close_divergence(std::span<const glm::vec4> velocity, const PrescribedFlow& given, bool bodies_move,
+                          float* potential) const;
+    /// term[n] = B phi of surface cell n.
+    void closed_slopes(const float* potential, std::span<float> term) const;
+    /// Takes the closed faces' slopes off the gradient: velocity += fix, note = note - weight * fix. `note` may be empty.
+    void open_gradient(const float* potential, float scale, std::span<glm::vec4> velocity, std::span<glm::vec4> note,
+                       float weight) const;
+    /// Sets cells inside to the bodies' own velocity, less the prescribed part.
+    void hold_bodies(const PrescribedFlow& given, bool bodies_move, std::span<glm::vec4> velocity) const;
+    /// Corrects one explicit pass of diffusion: closed faces have no flux, or that of a wall to which the air sticks.
+    void close_diffusion(std::span<const glm::vec4> field, float ratio, std::span<glm::vec4> result) const;
+
+    /// Corrections of a reduction over the whole box: squares of the divergence [1/s] that surface cells have beyond those of the
+    /// empty box, and the squares of the speeds inside bodies.
+    struct Correction {
+        double divergence_squares = 0.0, speed_squares = 0.0;
+    };
+    [[nodiscard]] Correction correct_survey(std::span<const glm::vec4> velocity, std::span<const float> expansion) const;
+
+    [[nodiscard]] glm::vec3 body_velocity(std::uint16_t body, glm::vec3 place_cells) const;
+
+  private:
+    template <class Visit>
+    void for_each_surface_cell(const Visit& visit) const;
+    [[nodiscard]] glm::vec3 given_at(const PrescribedFlow& given, std::uint32_t cell) const;
+
+    const Solids& solids_;
+    const Box& box_;
+    const ParallelFor& parallel_for_;
+};
+
+} // namespace windrow::cpu

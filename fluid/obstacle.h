@@ -1,0 +1,99 @@
+// Obstacles: bodies that the air flows around. A house, a trunk, a person, a train, a fence, a sail.
+//
+// A body is a shape with a place and an orientation. Cells whose centre is inside are closed; the faces of cells that the
+// surface cuts are open in part, so a sphere is round and a slow body moves without jerks. A plate has no thickness: it closes
+// the faces between cells on its two sides. So does each body that is thinner than a cell, where the line between two cell
+// centres passes through it.
+#pragma once
+
+#include "fluid/motor.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <variant>
+
+namespace windrow {
+
+/// Box with its own axes.
+struct Block {
+    static constexpr const char* k_name = "block";
+    static constexpr const char* k_meaning = "A box with its own axes: a house, a wall.";
+    glm::vec3 half_size{1.0f};
+
+    static constexpr auto settings() {
+        return std::tuple{Setting("half_size", &Block::half_size, k_size_range, "From the centre to the faces, along its own axes.")};
+    }
+};
+
+/// Cylinder along its own y axis.
+struct Cylinder {
+    static constexpr const char* k_name = "cylinder";
+    static constexpr const char* k_meaning = "A cylinder along its own y axis: a trunk, a tower.";
+    float radius = 1.0f;
+    float half_length = 1.0f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("radius", &Cylinder::radius, k_size_range, "Radius."),
+            Setting("half_length", &Cylinder::half_length, k_size_range, "From the centre to each end."),
+        };
+    }
+};
+
+/// Rectangle without thickness, normal to its own z axis.
+struct Plate {
+    static constexpr const char* k_name = "plate";
+    static constexpr const char* k_meaning = "A rectangle without thickness, across its own z axis: a fence, a sail, a door.";
+    glm::vec2 half_size{1.0f};
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("half_size", &Plate::half_size, k_size_range, "From the centre to the edges, along its own x and y axes.")};
+    }
+};
+
+using Shape = std::variant<Sphere, Capsule, Block, Cylinder, Plate>;
+
+/// What the air does along a surface.
+enum class Surface : std::uint8_t {
+    free_slip, ///< It slides. The default: at 1 m cells the layer that a wall slows is thinner than a cell.
+    no_slip,   ///< It sticks, through the viscosity.
+};
+template <>
+inline constexpr std::array<const char*, 2> k_words<Surface>{"free_slip", "no_slip"};
+
+struct Obstacle {
+    glm::dvec3 position{0.0};          ///< [m] of the shape's centre
+    glm::quat orientation{1, 0, 0, 0}; ///< from the shape's own axes to the world's; normalised on creation
+    Shape shape = Block{};
+    Surface surface = Surface::free_slip;
+};
+
+namespace detail {
+/// An obstacle during a step, relative to the box's low corner.
+struct PlacedObstacle {
+    Shape shape = Block{};
+    Surface surface = Surface::free_slip;
+    glm::vec3 position{0.0f};             ///< [m] from the low corner, at the end of the step
+    glm::mat3 axes{1.0f};                 ///< from its own axes to the world's
+    glm::vec3 velocity{0.0f}, spin{0.0f}; ///< [m/s], [rad/s] of its motion in the step
+
+    /// [m/s] Of the point of the body at a place.
+    [[nodiscard]] glm::vec3 velocity_at(glm::vec3 place) const { return velocity + glm::cross(spin, place - position); }
+    [[nodiscard]] bool moves() const { return velocity != glm::vec3(0.0f) || spin != glm::vec3(0.0f); }
+};
+
+/// [m] From a point in the shape's own axes to its surface, negative inside; a plate has no inside.
+[[nodiscard]] float distance_to(const Shape& shape, glm::vec3 point);
+/// [m] Half the size of the box along the shape's own axes that holds it.
+[[nodiscard]] glm::vec3 half_extent(const Shape& shape);
+/// [m] Smallest thickness.
+[[nodiscard]] float thickness(const Shape& shape);
+/// Whether the segment between two points outside, in the shape's own axes, passes through it.
+[[nodiscard]] bool blocks(const Shape& shape, glm::vec3 from, glm::vec3 to);
+} // namespace detail
+
+} // namespace windrow
