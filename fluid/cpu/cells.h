@@ -114,7 +114,7 @@ class Cells final : public CellStorage {
     [[nodiscard]] PrescribedFlow prescribed() const;
     void project_around(std::span<glm::vec4> velocity, const Workspace::State::GradientNote& note, float guess_scale,
                         Diagnostics& report);
-    void extend_into_bodies(std::span<glm::vec4> field);
+    void extend_into_bodies();
     void add_sources(const CellStep& step, Diagnostics& report);
     [[nodiscard]] bool acts_whole() const;
     void act_whole(float dt);

@@ -56,19 +56,42 @@ glm::vec3 SolidFlow::body_velocity(std::uint16_t body, glm::vec3 place_cells) co
     return solids_.bodies()[body].velocity_at(place_cells * box_.cell_size);
 }
 
-void SolidFlow::extend(std::span<glm::vec4> field) const {
+// wall(source): the velocity across a source's face that the field is mirrored about.
+template <class Wall>
+void SolidFlow::extend_by(std::span<glm::vec4> field, const Wall& wall) const {
     std::size_t first = 0;
     for (const std::uint32_t end : solids_.layer_ends()) {
         const auto ghosts = solids_.ghosts().subspan(first, end - first);
         for_each_chunk(parallel_for_, ghosts.size(), [&](std::size_t n) {
             const Solids::Ghost& ghost = ghosts[n];
             glm::vec4 sum(0.0f);
-            for (const std::uint32_t source : solids_.ghost_sources().subspan(ghost.first, ghost.count))
-                sum += field[source];
+            for (const Solids::GhostSource& source : solids_.ghost_sources().subspan(ghost.first, ghost.count)) {
+                glm::vec4 value = field[source.cell];
+                if (source.closed > 0.0f)
+                    value[source.axis] += 2.0f * source.closed * (wall(source) - value[source.axis]);
+                sum += value;
+            }
             field[ghost.cell] = sum / static_cast<float>(ghost.count);
         });
         first = end;
     }
+}
+
+void SolidFlow::extend(std::span<glm::vec4> velocity, const PrescribedFlow& given) const {
+    const bool prescribed = given.ambient != nullptr || !given.source_flow.empty();
+    extend_by(velocity, [&](const Solids::GhostSource& source) {
+        float wall = 0.0f;
+        if (const PlacedObstacle& body = solids_.bodies()[source.body]; body.moves()) {
+            glm::vec3 face = glm::vec3(solids_.place_of(source.cell)) + 0.5f;
+            face[source.axis] += source.high ? -0.5f : 0.5f;
+            wall = body_velocity(source.body, face)[source.axis];
+        }
+        return prescribed ? wall - given_at(given, source.cell)[source.axis] : wall;
+    });
+}
+
+void SolidFlow::extend_history(std::span<glm::vec4> history) const {
+    extend_by(history, [](const Solids::GhostSource&) { return 0.0f; });
 }
 
 void SolidFlow::close_divergence(std::span<const glm::vec4> velocity, const PrescribedFlow& given, bool bodies_move,

@@ -20,8 +20,10 @@ class SolidFlow {
     SolidFlow(const Solids& solids, const Box& box, const ParallelFor& parallel_for)
         : solids_(solids), box_(box), parallel_for_(parallel_for) {}
 
-    /// Writes the air's values into the ghost cells, so that a read beside a body finds air.
-    void extend(std::span<glm::vec4> field) const;
+    /// Writes the air's values into the ghost cells, mirrored, so that a read beside a body finds air. The history of the pressure
+    /// is mirrored about 0, and so is a velocity without `given`'s part about the bodies' own.
+    void extend(std::span<glm::vec4> velocity, const PrescribedFlow& given) const;
+    void extend_history(std::span<glm::vec4> history) const;
     /// Divergence of surface and inside cells, as their closed faces have it; `potential` holds that of the empty box.
     void close_divergence(std::span<const glm::vec4> velocity, const PrescribedFlow& given, bool bodies_move,
                           float* potential) const;
@@ -47,6 +49,8 @@ class SolidFlow {
   private:
     template <class Visit>
     void for_each_surface_cell(const Visit& visit) const;
+    template <class Wall>
+    void extend_by(std::span<glm::vec4> field, const Wall& wall) const;
     [[nodiscard]] glm::vec3 given_at(const PrescribedFlow& given, std::uint32_t cell) const;
 
     const Solids& solids_;

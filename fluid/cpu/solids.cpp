@@ -184,6 +184,19 @@ void Solids::merge_faces() {
             flags_[face.key / 4] |= static_cast<std::uint8_t>(1u << (face.key % 4));
 }
 
+float Solids::wall_speed(std::uint32_t low_cell, int axis) const {
+    const Face* const face = face_between(low_cell, 0, 2 * axis + 1);
+    return face != nullptr && face->closed > 0.0f ? face->wall / face->closed : 0.0f;
+}
+
+// The face of a cell in a slot, to its neighbour there; null: open.
+const Solids::Face* Solids::face_between(std::uint32_t cell, std::uint32_t next, int slot) const {
+    const std::uint32_t key = 4 * (slot % 2 == 0 ? next : cell) + static_cast<std::uint32_t>(slot / 2);
+    const auto found = std::lower_bound(faces_.begin(), faces_.end(), key,
+                                        [](const Face& face, std::uint32_t wanted) { return face.key < wanted; });
+    return found != faces_.end() && found->key == key ? &*found : nullptr;
+}
+
 // An inside cell is shut where each of its faces is closed, or leads to another cell inside and has no entry (deep in a body).
 void Solids::find_shut_cells() {
     const auto open_fraction = [&](glm::ivec3 cell, std::uint32_t n) {
@@ -194,11 +207,8 @@ void Solids::find_shut_cells() {
             if (!neighbour(cell, axis, slot % 2 == 0 ? -1 : 1, next))
                 continue;
             const auto other = static_cast<std::uint32_t>(box_.index(next.x, next.y, next.z));
-            const std::uint32_t key = 4 * (slot % 2 == 0 ? other : n) + static_cast<std::uint32_t>(axis);
-            const auto found = std::lower_bound(faces_.begin(), faces_.end(), key,
-                                                [](const Face& face, std::uint32_t wanted) { return face.key < wanted; });
-            if (found != faces_.end() && found->key == key)
-                open += 1.0f - found->closed;
+            if (const Face* const face = face_between(n, other, slot))
+                open += 1.0f - face->closed;
             else if (!inside(other))
                 open += 1.0f;
         }
@@ -277,8 +287,12 @@ void Solids::collect_ghosts() {
                     continue;
                 const auto other = static_cast<std::uint32_t>(box_.index(next.x, next.y, next.z));
                 const bool air = !inside(other);
-                if (layer == 1 ? air : !air && layer_of[index_of(other)] == layer - 1)
-                    ghost_sources_.push_back(other);
+                if (layer == 1 ? !air : air || layer_of[index_of(other)] != layer - 1)
+                    continue;
+                GhostSource source{.cell = other, .axis = static_cast<std::uint8_t>(slot / 2), .high = slot % 2 != 0};
+                if (const Face* const face = air ? face_between(inside_[n].cell, other, slot) : nullptr)
+                    source.closed = face->closed, source.body = face->body;
+                ghost_sources_.push_back(source);
             }
             const auto count = static_cast<std::uint32_t>(ghost_sources_.size()) - first;
             if (count > 0)

@@ -45,10 +45,21 @@ class Solids {
         std::uint16_t body = 0;
         bool deep = false; ///< shut, without a closed face
     };
-    /// A cell inside a body that a cubic read from outside reaches: its value is the mean of `count` cells nearer to the air.
+    /// A cell inside a body that a cubic read from outside reaches: its value is the mean of what `count` cells nearer to the air
+    /// give.
     struct Ghost {
         std::uint32_t cell = 0, first = 0;
         std::uint32_t count = 0;
+    };
+    /// A cell beside a ghost. Across a closed face the component along the face's axis is mirrored about the body's velocity, as
+    /// at the walls of a box: u + closed (2 U - 2 u). The others are the same. Without the mirror, air that leaves a wall reads
+    /// its own value there and grows without bound.
+    struct GhostSource {
+        std::uint32_t cell = 0;
+        std::uint16_t body = 0;
+        std::uint8_t axis = 0;
+        bool high = false; ///< the source is the high neighbour
+        float closed = 0.0f;
     };
 
     Solids(const Box& box, int pitch);
@@ -61,7 +72,7 @@ class Solids {
     [[nodiscard]] std::span<const InsideCell> inside() const { return inside_; }
     /// Ghosts by layers: those of a layer read the air and the layers before it.
     [[nodiscard]] std::span<const Ghost> ghosts() const { return ghosts_; }
-    [[nodiscard]] std::span<const std::uint32_t> ghost_sources() const { return ghost_sources_; }
+    [[nodiscard]] std::span<const GhostSource> ghost_sources() const { return ghost_sources_; }
     [[nodiscard]] std::span<const std::uint32_t> layer_ends() const { return layer_ends_; }
     /// Air cells from which a read or a trajectory may pass through a thin body.
     [[nodiscard]] std::span<const std::uint32_t> thin() const { return thin_; }
@@ -69,6 +80,8 @@ class Solids {
 
     /// Whether the face from a cell to its high neighbour along an axis is more closed than open, and whether a cell is inside.
     [[nodiscard]] bool blocked(std::uint32_t cell, int axis) const { return (flags_[cell] >> axis & 1) != 0; }
+    /// [m/s] Velocity across that face of its bodies; 0 where it is open.
+    [[nodiscard]] float wall_speed(std::uint32_t low_cell, int axis) const;
     [[nodiscard]] bool inside(std::uint32_t cell) const { return (flags_[cell] & k_inside) != 0; }
 
     /// Index offsets of a cell's neighbours, slot by slot; across a periodic boundary from `strides` of the same layout.
@@ -97,6 +110,7 @@ class Solids {
     void collect_surface();
     void collect_ghosts();
     void collect_thin();
+    [[nodiscard]] const Face* face_between(std::uint32_t cell, std::uint32_t next, int slot) const;
     [[nodiscard]] bool neighbour(glm::ivec3 cell, int axis, int side, glm::ivec3& result) const;
     [[nodiscard]] std::uint32_t potential_of(glm::ivec3 cell) const;
 
@@ -108,7 +122,8 @@ class Solids {
     std::vector<InsideCell> inside_;
     std::vector<SurfaceCell> surface_;
     std::vector<Ghost> ghosts_;
-    std::vector<std::uint32_t> ghost_sources_, layer_ends_, thin_;
+    std::vector<GhostSource> ghost_sources_;
+    std::vector<std::uint32_t> layer_ends_, thin_;
     std::vector<std::uint8_t> flags_; ///< one a cell: closed faces to the high neighbours, inside, shut
     std::vector<float> distances_;    ///< scratch: at the corners of an obstacle's cells
 };

@@ -48,6 +48,7 @@ constexpr float k_rounding = 1.00001f; // of a speed that was cut and advected
 
 constexpr int k_first_solves = 16; // of the pressure around obstacles, in the first step of a flow
 constexpr float k_first_residual = 1e-3f;
+constexpr float k_steady_residual = 1e-2f, k_gusty_residual = 6e-2f; // for which one solve does
 
 // For a smaller s the history is negligible, and a division by s would lose the forces to rounding.
 constexpr float k_min_scale = 1e-6f;
@@ -211,8 +212,8 @@ PrescribedFlow Cells::prescribed() const {
             .source_flow = has_source_flow() ? std::span<const glm::vec4>(source_flow) : std::span<const glm::vec4>()};
 }
 
-// One solve begins from the pressure of the last step. Two where bodies move, since theirs is another by now, and as many as a
-// flow needs that has no last step.
+// One solve begins from the pressure of the last step. A second follows where bodies move, since theirs is another by now, or
+// where one leaves too much; a flow without a last step takes more.
 void Cells::project_around(std::span<glm::vec4> velocity, const Workspace::State::GradientNote& note, float guess_scale,
                            Diagnostics& report) {
     Workspace::State::SolidSolve around{.keeps_terms = true,
@@ -222,25 +223,29 @@ void Cells::project_around(std::span<glm::vec4> velocity, const Workspace::State
         around.solves = config_.pressure_solves;
     else if (guess_scale == 0.0f)
         around.solves = k_first_solves, around.tolerance = k_first_residual;
-    else
-        around.solves = bodies_move_ ? 2 : 1;
+    else {
+        around.solves = 2;
+        around.tolerance = bodies_move_ ? 0.0f : around_.gusting() ? k_gusty_residual : k_steady_residual;
+    }
     work.state().project(velocity, {}, note, nullptr, &around);
     report.pressure_residual = around.residual;
     report.pressure_solves = work.state().has_solids() ? around.solved : 0;
 }
 
 // A read of the air beside a body finds air in the body too.
-void Cells::extend_into_bodies(std::span<glm::vec4> field) {
-    if (work.state().has_solids())
-        work.state().solid_flow().extend(field);
+void Cells::extend_into_bodies() {
+    if (!work.state().has_solids())
+        return;
+    const SolidFlow flow = work.state().solid_flow();
+    flow.extend(air.velocity, {});
+    if (air.fresh)
+        return;
+    flow.extend(air.velocity_old, {});
+    flow.extend_history(air.history);
 }
 
 void Cells::perform(float dt, Diagnostics& report) {
-    extend_into_bodies(air.velocity);
-    if (!air.fresh) {
-        extend_into_bodies(air.velocity_old);
-        extend_into_bodies(air.history);
-    }
+    extend_into_bodies();
     const Solving solving(*this, report);
     const std::span<const glm::vec4> carried = diffuse(without_given_flow(), dt, report);
     Transport transport{.carried = carried, .velocity = air.velocity, .dt = dt, .interpolation = config_.interpolation};
@@ -302,7 +307,7 @@ void Cells::perform(float dt, Diagnostics& report) {
 }
 
 void Cells::advance_stable_fluids(float dt, Diagnostics& report) {
-    extend_into_bodies(air.velocity);
+    extend_into_bodies();
     const Solving solving(*this, report);
     sources.add_force_to(air.velocity, dt, config_.parallel_for);
     const std::span<const glm::vec4> carried = diffuse(without_given_flow(), dt, report);
@@ -324,7 +329,7 @@ void Cells::advance_stable_fluids(float dt, Diagnostics& report) {
 
 // Without advection there are no trajectories to centre on: each stage acts whole on u.
 void Cells::advance_in_place(float dt, Diagnostics& report) {
-    extend_into_bodies(air.velocity);
+    extend_into_bodies();
     const Solving solving(*this, report);
     const ParallelFor& parallel_for = config_.parallel_for;
     sources.add_force_to(air.velocity, dt, parallel_for);
@@ -419,6 +424,8 @@ std::span<const glm::vec4> Cells::without_given_flow() {
         return air.velocity;
     std::copy_n(air.velocity.data(), air.velocity.size(), solved.data());
     add_given_flow(solved, -1.0f);
+    if (work.state().has_solids())
+        work.state().solid_flow().extend(solved, prescribed());
     return solved;
 }
 
