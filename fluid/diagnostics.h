@@ -15,7 +15,7 @@ struct StageTimes {
     double advection = 0.0; ///< Gathering the carried field included.
     double projection = 0.0;
     double obstacles = 0.0; ///< Rasterisation; the passes over surface cells count among the stages that they belong to.
-    double report = 0.0; ///< Energy, largest speed, divergence.
+    double report = 0.0;    ///< Energy, largest speed, divergence.
     double total = 0.0;
 };
 

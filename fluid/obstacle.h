@@ -24,7 +24,8 @@ struct Block {
     glm::vec3 half_size{1.0f};
 
     static constexpr auto settings() {
-        return std::tuple{Setting("half_size", &Block::half_size, k_size_range, "From the centre to the faces, along its own axes.")};
+        return std::tuple{
+            Setting("half_size", &Block::half_size, k_size_range, "From the centre to the faces, along its own axes.")};
     }
 };
 
@@ -72,8 +73,7 @@ struct Obstacle {
     Surface surface = Surface::free_slip;
 };
 
-namespace detail {
-/// An obstacle during a step, relative to the box's low corner.
+/// An obstacle as a step sees it, relative to the box's low corner.
 struct PlacedObstacle {
     Shape shape = Block{};
     Surface surface = Surface::free_slip;
@@ -85,6 +85,9 @@ struct PlacedObstacle {
     [[nodiscard]] glm::vec3 velocity_at(glm::vec3 place) const { return velocity + glm::cross(spin, place - position); }
     [[nodiscard]] bool moves() const { return velocity != glm::vec3(0.0f) || spin != glm::vec3(0.0f); }
 };
+
+namespace detail {
+using windrow::PlacedObstacle;
 
 /// [m] From a point in the shape's own axes to its surface, negative inside; a plate has no inside.
 [[nodiscard]] float distance_to(const Shape& shape, glm::vec3 point);

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "fluid/box.h"
+#include "fluid/obstacle.h"
 #include "fluid/owned.h"
 #include "fluid/parallel.h"
 #include "fluid/result.h"
@@ -41,6 +42,11 @@ class Workspace {
     /// and the workspace stays as it was.
     [[nodiscard]] Result<void> set_boundaries(const Boundaries& boundaries);
     void set_ambient(glm::vec3 ambient);
+    /// Replaces the obstacles that every operator sees; at most 65,535. Without memory it fails and the workspace stays as it was.
+    [[nodiscard]] Result<void> set_obstacles(std::span<const PlacedObstacle> obstacles);
+    /// [m^4/s] Pressure force on an obstacle (its number in `set_obstacles`) times the length of the step, over the air's density:
+    /// the momentum that the last projection took from the air and gave to it.
+    [[nodiscard]] glm::vec3 impulse_on(std::size_t obstacle) const;
 
     [[nodiscard]] const Box& box() const;
     [[nodiscard]] glm::vec3 ambient() const;
@@ -140,7 +146,8 @@ void solve_poisson(Workspace& work, std::span<float> rhs_then_phi);
 /// The kinetic energy does not grow, except at open boundaries, where waves of a few cells along an edge may gain: 1.065 times at
 /// most, 4.4 times however often repeated (norms of the matrix and of its powers for 8 x 8 x 8 cells). `gradient`, where not
 /// empty, receives grad phi [m/s]. `expansion`, where not empty, is the target divergence [1/s] of volume sources (> 0) and
-/// sinks; in a box without an open boundary its mean is dropped.
+/// sinks; in a box without an open boundary its mean is dropped. Around obstacles phi is found by conjugate gradients, to a residual
+/// of 1e-4 at their surfaces; cells inside take the obstacles' own velocity.
 void project(Workspace& work, std::span<glm::vec4> velocity, std::span<glm::vec4> gradient = {},
              std::span<const float> expansion = {});
 

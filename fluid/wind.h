@@ -168,9 +168,10 @@ struct Config {
             Setting("max_substeps", &Config::max_substeps, {1.0, 64.0},
                     "Maximal number of sub-steps in a step. Beyond max_cfl * max_substeps cells a step, speeds are limited (and "
                     "counted)."),
-            Setting("pressure_solves", &Config::pressure_solves, {.min = 0.0, .max = 64.0, .zero = "one, two while obstacles move"},
-                    "Direct solves of the pressure around obstacles in a sub-step. Each further solve costs about a fifth of a step; "
-                    "without obstacles in the box there is one."),
+            Setting(
+                "pressure_solves", &Config::pressure_solves, {.min = 0.0, .max = 64.0, .zero = "one, two while obstacles move"},
+                "Direct solves of the pressure around obstacles in a sub-step. Each further solve costs about a fifth of a step; "
+                "without obstacles in the box there is one."),
             Setting("stages", &Config::stages, "Stages that run.", k_in_snapshots),
             Setting("ticks", &Config::ticks, "Fixed ticks of `advance`.", k_in_snapshots),
             Setting(

@@ -140,21 +140,21 @@ class Cells final : public CellStorage {
     [[nodiscard]] bool at_ambient() const;
 
     const WindCore& wind_;
-    const Config& config_;             ///< of `wind_`
-    AmbientWind around_;               ///< wind of the ambient fields; within a step ahead of the wind's own
-    CellIndex around_origin_cells_{0}; ///< window of the ambient fields
-    bool around_stale_ = true;         ///< ambient fields unset, or boundary conditions changed
-    AmbientField mean_field_;          ///< the mean wind cell by cell; empty without a profile
-    AmbientField ambient_field_;       ///< the same with gusts; empty without gusts
-    AmbientField ambient_next_;        ///< within a step: at its end
-    std::vector<float> profile_bends_; ///< second differences of the profile, one a padded row; empty without profile or gusts
-    glm::dvec3 next_phase_{0.0};       ///< [m] of the gusts at the end of the sub-step
-    CanopyRows canopy_;                ///< of the step
+    const Config& config_;               ///< of `wind_`
+    AmbientWind around_;                 ///< wind of the ambient fields; within a step ahead of the wind's own
+    CellIndex around_origin_cells_{0};   ///< window of the ambient fields
+    bool around_stale_ = true;           ///< ambient fields unset, or boundary conditions changed
+    AmbientField mean_field_;            ///< the mean wind cell by cell; empty without a profile
+    AmbientField ambient_field_;         ///< the same with gusts; empty without gusts
+    AmbientField ambient_next_;          ///< within a step: at its end
+    std::vector<float> profile_bends_;   ///< second differences of the profile, one a padded row; empty without profile or gusts
+    glm::dvec3 next_phase_{0.0};         ///< [m] of the gusts at the end of the sub-step
+    CanopyRows canopy_;                  ///< of the step
     std::vector<PlacedObstacle> placed_; ///< in the sub-step
-    glm::ivec3 unplaced_shift_{0};     ///< cells by which the box has moved since the obstacles were placed
-    bool bodies_move_ = false;         ///< some obstacle in the box moves in this step
-    Buffer<glm::vec4> diffused_;       ///< the velocity after diffusion; empty while viscosity has no effect
-    FreeAir free_air_;                 ///< potential of the volume sources; empty until the first
+    glm::ivec3 unplaced_shift_{0};       ///< cells by which the box has moved since the obstacles were placed
+    bool bodies_move_ = false;           ///< some obstacle in the box moves in this step
+    Buffer<glm::vec4> diffused_;         ///< the velocity after diffusion; empty while viscosity has no effect
+    FreeAir free_air_;                   ///< potential of the volume sources; empty until the first
     /// Sleep::drift when the air, and that of the tick before, were written. Otherwise they are ambient, written when read.
     std::atomic<std::uint64_t> held_at_ = 0;
     std::uint64_t before_held_at_ = 0;

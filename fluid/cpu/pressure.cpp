@@ -62,8 +62,8 @@ void Workspace::State::for_each_open_end(const Visit& visit) const {
 
 namespace {
 
-constexpr int k_most_solves = 64;              // of project() as an operator, which has no guess
-constexpr float k_rounding = 1e-6f;             // residual that floats reach
+constexpr int k_most_solves = 64;             // of project() as an operator, which has no guess
+constexpr float k_rounding = 1e-6f;           // residual that floats reach
 constexpr float k_operator_tolerance = 1e-4f; // of its residual
 
 // Copies between a caller's dense field and the solver's padded rows, times a factor.

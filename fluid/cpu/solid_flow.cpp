@@ -43,8 +43,7 @@ glm::vec3 SolidFlow::given_at(const PrescribedFlow& given, std::uint32_t cell) c
     glm::vec3 wind(0.0f);
     if (given.ambient != nullptr) {
         const glm::ivec3 padded = box_.cells + k_halo, at = solids_.place_of(cell) + k_halo_low;
-        const float* const around =
-            given.ambient + 4 * ((static_cast<std::size_t>(at.z) * padded.y + at.y) * padded.x + at.x);
+        const float* const around = given.ambient + 4 * ((static_cast<std::size_t>(at.z) * padded.y + at.y) * padded.x + at.x);
         wind += glm::vec3(around[0], around[1], around[2]);
     }
     if (!given.source_flow.empty())
@@ -165,6 +164,16 @@ void SolidFlow::hold_bodies(const PrescribedFlow& given, bool bodies_move, std::
             u -= given_at(given, inside[n].cell);
         velocity[inside[n].cell] = glm::vec4(u, 0.0f);
     });
+}
+
+glm::vec3 SolidFlow::push_on(std::size_t body, const float* potential) const {
+    glm::dvec3 sum(0.0);
+    for (const SurfaceCell& cell : solids_.surface())
+        for (int slot = 0; slot < 6 && !cell.shut; ++slot)
+            if (cell.closed[slot] > 0.0f && cell.body[slot] == body)
+                sum[slot / 2] +=
+                    (slot % 2 == 0 ? -1.0 : 1.0) * static_cast<double>(cell.closed[slot] * potential[cell.potential]);
+    return glm::vec3(sum);
 }
 
 SolidFlow::Correction SolidFlow::correct_survey(std::span<const glm::vec4> velocity, std::span<const float> expansion) const {

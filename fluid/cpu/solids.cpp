@@ -12,7 +12,7 @@ namespace {
 // Distances below this fraction of a cell count as 0: a body along the cells' faces has these faces closed, whatever rounding does.
 constexpr float k_touch = 1e-4f;
 constexpr float k_closed = 1.0f - 1e-3f; // fraction from which a face counts as closed
-constexpr int k_reach = 4;               // [cells] of a trajectory and a cubic read, with the default largest CFL number
+constexpr int k_farthest_reach = 6;      // [cells] beyond it every cell counts as beside a thin body
 
 // Fraction of a triangle's area where a linear function is negative.
 float negative_fraction(float a, float b, float c) {
@@ -77,9 +77,7 @@ std::ptrdiff_t Solids::to_neighbour(const SurfaceCell& cell, int slot, const Str
 void Solids::rasterise(std::span<const PlacedObstacle> obstacles) {
     std::fill(flags_.begin(), flags_.end(), std::uint8_t{0});
     bodies_.assign(obstacles.begin(), obstacles.end());
-    thin_bodies_.clear();
-    for (const PlacedObstacle& body : bodies_)
-        thin_bodies_.push_back(detail::thickness(body.shape) < static_cast<float>(k_reach) * box_.cell_size);
+    find_thin_bodies();
     faces_.clear();
     inside_.clear();
     const glm::vec3 size = glm::vec3(box_.cells) * box_.cell_size;
@@ -150,12 +148,15 @@ void Solids::draw(const PlacedObstacle& obstacle, std::uint16_t body, glm::vec3 
                         const auto at = [&](glm::ivec3 place) { return distances_[corner(place.x, place.y, place.z)]; };
                         closed = negative_fraction(at(base), at(base + one), at(base + one + other), at(base + other));
                     }
-                    if (closed < 1.0f && !in && away < 1.0f && detail::blocks(obstacle.shape, here, own_place(centre + step)))
+                    const glm::vec3 beyond = own_place(centre + step);
+                    const bool both_outside = !in && (flat || detail::distance_to(obstacle.shape, beyond) > 0.0f);
+                    if (closed < 1.0f && both_outside && away < 1.0f && detail::blocks(obstacle.shape, here, beyond))
                         closed = 1.0f;
                     if (closed <= 0.0f)
                         continue;
                     const glm::vec3 face = (centre + 0.5f * step) * h - offset;
-                    faces_.push_back({4 * n + static_cast<std::uint32_t>(axis), closed, closed * obstacle.velocity_at(face)[axis], body});
+                    faces_.push_back(
+                        {4 * n + static_cast<std::uint32_t>(axis), closed, closed * obstacle.velocity_at(face)[axis], body});
                 }
             }
 }
@@ -239,7 +240,8 @@ void Solids::collect_surface() {
         glm::ivec3 next;
         (void)neighbour(place_of(cell), axis, 1, next);
         sides.push_back({cell, static_cast<std::uint32_t>(n), 2 * axis + 1});
-        sides.push_back({static_cast<std::uint32_t>(box_.index(next.x, next.y, next.z)), static_cast<std::uint32_t>(n), 2 * axis});
+        sides.push_back(
+            {static_cast<std::uint32_t>(box_.index(next.x, next.y, next.z)), static_cast<std::uint32_t>(n), 2 * axis});
     }
     std::stable_sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.cell < b.cell; });
     surface_.clear();
@@ -304,15 +306,43 @@ void Solids::collect_ghosts() {
     }
 }
 
+void Solids::reach_past_thin(float cells) {
+    constexpr int k_node = 2; // of a cubic read, beyond the point
+    const int wanted = std::max(k_least_reach, static_cast<int>(std::min(std::ceil(cells), 1000.0f)) + k_node);
+    if (wanted == reach_ || (wanted < reach_ && wanted > k_least_reach))
+        return;
+    reach_ = wanted;
+    find_thin_bodies();
+    for (std::uint8_t& flags : flags_)
+        flags &= static_cast<std::uint8_t>(~k_thin);
+    collect_thin();
+}
+
+void Solids::find_thin_bodies() {
+    thin_bodies_.clear();
+    thinnest_ = k_farthest_thin;
+    for (const PlacedObstacle& body : bodies_)
+        thinnest_ = std::min(thinnest_, detail::thickness(body.shape) / box_.cell_size);
+    for (const PlacedObstacle& body : bodies_)
+        thin_bodies_.push_back(detail::thickness(body.shape) < static_cast<float>(reach_) * box_.cell_size);
+}
+
 // A body is thin where a read from its one side reaches the other.
 void Solids::collect_thin() {
     thin_.clear();
     if (std::none_of(thin_bodies_.begin(), thin_bodies_.end(), [](std::uint8_t thin) { return thin != 0; }))
         return;
+    thin_.reserve(flags_.size());
+    if (reach_ > k_farthest_reach) {
+        for (std::uint32_t n = 0; n < flags_.size(); ++n)
+            if (!inside(n))
+                thin_.push_back(n);
+        return;
+    }
     const auto mark_around = [&](glm::ivec3 place) {
-        for (int z = -k_reach; z <= k_reach; ++z)
-            for (int y = -k_reach; y <= k_reach; ++y)
-                for (int x = -k_reach; x <= k_reach; ++x) {
+        for (int z = -reach_; z <= reach_; ++z)
+            for (int y = -reach_; y <= reach_; ++y)
+                for (int x = -reach_; x <= reach_; ++x) {
                     glm::ivec3 at = place + glm::ivec3(x, y, z);
                     bool here = true;
                     for (int axis = 0; axis < 3; ++axis) {

@@ -76,6 +76,9 @@ class Solids {
     [[nodiscard]] std::span<const std::uint32_t> layer_ends() const { return layer_ends_; }
     /// Air cells from which a read or a trajectory may pass through a thin body.
     [[nodiscard]] std::span<const std::uint32_t> thin() const { return thin_; }
+    [[nodiscard]] bool any_thin() const { return thinnest_ < k_farthest_thin; }
+    /// Makes the list of them hold for trajectories of so many cells and a cubic read. Allocates nothing.
+    void reach_past_thin(float cells);
     [[nodiscard]] std::span<const PlacedObstacle> bodies() const { return bodies_; }
 
     /// Whether the face from a cell to its high neighbour along an axis is more closed than open, and whether a cell is inside.
@@ -97,6 +100,8 @@ class Solids {
   private:
     static constexpr std::uint8_t k_inside = 8, k_shut = 16, k_thin = 32;
     static constexpr int k_ghost_layers = 3;
+    static constexpr float k_farthest_thin = 64.0f; ///< [cells] thickness beyond which no trajectory passes a body
+    static constexpr int k_least_reach = 4;         ///< [cells] with the default largest CFL number
 
     struct Face {
         std::uint32_t key; ///< 4 times the low cell's index, plus the axis
@@ -109,6 +114,7 @@ class Solids {
     void find_shut_cells();
     void collect_surface();
     void collect_ghosts();
+    void find_thin_bodies();
     void collect_thin();
     [[nodiscard]] const Face* face_between(std::uint32_t cell, std::uint32_t next, int slot) const;
     [[nodiscard]] bool neighbour(glm::ivec3 cell, int axis, int side, glm::ivec3& result) const;
@@ -116,6 +122,8 @@ class Solids {
 
     Box box_;
     int pitch_;
+    float thinnest_ = 0.0f;     ///< [cells] thickness of the thinnest body
+    int reach_ = k_least_reach; ///< [cells] around thin bodies
     std::vector<PlacedObstacle> bodies_;
     std::vector<std::uint8_t> thin_bodies_; ///< whether each body is thin
     std::vector<Face> faces_;

@@ -216,9 +216,7 @@ PrescribedFlow Cells::prescribed() const {
 // where one leaves too much; a flow without a last step takes more.
 void Cells::project_around(std::span<glm::vec4> velocity, const Workspace::State::GradientNote& note, float guess_scale,
                            Diagnostics& report) {
-    Workspace::State::SolidSolve around{.keeps_terms = true,
-                                        .guess_scale = guess_scale,
-                                        .given = prescribed()};
+    Workspace::State::SolidSolve around{.keeps_terms = true, .guess_scale = guess_scale, .given = prescribed()};
     if (config_.pressure_solves > 0)
         around.solves = config_.pressure_solves;
     else if (guess_scale == 0.0f)

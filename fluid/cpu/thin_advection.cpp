@@ -175,8 +175,7 @@ class ThinReader {
         Point at{.cell = from};
         for (int axis = 0; axis < 3; ++axis) {
             const auto cell = static_cast<float>(from[axis]);
-            at.place[axis] =
-                std::min(std::max(displacement[axis], task_.legal.low[axis] - cell), task_.legal.high[axis] - cell);
+            at.place[axis] = std::min(std::max(displacement[axis], task_.legal.low[axis] - cell), task_.legal.high[axis] - cell);
             at.cell[axis] += static_cast<int>(std::floor(at.place[axis] + 0.5f));
         }
         return at;
@@ -204,7 +203,7 @@ class ThinReader {
         const int apart = next[axis] - cell[axis];
         if (apart == 0)
             return false;
-        const bool across = apart != 1 && apart != -1;      // a periodic boundary
+        const bool across = apart != 1 && apart != -1; // a periodic boundary
         const bool cell_is_low = across ? apart < 0 : apart > 0;
         const glm::ivec3 from = cell_is_low ? cell : next;
         low = static_cast<std::uint32_t>(state_.box.index(from.x, from.y, from.z));
@@ -244,9 +243,11 @@ class ThinReader {
 
 } // namespace
 
-void Workspace::State::advect_beside_thin_bodies(const cpu::AdvectTask& task, bool scalar, bool cubic) const {
-    if (!has_solids() || solids->thin().empty())
+void Workspace::State::advect_beside_thin_bodies(const cpu::AdvectTask& task, bool scalar, bool cubic) {
+    if (!has_solids() || !solids->any_thin())
         return;
+    constexpr float k_extrapolated = 1.5f; // a trajectory's velocity over that of its cell
+    solids->reach_past_thin(k_extrapolated * task.cells_per_speed * survey(task.velocity).largest_component);
     constexpr std::size_t k_chunk = 64;
     const std::span<const std::uint32_t> cells = solids->thin();
     const ThinReader reader(*this, task);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace windrow {
 namespace {
@@ -185,6 +186,21 @@ Result<void> Workspace::set_boundaries(const Boundaries& boundaries) {
 
 void Workspace::set_ambient(glm::vec3 ambient) {
     state_->set_ambient(ambient);
+}
+Result<void> Workspace::set_obstacles(std::span<const PlacedObstacle> obstacles) {
+    constexpr std::size_t k_most = 65535;
+    if (obstacles.size() > k_most)
+        return Error{"there are " + std::to_string(obstacles.size()) + " obstacles: give at most 65535."};
+    return detail::where_memory_lasts([&]() -> Result<void> {
+        state_->set_obstacles(obstacles);
+        return {};
+    });
+}
+glm::vec3 Workspace::impulse_on(std::size_t obstacle) const {
+    if (!state_->has_solids())
+        return glm::vec3(0.0f);
+    const float h = state_->box.cell_size;
+    return h * h * h * state_->solid_flow().push_on(obstacle, state_->potential.data());
 }
 const Box& Workspace::box() const {
     return state_->box;

@@ -97,7 +97,7 @@ struct Workspace::State {
     std::vector<float> solid_terms;
     /// Replaces the obstacles. Surface cells keep their terms; `shift`: cells by which the box has moved since.
     void set_obstacles(std::span<const cpu::PlacedObstacle> obstacles, glm::ivec3 shift = glm::ivec3(0));
-    void advect_beside_thin_bodies(const cpu::AdvectTask& task, bool scalar, bool cubic) const;
+    void advect_beside_thin_bodies(const cpu::AdvectTask& task, bool scalar, bool cubic);
     [[nodiscard]] cpu::SolidFlow solid_flow() const { return {*solids, box, parallel_for}; }
     [[nodiscard]] bool has_solids() const { return solids && solids->any(); }
     /// Sum of the planes' reductions, in order of the planes.
