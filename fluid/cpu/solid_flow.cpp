@@ -182,6 +182,7 @@ SolidFlow::Correction SolidFlow::correct_survey(std::span<const glm::vec4> veloc
     const float scale = 0.5f / box_.cell_size;
     thread_local std::vector<Correction> parts;
     parts.resize(chunks_of(cells.size()));
+    const std::span<Correction> results = parts; // within a task the name is that thread's own vector
     for_each_chunk_of(parallel_for_, cells.size(), [&](std::size_t chunk, std::size_t first, std::size_t end) {
         Correction part;
         for (std::size_t n = first; n < end; ++n) {
@@ -208,7 +209,7 @@ SolidFlow::Correction SolidFlow::correct_survey(std::span<const glm::vec4> veloc
             const bool air = !solids_.inside(cell.cell);
             part.divergence_squares += static_cast<double>((air ? after * after : 0.0f) - before * before);
         }
-        parts[chunk] = part;
+        results[chunk] = part;
     });
     Correction whole;
     for (const Correction& part : parts)
