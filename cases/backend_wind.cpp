@@ -47,6 +47,12 @@ Motors& BackendWind::motors() {
 const Motors& BackendWind::motors() const {
     return std::visit([](const auto& wind) -> const Motors& { return wind.motors(); }, std::as_const(*wind_));
 }
+Obstacles& BackendWind::obstacles() {
+    return std::visit([](auto& wind) -> Obstacles& { return wind.obstacles(); }, *wind_);
+}
+const Obstacles& BackendWind::obstacles() const {
+    return std::visit([](const auto& wind) -> const Obstacles& { return wind.obstacles(); }, std::as_const(*wind_));
+}
 Result<void> BackendWind::set_boundaries(const Boundaries& boundaries) {
     return std::visit([&](auto& wind) { return wind.set_boundaries(boundaries); }, *wind_);
 }

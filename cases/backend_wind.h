@@ -75,6 +75,8 @@ class BackendWind {
 
     [[nodiscard]] Motors& motors();
     [[nodiscard]] const Motors& motors() const;
+    [[nodiscard]] Obstacles& obstacles();
+    [[nodiscard]] const Obstacles& obstacles() const;
     [[nodiscard]] Result<void> set_boundaries(const Boundaries& boundaries);
     [[nodiscard]] Result<void> follow(glm::dvec3 point);
     [[nodiscard]] Result<void> set_floor(double height);

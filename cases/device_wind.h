@@ -20,6 +20,8 @@ class DeviceWind {
     Diagnostics step(double dt) { return run(dt); }
     [[nodiscard]] Motors& motors() { return wind_.motors(); }
     [[nodiscard]] const Motors& motors() const { return std::as_const(wind_).motors(); }
+    [[nodiscard]] Obstacles& obstacles() { return wind_.obstacles(); }
+    [[nodiscard]] const Obstacles& obstacles() const { return std::as_const(wind_).obstacles(); }
     [[nodiscard]] Result<void> set_boundaries(const Boundaries& boundaries) { return changing().set_boundaries(boundaries); }
     [[nodiscard]] Result<void> follow(glm::dvec3 point) { return changing().follow(point); }
     [[nodiscard]] Result<void> set_floor(double height) { return changing().set_floor(height); }

@@ -14,6 +14,7 @@
 
 #include <cmath>
 #include <concepts>
+#include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <optional>
@@ -128,9 +129,14 @@ class Writer {
     template <class Enumeration>
     requires std::is_enum_v<Enumeration>
     void put(const Enumeration& value) { put(static_cast<std::uint8_t>(value)); }
+    template <int Count, class Number, glm::qualifier Q>
+    void put(const glm::vec<Count, Number, Q>& vector) {
+        for (int n = 0; n < Count; ++n)
+            put(vector[n]);
+    }
     template <class Number, glm::qualifier Q>
-    void put(const glm::vec<3, Number, Q>& vector) {
-        (*this)(vector.x, vector.y, vector.z);
+    void put(const glm::qua<Number, Q>& orientation) {
+        (*this)(orientation.x, orientation.y, orientation.z, orientation.w);
     }
     template <class Value>
     void put(const std::optional<Value>& value) {
@@ -212,9 +218,14 @@ class Reader {
     template <class Enumeration>
     requires std::is_enum_v<Enumeration>
     void get(Enumeration& value) { value = static_cast<Enumeration>(index(k_words<Enumeration>.size(), "a choice")); }
+    template <int Count, class Number, glm::qualifier Q>
+    void get(glm::vec<Count, Number, Q>& vector) {
+        for (int n = 0; n < Count; ++n)
+            get(vector[n]);
+    }
     template <class Number, glm::qualifier Q>
-    void get(glm::vec<3, Number, Q>& vector) {
-        (*this)(vector.x, vector.y, vector.z);
+    void get(glm::qua<Number, Q>& orientation) {
+        (*this)(orientation.x, orientation.y, orientation.z, orientation.w);
     }
     template <class Value>
     void get(std::optional<Value>& value) {

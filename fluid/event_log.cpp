@@ -32,6 +32,31 @@ void fields(auto& archive, Like<MotorRemoved> auto& event) {
     archive(id);
 }
 
+void fields(auto& archive, Like<ObstacleId> auto& id) {
+    auto& [slot, generation, owner] = id; // as of a motor
+    archive(slot, generation);
+}
+
+void fields(auto& archive, Like<ObstacleAdded> auto& event) {
+    auto& [id, obstacle] = event;
+    archive(id, obstacle);
+}
+
+void fields(auto& archive, Like<ObstacleSet> auto& event) {
+    auto& [id, obstacle] = event;
+    archive(id, obstacle);
+}
+
+void fields(auto& archive, Like<ObstacleMoved> auto& event) {
+    auto& [id, position, orientation] = event;
+    archive(id, position, orientation);
+}
+
+void fields(auto& archive, Like<ObstacleRemoved> auto& event) {
+    auto& [id] = event;
+    archive(id);
+}
+
 void fields(auto& archive, Like<Followed> auto& event) {
     auto& [point] = event;
     archive(point);
@@ -90,8 +115,9 @@ void fields(auto& archive, Like<TickRecorded> auto& event) {
 
 namespace {
 
-constexpr detail::Format k_format{"WINDLOGS", detail::Layout("events 3").with<Motor>().with<Boundaries>().version(), "event log",
-                                  "EventLog::to_bytes"};
+constexpr detail::Format k_format{"WINDLOGS",
+                                  detail::Layout("events 4").with<Motor>().with<Obstacle>().with<Boundaries>().version(),
+                                  "event log", "EventLog::to_bytes"};
 
 } // namespace
 

@@ -10,12 +10,14 @@
 
 #include "fluid/boundaries.h"
 #include "fluid/motors.h"
+#include "fluid/obstacles.h"
 #include "fluid/result.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <span>
 #include <utility>
 #include <variant>
@@ -40,6 +42,22 @@ struct MotorMoved {
 };
 struct MotorRemoved {
     MotorId id;
+};
+struct ObstacleAdded {
+    ObstacleId id; ///< what add() returned; a replay must get the same
+    Obstacle obstacle;
+};
+struct ObstacleSet {
+    ObstacleId id;
+    Obstacle obstacle;
+};
+struct ObstacleMoved {
+    ObstacleId id;
+    glm::dvec3 position;
+    std::optional<glm::quat> orientation; ///< where it was given
+};
+struct ObstacleRemoved {
+    ObstacleId id;
 };
 struct Followed {
     glm::dvec3 point;
@@ -76,8 +94,9 @@ struct TickRecorded {
     bool rests;            ///< the air became ambient and sleeps
 };
 
-using Event = std::variant<MotorAdded, MotorSet, MotorMoved, MotorRemoved, Followed, FloorSet, AmbientSet, GustsSet, SidesSet,
-                           VelocitySet, WindReset, Stepped, Advanced, TickRecorded>;
+using Event =
+    std::variant<MotorAdded, MotorSet, MotorMoved, MotorRemoved, ObstacleAdded, ObstacleSet, ObstacleMoved, ObstacleRemoved,
+                 Followed, FloorSet, AmbientSet, GustsSet, SidesSet, VelocitySet, WindReset, Stepped, Advanced, TickRecorded>;
 
 class EventLog {
   public:

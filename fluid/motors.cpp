@@ -3,9 +3,9 @@
 #include "fluid/event_log.h"
 #include "fluid/gust_tile.h"
 #include "fluid/message.h"
+#include "fluid/owner.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <new>
@@ -55,14 +55,9 @@ MotorId unowned(MotorId id) {
     return {.slot = id.slot, .generation = id.generation};
 }
 
-std::uint32_t next_owner() {
-    static std::atomic<std::uint32_t> last{0};
-    return 1 + last.fetch_add(1, std::memory_order_relaxed) % (~std::uint32_t{0} - 1); // never 0
-}
-
 } // namespace
 
-Motors::Motors() : owner_(next_owner()) {}
+Motors::Motors() : owner_(detail::next_owner()) {}
 
 Result<MotorId> Motors::add(const Motor& motor) {
     if (auto valid = validate(motor); !valid)

@@ -2,6 +2,7 @@
 #include "fluid/obstacle.h"
 
 #include "fluid/message.h"
+#include "fluid/validation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -91,5 +92,18 @@ bool blocks(const Shape& shape, glm::vec3 from, glm::vec3 to) {
     return way < length;
 }
 
+Result<void> validate_pose(glm::dvec3 position, glm::quat orientation) {
+    Reasons reasons;
+    const FieldPath obstacle{nullptr, "obstacle"};
+    check_value(reasons, FieldPath{&obstacle, "position"}, position, k_world_range);
+    check_value(reasons, FieldPath{&obstacle, "orientation"}, orientation, {});
+    return reasons.outcome();
+}
+
 } // namespace detail
+
+Result<void> validate(const Obstacle& obstacle) {
+    return detail::validate_settings(obstacle, "obstacle");
+}
+
 } // namespace windrow

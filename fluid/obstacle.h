@@ -2,7 +2,7 @@
 //
 // A body is a shape with a place and an orientation. Cells whose centre is inside are closed; the faces of cells that the
 // surface cuts are open in part, so a sphere is round and a slow body moves without jerks. A plate has no thickness: it closes
-// the faces between cells on its two sides. So does each body that is thinner than a cell, where the line between two cell
+// the faces between cells before and behind it. So does each body that is thinner than a cell, where the line between two cell
 // centres passes through it.
 #pragma once
 
@@ -71,7 +71,22 @@ struct Obstacle {
     glm::quat orientation{1, 0, 0, 0}; ///< from the shape's own axes to the world's; normalised on creation
     Shape shape = Block{};
     Surface surface = Surface::free_slip;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("position", &Obstacle::position, k_world_range, "Centre of the shape."),
+            Setting("orientation", &Obstacle::orientation, Range::direction(),
+                    "From the shape's own axes to the world's. Default: not turned."),
+            Setting("shape", &Obstacle::shape, "Its form and size."),
+            Setting("surface", &Obstacle::surface,
+                    "free_slip: the air slides along it. At 1 m cells the layer that a wall slows is thinner than a cell. "
+                    "no_slip: the air sticks to it, through the viscosity."),
+        };
+    }
 };
+
+/// All reasons why an obstacle is invalid, one per line.
+[[nodiscard]] Result<void> validate(const Obstacle& obstacle);
 
 /// An obstacle as a step sees it, relative to the box's low corner.
 struct PlacedObstacle {
@@ -88,6 +103,8 @@ struct PlacedObstacle {
 
 namespace detail {
 using windrow::PlacedObstacle;
+
+[[nodiscard]] Result<void> validate_pose(glm::dvec3 position, glm::quat orientation);
 
 /// [m] From a point in the shape's own axes to its surface, negative inside; a plate has no inside.
 [[nodiscard]] float distance_to(const Shape& shape, glm::vec3 point);

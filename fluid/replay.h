@@ -11,9 +11,10 @@
 namespace windrow::detail {
 
 inline const char* name_of(const Event& event) {
-    constexpr const char* k_names[] = {"add",         "set",       "move",           "remove",       "follow", "set_floor",
-                                       "set_ambient", "set_gusts", "set_boundaries", "set_velocity", "reset",  "step",
-                                       "advance",     "tick"};
+    constexpr const char* k_names[] = {
+        "add",     "set",       "move",        "remove",    "add_obstacle",   "set_obstacle", "move_obstacle", "remove_obstacle",
+        "follow",  "set_floor", "set_ambient", "set_gusts", "set_boundaries", "set_velocity", "reset",         "step",
+        "advance", "tick"};
     static_assert(std::size(k_names) == std::variant_size_v<Event>);
     return k_names[event.index()];
 }
@@ -25,18 +26,21 @@ struct Repeat {
     const Time& time;
 
     Result<void> operator()(const MotorAdded& event) const {
-        const auto id = wind.motors().add(event.motor);
-        if (!id)
-            return Error{id.error()};
-        if (*id != event.id)
-            return Error{message("the motor got slot ", id->slot, " of generation ", id->generation, ", not in slot ",
-                                 event.id.slot, " of generation ", event.id.generation,
-                                 ", so the wind was not in the state in which the log began: load the snapshot taken there.")};
-        return {};
+        return same_handle("motor", wind.motors().add(event.motor), event.id);
     }
     Result<void> operator()(const MotorSet& event) const { return wind.motors().set(event.id, event.motor); }
     Result<void> operator()(const MotorMoved& event) const { return wind.motors().move(event.id, event.position); }
     Result<void> operator()(const MotorRemoved& event) const { return wind.motors().remove(event.id); }
+    Result<void> operator()(const ObstacleAdded& event) const {
+        return same_handle("obstacle", wind.obstacles().add(event.obstacle), event.id);
+    }
+    Result<void> operator()(const ObstacleSet& event) const { return wind.obstacles().set(event.id, event.obstacle); }
+    Result<void> operator()(const ObstacleMoved& event) const {
+        Obstacles& obstacles = wind.obstacles();
+        return event.orientation ? obstacles.move(event.id, event.position, *event.orientation)
+                                 : obstacles.move(event.id, event.position);
+    }
+    Result<void> operator()(const ObstacleRemoved& event) const { return wind.obstacles().remove(event.id); }
     Result<void> operator()(const Followed& event) const { return wind.follow(event.point); }
     Result<void> operator()(const FloorSet& event) const { return wind.set_floor(event.height); }
     Result<void> operator()(const AmbientSet& event) const { return wind.set_ambient(event.ambient); }
@@ -77,6 +81,16 @@ struct Repeat {
         return {};
     }
 
+    template <class Id>
+    static Result<void> same_handle(const char* what, const Result<Id>& id, Id expected) {
+        if (!id)
+            return Error{id.error()};
+        if (*id == expected)
+            return {};
+        return Error{message("the ", what, " got slot ", id->slot, " of generation ", id->generation, ", not in slot ",
+                             expected.slot, " of generation ", expected.generation,
+                             ", so the wind was not in the state in which the log began: load the snapshot taken there.")};
+    }
     static Error out_of_memory() { return Error{"out of memory: free some, load the snapshot and replay again."}; }
 };
 

@@ -46,10 +46,11 @@ struct Sleep {
         bool source_flow = false;       ///< of volume sources
         bool viscous = false;           ///< viscosity acts
         bool wind_among_plants = false; ///< which does not come to rest
+        bool bodies_act = false;        ///< obstacles in the box that move, or that wind flows around
     };
     [[nodiscard]] static bool may_begin(const Conditions& now) {
         return now.relaxation_time > 0.0f && now.sleep_speed > 0.0f && now.motors == 0 && !now.source_flow && !now.viscous &&
-               !now.wind_among_plants;
+               !now.wind_among_plants && !now.bodies_act;
     }
 };
 

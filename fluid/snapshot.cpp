@@ -11,6 +11,7 @@
 #include "fluid/archive.h"
 #include "fluid/cpu/workspace.h"
 #include "fluid/message.h"
+#include "fluid/obstacle_record.h"
 #include "fluid/wind_state.h"
 
 #include <algorithm>
@@ -21,18 +22,8 @@
 namespace windrow {
 namespace {
 
-constexpr detail::Format k_format{"WINDSNAP", detail::Layout("state 3").with<Config>().with<Motor>().version(), "snapshot",
-                                  "Wind::save"};
-constexpr double k_farthest_cells = 1e12;
-
-bool in_range(glm::dvec3 point, double most) {
-    return std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)}) <= most;
-}
-
-bool in_range(CellIndex origin) {
-    return in_range(glm::dvec3(origin), k_farthest_cells + k_max_axis_cells);
-}
-
+constexpr detail::Format k_format{"WINDSNAP", detail::Layout("state 4").with<Config>().with<Motor>().with<Obstacle>().version(),
+                                  "snapshot", "Wind::save"};
 // The direction as normalised by Motors::add.
 bool has_unit_direction(const Motor& motor) {
     const auto unit = [](const glm::vec3& direction) { return std::abs(glm::length(glm::dvec3(direction)) - 1.0) < 1e-3; };
@@ -64,6 +55,7 @@ void fields(auto& archive, Like<Diagnostics> auto& report) { // of a sleeping wi
 } // namespace detail
 
 using detail::AmbientRecord, detail::Like, detail::Reading, detail::Tiles;
+using detail::check_free, detail::count_used, detail::in_range, detail::k_farthest_cells;
 
 namespace {
 
@@ -106,6 +98,7 @@ struct DeviceNames {
     Air air;
     Frames frames{};
     DeviceState source_flow = DeviceState::source_flow;
+    [[nodiscard]] cpu::SurfaceHistory surface_history() const { return {}; } ///< no obstacles
 };
 
 } // namespace
@@ -114,38 +107,13 @@ struct DeviceNames {
 struct StateFields {
     static constexpr std::size_t k_min_slot_bytes = 5;
 
-    static void track(auto& archive, Like<Track> auto& track) {
-        auto& [here, target, points, count, timed, moves, pieces, middle] = track;
-        archive(here, target, count, timed, moves);
-        if constexpr (Reading<decltype(archive)>) {
-            archive.require(timed >= 0 && timed <= count && count <= Track::k_max_segments && moves >= count - timed &&
-                                moves <= 1'000'000,
-                            "a path has an impossible number of points.");
-            if (archive.rejected())
-                count = timed = 0; // valid for any later reader
-        }
-        for (int n = 0; n < count; ++n) {
-            auto& [time, position] = points[static_cast<std::size_t>(n)];
-            archive(position, time);
-            if constexpr (Reading<decltype(archive)>)
-                archive.require(time >= 0.0, "a point of a path has a time below 0.");
-        }
-    }
-
-    /// Bounds check of the places in a track.
-    static bool lies_within(const Track& track, double most) {
-        return in_range(track.here(), most) && in_range(track.target(), most) &&
-               std::all_of(track.points_.begin(), track.points_.begin() + track.count_,
-                           [&](const auto& point) { return in_range(point.position, most); });
-    }
-
     static void slot(auto& archive, Like<Motors::Slot> auto& slot) {
         auto& [motor, track, age, generation, used, named_here] = slot; // read: named by the wind that was saved
         archive(used, generation);
         if (!used)
             return;
         archive(motor, age);
-        StateFields::track(archive, track);
+        PathFields::track(archive, track);
     }
 
     static void motors(auto& archive, Like<Motors> auto& motors) {
@@ -169,8 +137,7 @@ struct StateFields {
     }
 
     static void make_room(detail::Reader& reader, Motors& motors) {
-        motors.count_ = static_cast<int>(
-            std::count_if(motors.slots_.begin(), motors.slots_.end(), [](const auto& slot) { return slot.used; }));
+        motors.count_ = count_used(motors.slots_);
         motors.free_.reserve(motors.slots_.capacity());
         motors.free_.resize(motors.slots_.size() - static_cast<std::size_t>(motors.count_));
         motors.reserve_reach(nullptr);
@@ -187,15 +154,10 @@ struct StateFields {
             if (auto valid = validate(slot.motor); !valid)
                 reader.reject("motor ", n, " cannot be used: ", valid.error());
             reader.require(has_unit_direction(slot.motor), "a motor's direction is not of length 1.");
-            reader.require(slot.age >= 0.0 && lies_within(slot.track, k_farthest_cells),
+            reader.require(slot.age >= 0.0 && PathFields::lies_within(slot.track, k_farthest_cells),
                            "a motor's age or path is out of range.");
         }
-        std::vector<bool> listed(motors.slots_.size());
-        for (const std::uint32_t index : motors.free_) {
-            if (reader.rejected() || index >= listed.size() || listed[index] || motors.slots_[index].used)
-                return reader.reject("its list of free motors does not match its motors.");
-            listed[index] = true;
-        }
+        check_free(reader, motors.slots_, motors.free_, "its list of free motors does not match its motors.");
     }
 
     static void ambient(auto& archive, Like<AmbientWind> auto& wind, const Config& config, Tiles& tiles) {
@@ -240,9 +202,10 @@ struct StateFields {
         archive.cells(before_cells);
         frame(archive, shown, shown_cells, config, tiles);
         frame(archive, shown_before, shown_before_cells, config, tiles);
-        track(archive, follow);
+        PathFields::track(archive, follow);
         if constexpr (Reading<decltype(archive)>)
-            archive.require(clock.lead >= 0.0 && lies_within(follow, k_farthest_cells * static_cast<double>(config.cell_size)),
+            archive.require(clock.lead >= 0.0 &&
+                                PathFields::lies_within(follow, k_farthest_cells * static_cast<double>(config.cell_size)),
                             "its frame, or the point that it follows, is out of range.");
     }
 
@@ -258,7 +221,7 @@ struct StateFields {
 
     /// All state except the config, which comes first: it creates the wind. `cells` is a cpu::Cells, or DeviceNames.
     static void state(auto& archive, Like<WindCore> auto& core, auto& cells) {
-        auto& [config, place, ambient, motors, source_name, sleep, frames, log, storage] = core;
+        auto& [config, place, ambient, motors, obstacles, source_name, sleep, frames, log, storage] = core;
         auto& [window, point, stepped, previous, follow_axes] = place;
         Tiles tiles;
         tiles.add(ambient.tile());
@@ -284,6 +247,14 @@ struct StateFields {
         if (source_name != 0)
             archive.cells(cells.source_flow);
         StateFields::motors(archive, motors);
+        ObstacleFields::obstacles(archive, obstacles);
+        auto surface = cells.surface_history();
+        ObstacleFields::surface(archive, surface, config.cells);
+        if constexpr (Reading<decltype(archive)>)
+            if (!archive.rejected()) {
+                ObstacleFields::settle(obstacles, place.window, config.boundaries);
+                cells.set_surface_history(std::move(surface));
+            }
         bool ticking = frames.has_value();
         archive(ticking);
         if constexpr (Reading<decltype(archive)>) {
@@ -320,7 +291,7 @@ Config saved_config(const WindCore& core) {
 
 // Bytes beside the cells, more or less.
 std::size_t bytes_beside(const WindCore& core) {
-    return 2048 + core.motors.slots().size() * 256;
+    return 2048 + core.motors.slots().size() * 256 + core.obstacles.slots().size() * 128;
 }
 
 } // namespace

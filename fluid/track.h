@@ -1,8 +1,7 @@
-// Path of a moving object between two ticks: the positions that the host gave frame by frame, as linear segments in time.
-//
-// A position is valid at the end of the frame in which it was given; several in one frame are spread evenly over it. A tick
-// takes the segments up to its own time, so a uniform motion makes the same path at 30 and at 144 Hz.
+// Path of a moving object between two ticks (timed_path.h), as linear segments in time.
 #pragma once
+
+#include "fluid/timed_path.h"
 
 #include <array>
 #include <glm/vec3.hpp>
@@ -12,8 +11,8 @@ namespace windrow {
 
 class Track {
   public:
-    /// Maximal number of segments per tick. More positions are thinned, those nearest to the straight line first.
-    static constexpr int k_max_segments = 8;
+    /// Maximal number of segments per tick.
+    static constexpr int k_max_segments = TimedPath<glm::dvec3>::k_max_points;
 
     struct Segment {
         glm::dvec3 start, end; ///< [m]
@@ -21,41 +20,29 @@ class Track {
     };
 
     Track() = default;
-    explicit Track(glm::dvec3 position) : here_(position), target_(position), middle_(position) {}
+    explicit Track(glm::dvec3 position) : path_(position), middle_(position) {}
 
     /// Notes where it is at the end of the coming frame.
-    void move_to(glm::dvec3 position);
+    void move_to(glm::dvec3 position) { path_.move_to(position); }
     /// A frame of `duration` [s] begins `lead` [s] after the last tick: positions noted since the last frame get their times.
-    void begin_frame(double lead, double duration);
+    void begin_frame(double lead, double duration) { path_.begin_frame(lead, duration); }
     /// Scales the times of all positions noted so far by `factor`.
-    void squeeze(double factor);
+    void squeeze(double factor) { path_.squeeze(factor); }
     /// Advances by a tick of `duration` [s] and returns the segments in it, none if the object did not move. They are valid
     /// until the next call.
     std::span<const Segment> tick(double duration);
 
     /// [m] Where it was at the last tick.
-    [[nodiscard]] glm::dvec3 here() const { return here_; }
+    [[nodiscard]] glm::dvec3 here() const { return path_.here(); }
     /// [m] Position at the middle of the last tick. A motor there is of second order in time.
     [[nodiscard]] glm::dvec3 middle() const { return middle_; }
     /// [m] The last position that was noted.
-    [[nodiscard]] glm::dvec3 target() const { return target_; }
+    [[nodiscard]] glm::dvec3 target() const { return path_.target(); }
 
   private:
-    friend struct StateFields; // snapshot.cpp: bytes and back
+    friend struct PathFields; // obstacle_record.h: bytes and back
 
-    struct Point {
-        double time; ///< [s] after the last tick; from `timed_` on, which of the frame's moves it was
-        glm::dvec3 position;
-    };
-
-    void push(Point point);
-
-    glm::dvec3 here_{0.0};
-    glm::dvec3 target_{0.0};
-    std::array<Point, k_max_segments> points_{};
-    int count_ = 0;
-    int timed_ = 0;                                  ///< points that have a time
-    int moves_ = 0;                                  ///< since the last frame began
+    TimedPath<glm::dvec3> path_;
     std::array<Segment, k_max_segments> segments_{}; ///< as is what follows, of the last tick
     glm::dvec3 middle_{0.0};
 };

@@ -7,6 +7,8 @@
 
 #include <cmath>
 #include <concepts>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec4.hpp>
 #include <memory>
 #include <optional>
 #include <span>
@@ -107,6 +109,14 @@ void check_vector(Reasons& reasons, const FieldPath& path, const glm::vec<Count,
     if constexpr (!std::same_as<Number, bool>)
         if (!holds(range, value))
             reasons.add(path, " is ", value, Unit{range.unit}, ": give ", VectorBounds{range}, ".");
+}
+
+/// An orientation of any length but 0.
+template <class Number, glm::qualifier Q>
+void check_vector(Reasons& reasons, const FieldPath& path, const glm::qua<Number, Q>& value, const Range&) {
+    const glm::vec<4, Number, Q> numbers(value.x, value.y, value.z, value.w);
+    if (!holds(Range::direction(), numbers))
+        reasons.add(path, " is ", numbers, ": give a finite quaternion x, y, z, w that is not 0.");
 }
 
 template <class Value>

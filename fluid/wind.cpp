@@ -53,6 +53,12 @@ Motors& Wind::motors() {
 const Motors& Wind::motors() const {
     return state_->core.motors;
 }
+Obstacles& Wind::obstacles() {
+    return state_->core.obstacles;
+}
+const Obstacles& Wind::obstacles() const {
+    return state_->core.obstacles;
+}
 Result<void> Wind::set_ambient(glm::vec3 ambient) {
     return state_->core.set_ambient(ambient);
 }
@@ -134,7 +140,7 @@ const Config& Wind::config() const {
 std::size_t Wind::memory_bytes() const {
     const WindCore& core = state_->core;
     const bool own_tile = core.ambient.tile() && !core.config.gusts.tile;
-    return sizeof(State) + state_->cells.memory_bytes() + core.motors.memory_bytes() +
+    return sizeof(State) + state_->cells.memory_bytes() + core.motors.memory_bytes() + core.obstacles.memory_bytes() +
            (own_tile ? core.ambient.tile()->memory_bytes() : 0);
 }
 

@@ -15,6 +15,7 @@
 #include "fluid/canopy.h"
 #include "fluid/diagnostics.h"
 #include "fluid/motors.h"
+#include "fluid/obstacles.h"
 #include "fluid/operators.h"
 #include "fluid/owned.h"
 #include "fluid/parallel.h"
@@ -213,9 +214,12 @@ class Wind {
     /// `last.out_of_memory` is true. A dt that is negative or not finite does nothing. Mixing with `step` ends the blending.
     Advance advance(double dt);
 
-    // --- Motors, ambient wind, boundaries: without memory each call fails and the wind is unchanged --------------------------
+    // --- Motors, obstacles, ambient wind, boundaries: without memory each call fails and the wind is unchanged --------------
     [[nodiscard]] Motors& motors();
     [[nodiscard]] const Motors& motors() const;
+    /// Bodies and buildings that the air flows around.
+    [[nodiscard]] Obstacles& obstacles();
+    [[nodiscard]] const Obstacles& obstacles() const;
     /// Changes the mean wind [m/s]. All air of the box changes by the difference at once, as under a pressure gradient that is
     /// far wider than the box; entering through the boundaries alone, a new wind would never reach still air. Ramp it for a gust.
     /// Components along axes that a wall closes are dropped. Rejects what is not finite or above 1e4 m/s.
@@ -282,8 +286,8 @@ class Wind {
     void reset();
 
     // --- Snapshots and logs -------------------------------------------------------------------------------------------
-    /// The whole state as bytes: config, air, motors, gusts, ticks. Little-endian, with a version and a checksum. Fails without
-    /// memory for them.
+    /// The whole state as bytes: config, air, motors, obstacles, gusts, ticks. Little-endian, with a version and a checksum. Fails
+    /// without memory for them.
     [[nodiscard]] Result<std::vector<std::byte>> save() const;
     /// A wind that continues from there with the same bits (on the same SIMD level). Rejects bytes that are truncated, changed,
     /// or of another version.

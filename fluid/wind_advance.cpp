@@ -66,6 +66,7 @@ Advance WindCore::advance(double dt) {
         apply(CellChange::Kind::begin_frames);
     }
     motors.begin_frame(frames->clock.lead, frame);
+    obstacles.begin_frame(frames->clock.lead, frame);
     frames->follow.begin_frame(frames->clock.lead, frame);
     const TickClock::Due due = frames->clock.spend(frame, config.ticks);
     Advance done{.ticks = due.ticks, .dropped = due.dropped};
@@ -93,8 +94,11 @@ Diagnostics WindCore::step(double dt) {
         apply(CellChange::Kind::end_frames);
     }
     motors.begin_frame(lead, dt);
-    if (lead > 0.0) // motion set since the last tick is part of this step
+    obstacles.begin_frame(lead, dt);
+    if (lead > 0.0) { // motion set since the last tick is part of this step
         motors.squeeze(dt / (lead + dt));
+        obstacles.squeeze(dt / (lead + dt));
+    }
     const Diagnostics report = step_air(dt);
     note(Stepped{dt});
     return report;
@@ -107,6 +111,7 @@ bool WindCore::has_room(const CellNeeds& needs) {
 // Nothing acts on the air in dropped time, but the rest advances: bodies are at their new places, gusts have passed.
 void WindCore::drop(double seconds) {
     (void)motors.tick(seconds, place.window, config.boundaries);
+    obstacles.pass(seconds);
     (void)frames->follow.tick(seconds);
     if (sleep.asleep() || !ambient.gusting()) {
         drift(seconds);
@@ -177,8 +182,10 @@ void WindCore::run_step(double duration, Diagnostics& report) {
     std::span<const detail::MotorReach> reached;
     if (config.stages.sources)
         reached = motors.tick(duration, place.window, config.boundaries);
+    const std::span<const detail::PlacedObstacle> bodies = obstacles.tick(duration, place.window, config.boundaries);
+    const bool stirred = obstacles.take_stirred(), wind_meets_bodies = !bodies.empty() && mean_wind() != glm::vec3(0.0f);
     place.note_step();
-    if (sleep.asleep() && reached.empty()) {
+    if (sleep.asleep() && reached.empty() && !stirred && !wind_meets_bodies) {
         drift(duration);
         report = sleep.at_rest;
         return;
@@ -193,9 +200,12 @@ void WindCore::run_step(double duration, Diagnostics& report) {
                                        .motors = report.motors_in_reach,
                                        .source_flow = source_name != 0,
                                        .viscous = viscous(),
-                                       .wind_among_plants = canopy.drag > 0.0f && mean_wind() != glm::vec3(0.0f)};
+                                       .wind_among_plants = canopy.drag > 0.0f && mean_wind() != glm::vec3(0.0f),
+                                       .bodies_act = stirred || wind_meets_bodies};
     const bool rests = cells_.step({.duration = duration,
                                     .motors = reached,
+                                    .obstacles = bodies,
+                                    .obstacles_changed = obstacles.take_changed(),
                                     .tile = motors.tile(ambient.tile()),
                                     .ambient = &ambient,
                                     .window = &place.window,

@@ -186,6 +186,7 @@ void WindCore::reset() {
 void WindCore::record_to(EventLog* to) {
     log = to;
     motors.record_to(to);
+    obstacles.record_to(to);
 }
 
 // --- Reading -----------------------------------------------------------------------------------------------------------------

@@ -1,4 +1,4 @@
-// Backend-independent part of a wind: window, ambient wind, motors, ticks, sleep. The cells are a CellStorage, on the CPU or on a
+// Backend-independent part of a wind: window, ambient wind, motors, obstacles, ticks, sleep. The cells are a CellStorage, on the CPU or on a
 // device.
 //
 // `step` and `advance` are in wind_advance.cpp, from top to bottom; the other calls of a host are in wind_core.cpp.
@@ -28,6 +28,7 @@ class WindCore {
     WindowHistory place;
     AmbientWind ambient;
     Motors motors;
+    Obstacles obstacles;
     std::uint64_t source_name = 0; ///< of the set of volume sources whose flow is in the velocity; 0: none
     Sleep sleep;
     std::optional<FrameHistory> frames; ///< with `advance`

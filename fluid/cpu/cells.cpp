@@ -6,6 +6,8 @@
 #include "fluid/wind_core.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 #include <utility>
 
 namespace windrow::cpu {
@@ -253,6 +255,23 @@ void Cells::add_change(const CellChange& change) {
     add(air.velocity);
     if (!air.fresh)
         add(air.velocity_old);
+}
+
+SurfaceHistory Cells::surface_history() const {
+    const Workspace::State& state = work.state();
+    SurfaceHistory history{.cells = state.cells_before, .terms = state.solid_terms, .shift = unplaced_shift_};
+    if (state.solids)
+        for (const SurfaceCell& cell : state.solids->surface())
+            history.cells.push_back(cell.cell);
+    if (history.cells.empty() || glm::any(glm::greaterThanEqual(glm::abs(unplaced_shift_), box().cells)))
+        return {}; // no cell of the box has any
+    return history;
+}
+
+void Cells::set_surface_history(SurfaceHistory&& history) {
+    work.state().cells_before = std::move(history.cells);
+    work.state().solid_terms = std::move(history.terms);
+    unplaced_shift_ = history.shift;
 }
 
 void Cells::shift(const CellChange& change) {

@@ -46,6 +46,13 @@ struct FrameCells {
     [[nodiscard]] std::size_t memory_bytes() const { return before.bytes() + shown.cells.bytes() + shown_before.cells.bytes(); }
 };
 
+/// What the pressure around obstacles keeps from step to step, for snapshots.
+struct SurfaceHistory {
+    std::vector<std::uint32_t> cells{}; ///< surface cells, in order
+    std::vector<float> terms{};         ///< one each
+    glm::ivec3 shift{0};                ///< cells by which the box has moved since
+};
+
 class Cells final : public CellStorage {
   public:
     /// `wind` outlives it.
@@ -69,6 +76,9 @@ class Cells final : public CellStorage {
     /// Marks the cells of the air, and of the tick before, as written.
     void set_held();
     [[nodiscard]] std::size_t memory_bytes() const;
+    [[nodiscard]] SurfaceHistory surface_history() const;
+    /// Of cells without obstacles: the next step places them.
+    void set_surface_history(SurfaceHistory&& history);
 
     Workspace work;
     TwoLevelAir air;

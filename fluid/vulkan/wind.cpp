@@ -14,6 +14,7 @@ namespace windrow::vulkan {
 Wind::State::State(std::unique_ptr<Air> air, const Config& config, const Settings& how, const AmbientWind& ambient)
     : core(config, ambient, cells), cells(core, read_backs, std::move(air)), settings(how) {
     core.start();
+    core.obstacles.close(k_no_obstacles);
 }
 
 Wind::Wind(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -129,6 +130,12 @@ Motors& Wind::motors() {
 }
 const Motors& Wind::motors() const {
     return state_->core.motors;
+}
+Obstacles& Wind::obstacles() {
+    return state_->core.obstacles;
+}
+const Obstacles& Wind::obstacles() const {
+    return state_->core.obstacles;
 }
 Result<void> Wind::set_ambient(glm::vec3 ambient) {
     return state_->core.set_ambient(ambient);

@@ -129,6 +129,9 @@ class Wind {
     // --- As of windrow::Wind -----------------------------------------------------------------------------------------------
     [[nodiscard]] Motors& motors();
     [[nodiscard]] const Motors& motors() const;
+    /// Rejects every obstacle: they act in a wind on the CPU alone.
+    [[nodiscard]] Obstacles& obstacles();
+    [[nodiscard]] const Obstacles& obstacles() const;
     [[nodiscard]] Result<void> set_ambient(glm::vec3 ambient);
     [[nodiscard]] glm::vec3 ambient() const;
     /// Gusts that begin after a wind without any need Settings::gusts.

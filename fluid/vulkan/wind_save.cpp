@@ -121,6 +121,9 @@ Result<Wind> Wind::load(const Host& host, std::span<const std::byte> bytes, cons
         auto saved = windrow::Wind::load(bytes);
         if (!saved)
             return Error{saved.error()};
+        if (saved->obstacles().count() > 0)
+            return Error{windrow::detail::message("snapshot cannot be used: it has ", saved->obstacles().count(), " obstacles. ",
+                                                  k_no_obstacles)};
         auto wind = create(host, saved->config(), settings);
         if (!wind)
             return wind;

@@ -50,6 +50,21 @@ void add_motors(Wind& wind) {
         (void)wind.motors().add(motor);
 }
 
+void add_obstacles(Wind& wind) {
+    const glm::quat aslant(1.0f, 0.5f, -2.0f, 0.0f);
+    const Obstacle obstacles[] = {
+        {.position = {0.5, 0.0, 0.0}, .orientation = aslant},
+        {.shape = Sphere{0.75f}, .surface = Surface::no_slip},
+        {.shape = Capsule{.half_axis = {0.0f, 1.0f, 0.5f}}},
+        {.shape = Cylinder{}},
+        {.orientation = aslant, .shape = Plate{}},
+    };
+    ObstacleId last;
+    for (const Obstacle& obstacle : obstacles)
+        last = *wind.obstacles().add(obstacle);
+    (void)wind.obstacles().move(last, {0.25, 0.0, 0.5}, {1.0f, 0.0f, 0.0f, 0.0f});
+}
+
 /// Snapshots of the smallest boxes: most bytes are then state and not cells.
 void write_snapshots() {
     write("snapshot/fresh", made({.cells = {3, 3, 3}}).save());
@@ -58,6 +73,10 @@ void write_snapshots() {
     for (int n = 0; n < 3; ++n)
         (void)stepped.step(1.0 / 60.0);
     write("snapshot/motors", stepped.save());
+    Wind built = made({.cells = {3, 4, 3}, .ambient = {2.0f, 0.0f, 1.0f}});
+    add_obstacles(built);
+    (void)built.step(1.0 / 60.0);
+    write("snapshot/obstacles", built.save());
     Wind ticking = made({.cells = {3, 3, 3}, .ambient = {1.0f, 0.0f, 0.0f}, .ticks = {.hz = 30.0}});
     (void)ticking.follow({0.5, 0.0, 0.0});
     (void)ticking.advance(0.05);
@@ -79,6 +98,7 @@ void write_logs() {
     EventLog log;
     wind.record_to(&log);
     add_motors(wind);
+    add_obstacles(wind);
     write("event_log/motors", log.to_bytes());
     log.clear();
     Wind calls = made({.cells = {3, 3, 3}});
@@ -86,12 +106,17 @@ void write_logs() {
     const auto wake = calls.motors().add(WakeMotor{.radius = 1.2f});
     (void)calls.motors().set(*wake, WakeMotor{.radius = 0.8f});
     (void)calls.motors().move(*wake, {1.0, 0.0, 0.5});
+    const auto body = calls.obstacles().add({.shape = Sphere{0.75f}});
+    (void)calls.obstacles().set(*body, {.shape = Plate{}});
+    (void)calls.obstacles().move(*body, {0.5, 0.0, 0.0});
+    (void)calls.obstacles().move(*body, {0.5, 0.0, 0.5}, {1.0f, 1.0f, 0.0f, 0.0f});
     (void)calls.follow({0.25, 0.0, 0.0});
     (void)calls.set_ambient({1.0f, 0.0f, 2.0f});
     (void)calls.set_boundaries(Boundaries::open_over_floor());
     (void)calls.set_floor(-1.0);
     (void)calls.step(1.0 / 60.0);
     (void)calls.motors().remove(*wake);
+    (void)calls.obstacles().remove(*body);
     (void)calls.advance(0.02);
     calls.reset();
     write("event_log/calls", log.to_bytes());

@@ -204,5 +204,16 @@ TEST_F(WindSaves, AreInFlightUntilTheirSlotIsDone) {
     expect_error(made->saved(), "no wind is saved");
 }
 
+TEST_F(WindSaves, ObstaclesAreRejected) {
+    auto made = Wind::create(own->host(), {.cells = {8, 8, 8}});
+    ASSERT_TRUE(made) << made.error();
+    expect_error(made->obstacles().add({}), "A wind on a device takes no obstacles");
+    auto cpu = windrow::Wind::create({.cells = {8, 8, 8}});
+    ASSERT_TRUE(cpu && cpu->obstacles().add({}));
+    expect_error(Wind::load(own->host(), *cpu->save()), "snapshot cannot be used: it has 1 obstacles. A wind on a device");
+    ASSERT_TRUE(cpu->obstacles().remove({.slot = 0, .generation = 1}));
+    EXPECT_TRUE(Wind::load(own->host(), *cpu->save()));
+}
+
 } // namespace
 } // namespace windrow::vulkan

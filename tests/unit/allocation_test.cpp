@@ -46,6 +46,7 @@ struct HostedWind {
     Field cells;
     Bytes saved;
     MotorId fan, vent;
+    ObstacleId house;
 
     HostedWind(Wind made) : wind(std::move(made)), cells(wind.box().cell_count(), glm::vec4(1.0f, 2.0f, 0.5f, 0.0f)) {}
 };
@@ -271,6 +272,19 @@ TEST_F(Allocations, OfMotors) {
     });
 }
 
+TEST_F(Allocations, OfObstacles) {
+    const auto make = [] {
+        HostedWind town = scene_of(small(), Past::stepped);
+        town.house = *town.wind.obstacles().add({.position = {1.0, 0.0, 0.0}});
+        return town;
+    };
+    fail_each("add", make, [](HostedWind& s) { return s.wind.obstacles().add({}); });
+    fail_each("set", make, [](HostedWind& s) { return s.wind.obstacles().set(s.house, {.shape = Sphere{}}); });
+    fail_each("move", make, [](HostedWind& s) { return s.wind.obstacles().move(s.house, {1.0, 2.0, 0.0}); });
+    fail_each("turn", make, [](HostedWind& s) { return s.wind.obstacles().move(s.house, {}, {1.0f, 1.0f, 0.0f, 0.0f}); });
+    fail_each("remove", make, [](HostedWind& s) { return s.wind.obstacles().remove(s.house); });
+}
+
 TEST_F(Allocations, OfRejections) {
     const auto make = [] { return scene_of(small(), Past::stepped); };
     const auto rejected = [&](const char* name, const auto& call) { fail_each(name, make, call, false); };
@@ -286,6 +300,8 @@ TEST_F(Allocations, OfRejections) {
     rejected("load", [](HostedWind& s) { return Wind::load(std::span(s.saved).first(100)); });
     rejected("add", [](HostedWind& s) { return s.wind.motors().add(OmniMotor{.radius = -1.0f, .speed = k_nan}); });
     rejected("set", [](HostedWind& s) { return s.wind.motors().set(s.fan, DirectionalMotor{.direction = glm::vec3(0.0f)}); });
+    rejected("add an obstacle", [](HostedWind& s) { return s.wind.obstacles().add({.shape = Sphere{-1.0f}}); });
+    rejected("move an obstacle", [](HostedWind& s) { return s.wind.obstacles().move({99, 3}, {}); });
     rejected("stale handle", [](HostedWind& s) { return s.wind.motors().move({99, 3}, {}); });
     rejected("write_axes", [](HostedWind& s) { return s.wind.write_axes(std::span<float>(), {}, {}); });
     rejected("write_vectors", [](HostedWind& s) { return s.wind.write_vectors(std::span<float>()); });

@@ -43,13 +43,25 @@ Motor random_motor(Random& random) {
     }
 }
 
+glm::quat random_turn(Random& random) {
+    return {1.0f, random.uniform(-1.0f, 1.0f), random.uniform(-1.0f, 1.0f), random.uniform(-1.0f, 1.0f)};
+}
+
+Obstacle random_obstacle(Random& random) {
+    const Shape shapes[] = {Sphere{random.uniform(0.2f, 2.0f)}, Capsule{}, Block{}, Cylinder{}, Plate{}};
+    return {.position = random.point(6.0),
+            .orientation = random_turn(random),
+            .shape = shapes[random.integer(0, 4)],
+            .surface = static_cast<Surface>(random.integer(0, 1))};
+}
+
 /// Any call that a host can make, with handles that may be stale: what is rejected leaves no trace in the log.
 class AnyHost {
   public:
     AnyHost(Wind& wind, std::uint32_t seed) : wind_(wind), random_(seed) {}
 
     void call() {
-        switch (random_.integer(0, 19)) {
+        switch (random_.integer(0, 25)) {
         case 0:
         case 1:
             if (const auto id = wind_.motors().add(random_motor(random_)))
@@ -92,6 +104,23 @@ class AnyHost {
         case 16:
             (void)wind_.advance(random_.real(0.0, 0.07));
             return;
+        case 17:
+            if (const auto id = wind_.obstacles().add(random_obstacle(random_)))
+                obstacles_.push_back(*id);
+            return;
+        case 18:
+            (void)wind_.obstacles().set(some_obstacle(), random_obstacle(random_));
+            return;
+        case 19:
+            (void)wind_.obstacles().remove(some_obstacle());
+            return;
+        case 20:
+        case 21:
+            (void)wind_.obstacles().move(some_obstacle(), random_.point(6.0));
+            return;
+        case 22:
+            (void)wind_.obstacles().move(some_obstacle(), random_.point(6.0), random_turn(random_));
+            return;
         default:
             (void)wind_.motors().move(some_motor(), random_.point(6.0));
             return;
@@ -102,6 +131,11 @@ class AnyHost {
     MotorId some_motor() {
         return motors_.empty() ? MotorId{}
                                : motors_[static_cast<std::size_t>(random_.integer(0, static_cast<int>(motors_.size()) - 1))];
+    }
+    ObstacleId some_obstacle() {
+        return obstacles_.empty()
+                   ? ObstacleId{}
+                   : obstacles_[static_cast<std::size_t>(random_.integer(0, static_cast<int>(obstacles_.size()) - 1))];
     }
     void change_floor() {
         Boundaries boundaries = wind_.config().boundaries;
@@ -120,6 +154,7 @@ class AnyHost {
     Wind& wind_;
     Random random_;
     std::vector<MotorId> motors_;
+    std::vector<ObstacleId> obstacles_;
 };
 
 /// A session of calls that were accepted, from the middle of a flight on.
@@ -209,6 +244,10 @@ TEST(Replay, RejectsWhatTheCallsReject) {
         {MotorAdded{{0, 1}, OmniMotor{.radius = -1.0f}}, "(add): motor.radius is -1"},
         {MotorSet{{7, 1}, OmniMotor{}}, "(set): motor 7"},
         {MotorRemoved{{7, 1}}, "(remove): motor 7"},
+        {ObstacleAdded{{0, 1}, {.shape = Sphere{-1.0f}}}, "(add_obstacle): obstacle.shape.sphere.radius is -1"},
+        {ObstacleSet{{7, 1}, {}}, "(set_obstacle): obstacle 7"},
+        {ObstacleMoved{{7, 1}, {}, {}}, "(move_obstacle): obstacle 7"},
+        {ObstacleRemoved{{7, 1}}, "(remove_obstacle): obstacle 7"},
         {Followed{glm::dvec3(broken)}, "(follow): follow point is"},
         {FloorSet{broken}, "(set_floor): floor height"},
         {AmbientSet{glm::vec3(1e9f)}, "(set_ambient): ambient is"},

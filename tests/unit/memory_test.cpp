@@ -176,6 +176,34 @@ TEST(Memory, AFrameInTicksAllocatesNothing) {
     WINDROW_EXPECT_FIGURE("memory_unsaid_with_ticks", unsaid_bytes, 32.0);
 }
 
+// The list alone: bodies that move, come to rest and begin again, a box that moves among them.
+TEST(Memory, ATickOfObstaclesAllocatesNothing) {
+    const std::int64_t live = live_bytes;
+    Obstacles list;
+    Random random(112);
+    std::vector<ObstacleId> ids;
+    for (int n = 0; n < 3000; ++n)
+        ids.push_back(*list.add({.position = random.point(60.0), .shape = Sphere{random.uniform(0.1f, 9.0f)}}));
+    for (int n = 0; n < 300; ++n)
+        ASSERT_TRUE(list.move(ids[static_cast<std::size_t>(n)], random.point(60.0)));
+    EXPECT_EQ(static_cast<std::int64_t>(list.memory_bytes()),
+              live_bytes - live - static_cast<std::int64_t>(ids.capacity() * sizeof(ObstacleId)));
+    const std::int64_t made = allocations;
+    bool accepted = true;
+    std::size_t placed = 0;
+    for (int n = 0; n < 100; ++n) {
+        for (int k = 0; k < 300 && n % 4 == 0; ++k)
+            accepted = list.move(ids[static_cast<std::size_t>((7 * n + k) % 3000)], random.point(60.0)).has_value() && accepted;
+        list.begin_frame(0.0, 0.02);
+        const Window window{.cells = {64, 32, 64}, .cell_size = 1.0f, .origin_cells = {n / 3 - 32, -16, -32}};
+        placed = std::max(placed, list.tick(0.02, window, {}).size());
+    }
+    const std::int64_t in_ticks = allocations - made;
+    EXPECT_TRUE(accepted);
+    EXPECT_GT(placed, 300u);
+    WINDROW_EXPECT_FIGURE("allocations_in_100_ticks_of_obstacles", double(in_ticks), 0.0);
+}
+
 TEST(Memory, AStepOfUpToASecondAllocatesNothing) {
     // A viscosity that asks for nothing at 60 Hz and for a pass in longer steps, and one that comes to ask for a solve.
     for (const float viscosity : {1e-4f, 5e-3f, 0.5f}) {

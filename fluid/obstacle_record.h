@@ -1,0 +1,210 @@
+// Parts of a snapshot (snapshot.cpp): paths of what moves, the list of obstacles, and the history of the air at their surfaces.
+#pragma once
+
+#include "fluid/archive.h"
+#include "fluid/cpu/cells.h"
+#include "fluid/obstacles.h"
+#include "fluid/track.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+#include <span>
+#include <vector>
+
+namespace windrow {
+namespace detail {
+
+inline constexpr double k_farthest_cells = 1e12;
+
+[[nodiscard]] inline bool in_range(glm::dvec3 point, double most) {
+    return std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)}) <= most;
+}
+
+[[nodiscard]] inline bool in_range(CellIndex origin) {
+    return in_range(glm::dvec3(origin), k_farthest_cells + k_max_axis_cells);
+}
+
+// An orientation as normalised by Obstacles::add.
+template <class Number>
+[[nodiscard]] bool has_unit_length(const glm::qua<Number>& orientation) {
+    return std::abs(glm::length(glm::dquat(orientation)) - 1.0) < 1e-3;
+}
+
+[[nodiscard]] inline int count_used(const auto& slots) {
+    return static_cast<int>(std::count_if(slots.begin(), slots.end(), [](const auto& slot) { return slot.used; }));
+}
+
+inline void check_free(Reader& reader, const auto& slots, std::span<const std::uint32_t> free, const char* reason) {
+    std::vector<bool> listed(slots.size());
+    for (const std::uint32_t index : free) {
+        if (reader.rejected() || index >= listed.size() || listed[index] || slots[index].used)
+            return reader.reject(reason);
+        listed[index] = true;
+    }
+}
+
+void fields(auto& archive, Like<BodyPose> auto& pose) {
+    auto& [position, orientation] = pose;
+    archive(position, orientation);
+}
+
+} // namespace detail
+
+/// Access to the private members of paths.
+struct PathFields {
+    /// `path` is a TimedPath.
+    static void path(auto& archive, auto& path) {
+        auto& [here, target, points, count, timed, moves] = path;
+        archive(here, target, count, timed, moves);
+        if constexpr (detail::Reading<decltype(archive)>) {
+            archive.require(timed >= 0 && timed <= count && count <= static_cast<int>(points.size()) && moves >= count - timed &&
+                                moves <= 1'000'000,
+                            "a path has an impossible number of points.");
+            if (archive.rejected())
+                count = timed = 0; // valid for any later reader
+        }
+        for (int n = 0; n < count; ++n) {
+            auto& [time, place] = points[static_cast<std::size_t>(n)];
+            archive(place, time);
+            if constexpr (detail::Reading<decltype(archive)>)
+                archive.require(time >= 0.0, "a point of a path has a time below 0.");
+        }
+    }
+
+    static void track(auto& archive, detail::Like<Track> auto& track) {
+        auto& [path, pieces, middle] = track;
+        PathFields::path(archive, path);
+    }
+
+    static bool lies_within(glm::dvec3 position, double most) { return detail::in_range(position, most); }
+    static bool lies_within(const BodyPose& pose, double most) {
+        return detail::in_range(pose.position, most) && detail::has_unit_length(pose.orientation);
+    }
+    /// Bounds check of the places in a path.
+    template <class Place>
+    static bool lies_within(const TimedPath<Place>& path, double most) {
+        return lies_within(path.here_, most) && lies_within(path.target_, most) &&
+               std::all_of(path.points_.begin(), path.points_.begin() + path.count_,
+                           [&](const auto& point) { return lies_within(point.place, most); });
+    }
+    static bool lies_within(const Track& track, double most) { return lies_within(track.path_, most); }
+};
+
+/// Access to the private members of the list of obstacles.
+struct ObstacleFields {
+    static void slot(auto& archive, detail::Like<Obstacles::Slot> auto& slot) {
+        auto& [obstacle, generation, motion, used, named_here] = slot; // read: named by the wind that was saved
+        archive(used, generation);
+        if (used)
+            archive(obstacle);
+    }
+
+    static void motion(auto& archive, detail::Like<Obstacles::Motion> auto& motion) {
+        auto& [slot, path, moved, reaches] = motion;
+        archive(slot, moved, reaches);
+        PathFields::path(archive, path);
+    }
+
+    static void obstacles(auto& archive, detail::Like<Obstacles> auto& obstacles) {
+        auto& [slots, free, motions, grid, resting, moving, placed, window, boundaries, ticked, search, changed, stirred, count,
+               visited, closed, log, owner] = obstacles;
+        auto size = static_cast<std::uint32_t>(slots.size()), in_motion = static_cast<std::uint32_t>(motions.size());
+        archive(size);
+        if constexpr (detail::Reading<decltype(archive)>) {
+            archive.require(size <= Obstacles::k_capacity, "it has more obstacles than fit.");
+            if (!archive.can_hold(size, 5))
+                return;
+            slots.resize(size);
+        }
+        for (auto& slot : slots)
+            ObstacleFields::slot(archive, slot);
+        archive(in_motion);
+        if constexpr (detail::Reading<decltype(archive)>) {
+            archive.require(in_motion <= size, "more obstacles move than there are.");
+            if (!archive.can_hold(in_motion, sizeof(BodyPose)))
+                return;
+            motions.resize(in_motion);
+            count = detail::count_used(slots);
+            free.resize(slots.size() - static_cast<std::size_t>(count));
+            if (!archive.can_hold(free.size(), sizeof(std::uint32_t)))
+                return;
+        }
+        for (auto& motion : motions)
+            ObstacleFields::motion(archive, motion);
+        for (auto& index : free)
+            archive(index);
+        archive(ticked, window.origin_cells, stirred);
+        if constexpr (detail::Reading<decltype(archive)>)
+            check(archive, obstacles);
+    }
+
+    /// Boxes of the last tick have gone: the next one searches and places anew.
+    static void settle(Obstacles& obstacles, const Window& window, const Boundaries& boundaries) {
+        obstacles.reserve(obstacles.slots_.size());
+        obstacles.moving_.reserve(obstacles.motions_.size());
+        for (std::uint32_t n = 0; n < obstacles.motions_.size(); ++n)
+            obstacles.slots_[obstacles.motions_[n].slot].motion = n;
+        for (std::uint32_t n = 0; n < obstacles.slots_.size(); ++n)
+            if (obstacles.slots_[n].used && obstacles.slots_[n].motion == Obstacles::k_at_rest)
+                obstacles.rest(n);
+        const CellIndex origin = obstacles.window_.origin_cells;
+        obstacles.window_ = window;
+        obstacles.window_.origin_cells = origin;
+        obstacles.boundaries_ = boundaries;
+        obstacles.search_ = true;
+        obstacles.changed_ = obstacles.count_ > 0;
+    }
+
+    static void check(detail::Reader& reader, Obstacles& obstacles) {
+        for (std::size_t n = 0; n < obstacles.slots_.size() && !reader.rejected(); ++n) {
+            const Obstacles::Slot& slot = obstacles.slots_[n];
+            reader.require(slot.generation > 0, "an obstacle has no generation.");
+            if (!slot.used)
+                continue;
+            if (auto valid = validate(slot.obstacle); !valid)
+                reader.reject("obstacle ", n, " cannot be used: ", valid.error());
+            reader.require(detail::has_unit_length(slot.obstacle.orientation), "an obstacle's orientation is not of length 1.");
+        }
+        std::vector<bool> moves(obstacles.slots_.size());
+        for (const Obstacles::Motion& motion : obstacles.motions_) {
+            if (reader.rejected() || motion.slot >= moves.size() || moves[motion.slot] || !obstacles.slots_[motion.slot].used)
+                return reader.reject("its list of moving obstacles does not match its obstacles.");
+            moves[motion.slot] = true;
+            const Obstacle& obstacle = obstacles.slots_[motion.slot].obstacle;
+            reader.require(PathFields::lies_within(motion.path, k_world_range.max) &&
+                               motion.path.target() == BodyPose{obstacle.position, glm::dquat(obstacle.orientation)},
+                           "an obstacle's path is out of range.");
+        }
+        reader.require(detail::in_range(obstacles.window_.origin_cells), "its box is out of range.");
+        detail::check_free(reader, obstacles.slots_, obstacles.free_, "its list of free obstacles does not match its obstacles.");
+    }
+
+    static void surface(auto& archive, auto& history, glm::ivec3 size) {
+        auto& [cells, terms, shift] = history;
+        auto count = static_cast<std::uint32_t>(cells.size());
+        archive(count);
+        if constexpr (detail::Reading<decltype(archive)>) {
+            if (!archive.can_hold(count, sizeof(std::uint32_t) + sizeof(float)))
+                return;
+            cells.resize(count);
+            terms.resize(count);
+        }
+        for (auto& cell : cells)
+            archive(cell);
+        for (auto& term : terms)
+            archive(term);
+        archive(shift);
+        if constexpr (detail::Reading<decltype(archive)>) {
+            const std::size_t box = Box{.cells = size}.cell_count();
+            archive.require(std::adjacent_find(cells.begin(), cells.end(), std::greater_equal()) == cells.end() &&
+                                (cells.empty() || cells.back() < box) && glm::all(glm::lessThan(glm::abs(shift), size)),
+                            "its history at obstacles is out of range.");
+        }
+    }
+};
+
+} // namespace windrow

@@ -1,0 +1,380 @@
+#include "fluid/obstacles.h"
+
+#include "fluid/event_log.h"
+#include "fluid/message.h"
+#include "fluid/owner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <compare>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <optional>
+#include <utility>
+
+namespace windrow {
+namespace {
+
+using detail::PlacedObstacle;
+
+constexpr float k_margin_cells = 2.0f; // reads and trajectories beside the box
+
+// Form of an id in a log: valid for any wind that starts from the same snapshot.
+ObstacleId unowned(ObstacleId id) {
+    return {.slot = id.slot, .generation = id.generation};
+}
+
+// In double, so that the longest and the shortest keep their direction.
+glm::quat normalised(const glm::quat& orientation) {
+    return glm::quat(glm::normalize(glm::dquat(orientation)));
+}
+
+Obstacle prepared(Obstacle obstacle) {
+    obstacle.orientation = normalised(obstacle.orientation);
+    return obstacle;
+}
+
+BodyPose pose(const Obstacle& obstacle) {
+    return {obstacle.position, glm::dquat(obstacle.orientation)};
+}
+
+// Rotation vector from one orientation to another, the shorter way [rad].
+glm::dvec3 turn(const glm::dquat& from, const glm::dquat& to) {
+    glm::dquat by = to * glm::conjugate(from);
+    if (by.w < 0.0)
+        by = -by;
+    const glm::dvec3 axis(by.x, by.y, by.z);
+    const double sine = glm::length(axis);
+    return sine > 0.0 ? 2.0 * std::atan2(sine, by.w) / sine * axis : glm::dvec3(0.0);
+}
+
+PlacedObstacle placed(const Obstacle& obstacle, const BodyPose& start, const BodyPose& end, double duration, const Window& window,
+                      const Boundaries& boundaries) {
+    PlacedObstacle result{.shape = obstacle.shape, .surface = obstacle.surface};
+    const double h = window.cell_size;
+    glm::dvec3 place = window.local_rounded(end.position);
+    if (!(start == end)) {
+        result.velocity = glm::vec3((place - window.local_rounded(start.position)) * (h / duration));
+        result.spin = glm::vec3(turn(start.orientation, end.orientation) / duration);
+    }
+    for (int axis = 0; axis < 3; ++axis)
+        if (boundaries.periodic(axis))
+            place[axis] -= window.cells[axis] * std::floor(place[axis] / window.cells[axis]);
+    result.position = glm::vec3(place * h);
+    result.axes = glm::mat3(glm::mat3_cast(glm::normalize(end.orientation)));
+    return result;
+}
+
+bool meets(const PlacedObstacle& obstacle, const Window& window, const Boundaries& boundaries) {
+    const glm::vec3 own = detail::half_extent(obstacle.shape);
+    glm::vec3 half(k_margin_cells * window.cell_size);
+    for (int axis = 0; axis < 3; ++axis)
+        half += glm::abs(obstacle.axes[axis]) * own[axis];
+    for (int axis = 0; axis < 3; ++axis) {
+        const float size = static_cast<float>(window.cells[axis]) * window.cell_size;
+        if (!boundaries.periodic(axis) &&
+            (obstacle.position[axis] + half[axis] < 0.0f || obstacle.position[axis] - half[axis] > size))
+            return false;
+    }
+    return true;
+}
+
+template <int Count>
+std::partial_ordering compare(const glm::vec<Count, float>& a, const glm::vec<Count, float>& b) {
+    for (int n = 0; n < Count; ++n)
+        if (a[n] != b[n])
+            return a[n] <=> b[n];
+    return std::partial_ordering::equivalent;
+}
+std::partial_ordering compare(float a, float b) {
+    return a <=> b;
+}
+std::partial_ordering compare(const Shape& a, const Shape& b) {
+    if (a.index() != b.index())
+        return a.index() <=> b.index();
+    return std::visit(
+        [&]<class Kind>(const Kind& kind) {
+            std::partial_ordering order = std::partial_ordering::equivalent;
+            for_each_setting(kind, [&](const auto& row, const auto& member) {
+                if (order == 0)
+                    order = compare(member, std::get<Kind>(b).*row.member);
+            });
+            return order;
+        },
+        a);
+}
+
+// A total order by content, the place first: equal only where all is equal.
+bool before(const PlacedObstacle& a, const PlacedObstacle& b) {
+    std::partial_ordering order = compare(a.position, b.position);
+    if (order == 0)
+        order = compare(a.shape, b.shape);
+    for (int axis = 0; axis < 3 && order == 0; ++axis)
+        order = compare(a.axes[axis], b.axes[axis]);
+    if (order == 0)
+        order = compare(a.velocity, b.velocity);
+    if (order == 0)
+        order = compare(a.spin, b.spin);
+    return order == 0 ? a.surface < b.surface : order < 0;
+}
+
+} // namespace
+
+Obstacles::Obstacles() : owner_(detail::next_owner()) {}
+
+// --- Changes by the host -----------------------------------------------------------------------------------------------------
+
+Result<ObstacleId> Obstacles::add(const Obstacle& obstacle) {
+    if (closed_ != nullptr)
+        return Error{closed_};
+    if (auto valid = validate(obstacle); !valid)
+        return Error{valid.error()};
+    if (free_.empty() && slots_.size() >= k_capacity)
+        return Error{
+            detail::message("there are already ", count_, " obstacles: remove some; a wind has at most ", k_capacity, ".")};
+    if (!detail::memory_lasts([&] { reserve(slots_.size() + (free_.empty() ? 1 : 0)); }))
+        return detail::out_of_memory();
+    std::uint32_t index = 0;
+    if (!free_.empty()) {
+        index = free_.back();
+        free_.pop_back();
+    } else {
+        index = static_cast<std::uint32_t>(slots_.size());
+        slots_.emplace_back();
+    }
+    Slot& slot = slots_[index];
+    slot.obstacle = prepared(obstacle);
+    slot.used = slot.named_here = true;
+    ++slot.generation;
+    ++count_;
+    rest(index);
+    note_change(index);
+    const ObstacleId id{index, slot.generation, owner_};
+    if (log_ != nullptr)
+        log_->note(ObstacleAdded{unowned(id), obstacle});
+    return id;
+}
+
+// A tick of all obstacles, all in reach, finds its room made.
+void Obstacles::reserve(std::size_t count) {
+    if (count > slots_.capacity())
+        slots_.reserve(std::max(count, 2 * slots_.capacity()));
+    const std::size_t room = slots_.capacity();
+    free_.reserve(room);
+    grid_.reserve(room);
+    resting_.reserve(room);
+    placed_.reserve(room);
+}
+
+Result<Obstacles::Slot*> Obstacles::slot_of(ObstacleId id) {
+    Slot* const slot = id.slot < slots_.size() ? &slots_[id.slot] : nullptr;
+    if (slot != nullptr && slot->used && slot->generation == id.generation) {
+        if (id.owner == 0 || id.owner == owner_ || !slot->named_here)
+            return slot;
+        return Error{detail::message("obstacle ", id.slot, " of generation ", id.generation,
+                                     " belongs to another wind: use the handle that add() of this one returned.")};
+    }
+    return Error{detail::message("obstacle ", id.slot, " of generation ", id.generation,
+                                 " does not exist (removed, or never added): use the handle that add() returned.")};
+}
+
+Result<void> Obstacles::set(ObstacleId id, const Obstacle& obstacle) {
+    const auto found = slot_of(id);
+    if (!found)
+        return Error{found.error()};
+    if (auto valid = validate(obstacle); !valid)
+        return valid;
+    note_change(id.slot);
+    end_motion(id.slot);
+    grid_.erase(id.slot);
+    (*found)->obstacle = prepared(obstacle);
+    rest(id.slot);
+    note_change(id.slot);
+    if (log_ != nullptr)
+        log_->note(ObstacleSet{unowned(id), obstacle});
+    return {};
+}
+
+Result<void> Obstacles::move(ObstacleId id, glm::dvec3 position) {
+    return move(id, position, nullptr);
+}
+
+Result<void> Obstacles::move(ObstacleId id, glm::dvec3 position, glm::quat orientation) {
+    return move(id, position, &orientation);
+}
+
+Result<void> Obstacles::move(ObstacleId id, glm::dvec3 position, const glm::quat* orientation) {
+    const auto found = slot_of(id);
+    if (!found)
+        return Error{found.error()};
+    Slot& slot = **found;
+    if (auto valid = detail::validate_pose(position, orientation != nullptr ? *orientation : slot.obstacle.orientation); !valid)
+        return valid;
+    if (slot.motion == k_at_rest && !detail::memory_lasts([&] { begin_motion(id.slot); }))
+        return detail::out_of_memory();
+    slot.obstacle.position = position;
+    if (orientation != nullptr)
+        slot.obstacle.orientation = normalised(*orientation);
+    motions_[slot.motion].path.move_to(pose(slot.obstacle));
+    if (log_ != nullptr)
+        log_->note(ObstacleMoved{unowned(id), position, orientation != nullptr ? std::optional(*orientation) : std::nullopt});
+    return {};
+}
+
+Result<void> Obstacles::remove(ObstacleId id) {
+    if (const auto found = slot_of(id); !found)
+        return Error{found.error()};
+    note_change(id.slot);
+    end_motion(id.slot);
+    grid_.erase(id.slot);
+    slots_[id.slot].used = false;
+    free_.push_back(id.slot);
+    --count_;
+    if (log_ != nullptr)
+        log_->note(ObstacleRemoved{unowned(id)});
+    return {};
+}
+
+const Obstacle* Obstacles::find(ObstacleId id) const {
+    const auto slot = const_cast<Obstacles*>(this)->slot_of(id);
+    return slot ? &(*slot)->obstacle : nullptr;
+}
+
+void Obstacles::note_change(std::uint32_t index) {
+    if (!reaches(slots_[index]))
+        return;
+    search_ = changed_ = stirred_ = true;
+}
+
+// --- Rest and motion ---------------------------------------------------------------------------------------------------------
+
+BodyPose Obstacles::pose_of(const Slot& slot) const {
+    return slot.motion == k_at_rest ? pose(slot.obstacle) : motions_[slot.motion].path.here();
+}
+
+bool Obstacles::reaches(const Slot& slot) const {
+    const BodyPose here = pose_of(slot);
+    return !ticked_ || meets(placed(slot.obstacle, here, here, 1.0, window_, boundaries_), window_, boundaries_);
+}
+
+void Obstacles::rest(std::uint32_t index) {
+    const Obstacle& obstacle = slots_[index].obstacle;
+    grid_.insert(index, obstacle.position, static_cast<double>(glm::length(detail::half_extent(obstacle.shape))));
+}
+
+// Throws std::bad_alloc, and nothing has changed then.
+void Obstacles::begin_motion(std::uint32_t index) {
+    Slot& slot = slots_[index];
+    motions_.reserve(motions_.size() + 1 <= motions_.capacity() ? motions_.capacity() : 2 * motions_.size() + 4);
+    moving_.reserve(motions_.capacity());
+    const bool in_reach = reaches(slot);
+    motions_.push_back({.slot = index, .path = TimedPath<BodyPose>(pose(slot.obstacle)), .moved = false, .reaches = in_reach});
+    grid_.erase(index);
+    slot.motion = static_cast<std::uint32_t>(motions_.size() - 1);
+    search_ = search_ || in_reach;
+}
+
+// The obstacle is at rest where it goes.
+void Obstacles::end_motion(std::uint32_t index) {
+    Slot& slot = slots_[index];
+    if (slot.motion == k_at_rest)
+        return;
+    search_ = search_ || motions_[slot.motion].reaches || reaches(slot);
+    motions_[slot.motion] = motions_.back();
+    slots_[motions_[slot.motion].slot].motion = slot.motion;
+    slot.motion = k_at_rest;
+    motions_.pop_back();
+    rest(index);
+}
+
+void Obstacles::begin_frame(double lead, double duration) {
+    for (Motion& motion : motions_)
+        motion.path.begin_frame(lead, duration);
+}
+
+void Obstacles::squeeze(double factor) {
+    for (Motion& motion : motions_)
+        motion.path.squeeze(factor);
+}
+
+void Obstacles::pass(double duration) {
+    for (Motion& motion : motions_) {
+        const BodyPose start = motion.path.here();
+        motion.path.tick(duration, [](double, double, const BodyPose&, const BodyPose&) {});
+        motion.moved = motion.moved || !(motion.path.here() == start);
+    }
+}
+
+// Advances what moves and places it. True where that changes what is placed.
+bool Obstacles::carry(double duration) {
+    bool changed = false;
+    moving_.clear();
+    for (std::size_t n = 0; n < motions_.size(); ++n) {
+        Motion* motion = &motions_[n];
+        ++visited_;
+        // One that has come to rest was placed there with its velocity, and is now placed without.
+        while (motion->path.ended() && !motion->moved) {
+            end_motion(motion->slot);
+            if (n == motions_.size())
+                return changed;
+            motion = &motions_[n]; // the last one took its place
+            ++visited_;
+        }
+        const BodyPose start = motion->path.here();
+        motion->path.tick(duration, [](double, double, const BodyPose&, const BodyPose&) {});
+        const BodyPose& end = motion->path.here();
+        const PlacedObstacle now = placed(slots_[motion->slot].obstacle, start, end, duration, window_, boundaries_);
+        const bool moves = !(start == end), reached = std::exchange(motion->reaches, meets(now, window_, boundaries_));
+        if ((moves || motion->moved) && (reached || motion->reaches))
+            changed = true;
+        motion->moved = moves;
+        if (motion->reaches)
+            moving_.push_back(now);
+        stirred_ = stirred_ || (motion->reaches && moves);
+    }
+    return changed;
+}
+
+void Obstacles::find_resting() {
+    resting_.clear();
+    const double h = window_.cell_size, margin = (static_cast<double>(k_margin_cells) + 1.0) * h; // more than meets()
+    glm::dvec3 low = window_.origin() - margin, high = low + h * glm::dvec3(window_.cells) + 2.0 * margin;
+    for (int axis = 0; axis < 3; ++axis)
+        if (boundaries_.periodic(axis)) {
+            low[axis] = -2.0 * k_world_range.max;
+            high[axis] = 2.0 * k_world_range.max;
+        }
+    grid_.find(low, high, [&](std::uint32_t index) {
+        ++visited_;
+        const BodyPose here = pose(slots_[index].obstacle);
+        const PlacedObstacle now = placed(slots_[index].obstacle, here, here, 1.0, window_, boundaries_);
+        if (meets(now, window_, boundaries_))
+            resting_.push_back(now);
+    });
+    std::sort(resting_.begin(), resting_.end(), before);
+}
+
+std::span<const detail::PlacedObstacle> Obstacles::tick(double duration, const Window& window, const Boundaries& boundaries) {
+    visited_ = 0;
+    const bool elsewhere = !ticked_ || window.origin_cells != window_.origin_cells || !(boundaries == boundaries_);
+    window_ = window;
+    boundaries_ = boundaries;
+    ticked_ = true;
+    const bool moved = carry(duration), searched = std::exchange(search_, false) || elsewhere;
+    if (searched)
+        find_resting();
+    if (!searched && !moved)
+        return placed_;
+    changed_ = changed_ || moved || (elsewhere && !(placed_.empty() && resting_.empty() && moving_.empty()));
+    std::sort(moving_.begin(), moving_.end(), before);
+    placed_.resize(resting_.size() + moving_.size());
+    std::merge(resting_.begin(), resting_.end(), moving_.begin(), moving_.end(), placed_.begin(), before);
+    return placed_;
+}
+
+std::size_t Obstacles::memory_bytes() const {
+    return slots_.capacity() * sizeof(Slot) + free_.capacity() * sizeof(std::uint32_t) + motions_.capacity() * sizeof(Motion) +
+           grid_.memory_bytes() + (resting_.capacity() + moving_.capacity() + placed_.capacity()) * sizeof(PlacedObstacle);
+}
+
+} // namespace windrow

@@ -1,0 +1,141 @@
+// The obstacles of one wind: a list in world space (double) that may change while the wind runs. A handle has a generation, so
+// that a stale handle is rejected and never moves another obstacle.
+//
+// Obstacles at rest are in a grid that is searched where the box moves or the list changes; only those that move are visited in
+// every tick. So a town outside of the box costs nothing.
+//
+// The effect on the air does not depend on the order in which obstacles were added: those in reach are sorted by what they are.
+#pragma once
+
+#include "fluid/boundaries.h"
+#include "fluid/obstacle.h"
+#include "fluid/obstacle_grid.h"
+#include "fluid/result.h"
+#include "fluid/timed_path.h"
+#include "fluid/window.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace windrow {
+
+class EventLog;
+
+/// Handle of an obstacle of one Obstacles object. A default handle names none.
+struct ObstacleId {
+    std::uint32_t slot = 0;
+    std::uint32_t generation = 0; ///< 0 names no obstacle
+    /// Number of the Obstacles object, unique in the process, so that a handle of another wind is rejected. Default 0: not
+    /// checked, for a handle that was sent as slot and generation.
+    std::uint32_t owner = 0;
+    /// The same slot and generation: also of a wind and of its copy that was loaded.
+    friend bool operator==(ObstacleId a, ObstacleId b) { return a.slot == b.slot && a.generation == b.generation; }
+};
+
+/// The obstacles of one Wind, at most 16384. A handle that was removed, or that another wind gave, is rejected. The obstacles of a
+/// wind that was loaded keep their handles. Without memory a call fails and the list stays as it was.
+class Obstacles {
+  public:
+    static constexpr std::uint32_t k_capacity = 16384;
+
+    Obstacles();
+
+    /// Adds an obstacle, at rest. Rejects what `validate` rejects and a full list.
+    [[nodiscard]] Result<ObstacleId> add(const Obstacle& obstacle);
+    /// Replaces an obstacle whole. It appears at its new place at rest and pushes no air on the way. The shape may change.
+    [[nodiscard]] Result<void> set(ObstacleId id, const Obstacle& obstacle);
+    /// Moves an obstacle to where it is at the end of the coming step (or frame, with Wind::advance). It pushes the air on the
+    /// way. The first move of an obstacle at rest may allocate.
+    [[nodiscard]] Result<void> move(ObstacleId id, glm::dvec3 position);
+    /// The same with its orientation, of any length but 0; it turns the shorter way.
+    [[nodiscard]] Result<void> move(ObstacleId id, glm::dvec3 position, glm::quat orientation);
+    /// Removes an obstacle; a stale handle is rejected.
+    Result<void> remove(ObstacleId id);
+
+    /// The obstacle as it stands, orientation normalised; null for a stale handle.
+    [[nodiscard]] const Obstacle* find(ObstacleId id) const;
+    [[nodiscard]] int count() const { return count_; }
+    [[nodiscard]] std::size_t memory_bytes() const;
+
+    /// One slot of the list.
+    struct Slot {
+        Obstacle obstacle; ///< where it goes
+        std::uint32_t generation = 0;
+        std::uint32_t motion = k_at_rest; ///< index in the list of what moves
+        bool used = false;
+        bool named_here = false; ///< false: restored from a snapshot, its handle is that of the wind that was saved
+    };
+
+    // --- Called by Wind -----------------------------------------------------------------------------------------------
+    /// A frame of `duration` [s] begins `lead` [s] after the last tick; see timed_path.h.
+    void begin_frame(double lead, double duration);
+    /// Scales the times of the poses given in this frame by `factor`.
+    void squeeze(double factor);
+    /// Advances every obstacle by a tick and returns those whose bounding box meets the box of cells grown by two cells; along a
+    /// periodic axis all do. Their order does not depend on the list's. Does not allocate. The span lasts until the next call.
+    [[nodiscard]] std::span<const detail::PlacedObstacle> tick(double duration, const Window& window,
+                                                               const Boundaries& boundaries);
+    /// Advances every obstacle by a time in which nothing acts on the air.
+    void pass(double duration);
+    /// True where what `tick` returned, or the box, may differ from when this was asked last.
+    [[nodiscard]] bool take_changed() { return std::exchange(changed_, false); }
+    /// True where one that reached the box was added, replaced or removed, or one moves there, since this was asked last.
+    [[nodiscard]] bool take_stirred() { return std::exchange(stirred_, false); }
+    [[nodiscard]] std::span<const Slot> slots() const { return slots_; }
+    /// Number of obstacles that the last tick looked at.
+    [[nodiscard]] std::size_t visited() const { return visited_; }
+    /// Rejects every later `add` with this sentence.
+    void close(const char* why) { closed_ = why; }
+    /// Every change is noted in `log` from now on; null: no longer.
+    void record_to(EventLog* log) { log_ = log; }
+
+  private:
+    friend struct ObstacleFields; // obstacle_record.h: bytes and back
+
+    static constexpr std::uint32_t k_at_rest = ~std::uint32_t{0};
+
+    /// An obstacle that has moved since the tick before the last.
+    struct Motion {
+        std::uint32_t slot = 0;
+        TimedPath<BodyPose> path{};
+        bool moved = false;   ///< since it was last placed
+        bool reaches = false; ///< the box, when it was last placed
+    };
+
+    [[nodiscard]] Result<Slot*> slot_of(ObstacleId id);
+    [[nodiscard]] Result<void> move(ObstacleId id, glm::dvec3 position, const glm::quat* orientation);
+    /// Room for `count` slots and what a tick returns of them; throws std::bad_alloc.
+    void reserve(std::size_t count);
+    void begin_motion(std::uint32_t index);
+    void end_motion(std::uint32_t index);
+    void rest(std::uint32_t index);
+    /// What is at `index` came, goes, or is replaced.
+    void note_change(std::uint32_t index);
+    [[nodiscard]] BodyPose pose_of(const Slot& slot) const;
+    [[nodiscard]] bool reaches(const Slot& slot) const;
+    [[nodiscard]] bool carry(double duration);
+    void find_resting();
+
+    std::vector<Slot> slots_;
+    std::vector<std::uint32_t> free_;
+    std::vector<Motion> motions_;
+    detail::ObstacleGrid grid_;                   ///< of those at rest
+    std::vector<detail::PlacedObstacle> resting_; ///< those at rest in reach, sorted
+    std::vector<detail::PlacedObstacle> moving_;  ///< those that move in reach, sorted
+    std::vector<detail::PlacedObstacle> placed_;  ///< both
+    Window window_{};                             ///< of the last tick, as `boundaries_`
+    Boundaries boundaries_{};
+    bool ticked_ = false;
+    bool search_ = false; ///< `resting_` is not that of the list and the window
+    bool changed_ = false, stirred_ = false;
+    int count_ = 0;
+    std::size_t visited_ = 0;
+    const char* closed_ = nullptr; ///< why nothing may be added
+    EventLog* log_ = nullptr;
+    std::uint32_t owner_;
+};
+
+} // namespace windrow

@@ -1,0 +1,262 @@
+// Obstacles in a wind: sleep, snapshots, logs.
+
+#include "fluid/bytes.h"
+#include "fluid/event_log.h"
+#include "fluid/thread_pool.h"
+#include "fluid/wind_state.h"
+#include "tests/unit/snapshot_session.h"
+
+namespace {
+
+using namespace windrow;
+using namespace windrow::test;
+
+Config breezy() {
+    return {.cells = {14, 8, 12}, .ambient = {2.0f, 0.0f, 0.5f}, .ticks = {.hz = 30.0}};
+}
+
+std::vector<ObstacleId> add_bodies(Wind& wind) {
+    const Obstacle bodies[] = {
+        {.position = {0.2, -2.0, 1.0}, .orientation = glm::quat(2, 0, 1, 0), .shape = Block{{1.5f, 1.0f, 0.7f}}},
+        {.position = {3.0, 0.0, -2.0}, .shape = Cylinder{.radius = 0.6f, .half_length = 3.0f}},
+        {.position = {-3.0, 0.0, 2.0}, .shape = Plate{{1.0f, 2.0f}}, .surface = Surface::no_slip},
+        {.position = {1.0, 2.0, 3.0}, .shape = Capsule{.half_axis = {0.0f, 1.0f, 0.5f}}},
+        {.position = {-4.0, 1.0, -3.0}, .shape = Sphere{1.1f}},
+        {.position = {90.0, 1.0, -3.0}},
+    };
+    std::vector<ObstacleId> ids;
+    for (const Obstacle& body : bodies)
+        ids.push_back(*wind.obstacles().add(body));
+    EXPECT_TRUE(wind.obstacles().remove(ids[3]));
+    return ids;
+}
+
+TEST(WindWithObstacles, SleepsWhereNothingActs) {
+    Wind calm = made({.cells = {8, 8, 8}});
+    const ObstacleId body = *calm.obstacles().add({.shape = Sphere{1.5f}});
+    take_steps(calm, 3, 0.1);
+    EXPECT_TRUE(calm.step(0.1).asleep) << "still air around a body at rest";
+    EXPECT_TRUE(calm.follow({3.0, 0.0, 0.0}));
+    EXPECT_TRUE(calm.step(0.1).asleep) << "the box moves among bodies at rest";
+    EXPECT_TRUE(calm.obstacles().move(body, {0.5, 0.0, 0.0}));
+    EXPECT_FALSE(calm.step(0.1).asleep) << "it moves";
+
+    Wind wind = made({.cells = {8, 8, 8}, .ambient = {3.0f, 0.0f, 0.0f}});
+    take_steps(wind, 3, 0.1);
+    EXPECT_TRUE(wind.step(0.1).asleep);
+    EXPECT_TRUE(wind.obstacles().add({.position = {500.0, 0.0, 0.0}}));
+    EXPECT_TRUE(wind.step(0.1).asleep) << "a body far away";
+    const ObstacleId near = *wind.obstacles().add({.position = {20.0, 0.0, 0.0}});
+    EXPECT_TRUE(wind.step(0.1).asleep);
+    EXPECT_TRUE(wind.follow({16.0, 0.0, 0.0}));
+    for (int n = 0; n < 5; ++n)
+        EXPECT_FALSE(wind.step(0.1).asleep) << "wind that meets a body";
+    EXPECT_TRUE(wind.obstacles().remove(near));
+    EXPECT_FALSE(wind.step(0.1).asleep) << "its wake is left";
+
+    Wind sleepy = made({.cells = {8, 8, 8}, .ambient = {3.0f, 0.0f, 0.0f}, .sleep_speed = 100.0f});
+    EXPECT_TRUE(sleepy.obstacles().add({}));
+    EXPECT_FALSE(take_steps(sleepy, 3, 0.1).asleep) << "however little it differs";
+}
+
+TEST(WindWithObstacles, AWindWithoutThemIsAsItWas) {
+    Wind plain = made(breezy()), far = made(breezy());
+    for (int n = 0; n < 500; ++n)
+        ASSERT_TRUE(far.obstacles().add({.position = {100.0 + 3 * n, 0.0, 0.0}}));
+    for (Wind* wind : {&plain, &far}) {
+        added(*wind, JetMotor{});
+        for (int n = 0; n < 20; ++n)
+            (void)wind->step(0.03);
+    }
+    EXPECT_TRUE(std::equal(plain.field().begin(), plain.field().end(), far.field().begin()));
+}
+
+// With more surface cells than one task takes.
+TEST(WindWithObstacles, SeveralWorkersGiveTheSameBits) {
+    ThreadPool pool(4);
+    std::vector<Bytes> ends;
+    for (const bool serial : {true, false}) {
+        Config config{.cells = {24, 10, 24}, .ambient = {5.0f, 0.0f, 1.0f}};
+        if (!serial)
+            config.parallel_for = pool.parallel_for();
+        Wind wind = made(config);
+        for (const double z : {-8.0, 0.0, 8.0})
+            ASSERT_TRUE(wind.obstacles().add({.position = {0.0, 0.0, z}, .shape = Block{{1.0f, 4.0f, 3.0f}}}));
+        take_steps(wind, 5, 0.05);
+        ends.push_back(*wind.save());
+    }
+    EXPECT_EQ(ends[0], ends[1]);
+}
+
+void play(Wind& wind, std::span<const ObstacleId> ids, int frame) {
+    const double t = 0.02 * frame;
+    EXPECT_TRUE(wind.obstacles().move(ids[0], {0.2 + t, -2.0, 1.0 - 2.0 * t}));
+    EXPECT_TRUE(wind.obstacles().move(ids[1], {3.0, std::sin(t), -2.0}, glm::quat(2.0f, float(t), 0.3f, 0.0f)));
+    if (frame % 7 == 3) {
+        EXPECT_TRUE(wind.follow({0.4 * frame, 0.0, -0.2 * frame}));
+    }
+    if (frame == 11) {
+        EXPECT_TRUE(wind.obstacles().add({.position = {2.0, 0.0, 3.0}}));
+    }
+}
+
+TEST(SnapshotWithObstacles, GoesOnToTheSameBits) {
+    for (const bool ticks : {false, true}) {
+        const auto go = [&](Wind& wind) {
+            if (ticks)
+                (void)wind.advance(1.0 / 144.0);
+            else
+                (void)wind.step(0.02);
+        };
+        Wind first = made(breezy());
+        const auto ids = add_bodies(first);
+        for (int n = 0; n < 9; ++n) {
+            play(first, ids, n);
+            go(first);
+        }
+        const Bytes bytes = *first.save();
+        Wind again = loaded(bytes);
+        ASSERT_EQ(*again.save(), bytes);
+        EXPECT_EQ(again.obstacles().count(), 5);
+        for (int n = 9; n < 40; ++n) {
+            for (Wind* wind : {&first, &again}) {
+                if (n < 25) // then they come to rest
+                    play(*wind, ids, n);
+                go(*wind);
+            }
+            ASSERT_EQ(*again.save(), *first.save()) << "frame " << n << (ticks ? ", ticks" : "");
+        }
+    }
+}
+
+TEST(SnapshotWithObstacles, ASleeperSleepsOn) {
+    Wind first = made({.cells = {8, 8, 8}});
+    ASSERT_TRUE(first.obstacles().add({.shape = Sphere{1.5f}}));
+    take_steps(first, 4, 0.1);
+    Wind again = loaded(*first.save());
+    for (Wind* wind : {&first, &again})
+        ASSERT_TRUE(wind->obstacles().add({.position = {50.0, 0.0, 0.0}}));
+    EXPECT_TRUE(again.step(0.1).asleep) << "one that is added far away does not wake it";
+    EXPECT_TRUE(first.step(0.1).asleep);
+    EXPECT_EQ(*again.save(), *first.save());
+}
+
+TEST(SnapshotWithObstacles, EachFieldCounts) {
+    using Change = std::function<void(Obstacle&)>;
+    const std::vector<Change> changes{
+        [](Obstacle&) {},
+        [](Obstacle& o) { o.position.x = 1.5; },
+        [](Obstacle& o) { o.position.y = 1.5; },
+        [](Obstacle& o) { o.position.z = 1.5; },
+        [](Obstacle& o) {
+            o.orientation = {0, 1, 0, 0};
+        },
+        [](Obstacle& o) {
+            o.orientation = {0, 0, 1, 0};
+        },
+        [](Obstacle& o) {
+            o.orientation = {0, 0, 0, 1};
+        },
+        [](Obstacle& o) { o.surface = Surface::no_slip; },
+        [](Obstacle& o) {
+            o.shape = Block{{2, 1, 1}};
+        },
+        [](Obstacle& o) {
+            o.shape = Block{{1, 2, 1}};
+        },
+        [](Obstacle& o) {
+            o.shape = Block{{1, 1, 2}};
+        },
+        [](Obstacle& o) { o.shape = Sphere{}; },
+        [](Obstacle& o) { o.shape = Sphere{1.5f}; },
+        [](Obstacle& o) { o.shape = Capsule{}; },
+        [](Obstacle& o) {
+            o.shape = Capsule{.half_axis = {0, 1, 0}};
+        },
+        [](Obstacle& o) { o.shape = Capsule{.radius = 0.5f}; },
+        [](Obstacle& o) { o.shape = Cylinder{}; },
+        [](Obstacle& o) { o.shape = Cylinder{.radius = 0.5f}; },
+        [](Obstacle& o) { o.shape = Cylinder{.half_length = 0.5f}; },
+        [](Obstacle& o) { o.shape = Plate{}; },
+        [](Obstacle& o) {
+            o.shape = Plate{{2, 1}};
+        },
+        [](Obstacle& o) {
+            o.shape = Plate{{1, 2}};
+        },
+    };
+    std::vector<Bytes> seen;
+    for (const Change& change : changes) {
+        Wind wind = made({.cells = {2, 2, 2}});
+        Obstacle obstacle;
+        change(obstacle);
+        ASSERT_TRUE(wind.obstacles().add(obstacle));
+        const Bytes bytes = *wind.save();
+        EXPECT_EQ(std::find(seen.begin(), seen.end(), bytes), seen.end()) << "change " << seen.size() << " leaves no trace";
+        EXPECT_EQ(*loaded(bytes).save(), bytes) << "change " << seen.size();
+        seen.push_back(bytes);
+    }
+}
+
+TEST(SnapshotWithObstacles, ForgedOnesDoNoHarm) {
+    Wind wind = made({.cells = {3, 2, 3}});
+    const auto ids = add_bodies(wind);
+    for (int n = 0; n < 5; ++n) {
+        play(wind, ids, n);
+        (void)wind.step(0.02);
+    }
+    const Bytes bytes = *wind.save();
+    const auto layout = detail::load_number<std::uint32_t>(bytes.data() + detail::k_letters);
+    Random random(8);
+    int readable = 0;
+    for (int n = 0; n < 3000; ++n) {
+        Bytes forged(bytes.begin(), bytes.end() - static_cast<std::ptrdiff_t>(detail::k_checksum_bytes));
+        for (int k = 0; k < 1 + n % 3; ++k)
+            forged[static_cast<std::size_t>(random.integer(detail::k_header_bytes, static_cast<int>(forged.size()) - 1))] =
+                static_cast<std::byte>(random.bits());
+        detail::seal(forged, {"WINDSNAP", layout, "", ""});
+        auto read = Wind::load(forged);
+        if (!read)
+            continue;
+        ++readable;
+        (void)read->step(0.02);
+        const auto saved = read->save();
+        ASSERT_TRUE(saved);
+        ASSERT_TRUE(Wind::load(*saved)) << Wind::load(*saved).error();
+    }
+    EXPECT_GT(readable, 300);
+}
+
+TEST(ReplayWithObstacles, EndsInTheSameBits) {
+    Wind wind = made(breezy());
+    const auto before = *wind.obstacles().add({.position = {0.0, 3.0, 0.0}});
+    (void)wind.advance(0.1);
+    const Bytes start = *wind.save();
+    EventLog log;
+    wind.record_to(&log);
+    const auto ids = add_bodies(wind);
+    for (int n = 0; n < 20; ++n) {
+        play(wind, ids, n);
+        (void)wind.advance(0.021);
+    }
+    ASSERT_TRUE(wind.obstacles().set(ids[2], {.position = {-2.0, 0.0, 2.0}}));
+    ASSERT_TRUE(wind.obstacles().remove(before));
+    EXPECT_FALSE(wind.obstacles().remove(before)) << "what is rejected is not in the log";
+    (void)wind.advance(0.05);
+    const auto read = EventLog::from_bytes(*log.to_bytes());
+    ASSERT_TRUE(read) << read.error();
+    Wind again = loaded(start);
+    const auto done = replay(*read, again);
+    ASSERT_TRUE(done) << done.error();
+    EXPECT_EQ(*again.save(), *wind.save());
+
+    Wind other = made(breezy());
+    EventLog stranger;
+    stranger.note(ObstacleAdded{{3, 1}, {}});
+    EXPECT_EQ(
+        replay(stranger, other).error(),
+        "event 0 (add_obstacle): the obstacle got slot 0 of generation 1, not in slot 3 of generation 1, so the wind was not "
+        "in the state in which the log began: load the snapshot taken there.");
+}
+
+} // namespace
