@@ -84,7 +84,9 @@ Fault FrameWriter::write_picture([[maybe_unused]] const Playback& playback, [[ma
         const auto* followed = std::get_if<std::size_t>(&scene_->follow);
         const bool leads = followed != nullptr && *followed == i;
         const bool acts = std::any_of(acting.begin(), acting.end(), [&](const auto& body) { return body.motor->path == i; });
-        if (many && !leads && !acts)
+        const bool holds_angles = std::any_of(scene_->obstacles.begin(), scene_->obstacles.end(),
+                                              [&](const scene::SceneObstacle& body) { return body.turn_path == i; });
+        if (holds_angles || (many && !leads && !acts))
             continue;
         // A trail that bears a wake's name is drawn as that body.
         std::string name = scene_->paths[i].name;

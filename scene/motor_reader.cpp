@@ -8,8 +8,6 @@ namespace {
 using detail::message;
 using nlohmann::json;
 
-constexpr Range k_time_rule{-MotionPath::k_farthest, MotionPath::k_farthest, "s"};
-
 /// Place of a motor: an optional position, or a path. Without a path a wake would never move, and so never act.
 template <class Kind>
 void read_place(JsonObject& object, const Key& key, std::span<const std::string> path_names, Kind& kind, SceneMotor& motor) {
@@ -50,14 +48,7 @@ SceneMotor read_motor(const json& value, const std::string& path, std::span<cons
     }(static_cast<Motor*>(nullptr));
     object.set_kind(kinds.at(chosen), k_meanings.at(chosen));
     motor.name = object.text({"name", "Written beside the motor in pictures."}, kinds.at(chosen));
-    motor.from = object.number({"from", "Time at which it begins to act."}, motor.from, k_time_rule);
-    if (const auto until =
-            object.optional_number({"until", "Time at which it ends, later than from. Default: never."}, k_time_rule)) {
-        motor.until = *until;
-        if (!(motor.from < motor.until))
-            object.reject("until",
-                          message("is ", motor.until, " s but the motor begins at ", motor.from, " s: give a later time."));
-    }
+    read_times(object, "motor", motor.from, motor.until);
     [&]<class... Kinds>(std::variant<Kinds...>*) {
         std::size_t index = 0;
         ((index++ == chosen ? read_motor_kind<Kinds>(object, path_names, motor) : void()), ...);
@@ -69,6 +60,17 @@ SceneMotor read_motor(const json& value, const std::string& path, std::span<cons
 }
 
 } // namespace
+
+void read_times(JsonObject& object, const char* what, double& from, double& until) {
+    constexpr Range k_time_rule{-MotionPath::k_farthest, MotionPath::k_farthest, "s"};
+    from = object.number({"from", "Time at which it begins to act."}, from, k_time_rule);
+    const auto end = object.optional_number({"until", "Time at which it ends, later than from. Default: never."}, k_time_rule);
+    if (!end)
+        return;
+    until = *end;
+    if (!(from < until))
+        object.reject("until", message("is ", until, " s but the ", what, " begins at ", from, " s: give a later time."));
+}
 
 void check_object(JsonObject& object, const Envelope&) {
     object.needs("decay", "hold", "never begins without a \"hold\": say how long the motor acts before it.");

@@ -75,9 +75,9 @@ std::optional<std::filesystem::path> file_beside(JsonObject& object, const Key& 
 
 std::vector<ScenePath> read_paths(JsonObject& scene, const std::filesystem::path& folder) {
     std::vector<ScenePath> paths;
-    JsonObject list =
-        scene.object({"paths", "Paths by name, for follow, floor and motors: straight lines between points. Before the first "
-                               "point it waits there, after the last it stays there."});
+    JsonObject list = scene.object(
+        {"paths", "Paths by name, for follow, floor, motors and obstacles: straight lines between points. Before the first "
+                  "point it waits there, after the last it stays there."});
     if (list.value().size() > k_max_paths) {
         list.reject(message("holds ", list.value().size(), " paths: give at most ", k_max_paths, "."));
         return paths;

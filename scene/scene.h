@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fluid/motors.h"
+#include "fluid/obstacles.h"
 #include "fluid/wind.h"
 #include "scene/motion_path.h"
 
@@ -38,6 +39,22 @@ struct SceneMotor {
     double from = 0.0;               ///< [s] acts in ticks whose middle lies in [from, until)
     double until = std::numeric_limits<double>::infinity();
 };
+
+/// An obstacle and when it is there.
+struct SceneObstacle {
+    std::string name;
+    /// As it stands when it comes. Where it has a path, the path says where; the same for how it is turned.
+    Obstacle obstacle;
+    std::optional<std::size_t> path;      ///< index in Scene::paths
+    std::optional<std::size_t> turn_path; ///< the same; its x, y, z are the angles of orientation_of
+    double from = 0.0;                    ///< [s] there in ticks whose middle lies in [from, until)
+    double until = std::numeric_limits<double>::infinity();
+};
+
+/// Orientation from yaw, pitch and roll [degrees]: first rolled about its own z axis, then pitched about x, then yawed about y, up.
+[[nodiscard]] glm::quat orientation_of(glm::dvec3 turn_deg);
+/// The angles of an orientation.
+[[nodiscard]] glm::dvec3 turn_of(const glm::quat& orientation);
 
 struct ScenePath {
     std::string name;
@@ -93,6 +110,7 @@ struct Scene {
     /// [m] Height of the ground, or a path by its index whose height it takes. Only with a wall at y_low.
     std::variant<double, std::size_t> floor = 0.0;
     std::vector<SceneMotor> motors;
+    std::vector<SceneObstacle> obstacles;
     PicturesSetting pictures;
     VdbSetting vdb;
 

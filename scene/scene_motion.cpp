@@ -2,6 +2,8 @@
 
 #include "fluid/message.h"
 
+#include <utility>
+
 namespace windrow::scene {
 namespace {
 
@@ -67,6 +69,40 @@ Result<void> SceneMotion::place_motor(Motors& motors, const SceneMotor& motor, M
     if (!acts)
         return motors.remove(part.id);
     return motor.path ? motors.move(part.id, scene_->paths[*motor.path].path.at(end)) : Result<void>{};
+}
+
+Result<void> SceneMotion::place_obstacles(Obstacles& obstacles, double start, double end) {
+    for (std::size_t i = 0; i < scene_->obstacles.size(); ++i)
+        if (const auto placed = place_obstacle(obstacles, scene_->obstacles[i], bodies_[i], start, end); !placed)
+            return Error{message(scene_->file.string(), ": $.obstacles[", i, "]: ", placed.error())};
+    return {};
+}
+
+Result<void> SceneMotion::place_obstacle(Obstacles& obstacles, const SceneObstacle& body, ObstacleId& id, double start,
+                                         double end) {
+    const double middle = 0.5 * (start + end);
+    const bool is_there = body.from <= middle && middle < body.until;
+    if (!is_there)
+        return id == ObstacleId{} ? Result<void>{} : obstacles.remove(std::exchange(id, {}));
+    if (id == ObstacleId{}) {
+        const auto added = obstacles.add(obstacle_at(body, start));
+        if (!added)
+            return Error{added.error()};
+        id = *added;
+    }
+    if (!body.path && !body.turn_path)
+        return {};
+    const Obstacle then = obstacle_at(body, end);
+    return body.turn_path ? obstacles.move(id, then.position, then.orientation) : obstacles.move(id, then.position);
+}
+
+Obstacle SceneMotion::obstacle_at(const SceneObstacle& body, double time) const {
+    Obstacle obstacle = body.obstacle;
+    if (body.path)
+        obstacle.position = scene_->paths[*body.path].path.at(time);
+    if (body.turn_path)
+        obstacle.orientation = orientation_of(scene_->paths[*body.turn_path].path.at(time));
+    return obstacle;
 }
 
 } // namespace windrow::scene

@@ -1,4 +1,5 @@
-// What moves in a scene, put where it belongs tick by tick: the box that follows, its floor, the motors that come, move and go.
+// What moves in a scene, put where it belongs tick by tick: the box that follows, its floor, the motors and obstacles that come,
+// move and go.
 //
 //     auto motion = windrow::scene::SceneMotion(scene);
 //     auto placed = motion.begin(*wind);                                     // the box lies where the first frame wants it
@@ -7,7 +8,7 @@
 //         wind->step(1.0 / scene.tick_hz);
 //     }
 //
-// For any wind with `motors()`, `follow(point)` and `set_floor(height)`: windrow::Wind, windrow::vulkan::Wind, a host's own.
+// For any wind with `motors()`, `obstacles()`, `follow(point)` and `set_floor(height)`: windrow::Wind, windrow::vulkan::Wind, a host's own.
 #pragma once
 
 #include "scene/scene.h"
@@ -23,6 +24,7 @@ namespace windrow::scene {
 template <class Air>
 concept MovableWind = requires(Air& air, glm::dvec3 point, double height) {
     { air.motors() } -> std::same_as<Motors&>;
+    { air.obstacles() } -> std::same_as<Obstacles&>;
     { air.follow(point) } -> std::same_as<Result<void>>;
     { air.set_floor(height) } -> std::same_as<Result<void>>;
 };
@@ -30,22 +32,24 @@ concept MovableWind = requires(Air& air, glm::dvec3 point, double height) {
 class SceneMotion {
   public:
     /// The scene must outlive it.
-    explicit SceneMotion(const Scene& scene) : scene_(&scene), parts_(scene.motors.size()) {}
+    explicit SceneMotion(const Scene& scene) : scene_(&scene), parts_(scene.motors.size()), bodies_(scene.obstacles.size()) {}
 
-    /// Puts the box where the scene has it at time 0; no motor acts yet. Rejections begin with the scene's file and path.
+    /// Puts the box where the scene has it at time 0; no motor acts yet, and no obstacle is there. Rejections begin with the scene's file and path.
     template <MovableWind Air>
     Result<void> begin(Air& air) {
         return place_box(air, 0.0);
     }
 
-    /// For one tick, from `start` to `end` [s]: the box and all that moves are put where they are at its end; motors whose time
-    /// holds the tick's middle are added, others removed. One that ended by itself does not begin again. Call it with ticks that
+    /// For one tick, from `start` to `end` [s]: the box and all that moves are put where they are at its end; motors and
+    /// obstacles whose time holds the tick's middle are added, others removed. One that ended by itself does not begin again. Call it with ticks that
     /// follow on each other, before the wind's step.
     template <MovableWind Air>
     Result<void> place(Air& air, double start, double end) {
         if (auto placed = place_box(air, end); !placed)
             return placed;
-        return place_motors(air.motors(), start, end);
+        if (auto placed = place_motors(air.motors(), start, end); !placed)
+            return placed;
+        return place_obstacles(air.obstacles(), start, end);
     }
 
     /// A motor of the scene as it stands now.
@@ -81,9 +85,14 @@ class SceneMotion {
     [[nodiscard]] Error rejection(const char* key, double time, const std::string& why) const;
     Result<void> place_motors(Motors& motors, double start, double end);
     Result<void> place_motor(Motors& motors, const SceneMotor& motor, MovedMotor& part, double start, double end);
+    Result<void> place_obstacles(Obstacles& obstacles, double start, double end);
+    Result<void> place_obstacle(Obstacles& obstacles, const SceneObstacle& body, ObstacleId& id, double start, double end);
+    /// The obstacle at a time [s].
+    [[nodiscard]] Obstacle obstacle_at(const SceneObstacle& body, double time) const;
 
     const Scene* scene_;
-    std::vector<MovedMotor> parts_; ///< one for each of the scene's motors
+    std::vector<MovedMotor> parts_;  ///< one for each of the scene's motors
+    std::vector<ObstacleId> bodies_; ///< the same for its obstacles; none while it is not there
 };
 
 } // namespace windrow::scene

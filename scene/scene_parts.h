@@ -1,4 +1,4 @@
-// The parts of a scene file, each read by a function: `air`, `motors`, `paths`.
+// The parts of a scene file, each read by a function: `air`, `motors`, `obstacles`, `paths`.
 #pragma once
 
 #include "scene/json_object.h"
@@ -21,7 +21,12 @@ struct ReadAir {
 
 [[nodiscard]] std::vector<SceneMotor> read_motors(JsonObject& scene, std::span<const std::string> path_names);
 
-/// Named paths that the box follows and that motors move along, as points in the scene or as a table beside it. `folder` is the
+[[nodiscard]] std::vector<SceneObstacle> read_obstacles(JsonObject& scene, std::span<const std::string> path_names);
+
+/// `from` and `until` [s] of something that acts for a time; `what` is its name for sentences.
+void read_times(JsonObject& object, const char* what, double& from, double& until);
+
+/// Named paths that the box follows and that motors and obstacles move along, as points in the scene or as a table beside it. `folder` is the
 /// scene's.
 [[nodiscard]] std::vector<ScenePath> read_paths(JsonObject& scene, const std::filesystem::path& folder);
 

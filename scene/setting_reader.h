@@ -5,6 +5,7 @@
 #include "fluid/wind.h"
 #include "scene/json_object.h"
 #include "scene/motion_path.h"
+#include "scene/scene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -103,6 +104,10 @@ void read_value(JsonObject& object, const Key& key, Value& value, const Range& r
         value = object.vector(key, value, place_rule(range));
     } else if constexpr (std::same_as<Value, glm::vec3>) {
         value = glm::vec3(object.vector(key, glm::dvec3(value), range));
+    } else if constexpr (std::same_as<Value, glm::quat>) { // as angles: nobody writes four numbers
+        constexpr Range k_turn{-3.6e6, 3.6e6, "degrees"};
+        if (const auto turn = object.optional_vector(key, k_turn))
+            value = orientation_of(*turn);
     } else if constexpr (std::same_as<Value, glm::dvec2> || std::same_as<Value, glm::vec2>) {
         value = Value(object.pair(key, glm::dvec2(value), range, "x, z"));
     } else if constexpr (std::same_as<Value, glm::ivec2>) {

@@ -39,6 +39,10 @@ inline constexpr const char* k_scene_with_every_key = R"({
         {"kind": "vortex", "law": {"drive": {}}},
         {"kind": "omni", "envelope": {}},
         {"kind": "pressure"}
+    ],
+    "obstacles": [
+        {"shape": {"sphere": {}}}, {"shape": {"capsule": {}}}, {"shape": {"block": {}}}, {"shape": {"cylinder": {}}},
+        {"shape": {"plate": {}}, "path": "a", "turn_path": "a"}
     ]})";
 
 /// A key with all that is under it.
