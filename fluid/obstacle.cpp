@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -69,6 +70,16 @@ float distance_to(const Shape& shape, glm::vec3 point) {
 
 glm::vec3 half_extent(const Shape& shape) {
     return std::visit([](const auto& kind) { return extent(kind); }, shape);
+}
+
+bool same(const Shape& a, const Shape& b) {
+    return a.index() == b.index() &&
+           std::visit(
+               [&]<class Kind>(const Kind& kind) {
+                   static_assert(std::is_trivially_copyable_v<Kind> && sizeof(Kind) % sizeof(float) == 0);
+                   return std::memcmp(&kind, std::get_if<Kind>(&b), sizeof(Kind)) == 0;
+               },
+               a);
 }
 
 float thickness(const Shape& shape) {

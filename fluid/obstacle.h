@@ -110,6 +110,8 @@ using windrow::PlacedObstacle;
 [[nodiscard]] float distance_to(const Shape& shape, glm::vec3 point);
 /// [m] Half the size of the box along the shape's own axes that holds it.
 [[nodiscard]] glm::vec3 half_extent(const Shape& shape);
+/// Whether two shapes are the same to the bit.
+[[nodiscard]] bool same(const Shape& a, const Shape& b);
 /// [m] Smallest thickness.
 [[nodiscard]] float thickness(const Shape& shape);
 /// Whether the segment between two points outside, in the shape's own axes, passes through it.

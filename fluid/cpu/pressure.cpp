@@ -114,7 +114,15 @@ void project(Workspace& work, std::span<glm::vec4> velocity, std::span<glm::vec4
 
 void Workspace::State::solve_around(std::span<const glm::vec4> velocity, SolidSolve& around, const GradientNote& note) {
     const cpu::SolidFlow flow = solid_flow();
-    const std::span<const cpu::SurfaceCell> cells = solids->surface();
+    const std::span<const cpu::ClosedFace> faces = solids->faces();
+    const std::span<const cpu::Solids::SurfaceCell> cells = solids->surface();
+    // Adds the slopes of all faces to what their cells hold, times a factor: B phi.
+    const auto add_masked = [&](std::span<const float> slope, float factor, std::span<float> terms) {
+        for (std::size_t n = 0; n < faces.size(); ++n) {
+            terms[faces[n].surface[0]] += factor * slope[n];
+            terms[faces[n].surface[1]] -= factor * slope[n];
+        }
+    };
     const auto sum = [&](const auto& term) {
         double total = 0.0;
         for (std::size_t n = 0; n < cells.size(); ++n)
@@ -127,15 +135,18 @@ void Workspace::State::solve_around(std::span<const glm::vec4> velocity, SolidSo
     };
     flow.close_divergence(velocity, around.given, around.bodies_move, potential.data());
     const double wanted = norm([&](std::size_t n) { return static_cast<double>(potential[cells[n].potential]); });
-    const bool guessed = around.guess_scale > 0.0f;
-    for (std::size_t n = 0; n < cells.size(); ++n) {
-        residual_terms[n] = guessed ? -around.guess_scale * solid_terms[n] : 0.0f;
-        potential[cells[n].potential] -= residual_terms[n];
-    }
+    const float guess = around.guess_scale;
+    if (guess > 0.0f)
+        for (std::size_t n = 0; n < faces.size(); ++n) {
+            potential[faces[n].potential[0]] += guess * solid_terms[n];
+            potential[faces[n].potential[1]] -= guess * solid_terms[n];
+        }
     pressure.solve(potential.data(), scratch.data(), parallel_for);
-    flow.closed_slopes(potential.data(), closed_terms);
-    for (std::size_t n = 0; n < cells.size(); ++n)
-        residual_terms[n] += closed_terms[n];
+    flow.closed_slopes(potential.data(), closed_slopes);
+    std::fill(residual_terms.begin(), residual_terms.end(), 0.0f);
+    add_masked(closed_slopes, 1.0f, residual_terms);
+    if (guess > 0.0f)
+        add_masked(solid_terms, -guess, residual_terms);
     const auto residual = [&] { return norm([&](std::size_t n) { return static_cast<double>(residual_terms[n]); }); };
 
     around.solved = 1;
@@ -154,27 +165,30 @@ void Workspace::State::solve_around(std::span<const glm::vec4> velocity, SolidSo
         if (!first)
             add_to_rows(correction, direction, beta);
         std::swap(direction, correction);
-        flow.closed_slopes(direction.data(), masked_terms);
+        // A d: L d is known, since d is made of solutions.
         for (std::size_t n = 0; n < cells.size(); ++n)
             applied_terms[n] = first ? residual_terms[n] : residual_terms[n] + beta * applied_terms[n];
+        flow.closed_slopes(direction.data(), closed_slopes);
+        std::copy(applied_terms.begin(), applied_terms.end(), masked_terms.begin());
+        add_masked(closed_slopes, -1.0f, masked_terms);
         const double bent = sum([&](std::size_t n) {
-            return static_cast<double>(direction[cells[n].potential]) * (static_cast<double>(applied_terms[n]) - masked_terms[n]);
+            return static_cast<double>(direction[cells[n].potential]) * static_cast<double>(masked_terms[n]);
         });
         if (!(bent < 0.0))
             break;
         const auto alpha = static_cast<float>(squares / bent);
         add_to_rows(potential, direction, alpha);
         for (std::size_t n = 0; n < cells.size(); ++n)
-            residual_terms[n] -= alpha * (applied_terms[n] - masked_terms[n]);
+            residual_terms[n] -= alpha * masked_terms[n];
         left = residual();
         ++around.solved;
     }
+    if (around.solved > 1)
+        flow.closed_slopes(potential.data(), closed_slopes);
     around.residual = wanted > 0.0 ? static_cast<float>(left / wanted) : 0.0f;
-    if (!around.keeps_terms)
-        return;
-    flow.closed_slopes(potential.data(), closed_terms);
-    for (std::size_t n = 0; n < cells.size(); ++n)
-        solid_terms[n] = note.weight * closed_terms[n] + note.kept * solid_terms[n];
+    if (around.keeps_terms)
+        for (std::size_t n = 0; n < faces.size(); ++n)
+            solid_terms[n] = note.weight * closed_slopes[n] + note.kept * solid_terms[n];
 }
 
 // a += factor * b over the rows of the direct solve.
@@ -195,26 +209,28 @@ void Workspace::State::set_obstacles(std::span<const cpu::PlacedObstacle> obstac
         direction = cpu::Buffer<float>(potential.size());
         correction = cpu::Buffer<float>(potential.size());
     }
-    for (const cpu::SurfaceCell& cell : solids->surface())
-        cells_before.push_back(cell.cell);
+    faces_before.clear();
+    for (const cpu::ClosedFace& face : solids->faces())
+        faces_before.emplace_back(face.cell[0], face.axis);
     solid_terms.swap(terms_before);
-    solids->rasterise(obstacles);
-    const std::span<const cpu::SurfaceCell> cells = solids->surface();
-    for (std::vector<float>* terms : {&residual_terms, &applied_terms, &masked_terms, &closed_terms, &solid_terms})
-        terms->assign(cells.size(), 0.0f);
+    solids->place(obstacles, shift);
+    const std::span<const cpu::ClosedFace> faces = solids->faces();
+    for (std::vector<float>* terms : {&closed_slopes, &solid_terms})
+        terms->assign(faces.size(), 0.0f);
+    for (std::vector<float>* terms : {&residual_terms, &applied_terms, &masked_terms})
+        terms->assign(solids->surface().size(), 0.0f);
     // Both lists are sorted by cell; a shift of the box does not change the order of the cells that stay.
     std::size_t from = 0;
-    for (std::size_t n = 0; n < cells.size(); ++n) {
-        const glm::ivec3 then = solids->place_of(cells[n].cell) + shift;
+    for (std::size_t n = 0; n < faces.size(); ++n) {
+        const glm::ivec3 then = solids->place_of(faces[n].cell[0]) + shift;
         if (glm::any(glm::lessThan(then, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(then, box.cells)))
             continue;
-        const auto cell = static_cast<std::uint32_t>(box.index(then.x, then.y, then.z));
-        while (from < cells_before.size() && cells_before[from] < cell)
+        const std::pair wanted(static_cast<std::uint32_t>(box.index(then.x, then.y, then.z)), faces[n].axis);
+        while (from < faces_before.size() && faces_before[from] < wanted)
             ++from;
-        if (from < cells_before.size() && cells_before[from] == cell)
+        if (from < faces_before.size() && faces_before[from] == wanted)
             solid_terms[n] = terms_before[from];
     }
-    cells_before.clear();
 }
 
 void Workspace::State::project(std::span<glm::vec4> velocity, std::span<const float> expansion, const GradientNote& note,
@@ -248,7 +264,7 @@ void Workspace::State::project(std::span<glm::vec4> velocity, std::span<const fl
     task.kept = note.kept;
     parallel_for(box.cells.z, [&](int plane) { kernels->gradient_plane(task, plane); });
     if (has_solids()) {
-        solid_flow().open_gradient(potential.data(), 1.0f, velocity, note.field, note.weight);
+        solid_flow().open_gradient(closed_slopes, velocity, note.field, note.weight);
         solid_flow().hold_bodies((around != nullptr ? *around : alone).given, around == nullptr || around->bodies_move, velocity);
     }
     if (beyond != nullptr)

@@ -1,4 +1,4 @@
-// Passes of a step over the cells at obstacles (solids.h): each visits lists, none the whole grid.
+// Passes of a step over the faces and cells at obstacles (solids.h): each visits lists, none the whole grid.
 #pragma once
 
 #include "fluid/cpu/solids.h"
@@ -13,6 +13,7 @@ namespace windrow::cpu {
 struct PrescribedFlow {
     const float* ambient = nullptr; ///< four floats a padded cell; null: none
     std::span<const glm::vec4> source_flow{};
+    [[nodiscard]] bool any() const { return ambient != nullptr || !source_flow.empty(); }
 };
 
 class SolidFlow {
@@ -20,40 +21,38 @@ class SolidFlow {
     SolidFlow(const Solids& solids, const Box& box, const ParallelFor& parallel_for)
         : solids_(solids), box_(box), parallel_for_(parallel_for) {}
 
-    /// Writes the air's values into the ghost cells, mirrored, so that a read beside a body finds air. The history of the pressure
-    /// is mirrored about 0, and so is a velocity without `given`'s part about the bodies' own.
+    /// Writes the air's values into the ghost cells, mirrored about the bodies' own velocity less the prescribed part, so that a
+    /// read beside a body finds air. The history of the pressure is mirrored about 0.
     void extend(std::span<glm::vec4> velocity, const PrescribedFlow& given) const;
     void extend_history(std::span<glm::vec4> history) const;
     /// Divergence of surface and inside cells, as their closed faces have it; `potential` holds that of the empty box.
     void close_divergence(std::span<const glm::vec4> velocity, const PrescribedFlow& given, bool bodies_move,
                           float* potential) const;
-    /// term[n] = B phi of surface cell n.
-    void closed_slopes(const float* potential, std::span<float> term) const;
-    /// Takes the closed faces' slopes off the gradient: velocity += fix, note = note - weight * fix. `note` may be empty.
-    void open_gradient(const float* potential, float scale, std::span<glm::vec4> velocity, std::span<glm::vec4> note,
+    /// slope[n] = closed times the potential's difference over face n: cells take + at the low end and - at the high one, B phi.
+    void closed_slopes(const float* potential, std::span<float> slope) const;
+    /// Takes the closed faces' slopes off the gradient: velocity += fix, note -= weight * fix. `note` may be empty.
+    void open_gradient(std::span<const float> slope, std::span<glm::vec4> velocity, std::span<glm::vec4> note,
                        float weight) const;
     /// Sets cells inside to the bodies' own velocity, less the prescribed part.
     void hold_bodies(const PrescribedFlow& given, bool bodies_move, std::span<glm::vec4> velocity) const;
     /// Corrects one explicit pass of diffusion: closed faces have no flux, or that of a wall to which the air sticks.
     void close_diffusion(std::span<const glm::vec4> field, float ratio, std::span<glm::vec4> result) const;
 
-    /// [m/s] Sum over a body's faces of closed phi n, n into the body: momentum over density and h^3.
-    [[nodiscard]] glm::vec3 push_on(std::size_t body, const float* potential) const;
     /// Corrections of a reduction over the whole box: squares of the divergence [1/s] that surface cells have beyond those of the
     /// empty box, and the squares of the speeds inside bodies.
     struct Correction {
         double divergence_squares = 0.0, speed_squares = 0.0;
     };
-    [[nodiscard]] Correction correct_survey(std::span<const glm::vec4> velocity, std::span<const float> expansion) const;
-
-    [[nodiscard]] glm::vec3 body_velocity(std::uint16_t body, glm::vec3 place_cells) const;
+    [[nodiscard]] Correction correct_survey(std::span<const glm::vec4> velocity, std::span<const float> expansion,
+                                            std::span<float> flux) const;
+    /// [m/s] Sum over a body's faces of closed phi n, n into the body: momentum over density and h^3.
+    [[nodiscard]] glm::vec3 push_on(std::size_t body, const float* potential) const;
 
   private:
-    template <class Visit>
-    void for_each_surface_cell(const Visit& visit) const;
+    [[nodiscard]] glm::vec3 given_at(const PrescribedFlow& given, std::uint32_t cell) const;
+    [[nodiscard]] float central_divergence(std::span<const glm::vec4> velocity, const Solids::SurfaceCell& cell) const;
     template <class Wall>
     void extend_by(std::span<glm::vec4> field, const Wall& wall) const;
-    [[nodiscard]] glm::vec3 given_at(const PrescribedFlow& given, std::uint32_t cell) const;
 
     const Solids& solids_;
     const Box& box_;

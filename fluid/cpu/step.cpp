@@ -508,7 +508,8 @@ void Cells::measure(Diagnostics& report) {
     PlaneSurvey found =
         config_.stages.projection ? state.survey_with_divergence(velocity, sources.expansion()) : state.survey(velocity);
     if (state.has_solids()) {
-        const SolidFlow::Correction inside = state.solid_flow().correct_survey(air.velocity, sources.expansion());
+        const SolidFlow::Correction inside =
+            state.solid_flow().correct_survey(air.velocity, sources.expansion(), state.residual_terms);
         found.divergence_squares = std::max(found.divergence_squares + inside.divergence_squares, 0.0);
         found.squares = std::max(found.squares - inside.speed_squares, 0.0);
     }

@@ -220,7 +220,8 @@ class ThinReader {
         std::uint32_t low;
         if (!face(cell, axis, side, low))
             return 0.0f;
-        float speed = solids_.wall_speed(low, axis);
+        const cpu::ClosedFace* const closed_face = solids_.face(low, axis);
+        float speed = closed_face != nullptr ? closed_face->wall / closed_face->closed : 0.0f;
         if (task_.given.now != nullptr)
             speed -= task_.given.now[4 * padded_index(cell) + axis];
         return speed;

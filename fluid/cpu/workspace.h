@@ -52,9 +52,10 @@ struct Workspace::State {
     cpu::Buffer<float> scratch;                                   ///< scratch of the direct solves
     cpu::Buffer<cpu::PlaneSurvey> surveys;                        ///< one a plane
     cpu::Buffer<float> direction, correction;                     ///< of conjugate gradients; empty without obstacles
-    /// By surface cell: the residual, L d and B d of the direction d, B phi.
-    std::vector<float> residual_terms, applied_terms, masked_terms, closed_terms;
-    std::vector<std::uint32_t> cells_before; ///< scratch of set_obstacles
+    std::vector<float> residual_terms, applied_terms,
+        masked_terms;                 ///< by surface cell: the residual; L d, A d of the direction d
+    std::vector<float> closed_slopes; ///< by closed face: closed times the difference of phi
+    std::vector<std::pair<std::uint32_t, std::uint8_t>> faces_before; ///< scratch of set_obstacles
     std::vector<float> terms_before;
 
     void set_boundaries(const Boundaries& boundaries);
@@ -93,9 +94,9 @@ struct Workspace::State {
                  const cpu::FreeAir* beyond = nullptr, SolidSolve* around = nullptr);
     /// Obstacles in the box; null: none.
     std::unique_ptr<cpu::Solids> solids;
-    /// B phi of the last step by surface cell: history of the pressure around obstacles.
+    /// Slopes of the last steps' phi over closed faces: history of the pressure around obstacles, as q is that of the air.
     std::vector<float> solid_terms;
-    /// Replaces the obstacles. Surface cells keep their terms; `shift`: cells by which the box has moved since.
+    /// Replaces the obstacles. Faces keep their terms; `shift`: cells by which the box has moved since.
     void set_obstacles(std::span<const cpu::PlacedObstacle> obstacles, glm::ivec3 shift = glm::ivec3(0));
     void advect_beside_thin_bodies(const cpu::AdvectTask& task, bool scalar, bool cubic);
     [[nodiscard]] cpu::SolidFlow solid_flow() const { return {*solids, box, parallel_for}; }
