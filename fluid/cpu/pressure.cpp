@@ -209,9 +209,7 @@ void Workspace::State::set_obstacles(std::span<const cpu::PlacedObstacle> obstac
         direction = cpu::Buffer<float>(potential.size());
         correction = cpu::Buffer<float>(potential.size());
     }
-    faces_before.clear();
-    for (const cpu::ClosedFace& face : solids->faces())
-        faces_before.emplace_back(face.cell[0], face.axis);
+    solid_keys.swap(keys_before);
     solid_terms.swap(terms_before);
     solids->place(obstacles, shift);
     const std::span<const cpu::ClosedFace> faces = solids->faces();
@@ -219,16 +217,18 @@ void Workspace::State::set_obstacles(std::span<const cpu::PlacedObstacle> obstac
         terms->assign(faces.size(), 0.0f);
     for (std::vector<float>* terms : {&residual_terms, &applied_terms, &masked_terms})
         terms->assign(solids->surface().size(), 0.0f);
+    solid_keys.resize(faces.size());
     // Both lists are sorted by cell; a shift of the box does not change the order of the cells that stay.
     std::size_t from = 0;
     for (std::size_t n = 0; n < faces.size(); ++n) {
+        solid_keys[n] = 4 * faces[n].cell[0] + faces[n].axis;
         const glm::ivec3 then = solids->place_of(faces[n].cell[0]) + shift;
         if (glm::any(glm::lessThan(then, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(then, box.cells)))
             continue;
-        const std::pair wanted(static_cast<std::uint32_t>(box.index(then.x, then.y, then.z)), faces[n].axis);
-        while (from < faces_before.size() && faces_before[from] < wanted)
+        const std::uint32_t wanted = 4 * static_cast<std::uint32_t>(box.index(then.x, then.y, then.z)) + faces[n].axis;
+        while (from < keys_before.size() && keys_before[from] < wanted)
             ++from;
-        if (from < faces_before.size() && faces_before[from] == wanted)
+        if (from < keys_before.size() && keys_before[from] == wanted)
             solid_terms[n] = terms_before[from];
     }
 }

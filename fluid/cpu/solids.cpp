@@ -18,6 +18,8 @@ constexpr float k_open_at_most = 6e-3f; // open fractions of a shut cell, all fa
 constexpr int k_farthest_reach = 6;     // [cells] beyond it every cell counts as beside a thin body
 constexpr int k_beyond = 8;             // [cells] drawn beyond the box, so that not every shift draws a large body again
 
+constexpr double k_parts = 4096.0; // of a cell, in which a body's place is rounded
+
 // Fraction of a triangle's area where a linear function is negative.
 float negative_fraction(float a, float b, float c) {
     if (a > b)
@@ -207,19 +209,24 @@ void Solids::draw(Drawing& drawing) {
             for (int x = -images.x; x <= images.x; ++x) {
                 PlacedObstacle image = drawing.body;
                 image.position += glm::vec3(x, y, z) * size;
-                draw_image(drawing, reach_of(image, beyond), glm::vec3(x, y, z) * size);
+                draw_image(drawing, reach_of(image, beyond), glm::ivec3(x, y, z) * box_.cells);
             }
 }
 
 // Adds the closed faces and the inside cells of one image of a body.
-void Solids::draw_image(Drawing& drawing, const Reach& reach, glm::vec3 offset) {
+void Solids::draw_image(Drawing& drawing, const Reach& reach, glm::ivec3 offset) {
     const glm::ivec3 low = reach.low, high = reach.high, corners = high - low + 1;
     if (corners.x <= 1 || corners.y <= 1 || corners.z <= 1)
         return;
     const PlacedObstacle& body = drawing.body;
     const float h = box_.cell_size;
     const glm::mat3 to_own = glm::transpose(body.axes);
-    const auto own_place = [&](glm::vec3 cell) { return to_own * (cell * h - body.position - offset); };
+    // From the cell that holds the middle, so that a body has the same cells wherever the box is.
+    const glm::dvec3 middle = glm::dvec3(body.position) / static_cast<double>(h) + glm::dvec3(offset);
+    const glm::dvec3 base = glm::floor(middle);
+    const glm::vec3 part = glm::vec3(glm::round((middle - base) * k_parts) / k_parts);
+    const auto from_middle = [&](glm::vec3 cell) { return ((cell - glm::vec3(base)) - part) * h; };
+    const auto own_place = [&](glm::vec3 cell) { return to_own * from_middle(cell); };
     const auto corner = [&](glm::ivec3 at) {
         at -= low;
         return (static_cast<std::size_t>(at.z) * corners.y + at.y) * corners.x + at.x;
@@ -248,11 +255,11 @@ void Solids::draw_image(Drawing& drawing, const Reach& reach, glm::vec3 offset) 
                     step[axis] = 1.0f;
                     float closed = 0.0f;
                     if (!flat) {
-                        glm::ivec3 base = cell, one(0), other(0);
-                        ++base[axis];
+                        glm::ivec3 face = cell, one(0), other(0);
+                        ++face[axis];
                         one[(axis + 1) % 3] = other[(axis + 2) % 3] = 1;
-                        closed = negative_fraction(distances_[corner(base)], distances_[corner(base + one)],
-                                                   distances_[corner(base + one + other)], distances_[corner(base + other)]);
+                        closed = negative_fraction(distances_[corner(face)], distances_[corner(face + one)],
+                                                   distances_[corner(face + one + other)], distances_[corner(face + other)]);
                     }
                     if (closed < 1.0f && !in && away < 1.0f) {
                         const glm::vec3 beyond = own_place(centre + step);
@@ -261,8 +268,9 @@ void Solids::draw_image(Drawing& drawing, const Reach& reach, glm::vec3 offset) 
                     }
                     if (!(closed > 0.0f))
                         continue;
-                    const glm::vec3 face = (centre + 0.5f * step) * h - offset;
-                    drawing.faces.push_back({cell, axis, closed, moves ? closed * body.velocity_at(face)[axis] : 0.0f});
+                    const float wall =
+                        moves ? closed * (body.velocity + glm::cross(body.spin, from_middle(centre + 0.5f * step)))[axis] : 0.0f;
+                    drawing.faces.push_back({cell, axis, closed, wall});
                 }
             }
 }

@@ -133,7 +133,8 @@ class Solids {
     [[nodiscard]] Reach reach_of(const PlacedObstacle& obstacle, glm::ivec3 beyond) const;
     [[nodiscard]] bool still_holds(const Drawing& drawing, const PlacedObstacle& obstacle) const;
     void draw(Drawing& drawing);
-    void draw_image(Drawing& drawing, const Reach& reach, glm::vec3 offset);
+    /// `offset`: cells from the body to its image.
+    void draw_image(Drawing& drawing, const Reach& reach, glm::ivec3 offset);
     void collect_faces();
     void find_shut_cells();
     void collect_surface();

@@ -53,9 +53,9 @@ struct Workspace::State {
     cpu::Buffer<cpu::PlaneSurvey> surveys;                        ///< one a plane
     cpu::Buffer<float> direction, correction;                     ///< of conjugate gradients; empty without obstacles
     std::vector<float> residual_terms, applied_terms,
-        masked_terms;                 ///< by surface cell: the residual; L d, A d of the direction d
-    std::vector<float> closed_slopes; ///< by closed face: closed times the difference of phi
-    std::vector<std::pair<std::uint32_t, std::uint8_t>> faces_before; ///< scratch of set_obstacles
+        masked_terms;                       ///< by surface cell: the residual; L d, A d of the direction d
+    std::vector<float> closed_slopes;       ///< by closed face: closed times the difference of phi
+    std::vector<std::uint32_t> keys_before; ///< scratch of set_obstacles
     std::vector<float> terms_before;
 
     void set_boundaries(const Boundaries& boundaries);
@@ -96,6 +96,7 @@ struct Workspace::State {
     std::unique_ptr<cpu::Solids> solids;
     /// Slopes of the last steps' phi over closed faces: history of the pressure around obstacles, as q is that of the air.
     std::vector<float> solid_terms;
+    std::vector<std::uint32_t> solid_keys; ///< the faces that they are of: 4 times the low cell, plus the axis; sorted
     /// Replaces the obstacles. Faces keep their terms; `shift`: cells by which the box has moved since.
     void set_obstacles(std::span<const cpu::PlacedObstacle> obstacles, glm::ivec3 shift = glm::ivec3(0));
     void advect_beside_thin_bodies(const cpu::AdvectTask& task, bool scalar, bool cubic);
