@@ -162,6 +162,7 @@ class Cells final : public CellStorage {
     CanopyRows canopy_;                  ///< of the step
     std::vector<PlacedObstacle> placed_; ///< in the sub-step
     glm::ivec3 unplaced_shift_{0};       ///< cells by which the box has moved since the obstacles were placed
+    bool place_again_ = false;           ///< memory was missing
     bool bodies_move_ = false;           ///< some obstacle in the box moves in this step
     Buffer<glm::vec4> diffused_;         ///< the velocity after diffusion; empty while viscosity has no effect
     FreeAir free_air_;                   ///< potential of the volume sources; empty until the first

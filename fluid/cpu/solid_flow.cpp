@@ -123,8 +123,8 @@ float SolidFlow::central_divergence(std::span<const glm::vec4> velocity, const S
     return sum;
 }
 
-SolidFlow::Correction SolidFlow::correct_survey(std::span<const glm::vec4> velocity, std::span<const float> expansion,
-                                                std::span<float> flux) const {
+double SolidFlow::correct_divergence(std::span<const glm::vec4> velocity, std::span<const float> expansion,
+                                     std::span<float> flux) const {
     std::fill(flux.begin(), flux.end(), 0.0f);
     for (const ClosedFace& face : solids_.faces()) {
         const float passed =
@@ -132,18 +132,15 @@ SolidFlow::Correction SolidFlow::correct_survey(std::span<const glm::vec4> veloc
         flux[face.surface[0]] -= passed;
         flux[face.surface[1]] += passed;
     }
-    Correction found;
+    double found = 0.0;
     const std::span<const Solids::SurfaceCell> cells = solids_.surface();
     const float scale = 1.0f / box_.cell_size;
     for (std::size_t n = 0; n < cells.size(); ++n) {
         const float empty = central_divergence(velocity, cells[n]);
         const float wanted = expansion.empty() ? 0.0f : expansion[cells[n].cell];
         const float before = scale * empty - wanted, after = scale * (empty + flux[n]) - wanted;
-        found.divergence_squares += static_cast<double>((solids_.inside(cells[n].cell) ? 0.0f : after * after) - before * before);
+        found += static_cast<double>((solids_.inside(cells[n].cell) ? 0.0f : after * after) - before * before);
     }
-    for (const Solids::InsideCell& cell : solids_.inside())
-        if (solids_.bodies()[cell.body].moves())
-            found.speed_squares += static_cast<double>(glm::dot(velocity[cell.cell], velocity[cell.cell]));
     return found;
 }
 

@@ -38,12 +38,9 @@ class SolidFlow {
     /// Corrects one explicit pass of diffusion: closed faces have no flux, or that of a wall to which the air sticks.
     void close_diffusion(std::span<const glm::vec4> field, float ratio, std::span<glm::vec4> result) const;
 
-    /// Corrections of a reduction over the whole box: squares of the divergence [1/s] that surface cells have beyond those of the
-    /// empty box, and the squares of the speeds inside bodies.
-    struct Correction {
-        double divergence_squares = 0.0, speed_squares = 0.0;
-    };
-    [[nodiscard]] Correction correct_survey(std::span<const glm::vec4> velocity, std::span<const float> expansion,
+    /// Squares of the divergence [1/s] that surface cells have beyond those of the empty box: a correction of a sum over all cells.
+    /// `flux` is scratch, one a surface cell.
+    [[nodiscard]] double correct_divergence(std::span<const glm::vec4> velocity, std::span<const float> expansion,
                                             std::span<float> flux) const;
     /// [m/s] Sum over a body's faces of closed phi n, n into the body: momentum over density and h^3.
     [[nodiscard]] glm::vec3 push_on(std::size_t body, const float* potential) const;

@@ -31,6 +31,7 @@
 // Based on: Temperton & Staniforth 1987, Quarterly Journal 113; Hortal 2002, ECMWF Technical Memorandum 292; Stam 1999, SIGGRAPH.
 #include "fluid/cpu/cells.h"
 #include "fluid/cpu/workspace.h"
+#include "fluid/message.h"
 #include "fluid/numerics.h"
 #include "fluid/wind_core.h"
 
@@ -195,16 +196,24 @@ void Cells::rehearse(float dt, Diagnostics& report) {
 void Cells::place_obstacles(const CellStep& step, double early, Diagnostics& report) {
     Stopwatch watch(report.times_ms.obstacles);
     bodies_move_ = std::any_of(step.obstacles.begin(), step.obstacles.end(), [](const auto& body) { return body.moves(); });
-    if (!step.obstacles_changed && !(bodies_move_ && report.substeps > 1))
+    if (!step.obstacles_changed && !place_again_ && !(bodies_move_ && report.substeps > 1))
         return;
-    placed_.assign(step.obstacles.begin(), step.obstacles.end());
-    for (PlacedObstacle& body : placed_) {
-        const auto back = static_cast<float>(early);
-        body.position -= back * body.velocity;
-        if (const float angle = back * glm::length(body.spin); angle > 0.0f)
-            body.axes = glm::mat3(glm::rotate(glm::mat4(1.0f), -angle, body.spin)) * body.axes;
+    const bool placed = detail::memory_lasts([&] {
+        placed_.assign(step.obstacles.begin(), step.obstacles.end());
+        for (PlacedObstacle& body : placed_) {
+            const auto back = static_cast<float>(early);
+            body.position -= back * body.velocity;
+            if (const float angle = back * glm::length(body.spin); angle > 0.0f)
+                body.axes = glm::mat3(glm::rotate(glm::mat4(1.0f), -angle, body.spin)) * body.axes;
+        }
+        work.state().set_obstacles(placed_, unplaced_shift_);
+    });
+    unplaced_shift_ = glm::ivec3(0);
+    place_again_ = !placed;
+    if (!placed) { // the air does without them in this step
+        work.state().solids.reset();
+        report.out_of_memory = true;
     }
-    work.state().set_obstacles(placed_, std::exchange(unplaced_shift_, glm::ivec3(0)));
 }
 
 PrescribedFlow Cells::prescribed() const {
@@ -508,10 +517,8 @@ void Cells::measure(Diagnostics& report) {
     PlaneSurvey found =
         config_.stages.projection ? state.survey_with_divergence(velocity, sources.expansion()) : state.survey(velocity);
     if (state.has_solids()) {
-        const SolidFlow::Correction inside =
-            state.solid_flow().correct_survey(air.velocity, sources.expansion(), state.residual_terms);
-        found.divergence_squares = std::max(found.divergence_squares + inside.divergence_squares, 0.0);
-        found.squares = std::max(found.squares - inside.speed_squares, 0.0);
+        const double more = state.solid_flow().correct_divergence(air.velocity, sources.expansion(), state.residual_terms);
+        found.divergence_squares = std::max(found.divergence_squares + more, 0.0);
     }
     report.max_speed = found.largest_component;
     report.energy = 0.5 * found.squares * h * h * h;
