@@ -184,24 +184,25 @@ struct ObstacleFields {
     }
 
     static void surface(auto& archive, auto& history, glm::ivec3 size) {
-        auto& [cells, terms, shift] = history;
-        auto count = static_cast<std::uint32_t>(cells.size());
+        auto& [keys, terms, shift] = history;
+        auto count = static_cast<std::uint32_t>(keys.size());
         archive(count);
         if constexpr (detail::Reading<decltype(archive)>) {
             if (!archive.can_hold(count, sizeof(std::uint32_t) + sizeof(float)))
                 return;
-            cells.resize(count);
+            keys.resize(count);
             terms.resize(count);
         }
-        for (auto& cell : cells)
-            archive(cell);
+        for (auto& key : keys)
+            archive(key);
         for (auto& term : terms)
             archive(term);
         archive(shift);
         if constexpr (detail::Reading<decltype(archive)>) {
             const std::size_t box = Box{.cells = size}.cell_count();
-            archive.require(std::adjacent_find(cells.begin(), cells.end(), std::greater_equal()) == cells.end() &&
-                                (cells.empty() || cells.back() < box) && glm::all(glm::lessThan(glm::abs(shift), size)),
+            archive.require(std::adjacent_find(keys.begin(), keys.end(), std::greater_equal()) == keys.end() &&
+                                (keys.empty() || keys.back() < 4 * box) && glm::all(glm::lessThan(glm::abs(shift), size)) &&
+                                std::all_of(terms.begin(), terms.end(), [](float term) { return std::isfinite(term); }),
                             "its history at obstacles is out of range.");
         }
     }

@@ -259,17 +259,13 @@ void Cells::add_change(const CellChange& change) {
 
 SurfaceHistory Cells::surface_history() const {
     const Workspace::State& state = work.state();
-    SurfaceHistory history{.cells = state.cells_before, .terms = state.solid_terms, .shift = unplaced_shift_};
-    if (state.solids)
-        for (const SurfaceCell& cell : state.solids->surface())
-            history.cells.push_back(cell.cell);
-    if (history.cells.empty() || glm::any(glm::greaterThanEqual(glm::abs(unplaced_shift_), box().cells)))
+    if (state.solid_keys.empty() || glm::any(glm::greaterThanEqual(glm::abs(unplaced_shift_), box().cells)))
         return {}; // no cell of the box has any
-    return history;
+    return {.keys = state.solid_keys, .terms = state.solid_terms, .shift = unplaced_shift_};
 }
 
 void Cells::set_surface_history(SurfaceHistory&& history) {
-    work.state().cells_before = std::move(history.cells);
+    work.state().solid_keys = std::move(history.keys);
     work.state().solid_terms = std::move(history.terms);
     unplaced_shift_ = history.shift;
 }

@@ -48,9 +48,9 @@ struct FrameCells {
 
 /// What the pressure around obstacles keeps from step to step, for snapshots.
 struct SurfaceHistory {
-    std::vector<std::uint32_t> cells{}; ///< surface cells, in order
-    std::vector<float> terms{};         ///< one each
-    glm::ivec3 shift{0};                ///< cells by which the box has moved since
+    std::vector<std::uint32_t> keys{}; ///< of closed faces, in order: 4 times the low cell, plus the axis
+    std::vector<float> terms{};        ///< one each
+    glm::ivec3 shift{0};               ///< cells by which the box has moved since
 };
 
 class Cells final : public CellStorage {
