@@ -26,7 +26,7 @@
 #define WINDROW_KEEPS 8192             // the air before this tick is kept, to blend frames
 #define WINDROW_DRIVES 32768           // a motor of this tick is a drive
 #define WINDROW_ONE_PASS                                                                                                         \
-    16384 // its explicit pass is all there is: it acts for as long as that may, and leaves the rest for later
+    16384                    // its explicit pass is all there is: it acts for as long as that may, and leaves the rest for later
 #define WINDROW_LIMITS 65536 // limit.comp is recorded: speeds may be cut
 
 // Of a tick. An axis is a component of the vec4s of which xyz alone are used.
@@ -36,24 +36,24 @@ struct WindrowStep {
     // Fields of cells are stored as a torus; this is the place of cell (0, 0, 0). A shift of the box moves it, not the cells.
     ivec3 torus;
     int recorded_substeps; // at most as many run; the time of the others is carried over to the next tick
-    int flags;   // above
+    int flags;             // above
     int max_substeps;
-    int forced_substeps;   // 0: as many as the speeds ask
-    float duration;        // [s]
-    float cell_size;       // [m]
-    float relaxation_time; // [s] to the ambient wind
-    float max_cfl;         // most cells that air may cross in a sub-step
-    float sleep_speed;     // [m/s] a perturbation that counts as none
-    float canopy_drag;     // [1/m] 0: none
-    float canopy_ground;   // [cells above the low side]
-    float canopy_top;      // [cells above the low side]
-    float gust_strength;   // [m/s] standard deviation; 0: none
-    vec3 ambient;          // [m/s] mean wind that open boundaries carry
-    float viscosity;       // [m^2/s]
-    vec3 gust_speed;       // [texels/s] at which gusts are carried
-    int exposes;           // bits of WINDROW_PLACE for cells that a shift before the tick exposes; 0: none
-    ivec3 shift;           // [cells] of the box, of these
-    int exposed_value;     // WINDROW_PLACE_AMBIENT or _ZERO
+    int forced_substeps;                // 0: as many as the speeds ask
+    float duration;                     // [s]
+    float cell_size;                    // [m]
+    float relaxation_time;              // [s] to the ambient wind
+    float max_cfl;                      // most cells that air may cross in a sub-step
+    float sleep_speed;                  // [m/s] a perturbation that counts as none
+    float canopy_drag;                  // [1/m] 0: none
+    float canopy_ground;                // [cells above the low side]
+    float canopy_top;                   // [cells above the low side]
+    float gust_strength;                // [m/s] standard deviation; 0: none
+    vec3 ambient;                       // [m/s] mean wind that open boundaries carry
+    float viscosity;                    // [m^2/s]
+    vec3 gust_speed;                    // [texels/s] at which gusts are carried
+    int exposes;                        // bits of WINDROW_PLACE for cells that a shift before the tick exposes; 0: none
+    ivec3 shift;                        // [cells] of the box, of these
+    int exposed_value;                  // WINDROW_PLACE_AMBIENT or _ZERO
     vec4 low, high;                     // positions where a trajectory may end [cells, from the first centre]
     vec4 period;                        // cells of a periodic axis, else 0
     vec4 inverse_period;                // 1 / period, else 0

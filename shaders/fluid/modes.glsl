@@ -69,8 +69,7 @@ void transform_z() {
             const float for_even = tile[x + from * k_tile_x], for_odd = tile[x + of_odd * k_tile_x];
             for (int row = 0; row < k_rows; ++row) {
                 const int to = min(first + row * k_step, k_tile_z - 1);
-                held[block * k_rows + row] +=
-                    eigenvector(push.z_vectors, from, to, k_tile_z) * (to < even ? for_even : for_odd);
+                held[block * k_rows + row] += eigenvector(push.z_vectors, from, to, k_tile_z) * (to < even ? for_even : for_odd);
             }
         }
     }

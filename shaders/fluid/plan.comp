@@ -28,8 +28,8 @@ void main() {
         part = time / float(substeps);
     } else if (is_on(WINDROW_ADVECTS)) {
         // Courant numbers of all this time, once speeds are cut.
-        const float courant = min(catches_up ? cfl * (time / dt) : cfl,
-                                  capped ? max_cfl * float(tick.max_substeps) * (time / dt) : 3.0e38f);
+        const float courant =
+            min(catches_up ? cfl * (time / dt) : cfl, capped ? max_cfl * float(tick.max_substeps) * (time / dt) : 3.0e38f);
         const float wanted = max(ceil(courant / max_cfl), 1.0f);
         substeps = int(min(wanted, float(tick.recorded_substeps)));
         part = courant > 1.00001f * max_cfl * float(substeps) ? time * (max_cfl / courant) : time / float(substeps);

@@ -102,7 +102,8 @@ DeviceSpread DeviceContest::microseconds(std::size_t contestant, std::size_t int
 double DeviceContest::ratio(std::size_t a, std::size_t b) const {
     std::vector<float> ratios;
     for (std::size_t n = 0; n < rounds_; ++n)
-        ratios.push_back(entries_[a].us[0][n] / std::max(entries_[b].us[0][n], 1e-3f)); // no clock resolves less than a nanosecond
+        ratios.push_back(entries_[a].us[0][n] /
+                         std::max(entries_[b].us[0][n], 1e-3f)); // no clock resolves less than a nanosecond
     return quantile(std::move(ratios), 0.5);
 }
 

@@ -7,7 +7,7 @@ layout(location = 0) out vec3 position;
 layout(location = 1) out vec3 normal;
 layout(location = 2) out vec3 look; // x height along the blade, 0 to 1; y bend [rad]; z random
 
-const int k_segments = 3; // two vertices each, and one at the tip
+const int k_segments = 3;               // two vertices each, and one at the tip
 const float k_near = 1.6, k_far = 75.0; // [m] from the eye to the first blade of a fan and the last
 const float k_half_angle = 0.78;        // [rad] half of the fan
 const float k_thinnest = 0.0008;        // [rad] half of a blade's width as the eye sees it

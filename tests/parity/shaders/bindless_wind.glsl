@@ -23,29 +23,17 @@ layout(std430, set = 0, binding = 4) readonly buffer Tile {
 #define WINDROW_TEXTURES uvec2
 #define EXACT(volume) texelFetch(volume, texel, 0).xyz
 #define FILTERED(volume) textureLod(volume, place, 0.0).xyz
-vec3 windrow_texel(uvec2 textures, ivec3 texel) {
-    return textures.x == 0 ? OF(now, EXACT) : OF(before, EXACT);
-}
-vec3 windrow_texture(uvec2 textures, vec3 place) {
-    return textures.x == 0 ? OF(now, FILTERED) : OF(before, FILTERED);
-}
+vec3 windrow_texel(uvec2 textures, ivec3 texel) { return textures.x == 0 ? OF(now, EXACT) : OF(before, EXACT); }
+vec3 windrow_texture(uvec2 textures, vec3 place) { return textures.x == 0 ? OF(now, FILTERED) : OF(before, FILTERED); }
 #define WINDROW_TILE uint
-vec3 windrow_tile_texel(uint wind, ivec3 texel) {
-    return tiles[AT(wind)].texels[(texel.z * 16 + texel.y) * 128 + texel.x].xyz;
-}
+vec3 windrow_tile_texel(uint wind, ivec3 texel) { return tiles[AT(wind)].texels[(texel.z * 16 + texel.y) * 128 + texel.x].xyz; }
 
 #include "coupling/windrow_sampling.glsl"
 
 layout(local_size_x = 64) in;
-layout(std430, set = 0, binding = 0) readonly buffer Places {
-    vec4 places[];
-};
-layout(std430, set = 0, binding = 1) writeonly buffer Winds {
-    vec4 winds[];
-};
-layout(std430, set = 0, binding = 5) readonly buffer Frames {
-    WindrowFrame frames[];
-};
+layout(std430, set = 0, binding = 0) readonly buffer Places { vec4 places[]; };
+layout(std430, set = 0, binding = 1) writeonly buffer Winds { vec4 winds[]; };
+layout(std430, set = 0, binding = 5) readonly buffer Frames { WindrowFrame frames[]; };
 
 // Now and before.
 void sample_wind(uint wind, vec3 p, uint to) {

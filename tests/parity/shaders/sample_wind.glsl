@@ -3,12 +3,8 @@
 #include "coupling/windrow_wind.glsl"
 
 layout(local_size_x = 64) in;
-layout(std430, set = 0, binding = 0) readonly buffer Places {
-    vec4 places[];
-};
-layout(std430, set = 0, binding = 1) writeonly buffer Winds {
-    vec4 winds[];
-}; // now, before and felt of each place
+layout(std430, set = 0, binding = 0) readonly buffer Places { vec4 places[]; };
+layout(std430, set = 0, binding = 1) writeonly buffer Winds { vec4 winds[]; }; // now, before and felt of each place
 
 void main() {
     uint n = gl_GlobalInvocationID.x;

@@ -9,12 +9,8 @@ layout(push_constant) uniform Push {
     // clang-format off
 } push;
 // clang-format on
-layout(set = 0, binding = 0) readonly buffer From {
-    float from[];
-};
-layout(set = 0, binding = 1) writeonly buffer To {
-    float to[];
-};
+layout(set = 0, binding = 0) readonly buffer From { float from[]; };
+layout(set = 0, binding = 1) writeonly buffer To { float to[]; };
 
 void main() {
     uint i = gl_GlobalInvocationID.x;
