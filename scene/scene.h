@@ -36,7 +36,7 @@ struct SceneMotor {
     /// As it stands when it begins to act. Where it has a path, the path says where.
     Motor motor;
     std::optional<std::size_t> path; ///< index in Scene::paths
-    double from = 0.0;               ///< [s] acts in ticks whose middle lies in [from, until)
+    double from = 0.0;               ///< [s] acts in ticks whose middle is in [from, until)
     double until = std::numeric_limits<double>::infinity();
 };
 
@@ -47,7 +47,7 @@ struct SceneObstacle {
     Obstacle obstacle;
     std::optional<std::size_t> path;      ///< index in Scene::paths
     std::optional<std::size_t> turn_path; ///< the same; its x, y, z are the angles of orientation_of
-    double from = 0.0;                    ///< [s] there in ticks whose middle lies in [from, until)
+    double from = 0.0;                    ///< [s] in the air in ticks whose middle is in [from, until)
     double until = std::numeric_limits<double>::infinity();
 };
 

@@ -79,7 +79,7 @@ TEST(Obstacles, ABodyThatTurnsInItsShapeMovesNoAir) {
         if (detail::distance_to(wheel.shape, place) > 0.0f)
             largest = std::max(largest, static_cast<double>(glm::length(velocity[box.index(i, j, k)])));
     });
-    // The rim moves at 6 m/s; a cut face's flux is off by the chord between its corners.
+    // The wheel's edge moves at 6 m/s. A cut face's flux is off by the chord between its corners.
     EXPECT_LT(largest, 0.2);
 }
 
