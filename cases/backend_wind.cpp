@@ -4,6 +4,7 @@
 #include "cases/device_wind.h"
 #endif
 
+#include <algorithm>
 #include <utility>
 #include <variant>
 
@@ -79,6 +80,12 @@ glm::dvec3 BackendWind::origin() const {
 }
 glm::vec3 BackendWind::ambient() const {
     return std::visit([](const auto& wind) { return wind.ambient(); }, std::as_const(*wind_));
+}
+Result<void> BackendWind::write_obstacles(std::span<float> cells) const {
+    if (const auto* const wind = std::get_if<Wind>(wind_.get()))
+        return wind->write_obstacles(cells);
+    std::fill(cells.begin(), cells.end(), 0.0f);
+    return {};
 }
 WindView BackendWind::view() const {
     return std::visit([](const auto& wind) { return wind.view(); }, std::as_const(*wind_));

@@ -90,6 +90,8 @@ class BackendWind {
     /// Of now; good until the next step or change. Where a device failed, its cells are no numbers.
     [[nodiscard]] WindView view() const;
 
+    /// None on a device, which has no obstacles.
+    Result<void> write_obstacles(std::span<float> cells) const;
     [[nodiscard]] Box box() const { return view().box(); }
     [[nodiscard]] std::span<const glm::vec4> field() const { return view().field(); }
     [[nodiscard]] glm::vec3 velocity(glm::dvec3 position) const { return view().velocity(position); }

@@ -55,6 +55,8 @@ class Twins {
     Result<void> step(int n, ParityResult& result) {
         if (auto done = change(n); !done)
             return done;
+        if (auto done = build(n); !done)
+            return done;
         move(story_.dt * (n + 1));
         if (follows_) {
             const glm::dvec3 point = story_.config.centre + jumped_ + story_.dt * (n + 1) * story_.walk;
@@ -135,7 +137,27 @@ class Twins {
         return {};
     }
 
+    Result<void> build(int n) {
+        for (const StoryObstacle& one : story_.obstacles) {
+            if (one.step != n)
+                continue;
+            const auto cpu = cpu_.obstacles().add(one.obstacle);
+            const auto gpu = gpu_.obstacles().add(one.obstacle);
+            if (!cpu || !gpu)
+                return Error{cpu ? gpu.error() : cpu.error()};
+            bodies_.push_back({&one, *cpu, *gpu});
+        }
+        return {};
+    }
+
     void move(double time) {
+        for (const Body& body : bodies_) {
+            if (body.one->velocity == glm::dvec3(0.0))
+                continue;
+            const glm::dvec3 to = body.one->obstacle.position + (time - story_.dt * body.one->step) * body.one->velocity;
+            (void)cpu_.obstacles().move(body.cpu, to);
+            (void)gpu_.obstacles().move(body.gpu, to);
+        }
         for (std::size_t n = 0; n < ids_.size(); ++n) {
             const StoryMotor& one = story_.motors[n];
             if (one.velocity == glm::dvec3(0.0))
@@ -171,6 +193,10 @@ class Twins {
         result.largest_component = std::max(result.largest_component, largest);
     }
 
+    struct Body {
+        const StoryObstacle* one;
+        ObstacleId cpu, gpu;
+    };
     struct Ids {
         MotorId cpu, gpu;
     };
@@ -182,6 +208,7 @@ class Twins {
     bool follows_;
     glm::dvec3 jumped_{0.0};
     std::vector<Ids> ids_;
+    std::vector<Body> bodies_;
     std::vector<std::vector<glm::vec4>> cells_; ///< of the CPU's last steps, by slot
 };
 

@@ -3,6 +3,7 @@
 #include "fluid/message.h"
 
 #include <algorithm>
+#include <glm/gtc/quaternion.hpp>
 
 namespace windrow::cases {
 namespace {
@@ -149,6 +150,39 @@ ParityStory every_pass() {
     return story;
 }
 
+// A house, a fence across the wind, a room of plates and a ball that flies over them.
+ParityStory obstacles() {
+    ParityStory story =
+        small(k_obstacles_story, "a house, a fence and a closed room in gusts and a profile, and a ball that flies; "
+                                 "the box follows, a wall comes");
+    story.config.cells = {20, 12, 18};
+    story.config.centre = {0.0, 6.0, 0.0};
+    story.config.boundaries = Boundaries::open_over_floor();
+    story.config.ambient = {4.0f, 0.0f, 1.0f};
+    story.config.profile = LogProfile{};
+    story.config.gusts = {.intensity = 0.2f};
+    story.config.pressure_solves = 2;
+    story.steps = 40;
+    story.walk = {1.5, 0.0, 0.5};
+    const auto turned = [](glm::vec3 axis, float angle) { return glm::angleAxis(angle, axis); };
+    constexpr float k_quarter = 1.57079633f;
+    const glm::vec3 x(1.0f, 0.0f, 0.0f), y(0.0f, 1.0f, 0.0f);
+    story.obstacles = {
+        {.obstacle = {.position = {-4.0, 2.0, 3.0}, .orientation = turned(y, 0.3f), .shape = Block{{1.6f, 2.0f, 1.8f}}}},
+        {.obstacle = {.position = {4.0, 1.5, -5.0}, .orientation = turned(y, 1.1f), .shape = Plate{{2.5f, 1.5f}}}},
+        {.obstacle = {.position = {-6.0, 7.0, -2.0}, .shape = Sphere{1.7f}}, .velocity = {6.0, 0.0, 1.0}},
+        {.obstacle = {.position = {-1.0, 4.0, -6.0}, .shape = Block{{0.6f, 4.0f, 2.0f}}}, .step = 12}};
+    for (const double side : {-1.0, 1.0}) {
+        story.obstacles.push_back({.obstacle = {.position = {3.0 + 2.0 * side, 2.0, 4.0},
+                                                .orientation = turned(y, k_quarter),
+                                                .shape = Plate{{2.1f, 2.1f}}}});
+        story.obstacles.push_back({.obstacle = {.position = {3.0, 2.0, 4.0 + 2.0 * side}, .shape = Plate{{2.1f, 2.1f}}}});
+    }
+    story.obstacles.push_back(
+        {.obstacle = {.position = {3.0, 4.0, 4.0}, .orientation = turned(x, k_quarter), .shape = Plate{{2.1f, 2.1f}}}});
+    return story;
+}
+
 } // namespace
 
 std::vector<ParityStory> parity_stories() {
@@ -157,7 +191,7 @@ std::vector<ParityStory> parity_stories() {
         for (const auto story : {walk, mixed})
             stories.push_back(story(cells));
     for (const auto story :
-         {viscous_walls, stable_fluids, storm, frames_and_a_jump, whole_long_planes, split_long_planes, every_pass})
+         {viscous_walls, stable_fluids, storm, frames_and_a_jump, whole_long_planes, split_long_planes, obstacles, every_pass})
         stories.push_back(story());
     return stories;
 }
@@ -169,6 +203,8 @@ ParityStory shortened(ParityStory story, double cell_steps) {
     story.steps = std::clamp(static_cast<int>(cell_steps / cells), std::min(k_fewest, story.steps), story.steps);
     for (StoryChange& change : story.changes) // at their share of the way
         change.step = change.step * story.steps / whole;
+    for (StoryObstacle& one : story.obstacles)
+        one.step = one.step * story.steps / whole;
     return story;
 }
 

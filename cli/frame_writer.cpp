@@ -88,29 +88,37 @@ Fault FrameWriter::write_picture([[maybe_unused]] const Playback& playback, [[ma
                                               [&](const scene::SceneObstacle& body) { return body.turn_path == i; });
         if (holds_angles || (many && !leads && !acts))
             continue;
-        // A trail that bears a wake's name is drawn as that body.
+        // A trail that has the name of a wake or an obstacle is drawn as that body.
         std::string name = scene_->paths[i].name;
         for (const scene::SceneMotor& motor : scene_->motors)
             if (motor.path == i && std::holds_alternative<WakeMotor>(motor.motor))
                 name = motor.name;
+        for (const scene::SceneObstacle& obstacle : scene_->obstacles)
+            if (obstacle.path == i)
+                name = obstacle.name == scene::SceneObstacle{}.name ? "" : obstacle.name;
         trails.push_back((many && !leads ? fresh_trail_of : trail_of)(name, scene_->paths[i], time));
         trails.back().followed = leads;
     }
     std::vector<NamedMotor> motors;
     for (const Playback::ActingMotor& body : acting)
         motors.push_back({body.motor->name, body.now, body.strength});
+    std::vector<NamedObstacle> obstacles;
+    for (const auto& body : playback.standing())
+        obstacles.push_back({body.obstacle->name == scene::SceneObstacle{}.name ? "" : body.obstacle->name, body.now});
     PictureSettings settings;
     settings.title = scene_->name;
     settings.width = scene_->pictures.width;
     settings.speed_scale = scene_->pictures.speed_scale;
+    settings.flow = scene_->pictures.flow;
     settings.slice_point = scene_->followed_point(time);
     settings.slice_point.y =
         (scene_->has_floor() ? scene_->floor_height(time) : settings.slice_point.y) + scene_->pictures.slice_height;
+    settings.slice_point.z += scene_->pictures.slice_z;
     for (const scene::SceneMotor& motor : scene_->motors)
         ++settings.motors_of_scene[motor.motor.index()];
     parts_ = frame_parts(playback.wind(), settings);
     const std::filesystem::path file = folder_ / numbered("frame_", frame, ".png");
-    const auto drawn = draw_frame(playback.wind(), time, trails, motors, settings, file);
+    const auto drawn = draw_frame(playback.wind(), time, trails, motors, obstacles, settings, file);
     picture_seconds_ += seconds_since(begin);
     if (!drawn)
         return fault_of(drawn);

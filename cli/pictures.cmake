@@ -11,5 +11,7 @@ target_sources(windrow_cli_support PRIVATE
   drawing/motor_marks.cpp
   drawing/outline.cpp
   drawing/overlay.cpp
-  drawing/slice.cpp)
+  drawing/sections.cpp
+  drawing/slice.cpp
+  drawing/streamlines.cpp)
 target_link_libraries(windrow_cli_support PRIVATE PkgConfig::cairo PUBLIC windrow_pictures)

@@ -3,7 +3,9 @@
 
 #include "cases/backend_wind.h"
 #include "fluid/motors.h"
+#include "fluid/obstacle.h"
 #include "fluid/result.h"
+#include "scene/scene.h"
 
 #include <array>
 #include <filesystem>
@@ -31,6 +33,11 @@ struct NamedMotor {
     double strength = 1.0; ///< share of its full strength now; below 0: the other way round, as a burst that draws back
 };
 
+struct NamedObstacle {
+    std::string name;  ///< empty: none is written
+    Obstacle obstacle; ///< as it is now
+};
+
 /// How many of each kind, in the order of windrow::Motor.
 using MotorCounts = std::array<int, std::variant_size_v<Motor>>;
 
@@ -46,6 +53,7 @@ struct PictureSettings {
     glm::dvec3 slice_point{0.0};
     /// Motors of the whole scene: the legend names the kinds among them and says how many act.
     MotorCounts motors_of_scene{};
+    scene::FlowMarks flow = scene::FlowMarks::arrows;
 };
 
 /// [pixels] A part of a picture.
@@ -62,11 +70,11 @@ struct FrameParts {
 /// An error of the functions below begins with this where the disk is to blame: it is full, or a quota or size limit is reached.
 inline constexpr std::string_view k_disk_fault = "disk fault: ";
 
-/// One PNG: a level and an upright slice of speed with arrows, motors and trails on top, scale bar, colour bar, time. The file
-/// appears whole or not at all.
+/// One PNG: a level and an upright slice of speed and of obstacles, with marks of the flow, motors and trails on top, scale bar,
+/// colour bar, time. The file appears whole or not at all.
 [[nodiscard]] Result<void> draw_frame(const cases::BackendWind& wind, double time, std::span<const Trail> trails,
-                                      std::span<const NamedMotor> motors, const PictureSettings& settings,
-                                      const std::filesystem::path& file);
+                                      std::span<const NamedMotor> motors, std::span<const NamedObstacle> obstacles,
+                                      const PictureSettings& settings, const std::filesystem::path& file);
 
 /// One PNG with 1 to 64 frames in order, up to four beside each other, each under its time. With `parts` a tile holds the slices
 /// alone, and the legend of the last frame stands once, at the foot.

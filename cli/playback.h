@@ -28,6 +28,9 @@ class Playback {
     /// Those that act at this time, in the scene's order; not those that have ended by themselves.
     [[nodiscard]] std::vector<ActingMotor> acting() const { return motion_.acting(wind().motors(), time()); }
 
+    /// Obstacles that are there at this time, in the scene's order.
+    [[nodiscard]] std::vector<scene::SceneMotion::StandingObstacle> standing() const { return motion_.standing(time()); }
+
   private:
     Playback(const scene::Scene& scene, std::unique_ptr<cases::BackendWind> wind)
         : scene_(&scene), wind_(std::move(wind)), motion_(scene) {}

@@ -31,6 +31,7 @@ function(windrow_install_headers folder)
 endfunction()
 
 windrow_install_headers(fluid)
+windrow_install_headers(fluid/shapes)
 install(TARGETS windrow_fluid EXPORT windrow_fluid)
 set(components fluid)
 

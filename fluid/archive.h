@@ -6,28 +6,58 @@
 //         archive(dt);
 //     }
 //
-// Variants and enumerations go by index, optionals by a flag before them.
+// Variants and enumerations go by index, optionals by a flag before them. What is shared (a mesh) is written once, where it is first
+// met: a number, from 0 in the order of the first, and behind a new number its data. Equal contents are one.
 #pragma once
 
 #include "fluid/bytes.h"
+#include "fluid/shapes/triangle_mesh.h"
+#include "fluid/shapes/voxel_grid.h"
 #include "fluid/validation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace windrow::detail {
 
 /// U or const U: the writer reads from const structs.
 template <class T, class U>
 concept Like = std::same_as<std::remove_const_t<T>, U>;
+
+template <class T>
+inline constexpr bool k_is_shared = false;
+template <class T>
+inline constexpr bool k_is_shared<std::shared_ptr<const T>> = true;
+
+/// What an archive has met, in the order of its numbers.
+struct SharedMet {
+    static constexpr std::uint32_t k_null = ~std::uint32_t{0}; ///< the number of a null pointer
+
+    template <class Kind>
+    [[nodiscard]] auto& of() {
+        return std::get<std::vector<std::shared_ptr<const Kind>>>(lists_);
+    }
+    /// Place in the list; its end where it is new.
+    template <class Kind>
+    [[nodiscard]] auto find(const Kind& one) {
+        return std::find_if(of<Kind>().begin(), of<Kind>().end(), [&](const auto& met) { return *met == one; });
+    }
+
+  private:
+    std::tuple<std::vector<std::shared_ptr<const TriangleMesh>>, std::vector<std::shared_ptr<const VoxelGrid>>> lists_;
+};
 
 /// Hands every stored field of a struct to the archive.
 template <class Archive, class Struct>
@@ -61,6 +91,8 @@ class Layout {
             [&]<class... Kinds>(std::type_identity<std::variant<Kinds...>>) {
                 ((mix(Kinds::k_name), with<Kinds>()), ...);
             }(std::type_identity<Value>());
+        } else if constexpr (k_is_shared<Value>) {
+            mix("shared 1"); // change it with shape_record.h
         } else {
             mix(std::is_floating_point_v<Value> ? "f" : "i");
             hash_ = (hash_ ^ static_cast<std::uint32_t>(sizeof(Value))) * k_prime;
@@ -149,12 +181,25 @@ class Writer {
         put(static_cast<std::uint8_t>(value.index()));
         std::visit([&](const auto& kind) { put(kind); }, value);
     }
+    template <class Kind>
+    void put(const std::shared_ptr<const Kind>& shared) {
+        if (shared == nullptr)
+            return put(SharedMet::k_null);
+        auto& list = met_.of<Kind>();
+        const auto found = met_.find(*shared);
+        put(static_cast<std::uint32_t>(found - list.begin()));
+        if (found != list.end())
+            return;
+        list.push_back(shared);
+        put(shared->data());
+    }
     template <class Struct>
     void put(const Struct& value) {
         pass_fields(*this, value);
     }
 
     std::vector<std::byte> bytes_;
+    SharedMet met_;
 };
 
 /// Once rejected, it reads nothing more: values stay as they are, and the first reason stands.
@@ -243,6 +288,29 @@ class Reader {
         }
         (std::index_sequence_for<Kinds...>());
     }
+    template <class Kind>
+    void get(std::shared_ptr<const Kind>& shared) {
+        std::uint32_t number = 0;
+        get(number);
+        shared.reset();
+        if (rejected() || number == SharedMet::k_null)
+            return;
+        auto& list = met_.of<Kind>();
+        if (number > list.size())
+            return reject("the form of a body has the number ", number, ", but only ", list.size(), " are before it.");
+        if (number == list.size()) {
+            typename Kind::Data data;
+            get(data);
+            if (rejected())
+                return;
+            const auto made = Kind::create(data);
+            if (!made)
+                return reject(made.error());
+            require((*made)->data() == data && met_.find(**made) == list.end(), "the form of a body is not as it was written.");
+            list.push_back(*made);
+        }
+        shared = list[number];
+    }
     template <class Struct>
     void get(Struct& value) {
         pass_fields(*this, value);
@@ -260,6 +328,7 @@ class Reader {
 
     std::span<const std::byte> rest_;
     std::string reason_;
+    SharedMet met_;
 };
 
 /// Operations of a reader only: allocation and checks.

@@ -14,7 +14,7 @@ struct StageTimes {
     double diffusion = 0.0;
     double advection = 0.0; ///< Gathering the carried field included.
     double projection = 0.0;
-    double obstacles = 0.0; ///< Rasterisation; the passes over surface cells count among the stages that they belong to.
+    double obstacles = 0.0; ///< Rasterisation, and all passes over faces and cells at obstacles. Further solves are projection.
     double report = 0.0;    ///< Energy, largest speed, divergence.
     double total = 0.0;
 };
@@ -43,6 +43,9 @@ struct Diagnostics {
     /// the number of direct solves in the last sub-step. 0 without obstacles in the box.
     float pressure_residual = 0.0f;
     int pressure_solves = 0;
+    /// Volume sources in air that no opening joins to the boundary of the box. What comes out of one there is taken out again,
+    /// evenly, from all air of that room: incompressible air cannot leave it.
+    int sealed_sources = 0;
     /// [1/s] Root mean square of the central divergence that the collocated projection leaves.
     double divergence_rms = 0.0;
     /// [m^5/s^2] Kinetic energy of the box per unit of density: sum of |u|^2 / 2 h^3.

@@ -2,6 +2,7 @@
 
 #include "fluid/archive.h"
 #include "fluid/replay.h"
+#include "fluid/shapes/shape_record.h"
 #include "fluid/wind.h"
 
 namespace windrow {

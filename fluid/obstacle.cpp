@@ -6,36 +6,49 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <compare>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace windrow {
 namespace detail {
 namespace {
 
-float distance(const Sphere& ball, glm::vec3 p) {
+glm::vec3 in_grid(const VoxelShape& shape, glm::vec3 p) {
+    return p / shape.cell_size + 0.5f * glm::vec3(shape.grid->data().cells);
+}
+
+float distance(const Sphere& ball, glm::vec3 p, float) {
     return glm::length(p) - ball.radius;
 }
 
-float distance(const Capsule& capsule, glm::vec3 p) {
+float distance(const Capsule& capsule, glm::vec3 p, float) {
     const float square = glm::dot(capsule.half_axis, capsule.half_axis);
     const float along = square > 0.0f ? std::clamp(glm::dot(p, capsule.half_axis) / square, -1.0f, 1.0f) : 0.0f;
     return glm::length(p - along * capsule.half_axis) - capsule.radius;
 }
 
-float distance(const Block& block, glm::vec3 p) {
+float distance(const Block& block, glm::vec3 p, float) {
     const glm::vec3 beyond = glm::abs(p) - block.half_size;
     return glm::length(glm::max(beyond, 0.0f)) + std::min(std::max({beyond.x, beyond.y, beyond.z}), 0.0f);
 }
 
-float distance(const Cylinder& cylinder, glm::vec3 p) {
+float distance(const Cylinder& cylinder, glm::vec3 p, float) {
     const glm::vec2 beyond(std::hypot(p.x, p.z) - cylinder.radius, std::abs(p.y) - cylinder.half_length);
     return glm::length(glm::max(beyond, 0.0f)) + std::min(std::max(beyond.x, beyond.y), 0.0f);
 }
 
-float distance(const Plate& plate, glm::vec3 p) {
+float distance(const Plate& plate, glm::vec3 p, float) {
     return glm::length(glm::vec3(glm::max(glm::abs(glm::vec2(p)) - plate.half_size, 0.0f), p.z));
+}
+
+float distance(const MeshShape& shape, glm::vec3 p, float most) {
+    return shape.scale * shape.mesh->distance_to(p / shape.scale, most / shape.scale);
+}
+
+float distance(const VoxelShape& shape, glm::vec3 p, float most) {
+    return shape.cell_size * shape.grid->distance_to(in_grid(shape, p), most / shape.cell_size);
 }
 
 glm::vec3 extent(const Sphere& ball) {
@@ -53,7 +66,39 @@ glm::vec3 extent(const Cylinder& cylinder) {
 glm::vec3 extent(const Plate& plate) {
     return {plate.half_size, 0.0f};
 }
+glm::vec3 extent(const MeshShape& shape) {
+    return shape.scale * glm::max(-shape.mesh->low(), shape.mesh->high());
+}
+glm::vec3 extent(const VoxelShape& shape) {
+    return 0.5f * shape.cell_size * glm::vec3(shape.grid->data().cells);
+}
 
+float least_thickness(const auto& shape) {
+    const glm::vec3 half = extent(shape);
+    return 2.0f * std::min({half.x, half.y, half.z});
+}
+float least_thickness(const Capsule& capsule) {
+    return 2.0f * capsule.radius;
+}
+float least_thickness(const MeshShape& shape) {
+    return shape.scale * shape.mesh->thickness();
+}
+float least_thickness(const VoxelShape& shape) {
+    return shape.cell_size * static_cast<float>(shape.grid->thickness());
+}
+
+bool crosses(const auto& shape, glm::vec3 from, glm::vec3 to) {
+    constexpr int k_most_steps = 64;
+    const float length = glm::distance(from, to), near = 1e-4f * length;
+    float way = 0.0f;
+    for (int n = 0; n < k_most_steps && way < length; ++n) {
+        const float free = distance(shape, from + way / length * (to - from), length);
+        if (free <= near)
+            return true;
+        way += free;
+    }
+    return way < length;
+}
 // A point on the plane counts as above it, so that each path between its sides has one crossing at least.
 bool crosses(const Plate& plate, glm::vec3 from, glm::vec3 to) {
     if ((from.z < 0.0f) == (to.z < 0.0f))
@@ -61,46 +106,84 @@ bool crosses(const Plate& plate, glm::vec3 from, glm::vec3 to) {
     const glm::vec3 at = from + from.z / (from.z - to.z) * (to - from);
     return std::abs(at.x) <= plate.half_size.x && std::abs(at.y) <= plate.half_size.y;
 }
+bool crosses(const MeshShape& shape, glm::vec3 from, glm::vec3 to) {
+    return shape.mesh->crosses(from / shape.scale, to / shape.scale);
+}
+bool crosses(const VoxelShape& shape, glm::vec3 from, glm::vec3 to) {
+    return shape.grid->crosses(in_grid(shape, from), in_grid(shape, to));
+}
+
+template <int Count>
+std::partial_ordering compare(const glm::vec<Count, float>& a, const glm::vec<Count, float>& b) {
+    for (int n = 0; n < Count; ++n)
+        if (a[n] != b[n])
+            return a[n] <=> b[n];
+    return std::partial_ordering::equivalent;
+}
+std::partial_ordering compare(float a, float b) {
+    return a <=> b;
+}
+template <class Content>
+std::partial_ordering compare(const std::shared_ptr<const Content>& a, const std::shared_ptr<const Content>& b) {
+    return *a <=> *b;
+}
+std::partial_ordering compare(const Shape& a, const Shape& b) {
+    if (a.index() != b.index())
+        return a.index() <=> b.index();
+    return std::visit(
+        [&]<class Kind>(const Kind& kind) {
+            std::partial_ordering order = std::partial_ordering::equivalent;
+            for_each_setting(kind, [&](const auto& row, const auto& member) {
+                if (order == 0)
+                    order = compare(member, std::get<Kind>(b).*row.member);
+            });
+            return order;
+        },
+        a);
+}
 
 } // namespace
 
-float distance_to(const Shape& shape, glm::vec3 point) {
-    return std::visit([&](const auto& kind) { return distance(kind, point); }, shape);
+float distance_to(const Shape& shape, glm::vec3 point, float most) {
+    return std::visit([&](const auto& kind) { return distance(kind, point, most); }, shape);
 }
 
 glm::vec3 half_extent(const Shape& shape) {
     return std::visit([](const auto& kind) { return extent(kind); }, shape);
 }
 
-bool same(const Shape& a, const Shape& b) {
-    return a.index() == b.index() &&
-           std::visit(
-               [&]<class Kind>(const Kind& kind) {
-                   static_assert(std::is_trivially_copyable_v<Kind> && sizeof(Kind) % sizeof(float) == 0);
-                   return std::memcmp(&kind, std::get_if<Kind>(&b), sizeof(Kind)) == 0;
-               },
-               a);
-}
-
 float thickness(const Shape& shape) {
-    const glm::vec3 half = half_extent(shape);
-    const auto* const capsule = std::get_if<Capsule>(&shape);
-    return 2.0f * (capsule != nullptr ? capsule->radius : std::min({half.x, half.y, half.z}));
+    return std::visit([](const auto& kind) { return least_thickness(kind); }, shape);
 }
 
 bool blocks(const Shape& shape, glm::vec3 from, glm::vec3 to) {
-    if (const auto* plate = std::get_if<Plate>(&shape))
-        return crosses(*plate, from, to);
-    constexpr int k_most_steps = 64;
-    const float length = glm::distance(from, to), near = 1e-4f * length;
-    float way = 0.0f;
-    for (int n = 0; n < k_most_steps && way < length; ++n) {
-        const float free = distance_to(shape, from + way / length * (to - from));
-        if (free <= near)
-            return true;
-        way += free;
+    return std::visit([&](const auto& kind) { return crosses(kind, from, to); }, shape);
+}
+
+bool same(const Shape& a, const Shape& b) {
+    return compare(a, b) == 0;
+}
+
+void move_back(std::span<PlacedObstacle> obstacles, double early) {
+    const auto back = static_cast<float>(early);
+    for (PlacedObstacle& body : obstacles) {
+        body.position -= back * body.velocity;
+        if (const float angle = back * glm::length(body.spin); angle > 0.0f)
+            body.axes = glm::mat3(glm::rotate(glm::mat4(1.0f), -angle, body.spin)) * body.axes;
     }
-    return way < length;
+}
+
+bool precedes(const PlacedObstacle& a, const PlacedObstacle& b) {
+    std::partial_ordering order = compare(a.position, b.position);
+    if (order == 0)
+        order = compare(a.shape, b.shape);
+    for (int axis = 0; axis < 3 && order == 0; ++axis)
+        order = compare(a.axes[axis], b.axes[axis]);
+    if (order == 0)
+        order = compare(a.velocity, b.velocity);
+    if (order == 0)
+        order = compare(a.spin, b.spin);
+    return order == 0 ? a.surface < b.surface : order < 0;
 }
 
 Result<void> validate_pose(glm::dvec3 position, glm::quat orientation) {
@@ -112,6 +195,31 @@ Result<void> validate_pose(glm::dvec3 position, glm::quat orientation) {
 }
 
 } // namespace detail
+
+namespace {
+
+void check_size(detail::Reasons& reasons, const detail::FieldPath& path, const auto& shape) {
+    const glm::vec3 half = detail::extent(shape);
+    if (const double most = std::max({half.x, half.y, half.z}); most > k_size_range.max)
+        reasons.add(path, " reaches ", detail::Figure{most}, " m from its origin: give at most ",
+                    detail::Figure{k_size_range.max}, " m.");
+}
+
+} // namespace
+
+void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const MeshShape& shape) {
+    if (shape.mesh == nullptr)
+        reasons.add(path, " has no mesh: give one that TriangleMesh::create made.");
+    else
+        check_size(reasons, path, shape);
+}
+
+void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const VoxelShape& shape) {
+    if (shape.grid == nullptr)
+        reasons.add(path, " has no grid: give one that VoxelGrid::create made.");
+    else
+        check_size(reasons, path, shape);
+}
 
 Result<void> validate(const Obstacle& obstacle) {
     return detail::validate_settings(obstacle, "obstacle");

@@ -7,12 +7,17 @@
 #pragma once
 
 #include "fluid/motor.h"
+#include "fluid/shapes/triangle_mesh.h"
+#include "fluid/shapes/voxel_grid.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <limits>
+#include <memory>
+#include <span>
 #include <variant>
 
 namespace windrow {
@@ -56,7 +61,45 @@ struct Plate {
     }
 };
 
-using Shape = std::variant<Sphere, Capsule, Block, Cylinder, Plate>;
+/// Closed mesh in its own coordinates; any number of bodies may use one. Parts thinner than four cells of the air make it a thin body,
+/// as a thin block is.
+struct MeshShape {
+    static constexpr const char* k_name = "mesh";
+    static constexpr const char* k_meaning = "A closed mesh of triangles: a house, a statue, a vehicle.";
+    std::shared_ptr<const TriangleMesh> mesh{}; ///< null is rejected
+    float scale = 1.0f;
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("file", &MeshShape::mesh,
+                    "OBJ file with a closed surface, beside the scene: y up, in metres. Its origin is at the position."),
+            Setting("scale", &MeshShape::scale, {1e-6, 1e6}, "Factor on its size."),
+        };
+    }
+};
+
+/// Closed cells of a grid, which is centred; any number of bodies may use one.
+struct VoxelShape {
+    static constexpr const char* k_name = "voxels";
+    static constexpr const char* k_meaning = "Closed cells of a grid: a building of a voxel game.";
+    std::shared_ptr<const VoxelGrid> grid{}; ///< null is rejected
+    float cell_size = 1.0f;                  ///< [m]
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting(
+                "file", &VoxelShape::grid,
+                "MagicaVoxel file (.vox) with one model, beside the scene. Its z axis points up; its middle is at the position."),
+            Setting("cell_size", &VoxelShape::cell_size, {1e-6, 1e6, "m"}, "Edge of a voxel."),
+        };
+    }
+};
+
+/// Rejects a mesh and a grid that are missing, and those of more than 1e6 m.
+void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const MeshShape& shape);
+void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const VoxelShape& shape);
+
+using Shape = std::variant<Sphere, Capsule, Block, Cylinder, Plate, MeshShape, VoxelShape>;
 
 /// What the air does along a surface.
 enum class Surface : std::uint8_t {
@@ -67,14 +110,14 @@ template <>
 inline constexpr std::array<const char*, 2> k_words<Surface>{"free_slip", "no_slip"};
 
 struct Obstacle {
-    glm::dvec3 position{0.0};          ///< [m] of the shape's centre
+    glm::dvec3 position{0.0};          ///< [m] of the shape's centre; of a mesh's own origin
     glm::quat orientation{1, 0, 0, 0}; ///< from the shape's own axes to the world's; normalised on creation
     Shape shape = Block{};
     Surface surface = Surface::free_slip;
 
     static constexpr auto settings() {
         return std::tuple{
-            Setting("position", &Obstacle::position, k_world_range, "Centre of the shape."),
+            Setting("position", &Obstacle::position, k_world_range, "Centre of the shape; the origin of a mesh."),
             Setting("orientation", &Obstacle::orientation, Range::direction(),
                     "From the shape's own axes to the world's. Default: not turned."),
             Setting("shape", &Obstacle::shape, "Its form and size."),
@@ -95,6 +138,8 @@ struct PlacedObstacle {
     glm::vec3 position{0.0f};             ///< [m] from the low corner, at the end of the step
     glm::mat3 axes{1.0f};                 ///< from its own axes to the world's
     glm::vec3 velocity{0.0f}, spin{0.0f}; ///< [m/s], [rad/s] of its motion in the step
+    std::uint32_t slot = 0;               ///< of its handle, where a Wind places it
+    std::uint32_t generation = 0;         ///< as `slot`
 
     /// [m/s] Of the point of the body at a place.
     [[nodiscard]] glm::vec3 velocity_at(glm::vec3 place) const { return velocity + glm::cross(spin, place - position); }
@@ -106,12 +151,17 @@ using windrow::PlacedObstacle;
 
 [[nodiscard]] Result<void> validate_pose(glm::dvec3 position, glm::quat orientation);
 
-/// [m] From a point in the shape's own axes to its surface, negative inside; a plate has no inside.
-[[nodiscard]] float distance_to(const Shape& shape, glm::vec3 point);
+/// [m] From a point in the shape's own axes to its surface, negative inside; a plate has no inside. Beyond `most` it may be any
+/// value from `most` on, of the right sign, which takes less time.
+[[nodiscard]] float distance_to(const Shape& shape, glm::vec3 point, float most = std::numeric_limits<float>::infinity());
 /// [m] Half the size of the box along the shape's own axes that holds it.
 [[nodiscard]] glm::vec3 half_extent(const Shape& shape);
-/// Whether two shapes are the same to the bit.
+/// Places obstacles as they are `early` [s] before the end of the step.
+void move_back(std::span<PlacedObstacle> obstacles, double early);
+/// Whether two shapes are the same, to the bit.
 [[nodiscard]] bool same(const Shape& a, const Shape& b);
+/// A total order by what bodies are, the place first: none precedes the other only where all is equal.
+[[nodiscard]] bool precedes(const PlacedObstacle& a, const PlacedObstacle& b);
 /// [m] Smallest thickness.
 [[nodiscard]] float thickness(const Shape& shape);
 /// Whether the segment between two points outside, in the shape's own axes, passes through it.

@@ -4,6 +4,7 @@
 #include "fluid/archive.h"
 #include "fluid/cpu/cells.h"
 #include "fluid/obstacles.h"
+#include "fluid/shapes/shape_record.h"
 #include "fluid/track.h"
 
 #include <algorithm>
@@ -94,8 +95,24 @@ struct PathFields {
     static bool lies_within(const Track& track, double most) { return lies_within(track.path_, most); }
 };
 
+namespace detail {
+
+void fields(auto& archive, Like<cpu::Push> auto& push) {
+    auto& [impulse, twist, potential, wetted] = push;
+    archive(impulse, twist, potential, wetted);
+}
+
+void fields(auto& archive, Like<cpu::BodyLoads::Load> auto& load) {
+    auto& [slot, generation, in_box, history, sources, sum, blast] = load;
+    archive(slot, generation, in_box, history, sources, sum, blast);
+}
+
+} // namespace detail
+
 /// Access to the private members of the list of obstacles.
 struct ObstacleFields {
+    static constexpr std::size_t k_load_bytes = 9 + 4 * 8 * sizeof(double);
+
     static void slot(auto& archive, detail::Like<Obstacles::Slot> auto& slot) {
         auto& [obstacle, generation, motion, used, named_here] = slot; // read: named by the wind that was saved
         archive(used, generation);
@@ -111,7 +128,7 @@ struct ObstacleFields {
 
     static void obstacles(auto& archive, detail::Like<Obstacles> auto& obstacles) {
         auto& [slots, free, motions, grid, resting, moving, placed, window, boundaries, ticked, search, changed, stirred, count,
-               visited, closed, log, owner] = obstacles;
+               visited, log, owner] = obstacles;
         auto size = static_cast<std::uint32_t>(slots.size()), in_motion = static_cast<std::uint32_t>(motions.size());
         archive(size);
         if constexpr (detail::Reading<decltype(archive)>) {
@@ -184,7 +201,22 @@ struct ObstacleFields {
     }
 
     static void surface(auto& archive, auto& history, glm::ivec3 size) {
-        auto& [keys, terms, shift] = history;
+        auto& [keys, terms, shift, loads, duration] = history;
+        auto bodies = static_cast<std::uint32_t>(loads.size());
+        archive(bodies, duration);
+        if constexpr (detail::Reading<decltype(archive)>) {
+            archive.require(bodies <= Obstacles::k_capacity && duration >= 0.0f && std::isfinite(duration),
+                            "its forces on obstacles are out of range.");
+            if (!archive.can_hold(bodies, k_load_bytes))
+                return;
+            loads.resize(bodies);
+        }
+        for (auto& load : loads)
+            archive(load);
+        if constexpr (detail::Reading<decltype(archive)>)
+            archive.require(
+                std::all_of(loads.begin(), loads.end(), [](const auto& load) { return load.slot < Obstacles::k_capacity; }),
+                "a force is on an obstacle that cannot be.");
         auto count = static_cast<std::uint32_t>(keys.size());
         archive(count);
         if constexpr (detail::Reading<decltype(archive)>) {

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <optional>
@@ -50,7 +49,9 @@ glm::dvec3 turn(const glm::dquat& from, const glm::dquat& to) {
 
 PlacedObstacle placed(const Obstacle& obstacle, const BodyPose& start, const BodyPose& end, double duration, const Window& window,
                       const Boundaries& boundaries) {
-    PlacedObstacle result{.shape = obstacle.shape, .surface = obstacle.surface};
+    PlacedObstacle result;
+    result.shape = obstacle.shape;
+    result.surface = obstacle.surface;
     const double h = window.cell_size;
     glm::dvec3 place = window.local_rounded(end.position);
     if (!(start == end)) {
@@ -79,45 +80,6 @@ bool meets(const PlacedObstacle& obstacle, const Window& window, const Boundarie
     return true;
 }
 
-template <int Count>
-std::partial_ordering compare(const glm::vec<Count, float>& a, const glm::vec<Count, float>& b) {
-    for (int n = 0; n < Count; ++n)
-        if (a[n] != b[n])
-            return a[n] <=> b[n];
-    return std::partial_ordering::equivalent;
-}
-std::partial_ordering compare(float a, float b) {
-    return a <=> b;
-}
-std::partial_ordering compare(const Shape& a, const Shape& b) {
-    if (a.index() != b.index())
-        return a.index() <=> b.index();
-    return std::visit(
-        [&]<class Kind>(const Kind& kind) {
-            std::partial_ordering order = std::partial_ordering::equivalent;
-            for_each_setting(kind, [&](const auto& row, const auto& member) {
-                if (order == 0)
-                    order = compare(member, std::get<Kind>(b).*row.member);
-            });
-            return order;
-        },
-        a);
-}
-
-// A total order by content, the place first: equal only where all is equal.
-bool before(const PlacedObstacle& a, const PlacedObstacle& b) {
-    std::partial_ordering order = compare(a.position, b.position);
-    if (order == 0)
-        order = compare(a.shape, b.shape);
-    for (int axis = 0; axis < 3 && order == 0; ++axis)
-        order = compare(a.axes[axis], b.axes[axis]);
-    if (order == 0)
-        order = compare(a.velocity, b.velocity);
-    if (order == 0)
-        order = compare(a.spin, b.spin);
-    return order == 0 ? a.surface < b.surface : order < 0;
-}
-
 } // namespace
 
 Obstacles::Obstacles() : owner_(detail::next_owner()) {}
@@ -125,8 +87,6 @@ Obstacles::Obstacles() : owner_(detail::next_owner()) {}
 // --- Changes by the host -----------------------------------------------------------------------------------------------------
 
 Result<ObstacleId> Obstacles::add(const Obstacle& obstacle) {
-    if (closed_ != nullptr)
-        return Error{closed_};
     if (auto valid = validate(obstacle); !valid)
         return Error{valid.error()};
     if (free_.empty() && slots_.size() >= k_capacity)
@@ -235,6 +195,11 @@ Result<void> Obstacles::remove(ObstacleId id) {
     return {};
 }
 
+Result<void> Obstacles::check(ObstacleId id) const {
+    const auto slot = const_cast<Obstacles*>(this)->slot_of(id);
+    return slot ? Result<void>() : Error{slot.error()};
+}
+
 const Obstacle* Obstacles::find(ObstacleId id) const {
     const auto slot = const_cast<Obstacles*>(this)->slot_of(id);
     return slot ? &(*slot)->obstacle : nullptr;
@@ -305,6 +270,11 @@ void Obstacles::pass(double duration) {
     }
 }
 
+void Obstacles::name(PlacedObstacle& obstacle, std::uint32_t index) const {
+    obstacle.slot = index;
+    obstacle.generation = slots_[index].generation;
+}
+
 // Advances what moves and places it. True where that changes what is placed.
 bool Obstacles::carry(double duration) {
     bool changed = false;
@@ -323,7 +293,8 @@ bool Obstacles::carry(double duration) {
         const BodyPose start = motion->path.here();
         motion->path.tick(duration, [](double, double, const BodyPose&, const BodyPose&) {});
         const BodyPose& end = motion->path.here();
-        const PlacedObstacle now = placed(slots_[motion->slot].obstacle, start, end, duration, window_, boundaries_);
+        PlacedObstacle now = placed(slots_[motion->slot].obstacle, start, end, duration, window_, boundaries_);
+        name(now, motion->slot);
         const bool moves = !(start == end), reached = std::exchange(motion->reaches, meets(now, window_, boundaries_));
         if ((moves || motion->moved) && (reached || motion->reaches))
             changed = true;
@@ -347,11 +318,12 @@ void Obstacles::find_resting() {
     grid_.find(low, high, [&](std::uint32_t index) {
         ++visited_;
         const BodyPose here = pose(slots_[index].obstacle);
-        const PlacedObstacle now = placed(slots_[index].obstacle, here, here, 1.0, window_, boundaries_);
+        PlacedObstacle now = placed(slots_[index].obstacle, here, here, 1.0, window_, boundaries_);
+        name(now, index);
         if (meets(now, window_, boundaries_))
             resting_.push_back(now);
     });
-    std::sort(resting_.begin(), resting_.end(), before);
+    std::sort(resting_.begin(), resting_.end(), detail::precedes);
 }
 
 std::span<const detail::PlacedObstacle> Obstacles::tick(double duration, const Window& window, const Boundaries& boundaries) {
@@ -366,9 +338,9 @@ std::span<const detail::PlacedObstacle> Obstacles::tick(double duration, const W
     if (!searched && !moved)
         return placed_;
     changed_ = changed_ || moved || (elsewhere && !(placed_.empty() && resting_.empty() && moving_.empty()));
-    std::sort(moving_.begin(), moving_.end(), before);
+    std::sort(moving_.begin(), moving_.end(), detail::precedes);
     placed_.resize(resting_.size() + moving_.size());
-    std::merge(resting_.begin(), resting_.end(), moving_.begin(), moving_.end(), placed_.begin(), before);
+    std::merge(resting_.begin(), resting_.end(), moving_.begin(), moving_.end(), placed_.begin(), detail::precedes);
     return placed_;
 }
 

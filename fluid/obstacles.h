@@ -55,6 +55,8 @@ class Obstacles {
     /// Removes an obstacle; a stale handle is rejected.
     Result<void> remove(ObstacleId id);
 
+    /// Rejects a stale handle.
+    [[nodiscard]] Result<void> check(ObstacleId id) const;
     /// The obstacle as it stands, orientation normalised; null for a stale handle.
     [[nodiscard]] const Obstacle* find(ObstacleId id) const;
     [[nodiscard]] int count() const { return count_; }
@@ -87,8 +89,6 @@ class Obstacles {
     [[nodiscard]] std::span<const Slot> slots() const { return slots_; }
     /// Number of obstacles that the last tick looked at.
     [[nodiscard]] std::size_t visited() const { return visited_; }
-    /// Rejects every later `add` with this sentence.
-    void close(const char* why) { closed_ = why; }
     /// Every change is noted in `log` from now on; null: no longer.
     void record_to(EventLog* log) { log_ = log; }
 
@@ -116,6 +116,7 @@ class Obstacles {
     void note_change(std::uint32_t index);
     [[nodiscard]] BodyPose pose_of(const Slot& slot) const;
     [[nodiscard]] bool reaches(const Slot& slot) const;
+    void name(detail::PlacedObstacle& obstacle, std::uint32_t index) const;
     [[nodiscard]] bool carry(double duration);
     void find_resting();
 
@@ -133,7 +134,6 @@ class Obstacles {
     bool changed_ = false, stirred_ = false;
     int count_ = 0;
     std::size_t visited_ = 0;
-    const char* closed_ = nullptr; ///< why nothing may be added
     EventLog* log_ = nullptr;
     std::uint32_t owner_;
 };

@@ -22,7 +22,7 @@
 namespace windrow {
 namespace {
 
-constexpr detail::Format k_format{"WINDSNAP", detail::Layout("state 4").with<Config>().with<Motor>().with<Obstacle>().version(),
+constexpr detail::Format k_format{"WINDSNAP", detail::Layout("state 5").with<Config>().with<Motor>().with<Obstacle>().version(),
                                   "snapshot", "Wind::save"};
 // The direction as normalised by Motors::add.
 bool has_unit_direction(const Motor& motor) {
@@ -47,9 +47,10 @@ namespace detail {
 
 void fields(auto& archive, Like<Diagnostics> auto& report) { // of a sleeping wind; its times are 0
     auto& [stepped, out_of_memory, max_speed, cfl, substeps, substeps_capped, carried_time, limited_cells, repaired_cells,
-           motors_in_reach, diffusion, pressure_residual, pressure_solves, divergence_rms, energy, asleep, times_ms] = report;
+           motors_in_reach, diffusion, pressure_residual, pressure_solves, sealed_sources, divergence_rms, energy, asleep,
+           times_ms] = report;
     archive(stepped, max_speed, cfl, substeps, substeps_capped, limited_cells, repaired_cells, motors_in_reach, diffusion,
-            pressure_residual, pressure_solves, divergence_rms, energy, asleep);
+            pressure_residual, pressure_solves, sealed_sources, divergence_rms, energy, asleep);
 }
 
 } // namespace detail
@@ -98,7 +99,15 @@ struct DeviceNames {
     Air air;
     Frames frames{};
     DeviceState source_flow = DeviceState::source_flow;
-    [[nodiscard]] cpu::SurfaceHistory surface_history() const { return {}; } ///< no obstacles
+    struct Surface {
+        std::vector<std::uint32_t> keys;
+        std::vector<DeviceState> terms;
+        glm::ivec3 shift;
+        std::vector<cpu::BodyLoads::Load> loads{}; ///< a device finds no forces
+        float duration = 0.0f;
+    };
+    Surface surface;
+    [[nodiscard]] Surface surface_history() const { return surface; }
 };
 
 } // namespace
@@ -296,11 +305,14 @@ std::size_t bytes_beside(const WindCore& core) {
 
 } // namespace
 
-SnapshotDraft draft_snapshot(const WindCore& core, bool fresh) {
+SnapshotDraft draft_snapshot(const WindCore& core, bool fresh, const DeviceSurface& surface) {
     const std::size_t cells = core.box().cell_count();
     DraftWriter writer(7 * cells * sizeof(glm::vec4) + bytes_beside(core), cells);
     writer(saved_config(core));
-    const DeviceNames names{.air = {.fresh = fresh}};
+    const DeviceNames names{.air = {.fresh = fresh},
+                            .surface = {.keys = surface.keys,
+                                        .terms = std::vector(surface.keys.size(), DeviceState::surface_term),
+                                        .shift = surface.shift}};
     StateFields::state(writer, core, names);
     return std::move(writer).finish();
 }

@@ -22,7 +22,8 @@ enum class DeviceState : std::uint8_t {
     shown_before, ///< of the frame before it
     // floats [s]
     dt_old,
-    undiffused_time
+    undiffused_time,
+    surface_term ///< [m/s] of the pressure's history at one closed face of an obstacle; all in order
 };
 
 /// Snapshot with gaps.
@@ -36,9 +37,15 @@ struct SnapshotDraft {
     std::vector<Gap> gaps{};
 };
 
+/// Closed faces of obstacles on a device, in order: 4 times the low cell, plus the axis.
+struct DeviceSurface {
+    std::vector<std::uint32_t> keys{};
+    glm::ivec3 shift{0}; ///< cells by which the box has moved since they were placed
+};
+
 /// The state of the host now. `fresh`: the cells have no past. The frame before the one shown is written as that one: a device
 /// does not hold its cells. Throws std::bad_alloc.
-[[nodiscard]] SnapshotDraft draft_snapshot(const WindCore& core, bool fresh);
+[[nodiscard]] SnapshotDraft draft_snapshot(const WindCore& core, bool fresh, const DeviceSurface& surface);
 /// The bytes of Wind::save, once all gaps are filled. Throws std::bad_alloc.
 [[nodiscard]] std::vector<std::byte> finish_snapshot(SnapshotDraft&& draft);
 

@@ -24,14 +24,20 @@ struct WindowBlock {
     /// [m] Low corner of the last frame's box, minus the anchor: for motion vectors. Without ticks, of the step before, with
     /// `follow` called before `step`.
     alignas(16) glm::vec3 previous_origin{0.0f};
-    alignas(16) glm::vec3 ambient{0.0f};         ///< [m/s] mean wind outside the box; with a profile or gusts see AmbientBlock
-    alignas(16) glm::vec3 low_boundaries{0.0f};  ///< kind of the low boundary of x, y, z: 0 open, 1 wall, 2 periodic
+    float unused_0 = 0.0f;               ///< 0, as the others of this name: blocks of equal values have equal bytes
+    alignas(16) glm::vec3 ambient{0.0f}; ///< [m/s] mean wind outside the box; with a profile or gusts see AmbientBlock
+    float unused_1 = 0.0f;
+    alignas(16) glm::vec3 low_boundaries{0.0f}; ///< kind of the low boundary of x, y, z: 0 open, 1 wall, 2 periodic
+    float unused_2 = 0.0f;
     alignas(16) glm::vec3 high_boundaries{0.0f}; ///< as low_boundaries
-    alignas(16) glm::vec3 blend_centre{0.0f};    ///< [m] centre of the blend zone, minus the anchor
-    float blend_width = 0.0f;                    ///< [m] over which the box's wind fades to ambient
+    float unused_3 = 0.0f;
+    alignas(16) glm::vec3 blend_centre{0.0f}; ///< [m] centre of the blend zone, minus the anchor
+    float blend_width = 0.0f;                 ///< [m] over which the box's wind fades to ambient
     alignas(16) glm::vec3 blend_reach{
         0.0f}; ///< [m] distance from that point at which it has faded; 0: no blend zone on that axis
+    float unused_4 = 0.0f;
     alignas(16) glm::vec3 previous_blend_centre{0.0f}; ///< [m] the point in the last frame, minus the anchor
+    float unused_5 = 0.0f;
 };
 static_assert(sizeof(WindowBlock) == 144);
 

@@ -1,4 +1,5 @@
 #include "fluid/cpu/workspace.h"
+#include "fluid/message.h"
 #include "fluid/validation.h"
 #include "fluid/wind_state.h"
 
@@ -59,6 +60,11 @@ Obstacles& Wind::obstacles() {
 const Obstacles& Wind::obstacles() const {
     return state_->core.obstacles;
 }
+Result<ObstacleForce> Wind::force_on(ObstacleId id) const {
+    if (auto known = state_->core.obstacles.check(id); !known)
+        return Error{known.error()};
+    return state_->cells.loads.force_on(id.slot, id.generation);
+}
 Result<void> Wind::set_ambient(glm::vec3 ambient) {
     return state_->core.set_ambient(ambient);
 }
@@ -101,6 +107,14 @@ WindowBlock Wind::window_block(glm::dvec3 anchor) const {
 
 FrameBlock Wind::frame_block(glm::dvec3 anchor, const Sampling& sampling) const {
     return state_->core.frame_block(anchor, sampling, view(), previous_view());
+}
+
+Result<void> Wind::write_obstacles(std::span<float> cells) const {
+    if (cells.size() != box().cell_count())
+        return Error{detail::message("write_obstacles got room for ", cells.size(), " cells, but the box has ",
+                                     box().cell_count(), ": give one array of box().cell_count().")};
+    state_->cells.write_obstacles(cells);
+    return {};
 }
 
 std::span<const glm::vec4> Wind::field() const {

@@ -15,6 +15,7 @@
 #include "fluid/canopy.h"
 #include "fluid/diagnostics.h"
 #include "fluid/motors.h"
+#include "fluid/obstacle_force.h"
 #include "fluid/obstacles.h"
 #include "fluid/operators.h"
 #include "fluid/owned.h"
@@ -220,6 +221,9 @@ class Wind {
     /// Bodies and buildings that the air flows around.
     [[nodiscard]] Obstacles& obstacles();
     [[nodiscard]] const Obstacles& obstacles() const;
+    /// What the air did to an obstacle in the last step or tick; rejects a stale handle. 0 before the first step, while the air
+    /// sleeps, and for an obstacle outside of the box (ObstacleForce::in_box).
+    [[nodiscard]] Result<ObstacleForce> force_on(ObstacleId id) const;
     /// Changes the mean wind [m/s]. All air of the box changes by the difference at once, as under a pressure gradient that is
     /// far wider than the box; entering through the boundaries alone, a new wind would never reach still air. Ramp it for a gust.
     /// Components along axes that a wall closes are dropped. Rejects what is not finite or above 1e4 m/s.
@@ -264,6 +268,9 @@ class Wind {
     Result<void> write_axes(std::span<std::uint16_t> x, std::span<std::uint16_t> y, std::span<std::uint16_t> z) const {
         return view().write_axes(x, y, z);
     }
+    /// 1 for each cell whose centre is inside an obstacle, else 0, as of the last step; box().cell_count() values or the call is
+    /// rejected. A plate has no inside.
+    Result<void> write_obstacles(std::span<float> cells) const;
     /// Position of the textures relative to `anchor` [m] (one that is not finite counts as 0), now and in the frame before.
     [[nodiscard]] WindowBlock window_block(glm::dvec3 anchor) const;
     /// The same with the ambient wind: all inputs of shaders/coupling/windrow_wind.glsl beside the textures.

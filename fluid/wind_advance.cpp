@@ -206,6 +206,7 @@ void WindCore::run_step(double duration, Diagnostics& report) {
                                     .motors = reached,
                                     .obstacles = bodies,
                                     .obstacles_changed = obstacles.take_changed(),
+                                    .obstacles_stirred = stirred,
                                     .tile = motors.tile(ambient.tile()),
                                     .ambient = &ambient,
                                     .window = &place.window,

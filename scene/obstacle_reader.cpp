@@ -1,23 +1,41 @@
 #include "fluid/message.h"
 #include "scene/scene_parts.h"
 #include "scene/setting_reader.h"
+#include "scene/shape_files.h"
 
 namespace windrow::scene {
 namespace {
 
+void read_shape(JsonObject object, auto& kind, ShapeFiles& files) {
+    read_settings(object, kind, [&](const auto& row, auto& member) {
+        if constexpr (requires { files.read(object, Key{""}, member); }) {
+            files.read(object, Key{row.name, row.meaning}, member);
+            return true;
+        } else {
+            return false;
+        }
+    });
+    object.finish();
+}
+
 SceneObstacle read_obstacle(const nlohmann::json& value, const std::string& path, std::span<const std::string> path_names,
-                            ReadLog& log) {
+                            ShapeFiles& files, ReadLog& log) {
     const std::size_t faults_before = log.faults();
     JsonObject object(value, path, "$.obstacles[]", log);
     SceneObstacle result;
-    result.name = object.text({"name", "Written beside the obstacle in pictures."}, "obstacle");
+    result.name = object.text({"name", "Written beside the obstacle in pictures where no other has it."}, result.name);
     read_times(object, "obstacle", result.from, result.until);
-    read_settings(object, result.obstacle, [&](const auto&, auto& member) {
-        if constexpr (std::same_as<std::remove_cvref_t<decltype(member)>, glm::quat>) {
+    read_settings(object, result.obstacle, [&](const auto& row, auto& member) {
+        using Member = std::remove_cvref_t<decltype(member)>;
+        if constexpr (std::same_as<Member, glm::quat>) {
             read_value(object,
                        Key{"turn_deg", "Yaw, pitch and roll: rolled about its own z axis, then pitched about x, then yawed about "
                                        "y, which points up. Default: not turned."},
                        member, {});
+            return true;
+        } else if constexpr (std::same_as<Member, Shape>) {
+            read_kind(object.object({row.name, row.meaning}), member,
+                      [&](JsonObject kind, auto& alternative) { read_shape(std::move(kind), alternative, files); });
             return true;
         } else {
             return false;
@@ -38,13 +56,15 @@ SceneObstacle read_obstacle(const nlohmann::json& value, const std::string& path
 
 } // namespace
 
-std::vector<SceneObstacle> read_obstacles(JsonObject& scene, std::span<const std::string> path_names) {
+std::vector<SceneObstacle> read_obstacles(JsonObject& scene, std::span<const std::string> path_names,
+                                          const std::filesystem::path& folder) {
     std::vector<SceneObstacle> obstacles;
+    ShapeFiles files(folder);
     const auto items =
-        scene.array({"obstacles", "Bodies and buildings that the air flows around, on the CPU alone."}, Obstacles::k_capacity);
+        scene.array({"obstacles", "Bodies and buildings that the air flows around."}, Obstacles::k_capacity);
     for (std::size_t n = 0; n < items.size(); ++n)
         obstacles.push_back(
-            read_obstacle(items[n], detail::message(scene.path(), ".obstacles[", n, "]"), path_names, scene.log()));
+            read_obstacle(items[n], detail::message(scene.path(), ".obstacles[", n, "]"), path_names, files, scene.log()));
     return obstacles;
 }
 

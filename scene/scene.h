@@ -21,11 +21,14 @@ namespace windrow {
 namespace scene {
 enum class VdbPrecision : std::uint8_t { full, half };
 enum class VdbUp : std::uint8_t { y, z };
+enum class FlowMarks : std::uint8_t { arrows, streamlines };
 } // namespace scene
 template <>
 inline constexpr std::array<const char*, 2> k_words<scene::VdbPrecision>{"full", "half"};
 template <>
 inline constexpr std::array<const char*, 2> k_words<scene::VdbUp>{"y", "z"};
+template <>
+inline constexpr std::array<const char*, 2> k_words<scene::FlowMarks>{"arrows", "streamlines"};
 } // namespace windrow
 
 namespace windrow::scene {
@@ -42,7 +45,7 @@ struct SceneMotor {
 
 /// An obstacle and when it is there.
 struct SceneObstacle {
-    std::string name;
+    std::string name = "obstacle";
     /// As it stands when it comes. Where it has a path, the path says where; the same for how it is turned.
     Obstacle obstacle;
     std::optional<std::size_t> path;      ///< index in Scene::paths
@@ -63,17 +66,25 @@ struct ScenePath {
 
 struct PicturesSetting {
     double slice_height = 1.0;
+    double slice_z = 0.0;
     float speed_scale = 10.0f;
     int width = 1600;
+    FlowMarks flow = FlowMarks::arrows;
 
     static constexpr auto settings() {
         return std::tuple{
             Setting("slice_height", &PicturesSetting::slice_height, {-MotionPath::k_farthest, MotionPath::k_farthest, "m"},
                     "Height of the horizontal slice above the floor, or above the followed point in a box without a floor."),
+            Setting("slice_z", &PicturesSetting::slice_z, {-MotionPath::k_farthest, MotionPath::k_farthest, "m"},
+                    "Place of the upright slice along z from the followed point, or from the box's centre."),
             Setting("speed_scale", &PicturesSetting::speed_scale, {0.001, 1e4, "m/s"},
                     "Speed at the top of the colour bar, the same for all frames."),
             Setting("width", &PicturesSetting::width, {640.0, 8000.0, "pixels"},
                     "Width of a picture; the height follows from the box's shape. An odd one loses a pixel."),
+            Setting(
+                "flow", &PicturesSetting::flow,
+                "Marks of the flow on both slices. arrows: the velocity on a lattice that is fixed to the world. streamlines: "
+                "lines along it, evenly spaced, that end at bodies."),
         };
     }
 };

@@ -2,6 +2,7 @@
 
 #include "fluid/message.h"
 
+#include <glm/geometric.hpp>
 #include <utility>
 
 namespace windrow::scene {
@@ -41,6 +42,23 @@ std::vector<SceneMotion::ActingMotor> SceneMotion::acting(const Motors& motors, 
                           strength_of(motor.motor, age, age + 1.0 / scene_->tick_hz)});
     }
     return result;
+}
+
+std::vector<SceneMotion::StandingObstacle> SceneMotion::standing(double time) const {
+    std::vector<StandingObstacle> result;
+    for (const SceneObstacle& body : scene_->obstacles)
+        if (body.from <= time && time < body.until)
+            result.push_back({&body, obstacle_at(body, time)});
+    return result;
+}
+
+bool SceneMotion::StandingObstacle::blocks(glm::dvec3 from, glm::dvec3 to) const {
+    const auto reach = static_cast<double>(glm::length(detail::half_extent(now.shape)));
+    if (glm::distance(from, now.position) > reach + glm::distance(from, to))
+        return false;
+    const glm::quat to_own = glm::conjugate(glm::normalize(now.orientation));
+    const glm::vec3 begin = to_own * glm::vec3(from - now.position), end = to_own * glm::vec3(to - now.position);
+    return detail::distance_to(now.shape, end) < 0.0f || detail::blocks(now.shape, begin, end);
 }
 
 Error SceneMotion::rejection(const char* key, double time, const std::string& why) const {

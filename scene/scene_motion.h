@@ -8,7 +8,8 @@
 //         wind->step(1.0 / scene.tick_hz);
 //     }
 //
-// For any wind with `motors()`, `obstacles()`, `follow(point)` and `set_floor(height)`: windrow::Wind, windrow::vulkan::Wind, a host's own.
+// For any wind with `motors()`, `obstacles()`, `follow(point)` and `set_floor(height)`: windrow::Wind, windrow::vulkan::Wind, a
+// host's own.
 #pragma once
 
 #include "scene/scene.h"
@@ -34,15 +35,16 @@ class SceneMotion {
     /// The scene must outlive it.
     explicit SceneMotion(const Scene& scene) : scene_(&scene), parts_(scene.motors.size()), bodies_(scene.obstacles.size()) {}
 
-    /// Puts the box where the scene has it at time 0; no motor acts yet, and no obstacle is there. Rejections begin with the scene's file and path.
+    /// Puts the box where the scene has it at time 0; no motor acts yet, and no obstacle is there. Rejections begin with the
+    /// scene's file and path.
     template <MovableWind Air>
     Result<void> begin(Air& air) {
         return place_box(air, 0.0);
     }
 
     /// For one tick, from `start` to `end` [s]: the box and all that moves are put where they are at its end; motors and
-    /// obstacles whose time holds the tick's middle are added, others removed. One that ended by itself does not begin again. Call it with ticks that
-    /// follow on each other, before the wind's step.
+    /// obstacles whose time holds the tick's middle are added, others removed. One that ended by itself does not begin again. Call
+    /// it with ticks that follow on each other, before the wind's step.
     template <MovableWind Air>
     Result<void> place(Air& air, double start, double end) {
         if (auto placed = place_box(air, end); !placed)
@@ -62,6 +64,17 @@ class SceneMotion {
     };
     /// Those that act at a time [s], in the scene's order; not those that have ended by themselves. `motors`: the wind's.
     [[nodiscard]] std::vector<ActingMotor> acting(const Motors& motors, double time) const;
+
+    /// An obstacle of the scene as it is at a time.
+    struct StandingObstacle {
+        const SceneObstacle* obstacle;
+        Obstacle now;
+
+        /// Whether the straight way between two places of the world passes through it or ends inside.
+        [[nodiscard]] bool blocks(glm::dvec3 from, glm::dvec3 to) const;
+    };
+    /// Those that are there at a time [s], in the scene's order.
+    [[nodiscard]] std::vector<StandingObstacle> standing(double time) const;
 
   private:
     /// A motor of the scene in the air. Its handle turns stale when the motor ends by itself; it does not begin again.

@@ -21,7 +21,9 @@ struct ReadAir {
 
 [[nodiscard]] std::vector<SceneMotor> read_motors(JsonObject& scene, std::span<const std::string> path_names);
 
-[[nodiscard]] std::vector<SceneObstacle> read_obstacles(JsonObject& scene, std::span<const std::string> path_names);
+/// `folder` is the scene's: meshes and voxel grids are beside it.
+[[nodiscard]] std::vector<SceneObstacle> read_obstacles(JsonObject& scene, std::span<const std::string> path_names,
+                                                        const std::filesystem::path& folder);
 
 /// `from` and `until` [s] of something that acts for a time; `what` is its name for sentences.
 void read_times(JsonObject& object, const char* what, double& from, double& until);

@@ -184,7 +184,7 @@ Result<Scene> read_scene_json(const json& document, const std::filesystem::path&
     read_follow(object, scene, names);
     read_floor(object, scene, names);
     scene.motors = read_motors(object, names);
-    scene.obstacles = read_obstacles(object, names);
+    scene.obstacles = read_obstacles(object, names, file.parent_path());
     read_outputs(object, scene);
     // Other data of a renderer (read by windrow-draw); the air does not use it.
     (void)object.object(

@@ -122,6 +122,9 @@ void read_value(JsonObject& object, const Key& key, Value& value, const Range& r
             value = static_cast<Value>(chosen);
     } else if constexpr (std::same_as<Value, Boundary>) {
         read_side(object, key, value);
+    } else if constexpr (std::same_as<Value, std::optional<glm::vec3>>) {
+        if (const auto given = object.optional_vector(key, range))
+            value = glm::vec3(*given);
     } else if constexpr (detail::k_is_optional<Value>) {
         typename Value::value_type given{};
         if constexpr (std::is_arithmetic_v<typename Value::value_type>)
@@ -135,9 +138,9 @@ void read_value(JsonObject& object, const Key& key, Value& value, const Range& r
                   [](JsonObject kind, auto& alternative) { read_object(std::move(kind), alternative); });
     } else if constexpr (detail::k_is_list<Value>) {
         read_items(object, key, range, [&](JsonObject item) { read_object(std::move(item), value.emplace_back()); });
-    } else {
+    } else if constexpr (HasSettings<Value>) {
         read_object(object.object(key), value);
-    }
+    } // what is left is read from a file, by who knows the folder
 }
 
 /// Notes what validation finds in a struct whose single values were read without a fault: the rules between them.

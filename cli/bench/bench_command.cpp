@@ -83,12 +83,16 @@ void add_bench(CLI::App& app, std::function<int()>& chosen, const Console& conso
                  [request](const std::string& text) {
                      request->volumes.push_back(static_cast<int>(read_count(text, "--volumes", k_max_volumes)));
                  });
+    bench->add_flag("--obstacles", request->obstacles,
+                    "Measure the grids with obstacles instead: a cube, a town, a second solve, obstacles outside, a walk");
     flags.seconds(request->seconds, "Time a grid, default 5; longer where 100 samples of a step take it, on a GPU 1000");
     flags.file("--json", request->json, "File for all figures; written atomically");
     bench->callback([bench, request, &chosen, &console] {
         check_backend(*bench, request->backend);
         if (request->backend.kind == cases::BackendKind::vulkan && !request->volumes.empty())
             reject("--volumes is given with --backend vulkan, which measures grids: drop one of them.");
+        if (request->backend.kind == cases::BackendKind::vulkan && request->obstacles)
+            reject("--obstacles is given with --backend vulkan, which has none: drop one of them.");
         if (request->grids.empty() && request->volumes.empty())
             request->grids.assign(std::begin(k_bench_grids), std::end(k_bench_grids));
         chosen = interruptible<BenchRequest>(run_bench, request, console);
@@ -122,6 +126,16 @@ int run_bench(const BenchRequest& request, const Console& console, const std::fu
                        .volumes = {}};
     report_machine(result, console);
     for (const glm::ivec3 cells : request.grids) {
+        if (request.obstacles) {
+            auto scenes = measure_obstacles(cells, request, threads, pool->parallel_for(), stopped);
+            if (!scenes)
+                return complain(scenes.error(), console);
+            if (!*scenes)
+                return k_exit_signal + stop_signal();
+            report_obstacles(**scenes, console);
+            result.obstacles.push_back(std::move(**scenes));
+            continue;
+        }
         auto grid = measure_grid(cells, request, threads, pool->parallel_for(), stopped);
         if (!grid)
             return complain(grid.error(), console);

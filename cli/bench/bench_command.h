@@ -33,6 +33,7 @@ inline constexpr double k_bench_seconds = 5.0;
 struct BenchRequest {
     std::vector<glm::ivec3> grids; ///< none: only volumes are measured
     std::vector<int> volumes;
+    bool obstacles = false; ///< the grids are measured with obstacles instead of beside other methods
     BackendRequest backend{};
     int threads = 0; ///< 0: one a core
     Simd simd = Simd::best;
@@ -79,11 +80,33 @@ struct VolumesResult {
     std::size_t bytes_per_volume = 0;
 };
 
+/// A wind with obstacles, beside the same wind without.
+struct ObstacleScene {
+    const char* name;
+    int obstacles = 0;
+    double surface = 0.0; ///< fraction of the cells that have a closed face, for bodies along the cells
+    Spread step_ms{};
+    double stages_over_step = 0.0; ///< median of the time at obstacles over that of the step, by the step's own clocks
+    double over_empty = 0.0;       ///< time of a step over that without obstacles
+    int solves = 0;                ///< most that a step took
+};
+
+struct ObstaclesResult {
+    glm::ivec3 cells{0};
+    std::size_t rounds = 0;
+    std::vector<ObstacleScene> scenes{};
+    double second_solve = 0.0; ///< what it adds to a step of the town, over that step
+    /// A box that follows a walk through the town: the slowest step over the median, each the least of its runs.
+    double walk_slowest_over_median = 0.0;
+    double walk_median_ms = 0.0;
+};
+
 struct BenchResult {
     std::string device, compiler, commit, simd;
     int threads = 1;
     std::vector<GridResult> grids;
     std::vector<VolumesResult> volumes;
+    std::vector<ObstaclesResult> obstacles{};
 };
 
 /// Adds the command; where it is chosen, `chosen` runs it.
@@ -94,6 +117,7 @@ void add_bench(CLI::App& app, std::function<int()>& chosen, const Console& conso
 
 void report_machine(const BenchResult& result, const Console& console);
 void report_grid(const GridResult& grid, const Console& console);
+void report_obstacles(const ObstaclesResult& obstacles, const Console& console);
 /// A line each; the first brings the head of the table.
 void report_volumes(const VolumesResult& volumes, bool first, const Console& console);
 

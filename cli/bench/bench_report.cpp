@@ -133,6 +133,23 @@ Json reference(const GridResult& grid) {
     return json;
 }
 
+Json obstacles_entry(const ObstaclesResult& obstacles) {
+    Json scenes = Json::array();
+    for (const ObstacleScene& scene : obstacles.scenes)
+        scenes.push_back({{"scene", scene.name},
+                          {"obstacles", scene.obstacles},
+                          {"surface", scene.surface},
+                          {"solves", scene.solves},
+                          {"step_ms", spread(scene.step_ms)},
+                          {"stages_over_step", scene.stages_over_step},
+                          {"over_empty", scene.over_empty}});
+    return {{"grid", grid_name(obstacles.cells)},
+            {"scenes", scenes},
+            {"second_solve", obstacles.second_solve},
+            {"walk_slowest_over_median", obstacles.walk_slowest_over_median},
+            {"walk_median_ms", obstacles.walk_median_ms}};
+}
+
 Json volumes_entry(const VolumesResult& volumes) {
     return {{"volumes", volumes.volumes},
             {"grid", "32x16x32"},
@@ -170,6 +187,23 @@ void report_grid(const GridResult& grid, const Console& console) {
     console.out.flush();
 }
 
+void report_obstacles(const ObstaclesResult& obstacles, const Console& console) {
+    const glm::ivec3 cells = obstacles.cells;
+    console.out << "\n"
+                << message(cells.x, " x ", cells.y, " x ", cells.z, ": obstacles in turns, ", obstacles.rounds, " rounds") << "\n"
+                << k_table.line("whole step", {"min ms", "median ms", "99 % ms", "samples", "obstacles", "surface %", "solves",
+                                               "stages", "/ empty"});
+    for (const ObstacleScene& scene : obstacles.scenes)
+        console.out << k_table.line(
+            scene.name, {to_fixed(scene.step_ms.min, 3), to_fixed(scene.step_ms.median, 3), to_fixed(scene.step_ms.p99, 3),
+                         count(scene.step_ms.samples), message(scene.obstacles), to_fixed(100.0 * scene.surface, 2),
+                         message(scene.solves), to_fixed(scene.stages_over_step, 4), to_fixed(scene.over_empty, 3)});
+    console.out << message("  a second solve adds ", to_fixed(obstacles.second_solve, 3),
+                           " of the step; a walk's slowest step / median ", to_fixed(obstacles.walk_slowest_over_median, 2),
+                           ", median ", to_fixed(obstacles.walk_median_ms, 3), " ms\n");
+    console.out.flush();
+}
+
 void report_volumes(const VolumesResult& volumes, bool first, const Console& console) {
     if (first)
         console.out << "\nWindows of 32 x 16 x 32, each stepped by one thread\n"
@@ -194,6 +228,8 @@ std::string bench_json(const BenchResult& result) {
     }
     for (const VolumesResult& volumes : result.volumes)
         json["volumes"].push_back(volumes_entry(volumes));
+    for (const ObstaclesResult& obstacles : result.obstacles)
+        json["obstacles"].push_back(obstacles_entry(obstacles));
     // A device's name may hold any byte.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

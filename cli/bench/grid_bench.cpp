@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -96,7 +97,141 @@ std::optional<SolverResult> measure_vdb(const Box&, std::span<const float>, int,
 
 #endif
 
+// --- Obstacles -----------------------------------------------------------------------------------------------------------
+
+constexpr double k_town_surface = 0.03; // of the cells
+constexpr int k_outside = 10'000;       // obstacles
+constexpr int k_walk_steps = 100, k_walk_runs = 5;
+constexpr double k_walk_speed = 12.0; // [m/s] of the box: a fifth of a cell a step
+
+bool blocks(Wind& wind, glm::dvec3 position, glm::vec3 half) {
+    return wind.obstacles().add({.position = position, .shape = Block{half}}).has_value();
+}
+
+// Houses in rows over the floor, enough for the town's fraction of surface cells; `length` times as far along x as the box is.
+bool build_town(Wind& wind, double length) {
+    const glm::ivec3 cells = wind.box().cells;
+    const glm::vec3 half = glm::vec3(3.0f, 0.125f * static_cast<float>(cells.y) + 1.0f, 3.0f);
+    const auto surface = [](glm::vec3 size) { return 2.0f * (size.x + size.z) * size.y + size.x * size.z; };
+    const float of_one = surface(2.0f * half) + surface(2.0f * half - glm::vec3(2.0f, 1.0f, 2.0f)); // outside and inside
+    const double count = k_town_surface * static_cast<double>(wind.box().cell_count()) / static_cast<double>(of_one);
+    const int rows = std::max(1, static_cast<int>(std::ceil(std::sqrt(count * cells.z / cells.x))));
+    const double along = cells.x * rows / count, across = static_cast<double>(cells.z) / rows;
+    const glm::dvec3 low = wind.view().origin();
+    bool built = true;
+    for (int row = 0; row < rows; ++row)
+        for (double x = 0.5 * along; x < length * cells.x; x += along)
+            built = built && blocks(wind,
+                                    low + glm::floor(glm::dvec3(x, 0.0, (row + 0.5) * across)) +
+                                        glm::dvec3(0.0, static_cast<double>(half.y), 0.0),
+                                    half);
+    return built;
+}
+
+// Fraction of the cells that have a neighbour on the other side of a wall.
+double surface_of(const Wind& wind) {
+    const Box box = wind.box();
+    std::vector<float> inside(box.cell_count());
+    if (!wind.write_obstacles(inside))
+        return 0.0;
+    std::size_t found = 0;
+    for (int k = 0; k < box.cells.z; ++k)
+        for (int j = 0; j < box.cells.y; ++j)
+            for (int i = 0; i < box.cells.x; ++i) {
+                bool surface = false;
+                for (int axis = 0; axis < 3; ++axis)
+                    for (const int side : {-1, 1}) {
+                        glm::ivec3 next(i, j, k);
+                        next[axis] += side;
+                        surface = surface || (next[axis] >= 0 && next[axis] < box.cells[axis] &&
+                                              inside[box.index(next.x, next.y, next.z)] != inside[box.index(i, j, k)]);
+                    }
+                found += surface ? 1 : 0;
+            }
+    return static_cast<double>(found) / static_cast<double>(inside.size());
+}
+
+// A walk through a town, several times: each of its steps has the least of its times.
+bool walk(const Config& config, ObstaclesResult& result, const std::function<bool()>& stopped) {
+    std::vector<float> least(k_walk_steps, std::numeric_limits<float>::infinity());
+    for (int run = 0; run < k_walk_runs; ++run) {
+        auto wind = Wind::create(config);
+        if (!wind || !build_town(*wind, 2.0))
+            return false;
+        for (int step = -10; step < k_walk_steps; ++step) { // the first steps of a flow are others
+            if (stopped())
+                return false;
+            glm::dvec3 to(0.0);
+            to.x = k_walk_speed * k_bench_dt * std::max(step, 0);
+            if (!wind->follow(to))
+                return false;
+            const auto ms = static_cast<float>(wind->step(k_bench_dt).times_ms.total);
+            if (step >= 0)
+                least[static_cast<std::size_t>(step)] = std::min(least[static_cast<std::size_t>(step)], ms);
+        }
+    }
+    result.walk_median_ms = static_cast<double>(quantile(least, 0.5));
+    result.walk_slowest_over_median = static_cast<double>(quantile(least, 1.0)) / result.walk_median_ms;
+    return true;
+}
+
 } // namespace
+
+Result<std::optional<ObstaclesResult>> measure_obstacles(glm::ivec3 cells, const BenchRequest& request, int threads,
+                                                         const ParallelFor& parallel_for, const std::function<bool()>& stopped) {
+    const std::vector<glm::vec4> flow = jets(bench_box(cells));
+    const ParallelFor loop = threads > 1 ? parallel_for : ParallelFor{};
+    const auto nothing = [](Wind&) { return true; };
+    const auto cube = [](Wind& wind) { return blocks(wind, {0.0, wind.view().origin().y + 4.0, 0.0}, glm::vec3(4.0f)); };
+    const auto town = [](Wind& wind) { return build_town(wind, 1.0); };
+    const auto outside = [](Wind& wind) {
+        const double near = 2.0 * wind.box().cells.x;
+        bool built = true;
+        for (int n = 0; n < k_outside; ++n)
+            built = built && blocks(wind, {near + 8.0 * (n / 100), 3.0, 8.0 * (n % 100)}, glm::vec3(3.0f));
+        return built;
+    };
+    const struct {
+        const char* name;
+        std::function<bool(Wind&)> build;
+        int solves;
+    } k_scenes[] = {
+        {"empty", nothing, 1}, {"one cube", cube, 1}, {"town", town, 1}, {"town, two solves", town, 2}, {"outside", outside, 1}};
+
+    Contest contest;
+    ObstaclesResult result{.cells = cells};
+    std::vector<std::unique_ptr<WindContestant>> winds;
+    Config config = bench_config(cells, Scheme::second_order, request.simd, loop);
+    for (const auto& [name, build, solves] : k_scenes) {
+        config.pressure_solves = solves;
+        auto wind = Wind::create(config);
+        if (!wind)
+            return Error{wind.error()};
+        if (!build(*wind))
+            return Error{detail::message("the scene ", name, " has no room for its obstacles: give a larger grid.")};
+        const int count = static_cast<int>(wind->obstacles().count());
+        winds.push_back(std::make_unique<WindContestant>(std::move(*wind), flow));
+        (void)contest.add(winds.back()->contestant());
+        result.scenes.push_back({.name = name, .obstacles = count});
+    }
+    if (!contest.hold(request.seconds, stopped))
+        return std::optional<ObstaclesResult>();
+    result.rounds = contest.rounds();
+    for (std::size_t n = 0; n < result.scenes.size(); ++n) {
+        ObstacleScene& scene = result.scenes[n];
+        scene.surface = surface_of(winds[n]->wind());
+        scene.step_ms = contest.milliseconds(n);
+        scene.stages_over_step = winds[n]->stages_at_obstacles();
+        scene.over_empty = contest.ratio(n, 0);
+        scene.solves = winds[n]->most_solves();
+    }
+    constexpr std::size_t k_town = 2;
+    result.second_solve = contest.ratio(k_town + 1, k_town) - 1.0;
+    config.pressure_solves = 0;
+    if (!walk(config, result, stopped))
+        return std::optional<ObstaclesResult>();
+    return std::optional(std::move(result));
+}
 
 std::uint64_t grid_bench_bytes(glm::ivec3 cells) {
     // Two winds, Stam's arrays, what is copied, FFTW's arrays; OpenVDB's matrix, which takes the most, on small grids only.

@@ -1,4 +1,4 @@
-// What `windrow bench` measures on the CPU: a grid, and many windows at once.
+// What `windrow bench` measures on the CPU: a grid, a grid with obstacles, and many windows at once.
 //
 // A grid: the step beside a copy and beside Stam's step, the direct solve beside Jacobi, FFTW and OpenVDB. Windows: as a server
 // with as many players steps them, each volume by one thread, the volumes spread over the threads: one loop a step instead of one
@@ -22,6 +22,11 @@ namespace windrow::cli {
 [[nodiscard]] Result<std::optional<GridResult>> measure_grid(glm::ivec3 cells, const BenchRequest& request, int threads,
                                                              const ParallelFor& parallel_for,
                                                              const std::function<bool()>& stopped);
+
+/// Obstacles: one cube; a town with 3 % of the cells at a surface, with one solve and with two; 10,000 obstacles outside of the box.
+[[nodiscard]] Result<std::optional<ObstaclesResult>> measure_obstacles(glm::ivec3 cells, const BenchRequest& request, int threads,
+                                                                       const ParallelFor& parallel_for,
+                                                                       const std::function<bool()>& stopped);
 
 /// [bytes]
 [[nodiscard]] std::uint64_t volume_bench_bytes(int volumes);

@@ -54,8 +54,14 @@ void WindContestant::note() {
     for (std::size_t n = 0; n < stage_ms_.size(); ++n)
         stage_ms_[n].push_back(static_cast<float>(last_.times_ms.*k_stages[n].value));
     largest_cfl_ = std::max(largest_cfl_, last_.cfl);
+    at_obstacles_.push_back(static_cast<float>(last_.times_ms.obstacles / std::max(last_.times_ms.total, 1e-9)));
+    most_solves_ = std::max(most_solves_, last_.pressure_solves);
     max_substeps_ = std::max(max_substeps_, last_.substeps);
     slept_ = slept_ || last_.asleep;
+}
+
+double WindContestant::stages_at_obstacles() const {
+    return quantile(at_obstacles_, 0.5);
 }
 
 Contestant WindContestant::contestant() {

@@ -28,6 +28,10 @@ class WindContestant {
     void refresh();
     void step();
 
+    [[nodiscard]] const Wind& wind() const { return wind_; }
+    [[nodiscard]] double stages_at_obstacles() const; ///< median of their time over that of the step
+    [[nodiscard]] int most_solves() const { return most_solves_; }
+
   private:
     void note();
 
@@ -37,7 +41,8 @@ class WindContestant {
     Diagnostics last_;
     std::array<std::vector<float>, k_stages.size() - 1> stage_ms_;
     float largest_cfl_ = 0.0f;
-    int max_substeps_ = 0;
+    std::vector<float> at_obstacles_{}; ///< time over that of the step
+    int max_substeps_ = 0, most_solves_ = 0;
     bool slept_ = false;
 };
 

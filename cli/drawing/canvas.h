@@ -147,6 +147,8 @@ inline constexpr Colour k_hairline = hex(0xD5D4CE);
 // air.
 inline constexpr Colour k_casing = hex(0x0B0F16, 0.72);
 inline constexpr Colour k_body = hex(0xFF6FC1); // a path and what moves on it; motors: motor_style.h
+// Neutral, between the lightness of calm and of fast air: the map of speeds has no grey.
+inline constexpr Colour k_obstacle = hex(0xA7A39C);
 inline constexpr Colour k_player = hex(0xFFFFFF);
 inline constexpr Colour k_plate = hex(0x10151D, 0.84); // behind names
 

@@ -16,16 +16,16 @@ using namespace cases;
 namespace {
 
 // The batch query is what a plant reads; the picture shows nothing else.
-SlicedAir air_of(const BackendWind& wind) {
+SlicedAir air_of(const BackendWind& wind, std::span<const NamedObstacle> obstacles = {}) {
     const Config& config = wind.config();
     return {.box = wind.box(),
             .origin = wind.origin(),
             .ambient = wind.ambient(),
             .profile_height = config.profile ? config.profile->reference_height : 0.0f,
             .gust_intensity = config.gusts.intensity,
-            .velocity = [&wind](std::span<const glm::dvec3> positions, std::span<glm::vec3> velocities) {
-                wind.velocity(positions, velocities);
-            }};
+            .velocity = [&wind](std::span<const glm::dvec3> positions,
+                                std::span<glm::vec3> velocities) { wind.velocity(positions, velocities); },
+            .obstacles = {obstacles.begin(), obstacles.end()}};
 }
 
 PixelRect to_pixels(const Rect& rect, double unit) {
@@ -111,14 +111,14 @@ Result<Image> compose_frame(const SlicedAir& air, double time, std::span<const T
         largest = std::max(largest, slice.largest);
         broken = broken || slice.broken_pixels > 0;
         canvas.image(slice.image, {panel.rect.x, panel.rect.y});
-        draw_arrows(canvas, panel, air, slice.image, scale);
+        draw_flow(canvas, panel, air, slice.image, scale, settings.flow);
         draw_cut(canvas, panel, panels[1 - index]->plane);
         draw_axes(canvas, panel, air.box.boundaries);
-        draw_things(canvas, panel, trails, motors); // over the frame: a mark may stand on the floor's line
+        draw_things(canvas, panel, air, trails, motors); // over the frame: a mark may stand on the floor's line
         draw_caption(canvas, panel, air.box.cell_size);
     }
     draw_header(canvas, layout, air, time, settings.title);
-    draw_legend(canvas, {air, layout, trails, motors, settings.motors_of_scene, scale, largest, broken});
+    draw_legend(canvas, {air, layout, trails, motors, settings.motors_of_scene, scale, largest, broken, settings.flow});
     return canvas.finish();
 }
 
@@ -129,8 +129,9 @@ FrameParts frame_parts(const BackendWind& wind, const PictureSettings& settings)
 }
 
 Result<void> draw_frame(const BackendWind& wind, double time, std::span<const Trail> trails, std::span<const NamedMotor> motors,
-                        const PictureSettings& settings, const std::filesystem::path& file) {
-    const auto image = compose_frame(air_of(wind), time, trails, motors, settings);
+                        std::span<const NamedObstacle> obstacles, const PictureSettings& settings,
+                        const std::filesystem::path& file) {
+    const auto image = compose_frame(air_of(wind, obstacles), time, trails, motors, settings);
     if (!image)
         return Error{detail::message("picture ", file.string(), ": ", image.error())};
     return write_png(*image, {printable(settings.title), time_text(time)}, file);

@@ -26,6 +26,7 @@ struct LegendInput {
     float scale = 10.0f;     ///< [m/s] top of the colour bar
     float largest = 0.0f;    ///< [m/s] largest speed that both slices show
     bool broken_air = false; ///< a slice holds wind that is no number
+    scene::FlowMarks flow = scene::FlowMarks::arrows;
 };
 
 void draw_legend(Canvas& canvas, const LegendInput& input);

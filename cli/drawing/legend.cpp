@@ -291,6 +291,16 @@ void draw_sizes(Canvas& canvas, const Rect& place, const LegendInput& input) {
     const double spacing = arrow_spacing(input.air.box.cell_size, k_arrow_spacing / page_scale) * page_scale;
     const double reach = k_arrow_reach * std::min(spacing, 2.0 * k_arrow_spacing);
     const double row = place.y + 116.0;
+    if (input.flow == scene::FlowMarks::streamlines) {
+        const Rect sample{place.x, row, 62.0, 22.0};
+        canvas.fill(sample, to_colour(speed_colour(0.35f)), 3.0);
+        std::vector<glm::dvec2> points;
+        for (int n = 0; n <= 24; ++n)
+            points.push_back({sample.x + 6.0 + 2.0 * n, sample.middle().y + 4.0 * std::sin(0.25 * n)});
+        draw_streamline(canvas, points, [](glm::dvec2) { return speed_colour(0.35f); });
+        canvas.words("streamline", {place.x, row + 40.0}, {.size = 13.0, .colour = k_ink});
+        return;
+    }
     canvas.fill(Rect{place.x, row, reach + 14.0, 44.0}, to_colour(speed_colour(0.35f)), 3.0);
     for (const double share : {1.0, 0.5}) {
         const double height = row + (share == 1.0 ? 13.0 : 31.0);
@@ -361,6 +371,11 @@ void draw_signs(Canvas& canvas, const Rect& place, const LegendInput& input) {
     };
     if (input.broken_air) // first: nothing else counts then
         row("air is no number", "", [&](const Rect& s) { canvas.fill(s, to_colour(k_broken_colour), 3.0); });
+    if (const std::size_t count = input.air.obstacles.size(); count > 0)
+        row("obstacle", count > 1 ? "  " + std::to_string(count) : "", [&](const Rect& s) {
+            canvas.fill(s.grown(-4.0), k_obstacle);
+            canvas.stroke(s.grown(-4.0), {.colour = k_ink, .width = 1.4});
+        });
     if (std::any_of(input.trails.begin(), input.trails.end(), [](const Trail& trail) { return trail.followed; }))
         row("the box follows it", "", [&](const Rect& s) { draw_player(canvas, s.middle()); });
     if (!input.trails.empty())
@@ -386,7 +401,7 @@ void draw_signs(Canvas& canvas, const Rect& place, const LegendInput& input) {
     if (any)
         row("dashed: off the slice", "",
             [&](const Rect& s) { canvas.stroke(s.grown(-4.5), line_of(k_motor_styles[0].colour, 5.0), 4.0); });
-    if (input.trails.empty() && !any)
+    if (input.trails.empty() && !any && input.air.obstacles.empty())
         canvas.words("no motors, no paths", {place.x, y + 4.8}, {.size = 13.0, .colour = k_dim_ink});
 }
 

@@ -2,7 +2,9 @@
 
 #include "cli/drawing/motor_marks.h"
 #include "cli/drawing/outline.h"
+#include "cli/drawing/sections.h"
 #include "cli/drawing/slice.h"
+#include "cli/drawing/streamlines.h"
 
 #include <algorithm>
 #include <array>
@@ -137,6 +139,23 @@ void draw_trail_head(Marks& marks, const Trail& trail, bool named_elsewhere) {
     }
 }
 
+/// The names of the obstacles that the panel cuts. A name of several is no name.
+void name_bodies(Marks& marks, const SlicedAir& air) {
+    const auto of_that_name = [&](const std::string& name) {
+        return std::count_if(air.obstacles.begin(), air.obstacles.end(),
+                             [&](const NamedObstacle& obstacle) { return obstacle.name == name; });
+    };
+    if (air.obstacles.size() > k_max_named)
+        return;
+    for (const CutBody& body : bodies_at(air.obstacles, marks.panel.plane, air)) {
+        const glm::dvec2 at = marks.panel.to_page(body.named->obstacle.position);
+        if (body.named->name.empty() || !marks.panel.rect.contains(at) || of_that_name(body.named->name) > 1)
+            continue;
+        const Rect around{at.x - 8.0, at.y - 8.0, 16.0, 16.0};
+        marks.devices.push_back({printable(body.named->name), "", k_obstacle, around});
+    }
+}
+
 } // namespace
 
 AxisTicks make_ticks(double low, double extent, double apart) {
@@ -222,18 +241,83 @@ void draw_wind_arrow(Canvas& canvas, glm::dvec2 middle, glm::dvec2 direction, do
     canvas.fill(shape, colour);
 }
 
-void draw_arrows(Canvas& canvas, const Panel& panel, const SlicedAir& air, const Image& slice, float scale) {
+namespace {
+
+constexpr double k_head_distance = 96.0; // between heads along a streamline
+
+/// The slice's colour at a place of the page.
+Rgb8 colour_at(const Panel& panel, const Image& slice, glm::dvec2 place) {
+    const glm::dvec2 share = (place - glm::dvec2(panel.rect.x, panel.rect.y)) / glm::dvec2(panel.rect.width, panel.rect.height);
+    return slice.at(std::clamp(static_cast<int>(share.x * slice.width), 0, slice.width - 1),
+                    std::clamp(static_cast<int>(share.y * slice.height), 0, slice.height - 1));
+}
+
+void draw_arrows(Canvas& canvas, const Panel& panel, const SlicedAir& air, std::span<const CutBody> bodies, const Image& slice,
+                 float scale) {
     const double page_scale = std::min(panel.scale.x, panel.scale.y);
     const double spacing = arrow_spacing(air.box.cell_size, k_arrow_spacing / page_scale);
     const double reach = k_arrow_reach * std::min(spacing * page_scale, 2.0 * k_arrow_spacing);
     for (const WindArrow& arrow : slice_arrows(air, panel.plane, spacing, scale)) {
+        if (inside_body(bodies, panel.plane.to_world(arrow.middle)))
+            continue;
         const glm::dvec2 middle = panel.to_page(arrow.middle);
-        const glm::dvec2 share =
-            (middle - glm::dvec2(panel.rect.x, panel.rect.y)) / glm::dvec2(panel.rect.width, panel.rect.height);
-        const int column = std::clamp(static_cast<int>(share.x * slice.width), 0, slice.width - 1);
-        const int row = std::clamp(static_cast<int>(share.y * slice.height), 0, slice.height - 1);
-        draw_wind_arrow(canvas, middle, panel.turned(arrow.direction), arrow.share * reach, slice.at(column, row));
+        draw_wind_arrow(canvas, middle, panel.turned(arrow.direction), arrow.share * reach, colour_at(panel, slice, middle));
     }
+}
+
+void draw_streamlines(Canvas& canvas, const Panel& panel, const SlicedAir& air, std::span<const CutBody> bodies,
+                      const Image& slice, float scale) {
+    const double spacing = k_streamline_spacing / std::min(panel.scale.x, panel.scale.y);
+    constexpr double k_calm = 0.005; // of the scale
+    for (const Streamline& line : streamlines(air, panel.plane, bodies, spacing, k_calm * static_cast<double>(scale))) {
+        std::vector<glm::dvec2> points;
+        for (const glm::dvec2 point : line)
+            points.push_back(panel.to_page(point));
+        draw_streamline(canvas, points, [&](glm::dvec2 place) { return colour_at(panel, slice, place); });
+    }
+}
+
+} // namespace
+
+void draw_streamline(Canvas& canvas, std::span<const glm::dvec2> points, const std::function<Rgb8(glm::dvec2)>& air) {
+    const auto light = [&](glm::dvec2 place) { return to_oklab(air(place)).x > 0.66; };
+    const auto colour = [](bool light_air) { return light_air ? hex(0x0D1B2A, 0.80) : hex(0xFFFFFF, 0.86); };
+    const auto casing = [](bool light_air) { return light_air ? hex(0xFFFFFF, 0.14) : hex(0x05090F, 0.26); };
+    double way = 0.0, next_head = 0.4 * k_head_distance;
+    for (std::size_t first = 0; first + 1 < points.size();) { // runs over air that is light, or is not
+        const bool over_light = light(points[first]);
+        std::size_t last = first + 1;
+        while (last + 1 < points.size() && light(points[last]) == over_light)
+            ++last;
+        canvas.stroke(points.subspan(first, last - first + 1),
+                      {.colour = colour(over_light), .width = 1.35, .casing = casing(over_light), .casing_width = 0.9});
+        for (std::size_t n = first + 1; n <= last; ++n) {
+            const glm::dvec2 step = points[n] - points[n - 1];
+            way += glm::length(step);
+            if (way < next_head || !(glm::length(step) > 0.0))
+                continue;
+            const glm::dvec2 along = glm::normalize(step), across(-along.y, along.x), tip = points[n] + 4.0 * along;
+            canvas.fill(std::array{tip, tip - 8.5 * along + 3.6 * across, tip - 6.5 * along, tip - 8.5 * along - 3.6 * across},
+                        colour(over_light).faded(1.12));
+            next_head += k_head_distance;
+        }
+        first = last;
+    }
+}
+
+void draw_flow(Canvas& canvas, const Panel& panel, const SlicedAir& air, const Image& slice, float scale,
+               scene::FlowMarks marks) {
+    const std::vector<CutBody> bodies = bodies_at(air.obstacles, panel.plane, air);
+    canvas.clip(panel.rect);
+    if (marks == scene::FlowMarks::streamlines)
+        draw_streamlines(canvas, panel, air, bodies, slice, scale);
+    else
+        draw_arrows(canvas, panel, air, bodies, slice, scale);
+    for (const CutBody& body : bodies)
+        if (const auto ends = cut_of(body, panel.plane))
+            canvas.stroke(std::array{panel.to_page(ends->first), panel.to_page(ends->second)},
+                          {.colour = k_ink, .width = 3.2, .casing = hex(0xFFFFFF, 0.75), .casing_width = 1.2});
+    canvas.unclip();
 }
 
 void draw_player(Canvas& canvas, glm::dvec2 at) {
@@ -245,7 +329,8 @@ void draw_player(Canvas& canvas, glm::dvec2 at) {
     canvas.fill_circle(at, 2.6, k_player);
 }
 
-void draw_things(Canvas& canvas, const Panel& panel, std::span<const Trail> trails, std::span<const NamedMotor> motors) {
+void draw_things(Canvas& canvas, const Panel& panel, const SlicedAir& air, std::span<const Trail> trails,
+                 std::span<const NamedMotor> motors) {
     Marks marks{
         .canvas = canvas, .panel = panel, .crowded = motors.size() > k_max_named, .bodies = {}, .devices = {}, .kept_free = {}};
     canvas.clip(panel.rect);
@@ -253,9 +338,12 @@ void draw_things(Canvas& canvas, const Panel& panel, std::span<const Trail> trai
         draw_trail(marks, trail);
     // A body and its path have one name: the player's stands at his mark, any other's at the body.
     const auto has_body = [&](const Trail& trail) {
-        return std::any_of(motors.begin(), motors.end(), [&](const NamedMotor& motor) {
-            return motor.name == trail.name && std::holds_alternative<WakeMotor>(motor.motor);
-        });
+        return std::any_of(motors.begin(), motors.end(),
+                           [&](const NamedMotor& motor) {
+                               return motor.name == trail.name && std::holds_alternative<WakeMotor>(motor.motor);
+                           }) ||
+               std::any_of(air.obstacles.begin(), air.obstacles.end(),
+                           [&](const NamedObstacle& obstacle) { return obstacle.name == trail.name; });
     };
     const auto is_followed = [&](const NamedMotor& motor) {
         return std::any_of(trails.begin(), trails.end(),
@@ -266,6 +354,7 @@ void draw_things(Canvas& canvas, const Panel& panel, std::span<const Trail> trai
         for (const NamedMotor& motor : motors)
             if (std::holds_alternative<WakeMotor>(motor.motor) == bodies)
                 draw_motor(marks, motor, bodies && is_followed(motor));
+    name_bodies(marks, air);
     canvas.unclip();
     // A mark may stand out of the panel: the player's feet are on the floor.
     for (const Trail& trail : trails)

@@ -1,4 +1,4 @@
-// Marks on a slice and around it: arrows of the wind, paths, motors, the player, their names; the outline by kind of side,
+// Marks on a slice and around it: arrows or streamlines of the wind, plates, paths, motors, the player, their names; the outline by kind of side,
 // ticks in world metres, titles.
 #pragma once
 
@@ -8,6 +8,7 @@
 #include "cli/pictures.h"
 #include "fluid/boundaries.h"
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -35,12 +36,19 @@ inline constexpr double k_arrow_reach = 0.92;
 /// An arrow of the wind on air of a colour: light on dark air, dark on light air. A dot where `length` is next to nothing.
 void draw_wind_arrow(Canvas& canvas, glm::dvec2 middle, glm::dvec2 direction, double length, Rgb8 air);
 
-/// Arrows on the slice's own picture.
-void draw_arrows(Canvas& canvas, const Panel& panel, const SlicedAir& air, const Image& slice, float scale);
+/// Page units between streamlines.
+inline constexpr double k_streamline_spacing = 15.0;
+
+/// A streamline on page units, with heads along it; `air` is the colour below a point.
+void draw_streamline(Canvas& canvas, std::span<const glm::dvec2> points, const std::function<Rgb8(glm::dvec2)>& air);
+
+/// Marks of the flow on the slice's own picture, and plates, which are as thin as lines.
+void draw_flow(Canvas& canvas, const Panel& panel, const SlicedAir& air, const Image& slice, float scale, scene::FlowMarks marks);
 
 /// The mark of the one that the box follows.
 void draw_player(Canvas& canvas, glm::dvec2 at);
 
-void draw_things(Canvas& canvas, const Panel& panel, std::span<const Trail> trails, std::span<const NamedMotor> motors);
+void draw_things(Canvas& canvas, const Panel& panel, const SlicedAir& air, std::span<const Trail> trails,
+                 std::span<const NamedMotor> motors);
 
 } // namespace windrow::cli

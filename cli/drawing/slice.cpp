@@ -1,5 +1,7 @@
 #include "cli/drawing/slice.h"
 
+#include "cli/drawing/sections.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -124,6 +126,7 @@ SlicePicture render_slice(const SlicedAir& air, const Plane& plane, float scale,
     SlicePicture picture{.image = Image(width, height)};
     const glm::dvec2 low = plane.in_plane(air.origin);
     const glm::dvec2 extent = plane.in_plane(air.extent());
+    const std::vector<CutBody> bodies = bodies_at(air.obstacles, plane, air);
     std::vector<glm::dvec3> positions(static_cast<std::size_t>(width));
     std::vector<glm::vec3> velocities(static_cast<std::size_t>(width));
     for (int row = 0; row < height; ++row) {
@@ -140,10 +143,12 @@ SlicePicture render_slice(const SlicedAir& air, const Plane& plane, float scale,
             }
             const glm::vec3 u = velocities[column];
             const float speed = std::hypot(u.x, u.y, u.z); // near the largest float a sum of squares would overflow
-            picture.largest = std::max(picture.largest, speed);
+            if (speed > picture.largest && !inside_body(bodies, positions[column]))
+                picture.largest = speed;
             picture.image.set(column, row, speed_colour(speed / scale));
         }
     }
+    paint_sections(picture.image, bodies, plane, air);
     return picture;
 }
 

@@ -11,6 +11,7 @@
 #pragma once
 
 #include "cli/drawing/canvas.h"
+#include "cli/pictures.h"
 #include "fluid/box.h"
 
 #include <cstdint>
@@ -32,6 +33,7 @@ struct SlicedAir {
     float gust_intensity = 0.0f; ///< standard deviation over the mean speed; 0: no gusts
     /// [m/s] Wind at world points; both spans have one length.
     std::function<void(std::span<const glm::dvec3> positions, std::span<glm::vec3> velocities)> velocity;
+    std::vector<NamedObstacle> obstacles{};
 
     /// [m] Edge lengths of the box.
     [[nodiscard]] glm::dvec3 extent() const { return glm::dvec3(box.cells) * static_cast<double>(box.cell_size); }
@@ -64,12 +66,12 @@ struct Plane {
 
 struct SlicePicture {
     Image image;
-    float largest = 0.0f;           ///< [m/s] largest speed of any pixel
+    float largest = 0.0f;           ///< [m/s] largest speed of any pixel outside of bodies
     std::int64_t broken_pixels = 0; ///< pixels whose wind is no number, drawn in k_broken_colour
 };
 
-/// The plane as width x height pixels and nothing else, over the whole box: pixel (c, r) shows the wind at its own centre.
-/// Coloured by speed_colour(speed / scale); scale [m/s] > 0.
+/// The plane as width x height pixels, over the whole box: pixel (c, r) shows the wind at its own centre, coloured by
+/// speed_colour(speed / scale), scale [m/s] > 0, or the section of an obstacle.
 [[nodiscard]] SlicePicture render_slice(const SlicedAir& air, const Plane& plane, float scale, int width, int height);
 
 struct WindArrow {

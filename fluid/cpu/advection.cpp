@@ -18,6 +18,18 @@ cpu::AdvectTask Workspace::State::advect_task() const {
     return task;
 }
 
+// In a closed room the air comes to rest, in place of relaxing to the ambient wind.
+void Workspace::State::still_rooms(const cpu::PadTask& pad) {
+    for (const std::uint32_t n : solids->rooms()) {
+        float* const value = pad.padded_carried + 4 * cpu::padded_index(box.cells, solids->place_of(n));
+        for (std::size_t c = 0; c < 4; ++c) {
+            const std::size_t from = 4 * static_cast<std::size_t>(n) + c;
+            value[c] =
+                pad.relaxation * pad.carried[from] - (pad.history != nullptr ? pad.history_scale * pad.history[from] : 0.0f);
+        }
+    }
+}
+
 void advect(Workspace& work, const Transport& transport, std::span<glm::vec4> result) {
     Workspace::State& state = work.state();
     assert(transport.carried.size() == state.box.cell_count() && transport.velocity.size() == state.box.cell_count());
@@ -43,6 +55,9 @@ void advect(Workspace& work, const Transport& transport, std::span<glm::vec4> re
     pad.padded_carried = state.padded_carried.data();
     pad.padded_trace = own_trace ? state.padded_trace.data() : nullptr;
     state.parallel_for(state.box.cells.z + cpu::k_halo, [&](int plane) { state.kernels->pad_plane(pad, plane); });
+
+    if (pad.relaxation != 1.0f && state.has_solids())
+        state.still_rooms(pad);
 
     cpu::AdvectTask task = state.advect_task();
     task.velocity = pad.velocity;

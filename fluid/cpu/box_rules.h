@@ -41,4 +41,11 @@ struct LegalPlaces {
 };
 [[nodiscard]] LegalPlaces legal_places(const Box& box, int axis);
 
+/// Place of a cell in a padded field of a box of `cells`.
+[[nodiscard]] inline std::size_t padded_index(glm::ivec3 cells, glm::ivec3 at) {
+    const glm::ivec3 padded = cells + k_halo;
+    at += k_halo_low;
+    return (static_cast<std::size_t>(at.z) * padded.y + at.y) * padded.x + at.x;
+}
+
 } // namespace windrow::cpu

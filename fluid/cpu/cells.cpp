@@ -2,6 +2,7 @@
 // uniform.
 #include "fluid/cpu/cells.h"
 
+#include "fluid/cpu/box_rules.h"
 #include "fluid/cpu/workspace.h"
 #include "fluid/wind_core.h"
 
@@ -23,12 +24,6 @@ void for_each_exposed(glm::ivec3 cells, CellIndex shift, const Visit& visit) {
             for (int i = 0; i < cells.x; ++i, ++n)
                 if (outside(2, k) || outside(1, j) || outside(0, i))
                     visit(n, i, j, k);
-}
-
-// The first of the four floats of a cell in a padded field.
-std::size_t padded_index(glm::ivec3 cells, int i, int j, int k) {
-    const glm::ivec3 padded = cells + cpu::k_halo, at = glm::ivec3(i, j, k) + cpu::k_halo_low;
-    return 4 * ((static_cast<std::size_t>(at.z) * padded.y + at.y) * padded.x + at.x);
 }
 
 glm::vec4 cell_at(const float* cell) {
@@ -87,8 +82,10 @@ void Cells::make_room_for_step(float dt) {
         if (source_flow.empty())
             source_flow = Buffer<glm::vec4>(air.velocity.size());
         reserve_solved();
-        if (config_.boundaries.in_free_air())
+        if (config_.boundaries.in_free_air()) {
             free_air_.make_room(box());
+            open_parts_.reserve(Motors::k_capacity);
+        }
     }
     if (wind_.viscous(dt))
         make_room_for_viscosity(diffusion_method(config_.viscosity, air.undiffused_time + dt, config_.cell_size));
@@ -146,24 +143,50 @@ void Cells::bend_profile(const Window& window) {
 
 glm::vec4 Cells::ambient_at(int i, int j, int k) const {
     if (around_.settings().gusts.intensity > 0.0f)
-        return cell_at(ambient_field_.data() + padded_index(box().cells, i, j, k));
+        return cell_at(ambient_field_.data() + 4 * padded_index(box().cells, {i, j, k}));
     return mean_at(i, j, k);
 }
 
 glm::vec4 Cells::mean_at(int i, int j, int k) const {
-    return config_.profile ? cell_at(mean_field_.data() + padded_index(box().cells, i, j, k)) : glm::vec4(work.ambient(), 0.0f);
+    return config_.profile ? cell_at(mean_field_.data() + 4 * padded_index(box().cells, {i, j, k}))
+                           : glm::vec4(work.ambient(), 0.0f);
 }
 
-void Cells::add_ambient(std::span<glm::vec4> field, float factor) const {
+glm::vec4 Cells::wind_at(std::size_t n, int i, int j, int k) const {
+    return in_room(n) ? glm::vec4(0.0f) : ambient_at(i, j, k);
+}
+
+glm::vec4 Cells::rest_at(std::size_t n, int i, int j, int k) const {
+    return around_.gusting() || in_room(n) ? glm::vec4(0.0f) : mean_at(i, j, k);
+}
+
+bool Cells::in_room(std::size_t n) const {
+    if (!work.state().has_solids())
+        return false;
+    const Solids& solids = *work.state().solids;
+    if (unplaced_shift_ == glm::ivec3(0))
+        return solids.in_room(static_cast<std::uint32_t>(n));
+    const glm::ivec3 placed = solids.place_of(static_cast<std::uint32_t>(n)) + unplaced_shift_;
+    return glm::all(glm::greaterThanEqual(placed, glm::ivec3(0))) && glm::all(glm::lessThan(placed, box().cells)) &&
+           solids.in_room(static_cast<std::uint32_t>(box().index(placed.x, placed.y, placed.z)));
+}
+
+void Cells::add_ambient(std::span<glm::vec4> field, float factor) {
+    const std::span<const std::uint32_t> sheltered =
+        work.state().has_solids() ? work.state().solids->sheltered() : std::span<const std::uint32_t>();
+    for (std::size_t n = 0; n < sheltered.size(); ++n)
+        sheltered_air_[n] = field[sheltered[n]];
     const glm::ivec3 cells = box().cells;
     config_.parallel_for(cells.z, [&](int k) {
         for (int j = 0; j < cells.y; ++j) {
-            const float* const around = ambient_field_.data() + padded_index(cells, 0, j, k);
+            const float* const around = ambient_field_.data() + 4 * padded_index(cells, {0, j, k});
             glm::vec4* const row = field.data() + box().index(0, j, k);
             for (int i = 0; i < cells.x; ++i)
                 row[i] += factor * cell_at(around + 4 * i);
         }
     });
+    for (std::size_t n = 0; n < sheltered.size(); ++n)
+        field[sheltered[n]] = sheltered_air_[n];
 }
 
 void Cells::fill(std::span<glm::vec4> field) const {
@@ -216,6 +239,7 @@ void Cells::fill_air() {
     held_at_ = k_unheld;
     air.fresh = true;
     air.undiffused_time = 0.0f;
+    loads.clear();
     std::fill_n(source_flow.data(), source_flow.size(), glm::vec4(0.0f));
 }
 
@@ -230,7 +254,7 @@ void Cells::set(std::span<const glm::vec4> cells) {
 
 void Cells::add_wind(const CellChange& change) {
     const auto add = [&](std::span<glm::vec4> field) {
-        for_each_cell(box().cells, [&](std::size_t n, int i, int j, int k) { field[n] += change.factor * ambient_at(i, j, k); });
+        for_each_cell(box().cells, [&](std::size_t n, int i, int j, int k) { field[n] += change.factor * wind_at(n, i, j, k); });
     };
     add(air.velocity);
     if (!air.fresh)
@@ -245,7 +269,8 @@ void Cells::add_change(const CellChange& change) {
             const int j = static_cast<int>(row % static_cast<std::size_t>(box().cells.y));
             const glm::vec4 here(around_.profile_at(change.window.centre(0, j, 0).y) * change.change, 0.0f);
             for (int i = 0; i < box().cells.x; ++i, ++n)
-                field[n] += here;
+                if (!in_room(n))
+                    field[n] += here;
         }
     };
     if (change.kept)
@@ -259,15 +284,31 @@ void Cells::add_change(const CellChange& change) {
 
 SurfaceHistory Cells::surface_history() const {
     const Workspace::State& state = work.state();
+    SurfaceHistory history;
+    history.loads.assign(loads.loads().begin(), loads.loads().end());
+    history.duration = loads.duration();
     if (state.solid_keys.empty() || glm::any(glm::greaterThanEqual(glm::abs(unplaced_shift_), box().cells)))
-        return {}; // no cell of the box has any
-    return {.keys = state.solid_keys, .terms = state.solid_terms, .shift = unplaced_shift_};
+        return history; // no cell of the box has any terms
+    history.keys = state.solid_keys;
+    history.terms = state.solid_terms;
+    history.shift = unplaced_shift_;
+    return history;
 }
 
 void Cells::set_surface_history(SurfaceHistory&& history) {
     work.state().solid_keys = std::move(history.keys);
     work.state().solid_terms = std::move(history.terms);
     unplaced_shift_ = history.shift;
+    loads.restore(std::move(history.loads), history.duration);
+}
+
+void Cells::write_obstacles(std::span<float> cells) const {
+    std::fill(cells.begin(), cells.end(), 0.0f);
+    for (const Solids::InsideCell& cell : inside_bodies()) {
+        const glm::ivec3 place = cell.place - unplaced_shift_;
+        if (glm::all(glm::greaterThanEqual(place, glm::ivec3(0))) && glm::all(glm::lessThan(place, box().cells)))
+            cells[box().index(place.x, place.y, place.z)] = 1.0f;
+    }
 }
 
 void Cells::shift(const CellChange& change) {
@@ -319,7 +360,7 @@ void Cells::hold_air_alone(const ParallelFor& parallel_for) {
 void Cells::hold_gusts(std::span<glm::vec4> field, const AmbientWind& wind, const Window& window) {
     ambient_next_.fill(wind, window, {});
     for_each_cell(window.cells, [&](std::size_t n, int i, int j, int k) {
-        field[n] = cell_at(ambient_next_.data() + padded_index(window.cells, i, j, k));
+        field[n] = cell_at(ambient_next_.data() + 4 * padded_index(window.cells, {i, j, k}));
     });
 }
 
@@ -403,7 +444,8 @@ WindView Cells::view(FrameCells::Field& field, const ShownFrame& frame) {
 std::size_t Cells::memory_bytes() const {
     return work.memory_bytes() + air.memory_bytes() + frames.memory_bytes() + diffused_.bytes() + sources.memory_bytes() +
            mean_field_.memory_bytes() + ambient_field_.memory_bytes() + ambient_next_.memory_bytes() +
-           profile_bends_.size() * sizeof(float) + source_flow.bytes() + free_air_.memory_bytes() + solved.bytes();
+           (profile_bends_.size() + open_parts_.capacity()) * sizeof(float) + source_flow.bytes() + free_air_.memory_bytes() +
+           solved.bytes() + loads.memory_bytes() + sheltered_air_.capacity() * sizeof(glm::vec4);
 }
 
 } // namespace windrow::cpu

@@ -6,6 +6,7 @@
 #include "fluid/cell_storage.h"
 #include "fluid/cpu/aligned.h"
 #include "fluid/cpu/ambient_field.h"
+#include "fluid/cpu/body_loads.h"
 #include "fluid/cpu/sources.h"
 #include "fluid/cpu/workspace.h"
 #include "fluid/operators.h"
@@ -51,6 +52,8 @@ struct SurfaceHistory {
     std::vector<std::uint32_t> keys{}; ///< of closed faces, in order: 4 times the low cell, plus the axis
     std::vector<float> terms{};        ///< one each
     glm::ivec3 shift{0};               ///< cells by which the box has moved since
+    std::vector<BodyLoads::Load> loads{};
+    float duration = 0.0f; ///< [s] of the step of the loads
 };
 
 class Cells final : public CellStorage {
@@ -77,6 +80,8 @@ class Cells final : public CellStorage {
     void set_held();
     [[nodiscard]] std::size_t memory_bytes() const;
     [[nodiscard]] SurfaceHistory surface_history() const;
+    /// 1 for cells inside obstacles, else 0.
+    void write_obstacles(std::span<float> cells) const;
     /// Of cells without obstacles: the next step places them.
     void set_surface_history(SurfaceHistory&& history);
 
@@ -84,6 +89,7 @@ class Cells final : public CellStorage {
     TwoLevelAir air;
     FrameCells frames;
     SourceField sources;
+    BodyLoads loads; ///< forces on the obstacles
     /// u_S [m/s], part of the velocity; empty until the first volume source, 0 while there is none.
     Buffer<glm::vec4> source_flow;
     Buffer<glm::vec4> solved; ///< scratch for u less its prescribed part; empty until a part is prescribed
@@ -102,6 +108,10 @@ class Cells final : public CellStorage {
     /// [m/s] Ambient wind of a cell of the box; without gusts.
     [[nodiscard]] glm::vec4 ambient_at(int i, int j, int k) const;
     [[nodiscard]] glm::vec4 mean_at(int i, int j, int k) const;
+    /// The prescribed wind of cell n, and what the solved part of its velocity relaxes to: 0 in a closed room.
+    [[nodiscard]] glm::vec4 wind_at(std::size_t n, int i, int j, int k) const;
+    [[nodiscard]] glm::vec4 rest_at(std::size_t n, int i, int j, int k) const;
+    [[nodiscard]] bool in_room(std::size_t n) const;
     void fill(std::span<glm::vec4> field) const;
     void fill_air();
     void set(std::span<const glm::vec4> cells);
@@ -118,14 +128,28 @@ class Cells final : public CellStorage {
 
     // --- step.cpp ----------------------------------------------------------------------------------------------------------
     class Solving;
-    /// Places the obstacles for a sub-step that ends `early` [s] before the step.
-    void place_obstacles(const CellStep& step, double early, Diagnostics& report);
+    /// Places the obstacles for a sub-step that ends `early` [s] before the step; true where some came, went or moved.
+    [[nodiscard]] bool place_obstacles(const CellStep& step, double early, Diagnostics& report);
+    template <class Visit>
+    void for_each_room(const Visit& visit) const;
+    void still_new_rooms();
+    void bound_rooms(std::span<const glm::vec4> before, std::span<glm::vec4> after);
+    [[nodiscard]] bool worked_on(std::span<const std::uint32_t> room) const;
     /// Of the prescribed winds at the end of the sub-step.
     [[nodiscard]] PrescribedFlow prescribed() const;
     void project_around(std::span<glm::vec4> velocity, const Workspace::State::GradientNote& note, float guess_scale,
                         Diagnostics& report);
     void extend_into_bodies();
-    void add_sources(const CellStep& step, Diagnostics& report);
+    void forget_inside();
+    [[nodiscard]] std::span<const Solids::InsideCell> inside_bodies() const;
+    /// Takes the mean over each closed room out of the volume sources, since no air can leave it.
+    void seal_sources(std::span<const detail::MotorReach> reached, Diagnostics& report);
+    [[nodiscard]] bool reaches_room(const detail::MotorReach& motor) const;
+    /// Of each volume source, the fraction outside of bodies and closed rooms; empty without bodies.
+    [[nodiscard]] std::span<const float> open_parts(std::span<const detail::MotorReach> reached);
+    /// The flow of volume sources, around obstacles.
+    void project_sources(const FreeAir* beyond);
+    void add_sources(const CellStep& step, bool other_obstacles, Diagnostics& report);
     [[nodiscard]] bool acts_whole() const;
     void act_whole(float dt);
     void renew_source_flow(std::span<const detail::MotorReach> reached);
@@ -138,8 +162,9 @@ class Cells final : public CellStorage {
     void foresee_gusts(Diagnostics& report);
     void carry_gusts();
     [[nodiscard]] std::span<const glm::vec4> without_given_flow();
-    void add_given_flow(std::span<glm::vec4> field, float factor) const;
-    void add_ambient(std::span<glm::vec4> field, float factor) const;
+    void add_given_flow(std::span<glm::vec4> field, float factor);
+    /// Not in sheltered cells.
+    void add_ambient(std::span<glm::vec4> field, float factor);
     [[nodiscard]] std::span<const glm::vec4> diffuse(std::span<const glm::vec4> field, float dt, Diagnostics& report);
     void advance_second_order(float dt, Diagnostics& report);
     void rehearse(float dt, Diagnostics& report);
@@ -162,10 +187,12 @@ class Cells final : public CellStorage {
     CanopyRows canopy_;                  ///< of the step
     std::vector<PlacedObstacle> placed_; ///< in the sub-step
     glm::ivec3 unplaced_shift_{0};       ///< cells by which the box has moved since the obstacles were placed
-    bool place_again_ = false;           ///< memory was missing
-    bool bodies_move_ = false;           ///< some obstacle in the box moves in this step
-    Buffer<glm::vec4> diffused_;         ///< the velocity after diffusion; empty while viscosity has no effect
-    FreeAir free_air_;                   ///< potential of the volume sources; empty until the first
+    std::vector<glm::vec4> sheltered_air_; ///< scratch: one a sheltered cell
+    bool place_again_ = false;             ///< memory was missing
+    bool bodies_move_ = false;             ///< some obstacle in the box moves in this step
+    Buffer<glm::vec4> diffused_;           ///< the velocity after diffusion; empty while viscosity has no effect
+    std::vector<float> open_parts_;        ///< scratch of open_parts
+    FreeAir free_air_;                     ///< potential of the volume sources; empty until the first
     /// Sleep::drift when the air, and that of the tick before, were written. Otherwise they are ambient, written when read.
     std::atomic<std::uint64_t> held_at_ = 0;
     std::uint64_t before_held_at_ = 0;

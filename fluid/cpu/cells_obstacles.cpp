@@ -1,10 +1,14 @@
 // Obstacles in a step of the cells (step.cpp): where they are, the pressure around them, and what reads beside them find.
 #include "fluid/cpu/cells.h"
+#include "fluid/cpu/stopwatch.h"
 #include "fluid/message.h"
+#include "fluid/numerics.h"
+#include "fluid/wind_core.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/gtc/matrix_transform.hpp>
+#include <glm/vector_relational.hpp>
 
 namespace windrow::cpu {
 namespace {
@@ -15,31 +19,108 @@ constexpr float k_steady_residual = 1e-2f, k_gusty_residual = 6e-2f; // for whic
 
 } // namespace
 
-void Cells::place_obstacles(const CellStep& step, double early, Diagnostics& report) {
-    bodies_move_ = std::any_of(step.obstacles.begin(), step.obstacles.end(), [](const auto& body) { return body.moves(); });
+bool Cells::place_obstacles(const CellStep& step, double early, Diagnostics& report) {
     if (!step.obstacles_changed && !place_again_ && !(bodies_move_ && report.substeps > 1))
-        return;
+        return false;
+    Stopwatch watch(report.times_ms.obstacles);
+    const bool others = step.obstacles_stirred || place_again_;
     const bool placed = detail::memory_lasts([&] {
+        cpu::make_room(placed_, step.obstacles.size());
         placed_.assign(step.obstacles.begin(), step.obstacles.end());
-        for (PlacedObstacle& body : placed_) {
-            const auto back = static_cast<float>(early);
-            body.position -= back * body.velocity;
-            if (const float angle = back * glm::length(body.spin); angle > 0.0f)
-                body.axes = glm::mat3(glm::rotate(glm::mat4(1.0f), -angle, body.spin)) * body.axes;
-        }
+        detail::move_back(placed_, early);
         work.state().set_obstacles(placed_, unplaced_shift_);
+        loads.place(placed_);
+        if (work.state().has_solids()) {
+            const std::size_t sheltered = work.state().solids->sheltered().size();
+            cpu::make_room(sheltered_air_, sheltered);
+            sheltered_air_.resize(sheltered);
+        }
     });
+    if (placed && work.state().has_solids())
+        still_new_rooms();
     unplaced_shift_ = glm::ivec3(0);
     place_again_ = !placed;
     if (!placed) { // the air does without them in this step
         work.state().solids.reset();
         report.out_of_memory = true;
     }
+    return others;
+}
+
+std::span<const Solids::InsideCell> Cells::inside_bodies() const {
+    return work.state().solids ? work.state().solids->inside() : std::span<const Solids::InsideCell>();
+}
+
+// visit(cells) for each closed room.
+template <class Visit>
+void Cells::for_each_room(const Visit& visit) const {
+    if (!work.state().has_solids())
+        return;
+    const Solids& solids = *work.state().solids;
+    std::size_t first = 0;
+    for (const std::uint32_t end : solids.room_ends()) {
+        visit(solids.rooms().subspan(first, end - first));
+        first = end;
+    }
+}
+
+// Rooms that hold the wind although it never blew there: those of a box that is filled with it, and those whose last wall has come
+// into the box. A room that a door closes keeps its air as it is.
+void Cells::still_new_rooms() {
+    const Solids& solids = *work.state().solids;
+    const auto came_in = [&](std::uint32_t cell) { return solids.came_in(cell, unplaced_shift_); };
+    const auto filled = [&](std::uint32_t cell) {
+        const glm::ivec3 at = solids.place_of(cell);
+        return air.fresh && air.velocity[cell] == ambient_at(at.x, at.y, at.z);
+    };
+    for_each_room([&](std::span<const std::uint32_t> room) {
+        if (!std::any_of(room.begin(), room.end(), came_in) && !std::all_of(room.begin(), room.end(), filled))
+            return;
+        for (const std::uint32_t cell : room)
+            air.velocity[cell] = air.velocity_old[cell] = air.history[cell] = glm::vec4(0.0f);
+    });
+}
+
+// Whether a motor, a volume source or a moving wall can do work on the air of a room.
+bool Cells::worked_on(std::span<const std::uint32_t> room) const {
+    const Solids& solids = *work.state().solids;
+    const auto width = static_cast<std::uint32_t>(box().cells.x);
+    return std::any_of(room.begin(), room.end(), [&](std::uint32_t cell) {
+        const std::uint32_t row = cell / width, i = cell % width;
+        const SourceField::Range driven = sources.driven(row);
+        if (i >= driven.low && i < driven.high && sources.drive_row(row)[i].w > 0.0f)
+            return true;
+        if (const glm::vec4* const force = sources.force_row(row); force != nullptr && force[i] != glm::vec4(0.0f))
+            return true;
+        if (const std::span<const float> expansion = sources.expansion(); !expansion.empty() && expansion[cell] != 0.0f)
+            return true;
+        return bodies_move_ && solids.beside_moving(cell);
+    });
+}
+
+// Without work the energy of a closed room does not grow. What the pressure's residual leaves at its walls would add some.
+void Cells::bound_rooms(std::span<const glm::vec4> before, std::span<glm::vec4> after) {
+    const Stopwatch watch(work.state().obstacles_ms);
+    for_each_room([&](std::span<const std::uint32_t> room) {
+        if (worked_on(room))
+            return;
+        const auto energy = [&](std::span<const glm::vec4> field) {
+            double sum = 0.0;
+            for (const std::uint32_t cell : room)
+                sum += static_cast<double>(glm::dot(field[cell], field[cell]));
+            return sum;
+        };
+        const double had = energy(before), has = energy(after);
+        if (!(has > had))
+            return;
+        const auto part = static_cast<float>(std::sqrt(had / has));
+        for (const std::uint32_t cell : room)
+            after[cell] *= part;
+    });
 }
 
 PrescribedFlow Cells::prescribed() const {
-    return {.ambient = around_.gusting() ? ambient_field_.data() : nullptr,
-            .source_flow = has_source_flow() ? std::span<const glm::vec4>(source_flow) : std::span<const glm::vec4>()};
+    return {.ambient = around_.gusting() ? ambient_field_.data() : nullptr};
 }
 
 // One solve begins from the pressure of the last step. A second follows where bodies move, since theirs is another by now, or
@@ -56,20 +137,93 @@ void Cells::project_around(std::span<glm::vec4> velocity, const Workspace::State
         around.tolerance = bodies_move_ ? 0.0f : around_.gusting() ? k_gusty_residual : k_steady_residual;
     }
     work.state().project(velocity, {}, note, nullptr, &around);
+    if (!work.state().has_solids())
+        return;
     report.pressure_residual = around.residual;
-    report.pressure_solves = work.state().has_solids() ? around.solved : 0;
+    report.pressure_solves = around.solved;
+    const Stopwatch watch(work.state().obstacles_ms);
+    const bool has_history = !note.field.empty();
+    loads.add(work.state().solid_flow(), work.state().potential.data(), has_history ? guess_scale : 0.0f, note.weight, note.kept);
+}
+
+void Cells::seal_sources(std::span<const detail::MotorReach> reached, Diagnostics& report) {
+    report.sealed_sources = 0;
+    const std::span<float> expansion = sources.expansion();
+    if (expansion.empty())
+        return;
+    for_each_room([&](std::span<const std::uint32_t> room) {
+        double sum = 0.0;
+        for (const std::uint32_t cell : room)
+            sum += static_cast<double>(expansion[cell]);
+        const auto mean = static_cast<float>(sum / static_cast<double>(room.size()));
+        for (const std::uint32_t cell : room)
+            expansion[cell] -= mean;
+    });
+    const bool closed = !config_.boundaries.has_open(0) && !config_.boundaries.has_open(1) && !config_.boundaries.has_open(2);
+    for (const detail::MotorReach& motor : reached)
+        if (motor.law == detail::MotorReach::Law::source)
+            report.sealed_sources += closed || reaches_room(motor) ? 1 : 0;
+}
+
+bool Cells::reaches_room(const detail::MotorReach& motor) const {
+    for (int k = motor.low.z; k < motor.high.z; ++k)
+        for (int j = motor.low.y; j < motor.high.y; ++j)
+            for (int i = motor.low.x; i < motor.high.x; ++i)
+                if (in_room(box().index(i, j, k)))
+                    return true;
+    return false;
+}
+
+std::span<const float> Cells::open_parts(std::span<const detail::MotorReach> reached) {
+    open_parts_.clear();
+    if (!work.state().has_solids())
+        return open_parts_;
+    const Solids& solids = *work.state().solids;
+    for (const detail::MotorReach& motor : reached) {
+        if (motor.law != detail::MotorReach::Law::source)
+            continue;
+        float whole = 0.0f, open = 0.0f;
+        for (int k = motor.low.z; k < motor.high.z; ++k)
+            for (int j = motor.low.y; j < motor.high.y; ++j)
+                for (int i = motor.low.x; i < motor.high.x; ++i) {
+                    const glm::vec3 off = (glm::vec3(i, j, k) + 0.5f) * box().cell_size - motor.centre;
+                    const float weight = numerics::windrow_sphere_weight(off, motor.radius);
+                    whole += weight;
+                    const auto cell = static_cast<std::uint32_t>(box().index(i, j, k));
+                    open += solids.inside(cell) || solids.in_room(cell) ? 0.0f : weight;
+                }
+        open_parts_.push_back(whole > 0.0f ? open / whole : 1.0f);
+    }
+    return open_parts_;
+}
+
+// From no guess: the flow of a burst is another in each step. What passes through a wall is k_first_residual of it.
+void Cells::project_sources(const FreeAir* beyond) {
+    Workspace::State::SolidSolve around{.bodies_move = false, .solves = k_first_solves, .tolerance = k_first_residual};
+    work.state().project(source_flow, sources.expansion(), {}, beyond, &around);
+    if (work.state().has_solids())
+        loads.renew_sources(work.state().solid_flow(), work.state().potential.data());
 }
 
 // A read of the air beside a body finds air in the body too.
 void Cells::extend_into_bodies() {
     if (!work.state().has_solids())
         return;
+    const Stopwatch watch(work.state().obstacles_ms);
     const SolidFlow flow = work.state().solid_flow();
     flow.extend(air.velocity, {});
     if (air.fresh)
         return;
     flow.extend(air.velocity_old, {});
     flow.extend_history(air.history);
+}
+
+// Cells inside bodies have no past: where a body leaves them, the air is that of its surface.
+void Cells::forget_inside() {
+    for (const Solids::InsideCell& cell : inside_bodies()) {
+        air.velocity_old[cell.cell] = air.velocity[cell.cell];
+        air.history[cell.cell] = glm::vec4(0.0f);
+    }
 }
 
 } // namespace windrow::cpu

@@ -5,7 +5,11 @@
 //   above               backward Euler, (1 - r L) u' = u: one direct solve a component, about the ambient wind, so that a
 //                       uniform wind stays as it is; (L - 1/r) v' = -v/r - b with v = u - ambient and b what ghosts add
 //
+// Obstacles: the explicit pass has the mirror at closed faces. The direct solve has the empty box, so the drag of walls is a pass of
+// its own before it, implicit in each cell: the splitting is of first order too.
+//
 // Crank-Nicolson would be second order, but does not damp the shortest waves at r = 1e4.
+#include "fluid/cpu/stopwatch.h"
 #include "fluid/cpu/workspace.h"
 #include "fluid/numerics.h"
 
@@ -26,8 +30,10 @@ void diffuse_once(Workspace::State& state, std::span<const glm::vec4> field, flo
     task.ratio = ratio;
     task.result = cpu::floats(result);
     state.parallel_for(state.box.cells.z, [&](int plane) { state.kernels->diffuse_plane(task, plane); });
-    if (state.has_solids())
-        state.solid_flow().close_diffusion(field, ratio, result);
+    if (!state.has_solids())
+        return;
+    const cpu::Stopwatch watch(state.obstacles_ms);
+    state.solid_flow().close_diffusion(field, {.ambient = state.given.now}, ratio, result);
 }
 
 // Contribution of the ghost beyond one boundary to L v at its outermost cell: the part that does not depend on v.
@@ -90,6 +96,12 @@ Result<DiffusionMethod> diffuse(Workspace& work, std::span<const glm::vec4> fiel
     } else {
         if (auto room = reserve_diffusion(work); !room)
             return Error{room.error()};
+        if (state.has_solids()) { // a component is read whole before it is written
+            std::copy(field.begin(), field.end(), result.begin());
+            const cpu::Stopwatch watch(state.obstacles_ms);
+            state.solid_flow().drag_along_walls({.ambient = state.given.now}, ratio, result);
+            field = result;
+        }
         for (int component = 0; component < 3; ++component)
             diffuse_component(state, component, field, ratio, result);
     }

@@ -4,6 +4,7 @@
 // Divergence and gradient are central over two cells, L is the compact 7-point Laplacian: an approximate projection. The
 // remaining divergence is (L - div grad) phi, which falls as h^2. Everything is dimensionless (phi / h), so no h appears.
 #include "fluid/cpu/sources.h"
+#include "fluid/cpu/stopwatch.h"
 #include "fluid/cpu/workspace.h"
 
 #include <algorithm>
@@ -133,6 +134,7 @@ void Workspace::State::solve_around(std::span<const glm::vec4> velocity, SolidSo
     const auto norm = [&](const auto& term) {
         return std::sqrt(sum([&](std::size_t n) { return cells[n].shut ? 0.0 : term(n) * term(n); }));
     };
+    std::optional<cpu::Stopwatch> watch(std::in_place, obstacles_ms);
     flow.close_divergence(velocity, around.given, around.bodies_move, potential.data());
     const double wanted = norm([&](std::size_t n) { return static_cast<double>(potential[cells[n].potential]); });
     const float guess = around.guess_scale;
@@ -141,7 +143,9 @@ void Workspace::State::solve_around(std::span<const glm::vec4> velocity, SolidSo
             potential[faces[n].potential[0]] += guess * solid_terms[n];
             potential[faces[n].potential[1]] -= guess * solid_terms[n];
         }
+    watch.reset();
     pressure.solve(potential.data(), scratch.data(), parallel_for);
+    watch.emplace(obstacles_ms);
     flow.closed_slopes(potential.data(), closed_slopes);
     std::fill(residual_terms.begin(), residual_terms.end(), 0.0f);
     add_masked(closed_slopes, 1.0f, residual_terms);
@@ -151,6 +155,7 @@ void Workspace::State::solve_around(std::span<const glm::vec4> velocity, SolidSo
 
     around.solved = 1;
     double left = residual(), squares_before = 1.0;
+    watch.reset();
     while (around.solved < around.solves && left > static_cast<double>(std::max(around.tolerance, k_rounding)) * wanted) {
         std::fill_n(correction.data(), correction.size(), 0.0f);
         for (std::size_t n = 0; n < cells.size(); ++n)
@@ -183,6 +188,7 @@ void Workspace::State::solve_around(std::span<const glm::vec4> velocity, SolidSo
         left = residual();
         ++around.solved;
     }
+    watch.emplace(obstacles_ms);
     if (around.solved > 1)
         flow.closed_slopes(potential.data(), closed_slopes);
     around.residual = wanted > 0.0 ? static_cast<float>(left / wanted) : 0.0f;
@@ -213,10 +219,15 @@ void Workspace::State::set_obstacles(std::span<const cpu::PlacedObstacle> obstac
     solid_terms.swap(terms_before);
     solids->place(obstacles, shift);
     const std::span<const cpu::ClosedFace> faces = solids->faces();
+    const auto empty = [](std::vector<float>& terms, std::size_t count) {
+        cpu::make_room(terms, count);
+        terms.assign(count, 0.0f);
+    };
     for (std::vector<float>* terms : {&closed_slopes, &solid_terms})
-        terms->assign(faces.size(), 0.0f);
+        empty(*terms, faces.size());
     for (std::vector<float>* terms : {&residual_terms, &applied_terms, &masked_terms})
-        terms->assign(solids->surface().size(), 0.0f);
+        empty(*terms, solids->surface().size());
+    cpu::make_room(solid_keys, faces.size());
     solid_keys.resize(faces.size());
     // Both lists are sorted by cell; a shift of the box does not change the order of the cells that stay.
     std::size_t from = 0;
@@ -264,6 +275,7 @@ void Workspace::State::project(std::span<glm::vec4> velocity, std::span<const fl
     task.kept = note.kept;
     parallel_for(box.cells.z, [&](int plane) { kernels->gradient_plane(task, plane); });
     if (has_solids()) {
+        const cpu::Stopwatch watch(obstacles_ms);
         solid_flow().open_gradient(closed_slopes, velocity, note.field, note.weight);
         solid_flow().hold_bodies((around != nullptr ? *around : alone).given, around == nullptr || around->bodies_move, velocity);
     }

@@ -4,20 +4,29 @@
 #include "fluid/cpu/kernels/kernels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 namespace windrow::cpu {
 
+namespace {
+
+// `push` holds the sum of the potential over its surface.
+Push finished(Push push, float cell_size) {
+    if (push.wetted > 0.0)
+        push.potential *= static_cast<double>(cell_size) / push.wetted;
+    return push;
+}
+
+} // namespace
+
+glm::vec3 SolidFlow::ambient_at(const PrescribedFlow& given, std::uint32_t cell) const {
+    const float* const around = given.ambient + 4 * padded_index(box_.cells, solids_.place_of(cell));
+    return {around[0], around[1], around[2]};
+}
+
 glm::vec3 SolidFlow::given_at(const PrescribedFlow& given, std::uint32_t cell) const {
-    glm::vec3 wind(0.0f);
-    if (given.ambient != nullptr) {
-        const glm::ivec3 padded = box_.cells + k_halo, at = solids_.place_of(cell) + k_halo_low;
-        const float* const around = given.ambient + 4 * ((static_cast<std::size_t>(at.z) * padded.y + at.y) * padded.x + at.x);
-        wind += glm::vec3(around[0], around[1], around[2]);
-    }
-    if (!given.source_flow.empty())
-        wind += glm::vec3(given.source_flow[cell]);
-    return wind;
+    return solids_.is_sheltered(cell) ? glm::vec3(0.0f) : ambient_at(given, cell);
 }
 
 // wall(source): the velocity across a source's face that the field is mirrored about.
@@ -54,17 +63,28 @@ void SolidFlow::close_divergence(std::span<const glm::vec4> velocity, const Pres
     for (const Solids::InsideCell& cell : solids_.inside())
         if (cell.shut)
             potential[cell.potential] = 0.0f;
-    const bool prescribed = given.any();
+    const bool prescribed = given.any(), rooms = prescribed && !solids_.rooms().empty();
     for (const ClosedFace& face : solids_.faces()) {
         float both = velocity[face.cell[0]][face.axis] + velocity[face.cell[1]][face.axis];
         if (prescribed)
-            both += given_at(given, face.cell[0])[face.axis] + given_at(given, face.cell[1])[face.axis];
+            both += ambient_at(given, face.cell[0])[face.axis] + ambient_at(given, face.cell[1])[face.axis];
         const float flux = 0.5f * face.closed * both - (bodies_move ? face.wall : 0.0f);
-        if (!face.shut[0])
-            potential[face.potential[0]] -= flux;
-        if (!face.shut[1])
-            potential[face.potential[1]] += flux;
+        for (int end = 0; end < 2; ++end)
+            if (!face.shut[end])
+                potential[face.potential[end]] +=
+                    (end == 0 ? -1.0f : 1.0f) * (flux - (rooms ? blown_past(given, face, end) : 0.0f));
     }
+}
+
+// What a face's flux counts of the wind although the cell at its end is sheltered: there the velocity is the whole, and the wind is
+// part of the velocity beyond the face.
+float SolidFlow::blown_past(const PrescribedFlow& given, const ClosedFace& face, int end) const {
+    if (!solids_.is_sheltered(face.cell[end]))
+        return 0.0f;
+    const std::uint32_t here = face.cell[end], other = face.cell[1 - end];
+    const float beyond = ambient_at(given, other)[face.axis];
+    const float both = ambient_at(given, here)[face.axis] + beyond;
+    return 0.5f * (face.closed * both + (solids_.is_sheltered(other) ? 0.0f : (1.0f - face.closed) * beyond));
 }
 
 void SolidFlow::closed_slopes(const float* potential, std::span<float> slope) const {
@@ -144,33 +164,92 @@ double SolidFlow::correct_divergence(std::span<const glm::vec4> velocity, std::s
     return found;
 }
 
-glm::vec3 SolidFlow::push_on(std::size_t body, const float* potential) const {
-    glm::dvec3 sum(0.0);
-    for (const ClosedFace& face : solids_.faces())
-        for (int end = 0; end < 2; ++end)
-            if (face.body == body && !face.shut[end])
-                sum[face.axis] += (end == 0 ? 1.0 : -1.0) * static_cast<double>(face.closed * potential[face.potential[end]]);
-    return glm::vec3(sum);
+void SolidFlow::add_push(const ClosedFace& face, const float* potential, Push& push) const {
+    double held = 0.0;
+    for (int end = 0; end < 2; ++end)
+        if (!face.shut[end]) {
+            const double here = static_cast<double>(face.closed) * static_cast<double>(potential[face.potential[end]]);
+            held += end == 0 ? here : -here;
+            push.potential += here;
+            push.wetted += static_cast<double>(face.closed);
+        }
+    const double h = box_.cell_size;
+    glm::dvec3 place = glm::dvec3(face.place[0], face.place[1], face.place[2]) + 0.5;
+    place[face.axis] += 0.5;
+    glm::dvec3 arm = h * place - glm::dvec3(solids_.bodies()[face.body].position);
+    for (int axis = 0; axis < 3; ++axis)
+        if (const double size = h * box_.cells[axis]; box_.boundaries.periodic(axis)) // from its nearest image
+            arm[axis] -= size * std::round(arm[axis] / size);
+    const double along = h * h * h * held; // the impulse, along the axis; the moment is arm x impulse
+    const int next = (face.axis + 1) % 3, last = (face.axis + 2) % 3;
+    push.impulse[face.axis] += along;
+    push.twist[next] += arm[last] * along;
+    push.twist[last] -= arm[next] * along;
 }
 
-void SolidFlow::close_diffusion(std::span<const glm::vec4> field, float ratio, std::span<glm::vec4> result) const {
+Push SolidFlow::push_on(std::size_t body, const float* potential) const {
+    Push push;
+    for (const ClosedFace& face : solids_.faces())
+        if (face.body == body)
+            add_push(face, potential, push);
+    return finished(push, box_.cell_size);
+}
+
+void SolidFlow::find_pushes(const float* potential, std::span<Push> pushes) const {
+    std::fill(pushes.begin(), pushes.end(), Push{});
+    for (const ClosedFace& face : solids_.faces())
+        add_push(face, potential, pushes[face.body]);
+    for (Push& push : pushes)
+        push = finished(push, box_.cell_size);
+}
+
+glm::vec3 SolidFlow::wall_at(const ClosedFace& face) const {
+    const PlacedObstacle& body = solids_.bodies()[face.body];
+    if (!body.moves())
+        return glm::vec3(0.0f);
+    glm::vec3 place = glm::vec3(face.place[0], face.place[1], face.place[2]) + 0.5f;
+    place[face.axis] += 0.5f;
+    return body.velocity_at(place * box_.cell_size);
+}
+
+void SolidFlow::close_diffusion(std::span<const glm::vec4> field, const PrescribedFlow& given, float ratio,
+                                std::span<glm::vec4> result) const {
+    const bool prescribed = given.any();
     for (const ClosedFace& face : solids_.faces()) {
-        const PlacedObstacle& body = solids_.bodies()[face.body];
-        glm::vec3 wall(0.0f);
-        if (body.moves()) {
-            glm::vec3 place = glm::vec3(solids_.place_of(face.cell[0])) + 0.5f;
-            place[face.axis] += 0.5f;
-            wall = body.velocity_at(place * box_.cell_size);
-        }
+        const bool sticks = solids_.bodies()[face.body].surface == Surface::no_slip;
+        const glm::vec3 wall = wall_at(face);
         for (int end = 0; end < 2; ++end) {
-            const glm::vec3 here(field[face.cell[end]]), next(field[face.cell[1 - end]]), stuck = 2.0f * (wall - here);
+            const glm::vec3 here(field[face.cell[end]]), next(field[face.cell[1 - end]]);
+            const glm::vec3 stuck = 2.0f * (wall - (prescribed ? given_at(given, face.cell[end]) : glm::vec3(0.0f)) - here);
             glm::vec3 flux(0.0f);
-            if (body.surface == Surface::no_slip)
+            if (sticks)
                 flux = stuck;
             else
                 flux[face.axis] = stuck[face.axis];
             result[face.cell[end]] += glm::vec4(ratio * face.closed * (flux - (next - here)), 0.0f);
         }
+    }
+}
+
+void SolidFlow::drag_along_walls(const PrescribedFlow& given, float ratio, std::span<glm::vec4> field) const {
+    const bool prescribed = given.any();
+    for (const ClosedFace& face : solids_.faces()) {
+        const bool sticks = solids_.bodies()[face.body].surface == Surface::no_slip;
+        const glm::vec3 wall = wall_at(face);
+        const float way = 2.0f * ratio * face.closed, part = way / (1.0f + way);
+        for (const std::uint32_t cell : face.cell) {
+            const glm::vec3 apart = wall - (prescribed ? given_at(given, cell) : glm::vec3(0.0f)) - glm::vec3(field[cell]);
+            for (int axis = 0; axis < 3; ++axis)
+                if (sticks || axis == face.axis)
+                    field[cell][axis] += part * apart[axis];
+        }
+    }
+    const std::span<const Solids::GhostSource> sources = solids_.ghost_sources();
+    for (const Solids::Ghost& ghost : solids_.ghosts()) {
+        glm::vec4 sum(0.0f);
+        for (std::uint32_t n = ghost.first; n < ghost.first + ghost.count; ++n)
+            sum += field[sources[n].cell];
+        field[ghost.cell] = sum / static_cast<float>(ghost.count);
     }
 }
 

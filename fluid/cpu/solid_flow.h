@@ -8,18 +8,32 @@
 
 namespace windrow::cpu {
 
-/// The prescribed part of the wind in the box: gusts and the flow of volume sources. The projection sees the rest of the wind,
-/// and a wall stops the whole.
+/// The prescribed part of the wind that passes through bodies: gusts. The projection sees the rest of the wind, and a wall stops
+/// both. The flow of volume sources goes around bodies by itself.
 struct PrescribedFlow {
     const float* ambient = nullptr; ///< four floats a padded cell; null: none
-    std::span<const glm::vec4> source_flow{};
-    [[nodiscard]] bool any() const { return ambient != nullptr || !source_flow.empty(); }
+    [[nodiscard]] bool any() const { return ambient != nullptr; }
+};
+
+/// What a potential does to a body, over the air's density.
+struct Push {
+    glm::dvec3 impulse{0.0}; ///< [m^4/s]
+    glm::dvec3 twist{0.0};   ///< [m^5/s] about the body's position
+    double potential = 0.0;  ///< [m^2/s] mean over its surface
+    double wetted = 0.0;     ///< closed faces, by fraction and side
+
+    Push& operator+=(const Push& other) { return *this = *this + other; }
+    friend Push operator+(const Push& a, const Push& b) {
+        return {a.impulse + b.impulse, a.twist + b.twist, a.potential + b.potential, a.wetted + b.wetted};
+    }
+    friend Push operator*(double factor, const Push& push) {
+        return {factor * push.impulse, factor * push.twist, factor * push.potential, factor * push.wetted};
+    }
 };
 
 class SolidFlow {
   public:
-    SolidFlow(const Solids& solids, const Box& box, const ParallelFor& parallel_for)
-        : solids_(solids), box_(box), parallel_for_(parallel_for) {}
+    SolidFlow(const Solids& solids, const Box& box) : solids_(solids), box_(box) {}
 
     /// Writes the air's values into the ghost cells, mirrored about the bodies' own velocity less the prescribed part, so that a
     /// read beside a body finds air. The history of the pressure is mirrored about 0.
@@ -36,24 +50,35 @@ class SolidFlow {
     /// Sets cells inside to the bodies' own velocity, less the prescribed part.
     void hold_bodies(const PrescribedFlow& given, bool bodies_move, std::span<glm::vec4> velocity) const;
     /// Corrects one explicit pass of diffusion: closed faces have no flux, or that of a wall to which the air sticks.
-    void close_diffusion(std::span<const glm::vec4> field, float ratio, std::span<glm::vec4> result) const;
+    void close_diffusion(std::span<const glm::vec4> field, const PrescribedFlow& given, float ratio,
+                         std::span<glm::vec4> result) const;
+
+    /// Before an implicit pass of diffusion, which is that of the empty box: air beside closed faces takes the drag of the walls,
+    /// implicit in each cell, and ghost cells take the air's values, so that they exchange nothing with it.
+    void drag_along_walls(const PrescribedFlow& given, float ratio, std::span<glm::vec4> field) const;
 
     /// Squares of the divergence [1/s] that surface cells have beyond those of the empty box: a correction of a sum over all cells.
     /// `flux` is scratch, one a surface cell.
     [[nodiscard]] double correct_divergence(std::span<const glm::vec4> velocity, std::span<const float> expansion,
                                             std::span<float> flux) const;
-    /// [m/s] Sum over a body's faces of closed phi n, n into the body: momentum over density and h^3.
-    [[nodiscard]] glm::vec3 push_on(std::size_t body, const float* potential) const;
+    /// What the potential does to a body, and to each; a face that several close counts for the first of them.
+    [[nodiscard]] Push push_on(std::size_t body, const float* potential) const;
+    void find_pushes(const float* potential, std::span<Push> pushes) const;
 
   private:
+    void add_push(const ClosedFace& face, const float* potential, Push& push) const;
+    /// [m/s] Of the body that closes a face, at the face.
+    [[nodiscard]] glm::vec3 wall_at(const ClosedFace& face) const;
+    /// The prescribed part at a cell: the wind, which does not blow in a closed room.
     [[nodiscard]] glm::vec3 given_at(const PrescribedFlow& given, std::uint32_t cell) const;
+    [[nodiscard]] glm::vec3 ambient_at(const PrescribedFlow& given, std::uint32_t cell) const;
+    [[nodiscard]] float blown_past(const PrescribedFlow& given, const ClosedFace& face, int end) const;
     [[nodiscard]] float central_divergence(std::span<const glm::vec4> velocity, const Solids::SurfaceCell& cell) const;
     template <class Wall>
     void extend_by(std::span<glm::vec4> field, const Wall& wall) const;
 
     const Solids& solids_;
     const Box& box_;
-    const ParallelFor& parallel_for_;
 };
 
 } // namespace windrow::cpu

@@ -11,6 +11,9 @@
 // Surface cells are those with a closed face. All work of a step runs over sorted lists of faces and cells: it is the same for
 // any number of threads.
 //
+// Air that no open face joins to the rest is a closed room: no wind blows there. A body between a room and the other air closes
+// whole faces on the room's side, since a wall cell that is open in part on both sides would join them.
+//
 // A body is drawn once: its closed faces and inside cells, in cells of the world's lattice. A drawing is kept while the body rests
 // there, so a box that moves reads lists and computes no distance, except those of bodies that come into reach.
 #pragma once
@@ -29,6 +32,13 @@ namespace windrow::cpu {
 
 using detail::PlacedObstacle;
 
+/// Room for `count`, or for twice as many where a list has less. Lists of bodies that move vary in length: they grow once.
+template <class List>
+void make_room(List& list, std::size_t count) {
+    if (list.capacity() < count)
+        list.reserve(2 * count);
+}
+
 /// A closed face, between a cell and its high neighbour along an axis.
 struct ClosedFace {
     std::uint32_t cell[2] = {};      ///< low and high, indices in fields
@@ -37,6 +47,7 @@ struct ClosedFace {
     float closed = 0.0f;             ///< fraction
     float wall = 0.0f;               ///< [m/s] closed times the body's own velocity along the axis
     std::uint16_t body = 0;
+    std::uint16_t place[3] = {}; ///< of the low cell, in the box
     std::uint8_t axis = 0;
     bool shut[2] = {}; ///< of the cells
 };
@@ -80,20 +91,39 @@ class Solids {
     [[nodiscard]] std::span<const ClosedFace> faces() const { return faces_; }
     [[nodiscard]] std::span<const SurfaceCell> surface() const { return surface_; }
     [[nodiscard]] std::span<const InsideCell> inside() const { return inside_; }
-    /// Ghosts by layers: those of a layer read the air and the layers before it.
+    /// Ghosts by layers: those of a layer read the air and the layers before it. Three layers from the air outside of closed rooms,
+    /// then three from that of the rooms, if there are any.
     [[nodiscard]] std::span<const Ghost> ghosts() const { return ghosts_; }
     [[nodiscard]] std::span<const GhostSource> ghost_sources() const { return ghost_sources_; }
     [[nodiscard]] std::span<const std::uint32_t> layer_ends() const { return layer_ends_; }
     [[nodiscard]] std::span<const PlacedObstacle> bodies() const { return bodies_; }
 
-    /// Air cells from which a read or a trajectory may pass through a thin body.
+    /// Cells of air in closed rooms: room n ends before room_ends()[n], with its cells in order.
+    [[nodiscard]] std::span<const std::uint32_t> rooms() const { return rooms_; }
+    [[nodiscard]] std::span<const std::uint32_t> room_ends() const { return room_ends_; }
+    [[nodiscard]] bool in_room(std::uint32_t cell) const { return layers_[cell] == k_room; }
+    /// The same cells, and those inside of bodies that only the air of rooms reaches: no prescribed wind is part of their velocity.
+    [[nodiscard]] std::span<const std::uint32_t> sheltered() const { return sheltered_; }
+    [[nodiscard]] bool is_sheltered(std::uint32_t cell) const { return layers_[cell] > k_ghost_layers; }
+
+    /// Air cells outside of closed rooms from which a read or a trajectory may pass through a thin body.
     [[nodiscard]] std::span<const std::uint32_t> thin() const { return thin_; }
     [[nodiscard]] bool any_thin() const { return thinnest_ < k_farthest_thin; }
+    /// [cells] Thickness of the thinnest body.
+    [[nodiscard]] float thinnest() const { return thinnest_; }
     /// Makes the list of them hold for trajectories of so many cells and a cubic read.
     void reach_past_thin(float cells);
 
     /// Whether the face from a cell to its high neighbour along an axis is more closed than open, and whether a cell is inside.
     [[nodiscard]] bool blocked(std::uint32_t cell, int axis) const { return (flags_[cell] >> axis & 1) != 0; }
+    /// Whether one of `count` cells along x has a blocked face.
+    [[nodiscard]] bool any_blocked(std::uint32_t cell, int count) const {
+        constexpr std::uint8_t k_blocked = 7;
+        std::uint8_t any = 0;
+        for (int i = 0; i < count; ++i)
+            any |= flags_[cell + static_cast<std::uint32_t>(i)];
+        return (any & k_blocked) != 0;
+    }
     [[nodiscard]] bool inside(std::uint32_t cell) const { return (flags_[cell] & k_inside) != 0; }
     /// The face from a cell to its high neighbour; null: open.
     [[nodiscard]] const ClosedFace* face(std::uint32_t low_cell, int axis) const {
@@ -101,7 +131,14 @@ class Solids {
         return n == k_none ? nullptr : &faces_[n];
     }
 
+    /// Whether a wall beside a cell moves across its face.
+    [[nodiscard]] bool beside_moving(std::uint32_t cell) const;
+
     [[nodiscard]] glm::ivec3 place_of(std::uint32_t cell) const;
+    /// The neighbour toward the low end of an axis; false where there is none.
+    [[nodiscard]] bool low_neighbour(std::uint32_t cell, int axis, std::uint32_t& low) const;
+    /// Whether the box has taken in a cell, or what is beside it, as it moved by `shift`.
+    [[nodiscard]] bool came_in(std::uint32_t cell, glm::ivec3 shift) const;
     /// Bodies that were drawn, not taken from the last call, by the last call.
     [[nodiscard]] int drawn() const { return drawn_; }
     [[nodiscard]] std::size_t memory_bytes() const;
@@ -111,8 +148,14 @@ class Solids {
     static constexpr std::uint8_t k_inside = 8, k_shut = 16, k_thin = 32, k_low = 64, k_surface = 128;
     static constexpr std::uint32_t k_none = ~std::uint32_t{0};
     static constexpr int k_ghost_layers = 3;
+    static constexpr std::uint8_t k_room = 255;     ///< in `layers_`: air of a closed room
     static constexpr float k_farthest_thin = 64.0f; ///< [cells] thickness beyond which no trajectory passes a body
-    static constexpr int k_least_reach = 4;         ///< [cells] with the default largest CFL number
+
+    /// Air cells in a row of x, from `first` to before `end`, that open faces join.
+    struct Run {
+        std::uint32_t first, end;
+        std::uint32_t root; ///< a run that it is joined to
+    };
 
     /// The cells of one body; positions are cells of the box, of now.
     struct Drawing {
@@ -132,10 +175,18 @@ class Solids {
     };
     [[nodiscard]] Reach reach_of(const PlacedObstacle& obstacle, glm::ivec3 beyond) const;
     [[nodiscard]] bool still_holds(const Drawing& drawing, const PlacedObstacle& obstacle) const;
+    /// Swaps them; `before` is free then: its position is NaN.
+    static void take(Drawing& drawing, Drawing& before);
+    void take_room(Drawing& drawing, const PlacedObstacle& body);
     void draw(Drawing& drawing);
     /// `offset`: cells from the body to its image.
     void draw_image(Drawing& drawing, const Reach& reach, glm::ivec3 offset);
-    void collect_faces();
+    void gather_faces();
+    void sort_faces();
+    void layer_inside(bool of_rooms);
+    void find_rooms();
+    void close_rooms();
+    void make_room_for_motion();
     void find_shut_cells();
     void collect_surface();
     void collect_ghosts();
@@ -147,7 +198,7 @@ class Solids {
     /// visit(cell, place) for each cell with one of the flags, in order.
     template <class Visit>
     void for_each_flagged(std::uint8_t flags, const Visit& visit) const;
-    /// visit(neighbour, axis, face between, null: open) for each neighbour of a cell.
+    /// visit(neighbour, axis, low cell of the face between) for each neighbour of a cell.
     template <class Visit>
     void for_each_neighbour(const InsideCell& cell, const Visit& visit) const;
 
@@ -155,23 +206,48 @@ class Solids {
     int pitch_;
     int drawn_ = 0;
     float thinnest_ = k_farthest_thin; ///< [cells] thickness of the thinnest body
-    int reach_ = k_least_reach;        ///< [cells] around thin bodies
+    int reach_ = 3;                    ///< [cells] from a cell to the farthest that its read may take
     std::vector<PlacedObstacle> bodies_;
-    std::vector<Drawing> drawings_, drawings_before_;
-    std::vector<std::uint8_t> thin_bodies_; ///< whether each body is thin
+    std::vector<Drawing> drawings_, drawings_before_; ///< one a body, in their order; those behind keep their room
+    std::vector<std::uint8_t> thin_bodies_;           ///< whether each body is thin
     std::vector<ClosedFace> faces_;
     std::vector<SurfaceCell> surface_;
     std::vector<InsideCell> inside_;
     std::vector<Ghost> ghosts_;
     std::vector<GhostSource> ghost_sources_;
-    std::vector<std::uint32_t> layer_ends_, thin_;
+    std::vector<std::uint32_t> layer_ends_, thin_, rooms_, room_ends_, sheltered_;
+    std::vector<InsideCell> layered_;                  ///< the ghosts' cells
+    std::vector<Run> runs_;                            ///< scratch
+    std::vector<std::uint32_t> row_runs_, part_sizes_; ///< scratch: first run of each row; cells of each part of the air
     std::vector<ClosedFace> unsorted_;
-    std::vector<std::uint8_t> flags_;       ///< one a cell
-    std::vector<std::uint16_t> body_of_;    ///< one a cell: body that an inside cell is in
-    std::vector<std::uint32_t> surface_of_; ///< one a cell: number of a surface cell
-    std::vector<std::uint8_t> layers_;      ///< one a cell: layer of a ghost
-    std::vector<std::uint32_t> face_of_;    ///< three a cell: face to the high neighbour
-    std::vector<float> distances_;          ///< scratch: at the corners of an obstacle's cells
+    std::vector<Drawing::Face> drawn_faces_; ///< scratch of draw
+    std::vector<glm::ivec3> drawn_inside_;   ///< scratch of draw
+    std::vector<std::uint8_t> flags_;        ///< one a cell
+    std::vector<std::uint16_t> body_of_;     ///< one a cell: body that an inside cell is in
+    std::vector<std::uint32_t> surface_of_;  ///< one a cell: number of a surface cell
+    std::vector<std::uint8_t> layers_;       ///< one a cell: layer of a ghost, or k_room
+    std::vector<std::uint32_t> face_of_;     ///< three a cell: face to the high neighbour
+    std::vector<float> distances_;           ///< scratch: at the corners of an obstacle's cells
 };
+
+template <class Visit>
+void Solids::for_each_neighbour(const InsideCell& cell, const Visit& visit) const {
+    const std::uint32_t strides[3] = {1, static_cast<std::uint32_t>(box_.cells.x),
+                                      static_cast<std::uint32_t>(box_.cells.x * box_.cells.y)};
+    for (int axis = 0; axis < 3; ++axis)
+        for (const int side : {-1, 1}) {
+            std::uint32_t other = 0;
+            const int at = cell.place[axis] + side;
+            if (at >= 0 && at < box_.cells[axis]) {
+                other = side < 0 ? cell.cell - strides[axis] : cell.cell + strides[axis];
+            } else {
+                glm::ivec3 next;
+                if (!neighbour(cell.place, axis, side, next))
+                    continue;
+                other = index(next);
+            }
+            visit(other, axis, side < 0 ? other : cell.cell);
+        }
+}
 
 } // namespace windrow::cpu

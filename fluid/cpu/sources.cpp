@@ -111,6 +111,10 @@ std::span<const float> SourceField::expansion() const {
     return any_expansion_ ? std::span<const float>(expansion_) : std::span<const float>();
 }
 
+std::span<float> SourceField::expansion() {
+    return any_expansion_ ? std::span<float>(expansion_) : std::span<float>();
+}
+
 void SourceField::add_force_to(std::span<glm::vec4> velocity, float factor, const ParallelFor& parallel_for) const {
     if (!any_force_)
         return;
@@ -147,8 +151,24 @@ void SourceField::limit_drives(float most) {
         }
 }
 
+void SourceField::leave_out(std::span<const Solids::InsideCell> inside) {
+    for (const Solids::InsideCell& cell : inside)
+        leave_out(cell.cell / static_cast<std::size_t>(cells_.x), cell.cell);
+}
+
+void SourceField::leave_out(std::size_t row, std::size_t cell) {
+    if (any_force_ && row_holds_force_[row] != 0)
+        force_[cell] = glm::vec4(0.0f);
+    const std::size_t i = cell - row * cells_.x;
+    if (any_drive_ && i >= row_driven_[row].low && i < row_driven_[row].high)
+        drives_[cell] = glm::vec4(0.0f);
+    if (any_expansion_)
+        expansion_[cell] = 0.0f;
+}
+
 void SourceField::gather(std::span<const MotorReach> motors, float cell_size, std::span<const glm::vec4> velocity,
-                         const numerics::TileView& tile, const ParallelFor& parallel_for) {
+                         const numerics::TileView& tile, const ParallelFor& parallel_for,
+                         std::span<const Solids::InsideCell> inside) {
     const auto any = [&](MotorReach::Law law) {
         return std::any_of(motors.begin(), motors.end(), [&](const MotorReach& m) { return m.law == law; });
     };
@@ -158,7 +178,7 @@ void SourceField::gather(std::span<const MotorReach> motors, float cell_size, st
     largest_force_ = largest_driven_ = 0.0f;
     if (motors.empty())
         return;
-    parallel_for(cells_.z, [&](int plane) { gather_plane(motors, cell_size, velocity, tile, plane); });
+    parallel_for(cells_.z, [&](int plane) { gather_plane(motors, cell_size, velocity, tile, inside, plane); });
     for (int k = 0; k < cells_.z; ++k) {
         largest_force_ = std::max(largest_force_, plane_largest_[k]);
         largest_driven_ = std::max(largest_driven_, plane_largest_driven_[k]);
@@ -166,7 +186,7 @@ void SourceField::gather(std::span<const MotorReach> motors, float cell_size, st
 }
 
 void SourceField::gather_plane(std::span<const MotorReach> motors, float cell_size, std::span<const glm::vec4> velocity,
-                               const numerics::TileView& tile, int k) {
+                               const numerics::TileView& tile, std::span<const Solids::InsideCell> inside, int k) {
     // Hundreds of motors reach a box, a few of them a plane. Motors beyond this capacity are searched again in every row, which
     // is only slower.
     std::array<std::uint16_t, 512> near;
@@ -180,6 +200,11 @@ void SourceField::gather_plane(std::span<const MotorReach> motors, float cell_si
         }
     const std::size_t candidates = listed ? near_count : motors.size();
 
+    const auto first_inside = [&](std::size_t cell) {
+        return std::lower_bound(inside.begin(), inside.end(), cell,
+                                [](const Solids::InsideCell& one, std::size_t n) { return one.cell < n; });
+    };
+    auto next_inside = first_inside(static_cast<std::size_t>(k) * cells_.y * cells_.x);
     plane_largest_[k] = plane_largest_driven_[k] = 0.0f;
     for (int j = 0; j < cells_.y; ++j) {
         const std::size_t row = static_cast<std::size_t>(k) * cells_.y + j;
@@ -220,11 +245,13 @@ void SourceField::gather_plane(std::span<const MotorReach> motors, float cell_si
             }
         }
         row_holds_force_[row] = holds_force ? 1 : 0;
-        for (int i = 0; holds_force && i < cells_.x; ++i)
-            plane_largest_[k] = std::max(plane_largest_[k], largest_component(force_row[i]));
         row_driven_[row] = {};
         if (drive_low < drive_high)
             row_driven_[row] = {static_cast<std::uint16_t>(drive_low), static_cast<std::uint16_t>(drive_high)};
+        for (; next_inside != inside.end() && next_inside->cell < (row + 1) * cells_.x; ++next_inside)
+            leave_out(row, next_inside->cell);
+        for (int i = 0; holds_force && i < cells_.x; ++i)
+            plane_largest_[k] = std::max(plane_largest_[k], largest_component(force_row[i]));
         for (int i = drive_low; i < drive_high; ++i) {
             // The driven velocity is between u and U: the exponential is only needed where one of them is a new maximum.
             const glm::vec4& u = velocity[row * cells_.x + i];
@@ -248,7 +275,8 @@ void FreeAir::make_room(const Box& box) {
     }
 }
 
-void FreeAir::gather(std::span<const MotorReach> motors, const Box& box, const ParallelFor& parallel_for) {
+void FreeAir::gather(std::span<const MotorReach> motors, const Box& box, std::span<const float> open_parts,
+                     const ParallelFor& parallel_for) {
     cells_ = box.cells;
     const float h = box.cell_size;
     for (int axis = 0; axis < 3; ++axis)
@@ -263,10 +291,13 @@ void FreeAir::gather(std::span<const MotorReach> motors, const Box& box, const P
                 glm::vec3 p(0.0f);
                 p[axis] = end == 0 ? -0.5f : static_cast<float>(cells_[axis]) + 0.5f;
                 p[across] = static_cast<float>(row) + 0.5f;
+                std::size_t source = 0;
                 for (const MotorReach& motor : motors) {
                     if (motor.law != MotorReach::Law::source)
                         continue;
-                    const float over_radius = 1.0f / motor.radius, strength = motor.push.x * over_radius / (12.5663706f * h);
+                    const float part = open_parts.empty() ? 1.0f : open_parts[source++];
+                    const float over_radius = 1.0f / motor.radius,
+                                strength = part * motor.push.x * over_radius / (12.5663706f * h);
                     for (int image = 0; image < 8; ++image) {
                         glm::vec3 from = h * p - motor.extent;
                         bool stands = true;

@@ -4,6 +4,7 @@
 #include "fluid/ambient_numerics.h"
 #include "fluid/box.h"
 #include "fluid/cpu/aligned.h"
+#include "fluid/cpu/solids.h"
 #include "fluid/motor_reach.h"
 #include "fluid/parallel.h"
 
@@ -19,9 +20,12 @@ class SourceField {
   public:
     explicit SourceField(glm::ivec3 cells);
 
-    /// A cell sums its motors in the order of `motors`. `velocity` is read for largest_driven(), `tile` by motors with eddies.
+    /// A cell sums its motors in the order of `motors`; nothing acts on cells `inside` obstacles. `velocity` is read for
+    /// largest_driven(), `tile` by motors with eddies.
     void gather(std::span<const detail::MotorReach> motors, float cell_size, std::span<const glm::vec4> velocity,
-                const numerics::TileView& tile, const ParallelFor& parallel_for);
+                const numerics::TileView& tile, const ParallelFor& parallel_for, std::span<const Solids::InsideCell> inside = {});
+    /// Nothing acts on cells inside obstacles.
+    void leave_out(std::span<const Solids::InsideCell> inside);
 
     /// velocity += factor * f, on the rows that hold a force.
     void add_force_to(std::span<glm::vec4> velocity, float factor, const ParallelFor& parallel_for) const;
@@ -50,11 +54,14 @@ class SourceField {
     [[nodiscard]] float largest_driven() const { return largest_driven_; }
     /// [1/s] S at every cell; empty without volume sources.
     [[nodiscard]] std::span<const float> expansion() const;
+    [[nodiscard]] std::span<float> expansion();
     [[nodiscard]] std::size_t memory_bytes() const;
 
   private:
     void gather_plane(std::span<const detail::MotorReach> motors, float cell_size, std::span<const glm::vec4> velocity,
-                      const numerics::TileView& tile, int plane);
+                      const numerics::TileView& tile, std::span<const Solids::InsideCell> inside, int plane);
+
+    void leave_out(std::size_t row, std::size_t cell);
 
     glm::ivec3 cells_;
     Buffer<glm::vec4> force_;
@@ -77,8 +84,9 @@ class FreeAir {
   public:
     /// Allocates for a box, unless there is room.
     void make_room(const Box& box);
-    /// The box must have room.
-    void gather(std::span<const detail::MotorReach> motors, const Box& box, const ParallelFor& parallel_for);
+    /// The box must have room. `open_parts`: of each volume source, the fraction that obstacles leave of it; empty: all.
+    void gather(std::span<const detail::MotorReach> motors, const Box& box, std::span<const float> open_parts,
+                const ParallelFor& parallel_for);
     /// In the ghost cell next to `cell`, at the low (0) or high (1) end of an axis.
     [[nodiscard]] float at(glm::ivec3 cell, int axis, int end) const { return ghosts_[axis][end][place(cell, axis)]; }
     [[nodiscard]] std::size_t memory_bytes() const;

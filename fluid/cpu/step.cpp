@@ -17,7 +17,7 @@
 //   dv/dt + u . grad v = -grad p + nu L v + f - (u - A) . grad A
 //
 // u_S is the flow of volume sources (blasts, vents, suction), which prescribe div u = S. It is the potential flow u_S = grad psi,
-// L psi = S. It is projected by itself when S changes and acts at once. The term v . grad u_S is dropped. It is a gradient
+// L psi = S. It is projected by itself, around obstacles, when S or they change, and acts at once. The term v . grad u_S is dropped. It is a gradient
 // wherever v has no vorticity (a vent in a steady wind comes out exact), otherwise the straining of v's vorticity by the source.
 // Advected with v, u_S amplifies its own errors: jets grow out of its middle within a second.
 //
@@ -30,12 +30,12 @@
 //
 // Based on: Temperton & Staniforth 1987, Quarterly Journal 113; Hortal 2002, ECMWF Technical Memorandum 292; Stam 1999, SIGGRAPH.
 #include "fluid/cpu/cells.h"
+#include "fluid/cpu/stopwatch.h"
 #include "fluid/cpu/workspace.h"
 #include "fluid/numerics.h"
 #include "fluid/wind_core.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
@@ -47,21 +47,6 @@ constexpr float k_rounding = 1.00001f; // of a speed that was cut and advected
 
 // For a smaller s the history is negligible, and a division by s would lose the forces to rounding.
 constexpr float k_min_scale = 1e-6f;
-
-// Adds the time of a scope to a stage's figure.
-class Stopwatch {
-  public:
-    explicit Stopwatch(double& milliseconds) : milliseconds_(milliseconds), start_(std::chrono::steady_clock::now()) {}
-    ~Stopwatch() {
-        milliseconds_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
-    }
-    Stopwatch(const Stopwatch&) = delete;
-    Stopwatch& operator=(const Stopwatch&) = delete;
-
-  private:
-    double& milliseconds_;
-    std::chrono::steady_clock::time_point start_;
-};
 
 bool finite(const glm::vec4& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
@@ -89,22 +74,28 @@ float relaxation(const Config& config, float dt) {
 
 bool Cells::step(const CellStep& step, Diagnostics& report) {
     const auto dt = static_cast<float>(step.duration);
+    work.state().obstacles_ms = 0.0;
     canopy_ = step.canopy;
     hold_air_alone(config_.parallel_for);
     hold_before();
     renew_around(*step.ambient, *step.window, config_.parallel_for);
     AmbientWind wind = around_;
     const glm::dvec3 phase = wind.phase();
-    add_sources(step, report);
+    bodies_move_ = std::any_of(step.obstacles.begin(), step.obstacles.end(), [](const auto& body) { return body.moves(); });
+    loads.begin(dt);
+    const bool others = !bodies_move_ && place_obstacles(step, 0.0, report);
+    add_sources(step, others, report);
     limit_speeds(dt, report);
     for (int part = 0; part < report.substeps; ++part) {
         const float part_dt = dt / static_cast<float>(report.substeps);
         wind.set_phase(phase);
         wind.advance(step.duration * (part + 1) / report.substeps);
         next_phase_ = wind.phase();
-        {
-            Stopwatch watch(report.times_ms.obstacles);
-            place_obstacles(step, step.duration * (report.substeps - part - 1) / report.substeps, report);
+        if (bodies_move_ && place_obstacles(step, step.duration * (report.substeps - part - 1) / report.substeps, report)) {
+            sources.leave_out(inside_bodies());
+            seal_sources(step.motors, report);
+            if (has_source_flow())
+                renew_source_flow(step.motors);
         }
         if (!config_.stages.advection)
             advance_in_place(part_dt, report);
@@ -125,6 +116,7 @@ bool Cells::step(const CellStep& step, Diagnostics& report) {
         fill_air();
         measure(report); // again: the air is ambient now
     }
+    report.times_ms.obstacles += work.state().obstacles_ms;
     if (report.repaired_cells > 0 && step.kept) // their kept values are not visible
         keep();
     return rests;
@@ -177,6 +169,7 @@ void Cells::rehearse(float dt, Diagnostics& report) {
     const float undiffused = air.undiffused_time;
     const glm::dvec3 phase = around_.phase();
     perform(dt, report);
+    loads.forget_pressure();
     std::swap(air.velocity, air.velocity_old);
     for (std::size_t n = 0; n < air.velocity.size(); ++n)
         air.velocity_old[n] = 2.0f * air.velocity[n] - air.velocity_old[n];
@@ -210,13 +203,13 @@ void Cells::perform(float dt, Diagnostics& report) {
         if (has_source_flow())
             u += glm::vec3(source_flow[n]);
         if (gusting)
-            u += glm::vec3(ambient_at(cell.x, cell.y, cell.z));
+            u += glm::vec3(wind_at(n, cell.x, cell.y, cell.z));
         return u;
     };
     const auto departing = [&](std::size_t n, glm::ivec3 cell) {
         glm::vec3 u(carried[n]);
         if (transport.relaxation != 1.0f) {
-            const glm::vec3 rest = gusting ? glm::vec3(0.0f) : glm::vec3(mean_at(cell.x, cell.y, cell.z));
+            const glm::vec3 rest(rest_at(n, cell.x, cell.y, cell.z));
             u = rest + transport.relaxation * (u - rest);
         }
         return u + given(n, cell);
@@ -228,46 +221,53 @@ void Cells::perform(float dt, Diagnostics& report) {
         }
         transport.history = air.history;
         acting.depart(departing, transport.history_scale, air.history);
+        if (work.state().has_solids()) { // a read beside a body finds air that is pushed too
+            const Stopwatch watch(work.state().obstacles_ms);
+            work.state().solid_flow().extend_history(air.history);
+        }
     }
     const std::span<glm::vec4> arrived = air.velocity_old;
     {
-        Stopwatch watch(report.times_ms.advection);
+        OuterStopwatch watch(report.times_ms.advection, work.state().obstacles_ms);
         windrow::advect(work, transport, arrived);
     }
     carry_gusts();
     if (acting.any())
         acting.arrive(given, transport.history_scale, air.history, arrived);
     {
-        Stopwatch watch(report.times_ms.projection);
+        OuterStopwatch watch(report.times_ms.projection, work.state().obstacles_ms);
         if (config_.stages.projection)
             project_around(arrived, {.field = air.history, .weight = past.weight, .kept = past.kept}, past.scale, report);
         else
             std::fill_n(air.history.data(), air.history.size(), glm::vec4(0.0f));
     }
     add_given_flow(arrived, 1.0f);
+    bound_rooms(air.velocity, arrived);
     std::swap(air.velocity, air.velocity_old);
+    forget_inside();
     air.fresh = false;
     air.dt_old = dt;
 }
 
 void Cells::advance_stable_fluids(float dt, Diagnostics& report) {
+    sources.add_force_to(air.velocity, dt, config_.parallel_for);
     extend_into_bodies();
     const Solving solving(*this, report);
-    sources.add_force_to(air.velocity, dt, config_.parallel_for);
     const std::span<const glm::vec4> carried = diffuse(without_given_flow(), dt, report);
     Transport transport{
         .carried = carried, .velocity = air.velocity, .extrapolation = 0.0f, .dt = dt, .interpolation = config_.interpolation};
     transport.relaxation = relaxation(config_, dt);
     {
-        Stopwatch watch(report.times_ms.advection);
+        OuterStopwatch watch(report.times_ms.advection, work.state().obstacles_ms);
         windrow::advect(work, transport, air.velocity_old);
     }
     carry_gusts();
     if (config_.stages.projection) {
-        Stopwatch watch(report.times_ms.projection);
+        OuterStopwatch watch(report.times_ms.projection, work.state().obstacles_ms);
         project_around(air.velocity_old, {}, 1.0f, report);
     }
     add_given_flow(air.velocity_old, 1.0f);
+    bound_rooms(air.velocity, air.velocity_old);
     std::swap(air.velocity, air.velocity_old);
 }
 
@@ -282,25 +282,27 @@ void Cells::advance_in_place(float dt, Diagnostics& report) {
         std::copy(carried.begin(), carried.end(), air.velocity.data());
     if (const float factor = relaxation(config_, dt); factor != 1.0f)
         for_each_cell(box(), [&](std::size_t n, int i, int j, int k) {
-            const glm::vec4 rest = around_.gusting() ? glm::vec4(0.0f) : mean_at(i, j, k);
+            const glm::vec4 rest = rest_at(n, i, j, k);
             air.velocity[n] = rest + factor * (air.velocity[n] - rest);
         });
     carry_gusts();
     if (config_.stages.projection) {
-        Stopwatch watch(report.times_ms.projection);
+        OuterStopwatch watch(report.times_ms.projection, work.state().obstacles_ms);
         project_around(air.velocity, {}, 1.0f, report);
     }
     add_given_flow(air.velocity, 1.0f);
     air.fresh = true;
 }
 
-void Cells::add_sources(const CellStep& step, Diagnostics& report) {
-    Stopwatch watch(report.times_ms.sources);
+// `other_obstacles`: they were placed anew in this step.
+void Cells::add_sources(const CellStep& step, bool other_obstacles, Diagnostics& report) {
+    OuterStopwatch watch(report.times_ms.sources, work.state().obstacles_ms);
     const glm::vec4* const eddies = step.tile ? step.tile->texels().data() : nullptr;
-    sources.gather(step.motors, box().cell_size, air.velocity, {eddies}, config_.parallel_for);
+    sources.gather(step.motors, box().cell_size, air.velocity, {eddies}, config_.parallel_for, inside_bodies());
+    seal_sources(step.motors, report);
     if (acts_whole())
         act_whole(static_cast<float>(step.duration));
-    if (step.renews_sources)
+    if (step.renews_sources || (other_obstacles && has_source_flow()))
         renew_source_flow(step.motors);
 }
 
@@ -354,11 +356,11 @@ void Cells::renew_source_flow(std::span<const detail::MotorReach> reached) {
     add_to_air(-1.0f);
     std::fill_n(source_flow.data(), source_flow.size(), glm::vec4(0.0f));
     if (!has_source_flow())
-        return;
+        return loads.end_sources();
     const bool in_free_air = config_.boundaries.in_free_air();
     if (in_free_air)
-        free_air_.gather(reached, box(), config_.parallel_for);
-    work.state().project(source_flow, sources.expansion(), {}, in_free_air ? &free_air_ : nullptr);
+        free_air_.gather(reached, box(), open_parts(reached), config_.parallel_for);
+    project_sources(in_free_air ? &free_air_ : nullptr);
     add_to_air(1.0f);
 }
 
@@ -368,12 +370,14 @@ std::span<const glm::vec4> Cells::without_given_flow() {
         return air.velocity;
     std::copy_n(air.velocity.data(), air.velocity.size(), solved.data());
     add_given_flow(solved, -1.0f);
-    if (work.state().has_solids())
+    if (work.state().has_solids()) {
+        const Stopwatch watch(work.state().obstacles_ms);
         work.state().solid_flow().extend(solved, prescribed());
+    }
     return solved;
 }
 
-void Cells::add_given_flow(std::span<glm::vec4> field, float factor) const {
+void Cells::add_given_flow(std::span<glm::vec4> field, float factor) {
     if (has_source_flow())
         add_scaled(field, source_flow, factor);
     if (around_.gusting())
@@ -390,6 +394,7 @@ void Cells::limit_speeds(float dt, Diagnostics& report) {
         found = work.state().survey(&air.velocity[0].x);
     }
     report.substeps = 1;
+    work.state().fastest = found.largest_component + dt * sources.largest_force();
     const float largest = acts_whole() ? found.largest_component : std::max(found.largest_component, sources.largest_driven());
     report.cfl = (largest + dt * sources.largest_force()) * dt / box().cell_size;
     if (!config_.stages.advection || report.cfl <= config_.max_cfl)
@@ -425,7 +430,7 @@ void Cells::repair_cells() {
     for_each_cell(box(), [&](std::size_t n, int i, int j, int k) {
         if (finite(air.velocity[n]))
             return;
-        air.velocity[n] = air.velocity_old[n] = ambient_at(i, j, k);
+        air.velocity[n] = air.velocity_old[n] = wind_at(n, i, j, k);
         air.history[n] = glm::vec4(0.0f);
     });
 }
@@ -440,20 +445,23 @@ std::span<const glm::vec4> Cells::diffuse(std::span<const glm::vec4> field, floa
     report.diffusion = method;
     if (method == DiffusionMethod::none)
         return field;
-    Stopwatch watch(report.times_ms.diffusion);
+    OuterStopwatch watch(report.times_ms.diffusion, work.state().obstacles_ms);
     (void)windrow::diffuse(work, field, config_.viscosity, std::exchange(air.undiffused_time, 0.0f), diffused_);
+    if (work.state().has_solids())
+        work.state().solid_flow().extend(diffused_, prescribed());
     return diffused_;
 }
 
 void Cells::measure(Diagnostics& report) {
     hold_air_alone(config_.parallel_for);
-    Stopwatch watch(report.times_ms.report);
+    OuterStopwatch watch(report.times_ms.report, work.state().obstacles_ms);
     Workspace::State& state = work.state();
     const float h = box().cell_size;
     const float* const velocity = &air.velocity[0].x;
     PlaneSurvey found =
         config_.stages.projection ? state.survey_with_divergence(velocity, sources.expansion()) : state.survey(velocity);
     if (state.has_solids()) {
+        const Stopwatch at_bodies(state.obstacles_ms);
         const double more = state.solid_flow().correct_divergence(air.velocity, sources.expansion(), state.residual_terms);
         found.divergence_squares = std::max(found.divergence_squares + more, 0.0);
     }
@@ -472,7 +480,7 @@ bool Cells::at_ambient() const {
             for (int i = 0; i < cells.x; ++i, ++n) {
                 if (around_bodies && work.state().solids->inside(static_cast<std::uint32_t>(n)))
                     continue;
-                const glm::vec4 apart = air.velocity[n] - ambient_at(i, j, k);
+                const glm::vec4 apart = air.velocity[n] - wind_at(n, i, j, k);
                 if (!(std::abs(apart.x) < config_.sleep_speed && std::abs(apart.y) < config_.sleep_speed &&
                       std::abs(apart.z) < config_.sleep_speed))
                     return false;

@@ -4,6 +4,11 @@
 // a path that never turns back along an axis and passes open faces only. A node that none reaches takes the value of the nodes
 // before it, with the velocity across a closed face mirrored about the body's own. So a plate without thickness separates the air
 // on its two sides.
+//
+// The air of a closed room is carried so too, in walls of any thickness, since no prescribed wind blows there. Walls of the box
+// count as closed faces of a room.
+#include "fluid/cpu/box_rules.h"
+#include "fluid/cpu/stopwatch.h"
 #include "fluid/cpu/workspace.h"
 
 #include <array>
@@ -27,7 +32,9 @@ constexpr std::array<std::array<int, 4>, 2> k_outward{{{1, 2, 0, 3}, {2, 1, 3, 0
 
 class ThinReader {
   public:
-    ThinReader(const Workspace::State& state, const cpu::AdvectTask& task) : state_(state), solids_(*state.solids), task_(task) {}
+    /// `room`: for the air of closed rooms.
+    ThinReader(const Workspace::State& state, const cpu::AdvectTask& task, bool room)
+        : state_(state), solids_(*state.solids), task_(task), room_(room) {}
 
     // Where a displacement from a cell's centre ends. `stopped` is set where a closed face was met.
     Point walk(glm::ivec3 from, glm::vec3 displacement, bool& stopped) const {
@@ -68,10 +75,11 @@ class ThinReader {
         return at;
     }
 
-    // The field at a point, by the nodes of its own side. `mixed` is set where one was on another. Components of a node, and
-    // whether they are a velocity.
+    // The field at a point, by the nodes of its own side. `mixed` is set where one was on another. `skips_open`: no result is
+    // needed where no face among the nodes is closed.
     template <int Components, bool Cubic>
-    void read(const float* padded, glm::ivec3 from, const Point& at, bool own_side, float* result, bool& mixed) const {
+    void read(const float* padded, glm::ivec3 from, const Point& at, bool own_side, float* result, bool& mixed,
+              bool skips_open = false) const {
         constexpr int k_first = Cubic ? 0 : 1, k_end = Cubic ? 4 : 3;
         glm::ivec3 base, own;
         float weights[3][4];
@@ -88,6 +96,12 @@ class ThinReader {
             } else {
                 weights[axis][1] = 1.0f - t, weights[axis][2] = t;
             }
+        }
+        if (open_around(base + k_first - 1, base + k_end - 2)) {
+            if (skips_open)
+                return;
+            read_open<Components, k_first, k_end>(padded, base, own, weights, result);
+            return;
         }
         float values[4][4][4][Components];
         bool reached[4][4][4];
@@ -139,6 +153,38 @@ class ThinReader {
             result[n] = own_value[n] + sum[n];
     }
 
+    // Whether no face of the cells from `low` to `high` is closed, all in the box.
+    bool open_around(glm::ivec3 low, glm::ivec3 high) const {
+        const glm::ivec3 size = state_.box.cells;
+        for (int axis = 0; axis < 3; ++axis)
+            if (low[axis] < 0 || high[axis] >= size[axis])
+                return false;
+        for (int z = low.z; z <= high.z; ++z)
+            for (int y = low.y; y <= high.y; ++y)
+                if (solids_.any_blocked(static_cast<std::uint32_t>(state_.box.index(low.x, y, z)), high.x - low.x + 1))
+                    return false;
+        return true;
+    }
+
+    // The same sum as in read(), all nodes reached.
+    template <int Components, int First, int End>
+    void read_open(const float* padded, glm::ivec3 base, glm::ivec3 own, const float (&weights)[3][4], float* result) const {
+        const glm::ivec3 size = state_.box.cells + k_halo;
+        const std::ptrdiff_t row = Components * static_cast<std::ptrdiff_t>(size.x), plane = row * size.y;
+        const float* const first = padded + Components * cpu::padded_index(state_.box.cells, base - 1);
+        const float* const own_value = first + (own.z + 1) * plane + (own.y + 1) * row + (own.x + 1) * Components;
+        float sum[Components] = {};
+        for (int z = First; z < End; ++z)
+            for (int y = First; y < End; ++y)
+                for (int x = First; x < End; ++x) {
+                    const float weight = weights[2][z] * weights[1][y] * weights[0][x];
+                    for (int n = 0; n < Components; ++n)
+                        sum[n] += weight * (first[z * plane + y * row + x * Components + n] - own_value[n]);
+                }
+        for (int n = 0; n < Components; ++n)
+            result[n] = own_value[n] + sum[n];
+    }
+
     template <int Components, bool Cubic>
     void advect(std::uint32_t n) const {
         const glm::ivec3 cell = solids_.place_of(n);
@@ -150,14 +196,12 @@ class ThinReader {
         read<4, false>(task_.padded_trace, cell, start, true, traced, mixed);
         const glm::vec3 way = -0.5f * (speed + task_.cells_per_speed * glm::vec3(traced[0], traced[1], traced[2]));
         const Point end = walk(cell, way, mixed);
-        read<Components, Cubic>(task_.padded_carried, cell, end, true, value, mixed);
-        if (!mixed)
-            return;
+        read<Components, Cubic>(task_.padded_carried, cell, end, true, value, mixed, !room_ && !mixed);
         float* const result = task_.result + Components * static_cast<std::size_t>(n);
-        if (task_.given.now == nullptr) {
+        if (room_ || (mixed && task_.given.now == nullptr))
             std::copy(value, value + Components, result);
+        if (room_ || !mixed || task_.given.now == nullptr)
             return;
-        }
         // The kernels have added the background's part.
         float crossing[Components];
         bool ignored = false;
@@ -194,6 +238,14 @@ class ThinReader {
         return std::min(std::max(end == 0 ? -1 - cell : 2 * count - 1 - cell, 0), count - 1);
     }
 
+    // Beyond a wall of the box the prescribed wind is that of the cell that is mirrored.
+    glm::ivec3 slipped(glm::ivec3 cell) const {
+        for (int axis = 0; axis < 3; ++axis)
+            if (state_.box.boundaries.at(axis, cell[axis] < 0 ? 0 : 1).kind != BoundaryKind::open)
+                cell[axis] = inside(cell[axis], axis);
+        return cell;
+    }
+
     // The low cell of a face, and whether there is one inside the box.
     bool face(glm::ivec3 cell, int axis, int side, std::uint32_t& low) const {
         glm::ivec3 next = cell;
@@ -212,7 +264,7 @@ class ThinReader {
 
     bool closed(glm::ivec3 cell, int axis, int side) const {
         std::uint32_t low;
-        return face(cell, axis, side, low) && solids_.blocked(low, axis);
+        return face(cell, axis, side, low) ? solids_.blocked(low, axis) : room_;
     }
 
     // Velocity across a closed face of its body, less the prescribed wind's.
@@ -222,8 +274,8 @@ class ThinReader {
             return 0.0f;
         const cpu::ClosedFace* const closed_face = solids_.face(low, axis);
         float speed = closed_face != nullptr ? closed_face->wall / closed_face->closed : 0.0f;
-        if (task_.given.now != nullptr)
-            speed -= task_.given.now[4 * padded_index(cell) + axis];
+        if (task_.given.now != nullptr && !room_)
+            speed -= task_.given.now[4 * padded_index(slipped(cell)) + axis];
         return speed;
     }
 
@@ -233,34 +285,43 @@ class ThinReader {
             cell[axis] = state_.box.boundaries.periodic(axis)
                              ? inside(cell[axis], axis)
                              : std::min(std::max(cell[axis], -k_halo_low), size[axis] + cpu::k_halo_high - 1);
-        const glm::ivec3 at = cell + k_halo_low, padded = size + k_halo;
-        return (static_cast<std::size_t>(at.z) * padded.y + at.y) * padded.x + at.x;
+        return cpu::padded_index(size, cell);
     }
 
     const Workspace::State& state_;
     const Solids& solids_;
     const cpu::AdvectTask& task_;
+    bool room_;
 };
 
 } // namespace
 
 void Workspace::State::advect_beside_thin_bodies(const cpu::AdvectTask& task, bool scalar, bool cubic) {
-    if (!has_solids() || !solids->any_thin())
+    if (!has_solids())
         return;
-    constexpr float k_extrapolated = 1.5f; // a trajectory's velocity over that of its cell
-    solids->reach_past_thin(k_extrapolated * task.cells_per_speed * survey(task.velocity).largest_component);
-    constexpr std::size_t k_chunk = 64;
-    const std::span<const std::uint32_t> cells = solids->thin();
-    const ThinReader reader(*this, task);
-    parallel_for(static_cast<int>((cells.size() + k_chunk - 1) / k_chunk), [&](int chunk) {
-        const std::size_t first = k_chunk * static_cast<std::size_t>(chunk), end = std::min(first + k_chunk, cells.size());
-        for (std::size_t n = first; n < end; ++n) {
-            if (scalar)
-                cubic ? reader.advect<1, true>(cells[n]) : reader.advect<1, false>(cells[n]);
-            else
-                cubic ? reader.advect<4, true>(cells[n]) : reader.advect<4, false>(cells[n]);
-        }
-    });
+    const cpu::Stopwatch watch(obstacles_ms);
+    const auto advect = [&](std::span<const std::uint32_t> cells, bool rooms) {
+        constexpr std::size_t k_chunk = 64;
+        const ThinReader reader(*this, task, rooms);
+        parallel_for(static_cast<int>((cells.size() + k_chunk - 1) / k_chunk), [&](int chunk) {
+            const std::size_t first = k_chunk * static_cast<std::size_t>(chunk), end = std::min(first + k_chunk, cells.size());
+            for (std::size_t n = first; n < end; ++n) {
+                if (scalar)
+                    cubic ? reader.advect<1, true>(cells[n]) : reader.advect<1, false>(cells[n]);
+                else
+                    cubic ? reader.advect<4, true>(cells[n]) : reader.advect<4, false>(cells[n]);
+            }
+        });
+    };
+    if (solids->any_thin()) {
+        constexpr float k_extrapolated = 1.5f; // a trajectory's velocity over that of its cell
+        if (!fastest)
+            fastest = survey(task.velocity).largest_component;
+        solids->reach_past_thin(k_extrapolated * task.cells_per_speed * *fastest);
+        advect(solids->thin(), false);
+    }
+    fastest.reset();
+    advect(solids->rooms(), true);
 }
 
 } // namespace windrow

@@ -199,8 +199,7 @@ Result<void> Workspace::set_obstacles(std::span<const PlacedObstacle> obstacles)
 glm::vec3 Workspace::impulse_on(std::size_t obstacle) const {
     if (!state_->has_solids())
         return glm::vec3(0.0f);
-    const float h = state_->box.cell_size;
-    return h * h * h * state_->solid_flow().push_on(obstacle, state_->potential.data());
+    return glm::vec3(state_->solid_flow().push_on(obstacle, state_->potential.data()).impulse);
 }
 const Box& Workspace::box() const {
     return state_->box;

@@ -32,6 +32,8 @@ struct Workspace::State {
     const float* ambient_cells = nullptr;
     /// The prescribed background wind, within a step in gusts; the advection sets its `legal`.
     cpu::GivenWind given{};
+    /// [m/s] Largest component of the velocity that the next advection follows, where it is known; else it is looked for.
+    std::optional<float> fastest{};
     ParallelFor parallel_for;
     const cpu::Kernels* kernels;
 
@@ -54,6 +56,7 @@ struct Workspace::State {
     cpu::Buffer<float> direction, correction;                     ///< of conjugate gradients; empty without obstacles
     std::vector<float> residual_terms, applied_terms,
         masked_terms;                       ///< by surface cell: the residual; L d, A d of the direction d
+    double obstacles_ms = 0.0;              ///< of the passes over faces and cells at obstacles, since a step's start
     std::vector<float> closed_slopes;       ///< by closed face: closed times the difference of phi
     std::vector<std::uint32_t> keys_before; ///< scratch of set_obstacles
     std::vector<float> terms_before;
@@ -99,8 +102,9 @@ struct Workspace::State {
     std::vector<std::uint32_t> solid_keys; ///< the faces that they are of: 4 times the low cell, plus the axis; sorted
     /// Replaces the obstacles. Faces keep their terms; `shift`: cells by which the box has moved since.
     void set_obstacles(std::span<const cpu::PlacedObstacle> obstacles, glm::ivec3 shift = glm::ivec3(0));
+    void still_rooms(const cpu::PadTask& pad);
     void advect_beside_thin_bodies(const cpu::AdvectTask& task, bool scalar, bool cubic);
-    [[nodiscard]] cpu::SolidFlow solid_flow() const { return {*solids, box, parallel_for}; }
+    [[nodiscard]] cpu::SolidFlow solid_flow() const { return {*solids, box}; }
     [[nodiscard]] bool has_solids() const { return solids && solids->any(); }
     /// Sum of the planes' reductions, in order of the planes.
     [[nodiscard]] cpu::PlaneSurvey survey(const float* velocity);

@@ -26,8 +26,9 @@ namespace windrow::vdb {
 
 namespace {
 
-using detail::message;
-using detail::NewFile;
+using windrow::detail::message;
+using windrow::detail::NewFile;
+using windrow::detail::Reasons;
 
 constexpr float k_largest_half = 65504.0f;
 
@@ -42,7 +43,7 @@ bool is_finite(const glm::dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-void check_field(const VelocityGrid& grid, const Options& options, detail::Reasons& reasons) {
+void check_field(const VelocityGrid& grid, const Options& options, Reasons& reasons) {
     std::size_t not_finite = 0;
     std::size_t first = 0;
     float largest = std::max({std::abs(grid.outside.x), std::abs(grid.outside.y), std::abs(grid.outside.z)});
@@ -66,7 +67,7 @@ void check_field(const VelocityGrid& grid, const Options& options, detail::Reaso
 }
 
 Result<void> check(const VelocityGrid& grid, const std::filesystem::path& file, const Options& options) {
-    detail::Reasons reasons;
+    Reasons reasons;
     if (!file.has_filename())
         reasons.add("file is \"", file.string(), "\": end it in a file name, such as wind.vdb.");
     if (options.name.empty() || !is_plain_name(options.name))
@@ -81,6 +82,8 @@ Result<void> check(const VelocityGrid& grid, const std::filesystem::path& file, 
         reasons.add("time is ", options.time, " s: give a finite time.");
     if (!is_finite(grid.origin))
         reasons.add("origin is ", grid.origin, " m: give finite coordinates.");
+    if (options.name == k_obstacle_grid)
+        reasons.add("name is \"", k_obstacle_grid, "\", the grid of the cells inside obstacles: give another, such as vel.");
     if (!is_finite(grid.outside))
         reasons.add("outside is ", grid.outside, " m/s: give a finite wind, such as the ambient.");
     const Box box{.cells = grid.cells, .cell_size = grid.cell_size, .boundaries = {}};
@@ -91,6 +94,10 @@ Result<void> check(const VelocityGrid& grid, const std::filesystem::path& file, 
                     " in all: give one value a cell.");
     else
         check_field(grid, options, reasons);
+    if (!grid.obstacle.empty() && grid.obstacle.size() != grid.field.size())
+        reasons.add("obstacle holds ", grid.obstacle.size(), " values and field ", grid.field.size(), ": give as many, or none.");
+    if (!std::all_of(grid.obstacle.begin(), grid.obstacle.end(), [](float value) { return value >= 0.0f && value <= 1.0f; }))
+        reasons.add("obstacle holds values beyond 0 to 1: give 1 inside obstacles and 0 in the air.");
     if (!reasons.empty())
         return Error{reasons.take()};
     return {};
@@ -131,10 +138,11 @@ typename GridType::Ptr empty_grid(const typename GridType::ValueType& background
             }};
 }
 
-/// `value_of` makes a voxel's value out of a velocity that is already turned.
-template <class GridType, class ValueOf>
-openvdb::GridBase::Ptr dense_grid(const VelocityGrid& source, const Options& options, ValueOf value_of) {
-    auto grid = empty_grid<GridType>(value_of(turned(source.outside, options.up)));
+/// `value_at` makes a voxel's value from the index of its cell.
+template <class GridType, class ValueAt>
+openvdb::GridBase::Ptr dense_grid(const VelocityGrid& source, const Options& options,
+                                  const typename GridType::ValueType& background, ValueAt value_at) {
+    auto grid = empty_grid<GridType>(background);
     grid->setTransform(transform_of(source, options.up));
 
     using Leaf = typename GridType::TreeType::LeafNodeType;
@@ -150,8 +158,7 @@ openvdb::GridBase::Ptr dense_grid(const VelocityGrid& source, const Options& opt
                     for (int y = b; y < end.y; ++y)
                         for (int z = c; z < end.z; ++z) {
                             const glm::ivec3 cell = cell_at({x, y, z}, source.cells, options.up);
-                            const glm::vec3 velocity(source.field[box.index(cell.x, cell.y, cell.z)]);
-                            leaf.setValueOn(Leaf::coordToOffset({x, y, z}), value_of(turned(velocity, options.up)));
+                            leaf.setValueOn(Leaf::coordToOffset({x, y, z}), value_at(box.index(cell.x, cell.y, cell.z)));
                         }
             }
     return grid;
@@ -159,17 +166,27 @@ openvdb::GridBase::Ptr dense_grid(const VelocityGrid& source, const Options& opt
 
 openvdb::GridPtrVec grids_of(const VelocityGrid& source, const Options& options) {
     openvdb::GridPtrVec grids;
+    const glm::vec3 outside = turned(source.outside, options.up);
+    const auto velocity = [&](std::size_t cell) { return turned(glm::vec3(source.field[cell]), options.up); };
     if (options.form == Form::one_vector) {
-        grids.push_back(
-            dense_grid<openvdb::Vec3SGrid>(source, options, [](const glm::vec3& v) { return openvdb::Vec3s(v.x, v.y, v.z); }));
+        grids.push_back(dense_grid<openvdb::Vec3SGrid>(source, options, {outside.x, outside.y, outside.z}, [&](std::size_t cell) {
+            const glm::vec3 v = velocity(cell);
+            return openvdb::Vec3s(v.x, v.y, v.z);
+        }));
         // A velocity turns with the object that it belongs to, and does not move with it.
         grids.back()->setVectorType(openvdb::VEC_CONTRAVARIANT_RELATIVE);
         grids.back()->setName(options.name);
     } else {
         for (int axis = 0; axis < 3; ++axis) {
-            grids.push_back(dense_grid<openvdb::FloatGrid>(source, options, [axis](const glm::vec3& v) { return v[axis]; }));
+            grids.push_back(dense_grid<openvdb::FloatGrid>(source, options, outside[axis],
+                                                           [&](std::size_t cell) { return velocity(cell)[axis]; }));
             grids.back()->setName(options.name + '.' + "xyz"[axis]);
         }
+    }
+    if (std::any_of(source.obstacle.begin(), source.obstacle.end(), [](float value) { return value != 0.0f; })) {
+        grids.push_back(
+            dense_grid<openvdb::FloatGrid>(source, options, 0.0f, [&](std::size_t cell) { return source.obstacle[cell]; }));
+        grids.back()->setName(k_obstacle_grid);
     }
     for (const auto& grid : grids) {
         grid->setCreator("windrow " WINDROW_VERSION);
@@ -217,12 +234,12 @@ WriteResult failure(const std::filesystem::path& file, int error) {
         fix = "name a folder on another disk";
         break;
     default:
-        if (detail::machine_lacks(error)) {
+        if (windrow::detail::machine_lacks(error)) {
             problem = Problem::out_of_memory;
             fix = "end other programs";
         }
     }
-    return {problem, message(file.native(), ": ", detail::reason_of(error), ": ", fix, "; nothing was changed.")};
+    return {problem, message(file.native(), ": ", windrow::detail::reason_of(error), ": ", fix, "; nothing was changed.")};
 }
 
 WriteResult out_of_memory(const std::string& file, const VelocityGrid& grid) {
@@ -232,8 +249,14 @@ WriteResult out_of_memory(const std::string& file, const VelocityGrid& grid) {
 
 } // namespace
 
+bool detail::make_obstacle_room(VelocityGrid& grid) {
+    return windrow::detail::memory_lasts([&] { grid.obstacle.resize(grid.field.size()); });
+}
+
 WriteResult write(const VelocityGrid& grid, const std::filesystem::path& file, const Options& options) {
     try {
+        if (grid.lacks_obstacle)
+            return out_of_memory(file.native(), grid);
         if (auto valid = check(grid, file, options); !valid)
             return {Problem::rejected, valid.error()};
         NewFile out(file);
@@ -269,7 +292,7 @@ std::filesystem::path Sequence::path(int frame) const {
 }
 
 WriteResult Sequence::write(const VelocityGrid& grid, int frame, double time) const {
-    detail::Reasons reasons;
+    Reasons reasons;
     if (frame < 0)
         reasons.add("frame is ", frame, ": number the frames from 0 or more.");
     if (digits < 1 || digits > 9)

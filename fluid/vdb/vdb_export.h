@@ -19,6 +19,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace windrow::vdb {
 
@@ -36,16 +37,34 @@ struct VelocityGrid {
     /// [m/s] Background value of the grid, which readers blend to within half a cell of the edge. Default 0; grid_of gives
     /// ambient.
     glm::vec3 outside{0.0f};
+    /// 1 inside obstacles, else 0, one value a cell as in `field`; written as k_obstacle_grid where some are not 0. Empty: none.
+    std::vector<float> obstacle{};
+    /// There was no memory for `obstacle`: rejected.
+    bool lacks_obstacle = false;
 };
 
-/// The air of a Wind, or of anything that has box(), origin(), field() and ambient(). Good until its next step.
+/// Name of the grid of floats that is 1 inside obstacles and 0 in the air.
+inline constexpr const char* k_obstacle_grid = "obstacle";
+
+namespace detail {
+/// Makes room for `obstacle`; false without memory.
+[[nodiscard]] bool make_obstacle_room(VelocityGrid& grid);
+} // namespace detail
+
+/// The air of a Wind, or of anything that has box(), origin(), field() and ambient(). Good until its next step. With the cells
+/// inside obstacles of a source that has any, and write_obstacles().
 template <class Source>
 [[nodiscard]] VelocityGrid grid_of(const Source& wind) {
-    return {.cells = wind.box().cells,
-            .cell_size = wind.box().cell_size,
-            .origin = wind.origin(),
-            .field = wind.field(),
-            .outside = wind.ambient()};
+    VelocityGrid grid;
+    grid.cells = wind.box().cells;
+    grid.cell_size = wind.box().cell_size;
+    grid.origin = wind.origin();
+    grid.field = wind.field();
+    grid.outside = wind.ambient();
+    if constexpr (requires { wind.write_obstacles(std::span<float>()); })
+        if (wind.obstacles().count() > 0)
+            grid.lacks_obstacle = !detail::make_obstacle_room(grid) || !wind.write_obstacles(grid.obstacle);
+    return grid;
 }
 
 enum class Form : std::uint8_t {

@@ -112,18 +112,26 @@ Result<void> Air::make() {
         return Error{measured.error()};
     if (auto made = make_memory(); !made)
         return made;
+    auto passes = passes_for(settings_.obstacles);
+    if (!passes)
+        return Error{passes.error()};
+    passes_ = *std::move(passes);
+    passes_know_obstacles_ = settings_.obstacles;
+    return {};
+}
+
+Result<Passes> Air::passes_for(bool obstacles) {
     auto passes = Passes::create(*device_, fields_,
                                  {.cells = config_.cells,
                                   .projects = config_.stages.projection,
                                   .texel = settings_.texel,
                                   .textures = settings_.textures,
                                   .read_cells = settings_.reads.cells,
-                                  .read_halves = settings_.reads.kind == ReadBack::halves});
-    if (!passes)
-        return Error{passes.error()};
-    passes_ = *std::move(passes);
-    passes_.set_tables(*tables_);
-    return {};
+                                  .read_halves = settings_.reads.kind == ReadBack::halves,
+                                  .obstacles = obstacles});
+    if (passes)
+        passes->set_tables(*tables_);
+    return passes;
 }
 
 // --- The block of a step -----------------------------------------------------------------------------------------------------
@@ -161,7 +169,8 @@ WindrowStep Air::block_of(const AmbientWind& ambient, const Window& window, cons
         bit(step.has_source_flow, WINDROW_HAS_SOURCE_FLOW) | bit(step.renews_sources, WINDROW_RENEWS_SOURCE_FLOW) |
         bit(diffusion != DiffusionMethod::none, WINDROW_DIFFUSES) | bit(any(detail::MotorReach::Law::force), WINDROW_PUSHES) |
         bit(any(detail::MotorReach::Law::drive), WINDROW_DRIVES) | bit(any(detail::MotorReach::Law::source), WINDROW_EXPANDS) |
-        bit(diffusion == DiffusionMethod::one_pass, WINDROW_ONE_PASS);
+        bit(diffusion == DiffusionMethod::one_pass, WINDROW_ONE_PASS) | obstacle_flags();
+    block.shift = unplaced_shift_;
     block.duration = static_cast<float>(step.duration);
     block.cell_size = air.cell_size;
     block.relaxation_time = config_.relaxation_time;
@@ -195,11 +204,11 @@ WindrowStep Air::block_of(const AmbientWind& ambient, const Window& window, cons
     return block;
 }
 
-void Air::write(VkCommandBuffer commands, const Buffer& to, std::span<const std::byte> bytes) {
+void Air::write(VkCommandBuffer commands, const Buffer& to, std::span<const std::byte> bytes, VkDeviceSize first) {
     wait(commands);
     for (std::size_t at = 0; at < bytes.size(); at += k_max_update)
-        device_->functions().vkCmdUpdateBuffer(commands, to.handle(), at, std::min<VkDeviceSize>(k_max_update, bytes.size() - at),
-                                               bytes.data() + at);
+        device_->functions().vkCmdUpdateBuffer(commands, to.handle(), first + at,
+                                               std::min<VkDeviceSize>(k_max_update, bytes.size() - at), bytes.data() + at);
 }
 
 void Air::write_step(VkCommandBuffer commands, const WindrowStep& block, const AmbientWind& ambient,
@@ -277,6 +286,7 @@ void Air::apply(VkCommandBuffer commands, const CellChange& change) {
     keeps_ = keeps_ && change.kind != Kind::fill_before;
     if (change.kind == Kind::shift) {
         shift_ = change;
+        unplaced_shift_ += glm::ivec3(change.by);
         torus_ = ((torus_ + glm::ivec3(change.by)) % config_.cells + config_.cells) % config_.cells;
         return;
     }
@@ -351,8 +361,18 @@ void Air::step(VkCommandBuffer commands, const CellStep& step, const Recorded& r
     const bool limits = recorded.limits && forced_substeps_ == 0 && substeps == config_.max_substeps && config_.stages.advection;
     if (shift_ && !same_wind(shift_->ambient, *step.ambient)) // exposed cells hold the wind of then
         place_exposed(commands);
+    const bool bodies_move =
+        std::any_of(step.obstacles.begin(), step.obstacles.end(), [](const auto& body) { return body.moves(); });
+    const bool places = step.obstacles_changed || place_again_ || (bodies_move && substeps > 1);
+    const auto early = [&](int part) { return bodies_move ? step.duration * (substeps - part - 1) / substeps : 0.0; };
+    const bool others = places && (step.obstacles_stirred || place_again_);
+    if (places)
+        place_obstacles(commands, step.obstacles, early(0));
     WindrowStep block = block_of(*step.ambient, *step.window, step);
     block.recorded_substeps = substeps;
+    block.shift = glm::ivec3(0);
+    if (bodies_move) // each sub-step has its own place of them
+        block.forced_substeps = substeps;
     if (shift_) {
         const WindrowPlacePush push = exposed();
         block.exposes = push.fields;
@@ -360,15 +380,19 @@ void Air::step(VkCommandBuffer commands, const CellStep& step, const Recorded& r
         block.exposed_value = push.value;
         shift_.reset();
     }
+    const bool renews_sources = step.renews_sources || (others && step.has_source_flow);
+    block.flags |= (renews_sources ? WINDROW_RENEWS_SOURCE_FLOW : 0);
     block.flags |= (limits ? WINDROW_LIMITS : 0) | (std::exchange(keeps_, false) ? WINDROW_KEEPS : 0);
     write_step(commands, block, *step.ambient, step.tile);
     const DiffusionMethod diffusion = diffusion_of(step.duration);
-    const bool chosen = substeps > 1 && forced_substeps_ == 0; // by the device
-    if (chosen && std::exchange(shapes_, diffusion) != diffusion)
-        write(commands, fields_.shapes, std::as_bytes(passes_.shapes(diffusion)));
-    if (!step.motors.empty())
-        write(commands, fields_.motors,
-              std::as_bytes(step.motors.first(std::min<std::size_t>(step.motors.size(), k_max_motors))));
+    const bool chosen = substeps > 1 && block.forced_substeps == 0; // by the device
+    const bool rehearses = fresh_ && (block.flags & WINDROW_STABLE_FLUIDS) == 0;
+    const Passes::Around around = around_obstacles(step, false);
+    const Shapes shapes{diffusion, around};
+    if (chosen && std::exchange(shapes_, shapes) != shapes)
+        write(commands, fields_.shapes, std::as_bytes(passes_.shapes(passes_.substep(diffusion, around))));
+    if (const auto motors = uncovered(step.motors); !motors.empty())
+        write(commands, fields_.motors, std::as_bytes(motors));
     // The counters of a tick begin at 0; the duration of the last sub-step is kept.
     clear(commands, fields_.control, 0, offsetof(WindrowControl, substep_duration));
     constexpr std::size_t first = offsetof(WindrowControl, largest_speed), counts = offsetof(WindrowControl, repaired_cells);
@@ -376,8 +400,12 @@ void Air::step(VkCommandBuffer commands, const CellStep& step, const Recorded& r
     barrier(k_transfer, k_compute);
     dispatch(commands, Pass::sources);
     barrier(k_compute, k_compute);
-    if (step.renews_sources) {
-        for (const Passes::Stage& stage : passes_.source_solve()) {
+    if (around.rooms && places)
+        work_on_rooms(commands, WINDROW_STILL_NEW_ROOMS);
+    if (around.rooms && (block.flags & WINDROW_EXPANDS) != 0)
+        work_on_rooms(commands, WINDROW_SEAL_SOURCES);
+    if (renews_sources) {
+        for (const Passes::Stage& stage : passes_.source_solve(around_sources())) {
             dispatch(commands, stage.pass, stage.push);
             barrier(k_compute, k_compute);
         }
@@ -390,17 +418,22 @@ void Air::step(VkCommandBuffer commands, const CellStep& step, const Recorded& r
         dispatch(commands, Pass::limit);
         barrier(k_compute, k_compute);
     }
-    if (fresh_ && (block.flags & WINDROW_STABLE_FLUIDS) == 0)
-        substep(commands, diffusion, -1, std::nullopt);
-    const auto passes = static_cast<std::uint32_t>(passes_.substep(diffusion).size());
-    for (int n = 0; n < substeps; ++n)
-        substep(commands, diffusion, n,
+    if (rehearses)
+        substep(commands, passes_.substep(diffusion, around_obstacles(step, true)), -1, std::nullopt);
+    for (int n = 0; n < substeps; ++n) {
+        if (bodies_move && n > 0)
+            place_obstacles(commands, step.obstacles, early(n));
+        const auto stages = passes_.substep(diffusion, fresh_ && n == 0 ? around_obstacles(step, true) : around);
+        const auto passes = static_cast<std::uint32_t>(stages.size());
+        substep(commands, stages, n,
                 chosen && n > 0 ? std::optional((static_cast<std::uint32_t>(n) - 1) * passes) : std::nullopt);
+    }
     fresh_ = (block.flags & WINDROW_STABLE_FLUIDS) != 0;
 }
 
-void Air::substep(VkCommandBuffer commands, DiffusionMethod diffusion, int number, std::optional<std::uint32_t> command) {
-    for (const Passes::Stage& stage : passes_.substep(diffusion)) {
+void Air::substep(VkCommandBuffer commands, std::span<const Passes::Stage> stages, int number,
+                  std::optional<std::uint32_t> command) {
+    for (const Passes::Stage& stage : stages) {
         dispatch(commands, stage.pass, stage.push.in_substep(number), 0, command);
         if (command)
             ++*command;

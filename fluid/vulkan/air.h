@@ -17,10 +17,12 @@
 #pragma once
 
 #include "fluid/cell_storage.h"
+#include "fluid/snapshot.h"
 #include "fluid/vulkan/blocks.h"
 #include "fluid/vulkan/pass_clock.h"
 #include "fluid/vulkan/passes.h"
 #include "fluid/vulkan/read_back.h"
+#include "fluid/vulkan/solid_tables.h"
 #include "fluid/wind.h"
 #include "fluid/window.h"
 
@@ -40,11 +42,13 @@ struct AirReport {
     float cfl = 0.0f;
     int substeps = 0;
     bool substeps_capped = false;
-    float carried_time = 0.0f; ///< [s]
-    int repaired_cells = 0;    ///< of all ticks of the recording
-    int limited_cells = 0;     ///< as these
-    float apart = 0.0f;        ///< [m/s] largest difference from ambient, in a component
-    double squares = 0.0;      ///< sum of |u|^2
+    float carried_time = 0.0f;      ///< [s]
+    int repaired_cells = 0;         ///< of all ticks of the recording
+    int limited_cells = 0;          ///< as these
+    float apart = 0.0f;             ///< [m/s] largest difference from ambient, in a component
+    float pressure_residual = 0.0f; ///< around obstacles, as Diagnostics::pressure_solves
+    int pressure_solves = 0;
+    double squares = 0.0; ///< sum of |u|^2
     double divergence_squares = 0.0;
 };
 
@@ -75,6 +79,7 @@ class Air {
         bool gusts = true; ///< there is room for a tile of gusts
         Reads reads{};
         VkExternalMemoryHandleTypeFlagBits exported{}; ///< textures; 0: not
+        bool obstacles = false;                        ///< the passes are made for them from the start
     };
     [[nodiscard]] static Result<std::unique_ptr<Air>> create(const Host& host, const Config& config, const Settings& settings);
     /// With calls given, as a test does that has one fail.
@@ -110,6 +115,8 @@ class Air {
     void restore(VkCommandBuffer commands, RestoredAir&& air, const AmbientWind& ambient, const Window& window);
     void make_room_to_restore();
     [[nodiscard]] bool fresh() const { return fresh_; }
+    /// Faces of obstacles whose history `save` copies.
+    [[nodiscard]] DeviceSurface surface() const;
 
     // --- Reading -------------------------------------------------------------------------------------------------------
     /// Bytes of a slot: the report, then what is read.
@@ -129,6 +136,10 @@ class Air {
     [[nodiscard]] bool holds_gusts() const { return settings_.gusts; }
     /// Steps were recorded since `begin`; the report counts their cells together.
     [[nodiscard]] bool stepped() const { return stepped_; }
+    /// The last step did without the obstacles, for which there was no memory; the next one tries again.
+    [[nodiscard]] bool lacks_obstacles() const { return place_again_; }
+    /// Rooms that the last step's volume sources blow into; 0: each can let its air out.
+    [[nodiscard]] int sealed_sources() const { return sealed_sources_; }
     /// Sub-steps of each step from now on; 0, as at the start: the device chooses.
     void force_substeps(int substeps) { forced_substeps_ = substeps; }
     /// Times what is recorded from now on; null, as at the start: nothing is timed. The clock outlives the recordings.
@@ -162,6 +173,7 @@ class Air {
     [[nodiscard]] Result<Memory::Measured> measure();
     [[nodiscard]] Result<void> make_memory();
     [[nodiscard]] Result<void> make();
+    [[nodiscard]] Result<Passes> passes_for(bool obstacles);
     [[nodiscard]] Box box() const { return {config_.cells, config_.cell_size, config_.boundaries}; }
     [[nodiscard]] SolveTables tables_of(const Boundaries& boundaries) const;
     [[nodiscard]] Result<Buffer> piece_of(const SolveTables& tables);
@@ -171,7 +183,7 @@ class Air {
     void write_step(VkCommandBuffer commands, const WindrowStep& block, const AmbientWind& ambient,
                     std::shared_ptr<const GustTile> tile = nullptr);
     static constexpr VkDeviceSize k_max_update = 65536; ///< [bytes] of vkCmdUpdateBuffer
-    void write(VkCommandBuffer commands, const Buffer& to, std::span<const std::byte> bytes);
+    void write(VkCommandBuffer commands, const Buffer& to, std::span<const std::byte> bytes, VkDeviceSize first = 0);
     /// Barrier: earlier commands in stages `from` are done before later ones in stages `to`. Recorded with the next command, as
     /// one with all that are asked for before it.
     void barrier(VkPipelineStageFlags from, VkPipelineStageFlags to);
@@ -182,8 +194,25 @@ class Air {
     void dispatch(VkCommandBuffer commands, Pass pass, const Push& push = {}, int frame = 0,
                   std::optional<std::uint32_t> command = std::nullopt);
     /// -1: the rehearsal of the first. `command`: of its first pass.
-    void substep(VkCommandBuffer commands, DiffusionMethod diffusion, int number, std::optional<std::uint32_t> command);
+    void substep(VkCommandBuffer commands, std::span<const Passes::Stage> stages, int number,
+                 std::optional<std::uint32_t> command);
     void place(VkCommandBuffer commands, const WindrowPlacePush& push);
+
+    // Obstacles (air_obstacles.cpp)
+    [[nodiscard]] int obstacle_flags() const { return solids_ ? solids_->flags() : 0; }
+    /// As they are `early` [s] before the end of the step.
+    void place_obstacles(VkCommandBuffer commands, std::span<const detail::PlacedObstacle> obstacles, double early);
+    void restore_obstacles(DeviceSurface&& surface, std::vector<float>&& terms);
+    /// Where the history of a slot begins in Fields::around.
+    [[nodiscard]] VkDeviceSize history_at(int slot) const;
+    [[nodiscard]] bool write_obstacles(VkCommandBuffer commands);
+    [[nodiscard]] Result<void> make_room_for_obstacles(VkCommandBuffer commands);
+    [[nodiscard]] Result<void> replace(Buffer& buffer, VkDeviceSize bytes);
+    void work_on_rooms(VkCommandBuffer commands, int work);
+    [[nodiscard]] Passes::Around around_obstacles(const CellStep& step, bool fresh) const;
+    [[nodiscard]] Passes::Around around_sources() const;
+    /// Motors as the device takes them: what obstacles cover of a volume source blows nothing.
+    [[nodiscard]] std::span<const detail::MotorReach> uncovered(std::span<const detail::MotorReach> motors);
     void write_tables(VkCommandBuffer commands);
     void make_room_for_sides();
     /// Writes the cells that the last shift exposed, where nothing did yet.
@@ -203,7 +232,12 @@ class Air {
     Settings settings_;
     std::optional<SolveTables> tables_;
     DiffusionMethod prepared_ = DiffusionMethod::none; ///< the most that any step may ask of the viscosity
-    std::optional<DiffusionMethod> shapes_;            ///< whose sub-steps Fields::shapes describes
+    struct Shapes {
+        DiffusionMethod diffusion;
+        Passes::Around around;
+        friend bool operator==(const Shapes&, const Shapes&) = default;
+    };
+    std::optional<Shapes> shapes_; ///< whose sub-steps Fields::shapes describes
     Fields fields_;
     Passes passes_;
     PassClock* clock_ = nullptr;
@@ -217,7 +251,23 @@ class Air {
         Buffer piece;
         int slot;
     };
-    std::vector<Retired> retired_;    ///< pieces that a slot in flight may still copy; with room for one a slot
+    std::vector<Retired> retired_;               ///< pieces that a slot in flight may still copy; with room for one a slot
+    std::unique_ptr<SolidTables> solids_;        ///< null until there is an obstacle
+    std::vector<detail::PlacedObstacle> placed_; ///< scratch
+    std::vector<detail::MotorReach> uncovered_;  ///< scratch
+    std::vector<float> restored_terms_;          ///< the pressure's history of a loaded wind, until its first placement
+    glm::ivec3 unplaced_shift_{0};               ///< [cells] of the box since the obstacles were placed
+    bool place_again_ = false;
+    std::uint32_t surface_room_ = 0, face_room_ = 0; ///< surface cells and faces that Fields::around holds
+    int history_slot_ = 0;
+    int sealed_sources_ = 0;
+    bool passes_know_obstacles_ = false;
+    struct RetiredPasses { ///< or their sets alone
+        Passes passes;
+        Sets sets;
+        int slot;
+    };
+    std::vector<RetiredPasses> retired_passes_;
     std::vector<WindrowRule> rules_;  ///< how each padded cell takes its value by the boundaries
     glm::ivec3 torus_{0};             ///< WindrowStep::torus
     std::optional<CellChange> shift_; ///< the last one, whose exposed cells the next tick's first pass writes

@@ -47,6 +47,8 @@ AirReport Air::report(int slot) const {
             .repaired_cells = static_cast<int>(read.repaired_cells),
             .limited_cells = static_cast<int>(read.limited_cells),
             .apart = read.apart,
+            .pressure_residual = read.pressure_residual,
+            .pressure_solves = static_cast<int>(read.pressure_solves),
             .squares = static_cast<double>(read.squares),
             .divergence_squares = static_cast<double>(read.divergence_squares)};
 }

@@ -12,7 +12,7 @@ static_assert(std::endian::native == std::endian::little, "cells are copied as t
 
 // --- From the device ---------------------------------------------------------------------------------------------------------
 
-Result<SavedAir> SavedAir::create(Device& device, glm::ivec3 cells) {
+Result<SavedAir> SavedAir::create(Device& device, glm::ivec3 cells, std::size_t faces) {
     SavedAir saved;
     saved.cells = cells;
     const glm::u64vec3 axes(cells);
@@ -31,6 +31,9 @@ Result<SavedAir> SavedAir::create(Device& device, glm::ivec3 cells) {
     for (Buffer* buffer : {&saved.history, &saved.source_flow, &saved.before})
         if (auto made = make(*buffer, field); !made)
             return Error{made.error()};
+    if (faces > 0)
+        if (auto made = make(saved.terms, faces * sizeof(float)); !made)
+            return Error{made.error()};
     return saved;
 }
 
@@ -38,7 +41,7 @@ VkResult SavedAir::invalidate() const {
     for (const Buffer* buffer : {&control, &velocity, &history, &source_flow, &before})
         if (const VkResult result = buffer->invalidate(); result != VK_SUCCESS)
             return result;
-    return VK_SUCCESS;
+    return terms.bytes() > 0 ? terms.invalidate() : VK_SUCCESS;
 }
 
 void SavedAir::fill(SnapshotDraft& draft, const std::optional<ShownFrame>& shown) const {
@@ -64,6 +67,7 @@ void SavedAir::fill(SnapshotDraft& draft, const std::optional<ShownFrame>& shown
         const glm::vec4 u = value(velocity, n, now), then = value(before, n);
         return factor == 1.0f || found.nonfinite_cells > 0 ? u : then + factor * (u - then);
     };
+    std::size_t term = 0;
     for (const SnapshotDraft::Gap& gap : draft.gaps) {
         std::byte* const to = draft.bytes.data() + gap.at;
         const auto copy = [&](const void* from) { std::memcpy(to, from, gap.bytes); };
@@ -99,6 +103,9 @@ void SavedAir::fill(SnapshotDraft& draft, const std::optional<ShownFrame>& shown
         case DeviceState::undiffused_time:
             copy(&found.undiffused_time);
             break;
+        case DeviceState::surface_term:
+            copy(terms.mapped() + sizeof(float) * term++);
+            break;
         }
     }
 }
@@ -112,6 +119,10 @@ void Air::save(VkCommandBuffer commands, SavedAir& saved) {
     copy(commands, fields_.history, saved.history);
     copy(commands, fields_.source_flow, saved.source_flow);
     copy(commands, fields_.before, saved.before);
+    if (saved.terms.bytes() > 0) {
+        const VkBufferCopy region{.srcOffset = history_at(history_slot_), .dstOffset = 0, .size = saved.terms.bytes()};
+        device_->functions().vkCmdCopyBuffer(commands, fields_.around.handle(), saved.terms.handle(), 1, &region);
+    }
     barrier(k_transfer, VK_PIPELINE_STAGE_HOST_BIT | k_compute | k_transfer);
     saved.factor = shown_factor_;
     saved.torus = torus_;
@@ -156,6 +167,7 @@ void Air::restore(VkCommandBuffer commands, RestoredAir&& air, const AmbientWind
     set(offsetof(WindrowControl, undiffused_time), air.undiffused_time);
     barrier(k_transfer, k_compute | k_transfer);
     fresh_ = air.fresh;
+    restore_obstacles(std::move(air.surface), std::move(air.terms));
     for (Buffer& field : air.fields)
         if (field.bytes() > 0)
             retired_.push_back({std::move(field), slot_});

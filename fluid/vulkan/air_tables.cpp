@@ -82,6 +82,10 @@ void Air::set_boundaries(NewBoundaries&& boundaries) {
     if (!boundaries.tables)
         return;
     tables_ = std::move(boundaries.tables);
+    if (solids_) { // another periodic axis is another neighbour
+        solids_.reset();
+        place_again_ = true;
+    }
     passes_.set_tables(*tables_);
     if (piece_slot_ >= 0 && piece_slot_ != slot_)
         retired_.push_back({std::move(piece_), piece_slot_});
@@ -95,11 +99,14 @@ void Air::begin(int slot) {
     slot_ = slot;
     stepped_ = false;
     std::erase_if(retired_, [&](const Retired& retired) { return retired.slot == slot; });
+    std::erase_if(retired_passes_, [&](const RetiredPasses& retired) { return retired.slot == slot; });
 }
 
 void Air::forget() {
     tables_written_ = rules_written_ = cleared_ = false;
     tile_.reset();
+    solids_.reset();
+    place_again_ = true;
     shapes_.reset();
     shift_.reset();
     fresh_ = true;

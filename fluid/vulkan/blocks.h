@@ -24,8 +24,9 @@ static_assert(offsetof(WindrowStep, low) == 8 * 16 && offsetof(WindrowStep, wind
 static_assert(sizeof(WindrowControl) == 21 * 16 && sizeof(WindrowRule) == 4 * 16 && offsetof(WindrowRule, scale) == 16);
 static_assert(offsetof(WindrowControl, substep_duration) == 16 && offsetof(WindrowControl, first_slot) == 2 * 16);
 static_assert(offsetof(WindrowControl, diffused_time) == 4 * 16 && offsetof(WindrowControl, largest_speed) == 20 * 16);
-static_assert(sizeof(WindrowReport) == 2 * 16 && sizeof(WindrowPoint) == 4 * 16 && sizeof(WindrowReadPush) == 32);
+static_assert(sizeof(WindrowReport) == 3 * 16 && sizeof(WindrowPoint) == 4 * 16 && sizeof(WindrowReadPush) == 32);
 static_assert(offsetof(WindrowPoint, high) == 16 && offsetof(WindrowPoint, ambient) == 3 * 16);
+static_assert(sizeof(WindrowStagePush) == 32 && sizeof(WindrowAround) == 2 * 16);
 static_assert(sizeof(WindrowPlacePush) == 20 && sizeof(WindrowAdjustPush) == 32);
 static_assert(sizeof(WindrowMotor) == sizeof(detail::MotorReach));
 

@@ -85,6 +85,8 @@ bool DeviceCells::step(const CellStep& step, Diagnostics& report) {
         tick = {.substeps = static_cast<std::uint8_t>(recorded.substeps), .limits = recorded.limits, .rests = rests(step)};
     }
     air->step(commands_, step, {.substeps = tick.substeps, .limits = tick.limits});
+    report.out_of_memory = air->lacks_obstacles();
+    report.sealed_sources = air->sealed_sources();
     if (wind_.log != nullptr)
         wind_.log->note(tick);
     step.ambient->advance(step.duration);
@@ -164,12 +166,12 @@ void DeviceCells::end() {
     commands_ = VK_NULL_HANDLE;
 }
 
-void DeviceCells::continue_from(RestoredAir&& restored) {
+void DeviceCells::continue_from(RestoredAir&& restored, std::span<const glm::vec4> velocity) {
     air->make_room_to_restore();
     queue_.clear();
     queue_.make_room();
     rest = {};
-    speed_.note_unknown();
+    speed_.note({.kind = Kind::set, .ambient = wind_.ambient, .window = wind_.window(), .cells = velocity});
     held_at_ = wind_.sleep.drift;
     restored_ = std::move(restored);
 }

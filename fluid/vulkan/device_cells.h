@@ -58,8 +58,8 @@ class DeviceCells final : public CellStorage {
     bool hold_gusts();
     /// Nothing that was recorded counts.
     void forget();
-    /// The next recording begins with this air; nothing else waits.
-    void continue_from(RestoredAir&& restored);
+    /// The next recording begins with this air; nothing else waits. `velocity`: its cells.
+    void continue_from(RestoredAir&& restored, std::span<const glm::vec4> velocity);
     /// The next tick that is not dictated yet is recorded so: of a replay.
     void dictate(const TickRecorded& tick) { dictated_.push_back(tick); }
 

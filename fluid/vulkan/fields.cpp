@@ -2,6 +2,7 @@
 
 #include "fluid/message.h"
 #include "fluid/vulkan/blocks.h"
+#include "fluid/vulkan/passes.h"
 
 #include <string>
 
@@ -30,7 +31,7 @@ Result<Fields> Fields::create(Device& device, const Sizes& sizes) {
 
     make(fields.step, "step", sizeof(WindrowStep));
     make(fields.control, "control", sizeof(WindrowControl));
-    make(fields.shapes, "shapes", 4 * (1 + 3 * (1 + 24)));
+    make(fields.shapes, "shapes", 4 * (1 + 3 * k_max_stages));
     make(fields.commands, "commands", sizes.commands * sizeof(VkDispatchIndirectCommand));
     make(fields.rules, "rules", 2 * axes * sizeof(WindrowRule)); // boundary rules of viscosity and of transport
     make(fields.motors, "motors", k_max_motors * sizeof(WindrowMotor));
@@ -50,6 +51,10 @@ Result<Fields> Fields::create(Device& device, const Sizes& sizes) {
     make(fields.hat, "hat", cells * sizeof(float));
     make(fields.potential, "potential", cells * sizeof(float));
     make(fields.sums, "sums", sizes.sums * sizeof(glm::vec2));
+    make(fields.solids, "solids", sizeof(WindrowSolids) + sizeof(vec4));
+    make(fields.around, "around", sizeof(WindrowAround) + sizeof(vec4));
+    make(fields.correction, "correction", sizeof(vec4));
+    make(fields.direction, "direction", sizeof(vec4));
     if (sizes.points > 0)
         make(fields.points, "points", sizes.points * sizeof(WindrowPoint));
     fields.slots.resize(sizes.slots);

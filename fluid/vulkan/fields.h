@@ -41,6 +41,9 @@ struct Fields {
     Buffer step, control, shapes, commands, rules, motors, tables, tile;
     Buffer velocity, history, force, drives, source_flow, arrived, diffused, before;
     Buffer padded, expansion, hat, potential, sums;
+    /// Around obstacles; stand-ins until there is one. Tables (solids.glsl), WindrowAround and its words, the last correction
+    /// and the sum of those before it, the direction.
+    Buffer solids, around, correction, direction;
     Buffer points;             ///< WindrowPoint; empty without
     std::vector<Buffer> slots; ///< mapped; WindrowReport, then cells or winds
     /// [0] and [1]: of this frame and of the last, in turns. Four components; x, y, z.

@@ -27,20 +27,26 @@
 #include "shader_words/read_halves.h"
 #include "shader_words/read_points.h"
 #include "shader_words/report.h"
+#include "shader_words/rooms.h"
 #include "shader_words/source_flow.h"
 #include "shader_words/sources.h"
+#include "shader_words/surface.h"
+#include "shader_words/terms.h"
 
 #include <algorithm>
 #include <bit>
 #include <string>
+#include <utility>
 
 namespace windrow::vulkan {
 namespace {
 
 using Groups = Passes::Groups;
-constexpr std::uint32_t k_cell_group = 128;  // invocations; every device has as many
-constexpr std::uint32_t k_solve_group = 256; // of a plane's transform, where the device has them
-constexpr std::uint32_t k_tile_lines = 16;   // of a tile that is not a whole plane
+constexpr std::uint32_t k_cell_group = 128;     // invocations; every device has as many
+constexpr std::uint32_t k_solve_group = 256;    // of a plane's transform, where the device has them
+constexpr std::uint32_t k_tile_lines = 16;      // of a tile that is not a whole plane
+constexpr std::size_t k_obstacles_constant = 7; // of pass.glsl
+constexpr int k_of_sources = 1;                 // WindrowStagePush::part of the volume sources' flow
 
 std::uint32_t blocks(std::uint32_t count, std::uint32_t size) {
     return (count + size - 1) / size;
@@ -93,8 +99,9 @@ struct Plan {
 
 // Fields of cells alone; see Passes::bytes.
 std::uint64_t bytes_of(const Plan& plan, const Fields& f, std::uint64_t image_bytes) {
-    const std::initializer_list<const Buffer*> in_caches = {&f.step,  &f.control, &f.shapes, &f.commands,
-                                                            &f.rules, &f.motors,  &f.tables, &f.tile};
+    const std::initializer_list<const Buffer*> in_caches = {&f.step,   &f.control, &f.shapes,     &f.commands,
+                                                            &f.rules,  &f.motors,  &f.tables,     &f.tile,
+                                                            &f.solids, &f.around,  &f.correction, &f.direction};
     const std::vector<Access> access = access_of(plan.code, plan.buffers.size());
     std::uint64_t bytes = image_bytes;
     for (std::size_t n = 0; n < plan.buffers.size(); ++n)
@@ -133,9 +140,11 @@ std::span<const std::uint32_t> show_code(const Passes::Settings& settings) {
 
 const char* name_of(Pass pass) {
     constexpr std::array<const char*, k_passes> names = {
-        "place",           "sources",         "source_flow",  "adjust", "plan",   "limit",         "diffuse",
-        "diffuse_forward", "diffuse_columns", "diffuse_back", "pad",    "advect", "modes_forward", "modes_between",
-        "columns",         "modes_back",      "gradient",     "show",   "report", "read_cells",    "read_points"};
+        "place",   "sources",    "source_flow",     "adjust",          "plan",
+        "limit",   "diffuse",    "diffuse_forward", "diffuse_columns", "diffuse_back",
+        "pad",     "advect",     "advect_careful",  "modes_forward",   "modes_between",
+        "columns", "modes_back", "surface",         "gradient",        "rooms",
+        "terms",   "show",       "report",          "read_cells",      "read_points"};
     return names[static_cast<std::size_t>(pass)];
 }
 
@@ -175,33 +184,49 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
     const auto a_plane = over(line, over_tiles, both_axes, 4 * tiles.x * tiles.z),
                a_half_plane = over(line, over_between, second_axis, 4 * tiles.between_x * nz);
     a_cell(Pass::place, words::place, of(f.step, f.control, f.arrived, f.velocity, f.history, f.source_flow, f.before, f.tile));
-    a_cell(
-        Pass::sources, words::sources,
-        of(f.step, f.control, f.velocity, f.before, f.history, f.source_flow, f.force, f.drives, f.expansion, f.motors, f.tile));
+    a_cell(Pass::sources, words::sources,
+           of(f.step, f.control, f.velocity, f.before, f.history, f.source_flow, f.force, f.drives, f.expansion, f.motors, f.tile,
+              f.solids));
     a_cell(Pass::source_flow, words::source_flow,
-           of(f.step, f.control, f.potential, f.source_flow, f.velocity, f.history, f.tile, f.motors));
-    a_cell(Pass::adjust, words::adjust, of(f.step, f.control, f.velocity, f.before, f.tile));
+           of(f.step, f.control, f.potential, f.source_flow, f.velocity, f.history, f.tile, f.motors, f.correction, f.direction,
+              f.solids, f.around));
+    a_cell(Pass::adjust, words::adjust, of(f.step, f.control, f.velocity, f.before, f.tile, f.solids));
     over(lines, {1, 1, 1})(Pass::plan, words::plan, of(f.step, f.control, f.shapes, f.commands));
     a_cell(Pass::limit, words::limit, of(f.step, f.control, f.velocity, f.source_flow, f.drives));
-    a_cell(Pass::diffuse, words::diffuse, of(f.step, f.control, f.velocity, f.force, f.source_flow, f.rules, f.diffused, f.tile));
+    a_cell(Pass::diffuse, words::diffuse,
+           of(f.step, f.control, f.velocity, f.force, f.source_flow, f.rules, f.diffused, f.tile, f.solids));
     a_plane(Pass::diffuse_forward, words::diffuse_forward, of(f.step, f.control, f.tables, f.diffused, f.rules, f.hat));
     a_column(Pass::diffuse_columns, words::diffuse_columns, of(f.step, f.control, f.tables, f.hat, f.potential, f.arrived));
     a_plane(Pass::diffuse_back, words::diffuse_back, of(f.step, f.control, f.tables, f.hat, f.diffused));
-    a_padded_cell(
-        Pass::pad, words::pad,
-        of(f.step, f.control, f.velocity, f.history, f.force, f.drives, f.source_flow, f.diffused, f.rules, f.padded, f.tile));
-    a_cell(Pass::advect, words::advect,
-           of(f.step, f.control, f.velocity, f.padded, f.force, f.drives, f.history, f.source_flow, f.arrived, f.tile));
-    a_plane(Pass::modes_forward, words::modes_forward, of(f.step, f.control, f.tables, f.arrived, f.expansion, f.hat, f.motors));
+    a_padded_cell(Pass::pad, words::pad,
+                  of(f.step, f.control, f.velocity, f.history, f.force, f.drives, f.source_flow, f.diffused, f.rules, f.padded,
+                     f.tile, f.solids));
+    for (const bool careful : settings.obstacles ? std::vector{false, true} : std::vector{false})
+        over(cell, over_cells, {yes(careful)})(careful ? Pass::advect_careful : Pass::advect, words::advect,
+                                               of(f.step, f.control, f.velocity, f.padded, f.force, f.drives, f.history,
+                                                  f.source_flow, f.arrived, f.tile, f.solids));
+    a_plane(Pass::modes_forward, words::modes_forward,
+            of(f.step, f.control, f.tables, f.arrived, f.expansion, f.hat, f.motors, f.solids, f.around, f.tile));
     a_half_plane(Pass::modes_between, words::modes_between, of(f.step, f.control, f.tables, f.hat));
     a_column(Pass::columns, words::columns, of(f.step, f.control, f.tables, f.hat));
-    a_plane(Pass::modes_back, words::modes_back, of(f.step, f.control, f.tables, f.hat, f.potential));
+    a_plane(Pass::modes_back, words::modes_back,
+            of(f.step, f.control, f.tables, f.hat, f.potential, f.correction, f.direction, f.around));
+    if (settings.obstacles) {
+        over(line, {1, 1, 1}, {solve})(Pass::surface, words::surface,
+                                       of(f.step, f.control, f.solids, f.arrived, f.expansion, f.potential, f.correction,
+                                          f.direction, f.around, f.motors, f.tile));
+        over(line, {1, 1, 1},
+             {solve})(Pass::rooms, words::rooms,
+                      of(f.step, f.control, f.tile, f.solids, f.velocity, f.history, f.force, f.drives, f.expansion));
+        over(line, {1, 1, 1})(Pass::terms, words::terms, of(f.step, f.control, f.solids, f.around));
+    }
     a_cell(Pass::gradient, words::gradient,
-           of(f.step, f.control, f.potential, f.arrived, f.source_flow, f.velocity, f.history, f.tile));
+           of(f.step, f.control, f.potential, f.arrived, f.source_flow, f.velocity, f.history, f.tile, f.correction, f.direction,
+              f.solids, f.around));
     over(cell, over_cells, {cell[0] * cell[1] * cell[2]})(
-        Pass::show, show_code(settings), of(f.step, f.control, f.velocity, f.before, f.expansion, f.sums, f.tile));
+        Pass::show, show_code(settings), of(f.step, f.control, f.velocity, f.before, f.expansion, f.sums, f.tile, f.solids));
     const auto to_host = [&] { plans.back().to_host = true; };
-    over(line, {1, 1, 1}, {solve})(Pass::report, words::report, of(f.step, f.control, f.sums, f.slots[0]));
+    over(line, {1, 1, 1}, {solve})(Pass::report, words::report, of(f.step, f.control, f.sums, f.around, f.slots[0]));
     to_host();
     if (settings.read_cells.x > 0) {
         const Groups part = cell_group(settings.read_cells);
@@ -220,7 +245,6 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
     Passes passes;
     passes.functions_ = &device.functions();
     passes.commands_ = fields.commands.handle();
-    std::vector<Sets::Content> contents;
     for (const Plan& plan : plans) {
         const auto n = static_cast<std::size_t>(plan.pass);
         if (auto fits = device.check(
@@ -233,6 +257,8 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
             fields.each_image(0, [&](const Image3D&) { kinds.push_back(VK_DESCRIPTOR_TYPE_STORAGE_IMAGE); });
         std::vector<std::uint32_t> constants(plan.local.begin(), plan.local.end());
         constants.insert(constants.end(), plan.constants.begin(), plan.constants.end());
+        constants.resize(k_obstacles_constant, 0);
+        constants.push_back(yes(settings.obstacles));
         auto pipeline = device.pipeline({.code = plan.code,
                                          .bindings = kinds,
                                          .constants = constants,
@@ -243,22 +269,9 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
         passes.pipelines_[n] = *std::move(pipeline);
         passes.groups_[n] = plan.groups;
         passes.bytes_[n] = bytes_of(plan, fields, shows ? texel_bytes(settings) : 0);
-        passes.first_set_[n] = contents.size();
-        const std::size_t sets = plan.to_host ? fields.slots.size() : shows ? 2 : 1;
-        for (std::size_t one = 0; one < sets; ++one) {
-            Sets::Content content{.layout = passes.pipelines_[n].get(), .bindings = {}};
-            for (const Buffer* buffer : plan.buffers)
-                content.bindings.push_back({.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, .buffer = buffer->handle()});
-            if (plan.to_host)
-                content.bindings.back().buffer = fields.slots[one].handle();
-            if (shows)
-                fields.each_image(static_cast<int>(one), [&](const Image3D& image) {
-                    content.bindings.push_back({.type = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, .view = image.view()});
-                });
-            contents.push_back(std::move(content));
-        }
+        passes.bound_.push_back({plan.pass, plan.buffers, plan.to_host});
     }
-    auto sets = Sets::create(device, contents);
+    auto sets = passes.sets_of(device, fields);
     if (!sets)
         return Error{sets.error()};
     passes.sets_ = *std::move(sets);
@@ -268,60 +281,120 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
     return passes;
 }
 
+Result<Sets> Passes::sets_of(Device& device, const Fields& fields) {
+    std::vector<Sets::Content> contents;
+    for (const Bound& bound : bound_) {
+        const auto n = static_cast<std::size_t>(bound.pass);
+        const bool shows = bound.pass == Pass::show;
+        first_set_[n] = contents.size();
+        const std::size_t sets = bound.to_host ? fields.slots.size() : shows ? 2 : 1;
+        for (std::size_t one = 0; one < sets; ++one) {
+            Sets::Content content{.layout = pipelines_[n].get(), .bindings = {}};
+            for (const Buffer* buffer : bound.buffers)
+                content.bindings.push_back({.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, .buffer = buffer->handle()});
+            if (bound.to_host)
+                content.bindings.back().buffer = fields.slots[one].handle();
+            if (shows)
+                fields.each_image(static_cast<int>(one), [&](const Image3D& image) {
+                    content.bindings.push_back({.type = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, .view = image.view()});
+                });
+            contents.push_back(std::move(content));
+        }
+    }
+    return Sets::create(device, contents);
+}
+
+Result<Sets> Passes::rebind(Device& device, const Fields& fields) {
+    auto sets = sets_of(device, fields);
+    if (!sets)
+        return sets;
+    return std::exchange(sets_, *std::move(sets));
+}
+
 void Passes::set_tables(const SolveTables& tables) {
-    // A direct solve: forward, columns, back, with the second axis between where it has passes of its own.
-    struct Solve {
-        Pass forward, columns, back;
-        Push columns_push;
-        int part;
-    };
-    const auto add_solve = [&](std::vector<Stage>& stages, const Solve& solve, const SolveTables::Vectors& at) {
-        const auto plane = [&](Pass pass, bool forward) {
-            stages.push_back({pass, WindrowStagePush{.substep = 0,
-                                                     .x_vectors = forward ? at.x_forward : at.x_back,
-                                                     .z_vectors = forward ? at.z_forward : at.z_back,
-                                                     .part = solve.part,
-                                                     .x_even = at.x_even,
-                                                     .z_even = at.z_even,
-                                                     .forward = forward ? 1 : 0}});
-        };
-        plane(solve.forward, true);
-        if (!whole_planes_)
-            plane(Pass::modes_between, true);
-        stages.push_back({solve.columns, solve.columns_push});
-        if (!whole_planes_)
-            plane(Pass::modes_between, false);
-        plane(solve.back, false);
-    };
-    const auto solve_pressure = [&](std::vector<Stage>& stages, int of_sources) {
-        const WindrowColumnsPush columns{
-            .substep = 0, .pivots = tables.pivots, .vectors = tables.vectors, .singular = tables.singular};
-        add_solve(stages, {Pass::modes_forward, Pass::columns, Pass::modes_back, columns, of_sources}, tables.pressure);
-    };
+    pressure_ = tables.pressure;
+    pressure_columns_ =
+        WindrowColumnsPush{.substep = 0, .pivots = tables.pivots, .vectors = tables.vectors, .singular = tables.singular};
+    for (std::size_t n = 0; n < 3; ++n) {
+        diffusion_[n] = tables.diffusion[n];
+        diffusion_columns_[n] = WindrowDiffusePush{.substep = 0, .eigenvalues = tables.diffusion_columns[n]};
+    }
     source_solve_.clear();
-    solve_pressure(source_solve_, 1);
+    add_pressure(source_solve_, k_of_sources, {});
     for (const DiffusionMethod most : {DiffusionMethod::none, DiffusionMethod::one_pass, DiffusionMethod::implicit}) {
         std::vector<Stage>& stages = substeps_[static_cast<std::size_t>(most)];
         stages.clear();
-        if (most != DiffusionMethod::none)
-            stages.push_back({Pass::diffuse, {}});
-        for (int n = 0; most == DiffusionMethod::implicit && n < 3; ++n) {
-            const WindrowDiffusePush columns{.substep = 0, .eigenvalues = tables.diffusion_columns[n]};
-            add_solve(stages, {Pass::diffuse_forward, Pass::diffuse_columns, Pass::diffuse_back, columns, n},
-                      tables.diffusion[n]);
-        }
-        stages.push_back({Pass::pad, {}});
-        stages.push_back({Pass::advect, {}});
-        if (settings_.projects)
-            solve_pressure(stages, 0);
-        stages.push_back({Pass::gradient, {}});
-        shapes_.reserve(1 + 3 * stages.size()); // the last method has the most
+        add_substep(stages, most, {});
+    }
+    around_.reserve(k_max_stages);
+    shapes_.reserve(1 + 3 * k_max_stages);
+}
+
+void Passes::add_solve(std::vector<Stage>& stages, const Solve& solve, const SolveTables::Vectors& at) const {
+    const auto plane = [&](Pass pass, bool forward) {
+        stages.push_back({pass, WindrowStagePush{.substep = 0,
+                                                 .x_vectors = forward ? at.x_forward : at.x_back,
+                                                 .z_vectors = forward ? at.z_forward : at.z_back,
+                                                 .part = solve.part,
+                                                 .x_even = at.x_even,
+                                                 .z_even = at.z_even,
+                                                 .forward = forward ? 1 : 0,
+                                                 .solve = solve.number}});
+    };
+    plane(solve.forward, true);
+    if (!whole_planes_)
+        plane(Pass::modes_between, true);
+    stages.push_back({solve.columns, solve.columns_push});
+    if (!whole_planes_)
+        plane(Pass::modes_between, false);
+    plane(solve.back, false);
+}
+
+void Passes::add_pressure(std::vector<Stage>& stages, int part, const Around& around) const {
+    for (int n = 0; n < std::max(around.solves, 1); ++n) {
+        add_solve(stages, {Pass::modes_forward, Pass::columns, Pass::modes_back, pressure_columns_, part, n}, pressure_);
+        if (around.solves > 0)
+            stages.push_back(
+                {Pass::surface,
+                 WindrowSurfacePush{
+                     .substep = 0, .part = part, .solve = n, .solves = around.solves, .tolerance = around.tolerance}});
     }
 }
 
-std::span<const std::uint32_t> Passes::shapes(DiffusionMethod most) {
-    shapes_.assign(1, static_cast<std::uint32_t>(substep(most).size())); // set_tables made room
-    for (const Stage& stage : substep(most)) {
+void Passes::add_substep(std::vector<Stage>& stages, DiffusionMethod most, const Around& around) const {
+    if (most != DiffusionMethod::none)
+        stages.push_back({Pass::diffuse, {}});
+    for (int n = 0; most == DiffusionMethod::implicit && n < 3; ++n)
+        add_solve(stages, {Pass::diffuse_forward, Pass::diffuse_columns, Pass::diffuse_back, diffusion_columns_[n], n},
+                  diffusion_[n]);
+    stages.push_back({Pass::pad, {}});
+    stages.push_back({around.careful ? Pass::advect_careful : Pass::advect, {}});
+    if (settings_.projects)
+        add_pressure(stages, 0, around);
+    stages.push_back({Pass::gradient, {}});
+    if (around.rooms)
+        stages.push_back({Pass::rooms, WindrowRoomsPush{.substep = 0, .work = WINDROW_BOUND_ROOMS}});
+}
+
+std::span<const Passes::Stage> Passes::substep(DiffusionMethod most, const Around& around) {
+    if (around.solves == 0)
+        return std::as_const(*this).substep(most);
+    around_.clear();
+    add_substep(around_, most, around);
+    return around_;
+}
+
+std::span<const Passes::Stage> Passes::source_solve(const Around& around) {
+    if (around.solves == 0)
+        return std::as_const(*this).source_solve();
+    around_.clear();
+    add_pressure(around_, k_of_sources, around);
+    return around_;
+}
+
+std::span<const std::uint32_t> Passes::shapes(std::span<const Stage> substep) {
+    shapes_.assign(1, static_cast<std::uint32_t>(substep.size())); // set_tables made room
+    for (const Stage& stage : substep) {
         const Groups each = groups(stage.pass);
         shapes_.insert(shapes_.end(), each.begin(), each.end());
     }

@@ -10,6 +10,8 @@
 #include <array>
 #include <cstring>
 #include <memory>
+#include <optional>
+#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -26,21 +28,27 @@ enum class Pass : std::uint8_t {
     diffuse_forward, ///< ... or a direct solve a component
     diffuse_columns,
     diffuse_back,
-    pad,           ///< gathers what the advection reads
-    advect,        ///< trajectories and interpolation
-    modes_forward, ///< the direct solve: right-hand side to modes, ...
-    modes_between, ///< ... the second axis where a plane does not fit in shared memory, ...
-    columns,       ///< ... the systems along y, ...
-    modes_back,    ///< ... and back to cells
-    gradient,      ///< what a sub-step ends with
-    show,          ///< textures, and the sums of the report
-    report,        ///< the report to the host
-    read_cells,    ///< cells to the host, ...
-    read_points,   ///< ... or the wind at points
+    pad,            ///< gathers what the advection reads
+    advect,         ///< trajectories and interpolation, ...
+    advect_careful, ///< ... or those that stop at thin bodies
+    modes_forward,  ///< the direct solve: right-hand side to modes, ...
+    modes_between,  ///< ... the second axis where a plane does not fit in shared memory, ...
+    columns,        ///< ... the systems along y, ...
+    modes_back,     ///< ... and back to cells
+    surface,        ///< what a direct solve leaves around obstacles, and how far to go along the next
+    gradient,       ///< what a sub-step ends with
+    rooms,          ///< closed rooms: what the wind, sources and rounding would blow there
+    terms,          ///< the pressure's history at the faces of obstacles that were placed anew
+    show,           ///< textures, and the sums of the report
+    report,         ///< the report to the host
+    read_cells,     ///< cells to the host, ...
+    read_points,    ///< ... or the wind at points
     count
 };
-/// Most dispatches of a sub-step: three solves of diffusion, one of pressure, each in five, and four more.
-inline constexpr std::uint32_t k_max_stages = 24;
+/// Most direct solves of a sub-step around obstacles: Config::pressure_solves.
+inline constexpr std::uint32_t k_max_solves = 64;
+/// Most dispatches of a sub-step: three solves of diffusion, in five each, those of pressure in six, and six more.
+inline constexpr std::uint32_t k_max_stages = 3 * 5 + 6 * k_max_solves + 6;
 inline constexpr std::size_t k_passes = static_cast<std::size_t>(Pass::count);
 /// The passes that write for the host: all of a read-back.
 [[nodiscard]] constexpr bool reads_back(Pass pass) {
@@ -78,6 +86,7 @@ class Passes {
         TextureSet textures = TextureSet::vectors;
         glm::ivec3 read_cells{0}; ///< box of cells that come back to the host; 0: none
         bool read_halves = false; ///< as halves, else floats
+        bool obstacles = false;   ///< else the passes know none
     };
     [[nodiscard]] static Result<Passes> create(Device& device, const Fields& fields, const Settings& settings);
     /// Sets the tables of the direct solve; call it before the first sub-step.
@@ -95,26 +104,56 @@ class Passes {
     /// that it binds, once if it reads or writes it and twice for both, and its textures. Left out are the tables, the rules, the
     /// motors and the gust tile, which stay in caches. A pass that finds a field empty, as where no air is let in, moves less.
     [[nodiscard]] std::uint64_t bytes(Pass pass) const { return bytes_[static_cast<std::size_t>(pass)]; }
-    /// Contents of Fields::shapes: number of passes of a sub-step, and the work groups of each. Good until the next call.
-    [[nodiscard]] std::span<const std::uint32_t> shapes(DiffusionMethod most);
     /// One dispatch of a sub-step: the pass and its push constants without the sub-step's number.
     struct Stage {
         Pass pass;
         Push push;
     };
+    /// What a sub-step does for obstacles.
+    struct Around {
+        int solves = 0; ///< of the pressure; 0: there are none
+        float tolerance = 0.0f;
+        bool careful = false, rooms = false;
+        friend bool operator==(const Around&, const Around&) = default;
+    };
     /// A sub-step, in order, with as much diffusion as it may come to.
     [[nodiscard]] std::span<const Stage> substep(DiffusionMethod most) const { return substeps_[static_cast<std::size_t>(most)]; }
     /// The direct solve for the sources of air, in order.
     [[nodiscard]] std::span<const Stage> source_solve() const { return source_solve_; }
+    /// The same around obstacles. Good until the next call of either.
+    [[nodiscard]] std::span<const Stage> substep(DiffusionMethod most, const Around& around);
+    [[nodiscard]] std::span<const Stage> source_solve(const Around& around);
+    /// Contents of Fields::shapes: number of passes of a sub-step, and the work groups of each. Good until the next call.
+    [[nodiscard]] std::span<const std::uint32_t> shapes(std::span<const Stage> substep);
 
     /// Records a pass; barriers are the caller's. `set`: of textures, 0 or 1, for Pass::show; entry of Fields::slots for
     /// the passes that the host reads.
     void record(VkCommandBuffer commands, Pass pass, const Push& push, int set = 0) const;
     /// The same with work groups from Fields::commands, entry `n`.
     void record_indirect(VkCommandBuffer commands, Pass pass, const Push& push, std::uint32_t n) const;
+    /// Binds the fields' buffers that there are now. Returns the old sets, which recordings in flight may use.
+    [[nodiscard]] Result<Sets> rebind(Device& device, const Fields& fields);
 
   private:
+    /// What a pass binds: buffers of the fields, the last one a slot of the host's, or textures behind them.
+    struct Bound {
+        Pass pass;
+        std::vector<const Buffer*> buffers;
+        bool to_host;
+    };
+    /// A direct solve: forward, columns, back, with the second axis between where it has passes of its own.
+    struct Solve {
+        Pass forward, columns, back;
+        Push columns_push;
+        int part;
+        int number = 0; ///< around obstacles
+    };
+
     void bind(VkCommandBuffer commands, Pass pass, const Push& push, int set) const;
+    [[nodiscard]] Result<Sets> sets_of(Device& device, const Fields& fields);
+    void add_solve(std::vector<Stage>& stages, const Solve& solve, const SolveTables::Vectors& at) const;
+    void add_pressure(std::vector<Stage>& stages, int part, const Around& around) const;
+    void add_substep(std::vector<Stage>& stages, DiffusionMethod most, const Around& around) const;
 
     const Functions* functions_ = nullptr;
     VkBuffer commands_ = VK_NULL_HANDLE;
@@ -126,8 +165,11 @@ class Passes {
     Sets sets_;
     Settings settings_;
     bool whole_planes_ = true;
-    std::vector<Stage> substeps_[3], source_solve_;
-    std::vector<std::uint32_t> shapes_; ///< scratch
+    std::vector<Bound> bound_;
+    SolveTables::Vectors pressure_, diffusion_[3];
+    Push pressure_columns_, diffusion_columns_[3];
+    std::vector<Stage> substeps_[3], source_solve_, around_; ///< without obstacles; scratch for those around them
+    std::vector<std::uint32_t> shapes_;                      ///< scratch
 };
 
 } // namespace windrow::vulkan

@@ -152,6 +152,8 @@ void ReadBacks::report_to(Diagnostics& diagnostics, const Box& box) const {
     diagnostics.substeps = report_.substeps;
     diagnostics.substeps_capped = report_.substeps_capped;
     diagnostics.carried_time = report_.carried_time;
+    diagnostics.pressure_residual = report_.pressure_residual;
+    diagnostics.pressure_solves = report_.pressure_solves;
     diagnostics.energy = 0.5 * report_.squares * h * h * h;
     diagnostics.divergence_rms = std::sqrt(report_.divergence_squares / static_cast<double>(box.cell_count()));
 }

@@ -96,6 +96,15 @@ void SpeedBound::note(std::uint64_t tick, const CellStep& step, const Box& box) 
     for (int axis = 0; axis < 3; ++axis)
         for (int end = 0; end < 2; ++end)
             target = std::max(target, largest_component(box.boundaries.at(axis, end).wall_velocity));
+    // Air around a body is up to twice as fast as what meets it: potential flow past a cylinder.
+    constexpr float k_around_bodies = 2.0f;
+    if (!step.obstacles.empty())
+        target = k_around_bodies * ambient_;
+    for (const detail::PlacedObstacle& body : step.obstacles) {
+        const float turning =
+            body.spin == glm::vec3(0.0f) ? 0.0f : glm::length(body.spin) * glm::length(detail::half_extent(body.shape));
+        target = std::max(target, k_around_bodies * (largest_component(body.velocity) + turning));
+    }
     const float longest_eddy = step.tile ? step.tile->bound() : 0.0f;
     for (const MotorReach& motor : step.motors) {
         if (motor.law == MotorReach::Law::drive)

@@ -14,7 +14,6 @@ namespace windrow::vulkan {
 Wind::State::State(std::unique_ptr<Air> air, const Config& config, const Settings& how, const AmbientWind& ambient)
     : core(config, ambient, cells), cells(core, read_backs, std::move(air)), settings(how) {
     core.start();
-    core.obstacles.close(k_no_obstacles);
 }
 
 Wind::Wind(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -28,9 +27,11 @@ namespace {
 // requests between two frames. Few recordings approach it; a pool of timestamps takes 8 bytes each.
 std::uint32_t laps_of(const Config& config, const Passes& passes) {
     constexpr std::uint64_t k_beside = 32, k_a_tick = 16, k_most = 16384;
-    const std::uint64_t substep = passes.substep(DiffusionMethod::implicit).size();
+    // Around obstacles: five passes for each further solve, one for rooms; 16 solves in the first step and for sources.
+    const std::uint64_t around = 6 * static_cast<std::uint64_t>(std::max(config.pressure_solves, 2)) + 2, first = 3 * 6 * 16;
+    const std::uint64_t substep = passes.substep(DiffusionMethod::implicit).size() + around;
     const std::uint64_t tick =
-        k_a_tick + passes.source_solve().size() + static_cast<std::uint64_t>(config.max_substeps) * substep;
+        k_a_tick + first + passes.source_solve().size() + static_cast<std::uint64_t>(config.max_substeps) * substep;
     return static_cast<std::uint32_t>(std::min(k_most, k_beside + static_cast<std::uint64_t>(config.ticks.max_per_call) * tick));
 }
 
@@ -69,7 +70,8 @@ Air::Settings air_settings(const Config& config, const Settings& settings) {
             .textures = settings.textures,
             .gusts = settings.gusts || config.gusts.intensity > 0.0f || config.gusts.tile, // detail needs the tile alone
             .reads = reads_of(config, settings),
-            .exported = settings.export_textures};
+            .exported = settings.export_textures,
+            .obstacles = settings.obstacles};
 }
 
 } // namespace

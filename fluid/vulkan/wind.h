@@ -43,7 +43,7 @@ struct Settings {
     /// Times each pass on the device (pass_times). Default off: it costs two timestamps a dispatch, and holds a pass back until
     /// the one before it has ended. Rejected where the queue family has no timestamps (timestampValidBits is 0).
     bool timestamps = false;
-    /// What comes back to the host with each frame, besides the report of 32 bytes (read_back.h). Default none: a game that only
+    /// What comes back to the host with each frame, besides the report of 48 bytes (read_back.h). Default none: a game that only
     /// samples on the device reads nothing. Nothing comes back while the air sleeps, nor in a pause without changes, except for
     /// points that are given and a box that moved.
     ReadBack queries = ReadBack::none;
@@ -56,6 +56,9 @@ struct Settings {
     /// none. Each texture has memory of its own then. Rejected where the device does not export such images, was made without
     /// VK_KHR_external_memory_fd or _win32, or where Host::memory allocates.
     VkExternalMemoryHandleTypeFlagBits export_textures{};
+    /// Makes the passes for obstacles on creation. Default: with the first obstacle in the box, in whose recording the driver
+    /// then compiles them.
+    bool obstacles = false;
 };
 inline constexpr int k_max_read_points = 4096;
 
@@ -129,7 +132,8 @@ class Wind {
     // --- As of windrow::Wind -----------------------------------------------------------------------------------------------
     [[nodiscard]] Motors& motors();
     [[nodiscard]] const Motors& motors() const;
-    /// Rejects every obstacle: they act in a wind on the CPU alone.
+    /// Bodies that the air flows around. The host rasterises them where they or the box move, and device memory grows with what is
+    /// rasterised. Without memory for that a step does without them, and Diagnostics::out_of_memory says it.
     [[nodiscard]] Obstacles& obstacles();
     [[nodiscard]] const Obstacles& obstacles() const;
     [[nodiscard]] Result<void> set_ambient(glm::vec3 ambient);

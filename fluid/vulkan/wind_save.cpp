@@ -14,13 +14,14 @@ void Wind::State::record_save(VkCommandBuffer commands) {
     save.reset();
     save_error.clear();
     bool noted = windrow::detail::memory_lasts([&] {
-        auto air = SavedAir::create(cells.air->device(), core.config.cells);
+        const DeviceSurface surface = cells.air->surface();
+        auto air = SavedAir::create(cells.air->device(), core.config.cells, surface.keys.size());
         if (!air) {
             save_error = air.error();
             return;
         }
         cells.hold_gusts();
-        auto draft = draft_snapshot(core, cells.air->fresh());
+        auto draft = draft_snapshot(core, cells.air->fresh(), surface);
         save.emplace(WindSave{.slot = slot, .air = *std::move(air), .draft = std::move(draft), .shown = {}});
         if (core.frames)
             save->shown.emplace(core.frames->shown);
@@ -92,6 +93,9 @@ Result<RestoredAir> restored(Device& device, const WindCore& core, const cpu::Ce
     }
     air.fresh = cells.air.fresh;
     air.undiffused_time = cells.air.undiffused_time;
+    auto surface = cells.surface_history();
+    air.surface = {.keys = std::move(surface.keys), .shift = surface.shift};
+    air.terms = std::move(surface.terms);
     if (!trouble.empty())
         return Error{"the snapshot's cells were not loaded: " + trouble};
     return air;
@@ -106,10 +110,11 @@ Result<void> Wind::State::continue_from(windrow::Wind::State& from) {
     core.place = from.core.place;
     core.ambient = from.core.ambient;
     core.motors = std::move(from.core.motors);
+    core.obstacles = std::move(from.core.obstacles);
     core.source_name = from.core.source_name;
     core.sleep = from.core.sleep;
     core.frames = from.core.frames;
-    cells.continue_from(*std::move(air));
+    cells.continue_from(*std::move(air), from.cells.air.velocity);
     textures.written = 2; // by the first recording, before all else
     recorded.emplace(core.shown());
     recorded_before.emplace(core.frames ? core.frames->shown_before : core.shown());
@@ -121,9 +126,6 @@ Result<Wind> Wind::load(const Host& host, std::span<const std::byte> bytes, cons
         auto saved = windrow::Wind::load(bytes);
         if (!saved)
             return Error{saved.error()};
-        if (saved->obstacles().count() > 0)
-            return Error{windrow::detail::message("snapshot cannot be used: it has ", saved->obstacles().count(), " obstacles. ",
-                                                  k_no_obstacles)};
         auto wind = create(host, saved->config(), settings);
         if (!wind)
             return wind;

@@ -26,9 +26,6 @@ struct WindSave {
     std::optional<ShownFrame> shown; ///< with ticks
 };
 
-inline constexpr const char* k_no_obstacles =
-    "A wind on a device takes no obstacles: use windrow::Wind, on the CPU, or remove them.";
-
 struct Wind::State {
     State(std::unique_ptr<Air> air, const Config& config, const Settings& settings, const AmbientWind& ambient);
 

@@ -8,10 +8,16 @@
 
 layout(std430, set = 0, binding = 2) buffer Velocity { vec4 velocity[]; };
 layout(std430, set = 0, binding = 3) buffer Before { vec4 before[]; };
+#define WINDROW_SOLIDS 5
+#include "fluid/solids.glsl"
 
 void main() {
     const ivec3 cell = ivec3(gl_GlobalInvocationID);
     if (!inside(cell, tick.cells))
+        return;
+    const ivec3 placed = cell + tick.shift; // where it was as the obstacles were placed
+    if (has_rooms() && all(greaterThanEqual(placed, ivec3(0))) && inside(placed, tick.cells) &&
+        record_is(solid_record(placed), WINDROW_ROOM)) // no wind blows there
         return;
     const int at = cell_index(cell);
     vec3 wind;

@@ -14,8 +14,12 @@ layout(std430, set = 0, binding = 5) readonly buffer Drives { vec4 drives[]; };
 layout(std430, set = 0, binding = 6) readonly buffer History { vec4 history[]; };
 layout(std430, set = 0, binding = 7) readonly buffer SourceFlow { vec4 source_flow[]; };
 layout(std430, set = 0, binding = 8) writeonly buffer Arrived { vec4 arrived[]; };
+#define WINDROW_SOLIDS 10
 #include "fluid/given.glsl"
+#include "fluid/ghosts.glsl"
 #include "fluid/hold.glsl"
+
+layout(constant_id = 3) const bool k_careful = false; // bodies may be thin, or rooms closed
 
 ivec3 strides() {
     const int row = tick.cells.x + WINDROW_HALO;
@@ -35,6 +39,8 @@ int locate(ivec3 cell, vec3 displacement, ivec3 stride, bool wraps, out vec3 fra
     }
     return offset;
 }
+
+#include "fluid/careful.glsl"
 
 vec3 lerp(vec3 a, vec3 b, float t) { return a + t * (b - a); }
 
@@ -106,6 +112,26 @@ vec3 held(vec3 w, ivec3 cell, int at) {
     return windrow_held_arriving(w + given, pressure, hold) - given;
 }
 
+// The velocity that a trajectory begins with.
+vec3 velocity_of(ivec3 cell) {
+    const int at = cell_index(cell);
+    vec3 u = velocity[now(at)].xyz;
+    if (is_on(WINDROW_STABLE_FLUIDS) && is_on(WINDROW_PUSHES))
+        u += control.substep_duration * force[at].xyz;
+    return u;
+}
+
+// The same inside of bodies too: what advection brings there counts where a face is open in part.
+vec3 departing_velocity(ivec3 cell) {
+    const int record = record_at(cell);
+    vec3 sum = vec3(0.0f);
+    for (int n = 0; n < max(term_count(record), 1); ++n) {
+        const AirTerm term = term_of(cell, record, n);
+        sum += term.weight * mirrored(velocity_of(term.cell), term, term.wall);
+    }
+    return sum;
+}
+
 void main() {
     const ivec3 cell = ivec3(gl_GlobalInvocationID);
     if (!inside(cell, tick.cells))
@@ -116,9 +142,7 @@ void main() {
     const bool classic = is_on(WINDROW_STABLE_FLUIDS);
     vec3 result;
     if (is_on(WINDROW_ADVECTS)) {
-        vec3 u = velocity[now(at)].xyz;
-        if (classic && is_on(WINDROW_PUSHES))
-            u += dt * force[at].xyz;
+        const vec3 u = departing_velocity(cell);
         const float cells_per_speed = dt / tick.cell_size;
         const int traces = stride.z * (tick.cells.z + WINDROW_HALO);
         vec3 t;
@@ -129,6 +153,12 @@ void main() {
         result = is_on(WINDROW_LINEAR) ? sample_linear(from, t, stride) : sample_cubic(from, t, stride);
         if (is_on(WINDROW_GUSTS))
             result += given_carried(result, cell, at, displacement, stride);
+        if (k_careful && has_obstacles()) {
+            const int byte = solid_byte(solid_number(cell));
+            const bool room = (byte & WINDROW_BYTE_ROOM) != 0;
+            if (room || is_beside_thin(byte))
+                result = careful_result(result, cell, u, room, stride);
+        }
     } else {
         const ivec3 place = cell + WINDROW_HALO_LOW;
         result = read(place.x + stride.y * place.y + stride.z * place.z);

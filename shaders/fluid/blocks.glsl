@@ -28,6 +28,10 @@
 #define WINDROW_ONE_PASS                                                                                                         \
     16384                    // its explicit pass is all there is: it acts for as long as that may, and leaves the rest for later
 #define WINDROW_LIMITS 65536 // limit.comp is recorded: speeds may be cut
+#define WINDROW_OBSTACLES 131072    // in the box
+#define WINDROW_ROOMS 262144        // some of the air is in closed rooms
+#define WINDROW_THIN 524288         // a read may pass through a body
+#define WINDROW_BODIES_MOVE 1048576 // some obstacle moves
 
 // Of a tick. An axis is a component of the vec4s of which xyz alone are used.
 struct WindrowStep {
@@ -52,7 +56,7 @@ struct WindrowStep {
     float viscosity;                    // [m^2/s]
     vec3 gust_speed;                    // [texels/s] at which gusts are carried
     int exposes;                        // bits of WINDROW_PLACE for cells that a shift before the tick exposes; 0: none
-    ivec3 shift;                        // [cells] of the box, of these
+    ivec3 shift;                        // [cells] of the box, of these; of adjust.comp: since obstacles were placed
     int exposed_value;                  // WINDROW_PLACE_AMBIENT or _ZERO
     vec4 low, high;                     // positions where a trajectory may end [cells, from the first centre]
     vec4 period;                        // cells of a periodic axis, else 0
@@ -92,7 +96,7 @@ struct WindrowControl {
     uint limited_cells;         // as these
 };
 
-// What the host reads of the last tick of a recording: 32 bytes.
+// What the host reads of the last tick of a recording: 48 bytes.
 struct WindrowReport {
     float largest_component;  // [m/s] after the tick
     float apart;              // [m/s] largest difference from the ambient wind in a component
@@ -102,7 +106,65 @@ struct WindrowReport {
     uint limited_cells;       // as these
     float squares;            // [m^2/s^2] sum of |u|^2
     float divergence_squares; // [1/s^2] sum of the squared divergence
+    float pressure_residual;  // around obstacles: left of the divergence at their surfaces
+    uint pressure_solves;     // direct solves of the last sub-step around obstacles
+    uint unused_a, unused_b;
 };
+
+// --- Obstacles (solids.glsl) -------------------------------------------------------------------------------------------------
+
+// Head of the tables: where each begins, in words behind the head.
+struct WindrowSolids {
+    int rows;    // first record of each row of x, and the end of the last
+    int columns; // x of each record
+    int records; // WINDROW_RECORD words each: flags and body, six faces, first air term and their number, surface cell
+    int faces;   // WINDROW_FACE words each
+    int terms;   // WINDROW_TERM words each: air that a cell inside takes its value from
+    int bodies;  // WINDROW_BODY words each: velocity, spin, position
+    int surface; // record and cell of each surface cell
+    int bytes;   // four cells a word
+    int rooms;   // end of each room's cells, and whether it has come into the box with this placement
+    int room_cells;
+    int face_count, surface_count, room_count;
+    int before;         // for each face, which one it was at the last placement; -1: new
+    float thinnest;     // [cells] thickness of the thinnest body
+    int farthest;       // [cells] largest reach that the bytes know
+    int history;        // where the slopes of the last steps' phi over closed faces are in the work words
+    int history_before; // the same of the last placement
+};
+#define WINDROW_RECORD 10
+#define WINDROW_FACE 8
+#define WINDROW_TERM 4
+#define WINDROW_BODY 9
+// Flags of a record.
+#define WINDROW_INSIDE 1
+#define WINDROW_SHUT 2
+#define WINDROW_SHELTERED 4
+#define WINDROW_ROOM 8
+#define WINDROW_BODY_SHIFT 5
+// Of a face, behind its axis.
+#define WINDROW_LOW_SHUT 4
+#define WINDROW_LOW_SHELTERED 16
+#define WINDROW_FACE_NO_SLIP 64
+// Of a term: the axis across a closed face is behind the cell's number.
+#define WINDROW_TERM_AXIS_SHIFT 29
+// A cell's byte: three blocked faces, then
+#define WINDROW_BYTE_INSIDE 8
+#define WINDROW_BYTE_ROOM 16
+#define WINDROW_BYTE_REACH_SHIFT 5 // reach from which its reads stop at closed faces; 0: none up to WindrowSolids.farthest
+#define WINDROW_FARTHEST_REACH 6   // most that it may be
+
+// Around obstacles: where the conjugate gradients are, then words of each surface cell and face.
+struct WindrowAround {
+    float alpha, beta; // phi = potential + earlier steps + alpha (correction + beta direction)
+    float squares;     // of the last residual in the norm of the preconditioner
+    float wanted;      // norm of the divergence at the surface before the solves
+    float left;        // norm of the residual
+    int solved;
+    int stopped;     // 1: below the tolerance
+    int corrections; // solves after the first
+};
+#define WINDROW_SURFACE_WORDS 4 // residual, L d, d, scratch
 
 // A point whose wind the host asked for: u = ambient + fraction (trilinear - ambient).
 struct WindrowPoint {
@@ -138,6 +200,25 @@ struct WindrowStagePush {
     int x_even;    // even vectors of x, which come first; all where its ends differ
     int z_even;
     int forward; // 1: cells to modes
+    int solve;   // around obstacles: 0 the first, then corrections
+};
+
+// surface.comp: after each direct solve around obstacles.
+struct WindrowSurfacePush {
+    int substep;
+    int part; // as WindrowStagePush, of modes_forward
+    int solve;
+    int solves;      // of this sub-step
+    float tolerance; // residual at which they stop
+};
+
+// rooms.comp.
+#define WINDROW_STILL_NEW_ROOMS 0
+#define WINDROW_SEAL_SOURCES 1
+#define WINDROW_BOUND_ROOMS 2
+struct WindrowRoomsPush {
+    int substep;
+    int work; // one of these
 };
 
 // A tile of a transform: most floats, and most products of an invocation (modes.glsl).

@@ -10,7 +10,9 @@ layout(std430, set = 0, binding = 3) readonly buffer Force { vec4 force[]; };
 layout(std430, set = 0, binding = 4) readonly buffer SourceFlow { vec4 source_flow[]; };
 layout(std430, set = 0, binding = 5) readonly buffer Rules { WindrowRule rules[]; };
 layout(std430, set = 0, binding = 6) writeonly buffer Diffused { vec4 diffused[]; };
+#define WINDROW_SOLIDS 8
 #include "fluid/given.glsl"
+#include "fluid/ghosts.glsl"
 #include "fluid/viscosity.glsl"
 
 vec3 beside(ivec3 cell, int axis, int step) {
@@ -20,7 +22,65 @@ vec3 beside(ivec3 cell, int axis, int step) {
         return still_wind();
     ivec3 from = cell;
     from[axis] = rule.source;
-    return rule.scale.xyz * solved_part(from, cell_index(from)) + rule.offset.xyz;
+    return rule.scale.xyz * solved_cell(from, record_at(from)) + rule.offset.xyz;
+}
+
+// What closed faces change: they have no flux, or that of a wall to which the air sticks.
+vec3 closed_flux(ivec3 cell, int record, vec3 here) {
+    vec3 sum = vec3(0.0f);
+    const vec3 wind = is_on(WINDROW_GUSTS) && !record_is(record, WINDROW_SHELTERED) ? wind_at(cell, elapsed(), true) : vec3(0.0f);
+    for (int axis = 0; axis < 3; ++axis)
+        for (int end = 0; end < 2; ++end) {
+            const int n = record_face(record, axis, end);
+            if (n < 0)
+                continue;
+            const SolidFace face = solid_face(n);
+            const ivec3 other = solid_cell(face.cell[end]);
+            vec3 place = vec3(solid_cell(face.cell[0])) + 0.5f;
+            place[axis] += 0.5f;
+            const vec3 next = solved_cell(other, solid_record(other));
+            const vec3 stuck = 2.0f * (body_velocity(face.body, place) - wind - here);
+            vec3 flux = vec3(0.0f);
+            if (face_is_no_slip(face))
+                flux = stuck;
+            else
+                flux[axis] = stuck[axis];
+            sum += face.closed * (flux - (next - here));
+        }
+    return sum;
+}
+
+// v of a cell of air with the drag of the walls beside it, before an implicit pass, which is that of the empty box.
+vec3 dragged_air(ivec3 cell, int record, float ratio) {
+    vec3 v = solved_part(cell, cell_index(cell));
+    if (record < 0)
+        return v;
+    const vec3 wind = is_on(WINDROW_GUSTS) && !record_is(record, WINDROW_SHELTERED) ? wind_at(cell, elapsed(), true) : vec3(0.0f);
+    for (int n = 0; n < 6; ++n) { // in the order of the faces
+        const int axis = n < 3 ? 2 - n : n - 3, number = record_face(record, axis, n / 3);
+        if (number < 0)
+            continue;
+        const SolidFace face = solid_face(number);
+        vec3 place = vec3(solid_cell(face.cell[0])) + 0.5f;
+        place[axis] += 0.5f;
+        const float way = 2.0f * ratio * face.closed, part = way / (1.0f + way);
+        const vec3 apart = body_velocity(face.body, place) - wind - v;
+        if (face_is_no_slip(face))
+            v += part * apart;
+        else
+            v[axis] += part * apart[axis];
+    }
+    return v;
+}
+
+// Cells inside take the air's values, so that they exchange nothing with it.
+vec3 dragged_cell(ivec3 cell, int record, float ratio) {
+    vec3 sum = vec3(0.0f);
+    for (int n = 0; n < max(term_count(record), 1); ++n) {
+        const AirTerm term = term_of(cell, record, n);
+        sum += term.weight * dragged_air(term.cell, record_at(term.cell), ratio);
+    }
+    return sum;
 }
 
 void main() {
@@ -29,12 +89,17 @@ void main() {
         return;
     const int at = cell_index(cell);
     const float ratio = diffusion_ratio();
-    vec3 v = solved_part(cell, at);
+    const int record = record_at(cell);
+    vec3 v = is_implicit() ? dragged_cell(cell, record, ratio) : solved_cell(cell, record);
     if (ratio > 0.0f && !is_implicit()) {
-        const vec3 sum = ((beside(cell, 0, -1) + beside(cell, 0, 1)) + (beside(cell, 1, -1) + beside(cell, 1, 1))) +
-                         (beside(cell, 2, -1) + beside(cell, 2, 1));
+        vec3 around[6];
+        for (int n = 0; n < 6; ++n)
+            around[n] = beside(cell, n / 2, 2 * (n % 2) - 1);
+        const vec3 sum = ((around[0] + around[1]) + (around[2] + around[3])) + (around[4] + around[5]);
         precise const vec3 rest = sum - 6.0f * v;
+        const vec3 walls = record < 0 ? vec3(0.0f) : closed_flux(cell, record, v);
         v += ratio * rest; // 0 to the bit where v is uniform, since it is not contracted
+        v += ratio * walls;
     }
     diffused[at] = vec4(v, 0.0f);
 }

@@ -14,6 +14,14 @@ layout(std430, set = 0, binding = 3) readonly buffer Arrived { vec4 arrived[]; }
 layout(std430, set = 0, binding = 4) buffer SourceFlow { vec4 source_flow[]; };
 layout(std430, set = 0, binding = 5) buffer Velocity { vec4 velocity[]; };
 layout(std430, set = 0, binding = 6) buffer History { vec4 history[]; };
+layout(std430, set = 0, binding = 8) readonly buffer Correction { float correction[]; };
+layout(std430, set = 0, binding = 9) readonly buffer Direction { float direction[]; };
+#define WINDROW_SOLIDS 10
+#include "fluid/solids.glsl"
+#define WINDROW_AROUND 11
+#define WINDROW_AROUND_ACCESS readonly
+#include "fluid/around.glsl"
+#include "fluid/closed_slope.glsl"
 
 void main() {
     const ivec3 cell = ivec3(gl_GlobalInvocationID);
@@ -26,20 +34,30 @@ void main() {
             float below, above;
             const int low = cell_index(neighbour(cell, axis, -1, tick.potential_low, tick.potential_high, below));
             const int high = cell_index(neighbour(cell, axis, 1, tick.potential_low, tick.potential_high, above));
-            slope[axis] = 0.5f * (above * potential[high] - below * potential[low]);
+            slope[axis] = 0.5f * (above * phi_at(high) - below * phi_at(low));
         }
+    const int record = has_obstacles() ? solid_record(cell) : -1;
+    if (record >= 0 && is_on(WINDROW_PROJECTS))
+        slope -= closed_slopes(record);
     vec3 u = arrived[at].xyz - slope;
     if (!is_on(WINDROW_STABLE_FLUIDS)) {
         const WindrowPast p = past();
         vec3 q = p.weight * slope;
         if (p.kept != 0.0f)
             q += p.kept * history[at].xyz;
+        if (record_is(record, WINDROW_INSIDE)) // no past where a body leaves a cell
+            q = vec3(0.0f);
         history[at] = vec4(q, 0.0f);
     }
     if (is_on(WINDROW_HAS_SOURCE_FLOW))
         u += source_flow[at].xyz;
-    if (is_on(WINDROW_GUSTS))
+    if (record_is(record, WINDROW_INSIDE) && is_on(WINDROW_PROJECTS)) {
+        u = is_on(WINDROW_BODIES_MOVE) ? body_velocity(record_body(record), vec3(cell) + 0.5f) : vec3(0.0f);
+        if (is_on(WINDROW_HAS_SOURCE_FLOW))
+            u += source_flow[at].xyz;
+    } else if (is_on(WINDROW_GUSTS) && !record_is(record, WINDROW_SHELTERED)) {
         u += wind_at(cell, elapsed() + control.substep_duration, true);
+    }
     if (is_fresh()) {
         velocity[ago(at)] = vec4(2.0f * velocity[now(at)].xyz - u, 0.0f);
         return;
@@ -56,4 +74,6 @@ void main() {
         }
     }
     velocity[ago(at)] = vec4(u, 0.0f); // which the next sub-step begins with
+    if (record_is(record, WINDROW_INSIDE) && !is_on(WINDROW_STABLE_FLUIDS))
+        velocity[now(at)] = vec4(u, 0.0f);
 }

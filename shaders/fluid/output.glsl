@@ -11,11 +11,13 @@ layout(std430, set = 0, binding = 3) readonly buffer Before { vec4 before[]; };
 layout(std430, set = 0, binding = 4) readonly buffer Expansion { float expansion[]; };
 // of |u|^2 and of the squared divergence, a work group each
 layout(std430, set = 0, binding = 5) writeonly buffer Sums { vec2 sums[]; };
+#define WINDROW_SOLIDS 7
+#include "fluid/solids.glsl"
 #ifdef WINDROW_VECTORS
-#define WINDROW_FIRST_AXIS 8
-layout(WINDROW_VECTORS, set = 0, binding = 7) writeonly uniform image3D vectors;
+#define WINDROW_FIRST_AXIS 9
+layout(WINDROW_VECTORS, set = 0, binding = 8) writeonly uniform image3D vectors;
 #else
-#define WINDROW_FIRST_AXIS 7
+#define WINDROW_FIRST_AXIS 8
 #endif
 #ifdef WINDROW_AXES
 layout(WINDROW_AXES, set = 0, binding = WINDROW_FIRST_AXIS) writeonly uniform image3D axis_x;
@@ -37,6 +39,24 @@ void write_texels(ivec3 cell, vec3 u) {
 
 #define WINDROW_FIELD(at) velocity[now(at)]
 #include "fluid/divergence.glsl"
+
+// Beyond that of the empty box, times h.
+float through_closed_faces(int record) {
+    float sum = 0.0f;
+    for (int axis = 0; axis < 3; ++axis)
+        for (int end = 0; end < 2; ++end) {
+            const int n = record_face(record, axis, end);
+            if (n < 0)
+                continue;
+            const SolidFace face = solid_face(n);
+            const float passed = 0.5f * face.closed *
+                                     (WINDROW_FIELD(cell_index(solid_cell(face.cell[0])))[axis] +
+                                      WINDROW_FIELD(cell_index(solid_cell(face.cell[1])))[axis]) -
+                                 face.wall;
+            sum += end == 1 ? -passed : passed;
+        }
+    return sum;
+}
 #include "fluid/shown.glsl"
 
 layout(constant_id = 3) const int k_group = 128; // invocations
@@ -57,15 +77,21 @@ void main() {
         write_texels(cell, shown_cell(at, push.factor).xyz);
         if (reports) {
             float divergence = 0.0f;
-            if (is_on(WINDROW_PROJECTS)) {
+            const int record = has_obstacles() ? solid_record(cell) : -1;
+            const bool within = record_is(record, WINDROW_INSIDE);
+            if (is_on(WINDROW_PROJECTS) && !within) {
                 divergence = 0.5f / tick.cell_size * differences(cell);
+                if (record >= 0)
+                    divergence += through_closed_faces(record) / tick.cell_size;
                 if (is_on(WINDROW_EXPANDS))
                     divergence -= expansion[at];
             }
             parts[local] = vec2(dot(u.xyz, u.xyz), divergence * divergence);
             atomicMax(group_largest, floatBitsToUint(largest_component(u.xyz)));
-            const vec3 around = wind_at(cell, tick.duration + elapsed(), is_on(WINDROW_GUSTS));
-            atomicMax(group_apart, floatBitsToUint(largest_component(u.xyz - around)));
+            const vec3 around =
+                record_is(record, WINDROW_ROOM) ? vec3(0.0f) : wind_at(cell, tick.duration + elapsed(), is_on(WINDROW_GUSTS));
+            if (!within)
+                atomicMax(group_apart, floatBitsToUint(largest_component(u.xyz - around)));
         }
     }
     if (!reports)

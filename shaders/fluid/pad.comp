@@ -17,7 +17,9 @@ layout(std430, set = 0, binding = 6) readonly buffer SourceFlow { vec4 source_fl
 layout(std430, set = 0, binding = 7) readonly buffer Diffused { vec4 diffused[]; };
 layout(std430, set = 0, binding = 8) readonly buffer Rules { WindrowRule rules[]; };
 layout(std430, set = 0, binding = 9) writeonly buffer Padded { vec4 padded[]; }; // R of all cells, then V, then A
+#define WINDROW_SOLIDS 11
 #include "fluid/given.glsl"
+#include "fluid/ghosts.glsl"
 #include "fluid/hold.glsl"
 
 // The mean wind's factor in a row of the padded field.
@@ -32,6 +34,43 @@ float bend_of_row(int row, int first, int rows) {
     if (!is_on(WINDROW_PROFILE) || tick.period.y != 0.0f || row == 0 || row + 1 == rows)
         return 0.0f;
     return profile_of_row(row - 1, first) - 2.0f * profile_of_row(row, first) + profile_of_row(row + 1, first);
+}
+
+// What the advection takes of a cell of air: carried, then its history and change at departure together, and V.
+struct Departing {
+    vec3 carried, held, trace;
+};
+
+vec3 relaxed(vec3 carried, ivec3 cell, int record) {
+    if (!is_on(WINDROW_RELAXES))
+        return carried;
+    const vec3 around = record_is(record, WINDROW_ROOM) ? vec3(0.0f) : solved_ambient(cell);
+    return around + (1.0f / (1.0f + control.substep_duration / tick.relaxation_time)) * (carried - around);
+}
+
+Departing departing(ivec3 cell, int record) {
+    const int source = cell_index(cell);
+    Departing air;
+    air.carried = is_on(WINDROW_DIFFUSES) ? diffused[source].xyz : solved_part(cell, source);
+    air.held = vec3(0.0f);
+    vec3 u = velocity[now(source)].xyz;
+    if (is_on(WINDROW_STABLE_FLUIDS)) {
+        if (is_on(WINDROW_PUSHES))
+            u += control.substep_duration * force[source].xyz;
+    } else {
+        if (!is_fresh()) {
+            u += past().scale * (u - velocity[ago(source)].xyz);
+            air.held -= past().scale * history[source].xyz;
+        }
+        if (is_on(WINDROW_PUSHES))
+            air.held += (0.5f * control.substep_duration) * force[source].xyz;
+        if (anything_holds()) {
+            const vec3 whole = relaxed(air.carried, cell, record) + given_part(cell, source, elapsed());
+            air.held += windrow_held_departing(whole, hold_of(cell, source)) - whole;
+        }
+    }
+    air.trace = u;
+    return air;
 }
 
 void main() {
@@ -66,37 +105,23 @@ void main() {
         padded[trace_at] = vec4(wind_at(here, elapsed(), is_on(WINDROW_GUSTS)), 0.0f);
         return;
     }
-    const int source = cell_index(cell);
-    vec3 carried = is_on(WINDROW_DIFFUSES) ? diffused[source].xyz : solved_part(cell, source);
-    if (is_on(WINDROW_RELAXES)) {
-        const vec3 around = solved_ambient(cell);
-        carried = around + (1.0f / (1.0f + control.substep_duration / tick.relaxation_time)) * (carried - around);
+    const int record = record_at(cell);
+    Departing air;
+    air.carried = air.held = air.trace = vec3(0.0f);
+    for (int n = 0; n < max(term_count(record), 1); ++n) {
+        const AirTerm term = term_of(cell, record, n);
+        const Departing source = departing(term.cell, record_at(term.cell));
+        air.carried += term.weight * mirrored(source.carried, term, wall_of(term, record));
+        air.held += term.weight * mirrored(source.held, term, 0.0f);
+        air.trace += term.weight * mirrored(source.trace, term, term.wall);
     }
-    vec3 change = vec3(0.0f); // at departure
-    if (!is_on(WINDROW_STABLE_FLUIDS)) {
-        if (is_on(WINDROW_PUSHES))
-            change += (0.5f * control.substep_duration) * force[source].xyz;
-        if (anything_holds()) {
-            const vec3 whole = carried + given_part(cell, source, elapsed());
-            change += windrow_held_departing(whole, hold_of(cell, source)) - whole;
-        }
-    }
-    vec3 u = velocity[now(source)].xyz;
-    if (is_on(WINDROW_STABLE_FLUIDS)) {
-        if (is_on(WINDROW_PUSHES))
-            u += control.substep_duration * force[source].xyz;
-    } else if (!is_fresh()) {
-        u += past().scale * (u - velocity[ago(source)].xyz);
-    }
+    vec3 carried = relaxed(air.carried, cell, record), u = air.trace;
     if (!identity) {
         carried = scale * carried + offset;
         u = scale * u + offset;
     }
-    if (!is_on(WINDROW_STABLE_FLUIDS)) {
-        if (!is_fresh())
-            carried -= past().scale * (history_scale * history[source].xyz);
-        carried += history_scale * change;
-    }
+    if (!is_on(WINDROW_STABLE_FLUIDS))
+        carried += history_scale * air.held;
     padded[at] = vec4(carried, 0.0f);
     padded[trace_at] = vec4(u, 0.0f);
 }

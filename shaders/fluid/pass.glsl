@@ -29,6 +29,11 @@ layout(push_constant) uniform Push { WINDROW_PUSH push; };
 
 bool is_on(int bit) { return (tick.flags & bit) != 0; }
 
+// Passes are made anew with the first obstacle, so that without one they hold no code for them.
+layout(constant_id = 7) const bool k_obstacles = false;
+bool has_obstacles() { return k_obstacles && is_on(WINDROW_OBSTACLES); }
+bool has_rooms() { return k_obstacles && is_on(WINDROW_ROOMS); }
+
 // Index of a cell in an array of the box's cells in order.
 int linear_index(ivec3 cell) { return (cell.z * tick.cells.y + cell.y) * tick.cells.x + cell.x; }
 

@@ -10,7 +10,8 @@
 #include "fluid/pass.glsl"
 
 layout(std430, set = 0, binding = 2) readonly buffer Sums { vec2 sums[]; };
-layout(std430, set = 0, binding = 3) writeonly buffer Slot { WindrowReport report; };
+layout(std430, set = 0, binding = 3) readonly buffer Around { WindrowAround around; };
+layout(std430, set = 0, binding = 4) writeonly buffer Slot { WindrowReport report; };
 
 layout(constant_id = 3) const int k_group = 256; // invocations
 shared vec2 totals[k_group], lost[k_group];
@@ -57,4 +58,7 @@ void main() {
     report.limited_cells = control.limited_cells;
     report.squares = whole(total.x, rounded.x);
     report.divergence_squares = whole(total.y, rounded.y);
+    const bool any = has_obstacles();
+    report.pressure_residual = any && around.wanted > 0.0f ? around.left / around.wanted : 0.0f;
+    report.pressure_solves = any ? uint(around.solved) : 0u;
 }

@@ -11,6 +11,14 @@ layout(std430, set = 0, binding = 2) readonly buffer Potential { float potential
 layout(std430, set = 0, binding = 3) buffer SourceFlow { vec4 source_flow[]; };
 layout(std430, set = 0, binding = 4) buffer Velocity { vec4 velocity[]; };
 layout(std430, set = 0, binding = 5) writeonly buffer History { vec4 history[]; };
+layout(std430, set = 0, binding = 8) readonly buffer Correction { float correction[]; };
+layout(std430, set = 0, binding = 9) readonly buffer Direction { float direction[]; };
+#define WINDROW_SOLIDS 10
+#include "fluid/solids.glsl"
+#define WINDROW_AROUND 11
+#define WINDROW_AROUND_ACCESS readonly
+#include "fluid/around.glsl"
+#include "fluid/closed_slope.glsl"
 #define WINDROW_MOTORS 7
 #include "fluid/free_air.glsl"
 #include "fluid/guard.glsl"
@@ -25,14 +33,17 @@ void main() {
     if (inside(cell, tick.cells)) {
         const int at = cell_index(cell);
         vec3 flow = vec3(0.0f);
-        if (is_on(WINDROW_EXPANDS))
+        const int record = has_obstacles() ? solid_record(cell) : -1;
+        if (is_on(WINDROW_EXPANDS) && !record_is(record, WINDROW_INSIDE))
             for (int axis = 0; axis < 3; ++axis) {
                 float below, above;
                 const int low = cell_index(neighbour(cell, axis, -1, tick.potential_low, tick.potential_high, below));
                 const int high = cell_index(neighbour(cell, axis, 1, tick.potential_low, tick.potential_high, above));
-                flow[axis] = -0.5f * (above * potential[high] - below * potential[low]);
+                flow[axis] = -0.5f * (above * phi_at(high) - below * phi_at(low));
                 flow[axis] -= 0.5f * (beyond(cell, axis, 1) - beyond(cell, axis, -1));
             }
+        if (is_on(WINDROW_EXPANDS) && record >= 0 && !record_is(record, WINDROW_INSIDE))
+            flow += closed_slopes(record);
         const vec4 change = vec4(flow - source_flow[at].xyz, 0.0f);
         source_flow[at] = vec4(flow, 0.0f);
         vec4 u = velocity[now(at)] + change;

@@ -21,6 +21,8 @@ layout(std430, set = 0, binding = 7) writeonly buffer Drives { vec4 drives[]; };
 layout(std430, set = 0, binding = 8) writeonly buffer Expansion { float expansion[]; };
 layout(std430, set = 0, binding = 9) readonly buffer Motors { WindrowMotor motors[]; };
 
+#define WINDROW_SOLIDS 11
+#include "fluid/solids.glsl"
 #include "fluid/exposed.glsl"
 #include "fluid/guard.glsl"
 
@@ -66,7 +68,9 @@ void main() {
         vec3 pushed = vec3(0.0f);
         vec4 driven = vec4(0.0f);
         float let_in = 0.0f;
-        for (int n = 0; n < tick.motors; ++n) {
+        const int record = has_obstacles() ? solid_record(cell) : -1;
+        const int motors_here = record_is(record, WINDROW_INSIDE) ? 0 : tick.motors; // they act on the air alone
+        for (int n = 0; n < motors_here; ++n) {
             if (any(lessThan(cell, ivec3(motors[n].low[0], motors[n].low[1], motors[n].low[2]))) ||
                 any(greaterThanEqual(cell, ivec3(motors[n].high[0], motors[n].high[1], motors[n].high[2]))))
                 continue;

@@ -177,10 +177,10 @@ TEST(MotorFlows, AVentBlowsAsInFreeAir) {
                     points.push_back(mirrored);
             }
         double squares[4] = {}, own[4] = {};
-        for_each_cell(cells, [&](int i, int j, int k) {
+        for_each_cell(cells, [&, centre = place](int i, int j, int k) {
             const glm::ivec3 cell(i, j, k);
             const glm::dvec3 x = glm::dvec3(cell) + 0.5;
-            if (glm::distance(x, place) < k_radius + 2.0) // the ball, and what its few cells make of it
+            if (glm::distance(x, centre) < k_radius + 2.0) // the ball, and what its few cells make of it
                 return;
             glm::dvec3 truth(0.0);
             for (const SourcePoint& point : points) {

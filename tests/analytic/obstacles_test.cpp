@@ -65,6 +65,26 @@ TEST(Obstacles, ACylinderHasItsMassAdded) {
     }
 }
 
+// Nearer to 1 in a larger box, as the circle of its area predicts.
+TEST(Obstacles, ACylinderHasMoreMassAddedInALargerBox) {
+    constexpr int k_cells = 16; // a diameter
+    constexpr float k_size = 1.0f / k_cells;
+    double offset_before = 0.0;
+    for (const int diameters : {6, 12, 24}) {
+        Box box{.cells = {diameters * k_cells, 1, diameters * k_cells}, .cell_size = k_size};
+        box.boundaries.y_low = box.boundaries.y_high = {BoundaryKind::free_slip};
+        const double area = static_cast<double>(diameters * diameters) / k_pi, in_box = (area - 0.25) / (area + 0.25);
+        const double mass = added_mass(Cylinder{.radius = 0.5f, .half_length = 10.0f}, box, k_pi * 0.25 / k_cells,
+                                       glm::vec3(0.37f, 0.0f, 0.08f) * k_size);
+        EXPECT_NEAR(mass, in_box, 0.05) << diameters << " diameters";
+        const double offset = mass - in_box;
+        if (diameters > 6) {
+            EXPECT_NEAR(offset, offset_before, 5e-3) << diameters << " diameters";
+        }
+        offset_before = offset;
+    }
+}
+
 // A rigid body's own motion has no divergence, whatever faces it cuts.
 TEST(Obstacles, ABodyThatTurnsInItsShapeMovesNoAir) {
     const Box box{.cells = {24, 24, 24}, .cell_size = 0.5f, .boundaries = Boundaries::all(BoundaryKind::free_slip)};

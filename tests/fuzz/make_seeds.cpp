@@ -52,11 +52,15 @@ void add_motors(Wind& wind) {
 
 void add_obstacles(Wind& wind) {
     const glm::quat aslant(1.0f, 0.5f, -2.0f, 0.0f);
+    const MeshData tetrahedron{.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                               .triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
     const Obstacle obstacles[] = {
         {.position = {0.5, 0.0, 0.0}, .orientation = aslant},
         {.shape = Sphere{0.75f}, .surface = Surface::no_slip},
         {.shape = Capsule{.half_axis = {0.0f, 1.0f, 0.5f}}},
         {.shape = Cylinder{}},
+        {.shape = MeshShape{*TriangleMesh::create(tetrahedron), 1.5f}},
+        {.shape = VoxelShape{*VoxelGrid::create({.cells = {2, 1, 2}, .closed = {1, 1, 0, 1}}), 0.5f}},
         {.orientation = aslant, .shape = Plate{}},
     };
     ObstacleId last;

@@ -7,10 +7,19 @@
 namespace windrow::fuzz {
 namespace {
 
+// One closed cell.
+constexpr std::string_view k_voxels("VOX \x96\0\0\0"
+                                    "MAIN\0\0\0\0\x2c\0\0\0"
+                                    "SIZE\x0c\0\0\0\0\0\0\0\1\0\0\0\1\0\0\0\1\0\0\0"
+                                    "XYZI\x08\0\0\0\0\0\0\0\1\0\0\0\0\0\0\1",
+                                    64);
+
 const std::filesystem::path& scene_file() {
     static const ScratchFolder folder;
     static const std::filesystem::path file = [] {
         folder.write("path.csv", "t,x,y,z\n0,0,0,0\n1,2,0,1\n3,4,1,0\n");
+        folder.write("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+        folder.write("tower.vox", k_voxels);
         return folder.path() / "scene.json";
     }();
     return file;

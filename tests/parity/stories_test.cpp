@@ -39,6 +39,8 @@ class Stories : public vulkan::Gpu {
         EXPECT_TRUE(wind) << wind.error();
         for (const StoryMotor& one : story.motors)
             EXPECT_TRUE(wind->motors().add(one.motor));
+        for (const StoryObstacle& one : story.obstacles)
+            EXPECT_TRUE(wind->obstacles().add(one.obstacle));
         for (int n = 0; n < 3; ++n) {
             EXPECT_TRUE(wind->follow(static_cast<double>(n) * story.dt * story.walk));
             EXPECT_TRUE(wind->set_ambient({1.0f, 0.0f, 0.1f * static_cast<float>(n)}));
@@ -85,7 +87,8 @@ TEST_F(Stories, EachKindOfPassIsWithinItsBounds) {
 
 // That it does run each kind, by the device's own account.
 TEST_F(Stories, TheStoryOfEachKindOfPassLeavesNoneOut) {
-    const std::set<std::string> ran = passes_of(story_named(k_every_pass_story));
+    std::set<std::string> ran = passes_of(story_named(k_every_pass_story));
+    ran.merge(passes_of(story_named(k_obstacles_story)));
     using vulkan::Pass;
     const std::set<Pass> others = {Pass::read_cells, Pass::read_points}; // where the host asks for them
     for (std::size_t n = 0; n < vulkan::k_passes; ++n)

@@ -30,6 +30,33 @@ class WindSubsteps : public WindParity {
     }
 };
 
+// One solve around bodies at rest takes one dispatch more than the empty box; each further one four, and two more where x and z have
+// passes of their own.
+TEST_F(WindSubsteps, ObstaclesTakeOneDispatchMoreAndFourASolve) {
+    const Config empty{.cells = {32, 16, 32}, .boundaries = Boundaries::open_over_floor(), .ambient = {3.0f, 0.0f, 1.0f}};
+    const auto with = [&](const Obstacle& obstacle, int solves) {
+        Config config = empty;
+        config.pressure_solves = solves;
+        return counts(config, [&](Wind& wind, int n) {
+            if (n == 0) {
+                EXPECT_TRUE(wind.obstacles().add(obstacle));
+            }
+        });
+    };
+    const int none = counts(empty,
+                            [](Wind& wind, int n) { // a fan keeps it awake
+                                if (n == 0) {
+                                    EXPECT_TRUE(wind.motors().add(DirectionalMotor{}));
+                                }
+                            })
+                         .dispatches;
+    const Obstacle house{.shape = Block{{3.0f, 3.0f, 2.0f}}}, fence{.shape = Plate{{3.0f, 3.0f}}};
+    EXPECT_EQ(with(house, 0).dispatches, none + 1);
+    EXPECT_EQ(with(fence, 0).dispatches, none + 1);
+    EXPECT_EQ(with(fence, 2).dispatches, none + 1 + 4);
+    EXPECT_EQ(with(fence, 5).dispatches, none + 1 + 4 * 4);
+}
+
 // Ticks of 30 Hz in air of 1 m. Quiet: a fan. Walk: shifts, a profile, gusts, a fan, a wake, a canopy. Storm: 150 m/s, of which a
 // sub-step carries 60.
 TEST_F(WindSubsteps, ATickRecordsWhatItNeeds) {

@@ -88,7 +88,8 @@ struct StepTaken {
     if (report.diffusion != method && !pays)
         return differs("diffusion", static_cast<int>(report.diffusion), static_cast<int>(method));
     const StageTimes& times = report.times_ms;
-    const double stages = times.sources + times.ambient + times.diffusion + times.advection + times.projection + times.report;
+    const double stages =
+        times.sources + times.ambient + times.diffusion + times.advection + times.projection + times.obstacles + times.report;
     if (!(stages <= times.total * (1.0 + 1e-9)))
         return differs("the time of all stages", stages, times.total);
     return {};

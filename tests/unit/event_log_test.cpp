@@ -4,6 +4,7 @@
 #include "fluid/bytes.h"
 #include "fluid/event_log.h"
 #include "fluid/thread_pool.h"
+#include "tests/shapes.h"
 #include "tests/unit/snapshot_session.h"
 
 #include <array>
@@ -48,10 +49,12 @@ glm::quat random_turn(Random& random) {
 }
 
 Obstacle random_obstacle(Random& random) {
-    const Shape shapes[] = {Sphere{random.uniform(0.2f, 2.0f)}, Capsule{}, Block{}, Cylinder{}, Plate{}};
+    static const MeshShape ball{mesh_of(ball_mesh(1.0f, 1))}, room{mesh_of(room_mesh({2.0f, 1.0f, 1.5f}, 0.2f)), 1.5f};
+    static const VoxelShape step{grid_of({.cells = {2, 2, 1}, .closed = {1, 0, 1, 1}}), 0.75f};
+    const Shape shapes[] = {Sphere{random.uniform(0.2f, 2.0f)}, Capsule{}, Block{}, Cylinder{}, Plate{}, ball, room, step};
     return {.position = random.point(6.0),
             .orientation = random_turn(random),
-            .shape = shapes[random.integer(0, 4)],
+            .shape = shapes[random.integer(0, 7)],
             .surface = static_cast<Surface>(random.integer(0, 1))};
 }
 
@@ -245,6 +248,7 @@ TEST(Replay, RejectsWhatTheCallsReject) {
         {MotorSet{{7, 1}, OmniMotor{}}, "(set): motor 7"},
         {MotorRemoved{{7, 1}}, "(remove): motor 7"},
         {ObstacleAdded{{0, 1}, {.shape = Sphere{-1.0f}}}, "(add_obstacle): obstacle.shape.sphere.radius is -1"},
+        {ObstacleAdded{{0, 1}, {.shape = MeshShape{}}}, "(add_obstacle): obstacle.shape.mesh has no mesh: give one that"},
         {ObstacleSet{{7, 1}, {}}, "(set_obstacle): obstacle 7"},
         {ObstacleMoved{{7, 1}, {}, {}}, "(move_obstacle): obstacle 7"},
         {ObstacleRemoved{{7, 1}}, "(remove_obstacle): obstacle 7"},

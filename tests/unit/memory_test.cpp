@@ -4,8 +4,10 @@
 #include "tests/unit/counted_new.h"
 #include "tests/winds.h"
 
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <glm/gtc/quaternion.hpp>
 #include <new>
 #include <optional>
 
@@ -202,6 +204,44 @@ TEST(Memory, ATickOfObstaclesAllocatesNothing) {
     EXPECT_TRUE(accepted);
     EXPECT_GT(placed, 300u);
     WINDROW_EXPECT_FIGURE("allocations_in_100_ticks_of_obstacles", double(in_ticks), 0.0);
+}
+
+// Bodies that move, turn and pass through the box, a thin plate, a walk of the box along a
+// street. The first steps make the room for bodies as they come into the box; what moves on finds it made.
+TEST(Memory, AStepOfMovingBodiesAllocatesNothing) {
+    for (const bool gusty : {false, true}) {
+        Config config{.cells = {32, 12, 24}, .boundaries = Boundaries::open_over_floor(), .centre = {0.0, 6.0, 0.0}};
+        config.ambient = {6.0f, 0.0f, 1.0f};
+        config.viscosity = 0.5f;
+        if (gusty)
+            config.gusts = {.intensity = 0.2f};
+        Wind wind = made(config);
+        const auto turned = [](double angle) { return glm::quat(glm::angleAxis(angle, glm::dvec3(0.0, 1.0, 0.0))); };
+        const auto placed = [&](const Obstacle& obstacle) { return *wind.obstacles().add(obstacle); };
+        for (int n = -3; n < 12; ++n) // a street
+            placed({.position = {9.0 * n, 3.0, n % 2 == 0 ? 9.0 : -9.0},
+                    .orientation = turned(n % 2 == 0 ? 0.3 : -0.2),
+                    .shape = Block{{2.5f, 3.0f, 2.0f}}});
+        const ObstacleId fence = placed({.position = {2.0, 2.0, 4.0}, .shape = Plate{{3.0f, 2.0f}}}),
+                         train = placed({.position = {0.0, 2.0, -4.0}, .shape = Block{{4.0f, 2.0f, 1.3f}}}),
+                         ball = placed({.position = {0.0, 6.0, 0.0}, .shape = Sphere{2.2f}});
+        std::int64_t in_steps = 0;
+        bool accepted = true;
+        for (int n = 0; n < 180; ++n) {
+            const double at = 0.2 * n; // [m] of the box
+            const std::int64_t before = allocations;
+            accepted = accepted && wind.follow({at, 6.0, 0.0});
+            accepted = accepted && wind.obstacles().move(fence, {at + 2.0, 2.0, 4.0}, turned(0.05 * n));
+            accepted = accepted && wind.obstacles().move(train, {at + 6.0 * std::sin(0.07 * n), 2.0, -4.0}, turned(0.02 * n));
+            accepted = accepted && wind.obstacles().move(ball, {at + std::sin(0.2 * n), 6.0 + std::cos(0.2 * n), 0.0});
+            (void)wind.step(n % 5 == 0 ? 0.1 : 1.0 / 30.0);
+            if (n >= 100)
+                in_steps += allocations - before;
+        }
+        EXPECT_TRUE(accepted);
+        WINDROW_EXPECT_FIGURE(std::string("allocations_in_80_steps_of_bodies") + (gusty ? "_in_gusts" : ""), double(in_steps),
+                              0.0);
+    }
 }
 
 TEST(Memory, AStepOfUpToASecondAllocatesNothing) {

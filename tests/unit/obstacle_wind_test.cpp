@@ -4,7 +4,10 @@
 #include "fluid/event_log.h"
 #include "fluid/thread_pool.h"
 #include "fluid/wind_state.h"
+#include "tests/shapes.h"
 #include "tests/unit/snapshot_session.h"
+
+#include <array>
 
 namespace {
 
@@ -23,6 +26,11 @@ std::vector<ObstacleId> add_bodies(Wind& wind) {
         {.position = {1.0, 2.0, 3.0}, .shape = Capsule{.half_axis = {0.0f, 1.0f, 0.5f}}},
         {.position = {-4.0, 1.0, -3.0}, .shape = Sphere{1.1f}},
         {.position = {90.0, 1.0, -3.0}},
+        {.position = {-2.0, -1.0, -2.0},
+         .orientation = glm::quat(1, 0, 2, 0),
+         .shape = MeshShape{mesh_of(room_mesh({1.0f, 1.0f, 1.5f}, 0.2f))}},
+        {.position = {4.0, -1.0, 3.0}, .shape = MeshShape{mesh_of(room_mesh({1.0f, 1.0f, 1.5f}, 0.2f)), 0.5f}},
+        {.position = {0.0, -3.0, 0.0}, .shape = VoxelShape{grid_of({.cells = {3, 1, 3}, .closed = {1, 0, 1, 0, 1, 0, 1, 1, 1}})}},
     };
     std::vector<ObstacleId> ids;
     for (const Obstacle& body : bodies)
@@ -117,7 +125,7 @@ TEST(SnapshotWithObstacles, GoesOnToTheSameBits) {
         const Bytes bytes = *first.save();
         Wind again = loaded(bytes);
         ASSERT_EQ(*again.save(), bytes);
-        EXPECT_EQ(again.obstacles().count(), 5);
+        EXPECT_EQ(again.obstacles().count(), 8);
         for (int n = 9; n < 40; ++n) {
             for (Wind* wind : {&first, &again}) {
                 if (n < 25) // then they come to rest
@@ -184,6 +192,24 @@ TEST(SnapshotWithObstacles, EachFieldCounts) {
         [](Obstacle& o) {
             o.shape = Plate{{1, 2}};
         },
+        [](Obstacle& o) { o.shape = MeshShape{mesh_of(box_mesh(glm::vec3(1.0f)))}; },
+        [](Obstacle& o) { o.shape = MeshShape{mesh_of(box_mesh(glm::vec3(2.0f)))}; },
+        [](Obstacle& o) { o.shape = MeshShape{mesh_of(inside_out(box_mesh(glm::vec3(1.0f))))}; },
+        [](Obstacle& o) {
+            o.shape = MeshShape{mesh_of(box_mesh(glm::vec3(1.0f))), 2.0f};
+        },
+        [](Obstacle& o) {
+            o.shape = VoxelShape{grid_of({.cells = {2, 1, 1}, .closed = {1, 1}})};
+        },
+        [](Obstacle& o) {
+            o.shape = VoxelShape{grid_of({.cells = {2, 1, 1}, .closed = {0, 1}})};
+        },
+        [](Obstacle& o) {
+            o.shape = VoxelShape{grid_of({.cells = {1, 2, 1}, .closed = {1, 1}})};
+        },
+        [](Obstacle& o) {
+            o.shape = VoxelShape{grid_of({.cells = {2, 1, 1}, .closed = {1, 1}}), 2.0f};
+        },
     };
     std::vector<Bytes> seen;
     for (const Change& change : changes) {
@@ -195,6 +221,69 @@ TEST(SnapshotWithObstacles, EachFieldCounts) {
         EXPECT_EQ(std::find(seen.begin(), seen.end(), bytes), seen.end()) << "change " << seen.size() << " leaves no trace";
         EXPECT_EQ(*loaded(bytes).save(), bytes) << "change " << seen.size();
         seen.push_back(bytes);
+    }
+}
+
+TEST(SnapshotWithObstacles, EqualMeshesAreSavedOnceAndShared) {
+    const MeshData data = ball_mesh(1.0f, 3);
+    const auto bytes_of = [&](int count) {
+        Wind wind = made({.cells = {2, 2, 2}});
+        for (int n = 0; n < count; ++n)
+            EXPECT_TRUE(wind.obstacles().add({.position = {5.0 * n, 0.0, 0.0}, .shape = MeshShape{mesh_of(data)}}));
+        return *wind.save();
+    };
+    const std::size_t mesh = data.vertices.size() * sizeof(glm::vec3) + data.triangles.size() * sizeof(glm::uvec3);
+    const Bytes one = bytes_of(1), ten = bytes_of(10);
+    EXPECT_GT(one.size(), mesh);
+    EXPECT_LT(ten.size(), one.size() + mesh / 4);
+    Wind again = loaded(ten);
+    EXPECT_EQ(*again.save(), ten);
+    const TriangleMesh* first = nullptr;
+    for (const Obstacles::Slot& slot : again.obstacles().slots()) {
+        const TriangleMesh* const here = std::get<MeshShape>(slot.obstacle.shape).mesh.get();
+        EXPECT_TRUE(first == nullptr || here == first);
+        first = here;
+    }
+}
+
+TEST(SnapshotWithObstacles, ForgedMeshesAreRejected) {
+    Wind wind = made({.cells = {1, 1, 1}});
+    ASSERT_TRUE(wind.obstacles().add({.shape = MeshShape{mesh_of(box_mesh(glm::vec3(77.0f)))}}));
+    ASSERT_TRUE(wind.obstacles().add({.shape = VoxelShape{grid_of({.cells = {3, 1, 1}, .closed = {1, 0, 1}}), 55.0f}}));
+    const Bytes bytes = *wind.save();
+    const auto layout = detail::load_number<std::uint32_t>(bytes.data() + detail::k_letters);
+    const auto find = [&](auto number) {
+        std::array<std::byte, sizeof number> wanted;
+        detail::store_number(wanted.data(), number);
+        return static_cast<std::size_t>(std::search(bytes.begin(), bytes.end(), wanted.begin(), wanted.end()) - bytes.begin());
+    };
+    const std::size_t corner = find(-77.0f); // the first vertex: before it its count and the mesh's number
+    ASSERT_LT(corner, bytes.size());
+    const std::size_t triangles = corner + 8 * sizeof(glm::vec3), bits = find(55.0f) - 1;
+    const auto rejection = [&](std::size_t at, auto number) {
+        Bytes forged(bytes.begin(), bytes.end() - static_cast<std::ptrdiff_t>(detail::k_checksum_bytes));
+        detail::store_number(&forged[at], number);
+        detail::seal(forged, {"WINDSNAP", layout, "", ""});
+        const auto read = Wind::load(forged);
+        return read ? std::string() : read.error();
+    };
+    const std::tuple<std::string, std::string> said[] = {
+        {rejection(corner - 8, 1u), "the form of a body has the number 1, but only 0 are before it."},
+        {rejection(corner - 8, ~0u), "snapshot cannot be used"},
+        {rejection(corner - 4, 1u << 30), "its length is 1073741824 items of 12 bytes or more"},
+        {rejection(corner, k_nan), "vertex 0 of the mesh is at (nan, -77, -77) m"},
+        {rejection(corner, 1.0f), ""},                         // another closed mesh
+        {rejection(corner, 77.0f), "snapshot cannot be used"}, // two vertices at one place
+        {rejection(triangles + 4, 99u), "triangle 0 of the mesh has the vertex 99 of 8"},
+        {rejection(triangles + 4, 3u), "the mesh"},
+        {rejection(bits, std::uint8_t{0}), "the voxel grid has no closed cell"},
+        {rejection(bits, std::uint8_t{9}), "a voxel grid has cells beyond its last."},
+        {rejection(bits - 4, 0u), "a voxel grid's size is out of range."},
+        {rejection(bits - 4, 5000u), "a voxel grid's size is out of range."},
+    };
+    for (const auto& [sentence, reason] : said) {
+        EXPECT_EQ(sentence.empty(), reason.empty()) << reason;
+        EXPECT_NE(sentence.find(reason), std::string::npos) << sentence << " is not " << reason;
     }
 }
 

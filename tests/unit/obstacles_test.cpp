@@ -1,6 +1,7 @@
 // The list of obstacles: handles, capacity, what is rejected, and what a tick hands to the air.
 
 #include "fluid/wind_state.h"
+#include "tests/shapes.h"
 #include "tests/winds.h"
 
 #include <array>
@@ -28,8 +29,8 @@ std::vector<PlacedObstacle> ticked(Obstacles& obstacles, double duration = 1.0 /
 }
 
 bool same(const PlacedObstacle& a, const PlacedObstacle& b) {
-    return a.shape.index() == b.shape.index() && detail::half_extent(a.shape) == detail::half_extent(b.shape) &&
-           a.surface == b.surface && a.position == b.position && a.axes == b.axes && a.velocity == b.velocity && a.spin == b.spin;
+    return detail::same(a.shape, b.shape) && a.surface == b.surface && a.position == b.position && a.axes == b.axes &&
+           a.velocity == b.velocity && a.spin == b.spin;
 }
 bool same(const std::vector<PlacedObstacle>& a, const std::vector<PlacedObstacle>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) { return same(x, y); });
@@ -116,6 +117,13 @@ TEST(Obstacles, RejectWhatIsNoBody) {
         {{.shape = Sphere{0.0f}}, "obstacle.shape.sphere.radius is 0 m: give a number above 0, at most 1e6 m."},
         {{.shape = Block{{1.0f, -1.0f, 1.0f}}},
          "obstacle.shape.block.half_size is (1, -1, 1) m: give each component a number above 0, at most 1e6 m."},
+        {{.shape = MeshShape{}}, "obstacle.shape.mesh has no mesh: give one that TriangleMesh::create made."},
+        {{.shape = VoxelShape{}}, "obstacle.shape.voxels has no grid: give one that VoxelGrid::create made."},
+        {{.shape = MeshShape{mesh_of(box_mesh({2.0f, 1.0f, 1.0f})), 0.0f}}, "obstacle.shape.mesh.scale is 0: give 1e-6 to 1e6."},
+        {{.shape = MeshShape{mesh_of(box_mesh({2.0f, 1.0f, 1.0f})), 1e6f}},
+         "obstacle.shape.mesh reaches 2e6 m from its origin: give at most 1e6 m."},
+        {{.shape = VoxelShape{grid_of({.cells = {4, 1, 1}, .closed = {1, 1, 1, 1}}), 1e6f}},
+         "obstacle.shape.voxels reaches 2e6 m from its origin: give at most 1e6 m."},
         {{.shape = Plate{{k_infinity, 1.0f}}},
          "obstacle.shape.plate.half_size is (inf, 1) m: give each component a number above 0, at most 1e6 m."},
         {{.surface = static_cast<Surface>(7)}, "obstacle.surface is 7: give free_slip or no_slip."},
@@ -190,11 +198,16 @@ TEST(Obstacles, TheSearchMissesNone) {
 TEST(Obstacles, TheOrderIsThatOfTheirContent) {
     Random random(4);
     std::vector<Obstacle> all;
-    for (int n = 0; n < 60; ++n)
+    for (int n = 0; n < 120; ++n) {
+        const MeshData ball = ball_mesh(1.0f + 0.1f * static_cast<float>(random.integer(0, 2)), 0); // a mesh for each obstacle
+        VoxelData grid{.cells = {2, 2, 1}, .closed = {1, 0, 1, static_cast<std::uint8_t>(random.integer(0, 1))}};
+        const Shape shapes[] = {Capsule{.half_axis = random.vector(2.0f)}, Block{}, MeshShape{mesh_of(ball)},
+                                VoxelShape{grid_of(grid), 0.5f}};
         all.push_back({.position = {double(random.integer(0, 2)), 16.0, 32.0},
                        .orientation = turned(90.0 * random.integer(0, 1)),
-                       .shape = random.integer(0, 1) == 0 ? Shape(Capsule{.half_axis = random.vector(2.0f)}) : Shape(Block{}),
+                       .shape = shapes[random.integer(0, 3)],
                        .surface = static_cast<Surface>(random.integer(0, 1))});
+    }
     Obstacles forward, backward;
     for (const Obstacle& one : all)
         (void)added(forward, one);

@@ -326,7 +326,7 @@ TEST_F(PicturesTest, WidthOutsideTheBoundsIsRejectedByName) {
     auto wind = cases::BackendWind::create({.cells = {4, 4, 4}});
     ASSERT_TRUE(wind);
     for (const int width : {1, 639, 8001, 10000, -5}) {
-        const auto drawn = draw_frame(**wind, 0.0, {}, {}, {.title = "", .width = width}, folder / "frame.png");
+        const auto drawn = draw_frame(**wind, 0.0, {}, {}, {}, {.title = "", .width = width}, folder / "frame.png");
         ASSERT_FALSE(drawn);
         EXPECT_NE(drawn.error().find("width " + std::to_string(width)), std::string::npos) << drawn.error();
         EXPECT_NE(drawn.error().find("frame.png"), std::string::npos) << drawn.error();
@@ -338,7 +338,7 @@ TEST_F(PicturesTest, FrameOfAWindIsOneFileThatKnowsItsTime) {
     auto wind = cases::BackendWind::create(
         {.cells = {8, 4, 8}, .boundaries = Boundaries::open_over_floor(), .ambient = {3.0f, 0.0f, 0.0f}});
     ASSERT_TRUE(wind);
-    ASSERT_TRUE(draw_frame(**wind, 3.4, {}, {}, {.title = "meadow", .width = 800}, folder / "frame.png"));
+    ASSERT_TRUE(draw_frame(**wind, 3.4, {}, {}, {}, {.title = "meadow", .width = 800}, folder / "frame.png"));
     EXPECT_EQ(entries(), 1);
     PngWords words;
     const auto png = read_png(folder / "frame.png", &words);
@@ -418,7 +418,7 @@ TEST_F(PicturesTest, ContactSheetOfARunHasTheLegendOnce) {
     std::vector<std::filesystem::path> frames;
     for (int frame = 0; frame < 4; ++frame) {
         frames.push_back(folder / (std::to_string(frame) + ".png"));
-        ASSERT_TRUE(draw_frame(**wind, frame, {}, {}, settings, frames.back()));
+        ASSERT_TRUE(draw_frame(**wind, frame, {}, {}, {}, settings, frames.back()));
     }
     const FrameParts parts = frame_parts(**wind, settings);
     const auto page = read_png(frames.front());

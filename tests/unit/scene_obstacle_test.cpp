@@ -39,6 +39,20 @@ TEST(SceneObstacles, AreReadWithTheirDefaults) {
     EXPECT_TRUE(std::holds_alternative<Block>(scene.obstacles[3].obstacle.shape));
 }
 
+TEST(SceneObstacles, BlockWhatPassesOrEndsInside) {
+    const Scene scene = town();
+    const auto standing = SceneMotion(scene).standing(2.5);
+    ASSERT_EQ(standing.size(), 4u);
+    const auto& house = standing[0]; // yawed by 90 degrees: half sizes 1, 2, 4 in the world, about 1, 2, 3
+    EXPECT_TRUE(house.blocks({-3, 2, 6}, {5, 2, 6})) << "through it";
+    EXPECT_TRUE(house.blocks({1, 2, 6}, {1, 2, 6})) << "a place inside";
+    EXPECT_TRUE(house.blocks({-3, 2, 6}, {1, 2, 6})) << "into it";
+    EXPECT_FALSE(house.blocks({-3, 2, 8}, {5, 2, 8})) << "past it";
+    EXPECT_FALSE(house.blocks({3, 2, 3}, {3, 2, 3})) << "inside, were it not turned";
+    EXPECT_TRUE(standing[2].blocks({-1, 0, 0.5}, {1, 0, 0.5})) << "the door is open by 90 degrees";
+    EXPECT_FALSE(standing[2].blocks({0.5, 0, -1}, {0.5, 0, 1}));
+}
+
 TEST(SceneObstacles, AnglesComeBack) {
     test::Random random(5);
     for (int n = 0; n < 100; ++n) {

@@ -1,6 +1,7 @@
 // The export to OpenVDB, read back with OpenVDB: values, places, names and rejections.
 
 #include "fluid/vdb/vdb_export.h"
+#include "fluid/wind.h"
 #include "tests/unit/vdb_fixture.h"
 
 #include <algorithm>
@@ -284,6 +285,64 @@ TEST(VdbExport, RejectionsNameTheFieldAndLeaveNothing) {
     grid.cell_size = -1.0f;
     const std::string reasons = vdb::write(grid, "", {.name = "", .time = infinity}).error();
     EXPECT_EQ(std::count(reasons.begin(), reasons.end(), '\n'), 3) << reasons;
+}
+
+// --- Obstacles -------------------------------------------------------------------------------------------------------
+
+TEST(VdbExport, MarksTheCellsInsideObstacles) {
+    const OwnFolder folder;
+    auto wind = Wind::create({.cells = {12, 8, 10}, .centre = {6.0, 4.0, 5.0}, .ambient = {2.0f, 0.0f, 0.0f}});
+    ASSERT_TRUE(wind);
+    (void)wind->step(0.05);
+    const auto written = [&](const std::string& name, const vdb::Options& options) {
+        EXPECT_TRUE(vdb::write(vdb::grid_of(*wind), folder / name, options));
+        return folder / name;
+    };
+    EXPECT_EQ(grid_names(written("none.vdb", {})), std::vector<std::string>{"vel"});
+    ASSERT_TRUE(wind->obstacles().add({.position = {100.0, 0.0, 0.0}}));
+    ASSERT_TRUE(wind->obstacles().add({.position = {2.3, 4.0, 5.0}, .shape = Plate{}}));
+    (void)wind->step(0.05);
+    EXPECT_EQ(grid_names(written("far.vdb", {})), std::vector<std::string>{"vel"}) << "a plate has no inside";
+
+    const ObstacleId house = *wind->obstacles().add({.position = {5.0, 2.0, 4.0}, .shape = Block{{2.0f, 1.0f, 3.0f}}});
+    (void)wind->step(0.05);
+    const auto inside = [](int i, int j, int k) { return i >= 3 && i < 7 && j >= 1 && j < 3 && k >= 1 && k < 7; };
+    for (const vdb::UpAxis up : {vdb::UpAxis::y, vdb::UpAxis::z})
+        for (const vdb::Form form : {vdb::Form::one_vector, vdb::Form::three_scalars}) {
+            const fs::path file = written("house.vdb", {.form = form, .up = up});
+            EXPECT_EQ(grid_names(file).size(), form == vdb::Form::one_vector ? 2u : 4u);
+            const auto grid = read<openvdb::FloatGrid>(file, "obstacle");
+            ASSERT_TRUE(grid);
+            EXPECT_EQ(grid->activeVoxelCount(), 12u * 8u * 10u);
+            EXPECT_EQ(grid->background(), 0.0f);
+            int wrong = 0;
+            for (int k = 0; k < 10; ++k)
+                for (int j = 0; j < 8; ++j)
+                    for (int i = 0; i < 12; ++i) {
+                        const openvdb::Coord voxel = up == vdb::UpAxis::y ? openvdb::Coord(i, j, k) : openvdb::Coord(i, 9 - k, j);
+                        wrong += grid->tree().getValue(voxel) != (inside(i, j, k) ? 1.0f : 0.0f);
+                    }
+            EXPECT_EQ(wrong, 0);
+        }
+    ASSERT_TRUE(wind->follow({7.0, 4.0, 5.0})); // the cells move with the box, before the next step too
+    EXPECT_EQ(read<openvdb::FloatGrid>(written("moved.vdb", {}), "obstacle")->tree().getValue({1, 1, 1}), 0.0f);
+    EXPECT_EQ(read<openvdb::FloatGrid>(written("moved.vdb", {}), "obstacle")->tree().getValue({2, 1, 1}), 1.0f);
+    ASSERT_TRUE(wind->obstacles().remove(house));
+    (void)wind->step(0.05);
+    EXPECT_EQ(grid_names(written("gone.vdb", {})), std::vector<std::string>{"vel"});
+}
+
+TEST(VdbExport, RejectsAMaskThatIsNone) {
+    const OwnFolder folder;
+    const WindBox air = uniform_air({2, 2, 2}, {1.0f, 0.0f, 0.0f});
+    vdb::VelocityGrid grid = air.grid();
+    grid.obstacle = {1.0f, 0.0f};
+    EXPECT_EQ(vdb::write(grid, folder / "a.vdb").error(), "obstacle holds 2 values and field 8: give as many, or none.");
+    grid.obstacle.assign(8, 2.0f);
+    EXPECT_EQ(vdb::write(grid, folder / "a.vdb").error(),
+              "obstacle holds values beyond 0 to 1: give 1 inside obstacles and 0 in the air.");
+    EXPECT_EQ(vdb::write(air.grid(), folder / "a.vdb", {.name = "obstacle"}).error(),
+              "name is \"obstacle\", the grid of the cells inside obstacles: give another, such as vel.");
 }
 
 } // namespace

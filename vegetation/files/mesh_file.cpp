@@ -2,10 +2,10 @@
 
 #include "fluid/input_file.h"
 #include "fluid/validation.h"
+#include "scene/obj_text.h"
 #include "vegetation/files/assimp_import.h"
 #include "vegetation/files/gltf_text.h"
 #include "vegetation/files/mesh_folder.h"
-#include "vegetation/files/obj_text.h"
 #include "vegetation/files/three_ds_chunks.h"
 #include "vegetation/fur/mesh_weld.h"
 
@@ -34,7 +34,7 @@ std::string ending_of(const fs::path& path) {
 }
 
 Result<Soup> read_obj(const fs::path& path, const std::string& bytes, Coats& coats, InputBudget& budget) {
-    auto obj = check_obj(bytes, path.string());
+    auto obj = windrow::scene::check_obj(bytes, path.string(), {k_max_vertices, k_max_triangles});
     if (!obj)
         return Error{obj.error()};
     for (const std::string& library : obj->libraries) {

@@ -1,7 +1,7 @@
 #include "vegetation/fur/fur_line.h"
 
+#include "fluid/text_lines.h"
 #include "fluid/validation.h"
-#include "vegetation/fur/text_lines.h"
 
 #include <array>
 #include <charconv>
@@ -9,7 +9,7 @@
 namespace windrow::vegetation::fur {
 namespace {
 
-using windrow::detail::message;
+using windrow::detail::message, windrow::detail::take_word, windrow::detail::TextLines, windrow::detail::trimmed;
 
 using windrow::Error;
 using windrow::Result;

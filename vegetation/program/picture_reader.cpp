@@ -7,6 +7,7 @@
 #include "vegetation/program/part_reader.h"
 #include "vegetation/trees/tree_presets.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 namespace windrow::vegetation::program {
@@ -28,6 +29,13 @@ std::vector<std::string> path_names(const json& document) {
 
 /// What only the whole tells: each camera of the run, and how many pictures there are.
 void judge(const PictureScene& scene, JsonObject& picture) {
+    const auto& obstacles = scene.air.obstacles;
+    for (std::size_t n = 0; n < scene.picture.obstacles.size(); ++n) {
+        const std::string& name = scene.picture.obstacles[n].name;
+        if (std::none_of(obstacles.begin(), obstacles.end(), [&](const auto& obstacle) { return obstacle.name == name; }))
+            picture.log().reject(picture.path() + ".obstacles[" + std::to_string(n) + "]",
+                                 "is for \"" + name + "\", but no obstacle of $.obstacles has that name: give one of theirs.");
+    }
     if (scene.frame_count() > windrow::scene::k_max_frames) {
         picture.reject("frames_per_second", "is " + figure(scene.frames_per_second()) + " 1/s, which makes " +
                                                 std::to_string(scene.frame_count()) + " pictures: give at most " +

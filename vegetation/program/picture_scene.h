@@ -19,6 +19,7 @@
 #include "vegetation/grass/placement_mask.h"
 #include "vegetation/program/body.h"
 #include "vegetation/render/grass_layer.h"
+#include "vegetation/render/obstacle_solid.h"
 #include "vegetation/render/scene.h"
 #include "vegetation/trees/stand_settings.h"
 
@@ -250,6 +251,7 @@ struct Picture {
     std::vector<Fan> fans{};
     std::optional<windrow::GroundConfig> ground_memory{};
     std::vector<Body> bodies{};
+    std::vector<render::ObstacleLook> obstacles{};
     std::vector<fur::Lamp> lamps{};
     windrow::Sampling sampling{};
 
@@ -273,6 +275,8 @@ struct Picture {
                     "A ground that remembers walkers and wind. Default: none; {} for its defaults."),
             Setting("bodies", &Picture::bodies, {0.0, 64.0},
                     "Standing or moving bodies with coats of shells: fur, feathers, grass, spikes, clouds."),
+            Setting("obstacles", &Picture::obstacles, {0.0, 256.0},
+                    "Colours and windows of the obstacles of $.obstacles, by their names; without them plaster and timber."),
             Setting("lamps", &Picture::lamps, {0.0, fur::k_max_lamps},
                     "Points of light beside the sun, which shine on coats and cast no shadow."),
             Setting("sampling", &Picture::sampling, "Sampling of the wind by plants."),

@@ -2,8 +2,8 @@
 //
 //     windrow-draw examples/scenes/meadow.json --out out/meadow      every frame as PNG, a contact sheet, a table of times
 //     windrow-draw SCENE.json --frames 1 --from 3.5 --size 1920x1080 one picture, of the moment 3.5 s
-//     windrow-draw SCENE.json --show slice                           the wind itself: arrows, slice; or what the plants do: lean,
-//                                                                    levels, chunks
+//     windrow-draw SCENE.json --show slice                           the wind itself: streaks, arrows, slice; or what plants do:
+//                                                                    lean, levels, chunks
 //     windrow-draw examples/scenes/looks/*.json --frames 1 --sheet looks.png       the first picture of each, side by side
 //     windrow-draw examples/scenes/fur/*.json --frames 1 --jpeg docs/gallery    the first picture of each, small, for a page
 //
@@ -226,9 +226,10 @@ int main(int argument_count, char** arguments) {
     CLI::App app("Draws scene files.", "windrow-draw");
     std::string size, show = "plants";
     double frames_per_second = 0.0;
-    const std::map<std::string, program::Show> shows{{"plants", program::Show::plants}, {"arrows", program::Show::arrows},
-                                                     {"slice", program::Show::slice},   {"lean", program::Show::lean},
-                                                     {"levels", program::Show::levels}, {"chunks", program::Show::chunks}};
+    const std::map<std::string, program::Show> shows{{"plants", program::Show::plants}, {"streaks", program::Show::streaks},
+                                                     {"arrows", program::Show::arrows}, {"slice", program::Show::slice},
+                                                     {"lean", program::Show::lean},     {"levels", program::Show::levels},
+                                                     {"chunks", program::Show::chunks}};
     app.add_option("scene", options.scenes, "scenes: JSON files, examples/scenes/scene.schema.json says of what")->required();
     app.add_option("--out", options.folder,
                    "where the pictures go, of several scenes in a folder each; default: out/NAME of the file");
@@ -242,7 +243,7 @@ int main(int argument_count, char** arguments) {
     app.add_option("--fps", frames_per_second, "frames a second; default: the scene's")->check(within(0.1, 10000.0));
     app.add_option("--size", size, "of a picture in pixels, as 1280x720; default: the scene's");
     app.add_option("--samples", options.shoot.samples, "a pixel, 1 or 4; default: 4")->check(CLI::IsMember({1, 4}));
-    app.add_option("--show", show, "plants, or arrows, slice, lean, levels, chunks");
+    app.add_option("--show", show, "plants, or with them streaks, arrows, slice of the wind; or lean, levels, chunks");
     app.add_flag("--exr", options.exr, "light and motion of each frame as OpenEXR too");
     app.add_flag("!--no-wind", options.shoot.wind, "without wind: what it costs");
     try {
@@ -255,7 +256,7 @@ int main(int argument_count, char** arguments) {
             return complain(fault, 2);
     const auto shown = shows.find(show);
     if (shown == shows.end())
-        return complain("--show is \"" + show + "\"; give one of plants, arrows, slice, lean, levels, chunks.", 2);
+        return complain("--show is \"" + show + "\"; give one of plants, streaks, arrows, slice, lean, levels, chunks.", 2);
     options.shoot.show = shown->second;
     if (frames_per_second > 0.0)
         options.shoot.frames_per_second = frames_per_second;

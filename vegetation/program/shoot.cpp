@@ -13,6 +13,11 @@ using windrow::Result;
 
 constexpr int k_max_ticks = 1000; // of windrow::Ticks in one frame
 
+glm::mat4 placed_at(const windrow::Obstacle& obstacle, glm::dvec3 anchor) {
+    const glm::mat4 moved = glm::translate(glm::mat4(1.0f), glm::vec3(obstacle.position - anchor));
+    return moved * glm::mat4_cast(glm::normalize(obstacle.orientation));
+}
+
 } // namespace
 
 Shoot::Shoot(const PictureScene& scene, const ShootSettings& settings)
@@ -46,10 +51,12 @@ Result<void> Shoot::make() {
         air.gusts = {};
         air.cells = glm::ivec3(8); // something to sample
     }
-    auto wind = windrow::vulkan::Wind::create(device_->host(), air,
-                                              {.frames_in_flight = engine::k_frames_in_flight,
-                                               .gusts = picture.sampling.detail > 0.0f,
-                                               .timestamps = settings_.pass_times});
+    auto wind = windrow::vulkan::Wind::create(
+        device_->host(), air,
+        {.frames_in_flight = engine::k_frames_in_flight,
+         .gusts = picture.sampling.detail > 0.0f,
+         .timestamps = settings_.pass_times,
+         .queries = settings_.show == Show::streaks ? windrow::vulkan::ReadBack::cells : windrow::vulkan::ReadBack::none});
     if (!wind)
         return Error{"$.air: " + wind.error()};
     wind_ = *std::move(wind);
@@ -93,6 +100,8 @@ Result<void> Shoot::make() {
     dressed_ = *std::move(dressed);
     dressed_->add_to(*renderer_);
     if (auto stand = make_bodies(targets); !stand)
+        return stand;
+    if (auto stand = make_obstacles(targets); !stand)
         return stand;
     if (auto seen = make_views(targets); !seen)
         return seen;
@@ -195,6 +204,48 @@ void Shoot::place_bodies(double time) {
     }
 }
 
+Result<void> Shoot::make_obstacles(const render::DrawTargets& targets) {
+    const auto& obstacles = scene_.air.obstacles;
+    const auto& looks = scene_.picture.obstacles;
+    std::vector<render::Solid> shapes{{}};
+    for (std::size_t n = 0; n < obstacles.size(); ++n) {
+        const windrow::scene::SceneObstacle& body = obstacles[n];
+        const auto look = std::find_if(looks.begin(), looks.end(), [&](const auto& one) { return one.name == body.name; });
+        const render::ObstacleLook drawn = look != looks.end() ? *look : render::ObstacleLook{};
+        if (drawn.hidden)
+            continue;
+        const render::Solid solid = render::obstacle_solid(body.obstacle.shape, drawn);
+        const bool always = body.from <= 0.0 && body.until > scene_.air.duration;
+        if (always && !body.path && !body.turn_path) {
+            render::add(shapes.front(), solid, placed_at(body.obstacle, anchor_));
+        } else {
+            shapes.push_back(solid);
+            moving_.push_back(n);
+        }
+    }
+    if (shapes.size() == 1 && shapes.front().empty())
+        return {};
+    auto made = render::Bodies::create(*device_, targets, shapes);
+    if (!made)
+        return Error{made.error()};
+    obstacles_ = *std::move(made);
+    renderer_->add(*obstacles_);
+    return {};
+}
+
+void Shoot::place_obstacles(double time) {
+    if (!obstacles_)
+        return;
+    const auto standing = motion_.standing(time);
+    for (std::size_t n = 0; n < moving_.size(); ++n) {
+        const auto* const body = &scene_.air.obstacles[moving_[n]];
+        const auto found = std::find_if(standing.begin(), standing.end(), [&](const auto& one) { return one.obstacle == body; });
+        // Of no size while it is not there.
+        obstacles_->place(n + 1, found != standing.end() ? placed_at(found->now, anchor_)
+                                                         : glm::scale(glm::mat4(1.0f), glm::vec3(0.0f)));
+    }
+}
+
 Result<void> Shoot::make_views(const render::DrawTargets& targets) {
     switch (settings_.show) {
     case Show::lean:
@@ -208,6 +259,8 @@ Result<void> Shoot::make_views(const render::DrawTargets& targets) {
         return {};
     case Show::plants:
         return {};
+    case Show::streaks:
+        return make_streaks(targets);
     case Show::arrows:
     case Show::slice:
         break;
@@ -228,6 +281,32 @@ Result<void> Shoot::make_views(const render::DrawTargets& targets) {
     return {};
 }
 
+Result<void> Shoot::make_streaks(const render::DrawTargets& targets) {
+    const windrow::Box box = wind_->box();
+    const render::StreakBox held{wind_->origin(), static_cast<double>(box.cell_size) * glm::dvec3(box.cells)};
+    auto made = render::WindStreaks::create(*device_, targets, {}, held);
+    if (!made)
+        return Error{made.error()};
+    streaks_ = *std::move(made);
+    renderer_->add(*streaks_);
+    return {};
+}
+
+void Shoot::move_streaks(double time, double seconds) {
+    if (!streaks_)
+        return;
+    const auto standing = motion_.standing(time);
+    const auto blocked = [&](const glm::dvec3& from, const glm::dvec3& to) {
+        return std::any_of(standing.begin(), standing.end(), [&](const auto& body) { return body.blocks(from, to); });
+    };
+    const auto velocity = [&](std::span<const glm::dvec3> places, std::span<glm::vec3> velocities) {
+        if (const auto view = wind_->queried())
+            return view->velocity(places, velocities);
+        std::fill(velocities.begin(), velocities.end(), wind_->ambient());
+    };
+    streaks_->advance(seconds, velocity, blocked);
+}
+
 Result<void> Shoot::walk(const engine::Frame& frame, double start, double end) {
     if (!ground_)
         return {};
@@ -240,14 +319,21 @@ Result<void> Shoot::walk(const engine::Frame& frame, double start, double end) {
     return ground_->record(frame.commands, {.duration = end - start, .walkers = walkers});
 }
 
+Result<void> Shoot::place_motion(double start, double end) {
+    return motion_.place(*wind_, start, end);
+}
+
+Result<void> Shoot::record_air(const engine::Frame& frame, double dt) {
+    const auto recorded = wind_->record(frame.commands, {.dt = settings_.wind ? dt : 0.0, .slot = frame.slot});
+    return recorded ? Result<void>{} : Error{recorded.error()};
+}
+
 Result<void> Shoot::blow(const engine::Frame& frame, double start, double end) {
-    if (settings_.wind) {
-        if (auto placed = motion_.place(*wind_, start, end); !placed)
+    if (settings_.wind)
+        if (auto placed = place_motion(start, end); !placed)
             return placed;
-    }
-    const auto recorded = wind_->record(frame.commands, {.dt = settings_.wind ? end - start : 0.0, .slot = frame.slot});
-    if (!recorded)
-        return Error{recorded.error()};
+    if (auto recorded = record_air(frame, end - start); !recorded)
+        return recorded;
     return walk(frame, start, end);
 }
 
@@ -257,6 +343,7 @@ void Shoot::set_time_step(double seconds) {
 }
 
 Result<void> Shoot::swing(const engine::Frame& frame, double time, double seconds) {
+    move_streaks(time, seconds);
     if (trees_.empty() && dressed_->empty())
         return {};
     set_time_step(seconds);
@@ -274,13 +361,14 @@ Result<void> Shoot::warm_up() {
     const auto steps =
         static_cast<std::int64_t>(std::ceil(settings_.warm_up.value_or(scene_.picture.warm_up) * frames_per_second_));
     for (std::int64_t n = 0; n < steps; ++n) {
-        if (auto placed = motion_.place(*wind_, 0.0, 0.0); !placed)
+        if (auto placed = place_motion(0.0, 0.0); !placed)
             return placed;
         const auto frame = frames_->begin();
         if (!frame)
             return Error{frame.error()};
-        const auto recorded = wind_->record(frame->commands, {.dt = settings_.wind ? step : 0.0, .slot = frame->slot});
-        auto walked = recorded ? walk(*frame, 0.0, 0.0) : Result<void>(Error{recorded.error()});
+        auto walked = record_air(*frame, step);
+        if (walked)
+            walked = walk(*frame, 0.0, 0.0);
         if (walked)
             walked = swing(*frame, step * static_cast<double>(n + 1 - steps), step); // bodies come along to where they begin
         const auto submitted = frames_->submit(*frame);
@@ -313,6 +401,8 @@ Result<void> Shoot::draw(bool copied) {
     if (done) {
         renderer_->set_time(now);
         place_bodies(now);
+        place_obstacles(now);
+        move_streaks(now, now - start_of(frame_));
         set_time_step(now - start_of(frame_));
         if (arrows_)
             arrows_->place(glm::vec3(scene_.air.followed_point(now) - anchor_));

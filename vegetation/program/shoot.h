@@ -20,6 +20,7 @@
 #include "vegetation/render/grass_layer.h"
 #include "vegetation/render/renderer.h"
 #include "vegetation/render/wind_arrows.h"
+#include "vegetation/render/wind_streaks.h"
 #include "vegetation/trees/tree_stand.h"
 #include "vegetation/vulkan/frames.h"
 
@@ -31,7 +32,7 @@
 namespace windrow::vegetation::program {
 
 /// What the picture shows in place of, or beside, its plants' own colours.
-enum class Show { plants, arrows, slice, lean, levels, chunks };
+enum class Show { plants, streaks, arrows, slice, lean, levels, chunks };
 
 struct ShootSettings {
     std::optional<glm::ivec2> size{};          ///< [px] default: the scene's
@@ -87,7 +88,15 @@ class Shoot {
     windrow::Result<void> make_trees(const render::DrawTargets& targets);
     windrow::Result<void> make_bodies(const render::DrawTargets& targets);
     void place_bodies(double time);
+    windrow::Result<void> make_obstacles(const render::DrawTargets& targets);
+    void place_obstacles(double time);
+    /// What moves, put where it is in the time [s] from one to the other.
+    windrow::Result<void> place_motion(double start, double end);
+    /// The air's next `dt` [s].
+    windrow::Result<void> record_air(const engine::Frame& frame, double dt);
     windrow::Result<void> make_views(const render::DrawTargets& targets);
+    windrow::Result<void> make_streaks(const render::DrawTargets& targets);
+    void move_streaks(double time, double seconds);
     /// What swings from frame to frame, in one that is not drawn.
     windrow::Result<void> swing(const engine::Frame& frame, double time, double seconds);
     void set_time_step(double seconds);
@@ -112,7 +121,10 @@ class Shoot {
     std::vector<std::unique_ptr<trees::TreeStand>> trees_{};
     std::optional<DressedBodies> dressed_{};
     std::unique_ptr<render::Bodies> bodies_{};
+    std::unique_ptr<render::Bodies> obstacles_{}; ///< those at rest are the first body
+    std::vector<std::size_t> moving_{};           ///< indices in Scene::obstacles of the other bodies
     std::unique_ptr<render::WindArrows> arrows_{};
+    std::unique_ptr<render::WindStreaks> streaks_{};
     std::unique_ptr<engine::Frames> frames_{};
     std::int64_t frame_ = 0;
     render::VertexCounts counts_{};

@@ -129,6 +129,21 @@ TEST(PictureFault, KeysThatNobodyKnows) {
                     .starts_with("a.json: $.picture.grass[0].class is \"weat\": give one of \"grass\", \"wheat\", \"reed\""));
 }
 
+TEST(PictureFault, LooksOfObstacles) {
+    expect_rejection(R"({"obstacles": [{}, {"name": "roof"}]})",
+                     "a.json: $.picture.obstacles[0] is for \"obstacle\", but no obstacle of $.obstacles has that name: give one "
+                     "of theirs.\n"
+                     "a.json: $.picture.obstacles[1] is for \"roof\", but no obstacle of $.obstacles has that name: give one of "
+                     "theirs.");
+    expect_rejection(R"({"obstacles": [{"colour": [0.5, 2, 0]}]})",
+                     "a.json: $.picture.obstacles[0].colour[1] is 2: give 0 to 1.");
+    expect_rejection(
+        R"({"obstacles": [{"windows": {"width": 0, "pane": 1}}]})",
+        "a.json: $.picture.obstacles[0].windows.width is 0 m: give a number above 0, at most 1000 m.\n"
+        "a.json: $.picture.obstacles[0].windows.pane is not a known key (known: width, height, spacing, storey, sill, "
+        "door, glass, frame): rename or remove it.");
+}
+
 TEST(PictureFault, FaultsOfTheAirAndOfThePictureAreToldAtOnce) {
     const auto scene = read_picture_scene_text(R"({"tick_hz": 0, "picture": {"warm_up": -1}})", "a.json");
     ASSERT_FALSE(scene);

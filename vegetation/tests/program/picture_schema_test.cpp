@@ -13,12 +13,13 @@ using nlohmann::json;
 using test::Folder;
 
 /// So that each key is asked for; the class's own defaults are stated for grass, which this has.
-constexpr const char* k_bare = R"({"paths": {"a": {"points": [[0, 0, 0, 0]]}}, "picture": {
+constexpr const char* k_bare =
+    R"({"paths": {"a": {"points": [[0, 0, 0, 0]]}}, "obstacles": [{"shape": {"sphere": {}}}], "picture": {
     "grass": [{"mask": {"strokes": [{"paint": {}}, {"erase": {}}]}}], "trees": [{"places": [{}], "scatter": {"clear": [{}]}}], "fans": [{}], "ground_memory": {},
     "bodies": [{"mesh": {"file": {"name": "a.obj"}}, "skeleton": {"kind": "own", "bones": [{"swings": [{}]}]},
                 "coats": [{"spots": [{}], "inertia": {}, "cloud": {}}]},
                {"mesh": {"sheet": {}}}, {"mesh": {"globe_sphere": {}}}, {"mesh": {"cube_sphere": {}}}, {"mesh": {"wing": {}}}, {"mesh": {"beast": {}}}],
-    "lamps": [{}],
+    "obstacles": [{"windows": {}}], "lamps": [{}],
     "walkers": [{"path": "a", "airborne": [{"from": 0, "until": 1}]}]}})";
 
 TEST(PictureSchema, IsMadeOfTheReadersKeys) {

@@ -58,6 +58,7 @@ inline void write_specimen_files(const Folder& folder) {
 inline constexpr const char* k_specimen = R"({
     "duration": 5,
     "paths": {"eye": {"points": [[0, 1, 1.5, 2], [4, 5, 1.5, 2]]}, "sight": {"points": [[0, 1, 1, -20]]}},
+    "obstacles": [{"name": "house"}],
     "picture": {
         "size": [320, 200],
         "frames_per_second": 24.5,
@@ -128,6 +129,9 @@ inline constexpr const char* k_specimen = R"({
             {"mesh": {"wing": {"span": 2, "chord": 0.5, "thickness": 0.05, "sweep": 0.5, "droop": 0.25, "feathers": 5, "columns": 24, "rows": 6, "left": true}}},
             {"mesh": {"beast": {"height": 3, "detail": 40}}}
         ],
+        "obstacles": [{"name": "house", "colour": [0.5, 0.4, 0.3], "ends": [0.6, 0.5, 0.4], "hidden": true,
+                       "windows": {"width": 0.8, "height": 1.1, "spacing": 2, "storey": 3, "sill": 1, "door": true, "glass": [0.1, 0.1, 0.2],
+                                   "frame": [0.7, 0.6, 0.5]}}],
         "lamps": [{"position": [1, 2, 3], "colour": [20, 5, 2], "reach": 12}],
         "ground_memory": {"texels": 64, "texel_size": 0.5, "spring": {"frequency_hz": 2.5, "damping": 0.12}, "push": 1.2,
                           "trail_fraction": 0.6, "trail_time": 15, "trample_time": 0.9, "clearance": 0.5, "blend_width": 1.5,

@@ -1,28 +1,31 @@
-#include "vegetation/files/obj_text.h"
+#include "scene/obj_text.h"
 
 #include "fluid/message.h"
-#include "vegetation/fur/text_lines.h"
+#include "fluid/text_lines.h"
 
 #include <array>
 #include <charconv>
 #include <cmath>
 
-namespace windrow::vegetation::fur {
+namespace windrow::scene {
 namespace {
 
-using windrow::detail::message;
+using detail::message, detail::take_word, detail::trimmed;
 
 constexpr std::size_t k_max_libraries = 64;
 
 class Scanner {
   public:
-    Scanner(std::string_view text, const std::string& name) : lines_(text), name_(name) { out_.text.reserve(text.size()); }
+    Scanner(std::string_view text, const std::string& name, const ObjLimits& limits)
+        : lines_(text), name_(name), limits_(limits) {
+        out_.text.reserve(text.size());
+    }
 
     Result<ObjText> run() {
         for (std::string_view line; fault_.empty() && lines_.next(line);)
             statement(line);
         if (fault_.empty() && triangles_ == 0)
-            return windrow::Error{message(name_, " has no faces: give a mesh of triangles.")};
+            return Error{message(name_, " has no faces: give a mesh of triangles.")};
         if (!fault_.empty())
             return Error{fault_};
         return std::move(out_);
@@ -63,8 +66,8 @@ class Scanner {
             return fail("the material's name has ", words.size(), " bytes: give at most 255.");
         if (words.empty())
             words = "none";
-        windrow::detail::append(out_.text, key);
-        windrow::detail::append(out_.text, words);
+        detail::append(out_.text, key);
+        detail::append(out_.text, words);
         out_.text += '\n';
     }
 
@@ -76,9 +79,9 @@ class Scanner {
 
     // The first of these are needed, those up to `most` kept, and the rest (w, colours) left out.
     void numbers(Kind kind, std::string_view key, std::string_view words, int least, int most) {
-        if (++counts_[kind] > k_max_vertices)
-            return fail("there are more than ", k_max_vertices, " lines ", key, ": give fewer.");
-        windrow::detail::append(out_.text, key);
+        if (++counts_[kind] > limits_.vertices)
+            return fail("there are more than ", limits_.vertices, " lines ", key, ": give fewer.");
+        detail::append(out_.text, key);
         for (int i = 0; i < most; ++i) {
             std::string_view word = take_word(words);
             const std::string_view written = word;
@@ -90,7 +93,7 @@ class Scanner {
             const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), value);
             if (fault != std::errc() || end != word.data() + word.size() || !(std::abs(value) <= 1e30f))
                 return fail(key, "has '", written, "': give ", least, " finite numbers.");
-            windrow::detail::append(out_.text, value);
+            detail::append(out_.text, value);
             out_.text += i + 1 < most ? ' ' : '\n';
         }
     }
@@ -134,19 +137,20 @@ class Scanner {
                 if (number == 0)
                     return;
                 out_.text += kind == position ? " " : kind == normal && !has[uv] ? "//" : "/";
-                windrow::detail::append(out_.text, number);
+                detail::append(out_.text, number);
             }
         }
         if (corners < 3 || corners > k_max_corners)
             return fail("the face has ", corners, " corners: give 3 to ", k_max_corners, ".");
         triangles_ += corners - 2;
-        if (triangles_ > k_max_triangles)
-            return fail("there are more than ", k_max_triangles, " triangles: give fewer.");
+        if (triangles_ > limits_.triangles)
+            return fail("there are more than ", limits_.triangles, " triangles: give fewer.");
         out_.text += '\n';
     }
 
-    TextLines lines_;
+    detail::TextLines lines_;
     const std::string& name_;
+    const ObjLimits& limits_;
     ObjText out_;
     std::array<std::size_t, 3> counts_{};
     std::size_t triangles_ = 0;
@@ -155,8 +159,8 @@ class Scanner {
 
 } // namespace
 
-Result<ObjText> check_obj(std::string_view text, const std::string& name) {
-    return Scanner(text, name).run();
+Result<ObjText> check_obj(std::string_view text, const std::string& name, const ObjLimits& limits) {
+    return Scanner(text, name, limits).run();
 }
 
-} // namespace windrow::vegetation::fur
+} // namespace windrow::scene

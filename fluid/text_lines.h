@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string_view>
 
-namespace windrow::vegetation::fur {
+namespace windrow::detail {
 
 class TextLines {
   public:
@@ -46,4 +46,4 @@ class TextLines {
     return word;
 }
 
-} // namespace windrow::vegetation::fur
+} // namespace windrow::detail

@@ -1,0 +1,39 @@
+// Time of a stage of the step.
+#pragma once
+
+#include <chrono>
+
+namespace windrow::cpu {
+
+/// Adds the time of a scope to a stage's figure [ms].
+class Stopwatch {
+  public:
+    explicit Stopwatch(double& milliseconds) : milliseconds_(milliseconds), start_(std::chrono::steady_clock::now()) {}
+    ~Stopwatch() {
+        milliseconds_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+    }
+    Stopwatch(const Stopwatch&) = delete;
+    Stopwatch& operator=(const Stopwatch&) = delete;
+
+  private:
+    double& milliseconds_;
+    std::chrono::steady_clock::time_point start_;
+};
+
+/// The same, less what another stage takes within the scope.
+class OuterStopwatch {
+  public:
+    OuterStopwatch(double& milliseconds, const double& inner)
+        : milliseconds_(milliseconds), inner_(inner), inner_before_(inner), watch_(milliseconds) {}
+    ~OuterStopwatch() { milliseconds_ -= inner_ - inner_before_; }
+    OuterStopwatch(const OuterStopwatch&) = delete;
+    OuterStopwatch& operator=(const OuterStopwatch&) = delete;
+
+  private:
+    double& milliseconds_;
+    const double& inner_;
+    double inner_before_;
+    Stopwatch watch_;
+};
+
+} // namespace windrow::cpu

@@ -1,0 +1,62 @@
+// Triangles in a tree of boxes: nearest distance, winding number, and what a segment or a ray meets.
+//
+// The winding number of a closed surface about a point is the sum of its triangles' solid angles over 4 pi. A part of the tree that
+// is far away counts as a dipole at its centre: N . (c - p) / |c - p|^3, N the sum of its triangles' area vectors.
+//
+// Based on: Barill, Dickson, Schmidt, Levin and Jacobson 2018, "Fast winding numbers for soups and clouds", ACM Transactions on
+// Graphics 37 (the tree); van Oosterom and Strackee 1983, IEEE Transactions on Biomedical Engineering 30 (solid angles).
+#pragma once
+
+#include "fluid/shapes/triangle_mesh.h"
+
+#include <array>
+#include <span>
+
+namespace windrow::detail {
+
+class MeshTree {
+  public:
+    /// Throws std::bad_alloc. The data is closed and has triangles.
+    explicit MeshTree(const MeshData& data);
+
+    /// [m] To the nearest triangle, or `most` where none is nearer.
+    [[nodiscard]] float distance(glm::vec3 point, float most) const;
+    [[nodiscard]] double winding_number(glm::vec3 point) const;
+    /// Whether a triangle is met by the segment, its ends counted in. No segment passes between two triangles with a common edge.
+    [[nodiscard]] bool crosses(glm::vec3 from, glm::vec3 to) const;
+    /// [m] Along a ray to the first triangle whose normal is `along` within 45 degrees, or `most`. `direction` and `along` are
+    /// unit vectors.
+    [[nodiscard]] float first_hit(glm::vec3 from, glm::vec3 direction, glm::vec3 along, float most) const;
+
+    [[nodiscard]] std::size_t memory_bytes() const {
+        return nodes_.capacity() * sizeof(Node) + triangles_.capacity() * sizeof(Triangle);
+    }
+
+  private:
+    static constexpr int k_depth = 64; // halved each time: 20 levels for a million
+
+    struct Triangle {
+        glm::vec3 corner[3];
+        glm::vec3 normal; ///< of length 1; 0 for a triangle without area
+    };
+    struct Node {
+        glm::vec3 low, high;
+        std::uint32_t first = 0; ///< child, its sibling follows; or triangle
+        std::uint32_t count = 0; ///< of triangles; 0: has children
+        glm::vec3 centre, area;  ///< of the dipole
+        float reach = 0.0f;      ///< of the triangles from `centre`
+    };
+
+    void build(std::size_t node, std::span<std::uint32_t> members, const MeshData& data, std::span<const glm::vec3> middles);
+    [[nodiscard]] std::span<const Triangle> triangles_of(const Node& node) const {
+        return std::span(triangles_).subspan(node.first, node.count);
+    }
+    /// enter(node): whether to go on into it; visit(triangle): whether to go on at all.
+    template <class Enter, class Visit>
+    void walk(const Enter& enter, const Visit& visit) const;
+
+    std::vector<Node> nodes_;
+    std::vector<Triangle> triangles_;
+};
+
+} // namespace windrow::detail

@@ -1,0 +1,214 @@
+// Obstacles on the device: the host rasterises them where they or the box have moved, and uploads the tables with the step.
+//
+// One direct solve a sub-step begins from the pressure of the last one. Two follow bodies that move or have come or gone. A flow
+// without a last step takes more, as on the CPU; the device stops where the residual is small.
+#include "fluid/message.h"
+#include "fluid/numerics.h"
+#include "fluid/vulkan/air.h"
+
+#include <algorithm>
+#include <glm/vector_relational.hpp>
+#include <utility>
+
+namespace windrow::vulkan {
+namespace {
+
+constexpr int k_first_solves = 16; // of a flow without a last step, and of volume sources
+constexpr float k_first_residual = 1e-3f;
+
+std::uint32_t with_room(std::size_t count) {
+    return static_cast<std::uint32_t>(count + count / 2 + 64);
+}
+
+} // namespace
+
+void Air::place_obstacles(VkCommandBuffer commands, std::span<const detail::PlacedObstacle> obstacles, double early) {
+    if (!solids_ && obstacles.empty()) {
+        unplaced_shift_ = glm::ivec3(0);
+        place_again_ = false;
+        return;
+    }
+    bool written = false;
+    const bool placed = detail::memory_lasts([&] {
+        if (!solids_)
+            solids_ = std::make_unique<SolidTables>(box(), config_.max_cfl);
+        placed_.assign(obstacles.begin(), obstacles.end());
+        detail::move_back(placed_, early);
+        solids_->place(placed_, unplaced_shift_);
+        written = write_obstacles(commands);
+    });
+    unplaced_shift_ = glm::ivec3(0);
+    place_again_ = !(placed && written);
+    if (place_again_) // the air does without them in this step
+        solids_.reset();
+}
+
+bool Air::write_obstacles(VkCommandBuffer commands) {
+    if (!solids_->any()) {
+        restored_terms_.clear();
+        return true;
+    }
+    barrier(k_compute | k_transfer, k_transfer);
+    if (!make_room_for_obstacles(commands))
+        return false;
+    const auto words = static_cast<int>(WINDROW_SURFACE_WORDS * surface_room_), faces = static_cast<int>(face_room_);
+    WindrowSolids& head = solids_->head();
+    head.history_before = words + history_slot_ * faces;
+    history_slot_ ^= 1;
+    head.history = words + history_slot_ * faces;
+    write(commands, fields_.solids, solids_->bytes());
+    barrier(k_transfer, k_compute);
+    dispatch(commands, Pass::terms);
+    barrier(k_compute, k_compute | k_transfer);
+    return true;
+}
+
+VkDeviceSize Air::history_at(int slot) const {
+    return sizeof(WindrowAround) +
+           sizeof(float) * (VkDeviceSize{WINDROW_SURFACE_WORDS} * surface_room_ + static_cast<VkDeviceSize>(slot) * face_room_);
+}
+
+DeviceSurface Air::surface() const {
+    if (!solids_ || !solids_->any() || glm::any(glm::greaterThanEqual(glm::abs(unplaced_shift_), config_.cells)))
+        return {};
+    const auto keys = solids_->keys();
+    return {.keys = {keys.begin(), keys.end()}, .shift = unplaced_shift_};
+}
+
+void Air::restore_obstacles(DeviceSurface&& surface, std::vector<float>&& terms) {
+    solids_ = std::make_unique<SolidTables>(box(), config_.max_cfl);
+    solids_->set_keys(std::move(surface.keys));
+    restored_terms_ = std::move(terms);
+    unplaced_shift_ = surface.shift;
+}
+
+// The old buffer is kept until its slot is reused.
+Result<void> Air::replace(Buffer& buffer, VkDeviceSize bytes) {
+    auto made = Buffer::create(*device_, bytes, MemoryUse::device);
+    if (!made)
+        return Error{made.error()};
+    retired_.push_back({std::exchange(buffer, *std::move(made)), slot_});
+    return {};
+}
+
+// The buffers grow with what is rasterised; the pressure's history moves with them.
+Result<void> Air::make_room_for_obstacles(VkCommandBuffer commands) {
+    const std::size_t faces = solids_->solids().faces().size(), surface = solids_->solids().surface().size();
+    bool grown = !passes_know_obstacles_;
+    const auto grow = [&](Buffer& buffer, VkDeviceSize bytes) {
+        grown = true;
+        return replace(buffer, bytes);
+    };
+    const VkDeviceSize cells = static_cast<VkDeviceSize>(box().cell_count()) * sizeof(float);
+    for (const auto& [field, bytes] : {std::pair{&fields_.correction, 2 * cells}, std::pair{&fields_.direction, cells}})
+        if (field->bytes() < bytes)
+            if (auto made = grow(*field, bytes); !made)
+                return made;
+    if (fields_.solids.bytes() < solids_->bytes().size())
+        if (auto made = grow(fields_.solids, with_room(solids_->bytes().size() / 4) * VkDeviceSize{4}); !made)
+            return made;
+    if (surface > surface_room_ || faces + restored_terms_.size() > face_room_) {
+        const std::uint32_t surface_room = with_room(surface), face_room = with_room(faces + restored_terms_.size());
+        if (auto made =
+                grow(fields_.around,
+                     sizeof(WindrowAround) + sizeof(float) * VkDeviceSize{WINDROW_SURFACE_WORDS * surface_room + 2 * face_room});
+            !made)
+            return made;
+        clear(commands, fields_.around);
+        barrier(k_transfer, k_transfer);
+        const VkDeviceSize from = history_at(history_slot_), count = std::min(face_room_, face_room);
+        const bool had = face_room_ > 0;
+        surface_room_ = surface_room;
+        face_room_ = face_room;
+        if (had) {
+            wait(commands);
+            const VkBufferCopy region{.srcOffset = from, .dstOffset = history_at(history_slot_), .size = sizeof(float) * count};
+            device_->functions().vkCmdCopyBuffer(commands, retired_.back().piece.handle(), fields_.around.handle(), 1, &region);
+        }
+    }
+    if (!restored_terms_.empty()) {
+        barrier(k_transfer, k_transfer);
+        write(commands, fields_.around, std::as_bytes(std::span(restored_terms_)), history_at(history_slot_));
+        restored_terms_.clear();
+    }
+    if (!grown)
+        return {};
+    RetiredPasses old{.passes = {}, .sets = {}, .slot = slot_}; // recordings in flight use them
+    if (passes_know_obstacles_) {
+        auto sets = passes_.rebind(*device_, fields_);
+        if (!sets)
+            return Error{sets.error()};
+        old.sets = *std::move(sets);
+    } else {
+        auto passes = passes_for(true);
+        if (!passes)
+            return Error{passes.error()};
+        old.passes = std::exchange(passes_, *std::move(passes));
+        passes_know_obstacles_ = true;
+        shapes_.reset();
+    }
+    retired_passes_.push_back(std::move(old));
+    barrier(k_transfer, k_transfer);
+    return {};
+}
+
+Passes::Around Air::around_obstacles(const CellStep& step, bool fresh) const {
+    if (!solids_ || !solids_->any())
+        return {};
+    const bool other = step.obstacles_stirred ||
+                       std::any_of(step.obstacles.begin(), step.obstacles.end(), [](const auto& body) { return body.moves(); });
+    Passes::Around around{
+        .solves = other ? 2 : 1, .tolerance = 0.0f, .careful = solids_->careful(), .rooms = !solids_->solids().rooms().empty()};
+    if (config_.pressure_solves > 0)
+        around.solves = config_.pressure_solves;
+    else if (fresh)
+        around.solves = k_first_solves, around.tolerance = k_first_residual;
+    return around;
+}
+
+// From no guess: the flow of a burst is another in each step.
+Passes::Around Air::around_sources() const {
+    if (!solids_ || !solids_->any())
+        return {};
+    return {.solves = k_first_solves, .tolerance = k_first_residual, .careful = false, .rooms = false};
+}
+
+void Air::work_on_rooms(VkCommandBuffer commands, int work) {
+    dispatch(commands, Pass::rooms, WindrowRoomsPush{.substep = 0, .work = work});
+    barrier(k_compute, k_compute);
+}
+
+// As Cells::open_parts and Cells::seal_sources of the CPU.
+std::span<const detail::MotorReach> Air::uncovered(std::span<const detail::MotorReach> motors) {
+    using Law = detail::MotorReach::Law;
+    motors = motors.first(std::min<std::size_t>(motors.size(), k_max_motors));
+    sealed_sources_ = 0;
+    if (!solids_ || !solids_->any() ||
+        std::none_of(motors.begin(), motors.end(), [](const auto& motor) { return motor.law == Law::source; }))
+        return motors;
+    const cpu::Solids& solids = solids_->solids();
+    const Boundaries& boundaries = config_.boundaries;
+    const bool closed = !boundaries.has_open(0) && !boundaries.has_open(1) && !boundaries.has_open(2);
+    uncovered_.assign(motors.begin(), motors.end());
+    for (detail::MotorReach& motor : uncovered_) {
+        if (motor.law != Law::source)
+            continue;
+        float whole = 0.0f, open = 0.0f;
+        bool in_room = closed;
+        for (int k = motor.low.z; k < motor.high.z; ++k)
+            for (int j = motor.low.y; j < motor.high.y; ++j)
+                for (int i = motor.low.x; i < motor.high.x; ++i) {
+                    const glm::vec3 off = (glm::vec3(i, j, k) + 0.5f) * config_.cell_size - motor.centre;
+                    const float weight = numerics::windrow_sphere_weight(off, motor.radius);
+                    const auto cell = static_cast<std::uint32_t>(box().index(i, j, k));
+                    whole += weight;
+                    in_room = in_room || solids.in_room(cell);
+                    open += solids.inside(cell) || solids.in_room(cell) ? 0.0f : weight;
+                }
+        motor.push.x *= whole > 0.0f ? open / whole : 1.0f;
+        sealed_sources_ += in_room ? 1 : 0;
+    }
+    return uncovered_;
+}
+
+} // namespace windrow::vulkan

@@ -1,0 +1,71 @@
+#include "scene/shape_files.h"
+
+#include "fluid/input_file.h"
+#include "fluid/message.h"
+#include "scene/obj_text.h"
+#include "scene/scene_parts.h"
+#include "scene/vox_file.h"
+
+namespace windrow::scene {
+namespace {
+
+using detail::message;
+
+constexpr std::size_t k_max_bytes = std::size_t{128} << 20; // a mesh of a million triangles as text has about as many
+
+Result<MeshData> parse_obj(std::string_view bytes, const std::string& name) {
+    const auto obj =
+        check_obj(bytes, name, {.vertices = 3 * TriangleMesh::k_max_triangles, .triangles = TriangleMesh::k_max_triangles});
+    if (!obj)
+        return Error{obj.error()};
+    return detail::where_memory_lasts([&]() -> Result<MeshData> { return mesh_of_obj(*obj); });
+}
+
+} // namespace
+
+template <class Kind, class Parse>
+void ShapeFiles::read(JsonObject& object, const Key& key, const char* what, Files<Kind>& files,
+                      std::shared_ptr<const Kind>& shared, const Parse& parse) {
+    const auto file = file_beside(object, key, folder_);
+    if (!file) {
+        if (!object.value().contains(key.name))
+            object.reject(key, message("is missing: name ", what, " in the scene's folder."));
+        return;
+    }
+    const auto [known, added] = files.try_emplace(*file);
+    if (!added) {
+        shared = known->second;
+        if (shared == nullptr)
+            object.reject(key, "names a file that cannot be used: see above.");
+        return;
+    }
+    const auto made = [&]() -> Result<std::shared_ptr<const Kind>> {
+        const std::string name = file->string();
+        const auto bytes = detail::read_input(*file, {.folder = folder_, .max_bytes = k_max_bytes}, object.log().budget());
+        if (!bytes)
+            return Error{bytes.error()};
+        auto data = parse(*bytes, name);
+        if (!data)
+            return Error{data.error()};
+        auto kind = Kind::create(*std::move(data));
+        if (!kind)
+            return Error{message(name, ": ", kind.error())};
+        if (auto taken = object.log().budget().take_memory(name, (*kind)->memory_bytes()); !taken)
+            return Error{taken.error()};
+        return kind;
+    }();
+    if (made)
+        shared = known->second = *made;
+    else
+        object.log().reject_as_is(made.error());
+}
+
+void ShapeFiles::read(JsonObject& object, const Key& key, std::shared_ptr<const TriangleMesh>& mesh) {
+    read(object, key, "a mesh, OBJ,", meshes_, mesh, parse_obj);
+}
+
+void ShapeFiles::read(JsonObject& object, const Key& key, std::shared_ptr<const VoxelGrid>& grid) {
+    read(object, key, "a MagicaVoxel file", grids_, grid, read_vox);
+}
+
+} // namespace windrow::scene

@@ -1,0 +1,41 @@
+// Divergence of cells at obstacles. Before this text: solids.glsl, Arrived as `arrived`.
+
+// What the flux through a face counts of the wind although the cell at its end is sheltered: there the velocity is the whole, and the
+// wind is part of the velocity beyond the face.
+float blown_past(SolidFace face, int end, vec2 wind) {
+    if (!face_end_is_sheltered(face, end))
+        return 0.0f;
+    const float beyond = wind[1 - end];
+    return 0.5f *
+           (face.closed * (wind[0] + wind[1]) + (face_end_is_sheltered(face, 1 - end) ? 0.0f : (1.0f - face.closed) * beyond));
+}
+
+// `empty`: the divergence of the empty box, times h.
+float closed_divergence(int record, float empty) {
+    if (record_is(record, WINDROW_SHUT))
+        return 0.0f;
+    float sum = empty;
+    for (int axis = 0; axis < 3; ++axis)
+        for (int side = 0; side < 2; ++side) {
+            const int n = record_face(record, axis, side);
+            if (n < 0)
+                continue;
+            const SolidFace face = solid_face(n);
+            const ivec3 low = solid_cell(face.cell[0]), high = solid_cell(face.cell[1]);
+            const int end = 1 - side; // of this cell
+            float both = arrived[cell_index(low)][axis] + arrived[cell_index(high)][axis];
+            vec2 wind = vec2(0.0f);
+            if (is_on(WINDROW_GUSTS)) {
+                const float time = elapsed() + control.substep_duration;
+                wind = vec2(wind_at(low, time, true)[axis], wind_at(high, time, true)[axis]);
+                both += wind[0] + wind[1];
+            }
+            const float flux =
+                0.5f * face.closed * both - (is_on(WINDROW_BODIES_MOVE) ? face.wall : 0.0f) - blown_past(face, end, wind);
+            sum += end == 0 ? -flux : flux;
+        }
+    return sum;
+}
+
+// Of the pressure's history, for the first solve.
+float guess_scale() { return is_on(WINDROW_STABLE_FLUIDS) ? 1.0f : is_fresh() ? 0.0f : past().scale; }

@@ -1,0 +1,17 @@
+// Differences of phi over closed faces. Before this text: solids.glsl, around.glsl.
+
+float slope_over(SolidFace face) {
+    return face.closed * (phi_at(cell_index(solid_cell(face.cell[1]))) - phi_at(cell_index(solid_cell(face.cell[0]))));
+}
+
+// What the closed faces of a cell take off its gradient.
+vec3 closed_slopes(int record) {
+    vec3 sum = vec3(0.0f);
+    for (int axis = 0; axis < 3; ++axis)
+        for (int end = 0; end < 2; ++end) {
+            const int n = record_face(record, axis, end);
+            if (n >= 0)
+                sum[axis] += 0.5f * slope_over(solid_face(n));
+        }
+    return sum;
+}

@@ -1,0 +1,172 @@
+// After each direct solve around obstacles, on their surface cells. One work group.
+//
+// With L the Laplacian of the empty box and B the part of it that passes through closed faces, (L - B) phi = div w. The first solve
+// is L phi = div w + B phi_guess, whose residual B (phi - phi_guess) is 0 away from the surface. Then conjugate gradients with L as
+// the preconditioner: z = L^-1 r, d = z + beta d, phi += alpha d. A d = L d - B d is found on the surface, since L z = r.
+// As fluid/cpu/pressure.cpp, solve_around.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define WINDROW_READS_TILE 10
+#define WINDROW_PUSH WindrowSurfacePush
+#include "fluid/pass.glsl"
+#define WINDROW_SOLIDS 2
+#include "fluid/solids.glsl"
+
+layout(std430, set = 0, binding = 3) readonly buffer Arrived { vec4 arrived[]; };
+layout(std430, set = 0, binding = 4) readonly buffer Expansion { float expansion[]; };
+layout(std430, set = 0, binding = 5) readonly buffer Potential { float potential[]; };
+layout(std430, set = 0, binding = 6) readonly buffer Correction { float correction[]; };
+layout(std430, set = 0, binding = 7) readonly buffer Direction { float direction[]; };
+#define WINDROW_AROUND 8
+#define WINDROW_AROUND_ACCESS coherent
+#include "fluid/around.glsl"
+#include "fluid/closed_slope.glsl"
+#include "fluid/closed_divergence.glsl"
+#define WINDROW_MOTORS 9
+#include "fluid/free_air.glsl"
+#define WINDROW_FIELD(at) arrived[at]
+#include "fluid/divergence.glsl"
+
+layout(constant_id = 3) const int k_group = 256; // invocations
+shared vec2 parts[k_group];
+
+vec2 total(vec2 part) {
+    const int local = int(gl_LocalInvocationIndex);
+    parts[local] = part;
+    barrier();
+    for (int half_size = k_group / 2; half_size > 0; half_size /= 2) {
+        if (local < half_size)
+            parts[local] += parts[local + half_size];
+        barrier();
+    }
+    const vec2 sum = parts[0];
+    barrier();
+    return sum;
+}
+
+const int k_residual = 0, k_applied = 1, k_along = 2;
+int word(int surface, int which) { return WINDROW_SURFACE_WORDS * surface + which; }
+
+float right_hand_side(int record, ivec3 cell) {
+    if (push.part == 0)
+        return closed_divergence(record, 0.5f * differences(cell));
+    float rhs = is_on(WINDROW_EXPANDS) && !record_is(record, WINDROW_SHUT) ? -tick.cell_size * expansion[cell_index(cell)] : 0.0f;
+    for (int axis = 0; axis < 3 && is_on(WINDROW_EXPANDS) && !record_is(record, WINDROW_SHUT); ++axis)
+        rhs -= beyond(cell, axis, -1) + beyond(cell, axis, 1);
+    return rhs;
+}
+
+float guess() { return push.part == 0 ? guess_scale() : 0.0f; }
+
+// Over the first solve: r = B (phi - phi_guess), and what it is relative to.
+void begin(int local) {
+    const float scale = guess();
+    vec2 squares = vec2(0.0f);
+    for (int s = local; s < solids.surface_count; s += k_group) {
+        const int record = solid_words[solids.surface + 2 * s];
+        const ivec3 cell = solid_cell(solid_words[solids.surface + 2 * s + 1]);
+        float residual = 0.0f;
+        for (int face = 0; face < 6; ++face) {
+            const int n = solid_words[record + 1 + face];
+            if (n < 0)
+                continue;
+            const float slope = slope_over(solid_face(n)) - (scale > 0.0f ? scale * around_words[solids.history + n] : 0.0f);
+            residual += face % 2 == 1 ? slope : -slope;
+        }
+        around_words[word(s, k_residual)] = residual;
+        if (!record_is(record, WINDROW_SHUT)) { // inside a body no value matters
+            const float wanted = right_hand_side(record, cell);
+            squares += vec2(wanted * wanted, residual * residual);
+        }
+    }
+    squares = total(squares);
+    if (local == 0) {
+        around.wanted = sqrt(squares.x);
+        around.left = sqrt(squares.y);
+        around.solved = 1;
+        around.stopped = 0;
+    }
+}
+
+// One step along the correction that the solve gave.
+void improve(int local) {
+    const bool first = push.solve == 1;
+    float part = 0.0f;
+    for (int s = local; s < solids.surface_count; s += k_group)
+        part += around_words[word(s, k_residual)] * correction[cell_index(solid_cell(solid_words[solids.surface + 2 * s + 1]))];
+    const float squares = total(vec2(part, 0.0f)).x;
+    const bool goes_on = around.stopped == 0 && around.left > max(push.tolerance, 1e-6f) * around.wanted;
+    const float beta = first || !goes_on ? 0.0f : squares / around.squares;
+    for (int s = local; s < solids.surface_count; s += k_group) {
+        const float along = correction[cell_index(solid_cell(solid_words[solids.surface + 2 * s + 1]))],
+                    residual = around_words[word(s, k_residual)];
+        around_words[word(s, k_along)] = beta == 0.0f ? along : along + beta * around_words[word(s, k_along)];
+        around_words[word(s, k_applied)] = beta == 0.0f ? residual : residual + beta * around_words[word(s, k_applied)];
+    }
+    memoryBarrierBuffer();
+    barrier();
+    part = 0.0f;
+    for (int s = local; s < solids.surface_count; s += k_group) {
+        const int record = solid_words[solids.surface + 2 * s];
+        float applied = around_words[word(s, k_applied)];
+        for (int face = 0; face < 6; ++face) {
+            const int n = solid_words[record + 1 + face];
+            if (n < 0)
+                continue;
+            const SolidFace between = solid_face(n);
+            const float slope = between.closed * (around_words[word(between.surface[1], k_along)] -
+                                                  around_words[word(between.surface[0], k_along)]);
+            applied += face % 2 == 1 ? -slope : slope;
+        }
+        around_words[word(s, 3)] = applied;
+        part += around_words[word(s, k_along)] * applied;
+    }
+    const float bent = total(vec2(part, 0.0f)).x;
+    const bool steps = goes_on && bent < 0.0f;
+    const float alpha = steps ? squares / bent : 0.0f;
+    vec2 left = vec2(0.0f);
+    for (int s = local; s < solids.surface_count; s += k_group) {
+        const float residual = around_words[word(s, k_residual)] - alpha * around_words[word(s, 3)];
+        around_words[word(s, k_residual)] = residual;
+        if (!record_is(solid_words[solids.surface + 2 * s], WINDROW_SHUT))
+            left.x += residual * residual;
+    }
+    left = total(left);
+    if (local == 0) { // all have read them, since total() ends with a barrier
+        around.corrections = push.solve;
+        around.beta = beta;
+        around.alpha = alpha;
+        around.squares = squares;
+        around.left = sqrt(left.x);
+        around.solved += steps ? 1 : 0;
+        around.stopped = steps ? 0 : 1;
+    }
+}
+
+void main() {
+    const int local = int(gl_LocalInvocationIndex);
+    if (push.solve == 0) {
+        if (local == 0)
+            around.corrections = 0;
+        memoryBarrierBuffer();
+        barrier();
+        begin(local);
+    } else {
+        improve(local);
+    }
+    if (push.solve + 1 < push.solves || push.part != 0)
+        return;
+    memoryBarrierBuffer();
+    barrier();
+    // The history of B phi, as that of the gradient.
+    float weight = 1.0f, kept = 0.0f;
+    if (!is_on(WINDROW_STABLE_FLUIDS)) {
+        const WindrowPast p = past();
+        weight = p.weight;
+        kept = p.kept;
+    }
+    for (int n = local; n < solids.face_count; n += k_group) {
+        const float term = weight * slope_over(solid_face(n));
+        around_words[solids.history + n] = kept != 0.0f ? term + kept * around_words[solids.history + n] : term;
+    }
+}

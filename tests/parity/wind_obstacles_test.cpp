@@ -1,0 +1,140 @@
+// Obstacles on the device against those on the CPU: the same story, frame by frame, with as many direct solves.
+#include "tests/parity/wind_parity.h"
+
+#include <glm/gtc/quaternion.hpp>
+
+namespace windrow::vulkan {
+namespace {
+
+class WindObstacles : public WindParity {
+  protected:
+    using Ids = std::pair<ObstacleId, ObstacleId>;
+    static Ids add(TwoWinds& pair, const Obstacle& obstacle) {
+        const auto on_cpu = pair.cpu.obstacles().add(obstacle), on_device = pair.device.obstacles().add(obstacle);
+        EXPECT_TRUE(on_cpu && on_device) << (on_device ? "" : on_device.error());
+        return on_cpu && on_device ? Ids{*on_cpu, *on_device} : Ids{};
+    }
+    static void move(TwoWinds& pair, const Ids& ids, glm::dvec3 to, glm::quat turned = {1, 0, 0, 0}) {
+        EXPECT_TRUE(pair.cpu.obstacles().move(ids.first, to, turned) && pair.device.obstacles().move(ids.second, to, turned));
+    }
+    static glm::quat about_y(float angle) { return glm::angleAxis(angle, glm::vec3(0.0f, 1.0f, 0.0f)); }
+    static constexpr glm::ivec3 k_cells{24, 12, 20};
+};
+
+TEST_F(WindObstacles, ASteadyWindAroundABallAndAHouse) {
+    for (const int solves : {1, 3}) {
+        TwoWinds pair = make({.cells = k_cells,
+                              .boundaries = Boundaries::open_over_floor(),
+                              .centre = {0.0, 6.0, 0.0},
+                              .ambient = {4.0f, 0.0f, 1.0f},
+                              .pressure_solves = solves});
+        add(pair, {.position = {-4.0, 4.0, 1.0}, .shape = Sphere{2.6f}});
+        add(pair, {.position = {4.3, 3.0, -2.0}, .orientation = about_y(0.4f), .shape = Block{{2.5f, 3.0f, 2.7f}}});
+        for (int n = 0; n < 30; ++n)
+            frame(pair, 1.0 / 30.0);
+        report(solves == 1 ? "one solve" : "three solves", pair, 1e-5);
+    }
+}
+
+TEST_F(WindObstacles, AWalkAlongFencesInGusts) {
+    TwoWinds pair = make({.cells = k_cells,
+                          .boundaries = Boundaries::open_over_floor(),
+                          .centre = {0.0, 6.0, 0.0},
+                          .ambient = {5.0f, 0.0f, 1.0f},
+                          .profile = LogProfile{},
+                          .gusts = {.intensity = 0.2f},
+                          .pressure_solves = 2});
+    for (int n = 0; n < 3; ++n)
+        add(pair, {.position = {6.0 * n, 2.0, 0.4 * n},
+                   .orientation = about_y(1.2f - 0.5f * static_cast<float>(n)),
+                   .shape = Plate{{3.0f, 2.0f}}});
+    add(pair, {.position = {3.0, 2.0, -5.0}, .shape = Cylinder{.radius = 1.4f, .half_length = 2.0f}});
+    for (int n = 0; n < 40; ++n) {
+        pair.follow({0.15 * n, 6.0, 0.05 * n});
+        frame(pair, 1.0 / 30.0);
+    }
+    report("fences", pair, 1e-5);
+}
+
+TEST_F(WindObstacles, ABallThatFliesAndADoorThatTurns) {
+    TwoWinds pair = make({.cells = k_cells, .ambient = {1.0f, 0.0f, 0.0f}, .pressure_solves = 2});
+    const Ids ball = add(pair, {.position = {-6.0, 0.0, 3.0}, .shape = Sphere{2.3f}});
+    const Ids door = add(pair, {.position = {4.0, 0.0, -2.0}, .shape = Plate{{2.4f, 3.0f}}});
+    const Ids wall = add(pair, {.position = {8.0, 0.0, 2.0}, .shape = Block{{0.6f, 4.0f, 4.0f}}});
+    for (int n = 0; n < 40; ++n) {
+        move(pair, ball, {-6.0 + 0.2 * n, 0.3 * std::sin(0.2 * n), 3.0});
+        move(pair, door, {4.0, 0.0, -2.0}, about_y(0.05f * static_cast<float>(n)));
+        if (n == 20) {
+            EXPECT_TRUE(pair.cpu.obstacles().remove(wall.first) && pair.device.obstacles().remove(wall.second));
+        }
+        frame(pair, 1.0 / 30.0);
+    }
+    report("ball and door", pair, 1e-5);
+}
+
+// A room with walls of plates, a fan and a vent in it, in gusts.
+TEST_F(WindObstacles, AClosedRoomInGusts) {
+    for (const bool works : {false, true}) {
+        TwoWinds pair =
+            make({.cells = k_cells, .ambient = {6.0f, 0.0f, 1.0f}, .gusts = {.intensity = 0.15f}, .pressure_solves = 2});
+        for (const int side : {-1, 1}) {
+            const float s = static_cast<float>(side);
+            add(pair,
+                {.position = {4.0 * side + 0.5, 0.0, 0.0}, .orientation = about_y(1.57079633f), .shape = Plate{{4.6f, 4.6f}}});
+            add(pair, {.position = {0.5, 0.0, 4.0 * side + 0.5}, .shape = Block{{4.6f, 4.6f, 0.6f}}});
+            add(pair, {.position = {0.5, 4.0 * side, 0.0},
+                       .orientation = glm::angleAxis(1.57079633f * s, glm::vec3(1.0f, 0.0f, 0.0f)),
+                       .shape = Plate{{4.6f, 4.6f}}});
+        }
+        if (works) {
+            pair.add(DirectionalMotor{.position = {0.5, 0.0, 0.0}});
+            pair.add(OmniMotor{.position = {1.5, 0.5, 0.0}});
+        }
+        for (int n = 0; n < 12; ++n)
+            frame(pair, 1.0 / 30.0);
+        report(works ? "a room that blows" : "a still room", pair, 1e-5);
+    }
+}
+
+TEST_F(WindObstacles, AVentAndAFanBesideAWall) {
+    TwoWinds pair = make({.cells = k_cells, .ambient = {1.0f, 0.0f, 0.0f}, .pressure_solves = 2});
+    add(pair, {.position = {2.0, 0.0, 0.0}, .orientation = about_y(0.3f), .shape = Block{{1.2f, 4.0f, 5.0f}}});
+    pair.add(OmniMotor{.position = {-1.0, 0.0, 0.0}});
+    pair.add(DirectionalMotor{.position = {5.0, 0.0, 2.0}, .direction = {-1.0f, 0.0f, 0.0f}});
+    pair.add(PressureMotor{.position = {4.0, 0.0, -5.0}});
+    for (int n = 0; n < 30; ++n)
+        frame(pair, 1.0 / 30.0);
+    report("vent", pair, 1e-5);
+}
+
+TEST_F(WindObstacles, ViscousAirThatSticks) {
+    for (const float viscosity : {0.5f, 20.0f}) { // one pass; a direct solve
+        TwoWinds pair = make({.cells = k_cells,
+                              .boundaries = Boundaries::open_over_floor(),
+                              .ambient = {3.0f, 0.0f, 0.0f},
+                              .viscosity = viscosity,
+                              .pressure_solves = 2});
+        add(pair, {.position = {0.0, -2.0, 0.0}, .shape = Block{{2.0f, 4.0f, 2.0f}}, .surface = Surface::no_slip});
+        add(pair, {.position = {-6.0, 0.0, 4.0}, .shape = Sphere{2.0f}, .surface = Surface::no_slip});
+        for (int n = 0; n < 12; ++n)
+            frame(pair, 1.0 / 30.0);
+        report("viscous", pair, 1e-5);
+    }
+}
+
+TEST_F(WindObstacles, TheClassicSplit) {
+    TwoWinds pair = make({.cells = k_cells,
+                          .ambient = {3.0f, 0.0f, 1.0f},
+                          .scheme = Scheme::stable_fluids,
+                          .interpolation = Interpolation::linear,
+                          .pressure_solves = 2});
+    add(pair, {.position = {0.0, 0.0, 0.0}, .shape = Sphere{3.0f}});
+    add(pair, {.position = {6.0, 0.0, 0.0}, .orientation = about_y(1.2f), .shape = Plate{{3.0f, 3.0f}}});
+    pair.add(DirectionalMotor{.position = {-6.0, 0.0, 2.0}});
+    for (int n = 0; n < 30; ++n)
+        frame(pair, 1.0 / 30.0);
+    report("classic", pair, 1e-5);
+}
+
+} // namespace
+} // namespace windrow::vulkan

@@ -1,0 +1,178 @@
+// Meshes and voxel grids that a scene names: what is read, how faces are cut into triangles, and what is rejected.
+#include "fluid/bytes.h"
+#include "scene/obj_text.h"
+#include "scene/scene_reader.h"
+#include "scene/vox_file.h"
+#include "tests/own_folder.h"
+#include "tests/winds.h"
+
+namespace windrow::scene {
+namespace {
+
+constexpr const char* k_box = "# a box\no box\nv -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nv -1 2 -1\nv 1 2 -1\nv 1 2 1\nv -1 2 1\n"
+                              "f 1 2 3 4\nf 8 7 6 5\nf 1 5 6 2\nf 2 6 7 3\nf 3 7 8 4\nf 4 8 5 1\n";
+
+/// A .vox file of one model.
+std::string vox(glm::ivec3 size, const std::vector<glm::ivec3>& cells, int models = 1) {
+    std::string chunks;
+    const auto number = [](int value) {
+        std::string bytes(4, '\0');
+        for (std::size_t n = 0; n < 4; ++n)
+            bytes[n] = static_cast<char>(value >> (8 * n));
+        return bytes;
+    };
+    const auto chunk = [&](const char* name, const std::string& content) {
+        return name + number(static_cast<int>(content.size())) + number(0) + content;
+    };
+    for (int n = 0; n < models; ++n) {
+        std::string content = number(static_cast<int>(cells.size()));
+        for (const glm::ivec3 cell : cells)
+            for (const int part : {cell.x, cell.y, cell.z, 79})
+                content += static_cast<char>(part);
+        chunks += chunk("SIZE", number(size.x) + number(size.y) + number(size.z)) + chunk("XYZI", content);
+    }
+    chunks += chunk("RGBA", std::string(1024, 'c'));
+    return "VOX " + number(150) + "MAIN" + number(0) + number(static_cast<int>(chunks.size())) + chunks;
+}
+
+class SceneShapes : public test::FolderTest {
+  protected:
+    void write(const char* name, const std::string& bytes) const { std::ofstream(folder / name, std::ios::binary) << bytes; }
+    [[nodiscard]] Result<Scene> read(const std::string& shapes) const {
+        return read_scene_text(R"({"obstacles": [)" + shapes + "]}", folder / "scene.json");
+    }
+    [[nodiscard]] std::string reason(const std::string& shapes) const {
+        const auto scene = read(shapes);
+        return scene ? std::string() : scene.error();
+    }
+};
+
+TEST_F(SceneShapes, AMeshIsReadOnceAndShared) {
+    write("house.obj", k_box);
+    const auto scene =
+        read(R"({"shape": {"mesh": {"file": "house.obj"}}}, {"shape": {"mesh": {"file": "./house.obj", "scale": 2.5}}})");
+    ASSERT_TRUE(scene) << scene.error();
+    const auto &first = std::get<MeshShape>(scene->obstacles[0].obstacle.shape),
+               &second = std::get<MeshShape>(scene->obstacles[1].obstacle.shape);
+    EXPECT_EQ(first.mesh, second.mesh);
+    EXPECT_EQ(first.scale, 1.0f);
+    EXPECT_EQ(second.scale, 2.5f);
+    EXPECT_EQ(first.mesh->data().triangles.size(), 12u);
+    EXPECT_EQ(first.mesh->low(), glm::vec3(-1.0f, 0.0f, -1.0f));
+    EXPECT_EQ(first.mesh->high(), glm::vec3(1.0f, 2.0f, 1.0f));
+    EXPECT_NEAR(first.mesh->distance_to({0.0f, 3.0f, 0.0f}), 1.0f, 1e-6f);
+    EXPECT_NEAR(first.mesh->distance_to({0.0f, 0.5f, 0.0f}), -0.5f, 1e-6f);
+}
+
+TEST_F(SceneShapes, AModelOfVoxelsIsTurnedWithItsTopUp) {
+    write("tower.vox", vox({3, 2, 4}, {{0, 0, 0}, {1, 0, 0}, {2, 1, 3}}));
+    const auto scene = read(R"({"shape": {"voxels": {"file": "tower.vox", "cell_size": 0.5}}})");
+    ASSERT_TRUE(scene) << scene.error();
+    const auto& tower = std::get<VoxelShape>(scene->obstacles[0].obstacle.shape);
+    EXPECT_EQ(tower.cell_size, 0.5f);
+    ASSERT_EQ(tower.grid->data().cells, glm::ivec3(3, 4, 2));
+    int closed = 0;
+    for (const std::uint8_t value : tower.grid->data().closed)
+        closed += value;
+    EXPECT_EQ(closed, 3);
+    for (const glm::ivec3 cell : {glm::ivec3(0, 0, 1), glm::ivec3(1, 0, 1), glm::ivec3(2, 3, 0)})
+        EXPECT_TRUE(tower.grid->closed(cell)) << cell.x << cell.y << cell.z;
+}
+
+TEST_F(SceneShapes, WhatCannotBeUsedIsNamed) {
+    std::string open = k_box;
+    open.resize(open.rfind("f "));
+    write("house.obj", k_box);
+    write("open.obj", open);
+    write("words.obj", "v 1 2\n");
+    write("empty.obj", "v 0 0 0\n");
+    write("tower.vox", vox({3, 2, 4}, {{0, 0, 0}}));
+    write("cut.vox", vox({3, 2, 4}, {{0, 0, 0}}).substr(0, 60));
+    write("two.vox", vox({3, 2, 4}, {{0, 0, 0}}, 2));
+    write("beyond.vox", vox({3, 2, 4}, {{0, 2, 0}}));
+    write("large.vox", vox({300, 2, 4}, {{0, 0, 0}}));
+    write("air.vox", vox({3, 2, 4}, {}));
+    const auto mesh = [](const std::string& keys) { return R"({"shape": {"mesh": {)" + keys + "}}}"; };
+    const auto voxels = [](const std::string& keys) { return R"({"shape": {"voxels": {)" + keys + "}}}"; };
+    const std::pair<std::string, std::string> bad[] = {
+        {mesh(""), "$.obstacles[0].shape.mesh.file is missing: name a mesh, OBJ, in the scene's folder."},
+        {mesh(R"("file": 3)"), "$.obstacles[0].shape.mesh.file is 3"},
+        {mesh(R"("file": "../house.obj")"), "is \"../house.obj\": name a file in the scene's folder"},
+        {mesh(R"("file": "none.obj")"), "none.obj: no such file: check the name and the current folder."},
+        {mesh(R"("file": "open.obj")"),
+         "open.obj: the mesh is open at 4 edges, the first from (-1, 0, -1) to (-1, 0, 1): close it"},
+        {mesh(R"("file": "words.obj")"), "words.obj:1: v has '': give 3 finite numbers."},
+        {mesh(R"("file": "empty.obj")"), "empty.obj has no faces: give a mesh of triangles."},
+        {mesh(R"("file": "house.obj", "scale": 0)"), "$.obstacles[0].shape.mesh.scale is 0: give 1e-6 to 1e6."},
+        {mesh(R"("file": "house.obj", "size": 1)"), "$.obstacles[0].shape.mesh.size is not a known key"},
+        {mesh(R"("file": "house.obj", "scale": 900000)"), "reaches 1800000 m from its origin: give at most 1e6 m."},
+        {voxels(""), "$.obstacles[0].shape.voxels.file is missing: name a MagicaVoxel file in the scene's folder."},
+        {voxels(R"("file": "house.obj")"), "house.obj: is no MagicaVoxel file: it does not begin with \"VOX \""},
+        {voxels(R"("file": "cut.vox")"), "cut.vox: byte 44: a chunk ends beyond the file: the file is truncated; copy it again."},
+        {voxels(R"("file": "two.vox")"), "two.vox: has 2 models: merge them, or save each in a file of its own."},
+        {voxels(R"("file": "beyond.vox")"), "beyond.vox: byte 60: the cell (0, 2, 0) is outside of the model of (3, 2, 4)"},
+        {voxels(R"("file": "large.vox")"), "large.vox: byte 32: a model has 300 cells along an axis: give 1 to 256."},
+        {voxels(R"("file": "air.vox")"), "air.vox: the voxel grid has no closed cell: close one at least."},
+        {voxels(R"("file": "tower.vox", "cell_size": -1)"), "$.obstacles[0].shape.voxels.cell_size is -1 m"},
+        {mesh(R"("file": "open.obj")") + "," + mesh(R"("file": "open.obj")"),
+         "$.obstacles[1].shape.mesh.file names a file that cannot be used: see above."},
+    };
+    for (const auto& [text, sentence] : bad) {
+        EXPECT_NE(reason(text).find(sentence), std::string::npos) << reason(text) << " is not " << sentence;
+        if (text.find("},{") == std::string::npos) {
+            EXPECT_EQ(reason(text).find('\n'), std::string::npos) << "one sentence: " << reason(text);
+        }
+    }
+}
+
+double area(const MeshData& mesh) {
+    double sum = 0.0;
+    for (const glm::uvec3& t : mesh.triangles)
+        sum += 0.5 * glm::length(glm::cross(glm::dvec3(mesh.vertices[t.y] - mesh.vertices[t.x]),
+                                            glm::dvec3(mesh.vertices[t.z] - mesh.vertices[t.x])));
+    return sum;
+}
+
+MeshData face(const std::vector<glm::vec3>& corners) {
+    std::string text, face = "f";
+    for (std::size_t n = 0; n < corners.size(); ++n) {
+        text += detail::message("v ", corners[n].x, " ", corners[n].y, " ", corners[n].z, "\n");
+        face += detail::message(" ", n + 1);
+    }
+    const auto obj = check_obj(text + face + "\n", "face.obj", {.vertices = 100, .triangles = 100});
+    EXPECT_TRUE(obj) << obj.error();
+    return obj ? mesh_of_obj(*obj) : MeshData{};
+}
+
+// Triangles that reach out of the outline would have more area in all.
+TEST(ObjMesh, FacesAreCutWithinTheirOutline) {
+    const std::vector<glm::vec3> gate{{0, 0, 0}, {3, 0, 0}, {3, 2, 0}, {6, 2, 0}, {6, 0, 0}, {9, 0, 0}, {9, 4, 0}, {0, 4, 0}};
+    std::vector<glm::vec3> star, comb;
+    for (int n = 0; n < 40; ++n) {
+        const float angle = static_cast<float>(n) * 0.05f * std::numbers::pi_v<float>, r = n % 2 == 0 ? 3.0f : 1.0f;
+        star.emplace_back(r * std::cos(angle), r * std::sin(angle), 0.5f);
+    }
+    for (int n = 0; n < 30; ++n)
+        comb.emplace_back(0.0f, n % 2 == 0 ? 0.0f : 2.0f, static_cast<float>(n));
+    comb.emplace_back(0.0f, 3.0f, 29.0f);
+    comb.emplace_back(0.0f, 3.0f, 0.0f);
+    const std::pair<std::vector<glm::vec3>, double> outlines[] = {
+        {gate, 30.0}, {star, 40.0 * 0.5 * 3.0 * std::sin(0.05 * test::k_pi)}, {comb, 29.0 * 2.0}};
+    for (const auto& [outline, expected] : outlines)
+        for (const bool back : {false, true})
+            for (int turn = 0; turn < 3; ++turn) {
+                std::vector<glm::vec3> corners = outline;
+                if (back)
+                    std::reverse(corners.begin(), corners.end());
+                for (glm::vec3& corner : corners)
+                    for (int n = 0; n < turn; ++n)
+                        corner = {corner.y, corner.z, corner.x};
+                const MeshData mesh = face(corners);
+                EXPECT_EQ(mesh.triangles.size(), corners.size() - 2);
+                EXPECT_NEAR(area(mesh), expected, 1e-4) << corners.size() << ' ' << turn;
+            }
+    EXPECT_EQ(face({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}).triangles.size(), 2u) << "without area";
+}
+
+} // namespace
+} // namespace windrow::scene
