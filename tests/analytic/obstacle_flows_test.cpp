@@ -108,11 +108,15 @@ TEST(ObstacleFlows, OneSolveOfAStepIsNearTheConvergedOne) {
         {"cube", steady, cube}, {"cube_in_gusts", gusty, cube}, {"town_in_gusts", gusty, town}, {"plate", steady, plate}};
     for (const auto& [name, config, obstacles] : k_cases) {
         const Differences off = from_converged(config, obstacles);
+        if (k_sanitized) // a few steps, while the pressure still builds up
+            continue;
         WINDROW_EXPECT_FIGURE(std::string("obstacle_flows/one_solve/") + name, off.one, 3e-3);
         WINDROW_EXPECT_FIGURE(std::string("obstacle_flows/two_solves/") + name, off.two, 1e-3);
     }
     // The pressure of a body that moves through the cells is not that of the last step, and 1e-3 is not reached.
     const Differences moving = from_converged(steady, train, {5.0, 0.0, 0.0});
+    if (k_sanitized)
+        return;
     figure("obstacle_flows/one_solve/train", moving.one);
     WINDROW_EXPECT_FIGURE("obstacle_flows/two_solves/train", moving.two, 1e-2);
 }
