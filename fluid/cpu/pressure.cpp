@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <glm/vector_relational.hpp>
 #include <utility>
 
 namespace windrow {
@@ -227,21 +226,11 @@ void Workspace::State::set_obstacles(std::span<const cpu::PlacedObstacle> obstac
         empty(*terms, faces.size());
     for (std::vector<float>* terms : {&residual_terms, &applied_terms, &masked_terms})
         empty(*terms, solids->surface().size());
-    cpu::make_room(solid_keys, faces.size());
-    solid_keys.resize(faces.size());
-    // Both lists are sorted by cell; a shift of the box does not change the order of the cells that stay.
-    std::size_t from = 0;
-    for (std::size_t n = 0; n < faces.size(); ++n) {
-        solid_keys[n] = 4 * faces[n].cell[0] + faces[n].axis;
-        const glm::ivec3 then = solids->place_of(faces[n].cell[0]) + shift;
-        if (glm::any(glm::lessThan(then, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(then, box.cells)))
-            continue;
-        const std::uint32_t wanted = 4 * static_cast<std::uint32_t>(box.index(then.x, then.y, then.z)) + faces[n].axis;
-        while (from < keys_before.size() && keys_before[from] < wanted)
-            ++from;
-        if (from < keys_before.size() && keys_before[from] == wanted)
-            solid_terms[n] = terms_before[from];
-    }
+    solids->name_faces(solid_keys);
+    solids->find_origins(keys_before, shift, face_origins);
+    for (std::size_t n = 0; n < faces.size(); ++n)
+        if (face_origins[n] >= 0)
+            solid_terms[n] = terms_before[static_cast<std::size_t>(face_origins[n])];
 }
 
 void Workspace::State::project(std::span<glm::vec4> velocity, std::span<const float> expansion, const GradientNote& note,

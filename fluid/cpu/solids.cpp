@@ -276,4 +276,35 @@ void Solids::draw_image(Drawing& drawing, const Reach& reach, glm::ivec3 offset)
             }
 }
 
+void Solids::name_faces(std::vector<std::uint32_t>& names) const {
+    make_room(names, faces_.size());
+    names.clear();
+    for (const ClosedFace& face : faces_)
+        names.push_back(4 * face.cell[0] + face.axis);
+}
+
+void Solids::find_origins(std::span<const std::uint32_t> before, glm::ivec3 shift, std::vector<std::int32_t>& origins) const {
+    make_room(origins, faces_.size());
+    origins.clear();
+    const auto number = [&](glm::ivec3 low, std::uint8_t axis) -> std::int32_t {
+        if (glm::any(glm::lessThan(low, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(low, box_.cells)))
+            return -1;
+        const std::uint32_t name = 4 * index(low) + axis;
+        const auto found = std::lower_bound(before.begin(), before.end(), name);
+        return found != before.end() && *found == name ? static_cast<std::int32_t>(found - before.begin()) : -1;
+    };
+    for (const ClosedFace& face : faces_) {
+        const glm::ivec3 place(face.place[0], face.place[1], face.place[2]);
+        std::int32_t origin = number(place + shift, face.axis);
+        if (const PlacedObstacle& body = bodies_[face.body]; origin < 0 && body.moves()) {
+            const glm::vec3 velocity = body.velocity_at((glm::vec3(place) + 0.5f) * box_.cell_size), way = glm::abs(velocity);
+            const int along = way.x >= way.y && way.x >= way.z ? 0 : way.y >= way.z ? 1 : 2;
+            glm::ivec3 behind = place + shift;
+            behind[along] -= velocity[along] > 0.0f ? 1 : -1;
+            origin = number(behind, face.axis);
+        }
+        origins.push_back(origin);
+    }
+}
+
 } // namespace windrow::cpu

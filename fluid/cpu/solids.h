@@ -134,6 +134,13 @@ class Solids {
     /// Whether a wall beside a cell moves across its face.
     [[nodiscard]] bool beside_moving(std::uint32_t cell) const;
 
+    /// Names of the closed faces: 4 times the low cell, plus the axis; sorted, as the faces are.
+    void name_faces(std::vector<std::uint32_t>& names) const;
+    /// Which of the faces with the names `before`, of another placement, each face was; -1: none. `shift`: cells by which the box has
+    /// moved since. A face that a moving body has brought was the one a cell behind it: what the air's pressure is there goes with the
+    /// body.
+    void find_origins(std::span<const std::uint32_t> before, glm::ivec3 shift, std::vector<std::int32_t>& origins) const;
+
     [[nodiscard]] glm::ivec3 place_of(std::uint32_t cell) const;
     /// The neighbour toward the low end of an axis; false where there is none.
     [[nodiscard]] bool low_neighbour(std::uint32_t cell, int axis, std::uint32_t& low) const;

@@ -60,6 +60,7 @@ struct Workspace::State {
     std::vector<float> closed_slopes;       ///< by closed face: closed times the difference of phi
     std::vector<std::uint32_t> keys_before; ///< scratch of set_obstacles
     std::vector<float> terms_before;
+    std::vector<std::int32_t> face_origins; ///< scratch of set_obstacles
 
     void set_boundaries(const Boundaries& boundaries);
     void set_ambient(glm::vec3 wind);

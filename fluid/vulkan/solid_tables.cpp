@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <glm/vector_relational.hpp>
 
 namespace windrow::vulkan {
 namespace {
@@ -160,8 +159,7 @@ void SolidTables::add_faces() {
     for (const cpu::ClosedFace& face : solids_.faces()) {
         int flags = face.axis;
         for (int end = 0; end < 2; ++end)
-            flags |= (face.shut[end] ? WINDROW_LOW_SHUT << end : 0) |
-                     (solids_.is_sheltered(face.cell[end]) ? WINDROW_LOW_SHELTERED << end : 0);
+            flags |= solids_.is_sheltered(face.cell[end]) ? WINDROW_LOW_SHELTERED << end : 0;
         if (solids_.bodies()[face.body].surface == Surface::no_slip)
             flags |= WINDROW_FACE_NO_SLIP;
         for (const std::int32_t each : {word(face.cell[0]), word(face.cell[1]), word(face.surface[0]), word(face.surface[1]),
@@ -297,24 +295,11 @@ void SolidTables::add_bytes() {
 
 // --- The pressure's history --------------------------------------------------------------------------------------------------
 
-// Which face each was at the last placement. Both lists are sorted by cell, as in Workspace::State::set_obstacles.
 void SolidTables::add_origins(glm::ivec3 shift) {
     head_.before = here();
-    keys_.clear();
-    std::size_t from = 0;
-    for (const cpu::ClosedFace& face : solids_.faces()) {
-        keys_.push_back(4 * face.cell[0] + face.axis);
-        std::int32_t origin = -1;
-        const glm::ivec3 then = solids_.place_of(face.cell[0]) + shift;
-        if (glm::all(glm::greaterThanEqual(then, glm::ivec3(0))) && glm::all(glm::lessThan(then, box_.cells))) {
-            const std::uint32_t wanted = 4 * static_cast<std::uint32_t>(box_.index(then.x, then.y, then.z)) + face.axis;
-            while (from < keys_before_.size() && keys_before_[from] < wanted)
-                ++from;
-            if (from < keys_before_.size() && keys_before_[from] == wanted)
-                origin = static_cast<std::int32_t>(from);
-        }
-        words_.push_back(origin);
-    }
+    solids_.name_faces(keys_);
+    solids_.find_origins(keys_before_, shift, origins_);
+    words_.insert(words_.end(), origins_.begin(), origins_.end());
 }
 
 } // namespace windrow::vulkan

@@ -143,9 +143,8 @@ struct WindrowSolids {
 #define WINDROW_ROOM 8
 #define WINDROW_BODY_SHIFT 5
 // Of a face, behind its axis.
-#define WINDROW_LOW_SHUT 4
-#define WINDROW_LOW_SHELTERED 16
-#define WINDROW_FACE_NO_SLIP 64
+#define WINDROW_LOW_SHELTERED 4
+#define WINDROW_FACE_NO_SLIP 16
 // Of a term: the axis across a closed face is behind the cell's number.
 #define WINDROW_TERM_AXIS_SHIFT 29
 // A cell's byte: three blocked faces, then
