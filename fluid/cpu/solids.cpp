@@ -283,28 +283,28 @@ void Solids::name_faces(std::vector<std::uint32_t>& names) const {
         names.push_back(4 * face.cell[0] + face.axis);
 }
 
-void Solids::find_origins(std::span<const std::uint32_t> before, glm::ivec3 shift, std::vector<std::int32_t>& origins) const {
+void Solids::find_origins(std::span<const std::uint32_t> before, glm::ivec3 shift, std::vector<std::int32_t>& origins) {
     make_room(origins, faces_.size());
-    origins.clear();
-    const auto number = [&](glm::ivec3 low, std::uint8_t axis) -> std::int32_t {
-        if (glm::any(glm::lessThan(low, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(low, box_.cells)))
-            return -1;
-        const std::uint32_t name = 4 * index(low) + axis;
-        const auto found = std::lower_bound(before.begin(), before.end(), name);
-        return found != before.end() && *found == name ? static_cast<std::int32_t>(found - before.begin()) : -1;
-    };
-    for (const ClosedFace& face : faces_) {
-        const glm::ivec3 place(face.place[0], face.place[1], face.place[2]);
-        std::int32_t origin = number(place + shift, face.axis);
-        if (const PlacedObstacle& body = bodies_[face.body]; origin < 0 && body.moves()) {
-            const glm::vec3 velocity = body.velocity_at((glm::vec3(place) + 0.5f) * box_.cell_size), way = glm::abs(velocity);
-            const int along = way.x >= way.y && way.x >= way.z ? 0 : way.y >= way.z ? 1 : 2;
-            glm::ivec3 behind = place + shift;
-            behind[along] -= velocity[along] > 0.0f ? 1 : -1;
-            origin = number(behind, face.axis);
+    make_room(closes_new_, bodies_.size());
+    origins.assign(faces_.size(), -1);
+    closes_new_.assign(bodies_.size(), 0);
+    std::size_t from = 0; // both lists are sorted by cell; a shift of the box does not change the order of the cells that stay
+    for (std::size_t n = 0; n < faces_.size(); ++n) {
+        const ClosedFace& face = faces_[n];
+        const glm::ivec3 then = glm::ivec3(face.place[0], face.place[1], face.place[2]) + shift;
+        if (glm::all(glm::greaterThanEqual(then, glm::ivec3(0))) && glm::all(glm::lessThan(then, box_.cells))) {
+            const std::uint32_t name = 4 * index(then) + face.axis;
+            while (from < before.size() && before[from] < name)
+                ++from;
+            if (from < before.size() && before[from] == name)
+                origins[n] = static_cast<std::int32_t>(from);
         }
-        origins.push_back(origin);
+        if (origins[n] < 0 && bodies_[face.body].moves())
+            closes_new_[face.body] = 1;
     }
+    for (std::size_t n = 0; n < faces_.size(); ++n)
+        if (closes_new_[faces_[n].body] != 0)
+            origins[n] = -1;
 }
 
 } // namespace windrow::cpu

@@ -137,9 +137,9 @@ class Solids {
     /// Names of the closed faces: 4 times the low cell, plus the axis; sorted, as the faces are.
     void name_faces(std::vector<std::uint32_t>& names) const;
     /// Which of the faces with the names `before`, of another placement, each face was; -1: none. `shift`: cells by which the box has
-    /// moved since. A face that a moving body has brought was the one a cell behind it: what the air's pressure is there goes with the
-    /// body.
-    void find_origins(std::span<const std::uint32_t> before, glm::ivec3 shift, std::vector<std::int32_t>& origins) const;
+    /// moved since. Of a moving body that closes a new face none was there: the step gives the air that it meets an impulse, to which
+    /// the pressure of the last step is no guide.
+    void find_origins(std::span<const std::uint32_t> before, glm::ivec3 shift, std::vector<std::int32_t>& origins);
 
     [[nodiscard]] glm::ivec3 place_of(std::uint32_t cell) const;
     /// The neighbour toward the low end of an axis; false where there is none.
@@ -217,6 +217,7 @@ class Solids {
     std::vector<PlacedObstacle> bodies_;
     std::vector<Drawing> drawings_, drawings_before_; ///< one a body, in their order; those behind keep their room
     std::vector<std::uint8_t> thin_bodies_;           ///< whether each body is thin
+    std::vector<std::uint8_t> closes_new_;            ///< scratch of find_origins: whether each body does
     std::vector<ClosedFace> faces_;
     std::vector<SurfaceCell> surface_;
     std::vector<InsideCell> inside_;
