@@ -34,7 +34,7 @@ constexpr glm::dvec3 k_field{4.0e5, 120.0, -2.5e5}; // [m] the eye's place, far 
 
 // Soft hills, 400 m across, with a dip where the eye stands: sums of cosines, ours.
 render::Ground hills() {
-    auto heights = grass::HeightMap::create({161, 161}, 2.5f, [](glm::vec2 place) {
+    auto heights = windrow::HeightMap::create({161, 161}, 2.5f, [](glm::vec2 place) {
         const double x = static_cast<double>(place.x) - 200.0, z = static_cast<double>(place.y) - 320.0; // from the eye
         const double hill = 5.0 * (1.0 - std::cos(0.021 * z + 0.004 * x)) + 2.2 * std::sin(0.035 * x + 0.6) * std::sin(0.028 * z);
         const double far = 1.0 - std::exp(-(x * x + z * z) / (40.0 * 40.0));

@@ -76,7 +76,7 @@ std::vector<trees::TreeStandSettings> stands_of(const std::string& kind) {
 render::Scene scene_of(float speed) {
     render::Scene scene;
     scene.ground.corner = k_field - glm::dvec3(400.0, 0.0, 700.0);
-    scene.ground.heights = held(grass::HeightMap::create({161, 161}, 5.0f, [](glm::vec2) { return 0.0f; }));
+    scene.ground.heights = held(windrow::HeightMap::create({161, 161}, 5.0f, [](glm::vec2) { return 0.0f; }));
     scene.camera.position = k_field + glm::dvec3(0.0, 2.2, 0.0);
     scene.camera.target = k_field + glm::dvec3(0.0, 4.2, -40.0);
     scene.look.even_from = 1.0f; // no grass is drawn here: the ground has its colour

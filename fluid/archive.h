@@ -56,7 +56,9 @@ struct SharedMet {
     }
 
   private:
-    std::tuple<std::vector<std::shared_ptr<const TriangleMesh>>, std::vector<std::shared_ptr<const VoxelGrid>>> lists_;
+    std::tuple<std::vector<std::shared_ptr<const TriangleMesh>>, std::vector<std::shared_ptr<const VoxelGrid>>,
+               std::vector<std::shared_ptr<const HeightMap>>>
+        lists_;
 };
 
 /// Hands every stored field of a struct to the archive.
@@ -92,7 +94,7 @@ class Layout {
                 ((mix(Kinds::k_name), with<Kinds>()), ...);
             }(std::type_identity<Value>());
         } else if constexpr (k_is_shared<Value>) {
-            mix("shared 1"); // change it with shape_record.h
+            mix("shared 2"); // change it with shape_record.h
         } else {
             mix(std::is_floating_point_v<Value> ? "f" : "i");
             hash_ = (hash_ ^ static_cast<std::uint32_t>(sizeof(Value))) * k_prime;

@@ -15,6 +15,8 @@ namespace windrow {
 namespace detail {
 namespace {
 
+constexpr float k_everywhere = 1e7f; // [m] of the ground: past the ends of the world
+
 glm::vec3 in_grid(const VoxelShape& shape, glm::vec3 p) {
     return p / shape.cell_size + 0.5f * glm::vec3(shape.grid->data().cells);
 }
@@ -51,6 +53,11 @@ float distance(const VoxelShape& shape, glm::vec3 p, float most) {
     return shape.cell_size * shape.grid->distance_to(in_grid(shape, p), most / shape.cell_size);
 }
 
+// The rise above the surface over the longest way that a slope makes of it: no nearer point is on the surface.
+float distance(const Ground& shape, glm::vec3 p, float) {
+    return (p.y - height_at(shape, p)) * nearness(shape);
+}
+
 glm::vec3 extent(const Sphere& ball) {
     return glm::vec3(ball.radius);
 }
@@ -71,6 +78,10 @@ glm::vec3 extent(const MeshShape& shape) {
 }
 glm::vec3 extent(const VoxelShape& shape) {
     return 0.5f * shape.cell_size * glm::vec3(shape.grid->data().cells);
+}
+
+glm::vec3 extent(const Ground&) {
+    return glm::vec3(k_everywhere);
 }
 
 float least_thickness(const auto& shape) {
@@ -143,6 +154,16 @@ std::partial_ordering compare(const Shape& a, const Shape& b) {
 }
 
 } // namespace
+
+float height_at(const Ground& ground, glm::vec3 point) {
+    const glm::vec3 size = ground.scale;
+    return size.y * ground.heights->height(glm::vec2(point.x, point.z) / glm::vec2(size.x, size.z));
+}
+
+float nearness(const Ground& ground) {
+    const float slope = ground.scale.y / std::min(ground.scale.x, ground.scale.z) * ground.heights->steepest();
+    return 1.0f / std::sqrt(1.0f + slope * slope);
+}
 
 float distance_to(const Shape& shape, glm::vec3 point, float most) {
     return std::visit([&](const auto& kind) { return distance(kind, point, most); }, shape);
@@ -219,6 +240,11 @@ void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const 
         reasons.add(path, " has no grid: give one that VoxelGrid::create made.");
     else
         check_size(reasons, path, shape);
+}
+
+void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const Ground& shape) {
+    if (shape.heights == nullptr)
+        reasons.add(path, " has no heights: give some that HeightMap::create made.");
 }
 
 Result<void> validate(const Obstacle& obstacle) {

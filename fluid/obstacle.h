@@ -7,6 +7,7 @@
 #pragma once
 
 #include "fluid/motor.h"
+#include "fluid/shapes/height_map.h"
 #include "fluid/shapes/triangle_mesh.h"
 #include "fluid/shapes/voxel_grid.h"
 
@@ -95,11 +96,32 @@ struct VoxelShape {
     }
 };
 
-/// Rejects a mesh and a grid that are missing, and those of more than 1e6 m.
+/// All that is below a height map, to any depth. Its edge goes on outward, so that it ends nowhere. The position is that of height 0 at
+/// the map's first corner. Upright, it takes less time than turned about a level axis.
+struct Ground {
+    static constexpr const char* k_name = "ground";
+    static constexpr const char* k_meaning = "All below a height map, beyond its edge too: hills, a valley, a dam.";
+    std::shared_ptr<const HeightMap> heights{}; ///< null is rejected
+    glm::vec3 scale{1.0f};
+
+    static constexpr auto settings() {
+        return std::tuple{
+            Setting("file", &Ground::heights,
+                    "PGM picture of 8 or 16 bits, beside the scene: a pixel a metre, black is 0 m, white 1 m, rows along z. Its "
+                    "first "
+                    "pixel is at the position."),
+            Setting("scale", &Ground::scale, {1e-3, 1e5},
+                    "Factor on its size along x, y and z: the metres of a pixel, and the metres of white over black."),
+        };
+    }
+};
+
+/// Rejects a mesh, a grid and heights that are missing, and those of more than 1e6 m.
 void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const MeshShape& shape);
 void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const VoxelShape& shape);
+void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const Ground& shape);
 
-using Shape = std::variant<Sphere, Capsule, Block, Cylinder, Plate, MeshShape, VoxelShape>;
+using Shape = std::variant<Sphere, Capsule, Block, Cylinder, Plate, MeshShape, VoxelShape, Ground>;
 
 /// What the air does along a surface.
 enum class Surface : std::uint8_t {
@@ -156,6 +178,10 @@ using windrow::PlacedObstacle;
 [[nodiscard]] float distance_to(const Shape& shape, glm::vec3 point, float most = std::numeric_limits<float>::infinity());
 /// [m] Half the size of the box along the shape's own axes that holds it.
 [[nodiscard]] glm::vec3 half_extent(const Shape& shape);
+/// [m] Of the ground under a point in its own axes, and the factor from the height over it to a distance that no point of the surface
+/// is nearer than.
+[[nodiscard]] float height_at(const Ground& ground, glm::vec3 point);
+[[nodiscard]] float nearness(const Ground& ground);
 /// Places obstacles as they are `early` [s] before the end of the step.
 void move_back(std::span<PlacedObstacle> obstacles, double early);
 /// Whether two shapes are the same, to the bit.

@@ -2,6 +2,7 @@
 
 #include "fluid/input_file.h"
 #include "fluid/message.h"
+#include "fluid/pgm.h"
 #include "scene/obj_text.h"
 #include "scene/scene_parts.h"
 #include "scene/vox_file.h"
@@ -19,6 +20,19 @@ Result<MeshData> parse_obj(std::string_view bytes, const std::string& name) {
     if (!obj)
         return Error{obj.error()};
     return detail::where_memory_lasts([&]() -> Result<MeshData> { return mesh_of_obj(*obj); });
+}
+
+Result<HeightData> parse_pgm(std::string_view bytes, const std::string& name) {
+    const auto picture = detail::read_pgm(bytes, name, k_max_bytes);
+    if (!picture)
+        return Error{picture.error()};
+    return detail::where_memory_lasts([&]() -> Result<HeightData> {
+        HeightData data{.corners = picture->size, .spacing = 1.0f};
+        data.heights.reserve(picture->pixels());
+        for (std::size_t n = 0; n < picture->pixels(); ++n)
+            data.heights.push_back(picture->value(n));
+        return data;
+    });
 }
 
 } // namespace
@@ -66,6 +80,10 @@ void ShapeFiles::read(JsonObject& object, const Key& key, std::shared_ptr<const 
 
 void ShapeFiles::read(JsonObject& object, const Key& key, std::shared_ptr<const VoxelGrid>& grid) {
     read(object, key, "a MagicaVoxel file", grids_, grid, read_vox);
+}
+
+void ShapeFiles::read(JsonObject& object, const Key& key, std::shared_ptr<const HeightMap>& heights) {
+    read(object, key, "a picture of heights, PGM,", heights_, heights, parse_pgm);
 }
 
 } // namespace windrow::scene

@@ -1,4 +1,4 @@
-// Meshes and voxel grids that the obstacles of a scene name: each file is read once and shared.
+// Meshes, voxel grids and heights that the obstacles of a scene name: each file is read once and shared.
 #pragma once
 
 #include "fluid/obstacle.h"
@@ -18,6 +18,7 @@ class ShapeFiles {
     /// What the file at a key holds; null where it is missing or cannot be used, which is noted.
     void read(JsonObject& object, const Key& key, std::shared_ptr<const TriangleMesh>& mesh);
     void read(JsonObject& object, const Key& key, std::shared_ptr<const VoxelGrid>& grid);
+    void read(JsonObject& object, const Key& key, std::shared_ptr<const HeightMap>& heights);
 
   private:
     template <class Kind>
@@ -30,6 +31,7 @@ class ShapeFiles {
     std::filesystem::path folder_;
     Files<TriangleMesh> meshes_; ///< null: rejected
     Files<VoxelGrid> grids_;
+    Files<HeightMap> heights_;
 };
 
 } // namespace windrow::scene

@@ -26,6 +26,23 @@ inline std::shared_ptr<const VoxelGrid> grid_of(VoxelData data) {
     return made ? *made : nullptr;
 }
 
+inline std::shared_ptr<const HeightMap> heights_of(HeightData data) {
+    auto made = HeightMap::create(std::move(data));
+    EXPECT_TRUE(made) << made.error();
+    return made ? *made : nullptr;
+}
+
+/// The same from a function of the place [m].
+inline std::shared_ptr<const HeightMap> heights_of(glm::ivec2 corners, float spacing,
+                                                   const std::function<double(double x, double z)>& height) {
+    HeightData data{.corners = corners, .spacing = spacing};
+    for (int z = 0; z < corners.y; ++z)
+        for (int x = 0; x < corners.x; ++x)
+            data.heights.push_back(
+                static_cast<float>(height(static_cast<double>(spacing) * x, static_cast<double>(spacing) * z)));
+    return heights_of(std::move(data));
+}
+
 /// Two triangles a face, outward.
 inline MeshData box_mesh(glm::vec3 half, glm::vec3 centre = glm::vec3(0.0f)) {
     MeshData data;

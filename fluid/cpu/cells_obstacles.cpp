@@ -11,13 +11,6 @@
 #include <glm/vector_relational.hpp>
 
 namespace windrow::cpu {
-namespace {
-
-constexpr int k_first_solves = 16; // of the pressure around obstacles, in the first step of a flow
-constexpr float k_first_residual = 1e-3f;
-constexpr float k_steady_residual = 1e-2f, k_gusty_residual = 6e-2f; // for which one solve does
-
-} // namespace
 
 bool Cells::place_obstacles(const CellStep& step, double early, Diagnostics& report) {
     if (!step.obstacles_changed && !place_again_ && !(bodies_move_ && report.substeps > 1))

@@ -233,7 +233,31 @@ void Solids::draw_image(Drawing& drawing, const Reach& reach, glm::ivec3 offset)
     };
     const bool flat = std::holds_alternative<Plate>(body.shape), moves = body.moves();
     const float far = k_far * h;
-    if (!flat) {
+    // An upright ground has one height a column: of corners, then of centres.
+    const Ground* const ground = body.axes[1] == glm::vec3(0.0f, 1.0f, 0.0f) ? std::get_if<Ground>(&body.shape) : nullptr;
+    const float nearness = ground != nullptr ? detail::nearness(*ground) : 0.0f;
+    const auto column = [&](int i, int k) { return static_cast<std::size_t>(k - low.z) * corners.x + (i - low.x); };
+    const std::size_t columns = static_cast<std::size_t>(corners.x) * corners.z;
+    if (ground != nullptr) {
+        heights_.resize(2 * columns);
+        for (int k = low.z; k <= high.z; ++k)
+            for (int i = low.x; i <= high.x; ++i)
+                for (const std::size_t centre : {0u, 1u}) {
+                    const float half = 0.5f * static_cast<float>(centre);
+                    heights_[centre * columns + column(i, k)] =
+                        detail::height_at(*ground, own_place(glm::vec3(i, 0, k) + glm::vec3(half, 0.0f, half)));
+                }
+    }
+    if (ground != nullptr) {
+        distances_.resize(static_cast<std::size_t>(corners.x) * corners.y * corners.z);
+        for (int k = low.z; k <= high.z; ++k)
+            for (int j = low.y; j <= high.y; ++j) {
+                const float y = own_place(glm::vec3(0, j, 0)).y;
+                const float *const row = &heights_[column(low.x, k)], *const end = row + corners.x;
+                std::transform(row, end, &distances_[corner({low.x, j, k})],
+                               [&](float height) { return (y - height) * nearness / h - k_touch; });
+            }
+    } else if (!flat) {
         distances_.resize(static_cast<std::size_t>(corners.x) * corners.y * corners.z);
         for (int k = low.z; k <= high.z; ++k)
             for (int j = low.y; j <= high.y; ++j)
@@ -244,8 +268,11 @@ void Solids::draw_image(Drawing& drawing, const Reach& reach, glm::ivec3 offset)
         for (int j = low.y; j < high.y; ++j)
             for (int i = low.x; i < high.x; ++i) {
                 const glm::ivec3 cell(i, j, k);
-                const glm::vec3 centre = glm::vec3(cell) + 0.5f, here = own_place(centre);
-                const float away = detail::distance_to(body.shape, here, far) / h;
+                const glm::vec3 centre = glm::vec3(cell) + 0.5f;
+                const glm::vec3 here = own_place(centre);
+                const float away = (ground != nullptr ? (here.y - heights_[columns + column(i, k)]) * nearness
+                                                      : detail::distance_to(body.shape, here, far)) /
+                                   h;
                 const bool in = !flat && away <= 0.0f;
                 if (in)
                     drawn_inside_.push_back(cell);

@@ -1,4 +1,4 @@
-// Data of meshes and voxel grids as fields of an archive: lists by their length, closed cells as bits.
+// Data of meshes, voxel grids and heights as fields of an archive: lists by their length, closed cells as bits.
 #pragma once
 
 #include "fluid/archive.h"
@@ -22,6 +22,12 @@ void fields(auto& archive, Like<MeshData> auto& mesh) {
     auto& [vertices, triangles] = mesh;
     pass_list(archive, vertices, sizeof(glm::vec3));
     pass_list(archive, triangles, sizeof(glm::uvec3));
+}
+
+void fields(auto& archive, Like<HeightData> auto& ground) {
+    auto& [corners, spacing, heights] = ground;
+    archive(corners, spacing);
+    pass_list(archive, heights, sizeof(float));
 }
 
 void fields(auto& archive, Like<VoxelData> auto& grid) {

@@ -13,9 +13,6 @@
 namespace windrow::vulkan {
 namespace {
 
-constexpr int k_first_solves = 16; // of a flow without a last step, and of volume sources
-constexpr float k_first_residual = 1e-3f;
-
 std::uint32_t with_room(std::size_t count) {
     return static_cast<std::uint32_t>(count + count / 2 + 64);
 }
@@ -162,7 +159,7 @@ Passes::Around Air::around_obstacles(const CellStep& step, bool fresh) const {
     if (config_.pressure_solves > 0)
         around.solves = config_.pressure_solves;
     else if (fresh)
-        around.solves = k_first_solves, around.tolerance = k_first_residual;
+        around.solves = cpu::k_first_solves, around.tolerance = cpu::k_first_residual;
     return around;
 }
 
@@ -170,7 +167,7 @@ Passes::Around Air::around_obstacles(const CellStep& step, bool fresh) const {
 Passes::Around Air::around_sources() const {
     if (!solids_ || !solids_->any())
         return {};
-    return {.solves = k_first_solves, .tolerance = k_first_residual, .careful = false, .rooms = false};
+    return {.solves = cpu::k_first_solves, .tolerance = cpu::k_first_residual, .careful = false, .rooms = false};
 }
 
 void Air::work_on_rooms(VkCommandBuffer commands, int work) {

@@ -61,6 +61,7 @@ void add_obstacles(Wind& wind) {
         {.shape = Cylinder{}},
         {.shape = MeshShape{*TriangleMesh::create(tetrahedron), 1.5f}},
         {.shape = VoxelShape{*VoxelGrid::create({.cells = {2, 1, 2}, .closed = {1, 1, 0, 1}}), 0.5f}},
+        {.shape = Ground{*HeightMap::create(HeightData{{2, 2}, 1.0f, {0.0f, 0.5f, 0.0f, 0.0f}})}},
         {.orientation = aslant, .shape = Plate{}},
     };
     ObstacleId last;

@@ -1,5 +1,6 @@
 // Obstacles on the device against those on the CPU: the same story, frame by frame, with as many direct solves.
 #include "tests/parity/wind_parity.h"
+#include "tests/shapes.h"
 
 #include <glm/gtc/quaternion.hpp>
 
@@ -54,6 +55,25 @@ TEST_F(WindObstacles, AWalkAlongFencesInGusts) {
         frame(pair, 1.0 / 30.0);
     }
     report("fences", pair, 1e-5);
+}
+
+TEST_F(WindObstacles, AWalkOverHills) {
+    TwoWinds pair = make({.cells = k_cells,
+                          .boundaries = Boundaries::open_over_floor(),
+                          .centre = {0.0, 6.0, 0.0},
+                          .ambient = {5.0f, 0.0f, 1.0f},
+                          .profile = LogProfile{},
+                          .gusts = {.intensity = 0.2f},
+                          .pressure_solves = 2});
+    add(pair, {.position = {-30.0, 3.0, -30.0}, .shape = Ground{test::heights_of({61, 61}, 1.0f, [](double x, double z) {
+                                                    return 2.0 * std::sin(0.3 * x) * std::cos(0.4 * z);
+                                                })}});
+    for (int n = 0; n < 25; ++n) {
+        pair.follow({0.35 * n, 6.0 + 0.1 * n, -0.15 * n});
+        frame(pair, 1.0 / 30.0);
+    }
+    // The start against thousands of cells at the surface: sums of floats here, of doubles there. Later it is 2e-6.
+    report("hills", pair, 1e-4);
 }
 
 TEST_F(WindObstacles, ABallThatFliesAndADoorThatTurns) {

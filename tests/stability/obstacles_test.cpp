@@ -1,5 +1,6 @@
 // Hard cases with obstacles: what moves nothing from outside creates no energy, and no speed runs away.
 #include "fluid/thread_pool.h"
+#include "tests/shapes.h"
 #include "tests/stability/watch.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -70,6 +71,17 @@ TEST(ObstacleStability, BodiesOfEveryShapeCreateNoEnergy) {
         placed(wind, {.position = {11.0, 3.0, 12.0}, .shape = Capsule{.half_axis = {2.0f, 1.0f, 1.0f}, .radius = 0.8f}});
         placed(wind, {.position = {8.0, 4.0, 8.0}, .shape = Block{{0.3f, 2.5f, 2.5f}}}); // thinner than a cell
         expect_calms("bodies/cfl_" + std::to_string(static_cast<int>(cfl * 10.0f)), wind, cfl);
+    }
+}
+
+// Ridges of two and of five cells, one steeper than 60 degrees.
+TEST(ObstacleStability, HillsCreateNoEnergy) {
+    for (const float cfl : {0.5f, 2.0f, 10.0f}) {
+        Wind wind = made(closed_box());
+        placed(wind, {.shape = Ground{heights_of({17, 17}, 1.0f, [](double x, double z) {
+                          return 2.5 + 1.7 * std::sin(1.1 * x) * std::cos(0.5 * z) + 0.8 * std::sin(0.4 * x + 0.9 * z);
+                      })}});
+        expect_calms("hills/cfl_" + std::to_string(static_cast<int>(cfl * 10.0f)), wind, cfl);
     }
 }
 

@@ -119,6 +119,7 @@ TEST(Obstacles, RejectWhatIsNoBody) {
          "obstacle.shape.block.half_size is (1, -1, 1) m: give each component a number above 0, at most 1e6 m."},
         {{.shape = MeshShape{}}, "obstacle.shape.mesh has no mesh: give one that TriangleMesh::create made."},
         {{.shape = VoxelShape{}}, "obstacle.shape.voxels has no grid: give one that VoxelGrid::create made."},
+        {{.shape = Ground{}}, "obstacle.shape.ground has no heights: give some that HeightMap::create made."},
         {{.shape = MeshShape{mesh_of(box_mesh({2.0f, 1.0f, 1.0f})), 0.0f}}, "obstacle.shape.mesh.scale is 0: give 1e-6 to 1e6."},
         {{.shape = MeshShape{mesh_of(box_mesh({2.0f, 1.0f, 1.0f})), 1e6f}},
          "obstacle.shape.mesh reaches 2e6 m from its origin: give at most 1e6 m."},
@@ -202,10 +203,11 @@ TEST(Obstacles, TheOrderIsThatOfTheirContent) {
         const MeshData ball = ball_mesh(1.0f + 0.1f * static_cast<float>(random.integer(0, 2)), 0); // a mesh for each obstacle
         VoxelData grid{.cells = {2, 2, 1}, .closed = {1, 0, 1, static_cast<std::uint8_t>(random.integer(0, 1))}};
         const Shape shapes[] = {Capsule{.half_axis = random.vector(2.0f)}, Block{}, MeshShape{mesh_of(ball)},
-                                VoxelShape{grid_of(grid), 0.5f}};
+                                VoxelShape{grid_of(grid), 0.5f},
+                                Ground{heights_of({{2, 2}, 1.0f, {0.0f, 0.0f, 1.0f, 2.0f * static_cast<float>(random.integer(0, 1))}})}};
         all.push_back({.position = {double(random.integer(0, 2)), 16.0, 32.0},
                        .orientation = turned(90.0 * random.integer(0, 1)),
-                       .shape = shapes[random.integer(0, 3)],
+                       .shape = shapes[random.integer(0, 4)],
                        .surface = static_cast<Surface>(random.integer(0, 1))});
     }
     Obstacles forward, backward;

@@ -79,6 +79,18 @@ TEST_F(SceneShapes, AModelOfVoxelsIsTurnedWithItsTopUp) {
         EXPECT_TRUE(tower.grid->closed(cell)) << cell.x << cell.y << cell.z;
 }
 
+TEST_F(SceneShapes, APictureOfHeightsIsGround) {
+    write("hill.pgm", "P5\n# two bytes a pixel\n3 2\n1000\n" + std::string("\0\0\x01\xf4\x03\xe8\0\0\0\0\x03\xe8", 12));
+    const auto scene = read(R"({"shape": {"ground": {"file": "hill.pgm", "scale": [10, 50, 20]}}, "position": [4, 1, 2]})");
+    ASSERT_TRUE(scene) << scene.error();
+    const auto& hill = std::get<Ground>(scene->obstacles[0].obstacle.shape);
+    EXPECT_EQ(hill.scale, glm::vec3(10.0f, 50.0f, 20.0f));
+    EXPECT_EQ(hill.heights->data(), (HeightData{{3, 2}, 1.0f, {0.0f, 0.5f, 1.0f, 0.0f, 0.0f, 1.0f}}));
+    EXPECT_GT(detail::distance_to(hill, {10.0f, 25.1f, 0.0f}), 0.0f);
+    EXPECT_LT(detail::distance_to(hill, {10.0f, 24.9f, 0.0f}), 0.0f);
+    EXPECT_LT(detail::distance_to(hill, {1e5f, 49.9f, -1e5f}), 0.0f) << "beyond the edge";
+}
+
 TEST_F(SceneShapes, WhatCannotBeUsedIsNamed) {
     std::string open = k_box;
     open.resize(open.rfind("f "));
@@ -91,6 +103,7 @@ TEST_F(SceneShapes, WhatCannotBeUsedIsNamed) {
     write("two.vox", vox({3, 2, 4}, {{0, 0, 0}}, 2));
     write("beyond.vox", vox({3, 2, 4}, {{0, 2, 0}}));
     write("large.vox", vox({300, 2, 4}, {{0, 0, 0}}));
+    write("dot.pgm", "P5 1 1 255\n7");
     write("air.vox", vox({3, 2, 4}, {}));
     const auto mesh = [](const std::string& keys) { return R"({"shape": {"mesh": {)" + keys + "}}}"; };
     const auto voxels = [](const std::string& keys) { return R"({"shape": {"voxels": {)" + keys + "}}}"; };
@@ -106,6 +119,10 @@ TEST_F(SceneShapes, WhatCannotBeUsedIsNamed) {
         {mesh(R"("file": "house.obj", "scale": 0)"), "$.obstacles[0].shape.mesh.scale is 0: give 1e-6 to 1e6."},
         {mesh(R"("file": "house.obj", "size": 1)"), "$.obstacles[0].shape.mesh.size is not a known key"},
         {mesh(R"("file": "house.obj", "scale": 900000)"), "reaches 1800000 m from its origin: give at most 1e6 m."},
+        {R"({"shape": {"ground": {"file": "house.obj"}}})",
+         "house.obj is not a binary PGM of up to 65535 levels: save the image as PGM (P5)."},
+        {R"({"shape": {"ground": {"file": "dot.pgm"}}})",
+         "dot.pgm: heightmap.corners is (1, 1): give each component 2 to 16384."},
         {voxels(""), "$.obstacles[0].shape.voxels.file is missing: name a MagicaVoxel file in the scene's folder."},
         {voxels(R"("file": "house.obj")"), "house.obj: is no MagicaVoxel file: it does not begin with \"VOX \""},
         {voxels(R"("file": "cut.vox")"), "cut.vox: byte 44: a chunk ends beyond the file: the file is truncated; copy it again."},

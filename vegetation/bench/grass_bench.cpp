@@ -60,7 +60,7 @@ double vertices_of(engine::Device& device, const grass::GrassField& field, const
 }
 
 void measure(windrow::vulkan::OwnDevice& own, engine::Device& device, float metres) {
-    const grass::HeightMap heights = held(grass::bench::rolling_hills(metres));
+    const windrow::HeightMap heights = held(grass::bench::rolling_hills(metres));
     const grass::PlacementMask mask = held(grass::PlacementMask::create({257, 257}, heights.extent(), 1.0f));
     const grass::GrassSettings settings;
     grass::GrassField field = held(grass::GrassField::create(device, heights, mask, settings));

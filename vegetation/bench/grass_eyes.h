@@ -1,8 +1,8 @@
 // The field and the cameras that the benchmark of the grass measures.
 #pragma once
 
+#include "fluid/shapes/height_map.h"
 #include "vegetation/grass/grass_view.h"
-#include "vegetation/grass/height_map.h"
 
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>

@@ -1,7 +1,8 @@
 // The grass's formulas as C++: the same text of shaders/numerics that its passes include.
 #pragma once
 
-#include <cstddef>
+#include "fluid/height_grid.h"
+
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
@@ -10,26 +11,9 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-namespace windrow::numerics {
-
-/// Values of a grid in plain memory, x fastest.
-struct GridView {
-    const float* values = nullptr;
-};
-
-inline float windrow_grid_value(const GridView& grid, glm::ivec2 corner, int across) {
-    return grid
-        .values[static_cast<std::size_t>(corner.y) * static_cast<std::size_t>(across) + static_cast<std::size_t>(corner.x)];
-}
-
-} // namespace windrow::numerics
-
 #define WINDROW_FN inline
-#define WINDROW_GRID const GridView&
 namespace windrow::numerics {
 using namespace glm;
 #include "vegetation/shaders/numerics/grass.glsl"
-#include "vegetation/shaders/numerics/height_grid.glsl"
 } // namespace windrow::numerics
-#undef WINDROW_GRID
 #undef WINDROW_FN

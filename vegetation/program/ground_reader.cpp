@@ -34,18 +34,18 @@ std::optional<glm::ivec2> level_texels(glm::dvec2 extent) {
     return std::nullopt;
 }
 
-std::optional<grass::HeightMap> rolling(const GroundSource& ground) {
+std::optional<HeightMap> rolling(const GroundSource& ground) {
     const auto texels = level_texels(ground.extent);
     if (!texels)
         return std::nullopt;
     const float height = static_cast<float>(ground.low);
-    auto made = grass::HeightMap::create(*texels + 1, static_cast<float>(ground.extent.x / texels->x),
-                                         [&](glm::vec2 place) { return height + ground.hills.at(place); });
+    auto made = HeightMap::create(*texels + 1, static_cast<float>(ground.extent.x / texels->x),
+                                  [&](glm::vec2 place) { return height + ground.hills.at(place); });
     return made ? std::optional(*std::move(made)) : std::nullopt;
 }
 
-std::optional<grass::HeightMap> from_file(JsonObject& object, const GroundSource& ground, const std::filesystem::path& file,
-                                          const Surroundings& around) {
+std::optional<HeightMap> from_file(JsonObject& object, const GroundSource& ground, const std::filesystem::path& file,
+                                   const Surroundings& around) {
     const std::string named = "is " + windrow::scene::quote_json(object.value()["heights"]);
     // A mask's file is the same picture of 0 to 1.
     const auto picture = read_pgm(file, around, glm::vec2(ground.extent), object.log().budget());
@@ -74,7 +74,7 @@ std::optional<grass::HeightMap> from_file(JsonObject& object, const GroundSource
         heights.push_back(static_cast<float>(ground.low + (ground.high - ground.low) * static_cast<double>(share)) +
                           ground.hills.at(place));
     }
-    auto made = grass::HeightMap::create(corners, static_cast<float>(spacing), std::move(heights));
+    auto made = HeightMap::create(corners, static_cast<float>(spacing), std::move(heights));
     if (!made) {
         object.reject(made.error());
         return std::nullopt;

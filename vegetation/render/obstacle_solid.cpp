@@ -155,6 +155,7 @@ struct SolidOf {
     Solid operator()(const Cylinder& shape) const { return cylinder(shape, colour(k_timber)); }
     Solid operator()(const MeshShape& shape) const { return mesh(shape, colour(k_plaster)); }
     Solid operator()(const VoxelShape& shape) const { return voxels(shape, colour(k_plaster)); }
+    Solid operator()(const Ground&) const { return {}; } // the picture's own ground is drawn
     Solid operator()(const Plate& shape) const { return box({shape.half_size, k_plate_half}, colour(k_timber)); }
 };
 

@@ -5,8 +5,8 @@
 
 #include "coupling/blade.h"
 #include "fluid/motor.h"
+#include "fluid/shapes/height_map.h"
 #include "fluid/wind.h"
-#include "vegetation/grass/height_map.h"
 #include "vegetation/grass/placement_mask.h"
 
 #include <glm/vec3.hpp>
@@ -96,7 +96,7 @@ struct Clouds {
 /// The ground: heights on a grid, and where they lie. The default is flat, 100 m x 100 m about the origin.
 struct Ground {
     glm::dvec3 corner{-50.0, 0.0, -50.0}; ///< [m] place of the first corner; y is added to all heights
-    grass::HeightMap heights = grass::HeightMap::level();
+    HeightMap heights = HeightMap::level();
     /// Density of plants, 0 to 1, over the heights' extent: there the ground has their roots' colour near the eye and their own
     /// colour afar; elsewhere it is bare. Default: everywhere.
     std::optional<grass::PlacementMask> grown{};

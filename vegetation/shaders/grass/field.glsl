@@ -10,7 +10,7 @@
 float windrow_grid_value(int grid, ivec2 corner, int across);
 
 #include "../numerics/grass.glsl"
-#include "../numerics/height_grid.glsl"
+#include "shaders/numerics/height_grid.glsl"
 
 layout(std140, set = 0, binding = 0) uniform Frame { WindrowGrass grass; };
 layout(std430, set = 0, binding = 1) buffer Blades { vec4 blades[]; };

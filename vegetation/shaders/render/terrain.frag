@@ -13,7 +13,7 @@ layout(push_constant) uniform Told { layout(offset = 8) ivec2 grown_corners; };
 
 #define WINDROW_GRID int
 float windrow_grid_value(int grid, ivec2 corner, int across) { return grown_values[corner.y * across + corner.x]; }
-#include "../numerics/height_grid.glsl"
+#include "shaders/numerics/height_grid.glsl"
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;

@@ -112,7 +112,7 @@ TEST(PictureReader, LevelGroundHasSquareTexelsThatFitItsSides) {
         const auto scene =
             read(R"({"ground": {"low": 4, "extent": [)" + std::to_string(extent.x) + ", " + std::to_string(extent.y) + "]}}");
         ASSERT_TRUE(scene) << scene.error();
-        const grass::HeightMap& heights = *scene->picture.ground.heights;
+        const HeightMap& heights = *scene->picture.ground.heights;
         EXPECT_NEAR(heights.extent().x, extent.x, 1e-3 * heights.grid().spacing.x);
         EXPECT_NEAR(heights.extent().y, extent.y, 1e-3 * heights.grid().spacing.x);
         EXPECT_LE(heights.grid().spacing.x, std::max(1.0, extent.x / 250.0));

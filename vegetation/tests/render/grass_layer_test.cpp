@@ -17,7 +17,7 @@ constexpr int k_width = 320, k_height = 240;
 
 // 24 m x 24 m of bumps, a corner two metres.
 Ground bumps() {
-    return {.corner = k_corner, .heights = *grass::HeightMap::create({13, 13}, 2.0f, [](glm::vec2 p) {
+    return {.corner = k_corner, .heights = *HeightMap::create({13, 13}, 2.0f, [](glm::vec2 p) {
                                     return 0.7f * std::sin(1.3f * p.x) * std::cos(1.1f * p.y);
                                 })};
 }
@@ -129,7 +129,7 @@ TEST(GrassLayer, IsDrawnAndShadesItself) {
 // One row of blades as wide as 30 pixels, so that none hides another: what the picture says of their motion is the difference of
 // their places by the bends that each of the two frames itself had.
 TEST(GrassLayer, MotionIsTheDifferenceOfPlacesInBothFramesWinds) {
-    const Ground ground{.corner = k_corner, .heights = *grass::HeightMap::create({13, 13}, 2.0f, std::vector<float>(169, 0.0f))};
+    const Ground ground{.corner = k_corner, .heights = *HeightMap::create({13, 13}, 2.0f, std::vector<float>(169, 0.0f))};
     test::GrassStage stage(scene_of(ground), small_picture());
     auto mask = *grass::PlacementMask::create({97, 97}, ground.heights.extent());
     mask.apply([](glm::vec2 p, float) { return std::abs(p.y - 18.5f) < 0.4f ? 1.0f : 0.0f; });

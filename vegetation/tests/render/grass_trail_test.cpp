@@ -13,7 +13,7 @@ constexpr glm::dvec3 k_corner{-3e4, 12.0, 8e4}; // [m]
 constexpr double k_frame = 0.1;                 // [s]
 
 Ground level_ground() {
-    return {.corner = k_corner, .heights = *grass::HeightMap::create({13, 13}, 2.0f, std::vector<float>(169, 0.0f))};
+    return {.corner = k_corner, .heights = *HeightMap::create({13, 13}, 2.0f, std::vector<float>(169, 0.0f))};
 }
 
 Scene still_scene(const Ground& ground) {

@@ -65,8 +65,7 @@ TEST(Scene, BadInputIsRejectedByName) {
 }
 
 TEST(Ground, HeightsAreThoseOfTheTrianglesThatAreDrawn) {
-    const Ground ground{.corner = {10.0, 100.0, 20.0},
-                        .heights = *grass::HeightMap::create({2, 2}, 2.0f, {0.0f, 1.0f, 3.0f, 8.0f})};
+    const Ground ground{.corner = {10.0, 100.0, 20.0}, .heights = *HeightMap::create({2, 2}, 2.0f, {0.0f, 1.0f, 3.0f, 8.0f})};
     ASSERT_TRUE(validate(ground));
     EXPECT_DOUBLE_EQ(ground.height(10.0, 20.0), 100.0);
     EXPECT_DOUBLE_EQ(ground.height(12.0, 20.0), 101.0);

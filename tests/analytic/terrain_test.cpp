@@ -1,0 +1,241 @@
+// Wind over ground (Ground, an obstacle): a ridge against its potential flow, the speed over its crest against linear theory.
+#include "tests/shapes.h"
+#include "tests/tier.h"
+#include "tests/winds.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+#include <vector>
+
+namespace windrow {
+namespace {
+
+using namespace test;
+
+/// A ridge along z: y = height exp(-x^2 / (2 width^2)) about x = 0.
+struct Ridge {
+    double height, width;
+    [[nodiscard]] double at(double x) const { return height * std::exp(-0.5 * x * x / (width * width)); }
+    [[nodiscard]] double steepest() const { return height / width * std::exp(-0.5); }
+};
+Ridge ridge_of_slope(double height, double slope) {
+    return {height, height / slope * std::exp(-0.5)};
+}
+
+// --- Potential flow ------------------------------------------------------------------------------------------------------------
+
+/// Sources on straight panels along the ground, so that none of a wind of 1 m/s along x passes it. Based on: Hess and Smith 1967,
+/// Progress in Aerospace Sciences 8.
+class PotentialFlow {
+  public:
+    explicit PotentialFlow(const Ridge& ridge) {
+        constexpr int k_panels = 401;           // one in the middle
+        const double reach = 9.0 * ridge.width; // the ground is level beyond: no source there
+        for (int n = 0; n <= k_panels; ++n) {
+            const double x = reach * (2.0 * n / k_panels - 1.0);
+            ends_.push_back({x, ridge.at(x)});
+        }
+        const std::size_t count = k_panels;
+        std::vector<std::vector<double>> rows(count, std::vector<double>(count + 1));
+        for (std::size_t i = 0; i < count; ++i) {
+            const glm::dvec2 along = glm::normalize(ends_[i + 1] - ends_[i]), normal(-along.y, along.x);
+            const glm::dvec2 middle = 0.5 * (ends_[i] + ends_[i + 1]);
+            for (std::size_t j = 0; j < count; ++j)
+                rows[i][j] = i == j ? 0.5 : glm::dot(of_panel(j, middle), normal);
+            rows[i][count] = -normal.x;
+        }
+        for (std::size_t i = 0; i < count; ++i) // the diagonal is large
+            for (std::size_t row = i + 1; row < count; ++row) {
+                const double factor = rows[row][i] / rows[i][i];
+                for (std::size_t j = i; j <= count; ++j)
+                    rows[row][j] -= factor * rows[i][j];
+            }
+        strengths_.assign(count, 0.0);
+        for (std::size_t i = count; i-- > 0;) {
+            double sum = rows[i][count];
+            for (std::size_t j = i + 1; j < count; ++j)
+                sum -= rows[i][j] * strengths_[j];
+            strengths_[i] = sum / rows[i][i];
+        }
+    }
+    /// Beside the wind.
+    [[nodiscard]] glm::dvec2 disturbance(glm::dvec2 place) const {
+        glm::dvec2 sum(0.0);
+        for (std::size_t n = 0; n < strengths_.size(); ++n)
+            sum += strengths_[n] * of_panel(n, place);
+        return sum;
+    }
+
+  private:
+    [[nodiscard]] glm::dvec2 of_panel(std::size_t n, glm::dvec2 place) const {
+        const double length = glm::distance(ends_[n], ends_[n + 1]);
+        const glm::dvec2 along = (ends_[n + 1] - ends_[n]) / length, normal(-along.y, along.x);
+        const double x = glm::dot(place - ends_[n], along), y = glm::dot(place - ends_[n], normal);
+        const double out = 0.25 / std::numbers::pi * std::log((x * x + y * y) / ((x - length) * (x - length) + y * y));
+        const double up = 0.5 / std::numbers::pi * (std::atan2(y, x - length) - std::atan2(y, x));
+        return out * along + up * normal;
+    }
+
+    std::vector<glm::dvec2> ends_;
+    std::vector<double> strengths_;
+};
+
+TEST(PotentialFlow, OfALowRidgeIsThatOfLinearTheory) {
+    // Over a low ridge u - U at the crest is the mean slope seen from there: (1 / pi) integral of f'(x) / x dx, for exp(-x^2 / 2 w^2)
+    // height / width sqrt(2 / pi).
+    const Ridge low{0.01, 1.0};
+    const glm::dvec2 over = PotentialFlow(low).disturbance({0.0, low.height + 1e-3});
+    EXPECT_NEAR(over.x, 0.01 * std::sqrt(2.0 / std::numbers::pi), 2e-4);
+    EXPECT_NEAR(over.y, 0.0, 1e-9);
+}
+
+/// Relative L2 of the disturbance: over all of the air, and over the air before the crest, three cells above the ground and higher.
+struct OffPotential {
+    double all = 0.0, before = 0.0;
+};
+OffPotential off_potential(const Ridge& ridge, bool voxels, int steps) {
+    constexpr float k_wind = 8.0f;
+    const glm::ivec3 cells(160, 64, 2);
+    Config config{.cells = cells,
+                  .boundaries = Boundaries::open_over_floor(),
+                  .centre = {0.0, 32.0, 1.0},
+                  .follow_axes = glm::bvec3(false),
+                  .ambient = {k_wind, 0.0f, 0.0f}};
+    config.boundaries.z_low = config.boundaries.z_high = {BoundaryKind::periodic};
+    Wind wind = made(config);
+    Obstacle ground{.position = {-100.0, 0.0, -5.0},
+                    .shape = Ground{heights_of({401, 21}, 0.5f, [&](double x, double) { return ridge.at(x - 100.0); })}};
+    if (voxels) { // columns of whole cells, with upright faces
+        VoxelData data{.cells = {200, std::max(1, static_cast<int>(std::lround(ridge.height))), 4}};
+        data.closed.assign(cell_count(data.cells), 0);
+        for_each_cell(data.cells, [&](int i, int j, int k) {
+            if (j + 0.5 < ridge.at(i + 0.5 - 100.0))
+                data.closed[(static_cast<std::size_t>(k) * data.cells.y + j) * data.cells.x + i] = 1;
+        });
+        ground = {.position = {0.0, 0.5 * data.cells.y, 1.0}, .shape = VoxelShape{*VoxelGrid::create(data)}};
+    }
+    const auto id = wind.obstacles().add(ground);
+    EXPECT_TRUE(id) << id.error();
+    const PotentialFlow exact(ridge);
+    std::vector<float> inside(wind.field().size());
+    take_steps(wind, k_sanitized ? 2 : steps, 1.0 / 20.0);
+    EXPECT_TRUE(wind.write_obstacles(inside));
+    double off[2] = {}, whole[2] = {};
+    for_each_cell(cells, [&](int i, int j, int k) {
+        const std::size_t n = wind.box().index(i, j, k);
+        if (k != 0 || inside[n] != 0.0f)
+            return;
+        const glm::dvec2 wanted = static_cast<double>(k_wind) * exact.disturbance({i + 0.5 - 80.0, j + 0.5});
+        const glm::dvec2 found(wind.field()[n].x - k_wind, wind.field()[n].y);
+        const double x = i + 0.5 - 80.0;
+        for (int part = 0; part < (x < 0.0 && j + 0.5 - ridge.at(x) > 3.0 ? 2 : 1); ++part) {
+            off[part] += glm::dot(found - wanted, found - wanted);
+            whole[part] += glm::dot(wanted, wanted);
+        }
+    });
+    return {std::sqrt(off[0] / whole[0]), std::sqrt(off[1] / whole[1])};
+}
+
+// As the wind starts, its flow is the potential one but for the cells at the ground. Later the cells that a slope cuts lose speed, as
+// beside stairs, and the lee becomes a wake that a smooth ridge does not have.
+TEST(Terrain, ARidgeNearsItsPotentialFlow) {
+    const struct { double slope, height; } k_cases[] = {{0.3, 4.0}, {0.5, 7.0}, {0.5, 4.0}};
+    for (const auto& [slope, height] : k_cases) {
+        const std::string name = "terrain/slope_" + std::to_string(static_cast<int>(10.0 * slope)) + "_tenths_at_" +
+                                 std::to_string(static_cast<int>(height));
+        const OffPotential first = off_potential(ridge_of_slope(height, slope), false, 2);
+        if (k_sanitized)
+            return;
+        figure(name + "/first", first.all);
+        WINDROW_EXPECT_FIGURE(name + "/first_before_the_crest", first.before, 0.5); // no ground: 1
+        figure(name + "/12_s", off_potential(ridge_of_slope(height, slope), false, 240).all);
+    }
+    figure("terrain/voxels/12_s", off_potential(ridge_of_slope(4.0, 0.3), true, 240).all);
+}
+
+// --- The box that moves ----------------------------------------------------------------------------------------------------------
+
+/// Hills of 6 m, steeper than 45 degrees in places, of three lengths.
+Obstacle hills() {
+    return {.position = {-100.0, 4.0, -100.0}, .shape = Ground{heights_of({401, 401}, 0.5f, [](double x, double z) {
+                                                   return 3.0 * std::sin(0.21 * x) * std::cos(0.17 * z) +
+                                                          1.5 * std::sin(0.53 * x + 0.31 * z) + 0.5 * std::sin(1.3 * z - 0.4 * x);
+                                               })}};
+}
+
+TEST(Terrain, IsTheSameWhereverTheBoxComesFrom) {
+    const Config config{.cells = {24, 20, 16},
+                        .boundaries = Boundaries::open_over_floor(),
+                        .centre = {0.0, 10.0, 0.0},
+                        .ambient = {2.0f, 0.0f, 1.0f}};
+    Wind walks = made(config);
+    ASSERT_TRUE(walks.obstacles().add(hills()));
+    std::vector<float> inside(walks.field().size()), anew(inside.size());
+    for (int n = 0; n < 60; ++n) {
+        const glm::dvec3 here{0.71 * n, 10.0, -0.43 * n};
+        ASSERT_TRUE(walks.follow(here));
+        (void)walks.step(0.02);
+        if (n % 6 != 0)
+            continue;
+        Config there = config;
+        there.centre = here;
+        Wind stands = made(there);
+        ASSERT_TRUE(stands.obstacles().add(hills()));
+        (void)stands.step(0.02);
+        ASSERT_EQ(walks.origin(), stands.origin());
+        ASSERT_TRUE(walks.write_obstacles(inside));
+        ASSERT_TRUE(stands.write_obstacles(anew));
+        ASSERT_EQ(inside, anew) << n;
+    }
+}
+
+// A jolt at a shift would show in the second differences in time at places that stand in the box.
+TEST(Terrain, AWalkOverHillsHasNoJolts) {
+    for (const float speed : {3.0f, 30.0f}) {
+        Wind wind = made({.cells = {32, 20, 32},
+                          .boundaries = Boundaries::open_over_floor(),
+                          .centre = {-60.0, 10.0, 0.0},
+                          .ambient = {speed, 0.0f, 0.3f * speed},
+                          .profile = LogProfile{},
+                          .gusts = {.intensity = 0.15f}});
+        ASSERT_TRUE(wind.obstacles().add(hills()));
+        constexpr double k_dt = 1.0 / 60.0;
+        const int steps = k_sanitized ? 20 : whole_sweeps() ? 12'000 : 1'200;
+        std::vector<double> at_shifts, between;
+        std::array<glm::dvec3, 2> before{};
+        glm::dvec3 corner = wind.origin();
+        float fastest = 0.0f;
+        for (int n = 0; n < steps; ++n) {
+            // Back and forth at 1.5 m/s over the map.
+            const double way = 1.5 * k_dt * n, along = std::abs(std::fmod(way + 60.0, 120.0) - 60.0);
+            ASSERT_TRUE(wind.follow({along - 30.0, 10.0, 0.2 * along}));
+            const Diagnostics report = wind.step(k_dt);
+            fastest = std::max(fastest, report.max_speed);
+            const glm::dvec3 here(wind.velocity({0.0, 13.0, 3.0}));
+            const double jump = glm::length(here - 2.0 * before[0] + before[1]);
+            const glm::dvec3 now = wind.origin();
+            if (n > 60)
+                (now != corner ? at_shifts : between).push_back(jump);
+            corner = now;
+            before = {here, before[0]};
+        }
+        EXPECT_LT(fastest, 6.0f * speed);
+        if (k_sanitized)
+            continue;
+        const auto median = [](std::vector<double>& values) {
+            std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+            return values[values.size() / 2];
+        };
+        ASSERT_GT(at_shifts.size(), 20u);
+        const std::string name = "terrain/at_" + std::to_string(static_cast<int>(speed));
+        // The air changes little in a step: what a shift lets in is larger, and still a hundredth of the wind.
+        figure(name + "/jump_at_shifts_over_between", median(at_shifts) / median(between));
+        WINDROW_EXPECT_FIGURE(name + "/jump_at_shifts_over_wind", median(at_shifts) / static_cast<double>(speed), 0.01);
+    }
+}
+
+} // namespace
+} // namespace windrow
