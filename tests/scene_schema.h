@@ -43,7 +43,8 @@ inline constexpr const char* k_scene_with_every_key = R"({
     "obstacles": [
         {"shape": {"sphere": {}}}, {"shape": {"capsule": {}}}, {"shape": {"block": {}}}, {"shape": {"cylinder": {}}},
         {"shape": {"plate": {}}, "path": "a", "turn_path": "a"},
-        {"shape": {"mesh": {"file": "house.obj"}}}, {"shape": {"voxels": {"file": "tower.vox"}}}
+        {"shape": {"mesh": {"file": "house.obj"}}}, {"shape": {"voxels": {"file": "tower.vox"}}},
+        {"shape": {"ground": {"file": "ridge.pgm"}}}
     ]})";
 
 /// A key with all that is under it.

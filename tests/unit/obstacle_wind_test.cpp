@@ -128,7 +128,7 @@ TEST(SnapshotWithObstacles, GoesOnToTheSameBits) {
         const Bytes bytes = *first.save();
         Wind again = loaded(bytes);
         ASSERT_EQ(*again.save(), bytes);
-        EXPECT_EQ(again.obstacles().count(), 8);
+        EXPECT_EQ(again.obstacles().count(), 9);
         for (int n = 9; n < 40; ++n) {
             for (Wind* wind : {&first, &again}) {
                 if (n < 25) // then they come to rest

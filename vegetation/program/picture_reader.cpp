@@ -97,13 +97,6 @@ windrow::Result<PictureScene> read_text(std::string_view text, const std::filesy
     if (!air)
         return windrow::Error{log.faults() > 0 ? air.error() + "\n" + log.error().message : air.error()};
     PictureScene scene{.air = *std::move(air), .picture = std::move(picture), .inputs = budget};
-    if (const GroundSource& ground = scene.picture.ground; ground.air && ground.heights) {
-        windrow::scene::SceneObstacle hills;
-        hills.name = "ground";
-        hills.obstacle.position = ground.corner;
-        hills.obstacle.shape = windrow::Ground{std::make_shared<const windrow::HeightMap>(*ground.heights)};
-        scene.air.obstacles.push_back(std::move(hills));
-    }
     if (log.faults() == 0)
         judge(scene, object);
     if (log.faults() > 0)

@@ -73,7 +73,6 @@ struct GroundSource {
     double high = 100.0;
     glm::dvec3 corner{-50.0, 0.0, -50.0};
     glm::dvec2 extent{100.0};
-    bool air = false;
     std::optional<HeightMap> heights{};
 
     static constexpr auto settings() {
@@ -88,10 +87,6 @@ struct GroundSource {
                     "Place of the first sample; its y is added to all heights."),
             Setting("extent", &GroundSource::extent, {0.01, 1e5, "m"},
                     "Along x and z. Without heights: in a ratio of whole numbers."),
-            Setting(
-                "air", &GroundSource::air,
-                "Whether the air flows over it, as over an obstacle of $.obstacles. Put $.floor below the lowest ground that the "
-                "box meets. false: the air has the level floor alone."),
             Setting("heights", &GroundSource::heights,
                     "The resulting heights, above corner.y. Always there in a scene that was read.", k_not_stored),
         };
