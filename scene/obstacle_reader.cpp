@@ -60,8 +60,7 @@ std::vector<SceneObstacle> read_obstacles(JsonObject& scene, std::span<const std
                                           const std::filesystem::path& folder) {
     std::vector<SceneObstacle> obstacles;
     ShapeFiles files(folder);
-    const auto items =
-        scene.array({"obstacles", "Bodies and buildings that the air flows around."}, Obstacles::k_capacity);
+    const auto items = scene.array({"obstacles", "Bodies and buildings that the air flows around."}, Obstacles::k_capacity);
     for (std::size_t n = 0; n < items.size(); ++n)
         obstacles.push_back(
             read_obstacle(items[n], detail::message(scene.path(), ".obstacles[", n, "]"), path_names, files, scene.log()));

@@ -60,7 +60,7 @@ class SolidTables {
     WindrowSolids head_{};
     std::vector<std::int32_t> words_; ///< room for the head, then the tables
     std::vector<std::uint32_t> keys_, keys_before_;
-    std::vector<std::int32_t> origins_; ///< as Solids::find_origins
+    std::vector<std::int32_t> origins_;           ///< as Solids::find_origins
     std::vector<std::uint32_t> cells_;            ///< of the records, in order
     std::vector<Term> terms_;                     ///< of all ghosts
     std::vector<std::uint32_t> first_terms_;      ///< of each ghost, and the end

@@ -202,9 +202,9 @@ TEST(Obstacles, TheOrderIsThatOfTheirContent) {
     for (int n = 0; n < 120; ++n) {
         const MeshData ball = ball_mesh(1.0f + 0.1f * static_cast<float>(random.integer(0, 2)), 0); // a mesh for each obstacle
         VoxelData grid{.cells = {2, 2, 1}, .closed = {1, 0, 1, static_cast<std::uint8_t>(random.integer(0, 1))}};
-        const Shape shapes[] = {Capsule{.half_axis = random.vector(2.0f)}, Block{}, MeshShape{mesh_of(ball)},
-                                VoxelShape{grid_of(grid), 0.5f},
-                                Ground{heights_of({{2, 2}, 1.0f, {0.0f, 0.0f, 1.0f, 2.0f * static_cast<float>(random.integer(0, 1))}})}};
+        const Shape shapes[] = {
+            Capsule{.half_axis = random.vector(2.0f)}, Block{}, MeshShape{mesh_of(ball)}, VoxelShape{grid_of(grid), 0.5f},
+            Ground{heights_of({{2, 2}, 1.0f, {0.0f, 0.0f, 1.0f, 2.0f * static_cast<float>(random.integer(0, 1))}})}};
         all.push_back({.position = {double(random.integer(0, 2)), 16.0, 32.0},
                        .orientation = turned(90.0 * random.integer(0, 1)),
                        .shape = shapes[random.integer(0, 4)],
