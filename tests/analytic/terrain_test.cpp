@@ -139,8 +139,8 @@ OffPotential off_potential(const Ridge& ridge, bool voxels, int steps) {
     return {std::sqrt(off[0] / whole[0]), std::sqrt(off[1] / whole[1])};
 }
 
-// As the wind starts, its flow is the potential one but for the cells at the ground. Later the cells that a slope cuts lose speed, as
-// beside stairs, and the lee becomes a wake that a smooth ridge does not have.
+// In its first steps the wind is the potential flow, except in the cells at the ground. Later the cells that a slope cuts lose speed,
+// as beside stairs, and a wake grows in the lee that a smooth ridge does not have.
 TEST(Terrain, ARidgeNearsItsPotentialFlow) {
     const struct { double slope, height; } k_cases[] = {{0.3, 4.0}, {0.5, 7.0}, {0.5, 4.0}};
     for (const auto& [slope, height] : k_cases) {

@@ -20,6 +20,15 @@ class WindObstacles : public WindParity {
     }
     static glm::quat about_y(float angle) { return glm::angleAxis(angle, glm::vec3(0.0f, 1.0f, 0.0f)); }
     static constexpr glm::ivec3 k_cells{24, 12, 20};
+    static Config gusty_over_floor() {
+        return {.cells = k_cells,
+                .boundaries = Boundaries::open_over_floor(),
+                .centre = {0.0, 6.0, 0.0},
+                .ambient = {5.0f, 0.0f, 1.0f},
+                .profile = LogProfile{},
+                .gusts = {.intensity = 0.2f},
+                .pressure_solves = 2};
+    }
 };
 
 TEST_F(WindObstacles, ASteadyWindAroundABallAndAHouse) {
@@ -38,13 +47,7 @@ TEST_F(WindObstacles, ASteadyWindAroundABallAndAHouse) {
 }
 
 TEST_F(WindObstacles, AWalkAlongFencesInGusts) {
-    TwoWinds pair = make({.cells = k_cells,
-                          .boundaries = Boundaries::open_over_floor(),
-                          .centre = {0.0, 6.0, 0.0},
-                          .ambient = {5.0f, 0.0f, 1.0f},
-                          .profile = LogProfile{},
-                          .gusts = {.intensity = 0.2f},
-                          .pressure_solves = 2});
+    TwoWinds pair = make(gusty_over_floor());
     for (int n = 0; n < 3; ++n)
         add(pair, {.position = {6.0 * n, 2.0, 0.4 * n},
                    .orientation = about_y(1.2f - 0.5f * static_cast<float>(n)),
@@ -58,13 +61,7 @@ TEST_F(WindObstacles, AWalkAlongFencesInGusts) {
 }
 
 TEST_F(WindObstacles, AWalkOverHills) {
-    TwoWinds pair = make({.cells = k_cells,
-                          .boundaries = Boundaries::open_over_floor(),
-                          .centre = {0.0, 6.0, 0.0},
-                          .ambient = {5.0f, 0.0f, 1.0f},
-                          .profile = LogProfile{},
-                          .gusts = {.intensity = 0.2f},
-                          .pressure_solves = 2});
+    TwoWinds pair = make(gusty_over_floor());
     add(pair, {.position = {-30.0, 3.0, -30.0}, .shape = Ground{test::heights_of({61, 61}, 1.0f, [](double x, double z) {
                                                     return 2.0 * std::sin(0.3 * x) * std::cos(0.4 * z);
                                                 })}});

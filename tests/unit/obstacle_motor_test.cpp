@@ -125,7 +125,7 @@ void add_room(Wind& wind, bool open) {
         }
 }
 
-// What comes out of a vent in a sealed room is taken up by the room, and the report says so. With an opening all of it leaves.
+// A sealed room takes up the air of a vent, and the report counts it. With an opening all of the air leaves.
 TEST(MotorsAmongObstacles, AVentInASealedRoomMovesTheRoomAlone) {
     for (const bool open : {false, true})
         for (const bool free_air : {true, false}) {
