@@ -176,6 +176,8 @@ using windrow::PlacedObstacle;
 /// [m] From a point in the shape's own axes to its surface, negative inside; a plate has no inside. Beyond `most` it may be any
 /// value from `most` on, of the right sign, which takes less time.
 [[nodiscard]] float distance_to(const Shape& shape, glm::vec3 point, float most = std::numeric_limits<float>::infinity());
+/// Unit vector out of the shape's surface at a point near it, from distances at `step` [m] on either side; zero where they are equal.
+[[nodiscard]] glm::vec3 normal_at(const Shape& shape, glm::vec3 point, float step);
 /// [m] Half the size of the box along the shape's own axes that holds it.
 [[nodiscard]] glm::vec3 half_extent(const Shape& shape);
 /// [m] Of the ground under a point in its own axes, and the factor from the height over it to a distance that no point of the surface

@@ -29,18 +29,16 @@ glm::vec3 SolidFlow::given_at(const PrescribedFlow& given, std::uint32_t cell) c
     return solids_.is_sheltered(cell) ? glm::vec3(0.0f) : ambient_at(given, cell);
 }
 
-// wall(source): the velocity across a source's face that the field is mirrored about.
-template <class Wall>
-void SolidFlow::extend_by(std::span<glm::vec4> field, const Wall& wall) const {
+// across(source): the velocity of the wall along a source's normal.
+template <class Across>
+void SolidFlow::extend_by(std::span<glm::vec4> field, const Across& across) const {
     const std::span<const Solids::GhostSource> sources = solids_.ghost_sources();
     for (const Solids::Ghost& ghost : solids_.ghosts()) {
         glm::vec4 sum(0.0f);
         for (std::uint32_t n = ghost.first; n < ghost.first + ghost.count; ++n) {
             const Solids::GhostSource& source = sources[n];
-            glm::vec4 value = field[source.cell];
-            if (source.closed > 0.0f)
-                value[source.axis] += 2.0f * source.closed * (wall(source) - value[source.axis]);
-            sum += value;
+            const glm::vec4 value = field[source.cell];
+            sum += glm::vec4(source.slipping(glm::vec3(value), across(source)), value.w);
         }
         field[ghost.cell] = ghost.count > 1 ? sum / static_cast<float>(ghost.count) : sum;
     }
@@ -48,8 +46,9 @@ void SolidFlow::extend_by(std::span<glm::vec4> field, const Wall& wall) const {
 
 void SolidFlow::extend(std::span<glm::vec4> velocity, const PrescribedFlow& given) const {
     if (given.any())
-        extend_by(velocity,
-                  [&](const Solids::GhostSource& source) { return source.wall - given_at(given, source.cell)[source.axis]; });
+        extend_by(velocity, [&](const Solids::GhostSource& source) {
+            return source.wall - glm::dot(given_at(given, source.cell), source.normal);
+        });
     else
         extend_by(velocity, [](const Solids::GhostSource& source) { return source.wall; });
 }

@@ -35,8 +35,8 @@ class SolidFlow {
   public:
     SolidFlow(const Solids& solids, const Box& box) : solids_(solids), box_(box) {}
 
-    /// Writes the air's values into the ghost cells, mirrored about the bodies' own velocity less the prescribed part, so that a
-    /// read beside a body finds air. The history of the pressure is mirrored about 0.
+    /// Writes the air's values into the ghost cells, slipping along the bodies' surfaces, so that a
+    /// read beside a body finds air. That of the history has no part normal to them.
     void extend(std::span<glm::vec4> velocity, const PrescribedFlow& given) const;
     void extend_history(std::span<glm::vec4> history) const;
     /// Divergence of surface and inside cells, as their closed faces have it; `potential` holds that of the empty box.
@@ -74,8 +74,8 @@ class SolidFlow {
     [[nodiscard]] glm::vec3 ambient_at(const PrescribedFlow& given, std::uint32_t cell) const;
     [[nodiscard]] float blown_past(const PrescribedFlow& given, const ClosedFace& face, int end) const;
     [[nodiscard]] float central_divergence(std::span<const glm::vec4> velocity, const Solids::SurfaceCell& cell) const;
-    template <class Wall>
-    void extend_by(std::span<glm::vec4> field, const Wall& wall) const;
+    template <class Across>
+    void extend_by(std::span<glm::vec4> field, const Across& across) const;
 
     const Solids& solids_;
     const Box& box_;

@@ -42,6 +42,7 @@ void Solids::for_each_flagged(std::uint8_t flags, const Visit& visit) const {
 // All drawings' faces and inside cells in the box. Bodies that close parts of one face close their sum.
 void Solids::gather_faces() {
     unsorted_.clear();
+    at_open_ends_.clear();
     const auto in_box = [&](glm::ivec3 cell) {
         return glm::all(glm::greaterThanEqual(cell, glm::ivec3(0))) && glm::all(glm::lessThan(cell, box_.cells));
     };
@@ -51,34 +52,64 @@ void Solids::gather_faces() {
             glm::ivec3 next;
             if (!in_box(drawn.cell) || !neighbour(drawn.cell, drawn.axis, 1, next))
                 continue;
-            const std::uint32_t low = index(drawn.cell);
-            std::uint32_t& at = face_of_[3 * static_cast<std::size_t>(low) + static_cast<std::size_t>(drawn.axis)];
-            if (at != k_none) {
-                ClosedFace& face = unsorted_[at];
-                const float sum = face.closed + drawn.closed, scale = sum > 1.0f ? 1.0f / sum : 1.0f;
-                face.closed = scale * sum;
-                face.wall = scale * (face.wall + drawn.wall);
-                continue;
-            }
-            at = static_cast<std::uint32_t>(unsorted_.size());
-            flags_[low] |= k_low;
-            unsorted_.push_back({.cell = {low, index(next)},
-                                 .potential = {potential_of(drawn.cell), potential_of(next)},
-                                 .closed = drawn.closed,
-                                 .wall = drawn.wall,
-                                 .body = number,
-                                 .place = {static_cast<std::uint16_t>(drawn.cell.x), static_cast<std::uint16_t>(drawn.cell.y),
-                                           static_cast<std::uint16_t>(drawn.cell.z)},
-                                 .axis = static_cast<std::uint8_t>(drawn.axis)});
+            ClosedFace& face = gathered(drawn.cell, next, drawn.axis, number);
+            const float sum = face.closed + drawn.closed, scale = sum > 1.0f ? 1.0f / sum : 1.0f;
+            face.closed = scale * sum;
+            face.wall = scale * (face.wall + drawn.wall);
         }
-        for (const glm::ivec3& cell : drawings_[body].inside) {
-            if (!in_box(cell))
+        std::uint32_t drawn = 0;
+        for (const Drawing::Inside& inside : drawings_[body].inside) {
+            const std::uint32_t which = drawn++;
+            if (!in_box(inside.cell))
                 continue;
-            const std::uint32_t n = index(cell);
-            if ((flags_[n] & k_inside) == 0)
+            const std::uint32_t n = index(inside.cell);
+            if ((flags_[n] & k_inside) == 0) {
                 body_of_[n] = number;
+                drawn_of_[n] = which;
+            }
             flags_[n] |= k_inside;
+            if (at_open_end(inside.cell))
+                at_open_ends_.push_back(inside.cell);
         }
+    }
+    close_at_open_ends();
+}
+
+// The face of two cells in the list of those gathered, open where it was not there.
+ClosedFace& Solids::gathered(glm::ivec3 low, glm::ivec3 high, int axis, std::uint16_t body) {
+    const std::uint32_t n = index(low);
+    std::uint32_t& at = face_of_[3 * static_cast<std::size_t>(n) + static_cast<std::size_t>(axis)];
+    if (at == k_none) {
+        at = static_cast<std::uint32_t>(unsorted_.size());
+        flags_[n] |= k_low;
+        unsorted_.push_back(
+            {.cell = {n, index(high)},
+             .potential = {potential_of(low), potential_of(high)},
+             .body = body,
+             .place = {static_cast<std::uint16_t>(low.x), static_cast<std::uint16_t>(low.y), static_cast<std::uint16_t>(low.z)},
+             .axis = static_cast<std::uint8_t>(axis)});
+    }
+    return unsorted_[at];
+}
+
+// An open boundary of the box is open in front of a body too: air would come through the cells inside. They close all their faces.
+void Solids::close_at_open_ends() {
+    for (const glm::ivec3& cell : at_open_ends_) {
+        const std::uint16_t number = body_of_[index(cell)];
+        const PlacedObstacle& body = bodies_[number];
+        for (int axis = 0; axis < 3; ++axis)
+            for (const int side : {-1, 1}) {
+                glm::ivec3 next;
+                if (!neighbour(cell, axis, side, next))
+                    continue;
+                ClosedFace& face = side < 0 ? gathered(next, cell, axis, number) : gathered(cell, next, axis, number);
+                glm::vec3 middle = glm::vec3(cell) + 0.5f;
+                middle[axis] += 0.5f * static_cast<float>(side);
+                face.wall = face.closed > 0.0f ? face.wall / face.closed
+                            : body.moves()     ? body.velocity_at(middle * box_.cell_size)[axis]
+                                               : 0.0f;
+                face.closed = 1.0f;
+            }
     }
 }
 
@@ -87,7 +118,7 @@ void Solids::sort_faces() {
     faces_.clear();
     for_each_flagged(k_inside | k_low, [&](std::uint32_t n, glm::ivec3 place) {
         if ((flags_[n] & k_inside) != 0)
-            inside_.push_back({n, potential_of(place), place, body_of_[n], false});
+            inside_.push_back({n, potential_of(place), place, body_of_[n], false, drawn_of_[n]});
         if ((flags_[n] & k_low) == 0)
             return;
         for (std::size_t axis = 0; axis < 3; ++axis)
@@ -185,13 +216,25 @@ void Solids::collect_ghosts() {
             const bool air = !inside(other);
             if (first_layer ? !air || in_room(other) != of_rooms : air || layers_[other] != layer - 1)
                 return;
-            GhostSource source{.cell = other, .axis = static_cast<std::uint8_t>(axis)};
-            if (const ClosedFace* const between = face(low, axis); air && between != nullptr)
-                source.closed = between->closed, source.wall = between->wall / between->closed;
+            GhostSource source{.cell = other};
+            if (air) {
+                const Drawing::Side* const side = side_of(cell, 2 * axis + (low == cell.cell ? 1 : 0));
+                if (side != nullptr)
+                    source.normal = side->normal, source.wall = side->wall;
+            }
             ghost_sources_.push_back(source);
         });
         ghosts_.push_back({cell.cell, first, static_cast<std::uint32_t>(ghost_sources_.size()) - first});
     }
+}
+
+const Solids::Drawing::Side* Solids::side_of(const InsideCell& cell, int direction) const {
+    const Drawing& drawing = drawings_[cell.body];
+    const Drawing::Inside& inside = drawing.inside[cell.drawn];
+    for (std::uint32_t n = inside.first_side; n < inside.first_side + inside.sides; ++n)
+        if (static_cast<int>(drawing.sides[n].direction) == direction)
+            return &drawing.sides[n];
+    return nullptr;
 }
 
 // --- Thin bodies -------------------------------------------------------------------------------------------------------------
@@ -258,20 +301,21 @@ void Solids::collect_thin() {
 // The lists that push_back grows have none to spare where they have just grown.
 void Solids::make_room_for_motion() {
     const auto spare = [](auto&... lists) { (make_room(lists, lists.size() + lists.size() / 4), ...); };
-    spare(faces_, unsorted_, surface_, inside_, ghosts_, ghost_sources_, layered_, runs_, part_sizes_, rooms_, room_ends_,
-          sheltered_, thin_bodies_, drawn_faces_, drawn_inside_, distances_);
+    spare(faces_, unsorted_, at_open_ends_, surface_, inside_, ghosts_, ghost_sources_, layered_, runs_, part_sizes_, rooms_,
+          room_ends_, sheltered_, thin_bodies_, drawn_faces_, drawn_inside_, drawn_sides_, distances_, depths_);
 }
 
 std::size_t Solids::memory_bytes() const {
     const auto bytes = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
     std::size_t sum = bytes(bodies_) + bytes(faces_) + bytes(surface_) + bytes(inside_) + bytes(ghosts_) + bytes(ghost_sources_) +
                       bytes(layer_ends_) + bytes(thin_) + bytes(flags_) + bytes(body_of_) + bytes(surface_of_) +
-                      bytes(unsorted_) + bytes(rooms_) + bytes(room_ends_) + bytes(sheltered_) + bytes(runs_) + bytes(row_runs_) +
-                      bytes(part_sizes_) + bytes(layered_) + bytes(layers_) + bytes(face_of_) + bytes(distances_) +
-                      bytes(drawn_faces_) + bytes(drawn_inside_) + bytes(thin_bodies_);
+                      bytes(unsorted_) + bytes(at_open_ends_) + bytes(rooms_) + bytes(room_ends_) + bytes(sheltered_) +
+                      bytes(runs_) + bytes(row_runs_) + bytes(part_sizes_) + bytes(layered_) + bytes(layers_) + bytes(face_of_) +
+                      bytes(distances_) + bytes(depths_) + bytes(drawn_of_) + bytes(drawn_faces_) + bytes(drawn_inside_) +
+                      bytes(drawn_sides_) + bytes(thin_bodies_);
     for (const auto* drawings : {&drawings_, &drawings_before_})
         for (const Drawing& drawing : *drawings)
-            sum += sizeof(Drawing) + bytes(drawing.faces) + bytes(drawing.inside);
+            sum += sizeof(Drawing) + bytes(drawing.faces) + bytes(drawing.inside) + bytes(drawing.sides);
     return sum;
 }
 

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace windrow::cpu {
@@ -49,8 +50,8 @@ float negative_fraction(float a, float b, float c, float d) {
 } // namespace
 
 Solids::Solids(const Box& box, int pitch)
-    : box_(box), pitch_(pitch), flags_(box.cell_count()), body_of_(box.cell_count()), surface_of_(box.cell_count()),
-      layers_(box.cell_count()), face_of_(3 * box.cell_count(), k_none) {}
+    : box_(box), pitch_(pitch), flags_(box.cell_count()), body_of_(box.cell_count()), drawn_of_(box.cell_count()),
+      surface_of_(box.cell_count()), layers_(box.cell_count()), face_of_(3 * box.cell_count(), k_none) {}
 
 glm::ivec3 Solids::place_of(std::uint32_t cell) const {
     const auto x = static_cast<std::uint32_t>(box_.cells.x), y = static_cast<std::uint32_t>(box_.cells.y);
@@ -75,6 +76,14 @@ bool Solids::neighbour(glm::ivec3 cell, int axis, int side, glm::ivec3& result) 
         return false;
     result[axis] -= side * box_.cells[axis];
     return true;
+}
+
+bool Solids::at_open_end(glm::ivec3 cell) const {
+    for (int axis = 0; axis < 3; ++axis)
+        for (int end = 0; end < 2; ++end)
+            if (cell[axis] == end * (box_.cells[axis] - 1) && box_.boundaries.at(axis, end).kind == BoundaryKind::open)
+                return true;
+    return false;
 }
 
 // --- Drawings ----------------------------------------------------------------------------------------------------------------
@@ -102,8 +111,8 @@ void Solids::place(std::span<const PlacedObstacle> obstacles, glm::ivec3 shift) 
         drawing.high -= shift;
         for (Drawing::Face& face : drawing.faces)
             face.cell -= shift;
-        for (glm::ivec3& cell : drawing.inside)
-            cell -= shift;
+        for (Drawing::Inside& inside : drawing.inside)
+            inside.cell -= shift;
     }
     // Both lists have about the same order, so that what is looked for is mostly the next.
     drawn_ = 0;
@@ -194,6 +203,7 @@ void Solids::take_room(Drawing& drawing, const PlacedObstacle& body) {
 void Solids::draw(Drawing& drawing) {
     drawn_faces_.clear();
     drawn_inside_.clear();
+    drawn_sides_.clear();
     const glm::ivec3 images(box_.boundaries.periodic(0), box_.boundaries.periodic(1), box_.boundaries.periodic(2));
     const glm::ivec3 beyond = k_beyond * (1 - images);
     const glm::vec3 size = glm::vec3(box_.cells) * box_.cell_size;
@@ -205,102 +215,154 @@ void Solids::draw(Drawing& drawing) {
             for (int x = -images.x; x <= images.x; ++x) {
                 PlacedObstacle image = drawing.body;
                 image.position += glm::vec3(x, y, z) * size;
-                draw_image(drawing, reach_of(image, beyond), glm::ivec3(x, y, z) * box_.cells);
+                draw_image(drawing.body, reach_of(image, beyond), glm::ivec3(x, y, z) * box_.cells);
             }
+    if (images != glm::ivec3(0)) { // images of one body may overlap: they close a face once
+        const auto order = [](const Drawing::Face& face) {
+            return std::tuple(face.cell.z, face.cell.y, face.cell.x, face.axis, -face.closed);
+        };
+        const auto same = [](const Drawing::Face& a, const Drawing::Face& b) { return a.cell == b.cell && a.axis == b.axis; };
+        std::sort(drawn_faces_.begin(), drawn_faces_.end(), [&](const auto& a, const auto& b) { return order(a) < order(b); });
+        drawn_faces_.erase(std::unique(drawn_faces_.begin(), drawn_faces_.end(), same), drawn_faces_.end());
+    }
     make_room(drawing.faces, drawn_faces_.size());
     make_room(drawing.inside, drawn_inside_.size());
+    make_room(drawing.sides, drawn_sides_.size());
     drawing.faces.assign(drawn_faces_.begin(), drawn_faces_.end());
     drawing.inside.assign(drawn_inside_.begin(), drawn_inside_.end());
+    drawing.sides.assign(drawn_sides_.begin(), drawn_sides_.end());
+}
+
+// Where the cells of the box are from one image of a body.
+struct Solids::View {
+    const PlacedObstacle& body;
+    float cell_size;
+    glm::mat3 to_own = glm::transpose(body.axes);
+    glm::vec3 base{0.0f}, part{0.0f}; // [cells] the body's middle: whole cells and the rest
+
+    // From the cell that holds the middle, so that a body has the same cells wherever the box is.
+    View(const PlacedObstacle& seen, glm::ivec3 offset, float h) : body(seen), cell_size(h) {
+        const glm::dvec3 middle = glm::dvec3(body.position) / static_cast<double>(h) + glm::dvec3(offset);
+        const glm::dvec3 whole = glm::floor(middle);
+        base = glm::vec3(whole);
+        part = glm::vec3(glm::round((middle - whole) * k_parts) / k_parts);
+    }
+    // `beside`: the rest of a place that no float holds exactly.
+    [[nodiscard]] glm::vec3 from_middle(glm::vec3 cell, glm::vec3 beside = glm::vec3(0.0f)) const {
+        return ((cell - base) - part + beside) * cell_size;
+    }
+    [[nodiscard]] glm::vec3 own_place(glm::vec3 cell) const { return to_own * from_middle(cell); }
+    [[nodiscard]] float distance(glm::vec3 cell) const { // [cells]
+        return detail::distance_to(body.shape, own_place(cell), k_far * cell_size) / cell_size;
+    }
+    [[nodiscard]] glm::vec3 velocity(glm::vec3 away) const { return body.velocity + glm::cross(body.spin, away); }
+};
+
+// visit(cell) in the order of Reach::index.
+template <class Visit>
+void Solids::Reach::for_each(const Visit& visit) const {
+    for (int k = low.z; k < high.z; ++k)
+        for (int j = low.y; j < high.y; ++j)
+            for (int i = low.x; i < high.x; ++i)
+                visit(glm::ivec3(i, j, k));
+}
+
+// Distances at the corners and centres of the cells.
+void Solids::measure(const View& view, const Reach& reach, const Reach& corners) {
+    std::size_t n = 0;
+    reach.for_each([&](glm::ivec3 cell) { depths_[n++] = view.distance(glm::vec3(cell) + 0.5f); });
+    n = 0;
+    if (!std::holds_alternative<Plate>(view.body.shape))
+        corners.for_each([&](glm::ivec3 corner) { distances_[n++] = view.distance(corner) - k_touch; });
+}
+
+// The same, to the bit, over an upright ground, which has one height a column.
+void Solids::measure_ground(const Ground& ground, const View& view, const Reach& reach, const Reach& corners) {
+    const auto fill = [&](const Reach& places, float middle, float touch, std::vector<float>& distances) {
+        heights_.clear();
+        for (int k = places.low.z; k < places.high.z; ++k)
+            for (int i = places.low.x; i < places.high.x; ++i)
+                heights_.push_back(detail::height_at(ground, view.own_place(glm::vec3(i, 0, k) + middle)));
+        const float nearness = detail::nearness(ground);
+        const int across = places.high.x - places.low.x;
+        std::size_t n = 0;
+        for (int k = 0; k < places.high.z - places.low.z; ++k)
+            for (int j = places.low.y; j < places.high.y; ++j) {
+                const float y = view.own_place(glm::vec3(0.0f, static_cast<float>(j) + middle, 0.0f)).y;
+                for (int i = 0; i < across; ++i)
+                    distances[n++] = (y - heights_[static_cast<std::size_t>(k) * across + i]) * nearness / view.cell_size - touch;
+            }
+    };
+    fill(reach, 0.5f, 0.0f, depths_);
+    fill(corners, 0.0f, k_touch, distances_);
 }
 
 // Adds the closed faces and the inside cells of one image of a body.
-void Solids::draw_image(Drawing& drawing, const Reach& reach, glm::ivec3 offset) {
-    const glm::ivec3 low = reach.low, high = reach.high, corners = high - low + 1;
-    if (corners.x <= 1 || corners.y <= 1 || corners.z <= 1)
+void Solids::draw_image(const PlacedObstacle& body, const Reach& reach, glm::ivec3 offset) {
+    const Reach corners{reach.low, reach.high + 1};
+    if (reach.count() == 0)
         return;
-    const PlacedObstacle& body = drawing.body;
-    const float h = box_.cell_size;
-    const glm::mat3 to_own = glm::transpose(body.axes);
-    // From the cell that holds the middle, so that a body has the same cells wherever the box is.
-    const glm::dvec3 middle = glm::dvec3(body.position) / static_cast<double>(h) + glm::dvec3(offset);
-    const glm::dvec3 base = glm::floor(middle);
-    const glm::vec3 part = glm::vec3(glm::round((middle - base) * k_parts) / k_parts);
-    const auto from_middle = [&](glm::vec3 cell) { return ((cell - glm::vec3(base)) - part) * h; };
-    const auto own_place = [&](glm::vec3 cell) { return to_own * from_middle(cell); };
-    const auto corner = [&](glm::ivec3 at) {
-        at -= low;
-        return (static_cast<std::size_t>(at.z) * corners.y + at.y) * corners.x + at.x;
-    };
-    const bool flat = std::holds_alternative<Plate>(body.shape), moves = body.moves();
-    const float far = k_far * h;
-    // An upright ground has one height a column: of corners, then of centres.
-    const Ground* const ground = body.axes[1] == glm::vec3(0.0f, 1.0f, 0.0f) ? std::get_if<Ground>(&body.shape) : nullptr;
-    const float nearness = ground != nullptr ? detail::nearness(*ground) : 0.0f;
-    const auto column = [&](int i, int k) { return static_cast<std::size_t>(k - low.z) * corners.x + (i - low.x); };
-    const std::size_t columns = static_cast<std::size_t>(corners.x) * corners.z;
-    if (ground != nullptr) {
-        heights_.resize(2 * columns);
-        for (int k = low.z; k <= high.z; ++k)
-            for (int i = low.x; i <= high.x; ++i)
-                for (const std::size_t centre : {0u, 1u}) {
-                    const float half = 0.5f * static_cast<float>(centre);
-                    heights_[centre * columns + column(i, k)] =
-                        detail::height_at(*ground, own_place(glm::vec3(i, 0, k) + glm::vec3(half, 0.0f, half)));
-                }
-    }
-    if (ground != nullptr) {
-        distances_.resize(static_cast<std::size_t>(corners.x) * corners.y * corners.z);
-        for (int k = low.z; k <= high.z; ++k)
-            for (int j = low.y; j <= high.y; ++j) {
-                const float y = own_place(glm::vec3(0, j, 0)).y;
-                const float *const row = &heights_[column(low.x, k)], *const end = row + corners.x;
-                std::transform(row, end, &distances_[corner({low.x, j, k})],
-                               [&](float height) { return (y - height) * nearness / h - k_touch; });
+    const View view(body, offset, box_.cell_size);
+    depths_.resize(reach.count());
+    distances_.resize(corners.count());
+    const bool upright = body.axes[1] == glm::vec3(0.0f, 1.0f, 0.0f), flat = std::holds_alternative<Plate>(body.shape);
+    if (const Ground* const ground = std::get_if<Ground>(&body.shape); ground != nullptr && upright)
+        measure_ground(*ground, view, reach, corners);
+    else
+        measure(view, reach, corners);
+    std::size_t n = 0;
+    reach.for_each([&](glm::ivec3 cell) {
+        const float away = depths_[n++];
+        const bool in = !flat && away <= 0.0f;
+        if (in)
+            draw_inside(view, reach, cell, away);
+        if (away > 2.0f || away < -2.0f)
+            return;
+        const glm::vec3 centre = glm::vec3(cell) + 0.5f;
+        for (int axis = 0; axis < 3; ++axis) {
+            glm::vec3 step(0.0f);
+            step[axis] = 1.0f;
+            float closed = 0.0f;
+            if (!flat) {
+                glm::ivec3 face = cell, one(0), other(0);
+                ++face[axis];
+                one[(axis + 1) % 3] = other[(axis + 2) % 3] = 1;
+                const auto at = [&](glm::ivec3 corner) { return distances_[corners.index(corner)]; };
+                closed = negative_fraction(at(face), at(face + one), at(face + one + other), at(face + other));
             }
-    } else if (!flat) {
-        distances_.resize(static_cast<std::size_t>(corners.x) * corners.y * corners.z);
-        for (int k = low.z; k <= high.z; ++k)
-            for (int j = low.y; j <= high.y; ++j)
-                for (int i = low.x; i <= high.x; ++i)
-                    distances_[corner({i, j, k})] = detail::distance_to(body.shape, own_place({i, j, k}), far) / h - k_touch;
-    }
-    for (int k = low.z; k < high.z; ++k)
-        for (int j = low.y; j < high.y; ++j)
-            for (int i = low.x; i < high.x; ++i) {
-                const glm::ivec3 cell(i, j, k);
-                const glm::vec3 centre = glm::vec3(cell) + 0.5f;
-                const glm::vec3 here = own_place(centre);
-                const float away = (ground != nullptr ? (here.y - heights_[columns + column(i, k)]) * nearness
-                                                      : detail::distance_to(body.shape, here, far)) /
-                                   h;
-                const bool in = !flat && away <= 0.0f;
-                if (in)
-                    drawn_inside_.push_back(cell);
-                if (away > 2.0f || away < -2.0f)
-                    continue;
-                for (int axis = 0; axis < 3; ++axis) {
-                    glm::vec3 step(0.0f);
-                    step[axis] = 1.0f;
-                    float closed = 0.0f;
-                    if (!flat) {
-                        glm::ivec3 face = cell, one(0), other(0);
-                        ++face[axis];
-                        one[(axis + 1) % 3] = other[(axis + 2) % 3] = 1;
-                        closed = negative_fraction(distances_[corner(face)], distances_[corner(face + one)],
-                                                   distances_[corner(face + one + other)], distances_[corner(face + other)]);
-                    }
-                    if (closed < 1.0f && !in && away < 1.0f + k_touch) { // also where the next centre is on the surface
-                        const glm::vec3 beyond = own_place(centre + step);
-                        if ((flat || detail::distance_to(body.shape, beyond) > 0.0f) && detail::blocks(body.shape, here, beyond))
-                            closed = 1.0f;
-                    }
-                    if (!(closed > k_least_closed))
-                        continue;
-                    const float wall =
-                        moves ? closed * (body.velocity + glm::cross(body.spin, from_middle(centre + 0.5f * step)))[axis] : 0.0f;
-                    drawn_faces_.push_back({cell, axis, closed, wall});
-                }
+            if (closed < 1.0f && !in && away < 1.0f + k_touch) { // also where the next centre is on the surface
+                const glm::vec3 here = view.own_place(centre), beyond = view.own_place(centre + step);
+                if ((flat || detail::distance_to(body.shape, beyond) > 0.0f) && detail::blocks(body.shape, here, beyond))
+                    closed = 1.0f;
             }
+            if (!(closed > k_least_closed))
+                continue;
+            const float wall = body.moves() ? closed * view.velocity(view.from_middle(centre + 0.5f * step))[axis] : 0.0f;
+            drawn_faces_.push_back({cell, axis, closed, wall});
+        }
+    });
+}
+
+// Adds an inside cell, `away` [cells] from the surface, with its sides toward cells outside.
+void Solids::draw_inside(const View& view, const Reach& reach, glm::ivec3 cell, float away) {
+    constexpr float k_apart = 0.1f;   // [cells] of the distances that a normal is found from
+    constexpr float k_aligned = 0.1f; // a normal turned farther from the way outside is that of an edge
+    const auto first = static_cast<std::uint32_t>(drawn_sides_.size());
+    const glm::vec3 centre = glm::vec3(cell) + 0.5f;
+    for (std::uint32_t direction = 0; direction < 6 && away > -1.5f; ++direction) {
+        glm::ivec3 step(0);
+        step[static_cast<int>(direction / 2)] = direction % 2 == 0 ? -1 : 1;
+        const glm::vec3 out(step);
+        const float next = reach.holds(cell + step) ? depths_[reach.index(cell + step)] : view.distance(centre + out);
+        if (!(next > 0.0f))
+            continue;
+        const glm::vec3 crossing = view.from_middle(centre, -away / (next - away) * out);
+        glm::vec3 normal = view.body.axes * detail::normal_at(view.body.shape, view.to_own * crossing, k_apart * view.cell_size);
+        if (!(glm::dot(normal, out) > k_aligned))
+            normal = out;
+        drawn_sides_.push_back({direction, normal, view.body.moves() ? glm::dot(view.velocity(crossing), normal) : 0.0f});
+    }
+    drawn_inside_.push_back({cell, first, static_cast<std::uint32_t>(drawn_sides_.size()) - first});
 }
 
 void Solids::name_faces(std::vector<std::uint32_t>& names) const {

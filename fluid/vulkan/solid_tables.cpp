@@ -68,7 +68,7 @@ void SolidTables::flatten_ghosts() {
         const auto add_term = [&](const Term& term) {
             const auto same =
                 std::find_if(terms_.begin() + static_cast<std::ptrdiff_t>(first), terms_.end(),
-                             [&](const Term& other) { return other.cell == term.cell && other.closed == term.closed; });
+                             [&](const Term& other) { return other.cell == term.cell && other.normal == term.normal; });
             if (same != terms_.end())
                 same->weight += term.weight;
             else
@@ -78,8 +78,7 @@ void SolidTables::flatten_ghosts() {
         for (const cpu::Solids::GhostSource& source : sources.subspan(ghost.first, ghost.count)) {
             const std::uint32_t before = ghost_of_[source.cell];
             if (before == k_none) {
-                const std::uint32_t axis = source.closed > 0.0f ? source.axis : 3u;
-                add_term({source.cell | axis << WINDROW_TERM_AXIS_SHIFT, part, source.closed, source.wall});
+                add_term({source.cell, part, source.normal, source.wall});
                 continue;
             }
             for (std::uint32_t n = first_terms_[before]; n < first_terms_[before + 1]; ++n) {
@@ -146,7 +145,8 @@ void SolidTables::add_records() {
     }
     const int terms_at = here();
     for (const Term& term : terms_)
-        for (const std::int32_t each : {word(term.cell), word(term.weight), word(term.closed), word(term.wall)})
+        for (const std::int32_t each :
+             {word(term.cell), word(term.weight), word(term.normal.x), word(term.normal.y), word(term.normal.z), word(term.wall)})
             words_.push_back(each);
     head_.rows = rows_at;
     head_.columns = columns_at;

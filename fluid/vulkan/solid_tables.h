@@ -40,7 +40,9 @@ class SolidTables {
     /// A ghost's value: the air's of these cells.
     struct Term {
         std::uint32_t cell;
-        float weight, closed, wall;
+        float weight;
+        glm::vec3 normal;
+        float wall;
     };
 
     [[nodiscard]] int here() const { return static_cast<int>(words_.size() - sizeof(WindrowSolids) / sizeof(std::int32_t)); }

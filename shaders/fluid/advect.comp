@@ -127,7 +127,7 @@ vec3 departing_velocity(ivec3 cell) {
     vec3 sum = vec3(0.0f);
     for (int n = 0; n < max(term_count(record), 1); ++n) {
         const AirTerm term = term_of(cell, record, n);
-        sum += term.weight * mirrored(velocity_of(term.cell), term, term.wall);
+        sum += term.weight * slipping(velocity_of(term.cell), term, term.wall);
     }
     return sum;
 }

@@ -134,7 +134,7 @@ struct WindrowSolids {
 };
 #define WINDROW_RECORD 10
 #define WINDROW_FACE 8
-#define WINDROW_TERM 4
+#define WINDROW_TERM 6
 #define WINDROW_BODY 9
 // Flags of a record.
 #define WINDROW_INSIDE 1
@@ -145,8 +145,6 @@ struct WindrowSolids {
 // Of a face, behind its axis.
 #define WINDROW_LOW_SHELTERED 4
 #define WINDROW_FACE_NO_SLIP 16
-// Of a term: the axis across a closed face is behind the cell's number.
-#define WINDROW_TERM_AXIS_SHIFT 29
 // A cell's byte: three blocked faces, then
 #define WINDROW_BYTE_INSIDE 8
 #define WINDROW_BYTE_ROOM 16

@@ -139,21 +139,24 @@ OffPotential off_potential(const Ridge& ridge, bool voxels, int steps) {
     return {std::sqrt(off[0] / whole[0]), std::sqrt(off[1] / whole[1])};
 }
 
-// In its first steps the wind is the potential flow, except in the cells at the ground. Later the cells that a slope cuts lose speed,
-// as beside stairs, and a wake grows in the lee that a smooth ridge does not have.
+// Bounds: a solver with cut cells that was written apart from this one has .116, .159 and .256. Where the normals of the cells' faces
+// mirror what cells inside the ground hold, or closed parts of faces are wrong, a wake grows in the lee, and after 12 s the error is 2.
+// Stairs of whole cells have such a wake.
 TEST(Terrain, ARidgeNearsItsPotentialFlow) {
-    const struct { double slope, height; } k_cases[] = {{0.3, 4.0}, {0.5, 7.0}, {0.5, 4.0}};
-    for (const auto& [slope, height] : k_cases) {
+    const struct { double slope, height, bound; } k_cases[] = {{0.3, 4.0, 0.14}, {0.5, 7.0, 0.19}, {0.5, 4.0, 0.28}};
+    for (const auto& [slope, height, bound] : k_cases) {
         const std::string name = "terrain/slope_" + std::to_string(static_cast<int>(10.0 * slope)) + "_tenths_at_" +
                                  std::to_string(static_cast<int>(height));
         const OffPotential first = off_potential(ridge_of_slope(height, slope), false, 2);
         if (k_sanitized)
             return;
         figure(name + "/first", first.all);
-        WINDROW_EXPECT_FIGURE(name + "/first_before_the_crest", first.before, 0.5); // no ground: 1
-        figure(name + "/12_s", off_potential(ridge_of_slope(height, slope), false, 240).all);
+        WINDROW_EXPECT_FIGURE(name + "/first_before_the_crest", first.before, 0.25); // no ground: 1
+        WINDROW_EXPECT_FIGURE(name + "/12_s", off_potential(ridge_of_slope(height, slope), false, 240).all, bound);
     }
-    figure("terrain/voxels/12_s", off_potential(ridge_of_slope(4.0, 0.3), true, 240).all);
+    const double stairs = off_potential(ridge_of_slope(4.0, 0.3), true, 240).all;
+    figure("terrain/voxels/12_s", stairs);
+    EXPECT_GT(stairs, 1.0);
 }
 
 // --- The box that moves ----------------------------------------------------------------------------------------------------------
@@ -222,7 +225,8 @@ TEST(Terrain, AWalkOverHillsHasNoJolts) {
             corner = now;
             before = {here, before[0]};
         }
-        EXPECT_LT(fastest, 6.0f * speed);
+        // Twice the wind over a round crest, 1.1 of it aloft, gusts. Air that came through the ground at an open boundary had 6 times.
+        EXPECT_LT(fastest, 3.0f * speed);
         if (k_sanitized)
             continue;
         const auto median = [](std::vector<double>& values) {

@@ -70,7 +70,7 @@ TEST_F(WindObstacles, AWalkOverHills) {
         frame(pair, 1.0 / 30.0);
     }
     // The start against thousands of cells at the surface: sums of floats here, of doubles there. Later it is 2e-6.
-    report("hills", pair, 1e-4);
+    report("hills", pair, 1e-5);
 }
 
 TEST_F(WindObstacles, ABallThatFliesAndADoorThatTurns) {
