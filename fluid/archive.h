@@ -11,6 +11,7 @@
 #pragma once
 
 #include "fluid/bytes.h"
+#include "fluid/shapes/height_map.h"
 #include "fluid/shapes/triangle_mesh.h"
 #include "fluid/shapes/voxel_grid.h"
 #include "fluid/validation.h"
@@ -301,6 +302,7 @@ class Reader {
         if (number > list.size())
             return reject("the form of a body has the number ", number, ", but only ", list.size(), " are before it.");
         if (number == list.size()) {
+            const std::span<const std::byte> written = rest_;
             typename Kind::Data data;
             get(data);
             if (rejected())
@@ -308,7 +310,14 @@ class Reader {
             const auto made = Kind::create(data);
             if (!made)
                 return reject(made.error());
-            require((*made)->data() == data && met_.find(**made) == list.end(), "the form of a body is not as it was written.");
+            // To the bit: what was made of -0 holds 0.
+            Writer again(written.size() - rest_.size());
+            const std::size_t first = again.leave(0);
+            again((*made)->data());
+            const std::vector<std::byte> bytes = std::move(again).take();
+            require(std::ranges::equal(std::span(bytes).subspan(first), written.first(written.size() - rest_.size())) &&
+                        met_.find(**made) == list.end(),
+                    "the form of a body is not as it was written.");
             list.push_back(*made);
         }
         shared = list[number];

@@ -233,7 +233,8 @@ struct ObstacleFields {
         if constexpr (detail::Reading<decltype(archive)>) {
             const std::size_t box = Box{.cells = size}.cell_count();
             archive.require(std::adjacent_find(keys.begin(), keys.end(), std::greater_equal()) == keys.end() &&
-                                (keys.empty() || keys.back() < 4 * box) && glm::all(glm::lessThan(glm::abs(shift), size)) &&
+                                (keys.empty() || keys.back() < 4 * box) && glm::all(glm::lessThan(shift, size)) &&
+                                glm::all(glm::lessThan(-size, shift)) &&
                                 std::all_of(terms.begin(), terms.end(), [](float term) { return std::isfinite(term); }),
                             "its history at obstacles is out of range.");
         }

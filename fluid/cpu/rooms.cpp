@@ -117,7 +117,7 @@ void Solids::find_rooms() {
             sizes[root_of(n)] = 0;
         any_open = any_open || outside;
     });
-    if (!any_open)
+    if (!any_open && !sizes.empty()) // no air at all where a body fills the box
         *std::max_element(sizes.begin(), sizes.end()) = 0;
     std::uint32_t total = 0;
     for (std::uint32_t n = 0; n < runs_.size(); ++n)

@@ -25,7 +25,8 @@ class ScratchFolder {
     std::filesystem::path write(const char* name, std::string_view bytes) const {
         const std::filesystem::path file = path_ / name;
         if (std::FILE* const stream = std::fopen(file.c_str(), "wb")) {
-            std::fwrite(bytes.data(), 1, bytes.size(), stream);
+            if (!bytes.empty())
+                std::fwrite(bytes.data(), 1, bytes.size(), stream);
             std::fclose(stream);
         }
         return file;

@@ -70,6 +70,20 @@ TEST(WindWithObstacles, SleepsWhereNothingActs) {
     EXPECT_FALSE(take_steps(sleepy, 3, 0.1).asleep) << "however little it differs";
 }
 
+TEST(WindWithObstacles, OneMayFillABoxThatTheAirCannotLeave) {
+    for (const BoundaryKind kind : {BoundaryKind::periodic, BoundaryKind::free_slip}) {
+        Wind wind = made({.cells = {6, 4, 6}, .boundaries = Boundaries::all(kind)});
+        const ObstacleId body = *wind.obstacles().add({.shape = Sphere{20.0f}});
+        for (int n = 0; n < 3; ++n) {
+            EXPECT_TRUE(wind.obstacles().move(body, {0.1 * n, 0.0, 0.0}));
+            EXPECT_EQ(wind.step(0.1).repaired_cells, 0);
+        }
+        EXPECT_NEAR(wind.velocity({0.0, 0.0, 0.0}).x, 1.0f, 1e-4f) << "the body's own";
+        EXPECT_TRUE(wind.obstacles().remove(body));
+        EXPECT_EQ(wind.step(0.1).repaired_cells, 0) << "air again";
+    }
+}
+
 TEST(WindWithObstacles, AWindWithoutThemIsAsItWas) {
     Wind plain = made(breezy()), far = made(breezy());
     for (int n = 0; n < 500; ++n)
@@ -290,7 +304,8 @@ TEST(SnapshotWithObstacles, ForgedMeshesAreRejected) {
         {rejection(corner - 8, ~0u), "snapshot cannot be used"},
         {rejection(corner - 4, 1u << 30), "its length is 1073741824 items of 12 bytes or more"},
         {rejection(corner, k_nan), "vertex 0 of the mesh is at (nan, -77, -77) m"},
-        {rejection(corner, 1.0f), ""},                         // another closed mesh
+        {rejection(corner, 1.0f), ""}, // another closed mesh
+        {rejection(corner, -0.0f), "the form of a body is not as it was written."},
         {rejection(corner, 77.0f), "snapshot cannot be used"}, // two vertices at one place
         {rejection(triangles + 4, 99u), "triangle 0 of the mesh has the vertex 99 of 8"},
         {rejection(triangles + 4, 3u), "the mesh"},
