@@ -128,6 +128,20 @@ bool build_town(Wind& wind, double length) {
     return built;
 }
 
+// Ground that cuts every column of the box: two waves each way, up to three eighths of its height.
+bool build_hills(Wind& wind) {
+    const glm::vec3 size = glm::vec3(wind.box().cells) * wind.box().cell_size;
+    const auto wave = [](float part) { return std::sin(4.0f * 3.1416f * part); };
+    auto map =
+        HeightMap::create(glm::ivec2(wind.box().cells.x, wind.box().cells.z) + 1, wind.box().cell_size, [&](glm::vec2 place) {
+            return size.y * (0.19f + 0.09f * (wave(place.x / size.x) + wave(place.y / size.z)));
+        });
+    return map &&
+           wind.obstacles()
+               .add({.position = wind.view().origin(), .shape = Ground{std::make_shared<const HeightMap>(std::move(*map))}})
+               .has_value();
+}
+
 // Fraction of the cells that have a neighbour on the other side of a wall.
 double surface_of(const Wind& wind) {
     const Box box = wind.box();
@@ -195,8 +209,8 @@ Result<std::optional<ObstaclesResult>> measure_obstacles(glm::ivec3 cells, const
         const char* name;
         std::function<bool(Wind&)> build;
         int solves;
-    } k_scenes[] = {
-        {"empty", nothing, 1}, {"one cube", cube, 1}, {"town", town, 1}, {"town, two solves", town, 2}, {"outside", outside, 1}};
+    } k_scenes[] = {{"empty", nothing, 1},         {"one cube", cube, 1},     {"town", town, 1},
+                    {"town, two solves", town, 2}, {"hills", build_hills, 1}, {"outside", outside, 1}};
 
     Contest contest;
     ObstaclesResult result{.cells = cells};

@@ -10,6 +10,16 @@ constexpr std::uint32_t k_none = ~std::uint32_t{0};
 
 } // namespace
 
+ObstacleForce force_of(const Push& push, double duration) {
+    if (!(duration > 0.0))
+        return {};
+    const double each_second = static_cast<double>(k_air_density) / duration;
+    return {.force = glm::vec3(each_second * push.impulse),
+            .moment = glm::vec3(each_second * push.twist),
+            .pressure = static_cast<float>(each_second * push.potential),
+            .in_box = push.wetted > 0.0};
+}
+
 void BodyLoads::place(std::span<const PlacedObstacle> bodies) {
     others_.clear();
     make_room(others_, bodies.size());
@@ -86,12 +96,9 @@ ObstacleForce BodyLoads::force_on(std::uint32_t slot, std::uint32_t generation) 
     const Load* const load = find(slot, generation);
     if (load == nullptr || !(duration_ > 0.0f))
         return {};
-    const Push whole = load->sum + load->blast;
-    const double each_second = static_cast<double>(k_air_density) / static_cast<double>(duration_);
-    return {.force = glm::vec3(each_second * whole.impulse),
-            .moment = glm::vec3(each_second * whole.twist),
-            .pressure = static_cast<float>(each_second * whole.potential),
-            .in_box = load->in_box};
+    ObstacleForce force = force_of(load->sum + load->blast, static_cast<double>(duration_));
+    force.in_box = load->in_box;
+    return force;
 }
 
 void BodyLoads::restore(std::vector<Load>&& loads, float duration) {

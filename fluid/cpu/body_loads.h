@@ -18,6 +18,9 @@
 
 namespace windrow::cpu {
 
+/// `push` in a step of so many seconds.
+[[nodiscard]] ObstacleForce force_of(const Push& push, double duration);
+
 class BodyLoads {
   public:
     /// What is kept of a body, by its handle.

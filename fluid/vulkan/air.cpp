@@ -356,6 +356,7 @@ void Air::upload(VkCommandBuffer commands, std::span<const glm::vec4> cells) {
 
 void Air::step(VkCommandBuffer commands, const CellStep& step, const Recorded& recorded) {
     const Label tick(*device_, commands, "windrow tick");
+    step_duration_ = step.duration;
     const int wanted = recorded.substeps > 0 ? std::min(recorded.substeps, config_.max_substeps) : config_.max_substeps;
     const int substeps = forced_substeps_ > 0 ? forced_substeps_ : config_.stages.advection ? wanted : 1;
     const bool limits = recorded.limits && forced_substeps_ == 0 && substeps == config_.max_substeps && config_.stages.advection;

@@ -17,6 +17,7 @@
 #pragma once
 
 #include "fluid/cell_storage.h"
+#include "fluid/cpu/body_loads.h"
 #include "fluid/snapshot.h"
 #include "fluid/vulkan/blocks.h"
 #include "fluid/vulkan/pass_clock.h"
@@ -57,6 +58,7 @@ struct Reads {
     ReadBack kind = ReadBack::none;
     glm::ivec3 cells{0}; ///< of the box that is read; all of them but with ReadBack::box
     int points = 0;      ///< room for them
+    int forces = 0;      ///< room for bodies
     int slots = 1;       ///< that the host and the device hold together
 };
 
@@ -124,8 +126,13 @@ class Air {
     [[nodiscard]] const Reads& reads() const { return settings_.reads; }
     [[nodiscard]] const Buffer& slot(int slot) const { return fields_.slots[static_cast<std::size_t>(slot)]; }
     [[nodiscard]] AirReport report(int slot) const;
-    /// The bytes after the report.
+    /// The bytes after the report, without forces.
     [[nodiscard]] std::span<const std::byte> read(int slot) const;
+    /// What acted on a body in the last tick of a slot's recording: the sums of that tick.
+    [[nodiscard]] cpu::Push push_on(int slot, int body) const;
+    /// Bodies of the last tick that was recorded, in the order of the device, and its duration.
+    [[nodiscard]] std::span<const detail::PlacedObstacle> bodies() const;
+    [[nodiscard]] double step_duration() const { return step_duration_; }
 
     [[nodiscard]] Device& device() { return *device_; }
     [[nodiscard]] const Fields& fields() const { return fields_; }
@@ -203,8 +210,10 @@ class Air {
     /// As they are `early` [s] before the end of the step.
     void place_obstacles(VkCommandBuffer commands, std::span<const detail::PlacedObstacle> obstacles, double early);
     void restore_obstacles(DeviceSurface&& surface, std::vector<float>&& terms);
+    [[nodiscard]] bool finds_forces() const { return settings_.reads.forces > 0; }
     /// Where the history of a slot begins in Fields::around.
     [[nodiscard]] VkDeviceSize history_at(int slot) const;
+    [[nodiscard]] VkDeviceSize loads_at(int slot) const; ///< the same of the forces
     [[nodiscard]] bool write_obstacles(VkCommandBuffer commands);
     [[nodiscard]] Result<void> make_room_for_obstacles(VkCommandBuffer commands);
     [[nodiscard]] Result<void> replace(Buffer& buffer, VkDeviceSize bytes);
@@ -260,6 +269,8 @@ class Air {
     bool place_again_ = false;
     std::uint32_t surface_room_ = 0, face_room_ = 0; ///< surface cells and faces that Fields::around holds
     int history_slot_ = 0;
+    std::uint32_t body_room_ = 0; ///< bodies whose forces Fields::around holds
+    double step_duration_ = 0.0;  ///< [s]
     int sealed_sources_ = 0;
     bool passes_know_obstacles_ = false;
     struct RetiredPasses { ///< or their sets alone

@@ -28,7 +28,7 @@ void Air::place_obstacles(VkCommandBuffer commands, std::span<const detail::Plac
     bool written = false;
     const bool placed = detail::memory_lasts([&] {
         if (!solids_)
-            solids_ = std::make_unique<SolidTables>(box(), config_.max_cfl);
+            solids_ = std::make_unique<SolidTables>(box(), config_.max_cfl, finds_forces());
         placed_.assign(obstacles.begin(), obstacles.end());
         detail::move_back(placed_, early);
         solids_->place(placed_, unplaced_shift_);
@@ -53,6 +53,9 @@ bool Air::write_obstacles(VkCommandBuffer commands) {
     head.history_before = words + history_slot_ * faces;
     history_slot_ ^= 1;
     head.history = words + history_slot_ * faces;
+    const auto loads = static_cast<int>(WINDROW_LOAD * body_room_);
+    head.loads_before = words + 2 * faces + (1 - history_slot_) * loads;
+    head.loads = words + 2 * faces + history_slot_ * loads;
     write(commands, fields_.solids, solids_->bytes());
     barrier(k_transfer, k_compute);
     dispatch(commands, Pass::terms);
@@ -65,6 +68,10 @@ VkDeviceSize Air::history_at(int slot) const {
            sizeof(float) * (VkDeviceSize{WINDROW_SURFACE_WORDS} * surface_room_ + static_cast<VkDeviceSize>(slot) * face_room_);
 }
 
+VkDeviceSize Air::loads_at(int slot) const {
+    return history_at(2) + sizeof(float) * VkDeviceSize{WINDROW_LOAD} * static_cast<VkDeviceSize>(slot) * body_room_;
+}
+
 DeviceSurface Air::surface() const {
     if (!solids_ || !solids_->any() || glm::any(glm::greaterThanEqual(glm::abs(unplaced_shift_), config_.cells)))
         return {};
@@ -73,7 +80,7 @@ DeviceSurface Air::surface() const {
 }
 
 void Air::restore_obstacles(DeviceSurface&& surface, std::vector<float>&& terms) {
-    solids_ = std::make_unique<SolidTables>(box(), config_.max_cfl);
+    solids_ = std::make_unique<SolidTables>(box(), config_.max_cfl, finds_forces());
     solids_->set_keys(std::move(surface.keys));
     restored_terms_ = std::move(terms);
     unplaced_shift_ = surface.shift;
@@ -104,23 +111,30 @@ Result<void> Air::make_room_for_obstacles(VkCommandBuffer commands) {
     if (fields_.solids.bytes() < solids_->bytes().size())
         if (auto made = grow(fields_.solids, with_room(solids_->bytes().size() / 4) * VkDeviceSize{4}); !made)
             return made;
-    if (surface > surface_room_ || faces + restored_terms_.size() > face_room_) {
-        const std::uint32_t surface_room = with_room(surface), face_room = with_room(faces + restored_terms_.size());
-        if (auto made =
-                grow(fields_.around,
-                     sizeof(WindrowAround) + sizeof(float) * VkDeviceSize{WINDROW_SURFACE_WORDS * surface_room + 2 * face_room});
-            !made)
+    const std::size_t bodies = finds_forces() ? solids_->solids().bodies().size() : 0;
+    if (surface > surface_room_ || faces + restored_terms_.size() > face_room_ || bodies > body_room_) {
+        const std::uint32_t surface_room = std::max(surface_room_, with_room(surface)),
+                            face_room = std::max(face_room_, with_room(faces + restored_terms_.size())),
+                            body_room = bodies > body_room_ ? with_room(bodies) : body_room_;
+        const VkDeviceSize words = VkDeviceSize{WINDROW_SURFACE_WORDS} * surface_room + VkDeviceSize{2} * face_room +
+                                   VkDeviceSize{2 * WINDROW_LOAD} * body_room;
+        if (auto made = grow(fields_.around, sizeof(WindrowAround) + sizeof(float) * words); !made)
             return made;
         clear(commands, fields_.around);
         barrier(k_transfer, k_transfer);
         const VkDeviceSize from = history_at(history_slot_), count = std::min(face_room_, face_room);
+        const VkDeviceSize loads_from = loads_at(history_slot_), loads = sizeof(float) * VkDeviceSize{WINDROW_LOAD} * body_room_;
         const bool had = face_room_ > 0;
         surface_room_ = surface_room;
         face_room_ = face_room;
+        body_room_ = body_room;
         if (had) {
             wait(commands);
-            const VkBufferCopy region{.srcOffset = from, .dstOffset = history_at(history_slot_), .size = sizeof(float) * count};
-            device_->functions().vkCmdCopyBuffer(commands, retired_.back().piece.handle(), fields_.around.handle(), 1, &region);
+            const VkBufferCopy regions[] = {
+                {.srcOffset = from, .dstOffset = history_at(history_slot_), .size = sizeof(float) * count},
+                {.srcOffset = loads_from, .dstOffset = loads_at(history_slot_), .size = loads}};
+            device_->functions().vkCmdCopyBuffer(commands, retired_.back().piece.handle(), fields_.around.handle(),
+                                                 loads > 0 ? 2 : 1, regions);
         }
     }
     if (!restored_terms_.empty()) {
@@ -154,8 +168,11 @@ Passes::Around Air::around_obstacles(const CellStep& step, bool fresh) const {
         return {};
     const bool other = step.obstacles_stirred ||
                        std::any_of(step.obstacles.begin(), step.obstacles.end(), [](const auto& body) { return body.moves(); });
-    Passes::Around around{
-        .solves = other ? 2 : 1, .tolerance = 0.0f, .careful = solids_->careful(), .rooms = !solids_->solids().rooms().empty()};
+    Passes::Around around{.solves = other ? 2 : 1,
+                          .tolerance = 0.0f,
+                          .careful = solids_->careful(),
+                          .rooms = !solids_->solids().rooms().empty(),
+                          .loads = finds_forces()};
     if (config_.pressure_solves > 0)
         around.solves = config_.pressure_solves;
     else if (fresh)
@@ -167,7 +184,11 @@ Passes::Around Air::around_obstacles(const CellStep& step, bool fresh) const {
 Passes::Around Air::around_sources() const {
     if (!solids_ || !solids_->any())
         return {};
-    return {.solves = cpu::k_first_solves, .tolerance = cpu::k_first_residual, .careful = false, .rooms = false};
+    return {.solves = cpu::k_first_solves,
+            .tolerance = cpu::k_first_residual,
+            .careful = false,
+            .rooms = false,
+            .loads = finds_forces()};
 }
 
 void Air::work_on_rooms(VkCommandBuffer commands, int work) {

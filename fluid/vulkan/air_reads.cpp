@@ -6,19 +6,32 @@
 
 namespace windrow::vulkan {
 
+namespace {
+
+// At the end of a slot.
+VkDeviceSize forces_bytes(const Reads& reads) {
+    return static_cast<VkDeviceSize>(reads.forces) * WINDROW_PUSHED * sizeof(float);
+}
+
+} // namespace
+
 VkDeviceSize Air::slot_bytes(const Reads& reads) {
     const glm::u64vec3 cells(reads.cells);
     const VkDeviceSize count =
         reads.kind == ReadBack::points ? static_cast<VkDeviceSize>(reads.points) : cells.x * cells.y * cells.z;
     const VkDeviceSize each = reads.kind == ReadBack::halves ? sizeof(glm::u16vec4) : sizeof(glm::vec4);
-    return sizeof(WindrowReport) + (reads.kind == ReadBack::none ? 0 : count * each);
+    return sizeof(WindrowReport) + (reads.kind == ReadBack::none ? 0 : count * each) + forces_bytes(reads);
 }
 
 void Air::read_back(VkCommandBuffer commands, const ReadRequest& request) {
     const ReadBack kind = settings_.reads.kind;
     barrier(k_compute | k_transfer, k_compute);
     const auto sums = static_cast<int>(fields_.sums.bytes() / sizeof(glm::vec2));
-    dispatch(commands, Pass::report, WindrowReportPush{.sums = sums}, request.slot);
+    const VkDeviceSize behind = slot_bytes(settings_.reads) - forces_bytes(settings_.reads) - sizeof(WindrowReport);
+    dispatch(
+        commands, Pass::report,
+        WindrowReportPush{.sums = sums, .forces = settings_.reads.forces, .forces_at = static_cast<int>(behind / sizeof(float))},
+        request.slot);
     if (kind == ReadBack::points) {
         if (!request.points.empty()) {
             barrier(k_compute, k_compute | k_transfer);
@@ -55,7 +68,22 @@ AirReport Air::report(int slot) const {
 
 std::span<const std::byte> Air::read(int slot) const {
     const Buffer& buffer = this->slot(slot);
-    return {buffer.mapped() + sizeof(WindrowReport), static_cast<std::size_t>(buffer.bytes()) - sizeof(WindrowReport)};
+    return {buffer.mapped() + sizeof(WindrowReport),
+            static_cast<std::size_t>(slot_bytes(settings_.reads) - forces_bytes(settings_.reads)) - sizeof(WindrowReport)};
+}
+
+cpu::Push Air::push_on(int slot, int body) const {
+    std::array<float, WINDROW_PUSHED> read{};
+    const std::size_t first = slot_bytes(settings_.reads) - forces_bytes(settings_.reads);
+    std::memcpy(read.data(), this->slot(slot).mapped() + first + static_cast<std::size_t>(body) * sizeof(read), sizeof(read));
+    return {.impulse = {read[0], read[1], read[2]},
+            .twist = {read[3], read[4], read[5]},
+            .potential = static_cast<double>(read[6]),
+            .wetted = static_cast<double>(read[7])};
+}
+
+std::span<const detail::PlacedObstacle> Air::bodies() const {
+    return solids_ ? solids_->solids().bodies() : std::span<const detail::PlacedObstacle>();
 }
 
 } // namespace windrow::vulkan

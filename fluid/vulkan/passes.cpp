@@ -11,6 +11,7 @@
 #include "shader_words/diffuse_forward.h"
 #include "shader_words/gradient.h"
 #include "shader_words/limit.h"
+#include "shader_words/loads.h"
 #include "shader_words/modes_back.h"
 #include "shader_words/modes_between.h"
 #include "shader_words/modes_forward.h"
@@ -46,6 +47,7 @@ constexpr std::uint32_t k_cell_group = 128;     // invocations; every device has
 constexpr std::uint32_t k_solve_group = 256;    // of a plane's transform, where the device has them
 constexpr std::uint32_t k_tile_lines = 16;      // of a tile that is not a whole plane
 constexpr std::size_t k_obstacles_constant = 7; // of pass.glsl
+constexpr std::uint32_t k_load_groups = 64;     // that take the bodies in turns
 constexpr int k_of_sources = 1;                 // WindrowStagePush::part of the volume sources' flow
 
 std::uint32_t blocks(std::uint32_t count, std::uint32_t size) {
@@ -140,11 +142,11 @@ std::span<const std::uint32_t> show_code(const Passes::Settings& settings) {
 
 const char* name_of(Pass pass) {
     constexpr std::array<const char*, k_passes> names = {
-        "place",   "sources",    "source_flow",     "adjust",          "plan",
-        "limit",   "diffuse",    "diffuse_forward", "diffuse_columns", "diffuse_back",
-        "pad",     "advect",     "advect_careful",  "modes_forward",   "modes_between",
-        "columns", "modes_back", "surface",         "gradient",        "rooms",
-        "terms",   "show",       "report",          "read_cells",      "read_points"};
+        "place",          "sources",         "source_flow",     "adjust",       "plan",       "limit",
+        "diffuse",        "diffuse_forward", "diffuse_columns", "diffuse_back", "pad",        "advect",
+        "advect_careful", "modes_forward",   "modes_between",   "columns",      "modes_back", "surface",
+        "gradient",       "rooms",           "terms",           "loads",        "show",       "report",
+        "read_cells",     "read_points"};
     return names[static_cast<std::size_t>(pass)];
 }
 
@@ -219,6 +221,8 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
              {solve})(Pass::rooms, words::rooms,
                       of(f.step, f.control, f.tile, f.solids, f.velocity, f.history, f.force, f.drives, f.expansion));
         over(line, {1, 1, 1})(Pass::terms, words::terms, of(f.step, f.control, f.solids, f.around));
+        over(lines, {k_load_groups, 1, 1}, {lines[0]})(
+            Pass::loads, words::loads, of(f.step, f.control, f.solids, f.potential, f.correction, f.direction, f.around));
     }
     a_cell(Pass::gradient, words::gradient,
            of(f.step, f.control, f.potential, f.arrived, f.source_flow, f.velocity, f.history, f.tile, f.correction, f.direction,
@@ -226,7 +230,7 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
     over(cell, over_cells, {cell[0] * cell[1] * cell[2]})(
         Pass::show, show_code(settings), of(f.step, f.control, f.velocity, f.before, f.expansion, f.sums, f.tile, f.solids));
     const auto to_host = [&] { plans.back().to_host = true; };
-    over(line, {1, 1, 1}, {solve})(Pass::report, words::report, of(f.step, f.control, f.sums, f.around, f.slots[0]));
+    over(line, {1, 1, 1}, {solve})(Pass::report, words::report, of(f.step, f.control, f.sums, f.around, f.solids, f.slots[0]));
     to_host();
     if (settings.read_cells.x > 0) {
         const Groups part = cell_group(settings.read_cells);
@@ -371,6 +375,8 @@ void Passes::add_substep(std::vector<Stage>& stages, DiffusionMethod most, const
     stages.push_back({around.careful ? Pass::advect_careful : Pass::advect, {}});
     if (settings_.projects)
         add_pressure(stages, 0, around);
+    if (settings_.projects && around.loads)
+        stages.push_back({Pass::loads, WindrowLoadsPush{.substep = 0, .of_sources = 0}});
     stages.push_back({Pass::gradient, {}});
     if (around.rooms)
         stages.push_back({Pass::rooms, WindrowRoomsPush{.substep = 0, .work = WINDROW_BOUND_ROOMS}});
@@ -389,6 +395,8 @@ std::span<const Passes::Stage> Passes::source_solve(const Around& around) {
         return std::as_const(*this).source_solve();
     around_.clear();
     add_pressure(around_, k_of_sources, around);
+    if (around.loads)
+        around_.push_back({Pass::loads, WindrowLoadsPush{.substep = 0, .of_sources = 1}});
     return around_;
 }
 

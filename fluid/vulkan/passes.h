@@ -39,6 +39,7 @@ enum class Pass : std::uint8_t {
     gradient,       ///< what a sub-step ends with
     rooms,          ///< closed rooms: what the wind, sources and rounding would blow there
     terms,          ///< the pressure's history at the faces of obstacles that were placed anew
+    loads,          ///< forces on obstacles
     show,           ///< textures, and the sums of the report
     report,         ///< the report to the host
     read_cells,     ///< cells to the host, ...
@@ -47,8 +48,8 @@ enum class Pass : std::uint8_t {
 };
 /// Most direct solves of a sub-step around obstacles: Config::pressure_solves.
 inline constexpr std::uint32_t k_max_solves = 64;
-/// Most dispatches of a sub-step: three solves of diffusion, in five each, those of pressure in six, and six more.
-inline constexpr std::uint32_t k_max_stages = 3 * 5 + 6 * k_max_solves + 6;
+/// Most dispatches of a sub-step: three solves of diffusion, in five each, those of pressure in six, and seven more.
+inline constexpr std::uint32_t k_max_stages = 3 * 5 + 6 * k_max_solves + 7;
 inline constexpr std::size_t k_passes = static_cast<std::size_t>(Pass::count);
 /// The passes that write for the host: all of a read-back.
 [[nodiscard]] constexpr bool reads_back(Pass pass) {
@@ -113,7 +114,7 @@ class Passes {
     struct Around {
         int solves = 0; ///< of the pressure; 0: there are none
         float tolerance = 0.0f;
-        bool careful = false, rooms = false;
+        bool careful = false, rooms = false, loads = false;
         friend bool operator==(const Around&, const Around&) = default;
     };
     /// A sub-step, in order, with as much diffusion as it may come to.

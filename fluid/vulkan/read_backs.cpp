@@ -70,6 +70,7 @@ void ReadBacks::make(const Air& air, int slots, const RecordedFrame& start) {
     for (int n = 0; n <= slots; ++n) {
         readings_.push_back({.frame = start});
         readings_.back().points.reserve(points);
+        readings_.back().bodies.reserve(static_cast<std::size_t>(air.reads().forces));
         if (n < slots)
             slots_.push_back({.reading = n});
     }
@@ -111,6 +112,11 @@ void ReadBacks::record(Air& air, VkCommandBuffer commands, const RecordedFrame& 
             places_.push_back(point_in(frame, position));
         request.points = places_;
     }
+    reading.bodies.clear();
+    reading.duration = air.step_duration();
+    const auto bodies = air.bodies();
+    for (const auto& body : bodies.first(std::min(bodies.size(), static_cast<std::size_t>(reads.forces))))
+        reading.bodies.emplace_back(body.slot, body.generation);
     air.read_back(commands, request);
     slot.pending = true;
     slot.ticked = air.stepped();
@@ -136,6 +142,16 @@ Result<bool> ReadBacks::take(const Air& air, int number) {
     std::swap(held_, slot.reading);
     tick_ = held().frame.tick;
     return true;
+}
+
+ObstacleForce ReadBacks::force_on(const Air& air, std::uint32_t slot, std::uint32_t generation) const {
+    if (taken_recording_ == 0)
+        return {};
+    const auto& bodies = held().bodies;
+    const auto found = std::find(bodies.begin(), bodies.end(), std::pair(slot, generation));
+    if (found == bodies.end())
+        return {};
+    return cpu::force_of(air.push_on(held_, static_cast<int>(found - bodies.begin())), held().duration);
 }
 
 void ReadBacks::forget() {

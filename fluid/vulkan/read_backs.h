@@ -7,6 +7,7 @@
 #include "fluid/vulkan/air.h"
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace windrow::vulkan {
@@ -56,11 +57,15 @@ class ReadBacks {
     /// The bytes in its buffer after the report.
     [[nodiscard]] std::span<const std::byte> bytes(const Air& air) const { return air.read(held_); }
     [[nodiscard]] std::span<const glm::dvec3> points() const { return held().points; }
+    /// Of the tick that was read; nothing where no part of the body was in the box.
+    [[nodiscard]] ObstacleForce force_on(const Air& air, std::uint32_t slot, std::uint32_t generation) const;
 
   private:
     struct Reading {
         RecordedFrame frame;
-        std::vector<glm::dvec3> points{}; ///< with room for all
+        std::vector<glm::dvec3> points{};                              ///< with room for all
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> bodies{}; ///< whose forces are read, with room for all
+        double duration = 0.0;                                         ///< [s] of the tick
     };
     struct Slot {
         int reading = 0;

@@ -20,9 +20,9 @@ std::int32_t word(std::uint32_t value) {
 
 } // namespace
 
-SolidTables::SolidTables(const Box& box, float max_cfl)
-    : box_(box), farthest_(static_cast<int>(std::min(std::ceil(1.5f * max_cfl), 4.0f)) + 2), solids_(box, box.cells.x),
-      ghost_of_(box.cell_count(), k_none), reaches_(box.cell_count()), smeared_(box.cell_count()) {
+SolidTables::SolidTables(const Box& box, float max_cfl, bool loads)
+    : box_(box), loads_(loads), farthest_(static_cast<int>(std::min(std::ceil(1.5f * max_cfl), 4.0f)) + 2),
+      solids_(box, box.cells.x), ghost_of_(box.cell_count(), k_none), reaches_(box.cell_count()), smeared_(box.cell_count()) {
     static_assert(WINDROW_FARTHEST_REACH == 6 && WINDROW_BYTE_REACH_SHIFT == 5, "a reach takes three bits");
 }
 
@@ -47,6 +47,8 @@ void SolidTables::place(std::span<const detail::PlacedObstacle> obstacles, glm::
     add_rooms(shift);
     add_bytes();
     add_origins(shift);
+    if (loads_)
+        add_loads();
     for (const cpu::Solids::Ghost& ghost : solids_.ghosts())
         ghost_of_[ghost.cell] = k_none;
 }
@@ -159,7 +161,8 @@ void SolidTables::add_faces() {
     for (const cpu::ClosedFace& face : solids_.faces()) {
         int flags = face.axis;
         for (int end = 0; end < 2; ++end)
-            flags |= solids_.is_sheltered(face.cell[end]) ? WINDROW_LOW_SHELTERED << end : 0;
+            flags |= (solids_.is_sheltered(face.cell[end]) ? WINDROW_LOW_SHELTERED << end : 0) |
+                     (face.shut[end] ? WINDROW_LOW_SHUT << end : 0);
         if (solids_.bodies()[face.body].surface == Surface::no_slip)
             flags |= WINDROW_FACE_NO_SLIP;
         for (const std::int32_t each : {word(face.cell[0]), word(face.cell[1]), word(face.surface[0]), word(face.surface[1]),
@@ -300,6 +303,41 @@ void SolidTables::add_origins(glm::ivec3 shift) {
     solids_.name_faces(keys_);
     solids_.find_origins(keys_before_, shift, origins_);
     words_.insert(words_.end(), origins_.begin(), origins_.end());
+}
+
+// --- Forces ------------------------------------------------------------------------------------------------------------------
+
+void SolidTables::add_loads() {
+    const auto bodies = solids_.bodies();
+    head_.body_count = static_cast<int>(bodies.size());
+    body_starts_.assign(bodies.size() + 1, 0);
+    for (const cpu::ClosedFace& face : solids_.faces())
+        ++body_starts_[face.body + std::size_t{1}];
+    for (std::size_t n = 0; n < bodies.size(); ++n)
+        body_starts_[n + 1] += body_starts_[n];
+    head_.body_faces = here();
+    words_.insert(words_.end(), body_starts_.begin(), body_starts_.end());
+    head_.body_list = here();
+    const std::size_t list = words_.size();
+    words_.resize(list + solids_.faces().size());
+    std::int32_t number = 0;
+    for (const cpu::ClosedFace& face : solids_.faces())
+        words_[list + static_cast<std::size_t>(body_starts_[face.body]++)] = number++;
+
+    names_before_.swap(names_);
+    names_.clear();
+    by_slot_.clear();
+    for (std::size_t n = 0; n < names_before_.size(); ++n) {
+        by_slot_.resize(std::max(by_slot_.size(), std::size_t{names_before_[n].first} + 1), -1);
+        by_slot_[names_before_[n].first] = static_cast<std::int32_t>(n);
+    }
+    head_.bodies_before = here();
+    for (const detail::PlacedObstacle& body : bodies) {
+        names_.emplace_back(body.slot, body.generation);
+        const std::int32_t before = body.slot < by_slot_.size() ? by_slot_[body.slot] : -1;
+        const bool same = before >= 0 && names_before_[static_cast<std::size_t>(before)] == names_.back();
+        words_.push_back(same ? before : -1);
+    }
 }
 
 } // namespace windrow::vulkan

@@ -8,14 +8,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace windrow::vulkan {
 
 class SolidTables {
   public:
-    /// `max_cfl`: of a sub-step; reads of faster air are careful in all cells where a body is thin.
-    SolidTables(const Box& box, float max_cfl);
+    /// `max_cfl`: of a sub-step; reads of faster air are careful in all cells where a body is thin. `loads`: forces are asked for.
+    SolidTables(const Box& box, float max_cfl, bool loads);
 
     /// Replaces all obstacles. `shift`: cells by which the box has moved since the last call. Throws std::bad_alloc.
     void place(std::span<const detail::PlacedObstacle> obstacles, glm::ivec3 shift);
@@ -53,21 +54,26 @@ class SolidTables {
     void add_rooms(glm::ivec3 shift);
     void add_bytes();
     void add_origins(glm::ivec3 shift);
+    void add_loads();
     void flatten_ghosts();
     void find_reaches();
 
     Box box_;
+    bool loads_;
     int farthest_; ///< [cells] reach of a careful read that the bytes know
     cpu::Solids solids_;
     WindrowSolids head_{};
     std::vector<std::int32_t> words_; ///< room for the head, then the tables
     std::vector<std::uint32_t> keys_, keys_before_;
-    std::vector<std::int32_t> origins_;           ///< as Solids::find_origins
-    std::vector<std::uint32_t> cells_;            ///< of the records, in order
-    std::vector<Term> terms_;                     ///< of all ghosts
-    std::vector<std::uint32_t> first_terms_;      ///< of each ghost, and the end
-    std::vector<std::uint32_t> ghost_of_;         ///< one a cell: number of a ghost
-    std::vector<std::uint8_t> reaches_, smeared_; ///< one a cell
+    std::vector<std::int32_t> origins_;                                         ///< as Solids::find_origins
+    std::vector<std::int32_t> body_starts_;                                     ///< scratch
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> names_, names_before_; ///< of bodies: slots and generations
+    std::vector<std::int32_t> by_slot_;                                         ///< scratch: a body before of each slot
+    std::vector<std::uint32_t> cells_;                                          ///< of the records, in order
+    std::vector<Term> terms_;                                                   ///< of all ghosts
+    std::vector<std::uint32_t> first_terms_;                                    ///< of each ghost, and the end
+    std::vector<std::uint32_t> ghost_of_;                                       ///< one a cell: number of a ghost
+    std::vector<std::uint8_t> reaches_, smeared_;                               ///< one a cell
 };
 
 } // namespace windrow::vulkan

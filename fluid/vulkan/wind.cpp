@@ -43,11 +43,13 @@ void check_reads(windrow::detail::Reasons& reasons, const Config& config, const 
                     " x ", config.cells.y, " x ", config.cells.z, ".");
     if (settings.queries == ReadBack::points && (settings.read_points < 1 || settings.read_points > k_max_read_points))
         reasons.add("read_points is ", settings.read_points, ": give 1 to ", k_max_read_points, ".");
+    if (settings.forces < 0 || settings.forces > static_cast<int>(Obstacles::k_capacity))
+        reasons.add("forces is ", settings.forces, ": give 0 to ", Obstacles::k_capacity, ".");
 }
 
 // A slot more than frames in flight: the one that the host holds.
 Reads reads_of(const Config& config, const Settings& settings) {
-    Reads reads{.kind = settings.queries, .slots = settings.frames_in_flight + 1};
+    Reads reads{.kind = settings.queries, .forces = settings.forces, .slots = settings.frames_in_flight + 1};
     if (settings.queries == ReadBack::points)
         reads.points = settings.read_points;
     else if (settings.queries != ReadBack::none)
@@ -334,6 +336,16 @@ double Wind::query_age() const {
     return read != nullptr ? state_->time - read->time : 0.0;
 }
 
+Result<ObstacleForce> Wind::force_on(ObstacleId id) const {
+    const State& state = *state_;
+    if (auto known = state.core.obstacles.check(id); !known)
+        return Error{known.error()};
+    if (state.settings.forces == 0)
+        return Error{"no forces come back from the device: create the wind with Settings::forces."};
+    if (state.core.sleep.asleep())
+        return ObstacleForce{};
+    return state.read_backs.force_on(*state.cells.air, id.slot, id.generation);
+}
 Diagnostics Wind::reported() {
     return state_->reported();
 }

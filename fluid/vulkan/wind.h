@@ -52,6 +52,9 @@ struct Settings {
     /// Most points of a frame with ReadBack::points, 1 to k_max_read_points. They travel inside the command buffer, 64 bytes each.
     /// Default 64.
     int read_points = 64;
+    /// Most obstacles in the box whose forces come back with each frame (Wind::force_on), 0 to Obstacles::k_capacity: 32 bytes each
+    /// and a dispatch in a sub-step. Default 0: none.
+    int forces = 0;
     /// Handle type that the textures' memory can be exported as (Wind::exported_images), for another API or process. Default 0:
     /// none. Each texture has memory of its own then. Rejected where the device does not export such images, was made without
     /// VK_KHR_external_memory_fd or _win32, or where Host::memory allocates.
@@ -194,6 +197,11 @@ class Wind {
     [[nodiscard]] std::optional<HalfView> queried_halves() const;
     /// The wind at the points of the last frame whose read-back is in, with ReadBack::points.
     [[nodiscard]] std::optional<PointWinds> queried_points() const;
+    /// As windrow::Wind::force_on, in the last tick whose read-back is in: frames_in_flight frames ago. A body that comes into the
+    /// box, and all bodies of a loaded wind, begin without the pressure of the tick before. Nothing for a body beyond the first
+    /// Settings::forces in the box, and while the air sleeps. Rejects a handle that names no obstacle, and a wind whose
+    /// Settings::forces is 0.
+    [[nodiscard]] Result<ObstacleForce> force_on(ObstacleId id) const;
     /// [s] Time of the frames recorded since that one. With ticks each frame shows a moment up to a tick before its own.
     [[nodiscard]] double query_age() const;
     /// Diagnostics of the last tick that was read back, with any kind of read-back; stepped = false before the first. Cells that were repaired or limited are

@@ -131,11 +131,20 @@ struct WindrowSolids {
     int farthest;       // [cells] largest reach that the bytes know
     int history;        // where the slopes of the last steps' phi over closed faces are in the work words
     int history_before; // the same of the last placement
+    // Where forces are asked for; body_count is 0 elsewhere.
+    int body_count;
+    int body_faces;    // of each body, its first face in the list, and the end
+    int body_list;     // faces, one body after another
+    int bodies_before; // for each body, which one it was at the last placement; -1: new
+    int loads;         // WINDROW_LOAD words each in the work words
+    int loads_before;  // the same of the last placement
 };
 #define WINDROW_RECORD 10
 #define WINDROW_FACE 8
 #define WINDROW_TERM 6
 #define WINDROW_BODY 9
+#define WINDROW_PUSHED 8                  // impulse, moment, potential and closed faces of a body
+#define WINDROW_LOAD (4 * WINDROW_PUSHED) // as cpu::BodyLoads::Load: history, sources, sum, blast
 // Flags of a record.
 #define WINDROW_INSIDE 1
 #define WINDROW_SHUT 2
@@ -145,6 +154,7 @@ struct WindrowSolids {
 // Of a face, behind its axis.
 #define WINDROW_LOW_SHELTERED 4
 #define WINDROW_FACE_NO_SLIP 16
+#define WINDROW_LOW_SHUT 32
 // A cell's byte: three blocked faces, then
 #define WINDROW_BYTE_INSIDE 8
 #define WINDROW_BYTE_ROOM 16
@@ -209,6 +219,12 @@ struct WindrowSurfacePush {
     float tolerance; // residual at which they stop
 };
 
+// loads.comp: what the pressure of a sub-step, or that of the sources, does to bodies.
+struct WindrowLoadsPush {
+    int substep;
+    int of_sources; // 1, else 0
+};
+
 // rooms.comp.
 #define WINDROW_STILL_NEW_ROOMS 0
 #define WINDROW_SEAL_SOURCES 1
@@ -268,7 +284,9 @@ struct WindrowShowPush {
 };
 
 struct WindrowReportPush {
-    int sums; // entries to reduce
+    int sums;      // entries to reduce
+    int forces;    // bodies that there is room for
+    int forces_at; // words behind the report
 };
 
 struct WindrowReadPush {

@@ -10,8 +10,16 @@
 #include "fluid/pass.glsl"
 
 layout(std430, set = 0, binding = 2) readonly buffer Sums { vec2 sums[]; };
-layout(std430, set = 0, binding = 3) readonly buffer Around { WindrowAround around; };
-layout(std430, set = 0, binding = 4) writeonly buffer Slot { WindrowReport report; };
+layout(std430, set = 0, binding = 3) readonly buffer Around {
+    WindrowAround around;
+    float around_words[];
+};
+#define WINDROW_SOLIDS 4
+#include "fluid/solids.glsl"
+layout(std430, set = 0, binding = 5) writeonly buffer Slot {
+    WindrowReport report;
+    float behind[];
+};
 
 layout(constant_id = 3) const int k_group = 256; // invocations
 shared vec2 totals[k_group], lost[k_group];
@@ -28,8 +36,18 @@ void add(inout vec2 total, inout vec2 rounded, vec2 value) {
 // Sums that overflow have no error to add.
 float whole(float total, float rounded) { return abs(total) < 3e38f ? total + rounded : total; }
 
+// What acted on each body in the last tick.
+void write_forces(int local) {
+    for (int n = local; n < WINDROW_PUSHED * min(solids.body_count, push.forces); n += k_group) {
+        const int sum = solids.loads + WINDROW_LOAD * (n / WINDROW_PUSHED) + 2 * WINDROW_PUSHED + n % WINDROW_PUSHED;
+        behind[push.forces_at + n] = around_words[sum] + around_words[sum + WINDROW_PUSHED];
+    }
+}
+
 void main() {
     const int local = int(gl_LocalInvocationIndex);
+    if (has_obstacles())
+        write_forces(local);
     vec2 total = vec2(0.0f), rounded = vec2(0.0f);
     for (int n = local; n < push.sums; n += k_group)
         add(total, rounded, sums[n]);

@@ -68,6 +68,7 @@ SolidFace solid_face(int n) {
 }
 
 bool face_is_no_slip(SolidFace face) { return (face.flags & WINDROW_FACE_NO_SLIP) != 0; }
+bool face_end_is_shut(SolidFace face, int end) { return (face.flags & (WINDROW_LOW_SHUT << end)) != 0; }
 bool face_end_is_sheltered(SolidFace face, int end) { return (face.flags & (WINDROW_LOW_SHELTERED << end)) != 0; }
 
 vec3 solid_vec3(int at) { return vec3(solid_float(at), solid_float(at + 1), solid_float(at + 2)); }

@@ -1,4 +1,4 @@
-// The pressure's history at closed faces, from the faces of the last placement of obstacles to those of this one.
+// The pressure's history at closed faces and on bodies, from the last placement of obstacles to this one.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define WINDROW_BETWEEN_TICKS
@@ -15,5 +15,10 @@ void main() {
     for (int n = int(gl_LocalInvocationIndex); n < solids.face_count; n += int(gl_WorkGroupSize.x)) {
         const int before = solid_words[solids.before + n];
         around_words[solids.history + n] = before < 0 ? 0.0f : around_words[solids.history_before + before];
+    }
+    for (int n = int(gl_LocalInvocationIndex); n < WINDROW_LOAD * solids.body_count; n += int(gl_WorkGroupSize.x)) {
+        const int before = solid_words[solids.bodies_before + n / WINDROW_LOAD];
+        around_words[solids.loads + n] =
+            before < 0 ? 0.0f : around_words[solids.loads_before + WINDROW_LOAD * before + n % WINDROW_LOAD];
     }
 }

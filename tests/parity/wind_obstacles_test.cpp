@@ -124,6 +124,51 @@ TEST_F(WindObstacles, AVentAndAFanBesideAWall) {
     report("vent", pair, 1e-5);
 }
 
+// With sub-steps, bodies that move, come and go, and a vent that begins to blow and ends.
+TEST_F(WindObstacles, ForcesAreThoseOfTheCpu) {
+    TwoWinds pair = make(gusty_over_floor(), 0, {.texel = Texel::single, .forces = 8});
+    std::vector<Ids> bodies = {
+        add(pair, {.position = {-4.0, 4.0, 1.0}, .shape = Sphere{2.6f}}),
+        add(pair, {.position = {4.3, 3.0, -2.0}, .orientation = about_y(0.4f), .shape = Block{{2.5f, 3.0f, 2.7f}}}),
+        add(pair, {.position = {0.0, 3.0, 6.0}, .orientation = about_y(0.9f), .shape = Plate{{2.0f, 3.0f}}})};
+    double largest = 0.0, off = 0.0, moment = 0.0, moment_off = 0.0;
+    TwoWinds::Ids vent{};
+    for (int n = 0; n < 40; ++n) {
+        if (n >= 10)
+            move(pair, bodies[0], {-4.0 + 0.1 * (n - 10), 4.0, 1.0});
+        if (n >= 10 && n < 30)
+            move(pair, bodies[2], {0.0, 3.0, 6.0}, about_y(0.9f + 0.03f * static_cast<float>(n - 10)));
+        if (n == 15)
+            bodies.push_back(add(pair, {.position = {9.0, 2.0, 3.0}, .shape = Cylinder{.radius = 1.2f, .half_length = 2.0f}}));
+        if (n == 20)
+            vent = pair.add(OmniMotor{.position = {0.5, 3.0, -1.0}});
+        if (n == 28) {
+            EXPECT_TRUE(pair.cpu.motors().remove(vent.first) && pair.device.motors().remove(vent.second));
+        }
+        frame(pair, n % 5 == 4 ? 1.0 / 15.0 : 1.0 / 30.0);
+        (void)pair.device.collect(0);
+        for (const Ids& body : bodies) {
+            const auto on_cpu = pair.cpu.force_on(body.first), on_device = pair.device.force_on(body.second);
+            ASSERT_TRUE(on_cpu && on_device) << on_device.error();
+            EXPECT_EQ(on_cpu->in_box, on_device->in_box) << n;
+            const auto length = [](glm::vec3 v) { return static_cast<double>(glm::length(v)); };
+            largest = std::max(largest, length(on_cpu->force));
+            moment = std::max(moment, length(on_cpu->moment));
+            off = std::max(off, length(on_cpu->force - on_device->force));
+            moment_off = std::max(moment_off, length(on_cpu->moment - on_device->moment));
+            EXPECT_NEAR(on_device->pressure, on_cpu->pressure, 1e-3f * std::max(1.0f, std::abs(on_cpu->pressure))) << n;
+        }
+    }
+    EXPECT_GT(largest, 1.0);
+    WINDROW_EXPECT_FIGURE("wind_parity.forces", off / largest, 1e-4);
+    WINDROW_EXPECT_FIGURE("wind_parity.moments", moment_off / moment, 1e-4);
+    TwoWinds without = make(gusty_over_floor());
+    const Ids ball = add(without, {.position = {0.0, 4.0, 0.0}, .shape = Sphere{2.0f}});
+    const auto none = without.device.force_on(ball.second);
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.error(), "no forces come back from the device: create the wind with Settings::forces.");
+}
+
 TEST_F(WindObstacles, ViscousAirThatSticks) {
     for (const float viscosity : {0.5f, 20.0f}) { // one pass; a direct solve
         TwoWinds pair = make({.cells = k_cells,
