@@ -3,7 +3,10 @@
 #include "fluid/message.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <glm/gtc/quaternion.hpp>
+#include <memory>
 
 namespace windrow::cases {
 namespace {
@@ -153,14 +156,15 @@ ParityStory every_pass() {
 // A house, a fence across the wind, a room of plates and a ball that flies over them.
 ParityStory obstacles() {
     ParityStory story =
-        small(k_obstacles_story, "a house, a fence and a closed room in gusts and a profile, and a ball that flies; "
-                                 "the box follows, a wall comes");
+        small(k_obstacles_story, "a house, a fence and a closed room on rough ground in gusts and a profile, and a ball that "
+                                 "flies; the box follows, a wall comes");
     story.config.cells = {20, 12, 18};
     story.config.centre = {0.0, 6.0, 0.0};
     story.config.boundaries = Boundaries::open_over_floor();
     story.config.ambient = {4.0f, 0.0f, 1.0f};
     story.config.profile = LogProfile{};
     story.config.gusts = {.intensity = 0.2f};
+    story.config.roughness = Roughness{.length = 0.1f};
     story.config.pressure_solves = 2;
     story.steps = 40;
     story.walk = {1.5, 0.0, 0.5};
@@ -183,6 +187,30 @@ ParityStory obstacles() {
     return story;
 }
 
+// Hills of two lengths of roughness under a sheared wind, a fan, a viscosity of one pass; the box follows.
+ParityStory rough_hills() {
+    ParityStory story = small("rough_hills", "rough hills, the roughness by a map, a profile, a fan, viscosity; the box follows");
+    const auto map = [](const std::function<float(glm::vec2)>& value) {
+        return std::make_shared<const HeightMap>(*HeightMap::create({41, 41}, 1.0f, value));
+    };
+    story.config.boundaries = Boundaries::open_over_floor();
+    story.config.centre = {0.0, 6.0, 0.0};
+    story.config.ambient = {5.0f, 0.0f, 2.0f};
+    story.config.profile = LogProfile{};
+    story.config.viscosity = 0.5f;
+    story.config.pressure_solves = 2;
+    story.config.roughness =
+        Roughness{.longest_mixing = 2.0f,
+                  .map = RoughnessMap{.lengths = map([](glm::vec2 place) { return place.x < 20.0f ? 0.01f : 0.3f; }),
+                                      .position = {-20.0, 0.0, -20.0}}};
+    story.steps = 40;
+    story.walk = {3.0, 0.0, 1.0};
+    story.motors = {{.motor = DirectionalMotor{.position = {1.0, 5.0, 0.0}, .direction = {0.0f, -0.5f, 1.0f}}}};
+    const auto hills = map([](glm::vec2 place) { return 2.0f + 1.3f * std::sin(0.5f * place.x) * std::cos(0.4f * place.y); });
+    story.obstacles = {{.obstacle = {.position = {-20.0, 0.0, -20.0}, .shape = Ground{hills}}}};
+    return story;
+}
+
 } // namespace
 
 std::vector<ParityStory> parity_stories() {
@@ -190,8 +218,8 @@ std::vector<ParityStory> parity_stories() {
     for (const glm::ivec3 cells : k_grids)
         for (const auto story : {walk, mixed})
             stories.push_back(story(cells));
-    for (const auto story :
-         {viscous_walls, stable_fluids, storm, frames_and_a_jump, whole_long_planes, split_long_planes, obstacles, every_pass})
+    for (const auto story : {viscous_walls, stable_fluids, storm, frames_and_a_jump, whole_long_planes, split_long_planes,
+                             obstacles, rough_hills, every_pass})
         stories.push_back(story());
     return stories;
 }

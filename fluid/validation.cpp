@@ -2,6 +2,7 @@
 
 #include "fluid/box.h"
 #include "fluid/canopy.h"
+#include "fluid/roughness.h"
 
 namespace windrow::detail {
 
@@ -87,6 +88,15 @@ void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const 
 
 Result<void> validate(const Canopy& canopy) {
     return detail::validate_settings(canopy, "canopy");
+}
+
+Result<void> validate(const Roughness& roughness) {
+    return detail::validate_settings(roughness, "roughness");
+}
+
+void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const RoughnessMap& map) {
+    if (map.lengths == nullptr)
+        reasons.add(path, " has no lengths: give some that HeightMap::create made.");
 }
 
 } // namespace windrow

@@ -21,6 +21,7 @@
 #include "fluid/owned.h"
 #include "fluid/parallel.h"
 #include "fluid/result.h"
+#include "fluid/roughness.h"
 #include "fluid/simd.h"
 #include "fluid/textures.h"
 #include "fluid/view.h"
@@ -59,7 +60,7 @@ struct Stages {
         return std::tuple{
             Setting("sources", &Stages::sources, "Motors and the canopy."),
             Setting("relaxation", &Stages::relaxation, "The return to the ambient wind."),
-            Setting("diffusion", &Stages::diffusion, "Viscosity."),
+            Setting("diffusion", &Stages::diffusion, "Viscosity, and the mixing over rough ground."),
             Setting("advection", &Stages::advection, "Transport of the velocity by itself."),
             Setting("projection", &Stages::projection, "The pressure, which makes the air incompressible."),
         };
@@ -93,6 +94,7 @@ struct Config {
     std::optional<LogProfile> profile{};
     Gusts gusts{};
     std::optional<Canopy> canopy{};
+    std::optional<Roughness> roughness{};
     float blend_width = 2.0f;
     float viscosity = 1.5e-5f;
     float relaxation_time = 20.0f;
@@ -140,6 +142,10 @@ struct Config {
                 "Drag of plants of uniform height and density on the floor, or at height 0 without one. The inflow, and the "
                 "wind to which the air relaxes, is still the ambient wind. Default none, which costs nothing: plants then bend "
                 "in the wind and do not slow it; {} for wheat."),
+            Setting(
+                "roughness", &Config::roughness,
+                "Rough ground: its drag, and the mixing of the air above it by turbulence. Default none, which costs nothing: "
+                "the ground is smooth, and a profile is worn away by what the air does; {} for short grass."),
             Setting(
                 "blend_width", &Config::blend_width, {.min = 0.0, .max = 64.0, .unit = "cells", .zero = "none"},
                 "Width over which sampled wind fades to ambient at the boundaries along which the box follows. It ends one cell "

@@ -40,6 +40,8 @@ class WindCore {
     [[nodiscard]] glm::vec3 mean_wind() const { return admissible_ambient(config.boundaries, config.ambient); }
     /// Viscosity does something that floats hold within a second, or within `dt` [s]; else it is left out.
     [[nodiscard]] bool viscous(float dt = k_longest_prepared) const;
+    /// The stress of rough ground acts.
+    [[nodiscard]] bool rough() const { return config.roughness && config.stages.diffusion; }
     [[nodiscard]] BlendZone blend_zone(glm::dvec3 point) const;
     /// The wind of the last frame, or of the last step.
     [[nodiscard]] ShownFrame shown() const;
@@ -78,6 +80,7 @@ class WindCore {
     void shift_to(CellIndex origin_cells);
     [[nodiscard]] bool renew_sources(std::span<const detail::MotorReach> reached);
     [[nodiscard]] cpu::CanopyRows canopy_rows() const;
+    [[nodiscard]] bool changes_ambient(bool among_bodies) const;
     [[nodiscard]] AirNow now() const { return {place.window, place.point, ambient, sleep.asleep()}; }
 
     // --- Changes of the cells ------------------------------------------------------------------------------------------------

@@ -6,18 +6,6 @@
 namespace windrow::scene {
 namespace {
 
-void read_shape(JsonObject object, auto& kind, ShapeFiles& files) {
-    read_settings(object, kind, [&](const auto& row, auto& member) {
-        if constexpr (requires { files.read(object, Key{""}, member); }) {
-            files.read(object, Key{row.name, row.meaning}, member);
-            return true;
-        } else {
-            return false;
-        }
-    });
-    object.finish();
-}
-
 SceneObstacle read_obstacle(const nlohmann::json& value, const std::string& path, std::span<const std::string> path_names,
                             ShapeFiles& files, ReadLog& log) {
     const std::size_t faults_before = log.faults();
@@ -35,7 +23,7 @@ SceneObstacle read_obstacle(const nlohmann::json& value, const std::string& path
             return true;
         } else if constexpr (std::same_as<Member, Shape>) {
             read_kind(object.object({row.name, row.meaning}), member,
-                      [&](JsonObject kind, auto& alternative) { read_shape(std::move(kind), alternative, files); });
+                      [&](JsonObject kind, auto& alternative) { read_with_files(std::move(kind), alternative, files); });
             return true;
         } else {
             return false;

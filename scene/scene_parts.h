@@ -17,7 +17,8 @@ struct ReadAir {
     Config config;
     bool has_centre = false;
 };
-[[nodiscard]] ReadAir read_air(JsonObject air);
+/// `folder` is the scene's: a map of its roughness is beside it.
+[[nodiscard]] ReadAir read_air(JsonObject air, const std::filesystem::path& folder);
 
 [[nodiscard]] std::vector<SceneMotor> read_motors(JsonObject& scene, std::span<const std::string> path_names);
 

@@ -175,7 +175,7 @@ Result<Scene> read_scene_json(const json& document, const std::filesystem::path&
     scene.name = read_name(object, file);
     scene.description = object.text({"description", "What the scene shows, for people."}, "");
     read_times(object, scene);
-    const ReadAir read = read_air(object.object({"air", "The box of cells and how the air in it moves."}));
+    const ReadAir read = read_air(object.object({"air", "The box of cells and how the air in it moves."}), file.parent_path());
     scene.air = read.config;
     scene.paths = read_paths(object, file.parent_path());
     std::vector<std::string> names;

@@ -3,10 +3,12 @@
 
 #include "fluid/obstacle.h"
 #include "scene/json_object.h"
+#include "scene/setting_reader.h"
 
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 
 namespace windrow::scene {
 
@@ -33,5 +35,38 @@ class ShapeFiles {
     Files<VoxelGrid> grids_;
     Files<HeightMap> heights_;
 };
+
+template <HasSettings Value>
+void read_optional(JsonObject& object, const Key& key, std::optional<Value>& value, ShapeFiles& files);
+
+/// All settings of an object of their own, those from files too, which `present` objects must name.
+template <class Struct>
+void read_with_files(JsonObject object, Struct& value, ShapeFiles& files, bool present = true) {
+    read_settings(object, value, [&](const auto& row, auto& member) {
+        const Key key{row.name, row.meaning};
+        if constexpr (requires { files.read(object, key, member); }) {
+            if (present)
+                files.read(object, key, member);
+            else
+                (void)object.text(key, "");
+            return true;
+        } else if constexpr (requires { read_optional(object, key, member, files); }) {
+            read_optional(object, key, member, files);
+            return true;
+        } else {
+            return false;
+        }
+    });
+    object.finish();
+}
+
+template <HasSettings Value>
+void read_optional(JsonObject& object, const Key& key, std::optional<Value>& value, ShapeFiles& files) {
+    Value given{};
+    const bool present = object.value().contains(key.name);
+    read_with_files(object.object(key), given, files, present);
+    if (present)
+        value = given;
+}
 
 } // namespace windrow::scene

@@ -208,16 +208,23 @@ Result<std::optional<ObstaclesResult>> measure_obstacles(glm::ivec3 cells, const
     const struct {
         const char* name;
         std::function<bool(Wind&)> build;
-        int solves;
-    } k_scenes[] = {{"empty", nothing, 1},         {"one cube", cube, 1},     {"town", town, 1},
-                    {"town, two solves", town, 2}, {"hills", build_hills, 1}, {"outside", outside, 1}};
+        int solves = 1;
+        bool rough = false;
+    } k_scenes[] = {{"empty", nothing},
+                    {"one cube", cube},
+                    {"town", town},
+                    {"town, two solves", town, 2},
+                    {"hills", build_hills},
+                    {"outside", outside},
+                    {"rough ground", nothing, 1, true}};
 
     Contest contest;
     ObstaclesResult result{.cells = cells};
     std::vector<std::unique_ptr<WindContestant>> winds;
     Config config = bench_config(cells, Scheme::second_order, request.simd, loop);
-    for (const auto& [name, build, solves] : k_scenes) {
+    for (const auto& [name, build, solves, rough] : k_scenes) {
         config.pressure_solves = solves;
+        config.roughness = rough ? std::optional<Roughness>(Roughness{}) : std::nullopt;
         auto wind = Wind::create(config);
         if (!wind)
             return Error{wind.error()};

@@ -42,6 +42,10 @@ Cells::Cells(const WindCore& wind, Workspace workspace)
     : work(std::move(workspace)), air(box().cell_count()), sources(box().cells), wind_(wind), config_(wind.config),
       around_(wind.ambient) {
     make_room_around(config_.gusts);
+    if (wind_.rough()) {
+        layer_.emplace(box(), *config_.roughness);
+        diffused_ = Buffer<glm::vec4>(air.velocity.size());
+    }
     // A step of up to k_longest_prepared does not allocate: the memory for its viscosity is allocated here.
     make_room_for_viscosity(diffusion_method(config_.viscosity, WindCore::k_longest_prepared, config_.cell_size));
 }
@@ -445,7 +449,8 @@ std::size_t Cells::memory_bytes() const {
     return work.memory_bytes() + air.memory_bytes() + frames.memory_bytes() + diffused_.bytes() + sources.memory_bytes() +
            mean_field_.memory_bytes() + ambient_field_.memory_bytes() + ambient_next_.memory_bytes() +
            (profile_bends_.size() + open_parts_.capacity()) * sizeof(float) + source_flow.bytes() + free_air_.memory_bytes() +
-           solved.bytes() + loads.memory_bytes() + sheltered_air_.capacity() * sizeof(glm::vec4);
+           solved.bytes() + (layer_ ? layer_->memory_bytes() : 0) + loads.memory_bytes() +
+           sheltered_air_.capacity() * sizeof(glm::vec4);
 }
 
 } // namespace windrow::cpu

@@ -8,6 +8,7 @@
 #include "fluid/cpu/ambient_field.h"
 #include "fluid/cpu/body_loads.h"
 #include "fluid/cpu/sources.h"
+#include "fluid/cpu/surface_layer.h"
 #include "fluid/cpu/workspace.h"
 #include "fluid/operators.h"
 
@@ -166,6 +167,7 @@ class Cells final : public CellStorage {
     /// Not in sheltered cells.
     void add_ambient(std::span<glm::vec4> field, float factor);
     [[nodiscard]] std::span<const glm::vec4> diffuse(std::span<const glm::vec4> field, float dt, Diagnostics& report);
+    [[nodiscard]] std::span<const glm::vec4> mix(std::span<const glm::vec4> field, float dt, Diagnostics& report);
     void advance_second_order(float dt, Diagnostics& report);
     void rehearse(float dt, Diagnostics& report);
     void perform(float dt, Diagnostics& report);
@@ -190,7 +192,9 @@ class Cells final : public CellStorage {
     std::vector<glm::vec4> sheltered_air_; ///< scratch: one a sheltered cell
     bool place_again_ = false;             ///< memory was missing
     bool bodies_move_ = false;             ///< some obstacle in the box moves in this step
-    Buffer<glm::vec4> diffused_;           ///< the velocity after diffusion; empty while viscosity has no effect
+    Buffer<glm::vec4> diffused_;           ///< the velocity after diffusion and mixing; empty while neither acts
+    std::optional<SurfaceLayer> layer_;    ///< over rough ground
+    bool placed_anew_ = false;             ///< obstacles, since the layer was renewed
     std::vector<float> open_parts_;        ///< scratch of open_parts
     FreeAir free_air_;                     ///< potential of the volume sources; empty until the first
     /// Sleep::drift when the air, and that of the tick before, were written. Otherwise they are ambient, written when read.

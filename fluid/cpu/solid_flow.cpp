@@ -163,23 +163,38 @@ double SolidFlow::correct_divergence(std::span<const glm::vec4> velocity, std::s
     return found;
 }
 
-void SolidFlow::add_push(const ClosedFace& face, const float* potential, Push& push) const {
+// Of the faces of bodies, one after another.
+class SolidFlow::FacePush {
+  public:
+    FacePush(const Box& box, const float* potential) : potential_(potential), h_(box.cell_size) {
+        for (int axis = 0; axis < 3; ++axis)
+            if (box.boundaries.periodic(axis))
+                period_[axis] = h_ * box.cells[axis];
+    }
+    void add(const ClosedFace& face, const glm::dvec3& position, Push& push) const;
+
+  private:
+    const float* potential_;
+    double h_;
+    glm::dvec3 period_{0.0}; ///< [m] 0: not periodic
+};
+
+void SolidFlow::FacePush::add(const ClosedFace& face, const glm::dvec3& position, Push& push) const {
     double held = 0.0;
     for (int end = 0; end < 2; ++end)
         if (!face.shut[end]) {
-            const double here = static_cast<double>(face.closed) * static_cast<double>(potential[face.potential[end]]);
+            const double here = static_cast<double>(face.closed) * static_cast<double>(potential_[face.potential[end]]);
             held += end == 0 ? here : -here;
             push.potential += here;
             push.wetted += static_cast<double>(face.closed);
         }
-    const double h = box_.cell_size;
     glm::dvec3 place = glm::dvec3(face.place[0], face.place[1], face.place[2]) + 0.5;
     place[face.axis] += 0.5;
-    glm::dvec3 arm = h * place - glm::dvec3(solids_.bodies()[face.body].position);
+    glm::dvec3 arm = h_ * place - position;
     for (int axis = 0; axis < 3; ++axis)
-        if (const double size = h * box_.cells[axis]; box_.boundaries.periodic(axis)) // from its nearest image
-            arm[axis] -= size * std::round(arm[axis] / size);
-    const double along = h * h * h * held; // the impulse, along the axis; the moment is arm x impulse
+        if (period_[axis] > 0.0) // from its nearest image
+            arm[axis] -= period_[axis] * std::round(arm[axis] / period_[axis]);
+    const double along = h_ * h_ * h_ * held; // the impulse, along the axis; the moment is arm x impulse
     const int next = (face.axis + 1) % 3, last = (face.axis + 2) % 3;
     push.impulse[face.axis] += along;
     push.twist[next] += arm[last] * along;
@@ -188,16 +203,25 @@ void SolidFlow::add_push(const ClosedFace& face, const float* potential, Push& p
 
 Push SolidFlow::push_on(std::size_t body, const float* potential) const {
     Push push;
+    const FacePush faces(box_, potential);
     for (const ClosedFace& face : solids_.faces())
         if (face.body == body)
-            add_push(face, potential, push);
+            faces.add(face, glm::dvec3(solids_.bodies()[body].position), push);
     return finished(push, box_.cell_size);
 }
 
 void SolidFlow::find_pushes(const float* potential, std::span<Push> pushes) const {
     std::fill(pushes.begin(), pushes.end(), Push{});
-    for (const ClosedFace& face : solids_.faces())
-        add_push(face, potential, pushes[face.body]);
+    const FacePush faces(box_, potential);
+    const std::span<const ClosedFace> all = solids_.faces();
+    for (std::size_t n = 0; n < all.size();) { // those of a body that follow each other, in registers
+        const std::uint16_t body = all[n].body;
+        const glm::dvec3 position(solids_.bodies()[body].position);
+        Push push;
+        for (; n < all.size() && all[n].body == body; ++n)
+            faces.add(all[n], position, push);
+        pushes[body] += push;
+    }
     for (Push& push : pushes)
         push = finished(push, box_.cell_size);
 }

@@ -66,7 +66,7 @@ class SolidFlow {
     void find_pushes(const float* potential, std::span<Push> pushes) const;
 
   private:
-    void add_push(const ClosedFace& face, const float* potential, Push& push) const;
+    class FacePush;
     /// [m/s] Of the body that closes a face, at the face.
     [[nodiscard]] glm::vec3 wall_at(const ClosedFace& face) const;
     /// The prescribed part at a cell: the wind, which does not blow in a closed room.

@@ -136,6 +136,10 @@ class Solids {
         return (any & k_blocked) != 0;
     }
     [[nodiscard]] bool inside(std::uint32_t cell) const { return (flags_[cell] & k_inside) != 0; }
+    /// The body that an inside cell is in.
+    [[nodiscard]] std::size_t body_in(std::uint32_t cell) const { return body_of_[cell]; }
+    /// [cells] Of a cell's centre over the surface of a body: the distance, above a ground the height.
+    [[nodiscard]] float height_over(std::size_t body, glm::ivec3 cell) const;
     /// The face from a cell to its high neighbour; null: open.
     [[nodiscard]] const ClosedFace* face(std::uint32_t low_cell, int axis) const {
         const std::uint32_t n = face_of_[3 * static_cast<std::size_t>(low_cell) + static_cast<std::size_t>(axis)];

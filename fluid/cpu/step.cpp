@@ -184,7 +184,7 @@ void Cells::rehearse(float dt, Diagnostics& report) {
 void Cells::perform(float dt, Diagnostics& report) {
     extend_into_bodies();
     const Solving solving(*this, report);
-    const std::span<const glm::vec4> carried = diffuse(without_given_flow(), dt, report);
+    const std::span<const glm::vec4> carried = mix(diffuse(without_given_flow(), dt, report), dt, report);
     Transport transport{.carried = carried, .velocity = air.velocity, .dt = dt, .interpolation = config_.interpolation};
     transport.relaxation = relaxation(config_, dt);
     const numerics::WindrowPast past = numerics::windrow_past(air.fresh ? 0.0f : dt / air.dt_old);
@@ -253,7 +253,7 @@ void Cells::advance_stable_fluids(float dt, Diagnostics& report) {
     sources.add_force_to(air.velocity, dt, config_.parallel_for);
     extend_into_bodies();
     const Solving solving(*this, report);
-    const std::span<const glm::vec4> carried = diffuse(without_given_flow(), dt, report);
+    const std::span<const glm::vec4> carried = mix(diffuse(without_given_flow(), dt, report), dt, report);
     Transport transport{
         .carried = carried, .velocity = air.velocity, .extrapolation = 0.0f, .dt = dt, .interpolation = config_.interpolation};
     transport.relaxation = relaxation(config_, dt);
@@ -278,7 +278,7 @@ void Cells::advance_in_place(float dt, Diagnostics& report) {
     const ParallelFor& parallel_for = config_.parallel_for;
     sources.add_force_to(air.velocity, dt, parallel_for);
     add_given_flow(air.velocity, -1.0f);
-    if (const auto carried = diffuse(air.velocity, dt, report); carried.data() != air.velocity.data())
+    if (const auto carried = mix(diffuse(air.velocity, dt, report), dt, report); carried.data() != air.velocity.data())
         std::copy(carried.begin(), carried.end(), air.velocity.data());
     if (const float factor = relaxation(config_, dt); factor != 1.0f)
         for_each_cell(box(), [&](std::size_t n, int i, int j, int k) {
@@ -433,23 +433,6 @@ void Cells::repair_cells() {
         air.velocity[n] = air.velocity_old[n] = wind_at(n, i, j, k);
         air.history[n] = glm::vec4(0.0f);
     });
-}
-
-// The velocity after diffusion; the input where viscosity has no effect. Diffusion time too short to act is accumulated:
-// dropped, it would be lost for any number of sub-steps.
-std::span<const glm::vec4> Cells::diffuse(std::span<const glm::vec4> field, float dt, Diagnostics& report) {
-    if (!wind_.viscous(dt))
-        return field;
-    air.undiffused_time += dt;
-    const DiffusionMethod method = diffusion_method(config_.viscosity, air.undiffused_time, box().cell_size);
-    report.diffusion = method;
-    if (method == DiffusionMethod::none)
-        return field;
-    OuterStopwatch watch(report.times_ms.diffusion, work.state().obstacles_ms);
-    (void)windrow::diffuse(work, field, config_.viscosity, std::exchange(air.undiffused_time, 0.0f), diffused_);
-    if (work.state().has_solids())
-        work.state().solid_flow().extend(diffused_, prescribed());
-    return diffused_;
 }
 
 void Cells::measure(Diagnostics& report) {

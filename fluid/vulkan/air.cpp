@@ -93,7 +93,8 @@ Result<void> Air::make_memory() {
                                                 SolveTables::max_floats(config_.cells, prepared_ == DiffusionMethod::implicit)),
                                             .commands = Passes::commands(config_.max_substeps),
                                             .sums = Passes::sums(*device_, config_.cells),
-                                            .diffuses = prepared_ != DiffusionMethod::none,
+                                            .diffuses = prepared_ != DiffusionMethod::none || rough(),
+                                            .rough = rough(),
                                             .gusts = settings_.gusts,
                                             .texel = settings_.texel,
                                             .textures = settings_.textures,
@@ -128,7 +129,8 @@ Result<Passes> Air::passes_for(bool obstacles) {
                                   .textures = settings_.textures,
                                   .read_cells = settings_.reads.cells,
                                   .read_halves = settings_.reads.kind == ReadBack::halves,
-                                  .obstacles = obstacles});
+                                  .obstacles = obstacles,
+                                  .rough = rough()});
     if (passes)
         passes->set_tables(*tables_);
     return passes;
@@ -169,7 +171,7 @@ WindrowStep Air::block_of(const AmbientWind& ambient, const Window& window, cons
         bit(step.has_source_flow, WINDROW_HAS_SOURCE_FLOW) | bit(step.renews_sources, WINDROW_RENEWS_SOURCE_FLOW) |
         bit(diffusion != DiffusionMethod::none, WINDROW_DIFFUSES) | bit(any(detail::MotorReach::Law::force), WINDROW_PUSHES) |
         bit(any(detail::MotorReach::Law::drive), WINDROW_DRIVES) | bit(any(detail::MotorReach::Law::source), WINDROW_EXPANDS) |
-        bit(diffusion == DiffusionMethod::one_pass, WINDROW_ONE_PASS) | obstacle_flags();
+        bit(diffusion == DiffusionMethod::one_pass, WINDROW_ONE_PASS) | bit(rough(), WINDROW_ROUGH) | obstacle_flags();
     block.shift = unplaced_shift_;
     block.duration = static_cast<float>(step.duration);
     block.cell_size = air.cell_size;
@@ -369,6 +371,7 @@ void Air::step(VkCommandBuffer commands, const CellStep& step, const Recorded& r
     const bool others = places && (step.obstacles_stirred || place_again_);
     if (places)
         place_obstacles(commands, step.obstacles, early(0));
+    renew_layer(commands, step, places);
     WindrowStep block = block_of(*step.ambient, *step.window, step);
     block.recorded_substeps = substeps;
     block.shift = glm::ivec3(0);
@@ -422,8 +425,10 @@ void Air::step(VkCommandBuffer commands, const CellStep& step, const Recorded& r
     if (rehearses)
         substep(commands, passes_.substep(diffusion, around_obstacles(step, true)), -1, std::nullopt);
     for (int n = 0; n < substeps; ++n) {
-        if (bodies_move && n > 0)
+        if (bodies_move && n > 0) {
             place_obstacles(commands, step.obstacles, early(n));
+            renew_layer(commands, step, true);
+        }
         const auto stages = passes_.substep(diffusion, fresh_ && n == 0 ? around_obstacles(step, true) : around);
         const auto passes = static_cast<std::uint32_t>(stages.size());
         substep(commands, stages, n,

@@ -18,6 +18,7 @@
 
 #include "fluid/cell_storage.h"
 #include "fluid/cpu/body_loads.h"
+#include "fluid/cpu/surface_layer.h"
 #include "fluid/snapshot.h"
 #include "fluid/vulkan/blocks.h"
 #include "fluid/vulkan/pass_clock.h"
@@ -221,6 +222,9 @@ class Air {
     [[nodiscard]] Passes::Around around_obstacles(const CellStep& step, bool fresh) const;
     [[nodiscard]] Passes::Around around_sources() const;
     /// Motors as the device takes them: what obstacles cover of a volume source blows nothing.
+    [[nodiscard]] bool rough() const { return config_.roughness && config_.stages.diffusion; }
+    /// `placed`: the obstacles were placed anew.
+    void renew_layer(VkCommandBuffer commands, const CellStep& step, bool placed);
     [[nodiscard]] std::span<const detail::MotorReach> uncovered(std::span<const detail::MotorReach> motors);
     void write_tables(VkCommandBuffer commands);
     void make_room_for_sides();
@@ -264,6 +268,9 @@ class Air {
     std::unique_ptr<SolidTables> solids_;        ///< null until there is an obstacle
     std::vector<detail::PlacedObstacle> placed_; ///< scratch
     std::vector<detail::MotorReach> uncovered_;  ///< scratch
+    std::optional<cpu::SurfaceLayer> layer_;     ///< over rough ground
+    std::vector<float> layer_written_;           ///< what Fields::layer holds; empty before the first time
+    std::vector<float> layer_wanted_;            ///< scratch
     std::vector<float> restored_terms_;          ///< the pressure's history of a loaded wind, until its first placement
     glm::ivec3 unplaced_shift_{0};               ///< [cells] of the box since the obstacles were placed
     bool place_again_ = false;

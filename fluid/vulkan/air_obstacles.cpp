@@ -163,6 +163,37 @@ Result<void> Air::make_room_for_obstacles(VkCommandBuffer commands) {
     return {};
 }
 
+// Uploads the pieces of the tables that are others now.
+void Air::renew_layer(VkCommandBuffer commands, const CellStep& step, bool placed) {
+    if (!rough())
+        return;
+    if (!layer_)
+        layer_.emplace(box(), *config_.roughness);
+    const std::uint64_t before = layer_->version();
+    layer_->renew(*step.ambient, *step.window, config_.boundaries, solids_ && solids_->any() ? &solids_->solids() : nullptr,
+                  placed, config_.parallel_for);
+    if (layer_->version() == before && !layer_written_.empty())
+        return;
+    const auto faces = layer_->faces();
+    layer_wanted_.assign(faces.begin(), faces.end());
+    layer_wanted_.resize(fields_.layer.bytes() / sizeof(float));
+    std::ranges::copy(layer_->wind_mixing(), layer_wanted_.begin() + static_cast<std::ptrdiff_t>(faces.size()));
+    std::ranges::copy(layer_->wind_drag(), layer_wanted_.end() - config_.cells.y);
+    const bool all = layer_written_.size() != layer_wanted_.size();
+    layer_written_.resize(layer_wanted_.size());
+    barrier(k_compute | k_transfer, k_transfer);
+    constexpr std::size_t k_piece = k_max_update / sizeof(float);
+    for (std::size_t first = 0; first < layer_wanted_.size(); first += k_piece) {
+        const auto wanted = std::span(layer_wanted_).subspan(first, std::min(k_piece, layer_wanted_.size() - first));
+        const auto written = std::span(layer_written_).subspan(first, wanted.size());
+        if (!all && std::ranges::equal(wanted, written))
+            continue;
+        std::ranges::copy(wanted, written.begin());
+        write(commands, fields_.layer, std::as_bytes(wanted), first * sizeof(float));
+    }
+    barrier(k_transfer, k_compute);
+}
+
 Passes::Around Air::around_obstacles(const CellStep& step, bool fresh) const {
     if (!solids_ || !solids_->any())
         return {};

@@ -55,6 +55,10 @@ Result<Fields> Fields::create(Device& device, const Sizes& sizes) {
     make(fields.around, "around", sizeof(WindrowAround) + sizeof(vec4));
     make(fields.correction, "correction", sizeof(vec4));
     make(fields.direction, "direction", sizeof(vec4));
+    if (sizes.rough) {
+        const glm::ivec3 faces = sizes.cells + glm::ivec3(0, 1, 0);
+        make(fields.layer, "layer", (count(faces) + static_cast<VkDeviceSize>(sizes.cells.y + faces.y)) * sizeof(float));
+    }
     if (sizes.points > 0)
         make(fields.points, "points", sizes.points * sizeof(WindrowPoint));
     fields.slots.resize(sizes.slots);

@@ -28,6 +28,7 @@ struct Fields {
         std::uint32_t commands = 1;
         std::uint32_t sums = 1;
         bool diffuses = false; ///< else `diffused` is a stand-in
+        bool rough = false;    ///< else `layer` is empty
         bool gusts = false;    ///< else `tile` is one
         Texel texel = Texel::half;
         TextureSet textures = TextureSet::vectors;     ///< what it has not stays empty
@@ -44,6 +45,7 @@ struct Fields {
     /// Around obstacles; stand-ins until there is one. Tables (solids.glsl), WindrowAround and its words, the last correction
     /// and the sum of those before it, the direction.
     Buffer solids, around, correction, direction;
+    Buffer layer;              ///< over rough ground: tables of cpu::SurfaceLayer
     Buffer points;             ///< WindrowPoint; empty without
     std::vector<Buffer> slots; ///< mapped; WindrowReport, then cells or winds
     /// [0] and [1]: of this frame and of the last, in turns. Four components; x, y, z.

@@ -31,6 +31,7 @@
 #include "shader_words/rooms.h"
 #include "shader_words/source_flow.h"
 #include "shader_words/sources.h"
+#include "shader_words/stress.h"
 #include "shader_words/surface.h"
 #include "shader_words/terms.h"
 
@@ -142,11 +143,10 @@ std::span<const std::uint32_t> show_code(const Passes::Settings& settings) {
 
 const char* name_of(Pass pass) {
     constexpr std::array<const char*, k_passes> names = {
-        "place",          "sources",         "source_flow",     "adjust",       "plan",       "limit",
-        "diffuse",        "diffuse_forward", "diffuse_columns", "diffuse_back", "pad",        "advect",
-        "advect_careful", "modes_forward",   "modes_between",   "columns",      "modes_back", "surface",
-        "gradient",       "rooms",           "terms",           "loads",        "show",       "report",
-        "read_cells",     "read_points"};
+        "place",           "sources",         "source_flow",  "adjust",     "plan",       "limit",      "diffuse",
+        "diffuse_forward", "diffuse_columns", "diffuse_back", "stress",     "pad",        "advect",     "advect_careful",
+        "modes_forward",   "modes_between",   "columns",      "modes_back", "surface",    "gradient",   "rooms",
+        "terms",           "loads",           "show",         "report",     "read_cells", "read_points"};
     return names[static_cast<std::size_t>(pass)];
 }
 
@@ -200,6 +200,9 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
     a_plane(Pass::diffuse_forward, words::diffuse_forward, of(f.step, f.control, f.tables, f.diffused, f.rules, f.hat));
     a_column(Pass::diffuse_columns, words::diffuse_columns, of(f.step, f.control, f.tables, f.hat, f.potential, f.arrived));
     a_plane(Pass::diffuse_back, words::diffuse_back, of(f.step, f.control, f.tables, f.hat, f.diffused));
+    if (settings.rough)
+        a_column(Pass::stress, words::stress,
+                 of(f.step, f.control, f.velocity, f.force, f.source_flow, f.layer, f.diffused, f.tile, f.solids));
     a_padded_cell(Pass::pad, words::pad,
                   of(f.step, f.control, f.velocity, f.history, f.force, f.drives, f.source_flow, f.diffused, f.rules, f.padded,
                      f.tile, f.solids));
@@ -371,6 +374,8 @@ void Passes::add_substep(std::vector<Stage>& stages, DiffusionMethod most, const
     for (int n = 0; most == DiffusionMethod::implicit && n < 3; ++n)
         add_solve(stages, {Pass::diffuse_forward, Pass::diffuse_columns, Pass::diffuse_back, diffusion_columns_[n], n},
                   diffusion_[n]);
+    if (settings_.rough)
+        stages.push_back({Pass::stress, {}});
     stages.push_back({Pass::pad, {}});
     stages.push_back({around.careful ? Pass::advect_careful : Pass::advect, {}});
     if (settings_.projects)

@@ -28,6 +28,7 @@ enum class Pass : std::uint8_t {
     diffuse_forward, ///< ... or a direct solve a component
     diffuse_columns,
     diffuse_back,
+    stress,         ///< of rough ground, in columns
     pad,            ///< gathers what the advection reads
     advect,         ///< trajectories and interpolation, ...
     advect_careful, ///< ... or those that stop at thin bodies
@@ -48,8 +49,8 @@ enum class Pass : std::uint8_t {
 };
 /// Most direct solves of a sub-step around obstacles: Config::pressure_solves.
 inline constexpr std::uint32_t k_max_solves = 64;
-/// Most dispatches of a sub-step: three solves of diffusion, in five each, those of pressure in six, and seven more.
-inline constexpr std::uint32_t k_max_stages = 3 * 5 + 6 * k_max_solves + 7;
+/// Most dispatches of a sub-step: three solves of diffusion, in five each, those of pressure in six, and eight more.
+inline constexpr std::uint32_t k_max_stages = 3 * 5 + 6 * k_max_solves + 8;
 inline constexpr std::size_t k_passes = static_cast<std::size_t>(Pass::count);
 /// The passes that write for the host: all of a read-back.
 [[nodiscard]] constexpr bool reads_back(Pass pass) {
@@ -88,6 +89,7 @@ class Passes {
         glm::ivec3 read_cells{0}; ///< box of cells that come back to the host; 0: none
         bool read_halves = false; ///< as halves, else floats
         bool obstacles = false;   ///< else the passes know none
+        bool rough = false;       ///< over rough ground
     };
     [[nodiscard]] static Result<Passes> create(Device& device, const Fields& fields, const Settings& settings);
     /// Sets the tables of the direct solve; call it before the first sub-step.

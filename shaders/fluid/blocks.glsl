@@ -32,6 +32,7 @@
 #define WINDROW_ROOMS 262144        // some of the air is in closed rooms
 #define WINDROW_THIN 524288         // a read may pass through a body
 #define WINDROW_BODIES_MOVE 1048576 // some obstacle moves
+#define WINDROW_ROUGH 2097152       // the ground is rough
 
 // Of a tick. An axis is a component of the vec4s of which xyz alone are used.
 struct WindrowStep {

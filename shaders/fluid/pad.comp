@@ -51,7 +51,7 @@ vec3 relaxed(vec3 carried, ivec3 cell, int record) {
 Departing departing(ivec3 cell, int record) {
     const int source = cell_index(cell);
     Departing air;
-    air.carried = is_on(WINDROW_DIFFUSES) ? diffused[source].xyz : solved_part(cell, source);
+    air.carried = is_on(WINDROW_DIFFUSES | WINDROW_ROUGH) ? diffused[source].xyz : solved_part(cell, source);
     air.held = vec3(0.0f);
     vec3 u = velocity[now(source)].xyz;
     if (is_on(WINDROW_STABLE_FLUIDS)) {

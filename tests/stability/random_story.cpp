@@ -294,6 +294,9 @@ rc::Gen<Story> any_story() {
             any.profile = LogProfile{single(spread(1e-3, 1.0)), single(spread(1.0, 100.0))};
         if (pick(0, 2) == 2)
             any.gusts = some_gusts(static_cast<double>(any.cell_size));
+        if (pick(0, 3) == 3 && !any.boundaries.periodic(1))
+            any.roughness =
+                Roughness{.length = single(spread(1e-4, 10.0)), .longest_mixing = single(pick(0, 1) * spread(0.1, 10.0))};
         any.blend_width = single(pick(0, 4));
         any.sleep_speed = pick(0, 2) < 2 ? 1e-3f : 0.0f;
         any.max_cfl = pick(0, 1) == 0 ? 2.0f : single(spread(0.5, 50.0));

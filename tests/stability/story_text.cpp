@@ -50,6 +50,9 @@ std::string text(std::uint32_t value) {
 std::string text(bool value) {
     return value ? "true" : "false";
 }
+std::string text(const std::shared_ptr<const HeightMap>&) {
+    return "{}"; // stories have no maps
+}
 template <class Number>
 std::string text(const glm::vec<3, Number>& v) {
     return '{' + text(v.x) + ", " + text(v.y) + ", " + text(v.z) + '}';

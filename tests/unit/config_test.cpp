@@ -100,6 +100,11 @@ std::vector<ConfigMistake> every_fault() {
     add("blend_width", " is nan", "0 (none) to 64", [](Config& c) { c.blend_width = k_nan; });
     add("canopy.height", " is -1 m", "0 (none) to 1000 m", [](Config& c) { c.canopy = Canopy{.height = -1.0f}; });
     add("canopy.height", " is nan m", "0 (none) to 1000 m", [](Config& c) { c.canopy = Canopy{.height = k_nan}; });
+    add("roughness.length", " is 0 m", "1e-6 to 100 m", [](Config& c) { c.roughness = Roughness{.length = 0.0f}; });
+    add("roughness.longest_mixing", " is -1 m", "0 (no limit) to 100000 m",
+        [](Config& c) { c.roughness = Roughness{.longest_mixing = -1.0f}; });
+    add("roughness.map", " has no lengths", "HeightMap::create",
+        [](Config& c) { c.roughness = Roughness{.map = RoughnessMap{}}; });
     add("canopy.drag", " is 10000 1/m", "0 (none) to 1000 1/m", [](Config& c) { c.canopy = Canopy{.drag = 1e4f}; });
     add("ticks.hz", " is 0", "1 to 10000", [](Config& c) { c.ticks.hz = 0.0; });
     add("ticks.hz", " is -1", "1 to 10000", [](Config& c) { c.ticks.hz = -1.0; });

@@ -91,6 +91,25 @@ TEST_F(SceneShapes, APictureOfHeightsIsGround) {
     EXPECT_LT(detail::distance_to(hill, {1e5f, 49.9f, -1e5f}), 0.0f) << "beyond the edge";
 }
 
+TEST_F(SceneShapes, APictureOfLengthsIsTheGroundsRoughness) {
+    write("lengths.pgm", std::string("P5 2 2 255\n\x00\xff\x00\xff", 15));
+    const auto air = [&](const std::string& keys) {
+        return read_scene_text(R"({"air": {"roughness": {)" + keys + "}}}", folder / "scene.json");
+    };
+    const auto scene = air(R"("map": {"file": "lengths.pgm", "scale": [10, 0.3, 10], "position": [4, 0, 2]})");
+    ASSERT_TRUE(scene) << scene.error();
+    ASSERT_TRUE(scene->air.roughness && scene->air.roughness->map);
+    EXPECT_EQ(scene->air.roughness->map->scale, glm::vec3(10.0f, 0.3f, 10.0f));
+    EXPECT_EQ(scene->air.roughness->map->lengths->data().heights, (std::vector<float>{0.0f, 1.0f, 0.0f, 1.0f}));
+    EXPECT_FALSE(air("")->air.roughness->map);
+    EXPECT_FALSE(read_scene_text("{}", folder / "scene.json")->air.roughness);
+    for (const auto& [keys, sentence] :
+         {std::pair{R"("map": {})", "$.air.roughness.map.file is missing: name a picture of heights, PGM,"},
+          {R"("map": {"file": "none.pgm"})", "none.pgm"},
+          {R"("length": 0)", "$.air.roughness.length is 0 m: give 1e-6 to 100 m."}})
+        EXPECT_NE(air(keys).error().find(sentence), std::string::npos) << air(keys).error();
+}
+
 TEST_F(SceneShapes, WhatCannotBeUsedIsNamed) {
     std::string open = k_box;
     open.resize(open.rfind("f "));

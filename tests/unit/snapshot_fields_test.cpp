@@ -1,6 +1,7 @@
 // A snapshot holds every field, and little else.
 
 #include "fluid/wind_state.h"
+#include "tests/shapes.h"
 #include "tests/unit/snapshot_session.h"
 
 namespace {
@@ -22,6 +23,12 @@ void each_counts(const T& start, const std::vector<std::function<void(T&)>>& cha
         EXPECT_EQ(*loaded(bytes).save(), bytes) << "change " << n;
         seen.push_back(bytes);
     }
+}
+
+Roughness rough_by_map(double length, double x, float scale) {
+    return {.map = RoughnessMap{.lengths = heights_of({2, 2}, 1.0f, [=](double, double) { return length; }),
+                                .position = {x, 0.0, 0.0},
+                                .scale = glm::vec3(scale)}};
 }
 
 TEST(SnapshotFields, EachOfTheConfigCounts) {
@@ -61,6 +68,13 @@ TEST(SnapshotFields, EachOfTheConfigCounts) {
         [](Config& c) { c.canopy = Canopy{}; },
         [](Config& c) { c.canopy = Canopy{.height = 2.0f}; },
         [](Config& c) { c.canopy = Canopy{.drag = 2.0f}; },
+        [](Config& c) { c.roughness = Roughness{}; },
+        [](Config& c) { c.roughness = Roughness{.length = 0.2f}; },
+        [](Config& c) { c.roughness = Roughness{.longest_mixing = 2.0f}; },
+        [](Config& c) { c.roughness = rough_by_map(0.1, 0.0, 1.0f); },
+        [](Config& c) { c.roughness = rough_by_map(0.2, 0.0, 1.0f); },
+        [](Config& c) { c.roughness = rough_by_map(0.1, 5.0, 1.0f); },
+        [](Config& c) { c.roughness = rough_by_map(0.1, 0.0, 2.0f); },
         [](Config& c) { c.blend_width = 1.0f; },
         [](Config& c) { c.viscosity = 0.5f; },
         [](Config& c) { c.relaxation_time = 3.0f; },

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <memory>
 
 namespace windrow::vegetation::program {
 namespace {
@@ -97,6 +98,12 @@ windrow::Result<PictureScene> read_text(std::string_view text, const std::filesy
     if (!air)
         return windrow::Error{log.faults() > 0 ? air.error() + "\n" + log.error().message : air.error()};
     PictureScene scene{.air = *std::move(air), .picture = std::move(picture), .inputs = budget};
+    if (const GroundSource& ground = scene.picture.ground; ground.in_air && ground.heights) {
+        windrow::scene::SceneObstacle& body = scene.air.obstacles.emplace_back();
+        body.name = "ground";
+        body.obstacle.position = ground.corner;
+        body.obstacle.shape = windrow::Ground{std::make_shared<const windrow::HeightMap>(*ground.heights)};
+    }
     if (log.faults() == 0)
         judge(scene, object);
     if (log.faults() > 0)

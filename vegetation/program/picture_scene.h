@@ -73,6 +73,7 @@ struct GroundSource {
     double high = 100.0;
     glm::dvec3 corner{-50.0, 0.0, -50.0};
     glm::dvec2 extent{100.0};
+    bool in_air = false;
     std::optional<HeightMap> heights{};
 
     static constexpr auto settings() {
@@ -87,6 +88,8 @@ struct GroundSource {
                     "Place of the first sample; its y is added to all heights."),
             Setting("extent", &GroundSource::extent, {0.01, 1e5, "m"},
                     "Along x and z. Without heights: in a ratio of whole numbers."),
+            Setting("in_air", &GroundSource::in_air,
+                    "Whether the air flows over it, as over an obstacle of the shape ground. The box's floor is below it then."),
             Setting("heights", &GroundSource::heights,
                     "The resulting heights, above corner.y. Always there in a scene that was read.", k_not_stored),
         };

@@ -119,6 +119,21 @@ struct DiffuseTask {
     float* result;
 };
 
+/// Turbulent stress in columns (fluid/cpu/surface_layer.h).
+struct StressTask {
+    int cells[3];
+    const float* velocity; ///< u at the start
+    const float* carried;  ///< the part of it that is solved for
+    float* result;         ///< may be `carried`
+    const float* faces;
+    const float* wind; ///< A, four floats a padded cell, where not prescribed the same along x; null: `ambient`
+    float ambient[4];
+    bool prescribed;          ///< `carried` is u - A
+    const float* wind_mixing; ///< one a row of faces; null: as the air's
+    const float* wind_drag;   ///< one a row of cells
+    float cells_per_speed;    ///< dt / h
+};
+
 /// Figures of one plane, or of a part of it.
 struct PlaneSurvey {
     float largest_component;      ///< of the finite cells
@@ -172,6 +187,7 @@ struct Kernels {
     double (*divergence_squares)(const DivergenceTask&, const float* wanted, int plane, int first_row, int last_row);
     void (*gradient_plane)(const GradientTask&, int plane);
     void (*diffuse_plane)(const DiffuseTask&, int plane);
+    void (*stress_plane)(const StressTask&, int plane);
     void (*multiply)(const Product&);
     void (*tridiagonal)(const TridiagonalTask&);
     void (*fold_lines)(const Fold&, const float* lines, std::ptrdiff_t stride, float* folded);

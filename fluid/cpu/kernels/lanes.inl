@@ -305,15 +305,25 @@ struct CellRegisters {
 struct Components {
     Native x, y, z;
 };
-inline CellRegisters cells_of(const Components& u) {
-    const Native x = deal(u.x), y = deal(u.y), z = deal(u.z), none = {};
-    const Native xy_low = join_low(x, y), xy_high = join_high(x, y), z_low = join_low(z, none), z_high = join_high(z, none);
-    return {{pairs_low(xy_low, z_low), pairs_high(xy_low, z_low), pairs_low(xy_high, z_high), pairs_high(xy_high, z_high)}};
+// In the order of `deal`, the fourth floats too.
+struct DealtCells {
+    Native x, y, z, w;
+};
+inline CellRegisters cells_of(const DealtCells& u) {
+    const Native xy_low = join_low(u.x, u.y), xy_high = join_high(u.x, u.y);
+    const Native zw_low = join_low(u.z, u.w), zw_high = join_high(u.z, u.w);
+    return {{pairs_low(xy_low, zw_low), pairs_high(xy_low, zw_low), pairs_low(xy_high, zw_high), pairs_high(xy_high, zw_high)}};
 }
-// Interleaved, in the order of `deal`.
-inline Components dealt_components_of(const CellRegisters& cells) {
+inline CellRegisters cells_of(const Components& u) {
+    return cells_of(DealtCells{deal(u.x), deal(u.y), deal(u.z), Native{}});
+}
+inline DealtCells dealt_cells(const CellRegisters& cells) {
     const Native* const c = cells.part;
     const Native xy_low = join_low(c[0], c[1]), xy_high = join_low(c[2], c[3]);
-    const Native z_low = join_high(c[0], c[1]), z_high = join_high(c[2], c[3]);
-    return {pairs_low(xy_low, xy_high), pairs_high(xy_low, xy_high), pairs_low(z_low, z_high)};
+    const Native zw_low = join_high(c[0], c[1]), zw_high = join_high(c[2], c[3]);
+    return {pairs_low(xy_low, xy_high), pairs_high(xy_low, xy_high), pairs_low(zw_low, zw_high), pairs_high(zw_low, zw_high)};
+}
+inline Components dealt_components_of(const CellRegisters& cells) {
+    const DealtCells dealt = dealt_cells(cells);
+    return {dealt.x, dealt.y, dealt.z};
 }

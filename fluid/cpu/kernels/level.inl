@@ -15,6 +15,7 @@ namespace {
 #include "fluid/cpu/kernels/pad.inl"
 #include "fluid/cpu/kernels/product.inl"
 #include "fluid/cpu/kernels/stencils.inl"
+#include "fluid/cpu/kernels/stress.inl"
 #include "fluid/cpu/kernels/survey.inl"
 #include "fluid/cpu/kernels/tridiagonal.inl"
 } // namespace
@@ -30,6 +31,7 @@ const Kernels k_kernels = {
     divergence_squares,
     gradient_plane,
     diffuse_plane,
+    stress_plane,
     multiply,
     tridiagonal,
     fold_lines,
