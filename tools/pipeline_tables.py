@@ -33,11 +33,11 @@ def table(rows):
     merged = {}
     for row in rows:
         merged.setdefault((row["pipeline"], key(row)), []).append(row["grid"])
-    grids = list(dict.fromkeys(row["grid"] for row in rows if row["grid"] != "any"))
+    grids = list(dict.fromkeys(row["grid"] for row in rows if row["grid"] != "any" and " with " not in row["grid"]))
     lines = ["| pass | box | " + " | ".join(COLUMNS.values()) + " |", "|---|---|" + "---|" * len(COLUMNS)]
     passes = list(dict.fromkeys(row["pipeline"] for row in rows))
     for (name, figures), of in sorted(merged.items(), key=lambda item: passes.index(item[0][0])):
-        box = "any" if of == grids or of == ["any"] else ", ".join(of)
+        box = "any" if set(grids) <= set(of) or of == ["any"] else ", ".join(of)
         lines.append(f"| {name} | {box} | " + " | ".join("-" if figure is None else str(figure) for figure in figures) + " |")
     return "\n".join(lines)
 

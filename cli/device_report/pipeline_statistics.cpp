@@ -254,6 +254,10 @@ Result<void> report_pipelines(SectionRun& run) {
         if (run.clock.stopped())
             return {};
     }
+    const glm::ivec3 smallest = k_bench_grids[0];
+    grid = grid_name(smallest) + " with obstacles on rough ground";
+    if (auto wind = vulkan::Wind::create(host, {.cells = smallest, .roughness = Roughness{}}, {.obstacles = true}); !wind)
+        run.leave_out(message("pipelines at ", grid, ": ", wind.error()));
     grid = "any";
     if (auto ground = vulkan::GroundMemory::create(host, {}); !ground)
         run.leave_out("pipelines of the ground memory: " + ground.error());

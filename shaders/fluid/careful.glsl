@@ -158,7 +158,7 @@ vec3 careful_read(int field, ivec3 from, Point at, bool cubic, bool own_side, bo
         weights[2] = t;
     }
     vec3 values[64];
-    bool reached[64];
+    uvec2 reached = uvec2(0u); // a bit a node: for an array of bools Mesa's compiler for AMD takes 24 GB and more than a minute
     const vec3 own_value = padded[field + padded_at(base + own, stride)].xyz;
     vec3 sum = vec3(0.0f); // about the own node's value, so that a uniform wind stays uniform
     for (int k = 0; k < 4; ++k)
@@ -179,7 +179,8 @@ vec3 careful_read(int field, ivec3 from, Point at, bool cubic, bool own_side, bo
                     ivec3 before = node;
                     before[axis] += back;
                     const int source = (before.z * 4 + before.y) * 4 + before.x;
-                    const bool blocked = closed_between(cell, axis, back, room), had = reached[source];
+                    const bool blocked = closed_between(cell, axis, back, room),
+                               had = (reached[source >> 5] >> (source & 31) & 1u) != 0u;
                     here = had && !blocked;
                     before_sum += values[source];
                     if (had && blocked)
@@ -187,7 +188,8 @@ vec3 careful_read(int field, ivec3 from, Point at, bool cubic, bool own_side, bo
                     count += 1.0f;
                 }
                 const int n = (node.z * 4 + node.y) * 4 + node.x;
-                reached[n] = here;
+                if (here)
+                    reached[n >> 5] |= 1u << (n & 31);
                 mixed = mixed || !here;
                 const vec3 value = here ? padded[field + padded_at(cell, stride)].xyz : before_sum / count;
                 values[n] = value;
