@@ -37,7 +37,8 @@ struct RoughnessMap {
 /// (kappa |u| / log(1 + z / z0))^2 for a wind u at the height z above them. The columns of air above are mixed by eddies as large as
 /// their height allows. A log profile of the same roughness is in balance with it. The ambient wind has its own: a rougher or a
 /// smoother ground changes the wind, an equal one leaves it as it is, gusts too. No-slip surfaces have viscosity instead, and bodies
-/// that move are smooth. A box that is periodic along y has no floor. One pass a step.
+/// that move are smooth. A box that is periodic along y has no floor. The flow of volume sources feels no
+/// stress itself. One pass a step.
 struct Roughness {
     float length = 0.03f;
     float longest_mixing = 0.0f;

@@ -44,7 +44,7 @@ struct Sleep {
         float sleep_speed = 0.0f;       ///< [m/s] 0: never
         int motors = 0;                 ///< in reach
         bool source_flow = false;       ///< of volume sources
-        bool viscous = false;           ///< viscosity acts
+        bool viscous = false;           ///< viscosity acts, or rough ground on the ambient wind
         bool wind_among_plants = false; ///< which does not come to rest
         bool bodies_act = false;        ///< obstacles in the box that move, or that wind flows around
     };

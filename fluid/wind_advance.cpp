@@ -199,7 +199,7 @@ void WindCore::run_step(double duration, Diagnostics& report) {
                                        .sleep_speed = config.sleep_speed,
                                        .motors = report.motors_in_reach,
                                        .source_flow = source_name != 0,
-                                       .viscous = viscous() || changes_ambient(!bodies.empty()),
+                                       .viscous = viscous() || changes_ambient(),
                                        .wind_among_plants = canopy.drag > 0.0f && mean_wind() != glm::vec3(0.0f),
                                        .bodies_act = stirred || wind_meets_bodies};
     const bool rests = cells_.step({.duration = duration,
@@ -238,12 +238,14 @@ bool WindCore::viscous(float dt) const {
     return config.stages.diffusion && diffusion_method(config.viscosity, longest, config.cell_size) != DiffusionMethod::none;
 }
 
-// Whether the ground makes another wind of the ambient one.
-bool WindCore::changes_ambient(bool among_bodies) const {
+// Whether the floor makes another wind of the ambient one.
+bool WindCore::changes_ambient() const {
     if (!rough() || mean_wind() == glm::vec3(0.0f))
         return false;
     const Roughness& ground = *config.roughness;
-    return !config.profile || ground.map || ground.length != config.profile->roughness_length || among_bodies;
+    if (config.profile)
+        return ground.map || ground.length != config.profile->roughness_length;
+    return config.boundaries.y_low.kind == BoundaryKind::free_slip;
 }
 
 // Rows of an active canopy; no drag where none reaches the box.

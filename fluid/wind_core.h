@@ -80,7 +80,7 @@ class WindCore {
     void shift_to(CellIndex origin_cells);
     [[nodiscard]] bool renew_sources(std::span<const detail::MotorReach> reached);
     [[nodiscard]] cpu::CanopyRows canopy_rows() const;
-    [[nodiscard]] bool changes_ambient(bool among_bodies) const;
+    [[nodiscard]] bool changes_ambient() const;
     [[nodiscard]] AirNow now() const { return {place.window, place.point, ambient, sleep.asleep()}; }
 
     // --- Changes of the cells ------------------------------------------------------------------------------------------------

@@ -261,17 +261,14 @@ struct Solids::View {
 float Solids::height_over(std::size_t number, glm::ivec3 cell) const {
     const PlacedObstacle& body = bodies_[number];
     const glm::vec3 centre = glm::vec3(cell) + 0.5f;
-    const glm::ivec3 images(box_.boundaries.periodic(0), 0, box_.boundaries.periodic(2));
+    const glm::ivec3 images(box_.boundaries.periodic(0), box_.boundaries.periodic(1), box_.boundaries.periodic(2));
     float nearest = std::numeric_limits<float>::max();
     for (int z = -images.z; z <= images.z; ++z)
-        for (int x = -images.x; x <= images.x; ++x) {
-            const View view(body, glm::ivec3(x, 0, z) * box_.cells, box_.cell_size);
-            float distance = view.distance(centre);
-            if (const Ground* const ground = std::get_if<Ground>(&body.shape))
-                distance /= detail::nearness(*ground);
-            nearest = std::min(nearest, distance);
-        }
-    return nearest;
+        for (int y = -images.y; y <= images.y; ++y)
+            for (int x = -images.x; x <= images.x; ++x)
+                nearest = std::min(nearest, View(body, glm::ivec3(x, y, z) * box_.cells, box_.cell_size).distance(centre));
+    const Ground* const ground = std::get_if<Ground>(&body.shape);
+    return ground != nullptr ? nearest / detail::nearness(*ground) : nearest;
 }
 
 // visit(cell) in the order of Reach::index.

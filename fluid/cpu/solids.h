@@ -136,6 +136,8 @@ class Solids {
         return (any & k_blocked) != 0;
     }
     [[nodiscard]] bool inside(std::uint32_t cell) const { return (flags_[cell] & k_inside) != 0; }
+    /// No obstacle is in a cell or closes a face of it.
+    [[nodiscard]] bool untouched(std::uint32_t cell) const { return flags_[cell] == 0; }
     /// The body that an inside cell is in.
     [[nodiscard]] std::size_t body_in(std::uint32_t cell) const { return body_of_[cell]; }
     /// [cells] Of a cell's centre over the surface of a body: the distance, above a ground the height.

@@ -277,8 +277,7 @@ void Cells::advance_in_place(float dt, Diagnostics& report) {
     const Solving solving(*this, report);
     const ParallelFor& parallel_for = config_.parallel_for;
     sources.add_force_to(air.velocity, dt, parallel_for);
-    add_given_flow(air.velocity, -1.0f);
-    if (const auto carried = mix(diffuse(air.velocity, dt, report), dt, report); carried.data() != air.velocity.data())
+    if (const auto carried = mix(diffuse(without_given_flow(), dt, report), dt, report); carried.data() != air.velocity.data())
         std::copy(carried.begin(), carried.end(), air.velocity.data());
     if (const float factor = relaxation(config_, dt); factor != 1.0f)
         for_each_cell(box(), [&](std::size_t n, int i, int j, int k) {

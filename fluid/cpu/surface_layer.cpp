@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace windrow::cpu {
 namespace {
@@ -77,6 +78,24 @@ void SurfaceLayer::renew_wind(const AmbientWind& around, const Window& window) {
     }
 }
 
+bool SurfaceLayer::leaves_free(const Solids& solids, int i, int k) const {
+    bool free = solids.rooms().empty();
+    for (int j = 0; j < box_.cells.y && free; ++j)
+        free = solids.untouched(static_cast<std::uint32_t>(box_.index(i, j, k)));
+    return free;
+}
+
+// [cells] Of a cell of air whose lower part a ground fills, that no cell below is inside of.
+float SurfaceLayer::over_grounds(const Solids& solids, glm::ivec3 cell) const {
+    float height = std::numeric_limits<float>::max();
+    if (solids.untouched(static_cast<std::uint32_t>(box_.index(cell.x, cell.y, cell.z))))
+        return height;
+    for (std::size_t n = 0; n < solids.bodies().size(); ++n)
+        if (std::holds_alternative<Ground>(solids.bodies()[n].shape))
+            height = std::min(height, solids.height_over(n, cell));
+    return height;
+}
+
 void SurfaceLayer::renew_plane(const Window& window, const Solids* solids, int plane) {
     const glm::ivec3 cells = box_.cells;
     const float h = box_.cell_size;
@@ -85,12 +104,16 @@ void SurfaceLayer::renew_plane(const Window& window, const Solids* solids, int p
                open_above = box_.boundaries.y_high.kind == BoundaryKind::open;
     float* const faces = faces_.data() + static_cast<std::size_t>(plane) * static_cast<std::size_t>(cells.y + 1) * cells.x;
     const auto face = [&](int i, int j) -> float& { return faces[static_cast<std::size_t>(j) * cells.x + i]; };
+    int free = -1; // a column without obstacles, as are all others without, where no map is
     for (int i = 0; i < cells.x; ++i) {
-        if (i > 0 && solids == nullptr && !roughness_.map) { // as the column before
+        const bool is_free = !roughness_.map && (solids == nullptr || leaves_free(*solids, i, plane));
+        if (is_free && free >= 0) {
             for (int j = 0; j <= cells.y; ++j)
-                face(i, j) = face(0, j);
+                face(i, j) = face(free, j);
             continue;
         }
+        if (is_free)
+            free = i;
         const float length = length_at(window, i, plane);
         int first = 0; // row over the last surface, and its height
         float first_height = floor ? 0.5f * h : wind_height_;
@@ -109,11 +132,13 @@ void SurfaceLayer::renew_plane(const Window& window, const Solids* solids, int p
                 if (solids->bodies()[body].surface == Surface::free_slip && !solids->bodies()[body].moves())
                     passes = -drag(first_height, length);
             } else if (j == 0 && floor) {
+                if (solids != nullptr)
+                    first_height = std::min(first_height, h * std::max(over_grounds(*solids, {i, 0, plane}), k_lowest));
                 passes = air && slips ? -drag(first_height, length) : 0.0f;
             } else if ((air || (j == cells.y && open_above)) && (air_below || (j == 0 && open_below))) {
                 const float height = height_of(j - 1, first, first_height);
                 if (height > 0.0f)
-                    passes = mixing(height, length) * (closed != nullptr ? 1.0f - closed->closed : 1.0f);
+                    passes = mixing(height, length);
             }
             face(i, j) = passes;
             air_below = air;

@@ -55,6 +55,9 @@ class SurfaceLayer {
     };
     void renew_wind(const AmbientWind& around, const Window& window);
     void renew_plane(const Window& window, const Solids* solids, int plane);
+    /// No obstacle is in a column.
+    [[nodiscard]] bool leaves_free(const Solids& solids, int i, int k) const;
+    [[nodiscard]] float over_grounds(const Solids& solids, glm::ivec3 cell) const;
     [[nodiscard]] float mixing(float height, float roughness) const;
     [[nodiscard]] float height_of(int row, int first, float height) const;
     [[nodiscard]] float length_at(const Window& window, int i, int k) const;

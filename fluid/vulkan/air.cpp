@@ -113,6 +113,11 @@ Result<void> Air::make() {
         return Error{measured.error()};
     if (auto made = make_memory(); !made)
         return made;
+    if (rough()) {
+        layer_.emplace(box(), *config_.roughness);
+        layer_wanted_.reserve(fields_.layer.bytes() / sizeof(float));
+        layer_written_.reserve(layer_wanted_.capacity());
+    }
     auto passes = passes_for(settings_.obstacles);
     if (!passes)
         return Error{passes.error()};

@@ -221,10 +221,10 @@ class Air {
     void work_on_rooms(VkCommandBuffer commands, int work);
     [[nodiscard]] Passes::Around around_obstacles(const CellStep& step, bool fresh) const;
     [[nodiscard]] Passes::Around around_sources() const;
-    /// Motors as the device takes them: what obstacles cover of a volume source blows nothing.
     [[nodiscard]] bool rough() const { return config_.roughness && config_.stages.diffusion; }
     /// `placed`: the obstacles were placed anew.
     void renew_layer(VkCommandBuffer commands, const CellStep& step, bool placed);
+    /// Motors as the device takes them: what obstacles cover of a volume source blows nothing.
     [[nodiscard]] std::span<const detail::MotorReach> uncovered(std::span<const detail::MotorReach> motors);
     void write_tables(VkCommandBuffer commands);
     void make_room_for_sides();

@@ -165,10 +165,8 @@ Result<void> Air::make_room_for_obstacles(VkCommandBuffer commands) {
 
 // Uploads the pieces of the tables that are others now.
 void Air::renew_layer(VkCommandBuffer commands, const CellStep& step, bool placed) {
-    if (!rough())
-        return;
     if (!layer_)
-        layer_.emplace(box(), *config_.roughness);
+        return;
     const std::uint64_t before = layer_->version();
     layer_->renew(*step.ambient, *step.window, config_.boundaries, solids_ && solids_->any() ? &solids_->solids() : nullptr,
                   placed, config_.parallel_for);

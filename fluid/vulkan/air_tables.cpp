@@ -105,7 +105,6 @@ void Air::begin(int slot) {
 void Air::forget() {
     tables_written_ = rules_written_ = cleared_ = false;
     tile_.reset();
-    layer_.reset();
     layer_written_.clear();
     solids_.reset();
     place_again_ = true;

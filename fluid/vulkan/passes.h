@@ -49,8 +49,8 @@ enum class Pass : std::uint8_t {
 };
 /// Most direct solves of a sub-step around obstacles: Config::pressure_solves.
 inline constexpr std::uint32_t k_max_solves = 64;
-/// Most dispatches of a sub-step: three solves of diffusion, in five each, those of pressure in six, and eight more.
-inline constexpr std::uint32_t k_max_stages = 3 * 5 + 6 * k_max_solves + 8;
+/// Most dispatches of a sub-step: three solves of diffusion, in five each, those of pressure in six, and seven more.
+inline constexpr std::uint32_t k_max_stages = 3 * 5 + 6 * k_max_solves + 7;
 inline constexpr std::size_t k_passes = static_cast<std::size_t>(Pass::count);
 /// The passes that write for the host: all of a read-back.
 [[nodiscard]] constexpr bool reads_back(Pass pass) {

@@ -13,26 +13,38 @@ layout(std430, set = 0, binding = 6) buffer Diffused { vec4 diffused[]; };
 #define WINDROW_SOLIDS 8
 #include "fluid/given.glsl"
 
-vec3 carried_at(ivec3 cell, int at) { return is_on(WINDROW_DIFFUSES) ? diffused[at].xyz : solved_part(cell, at); }
-
 // One row of a column: u, the part of it that is solved for, and the ambient wind A; of horizontal components.
 struct Row {
     vec2 u, v, wind;
+    float vertical; // of what is solved for
 };
 
 Row row_at(ivec3 cell) {
     Row row;
-    row.wind = wind_at(cell, elapsed(), is_on(WINDROW_GUSTS)).xz;
+    const vec3 wind = wind_at(cell, elapsed(), is_on(WINDROW_GUSTS));
+    row.wind = wind.xz;
+    row.vertical = 0.0f;
     if (cell.y < 0 || cell.y >= tick.cells.y) { // beyond the box the air is ambient
         row.u = row.wind;
         row.v = is_on(WINDROW_GUSTS) ? vec2(0.0f) : row.wind;
         return row;
     }
     const int at = cell_index(cell);
-    row.u = velocity[now(at)].xz;
+    vec3 u = velocity[now(at)].xyz;
     if (is_on(WINDROW_STABLE_FLUIDS) && is_on(WINDROW_PUSHES))
-        row.u += control.substep_duration * force[at].xz;
-    row.v = carried_at(cell, at).xz;
+        u += control.substep_duration * force[at].xyz;
+    vec3 v = u; // as solved_part
+    if (is_on(WINDROW_DIFFUSES)) {
+        v = diffused[at].xyz;
+    } else {
+        if (is_on(WINDROW_HAS_SOURCE_FLOW))
+            v -= source_flow[at].xyz;
+        if (is_on(WINDROW_GUSTS) && !is_sheltered(cell))
+            v -= wind;
+    }
+    row.u = u.xz;
+    row.v = v.xz;
+    row.vertical = v.y;
     return row;
 }
 
@@ -75,7 +87,7 @@ void main() {
         const float pivot = 1.0f / (1.0f + low.bond + to_high - to_low * ratio);
         ratio = to_high * pivot;
         swept = (here.v + known + to_low * swept) * pivot;
-        diffused[at] = vec4(swept.x, carried_at(cell, at).y, swept.y, ratio);
+        diffused[at] = vec4(swept.x, here.vertical, swept.y, ratio);
         here = next;
         low = high;
     }

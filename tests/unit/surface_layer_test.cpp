@@ -107,6 +107,13 @@ TEST_F(SurfaceLayerFaces, StandOnRoofsAndEndAtCeilings) {
     EXPECT_EQ(at(2, 6, 2), 0.0f) << "viscosity holds the air there";
 }
 
+TEST_F(SurfaceLayerFaces, StandOnRoofsAcrossPeriodicBoundaries) {
+    boundaries = Boundaries::all(BoundaryKind::periodic);
+    renew({.length = k_roughness}, {block({1.0f, 4.9f, 1.0f}, {2.0f, 6.6f, 2.0f})}); // up to .6 m over the seam at 6 m
+    EXPECT_NEAR(at(2, 1, 2), -drag(0.15f, k_roughness), 1e-3f);
+    EXPECT_NEAR(at(2, 2, 2), mixing(0.15f, k_size, k_roughness), 1e-4f);
+}
+
 TEST_F(SurfaceLayerFaces, StandOnPlatesAndOnGrounds) {
     PlacedObstacle plate{.shape = Plate{{1.0f, 1.0f}}, .position = {2.0f, 1.5f, 1.5f}};
     plate.axes = {glm::vec3(1, 0, 0), glm::vec3(0, 0, 1), glm::vec3(0, -1, 0)}; // level
@@ -119,6 +126,7 @@ TEST_F(SurfaceLayerFaces, StandOnPlatesAndOnGrounds) {
     renew({.length = k_roughness}, {PlacedObstacle{.shape = Ground{slope}}});
     EXPECT_NEAR(at(3, 1, 2), -drag(0.75f - 0.4f * 1.75f, k_roughness), 1e-4f) << "the height over it, not the distance";
     EXPECT_EQ(at(3, 0, 2), 0.0f) << "below it";
+    EXPECT_NEAR(at(0, 0, 2), -drag(0.25f - 0.4f * 0.25f, k_roughness), 1e-4f) << "in the lower half of the lowest cell";
 }
 
 TEST_F(SurfaceLayerFaces, OfTheWindGoByItsOwnProfile) {
@@ -202,6 +210,14 @@ TEST(WindOnRoughGround, SleepsWhereTheGroundIsThatOfItsProfile) {
     Wind like = made(config);
     take_steps(like, 3, 0.1);
     EXPECT_TRUE(like.step(0.1).asleep);
+    for (const BoundaryKind kind : {BoundaryKind::open, BoundaryKind::no_slip}) {
+        Wind over_nothing = made(with(config, [&](Config& c) {
+            c.boundaries.y_low.kind = kind;
+            c.profile.reset();
+        }));
+        take_steps(over_nothing, 3, 0.1);
+        EXPECT_TRUE(over_nothing.step(0.1).asleep) << "no surface is rough";
+    }
     config.roughness->length = 0.06f;
     Wind rougher = made(config);
     take_steps(rougher, 3, 1e-4);

@@ -126,9 +126,9 @@ struct StressTask {
     const float* carried;  ///< the part of it that is solved for
     float* result;         ///< may be `carried`
     const float* faces;
-    const float* wind; ///< A, four floats a padded cell, where not prescribed the same along x; null: `ambient`
+    const float* wind; ///< A, four floats a padded cell; null: `ambient`
     float ambient[4];
-    bool prescribed;          ///< `carried` is u - A
+    bool prescribed;          ///< A is not part of `carried`, which is 0 beyond the box
     const float* wind_mixing; ///< one a row of faces; null: as the air's
     const float* wind_drag;   ///< one a row of cells
     float cells_per_speed;    ///< dt / h

@@ -38,15 +38,14 @@ struct StressRow {
     Level u, v, wind;
 };
 
-// What passes a face, in cells of speed: `bond` times the new v above it, less that below between cells, and what is known.
+// What passes a face, in cells of speed: `bond` times the new v above it, less that below between cells, and what is known. With A
+// prescribed: k (2 v' - v + A) - k_wind A.
 struct StressFace {
     NativeBits inner; // between cells
     Native bond;
     Level known;
 };
 
-// Where A is not prescribed it is the same along a row.
-template <bool prescribed>
 inline StressFace find_stress(const StressTask& task, Native passes, float wind_mixing, float wind_drag, const StressRow& low,
                               const StressRow& high) {
     const NativeBits inner = passes > Native{}, surface = passes < Native{};
@@ -55,7 +54,7 @@ inline StressFace find_stress(const StressTask& task, Native passes, float wind_
     const Native k = factor * (only(inner, passes) - only(surface, passes)) * length(u);
     const Native mixing = task.wind_mixing != nullptr ? wind_mixing - Native{} : passes;
     const Native of_wind = only(inner, mixing) + only(surface, wind_drag - Native{});
-    const Native rest = (prescribed ? k : Native{}) - factor * of_wind * length(wind);
+    const Native rest = (task.prescribed ? k : Native{}) - factor * of_wind * length(wind);
     return StressFace{inner, k + k, {rest * wind.x - k * v.x, rest * wind.z - k * v.z}};
 }
 
@@ -100,7 +99,6 @@ class StressCells {
     int count_;
 };
 
-template <bool prescribed>
 inline void solve_columns(const StressTask& task, int plane, int first) {
     const int nx = task.cells[0], ny = task.cells[1];
     const StressCells cells(nx - first < k_native_lanes ? nx - first : k_native_lanes);
@@ -126,10 +124,10 @@ inline void solve_columns(const StressTask& task, int plane, int first) {
     };
     const auto beyond = [&](int j) { // the air is ambient
         const Level wind = read_wind(j);
-        return StressRow{wind, prescribed ? Level{} : wind, wind};
+        return StressRow{wind, task.prescribed ? Level{} : wind, wind};
     };
     const auto find = [&](int j, const StressRow& low, const StressRow& high) {
-        return find_stress<prescribed>(task, cells.read_faces(faces + static_cast<std::size_t>(j) * nx),
+        return find_stress(task, cells.read_faces(faces + static_cast<std::size_t>(j) * nx),
                                        task.wind_mixing != nullptr ? task.wind_mixing[j] : 0.0f,
                                        j < ny ? task.wind_drag[j] : 0.0f, low, high);
     };
@@ -167,5 +165,5 @@ inline void solve_columns(const StressTask& task, int plane, int first) {
 
 void stress_plane(const StressTask& task, int plane) {
     for (int first = 0; first < task.cells[0]; first += k_native_lanes)
-        task.prescribed ? solve_columns<true>(task, plane, first) : solve_columns<false>(task, plane, first);
+        solve_columns(task, plane, first);
 }
