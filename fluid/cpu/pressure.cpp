@@ -209,7 +209,7 @@ void Workspace::State::add_to_rows(cpu::Buffer<float>& a, const cpu::Buffer<floa
 void Workspace::State::set_obstacles(std::span<const cpu::PlacedObstacle> obstacles, glm::ivec3 shift) {
     if (!solids && obstacles.empty())
         return;
-    if (!solids) {
+    if (!solids || !(solids->boundaries() == box.boundaries)) { // other boundaries make other images and rooms
         solids = std::make_unique<cpu::Solids>(box, pressure.pitch());
         direction = cpu::Buffer<float>(potential.size());
         correction = cpu::Buffer<float>(potential.size());

@@ -94,6 +94,7 @@ class Solids {
     };
 
     Solids(const Box& box, int pitch);
+    [[nodiscard]] const Boundaries& boundaries() const { return box_.boundaries; }
 
     /// Replaces all obstacles. `shift`: cells by which the box has moved since the last call.
     void place(std::span<const PlacedObstacle> obstacles, glm::ivec3 shift = glm::ivec3(0));

@@ -84,6 +84,27 @@ TEST(WindWithObstacles, OneMayFillABoxThatTheAirCannotLeave) {
     }
 }
 
+// A body across an end of the box, of which a periodic boundary makes a second one and an open end another wall.
+TEST(WindWithObstacles, AreThereAnewWhereBoundariesChange) {
+    Wind wind = made({.cells = {10, 6, 8}, .ambient = {3.0f, 0.0f, 1.0f}});
+    ASSERT_TRUE(wind.obstacles().add({.position = {5.0, 0.0, 0.0}, .shape = Block{{2.0f, 2.0f, 1.5f}}}));
+    take_steps(wind, 3, 0.1);
+    std::vector<float> inside(wind.field().size());
+    for (const BoundaryKind kind : {BoundaryKind::periodic, BoundaryKind::free_slip, BoundaryKind::open}) {
+        Boundaries boundaries;
+        boundaries.x_low.kind = boundaries.x_high.kind = kind;
+        ASSERT_TRUE(wind.set_boundaries(boundaries));
+        (void)wind.step(0.1);
+        ASSERT_TRUE(wind.write_obstacles(inside));
+        EXPECT_EQ(inside[wind.box().index(0, 3, 4)], kind == BoundaryKind::periodic ? 1.0f : 0.0f);
+        EXPECT_EQ(inside[wind.box().index(9, 3, 4)], 1.0f);
+        Wind again = *Wind::load(*wind.save());
+        for (Wind* const one : {&wind, &again})
+            take_steps(*one, 2, 0.1);
+        EXPECT_TRUE(std::equal(wind.field().begin(), wind.field().end(), again.field().begin()));
+    }
+}
+
 TEST(WindWithObstacles, AWindWithoutThemIsAsItWas) {
     Wind plain = made(breezy()), far = made(breezy());
     for (int n = 0; n < 500; ++n)
