@@ -122,7 +122,7 @@ TEST(WindWithObstacles, SeveralWorkersGiveTheSameBits) {
     ThreadPool pool(4);
     std::vector<Bytes> ends;
     for (const bool serial : {true, false}) {
-        Config config{.cells = {24, 10, 24}, .ambient = {5.0f, 0.0f, 1.0f}};
+        Config config{.cells = {24, 10, 24}, .ambient = {5.0f, 0.0f, 1.0f}, .roughness = Roughness{}};
         if (!serial)
             config.parallel_for = pool.parallel_for();
         Wind wind = made(config);

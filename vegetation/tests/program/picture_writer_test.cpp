@@ -22,6 +22,11 @@ TEST(PictureWriter, FileThatSaysEverythingComesBackIdentical) {
     test::write_specimen_files(folder);
     const auto scene = read_picture_scene_text(test::k_specimen, folder / "a.json");
     ASSERT_TRUE(scene) << scene.error();
+    ASSERT_FALSE(scene->air.obstacles.empty()) << "the ground is in the air";
+    const windrow::Obstacle& body = scene->air.obstacles.back().obstacle;
+    EXPECT_EQ(body.position, scene->picture.ground.corner);
+    ASSERT_TRUE(std::holds_alternative<windrow::Ground>(body.shape));
+    EXPECT_EQ(*std::get<windrow::Ground>(body.shape).heights, *scene->picture.ground.heights);
     // The second layer and walker say little; what is written says all, so it is compared after one more round.
     const json given = json::parse(test::k_specimen)["picture"], first = write_picture(*scene);
     for (const auto& [key, value] : given.items()) {

@@ -67,7 +67,7 @@ inline constexpr const char* k_specimen = R"({
         "sun": {"elevation_deg": 31.5, "azimuth_deg": -120, "irradiance": 8.5, "haze": 0.1, "radius_deg": 0.3},
         "fog": {"density": 0.002, "fall": 0.03, "base": 12.5},
         "clouds": {"cover": 0.4, "height": 950, "size": 600, "depth": 2.5, "drift": [5, -3]},
-        "ground": {"heights": "hills.pgm", "low": 10, "high": 30, "corner": [100, 1, -200], "extent": [80, 40],
+        "ground": {"heights": "hills.pgm", "low": 10, "high": 30, "corner": [100, 1, -200], "extent": [80, 40], "in_air": true,
                    "hills": {"height": 2, "length": 25, "seed": 3}},
         "grass": [
             {"name": "wheat", "class": "wheat", "length": 0.7, "length_spread": 0.2, "width": 0.008, "tip_width": 0.3, "taper": 1.5,
