@@ -164,7 +164,7 @@ ParityStory obstacles() {
     story.config.ambient = {4.0f, 0.0f, 1.0f};
     story.config.profile = LogProfile{};
     story.config.gusts = {.intensity = 0.2f};
-    story.config.roughness = Roughness{.length = 0.1f};
+    story.config.roughness.emplace(Roughness{.length = 0.1f});
     story.config.pressure_solves = 2;
     story.steps = 40;
     story.walk = {1.5, 0.0, 0.5};

@@ -86,7 +86,7 @@ TEST(RoughGround, LeavesAnEmptyGustyBoxAsItIs) {
     config.boundaries = Boundaries::open_over_floor();
     for (const bool advection : {true, false}) {
         config.stages.advection = advection;
-        config.roughness = Roughness{};
+        config.roughness.emplace();
         Wind rough = made(config);
         config.roughness.reset();
         Wind smooth = made(config);

@@ -154,7 +154,7 @@ TEST_F(WindBarriers, EachIsMissedWhereItIsLeftOutAmongObstacles) {
     const Obstacle obstacles[] = {{.position = {1.0, 0.0, 1.0}, .shape = Block{{1.2f, 1.0f, 1.0f}}},
                                   {.position = {-2.0, 0.0, -1.0}, .shape = Plate{{2.0f, 2.0f}}}};
     Config config{.cells = {8, 6, 8}, .ambient = {2.0f, 0.0f, 0.0f}, .max_substeps = 1};
-    config.roughness = Roughness{};
+    config.roughness.emplace();
     config.pressure_solves = 2;
     try_all("obstacles", 65, config, obstacles, test::whole_sweeps() ? 2 : 5);
 }

@@ -41,7 +41,7 @@ TEST(RoughGround, HoldsInAWalkOverHillsAndHouses) {
                   .ambient = {9.0f, 0.0f, 4.0f},
                   .profile = LogProfile{.roughness_length = 0.01f},
                   .gusts = {.intensity = 0.3f}};
-    config.roughness = Roughness{};
+    config.roughness.emplace();
     config.roughness->map =
         RoughnessMap{.lengths = heights_of({101, 101}, 2.0f,
                                            [](double x, double z) { return 0.3 * std::pow(std::sin(0.2 * x + 0.1 * z), 6.0); }),

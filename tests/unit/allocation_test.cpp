@@ -128,7 +128,7 @@ Config gusty() {
     config.profile = LogProfile{};
     config.gusts = {.intensity = 0.3f, .tile = GustTile::standard()};
     config.canopy = Canopy{};
-    config.roughness = Roughness{};
+    config.roughness.emplace();
     return config;
 }
 

@@ -227,7 +227,7 @@ TEST(WindOnRoughGround, SleepsWhereTheGroundIsThatOfItsProfile) {
 
 TEST(WindOnRoughGround, IsSavedWithItsMap) {
     Config config{.cells = {8, 6, 8}, .boundaries = Boundaries::open_over_floor(), .ambient = {3.0f, 0.0f, 1.0f}};
-    config.roughness = Roughness{.length = 0.2f, .longest_mixing = 3.0f};
+    config.roughness.emplace(Roughness{.length = 0.2f, .longest_mixing = 3.0f});
     config.roughness->map =
         RoughnessMap{.lengths = heights_of({3, 3}, 2.0f, [](double x, double z) { return 0.01 + 0.1 * x * z; }),
                      .position = {-2.0, 0.0, -2.0}};
