@@ -309,13 +309,13 @@ struct Components {
 struct DealtCells {
     Native x, y, z, w;
 };
-inline CellRegisters cells_of(const DealtCells& u) {
+inline CellRegisters cells_of_dealt(const DealtCells& u) {
     const Native xy_low = join_low(u.x, u.y), xy_high = join_high(u.x, u.y);
     const Native zw_low = join_low(u.z, u.w), zw_high = join_high(u.z, u.w);
     return {{pairs_low(xy_low, zw_low), pairs_high(xy_low, zw_low), pairs_low(xy_high, zw_high), pairs_high(xy_high, zw_high)}};
 }
 inline CellRegisters cells_of(const Components& u) {
-    return cells_of(DealtCells{deal(u.x), deal(u.y), deal(u.z), Native{}});
+    return cells_of_dealt({deal(u.x), deal(u.y), deal(u.z), Native{}});
 }
 inline DealtCells dealt_cells(const CellRegisters& cells) {
     const Native* const c = cells.part;

@@ -150,7 +150,7 @@ inline void solve_columns(const StressTask& task, int plane, int first) {
         swept.z = (here.v.z + known.z + to_low * swept.z) * pivot;
         const std::size_t at = corner + row * static_cast<std::size_t>(j);
         const DealtCells carried = dealt_cells(cells.read(task.carried + at));
-        cells.write(cells_of(DealtCells{swept.x, carried.y, swept.z, ratio}), task.result + at);
+        cells.write(cells_of_dealt({swept.x, carried.y, swept.z, ratio}), task.result + at);
         here = next;
         low = high;
     }
@@ -159,7 +159,7 @@ inline void solve_columns(const StressTask& task, int plane, int first) {
         float* const result = task.result + corner + row * static_cast<std::size_t>(j);
         const DealtCells u = dealt_cells(cells.read(result));
         next = {u.x + u.w * next.x, u.z + u.w * next.z};
-        cells.write(cells_of(DealtCells{next.x, u.y, next.z, Native{}}), result);
+        cells.write(cells_of_dealt({next.x, u.y, next.z, Native{}}), result);
     }
 }
 
