@@ -19,7 +19,7 @@ std::span<const glm::vec4> Cells::diffuse(std::span<const glm::vec4> field, floa
         return field;
     OuterStopwatch watch(report.times_ms.diffusion, work.state().obstacles_ms);
     (void)windrow::diffuse(work, field, config_.viscosity, std::exchange(air.undiffused_time, 0.0f), diffused_);
-    if (work.state().has_solids())
+    if (work.state().has_solids() && !layer_) // the mixing reads no cell inside, and extends what it makes
         work.state().solid_flow().extend(diffused_, prescribed());
     return diffused_;
 }

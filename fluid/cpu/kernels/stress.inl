@@ -128,8 +128,8 @@ inline void solve_columns(const StressTask& task, int plane, int first) {
     };
     const auto find = [&](int j, const StressRow& low, const StressRow& high) {
         return find_stress(task, cells.read_faces(faces + static_cast<std::size_t>(j) * nx),
-                                       task.wind_mixing != nullptr ? task.wind_mixing[j] : 0.0f,
-                                       j < ny ? task.wind_drag[j] : 0.0f, low, high);
+                           task.wind_mixing != nullptr ? task.wind_mixing[j] : 0.0f, j < ny ? task.wind_drag[j] : 0.0f, low,
+                           high);
     };
 
     // Row by row v[j] = swept + ratio v[j+1]; the result's fourth component keeps the ratio.
