@@ -96,6 +96,8 @@ class Layout {
             }(std::type_identity<Value>());
         } else if constexpr (k_is_shared<Value>) {
             mix("shared 2"); // change it with shape_record.h
+        } else if constexpr (k_is_number_list<Value>) {
+            mix("list");
         } else {
             mix(std::is_floating_point_v<Value> ? "f" : "i");
             hash_ = (hash_ ^ static_cast<std::uint32_t>(sizeof(Value))) * k_prime;
@@ -178,6 +180,11 @@ class Writer {
         put(value.has_value());
         if (value)
             put(*value);
+    }
+    void put(const std::vector<float>& values) {
+        put(static_cast<std::uint32_t>(values.size()));
+        for (const float value : values)
+            put(value);
     }
     template <class... Kinds>
     void put(const std::variant<Kinds...>& value) {
@@ -282,6 +289,15 @@ class Reader {
         value.reset();
         if (there)
             get(value.emplace());
+    }
+    void get(std::vector<float>& values) {
+        std::uint32_t count = 0;
+        get(count);
+        if (!can_hold(count, sizeof(float)))
+            return;
+        values.resize(count);
+        for (float& value : values)
+            get(value);
     }
     template <class... Kinds>
     void get(std::variant<Kinds...>& value) {

@@ -1,14 +1,17 @@
 // The box of cells that the solver works on: size, cell size, boundary conditions.
 //
-// Cell (i, j, k) has its centre at ((i, j, k) + 1/2) h from the box's low corner. Fields are arrays of cells.x * cells.y *
+// Cell (i, j, k) has its centre at ((i, j, k) + 1/2) h from the box's low corner, or its row's height where the box has rows of its
+// own (rows.h). Fields are arrays of cells.x * cells.y *
 // cells.z values, x fastest, then y, then z: index = (k * cells.y + j) * cells.x + i.
 #pragma once
 
 #include "fluid/boundaries.h"
 #include "fluid/result.h"
+#include "fluid/rows.h"
 
 #include <cstddef>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <tuple>
 
 namespace windrow {
@@ -25,14 +28,42 @@ struct Box {
     glm::ivec3 cells{32, 16, 32};
     float cell_size = 1.0f;
     Boundaries boundaries{};
+    std::shared_ptr<const RowTable> rows{};
 
     static constexpr auto settings() {
         return std::tuple{
             Setting("cells", &Box::cells, k_cells_range, "Cells along x, y, z; odd sizes too. Wind is mostly horizontal."),
             Setting("cell_size", &Box::cell_size, k_cell_size_range, "Edge of a cell."),
             Setting("boundaries", &Box::boundaries, "Boundary conditions of the six faces."),
+            Setting("rows", &Box::rows, "Heights of rows of unequal thickness; null: all are cell_size thick.", k_not_stored),
         };
     }
+
+    /// [m] From the low corner to the high one.
+    [[nodiscard]] glm::vec3 size() const {
+        const glm::vec3 size = cell_size * glm::vec3(cells);
+        return rows ? glm::vec3(size.x, static_cast<float>(rows->top()), size.z) : size;
+    }
+    /// [m] Of a cell's centre from the low corner. Cells beyond the box too.
+    [[nodiscard]] glm::vec3 centre(int i, int j, int k) const {
+        glm::vec3 centre = cell_size * (glm::vec3(i, j, k) + 0.5f);
+        if (rows)
+            centre.y = static_cast<float>(rows->height(j));
+        return centre;
+    }
+    /// [m] Of a place in cells, (i, j, k) + 1/2 at a cell's centre, from the low corner.
+    [[nodiscard]] glm::vec3 metres(glm::vec3 place) const {
+        const glm::vec3 metres = cell_size * place;
+        return rows ? glm::vec3(metres.x, static_cast<float>(rows->height_at(static_cast<double>(place.y))), metres.z) : metres;
+    }
+    /// Cell size over the thickness of a row.
+    [[nodiscard]] float row_scale(int j) const { return rows ? rows->scales()[static_cast<std::size_t>(j)] : 1.0f; }
+    /// Volume of a cell in cubes of its size.
+    [[nodiscard]] float volume(int j) const { return 1.0f / row_scale(j); }
+    /// [m] Largest distance between two cells along an axis.
+    [[nodiscard]] float coarsest() const { return rows && rows->coarsest() > cell_size ? rows->coarsest() : cell_size; }
+    /// [m] Least distance between two cells, which bounds an explicit diffusion.
+    [[nodiscard]] float finest() const { return rows && rows->finest() < cell_size ? rows->finest() : cell_size; }
 
     [[nodiscard]] std::size_t cell_count() const {
         return static_cast<std::size_t>(cells.x) * static_cast<std::size_t>(cells.y) * static_cast<std::size_t>(cells.z);

@@ -23,6 +23,8 @@ struct Diagnostics {
     bool stepped = false; ///< false: dt was 0, negative or not finite, or out_of_memory; nothing was done.
     /// The system has no memory that the step needs: the wind is unchanged. Free some and call again.
     bool out_of_memory = false;
+    /// The rows of a box that has rows of its own have moved up or down since the last step: the air was interpolated.
+    bool regridded = false;
     /// [m/s] Largest component of the velocity after the step.
     float max_speed = 0.0f;
     /// Largest component * dt / h after the sources, before sub-steps and limit: how many cells the air would cross at once.

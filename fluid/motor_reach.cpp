@@ -29,10 +29,13 @@ constexpr float k_min_felt = 1e-2f; // [m/s] inflow from a source outside the bo
 // Cells with centres within `low`..`high` [m from the box's corner]; false if there are none.
 bool cover(MotorReach& reach, glm::vec3 low, glm::vec3 high, const Window& window) {
     const float h = window.cell_size;
+    const auto place = [&](float metres, int axis) {
+        return window.rows && axis == 1 ? static_cast<float>(window.rows->place(static_cast<double>(metres))) : metres / h;
+    };
     for (int axis = 0; axis < 3; ++axis) {
         const auto cells = static_cast<float>(window.cells[axis]);
-        reach.low[axis] = static_cast<int>(std::clamp(std::floor(low[axis] / h - 0.5f), 0.0f, cells));
-        reach.high[axis] = static_cast<int>(std::clamp(std::ceil(high[axis] / h + 0.5f), 0.0f, cells));
+        reach.low[axis] = static_cast<int>(std::clamp(std::floor(place(low[axis], axis) - 0.5f), 0.0f, cells));
+        reach.high[axis] = static_cast<int>(std::clamp(std::ceil(place(high[axis], axis) + 0.5f), 0.0f, cells));
         if (reach.low[axis] >= reach.high[axis])
             return false;
     }
@@ -40,11 +43,17 @@ bool cover(MotorReach& reach, glm::vec3 low, glm::vec3 high, const Window& windo
 }
 
 glm::vec3 metres(const Window& window, glm::dvec3 position) {
-    return glm::vec3(window.local_rounded(position) * static_cast<double>(window.cell_size));
+    return glm::vec3(window.local_rounded(position) * window.units());
 }
 
-float widened(float radius, const Window& window) {
-    return numerics::windrow_widened(radius, window.cell_size);
+// To what the cells at a height [m] can hold.
+float widened(float radius, const Window& window, float height) {
+    float size = window.cell_size;
+    if (window.rows) {
+        const int row = static_cast<int>(std::clamp(window.rows->place(static_cast<double>(height)), 0.0, window.cells.y - 1.0));
+        size = std::max(size, static_cast<float>(window.rows->thickness(row)));
+    }
+    return numerics::windrow_widened(radius, size);
 }
 
 float cubed(float x) {
@@ -62,12 +71,12 @@ bool cover_cone(MotorReach& reach, const Window& window) {
 float shape_cone(MotorReach& reach, glm::vec3 axis, float start_radius, float end_radius, const Window& window) {
     const float length = glm::length(axis);
     // A column shorter than three cells could also fall between them. It is lengthened about its middle.
-    const float wide_length = 2.0f * widened(0.5f * length, window);
+    const float wide_length = 2.0f * widened(0.5f * length, window, reach.centre.y);
     const glm::vec3 direction = axis / length;
     reach.centre -= 0.5f * (wide_length - length) * direction;
     reach.extent = wide_length * direction;
-    reach.radius = widened(start_radius, window);
-    reach.end_radius = widened(end_radius, window);
+    reach.radius = widened(start_radius, window, reach.centre.y);
+    reach.end_radius = widened(end_radius, window, reach.centre.y);
     const auto volume = [](float column, float start, float end) {
         const float sum = 0.5f * (start + end), difference = 0.5f * (end - start);
         return column * (sum * sum + difference * difference / 7.0f);
@@ -83,13 +92,13 @@ struct RegionReach {
 
     float operator()(const Sphere& sphere) const {
         reach.shape = MotorReach::Shape::sphere;
-        reach.radius = widened(sphere.radius, window);
+        reach.radius = widened(sphere.radius, window, reach.centre.y);
         return within(glm::vec3(reach.radius)) ? cubed(sphere.radius / reach.radius) : 0.0f;
     }
     float operator()(const Capsule& capsule) const {
         reach.shape = MotorReach::Shape::capsule;
         reach.extent = capsule.half_axis;
-        reach.radius = widened(capsule.radius, window);
+        reach.radius = widened(capsule.radius, window, reach.centre.y);
         // Volume of the weight: a ball's 32 pi R^3 / 105 and pi R^2 / 3 for each metre of axis.
         const float length = 2.0f * glm::length(capsule.half_axis);
         const auto volume = [&](float radius) { return radius * radius * (32.0f / 105.0f * radius + length / 3.0f); };
@@ -99,7 +108,7 @@ struct RegionReach {
         reach.shape = MotorReach::Shape::box;
         float share = 1.0f;
         for (int axis = 0; axis < 3; ++axis) {
-            reach.extent[axis] = widened(box.half_size[axis], window);
+            reach.extent[axis] = widened(box.half_size[axis], window, reach.centre.y);
             share *= box.half_size[axis] / reach.extent[axis];
         }
         return within(reach.extent) ? share : 0.0f;
@@ -176,7 +185,7 @@ float min_radius(const MotorReach& reach) {
 // (1 - s^2)^3 / 3. Each wall is treated separately. False where the source does not affect the box.
 bool blow_into(MotorReach& reach, float flow, const Window& window, const Boundaries& boundaries) {
     reach.extent = reach.centre;
-    const glm::vec3 size = window.cell_size * glm::vec3(window.cells);
+    const glm::vec3 size(window.size());
     for (int axis = 0; axis < 3; ++axis) {
         if (!boundaries.has_solid(axis))
             continue;
@@ -244,8 +253,8 @@ struct Preparation {
         MotorReach& whirl = reach[0];
         whirl.centre = metres(window, track.middle());
         whirl.shape = MotorReach::Shape::vortex;
-        whirl.radius = widened(motor.radius, window);
-        const float half_length = widened(motor.half_length, window);
+        whirl.radius = widened(motor.radius, window, whirl.centre.y);
+        const float half_length = widened(motor.half_length, window, whirl.centre.y);
         whirl.extent = half_length * motor.axis;
         whirl.lift = motor.lift;
         // Conserves its angular impulse: arm times volume.
@@ -270,7 +279,8 @@ struct Preparation {
     // velocity on the segment.
     int operator()(const WakeMotor& motor) const {
         const auto strength = static_cast<float>(motor.envelope.mean(age, age + duration));
-        const float radius = widened(motor.radius, window);
+        const float height = path.empty() ? 0.0f : metres(window, path.front().start).y;
+        const float radius = widened(motor.radius, window, height);
         const float share = strength * cubed(motor.radius / radius);
         int count = 0;
         for (const Track::Segment& piece : path) {

@@ -52,16 +52,16 @@ PlacedObstacle placed(const Obstacle& obstacle, const BodyPose& start, const Bod
     PlacedObstacle result;
     result.shape = obstacle.shape;
     result.surface = obstacle.surface;
-    const double h = window.cell_size;
+    const glm::dvec3 units = window.units();
     glm::dvec3 place = window.local_rounded(end.position);
     if (!(start == end)) {
-        result.velocity = glm::vec3((place - window.local_rounded(start.position)) * (h / duration));
+        result.velocity = glm::vec3((place - window.local_rounded(start.position)) * (units / duration));
         result.spin = glm::vec3(turn(start.orientation, end.orientation) / duration);
     }
     for (int axis = 0; axis < 3; ++axis)
         if (boundaries.periodic(axis))
             place[axis] -= window.cells[axis] * std::floor(place[axis] / window.cells[axis]);
-    result.position = glm::vec3(place * h);
+    result.position = glm::vec3(place * units);
     result.axes = glm::mat3(glm::mat3_cast(glm::normalize(end.orientation)));
     return result;
 }
@@ -71,12 +71,11 @@ bool meets(const PlacedObstacle& obstacle, const Window& window, const Boundarie
     glm::vec3 half(k_margin_cells * window.cell_size);
     for (int axis = 0; axis < 3; ++axis)
         half += glm::abs(obstacle.axes[axis]) * own[axis];
-    for (int axis = 0; axis < 3; ++axis) {
-        const float size = static_cast<float>(window.cells[axis]) * window.cell_size;
+    const glm::vec3 size(window.size());
+    for (int axis = 0; axis < 3; ++axis)
         if (!boundaries.periodic(axis) &&
-            (obstacle.position[axis] + half[axis] < 0.0f || obstacle.position[axis] - half[axis] > size))
+            (obstacle.position[axis] + half[axis] < 0.0f || obstacle.position[axis] - half[axis] > size[axis]))
             return false;
-    }
     return true;
 }
 
@@ -309,7 +308,7 @@ bool Obstacles::carry(double duration) {
 void Obstacles::find_resting() {
     resting_.clear();
     const double h = window_.cell_size, margin = (static_cast<double>(k_margin_cells) + 1.0) * h; // more than meets()
-    glm::dvec3 low = window_.origin() - margin, high = low + h * glm::dvec3(window_.cells) + 2.0 * margin;
+    glm::dvec3 low = window_.origin() - margin, high = low + window_.size() + 2.0 * margin;
     for (int axis = 0; axis < 3; ++axis)
         if (boundaries_.periodic(axis)) {
             low[axis] = -2.0 * k_world_range.max;

@@ -46,9 +46,9 @@ bool has_unit_direction(const Motor& motor) {
 namespace detail {
 
 void fields(auto& archive, Like<Diagnostics> auto& report) { // of a sleeping wind; its times are 0
-    auto& [stepped, out_of_memory, max_speed, cfl, substeps, substeps_capped, carried_time, limited_cells, repaired_cells,
-           motors_in_reach, diffusion, pressure_residual, pressure_solves, sealed_sources, divergence_rms, energy, asleep,
-           times_ms] = report;
+    auto& [stepped, out_of_memory, regridded, max_speed, cfl, substeps, substeps_capped, carried_time, limited_cells,
+           repaired_cells, motors_in_reach, diffusion, pressure_residual, pressure_solves, sealed_sources, divergence_rms, energy,
+           asleep, times_ms] = report;
     archive(stepped, max_speed, cfl, substeps, substeps_capped, limited_cells, repaired_cells, motors_in_reach, diffusion,
             pressure_residual, pressure_solves, sealed_sources, divergence_rms, energy, asleep);
 }
@@ -230,7 +230,7 @@ struct StateFields {
 
     /// All state except the config, which comes first: it creates the wind. `cells` is a cpu::Cells, or DeviceNames.
     static void state(auto& archive, Like<WindCore> auto& core, auto& cells) {
-        auto& [config, place, ambient, motors, obstacles, source_name, sleep, frames, log, storage] = core;
+        auto& [config, rows, place, ambient, motors, obstacles, source_name, sleep, frames, log, storage] = core;
         auto& [window, point, stepped, previous, follow_axes] = place;
         Tiles tiles;
         tiles.add(ambient.tile());

@@ -18,7 +18,9 @@ constexpr std::uint32_t k_largest_half = 0x7bff; // 65504
 /// are differences of large numbers where the anchor is far away.
 AxisBlock axis_block(const WindowBlock& window, int axis, double origin, double centre) {
     constexpr double k_infinity = std::numeric_limits<double>::infinity();
-    const double cell = window.cell_size, length = cell * static_cast<double>(window.cells[axis]),
+    const double cell = window.cell_size;
+    const double length = axis == 1 && window.rows > 0.0f ? static_cast<double>(window.height)
+                                                          : cell * static_cast<double>(window.cells[axis]),
                  reach = window.blend_reach[axis];
     const double width = reach > 0.0 ? window.blend_width : cell;
     // Where the box's wind has faded: beyond open boundaries, and at the end of a blend zone.
@@ -110,12 +112,16 @@ void pack_vectors(std::span<const glm::vec4> field, std::span<std::uint16_t> hal
             half_texels[4 * n + static_cast<std::size_t>(axis)] = axis < 3 ? to_half(field[n][axis]) : std::uint16_t{0};
 }
 
-FrameBlock frame_block(const WindowBlock& window, const AmbientBlock& ambient, const AmbientBlock& previous_ambient) {
-    return {.window = window,
-            .place = place_block(window, window.origin, window.blend_centre),
-            .previous_place = place_block(window, window.previous_origin, window.previous_blend_centre),
-            .ambient = ambient,
-            .previous_ambient = previous_ambient};
+FrameBlock frame_block(const WindowBlock& window, const AmbientBlock& ambient, const AmbientBlock& previous_ambient,
+                       const RowTable* rows) {
+    FrameBlock block{.window = window,
+                     .place = place_block(window, window.origin, window.blend_centre),
+                     .previous_place = place_block(window, window.previous_origin, window.previous_blend_centre),
+                     .ambient = ambient,
+                     .previous_ambient = previous_ambient};
+    if (rows != nullptr)
+        std::ranges::copy(rows->centres(), block.heights.begin());
+    return block;
 }
 
 } // namespace windrow

@@ -6,7 +6,9 @@
 
 #include "fluid/ambient.h"
 #include "fluid/result.h"
+#include "fluid/rows.h"
 
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -24,11 +26,11 @@ struct WindowBlock {
     /// [m] Low corner of the last frame's box, minus the anchor: for motion vectors. Without ticks, of the step before, with
     /// `follow` called before `step`.
     alignas(16) glm::vec3 previous_origin{0.0f};
-    float unused_0 = 0.0f;               ///< 0, as the others of this name: blocks of equal values have equal bytes
+    float rows = 0.0f;                   ///< number of rows where they have heights of their own (FrameBlock::heights); else 0
     alignas(16) glm::vec3 ambient{0.0f}; ///< [m/s] mean wind outside the box; with a profile or gusts see AmbientBlock
-    float unused_1 = 0.0f;
-    alignas(16) glm::vec3 low_boundaries{0.0f}; ///< kind of the low boundary of x, y, z: 0 open, 1 wall, 2 periodic
-    float unused_2 = 0.0f;
+    float height = 0.0f;                 ///< [m] of the box
+    alignas(16) glm::vec3 low_boundaries{0.0f};  ///< kind of the low boundary of x, y, z: 0 open, 1 wall, 2 periodic
+    float unused_2 = 0.0f;                       ///< 0, as the others of this name: blocks of equal values have equal bytes
     alignas(16) glm::vec3 high_boundaries{0.0f}; ///< as low_boundaries
     float unused_3 = 0.0f;
     alignas(16) glm::vec3 blend_centre{0.0f}; ///< [m] centre of the blend zone, minus the anchor
@@ -72,19 +74,21 @@ struct PlaceBlock {
 };
 static_assert(sizeof(PlaceBlock) == 96);
 
-/// A uniform block of std140 layout (35 vec4): WindrowFrame of shaders/coupling/windrow_wind.glsl. Positions are relative to the
-/// anchor that it was made for.
+/// A uniform block of std140 layout (67 vec4): WindrowFrame and the rows of shaders/coupling/windrow_wind.glsl. Positions are
+/// relative to the anchor that it was made for.
 struct FrameBlock {
     WindowBlock window{};
     PlaceBlock place{};          ///< of the window
     PlaceBlock previous_place{}; ///< of the frame before, for motion vectors
     AmbientBlock ambient{};
     AmbientBlock previous_ambient{}; ///< of the frame before
+    /// [m] Of the rows' centres over the box's low boundary, where WindowBlock::rows is above 0. Four to a vec4.
+    std::array<float, k_max_rows> heights{};
 };
-static_assert(sizeof(FrameBlock) == 560);
+static_assert(sizeof(FrameBlock) == 560 + 512);
 
-/// The block of a window with its places; all of one anchor.
-[[nodiscard]] FrameBlock frame_block(const WindowBlock& window, const AmbientBlock& ambient,
-                                     const AmbientBlock& previous_ambient);
+/// The block of a window with its places; all of one anchor. `rows`: of a box that has some.
+[[nodiscard]] FrameBlock frame_block(const WindowBlock& window, const AmbientBlock& ambient, const AmbientBlock& previous_ambient,
+                                     const RowTable* rows = nullptr);
 
 } // namespace windrow

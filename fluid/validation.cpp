@@ -84,6 +84,14 @@ void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const 
     if (detail::holds(Box::k_cells_range, box.cells) && box.cell_count() > k_max_cells)
         reasons.add(detail::FieldPath{&path, "cells"}, " is ", box.cells, ", ", box.cell_count(), " in all: give at most ",
                     k_max_cells, ".");
+    if (!box.rows)
+        return;
+    if (box.rows->count() != box.cells.y)
+        reasons.add(detail::FieldPath{&path, "rows"}, " are ", box.rows->count(), " for ", box.cells.y,
+                    " cells along y: give RowTable::create the number of cells.");
+    if (box.boundaries.periodic(1))
+        reasons.add(detail::FieldPath{&path, "rows"},
+                    " cannot repeat: give boundaries along y that are not periodic, or no rows.");
 }
 
 Result<void> validate(const Canopy& canopy) {

@@ -68,6 +68,8 @@ template <class T>
 inline constexpr bool k_is_list = false;
 template <HasSettings T>
 inline constexpr bool k_is_list<std::vector<T>> = true;
+template <class T>
+inline constexpr bool k_is_number_list = std::same_as<T, std::vector<float>>;
 
 template <int Count, class Number, glm::qualifier Q>
 [[nodiscard]] bool holds(const Range& range, const glm::vec<Count, Number, Q>& vector) {
@@ -136,6 +138,9 @@ void check_value(Reasons& reasons, const FieldPath& path, const Value& value, co
         std::visit([&](const auto& kind) { check_settings(reasons, FieldPath{&path, kind.k_name}, kind); }, value);
     } else if constexpr (k_is_list<Value>) {
         check_items(reasons, path, std::span(value), range);
+    } else if constexpr (k_is_number_list<Value>) {
+        for (std::size_t n = 0; n < value.size(); ++n)
+            check_value(reasons, FieldPath{&path, message("[", n, "]")}, value[n], range);
     } else if constexpr (HasSettings<Value>) {
         check_settings(reasons, path, value);
     } else if constexpr (requires { check_vector(reasons, path, value, range); }) {

@@ -55,8 +55,15 @@ detail::ViewPlace detail::place_in(const Box& box, const Window& window, const B
         int& high = place.high[axis];
         const auto cells = static_cast<float>(box.cells[axis]);
         const float low_kind = side_number(box.boundaries.at(axis, 0)), high_kind = side_number(box.boundaries.at(axis, 1));
-        share *= numerics::windrow_edge_share(low_kind == 0.0f ? 1.0f + local[axis] : k_never_fades,
-                                              high_kind == 0.0f ? 1.0f + cells - local[axis] : k_never_fades, 0.0f);
+        // Over a cell's size, also where the outermost row has another thickness.
+        float from_low = local[axis], from_high = cells - local[axis];
+        if (box.rows && axis == 1) {
+            const double over = position.y - window.origin().y, h = static_cast<double>(box.cell_size);
+            from_low = static_cast<float>(over / h);
+            from_high = static_cast<float>((box.rows->top() - over) / h);
+        }
+        share *= numerics::windrow_edge_share(low_kind == 0.0f ? 1.0f + from_low : k_never_fades,
+                                              high_kind == 0.0f ? 1.0f + from_high : k_never_fades, 0.0f);
         // The zone of the whole box may reach beyond a box that was read out of it: both weights count.
         if (const float reach = blend_zone.reach[axis]; reach > 0.0f) {
             const auto from_point =
@@ -116,6 +123,8 @@ WindowBlock WindView::block(glm::dvec3 anchor) const {
     block.origin = glm::vec3(origin() - anchor);
     block.cell_size = h;
     block.cells = glm::vec3(box_->cells);
+    block.rows = box_->rows ? block.cells.y : 0.0f;
+    block.height = box_->size().y;
     block.factor = 1.0f;
     block.previous_origin = block.origin;
     block.ambient = ambient_->mean();

@@ -14,9 +14,10 @@ Result<void> validate(const Config& config) {
 
 void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const Config& config) {
     check_rules(reasons, path, Box{config.cells, config.cell_size, {}});
+    detail::check_rows(reasons, config);
     if (detail::holds(k_world_range, config.centre) && !detail::can_hold_point(config, config.centre))
         reasons.add("centre is ", config.centre, " m: give finite numbers within 1e12 cells of the origin.");
-    detail::check_follow(reasons, config.follow_axes, config.boundaries);
+    detail::check_follow(reasons, config.follow_axes, config.boundaries, config.rows.has_value());
     if (static_cast<std::size_t>(config.simd) < k_words<Simd>.size() && !runs(config.simd))
         reasons.add("simd is ", name_of(config.simd), ", which this machine does not run: give best or baseline.");
 }
@@ -35,10 +36,8 @@ Result<Wind> Wind::create(const Config& config) {
     if (auto valid = validate(config); !valid)
         return Error{valid.error()};
     return detail::where_memory_lasts([&]() -> Result<Wind> {
-        auto workspace = Workspace::create({.box = {config.cells, config.cell_size, config.boundaries},
-                                            .ambient = config.ambient,
-                                            .simd = config.simd,
-                                            .parallel_for = config.parallel_for});
+        auto workspace = Workspace::create(
+            {.box = detail::box_of(config), .ambient = config.ambient, .simd = config.simd, .parallel_for = config.parallel_for});
         if (!workspace)
             return Error{workspace.error()};
         auto ambient = AmbientWind::create({.mean = workspace->ambient(), .profile = config.profile, .gusts = config.gusts});

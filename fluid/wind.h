@@ -95,6 +95,7 @@ struct Config {
     Gusts gusts{};
     std::optional<Canopy> canopy{};
     std::optional<Roughness> roughness{};
+    std::optional<Rows> rows{};
     float blend_width = 2.0f;
     float viscosity = 1.5e-5f;
     float relaxation_time = 20.0f;
@@ -117,7 +118,7 @@ struct Config {
                     "half as "
                     "high."),
             Setting("cell_size", &Config::cell_size, Box::k_cell_size_range,
-                    "Edge of a cell. At 1 m a gust that a person notices spans several."),
+                    "Edge of a cell; with rows of their own, along x and z. At 1 m a gust that a person notices spans several."),
             Setting("boundaries", &Config::boundaries,
                     "Boundary conditions of the six faces. Default: open everywhere; Boundaries::open_over_floor() adds ground. "
                     "Periodic boundaries come in pairs."),
@@ -146,6 +147,12 @@ struct Config {
                 "roughness", &Config::roughness,
                 "Rough ground: its drag, and the mixing of the air above it by turbulence. Default none, which costs nothing: "
                 "the ground is smooth, and a profile is worn away by what the air does; {} for short grass."),
+            Setting(
+                "rows", &Config::rows,
+                "Rows of cells of unequal thickness, thin near the ground and thick aloft; {} for rows of half a metre that grow "
+                "by a tenth from the fifth on. Default none, which costs nothing: all rows are cell_size thick. At most 128 "
+                "rows. Such a box keeps its height, which set_floor changes by whole lowest rows, and the air is then "
+                "interpolated; it cannot repeat along y."),
             Setting(
                 "blend_width", &Config::blend_width, {.min = 0.0, .max = 64.0, .unit = "cells", .zero = "none"},
                 "Width over which sampled wind fades to ambient at the boundaries along which the box follows. It ends one cell "

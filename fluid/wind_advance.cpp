@@ -184,10 +184,13 @@ void WindCore::run_step(double duration, Diagnostics& report) {
         reached = motors.tick(duration, place.window, config.boundaries);
     const std::span<const detail::PlacedObstacle> bodies = obstacles.tick(duration, place.window, config.boundaries);
     const bool stirred = obstacles.take_stirred(), wind_meets_bodies = !bodies.empty() && mean_wind() != glm::vec3(0.0f);
+    report.regridded = rows && place.stepped.origin_cells.y != place.window.origin_cells.y;
     place.note_step();
     if (sleep.asleep() && reached.empty() && !stirred && !wind_meets_bodies) {
         drift(duration);
+        const bool regridded = report.regridded;
         report = sleep.at_rest;
+        report.regridded = regridded;
         return;
     }
     sleep.wake();
@@ -235,7 +238,7 @@ bool WindCore::renew_sources(std::span<const detail::MotorReach> reached) {
 
 bool WindCore::viscous(float dt) const {
     const float longest = std::max(dt, k_longest_prepared);
-    return config.stages.diffusion && diffusion_method(config.viscosity, longest, config.cell_size) != DiffusionMethod::none;
+    return config.stages.diffusion && diffusion_method(config.viscosity, longest, box().finest()) != DiffusionMethod::none;
 }
 
 // Whether the floor makes another wind of the ambient one.
@@ -252,9 +255,9 @@ bool WindCore::changes_ambient() const {
 cpu::CanopyRows WindCore::canopy_rows() const {
     if (!config.canopy || !config.stages.sources || config.canopy->height <= 0.0f || config.canopy->drag <= 0.0f)
         return {};
-    const double h = config.cell_size;
-    const double ground = (ambient.ground() - place.window.origin().y) / h,
-                 top = ground + static_cast<double>(config.canopy->height) / h;
+    const double h = config.cell_size, low = ambient.ground() - place.window.origin().y;
+    const double height = static_cast<double>(config.canopy->height);
+    const double ground = rows ? rows->place(low) : low / h, top = rows ? rows->place(low + height) : ground + height / h;
     if (top <= 0.0 || ground >= config.cells.y)
         return {};
     const double farthest = 2.0 * k_max_axis_cells; // no effect beyond the box, and exact in float

@@ -36,7 +36,11 @@ void check_ambient(Reasons& reasons, glm::vec3 ambient) {
         reasons.add("ambient is ", ambient, " m/s: give finite numbers, at most 1e4 m/s in size.");
 }
 
-void check_follow(Reasons& reasons, const std::optional<glm::bvec3>& follow, const Boundaries& boundaries) {
+void check_follow(Reasons& reasons, const std::optional<glm::bvec3>& follow, const Boundaries& boundaries, bool rows) {
+    if (rows && boundaries.periodic(1))
+        reasons.add("rows cannot repeat: give boundaries along y that are not periodic, or no rows.");
+    if (rows && follow && follow->y)
+        reasons.add("follow_axes has y, but a box with rows keeps its height: leave it out (set_floor moves a floor).");
     for (int axis = 0; axis < 3 && follow; ++axis)
         if ((*follow)[axis] && !can_follow(boundaries, axis))
             reasons.add("follow_axes has ", k_axis_names[axis], ", where a boundary is ",
@@ -44,10 +48,27 @@ void check_follow(Reasons& reasons, const std::optional<glm::bvec3>& follow, con
                         axis == 1 ? " (set_floor moves a floor)." : ".");
 }
 
+void check_rows(Reasons& reasons, const Config& config) {
+    if (!config.rows)
+        return;
+    if (config.cells.y > k_max_rows)
+        reasons.add("cells has ", config.cells.y, " rows of unequal thickness: give at most ", k_max_rows, ".");
+    else if (const auto table = RowTable::create(*config.rows, config.cells.y, config.cell_size);
+             !table && validate(*config.rows))
+        reasons.add(table.error());
+}
+
+Box box_of(const Config& config) {
+    Box box{config.cells, config.cell_size, config.boundaries};
+    if (config.rows)
+        box.rows = *RowTable::create(*config.rows, config.cells.y, config.cell_size);
+    return box;
+}
+
 } // namespace detail
 
 WindCore::WindCore(const Config& settings, const AmbientWind& wind_around, CellStorage& cells)
-    : config(settings), place(settings), ambient(wind_around), cells_(cells) {}
+    : config(settings), rows(detail::box_of(settings).rows), place(settings, rows.get()), ambient(wind_around), cells_(cells) {}
 
 void WindCore::start() {
     renew_ambient();
@@ -109,7 +130,7 @@ Result<void> WindCore::set_boundaries(const Boundaries& boundaries) {
     detail::Reasons reasons;
     if (auto valid = validate(boundaries); !valid)
         reasons.add(valid.error());
-    detail::check_follow(reasons, config.follow_axes, boundaries);
+    detail::check_follow(reasons, config.follow_axes, boundaries, config.rows.has_value());
     if (!reasons.empty())
         return Error{reasons.take()};
     if (!has_room({.gusts = &config.gusts}))
@@ -123,7 +144,7 @@ Result<void> WindCore::set_boundaries(const Boundaries& boundaries) {
     config.boundaries = boundaries;
     if (!same_kinds && source_name != 0)
         source_name = 2; // matches no set of sources: their flow is recomputed
-    place.follow_axes = detail::axes_that_follow(config.follow_axes, boundaries);
+    place.follow_axes = detail::axes_that_follow(config, boundaries);
     renew_ambient();
     sleep.wake();
     note(SidesSet{boundaries});
@@ -152,9 +173,9 @@ Result<void> WindCore::set_floor(double height) {
     if (!has_room({.gusts = &config.gusts}))
         return detail::out_of_memory();
     CellIndex origin = place.window.origin_cells;
-    origin.y = static_cast<std::int64_t>(std::floor(height / static_cast<double>(config.cell_size) + 0.5));
+    origin.y = static_cast<std::int64_t>(std::floor(height / place.window.units().y + 0.5));
     shift_to(origin);
-    place.point.y = height + 0.5 * static_cast<double>(config.cell_size) * config.cells.y;
+    place.point.y = height + 0.5 * place.window.size().y;
     note(FloorSet{height});
     return {};
 }
@@ -209,8 +230,7 @@ WindowBlock WindCore::window_block(glm::dvec3 anchor, const WindView& view, cons
         block.previous_origin = before.origin;
         block.previous_blend_centre = before.blend_centre;
     } else {
-        const double h = config.cell_size;
-        block.previous_origin = glm::vec3(glm::dvec3(place.previous.origin_cells) * h - anchor);
+        block.previous_origin = glm::vec3(place.window.origin_at(place.previous.origin_cells) - anchor);
         block.previous_blend_centre = glm::vec3(place.previous.point - anchor);
     }
     return block;
@@ -219,7 +239,7 @@ WindowBlock WindCore::window_block(glm::dvec3 anchor, const WindView& view, cons
 FrameBlock WindCore::frame_block(glm::dvec3 anchor, const Sampling& sampling, const WindView& view,
                                  const WindView& previous_view) const {
     return windrow::frame_block(window_block(anchor, view, previous_view), view.ambient().block(anchor, sampling),
-                                previous_view.ambient().block(anchor, sampling));
+                                previous_view.ambient().block(anchor, sampling), rows.get());
 }
 
 } // namespace windrow

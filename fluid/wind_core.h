@@ -12,6 +12,7 @@
 #include "fluid/wind.h"
 #include "fluid/window_history.h"
 
+#include <memory>
 #include <optional>
 
 namespace windrow {
@@ -25,6 +26,7 @@ class WindCore {
     static constexpr float k_longest_prepared = 1.0f; ///< [s] step that allocates nothing
 
     Config config;
+    const std::shared_ptr<const RowTable> rows; ///< of the config; null: none
     WindowHistory place;
     AmbientWind ambient;
     Motors motors;
@@ -35,7 +37,7 @@ class WindCore {
     EventLog* log = nullptr;
 
     [[nodiscard]] const Window& window() const { return place.window; }
-    [[nodiscard]] Box box() const { return {config.cells, config.cell_size, config.boundaries}; }
+    [[nodiscard]] Box box() const { return {config.cells, config.cell_size, config.boundaries, rows}; }
     /// [m/s] Mean wind that the open boundaries carry.
     [[nodiscard]] glm::vec3 mean_wind() const { return admissible_ambient(config.boundaries, config.ambient); }
     /// Viscosity does something that floats hold within a second, or within `dt` [s]; else it is left out.
@@ -105,7 +107,9 @@ class WindCore {
 namespace detail {
 [[nodiscard]] bool can_hold_point(const Config& config, glm::dvec3 point);
 void check_ambient(Reasons& reasons, glm::vec3 ambient);
-void check_follow(Reasons& reasons, const std::optional<glm::bvec3>& follow, const Boundaries& boundaries);
+/// `rows`: the box has rows of its own.
+void check_follow(Reasons& reasons, const std::optional<glm::bvec3>& follow, const Boundaries& boundaries, bool rows);
+void check_rows(Reasons& reasons, const Config& config);
 } // namespace detail
 
 } // namespace windrow

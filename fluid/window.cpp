@@ -1,6 +1,7 @@
 #include "fluid/window.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <glm/common.hpp>
@@ -16,11 +17,11 @@ glm::dvec3 rounded(glm::dvec3 cells) {
 } // namespace
 
 glm::dvec3 Window::local_rounded(glm::dvec3 position) const {
-    return rounded(local(position));
+    return rounded(position / units() - glm::dvec3(origin_cells));
 }
 
 CellIndex Window::centred_on(glm::dvec3 point) const {
-    const glm::dvec3 corner = point / static_cast<double>(cell_size) - 0.5 * glm::dvec3(cells);
+    const glm::dvec3 corner = rows ? (point - 0.5 * size()) / units() : point / units() - 0.5 * glm::dvec3(cells);
     // Rounded first, so that steps whose sum is slightly below half a cell move the box in the same step.
     return CellIndex(glm::floor(rounded(corner) + 0.5));
 }
@@ -55,6 +56,44 @@ void shift_field(std::span<glm::vec4> field, glm::ivec3 cells, CellIndex shift, 
             }
         }
     }
+}
+
+void lift_field(std::span<glm::vec4> field, glm::ivec3 cells, const RowTable& rows, std::int64_t steps,
+                const ParallelFor& parallel_for, const std::function<glm::vec4(int, int, int)>& fresh) {
+    std::array<double, k_max_rows> places;
+    for (int j = 0; j < cells.y; ++j)
+        places[static_cast<std::size_t>(j)] = rows.place_before(j, static_cast<double>(steps) * rows.step());
+    parallel_for(cells.z, [&](int k) {
+        std::array<glm::vec4, k_max_rows> column;
+        for (int i = 0; i < cells.x; ++i) {
+            const auto cell = [&](int j) -> glm::vec4& {
+                return field[(static_cast<std::size_t>(k) * static_cast<std::size_t>(cells.y) + static_cast<std::size_t>(j)) *
+                                 static_cast<std::size_t>(cells.x) +
+                             static_cast<std::size_t>(i)];
+            };
+            for (int j = 0; j < cells.y; ++j)
+                column[static_cast<std::size_t>(j)] = cell(j);
+            for (int j = 0; j < cells.y; ++j) {
+                const double place = places[static_cast<std::size_t>(j)];
+                if (std::isnan(place)) {
+                    cell(j) = fresh(i, j, k);
+                    continue;
+                }
+                const double from = std::clamp(place - 0.5, 0.0, cells.y - 1.0);
+                const int below = std::min(static_cast<int>(from), cells.y - 2);
+                const auto t = static_cast<float>(from - below);
+                const auto apart = [&](int row) {
+                    return column[static_cast<std::size_t>(below + row)] - column[static_cast<std::size_t>(below)];
+                };
+                const glm::vec4 change =
+                    below < 1 || below + 2 >= cells.y
+                        ? t * apart(1)
+                        : t * ((t - 1.0f) * (t - 2.0f) * (-1.0f / 6.0f) * apart(-1) + (t + 1.0f) * (t - 2.0f) * -0.5f * apart(1) +
+                               (t + 1.0f) * (t - 1.0f) * (1.0f / 6.0f) * apart(2));
+                cell(j) = column[static_cast<std::size_t>(below)] + change;
+            }
+        }
+    });
 }
 
 } // namespace windrow

@@ -5,6 +5,7 @@
 #include "fluid/wind.h"
 #include "fluid/window.h"
 
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 #include <utility>
@@ -16,9 +17,12 @@ namespace detail {
     return !boundaries.periodic(axis) && !boundaries.has_solid(axis);
 }
 /// Those asked for; else all that can.
-[[nodiscard]] inline glm::bvec3 axes_that_follow(const std::optional<glm::bvec3>& follow, const Boundaries& boundaries) {
-    return follow ? *follow : glm::bvec3(can_follow(boundaries, 0), can_follow(boundaries, 1), can_follow(boundaries, 2));
+[[nodiscard]] inline glm::bvec3 axes_that_follow(const Config& config, const Boundaries& boundaries) {
+    return config.follow_axes.value_or(
+        glm::bvec3(can_follow(boundaries, 0), can_follow(boundaries, 1) && !config.rows, can_follow(boundaries, 2)));
 }
+/// The box of a valid config.
+[[nodiscard]] Box box_of(const Config& config);
 } // namespace detail
 
 /// Position of a box, and the point that it follows.
@@ -28,9 +32,10 @@ struct BoxPlace {
 };
 
 struct WindowHistory {
-    explicit WindowHistory(const Config& config)
-        : window{config.cells, config.cell_size, {}}, point(config.centre),
-          follow_axes(detail::axes_that_follow(config.follow_axes, config.boundaries)) {
+    /// `rows` of the box outlive it; null: it has none of its own.
+    explicit WindowHistory(const Config& config, const RowTable* rows = nullptr)
+        : window{config.cells, config.cell_size, {}, rows}, point(config.centre),
+          follow_axes(detail::axes_that_follow(config, config.boundaries)) {
         window.origin_cells = window.centred_on(point);
         previous = stepped = {point, window.origin_cells};
     }
@@ -52,6 +57,9 @@ struct WindowHistory {
     }
     /// A shift after which no cell is one that was in the box.
     [[nodiscard]] bool leaves(CellIndex shift) const {
+        if (window.rows != nullptr) // along y the steps are those of its lowest rows
+            return std::abs(static_cast<double>(shift.y)) * window.units().y >= window.size().y ||
+                   glm::any(glm::greaterThanEqual(glm::abs(CellIndex(shift.x, 0, shift.z)), CellIndex(window.cells)));
         return glm::any(glm::greaterThanEqual(glm::abs(shift), CellIndex(window.cells)));
     }
     /// The blend zone of `width` [cells] about a point, which ends `inset` cells before the box.

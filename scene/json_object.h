@@ -56,6 +56,8 @@ class JsonObject {
     [[nodiscard]] glm::dvec2 pair(const Key& key, glm::dvec2 fallback, const Range& rule, const char* names);
     [[nodiscard]] glm::ivec2 whole_pair(const Key& key, glm::ivec2 fallback, const Range& rule, const char* names);
     [[nodiscard]] std::optional<glm::bvec3> optional_flags(const Key& key);
+    /// A list of numbers; empty where absent.
+    [[nodiscard]] std::vector<float> numbers(const Key& key, const Range& rule);
     /// One of some words, as what it stands for.
     template <class Value>
     [[nodiscard]] Value word(const Key& key, Value fallback, std::initializer_list<Word<Value>> words) {

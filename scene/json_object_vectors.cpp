@@ -108,4 +108,14 @@ std::optional<glm::bvec3> JsonObject::optional_flags(const Key& key) {
     return glm::bvec3((*value)[0].get<bool>(), (*value)[1].get<bool>(), (*value)[2].get<bool>());
 }
 
+std::vector<float> JsonObject::numbers(const Key& key, const Range& rule) {
+    constexpr std::size_t k_most = 4096;
+    const std::span<const json> items = array(key, k_most, "number", rule);
+    std::vector<float> values;
+    for (std::size_t n = 0; n < items.size(); ++n)
+        values.push_back(
+            static_cast<float>(check_number(items[n], message(path_of(key), "[", n, "]"), rule, log()).value_or(0.0)));
+    return values;
+}
+
 } // namespace windrow::scene

@@ -138,6 +138,8 @@ void read_value(JsonObject& object, const Key& key, Value& value, const Range& r
                   [](JsonObject kind, auto& alternative) { read_object(std::move(kind), alternative); });
     } else if constexpr (detail::k_is_list<Value>) {
         read_items(object, key, range, [&](JsonObject item) { read_object(std::move(item), value.emplace_back()); });
+    } else if constexpr (detail::k_is_number_list<Value>) {
+        value = object.numbers(key, range);
     } else if constexpr (HasSettings<Value>) {
         read_object(object.object(key), value);
     } // what is left is read from a file, by who knows the folder

@@ -47,6 +47,11 @@ template <class Value>
         for (const auto& item : value)
             list.push_back(write_object(item));
         return list;
+    } else if constexpr (detail::k_is_number_list<Value>) {
+        nlohmann::json list = nlohmann::json::array();
+        for (const float number : value)
+            list.push_back(written(number));
+        return list;
     } else
         return written(value);
 }

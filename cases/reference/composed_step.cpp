@@ -58,7 +58,7 @@ void ComposedStep::step(const StepMethod& method, double dt) {
     const Window window{.cells = box.cells, .cell_size = box.cell_size, .origin_cells = {}};
     const auto reached = motors_.tick(dt, window, box.boundaries);
     const auto& tile = motors_.tile({});
-    sources_.gather(reached, box.cell_size, velocity_, {tile ? tile->texels().data() : nullptr}, settings_.parallel_for);
+    sources_.gather(reached, box, velocity_, {tile ? tile->texels().data() : nullptr}, settings_.parallel_for);
     Workspace::State& around = work_.state();
     static_cast<void>(around.survey(&velocity_[0].x)); // the guard
     if (method.scheme == Scheme::second_order)

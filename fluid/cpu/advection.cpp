@@ -7,6 +7,7 @@
 namespace windrow {
 cpu::AdvectTask Workspace::State::advect_task() const {
     cpu::AdvectTask task{};
+    task.row_scales = row_scales();
     for (int axis = 0; axis < 3; ++axis) {
         const cpu::LegalPlaces legal = cpu::legal_places(box, axis);
         task.cells[axis] = box.cells[axis];
@@ -35,8 +36,8 @@ void advect(Workspace& work, const Transport& transport, std::span<glm::vec4> re
     assert(transport.carried.size() == state.box.cell_count() && transport.velocity.size() == state.box.cell_count());
     assert(result.size() == state.box.cell_count() && result.data() != transport.velocity.data());
 
-    const bool own_trace = !transport.velocity_old.empty() || !transport.history.empty() || transport.relaxation != 1.0f ||
-                           transport.carried.data() != transport.velocity.data();
+    const bool own_trace = state.box.rows || !transport.velocity_old.empty() || !transport.history.empty() ||
+                           transport.relaxation != 1.0f || transport.carried.data() != transport.velocity.data();
     cpu::PadTask pad{};
     for (int axis = 0; axis < 3; ++axis) {
         pad.cells[axis] = state.box.cells[axis];
@@ -52,6 +53,7 @@ void advect(Workspace& work, const Transport& transport, std::span<glm::vec4> re
     pad.velocity = cpu::floats(transport.velocity);
     pad.velocity_old = cpu::floats(transport.velocity_old);
     pad.extrapolation = transport.extrapolation;
+    pad.row_scales = state.row_scales();
     pad.padded_carried = state.padded_carried.data();
     pad.padded_trace = own_trace ? state.padded_trace.data() : nullptr;
     state.parallel_for(state.box.cells.z + cpu::k_halo, [&](int plane) { state.kernels->pad_plane(pad, plane); });

@@ -47,7 +47,7 @@ Cells::Cells(const WindCore& wind, Workspace workspace)
         diffused_ = Buffer<glm::vec4>(air.velocity.size());
     }
     // A step of up to k_longest_prepared does not allocate: the memory for its viscosity is allocated here.
-    make_room_for_viscosity(diffusion_method(config_.viscosity, WindCore::k_longest_prepared, config_.cell_size));
+    make_room_for_viscosity(diffusion_method(config_.viscosity, WindCore::k_longest_prepared, box().finest()));
 }
 
 // --- Room --------------------------------------------------------------------------------------------------------------------
@@ -92,7 +92,7 @@ void Cells::make_room_for_step(float dt) {
         }
     }
     if (wind_.viscous(dt))
-        make_room_for_viscosity(diffusion_method(config_.viscosity, air.undiffused_time + dt, config_.cell_size));
+        make_room_for_viscosity(diffusion_method(config_.viscosity, air.undiffused_time + dt, box().finest()));
 }
 
 void Cells::make_room_for_viscosity(DiffusionMethod method) {
@@ -316,13 +316,32 @@ void Cells::write_obstacles(std::span<float> cells) const {
 }
 
 void Cells::shift(const CellChange& change) {
+    const bool lifts = box().rows && change.by.y != 0;
+    const auto shift_field = [&](std::span<glm::vec4> field, glm::ivec3 cells, CellIndex by, glm::vec4 fresh) {
+        windrow::shift_field(field, cells, lifts ? CellIndex(by.x, 0, by.z) : by, fresh);
+        if (!lifts)
+            return;
+        const bool ambient =
+            change.exposed_hold_ambient && field.data() != source_flow.data() && field.data() != air.history.data();
+        lift_field(field, cells, *box().rows, by.y, config_.parallel_for,
+                   [&](int i, int j, int k) { return ambient ? ambient_at(i, j, k) : glm::vec4(0.0f); });
+    };
     const auto shift_air = [&](std::span<glm::vec4> field) {
         shift_field(field, box().cells, change.by, change.exposed_hold_ambient ? ambient_at(0, 0, 0) : glm::vec4(0.0f));
         if (!around_.uniform() && change.exposed_hold_ambient)
-            for_each_exposed(box().cells, change.by, [&](std::size_t n, int i, int j, int k) { field[n] = ambient_at(i, j, k); });
+            for_each_exposed(box().cells, lifts ? CellIndex(change.by.x, 0, change.by.z) : change.by,
+                             [&](std::size_t n, int i, int j, int k) { field[n] = ambient_at(i, j, k); });
     };
     shift_air(air.velocity);
-    unplaced_shift_ += glm::ivec3(change.by);
+    if (lifts && work.state().solids) { // no list of theirs holds in other rows
+        work.state().solids.reset();
+        work.state().solid_keys.clear();
+        work.state().solid_terms.clear();
+        unplaced_shift_ = glm::ivec3(0);
+        place_again_ = true;
+    } else {
+        unplaced_shift_ += glm::ivec3(change.by);
+    }
     if (change.has_source_flow)
         shift_field(source_flow, box().cells, change.by, glm::vec4(0.0f));
     if (change.kept)

@@ -134,6 +134,7 @@ class Cells final : public CellStorage {
     template <class Visit>
     void for_each_room(const Visit& visit) const;
     void still_new_rooms();
+    [[nodiscard]] double volume_of(std::uint32_t cell) const;
     void bound_rooms(std::span<const glm::vec4> before, std::span<glm::vec4> after);
     [[nodiscard]] bool worked_on(std::span<const std::uint32_t> room) const;
     /// Of the prescribed winds at the end of the sub-step.

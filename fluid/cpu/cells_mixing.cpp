@@ -13,7 +13,7 @@ std::span<const glm::vec4> Cells::diffuse(std::span<const glm::vec4> field, floa
     if (!wind_.viscous(dt))
         return field;
     air.undiffused_time += dt;
-    const DiffusionMethod method = diffusion_method(config_.viscosity, air.undiffused_time, box().cell_size);
+    const DiffusionMethod method = diffusion_method(config_.viscosity, air.undiffused_time, box().finest());
     report.diffusion = method;
     if (method == DiffusionMethod::none)
         return field;
@@ -44,7 +44,8 @@ std::span<const glm::vec4> Cells::mix(std::span<const glm::vec4> field, float dt
                           .prescribed = gusting,
                           .wind_mixing = layer_->wind_mixing().empty() ? nullptr : layer_->wind_mixing().data(),
                           .wind_drag = layer_->wind_drag().data(),
-                          .cells_per_speed = dt / box().cell_size};
+                          .cells_per_speed = dt / box().cell_size,
+                          .row_scales = state.row_scales()};
     config_.parallel_for(box().cells.z, [&](int plane) { state.kernels->stress_plane(task, plane); });
     if (state.has_solids())
         state.solid_flow().extend(diffused_, prescribed());

@@ -92,6 +92,11 @@ bool Cells::worked_on(std::span<const std::uint32_t> room) const {
     });
 }
 
+// In cubes of the cell size.
+double Cells::volume_of(std::uint32_t cell) const {
+    return box().rows ? static_cast<double>(box().volume(work.state().solids->place_of(cell).y)) : 1.0;
+}
+
 // Without work the energy of a closed room does not grow. What the pressure's residual leaves at its walls would add some.
 void Cells::bound_rooms(std::span<const glm::vec4> before, std::span<glm::vec4> after) {
     const Stopwatch watch(work.state().obstacles_ms);
@@ -101,7 +106,7 @@ void Cells::bound_rooms(std::span<const glm::vec4> before, std::span<glm::vec4> 
         const auto energy = [&](std::span<const glm::vec4> field) {
             double sum = 0.0;
             for (const std::uint32_t cell : room)
-                sum += static_cast<double>(glm::dot(field[cell], field[cell]));
+                sum += volume_of(cell) * static_cast<double>(glm::dot(field[cell], field[cell]));
             return sum;
         };
         const double had = energy(before), has = energy(after);
@@ -146,10 +151,12 @@ void Cells::seal_sources(std::span<const detail::MotorReach> reached, Diagnostic
     if (expansion.empty())
         return;
     for_each_room([&](std::span<const std::uint32_t> room) {
-        double sum = 0.0;
-        for (const std::uint32_t cell : room)
-            sum += static_cast<double>(expansion[cell]);
-        const auto mean = static_cast<float>(sum / static_cast<double>(room.size()));
+        double sum = 0.0, whole = 0.0;
+        for (const std::uint32_t cell : room) {
+            sum += volume_of(cell) * static_cast<double>(expansion[cell]);
+            whole += volume_of(cell);
+        }
+        const auto mean = static_cast<float>(sum / whole);
         for (const std::uint32_t cell : room)
             expansion[cell] -= mean;
     });
@@ -180,8 +187,8 @@ std::span<const float> Cells::open_parts(std::span<const detail::MotorReach> rea
         for (int k = motor.low.z; k < motor.high.z; ++k)
             for (int j = motor.low.y; j < motor.high.y; ++j)
                 for (int i = motor.low.x; i < motor.high.x; ++i) {
-                    const glm::vec3 off = (glm::vec3(i, j, k) + 0.5f) * box().cell_size - motor.centre;
-                    const float weight = numerics::windrow_sphere_weight(off, motor.radius);
+                    const glm::vec3 off = box().centre(i, j, k) - motor.centre;
+                    const float weight = box().volume(j) * numerics::windrow_sphere_weight(off, motor.radius);
                     whole += weight;
                     const auto cell = static_cast<std::uint32_t>(box().index(i, j, k));
                     open += solids.inside(cell) || solids.in_room(cell) ? 0.0f : weight;

@@ -28,6 +28,8 @@ void diffuse_once(Workspace::State& state, std::span<const glm::vec4> field, flo
     }
     task.field = cpu::floats(field);
     task.ratio = ratio;
+    task.row_scales = state.row_scales();
+    task.links = state.box.rows ? state.box.rows->links().data() : nullptr;
     task.result = cpu::floats(result);
     state.parallel_for(state.box.cells.z, [&](int plane) { state.kernels->diffuse_plane(task, plane); });
     if (!state.has_solids())
@@ -52,7 +54,11 @@ void diffuse_component(Workspace::State& state, int component, std::span<const g
         for (int end = 0; end < 2; ++end)
             shares[axis][end] = axis == component ? 0.0f : wall_fraction(box.boundaries.at(axis, end), component, ambient);
     const auto edge = [&](int axis, int index) {
-        return (index == 0 ? shares[axis][0] : 0.0f) + (index == box.cells[axis] - 1 ? shares[axis][1] : 0.0f);
+        const float low = index == 0 ? shares[axis][0] : 0.0f, high = index == box.cells[axis] - 1 ? shares[axis][1] : 0.0f;
+        if (axis != 1 || !box.rows)
+            return low + high;
+        const auto links = box.rows->links().subspan(static_cast<std::size_t>(index), 2);
+        return box.row_scale(index) * (links[0] * low + links[1] * high);
     };
     // Along its own axis a wall's ghost mirrors u with opposite sign; about ambient this is -v - 2 ambient, with
     // ambient = 0 there.
@@ -88,7 +94,7 @@ Result<DiffusionMethod> diffuse(Workspace& work, std::span<const glm::vec4> fiel
     Workspace::State& state = work.state();
     assert(field.size() == state.box.cell_count() && result.size() == field.size() && field.data() != result.data());
     const float ratio = viscosity * dt / (state.box.cell_size * state.box.cell_size);
-    const DiffusionMethod method = diffusion_method(viscosity, dt, state.box.cell_size);
+    const DiffusionMethod method = diffusion_method(viscosity, dt, state.box.finest());
     if (method == DiffusionMethod::none) {
         std::copy(field.begin(), field.end(), result.begin());
     } else if (method == DiffusionMethod::one_pass) {

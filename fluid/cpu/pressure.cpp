@@ -21,6 +21,7 @@ cpu::DivergenceTask Workspace::State::divergence_task(const float* velocity, flo
     task.velocity = velocity;
     std::copy(&velocity_ghosts[0][0], &velocity_ghosts[0][0] + 6, &task.ghosts[0][0]);
     task.scale = scale;
+    task.row_scales = row_scales();
     return task;
 }
 
@@ -114,19 +115,12 @@ void project(Workspace& work, std::span<glm::vec4> velocity, std::span<glm::vec4
 
 void Workspace::State::solve_around(std::span<const glm::vec4> velocity, SolidSolve& around, const GradientNote& note) {
     const cpu::SolidFlow flow = solid_flow();
-    const std::span<const cpu::ClosedFace> faces = solids->faces();
     const std::span<const cpu::Solids::SurfaceCell> cells = solids->surface();
-    // Adds the slopes of all faces to what their cells hold, times a factor: B phi.
-    const auto add_masked = [&](std::span<const float> slope, float factor, std::span<float> terms) {
-        for (std::size_t n = 0; n < faces.size(); ++n) {
-            terms[faces[n].surface[0]] += factor * slope[n];
-            terms[faces[n].surface[1]] -= factor * slope[n];
-        }
-    };
+    // Over the volume, in which the operator is symmetric.
     const auto sum = [&](const auto& term) {
         double total = 0.0;
         for (std::size_t n = 0; n < cells.size(); ++n)
-            total += term(n);
+            total += static_cast<double>(cells[n].volume) * term(n);
         return total;
     };
     // Inside a body no value matters.
@@ -138,18 +132,15 @@ void Workspace::State::solve_around(std::span<const glm::vec4> velocity, SolidSo
     const double wanted = norm([&](std::size_t n) { return static_cast<double>(potential[cells[n].potential]); });
     const float guess = around.guess_scale;
     if (guess > 0.0f)
-        for (std::size_t n = 0; n < faces.size(); ++n) {
-            potential[faces[n].potential[0]] += guess * solid_terms[n];
-            potential[faces[n].potential[1]] -= guess * solid_terms[n];
-        }
+        flow.add_masked(solid_terms, guess, {potential.data(), potential.size()}, true);
     watch.reset();
     pressure.solve(potential.data(), scratch.data(), parallel_for);
     watch.emplace(obstacles_ms);
     flow.closed_slopes(potential.data(), closed_slopes);
     std::fill(residual_terms.begin(), residual_terms.end(), 0.0f);
-    add_masked(closed_slopes, 1.0f, residual_terms);
+    flow.add_masked(closed_slopes, 1.0f, residual_terms);
     if (guess > 0.0f)
-        add_masked(solid_terms, -guess, residual_terms);
+        flow.add_masked(solid_terms, -guess, residual_terms);
     const auto residual = [&] { return norm([&](std::size_t n) { return static_cast<double>(residual_terms[n]); }); };
 
     around.solved = 1;
@@ -174,7 +165,7 @@ void Workspace::State::solve_around(std::span<const glm::vec4> velocity, SolidSo
             applied_terms[n] = first ? residual_terms[n] : residual_terms[n] + beta * applied_terms[n];
         flow.closed_slopes(direction.data(), closed_slopes);
         std::copy(applied_terms.begin(), applied_terms.end(), masked_terms.begin());
-        add_masked(closed_slopes, -1.0f, masked_terms);
+        flow.add_masked(closed_slopes, -1.0f, masked_terms);
         const double bent = sum([&](std::size_t n) {
             return static_cast<double>(direction[cells[n].potential]) * static_cast<double>(masked_terms[n]);
         });
@@ -192,7 +183,7 @@ void Workspace::State::solve_around(std::span<const glm::vec4> velocity, SolidSo
         flow.closed_slopes(potential.data(), closed_slopes);
     around.residual = wanted > 0.0 ? static_cast<float>(left / wanted) : 0.0f;
     if (around.keeps_terms)
-        for (std::size_t n = 0; n < faces.size(); ++n)
+        for (std::size_t n = 0; n < solid_terms.size(); ++n)
             solid_terms[n] = note.weight * closed_slopes[n] + note.kept * solid_terms[n];
 }
 
@@ -237,13 +228,17 @@ void Workspace::State::project(std::span<glm::vec4> velocity, std::span<const fl
                                const cpu::FreeAir* beyond, SolidSolve* around) {
     assert(velocity.size() == box.cell_count() && (note.field.empty() || note.field.size() == velocity.size()));
     assert(expansion.empty() || expansion.size() == velocity.size());
+    // Of what L takes from a neighbour's value.
+    const auto link = [&](glm::ivec3 cell, int axis, int end) {
+        return axis == 1 && box.rows ? box.row_scale(cell.y) * box.rows->links()[static_cast<std::size_t>(cell.y + end)] : 1.0f;
+    };
     divergence_to_potential(cpu::floats(velocity), 0.5f);
     if (!expansion.empty())
         subtract_from_potential(expansion, box.cell_size);
     if (beyond != nullptr)
         for_each_open_end([&](glm::ivec3 cell, int axis, int end) {
             potential[(static_cast<std::size_t>(cell.z) * box.cells.y + cell.y) * pressure.pitch() + cell.x] -=
-                beyond->at(cell, axis, end);
+                link(cell, axis, end) * beyond->at(cell, axis, end);
         });
     SolidSolve alone{.solves = k_most_solves, .tolerance = k_operator_tolerance};
     if (has_solids())
@@ -258,6 +253,7 @@ void Workspace::State::project(std::span<glm::vec4> velocity, std::span<const fl
     task.potential = potential.data();
     std::copy(&potential_ghosts[0][0], &potential_ghosts[0][0] + 6, &task.ghosts[0][0]);
     task.scale = 0.5f;
+    task.row_scales = row_scales();
     task.velocity = cpu::floats(velocity);
     task.gradient = cpu::floats(note.field);
     task.weight = note.weight;
@@ -270,7 +266,8 @@ void Workspace::State::project(std::span<glm::vec4> velocity, std::span<const fl
     }
     if (beyond != nullptr)
         for_each_open_end([&](glm::ivec3 cell, int axis, int end) {
-            velocity[box.index(cell.x, cell.y, cell.z)][axis] -= (end == 0 ? -0.5f : 0.5f) * beyond->at(cell, axis, end);
+            velocity[box.index(cell.x, cell.y, cell.z)][axis] -=
+                (end == 0 ? -0.5f : 0.5f) * (axis == 1 ? box.row_scale(cell.y) : 1.0f) * beyond->at(cell, axis, end);
         });
 }
 

@@ -169,7 +169,7 @@ void Solids::close_rooms() {
             faces_.push_back({.cell = {low, high},
                               .potential = {potential_of(low_place), potential_of(place_of(high))},
                               .closed = 1.0f,
-                              .wall = body.moves() ? body.velocity_at(place * box_.cell_size)[axis] : 0.0f,
+                              .wall = body.moves() ? body.velocity_at(box_.metres(place))[axis] : 0.0f,
                               .body = body_of_[other],
                               .place = {static_cast<std::uint16_t>(low_place.x), static_cast<std::uint16_t>(low_place.y),
                                         static_cast<std::uint16_t>(low_place.z)},

@@ -25,6 +25,8 @@ Result<void> advect(Workspace& work, const ScalarTransport& transport, std::span
     pad.carried = pad.velocity = cpu::floats(transport.velocity);
     pad.relaxation = 1.0f;
     pad.padded_carried = state.padded_carried.data();
+    pad.padded_trace = box.rows ? state.padded_trace.data() : nullptr;
+    pad.row_scales = state.row_scales();
     const glm::ivec3 padded = box.cells + cpu::k_halo;
     state.parallel_for(padded.z, [&](int plane) {
         state.kernels->pad_plane(pad, plane);
@@ -40,7 +42,7 @@ Result<void> advect(Workspace& work, const ScalarTransport& transport, std::span
 
     cpu::AdvectTask task = state.advect_task();
     task.velocity = pad.velocity;
-    task.padded_trace = pad.padded_carried;
+    task.padded_trace = box.rows ? pad.padded_trace : pad.padded_carried;
     task.padded_carried = state.padded_scalar.data();
     task.result = result.data();
     task.cells_per_speed = transport.dt / box.cell_size;

@@ -3,6 +3,8 @@
 #include "fluid/box.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace windrow::cpu {
 namespace {
@@ -13,7 +15,23 @@ constexpr int round_up(int value) {
 
 // The one column of a singular box whose tridiagonal system has no inverse: solved in double for mean 0.
 // x[j+1] - x[j] = flux + d[0] + .. + d[j]; walls give flux 0, a periodic axis the flux that closes the ring.
-void solve_singular_column(const double* d, int rows, bool periodic, float* column) {
+// In rows of unequal thickness d counts by thickness, and a flux makes a difference of its own.
+void solve_singular_column(const double* d, int rows, bool periodic, const ColumnRows& law, float* column) {
+    if (!law.empty()) {
+        double mean = 0.0, whole = 0.0, x_mean = 0.0, flux = 0.0;
+        for (std::size_t j = 0; j < law.thickness.size(); ++j)
+            mean += law.thickness[j] * d[j], whole += law.thickness[j];
+        mean /= whole;
+        double x[k_max_axis_cells] = {};
+        for (std::size_t j = 0; j + 1 < law.thickness.size(); ++j) {
+            flux += law.thickness[j] * (d[j] - mean);
+            x[j + 1] = x[j] + flux / law.links[j + 1];
+            x_mean += law.thickness[j + 1] * x[j + 1] / whole;
+        }
+        for (int j = 0; j < rows; ++j)
+            column[j * k_lanes] = static_cast<float>(x[j] - x_mean);
+        return;
+    }
     double mean = 0.0;
     for (int j = 0; j < rows; ++j)
         mean += d[j] / rows;
@@ -49,11 +67,25 @@ SeparableSolver::Matrix::Matrix(const std::vector<double>& values, int n)
         }
 }
 
-SeparableSolver::SeparableSolver(glm::ivec3 cells, const Ends& ends, const Kernels& kernels)
+ColumnRows::ColumnRows(const RowTable& rows, double cell_size) {
+    for (int j = 0; j < rows.count(); ++j)
+        thickness.push_back(rows.thickness(j) / cell_size);
+    for (int face = 0; face <= rows.count(); ++face)
+        links.push_back(cell_size / (rows.height(face) - rows.height(face - 1)));
+    scales.push_back(1.0 / std::sqrt(links[1]));
+    for (std::size_t j = 1; j < thickness.size(); ++j)
+        scales.push_back(1.0 / (links[j] * scales[j - 1]));
+}
+
+SeparableSolver::SeparableSolver(glm::ivec3 cells, const Ends& ends, const Kernels& kernels, ColumnRows rows)
     : cells_(cells), ends_(ends), kernels_(&kernels), basis_x_(cells.x, ends[0][0], ends[0][1]),
       basis_z_(cells.z, ends[2][0], ends[2][1]), x_even_(basis_x_.even, basis_x_.even_size),
       x_odd_(basis_x_.odd, basis_x_.odd_size), z_even_(basis_z_.even, basis_z_.even_size),
-      z_odd_(basis_z_.odd, basis_z_.odd_size) {
+      z_odd_(basis_z_.odd, basis_z_.odd_size), rows_(std::move(rows)) {
+    for (std::size_t j = 0; j < rows_.scales.size(); ++j) {
+        scale_in_.push_back(static_cast<float>(rows_.scales[j] * rows_.thickness[j]));
+        scale_out_.push_back(static_cast<float>(rows_.scales[j]));
+    }
     for (AxisBasis* const basis : {&basis_x_, &basis_z_}) { // copied to the matrices
         basis->even = std::vector<double>();
         basis->odd = std::vector<double>();
@@ -134,8 +166,8 @@ void SeparableSolver::factor_block(int block) {
                 continue;
             }
             std::array<double, 2> factors{};
-            factor_column(base, ends_[1], {pivot, static_cast<std::size_t>(rows)}, {vector, static_cast<std::size_t>(rows)},
-                          factors);
+            factor_column(base, ends_[1], rows_, {pivot, static_cast<std::size_t>(rows)},
+                          {vector, static_cast<std::size_t>(rows)}, factors);
             for (int j = 0; j < rows; ++j)
                 pivots_[at + j * k_lanes] = static_cast<float>(pivot[j]);
             if (!cyclic_)
@@ -202,9 +234,10 @@ void SeparableSolver::solve_block(int block, float* data, float* scratch) const 
             saved[j] = column[j * k_lanes];
     kernels_->tridiagonal(
         {work, stride, pivots_.data() + block * pivots, cyclic_ ? cyclic_vectors_.data() + block * pivots : nullptr,
-         cyclic_ ? cyclic_factors_.data() + static_cast<std::ptrdiff_t>(block) * modes * 2 * k_lanes : nullptr, modes, rows});
+         cyclic_ ? cyclic_factors_.data() + static_cast<std::ptrdiff_t>(block) * modes * 2 * k_lanes : nullptr, modes, rows,
+         scale_in_.empty() ? nullptr : scale_in_.data(), scale_out_.empty() ? nullptr : scale_out_.data()});
     if (holds_singular)
-        solve_singular_column(saved, rows, ends_[1][0] == EndRule::periodic, column);
+        solve_singular_column(saved, rows, ends_[1][0] == EndRule::periodic, rows_, column);
     for (int j = 0; j < rows; ++j) {
         const float* const in = work + j * k_lanes;
         kernels_->multiply({z_even_.forward.data(), z_even_.stride, in, stride, line, k_lanes, even, k_lanes, even});
@@ -221,11 +254,18 @@ void SeparableSolver::solve(float* data, float* scratch, const ParallelFor& para
     parallel_for(cells_.z, [&](int plane) { modes_to_rows(plane, data, scratch); });
 }
 
-void factor_column(double base, const std::array<EndRule, 2>& ends, std::span<double> pivot, std::span<double> vector,
-                   std::array<double, 2>& factors) {
+void factor_column(double base, const std::array<EndRule, 2>& ends, const ColumnRows& law, std::span<double> pivot,
+                   std::span<double> vector, std::array<double, 2>& factors) {
     const int rows = static_cast<int>(pivot.size());
     const bool cyclic = is_cyclic(ends, rows);
     const auto diagonal = [&](int j) {
+        if (!law.empty()) {
+            const auto row = static_cast<std::size_t>(j);
+            const double low = law.links[row], high = law.links[row + 1];
+            const double ends_add =
+                (j == 0 ? diagonal_correction(ends[0]) * low : 0.0) + (j == rows - 1 ? diagonal_correction(ends[1]) * high : 0.0);
+            return law.scales[row] * law.scales[row] * (law.thickness[row] * (base + 2.0) - low - high + ends_add);
+        }
         if (rows == 1 && ends[0] == EndRule::periodic)
             return base + 2.0;
         double value = base;

@@ -21,10 +21,12 @@
 #include "fluid/cpu/basis.h"
 #include "fluid/cpu/kernels/kernels.h"
 #include "fluid/parallel.h"
+#include "fluid/rows.h"
 
 #include <array>
 #include <cstddef>
 #include <glm/vec3.hpp>
+#include <vector>
 
 namespace windrow::cpu {
 
@@ -40,16 +42,32 @@ namespace windrow::cpu {
     return ends[0] == EndRule::periodic && rows > 1;
 }
 
+// Rows of unequal thickness e (in cells) with links c = 1 / distance between centres: row j times e,
+//
+//   c[j] p[j-1] + (e lambda - c[j] - c[j+1]) p[j] + c[j+1] p[j+1] = e d[j],
+//
+// is symmetric. With p = s x, s[0] = c[1]^(-1/2), s[j+1] = 1 / (c[j+1] s[j]), and the row times s, the off-diagonals are 1 again:
+// the right-hand side is s e d, and b = s^2 (e lambda - c[j] - c[j+1]).
+struct ColumnRows {
+    ColumnRows() = default;
+    explicit ColumnRows(const RowTable& rows, double cell_size);
+
+    [[nodiscard]] bool empty() const { return thickness.empty(); }
+    std::vector<double> thickness; ///< e
+    std::vector<double> links;     ///< c by face, one more
+    std::vector<double> scales;    ///< s
+};
+
 /// Fills `pivot`, one a row; for a periodic column `vector` too, one a row, and the factors on the first and the last row by
-/// which it is taken off. `base` is -2 plus the eigenvalues of the other axes, less the shift.
-void factor_column(double base, const std::array<EndRule, 2>& ends, std::span<double> pivot, std::span<double> vector,
-                   std::array<double, 2>& factors);
+/// which it is taken off. `base` is -2 plus the eigenvalues of the other axes, less the shift. `rows`: empty where all are equal.
+void factor_column(double base, const std::array<EndRule, 2>& ends, const ColumnRows& rows, std::span<double> pivot,
+                   std::span<double> vector, std::array<double, 2>& factors);
 
 class SeparableSolver {
   public:
     using Ends = std::array<std::array<EndRule, 2>, 3>;
 
-    SeparableSolver(glm::ivec3 cells, const Ends& ends, const Kernels& kernels);
+    SeparableSolver(glm::ivec3 cells, const Ends& ends, const Kernels& kernels, ColumnRows rows = {});
 
     /// Floats from row to row of `data`.
     [[nodiscard]] int pitch() const { return pitch_; }
@@ -90,7 +108,9 @@ class SeparableSolver {
     Matrix x_even_, x_odd_, z_even_, z_odd_;
     int odd_offset_ = 0; ///< lane of the first odd mode of x
     int pitch_ = 0;
-    bool cyclic_ = false; ///< periodic y
+    ColumnRows rows_;
+    std::vector<float> scale_in_, scale_out_; ///< by row: s e, s; empty where all rows are equal
+    bool cyclic_ = false;                     ///< periodic y
     bool singular_ = false;
     double shift_ = -1.0;
     Buffer<float> pivots_;         ///< [pitch / k_lanes][cells.z][cells.y][k_lanes]

@@ -11,6 +11,20 @@ namespace windrow::cpu {
 
 namespace {
 
+// Factors of a face beside those of cubes: on what the operator takes from the slope over it, and on what passes it into its cells.
+struct FaceScales {
+    float link = 1.0f, cell[2] = {1.0f, 1.0f};
+
+    FaceScales(const Box& box, const ClosedFace& face) {
+        if (!box.rows || face.axis != 1)
+            return;
+        const std::size_t low = face.place[1];
+        link = box.rows->links()[low + 1];
+        cell[0] = box.rows->scales()[low];
+        cell[1] = box.rows->scales()[low + 1];
+    }
+};
+
 // `push` holds the sum of the potential over its surface.
 Push finished(Push push, float cell_size) {
     if (push.wetted > 0.0)
@@ -68,10 +82,11 @@ void SolidFlow::close_divergence(std::span<const glm::vec4> velocity, const Pres
         if (prescribed)
             both += ambient_at(given, face.cell[0])[face.axis] + ambient_at(given, face.cell[1])[face.axis];
         const float flux = 0.5f * face.closed * both - (bodies_move ? face.wall : 0.0f);
+        const FaceScales scales(box_, face);
         for (int end = 0; end < 2; ++end)
             if (!face.shut[end])
                 potential[face.potential[end]] +=
-                    (end == 0 ? -1.0f : 1.0f) * (flux - (rooms ? blown_past(given, face, end) : 0.0f));
+                    (end == 0 ? -scales.cell[end] : scales.cell[end]) * (flux - (rooms ? blown_past(given, face, end) : 0.0f));
     }
 }
 
@@ -92,16 +107,31 @@ void SolidFlow::closed_slopes(const float* potential, std::span<float> slope) co
         slope[n] = faces[n].closed * (potential[faces[n].potential[1]] - potential[faces[n].potential[0]]);
 }
 
+void SolidFlow::add_masked(std::span<const float> slope, float factor, std::span<float> terms, bool potential) const {
+    const std::span<const ClosedFace> faces = solids_.faces();
+    for (std::size_t n = 0; n < faces.size(); ++n) {
+        const ClosedFace& face = faces[n];
+        const std::uint32_t* const at = potential ? face.potential : face.surface;
+        const FaceScales scales(box_, face);
+        const float passed = factor * (scales.link * slope[n]);
+        terms[at[0]] += scales.cell[0] * passed;
+        terms[at[1]] -= scales.cell[1] * passed;
+    }
+}
+
 void SolidFlow::open_gradient(std::span<const float> slope, std::span<glm::vec4> velocity, std::span<glm::vec4> note,
                               float weight) const {
     const std::span<const ClosedFace> faces = solids_.faces();
-    for (std::size_t n = 0; n < faces.size(); ++n)
-        for (const std::uint32_t cell : faces[n].cell) {
-            const float fix = 0.5f * slope[n];
+    for (std::size_t n = 0; n < faces.size(); ++n) {
+        const FaceScales scales(box_, faces[n]);
+        for (int end = 0; end < 2; ++end) {
+            const std::uint32_t cell = faces[n].cell[end];
+            const float fix = 0.5f * scales.cell[end] * slope[n];
             velocity[cell][faces[n].axis] += fix;
             if (!note.empty())
                 note[cell][faces[n].axis] -= weight * fix;
         }
+    }
 }
 
 void SolidFlow::hold_bodies(const PrescribedFlow& given, bool bodies_move, std::span<glm::vec4> velocity) const {
@@ -110,7 +140,7 @@ void SolidFlow::hold_bodies(const PrescribedFlow& given, bool bodies_move, std::
         const PlacedObstacle& body = solids_.bodies()[cell.body];
         glm::vec3 u(0.0f);
         if (bodies_move && body.moves())
-            u = body.velocity_at((glm::vec3(solids_.place_of(cell.cell)) + 0.5f) * box_.cell_size);
+            u = body.velocity_at(box_.metres(glm::vec3(solids_.place_of(cell.cell)) + 0.5f));
         if (prescribed)
             u -= given_at(given, cell.cell);
         velocity[cell.cell] = glm::vec4(u, 0.0f);
@@ -121,9 +151,10 @@ void SolidFlow::hold_bodies(const PrescribedFlow& given, bool bodies_move, std::
 float SolidFlow::central_divergence(std::span<const glm::vec4> velocity, const Solids::SurfaceCell& cell) const {
     const std::size_t n = cell.cell, row = static_cast<std::size_t>(box_.cells.x),
                       plane = row * static_cast<std::size_t>(box_.cells.y);
+    const float along_rows = 1.0f / cell.volume;
     if (!cell.edge)
-        return 0.5f * ((velocity[n + 1].x - velocity[n - 1].x) +
-                       ((velocity[n + row].y - velocity[n - row].y) + (velocity[n + plane].z - velocity[n - plane].z)));
+        return 0.5f * ((velocity[n + 1].x - velocity[n - 1].x) + (along_rows * (velocity[n + row].y - velocity[n - row].y) +
+                                                                  (velocity[n + plane].z - velocity[n - plane].z)));
     const glm::ivec3 place = solids_.place_of(cell.cell);
     float sum = 0.0f;
     for (int axis = 0; axis < 3; ++axis)
@@ -137,6 +168,8 @@ float SolidFlow::central_divergence(std::span<const glm::vec4> velocity, const S
             } else {
                 source[axis] += end == 0 ? -1 : 1;
             }
+            if (axis == 1)
+                scale *= along_rows;
             sum += scale * velocity[box_.index(source.x, source.y, source.z)][axis];
         }
     return sum;
@@ -148,8 +181,9 @@ double SolidFlow::correct_divergence(std::span<const glm::vec4> velocity, std::s
     for (const ClosedFace& face : solids_.faces()) {
         const float passed =
             0.5f * face.closed * (velocity[face.cell[0]][face.axis] + velocity[face.cell[1]][face.axis]) - face.wall;
-        flux[face.surface[0]] -= passed;
-        flux[face.surface[1]] += passed;
+        const FaceScales scales(box_, face);
+        flux[face.surface[0]] -= scales.cell[0] * passed;
+        flux[face.surface[1]] += scales.cell[1] * passed;
     }
     double found = 0.0;
     const std::span<const Solids::SurfaceCell> cells = solids_.surface();
@@ -166,7 +200,7 @@ double SolidFlow::correct_divergence(std::span<const glm::vec4> velocity, std::s
 // Of the faces of bodies, one after another.
 class SolidFlow::FacePush {
   public:
-    FacePush(const Box& box, const float* potential) : potential_(potential), h_(box.cell_size) {
+    FacePush(const Box& box, const float* potential) : box_(box), potential_(potential), h_(box.cell_size) {
         for (int axis = 0; axis < 3; ++axis)
             if (box.boundaries.periodic(axis))
                 period_[axis] = h_ * box.cells[axis];
@@ -174,23 +208,27 @@ class SolidFlow::FacePush {
     void add(const ClosedFace& face, const glm::dvec3& position, Push& push) const;
 
   private:
+    const Box& box_;
     const float* potential_;
     double h_;
     glm::dvec3 period_{0.0}; ///< [m] 0: not periodic
 };
 
 void SolidFlow::FacePush::add(const ClosedFace& face, const glm::dvec3& position, Push& push) const {
+    const double area = face.axis == 1 ? 1.0 : static_cast<double>(box_.volume(face.place[1])); // over that of a cube's face
     double held = 0.0;
     for (int end = 0; end < 2; ++end)
         if (!face.shut[end]) {
-            const double here = static_cast<double>(face.closed) * static_cast<double>(potential_[face.potential[end]]);
+            const double here = area * static_cast<double>(face.closed) * static_cast<double>(potential_[face.potential[end]]);
             held += end == 0 ? here : -here;
             push.potential += here;
-            push.wetted += static_cast<double>(face.closed);
+            push.wetted += area * static_cast<double>(face.closed);
         }
     glm::dvec3 place = glm::dvec3(face.place[0], face.place[1], face.place[2]) + 0.5;
     place[face.axis] += 0.5;
     glm::dvec3 arm = h_ * place - position;
+    if (box_.rows)
+        arm.y = box_.rows->height_at(place.y) - position.y;
     for (int axis = 0; axis < 3; ++axis)
         if (period_[axis] > 0.0) // from its nearest image
             arm[axis] -= period_[axis] * std::round(arm[axis] / period_[axis]);
@@ -232,7 +270,7 @@ glm::vec3 SolidFlow::wall_at(const ClosedFace& face) const {
         return glm::vec3(0.0f);
     glm::vec3 place = glm::vec3(face.place[0], face.place[1], face.place[2]) + 0.5f;
     place[face.axis] += 0.5f;
-    return body.velocity_at(place * box_.cell_size);
+    return body.velocity_at(box_.metres(place));
 }
 
 void SolidFlow::close_diffusion(std::span<const glm::vec4> field, const PrescribedFlow& given, float ratio,
@@ -241,6 +279,7 @@ void SolidFlow::close_diffusion(std::span<const glm::vec4> field, const Prescrib
     for (const ClosedFace& face : solids_.faces()) {
         const bool sticks = solids_.bodies()[face.body].surface == Surface::no_slip;
         const glm::vec3 wall = wall_at(face);
+        const FaceScales scales(box_, face);
         for (int end = 0; end < 2; ++end) {
             const glm::vec3 here(field[face.cell[end]]), next(field[face.cell[1 - end]]);
             const glm::vec3 stuck = 2.0f * (wall - (prescribed ? given_at(given, face.cell[end]) : glm::vec3(0.0f)) - here);
@@ -249,7 +288,8 @@ void SolidFlow::close_diffusion(std::span<const glm::vec4> field, const Prescrib
                 flux = stuck;
             else
                 flux[face.axis] = stuck[face.axis];
-            result[face.cell[end]] += glm::vec4(ratio * face.closed * (flux - (next - here)), 0.0f);
+            result[face.cell[end]] +=
+                glm::vec4(ratio * scales.cell[end] * scales.link * face.closed * (flux - (next - here)), 0.0f);
         }
     }
 }
@@ -259,8 +299,10 @@ void SolidFlow::drag_along_walls(const PrescribedFlow& given, float ratio, std::
     for (const ClosedFace& face : solids_.faces()) {
         const bool sticks = solids_.bodies()[face.body].surface == Surface::no_slip;
         const glm::vec3 wall = wall_at(face);
-        const float way = 2.0f * ratio * face.closed, part = way / (1.0f + way);
-        for (const std::uint32_t cell : face.cell) {
+        const FaceScales scales(box_, face);
+        for (int end = 0; end < 2; ++end) {
+            const std::uint32_t cell = face.cell[end];
+            const float way = 2.0f * ratio * scales.cell[end] * scales.link * face.closed, part = way / (1.0f + way);
             const glm::vec3 apart = wall - (prescribed ? given_at(given, cell) : glm::vec3(0.0f)) - glm::vec3(field[cell]);
             for (int axis = 0; axis < 3; ++axis)
                 if (sticks || axis == face.axis)

@@ -42,8 +42,10 @@ class SolidFlow {
     /// Divergence of surface and inside cells, as their closed faces have it; `potential` holds that of the empty box.
     void close_divergence(std::span<const glm::vec4> velocity, const PrescribedFlow& given, bool bodies_move,
                           float* potential) const;
-    /// slope[n] = closed times the potential's difference over face n: cells take + at the low end and - at the high one, B phi.
+    /// slope[n] = closed times the potential's difference over face n.
     void closed_slopes(const float* potential, std::span<float> slope) const;
+    /// terms += factor times B phi of such slopes, in surface cells; `potential`: in the rows of the direct solve.
+    void add_masked(std::span<const float> slope, float factor, std::span<float> terms, bool potential = false) const;
     /// Takes the closed faces' slopes off the gradient: velocity += fix, note -= weight * fix. `note` may be empty.
     void open_gradient(std::span<const float> slope, std::span<glm::vec4> velocity, std::span<glm::vec4> note,
                        float weight) const;

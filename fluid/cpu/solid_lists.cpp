@@ -106,7 +106,7 @@ void Solids::close_at_open_ends() {
                 glm::vec3 middle = glm::vec3(cell) + 0.5f;
                 middle[axis] += 0.5f * static_cast<float>(side);
                 face.wall = face.closed > 0.0f ? face.wall / face.closed
-                            : body.moves()     ? body.velocity_at(middle * box_.cell_size)[axis]
+                            : body.moves()     ? body.velocity_at(box_.metres(middle))[axis]
                                                : 0.0f;
                 face.closed = 1.0f;
             }
@@ -164,7 +164,7 @@ void Solids::collect_surface() {
     for_each_flagged(k_surface, [&](std::uint32_t n, glm::ivec3 place) {
         const bool edge = glm::any(glm::equal(place, glm::ivec3(0))) || glm::any(glm::equal(place, box_.cells - 1));
         surface_of_[n] = static_cast<std::uint32_t>(surface_.size());
-        surface_.push_back({n, potential_of(place), (flags_[n] & k_shut) != 0, edge});
+        surface_.push_back({n, potential_of(place), box_.volume(place.y), (flags_[n] & k_shut) != 0, edge});
     });
     for (ClosedFace& face : faces_)
         for (int end = 0; end < 2; ++end)
@@ -254,7 +254,7 @@ void Solids::find_thin_bodies() {
     thin_bodies_.clear();
     thinnest_ = k_farthest_thin;
     for (const PlacedObstacle& body : bodies_) {
-        const float thickness = detail::thickness(body.shape) / box_.cell_size;
+        const float thickness = detail::thickness(body.shape) / box_.coarsest();
         thinnest_ = std::min(thinnest_, thickness);
         thin_bodies_.push_back(thickness < static_cast<float>(reach_));
     }

@@ -106,6 +106,8 @@ void Solids::place(std::span<const PlacedObstacle> obstacles, glm::ivec3 shift) 
     bodies_.assign(obstacles.begin(), obstacles.end());
     drawings_.swap(drawings_before_);
     for (Drawing& drawing : drawings_before_) {
+        if (box_.rows && shift.y != 0) // the rows lie elsewhere in the world
+            drawing.body.position.x = std::numeric_limits<float>::quiet_NaN();
         drawing.body.position -= glm::vec3(shift) * box_.cell_size;
         drawing.low -= shift;
         drawing.high -= shift;
@@ -165,8 +167,14 @@ Solids::Reach Solids::reach_of(const PlacedObstacle& obstacle, glm::ivec3 beyond
         half += glm::abs(obstacle.axes[axis]) * own[axis];
     const float h = box_.cell_size;
     const glm::vec3 least(-beyond), most(box_.cells + beyond);
-    return {glm::ivec3(glm::clamp(glm::floor((obstacle.position - half) / h) - 1.0f, least, most)),
-            glm::ivec3(glm::clamp(glm::ceil((obstacle.position + half) / h) + 1.0f, least, most))};
+    const auto place = [&](glm::vec3 metres) {
+        glm::vec3 cells = metres / h;
+        if (box_.rows)
+            cells.y = static_cast<float>(box_.rows->place(static_cast<double>(metres.y)));
+        return cells;
+    };
+    return {glm::ivec3(glm::clamp(glm::floor(place(obstacle.position - half)) - 1.0f, least, most)),
+            glm::ivec3(glm::clamp(glm::ceil(place(obstacle.position + half)) + 1.0f, least, most))};
 }
 
 bool Solids::still_holds(const Drawing& drawing, const PlacedObstacle& obstacle) const {
@@ -237,11 +245,15 @@ void Solids::draw(Drawing& drawing) {
 struct Solids::View {
     const PlacedObstacle& body;
     float cell_size;
+    const RowTable* rows;
+    float coarsest; // [cells] distance between two cells
     glm::mat3 to_own = glm::transpose(body.axes);
     glm::vec3 base{0.0f}, part{0.0f}; // [cells] the body's middle: whole cells and the rest
 
     // From the cell that holds the middle, so that a body has the same cells wherever the box is.
-    View(const PlacedObstacle& seen, glm::ivec3 offset, float h) : body(seen), cell_size(h) {
+    View(const PlacedObstacle& seen, glm::ivec3 offset, const Box& box)
+        : body(seen), cell_size(box.cell_size), rows(box.rows.get()), coarsest(box.coarsest() / box.cell_size) {
+        const float h = cell_size;
         const glm::dvec3 middle = glm::dvec3(body.position) / static_cast<double>(h) + glm::dvec3(offset);
         const glm::dvec3 whole = glm::floor(middle);
         base = glm::vec3(whole);
@@ -249,11 +261,15 @@ struct Solids::View {
     }
     // `beside`: the rest of a place that no float holds exactly.
     [[nodiscard]] glm::vec3 from_middle(glm::vec3 cell, glm::vec3 beside = glm::vec3(0.0f)) const {
-        return ((cell - base) - part + beside) * cell_size;
+        glm::vec3 away = ((cell - base) - part + beside) * cell_size;
+        if (rows != nullptr)
+            away.y = static_cast<float>(rows->height_at(static_cast<double>(cell.y + beside.y)) -
+                                        static_cast<double>(body.position.y));
+        return away;
     }
     [[nodiscard]] glm::vec3 own_place(glm::vec3 cell) const { return to_own * from_middle(cell); }
     [[nodiscard]] float distance(glm::vec3 cell) const { // [cells]
-        return detail::distance_to(body.shape, own_place(cell), k_far * cell_size) / cell_size;
+        return detail::distance_to(body.shape, own_place(cell), k_far * coarsest * cell_size) / cell_size;
     }
     [[nodiscard]] glm::vec3 velocity(glm::vec3 away) const { return body.velocity + glm::cross(body.spin, away); }
 };
@@ -266,7 +282,7 @@ float Solids::height_over(std::size_t number, glm::ivec3 cell) const {
     for (int z = -images.z; z <= images.z; ++z)
         for (int y = -images.y; y <= images.y; ++y)
             for (int x = -images.x; x <= images.x; ++x)
-                nearest = std::min(nearest, View(body, glm::ivec3(x, y, z) * box_.cells, box_.cell_size).distance(centre));
+                nearest = std::min(nearest, View(body, glm::ivec3(x, y, z) * box_.cells, box_).distance(centre));
     const Ground* const ground = std::get_if<Ground>(&body.shape);
     return ground != nullptr ? nearest / detail::nearness(*ground) : nearest;
 }
@@ -315,7 +331,7 @@ void Solids::draw_image(const PlacedObstacle& body, const Reach& reach, glm::ive
     const Reach corners{reach.low, reach.high + 1};
     if (reach.count() == 0)
         return;
-    const View view(body, offset, box_.cell_size);
+    const View view(body, offset, box_);
     depths_.resize(reach.count());
     distances_.resize(corners.count());
     const bool upright = body.axes[1] == glm::vec3(0.0f, 1.0f, 0.0f), flat = std::holds_alternative<Plate>(body.shape);
@@ -329,7 +345,7 @@ void Solids::draw_image(const PlacedObstacle& body, const Reach& reach, glm::ive
         const bool in = !flat && away <= 0.0f;
         if (in)
             draw_inside(view, reach, cell, away);
-        if (away > 2.0f || away < -2.0f)
+        if (std::abs(away) > 2.0f * view.coarsest)
             return;
         const glm::vec3 centre = glm::vec3(cell) + 0.5f;
         for (int axis = 0; axis < 3; ++axis) {
@@ -343,7 +359,7 @@ void Solids::draw_image(const PlacedObstacle& body, const Reach& reach, glm::ive
                 const auto at = [&](glm::ivec3 corner) { return distances_[corners.index(corner)]; };
                 closed = negative_fraction(at(face), at(face + one), at(face + one + other), at(face + other));
             }
-            if (closed < 1.0f && !in && away < 1.0f + k_touch) { // also where the next centre is on the surface
+            if (closed < 1.0f && !in && away < view.coarsest + k_touch) { // also where the next centre is on the surface
                 const glm::vec3 here = view.own_place(centre), beyond = view.own_place(centre + step);
                 if ((flat || detail::distance_to(body.shape, beyond) > 0.0f) && detail::blocks(body.shape, here, beyond))
                     closed = 1.0f;
@@ -362,7 +378,7 @@ void Solids::draw_inside(const View& view, const Reach& reach, glm::ivec3 cell, 
     constexpr float k_aligned = 0.1f; // a normal turned farther from the way outside is that of an edge
     const auto first = static_cast<std::uint32_t>(drawn_sides_.size());
     const glm::vec3 centre = glm::vec3(cell) + 0.5f;
-    for (std::uint32_t direction = 0; direction < 6 && away > -1.5f; ++direction) {
+    for (std::uint32_t direction = 0; direction < 6 && away > -1.5f * view.coarsest; ++direction) {
         glm::ivec3 step(0);
         step[static_cast<int>(direction / 2)] = direction % 2 == 0 ? -1 : 1;
         const glm::vec3 out(step);
@@ -390,6 +406,8 @@ void Solids::find_origins(std::span<const std::uint32_t> before, glm::ivec3 shif
     make_room(closes_new_, bodies_.size());
     origins.assign(faces_.size(), -1);
     closes_new_.assign(bodies_.size(), 0);
+    if (box_.rows && shift.y != 0)
+        before = {};
     std::size_t from = 0; // both lists are sorted by cell; a shift of the box does not change the order of the cells that stay
     for (std::size_t n = 0; n < faces_.size(); ++n) {
         const ClosedFace& face = faces_[n];

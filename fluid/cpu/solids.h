@@ -5,7 +5,8 @@
 //
 //   A = L - B,   (B phi)(cell) = sum over its faces of c (phi(neighbour) - phi(cell))
 //
-// L the 7-point Laplacian of the empty box. The gradient is the adjoint of the divergence: half of each open face's slope. A cell
+// L the 7-point Laplacian of the empty box. In rows of unequal thickness what passes a face across y is over the thickness of the
+// cell's row, and a slope of the operator there over the distance between the rows. The gradient is the adjoint of the divergence: half of each open face's slope. A cell
 // whose faces are all closed is shut. Faces between two shut cells count as open: they couple cells without any flow.
 //
 // Surface cells are those with a closed face. All work of a step runs over sorted lists of faces and cells: it is the same for
@@ -66,8 +67,9 @@ class Solids {
     /// A cell with a closed face.
     struct SurfaceCell {
         std::uint32_t cell = 0, potential = 0;
-        bool shut = false; ///< no open face
-        bool edge = false; ///< at a boundary of the box
+        float volume = 1.0f; ///< of the cell, in cubes of its size
+        bool shut = false;   ///< no open face
+        bool edge = false;   ///< at a boundary of the box
     };
     /// A cell whose centre is inside a body.
     struct InsideCell {

@@ -166,7 +166,7 @@ void SourceField::leave_out(std::size_t row, std::size_t cell) {
         expansion_[cell] = 0.0f;
 }
 
-void SourceField::gather(std::span<const MotorReach> motors, float cell_size, std::span<const glm::vec4> velocity,
+void SourceField::gather(std::span<const MotorReach> motors, const Box& box, std::span<const glm::vec4> velocity,
                          const numerics::TileView& tile, const ParallelFor& parallel_for,
                          std::span<const Solids::InsideCell> inside) {
     const auto any = [&](MotorReach::Law law) {
@@ -178,14 +178,14 @@ void SourceField::gather(std::span<const MotorReach> motors, float cell_size, st
     largest_force_ = largest_driven_ = 0.0f;
     if (motors.empty())
         return;
-    parallel_for(cells_.z, [&](int plane) { gather_plane(motors, cell_size, velocity, tile, inside, plane); });
+    parallel_for(cells_.z, [&](int plane) { gather_plane(motors, box, velocity, tile, inside, plane); });
     for (int k = 0; k < cells_.z; ++k) {
         largest_force_ = std::max(largest_force_, plane_largest_[k]);
         largest_driven_ = std::max(largest_driven_, plane_largest_driven_[k]);
     }
 }
 
-void SourceField::gather_plane(std::span<const MotorReach> motors, float cell_size, std::span<const glm::vec4> velocity,
+void SourceField::gather_plane(std::span<const MotorReach> motors, const Box& box, std::span<const glm::vec4> velocity,
                                const numerics::TileView& tile, std::span<const Solids::InsideCell> inside, int k) {
     // Hundreds of motors reach a box, a few of them a plane. Motors beyond this capacity are searched again in every row, which
     // is only slower.
@@ -204,6 +204,7 @@ void SourceField::gather_plane(std::span<const MotorReach> motors, float cell_si
         return std::lower_bound(inside.begin(), inside.end(), cell,
                                 [](const Solids::InsideCell& one, std::size_t n) { return one.cell < n; });
     };
+    const float cell_size = box.cell_size;
     auto next_inside = first_inside(static_cast<std::size_t>(k) * cells_.y * cells_.x);
     plane_largest_[k] = plane_largest_driven_[k] = 0.0f;
     for (int j = 0; j < cells_.y; ++j) {
@@ -211,7 +212,7 @@ void SourceField::gather_plane(std::span<const MotorReach> motors, float cell_si
         glm::vec4* const force_row = force_.data() + row * cells_.x;
         glm::vec4* const drives = drives_.data() + row * cells_.x;
         float* const expansion_row = expansion_.data() + row * cells_.x;
-        const glm::vec3 first_centre = cell_size * (glm::vec3(0, j, k) + 0.5f);
+        const glm::vec3 first_centre = box.centre(0, j, k);
         bool holds_force = false;
         int cleared[2] = {cells_.x, 0};
         int drive_low = cells_.x, drive_high = 0;
@@ -288,9 +289,11 @@ void FreeAir::gather(std::span<const MotorReach> motors, const Box& box, std::sp
             parallel_for(cells_[across], [&](int row) {
                 float* const values = side.data() + static_cast<std::size_t>(row) * count;
                 std::fill_n(values, count, 0.0f);
-                glm::vec3 p(0.0f);
-                p[axis] = end == 0 ? -0.5f : static_cast<float>(cells_[axis]) + 0.5f;
-                p[across] = static_cast<float>(row) + 0.5f;
+                glm::ivec3 first(0);
+                first[axis] = end == 0 ? -1 : cells_[axis];
+                first[across] = row;
+                glm::vec3 p = box.centre(first.x, first.y, first.z);
+                p[along] = 0.0f;
                 std::size_t source = 0;
                 for (const MotorReach& motor : motors) {
                     if (motor.law != MotorReach::Law::source)
@@ -299,21 +302,22 @@ void FreeAir::gather(std::span<const MotorReach> motors, const Box& box, std::sp
                     const float over_radius = 1.0f / motor.radius,
                                 strength = part * motor.push.x * over_radius / (12.5663706f * h);
                     for (int image = 0; image < 8; ++image) {
-                        glm::vec3 from = h * p - motor.extent;
+                        glm::vec3 from = p - motor.extent;
                         bool stands = true;
                         for (int turned = 0; turned < 3; ++turned) {
                             if ((image >> turned & 1) == 0)
                                 continue;
                             stands = stands && box.boundaries.has_solid(turned);
-                            const float wall =
-                                box.boundaries.at(turned, 1).solid() ? h * static_cast<float>(cells_[turned]) : 0.0f;
-                            from[turned] = h * p[turned] - (2.0f * wall - motor.extent[turned]);
+                            const float wall = box.boundaries.at(turned, 1).solid() ? box.size()[turned] : 0.0f;
+                            from[turned] = p[turned] - (2.0f * wall - motor.extent[turned]);
                         }
                         if (!stands)
                             continue;
                         const float off = from[axis] * from[axis] + from[across] * from[across], start = from[along];
+                        const bool by_rows = along == 1 && box.rows;
                         for (int i = 0; i < count; ++i) {
-                            const float way = start + h * (static_cast<float>(i) + 0.5f);
+                            const float way = start + (by_rows ? box.rows->centres()[static_cast<std::size_t>(i)]
+                                                               : h * (static_cast<float>(i) + 0.5f));
                             const float squared = (off + way * way) * over_radius * over_radius;
                             values[i] += strength * numerics::windrow_source_potential(squared);
                         }

@@ -22,7 +22,7 @@ class SourceField {
 
     /// A cell sums its motors in the order of `motors`; nothing acts on cells `inside` obstacles. `velocity` is read for
     /// largest_driven(), `tile` by motors with eddies.
-    void gather(std::span<const detail::MotorReach> motors, float cell_size, std::span<const glm::vec4> velocity,
+    void gather(std::span<const detail::MotorReach> motors, const Box& box, std::span<const glm::vec4> velocity,
                 const numerics::TileView& tile, const ParallelFor& parallel_for, std::span<const Solids::InsideCell> inside = {});
     /// Nothing acts on cells inside obstacles.
     void leave_out(std::span<const Solids::InsideCell> inside);
@@ -58,7 +58,7 @@ class SourceField {
     [[nodiscard]] std::size_t memory_bytes() const;
 
   private:
-    void gather_plane(std::span<const detail::MotorReach> motors, float cell_size, std::span<const glm::vec4> velocity,
+    void gather_plane(std::span<const detail::MotorReach> motors, const Box& box, std::span<const glm::vec4> velocity,
                       const numerics::TileView& tile, std::span<const Solids::InsideCell> inside, int plane);
 
     void leave_out(std::size_t row, std::size_t cell);

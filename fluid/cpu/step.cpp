@@ -297,7 +297,7 @@ void Cells::advance_in_place(float dt, Diagnostics& report) {
 void Cells::add_sources(const CellStep& step, bool other_obstacles, Diagnostics& report) {
     OuterStopwatch watch(report.times_ms.sources, work.state().obstacles_ms);
     const glm::vec4* const eddies = step.tile ? step.tile->texels().data() : nullptr;
-    sources.gather(step.motors, box().cell_size, air.velocity, {eddies}, config_.parallel_for, inside_bodies());
+    sources.gather(step.motors, box(), air.velocity, {eddies}, config_.parallel_for, inside_bodies());
     seal_sources(step.motors, report);
     if (acts_whole())
         act_whole(static_cast<float>(step.duration));

@@ -26,17 +26,24 @@ SurfaceLayer::SurfaceLayer(const Box& box, const Roughness& roughness)
     wind_mixing_.reserve(wind_drag_.size() + 1);
 }
 
-// Of the face above a cell at a height [m]. From 8 cells on a series of the logarithm, whose rest is below a float's rounding.
-float SurfaceLayer::mixing(float height, float roughness) const {
-    const float t = (height + roughness) / box_.cell_size;
+// [m] From the centre of a row to that of the next one.
+float SurfaceLayer::distance_above(int row) const {
+    return box_.rows ? static_cast<float>(box_.rows->height(row + 1) - box_.rows->height(row)) : box_.cell_size;
+}
+
+// Of the face above a cell of a row at a height [m]. From 8 cells on a series of the logarithm, whose rest is below a float's rounding.
+float SurfaceLayer::mixing(int row, float height, float roughness) const {
+    const float distance = distance_above(row), t = (height + roughness) / distance;
     const float length =
         k_karman * (t > 8.0f ? t + 0.5f - (1.0f / 12 - (1.0f / 24 - 19.0f / 720 / t) / t) / t : 1.0f / std::log1p(1.0f / t));
-    const float most = roughness_.longest_mixing > 0.0f ? roughness_.longest_mixing / box_.cell_size : length;
+    const float most = roughness_.longest_mixing > 0.0f ? roughness_.longest_mixing / distance : length;
     return std::min(length, most) * std::min(length, most);
 }
 
 // [m] Of a row of cells over a surface that is `height` below the row `first`.
 float SurfaceLayer::height_of(int row, int first, float height) const {
+    if (box_.rows)
+        return height + static_cast<float>(box_.rows->height(row) - box_.rows->height(first));
     return height + static_cast<float>(row - first) * box_.cell_size;
 }
 
@@ -72,7 +79,7 @@ void SurfaceLayer::renew_wind(const AmbientWind& around, const Window& window) {
         return;
     for (int j = 0; j <= box_.cells.y; ++j) {
         const float below = height_of(j - 1, 0, wind_height_), height = height_of(j, 0, wind_height_);
-        wind_mixing_.push_back(below > 0.0f ? mixing(below, profile->roughness_length) : 0.0f);
+        wind_mixing_.push_back(below > 0.0f ? mixing(j - 1, below, profile->roughness_length) : 0.0f);
         if (j < box_.cells.y && height > 0.0f)
             wind_drag_[j] = drag(height, profile->roughness_length);
     }
@@ -116,7 +123,7 @@ void SurfaceLayer::renew_plane(const Window& window, const Solids* solids, int p
             free = i;
         const float length = length_at(window, i, plane);
         int first = 0; // row over the last surface, and its height
-        float first_height = floor ? 0.5f * h : wind_height_;
+        float first_height = floor ? box_.centre(0, 0, 0).y : wind_height_;
         bool air_below = false;
         for (int j = 0; j <= cells.y; ++j) {
             const auto above = static_cast<std::uint32_t>(box_.index(i, std::min(j, cells.y - 1), plane)),
@@ -138,7 +145,7 @@ void SurfaceLayer::renew_plane(const Window& window, const Solids* solids, int p
             } else if ((air || (j == cells.y && open_above)) && (air_below || (j == 0 && open_below))) {
                 const float height = height_of(j - 1, first, first_height);
                 if (height > 0.0f)
-                    passes = mixing(height, length);
+                    passes = mixing(j - 1, height, length);
             }
             face(i, j) = passes;
             air_below = air;

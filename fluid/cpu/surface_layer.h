@@ -34,7 +34,7 @@ class SurfaceLayer {
                const ParallelFor& parallel_for);
 
     /// Of the faces across y, from the box's low end, one more than the cells; x fastest, then y, then z. Above 0 the square of the
-    /// mixing length over that of a cell; below 0, of a face that a surface closes, its drag coefficient C with the opposite sign,
+    /// mixing length over the distance between the two rows; below 0, of a face that a surface closes, its drag coefficient C with the opposite sign,
     /// for the cell above; 0 where nothing passes.
     [[nodiscard]] std::span<const float> faces() const { return faces_; }
     /// The same of the ambient wind, whose ground is level, one a row of faces; empty where it has no profile.
@@ -58,7 +58,8 @@ class SurfaceLayer {
     /// No obstacle is in a column.
     [[nodiscard]] bool leaves_free(const Solids& solids, int i, int k) const;
     [[nodiscard]] float over_grounds(const Solids& solids, glm::ivec3 cell) const;
-    [[nodiscard]] float mixing(float height, float roughness) const;
+    [[nodiscard]] float distance_above(int row) const;
+    [[nodiscard]] float mixing(int row, float height, float roughness) const;
     [[nodiscard]] float height_of(int row, int first, float height) const;
     [[nodiscard]] float length_at(const Window& window, int i, int k) const;
 

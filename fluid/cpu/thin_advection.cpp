@@ -130,7 +130,7 @@ class ThinReader {
                         for (int n = 0; n < Components; ++n)
                             sum[n] += source[n];
                         if (Components > 1 && had && blocked)
-                            sum[axis] += 2.0f * (wall(cell, axis, back) - source[axis]);
+                            sum[axis] += 2.0f * (scale_of(padded, cell, axis) * wall(cell, axis, back) - source[axis]);
                         count += 1.0f;
                     }
                     reached[z][y][x] = here;
@@ -189,7 +189,8 @@ class ThinReader {
     void advect(std::uint32_t n) const {
         const glm::ivec3 cell = solids_.place_of(n);
         const float* const u = task_.velocity + 4 * static_cast<std::size_t>(n);
-        const glm::vec3 speed = task_.cells_per_speed * glm::vec3(u[0], u[1], u[2]);
+        const float along_rows = task_.row_scales != nullptr ? task_.row_scales[cell.y] : 1.0f;
+        const glm::vec3 speed = task_.cells_per_speed * glm::vec3(u[0], along_rows * u[1], u[2]);
         bool mixed = false;
         float traced[4], value[Components];
         const Point start = walk(cell, -speed, mixed);
@@ -267,6 +268,12 @@ class ThinReader {
         return face(cell, axis, side, low) ? solids_.blocked(low, axis) : room_;
     }
 
+    // The trace counts rows along y.
+    float scale_of(const float* padded, glm::ivec3 cell, int axis) const {
+        return axis == 1 && task_.row_scales != nullptr && padded == task_.padded_trace ? task_.row_scales[inside(cell.y, 1)]
+                                                                                        : 1.0f;
+    }
+
     // Velocity across a closed face of its body, less the prescribed wind's.
     float wall(glm::ivec3 cell, int axis, int side) const {
         std::uint32_t low;
@@ -296,6 +303,17 @@ class ThinReader {
 
 } // namespace
 
+// [m/s] Largest component, along y in rows.
+float Workspace::State::fastest_by_rows(const float* velocity) const {
+    float most = 0.0f;
+    for (std::size_t row = 0, n = 0; n < 4 * box.cell_count(); ++row) {
+        const float scale = box.row_scale(static_cast<int>(row % static_cast<std::size_t>(box.cells.y)));
+        for (int i = 0; i < box.cells.x; ++i, n += 4)
+            most = std::max({most, std::abs(velocity[n]), scale * std::abs(velocity[n + 1]), std::abs(velocity[n + 2])});
+    }
+    return most;
+}
+
 void Workspace::State::advect_beside_thin_bodies(const cpu::AdvectTask& task, bool scalar, bool cubic) {
     if (!has_solids())
         return;
@@ -315,7 +333,9 @@ void Workspace::State::advect_beside_thin_bodies(const cpu::AdvectTask& task, bo
     };
     if (solids->any_thin()) {
         constexpr float k_extrapolated = 1.5f; // a trajectory's velocity over that of its cell
-        if (!fastest)
+        if (box.rows)
+            fastest = fastest_by_rows(task.velocity);
+        else if (!fastest)
             fastest = survey(task.velocity).largest_component;
         solids->reach_past_thin(k_extrapolated * task.cells_per_speed * *fastest);
         advect(solids->thin(), false);

@@ -22,15 +22,19 @@ Workspace::State::Rules rules_of(const Box& box, std::vector<cpu::HaloRule> (*of
     return {of(box, 0), of(box, 1), of(box, 2)};
 }
 
+cpu::ColumnRows column_rows(const Box& box) {
+    return box.rows ? cpu::ColumnRows(*box.rows, box.cell_size) : cpu::ColumnRows();
+}
+
 cpu::SeparableSolver pressure_of(const Box& box, const cpu::Kernels& kernels, const ParallelFor& parallel_for) {
-    cpu::SeparableSolver solver(box.cells, cpu::pressure_ends(box.boundaries), kernels);
+    cpu::SeparableSolver solver(box.cells, cpu::pressure_ends(box.boundaries), kernels, column_rows(box));
     solver.set_shift(0.0, parallel_for);
     return solver;
 }
 
 std::array<cpu::SeparableSolver, 3> diffusion_of(const Box& box, const cpu::Kernels& kernels) {
     const auto solver = [&](int component) {
-        return cpu::SeparableSolver(box.cells, cpu::velocity_ends(box.boundaries, component), kernels);
+        return cpu::SeparableSolver(box.cells, cpu::velocity_ends(box.boundaries, component), kernels, column_rows(box));
     };
     return {solver(0), solver(1), solver(2)};
 }
@@ -129,10 +133,23 @@ cpu::PlaneSurvey sum_of(const cpu::Buffer<cpu::PlaneSurvey>& planes) {
 
 } // namespace
 
+// Rows of unequal thickness count by it.
+void Workspace::State::survey_rows(const float* velocity, int plane, int first, int end, cpu::PlaneSurvey& found) const {
+    const int at_once = box.rows ? 1 : end - first;
+    for (int row = first; row < end; row += at_once) {
+        cpu::PlaneSurvey part =
+            kernels->survey(velocity + 4 * box.index(0, row, plane), static_cast<std::size_t>(at_once) * box.cells.x);
+        if (box.rows)
+            part.squares /= static_cast<double>(box.row_scale(row));
+        add(part, found);
+    }
+}
+
 cpu::PlaneSurvey Workspace::State::survey(const float* velocity) {
-    const std::size_t plane_cells = static_cast<std::size_t>(box.cells.x) * static_cast<std::size_t>(box.cells.y);
-    parallel_for(box.cells.z,
-                 [&](int plane) { surveys[plane] = kernels->survey(velocity + 4 * plane_cells * plane, plane_cells); });
+    parallel_for(box.cells.z, [&](int plane) {
+        surveys[plane] = {};
+        survey_rows(velocity, plane, 0, box.cells.y, surveys[plane]);
+    });
     return sum_of(surveys);
 }
 
@@ -147,8 +164,7 @@ cpu::PlaneSurvey Workspace::State::survey_with_divergence(const float* velocity,
         for (int row = 0; row < box.cells.y; row += rows_at_once) {
             const int end = std::min(row + rows_at_once, box.cells.y);
             found.divergence_squares += kernels->divergence_squares(task, wanted, plane, row, end);
-            add(kernels->survey(velocity + 4 * box.index(0, row, plane), static_cast<std::size_t>(end - row) * box.cells.x),
-                found);
+            survey_rows(velocity, plane, row, end, found);
         }
         surveys[plane] = found;
     });
@@ -176,7 +192,9 @@ Result<Workspace> Workspace::create(const Settings& settings) {
 }
 
 Result<void> Workspace::set_boundaries(const Boundaries& boundaries) {
-    if (auto valid = validate(boundaries); !valid)
+    Box wanted = box();
+    wanted.boundaries = boundaries;
+    if (auto valid = validate(wanted); !valid)
         return valid;
     return detail::where_memory_lasts([&]() -> Result<void> {
         state_->set_boundaries(boundaries);

@@ -66,6 +66,8 @@ struct Workspace::State {
     void set_ambient(glm::vec3 wind);
     void reserve_diffusion();
     [[nodiscard]] std::size_t padded_cells() const;
+    /// Of the rows, by row; null where all are equal.
+    [[nodiscard]] const float* row_scales() const { return box.rows ? box.rows->scales().data() : nullptr; }
     [[nodiscard]] std::size_t memory_bytes() const;
 
     /// An AdvectTask with the legal positions of this box; the caller sets fields and step.
@@ -104,11 +106,13 @@ struct Workspace::State {
     /// Replaces the obstacles. Faces keep their terms; `shift`: cells by which the box has moved since.
     void set_obstacles(std::span<const cpu::PlacedObstacle> obstacles, glm::ivec3 shift = glm::ivec3(0));
     void still_rooms(const cpu::PadTask& pad);
+    [[nodiscard]] float fastest_by_rows(const float* velocity) const;
     void advect_beside_thin_bodies(const cpu::AdvectTask& task, bool scalar, bool cubic);
     [[nodiscard]] cpu::SolidFlow solid_flow() const { return {*solids, box}; }
     [[nodiscard]] bool has_solids() const { return solids && solids->any(); }
     /// Sum of the planes' reductions, in order of the planes.
     [[nodiscard]] cpu::PlaneSurvey survey(const float* velocity);
+    void survey_rows(const float* velocity, int plane, int first, int end, cpu::PlaneSurvey& found) const;
     /// The same, and the central divergence [1/s], less the prescribed one where `expansion` is not empty.
     [[nodiscard]] cpu::PlaneSurvey survey_with_divergence(const float* velocity, std::span<const float> expansion);
 

@@ -245,7 +245,7 @@ std::span<const detail::MotorReach> Air::uncovered(std::span<const detail::Motor
         for (int k = motor.low.z; k < motor.high.z; ++k)
             for (int j = motor.low.y; j < motor.high.y; ++j)
                 for (int i = motor.low.x; i < motor.high.x; ++i) {
-                    const glm::vec3 off = (glm::vec3(i, j, k) + 0.5f) * config_.cell_size - motor.centre;
+                    const glm::vec3 off = box().centre(i, j, k) - motor.centre;
                     const float weight = numerics::windrow_sphere_weight(off, motor.radius);
                     const auto cell = static_cast<std::uint32_t>(box().index(i, j, k));
                     whole += weight;

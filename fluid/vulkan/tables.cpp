@@ -72,7 +72,7 @@ SolveTables::SolveTables(glm::ivec3 cells, const Ends& ends) {
             if (static_cast<int>(column) == singular)
                 continue;
             std::array<double, 2> factors{};
-            cpu::factor_column(-2.0 + x.eigenvalues[mode_x] + z.eigenvalues[mode_z], ends[1], pivot, vector, factors);
+            cpu::factor_column(-2.0 + x.eigenvalues[mode_x] + z.eigenvalues[mode_z], ends[1], {}, pivot, vector, factors);
             for (std::size_t j = 0; j < rows; ++j)
                 values[pivots + j * plane + column] = static_cast<float>(pivot[j]);
             for (std::size_t j = 0; cyclic && j < rows; ++j)

@@ -61,6 +61,8 @@ Result<void> check(const Config& config, const Settings& settings) {
     detail::Reasons reasons;
     if (auto valid = validate(config); !valid)
         reasons.add(valid.error());
+    if (config.rows)
+        reasons.add("rows are for a wind on the CPU: leave them out, or use windrow::Wind.");
     if (settings.frames_in_flight < 1 || settings.frames_in_flight > 8)
         reasons.add("frames_in_flight is ", settings.frames_in_flight, ": give 1 to 8, as many as the host has.");
     check_reads(reasons, config, settings);

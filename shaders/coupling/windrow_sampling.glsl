@@ -2,7 +2,9 @@
 // fixed bindings windrow_wind.glsl has them; HLSL has windrow_wind.hlsl. One text for all.
 //
 //     layout(set = 0, binding = 0) uniform sampler3D volumes[];                       // bindless: yours
-//     layout(std430, set = 0, binding = 1) readonly buffer Winds { WindrowFrame winds[]; };
+//     struct Wind { WindrowFrame frame; vec4 rows[WINDROW_ROW_BLOCKS]; };             // windrow::FrameBlock; below the include
+//     layout(std430, set = 0, binding = 1) readonly buffer Winds { Wind winds[]; };
+//     float windrow_row_height(uint volume, int row) { return winds[...].rows[row / 4][row % 4]; }
 //
 //     #define WINDROW_TEXTURES uint                                                   // what stands for a frame's textures
 //     vec3 windrow_texture(uint volume, vec3 place) { return textureLod(volumes[nonuniformEXT(volume)], place, 0.0).xyz; }
@@ -10,7 +12,7 @@
 //     vec3 windrow_tile_texel(uint tile, ivec3 texel) { ... }                         // numerics/ambient.glsl
 //     #include "coupling/windrow_sampling.glsl"
 //
-//     vec3 u = windrow_velocity_at(volume, tile, winds[i], p);                        // [m/s] at p [m] from the block's anchor
+//     vec3 u = windrow_velocity_at(volume, tile, winds[i].frame, p);                        // [m/s] at p [m] from the block's anchor
 //
 // Weights between texels, by a define before this text:
 //   (none)            the texture unit's: one fetch of a four-component texture, three of three scalar ones. The sampler is linear,
@@ -42,7 +44,11 @@ struct WindrowWindow {
     float cell_size;
     vec3 cells;
     float factor;
-    vec3 previous_origin, ambient, low_boundaries, high_boundaries;
+    vec3 previous_origin;
+    float rows;
+    vec3 ambient;
+    float height;
+    vec3 low_boundaries, high_boundaries;
     vec3 blend_centre;
     float blend_width;
     vec3 blend_reach, previous_blend_centre;
@@ -56,7 +62,9 @@ struct WindrowPlace {
     WindrowAxis x, y, z;
 };
 
-// The same layout as windrow::FrameBlock, in a uniform block (std140) and in a buffer (std430) alike: 560 bytes.
+// The same layout as windrow::FrameBlock without its rows, in a uniform block (std140) and in a buffer (std430) alike: 560 bytes,
+// then WINDROW_ROW_BLOCKS vec4 of rows.
+#define WINDROW_ROW_BLOCKS 32
 struct WindrowFrame {
     WindrowWindow window;
     WindrowPlace place, previous_place;
@@ -67,10 +75,30 @@ float windrow_axis_share(WindrowAxis axis, float p) {
     return windrow_edge_share(axis.low_edge + axis.edge_scale * p, axis.high_edge - axis.edge_scale * p, axis.smoothness);
 }
 
+// [m] Height of a row's centre over the box's low boundary, FrameBlock::heights: yours, below this text, where you declare the
+// block. It is called where window.rows is above 0.
+float windrow_row_height(WINDROW_TEXTURES textures, int row);
+
+// A height over the low boundary in rows: j + 1/2 at the centre of row j, linear between centres.
+float windrow_row_place(WINDROW_TEXTURES textures, int rows, float height) {
+    int low = 0, high = rows - 1;
+    for (int halvings = 0; halvings < 7 && high - low > 1; ++halvings) {
+        int middle = (low + high) / 2;
+        if (windrow_row_height(textures, middle) <= height)
+            low = middle;
+        else
+            high = middle;
+    }
+    float below = windrow_row_height(textures, low), above = windrow_row_height(textures, high);
+    return float(low) + 0.5f + (height - below) / (above - below);
+}
+
 // The textures at p, trilinear; `origin` [m] is the box's low corner.
 #ifdef WINDROW_EXACT
 vec3 windrow_box_velocity(WINDROW_TEXTURES textures, WindrowWindow window, WindrowPlace place, vec3 origin, vec3 p) {
     vec3 kinds = window.low_boundaries, local = (p - origin) / window.cell_size;
+    if (window.rows > 0.0f)
+        local.y = windrow_row_place(textures, int(window.rows), p.y - origin.y);
     vec3 at = vec3(windrow_axis_sample(local.x, window.cells.x, kinds.x), windrow_axis_sample(local.y, window.cells.y, kinds.y),
                    windrow_axis_sample(local.z, window.cells.z, kinds.z)) -
               0.5f;
@@ -92,6 +120,8 @@ vec3 windrow_box_velocity(WINDROW_TEXTURES textures, WindrowWindow window, Windr
 vec3 windrow_box_velocity(WINDROW_TEXTURES textures, WindrowWindow window, WindrowPlace place, vec3 origin, vec3 p) {
     vec3 at = vec3(place.x.texture_scale * p.x + place.x.texture_offset, place.y.texture_scale * p.y + place.y.texture_offset,
                    place.z.texture_scale * p.z + place.z.texture_offset);
+    if (window.rows > 0.0f)
+        at.y = windrow_row_place(textures, int(window.rows), window.height * at.y) / window.rows;
     return windrow_texture(textures, at); // the sampler wraps and clamps
 }
 #endif

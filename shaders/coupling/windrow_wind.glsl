@@ -70,7 +70,11 @@ vec3 windrow_tile_texel(int tile, ivec3 texel) { return windrow_tile_texels[(tex
 
 #include "windrow_sampling.glsl"
 
-layout(std140, set = WINDROW_SET, binding = WINDROW_BINDING) uniform WindrowBlock { WindrowFrame windrow_frame; };
+layout(std140, set = WINDROW_SET, binding = WINDROW_BINDING) uniform WindrowBlock {
+    WindrowFrame windrow_frame;
+    vec4 windrow_rows[WINDROW_ROW_BLOCKS];
+};
+float windrow_row_height(WINDROW_TEXTURES textures, int row) { return windrow_rows[row / 4][row % 4]; }
 
 // [m/s] The wind at p [m] from the anchor.
 vec3 windrow_velocity(vec3 p) { return windrow_velocity_at(WINDROW_NOW, 0, windrow_frame, p); }

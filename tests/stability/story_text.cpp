@@ -65,6 +65,12 @@ template <class Value>
 requires std::is_enum_v<Value> std::string text(Value value) {
     return name_of<Value>() + "::" + k_words<Value>.at(static_cast<std::size_t>(value));
 }
+std::string text(const std::vector<float>& values) {
+    std::string list;
+    for (const float value : values)
+        list += (list.empty() ? "" : ", ") + text(value);
+    return '{' + list + '}';
+}
 std::string text(const story::StartAir& start) {
     constexpr const char* k_names[] = {"ambient", "white", "smooth", "shear"};
     return std::string("{story::StartAir::Pattern::") + k_names[static_cast<int>(start.kind)] + ", " + text(start.speed) + ", " +

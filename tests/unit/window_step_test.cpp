@@ -32,7 +32,8 @@ class AirByHand {
         motors_.begin_frame(0.0, dt);
         const auto reached = motors_.tick(dt, window_, config_.boundaries);
         const auto& tile = motors_.tile({});
-        sources_.gather(reached, window_.cell_size, u_, {tile ? tile->texels().data() : nullptr}, {});
+        sources_.gather(reached, Box{.cells = window_.cells, .cell_size = window_.cell_size}, u_,
+                        {tile ? tile->texels().data() : nullptr}, {});
         if (fresh_) {
             perform(dt);
             std::swap(u_, old_);

@@ -222,6 +222,9 @@ inline void trace_departures(const AdvectTask& task, const PaddedStrides& stride
     Displacements velocity, traced;
     split_components(task.velocity + 4 * run.first, run.count, velocity);
     const int floats = (run.count + k_lanes - 1) / k_lanes * k_lanes;
+    if (task.row_scales != nullptr)
+        for (int n = 0; n < floats; ++n)
+            velocity.axis[1][n] *= task.row_scales[run.j];
     for (int axis = 0; axis < 3; ++axis)
         for (int n = 0; n < floats; ++n)
             displacements.axis[axis][n] = -task.cells_per_speed * velocity.axis[axis][n];
@@ -330,9 +333,12 @@ inline void carry_given(const AdvectTask& task, const PaddedStrides& strides, co
     sample_run<Linear>(given.now, points, strides, count, ahead, at_departure);
     if (bent)
         bends_at(task, run, displacements, departure_bends);
-    for (int axis = 0; axis < 3; ++axis)
+    for (int axis = 0; axis < 3; ++axis) {
+        const bool along_rows = axis == 1 && task.row_scales != nullptr;
+        const float per_speed = along_rows ? task.cells_per_speed * task.row_scales[run.j] : task.cells_per_speed;
         for (int n = 0; n < floats; ++n)
-            displacements.axis[axis][n] += task.cells_per_speed * v.axis[axis][n];
+            displacements.axis[axis][n] += per_speed * v.axis[axis][n];
+    }
     locate(given.legal, strides, run, displacements, points);
     sample_run<Linear>(given.now, points, strides, count, ahead, at_own);
     if (bent)

@@ -49,6 +49,7 @@ struct PadTask {
     const float* velocity;
     const float* velocity_old; ///< null: none
     float extrapolation;
+    const float* row_scales; ///< of the trace's y, by row; null: 1
     float* padded_carried;
     float* padded_trace; ///< null: the trace reads padded_carried
 };
@@ -79,6 +80,8 @@ struct AdvectTask {
     const float* padded_carried; ///< four floats a cell, or one for scalars
     float* result;
     float cells_per_speed; ///< dt / h
+    /// By row: cell size over its thickness, which makes rows of what moves along y. Null: 1. The padded trace holds it already.
+    const float* row_scales;
     Legal legal;
     GivenWind given;
     bool clamped; ///< scalars only
@@ -95,7 +98,8 @@ struct DivergenceTask {
     int pitch; ///< floats from row to row of `result`
     const float* velocity;
     NormalGhost ghosts[3][2];
-    float scale; ///< result = scale * (sum of central differences over two cells)
+    float scale;             ///< result = scale * (sum of central differences over two cells)
+    const float* row_scales; ///< by row: factor on the difference along y; null: 1
     float* result;
 };
 
@@ -105,8 +109,9 @@ struct GradientTask {
     const float* potential;
     NormalGhost ghosts[3][2];
     float scale;
-    float* velocity; ///< velocity -= slope, slope = scale * differences
-    float* gradient; ///< = weight * slope + kept * gradient; null: not wanted
+    const float* row_scales; ///< by row: factor on the difference along y; null: 1
+    float* velocity;         ///< velocity -= slope, slope = scale * differences
+    float* gradient;         ///< = weight * slope + kept * gradient; null: not wanted
     float weight = 1.0f, kept = 0.0f;
 };
 
@@ -115,7 +120,9 @@ struct DiffuseTask {
     const HaloRule* rules[3];
     float ambient[4];
     const float* field;
-    float ratio; ///< r = viscosity dt / h^2
+    float ratio;             ///< r = viscosity dt / h^2
+    const float* row_scales; ///< by row: cell size over its thickness; null: 1
+    const float* links;      ///< by face: cell size over the distance between rows
     float* result;
 };
 
@@ -132,6 +139,7 @@ struct StressTask {
     const float* wind_mixing; ///< one a row of faces; null: as the air's
     const float* wind_drag;   ///< one a row of cells
     float cells_per_speed;    ///< dt / h
+    const float* row_scales;  ///< by row: cell size over its thickness; null: 1
 };
 
 /// Figures of one plane, or of a part of it.
@@ -173,6 +181,8 @@ struct TridiagonalTask {
     const float* cyclic;         ///< null, or the same shape: Sherman-Morrison vector of the periodic system
     const float* cyclic_factors; ///< [modes][2][k_lanes]: factors on the first and the last row
     int modes, rows;
+    const float* scale_in;  ///< null, or one a row: factor on d
+    const float* scale_out; ///< null, or one a row: factor on x
 };
 
 struct Kernels {

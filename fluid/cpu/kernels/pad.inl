@@ -103,6 +103,17 @@ inline void write_run(const WideRun& wide, const CellRun& cells, int floats, flo
         store_cell(to + n, cells.at(n));
 }
 
+// The trace's y in rows: along it a trajectory counts rows.
+inline void scale_rows(const PadTask& task, int row, float* trace) {
+    if (task.row_scales == nullptr || trace == nullptr)
+        return;
+    const int j = row - k_halo_low, last = task.cells[1] - 1;
+    const HaloRule& rule = task.rules[1][row];
+    const float scale = task.row_scales[rule.ambient ? (j < 0 ? 0 : last) : rule.source];
+    for (int column = 0; column < task.cells[0] + k_halo; ++column)
+        trace[4 * column + 1] *= scale;
+}
+
 void pad_plane(const PadTask& task, int padded_plane) {
     const PaddedStrides strides = padded_strides(task.cells);
     const HaloRule& plane_rule = task.rules[2][padded_plane];
@@ -125,6 +136,7 @@ void pad_plane(const PadTask& task, int padded_plane) {
         };
         if (plane_rule.ambient || row_rule.ambient) {
             put_ambient_both(0, columns);
+            scale_rows(task, row, trace);
             continue;
         }
 
@@ -156,5 +168,6 @@ void pad_plane(const PadTask& task, int padded_plane) {
             put(column);
         for (int column = k_halo_low + task.cells[0]; column < columns; ++column)
             put(column);
+        scale_rows(task, row, trace);
     }
 }

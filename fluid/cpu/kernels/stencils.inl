@@ -27,6 +27,8 @@ class DivergenceRow {
         y_[1] = neighbour_row(task.velocity, row_floats, 1, row, j, ny, +1, task.ghosts[1][1]);
         z_[0] = neighbour_row(task.velocity, row_floats, ny, row, plane, nz, -1, task.ghosts[2][0]);
         z_[1] = neighbour_row(task.velocity, row_floats, ny, row, plane, nz, +1, task.ghosts[2][1]);
+        if (task.row_scales != nullptr)
+            y_[0].scale *= task.row_scales[j], y_[1].scale *= task.row_scales[j];
         low_ = task.ghosts[0][0].scale * here_[4 * task.ghosts[0][0].source];
         high_ = task.ghosts[0][1].scale * here_[4 * task.ghosts[0][1].source];
         if (cells_ < k_native_lanes)
@@ -128,8 +130,10 @@ void gradient_plane(const GradientTask& task, int plane) {
     for (int j = 0; j < ny; ++j) {
         const std::size_t row = static_cast<std::size_t>(plane) * ny + j;
         const float* const here = task.potential + row * row_floats;
-        const ScalarRow y0 = neighbour_row(task.potential, row_floats, 1, row, j, ny, -1, task.ghosts[1][0]);
-        const ScalarRow y1 = neighbour_row(task.potential, row_floats, 1, row, j, ny, +1, task.ghosts[1][1]);
+        ScalarRow y0 = neighbour_row(task.potential, row_floats, 1, row, j, ny, -1, task.ghosts[1][0]);
+        ScalarRow y1 = neighbour_row(task.potential, row_floats, 1, row, j, ny, +1, task.ghosts[1][1]);
+        if (task.row_scales != nullptr)
+            y0.scale *= task.row_scales[j], y1.scale *= task.row_scales[j];
         const ScalarRow z0 = neighbour_row(task.potential, row_floats, ny, row, plane, nz, -1, task.ghosts[2][0]);
         const ScalarRow z1 = neighbour_row(task.potential, row_floats, ny, row, plane, nz, +1, task.ghosts[2][1]);
         float* const velocity = task.velocity + 4 * row * nx;
@@ -206,8 +210,16 @@ void diffuse_plane(const DiffuseTask& task, int plane) {
                 return load_cell(task.ambient);
             return load_cell(rule.scale) * load_cell(here + 4 * rule.source) + load_cell(rule.offset);
         };
+        const bool stretched = task.row_scales != nullptr;
+        const Cell four = splat(4.0f), below = splat(stretched ? task.row_scales[j] * task.links[j] : 1.0f),
+                   above = splat(stretched ? task.row_scales[j] * task.links[j + 1] : 1.0f);
         const auto put = [&](int i, Cell left, Cell right) {
             const Cell value = load_cell(here + 4 * i);
+            if (stretched) {
+                const Cell level = ((left + right) + (z0.at(i) + z1.at(i))) - four * value;
+                const Cell upright = below * (y0.at(i) - value) + above * (y1.at(i) - value);
+                return store_cell(result + 4 * i, value + ratio * (level + upright));
+            }
             const Cell sum = ((left + right) + (y0.at(i) + y1.at(i))) + (z0.at(i) + z1.at(i));
             store_cell(result + 4 * i, value + ratio * (sum - six * value));
         };

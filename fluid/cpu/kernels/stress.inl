@@ -133,7 +133,6 @@ inline void solve_columns(const StressTask& task, int plane, int first) {
     };
 
     // Row by row v[j] = swept + ratio v[j+1]; the result's fourth component keeps the ratio.
-    const Native one = 1.0f - Native{};
     const StressRow below = beyond(-1), above = beyond(ny);
     StressRow here = read_row(0);
     StressFace low = find(0, below, here);
@@ -144,10 +143,13 @@ inline void solve_columns(const StressTask& task, int plane, int first) {
         const StressFace high = find(j + 1, here, next);
         const Native to_low = only(low.inner, low.bond), to_high = only(high.inner, high.bond);
         const Level known = only(high.inner, high.known) - low.known;
-        const Native pivot = one / (one + low.bond + to_high - to_low * ratio);
+        // A row of another thickness takes its time: the equation times thickness over cell size.
+        const float thick = task.row_scales != nullptr ? 1.0f / task.row_scales[j] : 1.0f;
+        const Native whole = thick - Native{};
+        const Native pivot = 1.0f / (whole + low.bond + to_high - to_low * ratio);
         ratio = to_high * pivot;
-        swept.x = (here.v.x + known.x + to_low * swept.x) * pivot;
-        swept.z = (here.v.z + known.z + to_low * swept.z) * pivot;
+        swept.x = (whole * here.v.x + known.x + to_low * swept.x) * pivot;
+        swept.z = (whole * here.v.z + known.z + to_low * swept.z) * pivot;
         const std::size_t at = corner + row * static_cast<std::size_t>(j);
         const DealtCells carried = dealt_cells(cells.read(task.carried + at));
         cells.write(cells_of_dealt({swept.x, carried.y, swept.z, ratio}), task.result + at);

@@ -30,15 +30,20 @@ vec3 windrow_tile_texel(uint wind, ivec3 texel) { return tiles[AT(wind)].texels[
 
 #include "coupling/windrow_sampling.glsl"
 
+struct Wind {
+    WindrowFrame frame;
+    vec4 rows[WINDROW_ROW_BLOCKS];
+};
 layout(local_size_x = 64) in;
 layout(std430, set = 0, binding = 0) readonly buffer Places { vec4 places[]; };
 layout(std430, set = 0, binding = 1) writeonly buffer Winds { vec4 winds[]; };
-layout(std430, set = 0, binding = 5) readonly buffer Frames { WindrowFrame frames[]; };
+layout(std430, set = 0, binding = 5) readonly buffer Frames { Wind frames[]; };
+float windrow_row_height(uvec2 textures, int row) { return frames[textures.y].rows[row / 4][row % 4]; }
 
 // Now and before.
 void sample_wind(uint wind, vec3 p, uint to) {
-    winds[to] = vec4(windrow_velocity_at(uvec2(0, wind), wind, frames[wind], p), 0.0);
-    winds[to + 1] = vec4(windrow_velocity_previous_at(uvec2(1, wind), wind, frames[wind], p), 0.0);
+    winds[to] = vec4(windrow_velocity_at(uvec2(0, wind), wind, frames[wind].frame, p), 0.0);
+    winds[to + 1] = vec4(windrow_velocity_previous_at(uvec2(1, wind), wind, frames[wind].frame, p), 0.0);
 }
 
 void main() {
