@@ -126,6 +126,8 @@ class Twins {
                         return both([&](auto& wind) { return wind.set_ambient(what.mean); });
                     } else if constexpr (std::is_same_v<What, Boundaries>) {
                         return both([&](auto& wind) { return wind.set_boundaries(what); });
+                    } else if constexpr (std::is_same_v<What, StoryChange::Floor>) {
+                        return both([&](auto& wind) { return wind.set_floor(what.height); });
                     } else {
                         return both([&](auto& wind) { return wind.set_gusts(what); });
                     }

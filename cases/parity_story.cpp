@@ -211,6 +211,54 @@ ParityStory rough_hills() {
     return story;
 }
 
+// Rows of a third of a metre that grow to three, over a rough hill with a house, a fence across the wind and a ball that flies.
+ParityStory rows() {
+    ParityStory story = small(k_rows_story, "rows thin at the floor and thick aloft: gusts, a profile, plants, a rough hill, a house, a "
+                                            "fence, a ball that flies, a fan, a blast; the box follows, its floor rises");
+    story.config.cells = {18, 16, 20};
+    story.config.boundaries = Boundaries::open_over_floor();
+    story.config.rows = Rows{.first = 0.35f, .uniform = 4, .ratio = 1.2f};
+    story.config.centre = {0.0, 9.0, 0.0};
+    story.config.ambient = {4.0f, 0.0f, 1.5f};
+    story.config.profile = LogProfile{};
+    story.config.gusts = {.intensity = 0.2f};
+    story.config.canopy = Canopy{.height = 0.9f};
+    story.config.roughness.emplace(Roughness{.length = 0.1f});
+    story.config.viscosity = 0.02f;
+    story.config.pressure_solves = 2;
+    story.steps = 40;
+    story.walk = {2.0, 0.0, -1.0};
+    story.motors = {{.motor = DirectionalMotor{.position = {1.0, 2.0, 0.0}, .direction = {-0.5f, 0.5f, 1.0f}}},
+                    {.motor = OmniMotor{.position = {-3.0, 6.0, 3.0}, .speed = 2.0f}}};
+    const auto hill = std::make_shared<const HeightMap>(
+        *HeightMap::create({41, 41}, 1.0f, [](glm::vec2 place) { return 1.0f + 0.8f * std::sin(0.4f * place.x) * std::cos(0.3f * place.y); }));
+    story.obstacles = {{.obstacle = {.position = {-20.0, 0.0, -20.0}, .shape = Ground{hill}}},
+                       {.obstacle = {.position = {-4.0, 2.0, 3.0},
+                                     .orientation = glm::angleAxis(0.3f, glm::vec3(0.0f, 1.0f, 0.0f)),
+                                     .shape = Block{{1.6f, 2.0f, 1.8f}}}},
+                       {.obstacle = {.position = {4.0, 1.5, -5.0},
+                                     .orientation = glm::angleAxis(1.1f, glm::vec3(0.0f, 1.0f, 0.0f)),
+                                     .shape = Plate{{2.5f, 2.5f}}}},
+                       {.obstacle = {.position = {-6.0, 7.0, -2.0}, .shape = Sphere{1.7f}}, .velocity = {6.0, 0.0, 1.0}}};
+    story.changes = {{.step = 25, .what = StoryChange::Floor{1.6}}};
+    return story;
+}
+
+// A closed box of rows, in which a thick viscosity is solved for; its walls drag.
+ParityStory viscous_rows() {
+    ParityStory story = small("viscous_rows", "rows of unequal thickness between walls that drag, an implicit viscosity, no open boundary");
+    story.config.cells = {14, 20, 12};
+    story.config.boundaries = Boundaries::all(BoundaryKind::no_slip);
+    story.config.boundaries.y_high.wall_velocity = {3.0f, 0.0f, 1.0f};
+    story.config.rows = Rows{.first = 0.3f, .uniform = 2, .ratio = 1.15f};
+    story.config.ambient = glm::vec3(0.0f);
+    story.config.viscosity = 2.0f;
+    story.config.pressure_solves = 2;
+    story.steps = 30;
+    story.obstacles = {{.obstacle = {.position = {1.0, 1.0, 0.0}, .shape = Sphere{2.0f}, .surface = Surface::no_slip}}};
+    return story;
+}
+
 } // namespace
 
 std::vector<ParityStory> parity_stories() {
@@ -219,7 +267,7 @@ std::vector<ParityStory> parity_stories() {
         for (const auto story : {walk, mixed})
             stories.push_back(story(cells));
     for (const auto story : {viscous_walls, stable_fluids, storm, frames_and_a_jump, whole_long_planes, split_long_planes,
-                             obstacles, rough_hills, every_pass})
+                             obstacles, rough_hills, rows, viscous_rows, every_pass})
         stories.push_back(story());
     return stories;
 }

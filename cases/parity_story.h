@@ -32,8 +32,11 @@ struct StoryChange {
     struct FollowJump {
         glm::dvec3 by; ///< [m] of the point that the box follows
     };
+    struct Floor {
+        double height; ///< [m]
+    };
     int step = 0;
-    std::variant<Ambient, FollowJump, Boundaries, Gusts> what{};
+    std::variant<Ambient, FollowJump, Boundaries, Gusts, Floor> what{};
 };
 
 struct ParityStory {
@@ -63,6 +66,8 @@ struct ParityStory {
 inline constexpr const char* k_every_pass_story = "every_pass";
 /// The story that runs those around obstacles.
 inline constexpr const char* k_obstacles_story = "obstacles";
+/// The story of a box with rows of its own, whose floor rises.
+inline constexpr const char* k_rows_story = "rows";
 
 /// The five grids 16^3, 32x16x32, 64x32x64, 17x9x23 and 128x64x128, smallest first, each with two stories: a walk over a floor
 /// (profile, gusts, a fan, a whirl, a jet, shifts, a turning wind) and a box of mixed sides (walls that slip and drag, a periodic

@@ -48,6 +48,8 @@ void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const 
     double before = 0.0, distance = heights.empty() ? 0.0 : 2.0 * static_cast<double>(heights[0]);
     for (std::size_t n = 0; n < heights.size(); ++n) {
         const double here = static_cast<double>(heights[n]), apart = here - before;
+        if (!Range::above(0.0, 1e6).holds(heights[n])) // reported by its range
+            return;
         if (!(apart > 0.0))
             return reasons.add(list, " has ", heights[n], " m at place ", n + 1, " above ", before,
                                " m: give rising heights above 0.");

@@ -33,9 +33,9 @@ Wind& Wind::operator=(Wind&&) noexcept = default;
 Wind::~Wind() = default;
 
 Result<Wind> Wind::create(const Config& config) {
-    if (auto valid = validate(config); !valid)
-        return Error{valid.error()};
     return detail::where_memory_lasts([&]() -> Result<Wind> {
+        if (auto valid = validate(config); !valid)
+            return Error{valid.error()};
         auto workspace = Workspace::create(
             {.box = detail::box_of(config), .ambient = config.ambient, .simd = config.simd, .parallel_for = config.parallel_for});
         if (!workspace)

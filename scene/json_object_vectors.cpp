@@ -110,7 +110,7 @@ std::optional<glm::bvec3> JsonObject::optional_flags(const Key& key) {
 
 std::vector<float> JsonObject::numbers(const Key& key, const Range& rule) {
     constexpr std::size_t k_most = 4096;
-    const std::span<const json> items = array(key, k_most, "number", rule);
+    const std::span<const json> items = array(key, k_most, "numbers", rule);
     std::vector<float> values;
     for (std::size_t n = 0; n < items.size(); ++n)
         values.push_back(

@@ -15,6 +15,7 @@
 #include "scene/scene.h"
 
 #include <concepts>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -89,9 +90,17 @@ class SceneMotion {
         if (!std::holds_alternative<std::monostate>(scene_->follow))
             if (const auto followed = air.follow(scene_->followed_point(time)); !followed)
                 return rejection("follow", time, followed.error());
-        if (scene_->has_floor())
-            if (const auto placed = air.set_floor(scene_->floor_height(time)); !placed)
-                return rejection("floor", time, placed.error());
+        if (!scene_->has_floor())
+            return {};
+        // Rows of their own interpolate the air where they move: they stay while the ground is among the lower half of the equal ones.
+        const double wanted = scene_->floor_height(time);
+        const auto& rows = scene_->air.rows;
+        const double stays = rows ? 0.5 * rows->uniform * static_cast<double>(rows->first) : 0.0;
+        if (floor_ && wanted >= *floor_ && wanted < *floor_ + stays)
+            return {};
+        if (const auto placed = air.set_floor(wanted); !placed)
+            return rejection("floor", time, placed.error());
+        floor_ = wanted;
         return {};
     }
 
@@ -104,6 +113,7 @@ class SceneMotion {
     [[nodiscard]] Obstacle obstacle_at(const SceneObstacle& body, double time) const;
 
     const Scene* scene_;
+    std::optional<double> floor_; ///< [m] where it was put
     std::vector<MovedMotor> parts_;  ///< one for each of the scene's motors
     std::vector<ObstacleId> bodies_; ///< the same for its obstacles; none while it is not there
 };

@@ -205,6 +205,8 @@ class SchemaNode {
             schema = several(number("integer", key.rule), 2);
         else if (type == "flags")
             schema = several({{"type", "boolean"}}, 3);
+        else if (type == "numbers")
+            schema = {{"type", "array"}, {"items", number("number", key.rule)}};
         else if (type == "points")
             schema = {{"type", "array"}, {"items", several(number("number", key.rule), 4)}, {"minItems", 1}};
         else if (type == "boolean")

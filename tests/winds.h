@@ -87,7 +87,7 @@ void for_each_cell(glm::ivec3 cells, const Visit& visit) {
 template <class Visit>
 void for_each_cell(const Wind& wind, const Visit& visit) {
     for_each_cell(wind.box().cells, [&](int i, int j, int k) {
-        visit(wind.origin() + (glm::dvec3(i, j, k) + 0.5) * double(wind.box().cell_size), wind.box().index(i, j, k));
+        visit(wind.view().window().centre(i, j, k), wind.box().index(i, j, k));
     });
 }
 

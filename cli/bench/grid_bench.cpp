@@ -209,22 +209,25 @@ Result<std::optional<ObstaclesResult>> measure_obstacles(glm::ivec3 cells, const
         const char* name;
         std::function<bool(Wind&)> build;
         int solves = 1;
-        bool rough = false;
+        bool rough = false, rows = false;
     } k_scenes[] = {{"empty", nothing},
                     {"one cube", cube},
                     {"town", town},
                     {"town, two solves", town, 2},
                     {"hills", build_hills},
                     {"outside", outside},
-                    {"rough ground", nothing, 1, true}};
+                    {"rough ground", nothing, 1, true},
+                    {"uneven rows", nothing, 1, false, true}};
 
     Contest contest;
     ObstaclesResult result{.cells = cells};
     std::vector<std::unique_ptr<WindContestant>> winds;
     Config config = bench_config(cells, Scheme::second_order, request.simd, loop);
-    for (const auto& [name, build, solves, rough] : k_scenes) {
+    for (const auto& [name, build, solves, rough, rows] : k_scenes) {
         config.pressure_solves = solves;
         config.roughness = rough ? std::optional<Roughness>(Roughness{}) : std::nullopt;
+        config.rows = rows ? std::optional<Rows>(Rows{.first = 0.5f, .uniform = cells.y / 4, .top = static_cast<float>(cells.y)})
+                           : std::nullopt;
         auto wind = Wind::create(config);
         if (!wind)
             return Error{wind.error()};

@@ -50,6 +50,8 @@ void draw_header(Canvas& canvas, const FrameLayout& layout, const SlicedAir& air
     grid += std::to_string(cells.y);
     grid += k_times;
     grid += std::to_string(cells.z) + " cells of " + brief(air.box.cell_size, 4) + " m";
+    if (const auto& rows = air.box.rows)
+        grid += ", rows of " + brief(rows->thickness(0), 2) + " to " + brief(rows->thickness(rows->count() - 1), 2) + " m";
     canvas.words(canvas.fitted(grid, 15.0, header.width), {header.x, 69.0}, {.size = 15.0, .colour = k_dim_ink});
 }
 

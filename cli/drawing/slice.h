@@ -36,7 +36,10 @@ struct SlicedAir {
     std::vector<NamedObstacle> obstacles{};
 
     /// [m] Edge lengths of the box.
-    [[nodiscard]] glm::dvec3 extent() const { return glm::dvec3(box.cells) * static_cast<double>(box.cell_size); }
+    [[nodiscard]] glm::dvec3 extent() const {
+        const glm::dvec3 equal = glm::dvec3(box.cells) * static_cast<double>(box.cell_size);
+        return box.rows ? glm::dvec3(equal.x, box.rows->top(), equal.z) : equal;
+    }
 };
 
 /// The axis across a plane: x sideways, y level, z upright.

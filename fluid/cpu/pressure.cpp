@@ -266,6 +266,8 @@ void Workspace::State::project(std::span<glm::vec4> velocity, std::span<const fl
     }
     if (beyond != nullptr)
         for_each_open_end([&](glm::ivec3 cell, int axis, int end) {
+            if (has_solids() && solids->inside(static_cast<std::uint32_t>(box.index(cell.x, cell.y, cell.z))))
+                return; // the body's own velocity
             velocity[box.index(cell.x, cell.y, cell.z)][axis] -=
                 (end == 0 ? -0.5f : 0.5f) * (axis == 1 ? box.row_scale(cell.y) : 1.0f) * beyond->at(cell, axis, end);
         });

@@ -297,8 +297,11 @@ void Cells::advance_in_place(float dt, Diagnostics& report) {
 void Cells::add_sources(const CellStep& step, bool other_obstacles, Diagnostics& report) {
     OuterStopwatch watch(report.times_ms.sources, work.state().obstacles_ms);
     const glm::vec4* const eddies = step.tile ? step.tile->texels().data() : nullptr;
-    sources.gather(step.motors, box(), air.velocity, {eddies}, config_.parallel_for, inside_bodies());
-    seal_sources(step.motors, report);
+    // Bodies that move are placed with the sub-step, and until then are where the box has left.
+    sources.gather(step.motors, box(), air.velocity, {eddies}, config_.parallel_for,
+                   bodies_move_ ? std::span<const Solids::InsideCell>() : inside_bodies());
+    if (!bodies_move_)
+        seal_sources(step.motors, report);
     if (acts_whole())
         act_whole(static_cast<float>(step.duration));
     if (step.renews_sources || (other_obstacles && has_source_flow()))
@@ -394,6 +397,9 @@ void Cells::limit_speeds(float dt, Diagnostics& report) {
     }
     report.substeps = 1;
     work.state().fastest = found.largest_component + dt * sources.largest_force();
+    if (box().rows && work.state().has_solids())
+        work.state().fastest = work.state().fastest_by_rows(&air.velocity[0].x) +
+                               dt * sources.largest_force() * box().cell_size / box().finest();
     const float largest = acts_whole() ? found.largest_component : std::max(found.largest_component, sources.largest_driven());
     report.cfl = (largest + dt * sources.largest_force()) * dt / box().cell_size;
     if (!config_.stages.advection || report.cfl <= config_.max_cfl)

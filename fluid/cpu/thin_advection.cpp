@@ -333,10 +333,8 @@ void Workspace::State::advect_beside_thin_bodies(const cpu::AdvectTask& task, bo
     };
     if (solids->any_thin()) {
         constexpr float k_extrapolated = 1.5f; // a trajectory's velocity over that of its cell
-        if (box.rows)
-            fastest = fastest_by_rows(task.velocity);
-        else if (!fastest)
-            fastest = survey(task.velocity).largest_component;
+        if (!fastest)
+            fastest = box.rows ? fastest_by_rows(task.velocity) : survey(task.velocity).largest_component;
         solids->reach_past_thin(k_extrapolated * task.cells_per_speed * *fastest);
         advect(solids->thin(), false);
     }

@@ -86,7 +86,7 @@ Result<void> check(const VelocityGrid& grid, const std::filesystem::path& file, 
         reasons.add("name is \"", k_obstacle_grid, "\", the grid of the cells inside obstacles: give another, such as vel.");
     if (!is_finite(grid.outside))
         reasons.add("outside is ", grid.outside, " m/s: give a finite wind, such as the ambient.");
-    const Box box{.cells = grid.cells, .cell_size = grid.cell_size, .boundaries = {}};
+    const Box box{.cells = grid.cells, .cell_size = grid.cell_size, .boundaries = {}, .rows = grid.rows};
     if (auto valid = validate(box); !valid)
         reasons.add(valid.error());
     else if (grid.field.size() != box.cell_count())
@@ -119,11 +119,48 @@ glm::ivec3 cell_at(const glm::ivec3& voxel, const glm::ivec3& cells, UpAxis up) 
     return up == UpAxis::y ? voxel : glm::ivec3(voxel.x, voxel.z, cells.z - 1 - voxel.y);
 }
 
-openvdb::math::Transform::Ptr transform_of(const VelocityGrid& grid, UpAxis up) {
+/// Cells that are resampled to voxels of one size; the grid itself where its rows are equal.
+struct Resampled {
+    VelocityGrid grid;
+    double thickness = 0.0; ///< [m] of a voxel along y
+    std::vector<glm::vec4> field{};
+};
+
+Resampled resampled(const VelocityGrid& source) {
+    Resampled even{.grid = source, .thickness = static_cast<double>(source.cell_size)};
+    if (!source.rows)
+        return even;
+    const RowTable& rows = *source.rows;
+    const int count = static_cast<int>(std::clamp(std::ceil(rows.top() / rows.step() - 1e-6), 1.0, double{k_max_axis_cells}));
+    even.thickness = std::max(rows.step(), rows.top() / count);
+    even.grid.rows.reset();
+    even.grid.cells.y = count;
+    const Box from{.cells = source.cells}, to{.cells = even.grid.cells};
+    even.field.resize(to.cell_count());
+    even.grid.obstacle.resize(source.obstacle.empty() ? 0 : to.cell_count());
+    for (int k = 0; k < to.cells.z; ++k)
+        for (int j = 0; j < count; ++j) {
+            const double place = std::clamp(rows.place((j + 0.5) * even.thickness) - 0.5, 0.0, rows.count() - 1.0);
+            const int below = std::min(static_cast<int>(place), rows.count() - 2), nearest = static_cast<int>(place + 0.5);
+            const auto part = static_cast<float>(place - below);
+            for (int i = 0; i < to.cells.x; ++i) {
+                const glm::vec4 low = source.field[from.index(i, below, k)], high = source.field[from.index(i, below + 1, k)];
+                even.field[to.index(i, j, k)] = low + part * (high - low);
+                if (!source.obstacle.empty())
+                    even.grid.obstacle[to.index(i, j, k)] = source.obstacle[from.index(i, nearest, k)];
+            }
+        }
+    even.grid.field = even.field;
+    return even;
+}
+
+openvdb::math::Transform::Ptr transform_of(const VelocityGrid& grid, double thickness, UpAxis up) {
     const double h = grid.cell_size;
-    const glm::dvec3 low_cell = glm::dvec3(cell_at(glm::ivec3(0), grid.cells, up));
-    const glm::dvec3 centre = turned(grid.origin + (low_cell + 0.5) * h, up);
+    const glm::dvec3 size(h, thickness, h), low_cell = glm::dvec3(cell_at(glm::ivec3(0), grid.cells, up));
+    const glm::dvec3 centre = turned(grid.origin + (low_cell + 0.5) * size, up);
     auto transform = openvdb::math::Transform::createLinearTransform(h);
+    if (thickness != h)
+        transform->preScale(up == UpAxis::y ? openvdb::Vec3d(1.0, thickness / h, 1.0) : openvdb::Vec3d(1.0, 1.0, thickness / h));
     transform->postTranslate({centre.x, centre.y, centre.z});
     return transform;
 }
@@ -140,10 +177,10 @@ typename GridType::Ptr empty_grid(const typename GridType::ValueType& background
 
 /// `value_at` makes a voxel's value from the index of its cell.
 template <class GridType, class ValueAt>
-openvdb::GridBase::Ptr dense_grid(const VelocityGrid& source, const Options& options,
+openvdb::GridBase::Ptr dense_grid(const VelocityGrid& source, double thickness, const Options& options,
                                   const typename GridType::ValueType& background, ValueAt value_at) {
     auto grid = empty_grid<GridType>(background);
-    grid->setTransform(transform_of(source, options.up));
+    grid->setTransform(transform_of(source, thickness, options.up));
 
     using Leaf = typename GridType::TreeType::LeafNodeType;
     constexpr int size = static_cast<int>(Leaf::DIM);
@@ -164,12 +201,14 @@ openvdb::GridBase::Ptr dense_grid(const VelocityGrid& source, const Options& opt
     return grid;
 }
 
-openvdb::GridPtrVec grids_of(const VelocityGrid& source, const Options& options) {
+openvdb::GridPtrVec grids_of(const VelocityGrid& given, const Options& options) {
+    const Resampled even = resampled(given);
+    const VelocityGrid& source = even.grid;
     openvdb::GridPtrVec grids;
     const glm::vec3 outside = turned(source.outside, options.up);
     const auto velocity = [&](std::size_t cell) { return turned(glm::vec3(source.field[cell]), options.up); };
     if (options.form == Form::one_vector) {
-        grids.push_back(dense_grid<openvdb::Vec3SGrid>(source, options, {outside.x, outside.y, outside.z}, [&](std::size_t cell) {
+        grids.push_back(dense_grid<openvdb::Vec3SGrid>(source, even.thickness, options, {outside.x, outside.y, outside.z}, [&](std::size_t cell) {
             const glm::vec3 v = velocity(cell);
             return openvdb::Vec3s(v.x, v.y, v.z);
         }));
@@ -178,14 +217,14 @@ openvdb::GridPtrVec grids_of(const VelocityGrid& source, const Options& options)
         grids.back()->setName(options.name);
     } else {
         for (int axis = 0; axis < 3; ++axis) {
-            grids.push_back(dense_grid<openvdb::FloatGrid>(source, options, outside[axis],
+            grids.push_back(dense_grid<openvdb::FloatGrid>(source, even.thickness, options, outside[axis],
                                                            [&](std::size_t cell) { return velocity(cell)[axis]; }));
             grids.back()->setName(options.name + '.' + "xyz"[axis]);
         }
     }
     if (std::any_of(source.obstacle.begin(), source.obstacle.end(), [](float value) { return value != 0.0f; })) {
         grids.push_back(
-            dense_grid<openvdb::FloatGrid>(source, options, 0.0f, [&](std::size_t cell) { return source.obstacle[cell]; }));
+            dense_grid<openvdb::FloatGrid>(source, even.thickness, options, 0.0f, [&](std::size_t cell) { return source.obstacle[cell]; }));
         grids.back()->setName(k_obstacle_grid);
     }
     for (const auto& grid : grids) {

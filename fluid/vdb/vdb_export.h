@@ -16,6 +16,7 @@
 #include <filesystem>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
@@ -34,6 +35,9 @@ struct VelocityGrid {
     /// [m/s] One value a cell at its centre, x fastest, then y, then z; w is ignored. Rejected unless it is cells.x * cells.y *
     /// cells.z values, all finite: one NaN would spread through a reader's filters without a word.
     std::span<const glm::vec4> field{};
+    /// Rows of the box; null: all are cell_size thick. A grid has voxels of one size: they are as thick as the lowest row (at most 2048
+    /// of them), linear in height between the rows' centres.
+    std::shared_ptr<const RowTable> rows{};
     /// [m/s] Background value of the grid, which readers blend to within half a cell of the edge. Default 0; grid_of gives
     /// ambient.
     glm::vec3 outside{0.0f};
@@ -58,6 +62,8 @@ template <class Source>
     VelocityGrid grid;
     grid.cells = wind.box().cells;
     grid.cell_size = wind.box().cell_size;
+    if constexpr (requires { grid.rows = wind.box().rows; })
+        grid.rows = wind.box().rows;
     grid.origin = wind.origin();
     grid.field = wind.field();
     grid.outside = wind.ambient();

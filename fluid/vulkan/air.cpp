@@ -33,8 +33,8 @@ VkAccessFlags writes_of(VkPipelineStageFlags stages) {
 }
 
 // Diffusion method of one sub-step of the given duration, the longest.
-DiffusionMethod method_of(const Config& config, double duration) {
-    return config.stages.diffusion ? diffusion_method(config.viscosity, static_cast<float>(duration), config.cell_size)
+DiffusionMethod method_of(const Config& config, const Box& box, double duration) {
+    return config.stages.diffusion ? diffusion_method(config.viscosity, static_cast<float>(duration), box.finest())
                                    : DiffusionMethod::none;
 }
 
@@ -63,7 +63,7 @@ Result<Memory::Measured> Air::measure(std::unique_ptr<Device> device, const Conf
 
 // Makes all that takes memory without memory, so that its blocks have the right size.
 Result<Memory::Measured> Air::measure() {
-    prepared_ = method_of(config_, k_longest_prepared);
+    prepared_ = method_of(config_, box(), k_longest_prepared);
     // Size check before any allocation of that size on host or device: the padded fields, and the tables of the direct solves.
     const glm::dvec3 padded = glm::dvec3(config_.cells + WINDROW_HALO);
     const double floats =
@@ -95,6 +95,7 @@ Result<void> Air::make_memory() {
                                             .sums = Passes::sums(*device_, config_.cells),
                                             .diffuses = prepared_ != DiffusionMethod::none || rough(),
                                             .rough = rough(),
+                                            .rows = rows_table_ != nullptr,
                                             .gusts = settings_.gusts,
                                             .texel = settings_.texel,
                                             .textures = settings_.textures,
@@ -135,7 +136,8 @@ Result<Passes> Air::passes_for(bool obstacles) {
                                   .read_cells = settings_.reads.cells,
                                   .read_halves = settings_.reads.kind == ReadBack::halves,
                                   .obstacles = obstacles,
-                                  .rough = rough()});
+                                  .rough = rough(),
+                                  .rows = rows_table_ != nullptr});
     if (passes)
         passes->set_tables(*tables_);
     return passes;
@@ -147,9 +149,9 @@ Result<Passes> Air::passes_for(bool obstacles) {
 DiffusionMethod Air::diffusion_of(double duration) const {
     if (prepared_ == DiffusionMethod::none)
         return prepared_;
-    const double h = config_.cell_size, accumulated = static_cast<double>(numerics::windrow_least_diffusion) * h * h /
+    const double h = box().finest(), accumulated = static_cast<double>(numerics::windrow_least_diffusion) * h * h /
                                                       static_cast<double>(config_.viscosity);
-    const DiffusionMethod most = method_of(config_, duration + accumulated);
+    const DiffusionMethod most = method_of(config_, box(), duration + accumulated);
     return most == DiffusionMethod::implicit ? prepared_ : DiffusionMethod::one_pass;
 }
 
@@ -291,6 +293,8 @@ void Air::apply(VkCommandBuffer commands, const CellChange& change) {
     if (keeps_ && (change.kind == Kind::fill || !change.to_air)) // the velocity and what is kept part here
         keep(commands);
     keeps_ = keeps_ && change.kind != Kind::fill_before;
+    if (change.kind == Kind::shift && rows_table_ && change.by.y != 0)
+        return lift(commands, change);
     if (change.kind == Kind::shift) {
         shift_ = change;
         unplaced_shift_ += glm::ivec3(change.by);

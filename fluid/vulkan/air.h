@@ -177,12 +177,15 @@ class Air {
 
   private:
     Air(std::unique_ptr<Device> device, const Config& config, const Settings& settings)
-        : device_(std::move(device)), config_(config), settings_(settings) {}
+        : device_(std::move(device)), config_(config), settings_(settings), rows_table_(windrow::detail::box_of(config).rows) {}
     [[nodiscard]] Result<Memory::Measured> measure();
     [[nodiscard]] Result<void> make_memory();
     [[nodiscard]] Result<void> make();
     [[nodiscard]] Result<Passes> passes_for(bool obstacles);
-    [[nodiscard]] Box box() const { return {config_.cells, config_.cell_size, config_.boundaries}; }
+    [[nodiscard]] Box box() const { return {config_.cells, config_.cell_size, config_.boundaries, rows_table_}; }
+    [[nodiscard]] std::vector<WindrowRow> rows_in(const RowTable& rows) const;
+    /// Moves the air of a box with rows of its own down, as that has moved up.
+    void lift(VkCommandBuffer commands, const CellChange& change);
     [[nodiscard]] SolveTables tables_of(const Boundaries& boundaries) const;
     [[nodiscard]] Result<Buffer> piece_of(const SolveTables& tables);
     [[nodiscard]] DiffusionMethod diffusion_of(double duration) const;
@@ -243,6 +246,7 @@ class Air {
     std::unique_ptr<Device> device_; // before what is made from it
     Config config_;
     Settings settings_;
+    std::shared_ptr<const RowTable> rows_table_; ///< of the config; null: none
     std::optional<SolveTables> tables_;
     DiffusionMethod prepared_ = DiffusionMethod::none; ///< the most that any step may ask of the viscosity
     struct Shapes {

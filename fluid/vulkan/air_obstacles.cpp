@@ -246,7 +246,7 @@ std::span<const detail::MotorReach> Air::uncovered(std::span<const detail::Motor
             for (int j = motor.low.y; j < motor.high.y; ++j)
                 for (int i = motor.low.x; i < motor.high.x; ++i) {
                     const glm::vec3 off = box().centre(i, j, k) - motor.centre;
-                    const float weight = numerics::windrow_sphere_weight(off, motor.radius);
+                    const float weight = box().volume(j) * numerics::windrow_sphere_weight(off, motor.radius);
                     const auto cell = static_cast<std::uint32_t>(box().index(i, j, k));
                     whole += weight;
                     in_room = in_room || solids.in_room(cell);

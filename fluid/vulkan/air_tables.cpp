@@ -6,6 +6,7 @@
 #include "fluid/cpu/box_rules.h"
 #include "fluid/vulkan/air.h"
 
+#include <algorithm>
 #include <cstring>
 #include <utility>
 
@@ -34,8 +35,62 @@ std::vector<WindrowRule> rules_in(const Box& box) {
 
 } // namespace
 
+// Of a padded field, as pass.glsl reads them.
+std::vector<WindrowRow> Air::rows_in(const RowTable& rows) const {
+    const cpu::ColumnRows columns(rows, static_cast<double>(config_.cell_size));
+    std::vector<WindrowRow> found;
+    for (int j = -WINDROW_HALO_LOW; j < rows.count() + WINDROW_HALO - WINDROW_HALO_LOW; ++j) {
+        const int within = std::clamp(j, 0, rows.count() - 1);
+        const double apart = rows.height(j) - rows.height(j - 1);
+        found.push_back({.height = static_cast<float>(rows.height(j)),
+                         .scale = rows.scales()[static_cast<std::size_t>(within)],
+                         .link = static_cast<float>(static_cast<double>(config_.cell_size) / apart),
+                         .column = static_cast<float>(columns.scales[static_cast<std::size_t>(within)])});
+    }
+    const float finest = box().finest() / config_.cell_size;
+    found.front().column = 1.0f / (finest * finest);
+    return found;
+}
+
+void Air::lift(VkCommandBuffer commands, const CellChange& change) {
+    CellChange along_ground = change;
+    along_ground.by.y = 0;
+    if (along_ground.by != CellIndex(0)) {
+        apply(commands, along_ground);
+        place_exposed(commands);
+    }
+    write_step(commands, block_of(change.ambient, change.window), change.ambient);
+    barrier(k_transfer | k_compute, k_compute);
+    const auto field = [&](int which, bool ambient) {
+        for (const int back : {0, 1}) {
+            dispatch(commands, Pass::lift,
+                     WindrowLiftPush{.rise = static_cast<float>(static_cast<double>(change.by.y) * rows_table_->step()),
+                                     .field = which,
+                                     .value = ambient && change.exposed_hold_ambient ? WINDROW_PLACE_AMBIENT : WINDROW_PLACE_ZERO,
+                                     .back = back});
+            barrier(k_compute, k_compute | k_transfer);
+        }
+    };
+    field(WINDROW_LIFT_NOW, true);
+    if (!fresh_) {
+        field(WINDROW_LIFT_AGO, true);
+        field(WINDROW_LIFT_HISTORY, false);
+    }
+    if (change.has_source_flow)
+        field(WINDROW_LIFT_SOURCE_FLOW, false);
+    if (change.kept && !keeps_)
+        field(WINDROW_LIFT_BEFORE, true);
+    if (solids_) { // no list of theirs holds in other rows
+        solids_.reset();
+        unplaced_shift_ = glm::ivec3(0);
+        place_again_ = true;
+    }
+}
+
 SolveTables Air::tables_of(const Boundaries& boundaries) const {
-    SolveTables tables(config_.cells, cpu::pressure_ends(boundaries));
+    const cpu::ColumnRows rows =
+        rows_table_ ? cpu::ColumnRows(*rows_table_, static_cast<double>(config_.cell_size)) : cpu::ColumnRows();
+    SolveTables tables(config_.cells, cpu::pressure_ends(boundaries), rows);
     if (prepared_ == DiffusionMethod::implicit)
         tables.add_diffusion(config_.cells, {cpu::velocity_ends(boundaries, 0), cpu::velocity_ends(boundaries, 1),
                                              cpu::velocity_ends(boundaries, 2)});
@@ -119,8 +174,13 @@ void Air::write_tables(VkCommandBuffer commands) {
     if (tables_written_ && rules_written_)
         return;
     barrier(k_compute | k_transfer, k_transfer);
-    if (!std::exchange(rules_written_, true))
+    if (!std::exchange(rules_written_, true)) {
         write(commands, fields_.rules, std::as_bytes(std::span(rules_)));
+        if (rows_table_) {
+            const std::vector<WindrowRow> rows = rows_in(*rows_table_);
+            write(commands, fields_.step, std::as_bytes(std::span(rows)), sizeof(WindrowStep));
+        }
+    }
     if (!std::exchange(tables_written_, true)) {
         if (piece_.bytes() > 0) {
             copy(commands, piece_, fields_.tables);

@@ -92,7 +92,7 @@ bool DeviceCells::step(const CellStep& step, Diagnostics& report) {
     step.ambient->advance(step.duration);
     read_backs_.report_to(report, wind_.box());
     report.diffusion = wind_.config.stages.diffusion
-                           ? diffusion_method(wind_.config.viscosity, static_cast<float>(step.duration), wind_.config.cell_size)
+                           ? diffusion_method(wind_.config.viscosity, static_cast<float>(step.duration), wind_.box().finest())
                            : DiffusionMethod::none;
     if (!tick.rests)
         return false;
@@ -131,7 +131,8 @@ void DeviceCells::report_ambient(const CellStep& step, Diagnostics& report) cons
     for (int j = 0; j < cells.y; ++j) {
         const glm::vec3 u = step.ambient->velocity(step.window->centre(0, j, 0));
         report.max_speed = std::max({report.max_speed, std::abs(u.x), std::abs(u.y), std::abs(u.z)});
-        report.energy += 0.5 * static_cast<double>(glm::dot(u, u)) * h * h * h * cells.x * cells.z;
+        const double volume = static_cast<double>(wind_.box().volume(j)) * h * h * h;
+        report.energy += 0.5 * static_cast<double>(glm::dot(u, u)) * volume * cells.x * cells.z;
     }
 }
 

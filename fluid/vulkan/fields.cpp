@@ -29,7 +29,8 @@ Result<Fields> Fields::create(Device& device, const Sizes& sizes) {
     const VkDeviceSize cells = count(sizes.cells), padded = count(sizes.cells + WINDROW_HALO);
     const auto axes = static_cast<VkDeviceSize>(sizes.cells.x + sizes.cells.y + sizes.cells.z + 3 * WINDROW_HALO);
 
-    make(fields.step, "step", sizeof(WindrowStep));
+    const auto padded_rows = [](glm::ivec3 size) { return static_cast<VkDeviceSize>(size.y + WINDROW_HALO); };
+    make(fields.step, "step", sizeof(WindrowStep) + (sizes.rows ? padded_rows(sizes.cells) * sizeof(WindrowRow) : 0));
     make(fields.control, "control", sizeof(WindrowControl));
     make(fields.shapes, "shapes", 4 * (1 + 3 * k_max_stages));
     make(fields.commands, "commands", sizes.commands * sizeof(VkDispatchIndirectCommand));

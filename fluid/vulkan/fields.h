@@ -29,6 +29,7 @@ struct Fields {
         std::uint32_t sums = 1;
         bool diffuses = false; ///< else `diffused` is a stand-in
         bool rough = false;    ///< else `layer` is empty
+        bool rows = false;     ///< of unequal thickness: their table is behind the step
         bool gusts = false;    ///< else `tile` is one
         Texel texel = Texel::half;
         TextureSet textures = TextureSet::vectors;     ///< what it has not stays empty

@@ -10,6 +10,7 @@
 #include "shader_words/diffuse_columns.h"
 #include "shader_words/diffuse_forward.h"
 #include "shader_words/gradient.h"
+#include "shader_words/lift.h"
 #include "shader_words/limit.h"
 #include "shader_words/loads.h"
 #include "shader_words/modes_back.h"
@@ -47,7 +48,7 @@ using Groups = Passes::Groups;
 constexpr std::uint32_t k_cell_group = 128;     // invocations; every device has as many
 constexpr std::uint32_t k_solve_group = 256;    // of a plane's transform, where the device has them
 constexpr std::uint32_t k_tile_lines = 16;      // of a tile that is not a whole plane
-constexpr std::size_t k_obstacles_constant = 7; // of pass.glsl
+constexpr std::size_t k_obstacles_constant = 7; // of pass.glsl, then that of rows
 constexpr std::uint32_t k_load_groups = 64;     // that take the bodies in turns
 constexpr int k_of_sources = 1;                 // WindrowStagePush::part of the volume sources' flow
 
@@ -146,7 +147,7 @@ const char* name_of(Pass pass) {
         "place",           "sources",         "source_flow",  "adjust",     "plan",       "limit",      "diffuse",
         "diffuse_forward", "diffuse_columns", "diffuse_back", "stress",     "pad",        "advect",     "advect_careful",
         "modes_forward",   "modes_between",   "columns",      "modes_back", "surface",    "gradient",   "rooms",
-        "terms",           "loads",           "show",         "report",     "read_cells", "read_points"};
+        "terms",           "loads",           "lift",         "show",       "report",     "read_cells", "read_points"};
     return names[static_cast<std::size_t>(pass)];
 }
 
@@ -227,6 +228,9 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
         over(lines, {k_load_groups, 1, 1}, {lines[0]})(
             Pass::loads, words::loads, of(f.step, f.control, f.solids, f.potential, f.correction, f.direction, f.around));
     }
+    if (settings.rows)
+        a_cell(Pass::lift, words::lift,
+               of(f.step, f.control, f.velocity, f.history, f.source_flow, f.before, f.arrived, f.tile));
     a_cell(Pass::gradient, words::gradient,
            of(f.step, f.control, f.potential, f.arrived, f.source_flow, f.velocity, f.history, f.tile, f.correction, f.direction,
               f.solids, f.around));
@@ -266,6 +270,7 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
         constants.insert(constants.end(), plan.constants.begin(), plan.constants.end());
         constants.resize(k_obstacles_constant, 0);
         constants.push_back(yes(settings.obstacles));
+        constants.push_back(yes(settings.rows));
         auto pipeline = device.pipeline({.code = plan.code,
                                          .bindings = kinds,
                                          .constants = constants,

@@ -41,6 +41,7 @@ enum class Pass : std::uint8_t {
     rooms,          ///< closed rooms: what the wind, sources and rounding would blow there
     terms,          ///< the pressure's history at the faces of obstacles that were placed anew
     loads,          ///< forces on obstacles
+    lift,           ///< a box with rows of its own that has risen
     show,           ///< textures, and the sums of the report
     report,         ///< the report to the host
     read_cells,     ///< cells to the host, ...
@@ -90,6 +91,7 @@ class Passes {
         bool read_halves = false; ///< as halves, else floats
         bool obstacles = false;   ///< else the passes know none
         bool rough = false;       ///< over rough ground
+        bool rows = false;        ///< of unequal thickness
     };
     [[nodiscard]] static Result<Passes> create(Device& device, const Fields& fields, const Settings& settings);
     /// Sets the tables of the direct solve; call it before the first sub-step.

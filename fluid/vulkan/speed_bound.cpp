@@ -47,7 +47,7 @@ float largest_source_flow(const MotorReach& motor, const Box& box) {
         duct = duct || count == 2;
     }
     if (duct) {
-        const glm::vec3 size = box.cell_size * glm::vec3(box.cells);
+        const glm::vec3 size = box.size();
         const float section = std::min({size.x * size.y, size.y * size.z, size.z * size.x});
         flow += strength * 0.958f * radius * radius * radius / section;
     }
@@ -58,7 +58,7 @@ float largest_source_flow(const MotorReach& motor, const Box& box) {
 
 float largest_ambient(const AmbientWind& ambient, const Window& window, float* gusts) {
     const AmbientBlock block = ambient.block(window.origin());
-    const float top = block.anchor_height + window.cell_size * static_cast<float>(window.cells.y);
+    const float top = block.anchor_height + static_cast<float>(window.size().y);
     const float factor = block.roughness_length > 0.0f
                              ? std::max(1.0f, numerics::windrow_profile(top, block.roughness_length, block.reference_height))
                              : 1.0f;

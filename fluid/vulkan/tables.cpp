@@ -48,7 +48,7 @@ std::size_t SolveTables::max_floats(glm::ivec3 cells, bool diffusion) {
     return vectors + (2 * y + 2) * x * z + (diffusion ? 3 * (vectors + x + z + 3) : 0);
 }
 
-SolveTables::SolveTables(glm::ivec3 cells, const Ends& ends) {
+SolveTables::SolveTables(glm::ivec3 cells, const Ends& ends, const cpu::ColumnRows& law) {
     const AxisBasis x(cells.x, ends[0][0], ends[0][1]), z(cells.z, ends[2][0], ends[2][1]);
     pressure = append_both(x, z, values);
     const bool cyclic = cpu::is_cyclic(ends[1], cells.y);
@@ -72,7 +72,7 @@ SolveTables::SolveTables(glm::ivec3 cells, const Ends& ends) {
             if (static_cast<int>(column) == singular)
                 continue;
             std::array<double, 2> factors{};
-            cpu::factor_column(-2.0 + x.eigenvalues[mode_x] + z.eigenvalues[mode_z], ends[1], {}, pivot, vector, factors);
+            cpu::factor_column(-2.0 + x.eigenvalues[mode_x] + z.eigenvalues[mode_z], ends[1], law, pivot, vector, factors);
             for (std::size_t j = 0; j < rows; ++j)
                 values[pivots + j * plane + column] = static_cast<float>(pivot[j]);
             for (std::size_t j = 0; cyclic && j < rows; ++j)

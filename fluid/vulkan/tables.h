@@ -2,7 +2,7 @@
 // floats.
 #pragma once
 
-#include "fluid/cpu/basis.h"
+#include "fluid/cpu/separable_solver.h"
 
 #include <array>
 #include <glm/vec3.hpp>
@@ -14,7 +14,8 @@ struct SolveTables {
     using Ends = std::array<std::array<cpu::EndRule, 2>, 3>;
 
     /// L phi = rhs with the ends given; L is the 7-point Laplacian of a box of `cells`.
-    SolveTables(glm::ivec3 cells, const Ends& ends);
+    /// `rows`: empty where all are equal.
+    SolveTables(glm::ivec3 cells, const Ends& ends, const cpu::ColumnRows& rows = {});
 
     std::vector<float> values;
     /// Floats that any mix of sides takes, with and without diffusion.

@@ -61,8 +61,8 @@ Result<void> check(const Config& config, const Settings& settings) {
     detail::Reasons reasons;
     if (auto valid = validate(config); !valid)
         reasons.add(valid.error());
-    if (config.rows)
-        reasons.add("rows are for a wind on the CPU: leave them out, or use windrow::Wind.");
+    if (config.rows && settings.queries == ReadBack::box && settings.read_cells.y != config.cells.y)
+        reasons.add("read_cells has ", settings.read_cells.y, " rows of a box whose rows differ: give all ", config.cells.y, ".");
     if (settings.frames_in_flight < 1 || settings.frames_in_flight > 8)
         reasons.add("frames_in_flight is ", settings.frames_in_flight, ": give 1 to 8, as many as the host has.");
     check_reads(reasons, config, settings);
@@ -249,7 +249,7 @@ WindowBlock Wind::window_block(glm::dvec3 anchor) const {
 FrameBlock Wind::frame_block(glm::dvec3 anchor, const Sampling& sampling) const {
     return with_views(*state_, [&](const WindView& now, const WindView& before) {
         return windrow::frame_block(window_block(anchor), now.ambient().block(anchor, sampling),
-                                    before.ambient().block(anchor, sampling));
+                                    before.ambient().block(anchor, sampling), state_->core.rows.get());
     });
 }
 

@@ -24,7 +24,7 @@ void main() {
     if (push.of_mean != 0) {
         wind = push.change;
         if (is_on(WINDROW_PROFILE))
-            wind *= windrow_profile(tick.wind.anchor_height + tick.cell_size * (float(cell.y) + 0.5f), tick.wind.roughness_length,
+            wind *= windrow_profile(tick.wind.anchor_height + row_height(cell.y), tick.wind.roughness_length,
                                     tick.wind.reference_height);
     } else {
         wind = wind_at(cell, elapsed(), is_on(WINDROW_GUSTS));

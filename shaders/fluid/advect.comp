@@ -96,10 +96,23 @@ vec3 given_carried(vec3 w, ivec3 cell, int at, vec3 displacement, ivec3 s) {
     vec3 t;
     int from = first + locate(cell, displacement, s, false, t);
     const vec3 departed = sample_linear(from, t, s) + bend_at(from, t.y, s) * tick.wind.mean.xyz;
+    if (k_own_rows)
+        v.y *= row_scale(cell.y);
     from = first + locate(cell, displacement + (control.substep_duration / tick.cell_size) * v, s, false, t);
     const vec3 own = sample_linear(from, t, s) + bend_at(from, t.y, s) * tick.wind.mean.xyz;
     const vec3 end = wind_at(cell, elapsed() + control.substep_duration, true);
     return departed - lerp(end, own, gusts / (gusts + square));
+}
+
+// The pressure's history, inside of bodies that of the air beside them.
+vec3 history_of(ivec3 cell, int at) {
+    const int record = record_at(cell);
+    vec3 sum = vec3(0.0f);
+    for (int n = 0; n < term_count(record); ++n) {
+        const AirTerm term = term_of(cell, record, n);
+        sum += term.weight * slipping(history[cell_index(term.cell)].xyz, term, 0.0f);
+    }
+    return term_count(record) > 0 ? sum : history[at].xyz;
 }
 
 // Drives and drag act on the total wind.
@@ -108,7 +121,7 @@ vec3 held(vec3 w, ivec3 cell, int at) {
     if (!(hold.drives.w > 0.0f || hold.way > 0.0f))
         return w;
     const vec3 given = given_part(cell, at, elapsed() + control.substep_duration);
-    const vec3 pressure = is_fresh() ? vec3(0.0f) : past().scale * history[at].xyz;
+    const vec3 pressure = is_fresh() ? vec3(0.0f) : past().scale * history_of(cell, at);
     return windrow_held_arriving(w + given, pressure, hold) - given;
 }
 
@@ -142,7 +155,9 @@ void main() {
     const bool classic = is_on(WINDROW_STABLE_FLUIDS);
     vec3 result;
     if (is_on(WINDROW_ADVECTS)) {
-        const vec3 u = departing_velocity(cell);
+        vec3 u = departing_velocity(cell);
+        if (k_own_rows) // the trace counts rows too
+            u.y *= row_scale(cell.y);
         const float cells_per_speed = dt / tick.cell_size;
         const int traces = stride.z * (tick.cells.z + WINDROW_HALO);
         vec3 t;

@@ -69,13 +69,21 @@ struct WindrowStep {
     WindrowAmbient wind;                // at the tick's start; local positions are from the box's low corner
 };
 
+// A row of a padded field, behind the step, in a box with rows of its own.
+struct WindrowRow {
+    float height; // [m] of its centre over the low boundary
+    float scale;  // cell size over its thickness
+    float link;   // cell size over the distance to the row below
+    float column; // factor on its unknown in a column's system; of the first: square of the cell size over the least distance
+};
+
 // Between the passes of a tick. Lives on the device; the sub-step's durations are kept from tick to tick.
 struct WindrowControl {
     // Found by the passes over cells, from 0 in each tick. Speeds are the bits of floats, for atomicMax.
     uint fastest_component; // [m/s] of the velocity
     uint largest_force;     // [m/s^2] component
     uint nonfinite_cells;   // repaired
-    uint unused;
+    uint fastest_in_rows;   // as fastest_component, with what moves along y in rows; 0 where all are equal
     // Of the plan.
     float substep_duration;  // [s]
     float previous_duration; // [s] of the last tick's sub-steps
@@ -300,6 +308,19 @@ struct WindrowReadPush {
 struct WindrowPointsPush {
     float factor; // as WindrowShowPush
     int points;
+};
+
+// lift.comp: what a field holds once the box has risen.
+#define WINDROW_LIFT_NOW 0
+#define WINDROW_LIFT_AGO 1
+#define WINDROW_LIFT_HISTORY 2
+#define WINDROW_LIFT_SOURCE_FLOW 3
+#define WINDROW_LIFT_BEFORE 4
+struct WindrowLiftPush {
+    float rise; // [m]
+    int field;
+    int value; // WINDROW_PLACE_AMBIENT or _ZERO, for rows from outside
+    int back;  // 0: into `arrived`; 1: from there into the field
 };
 
 // One motor; fluid/motor_reach.h.

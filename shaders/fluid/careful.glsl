@@ -69,6 +69,9 @@ float wall_between(ivec3 cell, int axis, int side, bool room, ivec3 stride) {
     return speed;
 }
 
+// Of a node that a trace reads: along y it counts rows.
+float trace_scale(int axis, ivec3 cell, bool traces) { return traces && axis == 1 ? row_scale(cell_within(cell.y, 1)) : 1.0f; }
+
 vec3 legal_displacement(ivec3 from, vec3 displacement) {
     vec3 way;
     for (int axis = 0; axis < 3; ++axis) {
@@ -184,7 +187,7 @@ vec3 careful_read(int field, ivec3 from, Point at, bool cubic, bool own_side, bo
                     here = had && !blocked;
                     before_sum += values[source];
                     if (had && blocked)
-                        before_sum[axis] += 2.0f * (wall_between(cell, axis, back, room, stride) - values[source][axis]);
+                        before_sum[axis] += 2.0f * (trace_scale(axis, cell, field > 0) * wall_between(cell, axis, back, room, stride) - values[source][axis]);
                     count += 1.0f;
                 }
                 const int n = (node.z * 4 + node.y) * 4 + node.x;
@@ -222,9 +225,9 @@ bool is_beside_thin(int byte) {
     if (!is_on(WINDROW_THIN) || (byte & (WINDROW_BYTE_INSIDE | WINDROW_BYTE_ROOM)) != 0)
         return false;
     // As far as a trajectory of 1.5 times the largest speed and a cubic read come, as Solids::reach_past_thin.
-    float fastest = uintBitsToFloat(control.fastest_component);
+    float fastest = uintBitsToFloat(k_own_rows ? control.fastest_in_rows : control.fastest_component);
     if (push.substep <= 0)
-        fastest += tick.duration * uintBitsToFloat(control.largest_force);
+        fastest += tick.duration * uintBitsToFloat(control.largest_force) * (k_own_rows ? sqrt(rows[0].column) : 1.0f);
     const float cells = 1.5f * control.substep_duration / tick.cell_size * fastest;
     const int reach = int(min(ceil(max(cells, 0.5f)), 1000.0f)) + 2;
     const int from = byte >> WINDROW_BYTE_REACH_SHIFT;

@@ -11,7 +11,7 @@ float blown_past(SolidFace face, int end, vec2 wind) {
 }
 
 // `empty`: the divergence of the empty box, times h.
-float closed_divergence(int record, float empty) {
+float closed_divergence(int record, ivec3 cell, float empty) {
     if (record_is(record, WINDROW_SHUT))
         return 0.0f;
     float sum = empty;
@@ -30,8 +30,10 @@ float closed_divergence(int record, float empty) {
                 wind = vec2(wind_at(low, time, true)[axis], wind_at(high, time, true)[axis]);
                 both += wind[0] + wind[1];
             }
-            const float flux =
+            float flux =
                 0.5f * face.closed * both - (is_on(WINDROW_BODIES_MOVE) ? face.wall : 0.0f) - blown_past(face, end, wind);
+            if (k_own_rows && axis == 1)
+                flux *= row_scale(cell.y);
             sum += end == 0 ? -flux : flux;
         }
     return sum;

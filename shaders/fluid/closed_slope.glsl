@@ -5,7 +5,7 @@ float slope_over(SolidFace face) {
 }
 
 // What the closed faces of a cell take off its gradient.
-vec3 closed_slopes(int record) {
+vec3 closed_slopes(int record, ivec3 cell) {
     vec3 sum = vec3(0.0f);
     for (int axis = 0; axis < 3; ++axis)
         for (int end = 0; end < 2; ++end) {
@@ -13,5 +13,7 @@ vec3 closed_slopes(int record) {
             if (n >= 0)
                 sum[axis] += 0.5f * slope_over(solid_face(n));
         }
+    if (k_own_rows)
+        sum.y *= row_scale(cell.y);
     return sum;
 }

@@ -36,8 +36,7 @@ vec3 closed_flux(ivec3 cell, int record, vec3 here) {
                 continue;
             const SolidFace face = solid_face(n);
             const ivec3 other = solid_cell(face.cell[end]);
-            vec3 place = vec3(solid_cell(face.cell[0])) + 0.5f;
-            place[axis] += 0.5f;
+            const vec3 place = face_middle(solid_cell(face.cell[0]), axis);
             const vec3 next = solved_cell(other, solid_record(other));
             const vec3 stuck = 2.0f * (body_velocity(face.body, place) - wind - here);
             vec3 flux = vec3(0.0f);
@@ -45,7 +44,7 @@ vec3 closed_flux(ivec3 cell, int record, vec3 here) {
                 flux = stuck;
             else
                 flux[axis] = stuck[axis];
-            sum += face.closed * (flux - (next - here));
+            sum += exchange(cell, axis, end) * face.closed * (flux - (next - here));
         }
     return sum;
 }
@@ -61,9 +60,8 @@ vec3 dragged_air(ivec3 cell, int record, float ratio) {
         if (number < 0)
             continue;
         const SolidFace face = solid_face(number);
-        vec3 place = vec3(solid_cell(face.cell[0])) + 0.5f;
-        place[axis] += 0.5f;
-        const float way = 2.0f * ratio * face.closed, part = way / (1.0f + way);
+        const vec3 place = face_middle(solid_cell(face.cell[0]), axis);
+        const float way = 2.0f * ratio * exchange(cell, axis, n / 3) * face.closed, part = way / (1.0f + way);
         const vec3 apart = body_velocity(face.body, place) - wind - v;
         if (face_is_no_slip(face))
             v += part * apart;
@@ -96,7 +94,11 @@ void main() {
         for (int n = 0; n < 6; ++n)
             around[n] = beside(cell, n / 2, 2 * (n % 2) - 1);
         const vec3 sum = ((around[0] + around[1]) + (around[2] + around[3])) + (around[4] + around[5]);
-        precise const vec3 rest = sum - 6.0f * v;
+        precise vec3 rest = sum - 6.0f * v;
+        if (k_own_rows) {
+            const vec3 level = ((around[0] + around[1]) + (around[4] + around[5])) - 4.0f * v;
+            rest = level + (exchange(cell, 1, 0) * (around[2] - v) + exchange(cell, 1, 1) * (around[3] - v));
+        }
         const vec3 walls = record < 0 ? vec3(0.0f) : closed_flux(cell, record, v);
         v += ratio * rest; // 0 to the bit where v is uniform, since it is not contracted
         v += ratio * walls;

@@ -23,9 +23,9 @@ float load(ivec3 cell) {
     float rhs = -(diffused[cell_index(cell)][push.part] - still_wind()[push.part]) / diffusion_ratio();
     for (int axis = 0; axis < 3; ++axis) {
         if (cell[axis] == 0)
-            rhs -= wall_fraction(axis, -1);
+            rhs -= exchange(cell, axis, 0) * wall_fraction(axis, -1);
         if (cell[axis] == tick.cells[axis] - 1)
-            rhs -= wall_fraction(axis, tick.cells[axis]);
+            rhs -= exchange(cell, axis, 1) * wall_fraction(axis, tick.cells[axis]);
     }
     return rhs;
 }

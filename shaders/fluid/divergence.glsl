@@ -9,5 +9,7 @@ float differences(ivec3 cell) {
         const int high = cell_index(neighbour(cell, axis, 1, tick.velocity_low, tick.velocity_high, above));
         d[axis] = above * WINDROW_FIELD(high)[axis] - below * WINDROW_FIELD(low)[axis];
     }
+    if (k_own_rows)
+        d.y *= row_scale(cell.y);
     return d.x + (d.y + d.z);
 }

@@ -15,9 +15,9 @@ float beyond(ivec3 cell, int axis, int step) {
     for (int each = 0; each < 3; ++each) {
         const bool above = tick.velocity_high[each] < 0.0f;
         walled[each] = above || tick.velocity_low[each] < 0.0f ? 1.0f : 0.0f;
-        wall[each] = above ? tick.cell_size * float(tick.cells[each]) : 0.0f;
+        wall[each] = above ? box_size()[each] : 0.0f;
     }
-    const vec3 p = tick.cell_size * (vec3(ghost) + 0.5f);
+    const vec3 p = centre_of(ghost);
     float potential = 0.0f;
     for (int n = 0; n < tick.motors; ++n) {
         if (motors[n].law != windrow_source || motors[n].push[0] == 0.0f)
@@ -33,4 +33,13 @@ float beyond(ivec3 cell, int axis, int step) {
         potential += motors[n].push[0] / motors[n].radius * images;
     }
     return potential / (12.5663706f * tick.cell_size);
+}
+
+// The same as L takes it from a cell's row, both ends of all axes.
+float all_beyond(ivec3 cell) {
+    float sum = 0.0f;
+    for (int axis = 0; axis < 3; ++axis)
+        for (int end = 0; end < 2; ++end)
+            sum += exchange(cell, axis, end) * beyond(cell, axis, 2 * end - 1);
+    return sum;
 }

@@ -36,9 +36,11 @@ void main() {
             const int high = cell_index(neighbour(cell, axis, 1, tick.potential_low, tick.potential_high, above));
             slope[axis] = 0.5f * (above * phi_at(high) - below * phi_at(low));
         }
+    if (k_own_rows)
+        slope.y *= row_scale(cell.y);
     const int record = has_obstacles() ? solid_record(cell) : -1;
     if (record >= 0 && is_on(WINDROW_PROJECTS))
-        slope -= closed_slopes(record);
+        slope -= closed_slopes(record, cell);
     vec3 u = arrived[at].xyz - slope;
     if (!is_on(WINDROW_STABLE_FLUIDS)) {
         const WindrowPast p = past();
@@ -52,7 +54,7 @@ void main() {
     if (is_on(WINDROW_HAS_SOURCE_FLOW))
         u += source_flow[at].xyz;
     if (record_is(record, WINDROW_INSIDE) && is_on(WINDROW_PROJECTS)) {
-        u = is_on(WINDROW_BODIES_MOVE) ? body_velocity(record_body(record), vec3(cell) + 0.5f) : vec3(0.0f);
+        u = is_on(WINDROW_BODIES_MOVE) ? body_velocity(record_body(record), centre_of(cell)) : vec3(0.0f);
         if (is_on(WINDROW_HAS_SOURCE_FLOW))
             u += source_flow[at].xyz;
     } else if (is_on(WINDROW_GUSTS) && !record_is(record, WINDROW_SHELTERED)) {

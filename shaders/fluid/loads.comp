@@ -19,19 +19,19 @@ shared vec4 linear[k_group], angular[k_group];  // impulse and potential; moment
 
 void add_push(int n, vec3 position, inout vec4 force, inout vec4 moment) {
     const SolidFace face = solid_face(n);
+    const ivec3 low = solid_cell(face.cell[0]);
+    const float area = face.axis == 1 ? 1.0f : row_volume(low.y); // over that of a cube's face
     float held = 0.0f;
     for (int end = 0; end < 2; ++end)
         if (!face_end_is_shut(face, end)) {
-            const float here = face.closed * phi_at(cell_index(solid_cell(face.cell[end])));
+            const float here = area * face.closed * phi_at(cell_index(solid_cell(face.cell[end])));
             held += end == 0 ? here : -here;
             force.w += here;
-            moment.w += face.closed;
+            moment.w += area * face.closed;
         }
     const float h = tick.cell_size;
-    vec3 place = vec3(solid_cell(face.cell[0])) + 0.5f;
-    place[face.axis] += 0.5f;
     const vec3 size = h * tick.period.xyz;
-    vec3 arm = h * place - position;
+    vec3 arm = face_middle(low, face.axis) - position;
     arm -= size * round(arm / mix(size, vec3(1.0f), equal(size, vec3(0.0f)))); // from its nearest image
     vec3 along = vec3(0.0f);
     along[face.axis] = h * h * h * held;

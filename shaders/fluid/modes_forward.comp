@@ -39,7 +39,9 @@ float load(ivec3 cell) {
         float rhs = 0.0f;
         if (is_on(WINDROW_EXPANDS)) {
             rhs = -tick.cell_size * expansion[cell_index(cell)];
-            for (int axis = 0; axis < 3; ++axis)
+            if (k_own_rows)
+                rhs -= all_beyond(cell);
+            for (int axis = 0; axis < 3 && !k_own_rows; ++axis)
                 rhs -= beyond(cell, axis, -1) + beyond(cell, axis, 1);
         }
         if (record_is(record, WINDROW_SHUT))
@@ -48,12 +50,12 @@ float load(ivec3 cell) {
     }
     float rhs = 0.5f * differences(cell);
     if (record >= 0) {
-        rhs = closed_divergence(record, rhs);
+        rhs = closed_divergence(record, cell, rhs);
         const float guess = guess_scale();
         for (int face = 0; face < 6 && guess > 0.0f; ++face) {
             const int n = solid_words[record + 1 + face];
             if (n >= 0)
-                rhs += (face % 2 == 1 ? guess : -guess) * around_words[solids.history + n];
+                rhs += exchange(cell, face / 2, face % 2) * (face % 2 == 1 ? guess : -guess) * around_words[solids.history + n];
         }
     }
     return rhs;

@@ -40,8 +40,8 @@ void write_texels(ivec3 cell, vec3 u) {
 #define WINDROW_FIELD(at) velocity[now(at)]
 #include "fluid/divergence.glsl"
 
-// Beyond that of the empty box, times h.
-float through_closed_faces(int record) {
+// Beyond that of the empty box, times h. `scale`: of the cell's row.
+float through_closed_faces(int record, float scale) {
     float sum = 0.0f;
     for (int axis = 0; axis < 3; ++axis)
         for (int end = 0; end < 2; ++end) {
@@ -53,7 +53,7 @@ float through_closed_faces(int record) {
                                      (WINDROW_FIELD(cell_index(solid_cell(face.cell[0])))[axis] +
                                       WINDROW_FIELD(cell_index(solid_cell(face.cell[1])))[axis]) -
                                  face.wall;
-            sum += end == 1 ? -passed : passed;
+            sum += axis == 1 ? (end == 1 ? -scale : scale) * passed : end == 1 ? -passed : passed;
         }
     return sum;
 }
@@ -82,11 +82,11 @@ void main() {
             if (is_on(WINDROW_PROJECTS) && !within) {
                 divergence = 0.5f / tick.cell_size * differences(cell);
                 if (record >= 0)
-                    divergence += through_closed_faces(record) / tick.cell_size;
+                    divergence += through_closed_faces(record, row_scale(cell.y)) / tick.cell_size;
                 if (is_on(WINDROW_EXPANDS))
                     divergence -= expansion[at];
             }
-            parts[local] = vec2(dot(u.xyz, u.xyz), divergence * divergence);
+            parts[local] = vec2(row_volume(cell.y) * dot(u.xyz, u.xyz), divergence * divergence);
             atomicMax(group_largest, floatBitsToUint(largest_component(u.xyz)));
             const vec3 around =
                 record_is(record, WINDROW_ROOM) ? vec3(0.0f) : wind_at(cell, tick.duration + elapsed(), is_on(WINDROW_GUSTS));

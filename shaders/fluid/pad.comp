@@ -25,8 +25,8 @@ layout(std430, set = 0, binding = 9) writeonly buffer Padded { vec4 padded[]; };
 // The mean wind's factor in a row of the padded field.
 float profile_of_row(int row, int first) {
     const WindrowRule rule = rules[first + row];
-    const float j = float(rule.beyond_open_side != 0 ? row - WINDROW_HALO_LOW : rule.source);
-    return windrow_profile(tick.wind.anchor_height + tick.cell_size * (j + 0.5f), tick.wind.roughness_length,
+    const int j = rule.beyond_open_side != 0 ? row - WINDROW_HALO_LOW : rule.source;
+    return windrow_profile(tick.wind.anchor_height + row_height(j), tick.wind.roughness_length,
                            tick.wind.reference_height);
 }
 
@@ -102,7 +102,10 @@ void main() {
         padded[wind_from] = vec4(wind_at(slipped, elapsed(), true), bend_of_row(place.y, first.y, size.y));
     if (ambient) {
         padded[at] = vec4(solved_ambient(here), 0.0f);
-        padded[trace_at] = vec4(wind_at(here, elapsed(), is_on(WINDROW_GUSTS)), 0.0f);
+        vec3 wind = wind_at(here, elapsed(), is_on(WINDROW_GUSTS));
+        if (k_own_rows)
+            wind.y *= row_scale(clamp(here.y, 0, tick.cells.y - 1));
+        padded[trace_at] = vec4(wind, 0.0f);
         return;
     }
     const int record = record_at(cell);
@@ -122,6 +125,8 @@ void main() {
     }
     if (!is_on(WINDROW_STABLE_FLUIDS))
         carried += history_scale * air.held;
+    if (k_own_rows) // along it a trajectory counts rows
+        u.y *= row_scale(cell.y);
     padded[at] = vec4(carried, 0.0f);
     padded[trace_at] = vec4(u, 0.0f);
 }

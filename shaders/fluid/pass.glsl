@@ -20,7 +20,10 @@ vec3 windrow_tile_texel(int tile, ivec3 texel) { return vec3(0.0f); }
 #include "numerics/history.glsl"
 #include "fluid/blocks.glsl"
 
-layout(std430, set = 0, binding = 0) readonly buffer Step { WindrowStep tick; };
+layout(std430, set = 0, binding = 0) readonly buffer Step {
+    WindrowStep tick;
+    WindrowRow rows[]; // of a padded field, where the box has rows of its own
+};
 layout(std430, set = 0, binding = 1) buffer Control { WindrowControl control; };
 #ifndef WINDROW_PUSH
 #define WINDROW_PUSH WindrowStagePush
@@ -33,6 +36,41 @@ bool is_on(int bit) { return (tick.flags & bit) != 0; }
 layout(constant_id = 7) const bool k_obstacles = false;
 bool has_obstacles() { return k_obstacles && is_on(WINDROW_OBSTACLES); }
 bool has_rooms() { return k_obstacles && is_on(WINDROW_ROOMS); }
+
+// Rows of unequal thickness (fluid/rows.h); passes of a box without hold no code for them.
+layout(constant_id = 8) const bool k_own_rows = false;
+float row_height(int j) { return k_own_rows ? rows[j + WINDROW_HALO_LOW].height : tick.cell_size * (float(j) + 0.5f); }
+// Cell size over a row's thickness, and over the distance between the rows beside the face below row `face`.
+float row_scale(int j) { return k_own_rows ? rows[j + WINDROW_HALO_LOW].scale : 1.0f; }
+float row_link(int face) { return k_own_rows ? rows[face + WINDROW_HALO_LOW].link : 1.0f; }
+vec3 in_rows(vec3 u, int j) { return vec3(u.x, row_scale(j) * u.y, u.z); }
+// Volume of a cell in cubes of its size.
+float row_volume(int j) { return 1.0f / row_scale(j); }
+// What L takes from a difference over a face of a cell, at the low (0) or high (1) end of an axis.
+float exchange(ivec3 cell, int axis, int end) { return axis == 1 ? row_scale(cell.y) * row_link(cell.y + end) : 1.0f; }
+// [m] From the low corner.
+vec3 centre_of(ivec3 cell) {
+    vec3 centre = tick.cell_size * (vec3(cell) + 0.5f);
+    if (k_own_rows)
+        centre.y = row_height(cell.y);
+    return centre;
+}
+// [m] Of the middle of a cell's face at the high end of an axis.
+vec3 face_middle(ivec3 cell, int axis) {
+    vec3 place = vec3(cell) + 0.5f;
+    place[axis] += 0.5f;
+    vec3 middle = tick.cell_size * place;
+    if (k_own_rows)
+        middle.y = axis == 1 ? 0.5f * (row_height(cell.y) + row_height(cell.y + 1)) : row_height(cell.y);
+    return middle;
+}
+// [m] Of the box.
+vec3 box_size() {
+    vec3 size = tick.cell_size * vec3(tick.cells);
+    if (k_own_rows)
+        size.y = 0.5f * (row_height(tick.cells.y - 1) + row_height(tick.cells.y));
+    return size;
+}
 
 // Index of a cell in an array of the box's cells in order.
 int linear_index(ivec3 cell) { return (cell.z * tick.cells.y + cell.y) * tick.cells.x + cell.x; }
@@ -81,7 +119,7 @@ vec3 wind_at(ivec3 cell, float elapsed, bool gusts) {
         wind.gust_fraction.xyz -= elapsed * tick.gust_speed;
     if (!is_on(WINDROW_PROFILE) && !gusts)
         return tick.ambient;
-    return windrow_ambient(0, wind, tick.cell_size * (vec3(cell) + 0.5f));
+    return windrow_ambient(0, wind, centre_of(cell));
 }
 
 // What is solved for meets beyond open boundaries: still air while the gusts are given.

@@ -37,13 +37,16 @@ void main() {
     barrier(); // all have read what the first now writes
     if (gl_GlobalInvocationID.x == 0) {
         float undiffused = control.undiffused_time;
+        float least_square = h * h; // of the distance between two cells
+        if (k_own_rows)
+            least_square /= rows[0].column;
         if (is_on(WINDROW_DIFFUSES))
             for (int n = 0; n < substeps; ++n) {
                 undiffused += part;
-                const bool acts = tick.viscosity * undiffused / (h * h) >= windrow_least_diffusion;
+                const bool acts = tick.viscosity * undiffused / least_square >= windrow_least_diffusion;
                 // A hair below the limit, which the ratio made of it must not pass (viscosity.glsl).
                 const float most =
-                    is_on(WINDROW_ONE_PASS) ? 0.99999f * windrow_most_explicit_diffusion * h * h / tick.viscosity : undiffused;
+                    is_on(WINDROW_ONE_PASS) ? 0.99999f * windrow_most_explicit_diffusion * least_square / tick.viscosity : undiffused;
                 control.diffused_time[n] = acts ? min(undiffused, most) : 0.0f;
                 undiffused -= control.diffused_time[n];
             }

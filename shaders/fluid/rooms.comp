@@ -63,8 +63,9 @@ void seal(int first, int end) {
     const int local = int(gl_LocalInvocationIndex);
     vec2 sum = vec2(0.0f);
     for (int n = first + local; n < end; n += k_group)
-        sum.x += expansion[cell_index(room_cell(n))];
-    const float mean = total(sum).x / float(end - first);
+        sum += row_volume(room_cell(n).y) * vec2(expansion[cell_index(room_cell(n))], 1.0f);
+    sum = total(sum);
+    const float mean = sum.x / sum.y;
     for (int n = first + local; n < end; n += k_group)
         expansion[cell_index(room_cell(n))] -= mean;
 }
@@ -98,7 +99,7 @@ void bound(int first, int end) {
         const ivec3 cell = room_cell(n);
         const int at = cell_index(cell);
         const vec3 had = velocity[now(at)].xyz, has = stepped(at);
-        energy += vec2(dot(had, had), dot(has, has));
+        energy += row_volume(cell.y) * vec2(dot(had, had), dot(has, has));
         work.x += is_worked_on(cell, at) ? 1.0f : 0.0f;
     }
     work = total(work);

@@ -73,10 +73,10 @@ bool face_end_is_sheltered(SolidFace face, int end) { return (face.flags & (WIND
 
 vec3 solid_vec3(int at) { return vec3(solid_float(at), solid_float(at + 1), solid_float(at + 2)); }
 
-// [m/s] Of a body's own point at a place [cells from the box's low corner].
+// [m/s] Of a body's own point at a place [m from the box's low corner].
 vec3 body_velocity(int body, vec3 place) {
     const int at = solids.bodies + WINDROW_BODY * body;
-    return solid_vec3(at) + cross(solid_vec3(at + 3), tick.cell_size * place - solid_vec3(at + 6));
+    return solid_vec3(at) + cross(solid_vec3(at + 3), place - solid_vec3(at + 6));
 }
 
 // A byte of a cell: its blocked faces, what it is, and the reach of a read that may pass through a thin body.

@@ -24,11 +24,12 @@ layout(std430, set = 0, binding = 9) readonly buffer Direction { float direction
 #include "fluid/guard.glsl"
 
 shared uint group_largest;
+shared uint group_in_rows;
 
 void main() {
     const ivec3 cell = ivec3(gl_GlobalInvocationID);
     if (gl_LocalInvocationIndex == 0)
-        group_largest = 0;
+        group_largest = group_in_rows = 0;
     barrier();
     if (inside(cell, tick.cells)) {
         const int at = cell_index(cell);
@@ -41,9 +42,11 @@ void main() {
                 const int high = cell_index(neighbour(cell, axis, 1, tick.potential_low, tick.potential_high, above));
                 flow[axis] = -0.5f * (above * phi_at(high) - below * phi_at(low));
                 flow[axis] -= 0.5f * (beyond(cell, axis, 1) - beyond(cell, axis, -1));
+                if (k_own_rows && axis == 1)
+                    flow[axis] *= row_scale(cell.y);
             }
         if (is_on(WINDROW_EXPANDS) && record >= 0 && !record_is(record, WINDROW_INSIDE))
-            flow += closed_slopes(record);
+            flow += closed_slopes(record, cell);
         const vec4 change = vec4(flow - source_flow[at].xyz, 0.0f);
         source_flow[at] = vec4(flow, 0.0f);
         vec4 u = velocity[now(at)] + change;
@@ -55,8 +58,12 @@ void main() {
             u = velocity[now(at)];
         }
         atomicMax(group_largest, floatBitsToUint(largest_component(u.xyz)));
+        if (k_own_rows)
+            atomicMax(group_in_rows, floatBitsToUint(largest_component(in_rows(u.xyz, cell.y))));
     }
     barrier();
     if (gl_LocalInvocationIndex == 0)
         atomicMax(control.fastest_component, group_largest);
+    if (k_own_rows && gl_LocalInvocationIndex == 0)
+        atomicMax(control.fastest_in_rows, group_in_rows);
 }

@@ -28,6 +28,7 @@ layout(std430, set = 0, binding = 9) readonly buffer Motors { WindrowMotor motor
 
 shared uint group_largest;
 shared uint group_force;
+shared uint group_in_rows;
 
 vec3 from(float v[3]) { return vec3(v[0], v[1], v[2]); }
 
@@ -60,11 +61,12 @@ void main() {
     if (gl_LocalInvocationIndex == 0) {
         group_largest = 0;
         group_force = 0;
+        group_in_rows = 0;
     }
     barrier();
     if (inside(cell, tick.cells)) {
         const int at = cell_index(cell);
-        const vec3 p = tick.cell_size * (vec3(cell) + 0.5f);
+        const vec3 p = centre_of(cell);
         vec3 pushed = vec3(0.0f);
         vec4 driven = vec4(0.0f);
         float let_in = 0.0f;
@@ -110,6 +112,8 @@ void main() {
                 u = velocity[now(at)];
             }
             fastest = largest_component(u.xyz);
+            if (k_own_rows)
+                atomicMax(group_in_rows, floatBitsToUint(largest_component(in_rows(u.xyz, cell.y))));
         }
         if (is_on(WINDROW_DRIVES) && !is_on(WINDROW_STABLE_FLUIDS)) {
             drives[at] = driven;
@@ -127,5 +131,7 @@ void main() {
     if (gl_LocalInvocationIndex == 0) {
         atomicMax(control.fastest_component, group_largest);
         atomicMax(control.largest_force, group_force);
+        if (k_own_rows)
+            atomicMax(control.fastest_in_rows, group_in_rows);
     }
 }

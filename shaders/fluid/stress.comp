@@ -84,9 +84,10 @@ void main() {
                                        j + 1 < ny ? layer[drag + j + 1] : 0.0f);
         const float to_low = low.inner ? low.bond : 0.0f, to_high = high.inner ? high.bond : 0.0f;
         const vec2 known = (high.inner ? high.known : vec2(0.0f)) - low.known;
-        const float pivot = 1.0f / (1.0f + low.bond + to_high - to_low * ratio);
+        const float thick = row_volume(j);
+        const float pivot = 1.0f / (thick + low.bond + to_high - to_low * ratio);
         ratio = to_high * pivot;
-        swept = (here.v + known + to_low * swept) * pivot;
+        swept = (thick * here.v + known + to_low * swept) * pivot;
         diffused[at] = vec4(swept.x, here.vertical, swept.y, ratio);
         here = next;
         low = high;

@@ -47,10 +47,14 @@ vec2 total(vec2 part) {
 const int k_residual = 0, k_applied = 1, k_along = 2;
 int word(int surface, int which) { return WINDROW_SURFACE_WORDS * surface + which; }
 
+ivec3 surface_cell(int s) { return solid_cell(solid_words[solids.surface + 2 * s + 1]); }
+
 float right_hand_side(int record, ivec3 cell) {
     if (push.part == 0)
-        return closed_divergence(record, 0.5f * differences(cell));
+        return closed_divergence(record, cell, 0.5f * differences(cell));
     float rhs = is_on(WINDROW_EXPANDS) && !record_is(record, WINDROW_SHUT) ? -tick.cell_size * expansion[cell_index(cell)] : 0.0f;
+    if (k_own_rows && is_on(WINDROW_EXPANDS) && !record_is(record, WINDROW_SHUT))
+        return rhs - all_beyond(cell);
     for (int axis = 0; axis < 3 && is_on(WINDROW_EXPANDS) && !record_is(record, WINDROW_SHUT); ++axis)
         rhs -= beyond(cell, axis, -1) + beyond(cell, axis, 1);
     return rhs;
@@ -64,19 +68,20 @@ void begin(int local) {
     vec2 squares = vec2(0.0f);
     for (int s = local; s < solids.surface_count; s += k_group) {
         const int record = solid_words[solids.surface + 2 * s];
-        const ivec3 cell = solid_cell(solid_words[solids.surface + 2 * s + 1]);
+        const ivec3 cell = surface_cell(s);
         float residual = 0.0f;
         for (int face = 0; face < 6; ++face) {
             const int n = solid_words[record + 1 + face];
             if (n < 0)
                 continue;
-            const float slope = slope_over(solid_face(n)) - (scale > 0.0f ? scale * around_words[solids.history + n] : 0.0f);
+            float slope = slope_over(solid_face(n)) - (scale > 0.0f ? scale * around_words[solids.history + n] : 0.0f);
+            slope *= exchange(cell, face / 2, face % 2);
             residual += face % 2 == 1 ? slope : -slope;
         }
         around_words[word(s, k_residual)] = residual;
         if (!record_is(record, WINDROW_SHUT)) { // inside a body no value matters
             const float wanted = right_hand_side(record, cell);
-            squares += vec2(wanted * wanted, residual * residual);
+            squares += row_volume(cell.y) * vec2(wanted * wanted, residual * residual);
         }
     }
     squares = total(squares);
@@ -92,13 +97,15 @@ void begin(int local) {
 void improve(int local) {
     const bool first = push.solve == 1;
     float part = 0.0f;
-    for (int s = local; s < solids.surface_count; s += k_group)
-        part += around_words[word(s, k_residual)] * correction[cell_index(solid_cell(solid_words[solids.surface + 2 * s + 1]))];
+    for (int s = local; s < solids.surface_count; s += k_group) {
+        const ivec3 cell = surface_cell(s);
+        part += row_volume(cell.y) * around_words[word(s, k_residual)] * correction[cell_index(cell)];
+    }
     const float squares = total(vec2(part, 0.0f)).x;
     const bool goes_on = around.stopped == 0 && around.left > max(push.tolerance, 1e-6f) * around.wanted;
     const float beta = first || !goes_on ? 0.0f : squares / around.squares;
     for (int s = local; s < solids.surface_count; s += k_group) {
-        const float along = correction[cell_index(solid_cell(solid_words[solids.surface + 2 * s + 1]))],
+        const float along = correction[cell_index(surface_cell(s))],
                     residual = around_words[word(s, k_residual)];
         around_words[word(s, k_along)] = beta == 0.0f ? along : along + beta * around_words[word(s, k_along)];
         around_words[word(s, k_applied)] = beta == 0.0f ? residual : residual + beta * around_words[word(s, k_applied)];
@@ -108,18 +115,19 @@ void improve(int local) {
     part = 0.0f;
     for (int s = local; s < solids.surface_count; s += k_group) {
         const int record = solid_words[solids.surface + 2 * s];
+        const ivec3 cell = surface_cell(s);
         float applied = around_words[word(s, k_applied)];
         for (int face = 0; face < 6; ++face) {
             const int n = solid_words[record + 1 + face];
             if (n < 0)
                 continue;
             const SolidFace between = solid_face(n);
-            const float slope = between.closed * (around_words[word(between.surface[1], k_along)] -
-                                                  around_words[word(between.surface[0], k_along)]);
+            const float slope = exchange(cell, face / 2, face % 2) * between.closed *
+                                (around_words[word(between.surface[1], k_along)] - around_words[word(between.surface[0], k_along)]);
             applied += face % 2 == 1 ? -slope : slope;
         }
         around_words[word(s, 3)] = applied;
-        part += around_words[word(s, k_along)] * applied;
+        part += row_volume(cell.y) * around_words[word(s, k_along)] * applied;
     }
     const float bent = total(vec2(part, 0.0f)).x;
     const bool steps = goes_on && bent < 0.0f;
@@ -129,7 +137,7 @@ void improve(int local) {
         const float residual = around_words[word(s, k_residual)] - alpha * around_words[word(s, 3)];
         around_words[word(s, k_residual)] = residual;
         if (!record_is(solid_words[solids.surface + 2 * s], WINDROW_SHUT))
-            left.x += residual * residual;
+            left.x += row_volume(surface_cell(s).y) * residual * residual;
     }
     left = total(left);
     if (local == 0) { // all have read them, since total() ends with a barrier

@@ -44,6 +44,8 @@ class Stories : public vulkan::Gpu {
         for (int n = 0; n < 3; ++n) {
             EXPECT_TRUE(wind->follow(static_cast<double>(n) * story.dt * story.walk));
             EXPECT_TRUE(wind->set_ambient({1.0f, 0.0f, 0.1f * static_cast<float>(n)}));
+            if (story.config.rows && n > 0) // a change of the story's own that comes later
+                EXPECT_TRUE(wind->set_floor(0.7 + 0.8 * n));
             run([&](VkCommandBuffer commands) { held(wind->record_step(commands, {.dt = story.dt})); });
             if (const auto times = wind->pass_times())
                 for (const vulkan::PassTimes::Pass& pass : times->passes)
@@ -89,6 +91,7 @@ TEST_F(Stories, EachKindOfPassIsWithinItsBounds) {
 TEST_F(Stories, TheStoryOfEachKindOfPassLeavesNoneOut) {
     std::set<std::string> ran = passes_of(story_named(k_every_pass_story));
     ran.merge(passes_of(story_named(k_obstacles_story)));
+    ran.merge(passes_of(story_named(k_rows_story)));
     using vulkan::Pass;
     const std::set<Pass> others = {Pass::read_cells, Pass::read_points, Pass::loads}; // where the host asks for them
     for (std::size_t n = 0; n < vulkan::k_passes; ++n)

@@ -24,7 +24,7 @@ class WindInShaders : public WindShader {
 
 // With float weights a shader that includes windrow_wind.glsl samples the wind that the CPU's query returns from the same cells.
 TEST_F(WindInShaders, AnOutsideShaderSamplesWhatAQueryFinds) {
-    const std::array<Config, 3> configs = {{
+    const std::array<Config, 4> configs = {{
         {.cells = {20, 12, 16},
          .boundaries = Boundaries::open_over_floor(),
          .centre = {1e6, 6.0, -1e6},
@@ -39,6 +39,13 @@ TEST_F(WindInShaders, AnOutsideShaderSamplesWhatAQueryFinds) {
          .ambient = {0.0f, 0.0f, 2.0f},
          .gusts = {.tile = GustTile::bake(3)},
          .blend_width = 0.0f}, // for detail alone
+        {.cells = {16, 14, 12},
+         .boundaries = Boundaries::open_over_floor(),
+         .centre = {0.0, 6.0, 0.0},
+         .ambient = {3.0f, 0.0f, 1.0f},
+         .profile = LogProfile{},
+         .gusts = {.intensity = 0.25f},
+         .rows = Rows{.first = 0.3f, .uniform = 3, .ratio = 1.25f}},
     }};
     for (const Config& config : configs) {
         TwoWinds pair = make(config, 0, {.texel = Texel::single, .textures = TextureSet::both});

@@ -121,6 +121,9 @@ TEST(BlendZone, TheFactorsOfTheBlockPlaceAsTheQueryDoes) {
           {.cells = {20, 9, 11}, .cell_size = 0.3f, .boundaries = lane, .blend_width = 0.0f},
           {.cells = {6, 6, 6}, .boundaries = Boundaries::all(BoundaryKind::no_slip)},
           {.cells = {1, 5, 1}},
+          {.cells = {12, 10, 14},
+           .boundaries = Boundaries::open_over_floor(),
+           .rows = Rows{.first = 0.4f, .uniform = 2, .ratio = 1.3f}},
           // The blend zone takes the whole way from the point to the faces: nothing is inner but the point.
           {.cells = {16, 16, 16}, .blend_width = 6.0f}}) {
         Wind wind = made(config);
@@ -142,7 +145,10 @@ TEST(BlendZone, TheFactorsOfTheBlockPlaceAsTheQueryDoes) {
             const std::array axes{block.place.x, block.place.y, block.place.z};
             for (int axis = 0; axis < 3; ++axis) {
                 const AxisBlock& of = axes[axis];
-                const double local = view.window().local(at)[axis], cells = config.cells[axis];
+                // A shader finds the row from the height.
+                const bool by_height = axis == 1 && config.rows;
+                const double cells = by_height ? view.window().size().y : config.cells[axis];
+                const double local = by_height ? at.y - view.origin().y : view.window().local(at)[axis];
                 within = within && local >= 0.0 && local <= cells;
                 worst_place =
                     std::max(worst_place, std::abs(double(of.texture_scale * p[axis] + of.texture_offset) * cells - local));

@@ -25,6 +25,12 @@ std::vector<NamedConfig> scenes() {
             c.boundaries = Boundaries::open_over_floor();
         });
         add("periodic", [](Config& c) { c.boundaries = Boundaries::all(BoundaryKind::periodic); });
+        add("rows", [](Config& c) {
+            c.viscosity = 5.0f;
+            c.boundaries = Boundaries::open_over_floor();
+            c.rows = Rows{.first = 0.4f, .uniform = 3, .ratio = 1.2f};
+            c.roughness.emplace();
+        });
         add("stable_fluids_walls", [](Config& c) {
             c.scheme = Scheme::stable_fluids;
             c.boundaries = Boundaries::all(BoundaryKind::no_slip);

@@ -36,6 +36,11 @@ std::vector<NamedConfig> scenes() {
                                c.boundaries = {.x_low = {BoundaryKind::no_slip}, .y_low = {BoundaryKind::free_slip}};
                                c.boundaries.z_low.kind = c.boundaries.z_high.kind = BoundaryKind::periodic;
                            })},
+            {"rows", with(base,
+                          [](Config& c) {
+                              c.boundaries.y_low = {BoundaryKind::free_slip};
+                              c.rows = Rows{.first = 0.25f, .uniform = 2, .ratio = 1.3f};
+                          })},
             {"one_cell", with(base, [](Config& c) { c.cells = glm::ivec3(1, 6, 1); })},
             {"million_metres_away", with(base, [](Config& c) { c.centre = glm::dvec3(1e6, 3.0, -1e6); })}};
 }
@@ -45,8 +50,10 @@ struct AxisTextures {
     std::vector<float> axis[3];
     WindowBlock block;
     glm::dvec3 anchor;
+    std::array<float, k_max_rows> heights;
 
-    AxisTextures(const Wind& wind, glm::dvec3 at) : block(wind.window_block(at)), anchor(at) {
+    AxisTextures(const Wind& wind, glm::dvec3 at)
+        : block(wind.window_block(at)), anchor(at), heights(wind.frame_block(at).heights) {
         for (auto& texels : axis)
             texels.resize(wind.field().size());
         EXPECT_TRUE(wind.write_axes(std::span(axis[0]), std::span(axis[1]), std::span(axis[2])));
@@ -58,15 +65,24 @@ struct AxisTextures {
     }
 
     [[nodiscard]] glm::dvec3 sample(glm::dvec3 position) const {
-        const glm::dvec3 local = (position - anchor - glm::dvec3(block.origin)) / double(block.cell_size);
+        glm::dvec3 local = (position - anchor - glm::dvec3(block.origin)) / double(block.cell_size);
+        const double over_floor = local.y, under_top = double(block.height / block.cell_size) - local.y;
+        if (const int rows = int(block.rows); rows > 0) { // between the two centres around it
+            const double height = local.y * double(block.cell_size);
+            int low = 0;
+            while (low + 2 < rows && double(heights[std::size_t(low) + 1]) <= height)
+                ++low;
+            const double below = double(heights[std::size_t(low)]), above = double(heights[std::size_t(low) + 1]);
+            local.y = low + 0.5 + (height - below) / (above - below);
+        }
         double share = 1.0, t[3];
         int low[3], high[3];
         for (int a = 0; a < 3; ++a) {
             const int n = int(block.cells[a]);
             if (block.low_boundaries[a] == 0.0f) // open: fades over one cell
-                share *= std::clamp(1.0 + local[a], 0.0, 1.0);
+                share *= std::clamp(1.0 + (a == 1 ? over_floor : local[a]), 0.0, 1.0);
             if (block.high_boundaries[a] == 0.0f)
-                share *= std::clamp(1.0 + n - local[a], 0.0, 1.0);
+                share *= std::clamp(1.0 + (a == 1 ? under_top : n - local[a]), 0.0, 1.0);
             const double at = local[a] - 0.5;
             t[a] = at - std::floor(at);
             if (block.low_boundaries[a] == 2.0f) {
@@ -93,7 +109,7 @@ struct AxisTextures {
 };
 
 glm::dvec3 extent_of(const Wind& wind) {
-    return glm::dvec3(wind.box().cells) * double(wind.box().cell_size);
+    return glm::dvec3(wind.box().size());
 }
 
 TEST(Query, EqualsATrilinearSampleOfTheTextures) {

@@ -96,6 +96,23 @@ std::vector<SavedFlight> scenes() {
         },
         true);
     add(
+        "rows",
+        [=](Config& config) {
+            gusty(config);
+            config.rows = Rows{.first = 0.4f, .uniform = 3, .ratio = 1.2f};
+        },
+        [=](Session& session) {
+            ticked_flight(session);
+            EXPECT_TRUE(session.wind.set_floor(1.0));
+        },
+        true);
+    add(
+        "listed_rows",
+        [](Config& config) {
+            config.rows = Rows{.top = 20.0f, .heights = {0.2f, 0.6f, 1.1f, 1.8f, 3.0f, 5.0f, 8.0f, 12.0f, 17.0f}};
+        },
+        flight, false);
+    add(
         "phase_at_the_period",
         [](Config& config) {
             config.ambient = {-1e-18f, 0.0f, 5.0f};

@@ -65,6 +65,46 @@ TEST(VdbExport, VectorsComeBackToTheBit) {
     EXPECT_EQ(differing, 0);
 }
 
+// Rows of a box become voxels as thick as the lowest row, linear in height between them, at their own places.
+TEST(VdbExport, RowsBecomeVoxelsOfOneSize) {
+    const OwnFolder folder;
+    Config config{.cells = {6, 10, 5}, .boundaries = Boundaries::open_over_floor(), .centre = {1.0, 7.0, 2.0}, .rows = Rows{.first = 0.5f}};
+    config.rows->ratio = 1.3f;
+    auto wind = Wind::create(config);
+    ASSERT_TRUE(wind) << wind.error();
+    wind->set_velocity([](glm::dvec3 x) { return glm::vec3(0.5 * x.y, 1.0, 2.0 * x.x - x.y); });
+    ASSERT_TRUE(wind->obstacles().add({.position = {1.0, wind->origin().y + 1.0, 2.0}, .shape = Block{{1.6f, 1.0f, 1.6f}}}));
+    (void)wind->step(1e-6);
+    for (const vdb::UpAxis up : {vdb::UpAxis::y, vdb::UpAxis::z}) {
+        ASSERT_TRUE(vdb::write(vdb::grid_of(*wind), folder / "rows.vdb", {.up = up}));
+        const auto grid = read<openvdb::Vec3SGrid>(folder / "rows.vdb", "vel");
+        ASSERT_TRUE(grid);
+        const auto size = grid->voxelSize();
+        const int upward = up == vdb::UpAxis::y ? 1 : 2;
+        EXPECT_NEAR(size[upward], 0.5, 1e-6);
+        EXPECT_NEAR(size[0], 1.0, 1e-9);
+        const double top = wind->view().window().size().y;
+        EXPECT_EQ(grid->evalActiveVoxelDim()[upward], static_cast<int>(std::ceil(top / 0.5 - 1e-6)));
+        double worst = 0.0;
+        for (auto voxel = grid->cbeginValueOn(); voxel; ++voxel) {
+            const auto world = grid->indexToWorld(voxel.getCoord());
+            const glm::dvec3 place = up == vdb::UpAxis::y ? glm::dvec3(world[0], world[1], world[2])
+                                                          : glm::dvec3(world[0], world[2], -world[1]);
+            const glm::vec3 u = wind->view().velocity(place);
+            const openvdb::Vec3s& v = *voxel;
+            const glm::vec3 found = up == vdb::UpAxis::y ? glm::vec3(v[0], v[1], v[2]) : glm::vec3(v[0], v[2], -v[1]);
+            worst = std::max(worst, static_cast<double>(glm::length(found - u)));
+        }
+        EXPECT_LT(worst, 1e-4);
+        const auto inside = read<openvdb::FloatGrid>(folder / "rows.vdb", vdb::k_obstacle_grid);
+        ASSERT_TRUE(inside);
+        double volume = 0.0;
+        for (auto voxel = inside->cbeginValueOn(); voxel; ++voxel)
+            volume += static_cast<double>(*voxel) * size[0] * size[1] * size[2];
+        EXPECT_NEAR(volume, 4.0 * 2.0 * 4.0, 4.0 * 0.5 * 4.0); // of whole cells along x and z
+    }
+}
+
 TEST(VdbExport, ThreeScalarsComeBackToTheBit) {
     const OwnFolder folder;
     const WindBox air = random_air({10, 8, 5});

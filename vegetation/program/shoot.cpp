@@ -283,7 +283,7 @@ Result<void> Shoot::make_views(const render::DrawTargets& targets) {
 
 Result<void> Shoot::make_streaks(const render::DrawTargets& targets) {
     const windrow::Box box = wind_->box();
-    const render::StreakBox held{wind_->origin(), static_cast<double>(box.cell_size) * glm::dvec3(box.cells)};
+    const render::StreakBox held{wind_->origin(), glm::dvec3(box.size())};
     auto made = render::WindStreaks::create(*device_, targets, {}, held);
     if (!made)
         return Error{made.error()};
