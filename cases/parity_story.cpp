@@ -213,8 +213,9 @@ ParityStory rough_hills() {
 
 // Rows of a third of a metre that grow to three, over a rough hill with a house, a fence across the wind and a ball that flies.
 ParityStory rows() {
-    ParityStory story = small(k_rows_story, "rows thin at the floor and thick aloft: gusts, a profile, plants, a rough hill, a house, a "
-                                            "fence, a ball that flies, a fan, a blast; the box follows, its floor rises");
+    ParityStory story =
+        small(k_rows_story, "rows thin at the floor and thick aloft: gusts, a profile, plants, a rough hill, a house, a "
+                            "fence, a ball that flies, a fan, a blast; the box follows, its floor rises");
     story.config.cells = {18, 16, 20};
     story.config.boundaries = Boundaries::open_over_floor();
     story.config.rows = Rows{.first = 0.35f, .uniform = 4, .ratio = 1.2f};
@@ -230,8 +231,8 @@ ParityStory rows() {
     story.walk = {2.0, 0.0, -1.0};
     story.motors = {{.motor = DirectionalMotor{.position = {1.0, 2.0, 0.0}, .direction = {-0.5f, 0.5f, 1.0f}}},
                     {.motor = OmniMotor{.position = {-3.0, 6.0, 3.0}, .speed = 2.0f}}};
-    const auto hill = std::make_shared<const HeightMap>(
-        *HeightMap::create({41, 41}, 1.0f, [](glm::vec2 place) { return 1.0f + 0.8f * std::sin(0.4f * place.x) * std::cos(0.3f * place.y); }));
+    const auto hill = std::make_shared<const HeightMap>(*HeightMap::create(
+        {41, 41}, 1.0f, [](glm::vec2 place) { return 1.0f + 0.8f * std::sin(0.4f * place.x) * std::cos(0.3f * place.y); }));
     story.obstacles = {{.obstacle = {.position = {-20.0, 0.0, -20.0}, .shape = Ground{hill}}},
                        {.obstacle = {.position = {-4.0, 2.0, 3.0},
                                      .orientation = glm::angleAxis(0.3f, glm::vec3(0.0f, 1.0f, 0.0f)),
@@ -246,7 +247,8 @@ ParityStory rows() {
 
 // A closed box of rows, in which a thick viscosity is solved for; its walls drag.
 ParityStory viscous_rows() {
-    ParityStory story = small("viscous_rows", "rows of unequal thickness between walls that drag, an implicit viscosity, no open boundary");
+    ParityStory story =
+        small("viscous_rows", "rows of unequal thickness between walls that drag, an implicit viscosity, no open boundary");
     story.config.cells = {14, 20, 12};
     story.config.boundaries = Boundaries::all(BoundaryKind::no_slip);
     story.config.boundaries.y_high.wall_velocity = {3.0f, 0.0f, 1.0f};

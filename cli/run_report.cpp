@@ -54,7 +54,8 @@ std::string rows_text(const Config& air) {
         return {};
     const auto rows = RowTable::create(*air.rows, air.cells.y, air.cell_size);
     return rows ? message(", rows of ", static_cast<float>((*rows)->thickness(0)), " to ",
-                          static_cast<float>((*rows)->thickness(air.cells.y - 1)), " m, ", static_cast<float>((*rows)->top()), " m in all")
+                          static_cast<float>((*rows)->thickness(air.cells.y - 1)), " m, ", static_cast<float>((*rows)->top()),
+                          " m in all")
                 : std::string();
 }
 
@@ -85,7 +86,8 @@ void report_run(const RunReport& report, const Console& console) {
                 << "\n"
                 << timings.table();
     console.out << "  cells          "
-                << message(air.cells.x, " x ", air.cells.y, " x ", air.cells.z, " of ", air.cell_size, " m", rows_text(air), " (", cells, ")\n");
+                << message(air.cells.x, " x ", air.cells.y, " x ", air.cells.z, " of ", air.cell_size, " m", rows_text(air), " (",
+                           cells, ")\n");
     console.out << "  sub-steps      " << timings.substeps() << " in all, largest CFL " << to_fixed(timings.largest_cfl(), 2)
                 << ", largest speed " << to_fixed(timings.largest_speed(), 2) << " m/s\n";
     console.out << "  limited cells  " << timings.limited_cells() << ", repaired cells " << timings.repaired_cells();

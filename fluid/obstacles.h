@@ -86,6 +86,9 @@ class Obstacles {
     [[nodiscard]] bool take_changed() { return std::exchange(changed_, false); }
     /// True where one that reached the box was added, replaced or removed, or one moves there, since this was asked last.
     [[nodiscard]] bool take_stirred() { return std::exchange(stirred_, false); }
+    /// What the last tick returned, and whether that may differ from what was asked for last: air that sleeps does not ask.
+    [[nodiscard]] std::span<const detail::PlacedObstacle> in_reach() const { return placed_; }
+    [[nodiscard]] bool changed() const { return changed_; }
     [[nodiscard]] std::span<const Slot> slots() const { return slots_; }
     /// Number of obstacles that the last tick looked at.
     [[nodiscard]] std::size_t visited() const { return visited_; }

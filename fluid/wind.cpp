@@ -112,8 +112,20 @@ Result<void> Wind::write_obstacles(std::span<float> cells) const {
     if (cells.size() != box().cell_count())
         return Error{detail::message("write_obstacles got room for ", cells.size(), " cells, but the box has ",
                                      box().cell_count(), ": give one array of box().cell_count().")};
-    state_->cells.write_obstacles(cells);
-    return {};
+    const WindCore& core = state_->core;
+    if (!core.sleep.asleep() || !core.obstacles.changed()) {
+        state_->cells.write_obstacles(cells);
+        return {};
+    }
+    // Bodies that have come into reach of air that sleeps are placed when it wakes.
+    return detail::where_memory_lasts([&]() -> Result<void> {
+        cpu::Solids found(box(), box().cells.x);
+        found.place(core.obstacles.in_reach());
+        std::fill(cells.begin(), cells.end(), 0.0f);
+        for (const cpu::Solids::InsideCell& cell : found.inside())
+            cells[cell.cell] = 1.0f;
+        return {};
+    });
 }
 
 std::span<const glm::vec4> Wind::field() const {

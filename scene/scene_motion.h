@@ -113,7 +113,7 @@ class SceneMotion {
     [[nodiscard]] Obstacle obstacle_at(const SceneObstacle& body, double time) const;
 
     const Scene* scene_;
-    std::optional<double> floor_; ///< [m] where it was put
+    std::optional<double> floor_;    ///< [m] where it was put
     std::vector<MovedMotor> parts_;  ///< one for each of the scene's motors
     std::vector<ObstacleId> bodies_; ///< the same for its obstacles; none while it is not there
 };

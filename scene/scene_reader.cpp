@@ -86,7 +86,8 @@ void read_floor(JsonObject& object, Scene& scene, std::span<const std::string> n
     const json* const value = object.find(
         {"floor",
          "Height of the ground [m], which the low y side of the box is put at, to whole cells: a number, or the name of a path "
-         "whose height it takes. A box with rows of its own stays until the path is below it, or above half of its equal rows. Only "
+         "whose height it takes. A box with rows of its own stays until the path is below it, or above half of its equal rows. "
+         "Only "
          "with a wall at air.boundaries.y_low; then the default is 0."},
         "number or name", k_place_rule);
     if (value == nullptr)

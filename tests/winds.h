@@ -86,9 +86,8 @@ void for_each_cell(glm::ivec3 cells, const Visit& visit) {
 /// Calls visit(centre [m], place in the layout) for each cell.
 template <class Visit>
 void for_each_cell(const Wind& wind, const Visit& visit) {
-    for_each_cell(wind.box().cells, [&](int i, int j, int k) {
-        visit(wind.view().window().centre(i, j, k), wind.box().index(i, j, k));
-    });
+    for_each_cell(wind.box().cells,
+                  [&](int i, int j, int k) { visit(wind.view().window().centre(i, j, k), wind.box().index(i, j, k)); });
 }
 
 /// Largest |u - from|.

@@ -398,8 +398,8 @@ void Cells::limit_speeds(float dt, Diagnostics& report) {
     report.substeps = 1;
     work.state().fastest = found.largest_component + dt * sources.largest_force();
     if (box().rows && work.state().has_solids())
-        work.state().fastest = work.state().fastest_by_rows(&air.velocity[0].x) +
-                               dt * sources.largest_force() * box().cell_size / box().finest();
+        work.state().fastest =
+            work.state().fastest_by_rows(&air.velocity[0].x) + dt * sources.largest_force() * box().cell_size / box().finest();
     const float largest = acts_whole() ? found.largest_component : std::max(found.largest_component, sources.largest_driven());
     report.cfl = (largest + dt * sources.largest_force()) * dt / box().cell_size;
     if (!config_.stages.advection || report.cfl <= config_.max_cfl)

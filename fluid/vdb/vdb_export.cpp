@@ -208,10 +208,11 @@ openvdb::GridPtrVec grids_of(const VelocityGrid& given, const Options& options) 
     const glm::vec3 outside = turned(source.outside, options.up);
     const auto velocity = [&](std::size_t cell) { return turned(glm::vec3(source.field[cell]), options.up); };
     if (options.form == Form::one_vector) {
-        grids.push_back(dense_grid<openvdb::Vec3SGrid>(source, even.thickness, options, {outside.x, outside.y, outside.z}, [&](std::size_t cell) {
-            const glm::vec3 v = velocity(cell);
-            return openvdb::Vec3s(v.x, v.y, v.z);
-        }));
+        grids.push_back(dense_grid<openvdb::Vec3SGrid>(source, even.thickness, options, {outside.x, outside.y, outside.z},
+                                                       [&](std::size_t cell) {
+                                                           const glm::vec3 v = velocity(cell);
+                                                           return openvdb::Vec3s(v.x, v.y, v.z);
+                                                       }));
         // A velocity turns with the object that it belongs to, and does not move with it.
         grids.back()->setVectorType(openvdb::VEC_CONTRAVARIANT_RELATIVE);
         grids.back()->setName(options.name);
@@ -223,8 +224,8 @@ openvdb::GridPtrVec grids_of(const VelocityGrid& given, const Options& options) 
         }
     }
     if (std::any_of(source.obstacle.begin(), source.obstacle.end(), [](float value) { return value != 0.0f; })) {
-        grids.push_back(
-            dense_grid<openvdb::FloatGrid>(source, even.thickness, options, 0.0f, [&](std::size_t cell) { return source.obstacle[cell]; }));
+        grids.push_back(dense_grid<openvdb::FloatGrid>(source, even.thickness, options, 0.0f,
+                                                       [&](std::size_t cell) { return source.obstacle[cell]; }));
         grids.back()->setName(k_obstacle_grid);
     }
     for (const auto& grid : grids) {

@@ -150,7 +150,7 @@ DiffusionMethod Air::diffusion_of(double duration) const {
     if (prepared_ == DiffusionMethod::none)
         return prepared_;
     const double h = box().finest(), accumulated = static_cast<double>(numerics::windrow_least_diffusion) * h * h /
-                                                      static_cast<double>(config_.viscosity);
+                                                   static_cast<double>(config_.viscosity);
     const DiffusionMethod most = method_of(config_, box(), duration + accumulated);
     return most == DiffusionMethod::implicit ? prepared_ : DiffusionMethod::one_pass;
 }

@@ -144,10 +144,10 @@ std::span<const std::uint32_t> show_code(const Passes::Settings& settings) {
 
 const char* name_of(Pass pass) {
     constexpr std::array<const char*, k_passes> names = {
-        "place",           "sources",         "source_flow",  "adjust",     "plan",       "limit",      "diffuse",
-        "diffuse_forward", "diffuse_columns", "diffuse_back", "stress",     "pad",        "advect",     "advect_careful",
-        "modes_forward",   "modes_between",   "columns",      "modes_back", "surface",    "gradient",   "rooms",
-        "terms",           "loads",           "lift",         "show",       "report",     "read_cells", "read_points"};
+        "place",           "sources",         "source_flow",  "adjust",     "plan",    "limit",      "diffuse",
+        "diffuse_forward", "diffuse_columns", "diffuse_back", "stress",     "pad",     "advect",     "advect_careful",
+        "modes_forward",   "modes_between",   "columns",      "modes_back", "surface", "gradient",   "rooms",
+        "terms",           "loads",           "lift",         "show",       "report",  "read_cells", "read_points"};
     return names[static_cast<std::size_t>(pass)];
 }
 
@@ -229,8 +229,7 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
             Pass::loads, words::loads, of(f.step, f.control, f.solids, f.potential, f.correction, f.direction, f.around));
     }
     if (settings.rows)
-        a_cell(Pass::lift, words::lift,
-               of(f.step, f.control, f.velocity, f.history, f.source_flow, f.before, f.arrived, f.tile));
+        a_cell(Pass::lift, words::lift, of(f.step, f.control, f.velocity, f.history, f.source_flow, f.before, f.arrived, f.tile));
     a_cell(Pass::gradient, words::gradient,
            of(f.step, f.control, f.potential, f.arrived, f.source_flow, f.velocity, f.history, f.tile, f.correction, f.direction,
               f.solids, f.around));

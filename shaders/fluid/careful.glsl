@@ -187,7 +187,9 @@ vec3 careful_read(int field, ivec3 from, Point at, bool cubic, bool own_side, bo
                     here = had && !blocked;
                     before_sum += values[source];
                     if (had && blocked)
-                        before_sum[axis] += 2.0f * (trace_scale(axis, cell, field > 0) * wall_between(cell, axis, back, room, stride) - values[source][axis]);
+                        before_sum[axis] +=
+                            2.0f * (trace_scale(axis, cell, field > 0) * wall_between(cell, axis, back, room, stride) -
+                                    values[source][axis]);
                     count += 1.0f;
                 }
                 const int n = (node.z * 4 + node.y) * 4 + node.x;

@@ -26,8 +26,7 @@ layout(std430, set = 0, binding = 9) writeonly buffer Padded { vec4 padded[]; };
 float profile_of_row(int row, int first) {
     const WindrowRule rule = rules[first + row];
     const int j = rule.beyond_open_side != 0 ? row - WINDROW_HALO_LOW : rule.source;
-    return windrow_profile(tick.wind.anchor_height + row_height(j), tick.wind.roughness_length,
-                           tick.wind.reference_height);
+    return windrow_profile(tick.wind.anchor_height + row_height(j), tick.wind.roughness_length, tick.wind.reference_height);
 }
 
 float bend_of_row(int row, int first, int rows) {

@@ -45,8 +45,9 @@ void main() {
                 undiffused += part;
                 const bool acts = tick.viscosity * undiffused / least_square >= windrow_least_diffusion;
                 // A hair below the limit, which the ratio made of it must not pass (viscosity.glsl).
-                const float most =
-                    is_on(WINDROW_ONE_PASS) ? 0.99999f * windrow_most_explicit_diffusion * least_square / tick.viscosity : undiffused;
+                const float most = is_on(WINDROW_ONE_PASS)
+                                       ? 0.99999f * windrow_most_explicit_diffusion * least_square / tick.viscosity
+                                       : undiffused;
                 control.diffused_time[n] = acts ? min(undiffused, most) : 0.0f;
                 undiffused -= control.diffused_time[n];
             }

@@ -105,8 +105,7 @@ void improve(int local) {
     const bool goes_on = around.stopped == 0 && around.left > max(push.tolerance, 1e-6f) * around.wanted;
     const float beta = first || !goes_on ? 0.0f : squares / around.squares;
     for (int s = local; s < solids.surface_count; s += k_group) {
-        const float along = correction[cell_index(surface_cell(s))],
-                    residual = around_words[word(s, k_residual)];
+        const float along = correction[cell_index(surface_cell(s))], residual = around_words[word(s, k_residual)];
         around_words[word(s, k_along)] = beta == 0.0f ? along : along + beta * around_words[word(s, k_along)];
         around_words[word(s, k_applied)] = beta == 0.0f ? residual : residual + beta * around_words[word(s, k_applied)];
     }
@@ -122,8 +121,9 @@ void improve(int local) {
             if (n < 0)
                 continue;
             const SolidFace between = solid_face(n);
-            const float slope = exchange(cell, face / 2, face % 2) * between.closed *
-                                (around_words[word(between.surface[1], k_along)] - around_words[word(between.surface[0], k_along)]);
+            const float slope =
+                exchange(cell, face / 2, face % 2) * between.closed *
+                (around_words[word(between.surface[1], k_along)] - around_words[word(between.surface[0], k_along)]);
             applied += face % 2 == 1 ? -slope : slope;
         }
         around_words[word(s, 3)] = applied;

@@ -122,8 +122,8 @@ TEST(BlendZone, TheFactorsOfTheBlockPlaceAsTheQueryDoes) {
           {.cells = {6, 6, 6}, .boundaries = Boundaries::all(BoundaryKind::no_slip)},
           {.cells = {1, 5, 1}},
           {.cells = {12, 10, 14},
-           .boundaries = Boundaries::open_over_floor(),
-           .rows = Rows{.first = 0.4f, .uniform = 2, .ratio = 1.3f}},
+          .boundaries = Boundaries::open_over_floor(),
+          .rows = Rows{.first = 0.4f, .uniform = 2, .ratio = 1.3f}},
           // The blend zone takes the whole way from the point to the faces: nothing is inner but the point.
           {.cells = {16, 16, 16}, .blend_width = 6.0f}}) {
         Wind wind = made(config);

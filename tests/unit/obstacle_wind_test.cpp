@@ -105,6 +105,26 @@ TEST(WindWithObstacles, AreThereAnewWhereBoundariesChange) {
     }
 }
 
+// Air that sleeps places no body; a query of the cells inside does, as the box moves.
+TEST(WindWithObstacles, BodiesThatSleepingAirMeetsAreMarked) {
+    Wind wind = made({.cells = {16, 8, 12}, .boundaries = Boundaries::open_over_floor(), .centre = {0.0, 4.0, 0.0}});
+    ASSERT_TRUE(wind.obstacles().add({.position = {20.0, 2.0, 0.0}, .shape = Block{{2.0f, 3.0f, 2.5f}}}));
+    std::vector<float> inside(wind.field().size()), awake(inside.size());
+    const auto marked = [](const std::vector<float>& cells) { return std::count(cells.begin(), cells.end(), 1.0f); };
+    for (int n = 0; n < 24; ++n) {
+        ASSERT_TRUE(wind.follow({1.0 * n, 4.0, 0.0}));
+        const Diagnostics report = wind.step(0.1);
+        ASSERT_TRUE(wind.write_obstacles(inside));
+        Wind other = made({.cells = {16, 8, 12}, .boundaries = Boundaries::open_over_floor(), .centre = {1.0 * n, 4.0, 0.0}});
+        ASSERT_EQ(other.origin(), wind.origin());
+        ASSERT_TRUE(other.obstacles().add({.position = {20.0, 2.0, 0.0}, .shape = Block{{2.0f, 3.0f, 2.5f}}}));
+        (void)other.step(0.1);
+        ASSERT_TRUE(other.write_obstacles(awake));
+        EXPECT_EQ(inside, awake) << n << (report.asleep ? ", asleep" : ", awake");
+    }
+    EXPECT_GT(marked(inside), 0);
+}
+
 TEST(WindWithObstacles, AWindWithoutThemIsAsItWas) {
     Wind plain = made(breezy()), far = made(breezy());
     for (int n = 0; n < 500; ++n)

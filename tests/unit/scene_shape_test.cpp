@@ -224,12 +224,11 @@ TEST(SceneRows, AreALawOrAList) {
     const auto list = air(R"("heights": [0.25, 0.8, 1.6], "top": 2)");
     ASSERT_TRUE(list) << list.error();
     EXPECT_EQ(list->air.rows->heights, (std::vector<float>{0.25f, 0.8f, 1.6f}));
-    for (const auto& [keys, said] :
-         {std::pair{R"("heights": 3)", "$.air.rows.heights is 3: give a list, [...]."},
-          {R"("heights": [1, "2"])", "$.air.rows.heights[1] is \"2\""},
-          {R"("heights": [1, -2, 3])", "$.air.rows.heights[1] is -2 m: give a number above 0"},
-          {R"("heights": [1, 2])", "rows.heights has 2 heights for 3 rows: give one a row."},
-          {R"("ratio": 3)", "$.air.rows.ratio is 3: give 1 to 1.5."}}) {
+    for (const auto& [keys, said] : {std::pair{R"("heights": 3)", "$.air.rows.heights is 3: give a list, [...]."},
+                                     {R"("heights": [1, "2"])", "$.air.rows.heights[1] is \"2\""},
+                                     {R"("heights": [1, -2, 3])", "$.air.rows.heights[1] is -2 m: give a number above 0"},
+                                     {R"("heights": [1, 2])", "rows.heights has 2 heights for 3 rows: give one a row."},
+                                     {R"("ratio": 3)", "$.air.rows.ratio is 3: give 1 to 1.5."}}) {
         const auto rejected = air(keys);
         ASSERT_FALSE(rejected) << keys;
         EXPECT_NE(rejected.error().find(said), std::string::npos) << rejected.error();

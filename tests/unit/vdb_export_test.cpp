@@ -68,7 +68,8 @@ TEST(VdbExport, VectorsComeBackToTheBit) {
 // Rows of a box become voxels as thick as the lowest row, linear in height between them, at their own places.
 TEST(VdbExport, RowsBecomeVoxelsOfOneSize) {
     const OwnFolder folder;
-    Config config{.cells = {6, 10, 5}, .boundaries = Boundaries::open_over_floor(), .centre = {1.0, 7.0, 2.0}, .rows = Rows{.first = 0.5f}};
+    Config config{
+        .cells = {6, 10, 5}, .boundaries = Boundaries::open_over_floor(), .centre = {1.0, 7.0, 2.0}, .rows = Rows{.first = 0.5f}};
     config.rows->ratio = 1.3f;
     auto wind = Wind::create(config);
     ASSERT_TRUE(wind) << wind.error();
@@ -88,8 +89,8 @@ TEST(VdbExport, RowsBecomeVoxelsOfOneSize) {
         double worst = 0.0;
         for (auto voxel = grid->cbeginValueOn(); voxel; ++voxel) {
             const auto world = grid->indexToWorld(voxel.getCoord());
-            const glm::dvec3 place = up == vdb::UpAxis::y ? glm::dvec3(world[0], world[1], world[2])
-                                                          : glm::dvec3(world[0], world[2], -world[1]);
+            const glm::dvec3 place =
+                up == vdb::UpAxis::y ? glm::dvec3(world[0], world[1], world[2]) : glm::dvec3(world[0], world[2], -world[1]);
             const glm::vec3 u = wind->view().velocity(place);
             const openvdb::Vec3s& v = *voxel;
             const glm::vec3 found = up == vdb::UpAxis::y ? glm::vec3(v[0], v[1], v[2]) : glm::vec3(v[0], v[2], -v[1]);
