@@ -110,9 +110,12 @@ Fault FrameWriter::write_picture([[maybe_unused]] const Playback& playback, [[ma
     settings.width = scene_->pictures.width;
     settings.speed_scale = scene_->pictures.speed_scale;
     settings.flow = scene_->pictures.flow;
+    settings.above_ground = scene_->pictures.above_ground;
     settings.slice_point = scene_->followed_point(time);
-    settings.slice_point.y =
-        (scene_->has_floor() ? scene_->floor_height(time) : settings.slice_point.y) + scene_->pictures.slice_height;
+    settings.slice_point.y = (scene_->pictures.above_ground ? playback.wind().origin().y
+                              : scene_->has_floor()         ? scene_->floor_height(time)
+                                                            : settings.slice_point.y) +
+                             scene_->pictures.slice_height;
     settings.slice_point.z += scene_->pictures.slice_z;
     for (const scene::SceneMotor& motor : scene_->motors)
         ++settings.motors_of_scene[motor.motor.index()];

@@ -51,6 +51,8 @@ struct PictureSettings {
     /// [m] World point that both slices pass through: its y is the level slice's height, its z the upright one's place. Held
     /// inside the box; what is no number becomes the box's middle.
     glm::dvec3 slice_point{0.0};
+    /// The level slice follows the ground (Ground), as far above it as slice_point is above the box's low face.
+    bool above_ground = false;
     /// Motors of the whole scene: the legend names the kinds among them and says how many act.
     MotorCounts motors_of_scene{};
     scene::FlowMarks flow = scene::FlowMarks::arrows;

@@ -11,6 +11,9 @@
 #include "fluid/message.h"
 #include "scene/scene.h"
 #include "scene/scene_reader.h"
+#if WINDROW_WITH_IMAGES
+#include "pictures/picture_files.h"
+#endif
 
 #include <chrono>
 #include <cmath>
@@ -21,6 +24,12 @@ namespace windrow::cli {
 namespace {
 
 using detail::message;
+
+#if WINDROW_WITH_IMAGES
+constexpr scene::HeightPictureReader k_height_pictures = pictures::read_heights;
+#else
+constexpr scene::HeightPictureReader k_height_pictures = nullptr;
+#endif
 
 /// Rejects a flag whose part was not built in, before anything else is done.
 bool check_parts(const RunRequest& request, const Console& console) {
@@ -121,7 +130,7 @@ void add_run(CLI::App& app, std::function<int()>& chosen, const Console& console
 int run_scene(const RunRequest& request, const Console& console, const std::function<int()>& stop_signal) {
     if (!check_parts(request, console))
         return k_exit_wrong_use;
-    auto scene = scene::read_scene(request.scene);
+    auto scene = scene::read_scene(request.scene, k_height_pictures);
     if (!scene) {
         console.complain(scene.error());
         return k_exit_wrong_use;

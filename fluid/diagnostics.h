@@ -23,7 +23,8 @@ struct Diagnostics {
     bool stepped = false; ///< false: dt was 0, negative or not finite, or out_of_memory; nothing was done.
     /// The system has no memory that the step needs: the wind is unchanged. Free some and call again.
     bool out_of_memory = false;
-    /// The rows of a box that has rows of its own have moved up or down since the last step: the air was interpolated.
+    /// The box, with rows of its own, was at another height in the last step: air that stayed in it was interpolated. After
+    /// `advance`, in any of its ticks.
     bool regridded = false;
     /// [m/s] Largest component of the velocity after the step.
     float max_speed = 0.0f;

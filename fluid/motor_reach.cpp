@@ -76,7 +76,7 @@ float shape_cone(MotorReach& reach, glm::vec3 axis, float start_radius, float en
     reach.centre -= 0.5f * (wide_length - length) * direction;
     reach.extent = wide_length * direction;
     reach.radius = widened(start_radius, window, reach.centre.y);
-    reach.end_radius = widened(end_radius, window, reach.centre.y);
+    reach.end_radius = widened(end_radius, window, reach.centre.y + reach.extent.y);
     const auto volume = [](float column, float start, float end) {
         const float sum = 0.5f * (start + end), difference = 0.5f * (end - start);
         return column * (sum * sum + difference * difference / 7.0f);

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double k_steepest = 2.0;   // of two distances side by side, of a list
 constexpr double k_most_ratio = 1.5; // of the law
+constexpr double k_most_scales = 1e9;
 
 // Rows -1 to `count`. A distance between rows is `first` below the first row that is not uniform, then grows.
 std::vector<double> heights_of(const Rows& rows, int count, double ratio) {
@@ -74,6 +75,8 @@ Result<std::shared_ptr<const RowTable>> RowTable::create(const Rows& rows, int c
         return Error{valid.error()};
     if (count < 2)
         return Error{detail::message("rows are given for a box of ", count, " row: give 2 rows or more, or no rows.")};
+    if (count > k_max_rows)
+        return Error{detail::message("rows are given for a box of ", count, " rows: give at most ", k_max_rows, ", or no rows.")};
     std::vector<double> heights;
     if (!rows.heights.empty()) {
         if (rows.heights.size() != static_cast<std::size_t>(count))
@@ -86,7 +89,7 @@ Result<std::shared_ptr<const RowTable>> RowTable::create(const Rows& rows, int c
     } else if (rows.top > 0.0f) {
         const double least = top_of(heights_of(rows, count, 1.0)), most = top_of(heights_of(rows, count, k_most_ratio));
         const double top = static_cast<double>(rows.top);
-        if (!(top >= least * (1.0 - 1e-6) && top <= most))
+        if (!(top >= least * (1.0 - 1e-6) && top <= most * (1.0 + 1e-6)))
             return Error{detail::message("rows.top is ", rows.top, " m, but ", count, " rows reach from ", least, " to ", most,
                                          " m: give a top between these, or other rows.")};
         heights = heights_of(rows, count, ratio_for(rows, count));
@@ -95,6 +98,19 @@ Result<std::shared_ptr<const RowTable>> RowTable::create(const Rows& rows, int c
     }
     if (!(heights.back() < 1e9))
         return Error{detail::message("rows reach ", heights.back(), " m: give a lower ratio.")};
+    // Unknowns of the column solve are scaled row by row (ColumnRows). Distances that alternate make the scales of every other row
+    // grow without bound, up to what floats cannot hold.
+    double least = 1.0, most = 1.0, scale = 1.0, before = 1.0;
+    for (std::size_t row = 2; row + 1 < heights.size(); ++row) {
+        const double next = before * (heights[row + 1] - heights[row]) / (heights[row] - heights[row - 1]);
+        before = scale;
+        scale = next;
+        least = std::min(least, scale);
+        most = std::max(most, scale);
+    }
+    if (!(most <= k_most_scales * least))
+        return Error{detail::message("rows.heights have distances that grow and shrink by turns, up to a factor of ",
+                                     most / least, " in all: give distances that grow upward.")};
     return std::shared_ptr<const RowTable>(new RowTable(std::move(heights), cell_size));
 }
 

@@ -64,7 +64,7 @@ void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const 
 class RowTable {
   public:
     /// `count` rows in a box of cells of `cell_size` [m] along x and z. Rejects what `validate` does, another number of heights than
-    /// rows, fewer than two rows, and a top that no ratio from 1 to 1.5 reaches.
+    /// rows, fewer than 2 rows or more than k_max_rows, and a top that no ratio from 1 to 1.5 reaches.
     [[nodiscard]] static Result<std::shared_ptr<const RowTable>> create(const Rows& rows, int count, float cell_size);
 
     [[nodiscard]] int count() const { return static_cast<int>(heights_.size()) - 2; }

@@ -282,7 +282,7 @@ class Wind {
         return view().write_axes(x, y, z);
     }
     /// 1 for each cell whose centre is inside an obstacle, else 0, as of the last step; box().cell_count() values or the call is
-    /// rejected. A plate has no inside.
+    /// rejected. A plate has no inside. Where set_floor has moved a box with rows of its own, 0 until the next step.
     Result<void> write_obstacles(std::span<float> cells) const;
     /// Position of the textures relative to `anchor` [m] (one that is not finite counts as 0), now and in the frame before.
     [[nodiscard]] WindowBlock window_block(glm::dvec3 anchor) const;

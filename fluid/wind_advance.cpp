@@ -72,8 +72,12 @@ Advance WindCore::advance(double dt) {
     Advance done{.ticks = due.ticks, .dropped = due.dropped};
     if (due.dropped > 0.0)
         drop(due.dropped);
-    for (int n = 0; n < due.ticks; ++n)
+    bool regridded = false;
+    for (int n = 0; n < due.ticks; ++n) {
         done.last = tick(duration);
+        regridded = regridded || done.last.regridded;
+    }
+    done.last.regridded = regridded;
     const double factor = frames->clock.factor(config.ticks);
     done.factor = static_cast<float>(factor);
     cells_.show(frames->show(now(), factor));

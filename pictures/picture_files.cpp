@@ -8,6 +8,7 @@
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
+#include <cmath>
 
 namespace windrow::pictures {
 namespace {
@@ -135,6 +136,41 @@ Result<Picture8> read_png(const std::filesystem::path& file, PngWords* words) {
         words->description = spec.get_string_attribute("ImageDescription");
     }
     return picture;
+}
+
+Result<HeightData> read_heights(std::string_view bytes, const std::string& name) {
+    OIIO::Filesystem::IOMemReader memory(const_cast<char*>(bytes.data()), bytes.size());
+    OIIO::ImageSpec wanted;
+    wanted.attribute("oiio:UnassociatedAlpha", 1); // else heights come multiplied by their alpha
+    const auto input = OIIO::ImageInput::open(name, &wanted, &memory);
+    if (!input)
+        return Error{message(name, " is no picture of heights (", OIIO::geterror(), "): give a PGM, PNG or TIFF.")};
+    const OIIO::ImageSpec spec = input->spec();
+    const std::string_view format = input->format_name();
+    if ((format != "png" && format != "tiff") || spec.deep || spec.depth > 1 || spec.nchannels < 1)
+        return Error{message(name, " is no flat picture but one of format ", format, ": give a PGM, PNG or TIFF.")};
+    if (spec.width < 2 || spec.height < 2 || spec.width > HeightMap::k_max_corners || spec.height > HeightMap::k_max_corners)
+        return Error{
+            message(name, " is ", spec.width, " x ", spec.height, " px: give 2 to ", HeightMap::k_max_corners, " each.")};
+    // A header may promise what no file holds: both formats pack a row of zeros into a thousandth at best.
+    if (static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) / 2'000 > bytes.size())
+        return Error{
+            message(name, " has ", bytes.size(), " bytes for ", spec.width, " x ", spec.height, " px: give a whole file.")};
+    return detail::where_memory_lasts([&]() -> Result<HeightData> {
+        HeightData data{.corners = {spec.width, spec.height}, .spacing = 1.0f};
+        data.heights.resize(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height));
+        if (!input->read_image(0, 0, 0, 1, OIIO::TypeDesc::FLOAT, data.heights.data()))
+            return Error{message(name, " is damaged (", input->geterror(), "): give a whole file.")};
+        // As floats, whole numbers with a sign are a share of the largest.
+        const double most = spec.format == OIIO::TypeDesc::INT8    ? 127.0
+                            : spec.format == OIIO::TypeDesc::INT16 ? 32767.0
+                            : spec.format == OIIO::TypeDesc::INT32 ? 2147483647.0
+                                                                   : 1.0;
+        if (most != 1.0)
+            for (float& height : data.heights)
+                height = static_cast<float>(std::round(most * static_cast<double>(height)));
+        return data;
+    });
 }
 
 Result<Picture8> resized(const Picture8& picture, int width, int height) {

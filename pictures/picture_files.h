@@ -7,10 +7,12 @@
 #pragma once
 
 #include "fluid/result.h"
+#include "fluid/shapes/height_map.h"
 #include "pictures/picture.h"
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace windrow::pictures {
@@ -38,6 +40,11 @@ enum class PngRows {
 
 /// Any PNG of at most 8 bits a channel's worth of colour, without its alpha; rejects one above 16384 pixels a side.
 [[nodiscard]] Result<Picture8> read_png(const std::filesystem::path& file, PngWords* words = nullptr);
+
+/// Heights of a picture's first channel, a pixel a metre, of a PNG or a TIFF. Whole numbers without a sign are
+/// 0 m for black and 1 m for white, of 8 or 16 bits; floats, and numbers with a sign as surveys have them, are metres. `name` begins
+/// an error's sentence. Where a TIFF says where in the world it lies, that is ignored.
+[[nodiscard]] Result<HeightData> read_heights(std::string_view bytes, const std::string& name);
 
 /// The picture in another size, filtered so that thin lines stay; rejected only without memory.
 [[nodiscard]] Result<Picture8> resized(const Picture8& picture, int width, int height);

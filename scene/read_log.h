@@ -4,6 +4,7 @@
 #include "fluid/input_budget.h"
 #include "fluid/result.h"
 #include "fluid/setting.h"
+#include "fluid/shapes/height_map.h"
 
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -32,6 +33,9 @@ struct KnownKey {
     [[nodiscard]] bool is_value() const { return type != "one of" && type != "not both" && type != "needs" && type != "kind"; }
 };
 
+/// Heights of a picture that is no PGM, from its bytes; `name` begins the sentence that says why there are none.
+using HeightPictureReader = Result<HeightData> (*)(std::string_view bytes, const std::string& name);
+
 class ReadLog {
   public:
     /// `file` begins each sentence. `budget` is what the files of the scene may cost; it outlives the log. `known` receives the
@@ -53,6 +57,8 @@ class ReadLog {
     [[nodiscard]] bool is_full() const { return count_ >= k_max_sentences; }
     void count_fault() { ++count_; }
     [[nodiscard]] detail::InputBudget& budget() { return *budget_; }
+    /// For height maps that are no PGM; null: there are none.
+    HeightPictureReader heights = nullptr;
     /// All sentences, one a line; the first 20 where there are more.
     [[nodiscard]] Error error() const;
 

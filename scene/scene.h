@@ -66,6 +66,7 @@ struct ScenePath {
 
 struct PicturesSetting {
     double slice_height = 1.0;
+    bool above_ground = false;
     double slice_z = 0.0;
     float speed_scale = 10.0f;
     int width = 1600;
@@ -75,6 +76,9 @@ struct PicturesSetting {
         return std::tuple{
             Setting("slice_height", &PicturesSetting::slice_height, {-MotionPath::k_farthest, MotionPath::k_farthest, "m"},
                     "Height of the horizontal slice above the floor, or above the followed point in a box without a floor."),
+            Setting("above_ground", &PicturesSetting::above_ground,
+                    "Whether the horizontal slice follows the ground, slice_height above it, with lines of equal height; without "
+                    "one, it is above the box's low face."),
             Setting("slice_z", &PicturesSetting::slice_z, {-MotionPath::k_farthest, MotionPath::k_farthest, "m"},
                     "Place of the upright slice along z from the followed point, or from the box's centre."),
             Setting("speed_scale", &PicturesSetting::speed_scale, {0.001, 1e4, "m/s"},

@@ -95,13 +95,24 @@ class SceneMotion {
         // Rows of their own interpolate the air where they move: they stay while the ground is among the lower half of the equal ones.
         const double wanted = scene_->floor_height(time);
         const auto& rows = scene_->air.rows;
-        const double stays = rows ? 0.5 * rows->uniform * static_cast<double>(rows->first) : 0.0;
+        const double stays = rows ? 0.5 * equal_rows(*rows) : 0.0;
         if (floor_ && wanted >= *floor_ && wanted < *floor_ + stays)
             return {};
         if (const auto placed = air.set_floor(wanted); !placed)
             return rejection("floor", time, placed.error());
         floor_ = wanted;
         return {};
+    }
+
+    /// [m] Height of the equal rows above the floor: those of the law, or of a list the first.
+    [[nodiscard]] static double equal_rows(const Rows& rows) {
+        const std::vector<float>& heights = rows.heights;
+        if (heights.empty())
+            return rows.uniform * static_cast<double>(rows.first);
+        std::size_t equal = 1;
+        while (equal < heights.size() && heights[equal] - heights[equal - 1] <= 2.02f * heights[0])
+            ++equal;
+        return 2.0 * static_cast<double>(equal) * static_cast<double>(heights[0]);
     }
 
     [[nodiscard]] Error rejection(const char* key, double time, const std::string& why) const;

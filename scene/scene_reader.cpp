@@ -150,13 +150,13 @@ void read_outputs(JsonObject& object, Scene& scene) {
 
 } // namespace
 
-Result<Scene> read_scene(const std::filesystem::path& file) {
+Result<Scene> read_scene(const std::filesystem::path& file, HeightPictureReader heights) {
     detail::InputBudget budget;
     const auto text = read_text_file(file, {.max_bytes = k_max_scene_bytes}, budget);
     if (!text)
         return Error{text.error()};
     const auto document = parse_json(*text, file.string());
-    return document ? read_scene_json(*document, file, budget) : Error{document.error()};
+    return document ? read_scene_json(*document, file, budget, nullptr, heights) : Error{document.error()};
 }
 
 Result<Scene> read_scene_text(std::string_view text, const std::filesystem::path& file, std::vector<KnownKey>* known) {
@@ -166,8 +166,9 @@ Result<Scene> read_scene_text(std::string_view text, const std::filesystem::path
 }
 
 Result<Scene> read_scene_json(const json& document, const std::filesystem::path& file, detail::InputBudget& budget,
-                              std::vector<KnownKey>* known) {
+                              std::vector<KnownKey>* known, HeightPictureReader heights) {
     ReadLog log(file.string(), budget, known);
+    log.heights = heights;
     JsonObject object(document, "$", "$", log);
 
     Scene scene;

@@ -17,7 +17,8 @@ namespace windrow::scene {
 inline constexpr std::size_t k_max_scene_bytes = std::size_t{16} << 20;
 
 /// Reads a scene of at most 16 MiB and the paths that it names. Tells every fault, a line each: file, JSON path, value, fix.
-[[nodiscard]] Result<Scene> read_scene(const std::filesystem::path& file);
+/// `heights` reads height maps of other formats than PGM; null: PGM alone.
+[[nodiscard]] Result<Scene> read_scene(const std::filesystem::path& file, HeightPictureReader heights = nullptr);
 
 /// The same from text; `file` says where paths are looked for and begins the sentences. `known` receives every key that was asked
 /// for, whether the text has it or not.
@@ -26,6 +27,7 @@ inline constexpr std::size_t k_max_scene_bytes = std::size_t{16} << 20;
 
 /// The same from parsed text, with the budget of the files that the scene names.
 [[nodiscard]] Result<Scene> read_scene_json(const nlohmann::json& document, const std::filesystem::path& file,
-                                            detail::InputBudget& budget, std::vector<KnownKey>* known = nullptr);
+                                            detail::InputBudget& budget, std::vector<KnownKey>* known = nullptr,
+                                            HeightPictureReader heights = nullptr);
 
 } // namespace windrow::scene

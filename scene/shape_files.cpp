@@ -7,6 +7,9 @@
 #include "scene/scene_parts.h"
 #include "scene/vox_file.h"
 
+#include <cmath>
+#include <filesystem>
+
 namespace windrow::scene {
 namespace {
 
@@ -35,6 +38,37 @@ Result<HeightData> parse_pgm(std::string_view bytes, const std::string& name) {
     });
 }
 
+// A square of whole numbers of 16 bits, the low byte first, as terrain tools write it (.raw, .r16).
+Result<HeightData> parse_raw(std::string_view bytes, const std::string& name) {
+    const auto corners = static_cast<int>(std::lround(std::sqrt(static_cast<double>(bytes.size() / 2))));
+    if (bytes.size() % 2 != 0 || static_cast<std::size_t>(corners) * static_cast<std::size_t>(corners) * 2 != bytes.size())
+        return Error{message(name, " has ", bytes.size(),
+                             " bytes, which is no square of heights of 16 bits: cut it square, or give a PGM.")};
+    return detail::where_memory_lasts([&]() -> Result<HeightData> {
+        HeightData data{.corners = {corners, corners}, .spacing = 1.0f};
+        data.heights.reserve(bytes.size() / 2);
+        for (std::size_t n = 0; n < bytes.size(); n += 2) {
+            const unsigned low = static_cast<unsigned char>(bytes[n]), high = static_cast<unsigned char>(bytes[n + 1]);
+            data.heights.push_back(static_cast<float>(low + 256u * high) / 65535.0f);
+        }
+        return data;
+    });
+}
+
+// Parsers that need nothing of the log.
+template <class Parse>
+auto alone(const Parse& parse) {
+    return [&parse](std::string_view bytes, const std::string& name, ReadLog&) { return parse(bytes, name); };
+}
+
+// A PGM, as its first bytes tell, raw numbers, as its name does, or what the program can read besides.
+Result<HeightData> parse_heights(std::string_view bytes, const std::string& name, ReadLog& log) {
+    const std::filesystem::path file(name);
+    if (file.extension() == ".raw" || file.extension() == ".r16")
+        return parse_raw(bytes, name);
+    return log.heights == nullptr || bytes.starts_with("P5") ? parse_pgm(bytes, name) : log.heights(bytes, name);
+}
+
 } // namespace
 
 template <class Kind, class Parse>
@@ -58,7 +92,7 @@ void ShapeFiles::read(JsonObject& object, const Key& key, const char* what, File
         const auto bytes = detail::read_input(*file, {.folder = folder_, .max_bytes = k_max_bytes}, object.log().budget());
         if (!bytes)
             return Error{bytes.error()};
-        auto data = parse(*bytes, name);
+        auto data = parse(*bytes, name, object.log());
         if (!data)
             return Error{data.error()};
         auto kind = Kind::create(*std::move(data));
@@ -75,15 +109,15 @@ void ShapeFiles::read(JsonObject& object, const Key& key, const char* what, File
 }
 
 void ShapeFiles::read(JsonObject& object, const Key& key, std::shared_ptr<const TriangleMesh>& mesh) {
-    read(object, key, "a mesh, OBJ,", meshes_, mesh, parse_obj);
+    read(object, key, "a mesh, OBJ,", meshes_, mesh, alone(parse_obj));
 }
 
 void ShapeFiles::read(JsonObject& object, const Key& key, std::shared_ptr<const VoxelGrid>& grid) {
-    read(object, key, "a MagicaVoxel file", grids_, grid, read_vox);
+    read(object, key, "a MagicaVoxel file", grids_, grid, alone(read_vox));
 }
 
 void ShapeFiles::read(JsonObject& object, const Key& key, std::shared_ptr<const HeightMap>& heights) {
-    read(object, key, "a picture of heights, PGM,", heights_, heights, parse_pgm);
+    read(object, key, "a picture of heights, PGM, PNG, TIFF or raw,", heights_, heights, parse_heights);
 }
 
 } // namespace windrow::scene

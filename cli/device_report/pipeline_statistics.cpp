@@ -255,9 +255,16 @@ Result<void> report_pipelines(SectionRun& run) {
             return {};
     }
     const glm::ivec3 smallest = k_bench_grids[0];
-    grid = grid_name(smallest) + " with obstacles on rough ground";
-    if (auto wind = vulkan::Wind::create(host, {.cells = smallest, .roughness = Roughness{}}, {.obstacles = true}); !wind)
-        run.leave_out(message("pipelines at ", grid, ": ", wind.error()));
+    Config full;
+    full.cells = smallest;
+    full.roughness.emplace();
+    for (const bool own_rows : {false, true}) {
+        if (own_rows)
+            full.rows.emplace();
+        grid = grid_name(smallest) + " with obstacles on rough ground" + (own_rows ? ", in rows" : "");
+        if (auto wind = vulkan::Wind::create(host, full, {.obstacles = true}); !wind)
+            run.leave_out(message("pipelines at ", grid, ": ", wind.error()));
+    }
     grid = "any";
     if (auto ground = vulkan::GroundMemory::create(host, {}); !ground)
         run.leave_out("pipelines of the ground memory: " + ground.error());

@@ -56,12 +56,17 @@ void draw_header(Canvas& canvas, const FrameLayout& layout, const SlicedAir& air
 }
 
 /// "Level slice  y = 1.0 m, looking down", as many of the words as there is room for.
-void draw_caption(Canvas& canvas, const Panel& panel, double cell_size) {
+void draw_caption(Canvas& canvas, const Panel& panel, const SlicedAir& air) {
+    const double cell_size = air.box.cell_size;
     const bool level = panel.plane.normal == Normal::y;
     const std::string name = level ? "Level slice" : "Upright slice";
     const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(cell_size))), 0, 6);
     std::string place = "  " + std::string(1, "xyz"[panel.plane.across()]) + " = " + fixed(panel.plane.position, decimals) + " m";
     const double stretch = panel.scale.y / panel.scale.x;
+    if (air.ground)
+        place = "  " + fixed(panel.plane.position - air.origin.y, decimals) + " m above ground";
+    if (const double step = air.ground ? contour_step(air) : 0.0; step > 0.0)
+        place += ", lines every " + brief(step, 2) + " m of height";
     std::string more = level ? ", looking down" : ", looking along \xe2\x88\x92z";
     if (stretch > 1.02 || stretch < 0.98)
         more = ", not to scale: " + std::string(1, "xyz"[panel.plane.along_height()]) + std::string(k_times) + brief(stretch, 2);
@@ -75,16 +80,25 @@ void draw_caption(Canvas& canvas, const Panel& panel, double cell_size) {
 }
 
 /// A thin line where the other slice cuts this one, with a mark at its ends outside the panel's frame.
-void draw_cut(Canvas& canvas, const Panel& panel, const Plane& other) {
-    const double y = panel.to_page({panel.low.x, other.position}).y;
+void draw_cut(Canvas& canvas, const Panel& panel, const SlicedAir& air, const Plane& other) {
     const Rect& r = panel.rect;
-    canvas.stroke(std::array{glm::dvec2(r.x, y), glm::dvec2(r.right(), y)}, {.colour = hex(0xFFFFFF, 0.7),
-                                                                             .width = 0.9,
-                                                                             .dash = 9.0,
-                                                                             .gap = 6.0,
-                                                                             .casing = k_casing.faded(0.5),
-                                                                             .casing_width = 0.7});
-    const double x = r.right() + 5.0;
+    std::vector<glm::dvec2> line;
+    if (air.ground && other.normal == Normal::y) // follows the ground
+        for (int n = 0; n <= 256; ++n) {
+            const double x = panel.low.x + panel.extent.x * n / 256.0;
+            const double above = other.position - air.origin.y;
+            line.push_back(panel.to_page(glm::dvec2(x, air.ground({x, panel.plane.position}) + above)));
+        }
+    else
+        for (const double x : {panel.low.x, panel.low.x + panel.extent.x})
+            line.push_back(panel.to_page(glm::dvec2(x, other.position)));
+    canvas.stroke(line, {.colour = hex(0xFFFFFF, 0.7),
+                         .width = 0.9,
+                         .dash = 9.0,
+                         .gap = 6.0,
+                         .casing = k_casing.faded(0.5),
+                         .casing_width = 0.7});
+    const double x = r.right() + 5.0, y = line.back().y;
     canvas.fill(std::array{glm::dvec2(x, y), glm::dvec2(x + 8.0, y - 5.0), glm::dvec2(x + 8.0, y + 5.0)}, k_ink);
 }
 
@@ -104,20 +118,22 @@ Result<Image> compose_frame(const SlicedAir& air, double time, std::span<const T
     const FrameLayout layout = lay_out(air, settings.slice_point, settings.width);
     Canvas canvas(layout.width_px, layout.height_px, layout.unit, k_paper);
 
+    const SlicedAir over = settings.above_ground ? above_ground(air) : air;
     float largest = 0.0f;
     bool broken = false;
     const std::array panels{&layout.level, &layout.upright};
     for (std::size_t index = 0; index < panels.size(); ++index) {
         const Panel& panel = *panels[index];
-        const SlicePicture slice = render_slice(air, panel.plane, scale, panel.width_px, panel.height_px);
+        const SlicedAir& shown = index == 0 ? over : air;
+        const SlicePicture slice = render_slice(shown, panel.plane, scale, panel.width_px, panel.height_px);
         largest = std::max(largest, slice.largest);
         broken = broken || slice.broken_pixels > 0;
         canvas.image(slice.image, {panel.rect.x, panel.rect.y});
-        draw_flow(canvas, panel, air, slice.image, scale, settings.flow);
-        draw_cut(canvas, panel, panels[1 - index]->plane);
+        draw_flow(canvas, panel, shown, slice.image, scale, settings.flow);
+        draw_cut(canvas, panel, over, panels[1 - index]->plane);
         draw_axes(canvas, panel, air.box.boundaries);
-        draw_things(canvas, panel, air, trails, motors); // over the frame: a mark may stand on the floor's line
-        draw_caption(canvas, panel, air.box.cell_size);
+        draw_things(canvas, panel, shown, trails, motors); // over the frame: a mark may stand on the floor's line
+        draw_caption(canvas, panel, shown);
     }
     draw_header(canvas, layout, air, time, settings.title);
     draw_legend(canvas, {air, layout, trails, motors, settings.motors_of_scene, scale, largest, broken, settings.flow});

@@ -7,8 +7,11 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
+#include <limits>
 #include <span>
+#include <variant>
 
 namespace windrow::cli {
 namespace {
@@ -106,7 +109,80 @@ Table make_table() {
     return table;
 }
 
+/// Lines where the ground passes whole multiples of the step.
+void paint_contours(Image& image, const SlicedAir& air, glm::dvec2 low, glm::dvec2 extent) {
+    const double step = contour_step(air);
+    if (step == 0.0)
+        return;
+    std::vector<double> above(static_cast<std::size_t>(image.width) + 1), here(above);
+    for (int row = 0; row <= image.height; ++row) {
+        for (int column = 0; column <= image.width; ++column)
+            here[column] =
+                std::floor(air.ground(low + extent * glm::dvec2(column, row) / glm::dvec2(image.width, image.height)) / step);
+        for (int column = 0; row > 0 && column < image.width; ++column)
+            if (here[column] != here[column + 1] || here[column] != above[column]) {
+                const Rgb8 below = image.at(column, row - 1);
+                Rgb8 mixed;
+                for (std::size_t channel = 0; channel < 3; ++channel)
+                    mixed[channel] = static_cast<std::uint8_t>((below[channel] * 9 + 255 * 7) / 16);
+                image.set(column, row - 1, mixed);
+            }
+        above.swap(here);
+    }
+}
+
 } // namespace
+
+SlicedAir above_ground(const SlicedAir& air) {
+    std::vector<Obstacle> grounds;
+    for (const NamedObstacle& named : air.obstacles)
+        if (std::holds_alternative<Ground>(named.obstacle.shape))
+            grounds.push_back(named.obstacle);
+    if (grounds.empty())
+        return air;
+    SlicedAir over = air;
+    over.obstacles.clear();
+    over.ground = [grounds, low = air.origin.y](glm::dvec2 place) {
+        double height = low;
+        for (const Obstacle& ground : grounds) {
+            const glm::dvec3 from(place.x - ground.position.x, 0.0, place.y - ground.position.z);
+            const glm::vec3 own = glm::inverse(glm::normalize(ground.orientation)) * glm::vec3(from);
+            height =
+                std::max(height, ground.position.y + static_cast<double>(detail::height_at(std::get<Ground>(ground.shape), own)));
+        }
+        return height;
+    };
+    const auto lift = [ground = over.ground, low = air.origin.y](const glm::dvec3& at) { return ground({at.x, at.z}) - low; };
+    over.velocity = [velocity = air.velocity, lift](std::span<const glm::dvec3> positions, std::span<glm::vec3> velocities) {
+        std::vector<glm::dvec3> places(positions.begin(), positions.end());
+        for (glm::dvec3& place : places)
+            place.y += lift(place);
+        velocity(places, velocities);
+    };
+    for (const NamedObstacle& named : air.obstacles)
+        if (!std::holds_alternative<Ground>(named.obstacle.shape)) {
+            over.obstacles.push_back(named);
+            over.obstacles.back().obstacle.position.y -= lift(named.obstacle.position);
+        }
+    return over;
+}
+
+double contour_step(const SlicedAir& air) {
+    constexpr int k_places = 64;
+    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+    for (int z = 0; z < k_places; ++z)
+        for (int x = 0; x < k_places; ++x) {
+            const glm::dvec3 share = glm::dvec3(x, 0.0, z) / (k_places - 1.0);
+            const glm::dvec3 at = air.origin + air.extent() * share;
+            const double height = air.ground({at.x, at.z});
+            lowest = std::min(lowest, height);
+            highest = std::max(highest, height);
+        }
+    if (!(highest - lowest > 1e-2))
+        return 0.0;
+    const double least = 0.1 * (highest - lowest), decade = std::pow(10.0, std::floor(std::log10(least)));
+    return decade * (least <= decade ? 1.0 : least <= 2.0 * decade ? 2.0 : least <= 5.0 * decade ? 5.0 : 10.0);
+}
 
 glm::dvec3 Plane::to_world(glm::dvec2 in_plane_position) const {
     glm::dvec3 world(position);
@@ -148,6 +224,8 @@ SlicePicture render_slice(const SlicedAir& air, const Plane& plane, float scale,
             picture.image.set(column, row, speed_colour(speed / scale));
         }
     }
+    if (air.ground)
+        paint_contours(picture.image, air, low, extent);
     paint_sections(picture.image, bodies, plane, air);
     return picture;
 }

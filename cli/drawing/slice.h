@@ -34,6 +34,8 @@ struct SlicedAir {
     /// [m/s] Wind at world points; both spans have one length.
     std::function<void(std::span<const glm::dvec3> positions, std::span<glm::vec3> velocities)> velocity;
     std::vector<NamedObstacle> obstacles{};
+    /// [m] World height of the ground under a place (x, z), of air read above it; else empty.
+    std::function<double(glm::dvec2 place)> ground{};
 
     /// [m] Edge lengths of the box.
     [[nodiscard]] glm::dvec3 extent() const {
@@ -41,6 +43,11 @@ struct SlicedAir {
         return box.rows ? glm::dvec3(equal.x, box.rows->top(), equal.z) : equal;
     }
 };
+
+/// The air as a level slice reads it that follows the ground: what is h [m] above the ground is at h above the box's low face. Bodies
+/// on the ground are moved with their positions; the ground itself is none of them. Grounds stand upright. Air
+/// without a Ground comes back as it is.
+[[nodiscard]] SlicedAir above_ground(const SlicedAir& air);
 
 /// The axis across a plane: x sideways, y level, z upright.
 enum class Normal : std::uint8_t { x, y, z };
@@ -74,8 +81,12 @@ struct SlicePicture {
 };
 
 /// The plane as width x height pixels, over the whole box: pixel (c, r) shows the wind at its own centre, coloured by
-/// speed_colour(speed / scale), scale [m/s] > 0, or the section of an obstacle.
+/// speed_colour(speed / scale), scale [m/s] > 0, or the section of an obstacle; with lines of equal height of the ground, if the air
+/// has one.
 [[nodiscard]] SlicePicture render_slice(const SlicedAir& air, const Plane& plane, float scale, int width, int height);
+
+/// [m] Between lines of equal height: 1, 2 or 5 times a power of ten, a tenth to a fourth of the ground's relief under the box. 0: it is level.
+[[nodiscard]] double contour_step(const SlicedAir& air);
 
 struct WindArrow {
     glm::dvec2 middle{0.0};    ///< [m] in the plane's coordinates

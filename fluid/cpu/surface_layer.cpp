@@ -109,6 +109,9 @@ void SurfaceLayer::renew_plane(const Window& window, const Solids* solids, int p
     const bool floor = box_.boundaries.y_low.solid(), slips = box_.boundaries.y_low.kind == BoundaryKind::free_slip,
                open_below = box_.boundaries.y_low.kind == BoundaryKind::open,
                open_above = box_.boundaries.y_high.kind == BoundaryKind::open;
+    const auto lowest = [this](int row) {
+        return box_.rows ? k_lowest / box_.rows->scales()[static_cast<std::size_t>(row)] : k_lowest;
+    };
     float* const faces = faces_.data() + static_cast<std::size_t>(plane) * static_cast<std::size_t>(cells.y + 1) * cells.x;
     const auto face = [&](int i, int j) -> float& { return faces[static_cast<std::size_t>(j) * cells.x + i]; };
     int free = -1; // a column without obstacles, as are all others without, where no map is
@@ -135,12 +138,12 @@ void SurfaceLayer::renew_plane(const Window& window, const Solids* solids, int p
             if (air && (from_body || (closed != nullptr && closed->closed >= 0.5f))) {
                 const std::size_t body = from_body ? solids->body_in(below) : closed->body;
                 first = j;
-                first_height = std::max(solids->height_over(body, {i, j, plane}), k_lowest) * h;
+                first_height = std::max(solids->height_over(body, {i, j, plane}), lowest(j)) * h;
                 if (solids->bodies()[body].surface == Surface::free_slip && !solids->bodies()[body].moves())
                     passes = -drag(first_height, length);
             } else if (j == 0 && floor) {
                 if (solids != nullptr)
-                    first_height = std::min(first_height, h * std::max(over_grounds(*solids, {i, 0, plane}), k_lowest));
+                    first_height = std::min(first_height, h * std::max(over_grounds(*solids, {i, 0, plane}), lowest(0)));
                 passes = air && slips ? -drag(first_height, length) : 0.0f;
             } else if ((air || (j == cells.y && open_above)) && (air_below || (j == 0 && open_below))) {
                 const float height = height_of(j - 1, first, first_height);

@@ -44,8 +44,9 @@ class Stories : public vulkan::Gpu {
         for (int n = 0; n < 3; ++n) {
             EXPECT_TRUE(wind->follow(static_cast<double>(n) * story.dt * story.walk));
             EXPECT_TRUE(wind->set_ambient({1.0f, 0.0f, 0.1f * static_cast<float>(n)}));
-            if (story.config.rows && n > 0) // a change of the story's own that comes later
+            if (story.config.rows && n > 0) { // a change of the story's own that comes later
                 EXPECT_TRUE(wind->set_floor(0.7 + 0.8 * n));
+            }
             run([&](VkCommandBuffer commands) { held(wind->record_step(commands, {.dt = story.dt})); });
             if (const auto times = wind->pass_times())
                 for (const vulkan::PassTimes::Pass& pass : times->passes)

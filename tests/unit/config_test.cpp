@@ -228,4 +228,17 @@ TEST(Config, RejectedChangesLeaveEverythingAsItWas) {
     EXPECT_EQ(wind->config().boundaries, Boundaries::open_over_floor());
 }
 
+TEST(Rows, OfAnImpossibleShapeAreRejectedInASentence) {
+    Rows alternate{.heights = {0.5f}};
+    for (int row = 1; row < k_max_rows; ++row)
+        alternate.heights.push_back(alternate.heights.back() + (row % 2 == 0 ? 1.0f : 1.999f));
+    const auto turns = RowTable::create(alternate, k_max_rows, 1.0f);
+    ASSERT_FALSE(turns);
+    EXPECT_NE(turns.error().find("rows.heights have distances that grow and shrink by turns"), std::string::npos)
+        << turns.error();
+    EXPECT_FALSE(RowTable::create({}, k_max_rows + 1, 1.0f));
+    const auto even = RowTable::create({.first = 0.7f, .uniform = 20, .top = 7.0f}, 10, 1.0f);
+    EXPECT_TRUE(even) << "a top as high as the rows are, but for rounding: " << even.error();
+}
+
 } // namespace

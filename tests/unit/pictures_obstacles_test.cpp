@@ -2,6 +2,7 @@
 // bodies.
 #include "cli/drawing/sections.h"
 #include "cli/drawing/streamlines.h"
+#include "tests/shapes.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -67,6 +68,38 @@ TEST(Sections, AreWhereTheBodiesAre) {
             }
         EXPECT_GT(inside, 20);
     }
+}
+
+// A level slice above the ground: the wind of 1 m/s a metre above it has one colour, but where a line of equal height or a house is.
+TEST(Sections, ALevelSliceFollowsTheGround) {
+    const auto height = [](double x, double z) { return 1.0 + 0.1 * x + 0.05 * z; };
+    const Obstacle ground{
+        .position = {1e6 - 4.0, -2.0, 1.0},
+        .shape = Ground{test::heights_of({29, 21}, 1.0f, [&](double x, double z) { return height(x - 4.0, z - 4.0); })}};
+    const glm::dvec3 foot(1e6 + 15.0, 0.0, 11.0);
+    const auto over_ground = [&](glm::dvec3 p) { return p.y + 2.0 - height(p.x - 1e6, p.z - 5.0); };
+    const SlicedAir air = air_of(
+        [&](glm::dvec3 p) {
+            return glm::dvec3{std::max(over_ground(p), 0.0), 0.0, 0.0};
+        },
+        {{"hills", ground},
+         {"house", {.position = {foot.x, height(15.0, 6.0) - 2.0, foot.z}, .shape = Block{{1.0f, 1.5f, 1.0f}}}}});
+    const SlicedAir over = above_ground(air);
+    EXPECT_NEAR(over.ground({foot.x, foot.z}), height(15.0, 6.0) - 2.0, 1e-5);
+    EXPECT_NEAR(contour_step(over), 0.5, 1e-9); // 2.6 m in all
+    const Plane plane{Normal::y, 1.0 - 2.0};
+    const SlicePicture slice = render_slice(over, plane, 4.0f, 160, 96);
+    int even = 0, lines = 0, house = 0;
+    for (int row = 0; row < 96; ++row)
+        for (int column = 0; column < 160; ++column) {
+            const Rgb8 seen = slice.image.at(column, row);
+            (seen == speed_colour(0.25f) ? even : seen == k_grey ? house : lines) += 1;
+        }
+    EXPECT_NEAR(house, 16 * 16, 64); // 2 m of 20 m and of 12 m, less its outline
+    EXPECT_NEAR(even + lines + house, 160 * 96, 0);
+    EXPECT_GT(lines, 5 * 96 / 2);
+    EXPECT_LT(lines, 160 * 96 / 10);
+    EXPECT_EQ(render_slice(air, plane, 4.0f, 160, 96).image.at(150, 90), k_grey) << "a level one cuts the hills";
 }
 
 TEST(Sections, TheLargestSpeedIsThatOfAir) {

@@ -1,8 +1,10 @@
 // PNG files of the portable command, read by OpenImageIO.
 #include "cli/device_report/png.h"
 #include "pictures/picture_files.h"
-#include "tests/own_folder.h"
+#include "scene/scene_reader.h"
+#include "tests/unit/command_outcome.h"
 
+#include <OpenImageIO/imageio.h>
 #include <fstream>
 #include <functional>
 #include <random>
@@ -58,4 +60,68 @@ TEST(PortablePng, IsSmallWhereThePictureIsEven) {
 }
 
 } // namespace
+/// A picture of `values`, 3 x 2, in the format of its name's end; of two channels the second is alpha.
+template <class Number>
+void write_heights(const std::filesystem::path& file, OIIO::TypeDesc type, const std::vector<Number>& values, int channels = 1) {
+    const auto output = OIIO::ImageOutput::create(file.string());
+    ASSERT_TRUE(output) << OIIO::geterror();
+    OIIO::ImageSpec spec(3, 2, channels, type);
+    if (channels == 2) {
+        spec.channelnames = {"Y", "A"};
+        spec.alpha_channel = 1;
+        spec.attribute("oiio:UnassociatedAlpha", 1);
+    }
+    ASSERT_TRUE(output->open(file.string(), spec) && output->write_image(type, values.data()) && output->close())
+        << output->geterror();
+}
+
+// The heights of a ground in a scene, as PNG, as a TIFF of floats and as one of whole metres with a sign.
+TEST(HeightPictures, AreReadInFourKindsOfNumbers) {
+    const test::OwnFolder folder;
+    write_heights<std::uint16_t>(folder / "a.png", OIIO::TypeDesc::UINT16, {0, 65535, 6553, 13107, 32768, 1});
+    write_heights<float>(folder / "b.tif", OIIO::TypeDesc::FLOAT, {0.0f, 812.25f, -3.5f, 1e-3f, 40.0f, 7.0f});
+    write_heights<std::int16_t>(folder / "c.tif", OIIO::TypeDesc::INT16, {0, 812, -3, 32767, 40, 7});
+    std::ofstream(folder / "d.png") << "no picture";
+    const auto heights = [&](const char* name) {
+        return scene::read_scene_text(std::string(R"({"obstacles": [{"shape": {"ground": {"file": ")") + name + "\"}}}]}",
+                                      folder / "scene.json");
+    };
+    const auto read = [&](const char* name) -> Result<std::vector<float>> {
+        std::ofstream(folder / "scene.json") << R"({"obstacles": [{"shape": {"ground": {"file": ")" << name << "\"}}}]}";
+        const auto found = scene::read_scene(folder / "scene.json", pictures::read_heights);
+        if (!found)
+            return Error{found.error()};
+        return std::get<Ground>(found->obstacles[0].obstacle.shape).heights->data().heights;
+    };
+    const std::vector<float> shares{0.0f, 1.0f, 6553.0f / 65535.0f, 0.2f, 32768.0f / 65535.0f, 1.0f / 65535.0f};
+    const auto png = read("a.png");
+    ASSERT_TRUE(png) << png.error();
+    for (std::size_t n = 0; n < shares.size(); ++n)
+        EXPECT_NEAR((*png)[n], shares[n], 1e-6f);
+    const auto floats = read("b.tif");
+    ASSERT_TRUE(floats) << floats.error();
+    EXPECT_EQ(*floats, (std::vector<float>{0.0f, 812.25f, -3.5f, 1e-3f, 40.0f, 7.0f}));
+    const auto metres = read("c.tif");
+    ASSERT_TRUE(metres) << metres.error();
+    EXPECT_EQ(*metres, (std::vector<float>{0.0f, 812.0f, -3.0f, 32767.0f, 40.0f, 7.0f}));
+    EXPECT_NE(read("d.png").error().find("give a PGM, PNG or TIFF."), std::string::npos) << read("d.png").error();
+    write_heights<std::uint16_t>(folder / "alpha.png", OIIO::TypeDesc::UINT16,
+                                 {0, 9, 65535, 0, 6553, 65535, 13107, 32768, 32768, 1, 1, 0}, 2);
+    const auto masked = read("alpha.png");
+    ASSERT_TRUE(masked) << masked.error();
+    for (std::size_t n = 0; n < shares.size(); ++n)
+        EXPECT_NEAR((*masked)[n], shares[n], 1e-6f) << "a transparent height is a height";
+    std::ofstream(folder / "e.raw", std::ios::binary) << std::string("\0\0\xff\xff\x99\x19\1\0", 8);
+    const auto raw = read("e.raw");
+    ASSERT_TRUE(raw) << raw.error();
+    EXPECT_EQ(*raw, (std::vector<float>{0.0f, 1.0f, 6553.0f / 65535.0f, 1.0f / 65535.0f}));
+    std::ofstream(folder / "f.r16", std::ios::binary) << "123456";
+    EXPECT_NE(read("f.r16").error().find("has 6 bytes, which is no square"), std::string::npos) << read("f.r16").error();
+    (void)read("a.png");
+    const std::string scene = (folder / "scene.json").string(), out = (folder / "out").string();
+    const CommandOutcome ran = run_windrow({"run", scene.c_str(), "--frames", "1", "--out", out.c_str(), "--csv"});
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    EXPECT_FALSE(heights("a.png")) << "without a library a scene has PGM alone";
+}
+
 } // namespace windrow::cli

@@ -1,5 +1,6 @@
 #include "vegetation/program/picture_reader.h"
 
+#include "pictures/picture_files.h"
 #include "scene/json_document.h"
 #include "scene/number_text.h"
 #include "scene/scene_reader.h"
@@ -86,7 +87,7 @@ windrow::Result<PictureScene> read_text(std::string_view text, const std::filesy
     const auto document = windrow::scene::parse_json(text, file.string());
     if (!document)
         return windrow::Error{document.error()};
-    auto air = windrow::scene::read_scene_json(*document, file, budget);
+    auto air = windrow::scene::read_scene_json(*document, file, budget, nullptr, windrow::pictures::read_heights);
     static const json k_none = json::object();
     const bool given = document->is_object() && document->contains("picture") && (*document)["picture"].is_object();
     ReadLog log(file.string(), budget, known);
