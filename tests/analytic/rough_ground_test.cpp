@@ -83,7 +83,7 @@ TEST(RoughGround, LeavesTheWindOverOpenLandAsItIs) {
 /// Cells of 2 m by .5 to 6 m in place of cubes.
 Config in_rows(Config config) {
     config.cells.y = 26;
-    config.rows = Rows{.first = 0.5f, .uniform = 4, .top = 48.0f};
+    config.rows.emplace(Rows{.first = 0.5f, .uniform = 4, .top = 48.0f});
     config.centre.y = 24.0;
     return config;
 }
@@ -224,7 +224,7 @@ TEST_P(OverACrest, TheWindSpeedsUp) {
     config.centre = {0.0, 48.0, 0.0};
     if (GetParam()) { // half as many, as thick up to the crest
         config.cells.y = 40;
-        config.rows = Rows{.first = 1.2f, .uniform = 22, .top = 96.0f};
+        config.rows.emplace(Rows{.first = 1.2f, .uniform = 22, .top = 96.0f});
     }
     Wind wind = made(config);
     const auto ridge = heights_of({601, 5}, 1.0f, [&](double x, double) {

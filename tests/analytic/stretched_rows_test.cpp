@@ -260,7 +260,7 @@ TEST_P(EqualRows, AreTheRowsOfACube) {
                   .roughness = Roughness{},
                   .viscosity = 0.01f};
     Wind plain = made(config);
-    config.rows = Rows{.first = 0.5f, .uniform = 12, .ratio = 1.0f};
+    config.rows.emplace(Rows{.first = 0.5f, .uniform = 12, .ratio = 1.0f});
     Wind rows = made(config);
     EXPECT_EQ(plain.origin(), rows.origin());
     for (Wind* wind : {&plain, &rows}) {
@@ -364,7 +364,7 @@ TEST(StretchedRows, RoughFlowsAroundBodiesGainNoEnergy) {
     for (const float cfl : {0.5f, 5.0f}) {
         Config config{
             .cells = {24, 24, 24}, .boundaries = between_walls(), .viscosity = 0.0f, .relaxation_time = 0.0f, .max_cfl = 1e5f};
-        config.rows = Rows{.first = 0.25f, .uniform = 6, .ratio = 1.15f};
+        config.rows.emplace(Rows{.first = 0.25f, .uniform = 6, .ratio = 1.15f});
         Wind wind = made(config);
         build_on(wind.obstacles(), 1.5);
         ASSERT_TRUE(wind.set_velocity(white_noise(config.cells, 1.0f, 3)));
@@ -380,7 +380,7 @@ TEST(StretchedRows, RoughFlowsAroundBodiesGainNoEnergy) {
 // Across rows that grow a wall of no thickness lets nothing pass.
 TEST(StretchedRows, AFloorOfNoThicknessSeparatesTheAir) {
     Config config{.cells = {16, 24, 16}, .boundaries = between_walls(), .viscosity = 0.0f, .relaxation_time = 0.0f};
-    config.rows = Rows{.first = 0.25f, .uniform = 6, .ratio = 1.15f};
+    config.rows.emplace(Rows{.first = 0.25f, .uniform = 6, .ratio = 1.15f});
     Wind wind = made(config);
     const double height = wind.view().window().size().y;
     ASSERT_TRUE(wind.obstacles().add({.position = {0.0, 2.07, 0.0},
@@ -407,7 +407,7 @@ TEST(StretchedRows, AFloorOfNoThicknessSeparatesTheAir) {
 TEST(StretchedRows, AForceKeepsItsImpulse) {
     for (const double height : {2.0, 9.0, 25.0}) {
         Config config{.cells = {24, 24, 24}, .boundaries = between_walls(), .centre = {0.0, 22.0, 0.0}, .stages = k_sources_only};
-        config.rows = Rows{.first = 0.5f, .uniform = 4, .top = 44.0f};
+        config.rows.emplace(Rows{.first = 0.5f, .uniform = 4, .top = 44.0f});
         Wind wind = made(config);
         ASSERT_NEAR(wind.origin().y, 0.0, 1e-6);
         added(wind.motors(),

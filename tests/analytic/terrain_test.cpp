@@ -111,7 +111,7 @@ OffPotential off_potential(const Ridge& ridge, Grid grid, int steps) {
                   .ambient = {k_wind, 0.0f, 0.0f}};
     config.boundaries.z_low = config.boundaries.z_high = {BoundaryKind::periodic};
     if (grid == Grid::rows) // half as many, all as thick as before up to twice the crest
-        config.rows = Rows{.first = 1.0f, .uniform = static_cast<int>(2.0 * ridge.height), .top = 64.0f};
+        config.rows.emplace(Rows{.first = 1.0f, .uniform = static_cast<int>(2.0 * ridge.height), .top = 64.0f});
     Wind wind = made(config);
     Obstacle ground{.position = {-100.0, 0.0, -5.0},
                     .shape = Ground{heights_of({401, 21}, 0.5f, [&](double x, double) { return ridge.at(x - 100.0); })}};

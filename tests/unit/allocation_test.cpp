@@ -134,7 +134,7 @@ Config gusty() {
 
 Config in_rows() {
     Config config = gusty();
-    config.rows = Rows{.first = 0.4f, .uniform = 2, .heights = {0.2f, 0.6f, 1.0f, 1.5f, 2.2f, 3.0f}};
+    config.rows.emplace(Rows{.first = 0.4f, .uniform = 2, .heights = {0.2f, 0.6f, 1.0f, 1.5f, 2.2f, 3.0f}});
     return config;
 }
 

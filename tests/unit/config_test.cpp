@@ -105,11 +105,11 @@ std::vector<ConfigMistake> every_fault() {
         [](Config& c) { c.roughness = Roughness{.longest_mixing = -1.0f}; });
     add("roughness.map", " has no lengths", "HeightMap::create",
         [](Config& c) { c.roughness = Roughness{.map = RoughnessMap{}}; });
-    add("rows.first", " is 0 m", "above 0", [](Config& c) { c.rows = Rows{.first = 0.0f}; });
-    add("rows.uniform", " is 0", "1 to 2048", [](Config& c) { c.rows = Rows{.uniform = 0}; });
-    add("rows.ratio", " is 2", "1 to 1.5", [](Config& c) { c.rows = Rows{.ratio = 2.0f}; });
-    add("rows.top", " is -1 m", "0 (by the ratio) to", [](Config& c) { c.rows = Rows{.top = -1.0f}; });
-    add("rows.heights[1]", " is nan m", "above 0", [](Config& c) { c.rows = Rows{.heights = {1.0f, k_nan}}; });
+    add("rows.first", " is 0 m", "above 0", [](Config& c) { c.rows.emplace(Rows{.first = 0.0f}); });
+    add("rows.uniform", " is 0", "1 to 2048", [](Config& c) { c.rows.emplace(Rows{.uniform = 0}); });
+    add("rows.ratio", " is 2", "1 to 1.5", [](Config& c) { c.rows.emplace(Rows{.ratio = 2.0f}); });
+    add("rows.top", " is -1 m", "0 (by the ratio) to", [](Config& c) { c.rows.emplace(Rows{.top = -1.0f}); });
+    add("rows.heights[1]", " is nan m", "above 0", [](Config& c) { c.rows.emplace(Rows{.heights = {1.0f, k_nan}}); });
     add("canopy.drag", " is 10000 1/m", "0 (none) to 1000 1/m", [](Config& c) { c.canopy = Canopy{.drag = 1e4f}; });
     add("ticks.hz", " is 0", "1 to 10000", [](Config& c) { c.ticks.hz = 0.0; });
     add("ticks.hz", " is -1", "1 to 10000", [](Config& c) { c.ticks.hz = -1.0; });

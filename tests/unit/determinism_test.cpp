@@ -28,7 +28,7 @@ std::vector<NamedConfig> scenes() {
         add("rows", [](Config& c) {
             c.viscosity = 5.0f;
             c.boundaries = Boundaries::open_over_floor();
-            c.rows = Rows{.first = 0.4f, .uniform = 3, .ratio = 1.2f};
+            c.rows.emplace(Rows{.first = 0.4f, .uniform = 3, .ratio = 1.2f});
             c.roughness.emplace();
         });
         add("stable_fluids_walls", [](Config& c) {

@@ -39,7 +39,7 @@ std::vector<NamedConfig> scenes() {
             {"rows", with(base,
                           [](Config& c) {
                               c.boundaries.y_low = {BoundaryKind::free_slip};
-                              c.rows = Rows{.first = 0.25f, .uniform = 2, .ratio = 1.3f};
+                              c.rows.emplace(Rows{.first = 0.25f, .uniform = 2, .ratio = 1.3f});
                           })},
             {"one_cell", with(base, [](Config& c) { c.cells = glm::ivec3(1, 6, 1); })},
             {"million_metres_away", with(base, [](Config& c) { c.centre = glm::dvec3(1e6, 3.0, -1e6); })}};

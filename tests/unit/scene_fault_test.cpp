@@ -144,9 +144,11 @@ TEST(SceneFault, KeysThatNobodyKnows) {
                      "a.json: $.air.cell_sise is not a known key (did you mean `cell_size`?): rename or remove it.");
     expect_rejection(R"({"air": {"sides": {}}})",
                      "a.json: $.air.sides is now called \"boundaries\": rename it, or run ./dev rename-scene on the file.");
-    EXPECT_TRUE(rejection(R"({"pictures": {"zebra": 3}})")
-                    .starts_with("a.json: $.pictures.zebra is not a known key (known: slice_height, slice_z, speed_scale, width, "
-                                 "flow): rename or remove it."));
+    EXPECT_TRUE(
+        rejection(R"({"pictures": {"zebra": 3}})")
+            .starts_with(
+                "a.json: $.pictures.zebra is not a known key (known: slice_height, above_ground, slice_z, speed_scale, width, "
+                "flow): rename or remove it."));
     expect_rejection(R"({"motors": [{"kind": "wake", "path": "p", "raduis": 1}], "paths": {"p": {"points": [[0, 0, 0, 0]]}}})",
                      "a.json: $.motors[0].raduis is not a known key (did you mean `radius`?): rename or remove it.");
 }

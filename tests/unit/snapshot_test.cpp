@@ -99,7 +99,7 @@ std::vector<SavedFlight> scenes() {
         "rows",
         [=](Config& config) {
             gusty(config);
-            config.rows = Rows{.first = 0.4f, .uniform = 3, .ratio = 1.2f};
+            config.rows.emplace(Rows{.first = 0.4f, .uniform = 3, .ratio = 1.2f});
         },
         [=](Session& session) {
             ticked_flight(session);
@@ -109,7 +109,7 @@ std::vector<SavedFlight> scenes() {
     add(
         "listed_rows",
         [](Config& config) {
-            config.rows = Rows{.top = 20.0f, .heights = {0.2f, 0.6f, 1.1f, 1.8f, 3.0f, 5.0f, 8.0f, 12.0f, 17.0f}};
+            config.rows.emplace(Rows{.top = 20.0f, .heights = {0.2f, 0.6f, 1.1f, 1.8f, 3.0f, 5.0f, 8.0f, 12.0f, 17.0f}});
         },
         flight, false);
     add(
