@@ -43,7 +43,7 @@ enum class PngRows {
 
 /// Heights of a picture's first channel, a pixel a metre, of a PNG or a TIFF. Whole numbers without a sign are
 /// 0 m for black and 1 m for white, of 8 or 16 bits; floats, and numbers with a sign as surveys have them, are metres. `name` begins
-/// an error's sentence. Where a TIFF says where in the world it lies, that is ignored.
+/// an error's sentence. The geographic position of a GeoTIFF is ignored.
 [[nodiscard]] Result<HeightData> read_heights(std::string_view bytes, const std::string& name);
 
 /// The picture in another size, filtered so that thin lines stay; rejected only without memory.

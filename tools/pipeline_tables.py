@@ -18,7 +18,8 @@ them. No device is needed, and nothing here was measured on a GPU. The columns a
 `./dev pipelines` writes this page. `windrow device-report --only pipelines` prints the same for any device whose driver
 has `VK_KHR_pipeline_executable_properties`.
 
-The last two rows are a shader that samples the wind (docs/vulkan.md) and the same shader without the sample.
+The last three rows are a shader that samples the wind (docs/vulkan.md), the same for winds of equal rows, and the same
+without the sample.
 A pass that does not depend on the size of the box has one row. Subgroups a SIMD are the most that its registers and
 shared memory leave room for.
 """

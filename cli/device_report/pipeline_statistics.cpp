@@ -10,6 +10,7 @@
 #include "fluid/vulkan/pipeline.h"
 #include "fluid/vulkan/wind.h"
 #include "shader_words/place_nothing.h"
+#include "shader_words/sample_equal_rows.h"
 #include "shader_words/sample_wind.h"
 
 #include <cstdint>
@@ -218,6 +219,7 @@ Result<void> compile_samples(const vulkan::Host& host) {
         bindings.push_back(binding.descriptorType);
     for (const auto& [name, code] :
          {std::pair<const char*, std::span<const std::uint32_t>>("sample", vulkan::shader_words::sample_wind),
+          {"sample, equal rows", vulkan::shader_words::sample_equal_rows},
           {"the same shader without it", vulkan::shader_words::place_nothing}})
         if (auto made = vulkan::Pipeline::create(**device, {.code = code, .bindings = bindings, .constants = {}, .name = name});
             !made)

@@ -4,7 +4,7 @@
 //     layout(set = 0, binding = 0) uniform sampler3D volumes[];                       // bindless: yours
 //     struct Wind { WindrowFrame frame; vec4 rows[WINDROW_ROW_BLOCKS]; };             // windrow::FrameBlock; below the include
 //     layout(std430, set = 0, binding = 1) readonly buffer Winds { Wind winds[]; };
-//     float windrow_row_height(uint volume, int row) { return winds[...].rows[row / 4][row % 4]; }
+//     float windrow_row_height(uint volume, int row) { return winds[...].rows[row >> 2][row & 3]; }
 //
 //     #define WINDROW_TEXTURES uint                                                   // what stands for a frame's textures
 //     vec3 windrow_texture(uint volume, vec3 place) { return textureLod(volumes[nonuniformEXT(volume)], place, 0.0).xyz; }
@@ -77,13 +77,14 @@ float windrow_axis_share(WindrowAxis axis, float p) {
 
 // [m] Height of a row's centre over the box's low boundary, FrameBlock::heights: yours, below this text, where you declare the
 // block. It is called where window.rows is above 0.
+#ifndef WINDROW_EQUAL_ROWS // define it where no wind has rows of its own
 float windrow_row_height(WINDROW_TEXTURES textures, int row);
 
 // A height over the low boundary in rows: j + 1/2 at the centre of row j, linear between centres.
 float windrow_row_place(WINDROW_TEXTURES textures, int rows, float height) {
     int low = 0, high = rows - 1;
-    for (int halvings = 0; halvings < 7 && high - low > 1; ++halvings) {
-        int middle = (low + high) / 2;
+    while (high - low > 1) {
+        int middle = (low + high) >> 1;
         if (windrow_row_height(textures, middle) <= height)
             low = middle;
         else
@@ -92,13 +93,16 @@ float windrow_row_place(WINDROW_TEXTURES textures, int rows, float height) {
     float below = windrow_row_height(textures, low), above = windrow_row_height(textures, high);
     return float(low) + 0.5f + (height - below) / (above - below);
 }
+#endif
 
 // The textures at p, trilinear; `origin` [m] is the box's low corner.
 #ifdef WINDROW_EXACT
 vec3 windrow_box_velocity(WINDROW_TEXTURES textures, WindrowWindow window, WindrowPlace place, vec3 origin, vec3 p) {
     vec3 kinds = window.low_boundaries, local = (p - origin) / window.cell_size;
+#ifndef WINDROW_EQUAL_ROWS
     if (window.rows > 0.0f)
         local.y = windrow_row_place(textures, int(window.rows), p.y - origin.y);
+#endif
     vec3 at = vec3(windrow_axis_sample(local.x, window.cells.x, kinds.x), windrow_axis_sample(local.y, window.cells.y, kinds.y),
                    windrow_axis_sample(local.z, window.cells.z, kinds.z)) -
               0.5f;
@@ -120,8 +124,10 @@ vec3 windrow_box_velocity(WINDROW_TEXTURES textures, WindrowWindow window, Windr
 vec3 windrow_box_velocity(WINDROW_TEXTURES textures, WindrowWindow window, WindrowPlace place, vec3 origin, vec3 p) {
     vec3 at = vec3(place.x.texture_scale * p.x + place.x.texture_offset, place.y.texture_scale * p.y + place.y.texture_offset,
                    place.z.texture_scale * p.z + place.z.texture_offset);
+#ifndef WINDROW_EQUAL_ROWS
     if (window.rows > 0.0f)
         at.y = windrow_row_place(textures, int(window.rows), window.height * at.y) / window.rows;
+#endif
     return windrow_texture(textures, at); // the sampler wraps and clamps
 }
 #endif

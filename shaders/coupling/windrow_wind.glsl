@@ -74,7 +74,7 @@ layout(std140, set = WINDROW_SET, binding = WINDROW_BINDING) uniform WindrowBloc
     WindrowFrame windrow_frame;
     vec4 windrow_rows[WINDROW_ROW_BLOCKS];
 };
-float windrow_row_height(WINDROW_TEXTURES textures, int row) { return windrow_rows[row / 4][row % 4]; }
+float windrow_row_height(WINDROW_TEXTURES textures, int row) { return windrow_rows[row >> 2][row & 3]; }
 
 // [m/s] The wind at p [m] from the anchor.
 vec3 windrow_velocity(vec3 p) { return windrow_velocity_at(WINDROW_NOW, 0, windrow_frame, p); }

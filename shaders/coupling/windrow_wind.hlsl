@@ -68,7 +68,7 @@ float3 windrow_tile_texel(int tile, int3 texel) { return windrow_tile_texels[(te
     WindrowFrame windrow_frame;
     float4 windrow_rows[WINDROW_ROW_BLOCKS];
 };
-float windrow_row_height(int frame, int row) { return windrow_rows[row / 4][row % 4]; }
+float windrow_row_height(int frame, int row) { return windrow_rows[row >> 2][row & 3]; }
 
 float3 windrow_velocity(float3 p) { return windrow_velocity_at(0, 0, windrow_frame, p); }
 float3 windrow_velocity_previous(float3 p) { return windrow_velocity_previous_at(1, 0, windrow_frame, p); }

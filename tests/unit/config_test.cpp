@@ -238,7 +238,7 @@ TEST(Rows, OfAnImpossibleShapeAreRejectedInASentence) {
         << turns.error();
     EXPECT_FALSE(RowTable::create({}, k_max_rows + 1, 1.0f));
     const auto even = RowTable::create({.first = 0.7f, .uniform = 20, .top = 7.0f}, 10, 1.0f);
-    EXPECT_TRUE(even) << "a top as high as the rows are, but for rounding: " << even.error();
+    EXPECT_TRUE(even) << "the top differs from the height of equal rows by rounding alone: " << even.error();
 }
 
 } // namespace

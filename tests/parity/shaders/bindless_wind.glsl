@@ -38,7 +38,7 @@ layout(local_size_x = 64) in;
 layout(std430, set = 0, binding = 0) readonly buffer Places { vec4 places[]; };
 layout(std430, set = 0, binding = 1) writeonly buffer Winds { vec4 winds[]; };
 layout(std430, set = 0, binding = 5) readonly buffer Frames { Wind frames[]; };
-float windrow_row_height(uvec2 textures, int row) { return frames[textures.y].rows[row / 4][row % 4]; }
+float windrow_row_height(uvec2 textures, int row) { return frames[textures.y].rows[row >> 2][row & 3]; }
 
 // Now and before.
 void sample_wind(uint wind, vec3 p, uint to) {
