@@ -6,6 +6,7 @@
 #define WINDROW_PUSH WindrowLiftPush
 #define WINDROW_BETWEEN_TICKS
 #include "fluid/pass.glsl"
+#include "numerics/transport.glsl"
 
 layout(std430, set = 0, binding = 2) buffer Velocity { vec4 velocity[]; };
 layout(std430, set = 0, binding = 3) buffer History { vec4 history[]; };
@@ -65,8 +66,8 @@ void main() {
     value = here + t * next;
     if (below >= 1 && below + 2 <= last) {
         const vec4 behind = value_in(cell, below - 1) - here, beyond = value_in(cell, below + 2) - here;
-        value = here + t * ((t - 1.0f) * (t - 2.0f) * (-1.0f / 6.0f) * behind + (t + 1.0f) * (t - 2.0f) * -0.5f * next +
-                            (t + 1.0f) * (t - 1.0f) * (1.0f / 6.0f) * beyond);
+        const vec3 weights = windrow_cubic_weights(t);
+        value = here + weights.x * behind + weights.y * next + weights.z * beyond;
     }
     arrived[at] = value;
 }
