@@ -37,7 +37,7 @@ float distance(const Block& block, glm::vec3 p, float) {
 }
 
 float distance(const Cylinder& cylinder, glm::vec3 p, float) {
-    const glm::vec2 beyond(std::hypot(p.x, p.z) - cylinder.radius, std::abs(p.y) - cylinder.half_length);
+    const glm::vec2 beyond(glm::length(glm::vec2(p.x, p.z)) - cylinder.radius, std::abs(p.y) - cylinder.half_length);
     return glm::length(glm::max(beyond, 0.0f)) + std::min(std::max(beyond.x, beyond.y), 0.0f);
 }
 
