@@ -96,9 +96,11 @@ struct ObstaclesResult {
     std::size_t rounds = 0;
     std::vector<ObstacleScene> scenes{};
     double second_solve = 0.0; ///< what it adds to a step of the town, over that step
-    /// A box that follows a walk through the town: the slowest step over the median, each the least of its runs.
-    double walk_slowest_over_median = 0.0;
-    double walk_median_ms = 0.0;
+    /// A box that follows a walk through the town: each step has the least of its runs.
+    struct Walk {
+        double slowest_over_median = 0.0, median_ms = 0.0;
+    };
+    Walk walk{}, walk_in_rows{}; ///< in equal rows and in uneven ones
 };
 
 struct BenchResult {

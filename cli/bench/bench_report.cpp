@@ -146,8 +146,10 @@ Json obstacles_entry(const ObstaclesResult& obstacles) {
     return {{"grid", grid_name(obstacles.cells)},
             {"scenes", scenes},
             {"second_solve", obstacles.second_solve},
-            {"walk_slowest_over_median", obstacles.walk_slowest_over_median},
-            {"walk_median_ms", obstacles.walk_median_ms}};
+            {"walk_slowest_over_median", obstacles.walk.slowest_over_median},
+            {"walk_median_ms", obstacles.walk.median_ms},
+            {"walk_in_rows_slowest_over_median", obstacles.walk_in_rows.slowest_over_median},
+            {"walk_in_rows_median_ms", obstacles.walk_in_rows.median_ms}};
 }
 
 Json volumes_entry(const VolumesResult& volumes) {
@@ -199,8 +201,10 @@ void report_obstacles(const ObstaclesResult& obstacles, const Console& console) 
                          count(scene.step_ms.samples), message(scene.obstacles), to_fixed(100.0 * scene.surface, 2),
                          message(scene.solves), to_fixed(scene.stages_over_step, 4), to_fixed(scene.over_empty, 3)});
     console.out << message("  a second solve adds ", to_fixed(obstacles.second_solve, 3),
-                           " of the step; a walk's slowest step / median ", to_fixed(obstacles.walk_slowest_over_median, 2),
-                           ", median ", to_fixed(obstacles.walk_median_ms, 3), " ms\n");
+                           " of the step; a walk's slowest step / median ", to_fixed(obstacles.walk.slowest_over_median, 2),
+                           ", median ", to_fixed(obstacles.walk.median_ms, 3), " ms; in uneven rows ",
+                           to_fixed(obstacles.walk_in_rows.slowest_over_median, 2), ", ",
+                           to_fixed(obstacles.walk_in_rows.median_ms, 3), " ms\n");
     console.out.flush();
 }
 

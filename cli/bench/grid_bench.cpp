@@ -5,6 +5,7 @@
 #include "cases/reference/jacobi.h"
 #include "cases/reference/residual.h"
 #include "cases/reference/stam.h"
+#include "cli/bench/obstacle_scenes.h"
 #include "cli/bench/wind_contestant.h"
 #include "cli/info_command.h"
 #include "cli/table.h"
@@ -99,48 +100,9 @@ std::optional<SolverResult> measure_vdb(const Box&, std::span<const float>, int,
 
 // --- Obstacles -----------------------------------------------------------------------------------------------------------
 
-constexpr double k_town_surface = 0.03; // of the cells
-constexpr int k_outside = 10'000;       // obstacles
+constexpr int k_outside = 10'000; // obstacles
 constexpr int k_walk_steps = 100, k_walk_runs = 5;
 constexpr double k_walk_speed = 12.0; // [m/s] of the box: a fifth of a cell a step
-
-bool blocks(Wind& wind, glm::dvec3 position, glm::vec3 half) {
-    return wind.obstacles().add({.position = position, .shape = Block{half}}).has_value();
-}
-
-// Houses in rows over the floor, enough for the town's fraction of surface cells; `length` times as far along x as the box is.
-bool build_town(Wind& wind, double length) {
-    const glm::ivec3 cells = wind.box().cells;
-    const glm::vec3 half = glm::vec3(3.0f, 0.125f * static_cast<float>(cells.y) + 1.0f, 3.0f);
-    const auto surface = [](glm::vec3 size) { return 2.0f * (size.x + size.z) * size.y + size.x * size.z; };
-    const float of_one = surface(2.0f * half) + surface(2.0f * half - glm::vec3(2.0f, 1.0f, 2.0f)); // outside and inside
-    const double count = k_town_surface * static_cast<double>(wind.box().cell_count()) / static_cast<double>(of_one);
-    const int rows = std::max(1, static_cast<int>(std::ceil(std::sqrt(count * cells.z / cells.x))));
-    const double along = cells.x * rows / count, across = static_cast<double>(cells.z) / rows;
-    const glm::dvec3 low = wind.view().origin();
-    bool built = true;
-    for (int row = 0; row < rows; ++row)
-        for (double x = 0.5 * along; x < length * cells.x; x += along)
-            built = built && blocks(wind,
-                                    low + glm::floor(glm::dvec3(x, 0.0, (row + 0.5) * across)) +
-                                        glm::dvec3(0.0, static_cast<double>(half.y), 0.0),
-                                    half);
-    return built;
-}
-
-// Ground that cuts every column of the box: two waves each way, up to three eighths of its height.
-bool build_hills(Wind& wind) {
-    const glm::vec3 size = glm::vec3(wind.box().cells) * wind.box().cell_size;
-    const auto wave = [](float part) { return std::sin(4.0f * 3.1416f * part); };
-    auto map =
-        HeightMap::create(glm::ivec2(wind.box().cells.x, wind.box().cells.z) + 1, wind.box().cell_size, [&](glm::vec2 place) {
-            return size.y * (0.19f + 0.09f * (wave(place.x / size.x) + wave(place.y / size.z)));
-        });
-    return map &&
-           wind.obstacles()
-               .add({.position = wind.view().origin(), .shape = Ground{std::make_shared<const HeightMap>(std::move(*map))}})
-               .has_value();
-}
 
 // Fraction of the cells that have a neighbour on the other side of a wall.
 double surface_of(const Wind& wind) {
@@ -166,11 +128,11 @@ double surface_of(const Wind& wind) {
 }
 
 // A walk through a town, several times: each of its steps has the least of its times.
-bool walk(const Config& config, ObstaclesResult& result, const std::function<bool()>& stopped) {
+bool walk(const Config& config, ObstaclesResult::Walk& result, const std::function<bool()>& stopped) {
     std::vector<float> least(k_walk_steps, std::numeric_limits<float>::infinity());
     for (int run = 0; run < k_walk_runs; ++run) {
         auto wind = Wind::create(config);
-        if (!wind || !build_town(*wind, 2.0))
+        if (!wind || !build_town(place_of(*wind), 2.0))
             return false;
         for (int step = -10; step < k_walk_steps; ++step) { // the first steps of a flow are others
             if (stopped())
@@ -184,8 +146,8 @@ bool walk(const Config& config, ObstaclesResult& result, const std::function<boo
                 least[static_cast<std::size_t>(step)] = std::min(least[static_cast<std::size_t>(step)], ms);
         }
     }
-    result.walk_median_ms = static_cast<double>(quantile(least, 0.5));
-    result.walk_slowest_over_median = static_cast<double>(quantile(least, 1.0)) / result.walk_median_ms;
+    result.median_ms = static_cast<double>(quantile(least, 0.5));
+    result.slowest_over_median = static_cast<double>(quantile(least, 1.0)) / result.median_ms;
     return true;
 }
 
@@ -195,23 +157,22 @@ Result<std::optional<ObstaclesResult>> measure_obstacles(glm::ivec3 cells, const
                                                          const ParallelFor& parallel_for, const std::function<bool()>& stopped) {
     const std::vector<glm::vec4> flow = jets(bench_box(cells));
     const ParallelFor loop = threads > 1 ? parallel_for : ParallelFor{};
-    const auto nothing = [](Wind&) { return true; };
-    const auto cube = [](Wind& wind) { return blocks(wind, {0.0, wind.view().origin().y + 4.0, 0.0}, glm::vec3(4.0f)); };
-    const auto town = [](Wind& wind) { return build_town(wind, 1.0); };
-    const auto outside = [](Wind& wind) {
-        const double near = 2.0 * wind.box().cells.x;
+    const auto nothing = [](const BuildingPlace&) { return true; };
+    const auto town = [](const BuildingPlace& place) { return build_town(place, 1.0); };
+    const auto outside = [](const BuildingPlace& place) {
+        const double near = 2.0 * place.box.cells.x;
         bool built = true;
         for (int n = 0; n < k_outside; ++n)
-            built = built && blocks(wind, {near + 8.0 * (n / 100), 3.0, 8.0 * (n % 100)}, glm::vec3(3.0f));
+            built = built && build_block(place, {near + 8.0 * (n / 100), 3.0, 8.0 * (n % 100)}, glm::vec3(3.0f));
         return built;
     };
     const struct {
         const char* name;
-        std::function<bool(Wind&)> build;
+        std::function<bool(const BuildingPlace&)> build;
         int solves = 1;
         bool rough = false, rows = false;
     } k_scenes[] = {{"empty", nothing},
-                    {"one cube", cube},
+                    {"one cube", build_cube},
                     {"town", town},
                     {"town, two solves", town, 2},
                     {"hills", build_hills},
@@ -231,7 +192,7 @@ Result<std::optional<ObstaclesResult>> measure_obstacles(glm::ivec3 cells, const
         auto wind = Wind::create(config);
         if (!wind)
             return Error{wind.error()};
-        if (!build(*wind))
+        if (!build(place_of(*wind)))
             return Error{detail::message("the scene ", name, " has no room for its obstacles: give a larger grid.")};
         const int count = static_cast<int>(wind->obstacles().count());
         winds.push_back(std::make_unique<WindContestant>(std::move(*wind), flow));
@@ -251,8 +212,10 @@ Result<std::optional<ObstaclesResult>> measure_obstacles(glm::ivec3 cells, const
     }
     constexpr std::size_t k_town = 2;
     result.second_solve = contest.ratio(k_town + 1, k_town) - 1.0;
-    config.pressure_solves = 0;
-    if (!walk(config, result, stopped))
+    config.pressure_solves = 0; // and in the uneven rows of the last scene
+    Config equal = config;
+    equal.rows.reset();
+    if (!walk(equal, result.walk, stopped) || !walk(config, result.walk_in_rows, stopped))
         return std::optional<ObstaclesResult>();
     return std::optional(std::move(result));
 }

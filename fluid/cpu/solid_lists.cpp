@@ -245,18 +245,21 @@ void Solids::reach_past_thin(float cells) {
     if (wanted == reach_) // of this step alone, or what is read would depend on what came before
         return;
     reach_ = wanted;
-    find_thin_bodies();
     collect_thin();
 }
 
-// A body is thin where a read from its one side reaches the other.
-void Solids::find_thin_bodies() {
-    thin_bodies_.clear();
+void Solids::find_thicknesses() {
+    thicknesses_.clear();
     thinnest_ = k_farthest_thin;
     for (const PlacedObstacle& body : bodies_) {
-        const float thickness = detail::thickness(body.shape) / box_.coarsest();
-        thinnest_ = std::min(thinnest_, thickness);
-        thin_bodies_.push_back(thickness < static_cast<float>(reach_));
+        float coarsest = box_.cell_size;
+        if (box_.rows) {
+            const Reach reach = reach_of(body, glm::ivec3(0));
+            for (int face = reach.low.y; face <= reach.high.y; ++face)
+                coarsest = std::max(coarsest, box_.cell_size / box_.rows->links()[static_cast<std::size_t>(face)]);
+        }
+        thicknesses_.push_back(detail::thickness(body.shape) / coarsest);
+        thinnest_ = std::min(thinnest_, thicknesses_.back());
     }
 }
 
@@ -264,7 +267,7 @@ void Solids::collect_thin() {
     for (const std::uint32_t cell : thin_)
         flags_[cell] &= static_cast<std::uint8_t>(~k_thin);
     thin_.clear();
-    if (std::none_of(thin_bodies_.begin(), thin_bodies_.end(), [](std::uint8_t thin) { return thin != 0; }))
+    if (thinnest_ >= static_cast<float>(reach_))
         return;
     thin_.reserve(flags_.size());
     if (reach_ > k_farthest_reach) {
@@ -291,7 +294,7 @@ void Solids::collect_thin() {
                 }
     };
     for (const ClosedFace& face : faces_)
-        if (thin_bodies_[face.body] != 0)
+        if (thicknesses_[face.body] < static_cast<float>(reach_))
             for (int end = 0; end < 2; ++end)
                 if (!inside(face.cell[end]))
                     mark_around(place_of(face.cell[end]));
@@ -302,7 +305,7 @@ void Solids::collect_thin() {
 void Solids::make_room_for_motion() {
     const auto spare = [](auto&... lists) { (make_room(lists, lists.size() + lists.size() / 4), ...); };
     spare(faces_, unsorted_, at_open_ends_, surface_, inside_, ghosts_, ghost_sources_, layered_, runs_, part_sizes_, rooms_,
-          room_ends_, sheltered_, thin_bodies_, drawn_faces_, drawn_inside_, drawn_sides_, distances_, depths_);
+          room_ends_, sheltered_, thicknesses_, drawn_faces_, drawn_inside_, drawn_sides_, distances_, depths_);
 }
 
 std::size_t Solids::memory_bytes() const {
@@ -312,7 +315,7 @@ std::size_t Solids::memory_bytes() const {
                       bytes(unsorted_) + bytes(at_open_ends_) + bytes(rooms_) + bytes(room_ends_) + bytes(sheltered_) +
                       bytes(runs_) + bytes(row_runs_) + bytes(part_sizes_) + bytes(layered_) + bytes(layers_) + bytes(face_of_) +
                       bytes(distances_) + bytes(depths_) + bytes(drawn_of_) + bytes(drawn_faces_) + bytes(drawn_inside_) +
-                      bytes(drawn_sides_) + bytes(thin_bodies_);
+                      bytes(drawn_sides_) + bytes(thicknesses_);
     for (const auto* drawings : {&drawings_, &drawings_before_})
         for (const Drawing& drawing : *drawings)
             sum += sizeof(Drawing) + bytes(drawing.faces) + bytes(drawing.inside) + bytes(drawing.sides);

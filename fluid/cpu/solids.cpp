@@ -139,7 +139,7 @@ void Solids::place(std::span<const PlacedObstacle> obstacles, glm::ivec3 shift) 
     }
     for (std::size_t n = bodies_.size(); n < drawings_.size(); ++n)
         drawings_[n].body.position.x = std::numeric_limits<float>::quiet_NaN();
-    find_thin_bodies();
+    find_thicknesses();
     gather_faces();
     sort_faces();
     layered_.clear();

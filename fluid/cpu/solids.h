@@ -125,6 +125,8 @@ class Solids {
     [[nodiscard]] bool any_thin() const { return thinnest_ < k_farthest_thin; }
     /// [cells] Thickness of the thinnest body.
     [[nodiscard]] float thinnest() const { return thinnest_; }
+    /// [cells] By body, in the coarsest row that it is in: a read from its one side that reaches as far is on its other.
+    [[nodiscard]] std::span<const float> thicknesses() const { return thicknesses_; }
     /// Makes the list of them hold for trajectories of so many cells and a cubic read.
     void reach_past_thin(float cells);
 
@@ -248,7 +250,7 @@ class Solids {
     void find_shut_cells();
     void collect_surface();
     void collect_ghosts();
-    void find_thin_bodies();
+    void find_thicknesses();
     void collect_thin();
     /// Of an inside cell toward a neighbour outside of its body; null where there is none.
     [[nodiscard]] const Drawing::Side* side_of(const InsideCell& cell, int direction) const;
@@ -269,7 +271,7 @@ class Solids {
     int reach_ = 3;                    ///< [cells] from a cell to the farthest that its read may take
     std::vector<PlacedObstacle> bodies_;
     std::vector<Drawing> drawings_, drawings_before_; ///< one a body, in their order; those behind keep their room
-    std::vector<std::uint8_t> thin_bodies_;           ///< whether each body is thin
+    std::vector<float> thicknesses_;                  ///< [cells] of each body
     std::vector<std::uint8_t> closes_new_;            ///< scratch of find_origins: whether each body does
     std::vector<ClosedFace> faces_;
     std::vector<SurfaceCell> surface_;

@@ -221,7 +221,7 @@ void SolidTables::find_reaches() {
     std::fill(reaches_.begin(), reaches_.end(), k_out_of_reach);
     glm::ivec3 low = box_.cells, high(-1);
     for (const cpu::ClosedFace& face : solids_.faces()) {
-        const float thickness = detail::thickness(solids_.bodies()[face.body].shape) / box_.coarsest();
+        const float thickness = solids_.thicknesses()[face.body];
         if (thickness >= static_cast<float>(farthest_))
             continue;
         const auto from = static_cast<std::uint8_t>(std::floor(thickness) + 1.0f);

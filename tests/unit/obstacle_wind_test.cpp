@@ -1,6 +1,7 @@
 // Obstacles in a wind: sleep, snapshots, logs.
 
 #include "fluid/bytes.h"
+#include "fluid/cpu/solids.h"
 #include "fluid/event_log.h"
 #include "fluid/thread_pool.h"
 #include "fluid/wind_state.h"
@@ -421,6 +422,24 @@ TEST(ReplayWithObstacles, EndsInTheSameBits) {
         replay(stranger, other).error(),
         "event 0 (add_obstacle): the obstacle got slot 0 of generation 1, not in slot 3 of generation 1, so the wind was not "
         "in the state in which the log began: load the snapshot taken there.");
+}
+
+// A read from the one side of a body reaches the other where it is thin in the cells that it is in, not in those aloft: reads
+// beside thin bodies cost many times those of other cells.
+TEST(ThinBodies, AreMeasuredInTheirOwnRows) {
+    const Rows rows{.first = 0.5f, .uniform = 8, .top = 80.0f};
+    Box box{.cells = {24, 32, 24}, .boundaries = Boundaries::open_over_floor()};
+    box.rows = *RowTable::create(rows, box.cells.y, box.cell_size);
+    ASSERT_GT(box.rows->coarsest(), 5.0f);
+    const auto thin_cells = [&](float height, glm::vec3 half_size) {
+        cpu::Solids solids(box, box.cells.x);
+        solids.place(std::array{PlacedObstacle{.shape = Block{half_size}, .position = {12.0f, height, 12.0f}}});
+        solids.reach_past_thin(0.5f);
+        return solids.thin().size();
+    };
+    EXPECT_EQ(thin_cells(3.0f, {3.0f, 3.0f, 3.0f}), 0u) << "a house of 6 m over rows of half a metre";
+    EXPECT_GT(thin_cells(3.0f, {1.0f, 3.0f, 3.0f}), 0u) << "a wall of two cells";
+    EXPECT_GT(thin_cells(70.0f, {6.0f, 6.0f, 6.0f}), 0u) << "two and a half of the rows aloft";
 }
 
 } // namespace
