@@ -1,6 +1,7 @@
 // Times of a step and of a walk by the device's clock, the read-back in an interval of its own, beside the time in which this
 // device copies as many bytes.
 #include "cases/parity_story.h"
+#include "cli/bench/obstacle_scenes.h"
 #include "cli/bench/vulkan/wind_recordings.h"
 #include "cli/bench/wind_contestant.h"
 #include "cli/device_report/report_section.h"
@@ -55,12 +56,13 @@ struct Recorded {
     std::unique_ptr<WindRecordings> wind;
     std::size_t number = 0;
     bool has_floor = false;
+    const char* timed = nullptr; ///< its passes are: what stands in the air, behind the grid in their table
 };
 
 /// Recordings of a grid, of a wind each: all, or the step and its passes where time or memory allows no more.
 enum class Recordings { all, step };
 constexpr std::uint64_t winds_of(Recordings which) {
-    return which == Recordings::all ? 8 : 2;
+    return which == Recordings::all ? 14 : 2;
 }
 
 /// [s] That a round takes.
@@ -135,11 +137,45 @@ class GridTimes {
                         {.frames_in_flight = 2, .queries = vulkan::ReadBack::cells}, step);
         if (added && all)
             added = add_walks(contest, usual);
+        if (added && all)
+            added = add_obstacles(contest, one, step);
         if (added) {
             added = add(contest, "passes", one, {.frames_in_flight = 2, .timestamps = true}, step);
             all_[0].has_floor = added.has_value();
+            all_.back().timed = "";
         }
         return added;
+    }
+
+    // What stands in the air, and what it stands on: each beside the step of free air.
+    Result<void> add_obstacles(DeviceContest& contest, const Config& free, const RecordingPlan& step) {
+        Config twice = free, rough = free;
+        twice.pressure_solves = 2;
+        rough.roughness.emplace();
+        rough.rows.emplace(Rows{.first = 0.5f, .uniform = cells_.y / 4, .top = static_cast<float>(cells_.y)});
+        const auto town = [](const BuildingPlace& place) { return build_town(place, 1.0); };
+        const struct {
+            const char* name;
+            const Config& config;
+            std::function<bool(const BuildingPlace&)> build;
+        } k_scenes[] = {{"step, one cube", free, build_cube},
+                        {"step, town", free, town},
+                        {"step, town, two solves", twice, town},
+                        {"step, hills", free, build_hills},
+                        {"step, hills on rough ground, in rows", rough, build_hills}};
+        for (const auto& [name, config, build] : k_scenes) {
+            if (auto added = add(contest, name, config, {.frames_in_flight = 2, .obstacles = true}, step); !added)
+                return added;
+            if (!build(place_of(all_.back().wind->wind())))
+                return Error{message(name, ": an obstacle was rejected")};
+        }
+        if (auto added = add(contest, "passes", rough, {.frames_in_flight = 2, .timestamps = true, .obstacles = true}, step);
+            !added)
+            return added;
+        all_.back().timed = ", hills on rough ground, in rows";
+        if (!build_hills(place_of(all_.back().wind->wind())))
+            return Error{"passes: the hills were rejected"};
+        return {};
     }
 
     // The parity story of this grid: profile, canopy, gusts, three motors; the box follows a runner.
@@ -175,8 +211,8 @@ class GridTimes {
         all_.back().wind->add_passes(passes);
         const std::uint64_t footprint = all_[0].wind->wind().memory_bytes();
         for (const Recorded& one : all_) {
-            if (&one == &all_.back())
-                break;
+            if (one.timed != nullptr)
+                continue;
             const DeviceStepResult counts = one.wind->result(one.name);
             const DeviceSpread us = contest.microseconds(one.number);
             const ReportJson floor = one.has_floor ? floor_json(run_, passes.pass_bytes, footprint) : ReportJson();
@@ -193,6 +229,18 @@ class GridTimes {
                  {"copy_floor_us", floor},
                  {"over_floor", floor.is_null() ? ReportJson() : ReportJson(four_digits(us.median / floor.get<double>()))}});
         }
+        run_.json["memory"].push_back({{"grid", grid},
+                                       {"bytes", footprint},
+                                       {"bytes_moved_by_a_step", passes.pass_bytes},
+                                       {"bytes_read_back", passes.read_back_bytes}});
+        for (auto one = all_.rbegin(); one != all_.rend(); ++one)
+            if (one->timed != nullptr)
+                report_passes(*one, grid + one->timed, footprint);
+    }
+
+    void report_passes(const Recorded& timed, const std::string& grid, std::uint64_t footprint) {
+        DeviceGridResult passes;
+        timed.wind->add_passes(passes);
         for (const DevicePassResult& pass : passes.passes) {
             const bool moves = pass.bytes > 0 && pass.us.median > 0.0;
             run_.json["passes"].push_back(
@@ -216,10 +264,6 @@ class GridTimes {
         };
         other("between them, with the clock", passes.between_us, {});
         other("all, with the clock", passes.timed_us, floor_json(run_, passes.pass_bytes, footprint));
-        run_.json["memory"].push_back({{"grid", grid},
-                                       {"bytes", footprint},
-                                       {"bytes_moved_by_a_step", passes.pass_bytes},
-                                       {"bytes_read_back", passes.read_back_bytes}});
     }
 
     SectionRun& run_;

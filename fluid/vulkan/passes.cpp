@@ -49,7 +49,8 @@ constexpr std::uint32_t k_cell_group = 128;     // invocations; every device has
 constexpr std::uint32_t k_solve_group = 256;    // of a plane's transform, where the device has them
 constexpr std::uint32_t k_tile_lines = 16;      // of a tile that is not a whole plane
 constexpr std::size_t k_obstacles_constant = 7; // of pass.glsl, then that of rows
-constexpr std::uint32_t k_load_groups = 64;     // that take the bodies in turns
+constexpr std::uint32_t k_load_groups = 64;     // that take bodies or closed faces in turns
+constexpr std::uint32_t k_surface_group = 1024; // of the passes of one group over what is at obstacles, where the device has them
 constexpr int k_of_sources = 1;                 // WindrowStagePush::part of the volume sources' flow
 
 std::uint32_t blocks(std::uint32_t count, std::uint32_t size) {
@@ -144,10 +145,11 @@ std::span<const std::uint32_t> show_code(const Passes::Settings& settings) {
 
 const char* name_of(Pass pass) {
     constexpr std::array<const char*, k_passes> names = {
-        "place",           "sources",         "source_flow",  "adjust",     "plan",    "limit",      "diffuse",
-        "diffuse_forward", "diffuse_columns", "diffuse_back", "stress",     "pad",     "advect",     "advect_careful",
-        "modes_forward",   "modes_between",   "columns",      "modes_back", "surface", "gradient",   "rooms",
-        "terms",           "loads",           "lift",         "show",       "report",  "read_cells", "read_points"};
+        "place",           "sources",         "source_flow",  "adjust",     "plan",     "limit",   "diffuse",
+        "diffuse_forward", "diffuse_columns", "diffuse_back", "stress",     "pad",      "advect",  "advect_careful",
+        "modes_forward",   "modes_between",   "columns",      "modes_back", "residual", "surface", "gradient",
+        "rooms",           "terms",           "loads",        "lift",       "show",     "report",  "read_cells",
+        "read_points"};
     return names[static_cast<std::size_t>(pass)];
 }
 
@@ -218,13 +220,19 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
     a_plane(Pass::modes_back, words::modes_back,
             of(f.step, f.control, f.tables, f.hat, f.potential, f.correction, f.direction, f.around));
     if (settings.obstacles) {
-        over(line, {1, 1, 1}, {solve})(Pass::surface, words::surface,
-                                       of(f.step, f.control, f.solids, f.arrived, f.expansion, f.potential, f.correction,
-                                          f.direction, f.around, f.motors, f.tile));
+        const std::uint32_t most = std::bit_floor(std::min(
+            {k_surface_group, device.limits().maxComputeWorkGroupInvocations, device.limits().maxComputeWorkGroupSize[0]}));
+        for (const Pass pass : {Pass::residual, Pass::surface}) {
+            const bool first = pass == Pass::residual;
+            over(first ? line : Groups{most, 1, 1}, {first ? WINDROW_RESIDUAL_GROUPS : 1u, 1, 1},
+                 {first ? solve : most})(pass, words::surface,
+                                         of(f.step, f.control, f.solids, f.arrived, f.expansion, f.potential, f.correction,
+                                            f.direction, f.around, f.motors, f.tile));
+        }
         over(line, {1, 1, 1},
              {solve})(Pass::rooms, words::rooms,
                       of(f.step, f.control, f.tile, f.solids, f.velocity, f.history, f.force, f.drives, f.expansion));
-        over(line, {1, 1, 1})(Pass::terms, words::terms, of(f.step, f.control, f.solids, f.around));
+        over(lines, {k_load_groups, 1, 1})(Pass::terms, words::terms, of(f.step, f.control, f.solids, f.around));
         over(lines, {k_load_groups, 1, 1}, {lines[0]})(
             Pass::loads, words::loads, of(f.step, f.control, f.solids, f.potential, f.correction, f.direction, f.around));
     }
@@ -365,10 +373,8 @@ void Passes::add_pressure(std::vector<Stage>& stages, int part, const Around& ar
     for (int n = 0; n < std::max(around.solves, 1); ++n) {
         add_solve(stages, {Pass::modes_forward, Pass::columns, Pass::modes_back, pressure_columns_, part, n}, pressure_);
         if (around.solves > 0)
-            stages.push_back(
-                {Pass::surface,
-                 WindrowSurfacePush{
-                     .substep = 0, .part = part, .solve = n, .solves = around.solves, .tolerance = around.tolerance}});
+            stages.push_back({n == 0 ? Pass::residual : Pass::surface,
+                              WindrowSurfacePush{.substep = 0, .part = part, .solve = n, .tolerance = around.tolerance}});
     }
 }
 

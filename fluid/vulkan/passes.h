@@ -36,7 +36,8 @@ enum class Pass : std::uint8_t {
     modes_between,  ///< ... the second axis where a plane does not fit in shared memory, ...
     columns,        ///< ... the systems along y, ...
     modes_back,     ///< ... and back to cells
-    surface,        ///< what a direct solve leaves around obstacles, and how far to go along the next
+    residual,       ///< what the first direct solve leaves around obstacles, ...
+    surface,        ///< ... and how far to go along a further one
     gradient,       ///< what a sub-step ends with
     rooms,          ///< closed rooms: what the wind, sources and rounding would blow there
     terms,          ///< the pressure's history at the faces of obstacles that were placed anew

@@ -170,6 +170,8 @@ struct WindrowSolids {
 #define WINDROW_BYTE_REACH_SHIFT 5 // reach from which its reads stop at closed faces; 0: none up to WindrowSolids.farthest
 #define WINDROW_FARTHEST_REACH 6   // most that it may be
 
+#define WINDROW_RESIDUAL_GROUPS 64 // at most as many as invocations
+
 // Around obstacles: where the conjugate gradients are, then words of each surface cell and face.
 struct WindrowAround {
     float alpha, beta; // phi = potential + earlier steps + alpha (correction + beta direction)
@@ -179,6 +181,10 @@ struct WindrowAround {
     int solved;
     int stopped;     // 1: below the tolerance
     int corrections; // solves after the first
+    // Of the groups that find the residual of the first solve: their sums, and how many are done.
+    float wanted_parts[WINDROW_RESIDUAL_GROUPS], left_parts[WINDROW_RESIDUAL_GROUPS];
+    uint groups_done;
+    int unused_a, unused_b, unused_c;
 };
 #define WINDROW_SURFACE_WORDS 4 // residual, L d, d, scratch
 
@@ -224,7 +230,6 @@ struct WindrowSurfacePush {
     int substep;
     int part; // as WindrowStagePush, of modes_forward
     int solve;
-    int solves;      // of this sub-step
     float tolerance; // residual at which they stop
 };
 

@@ -19,9 +19,20 @@ layout(std430, set = 0, binding = 9) readonly buffer Direction { float direction
 #define WINDROW_SOLIDS 10
 #include "fluid/solids.glsl"
 #define WINDROW_AROUND 11
-#define WINDROW_AROUND_ACCESS readonly
+#define WINDROW_AROUND_ACCESS
 #include "fluid/around.glsl"
 #include "fluid/closed_slope.glsl"
+
+// The history of B phi at closed faces, as that of the gradient: each face by its low cell.
+void keep_terms(int record, float weight, float kept) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const int n = record_face(record, axis, 1);
+        if (n < 0)
+            continue;
+        const float term = weight * slope_over(solid_face(n));
+        around_words[solids.history + n] = kept != 0.0f ? term + kept * around_words[solids.history + n] : term;
+    }
+}
 
 void main() {
     const ivec3 cell = ivec3(gl_GlobalInvocationID);
@@ -42,15 +53,20 @@ void main() {
     if (record >= 0 && is_on(WINDROW_PROJECTS))
         slope -= closed_slopes(record, cell);
     vec3 u = arrived[at].xyz - slope;
+    float weight = 1.0f, kept = 0.0f;
     if (!is_on(WINDROW_STABLE_FLUIDS)) {
         const WindrowPast p = past();
-        vec3 q = p.weight * slope;
-        if (p.kept != 0.0f)
-            q += p.kept * history[at].xyz;
+        weight = p.weight;
+        kept = p.kept;
+        vec3 q = weight * slope;
+        if (kept != 0.0f)
+            q += kept * history[at].xyz;
         if (record_is(record, WINDROW_INSIDE)) // no past where a body leaves a cell
             q = vec3(0.0f);
         history[at] = vec4(q, 0.0f);
     }
+    if (record >= 0 && is_on(WINDROW_PROJECTS))
+        keep_terms(record, weight, kept);
     if (is_on(WINDROW_HAS_SOURCE_FLOW))
         u += source_flow[at].xyz;
     if (record_is(record, WINDROW_INSIDE) && is_on(WINDROW_PROJECTS)) {

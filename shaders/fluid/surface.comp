@@ -1,4 +1,5 @@
-// After each direct solve around obstacles, on their surface cells. One work group.
+// After each direct solve around obstacles, on their surface cells. Behind the first one several work groups, of which the last
+// adds up what all have found; behind the others one, which meets itself several times.
 //
 // With L the Laplacian of the empty box and B the part of it that passes through closed faces, (L - B) phi = div w. The first solve
 // is L phi = div w + B phi_guess, whose residual B (phi - phi_guess) is 0 away from the surface. Then conjugate gradients with L as
@@ -20,7 +21,6 @@ layout(std430, set = 0, binding = 7) readonly buffer Direction { float direction
 #define WINDROW_AROUND 8
 #define WINDROW_AROUND_ACCESS coherent
 #include "fluid/around.glsl"
-#include "fluid/closed_slope.glsl"
 #include "fluid/closed_divergence.glsl"
 #define WINDROW_MOTORS 9
 #include "fluid/free_air.glsl"
@@ -62,11 +62,17 @@ float right_hand_side(int record, ivec3 cell) {
 
 float guess() { return push.part == 0 ? guess_scale() : 0.0f; }
 
-// Over the first solve: r = B (phi - phi_guess), and what it is relative to.
+shared bool is_last;
+
+// Over the first solve: r = B (phi - phi_guess), and what it is relative to. phi is the potential alone.
 void begin(int local) {
+    const int group = int(gl_WorkGroupID.x),
+              groups = clamp((solids.surface_count + k_group - 1) / k_group, 1, int(gl_NumWorkGroups.x));
+    if (group >= groups)
+        return;
     const float scale = guess();
     vec2 squares = vec2(0.0f);
-    for (int s = local; s < solids.surface_count; s += k_group) {
+    for (int s = group * k_group + local; s < solids.surface_count; s += groups * k_group) {
         const int record = solid_words[solids.surface + 2 * s];
         const ivec3 cell = surface_cell(s);
         float residual = 0.0f;
@@ -74,7 +80,11 @@ void begin(int local) {
             const int n = solid_words[record + 1 + face];
             if (n < 0)
                 continue;
-            float slope = slope_over(solid_face(n)) - (scale > 0.0f ? scale * around_words[solids.history + n] : 0.0f);
+            const SolidFace between = solid_face(n);
+            float slope = between.closed * (potential[cell_index(solid_cell(between.cell[1]))] -
+                                            potential[cell_index(solid_cell(between.cell[0]))]);
+            if (scale > 0.0f)
+                slope -= scale * around_words[solids.history + n];
             slope *= exchange(cell, face / 2, face % 2);
             residual += face % 2 == 1 ? slope : -slope;
         }
@@ -86,10 +96,23 @@ void begin(int local) {
     }
     squares = total(squares);
     if (local == 0) {
+        around.wanted_parts[group] = squares.x;
+        around.left_parts[group] = squares.y;
+        memoryBarrierBuffer();
+        is_last = atomicAdd(around.groups_done, 1u) == uint(groups) - 1u;
+    }
+    barrier();
+    if (!is_last)
+        return;
+    memoryBarrierBuffer();
+    squares = total(local < groups ? vec2(around.wanted_parts[local], around.left_parts[local]) : vec2(0.0f));
+    if (local == 0) {
         around.wanted = sqrt(squares.x);
         around.left = sqrt(squares.y);
         around.solved = 1;
         around.stopped = 0;
+        around.corrections = 0;
+        around.groups_done = 0;
     }
 }
 
@@ -153,28 +176,8 @@ void improve(int local) {
 
 void main() {
     const int local = int(gl_LocalInvocationIndex);
-    if (push.solve == 0) {
-        if (local == 0)
-            around.corrections = 0;
-        memoryBarrierBuffer();
-        barrier();
+    if (push.solve == 0)
         begin(local);
-    } else {
+    else
         improve(local);
-    }
-    if (push.solve + 1 < push.solves || push.part != 0)
-        return;
-    memoryBarrierBuffer();
-    barrier();
-    // The history of B phi, as that of the gradient.
-    float weight = 1.0f, kept = 0.0f;
-    if (!is_on(WINDROW_STABLE_FLUIDS)) {
-        const WindrowPast p = past();
-        weight = p.weight;
-        kept = p.kept;
-    }
-    for (int n = local; n < solids.face_count; n += k_group) {
-        const float term = weight * slope_over(solid_face(n));
-        around_words[solids.history + n] = kept != 0.0f ? term + kept * around_words[solids.history + n] : term;
-    }
 }

@@ -12,11 +12,12 @@ layout(std430, set = 0, binding = 3) buffer Around {
 };
 
 void main() {
-    for (int n = int(gl_LocalInvocationIndex); n < solids.face_count; n += int(gl_WorkGroupSize.x)) {
+    const int first = int(gl_GlobalInvocationID.x), all = int(gl_WorkGroupSize.x * gl_NumWorkGroups.x);
+    for (int n = first; n < solids.face_count; n += all) {
         const int before = solid_words[solids.before + n];
         around_words[solids.history + n] = before < 0 ? 0.0f : around_words[solids.history_before + before];
     }
-    for (int n = int(gl_LocalInvocationIndex); n < WINDROW_LOAD * solids.body_count; n += int(gl_WorkGroupSize.x)) {
+    for (int n = first; n < WINDROW_LOAD * solids.body_count; n += all) {
         const int before = solid_words[solids.bodies_before + n / WINDROW_LOAD];
         around_words[solids.loads + n] =
             before < 0 ? 0.0f : around_words[solids.loads_before + WINDROW_LOAD * before + n % WINDROW_LOAD];

@@ -20,7 +20,7 @@ class LentDevice : public vulkan::Gpu {
 };
 
 TEST_F(LentDevice, DrawsInTheHostsCommandBuffer) {
-    const auto lent = engine::Device::adopt(own->host(), own->queue());
+    const auto lent = engine::Device::adopt(own->host(), own->queue(), {.staged = true});
     ASSERT_TRUE(lent) << lent.error();
     const Scene scene = small_scene();
     {
@@ -36,6 +36,7 @@ TEST_F(LentDevice, DrawsInTheHostsCommandBuffer) {
             EXPECT_TRUE((*renderer)->record(frame, scene.camera, *wind));
             (*renderer)->copy(frame);
         });
+        run([&](VkCommandBuffer commands) { (*lent)->begin_frame(commands, 0); }); // what was staged for the frame before goes
         const Picture8 picture = (*renderer)->images().picture();
         EXPECT_TRUE(std::all_of(picture.values.begin(), picture.values.end(), [](std::uint8_t value) { return value > 0; }));
     }
@@ -64,7 +65,7 @@ TEST_F(LentDevice, WithoutMemoryGivesAnErrorAtEachStep) {
             return VK_ERROR_OUT_OF_DEVICE_MEMORY;
         VkMemoryRequirements of_type = needs;
         of_type.memoryTypeBits = 1u << type;
-        const auto given = blocks.allocate(of_type, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT, 0, true);
+        const auto given = blocks.allocate(of_type, 0, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT, true);
         if (!given)
             return VK_ERROR_OUT_OF_DEVICE_MEMORY;
         piece = *given;
