@@ -94,7 +94,8 @@ WINDROW_FN float windrow_grass_growth(WindrowGrass grass, vec2 place) {
     return grown;
 }
 
-// The hash of a blade that faces, in part, as its clump does: its other traits stay chances of its own.
+// The hash of a blade that faces, in part, as its clump does: its other traits stay chances of its own. One of 256 ways, and
+// between them the hash's own bits: its length is drawn from all bits, and an arctangent's last ones are each device's own.
 WINDROW_FN uvec2 windrow_grass_facing(WindrowGrass grass, uvec2 hash, WindrowClump clump) {
     if (!(grass.clump.z > 0.0f) && !(grass.clump.w > 0.0f))
         return hash;
@@ -103,7 +104,7 @@ WINDROW_FN uvec2 windrow_grass_facing(WindrowGrass grass, uvec2 hash, WindrowClu
     vec2 toward = own * (1.0f - grass.clump.z) + shared_way * grass.clump.z + clump.offset * (2.0f * grass.clump.w);
     float turn = atan(toward.y, toward.x) * 0.15915494f;
     turn -= floor(turn);
-    return uvec2((uint(min(turn * 16777216.0f, 16777215.0f)) << 8u) | (hash.x & 255u), hash.y);
+    return uvec2((uint(min(turn * 256.0f, 255.0f)) << 24u) | (hash.x & 0xffffffu), hash.y);
 }
 
 // Share of the blades at a distance [m], times 1 + b: s(d).

@@ -115,6 +115,28 @@ TEST(GrassThinning, OfNoneLeavesTheClassAsItWas) {
     }
 }
 
+// Devices have arctangents of their own: what differs in the last bits may turn a blade by as little, but not redraw its length.
+TEST(GrassClumps, AreTheSameOnAnotherDevice) {
+    const Block block = block_of_level_ground({.clump_size = 0.5f, .clump_lean = 0.5f, .clump_fan = 0.4f});
+    int blades = 0, others = 0;
+    for (int z = 0; z < block.cells.y; ++z)
+        for (int x = 0; x < block.cells.x; ++x) {
+            const glm::uvec2 hash = windrow_plant_hash(windrow_grass_key({x, z}, 0u, 0u));
+            const WindrowClump clump =
+                windrow_grass_clump(block, windrow_grass_place({x, z}, block.ground.x, block.ground.y, 0u));
+            WindrowClump another = clump; // some units in the last place of the angle
+            another.offset *= 1.0f + 1e-6f;
+            const auto length = [&](const WindrowClump& around) {
+                return windrow_blade_length_fraction(block.blade, windrow_grass_facing(block, hash, around));
+            };
+            ++blades;
+            others += std::abs(length(another) - length(clump)) > 1e-3f ? 1 : 0;
+        }
+    // An angle of 1e-6 rad passes one of 256 steps of the circle: 4e-5 of the blades.
+    WINDROW_EXPECT_FIGURE("grass/clumps/blades_of_another_length", static_cast<double>(others) / blades, 1e-3);
+    EXPECT_GT(blades, 9000);
+}
+
 TEST(GrassClumps, MakeBladesSmallerAndFaceOneWay) {
     GrassSettings settings{.clump_size = 0.5f, .clump_height = 0.4f, .clump_lean = 0.9f, .patch_height = 0.3f};
     const Block block = block_of_level_ground(settings);
