@@ -212,11 +212,10 @@ void Cells::extend_into_bodies() {
         return;
     const Stopwatch watch(work.state().obstacles_ms);
     const SolidFlow flow = work.state().solid_flow();
-    flow.extend(air.velocity, {});
     if (air.fresh)
-        return;
-    flow.extend(air.velocity_old, {});
-    flow.extend_history(air.history);
+        flow.extend(air.velocity, {});
+    else
+        flow.extend_all(air.velocity, air.velocity_old, air.history);
 }
 
 // Cells inside bodies have no past: where a body leaves them, the air is that of its surface.

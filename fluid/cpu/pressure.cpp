@@ -136,11 +136,7 @@ void Workspace::State::solve_around(std::span<const glm::vec4> velocity, SolidSo
     watch.reset();
     pressure.solve(potential.data(), scratch.data(), parallel_for);
     watch.emplace(obstacles_ms);
-    flow.closed_slopes(potential.data(), closed_slopes);
-    std::fill(residual_terms.begin(), residual_terms.end(), 0.0f);
-    flow.add_masked(closed_slopes, 1.0f, residual_terms);
-    if (guess > 0.0f)
-        flow.add_masked(solid_terms, -guess, residual_terms);
+    flow.find_residual(potential.data(), solid_terms, guess, closed_slopes, residual_terms);
     const auto residual = [&] { return norm([&](std::size_t n) { return static_cast<double>(residual_terms[n]); }); };
 
     around.solved = 1;

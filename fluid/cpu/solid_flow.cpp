@@ -4,8 +4,10 @@
 #include "fluid/cpu/kernels/kernels.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <vector>
 
 namespace windrow::cpu {
 
@@ -14,16 +16,25 @@ namespace {
 // Factors of a face beside those of cubes: on what the operator takes from the slope over it, and on what passes it into its cells.
 struct FaceScales {
     float link = 1.0f, cell[2] = {1.0f, 1.0f};
-
-    FaceScales(const Box& box, const ClosedFace& face) {
-        if (!box.rows || face.axis != 1)
-            return;
-        const std::size_t low = face.place[1];
-        link = box.rows->links()[low + 1];
-        cell[0] = box.rows->scales()[low];
-        cell[1] = box.rows->scales()[low + 1];
-    }
 };
+
+FaceScales scales_in(const RowTable& rows, const ClosedFace& face) {
+    if (face.axis != 1)
+        return {};
+    const std::size_t low = face.place[1];
+    return {.link = rows.links()[low + 1], .cell = {rows.scales()[low], rows.scales()[low + 1]}};
+}
+
+// visit(n, face, scales) for each: in cubes the factors are constants, which cost nothing.
+template <class Visit>
+void for_each_face(const Box& box, std::span<const ClosedFace> faces, const Visit& visit) {
+    if (box.rows)
+        for (std::size_t n = 0; n < faces.size(); ++n)
+            visit(n, faces[n], scales_in(*box.rows, faces[n]));
+    else
+        for (std::size_t n = 0; n < faces.size(); ++n)
+            visit(n, faces[n], FaceScales{});
+}
 
 // `push` holds the sum of the potential over its surface.
 Push finished(Push push, float cell_size) {
@@ -43,32 +54,42 @@ glm::vec3 SolidFlow::given_at(const PrescribedFlow& given, std::uint32_t cell) c
     return solids_.is_sheltered(cell) ? glm::vec3(0.0f) : ambient_at(given, cell);
 }
 
-// across(source): the velocity of the wall along a source's normal.
-template <class Across>
-void SolidFlow::extend_by(std::span<glm::vec4> field, const Across& across) const {
+// Fields in one pass over the lists, which are long. across(source): the velocity of the wall along a source's normal.
+template <class Across, std::size_t Count>
+void SolidFlow::extend_by(const std::array<std::span<glm::vec4>, Count>& fields, const Across& across) const {
     const std::span<const Solids::GhostSource> sources = solids_.ghost_sources();
     for (const Solids::Ghost& ghost : solids_.ghosts()) {
-        glm::vec4 sum(0.0f);
+        std::array<glm::vec4, Count> sums{};
         for (std::uint32_t n = ghost.first; n < ghost.first + ghost.count; ++n) {
             const Solids::GhostSource& source = sources[n];
-            const glm::vec4 value = field[source.cell];
-            sum += glm::vec4(source.slipping(glm::vec3(value), across(source)), value.w);
+            const bool slips = source.normal != glm::vec3(0.0f); // in the first layer, which comes first
+            for (std::size_t field = 0; field < Count; ++field) {
+                const glm::vec4 value = fields[field][source.cell];
+                sums[field] += slips ? glm::vec4(source.slipping(glm::vec3(value), across(source, field)), value.w) : value;
+            }
         }
-        field[ghost.cell] = ghost.count > 1 ? sum / static_cast<float>(ghost.count) : sum;
+        for (std::size_t field = 0; field < Count; ++field)
+            fields[field][ghost.cell] = ghost.count > 1 ? sums[field] / static_cast<float>(ghost.count) : sums[field];
     }
 }
 
 void SolidFlow::extend(std::span<glm::vec4> velocity, const PrescribedFlow& given) const {
+    const std::array fields{velocity};
     if (given.any())
-        extend_by(velocity, [&](const Solids::GhostSource& source) {
+        extend_by(fields, [&](const Solids::GhostSource& source, std::size_t) {
             return source.wall - glm::dot(given_at(given, source.cell), source.normal);
         });
     else
-        extend_by(velocity, [](const Solids::GhostSource& source) { return source.wall; });
+        extend_by(fields, [](const Solids::GhostSource& source, std::size_t) { return source.wall; });
 }
 
 void SolidFlow::extend_history(std::span<glm::vec4> history) const {
-    extend_by(history, [](const Solids::GhostSource&) { return 0.0f; });
+    extend_by(std::array{history}, [](const Solids::GhostSource&, std::size_t) { return 0.0f; });
+}
+
+void SolidFlow::extend_all(std::span<glm::vec4> velocity, std::span<glm::vec4> before, std::span<glm::vec4> history) const {
+    extend_by(std::array{velocity, before, history},
+              [](const Solids::GhostSource& source, std::size_t field) { return field == 2 ? 0.0f : source.wall; });
 }
 
 void SolidFlow::close_divergence(std::span<const glm::vec4> velocity, const PrescribedFlow& given, bool bodies_move,
@@ -77,17 +98,16 @@ void SolidFlow::close_divergence(std::span<const glm::vec4> velocity, const Pres
         if (cell.shut)
             potential[cell.potential] = 0.0f;
     const bool prescribed = given.any(), rooms = prescribed && !solids_.rooms().empty();
-    for (const ClosedFace& face : solids_.faces()) {
+    for_each_face(box_, solids_.faces(), [&](std::size_t, const ClosedFace& face, const FaceScales& scales) {
         float both = velocity[face.cell[0]][face.axis] + velocity[face.cell[1]][face.axis];
         if (prescribed)
             both += ambient_at(given, face.cell[0])[face.axis] + ambient_at(given, face.cell[1])[face.axis];
         const float flux = 0.5f * face.closed * both - (bodies_move ? face.wall : 0.0f);
-        const FaceScales scales(box_, face);
         for (int end = 0; end < 2; ++end)
             if (!face.shut[end])
                 potential[face.potential[end]] +=
                     (end == 0 ? -scales.cell[end] : scales.cell[end]) * (flux - (rooms ? blown_past(given, face, end) : 0.0f));
-    }
+    });
 }
 
 // What a face's flux counts of the wind although the cell at its end is sheltered: there the velocity is the whole, and the wind is
@@ -108,36 +128,50 @@ void SolidFlow::closed_slopes(const float* potential, std::span<float> slope) co
 }
 
 void SolidFlow::add_masked(std::span<const float> slope, float factor, std::span<float> terms, bool potential) const {
-    const std::span<const ClosedFace> faces = solids_.faces();
-    for (std::size_t n = 0; n < faces.size(); ++n) {
-        const ClosedFace& face = faces[n];
+    for_each_face(box_, solids_.faces(), [&](std::size_t n, const ClosedFace& face, const FaceScales& scales) {
         const std::uint32_t* const at = potential ? face.potential : face.surface;
-        const FaceScales scales(box_, face);
         const float passed = factor * (scales.link * slope[n]);
         terms[at[0]] += scales.cell[0] * passed;
         terms[at[1]] -= scales.cell[1] * passed;
-    }
+    });
+}
+
+void SolidFlow::find_residual(const float* potential, std::span<const float> guess, float factor, std::span<float> slope,
+                              std::span<float> residual) const {
+    std::fill(residual.begin(), residual.end(), 0.0f);
+    for_each_face(box_, solids_.faces(), [&](std::size_t n, const ClosedFace& face, const FaceScales& scales) {
+        const float here = face.closed * (potential[face.potential[1]] - potential[face.potential[0]]);
+        slope[n] = here;
+        const float passed = scales.link * (here - factor * guess[n]);
+        residual[face.surface[0]] += scales.cell[0] * passed;
+        residual[face.surface[1]] -= scales.cell[1] * passed;
+    });
 }
 
 void SolidFlow::open_gradient(std::span<const float> slope, std::span<glm::vec4> velocity, std::span<glm::vec4> note,
                               float weight) const {
-    const std::span<const ClosedFace> faces = solids_.faces();
-    for (std::size_t n = 0; n < faces.size(); ++n) {
-        const FaceScales scales(box_, faces[n]);
+    for_each_face(box_, solids_.faces(), [&](std::size_t n, const ClosedFace& face, const FaceScales& scales) {
         for (int end = 0; end < 2; ++end) {
-            const std::uint32_t cell = faces[n].cell[end];
+            const std::uint32_t cell = face.cell[end];
             const float fix = 0.5f * scales.cell[end] * slope[n];
-            velocity[cell][faces[n].axis] += fix;
+            velocity[cell][face.axis] += fix;
             if (!note.empty())
-                note[cell][faces[n].axis] -= weight * fix;
+                note[cell][face.axis] -= weight * fix;
         }
-    }
+    });
 }
 
 void SolidFlow::hold_bodies(const PrescribedFlow& given, bool bodies_move, std::span<glm::vec4> velocity) const {
     const bool prescribed = given.any();
+    const std::span<const PlacedObstacle> bodies = solids_.bodies();
+    if (!prescribed &&
+        !(bodies_move && std::any_of(bodies.begin(), bodies.end(), [](const auto& body) { return body.moves(); }))) {
+        for (const Solids::InsideCell& cell : solids_.inside())
+            velocity[cell.cell] = glm::vec4(0.0f);
+        return;
+    }
     for (const Solids::InsideCell& cell : solids_.inside()) {
-        const PlacedObstacle& body = solids_.bodies()[cell.body];
+        const PlacedObstacle& body = bodies[cell.body];
         glm::vec3 u(0.0f);
         if (bodies_move && body.moves())
             u = body.velocity_at(box_.metres(glm::vec3(solids_.place_of(cell.cell)) + 0.5f));
@@ -178,13 +212,12 @@ float SolidFlow::central_divergence(std::span<const glm::vec4> velocity, const S
 double SolidFlow::correct_divergence(std::span<const glm::vec4> velocity, std::span<const float> expansion,
                                      std::span<float> flux) const {
     std::fill(flux.begin(), flux.end(), 0.0f);
-    for (const ClosedFace& face : solids_.faces()) {
+    for_each_face(box_, solids_.faces(), [&](std::size_t, const ClosedFace& face, const FaceScales& scales) {
         const float passed =
             0.5f * face.closed * (velocity[face.cell[0]][face.axis] + velocity[face.cell[1]][face.axis]) - face.wall;
-        const FaceScales scales(box_, face);
         flux[face.surface[0]] -= scales.cell[0] * passed;
         flux[face.surface[1]] += scales.cell[1] * passed;
-    }
+    });
     double found = 0.0;
     const std::span<const Solids::SurfaceCell> cells = solids_.surface();
     const float scale = 1.0f / box_.cell_size;
@@ -197,67 +230,46 @@ double SolidFlow::correct_divergence(std::span<const glm::vec4> velocity, std::s
     return found;
 }
 
-// Of the faces of bodies, one after another.
-class SolidFlow::FacePush {
-  public:
-    FacePush(const Box& box, const float* potential) : box_(box), potential_(potential), h_(box.cell_size) {
-        for (int axis = 0; axis < 3; ++axis)
-            if (box.boundaries.periodic(axis))
-                period_[axis] = h_ * box.cells[axis];
-    }
-    void add(const ClosedFace& face, const glm::dvec3& position, Push& push) const;
-
-  private:
-    const Box& box_;
-    const float* potential_;
-    double h_;
-    glm::dvec3 period_{0.0}; ///< [m] 0: not periodic
-};
-
-void SolidFlow::FacePush::add(const ClosedFace& face, const glm::dvec3& position, Push& push) const {
-    const double area = face.axis == 1 ? 1.0 : static_cast<double>(box_.volume(face.place[1])); // over that of a cube's face
-    double held = 0.0;
-    for (int end = 0; end < 2; ++end)
-        if (!face.shut[end]) {
-            const double here = area * static_cast<double>(face.closed) * static_cast<double>(potential_[face.potential[end]]);
-            held += end == 0 ? here : -here;
-            push.potential += here;
-            push.wetted += area * static_cast<double>(face.closed);
-        }
-    glm::dvec3 place = glm::dvec3(face.place[0], face.place[1], face.place[2]) + 0.5;
-    place[face.axis] += 0.5;
-    glm::dvec3 arm = h_ * place - position;
-    if (box_.rows)
-        arm.y = box_.rows->height_at(place.y) - position.y;
-    for (int axis = 0; axis < 3; ++axis)
-        if (period_[axis] > 0.0) // from its nearest image
-            arm[axis] -= period_[axis] * std::round(arm[axis] / period_[axis]);
-    const double along = h_ * h_ * h_ * held; // the impulse, along the axis; the moment is arm x impulse
-    const int next = (face.axis + 1) % 3, last = (face.axis + 2) % 3;
-    push.impulse[face.axis] += along;
-    push.twist[next] += arm[last] * along;
-    push.twist[last] -= arm[next] * along;
-}
-
 Push SolidFlow::push_on(std::size_t body, const float* potential) const {
-    Push push;
-    const FacePush faces(box_, potential);
-    for (const ClosedFace& face : solids_.faces())
-        if (face.body == body)
-            faces.add(face, glm::dvec3(solids_.bodies()[body].position), push);
-    return finished(push, box_.cell_size);
+    std::vector<Push> pushes(solids_.bodies().size());
+    find_pushes(potential, pushes);
+    return pushes[body];
 }
 
+// Without a choice by axis or by what is shut, which differ from face to face.
 void SolidFlow::find_pushes(const float* potential, std::span<Push> pushes) const {
+    constexpr glm::dvec3 k_axes[] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+    const double h = static_cast<double>(box_.cell_size);
+    glm::dvec3 period(0.0); // [m] 0: not periodic
+    for (int axis = 0; axis < 3; ++axis)
+        if (box_.boundaries.periodic(axis))
+            period[axis] = h * box_.cells[axis];
+    const bool periodic = period != glm::dvec3(0.0);
     std::fill(pushes.begin(), pushes.end(), Push{});
-    const FacePush faces(box_, potential);
     const std::span<const ClosedFace> all = solids_.faces();
     for (std::size_t n = 0; n < all.size();) { // those of a body that follow each other, in registers
         const std::uint16_t body = all[n].body;
         const glm::dvec3 position(solids_.bodies()[body].position);
         Push push;
-        for (; n < all.size() && all[n].body == body; ++n)
-            faces.add(all[n], position, push);
+        for (; n < all.size() && all[n].body == body; ++n) {
+            const ClosedFace& face = all[n];
+            const glm::dvec3& axis = k_axes[face.axis];
+            double area = static_cast<double>(face.closed); // over that of a cube's face
+            glm::dvec3 arm = h * (glm::dvec3(face.place[0], face.place[1], face.place[2]) + 0.5 + 0.5 * axis) - position;
+            if (box_.rows) {
+                area *= face.axis == 1 ? 1.0 : static_cast<double>(box_.volume(face.place[1]));
+                arm.y = box_.rows->height_at(face.place[1] + 0.5 + 0.5 * axis.y) - position.y;
+            }
+            if (periodic)
+                for (int along = 0; along < 3; ++along)
+                    if (period[along] > 0.0) // from its nearest image
+                        arm[along] -= period[along] * std::round(arm[along] / period[along]);
+            const double low = face.shut[0] ? 0.0 : area, high = face.shut[1] ? 0.0 : area;
+            const double below = low * static_cast<double>(potential[face.potential[0]]),
+                         above = high * static_cast<double>(potential[face.potential[1]]);
+            const glm::dvec3 impulse = (h * h * h * (below - above)) * axis;
+            push += {.impulse = impulse, .twist = glm::cross(arm, impulse), .potential = below + above, .wetted = low + high};
+        }
         pushes[body] += push;
     }
     for (Push& push : pushes)
@@ -276,10 +288,9 @@ glm::vec3 SolidFlow::wall_at(const ClosedFace& face) const {
 void SolidFlow::close_diffusion(std::span<const glm::vec4> field, const PrescribedFlow& given, float ratio,
                                 std::span<glm::vec4> result) const {
     const bool prescribed = given.any();
-    for (const ClosedFace& face : solids_.faces()) {
+    for_each_face(box_, solids_.faces(), [&](std::size_t, const ClosedFace& face, const FaceScales& scales) {
         const bool sticks = solids_.bodies()[face.body].surface == Surface::no_slip;
         const glm::vec3 wall = wall_at(face);
-        const FaceScales scales(box_, face);
         for (int end = 0; end < 2; ++end) {
             const glm::vec3 here(field[face.cell[end]]), next(field[face.cell[1 - end]]);
             const glm::vec3 stuck = 2.0f * (wall - (prescribed ? given_at(given, face.cell[end]) : glm::vec3(0.0f)) - here);
@@ -291,15 +302,14 @@ void SolidFlow::close_diffusion(std::span<const glm::vec4> field, const Prescrib
             result[face.cell[end]] +=
                 glm::vec4(ratio * scales.cell[end] * scales.link * face.closed * (flux - (next - here)), 0.0f);
         }
-    }
+    });
 }
 
 void SolidFlow::drag_along_walls(const PrescribedFlow& given, float ratio, std::span<glm::vec4> field) const {
     const bool prescribed = given.any();
-    for (const ClosedFace& face : solids_.faces()) {
+    for_each_face(box_, solids_.faces(), [&](std::size_t, const ClosedFace& face, const FaceScales& scales) {
         const bool sticks = solids_.bodies()[face.body].surface == Surface::no_slip;
         const glm::vec3 wall = wall_at(face);
-        const FaceScales scales(box_, face);
         for (int end = 0; end < 2; ++end) {
             const std::uint32_t cell = face.cell[end];
             const float way = 2.0f * ratio * scales.cell[end] * scales.link * face.closed, part = way / (1.0f + way);
@@ -308,7 +318,7 @@ void SolidFlow::drag_along_walls(const PrescribedFlow& given, float ratio, std::
                 if (sticks || axis == face.axis)
                     field[cell][axis] += part * apart[axis];
         }
-    }
+    });
     const std::span<const Solids::GhostSource> sources = solids_.ghost_sources();
     for (const Solids::Ghost& ghost : solids_.ghosts()) {
         glm::vec4 sum(0.0f);

@@ -3,6 +3,7 @@
 
 #include "fluid/cpu/solids.h"
 
+#include <array>
 #include <glm/vec4.hpp>
 #include <span>
 
@@ -39,6 +40,8 @@ class SolidFlow {
     /// read beside a body finds air. That of the history has no part normal to them.
     void extend(std::span<glm::vec4> velocity, const PrescribedFlow& given) const;
     void extend_history(std::span<glm::vec4> history) const;
+    /// All that a step reads, where no wind is prescribed.
+    void extend_all(std::span<glm::vec4> velocity, std::span<glm::vec4> before, std::span<glm::vec4> history) const;
     /// Divergence of surface and inside cells, as their closed faces have it; `potential` holds that of the empty box.
     void close_divergence(std::span<const glm::vec4> velocity, const PrescribedFlow& given, bool bodies_move,
                           float* potential) const;
@@ -46,6 +49,9 @@ class SolidFlow {
     void closed_slopes(const float* potential, std::span<float> slope) const;
     /// terms += factor times B phi of such slopes, in surface cells; `potential`: in the rows of the direct solve.
     void add_masked(std::span<const float> slope, float factor, std::span<float> terms, bool potential = false) const;
+    /// The slopes, and B phi of them less that of `factor` times the slopes that a solve guessed, in surface cells.
+    void find_residual(const float* potential, std::span<const float> guess, float factor, std::span<float> slope,
+                       std::span<float> residual) const;
     /// Takes the closed faces' slopes off the gradient: velocity += fix, note -= weight * fix. `note` may be empty.
     void open_gradient(std::span<const float> slope, std::span<glm::vec4> velocity, std::span<glm::vec4> note,
                        float weight) const;
@@ -68,7 +74,6 @@ class SolidFlow {
     void find_pushes(const float* potential, std::span<Push> pushes) const;
 
   private:
-    class FacePush;
     /// [m/s] Of the body that closes a face, at the face.
     [[nodiscard]] glm::vec3 wall_at(const ClosedFace& face) const;
     /// The prescribed part at a cell: the wind, which does not blow in a closed room.
@@ -76,8 +81,8 @@ class SolidFlow {
     [[nodiscard]] glm::vec3 ambient_at(const PrescribedFlow& given, std::uint32_t cell) const;
     [[nodiscard]] float blown_past(const PrescribedFlow& given, const ClosedFace& face, int end) const;
     [[nodiscard]] float central_divergence(std::span<const glm::vec4> velocity, const Solids::SurfaceCell& cell) const;
-    template <class Across>
-    void extend_by(std::span<glm::vec4> field, const Across& across) const;
+    template <class Across, std::size_t Count>
+    void extend_by(const std::array<std::span<glm::vec4>, Count>& fields, const Across& across) const;
 
     const Solids& solids_;
     const Box& box_;
