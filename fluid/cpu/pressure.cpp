@@ -125,19 +125,22 @@ void Workspace::State::solve_around(std::span<const glm::vec4> velocity, SolidSo
     };
     // Inside a body no value matters.
     const auto norm = [&](const auto& term) {
-        return std::sqrt(sum([&](std::size_t n) { return cells[n].shut ? 0.0 : term(n) * term(n); }));
+        return std::sqrt(sum([&](std::size_t n) {
+            const auto value = static_cast<double>(term(n));
+            return cells[n].shut ? 0.0 : value * value;
+        }));
     };
     std::optional<cpu::Stopwatch> watch(std::in_place, obstacles_ms);
-    flow.close_divergence(velocity, around.given, around.bodies_move, potential.data());
-    const double wanted = norm([&](std::size_t n) { return static_cast<double>(potential[cells[n].potential]); });
     const float guess = around.guess_scale;
-    if (guess > 0.0f)
-        flow.add_masked(solid_terms, guess, {potential.data(), potential.size()}, true);
+    flow.close_divergence(velocity, around.given, around.bodies_move, solid_terms, guess, potential.data(), masked_terms);
+    const double wanted = norm([&](std::size_t n) {
+        return std::exchange(potential[cells[n].potential], potential[cells[n].potential] + masked_terms[n]);
+    });
     watch.reset();
     pressure.solve(potential.data(), scratch.data(), parallel_for);
     watch.emplace(obstacles_ms);
     flow.find_residual(potential.data(), solid_terms, guess, closed_slopes, residual_terms);
-    const auto residual = [&] { return norm([&](std::size_t n) { return static_cast<double>(residual_terms[n]); }); };
+    const auto residual = [&] { return norm([&](std::size_t n) { return residual_terms[n]; }); };
 
     around.solved = 1;
     double left = residual(), squares_before = 1.0;

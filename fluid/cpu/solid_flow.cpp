@@ -93,12 +93,13 @@ void SolidFlow::extend_all(std::span<glm::vec4> velocity, std::span<glm::vec4> b
 }
 
 void SolidFlow::close_divergence(std::span<const glm::vec4> velocity, const PrescribedFlow& given, bool bodies_move,
-                                 float* potential) const {
+                                 std::span<const float> guess, float factor, float* potential, std::span<float> guessed) const {
+    std::fill(guessed.begin(), guessed.end(), 0.0f);
     for (const Solids::InsideCell& cell : solids_.inside())
         if (cell.shut)
             potential[cell.potential] = 0.0f;
     const bool prescribed = given.any(), rooms = prescribed && !solids_.rooms().empty();
-    for_each_face(box_, solids_.faces(), [&](std::size_t, const ClosedFace& face, const FaceScales& scales) {
+    for_each_face(box_, solids_.faces(), [&](std::size_t n, const ClosedFace& face, const FaceScales& scales) {
         float both = velocity[face.cell[0]][face.axis] + velocity[face.cell[1]][face.axis];
         if (prescribed)
             both += ambient_at(given, face.cell[0])[face.axis] + ambient_at(given, face.cell[1])[face.axis];
@@ -107,6 +108,9 @@ void SolidFlow::close_divergence(std::span<const glm::vec4> velocity, const Pres
             if (!face.shut[end])
                 potential[face.potential[end]] +=
                     (end == 0 ? -scales.cell[end] : scales.cell[end]) * (flux - (rooms ? blown_past(given, face, end) : 0.0f));
+        const float passed = factor * (scales.link * guess[n]);
+        guessed[face.surface[0]] += scales.cell[0] * passed;
+        guessed[face.surface[1]] -= scales.cell[1] * passed;
     });
 }
 
@@ -127,12 +131,11 @@ void SolidFlow::closed_slopes(const float* potential, std::span<float> slope) co
         slope[n] = faces[n].closed * (potential[faces[n].potential[1]] - potential[faces[n].potential[0]]);
 }
 
-void SolidFlow::add_masked(std::span<const float> slope, float factor, std::span<float> terms, bool potential) const {
+void SolidFlow::add_masked(std::span<const float> slope, float factor, std::span<float> terms) const {
     for_each_face(box_, solids_.faces(), [&](std::size_t n, const ClosedFace& face, const FaceScales& scales) {
-        const std::uint32_t* const at = potential ? face.potential : face.surface;
         const float passed = factor * (scales.link * slope[n]);
-        terms[at[0]] += scales.cell[0] * passed;
-        terms[at[1]] -= scales.cell[1] * passed;
+        terms[face.surface[0]] += scales.cell[0] * passed;
+        terms[face.surface[1]] -= scales.cell[1] * passed;
     });
 }
 

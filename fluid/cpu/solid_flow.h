@@ -42,13 +42,14 @@ class SolidFlow {
     void extend_history(std::span<glm::vec4> history) const;
     /// All that a step reads, where no wind is prescribed.
     void extend_all(std::span<glm::vec4> velocity, std::span<glm::vec4> before, std::span<glm::vec4> history) const;
-    /// Divergence of surface and inside cells, as their closed faces have it; `potential` holds that of the empty box.
+    /// Divergence of surface and inside cells, as their closed faces have it; `potential` holds that of the empty box. `guessed`,
+    /// in surface cells: B phi of `factor` times the slopes of a guess.
     void close_divergence(std::span<const glm::vec4> velocity, const PrescribedFlow& given, bool bodies_move,
-                          float* potential) const;
+                          std::span<const float> guess, float factor, float* potential, std::span<float> guessed) const;
     /// slope[n] = closed times the potential's difference over face n.
     void closed_slopes(const float* potential, std::span<float> slope) const;
-    /// terms += factor times B phi of such slopes, in surface cells; `potential`: in the rows of the direct solve.
-    void add_masked(std::span<const float> slope, float factor, std::span<float> terms, bool potential = false) const;
+    /// terms += factor times B phi of such slopes, in surface cells.
+    void add_masked(std::span<const float> slope, float factor, std::span<float> terms) const;
     /// The slopes, and B phi of them less that of `factor` times the slopes that a solve guessed, in surface cells.
     void find_residual(const float* potential, std::span<const float> guess, float factor, std::span<float> slope,
                        std::span<float> residual) const;

@@ -248,6 +248,10 @@ void walk_over_the_survey(float speed) {
         offset = random.point(8.0);
     std::vector<glm::vec3> here(offsets.size()), before(here), before_that(here);
     std::vector<double> at_shifts, between, legs[2];
+    for (std::vector<double>* kept : {&at_shifts, &between, &legs[0], &legs[1]}) { // touched now, for what is said of memory
+        kept->assign(static_cast<std::size_t>(steps), 0.0);
+        kept->clear();
+    }
     glm::dvec3 corner(0.0), places_of(0.0);
     double fastest = 0.0;
     long kilobytes = 0;

@@ -40,6 +40,33 @@ TEST(ToldStories, ABrokenCellThatTheBoxLeavesBehindIsNotRepaired) {
     EXPECT_EQ(tell(story).fault, "");
 }
 
+// Gusts of the cells' own size, 4 m over the ground: the stress of the ambient wind kicked air that did not shear to 84 m/s.
+TEST(ToldStories, TheStressOfTheWindDoesNotKickAirThatDoesNotShear) {
+    const Boundaries slips = {.x_high = {.kind = BoundaryKind::free_slip},
+                              .y_high = {.kind = BoundaryKind::free_slip},
+                              .z_high = {.kind = BoundaryKind::free_slip}};
+    const Story story =
+        story_of({.cells = {1, 6, 4},
+                  .cell_size = 0.05f,
+                  .boundaries = {.y_high = {.kind = BoundaryKind::free_slip},
+                                 .z_low = {.kind = BoundaryKind::periodic},
+                                 .z_high = {.kind = BoundaryKind::periodic}},
+                  .centre = {0.0, 4.0, 0.0},
+                  .ambient = {4.0f, 0.0f, 0.0f},
+                  .gusts = {.intensity = 0.297f, .length = 0.065f},
+                  .roughness = Roughness{.length = 1e-4f},
+                  .blend_width = 0.0f,
+                  .viscosity = 0.13f,
+                  .relaxation_time = 0.1f,
+                  .scheme = Scheme::stable_fluids,
+                  .interpolation = Interpolation::linear,
+                  .max_substeps = 3},
+                 {story::StartAir::Pattern::ambient, 0.01f, 1u, false},
+                 {story::ChangeSides{slips}, story::Steps{5, 0.000167}, story::ChangeAmbient{{0.0f, 0.0f, 10.0f}},
+                  story::ChangeSides{Boundaries{}}, story::Steps{4, 0.000247}, story::Steps{4, 0.01}, story::Steps{2, 1.0}});
+    EXPECT_EQ(tell(story).fault, "");
+}
+
 // The teller itself: it must see what is wrong.
 TEST(ToldStories, AFaultIsTold) {
     const Story still = story_of({.cells = {4, 4, 4}, .ambient = {1.0f, 0.0f, 0.0f}}, {}, {story::Steps{2, 0.1}});
