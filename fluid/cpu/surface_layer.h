@@ -8,9 +8,9 @@
 // what differs from it, so that an empty box stays ambient, gusts too.
 //
 // Implicit in each column, about the wind u at the start of the step: |s| s of the new difference s' is taken as |s| (2 s' - s).
-// |s| s' alone overshoots where a step is long, and with 2 it is Newton's for a change along s. Where the ambient wind's own K is
-// the larger, K |s_A| (s' - s) less K |s| (s' - s) is added: tau(A) would kick air that does not shear, without bound in dt, and
-// with it the air goes no farther than A. First order in time.
+// |s| s' alone overshoots where a step is long, and with 2 it is Newton's for a change along s. Where the wind's own
+// |s_A| is the larger, (|s_A| - |s|) (s' - s) is added. Without it tau(A) kicks air that does not shear, the farther the longer the
+// step; with it still air goes to A. First order in time.
 // Based on: Prandtl 1925 (mixing length); Kalnay & Kanamitsu 1988, Monthly Weather Review 116 (schemes for such diffusion).
 #pragma once
 

@@ -44,6 +44,7 @@ void expect_costs(const nlohmann::json& costs) {
 
 // The read-back is apart from the step, and the passes are those of one sub-step.
 void expect_times(const nlohmann::json& times) {
+    ASSERT_FALSE(times["memory"].empty());
     ASSERT_EQ(times["steps"].size(), 12 * times["memory"].size()); // of each grid; a software device has one
     for (const nlohmann::json& row : times["steps"]) {
         expect_spread(row["us"]);
