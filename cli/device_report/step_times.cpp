@@ -311,7 +311,7 @@ std::optional<Recordings> recordings_of(SectionRun& run, glm::ivec3 cells, const
         if (fits(which) && least(which) <= run.clock.left()) {
             const std::string rest = message("all but the step at ", grid, ": ");
             if (which == Recordings::step && !fits(Recordings::all))
-                run.leave_out(rest + "eight winds do not fit in the device's memory.");
+                run.leave_out(rest + message(winds_of(Recordings::all), " winds do not fit in the device's memory."));
             else if (which == Recordings::step)
                 run.leave_out(rest + message("all need ", four_digits(least(Recordings::all)), " s, and ",
                                              four_digits(run.clock.left()), " s are left."));

@@ -145,7 +145,9 @@ void Workspace::State::solve_around(std::span<const glm::vec4> velocity, SolidSo
     around.solved = 1;
     double left = residual(), squares_before = 1.0;
     watch.reset();
+    bool searched = false;
     while (around.solved < around.solves && left > static_cast<double>(std::max(around.tolerance, k_rounding)) * wanted) {
+        searched = true;
         std::fill_n(correction.data(), correction.size(), 0.0f);
         for (std::size_t n = 0; n < cells.size(); ++n)
             correction[cells[n].potential] = residual_terms[n];
@@ -178,7 +180,7 @@ void Workspace::State::solve_around(std::span<const glm::vec4> velocity, SolidSo
         ++around.solved;
     }
     watch.emplace(obstacles_ms);
-    if (around.solved > 1)
+    if (searched)
         flow.closed_slopes(potential.data(), closed_slopes);
     around.residual = wanted > 0.0 ? static_cast<float>(left / wanted) : 0.0f;
     if (around.keeps_terms)

@@ -108,7 +108,7 @@ void SolidFlow::close_divergence(std::span<const glm::vec4> velocity, const Pres
             if (!face.shut[end])
                 potential[face.potential[end]] +=
                     (end == 0 ? -scales.cell[end] : scales.cell[end]) * (flux - (rooms ? blown_past(given, face, end) : 0.0f));
-        const float passed = factor * (scales.link * guess[n]);
+        const float passed = factor > 0.0f ? factor * (scales.link * guess[n]) : 0.0f;
         guessed[face.surface[0]] += scales.cell[0] * passed;
         guessed[face.surface[1]] -= scales.cell[1] * passed;
     });
@@ -145,7 +145,7 @@ void SolidFlow::find_residual(const float* potential, std::span<const float> gue
     for_each_face(box_, solids_.faces(), [&](std::size_t n, const ClosedFace& face, const FaceScales& scales) {
         const float here = face.closed * (potential[face.potential[1]] - potential[face.potential[0]]);
         slope[n] = here;
-        const float passed = scales.link * (here - factor * guess[n]);
+        const float passed = scales.link * (factor > 0.0f ? here - factor * guess[n] : here);
         residual[face.surface[0]] += scales.cell[0] * passed;
         residual[face.surface[1]] -= scales.cell[1] * passed;
     });

@@ -7,6 +7,7 @@
 #include "fluid/vulkan/air.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <glm/vector_relational.hpp>
 #include <utility>
 
@@ -48,6 +49,7 @@ bool Air::write_obstacles(VkCommandBuffer commands) {
     barrier(k_compute | k_transfer, k_transfer);
     if (!make_room_for_obstacles(commands))
         return false;
+    clear(commands, fields_.around, offsetof(WindrowAround, groups_done), sizeof(WindrowAround::groups_done));
     const auto words = static_cast<int>(WINDROW_SURFACE_WORDS * surface_room_), faces = static_cast<int>(face_room_);
     WindrowSolids& head = solids_->head();
     head.history_before = words + history_slot_ * faces;

@@ -100,11 +100,11 @@ void begin(int local) {
         around.left_parts[group] = squares.y;
         memoryBarrierBuffer();
         is_last = atomicAdd(around.groups_done, 1u) == uint(groups) - 1u;
+        memoryBarrierBuffer();
     }
     barrier();
     if (!is_last)
         return;
-    memoryBarrierBuffer();
     squares = total(local < groups ? vec2(around.wanted_parts[local], around.left_parts[local]) : vec2(0.0f));
     if (local == 0) {
         around.wanted = sqrt(squares.x);

@@ -44,9 +44,11 @@ void expect_costs(const nlohmann::json& costs) {
 
 // The read-back is apart from the step, and the passes are those of one sub-step.
 void expect_times(const nlohmann::json& times) {
-    ASSERT_FALSE(times["memory"].empty());
-    ASSERT_EQ(times["steps"].size(), 12 * times["memory"].size()); // of each grid; a software device has one
+    const auto of_first_grid = [&](const nlohmann::json& row) { return row["grid"] == "32x16x32"; };
+    ASSERT_EQ(std::ranges::count_if(times["steps"], of_first_grid), 12); // a GPU may have time for larger ones
     for (const nlohmann::json& row : times["steps"]) {
+        if (row.contains("left_out"))
+            continue;
         expect_spread(row["us"]);
         EXPECT_GT(row["read_back_us"]["median"], 0.0) << row;
         EXPECT_EQ(row["substeps"], row["recording"] == "step, eight of eight" ? 8 : 1) << row;

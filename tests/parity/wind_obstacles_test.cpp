@@ -1,7 +1,9 @@
 // Obstacles on the device against those on the CPU: the same story, frame by frame, with as many direct solves.
+#include "fluid/vulkan/memory.h"
 #include "tests/parity/wind_parity.h"
 #include "tests/shapes.h"
 
+#include <cstring>
 #include <glm/gtc/quaternion.hpp>
 
 namespace windrow::vulkan {
@@ -43,6 +45,52 @@ TEST_F(WindObstacles, ASteadyWindAroundABallAndAHouse) {
         for (int n = 0; n < 30; ++n)
             frame(pair, 1.0 / 30.0);
         report(solves == 1 ? "one solve" : "three solves", pair, 1e-5);
+    }
+}
+
+// Device memory holds what was there before, not zeros. A ball within one cell closes no face, so nothing of the tables grows; and
+// the recording in which a body comes may be thrown away.
+TEST_F(WindObstacles, InMemoryThatIsNotZero) {
+    Memory blocks(own->host(), device->functions());
+    VkPhysicalDeviceMemoryProperties kinds{};
+    device->functions().vkGetPhysicalDeviceMemoryProperties(own->host().physical_device, &kinds);
+    Host host = own->host();
+    host.memory.allocate = [&](const VkMemoryRequirements& needs, std::uint32_t type, MemoryPiece& piece) {
+        VkMemoryRequirements of_type = needs;
+        of_type.memoryTypeBits = 1u << type;
+        const auto given =
+            blocks.allocate(of_type, kinds.memoryTypes[type].propertyFlags & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT, 0, true);
+        if (!given)
+            return VK_ERROR_OUT_OF_DEVICE_MEMORY;
+        piece = *given;
+        if (piece.mapped != nullptr) // all memory of a software device
+            std::memset(piece.mapped, 0x3f, needs.size);
+        return VK_SUCCESS;
+    };
+    host.memory.release = [&](const MemoryPiece& piece) { blocks.release(piece); };
+    const Config config{.cells = k_cells,
+                        .boundaries = Boundaries::open_over_floor(),
+                        .centre = {0.0, 6.0, 0.0},
+                        .ambient = {4.0f, 0.0f, 1.0f},
+                        .pressure_solves = 1};
+    for (const bool thrown_away : {false, true}) {
+        auto gpu = Wind::create(host, config, {.texel = Texel::single, .queries = ReadBack::cells});
+        ASSERT_TRUE(gpu) << gpu.error();
+        TwoWinds pair{*windrow::Wind::create(config), *std::move(gpu), 1, std::make_unique<Submitter>(own->host(), 1)};
+        frame(pair, 1.0 / 30.0);
+        add(pair, {.position = {0.5, 3.5, 0.5}, .shape = Sphere{thrown_away ? 2.0f : 0.4f}});
+        if (thrown_away) {
+            pair.submitter->discard(
+                [&](VkCommandBuffer commands, int slot) { held(pair.device.record_step(commands, {.dt = 0.03, .slot = slot})); });
+            pair.device.forget();
+            (void)pair.cpu.step(0.03);
+            pair.cpu.reset();
+            forget_frames(pair);
+        }
+        for (int n = 0; n < 10; ++n)
+            frame(pair, 1.0 / 30.0);
+        pair.submitter->wait();
+        report(thrown_away ? "not_zero_and_thrown_away" : "not_zero", pair, 1e-5);
     }
 }
 
