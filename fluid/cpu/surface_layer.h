@@ -9,8 +9,8 @@
 //
 // Implicit in each column, about the wind u at the start of the step: |s| s of the new difference s' is taken as |s| (2 s' - s).
 // |s| s' alone overshoots where a step is long, and with 2 it is Newton's for a change along s. Where the wind's own
-// |s_A| is the larger, (|s_A| - |s|) (s' - s) is added. Without it tau(A) kicks air that does not shear, the farther the longer the
-// step; with it still air goes to A. First order in time.
+// |s_A| is the larger by so much that tau(A) would give still air more than half of A in a step, as much of (|s_A| - |s|) (s' - s)
+// is added: still air goes to A at most, and is not kicked beyond it, however long the step. First order in time.
 // Based on: Prandtl 1925 (mixing length); Kalnay & Kanamitsu 1988, Monthly Weather Review 116 (schemes for such diffusion).
 #pragma once
 

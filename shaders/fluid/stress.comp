@@ -59,7 +59,7 @@ Face face_between(Row low, Row high, float passes, float wind_mixing, float wind
     const vec2 u = high.u - below * low.u, v = high.v - below * low.v, wind = high.wind - below * low.wind;
     const float k = factor * abs(passes) * length(u);
     const float of_wind = passes > 0.0f ? wind_mixing : passes < 0.0f ? wind_drag : 0.0f;
-    const float k_wind = factor * of_wind * length(wind), most = max(k, k_wind);
+    const float k_wind = factor * of_wind * length(wind), most = max(k, k_wind - 0.5f);
     const float rest = (is_on(WINDROW_GUSTS) ? k : 0.0f) - k_wind;
     return Face(passes > 0.0f, k + most, rest * wind - most * v);
 }

@@ -39,7 +39,7 @@ struct StressRow {
 };
 
 // What passes a face, in cells of speed: `bond` times the new v above it, less that below between cells, and what is known. With A
-// prescribed: k (2 v' - v + A) - k_wind A, and (k_wind - k) (v' - v) where the ambient wind's k is the larger.
+// prescribed: k (2 v' - v + A) - k_wind A, and (k_wind - 1/2 - k) (v' - v) where that is above 0.
 struct StressFace {
     NativeBits inner; // between cells
     Native bond;
@@ -54,7 +54,7 @@ inline StressFace find_stress(const StressTask& task, Native passes, float wind_
     const Native k = factor * (only(inner, passes) - only(surface, passes)) * length(u);
     const Native mixing = task.wind_mixing != nullptr ? wind_mixing - Native{} : passes;
     const Native of_wind = only(inner, mixing) + only(surface, wind_drag - Native{});
-    const Native k_wind = factor * of_wind * length(wind), most = k > k_wind ? k : k_wind;
+    const Native k_wind = factor * of_wind * length(wind), much = k_wind - 0.5f, most = k > much ? k : much;
     const Native rest = (task.prescribed ? k : Native{}) - k_wind;
     return StressFace{inner, k + most, {rest * wind.x - most * v.x, rest * wind.z - most * v.z}};
 }
