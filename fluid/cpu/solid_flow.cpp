@@ -167,17 +167,11 @@ void SolidFlow::open_gradient(std::span<const float> slope, std::span<glm::vec4>
 void SolidFlow::hold_bodies(const PrescribedFlow& given, bool bodies_move, std::span<glm::vec4> velocity) const {
     const bool prescribed = given.any();
     const std::span<const PlacedObstacle> bodies = solids_.bodies();
-    if (!prescribed &&
-        !(bodies_move && std::any_of(bodies.begin(), bodies.end(), [](const auto& body) { return body.moves(); }))) {
-        for (const Solids::InsideCell& cell : solids_.inside())
-            velocity[cell.cell] = glm::vec4(0.0f);
-        return;
-    }
+    const bool moving = bodies_move && std::any_of(bodies.begin(), bodies.end(), [](const auto& body) { return body.moves(); });
     for (const Solids::InsideCell& cell : solids_.inside()) {
-        const PlacedObstacle& body = bodies[cell.body];
         glm::vec3 u(0.0f);
-        if (bodies_move && body.moves())
-            u = body.velocity_at(box_.metres(glm::vec3(solids_.place_of(cell.cell)) + 0.5f));
+        if (moving && bodies[cell.body].moves())
+            u = bodies[cell.body].velocity_at(box_.metres(glm::vec3(solids_.place_of(cell.cell)) + 0.5f));
         if (prescribed)
             u -= given_at(given, cell.cell);
         velocity[cell.cell] = glm::vec4(u, 0.0f);

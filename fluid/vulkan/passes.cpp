@@ -222,13 +222,10 @@ Result<Passes> Passes::create(Device& device, const Fields& fields, const Settin
     if (settings.obstacles) {
         const std::uint32_t most = std::bit_floor(std::min(
             {k_surface_group, device.limits().maxComputeWorkGroupInvocations, device.limits().maxComputeWorkGroupSize[0]}));
-        for (const Pass pass : {Pass::residual, Pass::surface}) {
-            const bool first = pass == Pass::residual;
-            over(first ? line : Groups{most, 1, 1}, {first ? WINDROW_RESIDUAL_GROUPS : 1u, 1, 1},
-                 {first ? solve : most})(pass, words::surface,
-                                         of(f.step, f.control, f.solids, f.arrived, f.expansion, f.potential, f.correction,
-                                            f.direction, f.around, f.motors, f.tile));
-        }
+        const auto at_surface = of(f.step, f.control, f.solids, f.arrived, f.expansion, f.potential, f.correction, f.direction,
+                                   f.around, f.motors, f.tile);
+        over(line, {WINDROW_RESIDUAL_GROUPS, 1, 1}, {solve})(Pass::residual, words::surface, at_surface);
+        over({most, 1, 1}, {1, 1, 1}, {most})(Pass::surface, words::surface, at_surface);
         over(line, {1, 1, 1},
              {solve})(Pass::rooms, words::rooms,
                       of(f.step, f.control, f.tile, f.solids, f.velocity, f.history, f.force, f.drives, f.expansion));

@@ -184,7 +184,6 @@ struct WindrowAround {
     // Of the groups that find the residual of the first solve: their sums, and how many are done.
     float wanted_parts[WINDROW_RESIDUAL_GROUPS], left_parts[WINDROW_RESIDUAL_GROUPS];
     uint groups_done;
-    int unused_a, unused_b, unused_c;
 };
 #define WINDROW_SURFACE_WORDS 4 // residual, L d, d, scratch
 

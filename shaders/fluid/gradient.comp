@@ -24,12 +24,12 @@ layout(std430, set = 0, binding = 9) readonly buffer Direction { float direction
 #include "fluid/closed_slope.glsl"
 
 // The history of B phi at closed faces, as that of the gradient: each face by its low cell.
-void keep_terms(int record, float weight, float kept) {
+void keep_terms(int record, vec3 above, float weight, float kept) {
     for (int axis = 0; axis < 3; ++axis) {
         const int n = record_face(record, axis, 1);
         if (n < 0)
             continue;
-        const float term = weight * slope_over(solid_face(n));
+        const float term = weight * above[axis];
         around_words[solids.history + n] = kept != 0.0f ? term + kept * around_words[solids.history + n] : term;
     }
 }
@@ -50,8 +50,9 @@ void main() {
     if (k_own_rows)
         slope.y *= row_scale(cell.y);
     const int record = has_obstacles() ? solid_record(cell) : -1;
+    vec3 above = vec3(0.0f);
     if (record >= 0 && is_on(WINDROW_PROJECTS))
-        slope -= closed_slopes(record, cell);
+        slope -= closed_slopes(record, cell, above);
     vec3 u = arrived[at].xyz - slope;
     float weight = 1.0f, kept = 0.0f;
     if (!is_on(WINDROW_STABLE_FLUIDS)) {
@@ -66,7 +67,7 @@ void main() {
         history[at] = vec4(q, 0.0f);
     }
     if (record >= 0 && is_on(WINDROW_PROJECTS))
-        keep_terms(record, weight, kept);
+        keep_terms(record, above, weight, kept);
     if (is_on(WINDROW_HAS_SOURCE_FLOW))
         u += source_flow[at].xyz;
     if (record_is(record, WINDROW_INSIDE) && is_on(WINDROW_PROJECTS)) {

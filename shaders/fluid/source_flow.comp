@@ -45,8 +45,10 @@ void main() {
                 if (k_own_rows && axis == 1)
                     flow[axis] *= row_scale(cell.y);
             }
-        if (is_on(WINDROW_EXPANDS) && record >= 0 && !record_is(record, WINDROW_INSIDE))
-            flow += closed_slopes(record, cell);
+        if (is_on(WINDROW_EXPANDS) && record >= 0 && !record_is(record, WINDROW_INSIDE)) {
+            vec3 over_high_faces;
+            flow += closed_slopes(record, cell, over_high_faces);
+        }
         const vec4 change = vec4(flow - source_flow[at].xyz, 0.0f);
         source_flow[at] = vec4(flow, 0.0f);
         vec4 u = velocity[now(at)] + change;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "fluid/vulkan/device.h"
+#include "fluid/vulkan/memory.h"
 #include "fluid/vulkan/own_device.h"
 
 #include <cstddef>
@@ -50,6 +51,27 @@ class Gpu : public testing::Test {
         own.reset(); // the layer tells what was never destroyed when the device ends
         for (const std::string& message : messages)
             ADD_FAILURE() << "the validation layer says: " << message;
+    }
+
+    /// Callbacks of a host that takes its memory from `blocks`, with a number in it that is neither 0 nor plausible, as a device's
+    /// memory has what was there before. Where the host sees it: all memory of a software device.
+    MemoryCallbacks memory_of(Memory& blocks) const {
+        VkPhysicalDeviceMemoryProperties kinds{};
+        device->functions().vkGetPhysicalDeviceMemoryProperties(own->host().physical_device, &kinds);
+        return {.allocate =
+                    [&blocks, kinds](const VkMemoryRequirements& needs, std::uint32_t type, MemoryPiece& piece) {
+                        VkMemoryRequirements of_type = needs;
+                        of_type.memoryTypeBits = 1u << type;
+                        const auto given = blocks.allocate(
+                            of_type, kinds.memoryTypes[type].propertyFlags & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT, 0, true);
+                        if (!given)
+                            return VK_ERROR_OUT_OF_DEVICE_MEMORY;
+                        piece = *given;
+                        if (piece.mapped != nullptr)
+                            std::memset(piece.mapped, 0x3f, needs.size);
+                        return VK_SUCCESS;
+                    },
+                .release = [&blocks](const MemoryPiece& piece) { blocks.release(piece); }};
     }
 
     /// The value of a call that must succeed, as a recording.

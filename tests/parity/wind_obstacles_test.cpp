@@ -1,9 +1,7 @@
 // Obstacles on the device against those on the CPU: the same story, frame by frame, with as many direct solves.
-#include "fluid/vulkan/memory.h"
 #include "tests/parity/wind_parity.h"
 #include "tests/shapes.h"
 
-#include <cstring>
 #include <glm/gtc/quaternion.hpp>
 
 namespace windrow::vulkan {
@@ -52,22 +50,8 @@ TEST_F(WindObstacles, ASteadyWindAroundABallAndAHouse) {
 // the recording in which a body comes may be thrown away.
 TEST_F(WindObstacles, InMemoryThatIsNotZero) {
     Memory blocks(own->host(), device->functions());
-    VkPhysicalDeviceMemoryProperties kinds{};
-    device->functions().vkGetPhysicalDeviceMemoryProperties(own->host().physical_device, &kinds);
     Host host = own->host();
-    host.memory.allocate = [&](const VkMemoryRequirements& needs, std::uint32_t type, MemoryPiece& piece) {
-        VkMemoryRequirements of_type = needs;
-        of_type.memoryTypeBits = 1u << type;
-        const auto given =
-            blocks.allocate(of_type, kinds.memoryTypes[type].propertyFlags & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT, 0, true);
-        if (!given)
-            return VK_ERROR_OUT_OF_DEVICE_MEMORY;
-        piece = *given;
-        if (piece.mapped != nullptr) // all memory of a software device
-            std::memset(piece.mapped, 0x3f, needs.size);
-        return VK_SUCCESS;
-    };
-    host.memory.release = [&](const MemoryPiece& piece) { blocks.release(piece); };
+    host.memory = memory_of(blocks);
     const Config config{.cells = k_cells,
                         .boundaries = Boundaries::open_over_floor(),
                         .centre = {0.0, 6.0, 0.0},
