@@ -14,10 +14,13 @@ function(windrow_compile target)
   if(arg_LIGHT)
     set(level -O1)
   endif()
-  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/windrow>)
+  # Files of the project write "fluid/box.h", users <windrow/fluid/box.h>: what links a target gets no folder of ours but that.
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF CXX_VISIBILITY_PRESET hidden
+                        VISIBILITY_INLINES_HIDDEN ON)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
-                         -fno-fast-math -ffp-contract=off -fno-math-errno -fno-trapping-math $<$<CONFIG:Release>:${level}>
+                         -fno-fast-math -ffp-contract=off -fno-math-errno -fno-trapping-math $<$<OR:$<CONFIG:>,$<CONFIG:Release>>:${level}>
                          $<$<BOOL:${WINDROW_WERROR}>:-Werror>)
   if(WINDROW_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${WINDROW_SANITIZE} -fno-omit-frame-pointer)
@@ -26,6 +29,37 @@ function(windrow_compile target)
       # Checks of each pointer double the time of compiling; outside the library AddressSanitizer's own will do.
       target_compile_options(${target} PRIVATE -fno-sanitize=null,alignment,vptr,object-size)
     endif()
+  endif()
+endfunction()
+
+# The public headers as users find them, in the build folder: the same files under include/windrow, and the formulas that they include.
+set(WINDROW_INCLUDE ${PROJECT_BINARY_DIR}/include)
+file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/public_headers.txt WINDROW_PUBLIC_HEADERS REGEX "^[^#]")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/public_headers.txt)
+file(GLOB formulas RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS
+     ${PROJECT_SOURCE_DIR}/shaders/numerics/*.glsl ${PROJECT_SOURCE_DIR}/vegetation/shaders/numerics/*.glsl)
+file(REMOVE_RECURSE ${WINDROW_INCLUDE}/windrow)
+foreach(file IN LISTS WINDROW_PUBLIC_HEADERS formulas)
+  cmake_path(GET file PARENT_PATH folder)
+  file(MAKE_DIRECTORY ${WINDROW_INCLUDE}/windrow/${folder})
+  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${file} ${WINDROW_INCLUDE}/windrow/${file} SYMBOLIC COPY_ON_ERROR)
+endforeach()
+
+# windrow_library(TARGET COMPONENT): what each library of the package is: found as <windrow/...>, with position-independent code so that
+# a plug-in can link its archive. Until 1.0 a minor version may change the API, so the name of a shared one holds it.
+function(windrow_library target component)
+  add_library(windrow::${component} ALIAS ${target})
+  windrow_compile(${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${component} POSITION_INDEPENDENT_CODE ON
+                        VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  target_include_directories(${target} INTERFACE $<BUILD_INTERFACE:${WINDROW_INCLUDE}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  get_target_property(type ${target} TYPE)
+  if(type STREQUAL "STATIC_LIBRARY")
+    target_compile_definitions(${target} PUBLIC WINDROW_STATIC)
+  elseif(NOT WIN32 AND NOT APPLE)
+    # What templates of the standard library and of OpenVDB mark as visible would be found in the place of a host's own.
+    target_link_options(${target} PRIVATE -Wl,--version-script=${PROJECT_SOURCE_DIR}/cmake/exports.map)
+    set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/exports.map)
   endif()
 endfunction()
 

@@ -1,14 +1,18 @@
 # What `cmake --install` lays down, for find_package(windrow 0.1 COMPONENTS fluid coupling vdb vulkan coupling_vulkan
 # vegetation):
 #
-#   include/windrow/fluid/...        public headers: consumers write #include "fluid/wind.h", as inside the project
+#   include/windrow/fluid/...        public headers: consumers write #include <windrow/fluid/wind.h>
+#   include/windrow/shaders/numerics the formulas that these include, and vegetation/shaders/numerics
 #   lib/libwindrow_*                 one library and one export set a component; vulkan has two libraries
 #   lib/cmake/windrow/               the package files
+#   lib/pkgconfig/windrow-*.pc       one a component, for builds without CMake
 #   share/windrow/shaders/numerics   the formulas as text, for GLSL
 #   share/windrow/shaders/coupling   what a host's shaders include
 #   share/windrow/vegetation/shaders   with the component vegetation: what a host includes that draws grass itself, and the
 #                                    formulas of the headers
-#   bin/windrow, bin/windrow-draw    the programs, where they are built
+#   share/windrow/scenes             scenes, and their schema for editors; pictures and meshes that are made are left out
+#   share/doc/windrow                README, CHANGELOG, the pages of docs/ with their pictures, LICENSE
+#   bin/windrow, bin/windrow-draw    the programs, where they are built, with their page of the manual and completion for bash and zsh
 option(WINDROW_INSTALL "Make install rules" ${PROJECT_IS_TOP_LEVEL})
 if(NOT WINDROW_INSTALL)
   return()
@@ -20,11 +24,9 @@ set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/windrow)
 set(header_dir ${CMAKE_INSTALL_INCLUDEDIR}/windrow)
 set(shader_dir ${CMAKE_INSTALL_DATADIR}/windrow/shaders)
 
-file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/public_headers.txt public_headers REGEX "^[^#]")
-set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/public_headers.txt)
 # windrow_install_headers(FOLDER): the public headers that lie in it.
 function(windrow_install_headers folder)
-  set(headers ${public_headers})
+  set(headers ${WINDROW_PUBLIC_HEADERS})
   list(FILTER headers INCLUDE REGEX "^${folder}/[^/]*$")
   list(TRANSFORM headers PREPEND ${PROJECT_SOURCE_DIR}/)
   install(FILES ${headers} DESTINATION ${header_dir}/${folder})
@@ -32,6 +34,7 @@ endfunction()
 
 windrow_install_headers(fluid)
 windrow_install_headers(fluid/shapes)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/shaders/numerics DESTINATION ${header_dir}/shaders FILES_MATCHING PATTERN "*.glsl")
 install(TARGETS windrow_fluid EXPORT windrow_fluid)
 set(components fluid)
 
@@ -73,14 +76,61 @@ if(TARGET windrow_vegetation)
   list(APPEND programs windrow_draw)
   set(vegetation_shaders ${PROJECT_SOURCE_DIR}/vegetation/shaders)
   install(FILES ${vegetation_shaders}/grass/grass_blade.glsl DESTINATION ${CMAKE_INSTALL_DATADIR}/windrow/vegetation/shaders/grass)
-  install(DIRECTORY ${vegetation_shaders}/numerics DESTINATION ${CMAKE_INSTALL_DATADIR}/windrow/vegetation/shaders
-          FILES_MATCHING PATTERN "*.glsl")
+  foreach(folder IN ITEMS ${CMAKE_INSTALL_DATADIR}/windrow ${header_dir})
+    install(DIRECTORY ${vegetation_shaders}/numerics DESTINATION ${folder}/vegetation/shaders FILES_MATCHING PATTERN "*.glsl")
+  endforeach()
   list(APPEND components vegetation)
 endif()
+
+# windrow_pkg_config(COMPONENT [LIBRARY...] [NEEDS COMPONENT...] [SYSTEM FLAG...]): windrow-COMPONENT.pc, found beside the
+# libraries wherever the whole is moved. FLAGs are what a static archive leaves to its consumers.
+function(windrow_pkg_config component)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "NEEDS;SYSTEM")
+  list(TRANSFORM arg_UNPARSED_ARGUMENTS PREPEND -l OUTPUT_VARIABLE libraries)
+  list(TRANSFORM arg_NEEDS PREPEND windrow- OUTPUT_VARIABLE needs)
+  set(flags "-I\${includedir}")
+  if(NOT BUILD_SHARED_LIBS)
+    list(APPEND flags -DWINDROW_STATIC)
+    list(APPEND libraries ${arg_SYSTEM})
+  endif()
+  foreach(list IN ITEMS flags libraries needs)
+    list(JOIN ${list} " " ${list})
+  endforeach()
+  file(RELATIVE_PATH up ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/windrow-${component}.pc @ONLY CONTENT
+"prefix=\${pcfiledir}/@up@
+includedir=\${prefix}/@CMAKE_INSTALL_INCLUDEDIR@
+libdir=\${prefix}/@CMAKE_INSTALL_LIBDIR@
+
+Name: windrow-@component@
+Description: @PROJECT_DESCRIPTION@
+Version: @PROJECT_VERSION@
+Requires: @needs@
+Cflags: @flags@
+Libs: -L\${libdir} @libraries@
+")
+  install(FILES ${PROJECT_BINARY_DIR}/windrow-${component}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endfunction()
 
 foreach(component IN LISTS components)
   install(EXPORT windrow_${component} NAMESPACE windrow:: FILE windrow-${component}.cmake DESTINATION ${package_dir})
 endforeach()
+windrow_pkg_config(fluid windrow_fluid SYSTEM -pthread)
+if(coupling IN_LIST components)
+  windrow_pkg_config(coupling windrow_coupling NEEDS fluid)
+endif()
+if(vdb IN_LIST components)
+  windrow_pkg_config(vdb windrow_vdb NEEDS fluid SYSTEM -lopenvdb -ltbb -lboost_iostreams -lImath)
+endif()
+if(vulkan IN_LIST components)
+  windrow_pkg_config(vulkan windrow_vulkan_loader windrow_vulkan NEEDS fluid SYSTEM -ldl)
+endif()
+if(coupling_vulkan IN_LIST components)
+  windrow_pkg_config(coupling_vulkan windrow_coupling_vulkan NEEDS coupling vulkan)
+endif()
+if(vegetation IN_LIST components)
+  windrow_pkg_config(vegetation windrow_vegetation NEEDS coupling_vulkan SYSTEM -lvulkan)
+endif()
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/shaders/numerics ${PROJECT_SOURCE_DIR}/shaders/coupling DESTINATION ${shader_dir}
         FILES_MATCHING PATTERN "*.glsl" PATTERN "*.hlsl")
@@ -88,6 +138,10 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/shaders/numerics ${PROJECT_SOURCE_DIR}/s
 if(TARGET windrow_cli)
   install(TARGETS windrow_cli)
   list(APPEND programs windrow_cli)
+  install(FILES ${PROJECT_SOURCE_DIR}/docs/windrow.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  set(completion ${PROJECT_SOURCE_DIR}/tools/completion)
+  install(FILES ${completion}/windrow.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME windrow)
+  install(FILES ${completion}/windrow.zsh DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions RENAME _windrow)
 endif()
 if(BUILD_SHARED_LIBS AND programs)
   # A program finds its libraries beside it, wherever the whole is moved.
@@ -103,4 +157,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/windrowConfigVersion.cmak
 install(FILES ${PROJECT_BINARY_DIR}/windrowConfig.cmake ${PROJECT_BINARY_DIR}/windrowConfigVersion.cmake
               ${CMAKE_CURRENT_LIST_DIR}/WindrowOpenVDB.cmake ${CMAKE_CURRENT_LIST_DIR}/WindrowVulkanHeaders.cmake
         DESTINATION ${package_dir})
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/windrow
+        PATTERN "ground.pgm" EXCLUDE REGEX "/fur/.*[.](obj|mtl|3ds|pgm|ppm)$" EXCLUDE)

@@ -12,10 +12,11 @@
 // in shaders/numerics/blade.glsl, stem.glsl and plant_drag.glsl; docs/plants.md draws them.
 #pragma once
 
-#include "coupling/drag.h"
-#include "coupling/plant_vertex.h"
-#include "fluid/parallel.h"
-#include "fluid/result.h"
+#include "../fluid/api.h"
+#include "../fluid/parallel.h"
+#include "../fluid/result.h"
+#include "drag.h"
+#include "plant_vertex.h"
 
 #include <glm/vec4.hpp>
 #include <span>
@@ -76,10 +77,10 @@ struct BladeBlock {
 };
 static_assert(sizeof(BladeBlock) == 64);
 
-[[nodiscard]] Result<void> validate(const BladeSettings& settings);
+[[nodiscard]] WINDROW_API Result<void> validate(const BladeSettings& settings);
 
 /// A class of blades. Small; copy it.
-class Blades {
+class WINDROW_API Blades {
   public:
     /// Rejects what `validate` rejects, with every reason.
     [[nodiscard]] static Result<Blades> create(const BladeSettings& settings);

@@ -11,10 +11,11 @@
 // arc: below a radian per frame the difference is below 1 % of the turn.
 #pragma once
 
-#include "coupling/cascade_step.h"
-#include "coupling/motion_blocks.h"
-#include "fluid/result.h"
-#include "fluid/setting.h"
+#include "../fluid/api.h"
+#include "../fluid/result.h"
+#include "../fluid/setting.h"
+#include "cascade_step.h"
+#include "motion_blocks.h"
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -47,11 +48,11 @@ struct CascadeConfig {
 };
 
 /// Rejects stages or lag out of range.
-[[nodiscard]] Result<void> validate(const CascadeConfig& config);
+[[nodiscard]] WINDROW_API Result<void> validate(const CascadeConfig& config);
 /// Rejects what is not finite, a rotation of length 0, a scale that is not above 0.
-[[nodiscard]] Result<void> validate(const Pose& pose);
+[[nodiscard]] WINDROW_API Result<void> validate(const Pose& pose);
 
-class Cascade {
+class WINDROW_API Cascade {
   public:
     /// All stages rest at the body.
     [[nodiscard]] static Result<Cascade> create(const CascadeConfig& config, const Pose& body);

@@ -11,8 +11,9 @@
 // Based on: the Erlang distribution as the delay of a row of equal exponential stages (Erlang 1917); DLMF 8.2, 8.4, 8.8.
 #pragma once
 
-#include "fluid/parallel.h"
-#include "fluid/result.h"
+#include "../fluid/api.h"
+#include "../fluid/parallel.h"
+#include "../fluid/result.h"
 
 #include <cstddef>
 #include <span>
@@ -22,7 +23,7 @@ namespace windrow {
 
 /// The coefficients of a step, the same for all rows with one rate and number of stages. Made once a frame; `set` does not
 /// allocate.
-class CascadeStep {
+class WINDROW_API CascadeStep {
   public:
     /// For `stages` of 1 to 4096; no time has passed. Rejects others.
     [[nodiscard]] static Result<CascadeStep> create(int stages);

@@ -7,8 +7,9 @@
 // and its sources): Ca = 1 leans the tip by 9 degrees, 10 by 47, 100 by 77.
 #pragma once
 
-#include "fluid/result.h"
-#include "fluid/setting.h"
+#include "../fluid/api.h"
+#include "../fluid/result.h"
+#include "../fluid/setting.h"
 
 #include <glm/vec4.hpp>
 
@@ -60,21 +61,21 @@ struct DragBlock {
 static_assert(sizeof(DragBlock) == 16);
 
 /// All reasons why it is invalid, one per line; `name` is put before each field.
-[[nodiscard]] Result<void> validate(const Drag& drag, const char* name = "drag");
+[[nodiscard]] WINDROW_API Result<void> validate(const Drag& drag, const char* name = "drag");
 /// The block of valid properties.
-[[nodiscard]] DragBlock block(const Drag& drag);
+[[nodiscard]] WINDROW_API DragBlock block(const Drag& drag);
 
 /// Ca at a speed [m/s] across the stalk.
-[[nodiscard]] double cauchy_number(const Drag& drag, double speed);
+[[nodiscard]] WINDROW_API double cauchy_number(const Drag& drag, double speed);
 /// [rad] Lean of the tip in a steady wind [m/s] across the stalk, 0 to pi/2.
-[[nodiscard]] float bend_angle(const Drag& drag, float speed);
+[[nodiscard]] WINDROW_API float bend_angle(const Drag& drag, float speed);
 
 /// [N m2] E I of sections of one material of Young's modulus E [Pa]; all lengths [m].
-[[nodiscard]] float rectangle_rigidity(float young, float width, float thickness);
+[[nodiscard]] WINDROW_API float rectangle_rigidity(float young, float width, float thickness);
 /// E I of a strip of this width and thickness, creased along its middle to a V of this depth. 16 times that of the flat strip
 /// where the depth is 4 times the thickness.
-[[nodiscard]] float folded_rigidity(float young, float width, float thickness, float depth);
-[[nodiscard]] float rod_rigidity(float young, float diameter);
-[[nodiscard]] float tube_rigidity(float young, float outer_diameter, float inner_diameter);
+[[nodiscard]] WINDROW_API float folded_rigidity(float young, float width, float thickness, float depth);
+[[nodiscard]] WINDROW_API float rod_rigidity(float young, float diameter);
+[[nodiscard]] WINDROW_API float tube_rigidity(float young, float outer_diameter, float inner_diameter);
 
 } // namespace windrow

@@ -1,8 +1,9 @@
 // Settings of a ground memory, its walkers and its steps. The formulas: shaders/numerics/ground.glsl.
 #pragma once
 
-#include "coupling/spring.h"
-#include "fluid/result.h"
+#include "../fluid/api.h"
+#include "../fluid/result.h"
+#include "spring.h"
 
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -57,12 +58,12 @@ struct GroundConfig {
 };
 
 /// Rejects fields out of range, each with its reason.
-[[nodiscard]] Result<void> validate(const GroundConfig& config);
+[[nodiscard]] WINDROW_API Result<void> validate(const GroundConfig& config);
 namespace detail {
 class Reasons;
 struct FieldPath;
 } // namespace detail
-void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const GroundConfig& config);
+WINDROW_API void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const GroundConfig& config);
 
 /// A foot, a body, a wheel: a disc that was at `previous` at the step's start and is at `position` at its end.
 struct GroundWalker {
@@ -77,7 +78,7 @@ struct GroundWalker {
 };
 
 /// Rejects what counts and is not finite, and a radius or weight out of range.
-[[nodiscard]] Result<void> validate(const GroundWalker& walker);
+[[nodiscard]] WINDROW_API Result<void> validate(const GroundWalker& walker);
 
 /// Source of the lean of the wind.
 enum class WindLeans : std::uint8_t {

@@ -4,6 +4,7 @@
 #include "coupling/ground_config.h"
 #include "coupling/motion_blocks.h"
 #include "coupling/motion_numerics.h"
+#include "fluid/api.h"
 
 #include <array>
 #include <cstdint>
@@ -14,7 +15,7 @@
 
 namespace windrow::detail {
 
-class GroundHost {
+class WINDROW_INTERNAL GroundHost {
   public:
     /// A valid config. The window lies about the origin.
     explicit GroundHost(const GroundConfig& config) : config_(config), walkers_(static_cast<std::size_t>(config.max_walkers)) {}

@@ -11,7 +11,7 @@
 
 namespace windrow {
 
-struct GroundMemory::State {
+struct WINDROW_HIDDEN GroundMemory::State {
     State(const GroundConfig& config, ParallelFor loop) : host(config), parallel_for(loop) {}
 
     Result<void> advance(const GroundStep& step, std::span<const glm::vec2> wind_leans);

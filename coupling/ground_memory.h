@@ -11,10 +11,11 @@
 // shaders/numerics/ground.glsl.
 #pragma once
 
-#include "coupling/ground_config.h"
-#include "coupling/motion_blocks.h"
-#include "fluid/owned.h"
-#include "fluid/parallel.h"
+#include "../fluid/api.h"
+#include "../fluid/owned.h"
+#include "../fluid/parallel.h"
+#include "ground_config.h"
+#include "motion_blocks.h"
 
 #include <memory>
 
@@ -31,7 +32,7 @@ struct GroundSample {
     float trail = 0.0f;   ///< [rad] length of the lean that stays behind walkers
 };
 
-class GroundMemory {
+class WINDROW_API GroundMemory {
   public:
     /// No trail, no trample, plants at rest. Rejects as `validate`. Threads through `parallel_for`; any number gives the same
     /// bits.

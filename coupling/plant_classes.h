@@ -8,7 +8,7 @@
 // ours. Drag coefficients: flat plate 1.95, round stem 1.1, crown 0.3.
 #pragma once
 
-#include "coupling/drag.h"
+#include "drag.h"
 
 namespace windrow {
 

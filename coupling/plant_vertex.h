@@ -1,6 +1,8 @@
 // Vertices and keys of plants, for a renderer.
 #pragma once
 
+#include "../fluid/api.h"
+
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -19,10 +21,10 @@ struct PlantVertex {
 using PlantKey = glm::uvec2;
 
 /// The key of a place [m], the same in shaders (windrow_place_key).
-[[nodiscard]] PlantKey place_key(float x, float z);
+[[nodiscard]] WINDROW_API PlantKey place_key(float x, float z);
 /// [rad] The yaw that a key gives, 0 to 2 pi.
-[[nodiscard]] float plant_yaw(PlantKey key);
+[[nodiscard]] WINDROW_API float plant_yaw(PlantKey key);
 /// The factor on the stiffness that a key gives, 1 - spread to 1 + spread.
-[[nodiscard]] float plant_stiffness(PlantKey key, float spread);
+[[nodiscard]] WINDROW_API float plant_stiffness(PlantKey key, float spread);
 
 } // namespace windrow

@@ -9,9 +9,10 @@
 // moves a vertex into the surface, and no shell passes the next. Positions and normals come after skinning.
 #pragma once
 
-#include "coupling/drag.h"
-#include "fluid/parallel.h"
-#include "fluid/result.h"
+#include "../fluid/api.h"
+#include "../fluid/parallel.h"
+#include "../fluid/result.h"
+#include "drag.h"
 
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -75,11 +76,11 @@ struct ShellBlock {
 };
 static_assert(sizeof(ShellBlock) == 64);
 
-[[nodiscard]] Result<void> validate(const ShellSettings& settings);
+[[nodiscard]] WINDROW_API Result<void> validate(const ShellSettings& settings);
 /// Leaves out the strand's length, which is replaced.
-void check_settings(detail::Reasons& reasons, const detail::FieldPath& path, const ShellSettings& settings);
+WINDROW_API void check_settings(detail::Reasons& reasons, const detail::FieldPath& path, const ShellSettings& settings);
 
-class Shells {
+class WINDROW_API Shells {
   public:
     /// Rejects what `validate` rejects, with every reason.
     [[nodiscard]] static Result<Shells> create(const ShellSettings& settings);

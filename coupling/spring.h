@@ -7,10 +7,11 @@
 // time was cut, as long as targets are linear between the cuts.
 #pragma once
 
-#include "coupling/motion_blocks.h"
-#include "fluid/parallel.h"
-#include "fluid/result.h"
-#include "fluid/setting.h"
+#include "../fluid/api.h"
+#include "../fluid/parallel.h"
+#include "../fluid/result.h"
+#include "../fluid/setting.h"
+#include "motion_blocks.h"
 
 #include <span>
 
@@ -47,10 +48,10 @@ inline constexpr SpringClass trunk{0.3, 0.08};
 } // namespace springs
 
 /// Rejects a frequency or a damping that is out of range or NaN.
-[[nodiscard]] Result<void> validate(const SpringClass& spring);
+[[nodiscard]] WINDROW_API Result<void> validate(const SpringClass& spring);
 
 /// The six coefficients of a step (spring.glsl), in double.
-struct SpringStep {
+struct WINDROW_API SpringStep {
     double place_place = 0.0;       ///< A - 1
     double place_velocity = 0.0;    ///< [s] B
     double place_target = 0.0;      ///< 1 + E
@@ -64,7 +65,7 @@ struct SpringStep {
 
 /// The step of `duration` [s], 0 or more: 0 leaves all as it is, a huge one ends at the target. Rejects what `validate` rejects,
 /// and a duration that is negative or not finite.
-[[nodiscard]] Result<SpringStep> spring_step(const SpringClass& spring, double duration);
+[[nodiscard]] WINDROW_API Result<SpringStep> spring_step(const SpringClass& spring, double duration);
 
 /// Springs side by side: component i of each array belongs to spring i. A vector's components are springs of their own.
 template <class Real>

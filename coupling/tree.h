@@ -6,11 +6,12 @@
 //     windrow::PlantVertex bark = oak->vertex({trunk, bough, {}}, wind, {.position = {2.4f, 5.1f, 0.0f}}); // {}: on no leaf
 #pragma once
 
-#include "coupling/drag.h"
-#include "coupling/plant_classes.h"
-#include "coupling/plant_vertex.h"
-#include "fluid/parallel.h"
-#include "fluid/result.h"
+#include "../fluid/api.h"
+#include "../fluid/parallel.h"
+#include "../fluid/result.h"
+#include "drag.h"
+#include "plant_classes.h"
+#include "plant_vertex.h"
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -66,10 +67,10 @@ struct TreeBearers {
     TreePart trunk{}, branch{}, leaf{};
 };
 
-[[nodiscard]] Result<void> validate(const TreeClasses& settings);
-[[nodiscard]] Result<void> validate(const TreePart& part, const char* name = "part");
+[[nodiscard]] WINDROW_API Result<void> validate(const TreeClasses& settings);
+[[nodiscard]] WINDROW_API Result<void> validate(const TreePart& part, const char* name = "part");
 
-class Tree {
+class WINDROW_API Tree {
   public:
     /// Rejects what `validate` rejects, with every reason.
     [[nodiscard]] static Result<Tree> create(const TreeClasses& settings);

@@ -10,16 +10,16 @@
 //    whose textures it overwrites; what that frame does after sampling runs beside it (docs/vulkan.md).
 // 4. A fence of the compute queue says that a slot's read-back is there.
 #include "examples/queue_lane.h"
-#include "fluid/vulkan/own_device.h"
 #include "shader_words/slice_frag.h"
 #include "shader_words/slice_vert.h"
-#include "vegetation/vulkan/canvas.h"
-#include "vegetation/vulkan/wind_set.h"
 
 #include <charconv>
 #include <cstdio>
 #include <string_view>
 #include <vulkan/vulkan.h>
+#include <windrow/fluid/vulkan/own_device.h>
+#include <windrow/vegetation/vulkan/canvas.h>
+#include <windrow/vegetation/vulkan/wind_set.h>
 
 namespace engine = windrow::vegetation::engine;
 namespace vulkan = windrow::vulkan;

@@ -7,10 +7,6 @@
 // 3. Add what is to be drawn: here blades at places that the host has chosen. Whatever derives from render::Drawable will do.
 // 4. In each frame record the wind, then the renderer: shadows, light, motion since the last frame, the toned picture.
 
-#include "coupling/plant_classes.h"
-#include "vegetation/render/blades.h"
-#include "vegetation/render/renderer.h"
-
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -18,6 +14,9 @@
 #include <filesystem>
 #include <string_view>
 #include <vulkan/vulkan.h>
+#include <windrow/coupling/plant_classes.h>
+#include <windrow/vegetation/render/blades.h>
+#include <windrow/vegetation/render/renderer.h>
 
 using namespace windrow::vegetation;
 

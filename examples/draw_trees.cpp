@@ -7,15 +7,14 @@
 // 3. Each frame: the wind, then the renderer (examples/draw_grass.cpp has its steps). The stand bends trunk, limbs and twigs by
 // the wind at each of them, and lets them swing.
 
-#include "vegetation/render/renderer.h"
-#include "vegetation/trees/tree_stand.h"
-
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vulkan/vulkan.h>
+#include <windrow/vegetation/render/renderer.h>
+#include <windrow/vegetation/trees/tree_stand.h>
 
 using namespace windrow::vegetation;
 

@@ -8,12 +8,11 @@
 //
 // In Blender: Add > Volume > Import OpenVDB, select all ten files, and set the volume's Velocity Unit to Second (docs/vdb.md).
 
-#include "fluid/vdb/vdb_export.h"
-#include "fluid/wind.h"
-
 #include <filesystem>
 #include <iostream>
 #include <system_error>
+#include <windrow/fluid/vdb/vdb_export.h>
+#include <windrow/fluid/wind.h>
 
 namespace {
 

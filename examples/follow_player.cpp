@@ -18,11 +18,10 @@
 // What to see: the leaf far away feels gusts alone. The leaf by the path is pulled along as the player passes at 1.3 s. The leaf
 // by the burst leans out at 2.25 s, as it goes off, and is drawn back a quarter of a second later.
 
-#include "fluid/wind.h"
-
 #include <cmath>
 #include <cstdio>
 #include <glm/geometric.hpp>
+#include <windrow/fluid/wind.h>
 
 namespace {
 

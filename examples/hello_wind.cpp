@@ -11,9 +11,8 @@
 // What to see: the fan's air settles in half a second, at less than 8 m/s because the breeze brings slow air all the time; the
 // place before the fan feels the jet later; far away nothing changes.
 
-#include "fluid/wind.h"
-
 #include <cstdio>
+#include <windrow/fluid/wind.h>
 
 int main() {
     windrow::Config config;

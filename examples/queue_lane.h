@@ -2,11 +2,10 @@
 // Calls come from the host's vkGetInstanceProcAddr. A call that fails throws std::runtime_error.
 #pragma once
 
-#include "fluid/vulkan/host.h"
-
 #include <array>
 #include <stdexcept>
 #include <string>
+#include <windrow/fluid/vulkan/host.h>
 
 class QueueLane {
   public:

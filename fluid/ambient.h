@@ -13,9 +13,10 @@
 // formulas are in shaders/numerics/ambient.glsl, one text for C++ and GLSL.
 #pragma once
 
-#include "fluid/gust_tile.h"
-#include "fluid/result.h"
-#include "fluid/setting.h"
+#include "api.h"
+#include "gust_tile.h"
+#include "result.h"
+#include "setting.h"
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -90,9 +91,9 @@ struct Sampling {
 };
 
 /// All reasons why they are invalid, one per line.
-[[nodiscard]] Result<void> validate(const LogProfile& profile);
-[[nodiscard]] Result<void> validate(const Gusts& gusts);
-[[nodiscard]] Result<void> validate(const Sampling& sampling);
+[[nodiscard]] WINDROW_API Result<void> validate(const LogProfile& profile);
+[[nodiscard]] WINDROW_API Result<void> validate(const Gusts& gusts);
+[[nodiscard]] WINDROW_API Result<void> validate(const Sampling& sampling);
 
 /// Shader parameters of the ambient wind beside the tile, as a uniform block of std140 layout (seven vec4): WindrowAmbient of
 /// shaders/numerics/ambient.glsl. Positions are relative to an anchor that the host chooses near its camera.
@@ -117,7 +118,7 @@ struct AmbientBlock {
 static_assert(sizeof(AmbientBlock) == 112);
 
 /// A spatially uniform gust by a closed formula, for a scene that needs motion and no fluid.
-struct UniformGust {
+struct WINDROW_API UniformGust {
     /// [m/s] Mean over a period, exactly. Default 4: leaves move.
     float mean = 4.0f;
     /// [m/s] Peak over the mean; the lull is 0.58 of it below. Default 2: never calm, never a storm.
@@ -131,7 +132,7 @@ struct UniformGust {
     [[nodiscard]] glm::vec3 velocity(double time) const;
 };
 
-class AmbientWind {
+class WINDROW_API AmbientWind {
   public:
     struct Settings {
         glm::vec3 mean{0.0f};

@@ -11,8 +11,9 @@
 // Mirrored ghosts put the wall on the face, half a cell beyond the last centre: second order.
 #pragma once
 
-#include "fluid/result.h"
-#include "fluid/setting.h"
+#include "api.h"
+#include "result.h"
+#include "setting.h"
 
 #include <array>
 #include <cstdint>
@@ -46,7 +47,7 @@ struct Boundary {
 
 /// The six boundaries in the order x low, x high, y low, y high, z low, z high. Any mix per face; periodic boundaries come in
 /// pairs.
-struct Boundaries {
+struct WINDROW_API Boundaries {
     Boundary x_low{}, x_high{}, y_low{}, y_high{}, z_low{}, z_high{};
 
     static constexpr auto settings() {
@@ -77,14 +78,14 @@ struct Boundaries {
 
 /// Rejects a periodic boundary opposite to another kind, and wall velocities that are not finite, have a normal component or
 /// belong to another kind.
-[[nodiscard]] Result<void> validate(const Boundaries& boundaries);
+[[nodiscard]] WINDROW_API Result<void> validate(const Boundaries& boundaries);
 namespace detail {
 class Reasons;
 struct FieldPath;
 } // namespace detail
-void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const Boundaries& boundaries);
+WINDROW_API void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const Boundaries& boundaries);
 
 /// `ambient` without its components along axes that a wall closes: the wind that the open boundaries of such a box can carry.
-[[nodiscard]] glm::vec3 admissible_ambient(const Boundaries& boundaries, glm::vec3 ambient);
+[[nodiscard]] WINDROW_API glm::vec3 admissible_ambient(const Boundaries& boundaries, glm::vec3 ambient);
 
 } // namespace windrow

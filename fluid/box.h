@@ -5,9 +5,10 @@
 // cells.z values, x fastest, then y, then z: index = (k * cells.y + j) * cells.x + i.
 #pragma once
 
-#include "fluid/boundaries.h"
-#include "fluid/result.h"
-#include "fluid/rows.h"
+#include "api.h"
+#include "boundaries.h"
+#include "result.h"
+#include "rows.h"
 
 #include <cstddef>
 #include <glm/vec3.hpp>
@@ -76,7 +77,7 @@ struct Box {
 };
 
 /// All reasons why the box is invalid, one per line.
-[[nodiscard]] Result<void> validate(const Box& box);
-void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const Box& box);
+[[nodiscard]] WINDROW_API Result<void> validate(const Box& box);
+WINDROW_API void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const Box& box);
 
 } // namespace windrow

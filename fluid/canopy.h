@@ -4,8 +4,9 @@
 //                                        .profile = windrow::LogProfile{}, .canopy = windrow::Canopy{.height = 0.8f}});
 #pragma once
 
-#include "fluid/result.h"
-#include "fluid/setting.h"
+#include "api.h"
+#include "result.h"
+#include "setting.h"
 
 #include <tuple>
 
@@ -31,6 +32,6 @@ struct Canopy {
 };
 
 /// All reasons why it is invalid, one per line.
-[[nodiscard]] Result<void> validate(const Canopy& canopy);
+[[nodiscard]] WINDROW_API Result<void> validate(const Canopy& canopy);
 
 } // namespace windrow

@@ -1,7 +1,7 @@
 // Report of a step: figures of the air, and each correction beyond the equations (limits, repairs, sleep).
 #pragma once
 
-#include "fluid/operators.h"
+#include "operators.h"
 
 #include <cstdint>
 

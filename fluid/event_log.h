@@ -8,10 +8,11 @@
 //     auto done = windrow::replay(log, *again);    // the same bits, for any number of threads on the same SIMD level
 #pragma once
 
-#include "fluid/boundaries.h"
-#include "fluid/motors.h"
-#include "fluid/obstacles.h"
-#include "fluid/result.h"
+#include "api.h"
+#include "boundaries.h"
+#include "motors.h"
+#include "obstacles.h"
+#include "result.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -98,7 +99,7 @@ using Event =
     std::variant<MotorAdded, MotorSet, MotorMoved, MotorRemoved, ObstacleAdded, ObstacleSet, ObstacleMoved, ObstacleRemoved,
                  Followed, FloorSet, AmbientSet, GustsSet, SidesSet, VelocitySet, WindReset, Stepped, Advanced, TickRecorded>;
 
-class EventLog {
+class WINDROW_API EventLog {
   public:
     /// Adds an event. Without memory the wind goes on and the log ends before this event: `complete` is false from then on, and
     /// no further event is added.
@@ -125,6 +126,6 @@ class EventLog {
 
 /// Repeats all calls in order. `wind` must be in the state in which the log began (Wind::save, Wind::load). Stops at the first
 /// call that is rejected or returns another handle; the error names it.
-[[nodiscard]] Result<void> replay(const EventLog& log, Wind& wind);
+[[nodiscard]] WINDROW_API Result<void> replay(const EventLog& log, Wind& wind);
 
 } // namespace windrow

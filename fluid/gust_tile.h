@@ -9,6 +9,8 @@
 //     x 128 texels
 #pragma once
 
+#include "api.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -20,7 +22,7 @@
 namespace windrow {
 
 /// Constant after creation: any number of winds and threads may read one.
-class GustTile {
+class WINDROW_API GustTile {
   public:
     static constexpr int k_side = 128;  ///< texels along x and z, a whole period
     static constexpr int k_height = 16; ///< texels along y, half a period

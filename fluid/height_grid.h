@@ -25,7 +25,7 @@ inline float windrow_grid_value(const GridView& grid, glm::ivec2 corner, int acr
 #define WINDROW_GRID const GridView&
 namespace windrow::numerics {
 using namespace glm;
-#include "shaders/numerics/height_grid.glsl"
+#include "../shaders/numerics/height_grid.glsl"
 } // namespace windrow::numerics
 #undef WINDROW_GRID
 #undef WINDROW_FN

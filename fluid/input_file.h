@@ -7,6 +7,7 @@
 // A scene may come from somebody else. It must not hang on a pipe, read a device without an end, or read outside of its folder.
 #pragma once
 
+#include "fluid/api.h"
 #include "fluid/input_budget.h"
 #include "fluid/result.h"
 
@@ -26,9 +27,10 @@ struct InputRule {
 /// The whole file. The checks and the reading use one descriptor, so that nobody can exchange the file in between. Errors begin
 /// with the file's name: missing, unreadable, no regular file, a link out of the folder, longer than `max_bytes` or than what
 /// `budget` has left. No memory is taken for a file that is too long.
-[[nodiscard]] Result<std::string> read_input(const std::filesystem::path& file, const InputRule& rule, InputBudget& budget);
+[[nodiscard]] WINDROW_INTERNAL Result<std::string> read_input(const std::filesystem::path& file, const InputRule& rule,
+                                                              InputBudget& budget);
 
 /// Whether a name that a file gives stays in that file's folder as it is written: relative, and without `..` that leads out.
-[[nodiscard]] bool is_name_inside(const std::filesystem::path& name);
+[[nodiscard]] WINDROW_INTERNAL bool is_name_inside(const std::filesystem::path& name);
 
 } // namespace windrow::detail

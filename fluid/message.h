@@ -2,6 +2,7 @@
 // message is "out of memory".
 #pragma once
 
+#include "fluid/api.h"
 #include "fluid/result.h"
 
 #include <charconv>

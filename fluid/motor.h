@@ -10,8 +10,9 @@
 // stays.
 #pragma once
 
-#include "fluid/result.h"
-#include "fluid/setting.h"
+#include "api.h"
+#include "result.h"
+#include "setting.h"
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -144,7 +145,7 @@ struct WakeDrive {
 /// Strength over time, from the moment at which the motor is added: a smooth rise, full strength, a smooth fall (3 s^2 - 2 s^3
 /// each). Steps take its mean over the step, so an impulse does not depend on the frame rate. At its end the motor is
 /// removed by itself and its handle is stale.
-struct Envelope {
+struct WINDROW_API Envelope {
     static constexpr Range k_time_range{0.0, 1e9, "s"};
     float attack = 0.0f;
     float hold = std::numeric_limits<float>::infinity();
@@ -173,7 +174,7 @@ class Reasons;
 struct FieldPath;
 } // namespace detail
 /// Rejects an envelope that lasts no time.
-void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const Envelope& envelope);
+WINDROW_API void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const Envelope& envelope);
 
 // --- Turbulence ------------------------------------------------------------------------------------------------------
 
@@ -334,7 +335,7 @@ struct OmniMotor {
 /// A pressure burst: outflow, then inflow, as behind a blast wave: (1 - t/T) exp(-t/T) times the initial outflow, whose integral
 /// is 0. It begins when it is added, and is removed 12 durations later, when 1e-4 of it is left. Based
 /// on: Friedlander 1946, Proceedings of the Royal Society A 186 (the wave's form in time).
-struct PressureMotor {
+struct WINDROW_API PressureMotor {
     static constexpr const char* k_name = "pressure";
     static constexpr const char* k_meaning = "A burst: air is thrown out, then drawn back.";
     glm::dvec3 position{0.0};
@@ -362,13 +363,13 @@ struct PressureMotor {
 using Motor = std::variant<DirectionalMotor, WakeMotor, JetMotor, VortexMotor, OmniMotor, PressureMotor>;
 
 /// All reasons why a motor is invalid, one per line.
-[[nodiscard]] Result<void> validate(const Motor& motor);
+[[nodiscard]] WINDROW_API Result<void> validate(const Motor& motor);
 
 /// [m] Position of a motor.
-[[nodiscard]] glm::dvec3 position_of(const Motor& motor);
+[[nodiscard]] WINDROW_API glm::dvec3 position_of(const Motor& motor);
 
 namespace detail {
-[[nodiscard]] Result<void> validate_motor_position(glm::dvec3 position);
+[[nodiscard]] WINDROW_API Result<void> validate_motor_position(glm::dvec3 position);
 }
 
 } // namespace windrow

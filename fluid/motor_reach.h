@@ -1,10 +1,11 @@
 // Motor as the sources stage evaluates it: plain data relative to the box, with the range of its cells.
 #pragma once
 
-#include "fluid/boundaries.h"
-#include "fluid/motor.h"
-#include "fluid/track.h"
-#include "fluid/window.h"
+#include "api.h"
+#include "boundaries.h"
+#include "motor.h"
+#include "track.h"
+#include "window.h"
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -42,10 +43,10 @@ static_assert(sizeof(MotorReach) == 4 * (2 + 3 + 3 + 3 + 3 + 1 + 5 + 6), "no pad
 /// Prepares one motor for a tick of `duration` [s] that it begins at `age` [s], having moved along `path`. Writes at most
 /// Track::k_max_segments entries to `reach`; returns how many. In free air (boundaries.h) a source is felt from outside the box
 /// too, with no cell of its own.
-int prepare(const Motor& motor, const Track& track, std::span<const Track::Segment> path, double age, double duration,
-            const Window& window, const Boundaries& boundaries, std::span<MotorReach> reach);
+WINDROW_API int prepare(const Motor& motor, const Track& track, std::span<const Track::Segment> path, double age, double duration,
+                        const Window& window, const Boundaries& boundaries, std::span<MotorReach> reach);
 
 /// A total order by content: equal only where all is equal.
-[[nodiscard]] bool before(const MotorReach& a, const MotorReach& b);
+[[nodiscard]] WINDROW_API bool before(const MotorReach& a, const MotorReach& b);
 
 } // namespace windrow::detail

@@ -4,11 +4,12 @@
 // The effect on the air does not depend on the order in which motors were added: a cell sums them in a fixed order.
 #pragma once
 
-#include "fluid/gust_tile.h"
-#include "fluid/motor.h"
-#include "fluid/motor_reach.h"
-#include "fluid/result.h"
-#include "fluid/track.h"
+#include "api.h"
+#include "gust_tile.h"
+#include "motor.h"
+#include "motor_reach.h"
+#include "result.h"
+#include "track.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -32,7 +33,7 @@ struct MotorId {
 
 /// The motors of one Wind, at most 4096. A handle that was removed, or that another wind gave, is rejected. The motors of a wind
 /// that was loaded keep their handles.
-class Motors {
+class WINDROW_API Motors {
   public:
     static constexpr std::uint32_t k_capacity = 4096;
 

@@ -11,6 +11,7 @@
 // clear_dead_parts() removes it.
 #pragma once
 
+#include "fluid/api.h"
 #include "fluid/result.h"
 
 #include <cstddef>
@@ -22,7 +23,7 @@
 namespace windrow::detail {
 
 /// A stream buffer for a std::ostream, with the reason kept: std::filebuf may lose errno and never asks the disk.
-class NewFile : public std::streambuf {
+class WINDROW_INTERNAL NewFile : public std::streambuf {
   public:
     /// Opens the part; error() is 0 if that worked. A symbolic link stays, and its target is written.
     explicit NewFile(const std::filesystem::path& name);
@@ -56,15 +57,16 @@ class NewFile : public std::streambuf {
 };
 
 /// The whole file at once. The error names `what` ("picture", "table"), the file and the reason.
-[[nodiscard]] Result<void> write_file(std::string_view what, const std::filesystem::path& file, std::string_view bytes);
+[[nodiscard]] WINDROW_INTERNAL Result<void> write_file(std::string_view what, const std::filesystem::path& file,
+                                                       std::string_view bytes);
 
 /// "no space left on device", or what else an errno means.
-[[nodiscard]] std::string reason_of(int error);
+[[nodiscard]] WINDROW_INTERNAL std::string reason_of(int error);
 
 /// Whether an errno is the machine's fault (disk full or broken, no memory), not the name's.
-[[nodiscard]] bool machine_lacks(int error);
+[[nodiscard]] WINDROW_INTERNAL bool machine_lacks(int error);
 
 /// Removes the parts in a folder whose writers ended without removing them.
-void clear_dead_parts(const std::filesystem::path& folder);
+WINDROW_INTERNAL void clear_dead_parts(const std::filesystem::path& folder);
 
 } // namespace windrow::detail

@@ -6,10 +6,11 @@
 // centres passes through it.
 #pragma once
 
-#include "fluid/motor.h"
-#include "fluid/shapes/height_map.h"
-#include "fluid/shapes/triangle_mesh.h"
-#include "fluid/shapes/voxel_grid.h"
+#include "api.h"
+#include "motor.h"
+#include "shapes/height_map.h"
+#include "shapes/triangle_mesh.h"
+#include "shapes/voxel_grid.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -118,9 +119,9 @@ struct Ground {
 };
 
 /// Rejects a mesh, a grid and heights that are missing, and those of more than 1e6 m.
-void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const MeshShape& shape);
-void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const VoxelShape& shape);
-void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const Ground& shape);
+WINDROW_API void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const MeshShape& shape);
+WINDROW_API void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const VoxelShape& shape);
+WINDROW_API void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const Ground& shape);
 
 using Shape = std::variant<Sphere, Capsule, Block, Cylinder, Plate, MeshShape, VoxelShape, Ground>;
 
@@ -152,7 +153,7 @@ struct Obstacle {
 };
 
 /// All reasons why an obstacle is invalid, one per line.
-[[nodiscard]] Result<void> validate(const Obstacle& obstacle);
+[[nodiscard]] WINDROW_API Result<void> validate(const Obstacle& obstacle);
 
 /// An obstacle as a step sees it, relative to the box's low corner.
 struct PlacedObstacle {
@@ -172,29 +173,30 @@ struct PlacedObstacle {
 namespace detail {
 using windrow::PlacedObstacle;
 
-[[nodiscard]] Result<void> validate_pose(glm::dvec3 position, glm::quat orientation);
+[[nodiscard]] WINDROW_API Result<void> validate_pose(glm::dvec3 position, glm::quat orientation);
 
 /// [m] From a point in the shape's own axes to its surface, negative inside; a plate has no inside. Beyond `most` it may be any
 /// value from `most` on, of the right sign, which takes less time.
-[[nodiscard]] float distance_to(const Shape& shape, glm::vec3 point, float most = std::numeric_limits<float>::infinity());
+[[nodiscard]] WINDROW_API float distance_to(const Shape& shape, glm::vec3 point,
+                                            float most = std::numeric_limits<float>::infinity());
 /// Unit vector out of the shape's surface at a point near it, from distances at `step` [m] on either side; zero where they are equal.
-[[nodiscard]] glm::vec3 normal_at(const Shape& shape, glm::vec3 point, float step);
+[[nodiscard]] WINDROW_API glm::vec3 normal_at(const Shape& shape, glm::vec3 point, float step);
 /// [m] Half the size of the box along the shape's own axes that holds it.
-[[nodiscard]] glm::vec3 half_extent(const Shape& shape);
+[[nodiscard]] WINDROW_API glm::vec3 half_extent(const Shape& shape);
 /// [m] Of the ground under a point in its own axes, and the factor from the height over it to a distance that no point of the surface
 /// is nearer than.
-[[nodiscard]] float height_at(const Ground& ground, glm::vec3 point);
-[[nodiscard]] float nearness(const Ground& ground);
+[[nodiscard]] WINDROW_API float height_at(const Ground& ground, glm::vec3 point);
+[[nodiscard]] WINDROW_API float nearness(const Ground& ground);
 /// Places obstacles as they are `early` [s] before the end of the step.
-void move_back(std::span<PlacedObstacle> obstacles, double early);
+WINDROW_API void move_back(std::span<PlacedObstacle> obstacles, double early);
 /// Whether two shapes are the same, to the bit.
-[[nodiscard]] bool same(const Shape& a, const Shape& b);
+[[nodiscard]] WINDROW_API bool same(const Shape& a, const Shape& b);
 /// A total order by what bodies are, the place first: none precedes the other only where all is equal.
-[[nodiscard]] bool precedes(const PlacedObstacle& a, const PlacedObstacle& b);
+[[nodiscard]] WINDROW_API bool precedes(const PlacedObstacle& a, const PlacedObstacle& b);
 /// [m] Smallest thickness.
-[[nodiscard]] float thickness(const Shape& shape);
+[[nodiscard]] WINDROW_API float thickness(const Shape& shape);
 /// Whether the segment between two points outside, in the shape's own axes, passes through it.
-[[nodiscard]] bool blocks(const Shape& shape, glm::vec3 from, glm::vec3 to);
+[[nodiscard]] WINDROW_API bool blocks(const Shape& shape, glm::vec3 from, glm::vec3 to);
 } // namespace detail
 
 } // namespace windrow

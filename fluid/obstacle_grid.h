@@ -4,7 +4,8 @@
 // reach of a box on each level in use, whatever else is in the world.
 #pragma once
 
-#include "fluid/window.h"
+#include "api.h"
+#include "window.h"
 
 #include <array>
 #include <cmath>
@@ -16,7 +17,7 @@
 
 namespace windrow::detail {
 
-class ObstacleGrid {
+class WINDROW_API ObstacleGrid {
   public:
     /// Makes room for the items 0 to count - 1. Throws std::bad_alloc, and nothing has changed then.
     void reserve(std::size_t count);

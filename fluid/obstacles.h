@@ -7,12 +7,13 @@
 // The effect on the air does not depend on the order in which obstacles were added: those in reach are sorted by what they are.
 #pragma once
 
-#include "fluid/boundaries.h"
-#include "fluid/obstacle.h"
-#include "fluid/obstacle_grid.h"
-#include "fluid/result.h"
-#include "fluid/timed_path.h"
-#include "fluid/window.h"
+#include "api.h"
+#include "boundaries.h"
+#include "obstacle.h"
+#include "obstacle_grid.h"
+#include "result.h"
+#include "timed_path.h"
+#include "window.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -37,7 +38,7 @@ struct ObstacleId {
 
 /// The obstacles of one Wind, at most 16384. A handle that was removed, or that another wind gave, is rejected. The obstacles of a
 /// wind that was loaded keep their handles. Without memory a call fails and the list stays as it was.
-class Obstacles {
+class WINDROW_API Obstacles {
   public:
     static constexpr std::uint32_t k_capacity = 16384;
 

@@ -8,12 +8,13 @@
 //     windrow::project(*work, velocity);
 #pragma once
 
-#include "fluid/box.h"
-#include "fluid/obstacle.h"
-#include "fluid/owned.h"
-#include "fluid/parallel.h"
-#include "fluid/result.h"
-#include "fluid/simd.h"
+#include "api.h"
+#include "box.h"
+#include "obstacle.h"
+#include "owned.h"
+#include "parallel.h"
+#include "result.h"
+#include "simd.h"
 
 #include <cstddef>
 #include <glm/vec3.hpp>
@@ -24,7 +25,7 @@
 namespace windrow {
 
 /// Tables and scratch for one box. Move-only; holds no field. Calls with the same workspace must not overlap in time.
-class Workspace {
+class WINDROW_API Workspace {
   public:
     struct Settings {
         Box box{};
@@ -99,7 +100,7 @@ struct Transport {
 /// result(x) = carried(xd), xd = x - dt/2 (u(x) + (1 + a) u(x0) - a u_old(x0)), x0 = x - dt u(x)   (SETTLS).
 /// Second order in the trajectory, third in space with cubic weights. `result` may be any span but `velocity`; it may be
 /// `velocity_old`. Based on: Hortal 2002, ECMWF Technical Memorandum 292; Staniforth & Cote 1991, Monthly Weather Review 119.
-void advect(Workspace& work, const Transport& transport, std::span<glm::vec4> result);
+WINDROW_API void advect(Workspace& work, const Transport& transport, std::span<glm::vec4> result);
 
 /// A scalar on the same wind: smoke, seeds, a tracer.
 struct ScalarTransport {
@@ -113,7 +114,7 @@ struct ScalarTransport {
     bool clamped = false;
 };
 /// Allocates once, at the first call; an error, with `result` untouched, where memory is missing.
-Result<void> advect(Workspace& work, const ScalarTransport& transport, std::span<float> result);
+WINDROW_API Result<void> advect(Workspace& work, const ScalarTransport& transport, std::span<float> result);
 
 /// Method of diffusion for a viscosity, by r = viscosity * dt / h^2.
 enum class DiffusionMethod : std::uint8_t {
@@ -123,24 +124,24 @@ enum class DiffusionMethod : std::uint8_t {
 };
 template <>
 inline constexpr std::array<const char*, 3> k_words<DiffusionMethod>{"none", "one_pass", "implicit"};
-[[nodiscard]] DiffusionMethod diffusion_method(float viscosity, float dt, float cell_size);
+[[nodiscard]] WINDROW_API DiffusionMethod diffusion_method(float viscosity, float dt, float cell_size);
 
 /// result = field after dt of diffusion with `viscosity` [m^2/s], boundaries as in boundaries.h. First order in time, second in
 /// space. `result` must not overlap `field`; with DiffusionMethod::none it is a copy. Allocates once at the first
 /// implicit call (see reserve_diffusion); an error, with `result` untouched, where memory is missing.
-Result<DiffusionMethod> diffuse(Workspace& work, std::span<const glm::vec4> field, float viscosity, float dt,
-                                std::span<glm::vec4> result);
+WINDROW_API Result<DiffusionMethod> diffuse(Workspace& work, std::span<const glm::vec4> field, float viscosity, float dt,
+                                            std::span<glm::vec4> result);
 /// Allocates the memory of implicit diffusion, so that no later call allocates.
-[[nodiscard]] Result<void> reserve_diffusion(Workspace& work);
+[[nodiscard]] WINDROW_API Result<void> reserve_diffusion(Workspace& work);
 
 /// [1/s] Central divergence at cell centres. Beyond a wall the normal velocity turns its sign; beyond an open boundary it is that
 /// of the cell inside.
-void divergence(Workspace& work, std::span<const glm::vec4> velocity, std::span<float> result);
+WINDROW_API void divergence(Workspace& work, std::span<const glm::vec4> velocity, std::span<float> result);
 
 /// Solves L phi = rhs in place, L the 7-point Laplacian [1/m^2] with phi = 0 at the ghosts' centres beyond open boundaries and
 /// d phi/dn = 0 on walls: direct, by fast diagonalisation. In a box without an open boundary the mean of rhs is dropped and phi
 /// has mean 0. Based on: Lynch, Rice & Thomas 1964, Numerische Mathematik 6.
-void solve_poisson(Workspace& work, std::span<float> rhs_then_phi);
+WINDROW_API void solve_poisson(Workspace& work, std::span<float> rhs_then_phi);
 
 /// velocity -= grad phi with L phi = div velocity - expansion. Collocated, so approximate: the remaining divergence falls as h^2.
 /// The kinetic energy does not grow, except at open boundaries, where waves of a few cells along an edge may gain: 1.065 times at
@@ -148,7 +149,7 @@ void solve_poisson(Workspace& work, std::span<float> rhs_then_phi);
 /// empty, receives grad phi [m/s]. `expansion`, where not empty, is the target divergence [1/s] of volume sources (> 0) and
 /// sinks; in a box without an open boundary its mean is dropped. Around obstacles phi is found by conjugate gradients, to a residual
 /// of 1e-4 at their surfaces; cells inside take the obstacles' own velocity.
-void project(Workspace& work, std::span<glm::vec4> velocity, std::span<glm::vec4> gradient = {},
-             std::span<const float> expansion = {});
+WINDROW_API void project(Workspace& work, std::span<glm::vec4> velocity, std::span<glm::vec4> gradient = {},
+                         std::span<const float> expansion = {});
 
 } // namespace windrow

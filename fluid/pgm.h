@@ -1,6 +1,7 @@
 // Binary PGM pictures (P5) of 8 or 16 bits, which every image program writes: heights, masks.
 #pragma once
 
+#include "fluid/api.h"
 #include "fluid/result.h"
 
 #include <cstddef>
@@ -12,7 +13,7 @@
 namespace windrow::detail {
 
 /// A picture within a file's bytes, which must live longer.
-struct Pgm {
+struct WINDROW_INTERNAL Pgm {
     glm::ivec2 size{0};      ///< pixels
     std::uint32_t white = 1; ///< the highest level; more than 255: two bytes a pixel
     std::string_view bytes{};
@@ -23,6 +24,6 @@ struct Pgm {
 };
 
 /// `name` begins the sentence that says why a file is none. Rejects more than `max_pixels`.
-[[nodiscard]] Result<Pgm> read_pgm(std::string_view bytes, const std::string& name, std::size_t max_pixels);
+[[nodiscard]] WINDROW_INTERNAL Result<Pgm> read_pgm(std::string_view bytes, const std::string& name, std::size_t max_pixels);
 
 } // namespace windrow::detail

@@ -2,6 +2,8 @@
 // No exception crosses the API: a call without memory returns an Error too, and leaves its object unchanged.
 #pragma once
 
+#include "api.h"
+
 #include <concepts>
 #include <string>
 #include <string_view>

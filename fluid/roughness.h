@@ -4,9 +4,10 @@
 //                                        .profile = windrow::LogProfile{}, .roughness = windrow::Roughness{.length = 0.1f}});
 #pragma once
 
-#include "fluid/result.h"
-#include "fluid/setting.h"
-#include "fluid/shapes/height_map.h"
+#include "api.h"
+#include "result.h"
+#include "setting.h"
+#include "shapes/height_map.h"
 
 #include <glm/vec3.hpp>
 #include <memory>
@@ -59,11 +60,11 @@ struct Roughness {
 };
 
 /// All reasons why it is invalid, one per line.
-[[nodiscard]] Result<void> validate(const Roughness& roughness);
+[[nodiscard]] WINDROW_API Result<void> validate(const Roughness& roughness);
 namespace detail {
 class Reasons;
 struct FieldPath;
 } // namespace detail
-void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const RoughnessMap& map);
+WINDROW_API void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const RoughnessMap& map);
 
 } // namespace windrow

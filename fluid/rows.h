@@ -9,8 +9,9 @@
 // x and z keep cells of one size, so that a shift of the box loses nothing.
 #pragma once
 
-#include "fluid/result.h"
-#include "fluid/setting.h"
+#include "api.h"
+#include "result.h"
+#include "setting.h"
 
 #include <memory>
 #include <span>
@@ -53,15 +54,15 @@ struct Rows {
 inline constexpr int k_max_rows = 128;
 
 /// All reasons why they are invalid, one per line.
-[[nodiscard]] Result<void> validate(const Rows& rows);
+[[nodiscard]] WINDROW_API Result<void> validate(const Rows& rows);
 namespace detail {
 class Reasons;
 struct FieldPath;
 } // namespace detail
-void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const Rows& rows);
+WINDROW_API void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const Rows& rows);
 
 /// The rows of one box as numbers. Heights are in m over the low boundary; row j is between faces j and j + 1.
-class RowTable {
+class WINDROW_API RowTable {
   public:
     /// `count` rows in a box of cells of `cell_size` [m] along x and z. Rejects what `validate` does, another number of heights than
     /// rows, fewer than 2 rows or more than k_max_rows, and a top that no ratio from 1 to 1.5 reaches.

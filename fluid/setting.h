@@ -11,6 +11,8 @@
 // declaration, with the default, and its row.
 #pragma once
 
+#include "api.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>

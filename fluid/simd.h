@@ -2,7 +2,8 @@
 // for any number of threads; levels differ by rounding.
 #pragma once
 
-#include "fluid/setting.h"
+#include "api.h"
+#include "setting.h"
 
 #include <cstdint>
 
@@ -21,8 +22,8 @@ template <>
 inline constexpr std::array<const char*, 4> k_words<Simd>{"best", "baseline", "avx2", "avx512"};
 
 /// True if this machine supports a level; `best` always.
-[[nodiscard]] bool runs(Simd level);
+[[nodiscard]] WINDROW_API bool runs(Simd level);
 /// "baseline", "avx2", "avx512"; for `best` the level that it stands for here.
-[[nodiscard]] const char* name_of(Simd level);
+[[nodiscard]] WINDROW_API const char* name_of(Simd level);
 
 } // namespace windrow

@@ -2,6 +2,7 @@
 // filled in later.
 #pragma once
 
+#include "fluid/api.h"
 #include "fluid/wind_core.h"
 
 #include <cstddef>
@@ -45,8 +46,8 @@ struct DeviceSurface {
 
 /// The state of the host now. `fresh`: the cells have no past. The frame before the one shown is written as that one: a device
 /// does not hold its cells. Throws std::bad_alloc.
-[[nodiscard]] SnapshotDraft draft_snapshot(const WindCore& core, bool fresh, const DeviceSurface& surface);
+[[nodiscard]] WINDROW_INTERNAL SnapshotDraft draft_snapshot(const WindCore& core, bool fresh, const DeviceSurface& surface);
 /// The bytes of Wind::save, once all gaps are filled. Throws std::bad_alloc.
-[[nodiscard]] std::vector<std::byte> finish_snapshot(SnapshotDraft&& draft);
+[[nodiscard]] WINDROW_INTERNAL std::vector<std::byte> finish_snapshot(SnapshotDraft&& draft);
 
 } // namespace windrow

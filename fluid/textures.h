@@ -4,9 +4,10 @@
 // Texel (i, j, k) of a texture is the velocity, or its component, of cell (i, j, k) at its centre, x fastest, then y, then z.
 #pragma once
 
-#include "fluid/ambient.h"
-#include "fluid/result.h"
-#include "fluid/rows.h"
+#include "ambient.h"
+#include "api.h"
+#include "result.h"
+#include "rows.h"
 
 #include <array>
 #include <cstdint>
@@ -45,17 +46,17 @@ static_assert(sizeof(WindowBlock) == 144);
 
 /// Nearest half (IEEE binary16) of a float, ties to even; beyond 65504 it is 65504 with the sign, NaN is 0: a texture never holds
 /// infinity.
-[[nodiscard]] std::uint16_t to_half(float value);
+[[nodiscard]] WINDROW_API std::uint16_t to_half(float value);
 /// The float that a half stands for.
-[[nodiscard]] float from_half(std::uint16_t half);
+[[nodiscard]] WINDROW_API float from_half(std::uint16_t half);
 
 /// Copies one component of a field (0 x, 1 y, 2 z) into the caller's memory; sizes must agree.
-void extract_axis(std::span<const glm::vec4> field, int axis, std::span<float> texels);
-void extract_axis(std::span<const glm::vec4> field, int axis, std::span<std::uint16_t> half_texels);
+WINDROW_API void extract_axis(std::span<const glm::vec4> field, int axis, std::span<float> texels);
+WINDROW_API void extract_axis(std::span<const glm::vec4> field, int axis, std::span<std::uint16_t> half_texels);
 
 /// Copies a field into the caller's memory, four numbers a cell: its velocity and 0; sizes must agree.
-void pack_vectors(std::span<const glm::vec4> field, std::span<float> texels);
-void pack_vectors(std::span<const glm::vec4> field, std::span<std::uint16_t> half_texels);
+WINDROW_API void pack_vectors(std::span<const glm::vec4> field, std::span<float> texels);
+WINDROW_API void pack_vectors(std::span<const glm::vec4> field, std::span<std::uint16_t> half_texels);
 
 /// One axis of a window as factors of the coordinate p [m] from the anchor, so that a shader divides nothing.
 struct AxisBlock {
@@ -88,7 +89,7 @@ struct FrameBlock {
 static_assert(sizeof(FrameBlock) == 560 + 512);
 
 /// The block of a window with its places; all of one anchor. `rows`: of a box that has some.
-[[nodiscard]] FrameBlock frame_block(const WindowBlock& window, const AmbientBlock& ambient, const AmbientBlock& previous_ambient,
-                                     const RowTable* rows = nullptr);
+[[nodiscard]] WINDROW_API FrameBlock frame_block(const WindowBlock& window, const AmbientBlock& ambient,
+                                                 const AmbientBlock& previous_ambient, const RowTable* rows = nullptr);
 
 } // namespace windrow

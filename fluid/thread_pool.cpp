@@ -71,7 +71,7 @@ struct alignas(k_cache_line) ShareWord {
 //
 // A loop is written before its ranges open, and the next one when all ranges are used up. A thread that takes from a range has
 // read the loop of that range.
-struct ThreadPool::State {
+struct WINDROW_HIDDEN ThreadPool::State {
     using Task = void (*)(void*, int);
 
     std::mutex turn; ///< held by the thread whose loop runs

@@ -7,13 +7,14 @@
 // another program keeps the cores busy, waiting threads take no time from it.
 #pragma once
 
-#include "fluid/parallel.h"
+#include "api.h"
+#include "parallel.h"
 
 #include <memory>
 
 namespace windrow {
 
-class ThreadPool {
+class WINDROW_API ThreadPool {
   public:
     /// `threads` in all, the caller's included; 0 takes one a core. One starts no thread. Where the system gives fewer (a limit on
     /// processes, no memory), the pool goes on with those: size().

@@ -1,7 +1,8 @@
 // Path of a moving object between two ticks (timed_path.h), as linear segments in time.
 #pragma once
 
-#include "fluid/timed_path.h"
+#include "api.h"
+#include "timed_path.h"
 
 #include <array>
 #include <glm/vec3.hpp>
@@ -9,7 +10,7 @@
 
 namespace windrow {
 
-class Track {
+class WINDROW_API Track {
   public:
     /// Maximal number of segments per tick.
     static constexpr int k_max_segments = TimedPath<glm::dvec3>::k_max_points;

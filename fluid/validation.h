@@ -2,6 +2,7 @@
 // `void check_rules(detail::Reasons&, const detail::FieldPath&, const Struct&)` in the struct's namespace.
 #pragma once
 
+#include "fluid/api.h"
 #include "fluid/message.h"
 #include "fluid/setting.h"
 
@@ -24,37 +25,37 @@ struct FieldPath {
     const FieldPath* owner = nullptr; ///< null: the outermost
     std::string_view name;            ///< empty: its settings are named by themselves; "[2]": an item
 };
-void append(std::string& text, const FieldPath& path);
+WINDROW_INTERNAL void append(std::string& text, const FieldPath& path);
 
 /// Range of a number as text: "0 (never) to 1e9 s".
 struct Bounds {
     Range range;
 };
-void append(std::string& text, const Bounds& bounds);
+WINDROW_INTERNAL void append(std::string& text, const Bounds& bounds);
 
 /// Range of a vector as text: "each component -1e4 to 1e4 m/s".
 struct VectorBounds {
     Range range;
 };
-void append(std::string& text, const VectorBounds& bounds);
+WINDROW_INTERNAL void append(std::string& text, const VectorBounds& bounds);
 
 /// Names of a choice as text: "open, free_slip or periodic".
 struct Choice {
     std::span<const char* const> words;
 };
-void append(std::string& text, const Choice& choice);
+WINDROW_INTERNAL void append(std::string& text, const Choice& choice);
 
 /// A unit behind a number, with a space before it.
 struct Unit {
     std::string_view name;
 };
-void append(std::string& text, const Unit& unit);
+WINDROW_INTERNAL void append(std::string& text, const Unit& unit);
 
 /// A number as a person writes it: 500000, 0.25, 1e6, 1e-9.
 struct Figure {
     double value;
 };
-void append(std::string& text, const Figure& figure);
+WINDROW_INTERNAL void append(std::string& text, const Figure& figure);
 
 template <class T>
 inline constexpr bool k_is_optional = false;

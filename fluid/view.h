@@ -6,10 +6,11 @@
 // Beyond a wall the wind is that at the wall.
 #pragma once
 
-#include "fluid/ambient.h"
-#include "fluid/box.h"
-#include "fluid/textures.h"
-#include "fluid/window.h"
+#include "ambient.h"
+#include "api.h"
+#include "box.h"
+#include "textures.h"
+#include "window.h"
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -26,7 +27,7 @@ struct BlendZone {
 };
 
 /// View of a Wind's own memory: cheap to copy, valid until the next change of the wind.
-class WindView {
+class WINDROW_API WindView {
   public:
     WindView(const Box& box, const Window& window, const BlendZone& blend_zone, const AmbientWind& ambient,
              std::span<const glm::vec4> field)

@@ -1,6 +1,7 @@
 // Place of a world point among the cells of a box, and the wind there: the sampling of a WindView, for cells kept elsewhere too.
 #pragma once
 
+#include "fluid/api.h"
 #include "fluid/view.h"
 
 #include <glm/common.hpp>
@@ -18,8 +19,8 @@ struct ViewPlace {
 };
 
 /// A point that is not finite gets the mean wind.
-[[nodiscard]] ViewPlace place_in(const Box& box, const Window& window, const BlendZone& blend_zone, const AmbientWind& ambient,
-                                 glm::dvec3 position);
+[[nodiscard]] WINDROW_INTERNAL ViewPlace place_in(const Box& box, const Window& window, const BlendZone& blend_zone,
+                                                  const AmbientWind& ambient, glm::dvec3 position);
 
 /// [m/s] Wind at a place, with `cell(i, j, k)` the velocity of a cell.
 template <class Cell>

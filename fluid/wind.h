@@ -10,21 +10,22 @@
 // as exact as the origin. One thread at a time may use a Wind; two Winds have no common state.
 #pragma once
 
-#include "fluid/ambient.h"
-#include "fluid/box.h"
-#include "fluid/canopy.h"
-#include "fluid/diagnostics.h"
-#include "fluid/motors.h"
-#include "fluid/obstacle_force.h"
-#include "fluid/obstacles.h"
-#include "fluid/operators.h"
-#include "fluid/owned.h"
-#include "fluid/parallel.h"
-#include "fluid/result.h"
-#include "fluid/roughness.h"
-#include "fluid/simd.h"
-#include "fluid/textures.h"
-#include "fluid/view.h"
+#include "ambient.h"
+#include "api.h"
+#include "box.h"
+#include "canopy.h"
+#include "diagnostics.h"
+#include "motors.h"
+#include "obstacle_force.h"
+#include "obstacles.h"
+#include "operators.h"
+#include "owned.h"
+#include "parallel.h"
+#include "result.h"
+#include "roughness.h"
+#include "simd.h"
+#include "textures.h"
+#include "view.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -200,8 +201,8 @@ struct Config {
 };
 
 /// All reasons why a config is invalid, one per line.
-[[nodiscard]] Result<void> validate(const Config& config);
-void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const Config& config);
+[[nodiscard]] WINDROW_API Result<void> validate(const Config& config);
+WINDROW_API void check_rules(detail::Reasons& reasons, const detail::FieldPath& path, const Config& config);
 
 /// Result of `advance`.
 struct Advance {
@@ -211,7 +212,7 @@ struct Advance {
     Diagnostics last{};   ///< of the last tick that ran; stepped = false if none did
 };
 
-class Wind {
+class WINDROW_API Wind {
   public:
     [[nodiscard]] static Result<Wind> create(const Config& config);
 

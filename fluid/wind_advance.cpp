@@ -6,6 +6,7 @@
 #include "fluid/message.h"
 #include "fluid/wind_core.h"
 #include "fluid/wind_state.h"
+#include "fluid/zone.h"
 
 #include <algorithm>
 #include <chrono>
@@ -58,6 +59,7 @@ Diagnostics Wind::step(double dt) {
 Advance WindCore::advance(double dt) {
     if (!(dt >= 0.0) || !std::isfinite(dt))
         return {};
+    const detail::Zone zone("windrow advance");
     const double duration = 1.0 / config.ticks.hz, frame = std::min(dt, k_longest_frame);
     if (!has_room({.step = duration, .frames = true}))
         return {.last = {.out_of_memory = true, .times_ms = {}}};
@@ -90,6 +92,7 @@ Diagnostics WindCore::step(double dt) {
         return {};
     if (!has_room({.step = dt}))
         return {.out_of_memory = true, .times_ms = {}};
+    const detail::Zone zone("windrow step");
     double lead = 0.0;
     if (frames) {
         lead = frames->clock.lead;

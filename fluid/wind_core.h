@@ -4,6 +4,7 @@
 // `step` and `advance` are in wind_advance.cpp, from top to bottom; the other calls of a host are in wind_core.cpp.
 #pragma once
 
+#include "fluid/api.h"
 #include "fluid/cell_storage.h"
 #include "fluid/event_log.h"
 #include "fluid/frame_history.h"
@@ -17,7 +18,7 @@
 
 namespace windrow {
 
-class WindCore {
+class WINDROW_INTERNAL WindCore {
   public:
     WindCore(const Config& config, const AmbientWind& ambient, CellStorage& cells);
     WindCore(const WindCore&) = delete;

@@ -6,7 +6,7 @@
 
 namespace windrow {
 
-struct Wind::State {
+struct WINDROW_HIDDEN Wind::State {
     State(const Config& config, Workspace workspace, const AmbientWind& ambient);
 
     WindCore core;

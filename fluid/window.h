@@ -1,8 +1,9 @@
 // Position of the box in the world, in whole cells of 64 bits: exact at any distance.
 #pragma once
 
-#include "fluid/parallel.h"
-#include "fluid/rows.h"
+#include "api.h"
+#include "parallel.h"
+#include "rows.h"
 
 #include <cmath>
 #include <cstdint>
@@ -15,7 +16,7 @@ namespace windrow {
 
 using CellIndex = glm::vec<3, std::int64_t>;
 
-struct Window {
+struct WINDROW_API Window {
     glm::ivec3 cells{0};
     float cell_size = 1.0f;
     /// World cell that cell (0, 0, 0) of the box is; its low corner is at origin_cells * units().
@@ -58,11 +59,11 @@ struct Window {
 };
 
 /// Moves the box by `shift` cells over a field: cell x takes what was at x + shift, cells from outside take `fresh`. In place.
-void shift_field(std::span<glm::vec4> field, glm::ivec3 cells, CellIndex shift, glm::vec4 fresh);
+WINDROW_API void shift_field(std::span<glm::vec4> field, glm::ivec3 cells, CellIndex shift, glm::vec4 fresh);
 /// Moves a box with rows of its own up by some of its lowest rows: the field keeps its heights. Cubic in the row, linear beside the
 /// first and the last; cells from outside take fresh(i, j, k). In place.
-void lift_field(std::span<glm::vec4> field, glm::ivec3 cells, const RowTable& rows, std::int64_t steps,
-                const ParallelFor& parallel_for, const std::function<glm::vec4(int, int, int)>& fresh);
+WINDROW_API void lift_field(std::span<glm::vec4> field, glm::ivec3 cells, const RowTable& rows, std::int64_t steps,
+                            const ParallelFor& parallel_for, const std::function<glm::vec4(int, int, int)>& fresh);
 
 namespace detail {
 /// Origin of shaders' positions: an anchor that is not finite counts as 0.

@@ -1,6 +1,7 @@
 // Position of the box, now and in the last two steps.
 #pragma once
 
+#include "fluid/api.h"
 #include "fluid/view.h"
 #include "fluid/wind.h"
 #include "fluid/window.h"
@@ -22,7 +23,7 @@ namespace detail {
         glm::bvec3(can_follow(boundaries, 0), can_follow(boundaries, 1) && !config.rows, can_follow(boundaries, 2)));
 }
 /// The box of a valid config.
-[[nodiscard]] Box box_of(const Config& config);
+[[nodiscard]] WINDROW_INTERNAL Box box_of(const Config& config);
 } // namespace detail
 
 /// Position of a box, and the point that it follows.

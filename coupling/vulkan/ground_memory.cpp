@@ -34,7 +34,7 @@ VkAccessFlags uses_of(VkPipelineStageFlags stages) {
 
 } // namespace
 
-struct GroundMemory::State {
+struct WINDROW_HIDDEN GroundMemory::State {
     State(std::unique_ptr<Device> lent, const GroundConfig& config) : device(std::move(lent)), host(config) {}
 
     [[nodiscard]] Result<void> make(Texel texel);

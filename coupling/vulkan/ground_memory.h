@@ -10,10 +10,11 @@
 // wait: all work goes into the host's command buffer, to run on one queue in the order of recording.
 #pragma once
 
-#include "coupling/ground_config.h"
-#include "coupling/motion_blocks.h"
-#include "fluid/owned.h"
-#include "fluid/vulkan/wind.h"
+#include "../../fluid/api.h"
+#include "../../fluid/owned.h"
+#include "../../fluid/vulkan/wind.h"
+#include "../ground_config.h"
+#include "../motion_blocks.h"
 
 #include <memory>
 
@@ -26,7 +27,7 @@ struct GroundTexture {
     VkImageView view = VK_NULL_HANDLE;
 };
 
-class GroundMemory {
+class WINDROW_API GroundMemory {
   public:
     /// Makes all buffers, images and pipelines; textures of RGBA16F, or of RGBA32F. Rejects what `validate` rejects, and a device
     /// that lacks something, with the reason. The host's device outlives the memory.

@@ -1,6 +1,8 @@
 // Owned arrays, aligned to a cache line (large ones to a huge page), initially zero.
 #pragma once
 
+#include "fluid/api.h"
+
 #include <cstddef>
 #include <cstring>
 #include <memory>
@@ -8,8 +10,8 @@
 
 namespace windrow::cpu {
 
-[[nodiscard]] void* allocate_aligned(std::size_t bytes);
-void release_aligned(void* memory, std::size_t bytes);
+[[nodiscard]] WINDROW_INTERNAL void* allocate_aligned(std::size_t bytes);
+WINDROW_INTERNAL void release_aligned(void* memory, std::size_t bytes);
 
 /// A fixed-size zeroed array on a 64-byte boundary. Move-only.
 template <class T>

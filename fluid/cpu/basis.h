@@ -9,6 +9,8 @@
 // Based on: Strang 1999, "The discrete cosine transform", SIAM Review 41.
 #pragma once
 
+#include "fluid/api.h"
+
 #include <vector>
 
 namespace windrow::cpu {
@@ -28,7 +30,7 @@ enum class EndRule {
 
 /// Orthonormal eigenvectors, split into even and odd where the ends are alike. In a split basis the `even` modes come first and
 /// act on value[i] + value[n-1-i], i < even_size (the middle cell of an odd n by itself), then the odd ones on the differences.
-struct AxisBasis {
+struct WINDROW_INTERNAL AxisBasis {
     AxisBasis(int count, EndRule low, EndRule high);
 
     int count;

@@ -8,6 +8,7 @@
 // flow of volume sources changes, its potential acts as an impulse.
 #pragma once
 
+#include "fluid/api.h"
 #include "fluid/cpu/solid_flow.h"
 #include "fluid/obstacle_force.h"
 
@@ -19,7 +20,7 @@
 namespace windrow::cpu {
 
 /// `push` in a step of so many seconds.
-[[nodiscard]] ObstacleForce force_of(const Push& push, double duration);
+[[nodiscard]] WINDROW_INTERNAL ObstacleForce force_of(const Push& push, double duration);
 
 class BodyLoads {
   public:

@@ -3,6 +3,7 @@
 // cells.cpp: the operations of the wind's core: set to ambient, move with the box, blend for a frame. step.cpp: a step.
 #pragma once
 
+#include "fluid/api.h"
 #include "fluid/cell_storage.h"
 #include "fluid/cpu/aligned.h"
 #include "fluid/cpu/ambient_field.h"
@@ -80,7 +81,7 @@ class Cells final : public CellStorage {
     /// Marks the cells of the air, and of the tick before, as written.
     void set_held();
     [[nodiscard]] std::size_t memory_bytes() const;
-    [[nodiscard]] SurfaceHistory surface_history() const;
+    [[nodiscard]] WINDROW_INTERNAL SurfaceHistory surface_history() const;
     /// 1 for cells inside obstacles, else 0.
     void write_obstacles(std::span<float> cells) const;
     /// Of cells without obstacles: the next step places them.

@@ -17,7 +17,7 @@ std::span<const glm::vec4> Cells::diffuse(std::span<const glm::vec4> field, floa
     report.diffusion = method;
     if (method == DiffusionMethod::none)
         return field;
-    OuterStopwatch watch(report.times_ms.diffusion, work.state().obstacles_ms);
+    OuterStopwatch watch("windrow diffusion", report.times_ms.diffusion, work.state().obstacles_ms);
     (void)windrow::diffuse(work, field, config_.viscosity, std::exchange(air.undiffused_time, 0.0f), diffused_);
     if (work.state().has_solids() && !layer_) // the mixing reads no cell inside, and extends what it makes
         work.state().solid_flow().extend(diffused_, prescribed());
@@ -28,7 +28,7 @@ std::span<const glm::vec4> Cells::diffuse(std::span<const glm::vec4> field, floa
 std::span<const glm::vec4> Cells::mix(std::span<const glm::vec4> field, float dt, Diagnostics& report) {
     if (!layer_)
         return field;
-    OuterStopwatch watch(report.times_ms.diffusion, work.state().obstacles_ms);
+    OuterStopwatch watch("windrow diffusion", report.times_ms.diffusion, work.state().obstacles_ms);
     Workspace::State& state = work.state();
     layer_->renew(around_, wind_.window(), config_.boundaries, state.has_solids() ? state.solids.get() : nullptr,
                   std::exchange(placed_anew_, false), config_.parallel_for);

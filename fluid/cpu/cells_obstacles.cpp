@@ -15,7 +15,7 @@ namespace windrow::cpu {
 bool Cells::place_obstacles(const CellStep& step, double early, Diagnostics& report) {
     if (!step.obstacles_changed && !place_again_ && !(bodies_move_ && report.substeps > 1))
         return false;
-    Stopwatch watch(report.times_ms.obstacles);
+    Stopwatch watch("windrow obstacles", report.times_ms.obstacles);
     const bool others = step.obstacles_stirred || place_again_;
     const bool placed = detail::memory_lasts([&] {
         cpu::make_room(placed_, step.obstacles.size());
@@ -99,7 +99,7 @@ double Cells::volume_of(std::uint32_t cell) const {
 
 // Without work the energy of a closed room does not grow. What the pressure's residual leaves at its walls would add some.
 void Cells::bound_rooms(std::span<const glm::vec4> before, std::span<glm::vec4> after) {
-    const Stopwatch watch(work.state().obstacles_ms);
+    const Stopwatch watch("windrow obstacles", work.state().obstacles_ms);
     for_each_room([&](std::span<const std::uint32_t> room) {
         if (worked_on(room))
             return;
@@ -140,7 +140,7 @@ void Cells::project_around(std::span<glm::vec4> velocity, const Workspace::State
         return;
     report.pressure_residual = around.residual;
     report.pressure_solves = around.solved;
-    const Stopwatch watch(work.state().obstacles_ms);
+    const Stopwatch watch("windrow obstacles", work.state().obstacles_ms);
     const bool has_history = !note.field.empty();
     loads.add(work.state().solid_flow(), work.state().potential.data(), has_history ? guess_scale : 0.0f, note.weight, note.kept);
 }
@@ -210,7 +210,7 @@ void Cells::project_sources(const FreeAir* beyond) {
 void Cells::extend_into_bodies() {
     if (!work.state().has_solids())
         return;
-    const Stopwatch watch(work.state().obstacles_ms);
+    const Stopwatch watch("windrow obstacles", work.state().obstacles_ms);
     const SolidFlow flow = work.state().solid_flow();
     if (air.fresh)
         flow.extend(air.velocity, {});

@@ -34,7 +34,7 @@ void diffuse_once(Workspace::State& state, std::span<const glm::vec4> field, flo
     state.parallel_for(state.box.cells.z, [&](int plane) { state.kernels->diffuse_plane(task, plane); });
     if (!state.has_solids())
         return;
-    const cpu::Stopwatch watch(state.obstacles_ms);
+    const cpu::Stopwatch watch("windrow obstacles", state.obstacles_ms);
     state.solid_flow().close_diffusion(field, {.ambient = state.given.now}, ratio, result);
 }
 
@@ -104,7 +104,7 @@ Result<DiffusionMethod> diffuse(Workspace& work, std::span<const glm::vec4> fiel
             return Error{room.error()};
         if (state.has_solids()) { // a component is read whole before it is written
             std::copy(field.begin(), field.end(), result.begin());
-            const cpu::Stopwatch watch(state.obstacles_ms);
+            const cpu::Stopwatch watch("windrow obstacles", state.obstacles_ms);
             state.solid_flow().drag_along_walls({.ambient = state.given.now}, ratio, result);
             field = result;
         }

@@ -130,7 +130,7 @@ void Workspace::State::solve_around(std::span<const glm::vec4> velocity, SolidSo
             return cells[n].shut ? 0.0 : value * value;
         }));
     };
-    std::optional<cpu::Stopwatch> watch(std::in_place, obstacles_ms);
+    std::optional<cpu::Stopwatch> watch(std::in_place, "windrow obstacles", obstacles_ms);
     const float guess = around.guess_scale;
     flow.close_divergence(velocity, around.given, around.bodies_move, solid_terms, guess, potential.data(), masked_terms);
     const double wanted = norm([&](std::size_t n) {
@@ -138,7 +138,7 @@ void Workspace::State::solve_around(std::span<const glm::vec4> velocity, SolidSo
     });
     watch.reset();
     pressure.solve(potential.data(), scratch.data(), parallel_for);
-    watch.emplace(obstacles_ms);
+    watch.emplace("windrow obstacles", obstacles_ms);
     flow.find_residual(potential.data(), solid_terms, guess, closed_slopes, residual_terms);
     const auto residual = [&] { return norm([&](std::size_t n) { return residual_terms[n]; }); };
 
@@ -179,7 +179,7 @@ void Workspace::State::solve_around(std::span<const glm::vec4> velocity, SolidSo
         left = residual();
         ++around.solved;
     }
-    watch.emplace(obstacles_ms);
+    watch.emplace("windrow obstacles", obstacles_ms);
     if (searched)
         flow.closed_slopes(potential.data(), closed_slopes);
     around.residual = wanted > 0.0 ? static_cast<float>(left / wanted) : 0.0f;
@@ -261,7 +261,7 @@ void Workspace::State::project(std::span<glm::vec4> velocity, std::span<const fl
     task.kept = note.kept;
     parallel_for(box.cells.z, [&](int plane) { kernels->gradient_plane(task, plane); });
     if (has_solids()) {
-        const cpu::Stopwatch watch(obstacles_ms);
+        const cpu::Stopwatch watch("windrow obstacles", obstacles_ms);
         solid_flow().open_gradient(closed_slopes, velocity, note.field, note.weight);
         solid_flow().hold_bodies((around != nullptr ? *around : alone).given, around == nullptr || around->bodies_move, velocity);
     }

@@ -17,6 +17,7 @@
 //   block    [cells.z][cells.y + 1][k_lanes], then one line of each mode: [cells.z][k_lanes]
 #pragma once
 
+#include "fluid/api.h"
 #include "fluid/cpu/aligned.h"
 #include "fluid/cpu/basis.h"
 #include "fluid/cpu/kernels/kernels.h"
@@ -48,7 +49,7 @@ namespace windrow::cpu {
 //
 // is symmetric. With p = s x, s[0] = c[1]^(-1/2), s[j+1] = 1 / (c[j+1] s[j]), and the row times s, the off-diagonals are 1 again:
 // the right-hand side is s e d, and b = s^2 (e lambda - c[j] - c[j+1]).
-struct ColumnRows {
+struct WINDROW_INTERNAL ColumnRows {
     ColumnRows() = default;
     explicit ColumnRows(const RowTable& rows, double cell_size);
 
@@ -60,8 +61,8 @@ struct ColumnRows {
 
 /// Fills `pivot`, one a row; for a periodic column `vector` too, one a row, and the factors on the first and the last row by
 /// which it is taken off. `base` is -2 plus the eigenvalues of the other axes, less the shift. `rows`: empty where all are equal.
-void factor_column(double base, const std::array<EndRule, 2>& ends, const ColumnRows& rows, std::span<double> pivot,
-                   std::span<double> vector, std::array<double, 2>& factors);
+WINDROW_INTERNAL void factor_column(double base, const std::array<EndRule, 2>& ends, const ColumnRows& rows,
+                                    std::span<double> pivot, std::span<double> vector, std::array<double, 2>& factors);
 
 class SeparableSolver {
   public:

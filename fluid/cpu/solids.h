@@ -19,6 +19,7 @@
 // there, so a box that moves reads lists and computes no distance, except those of bodies that come into reach.
 #pragma once
 
+#include "fluid/api.h"
 #include "fluid/box.h"
 #include "fluid/obstacle.h"
 #include "fluid/parallel.h"
@@ -95,11 +96,11 @@ class Solids {
         [[nodiscard]] glm::vec3 slipping(glm::vec3 u, float across) const { return u + (across - glm::dot(u, normal)) * normal; }
     };
 
-    Solids(const Box& box, int pitch);
+    WINDROW_INTERNAL Solids(const Box& box, int pitch);
     [[nodiscard]] const Boundaries& boundaries() const { return box_.boundaries; }
 
     /// Replaces all obstacles. `shift`: cells by which the box has moved since the last call.
-    void place(std::span<const PlacedObstacle> obstacles, glm::ivec3 shift = glm::ivec3(0));
+    WINDROW_INTERNAL void place(std::span<const PlacedObstacle> obstacles, glm::ivec3 shift = glm::ivec3(0));
     [[nodiscard]] bool any() const { return !faces_.empty() || !inside_.empty(); }
 
     [[nodiscard]] std::span<const ClosedFace> faces() const { return faces_; }
@@ -157,17 +158,18 @@ class Solids {
     [[nodiscard]] bool beside_moving(std::uint32_t cell) const;
 
     /// Names of the closed faces: 4 times the low cell, plus the axis; sorted, as the faces are.
-    void name_faces(std::vector<std::uint32_t>& names) const;
+    WINDROW_INTERNAL void name_faces(std::vector<std::uint32_t>& names) const;
     /// Which of the faces with the names `before`, of another placement, each face was; -1: none. `shift`: cells by which the box has
     /// moved since. Of a moving body that closes a new face none was there: the step gives the air that it meets an impulse, to which
     /// the pressure of the last step is no guide.
-    void find_origins(std::span<const std::uint32_t> before, glm::ivec3 shift, std::vector<std::int32_t>& origins);
+    WINDROW_INTERNAL void find_origins(std::span<const std::uint32_t> before, glm::ivec3 shift,
+                                       std::vector<std::int32_t>& origins);
 
-    [[nodiscard]] glm::ivec3 place_of(std::uint32_t cell) const;
+    [[nodiscard]] WINDROW_INTERNAL glm::ivec3 place_of(std::uint32_t cell) const;
     /// The neighbour toward the low end of an axis; false where there is none.
-    [[nodiscard]] bool low_neighbour(std::uint32_t cell, int axis, std::uint32_t& low) const;
+    [[nodiscard]] WINDROW_INTERNAL bool low_neighbour(std::uint32_t cell, int axis, std::uint32_t& low) const;
     /// Whether the box has taken in a cell, or what is beside it, as it moved by `shift`.
-    [[nodiscard]] bool came_in(std::uint32_t cell, glm::ivec3 shift) const;
+    [[nodiscard]] WINDROW_INTERNAL bool came_in(std::uint32_t cell, glm::ivec3 shift) const;
     /// Bodies that were drawn, not taken from the last call, by the last call.
     [[nodiscard]] int drawn() const { return drawn_; }
     [[nodiscard]] std::size_t memory_bytes() const;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fluid/ambient_numerics.h"
+#include "fluid/api.h"
 #include "fluid/box.h"
 #include "fluid/cpu/aligned.h"
 #include "fluid/cpu/solids.h"
@@ -16,7 +17,7 @@ namespace windrow::cpu {
 
 /// Result of the motors for the step: the acceleration f of forces, the target velocities of drives, the divergence S of volume
 /// sources. Rows that no motor reaches are unset and never read.
-class SourceField {
+class WINDROW_INTERNAL SourceField {
   public:
     explicit SourceField(glm::ivec3 cells);
 

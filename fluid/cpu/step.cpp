@@ -222,20 +222,20 @@ void Cells::perform(float dt, Diagnostics& report) {
         transport.history = air.history;
         acting.depart(departing, transport.history_scale, air.history);
         if (work.state().has_solids()) { // a read beside a body finds air that is pushed too
-            const Stopwatch watch(work.state().obstacles_ms);
+            const Stopwatch watch("windrow obstacles", work.state().obstacles_ms);
             work.state().solid_flow().extend_history(air.history);
         }
     }
     const std::span<glm::vec4> arrived = air.velocity_old;
     {
-        OuterStopwatch watch(report.times_ms.advection, work.state().obstacles_ms);
+        OuterStopwatch watch("windrow advection", report.times_ms.advection, work.state().obstacles_ms);
         windrow::advect(work, transport, arrived);
     }
     carry_gusts();
     if (acting.any())
         acting.arrive(given, transport.history_scale, air.history, arrived);
     {
-        OuterStopwatch watch(report.times_ms.projection, work.state().obstacles_ms);
+        OuterStopwatch watch("windrow projection", report.times_ms.projection, work.state().obstacles_ms);
         if (config_.stages.projection)
             project_around(arrived, {.field = air.history, .weight = past.weight, .kept = past.kept}, past.scale, report);
         else
@@ -258,12 +258,12 @@ void Cells::advance_stable_fluids(float dt, Diagnostics& report) {
         .carried = carried, .velocity = air.velocity, .extrapolation = 0.0f, .dt = dt, .interpolation = config_.interpolation};
     transport.relaxation = relaxation(config_, dt);
     {
-        OuterStopwatch watch(report.times_ms.advection, work.state().obstacles_ms);
+        OuterStopwatch watch("windrow advection", report.times_ms.advection, work.state().obstacles_ms);
         windrow::advect(work, transport, air.velocity_old);
     }
     carry_gusts();
     if (config_.stages.projection) {
-        OuterStopwatch watch(report.times_ms.projection, work.state().obstacles_ms);
+        OuterStopwatch watch("windrow projection", report.times_ms.projection, work.state().obstacles_ms);
         project_around(air.velocity_old, {}, 1.0f, report);
     }
     add_given_flow(air.velocity_old, 1.0f);
@@ -286,7 +286,7 @@ void Cells::advance_in_place(float dt, Diagnostics& report) {
         });
     carry_gusts();
     if (config_.stages.projection) {
-        OuterStopwatch watch(report.times_ms.projection, work.state().obstacles_ms);
+        OuterStopwatch watch("windrow projection", report.times_ms.projection, work.state().obstacles_ms);
         project_around(air.velocity, {}, 1.0f, report);
     }
     add_given_flow(air.velocity, 1.0f);
@@ -295,7 +295,7 @@ void Cells::advance_in_place(float dt, Diagnostics& report) {
 
 // `other_obstacles`: they were placed anew in this step.
 void Cells::add_sources(const CellStep& step, bool other_obstacles, Diagnostics& report) {
-    OuterStopwatch watch(report.times_ms.sources, work.state().obstacles_ms);
+    OuterStopwatch watch("windrow sources", report.times_ms.sources, work.state().obstacles_ms);
     const glm::vec4* const eddies = step.tile ? step.tile->texels().data() : nullptr;
     // Bodies that move are placed with the sub-step, and until then are where the box has left.
     sources.gather(step.motors, box(), air.velocity, {eddies}, config_.parallel_for,
@@ -331,7 +331,7 @@ void Cells::act_whole(float dt) {
 }
 
 void Cells::foresee_gusts(Diagnostics& report) {
-    Stopwatch watch(report.times_ms.ambient);
+    Stopwatch watch("windrow ambient", report.times_ms.ambient);
     AmbientWind next = around_;
     next.set_phase(next_phase_);
     ambient_next_.fill(next, wind_.window(), config_.parallel_for);
@@ -373,7 +373,7 @@ std::span<const glm::vec4> Cells::without_given_flow() {
     std::copy_n(air.velocity.data(), air.velocity.size(), solved.data());
     add_given_flow(solved, -1.0f);
     if (work.state().has_solids()) {
-        const Stopwatch watch(work.state().obstacles_ms);
+        const Stopwatch watch("windrow obstacles", work.state().obstacles_ms);
         work.state().solid_flow().extend(solved, prescribed());
     }
     return solved;
@@ -388,7 +388,7 @@ void Cells::add_given_flow(std::span<glm::vec4> field, float factor) {
 
 // The guard reads every cell before anything spreads it; the CFL number is taken after the sources, in the largest component.
 void Cells::limit_speeds(float dt, Diagnostics& report) {
-    Stopwatch watch(report.times_ms.sources);
+    Stopwatch watch("windrow sources", report.times_ms.sources);
     PlaneSurvey found = work.state().survey(&air.velocity[0].x);
     if (found.nonfinite_cells > 0) {
         repair_cells();
@@ -442,14 +442,14 @@ void Cells::repair_cells() {
 
 void Cells::measure(Diagnostics& report) {
     hold_air_alone(config_.parallel_for);
-    OuterStopwatch watch(report.times_ms.report, work.state().obstacles_ms);
+    OuterStopwatch watch("windrow report", report.times_ms.report, work.state().obstacles_ms);
     Workspace::State& state = work.state();
     const float h = box().cell_size;
     const float* const velocity = &air.velocity[0].x;
     PlaneSurvey found =
         config_.stages.projection ? state.survey_with_divergence(velocity, sources.expansion()) : state.survey(velocity);
     if (state.has_solids()) {
-        const Stopwatch at_bodies(state.obstacles_ms);
+        const Stopwatch at_bodies("windrow obstacles", state.obstacles_ms);
         const double more = state.solid_flow().correct_divergence(air.velocity, sources.expansion(), state.residual_terms);
         found.divergence_squares = std::max(found.divergence_squares + more, 0.0);
     }

@@ -15,6 +15,7 @@
 #pragma once
 
 #include "fluid/ambient.h"
+#include "fluid/api.h"
 #include "fluid/box.h"
 #include "fluid/cpu/solids.h"
 #include "fluid/parallel.h"
@@ -27,7 +28,7 @@
 
 namespace windrow::cpu {
 
-class SurfaceLayer {
+class WINDROW_INTERNAL SurfaceLayer {
   public:
     SurfaceLayer(const Box& box, const Roughness& roughness);
 

@@ -317,7 +317,7 @@ float Workspace::State::fastest_by_rows(const float* velocity) const {
 void Workspace::State::advect_beside_thin_bodies(const cpu::AdvectTask& task, bool scalar, bool cubic) {
     if (!has_solids())
         return;
-    const cpu::Stopwatch watch(obstacles_ms);
+    const cpu::Stopwatch watch("windrow obstacles", obstacles_ms);
     const auto advect = [&](std::span<const std::uint32_t> cells, bool rooms) {
         constexpr std::size_t k_chunk = 64;
         const ThinReader reader(*this, task, rooms);

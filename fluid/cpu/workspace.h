@@ -18,7 +18,7 @@ namespace cpu {
 class FreeAir;
 }
 
-struct Workspace::State {
+struct WINDROW_HIDDEN Workspace::State {
     using Rules = std::array<std::vector<cpu::HaloRule>, 3>;
 
     State(const Settings& settings, const cpu::Kernels& kernels);

@@ -10,8 +10,9 @@
 // shaders: shaders/numerics/height_grid.glsl.
 #pragma once
 
-#include "fluid/height_grid.h"
-#include "fluid/result.h"
+#include "../api.h"
+#include "../height_grid.h"
+#include "../result.h"
 
 #include <compare>
 #include <cstddef>
@@ -31,7 +32,7 @@ struct HeightData {
     friend bool operator==(const HeightData&, const HeightData&) = default;
 };
 
-class HeightMap {
+class WINDROW_API HeightMap {
   public:
     using Data = HeightData;
 

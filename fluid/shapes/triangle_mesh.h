@@ -9,7 +9,8 @@
 // whether triangles face outward or inward, as long as neighbours agree.
 #pragma once
 
-#include "fluid/result.h"
+#include "../api.h"
+#include "../result.h"
 
 #include <compare>
 #include <cstddef>
@@ -33,7 +34,7 @@ struct MeshData {
     friend bool operator==(const MeshData&, const MeshData&) = default;
 };
 
-class TriangleMesh {
+class WINDROW_API TriangleMesh {
   public:
     using Data = MeshData;
 

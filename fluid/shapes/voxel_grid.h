@@ -8,7 +8,8 @@
 // outside, to the nearest open cell, or out of the grid, from inside.
 #pragma once
 
-#include "fluid/result.h"
+#include "../api.h"
+#include "../result.h"
 
 #include <compare>
 #include <cstddef>
@@ -27,7 +28,7 @@ struct VoxelData {
     friend bool operator==(const VoxelData&, const VoxelData&) = default;
 };
 
-class VoxelGrid {
+class WINDROW_API VoxelGrid {
   public:
     using Data = VoxelData;
 

@@ -12,6 +12,7 @@
 
 #include "fluid/message.h"
 #include "fluid/new_file.h"
+#include "fluid/version.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -229,7 +230,7 @@ openvdb::GridPtrVec grids_of(const VelocityGrid& given, const Options& options) 
         grids.back()->setName(k_obstacle_grid);
     }
     for (const auto& grid : grids) {
-        grid->setCreator("windrow " WINDROW_VERSION);
+        grid->setCreator("windrow " WINDROW_VERSION_STRING);
         grid->setSaveFloatAsHalf(options.precision == Precision::half);
         grid->insertMeta("windrow_time", openvdb::DoubleMetadata(options.time));
         grid->insertMeta("windrow_frame", openvdb::Int32Metadata(options.frame));

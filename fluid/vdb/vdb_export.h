@@ -9,8 +9,9 @@
 // that OpenVDB gives each file. Different files may be written by different threads at once.
 #pragma once
 
-#include "fluid/box.h"
-#include "fluid/result.h"
+#include "../api.h"
+#include "../box.h"
+#include "../result.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -52,7 +53,7 @@ inline constexpr const char* k_obstacle_grid = "obstacle";
 
 namespace detail {
 /// Makes room for `obstacle`; false without memory.
-[[nodiscard]] bool make_obstacle_room(VelocityGrid& grid);
+[[nodiscard]] WINDROW_API bool make_obstacle_room(VelocityGrid& grid);
 } // namespace detail
 
 /// The air of a Wind, or of anything that has box(), origin(), field() and ambient(). Good until its next step. With the cells
@@ -124,13 +125,13 @@ class [[nodiscard]] WriteResult : public Result<void> {
 /// Writes one file, all cells active, also where the wind is uniform. Cell (0, 0, 0) is voxel (0, 0, 0), its centre where the
 /// voxel's is; with UpAxis::z cell (i, j, k) is voxel (i, cells.z - 1 - k, j). Folders are not made. The error lists every
 /// reason, one per line.
-WriteResult write(const VelocityGrid& grid, const std::filesystem::path& file, const Options& options = {});
+WINDROW_API WriteResult write(const VelocityGrid& grid, const std::filesystem::path& file, const Options& options = {});
 
 /// Names the frames of a sequence: folder / prefix 0001 .vdb, as Blender and Houdini ($F4) number theirs.
 ///
 ///     const windrow::vdb::Sequence sequence{.folder = "out", .options = {.up = windrow::vdb::UpAxis::z}};
 ///     sequence.write(windrow::vdb::grid_of(wind), frame, time);
-struct Sequence {
+struct WINDROW_API Sequence {
     /// Folder of the files; must exist. Default: the current folder.
     std::filesystem::path folder{};
     /// Begins each file's name. Without '/' and control characters, and not ending in a digit, which would run into the number.

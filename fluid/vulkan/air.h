@@ -16,6 +16,7 @@
 // flight use.
 #pragma once
 
+#include "fluid/api.h"
 #include "fluid/cell_storage.h"
 #include "fluid/cpu/body_loads.h"
 #include "fluid/cpu/surface_layer.h"
@@ -123,7 +124,7 @@ class Air {
 
     // --- Reading -------------------------------------------------------------------------------------------------------
     /// Bytes of a slot: the report, then what is read.
-    [[nodiscard]] static VkDeviceSize slot_bytes(const Reads& reads);
+    [[nodiscard]] WINDROW_INTERNAL static VkDeviceSize slot_bytes(const Reads& reads);
     [[nodiscard]] const Reads& reads() const { return settings_.reads; }
     [[nodiscard]] const Buffer& slot(int slot) const { return fields_.slots[static_cast<std::size_t>(slot)]; }
     [[nodiscard]] AirReport report(int slot) const;

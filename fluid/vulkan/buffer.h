@@ -1,6 +1,7 @@
 // A storage buffer and its memory.
 #pragma once
 
+#include "fluid/api.h"
 #include "fluid/vulkan/handle.h"
 #include "fluid/vulkan/memory.h"
 
@@ -19,7 +20,7 @@ enum class MemoryUse {
 };
 
 /// Move-only. A storage buffer that copies can read and write; indirect dispatches too.
-class Buffer {
+class WINDROW_INTERNAL Buffer {
   public:
     /// Empty.
     Buffer() = default;

@@ -1,6 +1,7 @@
 // Descriptor sets of the passes, written once.
 #pragma once
 
+#include "fluid/api.h"
 #include "fluid/vulkan/handle.h"
 
 #include <cstddef>
@@ -22,7 +23,7 @@ struct Binding {
 
 /// Move-only. Descriptor sets, all made and written at once: ordinary ones, since GPU-assisted validation takes push descriptors
 /// amiss.
-class Sets {
+class WINDROW_INTERNAL Sets {
   public:
     /// Empty.
     Sets() = default;

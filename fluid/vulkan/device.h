@@ -1,6 +1,7 @@
 // The host's device as the rest of the backend uses it: calls, limits, memory, and the objects that free themselves.
 #pragma once
 
+#include "fluid/api.h"
 #include "fluid/vulkan/buffer.h"
 #include "fluid/vulkan/descriptor_sets.h"
 #include "fluid/vulkan/functions.h"
@@ -17,7 +18,7 @@
 namespace windrow::vulkan {
 
 /// One for each Wind. Outlives the objects of the headers above.
-class Device {
+class WINDROW_INTERNAL Device {
   public:
     /// Checks the host's device (host.h) and fills the calls.
     [[nodiscard]] static Result<std::unique_ptr<Device>> create(const Host& host);

@@ -2,6 +2,7 @@
 // of a failed call.
 #pragma once
 
+#include "fluid/api.h"
 #include "fluid/result.h"
 #include "fluid/vulkan/host.h"
 
@@ -81,10 +82,10 @@ struct Functions {
 };
 
 /// Fills the table for a device; names every function that is missing.
-[[nodiscard]] Result<Functions> load_functions(const Host& host);
+[[nodiscard]] WINDROW_INTERNAL Result<Functions> load_functions(const Host& host);
 
 /// Of a call that failed: "vkCreateBuffer for a buffer of 64 bytes returned VK_ERROR_OUT_OF_HOST_MEMORY: free host memory or use
 /// a smaller box."
-[[nodiscard]] Error call_error(std::string_view function, std::string_view what, VkResult result);
+[[nodiscard]] WINDROW_INTERNAL Error call_error(std::string_view function, std::string_view what, VkResult result);
 
 } // namespace windrow::vulkan

@@ -2,7 +2,8 @@
 // only functions from the host's vkGetInstanceProcAddr, no symbol of the loader.
 #pragma once
 
-#include "fluid/result.h"
+#include "../api.h"
+#include "../result.h"
 
 #include <cstdint>
 #include <functional>
@@ -80,7 +81,7 @@ struct Requirements {
     std::uint32_t storage_buffers = 12; ///< maxPerStageDescriptorStorageBuffers
     std::uint32_t storage_images = 4;   ///< maxPerStageDescriptorStorageImages
 };
-[[nodiscard]] Requirements requirements();
+[[nodiscard]] WINDROW_API Requirements requirements();
 
 /// Usage of the images of the wind, which their formats must support.
 inline constexpr VkImageUsageFlags k_image_usage =
@@ -88,10 +89,10 @@ inline constexpr VkImageUsageFlags k_image_usage =
 
 /// All reasons why a physical device cannot run the wind, one per line: version, limits, features,
 /// formats. `get_instance_proc_addr` as in Host.
-[[nodiscard]] Result<void> check(VkInstance instance, VkPhysicalDevice physical_device,
-                                 PFN_vkGetInstanceProcAddr get_instance_proc_addr);
+[[nodiscard]] WINDROW_API Result<void> check(VkInstance instance, VkPhysicalDevice physical_device,
+                                             PFN_vkGetInstanceProcAddr get_instance_proc_addr);
 
 /// Name of a VkResult, for messages.
-[[nodiscard]] const char* name_of(VkResult result);
+[[nodiscard]] WINDROW_API const char* name_of(VkResult result);
 
 } // namespace windrow::vulkan

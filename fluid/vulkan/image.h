@@ -1,6 +1,7 @@
 // A 3D image, its view and its memory.
 #pragma once
 
+#include "fluid/api.h"
 #include "fluid/vulkan/handle.h"
 #include "fluid/vulkan/memory.h"
 
@@ -10,7 +11,7 @@ class Device;
 
 /// Move-only. A 3D image with its view: storage, sampled, copied from and to; the host's shaders read it on the queue families
 /// that Host names.
-class Image3D {
+class WINDROW_INTERNAL Image3D {
   public:
     /// Empty.
     Image3D() = default;

@@ -1,6 +1,7 @@
 // An instance, made with the system's Vulkan loader or with another's calls.
 #pragma once
 
+#include "fluid/api.h"
 #include "fluid/result.h"
 #include "fluid/vulkan/loader.h"
 
@@ -35,7 +36,7 @@ template <class Properties, std::size_t length, class Enumerate>
                        [&](const Properties& each) { return std::strcmp(each.*field, name) == 0; });
 }
 
-class Instance {
+class WINDROW_INTERNAL Instance {
   public:
     /// `on_message` is called for each message of the validation layer, from whatever thread made the faulty call. All calls come
     /// from `calls`; null: the system's loader is opened. Drivers over another API (VK_KHR_portability_enumeration) are listed.

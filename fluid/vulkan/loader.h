@@ -2,6 +2,7 @@
 // .cpp calls the operating system.
 #pragma once
 
+#include "fluid/api.h"
 #include "fluid/result.h"
 
 #include <span>
@@ -11,7 +12,7 @@
 namespace windrow::vulkan {
 
 /// Move-only. Closes the library at its end.
-class Loader {
+class WINDROW_INTERNAL Loader {
   public:
     /// Closed.
     Loader() = default;

@@ -65,7 +65,7 @@ std::string kind_of(VkMemoryPropertyFlags wanted) {
 
 } // namespace
 
-struct Memory::State {
+struct WINDROW_HIDDEN Memory::State {
     Host host;
     Functions functions;
     VkPhysicalDeviceMemoryProperties properties{};

@@ -1,6 +1,7 @@
 // Device memory allocator: a few large blocks, divided, since a driver allows only some thousand allocations.
 #pragma once
 
+#include "fluid/api.h"
 #include "fluid/result.h"
 #include "fluid/vulkan/functions.h"
 
@@ -10,7 +11,7 @@
 namespace windrow::vulkan {
 
 /// Gives memory and takes it back; through the host's callbacks where it has them. All of it is freed on destruction.
-class Memory {
+class WINDROW_INTERNAL Memory {
   public:
     Memory(const Host& host, const Functions& functions);
     ~Memory();

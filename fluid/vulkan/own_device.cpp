@@ -176,7 +176,7 @@ VkPhysicalDeviceFeatures features_for(const Instance& instance, VkPhysicalDevice
 
 } // namespace
 
-struct OwnDevice::State {
+struct WINDROW_HIDDEN OwnDevice::State {
     std::unique_ptr<Instance> instance{}; // destroyed last
     FoundDevice chosen{};
     std::uint32_t family = 0;

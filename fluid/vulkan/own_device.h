@@ -4,8 +4,9 @@
 // Drivers over another API, such as MoltenVK, are listed too. This is the library windrow::vulkan_loader.
 #pragma once
 
-#include "fluid/result.h"
-#include "fluid/vulkan/host.h"
+#include "../api.h"
+#include "../result.h"
+#include "host.h"
 
 #include <functional>
 #include <memory>
@@ -23,12 +24,12 @@ struct DeviceFacts {
 };
 
 /// The devices of this machine, in the driver's order; an error where there is no loader, no driver or no device.
-[[nodiscard]] Result<std::vector<DeviceFacts>> list_devices();
+[[nodiscard]] WINDROW_API Result<std::vector<DeviceFacts>> list_devices();
 
 /// True if this machine has the validation layer of OwnDevice::Settings::validation.
-[[nodiscard]] bool has_validation_layer();
+[[nodiscard]] WINDROW_API bool has_validation_layer();
 
-class OwnDevice {
+class WINDROW_API OwnDevice {
   public:
     struct Settings {
         int device = -1;         ///< index in list_devices(); -1: the first hardware device, else the first

@@ -1,6 +1,7 @@
 // The passes of a tick: pipelines with their bindings and work group counts.
 #pragma once
 
+#include "fluid/api.h"
 #include "fluid/operators.h"
 #include "fluid/vulkan/blocks.h"
 #include "fluid/vulkan/fields.h"
@@ -59,7 +60,7 @@ inline constexpr std::size_t k_passes = static_cast<std::size_t>(Pass::count);
     return pass == Pass::report || pass == Pass::read_cells || pass == Pass::read_points;
 }
 /// As above: "modes_forward".
-[[nodiscard]] const char* name_of(Pass pass);
+[[nodiscard]] WINDROW_INTERNAL const char* name_of(Pass pass);
 
 /// Push constants of any pass: one of the structs for them in blocks.glsl.
 class Push {

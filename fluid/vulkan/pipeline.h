@@ -1,6 +1,7 @@
 // Pipeline layouts of one descriptor set, and compute pipelines.
 #pragma once
 
+#include "fluid/api.h"
 #include "fluid/vulkan/handle.h"
 
 #include <cstdint>
@@ -13,7 +14,7 @@ namespace windrow::vulkan {
 class Device;
 
 /// Move-only. The layout of set 0 and of the pipelines that bind it, with one range of push constants.
-class PipelineLayout {
+class WINDROW_INTERNAL PipelineLayout {
   public:
     /// Empty.
     PipelineLayout() = default;
@@ -32,11 +33,11 @@ class PipelineLayout {
 };
 
 /// Bindings 0, 1, 2 ... of these kinds, one descriptor each.
-[[nodiscard]] std::vector<VkDescriptorSetLayoutBinding> bindings_of(std::span<const VkDescriptorType> kinds,
-                                                                    VkShaderStageFlags stages);
+[[nodiscard]] WINDROW_INTERNAL std::vector<VkDescriptorSetLayoutBinding> bindings_of(std::span<const VkDescriptorType> kinds,
+                                                                                     VkShaderStageFlags stages);
 
 /// Move-only. A compute pipeline and its layout.
-class Pipeline : public PipelineLayout {
+class WINDROW_INTERNAL Pipeline : public PipelineLayout {
   public:
     struct Description {
         std::span<const std::uint32_t> code;        ///< SPIR-V, embedded at build time

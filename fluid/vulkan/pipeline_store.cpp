@@ -26,7 +26,7 @@ struct StoredPipeline {
 
 } // namespace
 
-struct PipelineStore::State {
+struct WINDROW_HIDDEN PipelineStore::State {
     explicit State(std::unique_ptr<Device> lent) : device(std::move(lent)) {}
 
     std::unique_ptr<Device> device; // before the pipelines, which call its functions

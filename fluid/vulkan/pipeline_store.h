@@ -6,15 +6,16 @@
 // and all winds that were made with it are gone; they go before the device.
 #pragma once
 
-#include "fluid/result.h"
-#include "fluid/vulkan/host.h"
+#include "../api.h"
+#include "../result.h"
+#include "host.h"
 
 #include <cstddef>
 #include <memory>
 
 namespace windrow::vulkan {
 
-class PipelineStore {
+class WINDROW_API PipelineStore {
   public:
     /// Empty. Its pipelines have the host's allocation_callbacks and pipeline_cache. Rejects a host that a wind would reject.
     [[nodiscard]] static Result<std::shared_ptr<PipelineStore>> create(const Host& host);

@@ -2,7 +2,8 @@
 // wrote: there is no copy on the host. They are valid until the next recording, or a `collect` that takes one.
 #pragma once
 
-#include "fluid/view.h"
+#include "../api.h"
+#include "../view.h"
 
 #include <cstdint>
 #include <glm/gtc/type_precision.hpp>
@@ -22,7 +23,7 @@ enum class ReadBack : std::uint8_t {
 };
 
 /// The wind of a frame as halves (IEEE binary16: 11 bits, at most 65504). Cheap to copy.
-class HalfView {
+class WINDROW_API HalfView {
   public:
     /// `place` has no cells; the rest is its.
     HalfView(const WindView& place, std::span<const glm::u16vec4> cells) : place_(place), cells_(cells) {}

@@ -9,8 +9,9 @@
 // Nothing here calls Vulkan or allocates: a host whose solver is on the CPU gives textures of its own.
 #pragma once
 
-#include "fluid/boundaries.h"
-#include "fluid/textures.h"
+#include "../api.h"
+#include "../boundaries.h"
+#include "../textures.h"
 
 #include <array>
 #include <cstdint>
@@ -52,7 +53,7 @@ struct Textures {
 
 /// Sampler of the textures: linear, repeating along periodic axes, clamped to the edge along others. A new kind of boundary may need
 /// another one; WINDROW_EXACT takes any.
-[[nodiscard]] VkSamplerCreateInfo sampler_info(const Boundaries& boundaries);
+[[nodiscard]] WINDROW_API VkSamplerCreateInfo sampler_info(const Boundaries& boundaries);
 
 /// Most bindings of a set: those of three textures.
 inline constexpr std::uint32_t k_max_bindings = 8;
@@ -72,7 +73,7 @@ class SetBindings {
 };
 /// `textures` is what the shader samples: axes with WINDROW_THREE_TEXTURES, else vectors (`both` counts as that). `first` is its
 /// WINDROW_BINDING.
-[[nodiscard]] SetBindings set_bindings(TextureSet textures, VkShaderStageFlags stages, std::uint32_t first = 0);
+[[nodiscard]] WINDROW_API SetBindings set_bindings(TextureSet textures, VkShaderStageFlags stages, std::uint32_t first = 0);
 
 /// Contents of a set.
 struct SetContent {
@@ -83,7 +84,7 @@ struct SetContent {
 };
 
 /// The writes of a set, for vkUpdateDescriptorSets or for push descriptors. They point into this object.
-class SetWrites {
+class WINDROW_API SetWrites {
   public:
     /// `textures` and `first` as of set_bindings.
     SetWrites(VkDescriptorSet set, const SetContent& content, TextureSet textures = TextureSet::vectors, std::uint32_t first = 0);

@@ -1,6 +1,7 @@
 // Pool of timestamp queries, written by commands and read back when the host reports that these are done. Nothing here waits.
 #pragma once
 
+#include "fluid/api.h"
 #include "fluid/vulkan/handle.h"
 
 #include <cstdint>
@@ -11,7 +12,7 @@ namespace windrow::vulkan {
 class Device;
 
 /// Move-only. One for each frame in flight.
-class Timestamps {
+class WINDROW_INTERNAL Timestamps {
   public:
     /// Empty.
     Timestamps() = default;

@@ -15,12 +15,13 @@
 // recording. Each recording is submitted once (else see `forget`). Changes between two frames are recorded with the next.
 #pragma once
 
-#include "fluid/owned.h"
-#include "fluid/vulkan/host.h"
-#include "fluid/vulkan/pass_times.h"
-#include "fluid/vulkan/read_back.h"
-#include "fluid/vulkan/textures.h"
-#include "fluid/wind.h"
+#include "../api.h"
+#include "../owned.h"
+#include "../wind.h"
+#include "host.h"
+#include "pass_times.h"
+#include "read_back.h"
+#include "textures.h"
 
 #include <cstdint>
 #include <functional>
@@ -92,7 +93,8 @@ struct Frame {
 struct RequiredBytes {
     std::uint64_t memory = 0, reserved = 0;
 };
-[[nodiscard]] Result<RequiredBytes> required_bytes(const Host& host, const Config& config, const Settings& settings = {});
+[[nodiscard]] WINDROW_API Result<RequiredBytes> required_bytes(const Host& host, const Config& config,
+                                                               const Settings& settings = {});
 
 /// A texture whose memory can be exported: for vkGetMemoryFdKHR or vkGetMemoryWin32HandleKHR, which the host calls.
 struct ExportedImage {
@@ -104,7 +106,7 @@ struct ExportedImage {
     VkExtent3D extent{}; ///< [texels]; optimal tiling, usage k_image_usage
 };
 
-class Wind {
+class WINDROW_API Wind {
   public:
     /// Makes all buffers, images and pipelines. Rejects what `windrow::validate` rejects, a device that lacks something, and a
     /// box that it cannot hold, each with the reason. The host's device outlives the wind.
@@ -241,7 +243,7 @@ class Wind {
 
 /// As windrow::replay. `run` records with the function that it is given, submits, and waits: OwnDevice::run. On the same device
 /// the air is the same to the bit, however many frames are in flight.
-[[nodiscard]] Result<void> replay(const EventLog& log, Wind& wind,
-                                  const std::function<Result<void>(const std::function<void(VkCommandBuffer)>&)>& run);
+[[nodiscard]] WINDROW_API Result<void>
+replay(const EventLog& log, Wind& wind, const std::function<Result<void>(const std::function<void(VkCommandBuffer)>&)>& run);
 
 } // namespace windrow::vulkan

@@ -26,7 +26,7 @@ struct WindSave {
     std::optional<ShownFrame> shown; ///< with ticks
 };
 
-struct Wind::State {
+struct WINDROW_HIDDEN Wind::State {
     State(std::unique_ptr<Air> air, const Config& config, const Settings& settings, const AmbientWind& ambient);
 
     WindCore core;

@@ -6,7 +6,7 @@ run("Installing" ${CMAKE_COMMAND} --install ${BUILD} --config ${CONFIG} --prefix
 # A package that holds the path of its prefix works only where it was made.
 file(RENAME ${WORK}/first ${WORK}/prefix)
 
-file(GLOB_RECURSE headers RELATIVE ${WORK}/prefix/include/windrow ${WORK}/prefix/include/windrow/*)
+file(GLOB_RECURSE headers RELATIVE ${WORK}/prefix/include/windrow ${WORK}/prefix/include/windrow/*.h)
 if(NOT "fluid/wind.h" IN_LIST headers)
   message(FATAL_ERROR "fluid/wind.h is not installed")
 endif()
@@ -57,6 +57,37 @@ run("Configuring a consumer" ${configure} -B ${WORK}/build -D VERSION=${VERSION}
 run("Building it" ${CMAKE_COMMAND} --build ${WORK}/build)
 run("Running it" ${CMAKE_COMMAND} -E chdir ${WORK} ${WORK}/build/consumer)
 run("Running the README's program" ${WORK}/build/readme)
+run("Running an engine with a plug-in" ${WORK}/build/engine ${WORK}/build/libplugin.so)
+run("Reading what the plug-in exports" nm --dynamic --defined-only ${WORK}/build/libplugin.so)
+if(output MATCHES " [TDB] _ZN[A-Z]*7windrow")
+  message(FATAL_ERROR "The plug-in exports the library that it links, so that two plug-ins would share one:\n${output}")
+endif()
+
+# The same program without CMake.
+file(GLOB_RECURSE pc ${WORK}/prefix/windrow-fluid.pc)
+cmake_path(GET pc PARENT_PATH pc)
+set(ENV{PKG_CONFIG_PATH} ${pc})
+run("Asking pkg-config" pkg-config --cflags --libs windrow-fluid)
+separate_arguments(flags UNIX_COMMAND "${output}")
+run("Building by pkg-config" ${CXX} -std=c++20 ${WORK}/readme.cpp ${flags} -o ${WORK}/by_pkg_config)
+run("Running it" ${CMAKE_COMMAND} -E env LD_LIBRARY_PATH=${pc}/.. ${WORK}/by_pkg_config)
+
+# What would crash a host is a sentence for it.
+set(compile ${CXX} ${flags} -fsyntax-only ${WORK}/readme.cpp)
+run_expecting_failure("A host below C++20" "error: #error .?Windrow needs C\\+\\+20" ${compile} -std=c++17)
+run_expecting_failure("A host whose vectors begin as 0" "Windrow is built without GLM_FORCE_CTOR_INIT" ${compile} -std=c++20 -DGLM_FORCE_CTOR_INIT)
+run_expecting_failure("A host whose vectors are aligned" "Windrow is built without GLM_FORCE_DEFAULT_ALIGNED_GENTYPES"
+  ${compile} -std=c++20 -DGLM_FORCE_DEFAULT_ALIGNED_GENTYPES -DGLM_FORCE_INTRINSICS)
+run_expecting_failure("A host whose quaternions begin with w" "Windrow is built without GLM_FORCE_QUAT_DATA_WXYZ"
+  ${compile} -std=c++20 -DGLM_FORCE_QUAT_DATA_WXYZ)
+
+foreach(file IN ITEMS share/man/man1/windrow.1 share/bash-completion/completions/windrow share/zsh/site-functions/_windrow
+                      share/windrow/scenes/scene.schema.json share/windrow/scenes/walk.json share/doc/windrow/README.md
+                      share/doc/windrow/docs/how_it_works.md)
+  if(NOT EXISTS ${WORK}/prefix/${file})
+    message(FATAL_ERROR "${file} is not installed")
+  endif()
+endforeach()
 if(VDB AND NOT EXISTS ${WORK}/wind.vdb)
   message(FATAL_ERROR "The consumer wrote no wind.vdb:\n${output}")
 endif()

@@ -112,9 +112,9 @@ class Examples(unittest.TestCase):
         good = "<!-- cpp\n#include <vector>\nextern std::vector<int> list;\n-->\n```cpp\nif (list.empty())\n    return 1;\n```\n"
         program = "```cpp\n#include <cstdio>\nint main() {\n    std::puts(\"\");\n}\n```\n"
         faults = []
-        self.assertEqual(check_examples.check_code(pathlib.Path(), COMPILER, {"a.md": good + program, "b.md": program}, faults), 3)
+        self.assertEqual(check_examples.check_code(COMPILER, (), {"a.md": good + program, "b.md": program}, faults), 3)
         self.assertEqual(faults, [])
-        check_examples.check_code(pathlib.Path(), COMPILER, {"a.md": good, "b.md": "\n```cpp\nint a = 1;\nwide b;\n```\n"}, faults)
+        check_examples.check_code(COMPILER, (), {"a.md": good, "b.md": "\n```cpp\nint a = 1;\nwide b;\n```\n"}, faults)
         self.assertEqual([fault.split(":")[:2] for fault in faults], [["b.md", "4"]])
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""check_examples.py ROOT [--compiler CXX] [--program PATH]...: what README.md, CONTRIBUTING.md and docs/*.md show works.
+"""check_examples.py ROOT [--compiler CXX --headers FOLDER] [--program PATH]...: what README.md, CONTRIBUTING.md and docs/*.md show works.
 
 C++: each ```cpp block compiles, as a program or as a function's body, all in one translation unit. What a block needs before it is in
 an HTML comment above it, <!-- cpp ... -->. Commands: `windrow ...`, `windrow-draw ...` and `./dev ...` in code name existing
@@ -39,10 +39,10 @@ def translation_unit(examples):
     return "\n".join(includes + body)
 
 
-def check_code(root, compiler, texts, faults):
+def check_code(compiler, folders, texts, faults):
     examples = [(page, line_of(text, found.start("code")), found["before"] or "", found["code"])
                 for page, text in texts.items() for found in BLOCK.finditer(text)]
-    run = subprocess.run([compiler, "-std=c++20", "-fsyntax-only", "-Werror=unused-result", "-I", str(root), "-x", "c++", "-"],
+    run = subprocess.run([compiler, "-std=c++20", "-fsyntax-only", "-Werror=unused-result", *(f"-I{folder}" for folder in folders), "-x", "c++", "-"],
                          input=translation_unit(examples), capture_output=True, text=True, check=False)
     if run.returncode != 0:
         errors = [line for line in run.stderr.splitlines() if "error:" in line]
@@ -137,6 +137,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("root", type=pathlib.Path)
     parser.add_argument("--compiler")
+    parser.add_argument("--headers", type=pathlib.Path, help="folder in which the public headers are windrow/...")
     parser.add_argument("--program", action="append", default=[], help="windrow or windrow-draw")
     options = parser.parse_args()
     root = options.root.resolve()
@@ -144,7 +145,7 @@ def main():
     faults, done = [], []
     check_links(root, texts, faults)
     if options.compiler:
-        done.append(f"{check_code(root, options.compiler, texts, faults)} blocks of C++")
+        done.append(f"{check_code(options.compiler, (options.headers, root), texts, faults)} blocks of C++")
     if options.program:
         programs = {pathlib.Path(program).name: known_options(program) for program in options.program}
         done.append(f"{check_commands(texts, programs, (root / 'dev').read_text(encoding='utf-8'), faults)} commands")

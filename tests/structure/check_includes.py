@@ -57,7 +57,7 @@ def includes(text):
 def within_root(root, file, name):
     """The included file's path from the root, where it is one of ours; else None."""
     for folder in (file.parent, root, root / "shaders"):
-        path = (folder / name).resolve()
+        path = (folder / name.removeprefix("windrow/")).resolve()
         if path.is_file() and path.is_relative_to(root):
             return path.relative_to(root).as_posix()
     return None
@@ -70,6 +70,8 @@ def breaches_of_include(root, file, name, public):
     top = folders[0]
     target = within_root(root, file, name)
     # A file that does not exist (yet) is judged by its name.
+    users_name = name.startswith("windrow/")
+    name = name.removeprefix("windrow/")
     target_folders = (target or name).split("/")[:-1]
     target_top = target_folders[0] if target_folders else None
 
@@ -99,6 +101,10 @@ def breaches_of_include(root, file, name, public):
     if here in public and target_top in ("fluid", "coupling", "pictures", "vegetation") and target not in public and (
             not target or not target.endswith(".glsl")):
         yield "a public header may only include public ones (cmake/public_headers.txt)"
+    if top == "examples" and target in public and not users_name:
+        yield f"users write <windrow/{target}>"
+    if here in public and (target in public or (target or "").endswith(".glsl")) and not (file.parent / name).is_file():
+        yield "a public header names ours by the way from its own folder, so that a host's own file of that name is not found instead"
     if here in public and "/" in name and not target and not matches(name, ("glm/*", *VULKAN, *FOLDERS_OF_OURS, *OPENVDB, *OPENIMAGEIO)):
         yield "a public header needs GLM, the language's own library and, for the GPU, Vulkan; nothing else"
 

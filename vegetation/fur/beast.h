@@ -1,9 +1,9 @@
 // A wolf-like beast, far larger than a wolf: capsules for its flesh, and bones that walk. It stands on y = 0 and looks along +z.
 #pragma once
 
-#include "fluid/setting.h"
-#include "vegetation/fur/mesh.h"
-#include "vegetation/fur/skeleton.h"
+#include "../../fluid/setting.h"
+#include "mesh.h"
+#include "skeleton.h"
 
 namespace windrow::vegetation::fur {
 

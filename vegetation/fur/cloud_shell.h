@@ -2,8 +2,8 @@
 // vegetation/shaders/numerics/cloud_shells.glsl; the layers lie above and below a plane.
 #pragma once
 
-#include "coupling/drag.h"
-#include "vegetation/fur/strand_numerics.h"
+#include "../../coupling/drag.h"
+#include "strand_numerics.h"
 
 #include <glm/vec2.hpp>
 

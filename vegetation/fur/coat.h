@@ -10,11 +10,11 @@
 // the eye nor a shadow sees draws nothing. vegetation/shaders/fur/shell_strand.glsl has the walk of a fragment between layers.
 #pragma once
 
-#include "coupling/cascade.h"
-#include "vegetation/fur/coat_block.h"
-#include "vegetation/fur/coat_pictures.h"
-#include "vegetation/render/drawable.h"
-#include "vegetation/vulkan/frames.h"
+#include "../../coupling/cascade.h"
+#include "../render/drawable.h"
+#include "../vulkan/frames.h"
+#include "coat_block.h"
+#include "coat_pictures.h"
 
 #include <array>
 #include <glm/mat4x4.hpp>

@@ -1,10 +1,10 @@
 // Shader blocks of a coat, laid out as in vegetation/shaders/fur/coat.glsl, and their conversion from its settings.
 #pragma once
 
-#include "coupling/motion_blocks.h"
-#include "coupling/shell.h"
-#include "vegetation/fur/coat_settings.h"
-#include "vegetation/fur/mesh.h"
+#include "../../coupling/motion_blocks.h"
+#include "../../coupling/shell.h"
+#include "coat_settings.h"
+#include "mesh.h"
 
 #include <array>
 #include <glm/vec2.hpp>

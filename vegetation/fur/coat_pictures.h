@@ -5,7 +5,7 @@
 //     auto coat = fur::Coat::create(device, targets, mesh, {}, settings, pictures, body, anchor);
 #pragma once
 
-#include "vegetation/fur/coat_settings.h"
+#include "coat_settings.h"
 
 #include <array>
 #include <cstdint>

@@ -7,10 +7,10 @@
 // StrandFieldSettings (what each layer leaves open), windrow::CascadeConfig (how tips lag behind the body).
 #pragma once
 
-#include "coupling/cascade.h"
-#include "coupling/shell.h"
-#include "vegetation/fur/cloud_shell.h"
-#include "vegetation/fur/strand_field.h"
+#include "../../coupling/cascade.h"
+#include "../../coupling/shell.h"
+#include "cloud_shell.h"
+#include "strand_field.h"
 
 #include <cstddef>
 #include <glm/vec3.hpp>

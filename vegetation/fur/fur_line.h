@@ -6,8 +6,8 @@
 // Based on: Curoe 2024, Shell-textured worlds: the line that his model format adds to the mtl, here with limits and rejections.
 #pragma once
 
-#include "fluid/result.h"
-#include "fluid/setting.h"
+#include "../../fluid/result.h"
+#include "../../fluid/setting.h"
 
 #include <map>
 #include <string>

@@ -5,8 +5,8 @@
 // open along the seam otherwise; hence no hard edges.
 #pragma once
 
-#include "fluid/result.h"
-#include "vegetation/fur/fur_line.h"
+#include "../../fluid/result.h"
+#include "fur_line.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,8 +1,8 @@
 // Meshes from formulas: sheets, spheres, a wing. Closed ones turn their outside outwards; all stand ready to wear shells.
 #pragma once
 
-#include "coupling/drag.h"
-#include "vegetation/fur/mesh.h"
+#include "../../coupling/drag.h"
+#include "mesh.h"
 
 namespace windrow::vegetation::fur {
 

@@ -11,8 +11,8 @@
 // bone about its head, after its parent's, and may move. Without swings and sway it is the identity to the bit.
 #pragma once
 
-#include "fluid/setting.h"
-#include "vegetation/fur/mesh.h"
+#include "../../fluid/setting.h"
+#include "mesh.h"
 
 #include <glm/mat4x4.hpp>
 #include <span>

@@ -7,8 +7,8 @@
 // Lengths in the plane count in cells, each of which bears one strand.
 #pragma once
 
-#include "coupling/drag.h"
-#include "vegetation/fur/strand_numerics.h"
+#include "../../coupling/drag.h"
+#include "strand_numerics.h"
 
 #include <cstdint>
 

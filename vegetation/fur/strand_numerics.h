@@ -2,7 +2,7 @@
 // those of the plants and the grass, light on a leaf is the renderer's.
 #pragma once
 
-#include "vegetation/render/light_numerics.h"
+#include "../render/light_numerics.h"
 
 #include <glm/ext/vector_int3.hpp>
 #include <glm/vector_relational.hpp>
@@ -15,7 +15,7 @@ using windrow::numerics::windrow_fraction;
 using windrow::numerics::windrow_mask_power;
 using windrow::numerics::windrow_plant_hash;
 using windrow::numerics::windrow_sine_fraction;
-#include "vegetation/shaders/numerics/cloud_shells.glsl"
-#include "vegetation/shaders/numerics/strand_light.glsl"
+#include "../shaders/numerics/cloud_shells.glsl"
+#include "../shaders/numerics/strand_light.glsl"
 } // namespace windrow::vegetation::fur::numerics
 #undef WINDROW_FN

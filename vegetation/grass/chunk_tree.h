@@ -7,10 +7,10 @@
 // distance. Only chunks are ever drawn, so each blade place is drawn once or not at all.
 #pragma once
 
-#include "fluid/shapes/height_map.h"
-#include "vegetation/grass/grass_settings.h"
-#include "vegetation/grass/grass_view.h"
-#include "vegetation/grass/placement_mask.h"
+#include "../../fluid/shapes/height_map.h"
+#include "grass_settings.h"
+#include "grass_view.h"
+#include "placement_mask.h"
 
 #include <span>
 #include <vector>

@@ -1,8 +1,8 @@
 // Shader blocks of the passes and the vertex stage of a grass field, and the same blades on the CPU.
 #pragma once
 
-#include "vegetation/grass/chunk_tree.h"
-#include "vegetation/grass/grass_numerics.h"
+#include "chunk_tree.h"
+#include "grass_numerics.h"
 
 #include <cstdint>
 

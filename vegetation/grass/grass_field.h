@@ -18,8 +18,8 @@
 // push constants for the vertex stage. No feature of the device is needed.
 #pragma once
 
-#include "vegetation/grass/grass_block.h"
-#include "vegetation/vulkan/objects.h"
+#include "../vulkan/objects.h"
+#include "grass_block.h"
 
 #include <memory>
 

@@ -1,7 +1,7 @@
 // The grass's formulas as C++: the same text of shaders/numerics that its passes include.
 #pragma once
 
-#include "fluid/height_grid.h"
+#include "../../fluid/height_grid.h"
 
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
@@ -14,6 +14,6 @@
 #define WINDROW_FN inline
 namespace windrow::numerics {
 using namespace glm;
-#include "vegetation/shaders/numerics/grass.glsl"
+#include "../shaders/numerics/grass.glsl"
 } // namespace windrow::numerics
 #undef WINDROW_FN

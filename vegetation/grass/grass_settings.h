@@ -1,8 +1,8 @@
 // Settings of a field of grass, without its ground and its mask.
 #pragma once
 
-#include "coupling/blade.h"
-#include "fluid/result.h"
+#include "../../coupling/blade.h"
+#include "../../fluid/result.h"
 
 #include <cstdint>
 

@@ -5,7 +5,7 @@
 //     (void)grass::tread(*mask, {.width = 1.2f, .at = 75.0f});
 #pragma once
 
-#include "vegetation/grass/placement_mask.h"
+#include "placement_mask.h"
 
 #include <cstdint>
 

@@ -10,9 +10,9 @@
 // Values are whole multiples of 1/65535: what a saved image gives back is the mask, to the bit.
 #pragma once
 
-#include "fluid/result.h"
-#include "fluid/setting.h"
-#include "vegetation/grass/grass_numerics.h"
+#include "../../fluid/result.h"
+#include "../../fluid/setting.h"
+#include "grass_numerics.h"
 
 #include <cstddef>
 #include <functional>

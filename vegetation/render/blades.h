@@ -2,8 +2,8 @@
 // millions.
 #pragma once
 
-#include "vegetation/render/drawable.h"
-#include "vegetation/render/scene.h"
+#include "drawable.h"
+#include "scene.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>

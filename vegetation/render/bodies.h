@@ -5,9 +5,9 @@
 //     (*bodies)->place(0, glm::translate(glm::mat4(1.0f), feet));      // before the renderer's recording, each frame
 #pragma once
 
-#include "vegetation/render/drawable.h"
-#include "vegetation/render/solids.h"
-#include "vegetation/vulkan/frames.h"
+#include "../vulkan/frames.h"
+#include "drawable.h"
+#include "solids.h"
 
 #include <array>
 

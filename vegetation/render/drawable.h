@@ -1,8 +1,8 @@
 // Interface of what the renderer draws: preparation before the passes, and draws in each pass.
 #pragma once
 
-#include "vegetation/render/frame_block.h"
-#include "vegetation/vulkan/pipeline.h"
+#include "../vulkan/pipeline.h"
+#include "frame_block.h"
 
 namespace windrow::vegetation::render {
 

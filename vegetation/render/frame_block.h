@@ -1,7 +1,7 @@
 // Frame block of all shaders of the renderer (vegetation/shaders/render/frame.glsl), and its conversion from a scene.
 #pragma once
 
-#include "vegetation/render/scene.h"
+#include "scene.h"
 
 #include <array>
 #include <glm/mat4x4.hpp>

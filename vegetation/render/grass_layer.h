@@ -8,11 +8,11 @@
 // a frame ago and at the ground under it; the draws of the picture and of the shadow only read that.
 #pragma once
 
-#include "coupling/vulkan/ground_memory.h"
-#include "vegetation/grass/grass_field.h"
-#include "vegetation/render/drawable.h"
-#include "vegetation/render/scene.h"
-#include "vegetation/vulkan/frames.h"
+#include "../../coupling/vulkan/ground_memory.h"
+#include "../grass/grass_field.h"
+#include "../vulkan/frames.h"
+#include "drawable.h"
+#include "scene.h"
 
 #include <array>
 #include <memory>

@@ -1,7 +1,7 @@
 // The renderer's formulas of light as C++: the same text of shaders/numerics that its shaders include.
 #pragma once
 
-#include "vegetation/render/place_numerics.h" // its noise
+#include "place_numerics.h" // its noise
 
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
@@ -14,10 +14,10 @@
 #define WINDROW_FN inline
 namespace windrow::vegetation::render::numerics {
 using namespace glm;
-#include "vegetation/shaders/numerics/cloud_layer.glsl"
-#include "vegetation/shaders/numerics/leaf_light.glsl"
-#include "vegetation/shaders/numerics/motion_vector.glsl"
-#include "vegetation/shaders/numerics/sky.glsl"
-#include "vegetation/shaders/numerics/speed_colour.glsl"
+#include "../shaders/numerics/cloud_layer.glsl"
+#include "../shaders/numerics/leaf_light.glsl"
+#include "../shaders/numerics/motion_vector.glsl"
+#include "../shaders/numerics/sky.glsl"
+#include "../shaders/numerics/speed_colour.glsl"
 } // namespace windrow::vegetation::render::numerics
 #undef WINDROW_FN

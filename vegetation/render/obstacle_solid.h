@@ -1,8 +1,8 @@
 // Obstacles of the wind as solids to draw: the surface of each shape, in a colour, with windows on the walls of a house.
 #pragma once
 
-#include "fluid/obstacle.h"
-#include "vegetation/render/solids.h"
+#include "../../fluid/obstacle.h"
+#include "solids.h"
 
 #include <glm/vec3.hpp>
 #include <optional>

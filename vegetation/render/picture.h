@@ -5,8 +5,8 @@
 //         std::fprintf(stderr, "%s\n", written.error().c_str());
 #pragma once
 
-#include "fluid/result.h"
-#include "pictures/picture.h"
+#include "../../fluid/result.h"
+#include "../../pictures/picture.h"
 
 #include <filesystem>
 

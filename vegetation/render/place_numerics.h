@@ -1,7 +1,7 @@
 // The noise of places for the renderer: the grass's own.
 #pragma once
 
-#include "vegetation/grass/grass_numerics.h"
+#include "../grass/grass_numerics.h"
 
 namespace windrow::vegetation::render::numerics {
 using windrow::numerics::windrow_dryness;

@@ -15,12 +15,12 @@
 // toned picture.
 #pragma once
 
-#include "vegetation/render/frame_block.h"
-#include "vegetation/render/stage_clock.h"
-#include "vegetation/render/targets.h"
-#include "vegetation/render/terrain.h"
-#include "vegetation/render/vertex_counter.h"
-#include "vegetation/vulkan/wind_set.h"
+#include "../vulkan/wind_set.h"
+#include "frame_block.h"
+#include "stage_clock.h"
+#include "targets.h"
+#include "terrain.h"
+#include "vertex_counter.h"
 
 #include <array>
 #include <memory>

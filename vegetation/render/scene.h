@@ -3,11 +3,11 @@
 // scene cannot be drawn, one per line, with field, value and fix.
 #pragma once
 
-#include "coupling/blade.h"
-#include "fluid/motor.h"
-#include "fluid/shapes/height_map.h"
-#include "fluid/wind.h"
-#include "vegetation/grass/placement_mask.h"
+#include "../../coupling/blade.h"
+#include "../../fluid/motor.h"
+#include "../../fluid/shapes/height_map.h"
+#include "../../fluid/wind.h"
+#include "../grass/placement_mask.h"
 
 #include <glm/vec3.hpp>
 #include <optional>

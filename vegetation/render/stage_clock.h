@@ -1,7 +1,7 @@
 // Times of the stages of a frame, by the device's clock.
 #pragma once
 
-#include "vegetation/vulkan/frames.h"
+#include "../vulkan/frames.h"
 
 #include <array>
 #include <vector>

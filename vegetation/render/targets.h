@@ -2,9 +2,9 @@
 // the host.
 #pragma once
 
-#include "vegetation/render/picture.h"
-#include "vegetation/vulkan/pipeline.h"
-#include "vegetation/vulkan/render_pass.h"
+#include "../vulkan/pipeline.h"
+#include "../vulkan/render_pass.h"
+#include "picture.h"
 
 #include <optional>
 

@@ -1,8 +1,8 @@
 // The ground: a grid of heights as triangles, in light and in shadow.
 #pragma once
 
-#include "vegetation/render/drawable.h"
-#include "vegetation/render/scene.h"
+#include "drawable.h"
+#include "scene.h"
 
 namespace windrow::vegetation::render {
 

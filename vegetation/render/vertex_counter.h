@@ -3,7 +3,7 @@
 // Not of the shadow's pass: it has no fragment stage, where Mesa 22.3's llvmpipe ends with a fault while it counts.
 #pragma once
 
-#include "vegetation/vulkan/frames.h"
+#include "../vulkan/frames.h"
 
 namespace windrow::vegetation::render {
 

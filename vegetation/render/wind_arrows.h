@@ -2,8 +2,8 @@
 // sample the wind as plants do.
 #pragma once
 
-#include "vegetation/render/drawable.h"
-#include "vegetation/vulkan/frames.h"
+#include "../vulkan/frames.h"
+#include "drawable.h"
 
 #include <array>
 #include <glm/vec3.hpp>

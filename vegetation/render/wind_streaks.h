@@ -5,8 +5,8 @@
 //     (*streaks)->advance(dt, wind_at, is_blocked);                     // each frame, before the renderer's recording
 #pragma once
 
-#include "vegetation/render/drawable.h"
-#include "vegetation/vulkan/frames.h"
+#include "../vulkan/frames.h"
+#include "drawable.h"
 
 #include <array>
 #include <cstdint>

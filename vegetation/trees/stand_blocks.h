@@ -1,9 +1,9 @@
 // Shader blocks of a stand of trees, laid out as in vegetation/shaders/trees/tree_parts.glsl.
 #pragma once
 
-#include "coupling/motion_blocks.h"
-#include "coupling/tree.h"
-#include "vegetation/trees/tree_levels.h"
+#include "../../coupling/motion_blocks.h"
+#include "../../coupling/tree.h"
+#include "tree_levels.h"
 
 #include <glm/vec4.hpp>
 

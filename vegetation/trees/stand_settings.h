@@ -6,7 +6,7 @@
 // A reader fills `kind` from preset(name), lays overrides of single fields over it, and fills places and scatter.
 #pragma once
 
-#include "vegetation/trees/tree_presets.h"
+#include "tree_presets.h"
 
 #include <cstdint>
 #include <functional>

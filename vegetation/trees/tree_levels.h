@@ -1,7 +1,7 @@
 // The levels of a kind of tree, as shaders have them.
 #pragma once
 
-#include "vegetation/trees/tree_settings.h"
+#include "tree_settings.h"
 
 #include <glm/vec4.hpp>
 

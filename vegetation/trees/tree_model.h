@@ -6,9 +6,9 @@
 // leaf cards are the third part, held where they leave their branch.
 #pragma once
 
-#include "coupling/tree.h"
-#include "vegetation/trees/tree_levels.h"
-#include "vegetation/trees/tree_settings.h"
+#include "../../coupling/tree.h"
+#include "tree_levels.h"
+#include "tree_settings.h"
 
 #include <glm/vec4.hpp>
 #include <vector>

@@ -1,7 +1,7 @@
 // Kinds of tree by name. Sizes and forms are typical ones of grown trees in the open, ours.
 #pragma once
 
-#include "vegetation/trees/tree_settings.h"
+#include "tree_settings.h"
 
 #include <span>
 #include <string_view>

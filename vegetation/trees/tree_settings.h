@@ -5,7 +5,7 @@
 // chance.
 #pragma once
 
-#include "coupling/drag.h"
+#include "../../coupling/drag.h"
 
 #include <cstdint>
 #include <glm/vec3.hpp>

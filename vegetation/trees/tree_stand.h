@@ -9,11 +9,11 @@
 // for wood and one for leaves a tree, each as long as its distance asks.
 #pragma once
 
-#include "vegetation/render/drawable.h"
-#include "vegetation/trees/stand_blocks.h"
-#include "vegetation/trees/stand_settings.h"
-#include "vegetation/trees/tree_model.h"
-#include "vegetation/vulkan/frames.h"
+#include "../render/drawable.h"
+#include "../vulkan/frames.h"
+#include "stand_blocks.h"
+#include "stand_settings.h"
+#include "tree_model.h"
 
 #include <array>
 #include <memory>

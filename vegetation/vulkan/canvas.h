@@ -2,8 +2,8 @@
 // host.
 #pragma once
 
-#include "vegetation/vulkan/pipeline.h"
-#include "vegetation/vulkan/render_pass.h"
+#include "pipeline.h"
+#include "render_pass.h"
 
 #include <optional>
 

@@ -1,7 +1,7 @@
 // Descriptor sets: a layout from a list of bindings, sets of it, and what they point to.
 #pragma once
 
-#include "vegetation/vulkan/objects.h"
+#include "objects.h"
 
 namespace windrow::vegetation::engine {
 

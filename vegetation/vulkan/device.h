@@ -8,7 +8,7 @@
 // the start of the next (Frames::begin, or `begin_frame` in a host's own command buffer), and nothing waits for it.
 #pragma once
 
-#include "vegetation/vulkan/failure.h"
+#include "failure.h"
 
 #include <array>
 #include <cstddef>

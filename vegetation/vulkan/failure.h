@@ -5,7 +5,7 @@
 //     return guarded([&] { return std::unique_ptr<Bodies>(new Bodies(device, targets, shapes)); });
 #pragma once
 
-#include "fluid/vulkan/host.h"
+#include "../../fluid/vulkan/host.h"
 
 #include <stdexcept>
 #include <string>

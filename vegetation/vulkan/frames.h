@@ -1,7 +1,7 @@
 // Frames in flight: while the device works on one, the host records the next.
 #pragma once
 
-#include "vegetation/vulkan/objects.h"
+#include "objects.h"
 
 namespace windrow::vegetation::engine {
 

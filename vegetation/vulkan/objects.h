@@ -1,7 +1,7 @@
 // The Vulkan objects of one owner: made on a device, destroyed together.
 #pragma once
 
-#include "vegetation/vulkan/device.h"
+#include "device.h"
 
 #include <span>
 

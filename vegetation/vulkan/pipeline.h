@@ -1,7 +1,7 @@
 // Pipelines without vertex buffers: vertices make themselves from their numbers and from storage buffers.
 #pragma once
 
-#include "vegetation/vulkan/objects.h"
+#include "objects.h"
 
 #include <cstdint>
 

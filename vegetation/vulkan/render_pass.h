@@ -1,7 +1,7 @@
 // A render pass of one subpass and its framebuffer, from a list of attachments.
 #pragma once
 
-#include "vegetation/vulkan/objects.h"
+#include "objects.h"
 
 namespace windrow::vegetation::engine {
 

@@ -1,8 +1,8 @@
 // Descriptor set of shaders/coupling/windrow_wind.glsl, which an engine adds to its own sets.
 #pragma once
 
-#include "fluid/vulkan/wind.h"
-#include "vegetation/vulkan/descriptors.h"
+#include "../../fluid/vulkan/wind.h"
+#include "descriptors.h"
 
 #include <glm/vec3.hpp>
 

@@ -1,13 +1,13 @@
 // An outside program: the package's own promise of ten lines.
-#include "fluid/wind.h"
+#include <windrow/fluid/wind.h>
 #ifdef WITH_COUPLING
-#include "coupling/blade.h"
+#include <windrow/coupling/blade.h>
 #endif
 #ifdef WITH_VDB
-#include "fluid/vdb/vdb_export.h"
+#include <windrow/fluid/vdb/vdb_export.h>
 #endif
 #ifdef WITH_VULKAN
-#include "fluid/vulkan/own_device.h"
+#include <windrow/fluid/vulkan/own_device.h>
 #endif
 #include <cstdio>
 

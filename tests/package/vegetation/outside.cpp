@@ -1,9 +1,9 @@
 // outside PICTURE.ppm [bare]: a picture of 320 x 180 pixels, level ground under a sky, with grass in wind or bare.
 //
 // A program outside of the project. It uses installed headers and libraries only.
-#include "fluid/wind.h"
-#include "vegetation/render/grass_layer.h"
-#include "vegetation/render/renderer.h"
+#include <windrow/fluid/wind.h>
+#include <windrow/vegetation/render/grass_layer.h>
+#include <windrow/vegetation/render/renderer.h>
 
 #include <cstdio>
 #include <cstdlib>

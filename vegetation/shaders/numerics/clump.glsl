@@ -13,7 +13,7 @@
 #define WINDROW_FN
 #endif
 
-#include "shaders/numerics/plant_hash.glsl"
+#include "../../../shaders/numerics/plant_hash.glsl"
 
 struct WindrowClump {
     vec2 offset;  // of the place from the clump's middle, in cells

@@ -23,8 +23,8 @@
 #define WINDROW_FN
 #endif
 
-#include "shaders/numerics/radial.glsl"
-#include "shaders/numerics/shell.glsl"
+#include "../../../shaders/numerics/radial.glsl"
+#include "../../../shaders/numerics/shell.glsl"
 
 struct WindrowCoatStrand {
     WindrowStem stem;

@@ -29,10 +29,10 @@
 #define WINDROW_FN
 #endif
 
-#include "shaders/numerics/blade.glsl"
+#include "../../../shaders/numerics/blade.glsl"
 #include "clump.glsl"
 #include "place_noise.glsl"
-#include "shaders/numerics/plant_hash.glsl"
+#include "../../../shaders/numerics/plant_hash.glsl"
 
 #define WINDROW_GRASS_NEAR 0
 #define WINDROW_GRASS_FAR 1

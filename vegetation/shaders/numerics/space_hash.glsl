@@ -11,7 +11,7 @@
 #define WINDROW_FN
 #endif
 
-#include "shaders/numerics/plant_hash.glsl"
+#include "../../../shaders/numerics/plant_hash.glsl"
 
 WINDROW_FN uvec2 windrow_space_hash(uint seed, ivec3 cell) {
     uint layer = uint(cell.z) + seed * 0x632be5abu;

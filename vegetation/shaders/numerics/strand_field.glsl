@@ -29,7 +29,7 @@
 #define WINDROW_FN
 #endif
 
-#include "shaders/numerics/plant_masks.glsl"
+#include "../../../shaders/numerics/plant_masks.glsl"
 #include "strand_cells.glsl"
 
 // A field of strands. fur::StrandFieldSettings (vegetation/fur/strand_field.h) says more of each value. Usable in std140.
