@@ -1,9 +1,11 @@
 #include "coupling/cascade_step.h"
 
 #include "fluid/message.h"
+#include "fluid/portable_math.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace windrow {
 namespace {
@@ -11,11 +13,25 @@ namespace {
 constexpr int k_max_stages = 4096;
 constexpr double k_nothing = 1e-18; // of a weight: the sum of all omitted weights is below a double's last digit
 
+// log j!, of whole j: by Stirling's series from 16 on, whose next term is below 1e-16 there.
+double log_factorial(double j) {
+    if (j < 16.0) {
+        double factorial = 1.0;
+        for (double n = 2.0; n <= j; n += 1.0)
+            factorial *= n;
+        return numerics::log(factorial);
+    }
+    const double z = j + 1.0, s = 1.0 / (z * z);
+    const double series =
+        1.0 / 12 - s * (1.0 / 360 - s * (1.0 / 1260 - s * (1.0 / 1680 - s * (1.0 / 1188 - s * (691.0 / 360360)))));
+    return (z - 0.5) * numerics::log(z) - z + 0.5 * numerics::log(2.0 * std::numbers::pi) + series / z;
+}
+
 // p_j; exponent first, since e^-z alone underflows from z = 745 on.
 double poisson(double z, double j) {
     if (z == 0.0)
         return j == 0.0 ? 1.0 : 0.0;
-    return std::exp(j * std::log(z) - z - std::lgamma(j + 1.0));
+    return numerics::exp(j * numerics::log(z) - z - log_factorial(j));
 }
 
 // P(i, z) / p_i = 1 + z / (i+1) + z^2 / ((i+1)(i+2)) + .., all of one sign. For z < i + 1, where it converges fast.

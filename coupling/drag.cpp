@@ -17,7 +17,8 @@ Result<void> validate(const Drag& drag, const char* name) {
 }
 
 DragBlock block(const Drag& drag) {
-    const double k = 0.5 * drag.air_density * drag.drag_coefficient * drag.width * std::pow(drag.length, 3.0) / drag.rigidity;
+    const double k =
+        0.5 * drag.air_density * drag.drag_coefficient * drag.width * numerics::power(drag.length, 3) / drag.rigidity;
     // A load beyond the range of a float flattens the stalk in any wind, as the largest float does.
     return {{static_cast<float>(std::fmin(k, 1e30)), drag.vogel_exponent, drag.vogel_speed, drag.max_bend}};
 }
@@ -33,19 +34,19 @@ float bend_angle(const Drag& drag, float speed) {
 }
 
 float rectangle_rigidity(float young, float width, float thickness) {
-    return static_cast<float>(young * width * std::pow(thickness, 3.0) / 12.0);
+    return static_cast<float>(young * width * numerics::power(thickness, 3) / 12.0);
 }
 
 float folded_rigidity(float young, float width, float thickness, float depth) {
-    return static_cast<float>(young * width * thickness * std::pow(depth, 2.0) / 12.0);
+    return static_cast<float>(young * width * thickness * numerics::power(depth, 2) / 12.0);
 }
 
 float rod_rigidity(float young, float diameter) {
-    return static_cast<float>(young * k_pi / 64.0 * std::pow(diameter, 4.0));
+    return static_cast<float>(young * k_pi / 64.0 * numerics::power(diameter, 4));
 }
 
 float tube_rigidity(float young, float outer_diameter, float inner_diameter) {
-    return static_cast<float>(young * k_pi / 64.0 * (std::pow(outer_diameter, 4.0) - std::pow(inner_diameter, 4.0)));
+    return static_cast<float>(young * k_pi / 64.0 * (numerics::power(outer_diameter, 4) - numerics::power(inner_diameter, 4)));
 }
 
 } // namespace windrow

@@ -1,5 +1,7 @@
 #include "coupling/ground_fading.h"
 
+#include "fluid/portable_math.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -34,7 +36,7 @@ Matrix grown(Matrix m) {
             sum += std::abs(value);
         most = std::max(most, sum);
     }
-    const int squarings = most > 0.25 ? static_cast<int>(std::ceil(std::log2(4.0 * most))) : 0;
+    const int squarings = most > 0.25 ? numerics::ceil_log2(4.0 * most) : 0;
     for (auto& row : m)
         for (double& value : row)
             value = std::ldexp(value, -squarings);

@@ -2,6 +2,7 @@
 
 #include "coupling/ground_fading.h"
 #include "fluid/message.h"
+#include "fluid/portable_math.h"
 
 #include <algorithm>
 #include <bit>
@@ -110,7 +111,7 @@ Result<numerics::WindrowGroundStep> GroundHost::begin(const GroundStep& step, Wi
     block.moved = {begun_ ? clamped(by.x) : config_.texels, begun_ ? clamped(by.y) : config_.texels,
                    leans == WindLeans::each_texel ? 1 : 0, 0};
     block.contact = {config_.clearance, config_.push, config_.trail_fraction, 0.0f};
-    block.fading = glm::vec4(glm::dvec4(std::expm1(trail), std::expm1(trample), trail, trample));
+    block.fading = glm::vec4(glm::dvec4(numerics::expm1(trail), numerics::expm1(trample), trail, trample));
     const FadingResponse rises = fading_response(config_.spring, step.duration, config_.trail_time);
     const FadingResponse released = fading_response(config_.spring, step.duration, config_.trample_time);
     const FadingResponse released_in_gusts = fading_ramp_response(config_.spring, step.duration, config_.trample_time);

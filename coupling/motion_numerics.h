@@ -1,6 +1,8 @@
 // The formulas of plants in motion as C++: the same text that the shaders include.
 #pragma once
 
+#include "fluid/portable_math.h"
+
 #include <cstddef>
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>

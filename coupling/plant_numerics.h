@@ -1,6 +1,8 @@
 // The plants' formulas as C++: the same text of shaders/numerics that the shaders include.
 #pragma once
 
+#include "fluid/portable_math.h"
+
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>

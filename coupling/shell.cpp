@@ -28,8 +28,7 @@ Shells::Shells(const ShellSettings& settings) : settings_(settings) {
     settings_.strand.length = settings.length;
     const int divisor = settings.reaches_tip ? settings.shells - 1 : settings.shells;
     block_.form = {settings.length, settings.spacing, settings.bias, static_cast<float>(divisor)};
-    block_.push = {settings.push, settings.push_exponent, settings.droop,
-                   static_cast<float>(std::log(static_cast<double>(settings.droop_shape)))};
+    block_.push = {settings.push, settings.push_exponent, settings.droop, numerics::log(settings.droop_shape)};
     block_.sag = glm::vec4(glm::vec3(glm::normalize(glm::dvec3(settings.down))), settings.sag);
     block_.drag = windrow::block(settings_.strand);
 }

@@ -1,5 +1,6 @@
 #include "coupling/spring.h"
 
+#include "fluid/portable_math.h"
 #include "fluid/validation.h"
 
 #include <algorithm>
@@ -40,18 +41,18 @@ Responses long_step(double omega, double a, double t) {
     Responses closed;
     if (a < omega) { // underdamped
         const double swing = std::sqrt((omega - a) * (omega + a));
-        const double left = std::exp(-a * t);
-        closed.speed = left * std::sin(swing * t) / swing;
-        closed.gone = 1.0 - left * std::cos(swing * t) - a * closed.speed;
+        const double left = numerics::exp(-a * t);
+        closed.speed = left * numerics::sin(swing * t) / swing;
+        closed.gone = 1.0 - left * numerics::cos(swing * t) - a * closed.speed;
     } else { // overdamped, with the rates slow and fast; their product is omega^2
         const double apart = std::sqrt((a - omega) * (a + omega));
         const double fast = a + apart, slow = omega * omega / fast;
-        const double left = std::exp(-slow * t);
-        closed.speed = apart > 0.0 ? left * -std::expm1(-2.0 * apart * t) / (2.0 * apart) : left * t;
+        const double left = numerics::exp(-slow * t);
+        closed.speed = apart > 0.0 ? left * -numerics::expm1(-2.0 * apart * t) / (2.0 * apart) : left * t;
         if (apart > 0.1 * a)
-            closed.gone = (slow * std::expm1(-fast * t) - fast * std::expm1(-slow * t)) / (2.0 * apart);
+            closed.gone = (slow * numerics::expm1(-fast * t) - fast * numerics::expm1(-slow * t)) / (2.0 * apart);
         else // near the limit: no division by a vanishing difference
-            closed.gone = 1.0 - 0.5 * left * (1.0 + std::exp(-2.0 * apart * t)) - a * closed.speed;
+            closed.gone = 1.0 - 0.5 * left * (1.0 + numerics::exp(-2.0 * apart * t)) - a * closed.speed;
     }
     closed.mean_gone = 1.0 - (closed.speed + 2.0 * a / (omega * omega) * closed.gone) / t;
     closed.speed_change = -closed.gone - 2.0 * a * closed.speed;

@@ -1,6 +1,8 @@
 // The ambient wind's formulas as C++: shaders/numerics/ambient.glsl with the gust tile in plain memory.
 #pragma once
 
+#include "fluid/portable_math.h"
+
 #include <cstddef>
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>

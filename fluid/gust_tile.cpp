@@ -17,6 +17,7 @@
 
 #include "fluid/ambient_numerics.h"
 #include "fluid/message.h"
+#include "fluid/portable_math.h"
 
 #include <algorithm>
 #include <array>
@@ -233,8 +234,8 @@ glm::vec3 GustTile::procedural(glm::dvec3 place) const {
     for (const Mode& mode : modes_) {
         const double level = 2.0 * std::numbers::pi * (mode.a * place.x + mode.c * place.z) / k_side;
         const double vertical = std::numbers::pi * mode.b * place.y / k_height;
-        const glm::dvec3 wave = std::cos(level) * mode.real - std::sin(level) * mode.imaginary;
-        sum += wave * glm::dvec3(std::cos(vertical), std::sin(vertical), std::cos(vertical));
+        const glm::dvec3 wave = numerics::cos(level) * mode.real - numerics::sin(level) * mode.imaginary;
+        sum += wave * glm::dvec3(numerics::cos(vertical), numerics::sin(vertical), numerics::cos(vertical));
     }
     return glm::vec3(sum);
 }

@@ -1,6 +1,8 @@
 // Grids of floats over level ground as C++: the text of shaders/numerics/height_grid.glsl.
 #pragma once
 
+#include "fluid/portable_math.h"
+
 #include <cstddef>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -1,9 +1,9 @@
 #include "fluid/motor.h"
 
+#include "fluid/portable_math.h"
 #include "fluid/validation.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace windrow {
 namespace {
@@ -36,7 +36,7 @@ double Envelope::mean(double from, double to) const {
 // Integral of (1 - s) exp(-s) is s exp(-s).
 double PressureMotor::mean(double from, double to) const {
     const double T = duration;
-    const auto outflow = [&](double age) { return age < end() ? age * std::exp(-age / T) : 0.0; };
+    const auto outflow = [&](double age) { return age < end() ? age * numerics::exp(-age / T) : 0.0; };
     return to > from ? (outflow(to) - outflow(from)) / (to - from) : 0.0;
 }
 

@@ -1,6 +1,8 @@
 // The shared formulas of shaders/numerics as C++: the same text that the shaders include.
 #pragma once
 
+#include "fluid/portable_math.h"
+
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>

@@ -2,6 +2,7 @@
 #include "fluid/obstacle.h"
 
 #include "fluid/message.h"
+#include "fluid/portable_math.h"
 #include "fluid/validation.h"
 
 #include <algorithm>
@@ -9,7 +10,6 @@
 #include <compare>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/gtc/matrix_transform.hpp>
 
 namespace windrow {
 namespace detail {
@@ -201,7 +201,9 @@ void move_back(std::span<PlacedObstacle> obstacles, double early) {
     for (PlacedObstacle& body : obstacles) {
         body.position -= back * body.velocity;
         if (const float angle = back * glm::length(body.spin); angle > 0.0f)
-            body.axes = glm::mat3(glm::rotate(glm::mat4(1.0f), -angle, body.spin)) * body.axes;
+            body.axes = glm::mat3_cast(
+                            glm::quat(numerics::cos(-0.5f * angle), numerics::sin(-0.5f * angle) * glm::normalize(body.spin))) *
+                        body.axes;
     }
 }
 

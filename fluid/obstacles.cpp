@@ -3,6 +3,7 @@
 #include "fluid/event_log.h"
 #include "fluid/message.h"
 #include "fluid/owner.h"
+#include "fluid/portable_math.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +45,7 @@ glm::dvec3 turn(const glm::dquat& from, const glm::dquat& to) {
         by = -by;
     const glm::dvec3 axis(by.x, by.y, by.z);
     const double sine = glm::length(axis);
-    return sine > 0.0 ? 2.0 * std::atan2(sine, by.w) / sine * axis : glm::dvec3(0.0);
+    return sine > 0.0 ? 2.0 * numerics::atan2(sine, by.w) / sine * axis : glm::dvec3(0.0);
 }
 
 PlacedObstacle placed(const Obstacle& obstacle, const BodyPose& start, const BodyPose& end, double duration, const Window& window,

@@ -1,6 +1,7 @@
 #include "fluid/rows.h"
 
 #include "fluid/message.h"
+#include "fluid/portable_math.h"
 #include "fluid/validation.h"
 
 #include <algorithm>
@@ -19,7 +20,8 @@ std::vector<double> heights_of(const Rows& rows, int count, double ratio) {
     const double first = static_cast<double>(rows.first);
     std::vector<double> heights{-0.5 * first, 0.5 * first};
     for (int row = 1; row <= count; ++row)
-        heights.push_back(heights.back() + first * std::pow(ratio, std::max(row - rows.uniform, 0)));
+        heights.push_back(heights.back() +
+                          first * numerics::power(ratio, static_cast<unsigned>(std::max(row - rows.uniform, 0))));
     return heights;
 }
 

@@ -28,10 +28,7 @@ namespace detail {
 [[nodiscard]] inline glm::dvec3 between(glm::dvec3 from, glm::dvec3 to, double share) {
     return from + share * (to - from);
 }
-[[nodiscard]] inline BodyPose between(const BodyPose& from, const BodyPose& to, double share) {
-    return {between(from.position, to.position, share),
-            from.orientation == to.orientation ? to.orientation : glm::slerp(from.orientation, to.orientation, share)};
-}
+[[nodiscard]] BodyPose between(const BodyPose& from, const BodyPose& to, double share);
 
 /// [m^2] Square of the distance of a place from the straight line between the ones before and after it.
 [[nodiscard]] inline double bend(glm::dvec3 before, glm::dvec3 place, glm::dvec3 after) {
@@ -41,15 +38,7 @@ namespace detail {
     return glm::dot(apart, apart);
 }
 /// A radian counts as a metre.
-[[nodiscard]] inline double bend(const BodyPose& before, const BodyPose& place, const BodyPose& after) {
-    const auto angle = [](const glm::dquat& a, const glm::dquat& b) {
-        return 2.0 * std::acos(std::min(1.0, std::abs(glm::dot(a, b))));
-    };
-    const double to = angle(before.orientation, place.orientation), from = angle(place.orientation, after.orientation);
-    const double share = to + from > 0.0 ? to / (to + from) : 0.0;
-    const double turn = angle(place.orientation, glm::slerp(before.orientation, after.orientation, share));
-    return bend(before.position, place.position, after.position) + turn * turn;
-}
+[[nodiscard]] double bend(const BodyPose& before, const BodyPose& place, const BodyPose& after);
 
 } // namespace detail
 

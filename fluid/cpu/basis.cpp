@@ -1,5 +1,7 @@
 #include "fluid/cpu/basis.h"
 
+#include "fluid/portable_math.h"
+
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -58,11 +60,11 @@ AxisBasis::AxisBasis(int n, EndRule low, EndRule high) : count(n), folded(low ==
         double norm = 0.0;
         for (int i = 0; i < n; ++i) {
             const double phase = mode.theta * (i - origin);
-            vector[i] = mode.sine ? std::sin(phase) : std::cos(phase);
+            vector[i] = mode.sine ? numerics::sin(phase) : numerics::cos(phase);
             norm += vector[i] * vector[i];
         }
         const double scale = 1.0 / std::sqrt(norm);
-        const double half_sine = std::sin(0.5 * mode.theta);
+        const double half_sine = numerics::sin(0.5 * mode.theta);
         const double eigenvalue = -4.0 * half_sine * half_sine;
         double symmetric = 0.0, antisymmetric = 0.0;
         for (int i = 0; i < n; ++i) {

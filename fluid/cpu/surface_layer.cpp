@@ -1,5 +1,7 @@
 #include "fluid/cpu/surface_layer.h"
 
+#include "fluid/portable_math.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,7 +15,7 @@ constexpr float k_lowest = 0.01f;
 constexpr float k_smoothest = 1e-6f; // [m] as Roughness::length
 
 float drag(float height, float roughness) {
-    const float stress = k_karman / std::log1p(height / roughness);
+    const float stress = k_karman / numerics::log1p(height / roughness);
     return stress * stress;
 }
 
@@ -35,7 +37,7 @@ float SurfaceLayer::distance_above(int row) const {
 float SurfaceLayer::mixing(int row, float height, float roughness) const {
     const float distance = distance_above(row), t = (height + roughness) / distance;
     const float length =
-        k_karman * (t > 8.0f ? t + 0.5f - (1.0f / 12 - (1.0f / 24 - 19.0f / 720 / t) / t) / t : 1.0f / std::log1p(1.0f / t));
+        k_karman * (t > 8.0f ? t + 0.5f - (1.0f / 12 - (1.0f / 24 - 19.0f / 720 / t) / t) / t : 1.0f / numerics::log1p(1.0f / t));
     const float most = roughness_.longest_mixing > 0.0f ? roughness_.longest_mixing / distance : length;
     return std::min(length, most) * std::min(length, most);
 }

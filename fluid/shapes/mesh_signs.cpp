@@ -1,5 +1,7 @@
 #include "fluid/shapes/mesh_signs.h"
 
+#include "fluid/portable_math.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -16,7 +18,7 @@ constexpr float k_most_cells = 64.0f; // along the longest edge: a quarter of a 
 MeshSigns::MeshSigns(const MeshData& data, const MeshTree& tree, glm::vec3 low, glm::vec3 high) : low_(low), high_(high) {
     const glm::vec3 size = high - low;
     const float longest = std::max({size.x, size.y, size.z});
-    width_ = longest / std::clamp(4.0f * std::cbrt(static_cast<float>(data.triangles.size())), 8.0f, k_most_cells);
+    width_ = longest / std::clamp(4.0f * numerics::cbrt(static_cast<float>(data.triangles.size())), 8.0f, k_most_cells);
     count_ = glm::ivec3(size / width_) + 1;
     cells_.resize(static_cast<std::size_t>(count_.x) * count_.y * count_.z);
     mark_near(data);

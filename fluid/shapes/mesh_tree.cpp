@@ -1,5 +1,7 @@
 #include "fluid/shapes/mesh_tree.h"
 
+#include "fluid/portable_math.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -45,7 +47,7 @@ float square_to_triangle(const glm::vec3 (&corner)[3], glm::vec3 normal, glm::ve
 double solid_angle(const glm::vec3 (&corner)[3], glm::vec3 p) {
     const glm::dvec3 a(corner[0] - p), b(corner[1] - p), c(corner[2] - p);
     const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
-    return 2.0 * std::atan2(glm::dot(a, glm::cross(b, c)),
+    return 2.0 * numerics::atan2(glm::dot(a, glm::cross(b, c)),
                             la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb);
 }
 
