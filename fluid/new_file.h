@@ -9,9 +9,13 @@
 // exclusively and locked while it is written. publish() flushes, has the disk confirm, closes and renames. Until then, and for
 // good if anything failed, whatever had the name keeps it, and the part is removed. The part of a killed process has no lock:
 // clear_dead_parts() removes it.
+//
+// On Windows the part is locked until it is closed, a moment before it is renamed, and a name that another process has open keeps
+// its old file.
 #pragma once
 
 #include "fluid/api.h"
+#include "fluid/part_file.h"
 #include "fluid/result.h"
 
 #include <cstddef>
@@ -27,7 +31,6 @@ class WINDROW_INTERNAL NewFile : public std::streambuf {
   public:
     /// Opens the part; error() is 0 if that worked. A symbolic link stays, and its target is written.
     explicit NewFile(const std::filesystem::path& name);
-    ~NewFile() override;
     NewFile(const NewFile&) = delete;
     NewFile& operator=(const NewFile&) = delete;
 
@@ -46,13 +49,11 @@ class WINDROW_INTERNAL NewFile : public std::streambuf {
   private:
     void open_part();
     [[nodiscard]] bool flush();
-    [[nodiscard]] bool check(bool succeeded); ///< Keeps errno of the first failure.
+    [[nodiscard]] bool check(int error); ///< Keeps the first failure; true without one.
 
     std::filesystem::path name_;
-    std::filesystem::path part_;
+    PartFile part_;
     std::vector<char> buffer_;
-    int descriptor_ = -1;
-    bool part_exists_ = false;
     int error_ = 0;
 };
 

@@ -1,24 +1,34 @@
 // A folder that a test writes into, gone with the test, and a disk that takes no more.
 #pragma once
 
-#include <csignal>
+#include <atomic>
+#include <chrono>
 #include <cstddef>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
 #include <string>
-#include <sys/resource.h>
 #include <system_error>
+
+#if !defined(_WIN32)
+#include <csignal>
+#include <sys/resource.h>
+#endif
 
 namespace windrow::test {
 
 class OwnFolder {
   public:
     OwnFolder() {
-        std::string pattern = (std::filesystem::path(testing::TempDir()) / "windrow_XXXXXX").string();
-        path_ = ::mkdtemp(pattern.data());
+        static std::atomic<unsigned> count{0};
+        std::error_code fault;
+        do { // another process may have taken a name
+            const auto now = std::chrono::system_clock::now().time_since_epoch().count();
+            path_ =
+                std::filesystem::path(testing::TempDir()) / ("windrow_" + std::to_string(now) + '_' + std::to_string(++count));
+        } while (!std::filesystem::create_directory(path_, fault) && !fault);
+        EXPECT_FALSE(fault) << path_ << ": " << fault.message();
     }
     ~OwnFolder() {
         std::error_code ignored;
@@ -56,6 +66,7 @@ class FolderTest : public testing::Test {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+#if !defined(_WIN32)
 /// While it lives, no file of this process may grow beyond so many bytes: a full disk without a disk.
 class FileSizeLimit {
   public:
@@ -76,5 +87,6 @@ class FileSizeLimit {
     rlimit before_{};
     void (*handler_)(int) = nullptr;
 };
+#endif
 
 } // namespace windrow::test

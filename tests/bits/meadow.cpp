@@ -41,9 +41,10 @@ void hash_points(Hashes& hashes, const std::string& frame, const Wind& wind) {
     constexpr Sampling k_sampling{.strength = 1.2f, .limit = 20.0f, .detail = 0.4f, .detail_length = 0.7f};
     Numbers numbers(9);
     std::vector<glm::dvec3> places;
-    for (int n = 0; n < 200; ++n)
-        places.emplace_back(
-            glm::vec3(numbers.between(-20.0f, 20.0f), numbers.between(0.0f, 18.0f), numbers.between(-18.0f, 18.0f)));
+    for (int n = 0; n < 200; ++n) { // one after the other: the order of arguments is the compiler's
+        const float x = numbers.between(-20.0f, 20.0f), y = numbers.between(0.0f, 18.0f), z = numbers.between(-18.0f, 18.0f);
+        places.emplace_back(x, y, z);
+    }
     std::vector<glm::vec3> found(places.size());
     wind.velocity(places, found);
     hashes.add("points/" + frame, found);

@@ -10,11 +10,14 @@
 #include <gtest/gtest.h>
 #include <memory>
 #include <numeric>
+#include <thread>
+#include <vector>
+
+#if !defined(_WIN32)
 #include <sys/resource.h>
 #include <sys/wait.h>
-#include <thread>
 #include <unistd.h>
-#include <vector>
+#endif
 
 namespace {
 
@@ -147,6 +150,7 @@ TEST(ThreadPool, AWorkloadOfUnevenTasksEnds) {
     EXPECT_EQ(sum.load(), 16u * loops(200));
 }
 
+#if !defined(_WIN32)
 // As a container or `ulimit -u` limits them. A process of its own, as a user whose limit holds: the superuser has none.
 TEST(ThreadPool, GoesOnWithTheThreadsThatTheSystemGives) {
 #if defined(__SANITIZE_THREAD__)
@@ -174,6 +178,7 @@ TEST(ThreadPool, GoesOnWithTheThreadsThatTheSystemGives) {
         EXPECT_LT(WEXITSTATUS(status), 64);
     }
 }
+#endif
 
 #if !defined(NDEBUG) && !defined(__SANITIZE_THREAD__)
 TEST(ThreadPoolDeathTest, ALoopWithinALoopIsNamed) {
