@@ -12,7 +12,7 @@ namespace windrow {
 enum class Simd : std::uint8_t {
     /// The best level of this machine. The default.
     best,
-    /// Of every machine of this architecture (SSE2 on x86): the same bits everywhere, for replays across machines.
+    /// Of every machine (SSE2 on x86): the same bits on all of them, for lockstep and replays (docs/promises.md).
     baseline,
     avx2,   ///< AVX2 with FMA.
     avx512, ///< AVX-512 F, VL, DQ.
