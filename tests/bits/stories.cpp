@@ -31,7 +31,7 @@ void give_up(const std::string& reason) {
 std::vector<Hash> all_stories(Simd level, ParallelFor parallel_for) {
     std::vector<Hash> all;
     for (const std::vector<Hash>& story : {meadow(level, parallel_for), town(level, parallel_for), duct(level, parallel_for),
-                                           night(level, parallel_for), plants(parallel_for)})
+                                           night(level, parallel_for), plants(parallel_for), functions()})
         for (const Hash& hash : story)
             all.push_back({std::string(name_of(level)) + '/' + hash.name, hash.value});
     return all;

@@ -71,6 +71,8 @@ decltype(auto) must(Outcome&& outcome) {
 [[nodiscard]] std::vector<Hash> night(Simd level, ParallelFor parallel_for);
 /// Plants in gusts: blades, shells, a tree, springs, a cascade, the memory of the ground. The same at every level.
 [[nodiscard]] std::vector<Hash> plants(ParallelFor parallel_for);
+/// The elementary functions that the others call. The same at every level.
+[[nodiscard]] std::vector<Hash> functions();
 
 /// All of them, names as "baseline/meadow/cells/90".
 [[nodiscard]] std::vector<Hash> all_stories(Simd level, ParallelFor parallel_for);
