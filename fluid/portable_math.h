@@ -4,8 +4,8 @@
 // fused multiply-add where there is one. These here are sums, products, quotients and roots of doubles, which IEEE arithmetic
 // rounds alike everywhere, in one order, and each rounds by itself (-ffp-contract=off).
 //
-// Functions of double are within 4 units in the last place. Functions of float round the result of a double: within .501 units.
-// Where they are declared they take the place of glm's in the text of shaders/numerics.
+// Functions of double are within 4 units in the last place, angles within 8. Functions of float round the result of a double:
+// within .501 units. Where they are declared they take the place of glm's in the text of shaders/numerics.
 #pragma once
 
 namespace windrow::numerics {
@@ -16,14 +16,13 @@ namespace windrow::numerics {
 [[nodiscard]] double log(double x);
 /// Of x above -1.
 [[nodiscard]] double log1p(double x);
-/// Angles [rad] are reduced by a value of 2 pi with 99 digits in base 2: to 4 units up to 1e6; beyond, a last digit of the angle is
-/// more than those.
+/// Of an angle [rad]. Beyond 1e6 it is reduced by the double nearest to 2 pi first: the error is then 1e-16 of the angle.
 [[nodiscard]] double sin(double x);
 [[nodiscard]] double cos(double x);
 [[nodiscard]] double atan2(double y, double x);
 /// NaN outside of -1 to 1.
 [[nodiscard]] double acos(double x);
-/// A power by squaring: within `exponent` / 2 + 1 units in the last place.
+/// A power by squaring: within `exponent` units in the last place.
 [[nodiscard]] double power(double base, unsigned exponent);
 /// Smallest whole n with 2^n >= x; `x` is positive and finite. Exact.
 [[nodiscard]] int ceil_log2(double x);

