@@ -1,6 +1,7 @@
 #include "fluid/ambient.h"
 
 #include "fluid/ambient_numerics.h"
+#include "fluid/cpu/point_tasks.h"
 #include "fluid/validation.h"
 #include "fluid/window.h"
 
@@ -12,23 +13,10 @@
 namespace windrow {
 namespace {
 
-bool finite(const glm::dvec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 // Exact: fmod rounds nothing, so a place a whole number of periods away gives the same bits.
 double wrapped(double value, double period) {
     const double rest = std::fmod(value, period);
     return rest < 0.0 ? rest + period : rest;
-}
-
-// Replaces each field that validate() rejects by its default: a NaN would spread through the shaders.
-Sampling usable(Sampling sampling) {
-    for_each_setting(sampling, [](const auto& field, float& value) {
-        if (!field.range.holds(value))
-            value = Sampling{}.*field.member;
-    });
-    return sampling;
 }
 
 // One field of AmbientWind::Settings, passed alone.
@@ -39,13 +27,9 @@ Result<void> validate_alone(const char* name, const Value& value, const Range& r
     return reasons.outcome();
 }
 
-numerics::TileView view(const std::shared_ptr<const GustTile>& tile) {
-    return {tile ? tile->texels().data() : nullptr};
-}
-
-numerics::WindrowAmbient shared(const AmbientBlock& block) {
-    static_assert(sizeof(numerics::WindrowAmbient) == sizeof(AmbientBlock));
-    return std::bit_cast<numerics::WindrowAmbient>(block);
+// All levels give the same bits.
+const cpu::Kernels& kernels() {
+    return *cpu::kernels_for(Simd::best);
 }
 
 } // namespace
@@ -78,22 +62,33 @@ Result<AmbientWind> AmbientWind::create(const Settings& settings) {
     return wind;
 }
 
-// The anchor is the point itself. The place in the tile is computed in double and the shared text adds 0 to it.
 glm::vec3 AmbientWind::velocity(glm::dvec3 position) const {
-    if (uniform() || !finite(position))
+    if (uniform())
         return settings_.mean;
-    return numerics::windrow_ambient(view(tile()), shared(block(position)), glm::vec3(0.0f));
+    glm::vec3 wind;
+    kernels().sample_ambient(cpu::ambient_task(*this), &position.x, 1, 3, &wind.x);
+    return wind;
 }
 
-glm::vec3 AmbientWind::felt(glm::vec3 velocity, glm::dvec3 position, const Sampling& asked) const {
-    const Sampling sampling = usable(asked);
-    if (!(sampling.detail > 0.0f) || !finite(position))
-        return numerics::windrow_limited(velocity, sampling.strength, sampling.limit);
-    return numerics::windrow_felt(view(tile()), shared(block(position, sampling)), velocity, glm::vec3(0.0f));
+void AmbientWind::velocity(std::span<const glm::dvec3> positions, std::span<glm::vec3> velocities) const {
+    const std::size_t count = std::min(positions.size(), velocities.size());
+    if (count > 0)
+        kernels().sample_ambient(cpu::ambient_task(*this), &positions.data()->x, count, 3, &velocities.data()->x);
+}
+
+glm::vec3 AmbientWind::felt(glm::vec3 velocity, glm::dvec3 position, const Sampling& sampling) const {
+    kernels().feel(cpu::felt_task(*this, sampling), &position.x, 1, 3, &velocity.x);
+    return velocity;
+}
+
+void AmbientWind::felt(std::span<const glm::dvec3> positions, const Sampling& sampling, std::span<glm::vec3> velocities) const {
+    const std::size_t count = std::min(positions.size(), velocities.size());
+    if (count > 0)
+        kernels().feel(cpu::felt_task(*this, sampling), &positions.data()->x, count, 3, &velocities.data()->x);
 }
 
 AmbientBlock AmbientWind::block(glm::dvec3 anchor, const Sampling& asked) const {
-    const Sampling sampling = usable(asked);
+    const Sampling sampling = cpu::usable(asked);
     anchor = detail::usable_anchor(anchor);
     AmbientBlock block;
     block.mean = settings_.mean;
@@ -108,9 +103,7 @@ AmbientBlock AmbientWind::block(glm::dvec3 anchor, const Sampling& asked) const 
     block.longest_gust = tile() ? tile()->bound() : 1.0f;
     block.gust_axes = gust_axes_;
     block.felt_limit = sampling.limit;
-    // A whole number of tiles of detail fits the gusts' tile, so the wrapped phase of the one is also a phase of the other.
-    const double fit = std::round(static_cast<double>(settings_.gusts.length) / static_cast<double>(sampling.detail_length));
-    const int repeats = fit >= 1.0 ? static_cast<int>(std::min(fit, 1e9)) : 1; // NaN too
+    const int repeats = cpu::detail_repeats(*this, sampling);
     block.detail_texels = static_cast<float>(repeats / texel());
     block.detail_amount = tile() ? sampling.detail : 0.0f;
     for (int axis = 0; axis < 3; ++axis) {
@@ -124,15 +117,8 @@ AmbientBlock AmbientWind::block(glm::dvec3 anchor, const Sampling& asked) const 
     return block;
 }
 
-// The coordinate is wrapped before the phase is subtracted, so the difference keeps its digits. Repeating detail is wrapped at
-// the gusts' period: places a whole number of tiles apart have the same detail to the bit.
 AmbientWind::TilePlace AmbientWind::place(int axis, double coordinate, int repeats) const {
-    const int texels = axis == 1 ? 2 * GustTile::k_height : GustTile::k_side;
-    const double origin = axis == 1 ? settings_.ground : 0.0;
-    const double along = wrapped(coordinate - origin, texels * texel()) - phase_[axis];
-    const double in_texels = wrapped(along / texel() * repeats, texels) - 0.5;
-    const double whole = std::floor(in_texels);
-    return {std::min(static_cast<int>(whole), texels - 1), static_cast<float>(in_texels - whole)};
+    return cpu::tile_place(cpu::tile_axis(*this, axis, repeats), coordinate);
 }
 
 AmbientWind AmbientWind::without_gusts() const {

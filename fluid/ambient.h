@@ -23,6 +23,7 @@
 #include <glm/vec4.hpp>
 #include <memory>
 #include <optional>
+#include <span>
 #include <tuple>
 
 namespace windrow {
@@ -158,9 +159,14 @@ class WINDROW_API AmbientWind {
 
     /// [m/s] Wind at a world point. A point that is not finite gets the mean.
     [[nodiscard]] glm::vec3 velocity(glm::dvec3 position) const;
+    /// The same for many points, a sixth to a tenth of the time a point; `velocities` holds as many. The bits of a point are those
+    /// of the call above.
+    void velocity(std::span<const glm::dvec3> positions, std::span<glm::vec3> velocities) const;
     /// [m/s] Wind that acts on a plant at a world point: a wind from here or from the fluid, with detail, scaled, limited. 0 for
     /// a wind that is not finite; no detail at a point that is not finite.
     [[nodiscard]] glm::vec3 felt(glm::vec3 velocity, glm::dvec3 position, const Sampling& sampling = {}) const;
+    /// The same for many points: `velocities` holds the winds there, and then what acts.
+    void felt(std::span<const glm::dvec3> positions, const Sampling& sampling, std::span<glm::vec3> velocities) const;
     /// Shader block for the same two functions, relative to `anchor` [m]; one that is not finite counts as 0. A field of
     /// `sampling` that `validate` rejects counts as its default, here and in `felt`.
     [[nodiscard]] AmbientBlock block(glm::dvec3 anchor, const Sampling& sampling = {}) const;

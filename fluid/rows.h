@@ -94,6 +94,8 @@ class WINDROW_API RowTable {
     [[nodiscard]] std::span<const float> scales() const { return scales_; }
     /// By face, from the low boundary: cell size over the distance between the centres below and above it.
     [[nodiscard]] std::span<const float> links() const { return links_; }
+    /// [m] The heights of rows -1 to count().
+    [[nodiscard]] std::span<const double> heights() const { return heights_; }
     /// [m] By row: the heights as floats.
     [[nodiscard]] std::span<const float> centres() const { return centres_; }
 

@@ -1,5 +1,6 @@
 #include "fluid/textures.h"
 
+#include "fluid/cpu/kernels/kernels.h"
 #include "fluid/view_place.h"
 
 #include <algorithm>
@@ -12,7 +13,12 @@
 namespace windrow {
 namespace {
 
-constexpr std::uint32_t k_largest_half = 0x7bff; // 65504
+#include "fluid/cpu/kernels/half_text.inl"
+
+// All levels give the same bits.
+const cpu::Kernels& kernels() {
+    return *cpu::kernels_for(Simd::best);
+}
 
 /// An axis of `window` with its low boundary at `origin` [m] and its blend zone around `centre` [m]. In double, since the offsets
 /// are differences of large numbers where the anchor is far away.
@@ -59,20 +65,8 @@ PlaceBlock place_block(const WindowBlock& window, glm::vec3 origin, glm::vec3 ce
 
 } // namespace
 
-// Rounds to nearest, ties to even, by integer arithmetic: the bits kept by the half, plus the carry of the dropped bits.
 std::uint16_t to_half(float value) {
-    const auto bits = std::bit_cast<std::uint32_t>(value);
-    const std::uint32_t sign = (bits >> 16) & 0x8000u;
-    const std::uint32_t magnitude = bits & 0x7fffffffu;
-    if (magnitude > 0x7f800000u)
-        return 0; // NaN
-    if (magnitude < 0x38800000u) {
-        // Below 2^-14 a half counts multiples of 2^-24. Adding 1/2 makes the float adder round to these.
-        const float counted = std::bit_cast<float>(magnitude) + 0.5f;
-        return static_cast<std::uint16_t>(sign | (std::bit_cast<std::uint32_t>(counted) - 0x3f000000u));
-    }
-    const std::uint32_t rounded = (magnitude - 0x38000000u + 0xfffu + ((magnitude >> 13) & 1u)) >> 13;
-    return static_cast<std::uint16_t>(sign | (rounded < k_largest_half ? rounded : k_largest_half));
+    return half_of(value);
 }
 
 float from_half(std::uint16_t half) {
@@ -94,8 +88,8 @@ void extract_axis(std::span<const glm::vec4> field, int axis, std::span<float> t
 
 void extract_axis(std::span<const glm::vec4> field, int axis, std::span<std::uint16_t> half_texels) {
     assert(axis >= 0 && axis < 3 && half_texels.size() == field.size());
-    for (std::size_t n = 0; n < field.size(); ++n)
-        half_texels[n] = to_half(field[n][axis]);
+    if (!field.empty())
+        kernels().halve_axis(&field.data()->x, field.size(), axis, half_texels.data());
 }
 
 void pack_vectors(std::span<const glm::vec4> field, std::span<float> texels) {
@@ -107,9 +101,8 @@ void pack_vectors(std::span<const glm::vec4> field, std::span<float> texels) {
 
 void pack_vectors(std::span<const glm::vec4> field, std::span<std::uint16_t> half_texels) {
     assert(half_texels.size() == 4 * field.size());
-    for (std::size_t n = 0; n < field.size(); ++n)
-        for (int axis = 0; axis < 4; ++axis)
-            half_texels[4 * n + static_cast<std::size_t>(axis)] = axis < 3 ? to_half(field[n][axis]) : std::uint16_t{0};
+    if (!field.empty())
+        kernels().halve_vectors(&field.data()->x, field.size(), half_texels.data());
 }
 
 FrameBlock frame_block(const WindowBlock& window, const AmbientBlock& ambient, const AmbientBlock& previous_ambient,

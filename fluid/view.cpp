@@ -1,11 +1,10 @@
 #include "fluid/view.h"
 
+#include "fluid/cpu/point_tasks.h"
 #include "fluid/message.h"
-#include "fluid/numerics.h"
 #include "fluid/view_place.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace windrow {
 namespace {
@@ -35,72 +34,111 @@ Result<void> write_texels(std::span<const glm::vec4> field, std::span<Texel> x, 
     return {};
 }
 
+cpu::PointTask point_task(const Box& box, const Window& window, const BlendZone& blend_zone, const AmbientWind& ambient,
+                          std::span<const glm::vec4> field) {
+    const double h = static_cast<double>(box.cell_size);
+    cpu::PointTask task{};
+    task.cell_size = h;
+    task.field = field.empty() ? nullptr : &field.data()->x;
+    task.ambient = cpu::ambient_task(ambient);
+    for (int axis = 0; axis < 3; ++axis) {
+        cpu::PointAxis& to = task.axis[axis];
+        to.cells = box.cells[axis];
+        to.low_kind = side_number(box.boundaries.at(axis, 0));
+        to.high_kind = side_number(box.boundaries.at(axis, 1));
+        to.reach = blend_zone.reach[axis];
+        to.width = blend_zone.width;
+        to.origin = static_cast<double>(window.origin_cells[axis]);
+        if (to.reach > 0.0f)
+            to.point = blend_zone.point[axis] / h;
+        if (box.boundaries.periodic(axis))
+            to.period = cpu::period_of(box.cells[axis]);
+    }
+    if (box.rows) {
+        task.row_heights = box.rows->heights().data();
+        task.rows = box.rows->count();
+        task.bottom = window.origin().y;
+        task.top = box.rows->top();
+    }
+    return task;
+}
+
+cpu::PointPlace of_kernels(const detail::ViewPlace& place) {
+    cpu::PointPlace to{};
+    for (int axis = 0; axis < 3; ++axis) {
+        to.low[axis] = place.low[axis];
+        to.high[axis] = place.high[axis];
+        to.between[axis] = place.between[axis];
+        to.ambient[axis] = place.ambient[axis];
+    }
+    to.share = place.fraction;
+    return to;
+}
+
+// A list in parts that stay in the first cache between the wind and what it does to a plant.
+constexpr std::size_t k_part = 512;
+
+// Velocities are of three floats or of four.
+template <class Velocity>
+void sample(const cpu::Kernels& kernels, const cpu::PointTask& task, const cpu::FeltTask* felt,
+            std::span<const glm::dvec3> positions, std::span<Velocity> velocities) {
+    const std::size_t count = std::min(positions.size(), velocities.size());
+    for (std::size_t first = 0; first < count; first += k_part) {
+        const std::size_t size = std::min(k_part, count - first);
+        const double* const points = &positions[first].x;
+        float* const out = &velocities[first].x;
+        kernels.sample_points(task, points, size, Velocity::length(), out);
+        if (felt != nullptr)
+            kernels.feel(*felt, points, size, Velocity::length(), out);
+    }
+}
+
 } // namespace
 
 detail::ViewPlace detail::place_in(const Box& box, const Window& window, const BlendZone& blend_zone, const AmbientWind& ambient,
                                    glm::dvec3 position) {
-    ViewPlace place;
-    glm::dvec3 exact = window.local(position);
-    if (!(std::isfinite(exact.x) && std::isfinite(exact.y) && std::isfinite(exact.z))) {
-        place.ambient = ambient.mean();
-        return place;
+    cpu::PointPlace found{};
+    cpu::kernels_for(Simd::best)->place_point(point_task(box, window, blend_zone, ambient, {}), &position.x, found);
+    ViewPlace place{.fraction = found.share};
+    for (int axis = 0; axis < 3; ++axis) {
+        place.low[axis] = found.low[axis];
+        place.high[axis] = found.high[axis];
+        place.between[axis] = found.between[axis];
+        place.ambient[axis] = found.ambient[axis];
     }
-    for (int axis = 0; axis < 3; ++axis) // wrapped in double: a large float does not resolve a fraction of a cell
-        if (box.boundaries.periodic(axis))
-            exact[axis] = std::fmod(exact[axis], static_cast<double>(box.cells[axis]));
-    const glm::vec3 local(exact);
-    float& share = place.fraction = 1.0f;
-    for (int axis = 0; axis < 3 && share > 0.0f; ++axis) {
-        int& low = place.low[axis];
-        int& high = place.high[axis];
-        const auto cells = static_cast<float>(box.cells[axis]);
-        const float low_kind = side_number(box.boundaries.at(axis, 0)), high_kind = side_number(box.boundaries.at(axis, 1));
-        // Over a cell's size, also where the outermost row has another thickness.
-        float from_low = local[axis], from_high = cells - local[axis];
-        if (box.rows && axis == 1) {
-            const double over = position.y - window.origin().y, h = static_cast<double>(box.cell_size);
-            from_low = static_cast<float>(over / h);
-            from_high = static_cast<float>((box.rows->top() - over) / h);
-        }
-        share *= numerics::windrow_edge_share(low_kind == 0.0f ? 1.0f + from_low : k_never_fades,
-                                              high_kind == 0.0f ? 1.0f + from_high : k_never_fades, 0.0f);
-        // The zone of the whole box may reach beyond a box that was read out of it: both weights count.
-        if (const float reach = blend_zone.reach[axis]; reach > 0.0f) {
-            const auto from_point =
-                static_cast<float>((position[axis] - blend_zone.point[axis]) / static_cast<double>(box.cell_size));
-            share *= numerics::windrow_edge_share((reach + from_point) / blend_zone.width,
-                                                  (reach - from_point) / blend_zone.width, 1.0f);
-        }
-        const float sample = numerics::windrow_axis_sample(local[axis], cells, low_kind) - 0.5f;
-        const float below = std::floor(sample);
-        place.between[axis] = sample - below;
-        low = static_cast<int>(below);
-        high = low + 1;
-        if (low_kind == 2.0f) {
-            low = (low + box.cells[axis]) % box.cells[axis];
-            high = high % box.cells[axis];
-        }
-        low = std::clamp(low, 0, box.cells[axis] - 1);
-        high = std::clamp(high, 0, box.cells[axis] - 1);
-    }
-    if (share != 1.0f)
-        place.ambient = ambient.velocity(position);
     return place;
 }
 
-glm::vec3 WindView::velocity(glm::dvec3 position) const {
-    return detail::wind_at(detail::place_in(*box_, window_, blend_zone_, *ambient_, position),
-                           [&](int i, int j, int k) { return glm::vec3(field_[box_->index(i, j, k)]); });
+glm::vec3 detail::blended(const ViewPlace& place, const std::array<glm::vec4, 8>& corners) {
+    glm::vec4 wind;
+    cpu::kernels_for(Simd::best)->blend_corners(&corners.front().x, of_kernels(place), &wind.x);
+    return wind;
 }
 
+glm::vec3 WindView::velocity(glm::dvec3 position) const {
+    glm::vec3 wind;
+    velocity(std::span(&position, 1), std::span(&wind, 1));
+    return wind;
+}
 void WindView::velocity(std::span<const glm::dvec3> positions, std::span<glm::vec3> velocities) const {
-    const std::size_t count = std::min(positions.size(), velocities.size());
-    for (std::size_t n = 0; n < count; ++n)
-        velocities[n] = velocity(positions[n]);
+    sample(*cpu::kernels_for(simd_), point_task(*box_, window_, blend_zone_, *ambient_, field_), nullptr, positions, velocities);
+}
+void WindView::velocity(std::span<const glm::dvec3> positions, std::span<glm::vec4> velocities) const {
+    sample(*cpu::kernels_for(simd_), point_task(*box_, window_, blend_zone_, *ambient_, field_), nullptr, positions, velocities);
 }
 
 glm::vec3 WindView::felt(glm::dvec3 position, const Sampling& sampling) const {
-    return ambient_->felt(velocity(position), position, sampling);
+    glm::vec3 wind;
+    felt(std::span(&position, 1), sampling, std::span(&wind, 1));
+    return wind;
+}
+void WindView::felt(std::span<const glm::dvec3> positions, const Sampling& sampling, std::span<glm::vec3> velocities) const {
+    const cpu::FeltTask felt = cpu::felt_task(*ambient_, sampling);
+    sample(*cpu::kernels_for(simd_), point_task(*box_, window_, blend_zone_, *ambient_, field_), &felt, positions, velocities);
+}
+void WindView::felt(std::span<const glm::dvec3> positions, const Sampling& sampling, std::span<glm::vec4> velocities) const {
+    const cpu::FeltTask felt = cpu::felt_task(*ambient_, sampling);
+    sample(*cpu::kernels_for(simd_), point_task(*box_, window_, blend_zone_, *ambient_, field_), &felt, positions, velocities);
 }
 
 Result<void> WindView::write_vectors(std::span<float> texels) const {

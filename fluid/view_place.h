@@ -4,7 +4,10 @@
 #include "fluid/api.h"
 #include "fluid/view.h"
 
-#include <glm/common.hpp>
+#include <array>
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 namespace windrow::detail {
 
@@ -22,18 +25,21 @@ struct ViewPlace {
 [[nodiscard]] WINDROW_INTERNAL ViewPlace place_in(const Box& box, const Window& window, const BlendZone& blend_zone,
                                                   const AmbientWind& ambient, glm::dvec3 position);
 
+/// [m/s] Wind at a place among eight cells, x fastest.
+[[nodiscard]] glm::vec3 blended(const ViewPlace& place, const std::array<glm::vec4, 8>& corners);
+
 /// [m/s] Wind at a place, with `cell(i, j, k)` the velocity of a cell.
 template <class Cell>
 [[nodiscard]] glm::vec3 wind_at(const ViewPlace& place, const Cell& cell) {
-    const auto& [low, high, between, fraction, ambient] = place;
-    if (fraction <= 0.0f)
-        return ambient;
-    const auto line = [&place, &cell](int j, int k) {
-        return glm::mix(cell(place.low.x, j, k), cell(place.high.x, j, k), place.between.x);
-    };
-    const auto plane = [&place, &line](int k) { return glm::mix(line(place.low.y, k), line(place.high.y, k), place.between.y); };
-    const glm::vec3 inside = glm::mix(plane(low.z), plane(high.z), between.z);
-    return fraction == 1.0f ? inside : glm::mix(ambient, inside, fraction);
+    if (place.fraction <= 0.0f)
+        return place.ambient;
+    std::array<glm::vec4, 8> corners;
+    for (int n = 0; n < 8; ++n)
+        corners[static_cast<std::size_t>(n)] =
+            glm::vec4(cell((n & 1) != 0 ? place.high.x : place.low.x, (n & 2) != 0 ? place.high.y : place.low.y,
+                           (n & 4) != 0 ? place.high.z : place.low.z),
+                      0.0f);
+    return blended(place, corners);
 }
 
 } // namespace windrow::detail

@@ -456,12 +456,12 @@ void Cells::show(const FrameBlend& blend) {
 
 WindView Cells::air_view() {
     hold_air();
-    return {box(), wind_.window(), wind_.blend_zone(wind_.place.point), wind_.ambient, air.velocity};
+    return {box(), wind_.window(), wind_.blend_zone(wind_.place.point), wind_.ambient, air.velocity, wind_.config.simd};
 }
 
 WindView Cells::view(FrameCells::Field& field, const ShownFrame& frame) {
     hold_frame(field, frame);
-    return {box(), frame.window, wind_.blend_zone(frame.blend_centre), frame.ambient, field.cells};
+    return {box(), frame.window, wind_.blend_zone(frame.blend_centre), frame.ambient, field.cells, wind_.config.simd};
 }
 
 std::size_t Cells::memory_bytes() const {

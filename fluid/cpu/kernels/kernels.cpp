@@ -1,13 +1,28 @@
 #include "fluid/cpu/kernels/kernels.h"
 
+#if defined(WINDROW_X86_LEVELS)
+#include <cpuid.h>
+#endif
+
 namespace windrow {
 namespace cpu {
+#if defined(WINDROW_X86_LEVELS)
+namespace {
+
+// Conversion to halves. Clang 14 does not answer it by __builtin_cpu_supports.
+bool has_f16c() {
+    unsigned a = 0, b = 0, c = 0, d = 0;
+    return __get_cpuid(1, &a, &b, &c, &d) != 0 && (c & bit_F16C) != 0;
+}
+
+} // namespace
+#endif
 
 const Kernels* kernels_for(Simd level) {
 #if defined(WINDROW_X86_LEVELS)
-    const bool has_avx512 =
+    static const bool has_avx512 =
         __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq");
-    const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    static const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && has_f16c(); // slow to ask
     if (has_avx512 && (level == Simd::best || level == Simd::avx512))
         return &avx512::k_kernels;
     if (has_avx2 && (level == Simd::best || level == Simd::avx2))

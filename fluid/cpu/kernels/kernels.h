@@ -185,6 +185,69 @@ struct TridiagonalTask {
     const float* scale_out; ///< null, or one a row: factor on x
 };
 
+/// Length of what repeats, in two parts: `high` has its first 26 binary digits.
+struct Period {
+    double whole, high, low;
+};
+
+/// One axis of the gust tile in the world: from `origin` [m] on, moved by `phase` [m], texels of `texel` [m], repeated `repeats`
+/// times in its own period.
+struct TileAxis {
+    double origin, phase, texel, repeats;
+    Period period; ///< [m]
+    Period texels; ///< of the tile, a power of two
+};
+inline constexpr int k_tile_side = 128, k_tile_height = 16; ///< as GustTile, which a level's file must not include
+
+/// The ambient wind at points. The part of it that is off is 0.
+struct AmbientTask {
+    float mean[4];
+    float roughness_length, reference_height; ///< [m]; roughness 0: no profile
+    float gust_strength;                      ///< [m/s] 0: no gusts
+    float gust_axes[4];
+    const float* tile;              ///< four floats a texel
+    double ground, lowest, highest; ///< [m] world; heights over the ground are kept between the last two
+    TileAxis gusts[3];              ///< set where there are gusts
+};
+
+/// What a plant feels of a wind.
+struct FeltTask {
+    float strength, limit;
+    float detail_amount; ///< 0: none
+    float longest;       ///< longest vector of the tile
+    const float* tile;
+    TileAxis detail[3]; ///< set where there is detail
+};
+
+/// One axis of a box at points. Kinds of boundaries are numbers as in shaders/numerics/window.glsl.
+struct PointAxis {
+    int cells;
+    float low_kind, high_kind;
+    float reach, width; ///< [cells] of the blend zone; reach 0: none
+    double origin;      ///< [cells] of the low corner, in the world
+    double point;       ///< [cells] of the blend zone's centre, in the world
+    Period period;      ///< [cells] where the axis is periodic
+};
+
+/// The wind of a box at points.
+struct PointTask {
+    PointAxis axis[3];
+    double cell_size;
+    const double* row_heights; ///< [m] over the low corner, of row -1 first; null: all rows are cell_size thick
+    int rows;
+    double bottom, top; ///< [m] of the low corner in the world, of the box over it; where it has rows
+    const float* field; ///< four floats a cell
+    AmbientTask ambient;
+};
+
+/// A point among the cells.
+struct PointPlace {
+    int low[3], high[3];
+    float between[3];
+    float share;      ///< of the box's wind; 0: the cells do not count
+    float ambient[4]; ///< set where the share is not 1
+};
+
 struct Kernels {
     const char* name;
     void (*pad_plane)(const PadTask&, int padded_plane);
@@ -205,6 +268,18 @@ struct Kernels {
     void (*fold_row)(const Fold&, const float* row, int odd_offset, float* folded);
     void (*unfold_row)(const Fold&, const float* folded, int odd_offset, float* row);
     PlaneSurvey (*survey)(const float* velocity, std::size_t cells);
+    /// Points are three doubles each. Velocities are written `stride` floats apart, three or four each. All levels give the same
+    /// bits here, and a point the same in any list.
+    void (*sample_points)(const PointTask&, const double* points, std::size_t count, int stride, float* velocities);
+    void (*sample_ambient)(const AmbientTask&, const double* points, std::size_t count, int stride, float* velocities);
+    /// Of the velocities given, in place.
+    void (*feel)(const FeltTask&, const double* points, std::size_t count, int stride, float* velocities);
+    void (*place_point)(const PointTask&, const double* point, PointPlace&);
+    /// The wind at a place whose eight cells are given, x fastest, four floats each.
+    void (*blend_corners)(const float* corners, const PointPlace&, float* velocity);
+    /// Halves as to_half of fluid/textures.h makes them, of four floats a cell: x, y, z, 0, or one component.
+    void (*halve_vectors)(const float* cells, std::size_t count, std::uint16_t* halves);
+    void (*halve_axis)(const float* cells, std::size_t count, int axis, std::uint16_t* halves);
 };
 
 /// Null where this machine does not run the level.

@@ -286,17 +286,20 @@ inline Native undeal(Native a) {
 }
 #endif
 
-// Which lanes hold the x and the y of cells.
+// Which lanes hold the x, the y and the fourth float of cells.
 typedef std::int32_t NativeBits __attribute__((vector_size(k_native_lanes * 4)));
 #if defined(__AVX512F__)
 constexpr NativeBits k_is_x = {-1, 0, 0, 0, -1, 0, 0, 0, -1, 0, 0, 0, -1, 0, 0, 0};
 constexpr NativeBits k_is_y = {0, -1, 0, 0, 0, -1, 0, 0, 0, -1, 0, 0, 0, -1, 0, 0};
+constexpr NativeBits k_is_w = {0, 0, 0, -1, 0, 0, 0, -1, 0, 0, 0, -1, 0, 0, 0, -1};
 #elif defined(__AVX__)
 constexpr NativeBits k_is_x = {-1, 0, 0, 0, -1, 0, 0, 0};
 constexpr NativeBits k_is_y = {0, -1, 0, 0, 0, -1, 0, 0};
+constexpr NativeBits k_is_w = {0, 0, 0, -1, 0, 0, 0, -1};
 #else
 constexpr NativeBits k_is_x = {-1, 0, 0, 0};
 constexpr NativeBits k_is_y = {0, -1, 0, 0};
+constexpr NativeBits k_is_w = {0, 0, 0, -1};
 #endif
 
 struct CellRegisters {

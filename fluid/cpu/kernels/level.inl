@@ -18,6 +18,13 @@ namespace {
 #include "fluid/cpu/kernels/stress.inl"
 #include "fluid/cpu/kernels/survey.inl"
 #include "fluid/cpu/kernels/tridiagonal.inl"
+// Points: these use the ones above them.
+#include "fluid/cpu/kernels/shader_text.inl"
+#include "fluid/cpu/kernels/wrap.inl"
+#include "fluid/cpu/kernels/points.inl"
+#include "fluid/cpu/kernels/ambient_points.inl"
+#include "fluid/cpu/kernels/box_points.inl"
+#include "fluid/cpu/kernels/halves.inl"
 } // namespace
 
 const Kernels k_kernels = {
@@ -39,6 +46,13 @@ const Kernels k_kernels = {
     fold_row,
     unfold_row,
     survey,
+    point_list,
+    ambient_list,
+    felt_list,
+    place_point,
+    blend_corners,
+    halve_vectors,
+    halve_axis,
 };
 
 } // namespace windrow::cpu::WINDROW_LEVEL

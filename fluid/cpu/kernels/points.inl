@@ -1,0 +1,178 @@
+// Points in groups: what the queries of a box and of the ambient wind have in common.
+//
+// A group is `Lanes` points, k_lanes in a list and 1 for a single point: one text. Loops over the lanes of a group become
+// vectors, except that the eight cells around a point are read point by point, four floats a cell: eight loads of 16 bytes take
+// less than the 24 gathers of a lane a point. No value depends on a neighbour in the list, nor on the number of lanes.
+
+// A number, or a vector, of each point.
+template <int Lanes>
+struct Numbers {
+    alignas(Lanes > 1 ? 64 : 4) float at[Lanes];
+};
+template <int Lanes>
+struct Whole {
+    alignas(Lanes > 1 ? 64 : 4) std::int32_t at[Lanes];
+};
+template <int Lanes>
+struct Doubles {
+    alignas(Lanes > 1 ? 64 : 8) double at[Lanes];
+};
+template <int Lanes>
+struct Vectors {
+    alignas(16) float at[Lanes][4];
+};
+
+// [m] The points as asked, by axis. What is not finite is 0 there, and `lost` is NaN instead of 0.
+template <int Lanes>
+struct Positions {
+    Doubles<Lanes> axis[3];
+    Numbers<Lanes> lost;
+};
+
+template <int Lanes>
+inline void read_positions(const double* from, Positions<Lanes>& positions) {
+    for (int axis = 0; axis < 3; ++axis)
+        for (int n = 0; n < Lanes; ++n)
+            positions.axis[axis].at[n] = from[3 * n + axis];
+}
+
+// Zero where x is not finite, which `lost` then marks.
+template <int Lanes>
+inline void drop_lost(Doubles<Lanes>& values, Numbers<Lanes>& lost) {
+    for (int n = 0; n < Lanes; ++n) {
+        const double value = values.at[n], nothing = value - value;
+        values.at[n] = nothing == 0.0 ? value : 0.0;
+        lost.at[n] += static_cast<float>(nothing);
+    }
+}
+
+template <int Lanes>
+inline bool any_above(const Numbers<Lanes>& values, float bound) {
+    std::int32_t found = 0;
+    for (int n = 0; n < Lanes; ++n)
+        found |= values.at[n] > bound ? 1 : 0;
+    return found != 0;
+}
+template <int Lanes>
+inline bool any_below(const Numbers<Lanes>& values, float bound) {
+    std::int32_t found = 0;
+    for (int n = 0; n < Lanes; ++n)
+        found |= values.at[n] < bound ? 1 : 0;
+    return found != 0;
+}
+
+// values[n] mod the period, from 0 to the period. Exact for any coordinate (wrap.inl).
+template <int Lanes>
+inline void wrap(Doubles<Lanes>& values, const Period& period) {
+    Numbers<Lanes> far; // a float, since a mask of doubles does not become one of ints in one step
+    for (int n = 0; n < Lanes; ++n)
+        far.at[n] = static_cast<float>(is_near(values.at[n], period) ? 0.0 : 1.0);
+    if (any_above(far, 0.0f)) {
+        for (int n = 0; n < Lanes; ++n)
+            values.at[n] = wrapped(values.at[n], period);
+        return;
+    }
+    for (int n = 0; n < Lanes; ++n)
+        values.at[n] = wrapped_near(values.at[n], period);
+}
+
+// Two cells, or four floats each of two lines.
+#if defined(__AVX__)
+inline Pair pair_of(const float* low, const float* high) {
+    return reinterpret_cast<Pair>(_mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(low)), _mm_loadu_ps(high), 1));
+}
+inline Pair pair_of(Cell low, Cell high) {
+    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+inline Cell low_of(Pair pair) {
+    return __builtin_shufflevector(pair, pair, 0, 1, 2, 3);
+}
+inline Cell high_of(Pair pair) {
+    return __builtin_shufflevector(pair, pair, 4, 5, 6, 7);
+}
+inline Pair blend(Pair a, Pair b, float t) {
+    return a + (t - Pair{}) * (b - a);
+}
+#else
+inline Pair pair_of(const float* low, const float* high) {
+    return {load_cell(low), load_cell(high)};
+}
+inline Pair pair_of(Cell low, Cell high) {
+    return {low, high};
+}
+inline Cell low_of(const Pair& pair) {
+    return pair.low;
+}
+inline Cell high_of(const Pair& pair) {
+    return pair.high;
+}
+inline Pair operator*(const Pair& a, const Pair& b) {
+    return {a.low * b.low, a.high * b.high};
+}
+inline Pair blend(const Pair& a, const Pair& b, float t) {
+    return {a.low + splat(t) * (b.low - a.low), a.high + splat(t) * (b.high - a.high)};
+}
+#endif
+// a + t (b - a): equal ends give themselves, to the bit. Not fused, unlike `lerp`.
+inline Cell blend(Cell a, Cell b, float t) {
+    return a + splat(t) * (b - a);
+}
+
+// The eight cells around a point: the first, and the way to its neighbour along each axis. [cells]
+template <int Lanes>
+struct Corners {
+    Whole<Lanes> first, step[3];
+};
+
+// Trilinear, along x, then y, then z, as windrow_tile_at of shaders/numerics/ambient.glsl. `turn(line, row)` changes the lower
+// and the upper row before they are blended.
+template <class Turn>
+inline Cell trilinear(const float* first, const std::ptrdiff_t (&step)[3], const float (&between)[3], const Turn& turn) {
+    const float *const a = first, *const b = first + step[1], *const c = a + step[2], *const d = b + step[2];
+    const Pair near = blend(pair_of(a, c), pair_of(a + step[0], c + step[0]), between[0]);
+    const Pair over = blend(pair_of(b, d), pair_of(b + step[0], d + step[0]), between[0]);
+    const Pair both = blend(turn(near, 0), turn(over, 1), between[1]);
+    return blend(low_of(both), high_of(both), between[2]);
+}
+
+template <int Lanes, class Turn>
+inline Cell trilinear(const float* cells, const Corners<Lanes>& corners, const Numbers<Lanes> (&between)[3], int n,
+                      const Turn& turn) {
+    std::ptrdiff_t step[3];
+    for (int axis = 0; axis < 3; ++axis)
+        step[axis] = 4 * static_cast<std::ptrdiff_t>(corners.step[axis].at[n]);
+    const float t[3] = {between[0].at[n], between[1].at[n], between[2].at[n]};
+    return trilinear(cells + 4 * static_cast<std::ptrdiff_t>(corners.first.at[n]), step, t, turn);
+}
+
+// Runs body(positions, result) for each group of a list; a group that the list does not fill is filled with its last point.
+// `result` has four floats a point, of which three or four go to `out`.
+template <class Group, class Single>
+inline void for_groups(const double* positions, std::size_t count, const Group& group, const Single& single) {
+    std::size_t first = 0;
+    for (; first + k_lanes <= count; first += k_lanes)
+        group(first, positions + 3 * first, k_lanes);
+    const std::size_t left = count - first;
+    if (left <= 2) { // a group costs about as much as two single points
+        for (; first < count; ++first)
+            single(first, positions + 3 * first, 1);
+        return;
+    }
+    double rest[3 * k_lanes];
+    for (std::size_t n = 0; n < k_lanes; ++n)
+        for (int axis = 0; axis < 3; ++axis)
+            rest[3 * n + axis] = positions[3 * (first + (n < left ? n : left - 1)) + axis];
+    group(first, rest, static_cast<int>(left));
+}
+
+// Three or four floats a point. Three are stored as four where a next point follows, whose place then takes its own.
+template <int Lanes>
+inline void write_velocities(const Vectors<Lanes>& velocities, int count, int stride, float* out) {
+    for (int n = 0; n + 1 < count; ++n)
+        store_cell(out + stride * n, load_cell(velocities.at[n]));
+    if (count > 0 && stride == 4)
+        store_cell(out + stride * (count - 1), load_cell(velocities.at[count - 1]));
+    else if (count > 0)
+        for (int axis = 0; axis < 3; ++axis)
+            out[stride * (count - 1) + axis] = velocities.at[count - 1][axis];
+}
