@@ -66,18 +66,21 @@ glm::vec3 AmbientWind::velocity(glm::dvec3 position) const {
     if (uniform())
         return settings_.mean;
     glm::vec3 wind;
-    kernels().sample_ambient(cpu::ambient_task(*this), &position.x, 1, 3, &wind.x);
+    velocity(std::span(&position, 1), std::span(&wind, 1));
     return wind;
 }
 
 void AmbientWind::velocity(std::span<const glm::dvec3> positions, std::span<glm::vec3> velocities) const {
     const std::size_t count = std::min(positions.size(), velocities.size());
-    if (count > 0)
-        kernels().sample_ambient(cpu::ambient_task(*this), &positions.data()->x, count, 3, &velocities.data()->x);
+    if (count == 0)
+        return;
+    cpu::AmbientTask task;
+    cpu::set_ambient(task, *this);
+    kernels().sample_ambient(task, &positions.data()->x, count, 3, &velocities.data()->x);
 }
 
 glm::vec3 AmbientWind::felt(glm::vec3 velocity, glm::dvec3 position, const Sampling& sampling) const {
-    kernels().feel(cpu::felt_task(*this, sampling), &position.x, 1, 3, &velocity.x);
+    felt(std::span(&position, 1), sampling, std::span(&velocity, 1));
     return velocity;
 }
 

@@ -34,32 +34,36 @@ Result<void> write_texels(std::span<const glm::vec4> field, std::span<Texel> x, 
     return {};
 }
 
+// What is off stays unset: a single point pays for each line.
 cpu::PointTask point_task(const Box& box, const Window& window, const BlendZone& blend_zone, const AmbientWind& ambient,
                           std::span<const glm::vec4> field) {
-    const double h = static_cast<double>(box.cell_size);
-    cpu::PointTask task{};
-    task.cell_size = h;
+    cpu::PointTask task;
+    const Boundaries& b = box.boundaries;
+    const Boundary* const sides[3][2] = {{&b.x_low, &b.x_high}, {&b.y_low, &b.y_high}, {&b.z_low, &b.z_high}};
+    task.per_cell = 1.0 / static_cast<double>(box.cell_size);
     task.field = field.empty() ? nullptr : &field.data()->x;
-    task.ambient = cpu::ambient_task(ambient);
     for (int axis = 0; axis < 3; ++axis) {
         cpu::PointAxis& to = task.axis[axis];
         to.cells = box.cells[axis];
-        to.low_kind = side_number(box.boundaries.at(axis, 0));
-        to.high_kind = side_number(box.boundaries.at(axis, 1));
-        to.reach = blend_zone.reach[axis];
-        to.width = blend_zone.width;
+        to.low_kind = side_number(*sides[axis][0]);
+        to.high_kind = side_number(*sides[axis][1]);
         to.origin = static_cast<double>(window.origin_cells[axis]);
-        if (to.reach > 0.0f)
-            to.point = blend_zone.point[axis] / h;
-        if (box.boundaries.periodic(axis))
+        to.reach = blend_zone.reach[axis];
+        if (to.reach > 0.0f) {
+            to.per_width = 1.0f / blend_zone.width;
+            to.point = blend_zone.point[axis] * task.per_cell;
+        }
+        if (sides[axis][0]->kind == BoundaryKind::periodic)
             to.period = cpu::period_of(box.cells[axis]);
     }
+    task.rows = 0;
     if (box.rows) {
         task.row_heights = box.rows->heights().data();
         task.rows = box.rows->count();
         task.bottom = window.origin().y;
         task.top = box.rows->top();
     }
+    cpu::set_ambient(task.ambient, ambient);
     return task;
 }
 

@@ -54,10 +54,10 @@ int detail_repeats(const AmbientWind& wind, const Sampling& sampling) {
     return fit >= 1.0 ? static_cast<int>(std::min(fit, 1e9)) : 1; // NaN too
 }
 
-AmbientTask ambient_task(const AmbientWind& wind) {
-    AmbientTask task{};
-    copy(wind.mean(), task.mean);
+void set_ambient(AmbientTask& task, const AmbientWind& wind) {
     const AmbientWind::Settings& settings = wind.settings();
+    copy(settings.mean, task.mean);
+    task.roughness_length = task.gust_strength = 0.0f;
     if (settings.profile) {
         task.roughness_length = settings.profile->roughness_length;
         task.reference_height = settings.profile->reference_height;
@@ -66,13 +66,12 @@ AmbientTask ambient_task(const AmbientWind& wind) {
         task.highest = k_world_range.max;
     }
     if (settings.gusts.intensity == 0.0f || !wind.tile())
-        return task;
+        return;
     task.gust_strength = wind.gust_strength();
     copy(wind.gust_axes(), task.gust_axes);
     task.tile = texels(wind);
     for (int axis = 0; axis < 3; ++axis)
         task.gusts[axis] = tile_axis(wind, axis, 1);
-    return task;
 }
 
 Sampling usable(Sampling sampling) {
@@ -85,7 +84,8 @@ Sampling usable(Sampling sampling) {
 
 FeltTask felt_task(const AmbientWind& wind, const Sampling& asked) {
     const Sampling sampling = usable(asked);
-    FeltTask task{};
+    FeltTask task;
+    task.detail_amount = 0.0f;
     task.strength = sampling.strength;
     task.limit = sampling.limit;
     if (!(sampling.detail > 0.0f) || !wind.tile())

@@ -6,8 +6,8 @@
 
 namespace windrow::cpu {
 
-/// Valid while the wind's tile is.
-[[nodiscard]] AmbientTask ambient_task(const AmbientWind& wind);
+/// Valid while the wind's tile is. What is off stays unset.
+void set_ambient(AmbientTask& task, const AmbientWind& wind);
 /// The detail is that of the wind's tile, none without one.
 [[nodiscard]] FeltTask felt_task(const AmbientWind& wind, const Sampling& sampling);
 

@@ -88,15 +88,17 @@ WindView on_level(const WindView& view, Simd level) {
     return {view.box(), view.window(), view.blend_zone(), view.ambient(), view.field(), level};
 }
 
-void velocities(const std::string& name, double seconds, const WindView& view, const List& points) {
+// Each call makes a view, as Wind::velocity does.
+void velocities(const std::string& name, double seconds, const Wind& wind, const List& points) {
+    const WindView view = wind.view();
     std::vector<Method> methods;
     methods.push_back({.run = [&](Winds& winds) {
         for (std::size_t n = 0; n < k_points; ++n)
-            winds[n] = reference::plain_velocity(view, points[n]);
+            winds[n] = reference::plain_velocity(wind.view(), points[n]);
     }});
     methods.push_back({.run = [&](Winds& winds) {
         for (std::size_t n = 0; n < k_points; ++n)
-            winds[n] = view.velocity(points[n]);
+            winds[n] = wind.velocity(points[n]);
     }});
     for (const Simd level : k_levels)
         if (runs(level))
@@ -104,16 +106,17 @@ void velocities(const std::string& name, double seconds, const WindView& view, c
     contest(name, seconds, methods);
 }
 
-void felt(const std::string& name, double seconds, const WindView& view, const List& points, const Sampling& sampling) {
+void felt(const std::string& name, double seconds, const Wind& wind, const List& points, const Sampling& sampling) {
+    const WindView view = wind.view();
     std::vector<Method> methods;
     methods.push_back({.run = [&](Winds& winds) {
         for (std::size_t n = 0; n < k_points; ++n)
             winds[n] =
-                reference::plain_felt(view.ambient(), reference::plain_velocity(view, points[n]), points[n], sampling);
+                reference::plain_felt(view.ambient(), reference::plain_velocity(wind.view(), points[n]), points[n], sampling);
     }});
     methods.push_back({.run = [&](Winds& winds) {
         for (std::size_t n = 0; n < k_points; ++n)
-            winds[n] = view.felt(points[n], sampling);
+            winds[n] = wind.felt(points[n], sampling);
     }});
     for (const Simd level : k_levels)
         if (runs(level))
@@ -181,23 +184,22 @@ int main(int count, char** arguments) {
     rows.rows.emplace();
     ring.boundaries = Boundaries::all(BoundaryKind::periodic);
     const Wind wind = wind_of(open), calm = wind_of(profiled), windy = wind_of(gusty), thin = wind_of(rows), round = wind_of(ring);
-    const WindView view = wind.view(), gusts = windy.view();
     const glm::dvec3 floor(0.0, wind.origin().y, 0.0), corner = floor + glm::dvec3(-5.0, 0.0, -5.0),
                      outside = floor + glm::dvec3(100.0, 0.0, 40.0), low = floor + glm::dvec3(-16.0, 0.0, -16.0);
     const List near = meadow(corner, 10.0), whole = meadow(low, 32.0), far = meadow(outside, 10.0);
-    velocities("inside, in order", seconds, view, near);
-    velocities("inside, shuffled", seconds, view, shuffled(near));
-    velocities("whole box, in order", seconds, view, whole);
-    velocities("whole box, shuffled", seconds, view, shuffled(whole));
-    velocities("whole box, gusts, profile", seconds, gusts, whole);
-    velocities("rows of their own", seconds, thin.view(), near);
-    velocities("periodic", seconds, round.view(), near);
-    velocities("outside", seconds, view, far);
-    velocities("outside, profile", seconds, calm.view(), far);
-    velocities("outside, gusts, profile", seconds, gusts, far);
-    velocities("outside, gusts, profile, shuffled", seconds, gusts, shuffled(far));
-    felt("felt, inside", seconds, gusts, near, {});
-    felt("felt with detail, inside", seconds, gusts, near, {.detail = 0.3f});
+    velocities("inside, in order", seconds, wind, near);
+    velocities("inside, shuffled", seconds, wind, shuffled(near));
+    velocities("whole box, in order", seconds, wind, whole);
+    velocities("whole box, shuffled", seconds, wind, shuffled(whole));
+    velocities("whole box, gusts, profile", seconds, windy, whole);
+    velocities("rows of their own", seconds, thin, near);
+    velocities("periodic", seconds, round, near);
+    velocities("outside", seconds, wind, far);
+    velocities("outside, profile", seconds, calm, far);
+    velocities("outside, gusts, profile", seconds, windy, far);
+    velocities("outside, gusts, profile, shuffled", seconds, windy, shuffled(far));
+    felt("felt, inside", seconds, windy, near, {});
+    felt("felt with detail, inside", seconds, windy, near, {.detail = 0.3f});
     halves(seconds);
     return 0;
 }

@@ -16,35 +16,35 @@ struct TileCorners {
 template <int Lanes>
 inline void tile_places(const TileAxis& axis, const Doubles<Lanes>& coordinates, Whole<Lanes>& texels, Numbers<Lanes>& fraction) {
     Doubles<Lanes> along;
-    for (int n = 0; n < Lanes; ++n)
-        along.at[n] = coordinates.at[n] - axis.origin;
+    for_lanes<Lanes>([&](int n) { along.at[n] = coordinates.at[n] - axis.origin; });
     wrap(along, axis.period);
-    for (int n = 0; n < Lanes; ++n) {
+    for_lanes<Lanes>([&](int n) {
         const TilePlace place = place_of_wrapped(axis, along.at[n]);
         texels.at[n] = static_cast<std::int32_t>(place.texel);
         fraction.at[n] = static_cast<float>(place.fraction);
-    }
+    });
 }
 
 template <int Lanes>
 inline void tile_corners(const TileAxis (&axes)[3], const Positions<Lanes>& positions, TileCorners<Lanes>& tile) {
-    constexpr std::int32_t k_row = k_tile_side, k_slice = k_tile_side * k_tile_height;
+    constexpr std::int32_t k_row = k_cell_bytes * k_tile_side, k_slice = k_row * k_tile_height;
     Whole<Lanes> texels[3];
     for (int axis = 0; axis < 3; ++axis)
         tile_places(axes[axis], positions.axis[axis], texels[axis], tile.between[axis]);
-    for (int n = 0; n < Lanes; ++n) {
+    for_lanes<Lanes>([&](int n) {
         const std::int32_t x = texels[0].at[n] & (k_tile_side - 1), next_x = (texels[0].at[n] + 1) & (k_tile_side - 1);
         const std::int32_t z = texels[2].at[n] & (k_tile_side - 1), next_z = (texels[2].at[n] + 1) & (k_tile_side - 1);
-        const std::int32_t y = texels[1].at[n] & (2 * k_tile_height - 1), next_y = (texels[1].at[n] + 1) & (2 * k_tile_height - 1);
+        const std::int32_t y = texels[1].at[n] & (2 * k_tile_height - 1),
+                           next_y = (texels[1].at[n] + 1) & (2 * k_tile_height - 1);
         const std::int32_t row = y < k_tile_height ? y : 2 * k_tile_height - 1 - y;
         const std::int32_t next_row = next_y < k_tile_height ? next_y : 2 * k_tile_height - 1 - next_y;
         tile.sign[0].at[n] = y < k_tile_height ? 1.0f : -1.0f;
         tile.sign[1].at[n] = next_y < k_tile_height ? 1.0f : -1.0f;
-        tile.corners.first.at[n] = z * k_slice + row * k_row + x;
-        tile.corners.step[0].at[n] = next_x - x;
+        tile.corners.first.at[n] = z * k_slice + row * k_row + x * k_cell_bytes;
+        tile.corners.step[0].at[n] = (next_x - x) * k_cell_bytes;
         tile.corners.step[1].at[n] = (next_row - row) * k_row;
         tile.corners.step[2].at[n] = (next_z - z) * k_slice;
-    }
+    });
 }
 
 template <int Lanes>
@@ -61,39 +61,35 @@ template <int Lanes>
 inline void ambient_points(const AmbientTask& task, const Positions<Lanes>& positions, Vectors<Lanes>& wind) {
     const Cell mean = load_cell(task.mean);
     Numbers<Lanes> share;
-    for (int n = 0; n < Lanes; ++n)
-        share.at[n] = 1.0f;
+    for_lanes<Lanes>([&](int n) { share.at[n] = 1.0f; });
     if (task.roughness_length > 0.0f)
-        for (int n = 0; n < Lanes; ++n) {
+        for_lanes<Lanes>([&](int n) {
             const double over = positions.axis[1].at[n] - task.ground;
             const double raised = over < task.lowest ? task.lowest : over;
             const auto height = static_cast<float>(task.highest < raised ? task.highest : raised);
             const float fraction = text::windrow_profile(height, task.roughness_length, task.reference_height);
             share.at[n] = positions.lost.at[n] == 0.0f ? fraction : 1.0f;
-        }
+        });
     if (!(task.gust_strength > 0.0f)) {
-        for (int n = 0; n < Lanes; ++n)
-            store_cell(wind.at[n], splat(share.at[n]) * mean);
+        for_lanes<Lanes>([&](int n) { store_cell(wind.at[n], splat(share.at[n]) * mean); });
         return;
     }
     TileCorners<Lanes> tile;
     tile_corners(task.gusts, positions, tile);
     Numbers<Lanes> strength;
-    for (int n = 0; n < Lanes; ++n)
-        strength.at[n] = task.gust_strength * text::min(share.at[n], 1.0f);
+    for_lanes<Lanes>([&](int n) { strength.at[n] = task.gust_strength * text::min(share.at[n], 1.0f); });
     const Cell axes = load_cell(task.gust_axes);
-    for (int n = 0; n < Lanes; ++n) {
+    for_lanes<Lanes>([&](int n) {
         const Cell gust = splat(strength.at[n]) * axes * tile_at(task.tile, tile, n);
         const Cell steady = splat(share.at[n]) * mean;
         store_cell(wind.at[n], positions.lost.at[n] == 0.0f ? steady + gust : steady);
-    }
+    });
 }
 
 template <int Lanes>
 inline void read_known_positions(const double* from, Positions<Lanes>& positions) {
     read_positions(from, positions);
-    for (int n = 0; n < Lanes; ++n)
-        positions.lost.at[n] = 0.0f;
+    for_lanes<Lanes>([&](int n) { positions.lost.at[n] = 0.0f; });
     for (int axis = 0; axis < 3; ++axis)
         drop_lost(positions.axis[axis], positions.lost);
 }
@@ -104,14 +100,18 @@ inline void ambient_group(const AmbientTask& task, const double* from, int count
     Vectors<Lanes> wind;
     read_known_positions(from, positions);
     ambient_points(task, positions, wind);
-    write_velocities(wind, count, stride, out);
+    write_velocities([&](int n) { return load_cell(wind.at[n]); }, count, stride, out);
 }
 
 void ambient_list(const AmbientTask& task, const double* positions, std::size_t count, int stride, float* out) {
     for_groups(
         positions, count,
-        [&](std::size_t first, const double* from, int size) { ambient_group<k_lanes>(task, from, size, stride, out + stride * first); },
-        [&](std::size_t first, const double* from, int size) { ambient_group<1>(task, from, size, stride, out + stride * first); });
+        [&](std::size_t first, const double* from, int size) {
+            ambient_group<k_lanes>(task, from, size, stride, out + stride * first);
+        },
+        [&](std::size_t first, const double* from, int size) {
+            ambient_group<1>(task, from, size, stride, out + stride * first);
+        });
 }
 
 // Detail, strength and limit of the velocities in `out`, in place.
@@ -123,22 +123,23 @@ inline void felt_group(const FeltTask& task, const double* from, int count, int 
         read_known_positions(from, positions);
         TileCorners<Lanes> tile;
         tile_corners(task.detail, positions, tile);
-        for (int n = 0; n < Lanes; ++n)
+        for_lanes<Lanes>([&](int n) {
             store_cell(ripple.at[n], positions.lost.at[n] == 0.0f ? tile_at(task.tile, tile, n) / splat(task.longest) : Cell{});
+        });
     }
     Numbers<Lanes> u[3];
     for (int axis = 0; axis < 3; ++axis)
-        for (int n = 0; n < Lanes; ++n)
-            u[axis].at[n] = n < count ? out[stride * n + axis] : 0.0f;
-    for (int n = 0; n < Lanes; ++n) {
+        for_lanes<Lanes>([&](int n) { u[axis].at[n] = n < count ? out[stride * n + axis] : 0.0f; });
+    for_lanes<Lanes>([&](int n) {
         text::vec3 wind(u[0].at[n], u[1].at[n], u[2].at[n]);
         if (task.detail_amount > 0.0f)
-            wind += task.detail_amount * text::windrow_speed(wind) * text::vec3(ripple.at[n][0], ripple.at[n][1], ripple.at[n][2]);
+            wind +=
+                task.detail_amount * text::windrow_speed(wind) * text::vec3(ripple.at[n][0], ripple.at[n][1], ripple.at[n][2]);
         const text::vec3 felt = text::windrow_limited(wind, task.strength, task.limit);
         u[0].at[n] = felt.x;
         u[1].at[n] = felt.y;
         u[2].at[n] = felt.z;
-    }
+    });
     for (int n = 0; n < count; ++n)
         for (int axis = 0; axis < 3; ++axis)
             out[stride * n + axis] = u[axis].at[n];
@@ -147,6 +148,8 @@ inline void felt_group(const FeltTask& task, const double* from, int count, int 
 void felt_list(const FeltTask& task, const double* positions, std::size_t count, int stride, float* out) {
     for_groups(
         positions, count,
-        [&](std::size_t first, const double* from, int size) { felt_group<k_lanes>(task, from, size, stride, out + stride * first); },
+        [&](std::size_t first, const double* from, int size) {
+            felt_group<k_lanes>(task, from, size, stride, out + stride * first);
+        },
         [&](std::size_t first, const double* from, int size) { felt_group<1>(task, from, size, stride, out + stride * first); });
 }

@@ -26,20 +26,18 @@ struct BoxPlaces {
 template <int Lanes>
 inline void places_in_rows(const PointTask& task, const Doubles<Lanes>& heights, Doubles<Lanes>& places) {
     const double* const rows = task.row_heights; // of row -1 first
-    for (int n = 0; n < Lanes; ++n)
-        places.at[n] = heights.at[n] - task.bottom;
+    for_lanes<Lanes>([&](int n) { places.at[n] = heights.at[n] - task.bottom; });
     Whole<Lanes> below;
-    for (int n = 0; n < Lanes; ++n)
-        below.at[n] = 0;
+    for_lanes<Lanes>([&](int n) { below.at[n] = 0; });
     for (std::int32_t step = 128; step > 0; step /= 2)
-        for (int n = 0; n < Lanes; ++n) {
+        for_lanes<Lanes>([&](int n) {
             const std::int32_t next = below.at[n] + step, row = next < task.rows ? next : task.rows;
             below.at[n] = next == row && rows[row] <= places.at[n] ? row : below.at[n];
-        }
-    for (int n = 0; n < Lanes; ++n) {
+        });
+    for_lanes<Lanes>([&](int n) {
         const double from = rows[below.at[n]], to = rows[below.at[n] + 1];
         places.at[n] = static_cast<double>(below.at[n]) - 0.5 + (places.at[n] - from) / (to - from);
-    }
+    });
 }
 
 constexpr float k_never_fades = 1e30f; // as fluid/view_place.h has it
@@ -49,94 +47,96 @@ template <int Lanes>
 inline void fade_at_ends(const PointAxis& axis, const Numbers<Lanes>& from_low, const Numbers<Lanes>& from_high,
                          Numbers<Lanes>& share) {
     if (axis.low_kind == 0.0f && axis.high_kind == 0.0f) {
-        for (int n = 0; n < Lanes; ++n)
-            share.at[n] *= text::windrow_edge_share(1.0f + from_low.at[n], 1.0f + from_high.at[n], 0.0f);
+        for_lanes<Lanes>(
+            [&](int n) { share.at[n] *= text::windrow_edge_share(1.0f + from_low.at[n], 1.0f + from_high.at[n], 0.0f); });
     } else if (axis.low_kind == 0.0f || axis.high_kind == 0.0f) {
         const Numbers<Lanes>& from_open = axis.low_kind == 0.0f ? from_low : from_high;
-        for (int n = 0; n < Lanes; ++n)
-            share.at[n] *= text::windrow_edge_share(1.0f + from_open.at[n], k_never_fades, 0.0f);
+        for_lanes<Lanes>([&](int n) { share.at[n] *= text::windrow_edge_share(1.0f + from_open.at[n], k_never_fades, 0.0f); });
     }
 }
 
 // The share of the blend zone of an axis, around what the box follows.
 template <int Lanes>
 inline void fade_from_point(const PointAxis& axis, const Doubles<Lanes>& in_world, Numbers<Lanes>& share) {
-    for (int n = 0; n < Lanes; ++n) {
+    for_lanes<Lanes>([&](int n) {
         const auto from_point = static_cast<float>(in_world.at[n] - axis.point);
-        share.at[n] *= text::windrow_edge_share((axis.reach + from_point) / axis.width, (axis.reach - from_point) / axis.width, 1.0f);
-    }
+        share.at[n] *= text::windrow_edge_share((axis.reach + from_point) * axis.per_width,
+                                                (axis.reach - from_point) * axis.per_width, 1.0f);
+    });
 }
 
-template <int Lanes>
+template <bool Periodic, int Lanes>
 inline void cells_around(const PointAxis& axis, const Numbers<Lanes>& local, Whole<Lanes>& low, Whole<Lanes>& high,
                          Numbers<Lanes>& between) {
-    const auto cells = static_cast<float>(axis.cells);
-    const float kind = axis.low_kind;
-    for (int n = 0; n < Lanes; ++n) {
-        const float sample = text::windrow_axis_sample(local.at[n], cells, kind) - 0.5f;
-        const float below = text::floor(sample);
-        between.at[n] = sample - below;
-        const auto cell = static_cast<std::int32_t>(below);
-        low.at[n] = text::windrow_axis_texel(cell, axis.cells, kind);
-        high.at[n] = text::windrow_axis_texel(cell + 1, axis.cells, kind);
-    }
+    constexpr float k_kind = Periodic ? 2.0f : 0.0f; // open ends and walls differ in the share alone
+    const std::int32_t cells = axis.cells;
+    Numbers<Lanes> sample, below; // by short loops: of a longer one the compiler makes no vectors
+    for_lanes<Lanes>(
+        [&](int n) { sample.at[n] = text::windrow_axis_sample(local.at[n], static_cast<float>(cells), k_kind) - 0.5f; });
+    for_lanes<Lanes>([&](int n) { below.at[n] = text::floor(sample.at[n]); });
+    for_lanes<Lanes>([&](int n) {
+        between.at[n] = sample.at[n] - below.at[n];
+        low.at[n] = static_cast<std::int32_t>(below.at[n]);
+    });
+    for_lanes<Lanes>([&](int n) { high.at[n] = text::windrow_axis_texel(low.at[n] + 1, cells, k_kind); });
+    for_lanes<Lanes>([&](int n) { low.at[n] = text::windrow_axis_texel(low.at[n], cells, k_kind); });
 }
 
-// Positions that no double of cells holds count as not finite.
+// Positions that are not finite, or that no double of cells holds, have the share 0.
 template <int Lanes>
-inline void place_points(const PointTask& task, Positions<Lanes>& positions, BoxPlaces<Lanes>& places) {
-    for (int n = 0; n < Lanes; ++n) {
-        places.share.at[n] = 1.0f;
-        positions.lost.at[n] = 0.0f;
-    }
+inline void place_points(const PointTask& task, const Positions<Lanes>& positions, BoxPlaces<Lanes>& places) {
+    for_lanes<Lanes>([&](int n) { places.share.at[n] = 1.0f; });
+    Doubles<Lanes> in_world, local, nothing;
+    for_lanes<Lanes>([&](int n) { nothing.at[n] = 0.0; });
     for (int a = 0; a < 3; ++a) {
         const PointAxis& axis = task.axis[a];
-        Doubles<Lanes> in_world, local;
-        Numbers<Lanes> in_box, from_low, from_high;
-        for (int n = 0; n < Lanes; ++n)
-            in_world.at[n] = positions.axis[a].at[n] / task.cell_size;
-        drop_lost(in_world, positions.lost);
         const bool rows = a == 1 && task.rows > 0;
-        if (rows) {
-            drop_lost(positions.axis[a], positions.lost);
+        for_lanes<Lanes>([&](int n) { in_world.at[n] = positions.axis[a].at[n] * task.per_cell; });
+        for_lanes<Lanes>([&](int n) { nothing.at[n] += in_world.at[n] - in_world.at[n]; }); // or NaN
+        if (rows)
             places_in_rows(task, positions.axis[a], local);
-        } else {
-            for (int n = 0; n < Lanes; ++n)
-                local.at[n] = in_world.at[n] - axis.origin;
-            if (axis.low_kind == 2.0f)
-                wrap(local, axis.period);
-        }
-        for (int n = 0; n < Lanes; ++n)
-            in_box.at[n] = static_cast<float>(local.at[n]);
+        else
+            for_lanes<Lanes>([&](int n) { local.at[n] = in_world.at[n] - axis.origin; });
+        if (axis.low_kind == 2.0f)
+            wrap(local, axis.period);
+        // NaN becomes -1, so that its address is legal. Below -1 all places are alike.
+        Numbers<Lanes> in_box, from_low, from_high;
+        for_lanes<Lanes>([&](int n) {
+            const auto place = static_cast<float>(local.at[n]);
+            in_box.at[n] = place > -1.0f ? place : -1.0f;
+        });
         if (rows) { // over a cell's size, also where the outermost row has another thickness
-            for (int n = 0; n < Lanes; ++n) {
+            for_lanes<Lanes>([&](int n) {
                 const double over = positions.axis[a].at[n] - task.bottom;
-                from_low.at[n] = static_cast<float>(over / task.cell_size);
-                from_high.at[n] = static_cast<float>((task.top - over) / task.cell_size);
-            }
+                from_low.at[n] = static_cast<float>(over * task.per_cell);
+                from_high.at[n] = static_cast<float>((task.top - over) * task.per_cell);
+            });
             fade_at_ends(axis, from_low, from_high, places.share);
         } else {
-            for (int n = 0; n < Lanes; ++n)
-                from_high.at[n] = static_cast<float>(axis.cells) - in_box.at[n];
+            for_lanes<Lanes>([&](int n) { from_high.at[n] = static_cast<float>(axis.cells) - in_box.at[n]; });
             fade_at_ends(axis, in_box, from_high, places.share);
         }
         if (axis.reach > 0.0f)
             fade_from_point(axis, in_world, places.share);
-        cells_around(axis, in_box, places.low[a], places.high[a], places.between[a]);
+        if (axis.low_kind == 2.0f)
+            cells_around<true>(axis, in_box, places.low[a], places.high[a], places.between[a]);
+        else
+            cells_around<false>(axis, in_box, places.low[a], places.high[a], places.between[a]);
     }
-    for (int n = 0; n < Lanes; ++n)
-        places.share.at[n] = positions.lost.at[n] == 0.0f ? places.share.at[n] : 0.0f;
+    Numbers<Lanes> lost;
+    for_lanes<Lanes>([&](int n) { lost.at[n] = static_cast<float>(nothing.at[n]); });
+    for_lanes<Lanes>([&](int n) { places.share.at[n] = lost.at[n] == 0.0f ? places.share.at[n] : 0.0f; });
 }
 
 template <int Lanes>
 inline void corners_of(const PointTask& task, const BoxPlaces<Lanes>& places, Corners<Lanes>& corners) {
-    const std::int32_t row = task.axis[0].cells, plane = row * task.axis[1].cells;
-    for (int n = 0; n < Lanes; ++n) {
-        corners.first.at[n] = places.low[2].at[n] * plane + places.low[1].at[n] * row + places.low[0].at[n];
-        corners.step[0].at[n] = places.high[0].at[n] - places.low[0].at[n];
+    const std::int32_t row = k_cell_bytes * task.axis[0].cells, plane = row * task.axis[1].cells;
+    for_lanes<Lanes>([&](int n) {
+        corners.first.at[n] = places.low[2].at[n] * plane + places.low[1].at[n] * row + places.low[0].at[n] * k_cell_bytes;
+        corners.step[0].at[n] = (places.high[0].at[n] - places.low[0].at[n]) * k_cell_bytes;
         corners.step[1].at[n] = (places.high[1].at[n] - places.low[1].at[n]) * row;
         corners.step[2].at[n] = (places.high[2].at[n] - places.low[2].at[n]) * plane;
-    }
+    });
 }
 
 constexpr auto k_not_turned = [](const Pair& line, int) { return line; };
@@ -148,35 +148,47 @@ inline Cell mixed(Cell ambient, Cell inside, float share) {
     return share == 1.0f ? inside : blend(ambient, inside, share);
 }
 
+// Marks what is not finite for the ambient wind.
+template <int Lanes>
+inline void ambient_around(const PointTask& task, Positions<Lanes>& positions, Vectors<Lanes>& ambient) {
+    Doubles<Lanes> in_world;
+    for_lanes<Lanes>([&](int n) { positions.lost.at[n] = 0.0f; });
+    for (int axis = 0; axis < 3; ++axis) {
+        for_lanes<Lanes>([&](int n) { in_world.at[n] = positions.axis[axis].at[n] * task.per_cell; });
+        drop_lost(in_world, positions.lost);
+        drop_lost(positions.axis[axis], positions.lost);
+    }
+    ambient_points(task.ambient, positions, ambient);
+}
+
 template <int Lanes>
 inline void point_group(const PointTask& task, const double* from, int count, int stride, float* out) {
     Positions<Lanes> positions;
     BoxPlaces<Lanes> places;
-    Vectors<Lanes> wind;
+    Corners<Lanes> corners;
     read_positions(from, positions);
     place_points(task, positions, places);
-    const bool all_inside = !any_below(places.share, 1.0f), all_outside = !any_above(places.share, 0.0f);
-    if (!all_outside) {
-        Corners<Lanes> corners;
-        corners_of(task, places, corners);
-        for (int n = 0; n < Lanes; ++n)
-            store_cell(wind.at[n], trilinear(task.field, corners, places.between, n, k_not_turned));
+    corners_of(task, places, corners);
+    const auto inside = [&](int n) { return trilinear(task.field, corners, places.between, n, k_not_turned); };
+    if (!any_below(places.share, 1.0f)) {
+        write_velocities(inside, count, stride, out);
+        return;
     }
-    if (!all_inside) {
-        Vectors<Lanes> ambient;
-        for (int axis = 0; axis < 3; ++axis)
-            drop_lost(positions.axis[axis], positions.lost);
-        ambient_points(task.ambient, positions, ambient);
-        for (int n = 0; n < Lanes; ++n)
-            store_cell(wind.at[n], mixed(load_cell(ambient.at[n]), all_outside ? Cell{} : load_cell(wind.at[n]), places.share.at[n]));
+    Vectors<Lanes> ambient;
+    ambient_around(task, positions, ambient);
+    if (!any_above(places.share, 0.0f)) {
+        write_velocities([&](int n) { return load_cell(ambient.at[n]); }, count, stride, out);
+        return;
     }
-    write_velocities(wind, count, stride, out);
+    write_velocities([&](int n) { return mixed(load_cell(ambient.at[n]), inside(n), places.share.at[n]); }, count, stride, out);
 }
 
 void point_list(const PointTask& task, const double* positions, std::size_t count, int stride, float* out) {
     for_groups(
         positions, count,
-        [&](std::size_t first, const double* from, int size) { point_group<k_lanes>(task, from, size, stride, out + stride * first); },
+        [&](std::size_t first, const double* from, int size) {
+            point_group<k_lanes>(task, from, size, stride, out + stride * first);
+        },
         [&](std::size_t first, const double* from, int size) { point_group<1>(task, from, size, stride, out + stride * first); });
 }
 
@@ -193,15 +205,13 @@ void place_point(const PointTask& task, const double* position, PointPlace& plac
         place.between[axis] = places.between[axis].at[0];
     }
     if (place.share != 1.0f) {
-        for (int axis = 0; axis < 3; ++axis)
-            drop_lost(positions.axis[axis], positions.lost);
-        ambient_points(task.ambient, positions, ambient);
+        ambient_around(task, positions, ambient);
         store_cell(place.ambient, load_cell(ambient.at[0]));
     }
 }
 
 void blend_corners(const float* corners, const PointPlace& place, float* out) {
-    constexpr std::ptrdiff_t k_steps[3] = {4, 8, 16};
+    constexpr std::ptrdiff_t k_steps[3] = {k_cell_bytes, 2 * k_cell_bytes, 4 * k_cell_bytes};
     const float t[3] = {place.between[0], place.between[1], place.between[2]};
     store_cell(out, mixed(load_cell(place.ambient), trilinear(corners, k_steps, t, k_not_turned), place.share));
 }

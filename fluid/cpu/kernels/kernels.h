@@ -223,7 +223,8 @@ struct FeltTask {
 struct PointAxis {
     int cells;
     float low_kind, high_kind;
-    float reach, width; ///< [cells] of the blend zone; reach 0: none
+    float reach;     ///< [cells] of the blend zone; 0: none
+    float per_width; ///< [1/cells] one over its width
     double origin;      ///< [cells] of the low corner, in the world
     double point;       ///< [cells] of the blend zone's centre, in the world
     Period period;      ///< [cells] where the axis is periodic
@@ -232,7 +233,7 @@ struct PointAxis {
 /// The wind of a box at points.
 struct PointTask {
     PointAxis axis[3];
-    double cell_size;
+    double per_cell;           ///< [1/m] one over the cell size
     const double* row_heights; ///< [m] over the low corner, of row -1 first; null: all rows are cell_size thick
     int rows;
     double bottom, top; ///< [m] of the low corner in the world, of the box over it; where it has rows

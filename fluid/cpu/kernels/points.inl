@@ -22,6 +22,14 @@ struct Vectors {
     alignas(16) float at[Lanes][4];
 };
 
+// Runs body(n) for each lane. Without the pragma short loops within others are unrolled before vectors are made of them.
+template <int Lanes, class Body>
+__attribute__((always_inline)) inline void for_lanes(const Body& body) {
+#pragma GCC unroll 1
+    for (int n = 0; n < Lanes; ++n)
+        body(n);
+}
+
 // [m] The points as asked, by axis. What is not finite is 0 there, and `lost` is NaN instead of 0.
 template <int Lanes>
 struct Positions {
@@ -31,33 +39,33 @@ struct Positions {
 
 template <int Lanes>
 inline void read_positions(const double* from, Positions<Lanes>& positions) {
-    for (int axis = 0; axis < 3; ++axis)
-        for (int n = 0; n < Lanes; ++n)
-            positions.axis[axis].at[n] = from[3 * n + axis];
+    for_lanes<Lanes>([&](int n) {
+        positions.axis[0].at[n] = from[3 * n];
+        positions.axis[1].at[n] = from[3 * n + 1];
+        positions.axis[2].at[n] = from[3 * n + 2];
+    });
 }
 
 // Zero where x is not finite, which `lost` then marks.
 template <int Lanes>
 inline void drop_lost(Doubles<Lanes>& values, Numbers<Lanes>& lost) {
-    for (int n = 0; n < Lanes; ++n) {
+    for_lanes<Lanes>([&](int n) {
         const double value = values.at[n], nothing = value - value;
         values.at[n] = nothing == 0.0 ? value : 0.0;
         lost.at[n] += static_cast<float>(nothing);
-    }
+    });
 }
 
 template <int Lanes>
 inline bool any_above(const Numbers<Lanes>& values, float bound) {
     std::int32_t found = 0;
-    for (int n = 0; n < Lanes; ++n)
-        found |= values.at[n] > bound ? 1 : 0;
+    for_lanes<Lanes>([&](int n) { found |= values.at[n] > bound ? 1 : 0; });
     return found != 0;
 }
 template <int Lanes>
 inline bool any_below(const Numbers<Lanes>& values, float bound) {
     std::int32_t found = 0;
-    for (int n = 0; n < Lanes; ++n)
-        found |= values.at[n] < bound ? 1 : 0;
+    for_lanes<Lanes>([&](int n) { found |= values.at[n] < bound ? 1 : 0; });
     return found != 0;
 }
 
@@ -65,15 +73,12 @@ inline bool any_below(const Numbers<Lanes>& values, float bound) {
 template <int Lanes>
 inline void wrap(Doubles<Lanes>& values, const Period& period) {
     Numbers<Lanes> far; // a float, since a mask of doubles does not become one of ints in one step
-    for (int n = 0; n < Lanes; ++n)
-        far.at[n] = static_cast<float>(is_near(values.at[n], period) ? 0.0 : 1.0);
+    for_lanes<Lanes>([&](int n) { far.at[n] = static_cast<float>(is_near(values.at[n], period) ? 0.0 : 1.0); });
     if (any_above(far, 0.0f)) {
-        for (int n = 0; n < Lanes; ++n)
-            values.at[n] = wrapped(values.at[n], period);
+        for_lanes<Lanes>([&](int n) { values.at[n] = wrapped(values.at[n], period); });
         return;
     }
-    for (int n = 0; n < Lanes; ++n)
-        values.at[n] = wrapped_near(values.at[n], period);
+    for_lanes<Lanes>([&](int n) { values.at[n] = wrapped_near(values.at[n], period); });
 }
 
 // Two cells, or four floats each of two lines.
@@ -118,19 +123,26 @@ inline Cell blend(Cell a, Cell b, float t) {
     return a + splat(t) * (b - a);
 }
 
-// The eight cells around a point: the first, and the way to its neighbour along each axis. [cells]
+// The eight cells around a point: the first, and the way to its neighbour along each axis. In bytes, of which the largest field
+// has 2^30.
+constexpr std::int32_t k_cell_bytes = 16;
 template <int Lanes>
 struct Corners {
     Whole<Lanes> first, step[3];
 };
+inline const float* bytes_on(const float* from, std::ptrdiff_t bytes) {
+    return reinterpret_cast<const float*>(reinterpret_cast<const char*>(from) + bytes);
+}
 
 // Trilinear, along x, then y, then z, as windrow_tile_at of shaders/numerics/ambient.glsl. `turn(line, row)` changes the lower
 // and the upper row before they are blended.
 template <class Turn>
 inline Cell trilinear(const float* first, const std::ptrdiff_t (&step)[3], const float (&between)[3], const Turn& turn) {
-    const float *const a = first, *const b = first + step[1], *const c = a + step[2], *const d = b + step[2];
-    const Pair near = blend(pair_of(a, c), pair_of(a + step[0], c + step[0]), between[0]);
-    const Pair over = blend(pair_of(b, d), pair_of(b + step[0], d + step[0]), between[0]);
+    const float *const a = first, *const b = bytes_on(a, step[1]), *const c = bytes_on(a, step[2]),
+                       *const d = bytes_on(b, step[2]);
+    const auto beside = [&](const float* cell) { return bytes_on(cell, step[0]); };
+    const Pair near = blend(pair_of(a, c), pair_of(beside(a), beside(c)), between[0]);
+    const Pair over = blend(pair_of(b, d), pair_of(beside(b), beside(d)), between[0]);
     const Pair both = blend(turn(near, 0), turn(over, 1), between[1]);
     return blend(low_of(both), high_of(both), between[2]);
 }
@@ -138,11 +150,9 @@ inline Cell trilinear(const float* first, const std::ptrdiff_t (&step)[3], const
 template <int Lanes, class Turn>
 inline Cell trilinear(const float* cells, const Corners<Lanes>& corners, const Numbers<Lanes> (&between)[3], int n,
                       const Turn& turn) {
-    std::ptrdiff_t step[3];
-    for (int axis = 0; axis < 3; ++axis)
-        step[axis] = 4 * static_cast<std::ptrdiff_t>(corners.step[axis].at[n]);
+    const std::ptrdiff_t step[3] = {corners.step[0].at[n], corners.step[1].at[n], corners.step[2].at[n]};
     const float t[3] = {between[0].at[n], between[1].at[n], between[2].at[n]};
-    return trilinear(cells + 4 * static_cast<std::ptrdiff_t>(corners.first.at[n]), step, t, turn);
+    return trilinear(bytes_on(cells, corners.first.at[n]), step, t, turn);
 }
 
 // Runs body(positions, result) for each group of a list; a group that the list does not fill is filled with its last point.
@@ -165,14 +175,17 @@ inline void for_groups(const double* positions, std::size_t count, const Group& 
     group(first, rest, static_cast<int>(left));
 }
 
-// Three or four floats a point. Three are stored as four where a next point follows, whose place then takes its own.
-template <int Lanes>
-inline void write_velocities(const Vectors<Lanes>& velocities, int count, int stride, float* out) {
+// velocity(n) of the first `count` lanes, as three or four floats each. Three are stored as four where a next point follows, which
+// then takes its own place.
+template <class Velocity>
+inline void write_velocities(const Velocity& velocity, int count, int stride, float* out) {
     for (int n = 0; n + 1 < count; ++n)
-        store_cell(out + stride * n, load_cell(velocities.at[n]));
-    if (count > 0 && stride == 4)
-        store_cell(out + stride * (count - 1), load_cell(velocities.at[count - 1]));
-    else if (count > 0)
+        store_cell(out + stride * n, velocity(n));
+    const Cell last = velocity(count - 1);
+    float* const end = out + stride * (count - 1);
+    if (stride == 4)
+        store_cell(end, last);
+    else
         for (int axis = 0; axis < 3; ++axis)
-            out[stride * (count - 1) + axis] = velocities.at[count - 1][axis];
+            end[axis] = last[axis];
 }
