@@ -120,8 +120,9 @@ void felt(const std::string& name, double seconds, const Wind& wind, const List&
     }});
     for (const Simd level : k_levels)
         if (runs(level))
-            methods.push_back(
-                {.run = [&view, &points, &sampling, level](Winds& winds) { on_level(view, level).felt(points, sampling, winds); }});
+            methods.push_back({.run = [&view, &points, &sampling, level](Winds& winds) {
+                on_level(view, level).felt(points, sampling, winds);
+            }});
     contest(name, seconds, methods);
 }
 
@@ -183,9 +184,11 @@ int main(int count, char** arguments) {
     gusty.gusts = {.intensity = 0.3f};
     rows.rows.emplace();
     ring.boundaries = Boundaries::all(BoundaryKind::periodic);
-    const Wind wind = wind_of(open), calm = wind_of(profiled), windy = wind_of(gusty), thin = wind_of(rows), round = wind_of(ring);
+    const Wind wind = wind_of(open), calm = wind_of(profiled), windy = wind_of(gusty), thin = wind_of(rows),
+               round = wind_of(ring);
     const glm::dvec3 floor(0.0, wind.origin().y, 0.0), corner = floor + glm::dvec3(-5.0, 0.0, -5.0),
-                     outside = floor + glm::dvec3(100.0, 0.0, 40.0), low = floor + glm::dvec3(-16.0, 0.0, -16.0);
+                                                       outside = floor + glm::dvec3(100.0, 0.0, 40.0),
+                                                       low = floor + glm::dvec3(-16.0, 0.0, -16.0);
     const List near = meadow(corner, 10.0), whole = meadow(low, 32.0), far = meadow(outside, 10.0);
     velocities("inside, in order", seconds, wind, near);
     velocities("inside, shuffled", seconds, wind, shuffled(near));

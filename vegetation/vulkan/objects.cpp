@@ -2,6 +2,7 @@
 
 #include "vegetation/vulkan/buffer_memory.h"
 
+#include <algorithm>
 #include <vulkan/vulkan.h>
 
 namespace windrow::vegetation::engine {
@@ -85,9 +86,9 @@ FrameBuffers Objects::frame_buffers(VkDeviceSize bytes, VkBufferUsageFlags usage
 Image Objects::image(const ImageRecipe& recipe) {
     VkImageCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
-    info.imageType = VK_IMAGE_TYPE_2D;
+    info.imageType = recipe.slices > 0 ? VK_IMAGE_TYPE_3D : VK_IMAGE_TYPE_2D;
     info.format = recipe.format;
-    info.extent = {recipe.extent.width, recipe.extent.height, 1};
+    info.extent = {recipe.extent.width, recipe.extent.height, std::max(recipe.slices, 1u)};
     info.mipLevels = 1;
     info.arrayLayers = 1;
     info.samples = recipe.samples;
@@ -104,7 +105,7 @@ Image Objects::image(const ImageRecipe& recipe) {
     VkImageViewCreateInfo view_info{};
     view_info.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
     view_info.image = made.image;
-    view_info.viewType = VK_IMAGE_VIEW_TYPE_2D;
+    view_info.viewType = recipe.slices > 0 ? VK_IMAGE_VIEW_TYPE_3D : VK_IMAGE_VIEW_TYPE_2D;
     view_info.format = recipe.format;
     view_info.subresourceRange = {recipe.aspect, 0, 1, 0, 1};
     made.view = make(vkCreateImageView, vkDestroyImageView, view_info, "vkCreateImageView");

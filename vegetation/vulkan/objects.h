@@ -15,6 +15,7 @@ struct Image {
 struct ImageRecipe {
     VkFormat format = VK_FORMAT_UNDEFINED;
     VkExtent2D extent{};
+    std::uint32_t slices = 0; ///< of a 3D image; 0: a 2D one
     VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
     VkImageUsageFlags usage = 0;
     VkImageAspectFlags aspect = VK_IMAGE_ASPECT_COLOR_BIT;
@@ -44,7 +45,7 @@ class Objects {
     [[nodiscard]] Buffer filled(std::span<const std::byte> content, VkBufferUsageFlags usage);
     /// Written by the host at `mapped` of its slot, in each frame before the submission.
     [[nodiscard]] FrameBuffers frame_buffers(VkDeviceSize bytes, VkBufferUsageFlags usage);
-    /// A 2D image to draw to.
+    /// An image to draw to, or to copy to and sample.
     [[nodiscard]] Image image(const ImageRecipe& recipe);
     [[nodiscard]] VkSampler sampler(Sampler kind);
     [[nodiscard]] VkQueryPool queries(VkQueryType type, std::uint32_t count, VkQueryPipelineStatisticFlags statistics = 0);

@@ -225,9 +225,9 @@ struct PointAxis {
     float low_kind, high_kind;
     float reach;     ///< [cells] of the blend zone; 0: none
     float per_width; ///< [1/cells] one over its width
-    double origin;      ///< [cells] of the low corner, in the world
-    double point;       ///< [cells] of the blend zone's centre, in the world
-    Period period;      ///< [cells] where the axis is periodic
+    double origin;   ///< [cells] of the low corner, in the world
+    double point;    ///< [cells] of the blend zone's centre, in the world
+    Period period;   ///< [cells] where the axis is periodic
 };
 
 /// The wind of a box at points.

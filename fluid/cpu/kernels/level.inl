@@ -18,10 +18,12 @@ namespace {
 #include "fluid/cpu/kernels/stress.inl"
 #include "fluid/cpu/kernels/survey.inl"
 #include "fluid/cpu/kernels/tridiagonal.inl"
-// Points: these use the ones above them.
+// Points of a list.
 #include "fluid/cpu/kernels/shader_text.inl"
 #include "fluid/cpu/kernels/wrap.inl"
+// Both of these are above.
 #include "fluid/cpu/kernels/points.inl"
+// So are points.
 #include "fluid/cpu/kernels/ambient_points.inl"
 #include "fluid/cpu/kernels/box_points.inl"
 #include "fluid/cpu/kernels/halves.inl"

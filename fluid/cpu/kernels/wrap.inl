@@ -13,8 +13,8 @@ inline Period period_of(double whole) {
     return {whole, high, whole - high};
 }
 
-constexpr double k_most_periods = 67108864.0;    // 2^26: both products are exact
-constexpr double k_most_counted = 2147483000.0;  // that an int holds; a power of two has one product, which is exact up to there
+constexpr double k_most_periods = 67108864.0;   // 2^26: both products are exact
+constexpr double k_most_counted = 2147483000.0; // that an int holds; a power of two has one product, which is exact up to there
 // Few enough periods for `wrapped_near` to be exact.
 inline bool is_near(double value, const Period& period) {
     return __builtin_fabs(value) < k_most_periods * period.high;
