@@ -159,8 +159,8 @@ class WINDROW_API AmbientWind {
 
     /// [m/s] Wind at a world point. A point that is not finite gets the mean.
     [[nodiscard]] glm::vec3 velocity(glm::dvec3 position) const;
-    /// The same for many points, a sixth to a tenth of the time a point; `velocities` holds as many. The bits of a point are those
-    /// of the call above.
+    /// The same for many points, at a tenth of the time a point; `velocities` holds as many. The bits of a point are those of the
+    /// call above.
     void velocity(std::span<const glm::dvec3> positions, std::span<glm::vec3> velocities) const;
     /// [m/s] Wind that acts on a plant at a world point: a wind from here or from the fluid, with detail, scaled, limited. 0 for
     /// a wind that is not finite; no detail at a point that is not finite.

@@ -269,8 +269,19 @@ class WINDROW_API Wind {
     void velocity(std::span<const glm::dvec3> positions, std::span<glm::vec3> velocities) const {
         view().velocity(positions, velocities);
     }
+    /// The same as four floats each, w = 0: as plants take winds (Blades::loads, Shells::loads).
+    void velocity(std::span<const glm::dvec3> positions, std::span<glm::vec4> velocities) const {
+        view().velocity(positions, velocities);
+    }
     /// [m/s] Wind that acts on a plant there: scaled, limited, with small-scale detail.
     [[nodiscard]] glm::vec3 felt(glm::dvec3 position, const Sampling& sampling) const { return view().felt(position, sampling); }
+    /// The same for many points, as `velocity` takes them.
+    void felt(std::span<const glm::dvec3> positions, const Sampling& sampling, std::span<glm::vec3> velocities) const {
+        view().felt(positions, sampling, velocities);
+    }
+    void felt(std::span<const glm::dvec3> positions, const Sampling& sampling, std::span<glm::vec4> velocities) const {
+        view().felt(positions, sampling, velocities);
+    }
     /// One texture of four components, as float or half: x, y, z of the velocity and 0. The span holds four numbers for each of
     /// box().cell_count() texels, or the call is rejected.
     Result<void> write_vectors(std::span<float> texels) const { return view().write_vectors(texels); }
