@@ -49,6 +49,15 @@ List shuffled(List points) {
     return points;
 }
 
+// Anywhere in a box: no two points share cells.
+List scattered(const Wind& wind) {
+    List points(k_points);
+    test::Random random(9);
+    for (glm::dvec3& point : points)
+        point = wind.origin() + (0.5 + random.point(0.5)) * glm::dvec3(wind.box().size());
+    return points;
+}
+
 struct Method {
     std::function<void(Winds&)> run;
     Winds winds = Winds(k_points);
@@ -168,7 +177,8 @@ void halves(double seconds) {
 
 int main(int count, char** arguments) {
     const double seconds = count > 1 ? std::atof(arguments[1]) : 1.0;
-    std::printf("ns a point, 10,000 points, box of 32 x 16 x 32 cells of 1 m\n\n| %-34s | plain  | single |", "case");
+    std::printf("ns a point, 10,000 points, box of 32 x 16 x 32 cells of 1 m unless it is named\n\n| %-34s | plain  | single |",
+                "case");
     std::string rule = "|---|---|---|";
     for (const Simd level : k_levels)
         if (runs(level)) {
@@ -178,12 +188,14 @@ int main(int count, char** arguments) {
     std::printf(" times | apart | single = list |\n%s---|---|---|\n", rule.c_str());
 
     const Config open{.boundaries = Boundaries::open_over_floor(), .ambient = {4.0f, 0.0f, 1.0f}};
-    Config gusty = open, profiled = open, rows = open, ring = open;
+    Config gusty = open, profiled = open, rows = open, ring = open, large = open;
     profiled.profile = LogProfile{};
     gusty.profile = LogProfile{};
     gusty.gusts = {.intensity = 0.3f};
     rows.rows.emplace();
     ring.boundaries = Boundaries::all(BoundaryKind::periodic);
+    large.cells = {128, 64, 128};
+    const Wind wide = wind_of(large);
     const Wind wind = wind_of(open), calm = wind_of(profiled), windy = wind_of(gusty), thin = wind_of(rows),
                round = wind_of(ring);
     const glm::dvec3 floor(0.0, wind.origin().y, 0.0), corner = floor + glm::dvec3(-5.0, 0.0, -5.0),
@@ -195,6 +207,9 @@ int main(int count, char** arguments) {
     velocities("whole box, in order", seconds, wind, whole);
     velocities("whole box, shuffled", seconds, wind, shuffled(whole));
     velocities("whole box, gusts, profile", seconds, windy, whole);
+    const List all = meadow({-64.0, wide.origin().y, -64.0}, 128.0);
+    velocities("128 x 64 x 128, in order", seconds, wide, all);
+    velocities("128 x 64 x 128, anywhere", seconds, wide, scattered(wide));
     velocities("rows of their own", seconds, thin, near);
     velocities("periodic", seconds, round, near);
     velocities("outside", seconds, wind, far);
