@@ -56,9 +56,9 @@ windrow::Wind blown() {
                                                     .gusts = {.intensity = 0.15f}}));
     const auto tower = Plane{}.tower, house = Plane{}.house;
     const windrow::Cylinder cylinder{.radius = tower.z, .half_length = 3.0f};
-    (void)engine::must(wind.obstacles().add({.shape = cylinder, .position = at(tower.x, 3.0, tower.y)}));
+    (void)engine::must(wind.obstacles().add({.position = at(tower.x, 3.0, tower.y), .shape = cylinder}));
     const windrow::Block block{.half_size = {house.z, 2.0f, house.w}};
-    (void)engine::must(wind.obstacles().add({.shape = block, .position = at(house.x, 2.0, house.y)}));
+    (void)engine::must(wind.obstacles().add({.position = at(house.x, 2.0, house.y), .shape = block}));
     (void)engine::must(wind.motors().add(windrow::JetMotor{.position = at(-7.0, 1.2, 8.5),
                                                            .direction = {0.3f, 0.0f, -1.0f},
                                                            .length = 6.0f,

@@ -21,8 +21,7 @@ class CpuWindSet {
                                 .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT})),
           blocks_(objects.frame_buffers(sizeof(windrow::FrameBlock), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT)),
           tile_(tile_of(objects, wind.view().ambient())),
-          sampler_(objects.make(vkCreateSampler, vkDestroySampler, windrow::vulkan::sampler_info(wind.box().boundaries),
-                                "vkCreateSampler")) {
+          sampler_(objects.sampler(windrow::vulkan::sampler_info(wind.box().boundaries))) {
         for (auto& buffer : staging_) // a half is two bytes
             buffer = objects.buffer(Use::staging, 2 * 4 * wind.box().cell_count(), VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
         std::vector<windrow::vegetation::engine::Binding> bindings;

@@ -37,8 +37,8 @@ class WINDROW_API WindView {
 
     /// [m/s] Wind at a world point. A point that is not finite gets the mean wind.
     [[nodiscard]] glm::vec3 velocity(glm::dvec3 position) const;
-    /// The same for many points; `velocities` holds as many. Groups of 16 points share vector instructions, so that a point takes a
-    /// tenth of the time of the call above. Lists in which neighbours are near each other are fastest: their cells are in the
+    /// The same for many points; `velocities` holds as many. Vector instructions work on 16 points, so that a point takes a tenth
+    /// of the time of the call above. Lists in which neighbours are near each other are fastest: their cells are in the
     /// cache. The bits of a point are those of the call above, in any list and on any SIMD level.
     void velocity(std::span<const glm::dvec3> positions, std::span<glm::vec3> velocities) const;
     /// The same as four floats each, w = 0: as plants take winds (Blades::loads, Shells::loads).

@@ -121,6 +121,10 @@ VkSampler Objects::sampler(Sampler kind) {
         info.compareEnable = VK_TRUE;
         info.compareOp = VK_COMPARE_OP_LESS_OR_EQUAL;
     }
+    return sampler(info);
+}
+
+VkSampler Objects::sampler(const VkSamplerCreateInfo& info) {
     return make(vkCreateSampler, vkDestroySampler, info, "vkCreateSampler");
 }
 

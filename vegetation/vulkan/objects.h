@@ -48,6 +48,7 @@ class Objects {
     /// An image to draw to, or to copy to and sample.
     [[nodiscard]] Image image(const ImageRecipe& recipe);
     [[nodiscard]] VkSampler sampler(Sampler kind);
+    [[nodiscard]] VkSampler sampler(const VkSamplerCreateInfo& info);
     [[nodiscard]] VkQueryPool queries(VkQueryType type, std::uint32_t count, VkQueryPipelineStatisticFlags statistics = 0);
 
     /// An object of a call vkCreate...(device, info, callbacks, object), ended by `destroy`.

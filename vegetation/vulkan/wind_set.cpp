@@ -27,7 +27,7 @@ VkSampler WindSet::sampler(const Boundaries& boundaries) {
         periodic |= boundaries.periodic(axis) ? std::size_t{1} << axis : 0;
     VkSampler& sampler = samplers_[periodic];
     if (sampler == VK_NULL_HANDLE)
-        sampler = objects_.make(vkCreateSampler, vkDestroySampler, vulkan::sampler_info(boundaries), "vkCreateSampler");
+        sampler = objects_.sampler(vulkan::sampler_info(boundaries));
     return sampler;
 }
 

@@ -155,8 +155,8 @@ inline Cell trilinear(const float* cells, const Corners<Lanes>& corners, const N
     return trilinear(bytes_on(cells, corners.first.at[n]), step, t, turn);
 }
 
-// Runs body(positions, result) for each group of a list; a group that the list does not fill is filled with its last point.
-// `result` has four floats a point, of which three or four go to `out`.
+// Calls group(first, positions, size) for each group of a list: `positions` of a whole group, `size` of them in the list, from its
+// `first` on. What the list does not fill is filled with its last point. One or two points that are left go to `single`.
 template <class Group, class Single>
 inline void for_groups(const double* positions, std::size_t count, const Group& group, const Single& single) {
     std::size_t first = 0;
