@@ -12,8 +12,8 @@
 // 5. The shader gets what Wind::velocity returns, to the rounding of halves and of the texture unit's weights.
 //
 // What to see: air from the left, 1.2 m above the ground, combed along its direction; blue is slow, yellow fast. It parts before a
-// tower and a house, is fast beside them and slow behind. A fan blows up from below. The box ends at the marks; the ambient wind goes
-// on without a seam.
+// tower and a house, is fast beside them and slow behind. A fan blows into it from below. Toward the marks, where the box ends, it
+// fades to the ambient wind over 4 m.
 #include "examples/cpu_wind.h"
 #include "shader_words/air_frag.h"
 #include "shader_words/plane_vert.h"
@@ -35,11 +35,12 @@ constexpr glm::ivec3 k_cells{72, 16, 40};                        // of half a me
 constexpr VkExtent2D k_picture{1280, 720}, k_probes{80, 3 * 45}; // places in 45 rows, a component below the other
 constexpr glm::vec2 k_half_size{20.0f, 11.25f};                  // [m] of the picture
 
-// The push constants of examples/shaders/plane.vert. [m]
+// The push constants of examples/shaders/plane.glsl. [m]
 struct Plane {
-    glm::vec2 half_size = k_half_size, box_half = 0.25f * glm::vec2(k_cells.x, k_cells.z);
     glm::vec4 tower{-9.0f, -3.0f, 1.6f, 0.0f}; ///< where, radius
     glm::vec4 house{1.0f, 1.5f, 1.5f, 2.5f};   ///< where, half size
+    glm::vec2 half_size = k_half_size, pixels{k_picture.width, k_picture.height};
+    glm::vec2 box_half = 0.25f * glm::vec2(k_cells.x, k_cells.z);
 };
 
 glm::dvec3 at(double x, double height, double z) {
@@ -53,7 +54,8 @@ windrow::Wind blown() {
                                                     .centre = at(0.0, 4.0, 0.0),
                                                     .ambient = {6.0f, 0.0f, 0.5f},
                                                     .profile = windrow::LogProfile{},
-                                                    .gusts = {.intensity = 0.15f}}));
+                                                    .gusts = {.intensity = 0.15f},
+                                                    .blend_width = 8.0f}));
     const auto tower = Plane{}.tower, house = Plane{}.house;
     const windrow::Cylinder cylinder{.radius = tower.z, .half_length = 3.0f};
     (void)engine::must(wind.obstacles().add({.position = at(tower.x, 3.0, tower.y), .shape = cylinder}));

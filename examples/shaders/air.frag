@@ -5,7 +5,6 @@
 #include "coupling/windrow_wind.glsl"
 #include "plane.glsl"
 
-layout(location = 0) in vec2 place;
 layout(location = 0) out vec4 colour;
 
 const int k_steps = 16;      // each way
@@ -51,7 +50,8 @@ float from_rectangle(vec2 p, vec2 half_size) {
 }
 
 void main() {
-    float pixel = length(dFdx(place));
+    vec2 place = (2.0 * gl_FragCoord.xy / plane.pixels - 1.0) * plane.half_size;
+    float pixel = 2.0 * plane.half_size.x / plane.pixels.x;
     float combed = (noise_at(place) + streak(place, 1.0) + streak(place, -1.0)) / float(2 * k_steps + 1);
     float light = clamp(0.5 + 3.2 * (combed - 0.5), 0.0, 1.0);
     vec3 seen = colour_of(length(wind_at(place))) * mix(0.45, 1.25, light);

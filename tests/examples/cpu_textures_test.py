@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """cpu_textures_test.py PROGRAM: runs the example cpu_textures under the validation layer; compares what the shader sampled.
 
-The program prints how far the shader's samples are from the CPU's, and what rounding may make of it; here are the places where they
-would differ most if the texture were wrong, as a picture. Needs the layer (Debian: vulkan-validationlayers) and a driver; without
+The program prints how far the shader's samples are from the CPU's, and what rounding may make of it. The picture must show the fan's
+jet and the wake of the house. Needs the layer (Debian: vulkan-validationlayers) and a driver; without
 either it fails.
 """
 import os
@@ -46,8 +46,10 @@ class CpuTextures(unittest.TestCase):
         # Half of a texel's 11 bits, and a texture unit that weighs with 8 bits or more: a fiftieth of the fastest air at most.
         self.assertLess(bound, 0.02 * fastest)
         self.assertLessEqual(apart, bound)
+        if run.stdout.startswith("llvmpipe"):  # its weights are floats: halves alone are rounded, and places
+            self.assertLessEqual(apart, fastest / 2048 + 1e-4)
         self.assertGreater(apart, 0.0)
-        self.assertGreater(fastest, 8.0)  # beside the tower and in the fan's jet
+        self.assertGreater(fastest, 7.0)  # beside the tower and in the fan's jet
 
         header = f"P6\n{WIDTH} {HEIGHT}\n255\n".encode()
         content = (self.folder / "air.ppm").read_bytes()
