@@ -106,14 +106,10 @@ inline void ambient_group(const AmbientTask& task, const double* from, int count
 }
 
 void ambient_list(const AmbientTask& task, const double* positions, std::size_t count, int stride, float* out) {
-    for_groups(
-        positions, count,
-        [&](std::size_t first, const double* from, int size) {
-            ambient_group<k_lanes>(task, from, size, stride, out + stride * first);
-        },
-        [&](std::size_t first, const double* from, int size) {
-            ambient_group<1>(task, from, size, stride, out + stride * first);
-        });
+    const auto group = [&](auto lanes, std::size_t first, const double* from, int size) {
+        ambient_group<lanes.count>(task, from, size, stride, out + stride * first);
+    };
+    for_groups(positions, count, group);
 }
 
 template <int Stride, int Lanes>
@@ -170,10 +166,8 @@ inline void felt_group(const FeltTask& task, const double* from, int count, int 
 }
 
 void felt_list(const FeltTask& task, const double* positions, std::size_t count, int stride, float* out) {
-    for_groups(
-        positions, count,
-        [&](std::size_t first, const double* from, int size) {
-            felt_group<k_lanes>(task, from, size, stride, out + stride * first);
-        },
-        [&](std::size_t first, const double* from, int size) { felt_group<1>(task, from, size, stride, out + stride * first); });
+    const auto group = [&](auto lanes, std::size_t first, const double* from, int size) {
+        felt_group<lanes.count>(task, from, size, stride, out + stride * first);
+    };
+    for_groups(positions, count, group);
 }

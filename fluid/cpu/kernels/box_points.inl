@@ -189,12 +189,10 @@ inline void point_group(const PointTask& task, const double* from, int count, in
 }
 
 void point_list(const PointTask& task, const double* positions, std::size_t count, int stride, float* out) {
-    for_groups(
-        positions, count,
-        [&](std::size_t first, const double* from, int size) {
-            point_group<k_lanes>(task, from, size, stride, out + stride * first);
-        },
-        [&](std::size_t first, const double* from, int size) { point_group<1>(task, from, size, stride, out + stride * first); });
+    const auto group = [&](auto lanes, std::size_t first, const double* from, int size) {
+        point_group<lanes.count>(task, from, size, stride, out + stride * first);
+    };
+    for_groups(positions, count, group);
 }
 
 void place_point(const PointTask& task, const double* position, PointPlace& place) {

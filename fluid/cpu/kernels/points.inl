@@ -155,24 +155,34 @@ inline Cell trilinear(const float* cells, const Corners<Lanes>& corners, const N
     return trilinear(bytes_on(cells, corners.first.at[n]), step, t, turn);
 }
 
-// Calls group(first, positions, size) for each group of a list: `positions` of a whole group, `size` of them in the list, from its
-// `first` on. What the list does not fill is filled with its last point. One or two points that are left go to `single`.
-template <class Group, class Single>
-inline void for_groups(const double* positions, std::size_t count, const Group& group, const Single& single) {
+template <int Count>
+struct LaneCount {
+    static constexpr int count = Count;
+};
+// Calls group(lanes, first, positions, size) for each group of a list: `positions` of as many as `lanes` has, `size` of them in the
+// list, from its `first` on. What the list does not fill is filled with its last point; one or two that are left go alone, since a
+// group costs about as much as two single points.
+template <class Group>
+__attribute__((noinline)) void for_whole_groups(const double* positions, std::size_t count, const Group& group) {
     std::size_t first = 0;
     for (; first + k_lanes <= count; first += k_lanes)
-        group(first, positions + 3 * first, k_lanes);
+        group(LaneCount<k_lanes>(), first, positions + 3 * first, k_lanes);
     const std::size_t left = count - first;
-    if (left <= 2) { // a group costs about as much as two single points
-        for (; first < count; ++first)
-            single(first, positions + 3 * first, 1);
+    if (left == 0)
         return;
-    }
     double rest[3 * k_lanes];
     for (std::size_t n = 0; n < k_lanes; ++n)
         for (int axis = 0; axis < 3; ++axis)
             rest[3 * n + axis] = positions[3 * (first + (n < left ? n : left - 1)) + axis];
-    group(first, rest, static_cast<int>(left));
+    group(LaneCount<k_lanes>(), first, rest, static_cast<int>(left));
+}
+template <class Group>
+inline void for_groups(const double* positions, std::size_t count, const Group& group) {
+    const std::size_t alone = count % k_lanes <= 2 ? count % k_lanes : 0;
+    if (count > alone)
+        for_whole_groups(positions, count - alone, group);
+    for (std::size_t n = count - alone; n < count; ++n)
+        group(LaneCount<1>(), n, positions + 3 * n, 1);
 }
 
 // velocity(n) of the first `count` lanes, as three or four floats each. Three are stored as four where a next point follows, which
